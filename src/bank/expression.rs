@@ -1,0 +1,5 @@
+//! Expressions of bounds.
+
+/// An expression.
+#[derive(Debug, Clone)]
+pub struct Expression;

@@ -1,0 +1,127 @@
+//! What an instructor writes: problems with their data, scenes, questions and rules, checked and ready to be drawn.
+use crate::scene::{Label, Scene};
+use crate::solve::outcome::CheckKind;
+use crate::units::Unit;
+
+/// A bank, checked: every symbol is known, every unit fits, every datum is used.
+#[derive(Debug, Clone)]
+pub struct Bank {
+    /// Id, such as `wheels-on-inclines`.
+    pub id: String,
+    /// Title for people.
+    pub title: String,
+    /// Problems in the order of the file.
+    pub problems: Vec<Problem>,
+    /// May students check their own answers against the sheet file?
+    pub self_check: bool,
+    /// May `check --reveal` show values?
+    pub reveal: bool,
+    /// SHA-256 of the file's bytes, hex.
+    pub hash: String,
+}
+
+/// One problem.
+#[derive(Debug, Clone)]
+pub struct Problem {
+    /// Id, such as `pulled-rolling`.
+    pub id: String,
+    /// Title for people.
+    pub title: String,
+    /// The data, in the order of the file; index = `Num::Datum`. g is the last one, always `value` drawn "always".
+    pub data: Vec<Datum>,
+    /// Named cases, at least one, each with its own ranges, chosen by share.
+    pub cases: Vec<Case>,
+    /// Questions that a set asks, in order.
+    pub questions: Vec<Question>,
+    /// Statement: text of the Tera template, written in the bank; `None`: the template file named after the problem.
+    pub statement: Option<String>,
+    /// Least margins by check kind (0.1 for `moves` and so on), as shares.
+    pub margins: Vec<(CheckKind, f64)>,
+}
+
+/// A named quantity that is drawn.
+#[derive(Debug, Clone)]
+pub struct Datum {
+    /// Symbol, such as `mu_s`.
+    pub symbol: String,
+    /// Symbol in LaTeX, such as `\mu_s`.
+    pub tex: String,
+    /// What it is, in words.
+    pub name: String,
+    /// Unit in which it is drawn and printed.
+    pub unit: Unit,
+}
+
+/// How a datum is drawn. All numbers are integers in units of 10^-decimals of the printed unit: no float in the draw.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Draw {
+    /// From `min` to `max` by `step`.
+    Grid { /// Least.
+        min: i64, /// Greatest.
+        max: i64, /// Step, > 0.
+        step: i64, /// Decimals.
+        decimals: u8 },
+    /// One of a list.
+    OneOf { /// The list.
+        values: Vec<i64>, /// Decimals.
+        decimals: u8 },
+    /// Always this.
+    Always { /// The value.
+        value: i64, /// Decimals.
+        decimals: u8 },
+}
+
+/// A case: ranges, share and the scene to which they belong.
+#[derive(Debug, Clone)]
+pub struct Case {
+    /// Name, empty if the problem has only one.
+    pub name: String,
+    /// Share among the cases, > 0.
+    pub share: u32,
+    /// One for each datum of the problem; `None` where this case does not use it.
+    pub draws: Vec<Option<Draw>>,
+    /// The scene.
+    pub scene: Scene,
+    /// Regime words that count as valid here (`moves_up`, `up ok`).
+    pub regimes: Vec<String>,
+    /// Bounds on answers and derived quantities.
+    pub bounds: Vec<Bound>,
+}
+
+/// A bound on an expression in symbols and quantity names, SI.
+#[derive(Debug, Clone)]
+pub struct Bound {
+    /// As written, for the table of refusals.
+    pub text: String,
+    /// The expression, parsed.
+    pub expression: expression::Expression,
+    /// Least, SI.
+    pub min: Option<f64>,
+    /// Greatest, SI.
+    pub max: Option<f64>,
+}
+
+/// One question.
+#[derive(Debug, Clone)]
+pub struct Question {
+    /// Id of the part, such as `omega`.
+    pub id: String,
+    /// The quantity.
+    pub label: Label,
+    /// What is asked, in words, a Tera template (Markdown with `$...$`).
+    pub ask: String,
+    /// Unit in which the answer is asked.
+    pub unit: Unit,
+    /// Points.
+    pub points: f64,
+    /// Relative tolerance (0.01).
+    pub relative: f64,
+    /// Absolute tolerance, SI; `None`: 1e-3 of the scale for quantities that may vanish, else 0.
+    pub absolute: Option<f64>,
+    /// Must a unit be written?
+    pub unit_required: bool,
+    /// Significant figures asked for, for the statement.
+    pub figures: u8,
+}
+
+pub mod expression;

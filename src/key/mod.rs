@@ -1,0 +1,66 @@
+//! The answer key: plain data, one entry for each part of each problem.
+use crate::units::Unit;
+
+/// What the right answer is.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Answer {
+    /// A number, SI.
+    Number {
+        /// Value, SI.
+        value: f64,
+        /// Accepted half-width, SI, >= 0: max(rel |value|, abs).
+        half_width: f64,
+        /// Signed along a line, so that a word (`up`) may give the sign.
+        directed: bool,
+        /// A magnitude: the key is >= 0.
+        magnitude: bool,
+    },
+    /// A word, one of those offered.
+    Word {
+        /// The right one, such as `up`.
+        right: &'static str,
+        /// All that are offered, such as `up`, `down`, `stays`.
+        offered: &'static [&'static str],
+    },
+}
+
+/// The key of one part.
+#[derive(Debug, Clone, PartialEq)]
+pub struct KeyEntry {
+    /// Id of the part.
+    pub part: String,
+    /// The right answer.
+    pub answer: Answer,
+    /// Unit in which it is asked (dimensionless for a word).
+    pub unit: Unit,
+    /// Must a unit be written?
+    pub unit_required: bool,
+    /// Points for a right answer.
+    pub points: f64,
+    /// Value from the equations of motion, SI.
+    pub eom: Option<f64>,
+    /// Value from work and energy, SI.
+    pub energy: Option<f64>,
+    /// Gap of the two.
+    pub gap: Option<f64>,
+    /// Condition number.
+    pub cond: Option<f64>,
+}
+
+/// The key of one sheet: problems in the order of the sheet.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SheetKey {
+    /// Student id.
+    pub student: String,
+    /// One for each problem.
+    pub problems: Vec<ProblemKey>,
+}
+
+/// The key of one problem of one student.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ProblemKey {
+    /// Id of the problem.
+    pub id: String,
+    /// Parts in order.
+    pub parts: Vec<KeyEntry>,
+}

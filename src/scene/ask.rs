@@ -1,0 +1,121 @@
+//! Which quantity, of which body or cord. The names are fixed: scripts rely on them.
+use crate::scene::{Far, Scene, Tie};
+
+/// What a quantity belongs to.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Owner {
+    /// The scene as a whole.
+    Scene,
+    /// A body, by index.
+    Body(usize),
+    /// A tie, by index.
+    Tie(usize),
+}
+
+/// A quantity of a body, a tie or the scene.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct Label {
+    /// Which quantity.
+    pub quantity: Quantity,
+    /// Whose.
+    pub of: Owner,
+}
+
+macro_rules! quantities {
+    ($($variant:ident $name:literal $unit:literal $doc:literal;)*) => {
+        /// The quantities that the solvers give.
+        #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+        pub enum Quantity { $(#[doc = $doc] $variant,)* }
+        impl Quantity {
+            /// All of them, in the order in which they are listed.
+            pub const ALL: &'static [Quantity] = &[$(Quantity::$variant,)*];
+            /// Name in banks, keys and JSON.
+            pub const fn name(self) -> &'static str { match self { $(Quantity::$variant => $name,)* } }
+            /// SI unit, ASCII; `1` for a pure number, empty for a word.
+            pub const fn unit(self) -> &'static str { match self { $(Quantity::$variant => $unit,)* } }
+            /// What it is, in words.
+            pub const fn meaning(self) -> &'static str { match self { $(Quantity::$variant => $doc,)* } }
+        }
+    };
+}
+quantities! {
+    Omega "omega" "rad/s" "angular speed at the end, a magnitude";
+    V "v" "m/s" "speed of the mass centre at the end, a magnitude";
+    A "a" "m/s^2" "acceleration of the mass centre at the end, positive forward";
+    Alpha "alpha" "rad/s^2" "angular acceleration at the end, positive with rolling forward";
+    Friction "friction" "N" "friction force on the body at the end, positive up the incline";
+    Normal "normal" "N" "normal force of the surface";
+    MuRequired "mu_required" "1" "least static friction coefficient for rolling over the whole motion";
+    T "t" "s" "time from the start to the end";
+    Tension "tension" "N" "tension of the cord at the end";
+    CordTravel "cord_travel" "m" "distance that the pulled end of the cord moves";
+    SlipDistance "slip_distance" "m" "distance that the contact slips, a magnitude";
+    Phi "phi" "rad" "angle turned, a magnitude";
+    Heat "heat" "J" "heat of sliding friction";
+    WorkPull "work_pull" "J" "work of the pull";
+    PowerPull "power_pull" "W" "power of the pull at the end";
+    FrictionIfRolled "friction_if_rolled" "N" "friction that rolling without slipping would need, positive up the incline";
+    KBound "k_bound" "m" "greatest radius of gyration for which friction points up the incline at this pull";
+    XEq "x_eq" "m" "stretch of the spring at equilibrium";
+    VMax "v_max" "m/s" "greatest speed of the motion";
+    DAtVMax "D_at_v_max" "m" "distance from release at which the speed is greatest";
+    DTurn "D_turn" "m" "distance from release to the turning point";
+    KineticEnergy "kinetic_energy" "J" "kinetic energy at the end";
+    RotationalFraction "rotational_fraction" "1" "share of the kinetic energy that is rotational";
+    Rise "rise" "m" "height gained by the mass centre, negative when it sinks";
+    XG "x_G" "m" "x of the mass centre";
+    YG "y_G" "m" "y of the mass centre";
+    IG "I_G" "kg*m^2" "moment of inertia about the mass centre";
+    Direction "direction" "" "up, down or stays (forward, back or stays on a level)";
+    Rolls "rolls" "" "yes if it could roll without slipping, else no";
+}
+
+impl Quantity {
+    /// The quantity of this name.
+    pub fn from_name(name: &str) -> Option<Self> {
+        Self::ALL.iter().copied().find(|q| q.name() == name)
+    }
+    /// Is its answer a word (`up`, `yes`) and not a number?
+    pub const fn is_word(self) -> bool {
+        matches!(self, Self::Direction | Self::Rolls)
+    }
+    /// Is its sign a direction along the line of the body, so that `62.6 N down` is an answer?
+    pub const fn is_directed(self) -> bool {
+        matches!(self, Self::Friction | Self::FrictionIfRolled | Self::A)
+    }
+}
+
+impl Scene {
+    /// The body that bare names mean: the scene's only body, else its only body that both moves and turns.
+    pub fn bare_body(&self) -> Option<usize> {
+        if self.bodies.len() == 1 {
+            return Some(0);
+        }
+        let mut wheels = self.bodies.iter().enumerate().filter(|(_, b)| b.line.is_some() && b.turns);
+        match (wheels.next(), wheels.next()) {
+            (Some((i, _)), None) => Some(i),
+            _ => None,
+        }
+    }
+    /// Ties with a tension that is not given: cords to a body, a fixed point or a spring.
+    pub fn tensioned(&self) -> impl Iterator<Item = (usize, &str)> {
+        self.ties.iter().enumerate().filter_map(|(i, t)| match t {
+            Tie::Cord(c) if !matches!(c.to, Far::Pull(_)) => Some((i, c.name.as_str())),
+            _ => None,
+        })
+    }
+    /// Name of a label: `omega`, `block.v`, `left.tension`.
+    pub fn name_of(&self, label: Label) -> String {
+        let q = label.quantity.name();
+        match label.of {
+            Owner::Scene => q.to_owned(),
+            Owner::Body(b) if self.bare_body() == Some(b) => q.to_owned(),
+            Owner::Body(b) => self.bodies.get(b).map_or_else(|| q.to_owned(), |body| format!("{}.{q}", body.name)),
+            Owner::Tie(_) if self.tensioned().count() <= 1 => q.to_owned(),
+            Owner::Tie(t) => match self.ties.get(t) {
+                Some(Tie::Cord(c)) => format!("{}.{q}", c.name),
+                _ => q.to_owned(),
+            },
+        }
+    }
+}

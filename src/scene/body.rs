@@ -1,0 +1,104 @@
+//! Bodies: mass, inertia, named radii, and the line along which the mass centre moves.
+use crate::scene::Num;
+
+/// One rigid body.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Body {
+    /// Name in the bank, such as `wheel`.
+    pub name: String,
+    /// Mass, or what gives it. Not read when `particles` is not empty.
+    pub mass: Mass,
+    /// How the mass is spread about the mass centre; `None` for a body that only moves.
+    pub inertia: Option<RotaryInertia>,
+    /// Named radii, m, > 0, such as `("rim", R)`.
+    pub radii_m: Vec<(String, Num)>,
+    /// The line of the mass centre; `None` for a body that turns about a fixed axle.
+    pub line: Option<Line>,
+    /// Does it turn?
+    pub turns: bool,
+    /// Particles rigidly joined; not empty only for a lamina whose kinetic energy is asked.
+    pub particles: Vec<Particle>,
+}
+
+/// Mass of a body.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Mass {
+    /// Mass, kg.
+    Kilograms(Num),
+    /// Weight, N; the mass is weight / g.
+    Weight(Num),
+    /// Sum of the masses of the parts of [`RotaryInertia::Parts`], or of the particles.
+    OfParts,
+}
+
+/// Moment of inertia about the mass centre, from one of several data.
+#[derive(Debug, Clone, PartialEq)]
+pub enum RotaryInertia {
+    /// `I = m k^2`, k in m, >= 0.
+    Gyration(Num),
+    /// Given, kg m^2, >= 0.
+    Moment(Num),
+    /// A uniform shape of one radius.
+    Shape(Shape, Num),
+    /// Several uniform shapes about one axis.
+    Parts(Vec<Part>),
+}
+
+/// One part of a compound body.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Part {
+    /// Mass of the part.
+    pub mass: Mass,
+    /// Its shape.
+    pub shape: Shape,
+    /// Its radius, m.
+    pub radius_m: Num,
+}
+
+/// Uniform shapes, about the axis through the mass centre and normal to the plane: `I = beta m R^2`.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Shape {
+    /// Thin ring or thin-walled hollow cylinder, beta = 1.
+    Hoop,
+    /// Disc or solid cylinder, beta = 1/2.
+    Disc,
+    /// Solid sphere, beta = 2/5.
+    Sphere,
+    /// Thin spherical shell, beta = 2/3.
+    Shell,
+}
+
+/// The straight line of a mass centre, and whether the body rests on it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Line {
+    /// Slope of the line.
+    pub slope: Slope,
+    /// True: forward is up the slope (on a level: to the right). False: forward is down the slope.
+    pub forward_up: bool,
+    /// True: it is a surface, so there is a normal force. False: the body hangs or is guided without force.
+    pub surface: bool,
+}
+
+/// Slope of a line.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Slope {
+    /// Horizontal.
+    Level,
+    /// An incline, degrees, 0 to 90.
+    Degrees(Num),
+    /// Vertical.
+    Vertical,
+}
+
+/// A particle of a lamina.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Particle {
+    /// Name, such as `A`.
+    pub name: String,
+    /// Mass, kg, > 0.
+    pub mass_kg: Num,
+    /// Place, m.
+    pub x_m: Num,
+    /// Place, m.
+    pub y_m: Num,
+}

@@ -1,0 +1,99 @@
+//! Ties between bodies and with the ground: rolling, slipping and sliding contacts, cords.
+use crate::scene::Num;
+
+/// A tie. Each adds the rows that it needs to the assembly, and no others.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Tie {
+    /// Rolls without slipping on a radius: one row, friction is its reaction.
+    Roll {
+        /// Index of the body.
+        body: usize,
+        /// Radius that touches the surface, m, > 0.
+        radius_m: Num,
+        /// Static friction coefficient, for the regime check.
+        mu_s: Option<Num>,
+    },
+    /// Is said to slip on a radius: kinetic friction, in the sense that static friction would have.
+    Slip {
+        /// Index of the body.
+        body: usize,
+        /// Radius that touches the surface, m, > 0.
+        radius_m: Num,
+        /// Static friction coefficient: it slips only if rolling would need more.
+        mu_s: Num,
+        /// Kinetic friction coefficient.
+        mu_k: Num,
+    },
+    /// A body that only moves slides on its surface: kinetic friction against the motion.
+    Slide {
+        /// Index of the body.
+        body: usize,
+        /// Static friction coefficient: does it start at all?
+        mu_s: Option<Num>,
+        /// Kinetic friction coefficient.
+        mu_k: Num,
+    },
+    /// A cord.
+    Cord(Cord),
+}
+
+/// A cord, from a body to something.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Cord {
+    /// Name for `name.tension` when a scene has several; `cord` unless the bank names it.
+    pub name: String,
+    /// The end at the body.
+    pub from: CordEnd,
+    /// The other end.
+    pub to: Far,
+}
+
+/// Where a cord leaves a body. The rate at which this end travels along the cord, away from the body, is
+/// `toward (v + side p omega)` with `toward` = +1 forward, -1 back.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct CordEnd {
+    /// Index of the body.
+    pub body: usize,
+    /// Tied at the centre, or wound on a radius.
+    pub attach: Attach,
+    /// Does the cord leave forward?
+    pub forward: bool,
+}
+
+/// How a cord holds a body.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Attach {
+    /// Tied to the mass centre.
+    Centre,
+    /// Wound on a radius, m, > 0.
+    Wound(Num, Side),
+}
+
+/// The side of the body, seen with forward to the right, at which a wound cord leaves.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Side {
+    /// Away from the surface: a turn forward moves this side forward, `side` = +1.
+    Top,
+    /// Toward the surface, `side` = -1.
+    Bottom,
+}
+
+/// What is at the other end of a cord.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Far {
+    /// A constant force, N, >= 0.
+    Pull(Num),
+    /// Another body, over fixed massless pulleys if need be.
+    Body(CordEnd),
+    /// A spring whose other end is fixed.
+    Spring {
+        /// Stiffness, N/m, > 0.
+        stiffness_n_m: Num,
+        /// Stretch at the start, m, >= 0.
+        stretch_m: Num,
+        /// True: the spring is attached rigidly and can push. False: the cord goes slack.
+        rigid: bool,
+    },
+    /// A fixed point.
+    Fixed,
+}

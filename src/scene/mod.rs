@@ -1,0 +1,46 @@
+//! Pure data in SI: what is there, how it starts, what ends the motion, what is asked. No chance, no solving, no text.
+//!
+//! **Conventions**, stated once. Motion is planar. Each body that moves does so along its own straight line, positive
+//! *forward* (up the incline unless the scene says otherwise); a turn is positive in the sense that goes with rolling
+//! forward. Friction is the force on the body, positive forward. Cords are massless, inextensible and parallel to the
+//! line of the body that they leave. Angles are degrees in the data (they are reduced as degrees), radians in answers.
+pub mod ask;
+pub mod body;
+pub mod force;
+pub mod link;
+pub mod motion;
+
+pub use ask::{Label, Owner, Quantity};
+pub use body::{Body, Line, Mass, Particle, Part, RotaryInertia, Shape, Slope};
+pub use force::Couple;
+pub use link::{Attach, Cord, CordEnd, Far, Side, Tie};
+pub use motion::{Coordinate, Degree, End, Heading, Start};
+
+/// Where a number of the scene comes from: a datum of the problem (by index) or a constant of the bank.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Num {
+    /// Index into the data of the problem.
+    Datum(usize),
+    /// A constant, SI (angles in degrees).
+    Fixed(f64),
+}
+
+/// A scene: structure only. The numbers are passed beside it, one SI `f64` for each datum, so that thousands of draws
+/// share one scene.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Scene {
+    /// Acceleration of free fall, m/s^2, > 0.
+    pub gravity_m_s2: Num,
+    /// The bodies, in the order of the bank.
+    pub bodies: Vec<Body>,
+    /// The ties, in the order of the bank.
+    pub ties: Vec<Tie>,
+    /// Couples (weights and normal forces follow from bodies and lines).
+    pub couples: Vec<Couple>,
+    /// How it starts; empty means at rest.
+    pub start: Vec<Start>,
+    /// What ends the motion.
+    pub end: End,
+    /// Is `end` to be reached in a declared direction? `None`: in whichever it moves.
+    pub heading: Option<Heading>,
+}

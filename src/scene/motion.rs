@@ -1,0 +1,66 @@
+//! How a motion starts and what ends it.
+use crate::scene::Num;
+
+/// One coordinate of a scene.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Coordinate {
+    /// Index of the body.
+    pub body: usize,
+    /// Along its line, or turning.
+    pub degree: Degree,
+}
+
+/// Kind of a coordinate.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Degree {
+    /// Travel of the mass centre along its line, m.
+    Along,
+    /// Angle turned, rad.
+    Turn,
+}
+
+/// What is known of the velocities at the start.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Start {
+    /// Speed along the line (m/s) or spin (rad/s) of one coordinate, positive forward. The ties give the rest.
+    Speed(Coordinate, Num),
+    /// Velocity of one particle of a lamina, m/s, and the spin of the lamina, rad/s, counter-clockwise positive.
+    Lamina {
+        /// Index of the body.
+        body: usize,
+        /// Index of the particle.
+        particle: usize,
+        /// Velocity of that particle along x.
+        vx_m_s: Num,
+        /// Velocity of that particle along y.
+        vy_m_s: Num,
+        /// Spin.
+        spin_rad_s: Num,
+    },
+}
+
+/// The event that ends the motion.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum End {
+    /// No motion: only the instant of the start is asked.
+    AtOnce,
+    /// When this coordinate has changed by this much (m, or rad), either way unless the scene has a heading.
+    Travel(Coordinate, Num),
+    /// When this coordinate stands at this value, signed, counted from the start (m).
+    Position(Coordinate, Num),
+    /// After this time, s.
+    Time(Coordinate, Num),
+    /// When this coordinate has this speed (m/s or rad/s), a magnitude.
+    Speed(Coordinate, Num),
+    /// When this coordinate comes to rest.
+    TurningPoint(Coordinate),
+}
+
+/// A declared direction of motion of the ending coordinate.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Heading {
+    /// Forward (positive).
+    Forward,
+    /// Back (negative).
+    Back,
+}

@@ -1,0 +1,3 @@
+//! Two independent roads to the same quantities, and the one place where they meet.
+pub mod agree;
+pub mod outcome;

@@ -1,0 +1,263 @@
+//! What a solver yields: numbers, words of the regime, checks; never sentences.
+use crate::scene::Label;
+
+/// What really happens, in the words that scripts rely on ([`Regime::word`]).
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Regime {
+    /// The motion.
+    pub motion: Motion,
+    /// The scene says that it rolls, and the friction needed exceeds `mu_s N`.
+    pub slips: bool,
+}
+
+macro_rules! motions {
+    ($($variant:ident $word:literal;)*) => {
+        /// Words of the regime.
+        #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+        pub enum Motion { $(#[doc = concat!("`", $word, "`")] $variant,)* }
+        impl Motion {
+            /// All of them.
+            pub const ALL: &'static [Motion] = &[$(Motion::$variant,)*];
+            /// The word.
+            pub const fn word(self) -> &'static str { match self { $(Motion::$variant => $word,)* } }
+        }
+    };
+}
+motions! {
+    MovesUp "moves_up";
+    Balanced "balanced";
+    MovesDown "moves_down";
+    MovesForward "moves_forward";
+    MovesBack "moves_back";
+    Rolls "rolls";
+    AtLimit "at_limit";
+    SlipsUp "slips_up";
+    SpinsInPlace "spins_in_place";
+    SlipsDown "slips_down";
+    UpOk "up ok";
+    UpTurningPoint "up turning_point";
+    UpUnreachable "up unreachable";
+    DownOk "down ok";
+    DownTurningPoint "down turning_point";
+    DownUnreachable "down unreachable";
+    Rest "rest";
+    Instant "instant";
+}
+
+impl Regime {
+    /// The word, with ` slips` appended where it applies.
+    pub fn word(self) -> String {
+        if self.slips { format!("{} slips", self.motion.word()) } else { self.motion.word().to_owned() }
+    }
+}
+
+/// Which condition of validity.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum CheckKind {
+    /// It moves, the declared way: drive at the start, as a share of the largest force term (signed by the heading).
+    Moves,
+    /// `|F| <= mu_s N` over the whole motion: required is the largest |F|, N; available `mu_s N`.
+    NoSlip,
+    /// `|F_rolled| > mu_s N`: required is `mu_s N`; available the friction that rolling would need.
+    MustSlip,
+    /// N > 0: required 0, available N.
+    Pressed,
+    /// A cord between bodies is taut: required 0, available the tension, N.
+    Taut,
+    /// The slip goes against the friction: required 0, available slip speed against friction, m/s.
+    SlipDirection,
+    /// The end event is reached before the turning point: required, the asked value; available, the farthest.
+    Reaches,
+}
+
+impl CheckKind {
+    /// All of them.
+    pub const ALL: &'static [CheckKind] = &[
+        Self::Moves, Self::NoSlip, Self::MustSlip, Self::Pressed, Self::Taut, Self::SlipDirection, Self::Reaches,
+    ];
+    /// Name in JSON and in tables of refusals.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Moves => "moves",
+            Self::NoSlip => "no_slip",
+            Self::MustSlip => "must_slip",
+            Self::Pressed => "pressed",
+            Self::Taut => "taut",
+            Self::SlipDirection => "slip_direction",
+            Self::Reaches => "reaches",
+        }
+    }
+}
+
+/// One condition of validity, with the numbers.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Check {
+    /// Which.
+    pub kind: CheckKind,
+    /// Whose: index of the body or tie, by kind.
+    pub of: usize,
+    /// Does it hold?
+    pub ok: bool,
+    /// What is required (see [`CheckKind`]).
+    pub required: f64,
+    /// What is available; may be infinite (no turning point).
+    pub available: f64,
+    /// How far it holds, as a share: (available - required) / the larger; draws want a margin. Negative where it fails.
+    pub margin: f64,
+}
+
+/// A quantity as both roads give it, SI.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Entry {
+    /// Which quantity, of what.
+    pub label: Label,
+    /// From the equations of motion.
+    pub eom: Option<f64>,
+    /// From work and energy.
+    pub energy: Option<f64>,
+    /// Condition number with respect to the data, g and angles included; infinite for 0 with nonzero sensitivity.
+    pub cond: f64,
+    /// Scale of the terms that make up the quantity (N for a friction, m for a slip): the sum of their magnitudes.
+    pub scale: f64,
+}
+
+impl Entry {
+    /// The published value: from the equations of motion where they give it, else from energy.
+    pub fn value(&self) -> f64 {
+        self.eom.or(self.energy).unwrap_or(f64::NAN)
+    }
+    /// `|eom - energy| / max(|eom|, |energy|)`; `None` with one road.
+    pub fn gap(&self) -> Option<f64> {
+        let (a, b) = (self.eom?, self.energy?);
+        let larger = a.abs().max(b.abs());
+        Some(if a == b { 0.0 } else { (a - b).abs() / larger })
+    }
+}
+
+/// Words that some questions ask.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Word {
+    /// Up the incline.
+    Up,
+    /// Down the incline.
+    Down,
+    /// Forward on a level.
+    Forward,
+    /// Back on a level.
+    Back,
+    /// Does not move.
+    Stays,
+    /// Yes.
+    Yes,
+    /// No.
+    No,
+}
+
+impl Word {
+    /// As students write it.
+    pub const fn text(self) -> &'static str {
+        match self {
+            Self::Up => "up",
+            Self::Down => "down",
+            Self::Forward => "forward",
+            Self::Back => "back",
+            Self::Stays => "stays",
+            Self::Yes => "yes",
+            Self::No => "no",
+        }
+    }
+}
+
+/// A solved scene.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Solved {
+    /// What really happens.
+    pub regime: Regime,
+    /// All conditions of validity.
+    pub checks: Vec<Check>,
+    /// All reachable quantities, in the order of `Quantity::ALL`.
+    pub entries: Vec<Entry>,
+    /// Answers in words.
+    pub words: Vec<(Label, Word)>,
+}
+
+impl Solved {
+    /// The entry of a label.
+    pub fn get(&self, label: Label) -> Option<&Entry> {
+        self.entries.iter().find(|e| e.label == label)
+    }
+    /// The word of a label.
+    pub fn word(&self, label: Label) -> Option<Word> {
+        self.words.iter().find(|(l, _)| *l == label).map(|(_, w)| *w)
+    }
+    /// Do all checks hold?
+    pub fn all_hold(&self) -> bool {
+        self.checks.iter().all(|c| c.ok)
+    }
+}
+
+/// Why a scene with these data has no answer.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Refusal {
+    /// Data that are no scene.
+    Inadmissible(Vec<Inadmissible>),
+    /// The equations do not determine the motion: unknowns, rank.
+    Singular {
+        /// Number of unknowns.
+        unknowns: usize,
+        /// Rank found.
+        rank: usize,
+    },
+    /// The ties leave this many freedoms; the program solves one, or two with slip.
+    Freedoms(usize),
+    /// The assembly cannot express this combination.
+    Unsupported(Unsupported),
+    /// The two roads disagree: the label, both values, the gap allowed.
+    Disagree {
+        /// Which quantity.
+        label: Label,
+        /// From the equations of motion.
+        eom: f64,
+        /// From work and energy.
+        energy: f64,
+        /// The relative gap that would have been accepted.
+        allowed: f64,
+    },
+}
+
+/// Combinations that are not solved (yet).
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Unsupported {
+    /// A spring where the scene has two freedoms.
+    SpringWithTwoFreedoms,
+    /// A start speed where the wheel slips.
+    SlipFromSpeed,
+    /// Two springs.
+    TwoSprings,
+}
+
+/// What a datum must satisfy to be part of a scene.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Rule {
+    /// Finite.
+    Finite,
+    /// Finite and > 0.
+    Positive,
+    /// Finite and >= 0.
+    NotNegative,
+    /// From 0 to 90 degrees.
+    Slope,
+    /// Not above another datum (r <= R, mu_k <= mu_s).
+    NotAbove(crate::scene::Num),
+}
+
+/// One datum that is no part of a scene.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Inadmissible {
+    /// Which.
+    pub datum: crate::scene::Num,
+    /// Its value.
+    pub value: f64,
+    /// The rule that it breaks.
+    pub rule: Rule,
+}
