@@ -237,7 +237,7 @@ pub enum Unsupported {
 }
 
 /// What a datum must satisfy to be part of a scene.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Rule {
     /// Finite.
     Finite,
