@@ -243,6 +243,11 @@ impl<'a, T: Real> Ledger<'a, T> {
                 Some(Course { sense: 0.0, drive, asked: None, farthest: Dd::ZERO, reached: false });
             let still = sense == 0.0 && self.rolled.is_none();
             self.standing(tension0, still);
+            if store.is_some() && self.end.degree == Degree::Along {
+                for q in [Quantity::VMax, Quantity::DAtVMax, Quantity::DTurn] {
+                    self.say(q, Owner::Body(self.end.body), T::zero());
+                }
+            }
             self.grip(tension0, tension0);
             return Ok(self.road);
         }
@@ -436,7 +441,7 @@ impl<'a, T: Real> Ledger<'a, T> {
             if body.turns {
                 self.say(Quantity::Omega, Owner::Body(b), w.abs() * u);
                 self.say(Quantity::Phi, Owner::Body(b), w.abs() * s);
-                spinning = spinning + self.n.bodies[b].inertia * w.square();
+                spinning = spinning + self.n.bodies[b].inertia * w * w;
             }
         }
         if !energy.is_zero() {

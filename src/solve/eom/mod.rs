@@ -235,6 +235,11 @@ impl<'a, T: Real> Walk<'a, T> {
             self.road.course =
                 Some(Course { sense: 0.0, drive: (Dd::ZERO, Dd::ZERO), asked: None, farthest: Dd::ZERO, reached: false });
             self.standing(tension0, sense == 0.0 && !self.slips());
+            if self.spring.is_some() && self.along(self.end.body) == Some(self.end) {
+                for q in [Quantity::VMax, Quantity::DAtVMax, Quantity::DTurn] {
+                    self.say(q, Owner::Body(self.end.body), zero);
+                }
+            }
             self.grip(tension0, tension0);
             return Ok(self.road);
         }
@@ -449,14 +454,14 @@ impl<'a, T: Real> Walk<'a, T> {
                 let v = ratio.abs() * u;
                 self.say(Quantity::V, Owner::Body(b), v);
                 self.say(Quantity::Rise, Owner::Body(b), (ratio * n.climb * s).signed(sense));
-                energy = energy + (n.mass * v.square()).scale2(-1);
+                energy = energy + (n.mass * v * v).scale2(-1);
             }
             if let Some(c) = self.turn(b) {
                 let ratio = self.ratio(c);
                 let w = ratio.abs() * u;
                 self.say(Quantity::Omega, Owner::Body(b), w);
                 self.say(Quantity::Phi, Owner::Body(b), ratio.abs() * s);
-                turning = turning + (n.inertia * w.square()).scale2(-1);
+                turning = turning + (n.inertia * w * w).scale2(-1);
             }
         }
         energy = energy + turning;
