@@ -339,8 +339,8 @@ pub fn direction_words(scene: &Scene, owner: Owner) -> [&'static str; 2] {
         _ => scene.bare_body().or(if scene.bodies.is_empty() { None } else { Some(0) }),
     };
     match body.and_then(|b| scene.bodies.get(b)).and_then(|b| b.line) {
-        Some(line) if matches!(line.slope, Slope::Level) => ["forward", "back"],
-        _ => ["up", "down"],
+        Some(line) if !matches!(line.slope, Slope::Level) => ["up", "down"],
+        _ => ["forward", "back"],
     }
 }
 
