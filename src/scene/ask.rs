@@ -110,7 +110,9 @@ impl Scene {
         match label.of {
             Owner::Scene => q.to_owned(),
             Owner::Body(b) if self.bare_body() == Some(b) => q.to_owned(),
-            Owner::Body(b) => self.bodies.get(b).map_or_else(|| q.to_owned(), |body| format!("{}.{q}", body.name)),
+            Owner::Body(b) => {
+                self.bodies.get(b).map_or_else(|| q.to_owned(), |body| format!("{}.{q}", body.name))
+            }
             Owner::Tie(_) if self.tensioned().count() <= 1 => q.to_owned(),
             Owner::Tie(t) => match self.ties.get(t) {
                 Some(Tie::Cord(c)) => format!("{}.{q}", c.name),
