@@ -1,5 +1,5 @@
 //! Which quantity, of which body or cord. The names are fixed: scripts rely on them.
-use crate::scene::{Far, Scene, Tie};
+use crate::scene::{Coordinate, Cord, Degree, End, Far, Num, Scene, Tie};
 
 /// What a quantity belongs to.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -97,10 +97,20 @@ impl Scene {
             _ => None,
         }
     }
-    /// Ties with a tension that is not given: cords to a body, a fixed point or a spring.
-    pub fn tensioned(&self) -> impl Iterator<Item = (usize, &str)> {
-        self.ties.iter().enumerate().filter_map(|(i, t)| match t {
-            Tie::Cord(c) if !matches!(c.to, Far::Pull(_)) => Some((i, c.name.as_str())),
+    /// Cords of which this quantity is asked: pulled ones for the work of the pull, springs too for the travel of the
+    /// cord's end, the others for the tension.
+    pub fn cords_with(&self, quantity: Quantity) -> impl Iterator<Item = (usize, &str)> {
+        self.ties.iter().enumerate().filter_map(move |(i, t)| match t {
+            Tie::Cord(c) => {
+                let pulled = matches!(c.to, Far::Pull(_));
+                let spring = matches!(c.to, Far::Spring { .. });
+                let has = match quantity {
+                    Quantity::Tension => !pulled,
+                    Quantity::CordTravel => pulled || spring,
+                    _ => pulled,
+                };
+                has.then_some((i, c.name.as_str()))
+            }
             _ => None,
         })
     }
@@ -113,11 +123,39 @@ impl Scene {
             Owner::Body(b) => {
                 self.bodies.get(b).map_or_else(|| q.to_owned(), |body| format!("{}.{q}", body.name))
             }
-            Owner::Tie(_) if self.tensioned().count() <= 1 => q.to_owned(),
+            Owner::Tie(_) if self.cords_with(label.quantity).count() <= 1 => q.to_owned(),
             Owner::Tie(t) => match self.ties.get(t) {
                 Some(Tie::Cord(c)) => format!("{}.{q}", c.name),
                 _ => q.to_owned(),
             },
         }
+    }
+    /// The spring of the scene, if it has one: index of its tie, stiffness N/m, stretch at the start m, attached rigidly.
+    pub fn spring(&self) -> Option<(usize, Num, Num, bool)> {
+        self.ties.iter().enumerate().find_map(|(i, t)| match t {
+            Tie::Cord(Cord { to: Far::Spring { stiffness_n_m, stretch_m, rigid }, .. }) => {
+                Some((i, *stiffness_n_m, *stretch_m, *rigid))
+            }
+            _ => None,
+        })
+    }
+    /// The coordinate that the ending event watches; the line (or turn) of the first body if the scene is an instant.
+    pub fn ending_coordinate(&self) -> Coordinate {
+        match self.end {
+            End::Travel(c, _)
+            | End::Position(c, _)
+            | End::Time(c, _)
+            | End::Speed(c, _)
+            | End::TurningPoint(c) => c,
+            End::AtOnce => Coordinate { body: 0, degree: Degree::Along },
+        }
+    }
+    /// All coordinates: the lines, and the turns.
+    pub fn coordinates(&self) -> impl Iterator<Item = Coordinate> {
+        self.bodies.iter().enumerate().flat_map(|(body, b)| {
+            let along = b.line.map(|_| Coordinate { body, degree: Degree::Along });
+            let turn = b.turns.then_some(Coordinate { body, degree: Degree::Turn });
+            along.into_iter().chain(turn)
+        })
     }
 }

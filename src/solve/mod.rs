@@ -1,3 +1,8 @@
 //! Two independent roads to the same quantities, and the one place where they meet.
 pub mod agree;
+pub mod energy;
+pub mod eom;
 pub mod outcome;
+pub mod physical;
+#[cfg(test)]
+mod planted;

@@ -1,4 +1,6 @@
 //! What a solver yields: numbers, words of the regime, checks; never sentences.
+use crate::num::Dd;
+use crate::num::Real;
 use crate::scene::Label;
 
 /// What really happens, in the words that scripts rely on ([`Regime::word`]).
@@ -206,7 +208,7 @@ impl Solved {
 #[derive(Debug, Clone, PartialEq)]
 pub enum Refusal {
     /// Data that are no scene.
-    Inadmissible(Vec<Inadmissible>),
+    Inadmissible(Vec<crate::scene::Inadmissible>),
     /// The equations do not determine the motion: unknowns, rank.
     Singular {
         /// Number of unknowns.
@@ -236,34 +238,79 @@ pub enum Refusal {
 pub enum Unsupported {
     /// A spring where the scene has two freedoms.
     SpringWithTwoFreedoms,
-    /// A start speed where the wheel slips.
-    SlipFromSpeed,
-    /// Two springs.
+    /// A start speed where the scene has two freedoms.
+    SpeedWithTwoFreedoms,
+    /// More than one spring.
     TwoSprings,
+    /// Nothing but the kinetic energy of a lamina can be asked.
+    MovingLamina,
+    /// More data than the derivatives hold.
+    TooManyData,
 }
 
-/// What a datum must satisfy to be part of a scene.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Rule {
-    /// Finite.
-    Finite,
-    /// Finite and > 0.
-    Positive,
-    /// Finite and >= 0.
-    NotNegative,
-    /// From 0 to 90 degrees.
-    Slope,
-    /// Not above another datum (r <= R, mu_k <= mu_s).
-    NotAbove(crate::scene::Num),
+/// What one road says of one quantity.
+#[derive(Debug, Clone, Copy)]
+pub struct Said<T> {
+    /// Which quantity, of what.
+    pub label: Label,
+    /// Its value, SI.
+    pub value: T,
+    /// Sum of the magnitudes of the terms that make it up, SI.
+    pub scale: f64,
 }
 
-/// One datum that is no part of a scene.
+/// Where the motion goes, on one road.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Inadmissible {
-    /// Which.
-    pub datum: crate::scene::Num,
-    /// Its value.
-    pub value: f64,
-    /// The rule that it breaks.
-    pub rule: Rule,
+pub struct Course {
+    /// Sense in which the ending coordinate moves: 1 forward, -1 back, 0 not at all.
+    pub sense: f64,
+    /// Driving and resisting force at the start, along the ending coordinate, both >= 0 (only their ratio means anything).
+    pub drive: (Dd, Dd),
+    /// Asked distance of the ending coordinate (or time or speed, by the event); `None` if it has none.
+    pub asked: Option<Dd>,
+    /// Farthest that the motion goes in the same measure; infinite if it never turns.
+    pub farthest: Dd,
+    /// Is the ending event reached before the turning point?
+    pub reached: bool,
+}
+
+/// A contact or cord over the whole motion, on one road.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Held {
+    /// A body on a surface: index, normal force N.
+    Pressed(usize, f64),
+    /// A rolling contact: index of the tie, the largest |F|, N, and `mu_s N`.
+    Rolling(usize, Dd, Option<Dd>),
+    /// A slipping contact: index of the tie, friction if it rolled, `mu_s N`, slip acceleration against friction.
+    Slipping(usize, Dd, Dd, Dd),
+    /// A cord between bodies: index of the tie, tension N.
+    Cord(usize, f64),
+}
+
+/// Everything that one road says of a scene.
+#[derive(Debug, Clone)]
+pub struct Road<T> {
+    /// Its quantities.
+    pub said: Vec<Said<T>>,
+    /// Where the motion goes; `None` where only an instant is asked.
+    pub course: Option<Course>,
+    /// Contacts and cords.
+    pub held: Vec<Held>,
+}
+
+impl<T: Real> Road<T> {
+    /// Nothing said yet.
+    pub fn new() -> Self {
+        Self { said: Vec::with_capacity(24), course: None, held: Vec::with_capacity(4) }
+    }
+    /// What the road says of a label.
+    pub fn get(&self, label: Label) -> Option<&Said<T>> {
+        self.said.iter().find(|s| s.label == label)
+    }
+}
+
+impl<T: Real> Default for Road<T> {
+    fn default() -> Self {
+        Self::new()
+    }
 }

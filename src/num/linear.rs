@@ -1,0 +1,289 @@
+//! A small linear system, solved to double-double: nalgebra's LU in doubles, refined with double-double residuals
+//! (Wilkinson), derivatives from the same factors. Keeper of nalgebra.
+//!
+//! Rows are scaled by powers of two, and columns by the size of their own unknown, so that an acceleration that is
+//! 1e-30 of the others keeps all its digits: the test of convergence is the residual of each row against the terms of
+//! that row.
+use crate::num::Dd;
+use crate::num::Real;
+use crate::num::dd::exponent;
+use crate::num::dd::pow2;
+use nalgebra::DMatrix;
+use nalgebra::SMatrix;
+
+/// A residual below this share of the terms of its row is rounding of double-doubles.
+const CONVERGED: f64 = 1.0 / (1u128 << 98) as f64;
+/// Refinements before the columns are scaled anew.
+const REFINEMENTS: usize = 6;
+/// Times that the columns may be scaled anew.
+const SCALINGS: usize = 24;
+
+/// Equations in the making: a sum of terms for each row, and right-hand sides.
+#[derive(Debug, Clone)]
+pub struct Linear<T> {
+    unknowns: usize,
+    columns: usize,
+    terms: Vec<(usize, usize, T)>,
+    right: Vec<(usize, usize, T)>,
+}
+
+/// The solution: one value for each unknown and right-hand side.
+#[derive(Debug, Clone)]
+pub struct Solution<T> {
+    unknowns: usize,
+    x: Vec<T>,
+}
+
+impl<T: Real> Solution<T> {
+    /// Unknown `i` for right-hand side `k`.
+    pub fn get(&self, i: usize, k: usize) -> T {
+        self.x[k * self.unknowns + i]
+    }
+}
+
+/// The equations do not determine the unknowns.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Singular {
+    /// How many unknowns.
+    pub unknowns: usize,
+    /// How many of them are determined.
+    pub rank: usize,
+}
+
+impl<T: Real> Linear<T> {
+    /// No equations yet, in `unknowns` unknowns with `columns` right-hand sides.
+    pub fn new(unknowns: usize, columns: usize) -> Self {
+        Self { unknowns, columns, terms: Vec::with_capacity(24), right: Vec::with_capacity(8) }
+    }
+    /// Adds `value * x[col]` to the left of a row.
+    pub fn term(&mut self, row: usize, col: usize, value: T) {
+        if !value.is_zero() || has_slope(&value) {
+            self.terms.push((row, col, value));
+        }
+    }
+    /// Adds `value` to right-hand side `column` of a row.
+    pub fn right(&mut self, row: usize, column: usize, value: T) {
+        if !value.is_zero() || has_slope(&value) {
+            self.right.push((row, column, value));
+        }
+    }
+
+    /// Solves for all right-hand sides.
+    pub fn solve(&self) -> Result<Solution<T>, Singular> {
+        let (n, m) = (self.unknowns, self.columns);
+        let mut x = vec![Dd::ZERO; n * m];
+        let mut inverse = vec![0.0; n * n];
+        let mut rows = vec![0i32; n];
+        let mut cols = vec![0i32; n];
+        let mut residual = vec![Dd::ZERO; n];
+        let mut size = vec![0.0f64; n];
+        self.factor(&mut inverse, &mut rows, &cols)?;
+        for k in 0..m {
+            let column = &mut x[k * n..(k + 1) * n];
+            let mut settled = false;
+            'scalings: for scaling in 0..=SCALINGS {
+                if scaling > 0 {
+                    for (c, v) in cols.iter_mut().zip(column.iter()) {
+                        if v.hi != 0.0 {
+                            *c = exponent(v.hi);
+                        }
+                    }
+                    self.factor(&mut inverse, &mut rows, &cols)?;
+                }
+                for _ in 0..REFINEMENTS {
+                    self.residual(k, column, &mut residual, &mut size);
+                    settled = residual.iter().zip(&size).all(|(r, s)| r.hi.abs() <= CONVERGED * s);
+                    if settled {
+                        break 'scalings;
+                    }
+                    for i in 0..n {
+                        let mut sum = 0.0;
+                        for j in 0..n {
+                            sum += inverse[i * n + j] * (residual[j].hi * pow2(rows[j]));
+                        }
+                        column[i] = column[i] + Dd::new(sum * pow2(cols[i]));
+                    }
+                }
+            }
+            if !settled || column.iter().any(|v| !v.is_finite()) {
+                return Err(Singular { unknowns: n, rank: n.saturating_sub(1) });
+            }
+        }
+        Ok(Solution { unknowns: n, x: self.slopes(&x, &inverse, &rows, &cols) })
+    }
+
+    /// Inverse of the scaled matrix `2^rows A 2^cols`, row-major.
+    fn factor(&self, inverse: &mut [f64], rows: &mut [i32], cols: &[i32]) -> Result<(), Singular> {
+        let n = self.unknowns;
+        inverse.fill(0.0);
+        rows.fill(i32::MIN);
+        for (r, c, v) in &self.terms {
+            if !v.is_zero() {
+                rows[*r] = rows[*r].max(exponent(v.f64()) + cols[*c]);
+            }
+        }
+        for r in rows.iter_mut() {
+            *r = if *r == i32::MIN { 0 } else { -*r };
+        }
+        for (r, c, v) in &self.terms {
+            let e = rows[*r] + cols[*c];
+            inverse[r * n + c] += v.f64() * pow2(e / 2) * pow2(e - e / 2);
+        }
+        if invert(n, inverse) { Ok(()) } else { Err(Singular { unknowns: n, rank: rank(n, inverse) }) }
+    }
+
+    fn residual(&self, k: usize, x: &[Dd], residual: &mut [Dd], size: &mut [f64]) {
+        residual.fill(Dd::ZERO);
+        size.fill(0.0);
+        for (r, column, v) in &self.right {
+            if *column == k {
+                residual[*r] = residual[*r] + v.value();
+                size[*r] += v.f64().abs();
+            }
+        }
+        for (r, c, v) in &self.terms {
+            let t = v.value() * x[*c];
+            residual[*r] = residual[*r] - t;
+            size[*r] += t.hi.abs();
+        }
+    }
+
+    /// Implicit differentiation: `A dx = db - dA x`, with the same factors.
+    fn slopes(&self, x: &[Dd], inverse: &[f64], rows: &[i32], cols: &[i32]) -> Vec<T> {
+        let n = self.unknowns;
+        if T::SLOPES == 0 {
+            return x.iter().map(|v| T::constant(*v)).collect();
+        }
+        let mut out = Vec::with_capacity(x.len());
+        for k in 0..self.columns {
+            let column = &x[k * n..(k + 1) * n];
+            let mut change = vec![T::zero(); n];
+            for (r, c, v) in &self.right {
+                if *c == k {
+                    change[*r] = only_slopes(change[*r], *v, 1.0);
+                }
+            }
+            for (r, c, v) in &self.terms {
+                change[*r] = only_slopes(change[*r], *v, -column[*c].hi);
+            }
+            for i in 0..n {
+                out.push(T::with_slopes(column[i], |s| {
+                    let mut sum = 0.0;
+                    for j in 0..n {
+                        sum += inverse[i * n + j] * (change[j].slope(s) * pow2(rows[j]));
+                    }
+                    sum * pow2(cols[i])
+                }));
+            }
+        }
+        out
+    }
+}
+
+fn has_slope<T: Real>(v: &T) -> bool {
+    (0..T::SLOPES).any(|i| v.slope(i) != 0.0)
+}
+
+/// A carrier of slopes only: `sum + factor * value`, its value ignored.
+fn only_slopes<T: Real>(sum: T, value: T, factor: f64) -> T {
+    T::with_slopes(Dd::ZERO, |i| sum.slope(i) + factor * value.slope(i))
+}
+
+/// Inverts a row-major matrix in place by LU with partial pivoting; sizes up to 12 live on the stack.
+fn invert(n: usize, a: &mut [f64]) -> bool {
+    macro_rules! fixed {
+        ($($size:literal)*) => {
+            match n {
+                0 => true,
+                $($size => match SMatrix::<f64, $size, $size>::from_row_slice(a).lu().try_inverse() {
+                    Some(inverse) => {
+                        for i in 0..$size { for j in 0..$size { a[i * $size + j] = inverse[(i, j)]; } }
+                        a.iter().all(|v| v.is_finite())
+                    }
+                    None => false,
+                },)*
+                _ => match DMatrix::from_row_slice(n, n, a).lu().try_inverse() {
+                    Some(inverse) => {
+                        for i in 0..n { for j in 0..n { a[i * n + j] = inverse[(i, j)]; } }
+                        a.iter().all(|v| v.is_finite())
+                    }
+                    None => false,
+                },
+            }
+        };
+    }
+    fixed!(1 2 3 4 5 6 7 8 9 10 11 12)
+}
+
+/// Rank by Gaussian elimination with full pivoting, for the message of a refusal.
+fn rank(n: usize, a: &[f64]) -> usize {
+    let mut m = DMatrix::from_row_slice(n, n, a);
+    let mut rank = 0;
+    for step in 0..n {
+        let mut best = (step, step, 0.0f64);
+        for i in step..n {
+            for j in step..n {
+                if m[(i, j)].abs() > best.2 {
+                    best = (i, j, m[(i, j)].abs());
+                }
+            }
+        }
+        if best.2 < 1e-12 {
+            break;
+        }
+        m.swap_rows(step, best.0);
+        m.swap_columns(step, best.1);
+        rank += 1;
+        for i in step + 1..n {
+            let f = m[(i, step)] / m[(step, step)];
+            for j in step..n {
+                let t = m[(step, j)] * f;
+                m[(i, j)] -= t;
+            }
+        }
+    }
+    rank
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::num::Jet;
+
+    #[test]
+    fn badly_scaled_unknowns_keep_their_digits() {
+        // a - F = 1, q a + F = 3 with q = 1e30: a = 4/(q+1), F = a - 1 ... the tiny unknown must be right to the last bit.
+        let q = 1e30;
+        let mut l = Linear::<Dd>::new(2, 1);
+        l.term(0, 0, Dd::ONE);
+        l.term(0, 1, -Dd::ONE);
+        l.right(0, 0, Dd::ONE);
+        l.term(1, 0, Dd::new(q));
+        l.term(1, 1, Dd::ONE);
+        l.right(1, 0, Dd::new(3.0));
+        let x = l.solve().unwrap();
+        let a = Dd::new(4.0) / (Dd::new(q) + Dd::ONE);
+        assert!(((x.get(0, 0) - a) / a).hi.abs() < 1e-25, "{:?}", x);
+    }
+    #[test]
+    fn derivatives_by_the_same_factors() {
+        // x = b/a, y = c x: cond 2 and 3.
+        let (a, b, c) = (Jet::<3>::datum(0, 3.0), Jet::<3>::datum(1, 5.0), Jet::<3>::datum(2, 7.0));
+        let mut l = Linear::new(2, 1);
+        l.term(0, 0, a);
+        l.right(0, 0, b);
+        l.term(1, 1, Jet::of(1.0));
+        l.term(1, 0, -c);
+        let x = l.solve().unwrap();
+        assert!((x.get(0, 0).cond() - 2.0).abs() < 1e-14);
+        assert!((x.get(1, 0).cond() - 3.0).abs() < 1e-14);
+    }
+    #[test]
+    fn a_singular_system_says_so() {
+        let mut l = Linear::<Dd>::new(2, 1);
+        l.term(0, 0, Dd::ONE);
+        l.term(1, 0, Dd::ONE);
+        l.right(0, 0, Dd::ONE);
+        assert_eq!(l.solve().unwrap_err(), Singular { unknowns: 2, rank: 1 });
+    }
+}

@@ -1,0 +1,172 @@
+//! Portable elementary functions: the same bits on every machine. Keeper of libm.
+//!
+//! Angles of data are reduced *in degrees*, where the reduction is exact: sine and cosine are exact at 0, 30, 60 and 90
+//! degrees and accurate to double-double everywhere, also near 90 degrees.
+use crate::num::Dd;
+use crate::num::Real;
+use std::sync::LazyLock;
+
+/// Pi / 180 as a double-double.
+const RADIANS_PER_DEGREE: Dd = Dd { hi: 0.017_453_292_519_943_295, lo: 2.948_652_270_870_168e-19 };
+
+/// Sine and cosine of whole degrees from 0 to 90.
+static WHOLE: LazyLock<[(Dd, Dd); 91]> = LazyLock::new(|| {
+    let mut table = [(Dd::ZERO, Dd::ONE); 91];
+    for n in 0..=45u32 {
+        let x = Dd::new(f64::from(n)) * RADIANS_PER_DEGREE;
+        let (mut s, mut c) = series(x, 28);
+        if n == 30 {
+            s = Dd::new(0.5);
+        }
+        if n == 0 {
+            (s, c) = (Dd::ZERO, Dd::ONE);
+        }
+        let n = n as usize;
+        table[n] = (s, c);
+        table[90 - n] = (c, s);
+    }
+    table
+});
+
+/// Sine and cosine by their Taylor series up to the given power.
+fn series(x: Dd, powers: u32) -> (Dd, Dd) {
+    let (mut sine, mut cosine, mut term) = (Dd::ZERO, Dd::ONE, Dd::ONE);
+    for n in 1..=powers {
+        term = term * x / Dd::new(f64::from(n));
+        match n % 4 {
+            1 => sine = sine + term,
+            2 => cosine = cosine - term,
+            3 => sine = sine - term,
+            _ => cosine = cosine + term,
+        }
+    }
+    (sine, cosine)
+}
+
+/// `1/n!` for n = 2..=12, for the short series of a fraction of a degree.
+static INVERSE_FACTORIAL: LazyLock<[Dd; 13]> = LazyLock::new(|| {
+    let mut t = [Dd::ONE; 13];
+    for n in 2..=12u32 {
+        t[n as usize] = t[n as usize - 1] / Dd::new(f64::from(n));
+    }
+    t
+});
+
+/// Sine and cosine of an angle in degrees, as double-doubles.
+///
+/// Not finite: NaN. The relative error is below 2^-100 wherever the result is not zero.
+pub fn sin_cos_degrees(degrees: f64) -> (Dd, Dd) {
+    if !degrees.is_finite() {
+        return (Dd::new(f64::NAN), Dd::new(f64::NAN));
+    }
+    // The remainder is exact; then one quadrant.
+    let mut x = libm::fmod(degrees, 360.0);
+    if x < 0.0 {
+        x += 360.0;
+        // A tiny negative angle would be absorbed by 360: keep it as it is.
+        if degrees > -90.0 {
+            let (s, c) = sin_cos_degrees(-degrees);
+            return (-s, c);
+        }
+    }
+    let mut quadrant = 0;
+    while x > 90.0 {
+        x -= 90.0;
+        quadrant += 1;
+    }
+    let nearest = libm::rint(x);
+    let rest = x - nearest;
+    let (sn, cn) = WHOLE[nearest as usize];
+    let (s, c) = if rest == 0.0 {
+        (sn, cn)
+    } else {
+        let d = Dd::new(rest) * RADIANS_PER_DEGREE;
+        let f = &*INVERSE_FACTORIAL;
+        let q = d * d;
+        // sin d / d - 1 and 1 - cos d, |d| <= 0.0088: the last terms kept are below 1e-33 of the sum.
+        let sine = d - d * q * (f[3] - q * (f[5] - q * (f[7] - q * (f[9] - q * f[11]))));
+        let one_minus_cosine = q * (f[2] - q * (f[4] - q * (f[6] - q * (f[8] - q * (f[10] - q * f[12])))));
+        if nearest == 0.0 {
+            (sine, Dd::ONE - one_minus_cosine)
+        } else if nearest == 90.0 {
+            (Dd::ONE - one_minus_cosine, -sine)
+        } else {
+            (sn - sn * one_minus_cosine + cn * sine, cn - cn * one_minus_cosine - sn * sine)
+        }
+    };
+    match quadrant {
+        0 => (s, c),
+        1 => (c, -s),
+        2 => (-s, -c),
+        _ => (-c, s),
+    }
+}
+
+/// [`sin_cos_degrees`] with derivatives.
+pub fn sin_cos_of_degrees<T: Real>(degrees: T) -> (T, T) {
+    let (s, c) = sin_cos_degrees(degrees.f64());
+    let per = RADIANS_PER_DEGREE.hi;
+    (
+        T::with_slopes(s, |i| c.hi * per * degrees.slope(i)),
+        T::with_slopes(c, |i| -s.hi * per * degrees.slope(i)),
+    )
+}
+
+/// Angle of the point (x, y), radians, within one ulp, with derivatives.
+pub fn atan2<T: Real>(y: T, x: T) -> T {
+    let (yv, xv) = (y.f64(), x.f64());
+    let r2 = xv * xv + yv * yv;
+    let value = libm::atan2(yv, xv);
+    T::with_slopes(Dd::new(value), |i| if r2 > 0.0 { (y.slope(i) * xv - x.slope(i) * yv) / r2 } else { 0.0 })
+}
+
+/// Sine and cosine of an angle in radians, with derivatives.
+pub fn sin_cos<T: Real>(x: T) -> (T, T) {
+    let v = x.value();
+    let (s, c) = (libm::sin(v.hi), libm::cos(v.hi));
+    (
+        T::with_slopes(Dd::sum(s, c * v.lo), |i| c * x.slope(i)),
+        T::with_slopes(Dd::sum(c, -s * v.lo), |i| -s * x.slope(i)),
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn exact_where_the_value_is_a_double() {
+        for (deg, s, c) in [(0.0, 0.0, 1.0), (90.0, 1.0, 0.0)] {
+            assert_eq!(sin_cos_degrees(deg), (Dd::new(s), Dd::new(c)));
+        }
+        assert_eq!(sin_cos_degrees(30.0).0, Dd::new(0.5));
+        assert_eq!(sin_cos_degrees(60.0).1, Dd::new(0.5));
+        assert_eq!(sin_cos_degrees(-30.0).0, Dd::new(-0.5));
+        assert_eq!(sin_cos_degrees(150.0).0, Dd::new(0.5));
+    }
+    #[test]
+    fn squares_sum_to_one_to_thirty_digits() {
+        let mut x = 0.013_7;
+        while x < 400.0 {
+            let (s, c) = sin_cos_degrees(x);
+            let miss = s * s + c * c - Dd::ONE;
+            assert!(miss.hi.abs() < 1e-30, "{x}: {miss:?}");
+            x *= 1.037;
+        }
+    }
+    #[test]
+    fn addition_theorem_links_whole_and_broken_degrees() {
+        // sin(a + b) with a + b exact in binary.
+        for (a, b) in [(17.25, 3.5), (44.75, 12.125), (88.5, 1.25)] {
+            let ((sa, ca), (sb, cb)) = (sin_cos_degrees(a), sin_cos_degrees(b));
+            let miss = sa * cb + ca * sb - sin_cos_degrees(a + b).0;
+            assert!(miss.hi.abs() < 1e-30, "{a} {b}: {miss:?}");
+        }
+    }
+    #[test]
+    fn near_ninety_the_cosine_keeps_its_digits() {
+        let (_, c) = sin_cos_degrees(89.999_999_999);
+        let (s, _) = sin_cos_degrees(90.0 - 89.999_999_999);
+        assert!(((c - s).hi / s.hi).abs() < 1e-29);
+    }
+}

@@ -1,0 +1,170 @@
+//! Which data are a scene at all (PHYSICS: admissible data). NaN passes no test here.
+use crate::scene::Attach;
+use crate::scene::End;
+use crate::scene::Far;
+use crate::scene::Mass;
+use crate::scene::Num;
+use crate::scene::RotaryInertia;
+use crate::scene::Scene;
+use crate::scene::Slope;
+use crate::scene::Start;
+use crate::scene::Tie;
+
+/// What a datum must satisfy to be part of a scene.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Rule {
+    /// Finite.
+    Finite,
+    /// Finite and > 0.
+    Positive,
+    /// Finite and >= 0.
+    NotNegative,
+    /// From 0 to 90 degrees.
+    Slope,
+    /// Not above another datum (hub <= rim, mu_k <= mu_s).
+    NotAbove(Num),
+}
+
+/// One datum that is no part of a scene.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Inadmissible {
+    /// Which.
+    pub datum: Num,
+    /// Its value.
+    pub value: f64,
+    /// The rule that it breaks.
+    pub rule: Rule,
+}
+
+/// Every number of the scene with its rule, in the order of the scene.
+pub fn rules(scene: &Scene, mut tell: impl FnMut(Num, Rule)) {
+    use Rule::{Finite, NotNegative, Positive};
+    tell(scene.gravity_m_s2, Positive);
+    let slipping = |b: usize| scene.ties.iter().any(|t| matches!(t, Tie::Slip { body, .. } if *body == b));
+    for (i, b) in scene.bodies.iter().enumerate() {
+        for p in &b.particles {
+            tell(p.mass_kg, Positive);
+            tell(p.x_m, Finite);
+            tell(p.y_m, Finite);
+        }
+        let mass = if b.line.is_some() { Positive } else { NotNegative };
+        if b.particles.is_empty() {
+            match &b.mass {
+                Mass::Kilograms(n) | Mass::Weight(n) => tell(*n, mass),
+                Mass::OfParts => {}
+            }
+        }
+        let inertia = if slipping(i) { Positive } else { NotNegative };
+        match &b.inertia {
+            None => {}
+            Some(RotaryInertia::Gyration(n) | RotaryInertia::Moment(n)) => tell(*n, inertia),
+            Some(RotaryInertia::Shape(_, n)) => tell(*n, Positive),
+            Some(RotaryInertia::Parts(parts)) => {
+                for p in parts {
+                    if let Mass::Kilograms(n) | Mass::Weight(n) = p.mass {
+                        tell(n, NotNegative);
+                    }
+                    tell(p.radius_m, Positive);
+                }
+            }
+        }
+        let radius = |name: &str| b.radii_m.iter().find(|(n, _)| n == name).map(|(_, r)| *r);
+        for (_, r) in &b.radii_m {
+            tell(*r, Positive);
+        }
+        for (small, large) in [("hub", "rim"), ("inner", "outer")] {
+            if let (Some(r), Some(rim)) = (radius(small), radius(large)) {
+                tell(r, Rule::NotAbove(rim));
+            }
+        }
+        if let Some(Slope::Degrees(angle)) = b.line.map(|l| l.slope) {
+            tell(angle, Rule::Slope);
+        }
+    }
+    for t in &scene.ties {
+        match t {
+            Tie::Roll { radius_m, mu_s, .. } => {
+                tell(*radius_m, Positive);
+                if let Some(mu) = mu_s {
+                    tell(*mu, NotNegative);
+                }
+            }
+            Tie::Slip { radius_m, mu_s, mu_k, .. } => {
+                tell(*radius_m, Positive);
+                tell(*mu_s, NotNegative);
+                tell(*mu_k, NotNegative);
+                tell(*mu_k, Rule::NotAbove(*mu_s));
+            }
+            Tie::Slide { mu_s, mu_k, .. } => {
+                tell(*mu_k, NotNegative);
+                if let Some(mu) = mu_s {
+                    tell(*mu, NotNegative);
+                    tell(*mu_k, Rule::NotAbove(*mu));
+                }
+            }
+            Tie::Cord(c) => {
+                let mut wound = |a: Attach| {
+                    if let Attach::Wound(r, _) = a {
+                        tell(r, Positive);
+                    }
+                };
+                wound(c.from.attach);
+                if let Far::Body(end) = &c.to {
+                    wound(end.attach);
+                }
+                match &c.to {
+                    Far::Pull(p) => tell(*p, NotNegative),
+                    Far::Spring { stiffness_n_m, stretch_m, .. } => {
+                        tell(*stiffness_n_m, Positive);
+                        tell(*stretch_m, NotNegative);
+                    }
+                    Far::Body(_) | Far::Fixed => {}
+                }
+            }
+        }
+    }
+    for c in &scene.couples {
+        tell(c.moment_n_m, NotNegative);
+    }
+    for s in &scene.start {
+        match s {
+            Start::Speed(_, v) => tell(*v, Finite),
+            Start::Lamina { vx_m_s, vy_m_s, spin_rad_s, .. } => {
+                tell(*vx_m_s, Finite);
+                tell(*vy_m_s, Finite);
+                tell(*spin_rad_s, Finite);
+            }
+        }
+    }
+    match scene.end {
+        End::AtOnce | End::TurningPoint(_) => {}
+        End::Travel(_, d) | End::Time(_, d) | End::Speed(_, d) => tell(d, NotNegative),
+        End::Position(_, s) => tell(s, Finite),
+    }
+}
+
+/// The data that are no part of this scene; empty if it can be solved.
+pub fn faults(scene: &Scene, data: &[f64]) -> Vec<Inadmissible> {
+    let of = |n: Num| match n {
+        Num::Datum(i) => data.get(i).copied().unwrap_or(f64::NAN),
+        Num::Fixed(x) => x,
+    };
+    let mut found: Vec<Inadmissible> = Vec::new();
+    rules(scene, |datum, rule| {
+        let value = of(datum);
+        let holds = match rule {
+            Rule::Finite => value.is_finite(),
+            Rule::Positive => value.is_finite() && value > 0.0,
+            Rule::NotNegative => value.is_finite() && value >= 0.0,
+            Rule::Slope => (0.0..=90.0).contains(&value),
+            // A value that is not even finite has its own finding.
+            Rule::NotAbove(other) => !value.is_finite() || !of(other).is_finite() || value <= of(other),
+        };
+        let fault = Inadmissible { datum, value, rule };
+        let same = |f: &Inadmissible| f.datum == datum && f.rule == rule;
+        if !holds && !found.iter().any(same) {
+            found.push(fault);
+        }
+    });
+    found
+}

@@ -1,0 +1,143 @@
+//! The numbers of a scene, read once: masses, inertias, slopes. Arithmetic on data, no mechanics.
+//!
+//! Everything with the dimension of mass is divided by a power of two near the first mass, so that a wheel of 1e-300 kg
+//! is as good as one of 1 kg; [`Numbers::publish`] undoes it.
+use crate::num::Dd;
+use crate::num::Real;
+use crate::num::dd::exponent;
+use crate::num::trig;
+use crate::scene::Body;
+use crate::scene::Label;
+use crate::scene::Mass;
+use crate::scene::Num;
+use crate::scene::Part;
+use crate::scene::Quantity;
+use crate::scene::RotaryInertia;
+use crate::scene::Scene;
+use crate::scene::Slope;
+use crate::scene::inertia;
+
+/// The numbers of one body.
+#[derive(Debug, Clone, Copy)]
+pub struct BodyNumbers<T> {
+    /// Mass, in units of 2^e kg.
+    pub mass: T,
+    /// Moment of inertia about the mass centre, in units of 2^e kg m^2.
+    pub inertia: T,
+    /// Height gained per metre forward: the sine of the slope, negative where forward is down.
+    pub climb: T,
+    /// Cosine of the slope.
+    pub level: T,
+}
+
+/// The numbers of a scene.
+#[derive(Debug, Clone)]
+pub struct Numbers<'a, T> {
+    data: &'a [f64],
+    mass_exponent: i32,
+    /// Acceleration of free fall, m/s^2.
+    pub gravity: T,
+    /// One for each body.
+    pub bodies: Vec<BodyNumbers<T>>,
+}
+
+impl<'a, T: Real> Numbers<'a, T> {
+    /// Reads the numbers of a scene.
+    pub fn new(scene: &Scene, data: &'a [f64]) -> Self {
+        let mut n = Self {
+            data,
+            mass_exponent: 0,
+            gravity: T::zero(),
+            bodies: Vec::with_capacity(scene.bodies.len()),
+        };
+        n.gravity = n.get(scene.gravity_m_s2);
+        let first = scene.bodies.iter().map(|b| n.mass_of(b, &b.mass).f64()).find(|m| *m > 0.0);
+        n.mass_exponent = exponent(first.unwrap_or(1.0));
+        // Bodies on one incline share its sine and cosine.
+        let mut known: Option<(Num, T, T)> = None;
+        for b in &scene.bodies {
+            let mass = n.mass_of(b, &b.mass);
+            let inertia = n.inertia_of(b, mass);
+            let (sine, cosine) = match b.line.map(|l| l.slope) {
+                None => (T::zero(), T::zero()),
+                Some(Slope::Level) => (T::zero(), T::of(1.0)),
+                Some(Slope::Vertical) => (T::of(1.0), T::zero()),
+                Some(Slope::Degrees(angle)) => match known {
+                    Some((a, s, c)) if a == angle => (s, c),
+                    _ => {
+                        let (s, c) = trig::sin_cos_of_degrees(n.get(angle));
+                        known = Some((angle, s, c));
+                        (s, c)
+                    }
+                },
+            };
+            let climb = if b.line.is_some_and(|l| l.forward_up) { sine } else { -sine };
+            n.bodies.push(BodyNumbers { mass, inertia, climb, level: cosine });
+        }
+        n
+    }
+
+    /// A number without the dimension of mass.
+    #[inline]
+    pub fn get(&self, num: Num) -> T {
+        match num {
+            Num::Datum(i) => T::datum(i, self.data.get(i).copied().unwrap_or(f64::NAN)),
+            Num::Fixed(x) => T::of(x),
+        }
+    }
+
+    /// A number with the dimension of mass (a force, a stiffness, a moment), in units of 2^e.
+    #[inline]
+    pub fn massive(&self, num: Num) -> T {
+        self.get(num).scale2(-self.mass_exponent)
+    }
+
+    /// Gives a quantity back its SI size.
+    pub fn publish(&self, label: Label, value: T) -> T {
+        use Quantity as Q;
+        match label.quantity {
+            Q::Friction
+            | Q::Normal
+            | Q::Tension
+            | Q::Heat
+            | Q::WorkPull
+            | Q::PowerPull
+            | Q::FrictionIfRolled
+            | Q::KineticEnergy
+            | Q::IG => value.scale2(self.mass_exponent),
+            _ => value,
+        }
+    }
+
+    fn mass_of(&self, body: &Body, mass: &Mass) -> T {
+        match mass {
+            Mass::Kilograms(m) => self.massive(*m),
+            Mass::Weight(w) => self.massive(*w) / self.gravity,
+            Mass::OfParts => match &body.inertia {
+                Some(RotaryInertia::Parts(parts)) => {
+                    parts.iter().fold(T::zero(), |sum, p| sum + self.mass_of(body, &p.mass))
+                }
+                _ => body.particles.iter().fold(T::zero(), |sum, p| sum + self.massive(p.mass_kg)),
+            },
+        }
+    }
+
+    fn inertia_of(&self, body: &Body, mass: T) -> T {
+        match &body.inertia {
+            None => T::zero(),
+            Some(RotaryInertia::Gyration(k)) => mass * self.get(*k).square(),
+            Some(RotaryInertia::Moment(i)) => self.massive(*i),
+            Some(RotaryInertia::Shape(shape, r)) => mass * inertia::beta::<T>(*shape) * self.get(*r).square(),
+            Some(RotaryInertia::Parts(parts)) => {
+                parts.iter().fold(T::zero(), |sum, Part { mass, shape, radius_m }| {
+                    sum + self.mass_of(body, mass) * inertia::beta::<T>(*shape) * self.get(*radius_m).square()
+                })
+            }
+        }
+    }
+
+    /// Value of a number, for comparisons of data.
+    pub fn value(&self, num: Num) -> Dd {
+        self.get(num).value()
+    }
+}

@@ -1,0 +1,188 @@
+//! Energy before plus work is energy after, for the whole and for each body alone.
+//!
+//! Kinetic energy by the decomposition at the mass centre; the work of each force over the displacement of its own point:
+//! the pull over the travel of the cord, the weight over the height, a couple over the angle, sliding friction over the
+//! slip; rolling friction does none, its point is at rest.
+use crate::num::Real;
+use crate::num::eliminate::reduce;
+use crate::num::plant::plant;
+use crate::scene::Attach;
+use crate::scene::Coordinate;
+use crate::scene::CordEnd;
+use crate::scene::Degree;
+use crate::scene::Far;
+use crate::scene::Numbers;
+use crate::scene::Scene;
+use crate::scene::Side;
+use crate::scene::Tie;
+use crate::solve::energy::speeds::Mode;
+
+/// `sum m v v' + I w w'` of two modes: twice the kinetic energy if they are the same.
+pub fn inertia<T: Real>(n: &Numbers<T>, a: &Mode<T>, b: &Mode<T>) -> T {
+    let mut sum = T::zero();
+    for (i, body) in n.bodies.iter().enumerate() {
+        let moving = body.mass * a.v[i] * b.v[i];
+        let spinning = body.inertia * a.w[i] * b.w[i];
+        sum = sum
+            + plant!("energy: kinetic energy of the mass centre", moving)
+            + plant!("energy: kinetic energy of rotation", spinning);
+    }
+    sum
+}
+
+/// Force that presses a body on its surface, by a virtual displacement out of it: `N dy - m g cos dy = 0`.
+pub fn normal<T: Real>(n: &Numbers<T>, body: usize) -> T {
+    plant!("energy: weight against the surface", n.bodies[body].mass * n.gravity) * n.bodies[body].level
+}
+
+/// A given force, as the power that it has in a mode.
+pub struct Power<T> {
+    /// Index of the tie or couple that brings it, if it is not a weight.
+    pub tie: Option<usize>,
+    /// Power per unit rate of the mode.
+    pub power: T,
+}
+
+/// Power of each constant force in a mode. `friction` gives the kinetic friction of a contact, positive forward.
+pub fn powers<T: Real>(scene: &Scene, n: &Numbers<T>, mode: &Mode<T>, friction: &[T]) -> Vec<Power<T>> {
+    let mut list = Vec::with_capacity(6);
+    for (b, body) in n.bodies.iter().enumerate() {
+        let climb = body.climb * mode.v[b];
+        if !climb.is_zero() {
+            let power = -plant!("energy: work of the weight", body.mass * n.gravity * climb);
+            list.push(Power { tie: None, power });
+        }
+    }
+    for c in &scene.couples {
+        let turn = mode.w[c.body] * plant!("energy: work of a couple", n.massive(c.moment_n_m));
+        list.push(Power { tie: None, power: if c.forward { turn } else { -turn } });
+    }
+    for (t, tie) in scene.ties.iter().enumerate() {
+        let power = match tie {
+            Tie::Cord(cord) => match &cord.to {
+                Far::Pull(p) => plant!("energy: work of the pull", n.massive(*p)) * mode.point(n, &cord.from),
+                _ => continue,
+            },
+            Tie::Slip { body, radius_m, .. } => {
+                let contact =
+                    mode.v[*body] - plant!("energy: slip of the contact", n.get(*radius_m)) * mode.w[*body];
+                plant!("energy: work of sliding friction", friction[t]) * contact
+            }
+            Tie::Slide { body, .. } => friction[t] * mode.v[*body],
+            Tie::Roll { .. } => continue,
+        };
+        list.push(Power { tie: Some(t), power });
+    }
+    list
+}
+
+/// The reactions, from the rate of the energy balance of each body alone, of its mass centre and of its rotation: the
+/// velocity cancels, and what is left holds for every virtual velocity of that body.
+///
+/// `rate` are the accelerations of all coordinates; `given` the tension of the spring. Returns one number a tie: the
+/// friction of a contact (positive forward) or the tension of a cord.
+pub fn reactions<T: Real>(
+    scene: &Scene,
+    n: &Numbers<T>,
+    rate: &dyn Fn(Coordinate) -> T,
+    spring_tension: T,
+    kinetic: &[Option<T>],
+) -> Vec<T> {
+    let ties = scene.ties.len();
+    let unknown: Vec<usize> = (0..ties)
+        .filter(|t| match &scene.ties[*t] {
+            Tie::Roll { .. } => true,
+            Tie::Slip { .. } | Tie::Slide { .. } => kinetic[*t].is_none(),
+            Tie::Cord(c) => matches!(c.to, Far::Body(_) | Far::Fixed),
+        })
+        .collect();
+    let cols = unknown.len();
+    let mut rows: Vec<Vec<T>> = Vec::with_capacity(2 * scene.bodies.len());
+    for b in 0..scene.bodies.len() {
+        for degree in [Degree::Along, Degree::Turn] {
+            let present = match degree {
+                Degree::Along => scene.bodies[b].line.is_some(),
+                Degree::Turn => scene.bodies[b].turns,
+            };
+            if !present {
+                continue;
+            }
+            let numbers = &n.bodies[b];
+            let own = rate(Coordinate { body: b, degree });
+            // Power of the known forces per unit velocity, less the rate of the kinetic energy.
+            let mut surplus = match degree {
+                Degree::Along => {
+                    -(numbers.mass * n.gravity * numbers.climb)
+                        - plant!("energy: rate of the kinetic energy of the centre", numbers.mass) * own
+                }
+                Degree::Turn => -(plant!("energy: rate of the energy of rotation", numbers.inertia) * own),
+            };
+            let mut row = vec![T::zero(); cols + 1];
+            let mut act = |t: usize, lever: T, known: Option<T>| match known {
+                Some(force) => surplus = surplus + force * lever,
+                None => {
+                    if let Some(j) = unknown.iter().position(|u| *u == t) {
+                        row[j] = row[j] + lever;
+                    }
+                }
+            };
+            let cord_lever = |end: &CordEnd| -> T {
+                let sense = if end.forward { 1.0 } else { -1.0 };
+                match (degree, end.attach) {
+                    (Degree::Along, _) => T::of(sense),
+                    (Degree::Turn, Attach::Centre) => T::zero(),
+                    (Degree::Turn, Attach::Wound(p, Side::Top)) => n.get(p).signed(sense),
+                    (Degree::Turn, Attach::Wound(p, Side::Bottom)) => n.get(p).signed(-sense),
+                }
+            };
+            for (t, tie) in scene.ties.iter().enumerate() {
+                match tie {
+                    Tie::Roll { body, radius_m, .. } | Tie::Slip { body, radius_m, .. } if *body == b => {
+                        let lever = match degree {
+                            Degree::Along => T::of(1.0),
+                            Degree::Turn => -n.get(*radius_m),
+                        };
+                        act(t, plant!("energy: friction on one body alone", lever), kinetic[t]);
+                    }
+                    Tie::Slide { body, .. } if *body == b && degree == Degree::Along => {
+                        act(t, T::of(1.0), kinetic[t]);
+                    }
+                    Tie::Cord(cord) => {
+                        let known = match &cord.to {
+                            Far::Pull(p) => Some(plant!("energy: pull on one body alone", n.massive(*p))),
+                            Far::Spring { .. } => Some(spring_tension),
+                            _ => None,
+                        };
+                        if cord.from.body == b {
+                            act(t, cord_lever(&cord.from), known);
+                        }
+                        if let Far::Body(other) = &cord.to
+                            && other.body == b
+                        {
+                            act(t, cord_lever(other), known);
+                        }
+                    }
+                    _ => {}
+                }
+            }
+            for c in scene.couples.iter().filter(|c| c.body == b && degree == Degree::Turn) {
+                let moment = n.massive(c.moment_n_m);
+                surplus = surplus + if c.forward { moment } else { -moment };
+            }
+            row[cols] = -surplus;
+            rows.push(row);
+        }
+    }
+    let found = reduce(cols, rows, &[]).solution();
+    let mut all: Vec<T> = kinetic.iter().map(|k| k.unwrap_or_else(T::zero)).collect();
+    if let Some(found) = found {
+        for (t, value) in unknown.into_iter().zip(found) {
+            all[t] = value;
+        }
+    } else {
+        for t in unknown {
+            all[t] = T::of(f64::NAN);
+        }
+    }
+    all
+}

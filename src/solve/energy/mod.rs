@@ -1,0 +1,673 @@
+//! The second road: velocity ratios from the ties, work of each force over the displacement of its own point, energy.
+//!
+//! With one freedom the balance of the whole gives the speed, its rate the acceleration, and the balance of one body alone
+//! the reactions. With two (a wheel that slips) the power balance of each mode, the mass centre's among them, gives the
+//! ratio of the velocities, which from rest is also that of the displacements, and the total balance then the speed.
+pub mod balance;
+pub mod instant;
+pub mod speeds;
+
+use crate::num::Dd;
+use crate::num::Real;
+use crate::num::eliminate::reduce;
+use crate::num::plant::plant;
+use crate::num::trig;
+use crate::scene::Coordinate;
+use crate::scene::Degree;
+use crate::scene::End;
+use crate::scene::Far;
+use crate::scene::Heading;
+use crate::scene::Label;
+use crate::scene::Numbers;
+use crate::scene::Owner;
+use crate::scene::Quantity;
+use crate::scene::RotaryInertia;
+use crate::scene::Scene;
+use crate::scene::Start;
+use crate::scene::Tie;
+use crate::solve::energy::balance::Power;
+use crate::solve::energy::speeds::Mode;
+use crate::solve::outcome::Course;
+use crate::solve::outcome::Held;
+use crate::solve::outcome::Refusal;
+use crate::solve::outcome::Road;
+use crate::solve::outcome::Said;
+
+/// Everything that work and energy say of a scene whose data are admissible.
+///
+/// Errors: ties that hold the ending coordinate fast.
+pub fn road<T: Real>(scene: &Scene, data: &[f64]) -> Result<Road<T>, Refusal> {
+    let n = Numbers::<T>::new(scene, data);
+    if matches!(scene.end, End::AtOnce) {
+        return Ok(instant::road(scene, &n));
+    }
+    Ledger::open(scene, n)?.settle()
+}
+
+/// Energy stored in a spring on the way: stiffness, stretch at the start, and stretch lost per metre of the mode.
+#[derive(Clone, Copy)]
+struct Store<T> {
+    stiffness: T,
+    stretch: T,
+    lost: T,
+    rigid: bool,
+}
+
+impl<T: Real> Store<T> {
+    fn stretch_at(&self, s: T) -> T {
+        let stretch = self.stretch - self.lost * s;
+        if stretch.sign() < 0.0 && !self.rigid { T::zero() } else { stretch }
+    }
+    /// Energy given off between the start and a place.
+    fn given(&self, s: T) -> T {
+        let x1 = self.stretch_at(s);
+        let released = (self.stretch - x1) * (self.stretch + x1);
+        (plant!("energy: stiffness of the spring", self.stiffness) * released).scale2(-1)
+    }
+}
+
+struct Ledger<'a, T> {
+    scene: &'a Scene,
+    n: Numbers<'a, T>,
+    end: Coordinate,
+    /// The motion as one mode, unit rate of the ending coordinate.
+    mode: Mode<T>,
+    /// Accelerations of all modes at the start, summed to coordinates.
+    start_rate: Mode<T>,
+    /// Kinetic friction of contacts that slip or slide.
+    kinetic: Vec<Option<T>>,
+    /// Frictions if nothing slipped.
+    rolled: Option<Vec<T>>,
+    moves: bool,
+    /// Speed at the start.
+    v0: T,
+    road: Road<T>,
+}
+
+/// Rates of the modes from their power balances, and their sum as one motion.
+fn drive<T: Real>(
+    scene: &Scene,
+    n: &Numbers<T>,
+    modes: &[Mode<T>],
+    friction: &[T],
+    spring_tension: T,
+) -> Mode<T> {
+    let m = modes.len();
+    let pull = scene.spring().and_then(|(tie, ..)| match &scene.ties[tie] {
+        Tie::Cord(c) => Some(c.from),
+        _ => None,
+    });
+    let mut rows: Vec<Vec<T>> = Vec::with_capacity(m);
+    for a in modes {
+        let mut row: Vec<T> = modes.iter().map(|b| balance::inertia(n, a, b)).collect();
+        let mut power = balance::powers(scene, n, a, friction)
+            .into_iter()
+            .fold(T::zero(), |sum, p: Power<T>| sum + p.power);
+        if let Some(end) = &pull {
+            power = power + spring_tension * a.point(n, end);
+        }
+        row.push(power);
+        rows.push(row);
+    }
+    let rates = reduce(m, rows, &[]).solution().unwrap_or_else(|| vec![T::of(f64::NAN); m]);
+    combine(modes, &rates)
+}
+
+/// `sum rate_j mode_j`.
+fn combine<T: Real>(modes: &[Mode<T>], rates: &[T]) -> Mode<T> {
+    let bodies = modes.first().map_or(0, |m| m.v.len());
+    let mut sum = Mode { v: vec![T::zero(); bodies], w: vec![T::zero(); bodies] };
+    for (mode, rate) in modes.iter().zip(rates) {
+        for b in 0..bodies {
+            sum.v[b] = sum.v[b] + *rate * mode.v[b];
+            sum.w[b] = sum.w[b] + *rate * mode.w[b];
+        }
+    }
+    sum
+}
+
+impl<'a, T: Real> Ledger<'a, T> {
+    fn open(scene: &'a Scene, n: Numbers<'a, T>) -> Result<Self, Refusal> {
+        let end = scene.ending_coordinate();
+        let ties = scene.ties.len();
+        let none = vec![T::zero(); ties];
+        let tension = scene.spring().map_or_else(T::zero, |(_, ks, x0, _)| n.massive(ks) * n.get(x0));
+        let slips = scene.ties.iter().any(|t| matches!(t, Tie::Slip { .. }));
+        let mut kinetic: Vec<Option<T>> = vec![None; ties];
+        let mut rolled = None;
+        if slips {
+            let modes = speeds::modes(scene, &n, true)?;
+            let rate = drive(scene, &n, &modes, &none, tension);
+            let held = balance::reactions(scene, &n, &|c| rate.of(c), tension, &kinetic);
+            for (t, tie) in scene.ties.iter().enumerate() {
+                if let Tie::Slip { body, mu_k, .. } = tie {
+                    let most = plant!("energy: kinetic friction", n.get(*mu_k)) * balance::normal(&n, *body);
+                    kinetic[t] = Some(most.signed(held[t].sign()));
+                }
+            }
+            rolled = Some(held);
+        }
+        let modes = speeds::modes(scene, &n, false)?;
+        let frictions =
+            |kinetic: &[Option<T>]| -> Vec<T> { kinetic.iter().map(|k| k.unwrap_or_else(T::zero)).collect() };
+        let mut v0 = T::zero();
+        for s in &scene.start {
+            if let Start::Speed(c, v) = s {
+                let ratio = modes[0].of(*c);
+                if !ratio.is_zero() {
+                    v0 = n.get(*v) / ratio;
+                }
+            }
+        }
+        let mut start_rate = drive(scene, &n, &modes, &frictions(&kinetic), tension);
+        let mut moves = true;
+        if scene.ties.iter().any(|t| matches!(t, Tie::Slide { .. })) {
+            // The work of sliding friction is negative, whichever way the body goes.
+            let free = start_rate.clone();
+            let started = !v0.is_zero();
+            let going = |b: usize| if started { (modes[0].v[b] * v0).sign() } else { free.v[b].sign() };
+            for starting in [!started, false] {
+                for (t, tie) in scene.ties.iter().enumerate() {
+                    if let Tie::Slide { body, mu_s, mu_k } = tie {
+                        let mu = if starting { mu_s.unwrap_or(*mu_k) } else { *mu_k };
+                        let most = n.get(mu) * balance::normal(&n, *body);
+                        kinetic[t] = Some(most.signed(-going(*body)));
+                    }
+                }
+                start_rate = drive(scene, &n, &modes, &frictions(&kinetic), tension);
+                let stuck = scene.ties.iter().any(|tie| match tie {
+                    Tie::Slide { body, .. } => !started && start_rate.v[*body].sign() * going(*body) <= 0.0,
+                    _ => false,
+                });
+                moves &= !stuck;
+            }
+        }
+        let lead = start_rate.of(end);
+        let mode = if modes.len() == 1 || lead.is_zero() {
+            modes[0].clone()
+        } else {
+            // From rest the displacements are as the accelerations.
+            let mut mode = start_rate.clone();
+            for x in mode.v.iter_mut().chain(&mut mode.w) {
+                *x = *x / lead;
+            }
+            mode
+        };
+        Ok(Self { scene, n, end, mode, start_rate, kinetic, rolled, moves, v0, road: Road::new() })
+    }
+
+    fn say(&mut self, quantity: Quantity, of: Owner, value: T) {
+        let label = Label { quantity, of };
+        let value = self.n.publish(label, value);
+        self.road.said.push(Said { label, value, scale: value.f64().abs() });
+    }
+
+    fn up(&self, body: usize) -> f64 {
+        if self.scene.bodies[body].line.is_some_and(|l| !l.forward_up) { -1.0 } else { 1.0 }
+    }
+
+    fn force(&self, f: T) -> Dd {
+        self.n.publish(Label { quantity: Quantity::Friction, of: Owner::Scene }, f).value()
+    }
+
+    fn settle(mut self) -> Result<Road<T>, Refusal> {
+        let spring = self.scene.spring();
+        let mut store = spring.map(|(tie, ks, x0, rigid)| {
+            let Tie::Cord(cord) = &self.scene.ties[tie] else { unreachable!("a spring is on a cord") };
+            let lost = self.mode.point(&self.n, &cord.from);
+            Store { stiffness: self.n.massive(ks), stretch: self.n.get(x0), lost, rigid }
+        });
+        let frictions: Vec<T> = self.kinetic.iter().map(|k| k.unwrap_or_else(T::zero)).collect();
+        let powers = balance::powers(self.scene, &self.n, &self.mode, &frictions);
+        let constant = powers.iter().fold(T::zero(), |sum, p| sum + p.power);
+        let doubled = balance::inertia(&self.n, &self.mode, &self.mode);
+        let tension0 = store.map_or_else(T::zero, |s| s.stiffness * s.stretch);
+        let lead = self.start_rate.of(self.end);
+        let sense = if !self.v0.is_zero() {
+            self.v0.sign()
+        } else if self.moves {
+            lead.sign()
+        } else {
+            0.0
+        };
+        if let Some(s) = &store {
+            let x_eq = -constant / (s.stiffness * s.lost);
+            if x_eq.sign() >= 0.0 || s.rigid {
+                self.say(Quantity::XEq, Owner::Scene, x_eq);
+            }
+        }
+        self.if_rolled();
+        let drive = self.driving(&powers, tension0, store.as_ref(), if sense == 0.0 { 1.0 } else { sense });
+        if sense == 0.0 || lead.is_zero() && self.v0.is_zero() {
+            self.road.course =
+                Some(Course { sense: 0.0, drive, asked: None, farthest: Dd::ZERO, reached: false });
+            let still = sense == 0.0 && self.rolled.is_none();
+            self.standing(tension0, still);
+            if store.is_some() && self.end.degree == Degree::Along {
+                for q in [Quantity::VMax, Quantity::DAtVMax, Quantity::DTurn] {
+                    self.say(q, Owner::Body(self.end.body), T::zero());
+                }
+            }
+            self.grip(tension0, tension0);
+            return Ok(self.road);
+        }
+        let constant = constant.signed(sense);
+        if let Some(s) = &mut store {
+            s.lost = s.lost.signed(sense);
+        }
+        let u0 = self.v0.abs();
+        let energy0 = (doubled * u0.square()).scale2(-1);
+        let account = Account { constant, doubled, energy0, u0, store };
+
+        let turning = account.turning();
+        let limit = turning.map_or(Dd::new(f64::INFINITY), |t| t.value());
+        let wrong_way = match self.scene.heading {
+            Some(Heading::Forward) => sense < 0.0,
+            Some(Heading::Back) => sense > 0.0,
+            None => false,
+        };
+        let s = self.asked(&account, turning, sense);
+        let reached = !wrong_way && s.is_some_and(|s| s.value() >= Dd::ZERO && s.value() <= limit);
+        self.road.course =
+            Some(Course { sense, drive, asked: s.map(|s| s.value()), farthest: limit, reached });
+        let tension_at = |s: T| account.store.map_or_else(T::zero, |k| k.stiffness * k.stretch_at(s));
+        let last_tension = turning.map_or_else(T::zero, tension_at);
+        self.grip(tension0, last_tension);
+        if store.is_some() && self.end.degree == Degree::Along {
+            let body = Owner::Body(self.end.body);
+            if let Some((at, v)) = account.fastest() {
+                self.say(Quantity::VMax, body, v);
+                self.say(Quantity::DAtVMax, body, at);
+            }
+            let farthest = turning.unwrap_or_else(|| T::of(f64::INFINITY));
+            self.say(Quantity::DTurn, body, farthest);
+        }
+        match s {
+            Some(s) if reached => self.arrived(&account, s, sense, tension_at(s)),
+            _ => self.standing(tension0, false),
+        }
+        Ok(self.road)
+    }
+
+    /// Driving and resisting power at the start, per unit rate.
+    fn driving(&self, powers: &[Power<T>], tension0: T, store: Option<&Store<T>>, sense: f64) -> (Dd, Dd) {
+        let (mut plus, mut minus) = (Dd::ZERO, Dd::ZERO);
+        let mut add = |power: Dd| {
+            if power.hi * sense > 0.0 {
+                plus = plus + power.abs();
+            } else {
+                minus = minus + power.abs();
+            }
+        };
+        for p in powers {
+            add(p.power.value());
+        }
+        if let Some(s) = store {
+            add((tension0 * s.lost).value());
+        }
+        (plus, minus)
+    }
+
+    fn asked(&self, account: &Account<T>, turning: Option<T>, sense: f64) -> Option<T> {
+        match self.scene.end {
+            End::AtOnce => None,
+            End::Travel(_, d) => Some(self.n.get(d)),
+            End::Position(_, x) => Some(self.n.get(x).signed(sense)),
+            End::Speed(_, u) => account.where_speed(self.n.get(u).abs()),
+            End::Time(_, t) => {
+                let t = self.n.get(t);
+                let late = turning.is_some_and(|s| t.value() > account.time(s, account.speed(s)).value());
+                if late { None } else { Some(account.place(t)) }
+            }
+            End::TurningPoint(_) => turning,
+        }
+    }
+
+    fn if_rolled(&mut self) {
+        let Some(held) = self.rolled.clone() else { return };
+        for (t, tie) in self.scene.ties.iter().enumerate() {
+            if let Tie::Slip { body, mu_s, radius_m, .. } = tie {
+                let normal = balance::normal(&self.n, *body);
+                self.say(Quantity::FrictionIfRolled, Owner::Body(*body), held[t].signed(self.up(*body)));
+                self.say(Quantity::MuRequired, Owner::Body(*body), held[t].abs() / normal);
+                let slip = self.start_rate.v[*body] - self.n.get(*radius_m) * self.start_rate.w[*body];
+                let available = self.n.get(*mu_s) * normal;
+                let held = Held::Slipping(
+                    t,
+                    self.force(held[t]),
+                    self.force(available),
+                    slip.signed(-held[t].sign()).value(),
+                );
+                self.road.held.push(held);
+            }
+        }
+    }
+
+    /// Accelerations at this tension of the spring: those at the start, less what the loss of tension takes.
+    fn rate(&self, tension: T) -> Mode<T> {
+        let Some((tie, ks, x0, _)) = self.scene.spring() else { return self.start_rate.clone() };
+        let Tie::Cord(cord) = &self.scene.ties[tie] else { return self.start_rate.clone() };
+        let tension0 = self.n.massive(ks) * self.n.get(x0);
+        let per = self.mode.point(&self.n, &cord.from) / balance::inertia(&self.n, &self.mode, &self.mode);
+        let change = (tension - tension0) * per;
+        let mut rate = self.start_rate.clone();
+        for b in 0..rate.v.len() {
+            rate.v[b] = rate.v[b] + change * self.mode.v[b];
+            rate.w[b] = rate.w[b] + change * self.mode.w[b];
+        }
+        rate
+    }
+
+    fn reactions(&self, tension: T) -> Vec<T> {
+        let rate = self.rate(tension);
+        balance::reactions(self.scene, &self.n, &|c| rate.of(c), tension, &self.kinetic)
+    }
+
+    fn grip(&mut self, tension0: T, tension1: T) {
+        for b in 0..self.scene.bodies.len() {
+            if self.scene.bodies[b].line.is_some_and(|l| l.surface) {
+                let normal = balance::normal(&self.n, b);
+                self.say(Quantity::Normal, Owner::Body(b), normal);
+            }
+        }
+        let first = self.reactions(tension0);
+        let last =
+            if tension0.value() == tension1.value() { first.clone() } else { self.reactions(tension1) };
+        for (t, tie) in self.scene.ties.iter().enumerate() {
+            if let Tie::Roll { body, mu_s, .. } = tie {
+                let most =
+                    if first[t].abs().value() < last[t].abs().value() { last[t] } else { first[t] }.abs();
+                let normal = balance::normal(&self.n, *body);
+                if self.scene.bodies[*body].line.is_some_and(|l| l.surface) {
+                    self.say(Quantity::MuRequired, Owner::Body(*body), most / normal);
+                }
+                let available = mu_s.map(|mu| self.force(self.n.get(mu) * normal));
+                let held = Held::Rolling(t, self.force(most), available);
+                self.road.held.push(held);
+            }
+        }
+    }
+
+    fn standing(&mut self, tension: T, at_rest: bool) {
+        let rate = self.rate(tension);
+        self.say_rates(&rate, at_rest);
+        self.say_forces(tension);
+        self.bound_of_gyration();
+    }
+
+    fn say_rates(&mut self, rate: &Mode<T>, at_rest: bool) {
+        for (b, body) in self.scene.bodies.iter().enumerate() {
+            let still = |x: T| if at_rest { T::zero() } else { x };
+            if body.line.is_some() {
+                self.say(Quantity::A, Owner::Body(b), still(rate.v[b]));
+            }
+            if body.turns {
+                self.say(Quantity::Alpha, Owner::Body(b), still(rate.w[b]));
+            }
+        }
+    }
+
+    fn say_forces(&mut self, tension: T) {
+        let held = self.reactions(tension);
+        for (t, tie) in self.scene.ties.iter().enumerate() {
+            match tie {
+                Tie::Roll { body, .. } | Tie::Slip { body, .. } | Tie::Slide { body, .. } => {
+                    self.say(Quantity::Friction, Owner::Body(*body), held[t].signed(self.up(*body)));
+                }
+                Tie::Cord(c) => match c.to {
+                    Far::Pull(_) => {}
+                    Far::Spring { .. } => self.say(Quantity::Tension, Owner::Tie(t), tension),
+                    Far::Body(_) | Far::Fixed => self.say(Quantity::Tension, Owner::Tie(t), held[t]),
+                },
+            }
+        }
+    }
+
+    fn arrived(&mut self, account: &Account<T>, s: T, sense: f64, tension: T) {
+        let energy = account.energy(s);
+        let u = account.speed(s);
+        let rate = self.rate(tension);
+        self.say(Quantity::T, Owner::Scene, account.time(s, u));
+        self.say_rates(&rate, false);
+        self.say_forces(tension);
+        self.bound_of_gyration();
+        self.say(Quantity::KineticEnergy, Owner::Scene, energy);
+        let mut spinning = T::zero();
+        for (b, body) in self.scene.bodies.iter().enumerate() {
+            let (v, w) = (self.mode.v[b], self.mode.w[b]);
+            if body.line.is_some() {
+                self.say(Quantity::V, Owner::Body(b), v.abs() * u);
+                self.say(Quantity::Rise, Owner::Body(b), (v * s).signed(sense) * self.n.bodies[b].climb);
+            }
+            if body.turns {
+                self.say(Quantity::Omega, Owner::Body(b), w.abs() * u);
+                self.say(Quantity::Phi, Owner::Body(b), w.abs() * s);
+                spinning = spinning + self.n.bodies[b].inertia * w * w;
+            }
+        }
+        if !energy.is_zero() {
+            self.say(Quantity::RotationalFraction, Owner::Scene, spinning / account.doubled);
+        }
+        let mut heat: Option<T> = None;
+        for (t, tie) in self.scene.ties.iter().enumerate() {
+            match tie {
+                Tie::Slip { body, radius_m, .. } => {
+                    let per = self.mode.v[*body]
+                        - plant!("energy: radius of the slip", self.n.get(*radius_m)) * self.mode.w[*body];
+                    let slip = per.abs() * s;
+                    self.say(Quantity::SlipDistance, Owner::Body(*body), slip);
+                    let force = self.kinetic[t].unwrap_or_else(T::zero).abs();
+                    heat =
+                        Some(heat.unwrap_or_else(T::zero) + plant!("energy: heat of sliding", force) * slip);
+                }
+                Tie::Slide { body, .. } => {
+                    let force = self.kinetic[t].unwrap_or_else(T::zero).abs();
+                    heat = Some(heat.unwrap_or_else(T::zero) + force * self.mode.v[*body].abs() * s);
+                }
+                Tie::Cord(c) => {
+                    let rate = self.mode.point(&self.n, &c.from).signed(sense);
+                    if let Far::Pull(p) = c.to {
+                        let p = plant!("energy: work of the pull", self.n.massive(p));
+                        self.say(Quantity::CordTravel, Owner::Tie(t), rate.abs() * s);
+                        self.say(Quantity::WorkPull, Owner::Tie(t), p * rate * s);
+                        self.say(Quantity::PowerPull, Owner::Tie(t), p * rate * u);
+                    } else if matches!(c.to, Far::Spring { .. }) {
+                        self.say(Quantity::CordTravel, Owner::Tie(t), rate.abs() * s);
+                    }
+                }
+                Tie::Roll { .. } => {}
+            }
+        }
+        if let Some(heat) = heat {
+            self.say(Quantity::Heat, Owner::Scene, heat);
+        }
+    }
+
+    /// Without friction the mass centre takes the power `X v`, the rotation what is left of the whole:
+    /// `k^2 = c^2 (W' - X)/X` with `v = c omega`. Infinite where friction points up at any k.
+    fn bound_of_gyration(&mut self) {
+        let [body] = self.scene.bodies.as_slice() else { return };
+        if !matches!(body.inertia, Some(RotaryInertia::Gyration(_))) || !self.scene.couples.is_empty() {
+            return;
+        }
+        let along = Coordinate { body: 0, degree: Degree::Along };
+        let mut radius = None;
+        let numbers = self.n.bodies[0];
+        let mut centre = -(numbers.mass * self.n.gravity * numbers.climb);
+        for tie in &self.scene.ties {
+            match tie {
+                Tie::Roll { radius_m, .. } => radius = Some(self.n.get(*radius_m)),
+                Tie::Cord(c) => {
+                    let Far::Pull(p) = c.to else { return };
+                    let p = self.n.massive(p);
+                    centre = if c.from.forward { centre + p } else { centre - p };
+                }
+                Tie::Slip { .. } | Tie::Slide { .. } => return,
+            }
+        }
+        let pulled = self.scene.ties.iter().any(|t| matches!(t, Tie::Cord(_)));
+        let (Some(c), true, false) = (radius, pulled, self.mode.of(along).is_zero()) else { return };
+        let up = self.up(0);
+        let none = vec![T::zero(); self.scene.ties.len()];
+        let whole = balance::powers(self.scene, &self.n, &self.mode, &none)
+            .into_iter()
+            .fold(T::zero(), |sum, p| sum + p.power)
+            / self.mode.of(along);
+        let (centre, whole) = (centre.signed(up), whole.signed(up));
+        let rotation = whole - centre;
+        if rotation.sign() <= 0.0 {
+            return;
+        }
+        let bound =
+            if centre.sign() > 0.0 { (c.square() * rotation / centre).root() } else { T::of(f64::INFINITY) };
+        self.say(Quantity::KBound, Owner::Body(0), bound);
+    }
+}
+
+/// The energy account of the motion, along its sense.
+struct Account<T> {
+    /// Work of the constant forces per metre.
+    constant: T,
+    /// Twice the kinetic energy at unit rate.
+    doubled: T,
+    /// Kinetic energy at the start.
+    energy0: T,
+    /// Speed at the start.
+    u0: T,
+    store: Option<Store<T>>,
+}
+
+impl<T: Real> Account<T> {
+    /// Work of all forces from the start to a place.
+    fn work(&self, s: T) -> T {
+        let given = self.store.map_or_else(T::zero, |k| k.given(s));
+        self.constant * s + given
+    }
+    fn energy(&self, s: T) -> T {
+        self.energy0 + self.work(s)
+    }
+    fn speed(&self, s: T) -> T {
+        (self.energy(s).scale2(1) / self.doubled).root()
+    }
+    /// Place at which the cord goes slack, if it does.
+    fn slack(&self) -> Option<T> {
+        self.store.filter(|k| !k.rigid && k.lost.sign() > 0.0).map(|k| k.stretch / k.lost)
+    }
+    /// Place at which the whole energy is stored or spent.
+    fn turning(&self) -> Option<T> {
+        if let Some(at) = self.slack() {
+            let left = self.energy(at);
+            if left.sign() > 0.0 || at.is_zero() {
+                return (self.constant.sign() < 0.0).then(|| at - left / self.constant);
+            }
+        }
+        match self.store {
+            // energy0 + (Q + ks x0 l) s - 1/2 ks l^2 s^2 = 0
+            Some(k) => {
+                let stiff = k.stiffness * k.lost.square();
+                let linear = self.constant + k.stiffness * k.stretch * k.lost;
+                if self.energy0.is_zero() {
+                    return Some(linear.scale2(1) / stiff);
+                }
+                let radicand = linear.square() + stiff.scale2(1) * self.energy0;
+                Some((linear + radicand.root()) / stiff)
+            }
+            None => (self.constant.sign() < 0.0).then(|| -self.energy0 / self.constant),
+        }
+    }
+    /// Place and speed at which the kinetic energy is greatest: where the power vanishes.
+    fn fastest(&self) -> Option<(T, T)> {
+        let k = self.store?;
+        let start = self.constant + k.stiffness * k.stretch * k.lost;
+        if start.sign() <= 0.0 {
+            return None;
+        }
+        let balanced = start / (k.stiffness * k.lost.square());
+        let at = match self.slack() {
+            Some(slack) if balanced.value() >= slack.value() => {
+                if self.constant.sign() > 0.0 {
+                    return None;
+                }
+                slack
+            }
+            _ => balanced,
+        };
+        Some((at, self.speed(at)))
+    }
+    /// Time to a place. On a spring `tan(w t / 2) = w s / (u0 + u)`, on a constant force `u = u0 + a t`.
+    fn time(&self, s: T, u: T) -> T {
+        let slack = self.slack();
+        match (self.store, slack) {
+            (Some(_), Some(at)) if s.value() > at.value() => {
+                let v = self.speed(at);
+                self.taut_time(at, v) + self.uniform_time(s - at, v, u)
+            }
+            (Some(_), _) => self.taut_time(s, u),
+            (None, _) => self.uniform_time(s, self.u0, u),
+        }
+    }
+    fn taut_time(&self, s: T, u: T) -> T {
+        let Some(k) = self.store else { return T::zero() };
+        if s.is_zero() {
+            return T::zero();
+        }
+        let w = (k.stiffness * k.lost.square() / self.doubled).root();
+        trig::atan2(w * s, self.u0 + u).scale2(1) / w
+    }
+    fn uniform_time(&self, s: T, u0: T, u: T) -> T {
+        if self.constant.is_zero() {
+            return if u.is_zero() { T::zero() } else { s / u };
+        }
+        (u - u0) * self.doubled / self.constant
+    }
+    /// Place after a time, by the same half angle.
+    fn place(&self, t: T) -> T {
+        let uniform = |u: T, t: T| u * t + (self.constant / self.doubled * t.square()).scale2(-1);
+        let Some(k) = self.store else { return uniform(self.u0, t) };
+        if let Some(at) = self.slack() {
+            let left = self.energy(at);
+            if left.sign() > 0.0 || at.is_zero() {
+                let v = self.speed(at);
+                let first = self.taut_time(at, v);
+                if t.value() > first.value() {
+                    return at + uniform(v, t - first);
+                }
+            }
+        }
+        let w = (k.stiffness * k.lost.square() / self.doubled).root();
+        let (sine, cosine) = trig::sin_cos((w * t).scale2(-1));
+        let start = (self.constant + k.stiffness * k.stretch * k.lost) / self.doubled;
+        let (push, glide) = (start / w.square() * sine, self.u0 / w * cosine);
+        ((push + glide) * sine).scale2(1)
+    }
+    /// First place at which the speed is `u`.
+    fn where_speed(&self, u: T) -> Option<T> {
+        let need = (self.doubled * (u - self.u0) * (u + self.u0)).scale2(-1);
+        if need.is_zero() {
+            return Some(T::zero());
+        }
+        let not_negative = |s: T| (s.value() >= Dd::ZERO).then_some(s);
+        let Some(k) = self.store else {
+            return if self.constant.is_zero() { None } else { not_negative(need / self.constant) };
+        };
+        let stiff = k.stiffness * k.lost.square();
+        let linear = self.constant + k.stiffness * k.stretch * k.lost;
+        let radicand = linear.square() - stiff.scale2(1) * need;
+        let taut = if radicand.sign() < 0.0 {
+            None
+        } else if need.sign() > 0.0 && linear.sign() > 0.0 {
+            Some(need.scale2(1) / (linear + radicand.root()))
+        } else {
+            not_negative((linear + radicand.root()) / stiff)
+        };
+        match (taut, self.slack()) {
+            (Some(s), None) => Some(s),
+            (Some(s), Some(at)) if s.value() <= at.value() => Some(s),
+            (_, Some(at)) if !self.constant.is_zero() => {
+                let s = (need - k.given(at)) / self.constant;
+                (s.value() >= at.value()).then_some(s)
+            }
+            _ => None,
+        }
+    }
+}

@@ -1,0 +1,257 @@
+//! Free bodies and constraints as rows of one linear system (Newton-Euler with constraint reactions).
+//!
+//! Unknowns: an acceleration for each line, an angular acceleration for each body that turns, and one reaction for each
+//! surface, contact and cord of unknown tension. For each body, positive forward:
+//!
+//! ```text
+//! m a         = sum of forces along the line         (weight -m g sin, friction F, cords e T)
+//! 0           = N - m g cos                          (only on a surface)
+//! I alpha     = sum of moments about the mass centre (friction -F c, cords e s p T, couples)
+//! a - c alpha = 0                                    (rolls on c);   F = +- mu_k N  (slips or slides)
+//! sum e (a + s p alpha) = 0                          (a cord keeps its length)
+//! ```
+//! Source: Beer & Johnston, *Vector Mechanics for Engineers: Dynamics*, chapter 16 (equations of motion of a rigid body).
+use crate::num::Real;
+use crate::num::linear::Linear;
+use crate::num::linear::Solution;
+use crate::num::plant::plant;
+use crate::scene::Attach;
+use crate::scene::Coordinate;
+use crate::scene::CordEnd;
+use crate::scene::Degree;
+use crate::scene::Far;
+use crate::scene::Numbers;
+use crate::scene::Scene;
+use crate::scene::Side;
+use crate::scene::Tie;
+use crate::solve::outcome::Refusal;
+
+/// Right-hand side of the constant forces.
+pub const CONSTANT: usize = 0;
+/// Right-hand side of a unit tension in the spring's cord.
+pub const SPRING: usize = 1;
+
+/// How the contacts are taken.
+#[derive(Debug, Clone)]
+pub struct Setting {
+    /// Take a contact that is said to slip as rolling.
+    pub rolled: bool,
+    /// For each tie that slips or slides: sense of the kinetic friction, 0 for none.
+    pub friction_sense: Vec<f64>,
+    /// Slides feel their static coefficient (does it start?).
+    pub starting: bool,
+    /// Add a unit force on this coordinate as the last right-hand side.
+    pub probe: Option<Coordinate>,
+}
+
+/// Where each unknown stands.
+#[derive(Debug, Clone)]
+struct Layout {
+    along: Vec<Option<usize>>,
+    turn: Vec<Option<usize>>,
+    normal: Vec<Option<usize>>,
+    reaction: Vec<Option<usize>>,
+    count: usize,
+    columns: usize,
+}
+
+impl Layout {
+    fn of(scene: &Scene, setting: &Setting) -> Self {
+        let mut count = 0;
+        let mut next = |present: bool| {
+            present.then(|| {
+                count += 1;
+                count - 1
+            })
+        };
+        let (mut along, mut turn, mut normal) = (Vec::new(), Vec::new(), Vec::new());
+        for b in &scene.bodies {
+            along.push(next(b.line.is_some()));
+            turn.push(next(b.turns));
+            normal.push(next(b.line.is_some_and(|l| l.surface)));
+        }
+        let reaction = scene
+            .ties
+            .iter()
+            .map(|t| match t {
+                Tie::Roll { .. } | Tie::Slip { .. } | Tie::Slide { .. } => next(true),
+                Tie::Cord(c) => next(matches!(c.to, Far::Body(_) | Far::Fixed)),
+            })
+            .collect();
+        let has_spring = scene.spring().is_some();
+        let columns = 1 + usize::from(has_spring) + usize::from(setting.probe.is_some());
+        Self { along, turn, normal, reaction, count, columns }
+    }
+}
+
+/// Accelerations and reactions for each right-hand side.
+#[derive(Debug, Clone)]
+pub struct Response<T> {
+    layout: Layout,
+    solution: Solution<T>,
+}
+
+impl<T: Real> Response<T> {
+    fn at(&self, place: Option<usize>, column: usize) -> T {
+        place.map_or_else(T::zero, |i| self.solution.get(i, column))
+    }
+    /// Acceleration of a coordinate.
+    pub fn acceleration(&self, c: Coordinate, column: usize) -> T {
+        match c.degree {
+            Degree::Along => self.at(self.layout.along[c.body], column),
+            Degree::Turn => self.at(self.layout.turn[c.body], column),
+        }
+    }
+    /// Normal force on a body.
+    pub fn normal(&self, body: usize) -> T {
+        self.at(self.layout.normal[body], CONSTANT)
+    }
+    /// Friction of a contact (positive forward), or tension of a cord.
+    pub fn reaction(&self, tie: usize, column: usize) -> T {
+        self.at(self.layout.reaction[tie], column)
+    }
+    /// The last right-hand side: the probe, if there is one.
+    pub fn last(&self) -> usize {
+        self.layout.columns - 1
+    }
+}
+
+/// Lever of a cord's end: `toward` and `side * p`, the latter zero at the centre.
+fn lever<T: Real>(n: &Numbers<T>, end: &CordEnd) -> (f64, T) {
+    let toward = if end.forward { 1.0 } else { -1.0 };
+    let arm = match end.attach {
+        Attach::Centre => T::zero(),
+        Attach::Wound(p, Side::Top) => plant!("eom: lever of a cord", n.get(p)),
+        Attach::Wound(p, Side::Bottom) => -plant!("eom: lever of a cord", n.get(p)),
+    };
+    (toward, arm)
+}
+
+/// Assembles the rows that the scene has and solves them.
+pub fn respond<T: Real>(scene: &Scene, n: &Numbers<T>, setting: &Setting) -> Result<Response<T>, Refusal> {
+    let layout = Layout::of(scene, setting);
+    let mut rows = Linear::new(layout.count, layout.columns);
+
+    // The row of a coordinate bears the same number as its unknown.
+    for (b, numbers) in n.bodies.iter().enumerate() {
+        if let Some(row) = layout.along[b] {
+            rows.term(row, row, plant!("eom: mass times acceleration", numbers.mass));
+            let weight = numbers.mass * n.gravity;
+            rows.right(row, CONSTANT, -plant!("eom: weight along the line", weight * numbers.climb));
+            if let Some(normal) = layout.normal[b] {
+                rows.term(normal, normal, T::of(1.0));
+                rows.right(normal, CONSTANT, plant!("eom: weight on the surface", weight * numbers.level));
+            }
+        }
+        if let Some(row) = layout.turn[b] {
+            rows.term(row, row, plant!("eom: inertia times angular acceleration", numbers.inertia));
+        }
+    }
+    for c in &scene.couples {
+        if let Some(row) = layout.turn[c.body] {
+            let moment = plant!("eom: moment of a couple", n.massive(c.moment_n_m));
+            rows.right(row, CONSTANT, if c.forward { moment } else { -moment });
+        }
+    }
+    // Adds `factor * tension` of a cord's end to the rows of its body, on the left (an unknown) or on the right.
+    let pull = |rows: &mut Linear<T>, end: &CordEnd, tension: T, unknown: Option<usize>, column: usize| {
+        let (toward, arm) = lever(n, end);
+        let force = tension.signed(toward);
+        if let Some(row) = layout.along[end.body] {
+            let f = plant!("eom: pull of a cord along the line", force);
+            match unknown {
+                Some(u) => rows.term(row, u, -f),
+                None => rows.right(row, column, f),
+            }
+        }
+        if let Some(row) = layout.turn[end.body] {
+            let m = force * arm;
+            match unknown {
+                Some(u) => rows.term(row, u, -m),
+                None => rows.right(row, column, m),
+            }
+        }
+    };
+    // Acceleration of a cord's end along the cord, as terms of a row.
+    let take_up = |rows: &mut Linear<T>, row: usize, end: &CordEnd| {
+        let (toward, arm) = lever(n, end);
+        if let Some(col) = layout.along[end.body] {
+            rows.term(row, col, plant!("eom: travel of the centre in a cord", T::of(toward)));
+        }
+        if let Some(col) = layout.turn[end.body] {
+            rows.term(row, col, arm.signed(toward));
+        }
+    };
+    for (t, tie) in scene.ties.iter().enumerate() {
+        match tie {
+            Tie::Roll { body, radius_m, .. } | Tie::Slip { body, radius_m, .. } => {
+                let Some(row) = layout.reaction[t] else { continue };
+                let c = n.get(*radius_m);
+                if let Some(along) = layout.along[*body] {
+                    rows.term(along, row, -plant!("eom: friction along the line", T::of(1.0)));
+                }
+                if let Some(turn) = layout.turn[*body] {
+                    rows.term(turn, row, plant!("eom: moment of the friction", c));
+                }
+                match tie {
+                    Tie::Slip { mu_k, .. } if !setting.rolled => {
+                        rows.term(row, row, T::of(1.0));
+                        if let Some(normal) = layout.normal[*body] {
+                            let mu = plant!("eom: kinetic friction coefficient", n.get(*mu_k));
+                            rows.term(row, normal, -mu.signed(setting.friction_sense[t]));
+                        }
+                    }
+                    _ => {
+                        if let (Some(a), Some(alpha)) = (layout.along[*body], layout.turn[*body]) {
+                            rows.term(row, a, T::of(1.0));
+                            rows.term(row, alpha, -plant!("eom: rolling radius", c));
+                        }
+                    }
+                }
+            }
+            Tie::Slide { body, mu_s, mu_k } => {
+                let Some(row) = layout.reaction[t] else { continue };
+                if let Some(along) = layout.along[*body] {
+                    rows.term(along, row, -plant!("eom: sliding friction along the line", T::of(1.0)));
+                }
+                rows.term(row, row, T::of(1.0));
+                if let Some(normal) = layout.normal[*body] {
+                    let mu = if setting.starting { mu_s.unwrap_or(*mu_k) } else { *mu_k };
+                    rows.term(row, normal, -n.get(mu).signed(setting.friction_sense[t]));
+                }
+            }
+            Tie::Cord(cord) => match &cord.to {
+                Far::Pull(force) => {
+                    let p = plant!("eom: force of a pull", n.massive(*force));
+                    pull(&mut rows, &cord.from, p, None, CONSTANT);
+                }
+                Far::Spring { .. } => pull(&mut rows, &cord.from, T::of(1.0), None, SPRING),
+                Far::Fixed => {
+                    let Some(row) = layout.reaction[t] else { continue };
+                    pull(&mut rows, &cord.from, T::of(1.0), Some(row), CONSTANT);
+                    take_up(&mut rows, row, &cord.from);
+                }
+                Far::Body(other) => {
+                    let Some(row) = layout.reaction[t] else { continue };
+                    for end in [&cord.from, other] {
+                        pull(&mut rows, end, T::of(1.0), Some(row), CONSTANT);
+                        take_up(&mut rows, row, end);
+                    }
+                }
+            },
+        }
+    }
+    if let Some(c) = setting.probe {
+        let place = match c.degree {
+            Degree::Along => layout.along[c.body],
+            Degree::Turn => layout.turn[c.body],
+        };
+        if let Some(row) = place {
+            rows.right(row, layout.columns - 1, T::of(1.0));
+        }
+    }
+    match rows.solve() {
+        Ok(solution) => Ok(Response { layout, solution }),
+        Err(s) => Err(Refusal::Singular { unknowns: s.unknowns, rank: s.rank }),
+    }
+}

@@ -1,0 +1,573 @@
+//! The first road: equations of motion with their reactions, integrated over displacement.
+//!
+//! Velocity ratios are not derived from the ties here: they are the ratios of the accelerations that the equations give.
+pub mod equations;
+pub mod instant;
+pub mod travel;
+
+use crate::num::Dd;
+use crate::num::Real;
+use crate::num::plant::plant;
+use crate::scene::Attach;
+use crate::scene::Coordinate;
+use crate::scene::CordEnd;
+use crate::scene::Degree;
+use crate::scene::End;
+use crate::scene::Far;
+use crate::scene::Heading;
+use crate::scene::Label;
+use crate::scene::Numbers;
+use crate::scene::Owner;
+use crate::scene::Quantity;
+use crate::scene::RotaryInertia;
+use crate::scene::Scene;
+use crate::scene::Side;
+use crate::scene::Start;
+use crate::scene::Tie;
+use crate::solve::eom::equations::CONSTANT;
+use crate::solve::eom::equations::Response;
+use crate::solve::eom::equations::SPRING;
+use crate::solve::eom::equations::Setting;
+use crate::solve::eom::equations::respond;
+use crate::solve::eom::travel::State;
+use crate::solve::eom::travel::Travel;
+use crate::solve::outcome::Course;
+use crate::solve::outcome::Held;
+use crate::solve::outcome::Refusal;
+use crate::solve::outcome::Road;
+use crate::solve::outcome::Said;
+
+/// Everything that the equations of motion say of a scene whose data are admissible.
+///
+/// Errors: equations that do not determine the motion.
+pub fn road<T: Real>(scene: &Scene, data: &[f64]) -> Result<Road<T>, Refusal> {
+    let n = Numbers::<T>::new(scene, data);
+    if matches!(scene.end, End::AtOnce) {
+        return Ok(instant::road(scene, &n));
+    }
+    Walk::new(scene, n)?.walk()
+}
+
+/// From this condition number on the velocity ratios come from a unit force, not from the forces that nearly balance.
+const NEAR_BALANCE: f64 = 1e6;
+
+/// The spring of a scene in numbers.
+#[derive(Clone, Copy)]
+struct Spring<T> {
+    stiffness: T,
+    stretch: T,
+    rigid: bool,
+    end: CordEnd,
+}
+
+struct Walk<'a, T> {
+    scene: &'a Scene,
+    n: Numbers<'a, T>,
+    end: Coordinate,
+    spring: Option<Spring<T>>,
+    /// As if no contact slipped; only where one is said to slip.
+    rolled: Option<Response<T>>,
+    response: Response<T>,
+    /// Column whose accelerations have the ratios of the velocities.
+    ratio_column: usize,
+    /// Does anything move at all?
+    moves: bool,
+    road: Road<T>,
+}
+
+impl<'a, T: Real> Walk<'a, T> {
+    fn new(scene: &'a Scene, n: Numbers<'a, T>) -> Result<Self, Refusal> {
+        let end = scene.ending_coordinate();
+        let started = !scene.start.is_empty();
+        let spring = scene.spring().map(|(tie, ks, x0, rigid)| {
+            let Tie::Cord(cord) = &scene.ties[tie] else { unreachable!("a spring is on a cord") };
+            Spring { stiffness: n.massive(ks), stretch: n.get(x0), rigid, end: cord.from }
+        });
+        let mut setting = Setting {
+            rolled: true,
+            friction_sense: vec![0.0; scene.ties.len()],
+            starting: false,
+            probe: started.then_some(end),
+        };
+        let mut response = respond(scene, &n, &setting)?;
+        let total = |r: &Response<T>, c: Coordinate| match &spring {
+            Some(s) => r.acceleration(c, CONSTANT) + r.acceleration(c, SPRING) * s.stiffness * s.stretch,
+            None => r.acceleration(c, CONSTANT),
+        };
+        let slips = scene.ties.iter().any(|t| matches!(t, Tie::Slip { .. }));
+        let slides = scene.ties.iter().any(|t| matches!(t, Tie::Slide { .. }));
+        let mut moves = true;
+        let rolled = slips.then(|| response.clone());
+        if slips {
+            // Kinetic friction has the sense that static friction would have.
+            for (t, tie) in scene.ties.iter().enumerate() {
+                if matches!(tie, Tie::Slip { .. }) {
+                    setting.friction_sense[t] = response.reaction(t, CONSTANT).sign();
+                }
+            }
+            setting.rolled = false;
+            response = respond(scene, &n, &setting)?;
+        }
+        if slides {
+            // Against the motion: that of the start, else the one that would set in without friction.
+            let last = response.last();
+            for (t, tie) in scene.ties.iter().enumerate() {
+                if let Tie::Slide { body, .. } = tie {
+                    let c = Coordinate { body: *body, degree: Degree::Along };
+                    let sense = if started {
+                        (response.acceleration(c, last) * Self::start_speed(scene, &n, &response, end)).sign()
+                    } else {
+                        total(&response, c).sign()
+                    };
+                    setting.friction_sense[t] = -sense;
+                }
+            }
+            for starting in [!started, false] {
+                setting.starting = starting;
+                response = respond(scene, &n, &setting)?;
+                let stuck = scene.ties.iter().enumerate().any(|(t, tie)| {
+                    let Tie::Slide { body, .. } = tie else { return false };
+                    let c = Coordinate { body: *body, degree: Degree::Along };
+                    !started && (total(&response, c).sign() * setting.friction_sense[t]) >= 0.0
+                });
+                if stuck {
+                    moves = false;
+                }
+            }
+        }
+        let mut ratio_column = if spring.is_some() {
+            SPRING
+        } else if started {
+            response.last()
+        } else {
+            CONSTANT
+        };
+        if ratio_column == CONSTANT
+            && !slips
+            && moves
+            && response.acceleration(end, CONSTANT).cond() > NEAR_BALANCE
+        {
+            // Ratios of accelerations that nearly vanish would lose the digits of their derivatives.
+            setting.probe = Some(end);
+            response = respond(scene, &n, &setting)?;
+            ratio_column = response.last();
+        }
+        Ok(Self { scene, n, end, spring, rolled, response, ratio_column, moves, road: Road::new() })
+    }
+
+    /// Speed of the ending coordinate at the start, from the speed that is given.
+    fn start_speed(scene: &Scene, n: &Numbers<T>, response: &Response<T>, end: Coordinate) -> T {
+        let last = response.last();
+        for s in &scene.start {
+            if let Start::Speed(c, v) = s {
+                let ratio = response.acceleration(*c, last) / response.acceleration(end, last);
+                if !ratio.is_zero() {
+                    return n.get(*v) / ratio;
+                }
+            }
+        }
+        T::zero()
+    }
+
+    fn say(&mut self, quantity: Quantity, of: Owner, value: T) {
+        self.say_scaled(quantity, of, value, value.f64().abs());
+    }
+    fn say_scaled(&mut self, quantity: Quantity, of: Owner, value: T, scale: f64) {
+        let label = Label { quantity, of };
+        let scale = self.n.publish(label, T::of(scale)).f64();
+        self.road.said.push(Said { label, value: self.n.publish(label, value), scale });
+    }
+
+    /// Velocity of a coordinate per unit velocity of the ending one.
+    fn ratio(&self, c: Coordinate) -> T {
+        if c == self.end {
+            return T::of(1.0);
+        }
+        self.response.acceleration(c, self.ratio_column)
+            / self.response.acceleration(self.end, self.ratio_column)
+    }
+    fn along(&self, body: usize) -> Option<Coordinate> {
+        self.scene.bodies[body].line.map(|_| Coordinate { body, degree: Degree::Along })
+    }
+    fn turn(&self, body: usize) -> Option<Coordinate> {
+        self.scene.bodies[body].turns.then_some(Coordinate { body, degree: Degree::Turn })
+    }
+    /// Travel of a cord's end along the cord per unit travel of the ending coordinate.
+    fn take_up(&self, end: &CordEnd) -> T {
+        let centre = self.along(end.body).map_or_else(T::zero, |c| self.ratio(c));
+        let wound = match (end.attach, self.turn(end.body)) {
+            (Attach::Wound(p, side), Some(c)) => {
+                let arm = self.ratio(c) * plant!("eom: unwinding of a cord", self.n.get(p));
+                if side == Side::Top { arm } else { -arm }
+            }
+            _ => T::zero(),
+        };
+        (centre + wound).signed(if end.forward { 1.0 } else { -1.0 })
+    }
+    /// A response at this tension of the spring.
+    fn at_tension(&self, tension: T, of: impl Fn(usize) -> T) -> T {
+        if self.spring.is_some() { of(CONSTANT) + of(SPRING) * tension } else { of(CONSTANT) }
+    }
+    fn friction(&self, tie: usize, tension: T) -> T {
+        self.at_tension(tension, |k| self.response.reaction(tie, k))
+    }
+    fn acceleration(&self, c: Coordinate, tension: T) -> T {
+        self.at_tension(tension, |k| self.response.acceleration(c, k))
+    }
+    /// Sense of "up the incline" for a body.
+    fn up(&self, body: usize) -> f64 {
+        if self.scene.bodies[body].line.is_none_or(|l| l.forward_up) { 1.0 } else { -1.0 }
+    }
+
+    fn walk(mut self) -> Result<Road<T>, Refusal> {
+        let zero = T::zero();
+        let tension0 = self.spring.as_ref().map_or(zero, |s| s.stiffness * s.stretch);
+        let a0 = self.acceleration(self.end, tension0);
+        let v0 = Self::start_speed(self.scene, &self.n, &self.response, self.end);
+        let sense = if !v0.is_zero() {
+            v0.sign()
+        } else if self.moves {
+            a0.sign()
+        } else {
+            0.0
+        };
+        let wrong_way = match self.scene.heading {
+            Some(Heading::Forward) => sense < 0.0,
+            Some(Heading::Back) => sense > 0.0,
+            None => false,
+        };
+        if let Some(s) = &self.spring {
+            let (a, b) = (
+                self.response.acceleration(self.end, CONSTANT),
+                self.response.acceleration(self.end, SPRING),
+            );
+            let x_eq = -(a / b) / s.stiffness;
+            if x_eq.sign() >= 0.0 || s.rigid {
+                self.say(Quantity::XEq, Owner::Scene, x_eq);
+            }
+        }
+        self.contacts_if_rolled();
+        if sense == 0.0 || self.response.acceleration(self.end, self.ratio_column).is_zero() {
+            self.road.course = Some(Course {
+                sense: 0.0,
+                drive: (Dd::ZERO, Dd::ZERO),
+                asked: None,
+                farthest: Dd::ZERO,
+                reached: false,
+            });
+            self.standing(tension0, sense == 0.0 && !self.slips());
+            if self.spring.is_some() && self.along(self.end.body) == Some(self.end) {
+                for q in [Quantity::VMax, Quantity::DAtVMax, Quantity::DTurn] {
+                    self.say(q, Owner::Body(self.end.body), zero);
+                }
+            }
+            self.grip(tension0, tension0);
+            return Ok(self.road);
+        }
+
+        // The spring's pull along the motion: stretch = x0 - gamma s.
+        let gamma = self.spring.as_ref().map(|s| self.take_up(&s.end).signed(sense));
+        let mut travel = Travel { u0: v0.abs(), f0: a0.signed(sense), w2: None, slack: None };
+        if let (Some(s), Some(gamma)) = (&self.spring, gamma) {
+            let pull = self.response.acceleration(self.end, SPRING).signed(sense);
+            travel.w2 = Some(plant!("eom: stiffness of the spring", s.stiffness) * pull * gamma);
+            if !s.rigid && gamma.sign() > 0.0 {
+                let coast = self.response.acceleration(self.end, CONSTANT).signed(sense);
+                travel.slack = Some((s.stretch / gamma, coast));
+            }
+        }
+        let turning = travel.turning();
+        let limit = turning.map_or(Dd::new(f64::INFINITY), |t| t.value());
+        let (asked, s) = self.asked(&travel, turning, sense);
+        let reached = !wrong_way && s.is_some_and(|s| s.value() <= limit && s.value() >= Dd::ZERO);
+        self.road.course = Some(Course {
+            sense,
+            drive: (Dd::ZERO, Dd::ZERO),
+            asked,
+            farthest: self.farthest(&travel, limit),
+            reached,
+        });
+
+        // Over the whole motion: tension at the start, and at the turning point or 0 when slack.
+        let spring = self.spring;
+        let tension_at = |s: T| match (spring, gamma) {
+            (Some(spring), Some(gamma)) => {
+                let stretch = spring.stretch - gamma * s;
+                if stretch.sign() < 0.0 && !spring.rigid { zero } else { spring.stiffness * stretch }
+            }
+            _ => zero,
+        };
+        let last_tension = match turning {
+            Some(t) => tension_at(t),
+            None => zero,
+        };
+        self.grip(tension0, last_tension);
+        if self.spring.is_some() && self.along(self.end.body) == Some(self.end) {
+            let body = Owner::Body(self.end.body);
+            if let Some((at, v)) = travel.fastest() {
+                self.say(Quantity::VMax, body, v);
+                self.say(Quantity::DAtVMax, body, at);
+            }
+            self.say(Quantity::DTurn, body, turning.unwrap_or_else(|| T::of(f64::INFINITY)));
+        }
+        match s {
+            Some(s) if reached => {
+                let state = travel.at(s);
+                self.arrived(&state, sense, tension_at(s));
+            }
+            _ => self.standing(tension0, false),
+        }
+        Ok(self.road)
+    }
+
+    fn slips(&self) -> bool {
+        self.rolled.is_some()
+    }
+
+    /// What the event asks for, in its own measure, and the distance at which it comes.
+    fn asked(&self, travel: &Travel<T>, turning: Option<T>, sense: f64) -> (Option<Dd>, Option<T>) {
+        match self.scene.end {
+            End::Travel(_, d) => (Some(self.n.value(d)), Some(self.n.get(d))),
+            End::Position(_, x) => {
+                let s = self.n.get(x).signed(sense);
+                (Some(s.value()), Some(s))
+            }
+            End::Time(_, t) => {
+                let t = self.n.get(t);
+                let in_time = turning.is_none_or(|s| t.value() <= travel.at(s).time.value());
+                (Some(t.value()), in_time.then(|| travel.after(t)))
+            }
+            End::Speed(_, u) => {
+                let u = self.n.get(u).abs();
+                (Some(u.value()), travel.reaching(u))
+            }
+            End::TurningPoint(_) => (None, turning),
+            End::AtOnce => (None, None),
+        }
+    }
+
+    /// The farthest that the motion goes, in the measure of the event.
+    fn farthest(&self, travel: &Travel<T>, limit: Dd) -> Dd {
+        match self.scene.end {
+            End::Time(..) if limit.hi.is_finite() => travel.at(T::constant(limit)).time.value(),
+            End::Speed(..) => match (travel.fastest(), travel.f0.sign() > 0.0) {
+                (Some((_, v)), _) => v.value(),
+                (None, true) => Dd::new(f64::INFINITY),
+                (None, false) => travel.u0.value(),
+            },
+            _ => limit,
+        }
+    }
+
+    /// Friction that rolling would need, where a contact is said to slip.
+    fn contacts_if_rolled(&mut self) {
+        let Some(rolled) = self.rolled.clone() else { return };
+        for (t, tie) in self.scene.ties.iter().enumerate() {
+            let Tie::Slip { body, mu_s, radius_m, .. } = tie else { continue };
+            let friction = rolled.reaction(t, CONSTANT);
+            let normal = rolled.normal(*body);
+            let scale = self.friction_scale(&rolled, *body, friction, T::zero());
+            self.say_scaled(
+                Quantity::FrictionIfRolled,
+                Owner::Body(*body),
+                friction.signed(self.up(*body)),
+                scale,
+            );
+            self.say(Quantity::MuRequired, Owner::Body(*body), friction.abs() / normal);
+            let along = self.along(*body).map_or_else(T::zero, |c| self.response.acceleration(c, CONSTANT));
+            let turn = self.turn(*body).map_or_else(T::zero, |c| self.response.acceleration(c, CONSTANT));
+            let slip = along - self.n.get(*radius_m) * turn;
+            let against = slip.signed(-friction.sign());
+            let available = self.n.get(*mu_s) * normal;
+            let force =
+                |f: T| self.n.publish(Label { quantity: Quantity::Friction, of: Owner::Scene }, f).value();
+            self.road.held.push(Held::Slipping(t, force(friction), force(available), against.value()));
+        }
+    }
+
+    /// Sum of the magnitudes of the forces along the line of a body.
+    fn friction_scale(&self, r: &Response<T>, body: usize, friction: T, tension: T) -> f64 {
+        let n = &self.n.bodies[body];
+        let weight = n.mass * n.climb * self.n.gravity;
+        let a = self.along(body).map_or_else(T::zero, |c| self.at_tension(tension, |k| r.acceleration(c, k)));
+        let inertial = n.mass * a;
+        // The rest (pulls and tensions) follows from the force sum.
+        let rest = inertial + weight - friction;
+        inertial.f64().abs() + weight.f64().abs() + rest.f64().abs()
+    }
+
+    /// Normal forces, friction needed over the whole motion, tensions of the cords.
+    fn grip(&mut self, tension0: T, tension1: T) {
+        for b in 0..self.scene.bodies.len() {
+            if self.scene.bodies[b].line.is_some_and(|l| l.surface) {
+                let normal = self.response.normal(b);
+                self.say(Quantity::Normal, Owner::Body(b), normal);
+                self.road.held.push(Held::Pressed(b, normal.f64()));
+            }
+        }
+        for (t, tie) in self.scene.ties.iter().enumerate() {
+            match tie {
+                Tie::Roll { body, mu_s, .. } => {
+                    let (first, last) = (self.friction(t, tension0).abs(), self.friction(t, tension1).abs());
+                    let most = if last.value() > first.value() { last } else { first };
+                    let normal = self.response.normal(*body);
+                    let surface = self.scene.bodies[*body].line.is_some_and(|l| l.surface);
+                    if surface {
+                        self.say(Quantity::MuRequired, Owner::Body(*body), most / normal);
+                    }
+                    let force = |f: T| {
+                        self.n.publish(Label { quantity: Quantity::Friction, of: Owner::Scene }, f).value()
+                    };
+                    let available = mu_s.map(|mu| force(self.n.get(mu) * normal));
+                    self.road.held.push(Held::Rolling(t, force(most), available));
+                }
+                Tie::Cord(c) if matches!(c.to, Far::Body(_) | Far::Fixed) => {
+                    let (first, last) = (self.friction(t, tension0), self.friction(t, tension1));
+                    let least = if last.value() < first.value() { last } else { first };
+                    self.road.held.push(Held::Cord(t, least.f64()));
+                }
+                _ => {}
+            }
+        }
+    }
+
+    /// What needs no ending event: accelerations and forces at the start.
+    fn standing(&mut self, tension: T, at_rest: bool) {
+        self.accelerations(tension, at_rest);
+        self.forces(tension);
+        self.bound_of_gyration();
+    }
+
+    fn accelerations(&mut self, tension: T, at_rest: bool) {
+        for b in 0..self.scene.bodies.len() {
+            for (c, q) in [(self.along(b), Quantity::A), (self.turn(b), Quantity::Alpha)] {
+                if let Some(c) = c {
+                    let a = if at_rest { T::zero() } else { self.acceleration(c, tension) };
+                    self.say(q, Owner::Body(b), a);
+                }
+            }
+        }
+    }
+
+    /// Friction of the contacts and tension of the cords at this tension of the spring.
+    fn forces(&mut self, tension: T) {
+        for (t, tie) in self.scene.ties.iter().enumerate() {
+            match tie {
+                Tie::Roll { body, .. } | Tie::Slip { body, .. } | Tie::Slide { body, .. } => {
+                    let f = self.friction(t, tension);
+                    let scale = self.friction_scale(&self.response, *body, f, tension);
+                    self.say_scaled(Quantity::Friction, Owner::Body(*body), f.signed(self.up(*body)), scale);
+                }
+                Tie::Cord(c) => match c.to {
+                    Far::Pull(_) => {}
+                    Far::Spring { .. } => self.say(Quantity::Tension, Owner::Tie(t), tension),
+                    Far::Body(_) | Far::Fixed => {
+                        let f = self.friction(t, tension);
+                        self.say(Quantity::Tension, Owner::Tie(t), f);
+                    }
+                },
+            }
+        }
+    }
+
+    /// Everything at the ending event.
+    fn arrived(&mut self, state: &State<T>, sense: f64, tension: T) {
+        let (s, u) = (state.s, state.u);
+        let mut energy = T::zero();
+        let mut turning = T::zero();
+        self.say(Quantity::T, Owner::Scene, state.time);
+        self.accelerations(tension, false);
+        self.forces(tension);
+        self.bound_of_gyration();
+        for b in 0..self.scene.bodies.len() {
+            let n = self.n.bodies[b];
+            if let Some(c) = self.along(b) {
+                let ratio = self.ratio(c);
+                let v = ratio.abs() * u;
+                self.say(Quantity::V, Owner::Body(b), v);
+                self.say(Quantity::Rise, Owner::Body(b), (ratio * n.climb * s).signed(sense));
+                energy = energy + (n.mass * v * v).scale2(-1);
+            }
+            if let Some(c) = self.turn(b) {
+                let ratio = self.ratio(c);
+                let w = ratio.abs() * u;
+                self.say(Quantity::Omega, Owner::Body(b), w);
+                self.say(Quantity::Phi, Owner::Body(b), ratio.abs() * s);
+                turning = turning + (n.inertia * w * w).scale2(-1);
+            }
+        }
+        energy = energy + turning;
+        self.say(Quantity::KineticEnergy, Owner::Scene, energy);
+        if !energy.is_zero() {
+            self.say(Quantity::RotationalFraction, Owner::Scene, turning / energy);
+        }
+        let mut heat = None;
+        for (t, tie) in self.scene.ties.iter().enumerate() {
+            match tie {
+                Tie::Slip { body, radius_m, .. } => {
+                    let centre = self.along(*body).map_or_else(T::zero, |c| self.ratio(c)) * s;
+                    let turned = self.turn(*body).map_or_else(T::zero, |c| self.ratio(c)) * s;
+                    let wound = plant!("eom: radius of the slip", self.n.get(*radius_m)) * turned;
+                    let slip = (centre - wound).abs();
+                    let scale = centre.f64().abs() + wound.f64().abs();
+                    self.say_scaled(Quantity::SlipDistance, Owner::Body(*body), slip, scale);
+                    heat = Some(heat.unwrap_or_else(T::zero) + self.friction(t, tension).abs() * slip);
+                }
+                Tie::Slide { body, .. } => {
+                    let path = self.along(*body).map_or_else(T::zero, |c| self.ratio(c)).abs() * s;
+                    heat = Some(heat.unwrap_or_else(T::zero) + self.friction(t, tension).abs() * path);
+                }
+                Tie::Cord(c) => {
+                    let rate = self.take_up(&c.from).signed(sense);
+                    if let Far::Pull(force) = c.to {
+                        let p = self.n.massive(force);
+                        self.say(Quantity::CordTravel, Owner::Tie(t), rate.abs() * s);
+                        self.say(Quantity::WorkPull, Owner::Tie(t), p * rate * s);
+                        self.say(Quantity::PowerPull, Owner::Tie(t), p * rate * u);
+                    } else if matches!(c.to, Far::Spring { .. }) {
+                        self.say(Quantity::CordTravel, Owner::Tie(t), rate.abs() * s);
+                    }
+                }
+                Tie::Roll { .. } => {}
+            }
+        }
+        if let Some(heat) = heat {
+            self.say(Quantity::Heat, Owner::Scene, heat);
+        }
+    }
+
+    /// With F = 0: `a = X/m`, `alpha = M/(m k^2)` and `a = c alpha`, so `k^2 = c M/X`. Asked for a single rolling wheel
+    /// under constant pulls with a given radius of gyration; infinite where friction points up at any k.
+    fn bound_of_gyration(&mut self) {
+        let [body] = self.scene.bodies.as_slice() else { return };
+        let mut radius = None;
+        let numbers = self.n.bodies[0];
+        let (mut force, mut moment) = (-(numbers.mass * self.n.gravity * numbers.climb), T::zero());
+        let mut pulled = false;
+        for tie in &self.scene.ties {
+            match tie {
+                Tie::Roll { radius_m, .. } => radius = Some(self.n.get(*radius_m)),
+                Tie::Cord(c) => {
+                    let Far::Pull(p) = c.to else { return };
+                    pulled = true;
+                    let p = self.n.massive(p).signed(if c.from.forward { 1.0 } else { -1.0 });
+                    force = force + p;
+                    if let Attach::Wound(r, side) = c.from.attach {
+                        let lever = if side == Side::Top { self.n.get(r) } else { -self.n.get(r) };
+                        moment = moment + p * lever;
+                    }
+                }
+                Tie::Slip { .. } | Tie::Slide { .. } => return,
+            }
+        }
+        let (Some(c), true, Some(RotaryInertia::Gyration(_))) = (radius, pulled, &body.inertia) else {
+            return;
+        };
+        let (force, moment) = (force.signed(self.up(0)), moment.signed(self.up(0)));
+        if !self.scene.couples.is_empty() || moment.sign() <= 0.0 {
+            return;
+        }
+        let bound = if force.sign() > 0.0 { (c * moment / force).root() } else { T::of(f64::INFINITY) };
+        self.say(Quantity::KBound, Owner::Body(0), bound);
+    }
+}

@@ -1,0 +1,202 @@
+//! What really happens: the word of the regime, and the conditions under which the declared ties hold.
+use crate::num::Dd;
+use crate::num::U;
+use crate::scene::Heading;
+use crate::scene::Label;
+use crate::scene::Owner;
+use crate::scene::Quantity;
+use crate::scene::Scene;
+use crate::scene::Slope;
+use crate::scene::Tie;
+use crate::solve::outcome::Check;
+use crate::solve::outcome::CheckKind;
+use crate::solve::outcome::Course;
+use crate::solve::outcome::Held;
+use crate::solve::outcome::Motion;
+use crate::solve::outcome::Regime;
+use crate::solve::outcome::Word;
+
+/// Two sizes closer than this are the same boundary: rounding of double-doubles, far below a unit in the last place.
+const SAME: f64 = U * U * 64.0;
+
+/// Which of three: below, at, above the boundary.
+fn side(value: Dd, boundary: Dd) -> f64 {
+    let gap = value - boundary;
+    let size = value.hi.abs().max(boundary.hi.abs());
+    if size.is_infinite() || gap.hi.abs() > SAME * size { gap.sign_or(value, boundary) } else { 0.0 }
+}
+
+impl Dd {
+    /// Sign of a difference, also where one side is infinite.
+    fn sign_or(self, value: Dd, boundary: Dd) -> f64 {
+        if value.hi > boundary.hi {
+            1.0
+        } else if value.hi < boundary.hi {
+            -1.0
+        } else {
+            self.sign()
+        }
+    }
+}
+
+fn margin(available: Dd, required: Dd) -> f64 {
+    let larger = available.hi.abs().max(required.hi.abs());
+    if larger == 0.0 {
+        0.0
+    } else if available.hi.is_infinite() {
+        1.0
+    } else {
+        (available - required).hi / larger
+    }
+}
+
+/// Regime, checks and words of a scene that moves, from the course of one road (its drive) and what the other holds.
+pub fn judge(scene: &Scene, course: &Course, held: &[Held]) -> (Regime, Vec<Check>, Vec<(Label, Word)>) {
+    let mut checks = Vec::with_capacity(6);
+    let mut words = Vec::with_capacity(2);
+    let end = scene.ending_coordinate();
+    let body = &scene.bodies[end.body];
+    // Up or down is geometry: a line that leads down turns the words.
+    let (sloped, upward) = match body.line {
+        Some(line) => {
+            (line.slope != Slope::Level, if line.forward_up { course.sense } else { -course.sense })
+        }
+        None => (false, course.sense),
+    };
+    let heading = match scene.heading {
+        Some(Heading::Forward) => 1.0,
+        Some(Heading::Back) => -1.0,
+        None => course.sense,
+    };
+    let (push, hold) =
+        if heading * course.sense < 0.0 { (course.drive.1, course.drive.0) } else { course.drive };
+    let slipping = held.iter().find_map(|h| match h {
+        Held::Slipping(tie, friction, available, against) => Some((*tie, *friction, *available, *against)),
+        _ => None,
+    });
+    let thrown = !scene.start.is_empty();
+    checks.push(Check {
+        kind: CheckKind::Moves,
+        of: end.body,
+        ok: course.sense != 0.0 && heading == course.sense,
+        required: hold.hi,
+        available: push.hi,
+        margin: if thrown { 1.0 } else { margin(push, hold) },
+    });
+    let mut slips = false;
+    for h in held {
+        match h {
+            Held::Pressed(body, normal) => checks.push(Check {
+                kind: CheckKind::Pressed,
+                of: *body,
+                ok: *normal > 0.0,
+                required: 0.0,
+                available: *normal,
+                margin: if *normal > 0.0 { 1.0 } else { -1.0 },
+            }),
+            Held::Rolling(tie, most, Some(available)) => {
+                let holds = side(*most, *available) <= 0.0;
+                slips |= !holds;
+                checks.push(Check {
+                    kind: CheckKind::NoSlip,
+                    of: *tie,
+                    ok: holds,
+                    required: most.hi,
+                    available: available.hi,
+                    margin: margin(*available, *most),
+                });
+                words.push((rolls(scene, *tie), if holds { Word::Yes } else { Word::No }));
+            }
+            Held::Rolling(_, _, None) => {}
+            Held::Slipping(tie, friction, available, against) => {
+                let needs = friction.abs();
+                let must = side(needs, *available) > 0.0;
+                checks.push(Check {
+                    kind: CheckKind::MustSlip,
+                    of: *tie,
+                    ok: must,
+                    required: available.hi,
+                    available: needs.hi,
+                    margin: margin(needs, *available),
+                });
+                checks.push(Check {
+                    kind: CheckKind::SlipDirection,
+                    of: *tie,
+                    ok: against.hi > 0.0,
+                    required: 0.0,
+                    available: against.hi,
+                    margin: against.sign(),
+                });
+                words.push((rolls(scene, *tie), if must { Word::No } else { Word::Yes }));
+            }
+            Held::Cord(tie, tension) => checks.push(Check {
+                kind: CheckKind::Taut,
+                of: *tie,
+                ok: *tension > 0.0,
+                required: 0.0,
+                available: *tension,
+                margin: if *tension > 0.0 { 1.0 } else { -1.0 },
+            }),
+        }
+    }
+    let asked = course.asked.unwrap_or(Dd::ZERO);
+    let place = side(asked, course.farthest);
+    if course.sense != 0.0 {
+        checks.push(Check {
+            kind: CheckKind::Reaches,
+            of: end.body,
+            ok: course.reached,
+            required: asked.hi,
+            available: course.farthest.hi,
+            margin: if course.asked.is_some() { margin(course.farthest, asked) } else { 1.0 },
+        });
+    }
+    let word = |up: Word, down: Word| {
+        if upward > 0.0 {
+            up
+        } else if upward < 0.0 {
+            down
+        } else {
+            Word::Stays
+        }
+    };
+    let direction = Label { quantity: Quantity::Direction, of: Owner::Body(end.body) };
+    words
+        .push((direction, if sloped { word(Word::Up, Word::Down) } else { word(Word::Forward, Word::Back) }));
+    let motion = if let Some((_, friction, available, _)) = slipping {
+        match (side(friction.abs(), available), upward) {
+            (s, _) if s < 0.0 => Motion::Rolls,
+            (0.0, _) => Motion::AtLimit,
+            (_, u) if u > 0.0 => Motion::SlipsUp,
+            (_, u) if u < 0.0 => Motion::SlipsDown,
+            _ => Motion::SpinsInPlace,
+        }
+    } else if scene.spring().is_some() {
+        match (upward, course.reached, place) {
+            (0.0, ..) => Motion::Rest,
+            (u, _, 0.0) if u > 0.0 && course.asked.is_some() => Motion::UpTurningPoint,
+            (_, _, 0.0) if course.asked.is_some() => Motion::DownTurningPoint,
+            (u, true, _) if u > 0.0 => Motion::UpOk,
+            (_, true, _) => Motion::DownOk,
+            (u, false, _) if u > 0.0 => Motion::UpUnreachable,
+            _ => Motion::DownUnreachable,
+        }
+    } else {
+        match (sloped, upward) {
+            (true, u) if u > 0.0 => Motion::MovesUp,
+            (true, u) if u < 0.0 => Motion::MovesDown,
+            (false, u) if u > 0.0 => Motion::MovesForward,
+            (false, u) if u < 0.0 => Motion::MovesBack,
+            _ => Motion::Balanced,
+        }
+    };
+    (Regime { motion, slips }, checks, words)
+}
+
+fn rolls(scene: &Scene, tie: usize) -> Label {
+    let of = match &scene.ties[tie] {
+        Tie::Roll { body, .. } | Tie::Slip { body, .. } | Tie::Slide { body, .. } => Owner::Body(*body),
+        Tie::Cord(_) => Owner::Tie(tie),
+    };
+    Label { quantity: Quantity::Rolls, of }
+}
