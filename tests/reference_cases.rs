@@ -96,20 +96,46 @@ fn number(v: &Value) -> f64 {
 fn names(scene: &str) -> Vec<(&'static str, &'static str, f64)> {
     match scene {
         "pulled-rolling" => vec![
-            ("alpha", "alpha", 1.0), ("a", "a", 1.0), ("f", "friction", 1.0), ("N", "normal", 1.0),
-            ("mu_req", "mu_required", 1.0), ("omega", "omega", 1.0), ("v", "v", 1.0), ("t", "t", 1.0),
-            ("work_P", "work_pull", 1.0), ("T", "kinetic_energy", 1.0),
+            ("alpha", "alpha", 1.0),
+            ("a", "a", 1.0),
+            ("f", "friction", 1.0),
+            ("N", "normal", 1.0),
+            ("mu_req", "mu_required", 1.0),
+            ("omega", "omega", 1.0),
+            ("v", "v", 1.0),
+            ("t", "t", 1.0),
+            ("work_P", "work_pull", 1.0),
+            ("T", "kinetic_energy", 1.0),
         ],
         "pulled-slipping" => vec![
-            ("alpha", "alpha", 1.0), ("a", "a", 1.0), ("f", "friction", 1.0), ("N", "normal", 1.0),
-            ("f_req", "friction_if_rolled", 1.0), ("mu_req", "mu_required", 1.0), ("omega", "omega", 1.0),
-            ("v", "v", 1.0), ("t", "t", 1.0), ("turns_rad", "phi", 1.0), ("slip", "slip_distance", 0.0),
-            ("work_P", "work_pull", 1.0), ("work_f", "heat", 0.0), ("T", "kinetic_energy", 1.0),
+            ("alpha", "alpha", 1.0),
+            ("a", "a", 1.0),
+            ("f", "friction", 1.0),
+            ("N", "normal", 1.0),
+            ("f_req", "friction_if_rolled", 1.0),
+            ("mu_req", "mu_required", 1.0),
+            ("omega", "omega", 1.0),
+            ("v", "v", 1.0),
+            ("t", "t", 1.0),
+            ("turns_rad", "phi", 1.0),
+            ("slip", "slip_distance", 0.0),
+            ("work_P", "work_pull", 1.0),
+            ("work_f", "heat", 0.0),
+            ("T", "kinetic_energy", 1.0),
         ],
         _ => vec![
-            ("x_eq", "x_eq", 1.0), ("N", "normal", 1.0), ("vmax", "v_max", 1.0), ("D_vmax", "D_at_v_max", 1.0),
-            ("D_turn", "D_turn", 1.0), ("mu_req", "mu_required", 1.0), ("v", "v", 1.0), ("omega", "omega", 1.0),
-            ("t", "t", 1.0), ("tension", "tension", 1.0), ("a", "a", -1.0), ("f", "friction", 1.0),
+            ("x_eq", "x_eq", 1.0),
+            ("N", "normal", 1.0),
+            ("vmax", "v_max", 1.0),
+            ("D_vmax", "D_at_v_max", 1.0),
+            ("D_turn", "D_turn", 1.0),
+            ("mu_req", "mu_required", 1.0),
+            ("v", "v", 1.0),
+            ("omega", "omega", 1.0),
+            ("t", "t", 1.0),
+            ("tension", "tension", 1.0),
+            ("a", "a", -1.0),
+            ("f", "friction", 1.0),
         ],
     }
 }
@@ -179,14 +205,23 @@ fn every_case_of_the_wheel_scenes() {
                 let got = got.unwrap();
                 compared += 1;
                 if let Some(miss) = within(got, want, cond) {
-                    bad.push(format!("{id} ({}): {road} {ours} {got:e} is not {want:e}: {miss:.1} u cond", case["tag"]));
+                    bad.push(format!(
+                        "{id} ({}): {road} {ours} {got:e} is not {want:e}: {miss:.1} u cond",
+                        case["tag"]
+                    ));
                 } else if got != want {
                     worst = worst.max((got - want).abs() / want.abs() / U / cond.max(1.0));
                 }
             }
             let off = (entry.cond - cond).abs() / cond;
             // At the edge of the admissible data the reference differentiates to one side only.
-            let edge = ["mu_s at the slip limit, nearest f64", "mu_s at the slip limit, 1 ulp below", "vertical", "r=R", "k^2=Rr: f constant"];
+            let edge = [
+                "mu_s at the slip limit, nearest f64",
+                "mu_s at the slip limit, 1 ulp below",
+                "vertical",
+                "r=R",
+                "k^2=Rr: f constant",
+            ];
             let edge = edge.contains(&case["tag"].as_str().unwrap());
             if cond.is_finite() && cond > 0.0 && !edge && !(off < 1e-3) {
                 bad.push(format!("{id} ({}): cond of {ours} {} is not {cond}", case["tag"], entry.cond));

@@ -58,19 +58,30 @@ pub struct Datum {
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Draw {
     /// From `min` to `max` by `step`.
-    Grid { /// Least.
-        min: i64, /// Greatest.
-        max: i64, /// Step, > 0.
-        step: i64, /// Decimals.
-        decimals: u8 },
+    Grid {
+        /// Least.
+        min: i64,
+        /// Greatest.
+        max: i64,
+        /// Step, > 0.
+        step: i64,
+        /// Decimals.
+        decimals: u8,
+    },
     /// One of a list.
-    OneOf { /// The list.
-        values: Vec<i64>, /// Decimals.
-        decimals: u8 },
+    OneOf {
+        /// The list.
+        values: Vec<i64>,
+        /// Decimals.
+        decimals: u8,
+    },
     /// Always this.
-    Always { /// The value.
-        value: i64, /// Decimals.
-        decimals: u8 },
+    Always {
+        /// The value.
+        value: i64,
+        /// Decimals.
+        decimals: u8,
+    },
 }
 
 /// A case: ranges, share and the scene to which they belong.

@@ -120,7 +120,9 @@ impl Scene {
         match label.of {
             Owner::Scene => q.to_owned(),
             Owner::Body(b) if self.bare_body() == Some(b) => q.to_owned(),
-            Owner::Body(b) => self.bodies.get(b).map_or_else(|| q.to_owned(), |body| format!("{}.{q}", body.name)),
+            Owner::Body(b) => {
+                self.bodies.get(b).map_or_else(|| q.to_owned(), |body| format!("{}.{q}", body.name))
+            }
             Owner::Tie(_) if self.cords_with(label.quantity).count() <= 1 => q.to_owned(),
             Owner::Tie(t) => match self.ties.get(t) {
                 Some(Tie::Cord(c)) => format!("{}.{q}", c.name),
@@ -140,7 +142,11 @@ impl Scene {
     /// The coordinate that the ending event watches; the line (or turn) of the first body if the scene is an instant.
     pub fn ending_coordinate(&self) -> Coordinate {
         match self.end {
-            End::Travel(c, _) | End::Position(c, _) | End::Time(c, _) | End::Speed(c, _) | End::TurningPoint(c) => c,
+            End::Travel(c, _)
+            | End::Position(c, _)
+            | End::Time(c, _)
+            | End::Speed(c, _)
+            | End::TurningPoint(c) => c,
             End::AtOnce => Coordinate { body: 0, degree: Degree::Along },
         }
     }

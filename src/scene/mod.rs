@@ -15,7 +15,7 @@ pub mod numbers;
 
 pub use admissible::{Inadmissible, Rule};
 pub use ask::{Label, Owner, Quantity};
-pub use body::{Body, Line, Mass, Particle, Part, RotaryInertia, Shape, Slope};
+pub use body::{Body, Line, Mass, Part, Particle, RotaryInertia, Shape, Slope};
 pub use force::Couple;
 pub use link::{Attach, Cord, CordEnd, Far, Side, Tie};
 pub use motion::{Coordinate, Degree, End, Heading, Start};

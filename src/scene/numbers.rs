@@ -44,7 +44,12 @@ pub struct Numbers<'a, T> {
 impl<'a, T: Real> Numbers<'a, T> {
     /// Reads the numbers of a scene.
     pub fn new(scene: &Scene, data: &'a [f64]) -> Self {
-        let mut n = Self { data, mass_exponent: 0, gravity: T::zero(), bodies: Vec::with_capacity(scene.bodies.len()) };
+        let mut n = Self {
+            data,
+            mass_exponent: 0,
+            gravity: T::zero(),
+            bodies: Vec::with_capacity(scene.bodies.len()),
+        };
         n.gravity = n.get(scene.gravity_m_s2);
         let first = scene.bodies.iter().map(|b| n.mass_of(b, &b.mass).f64()).find(|m| *m > 0.0);
         n.mass_exponent = exponent(first.unwrap_or(1.0));
@@ -123,9 +128,11 @@ impl<'a, T: Real> Numbers<'a, T> {
             Some(RotaryInertia::Gyration(k)) => mass * self.get(*k).square(),
             Some(RotaryInertia::Moment(i)) => self.massive(*i),
             Some(RotaryInertia::Shape(shape, r)) => mass * inertia::beta::<T>(*shape) * self.get(*r).square(),
-            Some(RotaryInertia::Parts(parts)) => parts.iter().fold(T::zero(), |sum, Part { mass, shape, radius_m }| {
-                sum + self.mass_of(body, mass) * inertia::beta::<T>(*shape) * self.get(*radius_m).square()
-            }),
+            Some(RotaryInertia::Parts(parts)) => {
+                parts.iter().fold(T::zero(), |sum, Part { mass, shape, radius_m }| {
+                    sum + self.mass_of(body, mass) * inertia::beta::<T>(*shape) * self.get(*radius_m).square()
+                })
+            }
         }
     }
 

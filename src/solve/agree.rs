@@ -51,8 +51,10 @@ fn supported(scene: &Scene) -> Result<(), Refusal> {
     if lamina || scene.start.iter().any(|s| matches!(s, Start::Lamina { .. })) {
         return refuse(Unsupported::MovingLamina);
     }
-    let springs =
-        scene.ties.iter().filter(|t| matches!(t, Tie::Cord(c) if matches!(c.to, crate::scene::Far::Spring { .. })));
+    let springs = scene
+        .ties
+        .iter()
+        .filter(|t| matches!(t, Tie::Cord(c) if matches!(c.to, crate::scene::Far::Spring { .. })));
     let springs = springs.count();
     if springs > 1 {
         return refuse(Unsupported::TwoSprings);

@@ -4,3 +4,5 @@ pub mod energy;
 pub mod eom;
 pub mod outcome;
 pub mod physical;
+#[cfg(test)]
+mod planted;

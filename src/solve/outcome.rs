@@ -75,7 +75,13 @@ pub enum CheckKind {
 impl CheckKind {
     /// All of them.
     pub const ALL: &'static [CheckKind] = &[
-        Self::Moves, Self::NoSlip, Self::MustSlip, Self::Pressed, Self::Taut, Self::SlipDirection, Self::Reaches,
+        Self::Moves,
+        Self::NoSlip,
+        Self::MustSlip,
+        Self::Pressed,
+        Self::Taut,
+        Self::SlipDirection,
+        Self::Reaches,
     ];
     /// Name in JSON and in tables of refusals.
     pub const fn name(self) -> &'static str {

@@ -58,7 +58,9 @@ pub fn judge(scene: &Scene, course: &Course, held: &[Held]) -> (Regime, Vec<Chec
     let body = &scene.bodies[end.body];
     // Up or down is geometry: a line that leads down turns the words.
     let (sloped, upward) = match body.line {
-        Some(line) => (line.slope != Slope::Level, if line.forward_up { course.sense } else { -course.sense }),
+        Some(line) => {
+            (line.slope != Slope::Level, if line.forward_up { course.sense } else { -course.sense })
+        }
         None => (false, course.sense),
     };
     let heading = match scene.heading {
@@ -66,7 +68,8 @@ pub fn judge(scene: &Scene, course: &Course, held: &[Held]) -> (Regime, Vec<Chec
         Some(Heading::Back) => -1.0,
         None => course.sense,
     };
-    let (push, hold) = if heading * course.sense < 0.0 { (course.drive.1, course.drive.0) } else { course.drive };
+    let (push, hold) =
+        if heading * course.sense < 0.0 { (course.drive.1, course.drive.0) } else { course.drive };
     let slipping = held.iter().find_map(|h| match h {
         Held::Slipping(tie, friction, available, against) => Some((*tie, *friction, *available, *against)),
         _ => None,
@@ -158,7 +161,8 @@ pub fn judge(scene: &Scene, course: &Course, held: &[Held]) -> (Regime, Vec<Chec
         }
     };
     let direction = Label { quantity: Quantity::Direction, of: Owner::Body(end.body) };
-    words.push((direction, if sloped { word(Word::Up, Word::Down) } else { word(Word::Forward, Word::Back) }));
+    words
+        .push((direction, if sloped { word(Word::Up, Word::Down) } else { word(Word::Forward, Word::Back) }));
     let motion = if let Some((_, friction, available, _)) = slipping {
         match (side(friction.abs(), available), upward) {
             (s, _) if s < 0.0 => Motion::Rolls,

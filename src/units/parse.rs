@@ -54,11 +54,19 @@ impl fmt::Display for UnitFault {
             UnitFault::Unknown { name, close: Some(close), .. } => {
                 write!(f, "unknown unit `{name}`; did you mean `{close}`?")
             }
-            UnitFault::Unknown { name, column, close: None } => write!(f, "unknown unit `{name}` at column {column}"),
-            UnitFault::CaseMatters { name, either } => {
-                write!(f, "unknown unit `{name}`: write {} (upper and lower case matter)", either.join(" or "))
+            UnitFault::Unknown { name, column, close: None } => {
+                write!(f, "unknown unit `{name}` at column {column}")
             }
-            UnitFault::Stray { found, column } => write!(f, "unexpected `{}` at column {column}", found.escape_debug()),
+            UnitFault::CaseMatters { name, either } => {
+                write!(
+                    f,
+                    "unknown unit `{name}`: write {} (upper and lower case matter)",
+                    either.join(" or ")
+                )
+            }
+            UnitFault::Stray { found, column } => {
+                write!(f, "unexpected `{}` at column {column}", found.escape_debug())
+            }
             UnitFault::Exponent { column } => {
                 write!(f, "an exponent from -9 to 9 is expected at column {column} of the unit")
             }
@@ -175,7 +183,8 @@ impl Reader<'_> {
         let start = self.at;
         let letter = |c: char| (c.is_alphabetic() || matches!(c, '°' | '%')) && superscript(c).is_none();
         while let Some(c) = self.peek() {
-            let joined = c == '-' && self.at > start && self.text.get(self.at + 1).copied().is_some_and(letter);
+            let joined =
+                c == '-' && self.at > start && self.text.get(self.at + 1).copied().is_some_and(letter);
             if !(letter(c) || joined) || (self.at > start && (c == '°' || c == '%')) {
                 break;
             }
@@ -320,7 +329,9 @@ fn any_case(name: &str, column: usize) -> Result<(Found, bool), UnitFault> {
     let mut add = |spelling: String, row: &'static Row, prefix: &'static str, ten: i16| {
         if spelling.to_lowercase() == lower
             && !found.iter().any(|(_, (r, _, t))| {
-                r.dimension == row.dimension && r.scale.ten + t == row.scale.ten + ten && r.scale.num == row.scale.num
+                r.dimension == row.dimension
+                    && r.scale.ten + t == row.scale.ten + ten
+                    && r.scale.num == row.scale.num
             })
         {
             found.push((spelling, (row, prefix, ten)));

@@ -111,7 +111,8 @@ pub fn parse_quantity(text: &str, plain: &Unit) -> Result<Quantity, QuantityFaul
     let text = text.trim();
     let decimal = leading_decimal(text).ok_or(QuantityFault::NoNumber)?;
     let rest = text[decimal.length..].trim();
-    let unit = if rest.is_empty() { plain.clone() } else { Unit::parse(rest).map_err(QuantityFault::Unit)? };
+    let unit =
+        if rest.is_empty() { plain.clone() } else { Unit::parse(rest).map_err(QuantityFault::Unit)? };
     let written = text[..decimal.length].replace('\u{2212}', "-");
     let number: f64 = written.parse().map_err(|_| QuantityFault::NoNumber)?;
     let (value_si, value_scene) = match decimal.digits {
@@ -140,10 +141,24 @@ mod tests {
     #[expect(clippy::float_cmp, reason = "these are the nearest doubles")]
     fn nearest_doubles() {
         for (text, value) in [
-            ("200 mm", 0.2), ("40kg", 40.0), ("9.81 m/s^2", 9.81), ("0.30 m", 0.3), ("\u{2212}3e2 N", -300.0),
-            ("12 ft", 3.6576), ("1 lbf", 4.448_221_615_260_5), ("36 km/h", 10.0), ("2 rev", 4.0 * std::f64::consts::PI),
-            ("1 slug", 14.593_902_937_206_364), ("90 deg", std::f64::consts::FRAC_PI_2), ("5 %", 0.05), ("1e-7 km", 1e-4),
-            ("2.5 kN", 2500.0), ("3 µm", 3e-6), ("7", 7.0), ("60 Hz", 120.0 * std::f64::consts::PI), ("7 N mm", 0.007),
+            ("200 mm", 0.2),
+            ("40kg", 40.0),
+            ("9.81 m/s^2", 9.81),
+            ("0.30 m", 0.3),
+            ("\u{2212}3e2 N", -300.0),
+            ("12 ft", 3.6576),
+            ("1 lbf", 4.448_221_615_260_5),
+            ("36 km/h", 10.0),
+            ("2 rev", 4.0 * std::f64::consts::PI),
+            ("1 slug", 14.593_902_937_206_364),
+            ("90 deg", std::f64::consts::FRAC_PI_2),
+            ("5 %", 0.05),
+            ("1e-7 km", 1e-4),
+            ("2.5 kN", 2500.0),
+            ("3 µm", 3e-6),
+            ("7", 7.0),
+            ("60 Hz", 120.0 * std::f64::consts::PI),
+            ("7 N mm", 0.007),
         ] {
             assert_eq!(si(text), value, "{text}");
         }
@@ -157,12 +172,25 @@ mod tests {
     #[test]
     fn units_and_their_spellings() {
         for (text, ascii, tex) in [
-            ("m/s²", "m/s^2", r"\mathrm{m}/\mathrm{s}^{2}"), ("°", "deg", r"{}^\circ"), ("N·m", "N m", r"\mathrm{N}\,\mathrm{m}"),
-            ("Nm", "N m", r"\mathrm{N}\,\mathrm{m}"), ("s⁻¹", "1/s", r"1/\mathrm{s}"), ("1", "1", ""), ("%", "%", r"\%"),
-            ("r/min", "rev/min", r"\mathrm{rev}/\mathrm{min}"), ("kg*m**2", "kg m^2", r"\mathrm{kg}\,\mathrm{m}^{2}"),
-            ("kg m^2 / (s^2 rad)", "kg m^2/s^2/rad", r"\mathrm{kg}\,\mathrm{m}^{2}/\mathrm{s}^{2}/\mathrm{rad}"),
-            ("µm", "um", r"\mathrm{\mu m}"), ("m/s2", "m/s^2", r"\mathrm{m}/\mathrm{s}^{2}"), ("rad s-1", "rad/s", r"\mathrm{rad}/\mathrm{s}"),
-            ("ft·lbf", "ft lbf", r"\mathrm{ft}\,\mathrm{lbf}"), ("ft-lb", "ft lbf", r"\mathrm{ft}\,\mathrm{lbf}"),
+            ("m/s²", "m/s^2", r"\mathrm{m}/\mathrm{s}^{2}"),
+            ("°", "deg", r"{}^\circ"),
+            ("N·m", "N m", r"\mathrm{N}\,\mathrm{m}"),
+            ("Nm", "N m", r"\mathrm{N}\,\mathrm{m}"),
+            ("s⁻¹", "1/s", r"1/\mathrm{s}"),
+            ("1", "1", ""),
+            ("%", "%", r"\%"),
+            ("r/min", "rev/min", r"\mathrm{rev}/\mathrm{min}"),
+            ("kg*m**2", "kg m^2", r"\mathrm{kg}\,\mathrm{m}^{2}"),
+            (
+                "kg m^2 / (s^2 rad)",
+                "kg m^2/s^2/rad",
+                r"\mathrm{kg}\,\mathrm{m}^{2}/\mathrm{s}^{2}/\mathrm{rad}",
+            ),
+            ("µm", "um", r"\mathrm{\mu m}"),
+            ("m/s2", "m/s^2", r"\mathrm{m}/\mathrm{s}^{2}"),
+            ("rad s-1", "rad/s", r"\mathrm{rad}/\mathrm{s}"),
+            ("ft·lbf", "ft lbf", r"\mathrm{ft}\,\mathrm{lbf}"),
+            ("ft-lb", "ft lbf", r"\mathrm{ft}\,\mathrm{lbf}"),
         ] {
             let unit = Unit::parse(text).unwrap();
             assert_eq!((unit.ascii(), unit.tex().as_str()), (ascii, tex), "{text}");
@@ -182,12 +210,14 @@ mod tests {
         assert_eq!(fault("m,s"), "unexpected `,` at column 2");
         assert_eq!(fault(""), "the unit is missing");
         let fault = |t: &str| Unit::parse_any_case(t).unwrap_err().to_string();
-        assert_eq!(fault("MPA"), "unknown unit `MPA`: write MPa or kPa (upper and lower case matter)".replace("kPa", "mPa").replace(" or mPa", ""));
+        assert_eq!(fault("mw"), "unknown unit `mw`: write MW or mW (upper and lower case matter)");
     }
 
     #[test]
     fn case_forgiven_where_one_unit_can_be_meant() {
-        for (text, ascii) in [("RAD/S", "rad/s"), ("n", "N"), ("KN", "kN"), ("Rad/s", "rad/s"), ("RPM", "rpm"), ("KG", "kg")] {
+        for (text, ascii) in
+            [("RAD/S", "rad/s"), ("n", "N"), ("KN", "kN"), ("Rad/s", "rad/s"), ("RPM", "rpm"), ("KG", "kg")]
+        {
             let (unit, forgiven) = Unit::parse_any_case(text).unwrap();
             assert_eq!((unit.ascii(), forgiven), (ascii, true), "{text}");
         }
@@ -198,15 +228,23 @@ mod tests {
     #[test]
     fn mismatches_name_the_missing_factor() {
         let say = |a: &str, b: &str| Unit::parse(a).unwrap().mismatch(&Unit::parse(b).unwrap());
-        assert_eq!(say("N m", "N"), "expected N m (energy or moment), found N (force): a factor m is missing");
-        assert_eq!(say("rad/s", "rad"), "expected rad/s (angular velocity), found rad (angle): a factor s too many");
+        assert_eq!(
+            say("N m", "N"),
+            "expected N m (energy or moment), found N (force): a factor m is missing"
+        );
+        assert_eq!(
+            say("rad/s", "rad"),
+            "expected rad/s (angular velocity), found rad (angle): a factor s too many"
+        );
         assert_eq!(say("N", "lb"), "expected N (force), found lb (mass): lb is a mass here; write lbf");
     }
 
     #[test]
     fn the_radian_may_be_dropped_but_not_the_degree() {
         let agree = |a: &str, b: &str| Unit::parse(a).unwrap().agrees(&Unit::parse(b).unwrap());
-        assert!(agree("rad/s", "1/s") && agree("1/s^2", "rad/s^2") && agree("rpm", "1/s") && agree("rad", "1"));
+        assert!(
+            agree("rad/s", "1/s") && agree("1/s^2", "rad/s^2") && agree("rpm", "1/s") && agree("rad", "1")
+        );
         assert!(!agree("1", "deg") && !agree("m/s", "rad/s") && !agree("deg", "1"));
         assert!(agree("m/s", "ft/s") && agree("J", "N m"));
     }

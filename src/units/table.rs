@@ -16,7 +16,14 @@ pub(crate) struct Row {
 }
 
 const fn row(
-    name: &'static str, ascii: &'static str, d: [i8; 4], num: u128, den: u128, ten: i16, pi: i8, prefixes: &'static str,
+    name: &'static str,
+    ascii: &'static str,
+    d: [i8; 4],
+    num: u128,
+    den: u128,
+    ten: i16,
+    pi: i8,
+    prefixes: &'static str,
 ) -> Row {
     Row { name, ascii, dimension: Dimension(d), scale: Scale { num, den, ten, pi }, prefixes }
 }
@@ -35,8 +42,16 @@ const NONE: [i8; 4] = [0, 0, 0, 0];
 
 /// Prefix, as it may be written, its ASCII form and its power of ten.
 pub(crate) const PREFIXES: &[(char, &str, i16)] = &[
-    ('k', "k", 3), ('M', "M", 6), ('G', "G", 9), ('c', "c", -2), ('d', "d", -1), ('m', "m", -3), ('n', "n", -9),
-    ('u', "u", -6), ('\u{b5}', "u", -6), ('\u{3bc}', "u", -6),
+    ('k', "k", 3),
+    ('M', "M", 6),
+    ('G', "G", 9),
+    ('c', "c", -2),
+    ('d', "d", -1),
+    ('m', "m", -3),
+    ('n', "n", -9),
+    ('u', "u", -6),
+    ('\u{b5}', "u", -6),
+    ('\u{3bc}', "u", -6),
 ];
 
 const LBF: u128 = 44_482_216_152_605; // 0.45359237 * 9.80665 N, times 10^13
@@ -123,11 +138,26 @@ pub(crate) const ROWS: &[Row] = &[
 
 /// Words for dimensions that mechanics meets, for messages.
 pub(crate) const KINDS: &[([i8; 4], &str)] = &[
-    (MASS, "mass"), (LENGTH, "length"), (TIME, "time"), (ANGLE, "angle"), (SPIN, "angular velocity"), (SPEED, "speed"),
-    (FORCE, "force"), (ENERGY, "energy or moment"), (POWER, "power"), (PRESSURE, "pressure"), (NONE, "pure number"),
-    ([0, 1, -2, 0], "acceleration"), ([0, 0, -2, 1], "angular acceleration"), ([1, 2, 0, 0], "moment of inertia"),
-    ([1, 0, -2, 0], "stiffness"), ([0, 2, 0, 0], "area"), ([0, 3, 0, 0], "volume"), ([1, 1, -1, 0], "momentum"),
-    ([1, 2, -1, 0], "angular momentum"), ([0, 0, -1, 0], "frequency"),
+    (MASS, "mass"),
+    (LENGTH, "length"),
+    (TIME, "time"),
+    (ANGLE, "angle"),
+    (SPIN, "angular velocity"),
+    (SPEED, "speed"),
+    (FORCE, "force"),
+    (ENERGY, "energy or moment"),
+    (POWER, "power"),
+    (PRESSURE, "pressure"),
+    (NONE, "pure number"),
+    ([0, 1, -2, 0], "acceleration"),
+    ([0, 0, -2, 1], "angular acceleration"),
+    ([1, 2, 0, 0], "moment of inertia"),
+    ([1, 0, -2, 0], "stiffness"),
+    ([0, 2, 0, 0], "area"),
+    ([0, 3, 0, 0], "volume"),
+    ([1, 1, -1, 0], "momentum"),
+    ([1, 2, -1, 0], "angular momentum"),
+    ([0, 0, -1, 0], "frequency"),
 ];
 
 /// Single units that may be the one that is missing.

@@ -64,7 +64,8 @@ pub fn powers<T: Real>(scene: &Scene, n: &Numbers<T>, mode: &Mode<T>, friction: 
                 _ => continue,
             },
             Tie::Slip { body, radius_m, .. } => {
-                let contact = mode.v[*body] - plant!("energy: slip of the contact", n.get(*radius_m)) * mode.w[*body];
+                let contact =
+                    mode.v[*body] - plant!("energy: slip of the contact", n.get(*radius_m)) * mode.w[*body];
                 plant!("energy: work of sliding friction", friction[t]) * contact
             }
             Tie::Slide { body, .. } => friction[t] * mode.v[*body],

@@ -50,7 +50,8 @@ pub fn road<T: Real>(scene: &Scene, n: &Numbers<T>) -> Road<T> {
                 rest.1 = rest.1 + plant!("energy: arm of the mass centre, y", share) * (y - y0);
                 for q in &body.particles[i + 1..] {
                     let square = (x - n.get(q.x_m)).square() + (y - n.get(q.y_m)).square();
-                    pairs = pairs + plant!("energy: pair of particles", share * n.massive(q.mass_kg)) * square;
+                    pairs =
+                        pairs + plant!("energy: pair of particles", share * n.massive(q.mass_kg)) * square;
                 }
             }
             let vx = n.get(*vx_m_s) - plant!("energy: velocity of the mass centre, x", spin) * rest.1;

@@ -100,8 +100,9 @@ fn drive<T: Real>(
     let mut rows: Vec<Vec<T>> = Vec::with_capacity(m);
     for a in modes {
         let mut row: Vec<T> = modes.iter().map(|b| balance::inertia(n, a, b)).collect();
-        let mut power =
-            balance::powers(scene, n, a, friction).into_iter().fold(T::zero(), |sum, p: Power<T>| sum + p.power);
+        let mut power = balance::powers(scene, n, a, friction)
+            .into_iter()
+            .fold(T::zero(), |sum, p: Power<T>| sum + p.power);
         if let Some(end) = &pull {
             power = power + spring_tension * a.point(n, end);
         }
@@ -147,9 +148,8 @@ impl<'a, T: Real> Ledger<'a, T> {
             rolled = Some(held);
         }
         let modes = speeds::modes(scene, &n, false)?;
-        let frictions = |kinetic: &[Option<T>]| -> Vec<T> {
-            kinetic.iter().map(|k| k.unwrap_or_else(T::zero)).collect()
-        };
+        let frictions =
+            |kinetic: &[Option<T>]| -> Vec<T> { kinetic.iter().map(|k| k.unwrap_or_else(T::zero)).collect() };
         let mut v0 = T::zero();
         for s in &scene.start {
             if let Start::Speed(c, v) = s {
@@ -279,9 +279,8 @@ impl<'a, T: Real> Ledger<'a, T> {
                 self.say(Quantity::VMax, body, v);
                 self.say(Quantity::DAtVMax, body, at);
             }
-            if let Some(t) = turning {
-                self.say(Quantity::DTurn, body, t);
-            }
+            let farthest = turning.unwrap_or_else(|| T::of(f64::INFINITY));
+            self.say(Quantity::DTurn, body, farthest);
         }
         match s {
             Some(s) if reached => self.arrived(&account, s, sense, tension_at(s)),
@@ -372,10 +371,12 @@ impl<'a, T: Real> Ledger<'a, T> {
             }
         }
         let first = self.reactions(tension0);
-        let last = if tension0.value() == tension1.value() { first.clone() } else { self.reactions(tension1) };
+        let last =
+            if tension0.value() == tension1.value() { first.clone() } else { self.reactions(tension1) };
         for (t, tie) in self.scene.ties.iter().enumerate() {
             if let Tie::Roll { body, mu_s, .. } = tie {
-                let most = if first[t].abs().value() < last[t].abs().value() { last[t] } else { first[t] }.abs();
+                let most =
+                    if first[t].abs().value() < last[t].abs().value() { last[t] } else { first[t] }.abs();
                 let normal = balance::normal(&self.n, *body);
                 if self.scene.bodies[*body].line.is_some_and(|l| l.surface) {
                     self.say(Quantity::MuRequired, Owner::Body(*body), most / normal);
@@ -456,7 +457,8 @@ impl<'a, T: Real> Ledger<'a, T> {
                     let slip = per.abs() * s;
                     self.say(Quantity::SlipDistance, Owner::Body(*body), slip);
                     let force = self.kinetic[t].unwrap_or_else(T::zero).abs();
-                    heat = Some(heat.unwrap_or_else(T::zero) + plant!("energy: heat of sliding", force) * slip);
+                    heat =
+                        Some(heat.unwrap_or_else(T::zero) + plant!("energy: heat of sliding", force) * slip);
                 }
                 Tie::Slide { body, .. } => {
                     let force = self.kinetic[t].unwrap_or_else(T::zero).abs();
@@ -516,7 +518,8 @@ impl<'a, T: Real> Ledger<'a, T> {
         if rotation.sign() <= 0.0 {
             return;
         }
-        let bound = if centre.sign() > 0.0 { (c.square() * rotation / centre).root() } else { T::of(f64::INFINITY) };
+        let bound =
+            if centre.sign() > 0.0 { (c.square() * rotation / centre).root() } else { T::of(f64::INFINITY) };
         self.say(Quantity::KBound, Owner::Body(0), bound);
     }
 }

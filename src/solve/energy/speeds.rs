@@ -126,7 +126,10 @@ pub fn modes<T: Real>(scene: &Scene, n: &Numbers<T>, rolled: bool) -> Result<Vec
         .into_iter()
         .map(|j| {
             let x = reduced.mode(j);
-            Mode { v: x.iter().step_by(2).copied().collect(), w: x.iter().skip(1).step_by(2).copied().collect() }
+            Mode {
+                v: x.iter().step_by(2).copied().collect(),
+                w: x.iter().skip(1).step_by(2).copied().collect(),
+            }
         })
         .collect())
 }

@@ -18,7 +18,11 @@ pub fn road<T: Real>(scene: &Scene, n: &Numbers<T>) -> Road<T> {
     let mut energy = T::zero();
     let mut say = |quantity, of, value: T, scale: f64| {
         let label = Label { quantity, of };
-        road.said.push(Said { label, value: n.publish(label, value), scale: n.publish(label, T::of(scale)).f64() });
+        road.said.push(Said {
+            label,
+            value: n.publish(label, value),
+            scale: n.publish(label, T::of(scale)).f64(),
+        });
     };
     for (b, body) in scene.bodies.iter().enumerate() {
         if body.particles.is_empty() {

@@ -48,6 +48,9 @@ pub fn road<T: Real>(scene: &Scene, data: &[f64]) -> Result<Road<T>, Refusal> {
     Walk::new(scene, n)?.walk()
 }
 
+/// From this condition number on the velocity ratios come from a unit force, not from the forces that nearly balance.
+const NEAR_BALANCE: f64 = 1e6;
+
 /// The spring of a scene in numbers.
 #[derive(Clone, Copy)]
 struct Spring<T> {
@@ -132,13 +135,23 @@ impl<'a, T: Real> Walk<'a, T> {
                 }
             }
         }
-        let ratio_column = if spring.is_some() {
+        let mut ratio_column = if spring.is_some() {
             SPRING
         } else if started {
             response.last()
         } else {
             CONSTANT
         };
+        if ratio_column == CONSTANT
+            && !slips
+            && moves
+            && response.acceleration(end, CONSTANT).cond() > NEAR_BALANCE
+        {
+            // Ratios of accelerations that nearly vanish would lose the digits of their derivatives.
+            setting.probe = Some(end);
+            response = respond(scene, &n, &setting)?;
+            ratio_column = response.last();
+        }
         Ok(Self { scene, n, end, spring, rolled, response, ratio_column, moves, road: Road::new() })
     }
 
@@ -170,7 +183,8 @@ impl<'a, T: Real> Walk<'a, T> {
         if c == self.end {
             return T::of(1.0);
         }
-        self.response.acceleration(c, self.ratio_column) / self.response.acceleration(self.end, self.ratio_column)
+        self.response.acceleration(c, self.ratio_column)
+            / self.response.acceleration(self.end, self.ratio_column)
     }
     fn along(&self, body: usize) -> Option<Coordinate> {
         self.scene.bodies[body].line.map(|_| Coordinate { body, degree: Degree::Along })
@@ -223,8 +237,10 @@ impl<'a, T: Real> Walk<'a, T> {
             None => false,
         };
         if let Some(s) = &self.spring {
-            let (a, b) =
-                (self.response.acceleration(self.end, CONSTANT), self.response.acceleration(self.end, SPRING));
+            let (a, b) = (
+                self.response.acceleration(self.end, CONSTANT),
+                self.response.acceleration(self.end, SPRING),
+            );
             let x_eq = -(a / b) / s.stiffness;
             if x_eq.sign() >= 0.0 || s.rigid {
                 self.say(Quantity::XEq, Owner::Scene, x_eq);
@@ -232,8 +248,13 @@ impl<'a, T: Real> Walk<'a, T> {
         }
         self.contacts_if_rolled();
         if sense == 0.0 || self.response.acceleration(self.end, self.ratio_column).is_zero() {
-            self.road.course =
-                Some(Course { sense: 0.0, drive: (Dd::ZERO, Dd::ZERO), asked: None, farthest: Dd::ZERO, reached: false });
+            self.road.course = Some(Course {
+                sense: 0.0,
+                drive: (Dd::ZERO, Dd::ZERO),
+                asked: None,
+                farthest: Dd::ZERO,
+                reached: false,
+            });
             self.standing(tension0, sense == 0.0 && !self.slips());
             if self.spring.is_some() && self.along(self.end.body) == Some(self.end) {
                 for q in [Quantity::VMax, Quantity::DAtVMax, Quantity::DTurn] {
@@ -259,8 +280,13 @@ impl<'a, T: Real> Walk<'a, T> {
         let limit = turning.map_or(Dd::new(f64::INFINITY), |t| t.value());
         let (asked, s) = self.asked(&travel, turning, sense);
         let reached = !wrong_way && s.is_some_and(|s| s.value() <= limit && s.value() >= Dd::ZERO);
-        self.road.course =
-            Some(Course { sense, drive: (Dd::ZERO, Dd::ZERO), asked, farthest: self.farthest(&travel, limit), reached });
+        self.road.course = Some(Course {
+            sense,
+            drive: (Dd::ZERO, Dd::ZERO),
+            asked,
+            farthest: self.farthest(&travel, limit),
+            reached,
+        });
 
         // Over the whole motion: tension at the start, and at the turning point or 0 when slack.
         let spring = self.spring;
@@ -282,9 +308,7 @@ impl<'a, T: Real> Walk<'a, T> {
                 self.say(Quantity::VMax, body, v);
                 self.say(Quantity::DAtVMax, body, at);
             }
-            if let Some(t) = turning {
-                self.say(Quantity::DTurn, body, t);
-            }
+            self.say(Quantity::DTurn, body, turning.unwrap_or_else(|| T::of(f64::INFINITY)));
         }
         match s {
             Some(s) if reached => {
@@ -343,14 +367,20 @@ impl<'a, T: Real> Walk<'a, T> {
             let friction = rolled.reaction(t, CONSTANT);
             let normal = rolled.normal(*body);
             let scale = self.friction_scale(&rolled, *body, friction, T::zero());
-            self.say_scaled(Quantity::FrictionIfRolled, Owner::Body(*body), friction.signed(self.up(*body)), scale);
+            self.say_scaled(
+                Quantity::FrictionIfRolled,
+                Owner::Body(*body),
+                friction.signed(self.up(*body)),
+                scale,
+            );
             self.say(Quantity::MuRequired, Owner::Body(*body), friction.abs() / normal);
             let along = self.along(*body).map_or_else(T::zero, |c| self.response.acceleration(c, CONSTANT));
             let turn = self.turn(*body).map_or_else(T::zero, |c| self.response.acceleration(c, CONSTANT));
             let slip = along - self.n.get(*radius_m) * turn;
             let against = slip.signed(-friction.sign());
             let available = self.n.get(*mu_s) * normal;
-            let force = |f: T| self.n.publish(Label { quantity: Quantity::Friction, of: Owner::Scene }, f).value();
+            let force =
+                |f: T| self.n.publish(Label { quantity: Quantity::Friction, of: Owner::Scene }, f).value();
             self.road.held.push(Held::Slipping(t, force(friction), force(available), against.value()));
         }
     }
@@ -385,7 +415,9 @@ impl<'a, T: Real> Walk<'a, T> {
                     if surface {
                         self.say(Quantity::MuRequired, Owner::Body(*body), most / normal);
                     }
-                    let force = |f: T| self.n.publish(Label { quantity: Quantity::Friction, of: Owner::Scene }, f).value();
+                    let force = |f: T| {
+                        self.n.publish(Label { quantity: Quantity::Friction, of: Owner::Scene }, f).value()
+                    };
                     let available = mu_s.map(|mu| force(self.n.get(mu) * normal));
                     self.road.held.push(Held::Rolling(t, force(most), available));
                 }
@@ -528,7 +560,9 @@ impl<'a, T: Real> Walk<'a, T> {
                 Tie::Slip { .. } | Tie::Slide { .. } => return,
             }
         }
-        let (Some(c), true, Some(RotaryInertia::Gyration(_))) = (radius, pulled, &body.inertia) else { return };
+        let (Some(c), true, Some(RotaryInertia::Gyration(_))) = (radius, pulled, &body.inertia) else {
+            return;
+        };
         let (force, moment) = (force.signed(self.up(0)), moment.signed(self.up(0)));
         if !self.scene.couples.is_empty() || moment.sign() <= 0.0 {
             return;

@@ -1,0 +1,164 @@
+//! Proof that the agreement of the roads catches mechanical errors: each named term of each road is spoiled in turn.
+use crate::num::plant;
+use crate::scene::Attach;
+use crate::scene::Body;
+use crate::scene::Coordinate;
+use crate::scene::Cord;
+use crate::scene::CordEnd;
+use crate::scene::Couple;
+use crate::scene::Degree;
+use crate::scene::End;
+use crate::scene::Far;
+use crate::scene::Line;
+use crate::scene::Mass;
+use crate::scene::Num;
+use crate::scene::Particle;
+use crate::scene::RotaryInertia;
+use crate::scene::Scene;
+use crate::scene::Side;
+use crate::scene::Slope;
+use crate::scene::Start;
+use crate::scene::Tie;
+use crate::solve::agree::solve;
+use std::collections::BTreeSet;
+
+fn f(x: f64) -> Num {
+    Num::Fixed(x)
+}
+
+fn body(name: &str, slope: Option<f64>, mass: f64, k: Option<f64>) -> Body {
+    Body {
+        name: name.to_owned(),
+        mass: Mass::Kilograms(f(mass)),
+        inertia: k.map(|k| RotaryInertia::Gyration(f(k))),
+        radii_m: Vec::new(),
+        line: slope.map(|s| Line {
+            slope: if s > 89.0 { Slope::Vertical } else { Slope::Degrees(f(s)) },
+            forward_up: true,
+            surface: s < 89.0,
+        }),
+        turns: k.is_some(),
+        particles: Vec::new(),
+    }
+}
+
+fn cord(from: (usize, Option<f64>, bool), to: Far) -> Tie {
+    Tie::Cord(Cord { name: "cord".to_owned(), from: cord_end(from), to })
+}
+
+fn cord_end((body, wound, forward): (usize, Option<f64>, bool)) -> CordEnd {
+    let attach = wound.map_or(Attach::Centre, |r| {
+        Attach::Wound(f(r.abs()), if r > 0.0 { Side::Top } else { Side::Bottom })
+    });
+    CordEnd { body, attach, forward }
+}
+
+fn scene(bodies: Vec<Body>, ties: Vec<Tie>, travel: f64) -> Scene {
+    let end = End::Travel(Coordinate { body: 0, degree: Degree::Along }, f(travel));
+    Scene { gravity_m_s2: f(9.81), bodies, ties, couples: Vec::new(), start: Vec::new(), end, heading: None }
+}
+
+/// One scene of each kind, all data constants.
+fn scenes() -> Vec<(&'static str, Scene)> {
+    let wheel = || body("wheel", Some(25.0), 40.0, Some(0.22));
+    let roll = |c: f64| Tie::Roll { body: 0, radius_m: f(c), mu_s: Some(f(0.9)) };
+    let slip = |mu_s: f64, mu_k: f64| Tie::Slip { body: 0, radius_m: f(0.2), mu_s: f(mu_s), mu_k: f(mu_k) };
+    let spring = |x0: f64, rigid| Far::Spring { stiffness_n_m: f(700.0), stretch_m: f(x0), rigid };
+    let mut couple =
+        scene(vec![wheel()], vec![roll(0.2), cord((0, Some(0.3), false), spring(0.0, false))], 0.2);
+    couple.couples.push(Couple { body: 0, moment_n_m: f(75.0), forward: true });
+    let mut thrown = scene(
+        vec![body("block", Some(25.0), 3.0, None)],
+        vec![Tie::Slide { body: 0, mu_s: None, mu_k: f(0.3) }],
+        0.4,
+    );
+    thrown.start.push(Start::Speed(Coordinate { body: 0, degree: Degree::Along }, f(4.0)));
+    let mut lamina = scene(vec![body("plate", None, 1.0, None)], Vec::new(), 1.0);
+    lamina.bodies[0].particles = [(1.0, 0.1, 0.2), (2.0, 1.1, 0.3), (1.5, 0.7, 0.9)]
+        .iter()
+        .map(|(m, x, y)| Particle { name: "A".to_owned(), mass_kg: f(*m), x_m: f(*x), y_m: f(*y) })
+        .collect();
+    lamina.bodies[0].mass = Mass::OfParts;
+    lamina.start.push(Start::Lamina {
+        body: 0,
+        particle: 1,
+        vx_m_s: f(0.7),
+        vy_m_s: f(-0.4),
+        spin_rad_s: f(2.5),
+    });
+    lamina.end = End::AtOnce;
+    vec![
+        (
+            "pulled-rolling",
+            scene(vec![wheel()], vec![roll(0.2), cord((0, Some(0.4), true), Far::Pull(f(200.0)))], 2.0),
+        ),
+        (
+            "pulled-slipping",
+            scene(vec![wheel()], vec![slip(0.2, 0.15), cord((0, Some(0.4), true), Far::Pull(f(400.0)))], 1.0),
+        ),
+        (
+            "spring, slack",
+            scene(vec![wheel()], vec![roll(0.4), cord((0, Some(0.2), true), spring(0.6, false))], 0.5),
+        ),
+        (
+            "spring, down",
+            scene(vec![wheel()], vec![roll(0.4), cord((0, Some(0.2), true), spring(0.05, false))], 0.1),
+        ),
+        ("couple and spring", couple),
+        (
+            "block over a massive pulley pulls a wheel",
+            scene(
+                vec![wheel(), body("pulley", None, 5.0, Some(0.1)), body("block", Some(90.0), 60.0, None)],
+                vec![
+                    roll(0.2),
+                    cord((0, Some(0.4), true), Far::Body(cord_end((1, Some(0.15), false)))),
+                    cord((1, Some(0.15), true), Far::Body(cord_end((2, None, true)))),
+                ],
+                0.6,
+            ),
+        ),
+        (
+            "yo-yo",
+            scene(
+                vec![body("yo-yo", Some(90.0), 0.3, Some(0.03))],
+                vec![cord((0, Some(-0.01), true), Far::Fixed)],
+                0.6,
+            ),
+        ),
+        ("sliding block", thrown),
+        ("lamina", lamina),
+    ]
+}
+
+#[test]
+fn both_roads_agree_on_every_scene() {
+    for (name, scene) in scenes() {
+        let solved = solve(&scene, &[]);
+        assert!(solved.is_ok(), "{name}: {solved:?}");
+    }
+}
+
+#[test]
+fn every_planted_error_is_caught() {
+    let scenes = scenes();
+    for (_, scene) in &scenes {
+        let _ = solve(scene, &[]);
+    }
+    let names = plant::seen();
+    for road in ["eom: ", "energy: "] {
+        let count = names.iter().filter(|n| n.starts_with(road)).count();
+        assert!(count >= 12, "{road}{count} terms");
+    }
+    let mut missed = BTreeSet::new();
+    for name in &names {
+        // Forgotten, turned, doubled, and off by a millionth.
+        for by in [0.0, -1.0, 2.0, 1.000_001] {
+            let caught =
+                scenes.iter().any(|(_, scene)| plant::spoiled(name, by, || solve(scene, &[])).is_err());
+            if !caught {
+                missed.insert(format!("{name} times {by}"));
+            }
+        }
+    }
+    assert!(missed.is_empty(), "not caught:\n{missed:#?}");
+}
