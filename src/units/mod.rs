@@ -1,5 +1,349 @@
-//! Quantities at the borders of the program: units, dimensions, text to number and back.
+//! Quantities at the borders of the program: units, dimensions, text to number and back. Inside, all is SI.
+//!
+//! A unit has a dimension in which the radian is an axis of its own, so that a torque and an energy may be confused (SI
+//! does) but an angle and a pure number may not. The radian may be dropped: `1/s` is taken for `rad/s`.
+use std::fmt;
+
+pub(crate) mod parse;
+pub mod quantity;
+pub mod spell;
+mod table;
+
+pub use parse::UnitFault;
+pub use quantity::Quantity;
+pub use quantity::QuantityFault;
+pub use quantity::parse_decimal;
+pub use quantity::parse_quantity;
+
+/// Exponents of mass, length, time and angle.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub struct Dimension(pub [i8; 4]);
+
+impl Dimension {
+    /// The word for it (`force`), if mechanics has one.
+    pub fn kind(self) -> Option<&'static str> {
+        table::KINDS.iter().find(|(d, _)| *d == self.0).map(|(_, word)| *word)
+    }
+    fn over(self, other: Dimension) -> Option<Dimension> {
+        let mut out = [0i8; 4];
+        for (i, o) in out.iter_mut().enumerate() {
+            *o = self.0[i].checked_sub(other.0[i])?;
+        }
+        Some(Dimension(out))
+    }
+}
+
+impl fmt::Display for Dimension {
+    /// `kg m s^-2`; `1` for a pure number.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let mut first = true;
+        for (name, exponent) in ["kg", "m", "s", "rad"].iter().zip(self.0) {
+            if exponent != 0 {
+                write!(f, "{}{name}", if first { "" } else { " " })?;
+                if exponent != 1 {
+                    write!(f, "^{exponent}")?;
+                }
+                first = false;
+            }
+        }
+        if first { write!(f, "1") } else { Ok(()) }
+    }
+}
+
+/// An exact size in SI: `num / den * 10^ten * pi^pi`, in lowest terms, no factor ten left in `num` or `den`.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) struct Scale {
+    pub num: u128,
+    pub den: u128,
+    pub ten: i16,
+    pub pi: i8,
+}
+
+impl Scale {
+    pub(crate) const ONE: Scale = Scale { num: 1, den: 1, ten: 0, pi: 0 };
+    pub(crate) fn times(self, other: Scale) -> Option<Scale> {
+        let (mut num, mut den) = (self.num.checked_mul(other.num)?, self.den.checked_mul(other.den)?);
+        let (mut a, mut b) = (num, den);
+        while b != 0 {
+            (a, b) = (b, a % b);
+        }
+        num /= a;
+        den /= a;
+        let mut ten = self.ten.checked_add(other.ten)?;
+        while num % 10 == 0 {
+            num /= 10;
+            ten += 1;
+        }
+        for (p, q) in [(10, 1), (5, 2), (2, 5)] {
+            while den % p == 0 {
+                den /= p;
+                num = num.checked_mul(q)?;
+                ten -= 1;
+            }
+        }
+        (ten.abs() <= 300).then_some(Scale { num, den, ten, pi: self.pi.checked_add(other.pi)? })
+    }
+    pub(crate) fn inverse(self) -> Option<Scale> {
+        Scale { num: self.den, den: self.num, ten: self.ten.checked_neg()?, pi: self.pi.checked_neg()? }
+            .times(Scale::ONE)
+    }
+    /// Nearest double of `digits * 10^exponent * self`; for factors of pi or a denominator such as 3600 to within an ulp or two.
+    pub(crate) fn apply(self, negative: bool, digits: u128, exponent: i32) -> f64 {
+        let exponent = exponent + i32::from(self.ten);
+        let rest = |top: u128, bottom: u128| {
+            let top: f64 = decimal(top, exponent.max(0));
+            let bottom: f64 = decimal(bottom, (-exponent).max(0));
+            top / bottom // one rounding where both fit 53 bits
+        };
+        let mut size = match digits.checked_mul(self.num) {
+            Some(product) if self.den == 1 => decimal(product, exponent),
+            Some(product) => rest(product, self.den),
+            None => decimal(digits, exponent) * (self.num as f64 / self.den as f64),
+        };
+        for _ in 0..self.pi {
+            size *= std::f64::consts::PI;
+        }
+        for _ in self.pi..0 {
+            size /= std::f64::consts::PI;
+        }
+        if negative { -size } else { size }
+    }
+}
+
+/// Nearest double of `digits * 10^exponent`.
+fn decimal(digits: u128, exponent: i32) -> f64 {
+    if digits < 1 << 53 && (-22..=22).contains(&exponent) {
+        let ten = TENS[exponent.unsigned_abs() as usize]; // both exact, so one rounding
+        return if exponent < 0 { digits as f64 / ten } else { digits as f64 * ten };
+    }
+    format!("{digits}e{exponent}").parse().unwrap_or(f64::NAN)
+}
+
+pub(crate) const TENS: [f64; 23] = [
+    1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18,
+    1e19, 1e20, 1e21, 1e22,
+];
 
 /// A unit: how it is spelled, its dimension, and its size in SI.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Unit;
+pub struct Unit {
+    ascii: Box<str>,
+    factors: Vec<(Box<str>, i8)>,
+    dimension: Dimension,
+    scale: Scale,
+    factor: f64,
+}
+
+impl Unit {
+    /// Reads a unit: `m/s^2`, `N·m`, `kg m²`, `rev/min`, `°`, `%`, `1`. Upper and lower case matter.
+    ///
+    /// ```
+    /// use slipstick::units::Unit;
+    /// assert_eq!(Unit::parse("km/h").unwrap().to_si(36.0), 10.0);
+    /// assert_eq!(Unit::parse("m s⁻²").unwrap().ascii(), "m/s^2");
+    /// ```
+    ///
+    /// # Errors
+    /// Says at which column what is wrong.
+    pub fn parse(text: &str) -> Result<Unit, UnitFault> {
+        parse::unit(text, false).map(|(unit, _)| unit)
+    }
+    /// As `parse`, but a wrong case is forgiven where only one unit can be meant; `true` says that this was needed.
+    ///
+    /// # Errors
+    /// Says at which column what is wrong.
+    pub fn parse_any_case(text: &str) -> Result<(Unit, bool), UnitFault> {
+        parse::unit(text, true)
+    }
+    /// The pure number, `1`.
+    pub fn one() -> Unit {
+        Unit::build(Vec::new(), Dimension([0; 4]), Scale::ONE)
+    }
+    pub(crate) fn build(factors: Vec<(Box<str>, i8)>, dimension: Dimension, scale: Scale) -> Unit {
+        let ascii = spelled(&factors, "1", " ", |name, exponent| match exponent {
+            1 => name.to_owned(),
+            e => format!("{name}^{e}"),
+        });
+        let factor = scale.apply(false, 1, 0);
+        Unit { ascii: ascii.into(), factors, dimension, scale, factor }
+    }
+    /// In SI; angles in rad.
+    #[inline]
+    pub fn to_si(&self, value: f64) -> f64 {
+        match self.ten() {
+            Some(ten @ 0..) => value * TENS[ten as usize],
+            Some(ten) => value / TENS[usize::from(ten.unsigned_abs())],
+            None => value * self.factor,
+        }
+    }
+    /// From SI into this unit.
+    #[inline]
+    pub fn from_si(&self, value: f64) -> f64 {
+        match self.ten() {
+            Some(ten @ 0..) => value / TENS[ten as usize],
+            Some(ten) => value * TENS[usize::from(ten.unsigned_abs())],
+            None => value / self.factor,
+        }
+    }
+    /// The power of ten, if it is nothing else and an exact double.
+    #[inline]
+    fn ten(&self) -> Option<i16> {
+        let s = &self.scale;
+        (s.num == 1 && s.den == 1 && s.pi == 0 && s.ten.abs() <= 22).then_some(s.ten)
+    }
+    /// The double nearest to `int * 10^-decimals` of this unit in SI (angles: in rad, within two ulp). `200 mm` is 0.2.
+    pub fn decimal_to_si(&self, int: i64, decimals: u8) -> f64 {
+        self.scale.apply(int < 0, u128::from(int.unsigned_abs()), -i32::from(decimals))
+    }
+    /// As the data of a scene are held: angles in degrees, everything else in SI; the nearest double.
+    pub fn decimal_to_scene(&self, int: i64, decimals: u8) -> f64 {
+        self.scene_scale().apply(int < 0, u128::from(int.unsigned_abs()), -i32::from(decimals))
+    }
+    /// SI, but degrees for an angle.
+    pub(crate) fn scene_scale(&self) -> Scale {
+        if self.is_angle() {
+            let degrees = Scale { num: 18, den: 1, ten: 1, pi: -1 };
+            return self.scale.times(degrees).unwrap_or(self.scale);
+        }
+        self.scale
+    }
+    pub(crate) fn scale(&self) -> Scale {
+        self.scale
+    }
+    /// From what a scene holds (degrees for an angle, else SI) into this unit.
+    pub fn from_scene(&self, value: f64) -> f64 {
+        if self.is_angle() { value / self.scene_scale().apply(false, 1, 0) } else { self.from_si(value) }
+    }
+    /// Is it an angle, and nothing else?
+    pub fn is_angle(&self) -> bool {
+        self.dimension.0 == [0, 0, 0, 1]
+    }
+    /// Is it a pure number (`1`, `%`)?
+    pub fn is_number(&self) -> bool {
+        self.dimension.0 == [0; 4]
+    }
+    /// The dimension.
+    pub fn dimension(&self) -> Dimension {
+        self.dimension
+    }
+    /// In ASCII, as in key.csv and sheet.json: `m/s^2`, `deg`, `N m`, `1`. `parse` reads it back.
+    pub fn ascii(&self) -> &str {
+        &self.ascii
+    }
+    /// In LaTeX, without the dollars: `\mathrm{m}/\mathrm{s}^{2}`, `^\circ`, `\%`; empty for `1`.
+    pub fn tex(&self) -> String {
+        if self.factors.is_empty() {
+            return String::new();
+        }
+        spelled(&self.factors, "1", r"\,", |name, exponent| {
+            let symbol = match name {
+                "deg" => r"{}^\circ".to_owned(),
+                "%" => r"\%".to_owned(),
+                "um" | "us" | "ug" | "uN" | "uJ" | "urad" => format!(r"\mathrm{{\mu {}}}", &name[1..]),
+                _ => format!(r"\mathrm{{{name}}}"),
+            };
+            if exponent == 1 { symbol } else { format!("{symbol}^{{{exponent}}}") }
+        })
+    }
+    /// In HTML: `m/s<sup>2</sup>`, `°`, `N·m`; empty for `1`.
+    pub fn html(&self) -> String {
+        if self.factors.is_empty() {
+            return String::new();
+        }
+        spelled(&self.factors, "1", "·", |name, exponent| {
+            let symbol = if name == "deg" { "°" } else { name };
+            let symbol = match symbol.strip_prefix('u') {
+                Some(rest) => format!("µ{rest}"),
+                None => symbol.to_owned(),
+            };
+            if exponent == 1 { symbol } else { format!("{symbol}<sup>{exponent}</sup>") }
+        })
+    }
+    /// A value with this unit in LaTeX, without the dollars: `40\ \mathrm{kg}`, `30^\circ`, `0.55`.
+    pub fn tex_with(&self, value: &str) -> String {
+        match self.ascii() {
+            "1" => value.to_owned(),
+            "deg" => format!(r"{value}^\circ"),
+            _ => format!(r"{value}\ {}", self.tex()),
+        }
+    }
+    /// A value with this unit as plain ASCII text: `40 kg`, `30 deg`, `0.55`.
+    pub fn text_with(&self, value: &str) -> String {
+        match self.ascii() {
+            "1" => value.to_owned(),
+            unit => format!("{value} {unit}"),
+        }
+    }
+    /// May a quantity in `other` be converted to this unit? The radian may be dropped (`1/s` for `rad/s`), a degree not.
+    pub fn agrees(&self, other: &Unit) -> bool {
+        let (mine, other_angle) = (self.dimension.0, other.dimension.0[3]);
+        if mine[..3] != other.dimension.0[..3] {
+            return false;
+        }
+        if mine[3] == other_angle {
+            return true;
+        }
+        if mine[3] != 0 && other_angle != 0 {
+            return false;
+        }
+        mine[..3] != [0; 3] || (self.scale.pi == 0 && other.scale.pi == 0)
+    }
+    /// What is wrong with `found` where this unit is expected, with the missing factor if a single one is missing:
+    /// `expected N m (energy or moment), found N (force): a factor m is missing`.
+    pub fn mismatch(&self, found: &Unit) -> String {
+        let named = |u: &Unit| match u.dimension.kind() {
+            Some(kind) => format!("{} ({kind})", u.ascii),
+            None if u.dimension.to_string() == *u.ascii => u.ascii.to_string(),
+            None => format!("{} ({})", u.ascii, u.dimension),
+        };
+        let mut text = format!("expected {}, found {}", named(self), named(found));
+        let hint = match (self.dimension.kind(), found.ascii()) {
+            (Some("force"), "lb") => Some("lb is a mass here; write lbf".to_owned()),
+            _ if found.ascii.contains("ms") && self.ascii.contains('m') => {
+                Some("ms is a millisecond; write m/s or m s^-1".to_owned())
+            }
+            _ => None,
+        };
+        let missing = hint.or_else(|| {
+            let ratio = self.dimension.over(found.dimension)?;
+            let back = found.dimension.over(self.dimension)?;
+            table::SINGLE.iter().find_map(|name| {
+                let d = Unit::parse(name).ok()?.dimension;
+                if d == ratio {
+                    Some(format!("a factor {name} is missing"))
+                } else if d == back {
+                    Some(format!("a factor {name} too many"))
+                } else {
+                    None
+                }
+            })
+        });
+        if let Some(missing) = missing {
+            text.push_str(": ");
+            text.push_str(&missing);
+        }
+        text
+    }
+}
+
+impl fmt::Display for Unit {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.ascii)
+    }
+}
+
+/// Factors with positive exponents, then one slash before each with a negative one.
+fn spelled(
+    factors: &[(Box<str>, i8)],
+    one: &str,
+    between: &str,
+    write: impl Fn(&str, i8) -> String,
+) -> String {
+    let above: Vec<String> = factors.iter().filter(|(_, e)| *e > 0).map(|(n, e)| write(n, *e)).collect();
+    let mut text = if above.is_empty() { one.to_owned() } else { above.join(between) };
+    for (name, exponent) in factors.iter().filter(|(_, e)| *e < 0) {
+        text.push('/');
+        text.push_str(&write(name, exponent.saturating_neg()));
+    }
+    text
+}

@@ -1,0 +1,354 @@
+//! Text to unit, or the column of the trouble.
+use crate::units::Dimension;
+use crate::units::Scale;
+use crate::units::Unit;
+use crate::units::spell;
+use crate::units::table::PREFIXES;
+use crate::units::table::ROWS;
+use crate::units::table::Row;
+use std::fmt;
+
+/// Why a text is no unit. Columns count characters from 1.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum UnitFault {
+    /// Nothing there.
+    Empty,
+    /// A name that is not known, and a known one that is close.
+    Unknown {
+        /// The name.
+        name: String,
+        /// Where.
+        column: usize,
+        /// Perhaps this was meant.
+        close: Option<String>,
+    },
+    /// A name that would be known in several ways if upper and lower case did not matter.
+    CaseMatters {
+        /// The name.
+        name: String,
+        /// What it might be.
+        either: Vec<String>,
+    },
+    /// A character that has no place there.
+    Stray {
+        /// The character.
+        found: char,
+        /// Where.
+        column: usize,
+    },
+    /// An exponent that is missing or beyond 9.
+    Exponent {
+        /// Where.
+        column: usize,
+    },
+    /// A unit is missing after `/`, `*` or `(`, or a `)` is missing.
+    Unfinished,
+    /// Longer than 64 characters or too large to hold.
+    TooLarge,
+}
+
+impl fmt::Display for UnitFault {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            UnitFault::Empty => write!(f, "the unit is missing"),
+            UnitFault::Unknown { name, close: Some(close), .. } => {
+                write!(f, "unknown unit `{name}`; did you mean `{close}`?")
+            }
+            UnitFault::Unknown { name, column, close: None } => {
+                write!(f, "unknown unit `{name}` at column {column}")
+            }
+            UnitFault::CaseMatters { name, either } => {
+                write!(
+                    f,
+                    "unknown unit `{name}`: write {} (upper and lower case matter)",
+                    either.join(" or ")
+                )
+            }
+            UnitFault::Stray { found, column } => {
+                write!(f, "unexpected `{}` at column {column}", found.escape_debug())
+            }
+            UnitFault::Exponent { column } => {
+                write!(f, "an exponent from -9 to 9 is expected at column {column} of the unit")
+            }
+            UnitFault::Unfinished => write!(f, "the unit is not finished"),
+            UnitFault::TooLarge => write!(f, "the unit is too long"),
+        }
+    }
+}
+
+impl std::error::Error for UnitFault {}
+
+struct Reader<'a> {
+    text: &'a [char],
+    at: usize,
+    any_case: bool,
+    forgiven: bool,
+    factors: Vec<(Box<str>, i8)>,
+    dimension: [i8; 4],
+    scale: Scale,
+}
+
+/// Reads a whole unit; `true`: upper and lower case were forgiven.
+pub(crate) fn unit(text: &str, any_case: bool) -> Result<(Unit, bool), UnitFault> {
+    let chars: Vec<char> = text.chars().take(65).collect();
+    if chars.len() > 64 {
+        return Err(UnitFault::TooLarge);
+    }
+    if chars.iter().all(|c| c.is_whitespace()) {
+        return Err(UnitFault::Empty);
+    }
+    let mut reader = Reader {
+        text: &chars,
+        at: 0,
+        any_case,
+        forgiven: false,
+        factors: Vec::new(),
+        dimension: [0; 4],
+        scale: Scale::ONE,
+    };
+    reader.product(1, 0)?;
+    if let Some(&found) = chars.get(reader.at) {
+        return Err(UnitFault::Stray { found, column: reader.at + 1 });
+    }
+    Ok((Unit::build(reader.factors, Dimension(reader.dimension), reader.scale), reader.forgiven))
+}
+
+fn superscript(c: char) -> Option<i8> {
+    "⁰¹²³⁴⁵⁶⁷⁸⁹".chars().zip(0i8..).find(|(s, _)| *s == c).map(|(_, n)| n)
+}
+
+fn is_minus(c: char) -> bool {
+    matches!(c, '-' | '\u{2212}' | '\u{2013}' | '\u{2010}' | '\u{2011}')
+}
+
+impl Reader<'_> {
+    fn peek(&self) -> Option<char> {
+        self.text.get(self.at).copied()
+    }
+    fn blanks(&mut self) {
+        while self.peek().is_some_and(char::is_whitespace) {
+            self.at += 1;
+        }
+    }
+
+    /// Factors until the end or a closing parenthesis; `sign` is -1 below a fraction bar.
+    fn product(&mut self, sign: i8, depth: u8) -> Result<(), UnitFault> {
+        if depth > 4 {
+            return Err(UnitFault::TooLarge);
+        }
+        let mut below = false;
+        let mut expected = true; // a factor must follow
+        loop {
+            self.blanks();
+            match self.peek() {
+                None | Some(')') => return if expected { Err(UnitFault::Unfinished) } else { Ok(()) },
+                Some('/' | '\u{2215}' | '\u{2044}') if !expected => {
+                    self.at += 1;
+                    below = true;
+                    expected = true;
+                }
+                Some('*' | '·' | '\u{22c5}' | '\u{d7}' | '\u{2219}' | '\u{2022}' | '.') if !expected => {
+                    self.at += 1;
+                    below = false;
+                    expected = true;
+                }
+                Some('(') => {
+                    self.at += 1;
+                    self.product(if below { -sign } else { sign }, depth + 1)?;
+                    if self.peek() != Some(')') {
+                        return Err(UnitFault::Unfinished);
+                    }
+                    self.at += 1;
+                    below = false;
+                    expected = false;
+                }
+                Some('1') => {
+                    self.at += 1;
+                    if let Some(found) = self.peek().filter(char::is_ascii_digit) {
+                        return Err(UnitFault::Stray { found, column: self.at + 1 });
+                    }
+                    below = false;
+                    expected = false;
+                }
+                Some(_) => {
+                    self.factor(if below { -sign } else { sign })?;
+                    below = false;
+                    expected = false;
+                }
+            }
+        }
+    }
+
+    fn factor(&mut self, sign: i8) -> Result<(), UnitFault> {
+        let start = self.at;
+        let letter = |c: char| (c.is_alphabetic() || matches!(c, '°' | '%')) && superscript(c).is_none();
+        while let Some(c) = self.peek() {
+            let joined =
+                c == '-' && self.at > start && self.text.get(self.at + 1).copied().is_some_and(letter);
+            if !(letter(c) || joined) || (self.at > start && (c == '°' || c == '%')) {
+                break;
+            }
+            self.at += 1;
+        }
+        let name: String = self.text[start..self.at].iter().collect();
+        if name.is_empty() {
+            let found = self.text[start];
+            return Err(UnitFault::Stray { found, column: start + 1 });
+        }
+        // r/min: an r is a turn only above min
+        let rest: String = self.text[self.at..].iter().filter(|c| !c.is_whitespace()).collect();
+        let found = if name == "r" && matches!(rest.as_str(), "/min" | "/s") {
+            look_up("rev")
+        } else {
+            look_up(&name)
+        };
+        let (row, prefix, ten) = match found {
+            Some(found) => found,
+            None if self.any_case => {
+                let (found, forgiven) = any_case(&name, start + 1)?;
+                self.forgiven |= forgiven;
+                found
+            }
+            None => return Err(unknown(&name, start + 1)),
+        };
+        let exponent = self.exponent()?;
+        self.push(row, prefix, ten, exponent.checked_mul(sign).ok_or(UnitFault::TooLarge)?)
+    }
+
+    /// `^2`, `**-1`, `²`, `⁻¹`, or a plain digit after the name (`m/s2`, `s-1`); 1 if there is none.
+    fn exponent(&mut self) -> Result<i8, UnitFault> {
+        let column = self.at + 1;
+        let mut negative = false;
+        if self.peek() == Some('\u{207b}') || self.peek().and_then(superscript).is_some() {
+            if self.peek() == Some('\u{207b}') {
+                negative = true;
+                self.at += 1;
+            }
+            let n = self.peek().and_then(superscript).ok_or(UnitFault::Exponent { column })?;
+            self.at += 1;
+            if self.peek().and_then(superscript).is_some() {
+                return Err(UnitFault::Exponent { column });
+            }
+            return Ok(if negative { -n } else { n });
+        }
+        let mut caret = false;
+        if self.peek() == Some('^') {
+            self.at += 1;
+            caret = true;
+        } else if self.text[self.at..].starts_with(&['*', '*']) {
+            self.at += 2;
+            caret = true;
+        }
+        let open = caret && self.peek() == Some('(');
+        if open {
+            self.at += 1;
+        }
+        let digit_at = |k: usize| self.text.get(k).and_then(|c| c.to_digit(10));
+        if self.peek().is_some_and(is_minus) && (caret || digit_at(self.at + 1).is_some()) {
+            negative = true;
+            self.at += 1;
+        }
+        let Some(n) = self.peek().and_then(|c| c.to_digit(10)) else {
+            return if caret || negative { Err(UnitFault::Exponent { column }) } else { Ok(1) };
+        };
+        self.at += 1;
+        if self.peek().is_some_and(|c| c.is_ascii_digit()) {
+            return Err(UnitFault::Exponent { column });
+        }
+        if open {
+            if self.peek() != Some(')') {
+                return Err(UnitFault::Unfinished);
+            }
+            self.at += 1;
+        }
+        let n = n as i8; // one digit
+        Ok(if negative { -n } else { n })
+    }
+
+    fn push(&mut self, row: &Row, prefix: &'static str, ten: i16, exponent: i8) -> Result<(), UnitFault> {
+        if self.factors.len() >= 8 {
+            return Err(UnitFault::TooLarge);
+        }
+        let one = Scale { num: 1, den: 1, ten, pi: 0 }.times(row.scale).ok_or(UnitFault::TooLarge)?;
+        let one = if exponent < 0 { one.inverse().ok_or(UnitFault::TooLarge)? } else { one };
+        for _ in 0..exponent.unsigned_abs() {
+            self.scale = self.scale.times(one).ok_or(UnitFault::TooLarge)?;
+        }
+        for (axis, e) in self.dimension.iter_mut().zip(row.dimension.0) {
+            let step = e.checked_mul(exponent).ok_or(UnitFault::TooLarge)?;
+            *axis = axis.checked_add(step).ok_or(UnitFault::TooLarge)?;
+        }
+        if exponent == 0 {
+            return Ok(());
+        }
+        // `Nm` is shown as `N m`, `kmh` as `km/h`: shown names may themselves be products
+        let mut sign = exponent;
+        for (i, part) in row.ascii.split('/').enumerate() {
+            if i == 1 {
+                sign = exponent.saturating_neg();
+            }
+            for (j, name) in part.split(' ').enumerate() {
+                let name = if i == 0 && j == 0 { format!("{prefix}{name}") } else { name.to_owned() };
+                self.factors.push((name.into(), sign));
+            }
+        }
+        Ok(())
+    }
+}
+
+type Found = (&'static Row, &'static str, i16);
+
+fn look_up(name: &str) -> Option<Found> {
+    if let Some(row) = ROWS.iter().find(|r| r.name == name) {
+        return Some((row, "", 0));
+    }
+    let first = name.chars().next()?;
+    let rest = &name[first.len_utf8()..];
+    let row = ROWS.iter().find(|r| r.name == rest && r.prefixes.contains(first))?;
+    let (_, ascii, ten) = PREFIXES.iter().find(|(c, _, _)| *c == first)?;
+    Some((row, ascii, *ten))
+}
+
+fn unknown(name: &str, column: usize) -> UnitFault {
+    let known: Vec<String> = ROWS
+        .iter()
+        .flat_map(|r| {
+            let prefixed = r.prefixes.chars().filter(char::is_ascii).map(move |p| format!("{p}{}", r.name));
+            std::iter::once(r.name.to_owned()).chain(prefixed)
+        })
+        .collect();
+    let close = known.iter().find(|k| k.to_lowercase() == name.to_lowercase()).cloned();
+    let close = close.or_else(|| spell::closest(name, known.iter().map(String::as_str)).map(str::to_owned));
+    UnitFault::Unknown { name: name.chars().take(24).collect(), column, close }
+}
+
+/// A name read without regard to case, if all readings are the same unit.
+fn any_case(name: &str, column: usize) -> Result<(Found, bool), UnitFault> {
+    let mut found: Vec<(String, Found)> = Vec::new();
+    let lower = name.to_lowercase();
+    let mut add = |spelling: String, row: &'static Row, prefix: &'static str, ten: i16| {
+        if spelling.to_lowercase() == lower
+            && !found.iter().any(|(_, (r, _, t))| {
+                r.dimension == row.dimension
+                    && r.scale.ten + t == row.scale.ten + ten
+                    && r.scale.num == row.scale.num
+            })
+        {
+            found.push((spelling, (row, prefix, ten)));
+        }
+    };
+    for row in ROWS {
+        add(row.name.to_owned(), row, "", 0);
+        for (c, ascii, ten) in PREFIXES.iter().filter(|(c, _, _)| row.prefixes.contains(*c)) {
+            add(format!("{c}{}", row.name), row, ascii, *ten);
+        }
+    }
+    match found.len() {
+        0 => Err(unknown(name, column)),
+        1 => Ok((found.remove(0).1, true)),
+        _ => Err(UnitFault::CaseMatters {
+            name: name.chars().take(24).collect(),
+            either: found.into_iter().map(|(s, _)| s).collect(),
+        }),
+    }
+}
