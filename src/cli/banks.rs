@@ -1,5 +1,6 @@
 //! From what was typed to a bank: a file, or one that the program brings along.
 use crate::bank::Bank;
+use crate::bank::Problem;
 use crate::bank::load;
 use crate::cli::args::Own;
 use crate::cli::files;
@@ -7,6 +8,7 @@ use crate::finding::Finding;
 use crate::sheet::statement;
 use crate::template;
 use crate::template::Templates;
+use crate::units;
 use std::fs;
 use std::path::Path;
 
@@ -94,4 +96,19 @@ fn collect(folder: &Path, prefix: &str, texts: &mut Vec<(String, String, String)
         }
     }
     Ok(())
+}
+
+/// The problem of this id.
+///
+/// # Errors
+/// There is none.
+pub fn problem<'l>(loaded: &'l Loaded, id: &str) -> Result<&'l Problem, Finding> {
+    loaded.bank.problems.iter().find(|p| p.id == id).ok_or_else(|| {
+        let known: Vec<&str> = loaded.bank.problems.iter().map(|p| p.id.as_str()).collect();
+        let fault = Finding::new("problems", format!("there is no problem `{id}`")).in_file(&loaded.file);
+        match units::spell::closest(id, known.iter().copied()) {
+            Some(near) => fault.hint(format!("did you mean `{near}`?")),
+            None => fault.hint(format!("its problems: {}", known.join(", "))),
+        }
+    })
 }

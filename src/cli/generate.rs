@@ -8,12 +8,13 @@ use crate::cli::files::Staged;
 use crate::cli::tell::Exit;
 use crate::cli::tell::Io;
 use crate::cli::tell::count;
-use crate::draw;
+use crate::draw::stream;
 use crate::finding::Finding;
 use crate::key::SheetKey;
 use crate::set::coincide;
 use crate::set::key_file;
 use crate::set::replay;
+use crate::set::replay::Dealer;
 use crate::set::replay::Dealt;
 use crate::set::store;
 use crate::set::store::StoredBank;
@@ -215,11 +216,12 @@ fn add(plan: &Plan, members: &[Member], old: &StoredSet, out: &Path, watched: bo
 fn deal(plan: &Plan, members: &[Member], folder: &Path, watched: bool, aside: bool) -> Result<Vec<Dealt>, Vec<Finding>> {
     let sheets = Sheets::new(plan.templates, plan.bank, plan.name, plan.problems)?;
     let public = public::Writer::new(plan.bank, plan.text, plan.problems, plan.name).map_err(|f| vec![f])?;
+    let dealer = Dealer::new(plan.bank, plan.problems, plan.seed, plan.name);
     let bar = files::progress(watched, members.len() as u64, "sheets");
     let results: Vec<Result<Dealt, Finding>> = members
         .par_iter()
         .map_init(Room::default, |room, member| {
-            let dealt = replay::deal(plan.bank, plan.problems, plan.seed, plan.name, &member.student)?;
+            let dealt = dealer.deal(&member.student)?;
             let drawn: Vec<Drawn> = dealt.variants.iter().map(|v| (v.case, v.values.as_slice())).collect();
             let markdown = sheets.markdown(&member.student, &member.name, &drawn, room)?;
             let html = sheets.html(&member.student, &member.name, &markdown, room)?;
@@ -304,7 +306,7 @@ fn store(
         name: plan.name.to_owned(),
         seed: plan.seed,
         program: format!("{} {}", env!("CARGO_PKG_NAME"), env!("CARGO_PKG_VERSION")),
-        draw_version: draw::VERSION,
+        draw_version: stream::DRAW_VERSION,
         bank: StoredBank {
             id: plan.bank.id.clone(),
             file: "bank.yaml".to_owned(),
@@ -413,7 +415,7 @@ fn same_set(plan: &Plan, set: &StoredSet, out: &Path) -> Result<(), Vec<Finding>
     differs("name", plan.name.to_owned(), set.name.clone());
     differs("problems", ids.join(","), set.problems.join(","));
     differs("bank", plan.bank.hash.clone(), set.bank.sha256.clone());
-    differs("draw version", draw::VERSION.to_string(), set.draw_version.to_string());
+    differs("draw version", stream::DRAW_VERSION.to_string(), set.draw_version.to_string());
     if faults.is_empty() { Ok(()) } else { Err(faults) }
 }
 

@@ -1,5 +1,8 @@
 //! `slipstick solve`: a diagnosis of one problem with given data.
+use crate::bank::Datum;
+use crate::bank::Draw;
 use crate::bank::Problem;
+use crate::bank::decimal::Decimal;
 use crate::cli::args;
 use crate::cli::banks;
 use crate::cli::banks::Loaded;
@@ -7,8 +10,11 @@ use crate::cli::tell;
 use crate::cli::tell::Exit;
 use crate::cli::tell::Io;
 use crate::cli::words;
+use crate::draw::fill;
 use crate::finding::Finding;
+use crate::problem::make::Maker;
 use crate::scene::Quantity;
+use crate::sheet::statement;
 use crate::solve::agree;
 use crate::solve::outcome::Solved;
 use crate::units;
@@ -59,9 +65,14 @@ fn fits(problem: &Problem, case: usize, solved: &Solved) -> bool {
 type Data = (usize, Vec<f64>, Vec<String>);
 
 fn drawn(loaded: &Loaded, problem: &Problem, seed: u64) -> Result<Data, Vec<Finding>> {
-    let variant = banks::draw(problem, seed, &loaded.bank.id, "").map_err(|f| vec![f])?;
-    let shown = banks::printed(problem, &variant.values).map(|(s, t)| format!("{s} = {t}")).collect();
-    Ok((variant.case, variant.data_si, shown))
+    let variant = Maker::new(problem, seed, &loaded.bank.id)
+        .variant("")
+        .map_err(|e| vec![Finding::new(format!("problems.{}", problem.id), e.to_string())])?;
+    let shown = |(i, value): (usize, &Option<Decimal>)| {
+        value.map(|v| format!("{} = {}", problem.data[i].symbol, statement::printed(problem, i, v)))
+    };
+    let shown = variant.values.iter().enumerate().filter_map(shown).collect();
+    Ok((variant.case, variant.data, shown))
 }
 
 /// Data from `--set`, and the case to which they belong.
@@ -89,13 +100,13 @@ fn given(problem: &Problem, set: &[String]) -> Result<Data, Vec<Finding>> {
             faults.push(Finding::new(field, "is given twice"));
             continue;
         }
-        match quantity(value.trim(), &problem.data[i].unit) {
+        match quantity(value.trim(), &problem.data[i]) {
             Ok(scene) => values[i] = Some((scene, format!("{symbol} = {}", value.trim()))),
             Err(why) => faults.push(Finding::new(field, why)),
         }
     }
     let gravity = problem.data.len().saturating_sub(1);
-    let fixed_g = banks::always(problem, gravity);
+    let fixed_g = constant(problem, gravity);
     // The case whose data are exactly those given; of several such the first that holds.
     let fitting: Vec<usize> = (0..problem.cases.len())
         .filter(|c| {
@@ -147,14 +158,26 @@ fn given(problem: &Problem, set: &[String]) -> Result<Data, Vec<Finding>> {
     Ok((case, data, shown))
 }
 
+/// The value of a datum that is always the same, such as g.
+fn constant(problem: &Problem, datum: usize) -> f64 {
+    let draw = problem.cases.iter().find_map(|c| c.draws.get(datum)?.as_ref());
+    match (draw, problem.data.get(datum)) {
+        (Some(Draw::Always { value, decimals }), Some(d)) => {
+            fill::number(d, Decimal { value: *value, decimals: *decimals })
+        }
+        _ => 0.0,
+    }
+}
+
 /// A value as scenes hold it; a plain number is SI (an angle in degrees).
-fn quantity(text: &str, unit: &Unit) -> Result<f64, String> {
+fn quantity(text: &str, datum: &Datum) -> Result<f64, String> {
+    let unit = &datum.unit;
     let q = units::parse_quantity(text, &Unit::one()).map_err(|e| format!("`{text}`: {e}"))?;
     let plain = text.ends_with(|c: char| c.is_ascii_digit() || c == '.');
     if plain {
         return Ok(q.number);
     }
-    if unit.agrees(&q.unit) { Ok(q.value_scene) } else { Err(format!("`{text}`: {}", unit.mismatch(&q.unit))) }
+    if unit.agrees(&q.unit) { Ok(fill::typed(datum, &q)) } else { Err(format!("`{text}`: {}", unit.mismatch(&q.unit))) }
 }
 
 /// JSON numbers with 17 significant digits; null where there is none.

@@ -3,7 +3,9 @@ use crate::bank::Bank;
 use crate::bank::Problem;
 use crate::finding::Finding;
 use crate::key::SheetKey;
+use crate::problem::make::Maker;
 use crate::problem::make::Variant;
+use crate::problem::make_key;
 use crate::set::store::StoredSet;
 use crate::set::store::StoredStudent;
 use crate::set::store::StoredVariant;
@@ -20,28 +22,34 @@ pub struct Dealt {
     pub key: SheetKey,
 }
 
-/// Draws one problem of one student.
-///
-/// # Errors
-/// The bank cannot be satisfied: the table of refusals.
-pub fn draw(problem: &Problem, seed: u64, set: &str, student: &str) -> Result<Variant, Finding> {
-    crate::problem::make::variant(problem, seed, set, student)
-        .map_err(|e| Finding::new(format!("problems.{}", problem.id), e.to_string()))
+/// Makes the variants of a set, problem by problem.
+pub struct Dealer<'b> {
+    makers: Vec<Maker<'b>>,
 }
 
-/// Draws and solves the problems (indices into the bank) of one student.
-///
-/// # Errors
-/// The bank cannot be satisfied.
-pub fn deal(bank: &Bank, problems: &[usize], seed: u64, set: &str, student: &str) -> Result<Dealt, Finding> {
-    let mut variants = Vec::with_capacity(problems.len());
-    let mut keys = Vec::with_capacity(problems.len());
-    for problem in problems.iter().filter_map(|p| bank.problems.get(*p)) {
-        let variant = draw(problem, seed, set, student)?;
-        keys.push(crate::problem::make_key::key(problem, &variant));
-        variants.push(variant);
+impl<'b> Dealer<'b> {
+    /// For these problems (indices into the bank).
+    pub fn new(bank: &'b Bank, problems: &[usize], seed: u64, set: &str) -> Self {
+        let chosen = problems.iter().filter_map(|p| bank.problems.get(*p));
+        Self { makers: chosen.map(|p| Maker::new(p, seed, set)).collect() }
     }
-    Ok(Dealt { variants, key: SheetKey { student: student.to_owned(), problems: keys } })
+
+    /// Draws and solves the problems of one student.
+    ///
+    /// # Errors
+    /// The bank cannot be satisfied: the table of refusals.
+    pub fn deal(&self, student: &str) -> Result<Dealt, Finding> {
+        let mut variants = Vec::with_capacity(self.makers.len());
+        let mut keys = Vec::with_capacity(self.makers.len());
+        for maker in &self.makers {
+            let variant = maker
+                .variant(student)
+                .map_err(|e| Finding::new(format!("problems.{}", maker.problem().id), e.to_string()))?;
+            keys.push(make_key::key(maker.problem(), &variant));
+            variants.push(variant);
+        }
+        Ok(Dealt { variants, key: SheetKey { student: student.to_owned(), problems: keys } })
+    }
 }
 
 /// What is stored of a variant: case and data as printed.
@@ -96,8 +104,9 @@ pub fn keys(bank: &Bank, set: &StoredSet) -> Result<Vec<SheetKey>, Vec<Finding>>
         return Err(vec![fault.hint("put the original copy back, or make the set anew")]);
     }
     let problems = indices(bank, &set.problems, "problems")?;
+    let dealer = Dealer::new(bank, &problems, set.seed, &set.name);
     let one = |student: &StoredStudent| -> Result<SheetKey, Vec<Finding>> {
-        let dealt = deal(bank, &problems, set.seed, &set.name, &student.student).map_err(|f| vec![f])?;
+        let dealt = dealer.deal(&student.student).map_err(|f| vec![f])?;
         let mut faults = Vec::new();
         if student.problems.len() != problems.len() {
             let what = format!("{} has {} problems, the set {}", student.student, student.problems.len(), problems.len());

@@ -1,5 +1,6 @@
 //! A whole sheet of one student, as Markdown and as a page of HTML that needs nothing else.
 use crate::bank::Bank;
+use crate::bank::decimal::Decimal;
 use crate::finding::Finding;
 use crate::sheet::html::Converter;
 use crate::sheet::statement::Common;
@@ -27,7 +28,7 @@ pub struct Room {
 }
 
 /// What was drawn for one problem: the case, and integer and decimals of each datum.
-pub type Drawn<'d> = (usize, &'d [Option<(i64, u8)>]);
+pub type Drawn<'d> = (usize, &'d [Option<Decimal>]);
 
 impl<'b> Sheets<'b> {
     /// Prepares the sheets of a set with these problems (indices into the bank), numbered from 1.

@@ -11,6 +11,7 @@
 use crate::bank::Bank;
 use crate::bank::Problem;
 use crate::bank::Question;
+use crate::bank::decimal::Decimal;
 use crate::finding::Finding;
 use crate::scene::Num;
 use crate::scene::Owner;
@@ -201,7 +202,7 @@ impl<'b> Statement<'b> {
         &self,
         case: usize,
         number: usize,
-        drawn: &[Option<(i64, u8)>],
+        drawn: &[Option<Decimal>],
         scratch: &mut Scratch,
         out: &mut Vec<u8>,
     ) -> Result<(), Finding> {
@@ -213,11 +214,11 @@ impl<'b> Statement<'b> {
             scratch.case = Some(case);
         }
         for (i, datum) in self.problem.data.iter().enumerate() {
-            if let Some((int, decimals)) = drawn.get(i).copied().flatten() {
+            if let Some(Decimal { value, decimals }) = drawn.get(i).copied().flatten() {
                 let (before, after) = &self.around[i];
                 scratch.text.clear();
                 scratch.text.push_str(before);
-                push_decimal(&mut scratch.text, int, decimals);
+                push_decimal(&mut scratch.text, value, decimals);
                 scratch.text.push_str(after);
                 scratch.view.text(datum.symbol.as_str(), &scratch.text);
             }
@@ -260,14 +261,13 @@ impl<'b> Statement<'b> {
     }
 
     /// `$40\ \mathrm{kg}$`
-    fn value_tex(&self, datum: usize, drawn: &[Option<(i64, u8)>]) -> String {
-        let (int, decimals) = drawn.get(datum).copied().flatten().unwrap_or((0, 0));
-        let mut digits = String::new();
-        push_decimal(&mut digits, int, decimals);
+    fn value_tex(&self, datum: usize, drawn: &[Option<Decimal>]) -> String {
+        let Some(drawn) = drawn.get(datum).copied().flatten() else { return String::new() };
+        let digits = decimal_text(drawn);
         self.problem.data.get(datum).map_or_else(String::new, |d| format!("${}$", d.unit.tex_with(&digits)))
     }
 
-    fn particles(&self, scene: &Scene, drawn: &[Option<(i64, u8)>], view: &mut View) {
+    fn particles(&self, scene: &Scene, drawn: &[Option<Decimal>], view: &mut View) {
         let text = |num: Num, unit: &str| match num {
             Num::Datum(i) => self.value_tex(i, drawn),
             Num::Fixed(x) => format!("${x}{unit}$"),
@@ -393,14 +393,14 @@ pub fn push_decimal(out: &mut String, int: i64, decimals: u8) {
 }
 
 /// `0.30` for 30 and 2 decimals.
-pub fn decimal_text(int: i64, decimals: u8) -> String {
+pub fn decimal_text(number: Decimal) -> String {
     let mut text = String::new();
-    push_decimal(&mut text, int, decimals);
+    push_decimal(&mut text, number.value, number.decimals);
     text
 }
 
 /// Digits and unit as printed: `0.30 m`, `30 deg`, `0.55`.
-pub fn printed(problem: &Problem, datum: usize, drawn: (i64, u8)) -> String {
-    let digits = decimal_text(drawn.0, drawn.1);
+pub fn printed(problem: &Problem, datum: usize, drawn: Decimal) -> String {
+    let digits = decimal_text(drawn);
     problem.data.get(datum).map_or_else(|| digits.clone(), |d| d.unit.text_with(&digits))
 }
