@@ -8,9 +8,11 @@
 //! Data flow: bank -> draw -> scene -> solve (eom | energy) -> key -> sheet, and
 //! submissions -> answer -> grade -> report.
 pub mod bank;
+pub mod draw;
 pub mod finding;
 pub mod key;
 pub mod num;
+pub mod problem;
 pub mod scene;
 pub mod solve;
 pub mod units;
