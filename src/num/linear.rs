@@ -10,6 +10,8 @@ use crate::num::dd::exponent;
 use crate::num::dd::pow2;
 use nalgebra::DMatrix;
 use nalgebra::SMatrix;
+use smallvec::SmallVec;
+use smallvec::smallvec;
 
 /// A residual below this share of the terms of its row is rounding of double-doubles.
 const CONVERGED: f64 = 1.0 / (1u128 << 98) as f64;
@@ -23,15 +25,15 @@ const SCALINGS: usize = 24;
 pub struct Linear<T> {
     unknowns: usize,
     columns: usize,
-    terms: Vec<(usize, usize, T)>,
-    right: Vec<(usize, usize, T)>,
+    terms: SmallVec<[(usize, usize, T); 14]>,
+    right: SmallVec<[(usize, usize, T); 6]>,
 }
 
 /// The solution: one value for each unknown and right-hand side.
 #[derive(Debug, Clone)]
 pub struct Solution<T> {
     unknowns: usize,
-    x: Vec<T>,
+    x: SmallVec<[T; 8]>,
 }
 
 impl<T: Real> Solution<T> {
@@ -53,7 +55,7 @@ pub struct Singular {
 impl<T: Real> Linear<T> {
     /// No equations yet, in `unknowns` unknowns with `columns` right-hand sides.
     pub fn new(unknowns: usize, columns: usize) -> Self {
-        Self { unknowns, columns, terms: Vec::with_capacity(24), right: Vec::with_capacity(8) }
+        Self { unknowns, columns, terms: SmallVec::new(), right: SmallVec::new() }
     }
     /// Adds `value * x[col]` to the left of a row.
     pub fn term(&mut self, row: usize, col: usize, value: T) {
@@ -71,12 +73,13 @@ impl<T: Real> Linear<T> {
     /// Solves for all right-hand sides.
     pub fn solve(&self) -> Result<Solution<T>, Singular> {
         let (n, m) = (self.unknowns, self.columns);
-        let mut x = vec![Dd::ZERO; n * m];
-        let mut inverse = vec![0.0; n * n];
-        let mut rows = vec![0i32; n];
-        let mut cols = vec![0i32; n];
-        let mut residual = vec![Dd::ZERO; n];
-        let mut size = vec![0.0f64; n];
+        // Up to six unknowns and two right-hand sides nothing is allocated.
+        let mut x: SmallVec<[Dd; 12]> = smallvec![Dd::ZERO; n * m];
+        let mut inverse: SmallVec<[f64; 36]> = smallvec![0.0; n * n];
+        let mut rows: SmallVec<[i32; 6]> = smallvec![0; n];
+        let mut cols: SmallVec<[i32; 6]> = smallvec![0; n];
+        let mut residual: SmallVec<[Dd; 6]> = smallvec![Dd::ZERO; n];
+        let mut size: SmallVec<[f64; 6]> = smallvec![0.0; n];
         self.factor(&mut inverse, &mut rows, &cols)?;
         for k in 0..m {
             let column = &mut x[k * n..(k + 1) * n];
@@ -149,15 +152,15 @@ impl<T: Real> Linear<T> {
     }
 
     /// Implicit differentiation: `A dx = db - dA x`, with the same factors.
-    fn slopes(&self, x: &[Dd], inverse: &[f64], rows: &[i32], cols: &[i32]) -> Vec<T> {
+    fn slopes(&self, x: &[Dd], inverse: &[f64], rows: &[i32], cols: &[i32]) -> SmallVec<[T; 8]> {
         let n = self.unknowns;
         if T::SLOPES == 0 {
             return x.iter().map(|v| T::constant(*v)).collect();
         }
-        let mut out = Vec::with_capacity(x.len());
+        let mut out = SmallVec::with_capacity(x.len());
         for k in 0..self.columns {
             let column = &x[k * n..(k + 1) * n];
-            let mut change = vec![T::zero(); n];
+            let mut change: SmallVec<[T; 6]> = smallvec![T::zero(); n];
             for (r, c, v) in &self.right {
                 if *c == k {
                     change[*r] = only_slopes(change[*r], *v, 1.0);
