@@ -44,12 +44,7 @@ pub struct Numbers<'a, T> {
 impl<'a, T: Real> Numbers<'a, T> {
     /// Reads the numbers of a scene.
     pub fn new(scene: &Scene, data: &'a [f64]) -> Self {
-        let mut n = Self {
-            data,
-            mass_exponent: 0,
-            gravity: T::zero(),
-            bodies: SmallVec::new(),
-        };
+        let mut n = Self { data, mass_exponent: 0, gravity: T::zero(), bodies: SmallVec::new() };
         n.gravity = n.get(scene.gravity_m_s2);
         let first = scene.bodies.iter().map(|b| n.mass_of(b, &b.mass).f64()).find(|m| *m > 0.0);
         n.mass_exponent = exponent(first.unwrap_or(1.0));

@@ -84,6 +84,8 @@ struct Ledger<'a, T> {
     /// Speed at the start.
     v0: T,
     road: Road<T>,
+    /// The reactions that were asked last, and the tension of the spring for which.
+    last: Option<(T, PerTie<T>)>,
 }
 
 /// Rates of the modes from their power balances, and their sum as one motion.
@@ -197,7 +199,19 @@ impl<'a, T: Real> Ledger<'a, T> {
             }
             mode
         };
-        Ok(Self { scene, n, end, mode, start_rate, kinetic, rolled, moves, v0, road: Road::new() })
+        Ok(Self {
+            scene,
+            n,
+            end,
+            mode,
+            start_rate,
+            kinetic,
+            rolled,
+            moves,
+            v0,
+            road: Road::new(),
+            last: None,
+        })
     }
 
     fn say(&mut self, quantity: Quantity, of: Owner, value: T) {
@@ -362,9 +376,16 @@ impl<'a, T: Real> Ledger<'a, T> {
         rate
     }
 
-    fn reactions(&self, tension: T) -> PerTie<T> {
+    fn reactions(&mut self, tension: T) -> PerTie<T> {
+        if let Some((at, known)) = &self.last
+            && at.value() == tension.value()
+        {
+            return known.clone();
+        }
         let rate = self.rate(tension);
-        balance::reactions(self.scene, &self.n, &|c| rate.of(c), tension, &self.kinetic)
+        let found = balance::reactions(self.scene, &self.n, &|c| rate.of(c), tension, &self.kinetic);
+        self.last = Some((tension, found.clone()));
+        found
     }
 
     fn grip(&mut self, tension0: T, tension1: T) {

@@ -381,8 +381,7 @@ impl<'a, T: Real> Walk<'a, T> {
             let slip = along - self.n.get(*radius_m) * turn;
             let against = slip.signed(-friction.sign());
             let available = self.n.get(*mu_s) * normal;
-            let force =
-                |f: T| self.n.publish(Quantity::Friction, f).value();
+            let force = |f: T| self.n.publish(Quantity::Friction, f).value();
             self.road.held.push(Held::Slipping(t, force(friction), force(available), against.value()));
         }
     }
@@ -417,9 +416,7 @@ impl<'a, T: Real> Walk<'a, T> {
                     if surface {
                         self.say(Quantity::MuRequired, Owner::Body(*body), most / normal);
                     }
-                    let force = |f: T| {
-                        self.n.publish(Quantity::Friction, f).value()
-                    };
+                    let force = |f: T| self.n.publish(Quantity::Friction, f).value();
                     let available = mu_s.map(|mu| force(self.n.get(mu) * normal));
                     self.road.held.push(Held::Rolling(t, force(most), available));
                 }
