@@ -449,8 +449,10 @@ impl<'a, T: Real> Ledger<'a, T> {
     }
 
     fn arrived(&mut self, account: &Account<T>, s: T, sense: f64, tension: T) {
-        let energy = account.energy(s);
-        let u = account.speed(s);
+        // At rest by the definition of the event, not by what rounding leaves.
+        let rest = matches!(self.scene.end, End::TurningPoint(_));
+        let energy = if rest { T::zero() } else { account.energy(s) };
+        let u = if rest { T::zero() } else { account.speed(s) };
         let rate = self.rate(tension);
         self.say(Quantity::T, Owner::Scene, account.time(s, u));
         self.say_rates(&rate, false);

@@ -314,7 +314,11 @@ impl<'a, T: Real> Walk<'a, T> {
         }
         match s {
             Some(s) if reached => {
-                let state = travel.at(s);
+                let mut state = travel.at(s);
+                if matches!(self.scene.end, End::TurningPoint(_)) {
+                    // At rest by the definition of the event, not by what rounding leaves.
+                    state.u = zero;
+                }
                 self.arrived(&state, sense, tension_at(s));
             }
             _ => self.standing(tension0, false),
