@@ -7,7 +7,6 @@
 //!
 //! Data flow: bank -> draw -> scene -> solve (eom | energy) -> key -> sheet, and
 //! submissions -> answer -> grade -> report.
-pub mod answer;
 pub mod bank;
 pub mod cli;
 pub mod draw;

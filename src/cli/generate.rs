@@ -1,5 +1,5 @@
 //! `slipstick generate`: bank and roster to a folder with a sheet for each student.
-use crate::answer::roster;
+use crate::cli::members as roster;
 use crate::bank::Bank;
 use crate::cli::args;
 use crate::cli::banks;

@@ -10,6 +10,7 @@ mod files;
 mod generate;
 mod grade;
 mod lint;
+mod members;
 mod practice;
 mod solve;
 pub mod tell;

@@ -2,6 +2,7 @@
 use crate::bank::Bank;
 use crate::bank::decimal::Decimal;
 use crate::finding::Finding;
+use crate::scene::Quantity;
 use crate::sheet::html::Converter;
 use crate::sheet::statement::Common;
 use crate::sheet::statement::Scratch;
@@ -125,11 +126,11 @@ impl<'b> Sheets<'b> {
             self.bank.problems[*index].questions.iter().map(move |q| (i + 1, q))
         });
         let mut example = ("1.v".to_owned(), "m/s".to_owned());
-        for (number, q) in questions {
-            if !q.label.quantity.is_word() && !q.unit.is_number() && !q.label.quantity.is_directed() {
-                example = (format!("{number}.{}", q.id), q.unit.ascii().to_owned());
-                break;
-            }
+        let numeric = questions.filter(|(_, q)| !q.label.quantity.is_word() && !q.unit.is_number());
+        let preferred = numeric.clone().find(|(_, q)| q.label.quantity == Quantity::V);
+        let preferred = preferred.or_else(|| numeric.clone().find(|(_, q)| !q.label.quantity.is_directed()));
+        if let Some((number, q)) = preferred.or_else(|| numeric.clone().next()) {
+            example = (format!("{number}.{}", q.id), q.unit.ascii().to_owned());
         }
         view.text("example", &example.0);
         view.text("example_unit", &example.1);
