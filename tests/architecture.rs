@@ -19,10 +19,28 @@ const DOORS: &[(&str, &[&str])] = &[
     ("bank", &["scene", "solve::outcome", "units", "finding", "num"]),
     ("draw", &["bank", "scene", "units", "num"]),
     ("key", &["units", "num"]),
-    ("problem", &["bank", "draw", "scene", "solve::agree", "solve::outcome", "key", "units", "finding", "num"]),
+    (
+        "problem",
+        &["bank", "draw", "scene", "solve::agree", "solve::outcome", "key", "units", "finding", "num"],
+    ),
     ("template", &["finding"]),
     ("sheet", &["problem", "bank", "scene", "solve::outcome", "key", "units", "num", "template", "finding"]),
-    ("set", &["problem", "bank", "draw", "sheet", "scene", "solve::outcome", "key", "units", "num", "template", "finding"]),
+    (
+        "set",
+        &[
+            "problem",
+            "bank",
+            "draw",
+            "sheet",
+            "scene",
+            "solve::outcome",
+            "key",
+            "units",
+            "num",
+            "template",
+            "finding",
+        ],
+    ),
     ("answer", &["units", "num", "finding"]),
     ("grade", &["key", "answer", "units", "num", "finding"]),
     ("report", &["grade", "key", "units", "template"]),
@@ -54,7 +72,8 @@ const KEEPERS: &[(&str, &[&str])] = &[
 /// Module path of each source file and its text without comments and test modules.
 fn sources() -> Vec<(String, String)> {
     fn walk(folder: &Path, out: &mut Vec<(String, String)>, root: &Path) {
-        let mut entries: Vec<_> = std::fs::read_dir(folder).expect("src").map(|e| e.expect("entry").path()).collect();
+        let mut entries: Vec<_> =
+            std::fs::read_dir(folder).expect("src").map(|e| e.expect("entry").path()).collect();
         entries.sort();
         for path in entries {
             if path.is_dir() {
@@ -81,7 +100,8 @@ fn sources() -> Vec<(String, String)> {
 
 /// The most specific entry of a table for a module path.
 fn entry<'t, T>(table: &'t [(&str, T)], module: &str) -> Option<&'t (&'t str, T)> {
-    let inside = |name: &str| module == name || module.strip_prefix(name).is_some_and(|rest| rest.starts_with("::"));
+    let inside =
+        |name: &str| module == name || module.strip_prefix(name).is_some_and(|rest| rest.starts_with("::"));
     table.iter().filter(|(name, _)| inside(name)).max_by_key(|(name, _)| name.len())
 }
 
@@ -94,7 +114,8 @@ fn crate_paths(text: &str) -> Vec<String> {
             continue;
         }
         let rest = &text[i + 7..];
-        let path: String = rest.chars().take_while(|c| c.is_alphanumeric() || *c == '_' || *c == ':').collect();
+        let path: String =
+            rest.chars().take_while(|c| c.is_alphanumeric() || *c == '_' || *c == ':').collect();
         let path = path.trim_end_matches(':').to_owned();
         let after = &rest[path.len().min(rest.len())..];
         match after.strip_prefix("::{").and_then(|g| g.split('}').next()) {
@@ -182,7 +203,9 @@ fn rooms_have_no_circle() {
         }
     }
     // Take away rooms that use nothing that is left; what remains is a circle.
-    while let Some(done) = uses.iter().find(|(_, u)| u.iter().all(|t| !uses.contains_key(t))).map(|(r, _)| r.clone()) {
+    while let Some(done) =
+        uses.iter().find(|(_, u)| u.iter().all(|t| !uses.contains_key(t))).map(|(r, _)| r.clone())
+    {
         uses.remove(&done);
     }
     assert!(uses.is_empty(), "a circle among {uses:?}");

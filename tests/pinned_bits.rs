@@ -16,7 +16,8 @@ fn draws_and_answers_are_pinned_to_the_bit() {
             let maker = Maker::new(problem, 7, "pinned");
             let (mut data, mut answers) = (sha2::Sha256::new(), sha2::Sha256::new());
             for student in 0..200 {
-                let variant = maker.variant(&format!("s{student}")).expect("a bank of the project can be satisfied");
+                let variant =
+                    maker.variant(&format!("s{student}")).expect("a bank of the project can be satisfied");
                 for x in &variant.data {
                     data.update(x.to_bits().to_le_bytes());
                 }
@@ -27,11 +28,14 @@ fn draws_and_answers_are_pinned_to_the_bit() {
                     }
                 }
             }
-            let hex = |d: sha2::Sha256| d.finalize().iter().take(8).map(|b| format!("{b:02x}")).collect::<String>();
+            let hex =
+                |d: sha2::Sha256| d.finalize().iter().take(8).map(|b| format!("{b:02x}")).collect::<String>();
             seen.push((problem.id.clone(), hex(data), hex(answers)));
         }
     }
-    let lines: Vec<String> = seen.iter().map(|(p, d, a)| format!("    (\"{p}\", \"{d}\", \"{a}\"),")).collect();
-    let pinned: Vec<String> = PINNED.iter().map(|(p, d, a)| format!("    (\"{p}\", \"{d}\", \"{a}\"),")).collect();
+    let lines: Vec<String> =
+        seen.iter().map(|(p, d, a)| format!("    (\"{p}\", \"{d}\", \"{a}\"),")).collect();
+    let pinned: Vec<String> =
+        PINNED.iter().map(|(p, d, a)| format!("    (\"{p}\", \"{d}\", \"{a}\"),")).collect();
     assert_eq!(lines, pinned, "\n{}\n", lines.join("\n"));
 }

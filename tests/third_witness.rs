@@ -175,7 +175,8 @@ impl Witness<'_> {
         (x[..n].to_vec(), multipliers)
     }
     fn step(&self, q: &[f64], v: &[f64], h: f64) -> (Vec<f64>, Vec<f64>) {
-        let add = |x: &[f64], k: &[f64], f: f64| -> Vec<f64> { x.iter().zip(k).map(|(x, k)| x + f * k).collect() };
+        let add =
+            |x: &[f64], k: &[f64], f: f64| -> Vec<f64> { x.iter().zip(k).map(|(x, k)| x + f * k).collect() };
         let a1 = self.accelerate(q).0;
         let (q2, v2) = (add(q, v, h / 2.0), add(v, &a1, h / 2.0));
         let a2 = self.accelerate(&q2).0;
@@ -219,14 +220,16 @@ fn integration_in_time_gives_the_key() {
             let maker = Maker::new(problem, 3, "third witness");
             let mut compared = 0;
             for student in 0..DRAWS {
-                let variant = maker.variant(&student.to_string()).expect("a bank of the project can be satisfied");
+                let variant =
+                    maker.variant(&student.to_string()).expect("a bank of the project can be satisfied");
                 let scene = &problem.cases[variant.case].scene;
                 if matches!(scene.end, End::AtOnce) {
                     compared += lamina(scene, &variant.data, &variant.solved);
                     continue;
                 }
                 let End::Travel(end, distance) = scene.end else { panic!("{}: another event", problem.id) };
-                let mut w = Witness { scene, data: &variant.data, kinetic: vec![0.0; scene.ties.len()], rolls: true };
+                let mut w =
+                    Witness { scene, data: &variant.data, kinetic: vec![0.0; scene.ties.len()], rolls: true };
                 let n = 2 * scene.bodies.len();
                 let rolled = w.accelerate(&vec![0.0; n]).1;
                 for (t, tie) in scene.ties.iter().enumerate() {
@@ -254,7 +257,8 @@ fn integration_in_time_gives_the_key() {
                 let mut seen = vec![("t".to_owned(), time)];
                 let bare = scene.bare_body();
                 for (b, body) in scene.bodies.iter().enumerate() {
-                    let name = |q: &str| if bare == Some(b) { q.to_owned() } else { format!("{}.{q}", body.name) };
+                    let name =
+                        |q: &str| if bare == Some(b) { q.to_owned() } else { format!("{}.{q}", body.name) };
                     if body.line.is_some() {
                         seen.push((name("v"), v[2 * b].abs()));
                         seen.push((name("a"), acc[2 * b]));
@@ -289,7 +293,11 @@ fn integration_in_time_gives_the_key() {
                     // The slack of a cord is a kink in the force: one step of the integration is only of first order.
                     let size = want.abs().max(1e-3 * entry.scale);
                     let off = (got - want).abs() / size / entry.cond.max(1.0);
-                    assert!(off < 2e-6, "{} {student}: {name} {got} by integration, {want} in the key", problem.id);
+                    assert!(
+                        off < 2e-6,
+                        "{} {student}: {name} {got} by integration, {want} in the key",
+                        problem.id
+                    );
                     compared += 1;
                 }
             }
@@ -305,7 +313,9 @@ fn lamina(scene: &Scene, data: &[f64], solved: &slipstick::solve::outcome::Solve
         Num::Datum(i) => data[i],
         Num::Fixed(x) => x,
     };
-    let Start::Lamina { body, particle, vx_m_s, vy_m_s, spin_rad_s } = scene.start[0] else { panic!("no lamina") };
+    let Start::Lamina { body, particle, vx_m_s, vy_m_s, spin_rad_s } = scene.start[0] else {
+        panic!("no lamina")
+    };
     let ps = &scene.bodies[body].particles;
     let (vx, vy, w) = (get(vx_m_s), get(vy_m_s), get(spin_rad_s));
     let (xa, ya) = (get(ps[particle].x_m), get(ps[particle].y_m));

@@ -13,9 +13,11 @@ fn the_roads_agree_on_ten_thousand_draws_of_every_family() {
             let maker = Maker::new(problem, 20_261_121, "two roads");
             let (mut worst, mut compared) = (0.0f64, 0u64);
             for student in 0..DRAWS {
-                let variant = maker.variant(&student.to_string()).expect("a bank of the project can be satisfied");
+                let variant =
+                    maker.variant(&student.to_string()).expect("a bank of the project can be satisfied");
                 for e in &variant.solved.entries {
-                    let gap = e.gap().unwrap_or_else(|| panic!("{}: one road only for {:?}", problem.id, e.label));
+                    let gap =
+                        e.gap().unwrap_or_else(|| panic!("{}: one road only for {:?}", problem.id, e.label));
                     if gap.is_nan() {
                         // Both roads say that it is infinite.
                         assert_eq!(e.eom, e.energy, "{}: {:?}", problem.id, e.label);
