@@ -257,7 +257,9 @@ pub fn templates(
                     faults.hint(node, format!("`{{{{ {} }}}}` is not known", shorten(name)), hint);
                 }
                 let is_statement = statement.is_some_and(|s| std::ptr::eq(s, node));
-                if is_statement && !names.iter().any(|n| n == "data") {
+                // A statement that lists values or particles may give any of them.
+                let lists = names.iter().any(|n| matches!(n.as_str(), "value" | "particles"));
+                if is_statement && !lists {
                     for symbol in symbols.iter().filter(|s| **s != "g" && !names.iter().any(|n| n == *s)) {
                         faults.hint(
                             node,

@@ -24,8 +24,9 @@ const MARGINS: [(CheckKind, f64); 4] = [
     (CheckKind::MustSlip, 0.05),
     (CheckKind::Reaches, 0.05),
 ];
-/// Names that templates know besides the symbols of the data.
-pub const TEMPLATE_NAMES: &[&str] = &["tex", "g", "case", "questions", "data", "title", "number", "conventions"];
+/// Names that templates know besides the symbols of the data (what they hold: `sheet/statement.rs`).
+pub const TEMPLATE_NAMES: &[&str] =
+    &["g", "value", "tex", "title", "number", "case", "count", "particles", "motion", "questions"];
 
 /// What holds for all problems of a bank.
 struct Common {
