@@ -75,8 +75,11 @@ pub fn label(scene: &Scene, name: &str) -> Result<Label, (String, Option<String>
         None => (None, name),
     };
     let Some(quantity) = Quantity::from_name(bare) else {
-        let hint = close_name(bare, Quantity::ALL.iter().map(|q| q.name()));
-        return Err((format!("`{}` is no quantity", shorten(name)), hint));
+        let hint = close_name(bare, Quantity::ALL.iter().map(|q| q.name())).unwrap_or_else(|| {
+            let names: Vec<String> = labels(scene).into_iter().map(|l| scene.name_of(l)).collect();
+            format!("quantities of this scene: {}", names.join(", "))
+        });
+        return Err((format!("`{}` is no quantity", shorten(name)), Some(hint)));
     };
     let found: Vec<Label> = labels(scene).into_iter().filter(|l| l.quantity == quantity).collect();
     let shown = shorten(name);
