@@ -87,8 +87,11 @@ pub fn label(scene: &Scene, name: &str) -> Result<Label, (String, Option<String>
         None => (None, name),
     };
     let Some(quantity) = Quantity::from_name(bare) else {
-        let hint = close_name(bare, Quantity::ALL.iter().map(|q| q.name()));
-        return Err((format!("`{}` is no quantity", shorten(name)), hint));
+        let hint = close_name(bare, Quantity::ALL.iter().map(|q| q.name())).unwrap_or_else(|| {
+            let names: Vec<String> = labels(scene).into_iter().map(|l| scene.name_of(l)).collect();
+            format!("quantities of this scene: {}", names.join(", "))
+        });
+        return Err((format!("`{}` is no quantity", shorten(name)), Some(hint)));
     };
     let found: Vec<Label> = labels(scene).into_iter().filter(|l| l.quantity == quantity).collect();
     let shown = shorten(name);
@@ -281,7 +284,9 @@ pub fn templates(
                     faults.hint(node, format!("`{{{{ {} }}}}` is not known", shorten(name)), hint);
                 }
                 let is_statement = statement.is_some_and(|s| std::ptr::eq(s, node));
-                if is_statement && !names.iter().any(|n| n == "data") {
+                // A statement that lists values or particles may give any of them.
+                let lists = names.iter().any(|n| matches!(n.as_str(), "value" | "particles"));
+                if is_statement && !lists {
                     for symbol in symbols.iter().filter(|s| **s != "g" && !names.iter().any(|n| n == *s)) {
                         faults.hint(
                             node,

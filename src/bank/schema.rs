@@ -7,7 +7,7 @@ use crate::bank::node::{Faults, Fields, Node, Value, close_name, named, shorten}
 use crate::bank::review;
 use crate::bank::scene::{self, Need, Symbol};
 use crate::bank::{Bank, Bound, Case, Datum, Draw, Problem, Question};
-use crate::scene::{Label, Scene};
+use crate::scene::{Label, Owner, Quantity, Scene};
 use crate::solve::outcome::{CheckKind, Motion};
 use crate::units::Unit;
 
@@ -24,9 +24,9 @@ const MARGINS: [(CheckKind, f64); 4] = [
     (CheckKind::MustSlip, 0.05),
     (CheckKind::Reaches, 0.05),
 ];
-/// Names that templates know besides the symbols of the data.
+/// Names that templates know besides the symbols of the data (what they hold: `sheet/statement.rs`).
 pub const TEMPLATE_NAMES: &[&str] =
-    &["tex", "g", "case", "questions", "data", "title", "number", "conventions"];
+    &["value", "tex", "title", "number", "case", "count", "particles", "motion", "questions"];
 
 /// What holds for all problems of a bank.
 struct Common {
@@ -42,6 +42,8 @@ struct DatumRead<'n> {
     datum: Datum,
     /// False where the bank's unit is wrong, which is told once.
     unit_known: bool,
+    /// True where a draw is given but wrong, which is told once.
+    draw_wrong: bool,
 }
 
 /// Reads a bank; findings go to `faults`.
@@ -164,20 +166,12 @@ fn tolerance(node: &Node, unit: Option<&Unit>, faults: &Faults) -> (Option<f64>,
         if share > 0.0 && share < 1.0 {
             return Some(share);
         }
-        faults.hint(
-            n,
-            format!("a relative tolerance of {} makes no sense", n.kind()),
-            "above 0 and below 100 %",
-        );
+        faults.hint(n, format!("a relative tolerance of {} makes no sense", n.kind()), "above 0 and below 100 %");
         None
     });
     let absolute = fields.get("absolute").and_then(|n| {
         let Some(unit) = unit else {
-            faults.hint(
-                n,
-                "an absolute tolerance needs a unit, so it belongs to a question",
-                "move it there",
-            );
+            faults.hint(n, "an absolute tolerance needs a unit, so it belongs to a question", "move it there");
             return None;
         };
         match measure::constant(n.text().unwrap_or(""), unit.ascii()) {
@@ -198,16 +192,11 @@ fn tolerance(node: &Node, unit: Option<&Unit>, faults: &Faults) -> (Option<f64>,
 
 #[expect(clippy::too_many_lines, reason = "one line or two for each field of a problem")]
 fn problem(
-    name: &str,
-    node: &Node,
-    common: &Common,
-    variables: Option<Variables>,
-    faults: &Faults,
+    name: &str, node: &Node, common: &Common, variables: Option<Variables>, faults: &Faults,
 ) -> Option<Problem> {
     let before = faults.count();
     let mut fields = Fields::open(node, "a problem (title, data, scene, questions)", faults)?;
-    let title =
-        fields.need("title", "A wheel pulled up an incline", faults).and_then(|n| text(n, "a title", faults));
+    let title = fields.need("title", "A wheel pulled up an incline", faults).and_then(|n| text(n, "a title", faults));
     let data_node = fields.need("data", "{m: {name: mass, unit: kg, draw: 20 to 40 step 1}}", faults);
     let mut data = data_node.map_or_else(Vec::new, |n| data_of(n, faults));
     let symbols: Vec<Symbol> = data
@@ -239,7 +228,8 @@ fn problem(
                 node,
                 share: 1,
                 draws: data.iter().map(|d| d.draw.clone()).collect(),
-                scene: base.clone().flatten(),
+                wrong: data.iter().map(|d| d.draw_wrong).collect(),
+                read: base.clone(),
                 regimes: regimes.clone(),
                 bounds: None,
             });
@@ -256,10 +246,14 @@ fn problem(
                 let Some(mut f) = Fields::open(value, "a case (share, draws, ...)", faults) else { continue };
                 let share = f.get("share").map_or(Some(1), |n| whole(n, 1, 1_000_000, faults)).unwrap_or(1);
                 let mut draws: Vec<Option<Draw>> = data.iter().map(|d| d.draw.clone()).collect();
+                let mut wrong: Vec<bool> = data.iter().map(|d| d.draw_wrong).collect();
                 if let Some(n) = f.get("draws") {
                     for (symbol, key, value) in named(n, "draws by symbol", faults) {
                         match data.iter().position(|d| d.datum.symbol == symbol) {
-                            Some(i) => draws[i] = draw(value, faults),
+                            Some(i) => {
+                                draws[i] = draw(value, faults);
+                                wrong[i] = draws[i].is_none();
+                            }
                             None => unknown_symbol(key, symbol, &symbols, faults),
                         }
                     }
@@ -277,7 +271,8 @@ fn problem(
                     node: value,
                     share,
                     draws,
-                    scene: if replaced { own.flatten() } else { base.clone().flatten() },
+                    wrong,
+                    read: if replaced { own } else { base.clone() },
                     regimes: own_regimes.unwrap_or_else(|| regimes.clone()),
                     bounds,
                 });
@@ -287,16 +282,25 @@ fn problem(
 
     // Every datum that a case draws is used by its scene; what the scene uses is drawn; ranges are admissible.
     for case in &cases {
-        let Some(read) = &case.scene else { continue };
+        let Some(read) = &case.read else { continue };
         for (i, d) in data.iter().enumerate() {
+            if case.wrong[i] {
+                continue;
+            }
             let uses: Vec<Need> = read.uses.iter().filter(|u| u.datum == i).map(|u| u.need).collect();
+            if read.scene.is_none() && uses.is_empty() {
+                // Perhaps it is used where the scene could not be read.
+                continue;
+            }
             review::datum(&d.datum, d.node, case.draws[i].as_ref(), &uses, &case.name, case.node, faults);
         }
-        review::inertia_where_slipping(&read.scene, &data_draws(&data, case), case.node, faults);
+        if let Some(scene) = &read.scene {
+            review::inertia_where_slipping(scene, &data_draws(&data, case), case.node, faults);
+        }
     }
     // Slopes go to the scene in degrees, all else in SI.
     let mut degrees = vec![false; data.len()];
-    for read in cases.iter().filter_map(|c| c.scene.as_ref()) {
+    for read in cases.iter().filter_map(|c| c.read.as_ref()) {
         for u in read.uses.iter().filter(|u| u.need == Need::Slope) {
             degrees[u.datum] = true;
         }
@@ -321,7 +325,7 @@ fn problem(
 
     // Questions and bounds are read against each scene, since labels hold the index of a body.
     let scenes: Vec<(&str, &Scene)> =
-        cases.iter().filter_map(|c| c.scene.as_ref().map(|r| (c.name.as_str(), &r.scene))).collect();
+        cases.iter().filter_map(|c| Some((c.name.as_str(), c.read.as_ref()?.scene.as_ref()?))).collect();
     let questions = questions_node.map_or_else(Vec::new, |n| questions(n, common, &scenes, faults));
     let asks = asks_node.map(|n| asks(n, &questions, faults));
     let asked: Vec<Question> = match asks {
@@ -336,18 +340,17 @@ fn problem(
     for case in cases {
         let mut bounds = Vec::new();
         for n in [bounds_node, case.bounds].into_iter().flatten() {
-            if let Some(read) = &case.scene {
-                bounds.extend(bounds_of(n, &plain, &read.scene, faults));
-            }
+            let scene = case.read.as_ref().and_then(|r| r.scene.as_ref());
+            bounds.extend(bounds_of(n, &plain, scene, faults));
         }
-        if let Some(read) = case.scene {
+        if let Some(scene) = case.read.and_then(|r| r.scene) {
             let mut draws = case.draws;
             draws.push(Some(g_draw.clone()));
             ready.push(Case {
                 name: case.name,
                 share: case.share,
                 draws,
-                scene: read.scene,
+                scene,
                 regimes: case.regimes,
                 bounds,
             });
@@ -377,7 +380,10 @@ struct CaseRead<'n> {
     node: &'n Node,
     share: u32,
     draws: Vec<Option<Draw>>,
-    scene: Option<scene::Read>,
+    /// Draws that are given but wrong.
+    wrong: Vec<bool>,
+    /// What was read of its scene, if it has one.
+    read: Option<scene::Read>,
     regimes: Vec<String>,
     bounds: Option<&'n Node>,
 }
@@ -425,17 +431,9 @@ fn data_of<'n>(node: &'n Node, faults: &Faults) -> Vec<DatumRead<'n>> {
                 "letters, digits and `_`, beginning with a letter, such as `mu_s`",
             );
         } else if symbol == "g" {
-            faults.hint(
-                key,
-                "`g` is the acceleration of free fall",
-                "write `gravity: 9.81 m/s^2` at the top of the bank",
-            );
+            faults.hint(key, "`g` is the acceleration of free fall", "write `gravity: 9.81 m/s^2` at the top of the bank");
         } else if TEMPLATE_NAMES.contains(&symbol) {
-            faults.hint(
-                key,
-                format!("`{symbol}` has a meaning of its own in statements"),
-                "choose another symbol",
-            );
+            faults.hint(key, format!("`{symbol}` has a meaning of its own in statements"), "choose another symbol");
         }
         let mut datum = Datum {
             symbol: symbol.to_owned(),
@@ -446,10 +444,9 @@ fn data_of<'n>(node: &'n Node, faults: &Faults) -> Vec<DatumRead<'n>> {
         };
         let mut own = None;
         let mut unit_known = false;
+        let mut draw_wrong = false;
         if let Some(mut fields) = Fields::open(value, "a datum (name, unit, draw)", faults) {
-            if let Some(name) =
-                fields.need("name", "mass of the wheel", faults).and_then(|n| text(n, "a name", faults))
-            {
+            if let Some(name) = fields.need("name", "mass of the wheel", faults).and_then(|n| text(n, "a name", faults)) {
                 datum.name = name;
             }
             if let Some(n) = fields.need("unit", "kg", faults) {
@@ -458,18 +455,18 @@ fn data_of<'n>(node: &'n Node, faults: &Faults) -> Vec<DatumRead<'n>> {
                         datum.unit = unit;
                         unit_known = true;
                     }
-                    Err(message) => {
-                        faults.hint(n, message, "a unit such as kg, m, deg, N/m; `1` for a pure number")
-                    }
+                    Err(message) => faults.hint(n, message, "a unit such as kg, m, deg, N/m; `1` for a pure number"),
                 }
             }
             if let Some(tex) = fields.get("tex").and_then(|n| text(n, "a symbol in LaTeX", faults)) {
                 datum.tex = tex;
             }
-            own = fields.get("draw").and_then(|n| draw(n, faults));
+            let given = fields.get("draw");
+            own = given.and_then(|n| draw(n, faults));
+            draw_wrong = given.is_some() && own.is_none();
             fields.close(faults);
         }
-        list.push(DatumRead { node: value, draw: own, datum, unit_known });
+        list.push(DatumRead { node: value, draw: own, datum, unit_known, draw_wrong });
     }
     list
 }
@@ -477,8 +474,8 @@ fn data_of<'n>(node: &'n Node, faults: &Faults) -> Vec<DatumRead<'n>> {
 /// LaTeX of a symbol: `theta` is `\theta`, `m_A` is `m_A`, `mu_s` is `\mu_s`, `x0` is `x_0`, `ks` is `k_s`.
 pub fn tex_of(symbol: &str) -> String {
     const GREEK: [&str; 22] = [
-        "alpha", "beta", "gamma", "delta", "epsilon", "zeta", "eta", "theta", "kappa", "lambda", "mu", "nu",
-        "xi", "pi", "rho", "sigma", "tau", "phi", "chi", "psi", "omega", "Omega",
+        "alpha", "beta", "gamma", "delta", "epsilon", "zeta", "eta", "theta", "kappa", "lambda", "mu", "nu", "xi", "pi",
+        "rho", "sigma", "tau", "phi", "chi", "psi", "omega", "Omega",
     ];
     let letter = |word: &str| if GREEK.contains(&word) { format!("\\{word}") } else { word.to_owned() };
     let (base, index) = match symbol.split_once('_') {
@@ -519,8 +516,7 @@ fn regimes(node: &Node, faults: &Faults) -> Vec<String> {
             list.push(text.to_owned());
         } else {
             let words: Vec<&str> = Motion::ALL.iter().map(|m| m.word()).collect();
-            let hint = close_name(text, words.iter().copied())
-                .unwrap_or_else(|| format!("regimes: {}", words.join(", ")));
+            let hint = close_name(text, words.iter().copied()).unwrap_or_else(|| format!("regimes: {}", words.join(", ")));
             faults.hint(item, format!("expected a regime, found {}", item.kind()), hint);
         }
     }
@@ -532,18 +528,13 @@ fn margins(node: &Node, faults: &Faults) -> Vec<(CheckKind, f64)> {
     for (name, key, value) in named(node, "margins by check", faults) {
         let Some(kind) = CheckKind::ALL.iter().copied().find(|k| k.name() == name) else {
             let names: Vec<&str> = CheckKind::ALL.iter().map(|k| k.name()).collect();
-            let hint = close_name(name, names.iter().copied())
-                .unwrap_or_else(|| format!("checks: {}", names.join(", ")));
+            let hint = close_name(name, names.iter().copied()).unwrap_or_else(|| format!("checks: {}", names.join(", ")));
             faults.hint(key, format!("`{}` is no check", shorten(name)), hint);
             continue;
         };
         match share(value, faults) {
             Some(s) if (0.0..1.0).contains(&s) => list.push((kind, s)),
-            Some(_) => faults.hint(
-                value,
-                format!("a margin of {} cannot hold", value.kind()),
-                "from 0 to below 100 %",
-            ),
+            Some(_) => faults.hint(value, format!("a margin of {} cannot hold", value.kind()), "from 0 to below 100 %"),
             None => {}
         }
     }
@@ -551,10 +542,7 @@ fn margins(node: &Node, faults: &Faults) -> Vec<(CheckKind, f64)> {
 }
 
 fn questions(
-    node: &Node,
-    common: &Common,
-    scenes: &[(&str, &Scene)],
-    faults: &Faults,
+    node: &Node, common: &Common, scenes: &[(&str, &Scene)], faults: &Faults,
 ) -> Vec<(String, Option<Question>)> {
     let list = named(node, "questions by id", faults);
     if list.is_empty() && matches!(node.value, Value::Map(_)) {
@@ -563,11 +551,7 @@ fn questions(
     let mut out = Vec::new();
     for (id, key, value) in list {
         if !scene::plain_name(id) {
-            faults.hint(
-                key,
-                format!("`{}` is no id of a question", shorten(id)),
-                "letters, digits and `_`, beginning with a letter",
-            );
+            faults.hint(key, format!("`{}` is no id of a question", shorten(id)), "letters, digits and `_`, beginning with a letter");
         }
         out.push((id.to_owned(), question(id, key, value, common, scenes, faults)));
     }
@@ -575,12 +559,7 @@ fn questions(
 }
 
 fn question(
-    id: &str,
-    key: &Node,
-    node: &Node,
-    common: &Common,
-    scenes: &[(&str, &Scene)],
-    faults: &Faults,
+    id: &str, key: &Node, node: &Node, common: &Common, scenes: &[(&str, &Scene)], faults: &Faults,
 ) -> Option<Question> {
     let mut fields = Fields::open(node, "a question (ask, unit)", faults)?;
     let ask = fields.need("ask", "the speed of the wheel", faults).and_then(|n| text(n, "a text", faults));
@@ -592,9 +571,9 @@ fn question(
     let unit_node = fields.get("unit");
     let tolerance_node = fields.get("tolerance");
     let points = fields.get("points").map_or(Some(1.0), |n| points(n, faults));
-    let figures = fields
-        .get("figures")
-        .map_or(Some(FIGURES), |n| whole(n, 1, 12, faults).and_then(|f| u8::try_from(f).ok()));
+    let figures = fields.get("figures").map_or(Some(FIGURES), |n| {
+        whole(n, 1, 12, faults).and_then(|f| u8::try_from(f).ok())
+    });
     let unit_required = fields.get("units").map_or(Some(common.unit_required), |n| choice(n, &UNITS, faults));
     fields.close(faults);
     let place = quantity_node.unwrap_or(key);
@@ -615,6 +594,12 @@ fn question(
                 faults.maybe(place, message, hint);
                 return None;
             }
+        }
+    }
+    if scenes.is_empty() {
+        match unowned(&name) {
+            Ok(found) => label = Some(found),
+            Err((message, hint)) => faults.maybe(place, message, hint),
         }
     }
     let label = label?;
@@ -671,6 +656,18 @@ fn question(
     })
 }
 
+/// The label of a name where the scene could not be read: only the quantity counts.
+fn unowned(name: &str) -> Result<Label, (String, Option<String>)> {
+    let bare = name.rsplit_once('.').map_or(name, |(_, q)| q);
+    match Quantity::from_name(bare) {
+        Some(quantity) => Ok(Label { quantity, of: Owner::Scene }),
+        None => Err((
+            format!("`{}` is no quantity", shorten(name)),
+            close_name(bare, Quantity::ALL.iter().map(|q| q.name())),
+        )),
+    }
+}
+
 fn points(node: &Node, faults: &Faults) -> Option<f64> {
     let read = node.text().and_then(|t| Decimal::parse(t.trim())).and_then(|d| d.text().parse::<f64>().ok());
     let fine = read.filter(|p| (0.0..=1000.0).contains(p));
@@ -705,7 +702,7 @@ fn asks(node: &Node, questions: &[(String, Option<Question>)], faults: &Faults) 
     list
 }
 
-fn bounds_of(node: &Node, data: &[Datum], scene: &Scene, faults: &Faults) -> Vec<Bound> {
+fn bounds_of(node: &Node, data: &[Datum], scene: Option<&Scene>, faults: &Faults) -> Vec<Bound> {
     let mut list = Vec::new();
     for (written, key, value) in named(node, "bounds by expression", faults) {
         let lookup = |name: &str| -> Result<(Name, Powers), (String, Option<String>)> {
@@ -713,7 +710,7 @@ fn bounds_of(node: &Node, data: &[Datum], scene: &Scene, faults: &Faults) -> Vec
                 let factor = if data[i].degrees { std::f64::consts::PI / 180.0 } else { 1.0 };
                 return Ok((Name::Datum(i, factor), measure::powers(&data[i].unit)));
             }
-            let label = review::label(scene, name).map_err(|(message, hint)| {
+            let label = scene.map_or_else(|| unowned(name), |s| review::label(s, name)).map_err(|(message, hint)| {
                 let close = close_name(name, data.iter().map(|d| d.symbol.as_str()));
                 (message, close.or(hint))
             })?;
@@ -726,17 +723,11 @@ fn bounds_of(node: &Node, data: &[Datum], scene: &Scene, faults: &Faults) -> Vec
         let expression = match Expression::parse(written, &lookup) {
             Ok(e) => Some(e),
             Err(t) => {
-                faults.maybe(
-                    key,
-                    format!("`{}`, character {}: {}", shorten(written), t.column, t.message),
-                    t.hint,
-                );
+                faults.maybe(key, format!("`{}`, character {}: {}", shorten(written), t.column, t.message), t.hint);
                 None
             }
         };
-        let Some(mut fields) = Fields::open(value, "`{min: ...}`, `{max: ...}` or both", faults) else {
-            continue;
-        };
+        let Some(mut fields) = Fields::open(value, "`{min: ...}`, `{max: ...}` or both", faults) else { continue };
         let (low, high) = (fields.get("min"), fields.get("max"));
         fields.close(faults);
         if low.is_none() && high.is_none() {
@@ -756,11 +747,7 @@ fn bounds_of(node: &Node, data: &[Datum], scene: &Scene, faults: &Faults) -> Vec
                 let wanted = measure::powers_text(expression.powers);
                 faults.hint(
                     n,
-                    format!(
-                        "`{}` has the dimension {wanted}, this limit {}",
-                        shorten(written),
-                        measure::powers_text(found)
-                    ),
+                    format!("`{}` has the dimension {wanted}, this limit {}", shorten(written), measure::powers_text(found)),
                     format!("write the unit of the limit, for example `{} {wanted}`", number.text()),
                 );
                 return None;

@@ -13,11 +13,18 @@ use std::fs;
 use std::path::Path;
 
 /// Banks in the program: id, file, text.
-pub const BUILT_IN: &[(&str, &str, &str)] = &[(
-    "wheels-on-inclines",
-    "banks/wheels-on-inclines.yaml",
-    include_str!("../../banks/wheels-on-inclines.yaml"),
-)];
+pub const BUILT_IN: &[(&str, &str, &str)] = &[
+    (
+        "wheels-on-inclines",
+        "banks/wheels-on-inclines.yaml",
+        include_str!("../../banks/wheels-on-inclines.yaml"),
+    ),
+    (
+        "hoists-and-pulleys",
+        "banks/hoists-and-pulleys.yaml",
+        include_str!("../../banks/hoists-and-pulleys.yaml"),
+    ),
+];
 
 /// A bank with the text that it was read from.
 pub struct Loaded {
@@ -53,11 +60,7 @@ pub fn load(name: &str) -> Result<Loaded, Vec<Finding>> {
 /// # Errors
 /// All that is wrong with it.
 pub fn parse(text: &str, file: &str) -> Result<Bank, Vec<Finding>> {
-    let variables = |text: &str| {
-        template::variables_of(text)
-            .map(|names| names.into_iter().filter(|n| !statement::RESERVED.contains(&n.as_str())).collect())
-    };
-    load::bank(text, file, &variables)
+    load::bank(text, file, &template::variables_of)
 }
 
 /// The templates for a bank: built-in ones, those of `--templates`, those in the bank.
