@@ -29,7 +29,9 @@ fn draws_and_answers_are_pinned_to_the_bit() {
                 for x in &variant.data {
                     data.update(x.to_bits().to_le_bytes());
                 }
-                for e in &variant.solved.entries {
+                let mut entries: Vec<_> = variant.solved.entries.iter().collect();
+                entries.sort_by_key(|e| e.label);
+                for e in entries {
                     answers.update(problem.cases[variant.case].scene.name_of(e.label));
                     for x in [e.eom, e.energy].into_iter().flatten() {
                         answers.update(x.to_bits().to_le_bytes());
