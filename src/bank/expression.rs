@@ -290,7 +290,9 @@ impl Parser<'_> {
                     "sqrt" => {
                         for p in &mut powers {
                             if *p % 2 != 0 {
-                                return Err(self.trouble("this square root has no dimension that makes sense"));
+                                return Err(
+                                    self.trouble("this square root has no dimension that makes sense")
+                                );
                             }
                             *p /= 2;
                         }
@@ -346,7 +348,20 @@ mod tests {
 
     #[test]
     fn troubles() {
-        for text in ["", "k +", "k + 1", "(k", "k ^ r", "q", "1.2.3", "k k", "sqrt(k)*", "sqrt(sqrt(sqrt(k)))", "k^99", "sin(k)"] {
+        for text in [
+            "",
+            "k +",
+            "k + 1",
+            "(k",
+            "k ^ r",
+            "q",
+            "1.2.3",
+            "k k",
+            "sqrt(k)*",
+            "sqrt(sqrt(sqrt(k)))",
+            "k^99",
+            "sin(k)",
+        ] {
             assert!(read(text).is_err(), "{text}");
         }
         assert!(read(&"(".repeat(500)).is_err());

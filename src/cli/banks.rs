@@ -77,7 +77,9 @@ pub fn templates(own: &Own, bank: &Bank) -> Result<Templates, Vec<Finding>> {
         collect(folder, "", &mut texts)?;
         if texts.is_empty() {
             let fault = Finding::new("", "holds no template").in_file(folder.display().to_string());
-            return Err(vec![fault.hint("templates end in .md or .html, such as statement/pulled-rolling.md")]);
+            return Err(vec![
+                fault.hint("templates end in .md or .html, such as statement/pulled-rolling.md"),
+            ]);
         }
     }
     let mut templates = Templates::new(&texts)?;
@@ -85,7 +87,11 @@ pub fn templates(own: &Own, bank: &Bank) -> Result<Templates, Vec<Finding>> {
     Ok(templates)
 }
 
-fn collect(folder: &Path, prefix: &str, texts: &mut Vec<(String, String, String)>) -> Result<(), Vec<Finding>> {
+fn collect(
+    folder: &Path,
+    prefix: &str,
+    texts: &mut Vec<(String, String, String)>,
+) -> Result<(), Vec<Finding>> {
     for name in files::names_in(folder) {
         let path = folder.join(&name);
         let full = format!("{prefix}{name}");

@@ -89,7 +89,8 @@ fn rule_name(problem: &Problem, case: usize, rule: usize) -> String {
         _ if rule < bounds => format!("question {} has an answer", problem.questions[rule - questions].id),
         _ => {
             let bounds = &problem.cases[case].bounds;
-            let text = bounds.get(rule - questions - problem.questions.len()).map_or("?", |b| b.text.as_str());
+            let text =
+                bounds.get(rule - questions - problem.questions.len()).map_or("?", |b| b.text.as_str());
             format!("bound {text}")
         }
     }
@@ -134,7 +135,8 @@ pub struct Maker<'p> {
 impl<'p> Maker<'p> {
     /// A maker for a problem of the set `set`, drawn with `seed`.
     pub fn new(problem: &'p Problem, seed: u64, set: &str) -> Self {
-        let margin = |kind: &CheckKind| problem.margins.iter().find(|(k, _)| k == kind).map_or(0.0, |(_, m)| *m);
+        let margin =
+            |kind: &CheckKind| problem.margins.iter().find(|(k, _)| k == kind).map_or(0.0, |(_, m)| *m);
         Self {
             problem,
             source: Source::new(seed, set, &problem.id),
