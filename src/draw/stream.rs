@@ -56,6 +56,7 @@ impl std::fmt::Debug for Source {
 /// The random words of one variant.
 #[derive(Debug, Clone)]
 pub struct Words {
+    key: [u8; 32],
     cipher: ChaCha20Rng,
     attempt: u64,
     /// Words of this try that were made so far.
@@ -65,13 +66,14 @@ pub struct Words {
 impl Words {
     /// Words of a ChaCha20 key.
     pub fn new(key: [u8; 32]) -> Self {
-        Self { cipher: ChaCha20Rng::from_seed(key), attempt: 0, made: Vec::with_capacity(32) }
+        Self { key, cipher: ChaCha20Rng::from_seed(key), attempt: 0, made: Vec::with_capacity(32) }
     }
     /// Goes to a try: 0 for the case, from 1 for the data.
     pub fn attempt(&mut self, number: u32) {
         self.attempt = u64::from(number);
+        // A fresh cipher makes no block before it is asked for a word; a moved one would make one for nothing.
+        self.cipher = ChaCha20Rng::from_seed(self.key);
         self.cipher.set_stream(self.attempt);
-        self.cipher.set_word_pos(0);
         self.made.clear();
     }
     /// Word `index` of this try.
