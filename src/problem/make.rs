@@ -109,6 +109,8 @@ pub struct Unsatisfiable {
     pub tries: u32,
     /// Rules and how often each refused, most first.
     pub table: Vec<(String, u32)>,
+    /// The two roads disagreed, which stops everything: the quantity and both values, in words.
+    pub disagreement: Option<String>,
 }
 
 impl fmt::Display for Unsatisfiable {
@@ -116,6 +118,9 @@ impl fmt::Display for Unsatisfiable {
         write!(f, "{}", self.problem)?;
         if !self.case.is_empty() {
             write!(f, ", case `{}`", self.case)?;
+        }
+        if let Some(disagreement) = &self.disagreement {
+            return write!(f, ": {disagreement}; the problem is refused");
         }
         write!(f, ": none of {} draws holds the rules; refused by", self.tries)?;
         for (rule, count) in &self.table {
@@ -179,13 +184,27 @@ impl<'p> Maker<'p> {
                 Ok(solved) => return Ok(Variant { case: index, values, data, solved, tries, refusals }),
                 Err(rule) => refusals.add(rule),
             }
+            // A key that the roads do not share is no bad luck of the draw: nothing is redrawn around it.
+            if let Some(Refusal::Disagree { label, eom, energy, allowed }) = &refusals.unsolved {
+                let name = case.scene.name_of(*label);
+                let disagreement = format!(
+                    "the two roads disagree on {name}: {eom:e} from the equations of motion, {energy:e} from work and \
+                     energy, more than the relative {allowed:.1e} that rounding explains"
+                );
+                return Err(self.unsatisfiable(index, tries, &refusals, Some(disagreement)));
+            }
         }
-        Err(Unsatisfiable {
+        Err(self.unsatisfiable(index, self.max_tries, &refusals, None))
+    }
+
+    fn unsatisfiable(&self, case: usize, tries: u32, refusals: &Refusals, disagreement: Option<String>) -> Unsatisfiable {
+        Unsatisfiable {
             problem: self.problem.id.clone(),
-            case: case.name.clone(),
-            tries: self.max_tries,
-            table: refusals.table(self.problem, index),
-        })
+            case: self.problem.cases[case].name.clone(),
+            tries,
+            table: refusals.table(self.problem, case),
+            disagreement,
+        }
     }
 
     /// Solves, or says which rule refuses.
