@@ -17,6 +17,7 @@ pub mod problem;
 pub mod scene;
 pub mod set;
 pub mod sheet;
+pub mod simulate;
 pub mod solve;
 pub mod template;
 pub mod units;
