@@ -10,6 +10,7 @@ fn main() -> ExitCode {
     let mut input = io::stdin().lock();
     let mut out = io::BufWriter::new(io::stdout().lock());
     let mut err = io::stderr().lock();
-    let exit = cli::run(std::env::args_os(), &mut Io { input: &mut input, out: &mut out, err: &mut err, watched });
+    let exit =
+        cli::run(std::env::args_os(), &mut Io { input: &mut input, out: &mut out, err: &mut err, watched });
     ExitCode::from(exit as u8)
 }

@@ -182,7 +182,8 @@ fn escape_markdown(text: &str, out: &mut dyn io::Write) -> io::Result<()> {
     let mut buffer = [0u8; 4];
     for c in text.chars() {
         match c {
-            '\\' | '`' | '*' | '_' | '{' | '}' | '[' | ']' | '<' | '>' | '#' | '+' | '!' | '|' | '$' | '&' | '~' => {
+            '\\' | '`' | '*' | '_' | '{' | '}' | '[' | ']' | '<' | '>' | '#' | '+' | '!' | '|' | '$'
+            | '&' | '~' => {
                 out.write_all(b"\\")?;
                 out.write_all(c.encode_utf8(&mut buffer).as_bytes())?;
             }

@@ -24,7 +24,8 @@ impl Decimal {
         let all = whole.bytes().chain(part.bytes());
         let count = whole.len() + part.len();
         let decimals = u8::try_from(part.len()).ok().filter(|d| *d <= MAX_DECIMALS)?;
-        if whole.is_empty() || count > 15 || !all.clone().all(|b| b.is_ascii_digit()) || digits.ends_with('.') {
+        if whole.is_empty() || count > 15 || !all.clone().all(|b| b.is_ascii_digit()) || digits.ends_with('.')
+        {
             return None;
         }
         let value = all.fold(0i64, |v, b| v * 10 + i64::from(b - b'0'));
@@ -65,10 +66,14 @@ pub fn draw(text: &str) -> Result<Draw, (String, String)> {
     if let Some(rest) = word(text, "one of") {
         let list = rest.split(',').map(|t| number(t.trim())).collect::<Result<Vec<_>, _>>()?;
         let decimals = list.iter().map(|d| d.decimals).max().unwrap_or(0);
-        let values = list.iter().map(|d| d.widened(decimals)).collect::<Option<Vec<_>>>().ok_or_else(too_long)?;
+        let values =
+            list.iter().map(|d| d.widened(decimals)).collect::<Option<Vec<_>>>().ok_or_else(too_long)?;
         if let Some((i, v)) = values.iter().enumerate().find(|(i, v)| values[..*i].contains(v)) {
             let shown = Decimal { value: *v, decimals }.text();
-            return Err((format!("{shown} stands twice (again as number {})", i + 1), "list each value once".into()));
+            return Err((
+                format!("{shown} stands twice (again as number {})", i + 1),
+                "list each value once".into(),
+            ));
         }
         return Ok(Draw::OneOf { values, decimals });
     }
@@ -86,7 +91,10 @@ pub fn draw(text: &str) -> Result<Draw, (String, String)> {
     let all = |d: Decimal| d.widened(decimals).ok_or_else(too_long);
     let (min, max, size) = (all(low)?, all(high)?, all(step)?);
     if size <= 0 {
-        return Err((format!("the step {} is not above 0", step.text()), "a step is a positive number".into()));
+        return Err((
+            format!("the step {} is not above 0", step.text()),
+            "a step is a positive number".into(),
+        ));
     }
     if min > max {
         return Err((
@@ -106,7 +114,10 @@ pub fn draw(text: &str) -> Result<Draw, (String, String)> {
 }
 
 fn too_long() -> (String, String) {
-    ("these numbers have too many digits".to_owned(), "at most 15 digits in all, counted to the last decimal".to_owned())
+    (
+        "these numbers have too many digits".to_owned(),
+        "at most 15 digits in all, counted to the last decimal".to_owned(),
+    )
 }
 
 fn word<'t>(text: &'t str, start: &str) -> Option<&'t str> {
@@ -126,7 +137,9 @@ impl Draw {
     /// Decimals of the printed value.
     pub const fn decimals(&self) -> u8 {
         match self {
-            Self::Grid { decimals, .. } | Self::OneOf { decimals, .. } | Self::Always { decimals, .. } => *decimals,
+            Self::Grid { decimals, .. } | Self::OneOf { decimals, .. } | Self::Always { decimals, .. } => {
+                *decimals
+            }
         }
     }
     /// How many values it can give.
@@ -160,8 +173,20 @@ mod tests {
         assert_eq!(draw("0.30 to 0.5 step 0.01"), Ok(Draw::Grid { min: 30, max: 50, step: 1, decimals: 2 }));
         assert_eq!(draw("one of 10, 20.5"), Ok(Draw::OneOf { values: vec![100, 205], decimals: 1 }));
         assert_eq!(draw("always -3"), Ok(Draw::Always { value: -3, decimals: 0 }));
-        for bad in ["", "30", "1 to 2", "2 to 1 step 1", "1 to 2 step 0", "1 to 2 step 0.3", "1 to 1e3 step 1",
-            "one of", "one of 1, 1.0", "always", "1 to 2 step 0.0000000000001", "99999999999999 to 99999999999999 step 0.001"] {
+        for bad in [
+            "",
+            "30",
+            "1 to 2",
+            "2 to 1 step 1",
+            "1 to 2 step 0",
+            "1 to 2 step 0.3",
+            "1 to 1e3 step 1",
+            "one of",
+            "one of 1, 1.0",
+            "always",
+            "1 to 2 step 0.0000000000001",
+            "99999999999999 to 99999999999999 step 0.001",
+        ] {
             assert!(draw(bad).is_err(), "{bad}");
         }
     }

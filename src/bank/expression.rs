@@ -327,7 +327,19 @@ mod tests {
 
     #[test]
     fn troubles() {
-        for text in ["", "k +", "k + 1", "(k", "k ^ r", "q", "1.2.3", "k k", "sqrt(k)*", "sqrt(sqrt(sqrt(k)))", "k^99"] {
+        for text in [
+            "",
+            "k +",
+            "k + 1",
+            "(k",
+            "k ^ r",
+            "q",
+            "1.2.3",
+            "k k",
+            "sqrt(k)*",
+            "sqrt(sqrt(sqrt(k)))",
+            "k^99",
+        ] {
             assert!(read(text).is_err(), "{text}");
         }
         assert!(read(&"(".repeat(500)).is_err());

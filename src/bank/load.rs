@@ -78,6 +78,8 @@ pub fn tree(text: &str) -> Result<Node, Finding> {
 fn syntax(error: &serde_yaml::Error) -> Finding {
     let message = error.without_snippet().to_string();
     let message = message.lines().next().unwrap_or("cannot be read").to_owned();
+    // The place is told before the message.
+    let message = message.split(" at line ").next().unwrap_or("cannot be read").trim_end_matches(',');
     let finding = Finding::new("", format!("YAML: {message}"));
     match error.location() {
         Some(at) if at.line() > 0 => finding.at(small(at.line()), small(at.column())),

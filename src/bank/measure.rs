@@ -15,7 +15,8 @@ pub fn unit(text: &str) -> Result<Unit, String> {
 /// # Panics
 /// If the program spells a unit that its own table does not know, which a test excludes.
 fn own(ascii: &str) -> Unit {
-    Unit::parse(ascii).unwrap_or_else(|fault| panic!("the program's own unit `{ascii}` is not known: {fault}"))
+    Unit::parse(ascii)
+        .unwrap_or_else(|fault| panic!("the program's own unit `{ascii}` is not known: {fault}"))
 }
 
 /// Is a quantity in this unit of the same kind as one in the (own) unit `wanted`? The radian may be dropped in rates.
@@ -40,7 +41,8 @@ pub fn constant(text: &str, wanted: &str) -> Result<f64, String> {
 /// A constant that is printed as it is written, such as `9.81 m/s^2`: digits and unit.
 pub fn decimal_constant(text: &str) -> Result<(Decimal, Unit), String> {
     let text = text.trim();
-    let end = text.find(|c: char| !(c.is_ascii_digit() || matches!(c, '.' | '-' | '+'))).unwrap_or(text.len());
+    let end =
+        text.find(|c: char| !(c.is_ascii_digit() || matches!(c, '.' | '-' | '+'))).unwrap_or(text.len());
     let (digits, rest) = text.split_at(end);
     let number = Decimal::parse(digits.trim())
         .ok_or_else(|| format!("`{}` does not begin with a decimal number", shorten(text)))?;

@@ -159,7 +159,11 @@ impl<'n> Fields<'n> {
     pub fn need(&mut self, name: &'static str, example: &str, faults: &Faults) -> Option<&'n Node> {
         let found = self.get(name);
         if found.is_none() {
-            faults.hint(self.node, format!("`{name}` is missing"), format!("for example `{name}: {example}`"));
+            faults.hint(
+                self.node,
+                format!("`{name}` is missing"),
+                format!("for example `{name}: {example}`"),
+            );
         }
         found
     }

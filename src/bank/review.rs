@@ -1,15 +1,21 @@
 //! Sense of ids, ranges and names: is every datum used and admissible, does a quantity exist, are templates' names known.
 use crate::bank::load::Variables;
 use crate::bank::node::{Faults, Node, Value, close_name, shorten};
-use crate::bank::schema::TEMPLATE_NAMES;
 use crate::bank::scene::{Need, admissible};
+use crate::bank::schema::TEMPLATE_NAMES;
 use crate::bank::{Datum, Draw};
 use crate::finding::Finding;
 use crate::scene::{Attach, Degree, End, Far, Label, Num, Owner, Quantity, RotaryInertia, Scene, Tie};
 
 /// A datum in one case: used where it is drawn, drawn where it is used, and admissible over its whole range.
 pub fn datum(
-    datum: &Datum, node: &Node, draw: Option<&Draw>, uses: &[Need], case: &str, case_node: &Node, faults: &Faults,
+    datum: &Datum,
+    node: &Node,
+    draw: Option<&Draw>,
+    uses: &[Need],
+    case: &str,
+    case_node: &Node,
+    faults: &Faults,
 ) {
     let symbol = &datum.symbol;
     let in_case = if case.is_empty() { String::new() } else { format!(" of the case `{case}`") };
@@ -22,7 +28,10 @@ pub fn datum(
         (None, Some(need)) => faults.hint(
             if case.is_empty() { node } else { case_node },
             format!("`{symbol}` is used as {}, but it is not drawn", need.words()),
-            format!("for example `draw: 20 to 40 step 1`{}", if case.is_empty() { "" } else { ", here or in the data" }),
+            format!(
+                "for example `draw: 20 to 40 step 1`{}",
+                if case.is_empty() { "" } else { ", here or in the data" }
+            ),
         ),
         (Some(draw), Some(_)) => {
             let (low, high) = draw.range();
@@ -36,7 +45,10 @@ pub fn datum(
                     if let Err(message) = admissible(value, *need) {
                         faults.hint(
                             if case.is_empty() { node } else { case_node },
-                            format!("`{symbol}` could be drawn as {}: {message}", datum.unit.text_with(&end.text())),
+                            format!(
+                                "`{symbol}` could be drawn as {}: {message}",
+                                datum.unit.text_with(&end.text())
+                            ),
                             "change the range",
                         );
                     }
@@ -75,8 +87,11 @@ pub fn label(scene: &Scene, name: &str) -> Result<Label, (String, Option<String>
         None => (None, name),
     };
     let Some(quantity) = Quantity::from_name(bare) else {
-        let hint = close_name(bare, Quantity::ALL.iter().map(|q| q.name()));
-        return Err((format!("`{}` is no quantity", shorten(name)), hint));
+        let hint = close_name(bare, Quantity::ALL.iter().map(|q| q.name())).unwrap_or_else(|| {
+            let names: Vec<String> = labels(scene).into_iter().map(|l| scene.name_of(l)).collect();
+            format!("quantities of this scene: {}", names.join(", "))
+        });
+        return Err((format!("`{}` is no quantity", shorten(name)), Some(hint)));
     };
     let found: Vec<Label> = labels(scene).into_iter().filter(|l| l.quantity == quantity).collect();
     let shown = shorten(name);
@@ -88,7 +103,11 @@ pub fn label(scene: &Scene, name: &str) -> Result<Label, (String, Option<String>
     }
     let names = || found.iter().map(|l| format!("`{}`", scene.name_of(*l))).collect::<Vec<_>>().join(", ");
     match owner {
-        None => match found.iter().find(|l| scene.name_of(**l) == bare).or(found.first().filter(|_| found.len() == 1)) {
+        None => match found
+            .iter()
+            .find(|l| scene.name_of(**l) == bare)
+            .or(found.first().filter(|_| found.len() == 1))
+        {
             Some(label) => Ok(*label),
             None => Err((format!("`{shown}`: of what?"), Some(format!("this scene has {}", names())))),
         },
@@ -100,7 +119,10 @@ pub fn label(scene: &Scene, name: &str) -> Result<Label, (String, Option<String>
             };
             match found.iter().find(belongs) {
                 Some(label) => Ok(*label),
-                None => Err((format!("`{shown}` does not exist in this scene"), Some(format!("this scene has {}", names())))),
+                None => Err((
+                    format!("`{shown}` does not exist in this scene"),
+                    Some(format!("this scene has {}", names())),
+                )),
             }
         }
     }
@@ -228,7 +250,11 @@ pub fn labels(scene: &Scene) -> Vec<Label> {
 
 /// Names in the statement and in the questions are symbols of the data or names that every template knows.
 pub fn templates(
-    statement: Option<&Node>, questions: Option<&Node>, symbols: &[&str], variables: Variables, faults: &Faults,
+    statement: Option<&Node>,
+    questions: Option<&Node>,
+    symbols: &[&str],
+    variables: Variables,
+    faults: &Faults,
 ) {
     let mut texts: Vec<&Node> = statement.into_iter().collect();
     if let Some(Node { value: Value::Map(entries), .. }) = questions {
@@ -252,12 +278,15 @@ pub fn templates(
                         continue;
                     }
                     let known = || symbols.iter().copied().chain(TEMPLATE_NAMES.iter().copied());
-                    let hint = close_name(name, known())
-                        .unwrap_or_else(|| format!("known names: {}", known().collect::<Vec<_>>().join(", ")));
+                    let hint = close_name(name, known()).unwrap_or_else(|| {
+                        format!("known names: {}", known().collect::<Vec<_>>().join(", "))
+                    });
                     faults.hint(node, format!("`{{{{ {} }}}}` is not known", shorten(name)), hint);
                 }
                 let is_statement = statement.is_some_and(|s| std::ptr::eq(s, node));
-                if is_statement && !names.iter().any(|n| n == "data") {
+                // A statement that lists values or particles may give any of them.
+                let lists = names.iter().any(|n| matches!(n.as_str(), "value" | "particles"));
+                if is_statement && !lists {
                     for symbol in symbols.iter().filter(|s| **s != "g" && !names.iter().any(|n| n == *s)) {
                         faults.hint(
                             node,
@@ -272,6 +301,8 @@ pub fn templates(
 }
 
 fn told(node: &Node, finding: &Finding, faults: &Faults) {
-    let place = finding.at.map_or_else(String::new, |(line, column)| format!(" (line {line}, column {column} of the text)"));
+    let place = finding
+        .at
+        .map_or_else(String::new, |(line, column)| format!(" (line {line}, column {column} of the text)"));
     faults.maybe(node, format!("{}{place}", finding.message), finding.hint.clone());
 }

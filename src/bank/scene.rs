@@ -6,6 +6,7 @@ use crate::scene::{
     RotaryInertia, Scene, Shape, Side, Slope, Start, Tie,
 };
 use crate::units::Unit;
+use std::cell::Cell;
 use std::cell::RefCell;
 
 /// What a number is used for: it decides unit and admissible range.
@@ -147,11 +148,11 @@ pub struct Use {
     pub need: Need,
 }
 
-/// A scene that was read, with the uses of the data.
-#[derive(Debug, Clone)]
+/// What was read of a scene, with the uses of the data.
+#[derive(Debug, Clone, Default)]
 pub struct Read {
-    /// The scene.
-    pub scene: Scene,
+    /// The scene; `None` if anything is wrong with it.
+    pub scene: Option<Scene>,
     /// Every use of a datum.
     pub uses: Vec<Use>,
 }
@@ -160,14 +161,16 @@ struct Reader<'a> {
     symbols: &'a [Symbol],
     faults: &'a Faults,
     uses: RefCell<Vec<Use>>,
+    /// The line of some body could not be read, so nothing is said of surfaces that are not used.
+    lost: Cell<bool>,
 }
 
 /// Reads a scene. `gravity` is the index of g among the data.
-pub fn read(node: &Node, symbols: &[Symbol], gravity: usize, faults: &Faults) -> Option<Read> {
+pub fn read(node: &Node, symbols: &[Symbol], gravity: usize, faults: &Faults) -> Read {
     let before = faults.count();
-    let reader = Reader { symbols, faults, uses: RefCell::new(Vec::new()) };
-    let scene = reader.scene(node, gravity)?;
-    (faults.count() == before).then(|| Read { scene, uses: reader.uses.into_inner() })
+    let reader = Reader { symbols, faults, uses: RefCell::new(Vec::new()), lost: Cell::new(false) };
+    let scene = reader.scene(node, gravity).filter(|_| faults.count() == before);
+    Read { scene, uses: reader.uses.into_inner() }
 }
 
 struct Surface<'n> {
@@ -208,7 +211,11 @@ impl Reader<'_> {
         };
         let text = text.trim();
         if let Some(datum) = self.symbols.iter().position(|s| s.name == text) {
-            let unit = self.symbols[datum].unit.as_ref()?;
+            let Some(unit) = self.symbols[datum].unit.as_ref() else {
+                // Its unit is wrong, which has been told; it is used all the same.
+                self.uses.borrow_mut().push(Use { datum, need });
+                return Some(Num::Datum(datum));
+            };
             if !measure::fits(unit, need.unit()) {
                 self.faults.hint(
                     node,
@@ -334,7 +341,7 @@ impl Reader<'_> {
             }
         }
         for (surface, used) in surfaces.iter().zip(used) {
-            if !used {
+            if !used && !self.lost.get() {
                 self.faults.hint(node, format!("nothing moves along the surface `{}`", surface.name), "remove the surface, or write `moves: along ...`");
             }
         }
@@ -421,9 +428,15 @@ impl Reader<'_> {
         {
             f.hint(n, "the mass of a body made of parts is the sum of its parts", "remove this field");
         }
-        if let Some(n) = moves {
-            body.line = self.line(n, positive, surfaces);
-        }
+        body.line = match moves.map(|n| self.line(n, positive, surfaces)) {
+            Some(Ok(line)) => line,
+            Some(Err(())) | None => {
+                // Told already; with some line nothing else is blamed.
+                self.lost.set(true);
+                let slope = surfaces.first().map_or(Slope::Vertical, |s| s.slope);
+                Some(Line { slope, forward_up: true, surface: !surfaces.is_empty() })
+            }
+        };
         if let Some(n) = fields.get("radii") {
             for (radius, key, value) in named(n, "radii by name", f) {
                 if !plain_name(radius) {
@@ -446,13 +459,13 @@ impl Reader<'_> {
         body
     }
 
-    fn line(&self, moves: &Node, positive: Option<&Node>, surfaces: &[Surface]) -> Option<Line> {
+    fn line(&self, moves: &Node, positive: Option<&Node>, surfaces: &[Surface]) -> Result<Option<Line>, ()> {
         let text = moves.text().unwrap_or("").trim();
         let (slope, surface) = if text == "about a fixed axle" {
             if let Some(n) = positive {
                 self.faults.hint(n, "a body on a fixed axle does not move along a line", "remove this field");
             }
-            return None;
+            return Ok(None);
         } else if text == "vertically" {
             (Slope::Vertical, false)
         } else if let Some(on) = text.strip_prefix("along ") {
@@ -469,7 +482,7 @@ impl Reader<'_> {
                         }
                     });
                     self.faults.hint(moves, format!("`{}` is no surface of this scene", shorten(on)), hint);
-                    return None;
+                    return Err(());
                 }
             }
         } else {
@@ -478,15 +491,15 @@ impl Reader<'_> {
                 format!("expected how the body moves, found {}", moves.kind()),
                 "`along SURFACE`, `vertically` or `about a fixed axle`",
             );
-            return None;
+            return Err(());
         };
         let words: &[(&str, bool)] = if slope == Slope::Level {
             &[("forward", true), ("right", true), ("back", false), ("left", false)]
         } else {
             &[("up", true), ("down", false)]
         };
-        let forward_up = positive.map_or(Some(true), |n| self.word(n, "the positive sense", words))?;
-        Some(Line { slope, forward_up, surface })
+        let forward_up = positive.map_or(Some(true), |n| self.word(n, "the positive sense", words)).ok_or(())?;
+        Ok(Some(Line { slope, forward_up, surface }))
     }
 
     fn particles(&self, node: &Node) -> Vec<Particle> {

@@ -7,7 +7,7 @@ use crate::bank::node::{Faults, Fields, Node, Value, close_name, named, shorten}
 use crate::bank::review;
 use crate::bank::scene::{self, Need, Symbol};
 use crate::bank::{Bank, Bound, Case, Datum, Draw, Problem, Question};
-use crate::scene::{Label, Scene};
+use crate::scene::{Label, Owner, Quantity, Scene};
 use crate::solve::outcome::{CheckKind, Motion};
 use crate::units::Unit;
 
@@ -24,8 +24,9 @@ const MARGINS: [(CheckKind, f64); 4] = [
     (CheckKind::MustSlip, 0.05),
     (CheckKind::Reaches, 0.05),
 ];
-/// Names that templates know besides the symbols of the data.
-pub const TEMPLATE_NAMES: &[&str] = &["tex", "g", "case", "questions", "data", "title", "number", "conventions"];
+/// Names that templates know besides the symbols of the data (what they hold: `sheet/statement.rs`).
+pub const TEMPLATE_NAMES: &[&str] =
+    &["value", "tex", "title", "number", "case", "count", "particles", "motion", "questions"];
 
 /// What holds for all problems of a bank.
 struct Common {
@@ -41,6 +42,8 @@ struct DatumRead<'n> {
     datum: Datum,
     /// False where the bank's unit is wrong, which is told once.
     unit_known: bool,
+    /// True where a draw is given but wrong, which is told once.
+    draw_wrong: bool,
 }
 
 /// Reads a bank; findings go to `faults`.
@@ -225,7 +228,8 @@ fn problem(
                 node,
                 share: 1,
                 draws: data.iter().map(|d| d.draw.clone()).collect(),
-                scene: base.clone().flatten(),
+                wrong: data.iter().map(|d| d.draw_wrong).collect(),
+                read: base.clone(),
                 regimes: regimes.clone(),
                 bounds: None,
             });
@@ -242,10 +246,14 @@ fn problem(
                 let Some(mut f) = Fields::open(value, "a case (share, draws, ...)", faults) else { continue };
                 let share = f.get("share").map_or(Some(1), |n| whole(n, 1, 1_000_000, faults)).unwrap_or(1);
                 let mut draws: Vec<Option<Draw>> = data.iter().map(|d| d.draw.clone()).collect();
+                let mut wrong: Vec<bool> = data.iter().map(|d| d.draw_wrong).collect();
                 if let Some(n) = f.get("draws") {
                     for (symbol, key, value) in named(n, "draws by symbol", faults) {
                         match data.iter().position(|d| d.datum.symbol == symbol) {
-                            Some(i) => draws[i] = draw(value, faults),
+                            Some(i) => {
+                                draws[i] = draw(value, faults);
+                                wrong[i] = draws[i].is_none();
+                            }
                             None => unknown_symbol(key, symbol, &symbols, faults),
                         }
                     }
@@ -263,7 +271,8 @@ fn problem(
                     node: value,
                     share,
                     draws,
-                    scene: if replaced { own.flatten() } else { base.clone().flatten() },
+                    wrong,
+                    read: if replaced { own } else { base.clone() },
                     regimes: own_regimes.unwrap_or_else(|| regimes.clone()),
                     bounds,
                 });
@@ -273,16 +282,25 @@ fn problem(
 
     // Every datum that a case draws is used by its scene; what the scene uses is drawn; ranges are admissible.
     for case in &cases {
-        let Some(read) = &case.scene else { continue };
+        let Some(read) = &case.read else { continue };
         for (i, d) in data.iter().enumerate() {
+            if case.wrong[i] {
+                continue;
+            }
             let uses: Vec<Need> = read.uses.iter().filter(|u| u.datum == i).map(|u| u.need).collect();
+            if read.scene.is_none() && uses.is_empty() {
+                // Perhaps it is used where the scene could not be read.
+                continue;
+            }
             review::datum(&d.datum, d.node, case.draws[i].as_ref(), &uses, &case.name, case.node, faults);
         }
-        review::inertia_where_slipping(&read.scene, &data_draws(&data, case), case.node, faults);
+        if let Some(scene) = &read.scene {
+            review::inertia_where_slipping(scene, &data_draws(&data, case), case.node, faults);
+        }
     }
     // Slopes go to the scene in degrees, all else in SI.
     let mut degrees = vec![false; data.len()];
-    for read in cases.iter().filter_map(|c| c.scene.as_ref()) {
+    for read in cases.iter().filter_map(|c| c.read.as_ref()) {
         for u in read.uses.iter().filter(|u| u.need == Need::Slope) {
             degrees[u.datum] = true;
         }
@@ -307,7 +325,7 @@ fn problem(
 
     // Questions and bounds are read against each scene, since labels hold the index of a body.
     let scenes: Vec<(&str, &Scene)> =
-        cases.iter().filter_map(|c| c.scene.as_ref().map(|r| (c.name.as_str(), &r.scene))).collect();
+        cases.iter().filter_map(|c| Some((c.name.as_str(), c.read.as_ref()?.scene.as_ref()?))).collect();
     let questions = questions_node.map_or_else(Vec::new, |n| questions(n, common, &scenes, faults));
     let asks = asks_node.map(|n| asks(n, &questions, faults));
     let asked: Vec<Question> = match asks {
@@ -322,18 +340,17 @@ fn problem(
     for case in cases {
         let mut bounds = Vec::new();
         for n in [bounds_node, case.bounds].into_iter().flatten() {
-            if let Some(read) = &case.scene {
-                bounds.extend(bounds_of(n, &plain, &read.scene, faults));
-            }
+            let scene = case.read.as_ref().and_then(|r| r.scene.as_ref());
+            bounds.extend(bounds_of(n, &plain, scene, faults));
         }
-        if let Some(read) = case.scene {
+        if let Some(scene) = case.read.and_then(|r| r.scene) {
             let mut draws = case.draws;
             draws.push(Some(g_draw.clone()));
             ready.push(Case {
                 name: case.name,
                 share: case.share,
                 draws,
-                scene: read.scene,
+                scene,
                 regimes: case.regimes,
                 bounds,
             });
@@ -363,7 +380,10 @@ struct CaseRead<'n> {
     node: &'n Node,
     share: u32,
     draws: Vec<Option<Draw>>,
-    scene: Option<scene::Read>,
+    /// Draws that are given but wrong.
+    wrong: Vec<bool>,
+    /// What was read of its scene, if it has one.
+    read: Option<scene::Read>,
     regimes: Vec<String>,
     bounds: Option<&'n Node>,
 }
@@ -424,6 +444,7 @@ fn data_of<'n>(node: &'n Node, faults: &Faults) -> Vec<DatumRead<'n>> {
         };
         let mut own = None;
         let mut unit_known = false;
+        let mut draw_wrong = false;
         if let Some(mut fields) = Fields::open(value, "a datum (name, unit, draw)", faults) {
             if let Some(name) = fields.need("name", "mass of the wheel", faults).and_then(|n| text(n, "a name", faults)) {
                 datum.name = name;
@@ -440,10 +461,12 @@ fn data_of<'n>(node: &'n Node, faults: &Faults) -> Vec<DatumRead<'n>> {
             if let Some(tex) = fields.get("tex").and_then(|n| text(n, "a symbol in LaTeX", faults)) {
                 datum.tex = tex;
             }
-            own = fields.get("draw").and_then(|n| draw(n, faults));
+            let given = fields.get("draw");
+            own = given.and_then(|n| draw(n, faults));
+            draw_wrong = given.is_some() && own.is_none();
             fields.close(faults);
         }
-        list.push(DatumRead { node: value, draw: own, datum, unit_known });
+        list.push(DatumRead { node: value, draw: own, datum, unit_known, draw_wrong });
     }
     list
 }
@@ -573,6 +596,12 @@ fn question(
             }
         }
     }
+    if scenes.is_empty() {
+        match unowned(&name) {
+            Ok(found) => label = Some(found),
+            Err((message, hint)) => faults.maybe(place, message, hint),
+        }
+    }
     let label = label?;
     let quantity = label.quantity;
     let unit = if quantity.is_word() {
@@ -627,6 +656,18 @@ fn question(
     })
 }
 
+/// The label of a name where the scene could not be read: only the quantity counts.
+fn unowned(name: &str) -> Result<Label, (String, Option<String>)> {
+    let bare = name.rsplit_once('.').map_or(name, |(_, q)| q);
+    match Quantity::from_name(bare) {
+        Some(quantity) => Ok(Label { quantity, of: Owner::Scene }),
+        None => Err((
+            format!("`{}` is no quantity", shorten(name)),
+            close_name(bare, Quantity::ALL.iter().map(|q| q.name())),
+        )),
+    }
+}
+
 fn points(node: &Node, faults: &Faults) -> Option<f64> {
     let read = node.text().and_then(|t| Decimal::parse(t.trim())).and_then(|d| d.text().parse::<f64>().ok());
     let fine = read.filter(|p| (0.0..=1000.0).contains(p));
@@ -661,7 +702,7 @@ fn asks(node: &Node, questions: &[(String, Option<Question>)], faults: &Faults) 
     list
 }
 
-fn bounds_of(node: &Node, data: &[Datum], scene: &Scene, faults: &Faults) -> Vec<Bound> {
+fn bounds_of(node: &Node, data: &[Datum], scene: Option<&Scene>, faults: &Faults) -> Vec<Bound> {
     let mut list = Vec::new();
     for (written, key, value) in named(node, "bounds by expression", faults) {
         let lookup = |name: &str| -> Result<(Name, Powers), (String, Option<String>)> {
@@ -669,7 +710,7 @@ fn bounds_of(node: &Node, data: &[Datum], scene: &Scene, faults: &Faults) -> Vec
                 let factor = if data[i].degrees { std::f64::consts::PI / 180.0 } else { 1.0 };
                 return Ok((Name::Datum(i, factor), measure::powers(&data[i].unit)));
             }
-            let label = review::label(scene, name).map_err(|(message, hint)| {
+            let label = scene.map_or_else(|| unowned(name), |s| review::label(s, name)).map_err(|(message, hint)| {
                 let close = close_name(name, data.iter().map(|d| d.symbol.as_str()));
                 (message, close.or(hint))
             })?;

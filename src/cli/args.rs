@@ -54,9 +54,7 @@ pub enum Verb {
     )]
     Lint(Lint),
     /// Show the whole job on a made-up class of 24: set, submissions, grades
-    #[command(
-        after_help = "Example:\n  slipstick demo\n\nRun twice it replaces only what it made."
-    )]
+    #[command(after_help = "Example:\n  slipstick demo\n\nRun twice it replaces only what it made.")]
     Demo(Demo),
 }
 

@@ -13,11 +13,18 @@ use std::fs;
 use std::path::Path;
 
 /// Banks in the program: id, file, text.
-pub const BUILT_IN: &[(&str, &str, &str)] = &[(
-    "wheels-on-inclines",
-    "banks/wheels-on-inclines.yaml",
-    include_str!("../../banks/wheels-on-inclines.yaml"),
-)];
+pub const BUILT_IN: &[(&str, &str, &str)] = &[
+    (
+        "wheels-on-inclines",
+        "banks/wheels-on-inclines.yaml",
+        include_str!("../../banks/wheels-on-inclines.yaml"),
+    ),
+    (
+        "hoists-and-pulleys",
+        "banks/hoists-and-pulleys.yaml",
+        include_str!("../../banks/hoists-and-pulleys.yaml"),
+    ),
+];
 
 /// A bank with the text that it was read from.
 pub struct Loaded {
@@ -53,11 +60,7 @@ pub fn load(name: &str) -> Result<Loaded, Vec<Finding>> {
 /// # Errors
 /// All that is wrong with it.
 pub fn parse(text: &str, file: &str) -> Result<Bank, Vec<Finding>> {
-    let variables = |text: &str| {
-        template::variables_of(text)
-            .map(|names| names.into_iter().filter(|n| !statement::RESERVED.contains(&n.as_str())).collect())
-    };
-    load::bank(text, file, &variables)
+    load::bank(text, file, &template::variables_of)
 }
 
 /// The templates for a bank: built-in ones, those of `--templates`, those in the bank.
@@ -74,7 +77,9 @@ pub fn templates(own: &Own, bank: &Bank) -> Result<Templates, Vec<Finding>> {
         collect(folder, "", &mut texts)?;
         if texts.is_empty() {
             let fault = Finding::new("", "holds no template").in_file(folder.display().to_string());
-            return Err(vec![fault.hint("templates end in .md or .html, such as statement/pulled-rolling.md")]);
+            return Err(vec![
+                fault.hint("templates end in .md or .html, such as statement/pulled-rolling.md"),
+            ]);
         }
     }
     let mut templates = Templates::new(&texts)?;
@@ -82,7 +87,11 @@ pub fn templates(own: &Own, bank: &Bank) -> Result<Templates, Vec<Finding>> {
     Ok(templates)
 }
 
-fn collect(folder: &Path, prefix: &str, texts: &mut Vec<(String, String, String)>) -> Result<(), Vec<Finding>> {
+fn collect(
+    folder: &Path,
+    prefix: &str,
+    texts: &mut Vec<(String, String, String)>,
+) -> Result<(), Vec<Finding>> {
     for name in files::names_in(folder) {
         let path = folder.join(&name);
         let full = format!("{prefix}{name}");

@@ -36,7 +36,9 @@ fn answer(args: &args::Solve, io: &mut Io) -> Result<Exit, Vec<Finding>> {
         let Some(seed) = args.seed else {
             let example = problem.data.first().map_or("m", |d| d.symbol.as_str());
             let fault = Finding::new("", "no data are given");
-            return Err(vec![fault.hint(format!("write --set {example}=... for each datum, or --seed N to draw"))]);
+            return Err(vec![
+                fault.hint(format!("write --set {example}=... for each datum, or --seed N to draw")),
+            ]);
         };
         drawn(&loaded, problem, seed)?
     } else {
@@ -129,7 +131,8 @@ fn given(problem: &Problem, set: &[String]) -> Result<Data, Vec<Finding>> {
         } else {
             for symbol in lacking {
                 let unit = problem.data.iter().find(|d| d.symbol == symbol).map_or("1", |d| d.unit.ascii());
-                let example = if unit == "1" { "0.5".to_owned() } else { format!("1{}", unit.replace(' ', "*")) };
+                let example =
+                    if unit == "1" { "0.5".to_owned() } else { format!("1{}", unit.replace(' ', "*")) };
                 let fault = Finding::new("--set", format!("{symbol} is not given"));
                 faults.push(fault.hint(format!("write --set '{symbol}={example}' with its value")));
             }
@@ -177,7 +180,11 @@ fn quantity(text: &str, datum: &Datum) -> Result<f64, String> {
     if plain {
         return Ok(q.number);
     }
-    if unit.agrees(&q.unit) { Ok(fill::typed(datum, &q)) } else { Err(format!("`{text}`: {}", unit.mismatch(&q.unit))) }
+    if unit.agrees(&q.unit) {
+        Ok(fill::typed(datum, &q))
+    } else {
+        Err(format!("`{text}`: {}", unit.mismatch(&q.unit)))
+    }
 }
 
 /// JSON numbers with 17 significant digits; null where there is none.
@@ -196,7 +203,12 @@ fn string(text: &str) -> String {
 fn json(problem: &Problem, case: usize, solved: &Solved) -> String {
     let scene = &problem.cases[case].scene;
     let mut out = String::new();
-    let _ = write!(out, "{{\n  \"problem\": {},\n  \"regime\": {},\n  \"checks\": [", string(&problem.id), string(&solved.regime.word()));
+    let _ = write!(
+        out,
+        "{{\n  \"problem\": {},\n  \"regime\": {},\n  \"checks\": [",
+        string(&problem.id),
+        string(&solved.regime.word())
+    );
     for (i, check) in solved.checks.iter().enumerate() {
         let comma = if i == 0 { "" } else { "," };
         let detail = string(&words::check(scene, solved, check));

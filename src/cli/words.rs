@@ -90,7 +90,10 @@ pub fn check(scene: &Scene, solved: &Solved, c: &Check) -> String {
         ),
         CheckKind::Taut if c.ok => format!("{} is taut with {available} N", of_tie(scene, c.of)),
         CheckKind::Taut => {
-            format!("{} is not taut: tension {available} N, required more than {required}", of_tie(scene, c.of))
+            format!(
+                "{} is not taut: tension {available} N, required more than {required}",
+                of_tie(scene, c.of)
+            )
         }
         CheckKind::SlipDirection if c.ok => {
             format!("the slip of the {} goes against the friction", of_tie(scene, c.of))
@@ -130,7 +133,11 @@ pub fn regime(regime: Regime) -> String {
         Motion::Rest => "it stays at rest",
         Motion::Instant => "an instant is asked, nothing moves on",
     };
-    if regime.slips { format!("{text}, if it rolled; friction does not suffice, it slips") } else { text.to_owned() }
+    if regime.slips {
+        format!("{text}, if it rolled; friction does not suffice, it slips")
+    } else {
+        text.to_owned()
+    }
 }
 
 fn symbol(problem: &Problem, num: Num) -> String {
@@ -172,7 +179,8 @@ pub fn refusal(problem: &Problem, scene: &Scene, refusal: &Refusal) -> Vec<Strin
             }
             Unsupported::TwoSprings => "more than one spring is not solved".to_owned(),
             Unsupported::MovingLamina => {
-                "of a body of particles only what holds at the instant can be asked; write `end: at once`".to_owned()
+                "of a body of particles only what holds at the instant can be asked; write `end: at once`"
+                    .to_owned()
             }
             Unsupported::TooManyData => "there are more than 64 data".to_owned(),
         }),

@@ -139,7 +139,8 @@ mod tests {
 
     #[test]
     fn parts_cannot_be_shifted() {
-        let first = |set: &str, problem: &str, student: &str| Source::new(1, set, problem).student(student).word(0);
+        let first =
+            |set: &str, problem: &str, student: &str| Source::new(1, set, problem).student(student).word(0);
         assert_ne!(first("ab", "c", "d"), first("a", "bc", "d"));
         assert_ne!(first("a", "b", "cd"), first("a", "bc", "d"));
         assert_eq!(first("a", "b", "c"), first("a", "b", "c"));

@@ -33,8 +33,8 @@ pub struct Variant {
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Refusals {
     counts: Vec<u32>,
-    /// The last time that the two roads disagreed: quantity, equations of motion, energy, allowed gap.
-    pub disagreement: Option<(Label, f64, f64, f64)>,
+    /// The last draw of admissible data that could not be solved, or on which the two roads disagreed.
+    pub unsolved: Option<Refusal>,
 }
 
 const INADMISSIBLE: usize = 0;
@@ -58,8 +58,8 @@ impl Refusals {
         for (mine, theirs) in self.counts.iter_mut().zip(&other.counts) {
             *mine += theirs;
         }
-        if other.disagreement.is_some() {
-            self.disagreement = other.disagreement;
+        if other.unsolved.is_some() {
+            self.unsolved.clone_from(&other.unsolved);
         }
     }
     /// All refusals together.
@@ -89,7 +89,8 @@ fn rule_name(problem: &Problem, case: usize, rule: usize) -> String {
         _ if rule < bounds => format!("question {} has an answer", problem.questions[rule - questions].id),
         _ => {
             let bounds = &problem.cases[case].bounds;
-            let text = bounds.get(rule - questions - problem.questions.len()).map_or("?", |b| b.text.as_str());
+            let text =
+                bounds.get(rule - questions - problem.questions.len()).map_or("?", |b| b.text.as_str());
             format!("bound {text}")
         }
     }
@@ -134,7 +135,8 @@ pub struct Maker<'p> {
 impl<'p> Maker<'p> {
     /// A maker for a problem of the set `set`, drawn with `seed`.
     pub fn new(problem: &'p Problem, seed: u64, set: &str) -> Self {
-        let margin = |kind: &CheckKind| problem.margins.iter().find(|(k, _)| k == kind).map_or(0.0, |(_, m)| *m);
+        let margin =
+            |kind: &CheckKind| problem.margins.iter().find(|(k, _)| k == kind).map_or(0.0, |(_, m)| *m);
         Self {
             problem,
             source: Source::new(seed, set, &problem.id),
@@ -201,11 +203,14 @@ impl<'p> Maker<'p> {
         }
         let solved = agree::solve(&case.scene, data).map_err(|refusal| match refusal {
             Refusal::Inadmissible(_) => INADMISSIBLE,
-            Refusal::Disagree { label, eom, energy, allowed } => {
-                refusals.disagreement = Some((label, eom, energy, allowed));
+            Refusal::Disagree { .. } => {
+                refusals.unsolved = Some(refusal);
                 DISAGREE
             }
-            _ => UNSOLVABLE,
+            other => {
+                refusals.unsolved = Some(other);
+                UNSOLVABLE
+            }
         })?;
         for check in &solved.checks {
             let kind = CheckKind::ALL.iter().position(|k| *k == check.kind).unwrap_or(0);

@@ -104,7 +104,11 @@ fn offered(quantity: Quantity, scene: &Scene) -> &'static [&'static str] {
     }
     let body = match scene.end {
         End::AtOnce => 0,
-        End::Travel(c, _) | End::Position(c, _) | End::Time(c, _) | End::Speed(c, _) | End::TurningPoint(c) => c.body,
+        End::Travel(c, _)
+        | End::Position(c, _)
+        | End::Time(c, _)
+        | End::Speed(c, _)
+        | End::TurningPoint(c) => c.body,
     };
     match scene.bodies.get(body).and_then(|b| b.line) {
         Some(line) if line.slope != Slope::Level => SLOPED,

@@ -2,7 +2,7 @@
 //! and how likely two students get the same sheet.
 use crate::bank::Problem;
 use crate::problem::make::{Maker, Refusals, Unsatisfiable};
-use crate::scene::Label;
+use crate::solve::outcome::Refusal;
 
 /// A sweep over one problem.
 #[derive(Debug, Clone)]
@@ -17,8 +17,8 @@ pub struct Sweep {
     pub pair_chance: f64,
     /// The first seed for which no draw held the rules, with the table.
     pub unsatisfiable: Option<(u64, Unsatisfiable)>,
-    /// A disagreement of the two roads: quantity, equations of motion, energy, allowed gap.
-    pub disagreement: Option<(Label, f64, f64, f64)>,
+    /// A draw of admissible data that could not be solved, or on which the two roads disagreed.
+    pub unsolved: Option<Refusal>,
 }
 
 /// A sweep over one case.
@@ -86,7 +86,7 @@ pub fn sweep(problem: &Problem, first: u64, seeds: u32, set: &str) -> Sweep {
             .collect(),
         pair_chance: 0.0,
         unsatisfiable: None,
-        disagreement: None,
+        unsolved: None,
     };
     for seed in (first..).take(seeds as usize) {
         let variant = match Maker::new(problem, seed, set).variant("lint") {
@@ -117,7 +117,7 @@ pub fn sweep(problem: &Problem, first: u64, seeds: u32, set: &str) -> Sweep {
     }
     for (i, (case, refused)) in out.cases.iter_mut().zip(&refusals).enumerate() {
         case.refusals = refused.table(problem, i);
-        out.disagreement = out.disagreement.or(refused.disagreement);
+        out.unsolved = out.unsolved.take().or_else(|| refused.unsolved.clone());
         // A case that the seeds did not reach counts as accepted nowhere.
         case.valid = if case.tries > 0 { (case.grid * case.acceptance()).max(1.0) } else { 1.0 };
         out.pair_chance += case.share * case.share / case.valid;

@@ -73,7 +73,9 @@ pub fn indices(bank: &Bank, ids: &[String], field: &str) -> Result<Vec<usize>, V
     let mut faults = Vec::new();
     for id in ids {
         match bank.problems.iter().position(|p| p.id == *id) {
-            Some(i) if found.contains(&i) => faults.push(Finding::new(field, format!("`{id}` is named twice"))),
+            Some(i) if found.contains(&i) => {
+                faults.push(Finding::new(field, format!("`{id}` is named twice")))
+            }
             Some(i) => found.push(i),
             None => {
                 let known: Vec<&str> = bank.problems.iter().map(|p| p.id.as_str()).collect();
@@ -109,7 +111,12 @@ pub fn keys(bank: &Bank, set: &StoredSet) -> Result<Vec<SheetKey>, Vec<Finding>>
         let dealt = dealer.deal(&student.student).map_err(|f| vec![f])?;
         let mut faults = Vec::new();
         if student.problems.len() != problems.len() {
-            let what = format!("{} has {} problems, the set {}", student.student, student.problems.len(), problems.len());
+            let what = format!(
+                "{} has {} problems, the set {}",
+                student.student,
+                student.problems.len(),
+                problems.len()
+            );
             return Err(vec![Finding::new("students", what)]);
         }
         for ((index, variant), old) in problems.iter().zip(&dealt.variants).zip(&student.problems) {

@@ -103,7 +103,13 @@ impl<'b> Sheets<'b> {
     ///
     /// # Errors
     /// Faults of the templates.
-    pub fn html(&self, student: &str, name: &str, markdown: &str, room: &mut Room) -> Result<Vec<u8>, Finding> {
+    pub fn html(
+        &self,
+        student: &str,
+        name: &str,
+        markdown: &str,
+        room: &mut Room,
+    ) -> Result<Vec<u8>, Finding> {
         let mut view = self.head(student, name);
         view.text("body", room.converter.body(markdown).trim_end());
         let mut out = Vec::new();
@@ -122,9 +128,10 @@ impl<'b> Sheets<'b> {
         let within = percent(self.common.relative);
         view.text("tolerance", &format!("an answer within {within} of the right one counts as right"));
         view.text("self_check", if self.bank.self_check { "yes" } else { "" });
-        let questions = self.statements.iter().enumerate().flat_map(|(i, (index, _))| {
-            self.bank.problems[*index].questions.iter().map(move |q| (i + 1, q))
-        });
+        let questions =
+            self.statements.iter().enumerate().flat_map(|(i, (index, _))| {
+                self.bank.problems[*index].questions.iter().map(move |q| (i + 1, q))
+            });
         let mut example = ("1.v".to_owned(), "m/s".to_owned());
         let numeric = questions.filter(|(_, q)| !q.label.quantity.is_word() && !q.unit.is_number());
         let preferred = numeric.clone().find(|(_, q)| q.label.quantity == Quantity::V);

@@ -103,9 +103,9 @@ fn to_json(node: &Node) -> Value {
         node::Value::Empty => Value::Null,
         node::Value::Text(text) => Value::from(text.as_str()),
         node::Value::List(items) => items.iter().map(to_json).collect(),
-        node::Value::Map(fields) => {
-            Value::Object(fields.iter().map(|(k, v)| (k.text().unwrap_or("").to_owned(), to_json(v))).collect())
-        }
+        node::Value::Map(fields) => Value::Object(
+            fields.iter().map(|(k, v)| (k.text().unwrap_or("").to_owned(), to_json(v))).collect(),
+        ),
     }
 }
 
@@ -138,7 +138,9 @@ fn scene(bank: &Bank, tree: &Node, problem: &Problem, case: usize) -> Value {
     }
     one.insert("data".to_owned(), Value::Object(data));
     for name in ["scene", "regimes"] {
-        if let Some(node) = of_case.and_then(|c| field(c, name)).or_else(|| whole.and_then(|p| field(p, name))) {
+        if let Some(node) =
+            of_case.and_then(|c| field(c, name)).or_else(|| whole.and_then(|p| field(p, name)))
+        {
             one.insert(name.to_owned(), to_json(node));
         }
     }
@@ -213,13 +215,18 @@ impl SheetProblem {
         let path = |rest: &str| format!("problems[{}].{rest}", self.number.saturating_sub(1));
         let mut faults = Vec::new();
         let mut bank = self.scene.clone();
-        let said = |symbol: &str, what: &str| self.data.get(symbol).and_then(|d| d.get(what)).and_then(Value::as_str);
+        let said = |symbol: &str, what: &str| {
+            self.data.get(symbol).and_then(|d| d.get(what)).and_then(Value::as_str)
+        };
         if let (Some(value), Some(unit)) = (said("g", "value"), said("g", "unit")) {
             if let Some(fields) = bank.as_object_mut() {
                 fields.insert("gravity".to_owned(), Value::from(format!("{value} {unit}")));
             }
         }
-        let data = bank.pointer_mut("/problems").and_then(|p| p.get_mut(self.id.as_str())).and_then(|p| p.get_mut("data"));
+        let data = bank
+            .pointer_mut("/problems")
+            .and_then(|p| p.get_mut(self.id.as_str()))
+            .and_then(|p| p.get_mut("data"));
         let Some(Value::Object(data)) = data else {
             return Err(vec![Finding::new(path("scene"), "holds no data of this problem")]);
         };

@@ -111,12 +111,10 @@ pub fn add_own(templates: &mut Templates, bank: &Bank) -> Result<(), Vec<Finding
                 faults.push(fault);
             }
         } else if !templates.has_markdown(&template_name(problem)) {
-            faults.push(
-                Finding::new(format!("problems.{}", problem.id), "has no statement").hint(format!(
-                    "write `statement: |` into the problem, or put {} into a folder and give --templates FOLDER",
-                    template_name(problem)
-                )),
-            );
+            faults.push(Finding::new(format!("problems.{}", problem.id), "has no statement").hint(format!(
+                "write `statement: |` into the problem, or put {} into a folder and give --templates FOLDER",
+                template_name(problem)
+            )));
         }
         for q in problem.questions.iter().filter(|q| is_template(&q.ask)) {
             if let Err(fault) = templates.add_markdown(&ask_name(problem, q), &q.ask) {

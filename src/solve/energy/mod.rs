@@ -323,7 +323,8 @@ impl<'a, T: Real> Ledger<'a, T> {
         if let Some(s) = store {
             add((tension0 * s.lost).value());
         }
-        (plus, minus)
+        let size = self.n.exponent(Quantity::Friction);
+        (plus.scale2(size), minus.scale2(size))
     }
 
     fn asked(&self, account: &Account<T>, turning: Option<T>, sense: f64) -> Option<T> {
