@@ -7,10 +7,13 @@
 //!
 //! Data flow: bank -> draw -> scene -> solve (eom | energy) -> key -> sheet, and
 //! submissions -> answer -> grade -> report.
+pub mod answer;
 pub mod bank;
 pub mod finding;
+pub mod grade;
 pub mod key;
 pub mod num;
+pub mod report;
 pub mod scene;
 pub mod solve;
 pub mod units;
