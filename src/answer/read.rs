@@ -228,7 +228,10 @@ fn general(text: &str, units: &mut UnitCache) -> Result<Reading, Why> {
     let (mut word, mut text) = (None, text);
     if !starts(text) {
         let lower = text.trim_start_matches(['-', '+']).trim().to_lowercase();
-        if ["nan", "inf", "infinity", "\u{221e}"].iter().any(|w| lower == *w || lower.starts_with(&format!("{w} "))) {
+        if ["nan", "inf", "infinity", "\u{221e}"]
+            .iter()
+            .any(|w| lower == *w || lower.starts_with(&format!("{w} ")))
+        {
             return Err(Why::NotFinite);
         }
         let digit = text.find(|c: char| c.is_ascii_digit()).ok_or(Why::NoNumber)?;
@@ -277,7 +280,12 @@ fn after_symbol(text: &str) -> Result<&str, Why> {
 }
 
 fn superscript(c: char) -> Option<char> {
-    "⁰¹²³⁴⁵⁶⁷⁸⁹".chars().zip('0'..='9').find(|(s, _)| *s == c).map(|(_, d)| d).or((c == '\u{207b}').then_some('-'))
+    "⁰¹²³⁴⁵⁶⁷⁸⁹"
+        .chars()
+        .zip('0'..='9')
+        .find(|(s, _)| *s == c)
+        .map(|(_, d)| d)
+        .or((c == '\u{207b}').then_some('-'))
 }
 
 /// The number at the start: (number, was it written with a minus, what follows).
@@ -344,8 +352,7 @@ fn decimal(text: &str) -> Result<(Number, bool, &str), Why> {
         rest = tail;
     }
     let parse = |digits: &str| -> Result<f64, Why> {
-        let text =
-            if exponent.is_empty() { digits.to_owned() } else { format!("{digits}e{exponent}") };
+        let text = if exponent.is_empty() { digits.to_owned() } else { format!("{digits}e{exponent}") };
         let value: f64 = text.parse().map_err(|_| Why::NoNumber)?;
         if !value.is_finite() {
             return Err(Why::NotFinite);
@@ -354,14 +361,14 @@ fn decimal(text: &str) -> Result<(Number, bool, &str), Why> {
     };
     let value = parse(&digits)?;
     let grouped = grouped_digits.and_then(|d| parse(&d).ok());
-    let number =
-        Number { value, grouped, comma: commas == 1, unit: None, case_forgiven: false, word: None };
+    let number = Number { value, grouped, comma: commas == 1, unit: None, case_forgiven: false, word: None };
     Ok((number, negative, rest))
 }
 
 /// `×10^n`, `x 10^-3`, `·10ⁿ`, `*10**n`: the exponent and what follows.
 fn times_ten(text: &str) -> Result<Option<(String, &str)>, Why> {
-    let Some(tail) = text.trim_start().strip_prefix(['\u{d7}', 'x', 'X', '*', '·', '\u{22c5}', '\u{2219}']) else {
+    let Some(tail) = text.trim_start().strip_prefix(['\u{d7}', 'x', 'X', '*', '·', '\u{22c5}', '\u{2219}'])
+    else {
         return Ok(None);
     };
     let Some(tail) = tail.trim_start().strip_prefix("10") else {
@@ -443,10 +450,35 @@ fn split_unit(rest: &str, units: &mut UnitCache) -> Result<UnitAndWord, Why> {
 }
 
 const WORDS: &[(Word, &[&str])] = &[
-    (Word::Up, &["up", "upward", "upwards", "uphill", "upslope", "auf", "aufwärts", "hinauf", "oben", "hangaufwärts"]),
+    (
+        Word::Up,
+        &[
+            "up",
+            "upward",
+            "upwards",
+            "uphill",
+            "upslope",
+            "auf",
+            "aufwärts",
+            "hinauf",
+            "oben",
+            "hangaufwärts",
+        ],
+    ),
     (
         Word::Down,
-        &["down", "downward", "downwards", "downhill", "downslope", "ab", "abwärts", "hinab", "unten", "hangabwärts"],
+        &[
+            "down",
+            "downward",
+            "downwards",
+            "downhill",
+            "downslope",
+            "ab",
+            "abwärts",
+            "hinab",
+            "unten",
+            "hangabwärts",
+        ],
     ),
     (Word::Forward, &["forward", "forwards", "right", "vorwärts", "rechts"]),
     (Word::Back, &["back", "backward", "backwards", "left", "rückwärts", "zurück", "links"]),
@@ -455,9 +487,36 @@ const WORDS: &[(Word, &[&str])] = &[
     (Word::No, &["no", "n", "nein", "false"]),
 ];
 const FILLERS: &[&str] = &[
-    "the", "a", "an", "incline", "inclined", "plane", "slope", "ramp", "along", "to", "at", "acting", "acts", "directed",
-    "pointing", "points", "moves", "it", "is", "in", "direction", "nach", "die", "der", "schiefe", "schiefen", "ebene",
-    "put", "remains", "wheel",
+    "the",
+    "a",
+    "an",
+    "incline",
+    "inclined",
+    "plane",
+    "slope",
+    "ramp",
+    "along",
+    "to",
+    "at",
+    "acting",
+    "acts",
+    "directed",
+    "pointing",
+    "points",
+    "moves",
+    "it",
+    "is",
+    "in",
+    "direction",
+    "nach",
+    "die",
+    "der",
+    "schiefe",
+    "schiefen",
+    "ebene",
+    "put",
+    "remains",
+    "wheel",
 ];
 
 /// A phrase made of one direction or word and fillers only. `None`: other words; `Some(Err)`: two that differ.
@@ -468,7 +527,8 @@ fn phrase(text: &str) -> Option<Result<Word, Why>> {
     let mut found: Option<Word> = None;
     let mut two = false;
     let lower = text.to_lowercase();
-    let plain = lower.split(|c: char| c.is_whitespace() || "(),.;:!-\"'".contains(c)).filter(|t| !t.is_empty());
+    let plain =
+        lower.split(|c: char| c.is_whitespace() || "(),.;:!-\"'".contains(c)).filter(|t| !t.is_empty());
     for token in plain {
         if let Some((word, _)) = WORDS.iter().find(|(_, all)| all.contains(&token)) {
             two |= found.is_some_and(|f| f != *word);

@@ -394,7 +394,10 @@ impl Source {
     }
 
     /// As `open`, reading blocks of at least this many bytes.
-    pub(crate) fn with_block(inner: Box<dyn Read + Send>, block: usize) -> io::Result<(Source, Option<Header>)> {
+    pub(crate) fn with_block(
+        inner: Box<dyn Read + Send>,
+        block: usize,
+    ) -> io::Result<(Source, Option<Header>)> {
         let mut source = Source {
             inner,
             decoder: None,
@@ -548,8 +551,7 @@ impl Source {
             } else {
                 memchr::memrchr(b'\n', &data[..data.len().min(self.block)]).map_or(0, |k| k + 1)
             };
-            let simple =
-                cut > 0 && memchr::memchr(b'"', &data[..cut]).is_none() && !lone_cr(&data[..cut]);
+            let simple = cut > 0 && memchr::memchr(b'"', &data[..cut]).is_none() && !lone_cr(&data[..cut]);
             let mut lines = 0;
             if simple {
                 lines = memchr::memchr_iter(b'\n', &data[..cut]).count() as u64;
@@ -609,7 +611,8 @@ impl Source {
 
 /// Decodes onto the end of `out`.
 fn append(decoder: &mut encoding_rs::Decoder, raw: &[u8], last: bool, out: &mut Vec<u8>) {
-    let mut text = String::with_capacity(decoder.max_utf8_buffer_length(raw.len()).unwrap_or(raw.len() * 3 + 16));
+    let mut text =
+        String::with_capacity(decoder.max_utf8_buffer_length(raw.len()).unwrap_or(raw.len() * 3 + 16));
     let (_, _, _) = decoder.decode_to_string(raw, &mut text, last);
     out.extend_from_slice(text.as_bytes());
 }
@@ -646,7 +649,8 @@ fn collect(source: &mut Source) -> io::Result<Vec<(u64, Vec<String>)>> {
     let (mut batch, mut record, mut all) = (Batch::default(), Record::default(), Vec::new());
     while source.next_batch(&mut batch)? {
         batch.records(&mut record, &mut |r| {
-            let fields = (0..r.len()).map(|i| String::from_utf8_lossy(r.get(i).unwrap_or_default()).into_owned());
+            let fields =
+                (0..r.len()).map(|i| String::from_utf8_lossy(r.get(i).unwrap_or_default()).into_owned());
             all.push((r.line(), fields.collect()));
         });
     }
@@ -672,7 +676,8 @@ mod tests {
     #[test]
     fn line_ends_quotes_and_blank_lines() {
         let text = b"a,b\r\n1,\"x, \"\"y\"\"\"\r\n\r\n2,\"two\nlines\"\n3,5\" rod\r4, \"z\" ,\n5,\"q\" r";
-        let want = rows(&[(2, "1|x, \"y\""), (4, "2|two\nlines"), (6, "3|5\" rod"), (7, "4|z|"), (8, "5|q r")]);
+        let want =
+            rows(&[(2, "1|x, \"y\""), (4, "2|two\nlines"), (6, "3|5\" rod"), (7, "4|z|"), (8, "5|q r")]);
         assert_eq!(lines(text), want);
     }
 
@@ -696,12 +701,19 @@ mod tests {
         let want = rows(&[(2, "Müller|30 °")]);
         let utf16 = |big: bool, bom: bool| {
             let text = if bom { format!("\u{feff}{text}") } else { text.to_owned() };
-            text.encode_utf16().flat_map(|u| if big { u.to_be_bytes() } else { u.to_le_bytes() }).collect::<Vec<u8>>()
+            text.encode_utf16()
+                .flat_map(|u| if big { u.to_be_bytes() } else { u.to_le_bytes() })
+                .collect::<Vec<u8>>()
         };
         let (latin, _, _) = WINDOWS_1252.encode(text);
         let bom = [b"\xef\xbb\xbf", text.as_bytes()].concat();
         for bytes in [
-            text.as_bytes().to_vec(), bom, latin.into_owned(), utf16(true, true), utf16(false, true), utf16(true, false),
+            text.as_bytes().to_vec(),
+            bom,
+            latin.into_owned(),
+            utf16(true, true),
+            utf16(false, true),
+            utf16(true, false),
             utf16(false, false),
         ] {
             let (header, _) = read_all(&bytes);

@@ -41,9 +41,11 @@ pub fn judge_with(cell: &str, entry: &KeyEntry, units: &mut UnitCache) -> Judgem
         (Reading::Word(word), Answer::Number { .. }) => {
             (Verdict::Unreadable, Cow::Owned(format!("`{}` alone: write the number too", word.as_str())))
         }
-        (Reading::Number(number), Answer::Number { value, half_width, directed, magnitude }) => {
-            judge_number(&number, entry, Key { value: *value, half_width: *half_width, directed: *directed, magnitude: *magnitude })
-        }
+        (Reading::Number(number), Answer::Number { value, half_width, directed, magnitude }) => judge_number(
+            &number,
+            entry,
+            Key { value: *value, half_width: *half_width, directed: *directed, magnitude: *magnitude },
+        ),
     };
     Judgement { verdict, points: if verdict == Verdict::Right { entry.points } else { 0.0 }, reason }
 }
@@ -54,7 +56,10 @@ fn judge_word(word: Word, right: &str, offered: &[&str]) -> (Verdict, Cow<'stati
     } else if offered.contains(&word.as_str()) {
         (Verdict::Wrong, Cow::Borrowed("another word is right"))
     } else {
-        (Verdict::Unreadable, Cow::Owned(format!("`{}` is not offered: write one of {}", word.as_str(), offered.join(", "))))
+        (
+            Verdict::Unreadable,
+            Cow::Owned(format!("`{}` is not offered: write one of {}", word.as_str(), offered.join(", "))),
+        )
     }
 }
 
@@ -83,7 +88,10 @@ fn judge_number(number: &Number, entry: &KeyEntry, key: Key) -> (Verdict, Cow<'s
         }
         Some(unit) => unit,
         None if entry.unit_required && !entry.unit.is_number() => {
-            return (Verdict::MissingUnit, Cow::Owned(format!("write the unit, such as {}", entry.unit.ascii())));
+            return (
+                Verdict::MissingUnit,
+                Cow::Owned(format!("write the unit, such as {}", entry.unit.ascii())),
+            );
         }
         None => &entry.unit,
     };

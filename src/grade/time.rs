@@ -13,7 +13,11 @@ pub fn parse(text: &str) -> Option<i64> {
     let date = date.trim_end_matches(',');
     let numbers = |separator: char| -> Option<[i64; 3]> {
         let mut parts = date.split(separator).map(|p| {
-            if (1..=4).contains(&p.len()) && p.bytes().all(|b| b.is_ascii_digit()) { p.parse::<i64>().ok() } else { None }
+            if (1..=4).contains(&p.len()) && p.bytes().all(|b| b.is_ascii_digit()) {
+                p.parse::<i64>().ok()
+            } else {
+                None
+            }
         });
         let all = [parts.next()??, parts.next()??, parts.next()??];
         parts.next().is_none().then_some(all)
@@ -63,11 +67,13 @@ fn clock(text: &str) -> Option<i64> {
     if text.is_empty() {
         return Some(0);
     }
-    let end = text.find(|c: char| !(c.is_ascii_digit() || c == ':' || c == '.' || c == ',')).unwrap_or(text.len());
+    let end =
+        text.find(|c: char| !(c.is_ascii_digit() || c == ':' || c == '.' || c == ',')).unwrap_or(text.len());
     let zone = text[end..].trim();
     let body = text[..end].replace(',', ".");
     let mut parts = body.split(':');
-    let whole = |p: Option<&str>| p.filter(|p| (1..=2).contains(&p.len())).and_then(|p| p.parse::<i64>().ok());
+    let whole =
+        |p: Option<&str>| p.filter(|p| (1..=2).contains(&p.len())).and_then(|p| p.parse::<i64>().ok());
     let mut hour = whole(parts.next())?;
     let minute = whole(parts.next())?;
     let mut micros = 0i64;
@@ -112,8 +118,14 @@ mod tests {
         let want = parse("2026-03-25T14:05:30Z");
         assert_eq!(want, Some(1_774_447_530_000_000));
         for text in [
-            "2026-03-25 14:05:30", "2026-03-25T16:05:30+02:00", "25.03.2026 14:05:30", "3/25/2026 2:05:30 PM",
-            "25/3/2026 14:05:30", "2026/03/25 14:05:30", "2026-03-25T14:05:30.000", "2026-03-25T0905:30".replace("0905", "09:05").as_str(),
+            "2026-03-25 14:05:30",
+            "2026-03-25T16:05:30+02:00",
+            "25.03.2026 14:05:30",
+            "3/25/2026 2:05:30 PM",
+            "25/3/2026 14:05:30",
+            "2026/03/25 14:05:30",
+            "2026-03-25T14:05:30.000",
+            "2026-03-25T0905:30".replace("0905", "09:05").as_str(),
         ] {
             let text = text.replace("T09:05:30", "T09:05:30-0500");
             assert_eq!(parse(&text), want, "{text}");
