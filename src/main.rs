@@ -1,1 +1,16 @@
-fn main() {}
+//! The program: calls [`slipstick::cli::run`] and returns its exit code.
+use slipstick::cli;
+use slipstick::cli::tell::Io;
+use std::io;
+use std::io::IsTerminal as _;
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    let watched = io::stderr().is_terminal();
+    let mut input = io::stdin().lock();
+    let mut out = io::BufWriter::new(io::stdout().lock());
+    let mut err = io::stderr().lock();
+    let exit =
+        cli::run(std::env::args_os(), &mut Io { input: &mut input, out: &mut out, err: &mut err, watched });
+    ExitCode::from(exit as u8)
+}

@@ -1,5 +1,357 @@
-//! Expressions of bounds.
+//! Expressions of bounds: symbols of data, names of quantities, numbers, `+ - * / ^ ( )`, `sqrt` and `abs`.
+//!
+//! Values are SI. Dimensions are checked where they are known; the radian counts as a pure number here.
+use crate::scene::Label;
 
-/// An expression.
-#[derive(Debug, Clone)]
-pub struct Expression;
+/// Exponents of the base units, in quarters, so that square roots stay whole; the angle is left out.
+pub type Powers = [i32; 3];
+
+/// Deepest nesting that is read.
+const DEPTH: usize = 24;
+/// Longest expression, in characters.
+const LENGTH: usize = 400;
+
+/// An expression, ready to be evaluated without allocation.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Expression {
+    steps: Vec<Step>,
+    /// Dimension of the value.
+    pub powers: Powers,
+}
+
+/// What a name means.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Name {
+    /// A datum; its value is multiplied by the factor (degrees to radians, else 1).
+    Datum(usize, f64),
+    /// A quantity of the solution.
+    Quantity(Label),
+}
+
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Step {
+    Number(f64),
+    Name(Name),
+    Add,
+    Subtract,
+    Multiply,
+    Divide,
+    Negate,
+    Power(i32),
+    Sqrt,
+    Abs,
+}
+
+/// What is wrong with an expression, and at which character (from 1).
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Trouble {
+    /// Character, from 1.
+    pub column: usize,
+    /// What is wrong.
+    pub message: String,
+    /// What would be right.
+    pub hint: Option<String>,
+}
+
+/// Looks up a name: its meaning and dimension, or what to say about it.
+pub type Lookup<'a> = &'a dyn Fn(&str) -> Result<(Name, Powers), (String, Option<String>)>;
+
+impl Expression {
+    /// Reads an expression.
+    pub fn parse(text: &str, lookup: Lookup) -> Result<Self, Trouble> {
+        let chars: Vec<char> = text.chars().collect();
+        let mut parser = Parser { chars: &chars, at: 0, steps: Vec::new(), depth: 0, lookup };
+        if chars.len() > LENGTH {
+            return Err(parser.trouble(format!("longer than {LENGTH} characters")));
+        }
+        let powers = parser.sum()?;
+        parser.blanks();
+        if parser.at < chars.len() {
+            let rest = chars[parser.at];
+            return Err(parser.trouble(format!("`{rest}` is not expected here")));
+        }
+        Ok(Self { steps: parser.steps, powers })
+    }
+    /// Does it need the solution, or are the data enough?
+    pub fn needs_solution(&self) -> bool {
+        self.steps.iter().any(|s| matches!(s, Step::Name(Name::Quantity(_))))
+    }
+    /// The quantities that it names.
+    pub fn quantities(&self) -> impl Iterator<Item = Label> {
+        self.steps.iter().filter_map(|s| match s {
+            Step::Name(Name::Quantity(label)) => Some(*label),
+            _ => None,
+        })
+    }
+    /// Its value, SI; NaN where a quantity does not exist or the expression has no real value.
+    pub fn eval(&self, data: &[f64], quantity: &dyn Fn(Label) -> f64) -> f64 {
+        let mut stack = [0.0f64; 2 * DEPTH + 8];
+        let mut top = 0usize;
+        for step in &self.steps {
+            match *step {
+                Step::Number(x) => top = push(&mut stack, top, x),
+                Step::Name(Name::Datum(i, factor)) => {
+                    top = push(&mut stack, top, data.get(i).copied().unwrap_or(f64::NAN) * factor);
+                }
+                Step::Name(Name::Quantity(label)) => top = push(&mut stack, top, quantity(label)),
+                Step::Negate => stack[top - 1] = -stack[top - 1],
+                Step::Sqrt => stack[top - 1] = stack[top - 1].sqrt(),
+                Step::Abs => stack[top - 1] = stack[top - 1].abs(),
+                Step::Power(n) => stack[top - 1] = power(stack[top - 1], n),
+                Step::Add | Step::Subtract | Step::Multiply | Step::Divide => {
+                    let b = stack[top - 1];
+                    let a = stack[top - 2];
+                    top -= 1;
+                    stack[top - 1] = match step {
+                        Step::Add => a + b,
+                        Step::Subtract => a - b,
+                        Step::Multiply => a * b,
+                        _ => a / b,
+                    };
+                }
+            }
+        }
+        stack[0]
+    }
+}
+
+fn push(stack: &mut [f64], top: usize, x: f64) -> usize {
+    stack[top] = x;
+    top + 1
+}
+
+/// `x^n` by repeated multiplication, the same bits everywhere.
+fn power(x: f64, n: i32) -> f64 {
+    let mut product = 1.0;
+    for _ in 0..n.unsigned_abs() {
+        product *= x;
+    }
+    if n < 0 { 1.0 / product } else { product }
+}
+
+struct Parser<'a> {
+    chars: &'a [char],
+    at: usize,
+    steps: Vec<Step>,
+    depth: usize,
+    lookup: Lookup<'a>,
+}
+
+impl Parser<'_> {
+    fn trouble(&self, message: impl Into<String>) -> Trouble {
+        Trouble { column: self.at + 1, message: message.into(), hint: None }
+    }
+    fn blanks(&mut self) {
+        while self.chars.get(self.at).is_some_and(|c| c.is_whitespace()) {
+            self.at += 1;
+        }
+    }
+    fn peek(&mut self) -> Option<char> {
+        self.blanks();
+        self.chars.get(self.at).copied()
+    }
+    fn take(&mut self, wanted: char) -> bool {
+        let found = self.peek() == Some(wanted);
+        if found {
+            self.at += 1;
+        }
+        found
+    }
+    fn deeper(&mut self) -> Result<(), Trouble> {
+        self.depth += 1;
+        if self.depth > DEPTH { Err(self.trouble("nested too deeply")) } else { Ok(()) }
+    }
+    fn sum(&mut self) -> Result<Powers, Trouble> {
+        self.deeper()?;
+        let first = self.product()?;
+        loop {
+            let step = if self.take('+') {
+                Step::Add
+            } else if self.take('-') {
+                Step::Subtract
+            } else {
+                break;
+            };
+            let start = self.at;
+            let next = self.product()?;
+            if next != first {
+                self.at = start;
+                return Err(self.trouble("the terms of a sum have different dimensions"));
+            }
+            self.steps.push(step);
+        }
+        self.depth -= 1;
+        Ok(first)
+    }
+    fn product(&mut self) -> Result<Powers, Trouble> {
+        let mut powers = self.signed()?;
+        loop {
+            let (step, sign) = if self.take('*') || self.take('·') {
+                (Step::Multiply, 1)
+            } else if self.take('/') {
+                (Step::Divide, -1)
+            } else {
+                return Ok(powers);
+            };
+            let next = self.signed()?;
+            for (p, n) in powers.iter_mut().zip(next) {
+                *p = self.small(*p + sign * n)?;
+            }
+            self.steps.push(step);
+        }
+    }
+    fn small(&self, exponent: i32) -> Result<i32, Trouble> {
+        if exponent.abs() > 400 { Err(self.trouble("an exponent is too large")) } else { Ok(exponent) }
+    }
+    fn signed(&mut self) -> Result<Powers, Trouble> {
+        let mut negative = false;
+        while self.take('-') {
+            negative = !negative;
+        }
+        let powers = self.raised()?;
+        if negative {
+            self.steps.push(Step::Negate);
+        }
+        Ok(powers)
+    }
+    fn raised(&mut self) -> Result<Powers, Trouble> {
+        let mut powers = self.atom()?;
+        if self.take('^') {
+            let negative = self.take('-');
+            self.blanks();
+            let start = self.at;
+            while self.chars.get(self.at).is_some_and(char::is_ascii_digit) {
+                self.at += 1;
+            }
+            let digits: String = self.chars[start..self.at].iter().collect();
+            let n: i32 = match digits.parse() {
+                Ok(n) if n <= 9 => n,
+                _ => return Err(self.trouble("an exponent is a whole number up to 9")),
+            };
+            let n = if negative { -n } else { n };
+            for p in &mut powers {
+                *p = self.small(p.saturating_mul(n))?;
+            }
+            self.steps.push(Step::Power(n));
+        }
+        Ok(powers)
+    }
+    fn atom(&mut self) -> Result<Powers, Trouble> {
+        let Some(c) = self.peek() else {
+            return Err(self.trouble("something is missing at the end"));
+        };
+        if c == '(' {
+            self.at += 1;
+            let powers = self.sum()?;
+            if !self.take(')') {
+                return Err(self.trouble("`)` is missing"));
+            }
+            return Ok(powers);
+        }
+        let start = self.at;
+        if c.is_ascii_digit() || c == '.' {
+            while self.chars.get(self.at).is_some_and(|c| c.is_ascii_digit() || *c == '.') {
+                self.at += 1;
+            }
+            let digits: String = self.chars[start..self.at].iter().collect();
+            return match digits.parse::<f64>() {
+                Ok(x) if x.is_finite() => {
+                    self.steps.push(Step::Number(x));
+                    Ok([0; 3])
+                }
+                _ => {
+                    self.at = start;
+                    Err(self.trouble(format!("`{digits}` is not a number")))
+                }
+            };
+        }
+        if c.is_alphabetic() || c == '_' {
+            while self.chars.get(self.at).is_some_and(|c| c.is_alphanumeric() || *c == '_' || *c == '.') {
+                self.at += 1;
+            }
+            let name: String = self.chars[start..self.at].iter().collect();
+            if (name == "sqrt" || name == "abs") && self.peek() == Some('(') {
+                self.at += 1;
+                let mut powers = self.sum()?;
+                if !self.take(')') {
+                    return Err(self.trouble("`)` is missing"));
+                }
+                if name == "sqrt" {
+                    for p in &mut powers {
+                        if *p % 2 != 0 {
+                            return Err(self.trouble("this square root has no dimension that makes sense"));
+                        }
+                        *p /= 2;
+                    }
+                    self.steps.push(Step::Sqrt);
+                } else {
+                    self.steps.push(Step::Abs);
+                }
+                return Ok(powers);
+            }
+            return match (self.lookup)(&name) {
+                Ok((meaning, powers)) => {
+                    self.steps.push(Step::Name(meaning));
+                    Ok(powers)
+                }
+                Err((message, hint)) => Err(Trouble { column: start + 1, message, hint }),
+            };
+        }
+        Err(self.trouble(format!("`{c}` is not expected here")))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn read(text: &str) -> Result<Expression, Trouble> {
+        Expression::parse(text, &|name| match name {
+            "k" => Ok((Name::Datum(0, 1.0), [4, 0, 0])),
+            "r" => Ok((Name::Datum(1, 1.0), [4, 0, 0])),
+            _ => Err((format!("`{name}` is not known"), None)),
+        })
+    }
+
+    #[test]
+    fn values_and_dimensions() {
+        let value = |text: &str| read(text).map(|e| e.eval(&[3.0, 4.0], &|_| f64::NAN));
+        assert_eq!(value("k / r"), Ok(0.75));
+        assert_eq!(value("sqrt(k^2 + r^2)"), Ok(5.0));
+        assert_eq!(value("-k^2 + 2*r*(k - r)"), Ok(-17.0));
+        assert_eq!(value("abs(k - r) / r^-1"), Ok(4.0));
+        assert_eq!(value("1 - 2 - 3"), Ok(-4.0));
+        assert_eq!(value("8 / 4 / 2"), Ok(1.0));
+        assert_eq!(read("k*r").map(|e| e.powers[0]), Ok(8));
+    }
+
+    #[test]
+    fn troubles() {
+        for text in [
+            "",
+            "k +",
+            "k + 1",
+            "(k",
+            "k ^ r",
+            "q",
+            "1.2.3",
+            "k k",
+            "sqrt(k)*",
+            "sqrt(sqrt(sqrt(k)))",
+            "k^99",
+        ] {
+            assert!(read(text).is_err(), "{text}");
+        }
+        assert!(read(&"(".repeat(500)).is_err());
+        assert!(read(&"(".repeat(100)).is_err());
+        assert!(read(&"-".repeat(300)).is_err());
+    }
+
+    #[test]
+    fn the_stack_holds_the_deepest_expression() {
+        let deep = format!("{}k{}", "k+k*(".repeat(22), ")".repeat(22));
+        // Dimensions do not fit, so use pure numbers.
+        let deep = deep.replace('k', "1");
+        assert!(read(&deep).is_ok_and(|e| e.eval(&[], &|_| 0.0).is_finite()));
+    }
+}

@@ -50,6 +50,8 @@ pub struct Datum {
     pub name: String,
     /// Unit in which it is drawn and printed.
     pub unit: Unit,
+    /// A slope: scenes take it in degrees. Every other datum goes to the scene in SI.
+    pub degrees: bool,
 }
 
 /// How a datum is drawn. All numbers are integers in units of 10^-decimals of the printed unit: no float in the draw.
@@ -135,4 +137,11 @@ pub struct Question {
     pub figures: u8,
 }
 
+pub mod decimal;
 pub mod expression;
+pub mod load;
+mod measure;
+pub mod node;
+pub mod review;
+pub mod scene;
+pub mod schema;

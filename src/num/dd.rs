@@ -177,12 +177,9 @@ impl Div for Dd {
         if !q1.is_finite() || q1 == 0.0 {
             return Dd::new(q1);
         }
-        let r = self - o * Dd::new(q1);
-        let q2 = r.hi / o.hi;
-        let r = r - o * Dd::new(q2);
-        let q3 = r.hi / o.hi;
-        let (s, e) = quick_two_sum(q1, q2);
-        let (hi, lo) = quick_two_sum(s, e + q3);
+        let (p, e) = two_prod(q1, o.hi);
+        let rest = (self.hi - p) - e + (self.lo - q1 * o.lo);
+        let (hi, lo) = quick_two_sum(q1, rest / o.hi);
         Dd { hi, lo }
     }
 }

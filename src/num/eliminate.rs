@@ -1,86 +1,110 @@
 //! Gauss-Jordan elimination on a few equations, any shape, in any number type.
 use crate::num::Real;
+use smallvec::SmallVec;
+use smallvec::smallvec;
 
-/// Equations `a x = b` in reduced form.
+/// Equations `a x = b` as they are collected: rows of `cols + 1` numbers, the last one the right-hand side.
 #[derive(Debug, Clone)]
-pub struct Reduced<T> {
+pub struct Equations<T> {
     cols: usize,
-    /// Rows of `cols + 1` numbers, the last one the right-hand side.
-    rows: Vec<Vec<T>>,
-    /// Row in which each unknown is the pivot.
-    pivot: Vec<Option<usize>>,
+    cells: SmallVec<[T; 32]>,
 }
 
-/// Reduces equations with `cols` unknowns; each row holds `cols + 1` numbers. The unknowns in `free` become pivots only if
-/// nothing else is left.
-pub fn reduce<T: Real>(cols: usize, mut rows: Vec<Vec<T>>, free: &[usize]) -> Reduced<T> {
-    let mut pivot = vec![None; cols];
-    let mut used = vec![false; rows.len()];
-    for allow_free in [false, true] {
-        loop {
-            // The pivot that is largest within its own row loses least.
-            let mut best: Option<(usize, usize, f64)> = None;
-            for (i, row) in rows.iter().enumerate() {
-                if used[i] {
-                    continue;
+/// Equations in reduced form.
+#[derive(Debug, Clone)]
+pub struct Reduced<T> {
+    equations: Equations<T>,
+    /// Row in which each unknown is the pivot.
+    pivot: SmallVec<[Option<usize>; 8]>,
+}
+
+impl<T: Real> Equations<T> {
+    /// No equations yet in `cols` unknowns.
+    pub fn new(cols: usize) -> Self {
+        Self { cols, cells: SmallVec::new() }
+    }
+    /// Adds an equation `0 = 0` and gives its numbers to be filled.
+    pub fn row(&mut self) -> &mut [T] {
+        let start = self.cells.len();
+        self.cells.resize(start + self.cols + 1, T::zero());
+        &mut self.cells[start..]
+    }
+
+    /// Reduces the equations. The unknowns in `free` become pivots only if nothing else is left.
+    pub fn reduce(mut self, free: &[usize]) -> Reduced<T> {
+        let (cols, width) = (self.cols, self.cols + 1);
+        let rows = self.cells.len() / width;
+        let mut pivot: SmallVec<[Option<usize>; 8]> = smallvec![None; cols];
+        let mut used: SmallVec<[bool; 8]> = smallvec![false; rows];
+        let mut base: SmallVec<[T; 9]> = SmallVec::new();
+        for allow_free in [false, true] {
+            loop {
+                // The pivot that is largest within its own row loses least.
+                let mut best: Option<(usize, usize, f64)> = None;
+                for i in (0..rows).filter(|i| !used[*i]) {
+                    let row = &self.cells[i * width..i * width + cols];
+                    let size = row.iter().fold(0.0f64, |s, v| s.max(v.f64().abs()));
+                    for (j, v) in row.iter().enumerate() {
+                        if pivot[j].is_some() || v.is_zero() || (!allow_free && free.contains(&j)) {
+                            continue;
+                        }
+                        let share = v.f64().abs() / size;
+                        if best.is_none_or(|(_, _, s)| share > s) {
+                            best = Some((i, j, share));
+                        }
+                    }
                 }
-                let size = row[..cols].iter().fold(0.0f64, |s, v| s.max(v.f64().abs()));
-                for (j, v) in row[..cols].iter().enumerate() {
-                    if pivot[j].is_some() || v.is_zero() || (free.contains(&j) && !allow_free) {
+                let Some((i, j, _)) = best else { break };
+                used[i] = true;
+                pivot[j] = Some(i);
+                let row = &mut self.cells[i * width..(i + 1) * width];
+                let lead = row[j];
+                row[j] = T::of(1.0);
+                for (k, v) in row.iter_mut().enumerate() {
+                    if k != j && !v.is_zero() {
+                        *v = *v / lead;
+                    }
+                }
+                base.clear();
+                base.extend_from_slice(row);
+                for (k, row) in self.cells.chunks_exact_mut(width).enumerate() {
+                    let f = row[j];
+                    if k == i || f.is_zero() {
                         continue;
                     }
-                    let share = v.f64().abs() / size;
-                    if best.is_none_or(|(_, _, s)| share > s) {
-                        best = Some((i, j, share));
+                    row[j] = T::zero();
+                    for (k, (v, b)) in row.iter_mut().zip(&base).enumerate() {
+                        if k != j && !b.is_zero() {
+                            *v = *v - f * *b;
+                        }
                     }
                 }
-            }
-            let Some((i, j, _)) = best else { break };
-            used[i] = true;
-            pivot[j] = Some(i);
-            let lead = rows[i][j];
-            for v in &mut rows[i] {
-                if !v.is_zero() {
-                    *v = *v / lead;
-                }
-            }
-            rows[i][j] = T::of(1.0);
-            let base = rows[i].clone();
-            for (k, row) in rows.iter_mut().enumerate() {
-                if k == i || row[j].is_zero() {
-                    continue;
-                }
-                let f = row[j];
-                for (v, b) in row.iter_mut().zip(&base) {
-                    if !b.is_zero() {
-                        *v = *v - f * *b;
-                    }
-                }
-                row[j] = T::zero();
             }
         }
+        Reduced { equations: self, pivot }
     }
-    Reduced { cols, rows, pivot }
 }
 
 impl<T: Real> Reduced<T> {
-    /// The unknowns that the equations leave open.
-    pub fn open(&self) -> Vec<usize> {
-        (0..self.cols).filter(|j| self.pivot[*j].is_none()).collect()
+    fn cell(&self, row: usize, col: usize) -> T {
+        self.equations.cells[row * (self.equations.cols + 1) + col]
     }
-    /// The solution with all right-hand sides zero and open unknown `which` equal to 1, the other open ones 0.
-    pub fn mode(&self, which: usize) -> Vec<T> {
-        (0..self.cols)
-            .map(|j| match self.pivot[j] {
-                Some(row) => -self.rows[row][which],
-                None if j == which => T::of(1.0),
-                None => T::zero(),
-            })
-            .collect()
+    /// The unknowns that the equations leave open.
+    pub fn open(&self) -> SmallVec<[usize; 4]> {
+        (0..self.pivot.len()).filter(|j| self.pivot[*j].is_none()).collect()
+    }
+    /// Unknown `j` in the solution with all right-hand sides zero, open unknown `which` equal to 1 and the other open ones 0.
+    pub fn in_mode(&self, which: usize, j: usize) -> T {
+        match self.pivot[j] {
+            Some(row) => -self.cell(row, which),
+            None if j == which => T::of(1.0),
+            None => T::zero(),
+        }
     }
     /// The solution for the right-hand sides, if no unknown is open.
-    pub fn solution(&self) -> Option<Vec<T>> {
-        (0..self.cols).map(|j| self.pivot[j].map(|row| self.rows[row][self.cols])).collect()
+    pub fn solution(&self) -> Option<SmallVec<[T; 4]>> {
+        let cols = self.equations.cols;
+        self.pivot.iter().map(|p| p.map(|row| self.cell(row, cols))).collect()
     }
 }
 
@@ -93,10 +117,21 @@ mod tests {
     fn a_chain_of_ratios() {
         // v = 2 w, w = 3 z: the mode with z = 1 is (6, 3, 1).
         let d = Dd::new;
-        let rows = vec![vec![d(1.0), d(-2.0), d(0.0), d(0.0)], vec![d(0.0), d(1.0), d(-3.0), d(0.0)]];
-        let r = reduce(3, rows, &[2]);
-        assert_eq!(r.open(), [2]);
-        assert_eq!(r.mode(2), [d(6.0), d(3.0), d(1.0)]);
+        let mut e = Equations::new(3);
+        e.row().copy_from_slice(&[d(1.0), d(-2.0), d(0.0), d(0.0)]);
+        e.row().copy_from_slice(&[d(0.0), d(1.0), d(-3.0), d(0.0)]);
+        let r = e.reduce(&[2]);
+        assert_eq!(r.open().as_slice(), [2]);
+        assert_eq!([0, 1, 2].map(|j| r.in_mode(2, j)), [d(6.0), d(3.0), d(1.0)]);
         assert!(r.solution().is_none());
+    }
+    #[test]
+    fn two_equations_in_two_unknowns() {
+        // x + y = 5, x - y = 1.
+        let d = Dd::new;
+        let mut e = Equations::new(2);
+        e.row().copy_from_slice(&[d(1.0), d(1.0), d(5.0)]);
+        e.row().copy_from_slice(&[d(1.0), d(-1.0), d(1.0)]);
+        assert_eq!(e.reduce(&[]).solution().unwrap().as_slice(), [d(3.0), d(2.0)]);
     }
 }

@@ -10,6 +10,8 @@ use crate::num::dd::exponent;
 use crate::num::dd::pow2;
 use nalgebra::DMatrix;
 use nalgebra::SMatrix;
+use smallvec::SmallVec;
+use smallvec::smallvec;
 
 /// A residual below this share of the terms of its row is rounding of double-doubles.
 const CONVERGED: f64 = 1.0 / (1u128 << 98) as f64;
@@ -23,15 +25,15 @@ const SCALINGS: usize = 24;
 pub struct Linear<T> {
     unknowns: usize,
     columns: usize,
-    terms: Vec<(usize, usize, T)>,
-    right: Vec<(usize, usize, T)>,
+    terms: SmallVec<[(usize, usize, T); 14]>,
+    right: SmallVec<[(usize, usize, T); 6]>,
 }
 
 /// The solution: one value for each unknown and right-hand side.
 #[derive(Debug, Clone)]
 pub struct Solution<T> {
     unknowns: usize,
-    x: Vec<T>,
+    x: SmallVec<[T; 8]>,
 }
 
 impl<T: Real> Solution<T> {
@@ -53,17 +55,17 @@ pub struct Singular {
 impl<T: Real> Linear<T> {
     /// No equations yet, in `unknowns` unknowns with `columns` right-hand sides.
     pub fn new(unknowns: usize, columns: usize) -> Self {
-        Self { unknowns, columns, terms: Vec::with_capacity(24), right: Vec::with_capacity(8) }
+        Self { unknowns, columns, terms: SmallVec::new(), right: SmallVec::new() }
     }
     /// Adds `value * x[col]` to the left of a row.
     pub fn term(&mut self, row: usize, col: usize, value: T) {
-        if !value.is_zero() || has_slope(&value) {
+        if T::SLOPES > 0 || !value.is_zero() {
             self.terms.push((row, col, value));
         }
     }
     /// Adds `value` to right-hand side `column` of a row.
     pub fn right(&mut self, row: usize, column: usize, value: T) {
-        if !value.is_zero() || has_slope(&value) {
+        if T::SLOPES > 0 || !value.is_zero() {
             self.right.push((row, column, value));
         }
     }
@@ -71,12 +73,13 @@ impl<T: Real> Linear<T> {
     /// Solves for all right-hand sides.
     pub fn solve(&self) -> Result<Solution<T>, Singular> {
         let (n, m) = (self.unknowns, self.columns);
-        let mut x = vec![Dd::ZERO; n * m];
-        let mut inverse = vec![0.0; n * n];
-        let mut rows = vec![0i32; n];
-        let mut cols = vec![0i32; n];
-        let mut residual = vec![Dd::ZERO; n];
-        let mut size = vec![0.0f64; n];
+        // Up to six unknowns and two right-hand sides nothing is allocated.
+        let mut x: SmallVec<[Dd; 12]> = smallvec![Dd::ZERO; n * m];
+        let mut inverse: SmallVec<[f64; 36]> = smallvec![0.0; n * n];
+        let mut rows: SmallVec<[f64; 6]> = smallvec![1.0; n];
+        let mut cols: SmallVec<[f64; 6]> = smallvec![1.0; n];
+        let mut residual: SmallVec<[Dd; 6]> = smallvec![Dd::ZERO; n];
+        let mut size: SmallVec<[f64; 6]> = smallvec![0.0; n];
         self.factor(&mut inverse, &mut rows, &cols)?;
         for k in 0..m {
             let column = &mut x[k * n..(k + 1) * n];
@@ -85,7 +88,7 @@ impl<T: Real> Linear<T> {
                 if scaling > 0 {
                     for (c, v) in cols.iter_mut().zip(column.iter()) {
                         if v.hi != 0.0 {
-                            *c = exponent(v.hi);
+                            *c = pow2(exponent(v.hi));
                         }
                     }
                     self.factor(&mut inverse, &mut rows, &cols)?;
@@ -96,12 +99,14 @@ impl<T: Real> Linear<T> {
                     if settled {
                         break 'scalings;
                     }
-                    for i in 0..n {
+                    for (i, x) in column.iter_mut().enumerate() {
                         let mut sum = 0.0;
-                        for j in 0..n {
-                            sum += inverse[i * n + j] * (residual[j].hi * pow2(rows[j]));
+                        for ((share, r), scale) in
+                            inverse[i * n..(i + 1) * n].iter().zip(&residual).zip(&rows)
+                        {
+                            sum += share * (r.hi * scale);
                         }
-                        column[i] = column[i] + Dd::new(sum * pow2(cols[i]));
+                        *x = *x + Dd::new(sum * cols[i]);
                     }
                 }
             }
@@ -112,22 +117,19 @@ impl<T: Real> Linear<T> {
         Ok(Solution { unknowns: n, x: self.slopes(&x, &inverse, &rows, &cols) })
     }
 
-    /// Inverse of the scaled matrix `2^rows A 2^cols`, row-major.
-    fn factor(&self, inverse: &mut [f64], rows: &mut [i32], cols: &[i32]) -> Result<(), Singular> {
+    /// Inverse of the matrix with its rows and columns scaled by powers of two, row-major; fills in the scales of the rows.
+    fn factor(&self, inverse: &mut [f64], rows: &mut [f64], cols: &[f64]) -> Result<(), Singular> {
         let n = self.unknowns;
         inverse.fill(0.0);
-        rows.fill(i32::MIN);
+        rows.fill(0.0);
         for (r, c, v) in &self.terms {
-            if !v.is_zero() {
-                rows[*r] = rows[*r].max(exponent(v.f64()) + cols[*c]);
-            }
+            rows[*r] = rows[*r].max(v.f64().abs() * cols[*c]);
         }
         for r in rows.iter_mut() {
-            *r = if *r == i32::MIN { 0 } else { -*r };
+            *r = if *r > 0.0 { pow2(-exponent(*r)) } else { 1.0 };
         }
         for (r, c, v) in &self.terms {
-            let e = rows[*r] + cols[*c];
-            inverse[r * n + c] += v.f64() * pow2(e / 2) * pow2(e - e / 2);
+            inverse[r * n + c] += v.f64() * cols[*c] * rows[*r];
         }
         if invert(n, inverse) { Ok(()) } else { Err(Singular { unknowns: n, rank: rank(n, inverse) }) }
     }
@@ -149,44 +151,45 @@ impl<T: Real> Linear<T> {
     }
 
     /// Implicit differentiation: `A dx = db - dA x`, with the same factors.
-    fn slopes(&self, x: &[Dd], inverse: &[f64], rows: &[i32], cols: &[i32]) -> Vec<T> {
-        let n = self.unknowns;
-        if T::SLOPES == 0 {
+    fn slopes(&self, x: &[Dd], inverse: &[f64], rows: &[f64], cols: &[f64]) -> SmallVec<[T; 8]> {
+        let (n, m) = (self.unknowns, T::SLOPES);
+        if m == 0 {
             return x.iter().map(|v| T::constant(*v)).collect();
         }
-        let mut out = Vec::with_capacity(x.len());
+        let mut out = SmallVec::with_capacity(x.len());
+        let mut change: SmallVec<[f64; 72]> = smallvec![0.0; n * m];
+        let mut sums: SmallVec<[f64; 24]> = smallvec![0.0; m];
         for k in 0..self.columns {
             let column = &x[k * n..(k + 1) * n];
-            let mut change = vec![T::zero(); n];
+            change.fill(0.0);
+            let mut add = |row: usize, value: &T, factor: f64| {
+                for (i, c) in change[row * m..(row + 1) * m].iter_mut().enumerate() {
+                    *c += factor * value.slope(i);
+                }
+            };
             for (r, c, v) in &self.right {
                 if *c == k {
-                    change[*r] = only_slopes(change[*r], *v, 1.0);
+                    add(*r, v, rows[*r]);
                 }
             }
             for (r, c, v) in &self.terms {
-                change[*r] = only_slopes(change[*r], *v, -column[*c].hi);
+                add(*r, v, -column[*c].hi * rows[*r]);
             }
             for i in 0..n {
-                out.push(T::with_slopes(column[i], |s| {
-                    let mut sum = 0.0;
-                    for j in 0..n {
-                        sum += inverse[i * n + j] * (change[j].slope(s) * pow2(rows[j]));
+                sums.fill(0.0);
+                for j in 0..n {
+                    let share = inverse[i * n + j];
+                    if share != 0.0 {
+                        for (s, c) in sums.iter_mut().zip(&change[j * m..(j + 1) * m]) {
+                            *s += share * c;
+                        }
                     }
-                    sum * pow2(cols[i])
-                }));
+                }
+                out.push(T::with_slopes(column[i], |s| sums[s] * cols[i]));
             }
         }
         out
     }
-}
-
-fn has_slope<T: Real>(v: &T) -> bool {
-    (0..T::SLOPES).any(|i| v.slope(i) != 0.0)
-}
-
-/// A carrier of slopes only: `sum + factor * value`, its value ignored.
-fn only_slopes<T: Real>(sum: T, value: T, factor: f64) -> T {
-    T::with_slopes(Dd::ZERO, |i| sum.slope(i) + factor * value.slope(i))
 }
 
 /// Inverts a row-major matrix in place by LU with partial pivoting; sizes up to 12 live on the stack.

@@ -7,7 +7,6 @@ use crate::num::Real;
 use crate::num::dd::exponent;
 use crate::num::trig;
 use crate::scene::Body;
-use crate::scene::Label;
 use crate::scene::Mass;
 use crate::scene::Num;
 use crate::scene::Part;
@@ -16,6 +15,7 @@ use crate::scene::RotaryInertia;
 use crate::scene::Scene;
 use crate::scene::Slope;
 use crate::scene::inertia;
+use smallvec::SmallVec;
 
 /// The numbers of one body.
 #[derive(Debug, Clone, Copy)]
@@ -38,18 +38,13 @@ pub struct Numbers<'a, T> {
     /// Acceleration of free fall, m/s^2.
     pub gravity: T,
     /// One for each body.
-    pub bodies: Vec<BodyNumbers<T>>,
+    pub bodies: SmallVec<[BodyNumbers<T>; 1]>,
 }
 
 impl<'a, T: Real> Numbers<'a, T> {
     /// Reads the numbers of a scene.
     pub fn new(scene: &Scene, data: &'a [f64]) -> Self {
-        let mut n = Self {
-            data,
-            mass_exponent: 0,
-            gravity: T::zero(),
-            bodies: Vec::with_capacity(scene.bodies.len()),
-        };
+        let mut n = Self { data, mass_exponent: 0, gravity: T::zero(), bodies: SmallVec::new() };
         n.gravity = n.get(scene.gravity_m_s2);
         let first = scene.bodies.iter().map(|b| n.mass_of(b, &b.mass).f64()).find(|m| *m > 0.0);
         n.mass_exponent = exponent(first.unwrap_or(1.0));
@@ -92,10 +87,10 @@ impl<'a, T: Real> Numbers<'a, T> {
         self.get(num).scale2(-self.mass_exponent)
     }
 
-    /// Gives a quantity back its SI size.
-    pub fn publish(&self, label: Label, value: T) -> T {
+    /// Power of two that gives a quantity back its SI size.
+    pub fn exponent(&self, quantity: Quantity) -> i32 {
         use Quantity as Q;
-        match label.quantity {
+        match quantity {
             Q::Friction
             | Q::Normal
             | Q::Tension
@@ -104,8 +99,17 @@ impl<'a, T: Real> Numbers<'a, T> {
             | Q::PowerPull
             | Q::FrictionIfRolled
             | Q::KineticEnergy
-            | Q::IG => value.scale2(self.mass_exponent),
-            _ => value,
+            | Q::IG => self.mass_exponent,
+            _ => 0,
+        }
+    }
+
+    /// Gives a quantity back its SI size.
+    #[inline]
+    pub fn publish(&self, quantity: Quantity, value: T) -> T {
+        match self.exponent(quantity) {
+            0 => value,
+            e => value.scale2(e),
         }
     }
 

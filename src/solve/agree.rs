@@ -15,6 +15,7 @@ use crate::solve::outcome::Motion;
 use crate::solve::outcome::Refusal;
 use crate::solve::outcome::Regime;
 use crate::solve::outcome::Road;
+use crate::solve::outcome::Said;
 use crate::solve::outcome::Solved;
 use crate::solve::outcome::Unsupported;
 use crate::solve::physical;
@@ -86,10 +87,12 @@ fn compare<T: Real>(scene: &Scene, data: &[f64]) -> Result<Solved, Refusal> {
     let first: Road<T> = eom::road(scene, data)?;
     let second: Road<Dd> = energy::road(scene, data)?;
     let mut entries = Vec::with_capacity(first.said.len());
-    for said in &first.said {
+    for (i, said) in first.said.iter().enumerate() {
         let label = said.label;
         let eom = said.value.f64();
-        let energy = second.get(label).map_or(f64::NAN, |s| s.value.f64());
+        // The roads mostly speak in the same order.
+        let other = second.said.get(i).filter(|s| s.label == label).or_else(|| second.get(label));
+        let energy = other.map_or(f64::NAN, |s| s.value.f64());
         let cond = said.value.cond();
         if !agree(eom, energy, cond) {
             let allowed = 2.0 * EACH_ROAD * U * cond.max(1.0);
@@ -98,7 +101,10 @@ fn compare<T: Real>(scene: &Scene, data: &[f64]) -> Result<Solved, Refusal> {
         entries.push(Entry { label, eom: Some(eom), energy: Some(energy), cond, scale: said.scale });
     }
     // What only the second road says is a disagreement too: both must reach the same quantities.
-    if let Some(said) = second.said.iter().find(|s| first.get(s.label).is_none()) {
+    let alone = |(i, s): &(usize, &Said<Dd>)| {
+        first.said.get(*i).is_none_or(|f| f.label != s.label) && first.get(s.label).is_none()
+    };
+    if let Some((_, said)) = second.said.iter().enumerate().find(alone) {
         let (label, energy) = (said.label, said.value.f64());
         return Err(Refusal::Disagree { label, eom: f64::NAN, energy, allowed: 2.0 * EACH_ROAD * U });
     }

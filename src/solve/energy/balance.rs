@@ -4,7 +4,7 @@
 //! the pull over the travel of the cord, the weight over the height, a couple over the angle, sliding friction over the
 //! slip; rolling friction does none, its point is at rest.
 use crate::num::Real;
-use crate::num::eliminate::reduce;
+use crate::num::eliminate::Equations;
 use crate::num::plant::plant;
 use crate::scene::Attach;
 use crate::scene::Coordinate;
@@ -16,6 +16,7 @@ use crate::scene::Scene;
 use crate::scene::Side;
 use crate::scene::Tie;
 use crate::solve::energy::speeds::Mode;
+use smallvec::SmallVec;
 
 /// `sum m v v' + I w w'` of two modes: twice the kinetic energy if they are the same.
 pub fn inertia<T: Real>(n: &Numbers<T>, a: &Mode<T>, b: &Mode<T>) -> T {
@@ -35,6 +36,9 @@ pub fn normal<T: Real>(n: &Numbers<T>, body: usize) -> T {
     plant!("energy: weight against the surface", n.bodies[body].mass * n.gravity) * n.bodies[body].level
 }
 
+/// One number for each tie.
+pub type PerTie<T> = SmallVec<[T; 4]>;
+
 /// A given force, as the power that it has in a mode.
 pub struct Power<T> {
     /// Index of the tie or couple that brings it, if it is not a weight.
@@ -43,9 +47,12 @@ pub struct Power<T> {
     pub power: T,
 }
 
+/// The powers of all given forces.
+pub type Powers<T> = SmallVec<[Power<T>; 6]>;
+
 /// Power of each constant force in a mode. `friction` gives the kinetic friction of a contact, positive forward.
-pub fn powers<T: Real>(scene: &Scene, n: &Numbers<T>, mode: &Mode<T>, friction: &[T]) -> Vec<Power<T>> {
-    let mut list = Vec::with_capacity(6);
+pub fn powers<T: Real>(scene: &Scene, n: &Numbers<T>, mode: &Mode<T>, friction: &[T]) -> Powers<T> {
+    let mut list = Powers::new();
     for (b, body) in n.bodies.iter().enumerate() {
         let climb = body.climb * mode.v[b];
         if !climb.is_zero() {
@@ -87,9 +94,9 @@ pub fn reactions<T: Real>(
     rate: &dyn Fn(Coordinate) -> T,
     spring_tension: T,
     kinetic: &[Option<T>],
-) -> Vec<T> {
+) -> PerTie<T> {
     let ties = scene.ties.len();
-    let unknown: Vec<usize> = (0..ties)
+    let unknown: SmallVec<[usize; 4]> = (0..ties)
         .filter(|t| match &scene.ties[*t] {
             Tie::Roll { .. } => true,
             Tie::Slip { .. } | Tie::Slide { .. } => kinetic[*t].is_none(),
@@ -97,7 +104,7 @@ pub fn reactions<T: Real>(
         })
         .collect();
     let cols = unknown.len();
-    let mut rows: Vec<Vec<T>> = Vec::with_capacity(2 * scene.bodies.len());
+    let mut rows = Equations::new(cols);
     for b in 0..scene.bodies.len() {
         for degree in [Degree::Along, Degree::Turn] {
             let present = match degree {
@@ -117,7 +124,7 @@ pub fn reactions<T: Real>(
                 }
                 Degree::Turn => -(plant!("energy: rate of the energy of rotation", numbers.inertia) * own),
             };
-            let mut row = vec![T::zero(); cols + 1];
+            let row = rows.row();
             let mut act = |t: usize, lever: T, known: Option<T>| match known {
                 Some(force) => surplus = surplus + force * lever,
                 None => {
@@ -170,11 +177,10 @@ pub fn reactions<T: Real>(
                 surplus = surplus + if c.forward { moment } else { -moment };
             }
             row[cols] = -surplus;
-            rows.push(row);
         }
     }
-    let found = reduce(cols, rows, &[]).solution();
-    let mut all: Vec<T> = kinetic.iter().map(|k| k.unwrap_or_else(T::zero)).collect();
+    let found = rows.reduce(&[]).solution();
+    let mut all: PerTie<T> = kinetic.iter().map(|k| k.unwrap_or_else(T::zero)).collect();
     if let Some(found) = found {
         for (t, value) in unknown.into_iter().zip(found) {
             all[t] = value;

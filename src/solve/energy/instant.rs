@@ -23,7 +23,7 @@ pub fn road<T: Real>(scene: &Scene, n: &Numbers<T>) -> Road<T> {
     let mut energy = T::zero();
     let mut say = |quantity, of, value: T| {
         let label = Label { quantity, of };
-        let value = n.publish(label, value);
+        let value = n.publish(quantity, value);
         road.said.push(Said { label, value, scale: value.f64().abs() });
     };
     for (b, body) in scene.bodies.iter().enumerate() {

@@ -9,7 +9,7 @@ pub mod speeds;
 
 use crate::num::Dd;
 use crate::num::Real;
-use crate::num::eliminate::reduce;
+use crate::num::eliminate::Equations;
 use crate::num::plant::plant;
 use crate::num::trig;
 use crate::scene::Coordinate;
@@ -25,6 +25,7 @@ use crate::scene::RotaryInertia;
 use crate::scene::Scene;
 use crate::scene::Start;
 use crate::scene::Tie;
+use crate::solve::energy::balance::PerTie;
 use crate::solve::energy::balance::Power;
 use crate::solve::energy::speeds::Mode;
 use crate::solve::outcome::Course;
@@ -32,6 +33,7 @@ use crate::solve::outcome::Held;
 use crate::solve::outcome::Refusal;
 use crate::solve::outcome::Road;
 use crate::solve::outcome::Said;
+use smallvec::smallvec;
 
 /// Everything that work and energy say of a scene whose data are admissible.
 ///
@@ -75,13 +77,15 @@ struct Ledger<'a, T> {
     /// Accelerations of all modes at the start, summed to coordinates.
     start_rate: Mode<T>,
     /// Kinetic friction of contacts that slip or slide.
-    kinetic: Vec<Option<T>>,
+    kinetic: PerTie<Option<T>>,
     /// Frictions if nothing slipped.
-    rolled: Option<Vec<T>>,
+    rolled: Option<PerTie<T>>,
     moves: bool,
     /// Speed at the start.
     v0: T,
     road: Road<T>,
+    /// The reactions that were asked last, and the tension of the spring for which.
+    last: Option<(T, PerTie<T>)>,
 }
 
 /// Rates of the modes from their power balances, and their sum as one motion.
@@ -97,26 +101,28 @@ fn drive<T: Real>(
         Tie::Cord(c) => Some(c.from),
         _ => None,
     });
-    let mut rows: Vec<Vec<T>> = Vec::with_capacity(m);
+    let mut rows = Equations::new(m);
     for a in modes {
-        let mut row: Vec<T> = modes.iter().map(|b| balance::inertia(n, a, b)).collect();
+        let row = rows.row();
+        for (cell, b) in row.iter_mut().zip(modes) {
+            *cell = balance::inertia(n, a, b);
+        }
         let mut power = balance::powers(scene, n, a, friction)
             .into_iter()
             .fold(T::zero(), |sum, p: Power<T>| sum + p.power);
         if let Some(end) = &pull {
             power = power + spring_tension * a.point(n, end);
         }
-        row.push(power);
-        rows.push(row);
+        row[m] = power;
     }
-    let rates = reduce(m, rows, &[]).solution().unwrap_or_else(|| vec![T::of(f64::NAN); m]);
+    let rates = rows.reduce(&[]).solution().unwrap_or_else(|| smallvec![T::of(f64::NAN); m]);
     combine(modes, &rates)
 }
 
 /// `sum rate_j mode_j`.
 fn combine<T: Real>(modes: &[Mode<T>], rates: &[T]) -> Mode<T> {
     let bodies = modes.first().map_or(0, |m| m.v.len());
-    let mut sum = Mode { v: vec![T::zero(); bodies], w: vec![T::zero(); bodies] };
+    let mut sum = Mode::still(bodies);
     for (mode, rate) in modes.iter().zip(rates) {
         for b in 0..bodies {
             sum.v[b] = sum.v[b] + *rate * mode.v[b];
@@ -130,10 +136,10 @@ impl<'a, T: Real> Ledger<'a, T> {
     fn open(scene: &'a Scene, n: Numbers<'a, T>) -> Result<Self, Refusal> {
         let end = scene.ending_coordinate();
         let ties = scene.ties.len();
-        let none = vec![T::zero(); ties];
+        let none: PerTie<T> = smallvec![T::zero(); ties];
         let tension = scene.spring().map_or_else(T::zero, |(_, ks, x0, _)| n.massive(ks) * n.get(x0));
         let slips = scene.ties.iter().any(|t| matches!(t, Tie::Slip { .. }));
-        let mut kinetic: Vec<Option<T>> = vec![None; ties];
+        let mut kinetic: PerTie<Option<T>> = smallvec![None; ties];
         let mut rolled = None;
         if slips {
             let modes = speeds::modes(scene, &n, true)?;
@@ -193,12 +199,24 @@ impl<'a, T: Real> Ledger<'a, T> {
             }
             mode
         };
-        Ok(Self { scene, n, end, mode, start_rate, kinetic, rolled, moves, v0, road: Road::new() })
+        Ok(Self {
+            scene,
+            n,
+            end,
+            mode,
+            start_rate,
+            kinetic,
+            rolled,
+            moves,
+            v0,
+            road: Road::new(),
+            last: None,
+        })
     }
 
     fn say(&mut self, quantity: Quantity, of: Owner, value: T) {
         let label = Label { quantity, of };
-        let value = self.n.publish(label, value);
+        let value = self.n.publish(quantity, value);
         self.road.said.push(Said { label, value, scale: value.f64().abs() });
     }
 
@@ -207,7 +225,7 @@ impl<'a, T: Real> Ledger<'a, T> {
     }
 
     fn force(&self, f: T) -> Dd {
-        self.n.publish(Label { quantity: Quantity::Friction, of: Owner::Scene }, f).value()
+        self.n.publish(Quantity::Friction, f).value()
     }
 
     fn settle(mut self) -> Result<Road<T>, Refusal> {
@@ -217,7 +235,7 @@ impl<'a, T: Real> Ledger<'a, T> {
             let lost = self.mode.point(&self.n, &cord.from);
             Store { stiffness: self.n.massive(ks), stretch: self.n.get(x0), lost, rigid }
         });
-        let frictions: Vec<T> = self.kinetic.iter().map(|k| k.unwrap_or_else(T::zero)).collect();
+        let frictions: PerTie<T> = self.kinetic.iter().map(|k| k.unwrap_or_else(T::zero)).collect();
         let powers = balance::powers(self.scene, &self.n, &self.mode, &frictions);
         let constant = powers.iter().fold(T::zero(), |sum, p| sum + p.power);
         let doubled = balance::inertia(&self.n, &self.mode, &self.mode);
@@ -305,7 +323,8 @@ impl<'a, T: Real> Ledger<'a, T> {
         if let Some(s) = store {
             add((tension0 * s.lost).value());
         }
-        (plus, minus)
+        let size = self.n.exponent(Quantity::Friction);
+        (plus.scale2(size), minus.scale2(size))
     }
 
     fn asked(&self, account: &Account<T>, turning: Option<T>, sense: f64) -> Option<T> {
@@ -358,9 +377,16 @@ impl<'a, T: Real> Ledger<'a, T> {
         rate
     }
 
-    fn reactions(&self, tension: T) -> Vec<T> {
+    fn reactions(&mut self, tension: T) -> PerTie<T> {
+        if let Some((at, known)) = &self.last
+            && at.value() == tension.value()
+        {
+            return known.clone();
+        }
         let rate = self.rate(tension);
-        balance::reactions(self.scene, &self.n, &|c| rate.of(c), tension, &self.kinetic)
+        let found = balance::reactions(self.scene, &self.n, &|c| rate.of(c), tension, &self.kinetic);
+        self.last = Some((tension, found.clone()));
+        found
     }
 
     fn grip(&mut self, tension0: T, tension1: T) {
@@ -424,8 +450,10 @@ impl<'a, T: Real> Ledger<'a, T> {
     }
 
     fn arrived(&mut self, account: &Account<T>, s: T, sense: f64, tension: T) {
-        let energy = account.energy(s);
-        let u = account.speed(s);
+        // At rest by the definition of the event, not by what rounding leaves.
+        let rest = matches!(self.scene.end, End::TurningPoint(_));
+        let energy = if rest { T::zero() } else { account.energy(s) };
+        let u = if rest { T::zero() } else { account.speed(s) };
         let rate = self.rate(tension);
         self.say(Quantity::T, Owner::Scene, account.time(s, u));
         self.say_rates(&rate, false);
@@ -508,7 +536,7 @@ impl<'a, T: Real> Ledger<'a, T> {
         let pulled = self.scene.ties.iter().any(|t| matches!(t, Tie::Cord(_)));
         let (Some(c), true, false) = (radius, pulled, self.mode.of(along).is_zero()) else { return };
         let up = self.up(0);
-        let none = vec![T::zero(); self.scene.ties.len()];
+        let none: PerTie<T> = smallvec![T::zero(); self.scene.ties.len()];
         let whole = balance::powers(self.scene, &self.n, &self.mode, &none)
             .into_iter()
             .fold(T::zero(), |sum, p| sum + p.power)

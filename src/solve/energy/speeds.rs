@@ -3,7 +3,7 @@
 //! A rolling contact has a point at rest: the wheel turns about it, `v = c omega`. A cord of constant length gives at one
 //! end what it takes in at the other. The possible motions are the modes of these conditions, one for each freedom.
 use crate::num::Real;
-use crate::num::eliminate::reduce;
+use crate::num::eliminate::Equations;
 use crate::num::plant::plant;
 use crate::scene::Attach;
 use crate::scene::Coordinate;
@@ -15,17 +15,26 @@ use crate::scene::Scene;
 use crate::scene::Side;
 use crate::scene::Tie;
 use crate::solve::outcome::Refusal;
+use smallvec::SmallVec;
+use smallvec::smallvec;
 
 /// A possible motion: velocity of the line and spin of each body, per unit rate of the mode.
 #[derive(Debug, Clone)]
 pub struct Mode<T> {
     /// Velocities along the lines.
-    pub v: Vec<T>,
+    pub v: SmallVec<[T; 2]>,
     /// Spins.
-    pub w: Vec<T>,
+    pub w: SmallVec<[T; 2]>,
 }
 
+/// One mode for each freedom.
+pub type Modes<T> = SmallVec<[Mode<T>; 2]>;
+
 impl<T: Real> Mode<T> {
+    /// No motion.
+    pub fn still(bodies: usize) -> Self {
+        Self { v: smallvec![T::zero(); bodies], w: smallvec![T::zero(); bodies] }
+    }
     /// Velocity of a coordinate.
     pub fn of(&self, c: Coordinate) -> T {
         match c.degree {
@@ -52,29 +61,26 @@ impl<T: Real> Mode<T> {
 /// The possible motions: the first has unit rate of the ending coordinate, the others leave it at rest.
 ///
 /// `rolled`: a contact that is said to slip is taken as rolling. Errors: the ties hold the ending coordinate fast.
-pub fn modes<T: Real>(scene: &Scene, n: &Numbers<T>, rolled: bool) -> Result<Vec<Mode<T>>, Refusal> {
+pub fn modes<T: Real>(scene: &Scene, n: &Numbers<T>, rolled: bool) -> Result<Modes<T>, Refusal> {
     let bodies = scene.bodies.len();
     let column = |c: Coordinate| match c.degree {
         Degree::Along => 2 * c.body,
         Degree::Turn => 2 * c.body + 1,
     };
     let cols = 2 * bodies;
-    let mut rows: Vec<Vec<T>> = Vec::with_capacity(cols);
-    let blank = || vec![T::zero(); cols + 1];
+    let mut rows = Equations::new(cols);
     // A body without a line does not travel, one that does not turn has no spin.
     for (b, body) in scene.bodies.iter().enumerate() {
         for (missing, degree) in [(body.line.is_none(), Degree::Along), (!body.turns, Degree::Turn)] {
             if missing {
-                let mut row = blank();
-                row[column(Coordinate { body: b, degree })] = T::of(1.0);
-                rows.push(row);
+                rows.row()[column(Coordinate { body: b, degree })] = T::of(1.0);
             }
         }
     }
     // Velocity of a cord's end as a linear form: its values on the unit motions of the body.
     let add_point = |row: &mut [T], end: &CordEnd| {
         for degree in [Degree::Along, Degree::Turn] {
-            let mut unit = Mode { v: vec![T::zero(); bodies], w: vec![T::zero(); bodies] };
+            let mut unit = Mode::still(bodies);
             let c = Coordinate { body: end.body, degree };
             match degree {
                 Degree::Along => unit.v[end.body] = T::of(1.0),
@@ -90,46 +96,41 @@ pub fn modes<T: Real>(scene: &Scene, n: &Numbers<T>, rolled: bool) -> Result<Vec
             _ => None,
         };
         if let Some((body, radius)) = rolls {
-            let mut row = blank();
+            let row = rows.row();
             row[column(Coordinate { body: *body, degree: Degree::Along })] = T::of(1.0);
             row[column(Coordinate { body: *body, degree: Degree::Turn })] =
                 -plant!("energy: distance from the contact", n.get(*radius));
-            rows.push(row);
         }
         if let Tie::Cord(cord) = tie {
-            let mut row = blank();
             match &cord.to {
-                Far::Fixed => add_point(&mut row, &cord.from),
+                Far::Fixed => add_point(rows.row(), &cord.from),
                 Far::Body(other) => {
-                    add_point(&mut row, &cord.from);
-                    add_point(&mut row, other);
+                    let row = rows.row();
+                    add_point(row, &cord.from);
+                    add_point(row, other);
                 }
-                Far::Pull(_) | Far::Spring { .. } => continue,
+                Far::Pull(_) | Far::Spring { .. } => {}
             }
-            rows.push(row);
         }
     }
     let main = column(scene.ending_coordinate());
     // Keep the spin of a slipping wheel open beside the ending coordinate.
-    let mut free = vec![main];
+    let mut free: SmallVec<[usize; 4]> = smallvec![main];
     if !rolled {
         free.extend(scene.ties.iter().filter_map(|t| match t {
             Tie::Slip { body, .. } => Some(column(Coordinate { body: *body, degree: Degree::Turn })),
             _ => None,
         }));
     }
-    let reduced = reduce(cols, rows, &free);
+    let reduced = rows.reduce(&free);
     let mut open = reduced.open();
     let Some(first) = open.iter().position(|j| *j == main) else { return Err(Refusal::Freedoms(0)) };
     open.swap(0, first);
     Ok(open
         .into_iter()
         .map(|j| {
-            let x = reduced.mode(j);
-            Mode {
-                v: x.iter().step_by(2).copied().collect(),
-                w: x.iter().skip(1).step_by(2).copied().collect(),
-            }
+            let part = |offset: usize| (0..bodies).map(|b| reduced.in_mode(j, 2 * b + offset)).collect();
+            Mode { v: part(0), w: part(1) }
         })
         .collect())
 }

@@ -25,6 +25,7 @@ use crate::scene::Scene;
 use crate::scene::Side;
 use crate::scene::Tie;
 use crate::solve::outcome::Refusal;
+use smallvec::SmallVec;
 
 /// Right-hand side of the constant forces.
 pub const CONSTANT: usize = 0;
@@ -37,20 +38,23 @@ pub struct Setting {
     /// Take a contact that is said to slip as rolling.
     pub rolled: bool,
     /// For each tie that slips or slides: sense of the kinetic friction, 0 for none.
-    pub friction_sense: Vec<f64>,
+    pub friction_sense: SmallVec<[f64; 4]>,
     /// Slides feel their static coefficient (does it start?).
     pub starting: bool,
     /// Add a unit force on this coordinate as the last right-hand side.
     pub probe: Option<Coordinate>,
 }
 
+/// Place of an unknown for each body or tie.
+type Places = SmallVec<[Option<usize>; 2]>;
+
 /// Where each unknown stands.
 #[derive(Debug, Clone)]
 struct Layout {
-    along: Vec<Option<usize>>,
-    turn: Vec<Option<usize>>,
-    normal: Vec<Option<usize>>,
-    reaction: Vec<Option<usize>>,
+    along: Places,
+    turn: Places,
+    normal: Places,
+    reaction: Places,
     count: usize,
     columns: usize,
 }
@@ -64,7 +68,7 @@ impl Layout {
                 count - 1
             })
         };
-        let (mut along, mut turn, mut normal) = (Vec::new(), Vec::new(), Vec::new());
+        let (mut along, mut turn, mut normal) = (Places::new(), Places::new(), Places::new());
         for b in &scene.bodies {
             along.push(next(b.line.is_some()));
             turn.push(next(b.turns));

@@ -1,5 +1,6 @@
 //! Kinetic energy at an instant, as a sum: over particles, or over bodies each with its mass centre and its spin.
 use crate::num::Real;
+use crate::num::dd::pow2;
 use crate::num::plant::plant;
 use crate::scene::Degree;
 use crate::scene::Label;
@@ -20,8 +21,8 @@ pub fn road<T: Real>(scene: &Scene, n: &Numbers<T>) -> Road<T> {
         let label = Label { quantity, of };
         road.said.push(Said {
             label,
-            value: n.publish(label, value),
-            scale: n.publish(label, T::of(scale)).f64(),
+            value: n.publish(quantity, value),
+            scale: scale * pow2(n.exponent(quantity)),
         });
     };
     for (b, body) in scene.bodies.iter().enumerate() {

@@ -7,6 +7,7 @@ pub mod travel;
 
 use crate::num::Dd;
 use crate::num::Real;
+use crate::num::dd::pow2;
 use crate::num::plant::plant;
 use crate::scene::Attach;
 use crate::scene::Coordinate;
@@ -36,6 +37,7 @@ use crate::solve::outcome::Held;
 use crate::solve::outcome::Refusal;
 use crate::solve::outcome::Road;
 use crate::solve::outcome::Said;
+use smallvec::smallvec;
 
 /// Everything that the equations of motion say of a scene whose data are admissible.
 ///
@@ -85,7 +87,7 @@ impl<'a, T: Real> Walk<'a, T> {
         });
         let mut setting = Setting {
             rolled: true,
-            friction_sense: vec![0.0; scene.ties.len()],
+            friction_sense: smallvec![0.0; scene.ties.len()],
             starting: false,
             probe: started.then_some(end),
         };
@@ -174,8 +176,8 @@ impl<'a, T: Real> Walk<'a, T> {
     }
     fn say_scaled(&mut self, quantity: Quantity, of: Owner, value: T, scale: f64) {
         let label = Label { quantity, of };
-        let scale = self.n.publish(label, T::of(scale)).f64();
-        self.road.said.push(Said { label, value: self.n.publish(label, value), scale });
+        let scale = scale * pow2(self.n.exponent(quantity));
+        self.road.said.push(Said { label, value: self.n.publish(quantity, value), scale });
     }
 
     /// Velocity of a coordinate per unit velocity of the ending one.
@@ -312,7 +314,11 @@ impl<'a, T: Real> Walk<'a, T> {
         }
         match s {
             Some(s) if reached => {
-                let state = travel.at(s);
+                let mut state = travel.at(s);
+                if matches!(self.scene.end, End::TurningPoint(_)) {
+                    // At rest by the definition of the event, not by what rounding leaves.
+                    state.u = zero;
+                }
                 self.arrived(&state, sense, tension_at(s));
             }
             _ => self.standing(tension0, false),
@@ -379,8 +385,7 @@ impl<'a, T: Real> Walk<'a, T> {
             let slip = along - self.n.get(*radius_m) * turn;
             let against = slip.signed(-friction.sign());
             let available = self.n.get(*mu_s) * normal;
-            let force =
-                |f: T| self.n.publish(Label { quantity: Quantity::Friction, of: Owner::Scene }, f).value();
+            let force = |f: T| self.n.publish(Quantity::Friction, f).value();
             self.road.held.push(Held::Slipping(t, force(friction), force(available), against.value()));
         }
     }
@@ -415,9 +420,7 @@ impl<'a, T: Real> Walk<'a, T> {
                     if surface {
                         self.say(Quantity::MuRequired, Owner::Body(*body), most / normal);
                     }
-                    let force = |f: T| {
-                        self.n.publish(Label { quantity: Quantity::Friction, of: Owner::Scene }, f).value()
-                    };
+                    let force = |f: T| self.n.publish(Quantity::Friction, f).value();
                     let available = mu_s.map(|mu| force(self.n.get(mu) * normal));
                     self.road.held.push(Held::Rolling(t, force(most), available));
                 }

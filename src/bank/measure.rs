@@ -1,0 +1,71 @@
+//! Units as a bank needs them: does a unit fit a use, constants of the scene, dimensions of expressions.
+use crate::bank::decimal::Decimal;
+use crate::bank::expression::Powers;
+use crate::bank::node::shorten;
+use crate::units::Unit;
+use crate::units::parse_quantity;
+
+/// A unit from its spelling, or what is wrong with it.
+pub fn unit(text: &str) -> Result<Unit, String> {
+    Unit::parse(text.trim()).map_err(|fault| format!("`{}`: {fault}", shorten(text)))
+}
+
+/// One of the program's own spellings.
+///
+/// # Panics
+/// If the program spells a unit that its own table does not know, which a test excludes.
+fn own(ascii: &str) -> Unit {
+    Unit::parse(ascii)
+        .unwrap_or_else(|fault| panic!("the program's own unit `{ascii}` is not known: {fault}"))
+}
+
+/// Is a quantity in this unit of the same kind as one in the (own) unit `wanted`? The radian may be dropped in rates.
+pub fn fits(unit: &Unit, wanted: &str) -> bool {
+    own(wanted).agrees(unit)
+}
+
+/// `expected N (force), found kg (mass)`, with the missing factor if it is a single one.
+pub fn mismatch(unit: &Unit, wanted: &str) -> String {
+    own(wanted).mismatch(unit)
+}
+
+/// A constant of a scene such as `20 kg`: SI, a slope in degrees. A plain number has no dimension.
+pub fn constant(text: &str, wanted: &str) -> Result<f64, String> {
+    let read = parse_quantity(text, &Unit::one()).map_err(|fault| format!("`{}`: {fault}", shorten(text)))?;
+    if !fits(&read.unit, wanted) {
+        return Err(format!("`{}`: {}", shorten(text), mismatch(&read.unit, wanted)));
+    }
+    Ok(if wanted == "deg" { read.value_scene } else { read.value_si })
+}
+
+/// A constant that is printed as it is written, such as `9.81 m/s^2`: digits and unit.
+pub fn decimal_constant(text: &str) -> Result<(Decimal, Unit), String> {
+    let text = text.trim();
+    let end =
+        text.find(|c: char| !(c.is_ascii_digit() || matches!(c, '.' | '-' | '+'))).unwrap_or(text.len());
+    let (digits, rest) = text.split_at(end);
+    let number = Decimal::parse(digits.trim())
+        .ok_or_else(|| format!("`{}` does not begin with a decimal number", shorten(text)))?;
+    let unit = if rest.trim().is_empty() { Unit::one() } else { unit(rest)? };
+    Ok((number, unit))
+}
+
+/// The dimension as an expression counts it: exponents of mass, length and time, in quarters.
+pub fn powers(unit: &Unit) -> Powers {
+    let [mass, length, time, _] = unit.dimension().0;
+    [i32::from(mass) * 4, i32::from(length) * 4, i32::from(time) * 4]
+}
+
+/// A dimension in words, for messages: `kg m s^-2`.
+pub fn powers_text(powers: Powers) -> String {
+    let mut words = Vec::new();
+    for (name, p) in ["kg", "m", "s"].iter().zip(powers) {
+        match p {
+            0 => {}
+            4 => words.push((*name).to_owned()),
+            p if p % 4 == 0 => words.push(format!("{name}^{}", p / 4)),
+            p => words.push(format!("{name}^({}/4)", p)),
+        }
+    }
+    if words.is_empty() { "1".to_owned() } else { words.join(" ") }
+}

@@ -1,0 +1,253 @@
+//! A bank as a tree of texts with places; what the texts mean is read elsewhere.
+use crate::finding::Finding;
+use std::cell::RefCell;
+
+/// One node of the tree.
+#[derive(Debug, Clone)]
+pub struct Node {
+    /// What it holds.
+    pub value: Value,
+    /// Line, counted from 1; 0 if unknown.
+    pub line: usize,
+    /// Column, counted from 1; 0 if unknown.
+    pub column: usize,
+    /// Path of the field, such as `problems.pulled-rolling.data.m`.
+    pub path: String,
+}
+
+/// What a node holds.
+#[derive(Debug, Clone)]
+pub enum Value {
+    /// Nothing.
+    Empty,
+    /// A scalar, as it was written.
+    Text(String),
+    /// A list.
+    List(Vec<Node>),
+    /// Fields in the order of the file; a name may stand twice. Each name is a node of its own, for its place.
+    Map(Vec<(Node, Node)>),
+}
+
+impl Node {
+    /// The text of a scalar.
+    pub fn text(&self) -> Option<&str> {
+        match &self.value {
+            Value::Text(t) => Some(t),
+            _ => None,
+        }
+    }
+    /// What kind of thing it is, in words.
+    pub fn kind(&self) -> String {
+        match &self.value {
+            Value::Empty => "nothing".to_owned(),
+            Value::Text(t) => format!("`{}`", shorten(t)),
+            Value::List(items) => format!("a list of {}", items.len()),
+            Value::Map(fields) => {
+                let names: Vec<&str> = fields.iter().take(4).filter_map(|(k, _)| k.text()).collect();
+                format!("fields ({})", names.join(", "))
+            }
+        }
+    }
+    /// Gives every node below its path.
+    pub fn name_paths(&mut self, path: &str) {
+        path.clone_into(&mut self.path);
+        match &mut self.value {
+            Value::List(items) => {
+                for (i, item) in items.iter_mut().enumerate() {
+                    item.name_paths(&format!("{path}[{i}]"));
+                }
+            }
+            Value::Map(fields) => {
+                for (key, value) in fields {
+                    let name = key.text().unwrap_or("?");
+                    let below = if path.is_empty() { name.to_owned() } else { format!("{path}.{name}") };
+                    key.path.clone_from(&below);
+                    value.name_paths(&below);
+                }
+            }
+            Value::Empty | Value::Text(_) => {}
+        }
+    }
+}
+
+/// A text cut to a length that fits into a message.
+pub fn shorten(text: &str) -> String {
+    let mut line: String = text.chars().map(|c| if c.is_control() { ' ' } else { c }).take(60).collect();
+    if text.chars().count() > 60 {
+        line.push_str("...");
+    }
+    line
+}
+
+/// Collects findings.
+#[derive(Debug, Default)]
+pub struct Faults {
+    list: RefCell<Vec<Finding>>,
+}
+
+impl Faults {
+    /// Adds a finding at a node.
+    pub fn at(&self, node: &Node, message: impl Into<String>) {
+        self.push(node, Finding::new(node.path.clone(), message));
+    }
+    /// Adds a finding at a node, with what would be right.
+    pub fn hint(&self, node: &Node, message: impl Into<String>, hint: impl Into<String>) {
+        self.push(node, Finding::new(node.path.clone(), message).hint(hint));
+    }
+    /// Adds a finding at a node, with a hint if there is one.
+    pub fn maybe(&self, node: &Node, message: impl Into<String>, hint: Option<String>) {
+        let finding = Finding::new(node.path.clone(), message);
+        self.push(node, if let Some(h) = hint { finding.hint(h) } else { finding });
+    }
+    fn push(&self, node: &Node, finding: Finding) {
+        let finding = if node.line > 0 { finding.at(node.line, node.column) } else { finding };
+        let mut list = self.list.borrow_mut();
+        if !list.contains(&finding) {
+            list.push(finding);
+        }
+    }
+    /// Has anything been found?
+    pub fn is_empty(&self) -> bool {
+        self.list.borrow().is_empty()
+    }
+    /// How many so far.
+    pub fn count(&self) -> usize {
+        self.list.borrow().len()
+    }
+    /// All findings in the order of the file.
+    pub fn into_sorted(self, file: &str) -> Vec<Finding> {
+        let mut list: Vec<Finding> = self.list.into_inner().into_iter().map(|f| f.in_file(file)).collect();
+        list.sort_by_key(|f| f.at.unwrap_or((usize::MAX, 0)));
+        list
+    }
+}
+
+/// The fields of a map, taken by name; what is left over is a finding.
+pub struct Fields<'n> {
+    /// The map.
+    pub node: &'n Node,
+    entries: &'n [(Node, Node)],
+    asked: Vec<&'static str>,
+}
+
+impl<'n> Fields<'n> {
+    /// Opens a map; anything else is a finding.
+    pub fn open(node: &'n Node, what: &str, faults: &Faults) -> Option<Self> {
+        match &node.value {
+            Value::Map(entries) => {
+                for (i, (key, _)) in entries.iter().enumerate() {
+                    if let Some(text) = key.text()
+                        && entries[..i].iter().any(|(k, _)| k.text() == Some(text))
+                    {
+                        faults.hint(key, format!("`{}` stands twice", shorten(text)), "remove one of them");
+                    }
+                }
+                Some(Self { node, entries, asked: Vec::new() })
+            }
+            _ => {
+                faults.at(node, format!("expected {what}, found {}", node.kind()));
+                None
+            }
+        }
+    }
+    /// A field that may be absent.
+    pub fn get(&mut self, name: &'static str) -> Option<&'n Node> {
+        self.asked.push(name);
+        self.entries.iter().find(|(k, _)| k.text() == Some(name)).map(|(_, v)| v)
+    }
+    /// A field that must be there.
+    pub fn need(&mut self, name: &'static str, example: &str, faults: &Faults) -> Option<&'n Node> {
+        let found = self.get(name);
+        if found.is_none() {
+            faults.hint(
+                self.node,
+                format!("`{name}` is missing"),
+                format!("for example `{name}: {example}`"),
+            );
+        }
+        found
+    }
+    /// Whatever was not asked for is unknown.
+    pub fn close(self, faults: &Faults) {
+        for (key, _) in self.entries {
+            match key.text() {
+                Some(text) if self.asked.contains(&text) => {}
+                Some(text) => {
+                    let hint = close_name(text, self.asked.iter().copied())
+                        .unwrap_or_else(|| format!("fields known here: {}", self.asked.join(", ")));
+                    faults.hint(key, format!("unknown field `{}`", shorten(text)), hint);
+                }
+                None => faults.at(key, "a field name must be a text"),
+            }
+        }
+    }
+}
+
+/// All entries of a map whose names are free (ids, symbols), each name once.
+pub fn named<'n>(node: &'n Node, what: &str, faults: &Faults) -> Vec<(&'n str, &'n Node, &'n Node)> {
+    let Value::Map(entries) = &node.value else {
+        faults.at(node, format!("expected {what}, found {}", node.kind()));
+        return Vec::new();
+    };
+    let mut list: Vec<(&str, &Node, &Node)> = Vec::new();
+    for (key, value) in entries {
+        let Some(name) = key.text() else {
+            faults.at(key, "a name must be a text");
+            continue;
+        };
+        if list.iter().any(|(n, _, _)| *n == name) {
+            faults.hint(key, format!("`{}` stands twice", shorten(name)), "remove one of them");
+            continue;
+        }
+        list.push((name, key, value));
+    }
+    list
+}
+
+/// "did you mean" for a close name, never for very short words; ties broken by name.
+pub fn close_name<'a>(text: &str, known: impl Iterator<Item = &'a str>) -> Option<String> {
+    let n = text.chars().count();
+    if !(3..=40).contains(&n) {
+        return None;
+    }
+    let allowed = if n <= 5 { 1 } else { 2 };
+    let mut best: Option<(usize, &str)> = None;
+    for name in known {
+        if name == text {
+            continue;
+        }
+        let d = if name.eq_ignore_ascii_case(text) { 0 } else { distance(text, name) };
+        if d <= allowed && best.is_none_or(|(bd, bn)| (d, name) < (bd, bn)) {
+            best = Some((d, name));
+        }
+    }
+    best.map(|(_, name)| format!("did you mean `{name}`?"))
+}
+
+/// Edits between two words: insertions, removals, replacements, swaps of neighbours.
+fn distance(a: &str, b: &str) -> usize {
+    let (a, b): (Vec<char>, Vec<char>) = (a.chars().collect(), b.chars().collect());
+    if a.len().abs_diff(b.len()) > 2 {
+        return usize::MAX;
+    }
+    let width = b.len() + 1;
+    let mut d = vec![0usize; (a.len() + 1) * width];
+    for i in 0..=a.len() {
+        for j in 0..=b.len() {
+            let best = if i == 0 || j == 0 {
+                i + j
+            } else {
+                let cost = usize::from(a[i - 1] != b[j - 1]);
+                let mut best = (d[(i - 1) * width + j - 1] + cost)
+                    .min(d[(i - 1) * width + j] + 1)
+                    .min(d[i * width + j - 1] + 1);
+                if i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1] {
+                    best = best.min(d[(i - 2) * width + j - 2] + 1);
+                }
+                best
+            };
+            d[i * width + j] = best;
+        }
+    }
+    d[d.len() - 1]
+}

@@ -1,0 +1,308 @@
+//! Sense of ids, ranges and names: is every datum used and admissible, does a quantity exist, are templates' names known.
+use crate::bank::load::Variables;
+use crate::bank::node::{Faults, Node, Value, close_name, shorten};
+use crate::bank::scene::{Need, admissible};
+use crate::bank::schema::TEMPLATE_NAMES;
+use crate::bank::{Datum, Draw};
+use crate::finding::Finding;
+use crate::scene::{Attach, Degree, End, Far, Label, Num, Owner, Quantity, RotaryInertia, Scene, Tie};
+
+/// A datum in one case: used where it is drawn, drawn where it is used, and admissible over its whole range.
+pub fn datum(
+    datum: &Datum,
+    node: &Node,
+    draw: Option<&Draw>,
+    uses: &[Need],
+    case: &str,
+    case_node: &Node,
+    faults: &Faults,
+) {
+    let symbol = &datum.symbol;
+    let in_case = if case.is_empty() { String::new() } else { format!(" of the case `{case}`") };
+    match (draw, uses.first()) {
+        (Some(_), None) => faults.hint(
+            node,
+            format!("`{symbol}` is drawn, but the scene{in_case} does not use it"),
+            "remove it, or use it in the scene",
+        ),
+        (None, Some(need)) => faults.hint(
+            if case.is_empty() { node } else { case_node },
+            format!("`{symbol}` is used as {}, but it is not drawn", need.words()),
+            format!(
+                "for example `draw: 20 to 40 step 1`{}",
+                if case.is_empty() { "" } else { ", here or in the data" }
+            ),
+        ),
+        (Some(draw), Some(_)) => {
+            let (low, high) = draw.range();
+            for need in uses {
+                for end in [low, high] {
+                    let value = if *need == Need::Slope {
+                        datum.unit.decimal_to_scene(end.value, end.decimals)
+                    } else {
+                        datum.unit.decimal_to_si(end.value, end.decimals)
+                    };
+                    if let Err(message) = admissible(value, *need) {
+                        faults.hint(
+                            if case.is_empty() { node } else { case_node },
+                            format!(
+                                "`{symbol}` could be drawn as {}: {message}",
+                                datum.unit.text_with(&end.text())
+                            ),
+                            "change the range",
+                        );
+                    }
+                }
+            }
+        }
+        (None, None) => {}
+    }
+}
+
+/// A body that slips has inertia: its radius of gyration cannot be drawn as 0.
+pub fn inertia_where_slipping(scene: &Scene, draws: &[(String, Option<Draw>)], node: &Node, faults: &Faults) {
+    for tie in &scene.ties {
+        let Tie::Slip { body, .. } = tie else { continue };
+        let num = match scene.bodies[*body].inertia {
+            Some(RotaryInertia::Gyration(n) | RotaryInertia::Moment(n)) => n,
+            _ => continue,
+        };
+        let (zero, what) = match num {
+            Num::Fixed(x) => (x <= 0.0, "its inertia".to_owned()),
+            Num::Datum(i) => match draws.get(i) {
+                Some((symbol, Some(draw))) => (draw.range().0.value <= 0, format!("`{symbol}`")),
+                _ => (false, String::new()),
+            },
+        };
+        if zero {
+            faults.at(node, format!("`{}` slips, so {what} is above 0", scene.bodies[*body].name));
+        }
+    }
+}
+
+/// The label of a name such as `omega`, `block.v` or `left.tension`, if the scene has it; else what to say.
+pub fn label(scene: &Scene, name: &str) -> Result<Label, (String, Option<String>)> {
+    let (owner, bare) = match name.rsplit_once('.') {
+        Some((owner, quantity)) => (Some(owner), quantity),
+        None => (None, name),
+    };
+    let Some(quantity) = Quantity::from_name(bare) else {
+        let hint = close_name(bare, Quantity::ALL.iter().map(|q| q.name())).unwrap_or_else(|| {
+            let names: Vec<String> = labels(scene).into_iter().map(|l| scene.name_of(l)).collect();
+            format!("quantities of this scene: {}", names.join(", "))
+        });
+        return Err((format!("`{}` is no quantity", shorten(name)), Some(hint)));
+    };
+    let found: Vec<Label> = labels(scene).into_iter().filter(|l| l.quantity == quantity).collect();
+    let shown = shorten(name);
+    if found.is_empty() {
+        return Err((
+            format!("`{shown}` does not exist in this scene"),
+            Some(format!("`{}` is: {}; {}", bare, quantity.meaning(), why(quantity))),
+        ));
+    }
+    let names = || found.iter().map(|l| format!("`{}`", scene.name_of(*l))).collect::<Vec<_>>().join(", ");
+    match owner {
+        None => match found
+            .iter()
+            .find(|l| scene.name_of(**l) == bare)
+            .or(found.first().filter(|_| found.len() == 1))
+        {
+            Some(label) => Ok(*label),
+            None => Err((format!("`{shown}`: of what?"), Some(format!("this scene has {}", names())))),
+        },
+        Some(owner) => {
+            let belongs = |l: &&Label| match l.of {
+                Owner::Scene => false,
+                Owner::Body(b) => scene.bodies[b].name == owner,
+                Owner::Tie(t) => matches!(&scene.ties[t], Tie::Cord(c) if c.name == owner),
+            };
+            match found.iter().find(belongs) {
+                Some(label) => Ok(*label),
+                None => Err((
+                    format!("`{shown}` does not exist in this scene"),
+                    Some(format!("this scene has {}", names())),
+                )),
+            }
+        }
+    }
+}
+
+/// What a quantity needs, for hints.
+const fn why(quantity: Quantity) -> &'static str {
+    match quantity {
+        Quantity::Omega | Quantity::Alpha | Quantity::Phi => "nothing turns here",
+        Quantity::V | Quantity::A | Quantity::Rise => "nothing moves along a line here",
+        Quantity::Friction | Quantity::Normal => "nothing touches a surface here",
+        Quantity::MuRequired => "nothing rolls or slips here",
+        Quantity::SlipDistance | Quantity::FrictionIfRolled => "it needs a tie `slips`",
+        Quantity::Rolls => "it needs a tie `slips`, or `rolls` with mu_s",
+        Quantity::Heat => "it needs a tie `slips` or `slides`",
+        Quantity::Tension => "it needs a cord whose pull is not given",
+        Quantity::CordTravel => "it needs a cord that is pulled or held by a spring",
+        Quantity::WorkPull | Quantity::PowerPull => "it needs a cord with `pulled with`",
+        Quantity::KBound => "it needs one wheel with a radius of gyration that rolls and is pulled",
+        Quantity::XEq | Quantity::VMax | Quantity::DAtVMax | Quantity::DTurn => "it needs a spring",
+        Quantity::XG | Quantity::YG | Quantity::IG => "it needs a body of particles",
+        Quantity::T | Quantity::RotationalFraction | Quantity::KineticEnergy | Quantity::Direction => {
+            "it needs a motion"
+        }
+    }
+}
+
+/// All labels that the solvers can give for this structure.
+pub fn labels(scene: &Scene) -> Vec<Label> {
+    let mut list = Vec::new();
+    let mut add = |quantity, of| list.push(Label { quantity, of });
+    let moves = !matches!(scene.end, End::AtOnce);
+    add(Quantity::KineticEnergy, Owner::Scene);
+    for (b, body) in scene.bodies.iter().enumerate() {
+        let of = Owner::Body(b);
+        if !body.particles.is_empty() {
+            for q in [Quantity::XG, Quantity::YG, Quantity::IG] {
+                add(q, of);
+            }
+        } else if moves {
+            if body.turns {
+                for q in [Quantity::Omega, Quantity::Alpha, Quantity::Phi] {
+                    add(q, of);
+                }
+            }
+            if let Some(line) = body.line {
+                for q in [Quantity::V, Quantity::A, Quantity::Rise] {
+                    add(q, of);
+                }
+                if line.surface {
+                    add(Quantity::Normal, of);
+                }
+            }
+        }
+    }
+    if !moves {
+        return list;
+    }
+    add(Quantity::T, Owner::Scene);
+    add(Quantity::RotationalFraction, Owner::Scene);
+    let end = scene.ending_coordinate();
+    add(Quantity::Direction, Owner::Body(end.body));
+    for (t, tie) in scene.ties.iter().enumerate() {
+        match tie {
+            Tie::Roll { body, mu_s, .. } => {
+                add(Quantity::Friction, Owner::Body(*body));
+                add(Quantity::MuRequired, Owner::Body(*body));
+                if mu_s.is_some() {
+                    add(Quantity::Rolls, Owner::Body(*body));
+                }
+            }
+            Tie::Slip { body, .. } => {
+                for q in [
+                    Quantity::Friction,
+                    Quantity::MuRequired,
+                    Quantity::SlipDistance,
+                    Quantity::FrictionIfRolled,
+                    Quantity::Rolls,
+                ] {
+                    add(q, Owner::Body(*body));
+                }
+                add(Quantity::Heat, Owner::Scene);
+            }
+            Tie::Slide { body, .. } => {
+                add(Quantity::Friction, Owner::Body(*body));
+                add(Quantity::Heat, Owner::Scene);
+            }
+            Tie::Cord(c) => match c.to {
+                Far::Pull(_) => {
+                    for q in [Quantity::CordTravel, Quantity::WorkPull, Quantity::PowerPull] {
+                        add(q, Owner::Tie(t));
+                    }
+                }
+                Far::Spring { .. } => {
+                    add(Quantity::Tension, Owner::Tie(t));
+                    add(Quantity::CordTravel, Owner::Tie(t));
+                    add(Quantity::XEq, Owner::Scene);
+                    if end.degree == Degree::Along {
+                        for q in [Quantity::VMax, Quantity::DAtVMax, Quantity::DTurn] {
+                            add(q, Owner::Body(end.body));
+                        }
+                    }
+                }
+                Far::Body(_) | Far::Fixed => add(Quantity::Tension, Owner::Tie(t)),
+            },
+        }
+    }
+    if let [body] = scene.bodies.as_slice()
+        && matches!(body.inertia, Some(RotaryInertia::Gyration(_)))
+        && scene.couples.is_empty()
+        && scene.ties.iter().any(|t| matches!(t, Tie::Roll { .. }))
+        && scene.ties.iter().any(|t| matches!(t, Tie::Cord(c) if matches!(c.to, Far::Pull(_)) && matches!(c.from.attach, Attach::Wound(..))))
+    {
+        add(Quantity::KBound, Owner::Body(0));
+    }
+    // Heat once, even if several bodies rub.
+    let mut seen: Vec<Label> = Vec::new();
+    list.retain(|l| {
+        let new = !seen.contains(l);
+        seen.push(*l);
+        new
+    });
+    list
+}
+
+/// Names in the statement and in the questions are symbols of the data or names that every template knows.
+pub fn templates(
+    statement: Option<&Node>,
+    questions: Option<&Node>,
+    symbols: &[&str],
+    variables: Variables,
+    faults: &Faults,
+) {
+    let mut texts: Vec<&Node> = statement.into_iter().collect();
+    if let Some(Node { value: Value::Map(entries), .. }) = questions {
+        for (_, question) in entries {
+            if let Value::Map(fields) = &question.value {
+                texts.extend(fields.iter().filter(|(k, _)| k.text() == Some("ask")).map(|(_, v)| v));
+            }
+        }
+    }
+    for node in texts {
+        let Some(text) = node.text() else { continue };
+        match variables(text) {
+            Err(found) => {
+                for f in found {
+                    told(node, &f, faults);
+                }
+            }
+            Ok(names) => {
+                for name in &names {
+                    if symbols.contains(&name.as_str()) || TEMPLATE_NAMES.contains(&name.as_str()) {
+                        continue;
+                    }
+                    let known = || symbols.iter().copied().chain(TEMPLATE_NAMES.iter().copied());
+                    let hint = close_name(name, known()).unwrap_or_else(|| {
+                        format!("known names: {}", known().collect::<Vec<_>>().join(", "))
+                    });
+                    faults.hint(node, format!("`{{{{ {} }}}}` is not known", shorten(name)), hint);
+                }
+                let is_statement = statement.is_some_and(|s| std::ptr::eq(s, node));
+                // A statement that lists values or particles may give any of them.
+                let lists = names.iter().any(|n| matches!(n.as_str(), "value" | "particles"));
+                if is_statement && !lists {
+                    for symbol in symbols.iter().filter(|s| **s != "g" && !names.iter().any(|n| n == *s)) {
+                        faults.hint(
+                            node,
+                            format!("the statement never gives `{symbol}`"),
+                            format!("write `{{{{ {symbol} }}}}` where it belongs"),
+                        );
+                    }
+                }
+            }
+        }
+    }
+}
+
+fn told(node: &Node, finding: &Finding, faults: &Faults) {
+    let place = finding
+        .at
+        .map_or_else(String::new, |(line, column)| format!(" (line {line}, column {column} of the text)"));
+    faults.maybe(node, format!("{}{place}", finding.message), finding.hint.clone());
+}

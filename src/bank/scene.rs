@@ -1,0 +1,1044 @@
+//! The `scene` part of a problem: bodies, ties, forces, start and end, read into pure data.
+use crate::bank::measure;
+use crate::bank::node::{Faults, Fields, Node, Value, close_name, named, shorten};
+use crate::scene::{
+    Attach, Body, Coordinate, Cord, CordEnd, Couple, Degree, End, Far, Heading, Line, Mass, Num, Part, Particle,
+    RotaryInertia, Scene, Shape, Side, Slope, Start, Tie,
+};
+use crate::units::Unit;
+use std::cell::Cell;
+use std::cell::RefCell;
+
+/// What a number is used for: it decides unit and admissible range.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Need {
+    /// Mass, kg, > 0.
+    Mass,
+    /// Weight, N, > 0.
+    Weight,
+    /// Radius, m, > 0.
+    Radius,
+    /// Radius of gyration, m, >= 0 (> 0 where something slips).
+    Gyration,
+    /// Moment of inertia, kg m^2, >= 0.
+    Inertia,
+    /// Slope, degrees, 0 to 90.
+    Slope,
+    /// Friction coefficient, >= 0.
+    Friction,
+    /// Force, N, >= 0.
+    Force,
+    /// Moment, N m, >= 0.
+    Moment,
+    /// Stiffness, N/m, > 0.
+    Stiffness,
+    /// Stretch or travel, m, >= 0.
+    Length,
+    /// Angle turned, rad, >= 0.
+    Turn,
+    /// Coordinate, m, any sign.
+    Place,
+    /// Time, s, >= 0.
+    Time,
+    /// Speed with sign, m/s.
+    Velocity,
+    /// Spin with sign, rad/s.
+    Spin,
+    /// Speed to be reached, m/s, >= 0.
+    Speed,
+    /// Spin to be reached, rad/s, >= 0.
+    SpinReached,
+}
+
+/// Range of admissible values.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Range {
+    /// Any finite value.
+    Any,
+    /// >= 0.
+    NotNegative,
+    /// > 0.
+    Positive,
+    /// 0 to 90 degrees.
+    Slope,
+}
+
+impl Need {
+    /// SI unit (ASCII) of this use.
+    pub const fn unit(self) -> &'static str {
+        match self {
+            Self::Mass => "kg",
+            Self::Weight | Self::Force => "N",
+            Self::Radius | Self::Gyration | Self::Length | Self::Place => "m",
+            Self::Inertia => "kg*m^2",
+            Self::Slope => "deg",
+            Self::Friction => "1",
+            Self::Moment => "N*m",
+            Self::Stiffness => "N/m",
+            Self::Turn => "rad",
+            Self::Time => "s",
+            Self::Velocity | Self::Speed => "m/s",
+            Self::Spin | Self::SpinReached => "rad/s",
+        }
+    }
+    /// What it is, in words.
+    pub const fn words(self) -> &'static str {
+        match self {
+            Self::Mass => "a mass",
+            Self::Weight => "a weight",
+            Self::Radius => "a radius",
+            Self::Gyration => "a radius of gyration",
+            Self::Inertia => "a moment of inertia",
+            Self::Slope => "a slope",
+            Self::Friction => "a friction coefficient",
+            Self::Force => "a force",
+            Self::Moment => "a moment",
+            Self::Stiffness => "a stiffness",
+            Self::Length => "a length",
+            Self::Turn => "an angle",
+            Self::Place => "a place",
+            Self::Time => "a time",
+            Self::Velocity | Self::Speed => "a speed",
+            Self::Spin | Self::SpinReached => "a spin",
+        }
+    }
+    /// Which values are admissible.
+    pub const fn range(self) -> Range {
+        match self {
+            Self::Mass | Self::Weight | Self::Radius | Self::Stiffness => Range::Positive,
+            Self::Slope => Range::Slope,
+            Self::Place | Self::Velocity | Self::Spin => Range::Any,
+            _ => Range::NotNegative,
+        }
+    }
+    /// An example, for hints.
+    const fn example(self) -> &'static str {
+        match self {
+            Self::Mass => "20 kg",
+            Self::Weight | Self::Force => "100 N",
+            Self::Radius | Self::Gyration | Self::Length | Self::Place => "0.25 m",
+            Self::Inertia => "4 kg*m^2",
+            Self::Slope => "30 deg",
+            Self::Friction => "0.4",
+            Self::Moment => "75 N*m",
+            Self::Stiffness => "400 N/m",
+            Self::Turn => "3 rad",
+            Self::Time => "2 s",
+            Self::Velocity | Self::Speed => "1.5 m/s",
+            Self::Spin | Self::SpinReached => "8 rad/s",
+        }
+    }
+}
+
+/// A datum as the scene sees it.
+#[derive(Debug, Clone)]
+pub struct Symbol {
+    /// Symbol, such as `mu_s`.
+    pub name: String,
+    /// Its unit; `None` if the bank's own is wrong (said elsewhere).
+    pub unit: Option<Unit>,
+}
+
+/// One use of a datum.
+#[derive(Debug, Clone)]
+pub struct Use {
+    /// Index of the datum.
+    pub datum: usize,
+    /// What for.
+    pub need: Need,
+}
+
+/// What was read of a scene, with the uses of the data.
+#[derive(Debug, Clone, Default)]
+pub struct Read {
+    /// The scene; `None` if anything is wrong with it.
+    pub scene: Option<Scene>,
+    /// Every use of a datum.
+    pub uses: Vec<Use>,
+}
+
+struct Reader<'a> {
+    symbols: &'a [Symbol],
+    faults: &'a Faults,
+    uses: RefCell<Vec<Use>>,
+    /// The line of some body could not be read, so nothing is said of surfaces that are not used.
+    lost: Cell<bool>,
+}
+
+/// Reads a scene. `gravity` is the index of g among the data.
+pub fn read(node: &Node, symbols: &[Symbol], gravity: usize, faults: &Faults) -> Read {
+    let before = faults.count();
+    let reader = Reader { symbols, faults, uses: RefCell::new(Vec::new()), lost: Cell::new(false) };
+    let scene = reader.scene(node, gravity).filter(|_| faults.count() == before);
+    Read { scene, uses: reader.uses.into_inner() }
+}
+
+struct Surface<'n> {
+    name: &'n str,
+    slope: Slope,
+}
+
+impl Reader<'_> {
+    fn scene(&self, node: &Node, gravity: usize) -> Option<Scene> {
+        let f = self.faults;
+        let mut fields = Fields::open(node, "a scene (bodies, ties, start, end)", f)?;
+        let surfaces = fields.get("surfaces").map_or_else(Vec::new, |n| self.surfaces(n));
+        let bodies_node = fields.need("bodies", "{wheel: {mass: m, moves: vertically}}", f);
+        let bodies = bodies_node.map_or_else(Vec::new, |n| self.bodies(n, &surfaces));
+        if let Some(n) = bodies_node
+            && bodies.is_empty()
+            && matches!(&n.value, Value::Map(m) if m.is_empty())
+        {
+            f.at(n, "a scene has at least one body");
+        }
+        let ties = fields.get("ties").map_or_else(Vec::new, |n| self.ties(n, &bodies));
+        let couples = fields.get("forces").map_or_else(Vec::new, |n| self.forces(n, &bodies));
+        let start = fields.get("start").map_or_else(Vec::new, |n| self.start(n, &bodies));
+        let end = fields.need("end", "{travel: {of: wheel, by: d}}", f).and_then(|n| self.end(n, &bodies));
+        fields.close(f);
+        let (end, heading) = end?;
+        Some(Scene { gravity_m_s2: Num::Datum(gravity), bodies, ties, couples, start, end, heading })
+    }
+
+    fn number(&self, node: &Node, need: Need) -> Option<Num> {
+        let Some(text) = node.text() else {
+            self.faults.hint(
+                node,
+                format!("expected {}, found {}", need.words(), node.kind()),
+                format!("a symbol of the data, or a constant such as `{}`", need.example()),
+            );
+            return None;
+        };
+        let text = text.trim();
+        if let Some(datum) = self.symbols.iter().position(|s| s.name == text) {
+            let Some(unit) = self.symbols[datum].unit.as_ref() else {
+                // Its unit is wrong, which has been told; it is used all the same.
+                self.uses.borrow_mut().push(Use { datum, need });
+                return Some(Num::Datum(datum));
+            };
+            if !measure::fits(unit, need.unit()) {
+                self.faults.hint(
+                    node,
+                    format!("`{text}` has the unit {}, but it is used as {}", unit.ascii(), need.words()),
+                    format!("{} has a unit such as {}", need.words(), need.unit()),
+                );
+                return None;
+            }
+            self.uses.borrow_mut().push(Use { datum, need });
+            return Some(Num::Datum(datum));
+        }
+        let looks_like_symbol = text.starts_with(|c: char| c.is_alphabetic() || c == '_');
+        if looks_like_symbol || text.is_empty() {
+            let hint = close_name(text, self.symbols.iter().map(|s| s.name.as_str()));
+            let known: Vec<&str> = self.symbols.iter().map(|s| s.name.as_str()).collect();
+            self.faults.hint(
+                node,
+                format!("`{}` is no symbol of the data", shorten(text)),
+                hint.unwrap_or_else(|| {
+                    format!("symbols: {}; or a constant such as `{}`", known.join(", "), need.example())
+                }),
+            );
+            return None;
+        }
+        let value = match measure::constant(text, need.unit()) {
+            Ok(value) => value,
+            Err(message) => {
+                self.faults.hint(node, message, format!("{} is written like `{}`", need.words(), need.example()));
+                return None;
+            }
+        };
+        if let Err(message) = admissible(value, need) {
+            self.faults.at(node, format!("`{}`: {message}", shorten(text)));
+            return None;
+        }
+        Some(Num::Fixed(value))
+    }
+
+    fn need_number(
+        &self, fields: &mut Fields, name: &'static str, example: &'static str, need: Need,
+    ) -> Option<Num> {
+        fields.need(name, example, self.faults).and_then(|n| self.number(n, need))
+    }
+
+    /// One word out of a list, said in one of its spellings.
+    fn word<T: Copy>(&self, node: &Node, what: &str, words: &[(&str, T)]) -> Option<T> {
+        let text = node.text().unwrap_or("").split_whitespace().collect::<Vec<_>>().join(" ").to_lowercase();
+        if let Some((_, meaning)) = words.iter().find(|(w, _)| *w == text) {
+            return Some(*meaning);
+        }
+        let known: Vec<&str> = words.iter().map(|(w, _)| *w).collect();
+        let hint = close_name(&text, known.iter().copied())
+            .unwrap_or_else(|| format!("words known here: {}", known.join(", ")));
+        self.faults.hint(node, format!("expected {what}, found {}", node.kind()), hint);
+        None
+    }
+
+    fn one<'n>(&self, node: &'n Node, what: &str) -> Option<(&'n str, &'n Node, &'n Node)> {
+        match &node.value {
+            Value::Map(entries) if entries.len() == 1 => {
+                let (key, value) = &entries[0];
+                Some((key.text().unwrap_or(""), key, value))
+            }
+            _ => {
+                self.faults.at(node, format!("expected {what}, found {}", node.kind()));
+                None
+            }
+        }
+    }
+
+    fn unknown(&self, key: &Node, what: &str, known: &[&str]) {
+        let text = key.text().unwrap_or("");
+        let hint = close_name(text, known.iter().copied()).unwrap_or_else(|| format!("known: {}", known.join(", ")));
+        self.faults.hint(key, format!("`{}` is no {what}", shorten(text)), hint);
+    }
+
+    fn surfaces<'n>(&self, node: &'n Node) -> Vec<Surface<'n>> {
+        let mut list = Vec::new();
+        for (name, _, value) in named(node, "surfaces by name", self.faults) {
+            let slope = match &value.value {
+                Value::Map(_) => Fields::open(value, "a slope", self.faults).and_then(|mut fields| {
+                    let slope = self.need_number(&mut fields, "slope", "theta", Need::Slope);
+                    fields.close(self.faults);
+                    slope.map(Slope::Degrees)
+                }),
+                _ => self.word(
+                    value,
+                    "`level`, `vertical` or `{slope: theta}`",
+                    &[("level", Slope::Level), ("horizontal", Slope::Level), ("vertical", Slope::Vertical)],
+                ),
+            };
+            // A slope that is wrong has been told; the name stays known, so that nothing else is blamed.
+            list.push(Surface { name, slope: slope.unwrap_or(Slope::Level) });
+        }
+        list
+    }
+
+    fn bodies(&self, node: &Node, surfaces: &[Surface]) -> Vec<Body> {
+        let mut bodies = Vec::new();
+        for (name, key, value) in named(node, "bodies by name", self.faults) {
+            if !plain_name(name) {
+                self.faults.hint(
+                    key,
+                    format!("`{}` is no name for a body", shorten(name)),
+                    "letters, digits and `_`, beginning with a letter",
+                );
+            }
+            bodies.push(self.body(name, value, surfaces));
+        }
+        let mut used: Vec<bool> = vec![false; surfaces.len()];
+        if let Value::Map(entries) = &node.value {
+            for (_, body) in entries {
+                if let Value::Map(fields) = &body.value {
+                    for (k, v) in fields {
+                        if k.text() == Some("moves")
+                            && let Some(on) = v.text().and_then(|t| t.trim().strip_prefix("along"))
+                            && let Some(i) = surfaces.iter().position(|s| s.name == on.trim())
+                        {
+                            used[i] = true;
+                        }
+                    }
+                }
+            }
+        }
+        for (surface, used) in surfaces.iter().zip(used) {
+            if !used && !self.lost.get() {
+                self.faults.hint(node, format!("nothing moves along the surface `{}`", surface.name), "remove the surface, or write `moves: along ...`");
+            }
+        }
+        bodies
+    }
+
+    fn body(&self, name: &str, node: &Node, surfaces: &[Surface]) -> Body {
+        let f = self.faults;
+        let mut body = Body {
+            name: name.to_owned(),
+            mass: Mass::OfParts,
+            inertia: None,
+            radii_m: Vec::new(),
+            line: None,
+            turns: false,
+            particles: Vec::new(),
+        };
+        let Some(mut fields) = Fields::open(node, "a body (mass, moves, ...)", f) else { return body };
+        if let Some(particles) = fields.get("particles") {
+            body.turns = true;
+            body.particles = self.particles(particles);
+            fields.close(f);
+            return body;
+        }
+        let mass = fields.get("mass");
+        let weight = fields.get("weight");
+        let shape = fields.get("shape");
+        let gyration = fields.get("radius of gyration");
+        let moment = fields.get("moment of inertia");
+        let parts = fields.get("parts");
+        let given: Vec<&Node> = [shape, gyration, moment, parts].into_iter().flatten().collect();
+        if given.len() > 1 {
+            f.hint(
+                node,
+                format!("`{name}` has its inertia given {} times", given.len()),
+                "keep one of `shape`, `radius of gyration`, `moment of inertia`, `parts`",
+            );
+        }
+        let mut shape_radius = None;
+        if let Some(n) = gyration {
+            body.inertia = self.number(n, Need::Gyration).map(RotaryInertia::Gyration);
+        } else if let Some(n) = moment {
+            body.inertia = self.number(n, Need::Inertia).map(RotaryInertia::Moment);
+        } else if let Some(n) = shape {
+            if let Some((word, key, radius)) = self.one(n, "a shape such as `{disc: R}`") {
+                let known = shape_of(word);
+                if known.is_none() {
+                    self.unknown(key, "shape", SHAPES);
+                }
+                let radius = self.number(radius, Need::Radius);
+                shape_radius = radius;
+                body.inertia = known.zip(radius).map(|(s, r)| RotaryInertia::Shape(s, r));
+            }
+        } else if let Some(n) = parts {
+            body.inertia = Some(RotaryInertia::Parts(self.parts(n)));
+        }
+        body.turns = !given.is_empty();
+        let moves = fields.need("moves", "along incline", f);
+        let positive = fields.get("positive");
+        let fixed = moves.and_then(Node::text).is_some_and(|t| t.trim() == "about a fixed axle");
+        body.mass = match (mass, weight) {
+            (Some(_), Some(w)) => {
+                f.hint(w, format!("`{name}` has a mass and a weight"), "keep one of them");
+                Mass::OfParts
+            }
+            (Some(n), None) => self.number(n, Need::Mass).map_or(Mass::OfParts, Mass::Kilograms),
+            (None, Some(n)) => self.number(n, Need::Weight).map_or(Mass::OfParts, Mass::Weight),
+            (None, None) if parts.is_some() => Mass::OfParts,
+            // The mass of a body on a fixed axle whose moment of inertia is given enters no equation.
+            (None, None) if fixed && moment.is_some() => Mass::Kilograms(Num::Fixed(1.0)),
+            (None, None) => {
+                f.hint(node, "`mass` is missing", "write `mass: m`, or `weight: W`");
+                Mass::OfParts
+            }
+        };
+        if fixed
+            && moment.is_some()
+            && let Some(n) = mass.or(weight)
+        {
+            f.hint(n, "on a fixed axle the mass enters nothing once the moment of inertia is given", "remove this field");
+        }
+        if parts.is_some()
+            && let Some(n) = mass.or(weight)
+        {
+            f.hint(n, "the mass of a body made of parts is the sum of its parts", "remove this field");
+        }
+        body.line = match moves.map(|n| self.line(n, positive, surfaces)) {
+            Some(Ok(line)) => line,
+            Some(Err(())) | None => {
+                // Told already; with some line nothing else is blamed.
+                self.lost.set(true);
+                let slope = surfaces.first().map_or(Slope::Vertical, |s| s.slope);
+                Some(Line { slope, forward_up: true, surface: !surfaces.is_empty() })
+            }
+        };
+        if let Some(n) = fields.get("radii") {
+            for (radius, key, value) in named(n, "radii by name", f) {
+                if !plain_name(radius) {
+                    f.hint(key, format!("`{}` is no name for a radius", shorten(radius)), "a name such as `rim`");
+                }
+                // The use is recorded when a tie acts at this radius.
+                let before = self.uses.borrow().len();
+                if let Some(num) = self.number(value, Need::Radius) {
+                    self.uses.borrow_mut().truncate(before);
+                    body.radii_m.push((radius.to_owned(), num));
+                }
+            }
+        }
+        if let Some(radius) = shape_radius
+            && !body.radii_m.iter().any(|(n, _)| n == "rim")
+        {
+            body.radii_m.push(("rim".to_owned(), radius));
+        }
+        fields.close(f);
+        body
+    }
+
+    fn line(&self, moves: &Node, positive: Option<&Node>, surfaces: &[Surface]) -> Result<Option<Line>, ()> {
+        let text = moves.text().unwrap_or("").trim();
+        let (slope, surface) = if text == "about a fixed axle" {
+            if let Some(n) = positive {
+                self.faults.hint(n, "a body on a fixed axle does not move along a line", "remove this field");
+            }
+            return Ok(None);
+        } else if text == "vertically" {
+            (Slope::Vertical, false)
+        } else if let Some(on) = text.strip_prefix("along ") {
+            let on = on.trim().trim_start_matches("the ");
+            match surfaces.iter().find(|s| s.name == on) {
+                Some(s) => (s.slope, true),
+                None => {
+                    let names: Vec<&str> = surfaces.iter().map(|s| s.name).collect();
+                    let hint = close_name(on, names.iter().copied()).unwrap_or_else(|| {
+                        if names.is_empty() {
+                            "name it under `surfaces`, for example `surfaces: {incline: {slope: theta}}`".to_owned()
+                        } else {
+                            format!("surfaces: {}", names.join(", "))
+                        }
+                    });
+                    self.faults.hint(moves, format!("`{}` is no surface of this scene", shorten(on)), hint);
+                    return Err(());
+                }
+            }
+        } else {
+            self.faults.hint(
+                moves,
+                format!("expected how the body moves, found {}", moves.kind()),
+                "`along SURFACE`, `vertically` or `about a fixed axle`",
+            );
+            return Err(());
+        };
+        let words: &[(&str, bool)] = if slope == Slope::Level {
+            &[("forward", true), ("right", true), ("back", false), ("left", false)]
+        } else {
+            &[("up", true), ("down", false)]
+        };
+        let forward_up = positive.map_or(Some(true), |n| self.word(n, "the positive sense", words)).ok_or(())?;
+        Ok(Some(Line { slope, forward_up, surface }))
+    }
+
+    fn particles(&self, node: &Node) -> Vec<Particle> {
+        let f = self.faults;
+        let mut list = Vec::new();
+        for (name, _, value) in named(node, "particles by name", f) {
+            let Some(mut fields) = Fields::open(value, "a particle (mass, at)", f) else { continue };
+            let mass = self.need_number(&mut fields, "mass", "m_A", Need::Mass);
+            let at = fields.need("at", "[x_A, y_A]", f).and_then(|n| match &n.value {
+                Value::List(xy) if xy.len() == 2 => {
+                    self.number(&xy[0], Need::Place).zip(self.number(&xy[1], Need::Place))
+                }
+                _ => {
+                    f.at(n, format!("expected a place such as `[x_A, y_A]`, found {}", n.kind()));
+                    None
+                }
+            });
+            fields.close(f);
+            if let Some((mass_kg, (x_m, y_m))) = mass.zip(at) {
+                list.push(Particle { name: name.to_owned(), mass_kg, x_m, y_m });
+            }
+        }
+        if let Value::Map(m) = &node.value
+            && m.len() < 2
+        {
+            f.at(node, "a body of particles has at least two of them");
+        }
+        list
+    }
+
+    fn parts(&self, node: &Node) -> Vec<Part> {
+        let f = self.faults;
+        let Value::List(items) = &node.value else {
+            f.at(node, format!("expected a list of parts such as `- disc: {{mass: m1, radius: R}}`, found {}", node.kind()));
+            return Vec::new();
+        };
+        if items.is_empty() {
+            f.at(node, "a body made of parts has at least one");
+        }
+        let mut list = Vec::new();
+        for item in items {
+            let Some((word, key, value)) = self.one(item, "a part such as `disc: {mass: m1, radius: R}`") else {
+                continue;
+            };
+            let shape = shape_of(word);
+            if shape.is_none() {
+                self.unknown(key, "shape", SHAPES);
+            }
+            let Some(mut fields) = Fields::open(value, "mass and radius of the part", f) else { continue };
+            let mass = match (fields.get("mass"), fields.get("weight")) {
+                (Some(n), None) => self.number(n, Need::Mass).map(Mass::Kilograms),
+                (None, Some(n)) => self.number(n, Need::Weight).map(Mass::Weight),
+                _ => {
+                    f.hint(value, "a part has a mass or a weight", "write `mass: m1`");
+                    None
+                }
+            };
+            let radius = self.need_number(&mut fields, "radius", "R", Need::Radius);
+            fields.close(f);
+            if let (Some(mass), Some(shape), Some(radius_m)) = (mass, shape, radius) {
+                list.push(Part { mass, shape, radius_m });
+            }
+        }
+        list
+    }
+
+    fn body_named(&self, node: &Node, bodies: &[Body]) -> Option<usize> {
+        let text = node.text().unwrap_or("").trim();
+        let found = bodies.iter().position(|b| b.name == text);
+        if found.is_none() {
+            let names = bodies.iter().map(|b| b.name.as_str());
+            let hint = close_name(text, names.clone())
+                .unwrap_or_else(|| format!("bodies: {}", names.collect::<Vec<_>>().join(", ")));
+            self.faults.hint(node, format!("expected a body of this scene, found {}", node.kind()), hint);
+        }
+        found
+    }
+
+    fn need_body(&self, fields: &mut Fields, name: &'static str, bodies: &[Body]) -> Option<usize> {
+        let example = bodies.first().map_or("wheel", |b| b.name.as_str());
+        fields.need(name, example, self.faults).and_then(|n| self.body_named(n, bodies))
+    }
+
+    /// The radius of a body at which a tie acts; this is what makes a radius used.
+    fn radius(&self, node: &Node, body: &Body) -> Option<Num> {
+        let text = node.text().unwrap_or("").trim();
+        let Some((_, num)) = body.radii_m.iter().find(|(n, _)| n == text) else {
+            let names = body.radii_m.iter().map(|(n, _)| n.as_str());
+            let hint = close_name(text, names.clone()).unwrap_or_else(|| {
+                if body.radii_m.is_empty() {
+                    format!("give `{}` a field `radii`, for example `radii: {{rim: R}}`", body.name)
+                } else {
+                    format!("radii of `{}`: {}", body.name, names.collect::<Vec<_>>().join(", "))
+                }
+            });
+            self.faults.hint(node, format!("expected a radius of `{}`, found {}", body.name, node.kind()), hint);
+            return None;
+        };
+        if let Num::Datum(datum) = num {
+            self.uses.borrow_mut().push(Use { datum: *datum, need: Need::Radius });
+        }
+        Some(*num)
+    }
+
+    fn ties(&self, node: &Node, bodies: &[Body]) -> Vec<Tie> {
+        let f = self.faults;
+        let Value::List(items) = &node.value else {
+            f.at(node, format!("expected a list of ties, each after `- `, found {}", node.kind()));
+            return Vec::new();
+        };
+        let mut ties: Vec<Tie> = Vec::new();
+        for item in items {
+            let Some((word, key, value)) = self.one(item, "a tie such as `rolls: {body: wheel, on its: hub}`") else {
+                continue;
+            };
+            let tie = match word {
+                "rolls" | "slips" | "slides" => self.contact(word, value, bodies),
+                "cord" => self.cord(value, bodies).map(Tie::Cord),
+                _ => {
+                    self.unknown(key, "tie", &["rolls", "slips", "slides", "cord"]);
+                    None
+                }
+            };
+            let Some(tie) = tie else { continue };
+            if let Some(body) = contact_body(&tie)
+                && ties.iter().filter_map(contact_body).any(|b| b == body)
+            {
+                f.hint(item, format!("`{}` touches its surface twice", bodies[body].name), "keep one of `rolls`, `slips`, `slides`");
+            }
+            if let Tie::Cord(c) = &tie
+                && ties.iter().any(|t| matches!(t, Tie::Cord(o) if o.name == c.name && c.name != "cord"))
+            {
+                f.hint(item, format!("two cords are called `{}`", c.name), "give each its own name");
+            }
+            ties.push(tie);
+        }
+        let unnamed: Vec<usize> = ties
+            .iter()
+            .enumerate()
+            .filter(|(_, t)| matches!(t, Tie::Cord(c) if c.name == "cord" && !matches!(c.to, Far::Pull(_))))
+            .map(|(i, _)| i)
+            .collect();
+        if unnamed.len() > 1 {
+            // Several tensions need names; number the cords in the order of the file.
+            for (n, i) in unnamed.into_iter().enumerate() {
+                if let Tie::Cord(c) = &mut ties[i] {
+                    c.name = format!("cord{}", n + 1);
+                }
+            }
+        }
+        ties
+    }
+
+    fn contact(&self, word: &str, node: &Node, bodies: &[Body]) -> Option<Tie> {
+        let f = self.faults;
+        let mut fields = Fields::open(node, "the body and where it touches", f)?;
+        let body = self.need_body(&mut fields, "body", bodies);
+        let surface = body.is_none_or(|b| bodies[b].line.is_some_and(|l| l.surface));
+        if !surface && body.is_some_and(|b| bodies[b].line.is_some() || bodies[b].turns) {
+            f.hint(node, format!("`{}` touches no surface", body.map_or("", |b| &bodies[b].name)), "write `moves: along SURFACE`");
+        }
+        if word == "slides" {
+            let mu_k = self.need_number(&mut fields, "mu_k", "mu_k", Need::Friction);
+            let mu_s = fields.get("mu_s").map(|n| self.number(n, Need::Friction));
+            fields.close(f);
+            if let Some(b) = body
+                && bodies[b].turns
+            {
+                f.hint(node, format!("`{}` can turn, so it rolls or slips", bodies[b].name), "write `rolls:` or `slips:`");
+                return None;
+            }
+            return Some(Tie::Slide { body: body?, mu_s: settle(mu_s)?, mu_k: mu_k? });
+        }
+        let on = fields.need("on its", "rim", f);
+        let radius = body.zip(on).and_then(|(b, n)| self.radius(n, &bodies[b]));
+        if let Some(b) = body
+            && !bodies[b].turns
+        {
+            f.hint(
+                node,
+                format!("`{}` has no inertia, so it cannot turn", bodies[b].name),
+                "give it a `radius of gyration` or a `shape`, or write `slides:`",
+            );
+        }
+        if word == "rolls" {
+            let mu_s = fields.get("mu_s").map(|n| self.number(n, Need::Friction));
+            fields.close(f);
+            return Some(Tie::Roll { body: body?, radius_m: radius?, mu_s: settle(mu_s)? });
+        }
+        let mu_s = self.need_number(&mut fields, "mu_s", "mu_s", Need::Friction);
+        let mu_k = self.need_number(&mut fields, "mu_k", "mu_k", Need::Friction);
+        fields.close(f);
+        Some(Tie::Slip { body: body?, radius_m: radius?, mu_s: mu_s?, mu_k: mu_k? })
+    }
+
+    fn cord(&self, node: &Node, bodies: &[Body]) -> Option<Cord> {
+        let f = self.faults;
+        let mut fields = Fields::open(node, "a cord (from, and where it goes)", f)?;
+        let name = match fields.get("name") {
+            None => "cord".to_owned(),
+            Some(n) => match n.text().filter(|t| plain_name(t)) {
+                Some(t) => t.to_owned(),
+                None => {
+                    f.hint(n, format!("{} is no name for a cord", n.kind()), "letters, digits and `_`");
+                    return None;
+                }
+            },
+        };
+        let from = fields
+            .need("from", "{body: wheel, wound on: rim, leaves: top forward}", f)
+            .and_then(|n| self.cord_end(n, bodies));
+        let ends = [
+            fields.get("pulled with"), fields.get("to"), fields.get("spring"), fields.get("held"),
+        ];
+        if ends.iter().flatten().count() != 1 {
+            f.hint(
+                node,
+                "a cord has exactly one other end",
+                "one of `pulled with: P`, `to: {body: ...}`, `spring: {...}`, `held: fast`",
+            );
+        }
+        let [pulled, to, spring, held] = ends;
+        fields.close(f);
+        let far = if let Some(n) = pulled {
+            self.number(n, Need::Force).map(Far::Pull)
+        } else if let Some(n) = to {
+            self.cord_end(n, bodies).map(Far::Body)
+        } else if let Some(n) = spring {
+            self.spring(n)
+        } else {
+            held.and_then(|n| self.word(n, "`fast`", &[("fast", ())])).map(|()| Far::Fixed)
+        };
+        if let (Some(from), Some(Far::Body(to))) = (&from, &far)
+            && from.body == to.body
+        {
+            f.at(node, format!("both ends of this cord are at `{}`", bodies[from.body].name));
+            return None;
+        }
+        Some(Cord { name, from: from?, to: far? })
+    }
+
+    fn spring(&self, node: &Node) -> Option<Far> {
+        let mut fields = Fields::open(node, "a spring (stiffness, stretch)", self.faults)?;
+        let stiffness = self.need_number(&mut fields, "stiffness", "ks", Need::Stiffness);
+        let stretch = self.need_number(&mut fields, "stretch", "x0", Need::Length);
+        let rigid = fields.get("attached").map_or(Some(false), |n| {
+            self.word(
+                n,
+                "how the spring is attached",
+                &[("by the cord", false), ("cord", false), ("rigidly", true), ("rigid", true)],
+            )
+        });
+        fields.close(self.faults);
+        Some(Far::Spring { stiffness_n_m: stiffness?, stretch_m: stretch?, rigid: rigid? })
+    }
+
+    fn cord_end(&self, node: &Node, bodies: &[Body]) -> Option<CordEnd> {
+        let f = self.faults;
+        let mut fields = Fields::open(node, "an end of a cord (body, tied at or wound on, leaves)", f)?;
+        let body = self.need_body(&mut fields, "body", bodies);
+        let wound = fields.get("wound on");
+        let tied = fields.get("tied at");
+        let leaves = fields.need("leaves", if tied.is_some() { "forward" } else { "top forward" }, f);
+        fields.close(f);
+        let index = body?;
+        let body = &bodies[index];
+        if !body.particles.is_empty() {
+            f.at(node, format!("`{}` is made of particles; no cord can be tied to it", body.name));
+            return None;
+        }
+        match (wound, tied) {
+            (Some(n), None) => {
+                let radius = self.radius(n, body);
+                if !body.turns {
+                    f.hint(node, format!("`{}` has no inertia, so it cannot turn", body.name), "write `tied at: centre`");
+                    return None;
+                }
+                let (side, forward) = self.leaves_wound(leaves?, body)?;
+                Some(CordEnd { body: index, attach: Attach::Wound(radius?, side), forward })
+            }
+            (None, Some(n)) => {
+                self.word(n, "`centre`", &[("centre", ()), ("center", ()), ("its centre", ()), ("mass centre", ())])?;
+                let Some(line) = body.line else {
+                    f.hint(node, format!("the centre of `{}` does not move", body.name), "write `wound on: ...`");
+                    return None;
+                };
+                let up = if line.forward_up { ("up", true) } else { ("up", false) };
+                let down = ("down", !line.forward_up);
+                let forward = if line.slope == Slope::Level {
+                    self.word(leaves?, "where the cord leaves", &[("forward", true), ("back", false)])
+                } else {
+                    self.word(leaves?, "where the cord leaves", &[("forward", true), ("back", false), up, down])
+                }?;
+                Some(CordEnd { body: index, attach: Attach::Centre, forward })
+            }
+            _ => {
+                f.hint(node, "a cord is tied at the centre or wound on a radius", "write `tied at: centre` or `wound on: rim`");
+                None
+            }
+        }
+    }
+
+    /// Side and direction of a wound cord.
+    fn leaves_wound(&self, node: &Node, body: &Body) -> Option<(Side, bool)> {
+        use Side::{Bottom, Top};
+        let surface = body.line.is_some_and(|l| l.surface);
+        let mut words = vec![
+            ("top forward", (Top, true)),
+            ("top back", (Top, false)),
+            ("bottom forward", (Bottom, true)),
+            ("bottom back", (Bottom, false)),
+        ];
+        if !surface {
+            // Seen with forward to the right, a positive turn moves the front side down: it pays a cord out that
+            // leaves there downward, and takes one in that leaves there upward.
+            for (word, pays_out, down) in
+                [("front down", true, true), ("back down", false, true), ("front up", false, false), ("back up", true, false)]
+            {
+                let forward = match body.line {
+                    None => true,
+                    Some(line) => line.forward_up != down,
+                };
+                words.push((word, (if pays_out == forward { Top } else { Bottom }, forward)));
+            }
+            if let Some(line) = body.line {
+                // The side for which a positive turn goes with unwinding while it moves down.
+                words.push(("up", (if line.forward_up { Top } else { Bottom }, line.forward_up)));
+            }
+        }
+        self.word(node, "where the wound cord leaves", &words)
+    }
+
+    fn forces(&self, node: &Node, bodies: &[Body]) -> Vec<Couple> {
+        let f = self.faults;
+        let Value::List(items) = &node.value else {
+            f.at(node, format!("expected a list of forces, each after `- `, found {}", node.kind()));
+            return Vec::new();
+        };
+        let mut list = Vec::new();
+        for item in items {
+            let Some((word, key, value)) = self.one(item, "a force such as `couple: {on: wheel, moment: M, sense: forward}`") else {
+                continue;
+            };
+            if word != "couple" {
+                self.unknown(key, "force", &["couple"]);
+                continue;
+            }
+            let Some(mut fields) = Fields::open(value, "a couple (on, moment, sense)", f) else { continue };
+            let body = self.need_body(&mut fields, "on", bodies);
+            let moment = self.need_number(&mut fields, "moment", "M", Need::Moment);
+            let forward = fields.get("sense").map_or(Some(true), |n| {
+                self.word(n, "the sense of the couple", &[("forward", true), ("back", false)])
+            });
+            fields.close(f);
+            if let Some(b) = body
+                && !bodies[b].turns
+            {
+                f.at(value, format!("`{}` has no inertia, so a couple cannot turn it", bodies[b].name));
+                continue;
+            }
+            if let (Some(body), Some(moment_n_m), Some(forward)) = (body, moment, forward) {
+                list.push(Couple { body, moment_n_m, forward });
+            }
+        }
+        list
+    }
+
+    fn start(&self, node: &Node, bodies: &[Body]) -> Vec<Start> {
+        let f = self.faults;
+        if node.text().is_some_and(|t| matches!(t.trim(), "at rest" | "from rest")) {
+            return Vec::new();
+        }
+        if !matches!(node.value, Value::Map(_)) {
+            f.hint(node, format!("expected the start, found {}", node.kind()), "`at rest`, or for example `{wheel: {speed: v0}}`");
+            return Vec::new();
+        }
+        let mut list = Vec::new();
+        for (name, key, value) in named(node, "bodies with their speeds", f) {
+            let Some(body) = bodies.iter().position(|b| b.name == name) else {
+                let hint = close_name(name, bodies.iter().map(|b| b.name.as_str()));
+                f.maybe(key, format!("`{}` is no body of this scene", shorten(name)), hint);
+                continue;
+            };
+            let Some(mut fields) = Fields::open(value, "a speed, such as `{speed: v0}`", f) else { continue };
+            if bodies[body].particles.is_empty() {
+                let speed = fields.get("speed");
+                let spin = fields.get("spin");
+                fields.close(f);
+                if speed.is_none() && spin.is_none() {
+                    f.hint(value, "no speed is given", "write `{speed: v0}` or `{spin: w0}`");
+                }
+                if let Some(n) = speed {
+                    if bodies[body].line.is_none() {
+                        f.hint(n, format!("`{name}` does not move along a line"), "write `spin:`");
+                    } else if let Some(v) = self.number(n, Need::Velocity) {
+                        list.push(Start::Speed(Coordinate { body, degree: Degree::Along }, v));
+                    }
+                }
+                if let Some(n) = spin {
+                    if !bodies[body].turns {
+                        f.hint(n, format!("`{name}` does not turn"), "write `speed:`");
+                    } else if let Some(w) = self.number(n, Need::Spin) {
+                        list.push(Start::Speed(Coordinate { body, degree: Degree::Turn }, w));
+                    }
+                }
+                continue;
+            }
+            let particle = fields.need("velocity of", "A", f).and_then(|n| {
+                let text = n.text().unwrap_or("").trim();
+                let found = bodies[body].particles.iter().position(|p| p.name == text);
+                if found.is_none() {
+                    let names: Vec<&str> = bodies[body].particles.iter().map(|p| p.name.as_str()).collect();
+                    f.hint(n, format!("expected a particle, found {}", n.kind()), format!("particles: {}", names.join(", ")));
+                }
+                found
+            });
+            let vx = self.need_number(&mut fields, "x", "vx", Need::Velocity);
+            let vy = self.need_number(&mut fields, "y", "vy", Need::Velocity);
+            let spin = self.need_number(&mut fields, "spin", "omega", Need::Spin);
+            fields.close(f);
+            if let (Some(particle), Some(vx_m_s), Some(vy_m_s), Some(spin_rad_s)) = (particle, vx, vy, spin) {
+                list.push(Start::Lamina { body, particle, vx_m_s, vy_m_s, spin_rad_s });
+            }
+        }
+        list
+    }
+
+    fn end(&self, node: &Node, bodies: &[Body]) -> Option<(End, Option<Heading>)> {
+        let f = self.faults;
+        if node.text().is_some_and(|t| t.trim() == "at once") {
+            return Some((End::AtOnce, None));
+        }
+        let (word, key, value) = self.one(node, "the end: `at once`, or for example `{travel: {of: wheel, by: d}}`")?;
+        if word == "turning point" {
+            let body = self.body_named(value, bodies)?;
+            let degree = if bodies[body].line.is_some() { Degree::Along } else { Degree::Turn };
+            return Some((End::TurningPoint(Coordinate { body, degree }), None));
+        }
+        let names = ["travel", "turn", "position", "time", "speed", "turning point"];
+        if !names.contains(&word) {
+            self.unknown(key, "end", &names);
+            return None;
+        }
+        let mut fields = Fields::open(value, "the body and the value", f)?;
+        let body = self.need_body(&mut fields, "of", bodies);
+        let line = body.and_then(|b| bodies[b].line);
+        let turning = word == "turn" || (body.is_some() && line.is_none());
+        let degree = if turning { Degree::Turn } else { Degree::Along };
+        let number = match word {
+            "travel" => self.need_number(&mut fields, "by", "d", if turning { Need::Turn } else { Need::Length }),
+            "turn" => self.need_number(&mut fields, "by", "phi", Need::Turn),
+            "position" => self.need_number(&mut fields, "at", "s", Need::Place),
+            "time" => self.need_number(&mut fields, "is", "t1", Need::Time),
+            _ => self.need_number(&mut fields, "reaches", "v1", if turning { Need::SpinReached } else { Need::Speed }),
+        };
+        let heading = fields.get("heading").map_or(Some(None), |n| {
+            let mut words = vec![("forward", Heading::Forward), ("back", Heading::Back)];
+            if let Some(line) = line
+                && line.slope != Slope::Level
+                && !turning
+            {
+                let (up, down) =
+                    if line.forward_up { (Heading::Forward, Heading::Back) } else { (Heading::Back, Heading::Forward) };
+                words.push(("up", up));
+                words.push(("down", down));
+            }
+            self.word(n, "the direction of motion", &words).map(Some)
+        });
+        fields.close(f);
+        let body = body?;
+        if word == "turn" && !bodies[body].turns {
+            f.at(value, format!("`{}` does not turn", bodies[body].name));
+            return None;
+        }
+        let coordinate = Coordinate { body, degree };
+        let number = number?;
+        let end = match word {
+            "travel" | "turn" => End::Travel(coordinate, number),
+            "position" => End::Position(coordinate, number),
+            "time" => End::Time(coordinate, number),
+            _ => End::Speed(coordinate, number),
+        };
+        Some((end, heading?))
+    }
+}
+
+/// `None`: given but wrong; `Some(None)`: absent.
+#[expect(clippy::option_option, reason = "absent and wrong are told apart")]
+fn settle(field: Option<Option<Num>>) -> Option<Option<Num>> {
+    match field {
+        None => Some(None),
+        Some(Some(num)) => Some(Some(num)),
+        Some(None) => None,
+    }
+}
+
+fn contact_body(tie: &Tie) -> Option<usize> {
+    match tie {
+        Tie::Roll { body, .. } | Tie::Slip { body, .. } | Tie::Slide { body, .. } => Some(*body),
+        Tie::Cord(_) => None,
+    }
+}
+
+/// Does a value fit a use? (PHYSICS: admissible data.)
+pub fn admissible(value: f64, need: Need) -> Result<(), String> {
+    let fault = match need.range() {
+        Range::Any => !value.is_finite(),
+        Range::NotNegative => !(value.is_finite() && value >= 0.0),
+        Range::Positive => !(value.is_finite() && value > 0.0),
+        Range::Slope => !(0.0..=90.0).contains(&value),
+    };
+    if !fault {
+        return Ok(());
+    }
+    let rule = match need.range() {
+        Range::Any => "finite",
+        Range::NotNegative => "not negative",
+        Range::Positive => "above 0",
+        Range::Slope => "from 0 to 90 degrees",
+    };
+    Err(format!("{} is {rule}", need.words()))
+}
+
+const SHAPES: &[&str] =
+    &["disc", "disk", "cylinder", "solid cylinder", "hoop", "ring", "hollow cylinder", "sphere", "ball", "shell", "hollow sphere"];
+
+fn shape_of(word: &str) -> Option<Shape> {
+    match word.trim().to_lowercase().as_str() {
+        "disc" | "disk" | "cylinder" | "solid cylinder" | "solid disc" | "solid disk" => Some(Shape::Disc),
+        "hoop" | "ring" | "hollow cylinder" | "thin hoop" | "thin ring" => Some(Shape::Hoop),
+        "sphere" | "ball" | "solid sphere" | "solid ball" => Some(Shape::Sphere),
+        "shell" | "hollow sphere" | "spherical shell" | "hollow ball" => Some(Shape::Shell),
+        _ => None,
+    }
+}
+
+/// Letters, digits, `_`; begins with a letter; short.
+pub fn plain_name(text: &str) -> bool {
+    text.len() <= 64
+        && text.starts_with(|c: char| c.is_ascii_alphabetic())
+        && text.chars().all(|c| c.is_ascii_alphanumeric() || c == '_')
+}

@@ -1,0 +1,201 @@
+//! What was typed, nothing resolved; keeper of clap.
+use clap::Args;
+use clap::Parser;
+use clap::Subcommand;
+use clap::ValueEnum;
+use std::path::PathBuf;
+
+/// Homework in rigid-body dynamics: draws a problem set for each student, solves every variant twice, grades what comes
+/// back.
+#[derive(Debug, Parser)]
+#[command(
+    name = "slipstick",
+    version,
+    max_term_width = 100,
+    after_help = "Start here:\n  slipstick demo                      a whole class, from bank to grade table, in ./slipstick-demo\n  slipstick practice wheels-on-inclines   problems for yourself\n\nExit codes: 0 fine, 1 answers not all right (check), 2 faulty input, 3 the regime fails (solve)."
+)]
+pub struct Typed {
+    /// What to do.
+    #[command(subcommand)]
+    pub verb: Verb,
+}
+
+/// The verbs.
+#[derive(Debug, Subcommand)]
+pub enum Verb {
+    /// Make a problem set: one sheet for each student of a roster, and the key
+    #[command(
+        after_help = "Examples:\n  slipstick generate wheels-on-inclines --roster roster.csv --seed 2026 --out week-5\n  slipstick generate my-bank.yaml --roster roster.csv --seed 7 --out week-6 --problems pulled-rolling,spring-released\n  slipstick generate wheels-on-inclines --roster roster.csv --out week-5 --add      late joiners only\n\nThe roster is a CSV file with a column `student` and, if you like, `name`. Only DIR/students is for students:\nDIR also holds the key. The same seed gives the same variants, whoever else is in the roster."
+    )]
+    Generate(Generate),
+    /// Grade submissions against a set
+    #[command(
+        after_help = "Examples:\n  slipstick grade week-5 submissions.csv --out week-5-grades\n  slipstick grade week-5 forms-export.csv --out grades --columns student=\"Email Address\" --attempts best\n\nSUBMISSIONS is a CSV file in long form (student,problem,part,answer and, if known, submitted_at) or in wide form\n(one record for each student, columns such as 1.omega). Separator and encoding are found out. Every answer cell\ncomes out exactly once in answers.csv, with a verdict, points and a reason."
+    )]
+    Grade(Grade),
+    /// Check your own answers against your sheet file; the sheet holds no key, the problem is solved anew
+    #[command(
+        after_help = "Examples:\n  slipstick check sheet.json 1.omega='30.3 rad/s' 1.friction='62.6 N up'\n\nExit code 0 if all the answers given are right, 1 if not."
+    )]
+    Check(Check),
+    /// Practise: a problem is drawn and shown, you answer, you are told what is wrong
+    #[command(
+        after_help = "Examples:\n  slipstick practice wheels-on-inclines\n  slipstick practice wheels-on-inclines --seed 3 --problems pulled-rolling\n\nWhile you answer: an empty line skips a question, `solution` shows the values, `next` draws another problem,\n`quit` ends. It works with piped input too."
+    )]
+    Practice(Practice),
+    /// Solve one problem with given data, on both roads, and say what really happens
+    #[command(
+        after_help = "Examples:\n  slipstick solve wheels-on-inclines pulled-rolling --set m=40kg --set R=400mm --set r=200mm --set k=300mm \\\n      --set theta=30deg --set P=200N --set d=3m --set mu_s=0.6\n  slipstick solve wheels-on-inclines spring-released --seed 5 --json\n\nA plain number is SI (angles in degrees). Every datum but g must be given. Exit code 3 if the regime fails:\nthe numbers are then those of the motion that the problem declares (\"if it rolled\")."
+    )]
+    Solve(Solve),
+    /// Find everything that is wrong in a bank, then try it over many seeds
+    #[command(
+        after_help = "Examples:\n  slipstick lint my-bank.yaml\n  slipstick lint wheels-on-inclines --seeds 2000"
+    )]
+    Lint(Lint),
+    /// Show the whole job on a made-up class of 24: set, submissions, grades
+    #[command(after_help = "Example:\n  slipstick demo\n\nRun twice it replaces only what it made.")]
+    Demo(Demo),
+}
+
+/// Where templates of one's own are.
+#[derive(Debug, Args)]
+pub struct Own {
+    /// Folder with templates that replace built-in ones of the same name, such as statement/pulled-rolling.md
+    #[arg(long, value_name = "DIR")]
+    pub templates: Option<PathBuf>,
+}
+
+/// `generate`
+#[derive(Debug, Args)]
+pub struct Generate {
+    /// Bank: a YAML file, or the id of a built-in bank (wheels-on-inclines)
+    pub bank: String,
+    /// CSV file with a column `student` and, if you like, `name`
+    #[arg(long, value_name = "ROSTER.csv")]
+    pub roster: PathBuf,
+    /// Seed, a whole number from 0; with --add it is taken from the set
+    #[arg(long, value_name = "N", required_unless_present = "add")]
+    pub seed: Option<u64>,
+    /// Folder to make
+    #[arg(long, value_name = "DIR")]
+    pub out: PathBuf,
+    /// Name of the set; another name gives other variants [default: the bank's id]
+    #[arg(long, value_name = "NAME")]
+    pub name: Option<String>,
+    /// Problems to ask, in this order [default: all of the bank]
+    #[arg(long, value_name = "ID,ID", value_delimiter = ',')]
+    pub problems: Option<Vec<String>>,
+    /// Add late joiners to an existing set; nothing else changes
+    #[arg(long, conflicts_with = "force")]
+    pub add: bool,
+    /// Replace an existing set (and nothing but what generate made)
+    #[arg(long)]
+    pub force: bool,
+    /// Threads [default: one for each core]; the output does not depend on it
+    #[arg(long, value_name = "N")]
+    pub threads: Option<usize>,
+    /// Templates of one's own.
+    #[command(flatten)]
+    pub own: Own,
+}
+
+/// Which attempt at a part counts.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum Attempts {
+    /// The last
+    Last,
+    /// The one with the most points
+    Best,
+    /// The first
+    First,
+}
+
+/// `grade`
+#[derive(Debug, Args)]
+pub struct Grade {
+    /// Folder of the set, as generate made it
+    pub set: PathBuf,
+    /// CSV file with the answers; `-` reads standard input
+    pub submissions: PathBuf,
+    /// Folder to make, for answers.csv and gradebook.csv
+    #[arg(long, value_name = "DIR2")]
+    pub out: PathBuf,
+    /// Which attempt counts where there are several
+    #[arg(long, value_enum, default_value = "last")]
+    pub attempts: Attempts,
+    /// Which column is which, such as student="Email Address"; may be repeated
+    #[arg(long, value_name = "FIELD=HEADER")]
+    pub columns: Vec<String>,
+    /// Replace answers.csv and gradebook.csv of an earlier run
+    #[arg(long)]
+    pub force: bool,
+}
+
+/// `check`
+#[derive(Debug, Args)]
+pub struct Check {
+    /// The file sheet.json next to your sheet
+    pub sheet: PathBuf,
+    /// Answers, such as 1.omega='30.3 rad/s'
+    #[arg(required = true, value_name = "PART=ANSWER")]
+    pub answers: Vec<String>,
+    /// Show the right values, if the bank allows it
+    #[arg(long)]
+    pub reveal: bool,
+}
+
+/// `practice`
+#[derive(Debug, Args)]
+pub struct Practice {
+    /// Bank: a YAML file, or the id of a built-in bank (wheels-on-inclines)
+    pub bank: String,
+    /// Seed, for the same problems again [default: from the clock]
+    #[arg(long, value_name = "N")]
+    pub seed: Option<u64>,
+    /// Only these problems
+    #[arg(long, value_name = "ID,ID", value_delimiter = ',')]
+    pub problems: Option<Vec<String>>,
+    /// Templates of one's own.
+    #[command(flatten)]
+    pub own: Own,
+}
+
+/// `solve`
+#[derive(Debug, Args)]
+pub struct Solve {
+    /// Bank: a YAML file, or the id of a built-in bank (wheels-on-inclines)
+    pub bank: String,
+    /// Id of the problem
+    pub problem: String,
+    /// A datum with its unit, such as m=40kg; may be repeated
+    #[arg(long, value_name = "SYMBOL=VALUE")]
+    pub set: Vec<String>,
+    /// Without --set: draw with this seed
+    #[arg(long, value_name = "N", conflicts_with = "set")]
+    pub seed: Option<u64>,
+    /// Print JSON
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// `lint`
+#[derive(Debug, Args)]
+pub struct Lint {
+    /// Bank: a YAML file, or the id of a built-in bank (wheels-on-inclines)
+    pub bank: String,
+    /// How many seeds to try
+    #[arg(long, value_name = "N", default_value_t = 1000)]
+    pub seeds: u64,
+    /// Templates of one's own.
+    #[command(flatten)]
+    pub own: Own,
+}
+
+/// `demo`
+#[derive(Debug, Args)]
+pub struct Demo {
+    /// Folder to make
+    #[arg(default_value = "slipstick-demo")]
+    pub dir: PathBuf,
+}

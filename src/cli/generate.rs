@@ -1,0 +1,484 @@
+//! `slipstick generate`: bank and roster to a folder with a sheet for each student.
+use crate::bank::Bank;
+use crate::cli::args;
+use crate::cli::banks;
+use crate::cli::files;
+use crate::cli::files::Staged;
+use crate::cli::members as roster;
+use crate::cli::tell::Exit;
+use crate::cli::tell::Io;
+use crate::cli::tell::count;
+use crate::draw::stream;
+use crate::finding::Finding;
+use crate::key::SheetKey;
+use crate::set::coincide;
+use crate::set::key_file;
+use crate::set::replay;
+use crate::set::replay::Dealer;
+use crate::set::replay::Dealt;
+use crate::set::store;
+use crate::set::store::StoredBank;
+use crate::set::store::StoredSet;
+use crate::set::store::StoredStudent;
+use crate::sheet::page::Drawn;
+use crate::sheet::page::Room;
+use crate::sheet::page::Sheets;
+use crate::sheet::public;
+use crate::template::Templates;
+use rayon::prelude::*;
+use std::fs;
+use std::path::Path;
+
+/// Files of one student.
+pub const OF_STUDENT: [&str; 3] = ["sheet.md", "sheet.html", "sheet.json"];
+/// Files of a set beside the folder `students`.
+pub const OF_SET: [&str; 4] = ["bank.yaml", "key.csv", "set.json", "submissions.csv"];
+
+/// A student of the roster.
+pub struct Member {
+    /// Id.
+    pub student: String,
+    /// Name, or empty.
+    pub name: String,
+    /// Folder.
+    pub folder: String,
+}
+
+/// All that decides what is in a set.
+pub struct Plan<'p> {
+    /// The bank.
+    pub bank: &'p Bank,
+    /// Its text.
+    pub text: &'p str,
+    /// Templates.
+    pub templates: &'p Templates,
+    /// Problems, as indices.
+    pub problems: &'p [usize],
+    /// Seed.
+    pub seed: u64,
+    /// Name of the set.
+    pub name: &'p str,
+}
+
+/// Runs it.
+pub fn run(args: &args::Generate, io: &mut Io) -> Exit {
+    let work = |io: &mut Io| match generate(args, io) {
+        Ok(()) => Exit::Fine,
+        Err(findings) => io.findings(&findings),
+    };
+    work(io)
+}
+
+fn generate(args: &args::Generate, io: &mut Io) -> Result<(), Vec<Finding>> {
+    let mut faults = Vec::new();
+    let loaded = banks::load(&args.bank).map_err(|f| faults.extend(f)).ok();
+    let members = members(&args.roster).map_err(|f| faults.extend(f)).ok();
+    let (Some(loaded), Some(mut members)) = (loaded, members) else { return Err(faults) };
+    let templates = banks::templates(&args.own, &loaded.bank)?;
+    let old = if args.add { Some(existing(&args.out)?) } else { None };
+    if old.is_none() {
+        may_write(&args.out, args.force)?;
+    }
+    let name = match (&args.name, &old) {
+        (Some(name), _) => name.clone(),
+        (None, Some(set)) => set.name.clone(),
+        (None, None) => loaded.bank.id.clone(),
+    };
+    if name.trim().is_empty() || name.chars().any(char::is_control) {
+        return Err(vec![Finding::new("--name", "the name of a set is a line of text")]);
+    }
+    let problems = match (&args.problems, &old) {
+        (Some(ids), _) => replay::indices(&loaded.bank, ids, "--problems")?,
+        (None, Some(set)) => replay::indices(&loaded.bank, &set.problems, "problems")?,
+        (None, None) => (0..loaded.bank.problems.len()).collect(),
+    };
+    let seed = args.seed.or(old.as_ref().map(|s| s.seed)).unwrap_or(0);
+    let plan = Plan {
+        bank: &loaded.bank,
+        text: &loaded.text,
+        templates: &templates,
+        problems: &problems,
+        seed,
+        name: &name,
+    };
+    if let Some(set) = &old {
+        same_set(&plan, set, &args.out)?;
+        let known: rustc_hash::FxHashSet<&str> = set.students.iter().map(|s| s.student.as_str()).collect();
+        members.retain(|m| !known.contains(m.student.as_str()));
+        if members.is_empty() {
+            io.line("Nobody to add: every student of the roster has a sheet already.");
+            return Ok(());
+        }
+        rename_twins(&mut members, set);
+    }
+    let pool = rayon::ThreadPoolBuilder::new()
+        .num_threads(args.threads.unwrap_or(0))
+        .build()
+        .map_err(|e| vec![Finding::new("--threads", e.to_string())])?;
+    let watched = io.watched;
+    let summary = pool.install(|| match &old {
+        Some(set) => add(&plan, &members, set, &args.out, watched),
+        None => whole(&plan, &members, &args.out, watched),
+    })?;
+    tell(&plan, &summary, &args.out, io);
+    Ok(())
+}
+
+/// The students of a roster file.
+fn members(path: &Path) -> Result<Vec<Member>, Vec<Finding>> {
+    let bytes = files::read(path).map_err(|f| vec![f])?;
+    let roster = roster::read(&bytes, &path.display().to_string())?;
+    let folders = roster.folders();
+    Ok(roster
+        .students
+        .into_iter()
+        .zip(folders)
+        .map(|(s, folder)| Member { student: s.id, name: s.name, folder })
+        .collect())
+}
+
+/// Late joiners whose folder would fall together with one that is there.
+fn rename_twins(members: &mut [Member], set: &StoredSet) {
+    let taken: rustc_hash::FxHashSet<String> = set.students.iter().map(|s| s.folder.to_lowercase()).collect();
+    for member in members.iter_mut().filter(|m| taken.contains(&m.folder.to_lowercase())) {
+        member.folder = roster::escape_twin(&member.student);
+    }
+}
+
+/// What `generate` made, for the summary.
+pub struct Summary {
+    /// The set as it is stored now.
+    pub set: StoredSet,
+    /// Students written in this run.
+    pub written: usize,
+    /// Draws that were refused, of all.
+    pub tries: u64,
+    /// Problems whose list of coincidences was cut.
+    pub cut: Vec<String>,
+}
+
+/// The folder of a new set, whole or not at all.
+pub fn whole(plan: &Plan, members: &[Member], out: &Path, watched: bool) -> Result<Summary, Vec<Finding>> {
+    let staged = Staged::new(out).map_err(|f| vec![f])?;
+    let one = |f: Finding| vec![f];
+    fs::create_dir(staged.path().join("students"))
+        .map_err(|e| vec![files::trouble(out, "cannot be written", &e)])?;
+    let dealt = deal(plan, members, staged.path(), watched, false)?;
+    let (set, cut) = store(plan, members, &dealt, None);
+    let keys: Vec<SheetKey> = dealt.into_iter().map(|d| d.key).collect();
+    let write = |name: &str, bytes: &[u8]| {
+        let path = staged.path().join(name);
+        fs::write(&path, bytes).map_err(|e| vec![files::trouble(&path, "cannot be written", &e)])
+    };
+    write("bank.yaml", plan.text.as_bytes())?;
+    write("key.csv", &key_file::text(&keys))?;
+    write("submissions.csv", &blank_form(plan, &set))?;
+    write("set.json", set.text().as_bytes())?;
+    staged.finish().map_err(one)?;
+    let tries = tries(&set, 0);
+    Ok(Summary { written: members.len(), set, tries, cut })
+}
+
+fn tries(set: &StoredSet, from: usize) -> u64 {
+    set.students.iter().skip(from).flat_map(|s| &s.problems).map(|p| u64::from(p.tries)).sum()
+}
+
+/// Late joiners into a set that is there. set.json is written last: before that the set is the old one.
+fn add(
+    plan: &Plan,
+    members: &[Member],
+    old: &StoredSet,
+    out: &Path,
+    watched: bool,
+) -> Result<Summary, Vec<Finding>> {
+    let mut keys = replay::keys(plan.bank, old)?;
+    let dealt = deal(plan, members, out, watched, true)?;
+    let mut everybody: Vec<Member> = old
+        .students
+        .iter()
+        .map(|s| Member { student: s.student.clone(), name: s.name.clone(), folder: s.folder.clone() })
+        .collect();
+    let before = everybody.len();
+    let form_path = out.join("submissions.csv");
+    let form_is_blank = files::read(&form_path).is_ok_and(|bytes| bytes == blank_form(plan, old));
+    everybody.extend(members.iter().map(|m| Member {
+        student: m.student.clone(),
+        name: m.name.clone(),
+        folder: m.folder.clone(),
+    }));
+    keys.extend(dealt.iter().map(|d| d.key.clone()));
+    let (set, cut) = store(plan, &everybody, &dealt, Some((old, &keys)));
+    let one = |f: Finding| vec![f];
+    files::write_whole(&out.join("key.csv"), &key_file::text(&keys)).map_err(one)?;
+    files::write_whole(&out.join("set.json"), set.text().as_bytes()).map_err(one)?;
+    if form_is_blank {
+        files::write_whole(&form_path, &blank_form(plan, &set)).map_err(one)?;
+    }
+    let tries = tries(&set, before);
+    Ok(Summary { written: members.len(), set, tries, cut })
+}
+
+/// Draws, solves and writes the sheets of these students below `folder`.
+fn deal(
+    plan: &Plan,
+    members: &[Member],
+    folder: &Path,
+    watched: bool,
+    aside: bool,
+) -> Result<Vec<Dealt>, Vec<Finding>> {
+    let sheets = Sheets::new(plan.templates, plan.bank, plan.name, plan.problems)?;
+    let public = public::Writer::new(plan.bank, plan.text, plan.problems, plan.name).map_err(|f| vec![f])?;
+    let dealer = Dealer::new(plan.bank, plan.problems, plan.seed, plan.name);
+    let bar = files::progress(watched, members.len() as u64, "sheets");
+    let results: Vec<Result<Dealt, Finding>> = members
+        .par_iter()
+        .map_init(Room::default, |room, member| {
+            let dealt = dealer.deal(&member.student)?;
+            let drawn: Vec<Drawn> = dealt.variants.iter().map(|v| (v.case, v.values.as_slice())).collect();
+            let markdown = sheets.markdown(&member.student, &member.name, &drawn, room)?;
+            let html = sheets.html(&member.student, &member.name, &markdown, room)?;
+            let json = public.text(&member.student, &dealt);
+            let place = folder.join("students").join(&member.folder);
+            let fault = |e: &std::io::Error| files::trouble(&place, "cannot be written", e);
+            let staged = if aside { Some(Staged::new(&place)?) } else { None };
+            let into = staged.as_ref().map_or(place.as_path(), Staged::path);
+            if !aside {
+                fs::create_dir(into).map_err(|e| fault(&e))?;
+            }
+            for (name, bytes) in
+                OF_STUDENT.iter().zip([markdown.as_bytes(), html.as_slice(), json.as_bytes()])
+            {
+                fs::write(into.join(name), bytes).map_err(|e| fault(&e))?;
+            }
+            if let Some(staged) = staged {
+                staged.finish()?;
+            }
+            bar.inc(1);
+            Ok(dealt)
+        })
+        .collect();
+    bar.finish_and_clear();
+    let mut dealt = Vec::with_capacity(results.len());
+    let mut faults = Vec::new();
+    for result in results {
+        match result {
+            Ok(d) => dealt.push(d),
+            Err(fault) if faults.contains(&fault) || faults.len() >= 5 => {}
+            Err(fault) => faults.push(fault),
+        }
+    }
+    if faults.is_empty() { Ok(dealt) } else { Err(faults) }
+}
+
+/// set.json of everybody; `dealt` are the last of `members`, those before them come from the old set.
+fn store(
+    plan: &Plan,
+    members: &[Member],
+    dealt: &[Dealt],
+    old: Option<(&StoredSet, &[SheetKey])>,
+) -> (StoredSet, Vec<String>) {
+    let before = members.len() - dealt.len();
+    let mut students: Vec<StoredStudent> = old.map_or_else(Vec::new, |(set, _)| set.students.clone());
+    for (member, dealt) in members[before..].iter().zip(dealt) {
+        let chosen = plan.problems.iter().filter_map(|p| plan.bank.problems.get(*p));
+        students.push(StoredStudent {
+            student: member.student.clone(),
+            name: member.name.clone(),
+            folder: member.folder.clone(),
+            problems: chosen.zip(&dealt.variants).map(|(p, v)| replay::stored(p, v)).collect(),
+        });
+    }
+    let mut coincidences = Vec::new();
+    let mut cut = Vec::new();
+    let mut texts: Vec<Vec<String>> = Vec::new();
+    for (i, problem) in plan.problems.iter().filter_map(|p| plan.bank.problems.get(*p)).enumerate() {
+        texts.clear();
+        texts.extend(students.iter().map(|s| {
+            let data = s.problems.get(i).map(|p| &p.data);
+            data.map_or_else(Vec::new, |d| d.iter().map(|(k, v)| format!("{k}={v}")).collect())
+        }));
+        let keys: Vec<&SheetKey> = match old {
+            Some((_, keys)) => keys.iter().collect(),
+            None => dealt.iter().map(|d| &d.key).collect(),
+        };
+        let variants: Vec<coincide::Variant> = students
+            .iter()
+            .zip(&texts)
+            .zip(keys)
+            .filter_map(|((s, data), k)| {
+                Some(coincide::Variant { student: &s.student, data, key: k.problems.get(i)? })
+            })
+            .collect();
+        let (pairs, more) = coincide::pairs(&problem.id, &variants);
+        coincidences.extend(pairs);
+        if more {
+            cut.push(problem.id.clone());
+        }
+    }
+    let set = StoredSet {
+        format: store::FORMAT,
+        name: plan.name.to_owned(),
+        seed: plan.seed,
+        program: format!("{} {}", env!("CARGO_PKG_NAME"), env!("CARGO_PKG_VERSION")),
+        draw_version: stream::DRAW_VERSION,
+        bank: StoredBank {
+            id: plan.bank.id.clone(),
+            file: "bank.yaml".to_owned(),
+            sha256: plan.bank.hash.clone(),
+        },
+        problems: plan
+            .problems
+            .iter()
+            .filter_map(|p| plan.bank.problems.get(*p))
+            .map(|p| p.id.clone())
+            .collect(),
+        students,
+        coincidences,
+    };
+    (set, cut)
+}
+
+/// A form to fill in: long, no answers.
+fn blank_form(plan: &Plan, set: &StoredSet) -> Vec<u8> {
+    let mut out = csv::Writer::from_writer(Vec::new());
+    let _ = out.write_record(["student", "problem", "part", "answer"]);
+    for student in &set.students {
+        for (i, problem) in plan.problems.iter().filter_map(|p| plan.bank.problems.get(*p)).enumerate() {
+            for q in &problem.questions {
+                let _ = out.write_record([student.student.as_str(), &(i + 1).to_string(), &q.id, ""]);
+            }
+        }
+    }
+    // Writing to memory cannot fail.
+    out.into_inner().unwrap_or_default()
+}
+
+/// The set that stands in a folder.
+pub fn existing(folder: &Path) -> Result<StoredSet, Vec<Finding>> {
+    let path = folder.join("set.json");
+    if !path.is_file() {
+        let fault = Finding::new("", "holds no set").in_file(folder.display().to_string());
+        return Err(vec![
+            fault.hint("a set is a folder that `slipstick generate` made; it has a file set.json"),
+        ]);
+    }
+    let text = files::read_text(&path).map_err(|f| vec![f])?;
+    StoredSet::parse(&text).map_err(|f| vec![f.in_file(path.display().to_string())])
+}
+
+/// May a set be written here? Nothing, an empty folder, or with `--force` a set and nothing else.
+fn may_write(out: &Path, force: bool) -> Result<(), Vec<Finding>> {
+    let finding = |what: &str| Finding::new("", what.to_owned()).in_file(out.display().to_string());
+    if !out.exists() || (out.is_dir() && files::names_in(out).is_empty()) {
+        return Ok(());
+    }
+    if !out.is_dir() {
+        return Err(vec![finding("is a file; a set is a folder")]);
+    }
+    if !force {
+        let hint = "give another --out, or --force to replace a set, or --add for late joiners";
+        return Err(vec![finding("is there already").hint(hint)]);
+    }
+    let set = existing(out).map_err(|mut f| {
+        f.push(finding("is not replaced").hint("--force replaces only what generate made"));
+        f
+    })?;
+    let foreign = foreign(out, &set);
+    if foreign.is_empty() {
+        return Ok(());
+    }
+    let mut names = foreign.iter().take(5).cloned().collect::<Vec<_>>().join(", ");
+    if foreign.len() > 5 {
+        names.push_str(", ...");
+    }
+    Err(vec![
+        finding(&format!("holds what generate did not make: {names}"))
+            .hint("move it away; --force replaces only what generate made"),
+    ])
+}
+
+/// Files in a set's folder that `generate` did not write: unknown names, and a form that somebody has filled in.
+fn foreign(out: &Path, set: &StoredSet) -> Vec<String> {
+    let mut found: Vec<String> = files::names_in(out)
+        .into_iter()
+        .filter(|n| n != "students" && !OF_SET.contains(&n.as_str()))
+        .collect();
+    let folders: rustc_hash::FxHashSet<&str> = set.students.iter().map(|s| s.folder.as_str()).collect();
+    for name in files::names_in(&out.join("students")) {
+        if folders.contains(name.as_str()) {
+            let inside = files::names_in(&out.join("students").join(&name));
+            let unknown = inside.into_iter().filter(|n| !OF_STUDENT.contains(&n.as_str()));
+            found.extend(unknown.map(|n| format!("students/{name}/{n}")));
+        } else {
+            found.push(format!("students/{name}"));
+        }
+    }
+    let form = files::read(&out.join("submissions.csv")).unwrap_or_default();
+    let filled =
+        String::from_utf8_lossy(&form).lines().skip(1).any(|l| !l.ends_with(',') && !l.trim().is_empty());
+    if filled {
+        found.push("submissions.csv (filled in)".to_owned());
+    }
+    found
+}
+
+/// `--add` to a set made otherwise would give sheets that do not belong together.
+fn same_set(plan: &Plan, set: &StoredSet, out: &Path) -> Result<(), Vec<Finding>> {
+    let ids: Vec<&str> =
+        plan.problems.iter().filter_map(|p| plan.bank.problems.get(*p)).map(|p| p.id.as_str()).collect();
+    let mut faults = Vec::new();
+    let mut differs = |what: &str, here: String, there: String| {
+        if here != there {
+            let file = out.join("set.json").display().to_string();
+            faults
+                .push(Finding::new(what, format!("the set has {there}, this command {here}")).in_file(file));
+        }
+    };
+    differs("seed", plan.seed.to_string(), set.seed.to_string());
+    differs("name", plan.name.to_owned(), set.name.clone());
+    differs("problems", ids.join(","), set.problems.join(","));
+    differs("bank", plan.bank.hash.clone(), set.bank.sha256.clone());
+    differs("draw version", stream::DRAW_VERSION.to_string(), set.draw_version.to_string());
+    if faults.is_empty() { Ok(()) } else { Err(faults) }
+}
+
+/// What was made, and where to look.
+fn tell(plan: &Plan, summary: &Summary, out: &Path, io: &mut Io) {
+    let out = out.display();
+    let parts: usize =
+        plan.problems.iter().filter_map(|p| plan.bank.problems.get(*p)).map(|p| p.questions.len()).sum();
+    io.line(&format!(
+        "{} of {} with {} each, {} drawn and solved twice ({} draws), in {out}",
+        count(summary.written, "sheet"),
+        count(plan.problems.len(), "problem"),
+        count(parts, "question"),
+        count(summary.written * plan.problems.len(), "variant"),
+        summary.tries
+    ));
+    io.line(&format!("  for students:  {out}/students/ID/ (sheet.html, sheet.md, sheet.json); nothing else"));
+    io.line(&format!("  the key:       {out}/key.csv; a form to fill in: {out}/submissions.csv"));
+    coincidences(summary, io);
+}
+
+fn coincidences(summary: &Summary, io: &mut Io) {
+    let found = &summary.set.coincidences;
+    if found.is_empty() {
+        io.line("  no two students have an equal problem or all answers of a problem within tolerance");
+        return;
+    }
+    let cut = if summary.cut.is_empty() {
+        String::new()
+    } else {
+        format!(" and more of {}", summary.cut.join(", "))
+    };
+    io.line(&format!(
+        "  {}{cut} with an equal problem or all its answers within tolerance (all in set.json):",
+        count(found.len(), "pair")
+    ));
+    for c in found.iter().take(8) {
+        io.line(&format!("    {}: {} and {}, {}", c.problem, c.students[0], c.students[1], c.what));
+    }
+    if found.len() > 8 {
+        io.line(&format!("    and {} more", found.len() - 8));
+    }
+}

@@ -1,0 +1,49 @@
+//! The street door: what was typed becomes files read, the library called, results told.
+use clap::Parser as _;
+use std::ffi::OsString;
+
+pub mod args;
+mod banks;
+mod check;
+mod demo;
+mod files;
+mod generate;
+mod grade;
+mod lint;
+mod members;
+mod practice;
+mod solve;
+pub mod tell;
+mod words;
+
+use crate::cli::args::Typed;
+use crate::cli::args::Verb;
+use crate::cli::tell::Exit;
+use crate::cli::tell::Io;
+
+/// Runs one command line; the first argument is the program's name. May be called any number of times.
+pub fn run(args: impl IntoIterator<Item = OsString>, io: &mut Io) -> Exit {
+    let typed = match Typed::try_parse_from(args) {
+        Ok(typed) => typed,
+        Err(error) => {
+            let text = error.render().to_string();
+            if error.use_stderr() {
+                io.note(text.trim_end());
+                return Exit::Faulty;
+            }
+            io.piece(&text);
+            return Exit::Fine;
+        }
+    };
+    let exit = match typed.verb {
+        Verb::Generate(args) => generate::run(&args, io),
+        Verb::Grade(args) => grade::run(&args, io),
+        Verb::Check(args) => check::run(&args, io),
+        Verb::Practice(args) => practice::run(&args, io),
+        Verb::Solve(args) => solve::run(&args, io),
+        Verb::Lint(args) => lint::run(&args, io),
+        Verb::Demo(args) => demo::run(&args, io),
+    };
+    let _ = io.out.flush();
+    exit
+}

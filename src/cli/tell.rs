@@ -1,0 +1,96 @@
+//! Findings and results on the terminal: the only place that prints.
+use crate::finding::Finding;
+use std::io::BufRead;
+use std::io::Write;
+
+/// How a command ends.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Exit {
+    /// All is fine.
+    Fine = 0,
+    /// `check`: not all answers are right.
+    NotAllRight = 1,
+    /// Somebody's file or the command line is faulty.
+    Faulty = 2,
+    /// `solve`: the declared regime fails.
+    RegimeFails = 3,
+}
+
+/// The terminal, or what stands for it in a test.
+pub struct Io<'a> {
+    /// Standard input.
+    pub input: &'a mut dyn BufRead,
+    /// Standard output: results.
+    pub out: &'a mut dyn Write,
+    /// Standard error: findings, notes, progress.
+    pub err: &'a mut dyn Write,
+    /// Does a person watch standard error?
+    pub watched: bool,
+}
+
+impl Io<'_> {
+    /// A line of the result. A reader who went away (`| head`) is no error.
+    pub fn line(&mut self, text: &str) {
+        let _ = writeln!(self.out, "{text}");
+    }
+    /// A piece of the result, shown at once.
+    pub fn piece(&mut self, text: &str) {
+        let _ = self.out.write_all(text.as_bytes());
+        let _ = self.out.flush();
+    }
+    /// A line beside the result.
+    pub fn note(&mut self, text: &str) {
+        let _ = writeln!(self.err, "{text}");
+    }
+    /// All findings, then how many there were.
+    pub fn findings(&mut self, findings: &[Finding]) -> Exit {
+        for finding in findings {
+            let _ = writeln!(self.err, "error: {finding}");
+        }
+        if findings.len() > 1 {
+            let _ = writeln!(self.err, "{} findings", findings.len());
+        }
+        Exit::Faulty
+    }
+    /// A line of input without its end; `None` at the end of the input. Bytes that are no UTF-8 are replaced.
+    pub fn ask(&mut self) -> Option<String> {
+        let mut bytes = Vec::new();
+        match self.input.read_until(b'\n', &mut bytes) {
+            Ok(0) | Err(_) => None,
+            Ok(_) => Some(String::from_utf8_lossy(&bytes).trim().to_owned()),
+        }
+    }
+}
+
+/// A table with columns as wide as they need; the first column to the left, the others to the right unless `left` says so.
+pub fn table(rows: &[Vec<String>], left: &[usize]) -> String {
+    let columns = rows.iter().map(Vec::len).max().unwrap_or(0);
+    let width = |c: usize| rows.iter().filter_map(|r| r.get(c)).map(|t| t.chars().count()).max().unwrap_or(0);
+    let widths: Vec<usize> = (0..columns).map(width).collect();
+    let mut text = String::new();
+    for row in rows {
+        let mut line = String::new();
+        for (c, cell) in row.iter().enumerate() {
+            if c > 0 {
+                line.push_str("  ");
+            }
+            let pad = widths[c].saturating_sub(cell.chars().count());
+            if left.contains(&c) {
+                line.push_str(cell);
+                line.extend(std::iter::repeat_n(' ', pad));
+            } else {
+                line.extend(std::iter::repeat_n(' ', pad));
+                line.push_str(cell);
+            }
+        }
+        text.push_str("  ");
+        text.push_str(line.trim_end());
+        text.push('\n');
+    }
+    text
+}
+
+/// `1 sheet`, `2 sheets`
+pub fn count(n: usize, one: &str) -> String {
+    if n == 1 { format!("1 {one}") } else { format!("{n} {one}s") }
+}

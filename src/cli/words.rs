@@ -1,0 +1,216 @@
+//! Sentences for what the solvers say in numbers.
+use crate::bank::Problem;
+use crate::key::Answer;
+use crate::key::KeyEntry;
+use crate::scene::Num;
+use crate::scene::Scene;
+use crate::scene::Tie;
+use crate::scene::admissible::Inadmissible;
+use crate::scene::admissible::Rule;
+use crate::solve::outcome::Check;
+use crate::solve::outcome::CheckKind;
+use crate::solve::outcome::Motion;
+use crate::solve::outcome::Refusal;
+use crate::solve::outcome::Regime;
+use crate::solve::outcome::Unsupported;
+
+/// Five significant figures, for people.
+pub fn figures(value: f64) -> String {
+    rounded(value, 5)
+}
+
+/// As many significant figures as asked, with the zeros at the end that belong to them.
+pub fn rounded(value: f64, figures: usize) -> String {
+    if value == 0.0 {
+        return "0".to_owned();
+    }
+    if !value.is_finite() {
+        return if value.is_nan() {
+            "none".to_owned()
+        } else if value > 0.0 {
+            "infinite".to_owned()
+        } else {
+            "-infinite".to_owned()
+        };
+    }
+    let figures = figures.max(1);
+    let short = format!("{value:.*e}", figures - 1);
+    let exponent: i32 = short.split_once('e').and_then(|(_, e)| e.parse().ok()).unwrap_or(0);
+    let decimals = i32::try_from(figures).unwrap_or(17) - 1 - exponent;
+    if (-5..6).contains(&exponent) && decimals >= 0 {
+        format!("{value:.*}", usize::try_from(decimals).unwrap_or(0))
+    } else if (0..6).contains(&exponent) {
+        // More digits before the point than figures: round them there.
+        let whole: f64 = short.parse().unwrap_or(value);
+        format!("{whole:.0}")
+    } else {
+        short
+    }
+}
+
+fn body(scene: &Scene, index: usize) -> &str {
+    scene.bodies.get(index).map_or("body", |b| b.name.as_str())
+}
+
+fn of_tie(scene: &Scene, index: usize) -> String {
+    match scene.ties.get(index) {
+        Some(Tie::Roll { body: b, .. } | Tie::Slip { body: b, .. } | Tie::Slide { body: b, .. }) => {
+            body(scene, *b).to_owned()
+        }
+        Some(Tie::Cord(cord)) => cord.name.clone(),
+        None => "tie".to_owned(),
+    }
+}
+
+/// One condition in words with its numbers.
+pub fn check(scene: &Scene, c: &Check) -> String {
+    let (required, available) = (figures(c.required), figures(c.available));
+    match c.kind {
+        CheckKind::Moves if c.ok => {
+            format!("the {} moves as declared: drive {available} against {required}", body(scene, c.of))
+        }
+        CheckKind::Moves => format!(
+            "the {} does not move as declared: drive {available}, required more than {required}",
+            body(scene, c.of)
+        ),
+        CheckKind::NoSlip if c.ok => format!(
+            "the {} holds without slipping: needs {required} N of friction, mu_s N = {available} N",
+            of_tie(scene, c.of)
+        ),
+        CheckKind::NoSlip => format!(
+            "the {} slips: rolling needs {required} N of friction, mu_s N = {available} N is available",
+            of_tie(scene, c.of)
+        ),
+        CheckKind::MustSlip if c.ok => format!(
+            "the {} slips: rolling would need {available} N of friction, more than mu_s N = {required} N",
+            of_tie(scene, c.of)
+        ),
+        CheckKind::MustSlip => format!(
+            "the {} need not slip: rolling needs {available} N of friction, not more than mu_s N = {required} N",
+            of_tie(scene, c.of)
+        ),
+        CheckKind::Pressed if c.ok => {
+            format!("the {} is pressed on its surface with {available} N", body(scene, c.of))
+        }
+        CheckKind::Pressed => format!(
+            "the {} is not pressed on its surface: normal force {available} N, required more than {required}",
+            body(scene, c.of)
+        ),
+        CheckKind::Taut if c.ok => format!("{} is taut with {available} N", of_tie(scene, c.of)),
+        CheckKind::Taut => {
+            format!(
+                "{} is not taut: tension {available} N, required more than {required}",
+                of_tie(scene, c.of)
+            )
+        }
+        CheckKind::SlipDirection if c.ok => {
+            format!("the slip of the {} goes against the friction", of_tie(scene, c.of))
+        }
+        CheckKind::SlipDirection => format!(
+            "the slip of the {} does not go against the friction: {available}, required more than {required}",
+            of_tie(scene, c.of)
+        ),
+        CheckKind::Reaches if c.ok => {
+            format!("the end is reached: {required} asked, the motion goes as far as {available}")
+        }
+        CheckKind::Reaches => {
+            format!("the end is not reached: {required} asked, the motion goes only as far as {available}")
+        }
+    }
+}
+
+/// What really happens, in a sentence.
+pub fn regime(regime: Regime) -> String {
+    let text = match regime.motion {
+        Motion::MovesUp => "it moves up",
+        Motion::Balanced => "it is balanced and stays",
+        Motion::MovesDown => "it moves down",
+        Motion::MovesForward => "it moves forward",
+        Motion::MovesBack => "it moves back",
+        Motion::Rolls => "it rolls without slipping, friction suffices",
+        Motion::AtLimit => "it is just at the limit of slipping",
+        Motion::SlipsUp => "it slips and moves up",
+        Motion::SpinsInPlace => "it spins in place",
+        Motion::SlipsDown => "it slips and moves down",
+        Motion::UpOk => "it moves up and reaches the asked place",
+        Motion::UpTurningPoint => "it moves up; the asked place is the turning point",
+        Motion::UpUnreachable => "it moves up and turns before the asked place",
+        Motion::DownOk => "it moves down and reaches the asked place",
+        Motion::DownTurningPoint => "it moves down; the asked place is the turning point",
+        Motion::DownUnreachable => "it moves down and turns before the asked place",
+        Motion::Rest => "it stays at rest",
+        Motion::Instant => "an instant is asked, nothing moves on",
+    };
+    if regime.slips {
+        format!("{text}, if it rolled; friction does not suffice, it slips")
+    } else {
+        text.to_owned()
+    }
+}
+
+fn symbol(problem: &Problem, num: Num) -> String {
+    match num {
+        Num::Datum(i) => problem.data.get(i).map_or_else(|| "a datum".to_owned(), |d| d.symbol.clone()),
+        Num::Fixed(x) => format!("the constant {x}"),
+    }
+}
+
+fn inadmissible(problem: &Problem, fault: &Inadmissible) -> String {
+    let name = symbol(problem, fault.datum);
+    let value = fault.value;
+    match fault.rule {
+        Rule::Finite => format!("{name} = {value}: must be a finite number"),
+        Rule::Positive => format!("{name} = {value}: must be above 0"),
+        Rule::NotNegative => format!("{name} = {value}: must not be below 0"),
+        Rule::Slope => format!("{name} = {value}: a slope is from 0 to 90 degrees"),
+        Rule::NotAbove(other) => format!("{name} = {value}: must not be above {}", symbol(problem, other)),
+    }
+}
+
+/// Why a scene with these data has no answer; a sentence each.
+pub fn refusal(problem: &Problem, scene: &Scene, refusal: &Refusal) -> Vec<String> {
+    let one = |text: String| vec![text];
+    match refusal {
+        Refusal::Inadmissible(faults) => faults.iter().map(|f| inadmissible(problem, f)).collect(),
+        Refusal::Singular { unknowns, rank } => {
+            one(format!("the equations do not determine the motion: {unknowns} unknowns, rank {rank}"))
+        }
+        Refusal::Freedoms(n) => {
+            one(format!("the ties leave {n} freedoms; the program solves one, or two where something slips"))
+        }
+        Refusal::Unsupported(what) => one(match what {
+            Unsupported::SpringWithTwoFreedoms => {
+                "a spring where two coordinates are free is not solved".to_owned()
+            }
+            Unsupported::SpeedWithTwoFreedoms => {
+                "a start with a speed where two coordinates are free is not solved".to_owned()
+            }
+            Unsupported::TwoSprings => "more than one spring is not solved".to_owned(),
+            Unsupported::MovingLamina => {
+                "of a body of particles only what holds at the instant can be asked; write `end: at once`"
+                    .to_owned()
+            }
+            Unsupported::TooManyData => "there are more than 64 data".to_owned(),
+        }),
+        Refusal::Disagree { label, eom, energy, allowed } => one(format!(
+            "the two roads disagree on {}: {eom:e} from the equations of motion, {energy:e} from energy; a relative gap of {allowed:.1e} would be accepted. No key is published.",
+            scene.name_of(*label)
+        )),
+    }
+}
+
+/// The right answer of a key, rounded for a person: `30.26 rad/s`, `62.6 N up`, `yes`.
+pub fn right_answer(entry: &KeyEntry, words: [&str; 2]) -> String {
+    match &entry.answer {
+        Answer::Word { right, .. } => (*right).to_owned(),
+        Answer::Number { value, directed, .. } => {
+            let value = entry.unit.from_si(*value);
+            if *directed && value != 0.0 {
+                let word = if value > 0.0 { words[0] } else { words[1] };
+                format!("{} {word}", entry.unit.text_with(&rounded(value.abs(), 4)))
+            } else {
+                entry.unit.text_with(&rounded(value, 4))
+            }
+        }
+    }
+}

@@ -1,0 +1,254 @@
+//! Draw, fill, solve, check: the flow in one function, tries and refusals counted.
+use crate::bank::Problem;
+use crate::bank::decimal::Decimal;
+use crate::draw::fill;
+use crate::draw::sample;
+use crate::draw::stream::Source;
+use crate::scene::Label;
+use crate::solve::agree;
+use crate::solve::outcome::{CheckKind, Refusal, Solved};
+use std::fmt;
+
+/// Tries after which a bank counts as unsatisfiable.
+pub const MAX_TRIES: u32 = 10_000;
+
+/// One student's version of a problem, solved.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Variant {
+    /// Index of the case.
+    pub case: usize,
+    /// One for each datum of the problem, as printed; `None` where the case does not use it.
+    pub values: Vec<Option<Decimal>>,
+    /// The same as the scene takes them: SI, slopes in degrees; 0 where the case does not use it.
+    pub data: Vec<f64>,
+    /// The solution.
+    pub solved: Solved,
+    /// Tries that it took, from 1.
+    pub tries: u32,
+    /// How often each rule refused.
+    pub refusals: Refusals,
+}
+
+/// How often each rule refused a draw, in the order of the rules (see [`Refusals::table`]).
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Refusals {
+    counts: Vec<u32>,
+    /// The last draw of admissible data that could not be solved, or on which the two roads disagreed.
+    pub unsolved: Option<Refusal>,
+}
+
+const INADMISSIBLE: usize = 0;
+const UNSOLVABLE: usize = 1;
+const DISAGREE: usize = 2;
+const REGIME: usize = 3;
+const CHECKS: usize = 4;
+
+impl Refusals {
+    fn add(&mut self, rule: usize) {
+        if self.counts.len() <= rule {
+            self.counts.resize(rule + 1, 0);
+        }
+        self.counts[rule] += 1;
+    }
+    /// Adds the counts of another variant of the same case.
+    pub fn join(&mut self, other: &Refusals) {
+        if self.counts.len() < other.counts.len() {
+            self.counts.resize(other.counts.len(), 0);
+        }
+        for (mine, theirs) in self.counts.iter_mut().zip(&other.counts) {
+            *mine += theirs;
+        }
+        if other.unsolved.is_some() {
+            self.unsolved.clone_from(&other.unsolved);
+        }
+    }
+    /// All refusals together.
+    pub fn total(&self) -> u64 {
+        self.counts.iter().map(|c| u64::from(*c)).sum()
+    }
+    /// Names of the rules that refused and how often, most first.
+    pub fn table(&self, problem: &Problem, case: usize) -> Vec<(String, u32)> {
+        let mut list: Vec<(String, u32)> = Vec::new();
+        for (rule, count) in self.counts.iter().enumerate().filter(|(_, c)| **c > 0) {
+            list.push((rule_name(problem, case, rule), *count));
+        }
+        list.sort_by(|a, b| b.1.cmp(&a.1).then_with(|| a.0.cmp(&b.0)));
+        list
+    }
+}
+
+fn rule_name(problem: &Problem, case: usize, rule: usize) -> String {
+    let questions = CHECKS + CheckKind::ALL.len();
+    let bounds = questions + problem.questions.len();
+    match rule {
+        INADMISSIBLE => "admissible data".to_owned(),
+        UNSOLVABLE => "solvable".to_owned(),
+        DISAGREE => "the two roads agree".to_owned(),
+        REGIME => "regime".to_owned(),
+        _ if rule < questions => CheckKind::ALL[rule - CHECKS].name().to_owned(),
+        _ if rule < bounds => format!("question {} has an answer", problem.questions[rule - questions].id),
+        _ => {
+            let bounds = &problem.cases[case].bounds;
+            let text =
+                bounds.get(rule - questions - problem.questions.len()).map_or("?", |b| b.text.as_str());
+            format!("bound {text}")
+        }
+    }
+}
+
+/// No draw held the rules.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Unsatisfiable {
+    /// Id of the problem.
+    pub problem: String,
+    /// Name of the case, empty if there is only one.
+    pub case: String,
+    /// Tries that were made.
+    pub tries: u32,
+    /// Rules and how often each refused, most first.
+    pub table: Vec<(String, u32)>,
+}
+
+impl fmt::Display for Unsatisfiable {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}", self.problem)?;
+        if !self.case.is_empty() {
+            write!(f, ", case `{}`", self.case)?;
+        }
+        write!(f, ": none of {} draws holds the rules; refused by", self.tries)?;
+        for (rule, count) in &self.table {
+            write!(f, "\n    {count:>7}  {rule}")?;
+        }
+        Ok(())
+    }
+}
+
+/// Makes the variants of one problem of one set.
+#[derive(Debug)]
+pub struct Maker<'p> {
+    problem: &'p Problem,
+    source: Source,
+    margins: Vec<f64>,
+    max_tries: u32,
+}
+
+impl<'p> Maker<'p> {
+    /// A maker for a problem of the set `set`, drawn with `seed`.
+    pub fn new(problem: &'p Problem, seed: u64, set: &str) -> Self {
+        let margin =
+            |kind: &CheckKind| problem.margins.iter().find(|(k, _)| k == kind).map_or(0.0, |(_, m)| *m);
+        Self {
+            problem,
+            source: Source::new(seed, set, &problem.id),
+            margins: CheckKind::ALL.iter().map(margin).collect(),
+            max_tries: MAX_TRIES,
+        }
+    }
+    /// Gives up after this many tries instead of [`MAX_TRIES`].
+    #[must_use]
+    pub fn giving_up_after(mut self, tries: u32) -> Self {
+        self.max_tries = tries.max(1);
+        self
+    }
+    /// The problem.
+    pub fn problem(&self) -> &'p Problem {
+        self.problem
+    }
+    /// The variant of a student: the case by share, then draws until one holds all rules of this case.
+    ///
+    /// Errors: none of the tries held them; the table says which rule refused how often.
+    pub fn variant(&self, student: &str) -> Result<Variant, Unsatisfiable> {
+        let mut words = self.source.student(student);
+        let index = sample::case(&mut words, &self.problem.cases);
+        let case = &self.problem.cases[index];
+        let mut data = vec![0.0; self.problem.data.len()];
+        let mut values: Vec<Option<Decimal>> = vec![None; self.problem.data.len()];
+        let mut refusals = Refusals::default();
+        for tries in 1..=self.max_tries {
+            words.attempt(tries);
+            for (i, draw) in case.draws.iter().enumerate() {
+                if let Some(draw) = draw {
+                    let value = sample::value(&mut words, i, draw);
+                    values[i] = Some(value);
+                    data[i] = fill::number(&self.problem.data[i], value);
+                }
+            }
+            match self.judge(index, &data, &mut refusals) {
+                Ok(solved) => return Ok(Variant { case: index, values, data, solved, tries, refusals }),
+                Err(rule) => refusals.add(rule),
+            }
+        }
+        Err(Unsatisfiable {
+            problem: self.problem.id.clone(),
+            case: case.name.clone(),
+            tries: self.max_tries,
+            table: refusals.table(self.problem, index),
+        })
+    }
+
+    /// Solves, or says which rule refuses.
+    fn judge(&self, index: usize, data: &[f64], refusals: &mut Refusals) -> Result<Solved, usize> {
+        let case = &self.problem.cases[index];
+        let questions = CHECKS + CheckKind::ALL.len();
+        let first_bound = questions + self.problem.questions.len();
+        let holds = |bound: &crate::bank::Bound, quantity: &dyn Fn(Label) -> f64| {
+            let value = bound.expression.eval(data, quantity);
+            !value.is_nan() && bound.min.is_none_or(|m| value >= m) && bound.max.is_none_or(|m| value <= m)
+        };
+        // Bounds on the data alone cost nothing: they go first.
+        for (i, bound) in case.bounds.iter().enumerate() {
+            if !bound.expression.needs_solution() && !holds(bound, &|_| f64::NAN) {
+                return Err(first_bound + i);
+            }
+        }
+        let solved = agree::solve(&case.scene, data).map_err(|refusal| match refusal {
+            Refusal::Inadmissible(_) => INADMISSIBLE,
+            Refusal::Disagree { .. } => {
+                refusals.unsolved = Some(refusal);
+                DISAGREE
+            }
+            other => {
+                refusals.unsolved = Some(other);
+                UNSOLVABLE
+            }
+        })?;
+        for check in &solved.checks {
+            let kind = CheckKind::ALL.iter().position(|k| *k == check.kind).unwrap_or(0);
+            if !check.ok || check.margin.is_nan() || check.margin < self.margins[kind] {
+                return Err(CHECKS + kind);
+            }
+        }
+        let word = solved.regime.motion.word();
+        if solved.regime.slips || (!case.regimes.is_empty() && !case.regimes.iter().any(|r| r == word)) {
+            return Err(REGIME);
+        }
+        for (i, question) in self.problem.questions.iter().enumerate() {
+            let answered = if question.label.quantity.is_word() {
+                solved.word(question.label).is_some()
+            } else {
+                solved.get(question.label).is_some_and(|e| e.value().is_finite())
+            };
+            if !answered {
+                return Err(questions + i);
+            }
+        }
+        let quantity = |label: Label| solved.get(label).map_or(f64::NAN, crate::solve::outcome::Entry::value);
+        for (i, bound) in case.bounds.iter().enumerate() {
+            if bound.expression.needs_solution() && !holds(bound, &quantity) {
+                return Err(first_bound + i);
+            }
+        }
+        Ok(solved)
+    }
+}
+
+/// The variant of stored values, for replay: solved anew, no rules applied.
+///
+/// Errors: the values are no scene, or the roads disagree.
+pub fn from_values(problem: &Problem, case: usize, values: &[Option<Decimal>]) -> Result<Variant, Refusal> {
+    let number = |(i, datum)| values.get(i).copied().flatten().map_or(0.0, |v| fill::number(datum, v));
+    let data: Vec<f64> = problem.data.iter().enumerate().map(number).collect();
+    let scene = problem.cases.get(case).map(|c| &c.scene).ok_or(Refusal::Freedoms(0))?;
+    let solved = agree::solve(scene, &data)?;
+    Ok(Variant { case, values: values.to_vec(), data, solved, tries: 0, refusals: Refusals::default() })
+}

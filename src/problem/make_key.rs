@@ -1,0 +1,117 @@
+//! A solved variant to its key: value, accepted half-width, both roads.
+use crate::bank::{Problem, Question};
+use crate::key::{Answer, KeyEntry, ProblemKey};
+use crate::problem::make::Variant;
+use crate::scene::{End, Quantity, Scene, Slope};
+
+/// Absolute tolerance of quantities that may vanish, as a share of the scale of their terms: a thousandth of the
+/// largest force is below what three figures of the terms can tell.
+pub const VANISHING_SHARE: f64 = 1e-3;
+
+const SLOPED: &[&str] = &["up", "down", "stays"];
+const LEVEL: &[&str] = &["forward", "back", "stays"];
+const YES_NO: &[&str] = &["yes", "no"];
+
+/// The key of a variant: one entry for each question of the problem.
+///
+/// Every question of a drawn variant has an answer; in a replayed one, a question without an answer has a key of NaN,
+/// which no answer meets.
+pub fn key(problem: &Problem, variant: &Variant) -> ProblemKey {
+    let scene = &problem.cases[variant.case].scene;
+    let parts = problem.questions.iter().map(|question| entry(question, scene, variant)).collect();
+    ProblemKey { id: problem.id.clone(), parts }
+}
+
+fn entry(question: &Question, scene: &Scene, variant: &Variant) -> KeyEntry {
+    let quantity = question.label.quantity;
+    let mut key = KeyEntry {
+        part: question.id.clone(),
+        answer: Answer::Word { right: "", offered: offered(quantity, scene) },
+        unit: question.unit.clone(),
+        unit_required: question.unit_required,
+        points: question.points,
+        eom: None,
+        energy: None,
+        gap: None,
+        cond: None,
+    };
+    if quantity.is_word() {
+        let right = variant.solved.word(question.label).map_or("", |w| w.text());
+        key.answer = Answer::Word { right, offered: offered(quantity, scene) };
+        return key;
+    }
+    let (value, scale) = match variant.solved.get(question.label) {
+        Some(e) => {
+            key.eom = e.eom;
+            key.energy = e.energy;
+            key.gap = e.gap();
+            key.cond = Some(e.cond);
+            (e.value(), e.scale)
+        }
+        None => (f64::NAN, 0.0),
+    };
+    key.answer = Answer::Number {
+        value,
+        half_width: half_width(question, value, scale),
+        directed: quantity.is_directed(),
+        magnitude: is_magnitude(quantity),
+    };
+    key
+}
+
+/// The accepted half-width, SI: the larger of the relative and the absolute tolerance.
+pub fn half_width(question: &Question, value: f64, scale: f64) -> f64 {
+    let absolute = question.absolute.unwrap_or_else(|| {
+        if may_vanish(question.label.quantity) && scale.is_finite() { VANISHING_SHARE * scale } else { 0.0 }
+    });
+    (question.relative * value.abs()).max(absolute)
+}
+
+/// Quantities that can be 0 although the terms that make them up are not.
+pub const fn may_vanish(quantity: Quantity) -> bool {
+    matches!(
+        quantity,
+        Quantity::Friction
+            | Quantity::FrictionIfRolled
+            | Quantity::SlipDistance
+            | Quantity::A
+            | Quantity::Alpha
+            | Quantity::Rise
+            | Quantity::XG
+            | Quantity::YG
+    )
+}
+
+const fn is_magnitude(quantity: Quantity) -> bool {
+    !matches!(
+        quantity,
+        Quantity::Friction
+            | Quantity::FrictionIfRolled
+            | Quantity::A
+            | Quantity::Alpha
+            | Quantity::Rise
+            | Quantity::XG
+            | Quantity::YG
+            | Quantity::WorkPull
+            | Quantity::PowerPull
+            | Quantity::Tension
+    )
+}
+
+fn offered(quantity: Quantity, scene: &Scene) -> &'static [&'static str] {
+    if quantity == Quantity::Rolls {
+        return YES_NO;
+    }
+    let body = match scene.end {
+        End::AtOnce => 0,
+        End::Travel(c, _)
+        | End::Position(c, _)
+        | End::Time(c, _)
+        | End::Speed(c, _)
+        | End::TurningPoint(c) => c.body,
+    };
+    match scene.bodies.get(body).and_then(|b| b.line) {
+        Some(line) if line.slope != Slope::Level => SLOPED,
+        _ => LEVEL,
+    }
+}

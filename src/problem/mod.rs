@@ -1,0 +1,4 @@
+//! The workshop: from a problem of a bank and a seed to a finished variant and its key.
+pub mod make;
+pub mod make_key;
+pub mod sweep;

@@ -1,0 +1,139 @@
+//! What a problem does over many seeds: how many draws are accepted, which rules refuse, in what range the answers lie,
+//! and how likely two students get the same sheet.
+use crate::bank::Problem;
+use crate::problem::make::{Maker, Refusals, Unsatisfiable};
+use crate::solve::outcome::Refusal;
+
+/// A sweep over one problem.
+#[derive(Debug, Clone)]
+pub struct Sweep {
+    /// Id of the problem.
+    pub problem: String,
+    /// One for each case.
+    pub cases: Vec<CaseSweep>,
+    /// One for each question.
+    pub questions: Vec<QuestionSweep>,
+    /// Chance that two students have equal data.
+    pub pair_chance: f64,
+    /// The first seed for which no draw held the rules, with the table.
+    pub unsatisfiable: Option<(u64, Unsatisfiable)>,
+    /// A draw of admissible data that could not be solved, or on which the two roads disagreed.
+    pub unsolved: Option<Refusal>,
+}
+
+/// A sweep over one case.
+#[derive(Debug, Clone)]
+pub struct CaseSweep {
+    /// Name, empty if there is only one.
+    pub name: String,
+    /// Share that the bank gives it, of all cases.
+    pub share: f64,
+    /// Variants that were made.
+    pub variants: u64,
+    /// Draws that were tried for them.
+    pub tries: u64,
+    /// Rules and how often each refused, most first.
+    pub refusals: Vec<(String, u32)>,
+    /// Grid points of the case.
+    pub grid: f64,
+    /// Estimated number of valid variants: grid points times acceptance.
+    pub valid: f64,
+}
+
+impl CaseSweep {
+    /// Accepted draws of all draws; NaN if none was tried.
+    pub fn acceptance(&self) -> f64 {
+        count(self.variants) / count(self.tries)
+    }
+}
+
+/// Range of the answers to one question.
+#[derive(Debug, Clone)]
+pub struct QuestionSweep {
+    /// Id of the question.
+    pub id: String,
+    /// Least and greatest answer in the asked unit; `None` for words.
+    pub range: Option<(f64, f64)>,
+    /// Greatest condition number.
+    pub worst_cond: f64,
+    /// Words and how often each was right.
+    pub words: Vec<(&'static str, u64)>,
+}
+
+/// Makes a variant for each of `seeds` seeds, from `first` on.
+pub fn sweep(problem: &Problem, first: u64, seeds: u32, set: &str) -> Sweep {
+    let total: u32 = problem.cases.iter().map(|c| c.share).sum();
+    let mut refusals: Vec<Refusals> = vec![Refusals::default(); problem.cases.len()];
+    let mut out = Sweep {
+        problem: problem.id.clone(),
+        cases: problem
+            .cases
+            .iter()
+            .map(|c| CaseSweep {
+                name: c.name.clone(),
+                share: f64::from(c.share) / f64::from(total.max(1)),
+                variants: 0,
+                tries: 0,
+                refusals: Vec::new(),
+                grid: c.draws.iter().flatten().map(|d| count(d.count())).product(),
+                valid: 0.0,
+            })
+            .collect(),
+        questions: problem
+            .questions
+            .iter()
+            .map(|q| QuestionSweep { id: q.id.clone(), range: None, worst_cond: 0.0, words: Vec::new() })
+            .collect(),
+        pair_chance: 0.0,
+        unsatisfiable: None,
+        unsolved: None,
+    };
+    for seed in (first..).take(seeds as usize) {
+        let variant = match Maker::new(problem, seed, set).variant("lint") {
+            Ok(variant) => variant,
+            Err(none) => {
+                // One such table is enough, and each costs thousands of tries.
+                out.unsatisfiable = Some((seed, none));
+                break;
+            }
+        };
+        let case = &mut out.cases[variant.case];
+        case.variants += 1;
+        case.tries += u64::from(variant.tries);
+        refusals[variant.case].join(&variant.refusals);
+        for (question, seen) in problem.questions.iter().zip(&mut out.questions) {
+            if let Some(word) = variant.solved.word(question.label) {
+                match seen.words.iter_mut().find(|(w, _)| *w == word.text()) {
+                    Some((_, n)) => *n += 1,
+                    None => seen.words.push((word.text(), 1)),
+                }
+            } else if let Some(entry) = variant.solved.get(question.label) {
+                let value = question.unit.from_si(entry.value());
+                let (low, high) = seen.range.unwrap_or((value, value));
+                seen.range = Some((low.min(value), high.max(value)));
+                seen.worst_cond = seen.worst_cond.max(entry.cond);
+            }
+        }
+    }
+    for (i, (case, refused)) in out.cases.iter_mut().zip(&refusals).enumerate() {
+        case.refusals = refused.table(problem, i);
+        out.unsolved = out.unsolved.take().or_else(|| refused.unsolved.clone());
+        // A case that the seeds did not reach counts as accepted nowhere.
+        case.valid = if case.tries > 0 { (case.grid * case.acceptance()).max(1.0) } else { 1.0 };
+        out.pair_chance += case.share * case.share / case.valid;
+    }
+    out
+}
+
+/// Chance that among so many students two have equal sheets, if the sheet holds all these problems: at most the number
+/// of pairs times the chance of a pair.
+pub fn coincidence(sweeps: &[Sweep], students: u32) -> f64 {
+    let pairs = f64::from(students) * (f64::from(students) - 1.0) / 2.0;
+    let pair: f64 = sweeps.iter().map(|s| s.pair_chance.min(1.0)).product();
+    (pairs * pair).min(1.0)
+}
+
+#[expect(clippy::cast_precision_loss, reason = "an estimate")]
+fn count(n: u64) -> f64 {
+    n as f64
+}

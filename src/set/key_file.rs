@@ -1,0 +1,135 @@
+//! key.csv: one row for each part of each student, numbers in the asked unit.
+use crate::finding::Finding;
+use crate::key::Answer;
+use crate::key::KeyEntry;
+use crate::key::SheetKey;
+
+/// The columns.
+pub const HEADER: [&str; 10] =
+    ["student", "problem", "part", "value", "unit", "eom", "energy", "gap", "cond", "tolerance"];
+
+/// Shortest text that reads back as the same double; an exponent only where it helps.
+pub fn shortest(value: f64) -> String {
+    if value == 0.0 {
+        return "0".to_owned();
+    }
+    if (1e-5..1e16).contains(&value.abs()) { format!("{value}") } else { format!("{value:e}") }
+}
+
+/// Three significant figures for columns that only describe.
+fn about(value: f64) -> String {
+    if value == 0.0 {
+        return "0".to_owned();
+    }
+    if !value.is_finite() {
+        return "inf".to_owned();
+    }
+    if (1e-3..1e6).contains(&value.abs()) {
+        let rounded: f64 = format!("{value:.2e}").parse().unwrap_or(value);
+        format!("{rounded}")
+    } else {
+        format!("{value:.2e}")
+    }
+}
+
+/// The fields behind student and problem.
+fn fields(entry: &KeyEntry) -> [String; 8] {
+    let unit = &entry.unit;
+    let road = |si: Option<f64>| si.map_or_else(String::new, |v| shortest(unit.from_si(v)));
+    match &entry.answer {
+        Answer::Number { value, half_width, .. } => [
+            entry.part.clone(),
+            shortest(unit.from_si(*value)),
+            unit.ascii().to_owned(),
+            road(entry.eom),
+            road(entry.energy),
+            entry.gap.map_or_else(String::new, about),
+            entry.cond.map_or_else(String::new, about),
+            shortest(unit.from_si(*half_width)),
+        ],
+        Answer::Word { right, .. } => {
+            let mut fields = [const { String::new() }; 8];
+            entry.part.clone_into(&mut fields[0]);
+            (*right).clone_into(&mut fields[1]);
+            fields
+        }
+    }
+}
+
+/// All rows, header first.
+pub fn rows(keys: &[SheetKey]) -> impl Iterator<Item = [String; 10]> {
+    let header = std::iter::once(HEADER.map(str::to_owned));
+    header.chain(keys.iter().flat_map(|key| {
+        key.problems.iter().enumerate().flat_map(move |(i, problem)| {
+            problem.parts.iter().map(move |entry| {
+                let [part, value, unit, eom, energy, gap, cond, tolerance] = fields(entry);
+                let number = (i + 1).to_string();
+                [key.student.clone(), number, part, value, unit, eom, energy, gap, cond, tolerance]
+            })
+        })
+    }))
+}
+
+/// The text of key.csv.
+pub fn text(keys: &[SheetKey]) -> Vec<u8> {
+    let mut out = csv::Writer::from_writer(Vec::new());
+    for row in rows(keys) {
+        // Writing to memory cannot fail.
+        let _ = out.write_record(&row);
+    }
+    out.into_inner().unwrap_or_default()
+}
+
+/// Compares a stored key.csv with the key made anew. Rows of students who are not in `keys` are left over from an
+/// `--add` that was cut off, and do not matter. At most five findings and their number.
+pub fn compare(stored: &[u8], keys: &[SheetKey]) -> Vec<Finding> {
+    let anew = text(keys);
+    if stored == anew {
+        return Vec::new();
+    }
+    let known: rustc_hash::FxHashSet<&str> = keys.iter().map(|k| k.student.as_str()).collect();
+    let mut findings = Vec::new();
+    let mut more = 0usize;
+    let mut tell = |finding: Finding| if findings.len() < 5 { findings.push(finding) } else { more += 1 };
+    let body = stored.strip_prefix(b"\xef\xbb\xbf").unwrap_or(stored);
+    let mut reader = csv::ReaderBuilder::new().has_headers(false).flexible(true).from_reader(body);
+    let mut expected = rows(keys);
+    for record in reader.byte_records() {
+        let Ok(record) = record else {
+            tell(Finding::new("", "a record cannot be read"));
+            continue;
+        };
+        let line = record.position().map_or(0, |p| usize::try_from(p.line()).unwrap_or(0));
+        let field = |i: usize| String::from_utf8_lossy(record.get(i).unwrap_or_default());
+        let is_header = field(0) == HEADER[0];
+        if !is_header && !known.contains(&*field(0)) {
+            continue;
+        }
+        let Some(row) = expected.next() else {
+            tell(Finding::new("", format!("a row too many, for {}", field(0))).at(line, 1));
+            continue;
+        };
+        for (i, right) in row.iter().enumerate() {
+            if field(i) != *right {
+                let what = format!(
+                    "{} {}.{}: {} is `{}` here, `{right}` when made anew from the set",
+                    row[0],
+                    row[1],
+                    row[2],
+                    HEADER[i],
+                    field(i)
+                );
+                tell(Finding::new("", what).at(line, 1));
+                break;
+            }
+        }
+    }
+    let missing = expected.count();
+    if missing > 0 {
+        tell(Finding::new("", format!("{missing} rows are missing at the end")));
+    }
+    if more > 0 {
+        findings.push(Finding::new("", format!("and {more} more differences")));
+    }
+    findings
+}

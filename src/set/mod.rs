@@ -1,0 +1,8 @@
+//! A problem set as it is stored: who got which data, and all that is needed to make the key again.
+//!
+//! `set.json` says what was drawn; `bank.yaml` beside it is a copy of the bank; `key.csv` is for people and scripts.
+//! Grading trusts none of them alone: [`replay`] draws and solves everything again and compares.
+pub mod coincide;
+pub mod key_file;
+pub mod replay;
+pub mod store;

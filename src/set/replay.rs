@@ -1,0 +1,181 @@
+//! Drawing a set, and drawing it again to see that nothing has changed.
+use crate::bank::Bank;
+use crate::bank::Problem;
+use crate::finding::Finding;
+use crate::key::SheetKey;
+use crate::problem::make::Maker;
+use crate::problem::make::Variant;
+use crate::problem::make_key;
+use crate::set::store::StoredSet;
+use crate::set::store::StoredStudent;
+use crate::set::store::StoredVariant;
+use crate::sheet::statement;
+use rayon::prelude::*;
+use serde_json::Map;
+use serde_json::Value;
+
+/// What one student got: variants and key, problem by problem.
+pub struct Dealt {
+    /// Variants in the order of the sheet.
+    pub variants: Vec<Variant>,
+    /// Their key.
+    pub key: SheetKey,
+}
+
+/// Makes the variants of a set, problem by problem.
+pub struct Dealer<'b> {
+    makers: Vec<Maker<'b>>,
+}
+
+impl<'b> Dealer<'b> {
+    /// For these problems (indices into the bank).
+    pub fn new(bank: &'b Bank, problems: &[usize], seed: u64, set: &str) -> Self {
+        let chosen = problems.iter().filter_map(|p| bank.problems.get(*p));
+        Self { makers: chosen.map(|p| Maker::new(p, seed, set)).collect() }
+    }
+
+    /// Draws and solves the problems of one student.
+    ///
+    /// # Errors
+    /// The bank cannot be satisfied: the table of refusals.
+    pub fn deal(&self, student: &str) -> Result<Dealt, Finding> {
+        let mut variants = Vec::with_capacity(self.makers.len());
+        let mut keys = Vec::with_capacity(self.makers.len());
+        for maker in &self.makers {
+            let variant = maker
+                .variant(student)
+                .map_err(|e| Finding::new(format!("problems.{}", maker.problem().id), e.to_string()))?;
+            keys.push(make_key::key(maker.problem(), &variant));
+            variants.push(variant);
+        }
+        Ok(Dealt { variants, key: SheetKey { student: student.to_owned(), problems: keys } })
+    }
+}
+
+/// What is stored of a variant: case and data as printed.
+pub fn stored(problem: &Problem, variant: &Variant) -> StoredVariant {
+    let mut data = Map::new();
+    for (i, datum) in problem.data.iter().enumerate() {
+        if let Some(drawn) = variant.values.get(i).copied().flatten() {
+            data.insert(datum.symbol.clone(), Value::String(statement::printed(problem, i, drawn)));
+        }
+    }
+    let case = problem.cases.get(variant.case).map_or_else(String::new, |c| c.name.clone());
+    StoredVariant { id: problem.id.clone(), case, tries: variant.tries, data }
+}
+
+/// Indices of problems by id.
+///
+/// # Errors
+/// Ids that the bank does not have, and ids given twice.
+pub fn indices(bank: &Bank, ids: &[String], field: &str) -> Result<Vec<usize>, Vec<Finding>> {
+    let mut found = Vec::new();
+    let mut faults = Vec::new();
+    for id in ids {
+        match bank.problems.iter().position(|p| p.id == *id) {
+            Some(i) if found.contains(&i) => {
+                faults.push(Finding::new(field, format!("`{id}` is named twice")))
+            }
+            Some(i) => found.push(i),
+            None => {
+                let known: Vec<&str> = bank.problems.iter().map(|p| p.id.as_str()).collect();
+                let fault = Finding::new(field, format!("the bank has no problem `{id}`"));
+                faults.push(match crate::units::spell::closest(id, known.iter().copied()) {
+                    Some(near) => fault.hint(format!("did you mean `{near}`?")),
+                    None => fault.hint(format!("its problems: {}", known.join(", "))),
+                });
+            }
+        }
+    }
+    if faults.is_empty() { Ok(found) } else { Err(faults) }
+}
+
+/// Draws and solves a stored set again. The keys are returned only if the bank copy and every drawn number are the
+/// stored ones.
+///
+/// # Errors
+/// What differs: at most five findings and their number.
+pub fn keys(bank: &Bank, set: &StoredSet) -> Result<Vec<SheetKey>, Vec<Finding>> {
+    if bank.hash != set.bank.sha256 {
+        let what = format!(
+            "the bank copy was changed: its SHA-256 is {}…, the set was made from {}…",
+            bank.hash.get(..12).unwrap_or_default(),
+            set.bank.sha256.get(..12).unwrap_or_default()
+        );
+        let fault = Finding::new("", what).in_file(&set.bank.file);
+        return Err(vec![fault.hint("put the original copy back, or make the set anew")]);
+    }
+    let problems = indices(bank, &set.problems, "problems")?;
+    let dealer = Dealer::new(bank, &problems, set.seed, &set.name);
+    let one = |student: &StoredStudent| -> Result<SheetKey, Vec<Finding>> {
+        let dealt = dealer.deal(&student.student).map_err(|f| vec![f])?;
+        let mut faults = Vec::new();
+        if student.problems.len() != problems.len() {
+            let what = format!(
+                "{} has {} problems, the set {}",
+                student.student,
+                student.problems.len(),
+                problems.len()
+            );
+            return Err(vec![Finding::new("students", what)]);
+        }
+        for ((index, variant), old) in problems.iter().zip(&dealt.variants).zip(&student.problems) {
+            let new = stored(&bank.problems[*index], variant);
+            if let Some(what) = difference(old, &new) {
+                faults.push(Finding::new(format!("students {}, {}", student.student, old.id), what));
+            }
+        }
+        if faults.is_empty() { Ok(dealt.key) } else { Err(faults) }
+    };
+    let dealt: Vec<Result<SheetKey, Vec<Finding>>> = set.students.par_iter().map(one).collect();
+    let mut keys = Vec::with_capacity(dealt.len());
+    let mut faults = Vec::new();
+    for result in dealt {
+        match result {
+            Ok(key) => keys.push(key),
+            Err(more) => faults.extend(more),
+        }
+    }
+    if faults.is_empty() {
+        return Ok(keys);
+    }
+    let more = faults.len().saturating_sub(5);
+    faults.truncate(5);
+    if more > 0 {
+        faults.push(Finding::new("", format!("and {more} more differences")));
+    }
+    let last = faults.pop();
+    faults.extend(last.map(|f| {
+        f.hint(format!(
+            "the set was made by {} with draw version {}; seed, names or drawn data were changed since, or this program ({} {}) draws otherwise",
+            set.program,
+            set.draw_version,
+            env!("CARGO_PKG_NAME"),
+            env!("CARGO_PKG_VERSION")
+        ))
+    }));
+    Err(faults)
+}
+
+/// What differs between the stored and the new variant.
+fn difference(old: &StoredVariant, new: &StoredVariant) -> Option<String> {
+    if old.id != new.id {
+        return Some(format!("the problem is `{}` in the set, `{}` when drawn anew", old.id, new.id));
+    }
+    if old.case != new.case {
+        return Some(format!("the case is `{}` in the set, `{}` when drawn anew", old.case, new.case));
+    }
+    let shown = |v: Option<&Value>| match v {
+        Some(Value::String(text)) => format!("`{text}`"),
+        Some(other) => format!("`{other}`"),
+        None => "missing".to_owned(),
+    };
+    let names = old.data.keys().chain(new.data.keys().filter(|k| !old.data.contains_key(*k)));
+    for name in names {
+        if old.data.get(name) != new.data.get(name) {
+            let (old, new) = (shown(old.data.get(name)), shown(new.data.get(name)));
+            return Some(format!("{name} is {old} in the set, {new} when drawn anew"));
+        }
+    }
+    None
+}

@@ -1,0 +1,135 @@
+//! set.json: what a set is made of, to text and back.
+use crate::finding::Finding;
+use serde::Deserialize;
+use serde::Serialize;
+use serde_json::Map;
+use serde_json::Value;
+
+/// Version of the layout of set.json.
+pub const FORMAT: u32 = 1;
+
+/// A stored set.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct StoredSet {
+    /// Version of this layout.
+    pub format: u32,
+    /// Name of the set; part of every seed.
+    pub name: String,
+    /// Seed.
+    pub seed: u64,
+    /// Program and version that made it.
+    pub program: String,
+    /// Version of the drawing.
+    pub draw_version: u32,
+    /// The bank.
+    pub bank: StoredBank,
+    /// Ids of the problems, in the order of the sheet.
+    pub problems: Vec<String>,
+    /// Students in the order of the roster, late joiners behind.
+    pub students: Vec<StoredStudent>,
+    /// Pairs with an equal problem, or with all numeric answers of a problem within tolerance of each other.
+    pub coincidences: Vec<Coincidence>,
+}
+
+/// Which bank.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+pub struct StoredBank {
+    /// Id of the bank.
+    pub id: String,
+    /// The copy in the set's folder.
+    pub file: String,
+    /// SHA-256 of the copy, hex.
+    pub sha256: String,
+}
+
+/// One student.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct StoredStudent {
+    /// Id, as in the roster.
+    pub student: String,
+    /// Name; empty if the roster has none.
+    pub name: String,
+    /// Folder below `students`.
+    pub folder: String,
+    /// What was drawn for each problem.
+    pub problems: Vec<StoredVariant>,
+}
+
+/// One problem of one student.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct StoredVariant {
+    /// Id of the problem.
+    pub id: String,
+    /// Name of the case; empty if the problem has only one.
+    pub case: String,
+    /// How many draws it took.
+    pub tries: u32,
+    /// Symbol to value with unit, exactly as printed.
+    pub data: Map<String, Value>,
+}
+
+/// Two students whose problems are too much alike.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Coincidence {
+    /// Id of the problem.
+    pub problem: String,
+    /// `equal data` or `answers within tolerance`.
+    pub what: String,
+    /// The two.
+    pub students: [String; 2],
+}
+
+impl StoredSet {
+    /// Reads set.json.
+    ///
+    /// # Errors
+    /// What is wrong with it, with its place.
+    pub fn parse(text: &str) -> Result<Self, Finding> {
+        let set: Self = serde_json::from_str(text).map_err(|e| {
+            let words = e.to_string();
+            let words = words.split(" at line ").next().unwrap_or("cannot be read").to_owned();
+            Finding::new("", format!("is no set: {words}"))
+                .at(e.line().max(1), e.column().max(1))
+                .hint("set.json is written by `slipstick generate` and not meant to be edited")
+        })?;
+        if set.format == FORMAT {
+            return Ok(set);
+        }
+        Err(Finding::new("format", format!("is {}; this program reads {FORMAT}", set.format)))
+    }
+
+    /// The text of set.json: one line for each student.
+    pub fn text(&self) -> String {
+        let mut out = String::from("{\n");
+        for (name, value) in [
+            ("format", json(&self.format)),
+            ("name", json(&self.name)),
+            ("seed", json(&self.seed)),
+            ("program", json(&self.program)),
+            ("draw_version", json(&self.draw_version)),
+            ("bank", json(&self.bank)),
+            ("problems", json(&self.problems)),
+        ] {
+            out.push_str(&format!("  \"{name}\": {value},\n"));
+        }
+        lines(&mut out, "students", self.students.iter().map(json));
+        out.push_str(",\n");
+        lines(&mut out, "coincidences", self.coincidences.iter().map(json));
+        out.push_str("\n}\n");
+        out
+    }
+}
+
+fn lines(out: &mut String, name: &str, items: impl Iterator<Item = String>) {
+    let items: Vec<String> = items.map(|i| format!("    {i}")).collect();
+    if items.is_empty() {
+        out.push_str(&format!("  \"{name}\": []"));
+    } else {
+        out.push_str(&format!("  \"{name}\": [\n{}\n  ]", items.join(",\n")));
+    }
+}
+
+fn json<T: Serialize>(value: &T) -> String {
+    // Maps with text keys and finite numbers only: this cannot fail.
+    serde_json::to_string(value).unwrap_or_else(|_| "null".to_owned())
+}

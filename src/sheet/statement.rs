@@ -1,0 +1,404 @@
+//! The question in words: one problem's Markdown statement for one drawn variant.
+//!
+//! What a statement template sees, all of it finished text:
+//! - `m`, `theta`, ...: each datum of the problem, and `g`, whole: `$m = 40\ \mathrm{kg}$`;
+//! - `value.m`: without the symbol, `$40\ \mathrm{kg}$`; `tex.m`: the symbol alone, `m`, without dollars;
+//! - `title`, `number` (in the sheet), `case` (its name);
+//! - for particles: `count` (`Four`), `particles` (a list of `name`, `mass`, `x`, `y`), `motion` (`particle`, `vx`, `vy`, `spin`);
+//! - `questions`: a list of `number`, `id`, `ask`, `form`, `unit`, `figures`, `points` (empty for one point).
+//!
+//! `ask` of a question is a template too and sees the same, but for `questions`.
+use crate::bank::Bank;
+use crate::bank::Problem;
+use crate::bank::Question;
+use crate::bank::decimal::Decimal;
+use crate::finding::Finding;
+use crate::scene::Num;
+use crate::scene::Owner;
+use crate::scene::Quantity;
+use crate::scene::Scene;
+use crate::scene::Slope;
+use crate::scene::Start;
+use crate::template;
+use crate::template::Templates;
+use crate::template::View;
+use std::fmt::Write as _;
+
+/// Names that a statement may use besides the symbols of its problem.
+pub const RESERVED: &[&str] =
+    &["value", "tex", "title", "number", "case", "count", "particles", "motion", "questions"];
+
+/// What all problems of one sheet have in common, so that it is said once.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Common {
+    /// Significant figures asked for by most questions.
+    pub figures: u8,
+    /// Relative tolerance of most questions.
+    pub relative: f64,
+    /// Does every number need a unit?
+    pub unit_required: bool,
+}
+
+impl Common {
+    /// What most of the questions say, the first of equals.
+    pub fn of<'q>(questions: impl Iterator<Item = &'q Question> + Clone) -> Self {
+        let numbers = questions.filter(|q| !q.label.quantity.is_word());
+        let mut best = (0, Self { figures: 3, relative: 0.01, unit_required: false });
+        for q in numbers.clone() {
+            let this = Self { figures: q.figures, relative: q.relative, unit_required: q.unit_required };
+            let count = numbers.clone().filter(|o| this.holds(o)).count();
+            if count > best.0 {
+                best = (count, this);
+            }
+        }
+        best.1
+    }
+    fn holds(&self, q: &Question) -> bool {
+        q.figures == self.figures
+            && (q.relative - self.relative).abs() <= f64::EPSILON
+            && q.unit_required == self.unit_required
+    }
+}
+
+/// One problem of a set, ready to be written many times.
+pub struct Statement<'b> {
+    problem: &'b Problem,
+    templates: &'b Templates,
+    name: String,
+    values: bool,
+    /// Text before and after the digits of each datum.
+    around: Vec<(String, String)>,
+    /// What does not change between variants, for each case.
+    cases: Vec<OfCase>,
+}
+
+struct OfCase {
+    base: View,
+    particles: bool,
+    /// The questions below the statement, if no question depends on the data.
+    questions: Option<Vec<u8>>,
+    /// Templates of questions that do.
+    asks: Vec<(usize, String)>,
+    forms: Vec<String>,
+}
+
+/// Room for writing, reused from one variant to the next; one for each thread and problem.
+#[derive(Default)]
+pub struct Scratch {
+    case: Option<usize>,
+    view: View,
+    text: String,
+}
+
+/// Name of the template of a problem: the bank's own, or the file named after the problem.
+pub fn template_name(problem: &Problem) -> String {
+    match problem.statement {
+        Some(_) => format!("problems.{}.statement", problem.id),
+        None => format!("statement/{}.md", problem.id),
+    }
+}
+
+/// Adds to `templates` what stands in the bank itself.
+///
+/// # Errors
+/// Templates that cannot be read, and problems that have none.
+pub fn add_own(templates: &mut Templates, bank: &Bank) -> Result<(), Vec<Finding>> {
+    let mut faults = Vec::new();
+    for problem in &bank.problems {
+        if let Some(text) = &problem.statement {
+            let field = template_name(problem);
+            if let Err(fault) = templates.add_markdown(&field, text) {
+                faults.push(fault);
+            }
+        } else if !templates.has_markdown(&template_name(problem)) {
+            faults.push(Finding::new(format!("problems.{}", problem.id), "has no statement").hint(format!(
+                "write `statement: |` into the problem, or put {} into a folder and give --templates FOLDER",
+                template_name(problem)
+            )));
+        }
+        for q in problem.questions.iter().filter(|q| is_template(&q.ask)) {
+            if let Err(fault) = templates.add_markdown(&ask_name(problem, q), &q.ask) {
+                faults.push(fault);
+            }
+        }
+    }
+    if faults.is_empty() { Ok(()) } else { Err(faults) }
+}
+
+fn ask_name(problem: &Problem, q: &Question) -> String {
+    format!("problems.{}.questions.{}.ask", problem.id, q.id)
+}
+
+fn is_template(text: &str) -> bool {
+    text.contains("{{") || text.contains("{%") || text.contains("{#")
+}
+
+impl<'b> Statement<'b> {
+    /// Prepares a problem that has this number in its sheet.
+    ///
+    /// # Errors
+    /// Faults of the templates.
+    pub fn new(
+        templates: &'b Templates,
+        problem: &'b Problem,
+        number: usize,
+        common: &Common,
+    ) -> Result<Self, Finding> {
+        let name = template_name(problem);
+        let used = templates.variables(&name)?;
+        let asks: Vec<(usize, String)> = problem
+            .questions
+            .iter()
+            .enumerate()
+            .filter(|(_, q)| is_template(&q.ask))
+            .map(|(i, q)| (i, ask_name(problem, q)))
+            .collect();
+        let mut values = used.iter().any(|v| v == "value");
+        for (_, ask) in &asks {
+            values |= templates.variables(ask)?.iter().any(|v| v == "value");
+        }
+        let around = problem
+            .data
+            .iter()
+            .map(|d| {
+                let whole = d.unit.tex_with("\u{0}");
+                let (before, after) = whole.split_once('\u{0}').unwrap_or(("", ""));
+                (format!("${} = {before}", d.tex), format!("{after}$"))
+            })
+            .collect();
+        let mut cases = Vec::with_capacity(problem.cases.len());
+        for case in &problem.cases {
+            let mut base = View::new();
+            base.text("title", &problem.title);
+            base.text("number", &number.to_string());
+            base.text("case", &case.name);
+            let tex = problem.data.iter().map(|d| (d.symbol.as_str(), template::finished(&d.tex)));
+            base.value("tex", template::map(tex));
+            let forms: Vec<String> = problem.questions.iter().map(|q| form(q, &case.scene, common)).collect();
+            let particles = case.scene.bodies.iter().any(|b| !b.particles.is_empty());
+            let mut this = OfCase { base, particles, questions: None, asks: asks.clone(), forms };
+            if asks.is_empty() {
+                let mut view = this.base.clone();
+                let texts: Vec<&str> = problem.questions.iter().map(|q| q.ask.as_str()).collect();
+                view.value("questions", question_list(problem, number, &this.forms, &texts));
+                let mut text = Vec::new();
+                templates.markdown("questions.md", &view, &mut text)?;
+                this.questions = Some(text);
+                this.base = view;
+            }
+            cases.push(this);
+        }
+        Ok(Self { problem, templates, name, values, around, cases })
+    }
+
+    /// Appends the statement, with its questions, of the variant with these drawn values (integer and decimals of each
+    /// datum, `None` where the case has none).
+    ///
+    /// # Errors
+    /// Faults of the templates.
+    pub fn write(
+        &self,
+        case: usize,
+        number: usize,
+        drawn: &[Option<Decimal>],
+        scratch: &mut Scratch,
+        out: &mut Vec<u8>,
+    ) -> Result<(), Finding> {
+        let Some(of_case) = self.cases.get(case) else {
+            return Err(Finding::new(&self.problem.id, format!("has no case {case}")));
+        };
+        if scratch.case != Some(case) {
+            scratch.view = of_case.base.clone();
+            scratch.case = Some(case);
+        }
+        for (i, datum) in self.problem.data.iter().enumerate() {
+            if let Some(Decimal { value, decimals }) = drawn.get(i).copied().flatten() {
+                let (before, after) = &self.around[i];
+                scratch.text.clear();
+                scratch.text.push_str(before);
+                push_decimal(&mut scratch.text, value, decimals);
+                scratch.text.push_str(after);
+                scratch.view.text(datum.symbol.as_str(), &scratch.text);
+            }
+        }
+        if self.values {
+            let texts: Vec<(usize, String)> = (0..self.problem.data.len())
+                .filter_map(|i| drawn.get(i).copied().flatten().map(|_| (i, self.value_tex(i, drawn))))
+                .collect();
+            let pairs =
+                texts.iter().map(|(i, t)| (self.problem.data[*i].symbol.as_str(), template::finished(t)));
+            scratch.view.value("value", template::map(pairs));
+        }
+        if of_case.particles {
+            self.particles(&self.problem.cases[case].scene, drawn, &mut scratch.view);
+        }
+        self.templates.markdown(&self.name, &scratch.view, out)?;
+        while out.last().is_some_and(u8::is_ascii_whitespace) {
+            out.pop();
+        }
+        out.extend_from_slice(b"\n\n");
+        if let Some(text) = &of_case.questions {
+            out.extend_from_slice(text);
+        } else {
+            let mut texts: Vec<String> = self.problem.questions.iter().map(|q| q.ask.clone()).collect();
+            for (i, ask) in &of_case.asks {
+                let mut text = Vec::new();
+                self.templates.markdown(ask, &scratch.view, &mut text)?;
+                texts[*i] = String::from_utf8_lossy(&text).trim().to_owned();
+            }
+            let texts: Vec<&str> = texts.iter().map(String::as_str).collect();
+            let questions = question_list(self.problem, number, &of_case.forms, &texts);
+            scratch.view.value("questions", questions);
+            self.templates.markdown("questions.md", &scratch.view, out)?;
+        }
+        while out.last().is_some_and(u8::is_ascii_whitespace) {
+            out.pop();
+        }
+        out.push(b'\n');
+        Ok(())
+    }
+
+    /// `$40\ \mathrm{kg}$`
+    fn value_tex(&self, datum: usize, drawn: &[Option<Decimal>]) -> String {
+        let Some(drawn) = drawn.get(datum).copied().flatten() else { return String::new() };
+        let digits = decimal_text(drawn);
+        self.problem.data.get(datum).map_or_else(String::new, |d| format!("${}$", d.unit.tex_with(&digits)))
+    }
+
+    fn particles(&self, scene: &Scene, drawn: &[Option<Decimal>], view: &mut View) {
+        let text = |num: Num, unit: &str| match num {
+            Num::Datum(i) => self.value_tex(i, drawn),
+            Num::Fixed(x) => format!("${x}{unit}$"),
+        };
+        let whole = |num: Num, symbol: &str, unit: &str| match num {
+            Num::Datum(i) => {
+                let tex = self.problem.data.get(i).map_or(symbol, |d| d.tex.as_str());
+                let value = self.value_tex(i, drawn);
+                format!("${tex} = {}", &value[1..])
+            }
+            Num::Fixed(x) => format!("${symbol} = {x}{unit}$"),
+        };
+        for body in scene.bodies.iter().filter(|b| !b.particles.is_empty()) {
+            let rows = body.particles.iter().map(|p| {
+                template::map([
+                    ("name", template::finished(&format!("${}$", p.name))),
+                    ("mass", template::finished(&text(p.mass_kg, r"\ \mathrm{kg}"))),
+                    ("x", template::finished(&text(p.x_m, r"\ \mathrm{m}"))),
+                    ("y", template::finished(&text(p.y_m, r"\ \mathrm{m}"))),
+                ])
+            });
+            view.value("particles", template::list(rows.collect()));
+            const COUNTS: [&str; 9] = ["No", "One", "Two", "Three", "Four", "Five", "Six", "Seven", "Eight"];
+            let count = body.particles.len();
+            view.text("count", &COUNTS.get(count).map_or_else(|| count.to_string(), |w| (*w).to_owned()));
+        }
+        for start in &scene.start {
+            if let Start::Lamina { body, particle, vx_m_s, vy_m_s, spin_rad_s } = *start {
+                let name = scene.bodies.get(body).and_then(|b| b.particles.get(particle));
+                let name = name.map_or_else(String::new, |p| format!("${}$", p.name));
+                view.value(
+                    "motion",
+                    template::map([
+                        ("particle", template::finished(&name)),
+                        ("vx", template::finished(&whole(vx_m_s, "v_x", r"\ \mathrm{m/s}"))),
+                        ("vy", template::finished(&whole(vy_m_s, "v_y", r"\ \mathrm{m/s}"))),
+                        ("spin", template::finished(&whole(spin_rad_s, r"\omega", r"\ \mathrm{rad/s}"))),
+                    ]),
+                );
+            }
+        }
+    }
+}
+
+fn question_list(problem: &Problem, number: usize, forms: &[String], asks: &[&str]) -> template::Value {
+    let rows = problem.questions.iter().zip(forms).zip(asks).map(|((q, form), ask)| {
+        let points = if (q.points - 1.0).abs() <= f64::EPSILON {
+            String::new()
+        } else {
+            format!("{} points", q.points)
+        };
+        template::map([
+            ("number", template::finished(&number.to_string())),
+            ("id", template::finished(&q.id)),
+            ("ask", template::finished(ask)),
+            ("form", template::finished(form)),
+            ("unit", template::finished(q.unit.ascii())),
+            ("figures", template::finished(&q.figures.to_string())),
+            ("points", template::finished(&points)),
+        ])
+    });
+    template::list(rows.collect())
+}
+
+/// Words that may give the direction of a quantity of this label, forward one first.
+pub fn direction_words(scene: &Scene, owner: Owner) -> [&'static str; 2] {
+    let body = match owner {
+        Owner::Body(b) => Some(b),
+        _ => scene.bare_body().or(if scene.bodies.is_empty() { None } else { Some(0) }),
+    };
+    match body.and_then(|b| scene.bodies.get(b)).and_then(|b| b.line) {
+        Some(line) if !matches!(line.slope, Slope::Level) => ["up", "down"],
+        _ => ["forward", "back"],
+    }
+}
+
+/// How an answer is to be written: `in N, signed or with up / down`.
+fn form(q: &Question, scene: &Scene, common: &Common) -> String {
+    let [forward, back] = direction_words(scene, q.label.of);
+    match q.label.quantity {
+        Quantity::Direction => return format!("`{forward}`, `{back}` or `stays`"),
+        Quantity::Rolls => return "`yes` or `no`".to_owned(),
+        _ => {}
+    }
+    let mut text = match q.unit.ascii() {
+        "1" => "a number".to_owned(),
+        unit => format!("in {unit}"),
+    };
+    if q.label.quantity.is_directed() {
+        let _ = write!(text, ", signed or with `{forward}` / `{back}`");
+    }
+    if q.figures != common.figures {
+        let _ = write!(text, ", {} significant figures", q.figures);
+    }
+    if (q.relative - common.relative).abs() > f64::EPSILON {
+        let _ = write!(text, ", within {}", percent(q.relative));
+    }
+    if q.unit_required && !common.unit_required && !q.unit.is_number() {
+        text.push_str(", with its unit");
+    }
+    text
+}
+
+/// `1 %`
+pub fn percent(share: f64) -> String {
+    let text = format!("{:.4}", share * 100.0);
+    let text = text.trim_end_matches('0').trim_end_matches('.');
+    format!("{text} %")
+}
+
+/// Appends `int * 10^-decimals` exactly.
+pub fn push_decimal(out: &mut String, int: i64, decimals: u8) {
+    let digits = int.unsigned_abs();
+    if int < 0 {
+        out.push('-');
+    }
+    if decimals == 0 || decimals > 19 {
+        let _ = write!(out, "{digits}");
+        return;
+    }
+    let ten = 10u64.pow(u32::from(decimals.min(19)));
+    let _ = write!(out, "{}.{:0width$}", digits / ten, digits % ten, width = usize::from(decimals));
+}
+
+/// `0.30` for 30 and 2 decimals.
+pub fn decimal_text(number: Decimal) -> String {
+    let mut text = String::new();
+    push_decimal(&mut text, number.value, number.decimals);
+    text
+}
+
+/// Digits and unit as printed: `0.30 m`, `30 deg`, `0.55`.
+pub fn printed(problem: &Problem, datum: usize, drawn: Decimal) -> String {
+    let digits = decimal_text(drawn);
+    problem.data.get(datum).map_or_else(|| digits.clone(), |d| d.unit.text_with(&digits))
+}

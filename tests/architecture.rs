@@ -1,0 +1,232 @@
+//! The doors of the house: which room may use which, and who keeps which crate. Read from the source, comments left out.
+use std::collections::BTreeMap;
+use std::collections::BTreeSet;
+use std::path::Path;
+
+/// Room (or one file of it) and the rooms that it may use besides itself. The most specific name wins.
+const DOORS: &[(&str, &[&str])] = &[
+    ("finding", &[]),
+    ("num", &[]),
+    ("units", &["num"]),
+    ("scene", &["num"]),
+    ("solve", &[]),
+    ("solve::outcome", &["scene", "num"]),
+    ("solve::eom", &["solve::outcome", "scene", "num"]),
+    ("solve::energy", &["solve::outcome", "scene", "num"]),
+    ("solve::physical", &["solve::outcome", "scene", "num"]),
+    ("solve::agree", &["solve::eom", "solve::energy", "solve::physical", "solve::outcome", "scene", "num"]),
+    ("solve::planted", &["solve::agree", "scene", "num"]),
+    ("bank", &["scene", "solve::outcome", "units", "finding", "num"]),
+    ("draw", &["bank", "scene", "units", "num"]),
+    ("key", &["units", "num"]),
+    (
+        "problem",
+        &["bank", "draw", "scene", "solve::agree", "solve::outcome", "key", "units", "finding", "num"],
+    ),
+    ("template", &["finding"]),
+    ("sheet", &["problem", "bank", "scene", "solve::outcome", "key", "units", "num", "template", "finding"]),
+    (
+        "set",
+        &[
+            "problem",
+            "bank",
+            "draw",
+            "sheet",
+            "scene",
+            "solve::outcome",
+            "key",
+            "units",
+            "num",
+            "template",
+            "finding",
+        ],
+    ),
+    ("answer", &["units", "num", "finding"]),
+    ("grade", &["key", "answer", "units", "num", "finding"]),
+    ("report", &["grade", "key", "units", "template"]),
+    ("simulate", &["key", "units", "num"]),
+    ("cli", &["*"]),
+    ("main", &["cli"]),
+    ("lib", &[]),
+];
+
+/// Crate and the only places that may name it.
+const KEEPERS: &[(&str, &[&str])] = &[
+    ("clap", &["cli"]),
+    ("serde_yaml", &["bank::load", "bank::tree"]),
+    ("tera", &["template"]),
+    ("rand", &["simulate"]),
+    ("rand_chacha", &["draw", "simulate"]),
+    ("libm", &["num::trig"]),
+    ("nalgebra", &["num"]),
+    ("csv", &["answer", "cli", "set", "report"]),
+    ("encoding_rs", &["answer"]),
+    ("indicatif", &["cli"]),
+    ("rayon", &["cli"]),
+    ("pulldown_cmark", &["sheet"]),
+    ("pulldown_latex", &["sheet"]),
+    ("tempfile", &["cli"]),
+    ("hmac", &["draw"]),
+];
+
+/// Module path of each source file and its text without comments and test modules.
+fn sources() -> Vec<(String, String)> {
+    fn walk(folder: &Path, out: &mut Vec<(String, String)>, root: &Path) {
+        let mut entries: Vec<_> =
+            std::fs::read_dir(folder).expect("src").map(|e| e.expect("entry").path()).collect();
+        entries.sort();
+        for path in entries {
+            if path.is_dir() {
+                walk(&path, out, root);
+            } else if path.extension().is_some_and(|e| e == "rs") {
+                let relative = path.strip_prefix(root).expect("below src").with_extension("");
+                let mut parts: Vec<_> =
+                    relative.components().map(|c| c.as_os_str().to_string_lossy().into_owned()).collect();
+                if parts.len() > 1 && parts.last().is_some_and(|l| l == "mod") {
+                    parts.pop();
+                }
+                let text = std::fs::read_to_string(&path).expect("text");
+                let text = text.split("#[cfg(test)]\nmod tests").next().unwrap_or("").to_owned();
+                let code: Vec<&str> = text.lines().filter(|l| !l.trim_start().starts_with("//")).collect();
+                out.push((parts.join("::"), code.join("\n")));
+            }
+        }
+    }
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
+    let mut out = Vec::new();
+    walk(&root, &mut out, &root);
+    out
+}
+
+/// The most specific entry of a table for a module path.
+fn entry<'t, T>(table: &'t [(&str, T)], module: &str) -> Option<&'t (&'t str, T)> {
+    let inside =
+        |name: &str| module == name || module.strip_prefix(name).is_some_and(|rest| rest.starts_with("::"));
+    table.iter().filter(|(name, _)| inside(name)).max_by_key(|(name, _)| name.len())
+}
+
+/// Paths after `crate::` in a source text, groups `{a, b}` spread out.
+fn crate_paths(text: &str) -> Vec<String> {
+    let mut found = Vec::new();
+    for (i, _) in text.match_indices("crate::") {
+        let before = text[..i].chars().next_back();
+        if before.is_some_and(|c| c.is_alphanumeric() || c == '_') {
+            continue;
+        }
+        let rest = &text[i + 7..];
+        let path: String =
+            rest.chars().take_while(|c| c.is_alphanumeric() || *c == '_' || *c == ':').collect();
+        let path = path.trim_end_matches(':').to_owned();
+        let after = &rest[path.len().min(rest.len())..];
+        match after.strip_prefix("::{").and_then(|g| g.split('}').next()) {
+            Some(group) => found.extend(group.split(',').map(|p| format!("{path}::{}", p.trim()))),
+            None => found.push(path),
+        }
+    }
+    found
+}
+
+fn faults(sources: &[(String, String)]) -> BTreeSet<String> {
+    let mut faults = BTreeSet::new();
+    for (module, text) in sources {
+        let Some((room, doors)) = entry(DOORS, module) else {
+            faults.insert(format!("{module}: no room of this name in the table of doors"));
+            continue;
+        };
+        for path in crate_paths(text) {
+            let Some((target, _)) = entry(DOORS, &path) else {
+                let top = path.split("::").next().unwrap_or("");
+                // A whole room named from within (`solve` from `solve::agree`), or a macro at the top.
+                if DOORS.iter().any(|(n, _)| n.starts_with(top)) && doors.contains(&"*") {
+                    continue;
+                }
+                faults.insert(format!("{module} uses {path}, which is no room"));
+                continue;
+            };
+            let allowed = target == room || doors.contains(target) || doors.contains(&"*");
+            if !allowed {
+                faults.insert(format!("{module} uses {target} ({path}): no door"));
+            }
+        }
+        if text.contains("super::") {
+            faults.insert(format!("{module}: write crate:: paths, not super::"));
+        }
+        for (name, keepers) in KEEPERS {
+            let named = text.match_indices(&format!("{name}::")).any(|(i, _)| {
+                !text[..i].chars().next_back().is_some_and(|c| c.is_alphanumeric() || c == '_' || c == ':')
+            });
+            let kept = keepers.iter().any(|k| module == k || module.starts_with(&format!("{k}::")));
+            if named && !kept {
+                faults.insert(format!("{module} names the crate {name}, kept by {}", keepers.join(", ")));
+            }
+        }
+    }
+    faults
+}
+
+#[test]
+fn every_import_goes_through_a_door() {
+    let faults = faults(&sources());
+    assert!(faults.is_empty(), "{}", faults.into_iter().collect::<Vec<_>>().join("\n"));
+}
+
+#[test]
+fn planted_imports_are_caught() {
+    for (module, line) in [
+        ("solve::eom::travel", "use crate::solve::energy::speeds::Mode;"),
+        ("solve::energy", "use crate::solve::eom::equations;"),
+        ("solve::energy::balance", "use crate::solve::{agree, outcome};"),
+        ("scene::body", "use crate::solve::outcome::Solved;"),
+        ("grade::judge", "use crate::scene::Scene;"),
+        ("grade::judge", "let x = crate::solve::agree::solve(s, d);"),
+        ("num::dd", "use crate::scene::Num;"),
+        ("scene::mod", "use nalgebra::DMatrix;"),
+        ("sheet::page", "let r = rand::rng();"),
+        ("solve::eom", "use super::energy;"),
+    ] {
+        let found = faults(&[(module.to_owned(), line.to_owned())]);
+        assert_eq!(found.len(), 1, "{module}: {line}: {found:?}");
+    }
+}
+
+#[test]
+fn rooms_have_no_circle() {
+    let mut uses: BTreeMap<String, BTreeSet<String>> = BTreeMap::new();
+    for (module, text) in sources() {
+        let Some((room, _)) = entry(DOORS, &module) else { continue };
+        for path in crate_paths(&text) {
+            if let Some((target, _)) = entry(DOORS, &path)
+                && target != room
+            {
+                uses.entry((*room).to_owned()).or_default().insert((*target).to_owned());
+            }
+        }
+    }
+    // Take away rooms that use nothing that is left; what remains is a circle.
+    while let Some(done) =
+        uses.iter().find(|(_, u)| u.iter().all(|t| !uses.contains_key(t))).map(|(r, _)| r.clone())
+    {
+        uses.remove(&done);
+    }
+    assert!(uses.is_empty(), "a circle among {uses:?}");
+}
+
+#[test]
+fn each_file_says_what_is_in_it() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
+    let mut stack = vec![root];
+    while let Some(folder) = stack.pop() {
+        for e in std::fs::read_dir(folder).expect("src") {
+            let path = e.expect("entry").path();
+            if path.is_dir() {
+                stack.push(path);
+            } else if path.extension().is_some_and(|e| e == "rs") {
+                let text = std::fs::read_to_string(&path).expect("text");
+                assert!(text.starts_with("//! "), "{}: begins without a sentence", path.display());
+                for word in ["TODO", "FIXME", "todo!(", "unimplemented!("] {
+                    assert!(!text.contains(word), "{}: {word}", path.display());
+                }
+            }
+        }
+    }
+}

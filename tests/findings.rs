@@ -1,0 +1,763 @@
+//! What a wrong bank is told: one small fault each, the changed lines above the whole message.
+use insta::assert_snapshot;
+use proptest::prelude::*;
+use slipstick::bank::load;
+use slipstick::template;
+use std::fmt::Write as _;
+
+const SOUND: &str = "\
+bank: test
+title: Test
+problems:
+  slide:
+    title: A block
+    data:
+      m:
+        name: mass
+        unit: kg
+        draw: 20 to 40 step 1
+      theta: {name: slope, unit: deg, draw: 20 to 60 step 5}
+    scene:
+      surfaces: {incline: {slope: theta}}
+      bodies:
+        block: {mass: m, moves: along incline}
+      ties:
+        - slides: {body: block, mu_k: 0.2}
+      start: at rest
+      end: {travel: {of: block, by: 2 m}}
+    regimes: [moves_down]
+    questions:
+      v: {ask: the speed, unit: m/s}
+";
+
+/// The lines that differ from the sound bank, and what is said of them.
+fn found(edits: &[(&str, &str)]) -> String {
+    let mut bank = SOUND.to_owned();
+    for (from, to) in edits {
+        assert!(bank.contains(from), "`{from}` is not in the bank");
+        bank = bank.replacen(from, to, 1);
+    }
+    let mut text = String::new();
+    for (number, line) in bank.lines().enumerate() {
+        if !SOUND.lines().any(|l| l == line) {
+            writeln!(text, "{:>3} | {line}", number + 1).unwrap();
+        }
+    }
+    match load::bank(&bank, "test.yaml", &template::variables_of) {
+        Ok(_) => text.push_str("no finding"),
+        Err(findings) => {
+            for finding in findings {
+                writeln!(text, "{finding}").unwrap();
+            }
+        }
+    }
+    text
+}
+
+#[test]
+fn the_sound_bank_is_sound() {
+    let bank = load::bank(SOUND, "test.yaml", &template::variables_of).unwrap();
+    assert_eq!(bank.problems.len(), 1);
+    assert_eq!(bank.hash.len(), 64);
+}
+
+#[test]
+fn the_banks_of_the_program_are_sound() {
+    let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("banks");
+    let mut count = 0;
+    for entry in std::fs::read_dir(folder).unwrap() {
+        let path = entry.unwrap().path();
+        let text = std::fs::read_to_string(&path).unwrap();
+        if text.lines().any(|l| l.starts_with("bank:")) {
+            let read = load::bank(&text, "bank", &template::variables_of);
+            assert!(read.is_ok(), "{}: {:#?}", path.display(), read.err());
+            count += 1;
+        }
+    }
+    assert!(count >= 2);
+}
+
+#[test]
+fn yaml_syntax() {
+    assert_snapshot!(found(&[("title: Test", "title: [Test")]), @r#"
+      2 | title: [Test
+    test.yaml:3:9: YAML: illegal placement of ':' indicator
+    "#);
+}
+
+#[test]
+fn an_indent_is_told_as_such() {
+    assert_snapshot!(found(&[("        unit: kg", "       unit: kg")]), @r#"
+      9 |        unit: kg
+    test.yaml:9:8: YAML: while parsing a block mapping, did not find expected key
+    "#);
+}
+
+#[test]
+fn missing_fields() {
+    assert_snapshot!(found(&[("bank: test\n", ""), ("title: Test\n", "")]), @r#"
+    test.yaml:1:1: `bank` is missing
+        hint: for example `bank: wheels-on-inclines`
+    test.yaml:1:1: `title` is missing
+        hint: for example `title: Wheels on inclines`
+    "#);
+}
+
+#[test]
+fn unknown_field() {
+    assert_snapshot!(found(&[("        draw: 20 to 40 step 1", "        drwa: 20 to 40 step 1")]), @r#"
+     10 |         drwa: 20 to 40 step 1
+    test.yaml:8:9: problems.slide.data.m: `m` is used as a mass, but it is not drawn
+        hint: for example `draw: 20 to 40 step 1`
+    test.yaml:10:9: problems.slide.data.m.drwa: unknown field `drwa`
+        hint: did you mean `draw`?
+    "#);
+}
+
+#[test]
+fn a_field_twice() {
+    assert_snapshot!(found(&[("    title: A block", "    title: A block\n    title: Another")]), @r#"
+      6 |     title: Another
+    test.yaml:6:5: problems.slide.title: `title` stands twice
+        hint: remove one of them
+    "#);
+}
+
+#[test]
+fn wrong_type() {
+    assert_snapshot!(found(&[("    questions:\n      v: {ask: the speed, unit: m/s}\n", "    questions: none\n")]), @r#"
+     21 |     questions: none
+    test.yaml:21:16: problems.slide.questions: expected questions by id, found `none`
+    "#);
+}
+
+#[test]
+fn bad_id() {
+    assert_snapshot!(found(&[("bank: test", "bank: my bank!")]), @r#"
+      1 | bank: my bank!
+    test.yaml:1:7: bank: `my bank!` is no id of a bank
+        hint: letters, digits, `-` and `_`, beginning with a letter or digit, at most 64
+    "#);
+}
+
+#[test]
+fn bad_symbol() {
+    assert_snapshot!(found(&[("      m:\n", "      2m:\n")]), @r#"
+      7 |       2m:
+    test.yaml:7:7: problems.slide.data.2m: `2m` is no symbol
+        hint: letters, digits and `_`, beginning with a letter, such as `mu_s`
+    test.yaml:15:23: problems.slide.scene.bodies.block.mass: `m` is no symbol of the data
+        hint: symbols: 2m, theta; or a constant such as `20 kg`
+    "#);
+}
+
+#[test]
+fn g_is_taken() {
+    assert_snapshot!(found(&[("      m:\n", "      g:\n")]), @r#"
+      7 |       g:
+    test.yaml:7:7: problems.slide.data.g: `g` is the acceleration of free fall
+        hint: write `gravity: 9.81 m/s^2` at the top of the bank
+    test.yaml:15:23: problems.slide.scene.bodies.block.mass: `m` is no symbol of the data
+        hint: symbols: g, theta; or a constant such as `20 kg`
+    "#);
+}
+
+#[test]
+fn bad_unit() {
+    assert_snapshot!(found(&[("        unit: kg", "        unit: kgg")]), @r#"
+      9 |         unit: kgg
+    test.yaml:9:15: problems.slide.data.m.unit: `kgg`: unknown unit `kgg`; did you mean `kg`?
+        hint: a unit such as kg, m, deg, N/m; `1` for a pure number
+    "#);
+}
+
+#[test]
+fn unit_does_not_fit_the_use() {
+    assert_snapshot!(found(&[("        unit: kg", "        unit: N")]), @r#"
+      9 |         unit: N
+    test.yaml:15:23: problems.slide.scene.bodies.block.mass: `m` has the unit N, but it is used as a mass
+        hint: a mass has a unit such as kg
+    "#);
+}
+
+#[test]
+fn min_above_max() {
+    assert_snapshot!(found(&[("20 to 40 step 1", "40 to 20 step 1")]), @r#"
+     10 |         draw: 40 to 20 step 1
+    test.yaml:10:15: problems.slide.data.m.draw: 40 is above 20
+        hint: write `20 to 40 step 1`
+    "#);
+}
+
+#[test]
+fn step_does_not_fit() {
+    assert_snapshot!(found(&[("20 to 40 step 1", "20 to 40 step 3")]), @r#"
+     10 |         draw: 20 to 40 step 3
+    test.yaml:10:15: problems.slide.data.m.draw: the step 3 does not lead from 20 to 40
+        hint: the last value would be 38: write `20 to 38 step 3`
+    "#);
+}
+
+#[test]
+fn step_not_positive() {
+    assert_snapshot!(found(&[("20 to 40 step 1", "20 to 40 step 0")]), @r#"
+     10 |         draw: 20 to 40 step 0
+    test.yaml:10:15: problems.slide.data.m.draw: the step 0 is not above 0
+        hint: a step is a positive number
+    "#);
+}
+
+#[test]
+fn no_step() {
+    assert_snapshot!(found(&[("20 to 40 step 1", "20 to 40")]), @r#"
+     10 |         draw: 20 to 40
+    test.yaml:10:15: problems.slide.data.m.draw: `20 to 40` has no step
+        hint: write `20 to 40 step ...`: values are drawn on a grid
+    "#);
+}
+
+#[test]
+fn no_draw() {
+    assert_snapshot!(found(&[("draw: 20 to 40 step 1", "draw: about 30")]), @r#"
+     10 |         draw: about 30
+    test.yaml:10:15: problems.slide.data.m.draw: `about 30` is no draw
+        hint: write `25 to 50 step 1`, `one of 10, 20, 45` or `always 30`
+    "#);
+}
+
+#[test]
+fn a_unit_in_the_draw() {
+    assert_snapshot!(found(&[("draw: 20 to 40 step 1", "draw: always 30 kg")]), @r#"
+     10 |         draw: always 30 kg
+    test.yaml:10:15: problems.slide.data.m.draw: `30 kg` is not a decimal number
+        hint: write digits with a point, such as 0.30, without a unit
+    "#);
+}
+
+#[test]
+fn nan_and_inf() {
+    assert_snapshot!(found(&[("draw: 20 to 40 step 1", "draw: one of .nan, .inf")]), @r#"
+     10 |         draw: one of .nan, .inf
+    test.yaml:10:15: problems.slide.data.m.draw: `.nan` is not a decimal number
+        hint: write digits with a point, such as 0.30, without a unit
+    "#);
+}
+
+#[test]
+fn could_be_drawn_inadmissible() {
+    assert_snapshot!(found(&[("20 to 40 step 1", "0 to 40 step 1")]), @r#"
+     10 |         draw: 0 to 40 step 1
+    test.yaml:8:9: problems.slide.data.m: `m` could be drawn as 0 kg: a mass is above 0
+        hint: change the range
+    "#);
+}
+
+#[test]
+fn slope_above_90() {
+    assert_snapshot!(found(&[("20 to 60 step 5", "20 to 95 step 5")]), @r#"
+     11 |       theta: {name: slope, unit: deg, draw: 20 to 95 step 5}
+    test.yaml:11:14: problems.slide.data.theta: `theta` could be drawn as 95 deg: a slope is from 0 to 90 degrees
+        hint: change the range
+    "#);
+}
+
+#[test]
+fn not_used() {
+    assert_snapshot!(found(&[("      theta:", "      x0: {name: stretch, unit: m, draw: always 1}\n      theta:")]), @r#"
+     11 |       x0: {name: stretch, unit: m, draw: always 1}
+    test.yaml:11:11: problems.slide.data.x0: `x0` is drawn, but the scene does not use it
+        hint: remove it, or use it in the scene
+    "#);
+}
+
+#[test]
+fn not_drawn() {
+    assert_snapshot!(found(&[("        draw: 20 to 40 step 1\n", "")]), @r#"
+    test.yaml:8:9: problems.slide.data.m: `m` is used as a mass, but it is not drawn
+        hint: for example `draw: 20 to 40 step 1`
+    "#);
+}
+
+#[test]
+fn unknown_symbol() {
+    assert_snapshot!(found(&[("mass: m,", "mass: M,")]), @r#"
+     15 |         block: {mass: M, moves: along incline}
+    test.yaml:15:23: problems.slide.scene.bodies.block.mass: `M` is no symbol of the data
+        hint: symbols: m, theta; or a constant such as `20 kg`
+    "#);
+}
+
+#[test]
+fn did_you_mean_a_symbol() {
+    assert_snapshot!(found(&[("{slope: theta}", "{slope: thetta}")]), @r#"
+     13 |       surfaces: {incline: {slope: thetta}}
+    test.yaml:13:35: problems.slide.scene.surfaces.incline.slope: `thetta` is no symbol of the data
+        hint: did you mean `theta`?
+    "#);
+}
+
+#[test]
+fn a_constant_without_unit() {
+    assert_snapshot!(found(&[("mass: m,", "mass: 20,"), ("      m:\n        name: mass\n        unit: kg\n        draw: 20 to 40 step 1\n", "")]), @r#"
+     11 |         block: {mass: 20, moves: along incline}
+    test.yaml:11:23: problems.slide.scene.bodies.block.mass: `20`: expected kg (mass), found 1 (pure number): a factor kg is missing
+        hint: a mass is written like `20 kg`
+    "#);
+}
+
+#[test]
+fn a_constant_of_the_wrong_kind() {
+    assert_snapshot!(found(&[("mu_k: 0.2", "mu_k: 0.2 N")]), @r#"
+     17 |         - slides: {body: block, mu_k: 0.2 N}
+    test.yaml:17:39: problems.slide.scene.ties[0].slides.mu_k: `0.2 N`: expected 1 (pure number), found N (force): a factor N too many
+        hint: a friction coefficient is written like `0.4`
+    "#);
+}
+
+#[test]
+fn unknown_surface() {
+    assert_snapshot!(found(&[("moves: along incline", "moves: along inclin")]), @r#"
+     15 |         block: {mass: m, moves: along inclin}
+    test.yaml:15:33: problems.slide.scene.bodies.block.moves: `inclin` is no surface of this scene
+        hint: did you mean `incline`?
+    "#);
+}
+
+#[test]
+fn unknown_motion() {
+    assert_snapshot!(found(&[("moves: along incline", "moves: sideways")]), @r#"
+     15 |         block: {mass: m, moves: sideways}
+    test.yaml:15:33: problems.slide.scene.bodies.block.moves: expected how the body moves, found `sideways`
+        hint: `along SURFACE`, `vertically` or `about a fixed axle`
+    "#);
+}
+
+#[test]
+fn unknown_shape() {
+    assert_snapshot!(found(&[("block: {mass: m, moves: along incline}", "block: {mass: m, shape: {cube: 1 m}, moves: along incline}")]), @r#"
+     15 |         block: {mass: m, shape: {cube: 1 m}, moves: along incline}
+    test.yaml:15:34: problems.slide.scene.bodies.block.shape.cube: `cube` is no shape
+        hint: known: disc, disk, cylinder, solid cylinder, hoop, ring, hollow cylinder, sphere, ball, shell, hollow sphere
+    test.yaml:17:19: problems.slide.scene.ties[0].slides: `block` can turn, so it rolls or slips
+        hint: write `rolls:` or `slips:`
+    "#);
+}
+
+#[test]
+fn unknown_tie() {
+    assert_snapshot!(found(&[("- slides:", "- glides:")]), @r#"
+     17 |         - glides: {body: block, mu_k: 0.2}
+    test.yaml:17:11: problems.slide.scene.ties[0].glides: `glides` is no tie
+        hint: did you mean `slides`?
+    "#);
+}
+
+#[test]
+fn unknown_body() {
+    assert_snapshot!(found(&[("slides: {body: block,", "slides: {body: blok,")]), @r#"
+     17 |         - slides: {body: blok, mu_k: 0.2}
+    test.yaml:17:26: problems.slide.scene.ties[0].slides.body: expected a body of this scene, found `blok`
+        hint: did you mean `block`?
+    "#);
+}
+
+#[test]
+fn a_tie_needs_a_radius() {
+    assert_snapshot!(found(&[("- slides: {body: block, mu_k: 0.2}", "- rolls: {body: block, on its: rim}")]), @r#"
+     17 |         - rolls: {body: block, on its: rim}
+    test.yaml:17:18: problems.slide.scene.ties[0].rolls: `block` has no inertia, so it cannot turn
+        hint: give it a `radius of gyration` or a `shape`, or write `slides:`
+    test.yaml:17:40: problems.slide.scene.ties[0].rolls.on its: expected a radius of `block`, found `rim`
+        hint: give `block` a field `radii`, for example `radii: {rim: R}`
+    "#);
+}
+
+#[test]
+fn a_cord_with_two_ends() {
+    assert_snapshot!(found(&[("- slides: {body: block, mu_k: 0.2}", "- slides: {body: block, mu_k: 0.2}\n        - cord: {from: {body: block, tied at: centre, leaves: up}, pulled with: 5 N, held: fast}")]), @r#"
+     18 |         - cord: {from: {body: block, tied at: centre, leaves: up}, pulled with: 5 N, held: fast}
+    test.yaml:18:17: problems.slide.scene.ties[1].cord: a cord has exactly one other end
+        hint: one of `pulled with: P`, `to: {body: ...}`, `spring: {...}`, `held: fast`
+    "#);
+}
+
+#[test]
+fn a_cord_that_leaves_nowhere() {
+    assert_snapshot!(found(&[("- slides: {body: block, mu_k: 0.2}", "- slides: {body: block, mu_k: 0.2}\n        - cord: {from: {body: block, tied at: centre, leaves: top}, pulled with: 5 N}")]), @r#"
+     18 |         - cord: {from: {body: block, tied at: centre, leaves: top}, pulled with: 5 N}
+    test.yaml:18:63: problems.slide.scene.ties[1].cord.from.leaves: expected where the cord leaves, found `top`
+        hint: words known here: forward, back, up, down
+    "#);
+}
+
+#[test]
+fn unknown_end() {
+    assert_snapshot!(found(&[("end: {travel: {of: block, by: 2 m}}", "end: {travels: {of: block, by: 2 m}}")]), @r#"
+     19 |       end: {travels: {of: block, by: 2 m}}
+    test.yaml:19:13: problems.slide.scene.end.travels: `travels` is no end
+        hint: did you mean `travel`?
+    "#);
+}
+
+#[test]
+fn unknown_start() {
+    assert_snapshot!(found(&[("start: at rest", "start: slowly")]), @r#"
+     18 |       start: slowly
+    test.yaml:18:14: problems.slide.scene.start: expected the start, found `slowly`
+        hint: `at rest`, or for example `{wheel: {speed: v0}}`
+    "#);
+}
+
+#[test]
+fn unknown_heading() {
+    assert_snapshot!(found(&[("by: 2 m}}", "by: 2 m, heading: left}}")]), @r#"
+     19 |       end: {travel: {of: block, by: 2 m, heading: left}}
+    test.yaml:19:51: problems.slide.scene.end.travel.heading: expected the direction of motion, found `left`
+        hint: words known here: forward, back, up, down
+    "#);
+}
+
+#[test]
+fn unknown_regime() {
+    assert_snapshot!(found(&[("regimes: [moves_down]", "regimes: [moves_dwon]")]), @r#"
+     20 |     regimes: [moves_dwon]
+    test.yaml:20:15: problems.slide.regimes[0]: expected a regime, found `moves_dwon`
+        hint: did you mean `moves_down`?
+    "#);
+}
+
+#[test]
+fn unknown_quantity() {
+    assert_snapshot!(found(&[("      v: {ask: the speed, unit: m/s}", "      vel: {ask: the speed, unit: m/s}")]), @r#"
+     22 |       vel: {ask: the speed, unit: m/s}
+    test.yaml:22:7: problems.slide.questions.vel: `vel` is no quantity
+        hint: quantities of this scene: kinetic_energy, v, a, rise, normal, t, rotational_fraction, direction, friction, heat
+    "#);
+}
+
+#[test]
+fn a_quantity_that_does_not_exist_here() {
+    assert_snapshot!(found(&[("      v: {ask: the speed, unit: m/s}", "      slip_distance: {ask: the slip, unit: m}")]), @r#"
+     22 |       slip_distance: {ask: the slip, unit: m}
+    test.yaml:22:7: problems.slide.questions.slip_distance: `slip_distance` does not exist in this scene
+        hint: `slip_distance` is: distance that the contact slips, a magnitude; it needs a tie `slips`
+    "#);
+}
+
+#[test]
+fn the_unit_of_a_question() {
+    assert_snapshot!(found(&[("unit: m/s}", "unit: m/s^2}")]), @r#"
+     22 |       v: {ask: the speed, unit: m/s^2}
+    test.yaml:22:33: problems.slide.questions.v.unit: `v`: expected m/s (speed), found m/s^2 (acceleration): a factor s is missing
+        hint: for example `unit: m/s`
+    "#);
+}
+
+#[test]
+fn a_word_has_no_unit() {
+    assert_snapshot!(found(&[("      v: {ask: the speed, unit: m/s}", "      direction: {ask: which way, unit: m, tolerance: {relative: 1 %}}")]), @r#"
+     22 |       direction: {ask: which way, unit: m, tolerance: {relative: 1 %}}
+    test.yaml:22:41: problems.slide.questions.direction.unit: `direction` is answered with a word
+        hint: remove the unit
+    test.yaml:22:55: problems.slide.questions.direction.tolerance: `direction` is answered with a word
+        hint: remove the tolerance
+    "#);
+}
+
+#[test]
+fn unknown_ask() {
+    assert_snapshot!(found(&[("    questions:", "    asks: [w]\n    questions:")]), @r#"
+     21 |     asks: [w]
+    test.yaml:21:12: problems.slide.asks[0]: expected the id of a question, found `w`
+        hint: questions: v
+    "#);
+}
+
+#[test]
+fn tolerance_out_of_range() {
+    assert_snapshot!(found(&[("unit: m/s}", "unit: m/s, tolerance: {relative: 100 %}}")]), @r#"
+     22 |       v: {ask: the speed, unit: m/s, tolerance: {relative: 100 %}}
+    test.yaml:22:60: problems.slide.questions.v.tolerance.relative: a relative tolerance of `100 %` makes no sense
+        hint: above 0 and below 100 %
+    "#);
+}
+
+#[test]
+fn tolerance_of_the_wrong_unit() {
+    assert_snapshot!(found(&[("unit: m/s}", "unit: m/s, tolerance: {absolute: 1 m}}")]), @r#"
+     22 |       v: {ask: the speed, unit: m/s, tolerance: {absolute: 1 m}}
+    test.yaml:22:60: problems.slide.questions.v.tolerance.absolute: `1 m`: expected m/s (speed), found m (length): a factor s too many
+        hint: for example `0.5 m/s`
+    "#);
+}
+
+#[test]
+fn points_and_figures() {
+    assert_snapshot!(found(&[("unit: m/s}", "unit: m/s, points: -1, figures: 0}")]), @r#"
+     22 |       v: {ask: the speed, unit: m/s, points: -1, figures: 0}
+    test.yaml:22:46: problems.slide.questions.v.points: expected points from 0 to 1000, found `-1`
+    test.yaml:22:59: problems.slide.questions.v.figures: expected a whole number from 1 to 12, found `0`
+    "#);
+}
+
+#[test]
+fn unknown_margin() {
+    assert_snapshot!(found(&[("    regimes:", "    margins: {move: 10 %}\n    regimes:")]), @r#"
+     20 |     margins: {move: 10 %}
+    test.yaml:20:15: problems.slide.margins.move: `move` is no check
+        hint: did you mean `moves`?
+    "#);
+}
+
+#[test]
+fn a_margin_that_cannot_hold() {
+    assert_snapshot!(found(&[("    regimes:", "    margins: {moves: 100 %}\n    regimes:")]), @r#"
+     20 |     margins: {moves: 100 %}
+    test.yaml:20:22: problems.slide.margins.moves: a margin of `100 %` cannot hold
+        hint: from 0 to below 100 %
+    "#);
+}
+
+#[test]
+fn a_bound_with_an_unknown_name() {
+    assert_snapshot!(found(&[("    regimes:", "    bounds: {v / w: {max: 2}}\n    regimes:")]), @r#"
+     20 |     bounds: {v / w: {max: 2}}
+    test.yaml:20:14: problems.slide.bounds.v / w: `v / w`, character 5: `w` is no quantity
+        hint: quantities of this scene: kinetic_energy, v, a, rise, normal, t, rotational_fraction, direction, friction, heat
+    "#);
+}
+
+#[test]
+fn a_bound_of_the_wrong_dimension() {
+    assert_snapshot!(found(&[("    regimes:", "    bounds: {v: {max: 8}}\n    regimes:")]), @r#"
+     20 |     bounds: {v: {max: 8}}
+    test.yaml:20:23: problems.slide.bounds.v.max: `v` has the dimension m s^-1, this limit 1
+        hint: write the unit of the limit, for example `8 m s^-1`
+    "#);
+}
+
+#[test]
+fn a_bound_that_is_no_expression() {
+    assert_snapshot!(found(&[("    regimes:", "    bounds: {v +: {max: 8 m/s}}\n    regimes:")]), @r#"
+     20 |     bounds: {v +: {max: 8 m/s}}
+    test.yaml:20:14: problems.slide.bounds.v +: `v +`, character 4: something is missing at the end
+    "#);
+}
+
+#[test]
+fn a_bound_that_adds_apples_to_pears() {
+    assert_snapshot!(found(&[("    regimes:", "    bounds: {v + m: {max: 8 m/s}}\n    regimes:")]), @r#"
+     20 |     bounds: {v + m: {max: 8 m/s}}
+    test.yaml:20:14: problems.slide.bounds.v + m: `v + m`, character 4: the terms of a sum have different dimensions
+    "#);
+}
+
+#[test]
+fn a_bound_the_wrong_way_round() {
+    assert_snapshot!(found(&[("    regimes:", "    bounds: {v: {min: 9 m/s, max: 8 m/s}}\n    regimes:")]), @r#"
+     20 |     bounds: {v: {min: 9 m/s, max: 8 m/s}}
+    test.yaml:20:17: problems.slide.bounds.v: the least value is above the greatest
+    "#);
+}
+
+#[test]
+fn a_bound_without_limits() {
+    assert_snapshot!(found(&[("    regimes:", "    bounds: {v: {}}\n    regimes:")]), @r#"
+     20 |     bounds: {v: {}}
+    test.yaml:20:17: problems.slide.bounds.v: this bound bounds nothing
+        hint: give `min`, `max` or both
+    "#);
+}
+
+#[test]
+fn bad_share() {
+    assert_snapshot!(found(&[("    questions:", "    cases: {steep: {share: 0}}\n    questions:")]), @r#"
+     21 |     cases: {steep: {share: 0}}
+    test.yaml:21:28: problems.slide.cases.steep.share: expected a whole number from 1 to 1000000, found `0`
+    "#);
+}
+
+#[test]
+fn a_case_draws_an_unknown_symbol() {
+    assert_snapshot!(found(&[("    questions:", "    cases: {steep: {draws: {thta: always 60}}}\n    questions:")]), @r#"
+     21 |     cases: {steep: {draws: {thta: always 60}}}
+    test.yaml:21:29: problems.slide.cases.steep.draws.thta: `thta` is no symbol of the data
+        hint: did you mean `theta`?
+    "#);
+}
+
+#[test]
+fn unknown_name_in_a_statement() {
+    assert_snapshot!(found(&[("    questions:", "    statement: A block of mass {{ m }} on {{ theta }}, {{ mu }}.\n    questions:")]), @r#"
+     21 |     statement: A block of mass {{ m }} on {{ theta }}, {{ mu }}.
+    test.yaml:21:16: problems.slide.statement: `{{ mu }}` is not known
+        hint: known names: m, theta, g, value, tex, title, number, case, count, particles, motion, questions
+    "#);
+}
+
+#[test]
+fn a_datum_that_the_statement_never_gives() {
+    assert_snapshot!(found(&[("    questions:", "    statement: A block of mass {{ m }}.\n    questions:")]), @r#"
+     21 |     statement: A block of mass {{ m }}.
+    test.yaml:21:16: problems.slide.statement: the statement never gives `theta`
+        hint: write `{{ theta }}` where it belongs
+    "#);
+}
+
+#[test]
+fn a_statement_that_is_no_template() {
+    assert_snapshot!(found(&[("    questions:", "    statement: A block of mass {{ m on {{ theta }}.\n    questions:")]), @r#"
+     21 |     statement: A block of mass {{ m on {{ theta }}.
+    test.yaml:21:16: problems.slide.statement: template: Found identifier but expected }}. (line 1, column 22 of the text)
+    "#);
+}
+
+#[test]
+fn unknown_name_in_a_question() {
+    assert_snapshot!(found(&[("{ask: the speed, unit: m/s}", "{ask: 'the speed at {{ d }}', unit: m/s}")]), @r#"
+     22 |       v: {ask: 'the speed at {{ d }}', unit: m/s}
+    test.yaml:22:16: problems.slide.questions.v.ask: `{{ d }}` is not known
+        hint: known names: m, theta, g, value, tex, title, number, case, count, particles, motion, questions
+    "#);
+}
+
+#[test]
+fn gravity_of_the_wrong_kind() {
+    assert_snapshot!(found(&[("title: Test", "title: Test\ngravity: 9.81 m/s")]), @r#"
+      3 | gravity: 9.81 m/s
+    test.yaml:3:10: gravity: `9.81 m/s` is no acceleration of free fall
+        hint: for example `gravity: 9.81 m/s^2`
+    "#);
+}
+
+#[test]
+fn on_and_off() {
+    assert_snapshot!(found(&[("title: Test", "title: Test\nself check: yes")]), @r#"
+      3 | self check: yes
+    test.yaml:3:13: self check: expected `on` or `off`, found `yes`
+    "#);
+}
+
+#[test]
+fn faults_in_the_scene_hide_no_others() {
+    assert_snapshot!(found(&[("mass: m,", "mass: N,"), ("20 to 60 step 5", "20 to 95 step 5"), ("unit: m/s}", "unit: kg}"), ("    regimes:", "    bounds: {vel: {max: 8}}\n    regimes:")]), @r#"
+     11 |       theta: {name: slope, unit: deg, draw: 20 to 95 step 5}
+     15 |         block: {mass: N, moves: along incline}
+     20 |     bounds: {vel: {max: 8}}
+     23 |       v: {ask: the speed, unit: kg}
+    test.yaml:11:14: problems.slide.data.theta: `theta` could be drawn as 95 deg: a slope is from 0 to 90 degrees
+        hint: change the range
+    test.yaml:15:23: problems.slide.scene.bodies.block.mass: `N` is no symbol of the data
+        hint: symbols: m, theta; or a constant such as `20 kg`
+    test.yaml:20:14: problems.slide.bounds.vel: `vel`, character 1: `vel` is no quantity
+    test.yaml:23:33: problems.slide.questions.v.unit: `v`: expected m/s (speed), found kg (mass)
+        hint: for example `unit: m/s`
+    "#);
+}
+
+#[test]
+fn all_at_once() {
+    assert_snapshot!(found(&[("        unit: kg", "        unit: kgg"), ("20 to 60 step 5", "60 to 20 step 5"), ("start: at rest", "start: slowly"), ("unit: m/s}", "unit: kg}"), ("regimes: [moves_down]", "regimes: [moves_dwon]")]), @r#"
+      9 |         unit: kgg
+     11 |       theta: {name: slope, unit: deg, draw: 60 to 20 step 5}
+     18 |       start: slowly
+     20 |     regimes: [moves_dwon]
+     22 |       v: {ask: the speed, unit: kg}
+    test.yaml:9:15: problems.slide.data.m.unit: `kgg`: unknown unit `kgg`; did you mean `kg`?
+        hint: a unit such as kg, m, deg, N/m; `1` for a pure number
+    test.yaml:11:45: problems.slide.data.theta.draw: 60 is above 20
+        hint: write `20 to 60 step 5`
+    test.yaml:18:14: problems.slide.scene.start: expected the start, found `slowly`
+        hint: `at rest`, or for example `{wheel: {speed: v0}}`
+    test.yaml:20:15: problems.slide.regimes[0]: expected a regime, found `moves_dwon`
+        hint: did you mean `moves_down`?
+    test.yaml:22:33: problems.slide.questions.v.unit: `v`: expected m/s (speed), found kg (mass)
+        hint: for example `unit: m/s`
+    "#);
+}
+
+/// All that a bomb costs is a finding.
+#[test]
+fn bombs_are_refused() {
+    let laughs = (1..12).fold("a0: &a0 [x, x]\n".to_owned(), |mut text, i| {
+        let before = i - 1;
+        writeln!(text, "a{i}: &a{i} [*a{before}, *a{before}, *a{before}, *a{before}, *a{before}, *a{before}]").unwrap();
+        text
+    });
+    let deep = "[".repeat(40_000);
+    let nested = (0..2000).fold(String::new(), |mut text, i| {
+        writeln!(text, "{}a:", " ".repeat(i)).unwrap();
+        text
+    });
+    let long = "a: b\n".repeat(load::MAX_BYTES / 4);
+    for bomb in [laughs, deep, nested, long, String::new(), "\0".to_owned(), "- 1\n- 2".to_owned(), "42".to_owned()] {
+        let found = load::bank(&bomb, "bomb.yaml", &template::variables_of).unwrap_err();
+        assert!(!found.is_empty());
+    }
+}
+
+const WHOLE: &str = include_str!("../banks/hoists-and-pulleys.yaml");
+const WHEELS: &str = include_str!("../banks/wheels-on-inclines.yaml");
+
+fn mutated(bank: &str, edits: &[(usize, u8, String)]) -> String {
+    let mut lines: Vec<String> = bank.lines().map(str::to_owned).collect();
+    for (place, kind, text) in edits {
+        let i = place % lines.len();
+        match kind % 8 {
+            0 => drop(lines.remove(i)),
+            1 => lines[i] = text.clone(),
+            2 => lines.insert(i, text.clone()),
+            3 => lines[i].push_str(text),
+            4 => {
+                let line = lines[i].clone();
+                lines.insert(place / 7 % lines.len(), line);
+            }
+            5 => lines[i] = format!(" {}", lines[i]),
+            6 => {
+                let at = lines[i].char_indices().nth(place / 11 % 20).map_or(0, |(at, _)| at);
+                lines[i].insert_str(at, text);
+            }
+            _ => {
+                lines[i] = lines[i].replacen(|c: char| c.is_ascii_digit(), text, 1);
+            }
+        }
+        if lines.is_empty() {
+            lines.push(String::new());
+        }
+    }
+    lines.join("\n")
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(192))]
+
+    /// Whatever is done to a bank, reading it ends in a bank or in findings.
+    #[test]
+    fn mutants_of_a_bank_do_not_panic(
+        wheels in any::<bool>(),
+        edits in prop::collection::vec(
+            (any::<usize>(), any::<u8>(), "[ -~]{0,12}|[a-z{}:\\[\\],.&*!|>%@`'\"0-9 ]{0,8}|\\PC{0,4}"), 1..6),
+    ) {
+        let text = mutated(if wheels { WHEELS } else { WHOLE }, &edits);
+        if let Err(found) = load::bank(&text, "mutant.yaml", &template::variables_of) {
+            prop_assert!(!found.is_empty());
+            for finding in found {
+                prop_assert!(!finding.to_string().is_empty());
+            }
+        }
+    }
+
+    /// So does any text at all.
+    #[test]
+    fn no_text_panics(text in "\\PC{0,80}|[a-z:{}\\[\\] \\n-]{0,200}") {
+        let _ = load::bank(&text, "text.yaml", &template::variables_of);
+    }
+
+    /// Expressions of bounds, too.
+    #[test]
+    fn no_bound_panics(text in "[a-z0-9+*/^()., -]{0,40}") {
+        let edit = format!("    bounds:\n      ? \"{text}\"\n      : {{max: 8 m/s}}\n    regimes:");
+        let bank = SOUND.replacen("    regimes:", &edit, 1);
+        let _ = load::bank(&bank, "bound.yaml", &template::variables_of);
+    }
+}

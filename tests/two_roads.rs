@@ -1,0 +1,36 @@
+//! Both roads on thousands of valid draws of every family, in every case of the banks.
+mod support;
+use slipstick::num::U;
+use slipstick::problem::make::Maker;
+
+/// Draws of each family.
+const DRAWS: u32 = 10_000;
+
+#[test]
+fn the_roads_agree_on_ten_thousand_draws_of_every_family() {
+    for bank in support::banks() {
+        for problem in &bank.problems {
+            let maker = Maker::new(problem, 20_261_121, "two roads");
+            let (mut worst, mut compared) = (0.0f64, 0u64);
+            for student in 0..DRAWS {
+                let variant =
+                    maker.variant(&student.to_string()).expect("a bank of the project can be satisfied");
+                for e in &variant.solved.entries {
+                    let gap =
+                        e.gap().unwrap_or_else(|| panic!("{}: one road only for {:?}", problem.id, e.label));
+                    if gap.is_nan() {
+                        // Both roads say that it is infinite.
+                        assert_eq!(e.eom, e.energy, "{}: {:?}", problem.id, e.label);
+                        continue;
+                    }
+                    let bar = gap / U / e.cond.max(1.0);
+                    assert!(bar <= 16.0, "{}: {:?}: {:?} against {:?}", problem.id, e.label, e.eom, e.energy);
+                    worst = worst.max(bar);
+                    compared += 1;
+                }
+            }
+            println!("{}: {compared} values, worst gap {worst:.2} u max(1, cond)", problem.id);
+            assert!(compared >= u64::from(DRAWS) * 4);
+        }
+    }
+}
