@@ -56,14 +56,24 @@ fn shows(output: &str, shown: &[String]) -> Result<(), String> {
             skip = true;
             continue;
         }
-        let found = if skip { (at..lines.len()).find(|i| fits(lines[*i], pattern)) } else { (at < lines.len() && fits(lines[at], pattern)).then_some(at) };
+        let found = if skip {
+            (at..lines.len()).find(|i| fits(lines[*i], pattern))
+        } else {
+            (at < lines.len() && fits(lines[at], pattern)).then_some(at)
+        };
         match found {
             Some(i) => at = i + 1,
-            None => return Err(format!("shown: {pattern}\nprinted: {}", lines.get(at).unwrap_or(&"(the end)"))),
+            None => {
+                return Err(format!("shown: {pattern}\nprinted: {}", lines.get(at).unwrap_or(&"(the end)")));
+            }
         }
         skip = false;
     }
-    if skip || lines[at..].iter().all(|l| l.is_empty()) { Ok(()) } else { Err(format!("printed but not shown: {}", lines[at])) }
+    if skip || lines[at..].iter().all(|l| l.is_empty()) {
+        Ok(())
+    } else {
+        Err(format!("printed but not shown: {}", lines[at]))
+    }
 }
 
 #[test]
@@ -98,7 +108,9 @@ fn the_commands_of_the_readme_run() {
         // A command may end with 1 or 3 on purpose; then the README says so in its output or text.
         assert!(code == 0 || code == 1 || code == 3, "{place}\nexit code {code}\n{err}");
         let both = format!("{out}{err}");
-        if let Err(difference) = shows(&out, &shown.output).or_else(|e| shows(&both, &shown.output).map_err(|_| e)) {
+        if let Err(difference) =
+            shows(&out, &shown.output).or_else(|e| shows(&both, &shown.output).map_err(|_| e))
+        {
             panic!("{place}\n{difference}");
         }
         ran += 1;

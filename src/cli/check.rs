@@ -59,7 +59,8 @@ fn check(args: &args::Check, io: &mut Io) -> Result<Exit, Vec<Finding>> {
         match found {
             Some(i) => asked.push((name.trim(), i, part, cell)),
             None => {
-                let known: Vec<String> = sheet.problems.iter().map(|p| format!("{} ({})", p.number, p.id)).collect();
+                let known: Vec<String> =
+                    sheet.problems.iter().map(|p| format!("{} ({})", p.number, p.id)).collect();
                 let fault = Finding::new("", format!("`{name}`: the sheet has no problem `{problem}`"));
                 faults.push(fault.hint(format!("its problems: {}", known.join(", "))));
             }
@@ -116,14 +117,21 @@ fn check(args: &args::Check, io: &mut Io) -> Result<Exit, Vec<Finding>> {
 
 fn solve(problem: &SheetProblem, file: &str) -> Result<Solved, Vec<Finding>> {
     let place = format!("{file}, problem {}", problem.number);
-    let in_file = |faults: Vec<Finding>| -> Vec<Finding> { faults.into_iter().map(|f| f.in_file(&place)).collect() };
+    let in_file =
+        |faults: Vec<Finding>| -> Vec<Finding> { faults.into_iter().map(|f| f.in_file(&place)).collect() };
     let Some(text) = problem.bank_text().map_err(in_file)? else {
         let fault = Finding::new("", "this sheet cannot be checked: it carries no scene").in_file(&place);
         return Err(vec![fault.hint("the instructor has switched self-checks off for this bank")]);
     };
     // Places in the text made here mean nothing to the reader of the sheet.
     let no_place = |faults: Vec<Finding>| -> Vec<Finding> {
-        faults.into_iter().map(|mut f| { f.at = None; f }).collect()
+        faults
+            .into_iter()
+            .map(|mut f| {
+                f.at = None;
+                f
+            })
+            .collect()
     };
     let bank = banks::parse(&text, &place).map_err(no_place)?;
     let Some(only) = bank.problems.first().filter(|p| !p.cases.is_empty()) else {

@@ -152,7 +152,8 @@ fn submissions(plan: &Plan) -> Result<HandIn, Vec<Finding>> {
 
 fn records(path: &Path) -> Result<Vec<csv::StringRecord>, Vec<Finding>> {
     let bytes = files::read(path).map_err(|f| vec![f])?;
-    let mut reader = csv::ReaderBuilder::new().has_headers(false).flexible(true).from_reader(bytes.as_slice());
+    let mut reader =
+        csv::ReaderBuilder::new().has_headers(false).flexible(true).from_reader(bytes.as_slice());
     let records: Result<Vec<_>, _> = reader.records().collect();
     records.map_err(|e| vec![Finding::new("", e.to_string()).in_file(path.display().to_string())])
 }
@@ -171,7 +172,8 @@ fn kinds_and_verdicts(handed: &HandIn, answers: &Path) -> Result<String, Vec<Fin
     }
     let order = |v: &String| Verdict::ALL.iter().position(|o| o.as_str() == v);
     verdicts.sort_by_key(order);
-    let mut rows = vec![std::iter::once("rows".to_owned()).chain(verdicts.iter().cloned()).collect::<Vec<_>>()];
+    let mut rows =
+        vec![std::iter::once("rows".to_owned()).chain(verdicts.iter().cloned()).collect::<Vec<_>>()];
     rows[0].push("all".to_owned());
     for kind in Kind::ALL {
         let of_kind: Vec<&str> = records
@@ -215,7 +217,7 @@ fn marks(gradebook: &Path) -> Result<String, Vec<Finding>> {
         let mut row = vec![text(record, "student"), text(record, "name")];
         for problem in &problems {
             let of_problem = header.iter().zip(record).filter(|(h, _)| h.split('.').next() == Some(problem));
-            let sum: f64 = of_problem.filter_map(|(_, points)| points.parse::<f64>().ok()).sum();
+            let sum = of_problem.filter_map(|(_, p)| p.parse::<f64>().ok()).fold(0.0, |a, b| a + b);
             row.push(format!("{sum}"));
         }
         row.push(text(record, "total"));

@@ -127,9 +127,11 @@ fn generate(args: &args::Generate, io: &mut Io) -> Result<(), Vec<Finding>> {
 pub fn members(path: &Path) -> Result<Vec<Member>, Vec<Finding>> {
     let bytes = files::read(path).map_err(|f| vec![f])?;
     let file = path.display().to_string();
-    let named = |faults: Vec<Finding>| -> Vec<Finding> { faults.into_iter().map(|f| f.in_file(&file)).collect() };
+    let named =
+        |faults: Vec<Finding>| -> Vec<Finding> { faults.into_iter().map(|f| f.in_file(&file)).collect() };
     let students = roster::roster(&bytes).map_err(named)?;
-    let member = |(student, name): (String, String)| Member { folder: roster::folder(&student), student, name };
+    let member =
+        |(student, name): (String, String)| Member { folder: roster::folder(&student), student, name };
     Ok(students.into_iter().map(member).collect())
 }
 
@@ -172,7 +174,13 @@ fn tries(set: &StoredSet, from: usize) -> u64 {
 }
 
 /// Late joiners into a set that is there. set.json is written last: before that the set is the old one.
-fn add(plan: &Plan, members: &[Member], old: &StoredSet, out: &Path, watched: bool) -> Result<Summary, Vec<Finding>> {
+fn add(
+    plan: &Plan,
+    members: &[Member],
+    old: &StoredSet,
+    out: &Path,
+    watched: bool,
+) -> Result<Summary, Vec<Finding>> {
     let mut keys = replay::keys(plan.bank, old)?;
     let dealt = deal(plan, members, out, watched, true)?;
     let mut everybody: Vec<Member> = old
@@ -201,7 +209,13 @@ fn add(plan: &Plan, members: &[Member], old: &StoredSet, out: &Path, watched: bo
 }
 
 /// Draws, solves and writes the sheets of these students below `folder`.
-fn deal(plan: &Plan, members: &[Member], folder: &Path, watched: bool, aside: bool) -> Result<Vec<Dealt>, Vec<Finding>> {
+fn deal(
+    plan: &Plan,
+    members: &[Member],
+    folder: &Path,
+    watched: bool,
+    aside: bool,
+) -> Result<Vec<Dealt>, Vec<Finding>> {
     let sheets = Sheets::new(plan.templates, plan.bank, plan.name, plan.problems)?;
     let public = public::Writer::new(plan.bank, plan.text, plan.problems, plan.name).map_err(|f| vec![f])?;
     let dealer = Dealer::new(plan.bank, plan.problems, plan.seed, plan.name);
@@ -221,7 +235,9 @@ fn deal(plan: &Plan, members: &[Member], folder: &Path, watched: bool, aside: bo
             if !aside {
                 fs::create_dir(into).map_err(|e| fault(&e))?;
             }
-            for (name, bytes) in OF_STUDENT.iter().zip([markdown.as_bytes(), html.as_slice(), json.as_bytes()]) {
+            for (name, bytes) in
+                OF_STUDENT.iter().zip([markdown.as_bytes(), html.as_slice(), json.as_bytes()])
+            {
                 fs::write(into.join(name), bytes).map_err(|e| fault(&e))?;
             }
             if let Some(staged) = staged {
@@ -300,7 +316,12 @@ fn store(
             file: "bank.yaml".to_owned(),
             sha256: plan.bank.hash.clone(),
         },
-        problems: plan.problems.iter().filter_map(|p| plan.bank.problems.get(*p)).map(|p| p.id.clone()).collect(),
+        problems: plan
+            .problems
+            .iter()
+            .filter_map(|p| plan.bank.problems.get(*p))
+            .map(|p| p.id.clone())
+            .collect(),
         students,
         coincidences,
     };
@@ -327,7 +348,9 @@ pub fn existing(folder: &Path) -> Result<StoredSet, Vec<Finding>> {
     let path = folder.join("set.json");
     if !path.is_file() {
         let fault = Finding::new("", "holds no set").in_file(folder.display().to_string());
-        return Err(vec![fault.hint("a set is a folder that `slipstick generate` made; it has a file set.json")]);
+        return Err(vec![
+            fault.hint("a set is a folder that `slipstick generate` made; it has a file set.json"),
+        ]);
     }
     let text = files::read_text(&path).map_err(|f| vec![f])?;
     StoredSet::parse(&text).map_err(|f| vec![f.in_file(path.display().to_string())])
@@ -381,7 +404,8 @@ fn foreign(out: &Path, set: &StoredSet) -> Vec<String> {
         }
     }
     let form = files::read(&out.join("submissions.csv")).unwrap_or_default();
-    let filled = String::from_utf8_lossy(&form).lines().skip(1).any(|l| !l.ends_with(',') && !l.trim().is_empty());
+    let filled =
+        String::from_utf8_lossy(&form).lines().skip(1).any(|l| !l.ends_with(',') && !l.trim().is_empty());
     if filled {
         found.push("submissions.csv (filled in)".to_owned());
     }
@@ -396,7 +420,8 @@ fn same_set(plan: &Plan, set: &StoredSet, out: &Path) -> Result<(), Vec<Finding>
     let mut differs = |what: &str, here: String, there: String| {
         if here != there {
             let file = out.join("set.json").display().to_string();
-            faults.push(Finding::new(what, format!("the set has {there}, this command {here}")).in_file(file));
+            faults
+                .push(Finding::new(what, format!("the set has {there}, this command {here}")).in_file(file));
         }
     };
     differs("seed", plan.seed.to_string(), set.seed.to_string());
@@ -432,7 +457,11 @@ pub fn coincidences(summary: &Summary, io: &mut Io) {
         io.line("  no two students have an equal problem or all answers of a problem within tolerance");
         return;
     }
-    let cut = if summary.cut.is_empty() { String::new() } else { format!(" and more of {}", summary.cut.join(", ")) };
+    let cut = if summary.cut.is_empty() {
+        String::new()
+    } else {
+        format!(" and more of {}", summary.cut.join(", "))
+    };
     io.line(&format!(
         "  {}{cut} with an equal problem or all its answers within tolerance (all in set.json):",
         count(found.len(), "pair")

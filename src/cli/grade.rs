@@ -68,7 +68,9 @@ pub fn run(args: &args::Grade, io: &mut Io) -> Exit {
         Ok(graded) => {
             io.line(&graded.summary);
             let out = args.out.display();
-            io.line(&format!("  every answer: {out}/answers.csv; a row for each student: {out}/gradebook.csv"));
+            io.line(&format!(
+                "  every answer: {out}/answers.csv; a row for each student: {out}/gradebook.csv"
+            ));
             Exit::Fine
         }
         Err(findings) => io.findings(&findings),
@@ -84,7 +86,10 @@ pub fn replayed(folder: &Path) -> Result<(StoredSet, Vec<SheetKey>), Vec<Finding
     let bank = banks::parse(&text, &name)?;
     let in_set = |faults: Vec<Finding>| -> Vec<Finding> {
         let file = folder.join("set.json").display().to_string();
-        faults.into_iter().map(|f| if f.file.is_none() { f.in_file(&file) } else { f.in_file(&name) }).collect()
+        faults
+            .into_iter()
+            .map(|f| if f.file.is_none() { f.in_file(&file) } else { f.in_file(&name) })
+            .collect()
     };
     let keys = replay::keys(&bank, &set).map_err(in_set)?;
     let path = folder.join("key.csv");
@@ -120,7 +125,8 @@ pub fn grade(job: &Job) -> Result<Graded, Vec<Finding>> {
         set.students.iter().map(|s| (s.student.clone(), s.name.clone())).collect();
     let table = KeyTable::new(keys, &names);
     let submissions = job.submissions.display().to_string();
-    let spooled = spool(job.submissions).map_err(|e| vec![files::trouble(job.submissions, "cannot be read", &e)])?;
+    let spooled =
+        spool(job.submissions).map_err(|e| vec![files::trouble(job.submissions, "cannot be read", &e)])?;
     let path = spooled.as_ref().map_or(job.submissions, NamedTempFile::path);
     let size = fs::metadata(path).map_or(0, |m| m.len());
     let bar = files::progress(job.watched && size > 20_000_000, size * 2, "grading");
@@ -213,12 +219,19 @@ fn may_write(out: &Path, set: &Path, force: bool) -> Result<(), Finding> {
     }
     let header = run::ANSWERS_HEADER.trim_end();
     let ours = files::read(&out.join(MADE[0])).is_ok_and(|bytes| bytes.starts_with(header.as_bytes()));
-    if ours { Ok(()) } else { Err(finding("holds no earlier grading").hint("--force replaces only what grade made")) }
+    if ours {
+        Ok(())
+    } else {
+        Err(finding("holds no earlier grading").hint("--force replaces only what grade made"))
+    }
 }
 
 fn summary(table: &KeyTable, graded: &run::Graded) -> String {
     let form = if graded.wide { "wide" } else { "long" };
-    let mut text = format!("{} in {form} form:", tell::count(usize::try_from(graded.cells).unwrap_or(usize::MAX), "answer cell"));
+    let mut text = format!(
+        "{} in {form} form:",
+        tell::count(usize::try_from(graded.cells).unwrap_or(usize::MAX), "answer cell")
+    );
     let mut first = true;
     for verdict in Verdict::ALL {
         let n = graded.count(*verdict);
@@ -229,11 +242,16 @@ fn summary(table: &KeyTable, graded: &run::Graded) -> String {
         }
     }
     text.push('\n');
-    let mut rows = vec![["part", "right", "wrong", "unreadable", "blank", "right of those that count"].map(str::to_owned).to_vec()];
+    let mut rows = vec![
+        ["part", "right", "wrong", "unreadable", "blank", "right of those that count"]
+            .map(str::to_owned)
+            .to_vec(),
+    ];
     for (column, counts) in table.columns.iter().zip(&graded.by_column) {
         let of = |verdicts: &[Verdict]| verdicts.iter().map(|v| counts[*v as usize]).sum::<u64>();
         let right = of(&[Verdict::Right]);
-        let wrong = of(&[Verdict::Wrong, Verdict::WrongDirection, Verdict::WrongDimension, Verdict::MissingUnit]);
+        let wrong =
+            of(&[Verdict::Wrong, Verdict::WrongDirection, Verdict::WrongDimension, Verdict::MissingUnit]);
         let unreadable = of(&[Verdict::Unreadable]);
         let counting = right + wrong + unreadable;
         rows.push(vec![
@@ -246,7 +264,8 @@ fn summary(table: &KeyTable, graded: &run::Graded) -> String {
         ]);
     }
     text.push_str(tell::table(&rows, &[0]).trim_end());
-    let handed = graded.points.chunks(table.columns.len().max(1)).filter(|p| p.iter().any(Option::is_some)).count();
+    let handed =
+        graded.points.chunks(table.columns.len().max(1)).filter(|p| p.iter().any(Option::is_some)).count();
     text.push_str(&format!("\n  {handed} of {} handed in.", tell::count(table.students.len(), "student")));
     if !graded.unused_columns.is_empty() {
         text.push_str(&format!(" Columns not used: {}.", graded.unused_columns.join(", ")));

@@ -33,8 +33,12 @@ pub fn run(args: &args::Lint, io: &mut Io) -> Exit {
 fn lint(args: &args::Lint, io: &mut Io) -> Result<Vec<Finding>, Vec<Finding>> {
     let loaded = banks::load(&args.bank)?;
     let bank = &loaded.bank;
-    let templates = banks::templates(&args.own, bank)
-        .map_err(|faults| faults.into_iter().map(|f| if f.file.is_none() { f.in_file(&loaded.file) } else { f }).collect::<Vec<_>>())?;
+    let templates = banks::templates(&args.own, bank).map_err(|faults| {
+        faults
+            .into_iter()
+            .map(|f| if f.file.is_none() { f.in_file(&loaded.file) } else { f })
+            .collect::<Vec<_>>()
+    })?;
     let mut findings = unknown_names(bank, &templates);
     let seeds = u32::try_from(args.seeds.min(1_000_000)).unwrap_or(1_000_000);
     let sweeps: Vec<Sweep> =
@@ -42,12 +46,15 @@ fn lint(args: &args::Lint, io: &mut Io) -> Result<Vec<Finding>, Vec<Finding>> {
     for (problem, sweep) in bank.problems.iter().zip(&sweeps) {
         if let Some((seed, none)) = &sweep.unsatisfiable {
             let fault = Finding::new(format!("problems.{}", problem.id), format!("seed {seed}: {none}"));
-            findings.push(fault.in_file(&loaded.file).hint("widen the ranges, or loosen the rule that refuses most"));
+            findings.push(
+                fault.in_file(&loaded.file).hint("widen the ranges, or loosen the rule that refuses most"),
+            );
         }
-        if let Some((label, eom, energy, allowed)) = sweep.disagreement {
-            let name = problem.cases[0].scene.name_of(label);
-            let what = format!("the two roads disagree on {name}: {eom:e} and {energy:e}, allowed gap {allowed:.1e}");
-            findings.push(Finding::new(format!("problems.{}", problem.id), what).in_file(&loaded.file));
+        if let Some(refusal) = &sweep.unsolved {
+            for text in words::refusal(problem, &problem.cases[0].scene, refusal) {
+                let what = format!("a draw cannot be solved: {text}");
+                findings.push(Finding::new(format!("problems.{}", problem.id), what).in_file(&loaded.file));
+            }
         }
     }
     if findings.is_empty() {
@@ -84,7 +91,8 @@ fn cases(sweep: &Sweep) -> String {
     ];
     for case in &sweep.cases {
         let name = if case.name.is_empty() { "(all)" } else { &case.name };
-        let accepted = if case.tries == 0 { "-".to_owned() } else { format!("{:.0} %", case.acceptance() * 100.0) };
+        let accepted =
+            if case.tries == 0 { "-".to_owned() } else { format!("{:.0} %", case.acceptance() * 100.0) };
         rows.push(vec![
             name.to_owned(),
             format!("{:.0} %", case.share * 100.0),
@@ -167,7 +175,8 @@ fn faulty_texts(bank: &Bank, templates: &Templates) -> Result<Vec<Finding>, Vec<
                 Ok(()) => {
                     let text = String::from_utf8_lossy(&out);
                     for fault in html::faulty_formulas(&text) {
-                        let finding = Finding::new(format!("problems.{}", problem.id), format!("formula {fault}"));
+                        let finding =
+                            Finding::new(format!("problems.{}", problem.id), format!("formula {fault}"));
                         if !findings.contains(&finding) {
                             findings.push(finding);
                         }

@@ -50,7 +50,10 @@ fn practice(args: &args::Practice, io: &mut Io) -> Result<(), Vec<Finding>> {
     let seed = args.seed.unwrap_or_else(from_clock);
     let makers: Vec<Maker> =
         problems.iter().map(|p| Maker::new(&bank.problems[*p], seed, "practice")).collect();
-    io.line(&format!("{} (seed {seed}). An empty line skips a question; `solution`, `next`, `quit` do what they say.", bank.title));
+    io.line(&format!(
+        "{} (seed {seed}). An empty line skips a question; `solution`, `next`, `quit` do what they say.",
+        bank.title
+    ));
     let mut room = Room::default();
     let (mut right, mut asked) = (0, 0);
     for round in 0usize.. {
@@ -109,7 +112,11 @@ fn questions(
                 *right += 1;
                 break;
             }
-            let again = if question.label.quantity.is_word() { "" } else { "; try again, or skip with an empty line" };
+            let again = if question.label.quantity.is_word() {
+                ""
+            } else {
+                "; try again, or skip with an empty line"
+            };
             io.line(&format!("  {}: {}{again}", judgement.verdict.as_str(), judgement.reason));
         }
     }
@@ -156,7 +163,8 @@ fn plain(markdown: &str) -> String {
         if c == '$' {
             math = !math;
             rest = &rest[1..];
-        } else if let Some((tex, sign)) = SIGNS.iter().filter(|_| math).find(|(tex, _)| rest.starts_with(tex)) {
+        } else if let Some((tex, sign)) = SIGNS.iter().filter(|_| math).find(|(tex, _)| rest.starts_with(tex))
+        {
             out.push_str(sign);
             rest = &rest[tex.len()..];
         } else {

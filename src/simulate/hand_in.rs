@@ -74,7 +74,9 @@ pub fn hand_in(sheets: &[Sheet], seed: u64) -> HandIn {
                     52..66 => row(Kind::WrongMethod, wrong_method(problem, variant, part, entry, &mut rng)),
                     66..73 => row(Kind::WrongUnit, wrong_unit(entry)),
                     73..87 => row(Kind::Messy, messy(entry, &mut rng)),
-                    87..93 => row(Kind::Blank, if rng.random_bool(0.5) { String::new() } else { "  ".to_owned() }),
+                    87..93 => {
+                        row(Kind::Blank, if rng.random_bool(0.5) { String::new() } else { "  ".to_owned() })
+                    }
                     _ => {
                         row(Kind::Duplicate, wrong_method(problem, variant, part, entry, &mut rng));
                         row(Kind::Duplicate, right(entry));
@@ -91,7 +93,10 @@ pub fn hand_in(sheets: &[Sheet], seed: u64) -> HandIn {
         rows.push((Kind::Unknown, [stamp(), student, "1".to_owned(), part.to_owned(), "1.5".to_owned()]));
         let student = sheet.student.to_owned();
         let (problem, part) = if i % 2 == 0 { ("9", part) } else { ("1", "speed") };
-        rows.push((Kind::Unknown, [stamp(), student, problem.to_owned(), part.to_owned(), "2 m/s".to_owned()]));
+        rows.push((
+            Kind::Unknown,
+            [stamp(), student, problem.to_owned(), part.to_owned(), "2 m/s".to_owned()],
+        ));
     }
     let mut text = String::from("\u{feff}Submitted_at;STUDENT;Problem;Part ;Answer;Device\r\n");
     for (i, (_, fields)) in rows.iter().enumerate() {
@@ -216,6 +221,6 @@ fn messy(entry: &KeyEntry, rng: &mut ChaCha20Rng) -> String {
             }
             None => with_unit(entry, &format!("+{text}")).replace("+-", "-").replace("m/s", "m s^-1"),
         },
-        _ => with_unit(entry, &format!("{value:.4e}")).replace(' ', ""),
+        _ => with_unit(entry, &format!("{value:.4e}")).replacen(' ', "", 1),
     }
 }
