@@ -30,8 +30,9 @@ problems:
 ";
 
 fn drawn(student: &str) -> String {
-    let bank = load::scenes_only(BANK, "pins.yaml").unwrap();
-    let variant = Maker::new(&bank.problems[0], 42, "week 1").variant(student).unwrap();
+    let bank = load::scenes_only(BANK, "pins.yaml").expect("the bank is sound");
+    let variant =
+        Maker::new(&bank.problems[0], 42, "week 1").variant(student).expect("the bank can be satisfied");
     let values: Vec<String> = variant.values.iter().flatten().map(|v| v.text()).collect();
     format!("{} {}", bank.problems[0].cases[variant.case].name, values.join(" "))
 }

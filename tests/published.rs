@@ -10,7 +10,7 @@ use std::path::Path;
 
 fn scene_file(name: &str) -> Bank {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/scenes").join(format!("{name}.yaml"));
-    let text = std::fs::read_to_string(&path).unwrap();
+    let text = std::fs::read_to_string(&path).expect("a scene file");
     load::scenes_only(&text, name).unwrap_or_else(|found| {
         let lines: Vec<String> = found.iter().map(ToString::to_string).collect();
         panic!("{}", lines.join("\n"))
@@ -19,7 +19,7 @@ fn scene_file(name: &str) -> Bank {
 
 fn reference(name: &str) -> Value {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/reference").join(name);
-    serde_json::from_str(&std::fs::read_to_string(path).unwrap()).unwrap()
+    serde_json::from_str(&std::fs::read_to_string(path).expect("a reference")).expect("JSON")
 }
 
 /// Both roads, the greater miss first as a share of the expected value.
