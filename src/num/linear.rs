@@ -15,6 +15,9 @@ use smallvec::smallvec;
 
 /// A residual below this share of the terms of its row is rounding of double-doubles.
 const CONVERGED: f64 = 1.0 / (1u128 << 98) as f64;
+/// An unknown this small beside its terms is what double-doubles leave of a difference of equals: 2^-98, their roundoff
+/// (2^-104) with room for a few dozen terms.
+const CANCELLED: f64 = 1.0 / (1u128 << 98) as f64;
 /// Refinements before the columns are scaled anew.
 const REFINEMENTS: usize = 6;
 /// Times that the columns may be scaled anew.
@@ -109,6 +112,8 @@ impl<T: Real> Linear<T> {
                         *x = *x + Dd::new(sum * cols[i]);
                     }
                 }
+                // Terms that cancel altogether leave noise, which no scaling can settle: that unknown is 0.
+                self.cancel(k, column, &inverse, &rows, &cols);
             }
             if !settled || column.iter().any(|v| !v.is_finite()) {
                 return Err(Singular { unknowns: n, rank: n.saturating_sub(1) });
@@ -132,6 +137,18 @@ impl<T: Real> Linear<T> {
             inverse[r * n + c] += v.f64() * cols[*c] * rows[*r];
         }
         if invert(n, inverse) { Ok(()) } else { Err(Singular { unknowns: n, rank: rank(n, inverse) }) }
+    }
+
+    /// Sets to 0 what is nothing beside the terms that it is made of.
+    fn cancel(&self, k: usize, x: &mut [Dd], inverse: &[f64], rows: &[f64], cols: &[f64]) {
+        let n = self.unknowns;
+        for (i, x) in x.iter_mut().enumerate() {
+            let terms = self.right.iter().filter(|(_, column, _)| *column == k);
+            let natural: f64 = terms.map(|(r, _, v)| (inverse[i * n + r] * rows[*r] * v.f64()).abs()).sum();
+            if x.hi.abs() < CANCELLED * (natural * cols[i]).abs() {
+                *x = Dd::ZERO;
+            }
+        }
     }
 
     fn residual(&self, k: usize, x: &[Dd], residual: &mut [Dd], size: &mut [f64]) {
@@ -252,6 +269,23 @@ fn rank(n: usize, a: &[f64]) -> usize {
 mod tests {
     use super::*;
     use crate::num::Jet;
+
+    #[test]
+    fn loads_in_exact_balance_do_not_move() {
+        // a = b, m a + T = P, m b - T = -Q with P = Q: the acceleration is 0, not noise, and the tension is P.
+        let third = Dd::new(1.0) / Dd::new(3.0);
+        let mut l = Linear::<Dd>::new(3, 1);
+        l.term(0, 0, third);
+        l.term(0, 1, -third);
+        l.term(1, 0, Dd::new(0.7));
+        l.term(1, 2, Dd::ONE);
+        l.right(1, 0, third);
+        l.term(2, 1, Dd::new(0.3));
+        l.term(2, 2, -Dd::ONE);
+        l.right(2, 0, -third);
+        let x = l.solve().unwrap();
+        assert!(x.get(0, 0).is_zero() && x.get(1, 0).is_zero());
+    }
 
     #[test]
     fn badly_scaled_unknowns_keep_their_digits() {
