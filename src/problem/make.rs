@@ -1,4 +1,6 @@
 //! Draw, fill, solve, check: the flow in one function, tries and refusals counted.
+use crate::bank::Bound;
+use crate::bank::Case;
 use crate::bank::Problem;
 use crate::bank::decimal::Decimal;
 use crate::draw::fill;
@@ -191,17 +193,13 @@ impl<'p> Maker<'p> {
         let case = &self.problem.cases[index];
         let questions = CHECKS + CheckKind::ALL.len();
         let first_bound = questions + self.problem.questions.len();
-        let holds = |bound: &crate::bank::Bound, quantity: &dyn Fn(Label) -> f64| {
-            let value = bound.expression.eval(data, quantity);
-            !value.is_nan() && bound.min.is_none_or(|m| value >= m) && bound.max.is_none_or(|m| value <= m)
-        };
         // Bounds on the data alone cost nothing: they go first.
         for (i, bound) in case.bounds.iter().enumerate() {
-            if !bound.expression.needs_solution() && !holds(bound, &|_| f64::NAN) {
+            if !bound.expression.needs_solution() && !holds(bound, data, &|_| f64::NAN) {
                 return Err(first_bound + i);
             }
         }
-        let solved = agree::solve(&case.scene, data).map_err(|refusal| match refusal {
+        let mut unsolved = |refusal| match refusal {
             Refusal::Inadmissible(_) => INADMISSIBLE,
             Refusal::Disagree { .. } => {
                 refusals.unsolved = Some(refusal);
@@ -211,10 +209,23 @@ impl<'p> Maker<'p> {
                 refusals.unsolved = Some(other);
                 UNSOLVABLE
             }
-        })?;
+        };
+        // A draw that breaks a rule on the first road needs no second one.
+        let half = agree::first(&case.scene, data).map_err(&mut unsolved)?;
+        self.rules(case, half.preview(), &[CheckKind::Moves], data)?;
+        let solved = half.confirm(&case.scene, data).map_err(unsolved)?;
+        self.rules(case, &solved, &[], data)?;
+        Ok(solved)
+    }
+
+    /// The rules that need a solution, without the margins of the checks in `unknown`; which one refuses.
+    fn rules(&self, case: &Case, solved: &Solved, unknown: &[CheckKind], data: &[f64]) -> Result<(), usize> {
+        let questions = CHECKS + CheckKind::ALL.len();
+        let first_bound = questions + self.problem.questions.len();
         for check in &solved.checks {
             let kind = CheckKind::ALL.iter().position(|k| *k == check.kind).unwrap_or(0);
-            if !check.ok || check.margin.is_nan() || check.margin < self.margins[kind] {
+            let short = check.margin.is_nan() || check.margin < self.margins[kind];
+            if !check.ok || (short && !unknown.contains(&check.kind)) {
                 return Err(CHECKS + kind);
             }
         }
@@ -234,12 +245,18 @@ impl<'p> Maker<'p> {
         }
         let quantity = |label: Label| solved.get(label).map_or(f64::NAN, crate::solve::outcome::Entry::value);
         for (i, bound) in case.bounds.iter().enumerate() {
-            if bound.expression.needs_solution() && !holds(bound, &quantity) {
+            if bound.expression.needs_solution() && !holds(bound, data, &quantity) {
                 return Err(first_bound + i);
             }
         }
-        Ok(solved)
+        Ok(())
     }
+}
+
+/// Does the value of a bound's expression lie within it? NaN does not.
+fn holds(bound: &Bound, data: &[f64], quantity: &dyn Fn(Label) -> f64) -> bool {
+    let value = bound.expression.eval(data, quantity);
+    !value.is_nan() && bound.min.is_none_or(|m| value >= m) && bound.max.is_none_or(|m| value <= m)
 }
 
 /// The variant of stored values, for replay: solved anew, no rules applied.

@@ -3,6 +3,7 @@ use crate::num::Dd;
 use crate::num::Jet;
 use crate::num::Real;
 use crate::num::U;
+use crate::scene::Label;
 use crate::scene::End;
 use crate::scene::Scene;
 use crate::scene::Start;
@@ -10,7 +11,9 @@ use crate::scene::Tie;
 use crate::scene::admissible;
 use crate::solve::energy;
 use crate::solve::eom;
+use crate::solve::outcome::Course;
 use crate::solve::outcome::Entry;
+use crate::solve::outcome::Held;
 use crate::solve::outcome::Motion;
 use crate::solve::outcome::Refusal;
 use crate::solve::outcome::Regime;
@@ -23,22 +26,89 @@ use crate::solve::physical;
 /// Each road may be off by `8 u max(1, cond)`.
 pub const EACH_ROAD: f64 = 8.0;
 
+/// What the equations of motion alone say: nothing of it may be published before [`Half::confirm`].
+#[derive(Debug, Clone)]
+pub struct Half {
+    solved: Solved,
+    course: Option<Course>,
+    held: Vec<Held>,
+}
+
 /// Solves a scene by both roads and publishes only what agrees.
 ///
 /// `data` are the SI values (angles in degrees) that [`crate::scene::Num::Datum`] indexes. Each answer carries both
 /// values and its condition number. Errors: data that are no scene, a combination that the assembly does not have,
 /// equations that do not determine the motion, two roads that differ by more than `16 u max(1, cond)`.
 pub fn solve(scene: &Scene, data: &[f64]) -> Result<Solved, Refusal> {
+    first(scene, data)?.confirm(scene, data)
+}
+
+/// The first road alone, so that a draw that breaks a rule is refused at half the cost. Errors: as for [`solve`], save
+/// that nothing is compared yet.
+pub fn first(scene: &Scene, data: &[f64]) -> Result<Half, Refusal> {
     let faults = admissible::faults(scene, data);
     if !faults.is_empty() {
         return Err(Refusal::Inadmissible(faults));
     }
     supported(scene)?;
     match data.len() {
-        0..=12 => compare::<Jet<12>>(scene, data),
-        13..=24 => compare::<Jet<24>>(scene, data),
-        25..=64 => compare::<Jet<64>>(scene, data),
+        0..=10 => half::<Jet<10>>(scene, data),
+        11..=24 => half::<Jet<24>>(scene, data),
+        25..=64 => half::<Jet<64>>(scene, data),
         _ => Err(Refusal::Unsupported(Unsupported::TooManyData)),
+    }
+}
+
+fn half<T: Real>(scene: &Scene, data: &[f64]) -> Result<Half, Refusal> {
+    let road: Road<T> = eom::road(scene, data)?;
+    let entry = |said: &Said<T>| Entry {
+        label: said.label,
+        eom: Some(said.value.f64()),
+        energy: None,
+        cond: said.value.cond(),
+        scale: said.scale,
+    };
+    let entries = road.said.iter().map(entry).collect();
+    let instant = Regime { motion: Motion::Instant, slips: false };
+    let (regime, checks, words) =
+        road.course.map_or((instant, Vec::new(), Vec::new()), |course| physical::judge(scene, &course, &road.held));
+    Ok(Half { solved: Solved { regime, checks, entries, words }, course: road.course, held: road.held })
+}
+
+impl Half {
+    /// The first road's values, regime and checks; the margin of [`crate::solve::outcome::CheckKind::Moves`] is not known yet.
+    pub fn preview(&self) -> &Solved {
+        &self.solved
+    }
+
+    /// Runs the second road and publishes what agrees. Errors: a disagreement, or a quantity that only one road reaches.
+    pub fn confirm(self, scene: &Scene, data: &[f64]) -> Result<Solved, Refusal> {
+        let Half { mut solved, course, held } = self;
+        let second: Road<Dd> = energy::road(scene, data)?;
+        for (i, entry) in solved.entries.iter_mut().enumerate() {
+            // The roads mostly speak in the same order.
+            let said = second.said.get(i).filter(|s| s.label == entry.label).or_else(|| second.get(entry.label));
+            let (eom, energy) = (entry.value(), said.map_or(f64::NAN, |s| s.value.f64()));
+            entry.energy = Some(energy);
+            if !agree(eom, energy, entry.cond) {
+                let allowed = 2.0 * EACH_ROAD * U * entry.cond.max(1.0);
+                return Err(Refusal::Disagree { label: entry.label, eom, energy, allowed });
+            }
+        }
+        // What only the second road says is a disagreement too: both must reach the same quantities.
+        let known = |label: Label, i: usize| {
+            solved.entries.get(i).is_some_and(|e| e.label == label) || solved.get(label).is_some()
+        };
+        if let Some((_, said)) = second.said.iter().enumerate().find(|(i, s)| !known(s.label, *i)) {
+            let (label, energy) = (said.label, said.value.f64());
+            return Err(Refusal::Disagree { label, eom: f64::NAN, energy, allowed: 2.0 * EACH_ROAD * U });
+        }
+        if let (Some(mut course), Some(other)) = (course, second.course) {
+            // The drive is a sum of powers: only the second road has it, and only for margins.
+            course.drive = other.drive;
+            (solved.regime, solved.checks, solved.words) = physical::judge(scene, &course, &held);
+        }
+        Ok(solved)
     }
 }
 
@@ -81,42 +151,6 @@ fn freedoms(scene: &Scene) -> usize {
         Tie::Cord(c) => matches!(c.to, crate::scene::Far::Body(_) | crate::scene::Far::Fixed),
     });
     scene.coordinates().count().saturating_sub(ties.count())
-}
-
-fn compare<T: Real>(scene: &Scene, data: &[f64]) -> Result<Solved, Refusal> {
-    let first: Road<T> = eom::road(scene, data)?;
-    let second: Road<Dd> = energy::road(scene, data)?;
-    let mut entries = Vec::with_capacity(first.said.len());
-    for (i, said) in first.said.iter().enumerate() {
-        let label = said.label;
-        let eom = said.value.f64();
-        // The roads mostly speak in the same order.
-        let other = second.said.get(i).filter(|s| s.label == label).or_else(|| second.get(label));
-        let energy = other.map_or(f64::NAN, |s| s.value.f64());
-        let cond = said.value.cond();
-        if !agree(eom, energy, cond) {
-            let allowed = 2.0 * EACH_ROAD * U * cond.max(1.0);
-            return Err(Refusal::Disagree { label, eom, energy, allowed });
-        }
-        entries.push(Entry { label, eom: Some(eom), energy: Some(energy), cond, scale: said.scale });
-    }
-    // What only the second road says is a disagreement too: both must reach the same quantities.
-    let alone = |(i, s): &(usize, &Said<Dd>)| {
-        first.said.get(*i).is_none_or(|f| f.label != s.label) && first.get(s.label).is_none()
-    };
-    if let Some((_, said)) = second.said.iter().enumerate().find(alone) {
-        let (label, energy) = (said.label, said.value.f64());
-        return Err(Refusal::Disagree { label, eom: f64::NAN, energy, allowed: 2.0 * EACH_ROAD * U });
-    }
-    entries.sort_by_key(|e| e.label);
-    let (Some(mut course), Some(other)) = (first.course, second.course) else {
-        let regime = Regime { motion: Motion::Instant, slips: false };
-        return Ok(Solved { regime, checks: Vec::new(), entries, words: Vec::new() });
-    };
-    // The drive is a sum of powers: only the second road has it, and only for margins.
-    course.drive = other.drive;
-    let (regime, checks, words) = physical::judge(scene, &course, &first.held);
-    Ok(Solved { regime, checks, entries, words })
 }
 
 /// Within `16 u max(1, cond)` of the larger; NaN agrees with nothing, equal infinities agree.

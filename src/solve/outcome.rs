@@ -183,7 +183,7 @@ pub struct Solved {
     pub regime: Regime,
     /// All conditions of validity.
     pub checks: Vec<Check>,
-    /// All reachable quantities, in the order of `Quantity::ALL`.
+    /// All reachable quantities, in the order in which the scene yields them.
     pub entries: Vec<Entry>,
     /// Answers in words.
     pub words: Vec<(Label, Word)>,

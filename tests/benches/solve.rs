@@ -50,7 +50,7 @@ fn both_roads_and_checks(b: divan::Bencher, slip: bool) {
 #[divan::bench(args = [false, true])]
 fn eom_with_derivatives(b: divan::Bencher, slip: bool) {
     let (scene, data) = pulled(slip);
-    b.bench(|| slipstick::solve::eom::road::<Jet<12>>(divan::black_box(&scene), divan::black_box(&data)));
+    b.bench(|| slipstick::solve::eom::road::<Jet<10>>(divan::black_box(&scene), divan::black_box(&data)));
 }
 #[divan::bench(args = [false, true])]
 fn eom_values(b: divan::Bencher, slip: bool) {
