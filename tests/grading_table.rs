@@ -411,3 +411,30 @@ mod any {
         }
     }
 }
+
+/// `cargo test --release --test grading_table -- --ignored --nocapture speed`: rows per second on one and two threads.
+#[test]
+#[ignore = "a measurement, for a release build"]
+fn speed_of_a_million_plain_rows() {
+    let sheets = (0..1000).map(|i| sheet(&format!("s{i}"))).collect();
+    let table = KeyTable::new(sheets, &[]);
+    let folder = tempfile::tempdir().unwrap();
+    let (input, output) = (folder.path().join("in.csv"), folder.path().join("out.csv"));
+    let mut text = String::from("student,problem,part,answer\n");
+    for i in 0u64..1_000_000 {
+        let student = i.wrapping_mul(0x9e37_79b9_7f4a_7c15) >> 32; // random order
+        let part = ["omega", "friction"][(student / 1000 % 2) as usize];
+        text.push_str(&format!("s{},1,{part},{}.{}\n", student % 1000, 30 + i % 40, i % 1000));
+    }
+    std::fs::write(&input, text).unwrap();
+    for threads in [1, 2, 2, 1] {
+        let start = std::time::Instant::now();
+        let open = || Ok(Box::new(std::fs::File::open(&input)?) as Box<dyn std::io::Read + Send>);
+        let mut out = std::fs::File::create(&output).unwrap();
+        let options = Options { threads, ..Options::default() };
+        let graded = grade(&open, &table, &options, &mut out, &mut |_| {}).unwrap();
+        let status = std::fs::read_to_string("/proc/self/status").unwrap_or_default();
+        let peak = status.lines().find(|l| l.starts_with("VmHWM")).unwrap_or("").to_owned();
+        eprintln!("{threads} threads: {:?}, {} cells, {peak} (with the text made above)", start.elapsed(), graded.cells);
+    }
+}
