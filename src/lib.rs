@@ -20,6 +20,7 @@ pub mod report;
 pub mod scene;
 pub mod set;
 pub mod sheet;
+pub mod simulate;
 pub mod solve;
 pub mod template;
 pub mod units;

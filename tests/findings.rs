@@ -681,7 +681,11 @@ fn all_at_once() {
 fn bombs_are_refused() {
     let laughs = (1..12).fold("a0: &a0 [x, x]\n".to_owned(), |mut text, i| {
         let before = i - 1;
-        writeln!(text, "a{i}: &a{i} [*a{before}, *a{before}, *a{before}, *a{before}, *a{before}, *a{before}]").unwrap();
+        writeln!(
+            text,
+            "a{i}: &a{i} [*a{before}, *a{before}, *a{before}, *a{before}, *a{before}, *a{before}]"
+        )
+        .unwrap();
         text
     });
     let deep = "[".repeat(40_000);
@@ -690,7 +694,9 @@ fn bombs_are_refused() {
         text
     });
     let long = "a: b\n".repeat(load::MAX_BYTES / 4);
-    for bomb in [laughs, deep, nested, long, String::new(), "\0".to_owned(), "- 1\n- 2".to_owned(), "42".to_owned()] {
+    for bomb in
+        [laughs, deep, nested, long, String::new(), "\0".to_owned(), "- 1\n- 2".to_owned(), "42".to_owned()]
+    {
         let found = load::bank(&bomb, "bomb.yaml", &template::variables_of).unwrap_err();
         assert!(!found.is_empty());
     }

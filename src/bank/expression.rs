@@ -1,7 +1,12 @@
-//! Expressions of bounds: symbols of data, names of quantities, numbers, `+ - * / ^ ( )`, `sqrt` and `abs`.
+//! Expressions of bounds: symbols of data, names of quantities, numbers, `+ - * / ^ ( )`, `sqrt`, `abs`, `sin`,
+//! `cos`.
 //!
 //! Values are SI. Dimensions are checked where they are known; the radian counts as a pure number here.
+use crate::num::trig;
 use crate::scene::Label;
+
+/// Degrees in a radian.
+const DEGREES: f64 = 180.0 / std::f64::consts::PI;
 
 /// Exponents of the base units, in quarters, so that square roots stay whole; the angle is left out.
 pub type Powers = [i32; 3];
@@ -40,6 +45,8 @@ enum Step {
     Power(i32),
     Sqrt,
     Abs,
+    Sin,
+    Cos,
 }
 
 /// What is wrong with an expression, and at which character (from 1).
@@ -97,6 +104,9 @@ impl Expression {
                 Step::Negate => stack[top - 1] = -stack[top - 1],
                 Step::Sqrt => stack[top - 1] = stack[top - 1].sqrt(),
                 Step::Abs => stack[top - 1] = stack[top - 1].abs(),
+                // Radians inside; sines are taken of degrees, which the portable functions reduce exactly.
+                Step::Sin => stack[top - 1] = trig::sin_cos_degrees(stack[top - 1] * DEGREES).0.hi,
+                Step::Cos => stack[top - 1] = trig::sin_cos_degrees(stack[top - 1] * DEGREES).1.hi,
                 Step::Power(n) => stack[top - 1] = power(stack[top - 1], n),
                 Step::Add | Step::Subtract | Step::Multiply | Step::Divide => {
                     let b = stack[top - 1];
@@ -270,22 +280,31 @@ impl Parser<'_> {
                 self.at += 1;
             }
             let name: String = self.chars[start..self.at].iter().collect();
-            if (name == "sqrt" || name == "abs") && self.peek() == Some('(') {
+            if matches!(name.as_str(), "sqrt" | "abs" | "sin" | "cos") && self.peek() == Some('(') {
                 self.at += 1;
                 let mut powers = self.sum()?;
                 if !self.take(')') {
                     return Err(self.trouble("`)` is missing"));
                 }
-                if name == "sqrt" {
-                    for p in &mut powers {
-                        if *p % 2 != 0 {
-                            return Err(self.trouble("this square root has no dimension that makes sense"));
+                match name.as_str() {
+                    "sqrt" => {
+                        for p in &mut powers {
+                            if *p % 2 != 0 {
+                                return Err(
+                                    self.trouble("this square root has no dimension that makes sense")
+                                );
+                            }
+                            *p /= 2;
                         }
-                        *p /= 2;
+                        self.steps.push(Step::Sqrt);
                     }
-                    self.steps.push(Step::Sqrt);
-                } else {
-                    self.steps.push(Step::Abs);
+                    "abs" => self.steps.push(Step::Abs),
+                    _ if powers != [0; 3] => {
+                        self.at = start;
+                        return Err(self.trouble(format!("`{name}` takes an angle")));
+                    }
+                    "sin" => self.steps.push(Step::Sin),
+                    _ => self.steps.push(Step::Cos),
                 }
                 return Ok(powers);
             }
@@ -320,6 +339,8 @@ mod tests {
         assert_eq!(value("sqrt(k^2 + r^2)"), Ok(5.0));
         assert_eq!(value("-k^2 + 2*r*(k - r)"), Ok(-17.0));
         assert_eq!(value("abs(k - r) / r^-1"), Ok(4.0));
+        assert!(value("sin(k / r)").is_ok_and(|s| (s - 0.681_638_760_023_334_2).abs() < 1e-15));
+        assert!(value("cos(k / r)^2 + sin(k / r)^2").is_ok_and(|s| (s - 1.0).abs() < 1e-15));
         assert_eq!(value("1 - 2 - 3"), Ok(-4.0));
         assert_eq!(value("8 / 4 / 2"), Ok(1.0));
         assert_eq!(read("k*r").map(|e| e.powers[0]), Ok(8));
@@ -339,6 +360,7 @@ mod tests {
             "sqrt(k)*",
             "sqrt(sqrt(sqrt(k)))",
             "k^99",
+            "sin(k)",
         ] {
             assert!(read(text).is_err(), "{text}");
         }

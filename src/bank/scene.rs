@@ -2,8 +2,8 @@
 use crate::bank::measure;
 use crate::bank::node::{Faults, Fields, Node, Value, close_name, named, shorten};
 use crate::scene::{
-    Attach, Body, Coordinate, Cord, CordEnd, Couple, Degree, End, Far, Heading, Line, Mass, Num, Part, Particle,
-    RotaryInertia, Scene, Shape, Side, Slope, Start, Tie,
+    Attach, Body, Coordinate, Cord, CordEnd, Couple, Degree, End, Far, Heading, Line, Mass, Num, Part,
+    Particle, RotaryInertia, Scene, Shape, Side, Slope, Start, Tie,
 };
 use crate::units::Unit;
 use std::cell::Cell;
@@ -243,7 +243,11 @@ impl Reader<'_> {
         let value = match measure::constant(text, need.unit()) {
             Ok(value) => value,
             Err(message) => {
-                self.faults.hint(node, message, format!("{} is written like `{}`", need.words(), need.example()));
+                self.faults.hint(
+                    node,
+                    message,
+                    format!("{} is written like `{}`", need.words(), need.example()),
+                );
                 return None;
             }
         };
@@ -255,7 +259,11 @@ impl Reader<'_> {
     }
 
     fn need_number(
-        &self, fields: &mut Fields, name: &'static str, example: &'static str, need: Need,
+        &self,
+        fields: &mut Fields,
+        name: &'static str,
+        example: &'static str,
+        need: Need,
     ) -> Option<Num> {
         fields.need(name, example, self.faults).and_then(|n| self.number(n, need))
     }
@@ -288,7 +296,8 @@ impl Reader<'_> {
 
     fn unknown(&self, key: &Node, what: &str, known: &[&str]) {
         let text = key.text().unwrap_or("");
-        let hint = close_name(text, known.iter().copied()).unwrap_or_else(|| format!("known: {}", known.join(", ")));
+        let hint =
+            close_name(text, known.iter().copied()).unwrap_or_else(|| format!("known: {}", known.join(", ")));
         self.faults.hint(key, format!("`{}` is no {what}", shorten(text)), hint);
     }
 
@@ -342,7 +351,11 @@ impl Reader<'_> {
         }
         for (surface, used) in surfaces.iter().zip(used) {
             if !used && !self.lost.get() {
-                self.faults.hint(node, format!("nothing moves along the surface `{}`", surface.name), "remove the surface, or write `moves: along ...`");
+                self.faults.hint(
+                    node,
+                    format!("nothing moves along the surface `{}`", surface.name),
+                    "remove the surface, or write `moves: along ...`",
+                );
             }
         }
         bodies
@@ -421,7 +434,11 @@ impl Reader<'_> {
             && moment.is_some()
             && let Some(n) = mass.or(weight)
         {
-            f.hint(n, "on a fixed axle the mass enters nothing once the moment of inertia is given", "remove this field");
+            f.hint(
+                n,
+                "on a fixed axle the mass enters nothing once the moment of inertia is given",
+                "remove this field",
+            );
         }
         if parts.is_some()
             && let Some(n) = mass.or(weight)
@@ -440,7 +457,11 @@ impl Reader<'_> {
         if let Some(n) = fields.get("radii") {
             for (radius, key, value) in named(n, "radii by name", f) {
                 if !plain_name(radius) {
-                    f.hint(key, format!("`{}` is no name for a radius", shorten(radius)), "a name such as `rim`");
+                    f.hint(
+                        key,
+                        format!("`{}` is no name for a radius", shorten(radius)),
+                        "a name such as `rim`",
+                    );
                 }
                 // The use is recorded when a tie acts at this radius.
                 let before = self.uses.borrow().len();
@@ -476,7 +497,8 @@ impl Reader<'_> {
                     let names: Vec<&str> = surfaces.iter().map(|s| s.name).collect();
                     let hint = close_name(on, names.iter().copied()).unwrap_or_else(|| {
                         if names.is_empty() {
-                            "name it under `surfaces`, for example `surfaces: {incline: {slope: theta}}`".to_owned()
+                            "name it under `surfaces`, for example `surfaces: {incline: {slope: theta}}`"
+                                .to_owned()
                         } else {
                             format!("surfaces: {}", names.join(", "))
                         }
@@ -498,7 +520,8 @@ impl Reader<'_> {
         } else {
             &[("up", true), ("down", false)]
         };
-        let forward_up = positive.map_or(Some(true), |n| self.word(n, "the positive sense", words)).ok_or(())?;
+        let forward_up =
+            positive.map_or(Some(true), |n| self.word(n, "the positive sense", words)).ok_or(())?;
         Ok(Some(Line { slope, forward_up, surface }))
     }
 
@@ -533,7 +556,13 @@ impl Reader<'_> {
     fn parts(&self, node: &Node) -> Vec<Part> {
         let f = self.faults;
         let Value::List(items) = &node.value else {
-            f.at(node, format!("expected a list of parts such as `- disc: {{mass: m1, radius: R}}`, found {}", node.kind()));
+            f.at(
+                node,
+                format!(
+                    "expected a list of parts such as `- disc: {{mass: m1, radius: R}}`, found {}",
+                    node.kind()
+                ),
+            );
             return Vec::new();
         };
         if items.is_empty() {
@@ -541,7 +570,8 @@ impl Reader<'_> {
         }
         let mut list = Vec::new();
         for item in items {
-            let Some((word, key, value)) = self.one(item, "a part such as `disc: {mass: m1, radius: R}`") else {
+            let Some((word, key, value)) = self.one(item, "a part such as `disc: {mass: m1, radius: R}`")
+            else {
                 continue;
             };
             let shape = shape_of(word);
@@ -595,7 +625,11 @@ impl Reader<'_> {
                     format!("radii of `{}`: {}", body.name, names.collect::<Vec<_>>().join(", "))
                 }
             });
-            self.faults.hint(node, format!("expected a radius of `{}`, found {}", body.name, node.kind()), hint);
+            self.faults.hint(
+                node,
+                format!("expected a radius of `{}`, found {}", body.name, node.kind()),
+                hint,
+            );
             return None;
         };
         if let Num::Datum(datum) = num {
@@ -612,7 +646,9 @@ impl Reader<'_> {
         };
         let mut ties: Vec<Tie> = Vec::new();
         for item in items {
-            let Some((word, key, value)) = self.one(item, "a tie such as `rolls: {body: wheel, on its: hub}`") else {
+            let Some((word, key, value)) =
+                self.one(item, "a tie such as `rolls: {body: wheel, on its: hub}`")
+            else {
                 continue;
             };
             let tie = match word {
@@ -627,7 +663,11 @@ impl Reader<'_> {
             if let Some(body) = contact_body(&tie)
                 && ties.iter().filter_map(contact_body).any(|b| b == body)
             {
-                f.hint(item, format!("`{}` touches its surface twice", bodies[body].name), "keep one of `rolls`, `slips`, `slides`");
+                f.hint(
+                    item,
+                    format!("`{}` touches its surface twice", bodies[body].name),
+                    "keep one of `rolls`, `slips`, `slides`",
+                );
             }
             if let Tie::Cord(c) = &tie
                 && ties.iter().any(|t| matches!(t, Tie::Cord(o) if o.name == c.name && c.name != "cord"))
@@ -659,7 +699,11 @@ impl Reader<'_> {
         let body = self.need_body(&mut fields, "body", bodies);
         let surface = body.is_none_or(|b| bodies[b].line.is_some_and(|l| l.surface));
         if !surface && body.is_some_and(|b| bodies[b].line.is_some() || bodies[b].turns) {
-            f.hint(node, format!("`{}` touches no surface", body.map_or("", |b| &bodies[b].name)), "write `moves: along SURFACE`");
+            f.hint(
+                node,
+                format!("`{}` touches no surface", body.map_or("", |b| &bodies[b].name)),
+                "write `moves: along SURFACE`",
+            );
         }
         if word == "slides" {
             let mu_k = self.need_number(&mut fields, "mu_k", "mu_k", Need::Friction);
@@ -668,7 +712,11 @@ impl Reader<'_> {
             if let Some(b) = body
                 && bodies[b].turns
             {
-                f.hint(node, format!("`{}` can turn, so it rolls or slips", bodies[b].name), "write `rolls:` or `slips:`");
+                f.hint(
+                    node,
+                    format!("`{}` can turn, so it rolls or slips", bodies[b].name),
+                    "write `rolls:` or `slips:`",
+                );
                 return None;
             }
             return Some(Tie::Slide { body: body?, mu_s: settle(mu_s)?, mu_k: mu_k? });
@@ -711,9 +759,7 @@ impl Reader<'_> {
         let from = fields
             .need("from", "{body: wheel, wound on: rim, leaves: top forward}", f)
             .and_then(|n| self.cord_end(n, bodies));
-        let ends = [
-            fields.get("pulled with"), fields.get("to"), fields.get("spring"), fields.get("held"),
-        ];
+        let ends = [fields.get("pulled with"), fields.get("to"), fields.get("spring"), fields.get("held")];
         if ends.iter().flatten().count() != 1 {
             f.hint(
                 node,
@@ -774,16 +820,28 @@ impl Reader<'_> {
             (Some(n), None) => {
                 let radius = self.radius(n, body);
                 if !body.turns {
-                    f.hint(node, format!("`{}` has no inertia, so it cannot turn", body.name), "write `tied at: centre`");
+                    f.hint(
+                        node,
+                        format!("`{}` has no inertia, so it cannot turn", body.name),
+                        "write `tied at: centre`",
+                    );
                     return None;
                 }
                 let (side, forward) = self.leaves_wound(leaves?, body)?;
                 Some(CordEnd { body: index, attach: Attach::Wound(radius?, side), forward })
             }
             (None, Some(n)) => {
-                self.word(n, "`centre`", &[("centre", ()), ("center", ()), ("its centre", ()), ("mass centre", ())])?;
+                self.word(
+                    n,
+                    "`centre`",
+                    &[("centre", ()), ("center", ()), ("its centre", ()), ("mass centre", ())],
+                )?;
                 let Some(line) = body.line else {
-                    f.hint(node, format!("the centre of `{}` does not move", body.name), "write `wound on: ...`");
+                    f.hint(
+                        node,
+                        format!("the centre of `{}` does not move", body.name),
+                        "write `wound on: ...`",
+                    );
                     return None;
                 };
                 let up = if line.forward_up { ("up", true) } else { ("up", false) };
@@ -791,12 +849,20 @@ impl Reader<'_> {
                 let forward = if line.slope == Slope::Level {
                     self.word(leaves?, "where the cord leaves", &[("forward", true), ("back", false)])
                 } else {
-                    self.word(leaves?, "where the cord leaves", &[("forward", true), ("back", false), up, down])
+                    self.word(
+                        leaves?,
+                        "where the cord leaves",
+                        &[("forward", true), ("back", false), up, down],
+                    )
                 }?;
                 Some(CordEnd { body: index, attach: Attach::Centre, forward })
             }
             _ => {
-                f.hint(node, "a cord is tied at the centre or wound on a radius", "write `tied at: centre` or `wound on: rim`");
+                f.hint(
+                    node,
+                    "a cord is tied at the centre or wound on a radius",
+                    "write `tied at: centre` or `wound on: rim`",
+                );
                 None
             }
         }
@@ -815,9 +881,12 @@ impl Reader<'_> {
         if !surface {
             // Seen with forward to the right, a positive turn moves the front side down: it pays a cord out that
             // leaves there downward, and takes one in that leaves there upward.
-            for (word, pays_out, down) in
-                [("front down", true, true), ("back down", false, true), ("front up", false, false), ("back up", true, false)]
-            {
+            for (word, pays_out, down) in [
+                ("front down", true, true),
+                ("back down", false, true),
+                ("front up", false, false),
+                ("back up", true, false),
+            ] {
                 let forward = match body.line {
                     None => true,
                     Some(line) => line.forward_up != down,
@@ -840,7 +909,9 @@ impl Reader<'_> {
         };
         let mut list = Vec::new();
         for item in items {
-            let Some((word, key, value)) = self.one(item, "a force such as `couple: {on: wheel, moment: M, sense: forward}`") else {
+            let Some((word, key, value)) =
+                self.one(item, "a force such as `couple: {on: wheel, moment: M, sense: forward}`")
+            else {
                 continue;
             };
             if word != "couple" {
@@ -873,7 +944,11 @@ impl Reader<'_> {
             return Vec::new();
         }
         if !matches!(node.value, Value::Map(_)) {
-            f.hint(node, format!("expected the start, found {}", node.kind()), "`at rest`, or for example `{wheel: {speed: v0}}`");
+            f.hint(
+                node,
+                format!("expected the start, found {}", node.kind()),
+                "`at rest`, or for example `{wheel: {speed: v0}}`",
+            );
             return Vec::new();
         }
         let mut list = Vec::new();
@@ -912,7 +987,11 @@ impl Reader<'_> {
                 let found = bodies[body].particles.iter().position(|p| p.name == text);
                 if found.is_none() {
                     let names: Vec<&str> = bodies[body].particles.iter().map(|p| p.name.as_str()).collect();
-                    f.hint(n, format!("expected a particle, found {}", n.kind()), format!("particles: {}", names.join(", ")));
+                    f.hint(
+                        n,
+                        format!("expected a particle, found {}", n.kind()),
+                        format!("particles: {}", names.join(", ")),
+                    );
                 }
                 found
             });
@@ -932,7 +1011,8 @@ impl Reader<'_> {
         if node.text().is_some_and(|t| t.trim() == "at once") {
             return Some((End::AtOnce, None));
         }
-        let (word, key, value) = self.one(node, "the end: `at once`, or for example `{travel: {of: wheel, by: d}}`")?;
+        let (word, key, value) =
+            self.one(node, "the end: `at once`, or for example `{travel: {of: wheel, by: d}}`")?;
         if word == "turning point" {
             let body = self.body_named(value, bodies)?;
             let degree = if bodies[body].line.is_some() { Degree::Along } else { Degree::Turn };
@@ -949,11 +1029,18 @@ impl Reader<'_> {
         let turning = word == "turn" || (body.is_some() && line.is_none());
         let degree = if turning { Degree::Turn } else { Degree::Along };
         let number = match word {
-            "travel" => self.need_number(&mut fields, "by", "d", if turning { Need::Turn } else { Need::Length }),
+            "travel" => {
+                self.need_number(&mut fields, "by", "d", if turning { Need::Turn } else { Need::Length })
+            }
             "turn" => self.need_number(&mut fields, "by", "phi", Need::Turn),
             "position" => self.need_number(&mut fields, "at", "s", Need::Place),
             "time" => self.need_number(&mut fields, "is", "t1", Need::Time),
-            _ => self.need_number(&mut fields, "reaches", "v1", if turning { Need::SpinReached } else { Need::Speed }),
+            _ => self.need_number(
+                &mut fields,
+                "reaches",
+                "v1",
+                if turning { Need::SpinReached } else { Need::Speed },
+            ),
         };
         let heading = fields.get("heading").map_or(Some(None), |n| {
             let mut words = vec![("forward", Heading::Forward), ("back", Heading::Back)];
@@ -961,8 +1048,11 @@ impl Reader<'_> {
                 && line.slope != Slope::Level
                 && !turning
             {
-                let (up, down) =
-                    if line.forward_up { (Heading::Forward, Heading::Back) } else { (Heading::Back, Heading::Forward) };
+                let (up, down) = if line.forward_up {
+                    (Heading::Forward, Heading::Back)
+                } else {
+                    (Heading::Back, Heading::Forward)
+                };
                 words.push(("up", up));
                 words.push(("down", down));
             }
@@ -1023,8 +1113,19 @@ pub fn admissible(value: f64, need: Need) -> Result<(), String> {
     Err(format!("{} is {rule}", need.words()))
 }
 
-const SHAPES: &[&str] =
-    &["disc", "disk", "cylinder", "solid cylinder", "hoop", "ring", "hollow cylinder", "sphere", "ball", "shell", "hollow sphere"];
+const SHAPES: &[&str] = &[
+    "disc",
+    "disk",
+    "cylinder",
+    "solid cylinder",
+    "hoop",
+    "ring",
+    "hollow cylinder",
+    "sphere",
+    "ball",
+    "shell",
+    "hollow sphere",
+];
 
 fn shape_of(word: &str) -> Option<Shape> {
     match word.trim().to_lowercase().as_str() {

@@ -166,12 +166,20 @@ fn tolerance(node: &Node, unit: Option<&Unit>, faults: &Faults) -> (Option<f64>,
         if share > 0.0 && share < 1.0 {
             return Some(share);
         }
-        faults.hint(n, format!("a relative tolerance of {} makes no sense", n.kind()), "above 0 and below 100 %");
+        faults.hint(
+            n,
+            format!("a relative tolerance of {} makes no sense", n.kind()),
+            "above 0 and below 100 %",
+        );
         None
     });
     let absolute = fields.get("absolute").and_then(|n| {
         let Some(unit) = unit else {
-            faults.hint(n, "an absolute tolerance needs a unit, so it belongs to a question", "move it there");
+            faults.hint(
+                n,
+                "an absolute tolerance needs a unit, so it belongs to a question",
+                "move it there",
+            );
             return None;
         };
         match measure::constant(n.text().unwrap_or(""), unit.ascii()) {
@@ -192,11 +200,16 @@ fn tolerance(node: &Node, unit: Option<&Unit>, faults: &Faults) -> (Option<f64>,
 
 #[expect(clippy::too_many_lines, reason = "one line or two for each field of a problem")]
 fn problem(
-    name: &str, node: &Node, common: &Common, variables: Option<Variables>, faults: &Faults,
+    name: &str,
+    node: &Node,
+    common: &Common,
+    variables: Option<Variables>,
+    faults: &Faults,
 ) -> Option<Problem> {
     let before = faults.count();
     let mut fields = Fields::open(node, "a problem (title, data, scene, questions)", faults)?;
-    let title = fields.need("title", "A wheel pulled up an incline", faults).and_then(|n| text(n, "a title", faults));
+    let title =
+        fields.need("title", "A wheel pulled up an incline", faults).and_then(|n| text(n, "a title", faults));
     let data_node = fields.need("data", "{m: {name: mass, unit: kg, draw: 20 to 40 step 1}}", faults);
     let mut data = data_node.map_or_else(Vec::new, |n| data_of(n, faults));
     let symbols: Vec<Symbol> = data
@@ -431,9 +444,17 @@ fn data_of<'n>(node: &'n Node, faults: &Faults) -> Vec<DatumRead<'n>> {
                 "letters, digits and `_`, beginning with a letter, such as `mu_s`",
             );
         } else if symbol == "g" {
-            faults.hint(key, "`g` is the acceleration of free fall", "write `gravity: 9.81 m/s^2` at the top of the bank");
+            faults.hint(
+                key,
+                "`g` is the acceleration of free fall",
+                "write `gravity: 9.81 m/s^2` at the top of the bank",
+            );
         } else if TEMPLATE_NAMES.contains(&symbol) {
-            faults.hint(key, format!("`{symbol}` has a meaning of its own in statements"), "choose another symbol");
+            faults.hint(
+                key,
+                format!("`{symbol}` has a meaning of its own in statements"),
+                "choose another symbol",
+            );
         }
         let mut datum = Datum {
             symbol: symbol.to_owned(),
@@ -446,7 +467,9 @@ fn data_of<'n>(node: &'n Node, faults: &Faults) -> Vec<DatumRead<'n>> {
         let mut unit_known = false;
         let mut draw_wrong = false;
         if let Some(mut fields) = Fields::open(value, "a datum (name, unit, draw)", faults) {
-            if let Some(name) = fields.need("name", "mass of the wheel", faults).and_then(|n| text(n, "a name", faults)) {
+            if let Some(name) =
+                fields.need("name", "mass of the wheel", faults).and_then(|n| text(n, "a name", faults))
+            {
                 datum.name = name;
             }
             if let Some(n) = fields.need("unit", "kg", faults) {
@@ -455,7 +478,9 @@ fn data_of<'n>(node: &'n Node, faults: &Faults) -> Vec<DatumRead<'n>> {
                         datum.unit = unit;
                         unit_known = true;
                     }
-                    Err(message) => faults.hint(n, message, "a unit such as kg, m, deg, N/m; `1` for a pure number"),
+                    Err(message) => {
+                        faults.hint(n, message, "a unit such as kg, m, deg, N/m; `1` for a pure number")
+                    }
                 }
             }
             if let Some(tex) = fields.get("tex").and_then(|n| text(n, "a symbol in LaTeX", faults)) {
@@ -474,8 +499,8 @@ fn data_of<'n>(node: &'n Node, faults: &Faults) -> Vec<DatumRead<'n>> {
 /// LaTeX of a symbol: `theta` is `\theta`, `m_A` is `m_A`, `mu_s` is `\mu_s`, `x0` is `x_0`, `ks` is `k_s`.
 pub fn tex_of(symbol: &str) -> String {
     const GREEK: [&str; 22] = [
-        "alpha", "beta", "gamma", "delta", "epsilon", "zeta", "eta", "theta", "kappa", "lambda", "mu", "nu", "xi", "pi",
-        "rho", "sigma", "tau", "phi", "chi", "psi", "omega", "Omega",
+        "alpha", "beta", "gamma", "delta", "epsilon", "zeta", "eta", "theta", "kappa", "lambda", "mu", "nu",
+        "xi", "pi", "rho", "sigma", "tau", "phi", "chi", "psi", "omega", "Omega",
     ];
     let letter = |word: &str| if GREEK.contains(&word) { format!("\\{word}") } else { word.to_owned() };
     let (base, index) = match symbol.split_once('_') {
@@ -516,7 +541,8 @@ fn regimes(node: &Node, faults: &Faults) -> Vec<String> {
             list.push(text.to_owned());
         } else {
             let words: Vec<&str> = Motion::ALL.iter().map(|m| m.word()).collect();
-            let hint = close_name(text, words.iter().copied()).unwrap_or_else(|| format!("regimes: {}", words.join(", ")));
+            let hint = close_name(text, words.iter().copied())
+                .unwrap_or_else(|| format!("regimes: {}", words.join(", ")));
             faults.hint(item, format!("expected a regime, found {}", item.kind()), hint);
         }
     }
@@ -528,13 +554,18 @@ fn margins(node: &Node, faults: &Faults) -> Vec<(CheckKind, f64)> {
     for (name, key, value) in named(node, "margins by check", faults) {
         let Some(kind) = CheckKind::ALL.iter().copied().find(|k| k.name() == name) else {
             let names: Vec<&str> = CheckKind::ALL.iter().map(|k| k.name()).collect();
-            let hint = close_name(name, names.iter().copied()).unwrap_or_else(|| format!("checks: {}", names.join(", ")));
+            let hint = close_name(name, names.iter().copied())
+                .unwrap_or_else(|| format!("checks: {}", names.join(", ")));
             faults.hint(key, format!("`{}` is no check", shorten(name)), hint);
             continue;
         };
         match share(value, faults) {
             Some(s) if (0.0..1.0).contains(&s) => list.push((kind, s)),
-            Some(_) => faults.hint(value, format!("a margin of {} cannot hold", value.kind()), "from 0 to below 100 %"),
+            Some(_) => faults.hint(
+                value,
+                format!("a margin of {} cannot hold", value.kind()),
+                "from 0 to below 100 %",
+            ),
             None => {}
         }
     }
@@ -542,7 +573,10 @@ fn margins(node: &Node, faults: &Faults) -> Vec<(CheckKind, f64)> {
 }
 
 fn questions(
-    node: &Node, common: &Common, scenes: &[(&str, &Scene)], faults: &Faults,
+    node: &Node,
+    common: &Common,
+    scenes: &[(&str, &Scene)],
+    faults: &Faults,
 ) -> Vec<(String, Option<Question>)> {
     let list = named(node, "questions by id", faults);
     if list.is_empty() && matches!(node.value, Value::Map(_)) {
@@ -551,7 +585,11 @@ fn questions(
     let mut out = Vec::new();
     for (id, key, value) in list {
         if !scene::plain_name(id) {
-            faults.hint(key, format!("`{}` is no id of a question", shorten(id)), "letters, digits and `_`, beginning with a letter");
+            faults.hint(
+                key,
+                format!("`{}` is no id of a question", shorten(id)),
+                "letters, digits and `_`, beginning with a letter",
+            );
         }
         out.push((id.to_owned(), question(id, key, value, common, scenes, faults)));
     }
@@ -559,7 +597,12 @@ fn questions(
 }
 
 fn question(
-    id: &str, key: &Node, node: &Node, common: &Common, scenes: &[(&str, &Scene)], faults: &Faults,
+    id: &str,
+    key: &Node,
+    node: &Node,
+    common: &Common,
+    scenes: &[(&str, &Scene)],
+    faults: &Faults,
 ) -> Option<Question> {
     let mut fields = Fields::open(node, "a question (ask, unit)", faults)?;
     let ask = fields.need("ask", "the speed of the wheel", faults).and_then(|n| text(n, "a text", faults));
@@ -571,9 +614,9 @@ fn question(
     let unit_node = fields.get("unit");
     let tolerance_node = fields.get("tolerance");
     let points = fields.get("points").map_or(Some(1.0), |n| points(n, faults));
-    let figures = fields.get("figures").map_or(Some(FIGURES), |n| {
-        whole(n, 1, 12, faults).and_then(|f| u8::try_from(f).ok())
-    });
+    let figures = fields
+        .get("figures")
+        .map_or(Some(FIGURES), |n| whole(n, 1, 12, faults).and_then(|f| u8::try_from(f).ok()));
     let unit_required = fields.get("units").map_or(Some(common.unit_required), |n| choice(n, &UNITS, faults));
     fields.close(faults);
     let place = quantity_node.unwrap_or(key);
@@ -710,10 +753,12 @@ fn bounds_of(node: &Node, data: &[Datum], scene: Option<&Scene>, faults: &Faults
                 let factor = if data[i].degrees { std::f64::consts::PI / 180.0 } else { 1.0 };
                 return Ok((Name::Datum(i, factor), measure::powers(&data[i].unit)));
             }
-            let label = scene.map_or_else(|| unowned(name), |s| review::label(s, name)).map_err(|(message, hint)| {
-                let close = close_name(name, data.iter().map(|d| d.symbol.as_str()));
-                (message, close.or(hint))
-            })?;
+            let label = scene.map_or_else(|| unowned(name), |s| review::label(s, name)).map_err(
+                |(message, hint)| {
+                    let close = close_name(name, data.iter().map(|d| d.symbol.as_str()));
+                    (message, close.or(hint))
+                },
+            )?;
             if label.quantity.is_word() {
                 return Err((format!("`{name}` is a word, not a number"), None));
             }
@@ -723,11 +768,17 @@ fn bounds_of(node: &Node, data: &[Datum], scene: Option<&Scene>, faults: &Faults
         let expression = match Expression::parse(written, &lookup) {
             Ok(e) => Some(e),
             Err(t) => {
-                faults.maybe(key, format!("`{}`, character {}: {}", shorten(written), t.column, t.message), t.hint);
+                faults.maybe(
+                    key,
+                    format!("`{}`, character {}: {}", shorten(written), t.column, t.message),
+                    t.hint,
+                );
                 None
             }
         };
-        let Some(mut fields) = Fields::open(value, "`{min: ...}`, `{max: ...}` or both", faults) else { continue };
+        let Some(mut fields) = Fields::open(value, "`{min: ...}`, `{max: ...}` or both", faults) else {
+            continue;
+        };
         let (low, high) = (fields.get("min"), fields.get("max"));
         fields.close(faults);
         if low.is_none() && high.is_none() {
@@ -747,7 +798,11 @@ fn bounds_of(node: &Node, data: &[Datum], scene: Option<&Scene>, faults: &Faults
                 let wanted = measure::powers_text(expression.powers);
                 faults.hint(
                     n,
-                    format!("`{}` has the dimension {wanted}, this limit {}", shorten(written), measure::powers_text(found)),
+                    format!(
+                        "`{}` has the dimension {wanted}, this limit {}",
+                        shorten(written),
+                        measure::powers_text(found)
+                    ),
                     format!("write the unit of the limit, for example `{} {wanted}`", number.text()),
                 );
                 return None;
