@@ -7,16 +7,20 @@
 //!
 //! Data flow: bank -> draw -> scene -> solve (eom | energy) -> key -> sheet, and
 //! submissions -> answer -> grade -> report.
+pub mod answer;
 pub mod bank;
 pub mod cli;
 pub mod draw;
 pub mod finding;
+pub mod grade;
 pub mod key;
 pub mod num;
 pub mod problem;
+pub mod report;
 pub mod scene;
 pub mod set;
 pub mod sheet;
+pub mod simulate;
 pub mod solve;
 pub mod template;
 pub mod units;

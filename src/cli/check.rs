@@ -1,5 +1,161 @@
+//! `slipstick check`: a student's own answers against the public sheet file, which is solved anew.
+use crate::bank::Draw;
+use crate::bank::decimal::Decimal;
 use crate::cli::args;
-use crate::cli::tell::{Exit, Io};
-pub fn run(_args: &args::Check, _io: &mut Io) -> Exit {
-    Exit::Fine
+use crate::cli::banks;
+use crate::cli::files;
+use crate::cli::tell;
+use crate::cli::tell::Exit;
+use crate::cli::tell::Io;
+use crate::cli::words;
+use crate::finding::Finding;
+use crate::grade::judge;
+use crate::grade::verdict::Verdict;
+use crate::key::ProblemKey;
+use crate::problem::make;
+use crate::problem::make_key;
+use crate::sheet::public::SheetFile;
+use crate::sheet::public::SheetProblem;
+use crate::sheet::statement;
+use crate::units;
+
+/// Runs it.
+pub fn run(args: &args::Check, io: &mut Io) -> Exit {
+    match check(args, io) {
+        Ok(exit) => exit,
+        Err(findings) => io.findings(&findings),
+    }
+}
+
+/// One problem of the sheet, solved.
+struct Solved {
+    number: usize,
+    id: String,
+    key: ProblemKey,
+    reveal: bool,
+    /// Words for the sign of each part.
+    signs: Vec<[&'static str; 2]>,
+}
+
+fn check(args: &args::Check, io: &mut Io) -> Result<Exit, Vec<Finding>> {
+    let file = args.sheet.display().to_string();
+    let text = files::read_text(&args.sheet).map_err(|f| vec![f])?;
+    let sheet = SheetFile::parse(&text).map_err(|f| vec![f.in_file(&file)])?;
+    let mut faults = Vec::new();
+    // Which problems and parts are meant, before anything is solved.
+    let mut asked = Vec::new();
+    for answer in &args.answers {
+        let Some((name, cell)) = answer.split_once('=') else {
+            let fault = Finding::new("", format!("`{answer}` is no answer"));
+            faults.push(fault.hint("write the part, `=` and the answer, such as 1.omega='30.3 rad/s'"));
+            continue;
+        };
+        let Some((problem, part)) = name.trim().split_once('.') else {
+            let fault = Finding::new("", format!("`{name}` is no part of a problem"));
+            faults.push(fault.hint("write problem, point, part, such as 1.omega"));
+            continue;
+        };
+        let found = sheet.problems.iter().position(|p| p.number.to_string() == problem || p.id == problem);
+        match found {
+            Some(i) => asked.push((name.trim(), i, part, cell)),
+            None => {
+                let known: Vec<String> =
+                    sheet.problems.iter().map(|p| format!("{} ({})", p.number, p.id)).collect();
+                let fault = Finding::new("", format!("`{name}`: the sheet has no problem `{problem}`"));
+                faults.push(fault.hint(format!("its problems: {}", known.join(", "))));
+            }
+        }
+    }
+    let mut solved: Vec<Option<Solved>> = sheet.problems.iter().map(|_| None).collect();
+    for (_, i, _, _) in &asked {
+        if solved[*i].is_none() {
+            match solve(&sheet.problems[*i], &file) {
+                Ok(done) => solved[*i] = Some(done),
+                Err(more) => return Err(more),
+            }
+        }
+    }
+    let mut rows = Vec::new();
+    let mut all_right = true;
+    let mut hidden = false;
+    for (name, i, part, cell) in asked {
+        let Some(problem) = &solved[i] else { continue };
+        let Some(p) = problem.key.parts.iter().position(|e| e.part == part) else {
+            let known: Vec<&str> = problem.key.parts.iter().map(|e| e.part.as_str()).collect();
+            let what = format!("`{name}`: problem {} ({}) has no part `{part}`", problem.number, problem.id);
+            let fault = Finding::new("", what);
+            faults.push(match units::spell::closest(part, known.iter().copied()) {
+                Some(near) => fault.hint(format!("did you mean `{near}`?")),
+                None => fault.hint(format!("its parts: {}", known.join(", "))),
+            });
+            continue;
+        };
+        let entry = &problem.key.parts[p];
+        let judgement = judge::judge(cell, entry);
+        let right = judgement.verdict == Verdict::Right;
+        all_right &= right;
+        let mut row = vec![name.to_owned(), cell.to_owned(), judgement.verdict.as_str().to_owned()];
+        row.push(judgement.reason.clone().into_owned());
+        if args.reveal && !right {
+            if problem.reveal {
+                row.push(format!("right: {}", words::right_answer(entry, problem.signs[p])));
+            } else {
+                hidden = true;
+            }
+        }
+        rows.push(row);
+    }
+    if !faults.is_empty() {
+        return Err(faults);
+    }
+    io.piece(&tell::table(&rows, &[0, 1, 2, 3, 4]));
+    if hidden {
+        io.note("The bank does not allow --reveal: no values are shown.");
+    }
+    Ok(if all_right { Exit::Fine } else { Exit::NotAllRight })
+}
+
+fn solve(problem: &SheetProblem, file: &str) -> Result<Solved, Vec<Finding>> {
+    let place = format!("{file}, problem {}", problem.number);
+    let in_file =
+        |faults: Vec<Finding>| -> Vec<Finding> { faults.into_iter().map(|f| f.in_file(&place)).collect() };
+    let Some(text) = problem.bank_text().map_err(in_file)? else {
+        let fault = Finding::new("", "this sheet cannot be checked: it carries no scene").in_file(&place);
+        return Err(vec![fault.hint("the instructor has switched self-checks off for this bank")]);
+    };
+    // Places in the text made here mean nothing to the reader of the sheet.
+    let no_place = |faults: Vec<Finding>| -> Vec<Finding> {
+        faults
+            .into_iter()
+            .map(|mut f| {
+                f.at = None;
+                f
+            })
+            .collect()
+    };
+    let bank = banks::parse(&text, &place).map_err(no_place)?;
+    let Some(only) = bank.problems.first().filter(|p| !p.cases.is_empty()) else {
+        return Err(vec![Finding::new("scene", "holds no problem").in_file(&place)]);
+    };
+    let values: Vec<Option<Decimal>> = only.cases[0]
+        .draws
+        .iter()
+        .map(|d| match d {
+            Some(Draw::Always { value, decimals }) => Some(Decimal { value: *value, decimals: *decimals }),
+            _ => None,
+        })
+        .collect();
+    let variant = make::from_values(only, 0, &values).map_err(|refusal| {
+        let texts = words::refusal(only, &only.cases[0].scene, &refusal);
+        texts.into_iter().map(|t| Finding::new("data", t).in_file(&place)).collect::<Vec<_>>()
+    })?;
+    let scene = &only.cases[0].scene;
+    let signs = only.questions.iter().map(|q| statement::direction_words(scene, q.label.of)).collect();
+    Ok(Solved {
+        number: problem.number,
+        id: problem.id.clone(),
+        key: make_key::key(only, &variant),
+        reveal: bank.reveal,
+        signs,
+    })
 }

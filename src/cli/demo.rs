@@ -1,5 +1,228 @@
+//! `slipstick demo`: the whole job on a made-up class.
 use crate::cli::args;
-use crate::cli::tell::{Exit, Io};
-pub fn run(_args: &args::Demo, _io: &mut Io) -> Exit {
-    Exit::Fine
+use crate::cli::args::Attempts;
+use crate::cli::args::Own;
+use crate::cli::banks;
+use crate::cli::files;
+use crate::cli::files::Staged;
+use crate::cli::generate;
+use crate::cli::generate::Plan;
+use crate::cli::grade;
+use crate::cli::grade::Job;
+use crate::cli::tell;
+use crate::cli::tell::Exit;
+use crate::cli::tell::Io;
+use crate::finding::Finding;
+use crate::grade::verdict::Verdict;
+use crate::set::replay::Dealer;
+use crate::simulate::class;
+use crate::simulate::hand_in;
+use crate::simulate::hand_in::HandIn;
+use crate::simulate::hand_in::Kind;
+use crate::simulate::hand_in::Sheet;
+use std::fs;
+use std::path::Path;
+
+/// A folder with this file was made by `demo`, whole.
+const MARKER: &str = ".slipstick-demo";
+const NAMES: [&str; 5] = [MARKER, "grades", "roster.csv", "set", "submissions.csv"];
+const SEED: u64 = 2026;
+
+/// Runs it.
+pub fn run(args: &args::Demo, io: &mut Io) -> Exit {
+    match demo(&args.dir, io) {
+        Ok(()) => Exit::Fine,
+        Err(findings) => io.findings(&findings),
+    }
+}
+
+fn demo(dir: &Path, io: &mut Io) -> Result<(), Vec<Finding>> {
+    may_replace(dir)?;
+    let one = |f: Finding| vec![f];
+    let loaded = banks::load("wheels-on-inclines")?;
+    let bank = &loaded.bank;
+    let templates = banks::templates(&Own { templates: None }, bank)?;
+    let staged = Staged::new(dir).map_err(one)?;
+    let root = staged.path();
+    let write = |name: &str, bytes: &[u8]| {
+        let path = root.join(name);
+        fs::write(&path, bytes).map_err(|e| vec![files::trouble(&path, "cannot be written", &e)])
+    };
+    write("roster.csv", &class::roster())?;
+    let members = generate::members(&root.join("roster.csv"))?;
+    let problems: Vec<usize> = (0..bank.problems.len()).collect();
+    let plan = Plan {
+        bank,
+        text: &loaded.text,
+        templates: &templates,
+        problems: &problems,
+        seed: SEED,
+        name: &bank.id,
+    };
+    let summary = generate::whole(&plan, &members, &root.join("set"), io.watched)?;
+    let handed = submissions(&plan)?;
+    write("submissions.csv", &handed.bytes)?;
+    let job = Job {
+        set: &root.join("set"),
+        submissions: &root.join("submissions.csv"),
+        out: &root.join("grades"),
+        attempts: Attempts::Last,
+        columns: &[],
+        force: false,
+        watched: io.watched,
+    };
+    let graded = grade::grade(&job)?;
+    let table = kinds_and_verdicts(&handed, &root.join("grades").join("answers.csv"))?;
+    let marks = marks(&root.join("grades").join("gradebook.csv"))?;
+    write(MARKER, b"Made by `slipstick demo`, which may replace this folder.\n")?;
+    staged.finish().map_err(one)?;
+
+    let shown = dir.display();
+    let first = members.first().map_or("", |m| m.folder.as_str());
+    io.line(&format!(
+        "A class of {} and the bank `{}`: {} problems, every variant solved twice.\n",
+        members.len(),
+        bank.id,
+        problems.len()
+    ));
+    for (path, what) in [
+        ("roster.csv".to_owned(), "the class"),
+        (format!("set/students/{first}/sheet.html"), "a sheet: open it in a browser"),
+        ("set/key.csv".to_owned(), "the key: both roads, their gap, the condition number"),
+        ("submissions.csv".to_owned(), "what the class handed in, as messy as it comes"),
+        ("grades/answers.csv".to_owned(), "every answer with verdict, points and reason"),
+        ("grades/gradebook.csv".to_owned(), "a row for each student"),
+    ] {
+        io.line(&format!("  {shown}/{path:<34} {what}"));
+    }
+    io.line("");
+    generate::coincidences(&summary, io);
+    io.line("\nWhat the simulated rows were, and what became of them:");
+    io.piece(&table);
+    io.line(&format!("\n{}", graded.summary));
+    io.line("\nMarks:");
+    io.piece(&marks);
+    io.line(&format!(
+        "\nThe same by hand:\n  slipstick generate {} --roster {shown}/roster.csv --seed {SEED} --out my-set\n  slipstick grade my-set {shown}/submissions.csv --out my-grades",
+        bank.id
+    ));
+    Ok(())
+}
+
+/// Nothing, an empty folder, or a demo and nothing else.
+fn may_replace(dir: &Path) -> Result<(), Vec<Finding>> {
+    let names = files::names_in(dir);
+    if !dir.exists() || (dir.is_dir() && names.is_empty()) {
+        return Ok(());
+    }
+    let finding = |what: String| Finding::new("", what).in_file(dir.display().to_string());
+    if !dir.is_dir() || !names.iter().any(|n| n == MARKER) {
+        let fault = finding("is there already, and `slipstick demo` did not make it".to_owned());
+        return Err(vec![fault.hint("give another folder: slipstick demo DIR")]);
+    }
+    let foreign: Vec<String> = names.into_iter().filter(|n| !NAMES.contains(&n.as_str())).collect();
+    if foreign.is_empty() {
+        return Ok(());
+    }
+    let fault = finding(format!("holds what `slipstick demo` did not make: {}", foreign.join(", ")));
+    Err(vec![fault.hint("move it away, or give another folder")])
+}
+
+fn submissions(plan: &Plan) -> Result<HandIn, Vec<Finding>> {
+    let dealer = Dealer::new(plan.bank, plan.problems, plan.seed, plan.name);
+    let mut dealt = Vec::new();
+    for (id, _) in class::STUDENTS {
+        dealt.push(dealer.deal(id).map_err(|f| vec![f])?);
+    }
+    let chosen = || plan.problems.iter().filter_map(|p| plan.bank.problems.get(*p));
+    let sheets: Vec<Sheet> = class::STUDENTS
+        .iter()
+        .zip(&dealt)
+        .map(|((id, _), dealt)| Sheet {
+            student: id,
+            problems: chosen()
+                .zip(&dealt.variants)
+                .zip(&dealt.key.problems)
+                .map(|((p, v), k)| (p, v, k))
+                .collect(),
+        })
+        .collect();
+    Ok(hand_in::hand_in(&sheets, plan.seed))
+}
+
+fn records(path: &Path) -> Result<Vec<csv::StringRecord>, Vec<Finding>> {
+    let bytes = files::read(path).map_err(|f| vec![f])?;
+    let mut reader =
+        csv::ReaderBuilder::new().has_headers(false).flexible(true).from_reader(bytes.as_slice());
+    let records: Result<Vec<_>, _> = reader.records().collect();
+    records.map_err(|e| vec![Finding::new("", e.to_string()).in_file(path.display().to_string())])
+}
+
+/// Simulated kinds against verdicts.
+fn kinds_and_verdicts(handed: &HandIn, answers: &Path) -> Result<String, Vec<Finding>> {
+    let records = records(answers)?;
+    let column = |name: &str| records.first().and_then(|h| h.iter().position(|f| f == name));
+    let verdict = column("verdict").unwrap_or(6);
+    let mut verdicts: Vec<String> = Vec::new();
+    for record in records.iter().skip(1) {
+        let this = record.get(verdict).unwrap_or_default();
+        if !verdicts.iter().any(|v| v == this) {
+            verdicts.push(this.to_owned());
+        }
+    }
+    let order = |v: &String| Verdict::ALL.iter().position(|o| o.as_str() == v);
+    verdicts.sort_by_key(order);
+    let mut rows =
+        vec![std::iter::once("rows".to_owned()).chain(verdicts.iter().cloned()).collect::<Vec<_>>()];
+    rows[0].push("all".to_owned());
+    for kind in Kind::ALL {
+        let of_kind: Vec<&str> = records
+            .iter()
+            .skip(1)
+            .zip(&handed.kinds)
+            .filter(|(_, k)| *k == kind)
+            .map(|(r, _)| r.get(verdict).unwrap_or_default())
+            .collect();
+        let mut row = vec![kind.name().to_owned()];
+        for v in &verdicts {
+            let n = of_kind.iter().filter(|o| *o == v).count();
+            row.push(if n == 0 { "·".to_owned() } else { n.to_string() });
+        }
+        row.push(of_kind.len().to_string());
+        rows.push(row);
+    }
+    Ok(tell::table(&rows, &[0]))
+}
+
+/// The gradebook with a column for each problem.
+fn marks(gradebook: &Path) -> Result<String, Vec<Finding>> {
+    let records = records(gradebook)?;
+    let Some(header) = records.first() else { return Ok(String::new()) };
+    let mut problems: Vec<&str> = Vec::new();
+    for field in header.iter() {
+        if let Some((problem, _)) = field.split_once('.') {
+            if !problems.contains(&problem) {
+                problems.push(problem);
+            }
+        }
+    }
+    let column = |name: &str| header.iter().position(|f| f == name);
+    let text = |record: &csv::StringRecord, name: &str| {
+        column(name).and_then(|c| record.get(c)).unwrap_or_default().to_owned()
+    };
+    let mut rows = vec![vec!["student".to_owned(), "name".to_owned()]];
+    rows[0].extend(problems.iter().map(|p| format!("problem {p}")));
+    rows[0].extend(["total".to_owned(), "of".to_owned()]);
+    for record in records.iter().skip(1) {
+        let mut row = vec![text(record, "student"), text(record, "name")];
+        for problem in &problems {
+            let of_problem = header.iter().zip(record).filter(|(h, _)| h.split('.').next() == Some(problem));
+            let sum = of_problem.filter_map(|(_, p)| p.parse::<f64>().ok()).fold(0.0, |a, b| a + b);
+            row.push(format!("{sum}"));
+        }
+        row.push(text(record, "total"));
+        row.push(text(record, "max_total"));
+        rows.push(row);
+    }
+    Ok(tell::table(&rows, &[0, 1]))
 }

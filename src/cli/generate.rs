@@ -1,10 +1,10 @@
 //! `slipstick generate`: bank and roster to a folder with a sheet for each student.
+use crate::answer::roster;
 use crate::bank::Bank;
 use crate::cli::args;
 use crate::cli::banks;
 use crate::cli::files;
 use crate::cli::files::Staged;
-use crate::cli::members as roster;
 use crate::cli::tell::Exit;
 use crate::cli::tell::Io;
 use crate::cli::tell::count;
@@ -109,7 +109,6 @@ fn generate(args: &args::Generate, io: &mut Io) -> Result<(), Vec<Finding>> {
             io.line("Nobody to add: every student of the roster has a sheet already.");
             return Ok(());
         }
-        rename_twins(&mut members, set);
     }
     let pool = rayon::ThreadPoolBuilder::new()
         .num_threads(args.threads.unwrap_or(0))
@@ -125,24 +124,15 @@ fn generate(args: &args::Generate, io: &mut Io) -> Result<(), Vec<Finding>> {
 }
 
 /// The students of a roster file.
-fn members(path: &Path) -> Result<Vec<Member>, Vec<Finding>> {
+pub fn members(path: &Path) -> Result<Vec<Member>, Vec<Finding>> {
     let bytes = files::read(path).map_err(|f| vec![f])?;
-    let roster = roster::read(&bytes, &path.display().to_string())?;
-    let folders = roster.folders();
-    Ok(roster
-        .students
-        .into_iter()
-        .zip(folders)
-        .map(|(s, folder)| Member { student: s.id, name: s.name, folder })
-        .collect())
-}
-
-/// Late joiners whose folder would fall together with one that is there.
-fn rename_twins(members: &mut [Member], set: &StoredSet) {
-    let taken: rustc_hash::FxHashSet<String> = set.students.iter().map(|s| s.folder.to_lowercase()).collect();
-    for member in members.iter_mut().filter(|m| taken.contains(&m.folder.to_lowercase())) {
-        member.folder = roster::escape_twin(&member.student);
-    }
+    let file = path.display().to_string();
+    let named =
+        |faults: Vec<Finding>| -> Vec<Finding> { faults.into_iter().map(|f| f.in_file(&file)).collect() };
+    let students = roster::roster(&bytes).map_err(named)?;
+    let member =
+        |(student, name): (String, String)| Member { folder: roster::folder(&student), student, name };
+    Ok(students.into_iter().map(member).collect())
 }
 
 /// What `generate` made, for the summary.
@@ -460,7 +450,8 @@ fn tell(plan: &Plan, summary: &Summary, out: &Path, io: &mut Io) {
     coincidences(summary, io);
 }
 
-fn coincidences(summary: &Summary, io: &mut Io) {
+/// Pairs too much alike, for the summary.
+pub fn coincidences(summary: &Summary, io: &mut Io) {
     let found = &summary.set.coincidences;
     if found.is_empty() {
         io.line("  no two students have an equal problem or all answers of a problem within tolerance");

@@ -1,5 +1,191 @@
+//! `slipstick lint`: all that is wrong in a bank, then how it behaves over many seeds.
+use crate::bank::Bank;
 use crate::cli::args;
-use crate::cli::tell::{Exit, Io};
-pub fn run(_args: &args::Lint, _io: &mut Io) -> Exit {
-    Exit::Fine
+use crate::cli::banks;
+use crate::cli::tell;
+use crate::cli::tell::Exit;
+use crate::cli::tell::Io;
+use crate::cli::words;
+use crate::finding::Finding;
+use crate::problem::make::Maker;
+use crate::problem::sweep;
+use crate::problem::sweep::Sweep;
+use crate::sheet::html;
+use crate::sheet::page::Room;
+use crate::sheet::page::Sheets;
+use crate::sheet::statement;
+use crate::template::Templates;
+use rayon::prelude::*;
+
+/// A class for which the chance of equal sheets is told.
+const CLASS: u32 = 500;
+/// The chance that a bank should stay below.
+const RARE: f64 = 1e-6;
+
+/// Runs it.
+pub fn run(args: &args::Lint, io: &mut Io) -> Exit {
+    match lint(args, io) {
+        Ok(findings) if findings.is_empty() => Exit::Fine,
+        Ok(findings) | Err(findings) => io.findings(&findings),
+    }
+}
+
+fn lint(args: &args::Lint, io: &mut Io) -> Result<Vec<Finding>, Vec<Finding>> {
+    let loaded = banks::load(&args.bank)?;
+    let bank = &loaded.bank;
+    let templates = banks::templates(&args.own, bank).map_err(|faults| {
+        faults
+            .into_iter()
+            .map(|f| if f.file.is_none() { f.in_file(&loaded.file) } else { f })
+            .collect::<Vec<_>>()
+    })?;
+    let mut findings = unknown_names(bank, &templates);
+    let seeds = u32::try_from(args.seeds.min(1_000_000)).unwrap_or(1_000_000);
+    let sweeps: Vec<Sweep> =
+        bank.problems.par_iter().map(|p| sweep::sweep(p, 1, seeds.max(1), &bank.id)).collect();
+    for (problem, sweep) in bank.problems.iter().zip(&sweeps) {
+        if let Some((seed, none)) = &sweep.unsatisfiable {
+            let fault = Finding::new(format!("problems.{}", problem.id), format!("seed {seed}: {none}"));
+            findings.push(
+                fault.in_file(&loaded.file).hint("widen the ranges, or loosen the rule that refuses most"),
+            );
+        }
+        if let Some(refusal) = &sweep.unsolved {
+            for text in words::refusal(problem, &problem.cases[0].scene, refusal) {
+                let what = format!("a draw cannot be solved: {text}");
+                findings.push(Finding::new(format!("problems.{}", problem.id), what).in_file(&loaded.file));
+            }
+        }
+    }
+    if findings.is_empty() {
+        findings.extend(faulty_texts(bank, &templates)?);
+    }
+    for (problem, sweep) in bank.problems.iter().zip(&sweeps) {
+        io.line(&format!("{}: {}", problem.id, problem.title));
+        io.piece(&cases(sweep));
+        for case in &sweep.cases {
+            for (rule, count) in &case.refusals {
+                let name = if case.name.is_empty() { String::new() } else { format!("{}: ", case.name) };
+                io.line(&format!("    refused {count:>6}  {name}{rule}"));
+            }
+        }
+        io.piece(&questions(problem, sweep));
+        io.line("");
+    }
+    let chance = sweep::coincidence(&sweeps, CLASS);
+    let verdict = if chance <= RARE { "rare enough" } else { "too likely: widen the ranges" };
+    io.line(&format!(
+        "Chance that two of {CLASS} students get equal sheets of all {}: at most {chance:.1e} ({verdict}).",
+        tell::count(bank.problems.len(), "problem")
+    ));
+    for sweep in &sweeps {
+        let one = sweep::coincidence(std::slice::from_ref(sweep), CLASS);
+        io.line(&format!("  {} alone: at most {one:.1e}", sweep.problem));
+    }
+    Ok(findings)
+}
+
+fn cases(sweep: &Sweep) -> String {
+    let mut rows = vec![
+        ["case", "share", "variants", "draws", "accepted", "valid variants"].map(str::to_owned).to_vec(),
+    ];
+    for case in &sweep.cases {
+        let name = if case.name.is_empty() { "(all)" } else { &case.name };
+        let accepted =
+            if case.tries == 0 { "-".to_owned() } else { format!("{:.0} %", case.acceptance() * 100.0) };
+        rows.push(vec![
+            name.to_owned(),
+            format!("{:.0} %", case.share * 100.0),
+            case.variants.to_string(),
+            case.tries.to_string(),
+            accepted,
+            format!("about {:.0e}", case.valid),
+        ]);
+    }
+    tell::table(&rows, &[0])
+}
+
+fn questions(problem: &crate::bank::Problem, sweep: &Sweep) -> String {
+    let mut rows = vec![["question", "least", "greatest", "unit", "worst cond"].map(str::to_owned).to_vec()];
+    for (question, seen) in problem.questions.iter().zip(&sweep.questions) {
+        let mut row = vec![seen.id.clone()];
+        if let Some((low, high)) = seen.range {
+            row.extend([
+                words::rounded(low, 4),
+                words::rounded(high, 4),
+                question.unit.ascii().to_owned(),
+                words::rounded(seen.worst_cond, 3),
+            ]);
+        } else {
+            let total: u64 = seen.words.iter().map(|(_, n)| n).sum();
+            let share = |n: u64| n * 100 / total.max(1);
+            let list: Vec<String> = seen.words.iter().map(|(w, n)| format!("{w} {} %", share(*n))).collect();
+            row.push(list.join(", "));
+        }
+        rows.push(row);
+    }
+    // Words may be longer than a number: they stand behind the table's first column.
+    let (numbers, texts): (Vec<_>, Vec<_>) = rows.into_iter().partition(|r| r.len() != 2);
+    let mut text = tell::table(&numbers, &[0, 3]);
+    text.push_str(&tell::table(&texts, &[0, 1]));
+    text
+}
+
+/// Names in template files that are neither symbols nor known to every statement. (Templates in the bank were reviewed
+/// with it.)
+fn unknown_names(bank: &Bank, templates: &Templates) -> Vec<Finding> {
+    let mut findings = Vec::new();
+    for problem in bank.problems.iter().filter(|p| p.statement.is_none()) {
+        let name = statement::template_name(problem);
+        match templates.variables(&name) {
+            Ok(used) => {
+                for unknown in used.iter().filter(|u| {
+                    !statement::RESERVED.contains(&u.as_str()) && problem.data.iter().all(|d| d.symbol != **u)
+                }) {
+                    let known: Vec<&str> = problem.data.iter().map(|d| d.symbol.as_str()).collect();
+                    findings.push(
+                        Finding::new(unknown, format!("is no datum of {}", problem.id))
+                            .in_file(&name)
+                            .hint(format!("its data: {}", known.join(", "))),
+                    );
+                }
+            }
+            Err(fault) => findings.push(fault),
+        }
+    }
+    findings
+}
+
+/// One sheet of each case is written: faults that show only then, and formulas that cannot be read.
+fn faulty_texts(bank: &Bank, templates: &Templates) -> Result<Vec<Finding>, Vec<Finding>> {
+    let mut findings: Vec<Finding> = Vec::new();
+    let problems: Vec<usize> = (0..bank.problems.len()).collect();
+    let sheets = Sheets::new(templates, bank, &bank.id, &problems)?;
+    let mut room = Room::default();
+    for (i, problem) in bank.problems.iter().enumerate() {
+        let maker = Maker::new(problem, 1, &bank.id);
+        let mut seen = vec![false; problem.cases.len()];
+        for student in 0..64 {
+            let Ok(variant) = maker.variant(&format!("text {student}")) else { break };
+            if std::mem::replace(&mut seen[variant.case], true) {
+                continue;
+            }
+            let mut out = Vec::new();
+            match sheets.problem(i, (variant.case, &variant.values), &mut room, &mut out) {
+                Ok(()) => {
+                    let text = String::from_utf8_lossy(&out);
+                    for fault in html::faulty_formulas(&text) {
+                        let finding =
+                            Finding::new(format!("problems.{}", problem.id), format!("formula {fault}"));
+                        if !findings.contains(&finding) {
+                            findings.push(finding);
+                        }
+                    }
+                }
+                Err(fault) if findings.contains(&fault) => {}
+                Err(fault) => findings.push(fault),
+            }
+        }
+    }
+    Ok(findings)
 }

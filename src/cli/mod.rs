@@ -10,7 +10,6 @@ mod files;
 mod generate;
 mod grade;
 mod lint;
-mod members;
 mod practice;
 mod solve;
 pub mod tell;

@@ -1,5 +1,182 @@
+//! `slipstick practice`: a problem is drawn and shown, answers are judged, another one follows.
+use crate::bank::Problem;
 use crate::cli::args;
-use crate::cli::tell::{Exit, Io};
-pub fn run(_args: &args::Practice, _io: &mut Io) -> Exit {
-    Exit::Fine
+use crate::cli::banks;
+use crate::cli::tell::Exit;
+use crate::cli::tell::Io;
+use crate::cli::words;
+use crate::finding::Finding;
+use crate::grade::judge;
+use crate::grade::verdict::Verdict;
+use crate::key::ProblemKey;
+use crate::problem::make::Maker;
+use crate::problem::make::Variant;
+use crate::problem::make_key;
+use crate::set::replay;
+use crate::sheet::page::Room;
+use crate::sheet::page::Sheets;
+use crate::sheet::statement;
+use crate::solve::outcome::Motion;
+use std::time::SystemTime;
+
+/// Runs it.
+pub fn run(args: &args::Practice, io: &mut Io) -> Exit {
+    match practice(args, io) {
+        Ok(()) => Exit::Fine,
+        Err(findings) => io.findings(&findings),
+    }
+}
+
+/// What the student wants next.
+enum Next {
+    /// Another problem.
+    Draw,
+    /// An end.
+    Quit,
+}
+
+fn practice(args: &args::Practice, io: &mut Io) -> Result<(), Vec<Finding>> {
+    let loaded = banks::load(&args.bank)?;
+    let bank = &loaded.bank;
+    let templates = banks::templates(&args.own, bank)?;
+    let problems = match &args.problems {
+        Some(ids) => replay::indices(bank, ids, "--problems")?,
+        None => (0..bank.problems.len()).collect(),
+    };
+    if problems.is_empty() {
+        return Err(vec![Finding::new("problems", "there is none").in_file(&loaded.file)]);
+    }
+    let sheets = Sheets::new(&templates, bank, "practice", &problems)?;
+    let seed = args.seed.unwrap_or_else(from_clock);
+    let makers: Vec<Maker> =
+        problems.iter().map(|p| Maker::new(&bank.problems[*p], seed, "practice")).collect();
+    io.line(&format!(
+        "{} (seed {seed}). An empty line skips a question; `solution`, `next`, `quit` do what they say.",
+        bank.title
+    ));
+    let mut room = Room::default();
+    let (mut right, mut asked) = (0, 0);
+    for round in 0usize.. {
+        let i = round % problems.len();
+        let problem = &bank.problems[problems[i]];
+        let variant = makers[i]
+            .variant(&format!("round {}", round / problems.len() + 1))
+            .map_err(|e| vec![Finding::new(format!("problems.{}", problem.id), e.to_string())])?;
+        let mut text = Vec::new();
+        sheets.problem(i, (variant.case, &variant.values), &mut room, &mut text).map_err(|f| vec![f])?;
+        io.line(&format!("\n## {}\n\n{}", problem.title, plain(&String::from_utf8_lossy(&text))));
+        let key = make_key::key(problem, &variant);
+        match questions(problem, &variant, &key, (&mut right, &mut asked), io) {
+            Next::Draw => {}
+            Next::Quit => break,
+        }
+    }
+    if asked > 0 {
+        io.line(&format!("\n{right} of {asked} questions right at last."));
+    }
+    Ok(())
+}
+
+/// The question part of a round.
+fn questions(
+    problem: &Problem,
+    variant: &Variant,
+    key: &ProblemKey,
+    (right, asked): (&mut usize, &mut usize),
+    io: &mut Io,
+) -> Next {
+    for (question, entry) in problem.questions.iter().zip(&key.parts) {
+        loop {
+            io.piece(&format!("{} = ", entry.part));
+            let Some(cell) = io.ask() else {
+                io.line("");
+                return Next::Quit;
+            };
+            match cell.as_str() {
+                "quit" | "q" | "exit" => return Next::Quit,
+                "next" => return Next::Draw,
+                "solution" => {
+                    solution(problem, variant, key, io);
+                    return Next::Draw;
+                }
+                "" => {
+                    *asked += 1;
+                    break;
+                }
+                _ => {}
+            }
+            let judgement = judge::judge(&cell, entry);
+            if judgement.verdict == Verdict::Right {
+                io.line(&format!("  right ({})", judgement.reason));
+                *asked += 1;
+                *right += 1;
+                break;
+            }
+            let again = if question.label.quantity.is_word() {
+                ""
+            } else {
+                "; try again, or skip with an empty line"
+            };
+            io.line(&format!("  {}: {}{again}", judgement.verdict.as_str(), judgement.reason));
+        }
+    }
+    Next::Draw
+}
+
+fn solution(problem: &Problem, variant: &Variant, key: &ProblemKey, io: &mut Io) {
+    let scene = &problem.cases[variant.case].scene;
+    if variant.solved.regime.motion != Motion::Instant {
+        io.line(&format!("  {}", words::regime(variant.solved.regime)));
+    }
+    for (question, entry) in problem.questions.iter().zip(&key.parts) {
+        let signs = statement::direction_words(scene, question.label.of);
+        io.line(&format!("  {} = {}", entry.part, words::right_answer(entry, signs)));
+    }
+    for check in &variant.solved.checks {
+        io.line(&format!("  because {}", words::check(scene, &variant.solved, check)));
+    }
+}
+
+/// Formulas as a terminal can show them.
+fn plain(markdown: &str) -> String {
+    let mut out = String::with_capacity(markdown.len());
+    let mut math = false;
+    let mut rest = markdown;
+    const SIGNS: [(&str, &str); 15] = [
+        (r"\ ", " "),
+        (r"\,", " "),
+        (r"{}^\circ", "°"),
+        (r"^\circ", "°"),
+        (r"\mathrm", ""),
+        (r"\theta", "θ"),
+        (r"\omega", "ω"),
+        (r"\alpha", "α"),
+        (r"\phi", "φ"),
+        (r"\mu", "μ"),
+        (r"\%", "%"),
+        ("^{2}", "²"),
+        ("^2", "²"),
+        ("{", ""),
+        ("}", ""),
+    ];
+    while let Some(c) = rest.chars().next() {
+        if c == '$' {
+            math = !math;
+            rest = &rest[1..];
+        } else if let Some((tex, sign)) = SIGNS.iter().filter(|_| math).find(|(tex, _)| rest.starts_with(tex))
+        {
+            out.push_str(sign);
+            rest = &rest[tex.len()..];
+        } else {
+            out.push(c);
+            rest = &rest[c.len_utf8()..];
+        }
+    }
+    out
+}
+
+#[expect(clippy::disallowed_methods, reason = "the street door knows a clock; the seed is shown")]
+fn from_clock() -> u64 {
+    let since = SystemTime::now().duration_since(SystemTime::UNIX_EPOCH).unwrap_or_default();
+    since.as_secs() % 1_000_000
 }

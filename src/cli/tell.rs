@@ -65,7 +65,7 @@ impl Io<'_> {
 /// A table with columns as wide as they need; the first column to the left, the others to the right unless `left` says so.
 pub fn table(rows: &[Vec<String>], left: &[usize]) -> String {
     let columns = rows.iter().map(Vec::len).max().unwrap_or(0);
-    let width = |c: usize| rows.iter().filter_map(|r| r.get(c)).map(|t| t.chars().count()).max().unwrap_or(0);
+    let width = |c: usize| rows.iter().filter_map(|r| r.get(c)).map(|t| wide(t)).max().unwrap_or(0);
     let widths: Vec<usize> = (0..columns).map(width).collect();
     let mut text = String::new();
     for row in rows {
@@ -74,7 +74,7 @@ pub fn table(rows: &[Vec<String>], left: &[usize]) -> String {
             if c > 0 {
                 line.push_str("  ");
             }
-            let pad = widths[c].saturating_sub(cell.chars().count());
+            let pad = widths[c].saturating_sub(wide(cell));
             if left.contains(&c) {
                 line.push_str(cell);
                 line.extend(std::iter::repeat_n(' ', pad));
@@ -93,4 +93,10 @@ pub fn table(rows: &[Vec<String>], left: &[usize]) -> String {
 /// `1 sheet`, `2 sheets`
 pub fn count(n: usize, one: &str) -> String {
     if n == 1 { format!("1 {one}") } else { format!("{n} {one}s") }
+}
+
+/// Columns that a text takes on a terminal: Chinese, Japanese and Korean signs take two.
+fn wide(text: &str) -> usize {
+    let two = |c: &char| matches!(u32::from(*c), 0x1100..=0x115F | 0x2E80..=0xA4CF | 0xAC00..=0xD7A3 | 0xF900..=0xFAFF | 0xFE30..=0xFE6F | 0xFF00..=0xFF60);
+    text.chars().count() + text.chars().filter(two).count()
 }

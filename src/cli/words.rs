@@ -2,50 +2,27 @@
 use crate::bank::Problem;
 use crate::key::Answer;
 use crate::key::KeyEntry;
+use crate::scene::Label;
 use crate::scene::Num;
+use crate::scene::Owner;
+use crate::scene::Quantity;
 use crate::scene::Scene;
 use crate::scene::Tie;
 use crate::scene::admissible::Inadmissible;
 use crate::scene::admissible::Rule;
+pub use crate::sheet::number::rounded;
 use crate::solve::outcome::Check;
 use crate::solve::outcome::CheckKind;
+use crate::solve::outcome::Entry;
 use crate::solve::outcome::Motion;
 use crate::solve::outcome::Refusal;
 use crate::solve::outcome::Regime;
+use crate::solve::outcome::Solved;
 use crate::solve::outcome::Unsupported;
 
 /// Five significant figures, for people.
 pub fn figures(value: f64) -> String {
     rounded(value, 5)
-}
-
-/// As many significant figures as asked, with the zeros at the end that belong to them.
-pub fn rounded(value: f64, figures: usize) -> String {
-    if value == 0.0 {
-        return "0".to_owned();
-    }
-    if !value.is_finite() {
-        return if value.is_nan() {
-            "none".to_owned()
-        } else if value > 0.0 {
-            "infinite".to_owned()
-        } else {
-            "-infinite".to_owned()
-        };
-    }
-    let figures = figures.max(1);
-    let short = format!("{value:.*e}", figures - 1);
-    let exponent: i32 = short.split_once('e').and_then(|(_, e)| e.parse().ok()).unwrap_or(0);
-    let decimals = i32::try_from(figures).unwrap_or(17) - 1 - exponent;
-    if (-5..6).contains(&exponent) && decimals >= 0 {
-        format!("{value:.*}", usize::try_from(decimals).unwrap_or(0))
-    } else if (0..6).contains(&exponent) {
-        // More digits before the point than figures: round them there.
-        let whole: f64 = short.parse().unwrap_or(value);
-        format!("{whole:.0}")
-    } else {
-        short
-    }
 }
 
 fn body(scene: &Scene, index: usize) -> &str {
@@ -63,16 +40,31 @@ fn of_tie(scene: &Scene, index: usize) -> String {
 }
 
 /// One condition in words with its numbers.
-pub fn check(scene: &Scene, c: &Check) -> String {
-    let (required, available) = (figures(c.required), figures(c.available));
+pub fn check(scene: &Scene, solved: &Solved, c: &Check) -> String {
+    let said = |quantity: Quantity, of: Owner| solved.get(Label { quantity, of }).map(Entry::value);
+    // Where a quantity says it, its own digits; some checks work in scaled units.
+    let available = match c.kind {
+        CheckKind::Pressed => said(Quantity::Normal, Owner::Body(c.of)).unwrap_or(c.available),
+        CheckKind::Taut => said(Quantity::Tension, Owner::Tie(c.of)).unwrap_or(c.available),
+        _ => c.available,
+    };
+    let (required, available) = (figures(c.required), figures(available));
     match c.kind {
-        CheckKind::Moves if c.ok => {
-            format!("the {} moves as declared: drive {available} against {required}", body(scene, c.of))
+        // Only the ratio of drive and resistance means anything.
+        CheckKind::Moves if c.ok && c.required == 0.0 => {
+            format!("the {} moves as declared: nothing resists", body(scene, c.of))
         }
-        CheckKind::Moves => format!(
-            "the {} does not move as declared: drive {available}, required more than {required}",
-            body(scene, c.of)
-        ),
+        CheckKind::Moves if c.ok => {
+            let ratio = figures(c.available / c.required);
+            format!("the {} moves as declared: the drive is {ratio} times what resists", body(scene, c.of))
+        }
+        CheckKind::Moves => {
+            let ratio = figures(if c.available == 0.0 { 0.0 } else { c.available / c.required });
+            format!(
+                "the {} does not move as declared: the drive is {ratio} times what resists, required more than 1",
+                body(scene, c.of)
+            )
+        }
         CheckKind::NoSlip if c.ok => format!(
             "the {} holds without slipping: needs {required} N of friction, mu_s N = {available} N",
             of_tie(scene, c.of)

@@ -62,7 +62,7 @@ fn mathml(tex: &str, display_mode: DisplayMode) -> String {
     let mut out = String::new();
     let config = RenderConfig { display_mode, ..RenderConfig::default() };
     match pulldown_latex::push_mathml(&mut out, parser, config) {
-        Ok(()) => out,
+        Ok(()) => tidy(&out),
         Err(_) => {
             let mut shown = String::from("<code>");
             for c in tex.chars() {
@@ -77,6 +77,14 @@ fn mathml(tex: &str, display_mode: DisplayMode) -> String {
             shown
         }
     }
+}
+
+/// What the writer of MathML leaves ugly: escaped spaces, the micro sign for the letter mu, wide slashes in units.
+fn tidy(mathml: &str) -> String {
+    mathml
+        .replace("&amp;nbsp;", "\u{a0}")
+        .replace('\u{b5}', "\u{3bc}")
+        .replace("<mo>/</mo>", "<mo lspace=\"0\" rspace=\"0\">/</mo>")
 }
 
 /// Says what is wrong with the formulas of a Markdown text, one sentence each.

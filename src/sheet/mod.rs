@@ -1,5 +1,6 @@
 //! What a reader sees: statements, sheets, the public sheet file. Numbers become text here, once.
 pub mod html;
+pub mod number;
 pub mod page;
 pub mod public;
 pub mod statement;

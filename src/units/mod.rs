@@ -185,6 +185,14 @@ impl Unit {
             None => value / self.factor,
         }
     }
+    /// `to_si(x)` is `x * times / over`, to the last bit.
+    pub(crate) fn times_over(&self) -> (f64, f64) {
+        match self.ten() {
+            Some(ten @ 0..) => (TENS[ten as usize], 1.0),
+            Some(ten) => (1.0, TENS[usize::from(ten.unsigned_abs())]),
+            None => (self.factor, 1.0),
+        }
+    }
     /// The power of ten, if it is nothing else and an exact double.
     #[inline]
     fn ten(&self) -> Option<i16> {

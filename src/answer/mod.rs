@@ -1,0 +1,4 @@
+//! What a student wrote: files of submissions, rosters, and the text of a single cell.
+pub mod read;
+pub mod roster;
+pub mod submissions;

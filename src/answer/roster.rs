@@ -1,0 +1,228 @@
+//! Rosters, and student ids as names of folders.
+use crate::answer::submissions::Batch;
+use crate::answer::submissions::Record;
+use crate::answer::submissions::Source;
+use crate::finding::Finding;
+use rustc_hash::FxHashMap;
+use std::io::Cursor;
+
+/// Reads a roster: columns `student` and, if there is one, `name`; encodings and delimiters as for submissions.
+/// Gives (id, name) in the order of the file.
+///
+/// # Errors
+/// All faults at once: missing columns, blank and duplicate ids, records that do not fit the header.
+pub fn roster(bytes: &[u8]) -> Result<Vec<(String, String)>, Vec<Finding>> {
+    let unread = |fault: std::io::Error| vec![Finding::new("roster", fault.to_string())];
+    let (mut source, header) = Source::open(Box::new(Cursor::new(bytes.to_vec()))).map_err(unread)?;
+    let Some(header) = header else {
+        return Err(vec![
+            Finding::new("header", "the roster is empty").hint("the first line is `student,name`"),
+        ]);
+    };
+    let place = |line: u64| usize::try_from(line).unwrap_or(usize::MAX);
+    let mut findings = Vec::new();
+    let mut column = |name: &str| {
+        let hits: Vec<usize> =
+            (0..header.fields.len()).filter(|i| header.fields[*i].to_lowercase() == name).collect();
+        if hits.len() > 1 {
+            let twice = Finding::new("header", format!("column `{name}` stands there {} times", hits.len()));
+            findings.push(twice.at(place(header.line), 1));
+        }
+        hits.first().copied()
+    };
+    let (student, name) = (column("student"), column("name"));
+    let Some(student) = student else {
+        let missing = Finding::new("header", "no column `student`").at(place(header.line), 1);
+        findings.push(missing.hint(format!("the columns are: {}", header.fields.join(" | "))));
+        return Err(findings);
+    };
+    let mut all: Vec<(String, String)> = Vec::new();
+    let mut seen: FxHashMap<String, u64> = FxHashMap::default();
+    let (mut batch, mut record) = (Batch::default(), Record::default());
+    while source.next_batch(&mut batch).map_err(unread)? {
+        batch.records(&mut record, &mut |r| {
+            let line = r.line();
+            let text = |i: usize| String::from_utf8_lossy(r.get(i).unwrap_or_default()).trim().to_owned();
+            let empty = |from: usize| (from..r.len()).all(|i| text(i).is_empty());
+            if empty(0) {
+                return;
+            }
+            if r.fault().is_some() {
+                let odd = Finding::new("record", "bytes that cannot be read").at(place(line), 1);
+                findings.push(odd.hint("save the roster as UTF-8"));
+                return;
+            }
+            if !empty(header.fields.len()) {
+                let odd = format!("{} fields where the header has {}", r.len(), header.fields.len());
+                findings.push(
+                    Finding::new("record", odd).at(place(line), 1).hint("put a name with a comma in quotes"),
+                );
+                return;
+            }
+            let id = text(student);
+            if id.is_empty() {
+                findings.push(Finding::new("student", "the id is blank").at(place(line), student + 1));
+            } else if id.chars().any(char::is_control) {
+                findings.push(
+                    Finding::new("student", format!("`{}` has a control character", id.escape_debug()))
+                        .at(place(line), student + 1),
+                );
+            } else if id.len() > 100 {
+                findings.push(
+                    Finding::new("student", "the id is longer than 100 bytes").at(place(line), student + 1),
+                );
+            } else if let Some(first) = seen.get(&id) {
+                let twice = Finding::new("student", format!("`{id}` stands on lines {first} and {line}"));
+                findings.push(twice.at(place(line), student + 1).hint("keep one of them"));
+            } else {
+                seen.insert(id.clone(), line);
+                all.push((id, name.map(text).unwrap_or_default()));
+            }
+        });
+    }
+    if all.is_empty() && findings.is_empty() {
+        findings.push(Finding::new("roster", "no student").at(place(header.line), 1));
+    }
+    if findings.is_empty() { Ok(all) } else { Err(findings) }
+}
+
+/// A student id as the name of a folder that every system takes. Small letters, digits and `_ - .` inside stay; a capital
+/// gets `^` in front, so that ids which differ only in case stay apart where case does not count; anything else becomes
+/// `%XX` of its bytes, letters of other scripts stay. A name that Windows keeps for itself (`con`, `nul`, `com1`) and a
+/// leading or trailing point are written with `%XX` too.
+///
+/// ```
+/// use slipstick::answer::roster::folder;
+/// assert_eq!((folder("s001"), folder("../x"), folder("CON")), ("s001".into(), "%2E.%2Fx".into(), "^C^O^N".into()));
+/// ```
+pub fn folder(id: &str) -> String {
+    let mut out = String::with_capacity(id.len());
+    let last = id.char_indices().next_back().map_or(0, |(i, _)| i);
+    let reserved = is_reserved(id);
+    for (i, c) in id.char_indices() {
+        // a letter is kept where its case is settled and it has only one form
+        let kept = match c {
+            'a'..='z' | '0'..='9' | '_' | '-' => !(reserved && i == 0),
+            '.' => i != 0 && i != last,
+            c => {
+                !c.is_ascii()
+                    && c.is_alphabetic()
+                    && c.to_lowercase().eq([c])
+                    && c.to_uppercase().count() == 1
+                    && !decomposes(c)
+            }
+        };
+        if kept {
+            out.push(c);
+        } else if c.is_ascii_uppercase() {
+            out.push('^');
+            out.push(c);
+        } else {
+            let mut bytes = [0u8; 4];
+            for b in c.encode_utf8(&mut bytes).bytes() {
+                out.push_str(&format!("%{b:02X}"));
+            }
+        }
+    }
+    out
+}
+
+/// Letters that file systems may rewrite to a base letter and a mark (Hangul, Latin with accents beyond Latin-1, ...).
+fn decomposes(c: char) -> bool {
+    !matches!(c, '\u{df}'..='\u{ff}' | '\u{3b1}'..='\u{3c9}' | '\u{430}'..='\u{44f}' | '\u{4e00}'..='\u{9fff}')
+        || matches!(c, '\u{439}' | '\u{3c2}' | '\u{f7}')
+}
+
+fn is_reserved(id: &str) -> bool {
+    let stem = id.split('.').next().unwrap_or_default();
+    matches!(stem, "con" | "prn" | "aux" | "nul")
+        || (stem.len() == 4
+            && (stem.starts_with("com") || stem.starts_with("lpt"))
+            && stem.ends_with(|c: char| c.is_ascii_digit()))
+}
+
+/// The student id of a folder, if `folder` made it.
+pub fn unfolder(name: &str) -> Option<String> {
+    let mut bytes = Vec::with_capacity(name.len());
+    let mut chars = name.bytes();
+    while let Some(b) = chars.next() {
+        match b {
+            b'^' => bytes.push(chars.next().filter(u8::is_ascii_uppercase)?),
+            b'%' => {
+                let digit = |b: u8| char::from(b).to_digit(16);
+                let (high, low) = (digit(chars.next()?)?, digit(chars.next()?)?);
+                bytes.push((high * 16 + low) as u8);
+            }
+            b => bytes.push(b),
+        }
+    }
+    let id = String::from_utf8(bytes).ok()?;
+    (folder(&id) == name).then_some(id)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    #[test]
+    fn reads_and_collects_all_faults() {
+        let text = "Student;Name\r\n00123;\"Bär, Ada\"\r\nb ;\r\n;\r\n";
+        let want = vec![("00123".to_owned(), "Bär, Ada".to_owned()), ("b".to_owned(), String::new())];
+        assert_eq!(roster(text.as_bytes()).unwrap(), want);
+        let faults = roster(b"student,name\na,A\n,B\na,C\nc,D,E\n").unwrap_err();
+        let shown: Vec<String> = faults.iter().map(ToString::to_string).collect();
+        assert_eq!(
+            shown,
+            [
+                "line 3, column 1: student: the id is blank",
+                "line 4, column 1: student: `a` stands on lines 2 and 4\n    hint: keep one of them",
+                "line 5, column 1: record: 3 fields where the header has 2\n    hint: put a name with a comma in quotes",
+            ]
+        );
+        assert!(roster(b"").is_err() && roster(b"id\n1\n").is_err() && roster(b"student\n").is_err());
+    }
+
+    #[test]
+    fn folders() {
+        for (id, name) in [
+            ("s001", "s001"),
+            ("a/b", "a%2Fb"),
+            ("con", "%63on"),
+            ("com1.x", "%63om1.x"),
+            ("x.", "x%2E"),
+            ("x ", "x%20"),
+            ("Ada", "^Ada"),
+            ("..", "%2E%2E"),
+            ("a%b^", "a%25b%5E"),
+            ("müller", "müller"),
+            ("Ü", "%C3%9C"),
+            ("com10", "com10"),
+        ] {
+            assert_eq!(folder(id), name);
+            assert_eq!(unfolder(name).as_deref(), Some(id));
+        }
+        assert_eq!(unfolder("%41"), None);
+    }
+
+    proptest! {
+        #[test]
+        fn folders_go_back_and_stay_apart(a in "\\PC{1,20}", b in "[aAbB./ %^]{1,6}", c in "[aAbB./ %^]{1,6}") {
+            for id in [&a, &b, &c] {
+                let name = folder(id);
+                let back = unfolder(&name);
+                prop_assert_eq!(back.as_deref(), Some(id.as_str()));
+                prop_assert!(!name.contains(['/', '\\', ':', '*', '?', '"', '<', '>', '|', '\0']));
+                prop_assert!(!name.ends_with(['.', ' ']) && !name.starts_with('.'));
+            }
+            prop_assert_eq!(b == c, folder(&b).to_lowercase() == folder(&c).to_lowercase());
+        }
+
+        #[test]
+        fn no_roster_panics(bytes in prop::collection::vec(any::<u8>(), 0..300), name in "\\PC{0,20}") {
+            let _ = roster(&bytes);
+            let _ = roster(&[b"student,name\n".as_slice(), &bytes].concat());
+            let _ = unfolder(&name);
+        }
+    }
+}

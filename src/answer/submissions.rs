@@ -1,0 +1,757 @@
+//! A file of submissions as spreadsheets and form services write it: a stream of bytes to batches of records with their
+//! lines, never the whole file in memory.
+//!
+//! The reader is our own and not the `csv` crate's, because one quote left open must not swallow the rest: such a quote is
+//! taken as an ordinary character, and the reader goes on at the next line. A quote is left open where no closing one
+//! follows within 64 KiB or 100 lines, or where text follows a closing quote on a later line. Everything else is as in RFC 4180.
+use encoding_rs::Encoding;
+use encoding_rs::UTF_16BE;
+use encoding_rs::UTF_16LE;
+use encoding_rs::WINDOWS_1252;
+use std::borrow::Cow;
+use std::io;
+use std::io::Read;
+
+/// A field longer than this cannot be read.
+pub const FIELD_CAP: usize = 64 * 1024;
+/// A quoted field with more lines than this was not meant as one.
+pub const LINE_CAP: u64 = 100;
+/// A record must be decided within this many bytes.
+const LOOKAHEAD: usize = 2 * FIELD_CAP;
+/// Bytes of an overlong record that are kept to show it.
+const SHOWN: usize = 120;
+
+/// Where a field stands; quotes are not yet taken off.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+struct Span {
+    start: usize,
+    end: usize,
+    quoted: bool,
+}
+
+/// Where a record ends, where the next one begins, and how many lines it took.
+struct Walked {
+    end: usize,
+    next: usize,
+    lines: u64,
+}
+
+/// The line end at `at`: where the next line begins; `None` if a CR is the last byte and more may come.
+fn line_end(data: &[u8], at: usize, whole: bool) -> Option<usize> {
+    match (data[at], data.get(at + 1)) {
+        (b'\n', _) => Some(at + 1),
+        (_, Some(b'\n')) => Some(at + 2),
+        (_, None) if !whole => None,
+        _ => Some(at + 1),
+    }
+}
+
+/// Walks over one record. `None`: more bytes are needed to decide; never where `whole` says that nothing follows.
+fn walk(data: &[u8], from: usize, delimiter: u8, whole: bool, field: &mut dyn FnMut(Span)) -> Option<Walked> {
+    let (mut at, mut lines) = (from, 0);
+    loop {
+        let mut quote = at;
+        while data.get(quote) == Some(&b' ') {
+            quote += 1;
+        }
+        let mut end = None;
+        if data.get(quote) == Some(&b'"')
+            && let Some((close, inner)) = closing(data, quote + 1, delimiter, whole)?
+        {
+            field(Span { start: quote, end: close, quoted: true });
+            lines += inner;
+            end = Some(close);
+        }
+        let end = match end {
+            Some(end) => end,
+            None => {
+                let rest = &data[at..];
+                let stop = memchr::memchr3(delimiter, b'\n', b'\r', rest);
+                if stop.is_none() && !whole {
+                    return None;
+                }
+                let end = at + stop.unwrap_or(rest.len());
+                field(Span { start: at, end, quoted: false });
+                end
+            }
+        };
+        match data.get(end) {
+            None if !whole => return None,
+            None => return Some(Walked { end, next: end, lines: lines + 1 }),
+            Some(&b) if b == delimiter => at = end + 1,
+            Some(_) => {
+                let next = line_end(data, end, whole)?;
+                return Some(Walked { end, next, lines: lines + 1 });
+            }
+        }
+    }
+}
+
+/// The end of a quoted field that begins at `from` (after its quote), and the line ends inside. `None`: undecided;
+/// `Some(None)`: the quote is an ordinary character.
+fn closing(data: &[u8], from: usize, delimiter: u8, whole: bool) -> Option<Option<(usize, u64)>> {
+    let (mut at, mut lines) = (from, 0);
+    let limit = data.len().min(from + FIELD_CAP);
+    loop {
+        let Some(step) = memchr::memchr3(b'"', b'\n', b'\r', &data[at.min(limit)..limit]) else {
+            return if limit == from + FIELD_CAP || whole { Some(None) } else { None };
+        };
+        at += step;
+        if data[at] != b'"' {
+            lines += 1;
+            if lines > LINE_CAP {
+                return Some(None);
+            }
+            let Some(next) = line_end(data, at, whole) else { return None };
+            at = next;
+            continue;
+        }
+        match data.get(at + 1) {
+            Some(b'"') => at += 2,
+            None if !whole => return None,
+            _ => {
+                // what follows the closing quote up to the delimiter belongs to the field: `"5" rod`
+                let rest = &data[at + 1..];
+                let stop = memchr::memchr3(delimiter, b'\n', b'\r', rest);
+                if stop.is_none() && !whole {
+                    return if rest.len() > FIELD_CAP { Some(None) } else { None };
+                }
+                let end = at + 1 + stop.unwrap_or(rest.len());
+                let junk = data[at + 1..end].iter().any(|b| *b != b' ');
+                return Some(if junk && lines > 0 { None } else { Some((end, lines)) });
+            }
+        }
+    }
+}
+
+/// A field's text without its quotes, blanks around it kept.
+fn unquoted<'a>(data: &'a [u8], span: Span) -> Cow<'a, [u8]> {
+    let text = &data[span.start..span.end];
+    if !span.quoted {
+        return Cow::Borrowed(text);
+    }
+    let inside = &text[1..];
+    if let Some(close) = memchr::memchr(b'"', inside)
+        && inside[close + 1..].iter().all(|b| *b == b' ')
+    {
+        return Cow::Borrowed(&inside[..close]);
+    }
+    let mut out = Vec::with_capacity(inside.len());
+    let (mut at, mut open) = (0, true);
+    while at < inside.len() {
+        if inside[at] == b'"' && open {
+            if inside.get(at + 1) == Some(&b'"') {
+                at += 1;
+            } else {
+                open = false;
+                at += 1;
+                continue;
+            }
+        }
+        out.push(inside[at]);
+        at += 1;
+    }
+    if !open {
+        while out.last() == Some(&b' ') {
+            out.pop();
+        }
+    }
+    Cow::Owned(out)
+}
+
+/// Some whole records, cut from the stream.
+#[derive(Debug, Default)]
+pub struct Batch {
+    bytes: Vec<u8>,
+    line: u64,
+    delimiter: u8,
+    /// No quote and no lone CR inside.
+    simple: bool,
+    /// A record that was too long to hold: its first bytes.
+    overlong: bool,
+    /// Encoded as UTF-16 before: replacement characters mean bytes that could not be read.
+    decoded: bool,
+    /// How many bytes of the file have been read so far.
+    pub read_so_far: u64,
+    /// How many batches came before.
+    pub number: u64,
+}
+
+/// Fields of a record, reused from record to record.
+#[derive(Debug, Default)]
+pub struct Record {
+    line: u64,
+    text: Vec<u8>,
+    ends: Vec<(usize, usize)>,
+    fault: Option<RecordFault>,
+}
+
+/// Why the bytes of a record cannot be read.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum RecordFault {
+    /// NUL or bytes that are no text in any accepted encoding.
+    Bytes,
+    /// A field beyond 64 KiB.
+    TooLong,
+}
+
+impl Record {
+    /// Line of the file on which it begins, from 1.
+    pub fn line(&self) -> u64 {
+        self.line
+    }
+    /// Number of fields.
+    pub fn len(&self) -> usize {
+        self.ends.len()
+    }
+    /// Has it no field at all?
+    pub fn is_empty(&self) -> bool {
+        self.ends.is_empty()
+    }
+    /// A field, without quotes.
+    #[inline]
+    pub fn get(&self, index: usize) -> Option<&[u8]> {
+        self.ends.get(index).map(|(a, b)| &self.text[*a..*b])
+    }
+    /// Why it cannot be read.
+    pub fn fault(&self) -> Option<RecordFault> {
+        self.fault
+    }
+    /// The whole record on one line, cut where it is long, to show it.
+    pub fn shown(&self, delimiter: u8) -> String {
+        let mut all = Vec::new();
+        for i in 0..self.ends.len() {
+            if i > 0 {
+                all.push(delimiter);
+            }
+            all.extend_from_slice(self.get(i).unwrap_or_default());
+            if all.len() > 4 * SHOWN {
+                break;
+            }
+        }
+        let text = String::from_utf8_lossy(&all);
+        let mut out: String =
+            text.chars().map(|c| if c.is_control() { '\u{fffd}' } else { c }).take(SHOWN).collect();
+        if text.chars().count() > SHOWN {
+            out.push('…');
+        }
+        out
+    }
+}
+
+impl Batch {
+    /// Calls `each` for every record; blank lines are passed over.
+    pub fn records(&self, record: &mut Record, each: &mut dyn FnMut(&Record)) {
+        let utf8 = std::str::from_utf8(&self.bytes).is_ok();
+        let nul = memchr::memchr(0, &self.bytes).is_some();
+        let mut line = self.line;
+        if self.overlong {
+            record.line = line;
+            record.text.clear();
+            record.text.extend_from_slice(String::from_utf8_lossy(&self.bytes).as_bytes());
+            record.ends.clear();
+            record.ends.push((0, record.text.len()));
+            record.fault = Some(RecordFault::TooLong);
+            each(record);
+            return;
+        }
+        let data = &self.bytes;
+        let mut at = 0;
+        while at < data.len() {
+            record.line = line;
+            record.ends.clear();
+            record.text.clear();
+            record.fault = None;
+            if self.simple {
+                let stop = memchr::memchr(b'\n', &data[at..]).map_or(data.len(), |k| at + k);
+                let mut raw = &data[at..stop];
+                if let [rest @ .., b'\r'] = raw {
+                    raw = rest;
+                }
+                at = stop + 1;
+                line += 1;
+                if raw.is_empty() {
+                    continue;
+                }
+                if utf8 && !nul {
+                    record.text.extend_from_slice(raw);
+                    let mut start = 0;
+                    if raw.len() < 256 {
+                        for (i, b) in raw.iter().enumerate() {
+                            if *b == self.delimiter {
+                                record.ends.push((start, i));
+                                start = i + 1;
+                            }
+                        }
+                    } else {
+                        for i in memchr::memchr_iter(self.delimiter, raw) {
+                            record.ends.push((start, i));
+                            start = i + 1;
+                        }
+                        self.check(record);
+                    }
+                    record.ends.push((start, raw.len()));
+                    if self.decoded || raw.len() > FIELD_CAP {
+                        self.check(record);
+                    }
+                } else {
+                    self.careful(raw, record);
+                }
+                each(record);
+                continue;
+            }
+            let mut ignore = |_: Span| {};
+            let Some(walked) = walk(data, at, self.delimiter, true, &mut ignore) else { break };
+            let raw = &data[at..walked.end];
+            at = walked.next;
+            line += walked.lines;
+            if !raw.is_empty() {
+                self.careful(raw, record);
+                each(record);
+            }
+        }
+    }
+
+    /// Splits one record with quotes or odd bytes.
+    fn careful(&self, raw: &[u8], record: &mut Record) {
+        let text = decoded(raw);
+        let text = text.as_ref();
+        let mut spans = Vec::new();
+        walk(text, 0, self.delimiter, true, &mut |span| spans.push(span));
+        for span in spans {
+            let start = record.text.len();
+            record.text.extend_from_slice(&unquoted(text, span));
+            record.ends.push((start, record.text.len()));
+        }
+        self.check(record);
+    }
+
+    fn check(&self, record: &mut Record) {
+        if record.ends.iter().any(|(a, b)| b - a > FIELD_CAP) {
+            record.fault = Some(RecordFault::TooLong);
+        } else if record.text.contains(&0)
+            || (self.decoded && memchr::memmem::find(&record.text, "\u{fffd}".as_bytes()).is_some())
+            // Windows-1252 leaves five bytes undefined; they come out as controls U+0081..U+009D
+            || record.text.windows(2).any(|w| w[0] == 0xc2 && matches!(w[1], 0x81 | 0x8d | 0x8f | 0x90 | 0x9d))
+        {
+            record.fault = Some(RecordFault::Bytes);
+        }
+    }
+
+    /// The delimiter of the file.
+    pub fn delimiter(&self) -> u8 {
+        self.delimiter
+    }
+    /// Bytes held, for progress.
+    pub fn size(&self) -> usize {
+        self.bytes.len()
+    }
+}
+
+/// UTF-8, or else Windows-1252.
+fn decoded(raw: &[u8]) -> Cow<'_, [u8]> {
+    if std::str::from_utf8(raw).is_ok() {
+        return Cow::Borrowed(raw);
+    }
+    let (text, _) = WINDOWS_1252.decode_without_bom_handling(raw);
+    Cow::Owned(text.into_owned().into_bytes())
+}
+
+/// The stream: finds the encoding and the delimiter, gives the header, then batches.
+pub struct Source {
+    inner: Box<dyn Read + Send>,
+    decoder: Option<encoding_rs::Decoder>,
+    decoded: bool,
+    buffer: Vec<u8>,
+    start: usize,
+    finished: bool,
+    line: u64,
+    delimiter: u8,
+    read_so_far: u64,
+    batches: u64,
+    skipping: bool,
+    block: usize,
+}
+
+/// The first record of a file.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Header {
+    /// Fields, trimmed.
+    pub fields: Vec<String>,
+    /// Its line.
+    pub line: u64,
+    /// Found between the fields.
+    pub delimiter: u8,
+}
+
+impl Source {
+    /// Begins to read; the header is `None` in a file without any record.
+    ///
+    /// # Errors
+    /// Those of the reader.
+    pub fn open(inner: Box<dyn Read + Send>) -> io::Result<(Source, Option<Header>)> {
+        Source::with_block(inner, 192 * 1024)
+    }
+
+    /// As `open`, reading blocks of at least this many bytes.
+    pub(crate) fn with_block(
+        inner: Box<dyn Read + Send>,
+        block: usize,
+    ) -> io::Result<(Source, Option<Header>)> {
+        let mut source = Source {
+            inner,
+            decoder: None,
+            decoded: false,
+            buffer: Vec::new(),
+            start: 0,
+            finished: false,
+            line: 1,
+            delimiter: b',',
+            read_so_far: 0,
+            batches: 0,
+            skipping: false,
+            block: block.max(16),
+        };
+        source.fill(LOOKAHEAD)?;
+        source.find_encoding();
+        source.fill(LOOKAHEAD)?;
+        source.skip_blank_lines();
+        let mut sep = None;
+        let head = source.rest();
+        if head.len() > 4 && head[..4].eq_ignore_ascii_case(b"sep=") {
+            let end = memchr::memchr2(b'\n', b'\r', head).unwrap_or(head.len());
+            if end == 5 {
+                sep = Some(head[4]);
+                let next = if end < head.len() { line_end(head, end, true).unwrap_or(end) } else { end };
+                source.start += next;
+                source.line += 1;
+                source.skip_blank_lines();
+            }
+        }
+        let head = source.rest();
+        if head.is_empty() {
+            return Ok((source, None));
+        }
+        let delimiter = sep.unwrap_or_else(|| sniff(head));
+        let mut spans = Vec::new();
+        let walked = walk(head, 0, delimiter, true, &mut |span| spans.push(span));
+        let text = |span: &Span| {
+            let raw = unquoted(head, *span);
+            String::from_utf8_lossy(&decoded(&raw)).trim().to_owned()
+        };
+        let mut fields: Vec<String> = spans.iter().take(4096).map(text).collect();
+        while fields.len() > 1 && fields.last().is_some_and(String::is_empty) {
+            fields.pop();
+        }
+        let header = Header { fields, line: source.line, delimiter };
+        source.delimiter = delimiter;
+        if let Some(walked) = walked {
+            source.start += walked.next;
+            source.line += walked.lines;
+        }
+        Ok((source, Some(header)))
+    }
+
+    fn rest(&self) -> &[u8] {
+        &self.buffer[self.start..]
+    }
+
+    fn skip_blank_lines(&mut self) {
+        while let Some(b'\n' | b'\r') = self.rest().first() {
+            let next = line_end(self.rest(), 0, true).unwrap_or(1);
+            self.start += next;
+            self.line += 1;
+        }
+    }
+
+    /// Looks at the first bytes; nothing has been taken yet.
+    fn find_encoding(&mut self) {
+        let head = &self.buffer[..self.buffer.len().min(256)];
+        let utf16: Option<&'static Encoding> = match head {
+            [0xef, 0xbb, 0xbf, ..] => {
+                self.start = 3;
+                None
+            }
+            [0xff, 0xfe, ..] => {
+                self.start = 2;
+                Some(UTF_16LE)
+            }
+            [0xfe, 0xff, ..] => {
+                self.start = 2;
+                Some(UTF_16BE)
+            }
+            _ if head.len() >= 8 => {
+                let zeros = |odd: usize| head.iter().skip(odd).step_by(2).filter(|b| **b == 0).count();
+                let half = head.len() / 2;
+                if zeros(1) * 10 >= half * 9 && zeros(0) == 0 {
+                    Some(UTF_16LE)
+                } else if zeros(0) * 10 >= half * 9 && zeros(1) == 0 {
+                    Some(UTF_16BE)
+                } else {
+                    None
+                }
+            }
+            _ => None,
+        };
+        if let Some(encoding) = utf16 {
+            let raw = self.buffer.split_off(self.start);
+            let mut decoder = encoding.new_decoder_without_bom_handling();
+            self.buffer.clear();
+            self.start = 0;
+            append(&mut decoder, &raw, self.finished, &mut self.buffer);
+            self.decoder = Some(decoder);
+            self.decoded = true;
+        }
+    }
+
+    /// Reads until `least` bytes are held or the stream ends.
+    fn fill(&mut self, least: usize) -> io::Result<()> {
+        if self.buffer.len() - self.start >= least || self.finished {
+            return Ok(());
+        }
+        self.buffer.drain(..self.start);
+        self.start = 0;
+        let mut raw = Vec::new();
+        while self.buffer.len() < least && !self.finished {
+            let want = least - self.buffer.len();
+            if let Some(decoder) = &mut self.decoder {
+                raw.clear();
+                let got = (&mut self.inner).take(want as u64).read_to_end(&mut raw)?;
+                self.read_so_far += got as u64;
+                self.finished = got < want;
+                append(decoder, &raw, self.finished, &mut self.buffer);
+            } else {
+                let got = (&mut self.inner).take(want as u64).read_to_end(&mut self.buffer)?;
+                self.read_so_far += got as u64;
+                self.finished = got < want;
+            }
+        }
+        Ok(())
+    }
+
+    /// Puts the next records into `batch`; `false` at the end of the stream.
+    ///
+    /// # Errors
+    /// Those of the reader.
+    pub fn next_batch(&mut self, batch: &mut Batch) -> io::Result<bool> {
+        loop {
+            self.fill(LOOKAHEAD + self.block)?;
+            if self.skipping {
+                self.skip_line()?;
+                continue;
+            }
+            let (finished, delimiter) = (self.finished, self.delimiter);
+            let data = &self.buffer[self.start..];
+            if data.is_empty() {
+                return Ok(false);
+            }
+            let lone_cr = |d: &[u8]| memchr::memchr_iter(b'\r', d).any(|i| d.get(i + 1) != Some(&b'\n'));
+            let mut cut = if finished && data.len() <= self.block {
+                data.len()
+            } else {
+                memchr::memrchr(b'\n', &data[..data.len().min(self.block)]).map_or(0, |k| k + 1)
+            };
+            let simple = cut > 0 && memchr::memchr(b'"', &data[..cut]).is_none() && !lone_cr(&data[..cut]);
+            let mut lines = 0;
+            if simple {
+                lines = memchr::memchr_iter(b'\n', &data[..cut]).count() as u64;
+            } else {
+                cut = 0;
+                while cut < data.len() && cut < self.block && (finished || data.len() - cut >= LOOKAHEAD) {
+                    let Some(walked) = walk(data, cut, delimiter, finished, &mut |_| {}) else { break };
+                    cut = walked.next;
+                    lines += walked.lines;
+                }
+            }
+            batch.line = self.line;
+            batch.delimiter = delimiter;
+            batch.simple = simple;
+            batch.decoded = self.decoded;
+            batch.number = self.batches;
+            batch.read_so_far = self.read_so_far;
+            batch.bytes.clear();
+            batch.overlong = cut == 0;
+            self.batches += 1;
+            if cut == 0 {
+                // no end within reach: one unreadable record, and the rest of its line is passed over
+                batch.bytes.extend_from_slice(&data[..data.len().min(4 * SHOWN)]);
+                self.skipping = true;
+                return Ok(true);
+            }
+            batch.bytes.extend_from_slice(&data[..cut]);
+            self.start += cut;
+            self.line += lines;
+            return Ok(true);
+        }
+    }
+
+    /// Passes over bytes up to and with the next line end.
+    fn skip_line(&mut self) -> io::Result<()> {
+        loop {
+            let data = &self.buffer[self.start..];
+            if let Some(at) = memchr::memchr2(b'\n', b'\r', data) {
+                if let Some(next) = line_end(data, at, self.finished) {
+                    self.start += next;
+                    self.line += 1;
+                    self.skipping = false;
+                    return Ok(());
+                }
+                self.start += at;
+            } else {
+                self.start = self.buffer.len();
+            }
+            if self.finished {
+                self.skipping = false;
+                return Ok(());
+            }
+            self.fill(LOOKAHEAD)?;
+        }
+    }
+}
+
+/// Decodes onto the end of `out`.
+fn append(decoder: &mut encoding_rs::Decoder, raw: &[u8], last: bool, out: &mut Vec<u8>) {
+    let mut text =
+        String::with_capacity(decoder.max_utf8_buffer_length(raw.len()).unwrap_or(raw.len() * 3 + 16));
+    let (_, _, _) = decoder.decode_to_string(raw, &mut text, last);
+    out.extend_from_slice(text.as_bytes());
+}
+
+/// The delimiter that the header has most of, outside quotes; a comma if there is none.
+fn sniff(head: &[u8]) -> u8 {
+    let mut counts = [(b',', 0usize), (b';', 0), (b'\t', 0)];
+    let mut quoted = false;
+    for b in head.iter().take(FIELD_CAP) {
+        match b {
+            b'"' => quoted = !quoted,
+            b'\n' | b'\r' if !quoted => break,
+            b if !quoted => {
+                if let Some((_, n)) = counts.iter_mut().find(|(c, _)| c == b) {
+                    *n += 1;
+                }
+            }
+            _ => {}
+        }
+    }
+    counts.iter().rev().max_by_key(|(_, n)| *n).filter(|(_, n)| *n > 0).map_or(b',', |(c, _)| *c)
+}
+
+/// All records of some bytes, for small files and tests: (header, records with their lines and fields).
+///
+/// # Errors
+/// Those of the reader.
+pub fn all_records(inner: Box<dyn Read + Send>) -> io::Result<(Option<Header>, Vec<(u64, Vec<String>)>)> {
+    let (mut source, header) = Source::open(inner)?;
+    Ok((header, collect(&mut source)?))
+}
+
+fn collect(source: &mut Source) -> io::Result<Vec<(u64, Vec<String>)>> {
+    let (mut batch, mut record, mut all) = (Batch::default(), Record::default(), Vec::new());
+    while source.next_batch(&mut batch)? {
+        batch.records(&mut record, &mut |r| {
+            let fields =
+                (0..r.len()).map(|i| String::from_utf8_lossy(r.get(i).unwrap_or_default()).into_owned());
+            all.push((r.line(), fields.collect()));
+        });
+    }
+    Ok(all)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+    use std::io::Cursor;
+
+    fn read_all(bytes: &[u8]) -> (Option<Header>, Vec<(u64, Vec<String>)>) {
+        all_records(Box::new(Cursor::new(bytes.to_vec()))).unwrap()
+    }
+    fn lines(bytes: &[u8]) -> Vec<(u64, String)> {
+        read_all(bytes).1.into_iter().map(|(l, f)| (l, f.join("|"))).collect()
+    }
+    fn rows(all: &[(u64, &str)]) -> Vec<(u64, String)> {
+        all.iter().map(|(l, t)| (*l, (*t).to_owned())).collect()
+    }
+
+    #[test]
+    fn line_ends_quotes_and_blank_lines() {
+        let text = b"a,b\r\n1,\"x, \"\"y\"\"\"\r\n\r\n2,\"two\nlines\"\n3,5\" rod\r4, \"z\" ,\n5,\"q\" r";
+        let want =
+            rows(&[(2, "1|x, \"y\""), (4, "2|two\nlines"), (6, "3|5\" rod"), (7, "4|z|"), (8, "5|q r")]);
+        assert_eq!(lines(text), want);
+    }
+
+    #[test]
+    fn a_quote_left_open_is_a_character() {
+        let text = b"a,b\n1,\"30.3\n2,4\n3,\"5\"\n";
+        assert_eq!(lines(text), rows(&[(2, "1|\"30.3"), (3, "2|4"), (4, "3|5")]));
+        let mut long = b"a,b\n1,\"30.3\n".to_vec();
+        for i in 0..30_000 {
+            long.extend_from_slice(format!("{i},x\n").as_bytes());
+        }
+        let got = lines(&long);
+        assert_eq!(got.len(), 30_001);
+        assert_eq!(got[0], (2, "1|\"30.3".to_owned()));
+        assert_eq!(got[30_000], (30_002, "29999|x".to_owned()));
+    }
+
+    #[test]
+    fn encodings() {
+        let text = "Student;Wert\nMüller;30 °\n";
+        let want = rows(&[(2, "Müller|30 °")]);
+        let utf16 = |big: bool, bom: bool| {
+            let text = if bom { format!("\u{feff}{text}") } else { text.to_owned() };
+            text.encode_utf16()
+                .flat_map(|u| if big { u.to_be_bytes() } else { u.to_le_bytes() })
+                .collect::<Vec<u8>>()
+        };
+        let (latin, _, _) = WINDOWS_1252.encode(text);
+        let bom = [b"\xef\xbb\xbf", text.as_bytes()].concat();
+        for bytes in [
+            text.as_bytes().to_vec(),
+            bom,
+            latin.into_owned(),
+            utf16(true, true),
+            utf16(false, true),
+            utf16(true, false),
+            utf16(false, false),
+        ] {
+            let (header, _) = read_all(&bytes);
+            assert_eq!(header.unwrap().fields, ["Student", "Wert"]);
+            assert_eq!(lines(&bytes), want);
+        }
+    }
+
+    #[test]
+    fn delimiters_and_excels_first_line() {
+        let (header, records) = read_all(b"sep=;\r\nstudent;answer\r\na;1,25\r\n");
+        let header = header.unwrap();
+        assert_eq!((header.line, header.delimiter), (2, b';'));
+        assert_eq!(records, [(3, vec!["a".to_owned(), "1,25".to_owned()])]);
+        assert_eq!(read_all(b"student\tanswer\na\t1\n").0.unwrap().delimiter, b'\t');
+        assert_eq!(read_all(b"\n\n").0, None);
+    }
+
+    #[test]
+    fn a_very_long_line_is_one_record() {
+        let mut text = b"a,b\n1,2\n".to_vec();
+        text.extend(std::iter::repeat_n(b'x', 3_000_000));
+        text.extend_from_slice(b"\n3,4\n");
+        let got = lines(&text);
+        assert_eq!((got.len(), got[1].0, got[2].clone()), (3, 3, (4, "3|4".to_owned())));
+    }
+
+    proptest! {
+        #[test]
+        fn no_bytes_panic_and_blocks_do_not_matter(
+            bytes in prop::collection::vec(prop_oneof![
+                Just(b','), Just(b'"'), Just(b'\n'), Just(b'\r'), Just(b'a'), Just(b' '), any::<u8>()], 0..400),
+            block in 16usize..200,
+        ) {
+            let bytes = [b"a,b\n".as_slice(), &bytes].concat();
+            let (_, want) = read_all(&bytes);
+            let (mut source, _) = Source::with_block(Box::new(Cursor::new(bytes.clone())), block).unwrap();
+            prop_assert_eq!(collect(&mut source).unwrap(), want);
+        }
+    }
+}

@@ -1,0 +1,6 @@
+//! Key and answer give a verdict; a file of submissions gives one for every cell.
+pub mod judge;
+pub mod run;
+pub mod table;
+pub mod time;
+pub mod verdict;

@@ -1,0 +1,232 @@
+//! The keys of a whole set, laid out for looking up by bytes.
+use crate::grade::run::push_text;
+use crate::key::Answer;
+use crate::key::KeyEntry;
+use crate::key::SheetKey;
+use crate::units::spell;
+use rustc_hash::FxHashMap;
+
+/// A student of the set.
+#[derive(Debug, Clone)]
+pub struct Student {
+    /// Id, as on the roster.
+    pub id: String,
+    /// Name, empty if none is known.
+    pub name: String,
+    /// Id as a CSV field.
+    pub(crate) field: Vec<u8>,
+}
+
+/// One part of the set: a column of the gradebook.
+#[derive(Debug, Clone)]
+pub struct Column {
+    /// Number of the problem, from 1.
+    pub number: usize,
+    /// Id of the problem.
+    pub problem: String,
+    /// Id of the part.
+    pub part: String,
+    /// Points for a right answer (those of the first student who has the part).
+    pub points: f64,
+    /// `number,part` as CSV fields.
+    pub(crate) fields: Vec<u8>,
+}
+
+/// What the fast way needs to know of an entry.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Hot {
+    pub value: f64,
+    pub half_width: f64,
+    /// SI value = cell * times / over
+    pub times: f64,
+    pub over: f64,
+    pub points: f64,
+    pub magnitude: bool,
+    /// A plain number can be judged here.
+    pub fast: bool,
+}
+
+/// The keys of all students.
+#[derive(Debug)]
+pub struct KeyTable {
+    /// In the order of the sheets given.
+    pub students: Vec<Student>,
+    /// In the order of the sheets.
+    pub columns: Vec<Column>,
+    entries: Vec<Option<KeyEntry>>,
+    pub(crate) hot: Vec<Hot>,
+    by_id: FxHashMap<Box<[u8]>, u32>,
+    by_loose_id: FxHashMap<String, Option<u32>>,
+    by_part: FxHashMap<Box<[u8]>, u32>,
+    by_loose_part: FxHashMap<Vec<u8>, Option<u32>>,
+}
+
+/// Without blanks, case and leading zeros.
+fn loose_id(id: &str) -> String {
+    let text: String = id.chars().filter(|c| !c.is_whitespace()).flat_map(char::to_lowercase).collect();
+    let zeros = text.trim_start_matches('0');
+    // a spreadsheet may also have made 123.0 of 00123
+    zeros.strip_suffix(".0").unwrap_or(zeros).to_owned()
+}
+
+/// One key for two fields.
+pub(crate) fn joined(problem: &[u8], part: &[u8], out: &mut Vec<u8>) {
+    out.clear();
+    out.extend_from_slice(problem);
+    out.push(0x1f);
+    out.extend_from_slice(part);
+}
+
+impl KeyTable {
+    /// Lays out the keys; `names` are (id, name) of the roster.
+    pub fn new(sheets: Vec<SheetKey>, names: &[(String, String)]) -> KeyTable {
+        let names: FxHashMap<&str, &str> = names.iter().map(|(id, n)| (id.as_str(), n.as_str())).collect();
+        let mut columns: Vec<Column> = Vec::new();
+        for sheet in &sheets {
+            for (i, problem) in sheet.problems.iter().enumerate() {
+                for entry in &problem.parts {
+                    let known = columns
+                        .iter()
+                        .any(|c| c.number == i + 1 && c.problem == problem.id && c.part == entry.part);
+                    if !known {
+                        let mut fields = (i + 1).to_string().into_bytes();
+                        fields.push(b',');
+                        push_text(&mut fields, entry.part.as_bytes());
+                        columns.push(Column {
+                            number: i + 1,
+                            problem: problem.id.clone(),
+                            part: entry.part.clone(),
+                            points: entry.points,
+                            fields,
+                        });
+                    }
+                }
+            }
+        }
+        columns.sort_by_key(|c| c.number); // stable: parts stay in their order
+        let mut table = KeyTable {
+            students: Vec::with_capacity(sheets.len()),
+            entries: Vec::with_capacity(sheets.len() * columns.len()),
+            hot: Vec::with_capacity(sheets.len() * columns.len()),
+            columns,
+            by_id: FxHashMap::default(),
+            by_loose_id: FxHashMap::default(),
+            by_part: FxHashMap::default(),
+            by_loose_part: FxHashMap::default(),
+        };
+        let mut key = Vec::new();
+        for (c, column) in (0u32..).zip(&table.columns) {
+            for problem in [column.number.to_string(), column.problem.clone()] {
+                joined(problem.as_bytes(), column.part.as_bytes(), &mut key);
+                table.by_part.entry(key.as_slice().into()).or_insert(c);
+                let loose = key.to_ascii_lowercase();
+                table
+                    .by_loose_part
+                    .entry(loose)
+                    .and_modify(|e| *e = e.filter(|o| *o == c))
+                    .or_insert(Some(c));
+            }
+        }
+        for sheet in sheets {
+            let s = table.students.len() as u32;
+            let mut found: Vec<Option<KeyEntry>> = vec![None; table.columns.len()];
+            for (i, problem) in sheet.problems.into_iter().enumerate() {
+                for entry in problem.parts {
+                    let at = table
+                        .columns
+                        .iter()
+                        .position(|c| c.number == i + 1 && c.problem == problem.id && c.part == entry.part);
+                    if let Some(slot) = at.and_then(|at| found.get_mut(at)) {
+                        *slot = Some(entry);
+                    }
+                }
+            }
+            table.hot.extend(found.iter().map(hot));
+            table.entries.append(&mut found);
+            table.by_id.insert(sheet.student.as_bytes().into(), s);
+            table.by_loose_id.entry(loose_id(&sheet.student)).and_modify(|e| *e = None).or_insert(Some(s));
+            let mut field = Vec::new();
+            push_text(&mut field, sheet.student.as_bytes());
+            let name = names.get(sheet.student.as_str()).map_or(String::new(), |n| (*n).to_owned());
+            table.students.push(Student { id: sheet.student, name, field });
+        }
+        table
+    }
+
+    /// Index of a student by the exact id.
+    #[inline]
+    pub(crate) fn student(&self, id: &[u8]) -> Option<u32> {
+        self.by_id.get(id).copied()
+    }
+    /// Index of a column by number or id of the problem and id of the part; `key` is from [`joined`].
+    #[inline]
+    pub(crate) fn column(&self, key: &[u8]) -> Option<u32> {
+        self.by_part
+            .get(key)
+            .copied()
+            .or_else(|| self.by_loose_part.get(&key.to_ascii_lowercase()).copied().flatten())
+    }
+    /// Is there a problem of that number or id?
+    pub(crate) fn has_problem(&self, problem: &str) -> bool {
+        self.columns
+            .iter()
+            .any(|c| c.problem.eq_ignore_ascii_case(problem) || c.number.to_string() == problem)
+    }
+    /// The entry of a student and a column, if that student has the part.
+    #[inline]
+    pub fn entry(&self, student: usize, column: usize) -> Option<&KeyEntry> {
+        self.entries.get(student * self.columns.len() + column).and_then(Option::as_ref)
+    }
+    /// Why a student is not known.
+    pub(crate) fn unknown_student(&self, id: &str) -> String {
+        if id.is_empty() {
+            return "no student id".to_owned();
+        }
+        let near = self.by_loose_id.get(&loose_id(id)).copied().flatten();
+        match near.and_then(|s| self.students.get(s as usize)) {
+            Some(student) => format!("not on the roster; did you mean {}?", student.id),
+            None => "not on the roster".to_owned(),
+        }
+    }
+    /// Why a part is not known.
+    pub(crate) fn unknown_part(&self, problem: &str, part: &str) -> String {
+        let shown = |text: &str| text.chars().take(40).collect::<String>();
+        let of: Vec<&Column> = self
+            .columns
+            .iter()
+            .filter(|c| c.problem.eq_ignore_ascii_case(problem) || c.number.to_string() == problem)
+            .collect();
+        if of.is_empty() {
+            let mut names: Vec<String> =
+                self.columns.iter().map(|c| format!("{} ({})", c.number, c.problem)).collect();
+            names.dedup();
+            return format!("no problem `{}`; problems: {}", shown(problem), names.join(", "));
+        }
+        let parts: Vec<&str> = of.iter().map(|c| c.part.as_str()).collect();
+        match spell::closest(part, parts.iter().copied()) {
+            Some(close) => {
+                format!("no part `{}`; did you mean {close}? parts: {}", shown(part), parts.join(", "))
+            }
+            None => format!("no part `{}`; parts: {}", shown(part), parts.join(", ")),
+        }
+    }
+}
+
+fn hot(entry: &Option<KeyEntry>) -> Hot {
+    let none = Hot {
+        value: 0.0,
+        half_width: 0.0,
+        times: 1.0,
+        over: 1.0,
+        points: 0.0,
+        magnitude: false,
+        fast: false,
+    };
+    let Some(entry) = entry else { return none };
+    let Answer::Number { value, half_width, magnitude, .. } = entry.answer else {
+        return Hot { points: entry.points, ..none };
+    };
+    let (times, over) = entry.unit.times_over();
+    let fast = !entry.unit_required || entry.unit.is_number();
+    Hot { value, half_width, times, over, points: entry.points, magnitude, fast }
+}

@@ -1,0 +1,2 @@
+//! What teacher and students get back.
+pub mod gradebook;

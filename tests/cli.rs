@@ -1,0 +1,576 @@
+//! The street door: exit code, standard output and standard error of each verb, in fresh folders.
+use slipstick::cli;
+use slipstick::cli::tell::Exit;
+use slipstick::cli::tell::Io;
+use std::collections::BTreeMap;
+use std::ffi::OsString;
+use std::fs;
+use std::path::Path;
+use tempfile::TempDir;
+
+struct Ran {
+    exit: Exit,
+    out: String,
+    err: String,
+}
+
+/// Runs a command line in this process. Paths in it are absolute: tests share one working folder.
+fn run_with(args: &[&str], input: &str) -> Ran {
+    let (mut out, mut err) = (Vec::new(), Vec::new());
+    let mut input = input.as_bytes();
+    let words = std::iter::once("slipstick").chain(args.iter().copied()).map(OsString::from);
+    let exit = cli::run(words, &mut Io { input: &mut input, out: &mut out, err: &mut err, watched: false });
+    let text = |bytes: Vec<u8>| String::from_utf8(bytes).expect("the program writes UTF-8");
+    Ran { exit, out: text(out), err: text(err) }
+}
+
+fn run(args: &[&str]) -> Ran {
+    run_with(args, "")
+}
+
+/// A fresh folder with a roster.
+struct Room(TempDir);
+
+impl Room {
+    fn new(students: &[&str]) -> Self {
+        let room = Self(tempfile::tempdir().unwrap());
+        room.roster("roster.csv", students);
+        room
+    }
+    fn roster(&self, name: &str, students: &[&str]) {
+        let rows: String = students.iter().map(|s| format!("{s},Name of {s}\n")).collect();
+        self.write(name, &format!("student,name\n{rows}"));
+    }
+    fn path(&self, name: &str) -> String {
+        self.0.path().join(name).display().to_string()
+    }
+    fn write(&self, name: &str, text: &str) {
+        fs::write(self.path(name), text).unwrap();
+    }
+    fn read(&self, name: &str) -> String {
+        fs::read_to_string(self.path(name)).unwrap()
+    }
+    fn generate(&self, roster: &str, out: &str, more: &[&str]) -> Ran {
+        let (roster, out) = (self.path(roster), self.path(out));
+        let mut args = vec!["generate", "wheels-on-inclines", "--roster", &roster, "--out", &out];
+        if !more.contains(&"--add") {
+            args.extend(["--seed", "7"]);
+        }
+        args.extend(more);
+        run(&args)
+    }
+    /// The message without the name of the temporary folder.
+    fn shown(&self, text: &str) -> String {
+        text.replace(&self.0.path().display().to_string(), "ROOM")
+    }
+}
+
+/// All files below a folder with their bytes.
+fn tree(folder: &Path) -> BTreeMap<String, Vec<u8>> {
+    fn walk(folder: &Path, prefix: &str, found: &mut BTreeMap<String, Vec<u8>>) {
+        for entry in fs::read_dir(folder).unwrap().map(Result::unwrap) {
+            let name = format!("{prefix}{}", entry.file_name().to_string_lossy());
+            if entry.path().is_dir() {
+                walk(&entry.path(), &format!("{name}/"), found);
+            } else {
+                found.insert(name, fs::read(entry.path()).unwrap());
+            }
+        }
+    }
+    let mut found = BTreeMap::new();
+    walk(folder, "", &mut found);
+    found
+}
+
+const CLASS: [&str; 5] = ["0017", "Ana", "../x", "CON", "ana"];
+
+#[test]
+fn a_set_has_its_files_and_nothing_for_students_but_theirs() {
+    let room = Room::new(&CLASS);
+    let ran = room.generate("roster.csv", "set", &[]);
+    assert_eq!((ran.exit, ran.err.as_str()), (Exit::Fine, ""));
+    assert!(
+        ran.out
+            .starts_with("5 sheets of 4 problems with 24 questions each, 20 variants drawn and solved twice"),
+        "{}",
+        ran.out
+    );
+    let files = tree(&room.0.path().join("set"));
+    assert_eq!(files.len(), 4 + 3 * CLASS.len());
+    for name in ["bank.yaml", "key.csv", "set.json", "submissions.csv"] {
+        assert!(files.contains_key(name), "{name}");
+    }
+    let key = room.read("set/key.csv");
+    assert_eq!(key.lines().next(), Some("student,problem,part,value,unit,eom,energy,gap,cond,tolerance"));
+    assert_eq!(key.lines().count(), 1 + 24 * CLASS.len());
+    // No number of the key is in what a student gets.
+    let set: serde_json::Value = serde_json::from_str(&room.read("set/set.json")).unwrap();
+    let folder = set["students"][0]["folder"].as_str().unwrap().to_owned();
+    for name in ["sheet.md", "sheet.html", "sheet.json"] {
+        let sheet = room.read(&format!("set/students/{folder}/{name}"));
+        for row in key.lines().filter(|l| l.starts_with("0017,")) {
+            let value = row.split(',').nth(3).unwrap();
+            assert!(value.len() < 8 || !sheet.contains(value), "{name} holds {value}");
+        }
+    }
+}
+
+#[test]
+fn the_same_seed_gives_the_same_bytes() {
+    let room = Room::new(&CLASS);
+    for (out, threads) in [("one", "1"), ("two", "2"), ("again", "2")] {
+        assert_eq!(room.generate("roster.csv", out, &["--threads", threads]).exit, Exit::Fine);
+    }
+    let first = tree(&room.0.path().join("one"));
+    assert!(first == tree(&room.0.path().join("two")), "one thread and two");
+    assert!(first == tree(&room.0.path().join("again")), "two runs");
+}
+
+#[test]
+fn a_student_does_not_depend_on_the_others() {
+    let room = Room::new(&CLASS);
+    let mut turned = CLASS;
+    turned.reverse();
+    room.roster("turned.csv", &turned);
+    room.roster("few.csv", &CLASS[1..3]);
+    for (roster, out) in [("roster.csv", "all"), ("turned.csv", "turned"), ("few.csv", "few")] {
+        assert_eq!(room.generate(roster, out, &[]).exit, Exit::Fine);
+    }
+    let all = tree(&room.0.path().join("all/students"));
+    assert!(all == tree(&room.0.path().join("turned/students")));
+    for (name, bytes) in tree(&room.0.path().join("few/students")) {
+        assert!(all[&name] == bytes, "{name}");
+    }
+    // Another name of the set, or another seed, gives another sheet.
+    assert_eq!(room.generate("roster.csv", "named", &["--name", "week 5"]).exit, Exit::Fine);
+    let named = tree(&room.0.path().join("named/students"));
+    assert!(all.iter().all(|(name, bytes)| named[name] != *bytes));
+}
+
+#[test]
+fn late_joiners_get_what_they_would_have_got() {
+    let room = Room::new(&CLASS);
+    room.roster("early.csv", &CLASS[..3]);
+    assert_eq!(room.generate("roster.csv", "whole", &[]).exit, Exit::Fine);
+    assert_eq!(room.generate("early.csv", "grown", &[]).exit, Exit::Fine);
+    let before = tree(&room.0.path().join("grown/students"));
+    let ran = room.generate("roster.csv", "grown", &["--add"]);
+    assert_eq!((ran.exit, ran.err.as_str()), (Exit::Fine, ""));
+    assert!(ran.out.starts_with("2 sheets"), "{}", ran.out);
+    let after = tree(&room.0.path().join("grown"));
+    assert!(before.iter().all(|(name, bytes)| after[&format!("students/{name}")] == *bytes));
+    assert!(after == tree(&room.0.path().join("whole")));
+    let again = room.generate("roster.csv", "grown", &["--add"]);
+    assert_eq!(again.out, "Nobody to add: every student of the roster has a sheet already.\n");
+    let other = room.generate("roster.csv", "grown", &["--add", "--seed", "8"]);
+    assert_eq!(other.exit, Exit::Faulty);
+    assert!(other.err.contains("seed: the set has 7, this command 8"), "{}", other.err);
+}
+
+#[test]
+fn a_folder_is_not_overwritten() {
+    let room = Room::new(&CLASS);
+    assert_eq!(room.generate("roster.csv", "set", &[]).exit, Exit::Fine);
+    let first = tree(&room.0.path().join("set"));
+    let ran = room.generate("roster.csv", "set", &[]);
+    assert_eq!(ran.exit, Exit::Faulty);
+    assert_eq!(
+        room.shown(&ran.err),
+        "error: ROOM/set: is there already\n    hint: give another --out, or --force to replace a set, or --add for late joiners\n"
+    );
+    assert_eq!(room.generate("roster.csv", "set", &["--force"]).exit, Exit::Fine);
+    assert!(first == tree(&room.0.path().join("set")));
+    room.write("set/notes.txt", "mine");
+    let ran = room.generate("roster.csv", "set", &["--force"]);
+    assert_eq!(ran.exit, Exit::Faulty);
+    assert!(ran.err.contains("holds what generate did not make: notes.txt"), "{}", ran.err);
+    assert_eq!(room.read("set/notes.txt"), "mine");
+    fs::create_dir(room.path("other")).unwrap();
+    room.write("other/thesis.tex", "mine");
+    assert_eq!(room.generate("roster.csv", "other", &["--force"]).exit, Exit::Faulty);
+    assert_eq!(tree(&room.0.path().join("other")).len(), 1);
+}
+
+#[test]
+fn what_did_not_finish_is_no_set() {
+    // A run that was killed leaves a folder under another name, beside the place.
+    let room = Room::new(&CLASS);
+    fs::create_dir_all(room.path(".slipstick-unfinished-abc/students/s1")).unwrap();
+    assert_eq!(room.generate("roster.csv", "set", &[]).exit, Exit::Fine);
+    // A set without its set.json is none.
+    fs::remove_file(room.path("set/set.json")).unwrap();
+    room.write("answers.csv", "student,problem,part,answer\n");
+    let ran = run(&["grade", &room.path("set"), &room.path("answers.csv"), "--out", &room.path("grades")]);
+    assert_eq!(ran.exit, Exit::Faulty);
+    assert!(ran.err.contains("holds no set"), "{}", ran.err);
+    assert!(!Path::new(&room.path("grades")).exists());
+    // A refused run leaves nothing, no half-made folder either.
+    let names = |room: &Room| fs::read_dir(room.0.path()).unwrap().count();
+    let before = names(&room);
+    assert_eq!(room.generate("roster.csv", "third", &["--problems", "no-such"]).exit, Exit::Faulty);
+    assert_eq!(names(&room), before);
+}
+
+/// value and unit of a part in key.csv
+fn key_of(room: &Room, student: &str, problem: &str, part: &str) -> (String, String) {
+    let key = room.read("set/key.csv");
+    let row = key.lines().find(|l| l.starts_with(&format!("{student},{problem},{part},"))).unwrap();
+    let fields: Vec<&str> = row.split(',').collect();
+    (fields[3].to_owned(), fields[4].to_owned())
+}
+
+#[test]
+fn grading_replays_the_key_and_writes_both_files() {
+    let room = Room::new(&CLASS[..2]);
+    assert_eq!(room.generate("roster.csv", "set", &["--problems", "pulled-rolling"]).exit, Exit::Fine);
+    let (v, unit) = key_of(&room, "0017", "1", "v");
+    let (omega, _) = key_of(&room, "Ana", "1", "omega");
+    room.write("in.csv", &format!("student,problem,part,answer\n0017,1,v,{v} {unit}\n17,1,v,{v}\nAna,pulled-rolling,omega,{omega}\nAna,1,v,\n"));
+    let out = room.path("grades");
+    let ran = run(&["grade", &room.path("set"), &room.path("in.csv"), "--out", &out]);
+    assert_eq!((ran.exit, ran.err.as_str()), (Exit::Fine, ""));
+    let answers = room.read("grades/answers.csv");
+    let verdicts: Vec<&str> = answers.lines().skip(1).map(|l| l.split(',').nth(6).unwrap()).collect();
+    assert_eq!(verdicts, ["right", "unknown student", "right", "blank"], "{answers}");
+    assert_eq!(room.read("grades/gradebook.csv").lines().count(), 3);
+    // Not overwritten without --force.
+    let again = run(&["grade", &room.path("set"), &room.path("in.csv"), "--out", &out]);
+    assert_eq!(again.exit, Exit::Faulty);
+    let forced = run(&["grade", &room.path("set"), &room.path("in.csv"), "--out", &out, "--force"]);
+    assert_eq!(forced.exit, Exit::Fine);
+}
+
+#[test]
+fn a_changed_set_is_not_graded() {
+    let room = Room::new(&CLASS[..2]);
+    assert_eq!(room.generate("roster.csv", "set", &[]).exit, Exit::Fine);
+    room.write("in.csv", "student,problem,part,answer\n0017,1,T,1 J\n");
+    let grade = || run(&["grade", &room.path("set"), &room.path("in.csv"), "--out", &room.path("grades")]);
+    let change = |file: &str, from: &str, to: &str, says: &str| {
+        let old = room.read(file);
+        assert!(old.contains(from), "{file} holds {from}");
+        room.write(file, &old.replacen(from, to, 1));
+        let ran = grade();
+        assert_eq!(ran.exit, Exit::Faulty, "{file}");
+        assert!(ran.err.contains(says), "{file}: {}", ran.err);
+        assert!(!Path::new(&room.path("grades")).exists());
+        room.write(file, &old);
+    };
+    change("set/bank.yaml", "gravity: 9.81", "gravity: 9.80", "the bank copy was changed");
+    change("set/set.json", "\"seed\": 7", "\"seed\": 8", "when drawn anew");
+    change(
+        "set/set.json",
+        "\"g\":\"9.81 m/s^2\"",
+        "\"g\":\"9.82 m/s^2\"",
+        "g is `9.82 m/s^2` in the set, `9.81 m/s^2` when drawn anew",
+    );
+    let (value, _) = key_of(&room, "0017", "1", "T");
+    change("set/key.csv", &value, "1", "when made anew from the set");
+    change("set/set.json", "{", "{{", "is no set");
+    assert_eq!(grade().exit, Exit::Fine);
+}
+
+#[test]
+fn check_needs_the_sheet_alone() {
+    let room = Room::new(&CLASS[..1]);
+    assert_eq!(room.generate("roster.csv", "set", &[]).exit, Exit::Fine);
+    fs::copy(room.path("set/students/0017/sheet.json"), room.path("sheet.json")).unwrap();
+    let (omega, _) = key_of(&room, "0017", "2", "omega");
+    let (friction, _) = key_of(&room, "0017", "2", "friction");
+    fs::remove_dir_all(room.path("set")).unwrap();
+    let sheet = room.path("sheet.json");
+    let right = run(&[
+        "check",
+        &sheet,
+        &format!("2.omega={omega} rad/s"),
+        &format!("pulled-rolling.friction={friction}"),
+    ]);
+    assert_eq!((right.exit, right.err.as_str()), (Exit::Fine, ""));
+    assert!(right.out.starts_with("  2.omega "), "{}", right.out);
+    let wrong = run(&["check", &sheet, "2.omega=1 rad/s", "--reveal"]);
+    assert_eq!(wrong.exit, Exit::NotAllRight);
+    assert_eq!(wrong.err, "The bank does not allow --reveal: no values are shown.\n");
+    assert!(!wrong.out.contains(&omega[..4]), "no value is shown");
+    for (answer, says) in [
+        ("2.omga=1", "did you mean `omega`?"),
+        ("9.v=1", "the sheet has no problem `9`"),
+        ("omega", "is no answer"),
+    ] {
+        let ran = run(&["check", &sheet, answer]);
+        assert_eq!(ran.exit, Exit::Faulty);
+        assert!(ran.err.contains(says), "{}", ran.err);
+    }
+    room.write("broken.json", &fs::read_to_string(&sheet).unwrap()[..100]);
+    assert_eq!(run(&["check", &room.path("broken.json"), "2.v=1"]).exit, Exit::Faulty);
+}
+
+#[test]
+fn a_bank_may_forbid_self_checks_or_allow_values() {
+    let room = Room::new(&CLASS[..1]);
+    let bank = include_str!("../banks/wheels-on-inclines.yaml");
+    for (line, name) in [("self check: off", "closed"), ("reveal: on", "open")] {
+        room.write(
+            &format!("{name}.yaml"),
+            &bank.replacen("\nproblems:", &format!("\n{line}\nproblems:"), 1),
+        );
+        let (bank, roster, out) =
+            (room.path(&format!("{name}.yaml")), room.path("roster.csv"), room.path(name));
+        let ran = run(&["generate", &bank, "--roster", &roster, "--seed", "1", "--out", &out]);
+        assert_eq!((ran.exit, ran.err.as_str()), (Exit::Fine, ""));
+    }
+    let closed = run(&["check", &room.path("closed/students/0017/sheet.json"), "2.v=1"]);
+    assert_eq!(closed.exit, Exit::Faulty);
+    assert!(closed.err.contains("carries no scene"), "{}", closed.err);
+    assert!(room.read("closed/students/0017/sheet.json").contains("\"scene\": null"));
+    assert!(!room.read("closed/students/0017/sheet.md").contains("slipstick check"));
+    let open = run(&["check", &room.path("open/students/0017/sheet.json"), "2.v=1 m/s", "--reveal"]);
+    assert_eq!(open.exit, Exit::NotAllRight);
+    assert!(open.out.contains("right: "), "{}", open.out);
+}
+
+const ROLLING: [&str; 16] = [
+    "--set",
+    "m=40kg",
+    "--set",
+    "R=400mm",
+    "--set",
+    "r=200mm",
+    "--set",
+    "k=300mm",
+    "--set",
+    "theta=30deg",
+    "--set",
+    "P=200N",
+    "--set",
+    "d=3m",
+    "--set",
+    "mu_s=0.6",
+];
+
+fn solve(more: &[&str], changed: &[(&str, &str)]) -> Ran {
+    let mut args = vec!["solve", "wheels-on-inclines", "pulled-rolling"];
+    let data: Vec<String> = ROLLING
+        .iter()
+        .map(|text| {
+            let new = changed.iter().find(|(symbol, _)| text.split('=').next() == Some(*symbol));
+            new.map_or_else(|| (*text).to_owned(), |(symbol, value)| format!("{symbol}={value}"))
+        })
+        .collect();
+    args.extend(data.iter().map(String::as_str));
+    args.extend(more);
+    run(&args)
+}
+
+#[test]
+fn solve_says_what_happens() {
+    let ran = solve(&["--json"], &[]);
+    assert_eq!((ran.exit, ran.err.as_str()), (Exit::Fine, ""));
+    let json: serde_json::Value = serde_json::from_str(&ran.out).unwrap();
+    assert_eq!(json["problem"], "pulled-rolling");
+    assert_eq!(json["regime"], "moves_up");
+    assert!(json["checks"].as_array().unwrap().iter().all(|c| c["ok"] == true));
+    // (T P (c + p)/c d - m g d sin) with the given numbers, by hand: v^2 = 2 a d, a = 404.../130.
+    let friction = json["quantities"]["friction"]["value"].as_f64().unwrap();
+    assert!((friction - 120.446_153_846_153_85).abs() < 1e-12, "{friction}");
+    assert_eq!(json["quantities"]["direction"]["value"], "up");
+    assert!(json["quantities"]["direction"]["eom"].is_null());
+    let text = ran.out.split("\"omega\": {\"value\": ").nth(1).unwrap();
+    let digits = text.split(',').next().unwrap();
+    assert_eq!(digits.split('e').next().unwrap().len(), 18, "17 significant digits: {digits}");
+
+    // Plain numbers are SI, angles in degrees; the same bits.
+    let plain =
+        solve(&["--json"], &[("R", "0.4"), ("r", "0.2"), ("k", "0.3"), ("theta", "30"), ("m", "40000 g")]);
+    assert_eq!(plain.out, ran.out);
+
+    let slips = solve(&["--json"], &[("mu_s", "0.1")]);
+    assert_eq!(slips.exit, Exit::RegimeFails);
+    let json: serde_json::Value = serde_json::from_str(&slips.out).unwrap();
+    assert_eq!(json["regime"], "moves_up slips");
+    let check = json["checks"].as_array().unwrap().iter().find(|c| c["name"] == "no_slip").unwrap();
+    assert_eq!(check["ok"], false);
+    assert!(check["detail"].as_str().unwrap().contains("120.45"), "{check}");
+
+    let table = solve(&[], &[]);
+    assert_eq!(table.exit, Exit::Fine);
+    assert!(table.out.contains("equations of motion  work and energy"), "{}", table.out);
+}
+
+#[test]
+fn solve_refuses_what_is_no_scene() {
+    for (symbol, value) in [
+        ("m", "-40kg"),
+        ("r", "0.5"),
+        ("theta", "91"),
+        ("m", "nan"),
+        ("m", "1e999"),
+        ("m", "40 N"),
+        ("m", ""),
+    ] {
+        let ran = solve(&["--json"], &[(symbol, value)]);
+        assert_eq!((ran.exit, ran.out.as_str()), (Exit::Faulty, ""), "{symbol}={value}");
+        assert!(ran.err.starts_with("error: "), "{}", ran.err);
+    }
+    let missing = run(&["solve", "wheels-on-inclines", "pulled-rolling", "--set", "m=40kg", "--json"]);
+    assert_eq!((missing.exit, missing.out.as_str()), (Exit::Faulty, ""));
+    assert!(missing.err.contains("R is not given"), "{}", missing.err);
+    let unknown = solve(&["--set", "mu_x=1"], &[]);
+    assert!(unknown.err.contains("no datum `mu_x`"), "{}", unknown.err);
+    let twice = solve(&["--set", "m=41kg"], &[]);
+    assert!(twice.err.contains("is given twice"), "{}", twice.err);
+    let nothing = run(&["solve", "wheels-on-inclines", "pulled-rolling"]);
+    assert_eq!(nothing.exit, Exit::Faulty);
+    let problem = run(&["solve", "wheels-on-inclines", "pulled-roling", "--seed", "1"]);
+    assert!(problem.err.contains("did you mean `pulled-rolling`?"), "{}", problem.err);
+    assert_eq!(run(&["solve", "wheels-on-inclines", "spring-released", "--seed", "1"]).exit, Exit::Fine);
+}
+
+#[test]
+fn lint_finds_and_sweeps() {
+    let fine = run(&["lint", "wheels-on-inclines", "--seeds", "40"]);
+    assert_eq!((fine.exit, fine.err.as_str()), (Exit::Fine, ""));
+    assert!(fine.out.contains("Chance that two of 500 students get equal sheets"), "{}", fine.out);
+    let room = Room::new(&[]);
+    let bank = include_str!("../banks/wheels-on-inclines.yaml");
+    room.write(
+        "bank.yaml",
+        &bank
+            .replacen("title: A wheel pulled up an incline", "titel: A wheel", 1)
+            .replacen("unit: kg", "unit: kq", 1),
+    );
+    let ran = run(&["lint", &room.path("bank.yaml")]);
+    assert_eq!((ran.exit, ran.out.as_str()), (Exit::Faulty, ""));
+    assert!(ran.err.contains("titel") && ran.err.contains("kq"), "all at once: {}", ran.err);
+    let line = bank.lines().position(|l| l.contains("unit: kg")).unwrap() + 1;
+    assert!(room.shown(&ran.err).contains(&format!("ROOM/bank.yaml:{line}:")), "{}", ran.err);
+    let none = run(&["lint", "no-such-bank"]);
+    assert_eq!(none.exit, Exit::Faulty);
+    assert!(none.err.contains("built-in banks: wheels-on-inclines"), "{}", none.err);
+}
+
+#[test]
+fn templates_of_ones_own() {
+    let room = Room::new(&CLASS[..1]);
+    fs::create_dir_all(room.path("mine/statement")).unwrap();
+    let own = ["--templates", &room.path("mine")];
+    room.write(
+        "mine/statement/pulled-rolling.md",
+        "Ein Rad der Masse {{ m }}.\n{% if false %}{{ R }}{% endif %}",
+    );
+    assert_eq!(room.generate("roster.csv", "set", &own).exit, Exit::Fine);
+    assert!(room.read("set/students/0017/sheet.md").contains("Ein Rad der Masse $m = "));
+    room.write("mine/statement/pulled-rolling.md", "A wheel.\nIts mass is {{ mass }}.\n");
+    let ran = room.generate("roster.csv", "other", &own);
+    assert_eq!(ran.exit, Exit::Faulty);
+    assert!(
+        room.shown(&ran.err).contains("ROOM/mine/statement/pulled-rolling.md:2:16: template: "),
+        "{}",
+        ran.err
+    );
+    assert!(!Path::new(&room.path("other")).exists());
+    room.write("mine/statement/pulled-rolling.md", "A wheel of {{ m | nosuch }}.\n");
+    assert_eq!(room.generate("roster.csv", "other", &own).exit, Exit::Faulty);
+}
+
+#[test]
+fn practice_takes_piped_answers() {
+    let ran = run_with(
+        &["practice", "wheels-on-inclines", "--seed", "3", "--problems", "pulled-rolling"],
+        "1 N\nsolution\nquit\n",
+    );
+    assert_eq!((ran.exit, ran.err.as_str()), (Exit::Fine, ""));
+    assert!(ran.out.contains("wrong dimension"), "{}", ran.out);
+    let omega = ran.out.lines().find_map(|l| l.strip_prefix("  omega = ")).unwrap();
+    let again = run_with(
+        &["practice", "wheels-on-inclines", "--seed", "3", "--problems", "pulled-rolling"],
+        &format!("{omega}\n"),
+    );
+    assert!(again.out.contains("omega =   right"), "{}", again.out);
+    assert!(
+        again.out.ends_with("1 of 1 question right at last.\n") || again.out.contains("1 of 1"),
+        "{}",
+        again.out
+    );
+}
+
+#[test]
+fn the_demo_runs_twice_and_spares_what_it_did_not_make() {
+    let room = Room::new(&[]);
+    let dir = room.path("demo");
+    let first = run(&["demo", &dir]);
+    assert_eq!((first.exit, first.err.as_str()), (Exit::Fine, ""));
+    let files = tree(Path::new(&dir));
+    let second = run(&["demo", &dir]);
+    assert_eq!(second.out, first.out);
+    assert!(files == tree(Path::new(&dir)));
+    // At least ten rows of each kind, and each became what it should.
+    let table: Vec<Vec<&str>> = first
+        .out
+        .lines()
+        .skip_while(|l| !l.starts_with("What the simulated rows were"))
+        .skip(1)
+        .take_while(|l| !l.is_empty())
+        .map(|l| l.split("  ").map(str::trim).filter(|c| !c.is_empty()).collect())
+        .collect();
+    let header = &table[0];
+    for row in &table[1..] {
+        let all: u32 = row.last().unwrap().parse().unwrap();
+        assert!(all >= 10, "{row:?}");
+        let of = |verdict: &str| header.iter().position(|h| *h == verdict).map_or("·", |i| row[i]);
+        match row[0] {
+            "right" | "messy" => assert_eq!(of("right"), all.to_string(), "{row:?}"),
+            "blank" => assert_eq!(of("blank"), all.to_string(), "{row:?}"),
+            "wrong method" | "wrong unit" => assert_eq!(of("right"), "·", "{row:?}"),
+            _ => {}
+        }
+    }
+    room.write("demo/mine.txt", "mine");
+    assert_eq!(run(&["demo", &dir]).exit, Exit::Faulty);
+    fs::create_dir(room.path("thesis")).unwrap();
+    room.write("thesis/a.txt", "mine");
+    assert_eq!(run(&["demo", &room.path("thesis")]).exit, Exit::Faulty);
+}
+
+#[test]
+fn what_is_typed_wrong_is_explained() {
+    for args in [&["generate"][..], &["no-such-verb"], &["solve", "a", "b", "--seed", "x"], &[]] {
+        let ran = run(args);
+        assert_eq!((ran.exit, ran.out.as_str()), (Exit::Faulty, ""), "{args:?}");
+        assert!(ran.err.contains("--help") || ran.err.contains("Usage: slipstick"), "{}", ran.err);
+    }
+    for verb in ["generate", "grade", "check", "practice", "solve", "lint", "demo"] {
+        let ran = run(&[verb, "--help"]);
+        assert_eq!((ran.exit, ran.err.as_str()), (Exit::Fine, ""));
+        assert!(ran.out.contains("Example"), "{verb} teaches by example");
+    }
+}
+
+#[test]
+fn rosters_are_checked() {
+    let room = Room::new(&["a", "b", "a"]);
+    let ran = room.generate("roster.csv", "set", &[]);
+    assert_eq!(ran.exit, Exit::Faulty);
+    assert!(room.shown(&ran.err).contains("ROOM/roster.csv:4"), "{}", ran.err);
+    assert!(!Path::new(&room.path("set")).exists());
+    let none = room.generate("nowhere.csv", "set", &[]);
+    assert!(none.err.contains("there is no such file"), "{}", none.err);
+}
+
+#[test]
+fn the_program_itself_exits_with_these_codes() {
+    let room = Room::new(&CLASS[..1]);
+    let slipstick = || assert_cmd::Command::cargo_bin("slipstick").unwrap();
+    slipstick()
+        .args(["generate", "wheels-on-inclines", "--seed", "7", "--roster"])
+        .arg(room.path("roster.csv"))
+        .arg("--out")
+        .arg(room.path("set"))
+        .assert()
+        .code(0);
+    slipstick().arg("check").arg(room.path("set/students/0017/sheet.json")).arg("2.v=1 m/s").assert().code(1);
+    slipstick().args(["lint", "nowhere"]).assert().code(2);
+    let mut args = vec!["solve", "wheels-on-inclines", "pulled-rolling"];
+    args.extend(&ROLLING[..14]);
+    args.extend(["--set", "mu_s=0.1"]);
+    slipstick().args(&args).assert().code(3);
+}

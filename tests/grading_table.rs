@@ -1,0 +1,440 @@
+//! What the grader says to each kind of cell, and what comes out of whole files: test and documentation in one.
+use slipstick::grade::judge::judge;
+use slipstick::grade::run::Attempts;
+use slipstick::grade::run::GradeFault;
+use slipstick::grade::run::Graded;
+use slipstick::grade::run::Options;
+use slipstick::grade::run::grade;
+use slipstick::grade::table::KeyTable;
+use slipstick::grade::verdict::Verdict;
+use slipstick::key::Answer;
+use slipstick::key::KeyEntry;
+use slipstick::key::ProblemKey;
+use slipstick::key::SheetKey;
+use slipstick::report::gradebook::gradebook;
+use slipstick::units::Unit;
+use std::io::Cursor;
+
+fn entry(part: &str, answer: Answer, unit: &str) -> KeyEntry {
+    KeyEntry {
+        part: part.into(),
+        answer,
+        unit: Unit::parse(unit).unwrap(),
+        unit_required: false,
+        points: 1.0,
+        eom: None,
+        energy: None,
+        gap: None,
+        cond: None,
+    }
+}
+fn number(value: f64, half_width: f64, directed: bool) -> Answer {
+    Answer::Number { value, half_width, directed, magnitude: !directed }
+}
+fn key(name: &str) -> KeyEntry {
+    match name {
+        "omega" => entry("omega", number(30.263, 0.30263, false), "rad/s"),
+        "v" => entry("v", number(1.25, 0.0125, false), "m/s"),
+        "friction" => entry("friction", number(62.6, 0.626, true), "N"),
+        "force" => entry("force", number(4200.0, 42.0, false), "N"),
+        "large" => entry("large", number(30263.0, 302.63, false), "N"),
+        "zero" => entry("zero", number(0.0, 0.01, true), "N"),
+        "exactly zero" => entry("zero", number(0.0, 0.0, true), "N"),
+        "tiny" => entry("tiny", number(3e-300, 3e-302, false), "m"),
+        "huge" => entry("huge", number(3e300, 3e298, false), "m"),
+        "torque" => entry("torque", number(12.0, 0.12, false), "N m"),
+        "angle" => entry("angle", number(std::f64::consts::FRAC_PI_6, 0.005, false), "deg"),
+        "mu" => entry("mu", number(0.25, 0.0025, false), "1"),
+        "alpha" => entry("alpha", number(4.5, 0.045, false), "rad/s^2"),
+        "strict" => KeyEntry { unit_required: true, ..key("v") },
+        "rolls" => entry("rolls", Answer::Word { right: "yes", offered: &["yes", "no"] }, "1"),
+        "direction" => {
+            entry("direction", Answer::Word { right: "stays", offered: &["up", "down", "stays"] }, "1")
+        }
+        _ => panic!("no key named {name}"),
+    }
+}
+
+/// Cell, key, verdict, a piece of the reason.
+const TABLE: &[(&str, &str, &str, &str)] = &[
+    // numbers and units
+    ("30.3 rad/s", "omega", "right", "within the tolerance"),
+    ("30.3", "omega", "right", "within the tolerance"),
+    ("289 rpm", "omega", "right", ""),
+    ("289 r/min", "omega", "right", ""),
+    ("4.816 rev/s", "omega", "right", ""),
+    ("4.816 Hz", "omega", "right", ""),
+    ("1734 deg/s", "omega", "right", ""),
+    ("30.3 1/s", "omega", "right", ""),
+    ("30.3 s^-1", "omega", "right", ""),
+    ("30.3 s⁻¹", "omega", "right", ""),
+    ("4.5 1/s^2", "alpha", "right", ""),
+    ("4.5 rad/s²", "alpha", "right", ""),
+    ("4.2 kN", "force", "right", ""),
+    ("4.2e3 N", "force", "right", ""),
+    ("4.2×10^3 N", "force", "right", ""),
+    ("4.2x10^3", "force", "right", ""),
+    ("4.2·10³", "force", "right", ""),
+    ("4.2 * 10**3 N", "force", "right", ""),
+    ("42000x10^-1 N", "force", "right", ""),
+    ("0.42×10⁴ N", "force", "right", ""),
+    ("944.2 lbf", "force", "right", ""),
+    ("428.3 kgf", "force", "right", ""),
+    ("+30.3", "omega", "right", ""),
+    ("omega = 30.3 rad/s", "omega", "right", ""),
+    ("ω=30.3", "omega", "right", ""),
+    ("= 30.3", "omega", "right", ""),
+    ("~30.3", "omega", "right", ""),
+    ("≈ 30.3 rad/s", "omega", "right", ""),
+    ("=\"30.3\"", "omega", "right", ""),
+    ("30.3 rad/s.", "omega", "right", ""),
+    ("30.3\u{a0}rad/s", "omega", "right", ""),
+    ("30.3\u{202f}rad/s", "omega", "right", ""),
+    ("30\u{2009}263", "large", "right", ""),
+    ("30 263 N", "large", "right", ""),
+    ("30", "angle", "right", ""),
+    ("30°", "angle", "right", ""),
+    ("0.5236 rad", "angle", "right", ""),
+    ("25 %", "mu", "right", ""),
+    ("0.25", "mu", "right", ""),
+    (".25", "mu", "right", ""),
+    ("12 Nm", "torque", "right", ""),
+    ("12 N·m", "torque", "right", ""),
+    ("8.85 ft-lb", "torque", "right", ""),
+    ("31", "omega", "wrong", "not within the tolerance"),
+    ("303", "omega", "wrong", ""),
+    // the comma
+    ("1,25 m/s", "v", "right", "the comma is read as the decimal mark"),
+    ("30,263", "omega", "right", "the comma is read as the decimal mark"),
+    ("30,263 N", "large", "unreadable", "write 30263 or 30.263"),
+    ("29,111", "large", "wrong", "the comma is read as the decimal mark"),
+    ("30.263,0", "large", "unreadable", "more than one comma or point"),
+    ("30,263.0", "large", "unreadable", "more than one comma or point"),
+    ("1,030,263", "large", "unreadable", "more than one comma or point"),
+    ("1.2.3 m/s", "v", "unreadable", "more than one comma or point"),
+    // directions
+    ("62.6 N up", "friction", "right", ""),
+    ("62.6 N up the incline", "friction", "right", ""),
+    ("up the slope 62.6 N", "friction", "right", ""),
+    ("62.6 (up)", "friction", "right", ""),
+    ("62,6 N aufwärts", "friction", "right", "decimal mark"),
+    ("62.6 N down", "friction", "wrong direction", "the direction is not"),
+    ("62.6 N down the incline", "friction", "wrong direction", ""),
+    ("-62.6 N", "friction", "wrong direction", "the sign is not"),
+    ("\u{2212}62.6", "friction", "wrong direction", ""),
+    ("–62.6 N", "friction", "wrong direction", ""),
+    ("-62.6 N down", "friction", "unreadable", "a minus sign and a direction"),
+    ("-62.6 N up", "friction", "unreadable", "a minus sign and a direction"),
+    ("down the incline", "friction", "unreadable", "`down` alone: write the number too"),
+    ("62.6 N up down", "friction", "unreadable", "not one direction"),
+    ("62.6 N stays", "friction", "unreadable", "not one direction"),
+    ("50 N up", "friction", "wrong", ""),
+    ("-30.3 rad/s", "omega", "wrong direction", "a magnitude has no minus sign"),
+    ("30.3 rad/s forward", "omega", "right", "no direction is asked"),
+    // words
+    ("stays", "direction", "right", ""),
+    ("it stays at rest", "direction", "right", ""),
+    ("Up", "direction", "wrong", "another word is right"),
+    ("yes", "direction", "unreadable", "write one of up, down, stays"),
+    ("0", "direction", "unreadable", "a word is asked"),
+    ("YES", "rolls", "right", ""),
+    ("ja", "rolls", "right", ""),
+    ("n", "rolls", "wrong", ""),
+    ("perhaps", "rolls", "unreadable", "write one of: yes, no"),
+    // dimensions
+    ("30.3 m/s", "omega", "wrong dimension", "expected rad/s (angular velocity), found m/s (speed)"),
+    ("12 N", "torque", "wrong dimension", "a factor m is missing"),
+    ("62.6 kg", "friction", "wrong dimension", "expected N (force), found kg (mass)"),
+    ("14 lb", "friction", "wrong dimension", "write lbf"),
+    ("14 deg", "mu", "wrong dimension", ""),
+    ("1.25 ms^-1", "v", "wrong dimension", "ms is a millisecond"),
+    // the unit itself
+    ("30.3 RAD/S", "omega", "right", "the unit is read as rad/s"),
+    ("62.6 n", "friction", "right", "the unit is read as N"),
+    ("62.6 mn", "friction", "unreadable", "upper and lower case matter"),
+    ("30.3 radd/s", "omega", "unreadable", "did you mean `rad`?"),
+    ("30.3 xyz", "omega", "unreadable", "unknown unit `xyz`"),
+    ("1.25", "strict", "missing unit", "write the unit, such as m/s"),
+    ("1.25 m/s", "strict", "right", ""),
+    // not finite, zero, tiny, huge
+    ("NaN", "omega", "unreadable", "not a finite number"),
+    ("inf", "omega", "unreadable", "not a finite number"),
+    ("-Infinity m", "huge", "unreadable", "not a finite number"),
+    ("1e400", "huge", "unreadable", "not a finite number"),
+    ("1e306 km", "huge", "unreadable", "not a finite number"),
+    ("0", "zero", "right", ""),
+    ("-0.009", "zero", "right", ""),
+    ("0.02", "zero", "wrong", ""),
+    ("0", "exactly zero", "right", ""),
+    ("-0.0", "exactly zero", "right", ""),
+    ("1e-300", "exactly zero", "wrong", ""),
+    ("3e-300", "tiny", "right", ""),
+    ("0", "tiny", "wrong", ""),
+    ("3.02e300", "huge", "right", ""),
+    ("3.04e300", "huge", "wrong", ""),
+    // neither
+    ("", "omega", "blank", "nothing written"),
+    ("  \u{a0} ", "omega", "blank", ""),
+    ("about thirty", "omega", "unreadable", "neither a number nor a known word"),
+    ("?", "omega", "unreadable", ""),
+    ("30 or 31", "omega", "unreadable", ""),
+    ("30.3 ± 0.1 rad/s", "omega", "unreadable", "more than one number"),
+    ("30 31", "omega", "unreadable", "more than one number"),
+    ("1/2", "v", "unreadable", "not a formula or a fraction"),
+    ("v = 2*0.625 = 1.25", "v", "unreadable", "not a formula"),
+    ("2*0.625", "v", "unreadable", "not a formula"),
+    ("10^10^10 m", "huge", "unreadable", ""),
+];
+
+#[test]
+fn every_cell_of_the_table() {
+    let mut faults = Vec::new();
+    for (cell, name, verdict, piece) in TABLE {
+        let got = judge(cell, &key(name));
+        let points = if *verdict == "right" { 1.0 } else { 0.0 };
+        if got.verdict.as_str() != *verdict
+            || !got.reason.contains(piece)
+            || (got.points - points).abs() > 0.0
+        {
+            faults.push(format!(
+                "{cell:?} for {name}: want {verdict} ({piece}), got {} ({})",
+                got.verdict, got.reason
+            ));
+        }
+    }
+    assert!(faults.is_empty(), "{}", faults.join("\n"));
+}
+
+#[test]
+fn the_edge_of_the_tolerance_is_right() {
+    let exact = entry("x", number(100.0, 1.0, false), "m");
+    for (cell, right) in
+        [("101", true), ("99", true), ("101.0000000001", false), ("98.9999999999", false), ("9900 cm", true)]
+    {
+        assert_eq!(judge(cell, &exact).verdict == Verdict::Right, right, "{cell}");
+    }
+}
+
+fn sheet(student: &str) -> SheetKey {
+    SheetKey {
+        student: student.into(),
+        problems: vec![
+            ProblemKey { id: "rolling".into(), parts: vec![key("omega"), key("friction")] },
+            ProblemKey { id: "slipping".into(), parts: vec![key("v"), key("rolls")] },
+        ],
+    }
+}
+fn table() -> KeyTable {
+    let names = [("00123".to_owned(), "=Ada, B.".to_owned()), ("b".to_owned(), "Bo".to_owned())];
+    KeyTable::new(["00123", "b", "nobody"].map(sheet).into(), &names)
+}
+fn run_with(bytes: &[u8], table: &KeyTable, options: &Options) -> Result<(String, Graded), GradeFault> {
+    let mut out = Vec::new();
+    let open = || Ok(Box::new(Cursor::new(bytes.to_vec())) as Box<dyn std::io::Read + Send>);
+    let graded = grade(&open, table, options, &mut out, &mut |_| {})?;
+    Ok((String::from_utf8(out).expect("answers.csv is UTF-8"), graded))
+}
+fn run(text: &str) -> String {
+    let options = Options { threads: 2, ..Options::default() };
+    run_with(text.as_bytes(), &table(), &options).unwrap().0
+}
+
+#[test]
+fn a_messy_long_file() {
+    let text = "\u{feff}STUDENT, Problem ,part,Answer,Remark\r\n\
+        00123,1,omega,30.3,first\r\n\
+        00123,rolling,OMEGA,31,second\r\n\
+        00123,1,omega,,third\r\n\
+        00123,1,omega,huh?,fourth\r\n\
+        123,1,omega,30.3,\r\n\
+        \r\n\
+        b,2,v,1,25 m/s,\r\n\
+        b,2,v,\"1,25 m/s\",,,\r\n\
+        b,2,rolls\r\n\
+        b,2,v,-1,25,a\r\n\
+        b,2,omgea,1,\r\n\
+        b,7,v,1,\r\n\
+        ,,,,\r\n\
+        b,1,friction,-62.6 N,\r\n\
+        b,2,rolls,=1+1,\r\n\
+        b,1,omega,\"30.3\r\n\
+        nobody,2,rolls,yes,\r\n";
+    insta::assert_snapshot!(run(text), @r#"
+    line,column,student,problem,part,answer,verdict,points,max_points,reason
+    2,,00123,1,omega,30.3,superseded,0,1,superseded by line 3; would have been right
+    3,,00123,1,omega,31,wrong,0,1,not within the tolerance
+    4,,00123,1,omega,,blank,0,1,nothing written
+    5,,00123,1,omega,huh?,superseded,0,1,superseded by line 3; would have been unreadable: neither a number nor a known word
+    6,,123,1,omega,30.3,unknown student,0,0,not on the roster; did you mean 00123?
+    8,,b,2,v,"b,2,v,1,25 m/s,",unreadable,0,0,"6 fields where the header has 5: the comma split the answer: quote it (""1,25 m/s"") or write 1.25 m/s"
+    9,,b,2,v,"1,25 m/s",right,1,1,within the tolerance; the comma is read as the decimal mark
+    10,,b,2,rolls,"b,2,rolls",unreadable,0,0,3 fields where the header has 5
+    11,,b,2,v,"b,2,v,-1,25,a",unreadable,0,0,"6 fields where the header has 5: the comma split the answer: quote it (""-1,25"") or write -1.25"
+    12,,b,2,omgea,1,unknown part,0,0,"no part `omgea`; parts: v, rolls"
+    13,,b,7,v,1,unknown part,0,0,"no problem `7`; problems: 1 (rolling), 2 (slipping)"
+    14,,,,,",,,,",blank,0,0,an empty record
+    15,,b,1,friction,'-62.6 N,wrong direction,0,1,"the magnitude is right, the sign is not"
+    16,,b,2,rolls,'=1+1,unreadable,0,1,"more than one number: write one number and its unit; write one of: yes, no"
+    17,,b,1,omega,"b,1,omega,""30.3",unreadable,0,0,4 fields where the header has 5
+    18,,nobody,2,rolls,yes,right,1,1,the right word
+    "#);
+}
+
+#[test]
+fn a_wide_file_and_the_gradebook() {
+    let text = "Email;1.omega;rolling.friction;2.v;2.nothing;note\nb;30,3;62,6 N up;;5;x\n00123;1;2\n00123;289 rpm;-62,6;1,25;;\n";
+    let options = Options { columns: vec![("student".into(), "Email".into())], ..Options::default() };
+    let (out, graded) = run_with(text.as_bytes(), &table(), &options).unwrap();
+    insta::assert_snapshot!(out, @r#"
+    line,column,student,problem,part,answer,verdict,points,max_points,reason
+    2,1.omega,b,1,omega,"30,3",right,1,1,within the tolerance; the comma is read as the decimal mark
+    2,rolling.friction,b,1,friction,"62,6 N up",right,1,1,within the tolerance; the comma is read as the decimal mark
+    2,2.v,b,2,v,,blank,0,1,nothing written
+    2,2.nothing,b,2,nothing,5,unknown part,0,0,"no part `nothing`; parts: v, rolls"
+    3,,00123,,,00123;1;2,unreadable,0,0,3 fields where the header has 6
+    4,1.omega,00123,1,omega,289 rpm,right,1,1,within the tolerance
+    4,rolling.friction,00123,1,friction,"'-62,6",wrong direction,0,1,"the magnitude is right, the sign is not; the comma is read as the decimal mark"
+    4,2.v,00123,2,v,"1,25",right,1,1,within the tolerance; the comma is read as the decimal mark
+    4,2.nothing,00123,2,nothing,,unknown part,0,0,"no part `nothing`; parts: v, rolls"
+    "#);
+    insta::assert_snapshot!(String::from_utf8(gradebook(&table(), &graded)).unwrap(), @r#"
+    student,name,1.omega,1.friction,2.v,2.rolls,total,max_total
+    00123,"'=Ada, B.",1,0,1,,2,4
+    b,Bo,1,1,,,2,4
+    nobody,,,,,,0,4
+    "#);
+    assert_eq!((graded.wide, graded.unused_columns), (true, vec!["note".to_owned()]));
+}
+
+#[test]
+fn attempts_are_ordered_by_time_and_else_by_row() {
+    let text = "student,problem,part,answer,submitted_at\n\
+        b,1,omega,30.3,2026-03-02 10:00\nb,1,omega,31,2026-03-01 10:00\n\
+        b,2,v,1.25,2026-03-02 10:00\nb,2,v,1.3,yesterday\n";
+    let verdicts = |attempts| {
+        let options = Options { attempts, ..Options::default() };
+        let out = run_with(text.as_bytes(), &table(), &options).unwrap().0;
+        out.lines().skip(1).map(|l| l.split(',').nth(6).unwrap().to_owned()).collect::<Vec<_>>()
+    };
+    assert_eq!(verdicts(Attempts::Last), ["right", "superseded", "superseded", "wrong"]);
+    assert_eq!(verdicts(Attempts::First), ["superseded", "wrong", "right", "superseded"]);
+    assert_eq!(verdicts(Attempts::Best), ["right", "superseded", "right", "superseded"]);
+    let out = run(text);
+    assert!(out.contains("submitted_at cannot be read for every attempt"), "{out}");
+}
+
+#[test]
+fn headers_that_do_not_do_are_told_at_once() {
+    let fault = run_with(b"id,problem,part,part\n", &table(), &Options::default()).unwrap_err();
+    insta::assert_snapshot!(fault.to_string(), @r#"
+    line 1, column 1: header: no column `student`
+        hint: the columns are: id | problem | part | part; map one with --columns student="Its header"
+    line 1, column 1: header: column `part` stands there 2 times (fields 3, 4)
+        hint: rename all but one
+    line 1, column 1: header: no column `answer`
+        hint: the columns are: id | problem | part | part; map one with --columns answer="Its header"
+    "#);
+}
+
+/// A million rows with one per cent garbage: each row comes out once, in order, whatever the number of threads.
+#[test]
+fn a_million_rows_are_accounted_for() {
+    let rows = 1_000_000;
+    let garbage = [
+        "\"open,1,omega,3",
+        "s1,1,omega,1,25 m/s",
+        "s1,1",
+        "\u{0},1,omega,2",
+        "s1,1,omega,\u{fffd}?",
+        "zzz,1,omega,1",
+        "s1,9,omega,1",
+        "s1,1,omega,1e999",
+        ",,,",
+        "s1,1,omega,\"5\" rod",
+    ];
+    let mut text = String::from("student,problem,part,answer\n");
+    for i in 0..rows {
+        if i % 100 == 99 {
+            text.push_str(garbage[(i / 100) % garbage.len()]);
+            text.push('\n');
+        } else {
+            let part = ["omega", "friction"][i % 2];
+            text.push_str(&format!("s{},1,{part},{}.{}\n", i % 1000, 30 + i % 40, i % 10));
+        }
+    }
+    let sheets = (0..1000).map(|i| sheet(&format!("s{i}"))).collect();
+    let table = KeyTable::new(sheets, &[]);
+    let options = Options { threads: 2, ..Options::default() };
+    let (out, graded) = run_with(text.as_bytes(), &table, &options).unwrap();
+    assert_eq!((graded.cells, graded.counts.iter().sum::<u64>()), (rows as u64, rows as u64));
+    let mut lines = out.lines().skip(1);
+    for row in 0..rows {
+        let line = lines.next().expect("a line for each row");
+        assert!(line.starts_with(&format!("{},", row + 2)), "row {row}: {line}");
+    }
+    assert_eq!(lines.next(), None);
+    assert!(graded.count(Verdict::Unreadable) >= 3000, "{:?}", graded.counts);
+}
+
+mod any {
+    use super::*;
+    use proptest::prelude::*;
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(300))]
+        #[test]
+        fn no_cell_panics(cell in "\\PC{0,60}", near in "[0-9.,eEx×^· +−mNkrads/upown-]{0,20}") {
+            for name in ["omega", "friction", "rolls", "large"] {
+                for cell in [&cell, &near] {
+                    let got = judge(cell, &key(name));
+                    prop_assert!(!got.reason.is_empty());
+                }
+            }
+        }
+
+        #[test]
+        fn any_bytes_come_out_once_and_the_same_for_any_threads(
+            pieces in prop::collection::vec(prop_oneof![
+                Just("b,1,omega,30.3\n".as_bytes().to_vec()), Just(b"\"".to_vec()), Just(b"\r\n".to_vec()),
+                Just(b"00123,2,v,\"1,25\"\n".to_vec()), prop::collection::vec(any::<u8>(), 0..12)], 0..40),
+        ) {
+            let bytes = [b"student,problem,part,answer\n".to_vec(), pieces.concat()].concat();
+            let options = |threads| Options { threads, ..Options::default() };
+            let (one, graded) = run_with(&bytes, &table(), &options(1)).unwrap();
+            let (three, _) = run_with(&bytes, &table(), &options(3)).unwrap();
+            prop_assert_eq!(&one, &three);
+            let records = slipstick::answer::submissions::all_records(Box::new(Cursor::new(bytes))).unwrap().1;
+            prop_assert_eq!(graded.cells, records.len() as u64);
+            let mut reader = csv::ReaderBuilder::new().from_reader(one.as_bytes());
+            let lines: Vec<u64> = reader.records().map(|r| r.unwrap()[0].parse().unwrap()).collect();
+            prop_assert_eq!(lines, records.iter().map(|r| r.0).collect::<Vec<_>>());
+        }
+    }
+}
+
+/// `cargo test --release --test grading_table -- --ignored --nocapture speed`: rows per second on one and two threads.
+#[test]
+#[ignore = "a measurement, for a release build"]
+fn speed_of_a_million_plain_rows() {
+    let sheets = (0..1000).map(|i| sheet(&format!("s{i}"))).collect();
+    let table = KeyTable::new(sheets, &[]);
+    let folder = tempfile::tempdir().unwrap();
+    let (input, output) = (folder.path().join("in.csv"), folder.path().join("out.csv"));
+    let mut text = String::from("student,problem,part,answer\n");
+    for i in 0u64..1_000_000 {
+        let student = i.wrapping_mul(0x9e37_79b9_7f4a_7c15) >> 32; // random order
+        let part = ["omega", "friction"][(student / 1000 % 2) as usize];
+        text.push_str(&format!("s{},1,{part},{}.{}\n", student % 1000, 30 + i % 40, i % 1000));
+    }
+    std::fs::write(&input, text).unwrap();
+    for threads in [1, 2, 2, 1] {
+        let start = std::time::Instant::now();
+        let open = || Ok(Box::new(std::fs::File::open(&input)?) as Box<dyn std::io::Read + Send>);
+        let mut out = std::fs::File::create(&output).unwrap();
+        let options = Options { threads, ..Options::default() };
+        let graded = grade(&open, &table, &options, &mut out, &mut |_| {}).unwrap();
+        let status = std::fs::read_to_string("/proc/self/status").unwrap_or_default();
+        let peak = status.lines().find(|l| l.starts_with("VmHWM")).unwrap_or("").to_owned();
+        eprintln!("{threads} threads: {:?}, {} cells, {peak} (with the text made above)", start.elapsed(), graded.cells);
+    }
+}

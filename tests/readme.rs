@@ -1,0 +1,137 @@
+//! Every command of the README runs, and prints what the README shows.
+use std::fs;
+use std::path::Path;
+use std::process::Command;
+
+/// One ```console block: commands and the output shown below each.
+struct Shown {
+    line: usize,
+    command: String,
+    output: Vec<String>,
+}
+
+fn commands(readme: &str) -> Vec<Shown> {
+    let mut found: Vec<Shown> = Vec::new();
+    let mut inside = false;
+    let mut first = false;
+    for (i, line) in readme.lines().enumerate() {
+        if line.trim_start().starts_with("```") {
+            inside = !inside && line.trim() == "```console";
+            first = inside;
+            continue;
+        }
+        if !inside {
+            continue;
+        }
+        if let Some(command) = line.strip_prefix("$ ") {
+            found.push(Shown { line: i + 1, command: command.to_owned(), output: Vec::new() });
+            first = false;
+        } else if let (false, Some(last)) = (first, found.last_mut()) {
+            let continues = last.output.is_empty() && last.command.ends_with('\\');
+            if continues {
+                last.command.pop();
+                last.command.push_str(line.trim_start_matches("> ").trim_start());
+            } else {
+                last.output.push(line.to_owned());
+            }
+        }
+    }
+    found
+}
+
+/// Does the output hold the shown lines, in order? `...` stands for any lines, ` ... ` within a line for any text.
+fn shows(output: &str, shown: &[String]) -> Result<(), String> {
+    let shown: Vec<&str> = shown.iter().map(|l| l.trim_end()).collect();
+    if shown.iter().all(|l| l.is_empty()) {
+        return Ok(());
+    }
+    let lines: Vec<&str> = output.lines().map(str::trim_end).collect();
+    let fits = |line: &str, pattern: &str| match pattern.split_once(" ... ") {
+        Some((before, after)) => line.starts_with(before) && line.ends_with(after),
+        None => line == pattern,
+    };
+    let (mut at, mut skip) = (0, false);
+    for pattern in shown {
+        if pattern.trim() == "..." {
+            skip = true;
+            continue;
+        }
+        let found = if skip {
+            (at..lines.len()).find(|i| fits(lines[*i], pattern))
+        } else {
+            (at < lines.len() && fits(lines[at], pattern)).then_some(at)
+        };
+        match found {
+            Some(i) => at = i + 1,
+            None => {
+                return Err(format!("shown: {pattern}\nprinted: {}", lines.get(at).unwrap_or(&"(the end)")));
+            }
+        }
+        skip = false;
+    }
+    if skip || lines[at..].iter().all(|l| l.is_empty()) {
+        Ok(())
+    } else {
+        Err(format!("printed but not shown: {}", lines[at]))
+    }
+}
+
+#[test]
+fn the_commands_of_the_readme_run() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let readme = fs::read_to_string(root.join("README.md")).expect("there is a README.md");
+    let commands = commands(&readme);
+    let folder = tempfile::tempdir().unwrap();
+    let program = assert_cmd::cargo::cargo_bin("slipstick");
+    let bin = program.parent().expect("the program stands in a folder");
+    // The README's commands name banks and data of the repository.
+    for entry in ["banks", "templates"] {
+        copy(&root.join(entry), &folder.path().join(entry));
+    }
+    let (mut ran, mut elsewhere) = (0, 0);
+    for shown in &commands {
+        let word = shown.command.split_whitespace().next().unwrap_or_default();
+        if word == "git" || word == "cargo" {
+            elsewhere += 1; // getting and building the program: CI has just done it
+            continue;
+        }
+        let output = Command::new("sh")
+            .arg("-c")
+            .arg(&shown.command)
+            .current_dir(folder.path())
+            .env("PATH", format!("{}:{}", bin.display(), std::env::var("PATH").unwrap_or_default()))
+            .output()
+            .expect("a shell runs");
+        let (out, err) = (String::from_utf8_lossy(&output.stdout), String::from_utf8_lossy(&output.stderr));
+        let place = format!("README.md:{}: {}", shown.line, shown.command);
+        let code = output.status.code().unwrap_or(-1);
+        // A command may end with 1 or 3 on purpose; then the README says so in its output or text.
+        assert!(code == 0 || code == 1 || code == 3, "{place}\nexit code {code}\n{err}");
+        let both = format!("{out}{err}");
+        if let Err(difference) =
+            shows(&out, &shown.output).or_else(|e| shows(&both, &shown.output).map_err(|_| e))
+        {
+            panic!("{place}\n{difference}");
+        }
+        ran += 1;
+    }
+    assert!(ran > 0, "the README shows commands");
+    assert_eq!(ran + elsewhere, commands.len());
+    // No block of commands may hide from this test under another name.
+    for (i, line) in readme.lines().enumerate() {
+        let hidden = ["```sh", "```bash", "```shell"].iter().any(|b| line.trim_start().starts_with(b));
+        assert!(!hidden, "README.md:{}: write ```console, so that the commands are run", i + 1);
+    }
+}
+
+fn copy(from: &Path, to: &Path) {
+    fs::create_dir_all(to).unwrap();
+    for entry in fs::read_dir(from).unwrap().map(Result::unwrap) {
+        let target = to.join(entry.file_name());
+        if entry.path().is_dir() {
+            copy(&entry.path(), &target);
+        } else {
+            fs::copy(entry.path(), target).unwrap();
+        }
+    }
+}
