@@ -40,14 +40,14 @@ fn found(edits: &[(&str, &str)]) -> String {
     let mut text = String::new();
     for (number, line) in bank.lines().enumerate() {
         if !SOUND.lines().any(|l| l == line) {
-            writeln!(text, "{:>3} | {line}", number + 1).unwrap();
+            writeln!(text, "{:>3} | {line}", number + 1).expect("a String takes it");
         }
     }
     match load::bank(&bank, "test.yaml", &template::variables_of) {
         Ok(_) => text.push_str("no finding"),
         Err(findings) => {
             for finding in findings {
-                writeln!(text, "{finding}").unwrap();
+                writeln!(text, "{finding}").expect("a String takes it");
             }
         }
     }

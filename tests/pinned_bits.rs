@@ -7,13 +7,13 @@ use slipstick::problem::make::Maker;
 
 /// Problem, digest of the drawn data, digest of the answers.
 const PINNED: &[(&str, &str, &str)] = &[
-    ("block-pulls-wheel", "00c461e495755cd1", "4e9d4a3efccf01e7"),
-    ("yo-yo", "aef24fe3ffb2f4bd", "83e50d0690d1d95b"),
-    ("two-loads-on-a-stepped-drum", "10696379207f77a1", "ea2be54052a9236a"),
-    ("kinetic-energy", "ab248f879edce178", "a81cc9f40f38cde3"),
-    ("pulled-rolling", "ea4a9e0129f11de6", "2c62b468e3e75871"),
-    ("pulled-slipping", "a42f2cc47d1aedb0", "f012c75a4d971796"),
-    ("spring-released", "77fa04a1955e4c36", "4a385274acbdb649"),
+    ("block-pulls-wheel", "7e58b4397711b559", "d2e29b280e313128"),
+    ("yo-yo", "56eaf5ebeedbf2da", "a5f42fd07073b40b"),
+    ("two-loads-on-a-stepped-drum", "0283c4c499963a66", "f756d73bff0fc38e"),
+    ("kinetic-energy", "cbdbe0b3edb9f945", "122eb00e7a843f9a"),
+    ("pulled-rolling", "81011d0ece5ccf20", "da7cfb4b377b7739"),
+    ("pulled-slipping", "e8283eb54c86667c", "9ef2b34a76321273"),
+    ("spring-released", "12fdcd118ca0e1b1", "e37819a39b196f9f"),
 ];
 
 #[test]

@@ -201,10 +201,10 @@ fn normal(cell: &str) -> String {
     let mut trimmed = text.trim();
     if let Some(inside) = trimmed.strip_prefix("=\"").and_then(|t| t.strip_suffix('"')) {
         trimmed = inside.trim();
-    } else if trimmed.len() >= 2 {
-        if let Some(inside) = trimmed.strip_prefix('"').and_then(|t| t.strip_suffix('"')) {
-            trimmed = inside.trim();
-        }
+    } else if trimmed.len() >= 2
+        && let Some(inside) = trimmed.strip_prefix('"').and_then(|t| t.strip_suffix('"'))
+    {
+        trimmed = inside.trim();
     }
     let trimmed = trimmed.strip_prefix('\'').unwrap_or(trimmed).trim();
     let trimmed = trimmed.trim_matches('$').trim();
@@ -316,6 +316,7 @@ fn decimal(text: &str) -> Result<(Number, bool, &str), Why> {
                 digits.push('.');
                 after_mark = 0;
             }
+            b' ' if bytes[at + 1..].starts_with(b"1/") || bytes[at + 1..].starts_with(b"1 /") => break, // `30.3 1/s`
             b' ' if digit_at(at + 1) => {
                 // a blank groups digits only before exactly three of them, and only above the decimal mark
                 let three = (1..=3).all(|k| digit_at(at + k)) && !digit_at(at + 4);

@@ -55,12 +55,12 @@ fn walk(data: &[u8], from: usize, delimiter: u8, whole: bool, field: &mut dyn Fn
             quote += 1;
         }
         let mut end = None;
-        if data.get(quote) == Some(&b'"') {
-            if let Some((close, inner)) = closing(data, quote + 1, delimiter, whole)? {
-                field(Span { start: quote, end: close, quoted: true });
-                lines += inner;
-                end = Some(close);
-            }
+        if data.get(quote) == Some(&b'"')
+            && let Some((close, inner)) = closing(data, quote + 1, delimiter, whole)?
+        {
+            field(Span { start: quote, end: close, quoted: true });
+            lines += inner;
+            end = Some(close);
         }
         let end = match end {
             Some(end) => end,
@@ -131,10 +131,10 @@ fn unquoted<'a>(data: &'a [u8], span: Span) -> Cow<'a, [u8]> {
         return Cow::Borrowed(text);
     }
     let inside = &text[1..];
-    if let Some(close) = memchr::memchr(b'"', inside) {
-        if inside[close + 1..].iter().all(|b| *b == b' ') {
-            return Cow::Borrowed(&inside[..close]);
-        }
+    if let Some(close) = memchr::memchr(b'"', inside)
+        && inside[close + 1..].iter().all(|b| *b == b' ')
+    {
+        return Cow::Borrowed(&inside[..close]);
     }
     let mut out = Vec::with_capacity(inside.len());
     let (mut at, mut open) = (0, true);

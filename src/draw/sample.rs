@@ -3,12 +3,12 @@ use crate::bank::decimal::Decimal;
 use crate::bank::{Case, Draw};
 use crate::draw::stream::Words;
 
-/// The case of a variant, by share. `problem` cases must not be empty; the result is an index into them.
+/// The case of a variant, by share, as an index into `cases` (0 if there are none).
 pub fn case(words: &mut Words, cases: &[Case]) -> usize {
     if cases.len() <= 1 {
         return 0;
     }
-    words.attempt(0);
+    words.attempt(1);
     let total: u64 = cases.iter().map(|c| u64::from(c.share)).sum();
     let mut lot = words.below(0, total);
     for (i, case) in cases.iter().enumerate() {
@@ -18,7 +18,7 @@ pub fn case(words: &mut Words, cases: &[Case]) -> usize {
         }
         lot -= share;
     }
-    cases.len() - 1
+    cases.len().saturating_sub(1)
 }
 
 /// The value of datum number `index` in this try.
@@ -26,11 +26,11 @@ pub fn value(words: &mut Words, index: usize, draw: &Draw) -> Decimal {
     let value = match draw {
         Draw::Always { value, .. } => *value,
         Draw::OneOf { values, .. } => {
-            let lot = words.below(index, values.len() as u64);
+            let lot = words.below(index + 1, values.len() as u64);
             usize::try_from(lot).ok().and_then(|i| values.get(i)).copied().unwrap_or(0)
         }
         Draw::Grid { min, step, .. } => {
-            let lot = words.below(index, draw.count());
+            let lot = words.below(index + 1, draw.count());
             min + step * i64::try_from(lot).unwrap_or(0)
         }
     };

@@ -2,10 +2,10 @@
 //!
 //! Draw version 1: the key of a variant is HMAC-SHA256 with the key `slipstick draw 1` of the seed (u64, little endian)
 //! and then, each after its length in bytes (u64, little endian), the set's name, the problem's id and the student's id.
-//! With this key and nonce = number of the try, ChaCha20 gives 64-bit words (two 32-bit words, the first one low). Try 0
-//! chooses the case with its word 0; tries 1, 2, ... draw the data, datum number i taking word i. Data that are added at
-//! the end of a problem therefore never move the others, and a try costs one block. A word that would favour some value
-//! is dropped; the next one in its place is word i of the same try with 2^32 added to the nonce, and so on.
+//! With this key and nonce = number of the try (1, 2, ...), ChaCha20 gives 64-bit words (two 32-bit words, the first one
+//! low). Word 0 of try 1 chooses the case; datum number i (from 0) takes word i + 1 of each try. Data that are added at the
+//! end of a problem therefore never move the others, and a try costs one block. A word that would favour some value is
+//! dropped; the next one in its place is the same word of the same try with 2^32 added to the nonce, and so on.
 use hmac::{Hmac, KeyInit, Mac};
 use rand_chacha::ChaCha20Rng;
 use rand_chacha::rand_core::{Rng, SeedableRng};
@@ -53,35 +53,56 @@ impl std::fmt::Debug for Source {
     }
 }
 
+/// Words that are kept of a try: as many as the cipher makes at once.
+const KEPT: usize = 32;
+
 /// The random words of one variant.
 #[derive(Debug, Clone)]
 pub struct Words {
     key: [u8; 32],
     cipher: ChaCha20Rng,
     attempt: u64,
-    /// Words of this try that were made so far.
-    made: Vec<u64>,
+    /// The first words of this try, as far as they were made.
+    kept: [u64; KEPT],
+    made: usize,
 }
 
 impl Words {
-    /// Words of a ChaCha20 key.
+    /// Words of a ChaCha20 key, at try 1.
     pub fn new(key: [u8; 32]) -> Self {
-        Self { key, cipher: ChaCha20Rng::from_seed(key), attempt: 0, made: Vec::with_capacity(32) }
+        let mut words =
+            Self { key, cipher: ChaCha20Rng::from_seed(key), attempt: 0, kept: [0; KEPT], made: 0 };
+        words.attempt(1);
+        words
     }
-    /// Goes to a try: 0 for the case, from 1 for the data.
+    /// Goes to a try, from 1.
     pub fn attempt(&mut self, number: u32) {
+        if self.attempt == u64::from(number) {
+            return;
+        }
         self.attempt = u64::from(number);
         // A fresh cipher makes no block before it is asked for a word; a moved one would make one for nothing.
         self.cipher = ChaCha20Rng::from_seed(self.key);
         self.cipher.set_stream(self.attempt);
-        self.made.clear();
+        self.made = 0;
     }
     /// Word `index` of this try.
     fn word(&mut self, index: usize) -> u64 {
-        while self.made.len() <= index {
-            self.made.push(self.cipher.next_u64());
+        if index >= KEPT {
+            return self.far(self.attempt, index);
         }
-        self.made[index]
+        while self.made <= index {
+            self.kept[self.made] = self.cipher.next_u64();
+            self.made += 1;
+        }
+        self.kept[index]
+    }
+    /// Word `index` of any nonce.
+    fn far(&self, nonce: u64, index: usize) -> u64 {
+        let mut cipher = ChaCha20Rng::from_seed(self.key);
+        cipher.set_stream(nonce);
+        cipher.set_word_pos(2 * index as u128);
+        cipher.next_u64()
     }
     /// An unbiased whole number below `n`, from word `index` of this try. `n` = 0 counts as 1.
     pub fn below(&mut self, index: usize, n: u64) -> u64 {
@@ -99,10 +120,7 @@ impl Words {
                 return high;
             }
             again += 1;
-            let mut spare = self.cipher.clone();
-            spare.set_stream(self.attempt | (again << 32));
-            spare.set_word_pos(2 * index as u128);
-            word = spare.next_u64();
+            word = self.far(self.attempt | (again << 32), index);
         }
     }
 }
@@ -119,13 +137,18 @@ mod tests {
     #[test]
     fn words_are_those_of_the_cipher() {
         // An external ChaCha20: zero key; and key 07...07, block counter 1, nonce 5.
-        let mut zero = Words::new([0; 32]);
-        zero.attempt(0);
-        assert_eq!(zero.word(0).swap_bytes(), 0x76b8_e0ad_a0f1_3d90);
+        let zero = Words::new([0; 32]);
+        assert_eq!(zero.far(0, 0).swap_bytes(), 0x76b8_e0ad_a0f1_3d90);
         let mut seven = ChaCha20Rng::from_seed([7; 32]);
         seven.set_stream(5);
         seven.set_word_pos(16);
         assert_eq!(seven.next_u64(), 0xe58c_3bc1_2820_9a4c);
+        let mut words = Words::new([7; 32]);
+        words.attempt(5);
+        assert_eq!(words.word(8), 0xe58c_3bc1_2820_9a4c);
+        for index in 0..80 {
+            assert_eq!(words.word(index), words.far(5, index));
+        }
     }
 
     #[test]

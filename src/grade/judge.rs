@@ -111,11 +111,11 @@ fn judge_number(number: &Number, entry: &KeyEntry, key: Key) -> (Verdict, Cow<'s
         }
     };
     let verdict = decide(x);
-    if let Some(grouped) = number.grouped.filter(|_| verdict == Verdict::Wrong) {
-        if decide(unit.to_si(grouped) * sign) != Verdict::Wrong {
-            let text = format!("the comma may mean either: write {} or {}", grouped, number.value);
-            return (Verdict::Unreadable, Cow::Owned(text));
-        }
+    if let Some(grouped) = number.grouped.filter(|_| verdict == Verdict::Wrong)
+        && decide(unit.to_si(grouped) * sign) != Verdict::Wrong
+    {
+        let text = format!("the comma may mean either: write {} or {}", grouped, number.value);
+        return (Verdict::Unreadable, Cow::Owned(text));
     }
     let reason = match verdict {
         Verdict::Right => WITHIN,

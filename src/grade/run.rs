@@ -383,7 +383,19 @@ fn sort_of_row(record: &Record, layout: &Layout) -> Row {
         None => {}
     }
     let n = record.len();
+    let odd = n > layout.width && layout.delimiter == b',';
+    // `1,25 m/s` may also have pushed its second half into the column of the time
+    let pushed = matches!(layout.form, Form::Long { answer, .. } if layout.submitted == Some(answer + 1));
+    let spare = (layout.width..n).all(|i| blank(record.get(i).unwrap_or_default()));
+    let split = if odd || (pushed && layout.delimiter == b',') {
+        comma_split(record, layout, n, spare)
+    } else {
+        None
+    };
     if n == layout.width {
+        if let Some(said) = split {
+            return Row::Unreadable(said);
+        }
         let all_empty = || (0..n).all(|i| blank(record.get(i).unwrap_or_default()));
         let student = record.get(layout.student).unwrap_or_default();
         return if student.is_empty() && all_empty() { Row::Empty } else { Row::Cells };
@@ -391,33 +403,39 @@ fn sort_of_row(record: &Record, layout: &Layout) -> Row {
     if (0..n).all(|i| blank(record.get(i).unwrap_or_default())) {
         return Row::Empty;
     }
-    if n > layout.width && (layout.width..n).all(|i| blank(record.get(i).unwrap_or_default())) {
+    if n > layout.width && split.is_none() && spare {
         return Row::Cells;
     }
     let count = format!("{n} fields where the header has {}", layout.width);
-    if n > layout.width && layout.delimiter == b',' {
-        let from = match layout.form {
-            Form::Long { answer, .. } => answer,
-            Form::Wide(_) => 0,
-        };
-        for i in from..n - 1 {
-            let (a, b) =
-                (record.get(i).unwrap_or_default().trim_ascii(), record.get(i + 1).unwrap_or_default());
-            let whole = a.strip_prefix(b"-").or_else(|| a.strip_prefix("\u{2212}".as_bytes())).unwrap_or(a);
-            let digits = (1..=6).contains(&whole.len()) && whole.iter().all(u8::is_ascii_digit);
-            if digits && b.first().is_some_and(u8::is_ascii_digit) {
-                let (a, b) = (String::from_utf8_lossy(a), String::from_utf8_lossy(b.trim_ascii()));
-                let b: String = b.chars().take(24).collect();
-                return Row::Unreadable(format!(
-                    "{count}: the comma split the answer: write \"{a},{b}\" in quotes or {a}.{b}"
-                ));
-            }
-            if matches!(layout.form, Form::Long { .. }) {
-                break;
-            }
-        }
+    if let Some(said) = split {
+        return Row::Unreadable(format!("{count}: {said}"));
     }
     Row::Unreadable(count)
+}
+
+/// Explains an answer such as `1,25 m/s` that stands in a comma file without quotes. Where the record would also fit
+/// the header without it (`fits`), only a unit after the second half gives it away.
+fn comma_split(record: &Record, layout: &Layout, n: usize, fits: bool) -> Option<String> {
+    let (from, to) = match layout.form {
+        Form::Long { answer, .. } => (answer, answer + 1),
+        Form::Wide(_) => (0, if fits { 0 } else { n.saturating_sub(1) }),
+    };
+    (from..to).find_map(|i| {
+        let (a, b) = (record.get(i)?.trim_ascii(), record.get(i + 1)?);
+        let whole = a.strip_prefix(b"-").or_else(|| a.strip_prefix("\u{2212}".as_bytes())).unwrap_or(a);
+        let digits = b.iter().take_while(|b| b.is_ascii_digit()).count();
+        // digits, then perhaps a unit: neither a date nor a time
+        let second = digits > 0
+            && (!fits || b.len() > digits)
+            && b.len() < 40
+            && !b[digits..].iter().any(|b| matches!(b, b':' | b'-' | b'.'))
+            && b.get(digits).is_none_or(|b| *b != b'/');
+        if !second || !(1..=6).contains(&whole.len()) || !whole.iter().all(u8::is_ascii_digit) {
+            return None;
+        }
+        let (a, b) = (String::from_utf8_lossy(a), String::from_utf8_lossy(b.trim_ascii()));
+        Some(format!("the comma split the answer: quote it (\"{a},{b}\") or write {a}.{b}"))
+    })
 }
 
 #[inline]
@@ -505,23 +523,19 @@ struct Memory<'a> {
 #[inline]
 fn judged(table: &KeyTable, who: u32, what: u32, answer: &[u8], units: &mut UnitCache) -> Judgement {
     let hot = &table.hot[who as usize * table.columns.len() + what as usize];
-    if hot.fast {
-        if let Some(number) = plain_number(answer) {
-            let x = number * hot.times / hot.over;
-            if x.is_finite() {
-                let (verdict, points, reason) = if accepts(x, hot.value, hot.half_width) {
-                    (Verdict::Right, hot.points, judge::WITHIN)
-                } else if accepts(-x, hot.value, hot.half_width) {
-                    (
-                        Verdict::WrongDirection,
-                        0.0,
-                        if hot.magnitude { judge::NO_SIGN } else { judge::OTHER_SIGN },
-                    )
-                } else {
-                    (Verdict::Wrong, 0.0, judge::OUTSIDE)
-                };
-                return Judgement { verdict, points, reason: Cow::Borrowed(reason) };
-            }
+    if hot.fast
+        && let Some(number) = plain_number(answer)
+    {
+        let x = number * hot.times / hot.over;
+        if x.is_finite() {
+            let (verdict, points, reason) = if accepts(x, hot.value, hot.half_width) {
+                (Verdict::Right, hot.points, judge::WITHIN)
+            } else if accepts(-x, hot.value, hot.half_width) {
+                (Verdict::WrongDirection, 0.0, if hot.magnitude { judge::NO_SIGN } else { judge::OTHER_SIGN })
+            } else {
+                (Verdict::Wrong, 0.0, judge::OUTSIDE)
+            };
+            return Judgement { verdict, points, reason: Cow::Borrowed(reason) };
         }
     }
     match table.entry(who as usize, what as usize) {
@@ -856,12 +870,12 @@ fn sweep<'b>(
             (held.progress)(batch.read_so_far);
             let mut bytes = std::mem::take(&mut text);
             loop {
-                if let Some(out) = &mut held.out {
-                    if let Err(fault) = out.write_all(&bytes) {
-                        held.fault = Some(io::Error::from(fault.kind()));
-                        turn.notify_all();
-                        return Err(fault);
-                    }
+                if let Some(out) = &mut held.out
+                    && let Err(fault) = out.write_all(&bytes)
+                {
+                    held.fault = Some(io::Error::from(fault.kind()));
+                    turn.notify_all();
+                    return Err(fault);
                 }
                 text = bytes;
                 held.next += 1;

@@ -15,6 +15,9 @@ use smallvec::smallvec;
 
 /// A residual below this share of the terms of its row is rounding of double-doubles.
 const CONVERGED: f64 = 1.0 / (1u128 << 98) as f64;
+/// An unknown this small beside its terms is what double-doubles leave of a difference of equals: 2^-98, their roundoff
+/// (2^-104) with room for a few dozen terms.
+const CANCELLED: f64 = 1.0 / (1u128 << 98) as f64;
 /// Refinements before the columns are scaled anew.
 const REFINEMENTS: usize = 6;
 /// Times that the columns may be scaled anew.
@@ -109,6 +112,8 @@ impl<T: Real> Linear<T> {
                         *x = *x + Dd::new(sum * cols[i]);
                     }
                 }
+                // Terms that cancel altogether leave noise, which no scaling can settle: that unknown is 0.
+                self.cancel(k, column, &inverse, &rows, &cols);
             }
             if !settled || column.iter().any(|v| !v.is_finite()) {
                 return Err(Singular { unknowns: n, rank: n.saturating_sub(1) });
@@ -132,6 +137,18 @@ impl<T: Real> Linear<T> {
             inverse[r * n + c] += v.f64() * cols[*c] * rows[*r];
         }
         if invert(n, inverse) { Ok(()) } else { Err(Singular { unknowns: n, rank: rank(n, inverse) }) }
+    }
+
+    /// Sets to 0 what is nothing beside the terms that it is made of.
+    fn cancel(&self, k: usize, x: &mut [Dd], inverse: &[f64], rows: &[f64], cols: &[f64]) {
+        let n = self.unknowns;
+        for (i, x) in x.iter_mut().enumerate() {
+            let terms = self.right.iter().filter(|(_, column, _)| *column == k);
+            let natural: f64 = terms.map(|(r, _, v)| (inverse[i * n + r] * rows[*r] * v.f64()).abs()).sum();
+            if x.hi.abs() < CANCELLED * (natural * cols[i]).abs() {
+                *x = Dd::ZERO;
+            }
+        }
     }
 
     fn residual(&self, k: usize, x: &[Dd], residual: &mut [Dd], size: &mut [f64]) {

@@ -3,8 +3,8 @@ use crate::num::Dd;
 use crate::num::Jet;
 use crate::num::Real;
 use crate::num::U;
-use crate::scene::Label;
 use crate::scene::End;
+use crate::scene::Label;
 use crate::scene::Scene;
 use crate::scene::Start;
 use crate::scene::Tie;
@@ -70,8 +70,9 @@ fn half<T: Real>(scene: &Scene, data: &[f64]) -> Result<Half, Refusal> {
     };
     let entries = road.said.iter().map(entry).collect();
     let instant = Regime { motion: Motion::Instant, slips: false };
-    let (regime, checks, words) =
-        road.course.map_or((instant, Vec::new(), Vec::new()), |course| physical::judge(scene, &course, &road.held));
+    let (regime, checks, words) = road
+        .course
+        .map_or((instant, Vec::new(), Vec::new()), |course| physical::judge(scene, &course, &road.held));
     Ok(Half { solved: Solved { regime, checks, entries, words }, course: road.course, held: road.held })
 }
 
@@ -87,7 +88,8 @@ impl Half {
         let second: Road<Dd> = energy::road(scene, data)?;
         for (i, entry) in solved.entries.iter_mut().enumerate() {
             // The roads mostly speak in the same order.
-            let said = second.said.get(i).filter(|s| s.label == entry.label).or_else(|| second.get(entry.label));
+            let said =
+                second.said.get(i).filter(|s| s.label == entry.label).or_else(|| second.get(entry.label));
             let (eom, energy) = (entry.value(), said.map_or(f64::NAN, |s| s.value.f64()));
             entry.energy = Some(energy);
             if !agree(eom, energy, entry.cond) {

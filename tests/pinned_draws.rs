@@ -1,0 +1,99 @@
+//! Drawn values for fixed seeds, as a few lines of Python (hmac, ChaCha20 from its description) give them. If one of these changes, the draw version must change with it.
+use slipstick::bank::load;
+use slipstick::draw::sample;
+use slipstick::draw::stream::DRAW_VERSION;
+use slipstick::draw::stream::Source;
+use slipstick::problem::make::Maker;
+
+const BANK: &str = "\
+bank: pins
+title: Pins
+problems:
+  slide:
+    title: A block
+    data:
+      m: {name: mass, unit: kg, draw: 1.00 to 99.99 step 0.01}
+      theta: {name: slope, unit: deg, draw: 30 to 60 step 1}
+      d: {name: travel, unit: mm, draw: 'one of 500, 1000, 1500.5'}
+      mu: {name: friction, unit: '1', draw: always 0.20}
+    scene:
+      surfaces: {incline: {slope: theta}}
+      bodies: {block: {mass: m, moves: along incline, positive: down}}
+      ties: [slides: {body: block, mu_k: mu}]
+      start: at rest
+      end: {travel: {of: block, by: d}}
+    cases:
+      any: {share: 3}
+      heavy: {share: 1, draws: {m: 100 to 900 step 100}}
+    questions:
+      v: {ask: the speed, unit: m/s}
+";
+
+fn drawn(student: &str) -> String {
+    let bank = load::scenes_only(BANK, "pins.yaml").expect("the bank is sound");
+    let variant =
+        Maker::new(&bank.problems[0], 42, "week 1").variant(student).expect("the bank can be satisfied");
+    let values: Vec<String> = variant.values.iter().flatten().map(|v| v.text()).collect();
+    format!("{} {}", bank.problems[0].cases[variant.case].name, values.join(" "))
+}
+
+#[test]
+fn draws_are_pinned() {
+    assert_eq!(DRAW_VERSION, 1);
+    let students = ["1", "2", "007", "Zoë Ångström", "", "3", "4", "5"];
+    let all: Vec<String> = students.iter().map(|s| drawn(s)).collect();
+    insta::assert_snapshot!(all.join("\n"), @r"
+    any 97.08 53 500.0 0.20 9.81
+    any 18.91 45 500.0 0.20 9.81
+    any 24.66 52 1000.0 0.20 9.81
+    any 39.14 39 500.0 0.20 9.81
+    any 13.94 49 1000.0 0.20 9.81
+    heavy 600 50 500.0 0.20 9.81
+    any 48.17 33 1000.0 0.20 9.81
+    any 2.28 60 1000.0 0.20 9.81
+    ");
+}
+
+/// The draw redone from its description alone: HMAC-SHA256, ChaCha20, multiply and shift.
+#[test]
+fn a_draw_is_what_the_description_says() {
+    let bank = load::scenes_only(BANK, "pins.yaml").unwrap();
+    let problem = &bank.problems[0];
+    let mut words = Source::new(42, "week 1", "slide").student("1");
+    let case = sample::case(&mut words, &problem.cases);
+    let draws = &problem.cases[case].draws;
+    let again: Vec<String> = draws
+        .iter()
+        .enumerate()
+        .filter_map(|(i, d)| d.as_ref().map(|d| sample::value(&mut words, i, d).text()))
+        .collect();
+    assert_eq!(format!("{} {}", problem.cases[case].name, again.join(" ")), drawn("1"));
+}
+
+/// Other students, other problems and the order of the work change nothing; the seed and the names do.
+#[test]
+fn a_variant_depends_on_its_own_names_alone() {
+    let bank = load::scenes_only(BANK, "pins.yaml").unwrap();
+    let problem = &bank.problems[0];
+    let one =
+        |seed, set: &str, student: &str| Maker::new(problem, seed, set).variant(student).unwrap().values;
+    let maker = Maker::new(problem, 42, "week 1");
+    let forward: Vec<_> = ["a", "b", "c"].iter().map(|s| maker.variant(s).unwrap().values).collect();
+    let back: Vec<_> = ["c", "b", "a"].iter().map(|s| maker.variant(s).unwrap().values).collect();
+    assert!(forward.iter().eq(back.iter().rev()));
+    assert_eq!(one(42, "week 1", "b"), forward[1]);
+    assert_ne!(one(43, "week 1", "b"), forward[1]);
+    assert_ne!(one(42, "week 2", "b"), forward[1]);
+}
+
+/// A bank that cannot be satisfied stops with a table.
+#[test]
+fn an_unsatisfiable_bank_stops_with_a_table() {
+    let text = BANK.replace("    cases:", "    bounds: {v: {max: 1 mm/s}, m: {min: 0.5 kg}}\n    cases:");
+    let bank = load::scenes_only(&text, "pins.yaml").unwrap();
+    let none = Maker::new(&bank.problems[0], 42, "week 1").giving_up_after(300).variant("1").unwrap_err();
+    insta::assert_snapshot!(none, @r"
+    slide, case `any`: none of 300 draws holds the rules; refused by
+            300  bound v
+    ");
+}
