@@ -17,6 +17,8 @@ const GRAVITY: &str = "9.81 m/s^2";
 const RELATIVE: f64 = 0.01;
 /// Significant figures asked for where the bank does not say it.
 const FIGURES: u8 = 3;
+/// Most data of a problem; with g these are all that condition numbers are taken of.
+const MAX_DATA: usize = 63;
 /// Margins where the bank does not say them; the other checks have none.
 const MARGINS: [(CheckKind, f64); 4] = [
     (CheckKind::Moves, 0.10),
@@ -216,6 +218,9 @@ fn problem(
         .iter()
         .map(|d| Symbol { name: d.datum.symbol.clone(), unit: d.unit_known.then(|| d.datum.unit.clone()) })
         .collect();
+    if let Some(n) = data_node.filter(|_| data.len() > MAX_DATA) {
+        faults.at(n, format!("a problem has at most {MAX_DATA} data, this one {}", data.len()));
+    }
     let gravity_index = data.len();
     let scene_node = fields.get("scene");
     let base = scene_node.map(|n| scene::read(n, &symbols, gravity_index, faults));
@@ -308,6 +313,7 @@ fn problem(
             review::datum(&d.datum, d.node, case.draws[i].as_ref(), &uses, &case.name, case.node, faults);
         }
         if let Some(scene) = &read.scene {
+            review::structure(scene, case.node, faults);
             review::inertia_where_slipping(scene, &data_draws(&data, case), case.node, faults);
         }
     }
