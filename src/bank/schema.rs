@@ -248,6 +248,7 @@ fn problem(
                 draws: data.iter().map(|d| d.draw.clone()).collect(),
                 wrong: data.iter().map(|d| d.draw_wrong).collect(),
                 read: base.clone(),
+                scene_node,
                 regimes: regimes.clone(),
                 bounds: None,
             });
@@ -276,7 +277,8 @@ fn problem(
                         }
                     }
                 }
-                let own = f.get("scene").map(|n| scene::read(n, &symbols, gravity_index, faults));
+                let own_node = f.get("scene");
+                let own = own_node.map(|n| scene::read(n, &symbols, gravity_index, faults));
                 let replaced = own.is_some();
                 let own_regimes = f.get("regimes").map(|n| self::regimes(n, faults));
                 let bounds = f.get("bounds");
@@ -291,6 +293,7 @@ fn problem(
                     draws,
                     wrong,
                     read: if replaced { own } else { base.clone() },
+                    scene_node: own_node.or(scene_node),
                     regimes: own_regimes.unwrap_or_else(|| regimes.clone()),
                     bounds,
                 });
@@ -313,7 +316,7 @@ fn problem(
             review::datum(&d.datum, d.node, case.draws[i].as_ref(), &uses, &case.name, case.node, faults);
         }
         if let Some(scene) = &read.scene {
-            review::structure(scene, case.node, faults);
+            review::structure(scene, case.scene_node.unwrap_or(case.node), faults);
             review::inertia_where_slipping(scene, &data_draws(&data, case), case.node, faults);
         }
     }
@@ -403,6 +406,7 @@ struct CaseRead<'n> {
     wrong: Vec<bool>,
     /// What was read of its scene, if it has one.
     read: Option<scene::Read>,
+    scene_node: Option<&'n Node>,
     regimes: Vec<String>,
     bounds: Option<&'n Node>,
 }
