@@ -435,6 +435,10 @@ fn speed_of_a_million_plain_rows() {
         let graded = grade(&open, &table, &options, &mut out, &mut |_| {}).unwrap();
         let status = std::fs::read_to_string("/proc/self/status").unwrap_or_default();
         let peak = status.lines().find(|l| l.starts_with("VmHWM")).unwrap_or("").to_owned();
-        eprintln!("{threads} threads: {:?}, {} cells, {peak} (with the text made above)", start.elapsed(), graded.cells);
+        eprintln!(
+            "{threads} threads: {:?}, {} cells, {peak} (with the text made above)",
+            start.elapsed(),
+            graded.cells
+        );
     }
 }

@@ -218,10 +218,10 @@ impl SheetProblem {
         let said = |symbol: &str, what: &str| {
             self.data.get(symbol).and_then(|d| d.get(what)).and_then(Value::as_str)
         };
-        if let (Some(value), Some(unit)) = (said("g", "value"), said("g", "unit")) {
-            if let Some(fields) = bank.as_object_mut() {
-                fields.insert("gravity".to_owned(), Value::from(format!("{value} {unit}")));
-            }
+        if let (Some(value), Some(unit)) = (said("g", "value"), said("g", "unit"))
+            && let Some(fields) = bank.as_object_mut()
+        {
+            fields.insert("gravity".to_owned(), Value::from(format!("{value} {unit}")));
         }
         let data = bank
             .pointer_mut("/problems")
