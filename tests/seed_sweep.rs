@@ -1,0 +1,90 @@
+//! Every family of the banks over a thousand seeds: rules hold, regimes get their shares, answers are sane, keys are sound.
+mod support;
+use slipstick::key::Answer;
+use slipstick::problem::make::Maker;
+use slipstick::problem::make_key;
+use slipstick::problem::sweep;
+use slipstick::scene::Quantity;
+
+#[test]
+fn banks_are_satisfied_and_sheets_differ() {
+    for bank in support::banks() {
+        let sweeps: Vec<_> = bank.problems.iter().map(|p| sweep::sweep(p, 0, 1000, "sweep")).collect();
+        for s in &sweeps {
+            assert!(s.unsatisfiable.is_none(), "{:?}", s.unsatisfiable);
+            assert!(s.unsolved.is_none(), "{}: {:?}", s.problem, s.unsolved);
+            for c in &s.cases {
+                assert!(c.acceptance() > 0.4, "{} {}: {}", s.problem, c.name, c.acceptance());
+                let share = c.variants as f64 / 1000.0;
+                assert!((share - c.share).abs() < 0.06, "{} {}: {share}", s.problem, c.name);
+            }
+            for q in &s.questions {
+                assert_eq!(q.range.is_some(), q.words.is_empty(), "{} {}", s.problem, q.id);
+                assert!(q.worst_cond < 150.0, "{} {}: {}", s.problem, q.id, q.worst_cond);
+            }
+        }
+        let chance = sweep::coincidence(&sweeps, 500);
+        assert!(chance < 1e-6, "{}: {chance}", bank.id);
+    }
+}
+
+/// Both slip directions and both spring directions are at least a quarter, friction down in rolling at least a tenth.
+#[test]
+fn every_regime_is_reached_often_enough() {
+    let banks = support::banks();
+    let share =
+        |id: &str, what: &dyn Fn(&slipstick::problem::make::Variant, &slipstick::scene::Scene) -> bool| {
+            let problem = banks.iter().flat_map(|b| &b.problems).find(|p| p.id == id).expect("a problem");
+            let maker = Maker::new(problem, 5, "shares");
+            let hits = (0..1000)
+                .map(|i| maker.variant(&i.to_string()).expect("satisfiable"))
+                .filter(|v| what(v, &problem.cases[v.case].scene))
+                .count();
+            hits as f64 / 1000.0
+        };
+    let friction = |v: &slipstick::problem::make::Variant| {
+        v.solved
+            .entries
+            .iter()
+            .find(|e| e.label.quantity == Quantity::Friction)
+            .map_or(f64::NAN, |e| e.value())
+    };
+    let word = |v: &slipstick::problem::make::Variant| v.solved.regime.word();
+    assert!(share("pulled-rolling", &|v, _| friction(v) < 0.0) >= 0.1);
+    assert!(share("pulled-rolling", &|v, _| friction(v) > 0.0) >= 0.5);
+    assert!(share("pulled-slipping", &|v, _| friction(v) < 0.0) >= 0.25);
+    assert!(share("pulled-slipping", &|v, _| friction(v) > 0.0) >= 0.25);
+    assert!(share("spring-released", &|v, _| word(v) == "up ok") >= 0.25);
+    assert!(share("spring-released", &|v, _| word(v) == "down ok") >= 0.25);
+}
+
+#[test]
+fn keys_are_sound() {
+    for bank in support::banks() {
+        for problem in &bank.problems {
+            let maker = Maker::new(problem, 11, "keys");
+            for i in 0..300 {
+                let variant = maker.variant(&i.to_string()).expect("satisfiable");
+                let key = make_key::key(problem, &variant);
+                assert_eq!(key.parts.len(), problem.questions.len());
+                for (part, question) in key.parts.iter().zip(&problem.questions) {
+                    match part.answer {
+                        Answer::Number { value, half_width, magnitude, directed } => {
+                            assert!(value.is_finite() && half_width.is_finite() && half_width >= 0.0);
+                            assert!(half_width >= 0.0099 * value.abs(), "{}", part.part);
+                            assert!(!magnitude || value >= 0.0, "{} {}", problem.id, part.part);
+                            assert_eq!(directed, question.label.quantity.is_directed());
+                        }
+                        Answer::Word { right, offered } => {
+                            assert!(offered.contains(&right), "{} {right}", part.part);
+                        }
+                    }
+                }
+                // Stored values give the same variant back.
+                let again = slipstick::problem::make::from_values(problem, variant.case, &variant.values)
+                    .expect("solvable");
+                assert_eq!(make_key::key(problem, &again), key);
+            }
+        }
+    }
+}
