@@ -2,7 +2,7 @@
 use crate::bank::{Problem, Question};
 use crate::key::{Answer, KeyEntry, ProblemKey};
 use crate::problem::make::Variant;
-use crate::scene::{End, Owner, Quantity, Scene, Slope};
+use crate::scene::{End, Label, Owner, Quantity, Scene, Slope};
 
 /// Absolute tolerance of quantities that may vanish, as a share of the scale of their terms: a thousandth of the
 /// largest force is below what three figures of the terms can tell.
@@ -50,7 +50,7 @@ fn entry(question: &Question, scene: &Scene, variant: &Variant) -> KeyEntry {
         }
         None => (f64::NAN, 0.0),
     };
-    let words = words_sign(scene, question.label.of);
+    let words = words_sign(scene, question.label);
     key.answer = Answer::Number {
         value,
         half_width: half_width(question, value, scale),
@@ -84,13 +84,15 @@ pub const fn may_vanish(quantity: Quantity) -> bool {
     )
 }
 
-/// May a word give the sign? Not where positive is down: there `up` would mean a minus.
-pub fn words_sign(scene: &Scene, of: Owner) -> bool {
-    let body = match of {
+/// May a word give the sign? Friction is positive up the incline in every scene; an acceleration is positive forward, so
+/// not where positive is down: there `up` would mean a minus.
+pub fn words_sign(scene: &Scene, label: Label) -> bool {
+    let body = match label.of {
         Owner::Body(b) => Some(b),
         _ => scene.bare_body(),
     };
-    body.and_then(|b| scene.bodies.get(b)).and_then(|b| b.line).is_none_or(|line| line.forward_up)
+    label.quantity != Quantity::A
+        || body.and_then(|b| scene.bodies.get(b)).and_then(|b| b.line).is_none_or(|line| line.forward_up)
 }
 
 const fn is_magnitude(quantity: Quantity) -> bool {

@@ -355,7 +355,7 @@ fn form(q: &Question, scene: &Scene, common: &Common) -> String {
         "1" => "a number".to_owned(),
         unit => format!("in {unit}"),
     };
-    if q.label.quantity.is_directed() && make_key::words_sign(scene, q.label.of) {
+    if q.label.quantity.is_directed() && make_key::words_sign(scene, q.label) {
         let _ = write!(text, ", signed or with `{forward}` / `{back}`");
     }
     if q.figures != common.figures {
