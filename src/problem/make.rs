@@ -109,6 +109,8 @@ pub struct Unsatisfiable {
     pub tries: u32,
     /// Rules and how often each refused, most first.
     pub table: Vec<(String, u32)>,
+    /// The last draw of admissible data that could not be solved, if there was one.
+    pub unsolved: Option<Refusal>,
 }
 
 impl fmt::Display for Unsatisfiable {
@@ -185,6 +187,7 @@ impl<'p> Maker<'p> {
             case: case.name.clone(),
             tries: self.max_tries,
             table: refusals.table(self.problem, index),
+            unsolved: refusals.unsolved,
         })
     }
 
