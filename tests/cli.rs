@@ -329,6 +329,72 @@ fn a_bank_may_forbid_self_checks_or_allow_values() {
     assert!(open.out.contains("right: "), "{}", open.out);
 }
 
+/// A bank of a person's own, with a statement of its own and far too few variants.
+const NARROW: &str = r#"bank: narrow
+title: Few variants
+problems:
+  pull:
+    title: Pulled
+    data:
+      m: {name: mass, unit: kg, draw: "one of 40, 60"}
+      R: {name: rim, unit: m, draw: always 0.40}
+      r: {name: hub, unit: m, draw: always 0.20}
+      k: {name: radius of gyration, unit: m, draw: always 0.30}
+      theta: {name: slope, unit: deg, draw: always 10}
+      P: {name: pull, unit: N, draw: 200 to 201 step 1}
+      d: {name: travel, unit: m, draw: always 2.0}
+      mu_s: {name: static friction, unit: "1", draw: always 0.9}
+    scene:
+      surfaces: {incline: {slope: theta}}
+      bodies:
+        wheel: {mass: m, radius of gyration: k, radii: {rim: R, hub: r}, moves: along incline}
+      ties:
+        - rolls: {body: wheel, on its: hub, mu_s: mu_s}
+        - cord: {from: {body: wheel, wound on: rim, leaves: top forward}, pulled with: P}
+      start: at rest
+      end: {travel: {of: wheel, by: d, heading: up}}
+    regimes: [moves_up]
+    questions:
+      v: {ask: "the speed of the centre after {{ value.d }}", unit: m/s}
+    statement: |
+      Data: {{ m }}, {{ R }}, {{ r }}, {{ k }}, {{ theta }}, {{ P }}, {{ d }}, {{ mu_s }}, {{ g }}. Symbol ${{ tex.mu_s }}$.
+"#;
+
+#[test]
+fn students_with_problems_too_much_alike_are_named() {
+    let students: Vec<String> = (0..40).map(|i| format!("s{i}")).collect();
+    let room = Room::new(&students.iter().map(String::as_str).collect::<Vec<_>>());
+    room.write("narrow.yaml", NARROW);
+    let (bank, roster, out) = (room.path("narrow.yaml"), room.path("roster.csv"), room.path("set"));
+    let ran = run(&["generate", &bank, "--roster", &roster, "--seed", "1", "--out", &out]);
+    assert_eq!((ran.exit, ran.err.as_str()), (Exit::Fine, ""));
+    assert!(ran.out.contains("with an equal problem or all its answers within tolerance"), "{}", ran.out);
+    let sheet = room.read("set/students/s0/sheet.md");
+    assert!(sheet.contains(r"Symbol $\mu_s$"), "{sheet}");
+    assert!(sheet.contains(r"after $2.0\ \mathrm{m}$"), "{sheet}");
+    // Every pair is judged rightly: only the masses make a difference beyond the tolerance.
+    let set: serde_json::Value = serde_json::from_str(&room.read("set/set.json")).unwrap();
+    let data = |i: usize, symbol: &str| set["students"][i]["problems"][0]["data"][symbol].clone();
+    let mut expected = Vec::new();
+    for a in 0..40 {
+        for b in a + 1..40 {
+            if data(a, "m") == data(b, "m") {
+                let equal = data(a, "P") == data(b, "P");
+                let what = if equal { "equal data" } else { "answers within tolerance" };
+                expected.push((format!("s{a}"), format!("s{b}"), what.to_owned()));
+            }
+        }
+    }
+    let text = |v: &serde_json::Value| v.as_str().unwrap().to_owned();
+    let found: Vec<(String, String, String)> = set["coincidences"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .map(|c| (text(&c["students"][0]), text(&c["students"][1]), text(&c["what"])))
+        .collect();
+    assert_eq!(found, expected);
+}
+
 const ROLLING: [&str; 16] = [
     "--set",
     "m=40kg",
