@@ -1,4 +1,5 @@
 //! The street door: exit code, standard output and standard error of each verb, in fresh folders.
+#![expect(clippy::unwrap_used, reason = "a test that cannot set itself up fails")]
 use slipstick::cli;
 use slipstick::cli::tell::Exit;
 use slipstick::cli::tell::Io;
@@ -328,6 +329,72 @@ fn a_bank_may_forbid_self_checks_or_allow_values() {
     assert!(open.out.contains("right: "), "{}", open.out);
 }
 
+/// A bank of a person's own, with a statement of its own and far too few variants.
+const NARROW: &str = r#"bank: narrow
+title: Few variants
+problems:
+  pull:
+    title: Pulled
+    data:
+      m: {name: mass, unit: kg, draw: "one of 40, 60"}
+      R: {name: rim, unit: m, draw: always 0.40}
+      r: {name: hub, unit: m, draw: always 0.20}
+      k: {name: radius of gyration, unit: m, draw: always 0.30}
+      theta: {name: slope, unit: deg, draw: always 10}
+      P: {name: pull, unit: N, draw: 200 to 201 step 1}
+      d: {name: travel, unit: m, draw: always 2.0}
+      mu_s: {name: static friction, unit: "1", draw: always 0.9}
+    scene:
+      surfaces: {incline: {slope: theta}}
+      bodies:
+        wheel: {mass: m, radius of gyration: k, radii: {rim: R, hub: r}, moves: along incline}
+      ties:
+        - rolls: {body: wheel, on its: hub, mu_s: mu_s}
+        - cord: {from: {body: wheel, wound on: rim, leaves: top forward}, pulled with: P}
+      start: at rest
+      end: {travel: {of: wheel, by: d, heading: up}}
+    regimes: [moves_up]
+    questions:
+      v: {ask: "the speed of the centre after {{ value.d }}", unit: m/s}
+    statement: |
+      Data: {{ m }}, {{ R }}, {{ r }}, {{ k }}, {{ theta }}, {{ P }}, {{ d }}, {{ mu_s }}, {{ g }}. Symbol ${{ tex.mu_s }}$.
+"#;
+
+#[test]
+fn students_with_problems_too_much_alike_are_named() {
+    let students: Vec<String> = (0..40).map(|i| format!("s{i}")).collect();
+    let room = Room::new(&students.iter().map(String::as_str).collect::<Vec<_>>());
+    room.write("narrow.yaml", NARROW);
+    let (bank, roster, out) = (room.path("narrow.yaml"), room.path("roster.csv"), room.path("set"));
+    let ran = run(&["generate", &bank, "--roster", &roster, "--seed", "1", "--out", &out]);
+    assert_eq!((ran.exit, ran.err.as_str()), (Exit::Fine, ""));
+    assert!(ran.out.contains("with an equal problem or all its answers within tolerance"), "{}", ran.out);
+    let sheet = room.read("set/students/s0/sheet.md");
+    assert!(sheet.contains(r"Symbol $\mu_s$"), "{sheet}");
+    assert!(sheet.contains(r"after $2.0\ \mathrm{m}$"), "{sheet}");
+    // Every pair is judged rightly: only the masses make a difference beyond the tolerance.
+    let set: serde_json::Value = serde_json::from_str(&room.read("set/set.json")).unwrap();
+    let data = |i: usize, symbol: &str| set["students"][i]["problems"][0]["data"][symbol].clone();
+    let mut expected = Vec::new();
+    for a in 0..40 {
+        for b in a + 1..40 {
+            if data(a, "m") == data(b, "m") {
+                let equal = data(a, "P") == data(b, "P");
+                let what = if equal { "equal data" } else { "answers within tolerance" };
+                expected.push((format!("s{a}"), format!("s{b}"), what.to_owned()));
+            }
+        }
+    }
+    let text = |v: &serde_json::Value| v.as_str().unwrap().to_owned();
+    let found: Vec<(String, String, String)> = set["coincidences"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .map(|c| (text(&c["students"][0]), text(&c["students"][1]), text(&c["what"])))
+        .collect();
+    assert_eq!(found, expected);
+}
+
 const ROLLING: [&str; 16] = [
     "--set",
     "m=40kg",
@@ -573,4 +640,95 @@ fn the_program_itself_exits_with_these_codes() {
     args.extend(&ROLLING[..14]);
     args.extend(["--set", "mu_s=0.1"]);
     slipstick().args(&args).assert().code(3);
+}
+
+#[test]
+#[cfg(unix)]
+fn a_killed_run_leaves_nothing_that_looks_like_a_set() {
+    use std::process::Command;
+    use std::thread;
+    use std::time::Duration;
+    let room = Room::new(&[]);
+    let many: Vec<String> = (0..2000).map(|i| format!("s{i}")).collect();
+    room.roster("many.csv", &many.iter().map(String::as_str).collect::<Vec<_>>());
+    let program = assert_cmd::cargo::cargo_bin("slipstick");
+    let (mut whole, mut nothing) = (0, 0);
+    for wait in [5, 40, 120, 300] {
+        let out = room.path(&format!("set{wait}"));
+        let mut child = Command::new(&program)
+            .args([
+                "generate",
+                "wheels-on-inclines",
+                "--seed",
+                "1",
+                "--roster",
+                &room.path("many.csv"),
+                "--out",
+                &out,
+            ])
+            .stdout(std::process::Stdio::null())
+            .spawn()
+            .unwrap();
+        thread::sleep(Duration::from_millis(wait));
+        child.kill().unwrap();
+        child.wait().unwrap();
+        if Path::new(&out).exists() {
+            let set: serde_json::Value =
+                serde_json::from_str(&room.read(&format!("set{wait}/set.json"))).unwrap();
+            assert_eq!(set["students"].as_array().unwrap().len(), 2000);
+            assert_eq!(fs::read_dir(format!("{out}/students")).unwrap().count(), 2000);
+            whole += 1;
+        } else {
+            nothing += 1;
+        }
+    }
+    assert_eq!(whole + nothing, 4);
+}
+
+mod mutants {
+    //! Files that a person may have broken: any bytes give findings or a result, never a panic.
+    use super::*;
+    use proptest::prelude::*;
+    use slipstick::set::store::StoredSet;
+    use slipstick::sheet::public::SheetFile;
+    use std::sync::LazyLock;
+
+    /// set.json and sheet.json of a small set.
+    static TEXTS: LazyLock<(String, String)> = LazyLock::new(|| {
+        let room = Room::new(&CLASS[..1]);
+        assert_eq!(room.generate("roster.csv", "set", &["--problems", "pulled-rolling"]).exit, Exit::Fine);
+        (room.read("set/set.json"), room.read("set/students/0017/sheet.json"))
+    });
+
+    fn broken(text: &str, changes: &[(usize, String)]) -> String {
+        let mut chars: Vec<char> = text.chars().collect();
+        for (at, new) in changes {
+            let at = at % chars.len();
+            let end = (at + new.chars().count().max(1)).min(chars.len());
+            chars.splice(at..end, new.chars());
+        }
+        chars.into_iter().collect()
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(300) })]
+        #[test]
+        fn a_broken_set_or_sheet_is_a_finding(
+            changes in proptest::collection::vec((any::<usize>(), "[\\PC]{0,3}|[0-9e.,:{}\"\\[\\]-]{0,4}"), 1..4)
+        ) {
+            let _ = StoredSet::parse(&broken(&TEXTS.0, &changes));
+            let sheet = broken(&TEXTS.1, &changes);
+            if let Ok(file) = SheetFile::parse(&sheet) {
+                for problem in &file.problems {
+                    let _ = problem.bank_text();
+                }
+            }
+            let folder = tempfile::tempdir().unwrap();
+            let path = folder.path().join("sheet.json");
+            fs::write(&path, &sheet).unwrap();
+            let ran = run(&["check", &path.display().to_string(), "1.v=1 m/s", "1.friction=3 N up"]);
+            prop_assert!(ran.exit != Exit::RegimeFails);
+            prop_assert!(!ran.err.is_empty() || !ran.out.is_empty());
+        }
+    }
 }

@@ -1,4 +1,6 @@
 //! Every command of the README runs, and prints what the README shows.
+#![expect(clippy::disallowed_methods, reason = "the commands need the search path of this machine")]
+#![expect(clippy::unwrap_used, reason = "a test that cannot set itself up fails")]
 use std::fs;
 use std::path::Path;
 use std::process::Command;
@@ -134,4 +136,26 @@ fn copy(from: &Path, to: &Path) {
             fs::copy(entry.path(), target).unwrap();
         }
     }
+}
+
+#[test]
+fn shown_output_is_compared() {
+    let printed = "one\ntwo 1.25 s\nthree\n";
+    let shown = |text: &str| text.lines().map(str::to_owned).collect::<Vec<_>>();
+    for (text, fits) in [
+        ("one\ntwo 1.25 s\nthree", true),
+        ("one\ntwo ... s\nthree", true),
+        ("one\n...", true),
+        ("...\nthree", true),
+        ("", true),
+        ("one\nthree", false),
+        ("one", false),
+        ("one\n...\nfour", false),
+    ] {
+        assert_eq!(shows(printed, &shown(text)).is_ok(), fits, "{text}");
+    }
+    let found = commands("a\n```console\n$ slipstick a \\\n    --b\nout\n$ c\n```\n```yaml\n$ no\n```\n");
+    let list: Vec<(usize, &str, usize)> =
+        found.iter().map(|s| (s.line, s.command.as_str(), s.output.len())).collect();
+    assert_eq!(list, [(3, "slipstick a --b", 1), (6, "c", 0)]);
 }

@@ -80,6 +80,44 @@ pub fn inertia_where_slipping(scene: &Scene, draws: &[(String, Option<Draw>)], n
     }
 }
 
+/// What no data can make solvable: too few or too many freedoms, combinations that the assembly does not have.
+pub fn structure(scene: &Scene, node: &Node, faults: &Faults) {
+    if matches!(scene.end, End::AtOnce) {
+        return;
+    }
+    if scene.bodies.iter().any(|b| !b.particles.is_empty()) {
+        faults.hint(node, "only an instant is asked of a body of particles", "write `end: at once`");
+        return;
+    }
+    let cord_to = |what: fn(&Far) -> bool| {
+        scene.ties.iter().filter(|t| matches!(t, Tie::Cord(c) if what(&c.to))).count()
+    };
+    let springs = cord_to(|far| matches!(far, Far::Spring { .. }));
+    let rolls = scene.ties.iter().filter(|t| matches!(t, Tie::Roll { .. })).count();
+    let ties = rolls + cord_to(|far| matches!(far, Far::Body(_) | Far::Fixed));
+    let freedoms = scene.coordinates().count().saturating_sub(ties);
+    if freedoms == 0 {
+        faults.hint(node, "the ties leave nothing free to move", "take one of the ties away");
+    }
+    if springs > 1 {
+        faults.at(node, "a scene has at most one spring");
+    }
+    if freedoms > 1 && springs > 0 {
+        faults.hint(
+            node,
+            format!("a spring holds a scene with {freedoms} freedoms; one is solved"),
+            "let the wheel roll",
+        );
+    }
+    if freedoms > 1 && !scene.start.is_empty() {
+        faults.hint(
+            node,
+            format!("a scene with {freedoms} freedoms starts from rest"),
+            "write `start: at rest`",
+        );
+    }
+}
+
 /// The label of a name such as `omega`, `block.v` or `left.tension`, if the scene has it; else what to say.
 pub fn label(scene: &Scene, name: &str) -> Result<Label, (String, Option<String>)> {
     let (owner, bare) = match name.rsplit_once('.') {

@@ -17,6 +17,8 @@ const GRAVITY: &str = "9.81 m/s^2";
 const RELATIVE: f64 = 0.01;
 /// Significant figures asked for where the bank does not say it.
 const FIGURES: u8 = 3;
+/// Most data of a problem; with g these are all that condition numbers are taken of.
+const MAX_DATA: usize = 63;
 /// Margins where the bank does not say them; the other checks have none.
 const MARGINS: [(CheckKind, f64); 4] = [
     (CheckKind::Moves, 0.10),
@@ -216,6 +218,9 @@ fn problem(
         .iter()
         .map(|d| Symbol { name: d.datum.symbol.clone(), unit: d.unit_known.then(|| d.datum.unit.clone()) })
         .collect();
+    if let Some(n) = data_node.filter(|_| data.len() > MAX_DATA) {
+        faults.at(n, format!("a problem has at most {MAX_DATA} data, this one {}", data.len()));
+    }
     let gravity_index = data.len();
     let scene_node = fields.get("scene");
     let base = scene_node.map(|n| scene::read(n, &symbols, gravity_index, faults));
@@ -243,6 +248,7 @@ fn problem(
                 draws: data.iter().map(|d| d.draw.clone()).collect(),
                 wrong: data.iter().map(|d| d.draw_wrong).collect(),
                 read: base.clone(),
+                scene_node,
                 regimes: regimes.clone(),
                 bounds: None,
             });
@@ -271,7 +277,8 @@ fn problem(
                         }
                     }
                 }
-                let own = f.get("scene").map(|n| scene::read(n, &symbols, gravity_index, faults));
+                let own_node = f.get("scene");
+                let own = own_node.map(|n| scene::read(n, &symbols, gravity_index, faults));
                 let replaced = own.is_some();
                 let own_regimes = f.get("regimes").map(|n| self::regimes(n, faults));
                 let bounds = f.get("bounds");
@@ -286,6 +293,7 @@ fn problem(
                     draws,
                     wrong,
                     read: if replaced { own } else { base.clone() },
+                    scene_node: own_node.or(scene_node),
                     regimes: own_regimes.unwrap_or_else(|| regimes.clone()),
                     bounds,
                 });
@@ -308,6 +316,7 @@ fn problem(
             review::datum(&d.datum, d.node, case.draws[i].as_ref(), &uses, &case.name, case.node, faults);
         }
         if let Some(scene) = &read.scene {
+            review::structure(scene, case.scene_node.unwrap_or(case.node), faults);
             review::inertia_where_slipping(scene, &data_draws(&data, case), case.node, faults);
         }
     }
@@ -397,6 +406,7 @@ struct CaseRead<'n> {
     wrong: Vec<bool>,
     /// What was read of its scene, if it has one.
     read: Option<scene::Read>,
+    scene_node: Option<&'n Node>,
     regimes: Vec<String>,
     bounds: Option<&'n Node>,
 }

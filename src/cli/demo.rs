@@ -200,10 +200,10 @@ fn marks(gradebook: &Path) -> Result<String, Vec<Finding>> {
     let Some(header) = records.first() else { return Ok(String::new()) };
     let mut problems: Vec<&str> = Vec::new();
     for field in header.iter() {
-        if let Some((problem, _)) = field.split_once('.') {
-            if !problems.contains(&problem) {
-                problems.push(problem);
-            }
+        if let Some((problem, _)) = field.split_once('.')
+            && !problems.contains(&problem)
+        {
+            problems.push(problem);
         }
     }
     let column = |name: &str| header.iter().position(|f| f == name);

@@ -227,7 +227,7 @@ fn deal(
             let drawn: Vec<Drawn> = dealt.variants.iter().map(|v| (v.case, v.values.as_slice())).collect();
             let markdown = sheets.markdown(&member.student, &member.name, &drawn, room)?;
             let html = sheets.html(&member.student, &member.name, &markdown, room)?;
-            let json = public.text(&member.student, &dealt);
+            let json = public.text(&member.student, &dealt.variants);
             let place = folder.join("students").join(&member.folder);
             let fault = |e: &std::io::Error| files::trouble(&place, "cannot be written", e);
             let staged = if aside { Some(Staged::new(&place)?) } else { None };

@@ -111,6 +111,8 @@ pub struct Unsatisfiable {
     pub table: Vec<(String, u32)>,
     /// The two roads disagreed, which stops everything: the quantity and both values, in words.
     pub disagreement: Option<String>,
+    /// The last draw of admissible data that could not be solved, if there was one.
+    pub unsolved: Option<Refusal>,
 }
 
 impl fmt::Display for Unsatisfiable {
@@ -204,6 +206,7 @@ impl<'p> Maker<'p> {
             tries,
             table: refusals.table(self.problem, case),
             disagreement,
+            unsolved: refusals.unsolved.clone(),
         }
     }
 

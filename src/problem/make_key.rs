@@ -2,7 +2,7 @@
 use crate::bank::{Problem, Question};
 use crate::key::{Answer, KeyEntry, ProblemKey};
 use crate::problem::make::Variant;
-use crate::scene::{End, Quantity, Scene, Slope};
+use crate::scene::{End, Label, Owner, Quantity, Scene, Slope};
 
 /// Absolute tolerance of quantities that may vanish, as a share of the scale of their terms: a thousandth of the
 /// largest force is below what three figures of the terms can tell.
@@ -50,11 +50,13 @@ fn entry(question: &Question, scene: &Scene, variant: &Variant) -> KeyEntry {
         }
         None => (f64::NAN, 0.0),
     };
+    let words = words_sign(scene, question.label);
     key.answer = Answer::Number {
         value,
         half_width: half_width(question, value, scale),
-        directed: quantity.is_directed(),
-        magnitude: is_magnitude(quantity),
+        directed: quantity.is_directed() && words,
+        // Where words give no sign, `down` beside a number that is positive down must not spoil it.
+        magnitude: is_magnitude(quantity) || (quantity.is_directed() && !words && value >= 0.0),
     };
     key
 }
@@ -80,6 +82,17 @@ pub const fn may_vanish(quantity: Quantity) -> bool {
             | Quantity::XG
             | Quantity::YG
     )
+}
+
+/// May a word give the sign? Friction is positive up the incline in every scene; an acceleration is positive forward, so
+/// not where positive is down: there `up` would mean a minus.
+pub fn words_sign(scene: &Scene, label: Label) -> bool {
+    let body = match label.of {
+        Owner::Body(b) => Some(b),
+        _ => scene.bare_body(),
+    };
+    label.quantity != Quantity::A
+        || body.and_then(|b| scene.bodies.get(b)).and_then(|b| b.line).is_none_or(|line| line.forward_up)
 }
 
 const fn is_magnitude(quantity: Quantity) -> bool {

@@ -111,6 +111,7 @@ impl<'b> Sheets<'b> {
         room: &mut Room,
     ) -> Result<Vec<u8>, Finding> {
         let mut view = self.head(student, name);
+        view.foreign("title", &self.bank.title);
         view.text("body", room.converter.body(markdown).trim_end());
         let mut out = Vec::new();
         self.templates.html("sheet.html", &view, &mut out)?;

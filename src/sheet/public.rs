@@ -8,7 +8,7 @@ use crate::bank::load;
 use crate::bank::node;
 use crate::bank::node::Node;
 use crate::finding::Finding;
-use crate::set::replay::Dealt;
+use crate::problem::make::Variant;
 use crate::sheet::statement;
 use serde::Deserialize;
 use serde_json::Map;
@@ -48,7 +48,7 @@ impl<'b> Writer<'b> {
     }
 
     /// The file of one student.
-    pub fn text(&self, student: &str, dealt: &Dealt) -> String {
+    pub fn text(&self, student: &str, variants: &[Variant]) -> String {
         let quote = |text: &str| Value::from(text).to_string();
         let mut out = format!(
             "{{\n\"format\": {FORMAT},\n\"student\": {},\n\"set\": {},\n\"problems\": [",
@@ -56,7 +56,7 @@ impl<'b> Writer<'b> {
             quote(self.set)
         );
         for (i, index) in self.problems.iter().enumerate() {
-            let (problem, variant) = (&self.bank.problems[*index], &dealt.variants[i]);
+            let (problem, variant) = (&self.bank.problems[*index], &variants[i]);
             let comma = if i == 0 { "" } else { "," };
             let id = quote(&problem.id);
             let _ = write!(out, "{comma}\n{{\"number\": {}, \"id\": {id},\n \"data\": {{", i + 1);
@@ -218,10 +218,10 @@ impl SheetProblem {
         let said = |symbol: &str, what: &str| {
             self.data.get(symbol).and_then(|d| d.get(what)).and_then(Value::as_str)
         };
-        if let (Some(value), Some(unit)) = (said("g", "value"), said("g", "unit")) {
-            if let Some(fields) = bank.as_object_mut() {
-                fields.insert("gravity".to_owned(), Value::from(format!("{value} {unit}")));
-            }
+        if let (Some(value), Some(unit)) = (said("g", "value"), said("g", "unit"))
+            && let Some(fields) = bank.as_object_mut()
+        {
+            fields.insert("gravity".to_owned(), Value::from(format!("{value} {unit}")));
         }
         let data = bank
             .pointer_mut("/problems")

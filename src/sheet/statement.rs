@@ -13,6 +13,7 @@ use crate::bank::Problem;
 use crate::bank::Question;
 use crate::bank::decimal::Decimal;
 use crate::finding::Finding;
+use crate::problem::make_key;
 use crate::scene::Num;
 use crate::scene::Owner;
 use crate::scene::Quantity;
@@ -354,7 +355,7 @@ fn form(q: &Question, scene: &Scene, common: &Common) -> String {
         "1" => "a number".to_owned(),
         unit => format!("in {unit}"),
     };
-    if q.label.quantity.is_directed() {
+    if q.label.quantity.is_directed() && make_key::words_sign(scene, q.label) {
         let _ = write!(text, ", signed or with `{forward}` / `{back}`");
     }
     if q.figures != common.figures {
