@@ -265,7 +265,7 @@ fn a_changed_set_is_not_graded() {
         "\"g\":\"9.82 m/s^2\"",
         "g is `9.82 m/s^2` in the set, `9.81 m/s^2` when drawn anew",
     );
-    let (value, _) = key_of(&room, "0017", "1", "T");
+    let (value, _) = key_of(&room, "0017", "1", "kinetic_energy");
     change("set/key.csv", &value, "1", "when made anew from the set");
     change("set/set.json", "{", "{{", "is no set");
     assert_eq!(grade().exit, Exit::Fine);
