@@ -15,13 +15,40 @@ fn findings(text: &str) -> Vec<Finding> {
 /// A bank around one fragment.
 fn around(kind: &str, item: &str) -> String {
     let data = [
-        ("m", "kg"), ("R", "m"), ("r", "m"), ("k", "m"), ("theta", "deg"), ("P", "N"), ("ks", "N/m"), ("x0", "m"),
-        ("mu_s", "1"), ("mu_k", "1"), ("mu", "1"), ("d", "m"), ("W", "N"), ("M", "kg"), ("I", "kg*m^2"), ("b", "m"),
-        ("m1", "kg"), ("R1", "m"), ("m2", "kg"), ("R2", "m"), ("m_A", "kg"), ("x_A", "m"), ("y_A", "m"), ("m_B", "kg"),
-        ("x_B", "m"), ("y_B", "m"), ("s", "m"), ("t1", "s"), ("v1", "m/s"),
+        ("m", "kg"),
+        ("R", "m"),
+        ("r", "m"),
+        ("k", "m"),
+        ("theta", "deg"),
+        ("P", "N"),
+        ("ks", "N/m"),
+        ("x0", "m"),
+        ("mu_s", "1"),
+        ("mu_k", "1"),
+        ("mu", "1"),
+        ("d", "m"),
+        ("W", "N"),
+        ("M", "kg"),
+        ("I", "kg*m^2"),
+        ("b", "m"),
+        ("m1", "kg"),
+        ("R1", "m"),
+        ("m2", "kg"),
+        ("R2", "m"),
+        ("m_A", "kg"),
+        ("x_A", "m"),
+        ("y_A", "m"),
+        ("m_B", "kg"),
+        ("x_B", "m"),
+        ("y_B", "m"),
+        ("s", "m"),
+        ("t1", "s"),
+        ("v1", "m/s"),
     ];
-    let data: String =
-        data.iter().map(|(s, u)| format!("      {s}: {{name: {s}, unit: \"{u}\", draw: always 0.4}}\n")).collect();
+    let data: String = data
+        .iter()
+        .map(|(s, u)| format!("      {s}: {{name: {s}, unit: \"{u}\", draw: always 0.4}}\n"))
+        .collect();
     let indent = |text: &str, by: &str| text.lines().map(|l| format!("{by}{l}\n")).collect::<String>();
     let mut bodies = "        wheel: {mass: m, radius of gyration: k, radii: {rim: R, hub: r}, moves: along incline}\n        \
                       pulley: {mass: M, shape: {disc: b}, radii: {rim: b}, moves: about a fixed axle}\n        \
@@ -64,8 +91,11 @@ fn the_examples_of_the_readme_are_banks() {
                 "ends" => "scene.end".to_owned(),
                 other => format!("p.{other}"),
             };
-            let own: Vec<String> =
-                findings(&text).iter().filter(|f| f.field.contains(&place)).map(ToString::to_string).collect();
+            let own: Vec<String> = findings(&text)
+                .iter()
+                .filter(|f| f.field.contains(&place))
+                .map(ToString::to_string)
+                .collect();
             assert!(own.is_empty(), "{item}\n{}", own.join("\n"));
             parts += 1;
         }

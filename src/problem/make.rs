@@ -199,7 +199,13 @@ impl<'p> Maker<'p> {
         Err(self.unsatisfiable(index, self.max_tries, &refusals, None))
     }
 
-    fn unsatisfiable(&self, case: usize, tries: u32, refusals: &Refusals, disagreement: Option<String>) -> Unsatisfiable {
+    fn unsatisfiable(
+        &self,
+        case: usize,
+        tries: u32,
+        refusals: &Refusals,
+        disagreement: Option<String>,
+    ) -> Unsatisfiable {
         Unsatisfiable {
             problem: self.problem.id.clone(),
             case: self.problem.cases[case].name.clone(),
