@@ -1,4 +1,12 @@
 //! Every reference case of the wheel scenes through the ordinary solver: both roads within 8 u max(1, cond).
+#![allow(
+    clippy::unwrap_used,
+    clippy::print_stdout,
+    clippy::float_cmp,
+    clippy::neg_cmp_op_on_partial_ord,
+    clippy::disallowed_methods,
+    reason = "a test fails by panicking, tells figures with --nocapture, and NaN must fail its comparisons"
+)]
 use serde_json::Value;
 use slipstick::num::U;
 use slipstick::scene::*;

@@ -3,6 +3,14 @@
 //! Nothing is shared with the solvers but the scene: positions and velocities of all coordinates are integrated by the
 //! classical Runge-Kutta method, the reactions are found at each instant from the constraint equations (by Gaussian
 //! elimination written here), the ending event is landed on by halving the step.
+#![allow(
+    clippy::unwrap_used,
+    clippy::print_stdout,
+    clippy::float_cmp,
+    clippy::neg_cmp_op_on_partial_ord,
+    clippy::disallowed_methods,
+    reason = "a test fails by panicking, tells figures with --nocapture, and NaN must fail its comparisons"
+)]
 mod support;
 use slipstick::problem::make::Maker;
 use slipstick::scene::*;

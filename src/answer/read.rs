@@ -116,14 +116,17 @@ impl fmt::Display for Why {
     }
 }
 
+/// A unit, and whether its letters had to be forgiven.
+type ReadUnit = Result<(Arc<Unit>, bool), UnitFault>;
+
 /// Unit texts already read, so that a class of answers parses each spelling once.
 #[derive(Debug, Default)]
 pub struct UnitCache {
-    known: FxHashMap<Box<str>, Result<(Arc<Unit>, bool), UnitFault>>,
+    known: FxHashMap<Box<str>, ReadUnit>,
 }
 
 impl UnitCache {
-    fn unit(&mut self, text: &str) -> Result<(Arc<Unit>, bool), UnitFault> {
+    fn unit(&mut self, text: &str) -> ReadUnit {
         if let Some(found) = self.known.get(text) {
             return found.clone();
         }

@@ -102,8 +102,7 @@ fn closing(data: &[u8], from: usize, delimiter: u8, whole: bool) -> Option<Optio
             if lines > LINE_CAP {
                 return Some(None);
             }
-            let Some(next) = line_end(data, at, whole) else { return None };
-            at = next;
+            at = line_end(data, at, whole)?;
             continue;
         }
         match data.get(at + 1) {
@@ -636,16 +635,19 @@ fn sniff(head: &[u8]) -> u8 {
     counts.iter().rev().max_by_key(|(_, n)| *n).filter(|(_, n)| *n > 0).map_or(b',', |(c, _)| *c)
 }
 
+/// Records with their lines and fields.
+pub type Lines = Vec<(u64, Vec<String>)>;
+
 /// All records of some bytes, for small files and tests: (header, records with their lines and fields).
 ///
 /// # Errors
 /// Those of the reader.
-pub fn all_records(inner: Box<dyn Read + Send>) -> io::Result<(Option<Header>, Vec<(u64, Vec<String>)>)> {
+pub fn all_records(inner: Box<dyn Read + Send>) -> io::Result<(Option<Header>, Lines)> {
     let (mut source, header) = Source::open(inner)?;
     Ok((header, collect(&mut source)?))
 }
 
-fn collect(source: &mut Source) -> io::Result<Vec<(u64, Vec<String>)>> {
+fn collect(source: &mut Source) -> io::Result<Lines> {
     let (mut batch, mut record, mut all) = (Batch::default(), Record::default(), Vec::new());
     while source.next_batch(&mut batch)? {
         batch.records(&mut record, &mut |r| {

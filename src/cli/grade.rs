@@ -218,7 +218,9 @@ fn may_write(out: &Path, set: &Path, force: bool) -> Result<(), Finding> {
         return Err(finding("is there already").hint(hint));
     }
     let header = run::ANSWERS_HEADER.trim_end();
-    let ours = files::read(&out.join(MADE[0])).is_ok_and(|bytes| bytes.starts_with(header.as_bytes()));
+    let mut start = vec![0; header.len()];
+    let ours = fs::File::open(out.join(MADE[0])).and_then(|mut f| f.read_exact(&mut start)).is_ok()
+        && start == header.as_bytes();
     if ours {
         Ok(())
     } else {

@@ -221,7 +221,7 @@ fn layout(header: Option<Header>, table: &KeyTable, options: &Options) -> Result
         options.columns.iter().any(|(r, _)| r == role)
             || header.fields.iter().any(|h| plain_header(h) == role)
     };
-    let is_wide = !wide.is_empty() && !(names_long("problem") && names_long("part") && names_long("answer"));
+    let is_wide = !wide.is_empty() && !["problem", "part", "answer"].into_iter().all(names_long);
     let form = if is_wide {
         for (i, one) in wide.iter().enumerate() {
             if wide[..i].iter().any(|w| w.column.is_some() && w.column == one.column) {

@@ -200,6 +200,7 @@ impl From<f64> for Dd {
 }
 
 #[cfg(test)]
+#[allow(clippy::float_cmp, clippy::neg_cmp_op_on_partial_ord, reason = "exact bits are what is tested")]
 mod tests {
     use super::*;
 

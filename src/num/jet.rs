@@ -119,6 +119,7 @@ impl<const N: usize> Real for Jet<N> {
 }
 
 #[cfg(test)]
+#[allow(clippy::float_cmp, clippy::neg_cmp_op_on_partial_ord, reason = "exact bits are what is tested")]
 mod tests {
     use super::*;
 

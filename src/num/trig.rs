@@ -55,6 +55,7 @@ static INVERSE_FACTORIAL: LazyLock<[Dd; 13]> = LazyLock::new(|| {
 /// Sine and cosine of an angle in degrees, as double-doubles.
 ///
 /// Not finite: NaN. The relative error is below 2^-100 wherever the result is not zero.
+#[expect(clippy::float_cmp, reason = "whole degrees are exact doubles")]
 pub fn sin_cos_degrees(degrees: f64) -> (Dd, Dd) {
     if !degrees.is_finite() {
         return (Dd::new(f64::NAN), Dd::new(f64::NAN));
@@ -131,6 +132,7 @@ pub fn sin_cos<T: Real>(x: T) -> (T, T) {
 }
 
 #[cfg(test)]
+#[allow(clippy::float_cmp, clippy::neg_cmp_op_on_partial_ord, reason = "exact bits are what is tested")]
 mod tests {
     use super::*;
 

@@ -166,7 +166,7 @@ impl<'p> Maker<'p> {
     /// The variant of a student: the case by share, then draws until one holds all rules of this case.
     ///
     /// Errors: none of the tries held them; the table says which rule refused how often.
-    pub fn variant(&self, student: &str) -> Result<Variant, Unsatisfiable> {
+    pub fn variant(&self, student: &str) -> Result<Variant, Box<Unsatisfiable>> {
         let mut words = self.source.student(student);
         let index = sample::case(&mut words, &self.problem.cases);
         let case = &self.problem.cases[index];
@@ -193,10 +193,10 @@ impl<'p> Maker<'p> {
                     "the two roads disagree on {name}: {eom:e} from the equations of motion, {energy:e} from work and \
                      energy, more than the relative {allowed:.1e} that rounding explains"
                 );
-                return Err(self.unsatisfiable(index, tries, &refusals, Some(disagreement)));
+                return Err(Box::new(self.unsatisfiable(index, tries, &refusals, Some(disagreement))));
             }
         }
-        Err(self.unsatisfiable(index, self.max_tries, &refusals, None))
+        Err(Box::new(self.unsatisfiable(index, self.max_tries, &refusals, None)))
     }
 
     fn unsatisfiable(

@@ -93,7 +93,7 @@ pub fn sweep(problem: &Problem, first: u64, seeds: u32, set: &str) -> Sweep {
             Ok(variant) => variant,
             Err(none) => {
                 // One such table is enough, and each costs thousands of tries.
-                out.unsatisfiable = Some((seed, none));
+                out.unsatisfiable = Some((seed, *none));
                 break;
             }
         };

@@ -156,6 +156,7 @@ fn freedoms(scene: &Scene) -> usize {
 }
 
 /// Within `16 u max(1, cond)` of the larger; NaN agrees with nothing, equal infinities agree.
+#[expect(clippy::float_cmp, reason = "equal bits agree, infinities among them")]
 fn agree(a: f64, b: f64, cond: f64) -> bool {
     if a == b {
         return true;

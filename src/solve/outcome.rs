@@ -135,6 +135,7 @@ impl Entry {
         self.eom.or(self.energy).unwrap_or(f64::NAN)
     }
     /// `|eom - energy| / max(|eom|, |energy|)`; `None` with one road.
+    #[expect(clippy::float_cmp, reason = "equal bits have no gap, infinities among them")]
     pub fn gap(&self) -> Option<f64> {
         let (a, b) = (self.eom?, self.energy?);
         let larger = a.abs().max(b.abs());

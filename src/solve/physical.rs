@@ -51,6 +51,7 @@ fn margin(available: Dd, required: Dd) -> f64 {
 }
 
 /// Regime, checks and words of a scene that moves, from the course of one road (its drive) and what the other holds.
+#[expect(clippy::float_cmp, reason = "senses are exactly -1, 0 or 1")]
 pub fn judge(scene: &Scene, course: &Course, held: &[Held]) -> (Regime, Vec<Check>, Vec<(Label, Word)>) {
     let mut checks = Vec::with_capacity(6);
     let mut words = Vec::with_capacity(2);

@@ -15,6 +15,7 @@ pub(crate) struct Row {
     pub prefixes: &'static str,
 }
 
+#[expect(clippy::too_many_arguments, reason = "a row of a table, read by column")]
 const fn row(
     name: &'static str,
     ascii: &'static str,
