@@ -86,7 +86,7 @@ fn sources() -> Vec<(String, String)> {
                     parts.pop();
                 }
                 let text = std::fs::read_to_string(&path).expect("text");
-                let text = text.split("#[cfg(test)]\nmod tests").next().unwrap_or("").to_owned();
+                let text = text.split("\nmod tests {").next().unwrap_or("").to_owned();
                 let code: Vec<&str> = text.lines().filter(|l| !l.trim_start().starts_with("//")).collect();
                 out.push((parts.join("::"), code.join("\n")));
             }

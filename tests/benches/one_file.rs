@@ -1,6 +1,7 @@
 //! The task of the Python script in tests/baseline: N variants of one problem, their statements in one file, one key file.
 //!
 //! `cargo bench --bench one_file -- N THREADS FOLDER`
+#![allow(clippy::print_stdout, reason = "it prints its figures")]
 use slipstick::problem::make::Maker;
 use slipstick::problem::make_key;
 use slipstick::set::key_file::shortest;
