@@ -1,12 +1,39 @@
-//! slipstick makes and grades homework in rigid-body dynamics.
+//! slipstick makes and grades homework in rigid-body dynamics, and proves its own key.
 //!
-//! Words used throughout: a **bank** is what an instructor writes; a **problem** of it has **data** that are drawn on
-//! decimal grids, a **scene** (bodies, ties, forces, start, end) and **questions**. A **draw** gives one **variant** for
-//! one student. The scene is solved by two roads, the equations of motion and work and energy; where they agree the
-//! answers become the **key**. A student's cell becomes an **answer**; key and answer give a **verdict**.
+//! # Words
+//! - A **bank** is what an instructor writes; a **problem** of it has **data**, a **scene** and **questions**.
+//! - A **scene** is pure data in SI: bodies, ties (rolling, slipping and sliding contacts, cords), couples, a start, an end.
+//! - A **draw** gives each datum a value on a decimal grid; a draw that holds every rule is a **variant**, one student's own.
+//! - A **road** is one way to the answers: `eom`, the equations of motion, or `energy`, work and energy.
+//! - The **regime** is what really happens (`moves_up`, `up ok slips`); a **check** is one condition of validity, with numbers.
+//! - The **key** holds the answers on which both roads agree, with their gap and condition number.
+//! - A student's cell becomes a **reading**; key and reading give a **verdict** with points and a reason.
+//! - A **finding** is a fault in somebody's file: where, what value, what would be right.
 //!
-//! Data flow: bank -> draw -> scene -> solve (eom | energy) -> key -> sheet, and
-//! submissions -> answer -> grade -> report.
+//! # Flow
+//! ```text
+//! bank -> draw -> scene -> solve (eom | energy, agree) -> key -> sheet, set
+//!                          submissions -> answer -> grade -> report
+//! ```
+//! [`problem::make`] is the first line in one function, [`grade::run`] the second; [`cli`] opens files and tells results.
+//!
+//! # Invariants
+//! - The roads share the scene and the arithmetic of [`num`], no mechanics; only [`solve::agree`] sees both.
+//! - Nothing is published that they do not agree on within `16 u max(1, cond)`, u = 2^-53; NaN agrees with nothing.
+//! - The printed datum is the datum used; a variant depends on seed, set name, problem and student id alone.
+//! - The same seed gives the same bytes on every machine: own words from ChaCha20, functions from libm, no fused operations.
+//! - Every answer cell comes out exactly once; a student's odd cell is a verdict, never an error.
+//! - Files are written whole or not at all.
+//!
+//! Who may import whom, and who keeps which crate, stands as a table in `tests/architecture.rs` and is checked there.
+//!
+//! # Where the next feature goes
+//! A new tie: a variant in [`scene::link`], its rows in `solve/eom/equations.rs`, its mode and its work in `solve/energy`, its
+//! words in `bank/scene.rs`. A new family: no Rust, a file in `banks/`. A new quantity: a line in [`scene::ask`] and a `say` on each road.
+//!
+//! # Limits
+//! Rigid bodies in a plane, velocity ratios that do not change with position, cords without mass that run parallel to the
+//! line of the body they leave; one freedom, or more from rest under constant forces; one spring.
 pub mod answer;
 pub mod bank;
 pub mod cli;

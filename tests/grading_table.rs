@@ -281,7 +281,7 @@ fn a_messy_long_file() {
     12,,b,2,omgea,1,unknown part,0,0,"no part `omgea`; parts: v, rolls"
     13,,b,7,v,1,unknown part,0,0,"no problem `7`; problems: 1 (rolling), 2 (slipping)"
     14,,,,,",,,,",blank,0,0,an empty record
-    15,,b,1,friction,'-62.6 N,wrong direction,0,1,"the magnitude is right, the sign is not"
+    15,,b,1,friction,-62.6 N,wrong direction,0,1,"the magnitude is right, the sign is not"
     16,,b,2,rolls,'=1+1,unreadable,0,1,"more than one number: write one number and its unit; write one of: yes, no"
     17,,b,1,omega,"b,1,omega,""30.3",unreadable,0,0,4 fields where the header has 5
     18,,nobody,2,rolls,yes,right,1,1,the right word
@@ -301,7 +301,7 @@ fn a_wide_file_and_the_gradebook() {
     2,2.nothing,b,2,nothing,5,unknown part,0,0,"no part `nothing`; parts: v, rolls"
     3,,00123,,,00123;1;2,unreadable,0,0,3 fields where the header has 6
     4,1.omega,00123,1,omega,289 rpm,right,1,1,within the tolerance
-    4,rolling.friction,00123,1,friction,"'-62,6",wrong direction,0,1,"the magnitude is right, the sign is not; the comma is read as the decimal mark"
+    4,rolling.friction,00123,1,friction,"-62,6",wrong direction,0,1,"the magnitude is right, the sign is not; the comma is read as the decimal mark"
     4,2.v,00123,2,v,"1,25",right,1,1,within the tolerance; the comma is read as the decimal mark
     4,2.nothing,00123,2,nothing,,unknown part,0,0,"no part `nothing`; parts: v, rolls"
     "#);

@@ -924,15 +924,27 @@ pub(crate) fn push_float(out: &mut Vec<u8>, value: f64) {
     }
 }
 
-/// A field of CSV: quoted where needed, and harmless to a spreadsheet: what begins with `= + - @` and is no number gets an
-/// apostrophe in front.
+/// `-62.6 N` and its like: a sign, a number, letters; nothing that a spreadsheet could run.
+fn signed_quantity(text: &[u8]) -> bool {
+    let [b'+' | b'-', rest @ ..] = text else { return false };
+    let exponent = |i: usize| i > 0 && matches!(rest[i - 1], b'e' | b'E' | b'^');
+    rest.first().is_some_and(|b| b.is_ascii_digit() || *b == b'.')
+        && rest.iter().enumerate().all(|(i, b)| match b {
+            b'.' | b',' | b' ' | b'/' | b'^' | b'%' => true,
+            b'+' | b'-' => exponent(i),
+            _ => b.is_ascii_alphanumeric() || !b.is_ascii(),
+        })
+}
+
+/// A field of CSV: quoted where needed, and harmless to a spreadsheet: what begins with `= + - @` and is neither a number
+/// nor a number with a unit gets an apostrophe in front.
 pub(crate) fn push_text(out: &mut Vec<u8>, text: &[u8]) {
     let odd = matches!(text.first(), Some(b'=' | b'+' | b'-' | b'@' | b'\t' | b'\r'));
     let number = || {
         plain_number(text).is_some()
             || std::str::from_utf8(text).is_ok_and(|t| t.parse::<f64>().is_ok_and(f64::is_finite))
     };
-    let guard = odd && !number();
+    let guard = odd && !number() && !signed_quantity(text);
     let space = |b: Option<&u8>| matches!(b, Some(b' '));
     let quote = text.iter().any(|b| matches!(b, b',' | b'"' | b'\n' | b'\r'))
         || space(text.first())
