@@ -240,23 +240,28 @@ impl<'p> Maker<'p> {
         };
         // A draw that breaks a rule on the first road needs no second one.
         let half = agree::first(&case.scene, data).map_err(&mut unsolved)?;
-        self.rules(case, half.preview(), &[CheckKind::Moves], data)?;
+        self.rules(case, half.preview(), data)?;
         let solved = half.confirm(&case.scene, data).map_err(unsolved)?;
-        self.rules(case, &solved, &[], data)?;
+        self.checks(&solved, |kind| kind == CheckKind::Moves)?;
         Ok(solved)
     }
 
-    /// The rules that need a solution, without the margins of the checks in `unknown`; which one refuses.
-    fn rules(&self, case: &Case, solved: &Solved, unknown: &[CheckKind], data: &[f64]) -> Result<(), usize> {
-        let questions = CHECKS + CheckKind::ALL.len();
-        let first_bound = questions + self.problem.questions.len();
-        for check in &solved.checks {
+    /// Do the checks of these kinds hold, with their margins?
+    fn checks(&self, solved: &Solved, of: impl Fn(CheckKind) -> bool) -> Result<(), usize> {
+        for check in solved.checks.iter().filter(|c| of(c.kind)) {
             let kind = CheckKind::ALL.iter().position(|k| *k == check.kind).unwrap_or(0);
-            let short = check.margin.is_nan() || check.margin < self.margins[kind];
-            if !check.ok || (short && !unknown.contains(&check.kind)) {
+            if !check.ok || check.margin.is_nan() || check.margin < self.margins[kind] {
                 return Err(CHECKS + kind);
             }
         }
+        Ok(())
+    }
+
+    /// The rules that need a solution, on the first road; which one refuses.
+    fn rules(&self, case: &Case, solved: &Solved, data: &[f64]) -> Result<(), usize> {
+        let questions = CHECKS + CheckKind::ALL.len();
+        let first_bound = questions + self.problem.questions.len();
+        self.checks(solved, |kind| kind != CheckKind::Moves)?;
         let word = solved.regime.motion.word();
         if solved.regime.slips || (!case.regimes.is_empty() && !case.regimes.iter().any(|r| r == word)) {
             return Err(REGIME);

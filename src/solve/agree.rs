@@ -13,7 +13,6 @@ use crate::solve::energy;
 use crate::solve::eom;
 use crate::solve::outcome::Course;
 use crate::solve::outcome::Entry;
-use crate::solve::outcome::Held;
 use crate::solve::outcome::Motion;
 use crate::solve::outcome::Refusal;
 use crate::solve::outcome::Regime;
@@ -31,7 +30,6 @@ pub const EACH_ROAD: f64 = 8.0;
 pub struct Half {
     solved: Solved,
     course: Option<Course>,
-    held: Vec<Held>,
 }
 
 /// Solves a scene by both roads and publishes only what agrees.
@@ -73,7 +71,7 @@ fn half<T: Real>(scene: &Scene, data: &[f64]) -> Result<Half, Refusal> {
     let (regime, checks, words) = road
         .course
         .map_or((instant, Vec::new(), Vec::new()), |course| physical::judge(scene, &course, &road.held));
-    Ok(Half { solved: Solved { regime, checks, entries, words }, course: road.course, held: road.held })
+    Ok(Half { solved: Solved { regime, checks, entries, words }, course: road.course })
 }
 
 impl Half {
@@ -84,7 +82,7 @@ impl Half {
 
     /// Runs the second road and publishes what agrees. Errors: a disagreement, or a quantity that only one road reaches.
     pub fn confirm(self, scene: &Scene, data: &[f64]) -> Result<Solved, Refusal> {
-        let Half { mut solved, course, held } = self;
+        let Half { mut solved, course } = self;
         let second: Road<Dd> = energy::road(scene, data)?;
         for (i, entry) in solved.entries.iter_mut().enumerate() {
             // The roads mostly speak in the same order.
@@ -105,10 +103,9 @@ impl Half {
             let (label, energy) = (said.label, said.value.f64());
             return Err(Refusal::Disagree { label, eom: f64::NAN, energy, allowed: 2.0 * EACH_ROAD * U });
         }
-        if let (Some(mut course), Some(other)) = (course, second.course) {
+        if let (Some(course), Some(other)) = (course, second.course) {
             // The drive is a sum of powers: only the second road has it, and only for margins.
-            course.drive = other.drive;
-            (solved.regime, solved.checks, solved.words) = physical::judge(scene, &course, &held);
+            physical::fill_drive(scene, &course, other.drive, &mut solved.checks);
         }
         Ok(solved)
     }

@@ -50,7 +50,28 @@ fn margin(available: Dd, required: Dd) -> f64 {
     }
 }
 
-/// Regime, checks and words of a scene that moves, from the course of one road (its drive) and what the other holds.
+/// Sense in which the ending coordinate is declared to move.
+fn heading(scene: &Scene, course: &Course) -> f64 {
+    match scene.heading {
+        Some(Heading::Forward) => 1.0,
+        Some(Heading::Back) => -1.0,
+        None => course.sense,
+    }
+}
+
+/// Fills in the numbers of [`CheckKind::Moves`]: what drives and what resists at the start, known to one road only.
+pub fn fill_drive(scene: &Scene, course: &Course, drive: (Dd, Dd), checks: &mut [Check]) {
+    let against = heading(scene, course) * course.sense < 0.0;
+    let (push, hold) = if against { (drive.1, drive.0) } else { drive };
+    for check in checks.iter_mut().filter(|c| c.kind == CheckKind::Moves) {
+        check.required = hold.hi;
+        check.available = push.hi;
+        // What is thrown needs no drive.
+        check.margin = if scene.start.is_empty() { margin(push, hold) } else { 1.0 };
+    }
+}
+
+/// Regime, checks and words of a scene that moves, from the course and the contacts of one road.
 #[expect(clippy::float_cmp, reason = "senses are exactly -1, 0 or 1")]
 pub fn judge(scene: &Scene, course: &Course, held: &[Held]) -> (Regime, Vec<Check>, Vec<(Label, Word)>) {
     let mut checks = Vec::with_capacity(6);
@@ -64,25 +85,18 @@ pub fn judge(scene: &Scene, course: &Course, held: &[Held]) -> (Regime, Vec<Chec
         }
         None => (false, course.sense),
     };
-    let heading = match scene.heading {
-        Some(Heading::Forward) => 1.0,
-        Some(Heading::Back) => -1.0,
-        None => course.sense,
-    };
-    let (push, hold) =
-        if heading * course.sense < 0.0 { (course.drive.1, course.drive.0) } else { course.drive };
+    let heading = heading(scene, course);
     let slipping = held.iter().find_map(|h| match h {
         Held::Slipping(tie, friction, available, against) => Some((*tie, *friction, *available, *against)),
         _ => None,
     });
-    let thrown = !scene.start.is_empty();
     checks.push(Check {
         kind: CheckKind::Moves,
         of: end.body,
         ok: course.sense != 0.0 && heading == course.sense,
-        required: hold.hi,
-        available: push.hi,
-        margin: if thrown { 1.0 } else { margin(push, hold) },
+        required: 0.0,
+        available: 0.0,
+        margin: 0.0,
     });
     let mut slips = false;
     for h in held {
