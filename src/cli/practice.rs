@@ -133,7 +133,7 @@ fn solution(problem: &Problem, variant: &Variant, key: &ProblemKey, io: &mut Io)
         io.line(&format!("  {} = {}", entry.part, words::right_answer(entry, signs)));
     }
     for check in &variant.solved.checks {
-        io.line(&format!("  because {}", words::check(scene, &variant.solved, check)));
+        io.line(&format!("  because {}", words::check(scene, check)));
     }
 }
 

@@ -211,7 +211,7 @@ fn json(problem: &Problem, case: usize, solved: &Solved) -> String {
     );
     for (i, check) in solved.checks.iter().enumerate() {
         let comma = if i == 0 { "" } else { "," };
-        let detail = string(&words::check(scene, solved, check));
+        let detail = string(&words::check(scene, check));
         let _ = write!(
             out,
             "{comma}\n    {{\"name\": \"{}\", \"ok\": {}, \"detail\": {detail}}}",
@@ -299,7 +299,7 @@ fn table(problem: &Problem, case: usize, shown: &[String], solved: &Solved, hold
     }
     for check in &solved.checks {
         let mark = if check.ok { "holds" } else { "FAILS" };
-        let _ = writeln!(out, "  {mark}  {}: {}", check.kind.name(), words::check(scene, solved, check));
+        let _ = writeln!(out, "  {mark}  {}: {}", check.kind.name(), words::check(scene, check));
     }
     let mut lines = vec![
         ["quantity", "value", "unit", "equations of motion", "work and energy", "gap", "cond"]

@@ -2,10 +2,7 @@
 use crate::bank::Problem;
 use crate::key::Answer;
 use crate::key::KeyEntry;
-use crate::scene::Label;
 use crate::scene::Num;
-use crate::scene::Owner;
-use crate::scene::Quantity;
 use crate::scene::Scene;
 use crate::scene::Tie;
 use crate::scene::admissible::Inadmissible;
@@ -13,7 +10,6 @@ use crate::scene::admissible::Rule;
 pub use crate::sheet::number::rounded;
 use crate::solve::outcome::Check;
 use crate::solve::outcome::CheckKind;
-use crate::solve::outcome::Entry;
 use crate::solve::outcome::Motion;
 use crate::solve::outcome::Refusal;
 use crate::solve::outcome::Regime;
@@ -40,15 +36,8 @@ fn of_tie(scene: &Scene, index: usize) -> String {
 }
 
 /// One condition in words with its numbers.
-pub fn check(scene: &Scene, solved: &Solved, c: &Check) -> String {
-    let said = |quantity: Quantity, of: Owner| solved.get(Label { quantity, of }).map(Entry::value);
-    // Where a quantity says it, its own digits; some checks work in scaled units.
-    let available = match c.kind {
-        CheckKind::Pressed => said(Quantity::Normal, Owner::Body(c.of)).unwrap_or(c.available),
-        CheckKind::Taut => said(Quantity::Tension, Owner::Tie(c.of)).unwrap_or(c.available),
-        _ => c.available,
-    };
-    let (required, available) = (figures(c.required), figures(available));
+pub fn check(scene: &Scene, c: &Check) -> String {
+    let (required, available) = (figures(c.required), figures(c.available));
     match c.kind {
         // Only the ratio of drive and resistance means anything.
         CheckKind::Moves if c.ok && c.required == 0.0 => {
@@ -102,6 +91,9 @@ pub fn check(scene: &Scene, solved: &Solved, c: &Check) -> String {
             "the slip of the {} does not go against the friction: {available}, required more than {required}",
             of_tie(scene, c.of)
         ),
+        CheckKind::Reaches if c.ok && c.available.is_infinite() => {
+            format!("the end is reached: {required} asked, the motion goes on without end")
+        }
         CheckKind::Reaches if c.ok => {
             format!("the end is reached: {required} asked, the motion goes as far as {available}")
         }

@@ -407,7 +407,8 @@ impl<'a, T: Real> Walk<'a, T> {
             if self.scene.bodies[b].line.is_some_and(|l| l.surface) {
                 let normal = self.response.normal(b);
                 self.say(Quantity::Normal, Owner::Body(b), normal);
-                self.road.held.push(Held::Pressed(b, normal.f64()));
+                let force = self.n.publish(Quantity::Normal, normal).f64();
+                self.road.held.push(Held::Pressed(b, force));
             }
         }
         for (t, tie) in self.scene.ties.iter().enumerate() {
@@ -427,7 +428,8 @@ impl<'a, T: Real> Walk<'a, T> {
                 Tie::Cord(c) if matches!(c.to, Far::Body(_) | Far::Fixed) => {
                     let (first, last) = (self.friction(t, tension0), self.friction(t, tension1));
                     let least = if last.value() < first.value() { last } else { first };
-                    self.road.held.push(Held::Cord(t, least.f64()));
+                    let force = self.n.publish(Quantity::Tension, least).f64();
+                    self.road.held.push(Held::Cord(t, force));
                 }
                 _ => {}
             }
