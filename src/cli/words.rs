@@ -13,7 +13,6 @@ use crate::solve::outcome::CheckKind;
 use crate::solve::outcome::Motion;
 use crate::solve::outcome::Refusal;
 use crate::solve::outcome::Regime;
-use crate::solve::outcome::Solved;
 use crate::solve::outcome::Unsupported;
 
 /// Five significant figures, for people.

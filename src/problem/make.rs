@@ -7,6 +7,8 @@ use crate::draw::fill;
 use crate::draw::sample;
 use crate::draw::stream::Source;
 use crate::scene::Label;
+use crate::scene::Owner;
+use crate::scene::Quantity;
 use crate::solve::agree;
 use crate::solve::outcome::{CheckKind, Refusal, Solved};
 use std::fmt;
@@ -262,6 +264,13 @@ impl<'p> Maker<'p> {
         let questions = CHECKS + CheckKind::ALL.len();
         let first_bound = questions + self.problem.questions.len();
         self.checks(solved, |kind| kind != CheckKind::Moves)?;
+        // A question about a slack cord would ask about another motion than the statement tells.
+        if let Some((tie, _, _, false)) = case.scene.spring() {
+            let tension = solved.get(Label { quantity: Quantity::Tension, of: Owner::Tie(tie) });
+            if tension.is_some_and(|t| t.value() <= 0.0) {
+                return Err(CHECKS + CheckKind::ALL.iter().position(|k| *k == CheckKind::Taut).unwrap_or(0));
+            }
+        }
         let word = solved.regime.motion.word();
         if solved.regime.slips || (!case.regimes.is_empty() && !case.regimes.iter().any(|r| r == word)) {
             return Err(REGIME);
