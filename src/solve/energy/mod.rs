@@ -8,6 +8,7 @@ pub mod instant;
 pub mod speeds;
 
 use crate::num::Dd;
+use crate::num::NOISE;
 use crate::num::Real;
 use crate::num::eliminate::Equations;
 use crate::num::plant::plant;
@@ -29,10 +30,12 @@ use crate::solve::energy::balance::PerTie;
 use crate::solve::energy::balance::Power;
 use crate::solve::energy::speeds::Mode;
 use crate::solve::outcome::Course;
+use crate::solve::outcome::Grip;
 use crate::solve::outcome::Held;
 use crate::solve::outcome::Refusal;
 use crate::solve::outcome::Road;
 use crate::solve::outcome::Said;
+use smallvec::SmallVec;
 use smallvec::smallvec;
 
 /// Everything that work and energy say of a scene whose data are admissible.
@@ -57,14 +60,12 @@ struct Store<T> {
 
 impl<T: Real> Store<T> {
     fn stretch_at(&self, s: T) -> T {
-        let stretch = self.stretch - self.lost * s;
+        let stretch = self.stretch.balance(-(self.lost * s));
         if stretch.sign() < 0.0 && !self.rigid { T::zero() } else { stretch }
     }
-    /// Energy given off between the start and a place.
-    fn given(&self, s: T) -> T {
-        let x1 = self.stretch_at(s);
-        let released = (self.stretch - x1) * (self.stretch + x1);
-        (plant!("energy: stiffness of the spring", self.stiffness) * released).scale2(-1)
+    /// Energy stored per square of the way, doubled.
+    fn stiff(&self) -> T {
+        plant!("energy: stiffness of the spring", self.stiffness) * self.lost.square()
     }
 }
 
@@ -78,8 +79,10 @@ struct Ledger<'a, T> {
     start_rate: Mode<T>,
     /// Kinetic friction of contacts that slip or slide.
     kinetic: PerTie<Option<T>>,
-    /// Frictions if nothing slipped.
-    rolled: Option<PerTie<T>>,
+    /// Friction that has to be overcome at the start, for the drive.
+    at_start: PerTie<T>,
+    /// For each contact that is said to slip: its friction if it rolled.
+    rolled: SmallVec<[(usize, T); 1]>,
     moves: bool,
     /// Speed at the start.
     v0: T,
@@ -107,16 +110,39 @@ fn drive<T: Real>(
         for (cell, b) in row.iter_mut().zip(modes) {
             *cell = balance::inertia(n, a, b);
         }
-        let mut power = balance::powers(scene, n, a, friction)
-            .into_iter()
-            .fold(T::zero(), |sum, p: Power<T>| sum + p.power);
-        if let Some(end) = &pull {
-            power = power + spring_tension * a.point(n, end);
+        let (mut power, mut size) = (T::zero(), 0.0);
+        let mut add = |p: T| {
+            power = power + p;
+            size += p.f64().abs();
+        };
+        for p in balance::powers(scene, n, a, friction) {
+            add(p.power);
         }
+        if let Some(end) = &pull {
+            add(spring_tension * a.point(n, end));
+        }
+        let power = power.cleared(size);
         row[m] = power;
     }
     let rates = rows.reduce(&[]).solution().unwrap_or_else(|| smallvec![T::of(f64::NAN); m]);
     combine(modes, &rates)
+}
+
+/// The reactions where the contacts hold as `grip` says. Ties that leave no freedom hold the scene at rest.
+fn if_rolls<T: Real>(
+    scene: &Scene,
+    n: &Numbers<T>,
+    grip: Grip,
+    kinetic: &[Option<T>],
+    tension: T,
+) -> Result<PerTie<T>, Refusal> {
+    let friction: PerTie<T> = kinetic.iter().map(|k| k.unwrap_or_else(T::zero)).collect();
+    let rate = match speeds::modes(scene, n, grip) {
+        Ok(modes) => drive(scene, n, &modes, &friction, tension),
+        Err(Refusal::Freedoms(0)) => Mode::still(scene.bodies.len()),
+        Err(other) => return Err(other),
+    };
+    Ok(balance::reactions(scene, n, &|c| rate.of(c), tension, kinetic))
 }
 
 /// `sum rate_j mode_j`.
@@ -136,26 +162,49 @@ impl<'a, T: Real> Ledger<'a, T> {
     fn open(scene: &'a Scene, n: Numbers<'a, T>) -> Result<Self, Refusal> {
         let end = scene.ending_coordinate();
         let ties = scene.ties.len();
-        let none: PerTie<T> = smallvec![T::zero(); ties];
         let tension = scene.spring().map_or_else(T::zero, |(_, ks, x0, _)| n.massive(ks) * n.get(x0));
-        let slips = scene.ties.iter().any(|t| matches!(t, Tie::Slip { .. }));
+        let slipping: SmallVec<[usize; 2]> =
+            (0..ties).filter(|t| matches!(scene.ties[*t], Tie::Slip { .. })).collect();
         let mut kinetic: PerTie<Option<T>> = smallvec![None; ties];
-        let mut rolled = None;
-        if slips {
-            let modes = speeds::modes(scene, &n, true)?;
-            let rate = drive(scene, &n, &modes, &none, tension);
-            let held = balance::reactions(scene, &n, &|c| rate.of(c), tension, &kinetic);
-            for (t, tie) in scene.ties.iter().enumerate() {
-                if let Tie::Slip { body, mu_k, .. } = tie {
+        // What slides has no friction until the sense of the motion is known.
+        for (t, tie) in scene.ties.iter().enumerate() {
+            if matches!(tie, Tie::Slide { .. }) {
+                kinetic[t] = Some(T::zero());
+            }
+        }
+        let mut rolled = SmallVec::new();
+        if !slipping.is_empty() {
+            let kinetic_of = |t: usize, sense: f64| match &scene.ties[t] {
+                Tie::Slip { body, mu_k, .. } => {
                     let most = plant!("energy: kinetic friction", n.get(*mu_k)) * balance::normal(&n, *body);
-                    kinetic[t] = Some(most.signed(held[t].sign()));
+                    Some(most.signed(sense))
+                }
+                _ => None,
+            };
+            let all = if_rolls(scene, &n, Grip::AllRoll, &kinetic, tension)?;
+            for t in &slipping {
+                kinetic[*t] = kinetic_of(*t, all[*t].sign());
+            }
+            if let [only] = slipping.as_slice() {
+                rolled.push((*only, all[*only]));
+            } else {
+                // Each contact with the others as declared.
+                for settled in [false, true] {
+                    for t in &slipping {
+                        kinetic[*t] = None;
+                        let friction = if_rolls(scene, &n, Grip::Rolls(*t), &kinetic, tension)?[*t];
+                        kinetic[*t] = kinetic_of(*t, friction.sign());
+                        if settled {
+                            rolled.push((*t, friction));
+                        }
+                    }
                 }
             }
-            rolled = Some(held);
         }
-        let modes = speeds::modes(scene, &n, false)?;
-        let frictions =
-            |kinetic: &[Option<T>]| -> Vec<T> { kinetic.iter().map(|k| k.unwrap_or_else(T::zero)).collect() };
+        let modes = speeds::modes(scene, &n, Grip::Declared)?;
+        let frictions = |kinetic: &[Option<T>]| -> PerTie<T> {
+            kinetic.iter().map(|k| k.unwrap_or_else(T::zero)).collect()
+        };
         let mut v0 = T::zero();
         for s in &scene.start {
             if let Start::Speed(c, v) = s {
@@ -167,12 +216,13 @@ impl<'a, T: Real> Ledger<'a, T> {
         }
         let mut start_rate = drive(scene, &n, &modes, &frictions(&kinetic), tension);
         let mut moves = true;
+        let mut at_start = frictions(&kinetic);
         if scene.ties.iter().any(|t| matches!(t, Tie::Slide { .. })) {
             // The work of sliding friction is negative, whichever way the body goes.
             let free = start_rate.clone();
             let started = !v0.is_zero();
             let going = |b: usize| if started { (modes[0].v[b] * v0).sign() } else { free.v[b].sign() };
-            for starting in [!started, false] {
+            let mut friction = |starting: bool| {
                 for (t, tie) in scene.ties.iter().enumerate() {
                     if let Tie::Slide { body, mu_s, mu_k } = tie {
                         let mu = if starting { mu_s.unwrap_or(*mu_k) } else { *mu_k };
@@ -180,12 +230,26 @@ impl<'a, T: Real> Ledger<'a, T> {
                         kinetic[t] = Some(most.signed(-going(*body)));
                     }
                 }
-                start_rate = drive(scene, &n, &modes, &frictions(&kinetic), tension);
-                let stuck = scene.ties.iter().any(|tie| match tie {
-                    Tie::Slide { body, .. } => !started && start_rate.v[*body].sign() * going(*body) <= 0.0,
+                frictions(&kinetic)
+            };
+            at_start = friction(!started);
+            let first = drive(scene, &n, &modes, &at_start, tension);
+            moves = started
+                || !scene.ties.iter().any(|tie| match tie {
+                    Tie::Slide { body, .. } => first.v[*body].sign() * going(*body) <= 0.0,
                     _ => false,
                 });
-                moves &= !stuck;
+            let sliding = friction(false);
+            if moves {
+                start_rate = drive(scene, &n, &modes, &sliding, tension);
+            } else {
+                // Held by static friction, which is then a reaction.
+                start_rate = Mode::still(scene.bodies.len());
+                for (t, tie) in scene.ties.iter().enumerate() {
+                    if matches!(tie, Tie::Slide { .. }) {
+                        kinetic[t] = None;
+                    }
+                }
             }
         }
         let lead = start_rate.of(end);
@@ -199,19 +263,8 @@ impl<'a, T: Real> Ledger<'a, T> {
             }
             mode
         };
-        Ok(Self {
-            scene,
-            n,
-            end,
-            mode,
-            start_rate,
-            kinetic,
-            rolled,
-            moves,
-            v0,
-            road: Road::new(),
-            last: None,
-        })
+        let road = Road::new();
+        Ok(Self { scene, n, end, mode, start_rate, kinetic, at_start, rolled, moves, v0, road, last: None })
     }
 
     fn say(&mut self, quantity: Quantity, of: Owner, value: T) {
@@ -237,7 +290,9 @@ impl<'a, T: Real> Ledger<'a, T> {
         });
         let frictions: PerTie<T> = self.kinetic.iter().map(|k| k.unwrap_or_else(T::zero)).collect();
         let powers = balance::powers(self.scene, &self.n, &self.mode, &frictions);
-        let constant = powers.iter().fold(T::zero(), |sum, p| sum + p.power);
+        let size = powers.iter().map(|p| p.power.f64().abs()).sum();
+        let constant = powers.iter().fold(T::zero(), |sum, p| sum + p.power).cleared(size);
+        let start_powers = balance::powers(self.scene, &self.n, &self.mode, &self.at_start);
         let doubled = balance::inertia(&self.n, &self.mode, &self.mode);
         let tension0 = store.map_or_else(T::zero, |s| s.stiffness * s.stretch);
         let lead = self.start_rate.of(self.end);
@@ -249,17 +304,21 @@ impl<'a, T: Real> Ledger<'a, T> {
             0.0
         };
         if let Some(s) = &store {
-            let x_eq = -constant / (s.stiffness * s.lost);
-            if x_eq.sign() >= 0.0 || s.rigid {
+            // Where the power of all but the sliding friction vanishes.
+            let slides = |p: &&Power<T>| p.tie.is_some_and(|t| matches!(self.scene.ties[t], Tie::Slide { .. }));
+            let sliding = powers.iter().filter(slides).fold(T::zero(), |sum, p| sum + p.power);
+            let x_eq = -(constant - sliding) / (s.stiffness * s.lost);
+            if !s.lost.is_zero() && (x_eq.sign() >= 0.0 || s.rigid) {
                 self.say(Quantity::XEq, Owner::Scene, x_eq);
             }
         }
+        let slips = !self.rolled.is_empty();
         self.if_rolled();
-        let drive = self.driving(&powers, tension0, store.as_ref(), if sense == 0.0 { 1.0 } else { sense });
+        let drive = self.driving(&start_powers, tension0, store.as_ref(), if sense == 0.0 { 1.0 } else { sense });
         if sense == 0.0 || lead.is_zero() && self.v0.is_zero() {
             self.road.course =
                 Some(Course { sense: 0.0, drive, asked: None, farthest: Dd::ZERO, reached: false });
-            let still = sense == 0.0 && self.rolled.is_none();
+            let still = sense == 0.0 && !slips;
             self.standing(tension0, still);
             if store.is_some() && self.end.degree == Degree::Along {
                 for q in [Quantity::VMax, Quantity::DAtVMax, Quantity::DTurn] {
@@ -275,7 +334,9 @@ impl<'a, T: Real> Ledger<'a, T> {
         }
         let u0 = self.v0.abs();
         let energy0 = (doubled * u0.square()).scale2(-1);
-        let account = Account { constant, doubled, energy0, u0, store };
+        // A spring whose end does not move keeps its tension and does no work.
+        let acting = store.filter(|k| !k.lost.is_zero());
+        let account = Account { constant, doubled, energy0, u0, store: acting };
 
         let turning = account.turning();
         let limit = turning.map_or(Dd::new(f64::INFINITY), |t| t.value());
@@ -285,13 +346,14 @@ impl<'a, T: Real> Ledger<'a, T> {
             None => false,
         };
         let s = self.asked(&account, turning, sense);
-        let reached = !wrong_way && s.is_some_and(|s| s.value() >= Dd::ZERO && s.value() <= limit);
+        let arrives = |s: Dd| s >= Dd::ZERO && (s <= limit || (s - limit).hi <= NOISE * s.hi);
+        let reached = !wrong_way && s.is_some_and(|s| arrives(s.value()));
         self.road.course =
             Some(Course { sense, drive, asked: s.map(|s| s.value()), farthest: limit, reached });
-        let tension_at = |s: T| account.store.map_or_else(T::zero, |k| k.stiffness * k.stretch_at(s));
+        let tension_at = |s: T| store.map_or_else(T::zero, |k| k.stiffness * k.stretch_at(s));
         let last_tension = turning.map_or_else(T::zero, tension_at);
         self.grip(tension0, last_tension);
-        if store.is_some() && self.end.degree == Degree::Along {
+        if (store.is_some() || !u0.is_zero()) && self.end.degree == Degree::Along {
             let body = Owner::Body(self.end.body);
             if let Some((at, v)) = account.fastest() {
                 self.say(Quantity::VMax, body, v);
@@ -343,38 +405,33 @@ impl<'a, T: Real> Ledger<'a, T> {
     }
 
     fn if_rolled(&mut self) {
-        let Some(held) = self.rolled.clone() else { return };
-        for (t, tie) in self.scene.ties.iter().enumerate() {
-            if let Tie::Slip { body, mu_s, radius_m, .. } = tie {
+        for (t, friction) in std::mem::take(&mut self.rolled) {
+            if let Tie::Slip { body, mu_s, radius_m, .. } = &self.scene.ties[t] {
                 let normal = balance::normal(&self.n, *body);
-                self.say(Quantity::FrictionIfRolled, Owner::Body(*body), held[t].signed(self.up(*body)));
-                self.say(Quantity::MuRequired, Owner::Body(*body), held[t].abs() / normal);
-                let slip = self.start_rate.v[*body] - self.n.get(*radius_m) * self.start_rate.w[*body];
+                self.say(Quantity::FrictionIfRolled, Owner::Body(*body), friction.signed(self.up(*body)));
+                self.say(Quantity::MuRequired, Owner::Body(*body), friction.abs() / normal);
+                let centre = self.start_rate.v[*body];
+                let slip = centre - self.n.get(*radius_m) * self.start_rate.w[*body];
                 let available = self.n.get(*mu_s) * normal;
                 let held = Held::Slipping(
                     t,
-                    self.force(held[t]),
+                    self.force(friction),
                     self.force(available),
-                    slip.signed(-held[t].sign()).value(),
+                    slip.signed(-friction.sign()).value(),
+                    centre.sign(),
                 );
                 self.road.held.push(held);
             }
         }
     }
 
-    /// Accelerations at this tension of the spring: those at the start, less what the loss of tension takes.
+    /// Accelerations at this tension of the spring, from the power balance there.
     fn rate(&self, tension: T) -> Mode<T> {
-        let Some((tie, ks, x0, _)) = self.scene.spring() else { return self.start_rate.clone() };
-        let Tie::Cord(cord) = &self.scene.ties[tie] else { return self.start_rate.clone() };
-        let tension0 = self.n.massive(ks) * self.n.get(x0);
-        let per = self.mode.point(&self.n, &cord.from) / balance::inertia(&self.n, &self.mode, &self.mode);
-        let change = (tension - tension0) * per;
-        let mut rate = self.start_rate.clone();
-        for b in 0..rate.v.len() {
-            rate.v[b] = rate.v[b] + change * self.mode.v[b];
-            rate.w[b] = rate.w[b] + change * self.mode.w[b];
+        if self.scene.spring().is_none() || !self.moves {
+            return self.start_rate.clone();
         }
-        rate
+        let frictions: PerTie<T> = self.kinetic.iter().map(|k| k.unwrap_or_else(T::zero)).collect();
+        drive(self.scene, &self.n, std::slice::from_ref(&self.mode), &frictions, tension)
     }
 
     fn reactions(&mut self, tension: T) -> PerTie<T> {
@@ -543,7 +600,7 @@ impl<'a, T: Real> Ledger<'a, T> {
             / self.mode.of(along);
         let (centre, whole) = (centre.signed(up), whole.signed(up));
         let rotation = whole - centre;
-        if rotation.sign() <= 0.0 {
+        if if centre.sign() > 0.0 { rotation.sign() <= 0.0 } else { rotation.sign() < 0.0 } {
             return;
         }
         let bound =
@@ -566,13 +623,22 @@ struct Account<T> {
 }
 
 impl<T: Real> Account<T> {
-    /// Work of all forces from the start to a place.
-    fn work(&self, s: T) -> T {
-        let given = self.store.map_or_else(T::zero, |k| k.given(s));
-        self.constant * s + given
+    /// Power at the start per unit rate while the spring acts.
+    fn push(&self, k: Store<T>) -> T {
+        self.constant.balance(k.stiffness * k.stretch * k.lost)
     }
+    /// Kinetic energy at a place: that of the start and the work of all forces on the way. The spring gives off
+    /// `1/2 ks (x0^2 - x1^2)`, written as a product with the way: near equilibrium its difference from the work of the
+    /// other forces would lose all digits.
     fn energy(&self, s: T) -> T {
-        self.energy0 + self.work(s)
+        let done = match self.store {
+            None => self.constant * s,
+            Some(k) if self.slack().is_some_and(|at| s.value() > at.value()) => {
+                (self.constant * s).balance((k.stiffness * k.stretch.square()).scale2(-1))
+            }
+            Some(k) => self.push(k).balance(-(k.stiff() * s).scale2(-1)) * s,
+        };
+        self.energy0.balance(done)
     }
     fn speed(&self, s: T) -> T {
         (self.energy(s).scale2(1) / self.doubled).root()
@@ -592,8 +658,8 @@ impl<T: Real> Account<T> {
         match self.store {
             // energy0 + (Q + ks x0 l) s - 1/2 ks l^2 s^2 = 0
             Some(k) => {
-                let stiff = k.stiffness * k.lost.square();
-                let linear = self.constant + k.stiffness * k.stretch * k.lost;
+                let stiff = k.stiff();
+                let linear = self.push(k);
                 if self.energy0.is_zero() {
                     return Some(linear.scale2(1) / stiff);
                 }
@@ -605,12 +671,13 @@ impl<T: Real> Account<T> {
     }
     /// Place and speed at which the kinetic energy is greatest: where the power vanishes.
     fn fastest(&self) -> Option<(T, T)> {
-        let k = self.store?;
-        let start = self.constant + k.stiffness * k.stretch * k.lost;
+        let start = self.store.map_or(self.constant, |k| self.push(k));
         if start.sign() <= 0.0 {
-            return None;
+            // It is never driven on: fastest at the start, if it was thrown.
+            return (!self.u0.is_zero()).then(|| (T::zero(), self.u0));
         }
-        let balanced = start / (k.stiffness * k.lost.square());
+        let k = self.store?;
+        let balanced = start / k.stiff();
         let at = match self.slack() {
             Some(slack) if balanced.value() >= slack.value() => {
                 if self.constant.sign() > 0.0 {
@@ -639,14 +706,16 @@ impl<T: Real> Account<T> {
         if s.is_zero() {
             return T::zero();
         }
-        let w = (k.stiffness * k.lost.square() / self.doubled).root();
+        let w = (k.stiff() / self.doubled).root();
         trig::atan2(w * s, self.u0 + u).scale2(1) / w
     }
     fn uniform_time(&self, s: T, u0: T, u: T) -> T {
-        if self.constant.is_zero() {
-            return if u.is_zero() { T::zero() } else { s / u };
+        let change = u - u0;
+        if change.abs().f64() < 0.5 * (u + u0).f64() {
+            // The change of the speed would lose digits: the mean speed keeps them.
+            return (s / (u0 + u)).scale2(1);
         }
-        (u - u0) * self.doubled / self.constant
+        if change.is_zero() { T::zero() } else { change * self.doubled / self.constant }
     }
     /// Place after a time, by the same half angle.
     fn place(&self, t: T) -> T {
@@ -662,9 +731,9 @@ impl<T: Real> Account<T> {
                 }
             }
         }
-        let w = (k.stiffness * k.lost.square() / self.doubled).root();
+        let w = (k.stiff() / self.doubled).root();
         let (sine, cosine) = trig::sin_cos((w * t).scale2(-1));
-        let start = (self.constant + k.stiffness * k.stretch * k.lost) / self.doubled;
+        let start = self.push(k) / self.doubled;
         let (push, glide) = (start / w.square() * sine, self.u0 / w * cosine);
         ((push + glide) * sine).scale2(1)
     }
@@ -678,8 +747,8 @@ impl<T: Real> Account<T> {
         let Some(k) = self.store else {
             return if self.constant.is_zero() { None } else { not_negative(need / self.constant) };
         };
-        let stiff = k.stiffness * k.lost.square();
-        let linear = self.constant + k.stiffness * k.stretch * k.lost;
+        let stiff = k.stiff();
+        let linear = self.push(k);
         let radicand = linear.square() - stiff.scale2(1) * need;
         let taut = if radicand.sign() < 0.0 {
             None
@@ -692,7 +761,7 @@ impl<T: Real> Account<T> {
             (Some(s), None) => Some(s),
             (Some(s), Some(at)) if s.value() <= at.value() => Some(s),
             (_, Some(at)) if !self.constant.is_zero() => {
-                let s = (need - k.given(at)) / self.constant;
+                let s = at + (need + self.energy0 - self.energy(at)) / self.constant;
                 (s.value() >= at.value()).then_some(s)
             }
             _ => None,
