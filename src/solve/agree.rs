@@ -86,6 +86,7 @@ impl Half {
     }
 
     /// Runs the second road and publishes what agrees. Errors: a disagreement, or a quantity that only one road reaches.
+    #[expect(clippy::float_cmp, reason = "senses are exactly -1, 0 or 1")]
     pub fn confirm(self, scene: &Scene, data: &[f64]) -> Result<Solved, Refusal> {
         let Half { mut solved, course } = self;
         let second: Road<Dd> = energy::road(scene, data)?;
@@ -113,7 +114,12 @@ impl Half {
             if course.sense != other.sense || course.reached != other.reached {
                 let of = Owner::Body(scene.ending_coordinate().body);
                 let label = Label { quantity: Quantity::Direction, of };
-                return Err(Refusal::Disagree { label, eom: course.sense, energy: other.sense, allowed: 0.0 });
+                return Err(Refusal::Disagree {
+                    label,
+                    eom: course.sense,
+                    energy: other.sense,
+                    allowed: 0.0,
+                });
             }
             // The drive is a sum of powers: only the second road has it, and only for margins.
             physical::fill_drive(scene, &course, other.drive, &mut solved.checks);

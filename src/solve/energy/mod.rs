@@ -84,6 +84,8 @@ struct Ledger<'a, T> {
     /// For each contact that is said to slip: its friction if it rolled.
     rolled: SmallVec<[(usize, T); 1]>,
     moves: bool,
+    /// Sense in which it would set off without sliding friction.
+    inclined: f64,
     /// Speed at the start.
     v0: T,
     road: Road<T>,
@@ -215,6 +217,7 @@ impl<'a, T: Real> Ledger<'a, T> {
             }
         }
         let mut start_rate = drive(scene, &n, &modes, &frictions(&kinetic), tension);
+        let inclined = start_rate.of(end).sign();
         let mut moves = true;
         let mut at_start = frictions(&kinetic);
         if scene.ties.iter().any(|t| matches!(t, Tie::Slide { .. })) {
@@ -264,7 +267,21 @@ impl<'a, T: Real> Ledger<'a, T> {
             mode
         };
         let road = Road::new();
-        Ok(Self { scene, n, end, mode, start_rate, kinetic, at_start, rolled, moves, v0, road, last: None })
+        Ok(Self {
+            scene,
+            n,
+            end,
+            mode,
+            start_rate,
+            kinetic,
+            at_start,
+            rolled,
+            moves,
+            inclined,
+            v0,
+            road,
+            last: None,
+        })
     }
 
     fn say(&mut self, quantity: Quantity, of: Owner, value: T) {
@@ -305,7 +322,8 @@ impl<'a, T: Real> Ledger<'a, T> {
         };
         if let Some(s) = &store {
             // Where the power of all but the sliding friction vanishes.
-            let slides = |p: &&Power<T>| p.tie.is_some_and(|t| matches!(self.scene.ties[t], Tie::Slide { .. }));
+            let slides =
+                |p: &&Power<T>| p.tie.is_some_and(|t| matches!(self.scene.ties[t], Tie::Slide { .. }));
             let sliding = powers.iter().filter(slides).fold(T::zero(), |sum, p| sum + p.power);
             let x_eq = -(constant - sliding) / (s.stiffness * s.lost);
             if !s.lost.is_zero() && (x_eq.sign() >= 0.0 || s.rigid) {
@@ -314,7 +332,12 @@ impl<'a, T: Real> Ledger<'a, T> {
         }
         let slips = !self.rolled.is_empty();
         self.if_rolled();
-        let drive = self.driving(&start_powers, tension0, store.as_ref(), if sense == 0.0 { 1.0 } else { sense });
+        let drive = self.driving(
+            &start_powers,
+            tension0,
+            store.as_ref(),
+            [sense, self.inclined, 1.0].into_iter().find(|s| *s != 0.0).unwrap_or(1.0),
+        );
         if sense == 0.0 || lead.is_zero() && self.v0.is_zero() {
             self.road.course =
                 Some(Course { sense: 0.0, drive, asked: None, farthest: Dd::ZERO, reached: false });

@@ -54,7 +54,7 @@ impl<T: Real> Mode<T> {
             }
         };
         let centre = plant!("energy: travel of the centre with a cord", self.v[end.body]);
-        let velocity = centre + about_centre;
+        let velocity = centre.balance(about_centre);
         if end.forward { velocity } else { -velocity }
     }
 }

@@ -109,7 +109,8 @@ impl<'a, T: Real> Walk<'a, T> {
         };
         let x_eq = spring.as_ref().and_then(|s| {
             let per_newton = response.acceleration(end, SPRING);
-            (!per_newton.is_zero()).then(|| -(response.acceleration(end, CONSTANT) / per_newton) / s.stiffness)
+            (!per_newton.is_zero())
+                .then(|| -(response.acceleration(end, CONSTANT) / per_newton) / s.stiffness)
         });
         let slipping: SmallVec<[usize; 2]> =
             (0..scene.ties.len()).filter(|t| matches!(scene.ties[*t], Tie::Slip { .. })).collect();
@@ -232,7 +233,7 @@ impl<'a, T: Real> Walk<'a, T> {
             }
             _ => T::zero(),
         };
-        (centre + wound).signed(if end.forward { 1.0 } else { -1.0 })
+        centre.balance(wound).signed(if end.forward { 1.0 } else { -1.0 })
     }
     /// A response at this tension of the spring.
     fn at_tension(&self, tension: T, of: impl Fn(usize) -> T) -> T {
@@ -410,7 +411,13 @@ impl<'a, T: Real> Walk<'a, T> {
             let against = slip.signed(-friction.sign());
             let available = self.n.get(*mu_s) * normal;
             let force = |f: T| self.n.publish(Quantity::Friction, f).value();
-            self.road.held.push(Held::Slipping(t, force(friction), force(available), against.value(), along.sign()));
+            self.road.held.push(Held::Slipping(
+                t,
+                force(friction),
+                force(available),
+                against.value(),
+                along.sign(),
+            ));
         }
     }
 
@@ -503,7 +510,8 @@ impl<'a, T: Real> Walk<'a, T> {
     fn arrived(&mut self, state: &State<T>, sense: f64, tension: T) {
         let (s, u) = (state.s, state.u);
         let mut energy = T::zero();
-        let mut turning = T::zero();
+        // Shares at unit rate: the speed would bring in its own rounding and leave by cancelling.
+        let (mut turning, mut whole) = (T::zero(), T::zero());
         self.say(Quantity::T, Owner::Scene, state.time);
         self.accelerations(tension, false);
         self.forces(tension);
@@ -516,19 +524,20 @@ impl<'a, T: Real> Walk<'a, T> {
                 self.say(Quantity::V, Owner::Body(b), v);
                 self.say(Quantity::Rise, Owner::Body(b), (ratio * n.climb * s).signed(sense));
                 energy = energy + (n.mass * v * v).scale2(-1);
+                whole = whole + n.mass * ratio * ratio;
             }
             if let Some(c) = self.turn(b) {
                 let ratio = self.ratio(c);
                 let w = ratio.abs() * u;
                 self.say(Quantity::Omega, Owner::Body(b), w);
                 self.say(Quantity::Phi, Owner::Body(b), ratio.abs() * s);
-                turning = turning + (n.inertia * w * w).scale2(-1);
+                energy = energy + (n.inertia * w * w).scale2(-1);
+                turning = turning + n.inertia * ratio * ratio;
             }
         }
-        energy = energy + turning;
         self.say(Quantity::KineticEnergy, Owner::Scene, energy);
         if !energy.is_zero() {
-            self.say(Quantity::RotationalFraction, Owner::Scene, turning / energy);
+            self.say(Quantity::RotationalFraction, Owner::Scene, turning / (turning + whole));
         }
         let mut heat = None;
         for (t, tie) in self.scene.ties.iter().enumerate() {
