@@ -1,7 +1,11 @@
 //! Boundaries that data hit exactly: balance, equilibrium, turning points, a cord that just goes slack, blocks that stay.
 //!
 //! Earlier tests could not see these: random draws never balance, and the reference has each boundary only once.
-#![allow(clippy::unwrap_used, reason = "a test that cannot set itself up fails")]
+#![allow(
+    clippy::unwrap_used,
+    clippy::float_cmp,
+    reason = "a test that cannot set itself up fails; exact values are exact"
+)]
 mod support;
 use slipstick::bank::load;
 use slipstick::scene::Quantity;
@@ -63,6 +67,17 @@ fn a_spring_released_at_equilibrium_rests_and_turns_where_it_turns() {
         assert_eq!(next.regime.word(), word.replace("turning_point", "unreachable"));
         let before = at(x0, d - 1e-15);
         assert_eq!(before.regime.word(), word.replace("turning_point", "ok"));
+    }
+}
+
+#[test]
+fn overflow_is_refused_and_never_a_zero() {
+    let banks = support::banks();
+    let problem = banks.iter().flat_map(|b| &b.problems).find(|p| p.id == "spring-released").unwrap();
+    let data = [20.0, 0.5, 0.2, 0.35, 15.0, 800.0, 1e160, 0.3, 0.9, 9.81];
+    match solve(&problem.cases[0].scene, &data) {
+        Err(_) => {}
+        Ok(s) => assert!(value(&s, Quantity::VMax) > 1e160 || value(&s, Quantity::VMax).is_infinite()),
     }
 }
 

@@ -128,7 +128,8 @@ impl Real for Dd {
     }
     #[inline(always)]
     fn root(self) -> Self {
-        if self.hi > 0.0 { self.sqrt() } else { Dd::ZERO }
+        // NaN is no radicand by rounding: it must not come out as a zero.
+        if self.hi > 0.0 || self.hi.is_nan() { self.sqrt() } else { Dd::ZERO }
     }
     #[inline(always)]
     fn scale2(self, e: i32) -> Self {
