@@ -3,6 +3,7 @@
 //! With one freedom the balance of the whole gives the speed, its rate the acceleration, and the balance of one body alone
 //! the reactions. With two (a wheel that slips) the power balance of each mode, the mass centre's among them, gives the
 //! ratio of the velocities, which from rest is also that of the displacements, and the total balance then the speed.
+pub mod account;
 pub mod balance;
 pub mod instant;
 pub mod speeds;
@@ -12,7 +13,6 @@ use crate::num::NOISE;
 use crate::num::Real;
 use crate::num::eliminate::Equations;
 use crate::num::plant::plant;
-use crate::num::trig;
 use crate::scene::Coordinate;
 use crate::scene::Degree;
 use crate::scene::End;
@@ -26,6 +26,8 @@ use crate::scene::RotaryInertia;
 use crate::scene::Scene;
 use crate::scene::Start;
 use crate::scene::Tie;
+use crate::solve::energy::account::Account;
+use crate::solve::energy::account::Store;
 use crate::solve::energy::balance::PerTie;
 use crate::solve::energy::balance::Power;
 use crate::solve::energy::speeds::Mode;
@@ -47,26 +49,6 @@ pub fn road<T: Real>(scene: &Scene, data: &[f64]) -> Result<Road<T>, Refusal> {
         return Ok(instant::road(scene, &n));
     }
     Ledger::open(scene, n)?.settle()
-}
-
-/// Energy stored in a spring on the way: stiffness, stretch at the start, and stretch lost per metre of the mode.
-#[derive(Clone, Copy)]
-struct Store<T> {
-    stiffness: T,
-    stretch: T,
-    lost: T,
-    rigid: bool,
-}
-
-impl<T: Real> Store<T> {
-    fn stretch_at(&self, s: T) -> T {
-        let stretch = self.stretch.balance(-(self.lost * s));
-        if stretch.sign() < 0.0 && !self.rigid { T::zero() } else { stretch }
-    }
-    /// Energy stored per square of the way, doubled.
-    fn stiff(&self) -> T {
-        plant!("energy: stiffness of the spring", self.stiffness) * self.lost.square()
-    }
 }
 
 struct Ledger<'a, T> {
@@ -629,165 +611,5 @@ impl<'a, T: Real> Ledger<'a, T> {
         let bound =
             if centre.sign() > 0.0 { (c.square() * rotation / centre).root() } else { T::of(f64::INFINITY) };
         self.say(Quantity::KBound, Owner::Body(0), bound);
-    }
-}
-
-/// The energy account of the motion, along its sense.
-struct Account<T> {
-    /// Work of the constant forces per metre.
-    constant: T,
-    /// Twice the kinetic energy at unit rate.
-    doubled: T,
-    /// Kinetic energy at the start.
-    energy0: T,
-    /// Speed at the start.
-    u0: T,
-    store: Option<Store<T>>,
-}
-
-impl<T: Real> Account<T> {
-    /// Power at the start per unit rate while the spring acts.
-    fn push(&self, k: Store<T>) -> T {
-        self.constant.balance(k.stiffness * k.stretch * k.lost)
-    }
-    /// Kinetic energy at a place: that of the start and the work of all forces on the way. The spring gives off
-    /// `1/2 ks (x0^2 - x1^2)`, written as a product with the way: near equilibrium its difference from the work of the
-    /// other forces would lose all digits.
-    fn energy(&self, s: T) -> T {
-        let done = match self.store {
-            None => self.constant * s,
-            Some(k) if self.slack().is_some_and(|at| s.value() > at.value()) => {
-                (self.constant * s).balance((k.stiffness * k.stretch.square()).scale2(-1))
-            }
-            Some(k) => self.push(k).balance(-(k.stiff() * s).scale2(-1)) * s,
-        };
-        self.energy0.balance(done)
-    }
-    fn speed(&self, s: T) -> T {
-        (self.energy(s).scale2(1) / self.doubled).root()
-    }
-    /// Place at which the cord goes slack, if it does.
-    fn slack(&self) -> Option<T> {
-        self.store.filter(|k| !k.rigid && k.lost.sign() > 0.0).map(|k| k.stretch / k.lost)
-    }
-    /// Place at which the whole energy is stored or spent.
-    fn turning(&self) -> Option<T> {
-        if let Some(at) = self.slack() {
-            let left = self.energy(at);
-            if left.sign() > 0.0 || at.is_zero() {
-                return (self.constant.sign() < 0.0).then(|| at - left / self.constant);
-            }
-        }
-        match self.store {
-            // energy0 + (Q + ks x0 l) s - 1/2 ks l^2 s^2 = 0
-            Some(k) => {
-                let stiff = k.stiff();
-                let linear = self.push(k);
-                if self.energy0.is_zero() {
-                    return Some(linear.scale2(1) / stiff);
-                }
-                let radicand = linear.square() + stiff.scale2(1) * self.energy0;
-                Some((linear + radicand.root()) / stiff)
-            }
-            None => (self.constant.sign() < 0.0).then(|| -self.energy0 / self.constant),
-        }
-    }
-    /// Place and speed at which the kinetic energy is greatest: where the power vanishes.
-    fn fastest(&self) -> Option<(T, T)> {
-        let start = self.store.map_or(self.constant, |k| self.push(k));
-        if start.sign() <= 0.0 {
-            // It is never driven on: fastest at the start, if it was thrown.
-            return (!self.u0.is_zero()).then(|| (T::zero(), self.u0));
-        }
-        let k = self.store?;
-        let balanced = start / k.stiff();
-        let at = match self.slack() {
-            Some(slack) if balanced.value() >= slack.value() => {
-                if self.constant.sign() > 0.0 {
-                    return None;
-                }
-                slack
-            }
-            _ => balanced,
-        };
-        Some((at, self.speed(at)))
-    }
-    /// Time to a place. On a spring `tan(w t / 2) = w s / (u0 + u)`, on a constant force `u = u0 + a t`.
-    fn time(&self, s: T, u: T) -> T {
-        let slack = self.slack();
-        match (self.store, slack) {
-            (Some(_), Some(at)) if s.value() > at.value() => {
-                let v = self.speed(at);
-                self.taut_time(at, v) + self.uniform_time(s - at, v, u)
-            }
-            (Some(_), _) => self.taut_time(s, u),
-            (None, _) => self.uniform_time(s, self.u0, u),
-        }
-    }
-    fn taut_time(&self, s: T, u: T) -> T {
-        let Some(k) = self.store else { return T::zero() };
-        if s.is_zero() {
-            return T::zero();
-        }
-        let w = (k.stiff() / self.doubled).root();
-        trig::atan2(w * s, self.u0 + u).scale2(1) / w
-    }
-    fn uniform_time(&self, s: T, u0: T, u: T) -> T {
-        let change = u - u0;
-        if change.abs().f64() < 0.5 * (u + u0).f64() {
-            // The change of the speed would lose digits: the mean speed keeps them.
-            return (s / (u0 + u)).scale2(1);
-        }
-        if change.is_zero() { T::zero() } else { change * self.doubled / self.constant }
-    }
-    /// Place after a time, by the same half angle.
-    fn place(&self, t: T) -> T {
-        let uniform = |u: T, t: T| u * t + (self.constant / self.doubled * t.square()).scale2(-1);
-        let Some(k) = self.store else { return uniform(self.u0, t) };
-        if let Some(at) = self.slack() {
-            let left = self.energy(at);
-            if left.sign() > 0.0 || at.is_zero() {
-                let v = self.speed(at);
-                let first = self.taut_time(at, v);
-                if t.value() > first.value() {
-                    return at + uniform(v, t - first);
-                }
-            }
-        }
-        let w = (k.stiff() / self.doubled).root();
-        let (sine, cosine) = trig::sin_cos((w * t).scale2(-1));
-        let start = self.push(k) / self.doubled;
-        let (push, glide) = (start / w.square() * sine, self.u0 / w * cosine);
-        ((push + glide) * sine).scale2(1)
-    }
-    /// First place at which the speed is `u`.
-    fn where_speed(&self, u: T) -> Option<T> {
-        let need = (self.doubled * (u - self.u0) * (u + self.u0)).scale2(-1);
-        if need.is_zero() {
-            return Some(T::zero());
-        }
-        let not_negative = |s: T| (s.value() >= Dd::ZERO).then_some(s);
-        let Some(k) = self.store else {
-            return if self.constant.is_zero() { None } else { not_negative(need / self.constant) };
-        };
-        let stiff = k.stiff();
-        let linear = self.push(k);
-        let radicand = linear.square() - stiff.scale2(1) * need;
-        let taut = if radicand.sign() < 0.0 {
-            None
-        } else if need.sign() > 0.0 && linear.sign() > 0.0 {
-            Some(need.scale2(1) / (linear + radicand.root()))
-        } else {
-            not_negative((linear + radicand.root()) / stiff)
-        };
-        match (taut, self.slack()) {
-            (Some(s), None) => Some(s),
-            (Some(s), Some(at)) if s.value() <= at.value() => Some(s),
-            (_, Some(at)) if !self.constant.is_zero() => {
-                let s = at + (need + self.energy0 - self.energy(at)) / self.constant;
-                (s.value() >= at.value()).then_some(s)
-            }
-            _ => None,
-        }
     }
 }
