@@ -99,7 +99,7 @@ fn cases(sweep: &Sweep) -> String {
             case.variants.to_string(),
             case.tries.to_string(),
             accepted,
-            format!("about {:.0e}", case.valid),
+            if case.tries == 0 { "-".to_owned() } else { format!("about {:.0e}", case.valid) },
         ]);
     }
     tell::table(&rows, &[0])
