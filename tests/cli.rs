@@ -191,8 +191,117 @@ fn a_folder_is_not_overwritten() {
     assert_eq!(room.read("set/notes.txt"), "mine");
     fs::create_dir(room.path("other")).unwrap();
     room.write("other/thesis.tex", "mine");
-    assert_eq!(room.generate("roster.csv", "other", &["--force"]).exit, Exit::Faulty);
+    let ran = room.generate("roster.csv", "other", &["--force"]);
+    assert_eq!(ran.exit, Exit::Faulty);
+    assert_eq!(
+        room.shown(&ran.err),
+        "error: ROOM/other: holds no set\n    hint: --force replaces only what generate made\n"
+    );
     assert_eq!(tree(&room.0.path().join("other")).len(), 1);
+}
+
+#[test]
+fn an_add_that_was_killed_is_made_good_by_the_next() {
+    let room = Room::new(&CLASS);
+    room.roster("early.csv", &CLASS[..3]);
+    for out in ["early", "forced"] {
+        assert_eq!(room.generate("early.csv", out, &[]).exit, Exit::Fine);
+    }
+    assert_eq!(room.generate("roster.csv", "whole", &[]).exit, Exit::Fine);
+    // Killed before set.json was put in its place: sheets and the key of the late ones are there.
+    let set: serde_json::Value = serde_json::from_str(&room.read("whole/set.json")).unwrap();
+    let late = set["students"][4]["folder"].as_str().unwrap();
+    let copy = |out: &str| {
+        fs::create_dir(room.path(&format!("{out}/students/{late}"))).unwrap();
+        for name in ["sheet.md", "sheet.html", "sheet.json"] {
+            let from = room.path(&format!("whole/students/{late}/{name}"));
+            fs::copy(from, room.path(&format!("{out}/students/{late}/{name}"))).unwrap();
+        }
+        fs::copy(room.path("whole/key.csv"), room.path(&format!("{out}/key.csv"))).unwrap();
+    };
+    let early = tree(&room.0.path().join("early"));
+    copy("early");
+    copy("forced");
+    let ran = room.generate("early.csv", "early", &["--add"]);
+    assert_eq!((ran.exit, ran.err.as_str()), (Exit::Fine, ""));
+    assert!(tree(&room.0.path().join("early")) == early, "the old set, nothing else");
+    copy("early");
+    assert_eq!(room.generate("roster.csv", "early", &["--add"]).exit, Exit::Fine);
+    assert!(tree(&room.0.path().join("early")) == tree(&room.0.path().join("whole")));
+    assert_eq!(room.generate("early.csv", "forced", &["--force"]).exit, Exit::Fine);
+    assert!(!Path::new(&room.path(&format!("forced/students/{late}"))).exists());
+    // Killed after set.json: the form is the old one.
+    let form = room.read("whole/submissions.csv");
+    room.write("whole/submissions.csv", &room.read("forced/submissions.csv"));
+    assert_eq!(room.generate("roster.csv", "whole", &["--add"]).exit, Exit::Fine);
+    assert_eq!(room.read("whole/submissions.csv"), form);
+    // A folder that somebody else made is not touched.
+    fs::create_dir(room.path(&format!("forced/students/{late}"))).unwrap();
+    room.write(&format!("forced/students/{late}/mine.txt"), "mine");
+    let ran = room.generate("roster.csv", "forced", &["--add"]);
+    assert_eq!(ran.exit, Exit::Faulty);
+    assert!(ran.err.contains("is there already, and generate did not make it"), "{}", ran.err);
+    assert_eq!(room.read(&format!("forced/students/{late}/mine.txt")), "mine");
+}
+
+#[test]
+#[cfg(target_os = "linux")]
+fn what_killed_runs_left_is_swept_away() {
+    let room = Room::new(&CLASS);
+    let mut child = std::process::Command::new("true").spawn().unwrap();
+    let dead = child.id();
+    child.wait().unwrap();
+    let machine = fs::read_to_string("/proc/sys/kernel/random/boot_id").unwrap();
+    let left = |name: &str, owner: &str| {
+        fs::create_dir_all(room.path(&format!(".slipstick-unfinished-{name}/new/students"))).unwrap();
+        room.write(&format!(".slipstick-unfinished-{name}/slipstick-owner"), owner);
+    };
+    left("dead", &format!("{dead}\n{machine}set\n"));
+    left("alive", &format!("{}\n{machine}set\n", std::process::id()));
+    left("elsewhere", &format!("{dead}\nanother-machine\nset\n"));
+    // Killed between the two renames: the old set is inside.
+    assert_eq!(room.generate("roster.csv", "old", &[]).exit, Exit::Fine);
+    left("between", &format!("{dead}\n{machine}old\n"));
+    fs::rename(room.path("old"), room.path(".slipstick-unfinished-between/old")).unwrap();
+    assert_eq!(room.generate("roster.csv", "set", &[]).exit, Exit::Fine);
+    let there = |name: &str| Path::new(&room.path(&format!(".slipstick-unfinished-{name}"))).exists();
+    assert!(!there("dead") && !there("between") && there("alive") && there("elsewhere"));
+    assert!(tree(&room.0.path().join("old")) == tree(&room.0.path().join("set")));
+}
+
+#[test]
+fn folders_and_files_in_each_others_place_are_explained() {
+    let room = Room::new(&CLASS);
+    let here = std::env::current_dir().unwrap().display().to_string();
+    for out in [".", "..", &here] {
+        let args = [
+            "generate",
+            "wheels-on-inclines",
+            "--seed",
+            "1",
+            "--roster",
+            &room.path("roster.csv"),
+            "--out",
+            out,
+        ];
+        let ran = run(&args);
+        assert_eq!(ran.exit, Exit::Faulty);
+        assert!(ran.err.contains("write into a new folder, such as --out week-5"), "{}", ran.err);
+    }
+    let below = room.generate("roster.csv", "roster.csv/set", &[]);
+    assert!(below.err.contains("something else of this name is in the way"), "{}", below.err);
+    let ran = run(&["grade", &room.path("roster.csv"), &room.path("roster.csv"), "--out", &room.path("g")]);
+    assert!(ran.err.contains("is a file; a set is a folder"), "{}", ran.err);
+    fs::create_dir(room.path("dir")).unwrap();
+    let ran = room.generate("dir", "set", &[]);
+    assert!(ran.err.contains("it is a folder, and a file is wanted"), "{}", ran.err);
+    for ran in [below, ran] {
+        assert!(!ran.err.contains("os error") && !ran.err.contains(".slipstick"), "{}", ran.err);
+    }
+    // Folders named otherwise than the student are told.
+    let ran = room.generate("roster.csv", "set", &[]);
+    assert!(ran.out.contains("\n  ../x is in students/%2E"), "{}", ran.out);
+    assert!(!ran.out.contains("0017 is in"), "{}", ran.out);
 }
 
 #[test]
