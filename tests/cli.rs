@@ -107,6 +107,9 @@ fn a_set_has_its_files_and_nothing_for_students_but_theirs() {
     let key = room.read("set/key.csv");
     assert_eq!(key.lines().next(), Some("student,problem,part,value,unit,eom,energy,gap,cond,tolerance"));
     assert_eq!(key.lines().count(), 1 + 24 * CLASS.len());
+    // A unit reads as people write it and stays on one line.
+    let html = room.read("set/students/0017/sheet.html");
+    assert!(html.contains("in\u{a0}kg\u{a0}m²") && html.contains("<code>2.v</code>, in\u{a0}m/s"), "{html}");
     // No number of the key is in what a student gets.
     let set: serde_json::Value = serde_json::from_str(&room.read("set/set.json")).unwrap();
     let folder = set["students"][0]["folder"].as_str().unwrap().to_owned();
@@ -686,10 +689,20 @@ fn templates_of_ones_own() {
     let own = ["--templates", &room.path("mine")];
     room.write(
         "mine/statement/pulled-rolling.md",
-        "Ein Rad der Masse {{ m }}.\n{% if false %}{{ R }}{% endif %}",
+        "Ein Rad der Masse {{ m }}: {{ R }}, {{ r }}, {{ k }}, {{ theta }}, {{ P }}, {{ d }}, {{ mu_s }}.",
     );
     assert_eq!(room.generate("roster.csv", "set", &own).exit, Exit::Fine);
     assert!(room.read("set/students/0017/sheet.md").contains("Ein Rad der Masse $m = "));
+    // A datum that the statement lacks, in both commands.
+    room.write(
+        "mine/statement/pulled-rolling.md",
+        "A wheel: {{ m }}, {{ R }}, {{ r }}, {{ k }}, {{ theta }}, {{ P }}, {{ d }}.",
+    );
+    let told = "error: ROOM/mine/statement/pulled-rolling.md: the statement never gives `mu_s`\n    hint: write `{{ mu_s }}` where it belongs\n";
+    let ran = room.generate("roster.csv", "other", &own);
+    assert_eq!((ran.exit, room.shown(&ran.err).as_str()), (Exit::Faulty, told));
+    let ran = run(&["lint", "wheels-on-inclines", "--seeds", "5", own[0], own[1]]);
+    assert_eq!((ran.exit, room.shown(&ran.err).as_str()), (Exit::Faulty, told));
     room.write("mine/statement/pulled-rolling.md", "A wheel.\nIts mass is {{ mass }}.\n");
     let ran = room.generate("roster.csv", "other", &own);
     assert_eq!(ran.exit, Exit::Faulty);
@@ -771,6 +784,7 @@ fn what_is_typed_wrong_is_explained() {
     for verb in ["generate", "grade", "check", "practice", "solve", "lint", "demo"] {
         let ran = run(&[verb, "--help"]);
         assert_eq!((ran.exit, ran.err.as_str()), (Exit::Fine, ""));
+        assert!(verb != "generate" || ran.out.contains("required unless --add"), "{}", ran.out);
         assert!(ran.out.contains("Example"), "{verb} teaches by example");
     }
 }
