@@ -173,7 +173,9 @@ fn sweep(folder: &Path) {
 /// Is the process gone that wrote this file? Known only on this machine since its start, else after a day.
 fn is_gone(owner: &Path, pid: u32, run: &str) -> bool {
     if !run.is_empty() && run == machine() {
-        return !Path::new("/proc").join(pid.to_string()).exists();
+        let Ok(stat) = fs::read_to_string(format!("/proc/{pid}/stat")) else { return true };
+        // Behind the name in brackets stands the state: a zombie has ended, nobody has asked how.
+        return stat.rsplit(')').next().is_some_and(|s| s.trim_start().starts_with(['Z', 'X']));
     }
     const DAY: Duration = Duration::from_secs(24 * 60 * 60);
     let modified = fs::metadata(owner).and_then(|m| m.modified());
@@ -184,6 +186,11 @@ fn is_gone(owner: &Path, pid: u32, run: &str) -> bool {
 fn machine() -> String {
     let id = fs::read_to_string("/proc/sys/kernel/random/boot_id").unwrap_or_default();
     id.trim().to_owned()
+}
+
+/// [`sweep`]s where this folder stands.
+pub fn sweep_beside(place: &Path) {
+    sweep(&parent(place));
 }
 
 /// A set or a grading goes into a folder of its own: not the one that people stand in, nor one above it.

@@ -72,10 +72,19 @@ pub fn run(args: &args::Generate, io: &mut Io) -> Exit {
 
 fn generate(args: &args::Generate, io: &mut Io) -> Result<(), Vec<Finding>> {
     let mut faults = Vec::new();
+    // First of all: a set that a killed run had moved aside goes back.
+    files::sweep_beside(&args.out);
     let loaded = banks::load(&args.bank).map_err(|f| faults.extend(f)).ok();
     let members = members(&args.roster).map_err(|f| faults.extend(f)).ok();
     let (Some(loaded), Some(mut members)) = (loaded, members) else { return Err(faults) };
     let templates = banks::templates(&args.own, &loaded.bank)?;
+    // A name that is not known is told with its place when the sheet is written.
+    if banks::unknown_names(&loaded.bank, &templates).is_empty() {
+        let lacking = banks::never_given(&loaded.bank, &templates);
+        if !lacking.is_empty() {
+            return Err(lacking);
+        }
+    }
     let old = if args.add { Some(existing(&args.out)?) } else { None };
     if old.is_none() {
         files::has_a_name(&args.out, "--out week-5").map_err(|f| vec![f])?;
