@@ -631,6 +631,20 @@ fn solve_takes_any_regime_where_none_is_declared() {
 }
 
 #[test]
+fn checks_say_how_a_motion_goes() {
+    let weak = solve(&[], &[("P", "10N")]);
+    assert_eq!(weak.exit, Exit::RegimeFails);
+    let other_way = "the end is not reached: 3.0000 asked, the motion goes the other way";
+    assert!(weak.out.contains(other_way), "{}", weak.out);
+    let scene = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/scenes/g5-openstax-cyl-up-h.yaml");
+    let bank = fs::read_to_string(scene).unwrap();
+    let id = bank.lines().skip_while(|l| *l != "problems:").nth(1).unwrap().trim().trim_end_matches(':');
+    let rises = run(&["solve", scene, id, "--seed", "1"]);
+    assert!(rises.out.contains("it starts with a speed of its own"), "{}", rises.out);
+    assert!(rises.out.contains("the end is reached: it comes to rest after"), "{}", rises.out);
+}
+
+#[test]
 fn solve_refuses_what_is_no_scene() {
     for (symbol, value) in [
         ("m", "-40kg"),
