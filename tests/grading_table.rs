@@ -327,8 +327,44 @@ fn attempts_are_ordered_by_time_and_else_by_row() {
     assert_eq!(verdicts(Attempts::Last), ["right", "superseded", "superseded", "wrong"]);
     assert_eq!(verdicts(Attempts::First), ["superseded", "wrong", "right", "superseded"]);
     assert_eq!(verdicts(Attempts::Best), ["right", "superseded", "right", "superseded"]);
-    let out = run(text);
+    let (out, graded) = run_with(text.as_bytes(), &table(), &Options::default()).unwrap();
     assert!(out.contains("submitted_at cannot be read for every attempt"), "{out}");
+    assert_eq!(graded.untimed, 1);
+}
+
+/// The verdicts of two attempts at one part, right and then wrong by row, with these times; and what else is in the column.
+fn timed(first: &str, second: &str, others: &[&str]) -> (Vec<String>, u64) {
+    let mut text =
+        format!("student,problem,part,answer,submitted_at\nb,1,omega,30.3,{first}\nb,1,omega,31,{second}\n");
+    for other in others {
+        text.push_str(&format!("stranger,1,omega,1,{other}\n"));
+    }
+    let (out, graded) = run_with(text.as_bytes(), &table(), &Options::default()).unwrap();
+    let verdict = |l: &str| l.split(',').nth(6).unwrap().to_owned();
+    (out.lines().skip(1).take(2).map(verdict).collect(), graded.untimed)
+}
+
+#[test]
+fn form_services_times_and_the_order_of_day_and_month() {
+    let first = (vec!["right".to_owned(), "superseded".to_owned()], 0);
+    let second = |untimed| (vec!["superseded".to_owned(), "wrong".to_owned()], untimed);
+    assert_eq!(timed("2026/01/05 1:00:02 PM GMT+1", "2026/01/05 10:00:02 AM GMT+1", &[]), first);
+    assert_eq!(timed("2026/01/05 10:00:02 AM GMT+1", "2026/01/05 10:00:03 AM GMT+1", &[]), second(0));
+    // 5 February and 10 January, or 2 May and 1 October
+    let (a, b) = ("5/2/2026 9:00", "10/1/2026 9:00");
+    assert_eq!(timed(a, b, &["25/1/2026 8:00"]), first);
+    assert_eq!(timed(a, b, &["1/25/2026 8:00"]), second(0));
+    assert_eq!(timed(b, a, &["1/25/2026 8:00"]), first);
+    assert_eq!(timed(b, a, &[]), second(1), "undecided: by row");
+    assert_eq!(timed(b, a, &["1/25/2026 8:00", "25/1/2026 8:00"]), second(1), "contradictory: by row");
+    assert_eq!(timed("05.02.2026 9:00", "10.01.2026 9:00", &[]), first);
+}
+
+#[test]
+fn a_single_attempt_needs_no_time() {
+    let text = "student,problem,part,answer,submitted_at\nb,1,omega,30.3,yesterday\nb,2,v,,\nb,2,v,1.25,\n";
+    let (out, graded) = run_with(text.as_bytes(), &table(), &Options::default()).unwrap();
+    assert_eq!((out.contains("submitted_at"), graded.untimed), (false, 0), "{out}");
 }
 
 #[test]

@@ -17,6 +17,7 @@ use crate::grade::judge::judge_with;
 use crate::grade::table::KeyTable;
 use crate::grade::table::joined;
 use crate::grade::time;
+use crate::grade::time::Evidence;
 use crate::grade::verdict::Judgement;
 use crate::grade::verdict::Verdict;
 use std::borrow::Cow;
@@ -105,6 +106,8 @@ pub struct Graded {
     pub points: Vec<Option<f64>>,
     /// Long or wide form.
     pub wide: bool,
+    /// Parts of a student whose attempts were ordered by row because a `submitted_at` cannot be read.
+    pub untimed: u64,
     /// Columns of the file that were not used.
     pub unused_columns: Vec<String>,
 }
@@ -272,16 +275,25 @@ fn layout(header: Option<Header>, table: &KeyTable, options: &Options) -> Result
 struct Attempt {
     /// 0: none or blank, 1: unreadable, 2: readable.
     class: u8,
-    timed: bool,
-    untimed: bool,
-    by_time: (i64, u64),
+    /// More than one of this class.
+    several: bool,
+    /// A time that cannot be read, and one with slashes, and one with points, whose day and month are uncertain.
+    untimed: [bool; 3],
+    /// With the day first, with the month first.
+    by_time: [(i64, u64); 2],
     by_row: u64,
     best: (f64, u64),
 }
 
 impl Attempt {
-    const NONE: Attempt =
-        Attempt { class: 0, timed: false, untimed: false, by_time: (0, 0), by_row: 0, best: (0.0, 0) };
+    const NONE: Attempt = Attempt {
+        class: 0,
+        several: false,
+        untimed: [false; 3],
+        by_time: [(0, 0); 2],
+        by_row: 0,
+        best: (0.0, 0),
+    };
     /// Of two, what counts; the order in which they are joined does not matter.
     fn join(&mut self, other: &Attempt, attempts: Attempts) {
         if other.class == 0 || self.class > other.class {
@@ -291,11 +303,15 @@ impl Attempt {
             *self = *other;
             return;
         }
-        self.timed |= other.timed;
-        self.untimed |= other.untimed;
+        self.several = true;
         let first = attempts == Attempts::First;
-        if (other.by_time < self.by_time) == first {
-            self.by_time = other.by_time;
+        for (mine, other) in self.untimed.iter_mut().zip(other.untimed) {
+            *mine |= other;
+        }
+        for (mine, other) in self.by_time.iter_mut().zip(other.by_time) {
+            if (other < *mine) == first {
+                *mine = other;
+            }
         }
         if (other.by_row < self.by_row) == first {
             self.by_row = other.by_row;
@@ -304,15 +320,25 @@ impl Attempt {
             self.best = other.best;
         }
     }
-    /// Place of the attempt that counts.
-    #[inline]
-    fn winner(&self, attempts: Attempts) -> u64 {
-        match attempts {
+    /// What the whole column of times makes of it.
+    fn decide(&self, attempts: Attempts, evidence: Evidence) -> Winner {
+        let [unread, slashed, dotted] = self.untimed;
+        let untimed = unread || (slashed && !evidence.decides(false)) || (dotted && !evidence.decides(true));
+        let at = match attempts {
             Attempts::Best => self.best.1,
-            _ if self.untimed => self.by_row,
-            _ => self.by_time.1,
-        }
+            _ if untimed => self.by_row,
+            _ => self.by_time[evidence.choice()].1,
+        };
+        Winner { at, by_row: untimed && self.several && attempts != Attempts::Best }
     }
+}
+
+/// The attempt that counts.
+#[derive(Debug, Clone, Copy)]
+struct Winner {
+    at: u64,
+    /// Taken by row from several, because a time cannot be read.
+    by_row: bool,
 }
 
 /// A place in the file: the line, then the column of a wide file.
@@ -329,6 +355,7 @@ struct Worker {
     last_student: Option<(Vec<u8>, u32)>,
     last_part: Option<(Vec<u8>, u32)>,
     attempts: Vec<Attempt>,
+    evidence: Evidence,
     points: Vec<(u32, f64)>,
     cells: u64,
     counts: Counts,
@@ -345,6 +372,7 @@ impl Worker {
             last_student: None,
             last_part: None,
             attempts: vec![Attempt::NONE; if first_pass { cells } else { 0 }],
+            evidence: Evidence::default(),
             points: Vec::new(),
             cells: 0,
             counts: Counts::default(),
@@ -362,7 +390,6 @@ struct Cell<'a> {
     problem: &'a [u8],
     part: &'a [u8],
     answer: &'a [u8],
-    submitted: Option<&'a [u8]>,
     who: Option<u32>,
     what: Option<u32>,
 }
@@ -472,7 +499,6 @@ fn cells<'a>(
             found
         }
     };
-    let submitted = layout.submitted.and_then(|i| record.get(i)).map(|t| t.trim_ascii());
     let line = record.line();
     match &layout.form {
         Form::Long { problem, part, answer } => {
@@ -490,7 +516,7 @@ fn cells<'a>(
                 }
             };
             let answer = record.get(*answer).unwrap_or_default();
-            each(memory, &Cell { line, column: None, student, problem, part, answer, submitted, who, what });
+            each(memory, &Cell { line, column: None, student, problem, part, answer, who, what });
         }
         Form::Wide(all) => {
             for (index, one) in all.iter().enumerate() {
@@ -501,7 +527,6 @@ fn cells<'a>(
                     problem: one.problem.as_bytes(),
                     part: one.part.as_bytes(),
                     answer: record.get(one.field).unwrap_or_default(),
-                    submitted,
                     who,
                     what: one.column,
                 };
@@ -549,12 +574,18 @@ fn judged(table: &KeyTable, who: u32, what: u32, answer: &[u8], units: &mut Unit
 }
 
 fn first_pass(worker: &mut Worker, batch: &Batch, table: &KeyTable, layout: &Layout, options: &Options) {
-    let Worker { record, units, key, last_student, last_part, attempts, .. } = worker;
+    let Worker { record, units, key, last_student, last_part, attempts, evidence, .. } = worker;
     let mut memory = Memory { last_student, last_part, key, units };
     batch.records(record, &mut |record| {
         if !matches!(sort_of_row(record, layout), Row::Cells) {
             return;
         }
+        let text = layout.submitted.and_then(|i| record.get(i)).and_then(|t| std::str::from_utf8(t).ok());
+        let time = text.and_then(time::parse);
+        if let Some(moment) = time {
+            evidence.join(moment.evidence);
+        }
+        let uncertain = time.and_then(|t| t.uncertain);
         cells(record, layout, table, &mut memory, &mut |memory, cell| {
             let (Some(who), Some(what)) = (cell.who, cell.what) else { return };
             let index = who as usize * table.columns.len() + what as usize;
@@ -573,12 +604,15 @@ fn first_pass(worker: &mut Worker, batch: &Batch, table: &KeyTable, layout: &Lay
                 (class, judgement.points)
             };
             let at = place(cell.line, cell.column.map_or(0, |(i, _)| i));
-            let time = cell.submitted.and_then(|t| std::str::from_utf8(t).ok()).and_then(time::parse);
             let one = Attempt {
                 class,
-                timed: time.is_some(),
-                untimed: cell.submitted.is_some() && time.is_none(),
-                by_time: (time.unwrap_or(0), at),
+                several: false,
+                untimed: [
+                    layout.submitted.is_some() && time.is_none(),
+                    uncertain == Some(false),
+                    uncertain == Some(true),
+                ],
+                by_time: time.map_or([0; 2], |t| t.micros).map(|t| (t, at)),
                 by_row: at,
                 best: (points, at),
             };
@@ -595,8 +629,7 @@ fn second_pass(
     out: &mut Vec<u8>,
     table: &KeyTable,
     layout: &Layout,
-    options: &Options,
-    winners: &[Attempt],
+    winners: &[Winner],
 ) {
     let Worker {
         record,
@@ -694,8 +727,7 @@ fn second_pass(
             };
             let index = who as usize * table.columns.len() + what as usize;
             let judgement = judged(table, who, what, cell.answer, memory.units);
-            let attempt = &winners[index];
-            let winner = attempt.winner(options.attempts);
+            let Winner { at: winner, by_row } = winners[index];
             let counts_not = !matches!(judgement.verdict, Verdict::Blank | Verdict::UnknownPart);
             let at = place(cell.line, cell.column.map_or(0, |(i, _)| i));
             let superseded = counts_not && winner != at;
@@ -711,7 +743,7 @@ fn second_pass(
             out.push(b',');
             push_float(out, table.hot[index].points);
             out.push(b',');
-            let by_row = attempt.untimed && options.attempts != Attempts::Best && counts_not;
+            let by_row = by_row && counts_not;
             if superseded {
                 // none of these words needs quotes unless the reason does
                 let plain = matches!(judgement.reason, Cow::Borrowed(_));
@@ -779,19 +811,23 @@ pub fn grade(
             &mut heard,
         )?
     };
-    let mut winners = vec![Attempt::NONE; table.students.len() * table.columns.len()];
+    let mut all = vec![Attempt::NONE; table.students.len() * table.columns.len()];
+    let mut evidence = Evidence::default();
     for worker in workers {
-        for (all, one) in winners.iter_mut().zip(&worker.attempts) {
+        evidence.join(worker.evidence);
+        for (all, one) in all.iter_mut().zip(&worker.attempts) {
             all.join(one, options.attempts);
         }
     }
+    let winners: Vec<Winner> = all.iter().map(|a| a.decide(options.attempts, evidence)).collect();
+    drop(all);
     let (source, _) = Source::open(open()?)?;
     out.write_all(ANSWERS_HEADER.as_bytes())?;
     let workers = (0..threads).map(|_| Worker::new(table, false)).collect();
     let workers = sweep(
         source,
         workers,
-        &|w, batch, out| second_pass(w, batch, out, table, &layout, options, &winners),
+        &|w, batch, out| second_pass(w, batch, out, table, &layout, &winners),
         Some(&mut *out),
         &mut |n| progress(read + n),
     )?;
@@ -802,6 +838,7 @@ pub fn grade(
         by_column: vec![Counts::default(); table.columns.len()],
         points: vec![None; winners.len()],
         wide: matches!(layout.form, Form::Wide(_)),
+        untimed: winners.iter().filter(|w| w.by_row).count() as u64,
         unused_columns: layout.unused.clone(),
     };
     for worker in workers {
