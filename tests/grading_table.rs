@@ -342,8 +342,21 @@ fn a_messy_long_file() {
     14,,,,,",,,,",blank,0,0,an empty record
     15,,b,1,friction,-62.6 N,wrong direction,0,1,"the magnitude is right, the sign is not"
     16,,b,2,rolls,'=1+1,unreadable,0,1,"more than one number: write one number and its unit; write one of: yes, no"
-    17,,b,1,omega,"b,1,omega,""30.3",unreadable,0,0,4 fields where the header has 5
+    17,,b,1,omega,"b,1,omega,""30.3",unreadable,0,0,4 fields where the header has 5: a quote opened on line 17 is not closed there
     18,,nobody,2,rolls,yes,right,1,1,the right word
+    "#);
+}
+
+#[test]
+fn a_quote_left_open_swallows_no_answer() {
+    let text = "student,problem,part,answer\nb,1,omega,\"30.3\nb,1,friction,62 N\n00123,2,v,1.25\"\nb,2,v,\"1.25\nm/s\"\n";
+    insta::assert_snapshot!(run(text), @r#"
+    line,column,student,problem,part,answer,verdict,points,max_points,reason
+    2,,b,1,omega,"""30.3",unreadable,0,1,a quote opened on line 2 is not closed there
+    3,,b,1,friction,62 N,right,1,1,within the tolerance
+    4,,00123,2,v,"1.25""",unreadable,0,1,"unexpected `\""` at column 1"
+    5,,b,2,v,"1.25
+    m/s",right,1,1,within the tolerance
     "#);
 }
 

@@ -433,11 +433,19 @@ fn sort_of_row(record: &Record, layout: &Layout) -> Row {
     if n > layout.width && split.is_none() && spare {
         return Row::Cells;
     }
-    let count = format!("{n} fields where the header has {}", layout.width);
+    let mut count = format!("{n} fields where the header has {}", layout.width);
+    if record.quote_left_open() {
+        count.push_str(&format!(": {}", open_quote(record.line())));
+    }
     if let Some(said) = split {
         return Row::Unreadable(format!("{count}: {said}"));
     }
     Row::Unreadable(count)
+}
+
+/// What is said of a quote that is an ordinary character.
+fn open_quote(line: u64) -> String {
+    format!("a quote opened on line {line} is not closed there")
 }
 
 /// Explains an answer such as `1,25 m/s` that stands in a comma file without quotes. Where the record would also fit
@@ -726,7 +734,13 @@ fn second_pass(
                 return;
             };
             let index = who as usize * table.columns.len() + what as usize;
-            let judgement = judged(table, who, what, cell.answer, memory.units);
+            let mut judgement = judged(table, who, what, cell.answer, memory.units);
+            if judgement.verdict == Verdict::Unreadable
+                && record.quote_left_open()
+                && cell.answer.trim_ascii_start().starts_with(b"\"")
+            {
+                judgement.reason = Cow::Owned(open_quote(cell.line));
+            }
             let Winner { at: winner, by_row } = winners[index];
             let counts_not = !matches!(judgement.verdict, Verdict::Blank | Verdict::UnknownPart);
             let at = place(cell.line, cell.column.map_or(0, |(i, _)| i));
