@@ -333,16 +333,16 @@ fn a_messy_long_file() {
     4,,00123,1,omega,,blank,0,1,nothing written
     5,,00123,1,omega,huh?,superseded,0,1,superseded by line 3; would have been unreadable: neither a number nor a known word
     6,,123,1,omega,30.3,unknown student,0,0,not on the roster; did you mean 00123?
-    8,,b,2,v,"b,2,v,1,25 m/s,",unreadable,0,0,"6 fields where the header has 5: the comma split the answer: quote it (""1,25 m/s"") or write 1.25 m/s"
+    8,,b,2,v,"b,2,v,1,25 m/s,",unreadable,0,1,"6 fields where the header has 5: the comma split the answer: quote it (""1,25 m/s"") or write 1.25 m/s"
     9,,b,2,v,"1,25 m/s",right,1,1,within the tolerance; the comma is read as the decimal mark
-    10,,b,2,rolls,"b,2,rolls",unreadable,0,0,3 fields where the header has 5
-    11,,b,2,v,"b,2,v,-1,25,a",unreadable,0,0,"6 fields where the header has 5: the comma split the answer: quote it (""-1,25"") or write -1.25"
+    10,,b,2,rolls,"b,2,rolls",unreadable,0,1,3 fields where the header has 5
+    11,,b,2,v,"b,2,v,-1,25,a",unreadable,0,1,"6 fields where the header has 5: the comma split the answer: quote it (""-1,25"") or write -1.25"
     12,,b,2,omgea,1,unknown part,0,0,"no part `omgea`; parts: v, rolls"
     13,,b,7,v,1,unknown part,0,0,"no problem `7`; problems: 1 (rolling), 2 (slipping)"
     14,,,,,",,,,",blank,0,0,an empty record
     15,,b,1,friction,-62.6 N,wrong direction,0,1,"the magnitude is right, the sign is not"
     16,,b,2,rolls,'=1+1,unreadable,0,1,"more than one number: write one number and its unit; write one of: yes, no"
-    17,,b,1,omega,"b,1,omega,""30.3",unreadable,0,0,4 fields where the header has 5: a quote opened on line 17 is not closed there
+    17,,b,1,omega,"""30.3",unreadable,0,1,a quote opened on line 17 is not closed there
     18,,nobody,2,rolls,yes,right,1,1,the right word
     "#);
 }
@@ -358,6 +358,46 @@ fn a_quote_left_open_swallows_no_answer() {
     5,,b,2,v,"1.25
     m/s",right,1,1,within the tolerance
     "#);
+}
+
+#[test]
+fn columns_at_the_end_may_be_missing_and_odd_bytes_hide_no_name() {
+    let text =
+        b"student,problem,part,answer,submitted_at,remark\nb,1.0,omega,30.3\nb,01,friction,62 N,2026-01-01\n\
+        b,2,v,1,25 m/s\nb,2,rolls,y\0es,,\nb,2,rolls\nstr\0ange,2,rolls,yes,,\n";
+    let out = run_with(text, &table(), &Options::default()).unwrap().0;
+    insta::assert_snapshot!(out.replace('\u{fffd}', "?"), @r#"
+    line,column,student,problem,part,answer,verdict,points,max_points,reason
+    2,,b,1,omega,30.3,right,1,1,within the tolerance
+    3,,b,1,friction,62 N,right,1,1,within the tolerance
+    4,,b,2,v,"b,2,v,1,25 m/s",unreadable,0,1,"5 fields where the header has 6: the comma split the answer: quote it (""1,25 m/s"") or write 1.25 m/s"
+    5,,b,2,rolls,"b,2,rolls,y?es,,",unreadable,0,1,bytes that are no text: save the file as UTF-8
+    6,,b,2,rolls,"b,2,rolls",unreadable,0,1,3 fields where the header has 6
+    7,,,2,rolls,"str?ange,2,rolls,yes,,",unreadable,0,0,bytes that are no text: save the file as UTF-8
+    "#);
+}
+
+#[test]
+fn parts_may_be_mapped_to_headers() {
+    let text = "ID,Angular speed,Friction,note\nb,30.3,62 N,x\n";
+    let map = |pairs: &[(&str, &str)]| Options {
+        columns: pairs.iter().map(|(a, b)| ((*a).to_owned(), (*b).to_owned())).collect(),
+        ..Options::default()
+    };
+    let options = map(&[("student", "ID"), ("1.omega", "Angular speed"), ("rolling.friction", "friction")]);
+    insta::assert_snapshot!(run_with(text.as_bytes(), &table(), &options).unwrap().0, @r"
+    line,column,student,problem,part,answer,verdict,points,max_points,reason
+    2,Angular speed,b,1,omega,30.3,right,1,1,within the tolerance
+    2,Friction,b,1,friction,62 N,right,1,1,within the tolerance
+    ");
+    let options = map(&[("student", "ID"), ("1.omgea", "Angular speed"), ("9.v", "note"), ("2.v", "Speed")]);
+    insta::assert_snapshot!(run_with(text.as_bytes(), &table(), &options).unwrap_err().to_string(), @"
+    --columns: no part `omgea`; did you mean omega? parts: omega, friction
+    --columns: unknown column `9.v`
+        hint: one of student, problem, part, answer, submitted_at, or a part such as 1.omega
+    line 1, column 1: header: no column `Speed`
+        hint: the columns are: ID | Angular speed | Friction | note
+    ");
 }
 
 #[test]
@@ -490,6 +530,35 @@ fn a_million_rows_are_accounted_for() {
     }
     assert_eq!(lines.next(), None);
     assert!(graded.count(Verdict::Unreadable) >= 3000, "{:?}", graded.counts);
+}
+
+/// A line of 100 MB, in one field or in many, quoted or not, is one unreadable record and is never held.
+#[test]
+fn a_line_of_100_mb_is_not_held() {
+    use std::io::Read;
+    let peak = || {
+        let status = std::fs::read_to_string("/proc/self/statm").unwrap_or_default();
+        status.split(' ').nth(1).and_then(|pages| pages.parse::<u64>().ok()).unwrap_or(0) * 4096
+    };
+    for filler in [b'x', b',', b'"'] {
+        let before = peak();
+        let open = || {
+            let head = Cursor::new(b"student,problem,part,answer\nb,1,omega,\"1".to_vec());
+            let tail = Cursor::new(b"\nb,1,omega,30.3\n".to_vec());
+            Ok(Box::new(head.chain(std::io::repeat(filler).take(100 << 20)).chain(tail))
+                as Box<dyn Read + Send>)
+        };
+        let (mut out, mut most) = (Vec::new(), 0);
+        let options = Options { threads: 2, ..Options::default() };
+        let graded = grade(&open, &table(), &options, &mut out, &mut |_| most = peak().max(most)).unwrap();
+        let out = String::from_utf8(out).unwrap();
+        assert_eq!((graded.cells, graded.count(Verdict::Right)), (2, 1), "{out}");
+        assert!(
+            out.contains("a field longer than 64 KiB") && out.contains("3,,b,1,omega,30.3,right"),
+            "{out}"
+        );
+        assert!(most.saturating_sub(before) < 50 << 20, "{filler}: {before} then {most}");
+    }
 }
 
 mod any {

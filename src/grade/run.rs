@@ -136,6 +136,8 @@ enum Form {
 /// What stands where.
 struct Layout {
     width: usize,
+    /// A record with fewer fields lacks one that is needed.
+    least: usize,
     delimiter: u8,
     student: usize,
     submitted: Option<usize>,
@@ -156,11 +158,47 @@ fn layout(header: Option<Header>, table: &KeyTable, options: &Options) -> Result
     };
     let mut findings = Vec::new();
     const ROLES: [&str; 5] = ["student", "problem", "part", "answer", "submitted_at"];
-    for (role, _) in options.columns.iter().filter(|(role, _)| !ROLES.contains(&role.as_str())) {
-        findings.push(
-            Finding::new("--columns", format!("unknown column `{role}`"))
-                .hint(format!("one of {}", ROLES.join(", "))),
-        );
+    // `problem.part` stands for a column of a wide file
+    let mut mapped_parts = Vec::new();
+    for (role, wanted) in options.columns.iter().filter(|(role, _)| !ROLES.contains(&role.as_str())) {
+        let Some((problem, part)) = role.split_once('.').filter(|(p, _)| table.has_problem(p.trim())) else {
+            findings.push(
+                Finding::new("--columns", format!("unknown column `{role}`"))
+                    .hint(format!("one of {}, or a part such as 1.omega", ROLES.join(", "))),
+            );
+            continue;
+        };
+        let (problem, part) = (problem.trim(), part.trim());
+        let mut key = Vec::new();
+        joined(problem.as_bytes(), part.as_bytes(), &mut key);
+        let column = table.column(&key);
+        if column.is_none() {
+            findings.push(Finding::new("--columns", table.unknown_part(problem, part)));
+        }
+        let exact: Vec<usize> = (0..header.fields.len()).filter(|i| header.fields[*i] == *wanted).collect();
+        let hits = if exact.is_empty() {
+            let wanted = plain_header(wanted);
+            (0..header.fields.len()).filter(|i| plain_header(&header.fields[*i]) == wanted).collect()
+        } else {
+            exact
+        };
+        if let [field] = hits[..] {
+            mapped_parts.push(WideColumn {
+                field,
+                header: header.fields[field].clone(),
+                problem: problem.to_owned(),
+                part: part.to_owned(),
+                column,
+            });
+        } else {
+            let said = match hits.len() {
+                0 => format!("no column `{wanted}`"),
+                n => format!("column `{wanted}` stands there {n} times"),
+            };
+            let hint =
+                format!("the columns are: {}", header.fields[..header.fields.len().min(30)].join(" | "));
+            findings.push(Finding::new("header", said).at(header.line as usize, 1).hint(hint));
+        }
     }
     let mut find = |role: &str, required: bool| -> Option<usize> {
         let mapped = options.columns.iter().find(|(r, _)| r == role).map(|(_, h)| h.as_str());
@@ -204,6 +242,9 @@ fn layout(header: Option<Header>, table: &KeyTable, options: &Options) -> Result
     let mut wide = Vec::new();
     let mut key = Vec::new();
     for (field, text) in header.fields.iter().enumerate() {
+        if mapped_parts.iter().any(|m| m.field == field) {
+            continue;
+        }
         let Some((problem, part)) = text.split_once('.') else { continue };
         let (problem, part) = (problem.trim(), part.trim());
         let number = !problem.is_empty() && problem.bytes().all(|b| b.is_ascii_digit());
@@ -220,11 +261,14 @@ fn layout(header: Option<Header>, table: &KeyTable, options: &Options) -> Result
             column,
         });
     }
+    let told = !mapped_parts.is_empty();
+    wide.append(&mut mapped_parts);
+    wide.sort_by_key(|w| w.field);
     let names_long = |role: &str| {
         options.columns.iter().any(|(r, _)| r == role)
             || header.fields.iter().any(|h| plain_header(h) == role)
     };
-    let is_wide = !wide.is_empty() && !["problem", "part", "answer"].into_iter().all(names_long);
+    let is_wide = told || !wide.is_empty() && !["problem", "part", "answer"].into_iter().all(names_long);
     let form = if is_wide {
         for (i, one) in wide.iter().enumerate() {
             if wide[..i].iter().any(|w| w.column.is_some() && w.column == one.column) {
@@ -257,8 +301,13 @@ fn layout(header: Option<Header>, table: &KeyTable, options: &Options) -> Result
             };
             let unused =
                 (0..header.fields.len()).filter(|i| !used(*i)).map(|i| header.fields[i].clone()).collect();
+            let least = match &form {
+                Form::Long { problem, part, answer } => *problem.max(part).max(answer),
+                Form::Wide(all) => all.iter().map(|w| w.field).max().unwrap_or(0),
+            };
             Ok(Layout {
                 width: header.fields.len(),
+                least: least.max(student) + 1,
                 delimiter: header.delimiter,
                 student,
                 submitted,
@@ -410,10 +459,12 @@ fn sort_of_row(record: &Record, layout: &Layout) -> Row {
         None => {}
     }
     let n = record.len();
-    let odd = n > layout.width && layout.delimiter == b',';
+    // a short record may hold the halves of a split answer in place of the last columns
+    let odd = n != layout.width && layout.delimiter == b',';
     // `1,25 m/s` may also have pushed its second half into the column of the time
     let pushed = matches!(layout.form, Form::Long { answer, .. } if layout.submitted == Some(answer + 1));
-    let spare = (layout.width..n).all(|i| blank(record.get(i).unwrap_or_default()));
+    let fits = n >= layout.least;
+    let spare = fits && (layout.width..n).all(|i| blank(record.get(i).unwrap_or_default()));
     let split = if odd || (pushed && layout.delimiter == b',') {
         comma_split(record, layout, n, spare)
     } else {
@@ -430,7 +481,7 @@ fn sort_of_row(record: &Record, layout: &Layout) -> Row {
     if (0..n).all(|i| blank(record.get(i).unwrap_or_default())) {
         return Row::Empty;
     }
-    if n > layout.width && split.is_none() && spare {
+    if split.is_none() && spare {
         return Row::Cells;
     }
     let mut count = format!("{n} fields where the header has {}", layout.width);
@@ -477,6 +528,11 @@ fn comma_split(record: &Record, layout: &Layout, n: usize, fits: bool) -> Option
 fn blank(text: &[u8]) -> bool {
     text.iter().all(|b| *b == b' ' || *b == b'\t')
         || std::str::from_utf8(text).is_ok_and(|t| t.trim().is_empty())
+}
+
+/// Text without NUL, replacement characters and control characters.
+fn clean(text: &[u8]) -> bool {
+    std::str::from_utf8(text).is_ok_and(|t| !t.contains(|c: char| c == '\u{fffd}' || c.is_control()))
 }
 
 /// A field without blanks around it.
@@ -659,17 +715,34 @@ fn second_pass(
             Form::Long { answer, .. } => *answer,
             Form::Wide(_) => usize::MAX,
         };
-        let fits = record.fault().is_none();
+        let bytes = record.fault() == Some(RecordFault::Bytes);
+        let in_place = |i: usize| i < before_answer || (bytes && record.len() == layout.width);
         // what stands before the trouble can be shown in its column
         let field = |i: usize| {
-            if fits && i < before_answer { trimmed(record.get(i).unwrap_or_default()) } else { b"" }
+            let text = trimmed(record.get(i).unwrap_or_default());
+            let fits = record.fault().is_none() || (bytes && clean(text));
+            if fits && in_place(i) { text } else { b"" }
         };
-        push_text(out, if layout.student < before_answer { field(layout.student) } else { b"" });
+        let student = field(layout.student);
+        push_text(out, student);
         out.push(b',');
+        let mut points = None;
         if let Form::Long { problem, part, .. } = layout.form {
-            push_text(out, field(problem));
-            out.push(b',');
-            push_text(out, field(part));
+            let mut key = Vec::new();
+            joined(field(problem), field(part), &mut key);
+            match table.column(&key) {
+                Some(what) => {
+                    out.extend_from_slice(&table.columns[what as usize].fields);
+                    points = table
+                        .student(student)
+                        .map(|who| table.hot[who as usize * table.columns.len() + what as usize].points);
+                }
+                None => {
+                    push_text(out, field(problem));
+                    out.push(b',');
+                    push_text(out, field(part));
+                }
+            }
         } else {
             out.push(b',');
         }
@@ -677,7 +750,9 @@ fn second_pass(
         push_text(out, record.shown(layout.delimiter).as_bytes());
         out.push(b',');
         out.extend_from_slice(verdict.as_str().as_bytes());
-        out.extend_from_slice(b",0,0,");
+        out.extend_from_slice(b",0,");
+        push_float(out, points.unwrap_or(0.0));
+        out.push(b',');
         push_text(out, reason.as_bytes());
         out.push(b'\n');
     };
