@@ -242,6 +242,28 @@ fn grading_replays_the_key_and_writes_both_files() {
 }
 
 #[test]
+fn submissions_come_through_a_pipe() {
+    let room = Room::new(&CLASS[..2]);
+    assert_eq!(room.generate("roster.csv", "set", &["--problems", "pulled-rolling"]).exit, Exit::Fine);
+    let (v, unit) = key_of(&room, "0017", "1", "v");
+    let piped = format!("student,problem,part,answer\n0017,1,v,{v} {unit}\n");
+    let (set, out) = (room.path("set"), room.path("grades"));
+    let ran = run_with(&["grade", &set, "-", "--out", &out], &piped);
+    assert_eq!((ran.exit, ran.err.as_str()), (Exit::Fine, ""));
+    let answers = room.read("grades/answers.csv");
+    assert!(answers.lines().nth(1).unwrap().contains(",right,"), "{answers}");
+    // The program itself holds the lock of its standard input: it must not wait for it.
+    assert_cmd::Command::cargo_bin("slipstick")
+        .unwrap()
+        .args(["grade", &set, "-", "--out", &room.path("again")])
+        .write_stdin(piped)
+        .timeout(std::time::Duration::from_secs(60))
+        .assert()
+        .code(0);
+    assert_eq!(room.read("again/answers.csv"), answers);
+}
+
+#[test]
 fn a_changed_set_is_not_graded() {
     let room = Room::new(&CLASS[..2]);
     assert_eq!(room.generate("roster.csv", "set", &[]).exit, Exit::Fine);

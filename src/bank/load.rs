@@ -1,5 +1,6 @@
 //! Text to bank; keeper of the YAML crate.
 use crate::bank::Bank;
+use crate::bank::Variables;
 use crate::bank::node::{Faults, Node, Value};
 use crate::bank::schema;
 use crate::finding::Finding;
@@ -10,9 +11,6 @@ use std::fmt;
 
 /// Largest bank that is read, bytes: a hundred times the built-in ones.
 pub const MAX_BYTES: usize = 4 << 20;
-
-/// How the variables of a template are found: template text in, names out, or what is wrong with the template.
-pub type Variables<'a> = &'a dyn Fn(&str) -> Result<Vec<String>, Vec<Finding>>;
 
 /// Reads a bank. All findings come at once; only a fault of the YAML syntax stands alone.
 ///

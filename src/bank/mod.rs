@@ -1,7 +1,15 @@
 //! What an instructor writes: problems with their data, scenes, questions and rules, checked and ready to be drawn.
+use crate::finding::Finding;
 use crate::scene::{Label, Scene};
 use crate::solve::outcome::CheckKind;
 use crate::units::Unit;
+
+/// How the variables of a template are found: template text in, names out, or what is wrong with the template.
+pub type Variables<'a> = &'a dyn Fn(&str) -> Result<Vec<String>, Vec<Finding>>;
+
+/// Names that templates know besides the symbols of the data (what they hold: `sheet/statement.rs`).
+pub const TEMPLATE_NAMES: &[&str] =
+    &["value", "tex", "title", "number", "case", "count", "particles", "motion", "questions"];
 
 /// A bank, checked: every symbol is known, every unit fits, every datum is used.
 #[derive(Debug, Clone)]

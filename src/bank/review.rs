@@ -1,8 +1,8 @@
 //! Sense of ids, ranges and names: is every datum used and admissible, does a quantity exist, are templates' names known.
-use crate::bank::load::Variables;
+use crate::bank::TEMPLATE_NAMES;
+use crate::bank::Variables;
 use crate::bank::node::{Faults, Node, Value, close_name, shorten};
 use crate::bank::scene::{Need, admissible};
-use crate::bank::schema::TEMPLATE_NAMES;
 use crate::bank::{Datum, Draw};
 use crate::finding::Finding;
 use crate::scene::{Attach, Degree, End, Far, Label, Num, Owner, Quantity, RotaryInertia, Scene, Tie};

@@ -1,7 +1,8 @@
 //! The file format of a bank: which fields there are and what they mean. All findings are collected.
+use crate::bank::TEMPLATE_NAMES;
+use crate::bank::Variables;
 use crate::bank::decimal::{self, Decimal};
 use crate::bank::expression::{Expression, Name, Powers};
-use crate::bank::load::Variables;
 use crate::bank::measure;
 use crate::bank::node::{Faults, Fields, Node, Value, close_name, named, shorten};
 use crate::bank::review;
@@ -26,10 +27,6 @@ const MARGINS: [(CheckKind, f64); 4] = [
     (CheckKind::MustSlip, 0.05),
     (CheckKind::Reaches, 0.05),
 ];
-/// Names that templates know besides the symbols of the data (what they hold: `sheet/statement.rs`).
-pub const TEMPLATE_NAMES: &[&str] =
-    &["value", "tex", "title", "number", "case", "count", "particles", "motion", "questions"];
-
 /// What holds for all problems of a bank.
 struct Common {
     gravity: (Decimal, Unit),

@@ -71,7 +71,7 @@ fn demo(dir: &Path, io: &mut Io) -> Result<(), Vec<Finding>> {
         force: false,
         watched: io.watched,
     };
-    let graded = grade::grade(&job)?;
+    let graded = grade::grade(&job, &mut *io.input)?;
     let table = kinds_and_verdicts(&handed, &root.join("grades").join("answers.csv"))?;
     let marks = marks(&root.join("grades").join("gradebook.csv"))?;
     write(MARKER, b"Made by `slipstick demo`, which may replace this folder.\n")?;

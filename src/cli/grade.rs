@@ -21,6 +21,7 @@ use crate::set::replay;
 use crate::set::store::StoredSet;
 use std::fs;
 use std::io;
+use std::io::BufRead;
 use std::io::Read;
 use std::io::Write as _;
 use std::path::Path;
@@ -64,7 +65,7 @@ pub fn run(args: &args::Grade, io: &mut Io) -> Exit {
         force: args.force,
         watched: io.watched,
     };
-    match grade(&job) {
+    match grade(&job, &mut *io.input) {
         Ok(graded) => {
             io.line(&graded.summary);
             let out = args.out.display();
@@ -108,7 +109,7 @@ pub fn replayed(folder: &Path) -> Result<(StoredSet, Vec<SheetKey>), Vec<Finding
 ///
 /// # Errors
 /// The set was changed, the file of submissions cannot be read, or the folder may not be written.
-pub fn grade(job: &Job) -> Result<Graded, Vec<Finding>> {
+pub fn grade(job: &Job, input: &mut dyn BufRead) -> Result<Graded, Vec<Finding>> {
     let mut faults = Vec::new();
     let columns = columns(job.columns).map_err(|f| faults.extend(f)).unwrap_or_default();
     may_write(job.out, job.set, job.force).map_err(|f| faults.push(f)).ok();
@@ -125,8 +126,8 @@ pub fn grade(job: &Job) -> Result<Graded, Vec<Finding>> {
         set.students.iter().map(|s| (s.student.clone(), s.name.clone())).collect();
     let table = KeyTable::new(keys, &names);
     let submissions = job.submissions.display().to_string();
-    let spooled =
-        spool(job.submissions).map_err(|e| vec![files::trouble(job.submissions, "cannot be read", &e)])?;
+    let spooled = spool(job.submissions, input)
+        .map_err(|e| vec![files::trouble(job.submissions, "cannot be read", &e)])?;
     let path = spooled.as_ref().map_or(job.submissions, NamedTempFile::path);
     let size = fs::metadata(path).map_or(0, |m| m.len());
     let bar = files::progress(job.watched && size > 20_000_000, size * 2, "grading");
@@ -167,15 +168,15 @@ pub fn grade(job: &Job) -> Result<Graded, Vec<Finding>> {
     Ok(Graded { summary: summary(&table, &graded) })
 }
 
-/// A pipe is read once, grading reads twice.
-fn spool(path: &Path) -> io::Result<Option<NamedTempFile>> {
+/// A pipe is read once, grading reads twice. Standard input is the caller's, who holds its lock.
+fn spool(path: &Path, input: &mut dyn BufRead) -> io::Result<Option<NamedTempFile>> {
     let is_pipe = path == Path::new("-") || !fs::metadata(path)?.is_file();
     if !is_pipe {
         return Ok(None);
     }
     let mut file = NamedTempFile::new()?;
     if path == Path::new("-") {
-        io::copy(&mut io::stdin().lock(), file.as_file_mut())?;
+        io::copy(input, file.as_file_mut())?;
     } else {
         io::copy(&mut fs::File::open(path)?, file.as_file_mut())?;
     }

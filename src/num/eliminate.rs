@@ -30,14 +30,15 @@ impl<T: Real> Equations<T> {
         &mut self.cells[start..]
     }
 
-    /// Reduces the equations. The unknowns in `free` become pivots only if nothing else is left.
+    /// Reduces the equations. The unknowns in `free` become pivots only if nothing else is left, the last of them first.
     pub fn reduce(mut self, free: &[usize]) -> Reduced<T> {
         let (cols, width) = (self.cols, self.cols + 1);
         let rows = self.cells.len() / width;
         let mut pivot: SmallVec<[Option<usize>; 8]> = smallvec![None; cols];
         let mut used: SmallVec<[bool; 8]> = smallvec![false; rows];
         let mut base: SmallVec<[T; 9]> = SmallVec::new();
-        for allow_free in [false, true] {
+        for allowed in (0..=free.len()).rev() {
+            let kept = &free[..allowed];
             loop {
                 // The pivot that is largest within its own row loses least.
                 let mut best: Option<(usize, usize, f64)> = None;
@@ -45,7 +46,7 @@ impl<T: Real> Equations<T> {
                     let row = &self.cells[i * width..i * width + cols];
                     let size = row.iter().fold(0.0f64, |s, v| s.max(v.f64().abs()));
                     for (j, v) in row.iter().enumerate() {
-                        if pivot[j].is_some() || v.is_zero() || (!allow_free && free.contains(&j)) {
+                        if pivot[j].is_some() || v.is_zero() || kept.contains(&j) {
                             continue;
                         }
                         let share = v.f64().abs() / size;

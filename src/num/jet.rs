@@ -109,7 +109,7 @@ impl<const N: usize> Real for Jet<N> {
     #[inline(always)]
     fn root(self) -> Self {
         let v = Real::root(self.v);
-        if v.hi > 0.0 { self.map(v, 0.5 / v.hi) } else { Self::zero() }
+        if v.hi > 0.0 || v.hi.is_nan() { self.map(v, 0.5 / v.hi) } else { Self::zero() }
     }
     #[inline(always)]
     fn scale2(self, e: i32) -> Self {

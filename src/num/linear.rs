@@ -5,6 +5,7 @@
 //! 1e-30 of the others keeps all its digits: the test of convergence is the residual of each row against the terms of
 //! that row.
 use crate::num::Dd;
+use crate::num::NOISE;
 use crate::num::Real;
 use crate::num::dd::exponent;
 use crate::num::dd::pow2;
@@ -15,9 +16,6 @@ use smallvec::smallvec;
 
 /// A residual below this share of the terms of its row is rounding of double-doubles.
 const CONVERGED: f64 = 1.0 / (1u128 << 98) as f64;
-/// An unknown this small beside its terms is what double-doubles leave of a difference of equals: 2^-98, their roundoff
-/// (2^-104) with room for a few dozen terms.
-const CANCELLED: f64 = 1.0 / (1u128 << 98) as f64;
 /// Refinements before the columns are scaled anew.
 const REFINEMENTS: usize = 6;
 /// Times that the columns may be scaled anew.
@@ -115,6 +113,7 @@ impl<T: Real> Linear<T> {
                 // Terms that cancel altogether leave noise, which no scaling can settle: that unknown is 0.
                 self.cancel(k, column, &inverse, &rows, &cols);
             }
+            self.cancel(k, column, &inverse, &rows, &cols);
             if !settled || column.iter().any(|v| !v.is_finite()) {
                 return Err(Singular { unknowns: n, rank: n.saturating_sub(1) });
             }
@@ -145,7 +144,7 @@ impl<T: Real> Linear<T> {
         for (i, x) in x.iter_mut().enumerate() {
             let terms = self.right.iter().filter(|(_, column, _)| *column == k);
             let natural: f64 = terms.map(|(r, _, v)| (inverse[i * n + r] * rows[*r] * v.f64()).abs()).sum();
-            if x.hi.abs() < CANCELLED * (natural * cols[i]).abs() {
+            if x.hi.abs() <= NOISE * (natural * cols[i]).abs() {
                 *x = Dd::ZERO;
             }
         }

@@ -14,3 +14,7 @@ pub use real::Real;
 
 /// Unit roundoff of a double, 2^-53.
 pub const U: f64 = f64::EPSILON / 2.0;
+
+/// A sum below this share of its terms is rounding of double-doubles, 2^-88: far above their 2^-104, far below the 2^-53
+/// of the data.
+pub const NOISE: f64 = U * U * 262_144.0;

@@ -74,6 +74,21 @@ pub trait Real:
             Self::zero()
         }
     }
+    /// The same, or exactly zero where it is nothing beside `scale`, the sum of the magnitudes of the terms that made it:
+    /// what then is left is the rounding of double-doubles. Its derivatives stay.
+    #[inline(always)]
+    fn cleared(self, scale: f64) -> Self {
+        if self.value().hi.abs() <= crate::num::NOISE * scale {
+            Self::with_slopes(Dd::ZERO, |i| self.slope(i))
+        } else {
+            self
+        }
+    }
+    /// Sum of two terms, [`Real::cleared`].
+    #[inline(always)]
+    fn balance(self, other: Self) -> Self {
+        (self + other).cleared(self.f64().abs() + other.f64().abs())
+    }
     /// Square.
     #[inline(always)]
     fn square(self) -> Self {
@@ -113,7 +128,8 @@ impl Real for Dd {
     }
     #[inline(always)]
     fn root(self) -> Self {
-        if self.hi > 0.0 { self.sqrt() } else { Dd::ZERO }
+        // NaN is no radicand by rounding: it must not come out as a zero.
+        if self.hi > 0.0 || self.hi.is_nan() { self.sqrt() } else { Dd::ZERO }
     }
     #[inline(always)]
     fn scale2(self, e: i32) -> Self {

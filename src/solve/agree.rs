@@ -5,6 +5,8 @@ use crate::num::Real;
 use crate::num::U;
 use crate::scene::End;
 use crate::scene::Label;
+use crate::scene::Owner;
+use crate::scene::Quantity;
 use crate::scene::Scene;
 use crate::scene::Start;
 use crate::scene::Tie;
@@ -24,6 +26,9 @@ use crate::solve::physical;
 
 /// Each road may be off by `8 u max(1, cond)`.
 pub const EACH_ROAD: f64 = 8.0;
+
+/// However ill-conditioned an answer is, the roads compute it from the same data in 32 digits and must share two of its own.
+const NO_DIGITS: f64 = 1e-2;
 
 /// What the equations of motion alone say: nothing of it may be published before [`Half::confirm`].
 #[derive(Debug, Clone)]
@@ -81,6 +86,7 @@ impl Half {
     }
 
     /// Runs the second road and publishes what agrees. Errors: a disagreement, or a quantity that only one road reaches.
+    #[expect(clippy::float_cmp, reason = "senses are exactly -1, 0 or 1")]
     pub fn confirm(self, scene: &Scene, data: &[f64]) -> Result<Solved, Refusal> {
         let Half { mut solved, course } = self;
         let second: Road<Dd> = energy::road(scene, data)?;
@@ -104,6 +110,17 @@ impl Half {
             return Err(Refusal::Disagree { label, eom: f64::NAN, energy, allowed: 2.0 * EACH_ROAD * U });
         }
         if let (Some(course), Some(other)) = (course, second.course) {
+            // Which way it goes and whether it arrives are answers too.
+            if course.sense != other.sense || course.reached != other.reached {
+                let of = Owner::Body(scene.ending_coordinate().body);
+                let label = Label { quantity: Quantity::Direction, of };
+                return Err(Refusal::Disagree {
+                    label,
+                    eom: course.sense,
+                    energy: other.sense,
+                    allowed: 0.0,
+                });
+            }
             // The drive is a sum of powers: only the second road has it, and only for margins.
             physical::fill_drive(scene, &course, other.drive, &mut solved.checks);
         }
@@ -159,5 +176,6 @@ fn agree(a: f64, b: f64, cond: f64) -> bool {
         return true;
     }
     let larger = a.abs().max(b.abs());
-    larger.is_finite() && (a - b).abs() <= 2.0 * EACH_ROAD * U * cond.max(1.0) * larger
+    let allowed = (2.0 * EACH_ROAD * U * cond.max(1.0)).min(NO_DIGITS);
+    larger.is_finite() && (a - b).abs() <= allowed * larger
 }

@@ -260,6 +260,28 @@ pub struct Said<T> {
     pub scale: f64,
 }
 
+/// How the contacts that are said to slip are taken.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Grip {
+    /// As declared: they slip.
+    Declared,
+    /// All of them roll.
+    AllRoll,
+    /// This tie rolls, the others slip.
+    Rolls(usize),
+}
+
+impl Grip {
+    /// Does this tie roll?
+    pub fn rolls(self, tie: usize) -> bool {
+        match self {
+            Self::Declared => false,
+            Self::AllRoll => true,
+            Self::Rolls(one) => one == tie,
+        }
+    }
+}
+
 /// Where the motion goes, on one road.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Course {
@@ -282,8 +304,9 @@ pub enum Held {
     Pressed(usize, f64),
     /// A rolling contact: index of the tie, the largest |F|, N, and `mu_s N`.
     Rolling(usize, Dd, Option<Dd>),
-    /// A slipping contact: index of the tie, friction if it rolled, `mu_s N`, slip acceleration against friction.
-    Slipping(usize, Dd, Dd, Dd),
+    /// A slipping contact: index of the tie, friction if it rolled, `mu_s N`, slip acceleration against friction, sense
+    /// in which the centre sets off.
+    Slipping(usize, Dd, Dd, Dd, f64),
     /// A cord between bodies: index of the tie, tension N.
     Cord(usize, f64),
 }

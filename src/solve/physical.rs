@@ -1,6 +1,6 @@
 //! What really happens: the word of the regime, and the conditions under which the declared ties hold.
 use crate::num::Dd;
-use crate::num::U;
+use crate::num::NOISE;
 use crate::scene::Heading;
 use crate::scene::Label;
 use crate::scene::Owner;
@@ -16,14 +16,11 @@ use crate::solve::outcome::Motion;
 use crate::solve::outcome::Regime;
 use crate::solve::outcome::Word;
 
-/// Two sizes closer than this are the same boundary: rounding of double-doubles, far below a unit in the last place.
-const SAME: f64 = U * U * 64.0;
-
 /// Which of three: below, at, above the boundary.
 fn side(value: Dd, boundary: Dd) -> f64 {
     let gap = value - boundary;
     let size = value.hi.abs().max(boundary.hi.abs());
-    if size.is_infinite() || gap.hi.abs() > SAME * size { gap.sign_or(value, boundary) } else { 0.0 }
+    if size.is_infinite() || gap.hi.abs() > NOISE * size { gap.sign_or(value, boundary) } else { 0.0 }
 }
 
 impl Dd {
@@ -87,7 +84,7 @@ pub fn judge(scene: &Scene, course: &Course, held: &[Held]) -> (Regime, Vec<Chec
     };
     let heading = heading(scene, course);
     let slipping = held.iter().find_map(|h| match h {
-        Held::Slipping(tie, friction, available, against) => Some((*tie, *friction, *available, *against)),
+        Held::Slipping(tie, friction, available, _, sense) => Some((*tie, *friction, *available, *sense)),
         _ => None,
     });
     checks.push(Check {
@@ -123,7 +120,7 @@ pub fn judge(scene: &Scene, course: &Course, held: &[Held]) -> (Regime, Vec<Chec
                 words.push((rolls(scene, *tie), if holds { Word::Yes } else { Word::No }));
             }
             Held::Rolling(_, _, None) => {}
-            Held::Slipping(tie, friction, available, against) => {
+            Held::Slipping(tie, friction, available, against, _) => {
                 let needs = friction.abs();
                 let must = side(needs, *available) > 0.0;
                 checks.push(Check {
@@ -178,8 +175,12 @@ pub fn judge(scene: &Scene, course: &Course, held: &[Held]) -> (Regime, Vec<Chec
     let direction = Label { quantity: Quantity::Direction, of: Owner::Body(end.body) };
     words
         .push((direction, if sloped { word(Word::Up, Word::Down) } else { word(Word::Forward, Word::Back) }));
-    let motion = if let Some((_, friction, available, _)) = slipping {
-        match (side(friction.abs(), available), upward) {
+    let motion = if let Some((tie, friction, available, sense)) = slipping {
+        let forward_up = match &scene.ties[tie] {
+            Tie::Slip { body, .. } => scene.bodies[*body].line.is_none_or(|l| l.forward_up),
+            _ => true,
+        };
+        match (side(friction.abs(), available), if forward_up { sense } else { -sense }) {
             (s, _) if s < 0.0 => Motion::Rolls,
             (0.0, _) => Motion::AtLimit,
             (_, u) if u > 0.0 => Motion::SlipsUp,

@@ -3,15 +3,16 @@
 //! With one freedom the balance of the whole gives the speed, its rate the acceleration, and the balance of one body alone
 //! the reactions. With two (a wheel that slips) the power balance of each mode, the mass centre's among them, gives the
 //! ratio of the velocities, which from rest is also that of the displacements, and the total balance then the speed.
+pub mod account;
 pub mod balance;
 pub mod instant;
 pub mod speeds;
 
 use crate::num::Dd;
+use crate::num::NOISE;
 use crate::num::Real;
 use crate::num::eliminate::Equations;
 use crate::num::plant::plant;
-use crate::num::trig;
 use crate::scene::Coordinate;
 use crate::scene::Degree;
 use crate::scene::End;
@@ -25,14 +26,18 @@ use crate::scene::RotaryInertia;
 use crate::scene::Scene;
 use crate::scene::Start;
 use crate::scene::Tie;
+use crate::solve::energy::account::Account;
+use crate::solve::energy::account::Store;
 use crate::solve::energy::balance::PerTie;
 use crate::solve::energy::balance::Power;
 use crate::solve::energy::speeds::Mode;
 use crate::solve::outcome::Course;
+use crate::solve::outcome::Grip;
 use crate::solve::outcome::Held;
 use crate::solve::outcome::Refusal;
 use crate::solve::outcome::Road;
 use crate::solve::outcome::Said;
+use smallvec::SmallVec;
 use smallvec::smallvec;
 
 /// Everything that work and energy say of a scene whose data are admissible.
@@ -46,28 +51,6 @@ pub fn road<T: Real>(scene: &Scene, data: &[f64]) -> Result<Road<T>, Refusal> {
     Ledger::open(scene, n)?.settle()
 }
 
-/// Energy stored in a spring on the way: stiffness, stretch at the start, and stretch lost per metre of the mode.
-#[derive(Clone, Copy)]
-struct Store<T> {
-    stiffness: T,
-    stretch: T,
-    lost: T,
-    rigid: bool,
-}
-
-impl<T: Real> Store<T> {
-    fn stretch_at(&self, s: T) -> T {
-        let stretch = self.stretch - self.lost * s;
-        if stretch.sign() < 0.0 && !self.rigid { T::zero() } else { stretch }
-    }
-    /// Energy given off between the start and a place.
-    fn given(&self, s: T) -> T {
-        let x1 = self.stretch_at(s);
-        let released = (self.stretch - x1) * (self.stretch + x1);
-        (plant!("energy: stiffness of the spring", self.stiffness) * released).scale2(-1)
-    }
-}
-
 struct Ledger<'a, T> {
     scene: &'a Scene,
     n: Numbers<'a, T>,
@@ -78,9 +61,13 @@ struct Ledger<'a, T> {
     start_rate: Mode<T>,
     /// Kinetic friction of contacts that slip or slide.
     kinetic: PerTie<Option<T>>,
-    /// Frictions if nothing slipped.
-    rolled: Option<PerTie<T>>,
+    /// Friction that has to be overcome at the start, for the drive.
+    at_start: PerTie<T>,
+    /// For each contact that is said to slip: its friction if it rolled.
+    rolled: SmallVec<[(usize, T); 1]>,
     moves: bool,
+    /// Sense in which it would set off without sliding friction.
+    inclined: f64,
     /// Speed at the start.
     v0: T,
     road: Road<T>,
@@ -107,16 +94,39 @@ fn drive<T: Real>(
         for (cell, b) in row.iter_mut().zip(modes) {
             *cell = balance::inertia(n, a, b);
         }
-        let mut power = balance::powers(scene, n, a, friction)
-            .into_iter()
-            .fold(T::zero(), |sum, p: Power<T>| sum + p.power);
-        if let Some(end) = &pull {
-            power = power + spring_tension * a.point(n, end);
+        let (mut power, mut size) = (T::zero(), 0.0);
+        let mut add = |p: T| {
+            power = power + p;
+            size += p.f64().abs();
+        };
+        for p in balance::powers(scene, n, a, friction) {
+            add(p.power);
         }
+        if let Some(end) = &pull {
+            add(spring_tension * a.point(n, end));
+        }
+        let power = power.cleared(size);
         row[m] = power;
     }
     let rates = rows.reduce(&[]).solution().unwrap_or_else(|| smallvec![T::of(f64::NAN); m]);
     combine(modes, &rates)
+}
+
+/// The reactions where the contacts hold as `grip` says. Ties that leave no freedom hold the scene at rest.
+fn if_rolls<T: Real>(
+    scene: &Scene,
+    n: &Numbers<T>,
+    grip: Grip,
+    kinetic: &[Option<T>],
+    tension: T,
+) -> Result<PerTie<T>, Refusal> {
+    let friction: PerTie<T> = kinetic.iter().map(|k| k.unwrap_or_else(T::zero)).collect();
+    let rate = match speeds::modes(scene, n, grip) {
+        Ok(modes) => drive(scene, n, &modes, &friction, tension),
+        Err(Refusal::Freedoms(0)) => Mode::still(scene.bodies.len()),
+        Err(other) => return Err(other),
+    };
+    Ok(balance::reactions(scene, n, &|c| rate.of(c), tension, kinetic))
 }
 
 /// `sum rate_j mode_j`.
@@ -136,26 +146,49 @@ impl<'a, T: Real> Ledger<'a, T> {
     fn open(scene: &'a Scene, n: Numbers<'a, T>) -> Result<Self, Refusal> {
         let end = scene.ending_coordinate();
         let ties = scene.ties.len();
-        let none: PerTie<T> = smallvec![T::zero(); ties];
         let tension = scene.spring().map_or_else(T::zero, |(_, ks, x0, _)| n.massive(ks) * n.get(x0));
-        let slips = scene.ties.iter().any(|t| matches!(t, Tie::Slip { .. }));
+        let slipping: SmallVec<[usize; 2]> =
+            (0..ties).filter(|t| matches!(scene.ties[*t], Tie::Slip { .. })).collect();
         let mut kinetic: PerTie<Option<T>> = smallvec![None; ties];
-        let mut rolled = None;
-        if slips {
-            let modes = speeds::modes(scene, &n, true)?;
-            let rate = drive(scene, &n, &modes, &none, tension);
-            let held = balance::reactions(scene, &n, &|c| rate.of(c), tension, &kinetic);
-            for (t, tie) in scene.ties.iter().enumerate() {
-                if let Tie::Slip { body, mu_k, .. } = tie {
+        // What slides has no friction until the sense of the motion is known.
+        for (t, tie) in scene.ties.iter().enumerate() {
+            if matches!(tie, Tie::Slide { .. }) {
+                kinetic[t] = Some(T::zero());
+            }
+        }
+        let mut rolled = SmallVec::new();
+        if !slipping.is_empty() {
+            let kinetic_of = |t: usize, sense: f64| match &scene.ties[t] {
+                Tie::Slip { body, mu_k, .. } => {
                     let most = plant!("energy: kinetic friction", n.get(*mu_k)) * balance::normal(&n, *body);
-                    kinetic[t] = Some(most.signed(held[t].sign()));
+                    Some(most.signed(sense))
+                }
+                _ => None,
+            };
+            let all = if_rolls(scene, &n, Grip::AllRoll, &kinetic, tension)?;
+            for t in &slipping {
+                kinetic[*t] = kinetic_of(*t, all[*t].sign());
+            }
+            if let [only] = slipping.as_slice() {
+                rolled.push((*only, all[*only]));
+            } else {
+                // Each contact with the others as declared.
+                for settled in [false, true] {
+                    for t in &slipping {
+                        kinetic[*t] = None;
+                        let friction = if_rolls(scene, &n, Grip::Rolls(*t), &kinetic, tension)?[*t];
+                        kinetic[*t] = kinetic_of(*t, friction.sign());
+                        if settled {
+                            rolled.push((*t, friction));
+                        }
+                    }
                 }
             }
-            rolled = Some(held);
         }
-        let modes = speeds::modes(scene, &n, false)?;
-        let frictions =
-            |kinetic: &[Option<T>]| -> Vec<T> { kinetic.iter().map(|k| k.unwrap_or_else(T::zero)).collect() };
+        let modes = speeds::modes(scene, &n, Grip::Declared)?;
+        let frictions = |kinetic: &[Option<T>]| -> PerTie<T> {
+            kinetic.iter().map(|k| k.unwrap_or_else(T::zero)).collect()
+        };
         let mut v0 = T::zero();
         for s in &scene.start {
             if let Start::Speed(c, v) = s {
@@ -166,13 +199,15 @@ impl<'a, T: Real> Ledger<'a, T> {
             }
         }
         let mut start_rate = drive(scene, &n, &modes, &frictions(&kinetic), tension);
+        let inclined = start_rate.of(end).sign();
         let mut moves = true;
+        let mut at_start = frictions(&kinetic);
         if scene.ties.iter().any(|t| matches!(t, Tie::Slide { .. })) {
             // The work of sliding friction is negative, whichever way the body goes.
             let free = start_rate.clone();
             let started = !v0.is_zero();
             let going = |b: usize| if started { (modes[0].v[b] * v0).sign() } else { free.v[b].sign() };
-            for starting in [!started, false] {
+            let mut friction = |starting: bool| {
                 for (t, tie) in scene.ties.iter().enumerate() {
                     if let Tie::Slide { body, mu_s, mu_k } = tie {
                         let mu = if starting { mu_s.unwrap_or(*mu_k) } else { *mu_k };
@@ -180,12 +215,26 @@ impl<'a, T: Real> Ledger<'a, T> {
                         kinetic[t] = Some(most.signed(-going(*body)));
                     }
                 }
-                start_rate = drive(scene, &n, &modes, &frictions(&kinetic), tension);
-                let stuck = scene.ties.iter().any(|tie| match tie {
-                    Tie::Slide { body, .. } => !started && start_rate.v[*body].sign() * going(*body) <= 0.0,
+                frictions(&kinetic)
+            };
+            at_start = friction(!started);
+            let first = drive(scene, &n, &modes, &at_start, tension);
+            moves = started
+                || !scene.ties.iter().any(|tie| match tie {
+                    Tie::Slide { body, .. } => first.v[*body].sign() * going(*body) <= 0.0,
                     _ => false,
                 });
-                moves &= !stuck;
+            let sliding = friction(false);
+            if moves {
+                start_rate = drive(scene, &n, &modes, &sliding, tension);
+            } else {
+                // Held by static friction, which is then a reaction.
+                start_rate = Mode::still(scene.bodies.len());
+                for (t, tie) in scene.ties.iter().enumerate() {
+                    if matches!(tie, Tie::Slide { .. }) {
+                        kinetic[t] = None;
+                    }
+                }
             }
         }
         let lead = start_rate.of(end);
@@ -199,6 +248,7 @@ impl<'a, T: Real> Ledger<'a, T> {
             }
             mode
         };
+        let road = Road::new();
         Ok(Self {
             scene,
             n,
@@ -206,10 +256,12 @@ impl<'a, T: Real> Ledger<'a, T> {
             mode,
             start_rate,
             kinetic,
+            at_start,
             rolled,
             moves,
+            inclined,
             v0,
-            road: Road::new(),
+            road,
             last: None,
         })
     }
@@ -237,7 +289,9 @@ impl<'a, T: Real> Ledger<'a, T> {
         });
         let frictions: PerTie<T> = self.kinetic.iter().map(|k| k.unwrap_or_else(T::zero)).collect();
         let powers = balance::powers(self.scene, &self.n, &self.mode, &frictions);
-        let constant = powers.iter().fold(T::zero(), |sum, p| sum + p.power);
+        let size = powers.iter().map(|p| p.power.f64().abs()).sum();
+        let constant = powers.iter().fold(T::zero(), |sum, p| sum + p.power).cleared(size);
+        let start_powers = balance::powers(self.scene, &self.n, &self.mode, &self.at_start);
         let doubled = balance::inertia(&self.n, &self.mode, &self.mode);
         let tension0 = store.map_or_else(T::zero, |s| s.stiffness * s.stretch);
         let lead = self.start_rate.of(self.end);
@@ -249,17 +303,27 @@ impl<'a, T: Real> Ledger<'a, T> {
             0.0
         };
         if let Some(s) = &store {
-            let x_eq = -constant / (s.stiffness * s.lost);
-            if x_eq.sign() >= 0.0 || s.rigid {
+            // Where the power of all but the sliding friction vanishes.
+            let slides =
+                |p: &&Power<T>| p.tie.is_some_and(|t| matches!(self.scene.ties[t], Tie::Slide { .. }));
+            let sliding = powers.iter().filter(slides).fold(T::zero(), |sum, p| sum + p.power);
+            let x_eq = -(constant - sliding) / (s.stiffness * s.lost);
+            if !s.lost.is_zero() && (x_eq.sign() >= 0.0 || s.rigid) {
                 self.say(Quantity::XEq, Owner::Scene, x_eq);
             }
         }
+        let slips = !self.rolled.is_empty();
         self.if_rolled();
-        let drive = self.driving(&powers, tension0, store.as_ref(), if sense == 0.0 { 1.0 } else { sense });
+        let drive = self.driving(
+            &start_powers,
+            tension0,
+            store.as_ref(),
+            [sense, self.inclined, 1.0].into_iter().find(|s| *s != 0.0).unwrap_or(1.0),
+        );
         if sense == 0.0 || lead.is_zero() && self.v0.is_zero() {
             self.road.course =
                 Some(Course { sense: 0.0, drive, asked: None, farthest: Dd::ZERO, reached: false });
-            let still = sense == 0.0 && self.rolled.is_none();
+            let still = sense == 0.0 && !slips;
             self.standing(tension0, still);
             if store.is_some() && self.end.degree == Degree::Along {
                 for q in [Quantity::VMax, Quantity::DAtVMax, Quantity::DTurn] {
@@ -275,7 +339,9 @@ impl<'a, T: Real> Ledger<'a, T> {
         }
         let u0 = self.v0.abs();
         let energy0 = (doubled * u0.square()).scale2(-1);
-        let account = Account { constant, doubled, energy0, u0, store };
+        // A spring whose end does not move keeps its tension and does no work.
+        let acting = store.filter(|k| !k.lost.is_zero());
+        let account = Account { constant, doubled, energy0, u0, store: acting };
 
         let turning = account.turning();
         let limit = turning.map_or(Dd::new(f64::INFINITY), |t| t.value());
@@ -285,13 +351,14 @@ impl<'a, T: Real> Ledger<'a, T> {
             None => false,
         };
         let s = self.asked(&account, turning, sense);
-        let reached = !wrong_way && s.is_some_and(|s| s.value() >= Dd::ZERO && s.value() <= limit);
+        let arrives = |s: Dd| s >= Dd::ZERO && (s <= limit || (s - limit).hi <= NOISE * s.hi);
+        let reached = !wrong_way && s.is_some_and(|s| arrives(s.value()));
         self.road.course =
             Some(Course { sense, drive, asked: s.map(|s| s.value()), farthest: limit, reached });
-        let tension_at = |s: T| account.store.map_or_else(T::zero, |k| k.stiffness * k.stretch_at(s));
+        let tension_at = |s: T| store.map_or_else(T::zero, |k| k.stiffness * k.stretch_at(s));
         let last_tension = turning.map_or_else(T::zero, tension_at);
         self.grip(tension0, last_tension);
-        if store.is_some() && self.end.degree == Degree::Along {
+        if (store.is_some() || !u0.is_zero()) && self.end.degree == Degree::Along {
             let body = Owner::Body(self.end.body);
             if let Some((at, v)) = account.fastest() {
                 self.say(Quantity::VMax, body, v);
@@ -343,38 +410,33 @@ impl<'a, T: Real> Ledger<'a, T> {
     }
 
     fn if_rolled(&mut self) {
-        let Some(held) = self.rolled.clone() else { return };
-        for (t, tie) in self.scene.ties.iter().enumerate() {
-            if let Tie::Slip { body, mu_s, radius_m, .. } = tie {
+        for (t, friction) in std::mem::take(&mut self.rolled) {
+            if let Tie::Slip { body, mu_s, radius_m, .. } = &self.scene.ties[t] {
                 let normal = balance::normal(&self.n, *body);
-                self.say(Quantity::FrictionIfRolled, Owner::Body(*body), held[t].signed(self.up(*body)));
-                self.say(Quantity::MuRequired, Owner::Body(*body), held[t].abs() / normal);
-                let slip = self.start_rate.v[*body] - self.n.get(*radius_m) * self.start_rate.w[*body];
+                self.say(Quantity::FrictionIfRolled, Owner::Body(*body), friction.signed(self.up(*body)));
+                self.say(Quantity::MuRequired, Owner::Body(*body), friction.abs() / normal);
+                let centre = self.start_rate.v[*body];
+                let slip = centre - self.n.get(*radius_m) * self.start_rate.w[*body];
                 let available = self.n.get(*mu_s) * normal;
                 let held = Held::Slipping(
                     t,
-                    self.force(held[t]),
+                    self.force(friction),
                     self.force(available),
-                    slip.signed(-held[t].sign()).value(),
+                    slip.signed(-friction.sign()).value(),
+                    centre.sign(),
                 );
                 self.road.held.push(held);
             }
         }
     }
 
-    /// Accelerations at this tension of the spring: those at the start, less what the loss of tension takes.
+    /// Accelerations at this tension of the spring, from the power balance there.
     fn rate(&self, tension: T) -> Mode<T> {
-        let Some((tie, ks, x0, _)) = self.scene.spring() else { return self.start_rate.clone() };
-        let Tie::Cord(cord) = &self.scene.ties[tie] else { return self.start_rate.clone() };
-        let tension0 = self.n.massive(ks) * self.n.get(x0);
-        let per = self.mode.point(&self.n, &cord.from) / balance::inertia(&self.n, &self.mode, &self.mode);
-        let change = (tension - tension0) * per;
-        let mut rate = self.start_rate.clone();
-        for b in 0..rate.v.len() {
-            rate.v[b] = rate.v[b] + change * self.mode.v[b];
-            rate.w[b] = rate.w[b] + change * self.mode.w[b];
+        if self.scene.spring().is_none() || !self.moves {
+            return self.start_rate.clone();
         }
-        rate
+        let frictions: PerTie<T> = self.kinetic.iter().map(|k| k.unwrap_or_else(T::zero)).collect();
+        drive(self.scene, &self.n, std::slice::from_ref(&self.mode), &frictions, tension)
     }
 
     fn reactions(&mut self, tension: T) -> PerTie<T> {
@@ -543,159 +605,11 @@ impl<'a, T: Real> Ledger<'a, T> {
             / self.mode.of(along);
         let (centre, whole) = (centre.signed(up), whole.signed(up));
         let rotation = whole - centre;
-        if rotation.sign() <= 0.0 {
+        if if centre.sign() > 0.0 { rotation.sign() <= 0.0 } else { rotation.sign() < 0.0 } {
             return;
         }
         let bound =
             if centre.sign() > 0.0 { (c.square() * rotation / centre).root() } else { T::of(f64::INFINITY) };
         self.say(Quantity::KBound, Owner::Body(0), bound);
-    }
-}
-
-/// The energy account of the motion, along its sense.
-struct Account<T> {
-    /// Work of the constant forces per metre.
-    constant: T,
-    /// Twice the kinetic energy at unit rate.
-    doubled: T,
-    /// Kinetic energy at the start.
-    energy0: T,
-    /// Speed at the start.
-    u0: T,
-    store: Option<Store<T>>,
-}
-
-impl<T: Real> Account<T> {
-    /// Work of all forces from the start to a place.
-    fn work(&self, s: T) -> T {
-        let given = self.store.map_or_else(T::zero, |k| k.given(s));
-        self.constant * s + given
-    }
-    fn energy(&self, s: T) -> T {
-        self.energy0 + self.work(s)
-    }
-    fn speed(&self, s: T) -> T {
-        (self.energy(s).scale2(1) / self.doubled).root()
-    }
-    /// Place at which the cord goes slack, if it does.
-    fn slack(&self) -> Option<T> {
-        self.store.filter(|k| !k.rigid && k.lost.sign() > 0.0).map(|k| k.stretch / k.lost)
-    }
-    /// Place at which the whole energy is stored or spent.
-    fn turning(&self) -> Option<T> {
-        if let Some(at) = self.slack() {
-            let left = self.energy(at);
-            if left.sign() > 0.0 || at.is_zero() {
-                return (self.constant.sign() < 0.0).then(|| at - left / self.constant);
-            }
-        }
-        match self.store {
-            // energy0 + (Q + ks x0 l) s - 1/2 ks l^2 s^2 = 0
-            Some(k) => {
-                let stiff = k.stiffness * k.lost.square();
-                let linear = self.constant + k.stiffness * k.stretch * k.lost;
-                if self.energy0.is_zero() {
-                    return Some(linear.scale2(1) / stiff);
-                }
-                let radicand = linear.square() + stiff.scale2(1) * self.energy0;
-                Some((linear + radicand.root()) / stiff)
-            }
-            None => (self.constant.sign() < 0.0).then(|| -self.energy0 / self.constant),
-        }
-    }
-    /// Place and speed at which the kinetic energy is greatest: where the power vanishes.
-    fn fastest(&self) -> Option<(T, T)> {
-        let k = self.store?;
-        let start = self.constant + k.stiffness * k.stretch * k.lost;
-        if start.sign() <= 0.0 {
-            return None;
-        }
-        let balanced = start / (k.stiffness * k.lost.square());
-        let at = match self.slack() {
-            Some(slack) if balanced.value() >= slack.value() => {
-                if self.constant.sign() > 0.0 {
-                    return None;
-                }
-                slack
-            }
-            _ => balanced,
-        };
-        Some((at, self.speed(at)))
-    }
-    /// Time to a place. On a spring `tan(w t / 2) = w s / (u0 + u)`, on a constant force `u = u0 + a t`.
-    fn time(&self, s: T, u: T) -> T {
-        let slack = self.slack();
-        match (self.store, slack) {
-            (Some(_), Some(at)) if s.value() > at.value() => {
-                let v = self.speed(at);
-                self.taut_time(at, v) + self.uniform_time(s - at, v, u)
-            }
-            (Some(_), _) => self.taut_time(s, u),
-            (None, _) => self.uniform_time(s, self.u0, u),
-        }
-    }
-    fn taut_time(&self, s: T, u: T) -> T {
-        let Some(k) = self.store else { return T::zero() };
-        if s.is_zero() {
-            return T::zero();
-        }
-        let w = (k.stiffness * k.lost.square() / self.doubled).root();
-        trig::atan2(w * s, self.u0 + u).scale2(1) / w
-    }
-    fn uniform_time(&self, s: T, u0: T, u: T) -> T {
-        if self.constant.is_zero() {
-            return if u.is_zero() { T::zero() } else { s / u };
-        }
-        (u - u0) * self.doubled / self.constant
-    }
-    /// Place after a time, by the same half angle.
-    fn place(&self, t: T) -> T {
-        let uniform = |u: T, t: T| u * t + (self.constant / self.doubled * t.square()).scale2(-1);
-        let Some(k) = self.store else { return uniform(self.u0, t) };
-        if let Some(at) = self.slack() {
-            let left = self.energy(at);
-            if left.sign() > 0.0 || at.is_zero() {
-                let v = self.speed(at);
-                let first = self.taut_time(at, v);
-                if t.value() > first.value() {
-                    return at + uniform(v, t - first);
-                }
-            }
-        }
-        let w = (k.stiffness * k.lost.square() / self.doubled).root();
-        let (sine, cosine) = trig::sin_cos((w * t).scale2(-1));
-        let start = (self.constant + k.stiffness * k.stretch * k.lost) / self.doubled;
-        let (push, glide) = (start / w.square() * sine, self.u0 / w * cosine);
-        ((push + glide) * sine).scale2(1)
-    }
-    /// First place at which the speed is `u`.
-    fn where_speed(&self, u: T) -> Option<T> {
-        let need = (self.doubled * (u - self.u0) * (u + self.u0)).scale2(-1);
-        if need.is_zero() {
-            return Some(T::zero());
-        }
-        let not_negative = |s: T| (s.value() >= Dd::ZERO).then_some(s);
-        let Some(k) = self.store else {
-            return if self.constant.is_zero() { None } else { not_negative(need / self.constant) };
-        };
-        let stiff = k.stiffness * k.lost.square();
-        let linear = self.constant + k.stiffness * k.stretch * k.lost;
-        let radicand = linear.square() - stiff.scale2(1) * need;
-        let taut = if radicand.sign() < 0.0 {
-            None
-        } else if need.sign() > 0.0 && linear.sign() > 0.0 {
-            Some(need.scale2(1) / (linear + radicand.root()))
-        } else {
-            not_negative((linear + radicand.root()) / stiff)
-        };
-        match (taut, self.slack()) {
-            (Some(s), None) => Some(s),
-            (Some(s), Some(at)) if s.value() <= at.value() => Some(s),
-            (_, Some(at)) if !self.constant.is_zero() => {
-                let s = (need - k.given(at)) / self.constant;
-                (s.value() >= at.value()).then_some(s)
-            }
-            _ => None,
-        }
     }
 }

@@ -14,6 +14,7 @@ use crate::scene::Numbers;
 use crate::scene::Scene;
 use crate::scene::Side;
 use crate::scene::Tie;
+use crate::solve::outcome::Grip;
 use crate::solve::outcome::Refusal;
 use smallvec::SmallVec;
 use smallvec::smallvec;
@@ -53,15 +54,15 @@ impl<T: Real> Mode<T> {
             }
         };
         let centre = plant!("energy: travel of the centre with a cord", self.v[end.body]);
-        let velocity = centre + about_centre;
+        let velocity = centre.balance(about_centre);
         if end.forward { velocity } else { -velocity }
     }
 }
 
 /// The possible motions: the first has unit rate of the ending coordinate, the others leave it at rest.
 ///
-/// `rolled`: a contact that is said to slip is taken as rolling. Errors: the ties hold the ending coordinate fast.
-pub fn modes<T: Real>(scene: &Scene, n: &Numbers<T>, rolled: bool) -> Result<Modes<T>, Refusal> {
+/// `grip` says which contacts that slip are taken as rolling. Errors: the ties hold the ending coordinate fast.
+pub fn modes<T: Real>(scene: &Scene, n: &Numbers<T>, grip: Grip) -> Result<Modes<T>, Refusal> {
     let bodies = scene.bodies.len();
     let column = |c: Coordinate| match c.degree {
         Degree::Along => 2 * c.body,
@@ -89,10 +90,10 @@ pub fn modes<T: Real>(scene: &Scene, n: &Numbers<T>, rolled: bool) -> Result<Mod
             row[column(c)] = row[column(c)] + unit.point(n, end);
         }
     };
-    for tie in &scene.ties {
+    for (t, tie) in scene.ties.iter().enumerate() {
         let rolls = match tie {
             Tie::Roll { body, radius_m, .. } => Some((body, radius_m)),
-            Tie::Slip { body, radius_m, .. } if rolled => Some((body, radius_m)),
+            Tie::Slip { body, radius_m, .. } if grip.rolls(t) => Some((body, radius_m)),
             _ => None,
         };
         if let Some((body, radius)) = rolls {
@@ -116,12 +117,12 @@ pub fn modes<T: Real>(scene: &Scene, n: &Numbers<T>, rolled: bool) -> Result<Mod
     let main = column(scene.ending_coordinate());
     // Keep the spin of a slipping wheel open beside the ending coordinate.
     let mut free: SmallVec<[usize; 4]> = smallvec![main];
-    if !rolled {
-        free.extend(scene.ties.iter().filter_map(|t| match t {
-            Tie::Slip { body, .. } => Some(column(Coordinate { body: *body, degree: Degree::Turn })),
-            _ => None,
-        }));
-    }
+    free.extend(scene.ties.iter().enumerate().filter_map(|(t, tie)| match tie {
+        Tie::Slip { body, .. } if !grip.rolls(t) => {
+            Some(column(Coordinate { body: *body, degree: Degree::Turn }))
+        }
+        _ => None,
+    }));
     let reduced = rows.reduce(&free);
     let mut open = reduced.open();
     let Some(first) = open.iter().position(|j| *j == main) else { return Err(Refusal::Freedoms(0)) };

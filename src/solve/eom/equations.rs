@@ -24,6 +24,7 @@ use crate::scene::Numbers;
 use crate::scene::Scene;
 use crate::scene::Side;
 use crate::scene::Tie;
+use crate::solve::outcome::Grip;
 use crate::solve::outcome::Refusal;
 use smallvec::SmallVec;
 
@@ -35,8 +36,10 @@ pub const SPRING: usize = 1;
 /// How the contacts are taken.
 #[derive(Debug, Clone)]
 pub struct Setting {
-    /// Take a contact that is said to slip as rolling.
-    pub rolled: bool,
+    /// How contacts that are said to slip are taken.
+    pub grip: Grip,
+    /// Hold what slides: static friction is then a reaction.
+    pub held: bool,
     /// For each tie that slips or slides: sense of the kinetic friction, 0 for none.
     pub friction_sense: SmallVec<[f64; 4]>,
     /// Slides feel their static coefficient (does it start?).
@@ -198,7 +201,7 @@ pub fn respond<T: Real>(scene: &Scene, n: &Numbers<T>, setting: &Setting) -> Res
                     rows.term(turn, row, plant!("eom: moment of the friction", c));
                 }
                 match tie {
-                    Tie::Slip { mu_k, .. } if !setting.rolled => {
+                    Tie::Slip { mu_k, .. } if !setting.grip.rolls(t) => {
                         rows.term(row, row, T::of(1.0));
                         if let Some(normal) = layout.normal[*body] {
                             let mu = plant!("eom: kinetic friction coefficient", n.get(*mu_k));
@@ -217,6 +220,10 @@ pub fn respond<T: Real>(scene: &Scene, n: &Numbers<T>, setting: &Setting) -> Res
                 let Some(row) = layout.reaction[t] else { continue };
                 if let Some(along) = layout.along[*body] {
                     rows.term(along, row, -plant!("eom: sliding friction along the line", T::of(1.0)));
+                }
+                if let (true, Some(along)) = (setting.held, layout.along[*body]) {
+                    rows.term(row, along, T::of(1.0));
+                    continue;
                 }
                 rows.term(row, row, T::of(1.0));
                 if let Some(normal) = layout.normal[*body] {

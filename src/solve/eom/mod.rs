@@ -6,6 +6,7 @@ pub mod instant;
 pub mod travel;
 
 use crate::num::Dd;
+use crate::num::NOISE;
 use crate::num::Real;
 use crate::num::dd::pow2;
 use crate::num::plant::plant;
@@ -33,10 +34,12 @@ use crate::solve::eom::equations::respond;
 use crate::solve::eom::travel::State;
 use crate::solve::eom::travel::Travel;
 use crate::solve::outcome::Course;
+use crate::solve::outcome::Grip;
 use crate::solve::outcome::Held;
 use crate::solve::outcome::Refusal;
 use crate::solve::outcome::Road;
 use crate::solve::outcome::Said;
+use smallvec::SmallVec;
 use smallvec::smallvec;
 
 /// Everything that the equations of motion say of a scene whose data are admissible.
@@ -62,13 +65,18 @@ struct Spring<T> {
     end: CordEnd,
 }
 
+/// Responses with one slipping contact taken as rolling.
+type Rolled<T> = SmallVec<[(usize, Response<T>); 1]>;
+
 struct Walk<'a, T> {
     scene: &'a Scene,
     n: Numbers<'a, T>,
     end: Coordinate,
     spring: Option<Spring<T>>,
-    /// As if no contact slipped; only where one is said to slip.
-    rolled: Option<Response<T>>,
+    /// Stretch of the spring at equilibrium, friction of sliding left out.
+    x_eq: Option<T>,
+    /// For each contact that is said to slip: as if it rolled.
+    rolled: Rolled<T>,
     response: Response<T>,
     /// Column whose accelerations have the ratios of the velocities.
     ratio_column: usize,
@@ -86,28 +94,49 @@ impl<'a, T: Real> Walk<'a, T> {
             Spring { stiffness: n.massive(ks), stretch: n.get(x0), rigid, end: cord.from }
         });
         let mut setting = Setting {
-            rolled: true,
+            grip: Grip::AllRoll,
+            held: false,
             friction_sense: smallvec![0.0; scene.ties.len()],
             starting: false,
             probe: started.then_some(end),
         };
         let mut response = respond(scene, &n, &setting)?;
         let total = |r: &Response<T>, c: Coordinate| match &spring {
-            Some(s) => r.acceleration(c, CONSTANT) + r.acceleration(c, SPRING) * s.stiffness * s.stretch,
+            Some(s) => {
+                r.acceleration(c, CONSTANT).balance(r.acceleration(c, SPRING) * s.stiffness * s.stretch)
+            }
             None => r.acceleration(c, CONSTANT),
         };
-        let slips = scene.ties.iter().any(|t| matches!(t, Tie::Slip { .. }));
+        let x_eq = spring.as_ref().and_then(|s| {
+            let per_newton = response.acceleration(end, SPRING);
+            (!per_newton.is_zero())
+                .then(|| -(response.acceleration(end, CONSTANT) / per_newton) / s.stiffness)
+        });
+        let slipping: SmallVec<[usize; 2]> =
+            (0..scene.ties.len()).filter(|t| matches!(scene.ties[*t], Tie::Slip { .. })).collect();
         let slides = scene.ties.iter().any(|t| matches!(t, Tie::Slide { .. }));
         let mut moves = true;
-        let rolled = slips.then(|| response.clone());
-        if slips {
-            // Kinetic friction has the sense that static friction would have.
-            for (t, tie) in scene.ties.iter().enumerate() {
-                if matches!(tie, Tie::Slip { .. }) {
-                    setting.friction_sense[t] = response.reaction(t, CONSTANT).sign();
+        let mut rolled: Rolled<T> = Rolled::new();
+        if !slipping.is_empty() {
+            // Kinetic friction has the sense that static friction would have, the other contacts as declared.
+            for t in &slipping {
+                setting.friction_sense[*t] = response.reaction(*t, CONSTANT).sign();
+            }
+            if let [only] = slipping.as_slice() {
+                rolled.push((*only, response));
+            } else {
+                for settled in [false, true] {
+                    for t in &slipping {
+                        setting.grip = Grip::Rolls(*t);
+                        let one = respond(scene, &n, &setting)?;
+                        setting.friction_sense[*t] = one.reaction(*t, CONSTANT).sign();
+                        if settled {
+                            rolled.push((*t, one));
+                        }
+                    }
                 }
             }
-            setting.rolled = false;
+            setting.grip = Grip::Declared;
             response = respond(scene, &n, &setting)?;
         }
         if slides {
@@ -124,18 +153,19 @@ impl<'a, T: Real> Walk<'a, T> {
                     setting.friction_sense[t] = -sense;
                 }
             }
-            for starting in [!started, false] {
-                setting.starting = starting;
-                response = respond(scene, &n, &setting)?;
-                let stuck = scene.ties.iter().enumerate().any(|(t, tie)| {
+            let stuck = |r: &Response<T>, senses: &[f64]| {
+                scene.ties.iter().enumerate().any(|(t, tie)| {
                     let Tie::Slide { body, .. } = tie else { return false };
                     let c = Coordinate { body: *body, degree: Degree::Along };
-                    !started && (total(&response, c).sign() * setting.friction_sense[t]) >= 0.0
-                });
-                if stuck {
-                    moves = false;
-                }
-            }
+                    !started && total(r, c).sign() * senses[t] >= 0.0
+                })
+            };
+            setting.starting = !started;
+            response = respond(scene, &n, &setting)?;
+            moves = !stuck(&response, &setting.friction_sense);
+            setting.starting = false;
+            setting.held = !moves;
+            response = respond(scene, &n, &setting)?;
         }
         let mut ratio_column = if spring.is_some() {
             SPRING
@@ -144,17 +174,16 @@ impl<'a, T: Real> Walk<'a, T> {
         } else {
             CONSTANT
         };
-        if ratio_column == CONSTANT
-            && !slips
-            && moves
-            && response.acceleration(end, CONSTANT).cond() > NEAR_BALANCE
-        {
+        let lead = response.acceleration(end, ratio_column);
+        let idle_spring = ratio_column == SPRING && lead.is_zero();
+        let near_balance = ratio_column == CONSTANT && slipping.is_empty() && lead.cond() > NEAR_BALANCE;
+        if moves && (idle_spring || near_balance) {
             // Ratios of accelerations that nearly vanish would lose the digits of their derivatives.
             setting.probe = Some(end);
             response = respond(scene, &n, &setting)?;
             ratio_column = response.last();
         }
-        Ok(Self { scene, n, end, spring, rolled, response, ratio_column, moves, road: Road::new() })
+        Ok(Self { scene, n, end, spring, x_eq, rolled, response, ratio_column, moves, road: Road::new() })
     }
 
     /// Speed of the ending coordinate at the start, from the speed that is given.
@@ -204,11 +233,11 @@ impl<'a, T: Real> Walk<'a, T> {
             }
             _ => T::zero(),
         };
-        (centre + wound).signed(if end.forward { 1.0 } else { -1.0 })
+        centre.balance(wound).signed(if end.forward { 1.0 } else { -1.0 })
     }
     /// A response at this tension of the spring.
     fn at_tension(&self, tension: T, of: impl Fn(usize) -> T) -> T {
-        if self.spring.is_some() { of(CONSTANT) + of(SPRING) * tension } else { of(CONSTANT) }
+        if self.spring.is_some() { of(CONSTANT).balance(of(SPRING) * tension) } else { of(CONSTANT) }
     }
     fn friction(&self, tie: usize, tension: T) -> T {
         self.at_tension(tension, |k| self.response.reaction(tie, k))
@@ -238,16 +267,12 @@ impl<'a, T: Real> Walk<'a, T> {
             Some(Heading::Back) => sense > 0.0,
             None => false,
         };
-        if let Some(s) = &self.spring {
-            let (a, b) = (
-                self.response.acceleration(self.end, CONSTANT),
-                self.response.acceleration(self.end, SPRING),
-            );
-            let x_eq = -(a / b) / s.stiffness;
-            if x_eq.sign() >= 0.0 || s.rigid {
-                self.say(Quantity::XEq, Owner::Scene, x_eq);
-            }
+        if let (Some(x_eq), Some(s)) = (self.x_eq, &self.spring)
+            && (x_eq.sign() >= 0.0 || s.rigid)
+        {
+            self.say(Quantity::XEq, Owner::Scene, x_eq);
         }
+        let slips = self.slips();
         self.contacts_if_rolled();
         if sense == 0.0 || self.response.acceleration(self.end, self.ratio_column).is_zero() {
             self.road.course = Some(Course {
@@ -257,7 +282,7 @@ impl<'a, T: Real> Walk<'a, T> {
                 farthest: Dd::ZERO,
                 reached: false,
             });
-            self.standing(tension0, sense == 0.0 && !self.slips());
+            self.standing(tension0, sense == 0.0 && !slips);
             if self.spring.is_some() && self.along(self.end.body) == Some(self.end) {
                 for q in [Quantity::VMax, Quantity::DAtVMax, Quantity::DTurn] {
                     self.say(q, Owner::Body(self.end.body), zero);
@@ -272,7 +297,8 @@ impl<'a, T: Real> Walk<'a, T> {
         let mut travel = Travel { u0: v0.abs(), f0: a0.signed(sense), w2: None, slack: None };
         if let (Some(s), Some(gamma)) = (&self.spring, gamma) {
             let pull = self.response.acceleration(self.end, SPRING).signed(sense);
-            travel.w2 = Some(plant!("eom: stiffness of the spring", s.stiffness) * pull * gamma);
+            let w2 = plant!("eom: stiffness of the spring", s.stiffness) * pull * gamma;
+            travel.w2 = (!w2.is_zero()).then_some(w2);
             if !s.rigid && gamma.sign() > 0.0 {
                 let coast = self.response.acceleration(self.end, CONSTANT).signed(sense);
                 travel.slack = Some((s.stretch / gamma, coast));
@@ -281,7 +307,7 @@ impl<'a, T: Real> Walk<'a, T> {
         let turning = travel.turning();
         let limit = turning.map_or(Dd::new(f64::INFINITY), |t| t.value());
         let (asked, s) = self.asked(&travel, turning, sense);
-        let reached = !wrong_way && s.is_some_and(|s| s.value() <= limit && s.value() >= Dd::ZERO);
+        let reached = !wrong_way && s.is_some_and(|s| not_beyond(s.value(), limit) && s.value() >= Dd::ZERO);
         self.road.course = Some(Course {
             sense,
             drive: (Dd::ZERO, Dd::ZERO),
@@ -294,7 +320,7 @@ impl<'a, T: Real> Walk<'a, T> {
         let spring = self.spring;
         let tension_at = |s: T| match (spring, gamma) {
             (Some(spring), Some(gamma)) => {
-                let stretch = spring.stretch - gamma * s;
+                let stretch = spring.stretch.balance(-(gamma * s));
                 if stretch.sign() < 0.0 && !spring.rigid { zero } else { spring.stiffness * stretch }
             }
             _ => zero,
@@ -304,7 +330,7 @@ impl<'a, T: Real> Walk<'a, T> {
             None => zero,
         };
         self.grip(tension0, last_tension);
-        if self.spring.is_some() && self.along(self.end.body) == Some(self.end) {
+        if (self.spring.is_some() || !v0.is_zero()) && self.along(self.end.body) == Some(self.end) {
             let body = Owner::Body(self.end.body);
             if let Some((at, v)) = travel.fastest() {
                 self.say(Quantity::VMax, body, v);
@@ -327,7 +353,7 @@ impl<'a, T: Real> Walk<'a, T> {
     }
 
     fn slips(&self) -> bool {
-        self.rolled.is_some()
+        !self.rolled.is_empty()
     }
 
     /// What the event asks for, in its own measure, and the distance at which it comes.
@@ -367,9 +393,8 @@ impl<'a, T: Real> Walk<'a, T> {
 
     /// Friction that rolling would need, where a contact is said to slip.
     fn contacts_if_rolled(&mut self) {
-        let Some(rolled) = self.rolled.clone() else { return };
-        for (t, tie) in self.scene.ties.iter().enumerate() {
-            let Tie::Slip { body, mu_s, radius_m, .. } = tie else { continue };
+        for (t, rolled) in std::mem::take(&mut self.rolled) {
+            let Tie::Slip { body, mu_s, radius_m, .. } = &self.scene.ties[t] else { continue };
             let friction = rolled.reaction(t, CONSTANT);
             let normal = rolled.normal(*body);
             let scale = self.friction_scale(&rolled, *body, friction, T::zero());
@@ -386,7 +411,13 @@ impl<'a, T: Real> Walk<'a, T> {
             let against = slip.signed(-friction.sign());
             let available = self.n.get(*mu_s) * normal;
             let force = |f: T| self.n.publish(Quantity::Friction, f).value();
-            self.road.held.push(Held::Slipping(t, force(friction), force(available), against.value()));
+            self.road.held.push(Held::Slipping(
+                t,
+                force(friction),
+                force(available),
+                against.value(),
+                along.sign(),
+            ));
         }
     }
 
@@ -479,7 +510,8 @@ impl<'a, T: Real> Walk<'a, T> {
     fn arrived(&mut self, state: &State<T>, sense: f64, tension: T) {
         let (s, u) = (state.s, state.u);
         let mut energy = T::zero();
-        let mut turning = T::zero();
+        // Shares at unit rate: the speed would bring in its own rounding and leave by cancelling.
+        let (mut turning, mut whole) = (T::zero(), T::zero());
         self.say(Quantity::T, Owner::Scene, state.time);
         self.accelerations(tension, false);
         self.forces(tension);
@@ -492,19 +524,20 @@ impl<'a, T: Real> Walk<'a, T> {
                 self.say(Quantity::V, Owner::Body(b), v);
                 self.say(Quantity::Rise, Owner::Body(b), (ratio * n.climb * s).signed(sense));
                 energy = energy + (n.mass * v * v).scale2(-1);
+                whole = whole + n.mass * ratio * ratio;
             }
             if let Some(c) = self.turn(b) {
                 let ratio = self.ratio(c);
                 let w = ratio.abs() * u;
                 self.say(Quantity::Omega, Owner::Body(b), w);
                 self.say(Quantity::Phi, Owner::Body(b), ratio.abs() * s);
-                turning = turning + (n.inertia * w * w).scale2(-1);
+                energy = energy + (n.inertia * w * w).scale2(-1);
+                turning = turning + n.inertia * ratio * ratio;
             }
         }
-        energy = energy + turning;
         self.say(Quantity::KineticEnergy, Owner::Scene, energy);
         if !energy.is_zero() {
-            self.say(Quantity::RotationalFraction, Owner::Scene, turning / energy);
+            self.say(Quantity::RotationalFraction, Owner::Scene, turning / (turning + whole));
         }
         let mut heat = None;
         for (t, tie) in self.scene.ties.iter().enumerate() {
@@ -569,10 +602,16 @@ impl<'a, T: Real> Walk<'a, T> {
             return;
         };
         let (force, moment) = (force.signed(self.up(0)), moment.signed(self.up(0)));
-        if !self.scene.couples.is_empty() || moment.sign() <= 0.0 {
+        let never = if force.sign() > 0.0 { moment.sign() <= 0.0 } else { moment.sign() < 0.0 };
+        if !self.scene.couples.is_empty() || never {
             return;
         }
         let bound = if force.sign() > 0.0 { (c * moment / force).root() } else { T::of(f64::INFINITY) };
         self.say(Quantity::KBound, Owner::Body(0), bound);
     }
+}
+
+/// Is a place reached that is at most `limit`, up to rounding of double-doubles?
+fn not_beyond(s: Dd, limit: Dd) -> bool {
+    s <= limit || (s - limit).hi <= NOISE * limit.hi
 }

@@ -44,7 +44,8 @@ impl<T: Real> Travel<T> {
     fn taut_square(&self, s: T) -> T {
         let gained = twice(plant!("eom: integral of the acceleration", self.f0) * s);
         let spring = self.w2.map_or_else(T::zero, |w2| w2 * s.square());
-        self.u0.square() + gained - spring
+        let start = self.u0.square();
+        (start + gained - spring).cleared(start.f64() + gained.f64().abs() + spring.f64().abs())
     }
 
     /// Does the motion get to the place where the cord goes slack? Its distance and the acceleration beyond.
@@ -65,12 +66,13 @@ impl<T: Real> Travel<T> {
         }
     }
 
-    /// Distance and greatest speed; `None` if the speed grows without end, or is greatest at the start.
+    /// Distance and greatest speed; `None` if the speed grows without end.
     pub fn fastest(&self) -> Option<(T, T)> {
-        let w2 = self.w2?;
         if self.f0.sign() <= 0.0 {
-            return None;
+            // Nothing drives it on: fastest at the start, if it was thrown.
+            return (!self.u0.is_zero()).then(|| (T::zero(), self.u0));
         }
+        let w2 = self.w2?;
         let level = self.f0 / w2;
         if let Some((at, f1)) = self.slack
             && level.value() >= at.value()
@@ -85,7 +87,7 @@ impl<T: Real> Travel<T> {
         match self.slack {
             Some((at, f1)) if s.value() > at.value() => {
                 let first = self.taut(at);
-                let u = (self.taut_square(at) + twice(f1 * (s - at))).root();
+                let u = self.taut_square(at).balance(twice(f1 * (s - at))).root();
                 State { s, u, time: first.time + uniform_time(s - at, first.u, u) }
             }
             _ => self.taut(s),
