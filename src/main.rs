@@ -7,10 +7,13 @@ use std::process::ExitCode;
 
 fn main() -> ExitCode {
     let watched = io::stderr().is_terminal();
+    let typed = io::stdin().is_terminal();
     let mut input = io::stdin().lock();
     let mut out = io::BufWriter::new(io::stdout().lock());
     let mut err = io::stderr().lock();
-    let exit =
-        cli::run(std::env::args_os(), &mut Io { input: &mut input, out: &mut out, err: &mut err, watched });
+    let exit = cli::run(
+        std::env::args_os(),
+        &mut Io { input: &mut input, out: &mut out, err: &mut err, watched, typed },
+    );
     ExitCode::from(exit as u8)
 }

@@ -150,6 +150,11 @@ impl Templates {
         self.html.render_to(name, &view.0, out).map_err(|e| finding(&e, self.path(name), None))
     }
 
+    /// The file that stands in the place of a built-in template, or adds one.
+    pub fn own_file(&self, name: &str) -> Option<&str> {
+        self.files.get(name).map(String::as_str)
+    }
+
     fn path<'a>(&'a self, name: &'a str) -> &'a str {
         self.files.get(name).map_or(name, String::as_str)
     }

@@ -20,7 +20,10 @@ fn run_with(args: &[&str], input: &str) -> Ran {
     let (mut out, mut err) = (Vec::new(), Vec::new());
     let mut input = input.as_bytes();
     let words = std::iter::once("slipstick").chain(args.iter().copied()).map(OsString::from);
-    let exit = cli::run(words, &mut Io { input: &mut input, out: &mut out, err: &mut err, watched: false });
+    let exit = cli::run(
+        words,
+        &mut Io { input: &mut input, out: &mut out, err: &mut err, watched: false, typed: false },
+    );
     let text = |bytes: Vec<u8>| String::from_utf8(bytes).expect("the program writes UTF-8");
     Ran { exit, out: text(out), err: text(err) }
 }
@@ -104,6 +107,9 @@ fn a_set_has_its_files_and_nothing_for_students_but_theirs() {
     let key = room.read("set/key.csv");
     assert_eq!(key.lines().next(), Some("student,problem,part,value,unit,eom,energy,gap,cond,tolerance"));
     assert_eq!(key.lines().count(), 1 + 24 * CLASS.len());
+    // A unit reads as people write it and stays on one line.
+    let html = room.read("set/students/0017/sheet.html");
+    assert!(html.contains("in\u{a0}kg\u{a0}m²") && html.contains("<code>2.v</code>, in\u{a0}m/s"), "{html}");
     // No number of the key is in what a student gets.
     let set: serde_json::Value = serde_json::from_str(&room.read("set/set.json")).unwrap();
     let folder = set["students"][0]["folder"].as_str().unwrap().to_owned();
@@ -188,8 +194,117 @@ fn a_folder_is_not_overwritten() {
     assert_eq!(room.read("set/notes.txt"), "mine");
     fs::create_dir(room.path("other")).unwrap();
     room.write("other/thesis.tex", "mine");
-    assert_eq!(room.generate("roster.csv", "other", &["--force"]).exit, Exit::Faulty);
+    let ran = room.generate("roster.csv", "other", &["--force"]);
+    assert_eq!(ran.exit, Exit::Faulty);
+    assert_eq!(
+        room.shown(&ran.err),
+        "error: ROOM/other: holds no set\n    hint: --force replaces only what generate made\n"
+    );
     assert_eq!(tree(&room.0.path().join("other")).len(), 1);
+}
+
+#[test]
+fn an_add_that_was_killed_is_made_good_by_the_next() {
+    let room = Room::new(&CLASS);
+    room.roster("early.csv", &CLASS[..3]);
+    for out in ["early", "forced"] {
+        assert_eq!(room.generate("early.csv", out, &[]).exit, Exit::Fine);
+    }
+    assert_eq!(room.generate("roster.csv", "whole", &[]).exit, Exit::Fine);
+    // Killed before set.json was put in its place: sheets and the key of the late ones are there.
+    let set: serde_json::Value = serde_json::from_str(&room.read("whole/set.json")).unwrap();
+    let late = set["students"][4]["folder"].as_str().unwrap();
+    let copy = |out: &str| {
+        fs::create_dir(room.path(&format!("{out}/students/{late}"))).unwrap();
+        for name in ["sheet.md", "sheet.html", "sheet.json"] {
+            let from = room.path(&format!("whole/students/{late}/{name}"));
+            fs::copy(from, room.path(&format!("{out}/students/{late}/{name}"))).unwrap();
+        }
+        fs::copy(room.path("whole/key.csv"), room.path(&format!("{out}/key.csv"))).unwrap();
+    };
+    let early = tree(&room.0.path().join("early"));
+    copy("early");
+    copy("forced");
+    let ran = room.generate("early.csv", "early", &["--add"]);
+    assert_eq!((ran.exit, ran.err.as_str()), (Exit::Fine, ""));
+    assert!(tree(&room.0.path().join("early")) == early, "the old set, nothing else");
+    copy("early");
+    assert_eq!(room.generate("roster.csv", "early", &["--add"]).exit, Exit::Fine);
+    assert!(tree(&room.0.path().join("early")) == tree(&room.0.path().join("whole")));
+    assert_eq!(room.generate("early.csv", "forced", &["--force"]).exit, Exit::Fine);
+    assert!(!Path::new(&room.path(&format!("forced/students/{late}"))).exists());
+    // Killed after set.json: the form is the old one.
+    let form = room.read("whole/submissions.csv");
+    room.write("whole/submissions.csv", &room.read("forced/submissions.csv"));
+    assert_eq!(room.generate("roster.csv", "whole", &["--add"]).exit, Exit::Fine);
+    assert_eq!(room.read("whole/submissions.csv"), form);
+    // A folder that somebody else made is not touched.
+    fs::create_dir(room.path(&format!("forced/students/{late}"))).unwrap();
+    room.write(&format!("forced/students/{late}/mine.txt"), "mine");
+    let ran = room.generate("roster.csv", "forced", &["--add"]);
+    assert_eq!(ran.exit, Exit::Faulty);
+    assert!(ran.err.contains("is there already, and generate did not make it"), "{}", ran.err);
+    assert_eq!(room.read(&format!("forced/students/{late}/mine.txt")), "mine");
+}
+
+#[test]
+#[cfg(target_os = "linux")]
+fn what_killed_runs_left_is_swept_away() {
+    let room = Room::new(&CLASS);
+    let mut child = std::process::Command::new("true").spawn().unwrap();
+    let dead = child.id();
+    child.wait().unwrap();
+    let machine = fs::read_to_string("/proc/sys/kernel/random/boot_id").unwrap();
+    let left = |name: &str, owner: &str| {
+        fs::create_dir_all(room.path(&format!(".slipstick-unfinished-{name}/new/students"))).unwrap();
+        room.write(&format!(".slipstick-unfinished-{name}/slipstick-owner"), owner);
+    };
+    left("dead", &format!("{dead}\n{machine}set\n"));
+    left("alive", &format!("{}\n{machine}set\n", std::process::id()));
+    left("elsewhere", &format!("{dead}\nanother-machine\nset\n"));
+    // Killed between the two renames: the old set is inside.
+    assert_eq!(room.generate("roster.csv", "old", &[]).exit, Exit::Fine);
+    left("between", &format!("{dead}\n{machine}old\n"));
+    fs::rename(room.path("old"), room.path(".slipstick-unfinished-between/old")).unwrap();
+    assert_eq!(room.generate("roster.csv", "set", &[]).exit, Exit::Fine);
+    let there = |name: &str| Path::new(&room.path(&format!(".slipstick-unfinished-{name}"))).exists();
+    assert!(!there("dead") && !there("between") && there("alive") && there("elsewhere"));
+    assert!(tree(&room.0.path().join("old")) == tree(&room.0.path().join("set")));
+}
+
+#[test]
+fn folders_and_files_in_each_others_place_are_explained() {
+    let room = Room::new(&CLASS);
+    let here = std::env::current_dir().unwrap().display().to_string();
+    for out in [".", "..", &here] {
+        let args = [
+            "generate",
+            "wheels-on-inclines",
+            "--seed",
+            "1",
+            "--roster",
+            &room.path("roster.csv"),
+            "--out",
+            out,
+        ];
+        let ran = run(&args);
+        assert_eq!(ran.exit, Exit::Faulty);
+        assert!(ran.err.contains("write into a new folder, such as --out week-5"), "{}", ran.err);
+    }
+    let below = room.generate("roster.csv", "roster.csv/set", &[]);
+    assert!(below.err.contains("something else of this name is in the way"), "{}", below.err);
+    let ran = run(&["grade", &room.path("roster.csv"), &room.path("roster.csv"), "--out", &room.path("g")]);
+    assert!(ran.err.contains("is a file; a set is a folder"), "{}", ran.err);
+    fs::create_dir(room.path("dir")).unwrap();
+    let ran = room.generate("dir", "set", &[]);
+    assert!(ran.err.contains("it is a folder, and a file is wanted"), "{}", ran.err);
+    for ran in [below, ran] {
+        assert!(!ran.err.contains("os error") && !ran.err.contains(".slipstick"), "{}", ran.err);
+    }
+    // Folders named otherwise than the student are told.
+    let ran = room.generate("roster.csv", "set", &[]);
+    assert!(ran.out.contains("\n  ../x is in students/%2E"), "{}", ran.out);
+    assert!(!ran.out.contains("0017 is in"), "{}", ran.out);
 }
 
 #[test]
@@ -290,6 +405,17 @@ fn a_changed_set_is_not_graded() {
     let (value, _) = key_of(&room, "0017", "1", "kinetic_energy");
     change("set/key.csv", &value, "1", "when made anew from the set");
     change("set/set.json", "{", "{{", "is no set");
+    change(
+        "set/set.json",
+        "\"draw_version\": 1",
+        "\"draw_version\": 9",
+        "draw_version: is 9; this program draws by version 1",
+    );
+    // Another program version that draws the same is fine.
+    let set = room.read("set/set.json");
+    let program = format!("\"slipstick {}\"", env!("CARGO_PKG_VERSION"));
+    assert!(set.contains(&program));
+    room.write("set/set.json", &set.replacen(&program, "\"slipstick 99.0.0\"", 1));
     assert_eq!(grade().exit, Exit::Fine);
 }
 
@@ -312,7 +438,8 @@ fn check_needs_the_sheet_alone() {
     assert!(right.out.starts_with("  2.omega "), "{}", right.out);
     let wrong = run(&["check", &sheet, "2.omega=1 rad/s", "--reveal"]);
     assert_eq!(wrong.exit, Exit::NotAllRight);
-    assert_eq!(wrong.err, "The bank does not allow --reveal: no values are shown.\n");
+    assert_eq!(wrong.err, "");
+    assert!(wrong.out.ends_with("  no value shown: the bank does not allow --reveal\n"), "{}", wrong.out);
     assert!(!wrong.out.contains(&omega[..4]), "no value is shown");
     for (answer, says) in [
         ("2.omga=1", "did you mean `omega`?"),
@@ -486,6 +613,38 @@ fn solve_says_what_happens() {
 }
 
 #[test]
+fn solve_takes_any_regime_where_none_is_declared() {
+    let room = Room::new(&[]);
+    let bank = include_str!("../banks/wheels-on-inclines.yaml");
+    let open: String =
+        bank.lines().filter(|l| !l.trim_start().starts_with("regimes:")).map(|l| format!("{l}\n")).collect();
+    room.write("open.yaml", &open);
+    let path = room.path("open.yaml");
+    let mut args = vec!["solve", path.as_str(), "pulled-rolling", "--json"];
+    args.extend(ROLLING);
+    let ran = run(&args);
+    assert_eq!((ran.exit, ran.err.as_str()), (Exit::Fine, ""));
+    assert!(!ran.out.contains("-0.0000000000000000e0"), "{}", ran.out);
+    // Balanced without a pull on a level: zeros have no sign.
+    let rest = solve(&["--json"], &[("theta", "0"), ("P", "0")]);
+    assert!(!rest.out.contains("-0.0000000000000000e0"), "{}", rest.out);
+}
+
+#[test]
+fn checks_say_how_a_motion_goes() {
+    let weak = solve(&[], &[("P", "10N")]);
+    assert_eq!(weak.exit, Exit::RegimeFails);
+    let other_way = "the end is not reached: 3.0000 asked, the motion goes the other way";
+    assert!(weak.out.contains(other_way), "{}", weak.out);
+    let scene = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/scenes/g5-openstax-cyl-up-h.yaml");
+    let bank = fs::read_to_string(scene).unwrap();
+    let id = bank.lines().skip_while(|l| *l != "problems:").nth(1).unwrap().trim().trim_end_matches(':');
+    let rises = run(&["solve", scene, id, "--seed", "1"]);
+    assert!(rises.out.contains("it starts with a speed of its own"), "{}", rises.out);
+    assert!(rises.out.contains("the end is reached: it comes to rest after"), "{}", rises.out);
+}
+
+#[test]
 fn solve_refuses_what_is_no_scene() {
     for (symbol, value) in [
         ("m", "-40kg"),
@@ -544,10 +703,20 @@ fn templates_of_ones_own() {
     let own = ["--templates", &room.path("mine")];
     room.write(
         "mine/statement/pulled-rolling.md",
-        "Ein Rad der Masse {{ m }}.\n{% if false %}{{ R }}{% endif %}",
+        "Ein Rad der Masse {{ m }}: {{ R }}, {{ r }}, {{ k }}, {{ theta }}, {{ P }}, {{ d }}, {{ mu_s }}.",
     );
     assert_eq!(room.generate("roster.csv", "set", &own).exit, Exit::Fine);
     assert!(room.read("set/students/0017/sheet.md").contains("Ein Rad der Masse $m = "));
+    // A datum that the statement lacks, in both commands.
+    room.write(
+        "mine/statement/pulled-rolling.md",
+        "A wheel: {{ m }}, {{ R }}, {{ r }}, {{ k }}, {{ theta }}, {{ P }}, {{ d }}.",
+    );
+    let told = "error: ROOM/mine/statement/pulled-rolling.md: the statement never gives `mu_s`\n    hint: write `{{ mu_s }}` where it belongs\n";
+    let ran = room.generate("roster.csv", "other", &own);
+    assert_eq!((ran.exit, room.shown(&ran.err).as_str()), (Exit::Faulty, told));
+    let ran = run(&["lint", "wheels-on-inclines", "--seeds", "5", own[0], own[1]]);
+    assert_eq!((ran.exit, room.shown(&ran.err).as_str()), (Exit::Faulty, told));
     room.write("mine/statement/pulled-rolling.md", "A wheel.\nIts mass is {{ mass }}.\n");
     let ran = room.generate("roster.csv", "other", &own);
     assert_eq!(ran.exit, Exit::Faulty);
@@ -574,12 +743,11 @@ fn practice_takes_piped_answers() {
         &["practice", "wheels-on-inclines", "--seed", "3", "--problems", "pulled-rolling"],
         &format!("{omega}\n"),
     );
-    assert!(again.out.contains("omega =   right"), "{}", again.out);
-    assert!(
-        again.out.ends_with("1 of 1 question right at last.\n") || again.out.contains("1 of 1"),
-        "{}",
-        again.out
-    );
+    assert!(again.out.contains(&format!("omega = {omega}\n  right")), "{}", again.out);
+    assert!(again.out.ends_with("\nYou had 1 of 1 questions right.\n"), "{}", again.out);
+    let lost = run_with(&["practice", "wheels-on-inclines", "--seed", "3"], "help\nhelpme\nsolution\n\n");
+    assert_eq!(lost.out.matches("`solution` shows the right values").count(), 3, "{}", lost.out);
+    assert!(lost.out.contains("solution\n  The right values:\n"), "{}", lost.out);
 }
 
 #[test]
@@ -630,6 +798,7 @@ fn what_is_typed_wrong_is_explained() {
     for verb in ["generate", "grade", "check", "practice", "solve", "lint", "demo"] {
         let ran = run(&[verb, "--help"]);
         assert_eq!((ran.exit, ran.err.as_str()), (Exit::Fine, ""));
+        assert!(verb != "generate" || ran.out.contains("required unless --add"), "{}", ran.out);
         assert!(ran.out.contains("Example"), "{verb} teaches by example");
     }
 }

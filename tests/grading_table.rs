@@ -54,6 +54,11 @@ fn key(name: &str) -> KeyEntry {
         "angle" => entry("angle", number(std::f64::consts::FRAC_PI_6, 0.005, false), "deg"),
         "mu" => entry("mu", number(0.25, 0.0025, false), "1"),
         "alpha" => entry("alpha", number(4.5, 0.045, false), "rad/s^2"),
+        "weight" => entry("weight", number(163.586, 1.63586, false), "N"),
+        "inertia" => entry("inertia", number(0.8, 0.008, false), "kg m^2"),
+        "level" => {
+            entry("level", Answer::Word { right: "forward", offered: &["forward", "back", "stays"] }, "1")
+        }
         "strict" => KeyEntry { unit_required: true, ..key("v") },
         "rolls" => entry("rolls", Answer::Word { right: "yes", offered: &["yes", "no"] }, "1"),
         "direction" => {
@@ -120,7 +125,51 @@ const TABLE: &[(&str, &str, &str, &str)] = &[
     ("30,263.0", "large", "unreadable", "more than one comma or point"),
     ("1,030,263", "large", "unreadable", "more than one comma or point"),
     ("1.2.3 m/s", "v", "unreadable", "more than one comma or point"),
+    ("0,164", "large", "wrong", "the comma is read as the decimal mark"),
+    ("0,164", "weight", "wrong", "the comma is read as the decimal mark"),
+    // turns
+    ("289 1/min", "omega", "right", "1/min is read as revolutions: rev/min"),
+    ("289 min^-1", "omega", "right", "revolutions"),
+    ("289 min⁻¹", "omega", "right", "revolutions"),
+    ("289 U/min", "omega", "right", ""),
+    ("289 U min⁻¹", "omega", "right", ""),
+    ("289 rev/min", "omega", "right", ""),
+    ("289 Umdr/min", "omega", "right", ""),
+    ("289 Umdr./min", "omega", "right", ""),
+    ("1816 1/min", "omega", "unreadable", "write rev/min or rad/min"),
+    ("1816 rad/min", "omega", "right", ""),
+    ("100 1/min", "omega", "wrong", "revolutions"),
+    // as people write
+    ("30.3 rads/s", "omega", "right", ""),
+    ("30.3 radians per second", "omega", "right", ""),
+    ("30.3 rad per s", "omega", "right", ""),
+    ("4.5 radians per second squared", "alpha", "right", ""),
+    ("0.8 kgm²", "inertia", "right", ""),
+    ("0.8 kgm^2", "inertia", "right", ""),
+    ("0.8 kg m^2", "inertia", "right", ""),
+    ("30.3 rad/s (ccw)", "omega", "right", "the sense of turning is passed over"),
+    ("30.3 rad/s cw", "omega", "right", "the sense of turning"),
+    ("30.3 clockwise", "omega", "right", "the sense of turning"),
+    ("30.3 rad/s, counterclockwise", "omega", "right", "the sense of turning"),
+    ("1.25 m/s cw", "v", "unreadable", "not one direction"),
+    ("ca. 30.3", "omega", "right", "without the word before it"),
+    ("about 30.3 rad/s", "omega", "right", "without the word before it"),
+    ("approx 30.3", "omega", "right", "without the word before it"),
+    ("Approx. 30.3", "omega", "right", "without the word before it"),
+    ("$30.3$ rad/s", "omega", "right", ""),
+    ("30.3\\ \\mathrm{rad/s}", "omega", "right", ""),
+    ("$30{,}3\\,\\text{rad}/\\text{s}$", "omega", "right", ""),
+    ("$4.2 \\times 10^{3}\\ \\mathrm{N}$", "force", "right", ""),
+    ("$30^\\circ$", "angle", "right", ""),
+    ("$4.5\\ \\mathrm{rad}/\\mathrm{s}^{2}$", "alpha", "right", ""),
+    ("３０．３ rad/s", "omega", "right", ""),
     // directions
+    ("62.6 N ↑", "friction", "right", ""),
+    ("62.6 N ↓", "friction", "wrong direction", ""),
+    ("↓62.6 N", "friction", "wrong direction", ""),
+    ("62.6 N to the right", "friction", "unreadable", "write up or down"),
+    ("62.6 N left", "friction", "unreadable", "write up or down"),
+    ("62.6 N forward", "friction", "right", ""),
     ("62.6 N up", "friction", "right", ""),
     ("62.6 N up the incline", "friction", "right", ""),
     ("up the slope 62.6 N", "friction", "right", ""),
@@ -137,11 +186,21 @@ const TABLE: &[(&str, &str, &str, &str)] = &[
     ("62.6 N up down", "friction", "unreadable", "not one direction"),
     ("62.6 N stays", "friction", "unreadable", "not one direction"),
     ("50 N up", "friction", "wrong", ""),
-    ("-30.3 rad/s", "omega", "wrong direction", "a magnitude has no minus sign"),
+    ("-30.3 rad/s", "omega", "wrong direction", "a magnitude is asked"),
     ("30.3 rad/s forward", "omega", "right", "no direction is asked"),
     // words
     ("stays", "direction", "right", ""),
     ("it stays at rest", "direction", "right", ""),
+    ("it does not move", "direction", "right", ""),
+    ("doesn't move", "direction", "right", ""),
+    ("↑", "direction", "wrong", ""),
+    ("to the right", "direction", "unreadable", "`right` is not offered"),
+    ("to the right", "level", "right", ""),
+    ("left", "level", "wrong", ""),
+    ("yes it rolls", "rolls", "right", ""),
+    ("no, it slips", "rolls", "wrong", ""),
+    ("no, it does not roll", "rolls", "wrong", ""),
+    ("no, it rolls", "rolls", "unreadable", ""),
     ("Up", "direction", "wrong", "another word is right"),
     ("yes", "direction", "unreadable", "write one of up, down, stays"),
     ("0", "direction", "unreadable", "a word is asked"),
@@ -274,18 +333,71 @@ fn a_messy_long_file() {
     4,,00123,1,omega,,blank,0,1,nothing written
     5,,00123,1,omega,huh?,superseded,0,1,superseded by line 3; would have been unreadable: neither a number nor a known word
     6,,123,1,omega,30.3,unknown student,0,0,not on the roster; did you mean 00123?
-    8,,b,2,v,"b,2,v,1,25 m/s,",unreadable,0,0,"6 fields where the header has 5: the comma split the answer: quote it (""1,25 m/s"") or write 1.25 m/s"
+    8,,b,2,v,"b,2,v,1,25 m/s,",unreadable,0,1,"6 fields where the header has 5: the comma split the answer: quote it (""1,25 m/s"") or write 1.25 m/s"
     9,,b,2,v,"1,25 m/s",right,1,1,within the tolerance; the comma is read as the decimal mark
-    10,,b,2,rolls,"b,2,rolls",unreadable,0,0,3 fields where the header has 5
-    11,,b,2,v,"b,2,v,-1,25,a",unreadable,0,0,"6 fields where the header has 5: the comma split the answer: quote it (""-1,25"") or write -1.25"
+    10,,b,2,rolls,"b,2,rolls",unreadable,0,1,3 fields where the header has 5
+    11,,b,2,v,"b,2,v,-1,25,a",unreadable,0,1,"6 fields where the header has 5: the comma split the answer: quote it (""-1,25"") or write -1.25"
     12,,b,2,omgea,1,unknown part,0,0,"no part `omgea`; parts: v, rolls"
     13,,b,7,v,1,unknown part,0,0,"no problem `7`; problems: 1 (rolling), 2 (slipping)"
     14,,,,,",,,,",blank,0,0,an empty record
     15,,b,1,friction,-62.6 N,wrong direction,0,1,"the magnitude is right, the sign is not"
     16,,b,2,rolls,'=1+1,unreadable,0,1,"more than one number: write one number and its unit; write one of: yes, no"
-    17,,b,1,omega,"b,1,omega,""30.3",unreadable,0,0,4 fields where the header has 5
+    17,,b,1,omega,"""30.3",unreadable,0,1,a quote opened on line 17 is not closed there
     18,,nobody,2,rolls,yes,right,1,1,the right word
     "#);
+}
+
+#[test]
+fn a_quote_left_open_swallows_no_answer() {
+    let text = "student,problem,part,answer\nb,1,omega,\"30.3\nb,1,friction,62 N\n00123,2,v,1.25\"\nb,2,v,\"1.25\nm/s\"\n";
+    insta::assert_snapshot!(run(text), @r#"
+    line,column,student,problem,part,answer,verdict,points,max_points,reason
+    2,,b,1,omega,"""30.3",unreadable,0,1,a quote opened on line 2 is not closed there
+    3,,b,1,friction,62 N,right,1,1,within the tolerance
+    4,,00123,2,v,"1.25""",unreadable,0,1,"unexpected `\""` at column 1"
+    5,,b,2,v,"1.25
+    m/s",right,1,1,within the tolerance
+    "#);
+}
+
+#[test]
+fn columns_at_the_end_may_be_missing_and_odd_bytes_hide_no_name() {
+    let text =
+        b"student,problem,part,answer,submitted_at,remark\nb,1.0,omega,30.3\nb,01,friction,62 N,2026-01-01\n\
+        b,2,v,1,25 m/s\nb,2,rolls,y\0es,,\nb,2,rolls\nstr\0ange,2,rolls,yes,,\n";
+    let out = run_with(text, &table(), &Options::default()).unwrap().0;
+    insta::assert_snapshot!(out.replace('\u{fffd}', "?"), @r#"
+    line,column,student,problem,part,answer,verdict,points,max_points,reason
+    2,,b,1,omega,30.3,right,1,1,within the tolerance
+    3,,b,1,friction,62 N,right,1,1,within the tolerance
+    4,,b,2,v,"b,2,v,1,25 m/s",unreadable,0,1,"5 fields where the header has 6: the comma split the answer: quote it (""1,25 m/s"") or write 1.25 m/s"
+    5,,b,2,rolls,"b,2,rolls,y?es,,",unreadable,0,1,bytes that are no text: save the file as UTF-8
+    6,,b,2,rolls,"b,2,rolls",unreadable,0,1,3 fields where the header has 6
+    7,,,2,rolls,"str?ange,2,rolls,yes,,",unreadable,0,0,bytes that are no text: save the file as UTF-8
+    "#);
+}
+
+#[test]
+fn parts_may_be_mapped_to_headers() {
+    let text = "ID,Angular speed,Friction,note\nb,30.3,62 N,x\n";
+    let map = |pairs: &[(&str, &str)]| Options {
+        columns: pairs.iter().map(|(a, b)| ((*a).to_owned(), (*b).to_owned())).collect(),
+        ..Options::default()
+    };
+    let options = map(&[("student", "ID"), ("1.omega", "Angular speed"), ("rolling.friction", "friction")]);
+    insta::assert_snapshot!(run_with(text.as_bytes(), &table(), &options).unwrap().0, @r"
+    line,column,student,problem,part,answer,verdict,points,max_points,reason
+    2,Angular speed,b,1,omega,30.3,right,1,1,within the tolerance
+    2,Friction,b,1,friction,62 N,right,1,1,within the tolerance
+    ");
+    let options = map(&[("student", "ID"), ("1.omgea", "Angular speed"), ("9.v", "note"), ("2.v", "Speed")]);
+    insta::assert_snapshot!(run_with(text.as_bytes(), &table(), &options).unwrap_err().to_string(), @"
+    --columns: no part `omgea`; did you mean omega? parts: omega, friction
+    --columns: unknown column `9.v`
+        hint: one of student, problem, part, answer, submitted_at, or a part such as 1.omega
+    line 1, column 1: header: no column `Speed`
+        hint: the columns are: ID | Angular speed | Friction | note
+    ");
 }
 
 #[test]
@@ -327,8 +439,44 @@ fn attempts_are_ordered_by_time_and_else_by_row() {
     assert_eq!(verdicts(Attempts::Last), ["right", "superseded", "superseded", "wrong"]);
     assert_eq!(verdicts(Attempts::First), ["superseded", "wrong", "right", "superseded"]);
     assert_eq!(verdicts(Attempts::Best), ["right", "superseded", "right", "superseded"]);
-    let out = run(text);
+    let (out, graded) = run_with(text.as_bytes(), &table(), &Options::default()).unwrap();
     assert!(out.contains("submitted_at cannot be read for every attempt"), "{out}");
+    assert_eq!(graded.untimed, 1);
+}
+
+/// The verdicts of two attempts at one part, right and then wrong by row, with these times; and what else is in the column.
+fn timed(first: &str, second: &str, others: &[&str]) -> (Vec<String>, u64) {
+    let mut text =
+        format!("student,problem,part,answer,submitted_at\nb,1,omega,30.3,{first}\nb,1,omega,31,{second}\n");
+    for other in others {
+        text.push_str(&format!("stranger,1,omega,1,{other}\n"));
+    }
+    let (out, graded) = run_with(text.as_bytes(), &table(), &Options::default()).unwrap();
+    let verdict = |l: &str| l.split(',').nth(6).unwrap().to_owned();
+    (out.lines().skip(1).take(2).map(verdict).collect(), graded.untimed)
+}
+
+#[test]
+fn form_services_times_and_the_order_of_day_and_month() {
+    let first = (vec!["right".to_owned(), "superseded".to_owned()], 0);
+    let second = |untimed| (vec!["superseded".to_owned(), "wrong".to_owned()], untimed);
+    assert_eq!(timed("2026/01/05 1:00:02 PM GMT+1", "2026/01/05 10:00:02 AM GMT+1", &[]), first);
+    assert_eq!(timed("2026/01/05 10:00:02 AM GMT+1", "2026/01/05 10:00:03 AM GMT+1", &[]), second(0));
+    // 5 February and 10 January, or 2 May and 1 October
+    let (a, b) = ("5/2/2026 9:00", "10/1/2026 9:00");
+    assert_eq!(timed(a, b, &["25/1/2026 8:00"]), first);
+    assert_eq!(timed(a, b, &["1/25/2026 8:00"]), second(0));
+    assert_eq!(timed(b, a, &["1/25/2026 8:00"]), first);
+    assert_eq!(timed(b, a, &[]), second(1), "undecided: by row");
+    assert_eq!(timed(b, a, &["1/25/2026 8:00", "25/1/2026 8:00"]), second(1), "contradictory: by row");
+    assert_eq!(timed("05.02.2026 9:00", "10.01.2026 9:00", &[]), first);
+}
+
+#[test]
+fn a_single_attempt_needs_no_time() {
+    let text = "student,problem,part,answer,submitted_at\nb,1,omega,30.3,yesterday\nb,2,v,,\nb,2,v,1.25,\n";
+    let (out, graded) = run_with(text.as_bytes(), &table(), &Options::default()).unwrap();
+    assert_eq!((out.contains("submitted_at"), graded.untimed), (false, 0), "{out}");
 }
 
 #[test]
@@ -382,6 +530,45 @@ fn a_million_rows_are_accounted_for() {
     }
     assert_eq!(lines.next(), None);
     assert!(graded.count(Verdict::Unreadable) >= 3000, "{:?}", graded.counts);
+}
+
+/// A line of 100 MB, in one field or in many, quoted or not, is one unreadable record and is never held.
+#[test]
+fn a_line_of_100_mb_is_not_held() {
+    use std::io::Read;
+    if std::env::var_os("SLIPSTICK_ALONE").is_none() {
+        // in a process of its own: the other tests of this one hold memory too
+        let child = std::process::Command::new(std::env::current_exe().unwrap())
+            .args(["--exact", "a_line_of_100_mb_is_not_held"])
+            .env("SLIPSTICK_ALONE", "1")
+            .output()
+            .unwrap();
+        assert!(child.status.success(), "{}", String::from_utf8_lossy(&child.stdout));
+        return;
+    }
+    let peak = || {
+        let status = std::fs::read_to_string("/proc/self/statm").unwrap_or_default();
+        status.split(' ').nth(1).and_then(|pages| pages.parse::<u64>().ok()).unwrap_or(0) * 4096
+    };
+    for filler in [b'x', b',', b'"'] {
+        let before = peak();
+        let open = || {
+            let head = Cursor::new(b"student,problem,part,answer\nb,1,omega,\"1".to_vec());
+            let tail = Cursor::new(b"\nb,1,omega,30.3\n".to_vec());
+            Ok(Box::new(head.chain(std::io::repeat(filler).take(100 << 20)).chain(tail))
+                as Box<dyn Read + Send>)
+        };
+        let (mut out, mut most) = (Vec::new(), 0);
+        let options = Options { threads: 2, ..Options::default() };
+        let graded = grade(&open, &table(), &options, &mut out, &mut |_| most = peak().max(most)).unwrap();
+        let out = String::from_utf8(out).unwrap();
+        assert_eq!((graded.cells, graded.count(Verdict::Right)), (2, 1), "{out}");
+        assert!(
+            out.contains("a field longer than 64 KiB") && out.contains("3,,b,1,omega,30.3,right"),
+            "{out}"
+        );
+        assert!(most.saturating_sub(before) < 50 << 20, "{filler}: {before} then {most}");
+    }
 }
 
 mod any {

@@ -16,6 +16,10 @@ pub enum Word {
     Forward,
     /// Back, negative.
     Back,
+    /// To the right: a direction on a level only.
+    Right,
+    /// To the left.
+    Left,
     /// Does not move.
     Stays,
     /// Yes.
@@ -32,6 +36,8 @@ impl Word {
             Word::Down => "down",
             Word::Forward => "forward",
             Word::Back => "back",
+            Word::Right => "right",
+            Word::Left => "left",
             Word::Stays => "stays",
             Word::Yes => "yes",
             Word::No => "no",
@@ -62,6 +68,26 @@ pub struct Number {
     pub case_forgiven: bool,
     /// The direction, if one was written.
     pub word: Option<Word>,
+    /// `about` or the like stood before it.
+    pub about: bool,
+    /// `clockwise`, `ccw` or the like stood after it.
+    pub turning: bool,
+}
+
+impl Number {
+    /// A number alone.
+    fn plain(value: f64) -> Number {
+        Number {
+            value,
+            grouped: None,
+            comma: false,
+            unit: None,
+            case_forgiven: false,
+            word: None,
+            about: false,
+            turning: false,
+        }
+    }
 }
 
 /// What a cell says.
@@ -130,6 +156,8 @@ impl UnitCache {
         if let Some(found) = self.known.get(text) {
             return found.clone();
         }
+        let plain = spoken(text);
+        let text = plain.as_deref().unwrap_or(text);
         let found = match Unit::parse(text) {
             Ok(unit) => Ok((Arc::new(unit), false)),
             Err(_) => Unit::parse_any_case(text).map(|(unit, forgiven)| (Arc::new(unit), forgiven)),
@@ -139,6 +167,16 @@ impl UnitCache {
         }
         found
     }
+}
+
+/// `radians per second squared` as `radians/second^2`; `None` where nothing is spoken.
+fn spoken(text: &str) -> Option<String> {
+    let plain = text
+        .replace(" per ", "/")
+        .replace(" squared", "^2")
+        .replace("Umdr./", "Umdr/")
+        .replace("Umdr. /", "Umdr/");
+    (plain != text).then_some(plain)
 }
 
 /// A plain decimal number such as `30.3` or `-0.05`, with blanks around it; nothing else. The way for the most of cells.
@@ -178,8 +216,7 @@ pub fn plain_number(cell: &[u8]) -> Option<f64> {
 /// ```
 pub fn read(cell: &str, units: &mut UnitCache) -> Reading {
     if let Some(value) = plain_number(cell.as_bytes()) {
-        let (unit, word, grouped) = (None, None, None);
-        return Reading::Number(Number { value, grouped, comma: false, unit, case_forgiven: false, word });
+        return Reading::Number(Number::plain(value));
     }
     if cell.len() > 800 || cell.chars().count() > 200 {
         return if cell.trim().is_empty() { Reading::Blank } else { Reading::Unreadable(Why::TooLong) };
@@ -198,8 +235,19 @@ fn normal(cell: &str) -> String {
             '\u{200b}'..='\u{200f}' | '\u{2060}' | '\u{feff}' | '\u{ad}' | '\u{202a}'..='\u{202e}' => {}
             '\u{2010}'..='\u{2015}' | '\u{2212}' | '\u{fe63}' | '\u{ff0d}' => text.push('-'),
             c if c.is_whitespace() => text.push(' '),
+            '０'..='９' => text.extend(char::from_u32(u32::from(c) - u32::from('０') + u32::from('0'))),
+            '．' => text.push('.'),
+            '，' => text.push(','),
+            '／' => text.push('/'),
+            '＋' => text.push('+'),
+            '＝' => text.push('='),
+            '\u{2191}' => text.push_str(" up "),
+            '\u{2193}' => text.push_str(" down "),
             c => text.push(c),
         }
+    }
+    if text.contains(['\\', '$']) {
+        text = without_tex(&text);
     }
     let mut trimmed = text.trim();
     if let Some(inside) = trimmed.strip_prefix("=\"").and_then(|t| t.strip_suffix('"')) {
@@ -210,8 +258,101 @@ fn normal(cell: &str) -> String {
         trimmed = inside.trim();
     }
     let trimmed = trimmed.strip_prefix('\'').unwrap_or(trimmed).trim();
-    let trimmed = trimmed.trim_matches('$').trim();
     trimmed.strip_suffix(['.', ';', ',']).unwrap_or(trimmed).trim_end().to_owned()
+}
+
+/// LaTeX such as `$47.3$\\ \\mathrm{rad/s}` as plain text.
+fn without_tex(text: &str) -> String {
+    const PLAIN: &[(&str, &str)] = &[
+        ("$", ""),
+        ("^{\\circ}", "°"),
+        ("^\\circ", "°"),
+        ("\\degree", "°"),
+        ("{,}", ","),
+        ("\\mathrm", ""),
+        ("\\textrm", ""),
+        ("\\text", ""),
+        ("\\rm", ""),
+        ("\\left", ""),
+        ("\\right", ""),
+        ("\\qquad", " "),
+        ("\\quad", " "),
+        ("\\cdot", "·"),
+        ("\\times", "×"),
+        ("\\approx", "≈"),
+        ("\\uparrow", " up "),
+        ("\\downarrow", " down "),
+        ("\\%", "%"),
+        ("\\ ", " "),
+        ("\\,", " "),
+        ("\\;", " "),
+        ("\\:", " "),
+        ("\\!", ""),
+        ("\\(", ""),
+        ("\\)", ""),
+    ];
+    let mut text = text.to_owned();
+    for (from, to) in PLAIN {
+        text = text.replace(from, to);
+    }
+    let mut out = String::with_capacity(text.len());
+    let mut raised = false; // inside ^{ }
+    for c in text.chars() {
+        match c {
+            '{' if out.ends_with('^') => {
+                raised = true;
+                out.push('(');
+            }
+            '}' if raised => {
+                raised = false;
+                out.push(')');
+            }
+            '{' | '}' => {}
+            c => out.push(c),
+        }
+    }
+    out
+}
+
+const ABOUT: &[&str] =
+    &["about", "approximately", "approx", "around", "roughly", "circa", "ca", "etwa", "ungefähr", "rund"];
+
+/// Without `about` or its like before a number, and whether it stood there.
+fn without_about(text: &str) -> (&str, bool) {
+    let end = text.find(|c: char| !c.is_alphabetic()).unwrap_or(text.len());
+    let rest = text[end..].strip_prefix('.').unwrap_or(&text[end..]).trim_start();
+    let about = rest.starts_with(|c: char| c.is_ascii_digit() || "-+.,".contains(c))
+        && ABOUT.contains(&text[..end].to_lowercase().as_str());
+    if about { (rest, true) } else { (text, false) }
+}
+
+const TURNING: &[&str] = &[
+    "counterclockwise",
+    "counter-clockwise",
+    "counter clockwise",
+    "anticlockwise",
+    "anti-clockwise",
+    "clockwise",
+    "gegen den uhrzeigersinn",
+    "im uhrzeigersinn",
+    "ccw",
+    "cw",
+];
+
+/// Without the sense of turning after a number, and whether it stood there.
+fn without_turning(text: &str) -> (&str, bool) {
+    let inside = text.strip_suffix(')').unwrap_or(text).trim_end();
+    for word in TURNING {
+        let Some(at) = inside.len().checked_sub(word.len()) else { continue };
+        let (Some(before), Some(last)) = (inside.get(..at), inside.get(at..)) else { continue };
+        if last.eq_ignore_ascii_case(word)
+            && before.ends_with([' ', ',', '('])
+            && before.contains(|c: char| c.is_ascii_digit())
+        {
+            return (before.trim_end_matches([' ', ',', '(']), true);
+        }
+    }
+    (text, false)
 }
 
 fn general(text: &str, units: &mut UnitCache) -> Result<Reading, Why> {
@@ -220,6 +361,8 @@ fn general(text: &str, units: &mut UnitCache) -> Result<Reading, Why> {
     }
     let text = after_symbol(text)?;
     let text = text.trim_start_matches(['~', '\u{2248}', '\u{2243}', ' ']);
+    let (text, about) = without_about(text);
+    let (text, turning) = without_turning(text);
     if let Some(word) = phrase(text) {
         return word.map(Reading::Word);
     }
@@ -258,7 +401,7 @@ fn general(text: &str, units: &mut UnitCache) -> Result<Reading, Why> {
         number.case_forgiven = forgiven;
     }
     if let Some(w) = word {
-        if w.sign().is_none() {
+        if w.sign().is_none() && !matches!(w, Word::Left | Word::Right) {
             return Err(Why::OddWord);
         }
         if negative {
@@ -266,6 +409,8 @@ fn general(text: &str, units: &mut UnitCache) -> Result<Reading, Why> {
         }
     }
     number.word = word;
+    number.about = about;
+    number.turning = turning;
     Ok(Reading::Number(number))
 }
 
@@ -338,9 +483,12 @@ fn decimal(text: &str) -> Result<(Number, bool, &str), Why> {
         return Err(Why::NoNumber);
     }
     rest = &rest[at..];
-    let grouped_digits =
-        (commas == 1 && !spaced && after_mark == 3 && digits.find('.').is_some_and(|p| (1..=3).contains(&p)))
-            .then(|| digits.replace('.', ""));
+    let grouped_digits = (commas == 1
+        && !spaced
+        && after_mark == 3
+        && digits.find('.').is_some_and(|p| (1..=3).contains(&p))
+        && !digits.starts_with('0'))
+    .then(|| digits.replace('.', ""));
     // powers of ten
     let mut exponent = String::new();
     if let Some(tail) = rest.strip_prefix(['e', 'E']) {
@@ -365,7 +513,7 @@ fn decimal(text: &str) -> Result<(Number, bool, &str), Why> {
     };
     let value = parse(&digits)?;
     let grouped = grouped_digits.and_then(|d| parse(&d).ok());
-    let number = Number { value, grouped, comma: commas == 1, unit: None, case_forgiven: false, word: None };
+    let number = Number { grouped, comma: commas == 1, ..Number::plain(value) };
     Ok((number, negative, rest))
 }
 
@@ -484,8 +632,10 @@ const WORDS: &[(Word, &[&str])] = &[
             "hangabwärts",
         ],
     ),
-    (Word::Forward, &["forward", "forwards", "right", "vorwärts", "rechts"]),
-    (Word::Back, &["back", "backward", "backwards", "left", "rückwärts", "zurück", "links"]),
+    (Word::Forward, &["forward", "forwards", "vorwärts"]),
+    (Word::Back, &["back", "backward", "backwards", "rückwärts", "zurück"]),
+    (Word::Right, &["right", "rightward", "rightwards", "rechts"]),
+    (Word::Left, &["left", "leftward", "leftwards", "links"]),
     (Word::Stays, &["stays", "stay", "rest", "stationary", "still", "bleibt", "ruht", "unmoved"]),
     (Word::Yes, &["yes", "y", "ja", "true"]),
     (Word::No, &["no", "n", "nein", "false"]),
@@ -518,6 +668,12 @@ const FILLERS: &[&str] = &[
     "schiefe",
     "schiefen",
     "ebene",
+    "es",
+    "could",
+    "have",
+    "would",
+    "will",
+    "does",
     "put",
     "remains",
     "wheel",
@@ -530,16 +686,34 @@ fn phrase(text: &str) -> Option<Result<Word, Why>> {
     }
     let mut found: Option<Word> = None;
     let mut two = false;
+    let (mut rolls, mut denied) = (None, false); // what `it rolls`, `it slips` and `not` add to a yes or no
     let lower = text.to_lowercase();
+    let lower = ["does not move", "doesn't move", "not moving", "no motion", "bewegt sich nicht"]
+        .iter()
+        .fold(lower, |t, said| t.replace(said, "stays"));
     let plain =
         lower.split(|c: char| c.is_whitespace() || "(),.;:!-\"'".contains(c)).filter(|t| !t.is_empty());
     for token in plain {
         if let Some((word, _)) = WORDS.iter().find(|(_, all)| all.contains(&token)) {
             two |= found.is_some_and(|f| f != *word);
             found = Some(*word);
+        } else if ["roll", "rolls", "rolling", "rolled", "rollt"].contains(&token) {
+            two |= rolls == Some(false);
+            rolls = Some(true);
+        } else if ["slip", "slips", "slipping", "slides", "rutscht"].contains(&token) {
+            two |= rolls == Some(true);
+            rolls = Some(false);
+        } else if ["not", "nicht"].contains(&token) {
+            denied = true;
         } else if !FILLERS.contains(&token) {
             return None;
         }
     }
-    found.map(|word| if two { Err(Why::OddWord) } else { Ok(word) })
+    let word = found?;
+    let contradicts = match word {
+        Word::Yes => denied != (rolls == Some(false)),
+        Word::No => rolls.is_some_and(|r| r != denied),
+        _ => denied,
+    };
+    Some(if two || contradicts { Err(Why::OddWord) } else { Ok(word) })
 }

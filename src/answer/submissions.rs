@@ -3,7 +3,8 @@
 //!
 //! The reader is our own and not the `csv` crate's, because one quote left open must not swallow the rest: such a quote is
 //! taken as an ordinary character, and the reader goes on at the next line. A quote is left open where no closing one
-//! follows within 64 KiB or 100 lines, or where text follows a closing quote on a later line. Everything else is as in RFC 4180.
+//! follows within 64 KiB or 100 lines, where text follows a closing quote on a later line, or where each of the lines up to
+//! the closing quote has as many fields as the header. Everything else is as in RFC 4180.
 use encoding_rs::Encoding;
 use encoding_rs::UTF_16BE;
 use encoding_rs::UTF_16LE;
@@ -27,6 +28,16 @@ struct Span {
     start: usize,
     end: usize,
     quoted: bool,
+    /// A quote at its start is an ordinary character: it is not closed.
+    open: bool,
+}
+
+/// How fields are told apart.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+struct Shape {
+    delimiter: u8,
+    /// Fields of the header; 0 where they are not known.
+    width: usize,
 }
 
 /// Where a record ends, where the next one begins, and how many lines it took.
@@ -47,20 +58,23 @@ fn line_end(data: &[u8], at: usize, whole: bool) -> Option<usize> {
 }
 
 /// Walks over one record. `None`: more bytes are needed to decide; never where `whole` says that nothing follows.
-fn walk(data: &[u8], from: usize, delimiter: u8, whole: bool, field: &mut dyn FnMut(Span)) -> Option<Walked> {
+fn walk(data: &[u8], from: usize, shape: Shape, whole: bool, field: &mut dyn FnMut(Span)) -> Option<Walked> {
+    let delimiter = shape.delimiter;
     let (mut at, mut lines) = (from, 0);
     loop {
         let mut quote = at;
         while data.get(quote) == Some(&b' ') {
             quote += 1;
         }
-        let mut end = None;
-        if data.get(quote) == Some(&b'"')
-            && let Some((close, inner)) = closing(data, quote + 1, delimiter, whole)?
-        {
-            field(Span { start: quote, end: close, quoted: true });
-            lines += inner;
-            end = Some(close);
+        let (mut end, mut open) = (None, false);
+        if data.get(quote) == Some(&b'"') {
+            if let Some((close, inner)) = closing(data, quote + 1, shape, whole)? {
+                field(Span { start: quote, end: close, quoted: true, open });
+                lines += inner;
+                end = Some(close);
+            } else {
+                open = true;
+            }
         }
         let end = match end {
             Some(end) => end,
@@ -71,7 +85,7 @@ fn walk(data: &[u8], from: usize, delimiter: u8, whole: bool, field: &mut dyn Fn
                     return None;
                 }
                 let end = at + stop.unwrap_or(rest.len());
-                field(Span { start: at, end, quoted: false });
+                field(Span { start: at, end, quoted: false, open });
                 end
             }
         };
@@ -89,8 +103,10 @@ fn walk(data: &[u8], from: usize, delimiter: u8, whole: bool, field: &mut dyn Fn
 
 /// The end of a quoted field that begins at `from` (after its quote), and the line ends inside. `None`: undecided;
 /// `Some(None)`: the quote is an ordinary character.
-fn closing(data: &[u8], from: usize, delimiter: u8, whole: bool) -> Option<Option<(usize, u64)>> {
+fn closing(data: &[u8], from: usize, shape: Shape, whole: bool) -> Option<Option<(usize, u64)>> {
+    let delimiter = shape.delimiter;
     let (mut at, mut lines) = (from, 0);
+    let mut second = from; // where the line after the quote's begins
     let limit = data.len().min(from + FIELD_CAP);
     loop {
         let Some(step) = memchr::memchr3(b'"', b'\n', b'\r', &data[at.min(limit)..limit]) else {
@@ -103,6 +119,9 @@ fn closing(data: &[u8], from: usize, delimiter: u8, whole: bool) -> Option<Optio
                 return Some(None);
             }
             at = line_end(data, at, whole)?;
+            if lines == 1 {
+                second = at;
+            }
             continue;
         }
         match data.get(at + 1) {
@@ -117,10 +136,35 @@ fn closing(data: &[u8], from: usize, delimiter: u8, whole: bool) -> Option<Optio
                 }
                 let end = at + 1 + stop.unwrap_or(rest.len());
                 let junk = data[at + 1..end].iter().any(|b| *b != b' ');
-                return Some(if junk && lines > 0 { None } else { Some((end, lines)) });
+                if lines == 0 {
+                    return Some(Some((end, lines)));
+                }
+                return Some(if junk || all_records_look(data, second, at, shape, whole)? {
+                    None
+                } else {
+                    Some((end, lines))
+                });
             }
         }
     }
+}
+
+/// Has each line from `from` to the one in which `close` stands as many fields as the header? Then a quote before them
+/// was left open, and the quote at `close` is another's. `None`: undecided.
+fn all_records_look(data: &[u8], from: usize, close: usize, shape: Shape, whole: bool) -> Option<bool> {
+    if shape.width < 2 {
+        return Some(false);
+    }
+    let reach = &data[close..data.len().min(close + FIELD_CAP)];
+    let end = match memchr::memchr2(b'\n', b'\r', reach) {
+        Some(k) => close + k,
+        None if reach.len() == FIELD_CAP => return Some(false),
+        None if whole => data.len(),
+        None => return None,
+    };
+    let lines = data[from..end].split(|b| matches!(b, b'\n' | b'\r')).filter(|line| !line.is_empty());
+    let fields = |line: &[u8]| memchr::memchr_iter(shape.delimiter, line).count() + 1;
+    Some(lines.map(fields).all(|n| n == shape.width))
 }
 
 /// A field's text without its quotes, blanks around it kept.
@@ -163,7 +207,7 @@ fn unquoted<'a>(data: &'a [u8], span: Span) -> Cow<'a, [u8]> {
 pub struct Batch {
     bytes: Vec<u8>,
     line: u64,
-    delimiter: u8,
+    shape: Shape,
     /// No quote and no lone CR inside.
     simple: bool,
     /// A record that was too long to hold: its first bytes.
@@ -183,6 +227,7 @@ pub struct Record {
     text: Vec<u8>,
     ends: Vec<(usize, usize)>,
     fault: Option<RecordFault>,
+    open: bool,
 }
 
 /// Why the bytes of a record cannot be read.
@@ -216,6 +261,10 @@ impl Record {
     pub fn fault(&self) -> Option<RecordFault> {
         self.fault
     }
+    /// Does a field begin with a quote that is not closed?
+    pub fn quote_left_open(&self) -> bool {
+        self.open
+    }
     /// The whole record on one line, cut where it is long, to show it.
     pub fn shown(&self, delimiter: u8) -> String {
         let mut all = Vec::new();
@@ -246,6 +295,7 @@ impl Batch {
         let mut line = self.line;
         if self.overlong {
             record.line = line;
+            record.open = false;
             record.text.clear();
             record.text.extend_from_slice(String::from_utf8_lossy(&self.bytes).as_bytes());
             record.ends.clear();
@@ -261,6 +311,7 @@ impl Batch {
             record.ends.clear();
             record.text.clear();
             record.fault = None;
+            record.open = false;
             if self.simple {
                 let stop = memchr::memchr(b'\n', &data[at..]).map_or(data.len(), |k| at + k);
                 let mut raw = &data[at..stop];
@@ -277,13 +328,13 @@ impl Batch {
                     let mut start = 0;
                     if raw.len() < 256 {
                         for (i, b) in raw.iter().enumerate() {
-                            if *b == self.delimiter {
+                            if *b == self.shape.delimiter {
                                 record.ends.push((start, i));
                                 start = i + 1;
                             }
                         }
                     } else {
-                        for i in memchr::memchr_iter(self.delimiter, raw) {
+                        for i in memchr::memchr_iter(self.shape.delimiter, raw) {
                             record.ends.push((start, i));
                             start = i + 1;
                         }
@@ -300,7 +351,7 @@ impl Batch {
                 continue;
             }
             let mut ignore = |_: Span| {};
-            let Some(walked) = walk(data, at, self.delimiter, true, &mut ignore) else { break };
+            let Some(walked) = walk(data, at, self.shape, true, &mut ignore) else { break };
             let raw = &data[at..walked.end];
             at = walked.next;
             line += walked.lines;
@@ -316,8 +367,9 @@ impl Batch {
         let text = decoded(raw);
         let text = text.as_ref();
         let mut spans = Vec::new();
-        walk(text, 0, self.delimiter, true, &mut |span| spans.push(span));
+        walk(text, 0, self.shape, true, &mut |span| spans.push(span));
         for span in spans {
+            record.open |= span.open;
             let start = record.text.len();
             record.text.extend_from_slice(&unquoted(text, span));
             record.ends.push((start, record.text.len()));
@@ -339,7 +391,7 @@ impl Batch {
 
     /// The delimiter of the file.
     pub fn delimiter(&self) -> u8 {
-        self.delimiter
+        self.shape.delimiter
     }
     /// Bytes held, for progress.
     pub fn size(&self) -> usize {
@@ -365,7 +417,7 @@ pub struct Source {
     start: usize,
     finished: bool,
     line: u64,
-    delimiter: u8,
+    shape: Shape,
     read_so_far: u64,
     batches: u64,
     skipping: bool,
@@ -405,7 +457,7 @@ impl Source {
             start: 0,
             finished: false,
             line: 1,
-            delimiter: b',',
+            shape: Shape { delimiter: b',', width: 0 },
             read_so_far: 0,
             batches: 0,
             skipping: false,
@@ -433,7 +485,7 @@ impl Source {
         }
         let delimiter = sep.unwrap_or_else(|| sniff(head));
         let mut spans = Vec::new();
-        let walked = walk(head, 0, delimiter, true, &mut |span| spans.push(span));
+        let walked = walk(head, 0, Shape { delimiter, width: 0 }, true, &mut |span| spans.push(span));
         let text = |span: &Span| {
             let raw = unquoted(head, *span);
             String::from_utf8_lossy(&decoded(&raw)).trim().to_owned()
@@ -443,7 +495,7 @@ impl Source {
             fields.pop();
         }
         let header = Header { fields, line: source.line, delimiter };
-        source.delimiter = delimiter;
+        source.shape = Shape { delimiter, width: header.fields.len() };
         if let Some(walked) = walked {
             source.start += walked.next;
             source.line += walked.lines;
@@ -539,7 +591,7 @@ impl Source {
                 self.skip_line()?;
                 continue;
             }
-            let (finished, delimiter) = (self.finished, self.delimiter);
+            let (finished, shape) = (self.finished, self.shape);
             let data = &self.buffer[self.start..];
             if data.is_empty() {
                 return Ok(false);
@@ -557,13 +609,13 @@ impl Source {
             } else {
                 cut = 0;
                 while cut < data.len() && cut < self.block && (finished || data.len() - cut >= LOOKAHEAD) {
-                    let Some(walked) = walk(data, cut, delimiter, finished, &mut |_| {}) else { break };
+                    let Some(walked) = walk(data, cut, shape, finished, &mut |_| {}) else { break };
                     cut = walked.next;
                     lines += walked.lines;
                 }
             }
             batch.line = self.line;
-            batch.delimiter = delimiter;
+            batch.shape = shape;
             batch.simple = simple;
             batch.decoded = self.decoded;
             batch.number = self.batches;
@@ -695,6 +747,13 @@ mod tests {
         assert_eq!(got.len(), 30_001);
         assert_eq!(got[0], (2, "1|\"30.3".to_owned()));
         assert_eq!(got[30_000], (30_002, "29999|x".to_owned()));
+    }
+
+    #[test]
+    fn whole_records_are_not_swallowed_by_a_quote() {
+        let text = b"a,b\n1,\"30.3\n2,4\n\n3,5\"\n4,\"two\nlines\"\n5,\"\nx,y\nz\"\n";
+        let want = [(2, "1|\"30.3"), (3, "2|4"), (5, "3|5\""), (6, "4|two\nlines"), (8, "5|\nx,y\nz")];
+        assert_eq!(lines(text), rows(&want));
     }
 
     #[test]

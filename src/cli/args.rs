@@ -40,7 +40,7 @@ pub enum Verb {
     Check(Check),
     /// Practise: a problem is drawn and shown, you answer, you are told what is wrong
     #[command(
-        after_help = "Examples:\n  slipstick practice wheels-on-inclines\n  slipstick practice wheels-on-inclines --seed 3 --problems pulled-rolling\n\nWhile you answer: an empty line skips a question, `solution` shows the values, `next` draws another problem,\n`quit` ends. It works with piped input too."
+        after_help = "Examples:\n  slipstick practice wheels-on-inclines\n  slipstick practice wheels-on-inclines --seed 3 --problems pulled-rolling\n\nWhile you answer: an empty line skips a question, `solution` shows the values, `next` draws another problem,\n`quit` ends, `help` names these. It works with piped input too."
     )]
     Practice(Practice),
     /// Solve one problem with given data, on both roads, and say what really happens
@@ -74,7 +74,7 @@ pub struct Generate {
     /// CSV file with a column `student` and, if you like, `name`
     #[arg(long, value_name = "ROSTER.csv")]
     pub roster: PathBuf,
-    /// Seed, a whole number from 0; with --add it is taken from the set
+    /// Seed, a whole number from 0; required unless --add is given, which takes it from the set
     #[arg(long, value_name = "N", required_unless_present = "add")]
     pub seed: Option<u64>,
     /// Folder to make

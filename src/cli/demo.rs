@@ -37,6 +37,7 @@ pub fn run(args: &args::Demo, io: &mut Io) -> Exit {
 }
 
 fn demo(dir: &Path, io: &mut Io) -> Result<(), Vec<Finding>> {
+    files::has_a_name(dir, "slipstick-demo").map_err(|f| vec![f])?;
     may_replace(dir)?;
     let one = |f: Finding| vec![f];
     let loaded = banks::load("wheels-on-inclines")?;
@@ -45,8 +46,8 @@ fn demo(dir: &Path, io: &mut Io) -> Result<(), Vec<Finding>> {
     let staged = Staged::new(dir).map_err(one)?;
     let root = staged.path();
     let write = |name: &str, bytes: &[u8]| {
-        let path = root.join(name);
-        fs::write(&path, bytes).map_err(|e| vec![files::trouble(&path, "cannot be written", &e)])
+        fs::write(root.join(name), bytes)
+            .map_err(|e| vec![files::trouble(&dir.join(name), "cannot be written", &e)])
     };
     write("roster.csv", &class::roster())?;
     let members = generate::members(&root.join("roster.csv"))?;
@@ -59,7 +60,8 @@ fn demo(dir: &Path, io: &mut Io) -> Result<(), Vec<Finding>> {
         seed: SEED,
         name: &bank.id,
     };
-    let summary = generate::whole(&plan, &members, &root.join("set"), io.watched)?;
+    let summary =
+        generate::whole(&plan, &members, &root.join("set"), io.watched).map_err(|f| staged.named(f))?;
     let handed = submissions(&plan)?;
     write("submissions.csv", &handed.bytes)?;
     let job = Job {
@@ -71,7 +73,7 @@ fn demo(dir: &Path, io: &mut Io) -> Result<(), Vec<Finding>> {
         force: false,
         watched: io.watched,
     };
-    let graded = grade::grade(&job, &mut *io.input)?;
+    let graded = grade::grade(&job, &mut *io.input).map_err(|f| staged.named(f))?;
     let table = kinds_and_verdicts(&handed, &root.join("grades").join("answers.csv"))?;
     let marks = marks(&root.join("grades").join("gradebook.csv"))?;
     write(MARKER, b"Made by `slipstick demo`, which may replace this folder.\n")?;

@@ -4,11 +4,9 @@ use indicatif::ProgressBar;
 use indicatif::ProgressStyle;
 use std::fs;
 use std::io;
-use std::io::Write as _;
 use std::path::Path;
 use std::path::PathBuf;
 use std::time::Duration;
-use tempfile::NamedTempFile;
 use tempfile::TempDir;
 
 /// A fault of the machine as a finding about a path.
@@ -20,6 +18,12 @@ fn in_words(error: &io::Error) -> String {
     match error.kind() {
         io::ErrorKind::NotFound => "there is no such file or folder".to_owned(),
         io::ErrorKind::PermissionDenied => "permission denied".to_owned(),
+        io::ErrorKind::IsADirectory => "it is a folder, and a file is wanted".to_owned(),
+        io::ErrorKind::NotADirectory => "a part of this path is a file, and a folder is wanted".to_owned(),
+        io::ErrorKind::AlreadyExists | io::ErrorKind::DirectoryNotEmpty => {
+            "something else of this name is in the way".to_owned()
+        }
+        io::ErrorKind::StorageFull => "the disk is full".to_owned(),
         _ => error.to_string(),
     }
 }
@@ -53,67 +57,6 @@ pub fn read_text(path: &Path) -> Result<String, Finding> {
     }
 }
 
-/// Writes a file beside its place and then renames it there: a killed run leaves the old one or the new one.
-///
-/// # Errors
-/// A finding that names the file.
-pub fn write_whole(path: &Path, bytes: &[u8]) -> Result<(), Finding> {
-    let mut pending = Pending::new(path)?;
-    pending.file().write_all(bytes).map_err(|e| trouble(path, "cannot be written", &e))?;
-    pending.finish()
-}
-
-/// A file that is being written beside its place.
-pub struct Pending {
-    temporary: NamedTempFile,
-    path: PathBuf,
-}
-
-impl Pending {
-    /// Begins a file.
-    ///
-    /// # Errors
-    /// A finding that names the file.
-    pub fn new(path: &Path) -> Result<Self, Finding> {
-        let folder = parent(path);
-        let temporary = tempfile::Builder::new()
-            .prefix(".slipstick-")
-            .permissions_for_people()
-            .tempfile_in(&folder)
-            .map_err(|e| trouble(path, "cannot be written", &e))?;
-        Ok(Self { temporary, path: path.to_owned() })
-    }
-    /// The file to write to.
-    pub fn file(&mut self) -> &mut fs::File {
-        self.temporary.as_file_mut()
-    }
-    /// Puts it in its place.
-    ///
-    /// # Errors
-    /// A finding that names the file.
-    pub fn finish(self) -> Result<(), Finding> {
-        let Self { temporary, path } = self;
-        temporary.persist(&path).map(|_| ()).map_err(|e| trouble(&path, "cannot be written", &e.error))
-    }
-}
-
-/// Temporary files are private by default; these become ordinary ones.
-trait ForPeople {
-    fn permissions_for_people(&mut self) -> &mut Self;
-}
-
-impl ForPeople for tempfile::Builder<'_, '_> {
-    #[cfg(unix)]
-    fn permissions_for_people(&mut self) -> &mut Self {
-        use std::os::unix::fs::PermissionsExt as _;
-        self.permissions(fs::Permissions::from_mode(0o666))
-    }
-    #[cfg(not(unix))]
-    fn permissions_for_people(&mut self) -> &mut Self {
-        self
-    }
-}
-
 fn parent(path: &Path) -> PathBuf {
     match path.parent() {
         Some(p) if !p.as_os_str().is_empty() => p.to_owned(),
@@ -121,63 +64,151 @@ fn parent(path: &Path) -> PathBuf {
     }
 }
 
-/// A folder that is being filled beside its place.
+/// Folders of runs that are at work, or were killed.
+const UNFINISHED: &str = ".slipstick-unfinished-";
+/// The file in such a folder that says whose it is; without it we leave a folder alone.
+const OWNER: &str = "slipstick-owner";
+/// The folder being filled, and the one that it replaces.
+const NEW: &str = "new";
+const OLD: &str = "old";
+
+/// A folder that is being filled beside its place, on the same file system.
+///
+/// `.slipstick-unfinished-XXXX` holds `slipstick-owner` (process, machine since its start, name of the place), `new`
+/// and, for the moment between two renames, `old`. A killed run leaves it; the next run beside it [`sweep`]s it away.
 pub struct Staged {
     folder: TempDir,
+    new: PathBuf,
     place: PathBuf,
 }
 
 impl Staged {
-    /// Begins a folder; folders above it are made.
+    /// Begins a folder; folders above it are made, and what killed runs left there goes away.
     ///
     /// # Errors
     /// A finding that names the folder.
     pub fn new(place: &Path) -> Result<Self, Finding> {
+        let fault = |e: &io::Error| trouble(place, "cannot be made", e);
         let above = parent(place);
-        fs::create_dir_all(&above).map_err(|e| trouble(place, "cannot be made", &e))?;
-        let mut builder = tempfile::Builder::new();
-        builder.prefix(".slipstick-unfinished-");
-        #[cfg(unix)]
-        {
-            use std::os::unix::fs::PermissionsExt as _;
-            builder.permissions(fs::Permissions::from_mode(0o777));
-        }
-        let folder = builder.tempdir_in(&above).map_err(|e| trouble(place, "cannot be made", &e))?;
-        Ok(Self { folder, place: place.to_owned() })
+        fs::create_dir_all(&above).map_err(|e| fault(&e))?;
+        sweep(&above);
+        let folder = tempfile::Builder::new().prefix(UNFINISHED).tempdir_in(&above).map_err(|e| fault(&e))?;
+        let name = place.file_name().unwrap_or_default().to_string_lossy();
+        let owner = format!("{}\n{}\n{name}\n", std::process::id(), machine());
+        fs::write(folder.path().join(OWNER), owner).map_err(|e| fault(&e))?;
+        let new = folder.path().join(NEW);
+        fs::create_dir(&new).map_err(|e| fault(&e))?;
+        Ok(Self { folder, new, place: place.to_owned() })
     }
     /// Where to write for now.
     pub fn path(&self) -> &Path {
-        self.folder.path()
+        &self.new
+    }
+    /// Findings about what is written here, told of the place that people know; equal ones once.
+    pub fn named(&self, findings: Vec<Finding>) -> Vec<Finding> {
+        let (here, place) = (self.new.display().to_string(), self.place.display().to_string());
+        let mut told = Vec::with_capacity(findings.len());
+        for mut finding in findings {
+            finding.file = finding.file.map(|f| f.replace(&here, &place));
+            finding.message = finding.message.replace(&here, &place);
+            if !told.contains(&finding) {
+                told.push(finding);
+            }
+        }
+        told
+    }
+    /// Moves one file or folder to the same name in the place, which is there already.
+    ///
+    /// # Errors
+    /// A finding that names it.
+    pub fn place_one(&self, name: &Path) -> Result<(), Finding> {
+        let to = self.place.join(name);
+        fs::rename(self.new.join(name), &to).map_err(|e| trouble(&to, "cannot be put in its place", &e))
     }
     /// Puts it in its place; what stood there goes away only then.
     ///
     /// # Errors
     /// A finding that names the folder.
     pub fn finish(self) -> Result<(), Finding> {
-        let Self { folder, place } = self;
+        let Self { folder, new, place } = self;
         let fault = |e: &io::Error| trouble(&place, "cannot be put in its place", e);
-        let old = if place.exists() {
-            let aside = tempfile::Builder::new()
-                .prefix(".slipstick-replaced-")
-                .tempdir_in(parent(&place))
-                .map_err(|e| fault(&e))?;
-            let inside = aside.path().join("old");
-            fs::rename(&place, &inside).map_err(|e| fault(&e))?;
-            Some((aside, inside))
-        } else {
-            None
-        };
-        if let Err(error) = fs::rename(folder.path(), &place) {
-            if let Some((_, inside)) = &old {
-                // Back to where it was; if even this fails, the first error is the one to tell.
-                let _ = fs::rename(inside, &place);
+        let old = folder.path().join(OLD);
+        let replaces = place.exists();
+        if replaces {
+            fs::rename(&place, &old).map_err(|e| fault(&e))?;
+        }
+        if let Err(error) = fs::rename(&new, &place) {
+            if replaces && fs::rename(&old, &place).is_err() {
+                // Better a hidden folder than a set that is gone.
+                let _ = folder.keep();
             }
             return Err(fault(&error));
         }
-        // It has moved: nothing is left to remove.
-        let _ = folder.keep();
         Ok(())
     }
+}
+
+/// Takes away what killed runs of ours left in a folder. A run that was killed between the two renames of
+/// [`Staged::finish`] has the old folder inside: it goes back to its place.
+fn sweep(folder: &Path) {
+    for name in names_in(folder).iter().filter(|n| n.starts_with(UNFINISHED)) {
+        let left = folder.join(name);
+        let Ok(owner) = fs::read_to_string(left.join(OWNER)) else { continue };
+        let mut lines = owner.lines();
+        let (pid, run, place) = (lines.next(), lines.next(), lines.next());
+        let (Some(Ok(pid)), Some(run), Some(place)) = (pid.map(str::parse::<u32>), run, place) else {
+            continue;
+        };
+        if place.contains(['/', '\\']) || !is_gone(&left.join(OWNER), pid, run) {
+            continue;
+        }
+        let (old, place) = (left.join(OLD), folder.join(place));
+        if old.exists() && (place.exists() || fs::rename(&old, &place).is_ok()) || !old.exists() {
+            // What cannot be removed now stays for the next run.
+            let _ = fs::remove_dir_all(&left);
+        }
+    }
+}
+
+/// Is the process gone that wrote this file? Known only on this machine since its start, else after a day.
+fn is_gone(owner: &Path, pid: u32, run: &str) -> bool {
+    if !run.is_empty() && run == machine() {
+        let Ok(stat) = fs::read_to_string(format!("/proc/{pid}/stat")) else { return true };
+        // Behind the name in brackets stands the state: a zombie has ended, nobody has asked how.
+        return stat.rsplit(')').next().is_some_and(|s| s.trim_start().starts_with(['Z', 'X']));
+    }
+    const DAY: Duration = Duration::from_secs(24 * 60 * 60);
+    let modified = fs::metadata(owner).and_then(|m| m.modified());
+    modified.is_ok_and(|at| at.elapsed().is_ok_and(|age| age > DAY))
+}
+
+/// Names this machine since its start, where the system says so (Linux); else empty.
+fn machine() -> String {
+    let id = fs::read_to_string("/proc/sys/kernel/random/boot_id").unwrap_or_default();
+    id.trim().to_owned()
+}
+
+/// [`sweep`]s where this folder stands.
+pub fn sweep_beside(place: &Path) {
+    sweep(&parent(place));
+}
+
+/// A set or a grading goes into a folder of its own: not the one that people stand in, nor one above it.
+///
+/// # Errors
+/// A finding that says what to write instead.
+pub fn has_a_name(place: &Path, example: &str) -> Result<(), Finding> {
+    let stood_in = || {
+        let here = std::env::current_dir().and_then(fs::canonicalize).ok()?;
+        Some(here.starts_with(fs::canonicalize(place).ok()?))
+    };
+    if place.file_name().is_some() && !stood_in().unwrap_or(false) {
+        return Ok(());
+    }
+    let fault = Finding::new("", "is the folder that you stand in, or above it");
+    Err(fault
+        .in_file(place.display().to_string())
+        .hint(format!("write into a new folder, such as {example}")))
 }
 
 /// Names in a folder, sorted; none if the folder is not there.

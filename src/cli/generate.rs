@@ -24,6 +24,7 @@ use crate::sheet::page::Drawn;
 use crate::sheet::page::Room;
 use crate::sheet::page::Sheets;
 use crate::sheet::public;
+use crate::sheet::public::SheetFile;
 use crate::template::Templates;
 use rayon::prelude::*;
 use std::fs;
@@ -71,12 +72,22 @@ pub fn run(args: &args::Generate, io: &mut Io) -> Exit {
 
 fn generate(args: &args::Generate, io: &mut Io) -> Result<(), Vec<Finding>> {
     let mut faults = Vec::new();
+    // First of all: a set that a killed run had moved aside goes back.
+    files::sweep_beside(&args.out);
     let loaded = banks::load(&args.bank).map_err(|f| faults.extend(f)).ok();
     let members = members(&args.roster).map_err(|f| faults.extend(f)).ok();
     let (Some(loaded), Some(mut members)) = (loaded, members) else { return Err(faults) };
     let templates = banks::templates(&args.own, &loaded.bank)?;
+    // A name that is not known is told with its place when the sheet is written.
+    if banks::unknown_names(&loaded.bank, &templates).is_empty() {
+        let lacking = banks::never_given(&loaded.bank, &templates);
+        if !lacking.is_empty() {
+            return Err(lacking);
+        }
+    }
     let old = if args.add { Some(existing(&args.out)?) } else { None };
     if old.is_none() {
+        files::has_a_name(&args.out, "--out week-5").map_err(|f| vec![f])?;
         may_write(&args.out, args.force)?;
     }
     let name = match (&args.name, &old) {
@@ -105,6 +116,7 @@ fn generate(args: &args::Generate, io: &mut Io) -> Result<(), Vec<Finding>> {
         same_set(&plan, set, &args.out)?;
         let known: rustc_hash::FxHashSet<&str> = set.students.iter().map(|s| s.student.as_str()).collect();
         members.retain(|m| !known.contains(m.student.as_str()));
+        repair(&plan, set, &args.out)?;
         if members.is_empty() {
             io.line("Nobody to add: every student of the roster has a sheet already.");
             return Ok(());
@@ -120,6 +132,9 @@ fn generate(args: &args::Generate, io: &mut Io) -> Result<(), Vec<Finding>> {
         None => whole(&plan, &members, &args.out, watched),
     })?;
     tell(&plan, &summary, &args.out, io);
+    for m in members.iter().filter(|m| m.folder != m.student) {
+        io.line(&format!("  {} is in students/{}", m.student, m.folder));
+    }
     Ok(())
 }
 
@@ -151,14 +166,12 @@ pub struct Summary {
 pub fn whole(plan: &Plan, members: &[Member], out: &Path, watched: bool) -> Result<Summary, Vec<Finding>> {
     let staged = Staged::new(out).map_err(|f| vec![f])?;
     let one = |f: Finding| vec![f];
-    fs::create_dir(staged.path().join("students"))
-        .map_err(|e| vec![files::trouble(out, "cannot be written", &e)])?;
-    let dealt = deal(plan, members, staged.path(), watched, false)?;
+    let dealt = deal(plan, members, staged.path(), watched).map_err(|f| staged.named(f))?;
     let (set, cut) = store(plan, members, &dealt, None);
     let keys: Vec<SheetKey> = dealt.into_iter().map(|d| d.key).collect();
     let write = |name: &str, bytes: &[u8]| {
-        let path = staged.path().join(name);
-        fs::write(&path, bytes).map_err(|e| vec![files::trouble(&path, "cannot be written", &e)])
+        fs::write(staged.path().join(name), bytes)
+            .map_err(|e| vec![files::trouble(&out.join(name), "cannot be written", &e)])
     };
     write("bank.yaml", plan.text.as_bytes())?;
     write("key.csv", &key_file::text(&keys))?;
@@ -173,7 +186,10 @@ fn tries(set: &StoredSet, from: usize) -> u64 {
     set.students.iter().skip(from).flat_map(|s| &s.problems).map(|p| u64::from(p.tries)).sum()
 }
 
-/// Late joiners into a set that is there. set.json is written last: before that the set is the old one.
+/// Late joiners into a set that is there. All is written beside the set and then moved in: sheets, key.csv, set.json,
+/// the form. A run that is killed before set.json leaves the old set, with sheets of students whom it does not know and
+/// rows of theirs in key.csv, which grading passes over; killed after it, the new set with an old form. The next
+/// `--add` [`repair`]s either, and `--force` replaces it.
 fn add(
     plan: &Plan,
     members: &[Member],
@@ -182,15 +198,27 @@ fn add(
     watched: bool,
 ) -> Result<Summary, Vec<Finding>> {
     let mut keys = replay::keys(plan.bank, old)?;
-    let dealt = deal(plan, members, out, watched, true)?;
+    let taken: Vec<Finding> = members
+        .iter()
+        .map(|m| out.join("students").join(&m.folder))
+        .filter(|p| p.exists())
+        .map(|p| {
+            let fault = Finding::new("", "is there already, and generate did not make it");
+            fault.in_file(p.display().to_string()).hint("move it away")
+        })
+        .collect();
+    if !taken.is_empty() {
+        return Err(taken);
+    }
+    let staged = Staged::new(out).map_err(|f| vec![f])?;
+    let dealt = deal(plan, members, staged.path(), watched).map_err(|f| staged.named(f))?;
     let mut everybody: Vec<Member> = old
         .students
         .iter()
         .map(|s| Member { student: s.student.clone(), name: s.name.clone(), folder: s.folder.clone() })
         .collect();
     let before = everybody.len();
-    let form_path = out.join("submissions.csv");
-    let form_is_blank = files::read(&form_path).is_ok_and(|bytes| bytes == blank_form(plan, old));
+    let form_is_blank = form_is_blank(out);
     everybody.extend(members.iter().map(|m| Member {
         student: m.student.clone(),
         name: m.name.clone(),
@@ -198,24 +226,85 @@ fn add(
     }));
     keys.extend(dealt.iter().map(|d| d.key.clone()));
     let (set, cut) = store(plan, &everybody, &dealt, Some((old, &keys)));
-    let one = |f: Finding| vec![f];
-    files::write_whole(&out.join("key.csv"), &key_file::text(&keys)).map_err(one)?;
-    files::write_whole(&out.join("set.json"), set.text().as_bytes()).map_err(one)?;
+    let mut files = vec![("key.csv", key_file::text(&keys)), ("set.json", set.text().into_bytes())];
     if form_is_blank {
-        files::write_whole(&form_path, &blank_form(plan, &set)).map_err(one)?;
+        files.push(("submissions.csv", blank_form(plan, &set)));
+    }
+    for (name, bytes) in &files {
+        fs::write(staged.path().join(name), bytes)
+            .map_err(|e| vec![files::trouble(&out.join(name), "cannot be written", &e)])?;
+    }
+    let sheets = members.iter().map(|m| Path::new("students").join(&m.folder));
+    for name in sheets.chain(files.iter().map(|(name, _)| Path::new(name).to_owned())) {
+        staged.place_one(&name).map_err(|f| vec![f])?;
     }
     let tries = tries(&set, before);
     Ok(Summary { written: members.len(), set, tries, cut })
 }
 
-/// Draws, solves and writes the sheets of these students below `folder`.
-fn deal(
-    plan: &Plan,
-    members: &[Member],
-    folder: &Path,
-    watched: bool,
-    aside: bool,
-) -> Result<Vec<Dealt>, Vec<Finding>> {
+/// Makes good what an `--add` that was killed left in a set: sheets and rows of the key of students whom the set does
+/// not know, and a form that lacks the last ones.
+fn repair(plan: &Plan, set: &StoredSet, out: &Path) -> Result<(), Vec<Finding>> {
+    let folders: rustc_hash::FxHashSet<&str> = set.students.iter().map(|s| s.folder.as_str()).collect();
+    let students = out.join("students");
+    for name in files::names_in(&students) {
+        if !folders.contains(name.as_str()) && is_left_over(&students.join(&name), &name, set) {
+            let path = students.join(&name);
+            fs::remove_dir_all(&path).map_err(|e| vec![files::trouble(&path, "cannot be removed", &e)])?;
+        }
+    }
+    let keys = replay::keys(plan.bank, set)?;
+    let stored = files::read(&out.join("key.csv")).map_err(|f| vec![f])?;
+    let key = key_file::text(&keys);
+    let form = blank_form(plan, set);
+    let mut stale = Vec::new();
+    // A key that somebody changed is not ours to mend: grading will say so.
+    if stored != key && key_file::compare(&stored, &keys).is_empty() {
+        stale.push(("key.csv", key));
+    }
+    if form_is_blank(out) && files::read(&out.join("submissions.csv")).is_ok_and(|f| f != form) {
+        stale.push(("submissions.csv", form));
+    }
+    if stale.is_empty() {
+        return Ok(());
+    }
+    let staged = Staged::new(out).map_err(|f| vec![f])?;
+    for (name, bytes) in &stale {
+        fs::write(staged.path().join(name), bytes)
+            .map_err(|e| vec![files::trouble(&out.join(name), "cannot be written", &e)])?;
+        staged.place_one(Path::new(name)).map_err(|f| vec![f])?;
+    }
+    Ok(())
+}
+
+/// Is this a student's folder that an `--add` to this set made and did not enter? It holds a sheet of this set and
+/// nothing else, under the name that the sheet's student would have, who is not in the set.
+fn is_left_over(folder: &Path, name: &str, set: &StoredSet) -> bool {
+    let inside = files::names_in(folder);
+    let exactly =
+        inside.len() == OF_STUDENT.len() && OF_STUDENT.iter().all(|n| inside.iter().any(|i| i == n));
+    let sheet = || SheetFile::parse(&files::read_text(&folder.join("sheet.json")).ok()?).ok();
+    exactly
+        && sheet().is_some_and(|sheet| {
+            sheet.set == set.name
+                && roster::folder(&sheet.student) == name
+                && set.students.iter().all(|s| s.student != sheet.student)
+        })
+}
+
+/// Has nobody written into the form?
+fn form_is_blank(out: &Path) -> bool {
+    files::read(&out.join("submissions.csv")).is_ok_and(|form| !is_filled(&form))
+}
+
+fn is_filled(form: &[u8]) -> bool {
+    String::from_utf8_lossy(form).lines().skip(1).any(|l| !l.ends_with(',') && !l.trim().is_empty())
+}
+
+/// Draws, solves and writes the sheets of these students into `students` below `folder`.
+fn deal(plan: &Plan, members: &[Member], folder: &Path, watched: bool) -> Result<Vec<Dealt>, Vec<Finding>> {
+    fs::create_dir(folder.join("students"))
+        .map_err(|e| vec![files::trouble(folder, "cannot be written", &e)])?;
     let sheets = Sheets::new(plan.templates, plan.bank, plan.name, plan.problems)?;
     let public = public::Writer::new(plan.bank, plan.text, plan.problems, plan.name).map_err(|f| vec![f])?;
     let dealer = Dealer::new(plan.bank, plan.problems, plan.seed, plan.name);
@@ -229,19 +318,13 @@ fn deal(
             let html = sheets.html(&member.student, &member.name, &markdown, room)?;
             let json = public.text(&member.student, &dealt.variants);
             let place = folder.join("students").join(&member.folder);
-            let fault = |e: &std::io::Error| files::trouble(&place, "cannot be written", e);
-            let staged = if aside { Some(Staged::new(&place)?) } else { None };
-            let into = staged.as_ref().map_or(place.as_path(), Staged::path);
-            if !aside {
-                fs::create_dir(into).map_err(|e| fault(&e))?;
-            }
+            // Of the whole folder: a full disk is told once and not for each student.
+            let fault = |e: &std::io::Error| files::trouble(folder, "cannot be written", e);
+            fs::create_dir(&place).map_err(|e| fault(&e))?;
             for (name, bytes) in
                 OF_STUDENT.iter().zip([markdown.as_bytes(), html.as_slice(), json.as_bytes()])
             {
-                fs::write(into.join(name), bytes).map_err(|e| fault(&e))?;
-            }
-            if let Some(staged) = staged {
-                staged.finish()?;
+                fs::write(place.join(name), bytes).map_err(|e| fault(&e))?;
             }
             bar.inc(1);
             Ok(dealt)
@@ -346,6 +429,10 @@ fn blank_form(plan: &Plan, set: &StoredSet) -> Vec<u8> {
 /// The set that stands in a folder.
 pub fn existing(folder: &Path) -> Result<StoredSet, Vec<Finding>> {
     let path = folder.join("set.json");
+    if folder.is_file() {
+        let fault = Finding::new("", "is a file; a set is a folder").in_file(folder.display().to_string());
+        return Err(vec![fault.hint("give the folder that `slipstick generate` made")]);
+    }
     if !path.is_file() {
         let fault = Finding::new("", "holds no set").in_file(folder.display().to_string());
         return Err(vec![
@@ -369,10 +456,10 @@ fn may_write(out: &Path, force: bool) -> Result<(), Vec<Finding>> {
         let hint = "give another --out, or --force to replace a set, or --add for late joiners";
         return Err(vec![finding("is there already").hint(hint)]);
     }
-    let set = existing(out).map_err(|mut f| {
-        f.push(finding("is not replaced").hint("--force replaces only what generate made"));
-        f
-    })?;
+    if !out.join("set.json").is_file() {
+        return Err(vec![finding("holds no set").hint("--force replaces only what generate made")]);
+    }
+    let set = existing(out)?;
     let foreign = foreign(out, &set);
     if foreign.is_empty() {
         return Ok(());
@@ -399,14 +486,12 @@ fn foreign(out: &Path, set: &StoredSet) -> Vec<String> {
             let inside = files::names_in(&out.join("students").join(&name));
             let unknown = inside.into_iter().filter(|n| !OF_STUDENT.contains(&n.as_str()));
             found.extend(unknown.map(|n| format!("students/{name}/{n}")));
-        } else {
+        } else if !is_left_over(&out.join("students").join(&name), &name, set) {
             found.push(format!("students/{name}"));
         }
     }
     let form = files::read(&out.join("submissions.csv")).unwrap_or_default();
-    let filled =
-        String::from_utf8_lossy(&form).lines().skip(1).any(|l| !l.ends_with(',') && !l.trim().is_empty());
-    if filled {
+    if is_filled(&form) {
         found.push("submissions.csv (filled in)".to_owned());
     }
     found

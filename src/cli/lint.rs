@@ -13,7 +13,6 @@ use crate::problem::sweep::Sweep;
 use crate::sheet::html;
 use crate::sheet::page::Room;
 use crate::sheet::page::Sheets;
-use crate::sheet::statement;
 use crate::template::Templates;
 use rayon::prelude::*;
 
@@ -39,7 +38,8 @@ fn lint(args: &args::Lint, io: &mut Io) -> Result<Vec<Finding>, Vec<Finding>> {
             .map(|f| if f.file.is_none() { f.in_file(&loaded.file) } else { f })
             .collect::<Vec<_>>()
     })?;
-    let mut findings = unknown_names(bank, &templates);
+    let mut findings = banks::unknown_names(bank, &templates);
+    findings.extend(banks::never_given(bank, &templates));
     let seeds = u32::try_from(args.seeds.min(1_000_000)).unwrap_or(1_000_000);
     let sweeps: Vec<Sweep> =
         bank.problems.par_iter().map(|p| sweep::sweep(p, 1, seeds.max(1), &bank.id)).collect();
@@ -99,7 +99,7 @@ fn cases(sweep: &Sweep) -> String {
             case.variants.to_string(),
             case.tries.to_string(),
             accepted,
-            format!("about {:.0e}", case.valid),
+            if case.tries == 0 { "-".to_owned() } else { format!("about {:.0e}", case.valid) },
         ]);
     }
     tell::table(&rows, &[0])
@@ -129,31 +129,6 @@ fn questions(problem: &crate::bank::Problem, sweep: &Sweep) -> String {
     let mut text = tell::table(&numbers, &[0, 3]);
     text.push_str(&tell::table(&texts, &[0, 1]));
     text
-}
-
-/// Names in template files that are neither symbols nor known to every statement. (Templates in the bank were reviewed
-/// with it.)
-fn unknown_names(bank: &Bank, templates: &Templates) -> Vec<Finding> {
-    let mut findings = Vec::new();
-    for problem in bank.problems.iter().filter(|p| p.statement.is_none()) {
-        let name = statement::template_name(problem);
-        match templates.variables(&name) {
-            Ok(used) => {
-                for unknown in used.iter().filter(|u| {
-                    !statement::RESERVED.contains(&u.as_str()) && problem.data.iter().all(|d| d.symbol != **u)
-                }) {
-                    let known: Vec<&str> = problem.data.iter().map(|d| d.symbol.as_str()).collect();
-                    findings.push(
-                        Finding::new(unknown, format!("is no datum of {}", problem.id))
-                            .in_file(&name)
-                            .hint(format!("its data: {}", known.join(", "))),
-                    );
-                }
-            }
-            Err(fault) => findings.push(fault),
-        }
-    }
-    findings
 }
 
 /// One sheet of each case is written: faults that show only then, and formulas that cannot be read.

@@ -27,6 +27,9 @@ pub fn run(args: &args::Practice, io: &mut Io) -> Exit {
     }
 }
 
+/// What may be typed instead of an answer.
+const COMMANDS: &str = "An empty line skips a question, `solution` shows the right values, `next` draws another problem, `quit` ends, `help` says this again.";
+
 /// What the student wants next.
 enum Next {
     /// Another problem.
@@ -50,10 +53,7 @@ fn practice(args: &args::Practice, io: &mut Io) -> Result<(), Vec<Finding>> {
     let seed = args.seed.unwrap_or_else(from_clock);
     let makers: Vec<Maker> =
         problems.iter().map(|p| Maker::new(&bank.problems[*p], seed, "practice")).collect();
-    io.line(&format!(
-        "{} (seed {seed}). An empty line skips a question; `solution`, `next`, `quit` do what they say.",
-        bank.title
-    ));
+    io.line(&format!("{} (seed {seed}). {COMMANDS}", bank.title));
     let mut room = Room::default();
     let (mut right, mut asked) = (0, 0);
     for round in 0usize.. {
@@ -72,7 +72,7 @@ fn practice(args: &args::Practice, io: &mut Io) -> Result<(), Vec<Finding>> {
         }
     }
     if asked > 0 {
-        io.line(&format!("\n{right} of {asked} questions right at last."));
+        io.line(&format!("\nYou had {right} of {asked} questions right."));
     }
     Ok(())
 }
@@ -95,6 +95,10 @@ fn questions(
             match cell.as_str() {
                 "quit" | "q" | "exit" => return Next::Quit,
                 "next" => return Next::Draw,
+                "help" | "?" => {
+                    io.line(&format!("  {COMMANDS}"));
+                    continue;
+                }
                 "solution" => {
                     solution(problem, variant, key, io);
                     return Next::Draw;
@@ -118,6 +122,11 @@ fn questions(
                 "; try again, or skip with an empty line"
             };
             io.line(&format!("  {}: {}{again}", judgement.verdict.as_str(), judgement.reason));
+            // A word that is no answer may have been meant as a command.
+            let word = cell.chars().all(char::is_alphabetic);
+            if word && judgement.verdict == Verdict::Unreadable {
+                io.line(&format!("  {COMMANDS}"));
+            }
         }
     }
     Next::Draw
@@ -125,6 +134,7 @@ fn questions(
 
 fn solution(problem: &Problem, variant: &Variant, key: &ProblemKey, io: &mut Io) {
     let scene = &problem.cases[variant.case].scene;
+    io.line("  The right values:");
     if variant.solved.regime.motion != Motion::Instant {
         io.line(&format!("  {}", words::regime(variant.solved.regime)));
     }

@@ -1,4 +1,5 @@
 //! `slipstick solve`: a diagnosis of one problem with given data.
+use crate::bank::Case;
 use crate::bank::Datum;
 use crate::bank::Draw;
 use crate::bank::Problem;
@@ -58,10 +59,11 @@ fn answer(args: &args::Solve, io: &mut Io) -> Result<Exit, Vec<Finding>> {
     Ok(if holds { Exit::Fine } else { Exit::RegimeFails })
 }
 
-/// Does what really happens fit what the problem declares?
+/// Does what really happens fit what the problem declares? A problem that declares no regime takes any, as in drawing.
 fn fits(problem: &Problem, case: usize, solved: &Solved) -> bool {
     let word = solved.regime.word();
-    solved.all_hold() && problem.cases.get(case).is_some_and(|c| c.regimes.contains(&word))
+    let declared = |c: &Case| c.regimes.is_empty() || c.regimes.contains(&word);
+    solved.all_hold() && problem.cases.get(case).is_some_and(declared)
 }
 
 type Data = (usize, Vec<f64>, Vec<String>);
@@ -190,7 +192,8 @@ fn quantity(text: &str, datum: &Datum) -> Result<f64, String> {
 /// JSON numbers with 17 significant digits; null where there is none.
 fn number(value: Option<f64>) -> String {
     match value {
-        Some(v) if v.is_finite() => format!("{v:.16e}"),
+        // A zero has no sign for a reader: -0.0 + 0.0 is 0.0.
+        Some(v) if v.is_finite() => format!("{:.16e}", v + 0.0),
         _ => "null".to_owned(),
     }
 }
@@ -291,10 +294,13 @@ fn table(problem: &Problem, case: usize, shown: &[String], solved: &Solved, hold
     let mut out = format!("{}: {}\n", problem.id, shown.join(", "));
     let _ = writeln!(out, "regime: {} ({})", solved.regime.word(), words::regime(solved.regime));
     if !holds {
-        let declared = problem.cases[case].regimes.join(", ");
+        let declared = match problem.cases[case].regimes.join(", ") {
+            any if any.is_empty() => String::new(),
+            some => format!(" ({some})"),
+        };
         let _ = writeln!(
             out,
-            "This is not what the problem declares ({declared}); the numbers below are those of the declared ties."
+            "This is not what the problem declares{declared}; the numbers below are those of the declared ties."
         );
     }
     for check in &solved.checks {

@@ -26,6 +26,8 @@ pub struct Io<'a> {
     pub err: &'a mut dyn Write,
     /// Does a person watch standard error?
     pub watched: bool,
+    /// Does a person type? What comes through a pipe does not end the line of a prompt.
+    pub typed: bool,
 }
 
 impl Io<'_> {
@@ -52,12 +54,18 @@ impl Io<'_> {
         }
         Exit::Faulty
     }
-    /// A line of input without its end; `None` at the end of the input. Bytes that are no UTF-8 are replaced.
+    /// A line of input without its end, repeated behind the prompt if nobody typed it there; `None` at the end of the input. Bytes that are no UTF-8 are replaced.
     pub fn ask(&mut self) -> Option<String> {
         let mut bytes = Vec::new();
         match self.input.read_until(b'\n', &mut bytes) {
             Ok(0) | Err(_) => None,
-            Ok(_) => Some(String::from_utf8_lossy(&bytes).trim().to_owned()),
+            Ok(_) => {
+                let text = String::from_utf8_lossy(&bytes).trim().to_owned();
+                if !self.typed {
+                    self.line(&text);
+                }
+                Some(text)
+            }
         }
     }
 }

@@ -2,6 +2,7 @@
 use crate::bank::Problem;
 use crate::key::Answer;
 use crate::key::KeyEntry;
+use crate::scene::End;
 use crate::scene::Num;
 use crate::scene::Scene;
 use crate::scene::Tie;
@@ -38,6 +39,10 @@ fn of_tie(scene: &Scene, index: usize) -> String {
 pub fn check(scene: &Scene, c: &Check) -> String {
     let (required, available) = (figures(c.required), figures(c.available));
     match c.kind {
+        // What moves already needs no drive to set it going.
+        CheckKind::Moves if c.ok && !scene.start.is_empty() => {
+            format!("the {} moves as declared: it starts with a speed of its own", body(scene, c.of))
+        }
         // Only the ratio of drive and resistance means anything.
         CheckKind::Moves if c.ok && c.required == 0.0 => {
             format!("the {} moves as declared: nothing resists", body(scene, c.of))
@@ -93,8 +98,17 @@ pub fn check(scene: &Scene, c: &Check) -> String {
         CheckKind::Reaches if c.ok && c.available.is_infinite() => {
             format!("the end is reached: {required} asked, the motion goes on without end")
         }
+        CheckKind::Reaches if c.ok && matches!(scene.end, End::TurningPoint(_)) => {
+            format!("the end is reached: it comes to rest after {available}")
+        }
         CheckKind::Reaches if c.ok => {
             format!("the end is reached: {required} asked, the motion goes as far as {available}")
+        }
+        CheckKind::Reaches if c.available.is_infinite() && matches!(scene.end, End::TurningPoint(_)) => {
+            "the end is not reached: it never comes to rest".to_owned()
+        }
+        CheckKind::Reaches if c.available.is_infinite() => {
+            format!("the end is not reached: {required} asked, the motion goes the other way")
         }
         CheckKind::Reaches => {
             format!("the end is not reached: {required} asked, the motion goes only as far as {available}")

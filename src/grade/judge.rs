@@ -2,6 +2,7 @@
 use crate::answer::read::Number;
 use crate::answer::read::Reading;
 use crate::answer::read::UnitCache;
+use crate::answer::read::Why;
 use crate::answer::read::Word;
 use crate::answer::read::read;
 use crate::grade::verdict::Judgement;
@@ -51,6 +52,12 @@ pub fn judge_with(cell: &str, entry: &KeyEntry, units: &mut UnitCache) -> Judgem
 }
 
 fn judge_word(word: Word, right: &str, offered: &[&str]) -> (Verdict, Cow<'static, str>) {
+    let level = offered.contains(&Word::Forward.as_str());
+    let word = match word {
+        Word::Right if level => Word::Forward,
+        Word::Left if level => Word::Back,
+        other => other,
+    };
     if word.as_str() == right {
         (Verdict::Right, Cow::Borrowed("the right word"))
     } else if offered.contains(&word.as_str()) {
@@ -79,7 +86,7 @@ pub(crate) const OUTSIDE: &str = "not within the tolerance";
 pub(crate) const OTHER_SIGN: &str = "the magnitude is right, the sign is not";
 const OTHER_WORD: &str = "the magnitude is right, the direction is not";
 /// Reason for a negative magnitude.
-pub(crate) const NO_SIGN: &str = "the magnitude is right, but a magnitude has no minus sign";
+pub(crate) const NO_SIGN: &str = "the magnitude is right, but a magnitude is asked, without a minus sign";
 
 fn judge_number(number: &Number, entry: &KeyEntry, key: Key) -> (Verdict, Cow<'static, str>) {
     let unit = match &number.unit {
@@ -95,9 +102,22 @@ fn judge_number(number: &Number, entry: &KeyEntry, key: Key) -> (Verdict, Cow<'s
         }
         None => &entry.unit,
     };
+    let angular = entry.unit.dimension().0[3] != 0 || entry.unit.dimension().0 == [0, 0, -1, 0];
+    if number.turning && !angular {
+        return (Verdict::Unreadable, Cow::Owned(Why::OddWord.to_string()));
+    }
     let word_counts = key.directed || !key.magnitude;
+    if word_counts && matches!(number.word, Some(Word::Left | Word::Right)) {
+        return (
+            Verdict::Unreadable,
+            Cow::Borrowed("left or right is no direction here: write up or down, on a level forward or back"),
+        );
+    }
     let sign = number.word.and_then(Word::sign).filter(|_| word_counts).unwrap_or(1.0);
-    let x = unit.to_si(number.value) * sign;
+    let turns = unit.counts_turns(&entry.unit);
+    let literal = unit.to_si(number.value) * sign;
+    let per_turn = if turns { std::f64::consts::TAU } else { 1.0 };
+    let x = literal * per_turn;
     if !x.is_finite() {
         return (Verdict::Unreadable, Cow::Borrowed("not a finite number"));
     }
@@ -112,9 +132,13 @@ fn judge_number(number: &Number, entry: &KeyEntry, key: Key) -> (Verdict, Cow<'s
     };
     let verdict = decide(x);
     if let Some(grouped) = number.grouped.filter(|_| verdict == Verdict::Wrong)
-        && decide(unit.to_si(grouped) * sign) != Verdict::Wrong
+        && decide(unit.to_si(grouped) * sign * per_turn) != Verdict::Wrong
     {
         let text = format!("the comma may mean either: write {} or {}", grouped, number.value);
+        return (Verdict::Unreadable, Cow::Owned(text));
+    }
+    if turns && verdict == Verdict::Wrong && decide(literal) != Verdict::Wrong {
+        let text = format!("{unit} is read as turns: write rev/min or rad/min");
         return (Verdict::Unreadable, Cow::Owned(text));
     }
     let reason = match verdict {
@@ -127,6 +151,16 @@ fn judge_number(number: &Number, entry: &KeyEntry, key: Key) -> (Verdict, Cow<'s
     let mut notes: Vec<String> = Vec::new();
     if number.comma {
         notes.push("the comma is read as the decimal mark".to_owned());
+    }
+    if turns {
+        let time = unit.ascii().strip_prefix("1/").unwrap_or(unit.ascii());
+        notes.push(format!("{unit} is read as revolutions: rev/{time}"));
+    }
+    if number.about {
+        notes.push("the number is taken as it stands, without the word before it".to_owned());
+    }
+    if number.turning {
+        notes.push("the sense of turning is passed over: it is not asked".to_owned());
     }
     if number.case_forgiven {
         notes.push(format!("the unit is read as {}", unit.ascii()));

@@ -17,6 +17,7 @@ use crate::grade::judge::judge_with;
 use crate::grade::table::KeyTable;
 use crate::grade::table::joined;
 use crate::grade::time;
+use crate::grade::time::Evidence;
 use crate::grade::verdict::Judgement;
 use crate::grade::verdict::Verdict;
 use std::borrow::Cow;
@@ -105,6 +106,8 @@ pub struct Graded {
     pub points: Vec<Option<f64>>,
     /// Long or wide form.
     pub wide: bool,
+    /// Parts of a student whose attempts were ordered by row because a `submitted_at` cannot be read.
+    pub untimed: u64,
     /// Columns of the file that were not used.
     pub unused_columns: Vec<String>,
 }
@@ -133,6 +136,8 @@ enum Form {
 /// What stands where.
 struct Layout {
     width: usize,
+    /// A record with fewer fields lacks one that is needed.
+    least: usize,
     delimiter: u8,
     student: usize,
     submitted: Option<usize>,
@@ -153,11 +158,47 @@ fn layout(header: Option<Header>, table: &KeyTable, options: &Options) -> Result
     };
     let mut findings = Vec::new();
     const ROLES: [&str; 5] = ["student", "problem", "part", "answer", "submitted_at"];
-    for (role, _) in options.columns.iter().filter(|(role, _)| !ROLES.contains(&role.as_str())) {
-        findings.push(
-            Finding::new("--columns", format!("unknown column `{role}`"))
-                .hint(format!("one of {}", ROLES.join(", "))),
-        );
+    // `problem.part` stands for a column of a wide file
+    let mut mapped_parts = Vec::new();
+    for (role, wanted) in options.columns.iter().filter(|(role, _)| !ROLES.contains(&role.as_str())) {
+        let Some((problem, part)) = role.split_once('.').filter(|(p, _)| table.has_problem(p.trim())) else {
+            findings.push(
+                Finding::new("--columns", format!("unknown column `{role}`"))
+                    .hint(format!("one of {}, or a part such as 1.omega", ROLES.join(", "))),
+            );
+            continue;
+        };
+        let (problem, part) = (problem.trim(), part.trim());
+        let mut key = Vec::new();
+        joined(problem.as_bytes(), part.as_bytes(), &mut key);
+        let column = table.column(&key);
+        if column.is_none() {
+            findings.push(Finding::new("--columns", table.unknown_part(problem, part)));
+        }
+        let exact: Vec<usize> = (0..header.fields.len()).filter(|i| header.fields[*i] == *wanted).collect();
+        let hits = if exact.is_empty() {
+            let wanted = plain_header(wanted);
+            (0..header.fields.len()).filter(|i| plain_header(&header.fields[*i]) == wanted).collect()
+        } else {
+            exact
+        };
+        if let [field] = hits[..] {
+            mapped_parts.push(WideColumn {
+                field,
+                header: header.fields[field].clone(),
+                problem: problem.to_owned(),
+                part: part.to_owned(),
+                column,
+            });
+        } else {
+            let said = match hits.len() {
+                0 => format!("no column `{wanted}`"),
+                n => format!("column `{wanted}` stands there {n} times"),
+            };
+            let hint =
+                format!("the columns are: {}", header.fields[..header.fields.len().min(30)].join(" | "));
+            findings.push(Finding::new("header", said).at(header.line as usize, 1).hint(hint));
+        }
     }
     let mut find = |role: &str, required: bool| -> Option<usize> {
         let mapped = options.columns.iter().find(|(r, _)| r == role).map(|(_, h)| h.as_str());
@@ -201,6 +242,9 @@ fn layout(header: Option<Header>, table: &KeyTable, options: &Options) -> Result
     let mut wide = Vec::new();
     let mut key = Vec::new();
     for (field, text) in header.fields.iter().enumerate() {
+        if mapped_parts.iter().any(|m| m.field == field) {
+            continue;
+        }
         let Some((problem, part)) = text.split_once('.') else { continue };
         let (problem, part) = (problem.trim(), part.trim());
         let number = !problem.is_empty() && problem.bytes().all(|b| b.is_ascii_digit());
@@ -217,11 +261,14 @@ fn layout(header: Option<Header>, table: &KeyTable, options: &Options) -> Result
             column,
         });
     }
+    let told = !mapped_parts.is_empty();
+    wide.append(&mut mapped_parts);
+    wide.sort_by_key(|w| w.field);
     let names_long = |role: &str| {
         options.columns.iter().any(|(r, _)| r == role)
             || header.fields.iter().any(|h| plain_header(h) == role)
     };
-    let is_wide = !wide.is_empty() && !["problem", "part", "answer"].into_iter().all(names_long);
+    let is_wide = told || !wide.is_empty() && !["problem", "part", "answer"].into_iter().all(names_long);
     let form = if is_wide {
         for (i, one) in wide.iter().enumerate() {
             if wide[..i].iter().any(|w| w.column.is_some() && w.column == one.column) {
@@ -254,8 +301,13 @@ fn layout(header: Option<Header>, table: &KeyTable, options: &Options) -> Result
             };
             let unused =
                 (0..header.fields.len()).filter(|i| !used(*i)).map(|i| header.fields[i].clone()).collect();
+            let least = match &form {
+                Form::Long { problem, part, answer } => *problem.max(part).max(answer),
+                Form::Wide(all) => all.iter().map(|w| w.field).max().unwrap_or(0),
+            };
             Ok(Layout {
                 width: header.fields.len(),
+                least: least.max(student) + 1,
                 delimiter: header.delimiter,
                 student,
                 submitted,
@@ -272,16 +324,25 @@ fn layout(header: Option<Header>, table: &KeyTable, options: &Options) -> Result
 struct Attempt {
     /// 0: none or blank, 1: unreadable, 2: readable.
     class: u8,
-    timed: bool,
-    untimed: bool,
-    by_time: (i64, u64),
+    /// More than one of this class.
+    several: bool,
+    /// A time that cannot be read, and one with slashes, and one with points, whose day and month are uncertain.
+    untimed: [bool; 3],
+    /// With the day first, with the month first.
+    by_time: [(i64, u64); 2],
     by_row: u64,
     best: (f64, u64),
 }
 
 impl Attempt {
-    const NONE: Attempt =
-        Attempt { class: 0, timed: false, untimed: false, by_time: (0, 0), by_row: 0, best: (0.0, 0) };
+    const NONE: Attempt = Attempt {
+        class: 0,
+        several: false,
+        untimed: [false; 3],
+        by_time: [(0, 0); 2],
+        by_row: 0,
+        best: (0.0, 0),
+    };
     /// Of two, what counts; the order in which they are joined does not matter.
     fn join(&mut self, other: &Attempt, attempts: Attempts) {
         if other.class == 0 || self.class > other.class {
@@ -291,11 +352,15 @@ impl Attempt {
             *self = *other;
             return;
         }
-        self.timed |= other.timed;
-        self.untimed |= other.untimed;
+        self.several = true;
         let first = attempts == Attempts::First;
-        if (other.by_time < self.by_time) == first {
-            self.by_time = other.by_time;
+        for (mine, other) in self.untimed.iter_mut().zip(other.untimed) {
+            *mine |= other;
+        }
+        for (mine, other) in self.by_time.iter_mut().zip(other.by_time) {
+            if (other < *mine) == first {
+                *mine = other;
+            }
         }
         if (other.by_row < self.by_row) == first {
             self.by_row = other.by_row;
@@ -304,15 +369,25 @@ impl Attempt {
             self.best = other.best;
         }
     }
-    /// Place of the attempt that counts.
-    #[inline]
-    fn winner(&self, attempts: Attempts) -> u64 {
-        match attempts {
+    /// What the whole column of times makes of it.
+    fn decide(&self, attempts: Attempts, evidence: Evidence) -> Winner {
+        let [unread, slashed, dotted] = self.untimed;
+        let untimed = unread || (slashed && !evidence.decides(false)) || (dotted && !evidence.decides(true));
+        let at = match attempts {
             Attempts::Best => self.best.1,
-            _ if self.untimed => self.by_row,
-            _ => self.by_time.1,
-        }
+            _ if untimed => self.by_row,
+            _ => self.by_time[evidence.choice()].1,
+        };
+        Winner { at, by_row: untimed && self.several && attempts != Attempts::Best }
     }
+}
+
+/// The attempt that counts.
+#[derive(Debug, Clone, Copy)]
+struct Winner {
+    at: u64,
+    /// Taken by row from several, because a time cannot be read.
+    by_row: bool,
 }
 
 /// A place in the file: the line, then the column of a wide file.
@@ -329,6 +404,7 @@ struct Worker {
     last_student: Option<(Vec<u8>, u32)>,
     last_part: Option<(Vec<u8>, u32)>,
     attempts: Vec<Attempt>,
+    evidence: Evidence,
     points: Vec<(u32, f64)>,
     cells: u64,
     counts: Counts,
@@ -345,6 +421,7 @@ impl Worker {
             last_student: None,
             last_part: None,
             attempts: vec![Attempt::NONE; if first_pass { cells } else { 0 }],
+            evidence: Evidence::default(),
             points: Vec::new(),
             cells: 0,
             counts: Counts::default(),
@@ -362,7 +439,6 @@ struct Cell<'a> {
     problem: &'a [u8],
     part: &'a [u8],
     answer: &'a [u8],
-    submitted: Option<&'a [u8]>,
     who: Option<u32>,
     what: Option<u32>,
 }
@@ -383,10 +459,12 @@ fn sort_of_row(record: &Record, layout: &Layout) -> Row {
         None => {}
     }
     let n = record.len();
-    let odd = n > layout.width && layout.delimiter == b',';
+    // a short record may hold the halves of a split answer in place of the last columns
+    let odd = n != layout.width && layout.delimiter == b',';
     // `1,25 m/s` may also have pushed its second half into the column of the time
     let pushed = matches!(layout.form, Form::Long { answer, .. } if layout.submitted == Some(answer + 1));
-    let spare = (layout.width..n).all(|i| blank(record.get(i).unwrap_or_default()));
+    let fits = n >= layout.least;
+    let spare = fits && (layout.width..n).all(|i| blank(record.get(i).unwrap_or_default()));
     let split = if odd || (pushed && layout.delimiter == b',') {
         comma_split(record, layout, n, spare)
     } else {
@@ -403,14 +481,22 @@ fn sort_of_row(record: &Record, layout: &Layout) -> Row {
     if (0..n).all(|i| blank(record.get(i).unwrap_or_default())) {
         return Row::Empty;
     }
-    if n > layout.width && split.is_none() && spare {
+    if split.is_none() && spare {
         return Row::Cells;
     }
-    let count = format!("{n} fields where the header has {}", layout.width);
+    let mut count = format!("{n} fields where the header has {}", layout.width);
+    if record.quote_left_open() {
+        count.push_str(&format!(": {}", open_quote(record.line())));
+    }
     if let Some(said) = split {
         return Row::Unreadable(format!("{count}: {said}"));
     }
     Row::Unreadable(count)
+}
+
+/// What is said of a quote that is an ordinary character.
+fn open_quote(line: u64) -> String {
+    format!("a quote opened on line {line} is not closed there")
 }
 
 /// Explains an answer such as `1,25 m/s` that stands in a comma file without quotes. Where the record would also fit
@@ -444,6 +530,11 @@ fn blank(text: &[u8]) -> bool {
         || std::str::from_utf8(text).is_ok_and(|t| t.trim().is_empty())
 }
 
+/// Text without NUL, replacement characters and control characters.
+fn clean(text: &[u8]) -> bool {
+    std::str::from_utf8(text).is_ok_and(|t| !t.contains(|c: char| c == '\u{fffd}' || c.is_control()))
+}
+
 /// A field without blanks around it.
 #[inline]
 fn trimmed(text: &[u8]) -> &[u8] {
@@ -472,7 +563,6 @@ fn cells<'a>(
             found
         }
     };
-    let submitted = layout.submitted.and_then(|i| record.get(i)).map(|t| t.trim_ascii());
     let line = record.line();
     match &layout.form {
         Form::Long { problem, part, answer } => {
@@ -490,7 +580,7 @@ fn cells<'a>(
                 }
             };
             let answer = record.get(*answer).unwrap_or_default();
-            each(memory, &Cell { line, column: None, student, problem, part, answer, submitted, who, what });
+            each(memory, &Cell { line, column: None, student, problem, part, answer, who, what });
         }
         Form::Wide(all) => {
             for (index, one) in all.iter().enumerate() {
@@ -501,7 +591,6 @@ fn cells<'a>(
                     problem: one.problem.as_bytes(),
                     part: one.part.as_bytes(),
                     answer: record.get(one.field).unwrap_or_default(),
-                    submitted,
                     who,
                     what: one.column,
                 };
@@ -549,12 +638,18 @@ fn judged(table: &KeyTable, who: u32, what: u32, answer: &[u8], units: &mut Unit
 }
 
 fn first_pass(worker: &mut Worker, batch: &Batch, table: &KeyTable, layout: &Layout, options: &Options) {
-    let Worker { record, units, key, last_student, last_part, attempts, .. } = worker;
+    let Worker { record, units, key, last_student, last_part, attempts, evidence, .. } = worker;
     let mut memory = Memory { last_student, last_part, key, units };
     batch.records(record, &mut |record| {
         if !matches!(sort_of_row(record, layout), Row::Cells) {
             return;
         }
+        let text = layout.submitted.and_then(|i| record.get(i)).and_then(|t| std::str::from_utf8(t).ok());
+        let time = text.and_then(time::parse);
+        if let Some(moment) = time {
+            evidence.join(moment.evidence);
+        }
+        let uncertain = time.and_then(|t| t.uncertain);
         cells(record, layout, table, &mut memory, &mut |memory, cell| {
             let (Some(who), Some(what)) = (cell.who, cell.what) else { return };
             let index = who as usize * table.columns.len() + what as usize;
@@ -573,12 +668,15 @@ fn first_pass(worker: &mut Worker, batch: &Batch, table: &KeyTable, layout: &Lay
                 (class, judgement.points)
             };
             let at = place(cell.line, cell.column.map_or(0, |(i, _)| i));
-            let time = cell.submitted.and_then(|t| std::str::from_utf8(t).ok()).and_then(time::parse);
             let one = Attempt {
                 class,
-                timed: time.is_some(),
-                untimed: cell.submitted.is_some() && time.is_none(),
-                by_time: (time.unwrap_or(0), at),
+                several: false,
+                untimed: [
+                    layout.submitted.is_some() && time.is_none(),
+                    uncertain == Some(false),
+                    uncertain == Some(true),
+                ],
+                by_time: time.map_or([0; 2], |t| t.micros).map(|t| (t, at)),
                 by_row: at,
                 best: (points, at),
             };
@@ -595,8 +693,7 @@ fn second_pass(
     out: &mut Vec<u8>,
     table: &KeyTable,
     layout: &Layout,
-    options: &Options,
-    winners: &[Attempt],
+    winners: &[Winner],
 ) {
     let Worker {
         record,
@@ -618,17 +715,34 @@ fn second_pass(
             Form::Long { answer, .. } => *answer,
             Form::Wide(_) => usize::MAX,
         };
-        let fits = record.fault().is_none();
+        let bytes = record.fault() == Some(RecordFault::Bytes);
+        let in_place = |i: usize| i < before_answer || (bytes && record.len() == layout.width);
         // what stands before the trouble can be shown in its column
         let field = |i: usize| {
-            if fits && i < before_answer { trimmed(record.get(i).unwrap_or_default()) } else { b"" }
+            let text = trimmed(record.get(i).unwrap_or_default());
+            let fits = record.fault().is_none() || (bytes && clean(text));
+            if fits && in_place(i) { text } else { b"" }
         };
-        push_text(out, if layout.student < before_answer { field(layout.student) } else { b"" });
+        let student = field(layout.student);
+        push_text(out, student);
         out.push(b',');
+        let mut points = None;
         if let Form::Long { problem, part, .. } = layout.form {
-            push_text(out, field(problem));
-            out.push(b',');
-            push_text(out, field(part));
+            let mut key = Vec::new();
+            joined(field(problem), field(part), &mut key);
+            match table.column(&key) {
+                Some(what) => {
+                    out.extend_from_slice(&table.columns[what as usize].fields);
+                    points = table
+                        .student(student)
+                        .map(|who| table.hot[who as usize * table.columns.len() + what as usize].points);
+                }
+                None => {
+                    push_text(out, field(problem));
+                    out.push(b',');
+                    push_text(out, field(part));
+                }
+            }
         } else {
             out.push(b',');
         }
@@ -636,7 +750,9 @@ fn second_pass(
         push_text(out, record.shown(layout.delimiter).as_bytes());
         out.push(b',');
         out.extend_from_slice(verdict.as_str().as_bytes());
-        out.extend_from_slice(b",0,0,");
+        out.extend_from_slice(b",0,");
+        push_float(out, points.unwrap_or(0.0));
+        out.push(b',');
         push_text(out, reason.as_bytes());
         out.push(b'\n');
     };
@@ -693,9 +809,14 @@ fn second_pass(
                 return;
             };
             let index = who as usize * table.columns.len() + what as usize;
-            let judgement = judged(table, who, what, cell.answer, memory.units);
-            let attempt = &winners[index];
-            let winner = attempt.winner(options.attempts);
+            let mut judgement = judged(table, who, what, cell.answer, memory.units);
+            if judgement.verdict == Verdict::Unreadable
+                && record.quote_left_open()
+                && cell.answer.trim_ascii_start().starts_with(b"\"")
+            {
+                judgement.reason = Cow::Owned(open_quote(cell.line));
+            }
+            let Winner { at: winner, by_row } = winners[index];
             let counts_not = !matches!(judgement.verdict, Verdict::Blank | Verdict::UnknownPart);
             let at = place(cell.line, cell.column.map_or(0, |(i, _)| i));
             let superseded = counts_not && winner != at;
@@ -711,7 +832,7 @@ fn second_pass(
             out.push(b',');
             push_float(out, table.hot[index].points);
             out.push(b',');
-            let by_row = attempt.untimed && options.attempts != Attempts::Best && counts_not;
+            let by_row = by_row && counts_not;
             if superseded {
                 // none of these words needs quotes unless the reason does
                 let plain = matches!(judgement.reason, Cow::Borrowed(_));
@@ -779,19 +900,23 @@ pub fn grade(
             &mut heard,
         )?
     };
-    let mut winners = vec![Attempt::NONE; table.students.len() * table.columns.len()];
+    let mut all = vec![Attempt::NONE; table.students.len() * table.columns.len()];
+    let mut evidence = Evidence::default();
     for worker in workers {
-        for (all, one) in winners.iter_mut().zip(&worker.attempts) {
+        evidence.join(worker.evidence);
+        for (all, one) in all.iter_mut().zip(&worker.attempts) {
             all.join(one, options.attempts);
         }
     }
+    let winners: Vec<Winner> = all.iter().map(|a| a.decide(options.attempts, evidence)).collect();
+    drop(all);
     let (source, _) = Source::open(open()?)?;
     out.write_all(ANSWERS_HEADER.as_bytes())?;
     let workers = (0..threads).map(|_| Worker::new(table, false)).collect();
     let workers = sweep(
         source,
         workers,
-        &|w, batch, out| second_pass(w, batch, out, table, &layout, options, &winners),
+        &|w, batch, out| second_pass(w, batch, out, table, &layout, &winners),
         Some(&mut *out),
         &mut |n| progress(read + n),
     )?;
@@ -802,6 +927,7 @@ pub fn grade(
         by_column: vec![Counts::default(); table.columns.len()],
         points: vec![None; winners.len()],
         wide: matches!(layout.form, Form::Wide(_)),
+        untimed: winners.iter().filter(|w| w.by_row).count() as u64,
         unused_columns: layout.unused.clone(),
     };
     for worker in workers {

@@ -69,6 +69,16 @@ fn loose_id(id: &str) -> String {
     zeros.strip_suffix(".0").unwrap_or(zeros).to_owned()
 }
 
+/// A problem's number as a spreadsheet may have made it: `1.0` and `01` are 1.
+fn plain_problem(text: &str) -> &str {
+    let (whole, decimals) = text.split_once('.').unwrap_or((text, ""));
+    let digits = |t: &str, also: fn(u8) -> bool| t.bytes().all(also);
+    if whole.is_empty() || !digits(whole, |b| b.is_ascii_digit()) || !digits(decimals, |b| b == b'0') {
+        return text;
+    }
+    whole.trim_start_matches('0')
+}
+
 /// One key for two fields.
 pub(crate) fn joined(problem: &[u8], part: &[u8], out: &mut Vec<u8>) {
     out.clear();
@@ -161,13 +171,20 @@ impl KeyTable {
     /// Index of a column by number or id of the problem and id of the part; `key` is from [`joined`].
     #[inline]
     pub(crate) fn column(&self, key: &[u8]) -> Option<u32> {
-        self.by_part
-            .get(key)
-            .copied()
-            .or_else(|| self.by_loose_part.get(&key.to_ascii_lowercase()).copied().flatten())
+        self.by_part.get(key).copied().or_else(|| {
+            let lower = key.to_ascii_lowercase();
+            self.by_loose_part.get(&lower).copied().flatten().or_else(|| {
+                // 1.0 and 01 are problem 1
+                let at = lower.iter().position(|b| *b == 0x1f)?;
+                let mut plain = plain_problem(std::str::from_utf8(&lower[..at]).ok()?).as_bytes().to_vec();
+                plain.extend_from_slice(&lower[at..]);
+                self.by_loose_part.get(&plain).copied().flatten()
+            })
+        })
     }
     /// Is there a problem of that number or id?
     pub(crate) fn has_problem(&self, problem: &str) -> bool {
+        let problem = plain_problem(problem);
         self.columns
             .iter()
             .any(|c| c.problem.eq_ignore_ascii_case(problem) || c.number.to_string() == problem)
@@ -191,10 +208,11 @@ impl KeyTable {
     /// Why a part is not known.
     pub(crate) fn unknown_part(&self, problem: &str, part: &str) -> String {
         let shown = |text: &str| text.chars().take(40).collect::<String>();
+        let known = plain_problem(problem);
         let of: Vec<&Column> = self
             .columns
             .iter()
-            .filter(|c| c.problem.eq_ignore_ascii_case(problem) || c.number.to_string() == problem)
+            .filter(|c| c.problem.eq_ignore_ascii_case(known) || c.number.to_string() == known)
             .collect();
         if of.is_empty() {
             let mut names: Vec<String> =

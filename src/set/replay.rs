@@ -1,6 +1,7 @@
 //! Drawing a set, and drawing it again to see that nothing has changed.
 use crate::bank::Bank;
 use crate::bank::Problem;
+use crate::draw::stream;
 use crate::finding::Finding;
 use crate::key::SheetKey;
 use crate::problem::make::Maker;
@@ -104,6 +105,12 @@ pub fn keys(bank: &Bank, set: &StoredSet) -> Result<Vec<SheetKey>, Vec<Finding>>
         );
         let fault = Finding::new("", what).in_file(&set.bank.file);
         return Err(vec![fault.hint("put the original copy back, or make the set anew")]);
+    }
+    // Another program version is fine as long as it draws the same way and the numbers agree.
+    if set.draw_version != stream::DRAW_VERSION {
+        let what = format!("is {}; this program draws by version {}", set.draw_version, stream::DRAW_VERSION);
+        let hint = format!("the set was made by {}: use that version, or make the set anew", set.program);
+        return Err(vec![Finding::new("draw_version", what).hint(hint)]);
     }
     let problems = indices(bank, &set.problems, "problems")?;
     let dealer = Dealer::new(bank, &problems, set.seed, &set.name);

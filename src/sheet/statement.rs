@@ -353,7 +353,8 @@ fn form(q: &Question, scene: &Scene, common: &Common) -> String {
     }
     let mut text = match q.unit.ascii() {
         "1" => "a number".to_owned(),
-        unit => format!("in {unit}"),
+        // No-break spaces: a unit does not leave its word.
+        unit => format!("in {unit}").replace("^2", "²").replace("^3", "³").replace(' ', "\u{a0}"),
     };
     if q.label.quantity.is_directed() && make_key::words_sign(scene, q.label) {
         let _ = write!(text, ", signed or with `{forward}` / `{back}`");

@@ -296,6 +296,11 @@ impl Unit {
         }
         mine[..3] != [0; 3] || (self.scale.pi == 0 && other.scale.pi == 0)
     }
+    /// `1/min` where an angular velocity is asked: turns in that time, as engineers write it. `1/s` is `rad/s`.
+    pub(crate) fn counts_turns(&self, asked: &Unit) -> bool {
+        let per_second = self.scale.num == 1 && self.scale.den == 1;
+        asked.dimension.0 == [0, 0, -1, 1] && self.dimension.0 == [0, 0, -1, 0] && !per_second
+    }
     /// What is wrong with `found` where this unit is expected, with the missing factor if a single one is missing:
     /// `expected N m (energy or moment), found N (force): a factor m is missing`.
     pub fn mismatch(&self, found: &Unit) -> String {

@@ -195,13 +195,26 @@ impl Reader<'_> {
             let found = self.text[start];
             return Err(UnitFault::Stray { found, column: start + 1 });
         }
-        // r/min: an r is a turn only above min
+        // r/min, U/min: these letters are a turn only above min or s
         let rest: String = self.text[self.at..].iter().filter(|c| !c.is_whitespace()).collect();
-        let found = if name == "r" && matches!(rest.as_str(), "/min" | "/s") {
-            look_up("rev")
-        } else {
-            look_up(&name)
+        let turns = || {
+            let rest = rest.trim_start_matches(['·', '\u{22c5}', '*']);
+            ["/min", "/s", "min-1", "min^-1", "min^(-1)", "min⁻¹", "s-1", "s^-1", "s^(-1)", "s⁻¹"]
+                .contains(&rest)
         };
+        // kgm^2 is kg m^2: the exponent belongs to the metre
+        if let Some((_, mass, length)) =
+            [("kgm", "kg", "m"), ("slugft", "slug", "ft")].iter().find(|(n, ..)| *n == name)
+        {
+            let exponent = self.exponent()?;
+            for (name, e) in [(mass, 1), (length, exponent)] {
+                let (row, prefix, ten) = look_up(name).ok_or(UnitFault::Unfinished)?;
+                self.push(row, prefix, ten, sign * e)?;
+            }
+            return Ok(());
+        }
+        let found =
+            if matches!(name.as_str(), "r" | "U" | "u") && turns() { look_up("rev") } else { look_up(&name) };
         let (row, prefix, ten) = match found {
             Some(found) => found,
             None if self.any_case => {
