@@ -273,5 +273,11 @@ fn summary(table: &KeyTable, graded: &run::Graded) -> String {
     if !graded.unused_columns.is_empty() {
         text.push_str(&format!(" Columns not used: {}.", graded.unused_columns.join(", ")));
     }
+    if graded.untimed > 0 {
+        let parts = tell::count(usize::try_from(graded.untimed).unwrap_or(usize::MAX), "answer");
+        text.push_str(&format!(
+            "\n  The attempts at {parts} were ordered by row, because a submitted_at cannot be read."
+        ));
+    }
     text
 }
