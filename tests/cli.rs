@@ -923,3 +923,23 @@ mod mutants {
         }
     }
 }
+
+#[test]
+fn the_set_records_tries_and_which_rule_refused_them() {
+    let roster: Vec<String> = (0..60).map(|i| format!("s{i}")).collect();
+    let roster: Vec<&str> = roster.iter().map(String::as_str).collect();
+    let room = Room::new(&roster);
+    assert_eq!(room.generate("roster.csv", "set", &[]).exit, Exit::Fine);
+    let set: serde_json::Value = serde_json::from_str(&room.read("set/set.json")).unwrap();
+    let mut redrawn = 0;
+    for student in set["students"].as_array().unwrap() {
+        for problem in student["problems"].as_array().unwrap() {
+            let refused = problem["refused"]
+                .as_object()
+                .map_or(0, |rules| rules.values().map(|count| count.as_u64().unwrap()).sum());
+            assert_eq!(problem["tries"].as_u64().unwrap(), refused + 1, "{problem}");
+            redrawn += u64::from(refused > 0);
+        }
+    }
+    assert!(redrawn > 10, "{redrawn}");
+}

@@ -62,7 +62,9 @@ pub fn stored(problem: &Problem, variant: &Variant) -> StoredVariant {
         }
     }
     let case = problem.cases.get(variant.case).map_or_else(String::new, |c| c.name.clone());
-    StoredVariant { id: problem.id.clone(), case, tries: variant.tries, data }
+    let table = variant.refusals.table(problem, variant.case);
+    let refused = table.into_iter().map(|(rule, count)| (rule, Value::from(count))).collect();
+    StoredVariant { id: problem.id.clone(), case, tries: variant.tries, refused, data }
 }
 
 /// Indices of problems by id.

@@ -64,6 +64,9 @@ pub struct StoredVariant {
     pub case: String,
     /// How many draws it took.
     pub tries: u32,
+    /// Which rule refused how many of them.
+    #[serde(default, skip_serializing_if = "Map::is_empty")]
+    pub refused: Map<String, Value>,
     /// Symbol to value with unit, exactly as printed.
     pub data: Map<String, Value>,
 }
