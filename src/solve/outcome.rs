@@ -318,7 +318,7 @@ pub struct Road<T> {
     pub said: Vec<Said<T>>,
     /// Where the motion goes; `None` where only an instant is asked.
     pub course: Option<Course>,
-    /// Contacts and cords.
+    /// Contacts and cords over the motion, from the road that has the reactions as unknowns; the other leaves it empty.
     pub held: Vec<Held>,
 }
 

@@ -15,24 +15,16 @@ use crate::solve::outcome::Held;
 use crate::solve::outcome::Motion;
 use crate::solve::outcome::Regime;
 use crate::solve::outcome::Word;
+use std::cmp::Ordering;
 
-/// Which of three: below, at, above the boundary.
+/// Which of three: below, at, above the boundary; one of them may be infinite.
 fn side(value: Dd, boundary: Dd) -> f64 {
-    let gap = value - boundary;
     let size = value.hi.abs().max(boundary.hi.abs());
-    if size.is_infinite() || gap.hi.abs() > NOISE * size { gap.sign_or(value, boundary) } else { 0.0 }
-}
-
-impl Dd {
-    /// Sign of a difference, also where one side is infinite.
-    fn sign_or(self, value: Dd, boundary: Dd) -> f64 {
-        if value.hi > boundary.hi {
-            1.0
-        } else if value.hi < boundary.hi {
-            -1.0
-        } else {
-            self.sign()
-        }
+    let same = size.is_finite() && (value - boundary).hi.abs() <= NOISE * size;
+    match value.partial_cmp(&boundary) {
+        Some(Ordering::Greater) if !same => 1.0,
+        Some(Ordering::Less) if !same => -1.0,
+        _ => 0.0,
     }
 }
 

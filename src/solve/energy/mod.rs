@@ -9,7 +9,6 @@ pub mod instant;
 pub mod speeds;
 
 use crate::num::Dd;
-use crate::num::NOISE;
 use crate::num::Real;
 use crate::num::eliminate::Equations;
 use crate::num::plant::plant;
@@ -33,7 +32,6 @@ use crate::solve::energy::balance::Power;
 use crate::solve::energy::speeds::Mode;
 use crate::solve::outcome::Course;
 use crate::solve::outcome::Grip;
-use crate::solve::outcome::Held;
 use crate::solve::outcome::Refusal;
 use crate::solve::outcome::Road;
 use crate::solve::outcome::Said;
@@ -112,6 +110,11 @@ fn drive<T: Real>(
     combine(modes, &rates)
 }
 
+/// Kinetic friction of each tie, zero where it has none.
+fn frictions<T: Real>(kinetic: &[Option<T>]) -> PerTie<T> {
+    kinetic.iter().map(|k| k.unwrap_or_else(T::zero)).collect()
+}
+
 /// The reactions where the contacts hold as `grip` says. Ties that leave no freedom hold the scene at rest.
 fn if_rolls<T: Real>(
     scene: &Scene,
@@ -120,7 +123,7 @@ fn if_rolls<T: Real>(
     kinetic: &[Option<T>],
     tension: T,
 ) -> Result<PerTie<T>, Refusal> {
-    let friction: PerTie<T> = kinetic.iter().map(|k| k.unwrap_or_else(T::zero)).collect();
+    let friction: PerTie<T> = frictions(kinetic);
     let rate = match speeds::modes(scene, n, grip) {
         Ok(modes) => drive(scene, n, &modes, &friction, tension),
         Err(Refusal::Freedoms(0)) => Mode::still(scene.bodies.len()),
@@ -186,9 +189,6 @@ impl<'a, T: Real> Ledger<'a, T> {
             }
         }
         let modes = speeds::modes(scene, &n, Grip::Declared)?;
-        let frictions = |kinetic: &[Option<T>]| -> PerTie<T> {
-            kinetic.iter().map(|k| k.unwrap_or_else(T::zero)).collect()
-        };
         let mut v0 = T::zero();
         for s in &scene.start {
             if let Start::Speed(c, v) = s {
@@ -276,10 +276,6 @@ impl<'a, T: Real> Ledger<'a, T> {
         if self.scene.bodies[body].line.is_some_and(|l| !l.forward_up) { -1.0 } else { 1.0 }
     }
 
-    fn force(&self, f: T) -> Dd {
-        self.n.publish(Quantity::Friction, f).value()
-    }
-
     fn settle(mut self) -> Result<Road<T>, Refusal> {
         let spring = self.scene.spring();
         let mut store = spring.map(|(tie, ks, x0, rigid)| {
@@ -287,7 +283,7 @@ impl<'a, T: Real> Ledger<'a, T> {
             let lost = self.mode.point(&self.n, &cord.from);
             Store { stiffness: self.n.massive(ks), stretch: self.n.get(x0), lost, rigid }
         });
-        let frictions: PerTie<T> = self.kinetic.iter().map(|k| k.unwrap_or_else(T::zero)).collect();
+        let frictions: PerTie<T> = frictions(&self.kinetic);
         let powers = balance::powers(self.scene, &self.n, &self.mode, &frictions);
         let size = powers.iter().map(|p| p.power.f64().abs()).sum();
         let constant = powers.iter().fold(T::zero(), |sum, p| sum + p.power).cleared(size);
@@ -351,7 +347,7 @@ impl<'a, T: Real> Ledger<'a, T> {
             None => false,
         };
         let s = self.asked(&account, turning, sense);
-        let arrives = |s: Dd| s >= Dd::ZERO && (s <= limit || (s - limit).hi <= NOISE * s.hi);
+        let arrives = |s: Dd| s >= Dd::ZERO && s.at_most(limit);
         let reached = !wrong_way && s.is_some_and(|s| arrives(s.value()));
         self.road.course =
             Some(Course { sense, drive, asked: s.map(|s| s.value()), farthest: limit, reached });
@@ -411,21 +407,10 @@ impl<'a, T: Real> Ledger<'a, T> {
 
     fn if_rolled(&mut self) {
         for (t, friction) in std::mem::take(&mut self.rolled) {
-            if let Tie::Slip { body, mu_s, radius_m, .. } = &self.scene.ties[t] {
+            if let Tie::Slip { body, .. } = &self.scene.ties[t] {
                 let normal = balance::normal(&self.n, *body);
                 self.say(Quantity::FrictionIfRolled, Owner::Body(*body), friction.signed(self.up(*body)));
                 self.say(Quantity::MuRequired, Owner::Body(*body), friction.abs() / normal);
-                let centre = self.start_rate.v[*body];
-                let slip = centre - self.n.get(*radius_m) * self.start_rate.w[*body];
-                let available = self.n.get(*mu_s) * normal;
-                let held = Held::Slipping(
-                    t,
-                    self.force(friction),
-                    self.force(available),
-                    slip.signed(-friction.sign()).value(),
-                    centre.sign(),
-                );
-                self.road.held.push(held);
             }
         }
     }
@@ -435,7 +420,7 @@ impl<'a, T: Real> Ledger<'a, T> {
         if self.scene.spring().is_none() || !self.moves {
             return self.start_rate.clone();
         }
-        let frictions: PerTie<T> = self.kinetic.iter().map(|k| k.unwrap_or_else(T::zero)).collect();
+        let frictions: PerTie<T> = frictions(&self.kinetic);
         drive(self.scene, &self.n, std::slice::from_ref(&self.mode), &frictions, tension)
     }
 
@@ -462,16 +447,13 @@ impl<'a, T: Real> Ledger<'a, T> {
         let last =
             if tension0.value() == tension1.value() { first.clone() } else { self.reactions(tension1) };
         for (t, tie) in self.scene.ties.iter().enumerate() {
-            if let Tie::Roll { body, mu_s, .. } = tie {
+            if let Tie::Roll { body, .. } = tie {
                 let most =
                     if first[t].abs().value() < last[t].abs().value() { last[t] } else { first[t] }.abs();
                 let normal = balance::normal(&self.n, *body);
                 if self.scene.bodies[*body].line.is_some_and(|l| l.surface) {
                     self.say(Quantity::MuRequired, Owner::Body(*body), most / normal);
                 }
-                let available = mu_s.map(|mu| self.force(self.n.get(mu) * normal));
-                let held = Held::Rolling(t, self.force(most), available);
-                self.road.held.push(held);
             }
         }
     }

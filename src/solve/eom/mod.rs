@@ -6,7 +6,6 @@ pub mod instant;
 pub mod travel;
 
 use crate::num::Dd;
-use crate::num::NOISE;
 use crate::num::Real;
 use crate::num::dd::pow2;
 use crate::num::plant::plant;
@@ -307,7 +306,7 @@ impl<'a, T: Real> Walk<'a, T> {
         let turning = travel.turning();
         let limit = turning.map_or(Dd::new(f64::INFINITY), |t| t.value());
         let (asked, s) = self.asked(&travel, turning, sense);
-        let reached = !wrong_way && s.is_some_and(|s| not_beyond(s.value(), limit) && s.value() >= Dd::ZERO);
+        let reached = !wrong_way && s.is_some_and(|s| s.value().at_most(limit) && s.value() >= Dd::ZERO);
         self.road.course = Some(Course {
             sense,
             drive: (Dd::ZERO, Dd::ZERO),
@@ -609,9 +608,4 @@ impl<'a, T: Real> Walk<'a, T> {
         let bound = if force.sign() > 0.0 { (c * moment / force).root() } else { T::of(f64::INFINITY) };
         self.say(Quantity::KBound, Owner::Body(0), bound);
     }
-}
-
-/// Is a place reached that is at most `limit`, up to rounding of double-doubles?
-fn not_beyond(s: Dd, limit: Dd) -> bool {
-    s <= limit || (s - limit).hi <= NOISE * limit.hi
 }
