@@ -2,8 +2,10 @@
 //! small linear systems. No mechanics.
 pub mod dd;
 pub mod eliminate;
+pub mod gauss;
 pub mod jet;
 pub mod linear;
+pub mod ode;
 pub mod plant;
 pub mod real;
 pub mod trig;

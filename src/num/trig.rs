@@ -131,6 +131,11 @@ pub fn sin_cos<T: Real>(x: T) -> (T, T) {
     )
 }
 
+/// `x^y` of a positive x, for step sizes; within a few ulp.
+pub fn power(x: f64, y: f64) -> f64 {
+    libm::pow(x, y)
+}
+
 #[cfg(test)]
 #[allow(clippy::float_cmp, clippy::neg_cmp_op_on_partial_ord, reason = "exact bits are what is tested")]
 mod tests {
