@@ -2,8 +2,8 @@
 //! small linear systems. No mechanics.
 pub mod dd;
 pub mod eliminate;
-pub mod gauss;
 pub mod jet;
+pub mod legendre;
 pub mod linear;
 pub mod ode;
 pub mod plant;

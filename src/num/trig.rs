@@ -138,6 +138,11 @@ pub fn sin_cos<T: Real>(x: T) -> (T, T) {
     (with(Dd::sum(s, c * v.lo), c), with(Dd::sum(c, -s * v.lo), -s))
 }
 
+/// Logarithm to base 10, for axes; within an ulp.
+pub fn log10(x: f64) -> f64 {
+    libm::log10(x)
+}
+
 /// `x^y` of a positive x, for step sizes; within a few ulp.
 pub fn power(x: f64, y: f64) -> f64 {
     libm::pow(x, y)

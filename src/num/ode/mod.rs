@@ -57,7 +57,7 @@ pub enum Pace {
 }
 
 /// The finest tolerance of a step: below it the estimate is rounding.
-pub const FINEST: f64 = 16.0 * U;
+pub const FINEST: f64 = 2e-15;
 /// After so many steps a run is given up.
 pub const MOST_STEPS: u64 = 20_000_000;
 /// An event is reached when its residual is this small, as a share of its scale.
@@ -203,13 +203,10 @@ impl<const N: usize, F: FnMut(f64, &[f64; N]) -> [f64; N]> Run<N, F> {
         run
     }
 
-    /// Goes on from the same place under another law; the sums, peaks, step and counts stay.
-    pub fn under<G: FnMut(f64, &[f64; N]) -> [f64; N]>(self, field: G) -> Run<N, G> {
-        let Self { formula, pace, x, y, slope, next, peak, stages, count, .. } = self;
-        let mut run = Run { formula, field, pace, x, y, slope, next, peak, stages, count };
-        let place = run.y();
-        run.slope = run.evaluate(x.value, &place);
-        run
+    /// Another law holds from here on: asks the field anew.
+    pub fn refresh(&mut self) {
+        let place = self.y();
+        self.slope = self.evaluate(self.x.value, &place);
     }
 
     /// The independent variable.
@@ -428,11 +425,34 @@ impl<const N: usize, F: FnMut(f64, &[f64; N]) -> [f64; N]> Run<N, F> {
         scale: f64,
         guard: &impl Fn(f64, &[f64; N]) -> f64,
     ) -> Result<Landing, Trouble> {
+        self.seek(event, scale, guard, false)
+    }
+
+    /// [`Run::until`] the event comes next: one that holds where the run stands (rest, at a start from rest) does not count.
+    pub fn until_next(
+        &mut self,
+        event: &impl Fn(f64, &[f64; N]) -> f64,
+        scale: f64,
+        guard: &impl Fn(f64, &[f64; N]) -> f64,
+    ) -> Result<Landing, Trouble> {
+        self.seek(event, scale, guard, true)
+    }
+
+    fn seek(
+        &mut self,
+        event: &impl Fn(f64, &[f64; N]) -> f64,
+        scale: f64,
+        guard: &impl Fn(f64, &[f64; N]) -> f64,
+        mut leaving: bool,
+    ) -> Result<Landing, Trouble> {
         loop {
-            let before = event(self.x.value, &self.y());
-            if before >= 0.0 {
+            let mut before = event(self.x.value, &self.y());
+            if before >= 0.0 && leaving {
+                before = 0.0;
+            } else if before >= 0.0 {
                 return Ok(Landing { residual: before });
             }
+            leaving = false;
             let (h, change, end) = self.propose(f64::INFINITY)?;
             let (x, y) = (self.x.value + h, self.after(&change));
             let after = event(x, &y);
@@ -492,7 +512,9 @@ impl<const N: usize, F: FnMut(f64, &[f64; N]) -> [f64; N]> Run<N, F> {
         let mut best = if fb.abs() <= fa.abs() { (b, fb) } else { (a, fa) };
         let (mut width, mut latest_is_b) = (h, true);
         for turn in 0..MOST_LANDINGS {
-            if best.1.abs() <= LANDED * scale && best.0 > 0.0 || b - a <= 2.0 * U * b {
+            // A step length has an ulp of its own, by which the event cannot be told.
+            let grain = LANDED * (scale + b * ((fb - fa) / (b - a)).abs());
+            if best.1.abs() <= grain && best.0 > 0.0 || b - a <= 2.0 * U * b {
                 break;
             }
             let mut c = b - fb * ((b - a) / (fb - fa));
@@ -654,9 +676,12 @@ mod tests {
             for rtol in [1e-4, 1e-6, 1e-8, 1e-10, 1e-12] {
                 let pace = Pace::Adaptive { rtol, first: 1.0 };
                 let mut run = Run::new(formula, spring, 0.0, [-1.0, 0.0], pace);
-                run.until(&|_, y| -y[1] - 0.0, 1.0, &|_, _| -1.0).unwrap();
-                // It starts at rest: the event is behind it. Go a quarter, then to rest.
+                // It starts at rest: that event is there already. Go a quarter, then to the next rest.
+                run.until(&|_, y| -y[1], 1.0, &|_, _| -1.0).unwrap();
                 assert!(run.x() == 0.0);
+                let mut whole = run.clone();
+                whole.until_next(&|_, y| -y[1], 1.0, &|_, _| -1.0).unwrap();
+                assert!((whole.x() - std::f64::consts::PI).abs() < 100.0 * rtol);
                 run.until(&|_, y| y[0], 1.0, &|_, y| -y[1]).unwrap();
                 let error = (run.x() - std::f64::consts::FRAC_PI_2).abs();
                 run.until(&|_, y| -y[1], 1.0, &|_, _| -1.0).unwrap();
