@@ -150,6 +150,19 @@ fn supported(scene: &Scene) -> Result<(), Refusal> {
     if freedoms > 1 && springs > 0 {
         return refuse(Unsupported::SpringWithTwoFreedoms);
     }
+    if let Some(thrown) = scene.thrown() {
+        if scene.bodies.len() > 1 || scene.ties.len() > 1 {
+            return refuse(Unsupported::ThrownWithOthers);
+        }
+        let surface = scene.bodies[thrown.body].line.is_some_and(|l| l.surface);
+        if !matches!(scene.end, End::Rolling(_) | End::Time(..)) || !surface {
+            return refuse(Unsupported::ThrownEnd);
+        }
+        return Ok(());
+    }
+    if matches!(scene.end, End::Rolling(_)) {
+        return refuse(Unsupported::NotThrown);
+    }
     if freedoms > 1 && !scene.start.is_empty() {
         return refuse(Unsupported::SpeedWithTwoFreedoms);
     }

@@ -7,6 +7,7 @@ pub mod account;
 pub mod balance;
 pub mod instant;
 pub mod speeds;
+pub mod thrown;
 
 use crate::num::Dd;
 use crate::num::Real;
@@ -45,6 +46,9 @@ pub fn road<T: Real>(scene: &Scene, data: &[f64]) -> Result<Road<T>, Refusal> {
     let n = Numbers::<T>::new(scene, data);
     if matches!(scene.end, End::AtOnce) {
         return Ok(instant::road(scene, &n));
+    }
+    if let Some(thrown) = scene.thrown() {
+        return thrown::road(scene, &n, &thrown);
     }
     Ledger::open(scene, n)?.settle()
 }
@@ -392,7 +396,7 @@ impl<'a, T: Real> Ledger<'a, T> {
 
     fn asked(&self, account: &Account<T>, turning: Option<T>, sense: f64) -> Option<T> {
         match self.scene.end {
-            End::AtOnce => None,
+            End::AtOnce | End::Rolling(_) => None,
             End::Travel(_, d) => Some(self.n.get(d)),
             End::Position(_, x) => Some(self.n.get(x).signed(sense)),
             End::Speed(_, u) => account.where_speed(self.n.get(u).abs()),

@@ -3,6 +3,7 @@
 //! Velocity ratios are not derived from the ties here: they are the ratios of the accelerations that the equations give.
 pub mod equations;
 pub mod instant;
+pub mod thrown;
 pub mod travel;
 
 use crate::num::Dd;
@@ -48,6 +49,9 @@ pub fn road<T: Real>(scene: &Scene, data: &[f64]) -> Result<Road<T>, Refusal> {
     let n = Numbers::<T>::new(scene, data);
     if matches!(scene.end, End::AtOnce) {
         return Ok(instant::road(scene, &n));
+    }
+    if let Some(thrown) = scene.thrown() {
+        return thrown::road(scene, &n, &thrown);
     }
     Walk::new(scene, n)?.walk()
 }
@@ -373,7 +377,7 @@ impl<'a, T: Real> Walk<'a, T> {
                 (Some(u.value()), travel.reaching(u))
             }
             End::TurningPoint(_) => (None, turning),
-            End::AtOnce => (None, None),
+            End::AtOnce | End::Rolling(_) => (None, None),
         }
     }
 
