@@ -143,6 +143,19 @@ pub fn rules(scene: &Scene, mut tell: impl FnMut(Num, Rule)) {
     }
 }
 
+/// Do all numbers of the scene pass a test?
+pub fn all_numbers(scene: &Scene, data: &[f64], test: impl Fn(f64) -> bool) -> bool {
+    let mut all = data.iter().all(|x| test(*x));
+    if all {
+        rules(scene, |number, _| {
+            if let Num::Fixed(x) = number {
+                all &= test(x);
+            }
+        });
+    }
+    all
+}
+
 /// The data that are no part of this scene; empty if it can be solved.
 pub fn faults(scene: &Scene, data: &[f64]) -> Vec<Inadmissible> {
     let of = |n: Num| match n {

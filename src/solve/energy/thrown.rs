@@ -10,8 +10,8 @@
 //! ```
 //! so that the way comes first, then the time (twice the way over the slip at the start), then the speeds. The friction that
 //! rolling needs is what keeps the slip at rest, `-Q_s`.
-use crate::num::Dd;
 use crate::num::Real;
+use crate::num::Rough;
 use crate::num::plant::plant;
 use crate::scene::End;
 use crate::scene::Label;
@@ -42,10 +42,10 @@ struct Weighed<T> {
 impl<T: Real> Weighed<T> {
     fn new(scene: &Scene, n: &Numbers<T>, mode: &Mode<T>, body: usize) -> Self {
         let none: PerTie<T> = smallvec![T::zero(); scene.ties.len()];
-        let (mut power, mut size) = (T::zero(), 0.0);
+        let (mut power, mut size) = (T::zero(), T::Rough::zero());
         for p in balance::powers(scene, n, mode, &none) {
             power = power + p.power;
-            size += p.power.f64().abs();
+            size += p.power.size();
         }
         Self {
             v: mode.v[body],
@@ -95,7 +95,7 @@ pub fn road<T: Real>(scene: &Scene, n: &Numbers<T>, thrown: &Thrown) -> Result<R
     let kinetic = plant!("energy: kinetic friction on a thrown body", n.get(thrown.mu_k)) * normal;
     let needed = -slip.power;
     let available = n.get(thrown.mu_s) * normal;
-    let holds = available.balance(-needed.abs()).sign() >= 0.0;
+    let holds = needed.abs().at_most(available);
     let sense = match (slip0.is_zero(), holds) {
         (false, _) => slip0.sign(),
         (true, true) => 0.0,
@@ -138,9 +138,7 @@ pub fn road<T: Real>(scene: &Scene, n: &Numbers<T>, thrown: &Thrown) -> Result<R
         (End::Time(_, t), until) => {
             let t = n.get(t);
             match until {
-                Some(until) if until.balance(-t).sign() < 0.0 => {
-                    event.map(|e| (advance(e, t - until, zero), way, true))
-                }
+                Some(until) if until.below(t) => event.map(|e| (advance(e, t - until, zero), way, true)),
                 _ => {
                     let state = slide(t);
                     let slid = ((slip0 + state.slip) * t).abs().scale2(-1);
@@ -191,9 +189,9 @@ pub fn road<T: Real>(scene: &Scene, n: &Numbers<T>, thrown: &Thrown) -> Result<R
     }
     road.course = Some(Course {
         sense: ended.as_ref().map_or(v0, |(s, ..)| s.v).sign(),
-        drive: (Dd::ZERO, Dd::ZERO),
+        drive: (T::Plain::zero(), T::Plain::zero()),
         asked: None,
-        farthest: Dd::new(f64::INFINITY),
+        farthest: T::Plain::of(f64::INFINITY),
         reached: ended.is_some(),
     });
     Ok(road)

@@ -9,7 +9,6 @@
 //! from there  a = c alpha,  F a reaction, |F| <= mu_s N
 //! ```
 //! Source: Beer & Johnston, *Vector Mechanics for Engineers: Dynamics*, section 16.2 (sliding turning into rolling).
-use crate::num::Dd;
 use crate::num::Real;
 use crate::num::dd::pow2;
 use crate::num::plant::plant;
@@ -87,7 +86,7 @@ pub fn road<T: Real>(scene: &Scene, n: &Numbers<T>, thrown: &Thrown) -> Result<R
     let (rolling, response) = phase(Grip::AllRoll, 0.0)?;
     let normal = response.normal(body);
     let (needed, available) = (rolling.friction.abs(), n.get(thrown.mu_s) * normal);
-    let holds = available.balance(-needed).sign() >= 0.0;
+    let holds = needed.at_most(available);
     let c = n.get(thrown.radius_m);
     let (v0, w0) = (n.get(thrown.speed_m_s), n.get(thrown.spin_rad_s));
     let rim = plant!("eom: speed of the rim at the start", c * w0);
@@ -115,7 +114,7 @@ pub fn road<T: Real>(scene: &Scene, n: &Numbers<T>, thrown: &Thrown) -> Result<R
             let t = n.get(t);
             match (slipping, until) {
                 (None, _) => Some((zero, Some(t))),
-                (Some(_), Some(until)) if (t - until).sign() > 0.0 => holds.then(|| (until, Some(t - until))),
+                (Some(_), Some(until)) if until.below(t) => holds.then(|| (until, Some(t - until))),
                 (Some(_), _) => Some((t, None)),
             }
         }
@@ -123,7 +122,7 @@ pub fn road<T: Real>(scene: &Scene, n: &Numbers<T>, thrown: &Thrown) -> Result<R
         _ => until.filter(|_| holds).map(|until| (until, None)),
     };
     let to_roll = match (scene.end, until) {
-        (End::Time(_, t), Some(until)) => (n.get(t) - until).sign() > 0.0,
+        (End::Time(_, t), Some(until)) => until.below(n.get(t)),
         (End::Time(..), None) => slipping.is_none(),
         _ => true,
     };
@@ -176,7 +175,7 @@ pub fn road<T: Real>(scene: &Scene, n: &Numbers<T>, thrown: &Thrown) -> Result<R
         }
         // The slip changes evenly: its mean times its time. At the event nothing is left of it.
         let left = match until {
-            Some(until) if (slides - until).sign() == 0.0 => zero,
+            Some(until) if !slides.below(until) => zero,
             _ => slip0.abs().balance(-(closing * slides)),
         };
         let slid = plant!("eom: way of the slipping contact", (slip0.abs() + left) * slides).scale2(-1);
@@ -201,14 +200,14 @@ pub fn road<T: Real>(scene: &Scene, n: &Numbers<T>, thrown: &Thrown) -> Result<R
     }));
     road.course = Some(Course {
         sense: state.map_or(v0, |s| s.v).sign(),
-        drive: (Dd::ZERO, Dd::ZERO),
+        drive: (T::Plain::zero(), T::Plain::zero()),
         asked: match scene.end {
-            End::Time(_, t) => Some(n.value(t)),
+            End::Time(_, t) => Some(n.get(t).plain()),
             _ => None,
         },
         farthest: match until {
-            Some(until) if !holds => until.value(),
-            _ => Dd::new(f64::INFINITY),
+            Some(until) if !holds => until.plain(),
+            _ => T::Plain::of(f64::INFINITY),
         },
         reached: state.is_some(),
     });
