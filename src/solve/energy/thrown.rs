@@ -113,10 +113,19 @@ pub fn road<T: Real>(scene: &Scene, n: &Numbers<T>, thrown: &Thrown) -> Result<R
     let slips_at = if at_rest { zero } else { -(loss / slip.inertia).signed(sense) };
     let gained = roll.power / roll.inertia;
     // Velocities change evenly within a phase: the ways are mean velocities times time.
-    let advance = |from: State<T>, time: T, slip_after: T| {
-        let u = from.roll.balance(plant!("energy: impulse in rolling", gained * time));
-        let v = (roll.v * u).balance(slip.v * slip_after);
-        let w = (roll.w * u).balance(slip.w * slip_after);
+    let advance = |from: State<T>, time: T, lost: Option<T>| {
+        let impulse = plant!("energy: impulse in rolling", gained * time);
+        let u = from.roll.balance(impulse);
+        let (v, w) = match lost {
+            // Only what is lost counts: beside a large slip the velocity of the centre may be next to nothing.
+            Some(lost) => (
+                from.v.balance((roll.v * impulse).balance(slip.v * lost)),
+                from.w.balance((roll.w * impulse).balance(slip.w * lost)),
+            ),
+            // The contact is at rest: all that is left is rolling.
+            None => (roll.v * u, roll.w * u),
+        };
+        let slip_after = lost.map_or(zero, |lost| from.slip.balance(lost));
         let way = |a: T, b: T| plant!("energy: way at the mean velocity", (a.balance(b) * time).scale2(-1));
         State {
             t: from.t + time,
@@ -129,16 +138,16 @@ pub fn road<T: Real>(scene: &Scene, n: &Numbers<T>, thrown: &Thrown) -> Result<R
         }
     };
     let start = State { t: zero, v: v0, w: w0, x: zero, phi: zero, roll: u0, slip: slip0 };
-    let slide = |time: T| advance(start, time, slip0.balance(slips_at * time));
-    let event = until.filter(|_| holds).map(|until| advance(start, until, zero));
+    let slide = |time: T| advance(start, time, Some(slips_at * time));
+    let event = until.filter(|_| holds).map(|until| advance(start, until, None));
     // The state at the end, how far the contact has slipped by then, and whether it rolls.
     let ended: Option<(State<T>, T, bool)> = match (scene.end, until) {
-        (End::Time(_, t), _) if at_rest => Some((advance(start, n.get(t), zero), zero, true)),
+        (End::Time(_, t), _) if at_rest => Some((advance(start, n.get(t), None), zero, true)),
         (_, _) if at_rest => Some((start, zero, true)),
         (End::Time(_, t), until) => {
             let t = n.get(t);
             match until {
-                Some(until) if until.below(t) => event.map(|e| (advance(e, t - until, zero), way, true)),
+                Some(until) if until.below(t) => event.map(|e| (advance(e, t - until, None), way, true)),
                 _ => {
                     let state = slide(t);
                     let slid = ((slip0 + state.slip) * t).abs().scale2(-1);
