@@ -3,6 +3,7 @@ use crate::bank::{Problem, Question};
 use crate::key::{Answer, KeyEntry, ProblemKey};
 use crate::problem::make::Variant;
 use crate::scene::{End, Label, Owner, Quantity, Scene, Slope};
+use crate::solve::outcome::Solved;
 
 /// Absolute tolerance of quantities that may vanish, as a share of the scale of their terms: a thousandth of the
 /// largest force is below what three figures of the terms can tell.
@@ -34,6 +35,7 @@ fn entry(question: &Question, scene: &Scene, variant: &Variant) -> KeyEntry {
         energy: None,
         gap: None,
         cond: None,
+        bound: None,
     };
     if quantity.is_word() {
         let right = variant.solved.word(question.label).map_or("", |w| w.text());
@@ -46,6 +48,7 @@ fn entry(question: &Question, scene: &Scene, variant: &Variant) -> KeyEntry {
             key.energy = e.energy;
             key.gap = e.gap();
             key.cond = Some(e.cond);
+            key.bound = e.bound;
             (e.value(), e.scale)
         }
         None => (f64::NAN, 0.0),
@@ -67,6 +70,18 @@ pub fn half_width(question: &Question, value: f64, scale: f64) -> f64 {
         if may_vanish(question.label.quantity) && scale.is_finite() { VANISHING_SHARE * scale } else { 0.0 }
     });
     (question.relative * value.abs()).max(absolute)
+}
+
+/// The proved bound of the error of a key is to be below this share of the accepted half-width.
+pub const PROVED_SHARE: f64 = 1e-3;
+
+/// Is the enclosure of every numeric answer narrow beside its tolerance? Quantities that are not enclosed at all do not
+/// count.
+pub fn narrow(problem: &Problem, solved: &Solved) -> bool {
+    problem.questions.iter().filter_map(|q| Some((q, solved.get(q.label)?))).all(|(question, entry)| {
+        let half_width = half_width(question, entry.value(), entry.scale);
+        entry.bound.is_none_or(|bound| bound <= PROVED_SHARE * half_width)
+    })
 }
 
 /// Quantities that can be 0 although the terms that make them up are not.

@@ -137,6 +137,9 @@ pub struct Entry {
     pub energy: Option<f64>,
     /// Condition number with respect to the data, g and angles included; infinite for 0 with nonzero sensitivity.
     pub cond: f64,
+    /// Proved: the true answer for the printed data lies within this of [`Entry::value`], SI. `None` where nothing is
+    /// proved.
+    pub bound: Option<f64>,
     /// Scale of the terms that make up the quantity (N for a friction, m for a slip): the sum of their magnitudes.
     pub scale: f64,
 }

@@ -351,7 +351,9 @@ impl<'a, T: Real> Ledger<'a, T> {
         };
         let s = self.asked(&account, turning, sense);
         let arrives = |s: T::Plain| s.not_negative() && s.at_most(limit);
-        let reached = !wrong_way && s.is_some_and(|s| arrives(s.plain()));
+        // The turning point is where it is: no comparison with itself.
+        let turns = matches!(self.scene.end, End::TurningPoint(_));
+        let reached = !wrong_way && s.is_some_and(|s| turns || arrives(s.plain()));
         self.road.course = Some(Course { sense, drive, asked: s.map(T::plain), farthest: limit, reached });
         let tension_at = |s: T| store.map_or_else(T::zero, |k| k.stiffness * k.stretch_at(s));
         let last_tension = turning.map_or_else(T::zero, tension_at);
@@ -455,7 +457,7 @@ impl<'a, T: Real> Ledger<'a, T> {
         let last = if (tension0 - tension1).is_zero() { first.clone() } else { self.reactions(tension1) };
         for (t, tie) in self.scene.ties.iter().enumerate() {
             if let Tie::Roll { body, .. } = tie {
-                let most = if first[t].abs().below(last[t].abs()) { last[t] } else { first[t] }.abs();
+                let most = first[t].abs().larger(last[t].abs());
                 let normal = balance::normal(&self.n, *body);
                 if self.scene.bodies[*body].line.is_some_and(|l| l.surface) {
                     self.say(Quantity::MuRequired, Owner::Body(*body), most / normal);

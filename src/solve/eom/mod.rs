@@ -442,7 +442,7 @@ impl<'a, T: Real> Walk<'a, T> {
             match tie {
                 Tie::Roll { body, mu_s, .. } => {
                     let (first, last) = (self.friction(t, tension0).abs(), self.friction(t, tension1).abs());
-                    let most = if first.below(last) { last } else { first };
+                    let most = first.larger(last);
                     let normal = self.response.normal(*body);
                     let surface = self.scene.bodies[*body].line.is_some_and(|l| l.surface);
                     if surface {
