@@ -13,7 +13,7 @@ const DOORS: &[(&str, &[&str])] = &[
     ("solve::method", &["num"]),
     ("solve::outcome", &["solve::method", "scene", "num"]),
     ("solve::eom", &["solve::outcome", "solve::method", "scene", "num"]),
-    ("solve::energy", &["solve::outcome", "scene", "num"]),
+    ("solve::energy", &["solve::outcome", "solve::method", "scene", "num"]),
     ("solve::physical", &["solve::outcome", "scene", "num"]),
     ("solve::agree", &["solve::eom", "solve::energy", "solve::physical", "solve::outcome", "scene", "num"]),
     (

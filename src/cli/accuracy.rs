@@ -98,7 +98,9 @@ fn measured(args: &args::Accuracy, io: &mut Io) -> Result<(), Vec<Finding>> {
         lines.push(Line { row: row.clone(), seconds, best: false });
     }
     let pairs: Vec<(f64, f64)> = lines.iter().map(|l| (cost(l), worst(l))).collect();
-    for (line, best) in lines.iter_mut().zip(ladder::pareto(&pairs, if args.no_time { 0.0 } else { SAME_TIME })) {
+    for (line, best) in
+        lines.iter_mut().zip(ladder::pareto(&pairs, if args.no_time { 0.0 } else { SAME_TIME }))
+    {
         line.best = best;
     }
     let sheet =
@@ -317,7 +319,7 @@ impl Sheet<'_> {
             match rung {
                 Rung::Closed => {}
                 Rung::Gauss(n) => points = n.to_string(),
-                Rung::Adaptive(_, tolerance) => rtol = format!("{tolerance:e}"),
+                Rung::Adaptive(_, tolerance, _) => rtol = format!("{tolerance:e}"),
                 Rung::Fixed(_, h) => step = format!("{h:e}"),
             }
             let mut record = vec![rung.method().name().to_owned(), step, rtol, points];

@@ -281,7 +281,7 @@ fn method_json(taken: &Taken) -> String {
     let setting = match taken.rung {
         Rung::Closed => "\"setting\": null".to_owned(),
         Rung::Gauss(points) => format!("\"points\": {points}"),
-        Rung::Adaptive(_, rtol) => format!("\"rtol\": {}", number(Some(rtol))),
+        Rung::Adaptive(_, rtol, _) => format!("\"rtol\": {}", number(Some(rtol))),
         Rung::Fixed(_, step) => format!("\"step_s\": {}", number(Some(step))),
     };
     format!(

@@ -101,6 +101,26 @@ pub fn check(scene: &Scene, c: &Check) -> String {
             "the slip of the {} does not go against the friction: {available}, required more than {required}",
             of_tie(scene, c.of)
         ),
+        CheckKind::StartsSlipping if c.ok => {
+            format!("the {} starts with slip: its contact moves at {available} m/s", of_tie(scene, c.of))
+        }
+        CheckKind::StartsSlipping => {
+            format!("the {} does not slip at the start: its contact is at rest", of_tie(scene, c.of))
+        }
+        CheckKind::Closes if c.ok && c.required <= 0.0 => {
+            format!(
+                "friction ends the slip of the {}: mu_k N = {available} N, nothing keeps it up",
+                of_tie(scene, c.of)
+            )
+        }
+        CheckKind::Closes if c.ok => format!(
+            "friction ends the slip of the {}: mu_k N = {available} N, {required} N keep it up",
+            of_tie(scene, c.of)
+        ),
+        CheckKind::Closes => format!(
+            "friction does not end the slip of the {}: {required} N keep it up, mu_k N = {available} N",
+            of_tie(scene, c.of)
+        ),
         CheckKind::Reaches if c.ok && c.available.is_infinite() => {
             format!("the end is reached: {required} asked, the motion goes on without end")
         }
@@ -142,6 +162,12 @@ pub fn regime(regime: Regime) -> String {
         Motion::DownTurningPoint => "it moves down; the asked place is the turning point",
         Motion::DownUnreachable => "it moves down and turns before the asked place",
         Motion::Rest => "it stays at rest",
+        Motion::RollsAfter => "it slips first and rolls afterwards",
+        Motion::RollsAtStart => "it rolls from the start",
+        Motion::SlipsThrough => {
+            "its contact comes to rest, but static friction cannot hold it: it slips on, the other way"
+        }
+        Motion::Never => "it slips without end, friction does not stop the slip",
         Motion::Instant => "an instant is asked, nothing moves on",
     };
     if regime.slips {
@@ -177,6 +203,9 @@ pub fn why(taken: &Taken) -> &'static str {
         (true, Method::Closed, Force::Constant) => {
             "the forces are the same all the way, so the closed form is exact and nothing is cheaper"
         }
+        (true, Method::Closed, Force::Switched) => {
+            "the forces are the same all the way up to the start of rolling and from there on, so the closed form is exact and nothing is cheaper"
+        }
         (true, Method::Closed, Force::Linear) => {
             "the force changes in proportion to the way, so the closed form is exact and nothing is cheaper"
         }
@@ -191,7 +220,7 @@ pub fn setting(rung: Rung) -> String {
         Rung::Closed => String::new(),
         Rung::Gauss(1) => "1 point".to_owned(),
         Rung::Gauss(points) => format!("{points} points"),
-        Rung::Adaptive(_, rtol) => format!("rtol {rtol:.2e}").replace(".00e", "e").replace("0e", "e"),
+        Rung::Adaptive(_, rtol, _) => format!("rtol {rtol:.2e}").replace(".00e", "e").replace("0e", "e"),
         Rung::Fixed(_, step) => ladder::STEPS_S
             .iter()
             .find(|(s, _)| (s - step).abs() <= 1e-12 * s)
@@ -264,6 +293,16 @@ pub fn refusal(problem: &Problem, scene: &Scene, refusal: &Refusal) -> Vec<Strin
             Unsupported::SpeedWithTwoFreedoms => {
                 "a start with a speed where two coordinates are free is not solved".to_owned()
             }
+            Unsupported::ThrownWithOthers => {
+                "a body thrown with slip beside other bodies or cords is not solved".to_owned()
+            }
+            Unsupported::ThrownEnd => {
+                "a body thrown with slip on a surface ends where it begins to roll, or after a time"
+                    .to_owned()
+            }
+            Unsupported::NotThrown => {
+                "only a body that slips and starts with a speed and a spin begins to roll".to_owned()
+            }
             Unsupported::TwoSprings => "more than one spring is not solved".to_owned(),
             Unsupported::MovingLamina => {
                 "of a body of particles only what holds at the instant can be asked; write `end: at once`"
@@ -283,7 +322,7 @@ pub fn refusal(problem: &Problem, scene: &Scene, refusal: &Refusal) -> Vec<Strin
             scene.name_of(*label)
         )),
         Refusal::NoMethod { method } => {
-            one(format!("{} does not apply: nothing moves on, only an instant is asked", method.name()))
+            one(format!("{} does not apply to this scene; auto finds what does", method.name()))
         }
         Refusal::Disagree { label, eom, energy, allowed } => one(format!(
             "the two roads disagree on {}: {eom:e} from the equations of motion, {energy:e} from energy; a relative gap of {allowed:.1e} would be accepted. No key is published.",

@@ -18,7 +18,7 @@ pub use ask::{Label, Owner, Quantity};
 pub use body::{Body, Line, Mass, Part, Particle, RotaryInertia, Shape, Slope};
 pub use force::Couple;
 pub use link::{Attach, Cord, CordEnd, Far, Side, Tie};
-pub use motion::{Coordinate, Degree, End, Heading, Start};
+pub use motion::{Coordinate, Degree, End, Heading, Start, Thrown};
 pub use numbers::{BodyNumbers, Numbers};
 
 /// Where a number of the scene comes from: a datum of the problem (by index) or a constant of the bank.

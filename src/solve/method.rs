@@ -104,8 +104,8 @@ pub enum Rung {
     Closed,
     /// This many points.
     Gauss(usize),
-    /// Steps as long as this relative error of a step allows.
-    Adaptive(Method, f64),
+    /// Steps as long as this relative error of a step allows; the first try has this share of its usual length.
+    Adaptive(Method, f64, f64),
     /// Steps of this length, s.
     Fixed(Method, f64),
 }
@@ -115,22 +115,30 @@ pub const USUAL_STEP_S: f64 = 1e-3;
 /// The points that are taken if no tolerance is given.
 pub const USUAL_POINTS: usize = 24;
 
+/// 2^order: by how much the error falls when the step is halved.
+fn halvings(order: i32) -> f64 {
+    (0..order).fold(1.0, |fall, _| 2.0 * fall)
+}
+
 impl Rung {
     /// The method.
     pub const fn method(self) -> Method {
         match self {
             Self::Closed => Method::Closed,
             Self::Gauss(_) => Method::Gauss,
-            Self::Adaptive(m, _) | Self::Fixed(m, _) => m,
+            Self::Adaptive(m, ..) | Self::Fixed(m, _) => m,
         }
     }
-    /// The same method set finer, so that the difference of both tells the error of this one: half the step, a tolerance 64
-    /// times smaller, a third more points.
+    /// The same method set finer, so that the difference of both tells the error of this one: half the step, a tolerance smaller
+    /// by 2^order (which halves the steps, the first one too), a third more points.
     pub fn finer(self) -> Self {
         match self {
             Self::Closed => Self::Closed,
             Self::Gauss(n) => Self::Gauss(n + n.div_ceil(3)),
-            Self::Adaptive(m, rtol) => Self::Adaptive(m, (rtol / 64.0).max(FINEST)),
+            Self::Adaptive(m, rtol, share) => {
+                let fall = m.formula().map_or(1.0, |f| halvings(f.order()));
+                Self::Adaptive(m, (rtol / fall).max(FINEST), 0.5 * share)
+            }
             Self::Fixed(m, h) => Self::Fixed(m, 0.5 * h),
         }
     }
@@ -138,7 +146,7 @@ impl Rung {
     pub fn extrapolation(self) -> f64 {
         match (self, self.method().formula()) {
             (Self::Fixed(..), Some(formula)) => {
-                let fall = (0..formula.order()).fold(1.0, |f, _| 2.0 * f);
+                let fall = halvings(formula.order());
                 fall / (fall - 1.0)
             }
             _ => 1.0,
@@ -148,14 +156,14 @@ impl Rung {
     pub fn pace(self, first: f64) -> Pace {
         match self {
             Self::Fixed(_, h) => Pace::Fixed(h),
-            Self::Adaptive(_, rtol) => Pace::Adaptive { rtol, first },
+            Self::Adaptive(_, rtol, share) => Pace::Adaptive { rtol, first: share * first },
             Self::Closed | Self::Gauss(_) => Pace::Adaptive { rtol: FINEST, first },
         }
     }
     /// The relative error that was asked for, if the method has such a knob.
     pub const fn requested(self) -> Option<f64> {
         match self {
-            Self::Adaptive(_, rtol) => Some(rtol),
+            Self::Adaptive(_, rtol, _) => Some(rtol),
             _ => None,
         }
     }

@@ -8,6 +8,7 @@ pub mod balance;
 pub mod instant;
 pub mod quadrature;
 pub mod speeds;
+pub mod thrown;
 
 use crate::num::Real;
 use crate::num::Rough;
@@ -34,6 +35,7 @@ use crate::solve::energy::balance::Power;
 use crate::solve::energy::quadrature::Sum;
 use crate::solve::energy::quadrature::Summed;
 use crate::solve::energy::speeds::Mode;
+use crate::solve::method::Method;
 use crate::solve::outcome::Course;
 use crate::solve::outcome::Grip;
 use crate::solve::outcome::Refusal;
@@ -51,6 +53,9 @@ pub fn road<T: Real>(scene: &Scene, data: &[f64]) -> Result<Road<T>, Refusal> {
     if matches!(scene.end, End::AtOnce) {
         return Ok(instant::road(scene, &n));
     }
+    if let Some(thrown) = scene.thrown() {
+        return thrown::road(scene, &n, &thrown);
+    }
     Ok(Ledger::open(scene, n)?.settle()?.0)
 }
 
@@ -61,6 +66,9 @@ pub fn road_by<T: Real>(scene: &Scene, data: &[f64], points: usize) -> Result<(R
     let n = Numbers::<T>::new(scene, data);
     if matches!(scene.end, End::AtOnce) {
         return Ok((instant::road(scene, &n), Count::default()));
+    }
+    if scene.thrown().is_some() {
+        return Err(Refusal::NoMethod { method: Method::Gauss });
     }
     let mut ledger = Ledger::open(scene, n)?;
     ledger.points = Some(points);
@@ -374,7 +382,9 @@ impl<'a, T: Real> Ledger<'a, T> {
         };
         let s = self.asked(&account, turning, sense);
         let arrives = |s: T::Plain| s.not_negative() && s.at_most(limit);
-        let reached = !wrong_way && s.is_some_and(|s| arrives(s.plain()));
+        // The turning point is where it is: no comparison with itself.
+        let turns = matches!(self.scene.end, End::TurningPoint(_));
+        let reached = !wrong_way && s.is_some_and(|s| turns || arrives(s.plain()));
         self.road.course = Some(Course { sense, drive, asked: s.map(T::plain), farthest: limit, reached });
         let tension_at = |s: T| store.map_or_else(T::zero, |k| k.stiffness * k.stretch_at(s));
         let last_tension = turning.map_or_else(T::zero, tension_at);
@@ -430,7 +440,7 @@ impl<'a, T: Real> Ledger<'a, T> {
 
     fn asked(&self, account: &Account<T>, turning: Option<T>, sense: f64) -> Option<T> {
         match self.scene.end {
-            End::AtOnce => None,
+            End::AtOnce | End::Rolling(_) => None,
             End::Travel(_, d) => Some(self.n.get(d)),
             End::Position(_, x) => Some(self.n.get(x).signed(sense)),
             End::Speed(_, u) => account.where_speed(self.n.get(u).abs()),
@@ -485,7 +495,7 @@ impl<'a, T: Real> Ledger<'a, T> {
         let last = if (tension0 - tension1).is_zero() { first.clone() } else { self.reactions(tension1) };
         for (t, tie) in self.scene.ties.iter().enumerate() {
             if let Tie::Roll { body, .. } = tie {
-                let most = if first[t].abs().below(last[t].abs()) { last[t] } else { first[t] }.abs();
+                let most = first[t].abs().larger(last[t].abs());
                 let normal = balance::normal(&self.n, *body);
                 if self.scene.bodies[*body].line.is_some_and(|l| l.surface) {
                     self.say(Quantity::MuRequired, Owner::Body(*body), most / normal);

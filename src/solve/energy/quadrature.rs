@@ -117,8 +117,9 @@ impl<T: Real> Sum<'_, T> {
         let taut = self.account.slack().is_none_or(|at| a.below(at));
         let width = b - a;
         let doubled = self.account.doubled;
-        // A cord that goes slack on the way hides the turning point of the taut law.
-        let hidden = taut && self.account.slack().is_some();
+        // A cord that goes slack before hides the turning point of the taut law.
+        let far = self.account.turning();
+        let hidden = taut && self.account.slack().is_some_and(|at| far.is_none_or(|far| at.below(far)));
         if hidden || ua.scale2(-1).below(ub) {
             return legendre::integral(self.points, T::zero(), width, |x| {
                 let work = x * self.mean(a, a + x, taut);
@@ -126,7 +127,7 @@ impl<T: Real> Sum<'_, T> {
             });
         }
         // It slows down to less than half: from the turning point, at the distance z^2, dt = 2 dz / sqrt(-2 Q / M).
-        let Some(far) = self.account.turning() else { return T::of(f64::NAN) };
+        let Some(far) = far else { return T::of(f64::NAN) };
         legendre::integral(self.points, (far - b).root(), (far - a).root(), |z| {
             let back = -self.mean(far - z.square(), far, taut);
             (doubled.scale2(1) / back).root()

@@ -81,7 +81,8 @@ impl<L: Fn(usize, f64) -> f64> Route<L> {
                 }
             }
             let [s, u] = run.y();
-            states.push(State { s, u, time: run.x() });
+            // At a turning point a residual may leave a speed of -1e-17.
+            states.push(State { s, u: u.max(0.0), time: run.x() });
         }
         Ok((states, run.count()))
     }

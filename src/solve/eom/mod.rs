@@ -4,6 +4,7 @@
 pub mod equations;
 pub mod instant;
 pub mod integrate;
+pub mod thrown;
 pub mod travel;
 
 use crate::num::Real;
@@ -55,6 +56,9 @@ pub fn road<T: Real>(scene: &Scene, data: &[f64]) -> Result<Road<T>, Refusal> {
     if matches!(scene.end, End::AtOnce) {
         return Ok(instant::road(scene, &n));
     }
+    if let Some(thrown) = scene.thrown() {
+        return thrown::road(scene, &n, &thrown);
+    }
     Ok(Walk::new(scene, n)?.walk()?.0)
 }
 
@@ -71,6 +75,9 @@ pub fn road_by<T: Real>(
     let n = Numbers::<T>::new(scene, data);
     if matches!(scene.end, End::AtOnce) {
         return Ok((instant::road(scene, &n), Count::default()));
+    }
+    if let Some(thrown) = scene.thrown() {
+        return thrown::road_by(scene, &n, &thrown, Some(rung));
     }
     let mut walk = Walk::new(scene, n)?;
     walk.by = Some((rung, asked));
@@ -399,7 +406,7 @@ impl<'a, T: Real> Walk<'a, T> {
                     if travel.u0.below(u) { Event::Rise(u.f64()) } else { Event::Fall(u.f64()) }
                 }
                 End::TurningPoint(_) => Event::Fall(0.0),
-                End::AtOnce => return None,
+                End::Rolling(_) | End::AtOnce => return None,
             };
             Some((event, s))
         });
@@ -431,7 +438,7 @@ impl<'a, T: Real> Walk<'a, T> {
                 (Some(u.plain()), travel.reaching(u))
             }
             End::TurningPoint(_) => (None, turning),
-            End::AtOnce => (None, None),
+            End::AtOnce | End::Rolling(_) => (None, None),
         }
     }
 
@@ -503,7 +510,7 @@ impl<'a, T: Real> Walk<'a, T> {
             match tie {
                 Tie::Roll { body, mu_s, .. } => {
                     let (first, last) = (self.friction(t, tension0).abs(), self.friction(t, tension1).abs());
-                    let most = if first.below(last) { last } else { first };
+                    let most = first.larger(last);
                     let normal = self.response.normal(*body);
                     let surface = self.scene.bodies[*body].line.is_some_and(|l| l.surface);
                     if surface {
