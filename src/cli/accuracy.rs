@@ -342,7 +342,6 @@ impl Sheet<'_> {
             }
             write(&record);
         }
-        drop(write);
         String::from_utf8(writer.into_inner().unwrap_or_default()).unwrap_or_default()
     }
 

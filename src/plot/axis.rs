@@ -69,8 +69,11 @@ impl Axis {
                 (low, high) = (power_of_ten(a), power_of_ten(b));
             }
             Scale::Linear => {
-                let step = step(high - low);
-                (low, high) = ((low / step).floor() * step, (high / step).ceil() * step);
+                // Ends on ticks; a wider axis may take wider steps.
+                for _ in 0..3 {
+                    let step = step(high - low);
+                    (low, high) = ((low / step).floor() * step, (high / step).ceil() * step);
+                }
                 if high <= low {
                     high = low + 1.0;
                 }
@@ -163,7 +166,7 @@ mod tests {
     fn linear_axes_take_round_numbers() {
         let axis = Axis::around("x", Scale::Linear, [0.13, 0.87].into_iter());
         let labels: Vec<String> = axis.ticks().into_iter().map(|t| t.label).collect();
-        assert_eq!(labels, ["0.1", "0.2", "0.3", "0.4", "0.5", "0.6", "0.7", "0.8", "0.9"]);
+        assert_eq!(labels, ["0.0", "0.2", "0.4", "0.6", "0.8", "1.0"]);
         let one = Axis::around("x", Scale::Linear, [2.0].into_iter());
         assert!(one.high > one.low);
         let none = Axis::around("x", Scale::Log, std::iter::empty());

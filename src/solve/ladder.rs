@@ -223,7 +223,8 @@ fn judged(scene: &Scene, data: &[f64], way: Way, rung: Rung, solved: &Solved) ->
             return Err(Refusal::Unsettled { method, label, value, finer });
         }
         let allowed = error + rounding_of(entry, judge, 8.0 * U);
-        if !((value - judge).abs() <= allowed) {
+        let apart = (value - judge).abs();
+        if apart.is_nan() || apart > allowed {
             return Err(Refusal::Contradicts { method, label, value, judge, allowed });
         }
         found.worst = found.worst.max(error / size);
