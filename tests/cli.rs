@@ -1014,7 +1014,7 @@ fn a_method_that_does_not_fit_is_refused() {
         (&["--method", "rk4", "--step", "0"], "error: --step: `0` is no step"),
         (&["--method", "rk4", "--step", "1/0s"], "error: --step: `1/0s` is no step"),
         (&["--rtol", "2"], "error: --rtol: 2 is no tolerance"),
-        (&["--method", "rk4", "--step", "1e-300"], "error: pulled-rolling: rk4: is given up after"),
+        (&["--method", "rk4", "--step", "1e-300"], "error: pulled-rolling: rk4: would need"),
     ] {
         let ran = pulled("solve", more);
         assert_eq!((ran.exit, ran.out.as_str()), (Exit::Faulty, ""), "{more:?}");
@@ -1032,14 +1032,6 @@ fn accuracy_prints_and_writes_the_same_every_time() {
     assert!(lines[1].starts_with("auto takes the closed form: "), "{}", ran.out);
     assert_eq!(lines[3].split_whitespace().next(), Some("method"));
     assert!(lines[4].trim_start().starts_with("* auto  closed "), "{}", ran.out);
-    // Constant acceleration: every formula but Euler's is exact.
-    for method in ["gauss", "dop853", "dopri5", "rk4", "verlet"] {
-        for line in lines.iter().filter(|l| l.split_whitespace().any(|w| w == method)) {
-            let worst: Vec<f64> =
-                line.split_whitespace().filter_map(|w| w.parse().ok()).filter(|x| *x < 1.0).collect();
-            assert!(worst.iter().take(7).all(|e| *e < 1e-14), "{line}");
-        }
-    }
     let files = tree(&room.0.path().join("trade"));
     assert_eq!(
         files.keys().map(String::as_str).collect::<Vec<_>>(),
@@ -1051,6 +1043,14 @@ fn accuracy_prints_and_writes_the_same_every_time() {
         room.read("trade/accuracy.csv")
             .starts_with("method,step_s,rtol,points,evaluations,steps,error of omega,")
     );
+    // Constant acceleration: every formula but Euler's is exact.
+    let csv = room.read("trade/accuracy.csv");
+    let rows: Vec<Vec<&str>> = csv.lines().map(|l| l.split(',').collect()).collect();
+    let worst = rows[0].iter().position(|h| *h == "worst error").unwrap();
+    for row in &rows[1..] {
+        let error: f64 = row[worst].parse().unwrap();
+        assert!(if row[0] == "euler" { error > 1e-6 } else { error < 1e-14 }, "{row:?}");
+    }
     // Again: refused, then the same bytes.
     let again = pulled("accuracy", &["--no-time", "--out", &folder]);
     assert_eq!((again.exit, again.out.as_str()), (Exit::Faulty, ""));

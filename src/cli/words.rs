@@ -271,6 +271,9 @@ fn trouble(trouble: &Trouble) -> String {
                 "is given up after {steps} steps at t = {at:e} s; take a longer step or a larger tolerance"
             )
         }
+        Trouble::StepTooShort { step, steps } => {
+            format!("would need {steps:.0e} steps of {step:e} s; take a longer step")
+        }
         Trouble::NotFinite { at } => format!("runs off: a value is no longer finite at t = {at:e} s"),
     }
 }

@@ -61,7 +61,7 @@ pub const FINEST: f64 = 2e-15;
 /// After so many steps a run is given up.
 pub const MOST_STEPS: u64 = 20_000_000;
 /// An event is reached when its residual is this small, as a share of its scale.
-const LANDED: f64 = 2.0 * U;
+const LANDED: f64 = U;
 /// A residual above this share of the scale, when no shorter step changes it any more, is no landing.
 const NO_LANDING: f64 = 4096.0 * U;
 /// The turning point counts as the event if it comes this near, as a share of the event's scale: at a turning point a place
@@ -100,6 +100,13 @@ pub enum Trouble {
         steps: u64,
         /// Where they led.
         at: f64,
+    },
+    /// So many steps of this length would be needed that none was made.
+    StepTooShort {
+        /// The step.
+        step: f64,
+        /// How many it would take, roughly.
+        steps: f64,
     },
     /// A value became NaN or infinite.
     NotFinite {
@@ -514,9 +521,11 @@ impl<const N: usize, F: FnMut(f64, &[f64; N]) -> [f64; N]> Run<N, F> {
         let (mut a, mut fa, mut b, mut fb) = (0.0, ends.0, h, ends.1);
         let mut best = if fb.abs() <= fa.abs() { (b, fb) } else { (a, fa) };
         let (mut width, mut latest_is_b) = (h, true);
+        // Change of the event over a length as long as the step, by the last two tries.
+        let (mut rate, mut tried) = (0.0, (h, ends.1));
         for turn in 0..MOST_LANDINGS {
-            // A step length has an ulp of its own, by which the event cannot be told.
-            let grain = LANDED * (scale + b * ((fb - fa) / (b - a)).abs());
+            // A step length has an ulp of its own, and the event is told no better.
+            let grain = LANDED * (scale + rate);
             if best.1.abs() <= grain && best.0 > 0.0 || b - a <= 2.0 * U * b {
                 break;
             }
@@ -535,6 +544,8 @@ impl<const N: usize, F: FnMut(f64, &[f64; N]) -> [f64; N]> Run<N, F> {
             if !fc.is_finite() {
                 return Err(Trouble::NotFinite { at: self.x.value + c });
             }
+            rate = (c * (fc - tried.1) / (c - tried.0)).abs();
+            tried = (c, fc);
             if fc.abs() < best.1.abs() || best.0 == 0.0 {
                 best = (c, fc);
             }

@@ -5,6 +5,7 @@
 use crate::num::Real;
 use crate::num::ode::Count;
 use crate::num::ode::Formula;
+use crate::num::ode::MOST_STEPS;
 use crate::num::ode::Run;
 use crate::num::ode::Trouble;
 use crate::solve::eom::travel::State;
@@ -45,6 +46,12 @@ impl<L: Fn(usize, f64) -> f64> Route<L> {
     ///
     /// Errors: [`Trouble`]; an event that does not come before the motion turns is missed.
     pub fn states(&self, events: &[(Event, f64)], rung: Rung) -> Result<(Vec<State<f64>>, Count), Trouble> {
+        // The rough time is at least half of the true one.
+        if let Rung::Fixed(_, step) = rung
+            && self.pace / step > 2.0 * MOST_STEPS as f64
+        {
+            return Err(Trouble::StepTooShort { step, steps: self.pace / step });
+        }
         let piece = Cell::new(0);
         let field = |_: f64, y: &[f64; 2]| [y[1], (self.law)(piece.get(), y[0])];
         let formula = rung.method().formula().unwrap_or(Formula::Dop853);
