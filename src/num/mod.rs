@@ -2,10 +2,14 @@
 //! small linear systems. No mechanics.
 pub mod dd;
 pub mod eliminate;
+pub mod elliptic;
+pub mod gauss;
+pub mod half;
 pub mod jet;
 pub mod linear;
 pub mod plant;
 pub mod real;
+pub mod root;
 pub mod trig;
 
 pub use dd::Dd;

@@ -54,6 +54,8 @@ pub enum End {
     Speed(Coordinate, Num),
     /// When this coordinate comes to rest.
     TurningPoint(Coordinate),
+    /// When a pinned body stands at this angle, degrees, as its pin counts them.
+    Angle(Coordinate, Num),
 }
 
 /// A declared direction of motion of the ending coordinate.
