@@ -182,6 +182,13 @@ const fn why(quantity: Quantity) -> &'static str {
         Quantity::KBound => "it needs one wheel with a radius of gyration that rolls and is pulled",
         Quantity::XEq | Quantity::VMax | Quantity::DAtVMax | Quantity::DTurn => "it needs a spring",
         Quantity::XG | Quantity::YG | Quantity::IG => "it needs a body of particles",
+        Quantity::IO | Quantity::PinRadial | Quantity::PinTangential | Quantity::PinForce => {
+            "it needs a pinned body"
+        }
+        Quantity::SpringForce => "it needs a spring on a pinned body",
+        Quantity::OmegaMax | Quantity::Period | Quantity::PeriodSmall | Quantity::OmegaSmall => {
+            "it needs a pinned body that swings under its weight alone"
+        }
         Quantity::T | Quantity::RotationalFraction | Quantity::KineticEnergy | Quantity::Direction => {
             "it needs a motion"
         }

@@ -371,6 +371,7 @@ impl Reader<'_> {
             line: None,
             turns: false,
             particles: Vec::new(),
+            pin: None,
         };
         let Some(mut fields) = Fields::open(node, "a body (mass, moves, ...)", f) else { return body };
         if let Some(particles) = fields.get("particles") {

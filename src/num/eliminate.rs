@@ -1,5 +1,6 @@
 //! Gauss-Jordan elimination on a few equations, any shape, in any number type.
 use crate::num::Real;
+use crate::num::Rough;
 use smallvec::SmallVec;
 use smallvec::smallvec;
 
@@ -41,15 +42,15 @@ impl<T: Real> Equations<T> {
             let kept = &free[..allowed];
             loop {
                 // The pivot that is largest within its own row loses least.
-                let mut best: Option<(usize, usize, f64)> = None;
+                let mut best: Option<(usize, usize, T::Rough)> = None;
                 for i in (0..rows).filter(|i| !used[*i]) {
                     let row = &self.cells[i * width..i * width + cols];
-                    let size = row.iter().fold(0.0f64, |s, v| s.max(v.f64().abs()));
+                    let size = row.iter().fold(T::Rough::zero(), |s, v| s.max(v.size()));
                     for (j, v) in row.iter().enumerate() {
                         if pivot[j].is_some() || v.is_zero() || kept.contains(&j) {
                             continue;
                         }
-                        let share = v.f64().abs() / size;
+                        let share = v.size() / size;
                         if best.is_none_or(|(_, _, s)| share > s) {
                             best = Some((i, j, share));
                         }

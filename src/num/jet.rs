@@ -1,31 +1,35 @@
 //! A double-double with its first derivatives: forward differentiation gives the condition number of every answer.
 use crate::num::Dd;
 use crate::num::Real;
+use crate::num::rough::Rough;
 use std::ops::Add;
 use std::ops::Div;
 use std::ops::Mul;
 use std::ops::Neg;
 use std::ops::Sub;
 
-/// A value and its derivatives with respect to the logarithms of `N` data. The derivatives are doubles: a condition
+/// A value and its derivatives with respect to the logarithms of `N` data. The derivatives are rough: a condition
 /// number needs few digits.
 #[derive(Debug, Clone, Copy)]
-pub struct Jet<const N: usize> {
-    v: Dd,
-    d: [f64; N],
+pub struct JetOf<P: Real, const N: usize> {
+    v: P,
+    d: [P::Rough; N],
 }
 
-impl<const N: usize> Jet<N> {
+/// A double-double with its derivatives.
+pub type Jet<const N: usize> = JetOf<Dd, N>;
+
+impl<P: Real<Plain = P>, const N: usize> JetOf<P, N> {
     #[inline(always)]
-    fn map(self, v: Dd, factor: f64) -> Self {
+    fn map(self, v: P, factor: P::Rough) -> Self {
         let mut d = self.d;
         for x in &mut d {
-            *x *= factor;
+            *x = *x * factor;
         }
         Self { v, d }
     }
     #[inline(always)]
-    fn zip(self, o: Self, v: Dd, f: f64, g: f64) -> Self {
+    fn zip(self, o: Self, v: P, f: P::Rough, g: P::Rough) -> Self {
         let mut d = self.d;
         for (x, y) in d.iter_mut().zip(&o.d) {
             *x = *x * f + *y * g;
@@ -34,7 +38,7 @@ impl<const N: usize> Jet<N> {
     }
 }
 
-impl<const N: usize> Add for Jet<N> {
+impl<P: Real<Plain = P>, const N: usize> Add for JetOf<P, N> {
     type Output = Self;
     #[inline(always)]
     fn add(self, o: Self) -> Self {
@@ -45,76 +49,104 @@ impl<const N: usize> Add for Jet<N> {
         Self { v: self.v + o.v, d }
     }
 }
-impl<const N: usize> Sub for Jet<N> {
+impl<P: Real<Plain = P>, const N: usize> Sub for JetOf<P, N> {
     type Output = Self;
     #[inline(always)]
     fn sub(self, o: Self) -> Self {
         let mut d = self.d;
         for (x, y) in d.iter_mut().zip(&o.d) {
-            *x -= *y;
+            *x = *x - *y;
         }
         Self { v: self.v - o.v, d }
     }
 }
-impl<const N: usize> Neg for Jet<N> {
+impl<P: Real<Plain = P>, const N: usize> Neg for JetOf<P, N> {
     type Output = Self;
     #[inline(always)]
     fn neg(self) -> Self {
-        self.map(-self.v, -1.0)
+        self.map(-self.v, P::Rough::of(-1.0))
     }
 }
-impl<const N: usize> Mul for Jet<N> {
+impl<P: Real<Plain = P>, const N: usize> Mul for JetOf<P, N> {
     type Output = Self;
     #[inline(always)]
     fn mul(self, o: Self) -> Self {
-        self.zip(o, self.v * o.v, o.v.hi, self.v.hi)
+        self.zip(o, self.v * o.v, o.v.rough(), self.v.rough())
     }
 }
-impl<const N: usize> Div for Jet<N> {
+impl<P: Real<Plain = P>, const N: usize> Div for JetOf<P, N> {
     type Output = Self;
     #[inline(always)]
     fn div(self, o: Self) -> Self {
         let q = self.v / o.v;
-        let r = 1.0 / o.v.hi;
-        self.zip(o, q, r, -q.hi * r)
+        let r = P::Rough::of(1.0) / o.v.rough();
+        self.zip(o, q, r, -q.rough() * r)
     }
 }
 
-impl<const N: usize> Real for Jet<N> {
+impl<P: Real<Plain = P>, const N: usize> Real for JetOf<P, N> {
+    type Plain = P;
+    type Rough = P::Rough;
     const SLOPES: usize = N;
     #[inline(always)]
     fn datum(index: usize, value: f64) -> Self {
-        let mut d = [0.0; N];
+        let mut d = [P::Rough::zero(); N];
         if let Some(x) = d.get_mut(index) {
-            *x = value;
+            *x = P::Rough::of(value);
         }
-        Self { v: Dd::new(value), d }
+        Self { v: P::datum(index, value), d }
     }
     #[inline(always)]
     fn constant(value: Dd) -> Self {
-        Self { v: value, d: [0.0; N] }
+        Self { v: P::constant(value), d: [P::Rough::zero(); N] }
     }
     #[inline(always)]
-    fn with_slopes(value: Dd, slope: impl Fn(usize) -> f64) -> Self {
+    fn with_slopes(value: P, slope: impl Fn(usize) -> P::Rough) -> Self {
         Self { v: value, d: std::array::from_fn(slope) }
     }
     #[inline(always)]
-    fn value(self) -> Dd {
+    fn with_rough(value: P::Rough) -> Self {
+        Self { v: P::with_rough(value), d: [P::Rough::zero(); N] }
+    }
+    #[inline(always)]
+    fn plain(self) -> P {
         self.v
     }
     #[inline(always)]
-    fn slope(&self, i: usize) -> f64 {
+    fn value(self) -> Dd {
+        self.v.value()
+    }
+    #[inline(always)]
+    fn f64(self) -> f64 {
+        self.v.f64()
+    }
+    #[inline(always)]
+    fn rough(self) -> P::Rough {
+        self.v.rough()
+    }
+    #[inline(always)]
+    fn slope(&self, i: usize) -> P::Rough {
         self.d[i]
     }
     #[inline(always)]
+    fn sign(self) -> f64 {
+        self.v.sign()
+    }
+    #[inline(always)]
     fn root(self) -> Self {
-        let v = Real::root(self.v);
-        if v.hi > 0.0 || v.hi.is_nan() { self.map(v, 0.5 / v.hi) } else { Self::zero() }
+        let v = self.v.root();
+        if v.sign() == 0.0 && !v.rough().is_zero() {
+            return Self { v, d: self.d };
+        }
+        if v.is_zero() { Self::zero() } else { self.map(v, P::Rough::of(0.5) / v.rough()) }
     }
     #[inline(always)]
     fn scale2(self, e: i32) -> Self {
-        let f = crate::num::dd::pow2(e);
-        self.map(self.v.scale2(e), f)
+        self.map(self.v.scale2(e), P::Rough::pow2(e))
+    }
+    #[inline(always)]
+    fn below(self, o: Self) -> bool {
+        self.v.below(o.v)
     }
 }
 

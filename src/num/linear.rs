@@ -4,11 +4,8 @@
 //! Rows are scaled by powers of two, and columns by the size of their own unknown, so that an acceleration that is
 //! 1e-30 of the others keeps all its digits: the test of convergence is the residual of each row against the terms of
 //! that row.
-use crate::num::Dd;
-use crate::num::NOISE;
 use crate::num::Real;
-use crate::num::dd::exponent;
-use crate::num::dd::pow2;
+use crate::num::Rough;
 use nalgebra::DMatrix;
 use nalgebra::SMatrix;
 use smallvec::SmallVec;
@@ -74,13 +71,17 @@ impl<T: Real> Linear<T> {
     /// Solves for all right-hand sides.
     pub fn solve(&self) -> Result<Solution<T>, Singular> {
         let (n, m) = (self.unknowns, self.columns);
+        let nothing = T::Rough::zero();
+        let one = T::Rough::of(1.0);
         // Up to six unknowns and two right-hand sides nothing is allocated.
-        let mut x: SmallVec<[Dd; 12]> = smallvec![Dd::ZERO; n * m];
+        let mut x: SmallVec<[T::Plain; 12]> = smallvec![T::Plain::zero(); n * m];
         let mut inverse: SmallVec<[f64; 36]> = smallvec![0.0; n * n];
-        let mut rows: SmallVec<[f64; 6]> = smallvec![1.0; n];
-        let mut cols: SmallVec<[f64; 6]> = smallvec![1.0; n];
-        let mut residual: SmallVec<[Dd; 6]> = smallvec![Dd::ZERO; n];
-        let mut size: SmallVec<[f64; 6]> = smallvec![0.0; n];
+        let mut rows: SmallVec<[T::Rough; 6]> = smallvec![one; n];
+        let mut cols: SmallVec<[T::Rough; 6]> = smallvec![one; n];
+        let mut residual: SmallVec<[T::Plain; 6]> = smallvec![T::Plain::zero(); n];
+        let mut size: SmallVec<[T::Rough; 6]> = smallvec![nothing; n];
+        let converged = T::Rough::of(CONVERGED);
+        let mut out = SmallVec::with_capacity(n * m);
         self.factor(&mut inverse, &mut rows, &cols)?;
         for k in 0..m {
             let column = &mut x[k * n..(k + 1) * n];
@@ -88,26 +89,26 @@ impl<T: Real> Linear<T> {
             'scalings: for scaling in 0..=SCALINGS {
                 if scaling > 0 {
                     for (c, v) in cols.iter_mut().zip(column.iter()) {
-                        if v.hi != 0.0 {
-                            *c = pow2(exponent(v.hi));
+                        if !v.is_zero() {
+                            *c = T::Rough::pow2(v.rough().exponent());
                         }
                     }
                     self.factor(&mut inverse, &mut rows, &cols)?;
                 }
                 for _ in 0..REFINEMENTS {
                     self.residual(k, column, &mut residual, &mut size);
-                    settled = residual.iter().zip(&size).all(|(r, s)| r.hi.abs() <= CONVERGED * s);
+                    settled = residual.iter().zip(&size).all(|(r, s)| r.size() <= converged * *s);
                     if settled {
                         break 'scalings;
                     }
                     for (i, x) in column.iter_mut().enumerate() {
-                        let mut sum = 0.0;
+                        let mut sum = nothing;
                         for ((share, r), scale) in
                             inverse[i * n..(i + 1) * n].iter().zip(&residual).zip(&rows)
                         {
-                            sum += share * (r.hi * scale);
+                            sum += T::Rough::of(*share) * (r.rough() * *scale);
                         }
-                        *x = *x + Dd::new(sum * cols[i]);
+                        *x = *x + T::Plain::with_rough(sum * cols[i]);
                     }
                 }
                 // Terms that cancel altogether leave noise, which no scaling can settle: that unknown is 0.
@@ -117,95 +118,121 @@ impl<T: Real> Linear<T> {
             if !settled || column.iter().any(|v| !v.is_finite()) {
                 return Err(Singular { unknowns: n, rank: n.saturating_sub(1) });
             }
+            if T::SLOPES > 0 && far_apart(column, &cols) {
+                // A row of the inverse that belongs to a tiny unknown is noise unless its column is scaled to it.
+                for (c, v) in cols.iter_mut().zip(column.iter()) {
+                    if !v.is_zero() {
+                        *c = T::Rough::pow2(v.rough().exponent());
+                    }
+                }
+                self.factor(&mut inverse, &mut rows, &cols)?;
+            }
+            self.slopes(k, column, (&inverse, &rows, &cols), &mut out);
         }
-        Ok(Solution { unknowns: n, x: self.slopes(&x, &inverse, &rows, &cols) })
+        Ok(Solution { unknowns: n, x: out })
     }
 
     /// Inverse of the matrix with its rows and columns scaled by powers of two, row-major; fills in the scales of the rows.
-    fn factor(&self, inverse: &mut [f64], rows: &mut [f64], cols: &[f64]) -> Result<(), Singular> {
+    fn factor(&self, inverse: &mut [f64], rows: &mut [T::Rough], cols: &[T::Rough]) -> Result<(), Singular> {
         let n = self.unknowns;
         inverse.fill(0.0);
-        rows.fill(0.0);
+        rows.fill(T::Rough::zero());
         for (r, c, v) in &self.terms {
-            rows[*r] = rows[*r].max(v.f64().abs() * cols[*c]);
+            rows[*r] = rows[*r].max(v.size() * cols[*c]);
         }
         for r in rows.iter_mut() {
-            *r = if *r > 0.0 { pow2(-exponent(*r)) } else { 1.0 };
+            *r = T::Rough::pow2(if r.is_zero() { 0 } else { -r.exponent() });
         }
         for (r, c, v) in &self.terms {
-            inverse[r * n + c] += v.f64() * cols[*c] * rows[*r];
+            inverse[r * n + c] += (v.rough() * cols[*c] * rows[*r]).f64();
         }
         if invert(n, inverse) { Ok(()) } else { Err(Singular { unknowns: n, rank: rank(n, inverse) }) }
     }
 
     /// Sets to 0 what is nothing beside the terms that it is made of.
-    fn cancel(&self, k: usize, x: &mut [Dd], inverse: &[f64], rows: &[f64], cols: &[f64]) {
+    fn cancel(&self, k: usize, x: &mut [T::Plain], inverse: &[f64], rows: &[T::Rough], cols: &[T::Rough]) {
         let n = self.unknowns;
         for (i, x) in x.iter_mut().enumerate() {
-            let terms = self.right.iter().filter(|(_, column, _)| *column == k);
-            let natural: f64 = terms.map(|(r, _, v)| (inverse[i * n + r] * rows[*r] * v.f64()).abs()).sum();
-            if x.hi.abs() <= NOISE * (natural * cols[i]).abs() {
-                *x = Dd::ZERO;
+            let mut natural = T::Rough::zero();
+            for (r, _, v) in self.right.iter().filter(|(_, column, _)| *column == k) {
+                natural += (T::Rough::of(inverse[i * n + r]) * rows[*r] * v.rough()).abs();
+            }
+            if x.negligible((natural * cols[i]).abs()) {
+                *x = T::Plain::zero();
             }
         }
     }
 
-    fn residual(&self, k: usize, x: &[Dd], residual: &mut [Dd], size: &mut [f64]) {
-        residual.fill(Dd::ZERO);
-        size.fill(0.0);
+    fn residual(&self, k: usize, x: &[T::Plain], residual: &mut [T::Plain], size: &mut [T::Rough]) {
+        residual.fill(T::Plain::zero());
+        size.fill(T::Rough::zero());
         for (r, column, v) in &self.right {
             if *column == k {
-                residual[*r] = residual[*r] + v.value();
-                size[*r] += v.f64().abs();
+                residual[*r] = residual[*r] + v.plain();
+                size[*r] += v.size();
             }
         }
         for (r, c, v) in &self.terms {
-            let t = v.value() * x[*c];
+            let t = v.plain() * x[*c];
             residual[*r] = residual[*r] - t;
-            size[*r] += t.hi.abs();
+            size[*r] += t.size();
         }
     }
 
-    /// Implicit differentiation: `A dx = db - dA x`, with the same factors.
-    fn slopes(&self, x: &[Dd], inverse: &[f64], rows: &[f64], cols: &[f64]) -> SmallVec<[T; 8]> {
+    /// Implicit differentiation: `A dx = db - dA x`, with the same factors; appends the unknowns of right-hand side `k`.
+    fn slopes(
+        &self,
+        k: usize,
+        column: &[T::Plain],
+        (inverse, rows, cols): (&[f64], &[T::Rough], &[T::Rough]),
+        out: &mut SmallVec<[T; 8]>,
+    ) {
         let (n, m) = (self.unknowns, T::SLOPES);
+        let nothing = T::Rough::zero();
         if m == 0 {
-            return x.iter().map(|v| T::constant(*v)).collect();
+            out.extend(column.iter().map(|v| T::exactly(*v)));
+            return;
         }
-        let mut out = SmallVec::with_capacity(x.len());
-        let mut change: SmallVec<[f64; 72]> = smallvec![0.0; n * m];
-        let mut sums: SmallVec<[f64; 24]> = smallvec![0.0; m];
-        for k in 0..self.columns {
-            let column = &x[k * n..(k + 1) * n];
-            change.fill(0.0);
-            let mut add = |row: usize, value: &T, factor: f64| {
-                for (i, c) in change[row * m..(row + 1) * m].iter_mut().enumerate() {
-                    *c += factor * value.slope(i);
-                }
-            };
-            for (r, c, v) in &self.right {
-                if *c == k {
-                    add(*r, v, rows[*r]);
-                }
+        let mut change: SmallVec<[T::Rough; 72]> = smallvec![nothing; n * m];
+        let mut sums: SmallVec<[T::Rough; 24]> = smallvec![nothing; m];
+        let mut add = |row: usize, value: &T, factor: T::Rough| {
+            for (i, c) in change[row * m..(row + 1) * m].iter_mut().enumerate() {
+                *c += factor * value.slope(i);
             }
-            for (r, c, v) in &self.terms {
-                add(*r, v, -column[*c].hi * rows[*r]);
+        };
+        for (r, c, v) in &self.right {
+            if *c == k {
+                add(*r, v, rows[*r]);
             }
-            for i in 0..n {
-                sums.fill(0.0);
-                for j in 0..n {
-                    let share = inverse[i * n + j];
-                    if share != 0.0 {
-                        for (s, c) in sums.iter_mut().zip(&change[j * m..(j + 1) * m]) {
-                            *s += share * c;
-                        }
+        }
+        for (r, c, v) in &self.terms {
+            add(*r, v, -column[*c].rough() * rows[*r]);
+        }
+        for i in 0..n {
+            sums.fill(nothing);
+            for j in 0..n {
+                let share = inverse[i * n + j];
+                if share != 0.0 {
+                    let share = T::Rough::of(share);
+                    for (s, c) in sums.iter_mut().zip(&change[j * m..(j + 1) * m]) {
+                        *s += share * *c;
                     }
                 }
-                out.push(T::with_slopes(column[i], |s| sums[s] * cols[i]));
             }
+            out.push(T::with_slopes(column[i], |s| sums[s] * cols[i]));
         }
-        out
     }
+}
+
+/// Binary digits between the unknowns, beside their scales, from which on the inverse is computed anew.
+const APART: i32 = 24;
+
+/// Are the unknowns of very different sizes, measured by the scales of their columns?
+fn far_apart<P: Real>(x: &[P], cols: &[P::Rough]) -> bool {
+    let sizes =
+        x.iter().zip(cols).filter(|(v, _)| !v.is_zero()).map(|(v, c)| v.rough().exponent() - c.exponent());
+    let (least, most) = sizes.fold((i32::MAX, i32::MIN), |(a, b), e| (a.min(e), b.max(e)));
+    most.saturating_sub(least) > APART && most >= least
 }
 
 /// Inverts a row-major matrix in place by LU with partial pivoting; sizes up to 12 live on the stack.
@@ -267,6 +294,7 @@ fn rank(n: usize, a: &[f64]) -> usize {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::num::Dd;
     use crate::num::Jet;
 
     #[test]

@@ -10,11 +10,16 @@ pub mod linear;
 pub mod plant;
 pub mod real;
 pub mod root;
+pub mod rough;
 pub mod trig;
+pub mod wide;
 
 pub use dd::Dd;
 pub use jet::Jet;
+pub use jet::JetOf;
 pub use real::Real;
+pub use rough::Rough;
+pub use wide::Wide;
 
 /// Unit roundoff of a double, 2^-53.
 pub const U: f64 = f64::EPSILON / 2.0;

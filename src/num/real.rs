@@ -1,12 +1,14 @@
 //! What the solvers need of a number, so that the same equations give values, and values with their sensitivities.
 use crate::num::Dd;
+use crate::num::NOISE;
+use crate::num::rough::Rough;
 use std::ops::Add;
 use std::ops::Div;
 use std::ops::Mul;
 use std::ops::Neg;
 use std::ops::Sub;
 
-/// A number of the solvers: [`Dd`] alone, or [`crate::num::Jet`] with derivatives.
+/// A number of the solvers: [`Dd`] or [`crate::num::Wide`] alone, or [`crate::num::Jet`] of one of them with derivatives.
 pub trait Real:
     Copy
     + Add<Output = Self>
@@ -16,6 +18,10 @@ pub trait Real:
     + Neg<Output = Self>
     + std::fmt::Debug
 {
+    /// The same number without its derivatives.
+    type Plain: Real<Plain = Self::Plain, Rough = Self::Rough>;
+    /// Sizes and derivatives.
+    type Rough: Rough;
     /// How many derivatives it carries.
     const SLOPES: usize;
     /// The datum of this index, with this value; its derivative is taken with respect to its own logarithm.
@@ -23,16 +29,36 @@ pub trait Real:
     /// A constant.
     fn constant(value: Dd) -> Self;
     /// A value with given derivatives.
-    fn with_slopes(value: Dd, slope: impl Fn(usize) -> f64) -> Self;
-    /// The value.
+    fn with_slopes(value: Self::Plain, slope: impl Fn(usize) -> Self::Rough) -> Self;
+    /// A rough number, taken as exact.
+    fn with_rough(value: Self::Rough) -> Self;
+    /// The value alone.
+    fn plain(self) -> Self::Plain;
+    /// The value as a double-double: infinite or 0 where no double is so large or small. For output only.
     fn value(self) -> Dd;
+    /// The value, roughly.
+    fn rough(self) -> Self::Rough;
     /// Derivative number `i` with respect to the logarithm of datum `i`.
-    fn slope(&self, i: usize) -> f64;
+    fn slope(&self, i: usize) -> Self::Rough;
+    /// -1, 0 or 1; 0 for NaN.
+    fn sign(self) -> f64;
     /// Square root; 0 where the value is not above 0 (a radicand that rounding made negative at a turning point).
     fn root(self) -> Self;
     /// Product with 2^e.
     fn scale2(self, e: i32) -> Self;
+    /// Is it less? NaN is not.
+    fn below(self, other: Self) -> bool;
+    /// Encloses an error of at most `bound` too, where the number keeps account of its errors.
+    #[inline(always)]
+    fn widened(self, _bound: impl Fn() -> f64) -> Self {
+        self
+    }
 
+    /// A value that no datum moves.
+    #[inline(always)]
+    fn exactly(value: Self::Plain) -> Self {
+        Self::with_slopes(value, |_| Self::Rough::zero())
+    }
     /// An exact double.
     #[inline(always)]
     fn of(value: f64) -> Self {
@@ -48,15 +74,45 @@ pub trait Real:
     fn f64(self) -> f64 {
         self.value().hi
     }
-    /// -1, 0 or 1.
-    #[inline(always)]
-    fn sign(self) -> f64 {
-        self.value().sign()
-    }
     /// Is the value exactly zero?
     #[inline(always)]
     fn is_zero(self) -> bool {
-        self.value() == Dd::ZERO
+        self.rough().is_zero()
+    }
+    /// Its magnitude.
+    #[inline(always)]
+    fn size(self) -> Self::Rough {
+        self.rough().abs()
+    }
+    /// Is it infinite or NaN?
+    #[inline(always)]
+    fn is_finite(self) -> bool {
+        self.rough().is_finite()
+    }
+    /// Is it nothing beside `scale`, but rounding of double-doubles?
+    #[inline(always)]
+    fn negligible(self, scale: Self::Rough) -> bool {
+        self.size() <= Self::Rough::of(NOISE) * scale
+    }
+    /// At most `limit`, up to what double-doubles leave of a difference of equals; NaN is not.
+    #[inline(always)]
+    fn at_most(self, limit: Self) -> bool {
+        let nan = |x: Self::Rough| x.partial_cmp(&x).is_none();
+        !nan(self.rough()) && !nan(limit.rough()) && self.side(limit) <= 0.0
+    }
+    /// -1 below, 0 at, 1 above the other, up to what double-doubles leave of a difference of equals; 0 beside NaN.
+    #[inline(always)]
+    fn side(self, other: Self) -> f64 {
+        let larger = self.size().max(other.size());
+        if larger.is_finite() && (self - other).negligible(larger) {
+            0.0
+        } else if self.below(other) {
+            -1.0
+        } else if other.below(self) {
+            1.0
+        } else {
+            0.0
+        }
     }
     /// Absolute value.
     #[inline(always)]
@@ -77,17 +133,23 @@ pub trait Real:
     /// The same, or exactly zero where it is nothing beside `scale`, the sum of the magnitudes of the terms that made it:
     /// what then is left is the rounding of double-doubles. Its derivatives stay.
     #[inline(always)]
-    fn cleared(self, scale: f64) -> Self {
-        if self.value().hi.abs() <= crate::num::NOISE * scale {
-            Self::with_slopes(Dd::ZERO, |i| self.slope(i))
-        } else {
-            self
-        }
+    fn cleared(self, scale: Self::Rough) -> Self {
+        if self.negligible(scale) { Self::with_slopes(Self::Plain::zero(), |i| self.slope(i)) } else { self }
     }
     /// Sum of two terms, [`Real::cleared`].
     #[inline(always)]
     fn balance(self, other: Self) -> Self {
-        (self + other).cleared(self.f64().abs() + other.f64().abs())
+        (self + other).cleared(self.size() + other.size())
+    }
+    /// At least the other, exactly; NaN is not.
+    #[inline(always)]
+    fn reaches(self, other: Self) -> bool {
+        other.below(self) || (self - other).is_zero()
+    }
+    /// 0 or more; NaN is not.
+    #[inline(always)]
+    fn not_negative(self) -> bool {
+        self.sign() > 0.0 || self.is_zero()
     }
     /// Square.
     #[inline(always)]
@@ -96,15 +158,17 @@ pub trait Real:
     }
     /// `sum |d y / d ln x_i| / |y|`: 0 if no datum moves it, infinite for a zero that some datum moves.
     fn cond(&self) -> f64 {
-        let mut sum = 0.0;
+        let mut sum = Self::Rough::zero();
         for i in 0..Self::SLOPES {
             sum += self.slope(i).abs();
         }
-        if sum == 0.0 { 0.0 } else { sum / self.value().hi.abs() }
+        if sum.is_zero() { 0.0 } else { (sum / self.size()).f64() }
     }
 }
 
 impl Real for Dd {
+    type Plain = Self;
+    type Rough = f64;
     const SLOPES: usize = 0;
     #[inline(always)]
     fn datum(_: usize, value: f64) -> Self {
@@ -119,12 +183,28 @@ impl Real for Dd {
         value
     }
     #[inline(always)]
+    fn with_rough(value: f64) -> Self {
+        Dd::new(value)
+    }
+    #[inline(always)]
+    fn plain(self) -> Dd {
+        self
+    }
+    #[inline(always)]
     fn value(self) -> Dd {
         self
     }
     #[inline(always)]
+    fn rough(self) -> f64 {
+        self.hi
+    }
+    #[inline(always)]
     fn slope(&self, _: usize) -> f64 {
         0.0
+    }
+    #[inline(always)]
+    fn sign(self) -> f64 {
+        Dd::sign(self)
     }
     #[inline(always)]
     fn root(self) -> Self {
@@ -134,5 +214,9 @@ impl Real for Dd {
     #[inline(always)]
     fn scale2(self, e: i32) -> Self {
         Dd::scale2(self, e)
+    }
+    #[inline(always)]
+    fn below(self, other: Self) -> bool {
+        self < other
     }
 }

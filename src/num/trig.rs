@@ -4,6 +4,7 @@
 //! degrees and accurate to double-double everywhere, also near 90 degrees.
 use crate::num::Dd;
 use crate::num::Real;
+use crate::num::Rough;
 use std::sync::LazyLock;
 
 /// Pi / 180 as a double-double.
@@ -167,29 +168,35 @@ pub fn angle<T: Real>(y: T, x: T) -> T {
 /// [`sin_cos_degrees`] with derivatives.
 pub fn sin_cos_of_degrees<T: Real>(degrees: T) -> (T, T) {
     let (s, c) = sin_cos_degrees(degrees.f64());
-    let per = RADIANS_PER_DEGREE.hi;
-    (
-        T::with_slopes(s, |i| c.hi * per * degrees.slope(i)),
-        T::with_slopes(c, |i| -s.hi * per * degrees.slope(i)),
-    )
+    let with = |value: Dd, rate: f64| {
+        let per = T::Rough::of(rate * RADIANS_PER_DEGREE.hi);
+        T::with_slopes(T::Plain::constant(value), |i| per * degrees.slope(i))
+    };
+    (with(s, c.hi), with(c, -s.hi))
 }
 
 /// Angle of the point (x, y), radians, within one ulp, with derivatives.
 pub fn atan2<T: Real>(y: T, x: T) -> T {
+    // Only their ratio counts: near 1 no square overflows.
+    let e = y.size().max(x.size()).exponent().clamp(-1000, 1000);
+    let (y, x) = (y.scale2(-e), x.scale2(-e));
     let (yv, xv) = (y.f64(), x.f64());
     let r2 = xv * xv + yv * yv;
-    let value = libm::atan2(yv, xv);
-    T::with_slopes(Dd::new(value), |i| if r2 > 0.0 { (y.slope(i) * xv - x.slope(i) * yv) / r2 } else { 0.0 })
+    let (to_y, to_x) = if r2 > 0.0 { (xv / r2, yv / r2) } else { (0.0, 0.0) };
+    let (to_y, to_x) = (T::Rough::of(to_y), T::Rough::of(to_x));
+    let value = T::Plain::constant(Dd::new(libm::atan2(yv, xv)));
+    T::with_slopes(value, |i| y.slope(i) * to_y - x.slope(i) * to_x)
 }
 
 /// Sine and cosine of an angle in radians, with derivatives.
 pub fn sin_cos<T: Real>(x: T) -> (T, T) {
     let v = x.value();
     let (s, c) = (libm::sin(v.hi), libm::cos(v.hi));
-    (
-        T::with_slopes(Dd::sum(s, c * v.lo), |i| c * x.slope(i)),
-        T::with_slopes(Dd::sum(c, -s * v.lo), |i| -s * x.slope(i)),
-    )
+    let with = |value: Dd, rate: f64| {
+        let rate = T::Rough::of(rate);
+        T::with_slopes(T::Plain::constant(value), |i| rate * x.slope(i))
+    };
+    (with(Dd::sum(s, c * v.lo), c), with(Dd::sum(c, -s * v.lo), -s))
 }
 
 #[cfg(test)]

@@ -121,6 +121,7 @@ fn offered(quantity: Quantity, scene: &Scene) -> &'static [&'static str] {
         | End::Position(c, _)
         | End::Time(c, _)
         | End::Speed(c, _)
+        | End::Angle(c, _)
         | End::TurningPoint(c) => c.body,
     };
     match scene.bodies.get(body).and_then(|b| b.line) {

@@ -1,5 +1,6 @@
 //! Which data are a scene at all (PHYSICS: admissible data). NaN passes no test here.
 use crate::num::Dd;
+use crate::num::Real;
 use crate::num::trig;
 use crate::scene::Arm;
 use crate::scene::Attach;
@@ -188,7 +189,20 @@ fn fits(scene: &Scene, of: &impl Fn(Num) -> f64, stretch: f64) -> bool {
     let (dx, dy) = (Dd::new(of(s.x_m)) - at * sine, Dd::new(of(s.y_m)) - at * up);
     let (long, stretch) = (dx * dx + dy * dy, Dd::product(stretch, stretch));
     // What is not finite has its own finding.
-    !long.is_finite() || !stretch.is_finite() || stretch.at_most(long)
+    !long.is_finite() || !Real::is_finite(stretch) || stretch.at_most(long)
+}
+
+/// Do all numbers of the scene pass a test?
+pub fn all_numbers(scene: &Scene, data: &[f64], test: impl Fn(f64) -> bool) -> bool {
+    let mut all = data.iter().all(|x| test(*x));
+    if all {
+        rules(scene, |number, _| {
+            if let Num::Fixed(x) = number {
+                all &= test(x);
+            }
+        });
+    }
+    all
 }
 
 /// The data that are no part of this scene; empty if it can be solved.

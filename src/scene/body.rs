@@ -1,5 +1,6 @@
 //! Bodies: mass, inertia, named radii, and the line along which the mass centre moves.
 use crate::scene::Num;
+use crate::scene::Pin;
 
 /// One rigid body.
 #[derive(Debug, Clone, PartialEq)]

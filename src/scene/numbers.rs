@@ -2,9 +2,8 @@
 //!
 //! Everything with the dimension of mass is divided by a power of two near the first mass, so that a wheel of 1e-300 kg
 //! is as good as one of 1 kg; [`Numbers::publish`] undoes it.
-use crate::num::Dd;
 use crate::num::Real;
-use crate::num::dd::exponent;
+use crate::num::Rough;
 use crate::num::trig;
 use crate::scene::Body;
 use crate::scene::Mass;
@@ -46,8 +45,9 @@ impl<'a, T: Real> Numbers<'a, T> {
     pub fn new(scene: &Scene, data: &'a [f64]) -> Self {
         let mut n = Self { data, mass_exponent: 0, gravity: T::zero(), bodies: SmallVec::new() };
         n.gravity = n.get(scene.gravity_m_s2);
-        let first = scene.bodies.iter().map(|b| n.mass_of(b, &b.mass).f64()).find(|m| *m > 0.0);
-        n.mass_exponent = exponent(first.unwrap_or(1.0));
+        let first =
+            scene.bodies.iter().map(|b| n.mass_of(b, &b.mass).rough()).find(|m| *m > T::Rough::zero());
+        n.mass_exponent = first.map_or(0, Rough::exponent);
         // Bodies on one incline share its sine and cosine.
         let mut known: Option<(Num, T, T)> = None;
         for b in &scene.bodies {
@@ -143,10 +143,5 @@ impl<'a, T: Real> Numbers<'a, T> {
                 })
             }
         }
-    }
-
-    /// Value of a number, for comparisons of data.
-    pub fn value(&self, num: Num) -> Dd {
-        self.get(num).value()
     }
 }

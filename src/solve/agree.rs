@@ -1,8 +1,11 @@
 //! Runs both roads and compares; the only file that sees both.
 use crate::num::Dd;
 use crate::num::Jet;
+use crate::num::JetOf;
 use crate::num::Real;
 use crate::num::U;
+use crate::num::Wide;
+use crate::num::wide::ordinary;
 use crate::scene::End;
 use crate::scene::Label;
 use crate::scene::Owner;
@@ -13,13 +16,11 @@ use crate::scene::Tie;
 use crate::scene::admissible;
 use crate::solve::energy;
 use crate::solve::eom;
-use crate::solve::outcome::Course;
 use crate::solve::outcome::Entry;
 use crate::solve::outcome::Motion;
 use crate::solve::outcome::Refusal;
 use crate::solve::outcome::Regime;
 use crate::solve::outcome::Road;
-use crate::solve::outcome::Said;
 use crate::solve::outcome::Solved;
 use crate::solve::outcome::Unsupported;
 use crate::solve::physical;
@@ -34,7 +35,10 @@ const NO_DIGITS: f64 = 1e-2;
 #[derive(Debug, Clone)]
 pub struct Half {
     solved: Solved,
-    course: Option<Course>,
+    /// Sense of the motion, and whether its end is reached.
+    course: Option<(f64, bool)>,
+    /// Do the data need exponents beyond those of doubles?
+    wide: bool,
 }
 
 /// Solves a scene by both roads and publishes only what agrees.
@@ -54,29 +58,47 @@ pub fn first(scene: &Scene, data: &[f64]) -> Result<Half, Refusal> {
         return Err(Refusal::Inadmissible(faults));
     }
     supported(scene)?;
+    if !admissible::all_numbers(scene, data, ordinary) {
+        return match data.len() {
+            0..=24 => half::<JetOf<Wide, 24>>(scene, data, true),
+            25..=64 => half::<JetOf<Wide, 64>>(scene, data, true),
+            _ => Err(Refusal::Unsupported(Unsupported::TooManyData)),
+        };
+    }
     match data.len() {
-        0..=10 => half::<Jet<10>>(scene, data),
-        11..=24 => half::<Jet<24>>(scene, data),
-        25..=64 => half::<Jet<64>>(scene, data),
+        0..=10 => half::<Jet<10>>(scene, data, false),
+        11..=24 => half::<Jet<24>>(scene, data, false),
+        25..=64 => half::<Jet<64>>(scene, data, false),
         _ => Err(Refusal::Unsupported(Unsupported::TooManyData)),
     }
 }
 
-fn half<T: Real>(scene: &Scene, data: &[f64]) -> Result<Half, Refusal> {
+fn half<T: Real>(scene: &Scene, data: &[f64], wide: bool) -> Result<Half, Refusal> {
     let road: Road<T> = eom::road(scene, data)?;
-    let entry = |said: &Said<T>| Entry {
-        label: said.label,
-        eom: Some(said.value.f64()),
-        energy: None,
-        cond: said.value.cond(),
-        scale: said.scale,
-    };
-    let entries = road.said.iter().map(entry).collect();
+    let mut beyond = Vec::new();
+    let mut entries = Vec::with_capacity(road.said.len());
+    for said in &road.said {
+        let value = said.value.f64();
+        // A finite number that no double holds, or only with fewer digits.
+        let lost = !value.is_finite() || value.abs() < f64::MIN_POSITIVE;
+        if lost && said.value.is_finite() && !said.value.is_zero() {
+            beyond.push(said.label);
+            continue;
+        }
+        entries.push(Entry {
+            label: said.label,
+            eom: Some(value),
+            energy: None,
+            cond: said.value.cond(),
+            scale: said.scale,
+        });
+    }
     let instant = Regime { motion: Motion::Instant, slips: false };
     let (regime, checks, words) = road
         .course
         .map_or((instant, Vec::new(), Vec::new()), |course| physical::judge(scene, &course, &road.held));
-    Ok(Half { solved: Solved { regime, checks, entries, words }, course: road.course })
+    let course = road.course.map(|c| (c.sense, c.reached));
+    Ok(Half { solved: Solved { regime, checks, entries, words, beyond }, course, wide })
 }
 
 impl Half {
@@ -86,10 +108,14 @@ impl Half {
     }
 
     /// Runs the second road and publishes what agrees. Errors: a disagreement, or a quantity that only one road reaches.
-    #[expect(clippy::float_cmp, reason = "senses are exactly -1, 0 or 1")]
     pub fn confirm(self, scene: &Scene, data: &[f64]) -> Result<Solved, Refusal> {
-        let Half { mut solved, course } = self;
-        let second: Road<Dd> = energy::road(scene, data)?;
+        if self.wide { self.judged_by::<Wide>(scene, data) } else { self.judged_by::<Dd>(scene, data) }
+    }
+
+    #[expect(clippy::float_cmp, reason = "senses are exactly -1, 0 or 1")]
+    fn judged_by<P: Real<Plain = P>>(self, scene: &Scene, data: &[f64]) -> Result<Solved, Refusal> {
+        let Half { mut solved, course, .. } = self;
+        let second: Road<P> = energy::road(scene, data)?;
         for (i, entry) in solved.entries.iter_mut().enumerate() {
             // The roads mostly speak in the same order.
             let said =
@@ -103,26 +129,23 @@ impl Half {
         }
         // What only the second road says is a disagreement too: both must reach the same quantities.
         let known = |label: Label, i: usize| {
-            solved.entries.get(i).is_some_and(|e| e.label == label) || solved.get(label).is_some()
+            solved.entries.get(i).is_some_and(|e| e.label == label)
+                || solved.get(label).is_some()
+                || solved.beyond.contains(&label)
         };
         if let Some((_, said)) = second.said.iter().enumerate().find(|(i, s)| !known(s.label, *i)) {
             let (label, energy) = (said.label, said.value.f64());
             return Err(Refusal::Disagree { label, eom: f64::NAN, energy, allowed: 2.0 * EACH_ROAD * U });
         }
-        if let (Some(course), Some(other)) = (course, second.course) {
+        if let (Some((sense, reached)), Some(other)) = (course, second.course) {
             // Which way it goes and whether it arrives are answers too.
-            if course.sense != other.sense || course.reached != other.reached {
+            if sense != other.sense || reached != other.reached {
                 let of = Owner::Body(scene.ending_coordinate().body);
                 let label = Label { quantity: Quantity::Direction, of };
-                return Err(Refusal::Disagree {
-                    label,
-                    eom: course.sense,
-                    energy: other.sense,
-                    allowed: 0.0,
-                });
+                return Err(Refusal::Disagree { label, eom: sense, energy: other.sense, allowed: 0.0 });
             }
             // The drive is a sum of powers: only the second road has it, and only for margins.
-            physical::fill_drive(scene, &course, other.drive, &mut solved.checks);
+            physical::fill_drive(scene, sense, other.drive, &mut solved.checks);
         }
         Ok(solved)
     }
@@ -131,10 +154,18 @@ impl Half {
 /// Is the combination one that the assembly has?
 fn supported(scene: &Scene) -> Result<(), Refusal> {
     let lamina = scene.bodies.iter().any(|b| !b.particles.is_empty());
+    let refuse = |what| Err(Refusal::Unsupported(what));
+    if scene.pinned().is_some() {
+        let along = matches!(scene.end, End::Travel(..) | End::Position(..));
+        let alone = scene.bodies.len() == 1 && scene.ties.is_empty() && !along;
+        return if alone { Ok(()) } else { refuse(Unsupported::PinnedInCompany) };
+    }
+    if matches!(scene.end, End::Angle(..)) {
+        return refuse(Unsupported::PinnedInCompany);
+    }
     if matches!(scene.end, End::AtOnce) {
         return Ok(());
     }
-    let refuse = |what| Err(Refusal::Unsupported(what));
     if lamina || scene.start.iter().any(|s| matches!(s, Start::Lamina { .. })) {
         return refuse(Unsupported::MovingLamina);
     }

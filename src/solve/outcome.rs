@@ -1,6 +1,6 @@
 //! What a solver yields: numbers, words of the regime, checks; never sentences.
-use crate::num::Dd;
 use crate::num::Real;
+use crate::num::gauss::Unsettled;
 use crate::scene::Label;
 
 /// What really happens, in the words that scripts rely on ([`Regime::word`]).
@@ -43,6 +43,9 @@ motions! {
     DownTurningPoint "down turning_point";
     DownUnreachable "down unreachable";
     Rest "rest";
+    SwingsOk "swings ok";
+    SwingsTurningPoint "swings turning_point";
+    SwingsUnreachable "swings unreachable";
     Instant "instant";
 }
 
@@ -188,6 +191,8 @@ pub struct Solved {
     pub entries: Vec<Entry>,
     /// Answers in words.
     pub words: Vec<(Label, Word)>,
+    /// Quantities whose value is finite but so large or small that no double holds it to 16 digits: not published.
+    pub beyond: Vec<Label>,
 }
 
 impl Solved {
@@ -221,6 +226,8 @@ pub enum Refusal {
     Freedoms(usize),
     /// The assembly cannot express this combination.
     Unsupported(Unsupported),
+    /// An integral over the motion does not settle: its value, and how far halved panels are off it.
+    Unsettled(Unsettled),
     /// The two roads disagree: the label, both values, the gap allowed.
     Disagree {
         /// Which quantity.
@@ -234,6 +241,12 @@ pub enum Refusal {
     },
 }
 
+impl From<Unsettled> for Refusal {
+    fn from(unsettled: Unsettled) -> Self {
+        Self::Unsettled(unsettled)
+    }
+}
+
 /// Combinations that are not solved (yet).
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Unsupported {
@@ -245,6 +258,8 @@ pub enum Unsupported {
     TwoSprings,
     /// Nothing but the kinetic energy of a lamina can be asked.
     MovingLamina,
+    /// A pinned body with another body, with ties, or with an end that belongs to a line.
+    PinnedInCompany,
     /// More data than the derivatives hold.
     TooManyData,
 }
@@ -283,43 +298,51 @@ impl Grip {
 }
 
 /// Where the motion goes, on one road.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Course {
+#[derive(Debug, Clone, Copy)]
+pub struct Course<P> {
     /// Sense in which the ending coordinate moves: 1 forward, -1 back, 0 not at all.
     pub sense: f64,
     /// Driving and resisting force at the start, along the ending coordinate, both >= 0 (only their ratio means anything).
-    pub drive: (Dd, Dd),
+    pub drive: (P, P),
     /// Asked distance of the ending coordinate (or time or speed, by the event); `None` if it has none.
-    pub asked: Option<Dd>,
+    pub asked: Option<P>,
     /// Farthest that the motion goes in the same measure; infinite if it never turns.
-    pub farthest: Dd,
+    pub farthest: P,
     /// Is the ending event reached before the turning point?
     pub reached: bool,
 }
 
 /// A contact or cord over the whole motion, on one road.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Held {
+#[derive(Debug, Clone, Copy)]
+pub enum Held<P> {
     /// A body on a surface: index, normal force N.
     Pressed(usize, f64),
     /// A rolling contact: index of the tie, the largest |F|, N, and `mu_s N`.
-    Rolling(usize, Dd, Option<Dd>),
+    Rolling(usize, P, Option<P>),
     /// A slipping contact: index of the tie, friction if it rolled, `mu_s N`, slip acceleration against friction, sense
     /// in which the centre sets off.
-    Slipping(usize, Dd, Dd, Dd, f64),
+    Slipping(usize, P, P, P, f64),
     /// A cord between bodies: index of the tie, tension N.
     Cord(usize, f64),
 }
 
 /// Everything that one road says of a scene.
 #[derive(Debug, Clone)]
-pub struct Road<T> {
+pub struct Road<T: Real> {
     /// Its quantities.
     pub said: Vec<Said<T>>,
     /// Where the motion goes; `None` where only an instant is asked.
-    pub course: Option<Course>,
+    pub course: Option<Course<T::Plain>>,
     /// Contacts and cords over the motion, from the road that has the reactions as unknowns; the other leaves it empty.
-    pub held: Vec<Held>,
+    pub held: Vec<Held<T::Plain>>,
+}
+
+impl<P: Real<Plain = P>> Course<P> {
+    /// Nothing moves.
+    pub fn at_rest() -> Self {
+        let zero = P::zero();
+        Self { sense: 0.0, drive: (zero, zero), asked: None, farthest: zero, reached: false }
+    }
 }
 
 impl<T: Real> Road<T> {

@@ -1,6 +1,6 @@
 //! What really happens: the word of the regime, and the conditions under which the declared ties hold.
-use crate::num::Dd;
-use crate::num::NOISE;
+use crate::num::Real;
+use crate::num::Rough;
 use crate::scene::Heading;
 use crate::scene::Label;
 use crate::scene::Owner;
@@ -15,46 +15,34 @@ use crate::solve::outcome::Held;
 use crate::solve::outcome::Motion;
 use crate::solve::outcome::Regime;
 use crate::solve::outcome::Word;
-use std::cmp::Ordering;
 
-/// Which of three: below, at, above the boundary; one of them may be infinite.
-fn side(value: Dd, boundary: Dd) -> f64 {
-    let size = value.hi.abs().max(boundary.hi.abs());
-    let same = size.is_finite() && (value - boundary).hi.abs() <= NOISE * size;
-    match value.partial_cmp(&boundary) {
-        Some(Ordering::Greater) if !same => 1.0,
-        Some(Ordering::Less) if !same => -1.0,
-        _ => 0.0,
-    }
-}
-
-fn margin(available: Dd, required: Dd) -> f64 {
-    let larger = available.hi.abs().max(required.hi.abs());
-    if larger == 0.0 {
+fn margin<P: Real>(available: P, required: P) -> f64 {
+    let larger = available.size().max(required.size());
+    if larger.is_zero() {
         0.0
-    } else if available.hi.is_infinite() {
+    } else if !available.is_finite() {
         1.0
     } else {
-        (available - required).hi / larger
+        ((available - required).rough() / larger).f64()
     }
 }
 
 /// Sense in which the ending coordinate is declared to move.
-fn heading(scene: &Scene, course: &Course) -> f64 {
+fn heading(scene: &Scene, sense: f64) -> f64 {
     match scene.heading {
         Some(Heading::Forward) => 1.0,
         Some(Heading::Back) => -1.0,
-        None => course.sense,
+        None => sense,
     }
 }
 
 /// Fills in the numbers of [`CheckKind::Moves`]: what drives and what resists at the start, known to one road only.
-pub fn fill_drive(scene: &Scene, course: &Course, drive: (Dd, Dd), checks: &mut [Check]) {
-    let against = heading(scene, course) * course.sense < 0.0;
+pub fn fill_drive<P: Real>(scene: &Scene, sense: f64, drive: (P, P), checks: &mut [Check]) {
+    let against = heading(scene, sense) * sense < 0.0;
     let (push, hold) = if against { (drive.1, drive.0) } else { drive };
     for check in checks.iter_mut().filter(|c| c.kind == CheckKind::Moves) {
-        check.required = hold.hi;
-        check.available = push.hi;
+        check.required = hold.f64();
+        check.available = push.f64();
         // What is thrown needs no drive.
         check.margin = if scene.start.is_empty() { margin(push, hold) } else { 1.0 };
     }
@@ -62,7 +50,11 @@ pub fn fill_drive(scene: &Scene, course: &Course, drive: (Dd, Dd), checks: &mut 
 
 /// Regime, checks and words of a scene that moves, from the course and the contacts of one road.
 #[expect(clippy::float_cmp, reason = "senses are exactly -1, 0 or 1")]
-pub fn judge(scene: &Scene, course: &Course, held: &[Held]) -> (Regime, Vec<Check>, Vec<(Label, Word)>) {
+pub fn judge<P: Real<Plain = P>>(
+    scene: &Scene,
+    course: &Course<P>,
+    held: &[Held<P>],
+) -> (Regime, Vec<Check>, Vec<(Label, Word)>) {
     let mut checks = Vec::with_capacity(6);
     let mut words = Vec::with_capacity(2);
     let end = scene.ending_coordinate();
@@ -74,7 +66,7 @@ pub fn judge(scene: &Scene, course: &Course, held: &[Held]) -> (Regime, Vec<Chec
         }
         None => (false, course.sense),
     };
-    let heading = heading(scene, course);
+    let heading = heading(scene, course.sense);
     let slipping = held.iter().find_map(|h| match h {
         Held::Slipping(tie, friction, available, _, sense) => Some((*tie, *friction, *available, *sense)),
         _ => None,
@@ -99,14 +91,14 @@ pub fn judge(scene: &Scene, course: &Course, held: &[Held]) -> (Regime, Vec<Chec
                 margin: if *normal > 0.0 { 1.0 } else { -1.0 },
             }),
             Held::Rolling(tie, most, Some(available)) => {
-                let holds = side(*most, *available) <= 0.0;
+                let holds = most.side(*available) <= 0.0;
                 slips |= !holds;
                 checks.push(Check {
                     kind: CheckKind::NoSlip,
                     of: *tie,
                     ok: holds,
-                    required: most.hi,
-                    available: available.hi,
+                    required: most.f64(),
+                    available: available.f64(),
                     margin: margin(*available, *most),
                 });
                 words.push((rolls(scene, *tie), if holds { Word::Yes } else { Word::No }));
@@ -114,21 +106,21 @@ pub fn judge(scene: &Scene, course: &Course, held: &[Held]) -> (Regime, Vec<Chec
             Held::Rolling(_, _, None) => {}
             Held::Slipping(tie, friction, available, against, _) => {
                 let needs = friction.abs();
-                let must = side(needs, *available) > 0.0;
+                let must = needs.side(*available) > 0.0;
                 checks.push(Check {
                     kind: CheckKind::MustSlip,
                     of: *tie,
                     ok: must,
-                    required: available.hi,
-                    available: needs.hi,
+                    required: available.f64(),
+                    available: needs.f64(),
                     margin: margin(needs, *available),
                 });
                 checks.push(Check {
                     kind: CheckKind::SlipDirection,
                     of: *tie,
-                    ok: against.hi > 0.0,
+                    ok: against.sign() > 0.0,
                     required: 0.0,
-                    available: against.hi,
+                    available: against.f64(),
                     margin: against.sign(),
                 });
                 words.push((rolls(scene, *tie), if must { Word::No } else { Word::Yes }));
@@ -143,15 +135,15 @@ pub fn judge(scene: &Scene, course: &Course, held: &[Held]) -> (Regime, Vec<Chec
             }),
         }
     }
-    let asked = course.asked.unwrap_or(Dd::ZERO);
-    let place = side(asked, course.farthest);
+    let asked = course.asked.unwrap_or_else(P::zero);
+    let place = asked.side(course.farthest);
     if course.sense != 0.0 {
         checks.push(Check {
             kind: CheckKind::Reaches,
             of: end.body,
             ok: course.reached,
-            required: asked.hi,
-            available: course.farthest.hi,
+            required: asked.f64(),
+            available: course.farthest.f64(),
             margin: if course.asked.is_some() { margin(course.farthest, asked) } else { 1.0 },
         });
     }
@@ -165,19 +157,28 @@ pub fn judge(scene: &Scene, course: &Course, held: &[Held]) -> (Regime, Vec<Chec
         }
     };
     let direction = Label { quantity: Quantity::Direction, of: Owner::Body(end.body) };
-    words
-        .push((direction, if sloped { word(Word::Up, Word::Down) } else { word(Word::Forward, Word::Back) }));
+    // The turn of a pinned body has no such word.
+    if body.pin.is_none() {
+        words.push((direction, if sloped { word(Word::Up, Word::Down) } else { word(Word::Forward, Word::Back) }));
+    }
     let motion = if let Some((tie, friction, available, sense)) = slipping {
         let forward_up = match &scene.ties[tie] {
             Tie::Slip { body, .. } => scene.bodies[*body].line.is_none_or(|l| l.forward_up),
             _ => true,
         };
-        match (side(friction.abs(), available), if forward_up { sense } else { -sense }) {
+        match (friction.abs().side(available), if forward_up { sense } else { -sense }) {
             (s, _) if s < 0.0 => Motion::Rolls,
             (0.0, _) => Motion::AtLimit,
             (_, u) if u > 0.0 => Motion::SlipsUp,
             (_, u) if u < 0.0 => Motion::SlipsDown,
             _ => Motion::SpinsInPlace,
+        }
+    } else if body.pin.is_some() {
+        match (course.sense, course.reached, place) {
+            (0.0, ..) => Motion::Rest,
+            (_, _, 0.0) if course.asked.is_some() => Motion::SwingsTurningPoint,
+            (_, true, _) => Motion::SwingsOk,
+            _ => Motion::SwingsUnreachable,
         }
     } else if scene.spring().is_some() {
         match (upward, course.reached, place) {

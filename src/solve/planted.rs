@@ -39,6 +39,7 @@ fn body(name: &str, slope: Option<f64>, mass: f64, k: Option<f64>) -> Body {
         }),
         turns: k.is_some(),
         particles: Vec::new(),
+        pin: None,
     }
 }
 

@@ -1,5 +1,4 @@
 //! The energy account of a motion with one freedom: what the forces give, what the spring stores, where it is spent.
-use crate::num::Dd;
 use crate::num::Real;
 use crate::num::plant::plant;
 use crate::num::trig;
@@ -55,7 +54,7 @@ impl<T: Real> Account<T> {
     pub fn energy(&self, s: T) -> T {
         let done = match self.store {
             None => self.constant * s,
-            Some(k) if self.slack().is_some_and(|at| s.value() > at.value()) => {
+            Some(k) if self.slack().is_some_and(|at| at.below(s)) => {
                 (self.constant * s).balance((k.stiffness * k.stretch.square()).scale2(-1))
             }
             Some(k) => self.push(k).balance(-(k.stiff() * s).scale2(-1)) * s,
@@ -102,7 +101,7 @@ impl<T: Real> Account<T> {
         let k = self.store?;
         let balanced = start / k.stiff();
         let at = match self.slack() {
-            Some(slack) if balanced.value() >= slack.value() => {
+            Some(slack) if balanced.reaches(slack) => {
                 if self.constant.sign() > 0.0 {
                     return None;
                 }
@@ -116,7 +115,7 @@ impl<T: Real> Account<T> {
     pub fn time(&self, s: T, u: T) -> T {
         let slack = self.slack();
         match (self.store, slack) {
-            (Some(_), Some(at)) if s.value() > at.value() => {
+            (Some(_), Some(at)) if at.below(s) => {
                 let v = self.speed(at);
                 self.taut_time(at, v) + self.uniform_time(s - at, v, u)
             }
@@ -134,7 +133,7 @@ impl<T: Real> Account<T> {
     }
     fn uniform_time(&self, s: T, u0: T, u: T) -> T {
         let change = u - u0;
-        if change.abs().f64() < 0.5 * (u + u0).f64() {
+        if change.abs().below((u + u0).scale2(-1)) {
             // The change of the speed would lose digits: the mean speed keeps them.
             return (s / (u0 + u)).scale2(1);
         }
@@ -149,7 +148,7 @@ impl<T: Real> Account<T> {
             if left.sign() > 0.0 || at.is_zero() {
                 let v = self.speed(at);
                 let first = self.taut_time(at, v);
-                if t.value() > first.value() {
+                if first.below(t) {
                     return at + uniform(v, t - first);
                 }
             }
@@ -166,7 +165,7 @@ impl<T: Real> Account<T> {
         if need.is_zero() {
             return Some(T::zero());
         }
-        let not_negative = |s: T| (s.value() >= Dd::ZERO).then_some(s);
+        let not_negative = |s: T| s.not_negative().then_some(s);
         let Some(k) = self.store else {
             return if self.constant.is_zero() { None } else { not_negative(need / self.constant) };
         };
@@ -182,10 +181,10 @@ impl<T: Real> Account<T> {
         };
         match (taut, self.slack()) {
             (Some(s), None) => Some(s),
-            (Some(s), Some(at)) if s.value() <= at.value() => Some(s),
+            (Some(s), Some(at)) if at.reaches(s) => Some(s),
             (_, Some(at)) if !self.constant.is_zero() => {
                 let s = at + (need + self.energy0 - self.energy(at)) / self.constant;
-                (s.value() >= at.value()).then_some(s)
+                s.reaches(at).then_some(s)
             }
             _ => None,
         }

@@ -6,10 +6,12 @@
 pub mod account;
 pub mod balance;
 pub mod instant;
+pub mod pinned;
 pub mod speeds;
+pub mod swing;
 
-use crate::num::Dd;
 use crate::num::Real;
+use crate::num::Rough;
 use crate::num::eliminate::Equations;
 use crate::num::plant::plant;
 use crate::scene::Coordinate;
@@ -43,13 +45,16 @@ use smallvec::smallvec;
 /// Errors: ties that hold the ending coordinate fast.
 pub fn road<T: Real>(scene: &Scene, data: &[f64]) -> Result<Road<T>, Refusal> {
     let n = Numbers::<T>::new(scene, data);
+    if let Some((body, pin)) = scene.pinned() {
+        return swing::road(scene, n, body, pin);
+    }
     if matches!(scene.end, End::AtOnce) {
         return Ok(instant::road(scene, &n));
     }
     Ledger::open(scene, n)?.settle()
 }
 
-struct Ledger<'a, T> {
+struct Ledger<'a, T: Real> {
     scene: &'a Scene,
     n: Numbers<'a, T>,
     end: Coordinate,
@@ -92,10 +97,10 @@ fn drive<T: Real>(
         for (cell, b) in row.iter_mut().zip(modes) {
             *cell = balance::inertia(n, a, b);
         }
-        let (mut power, mut size) = (T::zero(), 0.0);
+        let (mut power, mut size) = (T::zero(), T::Rough::zero());
         let mut add = |p: T| {
             power = power + p;
-            size += p.f64().abs();
+            size += p.size();
         };
         for p in balance::powers(scene, n, a, friction) {
             add(p.power);
@@ -285,7 +290,7 @@ impl<'a, T: Real> Ledger<'a, T> {
         });
         let frictions: PerTie<T> = frictions(&self.kinetic);
         let powers = balance::powers(self.scene, &self.n, &self.mode, &frictions);
-        let size = powers.iter().map(|p| p.power.f64().abs()).sum();
+        let size = powers.iter().fold(T::Rough::zero(), |sum, p| sum + p.power.size());
         let constant = powers.iter().fold(T::zero(), |sum, p| sum + p.power).cleared(size);
         let start_powers = balance::powers(self.scene, &self.n, &self.mode, &self.at_start);
         let doubled = balance::inertia(&self.n, &self.mode, &self.mode);
@@ -317,8 +322,7 @@ impl<'a, T: Real> Ledger<'a, T> {
             [sense, self.inclined, 1.0].into_iter().find(|s| *s != 0.0).unwrap_or(1.0),
         );
         if sense == 0.0 || lead.is_zero() && self.v0.is_zero() {
-            self.road.course =
-                Some(Course { sense: 0.0, drive, asked: None, farthest: Dd::ZERO, reached: false });
+            self.road.course = Some(Course { drive, ..Course::at_rest() });
             let still = sense == 0.0 && !slips;
             self.standing(tension0, still);
             if store.is_some() && self.end.degree == Degree::Along {
@@ -340,17 +344,16 @@ impl<'a, T: Real> Ledger<'a, T> {
         let account = Account { constant, doubled, energy0, u0, store: acting };
 
         let turning = account.turning();
-        let limit = turning.map_or(Dd::new(f64::INFINITY), |t| t.value());
+        let limit = turning.unwrap_or_else(|| T::of(f64::INFINITY)).plain();
         let wrong_way = match self.scene.heading {
             Some(Heading::Forward) => sense < 0.0,
             Some(Heading::Back) => sense > 0.0,
             None => false,
         };
         let s = self.asked(&account, turning, sense);
-        let arrives = |s: Dd| s >= Dd::ZERO && s.at_most(limit);
-        let reached = !wrong_way && s.is_some_and(|s| arrives(s.value()));
-        self.road.course =
-            Some(Course { sense, drive, asked: s.map(|s| s.value()), farthest: limit, reached });
+        let arrives = |s: T::Plain| s.not_negative() && s.at_most(limit);
+        let reached = !wrong_way && s.is_some_and(|s| arrives(s.plain()));
+        self.road.course = Some(Course { sense, drive, asked: s.map(T::plain), farthest: limit, reached });
         let tension_at = |s: T| store.map_or_else(T::zero, |k| k.stiffness * k.stretch_at(s));
         let last_tension = turning.map_or_else(T::zero, tension_at);
         self.grip(tension0, last_tension);
@@ -371,20 +374,26 @@ impl<'a, T: Real> Ledger<'a, T> {
     }
 
     /// Driving and resisting power at the start, per unit rate.
-    fn driving(&self, powers: &[Power<T>], tension0: T, store: Option<&Store<T>>, sense: f64) -> (Dd, Dd) {
-        let (mut plus, mut minus) = (Dd::ZERO, Dd::ZERO);
-        let mut add = |power: Dd| {
-            if power.hi * sense > 0.0 {
+    fn driving(
+        &self,
+        powers: &[Power<T>],
+        tension0: T,
+        store: Option<&Store<T>>,
+        sense: f64,
+    ) -> (T::Plain, T::Plain) {
+        let (mut plus, mut minus) = (T::Plain::zero(), T::Plain::zero());
+        let mut add = |power: T::Plain| {
+            if power.sign() * sense > 0.0 {
                 plus = plus + power.abs();
             } else {
                 minus = minus + power.abs();
             }
         };
         for p in powers {
-            add(p.power.value());
+            add(p.power.plain());
         }
         if let Some(s) = store {
-            add((tension0 * s.lost).value());
+            add((tension0 * s.lost).plain());
         }
         let size = self.n.exponent(Quantity::Friction);
         (plus.scale2(size), minus.scale2(size))
@@ -392,13 +401,13 @@ impl<'a, T: Real> Ledger<'a, T> {
 
     fn asked(&self, account: &Account<T>, turning: Option<T>, sense: f64) -> Option<T> {
         match self.scene.end {
-            End::AtOnce => None,
+            End::AtOnce | End::Angle(..) => None,
             End::Travel(_, d) => Some(self.n.get(d)),
             End::Position(_, x) => Some(self.n.get(x).signed(sense)),
             End::Speed(_, u) => account.where_speed(self.n.get(u).abs()),
             End::Time(_, t) => {
                 let t = self.n.get(t);
-                let late = turning.is_some_and(|s| t.value() > account.time(s, account.speed(s)).value());
+                let late = turning.is_some_and(|s| account.time(s, account.speed(s)).below(t));
                 if late { None } else { Some(account.place(t)) }
             }
             End::TurningPoint(_) => turning,
@@ -426,7 +435,7 @@ impl<'a, T: Real> Ledger<'a, T> {
 
     fn reactions(&mut self, tension: T) -> PerTie<T> {
         if let Some((at, known)) = &self.last
-            && at.value() == tension.value()
+            && (*at - tension).is_zero()
         {
             return known.clone();
         }
@@ -444,12 +453,10 @@ impl<'a, T: Real> Ledger<'a, T> {
             }
         }
         let first = self.reactions(tension0);
-        let last =
-            if tension0.value() == tension1.value() { first.clone() } else { self.reactions(tension1) };
+        let last = if (tension0 - tension1).is_zero() { first.clone() } else { self.reactions(tension1) };
         for (t, tie) in self.scene.ties.iter().enumerate() {
             if let Tie::Roll { body, .. } = tie {
-                let most =
-                    if first[t].abs().value() < last[t].abs().value() { last[t] } else { first[t] }.abs();
+                let most = if first[t].abs().below(last[t].abs()) { last[t] } else { first[t] }.abs();
                 let normal = balance::normal(&self.n, *body);
                 if self.scene.bodies[*body].line.is_some_and(|l| l.surface) {
                     self.say(Quantity::MuRequired, Owner::Body(*body), most / normal);

@@ -3,9 +3,10 @@
 //! Velocity ratios are not derived from the ties here: they are the ratios of the accelerations that the equations give.
 pub mod equations;
 pub mod instant;
+pub mod pinned;
+pub mod swing;
 pub mod travel;
 
-use crate::num::Dd;
 use crate::num::Real;
 use crate::num::dd::pow2;
 use crate::num::plant::plant;
@@ -46,6 +47,9 @@ use smallvec::smallvec;
 /// Errors: equations that do not determine the motion.
 pub fn road<T: Real>(scene: &Scene, data: &[f64]) -> Result<Road<T>, Refusal> {
     let n = Numbers::<T>::new(scene, data);
+    if let Some((body, pin)) = scene.pinned() {
+        return swing::road(scene, n, body, pin);
+    }
     if matches!(scene.end, End::AtOnce) {
         return Ok(instant::road(scene, &n));
     }
@@ -67,7 +71,7 @@ struct Spring<T> {
 /// Responses with one slipping contact taken as rolling.
 type Rolled<T> = SmallVec<[(usize, Response<T>); 1]>;
 
-struct Walk<'a, T> {
+struct Walk<'a, T: Real> {
     scene: &'a Scene,
     n: Numbers<'a, T>,
     end: Coordinate,
@@ -274,13 +278,7 @@ impl<'a, T: Real> Walk<'a, T> {
         let slips = self.slips();
         self.contacts_if_rolled();
         if sense == 0.0 || self.response.acceleration(self.end, self.ratio_column).is_zero() {
-            self.road.course = Some(Course {
-                sense: 0.0,
-                drive: (Dd::ZERO, Dd::ZERO),
-                asked: None,
-                farthest: Dd::ZERO,
-                reached: false,
-            });
+            self.road.course = Some(Course::at_rest());
             self.standing(tension0, sense == 0.0 && !slips);
             if self.spring.is_some() && self.along(self.end.body) == Some(self.end) {
                 for q in [Quantity::VMax, Quantity::DAtVMax, Quantity::DTurn] {
@@ -304,12 +302,12 @@ impl<'a, T: Real> Walk<'a, T> {
             }
         }
         let turning = travel.turning();
-        let limit = turning.map_or(Dd::new(f64::INFINITY), |t| t.value());
+        let limit = turning.unwrap_or_else(|| T::of(f64::INFINITY)).plain();
         let (asked, s) = self.asked(&travel, turning, sense);
-        let reached = !wrong_way && s.is_some_and(|s| s.value().at_most(limit) && s.value() >= Dd::ZERO);
+        let reached = !wrong_way && s.is_some_and(|s| s.plain().at_most(limit) && s.not_negative());
         self.road.course = Some(Course {
             sense,
-            drive: (Dd::ZERO, Dd::ZERO),
+            drive: (T::Plain::zero(), T::Plain::zero()),
             asked,
             farthest: self.farthest(&travel, limit),
             reached,
@@ -356,35 +354,35 @@ impl<'a, T: Real> Walk<'a, T> {
     }
 
     /// What the event asks for, in its own measure, and the distance at which it comes.
-    fn asked(&self, travel: &Travel<T>, turning: Option<T>, sense: f64) -> (Option<Dd>, Option<T>) {
+    fn asked(&self, travel: &Travel<T>, turning: Option<T>, sense: f64) -> (Option<T::Plain>, Option<T>) {
         match self.scene.end {
-            End::Travel(_, d) => (Some(self.n.value(d)), Some(self.n.get(d))),
+            End::Travel(_, d) => (Some(self.n.get(d).plain()), Some(self.n.get(d))),
             End::Position(_, x) => {
                 let s = self.n.get(x).signed(sense);
-                (Some(s.value()), Some(s))
+                (Some(s.plain()), Some(s))
             }
             End::Time(_, t) => {
                 let t = self.n.get(t);
-                let in_time = turning.is_none_or(|s| t.value() <= travel.at(s).time.value());
-                (Some(t.value()), in_time.then(|| travel.after(t)))
+                let in_time = turning.is_none_or(|s| travel.at(s).time.reaches(t));
+                (Some(t.plain()), in_time.then(|| travel.after(t)))
             }
             End::Speed(_, u) => {
                 let u = self.n.get(u).abs();
-                (Some(u.value()), travel.reaching(u))
+                (Some(u.plain()), travel.reaching(u))
             }
             End::TurningPoint(_) => (None, turning),
-            End::AtOnce => (None, None),
+            End::AtOnce | End::Angle(..) => (None, None),
         }
     }
 
     /// The farthest that the motion goes, in the measure of the event.
-    fn farthest(&self, travel: &Travel<T>, limit: Dd) -> Dd {
+    fn farthest(&self, travel: &Travel<T>, limit: T::Plain) -> T::Plain {
         match self.scene.end {
-            End::Time(..) if limit.hi.is_finite() => travel.at(T::constant(limit)).time.value(),
+            End::Time(..) if limit.is_finite() => travel.at(T::exactly(limit)).time.plain(),
             End::Speed(..) => match (travel.fastest(), travel.f0.sign() > 0.0) {
-                (Some((_, v)), _) => v.value(),
-                (None, true) => Dd::new(f64::INFINITY),
-                (None, false) => travel.u0.value(),
+                (Some((_, v)), _) => v.plain(),
+                (None, true) => T::Plain::of(f64::INFINITY),
+                (None, false) => travel.u0.plain(),
             },
             _ => limit,
         }
@@ -409,12 +407,12 @@ impl<'a, T: Real> Walk<'a, T> {
             let slip = along - self.n.get(*radius_m) * turn;
             let against = slip.signed(-friction.sign());
             let available = self.n.get(*mu_s) * normal;
-            let force = |f: T| self.n.publish(Quantity::Friction, f).value();
+            let force = |f: T| self.n.publish(Quantity::Friction, f).plain();
             self.road.held.push(Held::Slipping(
                 t,
                 force(friction),
                 force(available),
-                against.value(),
+                against.plain(),
                 along.sign(),
             ));
         }
@@ -445,19 +443,19 @@ impl<'a, T: Real> Walk<'a, T> {
             match tie {
                 Tie::Roll { body, mu_s, .. } => {
                     let (first, last) = (self.friction(t, tension0).abs(), self.friction(t, tension1).abs());
-                    let most = if last.value() > first.value() { last } else { first };
+                    let most = if first.below(last) { last } else { first };
                     let normal = self.response.normal(*body);
                     let surface = self.scene.bodies[*body].line.is_some_and(|l| l.surface);
                     if surface {
                         self.say(Quantity::MuRequired, Owner::Body(*body), most / normal);
                     }
-                    let force = |f: T| self.n.publish(Quantity::Friction, f).value();
+                    let force = |f: T| self.n.publish(Quantity::Friction, f).plain();
                     let available = mu_s.map(|mu| force(self.n.get(mu) * normal));
                     self.road.held.push(Held::Rolling(t, force(most), available));
                 }
                 Tie::Cord(c) if matches!(c.to, Far::Body(_) | Far::Fixed) => {
                     let (first, last) = (self.friction(t, tension0), self.friction(t, tension1));
-                    let least = if last.value() < first.value() { last } else { first };
+                    let least = if last.below(first) { last } else { first };
                     let force = self.n.publish(Quantity::Tension, least).f64();
                     self.road.held.push(Held::Cord(t, force));
                 }

@@ -3,7 +3,6 @@
 //! The ending coordinate starts at 0 with speed `u0 >= 0` in its sense of motion. While the spring's cord is taut its
 //! acceleration is `f0 - w^2 s`; slack (or without a spring) it is constant. A time integral of `v` would need the motion
 //! that is looked for; over displacement both sides are known.
-use crate::num::Dd;
 use crate::num::Real;
 use crate::num::plant::plant;
 use crate::num::trig;
@@ -45,7 +44,7 @@ impl<T: Real> Travel<T> {
         let gained = twice(plant!("eom: integral of the acceleration", self.f0) * s);
         let spring = self.w2.map_or_else(T::zero, |w2| w2 * s.square());
         let start = self.u0.square();
-        (start + gained - spring).cleared(start.f64() + gained.f64().abs() + spring.f64().abs())
+        (start + gained - spring).cleared(start.size() + gained.size() + spring.size())
     }
 
     /// Does the motion get to the place where the cord goes slack? Its distance and the acceleration beyond.
@@ -75,7 +74,7 @@ impl<T: Real> Travel<T> {
         let w2 = self.w2?;
         let level = self.f0 / w2;
         if let Some((at, f1)) = self.slack
-            && level.value() >= at.value()
+            && level.reaches(at)
         {
             return (f1.sign() <= 0.0).then(|| (at, self.taut_square(at).root()));
         }
@@ -85,7 +84,7 @@ impl<T: Real> Travel<T> {
     /// State at a distance that is reached before the turning point.
     pub fn at(&self, s: T) -> State<T> {
         match self.slack {
-            Some((at, f1)) if s.value() > at.value() => {
+            Some((at, f1)) if at.below(s) => {
                 let first = self.taut(at);
                 let u = self.taut_square(at).balance(twice(f1 * (s - at))).root();
                 State { s, u, time: first.time + uniform_time(s - at, first.u, u) }
@@ -119,7 +118,7 @@ impl<T: Real> Travel<T> {
         let Some(w2) = self.w2 else { return uniform(self.u0, self.f0, time) };
         if let Some((at, f1)) = self.reaches_slack() {
             let first = self.taut(at);
-            if time.value() > first.time.value() {
+            if first.time.below(time) {
                 return at + uniform(first.u, f1, time - first.time);
             }
         }
@@ -135,7 +134,7 @@ impl<T: Real> Travel<T> {
         if change.is_zero() {
             return Some(T::zero());
         }
-        let not_negative = |s: T| (s.value() >= Dd::ZERO).then_some(s);
+        let not_negative = |s: T| s.not_negative().then_some(s);
         let Some(w2) = self.w2 else {
             return if self.f0.is_zero() { None } else { not_negative(half(change / self.f0)) };
         };
@@ -150,10 +149,10 @@ impl<T: Real> Travel<T> {
         };
         match (taut, self.slack) {
             (Some(s), None) => Some(s),
-            (Some(s), Some((at, _))) if s.value() <= at.value() => Some(s),
+            (Some(s), Some((at, _))) if at.reaches(s) => Some(s),
             (_, Some((at, f1))) if !f1.is_zero() => {
                 let s = at + half((u.square() - self.taut_square(at)) / f1);
-                (s.value() >= at.value()).then_some(s)
+                s.reaches(at).then_some(s)
             }
             _ => None,
         }
