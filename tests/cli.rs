@@ -105,7 +105,10 @@ fn a_set_has_its_files_and_nothing_for_students_but_theirs() {
         assert!(files.contains_key(name), "{name}");
     }
     let key = room.read("set/key.csv");
-    assert_eq!(key.lines().next(), Some("student,problem,part,value,unit,eom,energy,gap,cond,tolerance"));
+    assert_eq!(
+        key.lines().next(),
+        Some("student,problem,part,value,unit,eom,energy,gap,cond,tolerance,error_bound")
+    );
     assert_eq!(key.lines().count(), 1 + 24 * CLASS.len());
     // A unit reads as people write it and stays on one line.
     let html = room.read("set/students/0017/sheet.html");
@@ -795,7 +798,7 @@ fn what_is_typed_wrong_is_explained() {
         assert_eq!((ran.exit, ran.out.as_str()), (Exit::Faulty, ""), "{args:?}");
         assert!(ran.err.contains("--help") || ran.err.contains("Usage: slipstick"), "{}", ran.err);
     }
-    for verb in ["generate", "grade", "check", "practice", "solve", "lint", "demo"] {
+    for verb in ["generate", "grade", "check", "practice", "solve", "lint", "verify", "demo"] {
         let ran = run(&[verb, "--help"]);
         assert_eq!((ran.exit, ran.err.as_str()), (Exit::Fine, ""));
         assert!(verb != "generate" || ran.out.contains("required unless --add"), "{}", ran.out);

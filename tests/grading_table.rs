@@ -34,6 +34,7 @@ fn entry(part: &str, answer: Answer, unit: &str) -> KeyEntry {
         energy: None,
         gap: None,
         cond: None,
+        bound: None,
     }
 }
 fn number(value: f64, half_width: f64, directed: bool) -> Answer {

@@ -85,6 +85,29 @@ fn scene(name: &str, rigid: bool) -> (Scene, Vec<&'static str>) {
             },
             vec!["m", "R", "r", "k", "theta", "g", "ks", "x0", "D", "mu_s"],
         ),
+        // The reference has x down the incline.
+        "slip-to-roll" => {
+            let mut ball = wheel(2, "");
+            ball.radii_m = vec![("rim".into(), Num::Datum(1))];
+            ball.line = Some(Line { slope: Slope::Degrees(Num::Datum(3)), forward_up: false, surface: true });
+            let turn = Coordinate { body: 0, degree: Degree::Turn };
+            (
+                Scene {
+                    gravity_m_s2: Num::Datum(4),
+                    bodies: vec![ball],
+                    ties: vec![Tie::Slip {
+                        body: 0,
+                        radius_m: Num::Datum(1),
+                        mu_s: Num::Datum(7),
+                        mu_k: Num::Datum(8),
+                    }],
+                    start: vec![Start::Speed(along(0), Num::Datum(5)), Start::Speed(turn, Num::Datum(6))],
+                    end: End::Rolling(along(0)),
+                    ..base
+                },
+                vec!["m", "R", "k", "theta", "g", "v0", "w0", "mu_s", "mu_k"],
+            )
+        }
         _ => unreachable!("{name}"),
     }
 }
@@ -104,6 +127,21 @@ fn number(v: &Value) -> f64 {
 /// Names of the reference, ours, and the factor between them.
 fn names(scene: &str) -> Vec<(&'static str, &'static str, f64)> {
     match scene {
+        "slip-to-roll" => vec![
+            ("N", "normal", 1.0),
+            ("f_roll", "friction_if_rolled", 1.0),
+            ("slip0", "slip_speed", 0.0),
+            ("f", "friction", 1.0),
+            ("a", "a", 1.0),
+            ("alpha", "alpha", 1.0),
+            ("t_roll", "t", 1.0),
+            ("v_roll", "v", 0.0),
+            ("omega_roll", "omega", 0.0),
+            ("x_roll", "displacement", 1.0),
+            ("slip_dist", "slip_distance", 0.0),
+            ("heat", "heat", 1.0),
+            ("a_roll", "a_rolling", 1.0),
+        ],
         "pulled-rolling" => vec![
             ("alpha", "alpha", 1.0),
             ("a", "a", 1.0),
@@ -163,7 +201,7 @@ fn every_case_of_the_wheel_scenes() {
     let (mut compared, mut bad, mut worst) = (0, Vec::new(), 0.0f64);
     for case in cases["cases"].as_array().unwrap() {
         let name = case["scene"].as_str().unwrap();
-        if !["pulled-rolling", "pulled-slipping", "spring-released"].contains(&name) {
+        if !["pulled-rolling", "pulled-slipping", "spring-released", "slip-to-roll"].contains(&name) {
             continue;
         }
         let id = case["id"].as_str().unwrap();
@@ -192,6 +230,14 @@ fn every_case_of_the_wheel_scenes() {
         }
         if solved.regime.word() != want {
             bad.push(format!("{id} ({}): {} instead of {want}", case["tag"], solved.regime.word()));
+        }
+        // Speeds are magnitudes: the way it goes is a word.
+        if let Some(v) = case["answers"].get("v_roll").filter(|v| !v.is_null()) {
+            let down = number(v) > 0.0;
+            let way = solved.words.iter().find(|(l, _)| l.quantity == Quantity::Direction).unwrap().1;
+            if way.text() != if down { "down" } else { "up" } {
+                bad.push(format!("{id} ({}): goes {}", case["tag"], way.text()));
+            }
         }
         for (theirs, ours, factor) in names(name) {
             let Some(answer) = case["answers"].get(theirs) else { continue };
@@ -235,6 +281,7 @@ fn every_case_of_the_wheel_scenes() {
                 "vertical",
                 "r=R",
                 "k^2=Rr: f constant",
+                "never: incline steeper than friction can hold",
             ];
             let edge = edge.contains(&case["tag"].as_str().unwrap());
             if cond.is_finite() && cond > 0.0 && !edge && !(off < 1e-3) {

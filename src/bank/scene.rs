@@ -1019,7 +1019,11 @@ impl Reader<'_> {
             let degree = if bodies[body].line.is_some() { Degree::Along } else { Degree::Turn };
             return Some((End::TurningPoint(Coordinate { body, degree }), None));
         }
-        let names = ["travel", "turn", "position", "time", "speed", "turning point"];
+        if word == "rolling" {
+            let body = self.body_named(value, bodies)?;
+            return Some((End::Rolling(Coordinate { body, degree: Degree::Along }), None));
+        }
+        let names = ["travel", "turn", "position", "time", "speed", "turning point", "rolling"];
         if !names.contains(&word) {
             self.unknown(key, "end", &names);
             return None;

@@ -53,6 +53,11 @@ pub enum Verb {
         after_help = "Examples:\n  slipstick lint my-bank.yaml\n  slipstick lint wheels-on-inclines --seeds 2000"
     )]
     Lint(Lint),
+    /// Draw and solve a set again and prove its key: both roads, and an enclosure of every answer
+    #[command(
+        after_help = "Example:\n  slipstick verify week-5\n\nEach number of the key is computed once more with numbers that keep account of their errors, those of the\nprinted data among them: the true answer provably lies within `error bound` of the key (column error_bound of\nkey.csv). Exit code 0 if the set is what it was and every key holds, 2 if not."
+    )]
+    Verify(Verify),
     /// Show the whole job on a made-up class of 24: set, submissions, grades
     #[command(after_help = "Example:\n  slipstick demo\n\nRun twice it replaces only what it made.")]
     Demo(Demo),
@@ -69,7 +74,7 @@ pub struct Own {
 /// `generate`
 #[derive(Debug, Args)]
 pub struct Generate {
-    /// Bank: a YAML file, or the id of a built-in one: wheels-on-inclines, hoists-and-pulleys
+    /// Bank: a YAML file, or the id of a built-in one: wheels-on-inclines, hoists-and-pulleys, slip-and-roll
     pub bank: String,
     /// CSV file with a column `student` and, if you like, `name`
     #[arg(long, value_name = "ROSTER.csv")]
@@ -148,7 +153,7 @@ pub struct Check {
 /// `practice`
 #[derive(Debug, Args)]
 pub struct Practice {
-    /// Bank: a YAML file, or the id of a built-in one: wheels-on-inclines, hoists-and-pulleys
+    /// Bank: a YAML file, or the id of a built-in one: wheels-on-inclines, hoists-and-pulleys, slip-and-roll
     pub bank: String,
     /// Seed, for the same problems again [default: from the clock]
     #[arg(long, value_name = "N")]
@@ -164,7 +169,7 @@ pub struct Practice {
 /// `solve`
 #[derive(Debug, Args)]
 pub struct Solve {
-    /// Bank: a YAML file, or the id of a built-in one: wheels-on-inclines, hoists-and-pulleys
+    /// Bank: a YAML file, or the id of a built-in one: wheels-on-inclines, hoists-and-pulleys, slip-and-roll
     pub bank: String,
     /// Id of the problem
     pub problem: String,
@@ -182,7 +187,7 @@ pub struct Solve {
 /// `lint`
 #[derive(Debug, Args)]
 pub struct Lint {
-    /// Bank: a YAML file, or the id of a built-in one: wheels-on-inclines, hoists-and-pulleys
+    /// Bank: a YAML file, or the id of a built-in one: wheels-on-inclines, hoists-and-pulleys, slip-and-roll
     pub bank: String,
     /// How many seeds to try
     #[arg(long, value_name = "N", default_value_t = 1000)]
@@ -190,6 +195,13 @@ pub struct Lint {
     /// Templates of one's own.
     #[command(flatten)]
     pub own: Own,
+}
+
+/// `verify`
+#[derive(Debug, Args)]
+pub struct Verify {
+    /// Folder of the set, as generate made it
+    pub set: PathBuf,
 }
 
 /// `demo`

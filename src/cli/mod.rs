@@ -13,6 +13,7 @@ mod lint;
 mod practice;
 mod solve;
 pub mod tell;
+mod verify;
 mod words;
 
 use crate::cli::args::Typed;
@@ -41,6 +42,7 @@ pub fn run(args: impl IntoIterator<Item = OsString>, io: &mut Io) -> Exit {
         Verb::Practice(args) => practice::run(&args, io),
         Verb::Solve(args) => solve::run(&args, io),
         Verb::Lint(args) => lint::run(&args, io),
+        Verb::Verify(args) => verify::run(&args, io),
         Verb::Demo(args) => demo::run(&args, io),
     };
     let _ = io.out.flush();

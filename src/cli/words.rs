@@ -96,6 +96,26 @@ pub fn check(scene: &Scene, c: &Check) -> String {
             "the slip of the {} does not go against the friction: {available}, required more than {required}",
             of_tie(scene, c.of)
         ),
+        CheckKind::StartsSlipping if c.ok => {
+            format!("the {} starts with slip: its contact moves at {available} m/s", of_tie(scene, c.of))
+        }
+        CheckKind::StartsSlipping => {
+            format!("the {} does not slip at the start: its contact is at rest", of_tie(scene, c.of))
+        }
+        CheckKind::Closes if c.ok && c.required <= 0.0 => {
+            format!(
+                "friction ends the slip of the {}: mu_k N = {available} N, nothing keeps it up",
+                of_tie(scene, c.of)
+            )
+        }
+        CheckKind::Closes if c.ok => format!(
+            "friction ends the slip of the {}: mu_k N = {available} N, {required} N keep it up",
+            of_tie(scene, c.of)
+        ),
+        CheckKind::Closes => format!(
+            "friction does not end the slip of the {}: {required} N keep it up, mu_k N = {available} N",
+            of_tie(scene, c.of)
+        ),
         CheckKind::Reaches if c.ok && c.available.is_infinite() => {
             format!("the end is reached: {required} asked, the motion goes on without end")
         }
@@ -140,6 +160,12 @@ pub fn regime(regime: Regime) -> String {
         Motion::SwingsOk => "it swings and reaches the asked end",
         Motion::SwingsTurningPoint => "it swings; the asked end is the turning point",
         Motion::SwingsUnreachable => "it swings and does not reach the asked end before it turns",
+        Motion::RollsAfter => "it slips first and rolls afterwards",
+        Motion::RollsAtStart => "it rolls from the start",
+        Motion::SlipsThrough => {
+            "its contact comes to rest, but static friction cannot hold it: it slips on, the other way"
+        }
+        Motion::Never => "it slips without end, friction does not stop the slip",
         Motion::Instant => "an instant is asked, nothing moves on",
     };
     if regime.slips {
@@ -187,6 +213,16 @@ pub fn refusal(problem: &Problem, scene: &Scene, refusal: &Refusal) -> Vec<Strin
             }
             Unsupported::SpeedWithTwoFreedoms => {
                 "a start with a speed where two coordinates are free is not solved".to_owned()
+            }
+            Unsupported::ThrownWithOthers => {
+                "a body thrown with slip beside other bodies or cords is not solved".to_owned()
+            }
+            Unsupported::ThrownEnd => {
+                "a body thrown with slip on a surface ends where it begins to roll, or after a time"
+                    .to_owned()
+            }
+            Unsupported::NotThrown => {
+                "only a body that slips and starts with a speed and a spin begins to roll".to_owned()
             }
             Unsupported::TwoSprings => "more than one spring is not solved".to_owned(),
             Unsupported::MovingLamina => {

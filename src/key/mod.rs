@@ -45,6 +45,8 @@ pub struct KeyEntry {
     pub gap: Option<f64>,
     /// Condition number.
     pub cond: Option<f64>,
+    /// Proved: the true answer for the printed data lies within this of the value, SI.
+    pub bound: Option<f64>,
 }
 
 /// The key of one sheet: problems in the order of the sheet.

@@ -1,5 +1,6 @@
 //! Arithmetic that gives the same digits everywhere: double-double numbers, first derivatives, portable functions,
 //! small linear systems. No mechanics.
+pub mod ball;
 pub mod dd;
 pub mod eliminate;
 pub mod elliptic;
@@ -14,6 +15,7 @@ pub mod rough;
 pub mod trig;
 pub mod wide;
 
+pub use ball::Ball;
 pub use dd::Dd;
 pub use jet::Jet;
 pub use jet::JetOf;

@@ -26,6 +26,11 @@ pub trait Real:
     const SLOPES: usize;
     /// The datum of this index, with this value; its derivative is taken with respect to its own logarithm.
     fn datum(index: usize, value: f64) -> Self;
+    /// A number of the bank that no datum bears, such as a mass of 20 kg.
+    #[inline(always)]
+    fn fixed(value: f64) -> Self {
+        Self::of(value)
+    }
     /// A constant.
     fn constant(value: Dd) -> Self;
     /// A value with given derivatives.
@@ -48,6 +53,11 @@ pub trait Real:
     fn scale2(self, e: i32) -> Self;
     /// Is it less? NaN is not.
     fn below(self, other: Self) -> bool;
+    /// Bound of its error, where the number keeps account of its errors.
+    #[inline(always)]
+    fn radius(self) -> f64 {
+        0.0
+    }
     /// Encloses an error of at most `bound` too, where the number keeps account of its errors.
     #[inline(always)]
     fn widened(self, _bound: impl Fn() -> f64) -> Self {
@@ -140,6 +150,11 @@ pub trait Real:
     #[inline(always)]
     fn balance(self, other: Self) -> Self {
         (self + other).cleared(self.size() + other.size())
+    }
+    /// The larger of two.
+    #[inline(always)]
+    fn larger(self, other: Self) -> Self {
+        if self.below(other) { other } else { self }
     }
     /// At least the other, exactly; NaN is not.
     #[inline(always)]

@@ -5,10 +5,14 @@
 use crate::num::Dd;
 use crate::num::Real;
 use crate::num::Rough;
+use crate::num::ball::STEP;
 use std::sync::LazyLock;
 
 /// Pi / 180 as a double-double.
 const RADIANS_PER_DEGREE: Dd = Dd { hi: 0.017_453_292_519_943_295, lo: 2.948_652_270_870_168e-19 };
+
+/// Absolute error of the functions of libm here, which are within an ulp, and of what is rounded to a double before.
+const LAST: f64 = 4.0 * f64::EPSILON;
 
 /// Sine and cosine of whole degrees from 0 to 90.
 static WHOLE: LazyLock<[(Dd, Dd); 91]> = LazyLock::new(|| {
@@ -170,7 +174,9 @@ pub fn sin_cos_of_degrees<T: Real>(degrees: T) -> (T, T) {
     let (s, c) = sin_cos_degrees(degrees.f64());
     let with = |value: Dd, rate: f64| {
         let per = T::Rough::of(rate * RADIANS_PER_DEGREE.hi);
+        // Sine and cosine change no faster than the angle in radians.
         T::with_slopes(T::Plain::constant(value), |i| per * degrees.slope(i))
+            .widened(|| degrees.radius() * 0.018 + value.hi.abs() * STEP)
     };
     (with(s, c.hi), with(c, -s.hi))
 }
@@ -185,7 +191,11 @@ pub fn atan2<T: Real>(y: T, x: T) -> T {
     let (to_y, to_x) = if r2 > 0.0 { (xv / r2, yv / r2) } else { (0.0, 0.0) };
     let (to_y, to_x) = (T::Rough::of(to_y), T::Rough::of(to_x));
     let value = T::Plain::constant(Dd::new(libm::atan2(yv, xv)));
-    T::with_slopes(value, |i| y.slope(i) * to_y - x.slope(i) * to_x)
+    T::with_slopes(value, |i| y.slope(i) * to_y - x.slope(i) * to_x).widened(|| {
+        // A point moved by d, seen from the distance h, turns by at most asin(d/h) <= pi/2 d/h.
+        let (moved, distance) = (y.radius() + x.radius(), yv.abs().max(xv.abs()));
+        if moved < 0.5 * distance { 1.6 * moved / (distance - moved) + 4.0 * LAST } else { f64::INFINITY }
+    })
 }
 
 /// Sine and cosine of an angle in radians, with derivatives.
@@ -194,7 +204,7 @@ pub fn sin_cos<T: Real>(x: T) -> (T, T) {
     let (s, c) = (libm::sin(v.hi), libm::cos(v.hi));
     let with = |value: Dd, rate: f64| {
         let rate = T::Rough::of(rate);
-        T::with_slopes(T::Plain::constant(value), |i| rate * x.slope(i))
+        T::with_slopes(T::Plain::constant(value), |i| rate * x.slope(i)).widened(|| x.radius() + LAST)
     };
     (with(Dd::sum(s, c * v.lo), c), with(Dd::sum(c, -s * v.lo), -s))
 }

@@ -6,6 +6,7 @@ use crate::bank::decimal::Decimal;
 use crate::draw::fill;
 use crate::draw::sample;
 use crate::draw::stream::Source;
+use crate::problem::make_key;
 use crate::scene::Label;
 use crate::scene::Owner;
 use crate::scene::Quantity;
@@ -44,8 +45,9 @@ pub struct Refusals {
 const INADMISSIBLE: usize = 0;
 const UNSOLVABLE: usize = 1;
 const DISAGREE: usize = 2;
-const REGIME: usize = 3;
-const CHECKS: usize = 4;
+const PROOF: usize = 3;
+const REGIME: usize = 4;
+const CHECKS: usize = 5;
 
 impl Refusals {
     fn add(&mut self, rule: usize) {
@@ -88,6 +90,7 @@ fn rule_name(problem: &Problem, case: usize, rule: usize) -> String {
         INADMISSIBLE => "admissible data".to_owned(),
         UNSOLVABLE => "solvable".to_owned(),
         DISAGREE => "the two roads agree".to_owned(),
+        PROOF => "the key is proved".to_owned(),
         REGIME => "regime".to_owned(),
         _ if rule < questions => CheckKind::ALL[rule - CHECKS].name().to_owned(),
         _ if rule < bounds => format!("question {} has an answer", problem.questions[rule - questions].id),
@@ -243,8 +246,11 @@ impl<'p> Maker<'p> {
         // A draw that breaks a rule on the first road needs no second one.
         let half = agree::first(&case.scene, data).map_err(&mut unsolved)?;
         self.rules(case, half.preview(), data)?;
-        let solved = half.confirm(&case.scene, data).map_err(unsolved)?;
+        let mut solved = half.confirm(&case.scene, data).map_err(unsolved)?;
         self.checks(&solved, |kind| kind == CheckKind::Moves)?;
+        if !agree::prove(&case.scene, data, &mut solved) || !make_key::narrow(self.problem, &solved) {
+            return Err(PROOF);
+        }
         Ok(solved)
     }
 
@@ -308,6 +314,7 @@ pub fn from_values(problem: &Problem, case: usize, values: &[Option<Decimal>]) -
     let number = |(i, datum)| values.get(i).copied().flatten().map_or(0.0, |v| fill::number(datum, v));
     let data: Vec<f64> = problem.data.iter().enumerate().map(number).collect();
     let scene = problem.cases.get(case).map(|c| &c.scene).ok_or(Refusal::Freedoms(0))?;
-    let solved = agree::solve(scene, &data)?;
+    let mut solved = agree::solve(scene, &data)?;
+    agree::prove(scene, &data, &mut solved);
     Ok(Variant { case, values: values.to_vec(), data, solved, tries: 0, refusals: Refusals::default() })
 }

@@ -3,6 +3,7 @@ use crate::bank::{Problem, Question};
 use crate::key::{Answer, KeyEntry, ProblemKey};
 use crate::problem::make::Variant;
 use crate::scene::{End, Label, Owner, Quantity, Scene, Slope};
+use crate::solve::outcome::Solved;
 
 /// Absolute tolerance of quantities that may vanish, as a share of the scale of their terms: a thousandth of the
 /// largest force is below what three figures of the terms can tell.
@@ -34,6 +35,7 @@ fn entry(question: &Question, scene: &Scene, variant: &Variant) -> KeyEntry {
         energy: None,
         gap: None,
         cond: None,
+        bound: None,
     };
     if quantity.is_word() {
         let right = variant.solved.word(question.label).map_or("", |w| w.text());
@@ -46,6 +48,7 @@ fn entry(question: &Question, scene: &Scene, variant: &Variant) -> KeyEntry {
             key.energy = e.energy;
             key.gap = e.gap();
             key.cond = Some(e.cond);
+            key.bound = e.bound;
             (e.value(), e.scale)
         }
         None => (f64::NAN, 0.0),
@@ -69,6 +72,18 @@ pub fn half_width(question: &Question, value: f64, scale: f64) -> f64 {
     (question.relative * value.abs()).max(absolute)
 }
 
+/// The proved bound of the error of a key is to be below this share of the accepted half-width.
+pub const PROVED_SHARE: f64 = 1e-3;
+
+/// Is the enclosure of every numeric answer narrow beside its tolerance? Quantities that are not enclosed at all do not
+/// count.
+pub fn narrow(problem: &Problem, solved: &Solved) -> bool {
+    problem.questions.iter().filter_map(|q| Some((q, solved.get(q.label)?))).all(|(question, entry)| {
+        let half_width = half_width(question, entry.value(), entry.scale);
+        entry.bound.is_none_or(|bound| bound <= PROVED_SHARE * half_width)
+    })
+}
+
 /// Quantities that can be 0 although the terms that make them up are not.
 pub const fn may_vanish(quantity: Quantity) -> bool {
     matches!(
@@ -76,6 +91,9 @@ pub const fn may_vanish(quantity: Quantity) -> bool {
         Quantity::Friction
             | Quantity::FrictionIfRolled
             | Quantity::SlipDistance
+            | Quantity::SlipSpeed
+            | Quantity::Displacement
+            | Quantity::ARolling
             | Quantity::A
             | Quantity::Alpha
             | Quantity::Rise
@@ -84,14 +102,14 @@ pub const fn may_vanish(quantity: Quantity) -> bool {
     )
 }
 
-/// May a word give the sign? Friction is positive up the incline in every scene; an acceleration is positive forward, so
-/// not where positive is down: there `up` would mean a minus.
+/// May a word give the sign? Friction is positive up the incline in every scene; an acceleration or a displacement is
+/// positive forward, so not where positive is down: there `up` would mean a minus.
 pub fn words_sign(scene: &Scene, label: Label) -> bool {
     let body = match label.of {
         Owner::Body(b) => Some(b),
         _ => scene.bare_body(),
     };
-    label.quantity != Quantity::A
+    !matches!(label.quantity, Quantity::A | Quantity::ARolling | Quantity::Displacement)
         || body.and_then(|b| scene.bodies.get(b)).and_then(|b| b.line).is_none_or(|line| line.forward_up)
 }
 
@@ -101,6 +119,8 @@ const fn is_magnitude(quantity: Quantity) -> bool {
         Quantity::Friction
             | Quantity::FrictionIfRolled
             | Quantity::A
+            | Quantity::ARolling
+            | Quantity::Displacement
             | Quantity::Alpha
             | Quantity::Rise
             | Quantity::XG
@@ -122,7 +142,8 @@ fn offered(quantity: Quantity, scene: &Scene) -> &'static [&'static str] {
         | End::Time(c, _)
         | End::Speed(c, _)
         | End::Angle(c, _)
-        | End::TurningPoint(c) => c.body,
+        | End::TurningPoint(c)
+        | End::Rolling(c) => c.body,
     };
     match scene.bodies.get(body).and_then(|b| b.line) {
         Some(line) if line.slope != Slope::Level => SLOPED,

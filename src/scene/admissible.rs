@@ -151,7 +151,7 @@ pub fn rules(scene: &Scene, mut tell: impl FnMut(Num, Rule)) {
         }
     }
     match scene.end {
-        End::AtOnce | End::TurningPoint(_) => {}
+        End::AtOnce | End::TurningPoint(_) | End::Rolling(_) => {}
         End::Travel(_, d) | End::Time(_, d) | End::Speed(_, d) => tell(d, NotNegative),
         End::Position(_, s) => tell(s, Finite),
         End::Angle(_, a) => tell(a, Rule::Angle),

@@ -50,6 +50,9 @@ quantities! {
     Tension "tension" "N" "tension of the cord at the end";
     CordTravel "cord_travel" "m" "distance that the pulled end of the cord moves";
     SlipDistance "slip_distance" "m" "distance that the contact slips, a magnitude";
+    SlipSpeed "slip_speed" "m/s" "speed at which the contact slips at the start, a magnitude";
+    Displacement "displacement" "m" "displacement of the mass centre from start to end, positive forward";
+    ARolling "a_rolling" "m/s^2" "acceleration of the mass centre once it rolls, positive forward";
     Phi "phi" "rad" "angle turned, a magnitude";
     Heat "heat" "J" "heat of sliding friction";
     WorkPull "work_pull" "J" "work of the pull";
@@ -90,7 +93,10 @@ impl Quantity {
     }
     /// Is its sign a direction along the line of the body, so that `62.6 N down` is an answer?
     pub const fn is_directed(self) -> bool {
-        matches!(self, Self::Friction | Self::FrictionIfRolled | Self::A)
+        matches!(
+            self,
+            Self::Friction | Self::FrictionIfRolled | Self::A | Self::ARolling | Self::Displacement
+        )
     }
 }
 
@@ -164,7 +170,8 @@ impl Scene {
             | End::Time(c, _)
             | End::Speed(c, _)
             | End::Angle(c, _)
-            | End::TurningPoint(c) => c,
+            | End::TurningPoint(c)
+            | End::Rolling(c) => c,
             End::AtOnce => Coordinate {
                 body: 0,
                 degree: if self.pinned().is_some() { Degree::Turn } else { Degree::Along },

@@ -20,7 +20,7 @@ pub use ask::{Label, Owner, Quantity};
 pub use body::{Body, Line, Mass, Part, Particle, RotaryInertia, Shape, Slope};
 pub use force::Couple;
 pub use link::{Attach, Cord, CordEnd, Far, Side, Tie};
-pub use motion::{Coordinate, Degree, End, Heading, Start};
+pub use motion::{Coordinate, Degree, End, Heading, Start, Thrown};
 pub use numbers::{BodyNumbers, Numbers};
 pub use pin::{Arm, Pin, PinSpring, Rest, Zero};
 

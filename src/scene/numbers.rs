@@ -77,7 +77,7 @@ impl<'a, T: Real> Numbers<'a, T> {
     pub fn get(&self, num: Num) -> T {
         match num {
             Num::Datum(i) => T::datum(i, self.data.get(i).copied().unwrap_or(f64::NAN)),
-            Num::Fixed(x) => T::of(x),
+            Num::Fixed(x) => T::fixed(x),
         }
     }
 

@@ -5,8 +5,19 @@ use crate::key::KeyEntry;
 use crate::key::SheetKey;
 
 /// The columns.
-pub const HEADER: [&str; 10] =
-    ["student", "problem", "part", "value", "unit", "eom", "energy", "gap", "cond", "tolerance"];
+pub const HEADER: [&str; 11] = [
+    "student",
+    "problem",
+    "part",
+    "value",
+    "unit",
+    "eom",
+    "energy",
+    "gap",
+    "cond",
+    "tolerance",
+    "error_bound",
+];
 
 /// Shortest text that reads back as the same double; an exponent only where it helps.
 pub fn shortest(value: f64) -> String {
@@ -33,7 +44,7 @@ fn about(value: f64) -> String {
 }
 
 /// The fields behind student and problem.
-fn fields(entry: &KeyEntry) -> [String; 8] {
+fn fields(entry: &KeyEntry) -> [String; 9] {
     let unit = &entry.unit;
     let road = |si: Option<f64>| si.map_or_else(String::new, |v| shortest(unit.from_si(v)));
     match &entry.answer {
@@ -46,9 +57,10 @@ fn fields(entry: &KeyEntry) -> [String; 8] {
             entry.gap.map_or_else(String::new, about),
             entry.cond.map_or_else(String::new, about),
             shortest(unit.from_si(*half_width)),
+            entry.bound.map_or_else(String::new, |b| about(unit.from_si(b))),
         ],
         Answer::Word { right, .. } => {
-            let mut fields = [const { String::new() }; 8];
+            let mut fields = [const { String::new() }; 9];
             entry.part.clone_into(&mut fields[0]);
             (*right).clone_into(&mut fields[1]);
             fields
@@ -57,14 +69,14 @@ fn fields(entry: &KeyEntry) -> [String; 8] {
 }
 
 /// All rows, header first.
-pub fn rows(keys: &[SheetKey]) -> impl Iterator<Item = [String; 10]> {
+pub fn rows(keys: &[SheetKey]) -> impl Iterator<Item = [String; 11]> {
     let header = std::iter::once(HEADER.map(str::to_owned));
     header.chain(keys.iter().flat_map(|key| {
         key.problems.iter().enumerate().flat_map(move |(i, problem)| {
             problem.parts.iter().map(move |entry| {
-                let [part, value, unit, eom, energy, gap, cond, tolerance] = fields(entry);
+                let [part, value, unit, eom, energy, gap, cond, tolerance, bound] = fields(entry);
                 let number = (i + 1).to_string();
-                [key.student.clone(), number, part, value, unit, eom, energy, gap, cond, tolerance]
+                [key.student.clone(), number, part, value, unit, eom, energy, gap, cond, tolerance, bound]
             })
         })
     }))

@@ -1,10 +1,12 @@
 //! Runs both roads and compares; the only file that sees both.
+use crate::num::Ball;
 use crate::num::Dd;
 use crate::num::Jet;
 use crate::num::JetOf;
 use crate::num::Real;
 use crate::num::U;
 use crate::num::Wide;
+use crate::num::ball;
 use crate::num::wide::ordinary;
 use crate::scene::End;
 use crate::scene::Label;
@@ -89,6 +91,7 @@ fn half<T: Real>(scene: &Scene, data: &[f64], wide: bool) -> Result<Half, Refusa
             label: said.label,
             eom: Some(value),
             energy: None,
+            bound: None,
             cond: said.value.cond(),
             scale: said.scale,
         });
@@ -151,6 +154,22 @@ impl Half {
     }
 }
 
+/// Encloses the answers: work and energy once more, with numbers that keep account of their errors ([`Ball`]), those of
+/// the printed data among them. Fills in [`Entry::bound`] and says whether that succeeded: it does not where rounding of
+/// the data leaves open which way the scene goes, such as at an exact balance.
+pub fn prove(scene: &Scene, data: &[f64], solved: &mut Solved) -> bool {
+    let (road, doubt) = ball::watch(|| energy::road::<Ball>(scene, data));
+    let Ok(road) = road else { return false };
+    if doubt {
+        return false;
+    }
+    for (i, entry) in solved.entries.iter_mut().enumerate() {
+        let said = road.said.get(i).filter(|s| s.label == entry.label).or_else(|| road.get(entry.label));
+        entry.bound = said.map(|s| s.value.about(entry.value())).filter(|b| b.is_finite());
+    }
+    true
+}
+
 /// Is the combination one that the assembly has?
 fn supported(scene: &Scene) -> Result<(), Refusal> {
     let lamina = scene.bodies.iter().any(|b| !b.particles.is_empty());
@@ -180,6 +199,19 @@ fn supported(scene: &Scene) -> Result<(), Refusal> {
     let freedoms = freedoms(scene);
     if freedoms > 1 && springs > 0 {
         return refuse(Unsupported::SpringWithTwoFreedoms);
+    }
+    if let Some(thrown) = scene.thrown() {
+        if scene.bodies.len() > 1 || scene.ties.len() > 1 {
+            return refuse(Unsupported::ThrownWithOthers);
+        }
+        let surface = scene.bodies[thrown.body].line.is_some_and(|l| l.surface);
+        if !matches!(scene.end, End::Rolling(_) | End::Time(..)) || !surface {
+            return refuse(Unsupported::ThrownEnd);
+        }
+        return Ok(());
+    }
+    if matches!(scene.end, End::Rolling(_)) {
+        return refuse(Unsupported::NotThrown);
     }
     if freedoms > 1 && !scene.start.is_empty() {
         return refuse(Unsupported::SpeedWithTwoFreedoms);

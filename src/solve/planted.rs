@@ -88,6 +88,21 @@ fn scenes() -> Vec<(&'static str, Scene)> {
         spin_rad_s: f(2.5),
     });
     lamina.end = End::AtOnce;
+    let ball = |slope: f64, speed: f64, spin: f64, mu_k: f64, end: End| {
+        let mut s = scene(
+            vec![body("ball", Some(slope), 6.0, Some(0.07))],
+            vec![Tie::Slip { body: 0, radius_m: f(0.11), mu_s: f(0.4), mu_k: f(mu_k) }],
+            1.0,
+        );
+        s.start = [(Degree::Along, speed), (Degree::Turn, spin)]
+            .map(|(degree, value)| Start::Speed(Coordinate { body: 0, degree }, f(value)))
+            .to_vec();
+        s.end = end;
+        s
+    };
+    let along = Coordinate { body: 0, degree: Degree::Along };
+    let mut braked = ball(15.0, 4.0, -20.0, 0.2, End::Rolling(along));
+    braked.couples.push(Couple { body: 0, moment_n_m: f(0.3), forward: false });
     vec![
         (
             "pulled-rolling",
@@ -127,6 +142,11 @@ fn scenes() -> Vec<(&'static str, Scene)> {
             ),
         ),
         ("sliding block", thrown),
+        ("thrown with backspin", ball(10.0, 5.0, -30.0, 0.2, End::Rolling(along))),
+        ("thrown on a level", ball(0.0, 5.0, 10.0, 0.2, End::Rolling(along))),
+        ("thrown, still slipping", ball(10.0, 5.0, -30.0, 0.2, End::Time(along, f(0.4)))),
+        ("thrown, rolling since long", ball(10.0, 5.0, -30.0, 0.2, End::Time(along, f(5.0)))),
+        ("thrown and braked", braked),
         ("lamina", lamina),
     ]
 }

@@ -48,22 +48,30 @@ impl<T: Real> Account<T> {
     fn push(&self, k: Store<T>) -> T {
         self.constant.balance(k.stiffness * k.stretch * k.lost)
     }
-    /// Kinetic energy at a place: that of the start and the work of all forces on the way. The spring gives off
-    /// `1/2 ks (x0^2 - x1^2)`, written as a product with the way: near equilibrium its difference from the work of the
-    /// other forces would lose all digits.
+    /// Kinetic energy at a place: that of the start and the work of all forces on the way.
     pub fn energy(&self, s: T) -> T {
-        let done = match self.store {
-            None => self.constant * s,
+        match self.store {
             Some(k) if self.slack().is_some_and(|at| at.below(s)) => {
-                (self.constant * s).balance((k.stiffness * k.stretch.square()).scale2(-1))
+                let given = (k.stiffness * k.stretch.square()).scale2(-1);
+                self.energy0.balance((self.constant * s).balance(given))
             }
+            _ => self.taut_energy(s),
+        }
+    }
+    /// The same up to the place where the cord goes slack. The spring gives off `1/2 ks (x0^2 - x1^2)`, written as a
+    /// product with the way: near equilibrium its difference from the work of the other forces would lose all digits.
+    fn taut_energy(&self, s: T) -> T {
+        self.energy0.balance(match self.store {
+            None => self.constant * s,
             Some(k) => self.push(k).balance(-(k.stiff() * s).scale2(-1)) * s,
-        };
-        self.energy0.balance(done)
+        })
     }
     /// Speed at a place.
     pub fn speed(&self, s: T) -> T {
-        (self.energy(s).scale2(1) / self.doubled).root()
+        self.speed_of(self.energy(s))
+    }
+    fn speed_of(&self, energy: T) -> T {
+        (energy.scale2(1) / self.doubled).root()
     }
     /// Place at which the cord goes slack, if it does.
     fn slack(&self) -> Option<T> {
@@ -72,7 +80,7 @@ impl<T: Real> Account<T> {
     /// Place at which the whole energy is stored or spent.
     pub fn turning(&self) -> Option<T> {
         if let Some(at) = self.slack() {
-            let left = self.energy(at);
+            let left = self.taut_energy(at);
             if left.sign() > 0.0 || at.is_zero() {
                 return (self.constant.sign() < 0.0).then(|| at - left / self.constant);
             }
@@ -109,14 +117,14 @@ impl<T: Real> Account<T> {
             }
             _ => balanced,
         };
-        Some((at, self.speed(at)))
+        Some((at, self.speed_of(self.taut_energy(at))))
     }
     /// Time to a place. On a spring `tan(w t / 2) = w s / (u0 + u)`, on a constant force `u = u0 + a t`.
     pub fn time(&self, s: T, u: T) -> T {
         let slack = self.slack();
         match (self.store, slack) {
             (Some(_), Some(at)) if at.below(s) => {
-                let v = self.speed(at);
+                let v = self.speed_of(self.taut_energy(at));
                 self.taut_time(at, v) + self.uniform_time(s - at, v, u)
             }
             (Some(_), _) => self.taut_time(s, u),
@@ -144,9 +152,9 @@ impl<T: Real> Account<T> {
         let uniform = |u: T, t: T| u * t + (self.constant / self.doubled * t.square()).scale2(-1);
         let Some(k) = self.store else { return uniform(self.u0, t) };
         if let Some(at) = self.slack() {
-            let left = self.energy(at);
+            let left = self.taut_energy(at);
             if left.sign() > 0.0 || at.is_zero() {
-                let v = self.speed(at);
+                let v = self.speed_of(left);
                 let first = self.taut_time(at, v);
                 if first.below(t) {
                     return at + uniform(v, t - first);
@@ -183,7 +191,7 @@ impl<T: Real> Account<T> {
             (Some(s), None) => Some(s),
             (Some(s), Some(at)) if at.reaches(s) => Some(s),
             (_, Some(at)) if !self.constant.is_zero() => {
-                let s = at + (need + self.energy0 - self.energy(at)) / self.constant;
+                let s = at + (need + self.energy0 - self.taut_energy(at)) / self.constant;
                 s.reaches(at).then_some(s)
             }
             _ => None,

@@ -9,6 +9,7 @@ pub mod instant;
 pub mod pinned;
 pub mod speeds;
 pub mod swing;
+pub mod thrown;
 
 use crate::num::Real;
 use crate::num::Rough;
@@ -50,6 +51,9 @@ pub fn road<T: Real>(scene: &Scene, data: &[f64]) -> Result<Road<T>, Refusal> {
     }
     if matches!(scene.end, End::AtOnce) {
         return Ok(instant::road(scene, &n));
+    }
+    if let Some(thrown) = scene.thrown() {
+        return thrown::road(scene, &n, &thrown);
     }
     Ledger::open(scene, n)?.settle()
 }
@@ -352,7 +356,9 @@ impl<'a, T: Real> Ledger<'a, T> {
         };
         let s = self.asked(&account, turning, sense);
         let arrives = |s: T::Plain| s.not_negative() && s.at_most(limit);
-        let reached = !wrong_way && s.is_some_and(|s| arrives(s.plain()));
+        // The turning point is where it is: no comparison with itself.
+        let turns = matches!(self.scene.end, End::TurningPoint(_));
+        let reached = !wrong_way && s.is_some_and(|s| turns || arrives(s.plain()));
         self.road.course = Some(Course { sense, drive, asked: s.map(T::plain), farthest: limit, reached });
         let tension_at = |s: T| store.map_or_else(T::zero, |k| k.stiffness * k.stretch_at(s));
         let last_tension = turning.map_or_else(T::zero, tension_at);
@@ -401,7 +407,7 @@ impl<'a, T: Real> Ledger<'a, T> {
 
     fn asked(&self, account: &Account<T>, turning: Option<T>, sense: f64) -> Option<T> {
         match self.scene.end {
-            End::AtOnce | End::Angle(..) => None,
+            End::AtOnce | End::Angle(..) | End::Rolling(_) => None,
             End::Travel(_, d) => Some(self.n.get(d)),
             End::Position(_, x) => Some(self.n.get(x).signed(sense)),
             End::Speed(_, u) => account.where_speed(self.n.get(u).abs()),
@@ -456,7 +462,7 @@ impl<'a, T: Real> Ledger<'a, T> {
         let last = if (tension0 - tension1).is_zero() { first.clone() } else { self.reactions(tension1) };
         for (t, tie) in self.scene.ties.iter().enumerate() {
             if let Tie::Roll { body, .. } = tie {
-                let most = if first[t].abs().below(last[t].abs()) { last[t] } else { first[t] }.abs();
+                let most = first[t].abs().larger(last[t].abs());
                 let normal = balance::normal(&self.n, *body);
                 if self.scene.bodies[*body].line.is_some_and(|l| l.surface) {
                     self.say(Quantity::MuRequired, Owner::Body(*body), most / normal);

@@ -225,7 +225,7 @@ impl<T: Real> Motion<T> {
                 let wanted = n.get(w).square() * self.store.doubled;
                 self.way_to_energy(wanted.scale2(-1), turning.unwrap_or_else(Self::horizon))?
             }
-            End::AtOnce | End::Travel(..) | End::Position(..) => None,
+            End::AtOnce | End::Travel(..) | End::Position(..) | End::Rolling(_) => None,
         })
     }
 

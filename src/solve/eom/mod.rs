@@ -5,6 +5,7 @@ pub mod equations;
 pub mod instant;
 pub mod pinned;
 pub mod swing;
+pub mod thrown;
 pub mod travel;
 
 use crate::num::Real;
@@ -52,6 +53,9 @@ pub fn road<T: Real>(scene: &Scene, data: &[f64]) -> Result<Road<T>, Refusal> {
     }
     if matches!(scene.end, End::AtOnce) {
         return Ok(instant::road(scene, &n));
+    }
+    if let Some(thrown) = scene.thrown() {
+        return thrown::road(scene, &n, &thrown);
     }
     Walk::new(scene, n)?.walk()
 }
@@ -371,7 +375,7 @@ impl<'a, T: Real> Walk<'a, T> {
                 (Some(u.plain()), travel.reaching(u))
             }
             End::TurningPoint(_) => (None, turning),
-            End::AtOnce | End::Angle(..) => (None, None),
+            End::AtOnce | End::Angle(..) | End::Rolling(_) => (None, None),
         }
     }
 
@@ -443,7 +447,7 @@ impl<'a, T: Real> Walk<'a, T> {
             match tie {
                 Tie::Roll { body, mu_s, .. } => {
                     let (first, last) = (self.friction(t, tension0).abs(), self.friction(t, tension1).abs());
-                    let most = if first.below(last) { last } else { first };
+                    let most = first.larger(last);
                     let normal = self.response.normal(*body);
                     let surface = self.scene.bodies[*body].line.is_some_and(|l| l.surface);
                     if surface {
