@@ -13,6 +13,8 @@ use crate::num::trig;
 const SPREAD: f64 = 1e-4;
 /// Relative gap of the two means at which the next step leaves less than 2^-100.
 const MEANS: f64 = 1e-16;
+/// Relative size of what the methods leave out, at most 2^-92.
+const LEFT_OUT: f64 = 1.0 / (1u128 << 92) as f64;
 /// Steps after which something is wrong; the widest double-doubles need 20.
 const STEPS: usize = 200;
 
@@ -42,7 +44,7 @@ pub fn rf_of_roots<T: Real>(x: T, y: T, z: T) -> T {
                 - e2.square() * e2 * share(5.0, 208.0)
                 + e3.square() * share(3.0, 104.0)
                 + e2.square() * e3 * share(1.0, 16.0);
-            return sum / mean.root();
+            return enclosed(sum / mean.root());
         }
         let (rx, ry, rz) = (x.root(), y.root(), z.root());
         let lambda = rx * ry + ry * rz + rz * rx;
@@ -50,6 +52,11 @@ pub fn rf_of_roots<T: Real>(x: T, y: T, z: T) -> T {
         (x, y, z) = (quarter(x), quarter(y), quarter(z));
     }
     T::of(f64::NAN)
+}
+
+/// With the part of a series or of an iteration that is left out, for numbers that keep account of their errors.
+fn enclosed<T: Real>(value: T) -> T {
+    value.widened(|| value.f64().abs() * LEFT_OUT)
 }
 
 /// The arithmetic-geometric mean of two numbers >= 0; 0 if one of them is.
@@ -62,7 +69,7 @@ pub fn mean_of<T: Real>(a: T, b: T) -> T {
         let close = ((a - b) / a).f64().abs();
         (a, b) = ((a + b).scale2(-1), (a * b).root());
         if close.is_nan() || close < MEANS {
-            return a;
+            return enclosed(a);
         }
     }
     T::of(f64::NAN)
@@ -92,12 +99,12 @@ pub fn incomplete<T: Real>(across: T, along: T, complement: T) -> T {
     if along.is_zero() {
         return complete(complement);
     }
-    if along.sign() < 0.0 {
-        let whole = complete(complement).scale2(1);
-        return if across.is_zero() { whole } else { whole - incomplete(across, -along, complement) };
+    if across.is_zero() {
+        return complete(complement).scale2(1);
     }
     let (mut a, mut b, mut y) = (T::of(1.0), complement, along / across);
-    let mut turns = 0.0;
+    // Half turns of the amplitude, which about doubles with every step.
+    let mut turns = if y.sign() < 0.0 { 1.0 } else { 0.0 };
     for _ in 0..STEPS {
         let product = a * b;
         let close = ((a - b) / a).f64().abs();
@@ -108,7 +115,7 @@ pub fn incomplete<T: Real>(across: T, along: T, complement: T) -> T {
         }
         y = y - product / y;
         if close.is_nan() || close < MEANS {
-            return (trig::angle(a, y) + T::constant(Dd::PI * Dd::new(turns))) / a;
+            return enclosed((trig::angle(a, y) + T::constant(Dd::PI * Dd::new(turns))) / a);
         }
         turns = 2.0 * turns + if y.sign() < 0.0 { 1.0 } else { 0.0 };
     }

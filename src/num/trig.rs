@@ -139,23 +139,22 @@ const STRAIGHT: f64 = 1.0 / (1u64 << 56) as f64;
 /// [`sin_cos_radians`] with derivatives.
 pub fn turn<T: Real>(x: T) -> (T, T) {
     if x.f64().abs() < STRAIGHT {
-        return (x, T::of(1.0) - x.square().scale2(-1));
+        let sine = x.widened(|| x.f64().abs() * STEP);
+        return (sine, (T::of(1.0) - x.square().scale2(-1)).widened(|| STEP));
     }
     let (s, c) = sin_cos_radians(x.value());
     let with = |value: Dd, rate: f64| {
         let rate = T::Rough::of(rate);
-        T::with_slopes(T::Plain::constant(value), |i| rate * x.slope(i))
+        T::with_slopes(T::Plain::constant(value), |i| rate * x.slope(i)).widened(|| x.radius() + 64.0 * STEP)
     };
     (with(s, c.hi), with(c, -s.hi))
 }
 
 /// Angle of the point (x, y), radians, to double-double, with derivatives.
 pub fn angle<T: Real>(y: T, x: T) -> T {
-    if x.sign() > 0.0 {
-        let slope = y / x;
-        if slope.f64().abs() < STRAIGHT {
-            return slope;
-        }
+    let slope = y / x;
+    if x.value().hi > 0.0 && slope.f64().abs() < STRAIGHT {
+        return slope.widened(|| slope.f64().abs() * STEP);
     }
     let rough = atan2(y, x);
     if !rough.is_finite() {
@@ -166,7 +165,7 @@ pub fn angle<T: Real>(y: T, x: T) -> T {
     let (s, c) = (T::Plain::constant(s), T::Plain::constant(c));
     let (y, x) = (y.plain(), x.plain());
     let rest = (y * c - x * s) / (x * c + y * s);
-    T::with_slopes(rough.plain() + rest, |i| rough.slope(i))
+    T::with_slopes(rough.plain() + rest, |i| rough.slope(i)).widened(|| 64.0 * STEP)
 }
 
 /// [`sin_cos_degrees`] with derivatives.

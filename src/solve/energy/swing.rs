@@ -6,6 +6,7 @@
 //! energy is the work on the way back from there.
 use crate::num::Dd;
 use crate::num::Real;
+use crate::num::ball;
 use crate::num::elliptic;
 use crate::num::gauss;
 use crate::num::half::Half;
@@ -112,7 +113,7 @@ pub fn road<T: Real>(
         _ => motion.place(way),
     };
     let speed = if ends { T::zero() } else { motion.speed(way, &place) };
-    let time = if free { motion.free_time(way, speed) } else { motion.time(way, ends)? };
+    let time = if free { motion.free_time(&place, way, speed) } else { motion.time(way, ends)? };
     book.say_of(Quantity::T, Owner::Scene, time);
     book.say(Quantity::Phi, way);
     let step = Half::of_radians(way.signed(sense));
@@ -231,8 +232,9 @@ impl<T: Real> Motion<T> {
 
     fn duration(&self, way: T, free: bool, rest: bool) -> Result<T, Refusal> {
         if free {
-            let speed = if rest { T::zero() } else { self.speed(way, &self.place(way)) };
-            Ok(self.free_time(way, speed))
+            let place = self.place(way);
+            let speed = if rest { T::zero() } else { self.speed(way, &place) };
+            Ok(self.free_time(&place, way, speed))
         } else {
             self.time(way, rest)
         }
@@ -240,9 +242,11 @@ impl<T: Real> Motion<T> {
 
     fn way_after(&self, time: T, last: T, free: bool) -> Result<T, Refusal> {
         let plain = self.plain();
-        let way = root::between(T::Plain::zero(), last.plain(), true, |way| {
-            let slowness = T::Plain::of(1.0) / plain.speed(way, &plain.place(way));
-            Ok::<_, Refusal>((plain.duration(way, free, false)? - time.plain(), slowness))
+        let way = ball::unwatched(|| {
+            root::between(T::Plain::zero(), last.plain(), true, |way| {
+                let slowness = T::Plain::of(1.0) / plain.speed(way, &plain.place(way));
+                Ok::<_, Refusal>((plain.duration(way, free, false)? - time.plain(), slowness))
+            })
         })?;
         // The data take part in the last step.
         let way = T::exactly(way);
@@ -253,7 +257,8 @@ impl<T: Real> Motion<T> {
         if energy.side(self.energy0) == 0.0 {
             return Ok(Some(T::zero()));
         }
-        Ok(self.plain().first_at(energy.plain(), last.plain())?.map(|way| {
+        let found = ball::unwatched(|| self.plain().first_at(energy.plain(), last.plain()))?;
+        Ok(found.map(|way| {
             let way = T::exactly(way);
             let place = self.place(way);
             way - (self.energy(way, &place) - energy) / self.power(&place)
@@ -262,8 +267,9 @@ impl<T: Real> Motion<T> {
 
     /// Where all energy is stored or spent; `None` if not within two turns.
     fn turning(&self) -> Result<Option<T>, Refusal> {
-        let plain = self.plain();
-        Ok(plain.first_at(T::Plain::zero(), T::Plain::constant(Dd::PI * Dd::new(2.0 * TURNS)))?.map(|way| {
+        let last = T::Plain::constant(Dd::PI * Dd::new(2.0 * TURNS));
+        let found = ball::unwatched(|| self.plain().first_at(T::Plain::zero(), last))?;
+        Ok(found.map(|way| {
             let way = T::exactly(way);
             let place = self.place(way);
             let power = self.power(&place);
@@ -313,6 +319,8 @@ impl<T: Real> Motion<T> {
             T::zero(),
             T::of(1.0),
         )
+        // A quadrature settles, it proves nothing.
+        .map(|time| time.widened(|| f64::INFINITY))
     }
 
     // -- under the weight alone -----------------------------------------------------------------------------------------
@@ -325,6 +333,17 @@ impl<T: Real> Motion<T> {
         // Beyond the top it is a turn further on: both signs are those of the same place between top and top.
         let beyond = cosine.sign() < 0.0 || (cosine.is_zero() && sine.sign() > 0.0);
         if beyond { (-sine, -cosine, pace) } else { (sine, cosine, pace) }
+    }
+
+    /// Sine and cosine of half the angle at a place, with the signs that they have on the way there from (s0, c0).
+    fn end_of(&self, place: &Half<T>, way: T, s0: T, c0: T) -> (T, T) {
+        let hanging = if self.store.is_upright() { place.less_half_turn() } else { *place };
+        let (sine, cosine) = (hanging.sine.signed(self.sense), hanging.cosine);
+        // Which of the two signs: the half angle is that of the start and half the way, roughly.
+        let half = trig::atan2(s0, c0).f64() + 0.5 * way.f64();
+        let (s, c) = trig::sin_cos_radians(Dd::new(half));
+        let same = s.hi * sine.f64() + c.hi * cosine.f64();
+        if same < 0.0 { (-sine, -cosine) } else { (sine, cosine) }
     }
 
     /// Energy from the lowest place as a share of that at the top: `k^2`, and `1 - k^2` with its root.
@@ -363,14 +382,12 @@ impl<T: Real> Motion<T> {
         (quarters / frequency, fastest)
     }
 
-    fn free_time(&self, way: T, speed: T) -> T {
+    fn free_time(&self, place: &Half<T>, way: T, speed: T) -> T {
         if way.is_zero() {
             return T::zero();
         }
         let (s0, c0, p0) = self.bob();
-        let (sine, cosine) = trig::turn(way.scale2(-1));
-        let s1 = (s0 * cosine).balance(c0 * sine);
-        let c1 = (c0 * cosine).balance(-(s0 * sine));
+        let (s1, c1) = self.end_of(place, way, s0, c0);
         let frequency = self.store.frequency();
         let p1 = (speed / frequency).scale2(-1);
         let (k2, rest, complement) = Self::share(s0, c0, p0);
