@@ -25,7 +25,7 @@ fn wheel(k: usize, roll: &str) -> Body {
         line: Some(Line { slope: Slope::Degrees(Num::Datum(4)), forward_up: true, surface: true }),
         turns: true,
         particles: vec![],
-            pin: None,
+        pin: None,
     }
 }
 
@@ -397,7 +397,10 @@ fn every_case_of_the_pinned_scenes() {
                 let got = got.unwrap();
                 compared += 1;
                 if let Some(miss) = within(got, want, cond) {
-                    bad.push(format!("{id} ({}): {road} {ours} {got:e} is not {want:e}: {miss:.1} u cond", case["tag"]));
+                    bad.push(format!(
+                        "{id} ({}): {road} {ours} {got:e} is not {want:e}: {miss:.1} u cond",
+                        case["tag"]
+                    ));
                 } else if got != want {
                     worst[i] = worst[i].max((got - want).abs() / want.abs() / U / cond.max(1.0));
                 }

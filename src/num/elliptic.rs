@@ -37,13 +37,12 @@ pub fn rf_of_roots<T: Real>(x: T, y: T, z: T) -> T {
             let e2 = a * b - c.square();
             let e3 = a * b * c;
             let share = |over: f64, under: f64| T::constant(Dd::new(over) / Dd::new(under));
-            let sum = T::of(1.0) - e2 * share(1.0, 10.0)
-                + e3 * share(1.0, 14.0)
-                + e2.square() * share(1.0, 24.0)
-                - e2 * e3 * share(3.0, 44.0)
-                - e2.square() * e2 * share(5.0, 208.0)
-                + e3.square() * share(3.0, 104.0)
-                + e2.square() * e3 * share(1.0, 16.0);
+            let sum =
+                T::of(1.0) - e2 * share(1.0, 10.0) + e3 * share(1.0, 14.0) + e2.square() * share(1.0, 24.0)
+                    - e2 * e3 * share(3.0, 44.0)
+                    - e2.square() * e2 * share(5.0, 208.0)
+                    + e3.square() * share(3.0, 104.0)
+                    + e2.square() * e3 * share(1.0, 16.0);
             return enclosed(sum / mean.root());
         }
         let (rx, ry, rz) = (x.root(), y.root(), z.root());

@@ -51,7 +51,7 @@ static PANEL: LazyLock<Panel> = LazyLock::new(|| {
     let half = Dd::new(0.5);
     let mut places = [Dd::ZERO; NODES];
     let mut panel = Panel { nodes: [Dd::ZERO; NODES], weights: [Dd::ZERO; NODES], running: Vec::new() };
-    for j in 0..NODES {
+    for (j, place) in places.iter_mut().enumerate() {
         let mut x = Dd::new(-crate::num::trig::sin_cos_degrees(180.0 * (j as f64 + 0.75) / (n + 0.5)).1.hi);
         let mut slope = Dd::ONE;
         for _ in 0..8 {
@@ -59,7 +59,7 @@ static PANEL: LazyLock<Panel> = LazyLock::new(|| {
             slope = Dd::new(n) * (x * p[NODES] - p[NODES - 1]) / (x * x - Dd::ONE);
             x = x - p[NODES] / slope;
         }
-        places[j] = x;
+        *place = x;
         panel.nodes[j] = (x + Dd::ONE) * half;
         panel.weights[j] = Dd::ONE / ((Dd::ONE - x * x) * slope * slope);
     }
@@ -89,9 +89,8 @@ pub fn mean<T: Real>(values: &[T]) -> T {
 
 /// The integral from the start of a panel of length 1 to each node.
 pub fn running<T: Real>(values: &[T]) -> PerNode<T> {
-    let row = |shares: &[Dd]| {
-        values.iter().zip(shares).fold(T::zero(), |sum, (v, w)| sum + *v * T::constant(*w))
-    };
+    let row =
+        |shares: &[Dd]| values.iter().zip(shares).fold(T::zero(), |sum, (v, w)| sum + *v * T::constant(*w));
     PANEL.running.chunks_exact(NODES).map(row).collect()
 }
 
@@ -131,10 +130,11 @@ fn halves<T: Real, E: From<Unsettled>>(
     let middle = (a + b).scale2(-1);
     let (first, second) = (panel(f, a, middle)?.0, panel(f, middle, b)?.0);
     let sum = first + second;
+    let scale = sized(scale, sum);
     if settled(sum, whole, scale) {
         return Ok(sum);
     }
-    if left == 0 || !sum.is_finite() {
+    if left == 0 {
         return Err(Unsettled { value: sum.f64(), gap: (sum - whole).f64().abs() }.into());
     }
     Ok(halves(f, a, middle, first, scale, left - 1)? + halves(f, middle, b, second, scale, left - 1)?)
@@ -142,7 +142,12 @@ fn halves<T: Real, E: From<Unsettled>>(
 
 /// Do halves and whole say the same, for an integral of this size? Halving goes on for more than 60 bits.
 pub fn settled<T: Real>(halves: T, whole: T, scale: T::Rough) -> bool {
-    (halves - whole).size() <= T::Rough::of(SETTLED) * scale
+    whole.is_finite() && halves.is_finite() && (halves - whole).size() <= T::Rough::of(SETTLED) * scale
+}
+
+/// The size of the integral: that of the first panels which have one.
+pub fn sized<T: Real>(scale: T::Rough, sum: T) -> T::Rough {
+    if scale.is_finite() { scale } else { sum.size() }
 }
 
 /// How often a panel may be halved.
@@ -158,8 +163,7 @@ mod tests {
     #[test]
     fn polynomials_are_exact_to_thirty_digits() {
         for degree in [0u32, 1, 2, 7, 24, 47] {
-            let values: Vec<Dd> =
-                nodes().iter().map(|x| (0..degree).fold(Dd::ONE, |p, _| p * *x)).collect();
+            let values: Vec<Dd> = nodes().iter().map(|x| (0..degree).fold(Dd::ONE, |p, _| p * *x)).collect();
             let known = Dd::ONE / Dd::new(f64::from(degree) + 1.0);
             assert!(((mean(&values) - known) / known).hi.abs() < 1e-29, "{degree}");
             if degree < 24 {

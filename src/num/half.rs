@@ -75,8 +75,14 @@ mod tests {
             let half = Half::of_degrees(Dd::new(degrees));
             let (s, c) = trig::sin_cos_degrees(degrees);
             let back = Half::of_point(s, c);
-            assert!((half.sine - back.sine).hi.abs() <= 1e-30 * half.sine.hi.abs(), "{degrees}: {half:?} {back:?}");
-            assert!((half.cosine - back.cosine).hi.abs() <= 1e-30 * half.cosine.hi.abs(), "{degrees}: {half:?} {back:?}");
+            assert!(
+                (half.sine - back.sine).hi.abs() <= 1e-30 * half.sine.hi.abs(),
+                "{degrees}: {half:?} {back:?}"
+            );
+            assert!(
+                (half.cosine - back.cosine).hi.abs() <= 1e-30 * half.cosine.hi.abs(),
+                "{degrees}: {half:?} {back:?}"
+            );
         }
     }
     #[test]

@@ -54,7 +54,8 @@ mod tests {
         let f = |x: Dd| Ok::<_, ()>((x * x * x - Dd::new(2.0), Dd::new(3.0) * x * x));
         let root = between(Dd::new(-1.0), Dd::new(4.0), true, f).unwrap();
         assert!((root * root * root - Dd::new(2.0)).hi.abs() < 1e-29, "{root:?}");
-        let falling = between(Dd::ZERO, Dd::new(3.0), false, |x| Ok::<_, ()>((Dd::ONE - x, -Dd::ONE))).unwrap();
+        let falling =
+            between(Dd::ZERO, Dd::new(3.0), false, |x| Ok::<_, ()>((Dd::ONE - x, -Dd::ONE))).unwrap();
         assert_eq!(falling, Dd::ONE);
     }
 }

@@ -97,6 +97,9 @@ pub const fn may_vanish(quantity: Quantity) -> bool {
             | Quantity::A
             | Quantity::Alpha
             | Quantity::Rise
+            | Quantity::PinRadial
+            | Quantity::PinTangential
+            | Quantity::SpringForce
             | Quantity::XG
             | Quantity::YG
     )
@@ -123,6 +126,9 @@ const fn is_magnitude(quantity: Quantity) -> bool {
             | Quantity::Displacement
             | Quantity::Alpha
             | Quantity::Rise
+            | Quantity::PinRadial
+            | Quantity::PinTangential
+            | Quantity::SpringForce
             | Quantity::XG
             | Quantity::YG
             | Quantity::WorkPull

@@ -45,9 +45,13 @@ mod tests {
             m += libm::sin(t);
             shell += libm::sin(t) * libm::sin(t) * libm::sin(t);
         }
-        for (shape, quadrature) in
-            [(Shape::Disc, disc), (Shape::Sphere, sphere), (Shape::Shell, shell / m), (Shape::Hoop, 1.0), (Shape::Rod, rod)]
-        {
+        for (shape, quadrature) in [
+            (Shape::Disc, disc),
+            (Shape::Sphere, sphere),
+            (Shape::Shell, shell / m),
+            (Shape::Hoop, 1.0),
+            (Shape::Rod, rod),
+        ] {
             let b: Dd = beta(shape);
             assert!((b.hi - quadrature).abs() < 1e-5, "{shape:?}: {} against {quadrature}", b.hi);
         }

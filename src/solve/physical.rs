@@ -179,7 +179,10 @@ pub fn judge<P: Real<Plain = P>>(
     let direction = Label { quantity: Quantity::Direction, of: Owner::Body(end.body) };
     // The turn of a pinned body has no such word.
     if body.pin.is_none() {
-        words.push((direction, if sloped { word(Word::Up, Word::Down) } else { word(Word::Forward, Word::Back) }));
+        words.push((
+            direction,
+            if sloped { word(Word::Up, Word::Down) } else { word(Word::Forward, Word::Back) },
+        ));
     }
     let motion = if let Some(throw) = thrown {
         match (throw.slips, throw.closes, throw.holds) {

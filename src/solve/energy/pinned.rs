@@ -4,6 +4,7 @@
 //! as differences in factors: the weight's height as a product of sines, the spring's as `1/2 k (x0 - x1)(x0 + x1)`, where
 //! the difference of the stretches is that of the squares of the lengths over their sum.
 use crate::num::Real;
+use crate::num::Rough;
 use crate::num::half::Half;
 use crate::num::plant::plant;
 use crate::scene::Arm;
@@ -50,7 +51,6 @@ pub type Terms<T> = SmallVec<[T; 4]>;
 
 /// Sum of terms, exactly 0 where they cancel.
 pub fn sum<T: Real>(terms: &[T]) -> T {
-    use crate::num::Rough;
     let size = terms.iter().fold(T::Rough::zero(), |sum, t| sum + t.size());
     terms.iter().fold(T::zero(), |sum, t| sum + *t).cleared(size)
 }
@@ -77,7 +77,8 @@ impl<T: Real> Store<T> {
             // An anchor at the pin has no direction and needs none.
             let direction = if anchor.is_zero() { start } else { Half::of_point(x, y.signed(up)) };
             let at = n.get(s.at_m);
-            let stiffness = plant!("energy: stiffness of the spring on a pinned body", n.massive(s.stiffness_n_m));
+            let stiffness =
+                plant!("energy: stiffness of the spring on a pinned body", n.massive(s.stiffness_n_m));
             let mut tied = Tied { at, anchor, direction, stiffness, natural: T::zero() };
             tied.natural = match s.rest {
                 Rest::Length(l) => n.get(l),
@@ -132,7 +133,8 @@ impl<T: Real> Store<T> {
 
     /// Angular acceleration at a place, from the rate of the balance; exactly 0 where the powers balance.
     pub fn rate(&self, place: &Half<T>) -> T {
-        sum(&self.powers(place)) / plant!("energy: rate of the kinetic energy of the pinned body", self.doubled)
+        sum(&self.powers(place))
+            / plant!("energy: rate of the kinetic energy of the pinned body", self.doubled)
     }
 
     /// Work of all forces from one place to another, `step` and `turned` (radians, with sign) apart.
@@ -175,7 +177,8 @@ impl<T: Real> Store<T> {
         let climb = place.full_cosine().signed(self.up);
         let weight = plant!("energy: weight in a displacement from the pin", self.weight);
         let mut toward: Terms<T> = [kept, -(weight * climb)].into_iter().collect();
-        let speeding = plant!("energy: speeding up of the mass centre", self.mass * self.arm) * self.rate(place);
+        let speeding =
+            plant!("energy: speeding up of the mass centre", self.mass * self.arm) * self.rate(place);
         let sinking = place.full_sine().signed(self.up);
         let weight = plant!("energy: weight in a displacement across", self.weight);
         let mut across: Terms<T> = [speeding, -(weight * sinking)].into_iter().collect();

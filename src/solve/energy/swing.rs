@@ -46,12 +46,7 @@ struct Motion<T> {
 /// Everything that work and energy say of a scene with a pinned body.
 ///
 /// Errors: a quadrature that does not settle.
-pub fn road<T: Real>(
-    scene: &Scene,
-    n: Numbers<T>,
-    body: usize,
-    pin: &Pin,
-) -> Result<Road<T>, Refusal> {
+pub fn road<T: Real>(scene: &Scene, n: Numbers<T>, body: usize, pin: &Pin) -> Result<Road<T>, Refusal> {
     let store = Store::new(scene, &n, body, pin);
     let spins = scene.start.iter().filter_map(|s| match s {
         Start::Speed(c, w) if c.body == body => Some(n.get(*w)),

@@ -11,6 +11,7 @@
 //! In these directions nothing on the left depends on the angle, so the system is solved once, for a unit of each load.
 //! Source: Meriam & Kraige, *Engineering Mechanics: Dynamics*, article 6/4 (fixed-axis rotation); Hibbeler, *Dynamics*, 17.4.
 use crate::num::Real;
+use crate::num::Rough;
 use crate::num::half::Half;
 use crate::num::linear::Linear;
 use crate::num::plant::plant;
@@ -111,7 +112,8 @@ impl<T: Real> Pinned<T> {
             let at = n.get(s.at_m);
             let lever = at - plant!("eom: mass centre as seen from the spring", arm);
             let (x, y) = (n.get(s.x_m), n.get(s.y_m));
-            let stiffness = plant!("eom: stiffness of the spring on a pinned body", n.massive(s.stiffness_n_m));
+            let stiffness =
+                plant!("eom: stiffness of the spring on a pinned body", n.massive(s.stiffness_n_m));
             let mut spring = Spring { at, lever, x, y, stiffness, natural: T::zero() };
             spring.natural = match s.rest {
                 Rest::Length(l) => n.get(l),
@@ -149,8 +151,7 @@ impl<T: Real> Pinned<T> {
         rows.right(3, SPIN, -plant!("eom: arm of the centripetal acceleration", arm));
         rows.term(4, across, one);
         rows.term(4, alpha, -plant!("eom: arm of the acceleration across", arm));
-        let found =
-            rows.solve().map_err(|s| Refusal::Singular { unknowns: s.unknowns, rank: s.rank })?;
+        let found = rows.solve().map_err(|s| Refusal::Singular { unknowns: s.unknowns, rank: s.rank })?;
         Ok(Units {
             turn_by_force: found.get(alpha, ACROSS),
             turn_by_moment: found.get(alpha, MOMENT),
@@ -203,10 +204,14 @@ impl<T: Real> Pinned<T> {
 
     /// Angular acceleration at a place; exactly 0 where the moments balance.
     pub fn acceleration(&self, place: &Half<T>) -> T {
+        self.acceleration_of_terms(place).0
+    }
+
+    /// The same with the sum of the magnitudes of its terms.
+    pub fn acceleration_of_terms(&self, place: &Half<T>) -> (T, f64) {
         let weight = self.weight_across(place) * self.unit.turn_by_force;
         let couple = self.couple * self.unit.turn_by_moment;
-        let pull = self.pulling(place);
-        (weight + couple + pull).cleared(weight.size() + couple.size() + pull.size())
+        total(&[weight, couple, self.pulling(place)])
     }
 
     /// The share of the spring in the angular acceleration.
@@ -241,11 +246,12 @@ impl<T: Real> Pinned<T> {
         (self.weight * self.unit.turn_by_force).root()
     }
 
-    /// Force of the spring, positive if it pulls.
-    pub fn spring_force(&self, place: &Half<T>) -> Option<T> {
+    /// Force of the spring, positive if it pulls, and the magnitudes of its terms.
+    pub fn spring_force(&self, place: &Half<T>) -> Option<(T, f64)> {
         let spring = self.spring.as_ref()?;
         let (_, _, length) = self.away(spring, place);
-        Some(spring.stiffness * length.balance(-spring.natural))
+        let force = spring.stiffness * length.balance(-spring.natural);
+        Some((force, (spring.stiffness * (length + spring.natural)).f64().abs()))
     }
 
     /// Force of the pin at a place, at this square of the angular speed.
@@ -284,7 +290,8 @@ impl<T: Real> Pinned<T> {
     fn pull(&self, s: &Spring<T>, place: &Half<T>) -> Load<T> {
         let (outward, across, length) = self.away(s, place);
         // A spring without natural length pulls in proportion to the distance, also where that is 0.
-        let slope = if s.natural.is_zero() { s.stiffness } else { s.stiffness - s.stiffness * s.natural / length };
+        let slope =
+            if s.natural.is_zero() { s.stiffness } else { s.stiffness - s.stiffness * s.natural / length };
         let across = slope * across;
         let moment = plant!("eom: lever of the spring", s.lever) * across;
         Load { radial: slope * outward, across, moment }
@@ -293,7 +300,6 @@ impl<T: Real> Pinned<T> {
 
 /// Sum of terms, exactly 0 where they cancel, and the sum of their magnitudes.
 fn total<T: Real>(terms: &[T]) -> (T, f64) {
-    use crate::num::Rough;
     let size = terms.iter().fold(T::Rough::zero(), |sum, t| sum + t.size());
     let sum = terms.iter().fold(T::zero(), |sum, t| sum + *t);
     (sum.cleared(size), size.f64())

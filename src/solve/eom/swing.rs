@@ -74,12 +74,7 @@ struct Arc<T> {
 /// Everything that the equations of motion say of a scene with a pinned body.
 ///
 /// Errors: equations that do not determine the motion, a quadrature that does not settle.
-pub fn road<T: Real>(
-    scene: &Scene,
-    n: Numbers<T>,
-    owner: usize,
-    pin: &Pin,
-) -> Result<Road<T>, Refusal> {
+pub fn road<T: Real>(scene: &Scene, n: Numbers<T>, owner: usize, pin: &Pin) -> Result<Road<T>, Refusal> {
     let body = Pinned::new(scene, &n, owner, pin)?;
     let spin = scene.start.iter().find_map(|s| match s {
         Start::Speed(c, w) if c.body == owner => Some(n.get(*w)),
@@ -168,14 +163,15 @@ impl<T: Real> Teller<'_, T> {
     /// Angular acceleration and forces at a place.
     fn forces(&mut self, swing: &Swing<T>, place: &Place<T>, square: T) {
         let of = Owner::Body(self.owner);
-        self.say(Quantity::Alpha, of, swing.body.acceleration(&place.half));
+        let (alpha, scale) = swing.body.acceleration_of_terms(&place.half);
+        self.say_scaled(Quantity::Alpha, of, alpha, scale);
         let held = swing.body.held(&place.half, square);
         let (radial, across) = (held.radial, held.across);
         self.say_scaled(Quantity::PinRadial, of, radial.0, radial.1);
         self.say_scaled(Quantity::PinTangential, of, across.0, across.1);
         self.say(Quantity::PinForce, of, (radial.0.square() + across.0.square()).root());
-        if let Some(force) = swing.body.spring_force(&place.half) {
-            self.say(Quantity::SpringForce, of, force);
+        if let Some((force, scale)) = swing.body.spring_force(&place.half) {
+            self.say_scaled(Quantity::SpringForce, of, force, scale);
         }
     }
 
@@ -307,7 +303,8 @@ impl<T: Real> Swing<T> {
     fn reaching(&self, w: T, turning: Option<Place<T>>) -> Result<(Option<Place<T>>, T), Refusal> {
         let level = w.square().scale2(-1);
         let plain = self.plain();
-        let far = turning.map_or_else(|| T::Plain::constant(Dd::PI * Dd::new(2.0 * TURNS)), |t| t.way.plain());
+        let far =
+            turning.map_or_else(|| T::Plain::constant(Dd::PI * Dd::new(2.0 * TURNS)), |t| t.way.plain());
         if level.side(self.half_square) == 0.0 {
             return Ok((Some(self.place(T::zero())), w));
         }
@@ -376,10 +373,11 @@ impl<T: Real> Swing<T> {
         let (first, half) = self.panel(way, a, middle, sprung);
         let (second, end) = self.panel(way, middle, b, half);
         let sum = first + second;
+        let scale = gauss::sized(scale, sum);
         if gauss::settled(sum, whole, scale) {
             return Ok((sum, end));
         }
-        if left == 0 || !sum.is_finite() {
+        if left == 0 {
             let gap = (sum - whole).f64().abs();
             return Err(Refusal::Unsettled(Unsettled { value: sum.f64(), gap }));
         }
@@ -439,7 +437,8 @@ impl<T: Real> Swing<T> {
 
     /// Modulus k, and `1 - k^2`: above 0 it swings, below it goes over the top.
     fn modulus(arc: &Arc<T>) -> (T, T) {
-        let k = if arc.pace.is_zero() { arc.sine.abs() } else { (arc.sine.square() + arc.pace.square()).root() };
+        let k =
+            if arc.pace.is_zero() { arc.sine.abs() } else { (arc.sine.square() + arc.pace.square()).root() };
         (k, arc.cosine.square().balance(-arc.pace.square()))
     }
 
@@ -506,9 +505,7 @@ impl<T: Real> Swing<T> {
             let up = Half { sine: first.cosine, cosine: first.sine };
             let down = Half { sine: last.cosine, cosine: -last.sine };
             let turn = elliptic::rf_of_roots(T::zero(), pace, k);
-            between(&first, &before, k, up)
-                + between(&beyond, &last, k, down)
-                + turn * T::of(passed - 1.0)
+            between(&first, &before, k, up) + between(&beyond, &last, k, down) + turn * T::of(passed - 1.0)
         };
         plant!("eom: time of the swing", total.scale2(1)) / frequency
     }
