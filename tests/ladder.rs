@@ -222,7 +222,7 @@ fn what_a_method_cannot_do_it_refuses_with_numbers() {
     let time = ladder::solve(&scene, &data, &Wish::default()).unwrap().0.get(TIME).unwrap().value();
     let refusal = ladder::solve(&scene, &data, &wish(Method::Verlet, 40.0 * time)).unwrap_err();
     assert!(
-        matches!(refusal, Refusal::Unsettled { .. } | Refusal::Contradicts { .. } | Refusal::Trouble { .. }),
+        matches!(refusal, Refusal::Unsteady { .. } | Refusal::Contradicts { .. } | Refusal::Trouble { .. }),
         "{refusal:?}"
     );
     // Just short of the turning point a coarse step misses the place.
@@ -234,7 +234,7 @@ fn what_a_method_cannot_do_it_refuses_with_numbers() {
         Refusal::Trouble { method: Method::Verlet, trouble: Trouble::Missed { by, at } } => {
             assert!(by > 0.0 && by < 0.1 * far && at > time, "{by} {at}");
         }
-        Refusal::Unsettled { .. } | Refusal::Contradicts { .. } => {}
+        Refusal::Unsteady { .. } | Refusal::Contradicts { .. } => {}
         other => panic!("{other:?}"),
     }
     // Such steps would take for ever.

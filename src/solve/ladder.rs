@@ -220,7 +220,7 @@ fn judged(scene: &Scene, data: &[f64], way: Way, rung: Rung, solved: &Solved) ->
         let error = change + floor;
         // What the data themselves do not determine need not settle.
         if !error.is_finite() || change > UNSETTLED * size && change > floor {
-            return Err(Refusal::Unsettled { method, label, value, finer });
+            return Err(Refusal::Unsteady { method, label, value, finer });
         }
         let allowed = error + rounding_of(entry, judge, 8.0 * U);
         let apart = (value - judge).abs();

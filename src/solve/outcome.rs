@@ -1,5 +1,6 @@
 //! What a solver yields: numbers, words of the regime, checks; never sentences.
 use crate::num::Real;
+use crate::num::gauss::Unsettled;
 use crate::num::ode::Trouble;
 use crate::scene::Label;
 use crate::solve::method::Method;
@@ -44,6 +45,9 @@ motions! {
     DownTurningPoint "down turning_point";
     DownUnreachable "down unreachable";
     Rest "rest";
+    SwingsOk "swings ok";
+    SwingsTurningPoint "swings turning_point";
+    SwingsUnreachable "swings unreachable";
     RollsAfter "rolls_after";
     RollsAtStart "rolls_at_start";
     SlipsThrough "slips_through";
@@ -240,6 +244,8 @@ pub enum Refusal {
     Freedoms(usize),
     /// The assembly cannot express this combination.
     Unsupported(Unsupported),
+    /// An integral over the motion does not settle: its value, and how far halved panels are off it.
+    Unsettled(Unsettled),
     /// The two roads disagree: the label, both values, the gap allowed.
     Disagree {
         /// Which quantity.
@@ -259,7 +265,7 @@ pub enum Refusal {
         trouble: Trouble,
     },
     /// A named method, set finer, does not settle.
-    Unsettled {
+    Unsteady {
         /// Which method.
         method: Method,
         /// Which quantity.
@@ -289,6 +295,12 @@ pub enum Refusal {
     },
 }
 
+impl From<Unsettled> for Refusal {
+    fn from(unsettled: Unsettled) -> Self {
+        Self::Unsettled(unsettled)
+    }
+}
+
 /// Combinations that are not solved (yet).
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Unsupported {
@@ -306,6 +318,8 @@ pub enum Unsupported {
     TwoSprings,
     /// Nothing but the kinetic energy of a lamina can be asked.
     MovingLamina,
+    /// A pinned body with another body, with ties, or with an end that belongs to a line.
+    PinnedInCompany,
     /// More data than the derivatives hold.
     TooManyData,
 }

@@ -4,6 +4,8 @@
 pub mod equations;
 pub mod instant;
 pub mod integrate;
+pub mod pinned;
+pub mod swing;
 pub mod thrown;
 pub mod travel;
 
@@ -53,6 +55,9 @@ use smallvec::smallvec;
 /// Errors: equations that do not determine the motion.
 pub fn road<T: Real>(scene: &Scene, data: &[f64]) -> Result<Road<T>, Refusal> {
     let n = Numbers::<T>::new(scene, data);
+    if let Some((body, pin)) = scene.pinned() {
+        return swing::road(scene, n, body, pin);
+    }
     if matches!(scene.end, End::AtOnce) {
         return Ok(instant::road(scene, &n));
     }
@@ -72,6 +77,9 @@ pub fn road_by<T: Real>(
     rung: Rung,
     asked: &dyn Fn(Quantity) -> bool,
 ) -> Result<(Road<T>, Count), Refusal> {
+    if scene.pinned().is_some() {
+        return Err(Refusal::NoMethod { method: rung.method() });
+    }
     let n = Numbers::<T>::new(scene, data);
     if matches!(scene.end, End::AtOnce) {
         return Ok((instant::road(scene, &n), Count::default()));
@@ -406,7 +414,7 @@ impl<'a, T: Real> Walk<'a, T> {
                     if travel.u0.below(u) { Event::Rise(u.f64()) } else { Event::Fall(u.f64()) }
                 }
                 End::TurningPoint(_) => Event::Fall(0.0),
-                End::Rolling(_) | End::AtOnce => return None,
+                End::Angle(..) | End::Rolling(_) | End::AtOnce => return None,
             };
             Some((event, s))
         });
@@ -438,7 +446,7 @@ impl<'a, T: Real> Walk<'a, T> {
                 (Some(u.plain()), travel.reaching(u))
             }
             End::TurningPoint(_) => (None, turning),
-            End::AtOnce | End::Rolling(_) => (None, None),
+            End::AtOnce | End::Angle(..) | End::Rolling(_) => (None, None),
         }
     }
 
