@@ -105,7 +105,10 @@ fn a_set_has_its_files_and_nothing_for_students_but_theirs() {
         assert!(files.contains_key(name), "{name}");
     }
     let key = room.read("set/key.csv");
-    assert_eq!(key.lines().next(), Some("student,problem,part,value,unit,eom,energy,gap,cond,tolerance,error_bound"));
+    assert_eq!(
+        key.lines().next(),
+        Some("student,problem,part,value,unit,eom,energy,gap,cond,tolerance,error_bound")
+    );
     assert_eq!(key.lines().count(), 1 + 24 * CLASS.len());
     // A unit reads as people write it and stays on one line.
     let html = room.read("set/students/0017/sheet.html");
