@@ -33,7 +33,7 @@
 //!
 //! # Limits
 //! Rigid bodies in a plane, velocity ratios that do not change with position, cords without mass that run parallel to the
-//! line of the body they leave; one freedom, or more from rest under constant forces; one spring.
+//! line of the body they leave; one freedom, or more from rest under constant forces, or one body thrown with slip; one spring.
 pub mod answer;
 pub mod bank;
 pub mod cli;

@@ -21,6 +21,8 @@ pub const BUILT_IN: &[(&str, &str)] = &[
     ("statement/pulled-rolling.md", include_str!("../templates/statement/pulled-rolling.md")),
     ("statement/pulled-slipping.md", include_str!("../templates/statement/pulled-slipping.md")),
     ("statement/spring-released.md", include_str!("../templates/statement/spring-released.md")),
+    ("statement/thrown-ball.md", include_str!("../templates/statement/thrown-ball.md")),
+    ("statement/wheel-set-down.md", include_str!("../templates/statement/wheel-set-down.md")),
 ];
 
 /// All templates, compiled: one engine for each format, built once and shared by all threads.

@@ -337,7 +337,7 @@ fn unknown_shape() {
     assert_snapshot!(found(&[("block: {mass: m, moves: along incline}", "block: {mass: m, shape: {cube: 1 m}, moves: along incline}")]), @r#"
      15 |         block: {mass: m, shape: {cube: 1 m}, moves: along incline}
     test.yaml:15:34: problems.slide.scene.bodies.block.shape.cube: `cube` is no shape
-        hint: known: disc, disk, cylinder, solid cylinder, hoop, ring, hollow cylinder, sphere, ball, shell, hollow sphere
+        hint: known: disc, disk, cylinder, solid cylinder, hoop, ring, hollow cylinder, sphere, ball, shell, hollow sphere, rod
     test.yaml:17:19: problems.slide.scene.ties[0].slides: `block` can turn, so it rolls or slips
         hint: write `rolls:` or `slips:`
     "#);
@@ -557,6 +557,85 @@ fn a_bound_the_wrong_way_round() {
     assert_snapshot!(found(&[("    regimes:", "    bounds: {v: {min: 9 m/s, max: 8 m/s}}\n    regimes:")]), @r#"
      20 |     bounds: {v: {min: 9 m/s, max: 8 m/s}}
     test.yaml:20:17: problems.slide.bounds.v: the least value is above the greatest
+    "#);
+}
+
+/// The block as a ball, thrown with slip: what is changed below is wrong.
+fn thrown(edits: &[(&str, &str)]) -> String {
+    let ball = [
+        ("block: {mass: m, moves", "ball: {mass: m, shape: {sphere: 0.1 m}, moves"),
+        ("- slides: {body: block, mu_k: 0.2}", "- slips: {body: ball, on its: rim, mu_s: 0.4, mu_k: 0.2}"),
+        ("start: at rest", "start: {ball: {speed: 4 m/s, spin: -3 rad/s}}"),
+        ("end: {travel: {of: block, by: 2 m}}", "end: {rolling: ball}"),
+        ("regimes: [moves_down]", "regimes: [rolls_after]"),
+    ];
+    found(&[&ball[..], edits].concat())
+}
+
+#[test]
+fn a_body_thrown_with_slip() {
+    assert!(thrown(&[]).ends_with("no finding"), "{}", thrown(&[]));
+    // What is said, without the lines that are shown above it.
+    let said = |edit: (&str, &str)| {
+        let text = thrown(&[edit]);
+        text.lines().filter(|l| !l.contains(" | ")).map(|l| format!("{l}\n")).collect::<String>()
+    };
+    let slips = "        - slips: {body: ball, on its: rim, mu_s: 0.4, mu_k: 0.2}";
+    let cord = format!(
+        "{slips}\n        - cord: {{from: {{body: ball, tied at: centre, leaves: up}}, pulled with: 3 N}}"
+    );
+    let all = [
+        ("{speed: 4 m/s, spin: -3 rad/s}", "{speed: 4 m/s}"),
+        ("{ball: {speed: 4 m/s, spin: -3 rad/s}}", "at rest"),
+        ("{rolling: ball}", "{travel: {of: ball, by: 2 m}}"),
+        ("{rolling: ball}", "{rolling: wheel}"),
+        ("{rolling: ball}", "{rollng: ball}"),
+        ("{rolling: ball}", "{time: {of: ball, is: 2 s, heading: up}}"),
+        (slips, "        - rolls: {body: ball, on its: rim, mu_s: 0.4}"),
+        (slips, cord.as_str()),
+        ("v: {ask: the speed, unit: m/s}", "slip_sped: {ask: the speed, unit: m/s}"),
+        ("[rolls_after]", "[rolls after]"),
+    ]
+    .map(said);
+    assert_snapshot!(all.concat(), @r#"
+    test.yaml:18:14: problems.slide.scene.start: `ball` slips, so its speed and its spin at the start are both given, or it starts from rest
+        hint: write `start: {ball: {speed: v0, spin: w0}}` (one of them may be 0), or `start: at rest`
+    test.yaml:19:12: problems.slide.scene.end: `rolling` ends the slip of a body that is thrown with one; `ball` is not
+        hint: write `slips:` for `ball` and `start: {ball: {speed: v0, spin: w0}}`
+    test.yaml:19:12: problems.slide.scene.end: `ball` is thrown with slip; that ends where it begins to roll, or after a time
+        hint: write `end: {rolling: ball}` or `end: {time: {of: ball, is: t1}}`
+    test.yaml:19:22: problems.slide.scene.end.rolling: expected a body of this scene, found `wheel`
+        hint: bodies: ball
+    test.yaml:19:13: problems.slide.scene.end.rollng: `rollng` is no end
+        hint: did you mean `rolling`?
+    test.yaml:19:12: problems.slide.scene.end: `ball` is thrown; its speed says which way it goes
+        hint: take `heading` away
+    test.yaml:19:12: problems.slide.scene.end: `rolling` ends the slip of a body that is thrown with one; `ball` is not
+        hint: write `slips:` for `ball` and `start: {ball: {speed: v0, spin: w0}}`
+    test.yaml:19:14: problems.slide.scene.start: `ball` is thrown with slip; that is solved for one body without cords
+        hint: take the other bodies and ties away, or write `start: at rest`
+    test.yaml:22:7: problems.slide.questions.slip_sped: `slip_sped` is no quantity
+        hint: did you mean `slip_speed`?
+    test.yaml:20:15: problems.slide.regimes[0]: expected a regime, found `rolls after`
+        hint: did you mean `rolls_after`?
+    "#);
+}
+
+#[test]
+fn of_what_rolls_one_speed_gives_the_other() {
+    let edits = [
+        ("block: {mass: m, moves", "ball: {mass: m, shape: {sphere: 0.1 m}, moves"),
+        ("- slides: {body: block, mu_k: 0.2}", "- rolls: {body: ball, on its: rim}"),
+        ("start: at rest", "start: {ball: {speed: 4 m/s, spin: 40 rad/s}}"),
+        ("of: block", "of: ball"),
+    ];
+    assert_snapshot!(found(&edits), @r#"
+     15 |         ball: {mass: m, shape: {sphere: 0.1 m}, moves: along incline}
+     17 |         - rolls: {body: ball, on its: rim}
+     18 |       start: {ball: {speed: 4 m/s, spin: 40 rad/s}}
+     19 |       end: {travel: {of: ball, by: 2 m}}
+    test.yaml:18:14: problems.slide.scene.start: the ties leave one freedom, so one speed at the start gives all others
+        hint: give one speed or spin
     "#);
 }
 

@@ -10,6 +10,8 @@ const PINNED: &[(&str, &str, &str)] = &[
     ("block-pulls-wheel", "7e58b4397711b559", "d05e97392c9b51d9"),
     ("yo-yo", "56eaf5ebeedbf2da", "4e03daaf4bc155c1"),
     ("two-loads-on-a-stepped-drum", "0283c4c499963a66", "64fcbbe4228981e2"),
+    ("thrown-ball", "6dde4a9eca0ede00", "1b533495873e1bd6"),
+    ("wheel-set-down", "f98c0d80feebe576", "a896b624324f1d8b"),
     ("kinetic-energy", "cbdbe0b3edb9f945", "af236551037265b5"),
     ("pulled-rolling", "81011d0ece5ccf20", "92c7545adb7a7451"),
     ("pulled-slipping", "e8283eb54c86667c", "e2882ef6abc178e6"),

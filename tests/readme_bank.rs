@@ -57,6 +57,7 @@ fn around(kind: &str, item: &str) -> String {
         .to_owned();
     let mut ties = "        - rolls: {body: wheel, on its: hub}\n".to_owned();
     let mut end = "{travel: {of: wheel, by: d}}".to_owned();
+    let mut start = "at rest";
     let mut rest = String::new();
     match kind {
         "bodies" => bodies += &format!("        another_{item}\n"),
@@ -64,12 +65,17 @@ fn around(kind: &str, item: &str) -> String {
             bodies += "        yoyo: {mass: m, radius of gyration: k, radii: {hub: r}, moves: vertically, positive: down}\n";
             ties = indent(item, "        ");
         }
+        "ends" if item.contains("rolling") => {
+            end = item.trim_start_matches("- ").to_owned();
+            ties = "        - slips: {body: wheel, on its: hub, mu_s: mu_s, mu_k: mu_k}\n".to_owned();
+            start = "{wheel: {speed: v1, spin: 3 rad/s}}";
+        }
         "ends" => end = item.trim_start_matches("- ").to_owned(),
         "bounds" | "cases" => rest = format!("    {kind}:\n{}", indent(item, "      ")),
         _ => panic!("no fragment of kind {kind}"),
     }
     format!(
-        "bank: b\ntitle: B\nproblems:\n  p:\n    title: P\n    data:\n{data}    scene:\n      surfaces: {{incline: {{slope: theta}}}}\n      bodies:\n{bodies}      ties:\n{ties}      start: at rest\n      end: {end}\n{rest}    questions:\n      wheel.v: {{ask: v, unit: m/s}}\n    statement: s\n"
+        "bank: b\ntitle: B\nproblems:\n  p:\n    title: P\n    data:\n{data}    scene:\n      surfaces: {{incline: {{slope: theta}}}}\n      bodies:\n{bodies}      ties:\n{ties}      start: {start}\n      end: {end}\n{rest}    questions:\n      wheel.v: {{ask: v, unit: m/s}}\n    statement: s\n"
     )
 }
 

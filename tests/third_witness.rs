@@ -52,6 +52,7 @@ impl Witness<'_> {
                     Shape::Disc => 0.5,
                     Shape::Sphere => 0.4,
                     Shape::Shell => 2.0 / 3.0,
+                    Shape::Rod => 1.0 / 12.0,
                 };
                 beta * m * self.get(*r) * self.get(*r)
             }
@@ -236,6 +237,10 @@ fn integration_in_time_gives_the_key() {
                     compared += lamina(scene, &variant.data, &variant.solved);
                     continue;
                 }
+                if matches!(scene.ties.as_slice(), [Tie::Slip { .. }]) && !scene.start.is_empty() {
+                    compared += thrown(scene, &variant.data, &variant.solved, &problem.id);
+                    continue;
+                }
                 let End::Travel(end, distance) = scene.end else { panic!("{}: another event", problem.id) };
                 let mut w =
                     Witness { scene, data: &variant.data, kinetic: vec![0.0; scene.ties.len()], rolls: true };
@@ -314,6 +319,78 @@ fn integration_in_time_gives_the_key() {
             assert!(compared >= 3 * DRAWS as usize, "{}: {compared}", problem.id);
         }
     }
+}
+
+/// A throw, by brute force: small steps in time, in each of them the friction that would stop the contact if the law of
+/// friction has so much. Nobody says here when it begins to roll.
+fn thrown(scene: &Scene, data: &[f64], solved: &slipstick::solve::outcome::Solved, problem: &str) -> usize {
+    const STEPS: f64 = 40_000.0;
+    let w = Witness { scene, data, kinetic: vec![0.0], rolls: false };
+    let body = &scene.bodies[0];
+    let (m, inertia, normal) = (w.mass(body), w.inertia(body), w.normal(0));
+    let Tie::Slip { radius_m, mu_s, mu_k, .. } = &scene.ties[0] else { panic!("{problem}: no slip") };
+    let (c, mu_s, mu_k) = (w.get(*radius_m), w.get(*mu_s), w.get(*mu_k));
+    let weight = -w.get(scene.gravity_m_s2) * libm::sin(w.angle(body));
+    let (mut v, mut spin) = (0.0, 0.0);
+    for s in &scene.start {
+        match s {
+            Start::Speed(Coordinate { degree: Degree::Along, .. }, n) => v = w.get(*n),
+            Start::Speed(_, n) => spin = w.get(*n),
+            Start::Lamina { .. } => panic!("{problem}: a lamina"),
+        }
+    }
+    let known = |q: Quantity| {
+        let entry = solved.entries.iter().find(|e| e.label.quantity == q);
+        entry.unwrap_or_else(|| panic!("{problem}: no {q:?}"))
+    };
+    let (last, h) = match scene.end {
+        End::Time(_, t) => (w.get(t), w.get(t) / STEPS),
+        _ => (f64::INFINITY, known(Quantity::T).value() / STEPS),
+    };
+    let (mut time, mut x, mut phi, mut slid, mut heat, mut friction) = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
+    let (mut sticks, mut acceleration) = (false, 0.0);
+    let yields = 1.0 / m + c * c / inertia;
+    while time < last - h / 2.0 {
+        let slip = v - c * spin;
+        let wanted = -(slip + h * weight) / yields;
+        let most = h * normal * if sticks { mu_s } else { mu_k };
+        let impulse = wanted.clamp(-most, most);
+        sticks = impulse == wanted;
+        if sticks && matches!(scene.end, End::Rolling(_)) {
+            break;
+        }
+        let (next, turned) = (v + h * weight + impulse / m, spin - impulse * c / inertia);
+        let way = h * (slip + next - c * turned) / 2.0;
+        x += h * (v + next) / 2.0;
+        phi += h * (spin + turned) / 2.0;
+        slid += way.abs();
+        heat += (impulse / h * way).abs();
+        friction = impulse / h;
+        acceleration = (next - v) / h;
+        (v, spin) = (next, turned);
+        time += h;
+        assert!(time < 4.0 * STEPS * h, "{problem}: it never rolls");
+    }
+    let up = if body.line.is_some_and(|l| !l.forward_up) { -1.0 } else { 1.0 };
+    for (quantity, got) in [
+        (Quantity::T, time),
+        (Quantity::V, v.abs()),
+        (Quantity::Omega, spin.abs()),
+        (Quantity::A, acceleration),
+        (Quantity::Friction, friction * up),
+        (Quantity::Displacement, x),
+        (Quantity::Phi, phi.abs()),
+        (Quantity::SlipDistance, slid),
+        (Quantity::Heat, heat),
+        (Quantity::KineticEnergy, (m * v * v + inertia * spin * spin) / 2.0),
+    ] {
+        let entry = known(quantity);
+        let off = (got - entry.value()).abs() / entry.value().abs() / entry.cond.max(1.0);
+        assert!(off < 1e-4, "{problem}: {quantity:?} {got} by small steps, {} in the key", entry.value());
+    }
+    let direction = solved.words.iter().find(|(l, _)| l.quantity == Quantity::Direction).unwrap().1.text();
+    assert_eq!(["up", "forward"].contains(&direction), v * up > 0.0, "{problem}: {direction}");
+    11
 }
 
 /// A lamina: the kinetic energy as the mean of 1/2 m |dr/dt|^2 with the velocities by finite rotation.

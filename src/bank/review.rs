@@ -37,7 +37,7 @@ pub fn datum(
             let (low, high) = draw.range();
             for need in uses {
                 for end in [low, high] {
-                    let value = if *need == Need::Slope {
+                    let value = if need.in_degrees() {
                         datum.unit.decimal_to_scene(end.value, end.decimals)
                     } else {
                         datum.unit.decimal_to_si(end.value, end.decimals)
@@ -82,6 +82,24 @@ pub fn inertia_where_slipping(scene: &Scene, draws: &[(String, Option<Draw>)], n
 
 /// What no data can make solvable: too few or too many freedoms, combinations that the assembly does not have.
 pub fn structure(scene: &Scene, node: &Node, faults: &Faults) {
+    if let Some((b, _)) = scene.pinned() {
+        let name = &scene.bodies[b].name;
+        if scene.bodies.len() > 1 {
+            faults.hint(
+                node,
+                format!("`{name}` is pinned, and there is another body"),
+                "a pinned body is alone in its scene",
+            );
+        }
+        if !scene.ties.is_empty() {
+            faults.hint(
+                node,
+                format!("`{name}` is pinned, and there are ties"),
+                "write a spring under `forces`",
+            );
+        }
+        return;
+    }
     if matches!(scene.end, End::AtOnce) {
         return;
     }
@@ -109,11 +127,79 @@ pub fn structure(scene: &Scene, node: &Node, faults: &Faults) {
             "let the wheel roll",
         );
     }
-    if freedoms > 1 && !scene.start.is_empty() {
+    thrown(scene, node, faults);
+    if freedoms > 1 && !scene.start.is_empty() && scene.thrown().is_none() {
+        let slips = scene.ties.iter().find_map(|t| match t {
+            Tie::Slip { body, .. } => Some(&scene.bodies[*body].name),
+            _ => None,
+        });
+        match slips {
+            Some(name) => faults.hint(part(node, "start"),
+                format!("`{name}` slips, so its speed and its spin at the start are both given, or it starts from rest"),
+                format!("write `start: {{{name}: {{speed: v0, spin: w0}}}}` (one of them may be 0), or `start: at rest`"),
+            ),
+            None => faults.hint(part(node, "start"),
+                format!("a scene with {freedoms} freedoms starts from rest"),
+                "write `start: at rest`",
+            ),
+        }
+    }
+    if freedoms == 1 && scene.start.len() > 1 && !matches!(scene.end, End::Rolling(_)) {
         faults.hint(
-            node,
-            format!("a scene with {freedoms} freedoms starts from rest"),
-            "write `start: at rest`",
+            part(node, "start"),
+            "the ties leave one freedom, so one speed at the start gives all others",
+            "give one speed or spin",
+        );
+    }
+}
+
+/// The field of this name, or the whole where it is not written.
+fn part<'n>(node: &'n Node, name: &str) -> &'n Node {
+    match &node.value {
+        Value::Map(fields) => {
+            fields.iter().find(|(k, _)| k.text() == Some(name)).map_or(node, |(_, value)| value)
+        }
+        _ => node,
+    }
+}
+
+/// A body thrown with slip: alone on its surface, until it rolls or for a time.
+fn thrown(scene: &Scene, node: &Node, faults: &Faults) {
+    let Some(thrown) = scene.thrown() else {
+        // A body that slips and has one speed only is told so elsewhere.
+        let half = scene.ties.iter().any(|t| matches!(t, Tie::Slip { .. })) && !scene.start.is_empty();
+        if let End::Rolling(c) = scene.end
+            && !half
+        {
+            let name = scene.bodies.get(c.body).map_or("ball", |b| b.name.as_str());
+            faults.hint(
+                part(node, "end"),
+                format!("`rolling` ends the slip of a body that is thrown with one; `{name}` is not"),
+                format!("write `slips:` for `{name}` and `start: {{{name}: {{speed: v0, spin: w0}}}}`"),
+            );
+        }
+        return;
+    };
+    let name = scene.bodies.get(thrown.body).map_or("ball", |b| b.name.as_str());
+    if scene.bodies.len() > 1 || scene.ties.len() > 1 {
+        faults.hint(
+            part(node, "start"),
+            format!("`{name}` is thrown with slip; that is solved for one body without cords"),
+            "take the other bodies and ties away, or write `start: at rest`",
+        );
+    }
+    if !matches!(scene.end, End::Rolling(_) | End::Time(..)) {
+        faults.hint(
+            part(node, "end"),
+            format!("`{name}` is thrown with slip; that ends where it begins to roll, or after a time"),
+            format!("write `end: {{rolling: {name}}}` or `end: {{time: {{of: {name}, is: t1}}}}`"),
+        );
+    }
+    if scene.heading.is_some() {
+        faults.hint(
+            part(node, "end"),
+            format!("`{name}` is thrown; its speed says which way it goes"),
+            "take `heading` away",
         );
     }
 }
@@ -174,6 +260,9 @@ const fn why(quantity: Quantity) -> &'static str {
         Quantity::Friction | Quantity::Normal => "nothing touches a surface here",
         Quantity::MuRequired => "nothing rolls or slips here",
         Quantity::SlipDistance | Quantity::FrictionIfRolled => "it needs a tie `slips`",
+        Quantity::SlipSpeed | Quantity::Displacement | Quantity::ARolling => {
+            "it needs a body that `slips` and starts with a speed and a spin"
+        }
         Quantity::Rolls => "it needs a tie `slips`, or `rolls` with mu_s",
         Quantity::Heat => "it needs a tie `slips` or `slides`",
         Quantity::Tension => "it needs a cord whose pull is not given",
@@ -182,6 +271,13 @@ const fn why(quantity: Quantity) -> &'static str {
         Quantity::KBound => "it needs one wheel with a radius of gyration that rolls and is pulled",
         Quantity::XEq | Quantity::VMax | Quantity::DAtVMax | Quantity::DTurn => "it needs a spring",
         Quantity::XG | Quantity::YG | Quantity::IG => "it needs a body of particles",
+        Quantity::IO | Quantity::PinRadial | Quantity::PinTangential | Quantity::PinForce => {
+            "it needs a pinned body"
+        }
+        Quantity::SpringForce => "it needs a spring on a pinned body",
+        Quantity::OmegaMax | Quantity::Period | Quantity::PeriodSmall | Quantity::OmegaSmall => {
+            "it needs a pinned body that swings under its weight alone"
+        }
         Quantity::T | Quantity::RotationalFraction | Quantity::KineticEnergy | Quantity::Direction => {
             "it needs a motion"
         }
@@ -194,6 +290,27 @@ pub fn labels(scene: &Scene) -> Vec<Label> {
     let mut add = |quantity, of| list.push(Label { quantity, of });
     let moves = !matches!(scene.end, End::AtOnce);
     add(Quantity::KineticEnergy, Owner::Scene);
+    if let Some((b, pin)) = scene.pinned() {
+        use Quantity as Q;
+        add(Q::RotationalFraction, Owner::Scene);
+        for q in [Q::Omega, Q::V, Q::Alpha, Q::IO, Q::PinRadial, Q::PinTangential, Q::PinForce] {
+            add(q, Owner::Body(b));
+        }
+        if moves {
+            add(Q::T, Owner::Scene);
+            add(Q::Phi, Owner::Body(b));
+            add(Q::Rise, Owner::Body(b));
+        }
+        if scene.is_pendulum() {
+            for q in [Q::OmegaMax, Q::Period, Q::PeriodSmall, Q::OmegaSmall] {
+                add(q, Owner::Body(b));
+            }
+        }
+        if pin.spring.is_some() {
+            add(Q::SpringForce, Owner::Body(b));
+        }
+        return list;
+    }
     for (b, body) in scene.bodies.iter().enumerate() {
         let of = Owner::Body(b);
         if !body.particles.is_empty() {
@@ -241,6 +358,11 @@ pub fn labels(scene: &Scene) -> Vec<Label> {
                     Quantity::Rolls,
                 ] {
                     add(q, Owner::Body(*body));
+                }
+                if scene.thrown().is_some_and(|t| t.body == *body) {
+                    for q in [Quantity::SlipSpeed, Quantity::Displacement, Quantity::ARolling] {
+                        add(q, Owner::Body(*body));
+                    }
                 }
                 add(Quantity::Heat, Owner::Scene);
             }

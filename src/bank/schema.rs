@@ -21,10 +21,12 @@ const FIGURES: u8 = 3;
 /// Most data of a problem; with g these are all that condition numbers are taken of.
 const MAX_DATA: usize = 63;
 /// Margins where the bank does not say them; the other checks have none.
-const MARGINS: [(CheckKind, f64); 4] = [
+const MARGINS: [(CheckKind, f64); 6] = [
     (CheckKind::Moves, 0.10),
     (CheckKind::NoSlip, 0.05),
     (CheckKind::MustSlip, 0.05),
+    (CheckKind::StartsSlipping, 0.05),
+    (CheckKind::Closes, 0.05),
     (CheckKind::Reaches, 0.05),
 ];
 /// What holds for all problems of a bank.
@@ -320,7 +322,7 @@ fn problem(
     // Slopes go to the scene in degrees, all else in SI.
     let mut degrees = vec![false; data.len()];
     for read in cases.iter().filter_map(|c| c.read.as_ref()) {
-        for u in read.uses.iter().filter(|u| u.need == Need::Slope) {
+        for u in read.uses.iter().filter(|u| u.need.in_degrees()) {
             degrees[u.datum] = true;
         }
     }

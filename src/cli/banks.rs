@@ -24,6 +24,7 @@ pub const BUILT_IN: &[(&str, &str, &str)] = &[
         "banks/hoists-and-pulleys.yaml",
         include_str!("../../banks/hoists-and-pulleys.yaml"),
     ),
+    ("slip-and-roll", "banks/slip-and-roll.yaml", include_str!("../../banks/slip-and-roll.yaml")),
 ];
 
 /// A bank with the text that it was read from.

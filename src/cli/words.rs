@@ -2,6 +2,7 @@
 use crate::bank::Problem;
 use crate::key::Answer;
 use crate::key::KeyEntry;
+use crate::num::gauss::Unsettled;
 use crate::scene::End;
 use crate::scene::Num;
 use crate::scene::Scene;
@@ -95,6 +96,26 @@ pub fn check(scene: &Scene, c: &Check) -> String {
             "the slip of the {} does not go against the friction: {available}, required more than {required}",
             of_tie(scene, c.of)
         ),
+        CheckKind::StartsSlipping if c.ok => {
+            format!("the {} starts with slip: its contact moves at {available} m/s", of_tie(scene, c.of))
+        }
+        CheckKind::StartsSlipping => {
+            format!("the {} does not slip at the start: its contact is at rest", of_tie(scene, c.of))
+        }
+        CheckKind::Closes if c.ok && c.required <= 0.0 => {
+            format!(
+                "friction ends the slip of the {}: mu_k N = {available} N, nothing keeps it up",
+                of_tie(scene, c.of)
+            )
+        }
+        CheckKind::Closes if c.ok => format!(
+            "friction ends the slip of the {}: mu_k N = {available} N, {required} N keep it up",
+            of_tie(scene, c.of)
+        ),
+        CheckKind::Closes => format!(
+            "friction does not end the slip of the {}: {required} N keep it up, mu_k N = {available} N",
+            of_tie(scene, c.of)
+        ),
         CheckKind::Reaches if c.ok && c.available.is_infinite() => {
             format!("the end is reached: {required} asked, the motion goes on without end")
         }
@@ -136,6 +157,15 @@ pub fn regime(regime: Regime) -> String {
         Motion::DownTurningPoint => "it moves down; the asked place is the turning point",
         Motion::DownUnreachable => "it moves down and turns before the asked place",
         Motion::Rest => "it stays at rest",
+        Motion::SwingsOk => "it swings and reaches the asked end",
+        Motion::SwingsTurningPoint => "it swings; the asked end is the turning point",
+        Motion::SwingsUnreachable => "it swings and does not reach the asked end before it turns",
+        Motion::RollsAfter => "it slips first and rolls afterwards",
+        Motion::RollsAtStart => "it rolls from the start",
+        Motion::SlipsThrough => {
+            "its contact comes to rest, but static friction cannot hold it: it slips on, the other way"
+        }
+        Motion::Never => "it slips without end, friction does not stop the slip",
         Motion::Instant => "an instant is asked, nothing moves on",
     };
     if regime.slips {
@@ -159,6 +189,8 @@ fn inadmissible(problem: &Problem, fault: &Inadmissible) -> String {
         Rule::Finite => format!("{name} = {value}: must be a finite number"),
         Rule::Positive => format!("{name} = {value}: must be above 0"),
         Rule::NotNegative => format!("{name} = {value}: must not be below 0"),
+        Rule::Angle => format!("{name} = {value}: an angle is from -360 to 360 degrees"),
+        Rule::Stretch => format!("{name} = {value}: must not be above the length of the spring at the start"),
         Rule::Slope => format!("{name} = {value}: a slope is from 0 to 90 degrees"),
         Rule::NotAbove(other) => format!("{name} = {value}: must not be above {}", symbol(problem, other)),
     }
@@ -182,13 +214,30 @@ pub fn refusal(problem: &Problem, scene: &Scene, refusal: &Refusal) -> Vec<Strin
             Unsupported::SpeedWithTwoFreedoms => {
                 "a start with a speed where two coordinates are free is not solved".to_owned()
             }
+            Unsupported::ThrownWithOthers => {
+                "a body thrown with slip beside other bodies or cords is not solved".to_owned()
+            }
+            Unsupported::ThrownEnd => {
+                "a body thrown with slip on a surface ends where it begins to roll, or after a time"
+                    .to_owned()
+            }
+            Unsupported::NotThrown => {
+                "only a body that slips and starts with a speed and a spin begins to roll".to_owned()
+            }
             Unsupported::TwoSprings => "more than one spring is not solved".to_owned(),
             Unsupported::MovingLamina => {
                 "of a body of particles only what holds at the instant can be asked; write `end: at once`"
                     .to_owned()
             }
+            Unsupported::PinnedInCompany => {
+                "a pinned body is alone in its scene, without ties; it ends at an angle, a time, a speed or a turning point"
+                    .to_owned()
+            }
             Unsupported::TooManyData => "there are more than 64 data".to_owned(),
         }),
+        Refusal::Unsettled(Unsettled { value, gap }) => one(format!(
+            "an integral over the motion does not settle: {value:e}, and {gap:e} off when its panels are halved. No answer is given."
+        )),
         Refusal::Disagree { label, eom, energy, allowed } => one(format!(
             "the two roads disagree on {}: {eom:e} from the equations of motion, {energy:e} from energy; a relative gap of {allowed:.1e} would be accepted. No key is published.",
             scene.name_of(*label)

@@ -91,22 +91,28 @@ pub const fn may_vanish(quantity: Quantity) -> bool {
         Quantity::Friction
             | Quantity::FrictionIfRolled
             | Quantity::SlipDistance
+            | Quantity::SlipSpeed
+            | Quantity::Displacement
+            | Quantity::ARolling
             | Quantity::A
             | Quantity::Alpha
             | Quantity::Rise
+            | Quantity::PinRadial
+            | Quantity::PinTangential
+            | Quantity::SpringForce
             | Quantity::XG
             | Quantity::YG
     )
 }
 
-/// May a word give the sign? Friction is positive up the incline in every scene; an acceleration is positive forward, so
-/// not where positive is down: there `up` would mean a minus.
+/// May a word give the sign? Friction is positive up the incline in every scene; an acceleration or a displacement is
+/// positive forward, so not where positive is down: there `up` would mean a minus.
 pub fn words_sign(scene: &Scene, label: Label) -> bool {
     let body = match label.of {
         Owner::Body(b) => Some(b),
         _ => scene.bare_body(),
     };
-    label.quantity != Quantity::A
+    !matches!(label.quantity, Quantity::A | Quantity::ARolling | Quantity::Displacement)
         || body.and_then(|b| scene.bodies.get(b)).and_then(|b| b.line).is_none_or(|line| line.forward_up)
 }
 
@@ -116,8 +122,13 @@ const fn is_magnitude(quantity: Quantity) -> bool {
         Quantity::Friction
             | Quantity::FrictionIfRolled
             | Quantity::A
+            | Quantity::ARolling
+            | Quantity::Displacement
             | Quantity::Alpha
             | Quantity::Rise
+            | Quantity::PinRadial
+            | Quantity::PinTangential
+            | Quantity::SpringForce
             | Quantity::XG
             | Quantity::YG
             | Quantity::WorkPull
@@ -136,7 +147,9 @@ fn offered(quantity: Quantity, scene: &Scene) -> &'static [&'static str] {
         | End::Position(c, _)
         | End::Time(c, _)
         | End::Speed(c, _)
-        | End::TurningPoint(c) => c.body,
+        | End::Angle(c, _)
+        | End::TurningPoint(c)
+        | End::Rolling(c) => c.body,
     };
     match scene.bodies.get(body).and_then(|b| b.line) {
         Some(line) if line.slope != Slope::Level => SLOPED,

@@ -13,7 +13,8 @@ pub enum Tie {
         /// Static friction coefficient, for the regime check.
         mu_s: Option<Num>,
     },
-    /// Is said to slip on a radius: kinetic friction, in the sense that static friction would have.
+    /// Is said to slip on a radius: kinetic friction, from rest in the sense that static friction would have; against the slip
+    /// where it is thrown with one.
     Slip {
         /// Index of the body.
         body: usize,

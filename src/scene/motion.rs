@@ -1,5 +1,7 @@
 //! How a motion starts and what ends it.
 use crate::scene::Num;
+use crate::scene::Scene;
+use crate::scene::Tie;
 
 /// One coordinate of a scene.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -22,7 +24,8 @@ pub enum Degree {
 /// What is known of the velocities at the start.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Start {
-    /// Speed along the line (m/s) or spin (rad/s) of one coordinate, positive forward. The ties give the rest.
+    /// Speed along the line (m/s) or spin (rad/s) of one coordinate, positive forward. The ties give the rest; a body that
+    /// is thrown with slip has both.
     Speed(Coordinate, Num),
     /// Velocity of one particle of a lamina, m/s, and the spin of the lamina, rad/s, counter-clockwise positive.
     Lamina {
@@ -54,6 +57,10 @@ pub enum End {
     Speed(Coordinate, Num),
     /// When this coordinate comes to rest.
     TurningPoint(Coordinate),
+    /// When a pinned body stands at this angle, degrees, as its pin counts them.
+    Angle(Coordinate, Num),
+    /// When the contact of this body, thrown with slip, stops slipping.
+    Rolling(Coordinate),
 }
 
 /// A declared direction of motion of the ending coordinate.
@@ -63,4 +70,47 @@ pub enum Heading {
     Forward,
     /// Back (negative).
     Back,
+}
+
+/// A body thrown with slip: it starts with a speed and a spin that rolling would not tie together.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Thrown {
+    /// Index of the contact.
+    pub tie: usize,
+    /// Index of the body.
+    pub body: usize,
+    /// Radius that touches the surface.
+    pub radius_m: Num,
+    /// Static friction coefficient: can it roll on?
+    pub mu_s: Num,
+    /// Kinetic friction coefficient.
+    pub mu_k: Num,
+    /// Speed at the start, positive forward.
+    pub speed_m_s: Num,
+    /// Spin at the start, positive with rolling forward.
+    pub spin_rad_s: Num,
+}
+
+impl Scene {
+    /// The body that is thrown with slip, if there is one: it slips, and its speed and its spin at the start are both given.
+    pub fn thrown(&self) -> Option<Thrown> {
+        let given = |body: usize, degree: Degree| {
+            self.start.iter().find_map(|s| match s {
+                Start::Speed(c, n) if *c == Coordinate { body, degree } => Some(*n),
+                _ => None,
+            })
+        };
+        self.ties.iter().enumerate().find_map(|(tie, t)| match *t {
+            Tie::Slip { body, radius_m, mu_s, mu_k } => Some(Thrown {
+                tie,
+                body,
+                radius_m,
+                mu_s,
+                mu_k,
+                speed_m_s: given(body, Degree::Along)?,
+                spin_rad_s: given(body, Degree::Turn)?,
+            }),
+            _ => None,
+        })
+    }
 }

@@ -173,10 +173,18 @@ pub fn prove(scene: &Scene, data: &[f64], solved: &mut Solved) -> bool {
 /// Is the combination one that the assembly has?
 fn supported(scene: &Scene) -> Result<(), Refusal> {
     let lamina = scene.bodies.iter().any(|b| !b.particles.is_empty());
+    let refuse = |what| Err(Refusal::Unsupported(what));
+    if scene.pinned().is_some() {
+        let along = matches!(scene.end, End::Travel(..) | End::Position(..));
+        let alone = scene.bodies.len() == 1 && scene.ties.is_empty() && !along;
+        return if alone { Ok(()) } else { refuse(Unsupported::PinnedInCompany) };
+    }
+    if matches!(scene.end, End::Angle(..)) {
+        return refuse(Unsupported::PinnedInCompany);
+    }
     if matches!(scene.end, End::AtOnce) {
         return Ok(());
     }
-    let refuse = |what| Err(Refusal::Unsupported(what));
     if lamina || scene.start.iter().any(|s| matches!(s, Start::Lamina { .. })) {
         return refuse(Unsupported::MovingLamina);
     }
@@ -191,6 +199,19 @@ fn supported(scene: &Scene) -> Result<(), Refusal> {
     let freedoms = freedoms(scene);
     if freedoms > 1 && springs > 0 {
         return refuse(Unsupported::SpringWithTwoFreedoms);
+    }
+    if let Some(thrown) = scene.thrown() {
+        if scene.bodies.len() > 1 || scene.ties.len() > 1 {
+            return refuse(Unsupported::ThrownWithOthers);
+        }
+        let surface = scene.bodies[thrown.body].line.is_some_and(|l| l.surface);
+        if !matches!(scene.end, End::Rolling(_) | End::Time(..)) || !surface {
+            return refuse(Unsupported::ThrownEnd);
+        }
+        return Ok(());
+    }
+    if matches!(scene.end, End::Rolling(_)) {
+        return refuse(Unsupported::NotThrown);
     }
     if freedoms > 1 && !scene.start.is_empty() {
         return refuse(Unsupported::SpeedWithTwoFreedoms);

@@ -1,5 +1,6 @@
 //! What a solver yields: numbers, words of the regime, checks; never sentences.
 use crate::num::Real;
+use crate::num::gauss::Unsettled;
 use crate::scene::Label;
 
 /// What really happens, in the words that scripts rely on ([`Regime::word`]).
@@ -42,6 +43,13 @@ motions! {
     DownTurningPoint "down turning_point";
     DownUnreachable "down unreachable";
     Rest "rest";
+    SwingsOk "swings ok";
+    SwingsTurningPoint "swings turning_point";
+    SwingsUnreachable "swings unreachable";
+    RollsAfter "rolls_after";
+    RollsAtStart "rolls_at_start";
+    SlipsThrough "slips_through";
+    Never "never";
     Instant "instant";
 }
 
@@ -67,6 +75,11 @@ pub enum CheckKind {
     Taut,
     /// The slip goes against the friction: required 0, available slip speed against friction, m/s.
     SlipDirection,
+    /// What is thrown starts with slip: required 0, available the slip speed, m/s; the margin is its share of the speeds
+    /// that make it up.
+    StartsSlipping,
+    /// Kinetic friction ends the slip: required, the force that keeps it up, N; available `mu_k N`.
+    Closes,
     /// The end event is reached before the turning point: required, the asked value; available, the farthest.
     Reaches,
 }
@@ -80,6 +93,8 @@ impl CheckKind {
         Self::Pressed,
         Self::Taut,
         Self::SlipDirection,
+        Self::StartsSlipping,
+        Self::Closes,
         Self::Reaches,
     ];
     /// Name in JSON and in tables of refusals.
@@ -91,6 +106,8 @@ impl CheckKind {
             Self::Pressed => "pressed",
             Self::Taut => "taut",
             Self::SlipDirection => "slip_direction",
+            Self::StartsSlipping => "starts_slipping",
+            Self::Closes => "closes",
             Self::Reaches => "reaches",
         }
     }
@@ -225,6 +242,8 @@ pub enum Refusal {
     Freedoms(usize),
     /// The assembly cannot express this combination.
     Unsupported(Unsupported),
+    /// An integral over the motion does not settle: its value, and how far halved panels are off it.
+    Unsettled(Unsettled),
     /// The two roads disagree: the label, both values, the gap allowed.
     Disagree {
         /// Which quantity.
@@ -238,6 +257,12 @@ pub enum Refusal {
     },
 }
 
+impl From<Unsettled> for Refusal {
+    fn from(unsettled: Unsettled) -> Self {
+        Self::Unsettled(unsettled)
+    }
+}
+
 /// Combinations that are not solved (yet).
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Unsupported {
@@ -245,10 +270,18 @@ pub enum Unsupported {
     SpringWithTwoFreedoms,
     /// A start speed where the scene has two freedoms.
     SpeedWithTwoFreedoms,
+    /// A body thrown with slip beside other bodies or cords.
+    ThrownWithOthers,
+    /// A body thrown with slip whose motion ends neither where it rolls nor after a time.
+    ThrownEnd,
+    /// The start of rolling of a body that is not thrown with slip.
+    NotThrown,
     /// More than one spring.
     TwoSprings,
     /// Nothing but the kinetic energy of a lamina can be asked.
     MovingLamina,
+    /// A pinned body with another body, with ties, or with an end that belongs to a line.
+    PinnedInCompany,
     /// More data than the derivatives hold.
     TooManyData,
 }
@@ -313,6 +346,36 @@ pub enum Held<P> {
     Slipping(usize, P, P, P, f64),
     /// A cord between bodies: index of the tie, tension N.
     Cord(usize, f64),
+    /// The contact of a body that is thrown with slip.
+    Thrown(Throw),
+}
+
+/// What becomes of the slip of a thrown body, on one road. The senses are decided by that road in its own arithmetic; the
+/// numbers are for words and margins.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Throw {
+    /// Index of the tie.
+    pub tie: usize,
+    /// Does it slip at the start?
+    pub slips: bool,
+    /// Does kinetic friction end the slip?
+    pub closes: bool,
+    /// Can static friction hold it rolling?
+    pub holds: bool,
+    /// Is it to roll by the end that is asked?
+    pub to_roll: bool,
+    /// Slip speed at the start, m/s, >= 0.
+    pub slip: f64,
+    /// Sum of the magnitudes of the speeds that make it up, m/s.
+    pub speeds: f64,
+    /// Force that keeps the slip up, N: what friction has to overcome; negative where it helps.
+    pub upkeep: f64,
+    /// `mu_k N`, N.
+    pub kinetic: f64,
+    /// Magnitude of the friction that rolling needs, N.
+    pub needed: f64,
+    /// `mu_s N`, N.
+    pub available: f64,
 }
 
 /// Everything that one road says of a scene.

@@ -1,6 +1,8 @@
 //! What really happens: the word of the regime, and the conditions under which the declared ties hold.
+use crate::num::Dd;
 use crate::num::Real;
 use crate::num::Rough;
+use crate::scene::End;
 use crate::scene::Heading;
 use crate::scene::Label;
 use crate::scene::Owner;
@@ -14,6 +16,7 @@ use crate::solve::outcome::Course;
 use crate::solve::outcome::Held;
 use crate::solve::outcome::Motion;
 use crate::solve::outcome::Regime;
+use crate::solve::outcome::Throw;
 use crate::solve::outcome::Word;
 
 fn margin<P: Real>(available: P, required: P) -> f64 {
@@ -80,8 +83,20 @@ pub fn judge<P: Real<Plain = P>>(
         margin: 0.0,
     });
     let mut slips = false;
+    let thrown = held.iter().find_map(|h| match h {
+        Held::Thrown(t) => Some(*t),
+        _ => None,
+    });
+    if thrown.is_some() {
+        // What is thrown needs no drive.
+        checks.clear();
+    }
     for h in held {
         match h {
+            Held::Thrown(t) => {
+                throw_checks(scene, t, &mut checks);
+                words.push((rolls(scene, t.tie), if t.holds { Word::Yes } else { Word::No }));
+            }
             Held::Pressed(body, normal) => checks.push(Check {
                 kind: CheckKind::Pressed,
                 of: *body,
@@ -137,7 +152,12 @@ pub fn judge<P: Real<Plain = P>>(
     }
     let asked = course.asked.unwrap_or_else(P::zero);
     let place = asked.side(course.farthest);
-    if course.sense != 0.0 {
+    let watched = match thrown {
+        // The start of rolling has its own checks.
+        Some(_) => course.asked.is_some(),
+        None => course.sense != 0.0,
+    };
+    if watched {
         checks.push(Check {
             kind: CheckKind::Reaches,
             of: end.body,
@@ -157,9 +177,21 @@ pub fn judge<P: Real<Plain = P>>(
         }
     };
     let direction = Label { quantity: Quantity::Direction, of: Owner::Body(end.body) };
-    words
-        .push((direction, if sloped { word(Word::Up, Word::Down) } else { word(Word::Forward, Word::Back) }));
-    let motion = if let Some((tie, friction, available, sense)) = slipping {
+    // The turn of a pinned body has no such word.
+    if body.pin.is_none() {
+        words.push((
+            direction,
+            if sloped { word(Word::Up, Word::Down) } else { word(Word::Forward, Word::Back) },
+        ));
+    }
+    let motion = if let Some(throw) = thrown {
+        match (throw.slips, throw.closes, throw.holds) {
+            (true, false, _) => Motion::Never,
+            (_, _, false) => Motion::SlipsThrough,
+            (false, _, true) => Motion::RollsAtStart,
+            (true, true, true) => Motion::RollsAfter,
+        }
+    } else if let Some((tie, friction, available, sense)) = slipping {
         let forward_up = match &scene.ties[tie] {
             Tie::Slip { body, .. } => scene.bodies[*body].line.is_none_or(|l| l.forward_up),
             _ => true,
@@ -170,6 +202,13 @@ pub fn judge<P: Real<Plain = P>>(
             (_, u) if u > 0.0 => Motion::SlipsUp,
             (_, u) if u < 0.0 => Motion::SlipsDown,
             _ => Motion::SpinsInPlace,
+        }
+    } else if body.pin.is_some() {
+        match (course.sense, course.reached, place) {
+            (0.0, ..) => Motion::Rest,
+            (_, _, 0.0) if course.asked.is_some() => Motion::SwingsTurningPoint,
+            (_, true, _) => Motion::SwingsOk,
+            _ => Motion::SwingsUnreachable,
         }
     } else if scene.spring().is_some() {
         match (upward, course.reached, place) {
@@ -191,6 +230,39 @@ pub fn judge<P: Real<Plain = P>>(
         }
     };
     (Regime { motion, slips }, checks, words)
+}
+
+/// The conditions of a throw: it slips, friction ends the slip, and holds what follows. What comes after the end is not asked.
+fn throw_checks(scene: &Scene, t: &Throw, checks: &mut Vec<Check>) {
+    let share = |available: f64, required: f64| margin(Dd::new(available), Dd::new(required));
+    checks.push(Check {
+        kind: CheckKind::StartsSlipping,
+        of: t.tie,
+        ok: t.slips,
+        required: 0.0,
+        available: t.slip,
+        margin: if t.slips { t.slip / t.speeds } else { -1.0 },
+    });
+    if t.slips && matches!(scene.end, End::Rolling(_)) {
+        checks.push(Check {
+            kind: CheckKind::Closes,
+            of: t.tie,
+            ok: t.closes,
+            required: t.upkeep,
+            available: t.kinetic,
+            margin: share(t.kinetic, t.upkeep),
+        });
+    }
+    if t.to_roll {
+        checks.push(Check {
+            kind: CheckKind::NoSlip,
+            of: t.tie,
+            ok: t.holds,
+            required: t.needed,
+            available: t.available,
+            margin: share(t.available, t.needed),
+        });
+    }
 }
 
 fn rolls(scene: &Scene, tie: usize) -> Label {

@@ -1,0 +1,215 @@
+//! A body thrown with slip: two coordinates with constant accelerations until its contact comes to rest, one from then on.
+//!
+//! Friction is a force of known size against the slip, with its sign frozen until the event:
+//!
+//! ```text
+//! slip        s = v - c omega                    (velocity of the contact)
+//! while s /= 0:  F = -sgn(s) mu_k N,  m a = F - m g sin,  I alpha = -F c
+//! event       s + (a - c alpha) t = 0
+//! from there  a = c alpha,  F a reaction, |F| <= mu_s N
+//! ```
+//! Source: Beer & Johnston, *Vector Mechanics for Engineers: Dynamics*, section 16.2 (sliding turning into rolling).
+use crate::num::Real;
+use crate::num::dd::pow2;
+use crate::num::plant::plant;
+use crate::scene::Coordinate;
+use crate::scene::Degree;
+use crate::scene::End;
+use crate::scene::Label;
+use crate::scene::Numbers;
+use crate::scene::Owner;
+use crate::scene::Quantity;
+use crate::scene::Scene;
+use crate::scene::Thrown;
+use crate::solve::eom::equations::CONSTANT;
+use crate::solve::eom::equations::Response;
+use crate::solve::eom::equations::Setting;
+use crate::solve::eom::equations::respond;
+use crate::solve::outcome::Course;
+use crate::solve::outcome::Grip;
+use crate::solve::outcome::Held;
+use crate::solve::outcome::Refusal;
+use crate::solve::outcome::Road;
+use crate::solve::outcome::Said;
+use crate::solve::outcome::Throw;
+use smallvec::smallvec;
+
+/// Constant accelerations of the centre and of the turn, with the friction that belongs to them.
+#[derive(Clone, Copy)]
+struct Phase<T> {
+    a: T,
+    alpha: T,
+    friction: T,
+}
+
+/// Where the body is and how it moves.
+#[derive(Clone, Copy)]
+struct State<T> {
+    t: T,
+    v: T,
+    w: T,
+    x: T,
+    phi: T,
+}
+
+impl<T: Real> State<T> {
+    /// The state after a time at constant accelerations.
+    fn after(self, phase: &Phase<T>, time: T) -> Self {
+        let gain = |rate: T| plant!("eom: gain of velocity", rate * time);
+        let way = |u: T, rate: T| (u * time).balance((rate * time.square()).scale2(-1));
+        Self {
+            t: self.t + time,
+            v: self.v.balance(gain(phase.a)),
+            w: self.w.balance(gain(phase.alpha)),
+            x: self.x.balance(plant!("eom: travel while accelerated", way(self.v, phase.a))),
+            phi: self.phi.balance(way(self.w, phase.alpha)),
+        }
+    }
+}
+
+/// Everything that the equations of motion say of a thrown body whose data are admissible.
+///
+/// While it slips at the end, `a`, `alpha` and `friction` are those of slipping; where the end is the start of rolling, those
+/// just before it. An end that is not reached (never rolls, or slips through) leaves what holds at the start.
+/// Errors: equations that do not determine the motion.
+pub fn road<T: Real>(scene: &Scene, n: &Numbers<T>, thrown: &Thrown) -> Result<Road<T>, Refusal> {
+    let body = thrown.body;
+    let phase = |grip: Grip, sense: f64| -> Result<(Phase<T>, Response<T>), Refusal> {
+        let mut friction_sense = smallvec![0.0; scene.ties.len()];
+        friction_sense[thrown.tie] = sense;
+        let response =
+            respond(scene, n, &Setting { grip, held: false, friction_sense, starting: false, probe: None })?;
+        let of = |degree| response.acceleration(Coordinate { body, degree }, CONSTANT);
+        let friction = response.reaction(thrown.tie, CONSTANT);
+        Ok((Phase { a: of(Degree::Along), alpha: of(Degree::Turn), friction }, response))
+    };
+    let (rolling, response) = phase(Grip::AllRoll, 0.0)?;
+    let normal = response.normal(body);
+    let (needed, available) = (rolling.friction.abs(), n.get(thrown.mu_s) * normal);
+    let holds = needed.at_most(available);
+    let c = n.get(thrown.radius_m);
+    let (v0, w0) = (n.get(thrown.speed_m_s), n.get(thrown.spin_rad_s));
+    let rim = plant!("eom: speed of the rim at the start", c * w0);
+    let slip0 = v0 - rim;
+    // A contact that is at rest and cannot be held begins to slip against the friction that it would need.
+    let sense = if !slip0.is_zero() {
+        slip0.sign()
+    } else if holds {
+        0.0
+    } else {
+        -rolling.friction.sign()
+    };
+    let slipping = if sense == 0.0 { None } else { Some(phase(Grip::Declared, -sense)?.0) };
+    let closing = slipping.map_or_else(T::zero, |p| {
+        let turned = plant!("eom: rim of a slipping body", c) * p.alpha;
+        p.a.balance(-turned).signed(-sense)
+    });
+    let closes = !slip0.is_zero() && closing.sign() > 0.0;
+    let until = if closes { Some(slip0.abs() / closing) } else { None };
+
+    // Which phase the end falls into, and how long each of them lasts.
+    let zero = T::zero();
+    let ended = match scene.end {
+        End::Time(_, t) => {
+            let t = n.get(t);
+            match (slipping, until) {
+                (None, _) => Some((zero, Some(t))),
+                (Some(_), Some(until)) if until.below(t) => holds.then(|| (until, Some(t - until))),
+                (Some(_), _) => Some((t, None)),
+            }
+        }
+        _ if slipping.is_none() => Some((zero, Some(zero))),
+        _ => until.filter(|_| holds).map(|until| (until, None)),
+    };
+    let to_roll = match (scene.end, until) {
+        (End::Time(_, t), Some(until)) => until.below(n.get(t)),
+        (End::Time(..), None) => slipping.is_none(),
+        _ => true,
+    };
+    let start = State { t: zero, v: v0, w: w0, x: zero, phi: zero };
+    let state = ended.map(|(slides, rolls)| {
+        let slid = slipping.map_or(start, |p| start.after(&p, slides));
+        rolls.map_or(slid, |time| slid.after(&rolling, time))
+    });
+    let now = match (ended, slipping) {
+        (Some((_, Some(_))), _) | (_, None) => rolling,
+        (_, Some(p)) => p,
+    };
+
+    let mut road = Road::new();
+    let mut say = |quantity, of, value: T, scale: f64| {
+        let label = Label { quantity, of };
+        let scale = scale * pow2(n.exponent(quantity));
+        road.said.push(Said { label, value: n.publish(quantity, value), scale });
+    };
+    let own = Owner::Body(body);
+    let up = if scene.bodies[body].line.is_none_or(|l| l.forward_up) { 1.0 } else { -1.0 };
+    let size = |x: T| x.f64().abs();
+    let numbers = &n.bodies[body];
+    let weight = size(numbers.mass * n.gravity * numbers.climb);
+    let forces = |p: &Phase<T>| size(p.friction) + weight + size(numbers.mass * p.a);
+    say(Quantity::SlipSpeed, own, slip0.abs(), size(v0) + size(rim));
+    say(Quantity::FrictionIfRolled, own, rolling.friction.signed(up), forces(&rolling));
+    say(Quantity::MuRequired, own, needed / normal, size(needed / normal));
+    say(Quantity::Normal, own, normal, size(normal));
+    if holds {
+        say(Quantity::ARolling, own, rolling.a, forces(&rolling) / size(numbers.mass));
+    }
+    say(Quantity::A, own, now.a, forces(&now) / size(numbers.mass));
+    say(Quantity::Alpha, own, now.alpha, size(now.alpha));
+    say(Quantity::Friction, own, now.friction.signed(up), forces(&now));
+    if let (Some(state), Some((slides, _))) = (&state, ended) {
+        say(Quantity::T, Owner::Scene, state.t, size(state.t));
+        say(Quantity::V, own, state.v.abs(), size(state.v));
+        say(Quantity::Omega, own, state.w.abs(), size(state.w));
+        let way = (size(v0) + size(state.v)) * size(state.t);
+        say(Quantity::Displacement, own, state.x, way);
+        say(Quantity::Rise, own, state.x * numbers.climb, way * size(numbers.climb));
+        say(Quantity::Phi, own, state.phi.abs(), size(state.phi));
+        let moving = numbers.mass * state.v.square();
+        let turning = numbers.inertia * state.w.square();
+        let energy = (moving + plant!("eom: energy of a turning body", turning)).scale2(-1);
+        say(Quantity::KineticEnergy, Owner::Scene, energy, size(energy));
+        if !energy.is_zero() {
+            say(Quantity::RotationalFraction, Owner::Scene, turning / (moving + turning), 1.0);
+        }
+        // The slip changes evenly: its mean times its time. At the event nothing is left of it.
+        let left = match until {
+            Some(until) if !slides.below(until) => zero,
+            _ => slip0.abs().balance(-(closing * slides)),
+        };
+        let slid = plant!("eom: way of the slipping contact", (slip0.abs() + left) * slides).scale2(-1);
+        say(Quantity::SlipDistance, own, slid, size(slid));
+        let kinetic = slipping.map_or(zero, |p| p.friction.abs());
+        say(Quantity::Heat, Owner::Scene, kinetic * slid, size(kinetic * slid));
+    }
+    let force = |f: T| n.publish(Quantity::Friction, f).f64();
+    road.held.push(Held::Pressed(body, force(normal)));
+    road.held.push(Held::Thrown(Throw {
+        tie: thrown.tie,
+        slips: !slip0.is_zero(),
+        closes,
+        holds,
+        to_roll,
+        slip: size(slip0),
+        speeds: size(v0) + size(rim),
+        upkeep: force(rolling.friction.signed(-sense)),
+        kinetic: force(n.get(thrown.mu_k) * normal),
+        needed: force(needed),
+        available: force(available),
+    }));
+    road.course = Some(Course {
+        sense: state.map_or(v0, |s| s.v).sign(),
+        drive: (T::Plain::zero(), T::Plain::zero()),
+        asked: match scene.end {
+            End::Time(_, t) => Some(n.get(t).plain()),
+            _ => None,
+        },
+        farthest: match until {
+            Some(until) if !holds => until.plain(),
+            _ => T::Plain::of(f64::INFINITY),
+        },
+        reached: state.is_some(),
+    });
+    Ok(road)
+}
