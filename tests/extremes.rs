@@ -221,6 +221,7 @@ fn scene(kind: Kind) -> Scene {
         line: Some(Line { slope: Slope::Degrees(d(4)), forward_up: true, surface: true }),
         turns: true,
         particles: vec![],
+        pin: None,
     };
     Scene {
         gravity_m_s2: d(5),
