@@ -372,7 +372,8 @@ pub const ROUNDING: f64 = 4.0 * U;
 /// Which of these pairs of cost and error are beaten by no other: none is as cheap and as right, and better in one. Costs
 /// count as equal within this share (clocks are not exact). What is not finite is beaten.
 pub fn pareto(pairs: &[(f64, f64)], slack: f64) -> Vec<bool> {
-    let clean: Vec<(f64, f64)> = pairs.iter().map(|(c, e)| (*c, e.max(ROUNDING))).collect();
+    let clean: Vec<(f64, f64)> =
+        pairs.iter().map(|(c, e)| (*c, if *e < ROUNDING { ROUNDING } else { *e })).collect();
     let finite = |p: &(f64, f64)| p.0.is_finite() && p.1.is_finite();
     let beaten = |p: &(f64, f64)| {
         clean.iter().filter(|q| finite(q)).any(|q| {
