@@ -104,6 +104,8 @@ pub enum Rung {
     Closed,
     /// This many points.
     Gauss(usize),
+    /// Panels of points that are halved until nothing changes but rounding.
+    Settled,
     /// Steps as long as this relative error of a step allows; the first try has this share of its usual length.
     Adaptive(Method, f64, f64),
     /// Steps of this length, s.
@@ -125,7 +127,7 @@ impl Rung {
     pub const fn method(self) -> Method {
         match self {
             Self::Closed => Method::Closed,
-            Self::Gauss(_) => Method::Gauss,
+            Self::Gauss(_) | Self::Settled => Method::Gauss,
             Self::Adaptive(m, ..) | Self::Fixed(m, _) => m,
         }
     }
@@ -133,7 +135,7 @@ impl Rung {
     /// by 2^order (which halves the steps, the first one too), a third more points.
     pub fn finer(self) -> Self {
         match self {
-            Self::Closed => Self::Closed,
+            Self::Closed | Self::Settled => self,
             Self::Gauss(n) => Self::Gauss(n + n.div_ceil(3)),
             Self::Adaptive(m, rtol, share) => {
                 let fall = m.formula().map_or(1.0, |f| halvings(f.order()));
@@ -157,7 +159,7 @@ impl Rung {
         match self {
             Self::Fixed(_, h) => Pace::Fixed(h),
             Self::Adaptive(_, rtol, share) => Pace::Adaptive { rtol, first: share * first },
-            Self::Closed | Self::Gauss(_) => Pace::Adaptive { rtol: FINEST, first },
+            Self::Closed | Self::Gauss(_) | Self::Settled => Pace::Adaptive { rtol: FINEST, first },
         }
     }
     /// The relative error that was asked for, if the method has such a knob.
