@@ -148,6 +148,11 @@ pub fn sin_cos<T: Real>(x: T) -> (T, T) {
     (with(Dd::sum(s, c * v.lo), c), with(Dd::sum(c, -s * v.lo), -s))
 }
 
+/// 10^x, for estimates.
+pub fn exp10(x: f64) -> f64 {
+    libm::exp10(x)
+}
+
 #[cfg(test)]
 #[allow(clippy::float_cmp, clippy::neg_cmp_op_on_partial_ord, reason = "exact bits are what is tested")]
 mod tests {
