@@ -337,7 +337,7 @@ fn unknown_shape() {
     assert_snapshot!(found(&[("block: {mass: m, moves: along incline}", "block: {mass: m, shape: {cube: 1 m}, moves: along incline}")]), @r#"
      15 |         block: {mass: m, shape: {cube: 1 m}, moves: along incline}
     test.yaml:15:34: problems.slide.scene.bodies.block.shape.cube: `cube` is no shape
-        hint: known: disc, disk, cylinder, solid cylinder, hoop, ring, hollow cylinder, sphere, ball, shell, hollow sphere
+        hint: known: disc, disk, cylinder, solid cylinder, hoop, ring, hollow cylinder, sphere, ball, shell, hollow sphere, rod
     test.yaml:17:19: problems.slide.scene.ties[0].slides: `block` can turn, so it rolls or slips
         hint: write `rolls:` or `slips:`
     "#);

@@ -52,6 +52,7 @@ impl Witness<'_> {
                     Shape::Disc => 0.5,
                     Shape::Sphere => 0.4,
                     Shape::Shell => 2.0 / 3.0,
+                    Shape::Rod => 1.0 / 12.0,
                 };
                 beta * m * self.get(*r) * self.get(*r)
             }

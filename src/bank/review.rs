@@ -37,7 +37,7 @@ pub fn datum(
             let (low, high) = draw.range();
             for need in uses {
                 for end in [low, high] {
-                    let value = if *need == Need::Slope {
+                    let value = if need.in_degrees() {
                         datum.unit.decimal_to_scene(end.value, end.decimals)
                     } else {
                         datum.unit.decimal_to_si(end.value, end.decimals)
@@ -82,6 +82,24 @@ pub fn inertia_where_slipping(scene: &Scene, draws: &[(String, Option<Draw>)], n
 
 /// What no data can make solvable: too few or too many freedoms, combinations that the assembly does not have.
 pub fn structure(scene: &Scene, node: &Node, faults: &Faults) {
+    if let Some((b, _)) = scene.pinned() {
+        let name = &scene.bodies[b].name;
+        if scene.bodies.len() > 1 {
+            faults.hint(
+                node,
+                format!("`{name}` is pinned, and there is another body"),
+                "a pinned body is alone in its scene",
+            );
+        }
+        if !scene.ties.is_empty() {
+            faults.hint(
+                node,
+                format!("`{name}` is pinned, and there are ties"),
+                "write a spring under `forces`",
+            );
+        }
+        return;
+    }
     if matches!(scene.end, End::AtOnce) {
         return;
     }
@@ -253,6 +271,13 @@ const fn why(quantity: Quantity) -> &'static str {
         Quantity::KBound => "it needs one wheel with a radius of gyration that rolls and is pulled",
         Quantity::XEq | Quantity::VMax | Quantity::DAtVMax | Quantity::DTurn => "it needs a spring",
         Quantity::XG | Quantity::YG | Quantity::IG => "it needs a body of particles",
+        Quantity::IO | Quantity::PinRadial | Quantity::PinTangential | Quantity::PinForce => {
+            "it needs a pinned body"
+        }
+        Quantity::SpringForce => "it needs a spring on a pinned body",
+        Quantity::OmegaMax | Quantity::Period | Quantity::PeriodSmall | Quantity::OmegaSmall => {
+            "it needs a pinned body that swings under its weight alone"
+        }
         Quantity::T | Quantity::RotationalFraction | Quantity::KineticEnergy | Quantity::Direction => {
             "it needs a motion"
         }
@@ -265,6 +290,27 @@ pub fn labels(scene: &Scene) -> Vec<Label> {
     let mut add = |quantity, of| list.push(Label { quantity, of });
     let moves = !matches!(scene.end, End::AtOnce);
     add(Quantity::KineticEnergy, Owner::Scene);
+    if let Some((b, pin)) = scene.pinned() {
+        use Quantity as Q;
+        add(Q::RotationalFraction, Owner::Scene);
+        for q in [Q::Omega, Q::V, Q::Alpha, Q::IO, Q::PinRadial, Q::PinTangential, Q::PinForce] {
+            add(q, Owner::Body(b));
+        }
+        if moves {
+            add(Q::T, Owner::Scene);
+            add(Q::Phi, Owner::Body(b));
+            add(Q::Rise, Owner::Body(b));
+        }
+        if scene.is_pendulum() {
+            for q in [Q::OmegaMax, Q::Period, Q::PeriodSmall, Q::OmegaSmall] {
+                add(q, Owner::Body(b));
+            }
+        }
+        if pin.spring.is_some() {
+            add(Q::SpringForce, Owner::Body(b));
+        }
+        return list;
+    }
     for (b, body) in scene.bodies.iter().enumerate() {
         let of = Owner::Body(b);
         if !body.particles.is_empty() {

@@ -2,8 +2,8 @@
 use crate::bank::measure;
 use crate::bank::node::{Faults, Fields, Node, Value, close_name, named, shorten};
 use crate::scene::{
-    Attach, Body, Coordinate, Cord, CordEnd, Couple, Degree, End, Far, Heading, Line, Mass, Num, Part,
-    Particle, RotaryInertia, Scene, Shape, Side, Slope, Start, Tie,
+    Arm, Attach, Body, Coordinate, Cord, CordEnd, Couple, Degree, End, Far, Heading, Line, Mass, Num, Part,
+    Particle, Pin, PinSpring, Rest, RotaryInertia, Scene, Shape, Side, Slope, Start, Tie, Zero,
 };
 use crate::units::Unit;
 use std::cell::Cell;
@@ -40,6 +40,12 @@ pub enum Need {
     Place,
     /// Time, s, >= 0.
     Time,
+    /// Angle of a pinned body, degrees, -360 to 360.
+    Angle,
+    /// Distance from a pin to the mass centre, m, >= 0.
+    Arm,
+    /// Length of a rod, m, > 0.
+    Rod,
     /// Speed with sign, m/s.
     Velocity,
     /// Spin with sign, rad/s.
@@ -61,17 +67,23 @@ pub enum Range {
     Positive,
     /// 0 to 90 degrees.
     Slope,
+    /// -360 to 360 degrees.
+    Angle,
 }
 
 impl Need {
+    /// Does the scene take it in degrees?
+    pub const fn in_degrees(self) -> bool {
+        matches!(self, Self::Slope | Self::Angle)
+    }
     /// SI unit (ASCII) of this use.
     pub const fn unit(self) -> &'static str {
         match self {
             Self::Mass => "kg",
             Self::Weight | Self::Force => "N",
-            Self::Radius | Self::Gyration | Self::Length | Self::Place => "m",
+            Self::Radius | Self::Gyration | Self::Length | Self::Place | Self::Arm | Self::Rod => "m",
             Self::Inertia => "kg*m^2",
-            Self::Slope => "deg",
+            Self::Slope | Self::Angle => "deg",
             Self::Friction => "1",
             Self::Moment => "N*m",
             Self::Stiffness => "N/m",
@@ -95,7 +107,9 @@ impl Need {
             Self::Moment => "a moment",
             Self::Stiffness => "a stiffness",
             Self::Length => "a length",
-            Self::Turn => "an angle",
+            Self::Turn | Self::Angle => "an angle",
+            Self::Arm => "a distance from the pin",
+            Self::Rod => "a length of a rod",
             Self::Place => "a place",
             Self::Time => "a time",
             Self::Velocity | Self::Speed => "a speed",
@@ -105,8 +119,9 @@ impl Need {
     /// Which values are admissible.
     pub const fn range(self) -> Range {
         match self {
-            Self::Mass | Self::Weight | Self::Radius | Self::Stiffness => Range::Positive,
+            Self::Mass | Self::Weight | Self::Radius | Self::Stiffness | Self::Rod => Range::Positive,
             Self::Slope => Range::Slope,
+            Self::Angle => Range::Angle,
             Self::Place | Self::Velocity | Self::Spin => Range::Any,
             _ => Range::NotNegative,
         }
@@ -116,9 +131,9 @@ impl Need {
         match self {
             Self::Mass => "20 kg",
             Self::Weight | Self::Force => "100 N",
-            Self::Radius | Self::Gyration | Self::Length | Self::Place => "0.25 m",
+            Self::Radius | Self::Gyration | Self::Length | Self::Place | Self::Arm | Self::Rod => "0.25 m",
             Self::Inertia => "4 kg*m^2",
-            Self::Slope => "30 deg",
+            Self::Slope | Self::Angle => "30 deg",
             Self::Friction => "0.4",
             Self::Moment => "75 N*m",
             Self::Stiffness => "400 N/m",
@@ -163,12 +178,20 @@ struct Reader<'a> {
     uses: RefCell<Vec<Use>>,
     /// The line of some body could not be read, so nothing is said of surfaces that are not used.
     lost: Cell<bool>,
+    /// The start gives the angle of a pinned body.
+    angled: Cell<bool>,
 }
 
 /// Reads a scene. `gravity` is the index of g among the data.
 pub fn read(node: &Node, symbols: &[Symbol], gravity: usize, faults: &Faults) -> Read {
     let before = faults.count();
-    let reader = Reader { symbols, faults, uses: RefCell::new(Vec::new()), lost: Cell::new(false) };
+    let reader = Reader {
+        symbols,
+        faults,
+        uses: RefCell::new(Vec::new()),
+        lost: Cell::new(false),
+        angled: Cell::new(false),
+    };
     let scene = reader.scene(node, gravity).filter(|_| faults.count() == before);
     Read { scene, uses: reader.uses.into_inner() }
 }
@@ -184,7 +207,7 @@ impl Reader<'_> {
         let mut fields = Fields::open(node, "a scene (bodies, ties, start, end)", f)?;
         let surfaces = fields.get("surfaces").map_or_else(Vec::new, |n| self.surfaces(n));
         let bodies_node = fields.need("bodies", "{wheel: {mass: m, moves: vertically}}", f);
-        let bodies = bodies_node.map_or_else(Vec::new, |n| self.bodies(n, &surfaces));
+        let mut bodies = bodies_node.map_or_else(Vec::new, |n| self.bodies(n, &surfaces));
         if let Some(n) = bodies_node
             && bodies.is_empty()
             && matches!(&n.value, Value::Map(m) if m.is_empty())
@@ -192,11 +215,22 @@ impl Reader<'_> {
             f.at(n, "a scene has at least one body");
         }
         let ties = fields.get("ties").map_or_else(Vec::new, |n| self.ties(n, &bodies));
-        let couples = fields.get("forces").map_or_else(Vec::new, |n| self.forces(n, &bodies));
-        let start = fields.get("start").map_or_else(Vec::new, |n| self.start(n, &bodies));
+        let couples = fields.get("forces").map_or_else(Vec::new, |n| self.forces(n, &mut bodies));
+        let start_node = fields.get("start");
+        let start = start_node.map_or_else(Vec::new, |n| self.start(n, &mut bodies));
         let end = fields.need("end", "{travel: {of: wheel, by: d}}", f).and_then(|n| self.end(n, &bodies));
         fields.close(f);
         let (end, heading) = end?;
+        if let Some(body) = bodies.iter().find(|b| b.pin.is_some())
+            && !self.angled.get()
+            && !matches!(end, End::AtOnce)
+        {
+            f.hint(
+                start_node.unwrap_or(node),
+                format!("the angle at which `{}` starts is missing", body.name),
+                format!("write `start: {{{}: {{angle: phi0}}}}`", body.name),
+            );
+        }
         Some(Scene { gravity_m_s2: Num::Datum(gravity), bodies, ties, couples, start, end, heading })
     }
 
@@ -371,6 +405,7 @@ impl Reader<'_> {
             line: None,
             turns: false,
             particles: Vec::new(),
+            pin: None,
         };
         let Some(mut fields) = Fields::open(node, "a body (mass, moves, ...)", f) else { return body };
         if let Some(particles) = fields.get("particles") {
@@ -404,16 +439,30 @@ impl Reader<'_> {
                 if known.is_none() {
                     self.unknown(key, "shape", SHAPES);
                 }
-                let radius = self.number(radius, Need::Radius);
-                shape_radius = radius;
+                let rod = known == Some(Shape::Rod);
+                let radius = self.number(radius, if rod { Need::Rod } else { Need::Radius });
+                // A rod has a length where the others have a rim.
+                shape_radius = radius.filter(|_| !rod);
                 body.inertia = known.zip(radius).map(|(s, r)| RotaryInertia::Shape(s, r));
             }
         } else if let Some(n) = parts {
             body.inertia = Some(RotaryInertia::Parts(self.parts(n)));
         }
         body.turns = !given.is_empty();
-        let moves = fields.need("moves", "along incline", f);
-        let positive = fields.get("positive");
+        let pinned = fields.get("pinned");
+        let angle = fields.get("angle");
+        let (moves, positive) = if pinned.is_some() {
+            (fields.get("moves"), fields.get("positive"))
+        } else {
+            (fields.need("moves", "along incline", f), fields.get("positive"))
+        };
+        if let Some(n) = angle.filter(|_| pinned.is_none()) {
+            f.hint(
+                n,
+                format!("`{name}` is not pinned, so it has no angle"),
+                "write `pinned: {distance: h}` too",
+            );
+        }
         let fixed = moves.and_then(Node::text).is_some_and(|t| t.trim() == "about a fixed axle");
         body.mass = match (mass, weight) {
             (Some(_), Some(w)) => {
@@ -444,6 +493,25 @@ impl Reader<'_> {
             && let Some(n) = mass.or(weight)
         {
             f.hint(n, "the mass of a body made of parts is the sum of its parts", "remove this field");
+        }
+        if let Some(n) = pinned {
+            for n in [moves, positive].into_iter().flatten() {
+                f.hint(n, "a pinned body moves about its pin, not along a line", "remove this field");
+            }
+            if given.is_empty() {
+                f.hint(
+                    node,
+                    format!("`{name}` has no inertia, so it cannot swing"),
+                    "give it a `shape`, a `radius of gyration` or a `moment of inertia`",
+                );
+            }
+            body.turns = true;
+            body.pin = Some(self.pin(n, angle, &body));
+            if let Some(n) = fields.get("radii") {
+                f.hint(n, "nothing rolls on a pinned body and no cord is wound on it", "remove this field");
+            }
+            fields.close(f);
+            return body;
         }
         body.line = match moves.map(|n| self.line(n, positive, surfaces)) {
             Some(Ok(line)) => line,
@@ -478,6 +546,61 @@ impl Reader<'_> {
         }
         fields.close(f);
         body
+    }
+
+    /// The pin of a body; the start gives the angle, forces the spring.
+    fn pin(&self, node: &Node, angle: Option<&Node>, body: &Body) -> Pin {
+        let f = self.faults;
+        let zeros = [
+            ("from upright", Zero::Upright),
+            ("upright", Zero::Upright),
+            ("from hanging", Zero::Hanging),
+            ("hanging", Zero::Hanging),
+        ];
+        let from = match angle {
+            Some(n) => self.word(n, "from where the angle counts", &zeros),
+            None => {
+                f.hint(
+                    node,
+                    format!("`angle` of `{}` is missing", body.name),
+                    "write `angle: from upright` (mass centre above the pin) or `angle: from hanging`",
+                );
+                None
+            }
+        };
+        let arm = match &node.value {
+            Value::Map(_) => Fields::open(node, "where it is pinned", f).and_then(|mut fields| {
+                let distance = self.need_number(&mut fields, "distance", "h", Need::Arm);
+                fields.close(f);
+                distance.map(Arm::Distance)
+            }),
+            _ => match (
+                self.word(
+                    node,
+                    "`at its end` or `{distance: h}`",
+                    &[("at its end", ()), ("at one end", ()), ("at the end", ())],
+                ),
+                &body.inertia,
+            ) {
+                (Some(()), Some(RotaryInertia::Shape(Shape::Rod, length))) => Some(Arm::HalfOf(*length)),
+                (Some(()), Some(_)) => {
+                    f.hint(
+                        node,
+                        format!("`{}` is no rod, so it has no end", body.name),
+                        "write `pinned: {distance: h}` with the distance from the pin to the mass centre",
+                    );
+                    None
+                }
+                _ => None,
+            },
+        };
+        // What is wrong has been told; the body stays pinned, so that nothing else is blamed.
+        Pin {
+            arm: arm.unwrap_or(Arm::Distance(Num::Fixed(1.0))),
+            from: from.unwrap_or(Zero::Hanging),
+            start_deg: Num::Fixed(0.0),
+            spring: None,
+        }
     }
 
     fn line(&self, moves: &Node, positive: Option<&Node>, surfaces: &[Surface]) -> Result<Option<Line>, ()> {
@@ -901,7 +1024,7 @@ impl Reader<'_> {
         self.word(node, "where the wound cord leaves", &words)
     }
 
-    fn forces(&self, node: &Node, bodies: &[Body]) -> Vec<Couple> {
+    fn forces(&self, node: &Node, bodies: &mut [Body]) -> Vec<Couple> {
         let f = self.faults;
         let Value::List(items) = &node.value else {
             f.at(node, format!("expected a list of forces, each after `- `, found {}", node.kind()));
@@ -914,8 +1037,12 @@ impl Reader<'_> {
             else {
                 continue;
             };
+            if word == "spring" {
+                self.pin_spring(value, bodies);
+                continue;
+            }
             if word != "couple" {
-                self.unknown(key, "force", &["couple"]);
+                self.unknown(key, "force", &["couple", "spring"]);
                 continue;
             }
             let Some(mut fields) = Fields::open(value, "a couple (on, moment, sense)", f) else { continue };
@@ -938,7 +1065,58 @@ impl Reader<'_> {
         list
     }
 
-    fn start(&self, node: &Node, bodies: &[Body]) -> Vec<Start> {
+    /// A spring between a fixed anchor and a point of a pinned body.
+    fn pin_spring(&self, node: &Node, bodies: &mut [Body]) {
+        let f = self.faults;
+        let Some(mut fields) = Fields::open(node, "a spring (on, at, anchor, stiffness, natural length)", f)
+        else {
+            return;
+        };
+        let body = self.need_body(&mut fields, "on", bodies);
+        let at = self.need_number(&mut fields, "at", "b", Need::Radius);
+        let anchor = fields.need("anchor", "[x_A, y_A]", f).and_then(|n| match &n.value {
+            Value::List(xy) if xy.len() == 2 => {
+                self.number(&xy[0], Need::Place).zip(self.number(&xy[1], Need::Place))
+            }
+            _ => {
+                f.at(n, format!("expected a place such as `[x_A, y_A]`, found {}", n.kind()));
+                None
+            }
+        });
+        let stiffness = self.need_number(&mut fields, "stiffness", "ks", Need::Stiffness);
+        let rest = match (fields.get("natural length"), fields.get("stretch")) {
+            (Some(n), None) => self.number(n, Need::Length).map(Rest::Length),
+            (None, Some(n)) => self.number(n, Need::Length).map(Rest::Stretch),
+            _ => {
+                f.hint(
+                    node,
+                    "a spring has a natural length, or a stretch at the start",
+                    "write `natural length: l0`, or `stretch: x0`",
+                );
+                None
+            }
+        };
+        fields.close(f);
+        let Some(body) = body else { return };
+        let name = bodies[body].name.clone();
+        let Some(pin) = &mut bodies[body].pin else {
+            f.hint(
+                node,
+                format!("`{name}` is not pinned"),
+                "a spring on a cord is written `cord: {from: ..., spring: {...}}` under `ties`",
+            );
+            return;
+        };
+        if pin.spring.is_some() {
+            f.hint(node, format!("`{name}` has a spring already"), "a scene has at most one spring");
+        }
+        if let (Some(at_m), Some((x_m, y_m)), Some(stiffness_n_m), Some(rest)) = (at, anchor, stiffness, rest)
+        {
+            pin.spring = Some(PinSpring { at_m, x_m, y_m, stiffness_n_m, rest });
+        }
+    }
+
+    fn start(&self, node: &Node, bodies: &mut [Body]) -> Vec<Start> {
         let f = self.faults;
         if node.text().is_some_and(|t| matches!(t.trim(), "at rest" | "from rest")) {
             return Vec::new();
@@ -960,10 +1138,17 @@ impl Reader<'_> {
             };
             let Some(mut fields) = Fields::open(value, "a speed, such as `{speed: v0}`", f) else { continue };
             if bodies[body].particles.is_empty() {
+                let angle = if bodies[body].pin.is_some() { fields.get("angle") } else { None };
                 let speed = fields.get("speed");
                 let spin = fields.get("spin");
                 fields.close(f);
-                if speed.is_none() && spin.is_none() {
+                if let Some(n) = angle {
+                    self.angled.set(true);
+                    if let (Some(angle), Some(pin)) = (self.number(n, Need::Angle), &mut bodies[body].pin) {
+                        pin.start_deg = angle;
+                    }
+                }
+                if speed.is_none() && spin.is_none() && angle.is_none() {
                     f.hint(value, "no speed is given", "write `{speed: v0}` or `{spin: w0}`");
                 }
                 if let Some(n) = speed {
@@ -1022,7 +1207,7 @@ impl Reader<'_> {
             let body = self.body_named(value, bodies)?;
             return Some((End::Rolling(Coordinate { body, degree: Degree::Along }), None));
         }
-        let names = ["travel", "turn", "position", "time", "speed", "turning point", "rolling"];
+        let names = ["travel", "turn", "position", "time", "speed", "turning point", "rolling", "angle"];
         if !names.contains(&word) {
             self.unknown(key, "end", &names);
             return None;
@@ -1039,6 +1224,7 @@ impl Reader<'_> {
             "turn" => self.need_number(&mut fields, "by", "phi", Need::Turn),
             "position" => self.need_number(&mut fields, "at", "s", Need::Place),
             "time" => self.need_number(&mut fields, "is", "t1", Need::Time),
+            "angle" => self.need_number(&mut fields, "reaches", "phi1", Need::Angle),
             _ => self.need_number(
                 &mut fields,
                 "reaches",
@@ -1046,7 +1232,8 @@ impl Reader<'_> {
                 if turning { Need::SpinReached } else { Need::Speed },
             ),
         };
-        let heading = fields.get("heading").map_or(Some(None), |n| {
+        let heading_node = fields.get("heading");
+        let heading = heading_node.map_or(Some(None), |n| {
             let mut words = vec![("forward", Heading::Forward), ("back", Heading::Back)];
             if let Some(line) = line
                 && line.slope != Slope::Level
@@ -1068,12 +1255,28 @@ impl Reader<'_> {
             f.at(value, format!("`{}` does not turn", bodies[body].name));
             return None;
         }
+        let pinned = bodies[body].pin.is_some();
+        let name = &bodies[body].name;
+        if pinned && ["travel", "turn", "position"].contains(&word) {
+            f.hint(
+                key,
+                format!("`{name}` is pinned: it ends at an angle"),
+                format!("write `angle: {{of: {name}, reaches: phi1}}`"),
+            );
+        }
+        if !pinned && word == "angle" {
+            f.hint(key, format!("`{name}` is not pinned, so it has no angle"), "`travel`, `turn`, or pin it");
+        }
+        if let Some(n) = heading_node.filter(|_| pinned) {
+            f.hint(n, "a pinned body goes where its forces or its start take it", "remove this field");
+        }
         let coordinate = Coordinate { body, degree };
         let number = number?;
         let end = match word {
             "travel" | "turn" => End::Travel(coordinate, number),
             "position" => End::Position(coordinate, number),
             "time" => End::Time(coordinate, number),
+            "angle" => End::Angle(coordinate, number),
             _ => End::Speed(coordinate, number),
         };
         Some((end, heading?))
@@ -1104,6 +1307,7 @@ pub fn admissible(value: f64, need: Need) -> Result<(), String> {
         Range::NotNegative => !(value.is_finite() && value >= 0.0),
         Range::Positive => !(value.is_finite() && value > 0.0),
         Range::Slope => !(0.0..=90.0).contains(&value),
+        Range::Angle => !(-360.0..=360.0).contains(&value),
     };
     if !fault {
         return Ok(());
@@ -1113,6 +1317,7 @@ pub fn admissible(value: f64, need: Need) -> Result<(), String> {
         Range::NotNegative => "not negative",
         Range::Positive => "above 0",
         Range::Slope => "from 0 to 90 degrees",
+        Range::Angle => "from -360 to 360 degrees",
     };
     Err(format!("{} is {rule}", need.words()))
 }
@@ -1129,6 +1334,7 @@ const SHAPES: &[&str] = &[
     "ball",
     "shell",
     "hollow sphere",
+    "rod",
 ];
 
 fn shape_of(word: &str) -> Option<Shape> {
@@ -1137,6 +1343,7 @@ fn shape_of(word: &str) -> Option<Shape> {
         "hoop" | "ring" | "hollow cylinder" | "thin hoop" | "thin ring" => Some(Shape::Hoop),
         "sphere" | "ball" | "solid sphere" | "solid ball" => Some(Shape::Sphere),
         "shell" | "hollow sphere" | "spherical shell" | "hollow ball" => Some(Shape::Shell),
+        "rod" | "slender rod" | "uniform rod" | "bar" => Some(Shape::Rod),
         _ => None,
     }
 }

@@ -388,7 +388,7 @@ fn problem(
     // Slopes go to the scene in degrees, all else in SI.
     let mut degrees = vec![false; data.len()];
     for read in cases.iter().filter_map(|c| c.read.as_ref()) {
-        for u in read.uses.iter().filter(|u| u.need == Need::Slope) {
+        for u in read.uses.iter().filter(|u| u.need.in_degrees()) {
             degrees[u.datum] = true;
         }
     }

@@ -2,6 +2,7 @@
 use crate::bank::Problem;
 use crate::key::Answer;
 use crate::key::KeyEntry;
+use crate::num::gauss::Unsettled;
 use crate::scene::End;
 use crate::scene::Num;
 use crate::scene::Scene;
@@ -156,6 +157,9 @@ pub fn regime(regime: Regime) -> String {
         Motion::DownTurningPoint => "it moves down; the asked place is the turning point",
         Motion::DownUnreachable => "it moves down and turns before the asked place",
         Motion::Rest => "it stays at rest",
+        Motion::SwingsOk => "it swings and reaches the asked end",
+        Motion::SwingsTurningPoint => "it swings; the asked end is the turning point",
+        Motion::SwingsUnreachable => "it swings and does not reach the asked end before it turns",
         Motion::RollsAfter => "it slips first and rolls afterwards",
         Motion::RollsAtStart => "it rolls from the start",
         Motion::SlipsThrough => {
@@ -185,6 +189,8 @@ fn inadmissible(problem: &Problem, fault: &Inadmissible) -> String {
         Rule::Finite => format!("{name} = {value}: must be a finite number"),
         Rule::Positive => format!("{name} = {value}: must be above 0"),
         Rule::NotNegative => format!("{name} = {value}: must not be below 0"),
+        Rule::Angle => format!("{name} = {value}: an angle is from -360 to 360 degrees"),
+        Rule::Stretch => format!("{name} = {value}: must not be above the length of the spring at the start"),
         Rule::Slope => format!("{name} = {value}: a slope is from 0 to 90 degrees"),
         Rule::NotAbove(other) => format!("{name} = {value}: must not be above {}", symbol(problem, other)),
     }
@@ -223,8 +229,15 @@ pub fn refusal(problem: &Problem, scene: &Scene, refusal: &Refusal) -> Vec<Strin
                 "of a body of particles only what holds at the instant can be asked; write `end: at once`"
                     .to_owned()
             }
+            Unsupported::PinnedInCompany => {
+                "a pinned body is alone in its scene, without ties; it ends at an angle, a time, a speed or a turning point"
+                    .to_owned()
+            }
             Unsupported::TooManyData => "there are more than 64 data".to_owned(),
         }),
+        Refusal::Unsettled(Unsettled { value, gap }) => one(format!(
+            "an integral over the motion does not settle: {value:e}, and {gap:e} off when its panels are halved. No answer is given."
+        )),
         Refusal::Disagree { label, eom, energy, allowed } => one(format!(
             "the two roads disagree on {}: {eom:e} from the equations of motion, {energy:e} from energy; a relative gap of {allowed:.1e} would be accepted. No key is published.",
             scene.name_of(*label)

@@ -3,10 +3,14 @@
 pub mod ball;
 pub mod dd;
 pub mod eliminate;
+pub mod elliptic;
+pub mod gauss;
+pub mod half;
 pub mod jet;
 pub mod linear;
 pub mod plant;
 pub mod real;
+pub mod root;
 pub mod rough;
 pub mod trig;
 pub mod wide;

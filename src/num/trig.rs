@@ -60,7 +60,6 @@ static INVERSE_FACTORIAL: LazyLock<[Dd; 13]> = LazyLock::new(|| {
 /// Sine and cosine of an angle in degrees, as double-doubles.
 ///
 /// Not finite: NaN. The relative error is below 2^-100 wherever the result is not zero.
-#[expect(clippy::float_cmp, reason = "whole degrees are exact doubles")]
 pub fn sin_cos_degrees(degrees: f64) -> (Dd, Dd) {
     if !degrees.is_finite() {
         return (Dd::new(f64::NAN), Dd::new(f64::NAN));
@@ -82,30 +81,90 @@ pub fn sin_cos_degrees(degrees: f64) -> (Dd, Dd) {
     }
     let nearest = libm::rint(x);
     let rest = x - nearest;
-    let (sn, cn) = WHOLE[nearest as usize];
-    let (s, c) = if rest == 0.0 {
-        (sn, cn)
-    } else {
-        let d = Dd::new(rest) * RADIANS_PER_DEGREE;
-        let f = &*INVERSE_FACTORIAL;
-        let q = d * d;
-        // sin d / d - 1 and 1 - cos d, |d| <= 0.0088: the last terms kept are below 1e-33 of the sum.
-        let sine = d - d * q * (f[3] - q * (f[5] - q * (f[7] - q * (f[9] - q * f[11]))));
-        let one_minus_cosine = q * (f[2] - q * (f[4] - q * (f[6] - q * (f[8] - q * (f[10] - q * f[12])))));
-        if nearest == 0.0 {
-            (sine, Dd::ONE - one_minus_cosine)
-        } else if nearest == 90.0 {
-            (Dd::ONE - one_minus_cosine, -sine)
-        } else {
-            (sn - sn * one_minus_cosine + cn * sine, cn - cn * one_minus_cosine - sn * sine)
-        }
-    };
+    let (s, c) = beside(nearest as usize, Dd::new(rest) * RADIANS_PER_DEGREE);
     match quadrant {
         0 => (s, c),
         1 => (c, -s),
         2 => (-s, -c),
         _ => (-c, s),
     }
+}
+
+/// Sine and cosine beside a whole number of degrees from 0 to 90, at most 0.0088 radians away.
+fn beside(whole: usize, d: Dd) -> (Dd, Dd) {
+    let (sn, cn) = WHOLE[whole];
+    if d == Dd::ZERO {
+        return (sn, cn);
+    }
+    let f = &*INVERSE_FACTORIAL;
+    let q = d * d;
+    // sin d / d - 1 and 1 - cos d: the last terms kept are below 1e-33 of the sum.
+    let sine = d - d * q * (f[3] - q * (f[5] - q * (f[7] - q * (f[9] - q * f[11]))));
+    let one_minus_cosine = q * (f[2] - q * (f[4] - q * (f[6] - q * (f[8] - q * (f[10] - q * f[12])))));
+    match whole {
+        0 => (sine, Dd::ONE - one_minus_cosine),
+        90 => (Dd::ONE - one_minus_cosine, -sine),
+        _ => (sn - sn * one_minus_cosine + cn * sine, cn - cn * one_minus_cosine - sn * sine),
+    }
+}
+
+/// Sine and cosine of an angle in radians, as double-doubles.
+///
+/// Not finite: NaN. The error is below 2^-95 for angles of a few turns; near 0 it is relative.
+pub fn sin_cos_radians(x: Dd) -> (Dd, Dd) {
+    if !x.is_finite() {
+        return (Dd::new(f64::NAN), Dd::new(f64::NAN));
+    }
+    if x.hi < 0.0 {
+        let (s, c) = sin_cos_radians(-x);
+        return (-s, c);
+    }
+    let whole = libm::rint(x.hi / RADIANS_PER_DEGREE.hi);
+    let rest = x - Dd::new(whole) * RADIANS_PER_DEGREE;
+    let turned = libm::fmod(whole, 360.0);
+    let quadrant = libm::floor(turned / 90.0);
+    let (s, c) = beside((turned - 90.0 * quadrant) as usize, rest);
+    match quadrant as u32 {
+        0 => (s, c),
+        1 => (c, -s),
+        2 => (-s, -c),
+        _ => (-c, s),
+    }
+}
+
+/// Below this share a sine is its angle, and a tangent too: the next term is below 2^-112.
+const STRAIGHT: f64 = 1.0 / (1u64 << 56) as f64;
+
+/// [`sin_cos_radians`] with derivatives.
+pub fn turn<T: Real>(x: T) -> (T, T) {
+    if x.f64().abs() < STRAIGHT {
+        let sine = x.widened(|| x.f64().abs() * STEP);
+        return (sine, (T::of(1.0) - x.square().scale2(-1)).widened(|| STEP));
+    }
+    let (s, c) = sin_cos_radians(x.value());
+    let with = |value: Dd, rate: f64| {
+        let rate = T::Rough::of(rate);
+        T::with_slopes(T::Plain::constant(value), |i| rate * x.slope(i)).widened(|| x.radius() + 64.0 * STEP)
+    };
+    (with(s, c.hi), with(c, -s.hi))
+}
+
+/// Angle of the point (x, y), radians, to double-double, with derivatives.
+pub fn angle<T: Real>(y: T, x: T) -> T {
+    let slope = y / x;
+    if x.value().hi > 0.0 && slope.f64().abs() < STRAIGHT {
+        return slope.widened(|| slope.f64().abs() * STEP);
+    }
+    let rough = atan2(y, x);
+    if !rough.is_finite() {
+        return rough;
+    }
+    // What is left after turning back is so small that it is its own tangent.
+    let (s, c) = sin_cos_radians(rough.value());
+    let (s, c) = (T::Plain::constant(s), T::Plain::constant(c));
+    let (y, x) = (y.plain(), x.plain());
+    let rest = (y * c - x * s) / (x * c + y * s);
+    T::with_slopes(rough.plain() + rest, |i| rough.slope(i)).widened(|| 64.0 * STEP)
 }
 
 /// [`sin_cos_degrees`] with derivatives.
@@ -185,6 +244,22 @@ mod tests {
             let ((sa, ca), (sb, cb)) = (sin_cos_degrees(a), sin_cos_degrees(b));
             let miss = sa * cb + ca * sb - sin_cos_degrees(a + b).0;
             assert!(miss.hi.abs() < 1e-30, "{a} {b}: {miss:?}");
+        }
+    }
+    #[test]
+    fn radians_and_degrees_agree() {
+        for degrees in [-359.0, -20.5, 0.0, 1e-9, 12.25, 89.75, 90.0, 200.0, 359.5, 700.125] {
+            let (s, c) = sin_cos_degrees(degrees);
+            let (t, d) = sin_cos_radians(Dd::new(degrees) * RADIANS_PER_DEGREE);
+            assert!((s - t).hi.abs() < 1e-29 && (c - d).hi.abs() < 1e-29, "{degrees}");
+        }
+    }
+    #[test]
+    fn the_angle_of_a_point_has_32_digits() {
+        for x in [-3.1, -2.0, -0.5, 1e-20, 1e-3, 0.7, 1.55, 1.6, 3.0] {
+            let (s, c) = sin_cos_radians(Dd::new(x));
+            let back = angle(s, c);
+            assert!(((back - Dd::new(x)) / Dd::new(x)).hi.abs() < 1e-29, "{x}: {back:?}");
         }
     }
     #[test]

@@ -103,6 +103,9 @@ pub const fn may_vanish(quantity: Quantity) -> bool {
             | Quantity::A
             | Quantity::Alpha
             | Quantity::Rise
+            | Quantity::PinRadial
+            | Quantity::PinTangential
+            | Quantity::SpringForce
             | Quantity::XG
             | Quantity::YG
     )
@@ -129,6 +132,9 @@ const fn is_magnitude(quantity: Quantity) -> bool {
             | Quantity::Displacement
             | Quantity::Alpha
             | Quantity::Rise
+            | Quantity::PinRadial
+            | Quantity::PinTangential
+            | Quantity::SpringForce
             | Quantity::XG
             | Quantity::YG
             | Quantity::WorkPull
@@ -147,6 +153,7 @@ fn offered(quantity: Quantity, scene: &Scene) -> &'static [&'static str] {
         | End::Position(c, _)
         | End::Time(c, _)
         | End::Speed(c, _)
+        | End::Angle(c, _)
         | End::TurningPoint(c)
         | End::Rolling(c) => c.body,
     };

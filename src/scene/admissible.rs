@@ -1,14 +1,21 @@
 //! Which data are a scene at all (PHYSICS: admissible data). NaN passes no test here.
+use crate::num::Dd;
+use crate::num::Real;
+use crate::num::trig;
+use crate::scene::Arm;
 use crate::scene::Attach;
 use crate::scene::End;
 use crate::scene::Far;
 use crate::scene::Mass;
 use crate::scene::Num;
+use crate::scene::Pin;
+use crate::scene::Rest;
 use crate::scene::RotaryInertia;
 use crate::scene::Scene;
 use crate::scene::Slope;
 use crate::scene::Start;
 use crate::scene::Tie;
+use crate::scene::Zero;
 
 /// What a datum must satisfy to be part of a scene.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -21,6 +28,10 @@ pub enum Rule {
     NotNegative,
     /// From 0 to 90 degrees.
     Slope,
+    /// From -360 to 360 degrees.
+    Angle,
+    /// A stretch that is not above the length of the spring at the start.
+    Stretch,
     /// Not above another datum (hub <= rim, mu_k <= mu_s).
     NotAbove(Num),
 }
@@ -47,7 +58,7 @@ pub fn rules(scene: &Scene, mut tell: impl FnMut(Num, Rule)) {
             tell(p.x_m, Finite);
             tell(p.y_m, Finite);
         }
-        let mass = if b.line.is_some() { Positive } else { NotNegative };
+        let mass = if b.line.is_some() || b.pin.is_some() { Positive } else { NotNegative };
         if b.particles.is_empty() {
             match &b.mass {
                 Mass::Kilograms(n) | Mass::Weight(n) => tell(*n, mass),
@@ -79,6 +90,9 @@ pub fn rules(scene: &Scene, mut tell: impl FnMut(Num, Rule)) {
         }
         if let Some(Slope::Degrees(angle)) = b.line.map(|l| l.slope) {
             tell(angle, Rule::Slope);
+        }
+        if let Some(pin) = &b.pin {
+            pin_rules(pin, &mut tell);
         }
     }
     for t in &scene.ties {
@@ -140,7 +154,42 @@ pub fn rules(scene: &Scene, mut tell: impl FnMut(Num, Rule)) {
         End::AtOnce | End::TurningPoint(_) | End::Rolling(_) => {}
         End::Travel(_, d) | End::Time(_, d) | End::Speed(_, d) => tell(d, NotNegative),
         End::Position(_, s) => tell(s, Finite),
+        End::Angle(_, a) => tell(a, Rule::Angle),
     }
+}
+
+/// The numbers of a pin.
+fn pin_rules(pin: &Pin, tell: &mut impl FnMut(Num, Rule)) {
+    match pin.arm {
+        Arm::Distance(h) => tell(h, Rule::NotNegative),
+        Arm::HalfOf(l) => tell(l, Rule::Positive),
+    }
+    tell(pin.start_deg, Rule::Angle);
+    if let Some(s) = &pin.spring {
+        tell(s.at_m, Rule::Positive);
+        tell(s.x_m, Rule::Finite);
+        tell(s.y_m, Rule::Finite);
+        tell(s.stiffness_n_m, Rule::Positive);
+        match s.rest {
+            Rest::Length(l) => tell(l, Rule::NotNegative),
+            Rest::Stretch(x) => {
+                tell(x, Rule::NotNegative);
+                tell(x, Rule::Stretch);
+            }
+        }
+    }
+}
+
+/// Is the spring of the pinned body at the start at least as long as it is stretched there?
+fn fits(scene: &Scene, of: &impl Fn(Num) -> f64, stretch: f64) -> bool {
+    let Some((_, Pin { from, start_deg, spring: Some(s), .. })) = scene.pinned() else { return true };
+    let (sine, cosine) = trig::sin_cos_degrees(of(*start_deg));
+    let up = if *from == Zero::Upright { cosine } else { -cosine };
+    let at = Dd::new(of(s.at_m));
+    let (dx, dy) = (Dd::new(of(s.x_m)) - at * sine, Dd::new(of(s.y_m)) - at * up);
+    let (long, stretch) = (dx * dx + dy * dy, Dd::product(stretch, stretch));
+    // What is not finite has its own finding.
+    !long.is_finite() || !Real::is_finite(stretch) || stretch.at_most(long)
 }
 
 /// Do all numbers of the scene pass a test?
@@ -170,6 +219,8 @@ pub fn faults(scene: &Scene, data: &[f64]) -> Vec<Inadmissible> {
             Rule::Positive => value.is_finite() && value > 0.0,
             Rule::NotNegative => value.is_finite() && value >= 0.0,
             Rule::Slope => (0.0..=90.0).contains(&value),
+            Rule::Angle => (-360.0..=360.0).contains(&value),
+            Rule::Stretch => fits(scene, &of, value),
             // A value that is not even finite has its own finding.
             Rule::NotAbove(other) => !value.is_finite() || !of(other).is_finite() || value <= of(other),
         };

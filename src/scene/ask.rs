@@ -1,5 +1,5 @@
 //! Which quantity, of which body or cord. The names are fixed: scripts rely on them.
-use crate::scene::{Coordinate, Cord, Degree, End, Far, Num, Scene, Tie};
+use crate::scene::{Coordinate, Cord, Degree, End, Far, Num, Pin, Scene, Tie};
 
 /// What a quantity belongs to.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -42,7 +42,7 @@ quantities! {
     Omega "omega" "rad/s" "angular speed at the end, a magnitude";
     V "v" "m/s" "speed of the mass centre at the end, a magnitude";
     A "a" "m/s^2" "acceleration of the mass centre at the end, positive forward";
-    Alpha "alpha" "rad/s^2" "angular acceleration at the end, positive with rolling forward";
+    Alpha "alpha" "rad/s^2" "angular acceleration at the end, positive with rolling forward or with growing angle";
     Friction "friction" "N" "friction force on the body at the end, positive up the incline";
     Normal "normal" "N" "normal force of the surface";
     MuRequired "mu_required" "1" "least static friction coefficient for rolling over the whole motion";
@@ -69,6 +69,15 @@ quantities! {
     XG "x_G" "m" "x of the mass centre";
     YG "y_G" "m" "y of the mass centre";
     IG "I_G" "kg*m^2" "moment of inertia about the mass centre";
+    IO "I_O" "kg*m^2" "moment of inertia about the pin";
+    PinRadial "pin_radial" "N" "force of the pin on the body along the line to the mass centre, positive toward the pin";
+    PinTangential "pin_tangential" "N" "force of the pin on the body across that line, positive with growing angle";
+    PinForce "pin_force" "N" "force of the pin on the body, a magnitude";
+    SpringForce "spring_force" "N" "force of the spring, positive if it pulls";
+    OmegaMax "omega_max" "rad/s" "greatest angular speed of the motion";
+    Period "period" "s" "time of a full swing to and fro, or of a full turn where it goes over the top";
+    PeriodSmall "period_small" "s" "period of small swings";
+    OmegaSmall "omega_small" "rad/s" "angular frequency of small swings";
     Direction "direction" "" "up, down or stays (forward, back or stays on a level)";
     Rolls "rolls" "" "yes if it could roll without slipping, else no";
 }
@@ -145,6 +154,14 @@ impl Scene {
             _ => None,
         })
     }
+    /// The pinned body of the scene, if it has one.
+    pub fn pinned(&self) -> Option<(usize, &Pin)> {
+        self.bodies.iter().enumerate().find_map(|(i, b)| Some((i, b.pin.as_ref()?)))
+    }
+    /// Is there nothing on the pinned body but its weight, so that it swings to and fro in a period?
+    pub fn is_pendulum(&self) -> bool {
+        self.couples.is_empty() && self.pinned().is_some_and(|(_, pin)| pin.spring.is_none())
+    }
     /// The coordinate that the ending event watches; the line (or turn) of the first body if the scene is an instant.
     pub fn ending_coordinate(&self) -> Coordinate {
         match self.end {
@@ -152,9 +169,13 @@ impl Scene {
             | End::Position(c, _)
             | End::Time(c, _)
             | End::Speed(c, _)
+            | End::Angle(c, _)
             | End::TurningPoint(c)
             | End::Rolling(c) => c,
-            End::AtOnce => Coordinate { body: 0, degree: Degree::Along },
+            End::AtOnce => Coordinate {
+                body: 0,
+                degree: if self.pinned().is_some() { Degree::Turn } else { Degree::Along },
+            },
         }
     }
     /// All coordinates: the lines, and the turns.

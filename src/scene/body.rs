@@ -1,5 +1,6 @@
 //! Bodies: mass, inertia, named radii, and the line along which the mass centre moves.
 use crate::scene::Num;
+use crate::scene::Pin;
 
 /// One rigid body.
 #[derive(Debug, Clone, PartialEq)]
@@ -18,6 +19,8 @@ pub struct Body {
     pub turns: bool,
     /// Particles rigidly joined; not empty only for a lamina whose kinetic energy is asked.
     pub particles: Vec<Particle>,
+    /// Held by a pin away from its mass centre, so that it swings in the vertical plane; `None` for every other body.
+    pub pin: Option<Pin>,
 }
 
 /// Mass of a body.
@@ -55,7 +58,8 @@ pub struct Part {
     pub radius_m: Num,
 }
 
-/// Uniform shapes, about the axis through the mass centre and normal to the plane: `I = beta m R^2`.
+/// Uniform shapes, about the axis through the mass centre and normal to the plane: `I = beta m R^2`, R the radius (of a
+/// rod: the length).
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Shape {
     /// Thin ring or thin-walled hollow cylinder, beta = 1.
@@ -66,6 +70,8 @@ pub enum Shape {
     Sphere,
     /// Thin spherical shell, beta = 2/3.
     Shell,
+    /// Slender rod, beta = 1/12 of the square of its length, which stands for R.
+    Rod,
 }
 
 /// The straight line of a mass centre, and whether the body rests on it.

@@ -10,6 +10,7 @@ pub fn beta<T: Real>(shape: Shape) -> T {
         Shape::Disc => (1.0, 2.0),
         Shape::Sphere => (2.0, 5.0),
         Shape::Shell => (2.0, 3.0),
+        Shape::Rod => (1.0, 12.0),
     };
     T::constant(Dd::new(over) / Dd::new(under))
 }
@@ -33,6 +34,8 @@ mod tests {
             }
             i2 / m
         };
+        // A rod of unit length, by halves.
+        let rod = moment(&|_| 1.0) / 4.0;
         let disc = moment(&|s| s);
         let sphere = moment(&|s| s * (1.0 - s * s).sqrt());
         // A shell by polar angle: s = sin t, dm = sin t dt.
@@ -42,9 +45,13 @@ mod tests {
             m += libm::sin(t);
             shell += libm::sin(t) * libm::sin(t) * libm::sin(t);
         }
-        for (shape, quadrature) in
-            [(Shape::Disc, disc), (Shape::Sphere, sphere), (Shape::Shell, shell / m), (Shape::Hoop, 1.0)]
-        {
+        for (shape, quadrature) in [
+            (Shape::Disc, disc),
+            (Shape::Sphere, sphere),
+            (Shape::Shell, shell / m),
+            (Shape::Hoop, 1.0),
+            (Shape::Rod, rod),
+        ] {
             let b: Dd = beta(shape);
             assert!((b.hi - quadrature).abs() < 1e-5, "{shape:?}: {} against {quadrature}", b.hi);
         }

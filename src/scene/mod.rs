@@ -3,7 +3,8 @@
 //! **Conventions**, stated once. Motion is planar. Each body that moves does so along its own straight line, positive
 //! *forward* (up the incline unless the scene says otherwise); a turn is positive in the sense that goes with rolling
 //! forward. Friction is the force on the body, positive forward. Cords are massless, inextensible and parallel to the
-//! line of the body that they leave. Angles are degrees in the data (they are reduced as degrees), radians in answers.
+//! line of the body that they leave. A pinned body has no line: it turns, positive as its angle grows (see [`pin`]). Angles
+//! are degrees in the data (they are reduced as degrees), radians in answers.
 pub mod admissible;
 pub mod ask;
 pub mod body;
@@ -12,6 +13,7 @@ pub mod inertia;
 pub mod link;
 pub mod motion;
 pub mod numbers;
+pub mod pin;
 
 pub use admissible::{Inadmissible, Rule};
 pub use ask::{Label, Owner, Quantity};
@@ -20,6 +22,7 @@ pub use force::Couple;
 pub use link::{Attach, Cord, CordEnd, Far, Side, Tie};
 pub use motion::{Coordinate, Degree, End, Heading, Start, Thrown};
 pub use numbers::{BodyNumbers, Numbers};
+pub use pin::{Arm, Pin, PinSpring, Rest, Zero};
 
 /// Where a number of the scene comes from: a datum of the problem (by index) or a constant of the bank.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -57,6 +57,8 @@ pub enum End {
     Speed(Coordinate, Num),
     /// When this coordinate comes to rest.
     TurningPoint(Coordinate),
+    /// When a pinned body stands at this angle, degrees, as its pin counts them.
+    Angle(Coordinate, Num),
     /// When the contact of this body, thrown with slip, stops slipping.
     Rolling(Coordinate),
 }

@@ -99,7 +99,12 @@ impl<'a, T: Real> Numbers<'a, T> {
             | Q::PowerPull
             | Q::FrictionIfRolled
             | Q::KineticEnergy
-            | Q::IG => self.mass_exponent,
+            | Q::IG
+            | Q::IO
+            | Q::PinRadial
+            | Q::PinTangential
+            | Q::PinForce
+            | Q::SpringForce => self.mass_exponent,
             _ => 0,
         }
     }

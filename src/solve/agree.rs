@@ -173,10 +173,18 @@ pub fn prove(scene: &Scene, data: &[f64], solved: &mut Solved) -> bool {
 /// Is the combination one that the assembly has?
 fn supported(scene: &Scene) -> Result<(), Refusal> {
     let lamina = scene.bodies.iter().any(|b| !b.particles.is_empty());
+    let refuse = |what| Err(Refusal::Unsupported(what));
+    if scene.pinned().is_some() {
+        let along = matches!(scene.end, End::Travel(..) | End::Position(..));
+        let alone = scene.bodies.len() == 1 && scene.ties.is_empty() && !along;
+        return if alone { Ok(()) } else { refuse(Unsupported::PinnedInCompany) };
+    }
+    if matches!(scene.end, End::Angle(..)) {
+        return refuse(Unsupported::PinnedInCompany);
+    }
     if matches!(scene.end, End::AtOnce) {
         return Ok(());
     }
-    let refuse = |what| Err(Refusal::Unsupported(what));
     if lamina || scene.start.iter().any(|s| matches!(s, Start::Lamina { .. })) {
         return refuse(Unsupported::MovingLamina);
     }

@@ -1,5 +1,6 @@
 //! What a solver yields: numbers, words of the regime, checks; never sentences.
 use crate::num::Real;
+use crate::num::gauss::Unsettled;
 use crate::scene::Label;
 
 /// What really happens, in the words that scripts rely on ([`Regime::word`]).
@@ -42,6 +43,9 @@ motions! {
     DownTurningPoint "down turning_point";
     DownUnreachable "down unreachable";
     Rest "rest";
+    SwingsOk "swings ok";
+    SwingsTurningPoint "swings turning_point";
+    SwingsUnreachable "swings unreachable";
     RollsAfter "rolls_after";
     RollsAtStart "rolls_at_start";
     SlipsThrough "slips_through";
@@ -238,6 +242,8 @@ pub enum Refusal {
     Freedoms(usize),
     /// The assembly cannot express this combination.
     Unsupported(Unsupported),
+    /// An integral over the motion does not settle: its value, and how far halved panels are off it.
+    Unsettled(Unsettled),
     /// The two roads disagree: the label, both values, the gap allowed.
     Disagree {
         /// Which quantity.
@@ -249,6 +255,12 @@ pub enum Refusal {
         /// The relative gap that would have been accepted.
         allowed: f64,
     },
+}
+
+impl From<Unsettled> for Refusal {
+    fn from(unsettled: Unsettled) -> Self {
+        Self::Unsettled(unsettled)
+    }
 }
 
 /// Combinations that are not solved (yet).
@@ -268,6 +280,8 @@ pub enum Unsupported {
     TwoSprings,
     /// Nothing but the kinetic energy of a lamina can be asked.
     MovingLamina,
+    /// A pinned body with another body, with ties, or with an end that belongs to a line.
+    PinnedInCompany,
     /// More data than the derivatives hold.
     TooManyData,
 }

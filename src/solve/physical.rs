@@ -177,8 +177,13 @@ pub fn judge<P: Real<Plain = P>>(
         }
     };
     let direction = Label { quantity: Quantity::Direction, of: Owner::Body(end.body) };
-    words
-        .push((direction, if sloped { word(Word::Up, Word::Down) } else { word(Word::Forward, Word::Back) }));
+    // The turn of a pinned body has no such word.
+    if body.pin.is_none() {
+        words.push((
+            direction,
+            if sloped { word(Word::Up, Word::Down) } else { word(Word::Forward, Word::Back) },
+        ));
+    }
     let motion = if let Some(throw) = thrown {
         match (throw.slips, throw.closes, throw.holds) {
             (true, false, _) => Motion::Never,
@@ -197,6 +202,13 @@ pub fn judge<P: Real<Plain = P>>(
             (_, u) if u > 0.0 => Motion::SlipsUp,
             (_, u) if u < 0.0 => Motion::SlipsDown,
             _ => Motion::SpinsInPlace,
+        }
+    } else if body.pin.is_some() {
+        match (course.sense, course.reached, place) {
+            (0.0, ..) => Motion::Rest,
+            (_, _, 0.0) if course.asked.is_some() => Motion::SwingsTurningPoint,
+            (_, true, _) => Motion::SwingsOk,
+            _ => Motion::SwingsUnreachable,
         }
     } else if scene.spring().is_some() {
         match (upward, course.reached, place) {

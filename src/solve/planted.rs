@@ -1,5 +1,6 @@
 //! Proof that the agreement of the roads catches mechanical errors: each named term of each road is spoiled in turn.
 use crate::num::plant;
+use crate::scene::Arm;
 use crate::scene::Attach;
 use crate::scene::Body;
 use crate::scene::Coordinate;
@@ -13,12 +14,16 @@ use crate::scene::Line;
 use crate::scene::Mass;
 use crate::scene::Num;
 use crate::scene::Particle;
+use crate::scene::Pin;
+use crate::scene::PinSpring;
+use crate::scene::Rest;
 use crate::scene::RotaryInertia;
 use crate::scene::Scene;
 use crate::scene::Side;
 use crate::scene::Slope;
 use crate::scene::Start;
 use crate::scene::Tie;
+use crate::scene::Zero;
 use crate::solve::agree::solve;
 use std::collections::BTreeSet;
 
@@ -39,6 +44,7 @@ fn body(name: &str, slope: Option<f64>, mass: f64, k: Option<f64>) -> Body {
         }),
         turns: k.is_some(),
         particles: Vec::new(),
+        pin: None,
     }
 }
 
@@ -56,6 +62,31 @@ fn cord_end((body, wound, forward): (usize, Option<f64>, bool)) -> CordEnd {
 fn scene(bodies: Vec<Body>, ties: Vec<Tie>, travel: f64) -> Scene {
     let end = End::Travel(Coordinate { body: 0, degree: Degree::Along }, f(travel));
     Scene { gravity_m_s2: f(9.81), bodies, ties, couples: Vec::new(), start: Vec::new(), end, heading: None }
+}
+
+/// A body of 4 kg pinned 0.6 m from its mass centre, from one angle to another.
+fn pinned(from: Zero, start: f64, end: f64) -> Scene {
+    let mut swinging = body("body", None, 4.0, Some(0.35));
+    swinging.pin = Some(Pin { arm: Arm::Distance(f(0.6)), from, start_deg: f(start), spring: None });
+    let mut scene = scene(vec![swinging], Vec::new(), 1.0);
+    scene.end = End::Angle(Coordinate { body: 0, degree: Degree::Turn }, f(end));
+    scene
+}
+
+/// The same with a spring, and with a couple against the sense of a growing angle.
+fn pinned_and_tied(start: f64, end: f64) -> Scene {
+    let mut scene = pinned(Zero::Upright, start, end);
+    if let Some(pin) = &mut scene.bodies[0].pin {
+        pin.spring = Some(PinSpring {
+            at_m: f(0.9),
+            x_m: f(0.8),
+            y_m: f(0.5),
+            stiffness_n_m: f(30.0),
+            rest: Rest::Length(f(0.4)),
+        });
+    }
+    scene.couples.push(Couple { body: 0, moment_n_m: f(2.0), forward: false });
+    scene
 }
 
 /// One scene of each kind, all data constants.
@@ -147,6 +178,9 @@ fn scenes() -> Vec<(&'static str, Scene)> {
         ("thrown, rolling since long", ball(10.0, 5.0, -30.0, 0.2, End::Time(along, f(5.0)))),
         ("thrown and braked", braked),
         ("lamina", lamina),
+        ("pinned body falls", pinned(Zero::Upright, 20.0, 130.0)),
+        ("pendulum", pinned(Zero::Hanging, 75.0, -30.0)),
+        ("pinned body with a spring", pinned_and_tied(40.0, 100.0)),
     ]
 }
 

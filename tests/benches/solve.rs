@@ -24,6 +24,7 @@ fn pulled(slip: bool) -> (Scene, Vec<f64>) {
             line: Some(Line { slope: Slope::Degrees(d(4)), forward_up: true, surface: true }),
             turns: true,
             particles: vec![],
+            pin: None,
         }],
         ties: vec![
             contact,

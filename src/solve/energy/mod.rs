@@ -6,7 +6,9 @@
 pub mod account;
 pub mod balance;
 pub mod instant;
+pub mod pinned;
 pub mod speeds;
+pub mod swing;
 pub mod thrown;
 
 use crate::num::Real;
@@ -44,6 +46,9 @@ use smallvec::smallvec;
 /// Errors: ties that hold the ending coordinate fast.
 pub fn road<T: Real>(scene: &Scene, data: &[f64]) -> Result<Road<T>, Refusal> {
     let n = Numbers::<T>::new(scene, data);
+    if let Some((body, pin)) = scene.pinned() {
+        return swing::road(scene, n, body, pin);
+    }
     if matches!(scene.end, End::AtOnce) {
         return Ok(instant::road(scene, &n));
     }
@@ -402,7 +407,7 @@ impl<'a, T: Real> Ledger<'a, T> {
 
     fn asked(&self, account: &Account<T>, turning: Option<T>, sense: f64) -> Option<T> {
         match self.scene.end {
-            End::AtOnce | End::Rolling(_) => None,
+            End::AtOnce | End::Angle(..) | End::Rolling(_) => None,
             End::Travel(_, d) => Some(self.n.get(d)),
             End::Position(_, x) => Some(self.n.get(x).signed(sense)),
             End::Speed(_, u) => account.where_speed(self.n.get(u).abs()),

@@ -3,6 +3,8 @@
 //! Velocity ratios are not derived from the ties here: they are the ratios of the accelerations that the equations give.
 pub mod equations;
 pub mod instant;
+pub mod pinned;
+pub mod swing;
 pub mod thrown;
 pub mod travel;
 
@@ -46,6 +48,9 @@ use smallvec::smallvec;
 /// Errors: equations that do not determine the motion.
 pub fn road<T: Real>(scene: &Scene, data: &[f64]) -> Result<Road<T>, Refusal> {
     let n = Numbers::<T>::new(scene, data);
+    if let Some((body, pin)) = scene.pinned() {
+        return swing::road(scene, n, body, pin);
+    }
     if matches!(scene.end, End::AtOnce) {
         return Ok(instant::road(scene, &n));
     }
@@ -370,7 +375,7 @@ impl<'a, T: Real> Walk<'a, T> {
                 (Some(u.plain()), travel.reaching(u))
             }
             End::TurningPoint(_) => (None, turning),
-            End::AtOnce | End::Rolling(_) => (None, None),
+            End::AtOnce | End::Angle(..) | End::Rolling(_) => (None, None),
         }
     }
 

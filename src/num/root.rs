@@ -1,0 +1,61 @@
+//! A root between two places, by Newton's method that is never let out of its bracket.
+use crate::num::Real;
+use crate::num::Rough;
+
+/// Relative step at which the root is found, 2^-98.
+const FOUND: f64 = 1.0 / (1u128 << 98) as f64;
+/// Steps after which the bracket has been halved beyond any double-double.
+const STEPS: u32 = 400;
+
+/// The place between `low` and `high` at which `f` changes its sign, from `rising`: below 0 at `low`, above at `high`; else
+/// the other way. `f` gives value and slope.
+///
+/// Errors: those of `f`.
+pub fn between<P: Real, E>(
+    low: P,
+    high: P,
+    rising: bool,
+    mut f: impl FnMut(P) -> Result<(P, P), E>,
+) -> Result<P, E> {
+    let (mut low, mut high) = (low, high);
+    let mut x = (low + high).scale2(-1);
+    let mut last = (high - low).size();
+    for _ in 0..STEPS {
+        let (value, slope) = f(x)?;
+        if value.is_zero() {
+            break;
+        }
+        if (value.sign() > 0.0) == rising {
+            high = x;
+        } else {
+            low = x;
+        }
+        let newton = x - value / slope;
+        let step = (newton - x).size();
+        let inside = newton.is_finite() && low.below(newton) && newton.below(high);
+        // Newton may not be slower than halving.
+        let next = if inside && step + step <= last { newton } else { (low + high).scale2(-1) };
+        last = (next - x).size();
+        x = next;
+        if last <= P::Rough::of(FOUND) * x.size() {
+            break;
+        }
+    }
+    Ok(x)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::num::Dd;
+
+    #[test]
+    fn roots_of_a_cubic_with_a_flat_place() {
+        let f = |x: Dd| Ok::<_, ()>((x * x * x - Dd::new(2.0), Dd::new(3.0) * x * x));
+        let root = between(Dd::new(-1.0), Dd::new(4.0), true, f).unwrap();
+        assert!((root * root * root - Dd::new(2.0)).hi.abs() < 1e-29, "{root:?}");
+        let falling =
+            between(Dd::ZERO, Dd::new(3.0), false, |x| Ok::<_, ()>((Dd::ONE - x, -Dd::ONE))).unwrap();
+        assert_eq!(falling, Dd::ONE);
+    }
+}

@@ -1,0 +1,451 @@
+//! The motion of a pinned body from its balance of energies: speed from the work done, time from the speed.
+//!
+//! Under its weight alone the time is Legendre's integral of the first kind, here by the arithmetic-geometric mean, its
+//! amplitude from the addition theorem of the elliptic functions. With a couple or a spring it is a quadrature in an angle
+//! whose cosine is the place: the root singularities at the ends of a swing are gone. Near an end at rest the kinetic
+//! energy is the work on the way back from there.
+use crate::num::Dd;
+use crate::num::Real;
+use crate::num::ball;
+use crate::num::elliptic;
+use crate::num::gauss;
+use crate::num::half::Half;
+use crate::num::plant::plant;
+use crate::num::root;
+use crate::num::trig;
+use crate::scene::End;
+use crate::scene::Label;
+use crate::scene::Numbers;
+use crate::scene::Owner;
+use crate::scene::Pin;
+use crate::scene::Quantity;
+use crate::scene::Scene;
+use crate::scene::Start;
+use crate::solve::energy::pinned::Store;
+use crate::solve::energy::pinned::sum;
+use crate::solve::outcome::Course;
+use crate::solve::outcome::Refusal;
+use crate::solve::outcome::Road;
+use crate::solve::outcome::Said;
+
+/// A motion is followed for two turns.
+const TURNS: f64 = 2.0;
+/// Step in which ends of the swing are looked for, radians.
+const STEP: f64 = 0.125;
+
+/// The motion: from where, which way, with what kinetic energy.
+#[derive(Debug, Clone, Copy)]
+struct Motion<T> {
+    store: Store<T>,
+    from: Half<T>,
+    sense: f64,
+    /// Kinetic energy at the start.
+    energy0: T,
+}
+
+/// Everything that work and energy say of a scene with a pinned body.
+///
+/// Errors: a quadrature that does not settle.
+pub fn road<T: Real>(scene: &Scene, n: Numbers<T>, body: usize, pin: &Pin) -> Result<Road<T>, Refusal> {
+    let store = Store::new(scene, &n, body, pin);
+    let spins = scene.start.iter().filter_map(|s| match s {
+        Start::Speed(c, w) if c.body == body => Some(n.get(*w)),
+        _ => None,
+    });
+    let spin = spins.last().unwrap_or_else(T::zero);
+    let powers = store.powers(&store.start);
+    let sense = if spin.is_zero() { sum(&powers).sign() } else { spin.sign() };
+    let energy0 = (store.doubled * spin.square()).scale2(-1);
+    let motion = Motion { store, from: store.start, sense, energy0 };
+    let mut book = Book { n: &n, body, road: Road::new() };
+    let free = scene.is_pendulum() && !store.frequency().is_zero();
+    book.say(Quantity::IO, store.doubled);
+    if free {
+        let frequency = store.frequency();
+        book.say(Quantity::OmegaSmall, frequency);
+        book.say(Quantity::PeriodSmall, T::constant(Dd::PI.scale2(1)) / frequency);
+        let (period, fastest) = motion.period();
+        book.say(Quantity::Period, period);
+        book.say(Quantity::OmegaMax, fastest);
+    }
+    if matches!(scene.end, End::AtOnce) {
+        book.state(&store, &store.start, spin.abs());
+        return Ok(book.road);
+    }
+    if sense == 0.0 {
+        book.road.course = Some(Course::at_rest());
+        book.forces(&store, &store.start, T::zero());
+        return Ok(book.road);
+    }
+    let turning = if free { motion.free_turning() } else { motion.turning()? };
+    let limit = turning.unwrap_or_else(|| T::of(f64::INFINITY));
+    let asked = motion.asked(scene, &n, free, turning)?;
+    let reached = asked.filter(|q| q.not_negative() && q.at_most(limit));
+    let (mut push, mut hold) = (T::Plain::zero(), T::Plain::zero());
+    for power in &powers {
+        let power = power.signed(sense).plain();
+        if power.sign() > 0.0 {
+            push = push + power;
+        } else {
+            hold = hold - power;
+        }
+    }
+    book.road.course = Some(Course {
+        sense,
+        drive: (push, hold),
+        asked: asked.map(Real::plain),
+        farthest: limit.plain(),
+        reached: reached.is_some(),
+    });
+    let Some(way) = reached else {
+        book.forces(&store, &store.start, spin.square());
+        return Ok(book.road);
+    };
+    let ends = matches!(scene.end, End::TurningPoint(_)) || way.side(limit) == 0.0;
+    let place = match scene.end {
+        // The angle itself is printed; the way to it would round it.
+        End::Angle(_, angle) => Half::of_degrees(n.get(angle)),
+        _ => motion.place(way),
+    };
+    let speed = if ends { T::zero() } else { motion.speed(way, &place) };
+    let time = if free { motion.free_time(&place, way, speed) } else { motion.time(way, ends)? };
+    book.say_of(Quantity::T, Owner::Scene, time);
+    book.say(Quantity::Phi, way);
+    let step = Half::of_radians(way.signed(sense));
+    let lost = plant!("energy: fall of the mass centre", store.fallen(&store.start, &place, &step));
+    book.say(Quantity::Rise, -lost);
+    book.state(&store, &place, speed);
+    Ok(book.road)
+}
+
+/// What is said, with the units put back.
+struct Book<'a, T: Real> {
+    n: &'a Numbers<'a, T>,
+    body: usize,
+    road: Road<T>,
+}
+
+impl<T: Real> Book<'_, T> {
+    fn say_of(&mut self, quantity: Quantity, of: Owner, value: T) {
+        let value = self.n.publish(quantity, value);
+        self.road.said.push(Said { label: Label { quantity, of }, value, scale: value.f64().abs() });
+    }
+    fn say(&mut self, quantity: Quantity, value: T) {
+        self.say_of(quantity, Owner::Body(self.body), value);
+    }
+    fn forces(&mut self, store: &Store<T>, place: &Half<T>, square: T) {
+        self.say(Quantity::Alpha, store.rate(place));
+        let (toward, across) = store.held(place, square);
+        let (toward, across) = (sum(&toward), sum(&across));
+        self.say(Quantity::PinRadial, toward);
+        self.say(Quantity::PinTangential, across);
+        self.say(Quantity::PinForce, (toward.square() + across.square()).root());
+        if let Some(force) = store.spring_force(place) {
+            self.say(Quantity::SpringForce, force);
+        }
+    }
+    fn state(&mut self, store: &Store<T>, place: &Half<T>, speed: T) {
+        self.say(Quantity::Omega, speed);
+        self.say(Quantity::V, store.arm * speed);
+        self.say_of(Quantity::KineticEnergy, Owner::Scene, (store.doubled * speed.square()).scale2(-1));
+        if !speed.is_zero() {
+            let own = self.n.bodies[self.body].inertia;
+            self.say_of(Quantity::RotationalFraction, Owner::Scene, own / store.doubled);
+        }
+        self.forces(store, place, speed.square());
+    }
+}
+
+impl<T: Real> Motion<T> {
+    fn plain(&self) -> Motion<T::Plain> {
+        Motion {
+            store: self.store.plain(),
+            from: Half { sine: self.from.sine.plain(), cosine: self.from.cosine.plain() },
+            sense: self.sense,
+            energy0: self.energy0.plain(),
+        }
+    }
+    fn place(&self, way: T) -> Half<T> {
+        self.from.plus(Half::of_radians(way.signed(self.sense)))
+    }
+    /// Kinetic energy at a place.
+    fn energy(&self, way: T, place: &Half<T>) -> T {
+        let turned = way.signed(self.sense);
+        let mut terms = self.store.work(&self.from, place, &Half::of_radians(turned), turned);
+        terms.push(self.energy0);
+        sum(&terms)
+    }
+    fn speed_of(&self, energy: T) -> T {
+        (energy.scale2(1) / self.store.doubled).root()
+    }
+    fn speed(&self, way: T, place: &Half<T>) -> T {
+        self.speed_of(self.energy(way, place))
+    }
+    /// Power at a place per unit rate along the motion.
+    fn power(&self, place: &Half<T>) -> T {
+        sum(&self.store.powers(place)).signed(self.sense)
+    }
+    /// The farthest that a motion without a turning point is followed.
+    fn horizon() -> T {
+        T::constant(Dd::PI * Dd::new(2.0 * TURNS))
+    }
+
+    // -- ends -----------------------------------------------------------------------------------------------------------
+
+    /// The angle to be turned until the event, radians.
+    fn asked(
+        &self,
+        scene: &Scene,
+        n: &Numbers<T>,
+        free: bool,
+        turning: Option<T>,
+    ) -> Result<Option<T>, Refusal> {
+        Ok(match scene.end {
+            End::Angle(_, angle) => {
+                let start = scene.pinned().map_or_else(T::zero, |(_, pin)| n.get(pin.start_deg));
+                let apart = n.get(angle) - start;
+                Some((apart * T::constant(Dd::PI / Dd::new(180.0))).signed(self.sense))
+            }
+            End::TurningPoint(_) => turning,
+            End::Time(_, t) => {
+                let last = turning.unwrap_or_else(Self::horizon);
+                let most = self.duration(last, free, turning.is_some())?;
+                let t = n.get(t);
+                match t.side(most) {
+                    0.0 => Some(last),
+                    s if s < 0.0 => Some(self.way_after(t, last, free)?),
+                    _ => None,
+                }
+            }
+            End::Speed(_, w) => {
+                let wanted = n.get(w).square() * self.store.doubled;
+                self.way_to_energy(wanted.scale2(-1), turning.unwrap_or_else(Self::horizon))?
+            }
+            End::AtOnce | End::Travel(..) | End::Position(..) | End::Rolling(_) => None,
+        })
+    }
+
+    fn duration(&self, way: T, free: bool, rest: bool) -> Result<T, Refusal> {
+        if free {
+            let place = self.place(way);
+            let speed = if rest { T::zero() } else { self.speed(way, &place) };
+            Ok(self.free_time(&place, way, speed))
+        } else {
+            self.time(way, rest)
+        }
+    }
+
+    fn way_after(&self, time: T, last: T, free: bool) -> Result<T, Refusal> {
+        let plain = self.plain();
+        let way = ball::unwatched(|| {
+            root::between(T::Plain::zero(), last.plain(), true, |way| {
+                let slowness = T::Plain::of(1.0) / plain.speed(way, &plain.place(way));
+                Ok::<_, Refusal>((plain.duration(way, free, false)? - time.plain(), slowness))
+            })
+        })?;
+        // The data take part in the last step.
+        let way = T::exactly(way);
+        Ok(way + (time - self.duration(way, free, false)?) * self.speed(way, &self.place(way)))
+    }
+
+    fn way_to_energy(&self, energy: T, last: T) -> Result<Option<T>, Refusal> {
+        if energy.side(self.energy0) == 0.0 {
+            return Ok(Some(T::zero()));
+        }
+        let found = ball::unwatched(|| self.plain().first_at(energy.plain(), last.plain()))?;
+        Ok(found.map(|way| {
+            let way = T::exactly(way);
+            let place = self.place(way);
+            way - (self.energy(way, &place) - energy) / self.power(&place)
+        }))
+    }
+
+    /// Where all energy is stored or spent; `None` if not within two turns.
+    fn turning(&self) -> Result<Option<T>, Refusal> {
+        let last = T::Plain::constant(Dd::PI * Dd::new(2.0 * TURNS));
+        let found = ball::unwatched(|| self.plain().first_at(T::Plain::zero(), last))?;
+        Ok(found.map(|way| {
+            let way = T::exactly(way);
+            let place = self.place(way);
+            let power = self.power(&place);
+            if power.is_zero() { way } else { way - self.energy(way, &place) / power }
+        }))
+    }
+
+    // -- time by quadrature ---------------------------------------------------------------------------------------------
+
+    /// Time over a way, which ends at rest or not.
+    fn time(&self, way: T, rest: bool) -> Result<T, Refusal> {
+        if way.is_zero() {
+            return Ok(T::zero());
+        }
+        let quarter = T::constant(Dd::PI.scale2(-2));
+        let started = !self.energy0.is_zero();
+        // The way back from an end at rest.
+        let back = Motion { from: self.place(way), sense: -self.sense, energy0: T::zero(), ..*self };
+        gauss::integral(
+            |s: T| {
+                // From rest to rest q = way sin^2, from rest q = 2 way sin^2 of half the angle; to rest from the end.
+                let (sine, cosine) = trig::turn(s * quarter);
+                let (double, level) = ((sine * cosine).scale2(1), cosine.square() - sine.square());
+                let (gone, left, slope) = match (started, rest) {
+                    (false, false) => {
+                        let gone = (way * sine.square()).scale2(1);
+                        (gone, way - gone, (way * double).scale2(1))
+                    }
+                    (true, false) => (way * double, way * (T::of(1.0) - double), (way * level).scale2(1)),
+                    (true, true) => {
+                        let left = (way * sine.square()).scale2(1);
+                        (way - left, left, (way * double).scale2(1))
+                    }
+                    (false, true) => {
+                        let (gone, left) = (way * double.square(), way * level.square());
+                        (gone, left, (way * double * level).scale2(2))
+                    }
+                };
+                let energy = if rest && left.below(gone) {
+                    back.energy(left, &back.place(left))
+                } else {
+                    self.energy(gone, &self.place(gone))
+                };
+                let speed = self.speed_of(plant!("energy: kinetic energy on the way", energy));
+                Ok(slope * quarter / speed)
+            },
+            T::zero(),
+            T::of(1.0),
+        )
+        // A quadrature settles, it proves nothing.
+        .map(|time| time.widened(|| f64::INFINITY))
+    }
+
+    // -- under the weight alone -----------------------------------------------------------------------------------------
+
+    /// Sine and cosine of half the angle from hanging, growing on the way, and the pace `omega / (2 frequency)`.
+    fn bob(&self) -> (T, T, T) {
+        let hanging = if self.store.is_upright() { self.from.less_half_turn() } else { self.from };
+        let pace = (self.speed_of(self.energy0) / self.store.frequency()).scale2(-1);
+        let (sine, cosine) = (hanging.sine.signed(self.sense), hanging.cosine);
+        // Beyond the top it is a turn further on: both signs are those of the same place between top and top.
+        let beyond = cosine.sign() < 0.0 || (cosine.is_zero() && sine.sign() > 0.0);
+        if beyond { (-sine, -cosine, pace) } else { (sine, cosine, pace) }
+    }
+
+    /// Sine and cosine of half the angle at a place, with the signs that they have on the way there from (s0, c0).
+    fn end_of(&self, place: &Half<T>, way: T, s0: T, c0: T) -> (T, T) {
+        let hanging = if self.store.is_upright() { place.less_half_turn() } else { *place };
+        let (sine, cosine) = (hanging.sine.signed(self.sense), hanging.cosine);
+        // Which of the two signs: the half angle is that of the start and half the way, roughly.
+        let half = trig::atan2(s0, c0).f64() + 0.5 * way.f64();
+        let (s, c) = trig::sin_cos_radians(Dd::new(half));
+        let same = s.hi * sine.f64() + c.hi * cosine.f64();
+        if same < 0.0 { (-sine, -cosine) } else { (sine, cosine) }
+    }
+
+    /// Energy from the lowest place as a share of that at the top: `k^2`, and `1 - k^2` with its root.
+    fn share(sine: T, cosine: T, pace: T) -> (T, T, T) {
+        if pace.is_zero() {
+            return (sine.square(), cosine.square(), cosine);
+        }
+        let rest = cosine.square().balance(-pace.square());
+        (sine.square() + pace.square(), rest, rest.root())
+    }
+
+    fn free_turning(&self) -> Option<T> {
+        let (sine, cosine, pace) = self.bob();
+        let (_, rest, complement) = Self::share(sine, cosine, pace);
+        if rest.sign() < 0.0 {
+            return None;
+        }
+        // It turns where half the angle has the sine k.
+        let k = if pace.is_zero() { sine.abs() } else { (sine.square() + pace.square()).root() };
+        let across = (k * cosine).balance(-(complement * sine));
+        Some(trig::angle(across, (complement * cosine).balance(k * sine)).scale2(1))
+    }
+
+    /// Period, and greatest angular speed, from the energy at the lowest place.
+    fn period(&self) -> (T, T) {
+        let (sine, cosine, pace) = self.bob();
+        let (k2, rest, complement) = Self::share(sine, cosine, pace);
+        let k = if pace.is_zero() { sine.abs() } else { k2.root() };
+        let frequency = self.store.frequency();
+        let fastest = (k * frequency).scale2(1);
+        let quarters = if rest.sign() < 0.0 {
+            (elliptic::complete((-rest).root() / k) / k).scale2(1)
+        } else {
+            elliptic::complete(complement).scale2(2)
+        };
+        (quarters / frequency, fastest)
+    }
+
+    fn free_time(&self, place: &Half<T>, way: T, speed: T) -> T {
+        if way.is_zero() {
+            return T::zero();
+        }
+        let (s0, c0, p0) = self.bob();
+        let (s1, c1) = self.end_of(place, way, s0, c0);
+        let frequency = self.store.frequency();
+        let p1 = (speed / frequency).scale2(-1);
+        let (k2, rest, complement) = Self::share(s0, c0, p0);
+        let integral = if rest.sign() < 0.0 {
+            // Over the top: modulus 1/k; the amplitude is half the angle.
+            let k = k2.root();
+            let across = k * (s1 * c0 * p0).balance(-(s0 * c1 * p1));
+            let along = (k2 * c0 * c1).balance(s0 * s1 * p0 * p1);
+            let complement = (-rest).root() / k;
+            let part = if across.sign() < 0.0 {
+                elliptic::complete(complement).scale2(2) - elliptic::incomplete(-across, along, complement)
+            } else {
+                elliptic::incomplete(across, along, complement)
+            };
+            part / k
+        } else if p0.is_zero() {
+            // From rest, without the common factors, which may be very small.
+            elliptic::incomplete(p1, -(s1 * c0), complement)
+        } else {
+            let across = (s1 * p0 * c0).balance(-(s0 * p1 * c1));
+            let along = (p0 * p1).balance(s0 * s1 * c0 * c1);
+            elliptic::incomplete(across, along, complement)
+        };
+        plant!("energy: time of the swing", integral) / frequency
+    }
+}
+
+impl<P: Real<Plain = P>> Motion<P> {
+    /// The first way, up to `last`, at which the kinetic energy is at this level, coming from where it is now.
+    fn first_at(&self, level: P, last: P) -> Result<Option<P>, Refusal> {
+        let falling = level.is_zero() || level.below(self.energy0);
+        let over = |energy: P| {
+            let side = (energy - level).sign();
+            if falling { side <= 0.0 } else { side >= 0.0 }
+        };
+        let mut low = P::zero();
+        let mut drive = self.power(&self.from);
+        while low.below(last) {
+            let step = low + P::of(STEP);
+            let high = if step.below(last) { step } else { last };
+            let place = self.place(high);
+            let next = self.power(&place);
+            let mut marks = [None, Some(high)];
+            if drive.sign() * next.sign() < 0.0 {
+                // The energy has a peak or a dip within the step.
+                let turn = root::between(low, high, next.sign() > 0.0, |way| {
+                    Ok::<_, Refusal>((self.power(&self.place(way)), P::zero()))
+                })?;
+                marks[0] = Some(turn);
+            }
+            let mut from = low;
+            for mark in marks.into_iter().flatten() {
+                if over(self.energy(mark, &self.place(mark))) {
+                    return root::between(from, mark, !falling, |way| {
+                        let place = self.place(way);
+                        Ok((self.energy(way, &place) - level, self.power(&place)))
+                    })
+                    .map(Some);
+                }
+                from = mark;
+            }
+            (low, drive) = (high, next);
+        }
+        Ok(None)
+    }
+}

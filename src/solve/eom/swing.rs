@@ -1,0 +1,589 @@
+//! The motion of a pinned body: `omega d omega = alpha d phi`, integrated over the angle, and the time that it takes.
+//!
+//! Under its weight alone the time is an elliptic integral, here by Carlson's R_F. With a couple or a spring it is a
+//! quadrature of `d phi / omega`; from rest the angle goes as the square of the variable, which takes the root
+//! singularity away, and so does the last half of a way that ends at rest, which is the way back from there.
+use crate::num::Dd;
+use crate::num::Real;
+use crate::num::dd::pow2;
+use crate::num::elliptic;
+use crate::num::gauss;
+use crate::num::gauss::PerNode;
+use crate::num::gauss::Unsettled;
+use crate::num::half::Half;
+use crate::num::plant::plant;
+use crate::num::root;
+use crate::num::trig;
+use crate::scene::End;
+use crate::scene::Label;
+use crate::scene::Numbers;
+use crate::scene::Owner;
+use crate::scene::Pin;
+use crate::scene::Quantity;
+use crate::scene::Scene;
+use crate::scene::Start;
+use crate::solve::eom::pinned::Pinned;
+use crate::solve::outcome::Course;
+use crate::solve::outcome::Refusal;
+use crate::solve::outcome::Road;
+use crate::solve::outcome::Said;
+
+/// A motion is followed for two turns; within them the ends that a bank can ask for lie.
+const TURNS: f64 = 2.0;
+/// Step in which turning points are looked for, radians.
+const STRIDE: f64 = 0.25;
+
+/// A place on the way.
+#[derive(Debug, Clone, Copy)]
+struct Place<T> {
+    /// Angle turned from the start, radians, >= 0.
+    way: T,
+    /// The angle of the body.
+    half: Half<T>,
+}
+
+/// What is known where the motion ends.
+#[derive(Debug, Clone, Copy)]
+struct Arrival<T> {
+    place: Place<T>,
+    /// At rest by the definition of the event, not by what rounding leaves.
+    rest: bool,
+}
+
+/// The body on its way in one sense.
+#[derive(Debug, Clone, Copy)]
+struct Swing<T> {
+    body: Pinned<T>,
+    start: Half<T>,
+    /// 1 if the angle grows, -1 if it shrinks.
+    sense: f64,
+    /// Half the square of the angular speed at the start.
+    half_square: T,
+}
+
+/// A pendulum's way as an elliptic integral sees it: halves of the angle from hanging, growing on the way.
+#[derive(Debug, Clone, Copy)]
+struct Arc<T> {
+    /// Sine and cosine of half the angle.
+    sine: T,
+    cosine: T,
+    /// Angular speed as a share of twice the frequency of small swings: `p^2 = k^2 - sin^2`.
+    pace: T,
+}
+
+/// Everything that the equations of motion say of a scene with a pinned body.
+///
+/// Errors: equations that do not determine the motion, a quadrature that does not settle.
+pub fn road<T: Real>(scene: &Scene, n: Numbers<T>, owner: usize, pin: &Pin) -> Result<Road<T>, Refusal> {
+    let body = Pinned::new(scene, &n, owner, pin)?;
+    let spin = scene.start.iter().find_map(|s| match s {
+        Start::Speed(c, w) if c.body == owner => Some(n.get(*w)),
+        _ => None,
+    });
+    let spin = spin.unwrap_or_else(T::zero);
+    let first = body.acceleration(&body.start);
+    let sense = if spin.is_zero() { first.sign() } else { spin.sign() };
+    let swing = Swing { body, start: body.start, sense, half_square: spin.square().scale2(-1) };
+    let mut teller = Teller { n: &n, owner, road: Road::new() };
+    let mass_centre = teller.lasting(scene, &swing, pin);
+    let start = Place { way: T::zero(), half: swing.start };
+    if matches!(scene.end, End::AtOnce) {
+        teller.state(&swing, &start, mass_centre, spin.abs());
+        return Ok(teller.road);
+    }
+    if sense == 0.0 {
+        teller.road.course = Some(Course::at_rest());
+        teller.forces(&swing, &start, T::zero());
+        return Ok(teller.road);
+    }
+    let pendulum = scene.is_pendulum() && !swing.body.frequency().is_zero();
+    let turning = if pendulum { swing.pendulum_turning() } else { swing.turning()? };
+    let limit = turning.map_or_else(|| T::of(f64::INFINITY), |p| p.way);
+    let (asked, farthest, end) = swing.end(scene, &n, pendulum, turning)?;
+    // What is asked at the turning point is at rest there; NaN is not reached.
+    let end = end.filter(|e| e.place.way.not_negative() && e.place.way.at_most(limit));
+    let end = end.map(|e| Arrival { rest: e.rest || e.place.way.side(limit) == 0.0, ..e });
+    teller.road.course = Some(Course {
+        sense,
+        drive: (T::Plain::zero(), T::Plain::zero()),
+        asked: asked.map(Real::plain),
+        farthest: farthest.plain(),
+        reached: end.is_some(),
+    });
+    let Some(Arrival { place, rest }) = end else {
+        teller.forces(&swing, &start, swing.half_square.scale2(1));
+        return Ok(teller.road);
+    };
+    let speed = if rest { T::zero() } else { swing.gained(&place)?.scale2(1).root() };
+    let time = swing.time(&place, rest, speed, pendulum)?;
+    teller.say(Quantity::T, Owner::Scene, time);
+    teller.say(Quantity::Phi, Owner::Body(owner), place.way);
+    let step = Half::of_radians(place.way.signed(sense));
+    let product = (step.sine * place.half.plus(swing.start).sine).scale2(1);
+    let sunk = plant!("eom: height lost by the mass centre", mass_centre) * product;
+    teller.say(Quantity::Rise, Owner::Body(owner), if swing.body.is_upright() { -sunk } else { sunk });
+    teller.state(&swing, &place, mass_centre, speed);
+    Ok(teller.road)
+}
+
+/// What is said, with the units put back.
+struct Teller<'a, T: Real> {
+    n: &'a Numbers<'a, T>,
+    owner: usize,
+    road: Road<T>,
+}
+
+impl<T: Real> Teller<'_, T> {
+    fn say(&mut self, quantity: Quantity, of: Owner, value: T) {
+        self.say_scaled(quantity, of, value, value.f64().abs());
+    }
+    fn say_scaled(&mut self, quantity: Quantity, of: Owner, value: T, scale: f64) {
+        let scale = scale * pow2(self.n.exponent(quantity));
+        let value = self.n.publish(quantity, value);
+        self.road.said.push(Said { label: Label { quantity, of }, value, scale });
+    }
+
+    /// What holds whatever the end; gives the arm of the mass centre.
+    fn lasting(&mut self, scene: &Scene, swing: &Swing<T>, pin: &Pin) -> T {
+        let of = Owner::Body(self.owner);
+        self.say(Quantity::IO, of, swing.body.inertia());
+        let arm = Pinned::arm(self.n, pin);
+        let frequency = swing.body.frequency();
+        if scene.is_pendulum() && !frequency.is_zero() {
+            let turn = T::constant(Dd::PI.scale2(1));
+            self.say(Quantity::OmegaSmall, of, frequency);
+            self.say(Quantity::PeriodSmall, of, turn / frequency);
+            let (period, fastest) = swing.period();
+            self.say(Quantity::Period, of, period);
+            self.say(Quantity::OmegaMax, of, fastest);
+        }
+        arm
+    }
+
+    /// Angular acceleration and forces at a place.
+    fn forces(&mut self, swing: &Swing<T>, place: &Place<T>, square: T) {
+        let of = Owner::Body(self.owner);
+        let (alpha, scale) = swing.body.acceleration_of_terms(&place.half);
+        self.say_scaled(Quantity::Alpha, of, alpha, scale);
+        let held = swing.body.held(&place.half, square);
+        let (radial, across) = (held.radial, held.across);
+        self.say_scaled(Quantity::PinRadial, of, radial.0, radial.1);
+        self.say_scaled(Quantity::PinTangential, of, across.0, across.1);
+        self.say(Quantity::PinForce, of, (radial.0.square() + across.0.square()).root());
+        if let Some((force, scale)) = swing.body.spring_force(&place.half) {
+            self.say_scaled(Quantity::SpringForce, of, force, scale);
+        }
+    }
+
+    /// Everything at a place.
+    fn state(&mut self, swing: &Swing<T>, place: &Place<T>, arm: T, speed: T) {
+        let of = Owner::Body(self.owner);
+        self.say(Quantity::Omega, of, speed);
+        self.say(Quantity::V, of, plant!("eom: arm of the speed of the mass centre", arm) * speed);
+        let whole = swing.body.inertia() * speed.square();
+        self.say(Quantity::KineticEnergy, Owner::Scene, whole.scale2(-1));
+        if !speed.is_zero() {
+            let share = self.n.bodies[self.owner].inertia / swing.body.inertia();
+            self.say(Quantity::RotationalFraction, Owner::Scene, share);
+        }
+        self.forces(swing, place, speed.square());
+    }
+}
+
+impl<T: Real> Swing<T> {
+    fn plain(&self) -> Swing<T::Plain> {
+        Swing {
+            body: self.body.plain(),
+            start: Half { sine: self.start.sine.plain(), cosine: self.start.cosine.plain() },
+            sense: self.sense,
+            half_square: self.half_square.plain(),
+        }
+    }
+
+    fn place(&self, way: T) -> Place<T> {
+        Place { way, half: self.start.plus(Half::of_radians(way.signed(self.sense))) }
+    }
+
+    /// Angular acceleration along the way.
+    fn drive(&self, place: &Place<T>) -> T {
+        self.body.acceleration(&place.half).signed(self.sense)
+    }
+
+    /// What all but the spring adds to half the square of the angular speed between two places.
+    fn closed(&self, from: &Place<T>, to: &Place<T>) -> T {
+        let turned = (to.way - from.way).signed(self.sense);
+        self.body.closed_gain(&from.half, &to.half, &Half::of_radians(turned), turned)
+    }
+
+    /// What the spring adds: its moment integrated over the angle.
+    fn sprung(&self, from: T, to: T) -> Result<T, Refusal> {
+        if !self.body.has_spring() {
+            return Ok(T::zero());
+        }
+        gauss::integral(|way| Ok(self.spring_at(way)), from, to)
+    }
+
+    fn spring_at(&self, way: T) -> T {
+        let pull = self.body.pulling(&self.place(way).half).signed(self.sense);
+        plant!("eom: moment of the spring over the angle", pull)
+    }
+
+    /// Half the square of the angular speed at a place.
+    fn gained(&self, to: &Place<T>) -> Result<T, Refusal> {
+        let start = Place { way: T::zero(), half: self.start };
+        let (closed, sprung) = (self.closed(&start, to), self.sprung(T::zero(), to.way)?);
+        let size = self.half_square.size() + closed.size() + sprung.size();
+        Ok((self.half_square + closed + sprung).cleared(size))
+    }
+
+    // -- where it ends --------------------------------------------------------------------------------------------------
+
+    /// What the event asks for and how far the motion goes, both in its measure (degrees, seconds, rad/s), and the place.
+    #[expect(clippy::type_complexity, reason = "three numbers of one moment")]
+    fn end(
+        &self,
+        scene: &Scene,
+        n: &Numbers<T>,
+        pendulum: bool,
+        turning: Option<Place<T>>,
+    ) -> Result<(Option<T>, T, Option<Arrival<T>>), Refusal> {
+        let infinite = T::of(f64::INFINITY);
+        let arrive = |place| Some(Arrival { place, rest: false });
+        let degrees = || T::constant(Dd::new(180.0) / Dd::PI);
+        Ok(match scene.end {
+            End::Angle(_, angle) => {
+                let Some((_, pin)) = scene.pinned() else { return Ok((None, infinite, None)) };
+                let angle = n.get(angle);
+                let apart = (angle - n.get(pin.start_deg)).signed(self.sense);
+                let way = apart * T::constant(Dd::PI / Dd::new(180.0));
+                let place = Place { way, half: Half::of_degrees(angle) };
+                (Some(apart), turning.map_or(infinite, |t| t.way * degrees()), arrive(place))
+            }
+            End::TurningPoint(_) => {
+                let place = turning.map(|place| Arrival { place, rest: true });
+                (None, turning.map_or(infinite, |t| t.way * degrees()), place)
+            }
+            End::Time(_, t) => {
+                let t = n.get(t);
+                let last = turning.unwrap_or_else(|| self.place(T::constant(Dd::PI * Dd::new(2.0 * TURNS))));
+                let most = self.time_to(&last, turning.is_some(), pendulum)?;
+                if t.side(most) == 0.0 {
+                    return Ok((Some(t), most, Some(Arrival { place: last, rest: turning.is_some() })));
+                }
+                let place = if t.below(most) { arrive(self.after(t, last.way, pendulum)?) } else { None };
+                (Some(t), most, place)
+            }
+            End::Speed(_, w) => {
+                let w = n.get(w).abs();
+                let (place, most) = self.reaching(w, turning)?;
+                (Some(w), most, place.and_then(arrive))
+            }
+            End::AtOnce | End::Travel(..) | End::Position(..) | End::Rolling(_) => (None, infinite, None),
+        })
+    }
+
+    /// The place after a time that is less than that of `last`.
+    fn after(&self, time: T, last: T, pendulum: bool) -> Result<Place<T>, Refusal> {
+        let plain = self.plain();
+        let wanted = time.plain();
+        let pace = |way: T::Plain| -> Result<(T::Plain, T::Plain), Refusal> {
+            let place = plain.place(way);
+            let speed = plain.gained(&place)?.scale2(1).root();
+            Ok((plain.time(&place, false, speed, pendulum)? - wanted, T::Plain::of(1.0) / speed))
+        };
+        let way = T::exactly(root::between(T::Plain::zero(), last.plain(), true, pace)?);
+        // One more step in which the data take part.
+        let place = self.place(way);
+        let speed = self.gained(&place)?.scale2(1).root();
+        let late = time - self.time(&place, false, speed, pendulum)?;
+        Ok(self.place(way + late * speed))
+    }
+
+    /// The first place at which the angular speed is `w`, and the greatest that is reached before the turning point.
+    fn reaching(&self, w: T, turning: Option<Place<T>>) -> Result<(Option<Place<T>>, T), Refusal> {
+        let level = w.square().scale2(-1);
+        let plain = self.plain();
+        let far =
+            turning.map_or_else(|| T::Plain::constant(Dd::PI * Dd::new(2.0 * TURNS)), |t| t.way.plain());
+        if level.side(self.half_square) == 0.0 {
+            return Ok((Some(self.place(T::zero())), w));
+        }
+        let (found, greatest) = plain.crossing(level.plain(), far)?;
+        let Some(way) = found else { return Ok((None, T::exactly(greatest.scale2(1).root()))) };
+        let place = self.place(T::exactly(way));
+        let way = place.way - (self.gained(&place)? - level) / self.drive(&place);
+        Ok((Some(self.place(way)), w))
+    }
+
+    /// Where it comes to rest; `None` if not within two turns.
+    fn turning(&self) -> Result<Option<Place<T>>, Refusal> {
+        let far = T::Plain::constant(Dd::PI * Dd::new(2.0 * TURNS));
+        let (found, _) = self.plain().crossing(T::Plain::zero(), far)?;
+        let Some(way) = found else { return Ok(None) };
+        let place = self.place(T::exactly(way));
+        let drive = self.drive(&place);
+        if drive.is_zero() {
+            return Ok(Some(place));
+        }
+        Ok(Some(self.place(place.way - self.gained(&place)? / drive)))
+    }
+
+    // -- the time -------------------------------------------------------------------------------------------------------
+
+    fn time_to(&self, place: &Place<T>, rest: bool, pendulum: bool) -> Result<T, Refusal> {
+        let speed = if rest { T::zero() } else { self.gained(place)?.scale2(1).root() };
+        self.time(place, rest, speed, pendulum)
+    }
+
+    /// Time to a place at which the angular speed is known.
+    fn time(&self, place: &Place<T>, rest: bool, speed: T, pendulum: bool) -> Result<T, Refusal> {
+        if place.way.is_zero() {
+            return Ok(T::zero());
+        }
+        if pendulum {
+            return Ok(self.pendulum_time(place, speed));
+        }
+        if !rest {
+            return self.quadrature(place.way);
+        }
+        // The last half is the way back from the turning point.
+        let half = place.way.scale2(-1);
+        let back = Swing { body: self.body, start: place.half, sense: -self.sense, half_square: T::zero() };
+        Ok(self.quadrature(half)? + back.quadrature(half)?)
+    }
+
+    /// `int d phi / omega` over the way, panel by panel; the square of omega is summed up along with it.
+    fn quadrature(&self, way: T) -> Result<T, Refusal> {
+        let whole = self.panel(way, 0.0, 1.0, T::zero());
+        let scale = whole.0.size();
+        Ok(self.halves(way, (0.0, 1.0), T::zero(), whole.0, scale, gauss::halvings())?.0)
+    }
+
+    /// Time over a part of the way, and what the spring has added at its end.
+    fn halves(
+        &self,
+        way: T,
+        (a, b): (f64, f64),
+        sprung: T,
+        whole: T,
+        scale: T::Rough,
+        left: u32,
+    ) -> Result<(T, T), Refusal> {
+        let middle = 0.5 * (a + b);
+        let (first, half) = self.panel(way, a, middle, sprung);
+        let (second, end) = self.panel(way, middle, b, half);
+        let sum = first + second;
+        let scale = gauss::sized(scale, sum);
+        if gauss::settled(sum, whole, scale) {
+            return Ok((sum, end));
+        }
+        if left == 0 {
+            let gap = (sum - whole).f64().abs();
+            return Err(Refusal::Unsettled(Unsettled { value: sum.f64(), gap }));
+        }
+        let (first, half) = self.halves(way, (a, middle), sprung, first, scale, left - 1)?;
+        let (second, end) = self.halves(way, (middle, b), half, second, scale, left - 1)?;
+        Ok((first + second, end))
+    }
+
+    /// One panel of the variable s from `a` to `b`: from rest the angle is `way s^2`, else `way s`.
+    fn panel(&self, way: T, a: f64, b: f64, sprung: T) -> (T, T) {
+        let rest = self.half_square.is_zero();
+        let width = T::of(b) - T::of(a);
+        let start = Place { way: T::zero(), half: self.start };
+        let mut places: PerNode<(Place<T>, T)> = PerNode::new();
+        let mut pulls: PerNode<T> = PerNode::new();
+        for node in gauss::nodes() {
+            let s = T::of(a) + width * T::constant(*node);
+            let (at, slope) = if rest { (way * s.square(), (way * s).scale2(1)) } else { (way * s, way) };
+            let place = self.place(at);
+            if self.body.has_spring() {
+                let pull = self.body.pulling(&place.half).signed(self.sense);
+                pulls.push(plant!("eom: moment of the spring over the angle", pull) * slope * width);
+            }
+            places.push((place, slope));
+        }
+        let added = if pulls.is_empty() { PerNode::new() } else { gauss::running(&pulls) };
+        let times: PerNode<T> = places
+            .iter()
+            .enumerate()
+            .map(|(j, (place, slope))| {
+                let spring = added.get(j).map_or(sprung, |r| sprung + *r);
+                let square = self.half_square + self.closed(&start, place) + spring;
+                *slope * width / square.scale2(1).root()
+            })
+            .collect();
+        let end = if pulls.is_empty() { sprung } else { sprung + gauss::mean(&pulls) };
+        (gauss::mean(&times), end)
+    }
+
+    // -- under the weight alone -----------------------------------------------------------------------------------------
+
+    /// The start as the elliptic integral sees it.
+    fn arc(&self) -> Arc<T> {
+        let hanging = if self.body.is_upright() { self.start.less_half_turn() } else { self.start };
+        let speed = self.half_square.scale2(1).root();
+        let mut arc = Arc {
+            sine: hanging.sine.signed(self.sense),
+            cosine: hanging.cosine,
+            pace: (speed / self.body.frequency()).scale2(-1),
+        };
+        // Half turns change both signs: the pendulum starts between top and top, and leaves the top behind it.
+        if arc.cosine.sign() < 0.0 || (arc.cosine.is_zero() && arc.sine.sign() > 0.0) {
+            (arc.sine, arc.cosine) = (-arc.sine, -arc.cosine);
+        }
+        arc
+    }
+
+    /// Modulus k, and `1 - k^2`: above 0 it swings, below it goes over the top.
+    fn modulus(arc: &Arc<T>) -> (T, T) {
+        let k =
+            if arc.pace.is_zero() { arc.sine.abs() } else { (arc.sine.square() + arc.pace.square()).root() };
+        (k, arc.cosine.square().balance(-arc.pace.square()))
+    }
+
+    /// Complementary modulus; the root without squaring where it starts from rest.
+    fn complement(arc: &Arc<T>, rest: T) -> T {
+        if arc.pace.is_zero() { arc.cosine } else { rest.root() }
+    }
+
+    fn pendulum_turning(&self) -> Option<Place<T>> {
+        let arc = self.arc();
+        let (k, rest) = Self::modulus(&arc);
+        if rest.sign() < 0.0 {
+            return None;
+        }
+        let complement = Self::complement(&arc, rest);
+        let across = (k * arc.cosine).balance(-(complement * arc.sine));
+        let along = (complement * arc.cosine).balance(k * arc.sine);
+        let step = Half { sine: across.signed(self.sense), cosine: along };
+        Some(Place { way: trig::angle(across, along).scale2(1), half: self.start.plus(step) })
+    }
+
+    /// Period and greatest angular speed.
+    fn period(&self) -> (T, T) {
+        let arc = self.arc();
+        let frequency = self.body.frequency();
+        let (k, rest) = Self::modulus(&arc);
+        let fastest = (frequency * k).scale2(1);
+        let period = if rest.sign() < 0.0 {
+            elliptic::rf_of_roots(T::zero(), (-rest).root(), k).scale2(1)
+        } else {
+            let complement = Self::complement(&arc, rest);
+            elliptic::rf_of_roots(T::zero(), complement, T::of(1.0)).scale2(2)
+        };
+        (plant!("eom: period", period) / frequency, fastest)
+    }
+
+    fn pendulum_time(&self, place: &Place<T>, speed: T) -> T {
+        let first = self.arc();
+        let frequency = self.body.frequency();
+        let pace = (speed / frequency).scale2(-1);
+        // Half of the way as an angle of its own.
+        let (sine, cosine) = trig::turn(place.way.scale2(-1));
+        let mut last = Arc {
+            sine: (first.sine * cosine).balance(first.cosine * sine),
+            cosine: (first.cosine * cosine).balance(-(first.sine * sine)),
+            pace,
+        };
+        // How often it has passed the top: an even number where the cosine has kept its sign.
+        let half = trig::atan2(first.sine, first.cosine).f64() + 0.5 * place.way.f64();
+        let tops = half / std::f64::consts::PI;
+        let odd = last.cosine.sign() < 0.0;
+        let passed = if odd { 2.0 * ((tops - 1.0) / 2.0).round() + 1.0 } else { 2.0 * (tops / 2.0).round() };
+        let (k, rest) = Self::modulus(&first);
+        let total = if passed < 0.5 {
+            between(&first, &last, k, Half { sine, cosine })
+        } else {
+            if odd {
+                (last.sine, last.cosine) = (-last.sine, -last.cosine);
+            }
+            let pace = (-rest).root();
+            let one = T::of(1.0);
+            let before = Arc { sine: one, cosine: T::zero(), pace };
+            let beyond = Arc { sine: -one, cosine: T::zero(), pace };
+            let up = Half { sine: first.cosine, cosine: first.sine };
+            let down = Half { sine: last.cosine, cosine: -last.sine };
+            let turn = elliptic::rf_of_roots(T::zero(), pace, k);
+            between(&first, &before, k, up) + between(&beyond, &last, k, down) + turn * T::of(passed - 1.0)
+        };
+        plant!("eom: time of the swing", total.scale2(1)) / frequency
+    }
+}
+
+/// Half of `int ds / sqrt((1 - s^2)(k^2 - s^2))` between two places of one swing whose halves are `step` apart:
+/// R_F of four factors `1 - s, 1 + s, k - s, k + s` (NIST DLMF 19.29.4).
+fn between<T: Real>(from: &Arc<T>, to: &Arc<T>, k: T, step: Half<T>) -> T {
+    // The difference of the sines as a product: it vanishes with the way.
+    let quarter = Half::of_point(step.sine, step.cosine);
+    let middle = (from.cosine * quarter.cosine).balance(-(from.sine * quarter.sine));
+    let apart = (quarter.sine * middle).scale2(1);
+    if apart.is_zero() {
+        return T::zero();
+    }
+    // Roots of the factors; the smaller of two from their product.
+    let roots = |a: &Arc<T>| {
+        let pair = |one: T, product: T| {
+            let larger = (one + a.sine.abs()).root();
+            let smaller = if larger.is_zero() { larger } else { product / larger };
+            if a.sine.sign() < 0.0 { (larger, smaller) } else { (smaller, larger) }
+        };
+        (pair(T::of(1.0), a.cosine), pair(k, a.pace))
+    };
+    let ((x1, x2), (x3, x4)) = roots(to);
+    let ((y1, y2), (y3, y4)) = roots(from);
+    let u12 = (x1 * x2 * y3 * y4 + y1 * y2 * x3 * x4) / apart;
+    let u13 = (x1 * x3 * y2 * y4 + y1 * y3 * x2 * x4) / apart;
+    let u14 = (x1 * x4 * y2 * y3 + y1 * y4 * x2 * x3) / apart;
+    elliptic::rf_of_roots(u12, u13, u14)
+}
+
+impl<P: Real<Plain = P>> Swing<P> {
+    /// The first way at which half the square of the angular speed is at `level` (from above if the level is 0), and the
+    /// greatest that was met on the way to it or to `far`.
+    fn crossing(&self, level: P, far: P) -> Result<(Option<P>, P), Refusal> {
+        let stride = P::of(STRIDE);
+        let above = |square: P| (square - level).sign();
+        let from_above = level.is_zero() || level.below(self.half_square);
+        let crossed = |square: P| if from_above { above(square) <= 0.0 } else { above(square) >= 0.0 };
+        let mut here = self.place(P::zero());
+        let (mut square, mut greatest) = (self.half_square, self.half_square);
+        while here.way.below(far) {
+            let next = (here.way + stride).abs();
+            let next = self.place(if next.below(far) { next } else { far });
+            let at = |way: P| -> Result<(P, P), Refusal> {
+                let place = self.place(way);
+                let parts = [square, self.closed(&here, &place), self.sprung(here.way, way)?];
+                let size = parts[0].size() + parts[1].size() + parts[2].size();
+                Ok(((parts[0] + parts[1] + parts[2]).cleared(size), self.drive(&place)))
+            };
+            let (end, slope) = at(next.way)?;
+            let first = self.drive(&here);
+            // It may have been there and back between: look where the drive changes its sign.
+            let mut stops = [None, Some((next.way, end))];
+            if first.sign() * slope.sign() < 0.0 {
+                let middle = root::between(here.way, next.way, slope.sign() > 0.0, |way| {
+                    let drive = self.drive(&self.place(way));
+                    Ok::<_, Refusal>((drive, P::zero()))
+                })?;
+                stops[0] = Some((middle, at(middle)?.0));
+            }
+            let mut low = here.way;
+            for (way, value) in stops.into_iter().flatten() {
+                if crossed(value) {
+                    let found = root::between(low, way, !from_above, |x| {
+                        let (value, slope) = at(x)?;
+                        Ok::<_, Refusal>((value - level, slope))
+                    })?;
+                    return Ok((Some(found), if greatest.below(value) { value } else { greatest }));
+                }
+                if greatest.below(value) {
+                    greatest = value;
+                }
+                low = way;
+            }
+            (here, square) = (next, end);
+        }
+        Ok((None, greatest))
+    }
+}
