@@ -209,3 +209,28 @@ pub mod node;
 pub mod review;
 pub mod scene;
 pub mod schema;
+
+#[cfg(test)]
+#[allow(clippy::float_cmp, reason = "what is printed is what is used")]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_tolerance_widens_in_tenths_of_a_per_cent() {
+        for (cond, share) in [
+            (0.0, 0.01),
+            (3.3, 0.01),
+            (3.34, 0.011),
+            (10.0, 0.03),
+            (10.01, 0.031),
+            (16.6, 0.05),
+            (17.0, 0.05),
+            (f64::INFINITY, 0.05),
+            (f64::NAN, 0.05),
+        ] {
+            assert_eq!(Relative::WIDENS.at(cond), share, "{cond}");
+        }
+        assert_eq!(Relative::Fixed(0.02).at(1e9), 0.02);
+        assert!((Relative::WIDENS.reach().unwrap() - 50.0 / 3.0).abs() < 1e-12);
+    }
+}

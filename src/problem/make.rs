@@ -362,7 +362,7 @@ fn cond(solved: &Solved, label: Label) -> f64 {
 }
 
 /// Energy put into a motion with a spring: what the spring stores at first, and what weights that sink and pulls
-/// give; J. `None` where there is no spring.
+/// give; J. `None` where there is no spring on a cord (that of a pinned body is left to the condition numbers).
 fn input_energy(scene: &Scene, data: &[f64], solved: &Solved) -> Option<f64> {
     let (_, stiffness, stretch, _) = scene.spring()?;
     let n = Numbers::<Dd>::new(scene, data);

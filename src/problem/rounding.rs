@@ -46,7 +46,7 @@ pub fn misses(problem: &Problem, variant: &Variant, words: &mut Words, attempt: 
             let width = make_key::half_width(question, right.value(), right.scale, right.cond);
             let answer = question.unit.from_si(rough.value());
             let written = question.unit.to_si(significant(answer, figures));
-            *missed = Some(!((written - right.value()).abs() <= width));
+            *missed = Some(!(written - right.value()).abs().le(&width));
         }
     }
     out
