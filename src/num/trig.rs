@@ -207,9 +207,14 @@ pub fn sin_cos<T: Real>(x: T) -> (T, T) {
     (with(Dd::sum(s, c * v.lo), c), with(Dd::sum(c, -s * v.lo), -s))
 }
 
-/// 10^x, for estimates.
-pub fn exp10(x: f64) -> f64 {
-    libm::exp10(x)
+/// Logarithm to base 10, for axes; within an ulp.
+pub fn log10(x: f64) -> f64 {
+    libm::log10(x)
+}
+
+/// `x^y` of a positive x, for step sizes; within a few ulp.
+pub fn power(x: f64, y: f64) -> f64 {
+    libm::pow(x, y)
 }
 
 #[cfg(test)]
