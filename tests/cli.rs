@@ -410,9 +410,9 @@ fn a_changed_set_is_not_graded() {
     change("set/set.json", "{", "{{", "is no set");
     change(
         "set/set.json",
-        "\"draw_version\": 1",
+        "\"draw_version\": 2",
         "\"draw_version\": 9",
-        "draw_version: is 9; this program draws by version 1",
+        "draw_version: is 9; this program draws by version 2",
     );
     // Another program version that draws the same is fine.
     let set = room.read("set/set.json");
@@ -674,6 +674,36 @@ fn solve_refuses_what_is_no_scene() {
     let problem = run(&["solve", "wheels-on-inclines", "pulled-roling", "--seed", "1"]);
     assert!(problem.err.contains("did you mean `pulled-rolling`?"), "{}", problem.err);
     assert_eq!(run(&["solve", "wheels-on-inclines", "spring-released", "--seed", "1"]).exit, Exit::Fine);
+}
+
+#[test]
+fn lint_says_where_figures_and_tolerance_do_not_fit() {
+    let room = Room::new(&CLASS[..1]);
+    let sound = run(&["lint", "wheels-on-inclines", "--seeds", "150"]);
+    assert!(!sound.out.contains("note:"), "{}", sound.out);
+    for rule in ["cond of slip_distance above 16.7", "input energy above 4 times the kinetic"] {
+        assert!(sound.out.contains(rule), "{rule}: {}", sound.out);
+    }
+    let bank = include_str!("../banks/wheels-on-inclines.yaml");
+    let heat = "unit: J, tolerance: {relative: widens with cond}";
+    for (instead, says) in [
+        (
+            "unit: J, cond limit: 17",
+            "% of honest answers with 3 figures on the way miss its tolerance; let its tolerance widen",
+        ),
+        (
+            "unit: J, cond limit: 30, tolerance: {relative: widens with cond}",
+            "widens up to cond 16.7, its cond limit is 30.0",
+        ),
+    ] {
+        assert!(bank.contains(heat));
+        room.write("tight.yaml", &bank.replace(heat, instead));
+        let ran = run(&["lint", &room.path("tight.yaml"), "--seeds", "150"]);
+        assert_eq!(ran.exit, Exit::Fine, "{}", ran.err);
+        let note =
+            ran.out.lines().find(|l| l.contains("note: heat:")).unwrap_or_else(|| panic!("{}", ran.out));
+        assert!(note.contains(says), "{note}");
+    }
 }
 
 #[test]
