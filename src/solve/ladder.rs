@@ -218,20 +218,24 @@ fn judged(scene: &Scene, data: &[f64], way: Way, rung: Rung, solved: &Solved) ->
     let method = rung.method();
     let labels: Vec<Label> = solved.entries.iter().map(|e| e.label).collect();
     let (coarse, count) = values(scene, data, rung, &labels)?;
-    let (fine, estimate) = if rung.finer() == rung {
-        (coarse.clone(), Count::default())
-    } else {
-        values(scene, data, rung.finer(), &labels)?
-    };
+    let mut estimate = Count::default();
+    // Two finer runs: with one, an error that happens to be the same on both would hide.
+    let mut finer: Vec<(f64, Vec<f64>)> = Vec::with_capacity(2);
+    for by in [2, 3].into_iter().filter(|by| rung.finer(*by) != rung) {
+        let (fine, count) = values(scene, data, rung.finer(by), &labels)?;
+        estimate.evaluations += count.evaluations;
+        estimate.steps += count.steps;
+        finer.push((rung.extrapolation(by), fine));
+    }
     let mut found = Judged { values: Vec::with_capacity(labels.len()), count, estimate, worst: 0.0 };
-    for ((entry, value), finer) in solved.entries.iter().zip(coarse).zip(fine) {
+    for (i, (entry, value)) in solved.entries.iter().zip(coarse).enumerate() {
         let label = entry.label;
         let judge = match way {
             Way::Motion => entry.energy,
             Way::Energy => entry.eom,
         };
         let judge = judge.unwrap_or(f64::NAN);
-        if value == judge && value == finer {
+        if value == judge && finer.iter().all(|(_, fine)| fine[i] == value) {
             // Nothing depends on the method here, or nothing is lost.
             let error = rounding_of(entry, value, 8.0 * U);
             found.values.push((value, if error.is_finite() { error } else { 0.0 }));
@@ -241,8 +245,11 @@ fn judged(scene: &Scene, data: &[f64], way: Way, rung: Rung, solved: &Solved) ->
             continue;
         }
         let size = value.abs().max(judge.abs()).max(if entry.cond.is_finite() { 0.0 } else { entry.scale });
-        let change = SAFETY * rung.extrapolation() * (value - finer).abs();
-        let floor = rounding_of(entry, value.abs().max(judge.abs()), rounding(count));
+        let changes = finer.iter().map(|(factor, fine)| (factor * (value - fine[i]).abs(), fine[i]));
+        let (change, finer) =
+            changes.fold((0.0, value), |most, c| if most.0.is_nan() || c.0 <= most.0 { most } else { c });
+        let change = SAFETY * change;
+        let floor = rounding_of(entry, value.abs().max(judge.abs()), rounding(rung, count));
         let error = change + floor;
         // What the data themselves do not determine need not settle.
         if !error.is_finite() || change > UNSETTLED * size && change > floor {

@@ -520,7 +520,7 @@ impl<const N: usize, F: FnMut(f64, &[f64; N]) -> [f64; N]> Run<N, F> {
         scale: f64,
         ends: (f64, f64),
     ) -> Result<f64, Trouble> {
-        let mut at = |run: &mut Self, c: f64| {
+        let at = |run: &mut Self, c: f64| {
             let change = run.change(c);
             let value = event(run.x.value + c, &run.after(&change));
             if value.is_finite() { Ok(value) } else { Err(Trouble::NotFinite { at: run.x.value + c }) }
@@ -545,7 +545,7 @@ impl<const N: usize, F: FnMut(f64, &[f64; N]) -> [f64; N]> Run<N, F> {
         for _ in 0..MOST_LANDINGS {
             let x = x1 + t * (x2 - x1);
             let f = at(self, x)?;
-            if x < x1 || x > x1 {
+            if (x - x1).abs() > 0.0 {
                 rate = (x * (f - f1) / (x - x1)).abs();
             }
             if (f >= 0.0) == (f1 >= 0.0) {

@@ -154,7 +154,9 @@ pub fn road_by<T: Real>(
     let step = Half::of_radians(place.way.signed(sense));
     let product = (step.sine * place.half.plus(swing.start).sine).scale2(1);
     let sunk = plant!("eom: height lost by the mass centre", mass_centre) * product;
-    teller.say(Quantity::Rise, Owner::Body(owner), if swing.body.is_upright() { -sunk } else { sunk });
+    // A difference of two heights of the mass centre.
+    let rise = if swing.body.is_upright() { -sunk } else { sunk };
+    teller.say_scaled(Quantity::Rise, Owner::Body(owner), rise, 2.0 * mass_centre.f64().abs());
     teller.state(&swing, &place, mass_centre, speed);
     Ok((teller.road, count))
 }
