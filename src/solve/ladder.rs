@@ -247,7 +247,7 @@ fn judged(scene: &Scene, data: &[f64], way: Way, rung: Rung, solved: &Solved) ->
         let size = value.abs().max(judge.abs()).max(if entry.cond.is_finite() { 0.0 } else { entry.scale });
         let changes = finer.iter().map(|(factor, fine)| (factor * (value - fine[i]).abs(), fine[i]));
         let (change, finer) =
-            changes.fold((0.0, value), |most, c| if most.0.is_nan() || c.0 <= most.0 { most } else { c });
+            changes.fold((0.0f64, value), |most, c| if most.0.is_nan() || c.0 <= most.0 { most } else { c });
         let change = SAFETY * change;
         let floor = rounding_of(entry, value.abs().max(judge.abs()), rounding(rung, count));
         let error = change + floor;
