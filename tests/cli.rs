@@ -1061,7 +1061,8 @@ fn accuracy_prints_and_writes_the_same_every_time() {
     let lines: Vec<&str> = ran.out.lines().collect();
     assert!(lines[1].starts_with("auto takes the closed form: "), "{}", ran.out);
     assert_eq!(lines[3].split_whitespace().next(), Some("method"));
-    assert!(lines[4].trim_start().starts_with("* auto  closed "), "{}", ran.out);
+    assert!(lines[4].trim_start().starts_with("*       closed  doubles "), "{}", ran.out);
+    assert!(lines[5].trim_start().starts_with("* auto  closed  32 digits "), "{}", ran.out);
     let files = tree(&room.0.path().join("trade"));
     assert_eq!(
         files.keys().map(String::as_str).collect::<Vec<_>>(),

@@ -317,7 +317,7 @@ impl Sheet<'_> {
             let rung = line.row.rung;
             let (mut step, mut rtol, mut points) = (String::new(), String::new(), String::new());
             match rung {
-                Rung::Closed | Rung::Settled => {}
+                Rung::Closed | Rung::Doubles | Rung::Settled => {}
                 Rung::Gauss(n) => points = n.to_string(),
                 Rung::Adaptive(_, tolerance, _) => rtol = format!("{tolerance:e}"),
                 Rung::Fixed(_, h) => step = format!("{h:e}"),

@@ -204,6 +204,9 @@ fn inadmissible(problem: &Problem, fault: &Inadmissible) -> String {
 
 /// Why this method.
 pub fn why(taken: &Taken) -> &'static str {
+    if taken.rung == Rung::Doubles {
+        return "a closed form exists, and doubles are exact enough for the tolerance";
+    }
     match (taken.chosen, taken.rung.method(), taken.force) {
         (_, Method::Closed, Force::Instant) => "only an instant is asked, nothing has to be integrated",
         (true, Method::Closed, Force::Constant) => {
@@ -229,7 +232,8 @@ pub fn why(taken: &Taken) -> &'static str {
 /// How finely a method was set: `1 ms`, `rtol 1e-9`, `24 points`; empty for the closed form.
 pub fn setting(rung: Rung) -> String {
     match rung {
-        Rung::Closed => String::new(),
+        Rung::Closed => "32 digits".to_owned(),
+        Rung::Doubles => "doubles".to_owned(),
         Rung::Settled => "until settled".to_owned(),
         Rung::Gauss(1) => "1 point".to_owned(),
         Rung::Gauss(points) => format!("{points} points"),
@@ -245,6 +249,7 @@ pub fn setting(rung: Rung) -> String {
 pub fn rung(rung: Rung) -> String {
     match rung {
         Rung::Closed => "closed form".to_owned(),
+        Rung::Doubles => "closed form in doubles".to_owned(),
         Rung::Settled => "gauss quadrature until it settles".to_owned(),
         _ => format!("{}, {}", rung.method().name(), setting(rung)),
     }

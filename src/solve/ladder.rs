@@ -112,7 +112,7 @@ pub fn road<P: Real<Plain = P>>(
     asked: &dyn Fn(Quantity) -> bool,
 ) -> Result<(Road<P>, Count), Refusal> {
     match rung {
-        Rung::Closed => Ok((energy::road(scene, data)?, ONCE)),
+        Rung::Closed | Rung::Doubles => Ok((energy::road(scene, data)?, ONCE)),
         Rung::Gauss(points) => energy::road_by(scene, data, Some(points)),
         Rung::Settled => energy::road_by(scene, data, None),
         Rung::Adaptive(..) | Rung::Fixed(..) => eom::road_by(scene, data, rung, asked),
@@ -125,7 +125,10 @@ fn values(scene: &Scene, data: &[f64], rung: Rung, labels: &[Label]) -> Result<(
         labels.iter().map(|l| road.get(*l).map_or(f64::NAN, |s| s.value.f64())).collect()
     }
     let asked = |q: Quantity| labels.iter().any(|l| l.quantity == q);
-    if admissible::all_numbers(scene, data, ordinary) {
+    if rung == Rung::Doubles {
+        let (road, count) = road::<f64>(scene, data, rung, &asked)?;
+        Ok((of(&road, labels), count))
+    } else if admissible::all_numbers(scene, data, ordinary) {
         let (road, count) = road::<Dd>(scene, data, rung, &asked)?;
         Ok((of(&road, labels), count))
     } else {
@@ -157,7 +160,16 @@ pub fn solve(scene: &Scene, data: &[f64], wish: &Wish) -> Result<(Solved, Taken)
         errors: Vec::new(),
         worst: 0.0,
     };
-    let Some(way) = method.way() else { return Ok((solved, taken)) };
+    let Some(way) = method.way() else {
+        // Doubles are cheaper, where they are good enough.
+        if let (None, Some(rtol), true) = (wish.method, wish.rtol, force != Force::Instant)
+            && let Ok(t) = judged(scene, data, Way::Energy, Rung::Doubles, &solved)
+            && t.worst <= rtol
+        {
+            taken = put(&mut solved, taken, Way::Energy, Rung::Doubles, t);
+        }
+        return Ok((solved, taken));
+    };
     if force == Force::Instant {
         return Err(Refusal::NoMethod { method });
     }
@@ -183,19 +195,24 @@ pub fn solve(scene: &Scene, data: &[f64], wish: &Wish) -> Result<(Solved, Taken)
             (Err(_), _) => false,
         };
         if good || i == last {
-            let t = tried?;
-            taken = Taken { rung, count: t.count, estimate: t.estimate, worst: t.worst, ..taken };
-            for (entry, (value, error)) in solved.entries.iter_mut().zip(t.values) {
-                match way {
-                    Way::Motion => entry.eom = Some(value),
-                    Way::Energy => entry.energy = Some(value),
-                }
-                taken.errors.push((entry.label, error));
-            }
+            taken = put(&mut solved, taken, way, rung, tried?);
             break;
         }
     }
     Ok((solved, taken))
+}
+
+/// Puts what a rung gave in the place of its road's closed values.
+fn put(solved: &mut Solved, taken: Taken, way: Way, rung: Rung, found: Judged) -> Taken {
+    let mut errors = Vec::with_capacity(found.values.len());
+    for (entry, (value, error)) in solved.entries.iter_mut().zip(found.values) {
+        match way {
+            Way::Motion => entry.eom = Some(value),
+            Way::Energy => entry.energy = Some(value),
+        }
+        errors.push((entry.label, error));
+    }
+    Taken { rung, count: found.count, estimate: found.estimate, worst: found.worst, errors, ..taken }
 }
 
 /// A rung with its error estimate, as the other road finds it right.
@@ -325,7 +342,8 @@ fn rungs(force: Force, time_s: Option<f64>) -> Vec<Rung> {
             })
             .collect();
     }
-    let mut rungs = vec![if force == Force::Irregular { Rung::Settled } else { Rung::Closed }];
+    let mut rungs =
+        if force == Force::Irregular { vec![Rung::Settled] } else { vec![Rung::Doubles, Rung::Closed] };
     for method in Method::ALL {
         match method {
             Method::Closed => {}

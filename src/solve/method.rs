@@ -100,8 +100,10 @@ impl Method {
 /// A method with its setting: one rung of the ladder.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Rung {
-    /// The closed form.
+    /// The closed form in double-doubles: right to the last bit of a double.
     Closed,
+    /// The closed form in doubles: cheaper, and as wrong as the condition of the answer makes their rounding.
+    Doubles,
     /// This many points.
     Gauss(usize),
     /// Panels of points that are halved until nothing changes but rounding.
@@ -126,7 +128,7 @@ impl Rung {
     /// The method.
     pub const fn method(self) -> Method {
         match self {
-            Self::Closed => Method::Closed,
+            Self::Closed | Self::Doubles => Method::Closed,
             Self::Gauss(_) | Self::Settled => Method::Gauss,
             Self::Adaptive(m, ..) | Self::Fixed(m, _) => m,
         }
@@ -136,7 +138,7 @@ impl Rung {
     /// exact is the same.
     pub fn finer(self, by: u8) -> Self {
         match self {
-            Self::Closed | Self::Settled => self,
+            Self::Closed | Self::Doubles | Self::Settled => self,
             Self::Gauss(n) => Self::Gauss(n + usize::from(by - 1) * n.div_ceil(3)),
             Self::Adaptive(m, rtol, share) => {
                 let fall = m.formula().map_or(1.0, |f| fall(f.order(), by));
@@ -160,7 +162,9 @@ impl Rung {
         match self {
             Self::Fixed(_, h) => Pace::Fixed(h),
             Self::Adaptive(_, rtol, share) => Pace::Adaptive { rtol, first: share * first },
-            Self::Closed | Self::Gauss(_) | Self::Settled => Pace::Adaptive { rtol: FINEST, first },
+            Self::Closed | Self::Doubles | Self::Gauss(_) | Self::Settled => {
+                Pace::Adaptive { rtol: FINEST, first }
+            }
         }
     }
     /// The relative error that was asked for, if the method has such a knob.
