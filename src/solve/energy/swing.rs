@@ -77,7 +77,7 @@ pub fn road<T: Real>(scene: &Scene, n: Numbers<T>, body: usize, pin: &Pin) -> Re
         book.forces(&store, &store.start, T::zero());
         return Ok(book.road);
     }
-    let turning = if free { motion.free_turning() } else { motion.turning()? };
+    let turning = if free { motion.free_turning() } else { motion.turning(scene, &n)? };
     let limit = turning.unwrap_or_else(|| T::of(f64::INFINITY));
     let asked = motion.asked(scene, &n, free, turning)?;
     let reached = asked.filter(|q| q.not_negative() && q.at_most(limit));
@@ -202,9 +202,7 @@ impl<T: Real> Motion<T> {
     ) -> Result<Option<T>, Refusal> {
         Ok(match scene.end {
             End::Angle(_, angle) => {
-                let start = scene.pinned().map_or_else(T::zero, |(_, pin)| n.get(pin.start_deg));
-                let apart = n.get(angle) - start;
-                Some((apart * T::constant(Dd::PI / Dd::new(180.0))).signed(self.sense))
+                Some(self.way_to(scene, n.get(angle), n))
             }
             End::TurningPoint(_) => turning,
             End::Time(_, t) => {
@@ -223,6 +221,12 @@ impl<T: Real> Motion<T> {
             }
             End::AtOnce | End::Travel(..) | End::Position(..) | End::Rolling(_) => None,
         })
+    }
+
+    /// The way to an angle in degrees, radians.
+    fn way_to(&self, scene: &Scene, angle: T, n: &Numbers<T>) -> T {
+        let start = scene.pinned().map_or_else(T::zero, |(_, pin)| n.get(pin.start_deg));
+        ((angle - start) * T::constant(Dd::PI / Dd::new(180.0))).signed(self.sense)
     }
 
     fn duration(&self, way: T, free: bool, rest: bool) -> Result<T, Refusal> {
@@ -260,9 +264,12 @@ impl<T: Real> Motion<T> {
         }))
     }
 
-    /// Where all energy is stored or spent; `None` if not within two turns.
-    fn turning(&self) -> Result<Option<T>, Refusal> {
-        let last = T::Plain::constant(Dd::PI * Dd::new(2.0 * TURNS));
+    /// Where all energy is stored or spent; `None` if not within two turns, nor within twice the way that is asked.
+    fn turning(&self, scene: &Scene, n: &Numbers<T>) -> Result<Option<T>, Refusal> {
+        let last = match scene.end {
+            End::Angle(_, angle) => self.way_to(scene, n.get(angle), n).plain().scale2(1),
+            _ => T::Plain::constant(Dd::PI * Dd::new(2.0 * TURNS)),
+        };
         let found = ball::unwatched(|| self.plain().first_at(T::Plain::zero(), last))?;
         Ok(found.map(|way| {
             let way = T::exactly(way);
