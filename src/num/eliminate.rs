@@ -6,14 +6,16 @@ use smallvec::smallvec;
 
 /// Equations `a x = b` as they are collected: rows of `cols + 1` numbers, the last one the right-hand side.
 #[derive(Debug, Clone)]
-pub struct Equations<T> {
+pub struct Equations<T: Real> {
     cols: usize,
     cells: SmallVec<[T; 32]>,
+    /// For each row: sum of the magnitudes of the terms of its right-hand side, where it was told.
+    sizes: SmallVec<[Option<T::Rough>; 8]>,
 }
 
 /// Equations in reduced form.
 #[derive(Debug, Clone)]
-pub struct Reduced<T> {
+pub struct Reduced<T: Real> {
     equations: Equations<T>,
     /// Row in which each unknown is the pivot.
     pivot: SmallVec<[Option<usize>; 8]>,
@@ -22,13 +24,22 @@ pub struct Reduced<T> {
 impl<T: Real> Equations<T> {
     /// No equations yet in `cols` unknowns.
     pub fn new(cols: usize) -> Self {
-        Self { cols, cells: SmallVec::new() }
+        Self { cols, cells: SmallVec::new(), sizes: SmallVec::new() }
     }
     /// Adds an equation `0 = 0` and gives its numbers to be filled.
     pub fn row(&mut self) -> &mut [T] {
         let start = self.cells.len();
+        self.sizes.push(None);
         self.cells.resize(start + self.cols + 1, T::zero());
         &mut self.cells[start..]
+    }
+
+    /// Tells the sum of the magnitudes of the terms that made the right-hand side of the last row. Of two equations for one
+    /// unknown the one is then taken whose terms leave it the smaller error: a small difference of large terms waits.
+    pub fn sized(&mut self, size: T::Rough) {
+        if let Some(last) = self.sizes.last_mut() {
+            *last = Some(size);
+        }
     }
 
     /// Reduces the equations. The unknowns in `free` become pivots only if nothing else is left, the last of them first.
@@ -41,18 +52,25 @@ impl<T: Real> Equations<T> {
         for allowed in (0..=free.len()).rev() {
             let kept = &free[..allowed];
             loop {
-                // The pivot that is largest within its own row loses least.
+                // The pivot that is largest within its own row loses least; of rows with sizes, that of least error.
                 let mut best: Option<(usize, usize, T::Rough)> = None;
                 for i in (0..rows).filter(|i| !used[*i]) {
                     let row = &self.cells[i * width..i * width + cols];
                     let size = row.iter().fold(T::Rough::zero(), |s, v| s.max(v.size()));
+                    let mut lead: Option<(usize, T::Rough, T::Rough)> = None;
                     for (j, v) in row.iter().enumerate() {
                         if pivot[j].is_some() || v.is_zero() || kept.contains(&j) {
                             continue;
                         }
                         let share = v.size() / size;
-                        if best.is_none_or(|(_, _, s)| share > s) {
-                            best = Some((i, j, share));
+                        if lead.is_none_or(|(_, s, _)| share > s) {
+                            lead = Some((j, share, v.size()));
+                        }
+                    }
+                    if let Some((j, share, coefficient)) = lead {
+                        let score = self.sizes[i].map_or(share, |error| coefficient / error);
+                        if best.is_none_or(|(_, _, s)| score > s) {
+                            best = Some((i, j, score));
                         }
                     }
                 }
@@ -69,12 +87,17 @@ impl<T: Real> Equations<T> {
                 }
                 base.clear();
                 base.extend_from_slice(row);
+                let error = self.sizes[i].map(|s| s / lead.size());
+                self.sizes[i] = error;
                 for (k, row) in self.cells.chunks_exact_mut(width).enumerate() {
                     let f = row[j];
                     if k == i || f.is_zero() {
                         continue;
                     }
                     row[j] = T::zero();
+                    if let (Some(own), Some(error)) = (self.sizes[k], error) {
+                        self.sizes[k] = Some(own + f.size() * error);
+                    }
                     for (k, (v, b)) in row.iter_mut().zip(&base).enumerate() {
                         if k != j && !b.is_zero() {
                             *v = *v - f * *b;

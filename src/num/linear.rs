@@ -6,6 +6,7 @@
 //! that row.
 use crate::num::Real;
 use crate::num::Rough;
+use crate::num::U;
 use nalgebra::DMatrix;
 use nalgebra::SMatrix;
 use smallvec::SmallVec;
@@ -82,18 +83,30 @@ impl<T: Real> Linear<T> {
         let mut size: SmallVec<[T::Rough; 6]> = smallvec![nothing; n];
         let converged = T::Rough::of(CONVERGED);
         let mut out = SmallVec::with_capacity(n * m);
-        self.factor(&mut inverse, &mut rows, &cols)?;
+        let mut scaled = true;
         for k in 0..m {
+            if scaled {
+                // Scales that fit one right-hand side may be noise for the next.
+                cols.fill(one);
+                if self.factor(&mut inverse, &mut rows, &cols).is_err() {
+                    // Singular, or a column so small beside the others that it vanished.
+                    self.equilibrate(&mut rows, &mut cols);
+                    self.factor(&mut inverse, &mut rows, &cols)?;
+                }
+                scaled = false;
+            }
             let column = &mut x[k * n..(k + 1) * n];
             let mut settled = false;
             'scalings: for scaling in 0..=SCALINGS {
                 if scaling > 0 {
+                    scaled = true;
                     for (c, v) in cols.iter_mut().zip(column.iter()) {
                         if !v.is_zero() {
                             *c = T::Rough::pow2(v.rough().exponent());
                         }
                     }
                     self.factor(&mut inverse, &mut rows, &cols)?;
+                    self.silence(&mut inverse, &rows, &cols);
                 }
                 for _ in 0..REFINEMENTS {
                     self.residual(k, column, &mut residual, &mut size);
@@ -115,17 +128,20 @@ impl<T: Real> Linear<T> {
                 self.cancel(k, column, &inverse, &rows, &cols);
             }
             self.cancel(k, column, &inverse, &rows, &cols);
+            // Where unknowns cancel to their last bits the residual stays a little above rounding.
+            settled |= residual.iter().zip(&size).all(|(r, s)| r.negligible(*s));
             if !settled || column.iter().any(|v| !v.is_finite()) {
                 return Err(Singular { unknowns: n, rank: n.saturating_sub(1) });
             }
             if T::SLOPES > 0 && far_apart(column, &cols) {
-                // A row of the inverse that belongs to a tiny unknown is noise unless its column is scaled to it.
-                for (c, v) in cols.iter_mut().zip(column.iter()) {
-                    if !v.is_zero() {
-                        *c = T::Rough::pow2(v.rough().exponent());
-                    }
+                // A row of the inverse that belongs to a tiny unknown is noise unless its column is scaled to it. Where
+                // that hides another one, the factors that solved the equations have to do.
+                scaled = true;
+                let kept = (inverse.clone(), rows.clone(), cols.clone());
+                self.scale_to(column, &mut rows, &mut cols);
+                if self.factor(&mut inverse, &mut rows, &cols).is_err() {
+                    (inverse, rows, cols) = kept;
                 }
-                self.factor(&mut inverse, &mut rows, &cols)?;
             }
             self.slopes(k, column, (&inverse, &rows, &cols), &mut out);
         }
@@ -147,6 +163,65 @@ impl<T: Real> Linear<T> {
             inverse[r * n + c] += (v.rough() * cols[*c] * rows[*r]).f64();
         }
         if invert(n, inverse) { Ok(()) } else { Err(Singular { unknowns: n, rank: rank(n, inverse) }) }
+    }
+
+    /// Sets to 0 the entries of the inverse that are its own rounding, at most some `u |A^-1| |A| |A^-1|`: an unknown that
+    /// is exactly 0 would otherwise be fed with noise for ever.
+    fn silence(&self, inverse: &mut [f64], rows: &[T::Rough], cols: &[T::Rough]) {
+        let n = self.unknowns;
+        let mut half: SmallVec<[f64; 36]> = smallvec![0.0; n * n];
+        for (r, c, v) in &self.terms {
+            let entry = (v.rough() * cols[*c] * rows[*r]).f64().abs();
+            for i in 0..n {
+                half[i * n + c] += inverse[i * n + r].abs() * entry;
+            }
+        }
+        let noise: SmallVec<[f64; 36]> = (0..n * n)
+            .map(|at| (0..n).map(|k| half[at / n * n + k] * inverse[k * n + at % n].abs()).sum::<f64>())
+            .collect();
+        for (entry, noise) in inverse.iter_mut().zip(noise) {
+            if entry.abs() <= 8.0 * U * noise {
+                *entry = 0.0;
+            }
+        }
+    }
+
+    /// Scales each column to its unknown; that of an unknown that is 0 so that it hides nothing in its rows.
+    fn scale_to(&self, x: &[T::Plain], rows: &mut [T::Rough], cols: &mut [T::Rough]) {
+        rows.fill(T::Rough::zero());
+        for (c, v) in cols.iter_mut().zip(x).filter(|(_, v)| !v.is_zero()) {
+            *c = T::Rough::pow2(v.rough().exponent());
+        }
+        for (r, c, v) in self.terms.iter().filter(|(_, c, _)| !x[*c].is_zero()) {
+            rows[*r] = rows[*r].max(v.size() * cols[*c]);
+        }
+        let mut least: SmallVec<[Option<T::Rough>; 6]> = smallvec![None; self.unknowns];
+        for (r, c, v) in self.terms.iter().filter(|(r, _, v)| !v.is_zero() && !rows[*r].is_zero()) {
+            let fits = rows[*r] / v.size();
+            if least[*c].is_none_or(|l| fits < l) {
+                least[*c] = Some(fits);
+            }
+        }
+        for ((c, v), least) in cols.iter_mut().zip(x).zip(least) {
+            if let (true, Some(least)) = (v.is_zero(), least) {
+                *c = T::Rough::pow2(least.exponent());
+            }
+        }
+    }
+
+    /// Scales each column to its largest entry in rows that are scaled to theirs.
+    fn equilibrate(&self, rows: &mut [T::Rough], cols: &mut [T::Rough]) {
+        rows.fill(T::Rough::zero());
+        cols.fill(T::Rough::zero());
+        for (r, _, v) in &self.terms {
+            rows[*r] = rows[*r].max(v.size());
+        }
+        for (r, c, v) in self.terms.iter().filter(|(_, _, v)| !v.is_zero()) {
+            cols[*c] = cols[*c].max(v.size() / rows[*r]);
+        }
+        for c in cols.iter_mut() {
+            *c = T::Rough::pow2(if c.is_zero() { 0 } else { -c.exponent() });
+        }
     }
 
     /// Sets to 0 what is nothing beside the terms that it is made of.

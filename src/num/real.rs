@@ -151,6 +151,17 @@ pub trait Real:
     fn balance(self, other: Self) -> Self {
         (self + other).cleared(self.size() + other.size())
     }
+    /// Quotient; over exactly zero it is infinite (0 over 0 is 0), whatever the data.
+    #[inline(always)]
+    fn over(self, under: Self) -> Self {
+        if !under.is_zero() {
+            self / under
+        } else if self.is_zero() {
+            Self::zero()
+        } else {
+            Self::of(self.sign() * f64::INFINITY)
+        }
+    }
     /// The larger of two.
     #[inline(always)]
     fn larger(self, other: Self) -> Self {

@@ -117,16 +117,24 @@ pub fn reactions<T: Real>(
             let numbers = &n.bodies[b];
             let own = rate(Coordinate { body: b, degree });
             // Power of the known forces per unit velocity, less the rate of the kinetic energy.
-            let mut surplus = match degree {
-                Degree::Along => {
-                    -(numbers.mass * n.gravity * numbers.climb)
-                        - plant!("energy: rate of the kinetic energy of the centre", numbers.mass) * own
+            let (weight, gain) = match degree {
+                Degree::Along => (
+                    -(numbers.mass * n.gravity * numbers.climb),
+                    -(plant!("energy: rate of the kinetic energy of the centre", numbers.mass) * own),
+                ),
+                Degree::Turn => {
+                    (T::zero(), -(plant!("energy: rate of the energy of rotation", numbers.inertia) * own))
                 }
-                Degree::Turn => -(plant!("energy: rate of the energy of rotation", numbers.inertia) * own),
             };
+            let mut surplus = weight + gain;
+            let mut size = weight.size() + gain.size();
             let row = rows.row();
             let mut act = |t: usize, lever: T, known: Option<T>| match known {
-                Some(force) => surplus = surplus + force * lever,
+                Some(force) => {
+                    let power = force * lever;
+                    surplus = surplus + power;
+                    size += power.size();
+                }
                 None => {
                     if let Some(j) = unknown.iter().position(|u| *u == t) {
                         row[j] = row[j] + lever;
@@ -175,8 +183,10 @@ pub fn reactions<T: Real>(
             for c in scene.couples.iter().filter(|c| c.body == b && degree == Degree::Turn) {
                 let moment = n.massive(c.moment_n_m);
                 surplus = surplus + if c.forward { moment } else { -moment };
+                size += moment.size();
             }
             row[cols] = -surplus;
+            rows.sized(size);
         }
     }
     let found = rows.reduce(&[]).solution();

@@ -425,7 +425,7 @@ impl<'a, T: Real> Ledger<'a, T> {
             if let Tie::Slip { body, .. } = &self.scene.ties[t] {
                 let normal = balance::normal(&self.n, *body);
                 self.say(Quantity::FrictionIfRolled, Owner::Body(*body), friction.signed(self.up(*body)));
-                self.say(Quantity::MuRequired, Owner::Body(*body), friction.abs() / normal);
+                self.say(Quantity::MuRequired, Owner::Body(*body), friction.abs().over(normal));
             }
         }
     }
@@ -465,7 +465,7 @@ impl<'a, T: Real> Ledger<'a, T> {
                 let most = first[t].abs().larger(last[t].abs());
                 let normal = balance::normal(&self.n, *body);
                 if self.scene.bodies[*body].line.is_some_and(|l| l.surface) {
-                    self.say(Quantity::MuRequired, Owner::Body(*body), most / normal);
+                    self.say(Quantity::MuRequired, Owner::Body(*body), most.over(normal));
                 }
             }
         }

@@ -405,7 +405,7 @@ impl<'a, T: Real> Walk<'a, T> {
                 friction.signed(self.up(*body)),
                 scale,
             );
-            self.say(Quantity::MuRequired, Owner::Body(*body), friction.abs() / normal);
+            self.say(Quantity::MuRequired, Owner::Body(*body), friction.abs().over(normal));
             let along = self.along(*body).map_or_else(T::zero, |c| self.response.acceleration(c, CONSTANT));
             let turn = self.turn(*body).map_or_else(T::zero, |c| self.response.acceleration(c, CONSTANT));
             let slip = along - self.n.get(*radius_m) * turn;
@@ -451,7 +451,7 @@ impl<'a, T: Real> Walk<'a, T> {
                     let normal = self.response.normal(*body);
                     let surface = self.scene.bodies[*body].line.is_some_and(|l| l.surface);
                     if surface {
-                        self.say(Quantity::MuRequired, Owner::Body(*body), most / normal);
+                        self.say(Quantity::MuRequired, Owner::Body(*body), most.over(normal));
                     }
                     let force = |f: T| self.n.publish(Quantity::Friction, f).plain();
                     let available = mu_s.map(|mu| force(self.n.get(mu) * normal));
