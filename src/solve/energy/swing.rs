@@ -399,10 +399,12 @@ impl<T: Real> Motion<T> {
             let across = k * (s1 * c0 * p0).balance(-(s0 * c1 * p1));
             let along = (k2 * c0 * c1).balance(s0 * s1 * p0 * p1);
             let complement = (-rest).root() / k;
-            let part = if across.sign() < 0.0 {
-                elliptic::complete(complement).scale2(2) - elliptic::incomplete(-across, along, complement)
-            } else {
-                elliptic::incomplete(across, along, complement)
+            // The way of a turn is half a turn of the amplitude.
+            let turn = || elliptic::complete(complement).scale2(2);
+            let part = match (across.sign() < 0.0, way.f64() > 3.0 * std::f64::consts::PI) {
+                (true, _) => turn() - elliptic::incomplete(-across, along, complement),
+                (false, false) => elliptic::incomplete(across, along, complement),
+                (false, true) => turn() + elliptic::incomplete(across, along, complement),
             };
             part / k
         } else if p0.is_zero() {

@@ -498,13 +498,15 @@ impl<T: Real> Swing<T> {
         let pace = (speed / frequency).scale2(-1);
         // Half of the way as an angle of its own.
         let (sine, cosine) = trig::turn(place.way.scale2(-1));
-        let mut last = Arc {
-            sine: (first.sine * cosine).balance(first.cosine * sine),
-            cosine: (first.cosine * cosine).balance(-(first.sine * sine)),
-            pace,
-        };
-        // How often it has passed the top: an even number where the cosine has kept its sign.
+        let hanging = if self.body.is_upright() { place.half.less_half_turn() } else { place.half };
+        let mut last = Arc { sine: hanging.sine.signed(self.sense), cosine: hanging.cosine, pace };
+        // The signs that it has on the way there from the start, and how often it has passed the top: an even number where
+        // the cosine has kept its sign.
         let half = trig::atan2(first.sine, first.cosine).f64() + 0.5 * place.way.f64();
+        let (s, c) = trig::sin_cos_radians(Dd::new(half));
+        if s.hi * last.sine.f64() + c.hi * last.cosine.f64() < 0.0 {
+            (last.sine, last.cosine) = (-last.sine, -last.cosine);
+        }
         let tops = half / std::f64::consts::PI;
         let odd = last.cosine.sign() < 0.0;
         let passed = if odd { 2.0 * ((tops - 1.0) / 2.0).round() + 1.0 } else { 2.0 * (tops / 2.0).round() };
