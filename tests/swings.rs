@@ -82,13 +82,19 @@ fn small_swings_have_the_small_period() {
         near(period, small * (1.0 + phi * phi / 16.0), 4.0);
         // A quarter of it to the lowest place.
         near(value(&s, Quantity::T) * 4.0, period, 4.0);
-        near(value(&s, Quantity::Omega), value(&s, Quantity::OmegaSmall) * phi * (1.0 - phi * phi / 24.0), 8.0);
+        near(
+            value(&s, Quantity::Omega),
+            value(&s, Quantity::OmegaSmall) * phi * (1.0 - phi * phi / 24.0),
+            8.0,
+        );
     }
 }
 
 #[test]
 fn the_other_side_is_the_mirror_image() {
-    for (from, start, end) in [(Zero::Hanging, 70.0, -35.0), (Zero::Upright, 25.0, 140.0), (Zero::Hanging, 150.0, 20.0)] {
+    for (from, start, end) in
+        [(Zero::Hanging, 70.0, -35.0), (Zero::Upright, 25.0, 140.0), (Zero::Hanging, 150.0, 20.0)]
+    {
         let right = solved(&swinging(from, start, to(end)));
         let left = solved(&swinging(from, -start, to(-end)));
         for (a, b) in right.entries.iter().zip(&left.entries) {
@@ -125,7 +131,9 @@ fn lengths_and_masses_scale() {
 /// A spring or a couple of nothing leaves what the weight does; the time then is a quadrature against the elliptic integral.
 #[test]
 fn a_spring_of_nothing_changes_nothing() {
-    for (from, start, end) in [(Zero::Hanging, 70.0, -35.0), (Zero::Upright, 25.0, 140.0), (Zero::Hanging, 60.0, -60.0)] {
+    for (from, start, end) in
+        [(Zero::Hanging, 70.0, -35.0), (Zero::Upright, 25.0, 140.0), (Zero::Hanging, 60.0, -60.0)]
+    {
         let plain = swinging(from, start, to(end));
         let free = solved(&plain);
         let sprung = with_spring(plain.clone(), 0.9, 0.7, 1e-300, Rest::Length(f(0.3)));
@@ -134,7 +142,9 @@ fn a_spring_of_nothing_changes_nothing() {
         for scene in [sprung, coupled] {
             let s = solved(&scene);
             assert_eq!(s.regime, free.regime);
-            for q in [Quantity::Omega, Quantity::Alpha, Quantity::PinRadial, Quantity::PinTangential, Quantity::T] {
+            for q in
+                [Quantity::Omega, Quantity::Alpha, Quantity::PinRadial, Quantity::PinTangential, Quantity::T]
+            {
                 near(value(&s, q), value(&free, q), 8.0);
             }
         }
@@ -159,7 +169,9 @@ fn an_ideal_spring_is_a_weight() {
 #[test]
 fn at_rest_turning_and_out_of_reach() {
     let word = |s: &Scene| solved(s).regime.word();
-    for (from, at) in [(Zero::Hanging, 0.0), (Zero::Hanging, 180.0), (Zero::Upright, 0.0), (Zero::Upright, -180.0)] {
+    for (from, at) in
+        [(Zero::Hanging, 0.0), (Zero::Hanging, 180.0), (Zero::Upright, 0.0), (Zero::Upright, -180.0)]
+    {
         let s = solved(&swinging(from, at, to(20.0)));
         assert_eq!(s.regime.word(), "rest");
         assert!(!s.all_hold());
@@ -252,8 +264,7 @@ fn ends_by_time_and_by_speed_are_the_angle() {
     for scene in scenes {
         let s = solved(&scene);
         assert_eq!(s.regime.word(), "swings ok", "{scene:?}");
-        let (t, omega, phi) =
-            (value(&s, Quantity::T), value(&s, Quantity::Omega), value(&s, Quantity::Phi));
+        let (t, omega, phi) = (value(&s, Quantity::T), value(&s, Quantity::Omega), value(&s, Quantity::Phi));
         let mut timed = scene.clone();
         timed.end = End::Time(TURN, f(t));
         let again = solved(&timed);

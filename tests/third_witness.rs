@@ -412,7 +412,8 @@ fn pinned(scene: &Scene, data: &[f64], solved: &slipstick::solve::outcome::Solve
     // The unit vector from the pin to the mass centre, and its derivative by the angle.
     let out = |angle: f64| (libm::sin(angle), up * libm::cos(angle));
     let along = |angle: f64| (libm::cos(angle), -up * libm::sin(angle));
-    let couple: f64 = scene.couples.iter().map(|c| w.get(c.moment_n_m) * if c.forward { 1.0 } else { -1.0 }).sum();
+    let couple: f64 =
+        scene.couples.iter().map(|c| w.get(c.moment_n_m) * if c.forward { 1.0 } else { -1.0 }).sum();
     let start = w.get(pin.start_deg).to_radians();
     let natural = pin.spring.map(|s| match s.rest {
         Rest::Length(l) => w.get(l),
@@ -450,7 +451,8 @@ fn pinned(scene: &Scene, data: &[f64], solved: &slipstick::solve::outcome::Solve
         (x, pull)
     };
     let step = |q: &[f64], v: &[f64], t: f64| -> (Vec<f64>, Vec<f64>) {
-        let add = |x: &[f64], k: &[f64], f: f64| -> Vec<f64> { x.iter().zip(k).map(|(x, k)| x + f * k).collect() };
+        let add =
+            |x: &[f64], k: &[f64], f: f64| -> Vec<f64> { x.iter().zip(k).map(|(x, k)| x + f * k).collect() };
         let rate = |q: &[f64], v: &[f64]| forces(q, v).0[..3].to_vec();
         let a1 = rate(q, v);
         let (q2, v2) = (add(q, v, t / 2.0), add(v, &a1, t / 2.0));

@@ -147,18 +147,28 @@ fn reaches_on_a_pin(scene: &Scene, c: &Check) -> String {
         _ => "degrees",
     };
     match (c.ok, scene.end, c.available.is_infinite()) {
-        (true, End::TurningPoint(_), _) => format!("the end is reached: it comes to rest after {available} degrees"),
-        (false, End::TurningPoint(_), _) => "the end is not reached: it does not come to rest in two turns".to_owned(),
-        (true, _, true) => format!("the end is reached: {required} {unit} asked, the motion goes on well beyond"),
+        (true, End::TurningPoint(_), _) => {
+            format!("the end is reached: it comes to rest after {available} degrees")
+        }
+        (false, End::TurningPoint(_), _) => {
+            "the end is not reached: it does not come to rest in two turns".to_owned()
+        }
+        (true, _, true) => {
+            format!("the end is reached: {required} {unit} asked, the motion goes on well beyond")
+        }
         (true, _, false) => {
             format!("the end is reached: {required} {unit} asked, the motion goes as far as {available}")
         }
-        (false, _, true) => format!("the end is not reached: {required} {unit} asked, the motion goes the other way"),
+        (false, _, true) => {
+            format!("the end is not reached: {required} {unit} asked, the motion goes the other way")
+        }
         (false, _, false) if c.required < 0.0 => {
             format!("the end is not reached: {required} {unit} asked, the motion goes the other way")
         }
         (false, _, false) => {
-            format!("the end is not reached: {required} {unit} asked, the motion goes only as far as {available}")
+            format!(
+                "the end is not reached: {required} {unit} asked, the motion goes only as far as {available}"
+            )
         }
     }
 }

@@ -201,9 +201,7 @@ impl<T: Real> Motion<T> {
         turning: Option<T>,
     ) -> Result<Option<T>, Refusal> {
         Ok(match scene.end {
-            End::Angle(_, angle) => {
-                Some(self.way_to(scene, n.get(angle), n))
-            }
+            End::Angle(_, angle) => Some(self.way_to(scene, n.get(angle), n)),
             End::TurningPoint(_) => turning,
             End::Time(_, t) => {
                 let last = turning.unwrap_or_else(Self::horizon);
