@@ -42,6 +42,7 @@ pub mod finding;
 pub mod grade;
 pub mod key;
 pub mod num;
+pub mod plot;
 pub mod problem;
 pub mod report;
 pub mod scene;

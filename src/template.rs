@@ -16,6 +16,7 @@ pub use tera::Value;
 pub const BUILT_IN: &[(&str, &str)] = &[
     ("sheet.md", include_str!("../templates/sheet.md")),
     ("sheet.html", include_str!("../templates/sheet.html")),
+    ("accuracy.html", include_str!("../templates/accuracy.html")),
     ("questions.md", include_str!("../templates/questions.md")),
     ("statement/compound-pendulum.md", include_str!("../templates/statement/compound-pendulum.md")),
     ("statement/falling-rod.md", include_str!("../templates/statement/falling-rod.md")),

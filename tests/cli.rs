@@ -410,9 +410,9 @@ fn a_changed_set_is_not_graded() {
     change("set/set.json", "{", "{{", "is no set");
     change(
         "set/set.json",
-        "\"draw_version\": 1",
+        "\"draw_version\": 2",
         "\"draw_version\": 9",
-        "draw_version: is 9; this program draws by version 1",
+        "draw_version: is 9; this program draws by version 2",
     );
     // Another program version that draws the same is fine.
     let set = room.read("set/set.json");
@@ -674,6 +674,36 @@ fn solve_refuses_what_is_no_scene() {
     let problem = run(&["solve", "wheels-on-inclines", "pulled-roling", "--seed", "1"]);
     assert!(problem.err.contains("did you mean `pulled-rolling`?"), "{}", problem.err);
     assert_eq!(run(&["solve", "wheels-on-inclines", "spring-released", "--seed", "1"]).exit, Exit::Fine);
+}
+
+#[test]
+fn lint_says_where_figures_and_tolerance_do_not_fit() {
+    let room = Room::new(&CLASS[..1]);
+    let sound = run(&["lint", "wheels-on-inclines", "--seeds", "150"]);
+    assert!(!sound.out.contains("note:"), "{}", sound.out);
+    for rule in ["cond of slip_distance above 16.7", "input energy above 4 times the kinetic"] {
+        assert!(sound.out.contains(rule), "{rule}: {}", sound.out);
+    }
+    let bank = include_str!("../banks/wheels-on-inclines.yaml");
+    let heat = "unit: J, tolerance: {relative: widens with cond}";
+    for (instead, says) in [
+        (
+            "unit: J, cond limit: 17",
+            "% of honest answers with 3 figures on the way miss its tolerance; let its tolerance widen",
+        ),
+        (
+            "unit: J, cond limit: 30, tolerance: {relative: widens with cond}",
+            "widens up to cond 16.7, its cond limit is 30.0",
+        ),
+    ] {
+        assert!(bank.contains(heat));
+        room.write("tight.yaml", &bank.replace(heat, instead));
+        let ran = run(&["lint", &room.path("tight.yaml"), "--seeds", "150"]);
+        assert_eq!(ran.exit, Exit::Fine, "{}", ran.err);
+        let note =
+            ran.out.lines().find(|l| l.contains("note: heat:")).unwrap_or_else(|| panic!("{}", ran.out));
+        assert!(note.contains(says), "{note}");
+    }
 }
 
 #[test]
@@ -945,4 +975,139 @@ fn the_set_records_tries_and_which_rule_refused_them() {
         }
     }
     assert!(redrawn > 10, "{redrawn}");
+}
+
+const PULLED: [&str; 18] = [
+    "wheels-on-inclines",
+    "pulled-rolling",
+    "--set",
+    "m=40kg",
+    "--set",
+    "R=200mm",
+    "--set",
+    "r=100mm",
+    "--set",
+    "k=150mm",
+    "--set",
+    "theta=15",
+    "--set",
+    "P=100N",
+    "--set",
+    "d=3m",
+    "--set",
+    "mu_s=0.5",
+];
+
+fn pulled(verb: &str, more: &[&str]) -> Ran {
+    let mut args = vec![verb];
+    args.extend(PULLED);
+    args.extend(more);
+    run(&args)
+}
+
+#[test]
+fn solve_says_which_method_it_took_and_why() {
+    let ran = pulled("solve", &[]);
+    assert_eq!(ran.exit, Exit::Fine);
+    assert!(ran.out.contains("\nmethod: closed form (auto): the forces are the same all the way, so the closed form is exact and nothing is cheaper\n"));
+    assert!(!ran.out.contains("est. error"));
+    let ran = pulled("solve", &["--method", "euler", "--step", "1/60s"]);
+    assert_eq!((ran.exit, ran.err.as_str()), (Exit::Fine, ""));
+    assert!(
+        ran.out
+            .contains("method: euler, 1/60 s: as asked; the other road stays in closed form and judges it; "),
+        "{}",
+        ran.out
+    );
+    assert!(ran.out.contains("est. error"));
+    let json: serde_json::Value =
+        serde_json::from_str(&pulled("solve", &["--json", "--method", "dop853", "--rtol", "1e-9"]).out)
+            .unwrap();
+    assert_eq!(json["method"]["name"], "dop853");
+    assert_eq!(json["method"]["chosen"], false);
+    assert!(json["method"]["evaluations"].as_u64().unwrap() > 10);
+    assert!(json["quantities"]["v"]["error"].as_f64().unwrap() < 1e-9);
+    let json: serde_json::Value = serde_json::from_str(&pulled("solve", &["--json"]).out).unwrap();
+    assert_eq!(json["method"]["name"], "closed");
+    assert!(json["method"]["relative_error"].is_null() && json["quantities"]["v"].get("error").is_none());
+}
+
+#[test]
+fn a_method_that_does_not_fit_is_refused() {
+    for (more, message) in [
+        (
+            &["--method", "rk4", "--rtol", "1e-9"][..],
+            "error: --rtol: the method steps at a fixed length and has no tolerance",
+        ),
+        (&["--step", "1ms"], "error: --step: only euler, verlet and rk4 have a step of fixed length"),
+        (&["--method", "rk4", "--step", "1kg"], "error: --step: `1kg`: expected s"),
+        (&["--method", "rk4", "--step", "0"], "error: --step: `0` is no step"),
+        (&["--method", "rk4", "--step", "1/0s"], "error: --step: `1/0s` is no step"),
+        (&["--rtol", "2"], "error: --rtol: 2 is no tolerance"),
+        (&["--method", "rk4", "--step", "1e-300"], "error: pulled-rolling: rk4: would need"),
+    ] {
+        let ran = pulled("solve", more);
+        assert_eq!((ran.exit, ran.out.as_str()), (Exit::Faulty, ""), "{more:?}");
+        assert!(ran.err.starts_with(message), "{more:?}: {}", ran.err);
+    }
+}
+
+#[test]
+fn accuracy_prints_and_writes_the_same_every_time() {
+    let room = Room::new(&[]);
+    let folder = room.path("trade");
+    let ran = pulled("accuracy", &["--no-time", "--out", &folder]);
+    assert_eq!((ran.exit, ran.err.as_str()), (Exit::Fine, ""));
+    let lines: Vec<&str> = ran.out.lines().collect();
+    assert!(lines[1].starts_with("auto takes the closed form: "), "{}", ran.out);
+    assert_eq!(lines[3].split_whitespace().next(), Some("method"));
+    assert!(lines[4].trim_start().starts_with("* auto  closed "), "{}", ran.out);
+    let files = tree(&room.0.path().join("trade"));
+    assert_eq!(
+        files.keys().map(String::as_str).collect::<Vec<_>>(),
+        ["accuracy.csv", "accuracy.html", "accuracy.svg"]
+    );
+    let html = room.read("trade/accuracy.html");
+    assert!(html.contains("<svg") && html.contains("Asked and given") && !html.contains("NaN"));
+    assert!(
+        room.read("trade/accuracy.csv")
+            .starts_with("method,step_s,rtol,points,evaluations,steps,error of omega,")
+    );
+    // Constant acceleration: every formula but Euler's is exact.
+    let csv = room.read("trade/accuracy.csv");
+    let rows: Vec<Vec<&str>> = csv.lines().map(|l| l.split(',').collect()).collect();
+    let worst = rows[0].iter().position(|h| *h == "worst error").unwrap();
+    for row in &rows[1..] {
+        let error: f64 = row[worst].parse().unwrap();
+        assert!(if row[0] == "euler" { error > 1e-6 } else { error < 1e-14 }, "{row:?}");
+    }
+    // Again: refused, then the same bytes.
+    let again = pulled("accuracy", &["--no-time", "--out", &folder]);
+    assert_eq!((again.exit, again.out.as_str()), (Exit::Faulty, ""));
+    assert!(
+        again.err.contains("is there already") && again.err.contains("--force replaces it"),
+        "{}",
+        again.err
+    );
+    let again = pulled("accuracy", &["--no-time", "--out", &folder, "--force"]);
+    assert_eq!((again.exit, again.out), (Exit::Fine, ran.out));
+    assert_eq!(tree(&room.0.path().join("trade")), files);
+    // Single files; nothing is written if one cannot be.
+    let (csv, odd) = (room.path("a.csv"), room.path("a.pdf"));
+    let ran = pulled("accuracy", &["--no-time", "--out", &csv, "--out", &odd]);
+    assert_eq!(ran.exit, Exit::Faulty);
+    assert!(
+        ran.err.contains("files of the kind .pdf are not written") && !Path::new(&csv).exists(),
+        "{}",
+        ran.err
+    );
+    // With the clock there is a column of times.
+    let ran = run(&["accuracy", "wheels-on-inclines", "spring-released", "--seed", "5", "--out", &csv]);
+    assert_eq!(ran.exit, Exit::Fine);
+    assert!(
+        ran.out.lines().nth(3).is_some_and(|l| l.contains(" time "))
+            && room.read("a.csv").contains(",seconds,")
+    );
+    let ran = run(&["accuracy", "wheels-on-inclines", "kinetic-energy", "--seed", "5"]);
+    assert_eq!((ran.exit, ran.out.as_str()), (Exit::Faulty, ""));
 }

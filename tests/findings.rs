@@ -640,6 +640,59 @@ fn of_what_rolls_one_speed_gives_the_other() {
 }
 
 #[test]
+fn tolerances_and_limits_of_condition_numbers() {
+    let question = "{ask: the speed, unit: m/s}";
+    let with = |more: &str| format!("{{ask: the speed, unit: m/s, {more}}}");
+    for fine in [
+        "tolerance: {relative: widens with cond}",
+        "tolerance: {relative: {least: 2 %, per cond: 0.5 %, most: 8 %}}",
+        "cond limit: 20",
+    ] {
+        assert!(found(&[(question, &with(fine))]).ends_with("no finding"), "{fine}");
+    }
+    assert!(
+        found(&[("title: Test", "title: Test\ncond limit: 12.5\ninput energy limit: 3")])
+            .ends_with("no finding")
+    );
+    let edits = [
+        (question, with("tolerance: {relative: widens with cnod}")),
+        (question, with("tolerance: {relative: {least: 6 %, per cond: 0.3 %, most: 5 %}}")),
+        (question, with("tolerance: {relative: {least: 1 %, most: 5 %}}")),
+        (question, with("tolerance: {relative: {least: 1 %, per cond: 0.3 %, most: 500 %}}")),
+        (question, with("cond limit: high")),
+        (question, with("cond limit: 0.5")),
+        ("v: {ask: the speed, unit: m/s}", "direction: {ask: whither, cond limit: 20}".to_owned()),
+        ("title: A block", "title: A block\n    cond limit: -1".to_owned()),
+        ("title: A block", "title: A block\n    input energy limit: 4 J".to_owned()),
+        ("title: Test", "title: Test\ncond limits: 12".to_owned()),
+    ];
+    let all: String = edits
+        .iter()
+        .map(|(from, to)| {
+            let text = found(&[(*from, to.as_str())]);
+            text.lines().filter(|l| !l.contains(" | ")).map(|l| format!("{l}\n")).collect::<String>()
+        })
+        .collect();
+    assert_snapshot!(all, @r#"
+    test.yaml:22:60: problems.slide.questions.v.tolerance.relative: expected a relative tolerance, found `widens with cnod`
+        hint: write `1 %`, `widens with cond` or `{least: 1 %, per cond: 0.3 %, most: 5 %}`
+    test.yaml:22:60: problems.slide.questions.v.tolerance.relative: the least tolerance is above the most
+    test.yaml:22:60: problems.slide.questions.v.tolerance.relative: `per cond` is missing
+        hint: for example `per cond: 0.3 %`
+    test.yaml:22:96: problems.slide.questions.v.tolerance.relative.most: a relative tolerance of `500 %` makes no sense
+        hint: above 0 and below 100 %
+    test.yaml:22:50: problems.slide.questions.v.cond limit: expected a condition number from 1 to 1000, found `high`
+    test.yaml:22:50: problems.slide.questions.v.cond limit: expected a condition number from 1 to 1000, found `0.5`
+    test.yaml:22:45: problems.slide.questions.direction.cond limit: `direction` is answered with a word
+        hint: remove the limit
+    test.yaml:6:17: problems.slide.cond limit: expected a condition number from 1 to 1000, found `-1`
+    test.yaml:6:25: problems.slide.input energy limit: expected a multiple of the kinetic energy from 1 to 1000, found `4 J`
+    test.yaml:3:1: cond limits: unknown field `cond limits`
+        hint: did you mean `cond limit`?
+    "#);
+}
+
+#[test]
 fn a_bound_without_limits() {
     assert_snapshot!(found(&[("    regimes:", "    bounds: {v: {}}\n    regimes:")]), @r#"
      20 |     bounds: {v: {}}

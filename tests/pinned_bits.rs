@@ -7,15 +7,15 @@ use slipstick::problem::make::Maker;
 
 /// Problem, digest of the drawn data, digest of the answers.
 const PINNED: &[(&str, &str, &str)] = &[
-    ("block-pulls-wheel", "7e58b4397711b559", "d05e97392c9b51d9"),
-    ("yo-yo", "56eaf5ebeedbf2da", "4e03daaf4bc155c1"),
-    ("two-loads-on-a-stepped-drum", "0283c4c499963a66", "64fcbbe4228981e2"),
-    ("thrown-ball", "6dde4a9eca0ede00", "1b533495873e1bd6"),
-    ("wheel-set-down", "f98c0d80feebe576", "a896b624324f1d8b"),
-    ("kinetic-energy", "cbdbe0b3edb9f945", "af236551037265b5"),
-    ("pulled-rolling", "81011d0ece5ccf20", "92c7545adb7a7451"),
-    ("pulled-slipping", "e8283eb54c86667c", "e2882ef6abc178e6"),
-    ("spring-released", "12fdcd118ca0e1b1", "24f5e72c7aa3d1c7"),
+    ("block-pulls-wheel", "a02c80b69f8e835e", "0da4f86a2add2efe"),
+    ("yo-yo", "21c45af8bebf0d28", "4d9ce97aaee5d2c8"),
+    ("two-loads-on-a-stepped-drum", "b4a5a19f86b60afc", "14e3d2ff497e4da9"),
+    ("thrown-ball", "5782138d178521a1", "5672190800acb71d"),
+    ("wheel-set-down", "3d51989c890ac214", "14dd79d570968c39"),
+    ("kinetic-energy", "f466bdd1440c9a10", "a469c22586a9ae31"),
+    ("pulled-rolling", "7ca260756b74217f", "8e45bab1ecb0ec03"),
+    ("pulled-slipping", "b66e386c9cb8c99d", "a2ca8ec8ab4ce7fe"),
+    ("spring-released", "173369717f22b8ee", "cc4ca579c4671ccd"),
 ];
 
 #[test]

@@ -20,7 +20,8 @@ fn banks_are_satisfied_and_sheets_differ() {
             }
             for q in &s.questions {
                 assert_eq!(q.range.is_some(), q.words.is_empty(), "{} {}", s.problem, q.id);
-                assert!(q.worst_cond < 150.0, "{} {}: {}", s.problem, q.id, q.worst_cond);
+                // Honest answers with the asked figures on the way meet the tolerance (lint notes where they do not).
+                assert!(q.range.is_none() || q.missed() < 0.055, "{} {}: {}", s.problem, q.id, q.missed());
             }
         }
         let chance = sweep::coincidence(&sweeps, 500);
@@ -68,6 +69,12 @@ fn keys_are_sound() {
                 let key = make_key::key(problem, &variant);
                 assert_eq!(key.parts.len(), problem.questions.len());
                 for (part, question) in key.parts.iter().zip(&problem.questions) {
+                    assert!(
+                        part.cond.is_none_or(|c| c <= question.cond_limit),
+                        "{} {}",
+                        problem.id,
+                        part.part
+                    );
                     match part.answer {
                         Answer::Number { value, half_width, magnitude, directed } => {
                             assert!(value.is_finite() && half_width.is_finite() && half_width >= 0.0);
@@ -87,4 +94,31 @@ fn keys_are_sound() {
             }
         }
     }
+}
+
+/// Input energy at most 4 times the kinetic one: `ks x0^2/2`, down with `m g sin(theta) D`, computed here anew.
+#[test]
+fn the_speed_of_a_spring_draw_is_not_what_large_energies_leave() {
+    let banks = support::banks();
+    let problem =
+        banks.iter().flat_map(|b| &b.problems).find(|p| p.id == "spring-released").expect("a problem");
+    let maker = Maker::new(problem, 17, "energies");
+    let (mut near, mut down) = (0, 0);
+    for i in 0..1000 {
+        let variant = maker.variant(&i.to_string()).expect("satisfiable");
+        let get = |s: &str| variant.data[problem.data.iter().position(|d| d.symbol == s).expect("a datum")];
+        let kinetic = variant.solved.entries.iter().find(|e| e.label.quantity == Quantity::KineticEnergy);
+        let goes_down = variant.solved.regime.word() == "down ok";
+        let fall = if goes_down {
+            get("m") * get("g") * libm::sin(get("theta").to_radians()) * get("D")
+        } else {
+            0.0
+        };
+        let input = get("ks") * get("x0") * get("x0") / 2.0 + fall;
+        let ratio = input / kinetic.expect("it moves").value();
+        assert!(ratio <= 4.0 + 1e-12, "{ratio}");
+        near += u32::from(ratio > 3.5);
+        down += u32::from(goes_down);
+    }
+    assert!(near > 20 && (300..700).contains(&down), "{near} near the limit, {down} down");
 }

@@ -43,6 +43,8 @@ pub struct Problem {
     pub questions: Vec<Question>,
     /// Statement: text of the Tera template, written in the bank; `None`: the template file named after the problem.
     pub statement: Option<String>,
+    /// Greatest input energy of a spring problem, in kinetic energies at the end.
+    pub energy_limit: f64,
     /// Least margins by check kind (0.1 for `moves` and so on), as shares.
     pub margins: Vec<(CheckKind, f64)>,
 }
@@ -135,15 +137,69 @@ pub struct Question {
     pub unit: Unit,
     /// Points.
     pub points: f64,
-    /// Relative tolerance (0.01).
-    pub relative: f64,
+    /// Relative tolerance.
+    pub relative: Relative,
     /// Absolute tolerance, SI; `None`: 1e-3 of the scale for quantities that may vanish, else 0.
     pub absolute: Option<f64>,
     /// Must a unit be written?
     pub unit_required: bool,
     /// Significant figures asked for, for the statement.
     pub figures: u8,
+    /// A draw is refused whose answer has a greater condition number.
+    pub cond_limit: f64,
 }
+
+/// Relative tolerance of a question: fixed, or as wide as the condition number of the answer asks.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Relative {
+    /// The same for every variant, such as 0.01.
+    Fixed(f64),
+    /// `per_cond` times the condition number, at least `least` and at most `most`.
+    Widens {
+        /// Least.
+        least: f64,
+        /// Share for each unit of the condition number.
+        per_cond: f64,
+        /// Most.
+        most: f64,
+    },
+}
+
+impl Relative {
+    /// The tolerance that `widens with cond` means: three figures on the way bring a rounding of up to some 0.3 % each, and an
+    /// answer of condition number c takes c of them; 5 % still tell a right method from a wrong one.
+    pub const WIDENS: Self = Self::Widens { least: 0.01, per_cond: 0.003, most: 0.05 };
+
+    /// The tolerance of an answer with this condition number: what is printed and what is used. One that widens is rounded
+    /// up to a tenth of a per cent; an infinite or unknown condition number takes the most.
+    pub fn at(self, cond: f64) -> f64 {
+        match self {
+            Self::Fixed(share) => share,
+            Self::Widens { least, per_cond, most } => {
+                let tenths = (per_cond * cond * 1000.0 - ROUNDING).ceil();
+                let share = tenths / 1000.0;
+                if share < most { share.max(least) } else { most }
+            }
+        }
+    }
+    /// The tolerance, where it is the same for every variant.
+    pub const fn fixed(self) -> Option<f64> {
+        match self {
+            Self::Fixed(share) => Some(share),
+            Self::Widens { .. } => None,
+        }
+    }
+    /// Condition number up to which the tolerance grows; `None` where it is fixed.
+    pub fn reach(self) -> Option<f64> {
+        match self {
+            Self::Fixed(_) => None,
+            Self::Widens { per_cond, most, .. } => Some(most / per_cond),
+        }
+    }
+}
+
+/// What doubles may add to a whole number of tenths of a per cent.
+const ROUNDING: f64 = 1e-6;
 
 pub mod decimal;
 pub mod expression;
@@ -153,3 +209,28 @@ pub mod node;
 pub mod review;
 pub mod scene;
 pub mod schema;
+
+#[cfg(test)]
+#[allow(clippy::float_cmp, reason = "what is printed is what is used")]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_tolerance_widens_in_tenths_of_a_per_cent() {
+        for (cond, share) in [
+            (0.0, 0.01),
+            (3.3, 0.01),
+            (3.34, 0.011),
+            (10.0, 0.03),
+            (10.01, 0.031),
+            (16.6, 0.05),
+            (17.0, 0.05),
+            (f64::INFINITY, 0.05),
+            (f64::NAN, 0.05),
+        ] {
+            assert_eq!(Relative::WIDENS.at(cond), share, "{cond}");
+        }
+        assert_eq!(Relative::Fixed(0.02).at(1e9), 0.02);
+        assert!((Relative::WIDENS.reach().unwrap() - 50.0 / 3.0).abs() < 1e-12);
+    }
+}

@@ -7,7 +7,7 @@ use crate::bank::measure;
 use crate::bank::node::{Faults, Fields, Node, Value, close_name, named, shorten};
 use crate::bank::review;
 use crate::bank::scene::{self, Need, Symbol};
-use crate::bank::{Bank, Bound, Case, Datum, Draw, Problem, Question};
+use crate::bank::{Bank, Bound, Case, Datum, Draw, Problem, Question, Relative};
 use crate::scene::{Label, Owner, Quantity, Scene};
 use crate::solve::outcome::{CheckKind, Motion};
 use crate::units::Unit;
@@ -16,6 +16,12 @@ use crate::units::Unit;
 const GRAVITY: &str = "9.81 m/s^2";
 /// Relative tolerance where the bank does not say it.
 const RELATIVE: f64 = 0.01;
+/// Greatest condition number where the bank does not say it. A rounding to three figures on the way is off by some 0.13 % on
+/// average, so that about 10 of them fit into 1 %.
+const COND_LIMIT: f64 = 10.0;
+/// Greatest input energy of a spring problem, in kinetic energies, where the bank does not say it: with more, the speed is what
+/// two large energies leave.
+const ENERGY_LIMIT: f64 = 4.0;
 /// Significant figures asked for where the bank does not say it.
 const FIGURES: u8 = 3;
 /// Most data of a problem; with g these are all that condition numbers are taken of.
@@ -32,8 +38,11 @@ const MARGINS: [(CheckKind, f64); 6] = [
 /// What holds for all problems of a bank.
 struct Common {
     gravity: (Decimal, Unit),
-    relative: f64,
+    relative: Relative,
     unit_required: bool,
+    /// Only where the bank or the problem says it.
+    cond_limit: Option<f64>,
+    energy_limit: f64,
 }
 
 /// A datum with its own draw.
@@ -58,13 +67,17 @@ pub fn bank(node: &Node, variables: Option<Variables>, faults: &Faults) -> Optio
     let reveal = fields.get("reveal").and_then(|n| choice(n, &on_off, faults)).unwrap_or(false);
     let (relative, _) = fields.get("tolerance").map_or((None, None), |n| tolerance(n, None, faults));
     let unit_required = fields.get("units").and_then(|n| choice(n, &UNITS, faults)).unwrap_or(false);
+    let cond_limit = fields.get("cond limit").and_then(|n| limit(n, COND_LIMITS, faults));
+    let energy_limit = fields.get("input energy limit").and_then(|n| limit(n, ENERGY_LIMITS, faults));
     let problems_node = fields.need("problems", "{pulled-rolling: {...}}", faults);
     fields.close(faults);
     let default_gravity = || measure::decimal_constant(GRAVITY).ok();
     let common = Common {
         gravity: gravity.or_else(default_gravity)?,
-        relative: relative.unwrap_or(RELATIVE),
+        relative: relative.unwrap_or(Relative::Fixed(RELATIVE)),
         unit_required,
+        cond_limit,
+        energy_limit: energy_limit.unwrap_or(ENERGY_LIMIT),
     };
     let mut problems = Vec::new();
     if let Some(n) = problems_node {
@@ -158,11 +171,24 @@ fn share(node: &Node, faults: &Faults) -> Option<f64> {
     read
 }
 
-fn tolerance(node: &Node, unit: Option<&Unit>, faults: &Faults) -> (Option<f64>, Option<f64>) {
-    let Some(mut fields) = Fields::open(node, "a tolerance such as `{relative: 1 %}`", faults) else {
-        return (None, None);
-    };
-    let relative = fields.get("relative").and_then(|n| {
+/// Limits of condition numbers: what they are, and from where to where.
+const COND_LIMITS: (&str, f64, f64) = ("a condition number", 1.0, 1000.0);
+/// Limits of input energies.
+const ENERGY_LIMITS: (&str, f64, f64) = ("a multiple of the kinetic energy", 1.0, 1000.0);
+
+/// A plain number, greatest value of something.
+fn limit(node: &Node, (what, least, most): (&str, f64, f64), faults: &Faults) -> Option<f64> {
+    let read = node.text().and_then(|t| Decimal::parse(t.trim())).and_then(|d| d.text().parse::<f64>().ok());
+    let fine = read.filter(|x| (least..=most).contains(x));
+    if fine.is_none() {
+        faults.at(node, format!("expected {what} from {least} to {most}, found {}", node.kind()));
+    }
+    fine
+}
+
+/// `1 %`, `widens with cond`, or `{least: 1 %, per cond: 0.3 %, most: 5 %}`.
+fn relative(node: &Node, faults: &Faults) -> Option<Relative> {
+    let sound = |n: &Node| {
         let share = share(n, faults)?;
         if share > 0.0 && share < 1.0 {
             return Some(share);
@@ -173,7 +199,39 @@ fn tolerance(node: &Node, unit: Option<&Unit>, faults: &Faults) -> (Option<f64>,
             "above 0 and below 100 %",
         );
         None
-    });
+    };
+    if node.text().is_some_and(|t| t.trim() == "widens with cond") {
+        return Some(Relative::WIDENS);
+    }
+    if !matches!(node.value, Value::Map(_)) {
+        if node.text().is_some_and(|t| t.trim_start().starts_with(|c: char| c.is_alphabetic())) {
+            faults.hint(
+                node,
+                format!("expected a relative tolerance, found {}", node.kind()),
+                "write `1 %`, `widens with cond` or `{least: 1 %, per cond: 0.3 %, most: 5 %}`",
+            );
+            return None;
+        }
+        return sound(node).map(Relative::Fixed);
+    }
+    let mut fields = Fields::open(node, "a tolerance that widens (least, per cond, most)", faults)?;
+    let least = fields.need("least", "1 %", faults).and_then(sound);
+    let per_cond = fields.need("per cond", "0.3 %", faults).and_then(sound);
+    let most = fields.need("most", "5 %", faults).and_then(sound);
+    fields.close(faults);
+    let (least, per_cond, most) = (least?, per_cond?, most?);
+    if least > most {
+        faults.at(node, "the least tolerance is above the most");
+        return None;
+    }
+    Some(Relative::Widens { least, per_cond, most })
+}
+
+fn tolerance(node: &Node, unit: Option<&Unit>, faults: &Faults) -> (Option<Relative>, Option<f64>) {
+    let Some(mut fields) = Fields::open(node, "a tolerance such as `{relative: 1 %}`", faults) else {
+        return (None, None);
+    };
+    let relative = fields.get("relative").and_then(|n| self::relative(n, faults));
     let absolute = fields.get("absolute").and_then(|n| {
         let Some(unit) = unit else {
             faults.hint(
@@ -225,6 +283,14 @@ fn problem(
     let base = scene_node.map(|n| scene::read(n, &symbols, gravity_index, faults));
     let regimes = fields.get("regimes").map_or_else(Vec::new, |n| regimes(n, faults));
     let margins = fields.get("margins").map_or_else(Vec::new, |n| margins(n, faults));
+    let cond_limit = fields.get("cond limit").and_then(|n| limit(n, COND_LIMITS, faults));
+    let energy_limit = fields.get("input energy limit").and_then(|n| limit(n, ENERGY_LIMITS, faults));
+    let common = &Common {
+        gravity: common.gravity.clone(),
+        cond_limit: cond_limit.or(common.cond_limit),
+        energy_limit: energy_limit.unwrap_or(common.energy_limit),
+        ..*common
+    };
     let bounds_node = fields.get("bounds");
     let cases_node = fields.get("cases");
     let questions_node = fields.need("questions", "{v: {ask: the speed of the wheel, unit: m/s}}", faults);
@@ -392,6 +458,7 @@ fn problem(
         cases: ready,
         questions: asked,
         statement,
+        energy_limit: common.energy_limit,
         margins: all_margins,
     })
 }
@@ -622,6 +689,7 @@ fn question(
     };
     let unit_node = fields.get("unit");
     let tolerance_node = fields.get("tolerance");
+    let cond_node = fields.get("cond limit");
     let points = fields.get("points").map_or(Some(1.0), |n| points(n, faults));
     let figures = fields
         .get("figures")
@@ -663,6 +731,9 @@ fn question(
         if let Some(n) = tolerance_node {
             faults.hint(n, format!("`{name}` is answered with a word"), "remove the tolerance");
         }
+        if let Some(n) = cond_node {
+            faults.hint(n, format!("`{name}` is answered with a word"), "remove the limit");
+        }
         return Some(Question {
             id: id.to_owned(),
             label,
@@ -673,6 +744,7 @@ fn question(
             absolute: None,
             unit_required: false,
             figures: figures?,
+            cond_limit: f64::INFINITY,
         });
     } else if let Some(n) = unit_node {
         match measure::unit(n.text().unwrap_or("")) {
@@ -695,16 +767,20 @@ fn question(
     };
     let (relative, absolute) = tolerance_node.map_or((None, None), |n| tolerance(n, Some(&unit), faults));
     let unit_required = unit_required? && !unit.is_number();
+    let relative = relative.unwrap_or(common.relative);
+    let cond_limit = cond_node.and_then(|n| limit(n, COND_LIMITS, faults)).or(common.cond_limit);
     Some(Question {
         id: id.to_owned(),
         label,
         ask: ask?,
         unit,
         points: points?,
-        relative: relative.unwrap_or(common.relative),
+        relative,
         absolute,
         unit_required,
         figures: figures?,
+        // A tolerance that widens serves as far as it does.
+        cond_limit: cond_limit.or(relative.reach()).unwrap_or(COND_LIMIT),
     })
 }
 

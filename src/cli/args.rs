@@ -1,4 +1,5 @@
 //! What was typed, nothing resolved; keeper of clap.
+use crate::solve::method::Method;
 use clap::Args;
 use clap::Parser;
 use clap::Subcommand;
@@ -45,9 +46,14 @@ pub enum Verb {
     Practice(Practice),
     /// Solve one problem with given data, on both roads, and say what really happens
     #[command(
-        after_help = "Examples:\n  slipstick solve wheels-on-inclines pulled-rolling --set m=40kg --set R=400mm --set r=200mm --set k=300mm \\\n      --set theta=30deg --set P=200N --set d=3m --set mu_s=0.6\n  slipstick solve wheels-on-inclines spring-released --seed 5 --json\n\nA plain number is SI (angles in degrees). Every datum but g must be given. Exit code 3 if the regime fails:\nthe numbers are then those of the motion that the problem declares (\"if it rolled\")."
+        after_help = "Examples:\n  slipstick solve wheels-on-inclines pulled-rolling --set m=40kg --set R=400mm --set r=200mm --set k=300mm \\\n      --set theta=30deg --set P=200N --set d=3m --set mu_s=0.6\n  slipstick solve wheels-on-inclines spring-released --seed 5 --json\n  slipstick solve wheels-on-inclines spring-released --seed 5 --method rk4 --step 1/60s\n\nA plain number is SI (angles in degrees). Every datum but g must be given. Exit code 3 if the regime fails:\nthe numbers are then those of the motion that the problem declares (\"if it rolled\")."
     )]
     Solve(Solve),
+    /// Measure what each method gives away for its speed, on one problem with given data
+    #[command(
+        after_help = "Examples:\n  slipstick accuracy wheels-on-inclines spring-released --seed 5\n  slipstick accuracy wheels-on-inclines spring-released --seed 5 --out trade.html --out trade.csv\n  slipstick accuracy wheels-on-inclines pulled-rolling --set m=40kg --set R=400mm --set r=200mm --set k=300mm \\\n      --set theta=30deg --set P=200N --set d=3m --set mu_s=0.6 --no-time\n\nEvery method that applies is run from coarse to fine against a reference in double-double (32 digits). `*` marks what no\nother row beats in cost and error at once, `auto` what `solve` takes by itself. `asked` is the tolerance of a step,\n`given/asked` how far the error of the result is from it."
+    )]
+    Accuracy(Accuracy),
     /// Find everything that is wrong in a bank, then try it over many seeds
     #[command(
         after_help = "Examples:\n  slipstick lint my-bank.yaml\n  slipstick lint wheels-on-inclines --seeds 2000"
@@ -182,6 +188,84 @@ pub struct Solve {
     /// Print JSON
     #[arg(long)]
     pub json: bool,
+    /// How to come from the start to the end
+    #[command(flatten)]
+    pub by: By,
+}
+
+/// How to come from the start to the end.
+#[derive(Debug, Args)]
+pub struct By {
+    /// Method: auto takes the cheapest that meets the tolerance; gauss sums the work, the others step in time
+    #[arg(long, value_enum, default_value = "auto", hide_possible_values = false)]
+    pub method: MethodName,
+    /// Relative error allowed in a step (dopri5, dop853) or in the result (auto, gauss) [default: rounding]
+    #[arg(long, value_name = "RTOL")]
+    pub rtol: Option<f64>,
+    /// Time step of euler, verlet, rk4, such as 1/60s or 1ms [default: 1ms]
+    #[arg(long, value_name = "TIME")]
+    pub step: Option<String>,
+}
+
+/// Names of the methods.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum MethodName {
+    /// The cheapest that meets the tolerance for this scene
+    Auto,
+    /// Closed forms, on both roads
+    Closed,
+    /// Gauss-Legendre on the work of the forces over displacement
+    Gauss,
+    /// Dormand-Prince 5(4), adaptive
+    Dopri5,
+    /// Dormand-Prince 8(5,3), adaptive
+    Dop853,
+    /// Semi-implicit Euler at a fixed step
+    Euler,
+    /// Velocity Verlet at a fixed step
+    Verlet,
+    /// Classical Runge-Kutta at a fixed step
+    Rk4,
+}
+
+impl MethodName {
+    /// The method; `None` for auto.
+    pub const fn method(self) -> Option<Method> {
+        match self {
+            Self::Auto => None,
+            Self::Closed => Some(Method::Closed),
+            Self::Gauss => Some(Method::Gauss),
+            Self::Dopri5 => Some(Method::Dopri5),
+            Self::Dop853 => Some(Method::Dop853),
+            Self::Euler => Some(Method::Euler),
+            Self::Verlet => Some(Method::Verlet),
+            Self::Rk4 => Some(Method::Rk4),
+        }
+    }
+}
+
+/// `accuracy`
+#[derive(Debug, Args)]
+pub struct Accuracy {
+    /// Bank: a YAML file, or the id of a built-in one: wheels-on-inclines, hoists-and-pulleys
+    pub bank: String,
+    /// Id of the problem
+    pub problem: String,
+    /// A datum with its unit, such as m=40kg; may be repeated
+    #[arg(long, value_name = "SYMBOL=VALUE")]
+    pub set: Vec<String>,
+    /// Without --set: draw with this seed
+    #[arg(long, value_name = "N", conflicts_with = "set")]
+    pub seed: Option<u64>,
+    /// Leave out the clock: the cost is the number of force evaluations, and the same command prints the same bytes
+    #[arg(long)]
+    pub no_time: bool,
+    /// A file to write (.csv, .html or .svg), or a folder for all three; may be repeated
+    #[arg(long, value_name = "FILE or DIR")]
+    pub out: Vec<PathBuf>,
+    /// Replace files that are there already
+    #[arg(long)]
+    pub force: bool,
 }
 
 /// `lint`

@@ -64,6 +64,40 @@ fn parent(path: &Path) -> PathBuf {
     }
 }
 
+/// Writes several files, all or none: each is made beside its place first, then all are moved there. Folders above are made.
+///
+/// # Errors
+/// A finding that names the file.
+pub fn put_all(files: &[(PathBuf, String)]) -> Result<(), Finding> {
+    use std::io::Write as _;
+    let mut made = Vec::with_capacity(files.len());
+    for (path, text) in files {
+        let fault = |e: &io::Error| trouble(path, "cannot be written", e);
+        let above = parent(path);
+        fs::create_dir_all(&above).map_err(|e| fault(&e))?;
+        let mut file =
+            tempfile::Builder::new().prefix(UNFINISHED).tempfile_in(&above).map_err(|e| fault(&e))?;
+        file.write_all(text.as_bytes()).map_err(|e| fault(&e))?;
+        readable(file.path()).map_err(|e| fault(&e))?;
+        made.push((file, path));
+    }
+    for (file, path) in made {
+        file.persist(path).map_err(|e| trouble(path, "cannot be put in its place", &e.error))?;
+    }
+    Ok(())
+}
+
+/// A temporary file is its owner's alone; what is put in its place is as other files are.
+#[cfg(unix)]
+fn readable(path: &Path) -> io::Result<()> {
+    use std::os::unix::fs::PermissionsExt as _;
+    fs::set_permissions(path, fs::Permissions::from_mode(0o644))
+}
+#[cfg(not(unix))]
+fn readable(_: &Path) -> io::Result<()> {
+    Ok(())
+}
+
 /// Folders of runs that are at work, or were killed.
 const UNFINISHED: &str = ".slipstick-unfinished-";
 /// The file in such a folder that says whose it is; without it we leave a folder alone.

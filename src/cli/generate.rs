@@ -20,7 +20,6 @@ use crate::set::store;
 use crate::set::store::StoredBank;
 use crate::set::store::StoredSet;
 use crate::set::store::StoredStudent;
-use crate::sheet::page::Drawn;
 use crate::sheet::page::Room;
 use crate::sheet::page::Sheets;
 use crate::sheet::public;
@@ -313,8 +312,7 @@ fn deal(plan: &Plan, members: &[Member], folder: &Path, watched: bool) -> Result
         .par_iter()
         .map_init(Room::default, |room, member| {
             let dealt = dealer.deal(&member.student)?;
-            let drawn: Vec<Drawn> = dealt.variants.iter().map(|v| (v.case, v.values.as_slice())).collect();
-            let markdown = sheets.markdown(&member.student, &member.name, &drawn, room)?;
+            let markdown = sheets.markdown(&member.student, &member.name, &dealt.variants, room)?;
             let html = sheets.html(&member.student, &member.name, &markdown, room)?;
             let json = public.text(&member.student, &dealt.variants);
             let place = folder.join("students").join(&member.folder);

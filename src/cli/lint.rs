@@ -13,11 +13,14 @@ use crate::problem::sweep::Sweep;
 use crate::sheet::html;
 use crate::sheet::page::Room;
 use crate::sheet::page::Sheets;
+use crate::sheet::statement;
 use crate::template::Templates;
 use rayon::prelude::*;
 
 /// A class for which the chance of equal sheets is told.
 const CLASS: u32 = 500;
+/// More honest answers than this share should not miss the tolerance.
+const HONEST_MISSES: f64 = 0.05;
 /// The chance that a bank should stay below.
 const RARE: f64 = 1e-6;
 
@@ -70,6 +73,9 @@ fn lint(args: &args::Lint, io: &mut Io) -> Result<Vec<Finding>, Vec<Finding>> {
             }
         }
         io.piece(&questions(problem, sweep));
+        for note in notes(problem, sweep) {
+            io.line(&format!("    note: {note}"));
+        }
         io.line("");
     }
     let chance = sweep::coincidence(&sweeps, CLASS);
@@ -106,16 +112,36 @@ fn cases(sweep: &Sweep) -> String {
 }
 
 fn questions(problem: &crate::bank::Problem, sweep: &Sweep) -> String {
-    let mut rows = vec![["question", "least", "greatest", "unit", "worst cond"].map(str::to_owned).to_vec()];
+    let percent =
+        |share: f64| if share.is_nan() { "-".to_owned() } else { format!("{:.0} %", share * 100.0) };
+    let mut rows = vec![
+        [
+            "question",
+            "least",
+            "greatest",
+            "unit",
+            "cond",
+            "90 %",
+            "worst",
+            "limit",
+            "above",
+            "tolerance",
+            "missed",
+        ]
+        .map(str::to_owned)
+        .to_vec(),
+    ];
     for (question, seen) in problem.questions.iter().zip(&sweep.questions) {
         let mut row = vec![seen.id.clone()];
         if let Some((low, high)) = seen.range {
-            row.extend([
-                words::rounded(low, 4),
-                words::rounded(high, 4),
-                question.unit.ascii().to_owned(),
-                words::rounded(seen.worst_cond, 3),
-            ]);
+            row.extend([words::rounded(low, 4), words::rounded(high, 4), question.unit.ascii().to_owned()]);
+            if let Some(cond) = seen.cond {
+                row.extend([cond.median, cond.ninth, cond.worst].map(|c| words::rounded(c, 3)));
+                row.extend([words::rounded(question.cond_limit, 3), percent(cond.above)]);
+            }
+            let (least, most) = (statement::percent(seen.within.0), statement::percent(seen.within.1));
+            row.push(if least == most { most } else { format!("{least} to {most}") });
+            row.push(percent(seen.missed()));
         } else {
             let total: u64 = seen.words.iter().map(|(_, n)| n).sum();
             let share = |n: u64| n * 100 / total.max(1);
@@ -129,6 +155,37 @@ fn questions(problem: &crate::bank::Problem, sweep: &Sweep) -> String {
     let mut text = tell::table(&numbers, &[0, 3]);
     text.push_str(&tell::table(&texts, &[0, 1]));
     text
+}
+
+/// Where the figures asked and the tolerance do not fit the condition numbers.
+fn notes(problem: &crate::bank::Problem, sweep: &Sweep) -> Vec<String> {
+    let mut notes = Vec::new();
+    for (question, seen) in problem.questions.iter().zip(&sweep.questions) {
+        let missed = seen.missed();
+        if missed > HONEST_MISSES {
+            let advice = match question.relative.fixed() {
+                Some(_) => "let its tolerance widen with cond, ask for more figures, or lower its cond limit",
+                None => "ask for more figures, or lower its cond limit",
+            };
+            notes.push(format!(
+                "{}: {:.0} % of honest answers with {} figures on the way miss its tolerance; {advice}",
+                question.id,
+                missed * 100.0,
+                question.figures
+            ));
+        }
+        if let Some(reach) = question.relative.reach()
+            && question.cond_limit > reach
+        {
+            notes.push(format!(
+                "{}: its tolerance widens up to cond {}, its cond limit is {}",
+                question.id,
+                words::rounded(reach, 3),
+                words::rounded(question.cond_limit, 3)
+            ));
+        }
+    }
+    notes
 }
 
 /// One sheet of each case is written: faults that show only then, and formulas that cannot be read.
@@ -146,7 +203,7 @@ fn faulty_texts(bank: &Bank, templates: &Templates) -> Result<Vec<Finding>, Vec<
                 continue;
             }
             let mut out = Vec::new();
-            match sheets.problem(i, (variant.case, &variant.values), &mut room, &mut out) {
+            match sheets.problem(i, &variant, &mut room, &mut out) {
                 Ok(()) => {
                     let text = String::from_utf8_lossy(&out);
                     for fault in html::faulty_formulas(&text) {

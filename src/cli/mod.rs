@@ -2,6 +2,7 @@
 use clap::Parser as _;
 use std::ffi::OsString;
 
+mod accuracy;
 pub mod args;
 mod banks;
 mod check;
@@ -41,6 +42,7 @@ pub fn run(args: impl IntoIterator<Item = OsString>, io: &mut Io) -> Exit {
         Verb::Check(args) => check::run(&args, io),
         Verb::Practice(args) => practice::run(&args, io),
         Verb::Solve(args) => solve::run(&args, io),
+        Verb::Accuracy(args) => accuracy::run(&args, io),
         Verb::Lint(args) => lint::run(&args, io),
         Verb::Verify(args) => verify::run(&args, io),
         Verb::Demo(args) => demo::run(&args, io),

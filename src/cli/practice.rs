@@ -63,7 +63,7 @@ fn practice(args: &args::Practice, io: &mut Io) -> Result<(), Vec<Finding>> {
             .variant(&format!("round {}", round / problems.len() + 1))
             .map_err(|e| vec![Finding::new(format!("problems.{}", problem.id), e.to_string())])?;
         let mut text = Vec::new();
-        sheets.problem(i, (variant.case, &variant.values), &mut room, &mut text).map_err(|f| vec![f])?;
+        sheets.problem(i, &variant, &mut room, &mut text).map_err(|f| vec![f])?;
         io.line(&format!("\n## {}\n\n{}", problem.title, plain(&String::from_utf8_lossy(&text))));
         let key = make_key::key(problem, &variant);
         match questions(problem, &variant, &key, (&mut right, &mut asked), io) {

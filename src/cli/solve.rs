@@ -15,8 +15,16 @@ use crate::draw::fill;
 use crate::finding::Finding;
 use crate::problem::make::Maker;
 use crate::scene::Quantity;
+use crate::scene::Scene;
 use crate::sheet::statement;
 use crate::solve::agree;
+use crate::solve::ladder;
+use crate::solve::ladder::Taken;
+use crate::solve::ladder::Wish;
+use crate::solve::method::Knob;
+use crate::solve::method::Method;
+use crate::solve::method::Rung;
+use crate::solve::outcome::Refusal;
 use crate::solve::outcome::Solved;
 use crate::units;
 use crate::units::Unit;
@@ -31,32 +39,101 @@ pub fn run(args: &args::Solve, io: &mut Io) -> Exit {
 }
 
 fn answer(args: &args::Solve, io: &mut Io) -> Result<Exit, Vec<Finding>> {
+    let wish = wish(&args.by)?;
     let loaded = banks::load(&args.bank)?;
     let problem = banks::problem(&loaded, &args.problem).map_err(|f| vec![f])?;
-    let (case, data, shown) = if args.set.is_empty() {
-        let Some(seed) = args.seed else {
-            let example = problem.data.first().map_or("m", |d| d.symbol.as_str());
-            let fault = Finding::new("", "no data are given");
-            return Err(vec![
-                fault.hint(format!("write --set {example}=... for each datum, or --seed N to draw")),
-            ]);
-        };
-        drawn(&loaded, problem, seed)?
-    } else {
-        given(problem, &args.set)?
-    };
+    let (case, data, shown) = data(&loaded, problem, &args.set, args.seed)?;
     let of_case = &problem.cases[case];
-    let solved = agree::solve(&of_case.scene, &data).map_err(|refusal| {
-        let texts = words::refusal(problem, &of_case.scene, &refusal);
-        texts.into_iter().map(|t| Finding::new(&problem.id, t)).collect::<Vec<_>>()
-    })?;
+    let (solved, taken) = ladder::solve(&of_case.scene, &data, &wish)
+        .map_err(|refusal| refused(problem, &of_case.scene, &refusal))?;
     let holds = fits(problem, case, &solved);
     if args.json {
-        io.piece(&json(problem, case, &solved));
+        io.piece(&json(problem, case, &solved, &taken));
     } else {
-        io.piece(&table(problem, case, &shown, &solved, holds));
+        io.piece(&table(problem, case, &shown, &solved, &taken, holds));
     }
     Ok(if holds { Exit::Fine } else { Exit::RegimeFails })
+}
+
+/// Why a scene has no answer, as findings.
+pub fn refused(problem: &Problem, scene: &Scene, refusal: &Refusal) -> Vec<Finding> {
+    let texts = words::refusal(problem, scene, refusal);
+    texts.into_iter().map(|t| Finding::new(&problem.id, t)).collect()
+}
+
+/// What was asked of the ladder, checked.
+fn wish(by: &args::By) -> Result<Wish, Vec<Finding>> {
+    let mut faults = Vec::new();
+    let method = by.method.method();
+    let knob = method.map_or(Knob::Tolerance, Method::knob);
+    if let Some(rtol) = by.rtol {
+        if !(rtol > 0.0 && rtol < 1.0) {
+            faults.push(
+                Finding::new("--rtol", format!("{rtol} is no tolerance"))
+                    .hint("write a number above 0 and below 1, such as 1e-9"),
+            );
+        }
+        if knob == Knob::Step {
+            let fault = Finding::new("--rtol", "the method steps at a fixed length and has no tolerance");
+            faults.push(fault.hint("write --step, or take dopri5 or dop853"));
+        }
+    }
+    let mut step_s = None;
+    if let Some(text) = &by.step {
+        match seconds(text) {
+            Ok(step) => step_s = Some(step),
+            Err(why) => {
+                faults.push(Finding::new("--step", why).hint("write a time above 0, such as 1ms or 1/60s"))
+            }
+        }
+        if knob != Knob::Step {
+            let fault = Finding::new("--step", "only euler, verlet and rk4 have a step of fixed length");
+            faults.push(fault.hint("write --method rk4"));
+        }
+    }
+    if faults.is_empty() { Ok(Wish { method, rtol: by.rtol, step_s }) } else { Err(faults) }
+}
+
+/// A time step: `1ms`, `0.02`, `1/60s`.
+fn seconds(text: &str) -> Result<f64, String> {
+    let trimmed = text.trim();
+    let (over, rest) = match trimmed.split_once('/') {
+        // `1/60s` is a sixtieth of a second, as people write it.
+        Some((n, d)) if !n.is_empty() && n.trim().bytes().all(|b| b.is_ascii_digit()) => {
+            (n.trim().parse::<f64>().ok(), d.trim())
+        }
+        _ => (None, trimmed),
+    };
+    let second = Unit::parse("s").map_err(|e| e.to_string())?;
+    let q = units::parse_quantity(rest, &second).map_err(|e| format!("`{text}`: {e}"))?;
+    if !second.agrees(&q.unit) {
+        return Err(format!("`{text}`: {}", second.mismatch(&q.unit)));
+    }
+    let value = match over {
+        Some(n) => q.unit.to_si(n / q.number),
+        None => q.unit.to_si(q.number),
+    };
+    if value.is_finite() && value > 0.0 { Ok(value) } else { Err(format!("`{text}` is no step")) }
+}
+
+/// Data from `--set` or drawn with a seed: the case, the values, and each as it is shown.
+pub fn data(
+    loaded: &Loaded,
+    problem: &Problem,
+    set: &[String],
+    seed: Option<u64>,
+) -> Result<Data, Vec<Finding>> {
+    if !set.is_empty() {
+        return given(problem, set);
+    }
+    let Some(seed) = seed else {
+        let example = problem.data.first().map_or("m", |d| d.symbol.as_str());
+        let fault = Finding::new("", "no data are given");
+        return Err(vec![
+            fault.hint(format!("write --set {example}=... for each datum, or --seed N to draw")),
+        ]);
+    };
+    drawn(loaded, problem, seed)
 }
 
 /// Does what really happens fit what the problem declares? A problem that declares no regime takes any, as in drawing.
@@ -66,7 +143,8 @@ fn fits(problem: &Problem, case: usize, solved: &Solved) -> bool {
     solved.all_hold() && problem.cases.get(case).is_some_and(declared)
 }
 
-type Data = (usize, Vec<f64>, Vec<String>);
+/// Case, values as scenes take them, and each datum as it is shown.
+pub type Data = (usize, Vec<f64>, Vec<String>);
 
 fn drawn(loaded: &Loaded, problem: &Problem, seed: u64) -> Result<Data, Vec<Finding>> {
     let variant = Maker::new(problem, seed, &loaded.bank.id)
@@ -198,19 +276,40 @@ fn number(value: Option<f64>) -> String {
     }
 }
 
+/// The method that was taken, as JSON.
+fn method_json(taken: &Taken) -> String {
+    let setting = match taken.rung {
+        Rung::Closed => "\"setting\": null".to_owned(),
+        Rung::Gauss(points) => format!("\"points\": {points}"),
+        Rung::Adaptive(_, rtol, _) => format!("\"rtol\": {}", number(Some(rtol))),
+        Rung::Fixed(_, step) => format!("\"step_s\": {}", number(Some(step))),
+    };
+    format!(
+        "{{\"name\": \"{}\", {setting}, \"chosen\": {}, \"why\": {}, \"evaluations\": {}, \"steps\": {}, \"evaluations_of_the_estimate\": {}, \"relative_error\": {}}}",
+        taken.rung.method().name(),
+        taken.chosen,
+        string(words::why(taken)),
+        taken.count.evaluations,
+        taken.count.steps,
+        taken.estimate.evaluations,
+        if taken.errors.is_empty() { "null".to_owned() } else { number(Some(taken.worst)) }
+    )
+}
+
 fn string(text: &str) -> String {
     // A text always has a JSON form.
     serde_json::to_string(text).unwrap_or_default()
 }
 
-fn json(problem: &Problem, case: usize, solved: &Solved) -> String {
+fn json(problem: &Problem, case: usize, solved: &Solved, taken: &Taken) -> String {
     let scene = &problem.cases[case].scene;
     let mut out = String::new();
     let _ = write!(
         out,
-        "{{\n  \"problem\": {},\n  \"regime\": {},\n  \"checks\": [",
+        "{{\n  \"problem\": {},\n  \"regime\": {},\n  \"method\": {},\n  \"checks\": [",
         string(&problem.id),
-        string(&solved.regime.word())
+        string(&solved.regime.word()),
+        method_json(taken)
     );
     for (i, check) in solved.checks.iter().enumerate() {
         let comma = if i == 0 { "" } else { "," };
@@ -225,18 +324,23 @@ fn json(problem: &Problem, case: usize, solved: &Solved) -> String {
     out.push_str(if solved.checks.is_empty() { "],\n" } else { "\n  ],\n" });
     out.push_str("  \"quantities\": {");
     let mut first = true;
-    for row in rows(problem, case, solved) {
+    for row in rows(problem, case, solved, taken) {
         let comma = if first { "" } else { "," };
         first = false;
         let (name, unit) = (string(&row.name), string(row.unit));
         let value = row.word.map_or_else(|| number(row.value), string);
         let _ = write!(
             out,
-            "{comma}\n    {name}: {{\"value\": {value}, \"unit\": {unit}, \"eom\": {}, \"energy\": {}, \"gap\": {}, \"cond\": {}}}",
+            "{comma}\n    {name}: {{\"value\": {value}, \"unit\": {unit}, \"eom\": {}, \"energy\": {}, \"gap\": {}, \"cond\": {}{}}}",
             number(row.eom),
             number(row.energy),
             number(row.gap),
-            number(row.cond)
+            number(row.cond),
+            if taken.errors.is_empty() {
+                String::new()
+            } else {
+                format!(", \"error\": {}", number(row.error))
+            }
         );
     }
     out.push_str(if first { "}\n}\n" } else { "\n  }\n}\n" });
@@ -253,10 +357,12 @@ struct Row<'s> {
     energy: Option<f64>,
     gap: Option<f64>,
     cond: Option<f64>,
+    /// Estimated error of the method, absolute.
+    error: Option<f64>,
 }
 
 /// All quantities in the order of their list.
-fn rows<'s>(problem: &Problem, case: usize, solved: &'s Solved) -> Vec<Row<'s>> {
+fn rows<'s>(problem: &Problem, case: usize, solved: &'s Solved, taken: &Taken) -> Vec<Row<'s>> {
     let scene = &problem.cases[case].scene;
     let place = |q: Quantity| Quantity::ALL.iter().position(|o| *o == q).unwrap_or(usize::MAX);
     let mut rows: Vec<Row> = solved
@@ -272,6 +378,7 @@ fn rows<'s>(problem: &Problem, case: usize, solved: &'s Solved) -> Vec<Row<'s>> 
             energy: e.energy,
             gap: e.gap(),
             cond: Some(e.cond),
+            error: taken.errors.iter().find(|(l, _)| *l == e.label).map(|(_, error)| *error),
         })
         .chain(solved.words.iter().map(|(label, word)| Row {
             order: place(label.quantity),
@@ -283,13 +390,21 @@ fn rows<'s>(problem: &Problem, case: usize, solved: &'s Solved) -> Vec<Row<'s>> 
             energy: None,
             gap: None,
             cond: None,
+            error: None,
         }))
         .collect();
     rows.sort_by_key(|r| r.order);
     rows
 }
 
-fn table(problem: &Problem, case: usize, shown: &[String], solved: &Solved, holds: bool) -> String {
+fn table(
+    problem: &Problem,
+    case: usize,
+    shown: &[String],
+    solved: &Solved,
+    taken: &Taken,
+    holds: bool,
+) -> String {
     let scene = &problem.cases[case].scene;
     let mut out = format!("{}: {}\n", problem.id, shown.join(", "));
     let _ = writeln!(out, "regime: {} ({})", solved.regime.word(), words::regime(solved.regime));
@@ -307,12 +422,14 @@ fn table(problem: &Problem, case: usize, shown: &[String], solved: &Solved, hold
         let mark = if check.ok { "holds" } else { "FAILS" };
         let _ = writeln!(out, "  {mark}  {}: {}", check.kind.name(), words::check(scene, check));
     }
+    let _ = writeln!(out, "method: {}", words::taken(taken));
+    let numerical = !taken.errors.is_empty();
     let mut lines = vec![
         ["quantity", "value", "unit", "equations of motion", "work and energy", "gap", "cond"]
             .map(str::to_owned)
             .to_vec(),
     ];
-    for row in rows(problem, case, solved) {
+    for row in rows(problem, case, solved, taken) {
         let road = |v: Option<f64>| v.map_or_else(|| "-".to_owned(), |v| words::rounded(v, 12));
         lines.push(vec![
             row.name,
@@ -323,6 +440,12 @@ fn table(problem: &Problem, case: usize, shown: &[String], solved: &Solved, hold
             row.gap.map_or_else(String::new, |g| if g == 0.0 { "0".to_owned() } else { format!("{g:.0e}") }),
             row.cond.map_or_else(String::new, |c| words::rounded(c, 3)),
         ]);
+        if let (true, Some(line)) = (numerical, lines.last_mut()) {
+            line.push(row.error.map_or_else(String::new, |e| words::rounded(e, 2)));
+        }
+    }
+    if let (true, Some(head)) = (numerical, lines.first_mut()) {
+        head.push("est. error".to_owned());
     }
     out.push_str(&tell::table(&lines, &[0, 2]));
     out

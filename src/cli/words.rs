@@ -3,6 +3,7 @@ use crate::bank::Problem;
 use crate::key::Answer;
 use crate::key::KeyEntry;
 use crate::num::gauss::Unsettled;
+use crate::num::ode::Trouble;
 use crate::scene::End;
 use crate::scene::Num;
 use crate::scene::Scene;
@@ -10,6 +11,11 @@ use crate::scene::Tie;
 use crate::scene::admissible::Inadmissible;
 use crate::scene::admissible::Rule;
 pub use crate::sheet::number::rounded;
+use crate::solve::ladder;
+use crate::solve::ladder::Force;
+use crate::solve::ladder::Taken;
+use crate::solve::method::Method;
+use crate::solve::method::Rung;
 use crate::solve::outcome::Check;
 use crate::solve::outcome::CheckKind;
 use crate::solve::outcome::Motion;
@@ -232,6 +238,88 @@ fn inadmissible(problem: &Problem, fault: &Inadmissible) -> String {
     }
 }
 
+/// Why this method.
+pub fn why(taken: &Taken) -> &'static str {
+    match (taken.chosen, taken.rung.method(), taken.force) {
+        (_, Method::Closed, Force::Instant) => "only an instant is asked, nothing has to be integrated",
+        (true, Method::Closed, Force::Constant) => {
+            "the forces are the same all the way, so the closed form is exact and nothing is cheaper"
+        }
+        (true, Method::Closed, Force::Switched) => {
+            "the forces are the same all the way up to the start of rolling and from there on, so the closed form is exact and nothing is cheaper"
+        }
+        (true, Method::Closed, Force::Linear) => {
+            "the force changes in proportion to the way, so the closed form is exact and nothing is cheaper"
+        }
+        (false, Method::Closed, _) => "as asked; exact but for rounding",
+        _ => "as asked; the other road stays in closed form and judges it",
+    }
+}
+
+/// How finely a method was set: `1 ms`, `rtol 1e-9`, `24 points`; empty for the closed form.
+pub fn setting(rung: Rung) -> String {
+    match rung {
+        Rung::Closed => String::new(),
+        Rung::Gauss(1) => "1 point".to_owned(),
+        Rung::Gauss(points) => format!("{points} points"),
+        Rung::Adaptive(_, rtol, _) => format!("rtol {rtol:.2e}").replace(".00e", "e").replace("0e", "e"),
+        Rung::Fixed(_, step) => ladder::STEPS_S
+            .iter()
+            .find(|(s, _)| (s - step).abs() <= 1e-12 * s)
+            .map_or_else(|| format!("{} s", figures(step)), |(_, name)| (*name).to_owned()),
+    }
+}
+
+/// A method with its setting: `closed form`, `rk4, 1/60 s`.
+pub fn rung(rung: Rung) -> String {
+    match rung {
+        Rung::Closed => "closed form".to_owned(),
+        _ => format!("{}, {}", rung.method().name(), setting(rung)),
+    }
+}
+
+/// The method that was taken, why, and what it cost.
+pub fn taken(taken: &Taken) -> String {
+    let name = rung(taken.rung);
+    let by = if taken.chosen { " (auto)" } else { "" };
+    let mut text = format!("{name}{by}: {}", why(taken));
+    if !taken.errors.is_empty() {
+        text.push_str(&format!(
+            "; {} force evaluations, {} more for the error estimate: {} of an answer at most",
+            taken.count.evaluations,
+            taken.estimate.evaluations,
+            rounded(taken.worst, 2)
+        ));
+    }
+    text
+}
+
+/// Why a run has no result.
+fn trouble(trouble: &Trouble) -> String {
+    match trouble {
+        Trouble::Missed { by, at } => {
+            format!(
+                "misses its event: the motion turns at t = {at:e} s with {by:e} still to go; take a smaller step or tolerance"
+            )
+        }
+        Trouble::NoConvergence { residual, accepted } => {
+            format!("no step ends on its event: {residual:e} remains, {accepted:.1e} would be accepted")
+        }
+        Trouble::StepUnderflow { at, step } => {
+            format!("its step shrinks to {step:e} s at t = {at:e} s and does not move on")
+        }
+        Trouble::TooManySteps { steps, at } => {
+            format!(
+                "is given up after {steps} steps at t = {at:e} s; take a longer step or a larger tolerance"
+            )
+        }
+        Trouble::StepTooShort { step, steps } => {
+            format!("would need {steps:.0e} steps of {step:e} s; take a longer step")
+        }
+        Trouble::NotFinite { at } => format!("runs off: a value is no longer finite at t = {at:e} s"),
+    }
+}
+
 /// Why a scene with these data has no answer; a sentence each.
 pub fn refusal(problem: &Problem, scene: &Scene, refusal: &Refusal) -> Vec<String> {
     let one = |text: String| vec![text];
@@ -271,6 +359,20 @@ pub fn refusal(problem: &Problem, scene: &Scene, refusal: &Refusal) -> Vec<Strin
             }
             Unsupported::TooManyData => "there are more than 64 data".to_owned(),
         }),
+        Refusal::Trouble { method, trouble: why } => one(format!("{}: {}", method.name(), trouble(why))),
+        Refusal::Unsteady { method, label, value, finer } => one(format!(
+            "{} does not settle on {}: {value:e}, and {finer:e} when set finer; take a smaller step or tolerance",
+            method.name(),
+            scene.name_of(*label)
+        )),
+        Refusal::Contradicts { method, label, value, judge, allowed } => one(format!(
+            "{} and the other road disagree on {}: {value:e} against {judge:e}; a difference of {allowed:.1e} lies within both error estimates. Nothing is published.",
+            method.name(),
+            scene.name_of(*label)
+        )),
+        Refusal::NoMethod { method } => {
+            one(format!("{} does not apply to this scene; auto finds what does", method.name()))
+        }
         Refusal::Unsettled(Unsettled { value, gap }) => one(format!(
             "an integral over the motion does not settle: {value:e}, and {gap:e} off when its panels are halved. No answer is given."
         )),

@@ -204,6 +204,16 @@ pub fn sin_cos<T: Real>(x: T) -> (T, T) {
     (with(Dd::sum(s, c * v.lo), c), with(Dd::sum(c, -s * v.lo), -s))
 }
 
+/// Logarithm to base 10, for axes; within an ulp.
+pub fn log10(x: f64) -> f64 {
+    libm::log10(x)
+}
+
+/// `x^y` of a positive x, for step sizes; within a few ulp.
+pub fn power(x: f64, y: f64) -> f64 {
+    libm::pow(x, y)
+}
+
 #[cfg(test)]
 #[allow(clippy::float_cmp, clippy::neg_cmp_op_on_partial_ord, reason = "exact bits are what is tested")]
 mod tests {

@@ -2,16 +2,21 @@
 use crate::bank::Bound;
 use crate::bank::Case;
 use crate::bank::Problem;
+use crate::bank::Question;
 use crate::bank::decimal::Decimal;
 use crate::draw::fill;
 use crate::draw::sample;
 use crate::draw::stream::Source;
+use crate::num::Dd;
 use crate::problem::make_key;
+use crate::scene::End;
 use crate::scene::Label;
+use crate::scene::Numbers;
 use crate::scene::Owner;
 use crate::scene::Quantity;
+use crate::scene::Scene;
 use crate::solve::agree;
-use crate::solve::outcome::{CheckKind, Refusal, Solved};
+use crate::solve::outcome::{CheckKind, Entry, Refusal, Solved};
 use std::fmt;
 
 /// Tries after which a bank counts as unsatisfiable.
@@ -32,6 +37,8 @@ pub struct Variant {
     pub tries: u32,
     /// How often each rule refused.
     pub refusals: Refusals,
+    /// Relative tolerance of each question.
+    pub within: Vec<f64>,
 }
 
 /// How often each rule refused a draw, in the order of the rules (see [`Refusals::table`]).
@@ -40,14 +47,18 @@ pub struct Refusals {
     counts: Vec<u32>,
     /// The last draw of admissible data that could not be solved, or on which the two roads disagreed.
     pub unsolved: Option<Refusal>,
+    /// Condition numbers of all questions, draw by draw, of the draws that hold all rules but those about them; kept only by
+    /// a maker that is [`Maker::watching`].
+    pub conds: Vec<f64>,
 }
 
 const INADMISSIBLE: usize = 0;
 const UNSOLVABLE: usize = 1;
 const DISAGREE: usize = 2;
 const PROOF: usize = 3;
-const REGIME: usize = 4;
-const CHECKS: usize = 5;
+const INPUT: usize = 4;
+const REGIME: usize = 5;
+const CHECKS: usize = 6;
 
 impl Refusals {
     fn add(&mut self, rule: usize) {
@@ -64,6 +75,7 @@ impl Refusals {
         for (mine, theirs) in self.counts.iter_mut().zip(&other.counts) {
             *mine += theirs;
         }
+        self.conds.extend_from_slice(&other.conds);
         if other.unsolved.is_some() {
             self.unsolved.clone_from(&other.unsolved);
         }
@@ -85,19 +97,24 @@ impl Refusals {
 
 fn rule_name(problem: &Problem, case: usize, rule: usize) -> String {
     let questions = CHECKS + CheckKind::ALL.len();
-    let bounds = questions + problem.questions.len();
+    let conds = questions + problem.questions.len();
+    let bounds = conds + problem.questions.len();
     match rule {
         INADMISSIBLE => "admissible data".to_owned(),
         UNSOLVABLE => "solvable".to_owned(),
         DISAGREE => "the two roads agree".to_owned(),
         PROOF => "the key is proved".to_owned(),
+        INPUT => format!("input energy above {} times the kinetic", problem.energy_limit),
         REGIME => "regime".to_owned(),
         _ if rule < questions => CheckKind::ALL[rule - CHECKS].name().to_owned(),
-        _ if rule < bounds => format!("question {} has an answer", problem.questions[rule - questions].id),
+        _ if rule < conds => format!("question {} has an answer", problem.questions[rule - questions].id),
+        _ if rule < bounds => {
+            let question = &problem.questions[rule - conds];
+            let limit = format!("{:.1}", question.cond_limit);
+            format!("cond of {} above {}", question.id, limit.trim_end_matches(".0"))
+        }
         _ => {
-            let bounds = &problem.cases[case].bounds;
-            let text =
-                bounds.get(rule - questions - problem.questions.len()).map_or("?", |b| b.text.as_str());
+            let text = problem.cases[case].bounds.get(rule - bounds).map_or("?", |b| b.text.as_str());
             format!("bound {text}")
         }
     }
@@ -144,6 +161,7 @@ pub struct Maker<'p> {
     source: Source,
     margins: Vec<f64>,
     max_tries: u32,
+    watching: bool,
 }
 
 impl<'p> Maker<'p> {
@@ -156,7 +174,14 @@ impl<'p> Maker<'p> {
             source: Source::new(seed, set, &problem.id),
             margins: CheckKind::ALL.iter().map(margin).collect(),
             max_tries: MAX_TRIES,
+            watching: false,
         }
+    }
+    /// Keeps the condition numbers of draws that hold all other rules ([`Refusals::conds`]).
+    #[must_use]
+    pub fn watching(mut self) -> Self {
+        self.watching = true;
+        self
     }
     /// Gives up after this many tries instead of [`MAX_TRIES`].
     #[must_use]
@@ -188,7 +213,10 @@ impl<'p> Maker<'p> {
                 }
             }
             match self.judge(index, &data, &mut refusals) {
-                Ok(solved) => return Ok(Variant { case: index, values, data, solved, tries, refusals }),
+                Ok(solved) => {
+                    let within = make_key::within(self.problem, &solved);
+                    return Ok(Variant { case: index, values, data, solved, tries, refusals, within });
+                }
                 Err(rule) => refusals.add(rule),
             }
             // A key that the roads do not share is no bad luck of the draw: nothing is redrawn around it.
@@ -224,8 +252,7 @@ impl<'p> Maker<'p> {
     /// Solves, or says which rule refuses.
     fn judge(&self, index: usize, data: &[f64], refusals: &mut Refusals) -> Result<Solved, usize> {
         let case = &self.problem.cases[index];
-        let questions = CHECKS + CheckKind::ALL.len();
-        let first_bound = questions + self.problem.questions.len();
+        let first_bound = CHECKS + CheckKind::ALL.len() + 2 * self.problem.questions.len();
         // Bounds on the data alone cost nothing: they go first.
         for (i, bound) in case.bounds.iter().enumerate() {
             if !bound.expression.needs_solution() && !holds(bound, data, &|_| f64::NAN) {
@@ -246,12 +273,40 @@ impl<'p> Maker<'p> {
         // A draw that breaks a rule on the first road needs no second one.
         let half = agree::first(&case.scene, data).map_err(&mut unsolved)?;
         self.rules(case, half.preview(), data)?;
+        self.energies(case, half.preview(), data)?;
+        if self.watching {
+            refusals.conds.extend(self.problem.questions.iter().map(|q| cond(half.preview(), q.label)));
+        }
+        self.conditioned(half.preview())?;
         let mut solved = half.confirm(&case.scene, data).map_err(unsolved)?;
         self.checks(&solved, |kind| kind == CheckKind::Moves)?;
         if !agree::prove(&case.scene, data, &mut solved) || !make_key::narrow(self.problem, &solved) {
             return Err(PROOF);
         }
         Ok(solved)
+    }
+
+    /// Is the kinetic energy not what two much larger energies leave?
+    fn energies(&self, case: &Case, solved: &Solved, data: &[f64]) -> Result<(), usize> {
+        let kinetic = Label { quantity: Quantity::KineticEnergy, of: Owner::Scene };
+        // At a turning point there is none.
+        if let (Some(kinetic), false) = (solved.get(kinetic), matches!(case.scene.end, End::TurningPoint(_)))
+            && let Some(input) = input_energy(&case.scene, data, solved)
+        {
+            let within = input <= self.problem.energy_limit * kinetic.value();
+            return if within { Ok(()) } else { Err(INPUT) };
+        }
+        Ok(())
+    }
+
+    /// Is every answer determined well enough by the printed data?
+    fn conditioned(&self, solved: &Solved) -> Result<(), usize> {
+        let conds = CHECKS + CheckKind::ALL.len() + self.problem.questions.len();
+        let above = |q: &Question| !cond(solved, q.label).le(&q.cond_limit);
+        match self.problem.questions.iter().position(above) {
+            Some(question) => Err(conds + question),
+            None => Ok(()),
+        }
     }
 
     /// Do the checks of these kinds hold, with their margins?
@@ -268,7 +323,7 @@ impl<'p> Maker<'p> {
     /// The rules that need a solution, on the first road; which one refuses.
     fn rules(&self, case: &Case, solved: &Solved, data: &[f64]) -> Result<(), usize> {
         let questions = CHECKS + CheckKind::ALL.len();
-        let first_bound = questions + self.problem.questions.len();
+        let first_bound = questions + 2 * self.problem.questions.len();
         self.checks(solved, |kind| kind != CheckKind::Moves)?;
         // A question about a slack cord would ask about another motion than the statement tells.
         if let Some((tie, _, _, false)) = case.scene.spring() {
@@ -291,7 +346,7 @@ impl<'p> Maker<'p> {
                 return Err(questions + i);
             }
         }
-        let quantity = |label: Label| solved.get(label).map_or(f64::NAN, crate::solve::outcome::Entry::value);
+        let quantity = |label: Label| solved.get(label).map_or(f64::NAN, Entry::value);
         for (i, bound) in case.bounds.iter().enumerate() {
             if bound.expression.needs_solution() && !holds(bound, data, &quantity) {
                 return Err(first_bound + i);
@@ -299,6 +354,26 @@ impl<'p> Maker<'p> {
         }
         Ok(())
     }
+}
+
+/// Condition number of an answer; 0 for a word.
+fn cond(solved: &Solved, label: Label) -> f64 {
+    solved.get(label).map_or(0.0, |e| e.cond)
+}
+
+/// Energy put into a motion with a spring: what the spring stores at first, and what weights that sink and pulls
+/// give; J. `None` where there is no spring on a cord (that of a pinned body is left to the condition numbers).
+fn input_energy(scene: &Scene, data: &[f64], solved: &Solved) -> Option<f64> {
+    let (_, stiffness, stretch, _) = scene.spring()?;
+    let n = Numbers::<Dd>::new(scene, data);
+    let mut energy = (n.massive(stiffness) * n.get(stretch) * n.get(stretch)).scale2(-1);
+    for (label, value) in solved.entries.iter().map(|e| (e.label, e.value())) {
+        if let (Quantity::Rise, Owner::Body(b)) = (label.quantity, label.of) {
+            energy = energy + n.bodies[b].mass * n.gravity * Dd::new((-value).max(0.0));
+        }
+    }
+    let pulls = solved.entries.iter().filter(|e| e.label.quantity == Quantity::WorkPull).map(Entry::value);
+    Some(n.publish(Quantity::KineticEnergy, energy).hi + pulls.map(|w| w.max(0.0)).sum::<f64>())
 }
 
 /// Does the value of a bound's expression lie within it? NaN does not.
@@ -316,5 +391,7 @@ pub fn from_values(problem: &Problem, case: usize, values: &[Option<Decimal>]) -
     let scene = problem.cases.get(case).map(|c| &c.scene).ok_or(Refusal::Freedoms(0))?;
     let mut solved = agree::solve(scene, &data)?;
     agree::prove(scene, &data, &mut solved);
-    Ok(Variant { case, values: values.to_vec(), data, solved, tries: 0, refusals: Refusals::default() })
+    let within = make_key::within(problem, &solved);
+    let refusals = Refusals::default();
+    Ok(Variant { case, values: values.to_vec(), data, solved, tries: 0, refusals, within })
 }

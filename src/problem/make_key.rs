@@ -56,7 +56,7 @@ fn entry(question: &Question, scene: &Scene, variant: &Variant) -> KeyEntry {
     let words = words_sign(scene, question.label);
     key.answer = Answer::Number {
         value,
-        half_width: half_width(question, value, scale),
+        half_width: half_width(question, value, scale, key.cond.unwrap_or(f64::NAN)),
         directed: quantity.is_directed() && words,
         // Where words give no sign, `down` beside a number that is positive down must not spoil it.
         magnitude: is_magnitude(quantity) || (quantity.is_directed() && !words && value >= 0.0),
@@ -65,11 +65,17 @@ fn entry(question: &Question, scene: &Scene, variant: &Variant) -> KeyEntry {
 }
 
 /// The accepted half-width, SI: the larger of the relative and the absolute tolerance.
-pub fn half_width(question: &Question, value: f64, scale: f64) -> f64 {
+pub fn half_width(question: &Question, value: f64, scale: f64, cond: f64) -> f64 {
     let absolute = question.absolute.unwrap_or_else(|| {
         if may_vanish(question.label.quantity) && scale.is_finite() { VANISHING_SHARE * scale } else { 0.0 }
     });
-    (question.relative * value.abs()).max(absolute)
+    (question.relative.at(cond) * value.abs()).max(absolute)
+}
+
+/// The relative tolerance of each question for this solution, as the sheet prints it; that of a word means nothing.
+pub fn within(problem: &Problem, solved: &Solved) -> Vec<f64> {
+    let cond = |q: &Question| solved.get(q.label).map_or(f64::NAN, |e| e.cond);
+    problem.questions.iter().map(|q| q.relative.at(cond(q))).collect()
 }
 
 /// The proved bound of the error of a key is to be below this share of the accepted half-width.
@@ -79,7 +85,7 @@ pub const PROVED_SHARE: f64 = 1e-3;
 /// count.
 pub fn narrow(problem: &Problem, solved: &Solved) -> bool {
     problem.questions.iter().filter_map(|q| Some((q, solved.get(q.label)?))).all(|(question, entry)| {
-        let half_width = half_width(question, entry.value(), entry.scale);
+        let half_width = half_width(question, entry.value(), entry.scale, entry.cond);
         entry.bound.is_none_or(|bound| bound <= PROVED_SHARE * half_width)
     })
 }

@@ -1,4 +1,5 @@
 //! The workshop: from a problem of a bank and a seed to a finished variant and its key.
 pub mod make;
 pub mod make_key;
+pub mod rounding;
 pub mod sweep;

@@ -1,7 +1,9 @@
 //! What a problem does over many seeds: how many draws are accepted, which rules refuse, in what range the answers lie,
-//! and how likely two students get the same sheet.
+//! how well they are conditioned, and how likely two students get the same sheet.
 use crate::bank::Problem;
+use crate::draw::stream::Source;
 use crate::problem::make::{Maker, Refusals, Unsatisfiable};
+use crate::problem::rounding;
 use crate::solve::outcome::Refusal;
 
 /// A sweep over one problem.
@@ -54,11 +56,53 @@ pub struct QuestionSweep {
     pub id: String,
     /// Least and greatest answer in the asked unit; `None` for words.
     pub range: Option<(f64, f64)>,
-    /// Greatest condition number.
-    pub worst_cond: f64,
+    /// Condition numbers of the draws that hold all rules but those about them; `None` for words.
+    pub cond: Option<Spread>,
+    /// Honest answers with the asked figures on the way that were tried on the variants, and how many of them miss the
+    /// tolerance.
+    pub honest: (u32, u32),
+    /// Least and greatest relative tolerance.
+    pub within: (f64, f64),
     /// Words and how often each was right.
     pub words: Vec<(&'static str, u64)>,
 }
+
+/// How condition numbers are spread.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Spread {
+    /// Half of them are not above this.
+    pub median: f64,
+    /// Nine of ten are not above this.
+    pub ninth: f64,
+    /// The greatest.
+    pub worst: f64,
+    /// Share of those above the limit of the question, whose draws are refused.
+    pub above: f64,
+}
+
+impl Spread {
+    fn of(mut conds: Vec<f64>, limit: f64) -> Option<Self> {
+        conds.sort_by(f64::total_cmp);
+        let last = conds.len().checked_sub(1)?;
+        let above = conds.iter().filter(|c| !c.le(&&limit)).count();
+        Some(Self {
+            median: conds[last / 2],
+            ninth: conds[last * 9 / 10],
+            worst: conds[last],
+            above: count(above as u64) / count(conds.len() as u64),
+        })
+    }
+}
+
+impl QuestionSweep {
+    /// Share of the honest answers that miss the tolerance; NaN if none was tried.
+    pub fn missed(&self) -> f64 {
+        f64::from(self.honest.1) / f64::from(self.honest.0)
+    }
+}
+
+/// Honest answers that are tried for each variant.
+const HONEST: u32 = 2;
 
 /// Makes a variant for each of `seeds` seeds, from `first` on.
 pub fn sweep(problem: &Problem, first: u64, seeds: u32, set: &str) -> Sweep {
@@ -82,14 +126,23 @@ pub fn sweep(problem: &Problem, first: u64, seeds: u32, set: &str) -> Sweep {
         questions: problem
             .questions
             .iter()
-            .map(|q| QuestionSweep { id: q.id.clone(), range: None, worst_cond: 0.0, words: Vec::new() })
+            .map(|q| QuestionSweep {
+                id: q.id.clone(),
+                range: None,
+                cond: None,
+                honest: (0, 0),
+                within: (f64::INFINITY, 0.0),
+                words: Vec::new(),
+            })
             .collect(),
         pair_chance: 0.0,
         unsatisfiable: None,
         unsolved: None,
     };
+    let mut words = Source::new(first, set, "honest rounding").student(&problem.id);
+    let mut attempt = 0;
     for seed in (first..).take(seeds as usize) {
-        let variant = match Maker::new(problem, seed, set).variant("lint") {
+        let variant = match Maker::new(problem, seed, set).watching().variant("lint") {
             Ok(variant) => variant,
             Err(none) => {
                 // One such table is enough, and each costs thousands of tries.
@@ -101,7 +154,18 @@ pub fn sweep(problem: &Problem, first: u64, seeds: u32, set: &str) -> Sweep {
         case.variants += 1;
         case.tries += u64::from(variant.tries);
         refusals[variant.case].join(&variant.refusals);
-        for (question, seen) in problem.questions.iter().zip(&mut out.questions) {
+        for _ in 0..HONEST {
+            attempt += 1;
+            let tried = rounding::misses(problem, &variant, &mut words, attempt);
+            for (missed, seen) in tried.into_iter().zip(&mut out.questions) {
+                if let Some(missed) = missed {
+                    seen.honest = (seen.honest.0 + 1, seen.honest.1 + u32::from(missed));
+                }
+            }
+        }
+        for ((question, seen), within) in
+            problem.questions.iter().zip(&mut out.questions).zip(&variant.within)
+        {
             if let Some(word) = variant.solved.word(question.label) {
                 match seen.words.iter_mut().find(|(w, _)| *w == word.text()) {
                     Some((_, n)) => *n += 1,
@@ -111,8 +175,14 @@ pub fn sweep(problem: &Problem, first: u64, seeds: u32, set: &str) -> Sweep {
                 let value = question.unit.from_si(entry.value());
                 let (low, high) = seen.range.unwrap_or((value, value));
                 seen.range = Some((low.min(value), high.max(value)));
-                seen.worst_cond = seen.worst_cond.max(entry.cond);
+                seen.within = (seen.within.0.min(*within), seen.within.1.max(*within));
             }
+        }
+    }
+    for (i, (question, seen)) in problem.questions.iter().zip(&mut out.questions).enumerate() {
+        let conds = refusals.iter().flat_map(|r| r.conds.iter().skip(i).step_by(problem.questions.len()));
+        if !question.label.quantity.is_word() {
+            seen.cond = Spread::of(conds.copied().collect(), question.cond_limit);
         }
     }
     for (i, (case, refused)) in out.cases.iter_mut().zip(&refusals).enumerate() {

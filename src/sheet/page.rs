@@ -1,7 +1,7 @@
 //! A whole sheet of one student, as Markdown and as a page of HTML that needs nothing else.
 use crate::bank::Bank;
-use crate::bank::decimal::Decimal;
 use crate::finding::Finding;
+use crate::problem::make::Variant;
 use crate::scene::Quantity;
 use crate::sheet::html::Converter;
 use crate::sheet::statement::Common;
@@ -27,9 +27,6 @@ pub struct Room {
     scratch: Vec<Scratch>,
     converter: Converter,
 }
-
-/// What was drawn for one problem: the case, and integer and decimals of each datum.
-pub type Drawn<'d> = (usize, &'d [Option<Decimal>]);
 
 impl<'b> Sheets<'b> {
     /// Prepares the sheets of a set with these problems (indices into the bank), numbered from 1.
@@ -60,10 +57,16 @@ impl<'b> Sheets<'b> {
     ///
     /// # Errors
     /// Faults of the templates.
-    pub fn problem(&self, i: usize, drawn: Drawn, room: &mut Room, out: &mut Vec<u8>) -> Result<(), Finding> {
+    pub fn problem(
+        &self,
+        i: usize,
+        variant: &Variant,
+        room: &mut Room,
+        out: &mut Vec<u8>,
+    ) -> Result<(), Finding> {
         room.scratch.resize_with(self.statements.len().max(room.scratch.len()), Scratch::default);
         let Some((_, statement)) = self.statements.get(i) else { return Ok(()) };
-        statement.write(drawn.0, i + 1, drawn.1, &mut room.scratch[i], out)
+        statement.write(variant, i + 1, &mut room.scratch[i], out)
     }
 
     /// The sheet of one student as Markdown.
@@ -74,15 +77,15 @@ impl<'b> Sheets<'b> {
         &self,
         student: &str,
         name: &str,
-        drawn: &[Drawn],
+        variants: &[Variant],
         room: &mut Room,
     ) -> Result<String, Finding> {
-        let mut problems = Vec::with_capacity(drawn.len());
+        let mut problems = Vec::with_capacity(variants.len());
         let mut body = Vec::new();
         for (i, (index, _)) in self.statements.iter().enumerate() {
             body.clear();
-            if let Some(drawn) = drawn.get(i) {
-                self.problem(i, *drawn, room, &mut body)?;
+            if let Some(variant) = variants.get(i) {
+                self.problem(i, variant, room, &mut body)?;
             }
             problems.push(template::map([
                 ("number", template::finished(&(i + 1).to_string())),
@@ -127,7 +130,16 @@ impl<'b> Sheets<'b> {
         view.text("units", if self.common.unit_required { "required" } else { "optional" });
         view.text("figures", &self.common.figures.to_string());
         let within = percent(self.common.relative);
-        view.text("tolerance", &format!("an answer within {within} of the right one counts as right"));
+        let questions =
+            || self.statements.iter().flat_map(|(index, _)| &self.bank.problems[*index].questions);
+        let unless = match questions().any(|q| self.common.differs(q)) {
+            true => ", or where a question says `within`, within what it says",
+            false => "",
+        };
+        view.text(
+            "tolerance",
+            &format!("an answer within {within} of the right one counts as right{unless}"),
+        );
         view.text("self_check", if self.bank.self_check { "yes" } else { "" });
         let questions =
             self.statements.iter().enumerate().flat_map(|(i, (index, _))| {

@@ -79,7 +79,7 @@ impl<'b> Writer<'b> {
                     "quantity": q.label.quantity.name(),
                     "unit": q.unit.ascii(),
                     "points": q.points,
-                    "tolerance": if q.label.quantity.is_word() { 0.0 } else { q.relative },
+                    "tolerance": if q.label.quantity.is_word() { 0.0 } else { variant.within[p] },
                 });
                 let _ = write!(out, "{comma}{part}");
             }

@@ -13,6 +13,7 @@ use crate::bank::Problem;
 use crate::bank::Question;
 use crate::bank::decimal::Decimal;
 use crate::finding::Finding;
+use crate::problem::make::Variant;
 use crate::problem::make_key;
 use crate::scene::Num;
 use crate::scene::Owner;
@@ -34,7 +35,7 @@ pub const RESERVED: &[&str] =
 pub struct Common {
     /// Significant figures asked for by most questions.
     pub figures: u8,
-    /// Relative tolerance of most questions.
+    /// Relative tolerance of most of the questions that have a fixed one.
     pub relative: f64,
     /// Does every number need a unit?
     pub unit_required: bool,
@@ -46,7 +47,8 @@ impl Common {
         let numbers = questions.filter(|q| !q.label.quantity.is_word());
         let mut best = (0, Self { figures: 3, relative: 0.01, unit_required: false });
         for q in numbers.clone() {
-            let this = Self { figures: q.figures, relative: q.relative, unit_required: q.unit_required };
+            let Some(relative) = q.relative.fixed() else { continue };
+            let this = Self { figures: q.figures, relative, unit_required: q.unit_required };
             let count = numbers.clone().filter(|o| this.holds(o)).count();
             if count > best.0 {
                 best = (count, this);
@@ -54,10 +56,13 @@ impl Common {
         }
         best.1
     }
+    /// Has this question a tolerance of its own?
+    pub fn differs(&self, q: &Question) -> bool {
+        !q.label.quantity.is_word()
+            && q.relative.fixed().is_none_or(|share| (share - self.relative).abs() > f64::EPSILON)
+    }
     fn holds(&self, q: &Question) -> bool {
-        q.figures == self.figures
-            && (q.relative - self.relative).abs() <= f64::EPSILON
-            && q.unit_required == self.unit_required
+        q.figures == self.figures && !self.differs(q) && q.unit_required == self.unit_required
     }
 }
 
@@ -67,6 +72,7 @@ pub struct Statement<'b> {
     templates: &'b Templates,
     name: String,
     values: bool,
+    common: Common,
     /// Text before and after the digits of each datum.
     around: Vec<(String, String)>,
     /// What does not change between variants, for each case.
@@ -80,7 +86,6 @@ struct OfCase {
     questions: Option<Vec<u8>>,
     /// Templates of questions that do.
     asks: Vec<(usize, String)>,
-    forms: Vec<String>,
 }
 
 /// Room for writing, reused from one variant to the next; one for each thread and problem.
@@ -175,13 +180,16 @@ impl<'b> Statement<'b> {
             base.text("case", &case.name);
             let tex = problem.data.iter().map(|d| (d.symbol.as_str(), template::finished(&d.tex)));
             base.value("tex", template::map(tex));
-            let forms: Vec<String> = problem.questions.iter().map(|q| form(q, &case.scene, common)).collect();
             let particles = case.scene.bodies.iter().any(|b| !b.particles.is_empty());
-            let mut this = OfCase { base, particles, questions: None, asks: asks.clone(), forms };
-            if asks.is_empty() {
+            let mut this = OfCase { base, particles, questions: None, asks: asks.clone() };
+            let fixed: Option<Vec<f64>> = problem.questions.iter().map(|q| q.relative.fixed()).collect();
+            if let (true, Some(within)) = (asks.is_empty(), fixed) {
                 let mut view = this.base.clone();
                 let texts: Vec<&str> = problem.questions.iter().map(|q| q.ask.as_str()).collect();
-                view.value("questions", question_list(problem, number, &this.forms, &texts));
+                view.value(
+                    "questions",
+                    question_list(problem, number, &forms(problem, &case.scene, common, &within), &texts),
+                );
                 let mut text = Vec::new();
                 templates.markdown("questions.md", &view, &mut text)?;
                 this.questions = Some(text);
@@ -189,22 +197,21 @@ impl<'b> Statement<'b> {
             }
             cases.push(this);
         }
-        Ok(Self { problem, templates, name, values, around, cases })
+        Ok(Self { problem, templates, name, values, common: common.clone(), around, cases })
     }
 
-    /// Appends the statement, with its questions, of the variant with these drawn values (integer and decimals of each
-    /// datum, `None` where the case has none).
+    /// Appends the statement of a variant, with its questions.
     ///
     /// # Errors
     /// Faults of the templates.
     pub fn write(
         &self,
-        case: usize,
+        variant: &Variant,
         number: usize,
-        drawn: &[Option<Decimal>],
         scratch: &mut Scratch,
         out: &mut Vec<u8>,
     ) -> Result<(), Finding> {
+        let (case, drawn) = (variant.case, variant.values.as_slice());
         let Some(of_case) = self.cases.get(case) else {
             return Err(Finding::new(&self.problem.id, format!("has no case {case}")));
         };
@@ -248,7 +255,9 @@ impl<'b> Statement<'b> {
                 texts[*i] = String::from_utf8_lossy(&text).trim().to_owned();
             }
             let texts: Vec<&str> = texts.iter().map(String::as_str).collect();
-            let questions = question_list(self.problem, number, &of_case.forms, &texts);
+            let scene = &self.problem.cases[case].scene;
+            let forms = forms(self.problem, scene, &self.common, &variant.within);
+            let questions = question_list(self.problem, number, &forms, &texts);
             scratch.view.value("questions", questions);
             self.templates.markdown("questions.md", &scratch.view, out)?;
         }
@@ -343,8 +352,13 @@ pub fn direction_words(scene: &Scene, owner: Owner) -> [&'static str; 2] {
     }
 }
 
+/// How each answer is to be written, with these relative tolerances.
+fn forms(problem: &Problem, scene: &Scene, common: &Common, within: &[f64]) -> Vec<String> {
+    problem.questions.iter().zip(within).map(|(q, within)| form(q, scene, common, *within)).collect()
+}
+
 /// How an answer is to be written: `in N, signed or with up / down`.
-fn form(q: &Question, scene: &Scene, common: &Common) -> String {
+fn form(q: &Question, scene: &Scene, common: &Common, within: f64) -> String {
     let [forward, back] = direction_words(scene, q.label.of);
     match q.label.quantity {
         Quantity::Direction => return format!("`{forward}`, `{back}` or `stays`"),
@@ -362,8 +376,8 @@ fn form(q: &Question, scene: &Scene, common: &Common) -> String {
     if q.figures != common.figures {
         let _ = write!(text, ", {} significant figures", q.figures);
     }
-    if (q.relative - common.relative).abs() > f64::EPSILON {
-        let _ = write!(text, ", within {}", percent(q.relative));
+    if (within - common.relative).abs() > f64::EPSILON {
+        let _ = write!(text, ", within {}", percent(within));
     }
     if q.unit_required && !common.unit_required && !q.unit.is_number() {
         text.push_str(", with its unit");

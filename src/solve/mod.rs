@@ -2,6 +2,8 @@
 pub mod agree;
 pub mod energy;
 pub mod eom;
+pub mod ladder;
+pub mod method;
 pub mod outcome;
 pub mod physical;
 #[cfg(test)]

@@ -1,7 +1,9 @@
 //! What a solver yields: numbers, words of the regime, checks; never sentences.
 use crate::num::Real;
 use crate::num::gauss::Unsettled;
+use crate::num::ode::Trouble;
 use crate::scene::Label;
+use crate::solve::method::Method;
 
 /// What really happens, in the words that scripts rely on ([`Regime::word`]).
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -254,6 +256,42 @@ pub enum Refusal {
         energy: f64,
         /// The relative gap that would have been accepted.
         allowed: f64,
+    },
+    /// A named method did not get to its event.
+    Trouble {
+        /// Which method.
+        method: Method,
+        /// Why not.
+        trouble: Trouble,
+    },
+    /// A named method, set finer, does not settle.
+    Unsteady {
+        /// Which method.
+        method: Method,
+        /// Which quantity.
+        label: Label,
+        /// As asked.
+        value: f64,
+        /// Set finer.
+        finer: f64,
+    },
+    /// A named method and the closed form of the other road disagree beyond the error estimates of both.
+    Contradicts {
+        /// Which method.
+        method: Method,
+        /// Which quantity.
+        label: Label,
+        /// From the method.
+        value: f64,
+        /// From the other road.
+        judge: f64,
+        /// The difference that both estimates would have allowed.
+        allowed: f64,
+    },
+    /// The method does not apply to the scene.
+    NoMethod {
+        /// Which method.
+        method: Method,
     },
 }
 

@@ -37,9 +37,7 @@ fn main() {
                     for i in t * share..((t + 1) * share).min(count) {
                         let variant = maker.variant(&i.to_string()).expect("satisfiable");
                         tries += u64::from(variant.tries);
-                        sheets
-                            .problem(0, (variant.case, &variant.values), &mut room, &mut statements)
-                            .expect("renders");
+                        sheets.problem(0, &variant, &mut room, &mut statements).expect("renders");
                         let _ = write!(key, "{i}");
                         for x in &variant.data {
                             let _ = write!(key, ",{x}");

@@ -46,7 +46,7 @@ fn statement_in_markdown(bencher: Bencher, id: &str) {
     bencher.counter(ItemsCount::new(EACH)).bench_local(|| {
         out.clear();
         for v in &variants {
-            sheets.problem(0, (v.case, &v.values), &mut room, &mut out).expect("renders");
+            sheets.problem(0, v, &mut room, &mut out).expect("renders");
         }
         divan::black_box(out.len())
     });

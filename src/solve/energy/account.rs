@@ -45,7 +45,7 @@ pub struct Account<T> {
 
 impl<T: Real> Account<T> {
     /// Power at the start per unit rate while the spring acts.
-    fn push(&self, k: Store<T>) -> T {
+    pub fn push(&self, k: Store<T>) -> T {
         self.constant.balance(k.stiffness * k.stretch * k.lost)
     }
     /// Kinetic energy at a place: that of the start and the work of all forces on the way.
@@ -74,7 +74,7 @@ impl<T: Real> Account<T> {
         (energy.scale2(1) / self.doubled).root()
     }
     /// Place at which the cord goes slack, if it does.
-    fn slack(&self) -> Option<T> {
+    pub fn slack(&self) -> Option<T> {
         self.store.filter(|k| !k.rigid && k.lost.sign() > 0.0).map(|k| k.stretch / k.lost)
     }
     /// Place at which the whole energy is stored or spent.

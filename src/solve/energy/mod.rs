@@ -7,6 +7,7 @@ pub mod account;
 pub mod balance;
 pub mod instant;
 pub mod pinned;
+pub mod quadrature;
 pub mod speeds;
 pub mod swing;
 pub mod thrown;
@@ -14,6 +15,7 @@ pub mod thrown;
 use crate::num::Real;
 use crate::num::Rough;
 use crate::num::eliminate::Equations;
+use crate::num::ode::Count;
 use crate::num::plant::plant;
 use crate::scene::Coordinate;
 use crate::scene::Degree;
@@ -32,7 +34,10 @@ use crate::solve::energy::account::Account;
 use crate::solve::energy::account::Store;
 use crate::solve::energy::balance::PerTie;
 use crate::solve::energy::balance::Power;
+use crate::solve::energy::quadrature::Sum;
+use crate::solve::energy::quadrature::Summed;
 use crate::solve::energy::speeds::Mode;
+use crate::solve::method::Method;
 use crate::solve::outcome::Course;
 use crate::solve::outcome::Grip;
 use crate::solve::outcome::Refusal;
@@ -40,6 +45,7 @@ use crate::solve::outcome::Road;
 use crate::solve::outcome::Said;
 use smallvec::SmallVec;
 use smallvec::smallvec;
+use std::cell::Cell;
 
 /// Everything that work and energy say of a scene whose data are admissible.
 ///
@@ -55,7 +61,26 @@ pub fn road<T: Real>(scene: &Scene, data: &[f64]) -> Result<Road<T>, Refusal> {
     if let Some(thrown) = scene.thrown() {
         return thrown::road(scene, &n, &thrown);
     }
-    Ledger::open(scene, n)?.settle()
+    Ok(Ledger::open(scene, n)?.settle()?.0)
+}
+
+/// [`road`], with the work of the forces summed by a quadrature of this many points; what it cost.
+///
+/// Errors: those of [`road`].
+pub fn road_by<T: Real>(scene: &Scene, data: &[f64], points: usize) -> Result<(Road<T>, Count), Refusal> {
+    if scene.pinned().is_some() {
+        return Err(Refusal::NoMethod { method: Method::Gauss });
+    }
+    let n = Numbers::<T>::new(scene, data);
+    if matches!(scene.end, End::AtOnce) {
+        return Ok((instant::road(scene, &n), Count::default()));
+    }
+    if scene.thrown().is_some() {
+        return Err(Refusal::NoMethod { method: Method::Gauss });
+    }
+    let mut ledger = Ledger::open(scene, n)?;
+    ledger.points = Some(points);
+    ledger.settle()
 }
 
 struct Ledger<'a, T: Real> {
@@ -78,6 +103,8 @@ struct Ledger<'a, T: Real> {
     /// Speed at the start.
     v0: T,
     road: Road<T>,
+    /// Points of a quadrature, where the work is to be summed.
+    points: Option<usize>,
     /// The reactions that were asked last, and the tension of the spring for which.
     last: Option<(T, PerTie<T>)>,
 }
@@ -152,6 +179,12 @@ fn combine<T: Real>(modes: &[Mode<T>], rates: &[T]) -> Mode<T> {
         }
     }
     sum
+}
+
+/// What the closed account gives at a place.
+fn closed<T: Real>(account: &Account<T>, s: T, rest: bool) -> Summed<T> {
+    let u = if rest { T::zero() } else { account.speed(s) };
+    Summed { energy: account.energy(s), u, time: account.time(s, u) }
 }
 
 impl<'a, T: Real> Ledger<'a, T> {
@@ -271,6 +304,7 @@ impl<'a, T: Real> Ledger<'a, T> {
             inclined,
             v0,
             road,
+            points: None,
             last: None,
         })
     }
@@ -285,7 +319,7 @@ impl<'a, T: Real> Ledger<'a, T> {
         if self.scene.bodies[body].line.is_some_and(|l| !l.forward_up) { -1.0 } else { 1.0 }
     }
 
-    fn settle(mut self) -> Result<Road<T>, Refusal> {
+    fn settle(mut self) -> Result<(Road<T>, Count), Refusal> {
         let spring = self.scene.spring();
         let mut store = spring.map(|(tie, ks, x0, rigid)| {
             let Tie::Cord(cord) = &self.scene.ties[tie] else { unreachable!("a spring is on a cord") };
@@ -335,7 +369,7 @@ impl<'a, T: Real> Ledger<'a, T> {
                 }
             }
             self.grip(tension0, tension0);
-            return Ok(self.road);
+            return Ok((self.road, Count::default()));
         }
         let constant = constant.signed(sense);
         if let Some(s) = &mut store {
@@ -363,9 +397,11 @@ impl<'a, T: Real> Ledger<'a, T> {
         let tension_at = |s: T| store.map_or_else(T::zero, |k| k.stiffness * k.stretch_at(s));
         let last_tension = turning.map_or_else(T::zero, tension_at);
         self.grip(tension0, last_tension);
+        let summed = self.points.map(|points| Sum { account: &account, points, evaluations: Cell::new(0) });
         if (store.is_some() || !u0.is_zero()) && self.end.degree == Degree::Along {
             let body = Owner::Body(self.end.body);
             if let Some((at, v)) = account.fastest() {
+                let v = summed.as_ref().map_or(v, |sum| sum.speed(at));
                 self.say(Quantity::VMax, body, v);
                 self.say(Quantity::DAtVMax, body, at);
             }
@@ -373,10 +409,15 @@ impl<'a, T: Real> Ledger<'a, T> {
             self.say(Quantity::DTurn, body, farthest);
         }
         match s {
-            Some(s) if reached => self.arrived(&account, s, sense, tension_at(s)),
+            Some(s) if reached => {
+                let rest = matches!(self.scene.end, End::TurningPoint(_));
+                let there = summed.as_ref().map_or_else(|| closed(&account, s, rest), |sum| sum.at(s));
+                self.arrived(&account, s, there, sense, tension_at(s));
+            }
             _ => self.standing(tension0, false),
         }
-        Ok(self.road)
+        let evaluations = summed.map_or(0, |sum| sum.evaluations.get());
+        Ok((self.road, Count { evaluations, ..Count::default() }))
     }
 
     /// Driving and resisting power at the start, per unit rate.
@@ -506,13 +547,13 @@ impl<'a, T: Real> Ledger<'a, T> {
         }
     }
 
-    fn arrived(&mut self, account: &Account<T>, s: T, sense: f64, tension: T) {
+    fn arrived(&mut self, account: &Account<T>, s: T, there: Summed<T>, sense: f64, tension: T) {
         // At rest by the definition of the event, not by what rounding leaves.
         let rest = matches!(self.scene.end, End::TurningPoint(_));
-        let energy = if rest { T::zero() } else { account.energy(s) };
-        let u = if rest { T::zero() } else { account.speed(s) };
+        let energy = if rest { T::zero() } else { there.energy };
+        let u = if rest { T::zero() } else { there.u };
         let rate = self.rate(tension);
-        self.say(Quantity::T, Owner::Scene, account.time(s, u));
+        self.say(Quantity::T, Owner::Scene, there.time);
         self.say_rates(&rate, false);
         self.say_forces(tension);
         self.bound_of_gyration();

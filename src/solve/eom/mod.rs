@@ -3,6 +3,7 @@
 //! Velocity ratios are not derived from the ties here: they are the ratios of the accelerations that the equations give.
 pub mod equations;
 pub mod instant;
+pub mod integrate;
 pub mod pinned;
 pub mod swing;
 pub mod thrown;
@@ -10,6 +11,7 @@ pub mod travel;
 
 use crate::num::Real;
 use crate::num::dd::pow2;
+use crate::num::ode::Count;
 use crate::num::plant::plant;
 use crate::scene::Attach;
 use crate::scene::Coordinate;
@@ -32,8 +34,13 @@ use crate::solve::eom::equations::Response;
 use crate::solve::eom::equations::SPRING;
 use crate::solve::eom::equations::Setting;
 use crate::solve::eom::equations::respond;
+use crate::solve::eom::integrate::Event;
+use crate::solve::eom::integrate::Path;
+use crate::solve::eom::integrate::Wanted;
+use crate::solve::eom::integrate::path;
 use crate::solve::eom::travel::State;
 use crate::solve::eom::travel::Travel;
+use crate::solve::method::Rung;
 use crate::solve::outcome::Course;
 use crate::solve::outcome::Grip;
 use crate::solve::outcome::Held;
@@ -57,7 +64,32 @@ pub fn road<T: Real>(scene: &Scene, data: &[f64]) -> Result<Road<T>, Refusal> {
     if let Some(thrown) = scene.thrown() {
         return thrown::road(scene, &n, &thrown);
     }
-    Walk::new(scene, n)?.walk()
+    Ok(Walk::new(scene, n)?.walk()?.0)
+}
+
+/// [`road`], with the states at its events from the steps of this rung and not from the closed form; what it cost. `asked`
+/// says which quantities are wanted: a greatest speed and a turning point are events of their own.
+///
+/// Errors: those of [`road`], and a run that does not reach its events.
+pub fn road_by<T: Real>(
+    scene: &Scene,
+    data: &[f64],
+    rung: Rung,
+    asked: &dyn Fn(Quantity) -> bool,
+) -> Result<(Road<T>, Count), Refusal> {
+    if scene.pinned().is_some() {
+        return Err(Refusal::NoMethod { method: rung.method() });
+    }
+    let n = Numbers::<T>::new(scene, data);
+    if matches!(scene.end, End::AtOnce) {
+        return Ok((instant::road(scene, &n), Count::default()));
+    }
+    if let Some(thrown) = scene.thrown() {
+        return thrown::road_by(scene, &n, &thrown, Some(rung));
+    }
+    let mut walk = Walk::new(scene, n)?;
+    walk.by = Some((rung, asked));
+    walk.walk()
 }
 
 /// From this condition number on the velocity ratios come from a unit force, not from the forces that nearly balance.
@@ -89,6 +121,8 @@ struct Walk<'a, T: Real> {
     ratio_column: usize,
     /// Does anything move at all?
     moves: bool,
+    /// Steps instead of the closed form: the rung, and which quantities are wanted.
+    by: Option<(Rung, &'a dyn Fn(Quantity) -> bool)>,
     road: Road<T>,
 }
 
@@ -190,7 +224,19 @@ impl<'a, T: Real> Walk<'a, T> {
             response = respond(scene, &n, &setting)?;
             ratio_column = response.last();
         }
-        Ok(Self { scene, n, end, spring, x_eq, rolled, response, ratio_column, moves, road: Road::new() })
+        Ok(Self {
+            scene,
+            n,
+            end,
+            spring,
+            x_eq,
+            rolled,
+            response,
+            ratio_column,
+            moves,
+            by: None,
+            road: Road::new(),
+        })
     }
 
     /// Speed of the ending coordinate at the start, from the speed that is given.
@@ -257,7 +303,7 @@ impl<'a, T: Real> Walk<'a, T> {
         if self.scene.bodies[body].line.is_none_or(|l| l.forward_up) { 1.0 } else { -1.0 }
     }
 
-    fn walk(mut self) -> Result<Road<T>, Refusal> {
+    fn walk(mut self) -> Result<(Road<T>, Count), Refusal> {
         let zero = T::zero();
         let tension0 = self.spring.as_ref().map_or(zero, |s| s.stiffness * s.stretch);
         let a0 = self.acceleration(self.end, tension0);
@@ -290,7 +336,7 @@ impl<'a, T: Real> Walk<'a, T> {
                 }
             }
             self.grip(tension0, tension0);
-            return Ok(self.road);
+            return Ok((self.road, Count::default()));
         }
 
         // The spring's pull along the motion: stretch = x0 - gamma s.
@@ -331,26 +377,51 @@ impl<'a, T: Real> Walk<'a, T> {
             None => zero,
         };
         self.grip(tension0, last_tension);
+        let path = self.stepped(&travel, if reached { s } else { None })?;
+        let (met, peak, rest) = path.map_or((None, None, None), |p| (p.end, p.fastest, p.turning));
         if (self.spring.is_some() || !v0.is_zero()) && self.along(self.end.body) == Some(self.end) {
             let body = Owner::Body(self.end.body);
-            if let Some((at, v)) = travel.fastest() {
+            if let Some((at, v)) = peak.map(|p| (p.s, p.u)).or_else(|| travel.fastest()) {
                 self.say(Quantity::VMax, body, v);
                 self.say(Quantity::DAtVMax, body, at);
             }
-            self.say(Quantity::DTurn, body, turning.unwrap_or_else(|| T::of(f64::INFINITY)));
+            let farthest = rest.map(|r| r.s).or(turning);
+            self.say(Quantity::DTurn, body, farthest.unwrap_or_else(|| T::of(f64::INFINITY)));
         }
         match s {
             Some(s) if reached => {
-                let mut state = travel.at(s);
+                let mut state = met.unwrap_or_else(|| travel.at(s));
                 if matches!(self.scene.end, End::TurningPoint(_)) {
                     // At rest by the definition of the event, not by what rounding leaves.
                     state.u = zero;
                 }
-                self.arrived(&state, sense, tension_at(s));
+                self.arrived(&state, sense, tension_at(state.s));
             }
             _ => self.standing(tension0, false),
         }
-        Ok(self.road)
+        Ok((self.road, path.map_or_else(Count::default, |p| p.count)))
+    }
+
+    /// The states at the events by steps, where steps are asked for.
+    fn stepped(&self, travel: &Travel<T>, s: Option<T>) -> Result<Option<Path<T>>, Refusal> {
+        let Some((rung, asked)) = self.by else { return Ok(None) };
+        let event = s.and_then(|s| {
+            let event = match self.scene.end {
+                End::Travel(..) | End::Position(..) => Event::Place(s.f64()),
+                End::Time(_, t) => Event::Time(self.n.get(t).f64()),
+                End::Speed(_, u) => {
+                    let u = self.n.get(u).abs();
+                    if travel.u0.below(u) { Event::Rise(u.f64()) } else { Event::Fall(u.f64()) }
+                }
+                End::TurningPoint(_) => Event::Fall(0.0),
+                End::Angle(..) | End::Rolling(_) | End::AtOnce => return None,
+            };
+            Some((event, s))
+        });
+        let fastest = asked(Quantity::VMax) || asked(Quantity::DAtVMax);
+        let wanted = Wanted { end: event, fastest, turning: asked(Quantity::DTurn) };
+        let trouble = |trouble| Refusal::Trouble { method: rung.method(), trouble };
+        path(travel, &wanted, rung).map(Some).map_err(trouble)
     }
 
     fn slips(&self) -> bool {

@@ -11,6 +11,10 @@
 //! Source: Beer & Johnston, *Vector Mechanics for Engineers: Dynamics*, section 16.2 (sliding turning into rolling).
 use crate::num::Real;
 use crate::num::dd::pow2;
+use crate::num::ode::Count;
+use crate::num::ode::Formula;
+use crate::num::ode::Run;
+use crate::num::ode::Trouble;
 use crate::num::plant::plant;
 use crate::scene::Coordinate;
 use crate::scene::Degree;
@@ -25,6 +29,7 @@ use crate::solve::eom::equations::CONSTANT;
 use crate::solve::eom::equations::Response;
 use crate::solve::eom::equations::Setting;
 use crate::solve::eom::equations::respond;
+use crate::solve::method::Rung;
 use crate::solve::outcome::Course;
 use crate::solve::outcome::Grip;
 use crate::solve::outcome::Held;
@@ -33,6 +38,7 @@ use crate::solve::outcome::Road;
 use crate::solve::outcome::Said;
 use crate::solve::outcome::Throw;
 use smallvec::smallvec;
+use std::cell::Cell;
 
 /// Constant accelerations of the centre and of the turn, with the friction that belongs to them.
 #[derive(Clone, Copy)]
@@ -73,6 +79,18 @@ impl<T: Real> State<T> {
 /// just before it. An end that is not reached (never rolls, or slips through) leaves what holds at the start.
 /// Errors: equations that do not determine the motion.
 pub fn road<T: Real>(scene: &Scene, n: &Numbers<T>, thrown: &Thrown) -> Result<Road<T>, Refusal> {
+    Ok(road_by(scene, n, thrown, None)?.0)
+}
+
+/// [`road`], with the state at the end from the steps of a rung, if one is given; what it cost.
+///
+/// Errors: those of [`road`], and a run that does not reach the start of rolling.
+pub fn road_by<T: Real>(
+    scene: &Scene,
+    n: &Numbers<T>,
+    thrown: &Thrown,
+    by: Option<Rung>,
+) -> Result<(Road<T>, Count), Refusal> {
     let body = thrown.body;
     let phase = |grip: Grip, sense: f64| -> Result<(Phase<T>, Response<T>), Refusal> {
         let mut friction_sense = smallvec![0.0; scene.ties.len()];
@@ -127,9 +145,31 @@ pub fn road<T: Real>(scene: &Scene, n: &Numbers<T>, thrown: &Thrown) -> Result<R
         _ => true,
     };
     let start = State { t: zero, v: v0, w: w0, x: zero, phi: zero };
-    let state = ended.map(|(slides, rolls)| {
-        let slid = slipping.map_or(start, |p| start.after(&p, slides));
-        rolls.map_or(slid, |time| slid.after(&rolling, time))
+    let mut count = Count::default();
+    let (mut ended, mut state) = (ended, None);
+    if let (Some((slides, rolls)), Some(rung)) = (ended, by) {
+        let spread = match (scene.end, rolls) {
+            (End::Rolling(_), _) | (_, Some(_)) => slipping.map(|_| sense),
+            _ => None,
+        };
+        let total = rolls.map_or(slides, |time| slides + time).f64();
+        let stop = matches!(scene.end, End::Time(..)).then_some(total);
+        let f64s = |p: &Phase<T>| (p.a.f64(), p.alpha.f64());
+        let legs = (f64s(&slipping.unwrap_or(rolling)), f64s(&rolling));
+        let run = stepped(c.f64(), (v0.f64(), w0.f64()), legs, (spread, stop), rung)
+            .map_err(|trouble| Refusal::Trouble { method: rung.method(), trouble })?;
+        let [x, phi, v, w] = run.end.map(T::of);
+        state = Some(State { t: T::of(run.time), v, w, x, phi });
+        // Without slip there is no leg of slipping; without an event the whole time slips.
+        let slid = run.switch.map_or(slides, T::of);
+        ended = Some((slid, rolls));
+        count = run.count;
+    }
+    let state = state.or_else(|| {
+        ended.map(|(slides, rolls)| {
+            let slid = slipping.map_or(start, |p| start.after(&p, slides));
+            rolls.map_or(slid, |time| slid.after(&rolling, time))
+        })
     });
     let now = match (ended, slipping) {
         (Some((_, Some(_))), _) | (_, None) => rolling,
@@ -211,5 +251,44 @@ pub fn road<T: Real>(scene: &Scene, n: &Numbers<T>, thrown: &Thrown) -> Result<R
         },
         reached: state.is_some(),
     });
-    Ok(road)
+    Ok((road, count))
+}
+
+/// What steps give: places and speeds at the end, its time, the time at which the slip ended.
+struct Stepped {
+    end: [f64; 4],
+    time: f64,
+    switch: Option<f64>,
+    count: Count,
+}
+
+/// Centre and turn step by step, `(x, phi, v, omega)`: with the accelerations of the first leg until the slip `v - c omega`, of
+/// the given sense at the start, is 0 (a step ends there), then with those of the second until the given time.
+fn stepped(
+    c: f64,
+    (v0, w0): (f64, f64),
+    (slipping, rolling): ((f64, f64), (f64, f64)),
+    (sense, stop): (Option<f64>, Option<f64>),
+    rung: Rung,
+) -> Result<Stepped, Trouble> {
+    let leg = Cell::new(slipping);
+    let field = |_: f64, y: &[f64; 4]| [y[2], y[3], leg.get().0, leg.get().1];
+    let speeds = v0.abs() + (c * w0).abs();
+    let closing = (slipping.0 - c * slipping.1).abs();
+    let pace = [speeds / closing, stop.unwrap_or(f64::INFINITY)].into_iter().fold(f64::INFINITY, f64::min);
+    let first = if pace.is_finite() && pace > 0.0 { 0.05 * pace } else { 1.0 };
+    let formula = rung.method().formula().unwrap_or(Formula::Dop853);
+    let mut run = Run::new(formula, field, 0.0, [0.0, 0.0, v0, w0], rung.pace(first));
+    let mut switch = None;
+    if let Some(sense) = sense {
+        let slip = |_: f64, y: &[f64; 4]| -sense * (y[2] - c * y[3]);
+        run.until(&slip, speeds, &|_, _| -1.0)?;
+        switch = Some(run.x());
+        leg.set(rolling);
+        run.refresh();
+    }
+    if let Some(stop) = stop {
+        run.to(stop)?;
+    }
+    Ok(Stepped { end: run.y(), time: run.x(), switch, count: run.count() })
 }

@@ -1,0 +1,169 @@
+//! The same motion step by step in time: `q'' = f(q)` from the start to each event, landing on it.
+//!
+//! The state is place and speed, so a start from rest is regular: nothing divides by the speed. Where the law changes (a cord
+//! goes slack) a step ends on the change and the next begins under the new law.
+use crate::num::Real;
+use crate::num::ode::Count;
+use crate::num::ode::Formula;
+use crate::num::ode::MOST_STEPS;
+use crate::num::ode::Run;
+use crate::num::ode::Trouble;
+use crate::solve::eom::travel::State;
+use crate::solve::eom::travel::Travel;
+use crate::solve::method::Rung;
+use std::cell::Cell;
+
+/// An event of a motion along its sense.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Event {
+    /// At this distance.
+    Place(f64),
+    /// After this time.
+    Time(f64),
+    /// When the speed has risen to this.
+    Rise(f64),
+    /// When the speed has fallen to this.
+    Fall(f64),
+    /// When the acceleration has fallen to 0.
+    Level,
+}
+
+/// A motion along its sense: `f(piece, s)` with the place at which piece 1 takes over from piece 0.
+pub struct Route<L> {
+    /// Acceleration at a distance; the first argument is the piece, 0 or 1.
+    pub law: L,
+    /// Where piece 1 begins.
+    pub switch: Option<f64>,
+    /// Speed at the start, >= 0.
+    pub u0: f64,
+    /// Rough time to the farthest event: what the first step is measured by.
+    pub pace: f64,
+}
+
+impl<L: Fn(usize, f64) -> f64> Route<L> {
+    /// The states at these events, which are given in the order in which they come, each with the distance at which it is
+    /// expected (only to know on which side of the switch it lies).
+    ///
+    /// Errors: [`Trouble`]; an event that does not come before the motion turns is missed.
+    pub fn states(&self, events: &[(Event, f64)], rung: Rung) -> Result<(Vec<State<f64>>, Count), Trouble> {
+        // The rough time is at least half of the true one.
+        if let Rung::Fixed(_, step) = rung
+            && self.pace / step > 2.0 * MOST_STEPS as f64
+        {
+            return Err(Trouble::StepTooShort { step, steps: self.pace / step });
+        }
+        let piece = Cell::new(0);
+        let field = |_: f64, y: &[f64; 2]| [y[1], (self.law)(piece.get(), y[0])];
+        let formula = rung.method().formula().unwrap_or(Formula::Dop853);
+        let mut run = Run::new(formula, field, 0.0, [0.0, self.u0], rung.pace(0.05 * self.pace));
+        let turned = |_: f64, y: &[f64; 2]| -y[1];
+        // The size of the accelerations and speeds to come, for the residuals.
+        let farthest = events.iter().fold(0.0, |far: f64, e| far.max(e.1));
+        let force = (0..=8).map(|i| (self.law)(0, 0.125 * f64::from(i) * farthest).abs()).fold(0.0, f64::max);
+        let speed = (self.u0 * self.u0 + 2.0 * force * farthest).sqrt();
+        let forever = |_: f64, _: &[f64; 2]| -1.0;
+        let mut states = Vec::with_capacity(events.len());
+        for (event, expected) in events {
+            if let (0, Some(at)) = (piece.get(), self.switch)
+                && *expected > at
+            {
+                run.until(&|_, y| y[0] - at, at, &turned)?;
+                piece.set(1);
+                run.refresh();
+            }
+            match *event {
+                Event::Place(s) => {
+                    run.until(&|_, y| y[0] - s, s.abs(), &turned)?;
+                }
+                Event::Time(t) => run.to(t)?,
+                Event::Rise(u) => {
+                    run.until(&|_, y| y[1] - u, speed, &turned)?;
+                }
+                Event::Fall(u) => {
+                    run.until_next(&|_, y| u - y[1], speed, &forever)?;
+                }
+                Event::Level => {
+                    let law = |s: f64| (self.law)(piece.get(), s);
+                    run.until(&|_, y| -law(y[0]), force, &turned)?;
+                }
+            }
+            let [s, u] = run.y();
+            // At a turning point a residual may leave a speed of -1e-17.
+            states.push(State { s, u: u.max(0.0), time: run.x() });
+        }
+        Ok((states, run.count()))
+    }
+}
+
+/// What a run gives of a motion.
+#[derive(Debug, Clone, Copy)]
+pub struct Path<T> {
+    /// At the ending event.
+    pub end: Option<State<T>>,
+    /// Where it is fastest.
+    pub fastest: Option<State<T>>,
+    /// Where it turns.
+    pub turning: Option<State<T>>,
+    /// What it has cost.
+    pub count: Count,
+}
+
+/// Which states are wanted.
+#[derive(Debug, Clone, Copy)]
+pub struct Wanted<T> {
+    /// The ending event, and the distance at which the closed form has it.
+    pub end: Option<(Event, T)>,
+    /// The greatest speed.
+    pub fastest: bool,
+    /// The turning point.
+    pub turning: bool,
+}
+
+/// Follows a motion under a constant or linear law by this rung, once, landing on each event that is wanted.
+///
+/// Which events there are follows from the signs in the law; where they are, from the steps. Errors: [`Trouble`].
+pub fn path<T: Real>(travel: &Travel<T>, wanted: &Wanted<T>, rung: Rung) -> Result<Path<T>, Trouble> {
+    let (f0, w2) = (travel.f0.f64(), travel.w2.map_or(0.0, T::f64));
+    let slack = travel.slack.map(|(at, f1)| (at.f64(), f1.f64()));
+    let f1 = slack.map_or(0.0, |(_, f1)| f1);
+    let mut events: Vec<(Event, f64, usize)> = Vec::with_capacity(3);
+    const END: usize = 0;
+    const FASTEST: usize = 1;
+    const TURNING: usize = 2;
+    if let Some((event, s)) = wanted.end {
+        events.push((event, s.f64(), END));
+    }
+    if let (true, Some((at, _))) = (wanted.fastest, travel.fastest()) {
+        let at = at.f64();
+        // At the start, or where the cord goes slack, or where the acceleration vanishes on the way.
+        let event = match slack {
+            _ if at == 0.0 => Event::Place(0.0),
+            Some((slack, _)) if at >= slack => Event::Place(slack),
+            _ => Event::Level,
+        };
+        events.push((event, at, FASTEST));
+    }
+    if let (true, Some(at)) = (wanted.turning, travel.turning()) {
+        events.push((Event::Fall(0.0), at.f64(), TURNING));
+    }
+    events.sort_by(|a, b| a.1.total_cmp(&b.1));
+    let farthest = events.iter().fold(0.0, |far: f64, e| far.max(e.1));
+    let u0 = travel.u0.f64();
+    let by_force = (2.0 * farthest / f0.abs().max(f1.abs())).sqrt();
+    let by_speed = farthest / u0;
+    let pace =
+        [by_force, by_speed].into_iter().filter(|t| t.is_finite() && *t > 0.0).fold(f64::INFINITY, f64::min);
+    let route = Route {
+        law: |piece: usize, s: f64| if piece == 0 { f0 - w2 * s } else { f1 },
+        switch: slack.map(|(at, _)| at),
+        u0,
+        pace: if pace.is_finite() { pace } else { 1.0 },
+    };
+    let list: Vec<(Event, f64)> = events.iter().map(|e| (e.0, e.1)).collect();
+    let (states, count) = route.states(&list, rung)?;
+    let of = |kind: usize| {
+        let i = events.iter().position(|e| e.2 == kind)?;
+        states.get(i).map(|s| State { s: T::of(s.s), u: T::of(s.u), time: T::of(s.time) })
+    };
+    Ok(Path { end: of(END), fastest: of(FASTEST), turning: of(TURNING), count })
+}

@@ -1,0 +1,385 @@
+//! The ladder of methods: which one a scene needs, what it costs, what it gives away; it sees both roads.
+//!
+//! A method is on one road and yields the state at the ending event; the road derives its answers from that state. The other
+//! road stays in closed form and is the judge: a result that disagrees with it beyond both error estimates is refused.
+use crate::num::Dd;
+use crate::num::Real;
+use crate::num::U;
+use crate::num::Wide;
+use crate::num::ode::Count;
+use crate::num::ode::FINEST;
+use crate::num::wide::ordinary;
+use crate::scene::End;
+use crate::scene::Label;
+use crate::scene::Owner;
+use crate::scene::Quantity;
+use crate::scene::Scene;
+use crate::scene::admissible;
+use crate::solve::agree;
+use crate::solve::energy;
+use crate::solve::eom;
+use crate::solve::method::Method;
+use crate::solve::method::Rung;
+use crate::solve::method::USUAL_POINTS;
+use crate::solve::method::USUAL_STEP_S;
+use crate::solve::method::Way;
+use crate::solve::method::rounding;
+use crate::solve::outcome::Entry;
+use crate::solve::outcome::Refusal;
+use crate::solve::outcome::Road;
+use crate::solve::outcome::Solved;
+
+/// What was asked of the ladder.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Wish {
+    /// The method; `None` leaves the choice to the program.
+    pub method: Option<Method>,
+    /// Relative error that may remain; `None`: rounding.
+    pub rtol: Option<f64>,
+    /// Time step, s, of a method that has one.
+    pub step_s: Option<f64>,
+}
+
+/// How the force on the ending coordinate varies along the way.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Force {
+    /// Nothing moves on: only an instant is asked.
+    Instant,
+    /// Not at all.
+    Constant,
+    /// Not at all on either side of an event: slipping before it, rolling after it.
+    Switched,
+    /// In proportion to the way (a spring), in pieces where its cord can go slack.
+    Linear,
+}
+
+/// What was done, and how well.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Taken {
+    /// The method with its setting.
+    pub rung: Rung,
+    /// Did the program choose it?
+    pub chosen: bool,
+    /// What the scene is like.
+    pub force: Force,
+    /// What it cost.
+    pub count: Count,
+    /// What the finer run for the error estimate cost besides.
+    pub estimate: Count,
+    /// Estimated absolute error of each entry that the method gives; empty for the closed form.
+    pub errors: Vec<(Label, f64)>,
+    /// The largest of them as a share of its answer.
+    pub worst: f64,
+}
+
+/// The estimate counts what the difference to the finer run says, two and a half times.
+const SAFETY: f64 = 2.5;
+/// A run whose estimate is a larger share of an answer than this has not settled.
+const UNSETTLED: f64 = 0.1;
+/// The closed form evaluates the forces once.
+const ONCE: Count = Count { evaluations: 1, steps: 0, refused: 0 };
+/// Numbers of points that are tried for a tolerance.
+const POINTS: [usize; 12] = [1, 2, 3, 4, 6, 8, 12, 16, 24, 32, 48, 64];
+
+/// How the force of a scene varies.
+pub fn force(scene: &Scene) -> Force {
+    if matches!(scene.end, End::AtOnce) {
+        Force::Instant
+    } else if scene.thrown().is_some() {
+        Force::Switched
+    } else if scene.spring().is_some() {
+        Force::Linear
+    } else {
+        Force::Constant
+    }
+}
+
+/// One road by one rung, with its cost. `asked` says which quantities are wanted besides the state at the end.
+///
+/// Errors: those of the road, and of the method.
+pub fn road<P: Real<Plain = P>>(
+    scene: &Scene,
+    data: &[f64],
+    rung: Rung,
+    asked: &dyn Fn(Quantity) -> bool,
+) -> Result<(Road<P>, Count), Refusal> {
+    match rung {
+        Rung::Closed => Ok((energy::road(scene, data)?, ONCE)),
+        Rung::Gauss(points) => energy::road_by(scene, data, points),
+        Rung::Adaptive(..) | Rung::Fixed(..) => eom::road_by(scene, data, rung, asked),
+    }
+}
+
+/// Values of some labels on one road by one rung, rounded to doubles; NaN where it does not give them.
+fn values(scene: &Scene, data: &[f64], rung: Rung, labels: &[Label]) -> Result<(Vec<f64>, Count), Refusal> {
+    fn of<P: Real<Plain = P>>(road: &Road<P>, labels: &[Label]) -> Vec<f64> {
+        labels.iter().map(|l| road.get(*l).map_or(f64::NAN, |s| s.value.f64())).collect()
+    }
+    let asked = |q: Quantity| labels.iter().any(|l| l.quantity == q);
+    if admissible::all_numbers(scene, data, ordinary) {
+        let (road, count) = road::<Dd>(scene, data, rung, &asked)?;
+        Ok((of(&road, labels), count))
+    } else {
+        let (road, count) = road::<Wide>(scene, data, rung, &asked)?;
+        Ok((of(&road, labels), count))
+    }
+}
+
+/// Solves a scene by the method asked for, or by the cheapest that meets the tolerance.
+///
+/// Where the forces are constant or linear the closed form is the cheapest at any tolerance. A named method gives the answers
+/// of its road; the other road judges them. Errors: those of [`agree::solve`]; a method that misses its event, does not settle,
+/// contradicts the judge, or does not apply.
+pub fn solve(scene: &Scene, data: &[f64], wish: &Wish) -> Result<(Solved, Taken), Refusal> {
+    let mut solved = agree::solve(scene, data)?;
+    let force = force(scene);
+    let method = wish.method.unwrap_or(Method::Closed);
+    let mut taken = Taken {
+        rung: Rung::Closed,
+        chosen: wish.method.is_none(),
+        force,
+        count: ONCE,
+        estimate: Count::default(),
+        errors: Vec::new(),
+        worst: 0.0,
+    };
+    let Some(way) = method.way() else { return Ok((solved, taken)) };
+    if force == Force::Instant {
+        return Err(Refusal::NoMethod { method });
+    }
+    let step = wish.step_s.unwrap_or(USUAL_STEP_S);
+    let candidates: Vec<Rung> = match (method, wish.rtol) {
+        (Method::Gauss, Some(_)) => POINTS.iter().map(|n| Rung::Gauss(*n)).collect(),
+        (Method::Gauss, None) => vec![Rung::Gauss(USUAL_POINTS)],
+        (Method::Dopri5 | Method::Dop853, rtol) => {
+            vec![Rung::Adaptive(method, rtol.unwrap_or(FINEST).max(FINEST), 1.0)]
+        }
+        _ => vec![Rung::Fixed(method, step)],
+    };
+    let last = candidates.len() - 1;
+    for (i, rung) in candidates.into_iter().enumerate() {
+        let tried = judged(scene, data, way, rung, &solved);
+        let good = match (&tried, wish.rtol) {
+            (Ok(t), Some(rtol)) => t.worst <= rtol.max(FINEST),
+            (Ok(_), None) => true,
+            (Err(_), _) => false,
+        };
+        if good || i == last {
+            let t = tried?;
+            taken = Taken { rung, count: t.count, estimate: t.estimate, worst: t.worst, ..taken };
+            for (entry, (value, error)) in solved.entries.iter_mut().zip(t.values) {
+                match way {
+                    Way::Motion => entry.eom = Some(value),
+                    Way::Energy => entry.energy = Some(value),
+                }
+                taken.errors.push((entry.label, error));
+            }
+            break;
+        }
+    }
+    Ok((solved, taken))
+}
+
+/// A rung with its error estimate, as the other road finds it right.
+struct Judged {
+    /// Value and estimated error of each entry.
+    values: Vec<(f64, f64)>,
+    count: Count,
+    estimate: Count,
+    worst: f64,
+}
+
+/// What rounding of the data and of the state may do to an answer, absolutely.
+fn rounding_of(entry: &Entry, value: f64, share: f64) -> f64 {
+    let sensitivity = if entry.cond.is_finite() { entry.cond.max(1.0) * value.abs() } else { entry.scale };
+    share * sensitivity
+}
+
+#[expect(clippy::float_cmp, reason = "equal bits agree, infinities among them")]
+fn judged(scene: &Scene, data: &[f64], way: Way, rung: Rung, solved: &Solved) -> Result<Judged, Refusal> {
+    let method = rung.method();
+    let labels: Vec<Label> = solved.entries.iter().map(|e| e.label).collect();
+    let (coarse, count) = values(scene, data, rung, &labels)?;
+    let (fine, estimate) = values(scene, data, rung.finer(), &labels)?;
+    let mut found = Judged { values: Vec::with_capacity(labels.len()), count, estimate, worst: 0.0 };
+    for ((entry, value), finer) in solved.entries.iter().zip(coarse).zip(fine) {
+        let label = entry.label;
+        let judge = match way {
+            Way::Motion => entry.energy,
+            Way::Energy => entry.eom,
+        };
+        let judge = judge.unwrap_or(f64::NAN);
+        if value == judge && value == finer {
+            // Nothing depends on the method here, or nothing is lost.
+            found.values.push((value, rounding_of(entry, value, 8.0 * U).min(f64::MAX)));
+            continue;
+        }
+        let size = value.abs().max(judge.abs()).max(if entry.cond.is_finite() { 0.0 } else { entry.scale });
+        let change = SAFETY * rung.extrapolation() * (value - finer).abs();
+        let floor = rounding_of(entry, value.abs().max(judge.abs()), rounding(count));
+        let error = change + floor;
+        // What the data themselves do not determine need not settle.
+        if !error.is_finite() || change > UNSETTLED * size && change > floor {
+            return Err(Refusal::Unsteady { method, label, value, finer });
+        }
+        let allowed = error + rounding_of(entry, judge, 8.0 * U);
+        let apart = (value - judge).abs();
+        if apart.is_nan() || apart > allowed {
+            return Err(Refusal::Contradicts { method, label, value, judge, allowed });
+        }
+        found.worst = found.worst.max(error / size);
+        found.values.push((value, error));
+    }
+    Ok(found)
+}
+
+/// One rung of a study.
+#[derive(Debug, Clone)]
+pub struct Row {
+    /// The method with its setting.
+    pub rung: Rung,
+    /// Would the program choose it?
+    pub auto: bool,
+    /// What came out, or why nothing did.
+    pub found: Result<Measured, Refusal>,
+}
+
+/// What a rung gave.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Measured {
+    /// True relative error of each label; absolute where the reference is 0.
+    pub errors: Vec<f64>,
+    /// The largest.
+    pub worst: f64,
+    /// What it cost.
+    pub count: Count,
+}
+
+/// Every method that applies, against a reference in double-double.
+#[derive(Debug, Clone)]
+pub struct Study {
+    /// How the force varies.
+    pub force: Force,
+    /// The answers that are compared.
+    pub labels: Vec<Label>,
+    /// The reference.
+    pub reference: Vec<Dd>,
+    /// The rungs, method by method, from coarse to fine.
+    pub rows: Vec<Row>,
+}
+
+/// Steps that users choose, s, each with the name under which it goes.
+pub const STEPS_S: [(f64, &str); 6] = [
+    (0.1, "0.1 s"),
+    (1.0 / 30.0, "1/30 s"),
+    (1.0 / 60.0, "1/60 s"),
+    (1.0 / 240.0, "1/240 s"),
+    (1e-3, "1 ms"),
+    (1e-4, "0.1 ms"),
+];
+
+/// The rungs of a study of a motion that takes this time.
+fn rungs(force: Force, time_s: Option<f64>) -> Vec<Rung> {
+    let usual =
+        |t: f64| STEPS_S.iter().map(|s| s.0).filter(|h| t / h > 2.0 && t / h < 1e6).collect::<Vec<_>>();
+    let mut steps = usual(time_s.unwrap_or(1.0));
+    if let (true, Some(t)) = (steps.len() < 4, time_s) {
+        // A motion of another time scale: from a quarter of it on.
+        steps = (1..=6)
+            .scan(t, |h, _| {
+                *h *= 0.25;
+                Some(*h)
+            })
+            .collect();
+    }
+    let mut rungs = vec![Rung::Closed];
+    for method in Method::ALL {
+        match method {
+            Method::Closed => {}
+            // Two modes share the work while it slips: there is no one force to sum over one way.
+            Method::Gauss if force == Force::Switched => {}
+            Method::Gauss => rungs.extend([1, 2, 4, 8, 16, 24].map(Rung::Gauss)),
+            Method::Dopri5 | Method::Dop853 => {
+                let tolerances = [1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12, 1e-14];
+                rungs.extend(tolerances.map(|rtol| Rung::Adaptive(method, rtol, 1.0)));
+            }
+            Method::Euler | Method::Verlet | Method::Rk4 => {
+                rungs.extend(steps.iter().map(|h| Rung::Fixed(method, *h)));
+            }
+        }
+    }
+    rungs
+}
+
+/// Relative error of a value, absolute where the reference is 0; none where no double is nearer.
+#[expect(clippy::float_cmp, reason = "the nearest double has no error that a double could mend")]
+fn error(value: f64, reference: Dd) -> f64 {
+    if value == reference.hi {
+        return 0.0;
+    }
+    let miss = (Dd::new(value) - reference).abs();
+    if !reference.hi.is_finite() {
+        // An infinite answer is right or not.
+        return if value.is_infinite() && value.signum() * reference.hi.signum() > 0.0 {
+            0.0
+        } else {
+            f64::NAN
+        };
+    }
+    if reference.hi == 0.0 { miss.hi } else { (miss / reference.abs()).hi }
+}
+
+/// Runs every method that applies, coarse to fine, against the closed form in double-double.
+///
+/// Errors: those of [`agree::solve`], and [`Refusal::NoMethod`] where nothing moves.
+pub fn study(scene: &Scene, data: &[f64], labels: &[Label]) -> Result<Study, Refusal> {
+    let solved = agree::solve(scene, data)?;
+    let force = force(scene);
+    if force == Force::Instant {
+        return Err(Refusal::NoMethod { method: Method::Dop853 });
+    }
+    let labels: Vec<Label> = labels.iter().copied().filter(|l| solved.get(*l).is_some()).collect();
+    let reference: Vec<Dd> = if admissible::all_numbers(scene, data, ordinary) {
+        let road: Road<Dd> = eom::road(scene, data)?;
+        labels.iter().map(|l| road.get(*l).map_or(Dd::new(f64::NAN), |s| s.value.value())).collect()
+    } else {
+        let road: Road<Wide> = eom::road(scene, data)?;
+        labels.iter().map(|l| road.get(*l).map_or(Dd::new(f64::NAN), |s| s.value.value())).collect()
+    };
+    let time = solved.get(Label { quantity: Quantity::T, of: Owner::Scene }).map(Entry::value);
+    let rows = rungs(force, time.filter(|t| t.is_finite() && *t > 0.0)).into_iter().map(|rung| {
+        let found = values(scene, data, rung, &labels).map(|(values, count)| {
+            let errors: Vec<f64> = values.iter().zip(&reference).map(|(v, r)| error(*v, *r)).collect();
+            let worst = errors.iter().copied().fold(0.0, |w: f64, e| if e > w || e.is_nan() { e } else { w });
+            Measured { errors, worst, count }
+        });
+        Row { rung, auto: rung == Rung::Closed, found }
+    });
+    let rows = rows.collect();
+    Ok(Study { force, labels, reference, rows })
+}
+
+/// One whole solve of a rung, for a clock: the values of the labels.
+///
+/// Errors: those of the road and of the method.
+pub fn once(scene: &Scene, data: &[f64], rung: Rung, labels: &[Label]) -> Result<Vec<f64>, Refusal> {
+    Ok(values(scene, data, rung, labels)?.0)
+}
+
+/// Errors below this are rounding: no method is better than another there.
+pub const ROUNDING: f64 = 4.0 * U;
+
+/// Which of these pairs of cost and error are beaten by no other: none is as cheap and as right, and better in one. Costs
+/// count as equal within this share (clocks are not exact). What is not finite is beaten.
+pub fn pareto(pairs: &[(f64, f64)], slack: f64) -> Vec<bool> {
+    let clean: Vec<(f64, f64)> =
+        pairs.iter().map(|(c, e)| (*c, if *e < ROUNDING { ROUNDING } else { *e })).collect();
+    let finite = |p: &(f64, f64)| p.0.is_finite() && p.1.is_finite();
+    let beaten = |p: &(f64, f64)| {
+        clean.iter().filter(|q| finite(q)).any(|q| {
+            let (cheaper, as_cheap) = (q.0 * (1.0 + slack) < p.0, q.0 <= p.0 * (1.0 + slack));
+            cheaper && q.1 <= p.1 || as_cheap && q.1 < p.1
+        })
+    };
+    clean.iter().map(|p| finite(p) && !beaten(p)).collect()
+}

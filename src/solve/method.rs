@@ -1,0 +1,175 @@
+//! The methods that a user can name, and how finely each is set. No mechanics: both roads and the ladder know these words.
+use crate::num::U;
+use crate::num::ode::Count;
+use crate::num::ode::FINEST;
+use crate::num::ode::Formula;
+use crate::num::ode::Pace;
+
+/// A method that takes a motion from its start to its ending event.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Method {
+    /// The closed form, on both roads.
+    Closed,
+    /// Gauss-Legendre quadrature of the generalised force over displacement, on the road of work and energy.
+    Gauss,
+    /// The embedded pair 5(4) of Dormand and Prince in time, on the road of the equations of motion.
+    Dopri5,
+    /// The embedded pair 8(5,3) of Dormand and Prince in time, on the same road.
+    Dop853,
+    /// Semi-implicit Euler with a fixed time step, on the same road.
+    Euler,
+    /// Velocity Verlet with a fixed time step, on the same road.
+    Verlet,
+    /// The classical Runge-Kutta formula with a fixed time step, on the same road.
+    Rk4,
+}
+
+/// What sets how finely a method works.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Knob {
+    /// Nothing: it is exact but for rounding.
+    None,
+    /// The number of points.
+    Points,
+    /// The relative error allowed in a step.
+    Tolerance,
+    /// The time step.
+    Step,
+}
+
+/// The two roads.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Way {
+    /// The equations of motion.
+    Motion,
+    /// Work and energy.
+    Energy,
+}
+
+impl Method {
+    /// All of them, the closed form first, then by the order of the formula.
+    pub const ALL: [Method; 7] =
+        [Self::Closed, Self::Gauss, Self::Dop853, Self::Dopri5, Self::Rk4, Self::Verlet, Self::Euler];
+
+    /// The name for `--method`.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Closed => "closed",
+            Self::Gauss => "gauss",
+            Self::Dopri5 => "dopri5",
+            Self::Dop853 => "dop853",
+            Self::Euler => "euler",
+            Self::Verlet => "verlet",
+            Self::Rk4 => "rk4",
+        }
+    }
+    /// The method of this name.
+    pub fn from_name(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|m| m.name() == name)
+    }
+    /// What sets it.
+    pub const fn knob(self) -> Knob {
+        match self {
+            Self::Closed => Knob::None,
+            Self::Gauss => Knob::Points,
+            Self::Dopri5 | Self::Dop853 => Knob::Tolerance,
+            Self::Euler | Self::Verlet | Self::Rk4 => Knob::Step,
+        }
+    }
+    /// The road on which it goes; the closed form goes on both.
+    pub const fn way(self) -> Option<Way> {
+        match self {
+            Self::Closed => None,
+            Self::Gauss => Some(Way::Energy),
+            _ => Some(Way::Motion),
+        }
+    }
+    /// The formula of its steps, if it steps.
+    pub const fn formula(self) -> Option<Formula> {
+        match self {
+            Self::Closed | Self::Gauss => None,
+            Self::Dopri5 => Some(Formula::Dopri5),
+            Self::Dop853 => Some(Formula::Dop853),
+            Self::Euler => Some(Formula::Euler),
+            Self::Verlet => Some(Formula::Verlet),
+            Self::Rk4 => Some(Formula::Rk4),
+        }
+    }
+}
+
+/// A method with its setting: one rung of the ladder.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Rung {
+    /// The closed form.
+    Closed,
+    /// This many points.
+    Gauss(usize),
+    /// Steps as long as this relative error of a step allows; the first try has this share of its usual length.
+    Adaptive(Method, f64, f64),
+    /// Steps of this length, s.
+    Fixed(Method, f64),
+}
+
+/// The time step that is taken if none is given, s.
+pub const USUAL_STEP_S: f64 = 1e-3;
+/// The points that are taken if no tolerance is given.
+pub const USUAL_POINTS: usize = 24;
+
+/// 2^order: by how much the error falls when the step is halved.
+fn halvings(order: i32) -> f64 {
+    (0..order).fold(1.0, |fall, _| 2.0 * fall)
+}
+
+impl Rung {
+    /// The method.
+    pub const fn method(self) -> Method {
+        match self {
+            Self::Closed => Method::Closed,
+            Self::Gauss(_) => Method::Gauss,
+            Self::Adaptive(m, ..) | Self::Fixed(m, _) => m,
+        }
+    }
+    /// The same method set finer, so that the difference of both tells the error of this one: half the step, a tolerance smaller
+    /// by 2^order (which halves the steps, the first one too), a third more points.
+    pub fn finer(self) -> Self {
+        match self {
+            Self::Closed => Self::Closed,
+            Self::Gauss(n) => Self::Gauss(n + n.div_ceil(3)),
+            Self::Adaptive(m, rtol, share) => {
+                let fall = m.formula().map_or(1.0, |f| halvings(f.order()));
+                Self::Adaptive(m, (rtol / fall).max(FINEST), 0.5 * share)
+            }
+            Self::Fixed(m, h) => Self::Fixed(m, 0.5 * h),
+        }
+    }
+    /// What the difference to the finer rung is multiplied with: of a step halved the error falls by 2^order.
+    pub fn extrapolation(self) -> f64 {
+        match (self, self.method().formula()) {
+            (Self::Fixed(..), Some(formula)) => {
+                let fall = halvings(formula.order());
+                fall / (fall - 1.0)
+            }
+            _ => 1.0,
+        }
+    }
+    /// The pace of its steps; the first try of an adaptive one is given.
+    pub fn pace(self, first: f64) -> Pace {
+        match self {
+            Self::Fixed(_, h) => Pace::Fixed(h),
+            Self::Adaptive(_, rtol, share) => Pace::Adaptive { rtol, first: share * first },
+            Self::Closed | Self::Gauss(_) => Pace::Adaptive { rtol: FINEST, first },
+        }
+    }
+    /// The relative error that was asked for, if the method has such a knob.
+    pub const fn requested(self) -> Option<f64> {
+        match self {
+            Self::Adaptive(_, rtol, _) => Some(rtol),
+            _ => None,
+        }
+    }
+}
+
+/// Relative error that rounding alone may leave in a state after this work, beside the condition of the answer.
+pub fn rounding(count: Count) -> f64 {
+    U * (16.0 + (count.steps as f64).sqrt())
+}
