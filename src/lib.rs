@@ -20,6 +20,8 @@
 //! # Invariants
 //! - The roads share the scene and the arithmetic of [`num`], no mechanics; only [`solve::agree`] sees both.
 //! - Nothing is published that they do not agree on within `16 u max(1, cond)`, u = 2^-53; NaN agrees with nothing.
+//! - No variant has an answer that its printed data do not determine: the condition number is below the limit of its question,
+//!   and a tolerance that widens with it is printed.
 //! - The printed datum is the datum used; a variant depends on seed, set name, problem and student id alone.
 //! - The same seed gives the same bytes on every machine: own words from ChaCha20, functions from libm, no fused operations.
 //! - Every answer cell comes out exactly once; a student's odd cell is a verdict, never an error.

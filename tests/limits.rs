@@ -298,9 +298,11 @@ fn throws_of_any_size_have_one_answer() {
     let mut words = std::collections::BTreeMap::<String, u32>::new();
     for i in 0..5_000 {
         let mut power = |low: f64, high: f64| libm::exp10(low + (high - low) * unit());
-        let (m, radius) = (power(-30.0, 30.0), power(-12.0, 12.0));
+        // Some beyond the squares of doubles.
+        let far = if i % 10 == 9 { 10.0 } else { 1.0 };
+        let (m, radius) = (power(-20.0 * far, 20.0 * far), power(-12.0 * far, 12.0 * far));
         let k = radius * power(-6.0, 6.0);
-        let v0 = power(-12.0, 12.0);
+        let v0 = power(-12.0 * far, 12.0 * far);
         let near = 1.0 + power(-15.0, 0.0);
         let w0 = if i % 2 == 0 { v0 / radius * near } else { v0 / radius * power(-12.0, 12.0) };
         let mu_k = power(-9.0, 2.0);

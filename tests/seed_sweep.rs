@@ -55,6 +55,8 @@ fn every_regime_is_reached_often_enough() {
     assert!(share("pulled-rolling", &|v, _| friction(v) > 0.0) >= 0.5);
     assert!(share("pulled-slipping", &|v, _| friction(v) < 0.0) >= 0.25);
     assert!(share("pulled-slipping", &|v, _| friction(v) > 0.0) >= 0.25);
+    assert!(share("thrown-ball", &|v, _| friction(v) < 0.0) >= 0.5);
+    assert!(share("thrown-ball", &|v, _| friction(v) > 0.0) >= 0.15);
     assert!(share("spring-released", &|v, _| word(v) == "up ok") >= 0.25);
     assert!(share("spring-released", &|v, _| word(v) == "down ok") >= 0.25);
 }

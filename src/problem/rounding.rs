@@ -1,7 +1,7 @@
 //! How far an honest answer may be off that was computed with few figures on the way.
 //!
 //! Somebody who writes down three figures of each intermediate result is off by up to half a unit of the third at each
-//! step. Here each datum but g enters with [`ROUNDINGS`] such errors, with leading digits as numbers have them (evenly spread
+//! step. Here each datum but g enters with two such errors, with leading digits as numbers have them (evenly spread
 //! logarithm), and the answer is rounded too; what comes out is held against the tolerance. It stands in for a calculation step
 //! by step, which nobody can write for every scene, and errs on the careful side: of the slip distances and heats of a wheel
 //! pulled with slip that were computed in such steps 14 to 18 % missed 1 %, of these 22 %.
