@@ -288,7 +288,7 @@ impl Sheet<'_> {
         let mut out = format!("{}: {}\n", self.problem.id, self.shown);
         out.push_str(&self.choice());
         out.push_str(
-            "\nrelative errors against the closed form in double-double (0: the nearest double); * is beaten by no other row\n",
+            "\nrelative errors against a reference in double-double (0: the nearest double); * is beaten by no other row\n",
         );
         let mut rows = vec![self.head()];
         rows.extend(self.lines.iter().map(|l| self.cells(l)));
@@ -317,7 +317,7 @@ impl Sheet<'_> {
             let rung = line.row.rung;
             let (mut step, mut rtol, mut points) = (String::new(), String::new(), String::new());
             match rung {
-                Rung::Closed => {}
+                Rung::Closed | Rung::Settled => {}
                 Rung::Gauss(n) => points = n.to_string(),
                 Rung::Adaptive(_, tolerance, _) => rtol = format!("{tolerance:e}"),
                 Rung::Fixed(_, h) => step = format!("{h:e}"),
@@ -448,7 +448,7 @@ impl Sheet<'_> {
         view.foreign(
             "reading",
             &format!(
-                "Each mark is one run; along a line the step or the tolerance gets finer from left to right. Down is more exact, left is cheaper; the cost is the {cost}. Filled marks are beaten by no other run in both. Errors are those against the closed form in double-double (32 digits); a double ends near 1e-16."
+                "Each mark is one run; along a line the step or the tolerance gets finer from left to right. Down is more exact, left is cheaper; the cost is the {cost}. Filled marks are beaten by no other run in both. Errors are those against a reference in double-double (32 digits); a double ends near 1e-16."
             ),
         );
         let plot = self.tolerance_plot().map_or_else(String::new, |f| f.svg());

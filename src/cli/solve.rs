@@ -279,7 +279,7 @@ fn number(value: Option<f64>) -> String {
 /// The method that was taken, as JSON.
 fn method_json(taken: &Taken) -> String {
     let setting = match taken.rung {
-        Rung::Closed => "\"setting\": null".to_owned(),
+        Rung::Closed | Rung::Settled => "\"setting\": null".to_owned(),
         Rung::Gauss(points) => format!("\"points\": {points}"),
         Rung::Adaptive(_, rtol, _) => format!("\"rtol\": {}", number(Some(rtol))),
         Rung::Fixed(_, step) => format!("\"step_s\": {}", number(Some(step))),

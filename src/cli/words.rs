@@ -251,7 +251,13 @@ pub fn why(taken: &Taken) -> &'static str {
         (true, Method::Closed, Force::Linear) => {
             "the force changes in proportion to the way, so the closed form is exact and nothing is cheaper"
         }
-        (false, Method::Closed, _) => "as asked; exact but for rounding",
+        (true, Method::Closed, Force::Pendulum) => {
+            "under its weight alone the time is an elliptic integral, known to rounding, and nothing is cheaper"
+        }
+        (true, _, Force::Irregular) => {
+            "the force changes with the angle so that the time has no closed form; its integral is regular, so nothing has to be stepped"
+        }
+        (_, Method::Closed, _) => "as asked; exact but for rounding",
         _ => "as asked; the other road stays in closed form and judges it",
     }
 }
@@ -260,6 +266,7 @@ pub fn why(taken: &Taken) -> &'static str {
 pub fn setting(rung: Rung) -> String {
     match rung {
         Rung::Closed => String::new(),
+        Rung::Settled => "until settled".to_owned(),
         Rung::Gauss(1) => "1 point".to_owned(),
         Rung::Gauss(points) => format!("{points} points"),
         Rung::Adaptive(_, rtol, _) => format!("rtol {rtol:.2e}").replace(".00e", "e").replace("0e", "e"),
@@ -274,6 +281,7 @@ pub fn setting(rung: Rung) -> String {
 pub fn rung(rung: Rung) -> String {
     match rung {
         Rung::Closed => "closed form".to_owned(),
+        Rung::Settled => "gauss quadrature until it settles".to_owned(),
         _ => format!("{}, {}", rung.method().name(), setting(rung)),
     }
 }
@@ -284,12 +292,11 @@ pub fn taken(taken: &Taken) -> String {
     let by = if taken.chosen { " (auto)" } else { "" };
     let mut text = format!("{name}{by}: {}", why(taken));
     if !taken.errors.is_empty() {
-        text.push_str(&format!(
-            "; {} force evaluations, {} more for the error estimate: {} of an answer at most",
-            taken.count.evaluations,
-            taken.estimate.evaluations,
-            rounded(taken.worst, 2)
-        ));
+        text.push_str(&format!("; {} force evaluations", taken.count.evaluations));
+        if taken.estimate.evaluations > 0 {
+            text.push_str(&format!(", {} more for the error estimate", taken.estimate.evaluations));
+        }
+        text.push_str(&format!("; off by {} of an answer at most", rounded(taken.worst, 2)));
     }
     text
 }

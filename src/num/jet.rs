@@ -88,6 +88,8 @@ impl<P: Real<Plain = P>, const N: usize> Real for JetOf<P, N> {
     type Plain = P;
     type Rough = P::Rough;
     const SLOPES: usize = N;
+    const NOISE: f64 = P::NOISE;
+    const SETTLED: f64 = P::SETTLED;
     #[inline(always)]
     fn datum(index: usize, value: f64) -> Self {
         let mut d = [P::Rough::zero(); N];

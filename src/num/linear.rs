@@ -12,8 +12,6 @@ use nalgebra::SMatrix;
 use smallvec::SmallVec;
 use smallvec::smallvec;
 
-/// A residual below this share of the terms of its row is rounding of double-doubles.
-const CONVERGED: f64 = 1.0 / (1u128 << 98) as f64;
 /// Refinements before the columns are scaled anew.
 const REFINEMENTS: usize = 6;
 /// Times that the columns may be scaled anew.
@@ -81,7 +79,7 @@ impl<T: Real> Linear<T> {
         let mut cols: SmallVec<[T::Rough; 6]> = smallvec![one; n];
         let mut residual: SmallVec<[T::Plain; 6]> = smallvec![T::Plain::zero(); n];
         let mut size: SmallVec<[T::Rough; 6]> = smallvec![nothing; n];
-        let converged = T::Rough::of(CONVERGED);
+        let converged = T::Rough::of(T::SETTLED);
         let mut out = SmallVec::with_capacity(n * m);
         let mut scaled = true;
         for k in 0..m {

@@ -2,6 +2,7 @@
 //! small linear systems. No mechanics.
 pub mod ball;
 pub mod dd;
+mod double;
 pub mod eliminate;
 pub mod elliptic;
 pub mod gauss;

@@ -1,6 +1,6 @@
 //! What the solvers need of a number, so that the same equations give values, and values with their sensitivities.
 use crate::num::Dd;
-use crate::num::NOISE;
+use crate::num::U;
 use crate::num::rough::Rough;
 use std::ops::Add;
 use std::ops::Div;
@@ -24,6 +24,10 @@ pub trait Real:
     type Rough: Rough;
     /// How many derivatives it carries.
     const SLOPES: usize;
+    /// A sum below this share of its terms is rounding of this kind of number.
+    const NOISE: f64 = crate::num::NOISE;
+    /// A residual of equations below this share of the terms of its row is rounding: 2^-98 for double-doubles.
+    const SETTLED: f64 = U * U * 256.0;
     /// The datum of this index, with this value; its derivative is taken with respect to its own logarithm.
     fn datum(index: usize, value: f64) -> Self;
     /// A number of the bank that no datum bears, such as a mass of 20 kg.
@@ -102,7 +106,7 @@ pub trait Real:
     /// Is it nothing beside `scale`, but rounding of double-doubles?
     #[inline(always)]
     fn negligible(self, scale: Self::Rough) -> bool {
-        self.size() <= Self::Rough::of(NOISE) * scale
+        self.size() <= Self::Rough::of(Self::NOISE) * scale
     }
     /// At most `limit`, up to what double-doubles leave of a difference of equals; NaN is not.
     #[inline(always)]

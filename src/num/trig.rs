@@ -204,6 +204,11 @@ pub fn sin_cos<T: Real>(x: T) -> (T, T) {
     (with(Dd::sum(s, c * v.lo), c), with(Dd::sum(c, -s * v.lo), -s))
 }
 
+/// Sine and cosine of a double in radians, within an ulp.
+pub fn sin_cos_f64(x: f64) -> (f64, f64) {
+    (libm::sin(x), libm::cos(x))
+}
+
 /// Logarithm to base 10, for axes; within an ulp.
 pub fn log10(x: f64) -> f64 {
     libm::log10(x)

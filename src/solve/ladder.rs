@@ -51,6 +51,10 @@ pub enum Force {
     Switched,
     /// In proportion to the way (a spring), in pieces where its cord can go slack.
     Linear,
+    /// As the sine of an angle: a pendulum, whose time is an elliptic integral.
+    Pendulum,
+    /// In a way that leaves no closed form for the time: a pinned body under a couple, or under a spring.
+    Irregular,
 }
 
 /// What was done, and how well.
@@ -85,6 +89,10 @@ const POINTS: [usize; 12] = [1, 2, 3, 4, 6, 8, 12, 16, 24, 32, 48, 64];
 pub fn force(scene: &Scene) -> Force {
     if matches!(scene.end, End::AtOnce) {
         Force::Instant
+    } else if scene.is_pendulum() {
+        Force::Pendulum
+    } else if scene.pinned().is_some() {
+        Force::Irregular
     } else if scene.thrown().is_some() {
         Force::Switched
     } else if scene.spring().is_some() {
@@ -105,7 +113,8 @@ pub fn road<P: Real<Plain = P>>(
 ) -> Result<(Road<P>, Count), Refusal> {
     match rung {
         Rung::Closed => Ok((energy::road(scene, data)?, ONCE)),
-        Rung::Gauss(points) => energy::road_by(scene, data, points),
+        Rung::Gauss(points) => energy::road_by(scene, data, Some(points)),
+        Rung::Settled => energy::road_by(scene, data, None),
         Rung::Adaptive(..) | Rung::Fixed(..) => eom::road_by(scene, data, rung, asked),
     }
 }
@@ -127,13 +136,18 @@ fn values(scene: &Scene, data: &[f64], rung: Rung, labels: &[Label]) -> Result<(
 
 /// Solves a scene by the method asked for, or by the cheapest that meets the tolerance.
 ///
-/// Where the forces are constant or linear the closed form is the cheapest at any tolerance. A named method gives the answers
+/// Where the forces are constant or linear, and for a pendulum, the closed form is the cheapest at any tolerance; where there
+/// is none, a quadrature of as few points as the tolerance allows, or one that settles to rounding. A named method gives the answers
 /// of its road; the other road judges them. Errors: those of [`agree::solve`]; a method that misses its event, does not settle,
 /// contradicts the judge, or does not apply.
 pub fn solve(scene: &Scene, data: &[f64], wish: &Wish) -> Result<(Solved, Taken), Refusal> {
     let mut solved = agree::solve(scene, data)?;
     let force = force(scene);
-    let method = wish.method.unwrap_or(Method::Closed);
+    let irregular = force == Force::Irregular;
+    let method = wish.method.unwrap_or(if irregular { Method::Gauss } else { Method::Closed });
+    if irregular && method == Method::Closed {
+        return Err(Refusal::NoMethod { method });
+    }
     let mut taken = Taken {
         rung: Rung::Closed,
         chosen: wish.method.is_none(),
@@ -149,7 +163,11 @@ pub fn solve(scene: &Scene, data: &[f64], wish: &Wish) -> Result<(Solved, Taken)
     }
     let step = wish.step_s.unwrap_or(USUAL_STEP_S);
     let candidates: Vec<Rung> = match (method, wish.rtol) {
-        (Method::Gauss, Some(_)) => POINTS.iter().map(|n| Rung::Gauss(*n)).collect(),
+        (Method::Gauss, Some(_)) => {
+            let settled = irregular.then_some(Rung::Settled);
+            POINTS.iter().map(|n| Rung::Gauss(*n)).chain(settled).collect()
+        }
+        (Method::Gauss, None) if irregular => vec![Rung::Settled],
         (Method::Gauss, None) => vec![Rung::Gauss(USUAL_POINTS)],
         (Method::Dopri5 | Method::Dop853, rtol) => {
             vec![Rung::Adaptive(method, rtol.unwrap_or(FINEST).max(FINEST), 1.0)]
@@ -200,23 +218,38 @@ fn judged(scene: &Scene, data: &[f64], way: Way, rung: Rung, solved: &Solved) ->
     let method = rung.method();
     let labels: Vec<Label> = solved.entries.iter().map(|e| e.label).collect();
     let (coarse, count) = values(scene, data, rung, &labels)?;
-    let (fine, estimate) = values(scene, data, rung.finer(), &labels)?;
+    let mut estimate = Count::default();
+    // Two finer runs: with one, an error that happens to be the same on both would hide.
+    let mut finer: Vec<(f64, Vec<f64>)> = Vec::with_capacity(2);
+    for by in [2, 3].into_iter().filter(|by| rung.finer(*by) != rung) {
+        let (fine, count) = values(scene, data, rung.finer(by), &labels)?;
+        estimate.evaluations += count.evaluations;
+        estimate.steps += count.steps;
+        finer.push((rung.extrapolation(by), fine));
+    }
     let mut found = Judged { values: Vec::with_capacity(labels.len()), count, estimate, worst: 0.0 };
-    for ((entry, value), finer) in solved.entries.iter().zip(coarse).zip(fine) {
+    for (i, (entry, value)) in solved.entries.iter().zip(coarse).enumerate() {
         let label = entry.label;
         let judge = match way {
             Way::Motion => entry.energy,
             Way::Energy => entry.eom,
         };
         let judge = judge.unwrap_or(f64::NAN);
-        if value == judge && value == finer {
+        if value == judge && finer.iter().all(|(_, fine)| fine[i] == value) {
             // Nothing depends on the method here, or nothing is lost.
-            found.values.push((value, rounding_of(entry, value, 8.0 * U).min(f64::MAX)));
+            let error = rounding_of(entry, value, 8.0 * U);
+            found.values.push((value, if error.is_finite() { error } else { 0.0 }));
+            if error.is_finite() && value.abs() > 0.0 {
+                found.worst = found.worst.max(error / value.abs());
+            }
             continue;
         }
         let size = value.abs().max(judge.abs()).max(if entry.cond.is_finite() { 0.0 } else { entry.scale });
-        let change = SAFETY * rung.extrapolation() * (value - finer).abs();
-        let floor = rounding_of(entry, value.abs().max(judge.abs()), rounding(count));
+        let changes = finer.iter().map(|(factor, fine)| (factor * (value - fine[i]).abs(), fine[i]));
+        let (change, finer) =
+            changes.fold((0.0f64, value), |most, c| if most.0.is_nan() || c.0 <= most.0 { most } else { c });
+        let change = SAFETY * change;
+        let floor = rounding_of(entry, value.abs().max(judge.abs()), rounding(rung, count));
         let error = change + floor;
         // What the data themselves do not determine need not settle.
         if !error.is_finite() || change > UNSETTLED * size && change > floor {
@@ -292,7 +325,7 @@ fn rungs(force: Force, time_s: Option<f64>) -> Vec<Rung> {
             })
             .collect();
     }
-    let mut rungs = vec![Rung::Closed];
+    let mut rungs = vec![if force == Force::Irregular { Rung::Settled } else { Rung::Closed }];
     for method in Method::ALL {
         match method {
             Method::Closed => {}
@@ -353,7 +386,7 @@ pub fn study(scene: &Scene, data: &[f64], labels: &[Label]) -> Result<Study, Ref
             let worst = errors.iter().copied().fold(0.0, |w: f64, e| if e > w || e.is_nan() { e } else { w });
             Measured { errors, worst, count }
         });
-        Row { rung, auto: rung == Rung::Closed, found }
+        Row { rung, auto: matches!(rung, Rung::Closed | Rung::Settled), found }
     });
     let rows = rows.collect();
     Ok(Study { force, labels, reference, rows })

@@ -104,6 +104,8 @@ pub enum Rung {
     Closed,
     /// This many points.
     Gauss(usize),
+    /// Panels of points that are halved until nothing changes but rounding.
+    Settled,
     /// Steps as long as this relative error of a step allows; the first try has this share of its usual length.
     Adaptive(Method, f64, f64),
     /// Steps of this length, s.
@@ -115,9 +117,9 @@ pub const USUAL_STEP_S: f64 = 1e-3;
 /// The points that are taken if no tolerance is given.
 pub const USUAL_POINTS: usize = 24;
 
-/// 2^order: by how much the error falls when the step is halved.
-fn halvings(order: i32) -> f64 {
-    (0..order).fold(1.0, |fall, _| 2.0 * fall)
+/// By how much the error falls when the step is divided by this.
+fn fall(order: i32, by: u8) -> f64 {
+    (0..order).fold(1.0, |fall, _| f64::from(by) * fall)
 }
 
 impl Rung {
@@ -125,28 +127,29 @@ impl Rung {
     pub const fn method(self) -> Method {
         match self {
             Self::Closed => Method::Closed,
-            Self::Gauss(_) => Method::Gauss,
+            Self::Gauss(_) | Self::Settled => Method::Gauss,
             Self::Adaptive(m, ..) | Self::Fixed(m, _) => m,
         }
     }
-    /// The same method set finer, so that the difference of both tells the error of this one: half the step, a tolerance smaller
-    /// by 2^order (which halves the steps, the first one too), a third more points.
-    pub fn finer(self) -> Self {
+    /// The same method set finer by a whole number, so that the difference of both tells the error of this one: a step divided
+    /// by it, a tolerance divided by its power of the order (which divides the steps, the first one too), more points. What is
+    /// exact is the same.
+    pub fn finer(self, by: u8) -> Self {
         match self {
-            Self::Closed => Self::Closed,
-            Self::Gauss(n) => Self::Gauss(n + n.div_ceil(3)),
+            Self::Closed | Self::Settled => self,
+            Self::Gauss(n) => Self::Gauss(n + usize::from(by - 1) * n.div_ceil(3)),
             Self::Adaptive(m, rtol, share) => {
-                let fall = m.formula().map_or(1.0, |f| halvings(f.order()));
-                Self::Adaptive(m, (rtol / fall).max(FINEST), 0.5 * share)
+                let fall = m.formula().map_or(1.0, |f| fall(f.order(), by));
+                Self::Adaptive(m, (rtol / fall).max(FINEST), share / f64::from(by))
             }
-            Self::Fixed(m, h) => Self::Fixed(m, 0.5 * h),
+            Self::Fixed(m, h) => Self::Fixed(m, h / f64::from(by)),
         }
     }
-    /// What the difference to the finer rung is multiplied with: of a step halved the error falls by 2^order.
-    pub fn extrapolation(self) -> f64 {
+    /// What the difference to the finer rung is multiplied with: of a step divided by n the error falls by n^order.
+    pub fn extrapolation(self, by: u8) -> f64 {
         match (self, self.method().formula()) {
             (Self::Fixed(..), Some(formula)) => {
-                let fall = halvings(formula.order());
+                let fall = fall(formula.order(), by);
                 fall / (fall - 1.0)
             }
             _ => 1.0,
@@ -157,7 +160,7 @@ impl Rung {
         match self {
             Self::Fixed(_, h) => Pace::Fixed(h),
             Self::Adaptive(_, rtol, share) => Pace::Adaptive { rtol, first: share * first },
-            Self::Closed | Self::Gauss(_) => Pace::Adaptive { rtol: FINEST, first },
+            Self::Closed | Self::Gauss(_) | Self::Settled => Pace::Adaptive { rtol: FINEST, first },
         }
     }
     /// The relative error that was asked for, if the method has such a knob.
@@ -169,7 +172,9 @@ impl Rung {
     }
 }
 
-/// Relative error that rounding alone may leave in a state after this work, beside the condition of the answer.
-pub fn rounding(count: Count) -> f64 {
-    U * (16.0 + (count.steps as f64).sqrt())
+/// Relative error that this much work may leave in a state that no finer setting shows, beside the condition of the answer:
+/// rounding, and at tolerances near rounding the estimates of the steps, which then all err to one side.
+pub fn rounding(rung: Rung, count: Count) -> f64 {
+    let steps = count.steps as f64;
+    U * (16.0 + if matches!(rung, Rung::Adaptive(..)) { steps } else { steps.sqrt() })
 }

@@ -368,8 +368,8 @@ impl<const N: usize, F: FnMut(f64, &[f64; N]) -> [f64; N]> Run<N, F> {
             let end = if self.formula == Formula::Dop853 { None } else { Some(self.end_slope(h, &change)) };
             let strain = self.strain(h, &change, &end.unwrap_or([0.0; N]), rtol);
             if strain <= 1.0 {
-                let grow = if strain > 0.0 { 0.9 / trig::power(strain, 1.0 / order) } else { 8.0 };
-                let grow = grow.min(if refused { 1.0 } else { 8.0 });
+                let grow = if strain > 0.0 { 0.9 / trig::power(strain, 1.0 / order) } else { 5.0 };
+                let grow = grow.min(if refused { 1.0 } else { 5.0 });
                 self.next = h * grow;
                 return Ok(Proposal { h, change, end });
             }
@@ -509,8 +509,10 @@ impl<const N: usize, F: FnMut(f64, &[f64; N]) -> [f64; N]> Run<N, F> {
         Ok(Landing { residual })
     }
 
-    /// Length of the step at whose end `event` vanishes: secant with the weights of Anderson and Björck, halving where that
-    /// does not close in; the step is made anew for each try.
+    /// Length of the step at whose end `event` vanishes, between a step of no length and one of length `h`; the step is made
+    /// anew for each try. Inverse quadratic interpolation where it is safe, else halving: T. R. Chandrupatla, *A new hybrid
+    /// quadratic/bisection algorithm for finding the zero of a nonlinear function without using derivatives*, Adv. Eng.
+    /// Software 28 (1997) 145-149.
     fn shorten(
         &mut self,
         h: f64,
@@ -518,50 +520,57 @@ impl<const N: usize, F: FnMut(f64, &[f64; N]) -> [f64; N]> Run<N, F> {
         scale: f64,
         ends: (f64, f64),
     ) -> Result<f64, Trouble> {
-        let (mut a, mut fa, mut b, mut fb) = (0.0, ends.0, h, ends.1);
-        let mut best = if fb.abs() <= fa.abs() { (b, fb) } else { (a, fa) };
-        let (mut width, mut latest_is_b) = (h, true);
-        // Change of the event over a length as long as the step, by the last two tries.
-        let (mut rate, mut tried) = (0.0, (h, ends.1));
-        for turn in 0..MOST_LANDINGS {
-            // A step length has an ulp of its own, and the event is told no better.
-            let grain = LANDED * (scale + rate);
-            if best.1.abs() <= grain && best.0 > 0.0 || b - a <= 2.0 * U * b {
+        let at = |run: &mut Self, c: f64| {
+            let change = run.change(c);
+            let value = event(run.x.value + c, &run.after(&change));
+            if value.is_finite() { Ok(value) } else { Err(Trouble::NotFinite { at: run.x.value + c }) }
+        };
+        let ((mut x1, mut f1), (mut x2, mut f2)) = ((h, ends.1), (0.0, ends.0));
+        // It stood on the event and left it: somewhere between it has not come yet.
+        let mut tries = 0;
+        while f2 >= 0.0 && tries < MOST_LANDINGS {
+            x2 = if x2 > 0.0 { 0.5 * x2 } else { 0.5 * h };
+            f2 = at(self, x2)?;
+            tries += 1;
+        }
+        let (mut x3, mut f3);
+        let mut t = f1 / (f1 - f2);
+        // Change of the event over a length as long as the step: the length has an ulp, and the event is told no better.
+        let mut rate = 0.0;
+        let better = |a: (f64, f64), b: (f64, f64)| if a.1.abs() <= b.1.abs() { a } else { b };
+        let mut best = (x1, f1);
+        if best.1.abs() <= LANDED * scale {
+            return Ok(best.0);
+        }
+        for _ in 0..MOST_LANDINGS {
+            let x = x1 + t * (x2 - x1);
+            let f = at(self, x)?;
+            if (x - x1).abs() > 0.0 {
+                rate = (x * (f - f1) / (x - x1)).abs();
+            }
+            if (f >= 0.0) == (f1 >= 0.0) {
+                (x3, f3) = (x1, f1);
+            } else {
+                (x3, f3) = (x2, f2);
+                (x2, f2) = (x1, f1);
+            }
+            (x1, f1) = (x, f);
+            best = better((x1, f1), (x2, f2));
+            if best.0 <= 0.0 {
+                best = (x1, f1);
+            }
+            if best.1.abs() <= LANDED * (scale + rate) || (x2 - x1).abs() <= 2.0 * U * x1.max(x2) {
                 break;
             }
-            let mut c = b - fb * ((b - a) / (fb - fa));
-            if turn % 3 == 2 {
-                if b - a > 0.25 * width {
-                    c = 0.5 * (a + b);
-                }
-                width = b - a;
-            }
-            if !(c > a && c < b) {
-                c = 0.5 * (a + b);
-            }
-            let change = self.change(c);
-            let fc = event(self.x.value + c, &self.after(&change));
-            if !fc.is_finite() {
-                return Err(Trouble::NotFinite { at: self.x.value + c });
-            }
-            rate = (c * (fc - tried.1) / (c - tried.0)).abs();
-            tried = (c, fc);
-            if fc.abs() < best.1.abs() || best.0 == 0.0 {
-                best = (c, fc);
-            }
-            // An end that stays for a second time loses weight.
-            let weight = |m: f64| if m > 0.0 { m } else { 0.5 };
-            if fc >= 0.0 {
-                if latest_is_b {
-                    fa *= weight(1.0 - fc / fb);
-                }
-                (b, fb, latest_is_b) = (c, fc, true);
+            let xi = (x1 - x2) / (x3 - x2);
+            let phi = (f1 - f2) / (f3 - f2);
+            let least = U * best.0 / (x2 - x1).abs();
+            t = if phi * phi < xi && (1.0 - phi) * (1.0 - phi) < 1.0 - xi {
+                f1 / (f2 - f1) * f3 / (f2 - f3) + (x3 - x1) / (x2 - x1) * f1 / (f3 - f1) * f2 / (f3 - f2)
             } else {
-                if !latest_is_b {
-                    fb *= weight(1.0 - fc / fa);
-                }
-                (a, fa, latest_is_b) = (c, fc, false);
-            }
+                0.5
+            };
+            t = if t.is_nan() { 0.5 } else { t.clamp(least.min(0.5), (1.0 - least).max(0.5)) };
         }
         Ok(best.0)
     }

@@ -64,14 +64,19 @@ pub fn road<T: Real>(scene: &Scene, data: &[f64]) -> Result<Road<T>, Refusal> {
     Ok(Ledger::open(scene, n)?.settle()?.0)
 }
 
-/// [`road`], with the work of the forces summed by a quadrature of this many points; what it cost.
+/// [`road`], with the work of the forces summed by a quadrature of this many points, or where there are none given in the
+/// road's own way; what it cost.
 ///
 /// Errors: those of [`road`].
-pub fn road_by<T: Real>(scene: &Scene, data: &[f64], points: usize) -> Result<(Road<T>, Count), Refusal> {
-    if scene.pinned().is_some() {
-        return Err(Refusal::NoMethod { method: Method::Gauss });
-    }
+pub fn road_by<T: Real>(
+    scene: &Scene,
+    data: &[f64],
+    points: Option<usize>,
+) -> Result<(Road<T>, Count), Refusal> {
     let n = Numbers::<T>::new(scene, data);
+    if let Some((body, pin)) = scene.pinned() {
+        return swing::road_by(scene, n, (body, pin), points);
+    }
     if matches!(scene.end, End::AtOnce) {
         return Ok((instant::road(scene, &n), Count::default()));
     }
@@ -79,7 +84,7 @@ pub fn road_by<T: Real>(scene: &Scene, data: &[f64], points: usize) -> Result<(R
         return Err(Refusal::NoMethod { method: Method::Gauss });
     }
     let mut ledger = Ledger::open(scene, n)?;
-    ledger.points = Some(points);
+    ledger.points = points;
     ledger.settle()
 }
 

@@ -21,6 +21,66 @@ pub struct Summed<T> {
     pub time: T,
 }
 
+/// A stretch of the way under one law.
+pub struct Leg<'a, T> {
+    /// Generalised force at a place, along the motion.
+    pub force: &'a dyn Fn(T) -> T,
+    /// Twice the kinetic energy at unit rate.
+    pub doubled: T,
+    /// Points of each quadrature.
+    pub points: usize,
+}
+
+impl<T: Real> Leg<'_, T> {
+    /// Mean force between two places: the work is this times the way.
+    pub fn mean(&self, a: T, b: T) -> T {
+        let width = b - a;
+        let rule = legendre::rule(self.points);
+        rule.nodes
+            .iter()
+            .zip(&rule.weights)
+            .fold(T::zero(), |sum, (x, w)| sum + T::constant(*w) * (self.force)(a + width * T::constant(*x)))
+    }
+    /// Speed at an energy.
+    pub fn speed(&self, energy: T) -> T {
+        (energy.scale2(1) / self.doubled).root()
+    }
+    /// Time from rest at 0 to a place; `far` is where the forces of this law would turn it.
+    pub fn from_rest(&self, s: T, far: Option<T>) -> T {
+        let twice = self.doubled.scale2(1);
+        let Some(far) = far.filter(|far| s.at_most(*far)) else {
+            let per_root = |x: T| (twice * s / self.mean(T::zero(), s * x.square())).root();
+            return legendre::integral(self.points, T::zero(), T::of(1.0), per_root);
+        };
+        let end = trig::atan2(s.root(), far.balance(-s).root());
+        legendre::integral(self.points, T::zero(), end, |p| {
+            let (sine, cosine) = trig::sin_cos(p);
+            let (near, left) = (far * sine.square(), far * cosine.square());
+            let h = if near.below(left) {
+                self.mean(T::zero(), near) / left
+            } else {
+                -self.mean(near, far) / near
+            };
+            (twice / h).root()
+        })
+    }
+    /// Time between two places at which it has these speeds, the first above 0; `far` is where it turns under this law.
+    pub fn onward(&self, (a, ua): (T, T), (b, ub): (T, T), far: Option<T>) -> T {
+        let slows = ub.at_most(ua.scale2(-1));
+        let Some(far) = far.filter(|_| slows) else {
+            return legendre::integral(self.points, T::zero(), b - a, |x| {
+                let work = x * self.mean(a, a + x);
+                T::of(1.0) / (ua.square().balance(work.scale2(1) / self.doubled)).root()
+            });
+        };
+        // It slows down to less than half: from the turning point, at the distance z^2, dt = 2 dz / sqrt(-2 Q / M).
+        legendre::integral(self.points, far.balance(-b).root(), (far - a).root(), |z| {
+            let back = -self.mean(far - z.square(), far);
+            (self.doubled.scale2(1) / back).root()
+        })
+    }
+}
+
 /// An account whose work is summed by quadrature.
 pub struct Sum<'a, T> {
     /// The forces and the start.
@@ -32,105 +92,66 @@ pub struct Sum<'a, T> {
 }
 
 impl<T: Real> Sum<'_, T> {
-    /// Generalised force at a place, along the motion. `taut`: on the side of the slack place where the spring acts.
-    fn force(&self, s: T, taut: bool) -> T {
-        self.evaluations.set(self.evaluations.get() + 1);
+    /// Works on the side of the slack place where the spring acts, or beyond it.
+    fn on<R>(&self, taut: bool, work: impl FnOnce(&Leg<T>) -> R) -> R {
         let account = self.account;
-        match account.store {
-            Some(k) if taut => {
-                account.constant.balance(k.stiffness * k.stretch.balance(-(k.lost * s)) * k.lost)
+        let force = |s: T| {
+            self.evaluations.set(self.evaluations.get() + 1);
+            match account.store {
+                Some(k) if taut => {
+                    account.constant.balance(k.stiffness * k.stretch.balance(-(k.lost * s)) * k.lost)
+                }
+                _ => account.constant,
             }
-            _ => account.constant,
-        }
-    }
-    /// Mean force between two places.
-    fn mean(&self, a: T, b: T, taut: bool) -> T {
-        let width = b - a;
-        let rule = legendre::rule(self.points);
-        rule.nodes.iter().zip(&rule.weights).fold(T::zero(), |sum, (x, w)| {
-            sum + T::constant(*w) * self.force(a + width * T::constant(*x), taut)
-        })
+        };
+        work(&Leg { force: &force, doubled: account.doubled, points: self.points })
     }
     /// Kinetic energy at a place.
-    pub fn energy(&self, s: T) -> T {
+    fn energy(&self, s: T) -> T {
         let account = self.account;
         match account.slack() {
             Some(at) if at.below(s) => {
-                let first = account.energy0.balance(at * self.mean(T::zero(), at, true));
-                first.balance((s - at) * self.mean(at, s, false))
+                let first = account.energy0.balance(at * self.on(true, |leg| leg.mean(T::zero(), at)));
+                first.balance((s - at) * self.on(false, |leg| leg.mean(at, s)))
             }
-            _ => account.energy0.balance(s * self.mean(T::zero(), s, true)),
+            _ => account.energy0.balance(s * self.on(true, |leg| leg.mean(T::zero(), s))),
         }
     }
     /// Speed at a place.
     pub fn speed(&self, s: T) -> T {
-        self.speed_of(self.energy(s))
-    }
-    fn speed_of(&self, energy: T) -> T {
-        (energy.scale2(1) / self.account.doubled).root()
+        self.on(true, |leg| leg.speed(self.energy(s)))
     }
     /// Energy, speed and time at a place that is reached before the motion turns.
     pub fn at(&self, s: T) -> Summed<T> {
         let energy = self.energy(s);
-        let u = self.speed_of(energy);
+        let u = self.on(true, |leg| leg.speed(energy));
         let account = self.account;
         let time = match account.slack() {
             Some(at) if at.below(s) => {
-                let between = self.speed_of(self.energy(at));
-                self.taut_time(at, between) + self.time(at, s, between, u)
+                let between = self.speed(at);
+                let coast = |leg: &Leg<T>| leg.onward((at, between), (s, u), account.turning());
+                self.taut_time(at, between) + self.on(false, coast)
             }
             _ => self.taut_time(s, u),
         };
         Summed { energy, u, time }
     }
     fn taut_time(&self, s: T, u: T) -> T {
+        let account = self.account;
         if s.is_zero() {
             return T::zero();
         }
-        if !self.account.energy0.is_zero() {
-            return self.time(T::zero(), s, self.account.u0, u);
-        }
-        let doubled = self.account.doubled;
-        // Where the forces of this side alone would turn it, beyond a slack place too.
-        let turning = match self.account.store {
-            Some(k) if self.account.push(k).sign() > 0.0 => Some(self.account.push(k).scale2(1) / k.stiff()),
-            _ => None,
-        };
-        let Some(far) = turning.filter(|far| s.at_most(*far)) else {
-            let per_root = |x: T| (doubled.scale2(1) * s / self.mean(T::zero(), s * x.square(), true)).root();
-            return legendre::integral(self.points, T::zero(), T::of(1.0), per_root);
-        };
-        let end = trig::atan2(s.root(), (far - s).root());
-        legendre::integral(self.points, T::zero(), end, |p| {
-            let (sine, cosine) = trig::sin_cos(p);
-            let (near, left) = (far * sine.square(), far * cosine.square());
-            let h = if near.below(left) {
-                self.mean(T::zero(), near, true) / left
-            } else {
-                -self.mean(near, far, true) / near
-            };
-            (doubled.scale2(1) / h).root()
-        })
-    }
-    /// Time between two places where it starts with a speed: regular, or rising from the turning point backwards.
-    fn time(&self, a: T, b: T, ua: T, ub: T) -> T {
-        let taut = self.account.slack().is_none_or(|at| a.below(at));
-        let width = b - a;
-        let doubled = self.account.doubled;
-        // A cord that goes slack before hides the turning point of the taut law.
-        let far = self.account.turning();
-        let hidden = taut && self.account.slack().is_some_and(|at| far.is_none_or(|far| at.below(far)));
-        if hidden || ua.scale2(-1).below(ub) {
-            return legendre::integral(self.points, T::zero(), width, |x| {
-                let work = x * self.mean(a, a + x, taut);
-                T::of(1.0) / (ua.square().balance(work.scale2(1) / doubled)).root()
+        if account.energy0.is_zero() {
+            // Where the forces of this side alone would turn it, beyond a slack place too.
+            let far = account.store.and_then(|k| {
+                let push = account.push(k);
+                (push.sign() > 0.0).then(|| push.scale2(1) / k.stiff())
             });
+            return self.on(true, |leg| leg.from_rest(s, far));
         }
-        // It slows down to less than half: from the turning point, at the distance z^2, dt = 2 dz / sqrt(-2 Q / M).
-        let Some(far) = far else { return T::of(f64::NAN) };
-        legendre::integral(self.points, (far - b).root(), (far - a).root(), |z| {
-            let back = -self.mean(far - z.square(), far, taut);
-            (doubled.scale2(1) / back).root()
-        })
+        // A cord that goes slack before hides the turning point of the taut law.
+        let hidden = |far: T| account.slack().is_some_and(|at| at.below(far));
+        let far = account.turning().filter(|far| !hidden(*far));
+        self.on(true, |leg| leg.onward((T::zero(), account.u0), (s, u), far))
     }
 }

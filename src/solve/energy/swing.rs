@@ -10,6 +10,7 @@ use crate::num::ball;
 use crate::num::elliptic;
 use crate::num::gauss;
 use crate::num::half::Half;
+use crate::num::ode::Count;
 use crate::num::plant::plant;
 use crate::num::root;
 use crate::num::trig;
@@ -23,10 +24,12 @@ use crate::scene::Scene;
 use crate::scene::Start;
 use crate::solve::energy::pinned::Store;
 use crate::solve::energy::pinned::sum;
+use crate::solve::energy::quadrature::Leg;
 use crate::solve::outcome::Course;
 use crate::solve::outcome::Refusal;
 use crate::solve::outcome::Road;
 use crate::solve::outcome::Said;
+use std::cell::Cell;
 
 /// A motion is followed for two turns.
 const TURNS: f64 = 2.0;
@@ -35,18 +38,33 @@ const STEP: f64 = 0.125;
 
 /// The motion: from where, which way, with what kinetic energy.
 #[derive(Debug, Clone, Copy)]
-struct Motion<T> {
+struct Motion<'c, T> {
     store: Store<T>,
     from: Half<T>,
     sense: f64,
     /// Kinetic energy at the start.
     energy0: T,
+    /// How often a balance has been drawn up.
+    balances: &'c Cell<u64>,
 }
 
 /// Everything that work and energy say of a scene with a pinned body.
 ///
 /// Errors: a quadrature that does not settle.
 pub fn road<T: Real>(scene: &Scene, n: Numbers<T>, body: usize, pin: &Pin) -> Result<Road<T>, Refusal> {
+    Ok(road_by(scene, n, (body, pin), None)?.0)
+}
+
+/// [`road`], with speed and time at the end from the work of the forces, summed by quadratures of this many points; what that
+/// cost.
+///
+/// Errors: those of [`road`].
+pub fn road_by<T: Real>(
+    scene: &Scene,
+    n: Numbers<T>,
+    (body, pin): (usize, &Pin),
+    points: Option<usize>,
+) -> Result<(Road<T>, Count), Refusal> {
     let store = Store::new(scene, &n, body, pin);
     let spins = scene.start.iter().filter_map(|s| match s {
         Start::Speed(c, w) if c.body == body => Some(n.get(*w)),
@@ -56,7 +74,8 @@ pub fn road<T: Real>(scene: &Scene, n: Numbers<T>, body: usize, pin: &Pin) -> Re
     let powers = store.powers(&store.start);
     let sense = if spin.is_zero() { sum(&powers).sign() } else { spin.sign() };
     let energy0 = (store.doubled * spin.square()).scale2(-1);
-    let motion = Motion { store, from: store.start, sense, energy0 };
+    let balances = Cell::new(0);
+    let motion = Motion { store, from: store.start, sense, energy0, balances: &balances };
     let mut book = Book { n: &n, body, road: Road::new() };
     let free = scene.is_pendulum() && !store.frequency().is_zero();
     book.say(Quantity::IO, store.doubled);
@@ -70,12 +89,12 @@ pub fn road<T: Real>(scene: &Scene, n: Numbers<T>, body: usize, pin: &Pin) -> Re
     }
     if matches!(scene.end, End::AtOnce) {
         book.state(&store, &store.start, spin.abs());
-        return Ok(book.road);
+        return Ok((book.road, Count::default()));
     }
     if sense == 0.0 {
         book.road.course = Some(Course::at_rest());
         book.forces(&store, &store.start, T::zero());
-        return Ok(book.road);
+        return Ok((book.road, Count::default()));
     }
     let turning = if free { motion.free_turning() } else { motion.turning(scene, &n)? };
     let limit = turning.unwrap_or_else(|| T::of(f64::INFINITY));
@@ -99,7 +118,7 @@ pub fn road<T: Real>(scene: &Scene, n: Numbers<T>, body: usize, pin: &Pin) -> Re
     });
     let Some(way) = reached else {
         book.forces(&store, &store.start, spin.square());
-        return Ok(book.road);
+        return Ok((book.road, Count::default()));
     };
     let ends = matches!(scene.end, End::TurningPoint(_)) || way.side(limit) == 0.0;
     let place = match scene.end {
@@ -107,15 +126,25 @@ pub fn road<T: Real>(scene: &Scene, n: Numbers<T>, body: usize, pin: &Pin) -> Re
         End::Angle(_, angle) => Half::of_degrees(n.get(angle)),
         _ => motion.place(way),
     };
-    let speed = if ends { T::zero() } else { motion.speed(way, &place) };
-    let time = if free { motion.free_time(&place, way, speed) } else { motion.time(way, ends)? };
+    let mut count = Count::default();
+    let (speed, time) = if let Some(points) = points {
+        let (summed, evaluations) = motion.summed(way, ends, turning, points);
+        count.evaluations = evaluations;
+        summed
+    } else {
+        balances.set(0);
+        let speed = if ends { T::zero() } else { motion.speed(way, &place) };
+        let time = if free { motion.free_time(&place, way, speed) } else { motion.time(way, ends)? };
+        count.evaluations = balances.get();
+        (speed, time)
+    };
     book.say_of(Quantity::T, Owner::Scene, time);
     book.say(Quantity::Phi, way);
     let step = Half::of_radians(way.signed(sense));
     let lost = plant!("energy: fall of the mass centre", store.fallen(&store.start, &place, &step));
     book.say(Quantity::Rise, -lost);
     book.state(&store, &place, speed);
-    Ok(book.road)
+    Ok((book.road, count))
 }
 
 /// What is said, with the units put back.
@@ -156,13 +185,14 @@ impl<T: Real> Book<'_, T> {
     }
 }
 
-impl<T: Real> Motion<T> {
-    fn plain(&self) -> Motion<T::Plain> {
+impl<'c, T: Real> Motion<'c, T> {
+    fn plain(&self) -> Motion<'c, T::Plain> {
         Motion {
             store: self.store.plain(),
             from: Half { sine: self.from.sine.plain(), cosine: self.from.cosine.plain() },
             sense: self.sense,
             energy0: self.energy0.plain(),
+            balances: self.balances,
         }
     }
     fn place(&self, way: T) -> Half<T> {
@@ -170,6 +200,7 @@ impl<T: Real> Motion<T> {
     }
     /// Kinetic energy at a place.
     fn energy(&self, way: T, place: &Half<T>) -> T {
+        self.balances.set(self.balances.get() + 1);
         let turned = way.signed(self.sense);
         let mut terms = self.store.work(&self.from, place, &Half::of_radians(turned), turned);
         terms.push(self.energy0);
@@ -275,6 +306,27 @@ impl<T: Real> Motion<T> {
             let power = self.power(&place);
             if power.is_zero() { way } else { way - self.energy(way, &place) / power }
         }))
+    }
+
+    /// Speed and time at a place by the work of all forces over the angle, and how often these were evaluated.
+    fn summed(&self, way: T, ends: bool, turning: Option<T>, points: usize) -> ((T, T), u64) {
+        let evaluations = Cell::new(0);
+        let force = |way: T| {
+            evaluations.set(evaluations.get() + 1);
+            self.power(&self.place(way))
+        };
+        let leg = Leg { force: &force, doubled: self.store.doubled, points };
+        let u0 = leg.speed(self.energy0);
+        let work = way * leg.mean(T::zero(), way);
+        let speed = if ends { T::zero() } else { leg.speed(self.energy0.balance(work)) };
+        let time = if way.is_zero() {
+            T::zero()
+        } else if self.energy0.is_zero() {
+            leg.from_rest(way, turning)
+        } else {
+            leg.onward((T::zero(), u0), (way, speed), turning)
+        };
+        ((speed, time), evaluations.get())
     }
 
     // -- time by quadrature ---------------------------------------------------------------------------------------------
@@ -417,7 +469,7 @@ impl<T: Real> Motion<T> {
     }
 }
 
-impl<P: Real<Plain = P>> Motion<P> {
+impl<P: Real<Plain = P>> Motion<'_, P> {
     /// The first way, up to `last`, at which the kinetic energy is at this level, coming from where it is now.
     fn first_at(&self, level: P, last: P) -> Result<Option<P>, Refusal> {
         let falling = level.is_zero() || level.below(self.energy0);

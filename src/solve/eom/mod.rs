@@ -77,10 +77,10 @@ pub fn road_by<T: Real>(
     rung: Rung,
     asked: &dyn Fn(Quantity) -> bool,
 ) -> Result<(Road<T>, Count), Refusal> {
-    if scene.pinned().is_some() {
-        return Err(Refusal::NoMethod { method: rung.method() });
-    }
     let n = Numbers::<T>::new(scene, data);
+    if let Some((body, pin)) = scene.pinned() {
+        return swing::road_by(scene, n, (body, pin), Some((rung, asked)));
+    }
     if matches!(scene.end, End::AtOnce) {
         return Ok((instant::road(scene, &n), Count::default()));
     }

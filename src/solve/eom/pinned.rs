@@ -15,6 +15,7 @@ use crate::num::Rough;
 use crate::num::half::Half;
 use crate::num::linear::Linear;
 use crate::num::plant::plant;
+use crate::num::trig;
 use crate::scene::Arm;
 use crate::scene::Numbers;
 use crate::scene::Pin;
@@ -89,7 +90,61 @@ const ACROSS: usize = 1;
 const MOMENT: usize = 2;
 const SPIN: usize = 3;
 
+/// The angular acceleration in doubles, for steps in time: one evaluation of the forces is a sine, a cosine and a few products.
+#[derive(Debug, Clone, Copy)]
+pub struct Law {
+    sine: f64,
+    cosine: f64,
+    up: f64,
+    weight: f64,
+    couple: f64,
+    spring: Option<Spring<f64>>,
+    by_force: f64,
+    by_moment: f64,
+}
+
+impl Law {
+    /// Angular acceleration when the body has turned by this angle from its start, radians, positive with growing angle.
+    pub fn at(&self, turned: f64) -> f64 {
+        let (s, c) = trig::sin_cos_f64(0.5 * turned);
+        // By halves, so that a start a hair from upright keeps its digits.
+        let (half_sine, half_cosine) = (self.sine * c + self.cosine * s, self.cosine * c - self.sine * s);
+        let sine = 2.0 * half_sine * half_cosine;
+        let free = self.weight * self.up * sine + self.couple;
+        let Some(k) = &self.spring else { return free };
+        let up = self.up * (half_cosine - half_sine) * (half_cosine + half_sine);
+        let outward = k.x * sine + k.y * up - k.at;
+        let across = k.x * self.up * up - k.y * self.up * sine;
+        let length = (outward * outward + across * across).sqrt();
+        let slope =
+            if k.natural == 0.0 { k.stiffness } else { k.stiffness - k.stiffness * k.natural / length };
+        free + slope * across * (self.by_force + k.lever * self.by_moment)
+    }
+}
+
 impl<T: Real> Pinned<T> {
+    /// The angular acceleration in doubles.
+    pub fn law(&self) -> Law {
+        let spring = self.spring.map(|s| Spring {
+            at: s.at.f64(),
+            lever: s.lever.f64(),
+            x: s.x.f64(),
+            y: s.y.f64(),
+            stiffness: s.stiffness.f64(),
+            natural: s.natural.f64(),
+        });
+        Law {
+            sine: self.start.sine.f64(),
+            cosine: self.start.cosine.f64(),
+            up: self.up,
+            weight: (self.weight * self.unit.turn_by_force).f64(),
+            couple: (self.couple * self.unit.turn_by_moment).f64(),
+            spring,
+            by_force: self.unit.turn_by_force.f64(),
+            by_moment: self.unit.turn_by_moment.f64(),
+        }
+    }
+
     /// Reads the body and solves its equations for a unit of each load.
     ///
     /// Errors: equations that do not determine the motion (no inertia about the pin).

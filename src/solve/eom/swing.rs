@@ -11,6 +11,7 @@ use crate::num::gauss;
 use crate::num::gauss::PerNode;
 use crate::num::gauss::Unsettled;
 use crate::num::half::Half;
+use crate::num::ode::Count;
 use crate::num::plant::plant;
 use crate::num::root;
 use crate::num::trig;
@@ -22,7 +23,11 @@ use crate::scene::Pin;
 use crate::scene::Quantity;
 use crate::scene::Scene;
 use crate::scene::Start;
+use crate::solve::eom::integrate::Event;
+use crate::solve::eom::integrate::Route;
 use crate::solve::eom::pinned::Pinned;
+use crate::solve::eom::travel;
+use crate::solve::method::Rung;
 use crate::solve::outcome::Course;
 use crate::solve::outcome::Refusal;
 use crate::solve::outcome::Road;
@@ -75,6 +80,21 @@ struct Arc<T> {
 ///
 /// Errors: equations that do not determine the motion, a quadrature that does not settle.
 pub fn road<T: Real>(scene: &Scene, n: Numbers<T>, owner: usize, pin: &Pin) -> Result<Road<T>, Refusal> {
+    Ok(road_by(scene, n, (owner, pin), None)?.0)
+}
+
+/// A rung, and which quantities are wanted of it.
+pub type Steps<'s> = (Rung, &'s dyn Fn(Quantity) -> bool);
+
+/// [`road`], with the states at its events from the steps of a rung, if one is given; what it cost.
+///
+/// Errors: those of [`road`], and a run that does not reach its events.
+pub fn road_by<T: Real>(
+    scene: &Scene,
+    n: Numbers<T>,
+    (owner, pin): (usize, &Pin),
+    by: Option<Steps>,
+) -> Result<(Road<T>, Count), Refusal> {
     let body = Pinned::new(scene, &n, owner, pin)?;
     let spin = scene.start.iter().find_map(|s| match s {
         Start::Speed(c, w) if c.body == owner => Some(n.get(*w)),
@@ -89,12 +109,12 @@ pub fn road<T: Real>(scene: &Scene, n: Numbers<T>, owner: usize, pin: &Pin) -> R
     let start = Place { way: T::zero(), half: swing.start };
     if matches!(scene.end, End::AtOnce) {
         teller.state(&swing, &start, mass_centre, spin.abs());
-        return Ok(teller.road);
+        return Ok((teller.road, Count::default()));
     }
     if sense == 0.0 {
         teller.road.course = Some(Course::at_rest());
         teller.forces(&swing, &start, T::zero());
-        return Ok(teller.road);
+        return Ok((teller.road, Count::default()));
     }
     let pendulum = scene.is_pendulum() && !swing.body.frequency().is_zero();
     let turning = if pendulum { swing.pendulum_turning() } else { swing.turning(scene, &n)? };
@@ -112,18 +132,42 @@ pub fn road<T: Real>(scene: &Scene, n: Numbers<T>, owner: usize, pin: &Pin) -> R
     });
     let Some(Arrival { place, rest }) = end else {
         teller.forces(&swing, &start, swing.half_square.scale2(1));
-        return Ok(teller.road);
+        return Ok((teller.road, Count::default()));
     };
-    let speed = if rest { T::zero() } else { swing.gained(&place)?.scale2(1).root() };
-    let time = swing.time(&place, rest, speed, pendulum)?;
+    let mut count = Count::default();
+    let (place, speed, time) = if let Some(by) = by {
+        let swung = turning.filter(|_| pendulum && swing.half_square.is_zero());
+        let run = swing.stepped(scene, teller.n, (&place, swung), by)?;
+        count = run.count;
+        if let Some((period, fastest)) = run.period {
+            teller.replace(Quantity::Period, T::of(period));
+            teller.replace(Quantity::OmegaMax, T::of(fastest));
+        }
+        let speed = if rest { T::zero() } else { T::of(run.end.u) };
+        (swing.place(T::of(run.end.s)), speed, T::of(run.end.time))
+    } else {
+        let speed = if rest { T::zero() } else { swing.gained(&place)?.scale2(1).root() };
+        (place, speed, swing.time(&place, rest, speed, pendulum)?)
+    };
     teller.say(Quantity::T, Owner::Scene, time);
     teller.say(Quantity::Phi, Owner::Body(owner), place.way);
     let step = Half::of_radians(place.way.signed(sense));
     let product = (step.sine * place.half.plus(swing.start).sine).scale2(1);
     let sunk = plant!("eom: height lost by the mass centre", mass_centre) * product;
-    teller.say(Quantity::Rise, Owner::Body(owner), if swing.body.is_upright() { -sunk } else { sunk });
+    // A difference of two heights of the mass centre.
+    let rise = if swing.body.is_upright() { -sunk } else { sunk };
+    teller.say_scaled(Quantity::Rise, Owner::Body(owner), rise, 2.0 * mass_centre.f64().abs());
     teller.state(&swing, &place, mass_centre, speed);
-    Ok(teller.road)
+    Ok((teller.road, count))
+}
+
+/// What steps give of a swing.
+struct Stepped {
+    /// At the ending event: angle turned, angular speed, time.
+    end: travel::State<f64>,
+    /// Period and greatest angular speed, where they were wanted.
+    period: Option<(f64, f64)>,
+    count: Count,
 }
 
 /// What is said, with the units put back.
@@ -141,6 +185,15 @@ impl<T: Real> Teller<'_, T> {
         let scale = scale * pow2(self.n.exponent(quantity));
         let value = self.n.publish(quantity, value);
         self.road.said.push(Said { label: Label { quantity, of }, value, scale });
+    }
+
+    /// Puts another value in the place of what was said.
+    fn replace(&mut self, quantity: Quantity, value: T) {
+        let label = Label { quantity, of: Owner::Body(self.owner) };
+        let value = self.n.publish(quantity, value);
+        for said in self.road.said.iter_mut().filter(|s| s.label == label) {
+            said.value = value;
+        }
     }
 
     /// What holds whatever the end; gives the arm of the mass centre.
@@ -202,6 +255,53 @@ impl<T: Real> Swing<T> {
 
     fn place(&self, way: T) -> Place<T> {
         Place { way, half: self.start.plus(Half::of_radians(way.signed(self.sense))) }
+    }
+
+    /// The states at the events by steps in time, in one run: the end, and of a pendulum released from rest that turns at
+    /// `swung` the lowest place and the far turning point, if period or greatest speed are wanted.
+    fn stepped(
+        &self,
+        scene: &Scene,
+        n: &Numbers<T>,
+        (end, swung): (&Place<T>, Option<Place<T>>),
+        (rung, asked): Steps,
+    ) -> Result<Stepped, Refusal> {
+        let u0 = self.half_square.scale2(1).root();
+        let event = match scene.end {
+            End::Time(_, t) => Event::Time(n.get(t).f64()),
+            End::Speed(_, w) => {
+                let w = n.get(w).abs();
+                if u0.below(w) { Event::Rise(w.f64()) } else { Event::Fall(w.f64()) }
+            }
+            End::TurningPoint(_) => Event::Fall(0.0),
+            _ => Event::Place(end.way.f64()),
+        };
+        const END: usize = 0;
+        const LOWEST: usize = 1;
+        const FAR: usize = 2;
+        let mut events = vec![(event, end.way.f64(), END)];
+        if let (true, Some(far)) = (asked(Quantity::Period) || asked(Quantity::OmegaMax), swung) {
+            events.push((Event::Level, 0.5 * far.way.f64(), LOWEST));
+            events.push((Event::Fall(0.0), far.way.f64(), FAR));
+        }
+        events.sort_by(|a, b| a.1.total_cmp(&b.1));
+        let law = self.body.law();
+        let sense = self.sense;
+        let law = move |_: usize, way: f64| sense * law.at(sense * way);
+        let farthest = events.iter().fold(0.0, |far: f64, e| far.max(e.1));
+        let force = (0..=8).map(|i| law(0, 0.125 * f64::from(i) * farthest).abs()).fold(0.0, f64::max);
+        let u0 = u0.f64();
+        let pace = [(2.0 * farthest / force).sqrt(), farthest / u0];
+        let pace = pace.into_iter().filter(|t| t.is_finite() && *t > 0.0).fold(f64::INFINITY, f64::min);
+        let route = Route { law, switch: None, u0, pace: if pace.is_finite() { pace } else { 1.0 } };
+        let list: Vec<(Event, f64)> = events.iter().map(|e| (e.0, e.1)).collect();
+        let (states, count) = route
+            .states(&list, rung)
+            .map_err(|trouble| Refusal::Trouble { method: rung.method(), trouble })?;
+        let of = |kind: usize| events.iter().zip(&states).find(|(e, _)| e.2 == kind).map(|(_, s)| *s);
+        let period = of(FAR).zip(of(LOWEST)).map(|(far, lowest)| (2.0 * far.time, lowest.u));
+        let nothing = travel::State { s: f64::NAN, u: f64::NAN, time: f64::NAN };
+        Ok(Stepped { end: of(END).unwrap_or(nothing), period, count })
     }
 
     /// Angular acceleration along the way.

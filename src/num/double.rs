@@ -1,0 +1,68 @@
+//! Doubles as numbers of the solvers: the cheapest rung, good to a few units in the last place where nothing cancels.
+use crate::num::Dd;
+use crate::num::Real;
+use crate::num::dd::pow2;
+
+impl Real for f64 {
+    type Plain = Self;
+    type Rough = Self;
+    const SLOPES: usize = 0;
+    // A few units in the last place: what rounding of doubles leaves of a difference of equals.
+    const NOISE: f64 = 4.0 * f64::EPSILON;
+    const SETTLED: f64 = 4.0 * f64::EPSILON;
+    #[inline(always)]
+    fn datum(_: usize, value: f64) -> Self {
+        value
+    }
+    #[inline(always)]
+    fn constant(value: Dd) -> Self {
+        value.hi
+    }
+    #[inline(always)]
+    fn with_slopes(value: Self, _: impl Fn(usize) -> f64) -> Self {
+        value
+    }
+    #[inline(always)]
+    fn with_rough(value: f64) -> Self {
+        value
+    }
+    #[inline(always)]
+    fn plain(self) -> Self {
+        self
+    }
+    #[inline(always)]
+    fn value(self) -> Dd {
+        Dd::new(self)
+    }
+    #[inline(always)]
+    fn rough(self) -> f64 {
+        self
+    }
+    #[inline(always)]
+    fn slope(&self, _: usize) -> f64 {
+        0.0
+    }
+    #[inline(always)]
+    fn sign(self) -> f64 {
+        if self > 0.0 {
+            1.0
+        } else if self < 0.0 {
+            -1.0
+        } else {
+            0.0
+        }
+    }
+    #[inline(always)]
+    fn root(self) -> Self {
+        // NaN is no radicand by rounding: it must not come out as a zero.
+        if self > 0.0 || self.is_nan() { self.sqrt() } else { 0.0 }
+    }
+    #[inline(always)]
+    fn scale2(self, e: i32) -> Self {
+        self * pow2(e)
+    }
+    #[inline(always)]
+    fn below(self, other: Self) -> bool {
+        self < other
+    }
+}
