@@ -34,7 +34,7 @@
 //! words in `bank/scene.rs`. A new family: no Rust, a file in `banks/`. A new quantity: a line in [`scene::ask`] and a `say` on each road.
 //!
 //! # Limits
-//! Rigid bodies in a plane, velocity ratios that do not change with position, cords without mass that run parallel to the
+//! Rigid bodies in a plane, velocity ratios that do not change with position (or one body that swings about a pin), cords without mass that run parallel to the
 //! line of the body they leave; one freedom, or more from rest under constant forces, or one body thrown with slip; one spring.
 pub mod answer;
 pub mod bank;

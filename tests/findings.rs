@@ -917,3 +917,115 @@ proptest! {
         let _ = load::bank(&bank, "bound.yaml", &template::variables_of);
     }
 }
+
+/// The block as a rod that swings about a pin: what is changed below is wrong.
+fn swinging(edits: &[(&str, &str)]) -> String {
+    let rod = [
+        ("      surfaces: {incline: {slope: theta}}\n", ""),
+        (
+            "block: {mass: m, moves: along incline}",
+            "rod: {mass: m, shape: {rod: 2 m}, pinned: at its end, angle: from upright}",
+        ),
+        (
+            "      ties:\n        - slides: {body: block, mu_k: 0.2}",
+            "      forces:\n        - spring: {on: rod, at: 2 m, anchor: [0 m, 1 m], stiffness: 9 N/m, stretch: 0.1 m}",
+        ),
+        ("start: at rest", "start: {rod: {angle: theta}}"),
+        ("end: {travel: {of: block, by: 2 m}}", "end: {angle: {of: rod, reaches: 120 deg}}"),
+        ("regimes: [moves_down]", "regimes: [swings ok]"),
+        ("v: {ask: the speed, unit: m/s}", "omega: {ask: the angular speed}"),
+    ];
+    found(&[&rod[..], edits].concat())
+}
+
+#[test]
+fn a_pinned_body() {
+    assert!(swinging(&[]).ends_with("no finding"), "{}", swinging(&[]));
+    let said = |edit: (&str, &str)| {
+        let text = swinging(&[edit]);
+        text.lines().filter(|l| !l.contains(" | ")).map(|l| format!("{l}\n")).collect::<String>()
+    };
+    let spring = "        - spring: {on: rod, at: 2 m, anchor: [0 m, 1 m], stiffness: 9 N/m, stretch: 0.1 m}";
+    let twice = format!("{spring}\n{spring}");
+    let tied = format!(
+        "{spring}\n      ties:\n        - cord: {{from: {{body: rod, tied at: centre, leaves: up}}, pulled with: 3 N}}"
+    );
+    let all = [
+        ("pinned: at its end, angle: from upright", "pinned: at its end"),
+        ("angle: from upright", "angle: from uprigth"),
+        ("pinned: at its end", "pinned: at its ends"),
+        ("pinned: at its end", "pinned: {distanse: 1 m}"),
+        ("shape: {rod: 2 m}", "shape: {disc: 2 m}"),
+        ("shape: {rod: 2 m}, ", ""),
+        ("pinned: at its end,", "pinned: at its end, moves: vertically, radii: {rim: 2 m},"),
+        ("pinned: at its end, ", ""),
+        ("{rod: {angle: theta}}", "at rest"),
+        ("{rod: {angle: theta}}", "{rod: {angle: theta, speed: 2 m/s}}"),
+        ("{rod: {angle: theta}}", "{rod: {angle: 400 deg}}"),
+        ("{angle: {of: rod, reaches: 120 deg}}", "{turn: {of: rod, by: 2 rad}}"),
+        ("{angle: {of: rod, reaches: 120 deg}}", "{angle: {of: rod, reaches: 2 m}}"),
+        ("{angle: {of: rod, reaches: 120 deg}}", "{angel: {of: rod, reaches: 120 deg}}"),
+        ("reaches: 120 deg}", "reaches: 120 deg, heading: forward}"),
+        ("anchor: [0 m, 1 m]", "anchor: 1 m"),
+        (", stretch: 0.1 m", ""),
+        ("- spring:", "- sprng:"),
+        (spring, twice.as_str()),
+        (spring, tied.as_str()),
+        ("omega: {ask: the angular speed}", "period: {ask: the period}"),
+        ("omega: {ask: the angular speed}", "pin_radail: {ask: the force}"),
+        ("[swings ok]", "[swings, ok]"),
+    ]
+    .map(said);
+    assert_snapshot!(all.concat(), @r#"
+    test.yaml:14:51: problems.slide.scene.bodies.rod.pinned: `angle` of `rod` is missing
+        hint: write `angle: from upright` (mass centre above the pin) or `angle: from hanging`
+    test.yaml:14:70: problems.slide.scene.bodies.rod.angle: expected from where the angle counts, found `from uprigth`
+        hint: did you mean `from upright`?
+    test.yaml:14:51: problems.slide.scene.bodies.rod.pinned: expected `at its end` or `{distance: h}`, found `at its ends`
+        hint: did you mean `at its end`?
+    test.yaml:14:51: problems.slide.scene.bodies.rod.pinned: `distance` is missing
+        hint: for example `distance: h`
+    test.yaml:14:52: problems.slide.scene.bodies.rod.pinned.distanse: unknown field `distanse`
+        hint: did you mean `distance`?
+    test.yaml:14:52: problems.slide.scene.bodies.rod.pinned: `rod` is no rod, so it has no end
+        hint: write `pinned: {distance: h}` with the distance from the pin to the mass centre
+    test.yaml:14:14: problems.slide.scene.bodies.rod: `rod` has no inertia, so it cannot swing
+        hint: give it a `shape`, a `radius of gyration` or a `moment of inertia`
+    test.yaml:14:70: problems.slide.scene.bodies.rod.moves: a pinned body moves about its pin, not along a line
+        hint: remove this field
+    test.yaml:14:89: problems.slide.scene.bodies.rod.radii: nothing rolls on a pinned body and no cord is wound on it
+        hint: remove this field
+    test.yaml:14:50: problems.slide.scene.bodies.rod.angle: `rod` has an angle, but `pinned` is missing
+        hint: write `pinned: at its end` (a rod) or `pinned: {distance: h}`
+    test.yaml:17:14: problems.slide.scene.start: the angle at which `rod` starts is missing
+        hint: write `start: {rod: {angle: phi0}}`
+    test.yaml:17:42: problems.slide.scene.start.rod.speed: `rod` does not move along a line
+        hint: write `spin:`
+    test.yaml:17:28: problems.slide.scene.start.rod.angle: `400 deg`: an angle is from -360 to 360 degrees
+    test.yaml:18:13: problems.slide.scene.end.turn: `rod` is pinned: it ends at an angle
+        hint: write `angle: {of: rod, reaches: phi1}`
+    test.yaml:18:39: problems.slide.scene.end.angle.reaches: `2 m`: expected deg (angle), found m (length)
+        hint: an angle is written like `30 deg`
+    test.yaml:18:13: problems.slide.scene.end.angel: `angel` is no end
+        hint: did you mean `angle`?
+    test.yaml:18:57: problems.slide.scene.end.angle.heading: a pinned body goes where its forces or its start take it
+        hint: remove this field
+    test.yaml:16:46: problems.slide.scene.forces[0].spring.anchor: expected a place such as `[x_A, y_A]`, found `1 m`
+    test.yaml:16:19: problems.slide.scene.forces[0].spring: a spring has a natural length, or a stretch at the start
+        hint: write `natural length: l0`, or `stretch: x0`
+    test.yaml:16:11: problems.slide.scene.forces[0].sprng: `sprng` is no force
+        hint: did you mean `spring`?
+    test.yaml:17:19: problems.slide.scene.forces[1].spring: `rod` has a spring already
+        hint: a scene has at most one spring
+    test.yaml:18:24: problems.slide.scene.ties[0].cord.from: no cord is tied to the pinned body `rod`
+        hint: a spring stands under `forces`: `spring: {on: ..., at: b, anchor: [x_A, y_A], ...}`
+    test.yaml:21:7: problems.slide.questions.period: `period` does not exist in this scene
+        hint: `period` is: time of a full swing to and fro, or of a full turn where it goes over the top; it needs a pinned body that swings under its weight alone
+    test.yaml:21:7: problems.slide.questions.pin_radail: `pin_radail` is no quantity
+        hint: did you mean `pin_radial`?
+    test.yaml:19:15: problems.slide.regimes[0]: expected a regime, found `swings`
+        hint: regimes: moves_up, balanced, moves_down, moves_forward, moves_back, rolls, at_limit, slips_up, spins_in_place, slips_down, up ok, up turning_point, up unreachable, down ok, down turning_point, down unreachable, rest, swings ok, swings turning_point, swings unreachable, rolls_after, rolls_at_start, slips_through, never, instant
+    test.yaml:19:23: problems.slide.regimes[1]: expected a regime, found `ok`
+        hint: regimes: moves_up, balanced, moves_down, moves_forward, moves_back, rolls, at_limit, slips_up, spins_in_place, slips_down, up ok, up turning_point, up unreachable, down ok, down turning_point, down unreachable, rest, swings ok, swings turning_point, swings unreachable, rolls_after, rolls_at_start, slips_through, never, instant
+    "#);
+}

@@ -79,6 +79,31 @@ fn around(kind: &str, item: &str) -> String {
     )
 }
 
+/// A bank around a scene with a pinned body.
+fn swinging(scene: &str) -> String {
+    let data = [
+        ("m", "kg"),
+        ("L", "m"),
+        ("M", "N*m"),
+        ("b", "m"),
+        ("x_A", "m"),
+        ("y_A", "m"),
+        ("ks", "N/m"),
+        ("l0", "m"),
+        ("phi0", "deg"),
+        ("w0", "rad/s"),
+        ("phi1", "deg"),
+    ];
+    let data: String = data
+        .iter()
+        .map(|(s, u)| format!("      {s}: {{name: {s}, unit: \"{u}\", draw: always 0.4}}\n"))
+        .collect();
+    let scene: String = scene.lines().skip(1).map(|l| format!("      {l}\n")).collect();
+    format!(
+        "bank: b\ntitle: B\nproblems:\n  p:\n    title: P\n    data:\n{data}    scene:\n{scene}    questions: {{omega: {{ask: omega}}}}\n    statement: s\n"
+    )
+}
+
 #[test]
 fn the_examples_of_the_readme_are_banks() {
     let (mut whole, mut parts) = (0, 0);
@@ -89,6 +114,12 @@ fn the_examples_of_the_readme_are_banks() {
             whole += 1;
             continue;
         };
+        if kind == "scene" {
+            let found = findings(&swinging(block));
+            assert!(found.is_empty(), "{found:#?}\n{block}");
+            parts += 1;
+            continue;
+        }
         for item in block.lines().skip(1) {
             let item = item.split("   #").next().unwrap_or(item).trim_end();
             let text = around(kind, item);

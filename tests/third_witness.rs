@@ -241,6 +241,10 @@ fn integration_in_time_gives_the_key() {
                     compared += thrown(scene, &variant.data, &variant.solved, &problem.id);
                     continue;
                 }
+                if scene.pinned().is_some() {
+                    compared += pinned(scene, &variant.data, &variant.solved, &problem.id);
+                    continue;
+                }
                 let End::Travel(end, distance) = scene.end else { panic!("{}: another event", problem.id) };
                 let mut w =
                     Witness { scene, data: &variant.data, kinetic: vec![0.0; scene.ties.len()], rolls: true };
@@ -391,6 +395,128 @@ fn thrown(scene: &Scene, data: &[f64], solved: &slipstick::solve::outcome::Solve
     let direction = solved.words.iter().find(|(l, _)| l.quantity == Quantity::Direction).unwrap().1.text();
     assert_eq!(["up", "forward"].contains(&direction), v * up > 0.0, "{problem}: {direction}");
     11
+}
+
+/// A pinned body: mass centre in x and y and the angle, integrated together; the two components of the pin's force are
+/// found at each instant from the condition that its point of the body stays. Nothing knows that the body only turns.
+fn pinned(scene: &Scene, data: &[f64], solved: &slipstick::solve::outcome::Solved, problem: &str) -> usize {
+    let w = Witness { scene, data, kinetic: Vec::new(), rolls: true };
+    let (owner, pin) = scene.pinned().unwrap();
+    let body = &scene.bodies[owner];
+    let (m, inertia, g) = (w.mass(body), w.inertia(body), w.get(scene.gravity_m_s2));
+    let h = match pin.arm {
+        Arm::Distance(h) => w.get(h),
+        Arm::HalfOf(l) => w.get(l) / 2.0,
+    };
+    let up = if pin.from == Zero::Upright { 1.0 } else { -1.0 };
+    // The unit vector from the pin to the mass centre, and its derivative by the angle.
+    let out = |angle: f64| (libm::sin(angle), up * libm::cos(angle));
+    let along = |angle: f64| (libm::cos(angle), -up * libm::sin(angle));
+    let couple: f64 =
+        scene.couples.iter().map(|c| w.get(c.moment_n_m) * if c.forward { 1.0 } else { -1.0 }).sum();
+    let start = w.get(pin.start_deg).to_radians();
+    let natural = pin.spring.map(|s| match s.rest {
+        Rest::Length(l) => w.get(l),
+        Rest::Stretch(x) => {
+            let (ex, ey) = out(start);
+            libm::hypot(w.get(s.x_m) - w.get(s.at_m) * ex, w.get(s.y_m) - w.get(s.at_m) * ey) - w.get(x)
+        }
+    });
+    // Accelerations of x, y and the angle, the pin's force, and the spring's force.
+    let forces = |q: &[f64], v: &[f64]| {
+        let (ex, ey) = out(q[2]);
+        let (tx, ty) = along(q[2]);
+        let (mut fx, mut fy, mut moment, mut pull) = (0.0, -m * g, couple, 0.0);
+        if let (Some(s), Some(natural)) = (pin.spring, natural) {
+            // From the mass centre to the point of the body, and from there to the anchor.
+            let reach = w.get(s.at_m) - h;
+            let (px, py) = (q[0] + reach * ex, q[1] + reach * ey);
+            let (ax, ay) = (w.get(s.x_m) - px, w.get(s.y_m) - py);
+            let length = libm::hypot(ax, ay);
+            pull = w.get(s.stiffness_n_m) * (length - natural);
+            let (sx, sy) = (pull * ax / length, pull * ay / length);
+            fx += sx;
+            fy += sy;
+            moment += reach * (tx * sx + ty * sy);
+        }
+        // Unknowns: ax, ay, alpha, Px, Py. The pin stays: a - h (alpha t - omega^2 e) = 0.
+        let square = v[2] * v[2];
+        let x = gauss(vec![
+            vec![m, 0.0, 0.0, -1.0, 0.0, fx],
+            vec![0.0, m, 0.0, 0.0, -1.0, fy],
+            vec![0.0, 0.0, inertia, h * tx, h * ty, moment],
+            vec![1.0, 0.0, -h * tx, 0.0, 0.0, -h * square * ex],
+            vec![0.0, 1.0, -h * ty, 0.0, 0.0, -h * square * ey],
+        ]);
+        (x, pull)
+    };
+    let step = |q: &[f64], v: &[f64], t: f64| -> (Vec<f64>, Vec<f64>) {
+        let add =
+            |x: &[f64], k: &[f64], f: f64| -> Vec<f64> { x.iter().zip(k).map(|(x, k)| x + f * k).collect() };
+        let rate = |q: &[f64], v: &[f64]| forces(q, v).0[..3].to_vec();
+        let a1 = rate(q, v);
+        let (q2, v2) = (add(q, v, t / 2.0), add(v, &a1, t / 2.0));
+        let a2 = rate(&q2, &v2);
+        let (q3, v3) = (add(q, &v2, t / 2.0), add(v, &a2, t / 2.0));
+        let a3 = rate(&q3, &v3);
+        let (q4, v4) = (add(q, &v3, t), add(v, &a3, t));
+        let a4 = rate(&q4, &v4);
+        let mix = |a: &[f64], b: &[f64], c: &[f64], d: &[f64]| -> Vec<f64> {
+            (0..3).map(|i| (a[i] + 2.0 * b[i] + 2.0 * c[i] + d[i]) / 6.0).collect()
+        };
+        (add(q, &mix(v, &v2, &v3, &v4), t), add(v, &mix(&a1, &a2, &a3, &a4), t))
+    };
+    // Up to what `there` does not allow any more, which is landed on by halving the step.
+    let run = |there: &dyn Fn(&[f64], &[f64]) -> bool| {
+        let (ex, ey) = out(start);
+        let (mut q, mut v, mut time) = (vec![h * ex, h * ey, start], vec![0.0; 3], 0.0);
+        let mut t = (inertia / m + h * h).sqrt() / (g * h).sqrt() / 500.0;
+        while t > 1e-13 {
+            let (q2, v2) = step(&q, &v, t);
+            if there(&q2, &v2) {
+                t /= 2.0;
+            } else {
+                (q, v) = (q2, v2);
+                time += t;
+            }
+            assert!(time < 1e3, "{problem}: never arrives");
+        }
+        (q, v, time)
+    };
+    let End::Angle(_, end) = scene.end else { panic!("{problem}: another event") };
+    let end = w.get(end).to_radians();
+    let (q, v, time) = run(&|q, _| if end > start { q[2] > end } else { q[2] < end });
+    let (x, pull) = forces(&q, &v);
+    let (ex, ey) = out(q[2]);
+    let (tx, ty) = along(q[2]);
+    let mut seen = vec![
+        ("t", time),
+        ("omega", v[2].abs()),
+        ("v", libm::hypot(v[0], v[1])),
+        ("alpha", x[2]),
+        ("phi", (q[2] - start).abs()),
+        ("pin_radial", -(x[3] * ex + x[4] * ey)),
+        ("pin_tangential", x[3] * tx + x[4] * ty),
+        ("pin_force", libm::hypot(x[3], x[4])),
+        ("rise", q[1] - h * out(start).1),
+        ("kinetic_energy", 0.5 * (m * (v[0] * v[0] + v[1] * v[1]) + inertia * v[2] * v[2])),
+    ];
+    if pin.spring.is_some() {
+        seen.push(("spring_force", pull));
+    }
+    if scene.is_pendulum() {
+        // Released at rest, it is at rest again after half a period.
+        let (_, _, half) = run(&|_, v| v[2] * (end - start).signum() < 0.0);
+        seen.push(("period", 2.0 * half));
+    }
+    for (name, got) in &seen {
+        let entry = solved.entries.iter().find(|e| scene.name_of(e.label) == *name);
+        let entry = entry.unwrap_or_else(|| panic!("{problem}: no {name}"));
+        let want = entry.value();
+        let off = (got - want).abs() / want.abs().max(1e-3 * entry.scale) / entry.cond.max(1.0);
+        assert!(off < 1e-8, "{problem}: {name} {got} by integration, {want} in the key");
+    }
+    seen.len()
 }
 
 /// A lamina: the kinetic energy as the mean of 1/2 m |dr/dt|^2 with the velocities by finite rotation.

@@ -451,17 +451,23 @@ impl Reader<'_> {
         body.turns = !given.is_empty();
         let pinned = fields.get("pinned");
         let angle = fields.get("angle");
-        let (moves, positive) = if pinned.is_some() {
-            (fields.get("moves"), fields.get("positive"))
-        } else {
-            (fields.need("moves", "along incline", f), fields.get("positive"))
-        };
+        let moves = fields.get("moves");
+        let positive = fields.get("positive");
+        let swings = pinned.or(angle.filter(|_| moves.is_none()));
+        if swings.is_none() && moves.is_none() {
+            // Said with its example.
+            fields.need("moves", "along incline", f);
+        }
         if let Some(n) = angle.filter(|_| pinned.is_none()) {
-            f.hint(
-                n,
-                format!("`{name}` is not pinned, so it has no angle"),
-                "write `pinned: {distance: h}` too",
-            );
+            if moves.is_some() {
+                f.hint(n, format!("`{name}` moves along a line, so it has no angle"), "remove this field");
+            } else {
+                f.hint(
+                    n,
+                    format!("`{name}` has an angle, but `pinned` is missing"),
+                    "write `pinned: at its end` (a rod) or `pinned: {distance: h}`",
+                );
+            }
         }
         let fixed = moves.and_then(Node::text).is_some_and(|t| t.trim() == "about a fixed axle");
         body.mass = match (mass, weight) {
@@ -494,7 +500,7 @@ impl Reader<'_> {
         {
             f.hint(n, "the mass of a body made of parts is the sum of its parts", "remove this field");
         }
-        if let Some(n) = pinned {
+        if let Some(swings) = swings {
             for n in [moves, positive].into_iter().flatten() {
                 f.hint(n, "a pinned body moves about its pin, not along a line", "remove this field");
             }
@@ -506,7 +512,7 @@ impl Reader<'_> {
                 );
             }
             body.turns = true;
-            body.pin = Some(self.pin(n, angle, &body));
+            body.pin = Some(self.pin(pinned, swings, angle, &body));
             if let Some(n) = fields.get("radii") {
                 f.hint(n, "nothing rolls on a pinned body and no cord is wound on it", "remove this field");
             }
@@ -549,7 +555,7 @@ impl Reader<'_> {
     }
 
     /// The pin of a body; the start gives the angle, forces the spring.
-    fn pin(&self, node: &Node, angle: Option<&Node>, body: &Body) -> Pin {
+    fn pin(&self, pinned: Option<&Node>, node: &Node, angle: Option<&Node>, body: &Body) -> Pin {
         let f = self.faults;
         let zeros = [
             ("from upright", Zero::Upright),
@@ -568,7 +574,7 @@ impl Reader<'_> {
                 None
             }
         };
-        let arm = match &node.value {
+        let arm = pinned.and_then(|node| match &node.value {
             Value::Map(_) => Fields::open(node, "where it is pinned", f).and_then(|mut fields| {
                 let distance = self.need_number(&mut fields, "distance", "h", Need::Arm);
                 fields.close(f);
@@ -593,7 +599,7 @@ impl Reader<'_> {
                 }
                 _ => None,
             },
-        };
+        });
         // What is wrong has been told; the body stays pinned, so that nothing else is blamed.
         Pin {
             arm: arm.unwrap_or(Arm::Distance(Num::Fixed(1.0))),
@@ -937,6 +943,14 @@ impl Reader<'_> {
         let body = &bodies[index];
         if !body.particles.is_empty() {
             f.at(node, format!("`{}` is made of particles; no cord can be tied to it", body.name));
+            return None;
+        }
+        if body.pin.is_some() {
+            f.hint(
+                node,
+                format!("no cord is tied to the pinned body `{}`", body.name),
+                "a spring stands under `forces`: `spring: {on: ..., at: b, anchor: [x_A, y_A], ...}`",
+            );
             return None;
         }
         match (wound, tied) {

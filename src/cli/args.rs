@@ -80,7 +80,7 @@ pub struct Own {
 /// `generate`
 #[derive(Debug, Args)]
 pub struct Generate {
-    /// Bank: a YAML file, or the id of a built-in one: wheels-on-inclines, hoists-and-pulleys, slip-and-roll
+    /// Bank: a YAML file, or the id of a built-in one: wheels-on-inclines, hoists-and-pulleys, slip-and-roll, pinned-bodies
     pub bank: String,
     /// CSV file with a column `student` and, if you like, `name`
     #[arg(long, value_name = "ROSTER.csv")]
@@ -159,7 +159,7 @@ pub struct Check {
 /// `practice`
 #[derive(Debug, Args)]
 pub struct Practice {
-    /// Bank: a YAML file, or the id of a built-in one: wheels-on-inclines, hoists-and-pulleys, slip-and-roll
+    /// Bank: a YAML file, or the id of a built-in one: wheels-on-inclines, hoists-and-pulleys, slip-and-roll, pinned-bodies
     pub bank: String,
     /// Seed, for the same problems again [default: from the clock]
     #[arg(long, value_name = "N")]
@@ -175,7 +175,7 @@ pub struct Practice {
 /// `solve`
 #[derive(Debug, Args)]
 pub struct Solve {
-    /// Bank: a YAML file, or the id of a built-in one: wheels-on-inclines, hoists-and-pulleys, slip-and-roll
+    /// Bank: a YAML file, or the id of a built-in one: wheels-on-inclines, hoists-and-pulleys, slip-and-roll, pinned-bodies
     pub bank: String,
     /// Id of the problem
     pub problem: String,
@@ -271,7 +271,7 @@ pub struct Accuracy {
 /// `lint`
 #[derive(Debug, Args)]
 pub struct Lint {
-    /// Bank: a YAML file, or the id of a built-in one: wheels-on-inclines, hoists-and-pulleys, slip-and-roll
+    /// Bank: a YAML file, or the id of a built-in one: wheels-on-inclines, hoists-and-pulleys, slip-and-roll, pinned-bodies
     pub bank: String,
     /// How many seeds to try
     #[arg(long, value_name = "N", default_value_t = 1000)]

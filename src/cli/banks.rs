@@ -25,6 +25,7 @@ pub const BUILT_IN: &[(&str, &str, &str)] = &[
         include_str!("../../banks/hoists-and-pulleys.yaml"),
     ),
     ("slip-and-roll", "banks/slip-and-roll.yaml", include_str!("../../banks/slip-and-roll.yaml")),
+    ("pinned-bodies", "banks/pinned-bodies.yaml", include_str!("../../banks/pinned-bodies.yaml")),
 ];
 
 /// A bank with the text that it was read from.

@@ -122,6 +122,7 @@ pub fn check(scene: &Scene, c: &Check) -> String {
             "friction does not end the slip of the {}: {required} N keep it up, mu_k N = {available} N",
             of_tie(scene, c.of)
         ),
+        CheckKind::Reaches if scene.pinned().is_some() => reaches_on_a_pin(scene, c),
         CheckKind::Reaches if c.ok && c.available.is_infinite() => {
             format!("the end is reached: {required} asked, the motion goes on without end")
         }
@@ -139,6 +140,41 @@ pub fn check(scene: &Scene, c: &Check) -> String {
         }
         CheckKind::Reaches => {
             format!("the end is not reached: {required} asked, the motion goes only as far as {available}")
+        }
+    }
+}
+
+/// How far a pinned body swings, in the measure of its end.
+fn reaches_on_a_pin(scene: &Scene, c: &Check) -> String {
+    let (required, available) = (figures(c.required), figures(c.available));
+    let unit = match scene.end {
+        End::Time(..) => "s",
+        End::Speed(..) => "rad/s",
+        _ => "degrees",
+    };
+    match (c.ok, scene.end, c.available.is_infinite()) {
+        (true, End::TurningPoint(_), _) => {
+            format!("the end is reached: it comes to rest after {available} degrees")
+        }
+        (false, End::TurningPoint(_), _) => {
+            "the end is not reached: it does not come to rest in two turns".to_owned()
+        }
+        (true, _, true) => {
+            format!("the end is reached: {required} {unit} asked, the motion goes on well beyond")
+        }
+        (true, _, false) => {
+            format!("the end is reached: {required} {unit} asked, the motion goes as far as {available}")
+        }
+        (false, _, true) => {
+            format!("the end is not reached: {required} {unit} asked, the motion goes the other way")
+        }
+        (false, _, false) if c.required < 0.0 => {
+            format!("the end is not reached: {required} {unit} asked, the motion goes the other way")
+        }
+        (false, _, false) => {
+            format!(
+                "the end is not reached: {required} {unit} asked, the motion goes only as far as {available}"
+            )
         }
     }
 }

@@ -64,16 +64,13 @@ pub fn sin_cos_degrees(degrees: f64) -> (Dd, Dd) {
     if !degrees.is_finite() {
         return (Dd::new(f64::NAN), Dd::new(f64::NAN));
     }
-    // The remainder is exact; then one quadrant.
-    let mut x = libm::fmod(degrees, 360.0);
-    if x < 0.0 {
-        x += 360.0;
-        // A tiny negative angle would be absorbed by 360: keep it as it is.
-        if degrees > -90.0 {
-            let (s, c) = sin_cos_degrees(-degrees);
-            return (-s, c);
-        }
+    // A negative angle would lose its last bits beside 360.
+    if degrees < 0.0 {
+        let (s, c) = sin_cos_degrees(-degrees);
+        return (-s, c);
     }
+    // The remainder is exact, and so is each quadrant taken from it.
+    let mut x = libm::fmod(degrees, 360.0);
     let mut quadrant = 0;
     while x > 90.0 {
         x -= 90.0;
@@ -254,6 +251,15 @@ mod tests {
             let ((sa, ca), (sb, cb)) = (sin_cos_degrees(a), sin_cos_degrees(b));
             let miss = sa * cb + ca * sb - sin_cos_degrees(a + b).0;
             assert!(miss.hi.abs() < 1e-30, "{a} {b}: {miss:?}");
+        }
+    }
+    /// Found by a pinned body at -185.6 degrees, whose two roads differed by more than rounding: earlier tests had no angle
+    /// below -90 degrees whose last bits 360 does not hold.
+    #[test]
+    fn negative_angles_keep_their_last_bits() {
+        for x in [-92.813_807, -120.928_073_111_206_32, -185.627_613_707_822_23, -359.9, -1000.1] {
+            let ((s, c), (t, d)) = (sin_cos_degrees(x), sin_cos_degrees(-x));
+            assert_eq!((s, c), (-t, d), "{x}");
         }
     }
     #[test]

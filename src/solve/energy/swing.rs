@@ -96,7 +96,7 @@ pub fn road_by<T: Real>(
         book.forces(&store, &store.start, T::zero());
         return Ok((book.road, Count::default()));
     }
-    let turning = if free { motion.free_turning() } else { motion.turning()? };
+    let turning = if free { motion.free_turning() } else { motion.turning(scene, &n)? };
     let limit = turning.unwrap_or_else(|| T::of(f64::INFINITY));
     let asked = motion.asked(scene, &n, free, turning)?;
     let reached = asked.filter(|q| q.not_negative() && q.at_most(limit));
@@ -232,11 +232,7 @@ impl<'c, T: Real> Motion<'c, T> {
         turning: Option<T>,
     ) -> Result<Option<T>, Refusal> {
         Ok(match scene.end {
-            End::Angle(_, angle) => {
-                let start = scene.pinned().map_or_else(T::zero, |(_, pin)| n.get(pin.start_deg));
-                let apart = n.get(angle) - start;
-                Some((apart * T::constant(Dd::PI / Dd::new(180.0))).signed(self.sense))
-            }
+            End::Angle(_, angle) => Some(self.way_to(scene, n.get(angle), n)),
             End::TurningPoint(_) => turning,
             End::Time(_, t) => {
                 let last = turning.unwrap_or_else(Self::horizon);
@@ -254,6 +250,12 @@ impl<'c, T: Real> Motion<'c, T> {
             }
             End::AtOnce | End::Travel(..) | End::Position(..) | End::Rolling(_) => None,
         })
+    }
+
+    /// The way to an angle in degrees, radians.
+    fn way_to(&self, scene: &Scene, angle: T, n: &Numbers<T>) -> T {
+        let start = scene.pinned().map_or_else(T::zero, |(_, pin)| n.get(pin.start_deg));
+        ((angle - start) * T::constant(Dd::PI / Dd::new(180.0))).signed(self.sense)
     }
 
     fn duration(&self, way: T, free: bool, rest: bool) -> Result<T, Refusal> {
@@ -291,9 +293,12 @@ impl<'c, T: Real> Motion<'c, T> {
         }))
     }
 
-    /// Where all energy is stored or spent; `None` if not within two turns.
-    fn turning(&self) -> Result<Option<T>, Refusal> {
-        let last = T::Plain::constant(Dd::PI * Dd::new(2.0 * TURNS));
+    /// Where all energy is stored or spent; `None` if not within two turns, nor within twice the way that is asked.
+    fn turning(&self, scene: &Scene, n: &Numbers<T>) -> Result<Option<T>, Refusal> {
+        let last = match scene.end {
+            End::Angle(_, angle) => self.way_to(scene, n.get(angle), n).plain().scale2(1),
+            _ => T::Plain::constant(Dd::PI * Dd::new(2.0 * TURNS)),
+        };
         let found = ball::unwatched(|| self.plain().first_at(T::Plain::zero(), last))?;
         Ok(found.map(|way| {
             let way = T::exactly(way);
@@ -444,10 +449,12 @@ impl<'c, T: Real> Motion<'c, T> {
             let across = k * (s1 * c0 * p0).balance(-(s0 * c1 * p1));
             let along = (k2 * c0 * c1).balance(s0 * s1 * p0 * p1);
             let complement = (-rest).root() / k;
-            let part = if across.sign() < 0.0 {
-                elliptic::complete(complement).scale2(2) - elliptic::incomplete(-across, along, complement)
-            } else {
-                elliptic::incomplete(across, along, complement)
+            // The way of a turn is half a turn of the amplitude.
+            let turn = || elliptic::complete(complement).scale2(2);
+            let part = match (across.sign() < 0.0, way.f64() > 3.0 * std::f64::consts::PI) {
+                (true, _) => turn() - elliptic::incomplete(-across, along, complement),
+                (false, false) => elliptic::incomplete(across, along, complement),
+                (false, true) => turn() + elliptic::incomplete(across, along, complement),
             };
             part / k
         } else if p0.is_zero() {

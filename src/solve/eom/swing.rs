@@ -117,7 +117,7 @@ pub fn road_by<T: Real>(
         return Ok((teller.road, Count::default()));
     }
     let pendulum = scene.is_pendulum() && !swing.body.frequency().is_zero();
-    let turning = if pendulum { swing.pendulum_turning() } else { swing.turning()? };
+    let turning = if pendulum { swing.pendulum_turning() } else { swing.turning(scene, &n)? };
     let limit = turning.map_or_else(|| T::of(f64::INFINITY), |p| p.way);
     let (asked, farthest, end) = swing.end(scene, &n, pendulum, turning)?;
     // What is asked at the turning point is at rest there; NaN is not reached.
@@ -352,11 +352,8 @@ impl<T: Real> Swing<T> {
         let degrees = || T::constant(Dd::new(180.0) / Dd::PI);
         Ok(match scene.end {
             End::Angle(_, angle) => {
-                let Some((_, pin)) = scene.pinned() else { return Ok((None, infinite, None)) };
-                let angle = n.get(angle);
-                let apart = (angle - n.get(pin.start_deg)).signed(self.sense);
-                let way = apart * T::constant(Dd::PI / Dd::new(180.0));
-                let place = Place { way, half: Half::of_degrees(angle) };
+                let Some(apart) = self.apart(scene, n) else { return Ok((None, infinite, None)) };
+                let place = Place { way: radians(apart), half: Half::of_degrees(n.get(angle)) };
                 (Some(apart), turning.map_or(infinite, |t| t.way * degrees()), arrive(place))
             }
             End::TurningPoint(_) => {
@@ -380,6 +377,16 @@ impl<T: Real> Swing<T> {
             }
             End::AtOnce | End::Travel(..) | End::Position(..) | End::Rolling(_) => (None, infinite, None),
         })
+    }
+
+    /// How far the asked angle is from the start along the motion, degrees.
+    fn apart(&self, scene: &Scene, n: &Numbers<T>) -> Option<T> {
+        match (scene.end, scene.pinned()) {
+            (End::Angle(_, angle), Some((_, pin))) => {
+                Some((n.get(angle) - n.get(pin.start_deg)).signed(self.sense))
+            }
+            _ => None,
+        }
     }
 
     /// The place after a time that is less than that of `last`.
@@ -415,10 +422,20 @@ impl<T: Real> Swing<T> {
         Ok((Some(self.place(way)), w))
     }
 
-    /// Where it comes to rest; `None` if not within two turns.
-    fn turning(&self) -> Result<Option<Place<T>>, Refusal> {
+    /// Where it comes to rest; `None` if not within two turns, nor within twice the way to an angle that is asked.
+    fn turning(&self, scene: &Scene, n: &Numbers<T>) -> Result<Option<Place<T>>, Refusal> {
         let far = T::Plain::constant(Dd::PI * Dd::new(2.0 * TURNS));
-        let (found, _) = self.plain().crossing(T::Plain::zero(), far)?;
+        let zero = T::Plain::zero();
+        let plain = self.plain();
+        let (found, _) = match self.apart(scene, n) {
+            Some(apart) => {
+                let asked = radians(apart).plain();
+                // What spoils the motion further on does not matter.
+                let beyond = plain.crossing(zero, asked.scale2(1)).or_else(|_| plain.crossing(zero, asked));
+                beyond?
+            }
+            None => plain.crossing(zero, far)?,
+        };
         let Some(way) = found else { return Ok(None) };
         let place = self.place(T::exactly(way));
         let drive = self.drive(&place);
@@ -581,13 +598,15 @@ impl<T: Real> Swing<T> {
         let pace = (speed / frequency).scale2(-1);
         // Half of the way as an angle of its own.
         let (sine, cosine) = trig::turn(place.way.scale2(-1));
-        let mut last = Arc {
-            sine: (first.sine * cosine).balance(first.cosine * sine),
-            cosine: (first.cosine * cosine).balance(-(first.sine * sine)),
-            pace,
-        };
-        // How often it has passed the top: an even number where the cosine has kept its sign.
+        let hanging = if self.body.is_upright() { place.half.less_half_turn() } else { place.half };
+        let mut last = Arc { sine: hanging.sine.signed(self.sense), cosine: hanging.cosine, pace };
+        // The signs that it has on the way there from the start, and how often it has passed the top: an even number where
+        // the cosine has kept its sign.
         let half = trig::atan2(first.sine, first.cosine).f64() + 0.5 * place.way.f64();
+        let (s, c) = trig::sin_cos_radians(Dd::new(half));
+        if s.hi * last.sine.f64() + c.hi * last.cosine.f64() < 0.0 {
+            (last.sine, last.cosine) = (-last.sine, -last.cosine);
+        }
         let tops = half / std::f64::consts::PI;
         let odd = last.cosine.sign() < 0.0;
         let passed = if odd { 2.0 * ((tops - 1.0) / 2.0).round() + 1.0 } else { 2.0 * (tops / 2.0).round() };
@@ -636,6 +655,10 @@ fn between<T: Real>(from: &Arc<T>, to: &Arc<T>, k: T, step: Half<T>) -> T {
     let u13 = (x1 * x3 * y2 * y4 + y1 * y3 * x2 * x4) / apart;
     let u14 = (x1 * x4 * y2 * y3 + y1 * y4 * x2 * x3) / apart;
     elliptic::rf_of_roots(u12, u13, u14)
+}
+
+fn radians<T: Real>(degrees: T) -> T {
+    degrees * T::constant(Dd::PI / Dd::new(180.0))
 }
 
 impl<P: Real<Plain = P>> Swing<P> {
