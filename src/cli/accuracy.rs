@@ -354,12 +354,21 @@ impl Sheet<'_> {
             points: self
                 .lines
                 .iter()
-                .filter(|l| l.row.rung.method() == *method)
+                .filter(|l| l.row.rung.method() == *method && l.row.rung != Rung::Settled)
                 .filter(shown)
                 .map(|l| Point { x: cost(l), y: worst(l).max(NO_ERROR), filled: l.best, ringed: l.row.auto })
                 .collect(),
         });
-        let series: Vec<Series> = series.filter(|s| !s.points.is_empty()).collect();
+        // What settles by itself is no point of a line.
+        let settled = self.lines.iter().filter(|l| l.row.rung == Rung::Settled).filter(shown);
+        let settled = settled.map(|l| Series {
+            name: "gauss, settled".to_owned(),
+            style: 0,
+            points: vec![Point { x: cost(l), y: worst(l).max(NO_ERROR), filled: l.best, ringed: l.row.auto }],
+        });
+        let settled: Vec<Series> = settled.collect();
+        let series: Vec<Series> =
+            settled.into_iter().chain(series).filter(|s| !s.points.is_empty()).collect();
         let points = || series.iter().flat_map(|s| &s.points);
         let label = if self.timed { "time of one solve, s" } else { "force evaluations of one solve" };
         let ys = points().map(|p| p.y).chain([NO_ERROR]);
@@ -369,7 +378,7 @@ impl Sheet<'_> {
             description: self.described(),
             x: Axis::around(label, Scale::Log, points().map(|p| p.x)),
             y: Axis::around("greatest relative error of the asked answers", Scale::Log, ys),
-            notes: ["filled: unbeaten", "ring: what auto takes", "bottom: nearest double"]
+            notes: ["filled: unbeaten", "ring: what auto takes", "bottom: no error"]
                 .map(str::to_owned)
                 .to_vec(),
             series,
@@ -428,7 +437,7 @@ impl Sheet<'_> {
             x: Axis::around("requested tolerance", Scale::Log, xs.into_iter()),
             y: Axis::around("delivered error", Scale::Log, ys.into_iter().chain([NO_ERROR])),
             series,
-            notes: vec!["bottom: nearest double".to_owned()],
+            notes: vec!["bottom: no error".to_owned()],
         })
     }
 

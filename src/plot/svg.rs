@@ -30,9 +30,9 @@ pub fn escaped(text: &str) -> String {
 
 /// Ink, paper and the colours of series, light and dark: Okabe and Ito, lightened where they stand on dark.
 const STYLE: &str = "\
-.plot{--ink:#1b1f24;--paper:#fff;--soft:#5c6570;--grid:#e3e7ec;--c0:#1b1f24;--c1:#0072b2;--c2:#d55e00;--c3:#00805c;--c4:#b0528f;--c5:#a86f00;--c6:#1d84c0;font:13px/1.2 system-ui,-apple-system,\"Segoe UI\",\"Liberation Sans\",Arial,sans-serif}\
-@media(prefers-color-scheme:dark){.plot{--ink:#e4e7eb;--paper:#14171b;--soft:#9aa4b0;--grid:#2a3037;--c0:#e4e7eb;--c1:#56b4e9;--c2:#ff8a3d;--c3:#2fc89a;--c4:#e39ac8;--c5:#e6b43c;--c6:#9bd3f5}}\
-@media print{.plot{--ink:#000;--paper:#fff;--soft:#444;--grid:#ddd;--c0:#000;--c1:#0072b2;--c2:#d55e00;--c3:#00805c;--c4:#b0528f;--c5:#a86f00;--c6:#1d84c0}}\
+.plot{--ink:#1b1f24;--paper:#fff;--soft:#5c6570;--grid:#e3e7ec;--c0:#1b1f24;--c1:#0072b2;--c2:#d55e00;--c3:#00805c;--c4:#b0528f;--c5:#a86f00;--c6:#6b7280;font:13px/1.2 system-ui,-apple-system,\"Segoe UI\",\"Liberation Sans\",Arial,sans-serif}\
+@media(prefers-color-scheme:dark){.plot{--ink:#e4e7eb;--paper:#14171b;--soft:#9aa4b0;--grid:#2a3037;--c0:#e4e7eb;--c1:#56b4e9;--c2:#ff8a3d;--c3:#2fc89a;--c4:#e39ac8;--c5:#e6b43c;--c6:#9aa4b0}}\
+@media print{.plot{--ink:#000;--paper:#fff;--soft:#444;--grid:#ddd;--c0:#000;--c1:#0072b2;--c2:#d55e00;--c3:#00805c;--c4:#b0528f;--c5:#a86f00;--c6:#6b7280}}\
 .plot text{fill:var(--ink)}.plot .soft{fill:var(--soft)}.plot .head{font-weight:600;font-size:15px}.plot .small{font-size:10px}\
 .plot .paper{fill:var(--paper)}.plot .grid{stroke:var(--grid);stroke-width:1;fill:none}.plot .frame{stroke:var(--soft);stroke-width:1;fill:none}\
 .plot .line{fill:none;stroke-width:1.6;stroke-linejoin:round}.plot .mark{stroke-width:1.6;stroke-linejoin:round}.plot .ring{fill:none;stroke:var(--ink);stroke-width:1.4}";

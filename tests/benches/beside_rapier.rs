@@ -59,6 +59,7 @@ fn rapier(dt: f64) -> Found {
     loop {
         let body = &mut bodies[wheel];
         body.reset_forces(true);
+        body.reset_torques(true);
         let centre = body.translation();
         let top = Vector::new(centre.x, centre.y + RIM_M as f32);
         body.add_force_at_point(Vector::new(P_N as f32, 0.0), top, true);
