@@ -2,9 +2,9 @@
 //! nalgebra's LU in doubles, refined with double-double residuals (Wilkinson); derivatives from the same factors. Keeper
 //! of nalgebra.
 //!
-//! In the second way rows are scaled by powers of two, and columns by the size of their own unknown, so that an acceleration that is
-//! 1e-30 of the others keeps all its digits: the test of convergence is the residual of each row against the terms of
-//! that row.
+//! In the second way rows are scaled by powers of two, and columns by the size of their own unknown, so that an
+//! acceleration that is 1e-30 of the others keeps all its digits: the test of convergence is the residual of each row
+//! against the terms of that row.
 use crate::num::Real;
 use crate::num::Rough;
 use crate::num::U;
