@@ -118,6 +118,18 @@ fn the_commands_of_the_readme_run() {
         ran += 1;
     }
     assert!(ran > 0, "the README shows commands");
+    // The pictures are those that the commands have just written; with RENEW_PICTURES=1 they are put in their place.
+    let pictures = root.join("tests/readme");
+    for entry in fs::read_dir(&pictures).expect("pictures of the README") {
+        let picture = entry.unwrap().path();
+        let name = picture.file_name().unwrap().to_string_lossy().into_owned();
+        assert!(readme.contains(&format!("](tests/readme/{name})")), "{name} is shown");
+        let written = fs::read(folder.path().join(&name)).expect("a command of the README writes it");
+        if std::env::var("RENEW_PICTURES").is_ok() {
+            fs::write(&picture, &written).unwrap();
+        }
+        assert!(fs::read(&picture).unwrap() == written, "tests/readme/{name} is not what the command writes");
+    }
     assert_eq!(ran + elsewhere, commands.len());
     // No block of commands may hide from this test under another name.
     for (i, line) in readme.lines().enumerate() {

@@ -261,7 +261,7 @@ pub fn why(taken: &Taken) -> &'static str {
             "the force changes with the angle so that the time has no closed form; its integral is regular, so nothing has to be stepped"
         }
         (_, Method::Closed, _) => "as asked; exact but for rounding",
-        _ => "as asked; the other road stays in closed form and judges it",
+        _ => "as asked; the other road judges it",
     }
 }
 
