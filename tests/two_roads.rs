@@ -8,6 +8,7 @@
     reason = "a test fails by panicking, tells figures with --nocapture, and NaN must fail its comparisons"
 )]
 mod support;
+use rayon::prelude::*;
 use slipstick::num::U;
 use slipstick::problem::make::Maker;
 
@@ -16,8 +17,9 @@ const DRAWS: u32 = 10_000;
 
 #[test]
 fn the_roads_agree_on_ten_thousand_draws_of_every_family() {
-    for bank in support::banks() {
-        for problem in &bank.problems {
+    let banks = support::banks();
+    banks.par_iter().for_each(|bank| {
+        bank.problems.par_iter().for_each(|problem| {
             let maker = Maker::new(problem, 20_261_121, "two roads");
             let (mut worst, mut compared) = (0.0f64, 0u64);
             for student in 0..DRAWS {
@@ -39,6 +41,6 @@ fn the_roads_agree_on_ten_thousand_draws_of_every_family() {
             }
             println!("{}: {compared} values, worst gap {worst:.2} u max(1, cond)", problem.id);
             assert!(compared >= u64::from(DRAWS) * 4);
-        }
-    }
+        });
+    });
 }

@@ -44,8 +44,12 @@ fn answer(args: &args::Solve, io: &mut Io) -> Result<Exit, Vec<Finding>> {
     let problem = banks::problem(&loaded, &args.problem).map_err(|f| vec![f])?;
     let (case, data, shown) = data(&loaded, problem, &args.set, args.seed)?;
     let of_case = &problem.cases[case];
-    let (solved, taken) = ladder::solve(&of_case.scene, &data, &wish)
+    let (mut solved, taken) = ladder::solve(&of_case.scene, &data, &wish)
         .map_err(|refusal| refused(problem, &of_case.scene, &refusal))?;
+    if taken.errors.is_empty() {
+        // Nothing is proved where the data leave open which way it goes: the bounds are then absent.
+        agree::prove(&of_case.scene, &data, &mut solved);
+    }
     let holds = fits(problem, case, &solved);
     if args.json {
         io.piece(&json(problem, case, &solved, &taken));
@@ -337,13 +341,15 @@ fn json(problem: &Problem, case: usize, solved: &Solved, taken: &Taken) -> Strin
             number(row.gap),
             number(row.cond),
             if taken.errors.is_empty() {
-                String::new()
+                format!(", \"bound\": {}", number(row.bound))
             } else {
                 format!(", \"error\": {}", number(row.error))
             }
         );
     }
-    out.push_str(if first { "}\n}\n" } else { "\n  }\n}\n" });
+    out.push_str(if first { "}" } else { "\n  }" });
+    let beyond: Vec<String> = solved.beyond.iter().map(|l| string(&scene.name_of(*l))).collect();
+    let _ = write!(out, ",\n  \"beyond\": [{}]\n}}\n", beyond.join(", "));
     out
 }
 
@@ -357,6 +363,8 @@ struct Row<'s> {
     energy: Option<f64>,
     gap: Option<f64>,
     cond: Option<f64>,
+    /// Proved bound of the error, for the printed data.
+    bound: Option<f64>,
     /// Estimated error of the method, absolute.
     error: Option<f64>,
 }
@@ -378,6 +386,7 @@ fn rows<'s>(problem: &Problem, case: usize, solved: &'s Solved, taken: &Taken) -
             energy: e.energy,
             gap: e.gap(),
             cond: Some(e.cond),
+            bound: e.bound,
             error: taken.errors.iter().find(|(l, _)| *l == e.label).map(|(_, error)| *error),
         })
         .chain(solved.words.iter().map(|(label, word)| Row {
@@ -390,6 +399,7 @@ fn rows<'s>(problem: &Problem, case: usize, solved: &'s Solved, taken: &Taken) -
             energy: None,
             gap: None,
             cond: None,
+            bound: None,
             error: None,
         }))
         .collect();
@@ -448,5 +458,9 @@ fn table(
         head.push("est. error".to_owned());
     }
     out.push_str(&tell::table(&lines, &[0, 2]));
+    if !solved.beyond.is_empty() {
+        let names: Vec<String> = solved.beyond.iter().map(|l| scene.name_of(*l)).collect();
+        let _ = writeln!(out, "Not shown, for no double holds them to 16 digits: {}", names.join(", "));
+    }
     out
 }
