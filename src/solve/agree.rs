@@ -92,7 +92,8 @@ fn half<T: Real>(scene: &Scene, data: &[f64], wide: bool) -> Result<Half, Refusa
             eom: Some(value),
             energy: None,
             bound: None,
-            cond: said.value.cond(),
+            // What is endless stays so, whatever small change of the data.
+            cond: if value.is_infinite() { 0.0 } else { said.value.cond() },
             scale: said.scale,
         });
     }

@@ -180,6 +180,13 @@ fn scenes() -> Vec<(&'static str, Scene)> {
         ("lamina", lamina),
         ("pinned body falls", pinned(Zero::Upright, 20.0, 130.0)),
         ("pendulum", pinned(Zero::Hanging, 75.0, -30.0)),
+        ("driven flywheel", {
+            // A couple that turns a body hardly off its centre: the force across the arm then comes from the displacement.
+            let mut scene = pinned_and_tied(40.0, 100.0);
+            scene.bodies[0].inertia = Some(RotaryInertia::Gyration(f(2.5)));
+            scene.couples = vec![Couple { body: 0, moment_n_m: f(300.0), forward: true }];
+            scene
+        }),
         ("pinned body with a spring", pinned_and_tied(40.0, 100.0)),
     ]
 }

@@ -28,6 +28,8 @@ pub struct Store<T> {
     weight: T,
     /// Work of the couples per radian of growing angle.
     couple: T,
+    /// Moment of inertia about the mass centre.
+    own: T,
     spring: Option<Tied<T>>,
     /// 1 where the mass centre is above the pin at 0, -1 where it is below.
     up: f64,
@@ -87,7 +89,7 @@ impl<T: Real> Store<T> {
             tied
         });
         let weight = plant!("energy: weight of the pinned body", numbers.mass * n.gravity);
-        Self { start, doubled: carried + own, arm, mass: numbers.mass, weight, couple, spring, up }
+        Self { start, doubled: carried + own, arm, mass: numbers.mass, weight, couple, own, spring, up }
     }
 
     /// The same without derivatives.
@@ -107,6 +109,7 @@ impl<T: Real> Store<T> {
             mass: self.mass.plain(),
             weight: self.weight.plain(),
             couple: self.couple.plain(),
+            own: self.own.plain(),
             spring,
             up: self.up,
         }
@@ -190,6 +193,24 @@ impl<T: Real> Store<T> {
             let slope = plant!("energy: spring in a displacement", s.slope(place));
             toward.push(-(slope * outward));
             across.push(slope * sideways);
+        }
+        if !self.arm.is_zero() {
+            // The same force from a virtual turn about the mass centre: of a body whose mass sits there the force across is
+            // a small difference of weight and speeding up, but no difference here.
+            let turning =
+                plant!("energy: rotation in a turn about the mass centre", self.own) * self.rate(place);
+            let couple = plant!("energy: couple in a turn about the mass centre", self.couple);
+            let mut turned: Terms<T> = [-(turning / self.arm), couple / self.arm].into_iter().collect();
+            if let Some(s) = &self.spring {
+                let sideways = s.anchor * place.minus(s.direction).full_sine();
+                let lever = (s.at - self.arm) / self.arm;
+                let slope = plant!("energy: spring in a turn about the mass centre", s.slope(place));
+                turned.push(-(slope * sideways * lever));
+            }
+            let size = |terms: &Terms<T>| terms.iter().fold(T::Rough::zero(), |sum, t| sum + t.size());
+            if size(&turned) < size(&across) {
+                across = turned;
+            }
         }
         (toward, across)
     }

@@ -35,8 +35,10 @@ use crate::solve::outcome::Said;
 
 /// A motion is followed for two turns; within them the ends that a bank can ask for lie.
 const TURNS: f64 = 2.0;
-/// Step in which turning points are looked for, radians.
+/// Step in which changes of the drive are looked for, radians.
 const STRIDE: f64 = 0.25;
+/// Strides after which the speed is computed anew.
+const LOOK: u32 = 4;
 
 /// A place on the way.
 #[derive(Debug, Clone, Copy)]
@@ -439,9 +441,11 @@ impl<T: Real> Swing<T> {
         let Some(way) = found else { return Ok(None) };
         let place = self.place(T::exactly(way));
         let drive = self.drive(&place);
-        if drive.is_zero() {
+        // An angle that is asked is only compared with it.
+        if drive.is_zero() || matches!(scene.end, End::Angle(..)) {
             return Ok(Some(place));
         }
+        // One more step in which the data take part.
         Ok(Some(self.place(place.way - self.gained(&place)? / drive)))
     }
 
@@ -669,43 +673,51 @@ impl<P: Real<Plain = P>> Swing<P> {
         let above = |square: P| (square - level).sign();
         let from_above = level.is_zero() || level.below(self.half_square);
         let crossed = |square: P| if from_above { above(square) <= 0.0 } else { above(square) >= 0.0 };
+        // The last place whose speed is known, and the last whose drive is.
         let mut here = self.place(P::zero());
+        let mut before = (here.way, self.drive(&here));
         let (mut square, mut greatest) = (self.half_square, self.half_square);
-        while here.way.below(far) {
-            let next = (here.way + stride).abs();
-            let next = self.place(if next.below(far) { next } else { far });
-            let at = |way: P| -> Result<(P, P), Refusal> {
-                let place = self.place(way);
-                let parts = [square, self.closed(&here, &place), self.sprung(here.way, way)?];
-                let size = parts[0].size() + parts[1].size() + parts[2].size();
-                Ok(((parts[0] + parts[1] + parts[2]).cleared(size), self.drive(&place)))
-            };
-            let (end, slope) = at(next.way)?;
-            let first = self.drive(&here);
-            // It may have been there and back between: look where the drive changes its sign.
-            let mut stops = [None, Some((next.way, end))];
-            if first.sign() * slope.sign() < 0.0 {
-                let middle = root::between(here.way, next.way, slope.sign() > 0.0, |way| {
-                    let drive = self.drive(&self.place(way));
-                    Ok::<_, Refusal>((drive, P::zero()))
-                })?;
-                stops[0] = Some((middle, at(middle)?.0));
+        let mut strides = 0;
+        while before.0.below(far) {
+            let next = before.0 + stride;
+            let next = if next.below(far) { next } else { far };
+            let drive = self.drive(&self.place(next));
+            // The speed has its extremes where the drive changes its sign; between them and every few strides it is enough
+            // to look.
+            let turns = before.1.sign() * drive.sign() < 0.0;
+            strides += 1;
+            let mut stop = None;
+            if turns {
+                stop = Some(root::between(before.0, next, drive.sign() > 0.0, |way| {
+                    Ok::<_, Refusal>((self.drive(&self.place(way)), P::zero()))
+                })?);
+            } else if strides % LOOK == 0 || drive.is_zero() || !next.below(far) {
+                stop = Some(next);
             }
-            let mut low = here.way;
-            for (way, value) in stops.into_iter().flatten() {
-                if crossed(value) {
-                    let found = root::between(low, way, !from_above, |x| {
-                        let (value, slope) = at(x)?;
-                        Ok::<_, Refusal>((value - level, slope))
-                    })?;
-                    return Ok((Some(found), if greatest.below(value) { value } else { greatest }));
-                }
+            before = (next, drive);
+            while let Some(way) = stop.take() {
+                let at = |way: P| -> Result<(P, P), Refusal> {
+                    let place = self.place(way);
+                    let parts = [square, self.closed(&here, &place), self.sprung(here.way, way)?];
+                    let size = parts[0].size() + parts[1].size() + parts[2].size();
+                    Ok(((parts[0] + parts[1] + parts[2]).cleared(size), self.drive(&place)))
+                };
+                let (value, _) = at(way)?;
                 if greatest.below(value) {
                     greatest = value;
                 }
-                low = way;
+                if crossed(value) {
+                    let found = root::between(here.way, way, !from_above, |x| {
+                        let (value, slope) = at(x)?;
+                        Ok::<_, Refusal>((value - level, slope))
+                    })?;
+                    return Ok((Some(found), greatest));
+                }
+                (here, square) = (self.place(way), value);
+                if turns && !next.below(far) && way.below(next) {
+                    stop = Some(next);
+                }
             }
-            (here, square) = (next, end);
         }
         Ok((None, greatest))
     }
