@@ -60,18 +60,13 @@ pub fn first(scene: &Scene, data: &[f64]) -> Result<Half, Refusal> {
         return Err(Refusal::Inadmissible(faults));
     }
     supported(scene)?;
-    if !admissible::all_numbers(scene, data, ordinary) {
-        return match data.len() {
-            0..=24 => half::<JetOf<Wide, 24>>(scene, data, true),
-            25..=64 => half::<JetOf<Wide, 64>>(scene, data, true),
-            _ => Err(Refusal::Unsupported(Unsupported::TooManyData)),
-        };
-    }
+    // Few kinds of numbers: each is compiled through both roads. What is rare goes through the widest.
     match data.len() {
-        0..=10 => half::<Jet<10>>(scene, data, false),
-        11..=24 => half::<Jet<24>>(scene, data, false),
-        25..=64 => half::<Jet<64>>(scene, data, false),
-        _ => Err(Refusal::Unsupported(Unsupported::TooManyData)),
+        65.. => Err(Refusal::Unsupported(Unsupported::TooManyData)),
+        25.. => half::<JetOf<Wide, 64>>(scene, data, true),
+        _ if !admissible::all_numbers(scene, data, ordinary) => half::<JetOf<Wide, 64>>(scene, data, true),
+        11.. => half::<Jet<24>>(scene, data, false),
+        _ => half::<Jet<10>>(scene, data, false),
     }
 }
 
