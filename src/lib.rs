@@ -5,6 +5,7 @@
 //! - A **scene** is pure data in SI: bodies, ties (rolling, slipping and sliding contacts, cords), couples, a start, an end.
 //! - A **draw** gives each datum a value on a decimal grid; a draw that holds every rule is a **variant**, one student's own.
 //! - A **road** is one way to the answers: `eom`, the equations of motion, or `energy`, work and energy.
+//! - A **rung** is a method with its setting (closed form, quadrature, steps); the **ladder** takes the cheapest that a scene needs.
 //! - The **regime** is what really happens (`moves_up`, `up ok slips`); a **check** is one condition of validity, with numbers.
 //! - The **key** holds the answers on which both roads agree, with their gap and condition number.
 //! - A student's cell becomes a **reading**; key and reading give a **verdict** with points and a reason.
@@ -18,7 +19,7 @@
 //! [`problem::make`] is the first line in one function, [`grade::run`] the second; [`cli`] opens files and tells results.
 //!
 //! # Invariants
-//! - The roads share the scene and the arithmetic of [`num`], no mechanics; only [`solve::agree`] sees both.
+//! - The roads share the scene and the arithmetic of [`num`], no mechanics; only [`solve::agree`] and [`solve::ladder`] see both.
 //! - Nothing is published that they do not agree on within `16 u max(1, cond)`, u = 2^-53; NaN agrees with nothing.
 //! - No variant has an answer that its printed data do not determine: the condition number is below the limit of its question,
 //!   and a tolerance that widens with it is printed.
@@ -30,6 +31,8 @@
 //! Who may import whom, and who keeps which crate, stands as a table in `tests/architecture.rs` and is checked there.
 //!
 //! # Where the next feature goes
+//! A new method: a word in [`solve::method`], its steps in [`num::ode`] or its sum in `solve/energy/quadrature.rs`; [`solve::ladder`]
+//! judges it and measures it. A new picture: numbers into [`plot`].
 //! A new tie: a variant in [`scene::link`], its rows in `solve/eom/equations.rs`, its mode and its work in `solve/energy`, its
 //! words in `bank/scene.rs`. A new family: no Rust, a file in `banks/`. A new quantity: a line in [`scene::ask`] and a `say` on each road.
 //!

@@ -288,3 +288,26 @@ fn a_study_has_every_method_and_its_front() {
     // Within the slack of a clock costs are equal.
     assert_eq!(ladder::pareto(&[(1.0, 0.1), (1.05, 0.01)], 0.1), [false, true]);
 }
+
+#[test]
+fn every_method_gives_every_asked_answer_of_every_bank() {
+    for bank in &banks() {
+        for problem in bank.problems.iter().filter(|p| !matches!(p.cases[0].scene.end, End::AtOnce)) {
+            for seed in 0..3 {
+                let variant = Maker::new(problem, seed, "ladder").variant("0").unwrap();
+                let scene = &problem.cases[variant.case].scene;
+                let labels: Vec<Label> =
+                    problem.questions.iter().map(|q| q.label).filter(|l| !l.quantity.is_word()).collect();
+                let study = ladder::study(scene, &variant.data, &labels).unwrap();
+                for row in study.rows {
+                    let found =
+                        row.found.unwrap_or_else(|e| panic!("{} {seed} {:?}: {e:?}", problem.id, row.rung));
+                    assert!(found.worst.is_finite(), "{} {seed} {:?}: {found:?}", problem.id, row.rung);
+                    if matches!(row.rung, Rung::Closed | Rung::Settled | Rung::Doubles) {
+                        assert!(found.worst < 2e-14, "{} {seed} {:?}: {found:?}", problem.id, row.rung);
+                    }
+                }
+            }
+        }
+    }
+}

@@ -67,7 +67,7 @@ pub fn mean_of<T: Real>(a: T, b: T) -> T {
     for _ in 0..STEPS {
         let close = ((a - b) / a).f64().abs();
         (a, b) = ((a + b).scale2(-1), (a * b).root());
-        if close.is_nan() || close < MEANS {
+        if close.is_nan() || close < MEANS.max(T::NOISE) {
             return enclosed(a);
         }
     }
@@ -113,7 +113,7 @@ pub fn incomplete<T: Real>(across: T, along: T, complement: T) -> T {
             y = T::of(f64::MIN_POSITIVE);
         }
         y = y - product / y;
-        if close.is_nan() || close < MEANS {
+        if close.is_nan() || close < MEANS.max(T::NOISE) {
             return enclosed((trig::angle(a, y) + T::constant(Dd::PI * Dd::new(turns))) / a);
         }
         turns = 2.0 * turns + if y.sign() < 0.0 { 1.0 } else { 0.0 };

@@ -1,4 +1,4 @@
-//! Runs both roads and compares; the only file that sees both.
+//! Runs both roads and compares; the only file beside the ladder that sees both.
 use crate::num::Ball;
 use crate::num::Dd;
 use crate::num::Jet;

@@ -32,7 +32,7 @@ struct Found {
 }
 
 fn rapier(dt: f64) -> Found {
-    let (sine, cosine) = SLOPE_DEG.to_radians().sin_cos();
+    let (sine, cosine) = slipstick::num::trig::sin_cos_f64(SLOPE_DEG.to_radians());
     let gravity = Vector::new((-G * sine) as f32, (-G * cosine) as f32);
     let (mut bodies, mut colliders) = (RigidBodySet::new(), ColliderSet::new());
     colliders.insert(
