@@ -207,10 +207,10 @@ fn what_rolls_already_rolls_at_once() {
         near(&s, q, 0.0);
     }
     assert!(!s.all_hold(), "a question about slip needs slip");
-    // The least slip that doubles tell apart from rolling ends after its own time.
-    let s = throw("level", "forward", (0.3, 0.2), (5.0, 40.000_000_000_000_01), TO_ROLLING);
+    // A little more slip than the rounding of the data ends after its own time.
+    let s = throw("level", "forward", (0.3, 0.2), (5.0, 40.000_000_000_000_1), TO_ROLLING);
     assert_eq!(s.regime.word(), "rolls_after");
-    assert!(value(&s, Quantity::T) > 0.0 && value(&s, Quantity::T) < 1e-15);
+    assert!(value(&s, Quantity::T) > 0.0 && value(&s, Quantity::T) < 1e-14);
     // From there on it rolls as a wheel on an incline does: 5/7 of g sin.
     let s = throw("{slope: 30 deg}", "down", (0.3, 0.2), (5.0, 40.0), "{time: {of: ball, is: 2 s}}");
     near(&s, Quantity::A, 9.81 * 5.0 / 14.0);
@@ -324,4 +324,31 @@ fn throws_of_any_size_have_one_answer() {
         }
     }
     assert!(words.len() == 3 && words.values().all(|n| *n > 250), "{words:?}");
+}
+
+/// Balanced, at the limit, at rest, rolling in the *decimals*, which the doubles next to them miss by a rounding. Earlier
+/// tests had only data that doubles hold exactly.
+#[test]
+fn a_boundary_in_the_printed_decimals_is_a_boundary() {
+    // 65.4 N . 0.3 m = 40 kg . 9.81 m/s^2 . 1/2 . 0.1 m
+    let pulled = |p: f64| built_in("pulled-rolling", &[40.0, 0.2, 0.1, 0.15, 30.0, p, 3.0, 0.9, 9.81]);
+    for (p, word) in [(65.4, "balanced"), (65.39, "moves_down"), (65.41, "moves_up")] {
+        assert_eq!(pulled(p).regime.word(), word, "{p}");
+    }
+    assert!(!pulled(65.4).all_hold());
+    // k = 0: friction is P p/c = mu_s m g.
+    let s = built_in("pulled-rolling", &[3.0, 0.2, 0.1, 0.0, 0.0, 4.4145, 1.0, 0.3, 9.81]);
+    assert_eq!(s.regime.word(), "moves_up");
+    // x0 = m g sin/(ks gamma), with r = R and with r = R/2.
+    for (r, ks) in [(0.3, 98.1), (0.15, 130.8)] {
+        let s = built_in("spring-released", &[4.0, 0.3, r, 0.1, 30.0, ks, 0.1, 0.01, 2.0, 9.81]);
+        assert_eq!(s.regime.word(), "rest", "{r}");
+    }
+    for (radius, v, w) in [(0.1, 3.0, 30.0), (0.3, 0.9, 3.0), (0.11, 3.3, 30.0), (0.7, 2.1, 3.0)] {
+        let s = scene(&format!(
+            "      surfaces: {{incline: {{slope: 5 deg}}}}\n      bodies: {{ball: {{mass: m, radius of gyration: 0.07 m, radii: {{rim: {radius:?} m}}, moves: along incline}}}}\n      ties: [{{slips: {{body: ball, on its: rim, mu_s: 0.5, mu_k: 0.3}}}}]\n      start: {{ball: {{speed: {v:?} m/s, spin: {w:?} rad/s}}}}\n      end: {{rolling: ball}}"
+        ));
+        assert_eq!(s.regime.word(), "rolls_at_start", "{radius}");
+        assert!(value(&s, Quantity::A) < 0.0);
+    }
 }

@@ -210,6 +210,15 @@ impl Real for Ball {
         let above = (small.mid - large.mid).hi * (1.0 - STEP) + small.radius;
         Self { mid: large.mid, radius: large.radius.max(above * UP) }
     }
+    fn apart(self, o: Self) -> Self {
+        let apart = self - o;
+        // Whether it is zero is open wherever the data may round to it.
+        if apart.mid.hi.abs() <= 8.0 * U * self.mid.hi.abs().max(o.mid.hi.abs()) && !apart.exact() {
+            DOUBT.set(true);
+            return Self::zero();
+        }
+        apart
+    }
     fn negligible(self, _: f64) -> bool {
         // What rounding left is inside the radius already.
         false

@@ -8,6 +8,9 @@ use std::ops::Mul;
 use std::ops::Neg;
 use std::ops::Sub;
 
+/// As near to a boundary of regimes is *at* it, 8 u.
+const AT: f64 = 8.0 * U;
+
 /// A number of the solvers: [`Dd`] or [`crate::num::Wide`] alone, or [`crate::num::Jet`] of one of them with derivatives.
 pub trait Real:
     Copy
@@ -142,6 +145,27 @@ pub trait Real:
             -self
         } else {
             Self::zero()
+        }
+    }
+    /// -1 below, 0 at, 1 above a boundary of regimes: *at* is within 8 u of it, for a datum that is printed as a decimal is
+    /// known no better than to half a u. 0 beside NaN.
+    #[inline(always)]
+    fn status(self, boundary: Self) -> f64 {
+        let larger = self.size().max(boundary.size());
+        if larger.is_finite() && (self - boundary).size() <= Self::Rough::of(AT) * larger {
+            0.0
+        } else {
+            self.side(boundary)
+        }
+    }
+    /// Difference of two numbers that are equal at a boundary of regimes: exactly zero within 8 u, its derivatives stay.
+    #[inline(always)]
+    fn apart(self, other: Self) -> Self {
+        let apart = self - other;
+        if apart.size() <= Self::Rough::of(AT) * self.size().max(other.size()) {
+            Self::with_slopes(Self::Plain::zero(), |i| apart.slope(i))
+        } else {
+            apart
         }
     }
     /// The same, or exactly zero where it is nothing beside `scale`, the sum of the magnitudes of the terms that made it:

@@ -144,7 +144,8 @@ impl Half {
                 return Err(Refusal::Disagree { label, eom: sense, energy: other.sense, allowed: 0.0 });
             }
             // The drive is a sum of powers: only the second road has it, and only for margins.
-            physical::fill_drive(scene, sense, other.drive, &mut solved.checks);
+            let Solved { regime, checks, words, .. } = &mut solved;
+            physical::fill_drive(scene, sense, other.drive, (regime, checks, words));
         }
         Ok(solved)
     }

@@ -40,10 +40,26 @@ fn heading(scene: &Scene, sense: f64) -> f64 {
 }
 
 /// Fills in the numbers of [`CheckKind::Moves`]: what drives and what resists at the start, known to one road only.
-pub fn fill_drive<P: Real>(scene: &Scene, sense: f64, drive: (P, P), checks: &mut [Check]) {
+/// Drive and resistance within 8 u of each other are a balance: the regime then says so, whatever rounding of the data decided.
+pub fn fill_drive<P: Real>(
+    scene: &Scene,
+    sense: f64,
+    drive: (P, P),
+    (regime, checks, words): (&mut Regime, &mut [Check], &mut [(Label, Word)]),
+) {
+    let slips = scene.ties.iter().any(|t| matches!(t, Tie::Slip { .. }));
+    let balanced = scene.start.is_empty() && !slips && drive.0.status(drive.1) == 0.0 && !drive.0.is_zero();
+    if balanced {
+        let held = scene.spring().is_some() || scene.bodies.iter().any(|b| b.pin.is_some());
+        regime.motion = if held { Motion::Rest } else { Motion::Balanced };
+        for (_, word) in words.iter_mut().filter(|(l, _)| l.quantity == Quantity::Direction) {
+            *word = Word::Stays;
+        }
+    }
     let against = heading(scene, sense) * sense < 0.0;
     let (push, hold) = if against { (drive.1, drive.0) } else { drive };
     for check in checks.iter_mut().filter(|c| c.kind == CheckKind::Moves) {
+        check.ok &= !balanced;
         check.required = hold.f64();
         check.available = push.f64();
         // What is thrown needs no drive.
@@ -106,7 +122,7 @@ pub fn judge<P: Real<Plain = P>>(
                 margin: if *normal > 0.0 { 1.0 } else { -1.0 },
             }),
             Held::Rolling(tie, most, Some(available)) => {
-                let holds = most.side(*available) <= 0.0;
+                let holds = most.status(*available) <= 0.0;
                 slips |= !holds;
                 checks.push(Check {
                     kind: CheckKind::NoSlip,
@@ -121,7 +137,7 @@ pub fn judge<P: Real<Plain = P>>(
             Held::Rolling(_, _, None) => {}
             Held::Slipping(tie, friction, available, against, _) => {
                 let needs = friction.abs();
-                let must = needs.side(*available) > 0.0;
+                let must = needs.status(*available) > 0.0;
                 checks.push(Check {
                     kind: CheckKind::MustSlip,
                     of: *tie,
@@ -151,7 +167,7 @@ pub fn judge<P: Real<Plain = P>>(
         }
     }
     let asked = course.asked.unwrap_or_else(P::zero);
-    let place = asked.side(course.farthest);
+    let place = asked.status(course.farthest);
     let watched = match thrown {
         // The start of rolling has its own checks.
         Some(_) => course.asked.is_some(),
@@ -196,7 +212,7 @@ pub fn judge<P: Real<Plain = P>>(
             Tie::Slip { body, .. } => scene.bodies[*body].line.is_none_or(|l| l.forward_up),
             _ => true,
         };
-        match (friction.abs().side(available), if forward_up { sense } else { -sense }) {
+        match (friction.abs().status(available), if forward_up { sense } else { -sense }) {
             (s, _) if s < 0.0 => Motion::Rolls,
             (0.0, _) => Motion::AtLimit,
             (_, u) if u > 0.0 => Motion::SlipsUp,

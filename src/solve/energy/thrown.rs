@@ -90,7 +90,7 @@ pub fn road<T: Real>(scene: &Scene, n: &Numbers<T>, thrown: &Thrown) -> Result<R
     let momentum = plant!("energy: momentum of the centre", numbers.mass * v0 * roll.v)
         .balance(plant!("energy: momentum of the turn", numbers.inertia * w0 * roll.w));
     let u0 = momentum / roll.inertia;
-    let slip0 = v0 - c * w0;
+    let slip0 = v0.apart(c * w0);
     let normal = balance::normal(n, body);
     let kinetic = plant!("energy: kinetic friction on a thrown body", n.get(thrown.mu_k)) * normal;
     let needed = -slip.power;

@@ -108,7 +108,7 @@ pub fn road_by<T: Real>(
     let c = n.get(thrown.radius_m);
     let (v0, w0) = (n.get(thrown.speed_m_s), n.get(thrown.spin_rad_s));
     let rim = plant!("eom: speed of the rim at the start", c * w0);
-    let slip0 = v0 - rim;
+    let slip0 = v0.apart(rim);
     // A contact that is at rest and cannot be held begins to slip against the friction that it would need.
     let sense = if !slip0.is_zero() {
         slip0.sign()
