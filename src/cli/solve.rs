@@ -73,7 +73,7 @@ fn wish(by: &args::By) -> Result<Wish, Vec<Finding>> {
     if let Some(rtol) = by.rtol {
         if !(rtol > 0.0 && rtol < 1.0) {
             faults.push(
-                Finding::new("--rtol", format!("{rtol:?} is no tolerance"))
+                Finding::new("--rtol", format!("{} is no tolerance", words::rounded(rtol, 5)))
                     .hint("write a number above 0 and below 1, such as 1e-9"),
             );
         }

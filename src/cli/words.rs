@@ -347,7 +347,10 @@ fn trouble(trouble: &Trouble) -> String {
             )
         }
         Trouble::Overdue { at } => {
-            format!("goes past the end without meeting it, as far as t = {at:e} s; take a shorter step")
+            format!(
+                "goes past the end without meeting it, as far as t = {} s; take a shorter step",
+                figures(*at)
+            )
         }
         Trouble::StepTooShort { step, steps } => {
             format!(
