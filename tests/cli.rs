@@ -1147,3 +1147,26 @@ fn a_tolerance_that_is_not_met_is_told() {
     let unmet = pulled("solve", &["--method", "gauss", "--rtol", "1e-300"]).out;
     assert!(unmet.contains("the tolerance 1e-300 is not met"), "{unmet}");
 }
+
+#[test]
+fn verify_proves_a_set_and_sees_what_does_not_belong() {
+    let room = Room::new(&CLASS[..2]);
+    assert_eq!(room.generate("roster.csv", "set", &[]).exit, Exit::Fine);
+    let verify = || run(&["verify", &room.path("set")]);
+    let fine = verify();
+    assert_eq!((fine.exit, fine.err.as_str()), (Exit::Fine, ""));
+    assert!(
+        fine.out.contains("are enclosed: the true answer for the printed data lies within"),
+        "{}",
+        fine.out
+    );
+    let key = room.read("set/key.csv");
+    room.write("set/key.csv", &format!("{key}0099,1,omega,1,rad/s,1,1,0,1,0.01,1e-14\n"));
+    let strange = verify();
+    assert_eq!(strange.exit, Exit::Faulty);
+    assert!(strange.err.contains("has rows of students who are not in the set"), "{}", strange.err);
+    let row = key.lines().nth(1).unwrap();
+    room.write("set/key.csv", &key.replace(row, &row.replacen("0.", "1.", 1)));
+    assert_eq!(verify().exit, Exit::Faulty);
+    assert_eq!(run(&["verify", &room.path("none")]).exit, Exit::Faulty);
+}

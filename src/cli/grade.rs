@@ -99,7 +99,9 @@ pub fn replayed(folder: &Path) -> Result<(StoredSet, Vec<SheetKey>), Vec<Finding
     let mut faults: Vec<Finding> =
         key_file::compare(&stored, &keys).into_iter().map(|f| f.in_file(&file)).collect();
     if let Some(last) = faults.pop() {
-        faults.push(last.hint("key.csv is not what the set gives; nothing was graded. Put the original back, or make the set anew"));
+        faults.push(
+            last.hint("key.csv is not what the set gives: put the original back, or make the set anew"),
+        );
         return Err(faults);
     }
     Ok((set, keys))

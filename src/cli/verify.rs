@@ -1,5 +1,6 @@
 //! `slipstick verify`: a set is drawn and solved again, and every key held against its enclosure.
 use crate::cli::args;
+use crate::cli::files;
 use crate::cli::grade;
 use crate::cli::tell;
 use crate::cli::tell::Exit;
@@ -10,10 +11,11 @@ use crate::key::Answer;
 use crate::key::KeyEntry;
 use crate::key::SheetKey;
 use crate::num::U;
+use crate::set::key_file;
 
 /// Runs it.
 pub fn run(args: &args::Verify, io: &mut Io) -> Exit {
-    match grade::replayed(&args.set) {
+    match grade::replayed(&args.set).and_then(|(set, keys)| strangers(args, &keys).map(|()| (set, keys))) {
         Ok((set, keys)) => {
             let sheets = tell::count(keys.len(), "sheet");
             let variants = tell::count(keys.iter().map(|k| k.problems.len()).sum(), "variant");
@@ -28,6 +30,22 @@ pub fn run(args: &args::Verify, io: &mut Io) -> Exit {
         }
         Err(findings) => io.findings(&findings),
     }
+}
+
+/// A key with rows beside those of the set: grading leaves them alone, a proof does not.
+fn strangers(args: &args::Verify, keys: &[SheetKey]) -> Result<(), Vec<Finding>> {
+    let path = args.set.join("key.csv");
+    let stored = files::read(&path).map_err(|f| vec![f])?;
+    let body = stored.strip_prefix(b"\xef\xbb\xbf").unwrap_or(&stored);
+    if body == key_file::text(keys) {
+        return Ok(());
+    }
+    let fault = Finding::new("", "has rows of students who are not in the set, or is written otherwise");
+    let fault = fault.in_file(path.display().to_string());
+    Err(vec![
+        fault
+            .hint("after an `--add` that was cut off run `generate --add` again; else put the original back"),
+    ])
 }
 
 /// What was seen of one question.
@@ -140,12 +158,12 @@ fn verdict(rows: &[Row]) -> String {
     if let Some(worst) =
         rows.iter().filter(|r| r.answers > 0).max_by(|a, b| a.gap_ulps.total_cmp(&b.gap_ulps))
     {
-        text = format!(
-            "The roads differ by {} ulps at most ({} of {}). ",
-            words::rounded(worst.gap_ulps, 3),
-            worst.name,
-            worst.whose
-        );
+        text = if worst.gap_ulps > 0.0 {
+            let ulps = words::rounded(worst.gap_ulps, 3);
+            format!("The roads differ by {ulps} ulps at most ({} of {}). ", worst.name, worst.whose)
+        } else {
+            "The roads agree to the last bit. ".to_owned()
+        };
     }
     let widest = rows.iter().fold(0.0f64, |w, r| w.max(r.widest));
     text.push_str(&format!(

@@ -1,8 +1,10 @@
 //! A whole sheet of one student, as Markdown and as a page of HTML that needs nothing else.
 use crate::bank::Bank;
+use crate::bank::Problem;
 use crate::finding::Finding;
 use crate::problem::make::Variant;
 use crate::scene::Quantity;
+use crate::scene::Slope;
 use crate::sheet::html::Converter;
 use crate::sheet::statement::Common;
 use crate::sheet::statement::Scratch;
@@ -154,6 +156,25 @@ impl<'b> Sheets<'b> {
         }
         view.text("example", &example.0);
         view.text("example_unit", &example.1);
+        // A word gives a sign only where something goes along a line.
+        let directed = self
+            .statements
+            .iter()
+            .map(|(index, _)| &self.bank.problems[*index])
+            .filter(|p| p.questions.iter().any(|q| q.label.quantity.is_directed()));
+        let lines = |p: &Problem| -> Vec<bool> {
+            let bodies = p.cases.iter().flat_map(|c| &c.scene.bodies);
+            bodies.filter_map(|b| b.line).map(|l| l.slope != Slope::Level).collect()
+        };
+        let sloped: Vec<bool> = directed.flat_map(lines).collect();
+        view.text(
+            "direction",
+            match (sloped.is_empty(), sloped.contains(&true)) {
+                (true, _) => "",
+                (false, true) => "down",
+                (false, false) => "back",
+            },
+        );
         view
     }
 }
