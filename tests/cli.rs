@@ -1038,7 +1038,7 @@ fn a_method_that_does_not_fit_is_refused() {
         (&["--method", "rk4", "--step", "1kg"], "error: --step: `1kg`: expected s"),
         (&["--method", "rk4", "--step", "0"], "error: --step: `0` is no step"),
         (&["--method", "rk4", "--step", "1/0s"], "error: --step: `1/0s` is no step"),
-        (&["--rtol", "2"], "error: --rtol: 2 is no tolerance"),
+        (&["--rtol", "2"], "error: --rtol: 2.0000 is no tolerance"),
         (&["--method", "rk4", "--step", "1e-300"], "error: pulled-rolling: rk4: would need"),
     ] {
         let ran = pulled("solve", more);
@@ -1067,7 +1067,7 @@ fn accuracy_prints_and_writes_the_same_every_time() {
     assert!(html.contains("<svg") && html.contains("Asked and given") && !html.contains("NaN"));
     assert!(
         room.read("trade/accuracy.csv")
-            .starts_with("method,step_s,rtol,points,evaluations,steps,error of omega,")
+            .starts_with("problem,method,setting,step_s,rtol,points,evaluations,steps,error of omega,")
     );
     // Constant acceleration: every formula but Euler's is exact.
     let csv = room.read("trade/accuracy.csv");
@@ -1075,7 +1075,7 @@ fn accuracy_prints_and_writes_the_same_every_time() {
     let worst = rows[0].iter().position(|h| *h == "worst error").unwrap();
     for row in &rows[1..] {
         let error: f64 = row[worst].parse().unwrap();
-        assert!(if row[0] == "euler" { error > 1e-6 } else { error < 1e-14 }, "{row:?}");
+        assert!(if row[1] == "euler" { error > 1e-6 } else { error < 1e-14 }, "{row:?}");
     }
     // Again: refused, then the same bytes.
     let again = pulled("accuracy", &["--no-time", "--out", &folder]);
@@ -1106,6 +1106,46 @@ fn accuracy_prints_and_writes_the_same_every_time() {
     );
     let ran = run(&["accuracy", "wheels-on-inclines", "kinetic-energy", "--seed", "5"]);
     assert_eq!((ran.exit, ran.out.as_str()), (Exit::Faulty, ""));
+    assert!(ran.err.contains("nothing moves, there is nothing to compare"), "{}", ran.err);
+}
+
+/// A command with data.
+fn with_data(command: &[&str], data: &str) -> Ran {
+    let mut line = command.to_vec();
+    for datum in data.split(' ') {
+        line.extend(["--set", datum]);
+    }
+    run(&line)
+}
+
+#[test]
+fn accuracy_says_when_the_regime_fails() {
+    let data = "m=40kg R=200mm r=100mm k=150mm theta=15 P=100N d=3m mu_s=0.1";
+    let ran = with_data(&["accuracy", "wheels-on-inclines", "pulled-rolling", "--no-time"], data);
+    assert_eq!(ran.exit, Exit::RegimeFails);
+    assert!(ran.out.contains("\nregime: ") && ran.out.contains("\n  FAILS  no_slip"), "{}", ran.out);
+    for (from, to) in [(10, 351), (0, 90)] {
+        let data = format!("m=4kg L=1m phi0={from} phi1={to}");
+        let ran = with_data(&["accuracy", "pinned-bodies", "falling-rod", "--no-time"], &data);
+        assert_eq!(ran.exit, Exit::RegimeFails);
+        assert!(ran.out.contains("nothing to compare") && !ran.out.contains('*'), "{}", ran.out);
+    }
+}
+
+#[test]
+fn a_run_past_an_unstable_point_ends_soon() {
+    let data = "m=4kg h=300mm k=200mm phi0=179 phi1=10";
+    let ran = with_data(&["accuracy", "pinned-bodies", "compound-pendulum", "--no-time"], data);
+    assert!(ran.out.contains("goes past the end without meeting it"), "{}", ran.out);
+    assert!(!ran.out.contains("given up"), "{}", ran.out);
+}
+
+#[test]
+fn a_tolerance_that_is_not_met_is_told() {
+    let raised = pulled("solve", &["--method", "dopri5", "--rtol", "1e-300"]).out;
+    assert!(raised.contains("the tolerance 1e-300 was raised to 2e-15"), "{raised}");
+    let unmet = pulled("solve", &["--method", "gauss", "--rtol", "1e-300"]).out;
+    assert!(unmet.contains("the tolerance 1e-300 is not met"), "{unmet}");
 }
 
 #[test]

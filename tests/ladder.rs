@@ -311,3 +311,43 @@ fn every_method_gives_every_asked_answer_of_every_bank() {
         }
     }
 }
+
+#[test]
+fn a_quadrature_delivers_at_a_turning_point_or_refuses() {
+    let banks = banks();
+    let problem = banks.iter().flat_map(|b| &b.problems).find(|p| p.id == "compound-pendulum").unwrap();
+    let mut scene = problem.cases[0].scene.clone();
+    let variant = Maker::new(problem, 1, "ladder").variant("0").unwrap();
+    let end = scene.ending_coordinate();
+    scene.end = End::TurningPoint(end);
+    for speed in [0.3, 1.0, 3.0] {
+        scene.start = vec![Start::Speed(end, Num::Fixed(speed))];
+        let Ok(reference) = eom::road::<Dd>(&scene, &variant.data) else { continue };
+        let Some(time) = reference.get(TIME) else { continue };
+        for rtol in [None, Some(1e-12), Some(1e-6)] {
+            let wish = Wish { method: Some(Method::Gauss), rtol, step_s: None };
+            match ladder::solve(&scene, &variant.data, &wish) {
+                Ok((found, _)) => {
+                    let value = found.get(TIME).unwrap().energy.unwrap();
+                    let miss = ((Dd::new(value) - time.value).abs() / time.value.abs()).hi;
+                    assert!(miss <= rtol.unwrap_or(1e-12), "{speed} {rtol:?}: {miss:e}");
+                }
+                Err(refusal) => assert!(
+                    matches!(refusal, Refusal::Unmet { .. } | Refusal::Unsteady { .. }),
+                    "{refusal:?}"
+                ),
+            }
+        }
+    }
+}
+
+#[test]
+fn the_finer_runs_count_before_any_is_made() {
+    let (mut scene, data) = one("spring-released", 1);
+    let end = scene.ending_coordinate();
+    let time = ladder::solve(&scene, &data, &Wish::default()).unwrap().0.get(TIME).unwrap().value();
+    scene.end = End::Time(end, Num::Fixed(0.5 * time));
+    let wish = Wish { method: Some(Method::Rk4), rtol: None, step_s: Some(0.5 * time / 1e7) };
+    let refusal = ladder::solve(&scene, &data, &wish).unwrap_err();
+    assert!(matches!(refusal, Refusal::Trouble { trouble: Trouble::StepTooShort { .. }, .. }), "{refusal:?}");
+}

@@ -18,6 +18,7 @@ use crate::plot::svg::escaped;
 use crate::scene::Label;
 use crate::scene::Scene;
 use crate::solve::ladder;
+use crate::solve::ladder::Force;
 use crate::solve::ladder::Row;
 use crate::solve::ladder::Study;
 use crate::solve::ladder::Taken;
@@ -47,7 +48,7 @@ const SAME_TIME: f64 = 0.1;
 /// Runs it.
 pub fn run(args: &args::Accuracy, io: &mut Io) -> Exit {
     match measured(args, io) {
-        Ok(()) => Exit::Fine,
+        Ok(exit) => exit,
         Err(findings) => io.findings(&findings),
     }
 }
@@ -70,22 +71,44 @@ struct Sheet<'s> {
     lines: Vec<Line>,
     timed: bool,
     taken: Taken,
+    /// What really happens, if it is not what the problem declares.
+    regime: String,
+    /// Asked answers that do not exist here.
+    missing: Vec<String>,
 }
 
-fn measured(args: &args::Accuracy, io: &mut Io) -> Result<(), Vec<Finding>> {
+fn measured(args: &args::Accuracy, io: &mut Io) -> Result<Exit, Vec<Finding>> {
     let outputs = outputs(args)?;
     let loaded = banks::load(&args.bank)?;
     let problem = banks::problem(&loaded, &args.problem).map_err(|f| vec![f])?;
     let (case, data, shown) = solve::data(&loaded, problem, &args.set, args.seed)?;
     let scene = &problem.cases[case].scene;
     let refused = |refusal: &_| solve::refused(problem, scene, refusal);
-    let (_, taken) = ladder::solve(scene, &data, &ladder::Wish::default()).map_err(|r| refused(&r))?;
+    let (solved, taken) = ladder::solve(scene, &data, &ladder::Wish::default()).map_err(|r| refused(&r))?;
+    if taken.force == Force::Instant {
+        let fault =
+            Finding::new(&problem.id, "only an instant is asked: nothing moves, there is nothing to compare");
+        return Err(vec![fault.hint("`slipstick solve` gives the answers")]);
+    }
+    let holds = solve::fits(problem, case, &solved);
+    let shown = shown.join(", ");
+    let exit = if holds { Exit::Fine } else { Exit::RegimeFails };
+    let regime = if holds { String::new() } else { solve::regime(problem, case, &solved, holds) };
+    if solved.get(ladder::TIME).is_none() {
+        io.piece(&format!(
+            "{}: {shown}\n{regime}The motion does not get to its end: there is nothing to compare.\n",
+            problem.id
+        ));
+        return Ok(exit);
+    }
     let mut labels: Vec<Label> = Vec::new();
     for question in problem.questions.iter().filter(|q| !q.label.quantity.is_word()) {
         if !labels.contains(&question.label) {
             labels.push(question.label);
         }
     }
+    let missing: Vec<String> =
+        labels.iter().filter(|l| solved.get(**l).is_none()).map(|l| scene.name_of(*l)).collect();
     let study = ladder::study(scene, &data, &labels).map_err(|r| refused(&r))?;
     if study.labels.is_empty() {
         let fault = Finding::new(&problem.id, "none of the asked answers exists with these data");
@@ -104,7 +127,7 @@ fn measured(args: &args::Accuracy, io: &mut Io) -> Result<(), Vec<Finding>> {
         line.best = best;
     }
     let sheet =
-        Sheet { problem, scene, shown: shown.join(", "), study: &study, lines, timed: !args.no_time, taken };
+        Sheet { problem, scene, shown, study: &study, lines, timed: !args.no_time, taken, regime, missing };
     let mut texts = Vec::new();
     for (path, kind) in &outputs {
         let text = match kind {
@@ -119,7 +142,7 @@ fn measured(args: &args::Accuracy, io: &mut Io) -> Result<(), Vec<Finding>> {
     for (path, _) in &texts {
         io.line(&format!("written: {}", path.display()));
     }
-    Ok(())
+    Ok(exit)
 }
 
 fn cost(line: &Line) -> f64 {
@@ -285,7 +308,7 @@ impl Sheet<'_> {
     }
 
     fn text(&self) -> String {
-        let mut out = format!("{}: {}\n", self.problem.id, self.shown);
+        let mut out = format!("{}: {}\n{}", self.problem.id, self.shown, self.regime);
         out.push_str(&self.choice());
         out.push_str(
             "\nrelative errors against a reference in double-double (0: the nearest double); * is beaten by no other row\n",
@@ -293,6 +316,12 @@ impl Sheet<'_> {
         let mut rows = vec![self.head()];
         rows.extend(self.lines.iter().map(|l| self.cells(l)));
         out.push_str(&tell::table(&rows, &[0, 1, 2]));
+        if !self.missing.is_empty() {
+            out.push_str(&format!(
+                "not compared, for they do not exist with these data: {}\n",
+                self.missing.join(", ")
+            ));
+        }
         for refusal in self.refusals() {
             out.push_str(&format!("  {refusal}\n"));
         }
@@ -302,7 +331,9 @@ impl Sheet<'_> {
     fn csv(&self) -> String {
         let mut writer = csv::Writer::from_writer(Vec::new());
         let mut head: Vec<String> =
-            ["method", "step_s", "rtol", "points", "evaluations", "steps"].map(str::to_owned).to_vec();
+            ["problem", "method", "setting", "step_s", "rtol", "points", "evaluations", "steps"]
+                .map(str::to_owned)
+                .to_vec();
         if self.timed {
             head.push("seconds".to_owned());
         }
@@ -322,7 +353,14 @@ impl Sheet<'_> {
                 Rung::Adaptive(_, tolerance, _) => rtol = format!("{tolerance:e}"),
                 Rung::Fixed(_, h) => step = format!("{h:e}"),
             }
-            let mut record = vec![rung.method().name().to_owned(), step, rtol, points];
+            let mut record = vec![
+                self.problem.id.clone(),
+                rung.method().name().to_owned(),
+                words::setting(rung),
+                step,
+                rtol,
+                points,
+            ];
             let yes = |b: bool| if b { "yes" } else { "no" }.to_owned();
             match &line.row.found {
                 Ok(found) => {
@@ -347,7 +385,8 @@ impl Sheet<'_> {
 
     /// Error against cost, one line for each method.
     fn plot(&self) -> Figure {
-        let shown = |l: &&Line| l.row.found.is_ok();
+        // What is not a number has no place: least of all that of no error.
+        let shown = |l: &&Line| worst(l).is_finite();
         let series = Method::ALL.iter().enumerate().map(|(style, method)| Series {
             name: method.name().to_owned(),
             style,
@@ -412,7 +451,7 @@ impl Sheet<'_> {
             let points: Vec<Point> = self
                 .lines
                 .iter()
-                .filter(|l| l.row.rung.method() == *method && l.row.found.is_ok())
+                .filter(|l| l.row.rung.method() == *method && worst(l).is_finite())
                 .filter_map(|l| {
                     let x = l.row.rung.requested()?;
                     Some(Point { x, y: worst(l).max(NO_ERROR), filled: true, ringed: false })

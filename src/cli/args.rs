@@ -247,7 +247,7 @@ impl MethodName {
 /// `accuracy`
 #[derive(Debug, Args)]
 pub struct Accuracy {
-    /// Bank: a YAML file, or the id of a built-in one: wheels-on-inclines, hoists-and-pulleys
+    /// Bank: a YAML file, or the id of a built-in one: wheels-on-inclines, hoists-and-pulleys, slip-and-roll, pinned-bodies
     pub bank: String,
     /// Id of the problem
     pub problem: String,

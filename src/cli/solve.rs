@@ -73,7 +73,7 @@ fn wish(by: &args::By) -> Result<Wish, Vec<Finding>> {
     if let Some(rtol) = by.rtol {
         if !(rtol > 0.0 && rtol < 1.0) {
             faults.push(
-                Finding::new("--rtol", format!("{rtol} is no tolerance"))
+                Finding::new("--rtol", format!("{} is no tolerance", words::rounded(rtol, 5)))
                     .hint("write a number above 0 and below 1, such as 1e-9"),
             );
         }
@@ -141,7 +141,7 @@ pub fn data(
 }
 
 /// Does what really happens fit what the problem declares? A problem that declares no regime takes any, as in drawing.
-fn fits(problem: &Problem, case: usize, solved: &Solved) -> bool {
+pub fn fits(problem: &Problem, case: usize, solved: &Solved) -> bool {
     let word = solved.regime.word();
     let declared = |c: &Case| c.regimes.is_empty() || c.regimes.contains(&word);
     solved.all_hold() && problem.cases.get(case).is_some_and(declared)
@@ -292,7 +292,7 @@ fn method_json(taken: &Taken) -> String {
         "{{\"name\": \"{}\", {setting}, \"chosen\": {}, \"why\": {}, \"evaluations\": {}, \"steps\": {}, \"evaluations_of_the_estimate\": {}, \"relative_error\": {}}}",
         taken.rung.method().name(),
         taken.chosen,
-        string(words::why(taken)),
+        string(&words::why(taken)),
         taken.count.evaluations,
         taken.count.steps,
         taken.estimate.evaluations,
@@ -407,17 +407,10 @@ fn rows<'s>(problem: &Problem, case: usize, solved: &'s Solved, taken: &Taken) -
     rows
 }
 
-fn table(
-    problem: &Problem,
-    case: usize,
-    shown: &[String],
-    solved: &Solved,
-    taken: &Taken,
-    holds: bool,
-) -> String {
+/// What really happens, whether it is what the problem declares, and each condition.
+pub fn regime(problem: &Problem, case: usize, solved: &Solved, holds: bool) -> String {
     let scene = &problem.cases[case].scene;
-    let mut out = format!("{}: {}\n", problem.id, shown.join(", "));
-    let _ = writeln!(out, "regime: {} ({})", solved.regime.word(), words::regime(solved.regime));
+    let mut out = format!("regime: {} ({})\n", solved.regime.word(), words::regime(solved.regime));
     if !holds {
         let declared = match problem.cases[case].regimes.join(", ") {
             any if any.is_empty() => String::new(),
@@ -432,6 +425,20 @@ fn table(
         let mark = if check.ok { "holds" } else { "FAILS" };
         let _ = writeln!(out, "  {mark}  {}: {}", check.kind.name(), words::check(scene, check));
     }
+    out
+}
+
+fn table(
+    problem: &Problem,
+    case: usize,
+    shown: &[String],
+    solved: &Solved,
+    taken: &Taken,
+    holds: bool,
+) -> String {
+    let scene = &problem.cases[case].scene;
+    let mut out = format!("{}: {}\n", problem.id, shown.join(", "));
+    out.push_str(&regime(problem, case, solved, holds));
     let _ = writeln!(out, "method: {}", words::taken(taken));
     let numerical = !taken.errors.is_empty();
     let mut lines = vec![

@@ -238,8 +238,28 @@ fn inadmissible(problem: &Problem, fault: &Inadmissible) -> String {
     }
 }
 
-/// Why this method.
-pub fn why(taken: &Taken) -> &'static str {
+/// Why this method, and whether it meets what was asked.
+pub fn why(taken: &Taken) -> String {
+    let mut text = reason(taken).to_owned();
+    let Some(asked) = taken.asked.filter(|_| !taken.errors.is_empty()) else { return text };
+    match taken.rung.requested() {
+        Some(rtol) if rtol > asked => {
+            text.push_str(&format!(
+                "; the tolerance {asked:e} was raised to {rtol:e}, below which a step shows only rounding"
+            ));
+        }
+        None if taken.worst > asked => {
+            text.push_str(&format!(
+                "; the tolerance {asked:e} is not met: {:.1e} is the estimate, most of it rounding",
+                taken.worst
+            ));
+        }
+        _ => {}
+    }
+    text
+}
+
+fn reason(taken: &Taken) -> &'static str {
     if taken.rung == Rung::Doubles {
         return "a closed form exists, and doubles are exact enough for the tolerance";
     }
@@ -286,7 +306,7 @@ pub fn rung(rung: Rung) -> String {
     match rung {
         Rung::Closed => "closed form".to_owned(),
         Rung::Doubles => "closed form in doubles".to_owned(),
-        Rung::Settled => "gauss quadrature until it settles".to_owned(),
+        Rung::Settled => "gauss quadrature with as many points as rounding allows".to_owned(),
         _ => format!("{}, {}", rung.method().name(), setting(rung)),
     }
 }
@@ -297,7 +317,8 @@ pub fn taken(taken: &Taken) -> String {
     let by = if taken.chosen { " (auto)" } else { "" };
     let mut text = format!("{name}{by}: {}", why(taken));
     if !taken.errors.is_empty() {
-        text.push_str(&format!("; {} force evaluations", taken.count.evaluations));
+        let n = taken.count.evaluations;
+        text.push_str(&format!("; {n} force evaluation{}", if n == 1 { "" } else { "s" }));
         if taken.estimate.evaluations > 0 {
             text.push_str(&format!(", {} more for the error estimate", taken.estimate.evaluations));
         }
@@ -325,8 +346,16 @@ fn trouble(trouble: &Trouble) -> String {
                 "is given up after {steps} steps at t = {at:e} s; take a longer step or a larger tolerance"
             )
         }
+        Trouble::Overdue { at } => {
+            format!(
+                "goes past the end without meeting it, as far as t = {} s; take a shorter step",
+                figures(*at)
+            )
+        }
         Trouble::StepTooShort { step, steps } => {
-            format!("would need {steps:.0e} steps of {step:e} s; take a longer step")
+            format!(
+                "would need {steps:.0e} steps of {step:e} s or, for the error estimate, shorter; take a longer step"
+            )
         }
         Trouble::NotFinite { at } => format!("runs off: a value is no longer finite at t = {at:e} s"),
     }
@@ -378,9 +407,14 @@ pub fn refusal(problem: &Problem, scene: &Scene, refusal: &Refusal) -> Vec<Strin
             scene.name_of(*label)
         )),
         Refusal::Contradicts { method, label, value, judge, allowed } => one(format!(
-            "{} and the other road disagree on {}: {value:e} against {judge:e}; a difference of {allowed:.1e} lies within both error estimates. Nothing is published.",
+            "{} and the other road disagree on {}: {value:e} against {judge:e}; only {} would lie within both error estimates. Nothing is published.",
             method.name(),
-            scene.name_of(*label)
+            scene.name_of(*label),
+            rounded(*allowed, 2)
+        )),
+        Refusal::Unmet { method, points, error, asked } => one(format!(
+            "{} does not get there: with {points} points its estimated error is {error:.1e} of an answer, above {asked:.1e}; auto finds what does",
+            method.name()
         )),
         Refusal::NoMethod { method } => {
             one(format!("{} does not apply to this scene; auto finds what does", method.name()))

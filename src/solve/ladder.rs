@@ -8,6 +8,8 @@ use crate::num::U;
 use crate::num::Wide;
 use crate::num::ode::Count;
 use crate::num::ode::FINEST;
+use crate::num::ode::MOST_STEPS;
+use crate::num::ode::Trouble;
 use crate::num::wide::ordinary;
 use crate::scene::End;
 use crate::scene::Label;
@@ -64,6 +66,8 @@ pub struct Taken {
     pub rung: Rung,
     /// Did the program choose it?
     pub chosen: bool,
+    /// The relative error that was asked for.
+    pub asked: Option<f64>,
     /// What the scene is like.
     pub force: Force,
     /// What it cost.
@@ -80,8 +84,12 @@ pub struct Taken {
 const SAFETY: f64 = 2.5;
 /// A run whose estimate is a larger share of an answer than this has not settled.
 const UNSETTLED: f64 = 0.1;
+/// A quadrature without a tolerance that changes by more than this share when set finer has not come to rounding.
+const COARSEST_ROUNDING: f64 = 1e-12;
 /// The closed form evaluates the forces once.
 const ONCE: Count = Count { evaluations: 1, steps: 0, refused: 0 };
+/// The time of the motion.
+pub const TIME: Label = Label { quantity: Quantity::T, of: Owner::Scene };
 /// Numbers of points that are tried for a tolerance.
 const POINTS: [usize; 12] = [1, 2, 3, 4, 6, 8, 12, 16, 24, 32, 48, 64];
 
@@ -154,6 +162,7 @@ pub fn solve(scene: &Scene, data: &[f64], wish: &Wish) -> Result<(Solved, Taken)
     let mut taken = Taken {
         rung: Rung::Closed,
         chosen: wish.method.is_none(),
+        asked: wish.rtol,
         force,
         count: ONCE,
         estimate: Count::default(),
@@ -180,7 +189,9 @@ pub fn solve(scene: &Scene, data: &[f64], wish: &Wish) -> Result<(Solved, Taken)
             POINTS.iter().map(|n| Rung::Gauss(*n)).chain(settled).collect()
         }
         (Method::Gauss, None) if irregular => vec![Rung::Settled],
-        (Method::Gauss, None) => vec![Rung::Gauss(USUAL_POINTS)],
+        (Method::Gauss, None) => {
+            POINTS.iter().filter(|n| **n >= USUAL_POINTS).map(|n| Rung::Gauss(*n)).collect()
+        }
         (Method::Dopri5 | Method::Dop853, rtol) => {
             vec![Rung::Adaptive(method, rtol.unwrap_or(FINEST).max(FINEST), 1.0)]
         }
@@ -191,11 +202,18 @@ pub fn solve(scene: &Scene, data: &[f64], wish: &Wish) -> Result<(Solved, Taken)
         let tried = judged(scene, data, way, rung, &solved);
         let good = match (&tried, wish.rtol) {
             (Ok(t), Some(rtol)) => t.worst <= rtol.max(FINEST),
-            (Ok(_), None) => true,
+            (Ok(t), None) => method != Method::Gauss || t.unsettled == 0.0,
             (Err(_), _) => false,
         };
         if good || i == last {
-            taken = put(&mut solved, taken, way, rung, tried?);
+            let tried = tried?;
+            let asked = wish.rtol.map_or(COARSEST_ROUNDING, |rtol| rtol.max(FINEST));
+            if let (false, Rung::Gauss(points)) = (good, rung)
+                && tried.unsettled > asked
+            {
+                return Err(Refusal::Unmet { method, points, error: tried.unsettled, asked });
+            }
+            taken = put(&mut solved, taken, way, rung, tried);
             break;
         }
     }
@@ -222,6 +240,8 @@ struct Judged {
     count: Count,
     estimate: Count,
     worst: f64,
+    /// The largest change to a finer run that is more than rounding, as a share of its answer.
+    unsettled: f64,
 }
 
 /// A zero, of terms that cancel for some data or for all: steps leave rounding of its terms in its place.
@@ -239,6 +259,13 @@ fn rounding_of(entry: &Entry, value: f64, share: f64) -> f64 {
 fn judged(scene: &Scene, data: &[f64], way: Way, rung: Rung, solved: &Solved) -> Result<Judged, Refusal> {
     let method = rung.method();
     let labels: Vec<Label> = solved.entries.iter().map(|e| e.label).collect();
+    // The run and the two finer ones together.
+    if let (Rung::Fixed(_, step), Some(time)) = (rung, solved.get(TIME).map(Entry::value)) {
+        let steps = (1.0 + 2.0 + 3.0) * time / step;
+        if steps > MOST_STEPS as f64 {
+            return Err(Refusal::Trouble { method, trouble: Trouble::StepTooShort { step, steps } });
+        }
+    }
     let (coarse, count) = values(scene, data, rung, &labels)?;
     let mut estimate = Count::default();
     // Two finer runs: with one, an error that happens to be the same on both would hide.
@@ -249,7 +276,8 @@ fn judged(scene: &Scene, data: &[f64], way: Way, rung: Rung, solved: &Solved) ->
         estimate.steps += count.steps;
         finer.push((rung.extrapolation(by), fine));
     }
-    let mut found = Judged { values: Vec::with_capacity(labels.len()), count, estimate, worst: 0.0 };
+    let mut found =
+        Judged { values: Vec::with_capacity(labels.len()), count, estimate, worst: 0.0, unsettled: 0.0 };
     for (i, (entry, value)) in solved.entries.iter().zip(coarse).enumerate() {
         let label = entry.label;
         let judge = match way {
@@ -281,6 +309,9 @@ fn judged(scene: &Scene, data: &[f64], way: Way, rung: Rung, solved: &Solved) ->
         let apart = (value - judge).abs();
         if apart.is_nan() || apart > allowed {
             return Err(Refusal::Contradicts { method, label, value, judge, allowed });
+        }
+        if change > floor {
+            found.unsettled = found.unsettled.max(change / size);
         }
         found.worst = found.worst.max(error / size);
         found.values.push((value, error));
@@ -402,7 +433,7 @@ pub fn study(scene: &Scene, data: &[f64], labels: &[Label]) -> Result<Study, Ref
         let road: Road<Wide> = eom::road(scene, data)?;
         labels.iter().map(|l| road.get(*l).map_or(Dd::new(f64::NAN), |s| s.value.value())).collect()
     };
-    let time = solved.get(Label { quantity: Quantity::T, of: Owner::Scene }).map(Entry::value);
+    let time = solved.get(TIME).map(Entry::value);
     let rows = rungs(force, time.filter(|t| t.is_finite() && *t > 0.0)).into_iter().map(|rung| {
         let found = values(scene, data, rung, &labels).map(|(values, count)| {
             let errors: Vec<f64> = values.iter().zip(&reference).map(|(v, r)| error(*v, *r)).collect();

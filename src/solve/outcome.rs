@@ -275,6 +275,17 @@ pub enum Refusal {
         /// Set finer.
         finer: f64,
     },
+    /// A named method, as fine as it gets, stays above the error that was asked for.
+    Unmet {
+        /// Which method.
+        method: Method,
+        /// How many points it took at last.
+        points: usize,
+        /// Its estimated error as a share of an answer.
+        error: f64,
+        /// The share that was asked for.
+        asked: f64,
+    },
     /// A named method and the closed form of the other road disagree beyond the error estimates of both.
     Contradicts {
         /// Which method.

@@ -101,6 +101,11 @@ pub enum Trouble {
         /// Where they led.
         at: f64,
     },
+    /// Far more than the time of the motion has gone by, and the event has not come.
+    Overdue {
+        /// Where: the independent variable.
+        at: f64,
+    },
     /// So many steps of this length would be needed that none was made.
     StepTooShort {
         /// The step.
@@ -178,6 +183,8 @@ pub struct Run<const N: usize, F> {
     peak: [f64; N],
     stages: [[f64; N]; 12],
     count: Count,
+    /// An event that has not come by here does not come.
+    latest: f64,
 }
 
 /// A step that may be made: its length, the change of the unknowns and, where the estimate needed it, the slope at its end.
@@ -212,9 +219,15 @@ impl<const N: usize, F: FnMut(f64, &[f64; N]) -> [f64; N]> Run<N, F> {
             peak: y.map(f64::abs),
             stages: [[0.0; N]; 12],
             count: Count::default(),
+            latest: f64::INFINITY,
         };
         run.slope = run.evaluate(x, &y);
         run
+    }
+
+    /// No event is awaited beyond this value of the independent variable.
+    pub fn give_up_at(&mut self, latest: f64) {
+        self.latest = latest;
     }
 
     /// Another law holds from here on: asks the field anew.
@@ -347,6 +360,9 @@ impl<const N: usize, F: FnMut(f64, &[f64; N]) -> [f64; N]> Run<N, F> {
     fn propose(&mut self) -> Result<Proposal<N>, Trouble> {
         if self.count.steps >= MOST_STEPS {
             return Err(Trouble::TooManySteps { steps: self.count.steps, at: self.x.value });
+        }
+        if self.x.value > self.latest {
+            return Err(Trouble::Overdue { at: self.x.value });
         }
         let mut h = self.next;
         let (order, rtol) = match (self.pace, self.formula) {

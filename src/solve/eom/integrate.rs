@@ -38,7 +38,12 @@ pub struct Route<L> {
     pub u0: f64,
     /// Rough time to the farthest event: what the first step is measured by.
     pub pace: f64,
+    /// Time to the last event in closed form; infinite if it is not known.
+    pub time: f64,
 }
+
+/// A run with a fixed step that takes so many times the time of the motion has passed its event.
+const OVERDUE: f64 = 20.0;
 
 impl<L: Fn(usize, f64) -> f64> Route<L> {
     /// The states at these events, which are given in the order in which they come, each with the distance at which it is
@@ -56,6 +61,11 @@ impl<L: Fn(usize, f64) -> f64> Route<L> {
         let field = |_: f64, y: &[f64; 2]| [y[1], (self.law)(piece.get(), y[0])];
         let formula = rung.method().formula().unwrap_or(Formula::Dop853);
         let mut run = Run::new(formula, field, 0.0, [0.0, self.u0], rung.pace(0.05 * self.pace));
+        if let Rung::Fixed(_, step) = rung
+            && self.time >= 0.0
+        {
+            run.give_up_at(OVERDUE * (self.time + step));
+        }
         let turned = |_: f64, y: &[f64; 2]| -y[1];
         // The size of the accelerations and speeds to come, for the residuals.
         let farthest = events.iter().fold(0.0, |far: f64, e| far.max(e.1));
@@ -158,6 +168,7 @@ pub fn path<T: Real>(travel: &Travel<T>, wanted: &Wanted<T>, rung: Rung) -> Resu
         switch: slack.map(|(at, _)| at),
         u0,
         pace: if pace.is_finite() { pace } else { 1.0 },
+        time: travel.at(T::of(farthest)).time.f64(),
     };
     let list: Vec<(Event, f64)> = events.iter().map(|e| (e.0, e.1)).collect();
     let (states, count) = route.states(&list, rung)?;

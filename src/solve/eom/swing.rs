@@ -143,7 +143,14 @@ pub fn road_by<T: Real>(
     let mut count = Count::default();
     let (place, speed, time) = if let Some(by) = by {
         let swung = turning.filter(|_| pendulum && swing.half_square.is_zero());
-        let run = swing.stepped(scene, teller.n, (&place, swung), by)?;
+        // Only a step of fixed length can go past its event for ever.
+        let known = if matches!(by.0, Rung::Fixed(..)) {
+            let speed = if rest { T::zero() } else { swing.gained(&place)?.scale2(1).root() };
+            swing.time(&place, rest, speed, pendulum)?.f64()
+        } else {
+            f64::INFINITY
+        };
+        let run = swing.stepped(scene, teller.n, (&place, swung, known), by)?;
         count = run.count;
         if let Some((period, fastest)) = run.period {
             teller.replace(Quantity::Period, T::of(period));
@@ -269,7 +276,7 @@ impl<T: Real> Swing<T> {
         &self,
         scene: &Scene,
         n: &Numbers<T>,
-        (end, swung): (&Place<T>, Option<Place<T>>),
+        (end, swung, known): (&Place<T>, Option<Place<T>>, f64),
         (rung, asked): Steps,
     ) -> Result<Stepped, Refusal> {
         let u0 = self.half_square.scale2(1).root();
@@ -299,7 +306,10 @@ impl<T: Real> Swing<T> {
         let u0 = u0.f64();
         let pace = [(2.0 * farthest / force).sqrt(), farthest / u0];
         let pace = pace.into_iter().filter(|t| t.is_finite() && *t > 0.0).fold(f64::INFINITY, f64::min);
-        let route = Route { law, switch: None, u0, pace: if pace.is_finite() { pace } else { 1.0 } };
+        // The far turning point comes after half a period.
+        let half_period = if events.len() > 1 { 0.5 * self.period().0.f64() } else { 0.0 };
+        let time = if known > half_period { known } else { half_period };
+        let route = Route { law, switch: None, u0, pace: if pace.is_finite() { pace } else { 1.0 }, time };
         let list: Vec<(Event, f64)> = events.iter().map(|e| (e.0, e.1)).collect();
         let (states, count) = route
             .states(&list, rung)
