@@ -96,7 +96,7 @@ fn measured(args: &args::Accuracy, io: &mut Io) -> Result<Exit, Vec<Finding>> {
     let regime = if holds { String::new() } else { solve::regime(problem, case, &solved, holds) };
     if solved.get(ladder::TIME).is_none() {
         io.piece(&format!(
-            "{}: {shown}\n{regime}The motion does not get to its end: there is nothing to compare.\n",
+            "{}: {shown}\n{regime}No motion leads to the end: there is nothing to compare, and no numbers follow.\n",
             problem.id
         ));
         return Ok(exit);
