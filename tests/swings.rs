@@ -13,7 +13,7 @@
 use slipstick::num::U;
 use slipstick::scene::*;
 use slipstick::solve::agree::solve;
-use slipstick::solve::outcome::{Refusal, Solved};
+use slipstick::solve::outcome::{CheckKind, Refusal, Solved};
 use std::f64::consts::PI;
 
 fn f(x: f64) -> Num {
@@ -404,4 +404,161 @@ fn swings_of_any_kind_have_one_answer() {
     println!("{compared} values, worst gap {worst:.2} u max(1, cond), {unsettled} unsettled, {words:?}");
     assert!(words.len() >= 2 && words.values().all(|n| *n > 500), "{words:?}");
     assert!(unsettled < 60, "{unsettled}");
+}
+
+/// An end by speed is a place before the fastest one, not a turning point: regime, check and margin say so.
+///
+/// The tests of ends by speed looked at the values only, which were right; no bank draws such an end.
+#[test]
+fn an_end_by_speed_is_below_the_greatest_speed() {
+    let coupled = |mut scene: Scene| {
+        scene.couples.push(Couple { body: 0, moment_n_m: f(1.5), forward: false });
+        scene
+    };
+    for (scene, plain) in [
+        (swinging(Zero::Hanging, 70.0, End::Speed(TURN, f(1.0))), true),
+        (coupled(swinging(Zero::Hanging, 70.0, End::Speed(TURN, f(1.0)))), false),
+        (with_spin(swinging(Zero::Hanging, 0.0, End::Speed(TURN, f(1.0))), 2.0), true),
+        (with_spin(swinging(Zero::Hanging, 0.0, End::Speed(TURN, f(2.0))), 2.0), true),
+    ] {
+        let s = solved(&scene);
+        let reaches = s.checks.iter().find(|c| c.kind == CheckKind::Reaches).unwrap();
+        if scene.end == End::Speed(TURN, f(2.0)) {
+            // The start is the fastest place of this one.
+            assert_eq!(s.regime.word(), "swings turning_point");
+            continue;
+        }
+        assert_eq!(s.regime.word(), "swings ok");
+        assert!(reaches.ok && reaches.margin > 0.3, "{reaches:?}");
+        if plain {
+            near(reaches.available, value(&s, Quantity::OmegaMax), 4.0);
+        }
+    }
+}
+
+/// A body of 1 kg, h = 1 m, k = 0.5 m from hanging, with a couple that the weight nearly or just balances at 90 degrees.
+fn lifted(start: f64, couple: f64, end: End) -> Scene {
+    let mut scene = swinging(Zero::Hanging, start, end);
+    scene.gravity_m_s2 = f(9.80665);
+    scene.bodies[0].mass = Mass::Kilograms(f(1.0));
+    scene.bodies[0].inertia = Some(RotaryInertia::Gyration(f(0.5)));
+    scene.bodies[0].pin.as_mut().unwrap().arm = Arm::Distance(f(1.0));
+    scene.couples.push(Couple { body: 0, moment_n_m: f(couple), forward: true });
+    scene
+}
+
+/// Near 90 degrees the weight's moment exceeds the couple over a hair of the way: both roads looked in steps of some degrees
+/// and saw no change of the drive. The random scenes draw a couple far from the weight's largest moment.
+#[test]
+fn a_dip_of_the_drive_between_two_steps_is_seen() {
+    // From energies alone, by bisection in doubles: couple times way = m g h (cos start - cos end).
+    let turns = |g: f64, start: f64, couple: f64| {
+        let energy = |x: f64| {
+            let (a, b) = (start.to_radians(), x.to_radians());
+            couple * (b - a) - 2.0 * g * (0.5 * (a + b)).sin() * (0.5 * (b - a)).sin()
+        };
+        let mut low = start + 1e-3;
+        while energy(low) > 0.0 {
+            low += 1e-3;
+            assert!(low < 100.0);
+        }
+        let mut high = low;
+        low -= 1e-3;
+        for _ in 0..60 {
+            let middle = 0.5 * (low + high);
+            if energy(middle) > 0.0 { low = middle } else { high = middle }
+        }
+        low
+    };
+    for (g, start, couple) in [
+        (9.81, 88.0, 9.807),
+        (9.81, 88.3, 9.807_057),
+        (9.81, 86.5, 9.8),
+        (9.81, 80.0, 9.72),
+        (9.81, 89.5, 9.809_7),
+    ] {
+        let scene = |end| {
+            let mut scene = lifted(start, couple, end);
+            scene.gravity_m_s2 = f(g);
+            scene
+        };
+        let truth = turns(g, start, couple);
+        let s = solved(&scene(End::TurningPoint(TURN)));
+        assert!(s.checks.iter().all(|c| c.ok), "{:?}", s.checks);
+        let turned = start + value(&s, Quantity::Phi).to_degrees();
+        assert!((turned - truth).abs() < 1e-6, "{turned} is not {truth}");
+        let whole = value(&s, Quantity::T);
+        // Times on the way are sound questions, ends beyond the turning point are out of reach.
+        let s = solved(&scene(End::Time(TURN, f(0.4 * whole))));
+        assert_eq!(s.regime.word(), "swings ok");
+        assert!(start + value(&s, Quantity::Phi).to_degrees() < truth);
+        for end in [to(91.0), to(120.0), End::Speed(TURN, f(3.0)), End::Time(TURN, f(1.1 * whole))] {
+            assert_eq!(solved(&scene(end)).regime.word(), "swings unreachable", "{end:?}");
+        }
+    }
+    // The couple exceeds all that the weight can do: it goes on.
+    assert_eq!(solved(&lifted(80.0, 9.9, to(120.0))).regime.word(), "swings ok");
+}
+
+/// A stiff spring throws the body back a hair before its anchor, within one step of both searches.
+#[test]
+fn a_stiff_spring_near_its_anchor_turns_the_body() {
+    let mut scene = swinging(Zero::Upright, 88.3, End::TurningPoint(TURN));
+    scene.bodies[0].mass = Mass::Kilograms(f(0.01));
+    scene.bodies[0].inertia = Some(RotaryInertia::Gyration(f(0.1)));
+    let pin = scene.bodies[0].pin.as_mut().unwrap();
+    pin.arm = Arm::Distance(f(0.1));
+    let (at_m, stiffness_n_m) = (f(1.0), f(100_000.0));
+    let rest = Rest::Length(f(0.02));
+    pin.spring = Some(PinSpring { at_m, x_m: f(1.0), y_m: f(0.0), stiffness_n_m, rest });
+    let s = solved(&scene);
+    let turned = 88.3 + value(&s, Quantity::Phi).to_degrees();
+    // The weight is nothing: the compression is what the stretch was, 2 sin(0.85 deg) - 0.02 m.
+    let stretch = 2.0 * 0.85f64.to_radians().sin() - 0.02;
+    let by_hand = 90.0 - 2.0 * (0.5 * (0.02 - stretch)).asin().to_degrees();
+    assert!((turned - by_hand).abs() < 1e-4, "{turned} is not {by_hand}");
+}
+
+/// A spring without natural length that balances the weight everywhere: the drive is 0 everywhere, and the search ends.
+#[test]
+fn a_balanced_body_is_followed_at_once() {
+    // k a b = m g h, the anchor above the pin.
+    let stiffness = 3.0 * 9.81 * 0.5 / (0.8 * 0.5);
+    let mut scene =
+        with_spring(swinging(Zero::Upright, 10.0, to(130.0)), 0.0, 0.5, stiffness, Rest::Length(f(0.0)));
+    scene = with_spin(scene, 2.0);
+    let now = std::time::Instant::now();
+    let s = solved(&scene);
+    assert!(now.elapsed().as_secs() < 5, "{:?}", now.elapsed());
+    near(value(&s, Quantity::Omega), 2.0, 8.0);
+}
+
+/// From a hair beside the top it swings to the hair on the other side, exactly as high, and is driven back.
+///
+/// The extremes ended at angles: at the turning point the roads took the place from the way, which rounds off the hair.
+#[test]
+fn a_swing_from_next_to_the_top_ends_next_to_the_top() {
+    for (from, start) in [
+        (Zero::Upright, 1e-3),
+        (Zero::Upright, 1e-6),
+        (Zero::Upright, -1e-6),
+        (Zero::Upright, 1e-12),
+        (Zero::Upright, 1e-300),
+        (Zero::Upright, 179.0),
+        (Zero::Hanging, 179.999_999),
+        (Zero::Hanging, -179.999_999),
+        (Zero::Hanging, 1e-9),
+    ] {
+        let mut scene = swinging(from, start, End::TurningPoint(TURN));
+        scene.bodies[0].mass = Mass::Kilograms(f(2.22));
+        scene.bodies[0].inertia = Some(RotaryInertia::Gyration(f(2.68)));
+        scene.bodies[0].pin.as_mut().unwrap().arm = Arm::Distance(f(1.8));
+        let s = solved(&scene);
+        assert_eq!(value(&s, Quantity::Rise), 0.0, "{start}");
+        // As fast back as forth: the acceleration at the start turned round.
+        let mut first = scene.clone();
+        first.end = End::AtOnce;
+        let first = solved(&first);
+        near(value(&s, Quantity::Alpha), -value(&first, Quantity::Alpha), 2.0);
+    }
 }

@@ -46,8 +46,8 @@ fn of_tie(scene: &Scene, index: usize) -> String {
 pub fn check(scene: &Scene, c: &Check) -> String {
     let (required, available) = (figures(c.required), figures(c.available));
     match c.kind {
-        // What moves already needs no drive to set it going.
-        CheckKind::Moves if c.ok && !scene.start.is_empty() => {
+        // What moves already needs no drive to set it going; a start speed may be 0.
+        CheckKind::Moves if c.ok && !scene.start.is_empty() && c.available <= c.required => {
             format!("the {} moves as declared: it starts with a speed of its own", body(scene, c.of))
         }
         // Only the ratio of drive and resistance means anything.
@@ -419,11 +419,19 @@ pub fn refusal(problem: &Problem, scene: &Scene, refusal: &Refusal) -> Vec<Strin
         Refusal::NoMethod { method } => {
             one(format!("{} does not apply to this scene; auto finds what does", method.name()))
         }
-        Refusal::Unsettled(Unsettled { value, gap }) => one(format!(
-            "an integral over the motion does not settle: {value:e}, and {gap:e} off when its panels are halved. No answer is given."
+        Refusal::Unsettled(Unsettled { value, gap }) if value.is_finite() && gap.is_finite() => one(format!(
+            "an integral over the motion does not settle: a part of it is {value:e}, and halving its panels still changes that by {gap:e}; the motion all but stops on its way, or a spring passes its anchor. No answer is given."
         )),
-        Refusal::Disagree { label, eom, energy, allowed } => one(format!(
+        Refusal::Unsettled(_) => one(
+            "an integral over the motion has no value: the motion stops on its way, or a spring passes its anchor, where its force has no direction. No answer is given."
+                .to_owned(),
+        ),
+        Refusal::Disagree { label, eom, energy, allowed } if *allowed < 1.0 => one(format!(
             "the two roads disagree on {}: {eom:e} from the equations of motion, {energy:e} from energy; a relative gap of {allowed:.1e} would be accepted. No key is published.",
+            scene.name_of(*label)
+        )),
+        Refusal::Disagree { label, eom, energy, .. } => one(format!(
+            "the two roads disagree on {}: {eom:e} from the equations of motion, {energy:e} from energy; the last digits of the data decide it, and the roads share none of its digits. No key is published.",
             scene.name_of(*label)
         )),
     }
@@ -442,5 +450,35 @@ pub fn right_answer(entry: &KeyEntry, words: [&str; 2]) -> String {
                 entry.unit.text_with(&rounded(value, 4))
             }
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The words were only read with speeds above 0.
+    #[test]
+    fn a_start_speed_of_nothing_is_not_said_to_move_it() {
+        let turn = crate::scene::Coordinate { body: 0, degree: crate::scene::Degree::Turn };
+        let zero = crate::scene::Num::Fixed(0.0);
+        let scene = Scene {
+            gravity_m_s2: zero,
+            bodies: vec![],
+            ties: vec![],
+            couples: vec![],
+            start: vec![crate::scene::Start::Speed(turn, zero)],
+            end: End::TurningPoint(turn),
+            heading: None,
+        };
+        let moves = |available: f64, required: f64| {
+            let kind = CheckKind::Moves;
+            check(&scene, &Check { kind, of: 0, ok: true, required, available, margin: 1.0 })
+        };
+        // Without a drive only a speed of its own can move it.
+        assert!(moves(0.0, 3.0).contains("a speed of its own"));
+        assert!(moves(0.0, 0.0).contains("a speed of its own"));
+        assert!(moves(3.0, 0.0).contains("nothing resists"));
+        assert!(moves(3.0, 2.0).contains("the drive is 1.5000 times"));
     }
 }

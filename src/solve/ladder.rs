@@ -244,9 +244,14 @@ struct Judged {
     unsettled: f64,
 }
 
+/// A zero, of terms that cancel for some data or for all: steps leave rounding of its terms in its place.
+fn vanishes(entry: &Entry) -> bool {
+    entry.cond.is_infinite() || entry.value() == 0.0
+}
+
 /// What rounding of the data and of the state may do to an answer, absolutely.
 fn rounding_of(entry: &Entry, value: f64, share: f64) -> f64 {
-    let sensitivity = if entry.cond.is_finite() { entry.cond.max(1.0) * value.abs() } else { entry.scale };
+    let sensitivity = if vanishes(entry) { entry.scale } else { entry.cond.max(1.0) * value.abs() };
     share * sensitivity
 }
 
@@ -289,7 +294,7 @@ fn judged(scene: &Scene, data: &[f64], way: Way, rung: Rung, solved: &Solved) ->
             }
             continue;
         }
-        let size = value.abs().max(judge.abs()).max(if entry.cond.is_finite() { 0.0 } else { entry.scale });
+        let size = value.abs().max(judge.abs()).max(if vanishes(entry) { entry.scale } else { 0.0 });
         let changes = finer.iter().map(|(factor, fine)| (factor * (value - fine[i]).abs(), fine[i]));
         let (change, finer) =
             changes.fold((0.0f64, value), |most, c| if most.0.is_nan() || c.0 <= most.0 { most } else { c });

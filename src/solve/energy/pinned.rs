@@ -134,6 +134,30 @@ impl<T: Real> Store<T> {
         terms
     }
 
+    /// Bound of the second derivative of the power per unit rate, over the angle, between two places less than a turn apart.
+    ///
+    /// With the length `l` of the spring, `a` and `b` the distances of its ends from the pin: `l' = a b sin / l` is at most the
+    /// smaller of the two, and `sin` at most `l` over the larger, so that `k a b (1 + l0/l (1 + 6 min(a, b)/l))` bounds it.
+    pub fn bend(&self, from: &Half<T>, to: &Half<T>) -> T::Rough {
+        let mut bend = self.weight.size() * self.arm.size();
+        if let Some(s) = &self.spring {
+            let (at, anchor) = (s.at.size(), s.anchor.size());
+            let mut share = T::Rough::of(1.0);
+            if !s.natural.is_zero() {
+                // The length falls toward the direction of the anchor and grows from there.
+                let (first, last) = (from.minus(s.direction).sine, to.minus(s.direction).sine);
+                let through = first.sign() * last.sign() <= 0.0;
+                let near = if first.size() < last.size() { from } else { to };
+                let shortest = if through { (s.anchor - s.at).size() } else { s.length(near).size() };
+                let smaller = if at < anchor { at } else { anchor };
+                let by = s.natural.size() / shortest;
+                share += by * (T::Rough::of(1.0) + T::Rough::of(6.0) * smaller / shortest);
+            }
+            bend += s.stiffness.size() * at * anchor * share;
+        }
+        bend
+    }
+
     /// Angular acceleration at a place, from the rate of the balance; exactly 0 where the powers balance.
     pub fn rate(&self, place: &Half<T>) -> T {
         sum(&self.powers(place))

@@ -6,6 +6,7 @@
 //! energy is the work on the way back from there.
 use crate::num::Dd;
 use crate::num::Real;
+use crate::num::Rough;
 use crate::num::ball;
 use crate::num::elliptic;
 use crate::num::gauss;
@@ -35,6 +36,10 @@ use std::cell::Cell;
 const TURNS: f64 = 2.0;
 /// Step in which ends of the swing are looked for, radians.
 const STEP: f64 = 0.125;
+/// The least step, where the power may change its sign twice within one: 2^-33.
+const LEAST: f64 = 1.0 / (1u64 << 33) as f64;
+/// Refinements in one search: a power that is 0 over a whole way needs none.
+const REFINED: u32 = 500;
 
 /// The motion: from where, which way, with what kinetic energy.
 #[derive(Debug, Clone, Copy)]
@@ -96,7 +101,11 @@ pub fn road_by<T: Real>(
         book.forces(&store, &store.start, T::zero());
         return Ok((book.road, Count::default()));
     }
-    let turning = if free { motion.free_turning() } else { motion.turning(scene, &n)? };
+    let (turning, at_rest) = match (free, free.then(|| motion.free_turning()).flatten()) {
+        (true, Some((way, place))) => (Some(way), Some(place)),
+        (true, None) => (None, None),
+        (false, _) => (motion.turning(scene, &n)?, None),
+    };
     let limit = turning.unwrap_or_else(|| T::of(f64::INFINITY));
     let asked = motion.asked(scene, &n, free, turning)?;
     let reached = asked.filter(|q| q.not_negative() && q.at_most(limit));
@@ -124,7 +133,8 @@ pub fn road_by<T: Real>(
     let place = match scene.end {
         // The angle itself is printed; the way to it would round it.
         End::Angle(_, angle) => Half::of_degrees(n.get(angle)),
-        _ => motion.place(way),
+        // A hair from the top the way to it would round off the hair.
+        _ => at_rest.filter(|_| ends).unwrap_or_else(|| motion.place(way)),
     };
     let mut count = Count::default();
     let (speed, time) = if let Some(points) = points {
@@ -407,7 +417,8 @@ impl<'c, T: Real> Motion<'c, T> {
         (sine.square() + pace.square(), rest, rest.root())
     }
 
-    fn free_turning(&self) -> Option<T> {
+    /// The way to the place at rest, and that place.
+    fn free_turning(&self) -> Option<(T, Half<T>)> {
         let (sine, cosine, pace) = self.bob();
         let (_, rest, complement) = Self::share(sine, cosine, pace);
         if rest.sign() < 0.0 {
@@ -416,7 +427,18 @@ impl<'c, T: Real> Motion<'c, T> {
         // It turns where half the angle has the sine k.
         let k = if pace.is_zero() { sine.abs() } else { (sine.square() + pace.square()).root() };
         let across = (k * cosine).balance(-(complement * sine));
-        Some(trig::angle(across, (complement * cosine).balance(k * sine)).scale2(1))
+        let way = trig::angle(across, (complement * cosine).balance(k * sine)).scale2(1);
+        let hanging = Half { sine: k.signed(self.sense), cosine: complement };
+        // From upright it is half a turn more; and a whole turn more or less, as the way there has it.
+        let place = if self.store.is_upright() {
+            hanging.less_half_turn().less_half_turn().less_half_turn()
+        } else {
+            hanging
+        };
+        let roughly = self.place(way);
+        let same = place.sine * roughly.sine + place.cosine * roughly.cosine;
+        let whole = if same.sign() < 0.0 { place.less_half_turn().less_half_turn() } else { place };
+        Some((way, whole))
     }
 
     /// Period, and greatest angular speed, from the energy at the lowest place.
@@ -478,12 +500,24 @@ impl<P: Real<Plain = P>> Motion<'_, P> {
             if falling { side <= 0.0 } else { side >= 0.0 }
         };
         let mut low = P::zero();
-        let mut drive = self.power(&self.from);
+        let (mut start, mut drive) = (self.from, self.power(&self.from));
+        let (mut width, mut refined) = (STEP, 0);
         while low.below(last) {
-            let step = low + P::of(STEP);
-            let high = if step.below(last) { step } else { last };
-            let place = self.place(high);
-            let next = self.power(&place);
+            let ahead = |width: f64| {
+                let step = low + P::of(width);
+                let high = if step.below(last) { step } else { last };
+                let place = self.place(high);
+                (high, place, self.power(&place))
+            };
+            let (mut high, mut place, mut next) = ahead(width);
+            while width > LEAST
+                && refined < REFINED
+                && !self.turns_once((&start, drive), (&place, next), width)
+            {
+                (width, refined) = (0.5 * width, refined + 1);
+                (high, place, next) = ahead(width);
+            }
+            width = f64::min(2.0 * width, STEP);
             let mut marks = [None, Some(high)];
             if drive.sign() * next.sign() < 0.0 {
                 // The energy has a peak or a dip within the step.
@@ -503,8 +537,19 @@ impl<P: Real<Plain = P>> Motion<'_, P> {
                 }
                 from = mark;
             }
-            (low, drive) = (high, next);
+            (low, start, drive) = (high, place, next);
         }
         Ok(None)
+    }
+
+    /// Is it certain that the power changes its sign at most once between two places? It is off the chord by at most an
+    /// eighth of its second derivative times the square of the width: too little to reach 0, or to bend back.
+    fn turns_once(&self, (start, first): (&Half<P>, P), (end, last): (&Half<P>, P), width: f64) -> bool {
+        let sag = self.store.bend(start, end) * P::Rough::of(width * width);
+        if first.sign() * last.sign() > 0.0 {
+            let (a, b) = (first.size(), last.size());
+            return sag * P::Rough::of(0.125) <= if a < b { a } else { b };
+        }
+        sag <= (last - first).size()
     }
 }

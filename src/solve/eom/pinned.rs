@@ -120,6 +120,41 @@ impl Law {
             if k.natural == 0.0 { k.stiffness } else { k.stiffness - k.stiffness * k.natural / length };
         free + slope * across * (self.by_force + k.lever * self.by_moment)
     }
+
+    /// Is it certain that the angular acceleration is 0 at most once while the body turns from `a` to `b`, radians from its
+    /// start? By value and derivative halfway and a bound of the second derivative: `f'` keeps its sign, or `f` does.
+    pub fn changes_once(&self, a: f64, b: f64) -> bool {
+        let (middle, reach) = (0.5 * (a + b), 0.5 * (b - a).abs());
+        let (s, c) = trig::sin_cos_f64(0.5 * middle);
+        let (half_sine, half_cosine) = (self.sine * c + self.cosine * s, self.cosine * c - self.sine * s);
+        let cosine = (half_cosine - half_sine) * (half_cosine + half_sine);
+        let (mut slope, mut bend) = (self.weight * self.up * cosine, self.weight.abs());
+        if let Some(k) = &self.spring {
+            // The anchor as seen from the pin, along the body and across it: across' = -along, length' = -at across / length.
+            let sine = 2.0 * half_sine * half_cosine;
+            let along = k.x * sine + k.y * self.up * cosine;
+            let across = k.x * cosine - k.y * self.up * sine;
+            let outward = along - k.at;
+            let length = (outward * outward + across * across).sqrt();
+            let far = (k.x * k.x + k.y * k.y).sqrt();
+            let lever = k.stiffness * (self.by_force + k.lever * self.by_moment);
+            if k.natural == 0.0 {
+                slope -= lever * along;
+                bend += (lever * far).abs();
+            } else {
+                // The point of the body is nowhere nearer to the anchor than this.
+                let near = length - k.at.abs() * reach;
+                if near.is_nan() || near <= 0.0 {
+                    return false;
+                }
+                let (at, natural) = (k.at.abs(), k.natural.abs());
+                let square = (across / length) * (across / length);
+                slope -= lever * ((1.0 - k.natural / length) * along + k.natural * k.at * square / length);
+                bend += lever.abs() * (far + natural / near * (far + 3.0 * at * (far + at) / near));
+            }
+        }
+        slope.abs() >= bend * reach || self.at(middle).abs() >= (slope.abs() + 0.5 * bend * reach) * reach
+    }
 }
 
 impl<T: Real> Pinned<T> {

@@ -39,6 +39,10 @@ const TURNS: f64 = 2.0;
 const STRIDE: f64 = 0.25;
 /// Strides after which the speed is computed anew.
 const LOOK: u32 = 4;
+/// The least share of a stride that is taken to tell two changes of the drive apart, 2^-30.
+const LEAST: f64 = 1.0 / (1u64 << 30) as f64;
+/// How often strides are halved in one search: where a spring balances the weight everywhere, the drive is 0 everywhere.
+const HALVED: u32 = 600;
 
 /// A place on the way.
 #[derive(Debug, Clone, Copy)]
@@ -425,13 +429,13 @@ impl<T: Real> Swing<T> {
         let far =
             turning.map_or_else(|| T::Plain::constant(Dd::PI * Dd::new(2.0 * TURNS)), |t| t.way.plain());
         if level.side(self.half_square) == 0.0 {
-            return Ok((Some(self.place(T::zero())), w));
+            return Ok((Some(self.place(T::zero())), plain.fastest(far, w)));
         }
         let (found, greatest) = plain.crossing(level.plain(), far)?;
         let Some(way) = found else { return Ok((None, T::exactly(greatest.scale2(1).root()))) };
         let place = self.place(T::exactly(way));
         let way = place.way - (self.gained(&place)? - level) / self.drive(&place);
-        Ok((Some(self.place(way)), w))
+        Ok((Some(self.place(way)), plain.fastest(far, w)))
     }
 
     /// Where it comes to rest; `None` if not within two turns, nor within twice the way to an angle that is asked.
@@ -588,7 +592,17 @@ impl<T: Real> Swing<T> {
         let across = (k * arc.cosine).balance(-(complement * arc.sine));
         let along = (complement * arc.cosine).balance(k * arc.sine);
         let step = Half { sine: across.signed(self.sense), cosine: along };
-        Some(Place { way: trig::angle(across, along).scale2(1), half: self.start.plus(step) })
+        let about = self.start.plus(step);
+        // At rest half the angle from hanging has the sine k: a hair from the top only this keeps the digits of the hair.
+        let (k, rest) = (k.signed(self.sense), complement);
+        let half = if self.body.is_upright() {
+            Half { sine: rest, cosine: -k }
+        } else {
+            Half { sine: k, cosine: rest }
+        };
+        let same = half.sine * about.sine + half.cosine * about.cosine;
+        let half = if same.sign() < 0.0 { Half { sine: -half.sine, cosine: -half.cosine } } else { half };
+        Some(Place { way: trig::angle(across, along).scale2(1), half })
     }
 
     /// Period and greatest angular speed.
@@ -676,6 +690,16 @@ fn radians<T: Real>(degrees: T) -> T {
 }
 
 impl<P: Real<Plain = P>> Swing<P> {
+    /// The greatest angular speed on the way to `far`, at least `known`; infinite where what comes after the event, such as
+    /// a spring through its anchor, has no speed.
+    fn fastest<T: Real<Plain = P>>(&self, far: P, known: T) -> T {
+        // No square is at a level below 0: the search goes on to the end.
+        match self.crossing(P::of(-1.0), far) {
+            Ok((_, greatest)) => known.larger(T::exactly(greatest.scale2(1).root())),
+            Err(_) => T::of(f64::INFINITY),
+        }
+    }
+
     /// The first way at which half the square of the angular speed is at `level` (from above if the level is 0), and the
     /// greatest that was met on the way to it or to `far`.
     fn crossing(&self, level: P, far: P) -> Result<(Option<P>, P), Refusal> {
@@ -688,8 +712,17 @@ impl<P: Real<Plain = P>> Swing<P> {
         let mut before = (here.way, self.drive(&here));
         let (mut square, mut greatest) = (self.half_square, self.half_square);
         let mut strides = 0;
+        // Shorter strides where the drive may change its sign twice within one.
+        let law = self.body.law();
+        let once = |a: P, b: P| law.changes_once(self.sense * a.f64(), self.sense * b.f64());
+        let (mut share, mut halved) = (1.0, 0);
         while before.0.below(far) {
-            let next = before.0 + stride;
+            let mut next = before.0 + P::of(share) * stride;
+            while share > LEAST && halved < HALVED && !once(before.0, next) {
+                (share, halved) = (0.5 * share, halved + 1);
+                next = before.0 + P::of(share) * stride;
+            }
+            share = f64::min(2.0 * share, 1.0);
             let next = if next.below(far) { next } else { far };
             let drive = self.drive(&self.place(next));
             // The speed has its extremes where the drive changes its sign; between them and every few strides it is enough
