@@ -407,6 +407,9 @@ fn rows<'s>(problem: &Problem, case: usize, solved: &'s Solved, taken: &Taken) -
     rows
 }
 
+/// What the numbers mean where the regime fails.
+pub const NUMBERS_OF_TIES: &str = "; the numbers below are those of the declared ties";
+
 /// What really happens, whether it is what the problem declares, and each condition.
 pub fn regime(problem: &Problem, case: usize, solved: &Solved, holds: bool) -> String {
     let scene = &problem.cases[case].scene;
@@ -416,10 +419,7 @@ pub fn regime(problem: &Problem, case: usize, solved: &Solved, holds: bool) -> S
             any if any.is_empty() => String::new(),
             some => format!(" ({some})"),
         };
-        let _ = writeln!(
-            out,
-            "This is not what the problem declares{declared}; the numbers below are those of the declared ties."
-        );
+        let _ = writeln!(out, "This is not what the problem declares{declared}{NUMBERS_OF_TIES}.");
     }
     for check in &solved.checks {
         let mark = if check.ok { "holds" } else { "FAILS" };
