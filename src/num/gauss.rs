@@ -5,7 +5,6 @@
 use crate::num::Dd;
 use crate::num::Real;
 use crate::num::Rough;
-use smallvec::SmallVec;
 use std::sync::LazyLock;
 
 /// Nodes of a panel.
@@ -25,7 +24,7 @@ pub struct Unsettled {
 }
 
 /// One value for each node of a panel.
-pub type PerNode<T> = SmallVec<[T; NODES]>;
+pub type PerNode<T> = Vec<T>;
 
 /// The panel from 0 to 1.
 struct Panel {

@@ -64,7 +64,7 @@ pub fn first(scene: &Scene, data: &[f64]) -> Result<Half, Refusal> {
     match data.len() {
         65.. => Err(Refusal::Unsupported(Unsupported::TooManyData)),
         25.. => half::<JetOf<Wide, 64>>(scene, data, true),
-        _ if !admissible::all_numbers(scene, data, ordinary) => half::<JetOf<Wide, 64>>(scene, data, true),
+        _ if !admissible::all_numbers(scene, data, ordinary) => half::<JetOf<Wide, 24>>(scene, data, true),
         11.. => half::<Jet<24>>(scene, data, false),
         _ => half::<Jet<10>>(scene, data, false),
     }

@@ -522,6 +522,8 @@ impl<T: Real> Swing<T> {
     }
 
     /// One panel of the variable s from `a` to `b`: from rest the angle is `way s^2`, else `way s`.
+    // Its many numbers must not lie in every frame of the halving.
+    #[inline(never)]
     fn panel(&self, way: T, a: f64, b: f64, sprung: T) -> (T, T) {
         let rest = self.half_square.is_zero();
         let width = T::of(b) - T::of(a);
