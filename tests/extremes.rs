@@ -9,31 +9,19 @@
     clippy::disallowed_methods,
     reason = "a test fails by panicking, tells figures with --nocapture, and NaN must fail its comparisons"
 )]
+#[path = "support/big.rs"]
+mod beyond;
 mod support;
 
+use beyond::{BITS, Dice, F, abs, big, double};
 use dashu_float::DBig;
-use dashu_float::FBig;
 use dashu_float::round::mode::HalfEven;
-use rand_chacha::ChaCha20Rng;
-use rand_chacha::rand_core::{Rng, SeedableRng};
 use slipstick::num::U;
 use slipstick::scene::*;
 use slipstick::solve::agree::{prove, solve};
 use slipstick::solve::outcome::{Refusal, Solved};
 use std::str::FromStr;
 
-type F = FBig<HalfEven, 2>;
-const BITS: usize = 700;
-
-fn big(x: f64) -> F {
-    F::try_from(x).unwrap().with_precision(BITS).value()
-}
-fn double(x: &F) -> f64 {
-    x.to_f64().value()
-}
-fn abs(x: &F) -> F {
-    if *x < F::ZERO { -x.clone() } else { x.clone() }
-}
 /// Nothing beside the terms that made it: exact balance of numbers whose sines were rounded at 700 bits.
 fn cleared(x: F, terms: &[&F]) -> F {
     let size = terms.iter().fold(F::ZERO, |s, t| s + abs(t));
@@ -236,19 +224,6 @@ fn scene(kind: Kind) -> Scene {
     }
 }
 
-struct Dice(ChaCha20Rng);
-impl Dice {
-    fn unit(&mut self) -> f64 {
-        (self.0.next_u64() >> 11) as f64 / (1u64 << 53) as f64
-    }
-    fn log(&mut self, low: f64, high: f64) -> f64 {
-        10f64.powf(low + (high - low) * self.unit())
-    }
-    fn one_in(&mut self, n: u64) -> bool {
-        self.0.next_u64().is_multiple_of(n)
-    }
-}
-
 /// Data in the ranges of the issue; `wild` goes to where products leave the doubles.
 fn draw(dice: &mut Dice, kind: Kind, wild: bool) -> Vec<f64> {
     let w = if wild { 150.0 } else { 1.0 };
@@ -257,7 +232,7 @@ fn draw(dice: &mut Dice, kind: Kind, wild: bool) -> Vec<f64> {
     let rim = if wild { dice.log(-100.0, 100.0) } else { dice.log(-3.0, 3.0) };
     let hub = (rim * dice.log(-12.0, 0.0)).min(rim);
     let k = if kind != Kind::Slipping && dice.one_in(12) { 0.0 } else { rim * dice.log(-12.0, 6.0) };
-    let theta = match dice.0.next_u64() % 8 {
+    let theta = match dice.bits() % 8 {
         0 => 0.0,
         1 => 90.0,
         2 => 90.0 - dice.log(-12.0, 0.0),
@@ -271,14 +246,14 @@ fn draw(dice: &mut Dice, kind: Kind, wild: bool) -> Vec<f64> {
         let ks = span(dice, 12.0);
         let c = rim;
         let x_eq = m * g * s / (ks * ((c + hub) / c));
-        let x0 = match dice.0.next_u64() % 4 {
+        let x0 = match dice.bits() % 4 {
             0 => x_eq * (1.0 + dice.log(-13.0, 0.0)),
             1 => x_eq * (1.0 - dice.log(-13.0, -0.1)),
             2 => x_eq * dice.log(0.0, 3.0),
             _ => x_eq * dice.unit(),
         };
         let amplitude = (x0 - x_eq).abs() / ((c + hub) / c);
-        let d = match dice.0.next_u64() % 4 {
+        let d = match dice.bits() % 4 {
             0 => amplitude * 2.0 * dice.unit(),
             1 => amplitude * dice.log(-12.0, 0.0),
             2 => dice.log(-12.0, 12.0),
@@ -287,7 +262,7 @@ fn draw(dice: &mut Dice, kind: Kind, wild: bool) -> Vec<f64> {
         return vec![m, rim, hub, k, theta, g, ks, x0, d, dice.log(-3.0, 6.0)];
     }
     let balance = m * g * s * hub / (hub + rim);
-    let pull = match dice.0.next_u64() % 5 {
+    let pull = match dice.bits() % 5 {
         0 => balance,
         1 => balance.next_up(),
         2 => balance * (1.0 + dice.log(-14.0, 0.0)),
@@ -338,7 +313,7 @@ fn the_last_digits_hold_at_the_extremes() {
     for (kind, seed) in [(Kind::Rolling, 1), (Kind::Slipping, 2), (Kind::Spring, 3)] {
         let scene = scene(kind);
         for wild in [false, true] {
-            let mut dice = Dice(ChaCha20Rng::seed_from_u64(seed));
+            let mut dice = Dice::new(seed);
             let (mut count, mut worst, mut refused) = (0, 0.0f64, 0);
             for _ in 0..if wild { 120 } else { 600 } {
                 let data = draw(&mut dice, kind, wild);
@@ -366,15 +341,15 @@ fn the_last_digits_hold_at_the_extremes() {
 /// Runs `n` extreme scenes and says how many were published, and how many refused with a reason.
 fn storm(n: u32, seed: u64) -> (u64, u64) {
     let scenes = [Kind::Rolling, Kind::Slipping, Kind::Spring].map(|k| (k, scene(k)));
-    let mut dice = Dice(ChaCha20Rng::seed_from_u64(seed));
+    let mut dice = Dice::new(seed);
     let (mut published, mut refused) = (0, 0);
     for i in 0..n {
         let (kind, scene) = &scenes[i as usize % 3];
         let mut data = draw(&mut dice, *kind, i % 7 == 0);
         if dice.one_in(50) {
             // A datum that no draw would give.
-            let at = (dice.0.next_u64() % 10) as usize;
-            data[at] = f64::from_bits(dice.0.next_u64());
+            let at = (dice.bits() % 10) as usize;
+            data[at] = f64::from_bits(dice.bits());
         }
         match solve(scene, &data) {
             Ok(solved) => {
@@ -416,12 +391,12 @@ fn storm_of_families(n: u32, seed: u64) -> (u64, u64) {
     let cases = banks.iter().flat_map(|b| &b.problems).flat_map(|p| p.cases.iter().map(move |c| (p, c)));
     let (mut published, mut refused) = (0, 0);
     for (at, (problem, case)) in cases.enumerate() {
-        let mut dice = Dice(ChaCha20Rng::seed_from_u64(seed + at as u64));
+        let mut dice = Dice::new(seed + at as u64);
         for i in 0..n {
             let size = [1.0, 3.0, 12.0, 100.0][i as usize % 4];
             let mut datum = |unit: &str| match unit {
                 "deg" => [0.0, 30.0, 90.0, 180.0, 180.0 * dice.unit(), dice.log(-12.0, 2.0)]
-                    [dice.0.next_u64() as usize % 6],
+                    [dice.bits() as usize % 6],
                 "1" => dice.log(-4.0, 2.0),
                 _ if dice.one_in(40) => 0.0,
                 _ => dice.log(-size, size) * if dice.one_in(4) { -1.0 } else { 1.0 },
@@ -490,13 +465,13 @@ fn every_family_at_any_size_many_times() {
 /// The truth for the printed decimals, not for the doubles next to them, lies within each bound.
 #[test]
 fn enclosures_hold_the_truth_for_the_printed_data() {
-    let mut dice = Dice(ChaCha20Rng::seed_from_u64(6));
+    let mut dice = Dice::new(6);
     let mut checked = 0;
     for kind in [Kind::Rolling, Kind::Slipping, Kind::Spring] {
         let scene = scene(kind);
         for _ in 0..400 {
             let mut pick = |low: i64, high: i64, decimals: usize| {
-                let n = low + (dice.0.next_u64() % (high - low + 1) as u64) as i64;
+                let n = low + (dice.bits() % (high - low + 1) as u64) as i64;
                 let scale = 10i64.pow(decimals as u32);
                 format!("{}.{:0decimals$}", n / scale, n % scale)
             };

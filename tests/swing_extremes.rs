@@ -9,27 +9,14 @@
     clippy::disallowed_methods,
     reason = "a test fails by panicking, tells figures with --nocapture, and NaN must fail its comparisons"
 )]
-use dashu_float::FBig;
-use dashu_float::round::mode::HalfEven;
-use rand_chacha::ChaCha20Rng;
-use rand_chacha::rand_core::{Rng, SeedableRng};
+#[path = "support/big.rs"]
+mod beyond;
+
+use beyond::{Dice, F, abs, big, double};
 use slipstick::num::U;
 use slipstick::scene::*;
 use slipstick::solve::agree::{prove, solve};
 use slipstick::solve::outcome::Solved;
-
-type F = FBig<HalfEven, 2>;
-const BITS: usize = 700;
-
-fn big(x: f64) -> F {
-    F::try_from(x).unwrap().with_precision(BITS).value()
-}
-fn double(x: &F) -> f64 {
-    x.to_f64().value()
-}
-fn abs(x: &F) -> F {
-    if *x < F::ZERO { -x.clone() } else { x.clone() }
-}
 
 /// Carlson's R_F by duplication and the first terms of its series.
 fn rf(x: &F, y: &F, z: &F) -> F {
@@ -174,19 +161,6 @@ fn scene(kind: Kind, from: Zero) -> Scene {
     }
 }
 
-struct Dice(ChaCha20Rng);
-impl Dice {
-    fn unit(&mut self) -> f64 {
-        (self.0.next_u64() >> 11) as f64 / (1u64 << 53) as f64
-    }
-    fn log(&mut self, low: f64, high: f64) -> f64 {
-        10f64.powf(low + (high - low) * self.unit())
-    }
-    fn pick(&mut self, n: u64) -> u64 {
-        self.0.next_u64() % n
-    }
-}
-
 fn draw(dice: &mut Dice, kind: Kind, from: Zero) -> Vec<f64> {
     let (m, h) = (dice.log(-30.0, 30.0), dice.log(-12.0, 12.0));
     let k = h * dice.log(-6.0, 6.0);
@@ -253,7 +227,7 @@ fn entry<'s>(solved: &'s Solved, name: &str) -> Option<&'s slipstick::solve::out
 
 #[test]
 fn swings_of_any_size_meet_the_bar() {
-    let mut dice = Dice(ChaCha20Rng::seed_from_u64(11));
+    let mut dice = Dice::new(11);
     let mut bad = Vec::new();
     for (kind, scenes) in [(Kind::Free, 250), (Kind::Thrown, 250), (Kind::Sprung, 180)] {
         let (mut count, mut worst, mut reached) = (0, 0.0f64, 0);
@@ -313,7 +287,7 @@ fn swings_of_any_size_meet_the_bar() {
 /// The printed datum is a decimal within half an ulp of its double: all of them moved at once stay inside the enclosure.
 #[test]
 fn enclosures_of_swings_hold_the_truth() {
-    let mut dice = Dice(ChaCha20Rng::seed_from_u64(3));
+    let mut dice = Dice::new(3);
     let (mut held, mut proved) = (0, 0);
     for i in 0..400 {
         let kind = [Kind::Free, Kind::Thrown, Kind::Sprung][i % 3];

@@ -90,11 +90,6 @@ impl Dd {
             0.0
         }
     }
-    /// At most `limit`, up to what double-doubles leave of a difference of equals; NaN is not.
-    #[inline]
-    pub fn at_most(self, limit: Dd) -> bool {
-        self <= limit || (self - limit).hi <= crate::num::NOISE * limit.hi
-    }
     /// Square root; 0 for a negative argument by rounding is the caller's business: NaN below 0.
     #[inline]
     pub fn sqrt(self) -> Self {

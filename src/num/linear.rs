@@ -426,22 +426,25 @@ impl<T: Real> Linear<T> {
     }
 }
 
-/// Are all unknowns that are not 0 within [`APART`] of each other, and finite?
-fn like_size<P: Real>(x: &[P]) -> bool {
-    let sizes = x.iter().filter(|v| !v.is_zero()).map(|v| v.rough().exponent());
-    let (least, most) = sizes.fold((i32::MAX, i32::MIN), |(a, b), e| (a.min(e), b.max(e)));
-    x.iter().all(|v| v.is_finite()) && most.saturating_sub(least) <= APART
-}
-
 /// Binary digits between the unknowns, beside their scales, from which on the inverse is computed anew.
 const APART: i32 = 24;
 
+/// Are all unknowns that are not 0 within [`APART`] of each other, and finite?
+fn like_size<P: Real>(x: &[P]) -> bool {
+    let sizes = x.iter().filter(|v| !v.is_zero()).map(|v| v.rough().exponent());
+    x.iter().all(|v| v.is_finite()) && spread(sizes) <= APART
+}
+
 /// Are the unknowns of very different sizes, measured by the scales of their columns?
 fn far_apart<P: Real>(x: &[P], cols: &[P::Rough]) -> bool {
-    let sizes =
-        x.iter().zip(cols).filter(|(v, _)| !v.is_zero()).map(|(v, c)| v.rough().exponent() - c.exponent());
-    let (least, most) = sizes.fold((i32::MAX, i32::MIN), |(a, b), e| (a.min(e), b.max(e)));
-    most.saturating_sub(least) > APART && most >= least
+    let known = x.iter().zip(cols).filter(|(v, _)| !v.is_zero());
+    spread(known.map(|(v, c)| v.rough().exponent() - c.exponent())) > APART
+}
+
+/// From the least to the greatest exponent; far below 0 if there is none.
+fn spread(exponents: impl Iterator<Item = i32>) -> i32 {
+    let (least, most) = exponents.fold((i32::MAX, i32::MIN), |(a, b), e| (a.min(e), b.max(e)));
+    most.saturating_sub(least)
 }
 
 /// Inverts a row-major matrix in place by LU with partial pivoting; sizes up to 12 live on the stack.
