@@ -57,3 +57,4 @@ pub mod simulate;
 pub mod solve;
 pub mod template;
 pub mod units;
+pub mod words;

@@ -29,6 +29,7 @@ const DOORS: &[(&str, &[&str])] = &[
         &["bank", "draw", "scene", "solve::agree", "solve::outcome", "key", "units", "finding", "num"],
     ),
     ("template", &["finding"]),
+    ("words", &["bank", "units", "finding"]),
     ("sheet", &["problem", "bank", "scene", "solve::outcome", "key", "units", "num", "template", "finding"]),
     (
         "set",

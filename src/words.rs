@@ -1,0 +1,239 @@
+//! Phrases by name, in one language: what the program says to students and in pictures, with places to fill in.
+//!
+//! A phrase is a line of a word list, `templates/words/TOPIC.yaml` (other languages: `templates/LANGUAGE/words/TOPIC.yaml`);
+//! its name is the topic, a point, and the name in the list: `figure.wheel`. `{place}` in a phrase is filled in. A language is
+//! complete or it does not build: every name of the English lists, with the same places, is checked by a test.
+use crate::bank::load;
+use crate::bank::node::Node;
+use crate::bank::node::Value;
+use crate::finding::Finding;
+use rustc_hash::FxHashMap;
+
+/// The languages: code, name in itself, mark between whole and parts of a number, word lists by topic.
+const LANGUAGES: &[(&str, &str, char, &[(&str, &str)])] = &[
+    ("en", "English", '.', &[("figure", include_str!("../templates/words/figure.yaml"))]),
+    ("de", "Deutsch", ',', &[("figure", include_str!("../templates/de/words/figure.yaml"))]),
+];
+
+/// The phrases of one language.
+#[derive(Debug, Clone)]
+pub struct Words {
+    language: &'static str,
+    decimal: char,
+    phrases: FxHashMap<String, String>,
+}
+
+impl Words {
+    /// Codes of the languages that are built in, English first.
+    pub fn languages() -> impl Iterator<Item = &'static str> {
+        LANGUAGES.iter().map(|(code, ..)| *code)
+    }
+
+    /// The built-in lists of a language; `None` if there is none of this code.
+    ///
+    /// # Panics
+    /// A built-in list that cannot be read is a bug, found by any test.
+    pub fn of(language: &str) -> Option<Self> {
+        let (code, _, decimal, lists) = LANGUAGES.iter().find(|(code, ..)| *code == language)?;
+        let mut words = Self { language: code, decimal: *decimal, phrases: FxHashMap::default() };
+        for (topic, text) in *lists {
+            if let Err(faults) = words.read(topic, text, false) {
+                panic!("the built-in word list {topic} of {code} cannot be read: {faults:?}");
+            }
+        }
+        Some(words)
+    }
+
+    /// The English ones.
+    ///
+    /// # Panics
+    /// Never: English is built in.
+    pub fn english() -> Self {
+        Self::of("en").expect("English is built in")
+    }
+
+    /// Puts phrases of an instructor's own list over the built-in ones.
+    ///
+    /// # Errors
+    /// Names that no phrase has, places that the phrase does not know, what is no list.
+    pub fn put_over(&mut self, topic: &str, text: &str, file: &str) -> Result<(), Vec<Finding>> {
+        self.read(topic, text, true).map_err(|faults| faults.into_iter().map(|f| f.in_file(file)).collect())
+    }
+
+    fn read(&mut self, topic: &str, text: &str, known_only: bool) -> Result<(), Vec<Finding>> {
+        let tree = load::tree(text).map_err(|f| vec![f])?;
+        let mut faults = Vec::new();
+        self.branch(topic, &tree, known_only, &mut faults);
+        if faults.is_empty() { Ok(()) } else { Err(faults) }
+    }
+
+    fn branch(&mut self, name: &str, node: &Node, known_only: bool, faults: &mut Vec<Finding>) {
+        match &node.value {
+            Value::Map(fields) => {
+                for (key, value) in fields {
+                    self.branch(&format!("{name}.{}", key.text().unwrap_or("")), value, known_only, faults);
+                }
+            }
+            Value::Text(phrase) => {
+                let here = |what: String| Finding::new(name, what).at(node.line, node.column);
+                if known_only {
+                    let Some(old) = self.phrases.get(name) else {
+                        let known = self.phrases.keys().map(String::as_str);
+                        let fault = here("is no phrase of the program".to_owned());
+                        faults.push(match crate::units::spell::closest(name, known) {
+                            Some(close) => fault.hint(format!("did you mean {close}?")),
+                            None => fault.hint("`slipstick templates` writes out all the lists"),
+                        });
+                        return;
+                    };
+                    let (have, want) = (places(phrase), places(old));
+                    if let Some(unknown) = have.iter().find(|p| !want.contains(p)) {
+                        let list: Vec<String> = want.iter().map(|p| format!("{{{p}}}")).collect();
+                        let fault = here(format!("has a place {{{unknown}}} that nothing fills"));
+                        faults.push(match list.is_empty() {
+                            true => fault.hint("this phrase has no places"),
+                            false => fault.hint(format!("the phrase may use {}", list.join(", "))),
+                        });
+                        return;
+                    }
+                }
+                self.phrases.insert(name.to_owned(), phrase.clone());
+            }
+            Value::Empty | Value::List(_) => {
+                let fault = Finding::new(name, format!("is {}, not a phrase", node.kind()));
+                faults.push(fault.at(node.line, node.column).hint("write a text in quotes"));
+            }
+        }
+    }
+
+    /// Code of the language, such as `en`.
+    pub fn language(&self) -> &'static str {
+        self.language
+    }
+
+    /// A phrase without places.
+    ///
+    /// # Panics
+    /// No phrase of this name: a bug, found by the test that names all.
+    pub fn get(&self, name: &str) -> &str {
+        match self.phrases.get(name) {
+            Some(phrase) => phrase,
+            None => panic!("the word lists of {} have no phrase {name}", self.language),
+        }
+    }
+
+    /// Is there a phrase of this name?
+    pub fn has(&self, name: &str) -> bool {
+        self.phrases.contains_key(name)
+    }
+
+    /// A phrase with its places filled in.
+    pub fn say(&self, name: &str, pieces: &[(&str, &str)]) -> String {
+        let mut out = String::new();
+        let mut rest = self.get(name);
+        while let Some(open) = rest.find('{') {
+            out.push_str(&rest[..open]);
+            rest = &rest[open..];
+            let piece = rest.find('}').and_then(|close| {
+                let place = &rest[1..close];
+                let (_, text) = pieces.iter().find(|(p, _)| *p == place)?;
+                Some((close, text))
+            });
+            match piece {
+                Some((close, text)) => {
+                    out.push_str(text);
+                    rest = &rest[close + 1..];
+                }
+                None => {
+                    out.push('{');
+                    rest = &rest[1..];
+                }
+            }
+        }
+        out.push_str(rest);
+        out
+    }
+
+    /// A number written with a point, with the mark of the language: `0.25` is `0,25` in German.
+    pub fn number(&self, text: &str) -> String {
+        if self.decimal == '.' { text.to_owned() } else { text.replace('.', &self.decimal.to_string()) }
+    }
+
+    /// The same within a formula, where a bare comma would get the space of a list: `0{,}25`.
+    pub fn tex_number(&self, text: &str) -> String {
+        if self.decimal == '.' {
+            text.to_owned()
+        } else {
+            text.replace('.', &format!("{{{}}}", self.decimal))
+        }
+    }
+
+    /// Names of all phrases, sorted.
+    pub fn names(&self) -> Vec<&str> {
+        let mut names: Vec<&str> = self.phrases.keys().map(String::as_str).collect();
+        names.sort_unstable();
+        names
+    }
+}
+
+/// The places of a phrase, in order.
+pub fn places(phrase: &str) -> Vec<&str> {
+    let mut found: Vec<&str> = Vec::new();
+    for part in phrase.split('{').skip(1) {
+        if let Some((place, _)) = part.split_once('}')
+            && !place.is_empty()
+            && place.chars().all(|c| c.is_ascii_alphanumeric() || c == '_')
+            && !found.contains(&place)
+        {
+            found.push(place);
+        }
+    }
+    found
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_language_has_every_phrase_with_the_same_places() {
+        let english = Words::english();
+        for code in Words::languages() {
+            let other = Words::of(code).expect("a language of the list");
+            assert_eq!(english.names(), other.names(), "{code}");
+            for name in english.names() {
+                let sorted = |phrase: &str| {
+                    let mut places: Vec<String> = places(phrase).into_iter().map(str::to_owned).collect();
+                    places.sort_unstable();
+                    places
+                };
+                assert_eq!(sorted(english.get(name)), sorted(other.get(name)), "{code}: {name}");
+            }
+        }
+    }
+
+    #[test]
+    fn places_are_filled_once_and_text_is_left_alone() {
+        let mut words = Words::english();
+        words.phrases.insert("x.y".to_owned(), "a {b} and {c}, {d}".to_owned());
+        assert_eq!(words.say("x.y", &[("b", "{c}"), ("c", "2")]), "a {c} and 2, {d}");
+    }
+
+    #[test]
+    fn own_phrases_must_be_known_and_use_known_places() {
+        let mut words = Words::english();
+        let faults = words.put_over("figure", "whele: a cart\n", "own.yaml").unwrap_err();
+        assert_eq!(faults.len(), 1);
+        let faults = words.put_over("figure", "wheel: [a]\n", "own.yaml").unwrap_err();
+        assert_eq!(faults.len(), 1);
+        words.put_over("figure", "wheel: a cart\n", "own.yaml").unwrap();
+        assert_eq!(words.get("figure.wheel"), "a cart");
+    }
+
+    #[test]
+    fn german_numbers_have_a_comma() {
+        let german = Words::of("de").expect("German is built in");
+        assert_eq!(german.number("-0.25"), "-0,25");
+        assert_eq!(german.tex_number("0.25"), "0{,}25");
+    }
+}
