@@ -43,6 +43,7 @@ pub mod answer;
 pub mod bank;
 pub mod cli;
 pub mod draw;
+pub mod figure;
 pub mod finding;
 pub mod grade;
 pub mod key;

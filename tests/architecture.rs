@@ -29,6 +29,26 @@ const DOORS: &[(&str, &[&str])] = &[
         &["bank", "draw", "scene", "solve::agree", "solve::outcome", "key", "units", "finding", "num"],
     ),
     ("template", &["finding"]),
+    (
+        "figure",
+        &["problem", "bank", "scene", "solve::outcome", "key", "units", "num", "plot", "words", "finding"],
+    ),
+    (
+        "solution",
+        &[
+            "problem",
+            "bank",
+            "scene",
+            "solve::outcome",
+            "key",
+            "units",
+            "num",
+            "figure",
+            "words",
+            "template",
+            "finding",
+        ],
+    ),
     ("words", &["bank", "units", "finding"]),
     ("sheet", &["problem", "bank", "scene", "solve::outcome", "key", "units", "num", "template", "finding"]),
     (

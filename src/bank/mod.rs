@@ -43,10 +43,23 @@ pub struct Problem {
     pub questions: Vec<Question>,
     /// Statement: text of the Tera template, written in the bank; `None`: the template file named after the problem.
     pub statement: Option<String>,
+    /// What the figure of the statement is labelled with.
+    pub figure: FigureLabels,
     /// Greatest input energy of a spring problem, in kinetic energies at the end.
     pub energy_limit: f64,
     /// Least margins by check kind (0.1 for `moves` and so on), as shares.
     pub margins: Vec<(CheckKind, f64)>,
+}
+
+/// What the figure of a statement is labelled with.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum FigureLabels {
+    /// Symbols with the drawn values: `R = 0.40 m`.
+    Values,
+    /// Symbols alone.
+    Symbols,
+    /// There is no figure.
+    None,
 }
 
 /// A named quantity that is drawn.

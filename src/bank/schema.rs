@@ -7,7 +7,7 @@ use crate::bank::measure;
 use crate::bank::node::{Faults, Fields, Node, Value, close_name, named, shorten};
 use crate::bank::review;
 use crate::bank::scene::{self, Need, Symbol};
-use crate::bank::{Bank, Bound, Case, Datum, Draw, Problem, Question, Relative};
+use crate::bank::{Bank, Bound, Case, Datum, Draw, FigureLabels, Problem, Question, Relative};
 use crate::scene::{Label, Owner, Quantity, Scene};
 use crate::solve::outcome::{CheckKind, Motion};
 use crate::units::Unit;
@@ -43,6 +43,7 @@ struct Common {
     /// Only where the bank or the problem says it.
     cond_limit: Option<f64>,
     energy_limit: f64,
+    figure: FigureLabels,
 }
 
 /// A datum with its own draw.
@@ -69,6 +70,7 @@ pub fn bank(node: &Node, variables: Option<Variables>, faults: &Faults) -> Optio
     let unit_required = fields.get("units").and_then(|n| choice(n, &UNITS, faults)).unwrap_or(false);
     let cond_limit = fields.get("cond limit").and_then(|n| limit(n, COND_LIMITS, faults));
     let energy_limit = fields.get("input energy limit").and_then(|n| limit(n, ENERGY_LIMITS, faults));
+    let figure = fields.get("figure").and_then(|n| choice(n, &FIGURE_LABELS, faults));
     let problems_node = fields.need("problems", "{pulled-rolling: {...}}", faults);
     fields.close(faults);
     let default_gravity = || measure::decimal_constant(GRAVITY).ok();
@@ -78,6 +80,7 @@ pub fn bank(node: &Node, variables: Option<Variables>, faults: &Faults) -> Optio
         unit_required,
         cond_limit,
         energy_limit: energy_limit.unwrap_or(ENERGY_LIMIT),
+        figure: figure.unwrap_or(FigureLabels::Values),
     };
     let mut problems = Vec::new();
     if let Some(n) = problems_node {
@@ -97,6 +100,8 @@ pub fn bank(node: &Node, variables: Option<Variables>, faults: &Faults) -> Optio
     Some(Bank { id: id?, title: title?, problems, self_check, reveal, hash: String::new() })
 }
 
+const FIGURE_LABELS: [(&str, FigureLabels); 3] =
+    [("values", FigureLabels::Values), ("symbols", FigureLabels::Symbols), ("none", FigureLabels::None)];
 const UNITS: [(&str, bool); 2] = [("optional", false), ("required", true)];
 const ID_HINT: &str = "letters, digits, `-` and `_`, beginning with a letter or digit, at most 64";
 
@@ -285,8 +290,10 @@ fn problem(
     let margins = fields.get("margins").map_or_else(Vec::new, |n| margins(n, faults));
     let cond_limit = fields.get("cond limit").and_then(|n| limit(n, COND_LIMITS, faults));
     let energy_limit = fields.get("input energy limit").and_then(|n| limit(n, ENERGY_LIMITS, faults));
+    let figure = fields.get("figure").and_then(|n| choice(n, &FIGURE_LABELS, faults));
     let common = &Common {
         gravity: common.gravity.clone(),
+        figure: figure.unwrap_or(common.figure),
         cond_limit: cond_limit.or(common.cond_limit),
         energy_limit: energy_limit.unwrap_or(common.energy_limit),
         ..*common
@@ -458,6 +465,7 @@ fn problem(
         cases: ready,
         questions: asked,
         statement,
+        figure: common.figure,
         energy_limit: common.energy_limit,
         margins: all_margins,
     })

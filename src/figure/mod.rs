@@ -1,0 +1,2 @@
+//! Pictures of scenes: layout first ([`picture`]), looks and formats second ([`svg`], [`tikz`]).
+pub mod picture;

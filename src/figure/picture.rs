@@ -1,0 +1,147 @@
+//! Placed shapes and labels: what a picture is before anybody decides how it looks. Coordinates are CSS pixels (1/96 inch),
+//! x to the right, y down; the picture is the box from (0, 0) to (width, height).
+
+/// A picture, laid out.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Picture {
+    /// Width, > 0.
+    pub width: f64,
+    /// Height, > 0.
+    pub height: f64,
+    /// What it is, in a few words.
+    pub title: String,
+    /// What it shows, in sentences, for those who do not see it.
+    pub desc: String,
+    /// Shapes, from back to front.
+    pub shapes: Vec<Shape>,
+    /// Labels, in front of all shapes.
+    pub labels: Vec<Label>,
+}
+
+/// A point.
+pub type Point = (f64, f64);
+
+/// A placed shape.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Shape {
+    /// Its outline.
+    pub outline: Outline,
+    /// What it stands for; decides line, fill and colour.
+    pub role: Role,
+}
+
+/// The outline of a shape.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Outline {
+    /// Straight lines from point to point.
+    Lines {
+        /// The points.
+        points: Vec<Point>,
+        /// Back to the first one?
+        closed: bool,
+    },
+    /// A full circle.
+    Circle {
+        /// Its centre.
+        centre: Point,
+        /// Its radius.
+        radius: f64,
+    },
+    /// Part of a circle.
+    Arc {
+        /// Its centre.
+        centre: Point,
+        /// Its radius.
+        radius: f64,
+        /// Where it begins, radians, counter-clockwise from the right as seen.
+        from: f64,
+        /// Where it ends; the arc runs counter-clockwise from `from` if this is greater, else clockwise.
+        to: f64,
+    },
+}
+
+/// What a shape stands for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Role {
+    /// Edge of a body, filled with the body's tint.
+    Body,
+    /// A second, lighter part of a body: its hub, its spokes.
+    Inner,
+    /// Surface of the ground or of a support.
+    Ground,
+    /// Hatching behind a surface.
+    Hatch,
+    /// A cord.
+    Cord,
+    /// A spring.
+    Spring,
+    /// A pin or a mass centre: small and full.
+    Dot,
+    /// Thin line of a dimension, an axis, an angle; with [`Role::DimensionHead`].
+    Dimension,
+    /// Arrow head of a dimension, full.
+    DimensionHead,
+    /// A construction line, dashed: another position, a reference direction.
+    Ghost,
+    /// Arrow of a force that is given, with [`Role::ForceHead`].
+    Force,
+    /// Its head, full.
+    ForceHead,
+    /// Arrow of a friction force.
+    Friction,
+    /// Its head.
+    FrictionHead,
+    /// Arrow of a velocity, a positive sense, an acceleration, `m a`, `I alpha`.
+    Motion,
+    /// Its head.
+    MotionHead,
+    /// Axis of a graph.
+    Axis,
+    /// Grid line of a graph.
+    Grid,
+    /// Curve of a graph, by number: each has a dash and a colour of its own.
+    Curve(u8),
+    /// Full area of a graph (a bar), by number, with a pattern that survives black and white.
+    Area(u8),
+    /// Background that hides what is behind it.
+    Paper,
+}
+
+/// A label: runs of text, placed.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Label {
+    /// What it says.
+    pub runs: Vec<Run>,
+    /// Left end of its base line.
+    pub at: Point,
+    /// Size of its letters.
+    pub size: f64,
+    /// Its box: left, top, right, bottom. Boxes of labels do not overlap and do not leave the picture.
+    pub bounds: (f64, f64, f64, f64),
+    /// What it stands for; decides its colour.
+    pub role: Role,
+}
+
+/// A piece of a label.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Run {
+    /// The letters.
+    pub text: String,
+    /// How they stand.
+    pub style: RunStyle,
+}
+
+/// How a piece of a label stands.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum RunStyle {
+    /// Upright: numbers, units, words.
+    Upright,
+    /// Italic: symbols of quantities.
+    Italic,
+    /// Lowered and small, upright.
+    Sub,
+    /// Lowered and small, italic.
+    SubItalic,
+    /// Raised and small: powers in units.
+    Super,
+}
