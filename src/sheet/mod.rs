@@ -1,4 +1,5 @@
 //! What a reader sees: statements, sheets, the public sheet file. Numbers become text here, once.
+pub mod document;
 pub mod html;
 pub mod number;
 pub mod page;
