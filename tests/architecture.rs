@@ -44,6 +44,8 @@ const DOORS: &[(&str, &[&str])] = &[
             "units",
             "num",
             "figure",
+            "sheet::document",
+            "sheet::number",
             "words",
             "template",
             "finding",
