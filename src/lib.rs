@@ -47,6 +47,7 @@ pub mod figure;
 pub mod finding;
 pub mod grade;
 pub mod key;
+pub mod misconception;
 pub mod num;
 pub mod plot;
 pub mod problem;

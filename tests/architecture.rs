@@ -26,8 +26,20 @@ const DOORS: &[(&str, &[&str])] = &[
     ("key", &["units", "num"]),
     (
         "problem",
-        &["bank", "draw", "scene", "solve::agree", "solve::outcome", "key", "units", "finding", "num"],
+        &[
+            "bank",
+            "draw",
+            "misconception",
+            "scene",
+            "solve::agree",
+            "solve::outcome",
+            "key",
+            "units",
+            "finding",
+            "num",
+        ],
     ),
+    ("misconception", &["bank", "scene", "solve::agree", "solve::outcome", "finding", "num"]),
     ("template", &["finding"]),
     (
         "figure",

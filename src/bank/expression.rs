@@ -66,8 +66,15 @@ pub type Lookup<'a> = &'a dyn Fn(&str) -> Result<(Name, Powers), (String, Option
 impl Expression {
     /// Reads an expression.
     pub fn parse(text: &str, lookup: Lookup) -> Result<Self, Trouble> {
+        Self::read(text, lookup, true)
+    }
+    /// Reads an expression whose sums may add what cannot be added, as wrong methods do (`k + r^2`).
+    pub fn parse_loosely(text: &str, lookup: Lookup) -> Result<Self, Trouble> {
+        Self::read(text, lookup, false)
+    }
+    fn read(text: &str, lookup: Lookup, strict: bool) -> Result<Self, Trouble> {
         let chars: Vec<char> = text.chars().collect();
-        let mut parser = Parser { chars: &chars, at: 0, steps: Vec::new(), depth: 0, lookup };
+        let mut parser = Parser { chars: &chars, at: 0, steps: Vec::new(), depth: 0, strict, lookup };
         if chars.len() > LENGTH {
             return Err(parser.trouble(format!("longer than {LENGTH} characters")));
         }
@@ -144,6 +151,8 @@ struct Parser<'a> {
     at: usize,
     steps: Vec<Step>,
     depth: usize,
+    /// Must the terms of a sum have one dimension?
+    strict: bool,
     lookup: Lookup<'a>,
 }
 
@@ -184,7 +193,7 @@ impl Parser<'_> {
             };
             let start = self.at;
             let next = self.product()?;
-            if next != first {
+            if self.strict && next != first {
                 self.at = start;
                 return Err(self.trouble("the terms of a sum have different dimensions"));
             }
@@ -289,7 +298,7 @@ impl Parser<'_> {
                 match name.as_str() {
                     "sqrt" => {
                         for p in &mut powers {
-                            if *p % 2 != 0 {
+                            if self.strict && *p % 2 != 0 {
                                 return Err(
                                     self.trouble("this square root has no dimension that makes sense")
                                 );
@@ -299,7 +308,7 @@ impl Parser<'_> {
                         self.steps.push(Step::Sqrt);
                     }
                     "abs" => self.steps.push(Step::Abs),
-                    _ if powers != [0; 3] => {
+                    _ if self.strict && powers != [0; 3] => {
                         self.at = start;
                         return Err(self.trouble(format!("`{name}` takes an angle")));
                     }
@@ -307,6 +316,10 @@ impl Parser<'_> {
                     _ => self.steps.push(Step::Cos),
                 }
                 return Ok(powers);
+            }
+            if name == "pi" && (self.lookup)(&name).is_err() {
+                self.steps.push(Step::Number(std::f64::consts::PI));
+                return Ok([0; 3]);
             }
             return match (self.lookup)(&name) {
                 Ok((meaning, powers)) => {

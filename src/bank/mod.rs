@@ -1,4 +1,5 @@
 //! What an instructor writes: problems with their data, scenes, questions and rules, checked and ready to be drawn.
+use crate::bank::expression::Expression;
 use crate::finding::Finding;
 use crate::scene::{Label, Scene};
 use crate::solve::outcome::CheckKind;
@@ -47,6 +48,8 @@ pub struct Problem {
     pub figure: FigureLabels,
     /// Greatest input energy of a spring problem, in kinetic energies at the end.
     pub energy_limit: f64,
+    /// Wrong methods that students take, with the way to their answers.
+    pub mistakes: Vec<Mistake>,
     /// Least margins by check kind (0.1 for `moves` and so on), as shares.
     pub margins: Vec<(CheckKind, f64)>,
 }
@@ -124,13 +127,32 @@ pub struct Case {
     pub bounds: Vec<Bound>,
 }
 
+/// A wrong method: how it comes to its answers, from a changed scene, from changed data, or from the right values.
+#[derive(Debug, Clone)]
+pub struct Mistake {
+    /// Id in the catalogue, such as `A05`.
+    pub id: String,
+    /// Data that it changes: index and the value it takes instead, in the data and the right quantities, SI (an angle in
+    /// radians).
+    pub data: Vec<(usize, Expression)>,
+    /// The scene that it takes instead, one for each case; empty: the right one.
+    pub scenes: Vec<Option<Scene>>,
+    /// Quantities to which it comes by an expression, in the right data and, where it changes data or scene, the quantities of
+    /// the changed solution, else the right ones.
+    pub values: Vec<(Label, Expression)>,
+    /// The quantities that it spoils; empty: all that come out different.
+    pub of: Vec<Label>,
+    /// Why a draw is not refused although its answer may lie near the right one.
+    pub unguarded: Option<String>,
+}
+
 /// A bound on an expression in symbols and quantity names, SI.
 #[derive(Debug, Clone)]
 pub struct Bound {
     /// As written, for the table of refusals.
     pub text: String,
     /// The expression, parsed.
-    pub expression: expression::Expression,
+    pub expression: Expression,
     /// Least, SI.
     pub min: Option<f64>,
     /// Greatest, SI.
@@ -160,6 +182,8 @@ pub struct Question {
     pub figures: u8,
     /// A draw is refused whose answer has a greater condition number.
     pub cond_limit: f64,
+    /// Wrong methods near which a draw may have this answer, each with the reason.
+    pub unguarded: Vec<(String, String)>,
 }
 
 /// Relative tolerance of a question: fixed, or as wide as the condition number of the answer asks.
@@ -218,6 +242,7 @@ pub mod decimal;
 pub mod expression;
 pub mod load;
 mod measure;
+pub mod mistake;
 pub mod node;
 pub mod review;
 pub mod scene;

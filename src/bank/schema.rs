@@ -4,6 +4,7 @@ use crate::bank::Variables;
 use crate::bank::decimal::{self, Decimal};
 use crate::bank::expression::{Expression, Name, Powers};
 use crate::bank::measure;
+use crate::bank::mistake;
 use crate::bank::node::{Faults, Fields, Node, Value, close_name, named, shorten};
 use crate::bank::review;
 use crate::bank::scene::{self, Need, Symbol};
@@ -302,6 +303,7 @@ fn problem(
     let cases_node = fields.get("cases");
     let questions_node = fields.need("questions", "{v: {ask: the speed of the wheel, unit: m/s}}", faults);
     let asks_node = fields.get("asks");
+    let mistakes_node = fields.get("mistakes");
     let statement_node = fields.get("statement");
     fields.close(faults);
     let statement = statement_node.and_then(|n| text(n, "the text of the statement", faults));
@@ -421,6 +423,11 @@ fn problem(
     let scenes: Vec<(&str, &Scene)> =
         cases.iter().filter_map(|c| Some((c.name.as_str(), c.read.as_ref()?.scene.as_ref()?))).collect();
     let questions = questions_node.map_or_else(Vec::new, |n| questions(n, common, &scenes, faults));
+    let read_cases: Vec<(&Scene, &Node)> =
+        cases.iter().filter_map(|c| Some((c.read.as_ref()?.scene.as_ref()?, c.scene_node?))).collect();
+    let context =
+        mistake::Context { data: &plain, symbols: &symbols, gravity: gravity_index, cases: &read_cases };
+    let mistakes = mistakes_node.map_or_else(Vec::new, |n| mistake::mistakes(n, &context, faults));
     let asks = asks_node.map(|n| asks(n, &questions, faults));
     let asked: Vec<Question> = match asks {
         None => questions.into_iter().filter_map(|(_, q)| q).collect(),
@@ -467,6 +474,7 @@ fn problem(
         statement,
         figure: common.figure,
         energy_limit: common.energy_limit,
+        mistakes,
         margins: all_margins,
     })
 }
@@ -698,6 +706,7 @@ fn question(
     let unit_node = fields.get("unit");
     let tolerance_node = fields.get("tolerance");
     let cond_node = fields.get("cond limit");
+    let unguarded = fields.get("unguarded").map_or_else(Vec::new, |n| unguarded(n, faults));
     let points = fields.get("points").map_or(Some(1.0), |n| points(n, faults));
     let figures = fields
         .get("figures")
@@ -753,6 +762,7 @@ fn question(
             unit_required: false,
             figures: figures?,
             cond_limit: f64::INFINITY,
+            unguarded,
         });
     } else if let Some(n) = unit_node {
         match measure::unit(n.text().unwrap_or("")) {
@@ -789,7 +799,20 @@ fn question(
         figures: figures?,
         // A tolerance that widens serves as far as it does.
         cond_limit: cond_limit.or(relative.reach()).unwrap_or(COND_LIMIT),
+        unguarded,
     })
+}
+
+/// Wrong methods near which an answer may lie, with the reasons.
+fn unguarded(node: &Node, faults: &Faults) -> Vec<(String, String)> {
+    let mut list = Vec::new();
+    for (id, _, value) in named(node, "reasons by wrong method", faults) {
+        match value.text().map(str::trim) {
+            Some(reason) if !reason.is_empty() => list.push((id.to_owned(), reason.to_owned())),
+            _ => faults.hint(value, "expected the reason why no draw is refused for it", "a sentence"),
+        }
+    }
+    list
 }
 
 /// The label of a name where the scene could not be read: only the quantity counts.

@@ -70,6 +70,16 @@ pub fn first(scene: &Scene, data: &[f64]) -> Result<Half, Refusal> {
     }
 }
 
+/// The first road in doubles, for what is never published: where a wrong method would come to. Errors: as for [`first`].
+pub fn quick(scene: &Scene, data: &[f64]) -> Result<Road<f64>, Refusal> {
+    let faults = admissible::faults(scene, data);
+    if !faults.is_empty() {
+        return Err(Refusal::Inadmissible(faults));
+    }
+    supported(scene)?;
+    eom::road(scene, data)
+}
+
 fn half<T: Real>(scene: &Scene, data: &[f64], wide: bool) -> Result<Half, Refusal> {
     let road: Road<T> = eom::road(scene, data)?;
     let mut beyond = Vec::new();

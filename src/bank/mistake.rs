@@ -1,0 +1,159 @@
+//! Wrong methods of a problem: how each comes to its answers. What they are called and what is said about them stands in the
+//! catalogue of misconceptions, by the same id.
+use crate::bank::Datum;
+use crate::bank::Mistake;
+use crate::bank::expression::{Expression, Name, Powers};
+use crate::bank::measure;
+use crate::bank::node::{Faults, Fields, Node, Value, close_name, named, shorten};
+use crate::bank::review;
+use crate::bank::scene::{self, Symbol};
+use crate::scene::{Label, Scene};
+
+/// What the reader knows of the problem.
+pub struct Context<'a> {
+    /// Its data, g last.
+    pub data: &'a [Datum],
+    /// The symbols that its scene may use.
+    pub symbols: &'a [Symbol],
+    /// Index of g.
+    pub gravity: usize,
+    /// The scene of each case, with the text that it was read from.
+    pub cases: &'a [(&'a Scene, &'a Node)],
+}
+
+/// Reads `mistakes: {A05: {data: {k: R/sqrt(2)}}}`.
+pub fn mistakes(node: &Node, context: &Context, faults: &Faults) -> Vec<Mistake> {
+    named(node, "wrong methods by id", faults)
+        .into_iter()
+        .filter_map(|(id, key, value)| mistake(id, key, value, context, faults))
+        .collect()
+}
+
+fn mistake(id: &str, key: &Node, node: &Node, context: &Context, faults: &Faults) -> Option<Mistake> {
+    if !is_id(id) {
+        let hint = "letters, digits and `-`, beginning with a letter, such as `A05` or `rotation-forgotten`";
+        faults.hint(key, format!("`{}` is no id of a wrong method", shorten(id)), hint);
+    }
+    let mut fields = Fields::open(node, "a wrong method (data, scene, values, of)", faults)?;
+    let (data_node, scene_node) = (fields.get("data"), fields.get("scene"));
+    let (values_node, of_node) = (fields.get("values"), fields.get("of"));
+    let unguarded = fields.get("unguarded").map(|n| (n, n.text().unwrap_or("").trim().to_owned()));
+    fields.close(faults);
+    if data_node.is_none() && scene_node.is_none() && values_node.is_none() {
+        let hint = "`data: {k: R/sqrt(2)}`, `scene: {ties: [...]}` or `values: {omega: v/R}`";
+        faults.hint(node, "this wrong method changes nothing", hint);
+    }
+    if let Some((n, reason)) = &unguarded
+        && reason.is_empty()
+    {
+        faults.hint(n, "expected the reason why no draw is refused for it", "a sentence");
+    }
+    let mut data = Vec::new();
+    for (symbol, key, value) in
+        data_node.map_or_else(Vec::new, |n| named(n, "changed data by symbol", faults))
+    {
+        let index = context.data.iter().position(|d| d.symbol == symbol);
+        let expression = expression(value, context, faults);
+        match (index, expression) {
+            (Some(i), Some(e)) => data.push((i, e)),
+            (None, _) => {
+                let names = context.data.iter().map(|d| d.symbol.as_str());
+                faults.maybe(
+                    key,
+                    format!("`{}` is no symbol of the data", shorten(symbol)),
+                    close_name(symbol, names),
+                );
+            }
+            _ => {}
+        }
+    }
+    let mut values = Vec::new();
+    for (name, key, value) in values_node.map_or_else(Vec::new, |n| named(n, "values by quantity", faults)) {
+        let label = label(name, key, context, faults);
+        if let (Some(label), Some(e)) = (label, expression(value, context, faults)) {
+            values.push((label, e));
+        }
+    }
+    let of = of_node.map_or_else(Vec::new, |n| match &n.value {
+        Value::List(items) => {
+            items.iter().filter_map(|i| label(i.text().unwrap_or(""), i, context, faults)).collect()
+        }
+        _ => {
+            faults.at(n, format!("expected a list of quantities, found {}", n.kind()));
+            Vec::new()
+        }
+    });
+    let scenes = scene_node.map_or_else(Vec::new, |changes| {
+        context.cases.iter().map(|(_, whole)| changed(whole, changes, context, faults)).collect()
+    });
+    Some(Mistake { id: id.to_owned(), data, scenes, values, of, unguarded: unguarded.map(|(_, r)| r) })
+}
+
+fn is_id(text: &str) -> bool {
+    text.len() <= 48
+        && text.starts_with(|c: char| c.is_ascii_alphabetic())
+        && text.chars().all(|c| c.is_ascii_alphanumeric() || c == '-')
+}
+
+/// The scene with some of its fields replaced, read by the reader of scenes.
+fn changed(whole: &Node, changes: &Node, context: &Context, faults: &Faults) -> Option<Scene> {
+    let (Value::Map(old), Value::Map(new)) = (&whole.value, &changes.value) else {
+        faults.at(changes, format!("expected fields of a scene, found {}", changes.kind()));
+        return None;
+    };
+    let mut fields = old.clone();
+    for (key, value) in new {
+        match fields.iter_mut().find(|(k, _)| k.text() == key.text()) {
+            Some((_, old)) => old.clone_from(value),
+            None => fields.push((key.clone(), value.clone())),
+        }
+    }
+    let node = Node { value: Value::Map(fields), ..changes.clone() };
+    scene::read(&node, context.symbols, context.gravity, faults).scene
+}
+
+fn label(name: &str, at: &Node, context: &Context, faults: &Faults) -> Option<Label> {
+    let mut trouble = None;
+    for (scene, _) in context.cases {
+        match review::label(scene, name) {
+            Ok(label) => return Some(label),
+            Err(fault) => trouble = trouble.or(Some(fault)),
+        }
+    }
+    if let Some((message, hint)) = trouble {
+        faults.maybe(at, message, hint);
+    }
+    None
+}
+
+/// An expression in data and quantities. Dimensions of the whole are not compared: a wrong method may well mix them up.
+fn expression(node: &Node, context: &Context, faults: &Faults) -> Option<Expression> {
+    let text = node.text().unwrap_or("");
+    let lookup = |name: &str| -> Result<(Name, Powers), (String, Option<String>)> {
+        if let Some(i) = context.data.iter().position(|d| d.symbol == name) {
+            let factor = if context.data[i].degrees { std::f64::consts::PI / 180.0 } else { 1.0 };
+            return Ok((Name::Datum(i, factor), measure::powers(&context.data[i].unit)));
+        }
+        let mut trouble = (format!("`{}` is not known", shorten(name)), None);
+        for (scene, _) in context.cases {
+            match review::label(scene, name) {
+                Ok(label) if label.quantity.is_word() => {
+                    trouble.0 = format!("`{name}` is a word, not a number")
+                }
+                Ok(label) => {
+                    let unit = measure::unit(label.quantity.unit()).map_err(|m| (m, None))?;
+                    return Ok((Name::Quantity(label), measure::powers(&unit)));
+                }
+                Err(fault) => trouble = fault,
+            }
+        }
+        Err(trouble)
+    };
+    match Expression::parse_loosely(text, &lookup) {
+        Ok(e) => Some(e),
+        Err(t) => {
+            faults.maybe(node, format!("`{}`, character {}: {}", shorten(text), t.column, t.message), t.hint);
+            None
+        }
+    }
+}

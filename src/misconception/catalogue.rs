@@ -1,0 +1,97 @@
+//! What is said about wrong methods: words by id, data in `banks/misconceptions.yaml`.
+use crate::bank::load;
+use crate::bank::node::Faults;
+use crate::bank::node::Fields;
+use crate::bank::node::Node;
+use crate::bank::node::named;
+use crate::finding::Finding;
+
+/// The words of one wrong method.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Entry {
+    /// Id, such as `A05`.
+    pub id: String,
+    /// What the student did.
+    pub did: String,
+    /// Why it tempts.
+    pub tempts: String,
+    /// How to see that it is wrong.
+    pub see: String,
+    /// A hint that does not give the answer away.
+    pub hint: String,
+    /// A note for the class report.
+    pub note: String,
+}
+
+/// All of them, in the order of the file.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub struct Catalogue {
+    entries: Vec<Entry>,
+}
+
+impl Catalogue {
+    /// The built-in one.
+    ///
+    /// # Panics
+    /// It cannot be read: a bug, found by any test.
+    pub fn built_in() -> Self {
+        match Self::read(include_str!("../../banks/misconceptions.yaml"), "banks/misconceptions.yaml") {
+            Ok(catalogue) => catalogue,
+            Err(faults) => panic!("the built-in catalogue cannot be read: {faults:?}"),
+        }
+    }
+
+    /// Reads a catalogue: `A05: {did: ..., tempts: ..., see: ..., hint: ..., note: ...}`.
+    ///
+    /// # Errors
+    /// All that is wrong with it.
+    pub fn read(text: &str, file: &str) -> Result<Self, Vec<Finding>> {
+        let tree = load::tree(text).map_err(|f| vec![f.in_file(file)])?;
+        let faults = Faults::default();
+        let entries = named(&tree, "wrong methods by id", &faults)
+            .into_iter()
+            .filter_map(|(id, _, node)| entry(id, node, &faults))
+            .collect();
+        if faults.is_empty() { Ok(Self { entries }) } else { Err(faults.into_sorted(file)) }
+    }
+
+    /// Puts the entries of another catalogue over these.
+    #[must_use]
+    pub fn with(mut self, other: Self) -> Self {
+        for entry in other.entries {
+            match self.entries.iter_mut().find(|e| e.id == entry.id) {
+                Some(old) => *old = entry,
+                None => self.entries.push(entry),
+            }
+        }
+        self
+    }
+
+    /// The words of a method.
+    pub fn get(&self, id: &str) -> Option<&Entry> {
+        self.entries.iter().find(|e| e.id == id)
+    }
+
+    /// All of them.
+    pub fn entries(&self) -> &[Entry] {
+        &self.entries
+    }
+}
+
+fn entry(id: &str, node: &Node, faults: &Faults) -> Option<Entry> {
+    let mut fields = Fields::open(node, "words (did, tempts, see, hint, note)", faults)?;
+    let mut word = |name: &'static str, example: &str| {
+        let text = fields.need(name, example, faults).and_then(|n| n.text().map(|t| t.trim().to_owned()));
+        text.filter(|t| !t.is_empty())
+    };
+    let entry = Entry {
+        id: id.to_owned(),
+        did: word("did", "took the wheel for a solid disc")?,
+        tempts: word("tempts", "a disc is what the table gives")?,
+        see: word("see", "the radius of gyration is given")?,
+        hint: word("hint", "What does the radius of gyration tell you?")?,
+        note: word("note", "use the given k, not a table")?,
+    };
+    fields.close(faults);
+    Some(entry)
+}
