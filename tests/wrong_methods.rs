@@ -72,11 +72,18 @@ fn each_known_wrong_method_comes_to_its_reference_value() {
                 (None, None) => true,
                 _ => false,
             };
-            if !same { faults.push(format!("{} {}: {found:?} against {expected:?}", case["id"], m[0])); }
+            if !same {
+                faults.push(format!("{} {}: {found:?} against {expected:?}", case["id"], m[0]));
+            }
             *compared.entry(m[0]).or_default() += usize::from(found.is_some());
         }
     }
-    assert!(faults.is_empty(), "{} faults\n{}", faults.len(), faults.iter().take(40).cloned().collect::<Vec<_>>().join("\n"));
+    assert!(
+        faults.is_empty(),
+        "{} faults\n{}",
+        faults.len(),
+        faults.iter().take(40).cloned().collect::<Vec<_>>().join("\n")
+    );
     println!("{} methods, {} values", compared.len(), compared.values().sum::<usize>());
     assert_eq!(compared.len(), 71, "{compared:?}");
     assert!(compared.values().filter(|n| **n >= 10).count() >= 68, "{compared:?}");

@@ -7,6 +7,7 @@ use crate::bank::decimal::Decimal;
 use crate::draw::fill;
 use crate::draw::sample;
 use crate::draw::stream::Source;
+use crate::misconception;
 use crate::num::Dd;
 use crate::problem::make_key;
 use crate::scene::End;
@@ -50,6 +51,10 @@ pub struct Refusals {
     /// Condition numbers of all questions, draw by draw, of the draws that hold all rules but those about them; kept only by
     /// a maker that is [`Maker::watching`].
     pub conds: Vec<f64>,
+    /// Draws that hold all rules but those about wrong methods; kept only by a maker that is watching.
+    pub told: u32,
+    /// How many of those each wrong method would refuse, guarded or not.
+    pub near: Vec<u32>,
 }
 
 const INADMISSIBLE: usize = 0;
@@ -76,6 +81,13 @@ impl Refusals {
             *mine += theirs;
         }
         self.conds.extend_from_slice(&other.conds);
+        self.told += other.told;
+        if self.near.len() < other.near.len() {
+            self.near.resize(other.near.len(), 0);
+        }
+        for (mine, theirs) in self.near.iter_mut().zip(&other.near) {
+            *mine += theirs;
+        }
         if other.unsolved.is_some() {
             self.unsolved.clone_from(&other.unsolved);
         }
@@ -113,12 +125,18 @@ fn rule_name(problem: &Problem, case: usize, rule: usize) -> String {
             let limit = format!("{:.1}", question.cond_limit);
             format!("cond of {} above {}", question.id, limit.trim_end_matches(".0"))
         }
-        _ => {
-            let text = problem.cases[case].bounds.get(rule - bounds).map_or("?", |b| b.text.as_str());
-            format!("bound {text}")
-        }
+        _ => match problem.cases[case].bounds.get(rule - bounds) {
+            Some(bound) => format!("bound {}", bound.text),
+            None => {
+                let mistake = problem.mistakes.get(rule - bounds - problem.cases[case].bounds.len());
+                format!("wrong method {} near a right answer", mistake.map_or("?", |m| m.id.as_str()))
+            }
+        },
     }
 }
+
+/// A wrong method nearer to the right answer than this many of its half-widths cannot be told from it.
+pub const APART: f64 = 2.0;
 
 /// No draw held the rules.
 #[derive(Debug, Clone, PartialEq)]
@@ -283,7 +301,53 @@ impl<'p> Maker<'p> {
         if !agree::prove(&case.scene, data, &mut solved) || !make_key::narrow(self.problem, &solved) {
             return Err(PROOF);
         }
+        self.told_apart(index, data, &solved, refusals)?;
         Ok(solved)
+    }
+
+    /// Does no wrong method come near a right answer?
+    fn told_apart(
+        &self,
+        index: usize,
+        data: &[f64],
+        solved: &Solved,
+        refusals: &mut Refusals,
+    ) -> Result<(), usize> {
+        if self.problem.mistakes.is_empty() {
+            return Ok(());
+        }
+        let labels: Vec<Label> = self.problem.questions.iter().map(|q| q.label).collect();
+        let mut near: Vec<(bool, bool)> = vec![(false, false); self.problem.mistakes.len()];
+        for wrong in misconception::values(self.problem, index, data, solved, &labels) {
+            let mistake = &self.problem.mistakes[wrong.mistake];
+            for q in self.problem.questions.iter().filter(|q| q.label == wrong.label) {
+                let Some(entry) = solved.get(q.label) else { continue };
+                let half = make_key::half_width(q, entry.value(), entry.scale, entry.cond);
+                // Where a magnitude is asked, a sign is no answer.
+                let value =
+                    if make_key::is_magnitude(q.label.quantity) { wrong.value.abs() } else { wrong.value };
+                if (value - entry.value()).abs() < APART * half {
+                    let (any, guarded) = &mut near[wrong.mistake];
+                    *any = true;
+                    *guarded |=
+                        mistake.unguarded.is_none() && !q.unguarded.iter().any(|(id, _)| *id == mistake.id);
+                }
+            }
+        }
+        if self.watching {
+            refusals.told += 1;
+            refusals.near.resize(near.len(), 0);
+            for (count, (any, _)) in refusals.near.iter_mut().zip(&near) {
+                *count += u32::from(*any);
+            }
+        }
+        match near.iter().position(|(_, guarded)| *guarded) {
+            Some(mistake) => {
+                let bounds = CHECKS + CheckKind::ALL.len() + 2 * self.problem.questions.len();
+                Err(bounds + self.problem.cases[index].bounds.len() + mistake)
+            }
+            None => Ok(()),
+        }
     }
 
     /// Is the kinetic energy not what two much larger energies leave?

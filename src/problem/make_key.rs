@@ -122,7 +122,8 @@ pub fn words_sign(scene: &Scene, label: Label) -> bool {
         || body.and_then(|b| scene.bodies.get(b)).and_then(|b| b.line).is_none_or(|line| line.forward_up)
 }
 
-const fn is_magnitude(quantity: Quantity) -> bool {
+/// Is it a number that is never negative, whichever way the scene goes?
+pub const fn is_magnitude(quantity: Quantity) -> bool {
     !matches!(
         quantity,
         Quantity::Friction
