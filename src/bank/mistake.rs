@@ -17,8 +17,8 @@ pub struct Context<'a> {
     pub symbols: &'a [Symbol],
     /// Index of g.
     pub gravity: usize,
-    /// The scene of each case, with the text that it was read from.
-    pub cases: &'a [(&'a Scene, &'a Node)],
+    /// Name and scene of each case, with the text that the scene was read from.
+    pub cases: &'a [(&'a str, &'a Scene, &'a Node)],
 }
 
 /// Reads `mistakes: {A05: {data: {k: R/sqrt(2)}}}`.
@@ -34,9 +34,10 @@ fn mistake(id: &str, key: &Node, node: &Node, context: &Context, faults: &Faults
         let hint = "letters, digits and `-`, beginning with a letter, such as `A05` or `rotation-forgotten`";
         faults.hint(key, format!("`{}` is no id of a wrong method", shorten(id)), hint);
     }
-    let mut fields = Fields::open(node, "a wrong method (data, scene, values, of)", faults)?;
+    let mut fields = Fields::open(node, "a wrong method (data, scene, values, of, cases)", faults)?;
     let (data_node, scene_node) = (fields.get("data"), fields.get("scene"));
     let (values_node, of_node) = (fields.get("values"), fields.get("of"));
+    let cases_node = fields.get("cases");
     let unguarded = fields.get("unguarded").map(|n| (n, n.text().unwrap_or("").trim().to_owned()));
     fields.close(faults);
     if data_node.is_none() && scene_node.is_none() && values_node.is_none() {
@@ -84,9 +85,30 @@ fn mistake(id: &str, key: &Node, node: &Node, context: &Context, faults: &Faults
         }
     });
     let scenes = scene_node.map_or_else(Vec::new, |changes| {
-        context.cases.iter().map(|(_, whole)| changed(whole, changes, context, faults)).collect()
+        context.cases.iter().map(|(_, _, whole)| changed(whole, changes, context, faults)).collect()
     });
-    Some(Mistake { id: id.to_owned(), data, scenes, values, of, unguarded: unguarded.map(|(_, r)| r) })
+    let cases = cases_node.map_or_else(Vec::new, |n| cases(n, context, faults));
+    Some(Mistake { id: id.to_owned(), data, scenes, values, of, cases, unguarded: unguarded.map(|(_, r)| r) })
+}
+
+/// The cases in which a method is taken.
+fn cases(node: &Node, context: &Context, faults: &Faults) -> Vec<usize> {
+    let Value::List(items) = &node.value else {
+        faults.at(node, format!("expected a list of cases, found {}", node.kind()));
+        return Vec::new();
+    };
+    let mut found = Vec::new();
+    for item in items {
+        let name = item.text().unwrap_or("").trim();
+        match context.cases.iter().position(|(case, ..)| *case == name) {
+            Some(index) => found.push(index),
+            None => {
+                let hint = close_name(name, context.cases.iter().map(|(case, ..)| *case));
+                faults.maybe(item, format!("`{}` is no case of this problem", shorten(name)), hint);
+            }
+        }
+    }
+    found
 }
 
 fn is_id(text: &str) -> bool {
@@ -114,7 +136,7 @@ fn changed(whole: &Node, changes: &Node, context: &Context, faults: &Faults) -> 
 
 fn label(name: &str, at: &Node, context: &Context, faults: &Faults) -> Option<Label> {
     let mut trouble = None;
-    for (scene, _) in context.cases {
+    for (_, scene, _) in context.cases {
         match review::label(scene, name) {
             Ok(label) => return Some(label),
             Err(fault) => trouble = trouble.or(Some(fault)),
@@ -135,7 +157,7 @@ fn expression(node: &Node, context: &Context, faults: &Faults) -> Option<Express
             return Ok((Name::Datum(i, factor), measure::powers(&context.data[i].unit)));
         }
         let mut trouble = (format!("`{}` is not known", shorten(name)), None);
-        for (scene, _) in context.cases {
+        for (_, scene, _) in context.cases {
             match review::label(scene, name) {
                 Ok(label) if label.quantity.is_word() => {
                     trouble.0 = format!("`{name}` is a word, not a number")

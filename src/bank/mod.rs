@@ -142,6 +142,8 @@ pub struct Mistake {
     pub values: Vec<(Label, Expression)>,
     /// The quantities that it spoils; empty: all that come out different.
     pub of: Vec<Label>,
+    /// Indices of the cases in which it is taken; empty: all.
+    pub cases: Vec<usize>,
     /// Why a draw is not refused although its answer may lie near the right one.
     pub unguarded: Option<String>,
 }

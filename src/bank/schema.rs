@@ -423,8 +423,10 @@ fn problem(
     let scenes: Vec<(&str, &Scene)> =
         cases.iter().filter_map(|c| Some((c.name.as_str(), c.read.as_ref()?.scene.as_ref()?))).collect();
     let questions = questions_node.map_or_else(Vec::new, |n| questions(n, common, &scenes, faults));
-    let read_cases: Vec<(&Scene, &Node)> =
-        cases.iter().filter_map(|c| Some((c.read.as_ref()?.scene.as_ref()?, c.scene_node?))).collect();
+    let read_cases: Vec<(&str, &Scene, &Node)> = cases
+        .iter()
+        .filter_map(|c| Some((c.name.as_str(), c.read.as_ref()?.scene.as_ref()?, c.scene_node?)))
+        .collect();
     let context =
         mistake::Context { data: &plain, symbols: &symbols, gravity: gravity_index, cases: &read_cases };
     let mistakes = mistakes_node.map_or_else(Vec::new, |n| mistake::mistakes(n, &context, faults));

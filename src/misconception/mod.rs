@@ -31,6 +31,9 @@ pub fn values(problem: &Problem, case: usize, data: &[f64], solved: &Solved, lab
     let mut found = Vec::new();
     let Some(scene) = problem.cases.get(case).map(|c| &c.scene) else { return found };
     for (index, mistake) in problem.mistakes.iter().enumerate() {
+        if !mistake.cases.is_empty() && !mistake.cases.contains(&case) {
+            continue;
+        }
         one(problem, mistake, (case, scene), data, solved, labels, &mut |label, value| {
             found.push(Wrong { mistake: index, label, value });
         });
