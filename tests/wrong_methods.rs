@@ -4,6 +4,8 @@
     clippy::print_stdout,
     reason = "a test fails by panicking and tells figures with --nocapture"
 )]
+#[path = "wrong_methods/families.rs"]
+mod families;
 use serde_json::Value;
 use slipstick::bank::load;
 use slipstick::misconception;
