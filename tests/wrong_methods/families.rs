@@ -354,10 +354,6 @@ fn right_drum(d: &D) -> Answers {
 
 const DRUM: &[(&str, fn(&D) -> Answers)] = &[
     ("H01", |d| drum(d, (d.of("R"), d.of("r")), 0.0, d.of("g"))),
-    ("H02", |d| {
-        let right = right_drum(d);
-        vec![("rope1_tension", part(&right, "rope2_tension")), ("rope2_tension", part(&right, "rope1_tension"))]
-    }),
     ("H03", |d| {
         let (w1, w2) = (d.of("m_1") * d.of("g"), d.of("m_2") * d.of("g"));
         let alpha = (w1 * d.of("R") - w2 * d.of("r")) / drum_inertia(d);
