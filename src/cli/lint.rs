@@ -73,6 +73,7 @@ fn lint(args: &args::Lint, io: &mut Io) -> Result<Vec<Finding>, Vec<Finding>> {
             }
         }
         io.piece(&questions(problem, sweep));
+        io.piece(&mistakes(problem, sweep));
         for note in notes(problem, sweep) {
             io.line(&format!("    note: {note}"));
         }
@@ -154,6 +155,49 @@ fn questions(problem: &crate::bank::Problem, sweep: &Sweep) -> String {
     let (numbers, texts): (Vec<_>, Vec<_>) = rows.into_iter().partition(|r| r.len() != 2);
     let mut text = tell::table(&numbers, &[0, 3]);
     text.push_str(&tell::table(&texts, &[0, 1]));
+    text
+}
+
+/// For each wrong method the share of draws that it would refuse: those in which it lands near a right answer.
+fn mistakes(problem: &crate::bank::Problem, sweep: &Sweep) -> String {
+    let percent = |share: f64| match share {
+        s if s.is_nan() => "-".to_owned(),
+        s if s <= 0.0 => "0 %".to_owned(),
+        s if s < 0.01 => "< 1 %".to_owned(),
+        s => format!("{:.0} %", s * 100.0),
+    };
+    let single = sweep.cases.len() == 1;
+    let mut head = vec!["wrong method".to_owned()];
+    head.extend(sweep.cases.iter().map(|c| match single {
+        true => "would refuse".to_owned(),
+        false => c.name.clone(),
+    }));
+    head.push("near".to_owned());
+    let mut rows = vec![head];
+    let mut never = Vec::new();
+    for (mistake, seen) in problem.mistakes.iter().zip(&sweep.mistakes) {
+        if seen.near.iter().all(|s| s.is_nan() || *s <= 0.0) {
+            never.push(seen.id.as_str());
+            continue;
+        }
+        let mut near: Vec<String> = Vec::new();
+        for (q, share) in problem.questions.iter().zip(&seen.by_question).filter(|(_, s)| **s > 0.0) {
+            let own = q.unguarded.iter().any(|(id, _)| *id == mistake.id) || mistake.unguarded.is_some();
+            near.push(format!("{} {}{}", q.id, percent(*share), if own { " (allowed)" } else { "" }));
+        }
+        let mut row = vec![seen.id.clone()];
+        row.extend(seen.near.iter().map(|s| percent(*s)));
+        row.push(near.join(", "));
+        rows.push(row);
+    }
+    let mut text = String::new();
+    if rows.len() > 1 {
+        let last = rows[0].len() - 1;
+        text.push_str(&tell::table(&rows, &[0, last]));
+    }
+    if !never.is_empty() {
+        text.push_str(&format!("  never near a right answer: {}\n", never.join(", ")));
+    }
     text
 }
 
