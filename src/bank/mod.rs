@@ -50,6 +50,8 @@ pub struct Problem {
     pub energy_limit: f64,
     /// Wrong methods that students take, with the way to their answers.
     pub mistakes: Vec<Mistake>,
+    /// Parts that follow from other parts.
+    pub follows: Vec<Follow>,
     /// Least margins by check kind (0.1 for `moves` and so on), as shares.
     pub margins: Vec<(CheckKind, f64)>,
 }
@@ -144,6 +146,20 @@ pub struct Mistake {
     pub of: Vec<Label>,
     /// Why a draw is not refused although its answer may lie near the right one.
     pub unguarded: Option<String>,
+}
+
+/// A part that follows from other parts: `v` from `omega` by `r*omega`. What a student gets by it from a wrong earlier part is
+/// right in method. For each draw the relation is checked with the right values.
+#[derive(Debug, Clone)]
+pub struct Follow {
+    /// The part, an index into the questions.
+    pub question: usize,
+    /// The parts from which it follows, indices below that of the part.
+    pub from: Vec<usize>,
+    /// How, in the data and the quantities.
+    pub by: Expression,
+    /// As it is written.
+    pub text: String,
 }
 
 /// A bound on an expression in symbols and quantity names, SI.

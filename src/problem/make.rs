@@ -64,7 +64,11 @@ const DISAGREE: usize = 2;
 const PROOF: usize = 3;
 const INPUT: usize = 4;
 const REGIME: usize = 5;
-const CHECKS: usize = 6;
+const FOLLOWS: usize = 6;
+const CHECKS: usize = 7;
+
+/// A relation between parts holds if it gives the right answer within this share: it is computed in doubles.
+const RELATION: f64 = 1e-9;
 
 impl Refusals {
     fn add(&mut self, rule: usize) {
@@ -119,6 +123,7 @@ fn rule_name(problem: &Problem, case: usize, rule: usize) -> String {
         PROOF => "the key is proved".to_owned(),
         INPUT => format!("input energy above {} times the kinetic", problem.energy_limit),
         REGIME => "regime".to_owned(),
+        FOLLOWS => "a relation of `follows` does not hold".to_owned(),
         _ if rule < questions => CheckKind::ALL[rule - CHECKS].name().to_owned(),
         _ if rule < conds => format!("question {} has an answer", problem.questions[rule - questions].id),
         _ if rule < bounds => {
@@ -302,8 +307,22 @@ impl<'p> Maker<'p> {
         if !agree::prove(&case.scene, data, &mut solved) || !make_key::narrow(self.problem, &solved) {
             return Err(PROOF);
         }
+        if !self.relations_hold(data, &solved) {
+            return Err(FOLLOWS);
+        }
         self.told_apart(index, data, &solved, refusals)?;
         Ok(solved)
+    }
+
+    /// Do the relations between parts give the right answers from right ones?
+    fn relations_hold(&self, data: &[f64], solved: &Solved) -> bool {
+        let right = |label: Label| solved.get(label).map_or(f64::NAN, Entry::value);
+        self.problem.follows.iter().all(|follow| {
+            let question = &self.problem.questions[follow.question];
+            let Some(entry) = solved.get(question.label) else { return false };
+            let value = follow.by.eval(data, &right);
+            (value - entry.value()).abs() <= RELATION * entry.value().abs().max(entry.scale)
+        })
     }
 
     /// Does no wrong method come near a right answer?
@@ -328,7 +347,8 @@ impl<'p> Maker<'p> {
                 let Some(entry) = solved.get(q.label) else { continue };
                 let half = make_key::half_width(q, entry.value(), entry.scale, entry.cond);
                 // Where a magnitude is asked, a sign is no answer.
-                let value = if make_key::is_magnitude(q.label.quantity) { wrong.value.abs() } else { wrong.value };
+                let value =
+                    if make_key::is_magnitude(q.label.quantity) { wrong.value.abs() } else { wrong.value };
                 if (value - entry.value()).abs() < APART * half {
                     near[wrong.mistake * width + i] = true;
                     near[(wrong.mistake + 1) * width - 1] = true;
