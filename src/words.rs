@@ -11,8 +11,24 @@ use rustc_hash::FxHashMap;
 
 /// The languages: code, name in itself, mark between whole and parts of a number, word lists by topic.
 const LANGUAGES: &[(&str, &str, char, Lists)] = &[
-    ("en", "English", '.', &[("figure", include_str!("../templates/words/figure.yaml"))]),
-    ("de", "Deutsch", ',', &[("figure", include_str!("../templates/de/words/figure.yaml"))]),
+    (
+        "en",
+        "English",
+        '.',
+        &[
+            ("figure", include_str!("../templates/words/figure.yaml")),
+            ("print", include_str!("../templates/words/print.yaml")),
+        ],
+    ),
+    (
+        "de",
+        "Deutsch",
+        ',',
+        &[
+            ("figure", include_str!("../templates/de/words/figure.yaml")),
+            ("print", include_str!("../templates/de/words/print.yaml")),
+        ],
+    ),
 ];
 
 /// Word lists: topic, text.
