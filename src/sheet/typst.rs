@@ -411,21 +411,17 @@ impl Row {
     fn joined(&self) -> Formula {
         let mut all = Formula::default();
         for piece in &self.0 {
-            match piece {
-                Piece::Word(word) => {
-                    all.typst.push_str(&quoted(word));
-                    all.alt.push_str(word);
-                }
-                Piece::Mark(mark) => {
-                    all.typst.push_str(&quoted(&mark.to_string()));
-                    all.alt.push(*mark);
-                }
-                Piece::Other(formula) => {
-                    all.typst.push_str(&formula.typst);
-                    all.alt.push_str(&formula.alt);
-                }
+            let (typst, alt) = match piece {
+                Piece::Word(word) => (quoted(word), word.clone()),
+                Piece::Mark(mark) => (quoted(&mark.to_string()), mark.to_string()),
+                Piece::Other(formula) => (formula.typst.clone(), formula.alt.clone()),
+            };
+            // Typst shows a space beside a text in quotes, and none elsewhere.
+            if !(all.typst.is_empty() || all.typst.ends_with('"') || typst.starts_with('"')) {
+                all.typst.push(' ');
             }
-            all.typst.push(' ');
+            all.typst.push_str(&typst);
+            all.alt.push_str(&alt);
         }
         // One space is enough for those who listen.
         all.alt = all.alt.split_whitespace().collect::<Vec<_>>().join(" ");
@@ -542,6 +538,7 @@ impl<'e> Reader<'e> {
                     }
                     (Upright::No, c) if c.is_alphabetic() && !is_upright(c) => row.other(c, c),
                     (_, c) if c.is_alphabetic() => row.other(format!("upright({c})"), c),
+                    (_, '′' | '″' | '‴') => row.other(format!("attach(\"\", tr: {c})"), c),
                     (_, c) => row.other(symbol(c), c),
                 }
             }
@@ -549,6 +546,9 @@ impl<'e> Reader<'e> {
             Content::BinaryOp { content, small: _ } => {
                 if font == Upright::Yes && content == '/' {
                     row.push(Piece::Word("/".to_owned()));
+                } else if content == '/' {
+                    // As in TeX, tight.
+                    row.other("class(\"normal\", \\/)", "/");
                 } else {
                     row.other(symbol(content), format!(" {content} "));
                 }
