@@ -55,6 +55,7 @@ pub mod scene;
 pub mod set;
 pub mod sheet;
 pub mod simulate;
+pub mod solution;
 pub mod solve;
 pub mod template;
 pub mod units;

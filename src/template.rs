@@ -18,6 +18,7 @@ pub const BUILT_IN: &[(&str, &str)] = &[
     ("sheet.html", include_str!("../templates/sheet.html")),
     ("accuracy.html", include_str!("../templates/accuracy.html")),
     ("questions.md", include_str!("../templates/questions.md")),
+    ("solution/default.md", include_str!("../templates/solution/default.md")),
     ("statement/compound-pendulum.md", include_str!("../templates/statement/compound-pendulum.md")),
     ("statement/falling-rod.md", include_str!("../templates/statement/falling-rod.md")),
     ("statement/kinetic-energy.md", include_str!("../templates/statement/kinetic-energy.md")),

@@ -10,10 +10,31 @@ use crate::finding::Finding;
 use rustc_hash::FxHashMap;
 
 /// The languages: code, name in itself, mark between whole and parts of a number, word lists by topic.
-const LANGUAGES: &[(&str, &str, char, &[(&str, &str)])] = &[
-    ("en", "English", '.', &[("figure", include_str!("../templates/words/figure.yaml"))]),
-    ("de", "Deutsch", ',', &[("figure", include_str!("../templates/de/words/figure.yaml"))]),
+const LANGUAGES: &[(&str, &str, char, Lists)] = &[
+    (
+        "en",
+        "English",
+        '.',
+        &[
+            ("figure", include_str!("../templates/words/figure.yaml")),
+            ("print", include_str!("../templates/words/print.yaml")),
+            ("solution", include_str!("../templates/words/solution.yaml")),
+        ],
+    ),
+    (
+        "de",
+        "Deutsch",
+        ',',
+        &[
+            ("figure", include_str!("../templates/de/words/figure.yaml")),
+            ("print", include_str!("../templates/de/words/print.yaml")),
+            ("solution", include_str!("../templates/de/words/solution.yaml")),
+        ],
+    ),
 ];
+
+/// Word lists: topic, text.
+type Lists = &'static [(&'static str, &'static str)];
 
 /// The phrases of one language.
 #[derive(Debug, Clone)]

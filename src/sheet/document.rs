@@ -4,8 +4,44 @@ use crate::figure::picture::Picture;
 /// A text with its pictures.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Document {
-    /// The text. A picture stands in a paragraph of its own, `![what it shows](NAME.svg)`.
+    /// The text. A picture stands in a paragraph of its own, `![what it shows](NAME.svg)`. Where paper needs room for an
+    /// answer stands [`ANSWER`].
     pub markdown: String,
-    /// The pictures by name, in the order of the text.
+    /// The pictures by name (without `.svg`), in the order of the text.
     pub pictures: Vec<(String, Picture)>,
+}
+
+/// Room for an answer on paper: formats that are printed put a line or a box there, files of Markdown leave it out.
+pub const ANSWER: &str = "<!-- answer -->";
+
+/// What stands at the head of a document and of each of its printed pages: texts as people wrote them, not escaped.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub struct Head {
+    /// Title of the bank, or of the document.
+    pub title: String,
+    /// Name of the student; empty if the roster has none.
+    pub name: String,
+    /// Id of the student.
+    pub student: String,
+    /// Name of the set.
+    pub set: String,
+    /// Code of the drawn data, so that a sheet on paper can be told from every other.
+    pub code: String,
+}
+
+impl Document {
+    /// The Markdown as a file of its own: without room for answers.
+    pub fn plain(&self) -> String {
+        without_marks(&self.markdown)
+    }
+
+    /// The picture of this name.
+    pub fn picture(&self, name: &str) -> Option<&Picture> {
+        self.pictures.iter().find(|(n, _)| n == name).map(|(_, picture)| picture)
+    }
+}
+
+/// A Markdown text without room for answers.
+pub fn without_marks(markdown: &str) -> String {
+    markdown.replace(&format!(" {ANSWER}"), "").replace(ANSWER, "")
 }

@@ -1,0 +1,120 @@
+//! The quantities of one solution: how each is written, its full value and the digits that are shown.
+use crate::sheet::number;
+use crate::words::Words;
+
+/// Significant figures of values on the way; answers have those that their question asks.
+pub const FIGURES: usize = 6;
+
+/// A quantity of a ledger.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Symbol(usize);
+
+#[derive(Debug, Clone)]
+struct Line {
+    tex: String,
+    value: f64,
+    /// Digits as shown, with a point.
+    digits: String,
+    unit: String,
+    degrees: bool,
+}
+
+/// The quantities of one solution.
+#[derive(Debug, Clone)]
+pub struct Ledger<'w> {
+    words: &'w Words,
+    lines: Vec<Line>,
+}
+
+impl<'w> Ledger<'w> {
+    /// An empty one.
+    pub fn new(words: &'w Words) -> Self {
+        Self { words, lines: Vec::new() }
+    }
+
+    /// A datum: its digits are those printed. `unit` is LaTeX, empty for a pure number; an angle in degrees has none.
+    pub fn given(&mut self, tex: &str, value: f64, digits: &str, unit: &str, degrees: bool) -> Symbol {
+        let line =
+            Line { tex: tex.to_owned(), value, digits: digits.to_owned(), unit: unit.to_owned(), degrees };
+        self.lines.push(line);
+        Symbol(self.lines.len() - 1)
+    }
+
+    /// A quantity that is found: its full value is kept, [`FIGURES`] figures of it are shown.
+    pub fn found(&mut self, tex: &str, value: f64, unit: &str) -> Symbol {
+        let digits = number::rounded(value, FIGURES);
+        self.given(tex, value, &digits, unit, false)
+    }
+
+    /// A quantity that is not known yet: it can be written, not valued.
+    pub fn unknown(&mut self, tex: &str, unit: &str) -> Symbol {
+        self.found(tex, f64::NAN, unit)
+    }
+
+    /// Gives an unknown its value.
+    pub fn settle(&mut self, symbol: Symbol, value: f64) {
+        if let Some(line) = self.lines.get_mut(symbol.0) {
+            line.value = value;
+            line.digits = number::rounded(value, FIGURES);
+        }
+    }
+
+    /// The full value, SI (angles in degrees where [`Ledger::is_degrees`]).
+    pub fn value(&self, symbol: Symbol) -> f64 {
+        self.lines.get(symbol.0).map_or(f64::NAN, |l| l.value)
+    }
+
+    /// The symbol in LaTeX.
+    pub fn tex(&self, symbol: Symbol) -> &str {
+        self.lines.get(symbol.0).map_or("?", |l| l.tex.as_str())
+    }
+
+    /// Is it an angle in degrees?
+    pub fn is_degrees(&self, symbol: Symbol) -> bool {
+        self.lines.get(symbol.0).is_some_and(|l| l.degrees)
+    }
+
+    /// Is it a number without a unit?
+    pub fn is_pure(&self, symbol: Symbol) -> bool {
+        self.lines.get(symbol.0).is_some_and(|l| l.unit.is_empty() && !l.degrees)
+    }
+
+    /// Number and unit in LaTeX: `40\ \mathrm{kg}`, `30^\circ`, with the decimal mark of the language.
+    pub fn shown(&self, symbol: Symbol) -> String {
+        let Some(line) = self.lines.get(symbol.0) else { return String::new() };
+        let digits = tex_digits(&line.digits, self.words);
+        match (line.degrees, line.unit.as_str()) {
+            (true, _) => format!(r"{digits}^\circ"),
+            (false, "") => digits,
+            (false, unit) => format!(r"{digits}\ {unit}"),
+        }
+    }
+
+    /// The difference of two quantities of one kind as they are shown, with the unit.
+    pub fn difference(&self, a: Symbol, b: Symbol) -> String {
+        let (Some(first), Some(second)) = (self.lines.get(a.0), self.lines.get(b.0)) else {
+            return String::new();
+        };
+        let read = |digits: &str| digits.parse::<f64>().unwrap_or(f64::NAN);
+        let (x, y) = (read(&first.digits), read(&second.digits));
+        // One unit of the last digit at most, or there is something to see.
+        let digits = number::rounded(x - y, 1);
+        let digits = tex_digits(&digits, self.words);
+        if first.unit.is_empty() { digits } else { format!(r"{digits}\ {}", first.unit) }
+    }
+
+    /// The words of the solution.
+    pub fn words(&self) -> &'w Words {
+        self.words
+    }
+}
+
+/// Digits with a point, perhaps with an exponent, in LaTeX: `1{,}5 \cdot 10^{-7}` in German.
+pub fn tex_digits(digits: &str, words: &Words) -> String {
+    match digits.split_once('e') {
+        Some((mantissa, exponent)) => {
+            format!(r"{} \cdot 10^{{{exponent}}}", words.tex_number(mantissa))
+        }
+        None => words.tex_number(digits),
+    }
+}

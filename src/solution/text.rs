@@ -1,0 +1,91 @@
+//! What a solution says, in order, before a template decides how it stands on the page.
+use crate::solution::expr::Expr;
+use crate::solution::ledger::Ledger;
+use crate::solution::ledger::Symbol;
+
+/// A part of a solution.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Section {
+    /// Its name for templates: `eom`, `energy`, ...
+    pub id: &'static str,
+    /// Its heading.
+    pub title: String,
+    /// What stands in it.
+    pub blocks: Vec<Block>,
+}
+
+/// A piece of a section.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Block {
+    /// A paragraph of Markdown.
+    Words(String),
+    /// A displayed formula, LaTeX without dollars.
+    Formula(String),
+    /// The picture of this name.
+    Picture(String),
+    /// A list, each item Markdown.
+    List(Vec<String>),
+    /// A table of Markdown cells, first row the head.
+    Table(Vec<Vec<String>>),
+}
+
+impl Section {
+    /// An empty one.
+    pub fn new(id: &'static str, title: &str) -> Self {
+        Self { id, title: title.to_owned(), blocks: Vec::new() }
+    }
+    /// Adds a paragraph.
+    pub fn say(&mut self, words: impl Into<String>) {
+        self.blocks.push(Block::Words(words.into()));
+    }
+    /// Adds an equation in symbols: `left = right`.
+    pub fn equation(&mut self, ledger: &Ledger, left: &Expr, right: &Expr) {
+        self.blocks.push(Block::Formula(format!("{} = {}", left.symbols(ledger), right.symbols(ledger))));
+    }
+    /// Adds the steps by which a quantity is found: in symbols, with numbers put in, the value.
+    pub fn find(&mut self, ledger: &mut Ledger, symbol: Symbol, from: &Expr) {
+        let value = from.value(ledger);
+        ledger.settle(symbol, value);
+        self.blocks.push(Block::Formula(worked(ledger, symbol, from)));
+    }
+    /// Its blocks as Markdown; `alt` tells what a picture shows.
+    pub fn markdown(&self, alt: &dyn Fn(&str) -> String) -> String {
+        let mut out = String::new();
+        for block in &self.blocks {
+            if !out.is_empty() {
+                out.push_str("\n\n");
+            }
+            match block {
+                Block::Words(words) => out.push_str(words),
+                Block::Formula(tex) => out.push_str(&format!("$${tex}$$")),
+                Block::Picture(name) => out.push_str(&format!("![{}]({name}.svg)", alt(name))),
+                Block::List(items) => {
+                    let items: Vec<String> = items.iter().map(|i| format!("- {i}")).collect();
+                    out.push_str(&items.join("\n"));
+                }
+                Block::Table(rows) => {
+                    for (i, row) in rows.iter().enumerate() {
+                        out.push_str(&format!("| {} |\n", row.join(" | ")));
+                        if i == 0 {
+                            let rule = vec![":--"; row.len()];
+                            out.push_str(&format!("|{}|\n", rule.join("|")));
+                        }
+                    }
+                    out.truncate(out.trim_end().len());
+                }
+            }
+        }
+        out
+    }
+}
+
+/// `a = symbols = numbers = value` on lines of their own, so that a narrow page need not scroll more than one of them. The
+/// symbol must have its value.
+pub fn worked(ledger: &Ledger, symbol: Symbol, from: &Expr) -> String {
+    let (name, symbols, numbers, value) =
+        (ledger.tex(symbol), from.symbols(ledger), from.numbers(ledger), ledger.shown(symbol));
+    if numbers == value {
+        return format!("{name} = {symbols} = {value}");
+    }
+    format!(r"\begin{{aligned}} {name} &= {symbols} \\ &= {numbers} \\ &= {value} \end{{aligned}}")
+}
