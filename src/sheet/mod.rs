@@ -3,5 +3,7 @@ pub mod document;
 pub mod html;
 pub mod number;
 pub mod page;
+pub mod pdf;
 pub mod public;
 pub mod statement;
+pub mod typst;
