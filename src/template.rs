@@ -28,6 +28,7 @@ pub const BUILT_IN: &[(&str, &str)] = built_in!("":
     "booklet.tex",
     "key-table.md",
     "questions.md",
+    "solution/default.md",
     "accuracy.html",
     "statement/compound-pendulum.md",
     "statement/falling-rod.md",

@@ -39,6 +39,18 @@ impl Decimal {
         }
         (value.unsigned_abs() < 1_000_000_000_000_000).then_some(value)
     }
+    /// The same number without up to so many decimals that are 0.
+    #[must_use]
+    pub fn trimmed(self, at_most: u8) -> Self {
+        let mut out = self;
+        for _ in 0..at_most {
+            if out.decimals == 0 || out.value % 10 != 0 {
+                break;
+            }
+            out = Self { value: out.value / 10, decimals: out.decimals - 1 };
+        }
+        out
+    }
     /// As it is printed: `-0.30`.
     pub fn text(self) -> String {
         let digits = self.value.unsigned_abs().to_string();

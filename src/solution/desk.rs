@@ -1,0 +1,274 @@
+//! The desk on which one solution is worked: the variant, its data as symbols, the sections written so far, and what has been
+//! found on which road.
+use crate::bank::Problem;
+use crate::bank::decimal::Decimal;
+use crate::finding::Finding;
+use crate::problem::make::Variant;
+use crate::scene::Label;
+use crate::scene::Num;
+use crate::scene::Quantity;
+use crate::scene::Scene;
+use crate::sheet::number;
+use crate::solution::expr::Expr;
+use crate::solution::expr::ZERO;
+use crate::solution::ledger::FIGURES;
+use crate::solution::ledger::Ledger;
+use crate::solution::ledger::Symbol;
+use crate::solution::ledger::tex_digits;
+use crate::solution::text::Section;
+use crate::solve::outcome::Word;
+use crate::units::Unit;
+use crate::words::Words;
+
+/// An answer, as a road finds it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Answer {
+    /// A quantity of the ledger.
+    Value(Symbol),
+    /// A word.
+    Word(Word),
+}
+
+/// What was found for a label, on each road.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Found {
+    /// Which quantity.
+    pub label: Label,
+    /// From the equations of motion.
+    pub eom: Option<Answer>,
+    /// From work and energy.
+    pub energy: Option<Answer>,
+    /// Why there is only one road, a sentence; empty where there are two.
+    pub note: String,
+}
+
+/// The desk.
+#[derive(Debug)]
+pub struct Desk<'a> {
+    /// The problem.
+    pub problem: &'a Problem,
+    /// The variant.
+    pub variant: &'a Variant,
+    /// Its scene.
+    pub scene: &'a Scene,
+    /// The words of the language.
+    pub words: &'a Words,
+    /// All quantities: the data first.
+    pub ledger: Ledger<'a>,
+    /// The sections between the data and the comparison, in order.
+    pub sections: Vec<Section>,
+    /// What was found.
+    pub found: Vec<Found>,
+    /// One for each datum of the problem; `None` where the case does not use it.
+    data: Vec<Option<Symbol>>,
+    /// Each datum as it is told, `R = 200\ \mathrm{mm} = 0.200\ \mathrm{m}`.
+    told: Vec<String>,
+    /// Constants of the bank that were given a symbol: value (bits) and symbol.
+    constants: Vec<(u64, String, Symbol)>,
+}
+
+impl<'a> Desk<'a> {
+    /// A desk with the data of a variant on it.
+    ///
+    /// # Errors
+    /// The variant has a case that the problem has not.
+    pub fn new(problem: &'a Problem, variant: &'a Variant, words: &'a Words) -> Result<Self, Finding> {
+        let Some(case) = problem.cases.get(variant.case) else {
+            return Err(Finding::new(
+                format!("problems.{}", problem.id),
+                format!("has no case {}", variant.case),
+            ));
+        };
+        let mut desk = Self {
+            problem,
+            variant,
+            scene: &case.scene,
+            words,
+            ledger: Ledger::new(words),
+            sections: Vec::new(),
+            found: Vec::new(),
+            data: vec![None; problem.data.len()],
+            told: Vec::new(),
+            constants: Vec::new(),
+        };
+        for (i, datum) in problem.data.iter().enumerate() {
+            let (Some(drawn), Some(value)) = (variant.values.get(i).copied().flatten(), variant.data.get(i))
+            else {
+                continue;
+            };
+            let printed = datum.unit.tex_with(&tex_digits(&drawn.text(), words));
+            let (digits, unit) = if datum.degrees {
+                (if datum.unit.ascii() == "deg" { drawn.text() } else { rounded(*value) }, String::new())
+            } else {
+                (si_digits(drawn, &datum.unit, *value), si_unit(&datum.unit).tex())
+            };
+            let symbol = desk.ledger.given(&datum.tex, *value, &digits, &unit, datum.degrees);
+            let shown = desk.ledger.shown(symbol);
+            let again = if shown == printed { String::new() } else { format!(" = {shown}") };
+            desk.told.push(format!("{} = {printed}{again}", datum.tex));
+            desk.data[i] = Some(symbol);
+        }
+        Ok(desk)
+    }
+
+    /// A number of the scene as an expression: its datum's symbol, or that of a constant of the bank, for which `tex` and the
+    /// SI `unit` (ASCII, `deg` for a slope) are taken. A constant 0 is [`ZERO`].
+    pub fn number(&mut self, num: Num, tex: &str, unit: &str) -> Expr {
+        match num {
+            Num::Datum(i) => match self.data.get(i).copied().flatten() {
+                Some(symbol) => symbol.into(),
+                None => ZERO,
+            },
+            Num::Fixed(0.0) => ZERO,
+            Num::Fixed(x) => {
+                let known = self.constants.iter().find(|(bits, t, _)| *bits == x.to_bits() && t == tex);
+                if let Some((_, _, symbol)) = known {
+                    return (*symbol).into();
+                }
+                let degrees = unit == "deg";
+                let unit = if degrees { String::new() } else { tex_of(unit) };
+                let name = self.free(&[tex]);
+                let symbol = self.ledger.given(&name, x, &shortest(x), &unit, degrees);
+                self.told.push(format!("{name} = {}", self.ledger.shown(symbol)));
+                self.constants.push((x.to_bits(), tex.to_owned(), symbol));
+                symbol.into()
+            }
+        }
+    }
+
+    /// The value of a number of the scene, SI, slopes in degrees.
+    pub fn value(&self, num: Num) -> f64 {
+        match num {
+            Num::Datum(i) => self.variant.data.get(i).copied().unwrap_or(f64::NAN),
+            Num::Fixed(x) => x,
+        }
+    }
+
+    /// The first of these symbols that no datum bears; if all are taken, the last one with a star.
+    pub fn free(&self, candidates: &[&str]) -> String {
+        let taken = |tex: &str| self.problem.data.iter().any(|d| d.tex == tex);
+        match candidates.iter().find(|c| !taken(c)) {
+            Some(tex) => (*tex).to_owned(),
+            None => candidates.last().map_or_else(String::new, |tex| format!("{tex}^{{*}}")),
+        }
+    }
+
+    /// A quantity that is not known yet, in the unit (ASCII) given.
+    pub fn unknown(&mut self, tex: &str, unit: &str) -> Symbol {
+        self.ledger.unknown(tex, &tex_of(unit))
+    }
+
+    /// A phrase of the lists, its places filled in.
+    pub fn say(&self, name: &str, pieces: &[(&str, &str)]) -> String {
+        self.words.say(name, pieces)
+    }
+
+    /// The data as they are told, each a formula without dollars.
+    pub fn told(&self) -> &[String] {
+        &self.told
+    }
+
+    /// Symbol (as the bank has it) and text of each datum for templates, `$R = 200\ \mathrm{mm}$`.
+    pub fn whole(&self) -> Vec<(String, String)> {
+        let drawn = |i: usize| self.variant.values.get(i).copied().flatten();
+        let data = self.problem.data.iter().enumerate();
+        data.filter_map(|(i, d)| {
+            let value = d.unit.tex_with(&tex_digits(&drawn(i)?.text(), self.words));
+            Some((d.symbol.clone(), format!("${} = {value}$", d.tex)))
+        })
+        .collect()
+    }
+
+    /// An answer from the equations of motion.
+    pub fn from_motion(&mut self, label: Label, answer: Answer) {
+        self.entry(label).eom = Some(answer);
+    }
+
+    /// An answer from work and energy.
+    pub fn from_energy(&mut self, label: Label, answer: Answer) {
+        self.entry(label).energy = Some(answer);
+    }
+
+    /// An answer to which there is one road only, with the sentence that says why.
+    pub fn from_one_road(&mut self, label: Label, answer: Answer, note: &str) {
+        let entry = self.entry(label);
+        entry.eom = Some(answer);
+        entry.energy = None;
+        note.clone_into(&mut entry.note);
+    }
+
+    fn entry(&mut self, label: Label) -> &mut Found {
+        if let Some(i) = self.found.iter().position(|f| f.label == label) {
+            return &mut self.found[i];
+        }
+        self.found.push(Found { label, eom: None, energy: None, note: String::new() });
+        let last = self.found.len() - 1;
+        &mut self.found[last]
+    }
+
+    /// Is this quantity asked, of anything?
+    pub fn asks(&self, quantity: Quantity) -> bool {
+        self.problem.questions.iter().any(|q| q.label.quantity == quantity)
+    }
+
+    /// Is this label asked?
+    pub fn asks_label(&self, label: Label) -> bool {
+        self.problem.questions.iter().any(|q| q.label == label)
+    }
+
+    /// A finding about the solution of this problem.
+    pub fn fault(&self, what: impl Into<String>) -> Finding {
+        let case = &self.problem.cases[self.variant.case];
+        let field = match case.name.as_str() {
+            "" => format!("problems.{}", self.problem.id),
+            name => format!("problems.{}.cases.{name}", self.problem.id),
+        };
+        Finding::new(field, what)
+    }
+}
+
+/// The LaTeX of a unit in ASCII; empty for `1` and for what is no unit.
+pub fn tex_of(unit: &str) -> String {
+    Unit::parse(unit).map_or_else(|_| String::new(), |u| u.tex())
+}
+
+/// Digits in SI of a drawn value: exact where the unit is a power of ten of the SI unit.
+fn si_digits(drawn: Decimal, unit: &Unit, value: f64) -> String {
+    for ten in 0..=12u8 {
+        let power = 10i64.pow(u32::from(ten));
+        // Both conversions are exact powers of ten or are not one at all.
+        #[expect(clippy::float_cmp, clippy::cast_precision_loss, reason = "powers of ten are exact here")]
+        let (small, large) = (unit.to_si(power as f64) == 1.0, unit.to_si(1.0) == power as f64);
+        if small {
+            let decimals = drawn.decimals + ten;
+            return Decimal { value: drawn.value, decimals }.text();
+        }
+        if large && let Some(value) = drawn.value.checked_mul(power) {
+            return Decimal { value, decimals: drawn.decimals }.trimmed(ten).text();
+        }
+    }
+    rounded(value)
+}
+
+fn rounded(value: f64) -> String {
+    number::rounded(value, FIGURES)
+}
+
+/// The shortest digits that give the double back.
+fn shortest(x: f64) -> String {
+    let plain = format!("{x}");
+    if plain.len() > 12 { rounded(x) } else { plain }
+}
+
+/// The SI unit of the same kind.
+fn si_unit(unit: &Unit) -> Unit {
+    const PLAIN: [&str; 16] = [
+        "1", "kg", "m", "s", "rad", "m/s", "m/s^2", "rad/s", "rad/s^2", "N", "N/m", "N m", "kg m^2", "W",
+        "m^2", "kg/m",
+    ];
+    let mut known = PLAIN.iter().filter_map(|u| Unit::parse(u).ok());
+    known
+        .find(|u| u.dimension() == unit.dimension())
+        .or_else(|| Unit::parse(&unit.dimension().to_string()).ok())
+        .unwrap_or_else(|| unit.clone())
+}
