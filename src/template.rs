@@ -22,13 +22,15 @@ macro_rules! built_in {
 /// The templates that the program brings along: name, text. Other languages put theirs over these ([`TRANSLATED`]).
 pub const BUILT_IN: &[(&str, &str)] = built_in!("":
     "sheet.md",
-    "sheet.html",
-    "sheet.tex",
-    "booklet.html",
-    "booklet.tex",
-    "key-table.md",
     "questions.md",
     "solution/default.md",
+    "key-table.md",
+    "style.html",
+    "sheet.html",
+    "booklet.html",
+    "style.tex",
+    "sheet.tex",
+    "booklet.tex",
     "accuracy.html",
     "statement/compound-pendulum.md",
     "statement/falling-rod.md",
@@ -151,19 +153,19 @@ impl Templates {
             engine.autoescape_on([end]);
             engine.set_escape_fn(escape);
             let mine = |name: &str| own.iter().any(|(o, _, _)| o == name);
-            for (name, text) in built_in(language).filter(|(n, _)| n.ends_with(end) && !mine(n)) {
-                if let Err(error) = engine.add_raw_template(name, text) {
-                    faults.push(finding(&error, name, None));
-                }
-            }
+            let brought = built_in(language).filter(|(n, _)| n.ends_with(end) && !mine(n));
+            let given = own.iter().filter(|(n, _, _)| n.ends_with(end));
             // Texts before those that include them: a file may include its neighbours in any order.
-            let mut left: Vec<_> = own.iter().filter(|(n, _, _)| n.ends_with(end)).collect();
+            let mut left: Vec<(&str, &str, &str)> = brought.map(|(name, text)| (name, name, text)).collect();
+            left.extend(given.map(|(name, path, text)| (name.as_str(), path.as_str(), text.as_str())));
             loop {
                 let before = left.len();
                 let mut errors = Vec::new();
                 left.retain(|(name, path, text)| match engine.add_raw_template(name, text) {
                     Ok(()) => {
-                        files.insert(name.clone(), path.clone());
+                        if name != path {
+                            files.insert((*name).to_owned(), (*path).to_owned());
+                        }
                         false
                     }
                     Err(error) => {
@@ -319,9 +321,10 @@ pub fn in_html(text: &str) -> String {
     String::from_utf8_lossy(&out).into_owned()
 }
 
-/// Escapes what LaTeX would take for a command; letters that pdfLaTeX does not know are named.
+/// Escapes what LaTeX would take for a command; signs that pdfLaTeX lacks are written in math, or by their number.
 fn escape_tex(text: &str, out: &mut dyn io::Write) -> io::Result<()> {
     let mut buffer = [0u8; 4];
+    let mut before = ' ';
     for c in text.chars() {
         let written = match c {
             '\\' => r"\textbackslash{}",
@@ -338,12 +341,37 @@ fn escape_tex(text: &str, out: &mut dyn io::Write) -> io::Result<()> {
             '>' => r"\textgreater{}",
             '|' => r"\textbar{}",
             '"' => r"\textquotedbl{}",
-            '\'' => r"\textquotesingle{}",
             '`' => r"\textasciigrave{}",
-            '-' => "-{}",
+            // Two of them would become one sign.
+            '-' if before == '-' => "{}-",
+            '\'' if before == '\'' => "{}'",
             '\u{a0}' => "~",
-            c => c.encode_utf8(&mut buffer),
+            '\u{202f}' => r"\,",
+            '²' => r"\textsuperscript{2}",
+            '³' => r"\textsuperscript{3}",
+            '·' => r"\textperiodcentered{}",
+            '°' => r"\textdegree{}",
+            '×' => r"$\times$",
+            '\u{2212}' => "$-$",
+            '≤' => r"$\le$",
+            '≥' => r"$\ge$",
+            '≈' => r"$\approx$",
+            '→' => r"$\to$",
+            'α' => r"$\alpha$",
+            'θ' => r"$\theta$",
+            'μ' | 'µ' => r"$\mu$",
+            'φ' => r"$\phi$",
+            'ω' => r"$\omega$",
+            c if c.is_control() => " ",
+            ' '..='~' | '¡'..='ž' | '–' | '—' | '‘' | '’' | '‚' | '“' | '”' | '„' | '…' | '€' => {
+                c.encode_utf8(&mut buffer)
+            }
+            c => {
+                write!(out, r"\othersign{{{:04X}}}{{{c}}}", u32::from(c))?;
+                ""
+            }
         };
+        before = c;
         out.write_all(written.as_bytes())?;
     }
     Ok(())

@@ -1,8 +1,12 @@
 //! Markdown with math and pictures to HTML with MathML and inline SVG. The Markdown text is the only source.
+use crate::figure::svg;
+use crate::finding::Finding;
 use crate::sheet::document::ANSWER;
 use crate::sheet::document::Document;
 use crate::sheet::document::Head;
 use crate::template;
+use crate::template::Templates;
+use crate::template::View;
 use crate::words::Words;
 use pulldown_cmark::Alignment;
 use pulldown_cmark::CowStr;
@@ -32,7 +36,7 @@ const REMEMBERED: usize = 4096;
 /// A formula on a line of its own that has more signs than this may be wider than a phone, and scrolls by itself.
 const PHONE: usize = 34;
 /// One with more signs than this is set smaller on paper, so that it fits.
-const PAPER: usize = 70;
+pub const PAPER: usize = 70;
 
 /// Where a document stands in a page.
 #[derive(Debug, Clone, Copy)]
@@ -60,13 +64,16 @@ impl<'w> Converter<'w> {
             if event == Event::Start(Tag::Paragraph)
                 && let Some(Event::Start(Tag::Image { dest_url, .. })) = events.peek()
                 && let Some(name) = dest_url.strip_suffix(".svg").map(str::to_owned)
-                && let Some(_picture) = document.picture(&name)
+                && let Some(picture) = document.picture(&name)
             {
                 for skipped in events.by_ref() {
                     if skipped == Event::End(TagEnd::Paragraph) {
                         break;
                     }
                 }
+                let id = format!("{}{name}", place.prefix);
+                let figure = format!("<figure>{}</figure>\n", svg::inline(picture, &id).trim_end());
+                ready.push(Event::Html(figure.into()));
                 continue;
             }
             self.event(event, place, &mut walk, &mut ready);
@@ -182,7 +189,7 @@ fn lowered(level: HeadingLevel, by: usize) -> HeadingLevel {
 }
 
 /// About how many signs wide a formula is: commands count as one, a fraction as the wider of its halves.
-fn signs(tex: &str) -> usize {
+pub fn signs(tex: &str) -> usize {
     // Of several lines the longest.
     if tex.contains(r"\\") {
         return tex.split(r"\\").map(signs).max().unwrap_or(0);
@@ -258,12 +265,68 @@ pub fn running_head(head: &Head) -> String {
     text
 }
 
-/// A page of one document, or a booklet of several.
-pub struct Page<'p> {
-    /// Title of the page.
-    pub title: &'p str,
-    /// What stands in the head of printed pages and in the contents, and the body, of each document.
-    pub parts: Vec<(Head, String)>,
+/// A page that needs nothing else. `kind` is the class of its body: `sheets`, `solutions`, `key`.
+///
+/// # Errors
+/// Faults of the templates.
+pub fn page(
+    templates: &Templates,
+    words: &Words,
+    kind: &str,
+    head: &Head,
+    body: &str,
+) -> Result<Vec<u8>, Finding> {
+    let mut view = View::new();
+    view.text("language", words.language());
+    view.text("kind", kind);
+    view.foreign("title", &head.title);
+    view.foreign("student", &head.student);
+    view.foreign("name", &head.name);
+    view.foreign("set", &head.set);
+    view.text("code", &head.code);
+    view.text("running", &running_head(head));
+    view.text("body", body.trim_end());
+    let mut out = Vec::new();
+    templates.render("sheet.html", &view, &mut out)?;
+    Ok(out)
+}
+
+/// One page with all of a set: each document, its headings lowered by one, is an article with the id `s1`, `s2`, ...
+///
+/// # Errors
+/// Faults of the templates.
+pub fn booklet<'p>(
+    templates: &Templates,
+    words: &Words,
+    title: &str,
+    parts: impl Iterator<Item = (&'p Head, &'p str)>,
+) -> Result<Vec<u8>, Finding> {
+    let mut view = View::new();
+    view.text("language", words.language());
+    view.foreign("title", title);
+    view.text("skip", words.get("sheet.skip"));
+    view.text("contents", words.get("sheet.contents"));
+    let list = parts.enumerate().map(|(i, (head, body))| {
+        let who = match head.name.as_str() {
+            "" => head.student.clone(),
+            name => format!("{name} ({})", head.student),
+        };
+        template::map([
+            ("id", template::finished(&part_id(i))),
+            ("who", template::finished(&template::in_html(&who))),
+            ("running", template::finished(&running_head(head))),
+            ("body", template::finished(body.trim_end())),
+        ])
+    });
+    view.value("sheets", template::list(list.collect()));
+    let mut out = Vec::new();
+    templates.render("booklet.html", &view, &mut out)?;
+    Ok(out)
+}
+
+/// Id of a document in a booklet, counted from 0.
+pub fn part_id(i: usize) -> String {
+    format!("s{}", i + 1)
 }
 
 /// A formula as MathML; one that cannot be read is shown as it was written.
