@@ -16,6 +16,7 @@ macro_rules! lists {
         &[
             ("figure", include_str!(concat!("../templates/", $folder, "words/figure.yaml"))),
             ("sheet", include_str!(concat!("../templates/", $folder, "words/sheet.yaml"))),
+            ("print", include_str!(concat!("../templates/", $folder, "words/print.yaml"))),
             ("solution", include_str!(concat!("../templates/", $folder, "words/solution.yaml"))),
             ("feedback", include_str!(concat!("../templates/", $folder, "words/feedback.yaml"))),
         ]

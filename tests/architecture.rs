@@ -114,6 +114,10 @@ const KEEPERS: &[(&str, &[&str])] = &[
     ("pulldown_cmark", &["sheet"]),
     ("pulldown_latex", &["sheet"]),
     ("tempfile", &["cli"]),
+    ("typst", &["sheet::pdf"]),
+    ("typst_assets", &["sheet::pdf"]),
+    ("typst_layout", &["sheet::pdf"]),
+    ("typst_pdf", &["sheet::pdf"]),
     ("hmac", &["draw"]),
 ];
 

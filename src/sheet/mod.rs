@@ -4,6 +4,8 @@ pub mod html;
 pub mod key_table;
 pub mod number;
 pub mod page;
+pub mod pdf;
 pub mod public;
 pub mod statement;
 pub mod tex;
+pub mod typst;
