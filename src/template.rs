@@ -67,7 +67,7 @@ pub const TRANSLATED: &[(&str, &[(&str, &str)])] = &[(
 /// The built-in templates of a language: name, text.
 pub fn built_in(language: &str) -> impl Iterator<Item = (&'static str, &'static str)> {
     let own = TRANSLATED.iter().find(|(code, _)| *code == language).map_or(&[][..], |(_, list)| *list);
-    let text = move |name| own.iter().find(|(n, _)| *n == name).map(|(_, text)| *text);
+    let text = move |name: &str| own.iter().find(|(n, _)| *n == name).map(|(_, text)| *text);
     BUILT_IN.iter().map(move |(name, english)| (*name, text(name).unwrap_or(english)))
 }
 

@@ -28,6 +28,7 @@ use crate::solve::outcome::Refusal;
 use crate::solve::outcome::Solved;
 use crate::units;
 use crate::units::Unit;
+use crate::words::Words;
 use std::fmt::Write as _;
 
 /// Runs it.
