@@ -73,11 +73,7 @@ pub fn built_in(language: &str) -> impl Iterator<Item = (&'static str, &'static 
 
 /// How text that somebody else wrote is escaped in templates whose name ends so.
 type Escape = fn(&str, &mut dyn io::Write) -> io::Result<()>;
-const ENGINES: [(&str, Escape); 3] = [
-    (".md", escape_markdown),
-    (".html", escape_html),
-    (".tex", escape_tex),
-];
+const ENGINES: [(&str, Escape); 3] = [(".md", escape_markdown), (".html", escape_html), (".tex", escape_tex)];
 
 /// Is this the name of a template?
 pub fn is_template(name: &str) -> bool {
@@ -180,7 +176,11 @@ impl Templates {
             }
             engines.push((end, engine));
         }
-        if faults.is_empty() { Ok(Self { language: language.to_owned(), engines, files }) } else { Err(faults) }
+        if faults.is_empty() {
+            Ok(Self { language: language.to_owned(), engines, files })
+        } else {
+            Err(faults)
+        }
     }
 
     /// The built-in English ones.

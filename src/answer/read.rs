@@ -627,7 +627,10 @@ const WORDS: &[(Word, &[&str])] = &[
     (Word::Back, &["back", "backward", "backwards", "rückwärts", "zurück", "hinten"]),
     (Word::Right, &["right", "rightward", "rightwards", "rechts"]),
     (Word::Left, &["left", "leftward", "leftwards", "links"]),
-    (Word::Stays, &["stays", "stay", "rest", "stationary", "still", "bleibt", "ruht", "ruhe", "unbewegt", "unmoved"]),
+    (
+        Word::Stays,
+        &["stays", "stay", "rest", "stationary", "still", "bleibt", "ruht", "ruhe", "unbewegt", "unmoved"],
+    ),
     (Word::Yes, &["yes", "y", "ja", "j", "true", "wahr"]),
     (Word::No, &["no", "n", "nein", "false", "falsch"]),
 ];

@@ -52,7 +52,8 @@ pub fn put_over(
 }
 
 fn problem(this: &mut Problem, node: &Node, variables: Variables, was: Option<&Problem>, faults: &Faults) {
-    let Some(mut fields) = Fields::open(node, "texts of a problem (title, data, ask, statement)", faults) else {
+    let Some(mut fields) = Fields::open(node, "texts of a problem (title, data, ask, statement)", faults)
+    else {
         return;
     };
     let (title, data) = (fields.get("title"), fields.get("data"));
@@ -120,7 +121,7 @@ fn words(node: &Node, faults: &Faults) -> Option<String> {
 }
 
 fn unknown(key: &Node, what: &str, id: &str, known: &[&str], faults: &Faults) {
-    let hint = close_name(id, known.iter().copied())
-        .unwrap_or_else(|| format!("known here: {}", known.join(", ")));
+    let hint =
+        close_name(id, known.iter().copied()).unwrap_or_else(|| format!("known here: {}", known.join(", ")));
     faults.hint(key, format!("{what} `{}`", shorten(id)), hint);
 }

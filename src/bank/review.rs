@@ -430,13 +430,7 @@ pub fn templates(
 }
 
 /// Names in one text: symbols of the data or names that every template knows; a statement gives every datum.
-pub fn template(
-    node: &Node,
-    is_statement: bool,
-    symbols: &[&str],
-    variables: Variables,
-    faults: &Faults,
-) {
+pub fn template(node: &Node, is_statement: bool, symbols: &[&str], variables: Variables, faults: &Faults) {
     let Some(text) = node.text() else { return };
     match variables(text) {
         Err(found) => {
@@ -450,9 +444,8 @@ pub fn template(
                     continue;
                 }
                 let known = || symbols.iter().copied().chain(TEMPLATE_NAMES.iter().copied());
-                let hint = close_name(name, known()).unwrap_or_else(|| {
-                    format!("known names: {}", known().collect::<Vec<_>>().join(", "))
-                });
+                let hint = close_name(name, known())
+                    .unwrap_or_else(|| format!("known names: {}", known().collect::<Vec<_>>().join(", ")));
                 faults.hint(node, format!("`{{{{ {} }}}}` is not known", shorten(name)), hint);
             }
             // A statement that lists values or particles may give any of them.

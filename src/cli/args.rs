@@ -139,7 +139,13 @@ pub struct Generate {
     #[arg(long, value_name = "ID,ID", value_delimiter = ',')]
     pub problems: Option<Vec<String>>,
     /// Formats of the sheets: html, md, pdf, tex [default: html,md, and pdf where it is built in]
-    #[arg(long, value_name = "FORMAT,FORMAT", value_enum, value_delimiter = ',', hide_possible_values = true)]
+    #[arg(
+        long,
+        value_name = "FORMAT,FORMAT",
+        value_enum,
+        value_delimiter = ',',
+        hide_possible_values = true
+    )]
     pub format: Option<Vec<Format>>,
     /// Add late joiners to an existing set; nothing else changes
     #[arg(long, conflicts_with = "force")]
@@ -344,7 +350,13 @@ pub struct Solutions {
     #[arg(long, value_name = "DIR3")]
     pub out: PathBuf,
     /// Formats: html, md, pdf, tex [default: html,md, and pdf where it is built in]
-    #[arg(long, value_name = "FORMAT,FORMAT", value_enum, value_delimiter = ',', hide_possible_values = true)]
+    #[arg(
+        long,
+        value_name = "FORMAT,FORMAT",
+        value_enum,
+        value_delimiter = ',',
+        hide_possible_values = true
+    )]
     pub format: Option<Vec<Format>>,
     /// Replace solutions that were made before (and nothing else)
     #[arg(long)]

@@ -16,8 +16,11 @@ use crate::words::Words;
 use std::fs;
 use std::path::Path;
 
-/// Banks in the program: id, file, text.
-pub const BUILT_IN: &[(&str, &str, &str)] = &[
+/// A file of a bank: id, file, text.
+type OfBank = (&'static str, &'static str, &'static str);
+
+/// Banks in the program.
+pub const BUILT_IN: &[OfBank] = &[
     (
         "wheels-on-inclines",
         "banks/wheels-on-inclines.yaml",
@@ -32,8 +35,8 @@ pub const BUILT_IN: &[(&str, &str, &str)] = &[
     ("pinned-bodies", "banks/pinned-bodies.yaml", include_str!("../../banks/pinned-bodies.yaml")),
 ];
 
-/// Texts of built-in banks in other languages: code; id, file, text.
-pub const TRANSLATED: &[(&str, &[(&str, &str, &str)])] = &[(
+/// Texts of built-in banks in other languages, by code.
+pub const TRANSLATED: &[(&str, &[OfBank])] = &[(
     "de",
     &[
         (
@@ -175,7 +178,8 @@ pub fn texts(own: &Own, language: &str, bank: &mut Bank) -> Result<Texts, Vec<Fi
             }
         } else if let Some(id) = yaml.and_then(|n| n.strip_prefix("banks/")) {
             if id == bank.id {
-                faults.extend(overlay::put_over(bank, &text, &path, variables, None).err().unwrap_or_default());
+                faults
+                    .extend(overlay::put_over(bank, &text, &path, variables, None).err().unwrap_or_default());
             }
         } else if name == "print.typ" {
             print = Some((path, text));
@@ -297,7 +301,8 @@ pub fn never_given(bank: &Bank, templates: &Templates) -> Vec<Finding> {
 pub fn overlay_text(bank: &Bank) -> String {
     // A text in single quotes means itself; one of them is written twice.
     let quoted = |text: &str| format!("'{}'", text.replace('\'', "''"));
-    let mut out = format!("# The texts of the bank {}; data, scenes and rules stand in the bank itself.\n", bank.id);
+    let mut out =
+        format!("# The texts of the bank {}; data, scenes and rules stand in the bank itself.\n", bank.id);
     let mut line = |indent: usize, text: &str| {
         out.extend(std::iter::repeat_n(' ', indent));
         out.push_str(text);

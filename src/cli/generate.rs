@@ -238,7 +238,8 @@ fn together_again(plan: &Plan, set: &StoredSet) -> Result<Vec<(&'static str, Vec
     let writer = SheetWriter::new(plan)?;
     let both = replay::each(plan.bank, set, &|i, student, dealt| {
         let mut converter = Converter::new(&plan.texts.words);
-        let (made, row) = writer.write(i, &student.student, &student.name, &dealt, &mut Room::default(), &mut converter)?;
+        let (made, row) =
+            writer.write(i, &student.student, &student.name, &dealt, &mut Room::default(), &mut converter)?;
         Ok(((made, row), dealt.key))
     })?;
     let (sheets, keys): (Vec<(Made, Row)>, Vec<SheetKey>) = both.into_iter().unzip();
@@ -328,7 +329,9 @@ fn repair(plan: &Plan, set: &StoredSet, out: &Path, last: bool) -> Result<(), Ve
     }
     if last {
         let anew = together_again(plan, set)?;
-        stale.extend(anew.into_iter().filter(|(n, bytes)| files::read(&out.join(n)).ok().as_ref() != Some(bytes)));
+        stale.extend(
+            anew.into_iter().filter(|(n, bytes)| files::read(&out.join(n)).ok().as_ref() != Some(bytes)),
+        );
     }
     if stale.is_empty() {
         return Ok(());
@@ -416,7 +419,8 @@ fn deal(
             || (Room::default(), Converter::new(&plan.texts.words)),
             |(room, converter), (at, member)| {
                 let dealt = dealer.deal(&member.student)?;
-                let (mut made, row) = writer.write(at, &member.student, &member.name, &dealt, room, converter)?;
+                let (mut made, row) =
+                    writer.write(at, &member.student, &member.name, &dealt, room, converter)?;
                 let json = public.text(&member.student, &dealt.variants);
                 let place = folder.join("students").join(&member.folder);
                 // Of the whole folder: a full disk is told once and not for each student.
@@ -433,7 +437,8 @@ fn deal(
         .collect();
     bar.finish_and_clear();
     let mut dealt = Vec::with_capacity(results.len());
-    let mut sheets = Written { made: Vec::with_capacity(results.len()), rows: Vec::with_capacity(results.len()) };
+    let mut sheets =
+        Written { made: Vec::with_capacity(results.len()), rows: Vec::with_capacity(results.len()) };
     let mut faults = Vec::new();
     for result in results {
         match result {
@@ -644,7 +649,8 @@ fn tell(plan: &Plan, summary: &Summary, out: &Path, io: &mut Io) {
         count(summary.written * plan.problems.len(), "variant"),
         summary.tries
     ));
-    let mut sheets: Vec<String> = plan.formats.iter().rev().map(|f| format!("sheet.{}", f.ending())).collect();
+    let mut sheets: Vec<String> =
+        plan.formats.iter().rev().map(|f| format!("sheet.{}", f.ending())).collect();
     sheets.push("sheet.json".to_owned());
     io.line(&format!("  for students:  {out}/students/ID/ ({}); nothing else", sheets.join(", ")));
     let has = |format| plan.formats.contains(&format);
@@ -653,7 +659,9 @@ fn tell(plan: &Plan, summary: &Summary, out: &Path, io: &mut Io) {
     if !booklet.is_empty() {
         io.line(&format!("  to print:      {} (all sheets)", booklet.join(", ")));
     }
-    io.line(&format!("  the key:       {out}/key-table.html, {out}/key.csv; a form to fill in: {out}/submissions.csv"));
+    io.line(&format!(
+        "  the key:       {out}/key-table.html, {out}/key.csv; a form to fill in: {out}/submissions.csv"
+    ));
     coincidences(summary, io);
 }
 

@@ -90,8 +90,13 @@ impl<'o> Output<'o> {
         document: Document,
         converter: &mut Converter,
     ) -> Result<Made, Finding> {
-        let mut made =
-            Made { head, files: Vec::new(), html: String::new(), tex: String::new(), document: Document::default() };
+        let mut made = Made {
+            head,
+            files: Vec::new(),
+            html: String::new(),
+            tex: String::new(),
+            document: Document::default(),
+        };
         for format in self.formats {
             let name = format!("{}.{}", self.name, format.ending());
             let bytes = match format {

@@ -57,8 +57,7 @@ fn solutions(args: &args::Solutions, io: &mut Io) -> Result<(), Vec<Finding>> {
         let head = sheets.head(&student.student, &student.name, &dealt.variants);
         let mut whole = beginning(&head, &bank.title, words);
         for (i, (index, variant)) in problems.iter().zip(&dealt.variants).enumerate() {
-            let of_one =
-                solution::document(&bank.problems[*index], variant, i + 1, words, &texts.templates)?;
+            let of_one = solution::document(&bank.problems[*index], variant, i + 1, words, &texts.templates)?;
             append(&mut whole, of_one, i + 1);
         }
         let mut made = output.make(at, head, whole, &mut Converter::new(words))?;
@@ -143,7 +142,10 @@ fn may_write(out: &Path, set: &Path, force: bool) -> Result<(), Finding> {
     let finding = |what: &str| Finding::new("", what).in_file(out.display().to_string());
     files::has_a_name(out, "--out week-5-solutions")?;
     // The folder may not be there yet, those above it are asked.
-    let above = || out.ancestors().find_map(|a| fs::canonicalize(if a == Path::new("") { Path::new(".") } else { a }).ok());
+    let above = || {
+        out.ancestors()
+            .find_map(|a| fs::canonicalize(if a == Path::new("") { Path::new(".") } else { a }).ok())
+    };
     let students = fs::canonicalize(set.join("students")).ok();
     if students.zip(above()).is_some_and(|(students, above)| above.starts_with(students)) {
         return Err(finding("is within the folder of what students get").hint("give another --out"));

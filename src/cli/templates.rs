@@ -43,7 +43,10 @@ fn templates(args: &args::Templates, io: &mut Io) -> Result<(), Vec<Finding>> {
     }
     staged.finish().map_err(one)?;
     let out = args.out.display();
-    io.line(&format!("{}, in {out}; {out}/{README} says what each receives", tell::count(texts.len(), "file")));
+    io.line(&format!(
+        "{}, in {out}; {out}/{README} says what each receives",
+        tell::count(texts.len(), "file")
+    ));
     io.line(&format!("  use them with: --templates {out}"));
     Ok(())
 }
@@ -72,30 +75,45 @@ fn texts(language: &str) -> Result<Vec<(String, String)>, Vec<Finding>> {
     Ok(texts)
 }
 
+/// A piece and what it is.
+type Piece = (&'static str, &'static str);
+
 /// What each file receives: name (or its beginning), what it is, pieces.
-const PIECES: &[(&str, &str, &[(&str, &str)])] = &[
+const PIECES: &[(&str, &str, &[Piece])] = &[
     (
         "statement/",
         "the statement of one problem, named after it (problems that carry their statement in the bank: see banks/)",
         &[
-            ("m, theta, ...", "each datum of the problem under its symbol, and `g`, whole: `$m = 40\\ \\mathrm{kg}$`"),
+            (
+                "m, theta, ...",
+                "each datum of the problem under its symbol, and `g`, whole: `$m = 40\\ \\mathrm{kg}$`",
+            ),
             ("value.m", "the same without the symbol: `$40\\ \\mathrm{kg}$`"),
             ("tex.m", "the symbol alone, without dollars"),
             ("title, number, case", "title of the problem, its number in the sheet, name of the drawn case"),
-            ("count, particles, motion", "of a body of particles: how many, in words; a list of `name`, `mass`, `x`, `y`; `particle`, `vx`, `vy`, `spin`"),
+            (
+                "count, particles, motion",
+                "of a body of particles: how many, in words; a list of `name`, `mass`, `x`, `y`; `particle`, `vx`, `vy`, `spin`",
+            ),
         ],
     ),
     (
         "questions.md",
         "the questions of one problem, below its statement and figure",
-        &[("questions", "a list of `number`, `id`, `ask`, `form` (how to write the answer), `unit`, `figures`, `points` (empty for one), `answer` (room for it on paper)")],
+        &[(
+            "questions",
+            "a list of `number`, `id`, `ask`, `form` (how to write the answer), `unit`, `figures`, `points` (empty for one), `answer` (room for it on paper)",
+        )],
     ),
     (
         "sheet.md",
         "the sheet of one student",
         &[
             ("title", "title of the bank"),
-            ("name, student, set, code", "of the student (the name may be empty) and of the set; the code stands for what was drawn"),
+            (
+                "name, student, set, code",
+                "of the student (the name may be empty) and of the set; the code stands for what was drawn",
+            ),
             ("problems", "a list of `number`, `title`, `body` (statement, figure, questions)"),
             ("example, example_unit", "name and unit of a question, for the hint how to answer"),
             ("units", "`required` or `optional`"),
@@ -119,7 +137,10 @@ const PIECES: &[(&str, &str, &[(&str, &str)])] = &[
         "the key for the instructor",
         &[
             ("title, set", "of the bank and of the set"),
-            ("problems", "a list of `number`, `title`, `cases` and `moves` (empty where there is nothing to tell), `parts` (a list of `name`), `students` (a list of `student`, `name`, `code`, `case`, `regime`, `answers`)"),
+            (
+                "problems",
+                "a list of `number`, `title`, `cases` and `moves` (empty where there is nothing to tell), `parts` (a list of `name`), `students` (a list of `student`, `name`, `code`, `case`, `regime`, `answers`)",
+            ),
         ],
     ),
     (
@@ -144,7 +165,10 @@ const PIECES: &[(&str, &str, &[(&str, &str)])] = &[
     (
         "sheet.tex",
         "LaTeX around one document",
-        &[("title, running, babel, language, body", "as in sheet.html; `babel` is the language's name for the package babel")],
+        &[(
+            "title, running, babel, language, body",
+            "as in sheet.html; `babel` is the language's name for the package babel",
+        )],
     ),
     (
         "booklet.tex",
@@ -172,7 +196,8 @@ fn readme(language: &str) -> String {
             out.push_str("\n| piece | what it is |\n|---|---|\n");
         }
         for (piece, is) in *pieces {
-            let names: Vec<String> = piece.split(", ").map(|p| format!("`{p}`").replace("`...`", "...")).collect();
+            let names: Vec<String> =
+                piece.split(", ").map(|p| format!("`{p}`").replace("`...`", "...")).collect();
             let _ = writeln!(out, "| {} | {is} |", names.join(", "));
         }
     }

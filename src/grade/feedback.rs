@@ -29,9 +29,8 @@ pub struct Feedback<'w> {
     superseded: Vec<Piece<'w>>,
 }
 
-static ENGLISH: LazyLock<Feedback<'static>> = LazyLock::new(|| {
-    Feedback::new(Words::built_in("en").expect("English is built in"))
-});
+static ENGLISH: LazyLock<Feedback<'static>> =
+    LazyLock::new(|| Feedback::new(Words::built_in("en").expect("English is built in")));
 
 impl<'w> Feedback<'w> {
     /// Looks up what is needed often.
@@ -141,7 +140,9 @@ impl<'w> Feedback<'w> {
                 let found = found.escape_debug().to_string();
                 self.fill("feedback.unit_stray", &[("found", &found), ("column", &column.to_string())])
             }
-            UnitFault::Exponent { column } => self.fill("feedback.unit_exponent", &[("column", &column.to_string())]),
+            UnitFault::Exponent { column } => {
+                self.fill("feedback.unit_exponent", &[("column", &column.to_string())])
+            }
             UnitFault::Unfinished => Cow::Borrowed(self.get("feedback.unit_unfinished")),
             UnitFault::TooLarge => Cow::Borrowed(self.get("feedback.unit_too_long")),
         }
@@ -151,7 +152,11 @@ impl<'w> Feedback<'w> {
     pub fn mismatch(&self, expected: &Unit, found: &Unit) -> Cow<'w, str> {
         let named = |unit: &Unit| match unit.kind() {
             Kind::Named(kind) => {
-                format!("{} ({})", unit.ascii(), self.get(&format!("feedback.kind.{}", kind.replace(' ', "_"))))
+                format!(
+                    "{} ({})",
+                    unit.ascii(),
+                    self.get(&format!("feedback.kind.{}", kind.replace(' ', "_")))
+                )
             }
             Kind::Dimension(dimension) => format!("{} ({dimension})", unit.ascii()),
             Kind::Itself => unit.ascii().to_owned(),
@@ -162,7 +167,8 @@ impl<'w> Feedback<'w> {
             Some(Slip::Missing(factor)) => self.fill("feedback.factor_missing", &[("factor", factor)]),
             Some(Slip::TooMany(factor)) => self.fill("feedback.factor_many", &[("factor", factor)]),
             None => {
-                return self.fill("feedback.dimension", &[("expected", &named(expected)), ("found", &named(found))]);
+                return self
+                    .fill("feedback.dimension", &[("expected", &named(expected)), ("found", &named(found))]);
             }
         };
         let pieces = [("expected", &*named(expected)), ("found", &*named(found)), ("hint", &*hint)];
@@ -196,7 +202,9 @@ mod tests {
     #[test]
     fn english_reasons_are_those_of_units() {
         let say = Feedback::english();
-        for (expected, found) in [("N m", "N"), ("N", "lb"), ("m/s", "ms"), ("m", "m^2"), ("kg", "N^3"), ("m", "s")] {
+        for (expected, found) in
+            [("N m", "N"), ("N", "lb"), ("m/s", "ms"), ("m", "m^2"), ("kg", "N^3"), ("m", "s")]
+        {
             let (expected, found) = (Unit::parse(expected).unwrap(), Unit::parse(found).unwrap());
             assert_eq!(say.mismatch(&expected, &found), expected.mismatch(&found));
         }

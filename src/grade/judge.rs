@@ -59,12 +59,7 @@ pub fn judge_with<'w>(
     Judgement { verdict, points: if verdict == Verdict::Right { entry.points } else { 0.0 }, reason }
 }
 
-fn judge_word<'w>(
-    word: Word,
-    right: &str,
-    offered: &[&str],
-    say: &Feedback<'w>,
-) -> (Verdict, Cow<'w, str>) {
+fn judge_word<'w>(word: Word, right: &str, offered: &[&str], say: &Feedback<'w>) -> (Verdict, Cow<'w, str>) {
     let level = offered.contains(&Word::Forward.as_str());
     let word = match word {
         Word::Right if level => Word::Forward,

@@ -353,12 +353,15 @@ fn mathml(tex: &str, display_mode: DisplayMode) -> String {
     }
 }
 
-/// What the writer of MathML leaves ugly: escaped spaces, the micro sign for the letter mu, wide slashes in units.
+/// What the writer of MathML leaves ugly: escaped spaces, the micro sign for the letter mu, wide
+/// slashes in units, decimal commas as if they parted a list, the letters of a unit one by one.
 fn tidy(mathml: &str) -> String {
     mathml
         .replace("&amp;nbsp;", "\u{a0}")
         .replace('\u{b5}', "\u{3bc}")
         .replace("<mo>/</mo>", "<mo lspace=\"0\" rspace=\"0\">/</mo>")
+        .replace("</mn><mrow><mo>,</mo></mrow><mn>", ",")
+        .replace("</mi><mi mathvariant=\"normal\">", "")
 }
 
 /// Says what is wrong with the formulas of a Markdown text, one sentence each.

@@ -75,7 +75,10 @@ pub fn document<'k>(
                 ("name", template::finished(&template::in_markdown(&row.head.name))),
                 ("code", template::finished(&row.head.code)),
                 ("case", template::finished(&template::in_markdown(case))),
-                ("regime", template::finished(&if word.is_empty() { String::new() } else { format!("`{word}`") })),
+                (
+                    "regime",
+                    template::finished(&if word.is_empty() { String::new() } else { format!("`{word}`") }),
+                ),
                 ("answers", template::list(answers.collect())),
             ])
         });

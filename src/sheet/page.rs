@@ -1,7 +1,10 @@
 //! A whole sheet of one student: a document of Markdown and pictures, with its head.
 use crate::bank::Bank;
+use crate::bank::FigureLabels;
 use crate::bank::Problem;
 use crate::bank::load;
+use crate::figure::picture::Picture;
+use crate::figure::scene;
 use crate::finding::Finding;
 use crate::problem::make::Variant;
 use crate::scene::Quantity;
@@ -57,7 +60,11 @@ impl<'b> Sheets<'b> {
                 Err(fault) => faults.push(fault),
             }
         }
-        if faults.is_empty() { Ok(Self { bank, set, templates, words, statements, common }) } else { Err(faults) }
+        if faults.is_empty() {
+            Ok(Self { bank, set, templates, words, statements, common })
+        } else {
+            Err(faults)
+        }
     }
 
     /// Appends the Markdown of one problem (counted from 0 in the sheet), without its figure.
@@ -104,12 +111,20 @@ impl<'b> Sheets<'b> {
         let mut body = Vec::new();
         for (i, (index, _)) in self.statements.iter().enumerate() {
             body.clear();
+            let problem = &self.bank.problems[*index];
             if let Some(variant) = variants.get(i) {
-                self.write(i, variant, None, room, &mut body)?;
+                let figure = (problem.figure != FigureLabels::None).then(|| {
+                    let picture = scene::picture(problem, variant, self.words, problem.figure);
+                    let name = format!("problem-{}", i + 1);
+                    let line = format!("![{}]({name}.svg)", alternative(&picture));
+                    document.pictures.push((name, picture));
+                    line
+                });
+                self.write(i, variant, figure.as_deref(), room, &mut body)?;
             }
             problems.push(template::map([
                 ("number", template::finished(&(i + 1).to_string())),
-                ("title", template::finished(&self.bank.problems[*index].title)),
+                ("title", template::finished(&problem.title)),
                 ("body", template::finished(&String::from_utf8_lossy(&body))),
             ]));
         }
@@ -196,6 +211,11 @@ impl<'b> Sheets<'b> {
         );
         view
     }
+}
+
+/// What a picture shows, in Markdown, for those who do not see it.
+fn alternative(picture: &Picture) -> String {
+    template::in_markdown(if picture.desc.is_empty() { &picture.title } else { &picture.desc })
 }
 
 /// Six letters and digits that stand for a text; none that is easily taken for another.

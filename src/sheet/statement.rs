@@ -322,7 +322,8 @@ impl<'b> Statement<'b> {
             view.value("particles", template::list(rows.collect()));
             let count = body.particles.len();
             let name = format!("sheet.count_{count}");
-            let said = if self.words.has(&name) { self.words.get(&name).to_owned() } else { count.to_string() };
+            let said =
+                if self.words.has(&name) { self.words.get(&name).to_owned() } else { count.to_string() };
             view.text("count", &said);
         }
         for start in &scene.start {

@@ -22,12 +22,7 @@ use pulldown_cmark::TagEnd;
 ///
 /// # Errors
 /// Faults of the templates.
-pub fn page(
-    templates: &Templates,
-    words: &Words,
-    head: &Head,
-    body: &str,
-) -> Result<Vec<u8>, Finding> {
+pub fn page(templates: &Templates, words: &Words, head: &Head, body: &str) -> Result<Vec<u8>, Finding> {
     let mut view = View::new();
     view.foreign("title", &[head.title.as_str(), &head.student].join(", "));
     view.text("running", &running_head(head));
