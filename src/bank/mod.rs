@@ -260,6 +260,7 @@ pub mod load;
 mod measure;
 pub mod mistake;
 pub mod node;
+pub mod overlay;
 pub mod review;
 pub mod scene;
 pub mod schema;
