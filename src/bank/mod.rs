@@ -4,6 +4,7 @@ use crate::finding::Finding;
 use crate::scene::{Label, Scene};
 use crate::solve::outcome::CheckKind;
 use crate::units::Unit;
+use std::sync::Arc;
 
 /// How the variables of a template are found: template text in, names out, or what is wrong with the template.
 pub type Variables<'a> = &'a dyn Fn(&str) -> Result<Vec<String>, Vec<Finding>>;
@@ -50,6 +51,8 @@ pub struct Problem {
     pub energy_limit: f64,
     /// Wrong methods that students take, with the way to their answers.
     pub mistakes: Vec<Mistake>,
+    /// Their ids, for every key.
+    pub methods: Arc<[String]>,
     /// Parts that follow from other parts.
     pub follows: Vec<Follow>,
     /// Least margins by check kind (0.1 for `moves` and so on), as shares.

@@ -476,6 +476,7 @@ fn problem(
         statement,
         figure: common.figure,
         energy_limit: common.energy_limit,
+        methods: mistakes.iter().map(|m| m.id.clone()).collect(),
         mistakes,
         follows,
         margins: all_margins,

@@ -35,6 +35,7 @@ pub fn judge_with<'w>(
     units: &mut UnitCache,
     say: &Feedback<'w>,
 ) -> Judgement<'w> {
+    let mut compared = f64::NAN;
     let (verdict, reason) = match (read(cell, units), &entry.answer) {
         (Reading::Blank, _) => (Verdict::Blank, Cow::Borrowed(say.get("feedback.blank"))),
         (Reading::Unreadable(why), Answer::Word { offered, .. }) => {
@@ -54,9 +55,11 @@ pub fn judge_with<'w>(
             entry,
             Key { value: *value, half_width: *half_width, directed: *directed, magnitude: *magnitude },
             say,
+            &mut compared,
         ),
     };
-    Judgement { verdict, points: if verdict == Verdict::Right { entry.points } else { 0.0 }, reason }
+    let points = if verdict == Verdict::Right { entry.points } else { 0.0 };
+    Judgement { verdict, points, reason, number: compared }
 }
 
 fn judge_word<'w>(word: Word, right: &str, offered: &[&str], say: &Feedback<'w>) -> (Verdict, Cow<'w, str>) {
@@ -89,6 +92,7 @@ fn judge_number<'w>(
     entry: &KeyEntry,
     key: Key,
     say: &Feedback<'w>,
+    compared: &mut f64,
 ) -> (Verdict, Cow<'w, str>) {
     let unit = match &number.unit {
         Some(unit) if !entry.unit.agrees(unit) => {
@@ -135,6 +139,7 @@ fn judge_number<'w>(
     if turns && verdict == Verdict::Wrong && decide(literal) != Verdict::Wrong {
         return (Verdict::Unreadable, say.fill("feedback.read_as_turns", &[("unit", unit.ascii())]));
     }
+    *compared = x;
     let reason = match verdict {
         Verdict::Right => say.within,
         Verdict::WrongDirection if number.word.is_some() => say.get("feedback.other_word"),

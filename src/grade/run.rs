@@ -11,6 +11,8 @@ use crate::answer::submissions::Record;
 use crate::answer::submissions::RecordFault;
 use crate::answer::submissions::Source;
 use crate::finding::Finding;
+use crate::grade::diagnose::Slip;
+use crate::grade::diagnose::diagnose;
 use crate::grade::feedback::Feedback;
 use crate::grade::judge::accepts;
 use crate::grade::judge::judge_with;
@@ -633,7 +635,7 @@ fn judged<'w>(
             } else {
                 (Verdict::Wrong, 0.0, say.outside)
             };
-            return Judgement { verdict, points, reason: Cow::Borrowed(reason) };
+            return Judgement { verdict, points, reason: Cow::Borrowed(reason), number: x };
         }
     }
     match table.entry(who as usize, what as usize) {
@@ -642,8 +644,40 @@ fn judged<'w>(
             verdict: Verdict::UnknownPart,
             points: 0.0,
             reason: Cow::Borrowed(say.get("feedback.no_such_part")),
+            number: f64::NAN,
         },
     }
+}
+
+/// What a wrong answer fits: ids of wrong methods, and the reason told with its slip.
+fn diagnosed(table: &KeyTable, who: u32, what: u32, judgement: &mut Judgement, say: &Feedback) -> String {
+    let (parts, part, methods) = table.problem_of(who as usize, what as usize);
+    let found = diagnose(judgement.number, part, parts);
+    let slip = match found.slip {
+        Some(Slip::PowerOfTen(n)) => Some(say.fill("feedback.slip.power_of_ten", &[("n", &n.to_string())])),
+        Some(Slip::Unit(from, to)) => Some(say.fill("feedback.slip.unit", &[("from", from), ("to", to)])),
+        Some(Slip::FewerFigures(n)) => Some(say.fill("feedback.slip.figures", &[("n", &n.to_string())])),
+        Some(Slip::Drift) => Some(Cow::Borrowed(say.get("feedback.slip.drift"))),
+        Some(Slip::OtherPart(i)) => {
+            let first = what as usize - part;
+            let other = table.columns.get(first + i).map_or("", |c| c.part.as_str());
+            Some(say.fill("feedback.slip.other_part", &[("part", other)]))
+        }
+        None => None,
+    };
+    if let Some(slip) = slip {
+        judgement.reason = Cow::Owned(format!("{}; {slip}", judgement.reason));
+    }
+    let mut ids = String::new();
+    for method in found.methods {
+        if let Some(id) = methods.get(usize::from(method)) {
+            if !ids.is_empty() {
+                ids.push(' ');
+            }
+            ids.push_str(id);
+        }
+    }
+    ids
 }
 
 fn first_pass(worker: &mut Worker, batch: &Batch, table: &KeyTable, layout: &Layout, options: &Options) {
@@ -764,7 +798,7 @@ fn second_pass(
         push_float(out, points.unwrap_or(0.0));
         out.push(b',');
         push_text(out, reason.as_bytes());
-        out.push(b'\n');
+        out.extend_from_slice(b",\n");
     };
     batch.records(record, &mut |record| {
         match sort_of_row(record, layout, say) {
@@ -815,7 +849,7 @@ fn second_pass(
                 out.extend_from_slice(verdict.as_str().as_bytes());
                 out.extend_from_slice(b",0,0,");
                 push_text(out, reason.as_bytes());
-                out.push(b'\n');
+                out.extend_from_slice(b",\n");
                 return;
             };
             let index = who as usize * table.columns.len() + what as usize;
@@ -826,6 +860,11 @@ fn second_pass(
             {
                 judgement.reason = open_quote(cell.line, say);
             }
+            let methods = if matches!(judgement.verdict, Verdict::Wrong | Verdict::WrongDirection) {
+                diagnosed(table, who, what, &mut judgement, say)
+            } else {
+                String::new()
+            };
             let Winner { at: winner, by_row } = winners[index];
             let counts_not = !matches!(judgement.verdict, Verdict::Blank | Verdict::UnknownPart);
             let at = place(cell.line, cell.column.map_or(0, |(i, _)| i));
@@ -865,6 +904,8 @@ fn second_pass(
             } else {
                 push_text(out, judgement.reason.as_bytes());
             }
+            out.push(b',');
+            out.extend_from_slice(methods.as_bytes());
             out.push(b'\n');
         });
     });
@@ -874,7 +915,8 @@ fn second_pass(
 pub type Open<'a> = &'a dyn Fn() -> io::Result<Box<dyn Read + Send>>;
 
 /// Header of answers.csv.
-pub const ANSWERS_HEADER: &str = "line,column,student,problem,part,answer,verdict,points,max_points,reason\n";
+pub const ANSWERS_HEADER: &str =
+    "line,column,student,problem,part,answer,verdict,points,max_points,reason,methods\n";
 
 /// Grades a file of submissions. `open` is called twice and must give the same bytes; `out` receives answers.csv; `progress`
 /// hears the bytes read so far over both passes (twice the size of the file at the end).

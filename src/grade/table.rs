@@ -6,6 +6,7 @@ use crate::key::KeyEntry;
 use crate::key::SheetKey;
 use crate::units::spell;
 use rustc_hash::FxHashMap;
+use std::sync::Arc;
 
 /// A student of the set.
 #[derive(Debug, Clone)]
@@ -55,6 +56,8 @@ pub struct KeyTable {
     /// In the order of the sheets.
     pub columns: Vec<Column>,
     entries: Vec<Option<KeyEntry>>,
+    /// For each column the ids of the wrong methods of its problem.
+    methods: Vec<Arc<[String]>>,
     pub(crate) hot: Vec<Hot>,
     by_id: FxHashMap<Box<[u8]>, u32>,
     by_loose_id: FxHashMap<String, Option<u32>>,
@@ -118,6 +121,7 @@ impl KeyTable {
         let mut table = KeyTable {
             students: Vec::with_capacity(sheets.len()),
             entries: Vec::with_capacity(sheets.len() * columns.len()),
+            methods: vec![Arc::from([]); columns.len()],
             hot: Vec::with_capacity(sheets.len() * columns.len()),
             columns,
             by_id: FxHashMap::default(),
@@ -147,8 +151,9 @@ impl KeyTable {
                         .columns
                         .iter()
                         .position(|c| c.number == i + 1 && c.problem == problem.id && c.part == entry.part);
-                    if let Some(slot) = at.and_then(|at| found.get_mut(at)) {
-                        *slot = Some(entry);
+                    if let Some(at) = at {
+                        found[at] = Some(entry);
+                        table.methods[at].clone_from(&problem.methods);
                     }
                 }
             }
@@ -194,6 +199,21 @@ impl KeyTable {
     #[inline]
     pub fn entry(&self, student: usize, column: usize) -> Option<&KeyEntry> {
         self.entries.get(student * self.columns.len() + column).and_then(Option::as_ref)
+    }
+    /// The entries of the problem to which a column belongs, the place of the column among them, and the ids of the wrong
+    /// methods of the problem.
+    pub(crate) fn problem_of(
+        &self,
+        student: usize,
+        column: usize,
+    ) -> (&[Option<KeyEntry>], usize, &[String]) {
+        let Some(number) = self.columns.get(column).map(|c| c.number) else { return (&[], 0, &[]) };
+        // Columns are sorted by number.
+        let first = self.columns.partition_point(|c| c.number < number);
+        let end = self.columns.partition_point(|c| c.number <= number);
+        let row = student * self.columns.len();
+        let parts = self.entries.get(row + first..row + end).unwrap_or_default();
+        (parts, column - first, &self.methods[column])
     }
     /// Why a student is not known.
     pub(crate) fn unknown_student(&self, id: &str, say: &Feedback) -> String {

@@ -43,4 +43,6 @@ pub struct Judgement<'w> {
     pub points: f64,
     /// Why, in words.
     pub reason: Cow<'w, str>,
+    /// The number that was judged, SI with its sign; NaN where no number was compared.
+    pub number: f64,
 }
