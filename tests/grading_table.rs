@@ -35,6 +35,7 @@ fn entry(part: &str, answer: Answer, unit: &str) -> KeyEntry {
         gap: None,
         cond: None,
         bound: None,
+        wrong: vec![],
     }
 }
 fn number(value: f64, half_width: f64, directed: bool) -> Answer {
@@ -287,8 +288,12 @@ fn sheet(student: &str) -> SheetKey {
     SheetKey {
         student: student.into(),
         problems: vec![
-            ProblemKey { id: "rolling".into(), parts: vec![key("omega"), key("friction")] },
-            ProblemKey { id: "slipping".into(), parts: vec![key("v"), key("rolls")] },
+            ProblemKey {
+                id: "rolling".into(),
+                parts: vec![key("omega"), key("friction")],
+                methods: [].into(),
+            },
+            ProblemKey { id: "slipping".into(), parts: vec![key("v"), key("rolls")], methods: [].into() },
         ],
     }
 }

@@ -1,7 +1,9 @@
 //! Wrong methods of a problem: how each comes to its answers. What they are called and what is said about them stands in the
 //! catalogue of misconceptions, by the same id.
 use crate::bank::Datum;
+use crate::bank::Follow;
 use crate::bank::Mistake;
+use crate::bank::Question;
 use crate::bank::expression::{Expression, Name, Powers};
 use crate::bank::measure;
 use crate::bank::node::{Faults, Fields, Node, Value, close_name, named, shorten};
@@ -54,7 +56,7 @@ fn mistake(id: &str, key: &Node, node: &Node, context: &Context, faults: &Faults
         data_node.map_or_else(Vec::new, |n| named(n, "changed data by symbol", faults))
     {
         let index = context.data.iter().position(|d| d.symbol == symbol);
-        let expression = expression(value, context, faults);
+        let expression = expression(value, context, false, faults);
         match (index, expression) {
             (Some(i), Some(e)) => data.push((i, e)),
             (None, _) => {
@@ -71,7 +73,7 @@ fn mistake(id: &str, key: &Node, node: &Node, context: &Context, faults: &Faults
     let mut values = Vec::new();
     for (name, key, value) in values_node.map_or_else(Vec::new, |n| named(n, "values by quantity", faults)) {
         let label = label(name, key, context, faults);
-        if let (Some(label), Some(e)) = (label, expression(value, context, faults)) {
+        if let (Some(label), Some(e)) = (label, expression(value, context, false, faults)) {
             values.push((label, e));
         }
     }
@@ -148,8 +150,42 @@ fn label(name: &str, at: &Node, context: &Context, faults: &Faults) -> Option<La
     None
 }
 
-/// An expression in data and quantities. Dimensions of the whole are not compared: a wrong method may well mix them up.
-fn expression(node: &Node, context: &Context, faults: &Faults) -> Option<Expression> {
+/// Reads `follows: {v: r*omega}`: which part follows from which, and how.
+pub fn follows(node: &Node, questions: &[Question], context: &Context, faults: &Faults) -> Vec<Follow> {
+    let mut list = Vec::new();
+    for (id, key, value) in named(node, "relations by question", faults) {
+        let Some(index) = questions.iter().position(|q| q.id == id) else {
+            let ids = questions.iter().map(|q| q.id.as_str());
+            let hint = close_name(id, ids.clone())
+                .unwrap_or_else(|| format!("questions: {}", ids.collect::<Vec<_>>().join(", ")));
+            faults.hint(key, format!("`{}` is no question that is asked", shorten(id)), hint);
+            continue;
+        };
+        let Some(by) = expression(value, context, true, faults) else { continue };
+        let wanted = measure::powers(&questions[index].unit);
+        if by.powers != wanted {
+            let (found, wanted) = (measure::powers_text(by.powers), measure::powers_text(wanted));
+            faults.at(value, format!("this has the dimension {found}, `{id}` {wanted}"));
+        }
+        let from: Vec<usize> =
+            (0..index).filter(|q| by.quantities().any(|l| l == questions[*q].label)).collect();
+        if from.is_empty() {
+            let earlier: Vec<&str> = questions[..index].iter().map(|q| q.id.as_str()).collect();
+            faults.hint(
+                value,
+                "this follows from no part that is asked before",
+                format!("name one of: {}", earlier.join(", ")),
+            );
+        }
+        let text = value.text().unwrap_or("").trim().to_owned();
+        list.push(Follow { question: index, from, by, text });
+    }
+    list
+}
+
+/// An expression in data and quantities. Unless it is `strict`, terms may have different dimensions: a wrong method may well
+/// mix them up.
+fn expression(node: &Node, context: &Context, strict: bool, faults: &Faults) -> Option<Expression> {
     let text = node.text().unwrap_or("");
     let lookup = |name: &str| -> Result<(Name, Powers), (String, Option<String>)> {
         if let Some(i) = context.data.iter().position(|d| d.symbol == name) {
@@ -171,7 +207,9 @@ fn expression(node: &Node, context: &Context, faults: &Faults) -> Option<Express
         }
         Err(trouble)
     };
-    match Expression::parse_loosely(text, &lookup) {
+    let read =
+        if strict { Expression::parse(text, &lookup) } else { Expression::parse_loosely(text, &lookup) };
+    match read {
         Ok(e) => Some(e),
         Err(t) => {
             faults.maybe(node, format!("`{}`, character {}: {}", shorten(text), t.column, t.message), t.hint);

@@ -4,6 +4,7 @@ use crate::finding::Finding;
 use crate::scene::{Label, Scene};
 use crate::solve::outcome::CheckKind;
 use crate::units::Unit;
+use std::sync::Arc;
 
 /// How the variables of a template are found: template text in, names out, or what is wrong with the template.
 pub type Variables<'a> = &'a dyn Fn(&str) -> Result<Vec<String>, Vec<Finding>>;
@@ -50,6 +51,10 @@ pub struct Problem {
     pub energy_limit: f64,
     /// Wrong methods that students take, with the way to their answers.
     pub mistakes: Vec<Mistake>,
+    /// Their ids, for every key.
+    pub methods: Arc<[String]>,
+    /// Parts that follow from other parts.
+    pub follows: Vec<Follow>,
     /// Least margins by check kind (0.1 for `moves` and so on), as shares.
     pub margins: Vec<(CheckKind, f64)>,
 }
@@ -146,6 +151,20 @@ pub struct Mistake {
     pub cases: Vec<usize>,
     /// Why a draw is not refused although its answer may lie near the right one.
     pub unguarded: Option<String>,
+}
+
+/// A part that follows from other parts: `v` from `omega` by `r*omega`. What a student gets by it from a wrong earlier part is
+/// right in method. For each draw the relation is checked with the right values.
+#[derive(Debug, Clone)]
+pub struct Follow {
+    /// The part, an index into the questions.
+    pub question: usize,
+    /// The parts from which it follows, indices below that of the part.
+    pub from: Vec<usize>,
+    /// How, in the data and the quantities.
+    pub by: Expression,
+    /// As it is written.
+    pub text: String,
 }
 
 /// A bound on an expression in symbols and quantity names, SI.
@@ -246,6 +265,7 @@ pub mod load;
 mod measure;
 pub mod mistake;
 pub mod node;
+pub mod overlay;
 pub mod review;
 pub mod scene;
 pub mod schema;

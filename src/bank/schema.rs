@@ -304,6 +304,7 @@ fn problem(
     let questions_node = fields.need("questions", "{v: {ask: the speed of the wheel, unit: m/s}}", faults);
     let asks_node = fields.get("asks");
     let mistakes_node = fields.get("mistakes");
+    let follows_node = fields.get("follows");
     let statement_node = fields.get("statement");
     fields.close(faults);
     let statement = statement_node.and_then(|n| text(n, "the text of the statement", faults));
@@ -435,6 +436,7 @@ fn problem(
         None => questions.into_iter().filter_map(|(_, q)| q).collect(),
         Some(ids) => ids.iter().filter_map(|id| questions.iter().find(|(n, _)| n == id)?.1.clone()).collect(),
     };
+    let follows = follows_node.map_or_else(Vec::new, |n| mistake::follows(n, &asked, &context, faults));
     if let Some(variables) = variables {
         let names: Vec<&str> = plain.iter().map(|d| d.symbol.as_str()).collect();
         review::templates(statement_node, questions_node, &names, variables, faults);
@@ -476,7 +478,9 @@ fn problem(
         statement,
         figure: common.figure,
         energy_limit: common.energy_limit,
+        methods: mistakes.iter().map(|m| m.id.clone()).collect(),
         mistakes,
+        follows,
         margins: all_margins,
     })
 }

@@ -2,6 +2,7 @@
 use crate::bank::Bank;
 use crate::cli::args;
 use crate::cli::banks;
+use crate::cli::banks::Texts;
 use crate::cli::tell;
 use crate::cli::tell::Exit;
 use crate::cli::tell::Io;
@@ -14,7 +15,6 @@ use crate::sheet::html;
 use crate::sheet::page::Room;
 use crate::sheet::page::Sheets;
 use crate::sheet::statement;
-use crate::template::Templates;
 use rayon::prelude::*;
 
 /// A class for which the chance of equal sheets is told.
@@ -33,16 +33,17 @@ pub fn run(args: &args::Lint, io: &mut Io) -> Exit {
 }
 
 fn lint(args: &args::Lint, io: &mut Io) -> Result<Vec<Finding>, Vec<Finding>> {
-    let loaded = banks::load(&args.bank)?;
-    let bank = &loaded.bank;
-    let templates = banks::templates(&args.own, bank).map_err(|faults| {
+    let mut loaded = banks::load(&args.bank)?;
+    let language = args.own.language.as_deref().unwrap_or("en");
+    let texts = banks::texts(&args.own, language, &mut loaded.bank).map_err(|faults| {
         faults
             .into_iter()
             .map(|f| if f.file.is_none() { f.in_file(&loaded.file) } else { f })
             .collect::<Vec<_>>()
     })?;
-    let mut findings = banks::unknown_names(bank, &templates);
-    findings.extend(banks::never_given(bank, &templates));
+    let bank = &loaded.bank;
+    let mut findings = banks::unknown_names(bank, &texts.templates);
+    findings.extend(banks::never_given(bank, &texts.templates));
     let seeds = u32::try_from(args.seeds.min(1_000_000)).unwrap_or(1_000_000);
     let sweeps: Vec<Sweep> =
         bank.problems.par_iter().map(|p| sweep::sweep(p, 1, seeds.max(1), &bank.id)).collect();
@@ -61,7 +62,7 @@ fn lint(args: &args::Lint, io: &mut Io) -> Result<Vec<Finding>, Vec<Finding>> {
         }
     }
     if findings.is_empty() {
-        findings.extend(faulty_texts(bank, &templates)?);
+        findings.extend(faulty_texts(bank, &texts)?);
     }
     for (problem, sweep) in bank.problems.iter().zip(&sweeps) {
         io.line(&format!("{}: {}", problem.id, problem.title));
@@ -73,6 +74,7 @@ fn lint(args: &args::Lint, io: &mut Io) -> Result<Vec<Finding>, Vec<Finding>> {
             }
         }
         io.piece(&questions(problem, sweep));
+        io.piece(&mistakes(problem, sweep));
         for note in notes(problem, sweep) {
             io.line(&format!("    note: {note}"));
         }
@@ -157,6 +159,49 @@ fn questions(problem: &crate::bank::Problem, sweep: &Sweep) -> String {
     text
 }
 
+/// For each wrong method the share of draws that it would refuse: those in which it lands near a right answer.
+fn mistakes(problem: &crate::bank::Problem, sweep: &Sweep) -> String {
+    let percent = |share: f64| match share {
+        s if s.is_nan() => "-".to_owned(),
+        s if s <= 0.0 => "0 %".to_owned(),
+        s if s < 0.01 => "< 1 %".to_owned(),
+        s => format!("{:.0} %", s * 100.0),
+    };
+    let single = sweep.cases.len() == 1;
+    let mut head = vec!["wrong method".to_owned()];
+    head.extend(sweep.cases.iter().map(|c| match single {
+        true => "would refuse".to_owned(),
+        false => c.name.clone(),
+    }));
+    head.push("near".to_owned());
+    let mut rows = vec![head];
+    let mut never = Vec::new();
+    for (mistake, seen) in problem.mistakes.iter().zip(&sweep.mistakes) {
+        if seen.near.iter().all(|s| s.is_nan() || *s <= 0.0) {
+            never.push(seen.id.as_str());
+            continue;
+        }
+        let mut near: Vec<String> = Vec::new();
+        for (q, share) in problem.questions.iter().zip(&seen.by_question).filter(|(_, s)| **s > 0.0) {
+            let own = q.unguarded.iter().any(|(id, _)| *id == mistake.id) || mistake.unguarded.is_some();
+            near.push(format!("{} {}{}", q.id, percent(*share), if own { " (allowed)" } else { "" }));
+        }
+        let mut row = vec![seen.id.clone()];
+        row.extend(seen.near.iter().map(|s| percent(*s)));
+        row.push(near.join(", "));
+        rows.push(row);
+    }
+    let mut text = String::new();
+    if rows.len() > 1 {
+        let last = rows[0].len() - 1;
+        text.push_str(&tell::table(&rows, &[0, last]));
+    }
+    if !never.is_empty() {
+        text.push_str(&format!("  never near a right answer: {}\n", never.join(", ")));
+    }
+    text
+}
+
 /// Where the figures asked and the tolerance do not fit the condition numbers.
 fn notes(problem: &crate::bank::Problem, sweep: &Sweep) -> Vec<String> {
     let mut notes = Vec::new();
@@ -189,10 +234,10 @@ fn notes(problem: &crate::bank::Problem, sweep: &Sweep) -> Vec<String> {
 }
 
 /// One sheet of each case is written: faults that show only then, and formulas that cannot be read.
-fn faulty_texts(bank: &Bank, templates: &Templates) -> Result<Vec<Finding>, Vec<Finding>> {
+fn faulty_texts(bank: &Bank, texts: &Texts) -> Result<Vec<Finding>, Vec<Finding>> {
     let mut findings: Vec<Finding> = Vec::new();
     let problems: Vec<usize> = (0..bank.problems.len()).collect();
-    let sheets = Sheets::new(templates, bank, &bank.id, &problems)?;
+    let sheets = Sheets::new(&texts.templates, &texts.words, bank, &bank.id, &problems)?;
     let mut room = Room::default();
     for (i, problem) in bank.problems.iter().enumerate() {
         let maker = Maker::new(problem, 1, &bank.id);

@@ -1,10 +1,12 @@
 //! The keys of a whole set, laid out for looking up by bytes.
+use crate::grade::feedback::Feedback;
 use crate::grade::run::push_text;
 use crate::key::Answer;
 use crate::key::KeyEntry;
 use crate::key::SheetKey;
 use crate::units::spell;
 use rustc_hash::FxHashMap;
+use std::sync::Arc;
 
 /// A student of the set.
 #[derive(Debug, Clone)]
@@ -54,6 +56,8 @@ pub struct KeyTable {
     /// In the order of the sheets.
     pub columns: Vec<Column>,
     entries: Vec<Option<KeyEntry>>,
+    /// For each column the ids of the wrong methods of its problem.
+    methods: Vec<Arc<[String]>>,
     pub(crate) hot: Vec<Hot>,
     by_id: FxHashMap<Box<[u8]>, u32>,
     by_loose_id: FxHashMap<String, Option<u32>>,
@@ -117,6 +121,7 @@ impl KeyTable {
         let mut table = KeyTable {
             students: Vec::with_capacity(sheets.len()),
             entries: Vec::with_capacity(sheets.len() * columns.len()),
+            methods: vec![Arc::from([]); columns.len()],
             hot: Vec::with_capacity(sheets.len() * columns.len()),
             columns,
             by_id: FxHashMap::default(),
@@ -146,8 +151,9 @@ impl KeyTable {
                         .columns
                         .iter()
                         .position(|c| c.number == i + 1 && c.problem == problem.id && c.part == entry.part);
-                    if let Some(slot) = at.and_then(|at| found.get_mut(at)) {
-                        *slot = Some(entry);
+                    if let Some(at) = at {
+                        found[at] = Some(entry);
+                        table.methods[at].clone_from(&problem.methods);
                     }
                 }
             }
@@ -194,19 +200,34 @@ impl KeyTable {
     pub fn entry(&self, student: usize, column: usize) -> Option<&KeyEntry> {
         self.entries.get(student * self.columns.len() + column).and_then(Option::as_ref)
     }
+    /// The entries of the problem to which a column belongs, the place of the column among them, and the ids of the wrong
+    /// methods of the problem.
+    pub(crate) fn problem_of(
+        &self,
+        student: usize,
+        column: usize,
+    ) -> (&[Option<KeyEntry>], usize, &[String]) {
+        let Some(number) = self.columns.get(column).map(|c| c.number) else { return (&[], 0, &[]) };
+        // Columns are sorted by number.
+        let first = self.columns.partition_point(|c| c.number < number);
+        let end = self.columns.partition_point(|c| c.number <= number);
+        let row = student * self.columns.len();
+        let parts = self.entries.get(row + first..row + end).unwrap_or_default();
+        (parts, column - first, &self.methods[column])
+    }
     /// Why a student is not known.
-    pub(crate) fn unknown_student(&self, id: &str) -> String {
+    pub(crate) fn unknown_student(&self, id: &str, say: &Feedback) -> String {
         if id.is_empty() {
-            return "no student id".to_owned();
+            return say.get("feedback.no_student").to_owned();
         }
         let near = self.by_loose_id.get(&loose_id(id)).copied().flatten();
         match near.and_then(|s| self.students.get(s as usize)) {
-            Some(student) => format!("not on the roster; did you mean {}?", student.id),
-            None => "not on the roster".to_owned(),
+            Some(student) => say.fill("feedback.stranger_close", &[("student", &student.id)]).into_owned(),
+            None => say.get("feedback.stranger").to_owned(),
         }
     }
     /// Why a part is not known.
-    pub(crate) fn unknown_part(&self, problem: &str, part: &str) -> String {
+    pub(crate) fn unknown_part(&self, problem: &str, part: &str, say: &Feedback) -> String {
         let shown = |text: &str| text.chars().take(40).collect::<String>();
         let known = plain_problem(problem);
         let of: Vec<&Column> = self
@@ -218,14 +239,17 @@ impl KeyTable {
             let mut names: Vec<String> =
                 self.columns.iter().map(|c| format!("{} ({})", c.number, c.problem)).collect();
             names.dedup();
-            return format!("no problem `{}`; problems: {}", shown(problem), names.join(", "));
+            let pieces = [("problem", &*shown(problem)), ("problems", &*names.join(", "))];
+            return say.fill("feedback.no_problem", &pieces).into_owned();
         }
         let parts: Vec<&str> = of.iter().map(|c| c.part.as_str()).collect();
+        let (part_shown, all) = (shown(part), parts.join(", "));
         match spell::closest(part, parts.iter().copied()) {
             Some(close) => {
-                format!("no part `{}`; did you mean {close}? parts: {}", shown(part), parts.join(", "))
+                let pieces = [("part", &*part_shown), ("close", close), ("parts", &*all)];
+                say.fill("feedback.no_part_close", &pieces).into_owned()
             }
-            None => format!("no part `{}`; parts: {}", shown(part), parts.join(", ")),
+            None => say.fill("feedback.no_part", &[("part", &part_shown), ("parts", &all)]).into_owned(),
         }
     }
 }

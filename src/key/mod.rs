@@ -1,5 +1,6 @@
 //! The answer key: plain data, one entry for each part of each problem.
 use crate::units::Unit;
+use std::sync::Arc;
 
 /// What the right answer is.
 #[derive(Debug, Clone, PartialEq)]
@@ -47,6 +48,17 @@ pub struct KeyEntry {
     pub cond: Option<f64>,
     /// Proved: the true answer for the printed data lies within this of the value, SI.
     pub bound: Option<f64>,
+    /// Where wrong methods come to, in the order of [`ProblemKey::methods`].
+    pub wrong: Vec<WrongValue>,
+}
+
+/// Where one wrong method comes to for one part.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct WrongValue {
+    /// Which: an index into [`ProblemKey::methods`].
+    pub method: u16,
+    /// What it comes to, SI; a magnitude where one is asked.
+    pub value: f64,
 }
 
 /// The key of one sheet: problems in the order of the sheet.
@@ -65,4 +77,6 @@ pub struct ProblemKey {
     pub id: String,
     /// Parts in order.
     pub parts: Vec<KeyEntry>,
+    /// Ids of the wrong methods of the problem.
+    pub methods: Arc<[String]>,
 }

@@ -53,7 +53,8 @@ pub struct Refusals {
     pub conds: Vec<f64>,
     /// Draws that hold all rules but those about wrong methods; kept only by a maker that is watching.
     pub told: u32,
-    /// How many of those each wrong method would refuse, guarded or not.
+    /// How many of those each wrong method would refuse, guarded or not: for each method its questions in order, and last
+    /// all of them together.
     pub near: Vec<u32>,
 }
 
@@ -63,7 +64,11 @@ const DISAGREE: usize = 2;
 const PROOF: usize = 3;
 const INPUT: usize = 4;
 const REGIME: usize = 5;
-const CHECKS: usize = 6;
+const FOLLOWS: usize = 6;
+const CHECKS: usize = 7;
+
+/// A relation between parts holds if it gives the right answer within this share: it is computed in doubles.
+const RELATION: f64 = 1e-9;
 
 impl Refusals {
     fn add(&mut self, rule: usize) {
@@ -118,6 +123,7 @@ fn rule_name(problem: &Problem, case: usize, rule: usize) -> String {
         PROOF => "the key is proved".to_owned(),
         INPUT => format!("input energy above {} times the kinetic", problem.energy_limit),
         REGIME => "regime".to_owned(),
+        FOLLOWS => "a relation of `follows` does not hold".to_owned(),
         _ if rule < questions => CheckKind::ALL[rule - CHECKS].name().to_owned(),
         _ if rule < conds => format!("question {} has an answer", problem.questions[rule - questions].id),
         _ if rule < bounds => {
@@ -301,8 +307,22 @@ impl<'p> Maker<'p> {
         if !agree::prove(&case.scene, data, &mut solved) || !make_key::narrow(self.problem, &solved) {
             return Err(PROOF);
         }
+        if !self.relations_hold(data, &solved) {
+            return Err(FOLLOWS);
+        }
         self.told_apart(index, data, &solved, refusals)?;
         Ok(solved)
+    }
+
+    /// Do the relations between parts give the right answers from right ones?
+    fn relations_hold(&self, data: &[f64], solved: &Solved) -> bool {
+        let right = |label: Label| solved.get(label).map_or(f64::NAN, Entry::value);
+        self.problem.follows.iter().all(|follow| {
+            let question = &self.problem.questions[follow.question];
+            let Some(entry) = solved.get(question.label) else { return false };
+            let value = follow.by.eval(data, &right);
+            (value - entry.value()).abs() <= RELATION * entry.value().abs().max(entry.scale)
+        })
     }
 
     /// Does no wrong method come near a right answer?
@@ -316,32 +336,36 @@ impl<'p> Maker<'p> {
         if self.problem.mistakes.is_empty() {
             return Ok(());
         }
-        let labels: Vec<Label> = self.problem.questions.iter().map(|q| q.label).collect();
-        let mut near: Vec<(bool, bool)> = vec![(false, false); self.problem.mistakes.len()];
+        let questions = &self.problem.questions;
+        let labels: Vec<Label> = questions.iter().map(|q| q.label).collect();
+        let width = questions.len() + 1;
+        let mut near = vec![false; self.problem.mistakes.len() * width];
+        let mut guarded = None;
         for wrong in misconception::values(self.problem, index, data, solved, &labels) {
             let mistake = &self.problem.mistakes[wrong.mistake];
-            for q in self.problem.questions.iter().filter(|q| q.label == wrong.label) {
+            for (i, q) in questions.iter().enumerate().filter(|(_, q)| q.label == wrong.label) {
                 let Some(entry) = solved.get(q.label) else { continue };
                 let half = make_key::half_width(q, entry.value(), entry.scale, entry.cond);
                 // Where a magnitude is asked, a sign is no answer.
                 let value =
                     if make_key::is_magnitude(q.label.quantity) { wrong.value.abs() } else { wrong.value };
                 if (value - entry.value()).abs() < APART * half {
-                    let (any, guarded) = &mut near[wrong.mistake];
-                    *any = true;
-                    *guarded |=
-                        mistake.unguarded.is_none() && !q.unguarded.iter().any(|(id, _)| *id == mistake.id);
+                    near[wrong.mistake * width + i] = true;
+                    near[(wrong.mistake + 1) * width - 1] = true;
+                    if mistake.unguarded.is_none() && !q.unguarded.iter().any(|(id, _)| *id == mistake.id) {
+                        guarded = guarded.or(Some(wrong.mistake));
+                    }
                 }
             }
         }
         if self.watching {
             refusals.told += 1;
             refusals.near.resize(near.len(), 0);
-            for (count, (any, _)) in refusals.near.iter_mut().zip(&near) {
+            for (count, any) in refusals.near.iter_mut().zip(&near) {
                 *count += u32::from(*any);
             }
         }
-        match near.iter().position(|(_, guarded)| *guarded) {
+        match guarded {
             Some(mistake) => {
                 let bounds = CHECKS + CheckKind::ALL.len() + 2 * self.problem.questions.len();
                 Err(bounds + self.problem.cases[index].bounds.len() + mistake)

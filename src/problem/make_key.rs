@@ -1,6 +1,7 @@
 //! A solved variant to its key: value, accepted half-width, both roads.
 use crate::bank::{Problem, Question};
-use crate::key::{Answer, KeyEntry, ProblemKey};
+use crate::key::{Answer, KeyEntry, ProblemKey, WrongValue};
+use crate::misconception;
 use crate::problem::make::Variant;
 use crate::scene::{End, Label, Owner, Quantity, Scene, Slope};
 use crate::solve::outcome::Solved;
@@ -19,8 +20,22 @@ const YES_NO: &[&str] = &["yes", "no"];
 /// which no answer meets.
 pub fn key(problem: &Problem, variant: &Variant) -> ProblemKey {
     let scene = &problem.cases[variant.case].scene;
-    let parts = problem.questions.iter().map(|question| entry(question, scene, variant)).collect();
-    ProblemKey { id: problem.id.clone(), parts }
+    let labels: Vec<Label> = problem.questions.iter().map(|q| q.label).collect();
+    let wrong = misconception::values(problem, variant.case, &variant.data, &variant.solved, &labels);
+    let parts = problem
+        .questions
+        .iter()
+        .map(|question| {
+            let mut entry = entry(question, scene, variant);
+            let magnitude = is_magnitude(question.label.quantity);
+            entry.wrong.extend(wrong.iter().filter(|w| w.label == question.label).map(|w| WrongValue {
+                method: u16::try_from(w.mistake).unwrap_or(u16::MAX),
+                value: if magnitude { w.value.abs() } else { w.value },
+            }));
+            entry
+        })
+        .collect();
+    ProblemKey { id: problem.id.clone(), parts, methods: problem.methods.clone() }
 }
 
 fn entry(question: &Question, scene: &Scene, variant: &Variant) -> KeyEntry {
@@ -36,6 +51,7 @@ fn entry(question: &Question, scene: &Scene, variant: &Variant) -> KeyEntry {
         gap: None,
         cond: None,
         bound: None,
+        wrong: Vec::new(),
     };
     if quantity.is_word() {
         let right = variant.solved.word(question.label).map_or("", |w| w.text());

@@ -15,6 +15,8 @@ pub struct Sweep {
     pub cases: Vec<CaseSweep>,
     /// One for each question.
     pub questions: Vec<QuestionSweep>,
+    /// One for each wrong method.
+    pub mistakes: Vec<MistakeSweep>,
     /// Chance that two students have equal data.
     pub pair_chance: f64,
     /// The first seed for which no draw held the rules, with the table.
@@ -65,6 +67,17 @@ pub struct QuestionSweep {
     pub within: (f64, f64),
     /// Words and how often each was right.
     pub words: Vec<(&'static str, u64)>,
+}
+
+/// How often a wrong method lands near a right answer.
+#[derive(Debug, Clone, PartialEq)]
+pub struct MistakeSweep {
+    /// Id of the method.
+    pub id: String,
+    /// For each case the share of draws that it would refuse, of those that hold all other rules; NaN if none was tried.
+    pub near: Vec<f64>,
+    /// The same for each question, all cases together.
+    pub by_question: Vec<f64>,
 }
 
 /// How condition numbers are spread.
@@ -135,6 +148,7 @@ pub fn sweep(problem: &Problem, first: u64, seeds: u32, set: &str) -> Sweep {
                 words: Vec::new(),
             })
             .collect(),
+        mistakes: Vec::new(),
         pair_chance: 0.0,
         unsatisfiable: None,
         unsolved: None,
@@ -184,6 +198,20 @@ pub fn sweep(problem: &Problem, first: u64, seeds: u32, set: &str) -> Sweep {
         if !question.label.quantity.is_word() {
             seen.cond = Spread::of(conds.copied().collect(), question.cond_limit);
         }
+    }
+    let width = problem.questions.len() + 1;
+    let share = |all: &[Refusals], column: usize| {
+        let near: u32 = all.iter().map(|r| r.near.get(column).copied().unwrap_or(0)).sum();
+        let told: u32 = all.iter().map(|r| r.told).sum();
+        f64::from(near) / f64::from(told)
+    };
+    for (i, mistake) in problem.mistakes.iter().enumerate() {
+        let last = (i + 1) * width - 1;
+        out.mistakes.push(MistakeSweep {
+            id: mistake.id.clone(),
+            near: refusals.iter().map(|r| share(std::slice::from_ref(r), last)).collect(),
+            by_question: (i * width..last).map(|column| share(&refusals, column)).collect(),
+        });
     }
     for (i, (case, refused)) in out.cases.iter_mut().zip(&refusals).enumerate() {
         case.refusals = refused.table(problem, i);
