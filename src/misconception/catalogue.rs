@@ -1,4 +1,5 @@
-//! What is said about wrong methods: words by id, data in `banks/misconceptions.yaml`.
+//! What is said about wrong methods: words by id, data in `banks/misconceptions.yaml` (other languages:
+//! `templates/LANGUAGE/misconceptions.yaml`, with the same ids).
 use crate::bank::load;
 use crate::bank::node::Faults;
 use crate::bank::node::Fields;
@@ -29,14 +30,29 @@ pub struct Catalogue {
     entries: Vec<Entry>,
 }
 
+/// The built-in ones: code of the language, file, text.
+const LANGUAGES: &[(&str, &str, &str)] = &[
+    ("en", "banks/misconceptions.yaml", include_str!("../../banks/misconceptions.yaml")),
+    ("de", "templates/de/misconceptions.yaml", include_str!("../../templates/de/misconceptions.yaml")),
+];
+
 impl Catalogue {
-    /// The built-in one.
+    /// The built-in one, in English.
     ///
     /// # Panics
     /// It cannot be read: a bug, found by any test.
     pub fn built_in() -> Self {
-        match Self::read(include_str!("../../banks/misconceptions.yaml"), "banks/misconceptions.yaml") {
-            Ok(catalogue) => catalogue,
+        Self::of("en").unwrap_or_default()
+    }
+
+    /// The built-in one of a language (a code such as `de`); `None` if there is none.
+    ///
+    /// # Panics
+    /// It cannot be read: a bug, found by any test.
+    pub fn of(language: &str) -> Option<Self> {
+        let (_, file, text) = LANGUAGES.iter().find(|(code, ..)| *code == language)?;
+        match Self::read(text, file) {
+            Ok(catalogue) => Some(catalogue),
             Err(faults) => panic!("the built-in catalogue cannot be read: {faults:?}"),
         }
     }

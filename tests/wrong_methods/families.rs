@@ -725,17 +725,10 @@ impl Rod {
     /// Force of the pin toward the pin and across, with these accelerations of the mass centre and this weight.
     fn pin(&self, central: f64, across: f64, weight: f64) -> (f64, f64) {
         let (s, c) = self.to.sin_cos();
-        (
-            self.m * central - weight * c + self.other.0,
-            self.m * across - weight * s - self.other.1,
-        )
+        (self.m * central - weight * c + self.other.0, self.m * across - weight * s - self.other.1)
     }
     fn forces(&self, (radial, tangential): (f64, f64)) -> Answers {
-        vec![
-            ("pin_radial", radial),
-            ("pin_tangential", tangential),
-            ("pin_force", radial.hypot(tangential)),
-        ]
+        vec![("pin_radial", radial), ("pin_tangential", tangential), ("pin_force", radial.hypot(tangential))]
     }
     fn central(&self) -> f64 {
         self.omega() * self.omega() * self.l / 2.0
@@ -774,7 +767,8 @@ const FALLING: &[(&str, fn(&D) -> Answers)] = &[
     ("P03", |d| {
         // The weight at the end: work and moment once more.
         let r = falling(d);
-        let (work, moment) = (r.weight() * r.l / 2.0 * (r.from.cos() - r.to.cos()), r.across() * 2.0 * r.i / r.l);
+        let (work, moment) =
+            (r.weight() * r.l / 2.0 * (r.from.cos() - r.to.cos()), r.across() * 2.0 * r.i / r.l);
         Rod { work, moment, ..r }.motion()
     }),
     ("P04", |d| only(Rod { from: 0.0, ..falling(d) }.motion(), &["omega"])),
@@ -809,7 +803,9 @@ const FALLING: &[(&str, fn(&D) -> Answers)] = &[
     ("P23", |d| inert(falling(d), 1.0 / 3.0 + 1.0 / 4.0)),
     ("P24", |d| falling(d).uniform()),
     ("P25", |d| vec![("alpha", d.of("g") * d.of("phi1").sin() / d.of("L"))]),
-    ("A12", |d| Rod { from: d.of("phi0").to_degrees(), to: d.of("phi1").to_degrees(), ..falling(d) }.motion()),
+    ("A12", |d| {
+        Rod { from: d.of("phi0").to_degrees(), to: d.of("phi1").to_degrees(), ..falling(d) }.motion()
+    }),
     ("A17", |d| {
         let r = falling(d);
         only(Rod { i: 2.0 * r.i, ..r }.motion(), &["omega"])
@@ -837,9 +833,7 @@ const LIFTED: &[(&str, fn(&D) -> Answers)] = &[
         ]
     }),
     ("P07", |d| only(Rod { work: d.of("M"), ..lifted(d) }.motion(), &["omega"])),
-    ("P08", |d| {
-        only(Rod { work: d.of("M") * d.of("phi1").to_degrees(), ..lifted(d) }.motion(), &["omega"])
-    }),
+    ("P08", |d| only(Rod { work: d.of("M") * d.of("phi1").to_degrees(), ..lifted(d) }.motion(), &["omega"])),
     ("P13", |d| {
         let r = lifted(d);
         only(r.forces(r.pin(0.0, r.across(), r.weight())), &["pin_radial"])
@@ -1027,10 +1021,7 @@ const PENDULUM: &[(&str, fn(&D) -> Answers)] = &[
     ("P06", |d| {
         let p = pendulum(d);
         let drop = p.h * (p.from.sin() - p.to.sin()).abs();
-        vec![
-            ("omega", (2.0 * p.m * p.g * drop / p.i).sqrt()),
-            ("alpha", -p.m * p.g * p.h * p.to.cos() / p.i),
-        ]
+        vec![("omega", (2.0 * p.m * p.g * drop / p.i).sqrt()), ("alpha", -p.m * p.g * p.h * p.to.cos() / p.i)]
     }),
     ("P13", |d| {
         let p = pendulum(d);
@@ -1139,8 +1130,10 @@ fn each_wrong_method_of_the_families_is_the_mistake_that_it_is_said_to_be() {
                 let expected = formula(&data);
                 for q in problem.questions.iter().filter(|q| !q.label.quantity.is_word()) {
                     let right = variant.solved.get(q.label).unwrap().value();
-                    let found =
-                        all.iter().find(|w| w.mistake == index && w.label == q.label).map_or(f64::NAN, |w| w.value);
+                    let found = all
+                        .iter()
+                        .find(|w| w.mistake == index && w.label == q.label)
+                        .map_or(f64::NAN, |w| w.value);
                     let own = expected.iter().find(|(name, _)| *name == q.id).map_or(f64::NAN, |(_, v)| *v);
                     let near = |a: f64, b: f64| (a - b).abs() <= 1e-7 * a.abs().max(b.abs()).max(right.abs());
                     // What comes out right is not told; the root of what should be 0 may be none.
