@@ -4,14 +4,13 @@
     clippy::print_stdout,
     reason = "a test fails by panicking and tells figures with --nocapture"
 )]
-use slipstick::bank::load;
+mod support;
 use slipstick::misconception::catalogue::Catalogue;
 use slipstick::misconception::catalogue::Entry;
 use slipstick::sheet::html;
 use slipstick::words::Words;
 use std::collections::BTreeMap;
 use std::collections::BTreeSet;
-use std::fs;
 
 /// Longest text of an entry, in characters.
 const LONG: usize = 200;
@@ -33,13 +32,8 @@ fn texts(entry: &Entry) -> [(&'static str, &str); 5] {
 /// Ids that the banks list, with the problems that do.
 fn used() -> BTreeMap<String, Vec<String>> {
     let mut used: BTreeMap<String, Vec<String>> = BTreeMap::new();
-    for file in fs::read_dir("banks").unwrap() {
-        let path = file.unwrap().path();
-        let name = path.file_name().unwrap().to_str().unwrap().to_owned();
-        if name == "misconceptions.yaml" {
-            continue;
-        }
-        let bank = load::scenes_only(&fs::read_to_string(&path).unwrap(), &name).unwrap();
+    for bank in support::banks() {
+        let name = &bank.id;
         for problem in &bank.problems {
             assert!(
                 problem.mistakes.len() >= 6,

@@ -2,12 +2,12 @@
 use slipstick::bank::Bank;
 use slipstick::bank::load;
 
-/// Every bank in `banks/`, loaded, in the order of the names.
+/// Every bank in `banks/` (beside them lie the words of wrong methods), loaded, in the order of the names.
 pub fn banks() -> Vec<Bank> {
     let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/banks");
     let mut files: Vec<_> =
         std::fs::read_dir(folder).expect("banks").map(|f| f.expect("a file").path()).collect();
-    files.retain(|f| f.extension().is_some_and(|e| e == "yaml"));
+    files.retain(|f| f.extension().is_some_and(|e| e == "yaml") && !f.ends_with("misconceptions.yaml"));
     files.sort();
     files
         .iter()
