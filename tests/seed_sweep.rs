@@ -14,7 +14,8 @@ fn banks_are_satisfied_and_sheets_differ() {
             assert!(s.unsatisfiable.is_none(), "{:?}", s.unsatisfiable);
             assert!(s.unsolved.is_none(), "{}: {:?}", s.problem, s.unsolved);
             for c in &s.cases {
-                assert!(c.acceptance() > 0.4, "{} {}: {}", s.problem, c.name, c.acceptance());
+                // Many draws are lost to wrong methods that lie near a right answer.
+                assert!(c.acceptance() > 0.25, "{} {}: {}", s.problem, c.name, c.acceptance());
                 let share = c.variants as f64 / 1000.0;
                 assert!((share - c.share).abs() < 0.06, "{} {}: {share}", s.problem, c.name);
             }
