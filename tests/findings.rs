@@ -1029,3 +1029,43 @@ fn a_pinned_body() {
         hint: regimes: moves_up, balanced, moves_down, moves_forward, moves_back, rolls, at_limit, slips_up, spins_in_place, slips_down, up ok, up turning_point, up unreachable, down ok, down turning_point, down unreachable, rest, swings ok, swings turning_point, swings unreachable, rolls_after, rolls_at_start, slips_through, never, instant
     "#);
 }
+
+#[test]
+fn wrong_methods() {
+    let said = [
+        "{A01: {data: {mm: 1}}}",
+        "{A01: {of: [v]}}",
+        "{0A: {values: {v: 2*q}}}",
+        "{A01: {values: {omega: v, v: 2*v}}}",
+        "{A01: {values: {v: 2*v}, cases: [steep]}}",
+        "{A01: {values: {v: 2*v}, cases: steep}}",
+        "{A01: {scene: {ties: none}, unguarded: ''}}",
+    ]
+    .map(|mistakes| {
+        let field = format!("    regimes: [moves_down]\n    mistakes: {mistakes}\n");
+        found(&[("    regimes: [moves_down]\n", &field)])
+    });
+    assert_snapshot!(said.join(""), @r#"
+     21 |     mistakes: {A01: {data: {mm: 1}}}
+    test.yaml:21:29: problems.slide.mistakes.A01.data.mm: `mm` is no symbol of the data
+     21 |     mistakes: {A01: {of: [v]}}
+    test.yaml:21:21: problems.slide.mistakes.A01: this wrong method changes nothing
+        hint: `data: {k: R/sqrt(2)}`, `scene: {ties: [...]}` or `values: {omega: v/R}`
+     21 |     mistakes: {0A: {values: {v: 2*q}}}
+    test.yaml:21:16: problems.slide.mistakes.0A: `0A` is no id of a wrong method
+        hint: letters, digits and `-`, beginning with a letter, such as `A05` or `rotation-forgotten`
+    test.yaml:21:33: problems.slide.mistakes.0A.values.v: `2*q`, character 3: `q` is no quantity
+        hint: quantities of this scene: kinetic_energy, v, a, rise, normal, t, rotational_fraction, direction, friction, heat
+     21 |     mistakes: {A01: {values: {omega: v, v: 2*v}}}
+    test.yaml:21:31: problems.slide.mistakes.A01.values.omega: `omega` does not exist in this scene
+        hint: `omega` is: angular speed at the end, a magnitude; nothing turns here
+     21 |     mistakes: {A01: {values: {v: 2*v}, cases: [steep]}}
+    test.yaml:21:48: problems.slide.mistakes.A01.cases[0]: `steep` is no case of this problem
+     21 |     mistakes: {A01: {values: {v: 2*v}, cases: steep}}
+    test.yaml:21:47: problems.slide.mistakes.A01.cases: expected a list of cases, found `steep`
+     21 |     mistakes: {A01: {scene: {ties: none}, unguarded: ''}}
+    test.yaml:21:36: problems.slide.mistakes.A01.scene.ties: expected a list of ties, each after `- `, found `none`
+    test.yaml:21:54: problems.slide.mistakes.A01.unguarded: expected the reason why no draw is refused for it
+        hint: a sentence
+    "#);
+}
