@@ -17,6 +17,7 @@ const LANGUAGES: &[(&str, &str, char, Lists)] = &[
         '.',
         &[
             ("figure", include_str!("../templates/words/figure.yaml")),
+            ("pinned", include_str!("../templates/words/pinned.yaml")),
             ("solution", include_str!("../templates/words/solution.yaml")),
         ],
     ),
@@ -26,6 +27,7 @@ const LANGUAGES: &[(&str, &str, char, Lists)] = &[
         ',',
         &[
             ("figure", include_str!("../templates/de/words/figure.yaml")),
+            ("pinned", include_str!("../templates/de/words/pinned.yaml")),
             ("solution", include_str!("../templates/de/words/solution.yaml")),
         ],
     ),

@@ -10,6 +10,9 @@
 pub mod desk;
 pub mod expr;
 pub mod ledger;
+pub mod mass;
+pub mod pen;
+pub mod pinned;
 pub mod text;
 
 use crate::bank::Problem;
@@ -114,7 +117,7 @@ fn derive(desk: &mut Desk) -> Result<(), Finding> {
         return Err(desk.fault("has no worked solution: a lamina of particles"));
     }
     if desk.scene.pinned().is_some() {
-        return Err(desk.fault("has no worked solution: a pinned body"));
+        return pinned::work(desk);
     }
     if desk.scene.thrown().is_some() {
         return Err(desk.fault("has no worked solution: a body thrown with slip"));
