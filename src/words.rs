@@ -17,8 +17,10 @@ const LANGUAGES: &[(&str, &str, char, Lists)] = &[
         '.',
         &[
             ("figure", include_str!("../templates/words/figure.yaml")),
+            ("lamina", include_str!("../templates/words/lamina.yaml")),
             ("pinned", include_str!("../templates/words/pinned.yaml")),
             ("solution", include_str!("../templates/words/solution.yaml")),
+            ("thrown", include_str!("../templates/words/thrown.yaml")),
         ],
     ),
     (
@@ -27,8 +29,10 @@ const LANGUAGES: &[(&str, &str, char, Lists)] = &[
         ',',
         &[
             ("figure", include_str!("../templates/de/words/figure.yaml")),
+            ("lamina", include_str!("../templates/de/words/lamina.yaml")),
             ("pinned", include_str!("../templates/de/words/pinned.yaml")),
             ("solution", include_str!("../templates/de/words/solution.yaml")),
+            ("thrown", include_str!("../templates/de/words/thrown.yaml")),
         ],
     ),
 ];

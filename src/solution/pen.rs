@@ -1,5 +1,6 @@
 //! A pen for one section: phrases, equations, and the steps by which a quantity is found, broken into lines that fit a page.
 use crate::scene::Label;
+use crate::sheet::number;
 use crate::solution::desk::Answer;
 use crate::solution::desk::Desk;
 use crate::solution::expr::Expr;
@@ -8,8 +9,6 @@ use crate::solution::ledger::Symbol;
 use crate::solution::ledger::tex_digits;
 use crate::solution::text::Block;
 use crate::solution::text::Section;
-
-use crate::sheet::number;
 
 /// Width of a line that still fits 16 cm of print, in characters of average width.
 const LINE: usize = 68;
@@ -143,6 +142,9 @@ impl<'d, 'a> Pen<'d, 'a> {
 /// The steps by which a quantity is found: in symbols, with numbers put in, its value, on one line if that is short.
 pub fn steps(ledger: &Ledger, symbol: Symbol, from: &Expr) -> String {
     let (name, value) = (ledger.tex(symbol), ledger.shown(symbol));
+    if matches!(from, Expr::Number(..)) {
+        return format!("{name} = {value}");
+    }
     let (symbols, numbers) = (from.symbols(ledger), from.numbers(ledger));
     let mut lines = vec![rows(ledger, from, true)];
     if numbers != value && numbers != symbols {
@@ -178,7 +180,11 @@ fn rows(ledger: &Ledger, e: &Expr, symbols: bool) -> Vec<String> {
             rows.push(write(term));
             continue;
         }
-        let size = if size.starts_with('-') { format!(r"\left({size}\right)") } else { size };
+        let size = match (size.starts_with('-'), term) {
+            (true, Expr::Symbol(_)) => format!("({size})"),
+            (true, _) => format!(r"\left({size}\right)"),
+            (false, _) => size,
+        };
         let next = format!("{sign}{size}");
         match rows.last_mut() {
             Some(last) if width(last) + width(&next) + 1 <= LINE => {
