@@ -187,7 +187,7 @@ fn rows(ledger: &Ledger, e: &Expr, symbols: bool) -> Vec<String> {
         };
         let next = format!("{sign}{size}");
         match rows.last_mut() {
-            Some(last) if width(last) + width(&next) + 1 <= LINE => {
+            Some(last) if width(last) + width(&next) < LINE => {
                 last.push(' ');
                 last.push_str(&next);
             }
@@ -263,7 +263,7 @@ mod tests {
             (r"\frac{m\,g}{2}", 3),
             (r"(40\ \mathrm{kg})", 6),
             (r"\phi_{0}", 2),
-            (r"\sin 30^\circ", 7),
+            (r"\sin 30^\circ", 6),
         ] {
             assert_eq!(width(tex), seen, "{tex}");
         }
