@@ -209,7 +209,7 @@ fn sweep(students: u32) {
 
 #[test]
 fn sheets_of_many_students_are_sound_in_every_format() {
-    sweep(12);
+    sweep(40);
 }
 
 /// `cargo test --release --test sheets -- --ignored`: a thousand students of every family, in every language.

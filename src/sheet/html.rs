@@ -34,7 +34,7 @@ pub struct Converter<'w> {
 /// Formulas remembered at most, so that memory does not grow with the class.
 const REMEMBERED: usize = 4096;
 /// A formula on a line of its own that has more signs than this may be wider than a phone, and scrolls by itself.
-const PHONE: usize = 34;
+const PHONE: usize = 28;
 /// One with more signs than this is set smaller on paper, so that it fits.
 pub const PAPER: usize = 70;
 
@@ -354,7 +354,8 @@ fn mathml(tex: &str, display_mode: DisplayMode) -> String {
 }
 
 /// What the writer of MathML leaves ugly: escaped spaces, the micro sign for the letter mu, wide
-/// slashes in units, decimal commas as if they parted a list, the letters of a unit one by one.
+/// slashes in units, decimal commas as if they parted a list, the letters of a unit one by
+/// one, fractions in lines that belong together.
 fn tidy(mathml: &str) -> String {
     mathml
         .replace("&amp;nbsp;", "\u{a0}")
@@ -362,6 +363,7 @@ fn tidy(mathml: &str) -> String {
         .replace("<mo>/</mo>", "<mo lspace=\"0\" rspace=\"0\">/</mo>")
         .replace("</mn><mrow><mo>,</mo></mrow><mn>", ",")
         .replace("</mi><mi mathvariant=\"normal\">", "")
+        .replace("<mtable class=\"menv-alignlike", "<mtable displaystyle=\"true\" class=\"menv-alignlike")
 }
 
 /// Says what is wrong with the formulas of a Markdown text, one sentence each.
