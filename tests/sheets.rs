@@ -53,7 +53,7 @@ fn told(language: &str) -> Vec<Told> {
 }
 
 /// Sheets of all problems of all banks: the document of one student after the other.
-fn each_sheet(language: &str, students: u32, see: &mut dyn FnMut(&Told, &Head, &Document, &[Variant])) {
+fn each_sheet(language: &str, students: u32, see: &mut dyn FnMut(&Told, &Head, &Document)) {
     for told in told(language) {
         let problems: Vec<usize> = (0..told.bank.problems.len()).collect();
         let sheets = Sheets::new(&told.templates, &told.words, &told.bank, "a set & more", &problems);
@@ -65,7 +65,7 @@ fn each_sheet(language: &str, students: u32, see: &mut dyn FnMut(&Told, &Head, &
             let variants: Vec<Variant> =
                 makers.iter().map(|m| m.variant(&id).expect("satisfiable")).collect();
             let (head, document) = sheets.document(&id, NAME, &variants, &mut room).expect("renders");
-            see(&told, &head, &document, &variants);
+            see(&told, &head, &document);
         }
     }
 }
@@ -186,7 +186,7 @@ fn closed(text: &str) {
 
 fn sweep(students: u32) {
     for language in Words::languages() {
-        each_sheet(language, students, &mut |told, head, document, _| {
+        each_sheet(language, students, &mut |told, head, document| {
             sound(language, &document.markdown);
             assert!(!document.plain().contains("<!--"));
             let mut converter = Converter::new(&told.words);
@@ -224,7 +224,7 @@ fn booklets_are_valid_pages() {
     for language in Words::languages() {
         for told in told(language) {
             let mut parts = Vec::new();
-            each_sheet(language, 3, &mut |other, head, document, _| {
+            each_sheet(language, 3, &mut |other, head, document| {
                 if other.bank.id == told.bank.id {
                     let prefix = format!("{}-", html::part_id(parts.len()));
                     let body =
@@ -245,7 +245,7 @@ fn a_code_stands_for_what_was_drawn() {
     let mut codes = BTreeSet::new();
     let mut all = Vec::new();
     for language in Words::languages() {
-        each_sheet(language, 40, &mut |_, head, _, _| {
+        each_sheet(language, 40, &mut |_, head, _| {
             assert!(head.code.len() == 6 && head.code.chars().all(|c| c.is_ascii_alphanumeric()));
             codes.insert(head.code.clone());
             all.push(head.code.clone());
@@ -265,7 +265,7 @@ fn latex_compiles() {
     for language in Words::languages() {
         for told in told(language) {
             let mut parts = Vec::new();
-            each_sheet(language, 2, &mut |other, head, document, _| {
+            each_sheet(language, 2, &mut |other, head, document| {
                 if other.bank.id == told.bank.id {
                     parts.push((head.clone(), tex::body(document)));
                 }
