@@ -9,7 +9,9 @@
 //! - `answers`: the answers, rounded; `beware`: mistakes that suggest themselves.
 pub mod desk;
 pub mod expr;
+pub mod factors;
 pub mod ledger;
+pub mod linear;
 pub mod text;
 
 use crate::bank::Problem;
@@ -119,7 +121,7 @@ fn derive(desk: &mut Desk) -> Result<(), Finding> {
     if desk.scene.thrown().is_some() {
         return Err(desk.fault("has no worked solution: a body thrown with slip"));
     }
-    Err(desk.fault("has no worked solution: bodies on lines"))
+    linear::sections(desk)
 }
 
 /// Place of a section in the text.
