@@ -65,6 +65,19 @@ impl<'w> Ledger<'w> {
         }
     }
 
+    /// Gives an unknown the value of another quantity, or its opposite, with the digits that this one is shown with.
+    pub fn settle_as(&mut self, symbol: Symbol, other: Symbol, opposite: bool) {
+        let Some(Line { value, digits, .. }) = self.lines.get(other.0).cloned() else { return };
+        if let Some(line) = self.lines.get_mut(symbol.0) {
+            (line.value, line.digits) = if opposite {
+                let turned = digits.strip_prefix('-').map_or_else(|| format!("-{digits}"), str::to_owned);
+                (-value, turned)
+            } else {
+                (value, digits)
+            };
+        }
+    }
+
     /// The full value, SI (angles in degrees where [`Ledger::is_degrees`]).
     pub fn value(&self, symbol: Symbol) -> f64 {
         self.lines.get(symbol.0).map_or(f64::NAN, |l| l.value)

@@ -11,6 +11,7 @@ use crate::solution::expr::ZERO;
 use crate::solution::ledger::Symbol;
 use crate::solution::ledger::tex_digits;
 use crate::solution::linear::mechanism::Kind;
+use crate::solution::linear::mechanism::Part;
 use crate::solution::linear::mechanism::Source;
 use crate::solution::linear::walk::Walk;
 use crate::solution::linear::walk::of_body;
@@ -77,8 +78,11 @@ fn speeds(walk: &mut Walk, items: &mut Vec<String>) {
     let v0 = walk.value(&walk.v0.clone());
     let s = walk.value(&walk.s.clone());
     let inertia = walk.value(&walk.effective.clone());
-    let masses: f64 =
-        walk.m.parts.iter().map(|p| walk.value(&p.mass.expr()) * walk.value(&p.along.expr()).powi(2)).sum();
+    let moving = |p: &Part| {
+        let along = walk.value(&p.along.expr());
+        walk.value(&p.mass.expr()) * along * along
+    };
+    let masses: f64 = walk.m.parts.iter().map(moving).sum();
     let speed = |push: f64, inertia: f64| ratio * (v0 * v0 + 2.0 * push * s / inertia).sqrt();
     if !placed {
         return;

@@ -25,6 +25,7 @@ use crate::solution::linear::mechanism::Source;
 use crate::solution::linear::mechanism::in_sense;
 use crate::solution::linear::mechanism::tagged;
 use crate::solution::linear::motion::aligned;
+use crate::solution::linear::motion::constant_forces;
 use crate::solution::linear::motion::effective_symbols;
 use crate::solution::linear::motion::lead_way;
 use crate::solution::linear::motion::new_way;
@@ -133,7 +134,7 @@ fn kinetic(walk: &mut Walk) {
         aligned(&[format!("{e} &= {}", first.symbols(ledger)), format!("&= {}", whole.symbols(ledger))])
     };
     walk.out.blocks.push(Block::Formula(formula));
-    if matches!(&walk.effective, Expr::Sum(t) if t.len() > 2) {
+    if walk.spring.is_some() || matches!(&walk.effective, Expr::Sum(t) if t.len() > 2) {
         let (m_e, _) = effective_symbols(walk);
         walk.tell("energy.effective", &[]);
         walk.find(m_e, &walk.effective.clone());
@@ -291,7 +292,11 @@ fn other_origin(walk: &mut Walk, spring: &Spring, v: Symbol) -> Result<(), Findi
     let (z0, z1): (Expr, Expr) = (z0.0.into(), z1.0.into());
     let rest: Vec<Expr> =
         walk.terms().into_iter().filter(|(a, _)| a.kind != Kind::Spring).map(|(_, e)| e).collect();
-    let stiffness = Factors::of(&spring.stiffness).times(&spring.gamma.squared()).expr();
+    let rest = constant_forces(walk, rest);
+    let kappa = walk.new_symbol(&[r"\kappa", r"\kappa_e"], "N/m");
+    walk.find(kappa, &spring.kappa);
+    walk.drive = sum(rest.clone());
+    let stiffness: Expr = kappa.into();
     let energy = |z: &Expr| {
         let stored = product([ratio(1, 2), stiffness.clone(), square(z.clone())]);
         let others = rest.iter().map(|r| minus(product([r.clone(), z.clone()])));
@@ -300,10 +305,10 @@ fn other_origin(walk: &mut Walk, spring: &Spring, v: Symbol) -> Result<(), Findi
     let moving = product([ratio(1, 2), walk.effective.clone(), square(v.into())]);
     let (before, after) = (energy(&z0), sum([energy(&z1), moving]));
     walk.out.equation(&walk.desk.ledger, &before, &after);
-    let again = walk.desk.ledger.unknown_like(&walk.desk.ledger.tex(v).to_owned(), v);
+    let tex = walk.desk.ledger.tex(v).to_owned();
+    let again = walk.desk.ledger.unknown_like(&tex, v);
     let squares = product([stiffness, difference(square(z0.clone()), square(z1.clone()))]);
-    let linear: Vec<Expr> =
-        rest.iter().map(|r| product([number(2), r.clone(), difference(z1.clone(), z0.clone())])).collect();
+    let linear: Vec<Expr> = rest.iter().map(|r| product([number(2), r.clone(), walk.s.clone()])).collect();
     let over = positive_first([vec![squares], linear].concat());
     walk.find(again, &root(quotient(over, walk.effective.clone())));
     Ok(())
@@ -363,7 +368,7 @@ fn slipping_body(walk: &mut Walk, body: usize) -> Result<(), Finding> {
     let right = sum([half, turning]);
     let ledger = &walk.desk.ledger;
     let (total, right) = (positive_first(total).symbols(ledger), right.symbols(ledger));
-    walk.out.blocks.push(Block::Formula(aligned(&[total, format!("&= {right}")])));
+    walk.out.blocks.push(Block::Formula(format!("{total} = {right}")));
     let law = quotient(omega.into(), v.into());
     let way = walk.distance();
     walk.tell("energy.uniform", &[]);

@@ -62,6 +62,8 @@ pub struct Action {
     pub source: Source,
     /// What is known of it.
     pub kind: Kind,
+    /// Is it the friction of a contact?
+    pub contact: bool,
     /// The body.
     pub body: usize,
     /// Its size, positive in its own sense.
@@ -161,7 +163,9 @@ impl Mechanism {
             let omega = body.turns.then(|| named(desk, &[r"\omega", r"\omega_2"], turns > 1, "rad/s"));
             let level = level(desk, body);
             let normal = body.line.is_some_and(|l| l.surface).then(|| {
-                let n = named(desk, &["N", "N_s"], surfaces > 1, "N");
+                let tex = tagged("N", if surfaces > 1 { &tag } else { "" });
+                let tex = desk.free(&[&tex, "N_s"]);
+                let n = desk.unknown(&tex, "N");
                 (n, product([mass.expr(), g.clone(), level]))
             });
             let path = match body.line.map(|l| l.slope) {
@@ -210,6 +214,7 @@ impl Mechanism {
                     let force = friction(desk, &below(tag, rolled));
                     let up = self.parts[*body].up;
                     self.actions.push(Action {
+                        contact: true,
                         source: Source::Tie(t),
                         kind,
                         body: *body,
@@ -222,6 +227,7 @@ impl Mechanism {
                     let tag = if contacts > 1 { self.parts[*body].tag.as_str() } else { "" };
                     let force = friction(desk, &below(tag, rolled));
                     self.actions.push(Action {
+                        contact: true,
                         source: Source::Tie(t),
                         kind: Kind::Kinetic,
                         body: *body,
@@ -252,6 +258,7 @@ impl Mechanism {
                         let along = if self.parts[end.body].a.is_some() { along } else { Factors::zero() };
                         let arm = if self.parts[end.body].alpha.is_some() { arm } else { Factors::zero() };
                         self.actions.push(Action {
+                            contact: false,
                             source: Source::Tie(t),
                             kind,
                             body: end.body,
@@ -266,6 +273,7 @@ impl Mechanism {
         for (i, c) in scene.couples.iter().enumerate() {
             let force = desk.number(c.moment_n_m, "M", "N m");
             self.actions.push(Action {
+                contact: false,
                 source: Source::Couple(i),
                 kind: Kind::Given,
                 body: c.body,
@@ -286,6 +294,7 @@ impl Mechanism {
             self.weighty = true;
             let part = &self.parts[i];
             self.actions.push(Action {
+                contact: false,
                 source: Source::Weight(i),
                 kind: Kind::Given,
                 body: i,

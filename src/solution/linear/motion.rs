@@ -111,6 +111,9 @@ fn equations(walk: &mut Walk, slip_sense: &dyn Fn(usize) -> f64) -> Result<(), F
 
 /// Rows of one aligned formula.
 pub fn aligned(lines: &[String]) -> String {
+    if let [only] = lines {
+        return only.replacen(" &= ", " = ", 1);
+    }
     format!(r"\begin{{aligned}} {} \end{{aligned}}", lines.join(r" \\ "))
 }
 
@@ -406,6 +409,7 @@ fn on_spring(walk: &mut Walk) -> Result<(), Finding> {
     let pull =
         Factors::of(&spring.stiffness).times(&spring.gamma).times(&Factors::of(&spring.stretch)).expr();
     walk.find(m_e, &walk.effective.clone());
+    let rest = constant_forces(walk, rest);
     walk.find(first, &sum([pull].into_iter().chain(rest.clone())));
     walk.find(kappa, &Factors::of(&spring.stiffness).times(&spring.gamma.squared()).expr());
     walk.effective = m_e.into();
@@ -442,6 +446,16 @@ fn on_spring(walk: &mut Walk) -> Result<(), Finding> {
     Ok(())
 }
 
+/// The sum of the constant forces as one quantity; nothing where there are none.
+pub fn constant_forces(walk: &mut Walk, rest: Vec<Expr>) -> Vec<Expr> {
+    if rest.is_empty() {
+        return rest;
+    }
+    let f_c = walk.new_symbol(&["F_{c}", "F_{cc}"], "N");
+    walk.find(f_c, &sum(rest));
+    vec![f_c.into()]
+}
+
 /// `m_e int v dv = int (...) ds`
 fn integral_of(walk: &mut Walk, v: Symbol, force: &Expr, from: &Expr, to: &Expr, d: &str) {
     let ledger = &walk.desk.ledger;
@@ -468,8 +482,9 @@ fn other_origin(
     let (z0, z1) = (z0.0, z1.0);
     let force = difference(sum(rest.to_vec()), product([kappa.into(), z.into()]));
     integral_of(walk, v, &force, &z0.into(), &z1.into(), "z");
-    let again = walk.desk.ledger.unknown_like(&walk.desk.ledger.tex(v).to_owned(), v);
-    let way = difference(z1.into(), z0.into());
+    let tex = walk.desk.ledger.tex(v).to_owned();
+    let again = walk.desk.ledger.unknown_like(&tex, v);
+    let way = walk.s.clone();
     let linear: Vec<Expr> = rest.iter().map(|r| product([number(2), r.clone(), way.clone()])).collect();
     let squares = product([kappa.into(), difference(square(z0.into()), square(z1.into()))]);
     let over = positive_first([vec![squares], linear].concat());

@@ -66,6 +66,9 @@ pub struct Spring {
     pub kappa: Expr,
 }
 
+/// Stretch, as a share of the first, below which rounding alone keeps a cord from being slack.
+const SLACK: f64 = 1e-12;
+
 /// A walk along one road.
 pub struct Walk<'d, 'a> {
     /// The desk.
@@ -191,6 +194,7 @@ impl<'d, 'a> Walk<'d, 'a> {
     /// Finds several quantities, each with its steps, without words between.
     pub fn new_symbol(&mut self, names: &[&str], unit: &str) -> Symbol {
         let tex = self.desk.free(names);
+        let tex = if self.rolled { marked(&tex, r"\mathrm{r}") } else { tex };
         self.desk.unknown(&tex, unit)
     }
 
@@ -735,8 +739,14 @@ impl<'d, 'a> Walk<'d, 'a> {
     /// Friction at release and at the far end of the motion, for a wheel on a spring.
     pub fn extremes(&mut self, body: usize) -> Result<(Expr, Expr), Finding> {
         let far = self.far_end()?;
-        let first = self.friction_at(body, &ZERO, "_{1}")?;
-        let last = self.friction_at(body, &far, "_{2}")?;
+        self.tell("extremes.release", &[]);
+        let first = self.friction_at(body, &ZERO, "1")?;
+        let slack = self.spring.as_ref().is_some_and(|s| {
+            let at = self.stretch_at(s, &far);
+            self.value(&at).abs() < SLACK * self.value(&s.stretch).abs()
+        });
+        self.tell(if slack { "extremes.slack" } else { "extremes.turn" }, &[]);
+        let last = self.friction_at(body, &far, "2")?;
         Ok((first, last))
     }
 
@@ -758,7 +768,7 @@ impl<'d, 'a> Walk<'d, 'a> {
         let mut m = Mechanism::new(self.desk, self.rolled)?;
         for part in &mut m.parts {
             for symbol in [&mut part.a, &mut part.alpha].into_iter().flatten() {
-                let tex = format!("{{{}}}{mark}", self.desk.ledger.tex(*symbol));
+                let tex = marked(self.desk.ledger.tex(*symbol), mark);
                 *symbol = self.desk.ledger.unknown_like(&tex, *symbol);
             }
         }
@@ -766,7 +776,7 @@ impl<'d, 'a> Walk<'d, 'a> {
             if let Expr::Symbol(symbol) = &mut action.force
                 && action.kind != Kind::Given
             {
-                let tex = format!("{{{}}}{mark}", self.desk.ledger.tex(*symbol));
+                let tex = marked(self.desk.ledger.tex(*symbol), mark);
                 *symbol = self.desk.ledger.unknown_like(&tex, *symbol);
             }
         }
@@ -782,13 +792,15 @@ impl<'d, 'a> Walk<'d, 'a> {
     fn friction_here(&mut self, body: usize, spring: &Spring, s: &Expr) -> Result<Expr, Finding> {
         let Some(tension) = self.m.force_of(spring.tie) else { return self.beyond("this spring") };
         let stretch = self.stretch_at(spring, s);
-        let from =
-            if stretch == ZERO || self.value(&stretch).abs() < 1e-12 * self.value(&spring.stretch).abs() {
-                ZERO
-            } else {
-                product([spring.stiffness.clone(), stretch])
-            };
-        self.found_now(of_tie(Quantity::Tension, spring.tie), tension, &from);
+        let label = of_tie(Quantity::Tension, spring.tie);
+        if self.value(&stretch).abs() < SLACK * self.value(&spring.stretch).abs() {
+            for action in self.m.actions.iter_mut().filter(|a| a.kind == Kind::Spring) {
+                action.force = ZERO;
+            }
+            self.note(label, tension);
+        } else {
+            self.found_now(label, tension, &product([spring.stiffness.clone(), stretch]));
+        }
         let terms: Vec<Expr> = self.terms().into_iter().map(|(_, e)| e).collect();
         let lead = self.lead();
         let Some(a) = self.m.acceleration(lead) else { return self.beyond("this acceleration") };
@@ -877,6 +889,7 @@ impl<'d, 'a> Walk<'d, 'a> {
     fn why_cord(&mut self, action: &Action) {
         let rolls = self.desk.scene.ties.iter().find_map(|t| match t {
             Tie::Roll { body, radius_m, .. } if *body == action.body => Some(*radius_m),
+            Tie::Slip { body, radius_m, .. } if *body == action.body && self.rolled => Some(*radius_m),
             _ => None,
         });
         match rolls {
@@ -885,7 +898,11 @@ impl<'d, 'a> Walk<'d, 'a> {
                 let arm = self.magnitude(&action.arm).expr();
                 // From the point of contact: c to the centre, c + p to a point on the far side.
                 let far = self.value(&action.arm.expr()) * self.value(&action.along.expr()) > 0.0;
-                let point = if far { sum([c.clone(), arm]) } else { difference(c.clone(), arm) };
+                let point = match (far, self.value(&c) >= self.value(&arm)) {
+                    (true, _) => sum([c.clone(), arm]),
+                    (false, true) => difference(c.clone(), arm),
+                    (false, false) => difference(arm, c.clone()),
+                };
                 let (centre, point) = (self.tex(&c), self.tex(&point));
                 let name = if far { "energy.why_cord_far" } else { "energy.why_cord_near" };
                 self.tell(name, &[("centre", &centre), ("point", &point)]);
@@ -1099,12 +1116,14 @@ impl<'d, 'a> Walk<'d, 'a> {
         let lines: Vec<(Expr, Expr)> = match self.road {
             Road::Motion => {
                 let Some(a) = part.a else { return self.beyond("this bound") };
+                let tex = marked(self.desk.ledger.tex(a), "0");
+                let a = self.desk.ledger.unknown_like(&tex, a);
                 let a = Factors::of(&a.into());
                 let spin = inertia.times(&a).per(&Factors::of(&c)).expr();
                 vec![(force.clone(), part.mass.times(&a).expr()), (moment.clone(), spin)]
             }
             Road::Energy => {
-                let Some(v) = part.v else { return self.beyond("this bound") };
+                let v = self.new_symbol(&["u_{0}"], "m/s");
                 let half =
                     |i: &Factors| i.times(&Factors::of(&square(v.into()))).times(&Factors::of(&ratio(1, 2)));
                 let way = self.distance();
@@ -1123,11 +1142,10 @@ impl<'d, 'a> Walk<'d, 'a> {
     fn equilibrium(&mut self, label: Label) -> Result<Symbol, Finding> {
         let Some(spring) = self.spring.clone() else { return self.beyond("a spring that is not there") };
         let symbol = self.new_symbol(&[r"x_{\mathrm{eq}}"], "m");
-        let rest: Vec<Expr> =
-            self.terms().into_iter().filter(|(a, _)| a.kind != Kind::Spring).map(|(_, e)| e).collect();
         self.tell_road("equilibrium", &[]);
-        let per = Factors::of(&spring.stiffness).times(&spring.gamma).expr();
-        Ok(self.found_now(label, symbol, &quotient(minus(sum(rest)), per)))
+        let per = Factors::of(&spring.stiffness).times(&spring.gamma);
+        let from = Factors::of(&minus(self.drive.clone())).per(&per).expr();
+        Ok(self.found_now(label, symbol, &from))
     }
 
     /// The greatest speed of a motion on a spring, and where it is.
@@ -1141,13 +1159,9 @@ impl<'d, 'a> Walk<'d, 'a> {
         let slack = Factors::of(&spring.stretch).per(&spring.gamma).expr();
         let level = self.value(&first) / self.value(&kappa);
         let s = self.value(&slack);
-        let rest: Vec<Expr> =
-            self.terms().into_iter().filter(|(a, _)| a.kind != Kind::Spring).map(|(_, e)| e).collect();
-        let rest = self.value(&sum(rest));
         if !spring.rigid && s * level > 0.0 && s.abs() < level.abs() * (1.0 - 1e-9) {
             return self.beyond("the greatest speed where the cord is slack");
         }
-        let _ = rest;
         let way = self.new_symbol(&["D_{v}"], "m");
         let top = self.new_symbol(&[r"v_{\mathrm{max}}"], "m/s");
         let first = in_sense(first, level);
@@ -1174,13 +1188,8 @@ impl<'d, 'a> Walk<'d, 'a> {
                     spring.stiffness.clone(),
                     difference(square(spring.stretch.clone()), square(x_eq.into())),
                 ]);
-                let others: Vec<Expr> = self
-                    .terms()
-                    .into_iter()
-                    .filter(|(a, _)| a.kind != Kind::Spring)
-                    .map(|(_, e)| product([number(2), e, signed.clone()]))
-                    .collect();
-                let over = positive_first([vec![stored], others].concat());
+                let others = product([number(2), self.drive.clone(), signed]);
+                let over = positive_first(vec![stored, others]);
                 self.find(top, &root(quotient(over, self.effective.clone())));
             }
         }
@@ -1230,9 +1239,7 @@ impl<'d, 'a> Walk<'d, 'a> {
             return Ok(self.found_now(label, symbol, &in_sense(turn, level)));
         }
         // Slack: all that the spring stored goes into what the other forces take up to the turning point.
-        let rest: Vec<Expr> =
-            self.terms().into_iter().filter(|(a, _)| a.kind != Kind::Spring).map(|(_, e)| e).collect();
-        let rest = sum(rest);
+        let rest = self.drive.clone();
         if self.value(&rest) * level >= 0.0 {
             return self.beyond("the turning point of a motion that never turns");
         }
@@ -1262,6 +1269,14 @@ impl<'d, 'a> Walk<'d, 'a> {
     }
 }
 
+/// A symbol with a mark below it, behind what stands there already.
+fn marked(tex: &str, mark: &str) -> String {
+    match tex.split_once("_{").and_then(|(symbol, below)| Some((symbol, below.strip_suffix('}')?))) {
+        Some((symbol, below)) => format!("{symbol}_{{{below}{mark}}}"),
+        None => format!("{tex}_{{{mark}}}"),
+    }
+}
+
 /// 1 or -1.
 pub fn sign(of: f64) -> i8 {
     if of < 0.0 { -1 } else { 1 }
@@ -1277,8 +1292,9 @@ fn rank(action: &Action) -> u8 {
         (Source::Tie(_), Kind::Given) => 0,
         (Source::Tie(_), Kind::Spring) => 1,
         (Source::Couple(_), _) => 2,
-        (Source::Tie(_), _) => 3,
-        (Source::Weight(_), _) => 4,
+        (Source::Tie(_), _) if !action.contact => 3,
+        (Source::Tie(_), _) => 4,
+        (Source::Weight(_), _) => 5,
     }
 }
 
