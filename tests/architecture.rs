@@ -87,7 +87,7 @@ const DOORS: &[(&str, &[&str])] = &[
         ],
     ),
     ("answer", &["units", "num", "finding"]),
-    ("grade", &["key", "answer", "units", "num", "finding"]),
+    ("grade", &["key", "answer", "units", "num", "words", "finding"]),
     ("report", &["grade", "key", "units", "template"]),
     ("simulate", &["problem", "bank", "sheet", "sheet::number", "solve::agree", "key", "units", "num"]),
     ("sheet::document", &["figure"]),
@@ -114,6 +114,10 @@ const KEEPERS: &[(&str, &[&str])] = &[
     ("pulldown_cmark", &["sheet"]),
     ("pulldown_latex", &["sheet"]),
     ("tempfile", &["cli"]),
+    ("typst", &["sheet::pdf"]),
+    ("typst_assets", &["sheet::pdf"]),
+    ("typst_layout", &["sheet::pdf"]),
+    ("typst_pdf", &["sheet::pdf"]),
     ("hmac", &["draw"]),
 ];
 

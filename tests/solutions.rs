@@ -4,6 +4,7 @@
 //! equation again: a printed number stands for all numbers that round to it (data are exact), the right side is evaluated in
 //! intervals, and the printed result has to lie in what comes out. The line in symbols is held to the same with the
 //! values printed before; equations between quantities that are all known at the end have to hold with these.
+#![allow(clippy::print_stdout, reason = "says how much was checked")]
 use slipstick::bank::Problem;
 use slipstick::problem::make::Maker;
 use slipstick::problem::make::Variant;
@@ -21,8 +22,8 @@ mod tex;
 /// Widest line of a formula that fits on 16 cm of print, in digits.
 const LINE: f64 = 86.0;
 
-fn templates() -> Templates {
-    Templates::new(&[]).expect("templates")
+fn templates(language: &str) -> Templates {
+    Templates::new(language, &[]).expect("templates")
 }
 
 /// The problems whose solutions are derived by bodies on lines and axles.
@@ -99,7 +100,7 @@ fn faults(markdown: &str, problem: &Problem, variant: &Variant, words: &Words) -
 }
 
 fn every_draw(draws: u32) {
-    let (templates, words) = (templates(), Words::english());
+    let (templates, words) = (templates("en"), Words::english());
     let mut counts = tex::Counts::default();
     let mut made = 0u32;
     sweep(draws, |problem, variant| {
@@ -130,7 +131,7 @@ fn every_printed_equation_holds_for_a_thousand() {
 
 #[test]
 fn a_wrong_digit_is_seen() {
-    let (templates, words) = (templates(), Words::english());
+    let (templates, words) = (templates("en"), Words::english());
     let mut planted = 0;
     sweep(2, |problem, variant| {
         let text = markdown(problem, variant, &words, &templates);
@@ -152,48 +153,14 @@ fn a_wrong_digit_is_seen() {
 
 #[test]
 fn both_languages_have_the_same_formulas() {
-    let templates = templates();
-    let (english, german) = (Words::english(), Words::of("de").expect("German"));
+    let english = (Words::english(), templates("en"));
+    let german = (Words::of("de").expect("German"), templates("de"));
     sweep(12, |problem, variant| {
-        let texts = [&english, &german].map(|w| markdown(problem, variant, w, &templates));
-        let wrong = faults(&texts[1], problem, variant, &german);
+        let texts = [&english, &german].map(|(w, t)| markdown(problem, variant, w, t));
+        let wrong = faults(&texts[1], problem, variant, &german.0);
         assert!(wrong.is_empty(), "{}: {}\n\n{}", problem.id, wrong.join("\n"), texts[1]);
         let [en, de] = texts.map(|t| tex::displayed(&t));
         let de: Vec<String> = de.iter().map(|f| f.replace("{,}", ".")).collect();
         assert_eq!(en, de, "{}", problem.id);
     });
 }
-
-/// Writes solutions to the folder in LOOK, to be read by people.
-#[test]
-#[ignore = "for looking at: LOOK=FOLDER cargo test --test solutions looked_at -- --ignored"]
-fn looked_at() {
-    let folder = std::env::var("LOOK").expect("LOOK=FOLDER");
-    let templates = templates();
-    for bank in support::banks() {
-        for problem in &bank.problems {
-            let maker = Maker::new(problem, 1, "look");
-            for student in ["a", "b", "c", "d"] {
-                let variant = maker.variant(student).expect("a variant");
-                for language in Words::languages() {
-                    let words = Words::of(language).expect("a language");
-                    match solution::document(problem, &variant, 1, &words, &templates) {
-                        Ok(document) => {
-                            let name = format!("{folder}/{}-{student}-{language}", problem.id);
-                            let body = html::Converter::default().body(&document.markdown);
-                            let page =
-                                format!("<!doctype html><meta charset=utf-8><style>{STYLE}</style>{body}");
-                            std::fs::write(format!("{name}.md"), &document.markdown).expect("written");
-                            std::fs::write(format!("{name}.html"), page).expect("written");
-                        }
-                        Err(finding) => println!("{finding}"),
-                    }
-                }
-            }
-        }
-    }
-}
-
-const STYLE: &str = "body{font:16px/1.45 serif;max-width:44rem;margin:2rem auto;padding:0 1rem} table{border-collapse:collapse}
- td,th{padding:.2em .8em;border-bottom:1px solid #bbb;text-align:left} mtable{math-style:normal}
- mtd{padding:.15em 0;math-style:normal} mtd:nth-child(odd){text-align:right;text-align:-webkit-right} mtd:nth-child(even){text-align:left}";

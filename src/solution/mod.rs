@@ -10,9 +10,14 @@
 pub mod desk;
 pub mod expr;
 pub mod factors;
+pub mod lamina;
 pub mod ledger;
 pub mod linear;
+pub mod mass;
+pub mod pen;
+pub mod pinned;
 pub mod text;
+pub mod thrown;
 
 use crate::bank::Problem;
 use crate::bank::Question;
@@ -102,7 +107,7 @@ pub fn document(
     let own = format!("solution/{}.md", problem.id);
     let name = if templates.has_markdown(&own) { own.as_str() } else { "solution/default.md" };
     let mut out = Vec::new();
-    templates.markdown(name, &view, &mut out)?;
+    templates.render(name, &view, &mut out)?;
     let mut markdown = String::from_utf8_lossy(&out).trim_end().to_owned();
     markdown.push('\n');
     let used = |name: &str| markdown.contains(&format!("({name}.svg)"));
@@ -113,13 +118,13 @@ pub fn document(
 /// The derivation that the scene needs.
 fn derive(desk: &mut Desk) -> Result<(), Finding> {
     if desk.scene.bodies.iter().any(|b| !b.particles.is_empty()) {
-        return Err(desk.fault("has no worked solution: a lamina of particles"));
+        return lamina::work(desk);
     }
     if desk.scene.pinned().is_some() {
-        return Err(desk.fault("has no worked solution: a pinned body"));
+        return pinned::work(desk);
     }
     if desk.scene.thrown().is_some() {
-        return Err(desk.fault("has no worked solution: a body thrown with slip"));
+        return thrown::work(desk);
     }
     linear::sections(desk)
 }

@@ -1,4 +1,5 @@
 //! Reads the formulas of a worked solution and solves them again in intervals: LaTeX in, faults out.
+use slipstick::num::trig;
 use std::collections::BTreeMap;
 
 /// All numbers between two.
@@ -39,7 +40,11 @@ impl Interval {
     fn power(self, n: u32) -> Self {
         let one = |x: f64| (0..n).map(|_| x).product::<f64>();
         let ends = Self::of(&[one(self.low), one(self.high)]);
-        if n % 2 == 0 && self.low <= 0.0 && self.high >= 0.0 { Self { low: 0.0, ..ends } } else { ends }
+        if n.is_multiple_of(2) && self.low <= 0.0 && self.high >= 0.0 {
+            Self { low: 0.0, ..ends }
+        } else {
+            ends
+        }
     }
     fn root(self) -> Option<Self> {
         (self.high >= 0.0).then(|| Self::new(self.low.max(0.0).sqrt(), self.high.sqrt()))
@@ -212,10 +217,10 @@ impl Reader<'_> {
         }
         if self.take(r"\sin") {
             let argument = self.factor()?;
-            return Some(argument.wave(f64::sin, std::f64::consts::FRAC_PI_2));
+            return Some(argument.wave(|x| trig::sin_cos(x).0, std::f64::consts::FRAC_PI_2));
         }
         if self.take(r"\cos") {
-            return Some(self.factor()?.wave(f64::cos, 0.0));
+            return Some(self.factor()?.wave(|x| trig::sin_cos(x).1, 0.0));
         }
         self.skip();
         if self.rest.starts_with(|c: char| c.is_ascii_digit()) {

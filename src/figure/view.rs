@@ -1,0 +1,178 @@
+//! A variant as a picture sees it: numbers of the scene, their symbols and drawn values as label text, words.
+use crate::bank::FigureLabels;
+use crate::bank::Problem;
+use crate::figure::picture::Run;
+use crate::figure::picture::RunStyle;
+use crate::figure::symbol;
+use crate::problem::make::Variant;
+use crate::scene::Body;
+use crate::scene::Label;
+use crate::scene::Mass;
+use crate::scene::Num;
+use crate::scene::Owner;
+use crate::scene::Quantity;
+use crate::scene::RotaryInertia;
+use crate::scene::Scene;
+use crate::scene::Shape;
+use crate::words::Words;
+
+/// A variant with what is needed to label its picture.
+#[derive(Clone, Copy)]
+pub struct View<'a> {
+    /// The problem.
+    pub problem: &'a Problem,
+    /// One draw of it.
+    pub variant: &'a Variant,
+    /// Its scene.
+    pub scene: &'a Scene,
+    /// Phrases.
+    pub words: &'a Words,
+    /// Are symbols followed by values?
+    pub labels: FigureLabels,
+}
+
+impl<'a> View<'a> {
+    /// A view; `None` if the variant has no scene.
+    pub fn new(
+        problem: &'a Problem,
+        variant: &'a Variant,
+        words: &'a Words,
+        labels: FigureLabels,
+    ) -> Option<Self> {
+        let scene = &problem.cases.get(variant.case)?.scene;
+        Some(Self { problem, variant, scene, words, labels })
+    }
+
+    /// A number of the scene.
+    pub fn of(&self, num: Num) -> f64 {
+        match num {
+            Num::Datum(i) => self.variant.data.get(i).copied().unwrap_or(0.0),
+            Num::Fixed(x) => x,
+        }
+    }
+
+    /// Symbol of a datum; nothing for a constant.
+    pub fn symbol(&self, num: Num) -> Vec<Run> {
+        match num {
+            Num::Datum(i) => self.problem.data.get(i).map_or_else(Vec::new, |d| symbol::symbol(&d.tex)),
+            Num::Fixed(_) => Vec::new(),
+        }
+    }
+
+    /// The number as drawn, with its unit; a constant in `unit` (as HTML, SI).
+    pub fn value(&self, num: Num, unit: &str) -> Vec<Run> {
+        match num {
+            Num::Datum(i) => {
+                let drawn = self.variant.values.get(i).copied().flatten();
+                match (drawn, self.problem.data.get(i)) {
+                    (Some(drawn), Some(datum)) => {
+                        let unit = if datum.unit.is_number() { String::new() } else { datum.unit.html() };
+                        symbol::quantity(&self.words.number(&drawn.text()), &unit)
+                    }
+                    _ => Vec::new(),
+                }
+            }
+            Num::Fixed(x) => symbol::quantity(&self.words.number(&format!("{x}")), unit),
+        }
+    }
+
+    /// Label of a number: `R = 0.40 m`, or `R` alone; a constant is always its value.
+    pub fn label(&self, num: Num, unit: &str) -> Vec<Run> {
+        let symbol = self.symbol(num);
+        if symbol.is_empty() {
+            return self.value(num, unit);
+        }
+        if self.labels == FigureLabels::Symbols {
+            return symbol;
+        }
+        joined(symbol, self.value(num, unit))
+    }
+
+    /// `R = 0.40 m` as text, whatever the labels say.
+    pub fn text(&self, num: Num, unit: &str) -> String {
+        let (symbol, value) = (self.symbol(num), self.value(num, unit));
+        let runs = if symbol.is_empty() { value } else { joined(symbol, value) };
+        symbol::plain(&runs)
+    }
+
+    /// What the solver says of a quantity of a body, a tie or the scene.
+    pub fn solved(&self, quantity: Quantity, of: Owner) -> Option<f64> {
+        self.variant.solved.get(Label { quantity, of }).map(|e| e.value()).filter(|v| v.is_finite())
+    }
+
+    /// The number that gives the mass of a body, and whether it is a weight.
+    pub fn mass(&self, body: &Body) -> Option<(Num, bool)> {
+        match &body.mass {
+            Mass::Kilograms(n) => Some((*n, false)),
+            Mass::Weight(n) => Some((*n, true)),
+            Mass::OfParts => None,
+        }
+    }
+
+    /// Mass of a body, kg.
+    pub fn kilograms(&self, body: &Body) -> f64 {
+        let one = |mass: &Mass| match mass {
+            Mass::Kilograms(n) => self.of(*n),
+            Mass::Weight(n) => self.of(*n) / self.of(self.scene.gravity_m_s2),
+            Mass::OfParts => 0.0,
+        };
+        match (&body.mass, &body.inertia) {
+            (Mass::OfParts, Some(RotaryInertia::Parts(parts))) => parts.iter().map(|p| one(&p.mass)).sum(),
+            (Mass::OfParts, _) => body.particles.iter().map(|p| self.of(p.mass_kg)).sum(),
+            (mass, _) => one(mass),
+        }
+    }
+
+    /// Moment of inertia about the mass centre, kg m^2: of a body that turns.
+    pub fn inertia(&self, body: &Body) -> f64 {
+        let mass = self.kilograms(body);
+        let beta = |shape: Shape| crate::scene::inertia::beta::<f64>(shape);
+        match &body.inertia {
+            None => 0.0,
+            Some(RotaryInertia::Gyration(k)) => mass * self.of(*k) * self.of(*k),
+            Some(RotaryInertia::Moment(i)) => self.of(*i),
+            Some(RotaryInertia::Shape(shape, r)) => mass * beta(*shape) * self.of(*r) * self.of(*r),
+            Some(RotaryInertia::Parts(parts)) => parts
+                .iter()
+                .map(|p| {
+                    let m = match p.mass {
+                        Mass::Kilograms(n) => self.of(n),
+                        Mass::Weight(n) => self.of(n) / self.of(self.scene.gravity_m_s2),
+                        Mass::OfParts => 0.0,
+                    };
+                    m * beta(p.shape) * self.of(p.radius_m) * self.of(p.radius_m)
+                })
+                .sum(),
+        }
+    }
+
+    /// Radii that are drawn on a body, each once, in metres, largest first.
+    pub fn radii(&self, body: &Body) -> Vec<(Num, f64)> {
+        let mut all: Vec<(Num, f64)> = body.radii_m.iter().map(|(_, n)| (*n, self.of(*n))).collect();
+        match &body.inertia {
+            Some(RotaryInertia::Shape(shape, r)) if *shape != Shape::Rod => all.push((*r, self.of(*r))),
+            Some(RotaryInertia::Parts(parts)) => {
+                all.extend(parts.iter().map(|p| (p.radius_m, self.of(p.radius_m))))
+            }
+            _ => {}
+        }
+        all.sort_by(|a, b| b.1.total_cmp(&a.1));
+        all.dedup_by(|a, b| a.0 == b.0 || (a.1 - b.1).abs() <= 1e-12 * b.1.abs());
+        all
+    }
+}
+
+/// `left = right`.
+pub fn joined(mut left: Vec<Run>, right: Vec<Run>) -> Vec<Run> {
+    if right.is_empty() {
+        return left;
+    }
+    left.push(symbol::run("\u{a0}=\u{a0}", RunStyle::Upright));
+    left.extend(right);
+    left
+}
+
+/// A symbol of the program's own, from LaTeX.
+pub fn own(tex: &str) -> Vec<Run> {
+    symbol::symbol(tex)
+}

@@ -1,0 +1,231 @@
+//! Documents to PDF: keeper of the Typst compiler, which comes only with the Cargo feature `pdf`.
+//!
+//! Without the feature everything here is there too, and [`Press::new`] says how to get it, so that callers need no
+//! conditions. The same documents give the same bytes on every machine: no clock, no fonts but the built-in ones.
+use crate::finding::Finding;
+use crate::sheet::document::Document;
+use crate::sheet::document::Head;
+use crate::words::Words;
+
+/// Does this program write PDFs?
+pub const BUILT_IN: bool = cfg!(feature = "pdf");
+
+/// Makes PDFs. Made once, shared by all threads.
+pub struct Press(machine::Machine);
+
+impl Press {
+    /// Loads fonts and the prelude: `own` is the instructor's `print.typ`, with its path for messages, instead of the
+    /// built-in one.
+    ///
+    /// # Errors
+    /// What is wrong in the prelude; a program without the feature `pdf`.
+    pub fn new(words: &Words, own: Option<(&str, &str)>) -> Result<Self, Finding> {
+        machine::Machine::new(words, own).map(Self)
+    }
+
+    /// One PDF with these documents one after the other, each from a new page and with pages counted from 1. Documents
+    /// may be pressed by many threads at once.
+    ///
+    /// # Errors
+    /// A formula that has no translation, a picture that is not there, what the prelude does not take.
+    pub fn press(&self, documents: &[(&Head, &Document)]) -> Result<Vec<u8>, Finding> {
+        self.0.press(documents)
+    }
+}
+
+#[cfg(not(feature = "pdf"))]
+mod machine {
+    use crate::finding::Finding;
+    use crate::sheet::document::Document;
+    use crate::sheet::document::Head;
+    use crate::words::Words;
+    use std::convert::Infallible;
+
+    /// There is none.
+    pub struct Machine(Infallible);
+
+    impl Machine {
+        pub fn new(_: &Words, _: Option<(&str, &str)>) -> Result<Self, Finding> {
+            let fault = Finding::new("--format pdf", "this program was built without PDF");
+            Err(fault.hint(
+                "build it with `cargo build --release --features pdf` (takes minutes), or print the HTML pages",
+            ))
+        }
+        pub fn press(&self, _: &[(&Head, &Document)]) -> Result<Vec<u8>, Finding> {
+            match self.0 {}
+        }
+    }
+}
+
+#[cfg(feature = "pdf")]
+mod machine {
+    use crate::finding::Finding;
+    use crate::sheet::document::Document;
+    use crate::sheet::document::Head;
+    use crate::sheet::typst::PRELUDE;
+    use crate::sheet::typst::source;
+    use crate::words::Words;
+    use std::sync::LazyLock;
+    use std::sync::atomic::AtomicU32;
+    use std::sync::atomic::Ordering;
+    use typst::Library;
+    use typst::LibraryExt as _;
+    use typst::World;
+    use typst::WorldExt as _;
+    use typst::diag::FileError;
+    use typst::diag::FileResult;
+    use typst::diag::SourceDiagnostic;
+    use typst::foundations::Bytes;
+    use typst::foundations::Datetime;
+    use typst::foundations::Duration;
+    use typst::foundations::Smart;
+    use typst::syntax::FileId;
+    use typst::syntax::RootedPath;
+    use typst::syntax::Source;
+    use typst::syntax::VirtualPath;
+    use typst::syntax::VirtualRoot;
+    use typst::text::Font;
+    use typst::text::FontBook;
+    use typst::utils::LazyHash;
+    use typst_layout::PagedDocument;
+    use typst_pdf::PdfOptions;
+    use typst_pdf::PdfStandard;
+    use typst_pdf::PdfStandards;
+
+    /// What never changes: fonts, library, names of files. The names are few: the compiler knows 65,535 in a process.
+    struct Fixed {
+        library: LazyHash<Library>,
+        book: LazyHash<FontBook>,
+        fonts: Vec<Font>,
+        main: FileId,
+        prelude: FileId,
+    }
+
+    static FIXED: LazyLock<Fixed> = LazyLock::new(|| {
+        let fonts: Vec<Font> = typst_assets::fonts().flat_map(|data| Font::iter(Bytes::new(data))).collect();
+        let name = |path: &str| {
+            let path = VirtualPath::new(path).expect("a path within the project");
+            RootedPath::new(VirtualRoot::Project, path).intern()
+        };
+        Fixed {
+            library: LazyHash::new(Library::default()),
+            book: LazyHash::new(FontBook::from_fonts(&fonts)),
+            fonts,
+            main: name("/main.typ"),
+            prelude: name("/print.typ"),
+        }
+    });
+
+    /// PDFs made by the process; the compiler remembers parts of them until it is told to forget.
+    static PRESSED: AtomicU32 = AtomicU32::new(0);
+    /// Forget after so many ...
+    const FORGET_EVERY: u32 = 16;
+    /// ... what was not used since so many times.
+    const FORGET_UNUSED: usize = 2;
+
+    /// The compiler with its prelude.
+    pub struct Machine {
+        words: Words,
+        prelude: Source,
+        file: Option<String>,
+        options: PdfOptions,
+    }
+
+    impl Machine {
+        pub fn new(words: &Words, own: Option<(&str, &str)>) -> Result<Self, Finding> {
+            let text = own.map_or(PRELUDE, |(_, text)| text);
+            let standards = PdfStandards::new(&[PdfStandard::Ua_1])
+                .map_err(|e| Finding::new("", format!("the standard PDF/UA-1 cannot be kept: {e:?}")))?;
+            let creator = format!("slipstick {}", env!("CARGO_PKG_VERSION"));
+            Ok(Self {
+                words: words.clone(),
+                prelude: Source::new(FIXED.prelude, text.to_owned()),
+                file: own.map(|(file, _)| file.to_owned()),
+                options: PdfOptions {
+                    creator: Smart::Custom(Some(creator)),
+                    standards,
+                    ..PdfOptions::default()
+                },
+            })
+        }
+
+        pub fn press(&self, documents: &[(&Head, &Document)]) -> Result<Vec<u8>, Finding> {
+            let text = source(documents, &self.words, &|_| String::new())?;
+            let job = Job { prelude: &self.prelude, main: Source::new(FIXED.main, text) };
+            let pdf = typst::compile::<PagedDocument>(&job)
+                .output
+                .and_then(|pages| typst_pdf::pdf(&pages, &self.options))
+                .map_err(|errors| self.finding(&job, errors.first()));
+            if PRESSED.fetch_add(1, Ordering::Relaxed) % FORGET_EVERY == FORGET_EVERY - 1 {
+                typst::comemo::evict(FORGET_UNUSED);
+            }
+            pdf
+        }
+
+        /// The compiler's first error: in the prelude with its place, else with what stands there.
+        fn finding(&self, job: &Job, error: Option<&SourceDiagnostic>) -> Finding {
+            let Some(error) = error else {
+                return Finding::new("", "the PDF cannot be made, and the compiler does not say why");
+            };
+            let message = format!("PDF: {}", error.message);
+            let hint = error.hints.first().map(|h| h.v.to_string());
+            let with_hint = |finding: Finding| match &hint {
+                Some(hint) => finding.hint(hint.clone()),
+                None => finding,
+            };
+            let own = self.file.as_deref().unwrap_or("print.typ");
+            // The place itself, or the call in the prelude that led to it.
+            let spans = std::iter::once(error.span).chain(error.trace.iter().map(|t| t.span.into()));
+            for span in spans {
+                if span.id() == Some(FIXED.prelude)
+                    && let Some(range) = job.range(span)
+                    && let Some((line, column)) = self.prelude.lines().byte_to_line_column(range.start)
+                {
+                    return with_hint(Finding::new("", message).at(line + 1, column + 1).in_file(own));
+                }
+            }
+            let shown = job.range(error.span).and_then(|range| job.main.text().get(range));
+            let shown: String = shown.unwrap_or("").chars().take(120).collect();
+            with_hint(Finding::new(
+                "",
+                if shown.is_empty() { message } else { format!("{message}: {shown}") },
+            ))
+        }
+    }
+
+    /// One run of the compiler.
+    struct Job<'m> {
+        prelude: &'m Source,
+        main: Source,
+    }
+
+    impl World for Job<'_> {
+        fn library(&self) -> &LazyHash<Library> {
+            &FIXED.library
+        }
+        fn book(&self) -> &LazyHash<FontBook> {
+            &FIXED.book
+        }
+        fn main(&self) -> FileId {
+            FIXED.main
+        }
+        fn source(&self, id: FileId) -> FileResult<Source> {
+            if id == FIXED.main {
+                Ok(self.main.clone())
+            } else if id == FIXED.prelude {
+                Ok(self.prelude.clone())
+            } else {
+                Err(FileError::Other(Some("a print.typ stands alone, it cannot read other files".into())))
+            }
+        }
+        fn file(&self, id: FileId) -> FileResult<Bytes> {
+            self.source(id).map(|source| Bytes::from_string(source.text().to_owned()))
+        }
+        fn font(&self, index: usize) -> Option<Font> {
+            FIXED.fonts.get(index).cloned()
+        }
+        fn today(&self, _: Option<Duration>) -> Option<Datetime> {
+            None
+        }
+    }
+}
