@@ -355,7 +355,7 @@ fn mathml(tex: &str, display_mode: DisplayMode) -> String {
 
 /// What the writer of MathML leaves ugly: escaped spaces, the micro sign for the letter mu, wide
 /// slashes in units, decimal commas as if they parted a list, the letters of a unit one by
-/// one, fractions in lines that belong together.
+/// one.
 fn tidy(mathml: &str) -> String {
     mathml
         .replace("&amp;nbsp;", "\u{a0}")
@@ -363,7 +363,6 @@ fn tidy(mathml: &str) -> String {
         .replace("<mo>/</mo>", "<mo lspace=\"0\" rspace=\"0\">/</mo>")
         .replace("</mn><mrow><mo>,</mo></mrow><mn>", ",")
         .replace("</mi><mi mathvariant=\"normal\">", "")
-        .replace("<mtable class=\"menv-alignlike", "<mtable displaystyle=\"true\" class=\"menv-alignlike")
 }
 
 /// Says what is wrong with the formulas of a Markdown text, one sentence each.
