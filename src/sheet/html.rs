@@ -96,7 +96,7 @@ impl<'w> Converter<'w> {
                 }
                 let scrolls = if signs > PHONE {
                     let label = format!("{} {}", self.words.get("sheet.formula"), walk.formulas);
-                    format!(" role=\"region\" tabindex=\"0\" aria-label=\"{label}\"")
+                    format!(" role=\"group\" tabindex=\"0\" aria-label=\"{label}\"")
                 } else {
                     String::new()
                 };
@@ -125,7 +125,7 @@ impl<'w> Converter<'w> {
                 walk.columns = columns;
                 let label = format!("{} {}", self.words.get("sheet.table"), walk.tables);
                 out.push(html(format!(
-                    "<div class=\"wide\" role=\"region\" tabindex=\"0\" aria-label=\"{label}\"><table>\n"
+                    "<div class=\"wide\" role=\"group\" tabindex=\"0\" aria-label=\"{label}\"><table>\n"
                 )));
             }
             Event::End(TagEnd::Table) => out.push(html("</tbody></table></div>\n".to_owned())),
@@ -155,6 +155,8 @@ impl<'w> Converter<'w> {
             Event::End(TagEnd::TableCell) => {
                 out.push(html(if walk.in_head { "</th>" } else { "</td>" }.to_owned()));
             }
+            Event::Rule => out.push(Event::Html("<hr>\n".into())),
+            Event::HardBreak => out.push(html("<br>\n".to_owned())),
             event => out.push(event),
         }
     }
@@ -357,12 +359,42 @@ fn mathml(tex: &str, display_mode: DisplayMode) -> String {
 /// slashes in units, decimal commas as if they parted a list, the letters of a unit one by
 /// one.
 fn tidy(mathml: &str) -> String {
-    mathml
+    let text = mathml
         .replace("&amp;nbsp;", "\u{a0}")
         .replace('\u{b5}', "\u{3bc}")
         .replace("<mo>/</mo>", "<mo lspace=\"0\" rspace=\"0\">/</mo>")
         .replace("</mn><mrow><mo>,</mo></mrow><mn>", ",")
         .replace("</mi><mi mathvariant=\"normal\">", "")
+        .replace("<mtable class=\"menv-alignlike", "<mtable displaystyle=\"true\" class=\"menv-alignlike");
+    styled(&text)
+}
+
+/// Rows that carry a style become elements that may carry one.
+fn styled(mathml: &str) -> String {
+    const OPEN: &str = "<mrow displaystyle=";
+    let mut out = String::with_capacity(mathml.len());
+    let mut rest = mathml;
+    while let Some(at) = rest.find(OPEN) {
+        let (before, tail) = rest.split_at(at);
+        out.push_str(before);
+        // The end of this row, past those of the rows within.
+        let (mut depth, mut from) = (0, 0);
+        let end = loop {
+            let Some(next) = tail[from..].find("mrow").map(|i| from + i) else { break tail.len() };
+            depth += if tail[..next].ends_with("</") { -1 } else { 1 };
+            from = next + 4;
+            if depth == 0 {
+                break next - 2;
+            }
+        };
+        let inner = tail.get(5..end).unwrap_or_default();
+        out.push_str("<mstyle");
+        out.push_str(&styled(inner));
+        out.push_str("</mstyle>");
+        rest = tail.get(end + 7..).unwrap_or_default();
+    }
+    out.push_str(rest);
+    out
 }
 
 /// Says what is wrong with the formulas of a Markdown text, one sentence each.
