@@ -479,8 +479,7 @@ fn swinging<'a>(view: &'a View<'a>, body: usize, pin: &Pin) -> Diagram<'a> {
         board.circle((0.0, 0.0), 3.2, Role::Inner);
         board.dot(g);
     };
-    let round = if hung.rod.is_some() { 27.0 } else { hung.round + 10.0 };
-    let kinetic = Kinetic { parts, turn, round };
+    let kinetic = Kinetic { parts, turn, round: 27.0 };
     Diagram { forces, couples, kinetic, centre: g, scale: hung.scale, body: Box::new(draw) }
 }
 

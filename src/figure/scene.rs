@@ -370,15 +370,20 @@ fn busy(view: &View, plan: &Layout, body: usize, p: &Placed) -> Vec<V> {
 /// Where radii are drawn, degrees from forward toward the top, best first.
 const SPOKES: [f64; 9] = [176.0, 148.0, 38.0, 210.0, 330.0, 120.0, 62.0, 240.0, 300.0];
 
+/// The same for a small pulley, which has cords to the left and below.
+const PULLEY_SPOKES: [f64; 9] = [38.0, 62.0, 330.0, 120.0, 148.0, 176.0, 300.0, 210.0, 240.0];
+
 /// A direction for a radius that is clear of those taken.
 fn spoke(p: &Placed, taken: &[V]) -> V {
+    let small = p.on.is_none() && p.reach((1.0, 0.0)) < 48.0;
+    let spokes = if small { &PULLEY_SPOKES } else { &SPOKES };
     let direction = |degrees: &f64| {
         let (c, s) = polar_degrees(*degrees);
         add(mul(p.forward, c), mul(p.top, s))
     };
     // Clear is 22 degrees apart.
     let clear = |d: &V| taken.iter().all(|t| dot(*t, *d) < 0.927);
-    SPOKES.iter().map(direction).find(clear).unwrap_or_else(|| direction(&SPOKES[0]))
+    spokes.iter().map(direction).find(clear).unwrap_or_else(|| direction(&spokes[0]))
 }
 
 fn body_labels(board: &mut Board, view: &View, plan: &Layout, index: usize, p: &Placed) {
