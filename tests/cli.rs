@@ -1410,6 +1410,9 @@ fn broken_templates_and_lists_are_told_with_their_place() {
         assert_eq!((ran.exit, ran.out.as_str()), (Exit::Faulty, ""), "{file}");
         assert!(room.shown(&ran.err).contains(says), "{file}: {}", room.shown(&ran.err));
         assert!(!Path::new(&room.path("set")).exists());
+        let lint = run(&["lint", "wheels-on-inclines", "--seeds", "2", "--templates", &room.path("mine")]);
+        assert_eq!(lint.exit, Exit::Faulty);
+        assert!(room.shown(&lint.err).contains(says), "{file}: {}", room.shown(&lint.err));
         fs::remove_dir_all(room.path("mine")).unwrap();
     }
     // A folder for several languages: that of the sheet goes before the others.

@@ -364,9 +364,27 @@ fn tidy(mathml: &str) -> String {
         .replace('\u{b5}', "\u{3bc}")
         .replace("<mo>/</mo>", "<mo lspace=\"0\" rspace=\"0\">/</mo>")
         .replace("</mn><mrow><mo>,</mo></mrow><mn>", ",")
-        .replace("</mi><mi mathvariant=\"normal\">", "")
         .replace("<mtable class=\"menv-alignlike", "<mtable displaystyle=\"true\" class=\"menv-alignlike");
-    styled(&text)
+    styled(&whole_units(&text))
+}
+
+/// Upright letters side by side, as one word.
+fn whole_units(mathml: &str) -> String {
+    const UPRIGHT: &str = "<mi mathvariant=\"normal\">";
+    let mut out = String::with_capacity(mathml.len());
+    for (i, piece) in mathml.split("</mi>").enumerate() {
+        let upright = out.rfind("<mi").is_some_and(|at| out[at..].starts_with(UPRIGHT));
+        match piece.strip_prefix(UPRIGHT) {
+            Some(more) if i > 0 && upright => out.push_str(more),
+            _ => {
+                if i > 0 {
+                    out.push_str("</mi>");
+                }
+                out.push_str(piece);
+            }
+        }
+    }
+    out
 }
 
 /// Rows that carry a style become elements that may carry one.
@@ -411,4 +429,46 @@ pub fn faulty_formulas(markdown: &str) -> Vec<String> {
             Some(format!("`${tex}$`: {}", words.lines().next().unwrap_or("cannot be read")))
         })
         .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn units_are_words_and_symbols_stay_apart() {
+        let of = |tex| mathml(tex, DisplayMode::Inline);
+        assert!(
+            of(r"40\ \mathrm{kg}").contains("<mi mathvariant=\"normal\">kg</mi>"),
+            "{}",
+            of(r"40\ \mathrm{kg}")
+        );
+        assert!(!of(r"x\Delta y").contains("xΔ"));
+        assert!(of("0{,}25").contains("<mn>0,25</mn>"));
+        assert!(of(r"f(1, 2)").contains("<mo>,</mo>"), "{}", of(r"f(1, 2)"));
+        assert!(of(r"a + \tfrac{1}{2} b").contains("</mstyle>"));
+        for tex in [r"\tfrac{1}{\tfrac{2}{3}} + x", r"\mathrm{m}/\mathrm{s}^{2}"] {
+            let text = of(tex);
+            for name in ["mrow", "mstyle", "mi"] {
+                let count = |tag: String| text.matches(&tag).count();
+                let open = count(format!("<{name}>")) + count(format!("<{name} "));
+                assert_eq!(open, count(format!("</{name}>")), "{text}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_name_ends_no_style_sheet() {
+        let head = Head { name: "</style><script>\"\\".to_owned(), ..Head::default() };
+        let text = running_head(&head);
+        assert!(!text[1..text.len() - 1].contains(['<', '>', '"']), "{text}");
+        assert!(text.starts_with("\"\\3c /style"), "{text}");
+    }
+
+    #[test]
+    fn the_width_of_a_formula_is_that_of_its_widest_line() {
+        assert_eq!(signs(r"\frac{a + b}{c}"), 3);
+        assert_eq!(signs(r"\begin{aligned} a &= b \\\\ &= c + d \end{aligned}"), 4);
+        assert_eq!(signs(r"\omega = 1{,}5\ \mathrm{rad}"), 9);
+    }
 }
