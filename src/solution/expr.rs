@@ -322,9 +322,14 @@ impl Expr {
     fn write(&self, ledger: &Ledger, form: Form, place: Place, out: &mut String) {
         let wrap = |needed: bool, out: &mut String, inner: &dyn Fn(&mut String)| {
             if needed {
-                out.push_str(r"\left(");
-                inner(out);
-                out.push_str(r"\right)");
+                let mut within = String::new();
+                inner(&mut within);
+                // Parentheses grow with what is in them only where it is high.
+                let high = [r"\frac", r"\sqrt", r"\left"].iter().any(|h| within.contains(h));
+                let (open, close) = if high { (r"\left(", r"\right)") } else { ("(", ")") };
+                out.push_str(open);
+                out.push_str(&within);
+                out.push_str(close);
             } else {
                 inner(out);
             }

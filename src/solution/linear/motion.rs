@@ -202,11 +202,14 @@ fn added(walk: &mut Walk) {
     let lead = walk.lead();
     let Some(a) = walk.m.acceleration(lead) else { return };
     let symbol = format!("${}$", walk.desk.ledger.tex(a));
+    let lead_speed =
+        walk.m.speed(lead).map_or_else(String::new, |v| format!("${}$", walk.desk.ledger.tex(v)));
     if gone.is_empty() && steps.len() < 2 {
         let n = walk.number_of(lead);
         walk.tell("motion.direct", &[("n", &n), ("a", &symbol)]);
     } else {
-        let mut text = vec![walk.phrase("motion.multiply", &[("a", &symbol), ("steps", &steps.join(", "))])];
+        let mut text =
+            vec![walk.phrase("motion.multiply", &[("v", &lead_speed), ("steps", &steps.join(", "))])];
         let rolls: Vec<usize> = gone.iter().copied().filter(|t| !is_cord(walk, *t)).collect();
         let fixed: Vec<usize> = gone.iter().copied().filter(|t| is_fixed(walk, *t)).collect();
         let between: Vec<usize> =
@@ -396,9 +399,10 @@ fn on_spring(walk: &mut Walk) -> Result<(), Finding> {
     let (m_e, _) = effective_symbols(walk);
     let first = walk.new_symbol(&["F_{0}", "F_{00}"], "N");
     let kappa = walk.new_symbol(&[r"\kappa", r"\kappa_e"], "N/m");
-    let gamma = walk.tex(&spring.gamma.expr());
+    let gamma = walk.tex(&walk.magnitude(&spring.gamma).expr());
     let m = format!("${}$", walk.desk.ledger.tex(m_e));
-    walk.tell("spring.law", &[("gamma", &gamma)]);
+    let gives = walk.value(&spring.gamma.expr()) > 0.0;
+    walk.tell(if gives { "spring.law_falls" } else { "spring.law_grows" }, &[("gamma", &gamma)]);
     let s = walk.new_symbol(&["s", "s_1"], "m");
     let stretch = difference(spring.stretch.clone(), spring.gamma.times(&Factors::of(&s.into())).expr());
     let law = product([spring.stiffness.clone(), stretch]);
@@ -433,7 +437,9 @@ fn on_spring(walk: &mut Walk) -> Result<(), Finding> {
     walk.find(v, &root(quotient(difference(twice, back), m_e.into())));
     walk.note(walk.label_of_lead(Quantity::V, Quantity::Omega), v);
     walk.v = v.into();
-    other_origin(walk, &spring, &rest, (m_e, kappa))?;
+    if spring.stretch != ZERO {
+        other_origin(walk, &spring, &rest, (m_e, kappa))?;
+    }
     walk.tell("spring.at_end", &[]);
     let tension = walk.get(of_tie(Quantity::Tension, spring.tie))?;
     let _ = tension;
