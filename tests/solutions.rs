@@ -94,7 +94,10 @@ fn faults(markdown: &str, problem: &Problem, variant: &Variant, words: &Words) -
                 let digits = number::rounded(q.unit.from_si(entry.value()), usize::from(q.figures));
                 q.unit.tex_with(&words.tex_number(&digits))
             }
-            None => variant.solved.word(q.label).map_or_else(String::new, |w| w.text().to_owned()),
+            None => {
+                let word = variant.solved.word(q.label);
+                word.map_or_else(String::new, |w| words.get(&format!("sheet.{}", w.text())).to_owned())
+            }
         };
         if right.is_empty() || !line.contains(&right) {
             faults.push(format!("{}: `{line}` is not {right}", q.id));

@@ -394,7 +394,10 @@ impl Expr {
                 }
             }),
             Self::Product(factors) => wrap(place > Place::Factor, out, &|out| {
-                for (i, factor) in factors.iter().enumerate() {
+                // Sines last: what follows one could be read as part of its argument.
+                let is_wave = |e: &&Self| matches!(e, Self::Of(Function::Sine | Function::Cosine, _));
+                let ordered = factors.iter().filter(|f| !is_wave(f)).chain(factors.iter().filter(is_wave));
+                for (i, factor) in ordered.enumerate() {
                     if i > 0 {
                         // Two numbers side by side would be read as one.
                         let digit =

@@ -55,6 +55,7 @@ pub fn write(walk: &mut Walk, slip_sense: &dyn Fn(usize) -> f64) -> Result<(), F
         None => one_freedom(walk)?,
     }
     if !walk.rolled {
+        walk.out.blocks.push(Block::Picture("energy".to_owned()));
         walk.tell("energy.rest", &[]);
         walk.answer()?;
     }

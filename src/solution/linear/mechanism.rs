@@ -525,7 +525,11 @@ pub fn lever(desk: &mut Desk, end: &CordEnd) -> (Factors, Factors) {
 
 /// A tag, with an r if it belongs to the rolling that does not happen.
 fn below(tag: &str, rolled: bool) -> String {
-    if rolled { format!("{tag}\\mathrm{{r}}") } else { tag.to_owned() }
+    match (rolled, tag) {
+        (false, tag) => tag.to_owned(),
+        (true, "") => r"\mathrm{r}".to_owned(),
+        (true, tag) => format!(r"{tag},\mathrm{{r}}"),
+    }
 }
 
 fn friction(desk: &mut Desk, tag: &str) -> Symbol {

@@ -94,9 +94,6 @@ fn forces(desk: &mut Desk) {
     for body in &desk.scene.bodies {
         section.blocks.push(Block::Picture(format!("forces-{}", body.name)));
     }
-    if desk.scene.spring().is_some() {
-        section.blocks.push(Block::Picture("graph-speed".to_owned()));
-    }
     desk.sections.push(section);
 }
 

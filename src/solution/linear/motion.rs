@@ -48,6 +48,7 @@ pub fn write(walk: &mut Walk, slip_sense: &dyn Fn(usize) -> f64) -> Result<(), F
     if !walk.rolled {
         walk.tell("motion.rest", &[]);
         walk.answer()?;
+        walk.out.blocks.push(Block::Picture("graph-speed".to_owned()));
     }
     Ok(())
 }
@@ -55,6 +56,7 @@ pub fn write(walk: &mut Walk, slip_sense: &dyn Fn(usize) -> f64) -> Result<(), F
 /// The equations of all bodies, numbered, and what closes them.
 fn equations(walk: &mut Walk, slip_sense: &dyn Fn(usize) -> f64) -> Result<(), Finding> {
     let mut n = 0;
+    let turns = walk.m.parts.iter().filter(|p| p.alpha.is_some()).count();
     for body in 0..walk.m.parts.len() {
         let part = walk.m.parts[body].clone();
         let mut which: Vec<String> = Vec::new();
@@ -81,7 +83,16 @@ fn equations(walk: &mut Walk, slip_sense: &dyn Fn(usize) -> f64) -> Result<(), F
                     (Degree::Turn, "axle") => "rows.about_axle".to_owned(),
                     (Degree::Turn, _) => "rows.about_centre".to_owned(),
                 };
-                which.push(walk.phrase(&name, &[]));
+                let mut name = walk.phrase(&name, &[]);
+                if degree == Degree::Turn && right != ZERO {
+                    let tag = if turns > 1 { part.tag.as_str() } else { "" };
+                    let inertia = walk.m.inertia_expr(c).symbols(&walk.desk.ledger);
+                    let own = format!("I_{{G{tag}}}");
+                    name.push_str(
+                        &walk.phrase("rows.inertia", &[("inertia", &format!("${own} = {inertia}$"))]),
+                    );
+                }
+                which.push(name);
             }
             if let (Degree::Along, Some((normal, size))) = (degree, &part.normal) {
                 line(walk, &difference((*normal).into(), size.clone()), &ZERO);
@@ -457,6 +468,7 @@ pub fn constant_forces(walk: &mut Walk, rest: Vec<Expr>) -> Vec<Expr> {
     if rest.is_empty() {
         return rest;
     }
+    walk.tell("spring.constant", &[]);
     let f_c = walk.new_symbol(&["F_{c}", "F_{cc}"], "N");
     walk.find(f_c, &sum(rest));
     vec![f_c.into()]

@@ -22,6 +22,7 @@ use crate::solution::linear::motion::lead_way;
 use crate::solution::linear::walk::Walk;
 use crate::solution::linear::walk::of_body;
 use crate::solution::linear::walk::of_tie;
+use crate::solution::text::Block;
 use crate::solution::way;
 use crate::solve::outcome::Word;
 
@@ -139,6 +140,7 @@ fn grip(walk: &mut Walk, body: usize, mu: &Expr) -> Result<(), Finding> {
         let (first, last) = walk.extremes(body)?;
         let ((a, one), (b, two)) = (size(walk, &first), size(walk, &last));
         holds &= a <= most && b <= most;
+        walk.out.blocks.push(Block::Picture("graph-friction".to_owned()));
         walk.tell("regime.holds_both", &[("one", &one), ("two", &two), ("limit", &limit)]);
     } else {
         let f = walk.get(of_body(Quantity::Friction, body))?;

@@ -1287,7 +1287,7 @@ impl<'d, 'a> Walk<'d, 'a> {
 /// A symbol with a mark below it, behind what stands there already.
 fn marked(tex: &str, mark: &str) -> String {
     match tex.split_once("_{").and_then(|(symbol, below)| Some((symbol, below.strip_suffix('}')?))) {
-        Some((symbol, below)) => format!("{symbol}_{{{below}{mark}}}"),
+        Some((symbol, below)) => format!("{symbol}_{{{below},{mark}}}"),
         None => format!("{tex}_{{{mark}}}"),
     }
 }
