@@ -79,7 +79,7 @@ impl<'w> Converter<'w> {
             self.event(event, place, &mut walk, &mut ready);
         }
         pulldown_cmark::html::push_html(&mut out, ready.into_iter());
-        out
+        styles_once(&out, &mut Vec::new())
     }
 
     /// One event of Markdown to events that the writer of HTML knows.
@@ -103,14 +103,9 @@ impl<'w> Converter<'w> {
                 let math = self.formula(&tex, DisplayMode::Block);
                 out.push(html(format!("<span class=\"{class}\"{scrolls}>{math}</span>")));
             }
+            // What else a template writes in HTML is its own; names of people are escaped before they come here.
             Event::Html(text) | Event::InlineHtml(text) if text.trim() == ANSWER => {
                 out.push(html("<span class=\"answer\"></span>".to_owned()));
-            }
-            // Nothing that a template writes is markup of its own.
-            Event::Html(text) | Event::InlineHtml(text) => {
-                if !text.trim_start().starts_with("<!--") {
-                    out.push(Event::Text(text));
-                }
             }
             Event::Start(Tag::Heading { level, classes, attrs, .. }) => {
                 let level = lowered(level, place.lower);
@@ -308,7 +303,9 @@ pub fn booklet<'p>(
     view.foreign("title", title);
     view.text("skip", words.get("sheet.skip"));
     view.text("contents", words.get("sheet.contents"));
+    let mut styles = Vec::new();
     let list = parts.enumerate().map(|(i, (head, body))| {
+        let body = styles_once(body.trim_end(), &mut styles);
         let who = match head.name.as_str() {
             "" => head.student.clone(),
             name => format!("{name} ({})", head.student),
@@ -317,13 +314,32 @@ pub fn booklet<'p>(
             ("id", template::finished(&part_id(i))),
             ("who", template::finished(&template::in_html(&who))),
             ("running", template::finished(&running_head(head))),
-            ("body", template::finished(body.trim_end())),
+            ("body", template::finished(&body)),
         ])
     });
     view.value("sheets", template::list(list.collect()));
     let mut out = Vec::new();
     templates.render("booklet.html", &view, &mut out)?;
     Ok(out)
+}
+
+/// Figures bring their style along; in one page each style is needed once, and counts for all figures.
+fn styles_once(html: &str, seen: &mut Vec<String>) -> String {
+    const END: &str = "</style>";
+    let mut out = String::with_capacity(html.len());
+    let mut rest = html;
+    while let Some(at) = rest.find("<style>") {
+        let (before, tail) = rest.split_at(at);
+        let (style, after) = tail.split_at(tail.find(END).map_or(tail.len(), |end| end + END.len()));
+        out.push_str(before);
+        if !seen.iter().any(|s| s == style) {
+            out.push_str(style);
+            seen.push(style.to_owned());
+        }
+        rest = after;
+    }
+    out.push_str(rest);
+    out
 }
 
 /// Id of a document in a booklet, counted from 0.
@@ -455,6 +471,14 @@ mod tests {
                 assert_eq!(open, count(format!("</{name}>")), "{text}");
             }
         }
+    }
+
+    #[test]
+    fn a_style_stands_once_in_a_page() {
+        let mut seen = Vec::new();
+        let first = styles_once("a<style>x</style>b<style>x</style>c<style>y</style>", &mut seen);
+        assert_eq!(first, "a<style>x</style>bc<style>y</style>");
+        assert_eq!(styles_once("<p><style>y</style></p>", &mut seen), "<p></p>");
     }
 
     #[test]
