@@ -39,8 +39,8 @@ fn linear(problem: &Problem) -> bool {
 }
 
 fn markdown(problem: &Problem, variant: &Variant, words: &Words, templates: &Templates) -> String {
-    match solution::document(problem, variant, 1, words, templates) {
-        Ok(document) => document.markdown,
+    match solution::text(problem, variant, 1, words, templates) {
+        Ok(text) => text,
         Err(finding) => panic!("{finding}\n{:?}", variant.data),
     }
 }
@@ -174,13 +174,35 @@ fn both_languages_have_the_same_formulas() {
 
 /// What is wrong with the solution of a variant.
 fn wrong(problem: &Problem, variant: &Variant, words: &Words, templates: &Templates) -> Vec<String> {
-    let text = match solution::document(problem, variant, 1, words, templates) {
-        Ok(document) => document.markdown,
+    let text = match solution::text(problem, variant, 1, words, templates) {
+        Ok(text) => text,
         Err(finding) => return vec![format!("{finding}, data {:?}", variant.data)],
     };
     let mut wrong = faults(&text, problem, variant, words);
     wrong.extend(tex::check(&text, &mut tex::Counts::default()));
     wrong.into_iter().map(|w| format!("{}: {w}", problem.id)).collect()
+}
+
+/// The pictures that a text shows are there, and each once.
+#[test]
+fn pictures_stand_in_the_text() {
+    let (templates, words) = (templates("en"), Words::english());
+    sweep(2, |problem, variant| {
+        let document = solution::document(problem, variant, 1, &words, &templates).expect("a solution");
+        let shown: Vec<&str> = document
+            .markdown
+            .lines()
+            .filter_map(|l| l.strip_suffix(".svg)")?.rsplit_once("](").map(|p| p.1))
+            .collect();
+        let names: Vec<&str> = document.pictures.iter().map(|(n, _)| n.as_str()).collect();
+        let mut sorted = (shown.clone(), names.clone());
+        sorted.0.sort_unstable();
+        sorted.1.sort_unstable();
+        assert_eq!(sorted.0, sorted.1, "{}", problem.id);
+        assert!(names.contains(&"scene") && names.contains(&"energy"), "{}: {names:?}", problem.id);
+        let bodies = &problem.cases[variant.case].scene.bodies;
+        assert!(bodies.iter().all(|b| names.contains(&format!("forces-{}", b.name).as_str())), "{names:?}");
+    });
 }
 
 /// Scenes of textbooks, with the data printed there.

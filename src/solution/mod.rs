@@ -58,6 +58,35 @@ pub fn document(
     words: &Words,
     templates: &Templates,
 ) -> Result<Document, Finding> {
+    made(problem, variant, number, (words, templates), &|desk| {
+        figure::all(desk.problem, desk.variant, desk.words)
+    })
+}
+
+/// Its text alone, without the pictures, which take longer than all the rest.
+///
+/// # Errors
+/// Those of [`document`].
+pub fn text(
+    problem: &Problem,
+    variant: &Variant,
+    number: usize,
+    words: &Words,
+    templates: &Templates,
+) -> Result<String, Finding> {
+    made(problem, variant, number, (words, templates), &|_| Vec::new()).map(|d| d.markdown)
+}
+
+/// The pictures that a solution may show, by name.
+type Pictures<'p> = &'p dyn Fn(&Desk) -> Vec<(String, Picture)>;
+
+fn made(
+    problem: &Problem,
+    variant: &Variant,
+    number: usize,
+    (words, templates): (&Words, &Templates),
+    pictures: Pictures,
+) -> Result<Document, Finding> {
     let mut desk = Desk::new(problem, variant, words)?;
     derive(&mut desk)?;
     check(&desk)?;
@@ -141,11 +170,6 @@ fn rank(id: &str) -> u8 {
         "beware" => 5,
         _ => 1,
     }
-}
-
-/// The pictures that a solution may show, by name.
-fn pictures(desk: &Desk) -> Vec<(String, Picture)> {
-    figure::all(desk.problem, desk.variant, desk.words)
 }
 
 /// Is every question answered, and every number that of the key?
