@@ -2,7 +2,7 @@
 //!
 //! Everything is written as calls with texts in quotes (`#strong[..];`, `"kg"`), so that no text of anybody can become
 //! markup. A formula or an element that has no translation is a finding, never a gap.
-use crate::figure::picture::Picture;
+use crate::figure::svg;
 use crate::finding::Finding;
 use crate::sheet::document::ANSWER;
 use crate::sheet::document::Document;
@@ -46,11 +46,7 @@ const UNBROKEN: usize = 28;
 ///
 /// # Errors
 /// A formula or an element that has no translation, a picture that is not there.
-pub fn source(
-    documents: &[(&Head, &Document)],
-    words: &Words,
-    svg: &dyn Fn(&Picture) -> String,
-) -> Result<String, Finding> {
+pub fn source(documents: &[(&Head, &Document)], words: &Words) -> Result<String, Finding> {
     let mut out = String::from("#import \"/print.typ\": *\n#show: book.with(");
     let _ = write!(out, "language: {}, ", quoted(words.language()));
     let (title, authors) = match documents {
@@ -86,8 +82,7 @@ pub fn source(
             let _ = write!(out, "{name}: {}, ", quoted(text));
         }
         out.push_str("labels: labels)[\n");
-        Page { document, words, svg, out: &mut out, closers: Vec::new(), items: Vec::new(), hidden: 0 }
-            .write()?;
+        Page { document, words, out: &mut out, closers: Vec::new(), items: Vec::new(), hidden: 0 }.write()?;
         out.push_str("];\n");
     }
     Ok(out)
@@ -147,7 +142,6 @@ fn escaped(out: &mut String, text: &str) {
 struct Page<'p> {
     document: &'p Document,
     words: &'p Words,
-    svg: &'p dyn Fn(&Picture) -> String,
     out: &'p mut String,
     /// What ends the elements that are open.
     closers: Vec<&'static str>,
@@ -316,7 +310,7 @@ impl Page<'_> {
         let Some(picture) = self.document.picture(name) else {
             return Err(Finding::new("", format!("there is no picture {url} for print")));
         };
-        let svg = (self.svg)(picture);
+        let svg = svg::print(picture);
         let alt = if picture.desc.is_empty() { alt } else { &picture.desc };
         // From CSS pixels to points.
         let width = picture.width * 0.75;
