@@ -1,4 +1,4 @@
-//! Name and view to text; keeper of the Tera crate.
+//! Name and view to text, in one language; keeper of the Tera crate.
 //!
 //! Views hold finished strings: numbers, units and formulas are text already and marked as such, names of people are
 //! not and are escaped for the format. A variable that does not exist is an error with its place, never an empty text.
@@ -12,29 +12,78 @@ use tera::Tera;
 pub use tera::Map;
 pub use tera::Value;
 
-/// The templates that the program brings along: name, text.
-pub const BUILT_IN: &[(&str, &str)] = &[
-    ("sheet.md", include_str!("../templates/sheet.md")),
-    ("sheet.html", include_str!("../templates/sheet.html")),
-    ("accuracy.html", include_str!("../templates/accuracy.html")),
-    ("questions.md", include_str!("../templates/questions.md")),
-    ("solution/default.md", include_str!("../templates/solution/default.md")),
-    ("statement/compound-pendulum.md", include_str!("../templates/statement/compound-pendulum.md")),
-    ("statement/falling-rod.md", include_str!("../templates/statement/falling-rod.md")),
-    ("statement/kinetic-energy.md", include_str!("../templates/statement/kinetic-energy.md")),
-    ("statement/lifted-rod.md", include_str!("../templates/statement/lifted-rod.md")),
-    ("statement/pulled-rolling.md", include_str!("../templates/statement/pulled-rolling.md")),
-    ("statement/pulled-slipping.md", include_str!("../templates/statement/pulled-slipping.md")),
-    ("statement/rod-and-spring.md", include_str!("../templates/statement/rod-and-spring.md")),
-    ("statement/spring-released.md", include_str!("../templates/statement/spring-released.md")),
-    ("statement/thrown-ball.md", include_str!("../templates/statement/thrown-ball.md")),
-    ("statement/wheel-set-down.md", include_str!("../templates/statement/wheel-set-down.md")),
-];
+/// Names of templates below a folder, with their texts.
+macro_rules! built_in {
+    ($folder:literal: $($name:literal),* $(,)?) => {
+        &[$(($name, include_str!(concat!("../templates/", $folder, $name)))),*]
+    };
+}
 
-/// All templates, compiled: one engine for each format, built once and shared by all threads.
+/// The templates that the program brings along: name, text. Other languages put theirs over these ([`TRANSLATED`]).
+pub const BUILT_IN: &[(&str, &str)] = built_in!("":
+    "sheet.md",
+    "questions.md",
+    "solution/default.md",
+    "key-table.md",
+    "style.html",
+    "sheet.html",
+    "booklet.html",
+    "style.tex",
+    "sheet.tex",
+    "booklet.tex",
+    "accuracy.html",
+    "statement/compound-pendulum.md",
+    "statement/falling-rod.md",
+    "statement/kinetic-energy.md",
+    "statement/lifted-rod.md",
+    "statement/pulled-rolling.md",
+    "statement/pulled-slipping.md",
+    "statement/rod-and-spring.md",
+    "statement/spring-released.md",
+    "statement/thrown-ball.md",
+    "statement/wheel-set-down.md",
+);
+
+/// Templates in other languages: code, name and text. What a language lacks here is the same in all (looks, not words).
+pub const TRANSLATED: &[(&str, &[(&str, &str)])] = &[(
+    "de",
+    built_in!("de/":
+        "sheet.md",
+        "key-table.md",
+        "questions.md",
+        "statement/compound-pendulum.md",
+        "statement/falling-rod.md",
+        "statement/kinetic-energy.md",
+        "statement/lifted-rod.md",
+        "statement/pulled-rolling.md",
+        "statement/pulled-slipping.md",
+        "statement/rod-and-spring.md",
+        "statement/spring-released.md",
+        "statement/thrown-ball.md",
+        "statement/wheel-set-down.md",
+    ),
+)];
+
+/// The built-in templates of a language: name, text.
+pub fn built_in(language: &str) -> impl Iterator<Item = (&'static str, &'static str)> {
+    let own = TRANSLATED.iter().find(|(code, _)| *code == language).map_or(&[][..], |(_, list)| *list);
+    let text = move |name: &str| own.iter().find(|(n, _)| *n == name).map(|(_, text)| *text);
+    BUILT_IN.iter().map(move |(name, english)| (*name, text(name).unwrap_or(english)))
+}
+
+/// How text that somebody else wrote is escaped in templates whose name ends so.
+type Escape = fn(&str, &mut dyn io::Write) -> io::Result<()>;
+const ENGINES: [(&str, Escape); 3] = [(".md", escape_markdown), (".html", escape_html), (".tex", escape_tex)];
+
+/// Is this the name of a template?
+pub fn is_template(name: &str) -> bool {
+    ENGINES.iter().any(|(end, _)| name.ends_with(end))
+}
+
+/// All templates of one language, compiled: one engine for each format, built once and shared by all threads.
 pub struct Templates {
-    markdown: Tera,
-    html: Tera,
+    language: String,
+    engines: Vec<(&'static str, Tera)>,
     /// Where the templates given by the user came from: name to path.
     files: BTreeMap<String, String>,
 }
@@ -86,34 +135,33 @@ pub fn list(values: Vec<Value>) -> Value {
 }
 
 impl Templates {
-    /// The built-in templates, with those of `own` (name relative to the folder, path for messages, text) put over
-    /// them. All faults come at once.
-    pub fn new(own: &[(String, String, String)]) -> Result<Self, Vec<Finding>> {
-        let mut markdown = Tera::default();
-        markdown.autoescape_on([".md"]);
-        markdown.set_escape_fn(escape_markdown);
-        let mut html = Tera::default();
-        html.autoescape_on([".html"]);
+    /// The built-in templates of a language, with those of `own` (name relative to the folder, path for messages, text)
+    /// put over them. All faults come at once.
+    ///
+    /// # Errors
+    /// Templates that cannot be read, each with its file, line and column.
+    pub fn new(language: &str, own: &[(String, String, String)]) -> Result<Self, Vec<Finding>> {
         let mut faults = Vec::new();
         let mut files = BTreeMap::new();
-        let built_in = BUILT_IN.iter().filter(|(n, _)| !own.iter().any(|(o, _, _)| o == n));
-        for (name, text) in built_in {
-            let engine = if name.ends_with(".html") { &mut html } else { &mut markdown };
-            if let Err(error) = engine.add_raw_template(name, text) {
-                faults.push(finding(&error, name, None));
-            }
-        }
-        // Texts before those that include them: a file may include its neighbours in any order.
-        for wanted in ["md", "html"] {
-            let mut left: Vec<_> =
-                own.iter().filter(|(n, _, _)| n.rsplit('.').next() == Some(wanted)).collect();
-            let engine = if wanted == "html" { &mut html } else { &mut markdown };
+        let mut engines = Vec::with_capacity(ENGINES.len());
+        for (end, escape) in ENGINES {
+            let mut engine = Tera::default();
+            engine.autoescape_on([end]);
+            engine.set_escape_fn(escape);
+            let mine = |name: &str| own.iter().any(|(o, _, _)| o == name);
+            let brought = built_in(language).filter(|(n, _)| n.ends_with(end) && !mine(n));
+            let given = own.iter().filter(|(n, _, _)| n.ends_with(end));
+            // Texts before those that include them: a file may include its neighbours in any order.
+            let mut left: Vec<(&str, &str, &str)> = brought.map(|(name, text)| (name, name, text)).collect();
+            left.extend(given.map(|(name, path, text)| (name.as_str(), path.as_str(), text.as_str())));
             loop {
                 let before = left.len();
                 let mut errors = Vec::new();
                 left.retain(|(name, path, text)| match engine.add_raw_template(name, text) {
                     Ok(()) => {
-                        files.insert(name.clone(), path.clone());
+                        if name != path {
+                            files.insert((*name).to_owned(), (*path).to_owned());
+                        }
                         false
                     }
                     Err(error) => {
@@ -126,36 +174,69 @@ impl Templates {
                     break;
                 }
             }
+            engines.push((end, engine));
         }
-        if faults.is_empty() { Ok(Self { markdown, html, files }) } else { Err(faults) }
+        if faults.is_empty() {
+            Ok(Self { language: language.to_owned(), engines, files })
+        } else {
+            Err(faults)
+        }
+    }
+
+    /// The built-in English ones.
+    ///
+    /// # Panics
+    /// A built-in template that cannot be read is a bug, found by any test.
+    pub fn english() -> Self {
+        match Self::new("en", &[]) {
+            Ok(templates) => templates,
+            Err(faults) => panic!("a built-in template cannot be read: {faults:?}"),
+        }
+    }
+
+    /// Code of the language.
+    pub fn language(&self) -> &str {
+        &self.language
+    }
+
+    /// The engine of a name; that of Markdown for names without an ending, which stand in a bank.
+    fn engine(&self, name: &str) -> &Tera {
+        let found = self.engines.iter().find(|(end, _)| name.ends_with(end));
+        &found.unwrap_or(&self.engines[0]).1
     }
 
     /// Adds a Markdown template that stands inside another file (a bank), under a name of its own.
+    ///
+    /// # Errors
+    /// It cannot be read.
     pub fn add_markdown(&mut self, name: &str, text: &str) -> Result<(), Finding> {
-        self.markdown.add_raw_template(name, text).map_err(|e| finding(&e, name, None))
+        let (_, engine) = &mut self.engines[0];
+        engine.add_raw_template(name, text).map_err(|e| finding(&e, name, None))
     }
 
     /// Is there a Markdown template of this name?
     pub fn has_markdown(&self, name: &str) -> bool {
-        self.markdown.contains_template(name)
+        self.engines[0].1.contains_template(name)
     }
 
-    /// The variables that a Markdown template uses at its top level, sorted.
+    /// The variables that a template uses at its top level, sorted.
+    ///
+    /// # Errors
+    /// There is none of this name.
     pub fn variables(&self, name: &str) -> Result<Vec<String>, Finding> {
-        let names = self.markdown.get_template_variables(name).map_err(|e| finding(&e, name, None))?;
+        let names =
+            self.engine(name).get_template_variables(name).map_err(|e| finding(&e, self.path(name), None))?;
         let mut names: Vec<String> = names.into_iter().map(str::to_owned).collect();
         names.sort_unstable();
         Ok(names)
     }
 
-    /// Appends the text of a Markdown template to `out`.
-    pub fn markdown(&self, name: &str, view: &View, out: &mut Vec<u8>) -> Result<(), Finding> {
-        self.markdown.render_to(name, &view.0, out).map_err(|e| finding(&e, self.path(name), None))
-    }
-
-    /// Appends the text of an HTML template to `out`.
-    pub fn html(&self, name: &str, view: &View, out: &mut Vec<u8>) -> Result<(), Finding> {
-        self.html.render_to(name, &view.0, out).map_err(|e| finding(&e, self.path(name), None))
+    /// Appends the text of a template to `out`; its name says which format it is.
+    ///
+    /// # Errors
+    /// A name that the view does not hold, with file, line and column.
+    pub fn render(&self, name: &str, view: &View, out: &mut Vec<u8>) -> Result<(), Finding> {
+        self.engine(name).render_to(name, &view.0, out).map_err(|e| finding(&e, self.path(name), None))
     }
 
     /// The file that stands in the place of a built-in template, or adds one.
@@ -205,4 +286,101 @@ fn escape_markdown(text: &str, out: &mut dyn io::Write) -> io::Result<()> {
         }
     }
     Ok(())
+}
+
+/// A text escaped for Markdown.
+pub fn in_markdown(text: &str) -> String {
+    let mut out = Vec::with_capacity(text.len() + 8);
+    // Writing to memory cannot fail.
+    let _ = escape_markdown(text, &mut out);
+    String::from_utf8_lossy(&out).into_owned()
+}
+
+/// Escapes what HTML would take for markup.
+fn escape_html(text: &str, out: &mut dyn io::Write) -> io::Result<()> {
+    let mut buffer = [0u8; 4];
+    for c in text.chars() {
+        let written = match c {
+            '&' => "&amp;",
+            '<' => "&lt;",
+            '>' => "&gt;",
+            '"' => "&quot;",
+            '\'' => "&#39;",
+            c => c.encode_utf8(&mut buffer),
+        };
+        out.write_all(written.as_bytes())?;
+    }
+    Ok(())
+}
+
+/// A text escaped for HTML.
+pub fn in_html(text: &str) -> String {
+    let mut out = Vec::with_capacity(text.len() + 8);
+    // Writing to memory cannot fail.
+    let _ = escape_html(text, &mut out);
+    String::from_utf8_lossy(&out).into_owned()
+}
+
+/// Escapes what LaTeX would take for a command; signs that pdfLaTeX lacks are written in math, or by their number.
+fn escape_tex(text: &str, out: &mut dyn io::Write) -> io::Result<()> {
+    let mut buffer = [0u8; 4];
+    let mut before = ' ';
+    for c in text.chars() {
+        let written = match c {
+            '\\' => r"\textbackslash{}",
+            '{' => r"\{",
+            '}' => r"\}",
+            '$' => r"\$",
+            '&' => r"\&",
+            '#' => r"\#",
+            '%' => r"\%",
+            '_' => r"\_",
+            '^' => r"\textasciicircum{}",
+            '~' => r"\textasciitilde{}",
+            '<' => r"\textless{}",
+            '>' => r"\textgreater{}",
+            '|' => r"\textbar{}",
+            '"' => r"\textquotedbl{}",
+            '`' => r"\textasciigrave{}",
+            // Two of them would become one sign.
+            '-' if before == '-' => "{}-",
+            '\'' if before == '\'' => "{}'",
+            '\u{a0}' => "~",
+            '\u{202f}' => r"\,",
+            '²' => r"\textsuperscript{2}",
+            '³' => r"\textsuperscript{3}",
+            '·' => r"\textperiodcentered{}",
+            '°' => r"\textdegree{}",
+            '×' => r"$\times$",
+            '\u{2212}' => "$-$",
+            '≤' => r"$\le$",
+            '≥' => r"$\ge$",
+            '≈' => r"$\approx$",
+            '→' => r"$\to$",
+            'α' => r"$\alpha$",
+            'θ' => r"$\theta$",
+            'μ' | 'µ' => r"$\mu$",
+            'φ' => r"$\phi$",
+            'ω' => r"$\omega$",
+            c if c.is_control() => " ",
+            ' '..='~' | '¡'..='ž' | '–' | '—' | '‘' | '’' | '‚' | '“' | '”' | '„' | '…' | '€' => {
+                c.encode_utf8(&mut buffer)
+            }
+            c => {
+                write!(out, r"\othersign{{{:04X}}}{{{c}}}", u32::from(c))?;
+                ""
+            }
+        };
+        before = c;
+        out.write_all(written.as_bytes())?;
+    }
+    Ok(())
+}
+
+/// A text escaped for LaTeX.
+pub fn in_tex(text: &str) -> String {
+    let mut out = Vec::with_capacity(text.len() + 8);
+    // Writing to memory cannot fail.
+    let _ = escape_tex(text, &mut out);
+    String::from_utf8_lossy(&out).into_owned()
 }

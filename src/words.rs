@@ -8,33 +8,30 @@ use crate::bank::node::Node;
 use crate::bank::node::Value;
 use crate::finding::Finding;
 use rustc_hash::FxHashMap;
+use std::sync::LazyLock;
+
+/// The word lists below a folder, by topic.
+macro_rules! lists {
+    ($folder:literal) => {
+        &[
+            ("figure", include_str!(concat!("../templates/", $folder, "words/figure.yaml"))),
+            ("sheet", include_str!(concat!("../templates/", $folder, "words/sheet.yaml"))),
+            ("print", include_str!(concat!("../templates/", $folder, "words/print.yaml"))),
+            ("solution", include_str!(concat!("../templates/", $folder, "words/solution.yaml"))),
+            ("feedback", include_str!(concat!("../templates/", $folder, "words/feedback.yaml"))),
+        ]
+    };
+}
 
 /// The languages: code, name in itself, mark between whole and parts of a number, word lists by topic.
-const LANGUAGES: &[(&str, &str, char, Lists)] = &[
-    (
-        "en",
-        "English",
-        '.',
-        &[
-            ("figure", include_str!("../templates/words/figure.yaml")),
-            ("print", include_str!("../templates/words/print.yaml")),
-            ("solution", include_str!("../templates/words/solution.yaml")),
-        ],
-    ),
-    (
-        "de",
-        "Deutsch",
-        ',',
-        &[
-            ("figure", include_str!("../templates/de/words/figure.yaml")),
-            ("print", include_str!("../templates/de/words/print.yaml")),
-            ("solution", include_str!("../templates/de/words/solution.yaml")),
-        ],
-    ),
-];
+const LANGUAGES: &[(&str, &str, char, Lists)] =
+    &[("en", "English", '.', lists!("")), ("de", "Deutsch", ',', lists!("de/"))];
+
+/// The built-in lists, read once.
+static READ: LazyLock<Vec<Words>> = LazyLock::new(|| Words::languages().filter_map(Words::of).collect());
 
 /// Word lists: topic, text.
-type Lists = &'static [(&'static str, &'static str)];
+pub type Lists = &'static [(&'static str, &'static str)];
 
 /// The phrases of one language.
 #[derive(Debug, Clone)]
@@ -71,6 +68,16 @@ impl Words {
     /// Never: English is built in.
     pub fn english() -> Self {
         Self::of("en").expect("English is built in")
+    }
+
+    /// The built-in phrases of a language for good; `None` if there is none of this code.
+    pub fn built_in(language: &str) -> Option<&'static Self> {
+        READ.iter().find(|words| words.language == language)
+    }
+
+    /// The word lists of a language: topic, text.
+    pub fn lists(language: &str) -> Option<Lists> {
+        LANGUAGES.iter().find(|(code, ..)| *code == language).map(|(_, _, _, lists)| *lists)
     }
 
     /// Puts phrases of an instructor's own list over the built-in ones.
@@ -130,6 +137,11 @@ impl Words {
     /// Code of the language, such as `en`.
     pub fn language(&self) -> &'static str {
         self.language
+    }
+
+    /// The mark between whole and parts of a number.
+    pub fn decimal(&self) -> char {
+        self.decimal
     }
 
     /// A phrase without places.

@@ -87,7 +87,7 @@ const DOORS: &[(&str, &[&str])] = &[
         ],
     ),
     ("answer", &["units", "num", "finding"]),
-    ("grade", &["key", "answer", "units", "num", "finding"]),
+    ("grade", &["key", "answer", "units", "num", "words", "finding"]),
     ("report", &["grade", "key", "units", "template"]),
     ("simulate", &["problem", "bank", "sheet", "sheet::number", "solve::agree", "key", "units", "num"]),
     ("sheet::document", &["figure"]),

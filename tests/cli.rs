@@ -100,8 +100,18 @@ fn a_set_has_its_files_and_nothing_for_students_but_theirs() {
         ran.out
     );
     let files = tree(&room.0.path().join("set"));
-    assert_eq!(files.len(), 4 + 3 * CLASS.len());
-    for name in ["bank.yaml", "key.csv", "set.json", "submissions.csv"] {
+    // Four figures, the sheet in Markdown and as a page, and what `check` reads.
+    assert_eq!(files.len(), 7 + 7 * CLASS.len());
+    let of_set = [
+        "bank.yaml",
+        "key.csv",
+        "set.json",
+        "submissions.csv",
+        "booklet.html",
+        "key-table.html",
+        "key-table.md",
+    ];
+    for name in of_set {
         assert!(files.contains_key(name), "{name}");
     }
     let key = room.read("set/key.csv");
@@ -219,7 +229,8 @@ fn an_add_that_was_killed_is_made_good_by_the_next() {
     let late = set["students"][4]["folder"].as_str().unwrap();
     let copy = |out: &str| {
         fs::create_dir(room.path(&format!("{out}/students/{late}"))).unwrap();
-        for name in ["sheet.md", "sheet.html", "sheet.json"] {
+        for entry in fs::read_dir(room.path(&format!("whole/students/{late}"))).unwrap() {
+            let name = entry.unwrap().file_name().to_string_lossy().into_owned();
             let from = room.path(&format!("whole/students/{late}/{name}"));
             fs::copy(from, room.path(&format!("{out}/students/{late}/{name}"))).unwrap();
         }
@@ -828,7 +839,18 @@ fn what_is_typed_wrong_is_explained() {
         assert_eq!((ran.exit, ran.out.as_str()), (Exit::Faulty, ""), "{args:?}");
         assert!(ran.err.contains("--help") || ran.err.contains("Usage: slipstick"), "{}", ran.err);
     }
-    for verb in ["generate", "grade", "check", "practice", "solve", "lint", "verify", "demo"] {
+    for verb in [
+        "generate",
+        "grade",
+        "check",
+        "practice",
+        "solve",
+        "lint",
+        "verify",
+        "solutions",
+        "templates",
+        "demo",
+    ] {
         let ran = run(&[verb, "--help"]);
         assert_eq!((ran.exit, ran.err.as_str()), (Exit::Fine, ""));
         assert!(verb != "generate" || ran.out.contains("required unless --add"), "{}", ran.out);

@@ -8,6 +8,7 @@ use slipstick::sheet::page::Sheets;
 use slipstick::sheet::public::Writer;
 use slipstick::sheet::statement;
 use slipstick::template::Templates;
+use slipstick::words::Words;
 
 #[test]
 fn what_is_printed_is_what_counts() {
@@ -15,11 +16,12 @@ fn what_is_printed_is_what_counts() {
     let bank = banks.iter().find(|b| b.id == "wheels-on-inclines").expect("a bank");
     let index = bank.problems.iter().position(|p| p.id == "pulled-slipping").expect("a problem");
     let problem = &bank.problems[index];
-    let mut templates = Templates::new(&[]).expect("templates");
+    let mut templates = Templates::english();
+    let words = Words::english();
     statement::add_own(&mut templates, bank).expect("statements");
-    let sheets = Sheets::new(&templates, bank, "tolerance", &[index]).expect("templates");
+    let sheets = Sheets::new(&templates, &words, bank, "tolerance", &[index]).expect("templates");
     let text = include_str!("../banks/wheels-on-inclines.yaml");
-    let public = Writer::new(bank, text, &[index], "tolerance").expect("the bank");
+    let public = Writer::new(bank, text, &[index], "tolerance", "en").expect("the bank");
     let maker = Maker::new(problem, 3, "tolerance");
     let mut room = Room::default();
     let mut seen = std::collections::BTreeSet::new();

@@ -2,7 +2,6 @@
 use crate::units::Unit;
 use crate::units::UnitFault;
 use rustc_hash::FxHashMap;
-use std::fmt;
 use std::sync::Arc;
 
 /// A word that answers a question or gives a number its sign.
@@ -124,22 +123,6 @@ pub enum Why {
     OddWord,
     /// What follows the number is no unit.
     Unit(UnitFault),
-}
-
-impl fmt::Display for Why {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Why::TooLong => "longer than 200 characters: write the result alone",
-            Why::NoNumber => "neither a number nor a known word",
-            Why::NotFinite => "not a finite number",
-            Why::Marks => "more than one comma or point: write a number such as 30263 or 30.263",
-            Why::TwoNumbers => "more than one number: write one number and its unit",
-            Why::Formula => "write the result alone, not a formula or a fraction",
-            Why::SignAndWord => "a minus sign and a direction: write only one of them",
-            Why::OddWord => "the words after the number are not one direction",
-            Why::Unit(fault) => return write!(f, "{fault}"),
-        })
-    }
 }
 
 /// A unit, and whether its letters had to be forgiven.
@@ -613,6 +596,9 @@ const WORDS: &[(Word, &[&str])] = &[
             "auf",
             "aufwärts",
             "hinauf",
+            "herauf",
+            "rauf",
+            "bergauf",
             "oben",
             "hangaufwärts",
         ],
@@ -628,17 +614,25 @@ const WORDS: &[(Word, &[&str])] = &[
             "ab",
             "abwärts",
             "hinab",
+            "herab",
+            "hinunter",
+            "herunter",
+            "runter",
+            "bergab",
             "unten",
             "hangabwärts",
         ],
     ),
-    (Word::Forward, &["forward", "forwards", "vorwärts"]),
-    (Word::Back, &["back", "backward", "backwards", "rückwärts", "zurück"]),
+    (Word::Forward, &["forward", "forwards", "vorwärts", "vor", "vorn", "vorne", "voran"]),
+    (Word::Back, &["back", "backward", "backwards", "rückwärts", "zurück", "hinten"]),
     (Word::Right, &["right", "rightward", "rightwards", "rechts"]),
     (Word::Left, &["left", "leftward", "leftwards", "links"]),
-    (Word::Stays, &["stays", "stay", "rest", "stationary", "still", "bleibt", "ruht", "unmoved"]),
-    (Word::Yes, &["yes", "y", "ja", "true"]),
-    (Word::No, &["no", "n", "nein", "false"]),
+    (
+        Word::Stays,
+        &["stays", "stay", "rest", "stationary", "still", "bleibt", "ruht", "ruhe", "unbewegt", "unmoved"],
+    ),
+    (Word::Yes, &["yes", "y", "ja", "j", "true", "wahr"]),
+    (Word::No, &["no", "n", "nein", "false", "falsch"]),
 ];
 const FILLERS: &[&str] = &[
     "the",
@@ -669,6 +663,21 @@ const FILLERS: &[&str] = &[
     "schiefen",
     "ebene",
     "es",
+    "das",
+    "rad",
+    "kraft",
+    "wirkt",
+    "zeigt",
+    "gerichtet",
+    "entlang",
+    "längs",
+    "richtung",
+    "stehen",
+    "könnte",
+    "kann",
+    "würde",
+    "sich",
+    "bewegt",
     "could",
     "have",
     "would",
@@ -697,10 +706,10 @@ fn phrase(text: &str) -> Option<Result<Word, Why>> {
         if let Some((word, _)) = WORDS.iter().find(|(_, all)| all.contains(&token)) {
             two |= found.is_some_and(|f| f != *word);
             found = Some(*word);
-        } else if ["roll", "rolls", "rolling", "rolled", "rollt"].contains(&token) {
+        } else if ["roll", "rolls", "rolling", "rolled", "rollt", "rollen", "rollte"].contains(&token) {
             two |= rolls == Some(false);
             rolls = Some(true);
-        } else if ["slip", "slips", "slipping", "slides", "rutscht"].contains(&token) {
+        } else if ["slip", "slips", "slipping", "slides", "rutscht", "gleitet", "gleiten"].contains(&token) {
             two |= rolls == Some(true);
             rolls = Some(false);
         } else if ["not", "nicht"].contains(&token) {

@@ -219,6 +219,7 @@ pub mod expression;
 pub mod load;
 mod measure;
 pub mod node;
+pub mod overlay;
 pub mod review;
 pub mod scene;
 pub mod schema;

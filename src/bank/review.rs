@@ -425,35 +425,38 @@ pub fn templates(
         }
     }
     for node in texts {
-        let Some(text) = node.text() else { continue };
-        match variables(text) {
-            Err(found) => {
-                for f in found {
-                    told(node, &f, faults);
-                }
+        template(node, statement.is_some_and(|s| std::ptr::eq(s, node)), symbols, variables, faults);
+    }
+}
+
+/// Names in one text: symbols of the data or names that every template knows; a statement gives every datum.
+pub fn template(node: &Node, is_statement: bool, symbols: &[&str], variables: Variables, faults: &Faults) {
+    let Some(text) = node.text() else { return };
+    match variables(text) {
+        Err(found) => {
+            for f in found {
+                told(node, &f, faults);
             }
-            Ok(names) => {
-                for name in &names {
-                    if symbols.contains(&name.as_str()) || TEMPLATE_NAMES.contains(&name.as_str()) {
-                        continue;
-                    }
-                    let known = || symbols.iter().copied().chain(TEMPLATE_NAMES.iter().copied());
-                    let hint = close_name(name, known()).unwrap_or_else(|| {
-                        format!("known names: {}", known().collect::<Vec<_>>().join(", "))
-                    });
-                    faults.hint(node, format!("`{{{{ {} }}}}` is not known", shorten(name)), hint);
+        }
+        Ok(names) => {
+            for name in &names {
+                if symbols.contains(&name.as_str()) || TEMPLATE_NAMES.contains(&name.as_str()) {
+                    continue;
                 }
-                let is_statement = statement.is_some_and(|s| std::ptr::eq(s, node));
-                // A statement that lists values or particles may give any of them.
-                let lists = names.iter().any(|n| matches!(n.as_str(), "value" | "particles"));
-                if is_statement && !lists {
-                    for symbol in symbols.iter().filter(|s| **s != "g" && !names.iter().any(|n| n == *s)) {
-                        faults.hint(
-                            node,
-                            format!("the statement never gives `{symbol}`"),
-                            format!("write `{{{{ {symbol} }}}}` where it belongs"),
-                        );
-                    }
+                let known = || symbols.iter().copied().chain(TEMPLATE_NAMES.iter().copied());
+                let hint = close_name(name, known())
+                    .unwrap_or_else(|| format!("known names: {}", known().collect::<Vec<_>>().join(", ")));
+                faults.hint(node, format!("`{{{{ {} }}}}` is not known", shorten(name)), hint);
+            }
+            // A statement that lists values or particles may give any of them.
+            let lists = names.iter().any(|n| matches!(n.as_str(), "value" | "particles"));
+            if is_statement && !lists {
+                for symbol in symbols.iter().filter(|s| **s != "g" && !names.iter().any(|n| n == *s)) {
+                    faults.hint(
+                        node,
+                        format!("the statement never gives `{symbol}`"),
+                        format!("write `{{{{ {symbol} }}}}` where it belongs"),
+                    );
                 }
             }
         }

@@ -522,7 +522,7 @@ impl Sheet<'_> {
         view.value("rows", template::list(rows.collect()));
         view.value("notes", template::list(self.refusals().iter().map(|t| text(t)).collect()));
         let mut out = Vec::new();
-        Templates::new(&[])?.html("accuracy.html", &view, &mut out).map_err(|f| vec![f])?;
+        Templates::english().render("accuracy.html", &view, &mut out).map_err(|f| vec![f])?;
         Ok(String::from_utf8(out).unwrap_or_default())
     }
 }

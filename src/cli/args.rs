@@ -64,17 +64,58 @@ pub enum Verb {
         after_help = "Example:\n  slipstick verify week-5\n\nEach number of the key is computed once more with numbers that keep account of their errors, those of the\nprinted data among them: the true answer provably lies within `error bound` of the key (column error_bound of\nkey.csv). Exit code 0 if the set is what it was and every key holds, 2 if not."
     )]
     Verify(Verify),
+    /// Write worked solutions of a set: both roads, step by step, with figures; not for students yet
+    #[command(
+        after_help = "Examples:\n  slipstick solutions week-5 --out week-5-solutions\n  slipstick solutions week-5 --out loesungen --language de --format html,tex\n\nThe set is drawn and solved again first, as grading does it. Each student's folder gets solution.html and the\nlike; booklet.html has them all."
+    )]
+    Solutions(Solutions),
+    /// Write out the built-in templates and word lists, to change them
+    #[command(
+        after_help = "Examples:\n  slipstick templates --out my-templates\n  slipstick templates --out vorlagen --language de\n\nChange what you like, delete what you do not change, and give the folder to generate, practice, lint or solutions with\n--templates. README.md in the folder says what each template receives."
+    )]
+    Templates(Templates),
     /// Show the whole job on a made-up class of 24: set, submissions, grades
     #[command(after_help = "Example:\n  slipstick demo\n\nRun twice it replaces only what it made.")]
     Demo(Demo),
 }
 
-/// Where templates of one's own are.
-#[derive(Debug, Args)]
+/// In which words: language, and templates of one's own.
+#[derive(Debug, Default, Args)]
 pub struct Own {
     /// Folder with templates that replace built-in ones of the same name, such as statement/pulled-rolling.md
     #[arg(long, value_name = "DIR")]
     pub templates: Option<PathBuf>,
+    /// Language: en or de [default: en, or that of the set]
+    #[arg(long, value_name = "CODE")]
+    pub language: Option<String>,
+}
+
+/// A format in which sheets and solutions are written.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, ValueEnum)]
+pub enum Format {
+    /// Markdown, with its figures as SVG files
+    Md,
+    /// A page that needs nothing else
+    Html,
+    /// LaTeX, figures in TikZ
+    Tex,
+    /// PDF, where the program was built with `--features pdf`
+    Pdf,
+}
+
+impl Format {
+    /// All of them.
+    pub const ALL: [Self; 4] = [Self::Md, Self::Html, Self::Tex, Self::Pdf];
+
+    /// The ending of its files.
+    pub const fn ending(self) -> &'static str {
+        match self {
+            Self::Md => "md",
+            Self::Html => "html",
+            Self::Tex => "tex",
+            Self::Pdf => "pdf",
+        }
+    }
 }
 
 /// `generate`
@@ -97,6 +138,15 @@ pub struct Generate {
     /// Problems to ask, in this order [default: all of the bank]
     #[arg(long, value_name = "ID,ID", value_delimiter = ',')]
     pub problems: Option<Vec<String>>,
+    /// Formats of the sheets: html, md, pdf, tex [default: html,md, and pdf where it is built in]
+    #[arg(
+        long,
+        value_name = "FORMAT,FORMAT",
+        value_enum,
+        value_delimiter = ',',
+        hide_possible_values = true
+    )]
+    pub format: Option<Vec<Format>>,
     /// Add late joiners to an existing set; nothing else changes
     #[arg(long, conflicts_with = "force")]
     pub add: bool,
@@ -132,6 +182,9 @@ pub struct Grade {
     /// Folder to make, for answers.csv and gradebook.csv
     #[arg(long, value_name = "DIR2")]
     pub out: PathBuf,
+    /// Language of the reasons: en or de [default: that of the set]
+    #[arg(long, value_name = "CODE")]
+    pub language: Option<String>,
     /// Which attempt counts where there are several
     #[arg(long, value_enum, default_value = "last")]
     pub attempts: Attempts,
@@ -286,6 +339,45 @@ pub struct Lint {
 pub struct Verify {
     /// Folder of the set, as generate made it
     pub set: PathBuf,
+}
+
+/// `solutions`
+#[derive(Debug, Args)]
+pub struct Solutions {
+    /// Folder of the set, as generate made it
+    pub set: PathBuf,
+    /// Folder to make, not within the students' folders
+    #[arg(long, value_name = "DIR3")]
+    pub out: PathBuf,
+    /// Formats: html, md, pdf, tex [default: html,md, and pdf where it is built in]
+    #[arg(
+        long,
+        value_name = "FORMAT,FORMAT",
+        value_enum,
+        value_delimiter = ',',
+        hide_possible_values = true
+    )]
+    pub format: Option<Vec<Format>>,
+    /// Replace solutions that were made before (and nothing else)
+    #[arg(long)]
+    pub force: bool,
+    /// Threads [default: one for each core]; the output does not depend on it
+    #[arg(long, value_name = "N")]
+    pub threads: Option<usize>,
+    /// In which words.
+    #[command(flatten)]
+    pub own: Own,
+}
+
+/// `templates`
+#[derive(Debug, Args)]
+pub struct Templates {
+    /// Folder to make
+    #[arg(long, value_name = "DIR")]
+    pub out: PathBuf,
+    /// Language: en or de
+    #[arg(long, value_name = "CODE", default_value = "en")]
+    pub language: String,
 }
 
 /// `demo`

@@ -1,5 +1,7 @@
 //! `slipstick check`: a student's own answers against the public sheet file, which is solved anew.
+use crate::answer::read::UnitCache;
 use crate::bank::Draw;
+use crate::bank::Question;
 use crate::bank::decimal::Decimal;
 use crate::cli::args;
 use crate::cli::banks;
@@ -7,8 +9,10 @@ use crate::cli::files;
 use crate::cli::tell;
 use crate::cli::tell::Exit;
 use crate::cli::tell::Io;
-use crate::cli::words;
+use crate::cli::words::refusal;
+use crate::cli::words::right_answer;
 use crate::finding::Finding;
+use crate::grade::feedback::Feedback;
 use crate::grade::judge;
 use crate::grade::verdict::Verdict;
 use crate::key::ProblemKey;
@@ -18,6 +22,7 @@ use crate::sheet::public::SheetFile;
 use crate::sheet::public::SheetProblem;
 use crate::sheet::statement;
 use crate::units;
+use crate::words::Words;
 
 /// Runs it.
 pub fn run(args: &args::Check, io: &mut Io) -> Exit {
@@ -34,13 +39,17 @@ struct Solved {
     key: ProblemKey,
     reveal: bool,
     /// Words for the sign of each part.
-    signs: Vec<[&'static str; 2]>,
+    signs: Vec<[String; 2]>,
 }
 
 fn check(args: &args::Check, io: &mut Io) -> Result<Exit, Vec<Finding>> {
     let file = args.sheet.display().to_string();
     let text = files::read_text(&args.sheet).map_err(|f| vec![f])?;
     let sheet = SheetFile::parse(&text).map_err(|f| vec![f.in_file(&file)])?;
+    // A sheet in a language that this program does not know is answered in English.
+    let words = sheet.language.as_deref().and_then(Words::built_in);
+    let words = words.or_else(|| Words::built_in("en")).unwrap_or_else(|| panic!("English is built in"));
+    let say = Feedback::new(words);
     let mut faults = Vec::new();
     // Which problems and parts are meant, before anything is solved.
     let mut asked = Vec::new();
@@ -69,7 +78,7 @@ fn check(args: &args::Check, io: &mut Io) -> Result<Exit, Vec<Finding>> {
     let mut solved: Vec<Option<Solved>> = sheet.problems.iter().map(|_| None).collect();
     for (_, i, _, _) in &asked {
         if solved[*i].is_none() {
-            match solve(&sheet.problems[*i], &file) {
+            match solve(&sheet.problems[*i], &file, words) {
                 Ok(done) => solved[*i] = Some(done),
                 Err(more) => return Err(more),
             }
@@ -90,16 +99,18 @@ fn check(args: &args::Check, io: &mut Io) -> Result<Exit, Vec<Finding>> {
             continue;
         };
         let entry = &problem.key.parts[p];
-        let judgement = judge::judge(cell, entry);
+        let judgement = judge::judge_with(cell, entry, &mut UnitCache::default(), &say);
         let right = judgement.verdict == Verdict::Right;
         all_right &= right;
         let mut row = vec![name.to_owned(), cell.to_owned(), judgement.verdict.as_str().to_owned()];
         row.push(judgement.reason.clone().into_owned());
         if args.reveal && !right {
             if problem.reveal {
-                row.push(format!("right: {}", words::right_answer(entry, problem.signs[p])));
+                let [forward, back] = &problem.signs[p];
+                let answer = right_answer(words, entry, [forward, back]);
+                row.push(words.say("feedback.shown", &[("answer", &answer)]));
             } else {
-                row.push("no value shown: the bank does not allow --reveal".to_owned());
+                row.push(words.get("feedback.not_shown").to_owned());
             }
         }
         rows.push(row);
@@ -111,7 +122,7 @@ fn check(args: &args::Check, io: &mut Io) -> Result<Exit, Vec<Finding>> {
     Ok(if all_right { Exit::Fine } else { Exit::NotAllRight })
 }
 
-fn solve(problem: &SheetProblem, file: &str) -> Result<Solved, Vec<Finding>> {
+fn solve(problem: &SheetProblem, file: &str, words: &Words) -> Result<Solved, Vec<Finding>> {
     let place = format!("{file}, problem {}", problem.number);
     let in_file =
         |faults: Vec<Finding>| -> Vec<Finding> { faults.into_iter().map(|f| f.in_file(&place)).collect() };
@@ -141,17 +152,17 @@ fn solve(problem: &SheetProblem, file: &str) -> Result<Solved, Vec<Finding>> {
             _ => None,
         })
         .collect();
-    let variant = make::from_values(only, 0, &values).map_err(|refusal| {
-        let texts = words::refusal(only, &only.cases[0].scene, &refusal);
+    let variant = make::from_values(only, 0, &values).map_err(|why| {
+        let texts = refusal(only, &only.cases[0].scene, &why);
         texts.into_iter().map(|t| Finding::new("data", t).in_file(&place)).collect::<Vec<_>>()
     })?;
     let scene = &only.cases[0].scene;
-    let signs = only.questions.iter().map(|q| statement::direction_words(scene, q.label.of)).collect();
+    let signs = |q: &Question| statement::direction_words(words, scene, q.label.of).map(str::to_owned);
     Ok(Solved {
         number: problem.number,
         id: problem.id.clone(),
         key: make_key::key(only, &variant),
         reveal: bank.reveal,
-        signs,
+        signs: only.questions.iter().map(signs).collect(),
     })
 }

@@ -1,6 +1,7 @@
 //! `slipstick demo`: the whole job on a made-up class.
 use crate::cli::args;
 use crate::cli::args::Attempts;
+use crate::cli::args::Format;
 use crate::cli::args::Own;
 use crate::cli::banks;
 use crate::cli::files;
@@ -40,9 +41,9 @@ fn demo(dir: &Path, io: &mut Io) -> Result<(), Vec<Finding>> {
     files::has_a_name(dir, "slipstick-demo").map_err(|f| vec![f])?;
     may_replace(dir)?;
     let one = |f: Finding| vec![f];
-    let loaded = banks::load("wheels-on-inclines")?;
+    let mut loaded = banks::load("wheels-on-inclines")?;
+    let texts = banks::texts(&Own::default(), "en", &mut loaded.bank)?;
     let bank = &loaded.bank;
-    let templates = banks::templates(&Own { templates: None }, bank)?;
     let staged = Staged::new(dir).map_err(one)?;
     let root = staged.path();
     let write = |name: &str, bytes: &[u8]| {
@@ -55,7 +56,8 @@ fn demo(dir: &Path, io: &mut Io) -> Result<(), Vec<Finding>> {
     let plan = Plan {
         bank,
         text: &loaded.text,
-        templates: &templates,
+        texts: &texts,
+        formats: &[Format::Md, Format::Html],
         problems: &problems,
         seed: SEED,
         name: &bank.id,
@@ -70,6 +72,7 @@ fn demo(dir: &Path, io: &mut Io) -> Result<(), Vec<Finding>> {
         out: &root.join("grades"),
         attempts: Attempts::Last,
         columns: &[],
+        language: None,
         force: false,
         watched: io.watched,
     };

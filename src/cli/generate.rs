@@ -2,9 +2,14 @@
 use crate::answer::roster;
 use crate::bank::Bank;
 use crate::cli::args;
+use crate::cli::args::Format;
 use crate::cli::banks;
+use crate::cli::banks::Texts;
 use crate::cli::files;
 use crate::cli::files::Staged;
+use crate::cli::output;
+use crate::cli::output::Made;
+use crate::cli::output::Output;
 use crate::cli::tell::Exit;
 use crate::cli::tell::Io;
 use crate::cli::tell::count;
@@ -20,19 +25,27 @@ use crate::set::store;
 use crate::set::store::StoredBank;
 use crate::set::store::StoredSet;
 use crate::set::store::StoredStudent;
+use crate::sheet::html::Converter;
+use crate::sheet::key_table;
+use crate::sheet::key_table::Row;
 use crate::sheet::page::Room;
 use crate::sheet::page::Sheets;
 use crate::sheet::public;
 use crate::sheet::public::SheetFile;
-use crate::template::Templates;
 use rayon::prelude::*;
 use std::fs;
 use std::path::Path;
 
-/// Files of one student.
-pub const OF_STUDENT: [&str; 3] = ["sheet.md", "sheet.html", "sheet.json"];
-/// Files of a set beside the folder `students`.
+/// Files of a set beside the folder `students`, its booklets and its key for people.
 pub const OF_SET: [&str; 4] = ["bank.yaml", "key.csv", "set.json", "submissions.csv"];
+
+/// Is this the name of a file that a student gets? Sheets in any format, and the figures of a set with this many problems.
+fn of_student(name: &str, problems: usize) -> bool {
+    let sheet = name.strip_prefix("sheet.");
+    let figure = name.strip_prefix("problem-").and_then(|n| n.strip_suffix(".svg"));
+    sheet.is_some_and(|e| e == "json" || Format::ALL.iter().any(|f| f.ending() == e))
+        || figure.is_some_and(|n| (1..=problems).any(|i| i.to_string() == n))
+}
 
 /// A student of the roster.
 pub struct Member {
@@ -50,8 +63,10 @@ pub struct Plan<'p> {
     pub bank: &'p Bank,
     /// Its text.
     pub text: &'p str,
-    /// Templates.
-    pub templates: &'p Templates,
+    /// Templates and phrases.
+    pub texts: &'p Texts,
+    /// Formats of the sheets.
+    pub formats: &'p [Format],
     /// Problems, as indices.
     pub problems: &'p [usize],
     /// Seed.
@@ -75,16 +90,25 @@ fn generate(args: &args::Generate, io: &mut Io) -> Result<(), Vec<Finding>> {
     files::sweep_beside(&args.out);
     let loaded = banks::load(&args.bank).map_err(|f| faults.extend(f)).ok();
     let members = members(&args.roster).map_err(|f| faults.extend(f)).ok();
-    let (Some(loaded), Some(mut members)) = (loaded, members) else { return Err(faults) };
-    let templates = banks::templates(&args.own, &loaded.bank)?;
+    let (Some(mut loaded), Some(mut members)) = (loaded, members) else { return Err(faults) };
+    let old = if args.add { Some(existing(&args.out)?) } else { None };
+    let language = match (&args.own.language, &old) {
+        (Some(language), _) => language.clone(),
+        (None, Some(set)) => set.language.clone(),
+        (None, None) => "en".to_owned(),
+    };
+    let texts = banks::texts(&args.own, &language, &mut loaded.bank)?;
+    let formats = match (&args.format, &old) {
+        (None, Some(set)) => output::stored(&set.formats),
+        (asked, _) => output::formats(asked.as_deref()),
+    };
     // A name that is not known is told with its place when the sheet is written.
-    if banks::unknown_names(&loaded.bank, &templates).is_empty() {
-        let lacking = banks::never_given(&loaded.bank, &templates);
+    if banks::unknown_names(&loaded.bank, &texts.templates).is_empty() {
+        let lacking = banks::never_given(&loaded.bank, &texts.templates);
         if !lacking.is_empty() {
             return Err(lacking);
         }
     }
-    let old = if args.add { Some(existing(&args.out)?) } else { None };
     if old.is_none() {
         files::has_a_name(&args.out, "--out week-5").map_err(|f| vec![f])?;
         may_write(&args.out, args.force)?;
@@ -106,7 +130,8 @@ fn generate(args: &args::Generate, io: &mut Io) -> Result<(), Vec<Finding>> {
     let plan = Plan {
         bank: &loaded.bank,
         text: &loaded.text,
-        templates: &templates,
+        texts: &texts,
+        formats: &formats,
         problems: &problems,
         seed,
         name: &name,
@@ -115,7 +140,7 @@ fn generate(args: &args::Generate, io: &mut Io) -> Result<(), Vec<Finding>> {
         same_set(&plan, set, &args.out)?;
         let known: rustc_hash::FxHashSet<&str> = set.students.iter().map(|s| s.student.as_str()).collect();
         members.retain(|m| !known.contains(m.student.as_str()));
-        repair(&plan, set, &args.out)?;
+        repair(&plan, set, &args.out, members.is_empty())?;
         if members.is_empty() {
             io.line("Nobody to add: every student of the roster has a sheet already.");
             return Ok(());
@@ -165,7 +190,7 @@ pub struct Summary {
 pub fn whole(plan: &Plan, members: &[Member], out: &Path, watched: bool) -> Result<Summary, Vec<Finding>> {
     let staged = Staged::new(out).map_err(|f| vec![f])?;
     let one = |f: Finding| vec![f];
-    let dealt = deal(plan, members, staged.path(), watched).map_err(|f| staged.named(f))?;
+    let (dealt, sheets) = deal(plan, members, staged.path(), watched).map_err(|f| staged.named(f))?;
     let (set, cut) = store(plan, members, &dealt, None);
     let keys: Vec<SheetKey> = dealt.into_iter().map(|d| d.key).collect();
     let write = |name: &str, bytes: &[u8]| {
@@ -175,6 +200,9 @@ pub fn whole(plan: &Plan, members: &[Member], out: &Path, watched: bool) -> Resu
     write("bank.yaml", plan.text.as_bytes())?;
     write("key.csv", &key_file::text(&keys))?;
     write("submissions.csv", &blank_form(plan, &set))?;
+    for (name, bytes) in together(plan, &sheets, &keys)? {
+        write(name, &bytes)?;
+    }
     write("set.json", set.text().as_bytes())?;
     staged.finish().map_err(one)?;
     let tries = tries(&set, 0);
@@ -185,10 +213,44 @@ fn tries(set: &StoredSet, from: usize) -> u64 {
     set.students.iter().skip(from).flat_map(|s| &s.problems).map(|p| u64::from(p.tries)).sum()
 }
 
+/// Sheets of everybody: what the booklets and the key for people are made of.
+struct Written {
+    made: Vec<Made>,
+    rows: Vec<Row>,
+}
+
+/// Booklets and the key for people.
+fn together(
+    plan: &Plan,
+    sheets: &Written,
+    keys: &[SheetKey],
+) -> Result<Vec<(&'static str, Vec<u8>)>, Vec<Finding>> {
+    let output = Output::new(plan.texts, plan.formats, "sheet")?;
+    let title = format!("{}: {}, {}", plan.texts.words.get("sheet.sheets"), plan.bank.title, plan.name);
+    let mut files = output.booklets(&title, &sheets.made).map_err(|f| vec![f])?;
+    let table = output.key_table(plan.bank, plan.name, plan.problems, &sheets.rows, keys.iter());
+    files.extend(table.map_err(|f| vec![f])?);
+    Ok(files)
+}
+
+/// Booklets and the key for people of a stored set, from sheets written anew; nothing is put anywhere.
+fn together_again(plan: &Plan, set: &StoredSet) -> Result<Vec<(&'static str, Vec<u8>)>, Vec<Finding>> {
+    let writer = SheetWriter::new(plan)?;
+    let both = replay::each(plan.bank, set, &|i, student, dealt| {
+        let mut converter = Converter::new(&plan.texts.words);
+        let (made, row) =
+            writer.write(i, &student.student, &student.name, &dealt, &mut Room::default(), &mut converter)?;
+        Ok(((made, row), dealt.key))
+    })?;
+    let (sheets, keys): (Vec<(Made, Row)>, Vec<SheetKey>) = both.into_iter().unzip();
+    let (made, rows) = sheets.into_iter().unzip();
+    together(plan, &Written { made, rows }, &keys)
+}
+
 /// Late joiners into a set that is there. All is written beside the set and then moved in: sheets, key.csv, set.json,
-/// the form. A run that is killed before set.json leaves the old set, with sheets of students whom it does not know and
-/// rows of theirs in key.csv, which grading passes over; killed after it, the new set with an old form. The next
-/// `--add` [`repair`]s either, and `--force` replaces it.
+/// the form, booklets and the key for people. A run that is killed before set.json leaves the old set, with sheets of
+/// students whom it does not know and rows of theirs in key.csv, which grading passes over; killed after it, the new set
+/// with an old form or booklet. The next `--add` [`repair`]s either, and `--force` replaces it.
 fn add(
     plan: &Plan,
     members: &[Member],
@@ -210,7 +272,7 @@ fn add(
         return Err(taken);
     }
     let staged = Staged::new(out).map_err(|f| vec![f])?;
-    let dealt = deal(plan, members, staged.path(), watched).map_err(|f| staged.named(f))?;
+    let (dealt, _) = deal(plan, members, staged.path(), watched).map_err(|f| staged.named(f))?;
     let mut everybody: Vec<Member> = old
         .students
         .iter()
@@ -229,6 +291,7 @@ fn add(
     if form_is_blank {
         files.push(("submissions.csv", blank_form(plan, &set)));
     }
+    files.extend(together_again(plan, &set)?);
     for (name, bytes) in &files {
         fs::write(staged.path().join(name), bytes)
             .map_err(|e| vec![files::trouble(&out.join(name), "cannot be written", &e)])?;
@@ -242,8 +305,8 @@ fn add(
 }
 
 /// Makes good what an `--add` that was killed left in a set: sheets and rows of the key of students whom the set does
-/// not know, and a form that lacks the last ones.
-fn repair(plan: &Plan, set: &StoredSet, out: &Path) -> Result<(), Vec<Finding>> {
+/// not know, and a form and booklets that lack the last ones. Booklets only where no others come (`last`).
+fn repair(plan: &Plan, set: &StoredSet, out: &Path, last: bool) -> Result<(), Vec<Finding>> {
     let folders: rustc_hash::FxHashSet<&str> = set.students.iter().map(|s| s.folder.as_str()).collect();
     let students = out.join("students");
     for name in files::names_in(&students) {
@@ -264,6 +327,12 @@ fn repair(plan: &Plan, set: &StoredSet, out: &Path) -> Result<(), Vec<Finding>> 
     if form_is_blank(out) && files::read(&out.join("submissions.csv")).is_ok_and(|f| f != form) {
         stale.push(("submissions.csv", form));
     }
+    if last {
+        let anew = together_again(plan, set)?;
+        stale.extend(
+            anew.into_iter().filter(|(n, bytes)| files::read(&out.join(n)).ok().as_ref() != Some(bytes)),
+        );
+    }
     if stale.is_empty() {
         return Ok(());
     }
@@ -280,8 +349,7 @@ fn repair(plan: &Plan, set: &StoredSet, out: &Path) -> Result<(), Vec<Finding>> 
 /// nothing else, under the name that the sheet's student would have, who is not in the set.
 fn is_left_over(folder: &Path, name: &str, set: &StoredSet) -> bool {
     let inside = files::names_in(folder);
-    let exactly =
-        inside.len() == OF_STUDENT.len() && OF_STUDENT.iter().all(|n| inside.iter().any(|i| i == n));
+    let exactly = inside.iter().all(|n| of_student(n, set.problems.len()));
     let sheet = || SheetFile::parse(&files::read_text(&folder.join("sheet.json")).ok()?).ok();
     exactly
         && sheet().is_some_and(|sheet| {
@@ -300,45 +368,90 @@ fn is_filled(form: &[u8]) -> bool {
     String::from_utf8_lossy(form).lines().skip(1).any(|l| !l.ends_with(',') && !l.trim().is_empty())
 }
 
+/// Writes sheets, one after the other, from what was dealt.
+struct SheetWriter<'p> {
+    plan: &'p Plan<'p>,
+    sheets: Sheets<'p>,
+    output: Output<'p>,
+}
+
+impl<'p> SheetWriter<'p> {
+    fn new(plan: &'p Plan<'p>) -> Result<Self, Vec<Finding>> {
+        let Texts { templates, words, .. } = plan.texts;
+        let sheets = Sheets::new(templates, words, plan.bank, plan.name, plan.problems)?;
+        Ok(Self { plan, sheets, output: Output::new(plan.texts, plan.formats, "sheet")? })
+    }
+
+    fn write(
+        &self,
+        at: usize,
+        student: &str,
+        name: &str,
+        dealt: &Dealt,
+        room: &mut Room,
+        converter: &mut Converter,
+    ) -> Result<(Made, Row), Finding> {
+        let (head, document) = self.sheets.document(student, name, &dealt.variants, room)?;
+        let row = key_table::row(self.plan.bank, self.plan.problems, &head, &dealt.variants);
+        Ok((self.output.make(at, head, document, converter)?, row))
+    }
+}
+
 /// Draws, solves and writes the sheets of these students into `students` below `folder`.
-fn deal(plan: &Plan, members: &[Member], folder: &Path, watched: bool) -> Result<Vec<Dealt>, Vec<Finding>> {
+fn deal(
+    plan: &Plan,
+    members: &[Member],
+    folder: &Path,
+    watched: bool,
+) -> Result<(Vec<Dealt>, Written), Vec<Finding>> {
     fs::create_dir(folder.join("students"))
         .map_err(|e| vec![files::trouble(folder, "cannot be written", &e)])?;
-    let sheets = Sheets::new(plan.templates, plan.bank, plan.name, plan.problems)?;
-    let public = public::Writer::new(plan.bank, plan.text, plan.problems, plan.name).map_err(|f| vec![f])?;
+    let writer = SheetWriter::new(plan)?;
+    let language = plan.texts.words.language();
+    let public = public::Writer::new(plan.bank, plan.text, plan.problems, plan.name, language);
+    let public = public.map_err(|f| vec![f])?;
     let dealer = Dealer::new(plan.bank, plan.problems, plan.seed, plan.name);
     let bar = files::progress(watched, members.len() as u64, "sheets");
-    let results: Vec<Result<Dealt, Finding>> = members
+    let results: Vec<Result<(Dealt, Made, Row), Finding>> = members
         .par_iter()
-        .map_init(Room::default, |room, member| {
-            let dealt = dealer.deal(&member.student)?;
-            let markdown = sheets.markdown(&member.student, &member.name, &dealt.variants, room)?;
-            let html = sheets.html(&member.student, &member.name, &markdown, room)?;
-            let json = public.text(&member.student, &dealt.variants);
-            let place = folder.join("students").join(&member.folder);
-            // Of the whole folder: a full disk is told once and not for each student.
-            let fault = |e: &std::io::Error| files::trouble(folder, "cannot be written", e);
-            fs::create_dir(&place).map_err(|e| fault(&e))?;
-            for (name, bytes) in
-                OF_STUDENT.iter().zip([markdown.as_bytes(), html.as_slice(), json.as_bytes()])
-            {
-                fs::write(place.join(name), bytes).map_err(|e| fault(&e))?;
-            }
-            bar.inc(1);
-            Ok(dealt)
-        })
+        .enumerate()
+        .map_init(
+            || (Room::default(), Converter::new(&plan.texts.words)),
+            |(room, converter), (at, member)| {
+                let dealt = dealer.deal(&member.student)?;
+                let (mut made, row) =
+                    writer.write(at, &member.student, &member.name, &dealt, room, converter)?;
+                let json = public.text(&member.student, &dealt.variants);
+                let place = folder.join("students").join(&member.folder);
+                // Of the whole folder: a full disk is told once and not for each student.
+                let fault = |e: &std::io::Error| files::trouble(folder, "cannot be written", e);
+                fs::create_dir(&place).map_err(|e| fault(&e))?;
+                for (name, bytes) in made.files.drain(..) {
+                    fs::write(place.join(name), bytes).map_err(|e| fault(&e))?;
+                }
+                fs::write(place.join("sheet.json"), json).map_err(|e| fault(&e))?;
+                bar.inc(1);
+                Ok((dealt, made, row))
+            },
+        )
         .collect();
     bar.finish_and_clear();
     let mut dealt = Vec::with_capacity(results.len());
+    let mut sheets =
+        Written { made: Vec::with_capacity(results.len()), rows: Vec::with_capacity(results.len()) };
     let mut faults = Vec::new();
     for result in results {
         match result {
-            Ok(d) => dealt.push(d),
+            Ok((one, made, row)) => {
+                dealt.push(one);
+                sheets.made.push(made);
+                sheets.rows.push(row);
+            }
             Err(fault) if faults.contains(&fault) || faults.len() >= 5 => {}
             Err(fault) => faults.push(fault),
         }
     }
-    if faults.is_empty() { Ok(dealt) } else { Err(faults) }
+    if faults.is_empty() { Ok((dealt, sheets)) } else { Err(faults) }
 }
 
 /// set.json of everybody; `dealt` are the last of `members`, those before them come from the old set.
@@ -392,6 +505,8 @@ fn store(
         seed: plan.seed,
         program: format!("{} {}", env!("CARGO_PKG_NAME"), env!("CARGO_PKG_VERSION")),
         draw_version: stream::DRAW_VERSION,
+        language: plan.texts.words.language().to_owned(),
+        formats: plan.formats.iter().map(|f| f.ending().to_owned()).collect(),
         bank: StoredBank {
             id: plan.bank.id.clone(),
             file: "bank.yaml".to_owned(),
@@ -476,13 +591,16 @@ fn may_write(out: &Path, force: bool) -> Result<(), Vec<Finding>> {
 fn foreign(out: &Path, set: &StoredSet) -> Vec<String> {
     let mut found: Vec<String> = files::names_in(out)
         .into_iter()
-        .filter(|n| n != "students" && !OF_SET.contains(&n.as_str()))
+        .filter(|n| {
+            let ours = OF_SET.iter().chain(&output::BOOKLETS).chain(&output::KEY_TABLES);
+            n != "students" && ours.into_iter().all(|o| o != n)
+        })
         .collect();
     let folders: rustc_hash::FxHashSet<&str> = set.students.iter().map(|s| s.folder.as_str()).collect();
     for name in files::names_in(&out.join("students")) {
         if folders.contains(name.as_str()) {
             let inside = files::names_in(&out.join("students").join(&name));
-            let unknown = inside.into_iter().filter(|n| !OF_STUDENT.contains(&n.as_str()));
+            let unknown = inside.into_iter().filter(|n| !of_student(n, set.problems.len()));
             found.extend(unknown.map(|n| format!("students/{name}/{n}")));
         } else if !is_left_over(&out.join("students").join(&name), &name, set) {
             found.push(format!("students/{name}"));
@@ -510,6 +628,9 @@ fn same_set(plan: &Plan, set: &StoredSet, out: &Path) -> Result<(), Vec<Finding>
     differs("seed", plan.seed.to_string(), set.seed.to_string());
     differs("name", plan.name.to_owned(), set.name.clone());
     differs("problems", ids.join(","), set.problems.join(","));
+    differs("language", plan.texts.words.language().to_owned(), set.language.clone());
+    let formats: Vec<&str> = plan.formats.iter().map(|f| f.ending()).collect();
+    differs("formats", formats.join(","), set.formats.join(","));
     differs("bank", plan.bank.hash.clone(), set.bank.sha256.clone());
     differs("draw version", stream::DRAW_VERSION.to_string(), set.draw_version.to_string());
     if faults.is_empty() { Ok(()) } else { Err(faults) }
@@ -528,8 +649,19 @@ fn tell(plan: &Plan, summary: &Summary, out: &Path, io: &mut Io) {
         count(summary.written * plan.problems.len(), "variant"),
         summary.tries
     ));
-    io.line(&format!("  for students:  {out}/students/ID/ (sheet.html, sheet.md, sheet.json); nothing else"));
-    io.line(&format!("  the key:       {out}/key.csv; a form to fill in: {out}/submissions.csv"));
+    let mut sheets: Vec<String> =
+        plan.formats.iter().rev().map(|f| format!("sheet.{}", f.ending())).collect();
+    sheets.push("sheet.json".to_owned());
+    io.line(&format!("  for students:  {out}/students/ID/ ({}); nothing else", sheets.join(", ")));
+    let has = |format| plan.formats.contains(&format);
+    let booklet = Format::ALL.into_iter().rev().filter(|f| *f != Format::Md && has(*f));
+    let booklet: Vec<String> = booklet.map(|f| format!("{out}/booklet.{}", f.ending())).collect();
+    if !booklet.is_empty() {
+        io.line(&format!("  to print:      {} (all sheets)", booklet.join(", ")));
+    }
+    io.line(&format!(
+        "  the key:       {out}/key-table.html, {out}/key.csv; a form to fill in: {out}/submissions.csv"
+    ));
     coincidences(summary, io);
 }
 

@@ -9,6 +9,7 @@ use crate::cli::tell;
 use crate::cli::tell::Exit;
 use crate::cli::tell::Io;
 use crate::finding::Finding;
+use crate::grade::feedback::Feedback;
 use crate::grade::run;
 use crate::grade::run::GradeFault;
 use crate::grade::run::Options;
@@ -19,6 +20,7 @@ use crate::report::gradebook;
 use crate::set::key_file;
 use crate::set::replay;
 use crate::set::store::StoredSet;
+use crate::words::Words;
 use std::fs;
 use std::io;
 use std::io::BufRead;
@@ -42,6 +44,8 @@ pub struct Job<'j> {
     pub attempts: Attempts,
     /// `field=header`.
     pub columns: &'j [String],
+    /// Language of the reasons; that of the set if not given.
+    pub language: Option<&'j str>,
     /// Replace an earlier grading.
     pub force: bool,
     /// Does a person watch?
@@ -62,6 +66,7 @@ pub fn run(args: &args::Grade, io: &mut Io) -> Exit {
         out: &args.out,
         attempts: args.attempts,
         columns: &args.columns,
+        language: args.language.as_deref(),
         force: args.force,
         watched: io.watched,
     };
@@ -120,10 +125,17 @@ pub fn grade(job: &Job, input: &mut dyn BufRead) -> Result<Graded, Vec<Finding>>
         let fault = Finding::new("", "there is no such file").in_file(job.submissions.display().to_string());
         faults.push(fault);
     }
+    if let Some(language) = job.language {
+        faults.extend(banks::words(language).err().unwrap_or_default());
+    }
     if !faults.is_empty() {
         return Err(faults);
     }
     let (set, keys) = replayed(job.set)?;
+    let words = match job.language {
+        Some(language) => banks::words(language)?,
+        None => Words::of(&set.language).unwrap_or_else(Words::english),
+    };
     let names: Vec<(String, String)> =
         set.students.iter().map(|s| (s.student.clone(), s.name.clone())).collect();
     let table = KeyTable::new(keys, &names);
@@ -142,6 +154,7 @@ pub fn grade(job: &Job, input: &mut dyn BufRead) -> Result<Graded, Vec<Finding>>
         },
         columns,
         threads: std::thread::available_parallelism().map_or(1, usize::from),
+        feedback: Feedback::new(&words),
     };
     let staged = Staged::new(job.out).map_err(|f| vec![f])?;
     let answers = staged.path().join(MADE[0]);

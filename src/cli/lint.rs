@@ -2,6 +2,7 @@
 use crate::bank::Bank;
 use crate::cli::args;
 use crate::cli::banks;
+use crate::cli::banks::Texts;
 use crate::cli::tell;
 use crate::cli::tell::Exit;
 use crate::cli::tell::Io;
@@ -14,7 +15,6 @@ use crate::sheet::html;
 use crate::sheet::page::Room;
 use crate::sheet::page::Sheets;
 use crate::sheet::statement;
-use crate::template::Templates;
 use rayon::prelude::*;
 
 /// A class for which the chance of equal sheets is told.
@@ -33,16 +33,17 @@ pub fn run(args: &args::Lint, io: &mut Io) -> Exit {
 }
 
 fn lint(args: &args::Lint, io: &mut Io) -> Result<Vec<Finding>, Vec<Finding>> {
-    let loaded = banks::load(&args.bank)?;
-    let bank = &loaded.bank;
-    let templates = banks::templates(&args.own, bank).map_err(|faults| {
+    let mut loaded = banks::load(&args.bank)?;
+    let language = args.own.language.as_deref().unwrap_or("en");
+    let texts = banks::texts(&args.own, language, &mut loaded.bank).map_err(|faults| {
         faults
             .into_iter()
             .map(|f| if f.file.is_none() { f.in_file(&loaded.file) } else { f })
             .collect::<Vec<_>>()
     })?;
-    let mut findings = banks::unknown_names(bank, &templates);
-    findings.extend(banks::never_given(bank, &templates));
+    let bank = &loaded.bank;
+    let mut findings = banks::unknown_names(bank, &texts.templates);
+    findings.extend(banks::never_given(bank, &texts.templates));
     let seeds = u32::try_from(args.seeds.min(1_000_000)).unwrap_or(1_000_000);
     let sweeps: Vec<Sweep> =
         bank.problems.par_iter().map(|p| sweep::sweep(p, 1, seeds.max(1), &bank.id)).collect();
@@ -61,7 +62,7 @@ fn lint(args: &args::Lint, io: &mut Io) -> Result<Vec<Finding>, Vec<Finding>> {
         }
     }
     if findings.is_empty() {
-        findings.extend(faulty_texts(bank, &templates)?);
+        findings.extend(faulty_texts(bank, &texts)?);
     }
     for (problem, sweep) in bank.problems.iter().zip(&sweeps) {
         io.line(&format!("{}: {}", problem.id, problem.title));
@@ -189,10 +190,10 @@ fn notes(problem: &crate::bank::Problem, sweep: &Sweep) -> Vec<String> {
 }
 
 /// One sheet of each case is written: faults that show only then, and formulas that cannot be read.
-fn faulty_texts(bank: &Bank, templates: &Templates) -> Result<Vec<Finding>, Vec<Finding>> {
+fn faulty_texts(bank: &Bank, texts: &Texts) -> Result<Vec<Finding>, Vec<Finding>> {
     let mut findings: Vec<Finding> = Vec::new();
     let problems: Vec<usize> = (0..bank.problems.len()).collect();
-    let sheets = Sheets::new(templates, bank, &bank.id, &problems)?;
+    let sheets = Sheets::new(&texts.templates, &texts.words, bank, &bank.id, &problems)?;
     let mut room = Room::default();
     for (i, problem) in bank.problems.iter().enumerate() {
         let maker = Maker::new(problem, 1, &bank.id);

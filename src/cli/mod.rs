@@ -11,9 +11,12 @@ mod files;
 mod generate;
 mod grade;
 mod lint;
+mod output;
 mod practice;
+mod solutions;
 mod solve;
 pub mod tell;
+mod templates;
 mod verify;
 mod words;
 
@@ -45,6 +48,8 @@ pub fn run(args: impl IntoIterator<Item = OsString>, io: &mut Io) -> Exit {
         Verb::Accuracy(args) => accuracy::run(&args, io),
         Verb::Lint(args) => lint::run(&args, io),
         Verb::Verify(args) => verify::run(&args, io),
+        Verb::Solutions(args) => solutions::run(&args, io),
+        Verb::Templates(args) => templates::run(&args, io),
         Verb::Demo(args) => demo::run(&args, io),
     };
     let _ = io.out.flush();

@@ -1,4 +1,5 @@
 //! `slipstick practice`: a problem is drawn and shown, answers are judged, another one follows.
+use crate::answer::read::UnitCache;
 use crate::bank::Problem;
 use crate::cli::args;
 use crate::cli::banks;
@@ -6,6 +7,7 @@ use crate::cli::tell::Exit;
 use crate::cli::tell::Io;
 use crate::cli::words;
 use crate::finding::Finding;
+use crate::grade::feedback::Feedback;
 use crate::grade::judge;
 use crate::grade::verdict::Verdict;
 use crate::key::ProblemKey;
@@ -13,10 +15,12 @@ use crate::problem::make::Maker;
 use crate::problem::make::Variant;
 use crate::problem::make_key;
 use crate::set::replay;
+use crate::sheet::document;
 use crate::sheet::page::Room;
 use crate::sheet::page::Sheets;
 use crate::sheet::statement;
 use crate::solve::outcome::Motion;
+use crate::words::Words;
 use std::time::SystemTime;
 
 /// Runs it.
@@ -27,9 +31,6 @@ pub fn run(args: &args::Practice, io: &mut Io) -> Exit {
     }
 }
 
-/// What may be typed instead of an answer.
-const COMMANDS: &str = "An empty line skips a question, `solution` shows the right values, `next` draws another problem, `quit` ends, `help` says this again.";
-
 /// What the student wants next.
 enum Next {
     /// Another problem.
@@ -39,9 +40,10 @@ enum Next {
 }
 
 fn practice(args: &args::Practice, io: &mut Io) -> Result<(), Vec<Finding>> {
-    let loaded = banks::load(&args.bank)?;
-    let bank = &loaded.bank;
-    let templates = banks::templates(&args.own, bank)?;
+    let mut loaded = banks::load(&args.bank)?;
+    let language = args.own.language.as_deref().unwrap_or("en");
+    let texts = banks::texts(&args.own, language, &mut loaded.bank)?;
+    let (bank, words) = (&loaded.bank, &texts.words);
     let problems = match &args.problems {
         Some(ids) => replay::indices(bank, ids, "--problems")?,
         None => (0..bank.problems.len()).collect(),
@@ -49,11 +51,12 @@ fn practice(args: &args::Practice, io: &mut Io) -> Result<(), Vec<Finding>> {
     if problems.is_empty() {
         return Err(vec![Finding::new("problems", "there is none").in_file(&loaded.file)]);
     }
-    let sheets = Sheets::new(&templates, bank, "practice", &problems)?;
+    let sheets = Sheets::new(&texts.templates, words, bank, "practice", &problems)?;
     let seed = args.seed.unwrap_or_else(from_clock);
     let makers: Vec<Maker> =
         problems.iter().map(|p| Maker::new(&bank.problems[*p], seed, "practice")).collect();
-    io.line(&format!("{} (seed {seed}). {COMMANDS}", bank.title));
+    let of_seed = words.say("feedback.seed", &[("seed", &seed.to_string())]);
+    io.line(&format!("{} ({of_seed}). {}", bank.title, words.get("feedback.commands")));
     let mut room = Room::default();
     let (mut right, mut asked) = (0, 0);
     for round in 0usize.. {
@@ -64,15 +67,17 @@ fn practice(args: &args::Practice, io: &mut Io) -> Result<(), Vec<Finding>> {
             .map_err(|e| vec![Finding::new(format!("problems.{}", problem.id), e.to_string())])?;
         let mut text = Vec::new();
         sheets.problem(i, &variant, &mut room, &mut text).map_err(|f| vec![f])?;
-        io.line(&format!("\n## {}\n\n{}", problem.title, plain(&String::from_utf8_lossy(&text))));
+        let text = document::without_marks(&String::from_utf8_lossy(&text));
+        io.line(&format!("\n## {}\n\n{}", problem.title, plain(&text)));
         let key = make_key::key(problem, &variant);
-        match questions(problem, &variant, &key, (&mut right, &mut asked), io) {
+        match questions(problem, &variant, &key, (&mut right, &mut asked), words, io) {
             Next::Draw => {}
             Next::Quit => break,
         }
     }
     if asked > 0 {
-        io.line(&format!("\nYou had {right} of {asked} questions right."));
+        let pieces = [("right", &*right.to_string()), ("asked", &*asked.to_string())];
+        io.line(&format!("\n{}", words.say("feedback.score", &pieces)));
     }
     Ok(())
 }
@@ -83,8 +88,11 @@ fn questions(
     variant: &Variant,
     key: &ProblemKey,
     (right, asked): (&mut usize, &mut usize),
+    words: &Words,
     io: &mut Io,
 ) -> Next {
+    let say = Feedback::new(words);
+    let commands = words.get("feedback.commands");
     for (question, entry) in problem.questions.iter().zip(&key.parts) {
         loop {
             io.piece(&format!("{} = ", entry.part));
@@ -96,11 +104,11 @@ fn questions(
                 "quit" | "q" | "exit" => return Next::Quit,
                 "next" => return Next::Draw,
                 "help" | "?" => {
-                    io.line(&format!("  {COMMANDS}"));
+                    io.line(&format!("  {commands}"));
                     continue;
                 }
                 "solution" => {
-                    solution(problem, variant, key, io);
+                    solution(problem, variant, key, words, io);
                     return Next::Draw;
                 }
                 "" => {
@@ -109,41 +117,41 @@ fn questions(
                 }
                 _ => {}
             }
-            let judgement = judge::judge(&cell, entry);
+            let judgement = judge::judge_with(&cell, entry, &mut UnitCache::default(), &say);
             if judgement.verdict == Verdict::Right {
-                io.line(&format!("  right ({})", judgement.reason));
+                io.line(&format!("  {} ({})", words.get("feedback.right"), judgement.reason));
                 *asked += 1;
                 *right += 1;
                 break;
             }
-            let again = if question.label.quantity.is_word() {
-                ""
-            } else {
-                "; try again, or skip with an empty line"
-            };
+            let word = question.label.quantity.is_word();
+            let again = if word { "" } else { words.get("feedback.try_again") };
             io.line(&format!("  {}: {}{again}", judgement.verdict.as_str(), judgement.reason));
             // A word that is no answer may have been meant as a command.
             let word = cell.chars().all(char::is_alphabetic);
             if word && judgement.verdict == Verdict::Unreadable {
-                io.line(&format!("  {COMMANDS}"));
+                io.line(&format!("  {commands}"));
             }
         }
     }
     Next::Draw
 }
 
-fn solution(problem: &Problem, variant: &Variant, key: &ProblemKey, io: &mut Io) {
+fn solution(problem: &Problem, variant: &Variant, key: &ProblemKey, words: &Words, io: &mut Io) {
     let scene = &problem.cases[variant.case].scene;
-    io.line("  The right values:");
+    io.line(&format!("  {}", words.get("feedback.right_values")));
     if variant.solved.regime.motion != Motion::Instant {
-        io.line(&format!("  {}", words::regime(variant.solved.regime)));
+        io.line(&format!("  {}", words::regime(words, variant.solved.regime)));
     }
     for (question, entry) in problem.questions.iter().zip(&key.parts) {
-        let signs = statement::direction_words(scene, question.label.of);
-        io.line(&format!("  {} = {}", entry.part, words::right_answer(entry, signs)));
+        let signs = statement::direction_words(words, scene, question.label.of);
+        io.line(&format!("  {} = {}", entry.part, words::right_answer(words, entry, signs)));
     }
-    for check in &variant.solved.checks {
-        io.line(&format!("  because {}", words::check(scene, check)));
+    // The conditions are told in English only.
+    if words.language() == "en" {
+        for check in &variant.solved.checks {
+            io.line(&format!("  because {}", words::check(scene, check)));
+        }
     }
 }
 
@@ -152,11 +160,12 @@ fn plain(markdown: &str) -> String {
     let mut out = String::with_capacity(markdown.len());
     let mut math = false;
     let mut rest = markdown;
-    const SIGNS: [(&str, &str); 15] = [
+    const SIGNS: [(&str, &str); 16] = [
         (r"\ ", " "),
         (r"\,", " "),
         (r"{}^\circ", "°"),
         (r"^\circ", "°"),
+        ("{,}", ","),
         (r"\mathrm", ""),
         (r"\theta", "θ"),
         (r"\omega", "ω"),

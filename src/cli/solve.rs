@@ -28,6 +28,7 @@ use crate::solve::outcome::Refusal;
 use crate::solve::outcome::Solved;
 use crate::units;
 use crate::units::Unit;
+use crate::words::Words;
 use std::fmt::Write as _;
 
 /// Runs it.
@@ -413,7 +414,8 @@ pub const NUMBERS_OF_TIES: &str = "; the numbers below are those of the declared
 /// What really happens, whether it is what the problem declares, and each condition.
 pub fn regime(problem: &Problem, case: usize, solved: &Solved, holds: bool) -> String {
     let scene = &problem.cases[case].scene;
-    let mut out = format!("regime: {} ({})\n", solved.regime.word(), words::regime(solved.regime));
+    let mut out =
+        format!("regime: {} ({})\n", solved.regime.word(), words::regime(&Words::english(), solved.regime));
     if !holds {
         let declared = match problem.cases[case].regimes.join(", ") {
             any if any.is_empty() => String::new(),

@@ -11,6 +11,7 @@ use crate::scene::Tie;
 use crate::scene::admissible::Inadmissible;
 use crate::scene::admissible::Rule;
 pub use crate::sheet::number::rounded;
+use crate::sheet::statement;
 use crate::solve::ladder;
 use crate::solve::ladder::Force;
 use crate::solve::ladder::Taken;
@@ -18,10 +19,10 @@ use crate::solve::method::Method;
 use crate::solve::method::Rung;
 use crate::solve::outcome::Check;
 use crate::solve::outcome::CheckKind;
-use crate::solve::outcome::Motion;
 use crate::solve::outcome::Refusal;
 use crate::solve::outcome::Regime;
 use crate::solve::outcome::Unsupported;
+use crate::words::Words;
 
 /// Five significant figures, for people.
 pub fn figures(value: f64) -> String {
@@ -180,41 +181,10 @@ fn reaches_on_a_pin(scene: &Scene, c: &Check) -> String {
 }
 
 /// What really happens, in a sentence.
-pub fn regime(regime: Regime) -> String {
-    let text = match regime.motion {
-        Motion::MovesUp => "it moves up",
-        Motion::Balanced => "it is balanced and stays",
-        Motion::MovesDown => "it moves down",
-        Motion::MovesForward => "it moves forward",
-        Motion::MovesBack => "it moves back",
-        Motion::Rolls => "it rolls without slipping, friction suffices",
-        Motion::AtLimit => "it is just at the limit of slipping",
-        Motion::SlipsUp => "it slips and moves up",
-        Motion::SpinsInPlace => "it spins in place",
-        Motion::SlipsDown => "it slips and moves down",
-        Motion::UpOk => "it moves up and reaches the asked place",
-        Motion::UpTurningPoint => "it moves up; the asked place is the turning point",
-        Motion::UpUnreachable => "it moves up and turns before the asked place",
-        Motion::DownOk => "it moves down and reaches the asked place",
-        Motion::DownTurningPoint => "it moves down; the asked place is the turning point",
-        Motion::DownUnreachable => "it moves down and turns before the asked place",
-        Motion::Rest => "it stays at rest",
-        Motion::SwingsOk => "it swings and reaches the asked end",
-        Motion::SwingsTurningPoint => "it swings; the asked end is the turning point",
-        Motion::SwingsUnreachable => "it swings and does not reach the asked end before it turns",
-        Motion::RollsAfter => "it slips first and rolls afterwards",
-        Motion::RollsAtStart => "it rolls from the start",
-        Motion::SlipsThrough => {
-            "its contact comes to rest, but static friction cannot hold it: it slips on, the other way"
-        }
-        Motion::Never => "it slips without end, friction does not stop the slip",
-        Motion::Instant => "an instant is asked, nothing moves on",
-    };
-    if regime.slips {
-        format!("{text}, if it rolled; friction does not suffice, it slips")
-    } else {
-        text.to_owned()
-    }
+pub fn regime(words: &Words, regime: Regime) -> String {
+    let name = regime.motion.word().replace(' ', "_");
+    let text = words.get(&format!("sheet.regime.{name}"));
+    if regime.slips { words.say("sheet.regime.if_rolled", &[("regime", text)]) } else { text.to_owned() }
 }
 
 fn symbol(problem: &Problem, num: Num) -> String {
@@ -438,16 +408,17 @@ pub fn refusal(problem: &Problem, scene: &Scene, refusal: &Refusal) -> Vec<Strin
 }
 
 /// The right answer of a key, rounded for a person: `30.26 rad/s`, `62.6 N up`, `yes`.
-pub fn right_answer(entry: &KeyEntry, words: [&str; 2]) -> String {
+pub fn right_answer(words: &Words, entry: &KeyEntry, signs: [&str; 2]) -> String {
     match &entry.answer {
-        Answer::Word { right, .. } => (*right).to_owned(),
+        Answer::Word { right, .. } => statement::said(words, right).to_owned(),
         Answer::Number { value, directed, .. } => {
             let value = entry.unit.from_si(*value);
             if *directed && value != 0.0 {
-                let word = if value > 0.0 { words[0] } else { words[1] };
-                format!("{} {word}", entry.unit.text_with(&rounded(value.abs(), 4)))
+                let word = if value > 0.0 { signs[0] } else { signs[1] };
+                let number = words.number(&rounded(value.abs(), 4));
+                format!("{} {word}", entry.unit.text_with(&number))
             } else {
-                entry.unit.text_with(&rounded(value, 4))
+                entry.unit.text_with(&words.number(&rounded(value, 4)))
             }
         }
     }

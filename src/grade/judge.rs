@@ -5,6 +5,7 @@ use crate::answer::read::UnitCache;
 use crate::answer::read::Why;
 use crate::answer::read::Word;
 use crate::answer::read::read;
+use crate::grade::feedback::Feedback;
 use crate::grade::verdict::Judgement;
 use crate::grade::verdict::Verdict;
 use crate::key::Answer;
@@ -22,36 +23,43 @@ pub fn accepts(x: f64, key: f64, half_width: f64) -> bool {
     x.is_finite() && (x - key).abs() <= half_width * (1.0 + ROUNDINGS * U) + ROUNDINGS * U * x.abs()
 }
 
-/// Judges one cell.
-pub fn judge(cell: &str, entry: &KeyEntry) -> Judgement {
-    judge_with(cell, entry, &mut UnitCache::default())
+/// Judges one cell; the reason is English.
+pub fn judge(cell: &str, entry: &KeyEntry) -> Judgement<'static> {
+    judge_with(cell, entry, &mut UnitCache::default(), Feedback::english())
 }
 
-/// Judges one cell, remembering units already read.
-pub fn judge_with(cell: &str, entry: &KeyEntry, units: &mut UnitCache) -> Judgement {
+/// Judges one cell, remembering units already read; the reason is in the language of the feedback.
+pub fn judge_with<'w>(
+    cell: &str,
+    entry: &KeyEntry,
+    units: &mut UnitCache,
+    say: &Feedback<'w>,
+) -> Judgement<'w> {
     let (verdict, reason) = match (read(cell, units), &entry.answer) {
-        (Reading::Blank, _) => (Verdict::Blank, Cow::Borrowed("nothing written")),
+        (Reading::Blank, _) => (Verdict::Blank, Cow::Borrowed(say.get("feedback.blank"))),
         (Reading::Unreadable(why), Answer::Word { offered, .. }) => {
-            (Verdict::Unreadable, Cow::Owned(format!("{why}; write one of: {}", offered.join(", "))))
+            let pieces = [("why", &*say.why(&why)), ("words", &*say.offered(offered))];
+            (Verdict::Unreadable, say.fill("feedback.write_one_of", &pieces))
         }
-        (Reading::Unreadable(why), _) => (Verdict::Unreadable, Cow::Owned(why.to_string())),
-        (Reading::Word(word), Answer::Word { right, offered }) => judge_word(word, right, offered),
+        (Reading::Unreadable(why), _) => (Verdict::Unreadable, say.why(&why)),
+        (Reading::Word(word), Answer::Word { right, offered }) => judge_word(word, right, offered, say),
         (Reading::Number(_), Answer::Word { offered, .. }) => {
-            (Verdict::Unreadable, Cow::Owned(format!("a word is asked: write one of {}", offered.join(", "))))
+            (Verdict::Unreadable, say.fill("feedback.word_asked", &[("words", &say.offered(offered))]))
         }
         (Reading::Word(word), Answer::Number { .. }) => {
-            (Verdict::Unreadable, Cow::Owned(format!("`{}` alone: write the number too", word.as_str())))
+            (Verdict::Unreadable, say.fill("feedback.word_alone", &[("word", say.word(word.as_str()))]))
         }
         (Reading::Number(number), Answer::Number { value, half_width, directed, magnitude }) => judge_number(
             &number,
             entry,
             Key { value: *value, half_width: *half_width, directed: *directed, magnitude: *magnitude },
+            say,
         ),
     };
     Judgement { verdict, points: if verdict == Verdict::Right { entry.points } else { 0.0 }, reason }
 }
 
-fn judge_word(word: Word, right: &str, offered: &[&str]) -> (Verdict, Cow<'static, str>) {
+fn judge_word<'w>(word: Word, right: &str, offered: &[&str], say: &Feedback<'w>) -> (Verdict, Cow<'w, str>) {
     let level = offered.contains(&Word::Forward.as_str());
     let word = match word {
         Word::Right if level => Word::Forward,
@@ -59,14 +67,12 @@ fn judge_word(word: Word, right: &str, offered: &[&str]) -> (Verdict, Cow<'stati
         other => other,
     };
     if word.as_str() == right {
-        (Verdict::Right, Cow::Borrowed("the right word"))
+        (Verdict::Right, Cow::Borrowed(say.get("feedback.right_word")))
     } else if offered.contains(&word.as_str()) {
-        (Verdict::Wrong, Cow::Borrowed("another word is right"))
+        (Verdict::Wrong, Cow::Borrowed(say.get("feedback.another_word")))
     } else {
-        (
-            Verdict::Unreadable,
-            Cow::Owned(format!("`{}` is not offered: write one of {}", word.as_str(), offered.join(", "))),
-        )
+        let pieces = [("word", say.word(word.as_str())), ("words", &*say.offered(offered))];
+        (Verdict::Unreadable, say.fill("feedback.not_offered", &pieces))
     }
 }
 
@@ -78,40 +84,29 @@ struct Key {
     magnitude: bool,
 }
 
-/// Reason of a right answer.
-pub(crate) const WITHIN: &str = "within the tolerance";
-/// Reason of a wrong answer.
-pub(crate) const OUTSIDE: &str = "not within the tolerance";
-/// Reason of a wrong direction where the sign tells it.
-pub(crate) const OTHER_SIGN: &str = "the magnitude is right, the sign is not";
-const OTHER_WORD: &str = "the magnitude is right, the direction is not";
-/// Reason for a negative magnitude.
-pub(crate) const NO_SIGN: &str = "the magnitude is right, but a magnitude is asked, without a minus sign";
-
-fn judge_number(number: &Number, entry: &KeyEntry, key: Key) -> (Verdict, Cow<'static, str>) {
+fn judge_number<'w>(
+    number: &Number,
+    entry: &KeyEntry,
+    key: Key,
+    say: &Feedback<'w>,
+) -> (Verdict, Cow<'w, str>) {
     let unit = match &number.unit {
         Some(unit) if !entry.unit.agrees(unit) => {
-            return (Verdict::WrongDimension, Cow::Owned(entry.unit.mismatch(unit)));
+            return (Verdict::WrongDimension, say.mismatch(&entry.unit, unit));
         }
         Some(unit) => unit,
         None if entry.unit_required && !entry.unit.is_number() => {
-            return (
-                Verdict::MissingUnit,
-                Cow::Owned(format!("write the unit, such as {}", entry.unit.ascii())),
-            );
+            return (Verdict::MissingUnit, say.fill("feedback.write_unit", &[("unit", entry.unit.ascii())]));
         }
         None => &entry.unit,
     };
     let angular = entry.unit.dimension().0[3] != 0 || entry.unit.dimension().0 == [0, 0, -1, 0];
     if number.turning && !angular {
-        return (Verdict::Unreadable, Cow::Owned(Why::OddWord.to_string()));
+        return (Verdict::Unreadable, say.why(&Why::OddWord));
     }
     let word_counts = key.directed || !key.magnitude;
     if word_counts && matches!(number.word, Some(Word::Left | Word::Right)) {
-        return (
-            Verdict::Unreadable,
-            Cow::Borrowed("left or right is no direction here: write up or down, on a level forward or back"),
-        );
+        return (Verdict::Unreadable, Cow::Borrowed(say.get("feedback.left_right")));
     }
     let sign = number.word.and_then(Word::sign).filter(|_| word_counts).unwrap_or(1.0);
     let turns = unit.counts_turns(&entry.unit);
@@ -119,7 +114,7 @@ fn judge_number(number: &Number, entry: &KeyEntry, key: Key) -> (Verdict, Cow<'s
     let per_turn = if turns { std::f64::consts::TAU } else { 1.0 };
     let x = literal * per_turn;
     if !x.is_finite() {
-        return (Verdict::Unreadable, Cow::Borrowed("not a finite number"));
+        return (Verdict::Unreadable, say.why(&Why::NotFinite));
     }
     let decide = |x: f64| {
         if accepts(x, key.value, key.half_width) {
@@ -134,39 +129,38 @@ fn judge_number(number: &Number, entry: &KeyEntry, key: Key) -> (Verdict, Cow<'s
     if let Some(grouped) = number.grouped.filter(|_| verdict == Verdict::Wrong)
         && decide(unit.to_si(grouped) * sign * per_turn) != Verdict::Wrong
     {
-        let text = format!("the comma may mean either: write {} or {}", grouped, number.value);
-        return (Verdict::Unreadable, Cow::Owned(text));
+        let pieces = [("a", &*say.number(grouped)), ("b", &*say.number(number.value))];
+        return (Verdict::Unreadable, say.fill("feedback.comma_either", &pieces));
     }
     if turns && verdict == Verdict::Wrong && decide(literal) != Verdict::Wrong {
-        let text = format!("{unit} is read as turns: write rev/min or rad/min");
-        return (Verdict::Unreadable, Cow::Owned(text));
+        return (Verdict::Unreadable, say.fill("feedback.read_as_turns", &[("unit", unit.ascii())]));
     }
     let reason = match verdict {
-        Verdict::Right => WITHIN,
-        Verdict::WrongDirection if number.word.is_some() => OTHER_WORD,
-        Verdict::WrongDirection if key.magnitude => NO_SIGN,
-        Verdict::WrongDirection => OTHER_SIGN,
-        _ => OUTSIDE,
+        Verdict::Right => say.within,
+        Verdict::WrongDirection if number.word.is_some() => say.get("feedback.other_word"),
+        Verdict::WrongDirection if key.magnitude => say.no_sign,
+        Verdict::WrongDirection => say.other_sign,
+        _ => say.outside,
     };
-    let mut notes: Vec<String> = Vec::new();
-    if number.comma {
-        notes.push("the comma is read as the decimal mark".to_owned());
+    let mut notes: Vec<Cow<str>> = Vec::new();
+    if number.comma && say.comma_is_odd() {
+        notes.push(Cow::Borrowed(say.get("feedback.decimal_comma")));
     }
     if turns {
         let time = unit.ascii().strip_prefix("1/").unwrap_or(unit.ascii());
-        notes.push(format!("{unit} is read as revolutions: rev/{time}"));
+        notes.push(say.fill("feedback.revolutions", &[("unit", unit.ascii()), ("time", time)]));
     }
     if number.about {
-        notes.push("the number is taken as it stands, without the word before it".to_owned());
+        notes.push(Cow::Borrowed(say.get("feedback.about")));
     }
     if number.turning {
-        notes.push("the sense of turning is passed over: it is not asked".to_owned());
+        notes.push(Cow::Borrowed(say.get("feedback.turning")));
     }
     if number.case_forgiven {
-        notes.push(format!("the unit is read as {}", unit.ascii()));
+        notes.push(say.fill("feedback.unit_read", &[("unit", unit.ascii())]));
     }
     if number.word.is_some() && !word_counts {
-        notes.push("no direction is asked".to_owned());
+        notes.push(Cow::Borrowed(say.get("feedback.no_direction")));
     }
     if notes.is_empty() {
         return (verdict, Cow::Borrowed(reason));

@@ -1,4 +1,5 @@
 //! Key and answer give a verdict; a file of submissions gives one for every cell.
+pub mod feedback;
 pub mod judge;
 pub mod run;
 pub mod table;

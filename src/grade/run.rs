@@ -11,7 +11,7 @@ use crate::answer::submissions::Record;
 use crate::answer::submissions::RecordFault;
 use crate::answer::submissions::Source;
 use crate::finding::Finding;
-use crate::grade::judge;
+use crate::grade::feedback::Feedback;
 use crate::grade::judge::accepts;
 use crate::grade::judge::judge_with;
 use crate::grade::table::KeyTable;
@@ -44,18 +44,21 @@ pub enum Attempts {
 
 /// How to grade.
 #[derive(Debug, Clone)]
-pub struct Options {
+pub struct Options<'w> {
     /// Which attempt counts.
     pub attempts: Attempts,
     /// Role (`student`, `problem`, `part`, `answer`, `submitted_at`) and the header that stands for it.
     pub columns: Vec<(String, String)>,
     /// Threads, at least 1.
     pub threads: usize,
+    /// What is said of an answer.
+    pub feedback: Feedback<'w>,
 }
 
-impl Default for Options {
+impl Default for Options<'_> {
     fn default() -> Self {
-        Options { attempts: Attempts::Last, columns: Vec::new(), threads: 1 }
+        let feedback = Feedback::english().clone();
+        Options { attempts: Attempts::Last, columns: Vec::new(), threads: 1, feedback }
     }
 }
 
@@ -173,7 +176,7 @@ fn layout(header: Option<Header>, table: &KeyTable, options: &Options) -> Result
         joined(problem.as_bytes(), part.as_bytes(), &mut key);
         let column = table.column(&key);
         if column.is_none() {
-            findings.push(Finding::new("--columns", table.unknown_part(problem, part)));
+            findings.push(Finding::new("--columns", table.unknown_part(problem, part, Feedback::english())));
         }
         let exact: Vec<usize> = (0..header.fields.len()).filter(|i| header.fields[*i] == *wanted).collect();
         let hits = if exact.is_empty() {
@@ -450,12 +453,10 @@ enum Row {
     Unreadable(String),
 }
 
-fn sort_of_row(record: &Record, layout: &Layout) -> Row {
+fn sort_of_row(record: &Record, layout: &Layout, say: &Feedback) -> Row {
     match record.fault() {
-        Some(RecordFault::Bytes) => {
-            return Row::Unreadable("bytes that are no text: save the file as UTF-8".to_owned());
-        }
-        Some(RecordFault::TooLong) => return Row::Unreadable("a field longer than 64 KiB".to_owned()),
+        Some(RecordFault::Bytes) => return Row::Unreadable(say.get("feedback.bytes").to_owned()),
+        Some(RecordFault::TooLong) => return Row::Unreadable(say.get("feedback.long_field").to_owned()),
         None => {}
     }
     let n = record.len();
@@ -466,7 +467,7 @@ fn sort_of_row(record: &Record, layout: &Layout) -> Row {
     let fits = n >= layout.least;
     let spare = fits && (layout.width..n).all(|i| blank(record.get(i).unwrap_or_default()));
     let split = if odd || (pushed && layout.delimiter == b',') {
-        comma_split(record, layout, n, spare)
+        comma_split(record, layout, n, spare, say)
     } else {
         None
     };
@@ -484,9 +485,10 @@ fn sort_of_row(record: &Record, layout: &Layout) -> Row {
     if split.is_none() && spare {
         return Row::Cells;
     }
-    let mut count = format!("{n} fields where the header has {}", layout.width);
+    let pieces = [("n", &*n.to_string()), ("width", &*layout.width.to_string())];
+    let mut count = say.fill("feedback.fields", &pieces).into_owned();
     if record.quote_left_open() {
-        count.push_str(&format!(": {}", open_quote(record.line())));
+        count.push_str(&format!(": {}", open_quote(record.line(), say)));
     }
     if let Some(said) = split {
         return Row::Unreadable(format!("{count}: {said}"));
@@ -495,13 +497,13 @@ fn sort_of_row(record: &Record, layout: &Layout) -> Row {
 }
 
 /// What is said of a quote that is an ordinary character.
-fn open_quote(line: u64) -> String {
-    format!("a quote opened on line {line} is not closed there")
+fn open_quote<'w>(line: u64, say: &Feedback<'w>) -> Cow<'w, str> {
+    say.fill("feedback.open_quote", &[("line", &line.to_string())])
 }
 
 /// Explains an answer such as `1,25 m/s` that stands in a comma file without quotes. Where the record would also fit
 /// the header without it (`fits`), only a unit after the second half gives it away.
-fn comma_split(record: &Record, layout: &Layout, n: usize, fits: bool) -> Option<String> {
+fn comma_split(record: &Record, layout: &Layout, n: usize, fits: bool, say: &Feedback) -> Option<String> {
     let (from, to) = match layout.form {
         Form::Long { answer, .. } => (answer, answer + 1),
         Form::Wide(_) => (0, if fits { 0 } else { n.saturating_sub(1) }),
@@ -520,7 +522,7 @@ fn comma_split(record: &Record, layout: &Layout, n: usize, fits: bool) -> Option
             return None;
         }
         let (a, b) = (String::from_utf8_lossy(a), String::from_utf8_lossy(b.trim_ascii()));
-        Some(format!("the comma split the answer: quote it (\"{a},{b}\") or write {a}.{b}"))
+        Some(say.fill("feedback.comma_split", &[("a", &a), ("b", &b)]).into_owned())
     })
 }
 
@@ -610,7 +612,14 @@ struct Memory<'a> {
 
 /// Judges a cell whose student and column are known; the plain number's way needs no text.
 #[inline]
-fn judged(table: &KeyTable, who: u32, what: u32, answer: &[u8], units: &mut UnitCache) -> Judgement {
+fn judged<'w>(
+    table: &KeyTable,
+    who: u32,
+    what: u32,
+    answer: &[u8],
+    units: &mut UnitCache,
+    say: &Feedback<'w>,
+) -> Judgement<'w> {
     let hot = &table.hot[who as usize * table.columns.len() + what as usize];
     if hot.fast
         && let Some(number) = plain_number(answer)
@@ -618,21 +627,21 @@ fn judged(table: &KeyTable, who: u32, what: u32, answer: &[u8], units: &mut Unit
         let x = number * hot.times / hot.over;
         if x.is_finite() {
             let (verdict, points, reason) = if accepts(x, hot.value, hot.half_width) {
-                (Verdict::Right, hot.points, judge::WITHIN)
+                (Verdict::Right, hot.points, say.within)
             } else if accepts(-x, hot.value, hot.half_width) {
-                (Verdict::WrongDirection, 0.0, if hot.magnitude { judge::NO_SIGN } else { judge::OTHER_SIGN })
+                (Verdict::WrongDirection, 0.0, if hot.magnitude { say.no_sign } else { say.other_sign })
             } else {
-                (Verdict::Wrong, 0.0, judge::OUTSIDE)
+                (Verdict::Wrong, 0.0, say.outside)
             };
             return Judgement { verdict, points, reason: Cow::Borrowed(reason) };
         }
     }
     match table.entry(who as usize, what as usize) {
-        Some(entry) => judge_with(&String::from_utf8_lossy(answer), entry, units),
+        Some(entry) => judge_with(&String::from_utf8_lossy(answer), entry, units, say),
         None => Judgement {
             verdict: Verdict::UnknownPart,
             points: 0.0,
-            reason: Cow::Borrowed("this student's sheet has no such part"),
+            reason: Cow::Borrowed(say.get("feedback.no_such_part")),
         },
     }
 }
@@ -641,7 +650,7 @@ fn first_pass(worker: &mut Worker, batch: &Batch, table: &KeyTable, layout: &Lay
     let Worker { record, units, key, last_student, last_part, attempts, evidence, .. } = worker;
     let mut memory = Memory { last_student, last_part, key, units };
     batch.records(record, &mut |record| {
-        if !matches!(sort_of_row(record, layout), Row::Cells) {
+        if !matches!(sort_of_row(record, layout, &options.feedback), Row::Cells) {
             return;
         }
         let text = layout.submitted.and_then(|i| record.get(i)).and_then(|t| std::str::from_utf8(t).ok());
@@ -659,7 +668,7 @@ fn first_pass(worker: &mut Worker, batch: &Batch, table: &KeyTable, layout: &Lay
             let (class, points) = if known {
                 (2, 0.0)
             } else {
-                let judgement = judged(table, who, what, cell.answer, memory.units);
+                let judgement = judged(table, who, what, cell.answer, memory.units, &options.feedback);
                 let class = match judgement.verdict {
                     Verdict::Blank | Verdict::UnknownPart => return,
                     Verdict::Unreadable => 1,
@@ -685,8 +694,6 @@ fn first_pass(worker: &mut Worker, batch: &Batch, table: &KeyTable, layout: &Lay
     });
 }
 
-const BY_ROW: &str = "; submitted_at cannot be read for every attempt, so they are taken by row";
-
 fn second_pass(
     worker: &mut Worker,
     batch: &Batch,
@@ -694,6 +701,7 @@ fn second_pass(
     table: &KeyTable,
     layout: &Layout,
     winners: &[Winner],
+    say: &Feedback,
 ) {
     let Worker {
         record,
@@ -708,6 +716,8 @@ fn second_pass(
         ..
     } = worker;
     let mut memory = Memory { last_student, last_part, key, units };
+    let by_row_says = say.get("feedback.by_row");
+    let mut reason = Vec::new();
     let whole = |out: &mut Vec<u8>, record: &Record, verdict: Verdict, reason: &str| {
         push_number(out, record.line());
         out.extend_from_slice(b",,");
@@ -757,12 +767,12 @@ fn second_pass(
         out.push(b'\n');
     };
     batch.records(record, &mut |record| {
-        match sort_of_row(record, layout) {
+        match sort_of_row(record, layout, say) {
             Row::Cells => {}
             Row::Empty => {
                 *written += 1;
                 counts[Verdict::Blank as usize] += 1;
-                return whole(out, record, Verdict::Blank, "an empty record");
+                return whole(out, record, Verdict::Blank, say.get("feedback.empty_record"));
             }
             Row::Unreadable(reason) => {
                 *written += 1;
@@ -797,9 +807,9 @@ fn second_pass(
             let (Some(who), Some(what)) = (cell.who, cell.what) else {
                 let text = |b: &[u8]| String::from_utf8_lossy(b).into_owned();
                 let (verdict, reason) = if cell.who.is_none() {
-                    (Verdict::UnknownStudent, table.unknown_student(&text(cell.student)))
+                    (Verdict::UnknownStudent, table.unknown_student(&text(cell.student), say))
                 } else {
-                    (Verdict::UnknownPart, table.unknown_part(&text(cell.problem), &text(cell.part)))
+                    (Verdict::UnknownPart, table.unknown_part(&text(cell.problem), &text(cell.part), say))
                 };
                 counts[verdict as usize] += 1;
                 out.extend_from_slice(verdict.as_str().as_bytes());
@@ -809,12 +819,12 @@ fn second_pass(
                 return;
             };
             let index = who as usize * table.columns.len() + what as usize;
-            let mut judgement = judged(table, who, what, cell.answer, memory.units);
+            let mut judgement = judged(table, who, what, cell.answer, memory.units, say);
             if judgement.verdict == Verdict::Unreadable
                 && record.quote_left_open()
                 && cell.answer.trim_ascii_start().starts_with(b"\"")
             {
-                judgement.reason = Cow::Owned(open_quote(cell.line));
+                judgement.reason = open_quote(cell.line, say);
             }
             let Winner { at: winner, by_row } = winners[index];
             let counts_not = !matches!(judgement.verdict, Verdict::Blank | Verdict::UnknownPart);
@@ -834,28 +844,23 @@ fn second_pass(
             out.push(b',');
             let by_row = by_row && counts_not;
             if superseded {
-                // none of these words needs quotes unless the reason does
                 let plain = matches!(judgement.reason, Cow::Borrowed(_));
-                let mut reason = Vec::new();
-                let to = if plain { &mut *out } else { &mut reason };
-                to.extend_from_slice(b"superseded by line ");
-                push_number(to, winner >> COLUMN_BITS);
-                to.extend_from_slice(b"; would have been ");
-                to.extend_from_slice(judgement.verdict.as_str().as_bytes());
+                reason.clear();
+                say.superseded(winner >> COLUMN_BITS, judgement.verdict, push_number, &mut reason);
                 if !plain {
                     reason.extend_from_slice(b": ");
                     reason.extend_from_slice(judgement.reason.as_bytes());
                     if by_row {
-                        reason.extend_from_slice(BY_ROW.as_bytes());
+                        reason.extend_from_slice(b"; ");
+                        reason.extend_from_slice(by_row_says.as_bytes());
                     }
-                    push_text(out, &reason);
                 } else if by_row {
-                    let _ = out.write_all(b"; submitted_at cannot be read for every attempt: taken by row");
+                    reason.extend_from_slice(b"; ");
+                    reason.extend_from_slice(say.get("feedback.by_row_short").as_bytes());
                 }
+                push_text(out, &reason);
             } else if by_row {
-                push_text(out, format!("{}{BY_ROW}", judgement.reason).as_bytes());
-            } else if let Cow::Borrowed(reason) = judgement.reason {
-                push_text(out, reason.as_bytes());
+                push_text(out, format!("{}; {by_row_says}", judgement.reason).as_bytes());
             } else {
                 push_text(out, judgement.reason.as_bytes());
             }
@@ -916,7 +921,7 @@ pub fn grade(
     let workers = sweep(
         source,
         workers,
-        &|w, batch, out| second_pass(w, batch, out, table, &layout, &winners),
+        &|w, batch, out| second_pass(w, batch, out, table, &layout, &winners, &options.feedback),
         Some(&mut *out),
         &mut |n| progress(read + n),
     )?;

@@ -1,4 +1,5 @@
 //! The keys of a whole set, laid out for looking up by bytes.
+use crate::grade::feedback::Feedback;
 use crate::grade::run::push_text;
 use crate::key::Answer;
 use crate::key::KeyEntry;
@@ -195,18 +196,18 @@ impl KeyTable {
         self.entries.get(student * self.columns.len() + column).and_then(Option::as_ref)
     }
     /// Why a student is not known.
-    pub(crate) fn unknown_student(&self, id: &str) -> String {
+    pub(crate) fn unknown_student(&self, id: &str, say: &Feedback) -> String {
         if id.is_empty() {
-            return "no student id".to_owned();
+            return say.get("feedback.no_student").to_owned();
         }
         let near = self.by_loose_id.get(&loose_id(id)).copied().flatten();
         match near.and_then(|s| self.students.get(s as usize)) {
-            Some(student) => format!("not on the roster; did you mean {}?", student.id),
-            None => "not on the roster".to_owned(),
+            Some(student) => say.fill("feedback.stranger_close", &[("student", &student.id)]).into_owned(),
+            None => say.get("feedback.stranger").to_owned(),
         }
     }
     /// Why a part is not known.
-    pub(crate) fn unknown_part(&self, problem: &str, part: &str) -> String {
+    pub(crate) fn unknown_part(&self, problem: &str, part: &str, say: &Feedback) -> String {
         let shown = |text: &str| text.chars().take(40).collect::<String>();
         let known = plain_problem(problem);
         let of: Vec<&Column> = self
@@ -218,14 +219,17 @@ impl KeyTable {
             let mut names: Vec<String> =
                 self.columns.iter().map(|c| format!("{} ({})", c.number, c.problem)).collect();
             names.dedup();
-            return format!("no problem `{}`; problems: {}", shown(problem), names.join(", "));
+            let pieces = [("problem", &*shown(problem)), ("problems", &*names.join(", "))];
+            return say.fill("feedback.no_problem", &pieces).into_owned();
         }
         let parts: Vec<&str> = of.iter().map(|c| c.part.as_str()).collect();
+        let (part_shown, all) = (shown(part), parts.join(", "));
         match spell::closest(part, parts.iter().copied()) {
             Some(close) => {
-                format!("no part `{}`; did you mean {close}? parts: {}", shown(part), parts.join(", "))
+                let pieces = [("part", &*part_shown), ("close", close), ("parts", &*all)];
+                say.fill("feedback.no_part_close", &pieces).into_owned()
             }
-            None => format!("no part `{}`; parts: {}", shown(part), parts.join(", ")),
+            None => say.fill("feedback.no_part", &[("part", &part_shown), ("parts", &all)]).into_owned(),
         }
     }
 }

@@ -36,11 +36,11 @@ impl fmt::Display for Verdict {
 
 /// A verdict, its points and the reason in words. The reason never tells the value of the key.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Judgement {
+pub struct Judgement<'w> {
     /// The verdict.
     pub verdict: Verdict,
     /// Points earned.
     pub points: f64,
     /// Why, in words.
-    pub reason: Cow<'static, str>,
+    pub reason: Cow<'w, str>,
 }

@@ -14,6 +14,8 @@ use crate::sheet::statement;
 use rayon::prelude::*;
 use serde_json::Map;
 use serde_json::Value;
+use std::sync::atomic::AtomicBool;
+use std::sync::atomic::Ordering;
 
 /// What one student got: variants and key, problem by problem.
 pub struct Dealt {
@@ -99,6 +101,19 @@ pub fn indices(bank: &Bank, ids: &[String], field: &str) -> Result<Vec<usize>, V
 /// # Errors
 /// What differs: at most five findings and their number.
 pub fn keys(bank: &Bank, set: &StoredSet) -> Result<Vec<SheetKey>, Vec<Finding>> {
+    each(bank, set, &|_, _, dealt| Ok(dealt.key))
+}
+
+/// The same for every student: what `make` makes of a student's place in the set, variants and key, in the order of the
+/// set and on several threads.
+///
+/// # Errors
+/// What differs, or what `make` found: at most five findings and their number.
+pub fn each<T: Send>(
+    bank: &Bank,
+    set: &StoredSet,
+    make: &(dyn Fn(usize, &StoredStudent, Dealt) -> Result<T, Finding> + Sync),
+) -> Result<Vec<T>, Vec<Finding>> {
     if bank.hash != set.bank.sha256 {
         let what = format!(
             "the bank copy was changed: its SHA-256 is {}…, the set was made from {}…",
@@ -116,7 +131,9 @@ pub fn keys(bank: &Bank, set: &StoredSet) -> Result<Vec<SheetKey>, Vec<Finding>>
     }
     let problems = indices(bank, &set.problems, "problems")?;
     let dealer = Dealer::new(bank, &problems, set.seed, &set.name);
-    let one = |student: &StoredStudent| -> Result<SheetKey, Vec<Finding>> {
+    // What `make` finds is no difference.
+    let made_badly = AtomicBool::new(false);
+    let one = |(i, student): (usize, &StoredStudent)| -> Result<T, Vec<Finding>> {
         let dealt = dealer.deal(&student.student).map_err(|f| vec![f])?;
         let mut faults = Vec::new();
         if student.problems.len() != problems.len() {
@@ -134,24 +151,34 @@ pub fn keys(bank: &Bank, set: &StoredSet) -> Result<Vec<SheetKey>, Vec<Finding>>
                 faults.push(Finding::new(format!("students {}, {}", student.student, old.id), what));
             }
         }
-        if faults.is_empty() { Ok(dealt.key) } else { Err(faults) }
+        if faults.is_empty() {
+            make(i, student, dealt).map_err(|f| {
+                made_badly.store(true, Ordering::Relaxed);
+                vec![f]
+            })
+        } else {
+            Err(faults)
+        }
     };
-    let dealt: Vec<Result<SheetKey, Vec<Finding>>> = set.students.par_iter().map(one).collect();
-    let mut keys = Vec::with_capacity(dealt.len());
+    let dealt: Vec<Result<T, Vec<Finding>>> = set.students.par_iter().enumerate().map(one).collect();
+    let mut made = Vec::with_capacity(dealt.len());
     let mut faults = Vec::new();
     for result in dealt {
         match result {
-            Ok(key) => keys.push(key),
-            Err(more) => faults.extend(more),
+            Ok(one) => made.push(one),
+            Err(more) => faults.extend(more.into_iter().filter(|f| !faults.contains(f)).collect::<Vec<_>>()),
         }
     }
     if faults.is_empty() {
-        return Ok(keys);
+        return Ok(made);
     }
     let more = faults.len().saturating_sub(5);
     faults.truncate(5);
     if more > 0 {
         faults.push(Finding::new("", format!("and {more} more differences")));
+    }
+    if made_badly.into_inner() {
+        return Err(faults);
     }
     let last = faults.pop();
     faults.extend(last.map(|f| {

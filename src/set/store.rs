@@ -21,6 +21,12 @@ pub struct StoredSet {
     pub program: String,
     /// Version of the drawing.
     pub draw_version: u32,
+    /// Language of the sheets.
+    #[serde(default = "english")]
+    pub language: String,
+    /// Formats of the sheets, by the endings of their files.
+    #[serde(default = "first_formats")]
+    pub formats: Vec<String>,
     /// The bank.
     pub bank: StoredBank,
     /// Ids of the problems, in the order of the sheet.
@@ -29,6 +35,16 @@ pub struct StoredSet {
     pub students: Vec<StoredStudent>,
     /// Pairs with an equal problem, or with all numeric answers of a problem within tolerance of each other.
     pub coincidences: Vec<Coincidence>,
+}
+
+/// Sets of earlier versions are English.
+fn english() -> String {
+    "en".to_owned()
+}
+
+/// And of these formats.
+fn first_formats() -> Vec<String> {
+    vec!["md".to_owned(), "html".to_owned()]
 }
 
 /// Which bank.
@@ -110,6 +126,8 @@ impl StoredSet {
             ("seed", json(&self.seed)),
             ("program", json(&self.program)),
             ("draw_version", json(&self.draw_version)),
+            ("language", json(&self.language)),
+            ("formats", json(&self.formats)),
             ("bank", json(&self.bank)),
             ("problems", json(&self.problems)),
         ] {

@@ -1,6 +1,17 @@
-//! Markdown with math to HTML with MathML. The Markdown text is the only source.
+//! Markdown with math and pictures to HTML with MathML and inline SVG. The Markdown text is the only source.
+use crate::figure::svg;
+use crate::finding::Finding;
+use crate::sheet::document::ANSWER;
+use crate::sheet::document::Document;
+use crate::sheet::document::Head;
+use crate::template;
+use crate::template::Templates;
+use crate::template::View;
+use crate::words::Words;
+use pulldown_cmark::Alignment;
 use pulldown_cmark::CowStr;
 use pulldown_cmark::Event;
+use pulldown_cmark::HeadingLevel;
 use pulldown_cmark::Options;
 use pulldown_cmark::Parser;
 use pulldown_cmark::Tag;
@@ -9,34 +20,143 @@ use pulldown_latex::RenderConfig;
 use pulldown_latex::Storage;
 use pulldown_latex::config::DisplayMode;
 use rustc_hash::FxHashMap;
+use std::fmt::Write as _;
 
-/// Turns Markdown into HTML and remembers formulas: the same few occur in every sheet.
-#[derive(Default)]
-pub struct Converter {
+/// What of Markdown is read, in every format.
+pub const MARKDOWN: Options = Options::ENABLE_MATH.union(Options::ENABLE_TABLES);
+
+/// Turns documents into HTML and remembers formulas: the same few occur in every sheet.
+pub struct Converter<'w> {
+    words: &'w Words,
     formulas: FxHashMap<String, String>,
 }
 
 /// Formulas remembered at most, so that memory does not grow with the class.
 const REMEMBERED: usize = 4096;
+/// A formula on a line of its own that has more signs than this may be wider than a phone, and scrolls by itself.
+const PHONE: usize = 34;
+/// One with more signs than this is set smaller on paper, so that it fits.
+pub const PAPER: usize = 70;
 
-impl Converter {
+/// Where a document stands in a page.
+#[derive(Debug, Clone, Copy)]
+pub struct Place<'p> {
+    /// Levels that its headings go down: 0 for a page of its own, 1 in a booklet.
+    pub lower: usize,
+    /// Begins the ids of its parts, which are then unique in the page.
+    pub prefix: &'p str,
+}
+
+impl<'w> Converter<'w> {
+    /// A converter that names tables and formulas in these words.
+    pub fn new(words: &'w Words) -> Self {
+        Self { words, formulas: FxHashMap::default() }
+    }
+
     /// The body of a page.
-    pub fn body(&mut self, markdown: &str) -> String {
-        let options = Options::ENABLE_MATH | Options::ENABLE_TABLES;
-        let mut out = String::with_capacity(markdown.len() * 4);
-        let events = Parser::new_ext(markdown, options).map(|event| match event {
-            Event::InlineMath(tex) => Event::InlineHtml(self.formula(&tex, DisplayMode::Inline)),
-            Event::DisplayMath(tex) => Event::InlineHtml(self.formula(&tex, DisplayMode::Block)),
-            event => event,
-        });
-        // A wide table scrolls by itself and not with the page.
-        let events = events.flat_map(|event| match event {
-            Event::Start(Tag::Table(_)) => [Some(Event::Html("<div class=\"wide\">".into())), Some(event)],
-            Event::End(TagEnd::Table) => [Some(event), Some(Event::Html("</div>\n".into()))],
-            event => [Some(event), None],
-        });
-        pulldown_cmark::html::push_html(&mut out, events.flatten());
+    pub fn body(&mut self, document: &Document, place: Place) -> String {
+        let mut out = String::with_capacity(document.markdown.len() * 6);
+        let mut walk = Walk { tables: 0, formulas: 0, columns: Vec::new(), cell: 0, in_head: false };
+        let mut events = Parser::new_ext(&document.markdown, MARKDOWN).peekable();
+        let mut ready: Vec<Event> = Vec::new();
+        while let Some(event) = events.next() {
+            // A paragraph that holds nothing but a picture becomes that picture.
+            if event == Event::Start(Tag::Paragraph)
+                && let Some(Event::Start(Tag::Image { dest_url, .. })) = events.peek()
+                && let Some(name) = dest_url.strip_suffix(".svg").map(str::to_owned)
+                && let Some(picture) = document.picture(&name)
+            {
+                for skipped in events.by_ref() {
+                    if skipped == Event::End(TagEnd::Paragraph) {
+                        break;
+                    }
+                }
+                let id = format!("{}{name}", place.prefix);
+                let figure = format!("<figure>{}</figure>\n", svg::inline(picture, &id).trim_end());
+                ready.push(Event::Html(figure.into()));
+                continue;
+            }
+            self.event(event, place, &mut walk, &mut ready);
+        }
+        pulldown_cmark::html::push_html(&mut out, ready.into_iter());
         out
+    }
+
+    /// One event of Markdown to events that the writer of HTML knows.
+    fn event<'e>(&mut self, event: Event<'e>, place: Place, walk: &mut Walk, out: &mut Vec<Event<'e>>) {
+        let html = |text: String| Event::InlineHtml(text.into());
+        match event {
+            Event::InlineMath(tex) => out.push(Event::InlineHtml(self.formula(&tex, DisplayMode::Inline))),
+            Event::DisplayMath(tex) => {
+                walk.formulas += 1;
+                let signs = signs(&tex);
+                let mut class = String::from("formula");
+                if signs > PAPER {
+                    class.push_str(" long");
+                }
+                let scrolls = if signs > PHONE {
+                    let label = format!("{} {}", self.words.get("sheet.formula"), walk.formulas);
+                    format!(" role=\"region\" tabindex=\"0\" aria-label=\"{label}\"")
+                } else {
+                    String::new()
+                };
+                let math = self.formula(&tex, DisplayMode::Block);
+                out.push(html(format!("<span class=\"{class}\"{scrolls}>{math}</span>")));
+            }
+            Event::Html(text) | Event::InlineHtml(text) if text.trim() == ANSWER => {
+                out.push(html("<span class=\"answer\"></span>".to_owned()));
+            }
+            // Nothing that a template writes is markup of its own.
+            Event::Html(text) | Event::InlineHtml(text) => {
+                if !text.trim_start().starts_with("<!--") {
+                    out.push(Event::Text(text));
+                }
+            }
+            Event::Start(Tag::Heading { level, classes, attrs, .. }) => {
+                let level = lowered(level, place.lower);
+                out.push(Event::Start(Tag::Heading { level, id: None, classes, attrs }));
+            }
+            Event::End(TagEnd::Heading(level)) => {
+                out.push(Event::End(TagEnd::Heading(lowered(level, place.lower))))
+            }
+            // A wide table scrolls by itself and not with the page.
+            Event::Start(Tag::Table(columns)) => {
+                walk.tables += 1;
+                walk.columns = columns;
+                let label = format!("{} {}", self.words.get("sheet.table"), walk.tables);
+                out.push(html(format!(
+                    "<div class=\"wide\" role=\"region\" tabindex=\"0\" aria-label=\"{label}\"><table>\n"
+                )));
+            }
+            Event::End(TagEnd::Table) => out.push(html("</tbody></table></div>\n".to_owned())),
+            Event::Start(Tag::TableHead) => {
+                (walk.in_head, walk.cell) = (true, 0);
+                out.push(html("<thead><tr>".to_owned()));
+            }
+            Event::End(TagEnd::TableHead) => {
+                walk.in_head = false;
+                out.push(html("</tr></thead>\n<tbody>\n".to_owned()));
+            }
+            Event::Start(Tag::TableRow) => {
+                walk.cell = 0;
+                out.push(html("<tr>".to_owned()));
+            }
+            Event::End(TagEnd::TableRow) => out.push(html("</tr>\n".to_owned())),
+            Event::Start(Tag::TableCell) => {
+                let class = match walk.columns.get(walk.cell) {
+                    Some(Alignment::Right) => " class=\"right\"",
+                    Some(Alignment::Center) => " class=\"middle\"",
+                    _ => "",
+                };
+                walk.cell += 1;
+                let tag = if walk.in_head { "th scope=\"col\"" } else { "td" };
+                out.push(html(format!("<{tag}{class}>")));
+            }
+            Event::End(TagEnd::TableCell) => {
+                out.push(html(if walk.in_head { "</th>" } else { "</td>" }.to_owned()));
+            }
+            event => out.push(event),
+        }
     }
 
     fn formula<'e>(&mut self, tex: &str, display_mode: DisplayMode) -> CowStr<'e> {
@@ -53,6 +173,160 @@ impl Converter {
         }
         html.into()
     }
+}
+
+/// What is known on the way through a document.
+struct Walk {
+    tables: usize,
+    formulas: usize,
+    columns: Vec<Alignment>,
+    cell: usize,
+    in_head: bool,
+}
+
+fn lowered(level: HeadingLevel, by: usize) -> HeadingLevel {
+    HeadingLevel::try_from((level as usize + by).min(6)).unwrap_or(HeadingLevel::H6)
+}
+
+/// About how many signs wide a formula is: commands count as one, a fraction as the wider of its halves.
+pub fn signs(tex: &str) -> usize {
+    // Of several lines the longest.
+    if tex.contains(r"\\") {
+        return tex.split(r"\\").map(signs).max().unwrap_or(0);
+    }
+    let (mut count, mut rest) = (0, tex);
+    while let Some(c) = rest.chars().next() {
+        if let Some(command) = rest.strip_prefix('\\') {
+            let letters = command.chars().take_while(char::is_ascii_alphabetic).count();
+            let name = &command[..letters];
+            rest = &command[letters.max(command.chars().next().map_or(0, char::len_utf8))..];
+            match name {
+                "frac" | "dfrac" | "tfrac" => {
+                    let (above, after) = group(rest);
+                    let (below, after) = group(after);
+                    count += signs(above).max(signs(below));
+                    rest = after;
+                }
+                "begin" | "end" => rest = group(rest).1,
+                "mathrm" | "text" | "left" | "right" | "quad" | "qquad" => {}
+                _ => count += 1,
+            }
+            continue;
+        }
+        if !matches!(c, '{' | '}' | '^' | '_' | '&' | ' ' | '\n') {
+            count += 1;
+        }
+        rest = &rest[c.len_utf8()..];
+    }
+    count
+}
+
+/// The text within the braces at the start, and what follows.
+fn group(text: &str) -> (&str, &str) {
+    let text = text.trim_start();
+    let Some(inner) = text.strip_prefix('{') else {
+        let end = text.chars().next().map_or(0, char::len_utf8);
+        return text.split_at(end);
+    };
+    let mut depth = 1;
+    for (i, c) in inner.char_indices() {
+        match c {
+            '{' => depth += 1,
+            '}' => depth -= 1,
+            _ => {}
+        }
+        if depth == 0 {
+            return (&inner[..i], &inner[i + 1..]);
+        }
+    }
+    (inner, "")
+}
+
+/// The text at the head of a printed page, as a string of CSS: `"Amina Yusuf · week-3 · 7K3QF2"`.
+pub fn running_head(head: &Head) -> String {
+    let mut text = String::from("\"");
+    let who = if head.name.is_empty() { &head.student } else { &head.name };
+    for (i, part) in [who, &head.set, &head.code].into_iter().filter(|p| !p.is_empty()).enumerate() {
+        if i > 0 {
+            text.push_str(" \u{b7} ");
+        }
+        for c in part.chars() {
+            match c {
+                // A quotation mark would end the string, a less-than sign might end the style.
+                '"' | '\\' | '<' | '>' | '&' => {
+                    let _ = write!(text, "\\{:x} ", u32::from(c));
+                }
+                c if c.is_control() => text.push(' '),
+                c => text.push(c),
+            }
+        }
+    }
+    text.push('"');
+    text
+}
+
+/// A page that needs nothing else. `kind` is the class of its body: `sheets`, `solutions`, `key`.
+///
+/// # Errors
+/// Faults of the templates.
+pub fn page(
+    templates: &Templates,
+    words: &Words,
+    kind: &str,
+    head: &Head,
+    body: &str,
+) -> Result<Vec<u8>, Finding> {
+    let mut view = View::new();
+    view.text("language", words.language());
+    view.text("kind", kind);
+    view.foreign("title", &head.title);
+    view.foreign("student", &head.student);
+    view.foreign("name", &head.name);
+    view.foreign("set", &head.set);
+    view.text("code", &head.code);
+    view.text("running", &running_head(head));
+    view.text("body", body.trim_end());
+    let mut out = Vec::new();
+    templates.render("sheet.html", &view, &mut out)?;
+    Ok(out)
+}
+
+/// One page with all of a set: each document, its headings lowered by one, is an article with the id `s1`, `s2`, ...
+///
+/// # Errors
+/// Faults of the templates.
+pub fn booklet<'p>(
+    templates: &Templates,
+    words: &Words,
+    title: &str,
+    parts: impl Iterator<Item = (&'p Head, &'p str)>,
+) -> Result<Vec<u8>, Finding> {
+    let mut view = View::new();
+    view.text("language", words.language());
+    view.foreign("title", title);
+    view.text("skip", words.get("sheet.skip"));
+    view.text("contents", words.get("sheet.contents"));
+    let list = parts.enumerate().map(|(i, (head, body))| {
+        let who = match head.name.as_str() {
+            "" => head.student.clone(),
+            name => format!("{name} ({})", head.student),
+        };
+        template::map([
+            ("id", template::finished(&part_id(i))),
+            ("who", template::finished(&template::in_html(&who))),
+            ("running", template::finished(&running_head(head))),
+            ("body", template::finished(body.trim_end())),
+        ])
+    });
+    view.value("sheets", template::list(list.collect()));
+    let mut out = Vec::new();
+    templates.render("booklet.html", &view, &mut out)?;
+    Ok(out)
+}
+
+/// Id of a document in a booklet, counted from 0.
+pub fn part_id(i: usize) -> String {
+    format!("s{}", i + 1)
 }
 
 /// A formula as MathML; one that cannot be read is shown as it was written.
@@ -79,18 +353,21 @@ fn mathml(tex: &str, display_mode: DisplayMode) -> String {
     }
 }
 
-/// What the writer of MathML leaves ugly: escaped spaces, the micro sign for the letter mu, wide slashes in units.
+/// What the writer of MathML leaves ugly: escaped spaces, the micro sign for the letter mu, wide
+/// slashes in units, decimal commas as if they parted a list, the letters of a unit one by one.
 fn tidy(mathml: &str) -> String {
     mathml
         .replace("&amp;nbsp;", "\u{a0}")
         .replace('\u{b5}', "\u{3bc}")
         .replace("<mo>/</mo>", "<mo lspace=\"0\" rspace=\"0\">/</mo>")
+        .replace("</mn><mrow><mo>,</mo></mrow><mn>", ",")
+        .replace("</mi><mi mathvariant=\"normal\">", "")
 }
 
 /// Says what is wrong with the formulas of a Markdown text, one sentence each.
 pub fn faulty_formulas(markdown: &str) -> Vec<String> {
     let storage = Storage::new();
-    Parser::new_ext(markdown, Options::ENABLE_MATH | Options::ENABLE_TABLES)
+    Parser::new_ext(markdown, MARKDOWN)
         .filter_map(|event| match event {
             Event::InlineMath(tex) | Event::DisplayMath(tex) => Some(tex),
             _ => None,

@@ -1,9 +1,11 @@
 //! What a reader sees: statements, sheets, the public sheet file. Numbers become text here, once.
 pub mod document;
 pub mod html;
+pub mod key_table;
 pub mod number;
 pub mod page;
 pub mod pdf;
 pub mod public;
 pub mod statement;
+pub mod tex;
 pub mod typst;

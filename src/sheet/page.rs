@@ -1,24 +1,32 @@
-//! A whole sheet of one student, as Markdown and as a page of HTML that needs nothing else.
+//! A whole sheet of one student: a document of Markdown and pictures, with its head.
 use crate::bank::Bank;
+use crate::bank::FigureLabels;
 use crate::bank::Problem;
+use crate::bank::load;
+use crate::figure::picture::Picture;
+use crate::figure::scene;
 use crate::finding::Finding;
 use crate::problem::make::Variant;
 use crate::scene::Quantity;
 use crate::scene::Slope;
-use crate::sheet::html::Converter;
+use crate::sheet::document::Document;
+use crate::sheet::document::Head;
 use crate::sheet::statement::Common;
 use crate::sheet::statement::Scratch;
 use crate::sheet::statement::Statement;
+use crate::sheet::statement::decimal_text;
 use crate::sheet::statement::percent;
 use crate::template;
 use crate::template::Templates;
 use crate::template::View;
+use crate::words::Words;
 
 /// The problems of a set, ready to be written for many students.
 pub struct Sheets<'b> {
     bank: &'b Bank,
     set: &'b str,
     templates: &'b Templates,
+    words: &'b Words,
     statements: Vec<(usize, Statement<'b>)>,
     common: Common,
 }
@@ -27,7 +35,6 @@ pub struct Sheets<'b> {
 #[derive(Default)]
 pub struct Room {
     scratch: Vec<Scratch>,
-    converter: Converter,
 }
 
 impl<'b> Sheets<'b> {
@@ -37,6 +44,7 @@ impl<'b> Sheets<'b> {
     /// Faults of the templates.
     pub fn new(
         templates: &'b Templates,
+        words: &'b Words,
         bank: &'b Bank,
         set: &'b str,
         problems: &[usize],
@@ -47,15 +55,19 @@ impl<'b> Sheets<'b> {
         let mut faults = Vec::new();
         for (i, index) in problems.iter().enumerate() {
             let Some(problem) = bank.problems.get(*index) else { continue };
-            match Statement::new(templates, problem, i + 1, &common) {
+            match Statement::new(templates, words, problem, i + 1, &common) {
                 Ok(statement) => statements.push((*index, statement)),
                 Err(fault) => faults.push(fault),
             }
         }
-        if faults.is_empty() { Ok(Self { bank, set, templates, statements, common }) } else { Err(faults) }
+        if faults.is_empty() {
+            Ok(Self { bank, set, templates, words, statements, common })
+        } else {
+            Err(faults)
+        }
     }
 
-    /// Appends the Markdown of one problem (counted from 0 in the sheet).
+    /// Appends the Markdown of one problem (counted from 0 in the sheet), without its figure.
     ///
     /// # Errors
     /// Faults of the templates.
@@ -66,82 +78,104 @@ impl<'b> Sheets<'b> {
         room: &mut Room,
         out: &mut Vec<u8>,
     ) -> Result<(), Finding> {
-        room.scratch.resize_with(self.statements.len().max(room.scratch.len()), Scratch::default);
-        let Some((_, statement)) = self.statements.get(i) else { return Ok(()) };
-        statement.write(variant, i + 1, &mut room.scratch[i], out)
+        self.write(i, variant, None, room, out)
     }
 
-    /// The sheet of one student as Markdown.
+    fn write(
+        &self,
+        i: usize,
+        variant: &Variant,
+        figure: Option<&str>,
+        room: &mut Room,
+        out: &mut Vec<u8>,
+    ) -> Result<(), Finding> {
+        room.scratch.resize_with(self.statements.len().max(room.scratch.len()), Scratch::default);
+        let Some((_, statement)) = self.statements.get(i) else { return Ok(()) };
+        statement.write(variant, i + 1, figure, &mut room.scratch[i], out)
+    }
+
+    /// The sheet of one student.
     ///
     /// # Errors
     /// Faults of the templates.
-    pub fn markdown(
+    pub fn document(
         &self,
         student: &str,
         name: &str,
         variants: &[Variant],
         room: &mut Room,
-    ) -> Result<String, Finding> {
+    ) -> Result<(Head, Document), Finding> {
+        let head = self.head(student, name, variants);
+        let mut document = Document::default();
         let mut problems = Vec::with_capacity(variants.len());
         let mut body = Vec::new();
         for (i, (index, _)) in self.statements.iter().enumerate() {
             body.clear();
+            let problem = &self.bank.problems[*index];
             if let Some(variant) = variants.get(i) {
-                self.problem(i, variant, room, &mut body)?;
+                let figure = (problem.figure != FigureLabels::None).then(|| {
+                    let picture = scene::picture(problem, variant, self.words, problem.figure);
+                    let name = format!("problem-{}", i + 1);
+                    let line = format!("![{}]({name}.svg)", alternative(&picture));
+                    document.pictures.push((name, picture));
+                    line
+                });
+                self.write(i, variant, figure.as_deref(), room, &mut body)?;
             }
             problems.push(template::map([
                 ("number", template::finished(&(i + 1).to_string())),
-                ("title", template::finished(&self.bank.problems[*index].title)),
+                ("title", template::finished(&problem.title)),
                 ("body", template::finished(&String::from_utf8_lossy(&body))),
             ]));
         }
-        let mut view = self.head(student, name);
+        let mut view = self.view(&head);
         view.value("problems", template::list(problems));
         let mut out = Vec::new();
-        self.templates.markdown("sheet.md", &view, &mut out)?;
-        let mut text = String::from_utf8_lossy(&out).trim_end().to_owned();
-        text.push('\n');
-        Ok(text)
+        self.templates.render("sheet.md", &view, &mut out)?;
+        document.markdown = String::from_utf8_lossy(&out).trim_end().to_owned();
+        document.markdown.push('\n');
+        Ok((head, document))
     }
 
-    /// The page of the same sheet.
-    ///
-    /// # Errors
-    /// Faults of the templates.
-    pub fn html(
-        &self,
-        student: &str,
-        name: &str,
-        markdown: &str,
-        room: &mut Room,
-    ) -> Result<Vec<u8>, Finding> {
-        let mut view = self.head(student, name);
-        view.foreign("title", &self.bank.title);
-        view.text("body", room.converter.body(markdown).trim_end());
-        let mut out = Vec::new();
-        self.templates.html("sheet.html", &view, &mut out)?;
-        Ok(out)
+    /// Who gets the sheet, and the code of what was drawn.
+    pub fn head(&self, student: &str, name: &str, variants: &[Variant]) -> Head {
+        let mut drawn = format!("{}\u{0}{student}", self.set);
+        for ((index, _), variant) in self.statements.iter().zip(variants) {
+            let problem = &self.bank.problems[*index];
+            let case = problem.cases.get(variant.case).map_or("", |c| c.name.as_str());
+            drawn.push_str(&format!("\u{0}{}\u{0}{case}", problem.id));
+            for number in variant.values.iter() {
+                drawn.push('\u{0}');
+                drawn.push_str(&number.map_or_else(String::new, decimal_text));
+            }
+        }
+        Head {
+            title: self.bank.title.clone(),
+            name: name.to_owned(),
+            student: student.to_owned(),
+            set: self.set.to_owned(),
+            code: code(&drawn),
+        }
     }
 
-    fn head(&self, student: &str, name: &str) -> View {
+    fn view(&self, head: &Head) -> View {
+        let words = self.words;
         let mut view = View::new();
         view.text("title", &self.bank.title);
-        view.foreign("student", student);
-        view.foreign("name", name);
+        view.foreign("student", &head.student);
+        view.foreign("name", &head.name);
         view.foreign("set", self.set);
+        view.text("code", &head.code);
         view.text("units", if self.common.unit_required { "required" } else { "optional" });
         view.text("figures", &self.common.figures.to_string());
-        let within = percent(self.common.relative);
+        let within = words.number(&percent(self.common.relative));
         let questions =
             || self.statements.iter().flat_map(|(index, _)| &self.bank.problems[*index].questions);
-        let unless = match questions().any(|q| self.common.differs(q)) {
-            true => ", or where a question says `within`, within what it says",
-            false => "",
-        };
-        view.text(
-            "tolerance",
-            &format!("an answer within {within} of the right one counts as right{unless}"),
-        );
+        let mut tolerance = words.say("sheet.tolerance", &[("share", &within)]);
+        if questions().any(|q| self.common.differs(q)) {
+            tolerance.push_str(words.get("sheet.unless"));
+        }
+        view.text("tolerance", &tolerance);
         view.text("self_check", if self.bank.self_check { "yes" } else { "" });
         let questions =
             self.statements.iter().enumerate().flat_map(|(i, (index, _))| {
@@ -171,10 +205,23 @@ impl<'b> Sheets<'b> {
             "direction",
             match (sloped.is_empty(), sloped.contains(&true)) {
                 (true, _) => "",
-                (false, true) => "down",
-                (false, false) => "back",
+                (false, true) => words.get("sheet.down"),
+                (false, false) => words.get("sheet.back"),
             },
         );
         view
     }
+}
+
+/// What a picture shows, in Markdown, for those who do not see it.
+fn alternative(picture: &Picture) -> String {
+    template::in_markdown(if picture.desc.is_empty() { &picture.title } else { &picture.desc })
+}
+
+/// Six letters and digits that stand for a text; none that is easily taken for another.
+fn code(text: &str) -> String {
+    const LETTERS: &[u8; 32] = b"23456789ABCDEFGHJKLMNPQRSTUVWXYZ";
+    let hash = load::hash(text);
+    let bits = hash.get(..8).and_then(|hex| u32::from_str_radix(hex, 16).ok()).unwrap_or(0);
+    (0..6).map(|i| char::from(LETTERS[(bits >> (5 * i) & 31) as usize])).collect()
 }

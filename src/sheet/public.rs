@@ -23,6 +23,7 @@ pub const FORMAT: u32 = 1;
 pub struct Writer<'b> {
     bank: &'b Bank,
     set: &'b str,
+    language: &'b str,
     problems: Vec<usize>,
     /// For each problem of the sheet and each of its cases: the scene as JSON text; `null` without self-check.
     scenes: Vec<Vec<String>>,
@@ -33,7 +34,13 @@ impl<'b> Writer<'b> {
     ///
     /// # Errors
     /// The text is not that of the bank.
-    pub fn new(bank: &'b Bank, text: &str, problems: &[usize], set: &'b str) -> Result<Self, Finding> {
+    pub fn new(
+        bank: &'b Bank,
+        text: &str,
+        problems: &[usize],
+        set: &'b str,
+        language: &'b str,
+    ) -> Result<Self, Finding> {
         let tree = load::tree(text)?;
         let mut scenes = Vec::new();
         for problem in problems.iter().filter_map(|p| bank.problems.get(*p)) {
@@ -44,16 +51,17 @@ impl<'b> Writer<'b> {
                 cases.map(|_| "null".to_owned()).collect()
             });
         }
-        Ok(Self { bank, set, problems: problems.to_vec(), scenes })
+        Ok(Self { bank, set, language, problems: problems.to_vec(), scenes })
     }
 
     /// The file of one student.
     pub fn text(&self, student: &str, variants: &[Variant]) -> String {
         let quote = |text: &str| Value::from(text).to_string();
         let mut out = format!(
-            "{{\n\"format\": {FORMAT},\n\"student\": {},\n\"set\": {},\n\"problems\": [",
+            "{{\n\"format\": {FORMAT},\n\"student\": {},\n\"set\": {},\n\"language\": {},\n\"problems\": [",
             quote(student),
-            quote(self.set)
+            quote(self.set),
+            quote(self.language)
         );
         for (i, index) in self.problems.iter().enumerate() {
             let (problem, variant) = (&self.bank.problems[*index], &variants[i]);
@@ -109,6 +117,13 @@ fn to_json(node: &Node) -> Value {
     }
 }
 
+/// A text of the bank in the language of the sheet, where the bank has one.
+fn put(fields: &mut Map<String, Value>, name: &str, text: &str) {
+    if let Some(field) = fields.get_mut(name) {
+        *field = Value::from(text);
+    }
+}
+
 /// A bank with this one case of this one problem, without ranges and bounds.
 fn scene(bank: &Bank, tree: &Node, problem: &Problem, case: usize) -> Value {
     let mut out = Map::new();
@@ -117,7 +132,8 @@ fn scene(bank: &Bank, tree: &Node, problem: &Problem, case: usize) -> Value {
             out.insert(name.to_owned(), to_json(node));
         }
     }
-    out.entry("title").or_insert_with(|| Value::from(bank.title.as_str()));
+    out.entry("title").or_insert_with(|| Value::from(""));
+    put(&mut out, "title", &bank.title);
     let whole = field(tree, "problems").and_then(|p| field(p, &problem.id));
     let of_case = whole
         .and_then(|p| field(p, "cases"))
@@ -132,6 +148,7 @@ fn scene(bank: &Bank, tree: &Node, problem: &Problem, case: usize) -> Value {
             let mut fields = to_json(written);
             if let Value::Object(fields) = &mut fields {
                 fields.shift_remove("draw");
+                put(fields, "name", &problem.data[i].name);
             }
             data.insert(datum.symbol.clone(), fields);
         }
@@ -147,7 +164,11 @@ fn scene(bank: &Bank, tree: &Node, problem: &Problem, case: usize) -> Value {
     let mut questions = Map::new();
     for q in &problem.questions {
         if let Some(node) = whole.and_then(|p| field(p, "questions")).and_then(|n| field(n, &q.id)) {
-            questions.insert(q.id.clone(), to_json(node));
+            let mut fields = to_json(node);
+            if let Value::Object(fields) = &mut fields {
+                put(fields, "ask", &q.ask);
+            }
+            questions.insert(q.id.clone(), fields);
         }
     }
     one.insert("questions".to_owned(), Value::Object(questions));
@@ -165,6 +186,9 @@ pub struct SheetFile {
     pub student: String,
     /// Name of the set.
     pub set: String,
+    /// Language in which the student is answered; English if it does not say.
+    #[serde(default)]
+    pub language: Option<String>,
     /// The problems.
     pub problems: Vec<SheetProblem>,
 }

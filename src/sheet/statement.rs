@@ -5,7 +5,8 @@
 //! - `value.m`: without the symbol, `$40\ \mathrm{kg}$`; `tex.m`: the symbol alone, `m`, without dollars;
 //! - `title`, `number` (in the sheet), `case` (its name);
 //! - for particles: `count` (`Four`), `particles` (a list of `name`, `mass`, `x`, `y`), `motion` (`particle`, `vx`, `vy`, `spin`);
-//! - `questions`: a list of `number`, `id`, `ask`, `form`, `unit`, `figures`, `points` (empty for one point).
+//! - `questions`: a list of `number`, `id`, `ask`, `form`, `unit`, `figures`, `points` (empty for one point), `answer` (room
+//!   for it on paper).
 //!
 //! `ask` of a question is a template too and sees the same, but for `questions`.
 use crate::bank::Bank;
@@ -21,9 +22,11 @@ use crate::scene::Quantity;
 use crate::scene::Scene;
 use crate::scene::Slope;
 use crate::scene::Start;
+use crate::sheet::document;
 use crate::template;
 use crate::template::Templates;
 use crate::template::View;
+use crate::words::Words;
 use std::fmt::Write as _;
 
 /// Names that a statement may use besides the symbols of its problem.
@@ -70,6 +73,7 @@ impl Common {
 pub struct Statement<'b> {
     problem: &'b Problem,
     templates: &'b Templates,
+    words: &'b Words,
     name: String,
     values: bool,
     common: Common,
@@ -146,6 +150,7 @@ impl<'b> Statement<'b> {
     /// Faults of the templates.
     pub fn new(
         templates: &'b Templates,
+        words: &'b Words,
         problem: &'b Problem,
         number: usize,
         common: &Common,
@@ -188,19 +193,25 @@ impl<'b> Statement<'b> {
                 let texts: Vec<&str> = problem.questions.iter().map(|q| q.ask.as_str()).collect();
                 view.value(
                     "questions",
-                    question_list(problem, number, &forms(problem, &case.scene, common, &within), &texts),
+                    question_list(
+                        words,
+                        problem,
+                        number,
+                        &forms(words, problem, &case.scene, common, &within),
+                        &texts,
+                    ),
                 );
                 let mut text = Vec::new();
-                templates.markdown("questions.md", &view, &mut text)?;
+                templates.render("questions.md", &view, &mut text)?;
                 this.questions = Some(text);
                 this.base = view;
             }
             cases.push(this);
         }
-        Ok(Self { problem, templates, name, values, common: common.clone(), around, cases })
+        Ok(Self { problem, templates, words, name, values, common: common.clone(), around, cases })
     }
 
-    /// Appends the statement of a variant, with its questions.
+    /// Appends the statement of a variant, with its figure (a line of Markdown) and its questions.
     ///
     /// # Errors
     /// Faults of the templates.
@@ -208,6 +219,7 @@ impl<'b> Statement<'b> {
         &self,
         variant: &Variant,
         number: usize,
+        figure: Option<&str>,
         scratch: &mut Scratch,
         out: &mut Vec<u8>,
     ) -> Result<(), Finding> {
@@ -224,7 +236,13 @@ impl<'b> Statement<'b> {
                 let (before, after) = &self.around[i];
                 scratch.text.clear();
                 scratch.text.push_str(before);
+                let digits = scratch.text.len();
                 push_decimal(&mut scratch.text, value, decimals);
+                if self.words.decimal() != '.' {
+                    let number = self.words.tex_number(&scratch.text[digits..]);
+                    scratch.text.truncate(digits);
+                    scratch.text.push_str(&number);
+                }
                 scratch.text.push_str(after);
                 scratch.view.text(datum.symbol.as_str(), &scratch.text);
             }
@@ -240,26 +258,30 @@ impl<'b> Statement<'b> {
         if of_case.particles {
             self.particles(&self.problem.cases[case].scene, drawn, &mut scratch.view);
         }
-        self.templates.markdown(&self.name, &scratch.view, out)?;
+        self.templates.render(&self.name, &scratch.view, out)?;
         while out.last().is_some_and(u8::is_ascii_whitespace) {
             out.pop();
         }
         out.extend_from_slice(b"\n\n");
+        if let Some(line) = figure {
+            out.extend_from_slice(line.as_bytes());
+            out.extend_from_slice(b"\n\n");
+        }
         if let Some(text) = &of_case.questions {
             out.extend_from_slice(text);
         } else {
             let mut texts: Vec<String> = self.problem.questions.iter().map(|q| q.ask.clone()).collect();
             for (i, ask) in &of_case.asks {
                 let mut text = Vec::new();
-                self.templates.markdown(ask, &scratch.view, &mut text)?;
+                self.templates.render(ask, &scratch.view, &mut text)?;
                 texts[*i] = String::from_utf8_lossy(&text).trim().to_owned();
             }
             let texts: Vec<&str> = texts.iter().map(String::as_str).collect();
             let scene = &self.problem.cases[case].scene;
-            let forms = forms(self.problem, scene, &self.common, &variant.within);
-            let questions = question_list(self.problem, number, &forms, &texts);
+            let forms = forms(self.words, self.problem, scene, &self.common, &variant.within);
+            let questions = question_list(self.words, self.problem, number, &forms, &texts);
             scratch.view.value("questions", questions);
-            self.templates.markdown("questions.md", &scratch.view, out)?;
+            self.templates.render("questions.md", &scratch.view, out)?;
         }
         while out.last().is_some_and(u8::is_ascii_whitespace) {
             out.pop();
@@ -271,14 +293,14 @@ impl<'b> Statement<'b> {
     /// `$40\ \mathrm{kg}$`
     fn value_tex(&self, datum: usize, drawn: &[Option<Decimal>]) -> String {
         let Some(drawn) = drawn.get(datum).copied().flatten() else { return String::new() };
-        let digits = decimal_text(drawn);
+        let digits = self.words.tex_number(&decimal_text(drawn));
         self.problem.data.get(datum).map_or_else(String::new, |d| format!("${}$", d.unit.tex_with(&digits)))
     }
 
     fn particles(&self, scene: &Scene, drawn: &[Option<Decimal>], view: &mut View) {
         let text = |num: Num, unit: &str| match num {
             Num::Datum(i) => self.value_tex(i, drawn),
-            Num::Fixed(x) => format!("${x}{unit}$"),
+            Num::Fixed(x) => format!("${}{unit}$", self.words.tex_number(&x.to_string())),
         };
         let whole = |num: Num, symbol: &str, unit: &str| match num {
             Num::Datum(i) => {
@@ -286,7 +308,7 @@ impl<'b> Statement<'b> {
                 let value = self.value_tex(i, drawn);
                 format!("${tex} = {}", &value[1..])
             }
-            Num::Fixed(x) => format!("${symbol} = {x}{unit}$"),
+            Num::Fixed(x) => format!("${symbol} = {}{unit}$", self.words.tex_number(&x.to_string())),
         };
         for body in scene.bodies.iter().filter(|b| !b.particles.is_empty()) {
             let rows = body.particles.iter().map(|p| {
@@ -298,9 +320,11 @@ impl<'b> Statement<'b> {
                 ])
             });
             view.value("particles", template::list(rows.collect()));
-            const COUNTS: [&str; 9] = ["No", "One", "Two", "Three", "Four", "Five", "Six", "Seven", "Eight"];
             let count = body.particles.len();
-            view.text("count", &COUNTS.get(count).map_or_else(|| count.to_string(), |w| (*w).to_owned()));
+            let name = format!("sheet.count_{count}");
+            let said =
+                if self.words.has(&name) { self.words.get(&name).to_owned() } else { count.to_string() };
+            view.text("count", &said);
         }
         for start in &scene.start {
             if let Start::Lamina { body, particle, vx_m_s, vy_m_s, spin_rad_s } = *start {
@@ -320,12 +344,18 @@ impl<'b> Statement<'b> {
     }
 }
 
-fn question_list(problem: &Problem, number: usize, forms: &[String], asks: &[&str]) -> template::Value {
+fn question_list(
+    words: &Words,
+    problem: &Problem,
+    number: usize,
+    forms: &[String],
+    asks: &[&str],
+) -> template::Value {
     let rows = problem.questions.iter().zip(forms).zip(asks).map(|((q, form), ask)| {
         let points = if (q.points - 1.0).abs() <= f64::EPSILON {
             String::new()
         } else {
-            format!("{} points", q.points)
+            words.say("sheet.points", &[("n", &words.number(&q.points.to_string()))])
         };
         template::map([
             ("number", template::finished(&number.to_string())),
@@ -335,52 +365,80 @@ fn question_list(problem: &Problem, number: usize, forms: &[String], asks: &[&st
             ("unit", template::finished(q.unit.ascii())),
             ("figures", template::finished(&q.figures.to_string())),
             ("points", template::finished(&points)),
+            ("answer", template::finished(document::ANSWER)),
         ])
     });
     template::list(rows.collect())
 }
 
 /// Words that may give the direction of a quantity of this label, forward one first.
-pub fn direction_words(scene: &Scene, owner: Owner) -> [&'static str; 2] {
+pub fn direction_words<'w>(words: &'w Words, scene: &Scene, owner: Owner) -> [&'w str; 2] {
     let body = match owner {
         Owner::Body(b) => Some(b),
         _ => scene.bare_body().or(if scene.bodies.is_empty() { None } else { Some(0) }),
     };
     match body.and_then(|b| scene.bodies.get(b)).and_then(|b| b.line) {
-        Some(line) if !matches!(line.slope, Slope::Level) => ["up", "down"],
-        _ => ["forward", "back"],
+        Some(line) if !matches!(line.slope, Slope::Level) => [words.get("sheet.up"), words.get("sheet.down")],
+        _ => [words.get("sheet.forward"), words.get("sheet.back")],
+    }
+}
+
+/// A word of a key (`up`, `yes`) as the sheet says it.
+pub fn said<'w>(words: &'w Words, word: &'w str) -> &'w str {
+    match word {
+        "up" => words.get("sheet.up"),
+        "down" => words.get("sheet.down"),
+        "forward" => words.get("sheet.forward"),
+        "back" => words.get("sheet.back"),
+        "stays" => words.get("sheet.stays"),
+        "yes" => words.get("sheet.yes"),
+        "no" => words.get("sheet.no"),
+        other => other,
     }
 }
 
 /// How each answer is to be written, with these relative tolerances.
-fn forms(problem: &Problem, scene: &Scene, common: &Common, within: &[f64]) -> Vec<String> {
-    problem.questions.iter().zip(within).map(|(q, within)| form(q, scene, common, *within)).collect()
+fn forms(words: &Words, problem: &Problem, scene: &Scene, common: &Common, within: &[f64]) -> Vec<String> {
+    problem.questions.iter().zip(within).map(|(q, within)| form(words, q, scene, common, *within)).collect()
 }
 
 /// How an answer is to be written: `in N, signed or with up / down`.
-fn form(q: &Question, scene: &Scene, common: &Common, within: f64) -> String {
-    let [forward, back] = direction_words(scene, q.label.of);
+fn form(words: &Words, q: &Question, scene: &Scene, common: &Common, within: f64) -> String {
+    let [forward, back] = direction_words(words, scene, q.label.of);
     match q.label.quantity {
-        Quantity::Direction => return format!("`{forward}`, `{back}` or `stays`"),
-        Quantity::Rolls => return "`yes` or `no`".to_owned(),
+        Quantity::Direction => {
+            let pieces = [("a", forward), ("b", back), ("c", words.get("sheet.stays"))];
+            return words.say("sheet.one_of_three", &pieces);
+        }
+        Quantity::Rolls => {
+            let pieces = [("a", words.get("sheet.yes")), ("b", words.get("sheet.no"))];
+            return words.say("sheet.one_of_two", &pieces);
+        }
         _ => {}
     }
     let mut text = match q.unit.ascii() {
-        "1" => "a number".to_owned(),
+        "1" => words.get("sheet.number").to_owned(),
         // No-break spaces: a unit does not leave its word.
-        unit => format!("in {unit}").replace("^2", "²").replace("^3", "³").replace(' ', "\u{a0}"),
+        unit => {
+            let unit = unit.replace("^2", "²").replace("^3", "³");
+            words.say("sheet.in_unit", &[("unit", &unit)]).replace(' ', "\u{a0}")
+        }
+    };
+    let mut add = |more: &str| {
+        text.push_str(", ");
+        text.push_str(more);
     };
     if q.label.quantity.is_directed() && make_key::words_sign(scene, q.label) {
-        let _ = write!(text, ", signed or with `{forward}` / `{back}`");
+        add(&words.say("sheet.signed", &[("forward", forward), ("back", back)]));
     }
     if q.figures != common.figures {
-        let _ = write!(text, ", {} significant figures", q.figures);
+        add(&words.say("sheet.figures", &[("n", &q.figures.to_string())]));
     }
     if (within - common.relative).abs() > f64::EPSILON {
-        let _ = write!(text, ", within {}", percent(within));
+        add(&words.say("sheet.within", &[("share", &words.number(&percent(within)))]));
     }
     if q.unit_required && !common.unit_required && !q.unit.is_number() {
-        text.push_str(", with its unit");
+        add(words.get("sheet.with_unit"));
     }
     text
 }

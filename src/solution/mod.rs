@@ -100,7 +100,7 @@ pub fn document(
     let own = format!("solution/{}.md", problem.id);
     let name = if templates.has_markdown(&own) { own.as_str() } else { "solution/default.md" };
     let mut out = Vec::new();
-    templates.markdown(name, &view, &mut out)?;
+    templates.render(name, &view, &mut out)?;
     let mut markdown = String::from_utf8_lossy(&out).trim_end().to_owned();
     markdown.push('\n');
     let used = |name: &str| markdown.contains(&format!("({name}.svg)"));

@@ -304,39 +304,78 @@ impl Unit {
     /// What is wrong with `found` where this unit is expected, with the missing factor if a single one is missing:
     /// `expected N m (energy or moment), found N (force): a factor m is missing`.
     pub fn mismatch(&self, found: &Unit) -> String {
-        let named = |u: &Unit| match u.dimension.kind() {
-            Some(kind) => format!("{} ({kind})", u.ascii),
-            None if u.dimension.to_string() == *u.ascii => u.ascii.to_string(),
-            None => format!("{} ({})", u.ascii, u.dimension),
+        let named = |u: &Unit| match u.kind() {
+            Kind::Named(kind) => format!("{} ({kind})", u.ascii),
+            Kind::Dimension(dimension) => format!("{} ({dimension})", u.ascii),
+            Kind::Itself => u.ascii.to_string(),
         };
         let mut text = format!("expected {}, found {}", named(self), named(found));
-        let hint = match (self.dimension.kind(), found.ascii()) {
-            (Some("force"), "lb") => Some("lb is a mass here; write lbf".to_owned()),
-            _ if found.ascii.contains("ms") && self.ascii.contains('m') => {
-                Some("ms is a millisecond; write m/s or m s^-1".to_owned())
-            }
-            _ => None,
-        };
-        let missing = hint.or_else(|| {
-            let ratio = self.dimension.over(found.dimension)?;
-            let back = found.dimension.over(self.dimension)?;
-            table::SINGLE.iter().find_map(|name| {
-                let d = Unit::parse(name).ok()?.dimension;
-                if d == ratio {
-                    Some(format!("a factor {name} is missing"))
-                } else if d == back {
-                    Some(format!("a factor {name} too many"))
-                } else {
-                    None
-                }
-            })
-        });
-        if let Some(missing) = missing {
-            text.push_str(": ");
-            text.push_str(&missing);
+        match self.slip(found) {
+            Some(Slip::PoundIsMass) => text.push_str(": lb is a mass here; write lbf"),
+            Some(Slip::Millisecond) => text.push_str(": ms is a millisecond; write m/s or m s^-1"),
+            Some(Slip::Missing(name)) => text.push_str(&format!(": a factor {name} is missing")),
+            Some(Slip::TooMany(name)) => text.push_str(&format!(": a factor {name} too many")),
+            None => {}
         }
         text
     }
+    /// What kind of unit it is.
+    pub fn kind(&self) -> Kind {
+        match self.dimension.kind() {
+            Some(kind) => Kind::Named(kind),
+            None if self.dimension.to_string() == *self.ascii => Kind::Itself,
+            None => Kind::Dimension(self.dimension),
+        }
+    }
+    /// What may have gone wrong where `found` stands and this unit is expected.
+    pub fn slip(&self, found: &Unit) -> Option<Slip> {
+        match (self.dimension.kind(), found.ascii()) {
+            (Some("force"), "lb") => return Some(Slip::PoundIsMass),
+            _ if found.ascii.contains("ms") && self.ascii.contains('m') => return Some(Slip::Millisecond),
+            _ => {}
+        }
+        let ratio = self.dimension.over(found.dimension)?;
+        let back = found.dimension.over(self.dimension)?;
+        table::SINGLE.iter().find_map(|name| {
+            let d = Unit::parse(name).ok()?.dimension;
+            if d == ratio {
+                Some(Slip::Missing(name))
+            } else if d == back {
+                Some(Slip::TooMany(name))
+            } else {
+                None
+            }
+        })
+    }
+}
+
+/// What kind of quantity a unit belongs to.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Kind {
+    /// One that mechanics has a word for, such as `force`.
+    Named(&'static str),
+    /// One that has none, told by its dimension.
+    Dimension(Dimension),
+    /// The unit says it itself.
+    Itself,
+}
+
+/// What may have gone wrong with a unit of another kind.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Slip {
+    /// `lb` where a force is expected.
+    PoundIsMass,
+    /// `ms` where metres per second may be meant.
+    Millisecond,
+    /// This single factor is missing.
+    Missing(&'static str),
+    /// This single factor is too many.
+    TooMany(&'static str),
+}
+
+/// The words for kinds of quantities.
+pub fn kinds() -> impl Iterator<Item = &'static str> {
+    table::KINDS.iter().map(|(_, word)| *word)
 }
 
 impl fmt::Display for Unit {

@@ -8,6 +8,7 @@ use slipstick::set::key_file::shortest;
 use slipstick::sheet::page::Room;
 use slipstick::sheet::page::Sheets;
 use slipstick::template::Templates;
+use slipstick::words::Words;
 use std::fmt::Write as _;
 use std::io::Write as _;
 
@@ -21,10 +22,10 @@ fn main() {
     let text = include_str!("../../banks/wheels-on-inclines.yaml");
     let bank =
         slipstick::bank::load::scenes_only(text, "wheels-on-inclines.yaml").expect("the bank of the project");
-    let templates = Templates::new(&[]).expect("the templates of the project");
+    let (templates, words) = (Templates::english(), Words::english());
     let index = bank.problems.iter().position(|p| p.id == "pulled-rolling").expect("a problem of the bank");
     let problem = &bank.problems[index];
-    let sheets = Sheets::new(&templates, &bank, "one file", &[index]).expect("templates");
+    let sheets = Sheets::new(&templates, &words, &bank, "one file", &[index]).expect("templates");
     let maker = Maker::new(problem, 1, "one file");
     let share = count.div_ceil(threads);
     let parts: Vec<(Vec<u8>, String, u64)> = std::thread::scope(|scope| {

@@ -7,6 +7,7 @@ use slipstick::problem::make_key;
 use slipstick::sheet::page::Room;
 use slipstick::sheet::page::Sheets;
 use slipstick::template::Templates;
+use slipstick::words::Words;
 
 const PROBLEMS: [&str; 4] = ["kinetic-energy", "pulled-rolling", "pulled-slipping", "spring-released"];
 const EACH: u32 = 200;
@@ -36,11 +37,11 @@ fn draw_solve_twice_key(bencher: Bencher, id: &str) {
 #[divan::bench(args = PROBLEMS)]
 fn statement_in_markdown(bencher: Bencher, id: &str) {
     let bank = bank();
-    let templates = Templates::new(&[]).expect("the templates of the project");
+    let (templates, words) = (Templates::english(), Words::english());
     let index = bank.problems.iter().position(|p| p.id == id).expect("a problem of the bank");
     let maker = Maker::new(&bank.problems[index], 1, "bench");
     let variants: Vec<_> = (0..EACH).map(|s| maker.variant(&s.to_string()).expect("satisfiable")).collect();
-    let sheets = Sheets::new(&templates, &bank, "bench", &[index]).expect("templates");
+    let sheets = Sheets::new(&templates, &words, &bank, "bench", &[index]).expect("templates");
     let mut room = Room::default();
     let mut out = Vec::new();
     bencher.counter(ItemsCount::new(EACH)).bench_local(|| {

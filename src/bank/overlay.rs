@@ -1,0 +1,127 @@
+//! Texts of a bank in another language, put over its own: title, problems' titles, names of data, questions, statements.
+use crate::bank::Bank;
+use crate::bank::Problem;
+use crate::bank::Variables;
+use crate::bank::load;
+use crate::bank::node::Faults;
+use crate::bank::node::Fields;
+use crate::bank::node::Node;
+use crate::bank::node::close_name;
+use crate::bank::node::named;
+use crate::bank::node::shorten;
+use crate::bank::review;
+use crate::finding::Finding;
+
+/// Puts the texts of an overlay over those of a bank. With a `reference`, the bank that the overlay was written for, only
+/// texts that are still what they are there are replaced, and ids that this bank does not have are passed over: a changed
+/// question is never shown as the old one.
+///
+/// # Errors
+/// Ids that the bank does not have, fields that are unknown, texts that are none, templates with unknown names.
+pub fn put_over(
+    bank: &mut Bank,
+    text: &str,
+    file: &str,
+    variables: Variables,
+    reference: Option<&Bank>,
+) -> Result<(), Vec<Finding>> {
+    let tree = load::tree(text).map_err(|f| vec![f.in_file(file)])?;
+    let faults = Faults::default();
+    if let Some(mut fields) = Fields::open(&tree, "texts of a bank (title, problems)", &faults) {
+        let (title, problems) = (fields.get("title"), fields.get("problems"));
+        fields.close(&faults);
+        if let Some(title) = title.and_then(|n| words(n, &faults))
+            && reference.is_none_or(|r| r.title == bank.title)
+        {
+            bank.title = title;
+        }
+        for (id, key, node) in problems.map_or_else(Vec::new, |n| named(n, "problems by id", &faults)) {
+            let was = reference.map(|r| r.problems.iter().find(|p| p.id == id));
+            match (bank.problems.iter_mut().find(|p| p.id == id), was) {
+                (Some(this), None) => problem(this, node, variables, None, &faults),
+                (Some(this), Some(Some(was))) => problem(this, node, variables, Some(was), &faults),
+                (Some(_), Some(None)) | (None, Some(_)) => {}
+                (None, None) => {
+                    let known: Vec<&str> = bank.problems.iter().map(|p| p.id.as_str()).collect();
+                    unknown(key, "the bank has no problem", id, &known, &faults);
+                }
+            }
+        }
+    }
+    if faults.is_empty() { Ok(()) } else { Err(faults.into_sorted(file)) }
+}
+
+fn problem(this: &mut Problem, node: &Node, variables: Variables, was: Option<&Problem>, faults: &Faults) {
+    let Some(mut fields) = Fields::open(node, "texts of a problem (title, data, ask, statement)", faults)
+    else {
+        return;
+    };
+    let (title, data) = (fields.get("title"), fields.get("data"));
+    let (ask, statement) = (fields.get("ask"), fields.get("statement"));
+    fields.close(faults);
+    let symbols: Vec<String> = this.data.iter().map(|d| d.symbol.clone()).collect();
+    let symbols: Vec<&str> = symbols.iter().map(String::as_str).collect();
+    if let Some(title) = title.and_then(|n| words(n, faults))
+        && was.is_none_or(|w| w.title == this.title)
+    {
+        this.title = title;
+    }
+    for (symbol, key, node) in data.map_or_else(Vec::new, |n| named(n, "names by symbol", faults)) {
+        let known = was.map(|w| w.data.iter().find(|d| d.symbol == symbol));
+        match this.data.iter_mut().find(|d| d.symbol == symbol) {
+            Some(datum) => {
+                if let Some(name) = words(node, faults)
+                    && known.is_none_or(|w| w.is_some_and(|w| w.name == datum.name))
+                {
+                    datum.name = name;
+                }
+            }
+            None if was.is_some() => {}
+            None => unknown(key, "the problem has no datum", symbol, &symbols, faults),
+        }
+    }
+    for (id, key, node) in ask.map_or_else(Vec::new, |n| named(n, "questions by id", faults)) {
+        let known = was.map(|w| w.questions.iter().find(|q| q.id == id));
+        match this.questions.iter_mut().find(|q| q.id == id) {
+            Some(question) => {
+                review::template(node, false, &symbols, variables, faults);
+                if let Some(text) = words(node, faults)
+                    && known.is_none_or(|w| w.is_some_and(|w| w.ask == question.ask))
+                {
+                    question.ask = text;
+                }
+            }
+            None if was.is_some() => {}
+            None => {
+                let ids: Vec<&str> = this.questions.iter().map(|q| q.id.as_str()).collect();
+                unknown(key, "the problem asks no", id, &ids, faults);
+            }
+        }
+    }
+    if let Some(node) = statement {
+        if was.is_none() {
+            review::template(node, true, &symbols, variables, faults);
+        }
+        if let Some(text) = words(node, faults)
+            && was.is_none_or(|w| w.statement == this.statement)
+        {
+            this.statement = Some(text);
+        }
+    }
+}
+
+fn words(node: &Node, faults: &Faults) -> Option<String> {
+    match node.text() {
+        Some(text) if !text.trim().is_empty() => Some(text.trim().to_owned()),
+        _ => {
+            faults.at(node, format!("expected a text, found {}", node.kind()));
+            None
+        }
+    }
+}
+
+fn unknown(key: &Node, what: &str, id: &str, known: &[&str], faults: &Faults) {
+    let hint =
+        close_name(id, known.iter().copied()).unwrap_or_else(|| format!("known here: {}", known.join(", ")));
+    faults.hint(key, format!("{what} `{}`", shorten(id)), hint);
+}

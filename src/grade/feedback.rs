@@ -1,0 +1,220 @@
+//! What is said of an answer, in one language: phrases that every other row needs are looked up once, and no reason is
+//! built where a phrase will do. Verdicts are not translated: scripts read them.
+use crate::answer::read::Why;
+use crate::grade::verdict::Verdict;
+use crate::units::Kind;
+use crate::units::Slip;
+use crate::units::Unit;
+use crate::units::UnitFault;
+use crate::words::Words;
+use std::borrow::Cow;
+use std::sync::LazyLock;
+
+/// A piece of the phrase about superseded attempts.
+#[derive(Debug, Clone, Copy)]
+enum Piece<'w> {
+    Text(&'w str),
+    Line,
+    Verdict,
+}
+
+/// The phrases of the topic `feedback`, ready for many rows.
+#[derive(Debug, Clone)]
+pub struct Feedback<'w> {
+    words: &'w Words,
+    pub(crate) within: &'w str,
+    pub(crate) outside: &'w str,
+    pub(crate) other_sign: &'w str,
+    pub(crate) no_sign: &'w str,
+    superseded: Vec<Piece<'w>>,
+}
+
+static ENGLISH: LazyLock<Feedback<'static>> =
+    LazyLock::new(|| Feedback::new(Words::built_in("en").expect("English is built in")));
+
+impl<'w> Feedback<'w> {
+    /// Looks up what is needed often.
+    pub fn new(words: &'w Words) -> Self {
+        let mut superseded = Vec::new();
+        let mut rest = words.get("feedback.superseded");
+        while let Some((before, after)) = rest.split_once('{') {
+            superseded.push(Piece::Text(before));
+            let (place, after) = after.split_once('}').unwrap_or((after, ""));
+            superseded.push(match place {
+                "line" => Piece::Line,
+                "verdict" => Piece::Verdict,
+                other => Piece::Text(other),
+            });
+            rest = after;
+        }
+        superseded.push(Piece::Text(rest));
+        Self {
+            words,
+            within: words.get("feedback.within"),
+            outside: words.get("feedback.outside"),
+            other_sign: words.get("feedback.other_sign"),
+            no_sign: words.get("feedback.no_sign"),
+            superseded,
+        }
+    }
+
+    /// The English one.
+    pub fn english() -> &'static Feedback<'static> {
+        &ENGLISH
+    }
+
+    /// A phrase without places, by its whole name.
+    pub fn get(&self, name: &str) -> &'w str {
+        self.words.get(name)
+    }
+
+    /// A phrase with its places filled in.
+    pub fn fill(&self, name: &str, pieces: &[(&str, &str)]) -> Cow<'w, str> {
+        Cow::Owned(self.words.say(name, pieces))
+    }
+
+    /// A word of a key (`up`, `yes`) in this language.
+    pub fn word<'t>(&self, word: &'t str) -> &'t str
+    where
+        'w: 't,
+    {
+        match word {
+            "up" => self.words.get("sheet.up"),
+            "down" => self.words.get("sheet.down"),
+            "forward" => self.words.get("sheet.forward"),
+            "back" => self.words.get("sheet.back"),
+            "stays" => self.words.get("sheet.stays"),
+            "yes" => self.words.get("sheet.yes"),
+            "no" => self.words.get("sheet.no"),
+            "right" => self.words.get("feedback.to_the_right"),
+            "left" => self.words.get("feedback.to_the_left"),
+            other => other,
+        }
+    }
+
+    /// The words that are offered: `up, down, stays`.
+    pub fn offered(&self, offered: &[&str]) -> String {
+        let words: Vec<&str> = offered.iter().map(|w| self.word(w)).collect();
+        words.join(", ")
+    }
+
+    /// A number as this language writes it.
+    pub fn number(&self, value: f64) -> String {
+        self.words.number(&value.to_string())
+    }
+
+    /// Is a decimal comma worth a note?
+    pub fn comma_is_odd(&self) -> bool {
+        self.words.decimal() != ','
+    }
+
+    /// Why a cell cannot be read.
+    pub fn why(&self, why: &Why) -> Cow<'w, str> {
+        Cow::Borrowed(self.get(match why {
+            Why::TooLong => "feedback.too_long",
+            Why::NoNumber => "feedback.no_number",
+            Why::NotFinite => "feedback.not_finite",
+            Why::Marks => "feedback.marks",
+            Why::TwoNumbers => "feedback.two_numbers",
+            Why::Formula => "feedback.formula",
+            Why::SignAndWord => "feedback.sign_and_word",
+            Why::OddWord => "feedback.odd_word",
+            Why::Unit(fault) => return self.unit(fault),
+        }))
+    }
+
+    fn unit(&self, fault: &UnitFault) -> Cow<'w, str> {
+        match fault {
+            UnitFault::Empty => Cow::Borrowed(self.get("feedback.unit_empty")),
+            UnitFault::Unknown { name, close: Some(close), .. } => {
+                self.fill("feedback.unit_close", &[("name", name), ("close", close)])
+            }
+            UnitFault::Unknown { name, column, close: None } => {
+                self.fill("feedback.unit_unknown", &[("name", name), ("column", &column.to_string())])
+            }
+            UnitFault::CaseMatters { name, either } => {
+                let either = either.join(self.get("feedback.unit_or"));
+                self.fill("feedback.unit_case", &[("name", name), ("either", &either)])
+            }
+            UnitFault::Stray { found, column } => {
+                let found = found.escape_debug().to_string();
+                self.fill("feedback.unit_stray", &[("found", &found), ("column", &column.to_string())])
+            }
+            UnitFault::Exponent { column } => {
+                self.fill("feedback.unit_exponent", &[("column", &column.to_string())])
+            }
+            UnitFault::Unfinished => Cow::Borrowed(self.get("feedback.unit_unfinished")),
+            UnitFault::TooLarge => Cow::Borrowed(self.get("feedback.unit_too_long")),
+        }
+    }
+
+    /// What is wrong with a unit of another kind.
+    pub fn mismatch(&self, expected: &Unit, found: &Unit) -> Cow<'w, str> {
+        let named = |unit: &Unit| match unit.kind() {
+            Kind::Named(kind) => {
+                format!(
+                    "{} ({})",
+                    unit.ascii(),
+                    self.get(&format!("feedback.kind.{}", kind.replace(' ', "_")))
+                )
+            }
+            Kind::Dimension(dimension) => format!("{} ({dimension})", unit.ascii()),
+            Kind::Itself => unit.ascii().to_owned(),
+        };
+        let hint = match expected.slip(found) {
+            Some(Slip::PoundIsMass) => Cow::Borrowed(self.get("feedback.pound_mass")),
+            Some(Slip::Millisecond) => Cow::Borrowed(self.get("feedback.millisecond")),
+            Some(Slip::Missing(factor)) => self.fill("feedback.factor_missing", &[("factor", factor)]),
+            Some(Slip::TooMany(factor)) => self.fill("feedback.factor_many", &[("factor", factor)]),
+            None => {
+                return self
+                    .fill("feedback.dimension", &[("expected", &named(expected)), ("found", &named(found))]);
+            }
+        };
+        let pieces = [("expected", &*named(expected)), ("found", &*named(found)), ("hint", &*hint)];
+        self.fill("feedback.dimension_and", &pieces)
+    }
+
+    /// Appends that another attempt counts.
+    pub(crate) fn superseded(
+        &self,
+        line: u64,
+        verdict: Verdict,
+        number: impl Fn(&mut Vec<u8>, u64),
+        out: &mut Vec<u8>,
+    ) {
+        for piece in &self.superseded {
+            match piece {
+                Piece::Text(text) => out.extend_from_slice(text.as_bytes()),
+                Piece::Line => number(out, line),
+                Piece::Verdict => out.extend_from_slice(verdict.as_str().as_bytes()),
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::units;
+
+    /// Banks are told of units in English by `units`; students by the word list: both say the same.
+    #[test]
+    fn english_reasons_are_those_of_units() {
+        let say = Feedback::english();
+        for (expected, found) in
+            [("N m", "N"), ("N", "lb"), ("m/s", "ms"), ("m", "m^2"), ("kg", "N^3"), ("m", "s")]
+        {
+            let (expected, found) = (Unit::parse(expected).unwrap(), Unit::parse(found).unwrap());
+            assert_eq!(say.mismatch(&expected, &found), expected.mismatch(&found));
+        }
+        for text in ["", "furlong", "Newtn", "PA", "m/", "m^", "m;", "m^99", &"m".repeat(80)] {
+            if let Err(fault) = Unit::parse(text) {
+                assert_eq!(say.unit(&fault), fault.to_string());
+            }
+        }
+        for kind in units::kinds() {
+            assert_eq!(say.get(&format!("feedback.kind.{}", kind.replace(' ', "_"))), kind);
+        }
+    }
+}

@@ -1,0 +1,116 @@
+//! The key as a table for the instructor: one row for each student, one column for each part, problem by problem.
+use crate::bank::Bank;
+use crate::bank::Problem;
+use crate::finding::Finding;
+use crate::key::Answer;
+use crate::key::KeyEntry;
+use crate::key::SheetKey;
+use crate::problem::make::Variant;
+use crate::sheet::document::Document;
+use crate::sheet::document::Head;
+use crate::sheet::number::rounded;
+use crate::sheet::statement;
+use crate::solve::outcome::Motion;
+use crate::template;
+use crate::template::Templates;
+use crate::template::View;
+use crate::words::Words;
+
+/// Significant figures of its numbers.
+const FIGURES: usize = 4;
+
+/// One student: head of the sheet, what was drawn and solved, the key.
+pub struct Row {
+    /// Head of the sheet.
+    pub head: Head,
+    /// For each problem: name of its case, and what happens, as the solver's word.
+    pub problems: Vec<(String, String)>,
+}
+
+/// What the table needs of a sheet.
+pub fn row(bank: &Bank, problems: &[usize], head: &Head, variants: &[Variant]) -> Row {
+    let of = |(index, variant): (&usize, &Variant)| {
+        let case = bank.problems.get(*index).and_then(|p| p.cases.get(variant.case));
+        let regime = variant.solved.regime;
+        let word = if regime.motion == Motion::Instant { String::new() } else { regime.word() };
+        (case.map_or_else(String::new, |c| c.name.clone()), word)
+    };
+    Row { head: head.clone(), problems: problems.iter().zip(variants).map(of).collect() }
+}
+
+/// The table of a set; `rows` and `keys` are in the same order.
+///
+/// # Errors
+/// Faults of the template `key-table.md`.
+pub fn document<'k>(
+    templates: &Templates,
+    words: &Words,
+    bank: &Bank,
+    set: &str,
+    problems: &[usize],
+    rows: &[Row],
+    keys: impl Iterator<Item = &'k SheetKey> + Clone,
+) -> Result<(Head, Document), Finding> {
+    let mut view = View::new();
+    view.text("title", &bank.title);
+    view.foreign("set", set);
+    let chosen = problems.iter().filter_map(|p| bank.problems.get(*p)).enumerate();
+    let list = chosen.map(|(i, problem)| {
+        let cases = problem.cases.len() > 1;
+        let moves = rows.iter().any(|r| r.problems.get(i).is_some_and(|(_, word)| !word.is_empty()));
+        let parts = problem.questions.iter().map(|q| {
+            let unit = if q.label.quantity.is_word() || q.unit.is_number() {
+                String::new()
+            } else {
+                format!(" / {}", q.unit.ascii().replace("^2", "²").replace("^3", "³"))
+            };
+            template::map([("name", template::finished(&format!("`{}`{unit}", q.id)))])
+        });
+        let students = rows.iter().zip(keys.clone()).map(|(row, key)| {
+            let (case, word) = row.problems.get(i).map_or(("", ""), |(c, w)| (c, w));
+            let entries = key.problems.get(i).map_or(&[][..], |k| &k.parts);
+            let answers = entries.iter().map(|e| template::finished(&shown(words, problem, e)));
+            template::map([
+                ("student", template::finished(&template::in_markdown(&row.head.student))),
+                ("name", template::finished(&template::in_markdown(&row.head.name))),
+                ("code", template::finished(&row.head.code)),
+                ("case", template::finished(&template::in_markdown(case))),
+                (
+                    "regime",
+                    template::finished(&if word.is_empty() { String::new() } else { format!("`{word}`") }),
+                ),
+                ("answers", template::list(answers.collect())),
+            ])
+        });
+        let flag = |set: bool| template::finished(if set { "yes" } else { "" });
+        template::map([
+            ("number", template::finished(&(i + 1).to_string())),
+            ("title", template::finished(&problem.title)),
+            ("cases", flag(cases)),
+            ("moves", flag(moves)),
+            ("parts", template::list(parts.collect())),
+            ("students", template::list(students.collect())),
+        ])
+    });
+    view.value("problems", template::list(list.collect()));
+    let mut out = Vec::new();
+    templates.render("key-table.md", &view, &mut out)?;
+    let mut markdown = String::from_utf8_lossy(&out).trim_end().to_owned();
+    markdown.push('\n');
+    let title = format!("{}: {}", words.get("sheet.key"), bank.title);
+    let head = Head { title, set: set.to_owned(), ..Head::default() };
+    Ok((head, Document { markdown, pictures: Vec::new() }))
+}
+
+/// An answer in its unit, which stands in the head of its column.
+fn shown(words: &Words, problem: &Problem, entry: &KeyEntry) -> String {
+    let directed = problem.questions.iter().any(|q| q.id == entry.part && q.label.quantity.is_directed());
+    match &entry.answer {
+        Answer::Word { right, .. } => statement::said(words, right).to_owned(),
+        Answer::Number { value, .. } => {
+            let number = words.number(&rounded(entry.unit.from_si(*value), FIGURES));
+            // A sign that means a direction is shown in both cases.
+            if directed && *value > 0.0 { format!("+{number}") } else { number }
+        }
+    }
+}

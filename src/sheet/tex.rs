@@ -1,0 +1,205 @@
+//! Markdown with math and pictures to LaTeX with TikZ, for those who paste into documents of their own.
+use crate::figure::tikz;
+use crate::finding::Finding;
+use crate::sheet::document::ANSWER;
+use crate::sheet::document::Document;
+use crate::sheet::document::Head;
+use crate::sheet::html::MARKDOWN;
+use crate::sheet::html::PAPER;
+use crate::sheet::html::signs;
+use crate::template;
+use crate::template::Templates;
+use crate::template::View;
+use crate::words::Words;
+use pulldown_cmark::Alignment;
+use pulldown_cmark::Event;
+use pulldown_cmark::HeadingLevel;
+use pulldown_cmark::Parser;
+use pulldown_cmark::Tag;
+use pulldown_cmark::TagEnd;
+
+/// A whole document of LaTeX.
+///
+/// # Errors
+/// Faults of the templates.
+pub fn page(templates: &Templates, words: &Words, head: &Head, body: &str) -> Result<Vec<u8>, Finding> {
+    let mut view = View::new();
+    view.foreign("title", &[head.title.as_str(), &head.student].join(", "));
+    view.text("running", &running_head(head));
+    view.text("body", body.trim_end());
+    view.text("babel", babel(words));
+    view.text("language", words.language());
+    let mut out = Vec::new();
+    templates.render("sheet.tex", &view, &mut out)?;
+    Ok(out)
+}
+
+/// One document of LaTeX with all of a set, each from a new page.
+///
+/// # Errors
+/// Faults of the templates.
+pub fn booklet<'p>(
+    templates: &Templates,
+    words: &Words,
+    title: &str,
+    parts: impl Iterator<Item = (&'p Head, &'p str)>,
+) -> Result<Vec<u8>, Finding> {
+    let mut view = View::new();
+    view.foreign("title", title);
+    let list = parts.map(|(head, body)| {
+        template::map([
+            ("running", template::finished(&running_head(head))),
+            ("body", template::finished(body.trim_end())),
+        ])
+    });
+    view.value("sheets", template::list(list.collect()));
+    view.text("babel", babel(words));
+    view.text("language", words.language());
+    let mut out = Vec::new();
+    templates.render("booklet.tex", &view, &mut out)?;
+    Ok(out)
+}
+
+/// Name of the language for the package babel.
+fn babel(words: &Words) -> &'static str {
+    match words.language() {
+        "de" => "ngerman",
+        _ => "english",
+    }
+}
+
+/// The text at the head of a printed page.
+fn running_head(head: &Head) -> String {
+    let who = if head.name.is_empty() { &head.student } else { &head.name };
+    let parts = [who, &head.set, &head.code].into_iter().filter(|p| !p.is_empty());
+    parts.map(|p| template::in_tex(p)).collect::<Vec<_>>().join(r" \textperiodcentered{} ")
+}
+
+/// The body of a document.
+pub fn body(document: &Document) -> String {
+    let mut out = String::with_capacity(document.markdown.len() * 2);
+    let (mut columns, mut cell, mut in_code) = (Vec::new(), 0, false);
+    let mut events = Parser::new_ext(&document.markdown, MARKDOWN);
+    while let Some(event) = events.next() {
+        match event {
+            Event::Start(Tag::Paragraph) => out.push('\n'),
+            Event::End(TagEnd::Paragraph) => out.push('\n'),
+            Event::Start(Tag::Heading { level, .. }) => {
+                out.push_str(match level {
+                    HeadingLevel::H1 => "\n\\sheetsection{",
+                    HeadingLevel::H2 => "\n\\problemsection{",
+                    HeadingLevel::H3 => "\n\\stepsection{",
+                    _ => "\n\\lowersection{",
+                });
+            }
+            Event::End(TagEnd::Heading(_)) => out.push_str("}\n"),
+            Event::Start(Tag::BlockQuote(_)) => out.push_str("\n\\begin{quote}"),
+            Event::End(TagEnd::BlockQuote(_)) => out.push_str("\\end{quote}\n"),
+            Event::Start(Tag::CodeBlock(_)) => {
+                in_code = true;
+                out.push_str("\n\\begin{quote}\\ttfamily\\small\n");
+            }
+            Event::End(TagEnd::CodeBlock) => {
+                in_code = false;
+                out.push_str("\\end{quote}\n");
+            }
+            Event::Start(Tag::List(first)) => {
+                out.push_str(if first.is_some() { "\n\\begin{enumerate}\n" } else { "\n\\begin{itemize}\n" });
+            }
+            Event::End(TagEnd::List(ordered)) => {
+                out.push_str(if ordered { "\\end{enumerate}\n" } else { "\\end{itemize}\n" });
+            }
+            Event::Start(Tag::Item) => out.push_str("\\item "),
+            Event::End(TagEnd::Item) => out.push('\n'),
+            Event::Start(Tag::Table(alignments)) => {
+                out.push_str("\n\\begin{center}\\begin{tabular}{");
+                for a in &alignments {
+                    out.push(match a {
+                        Alignment::Right => 'r',
+                        Alignment::Center => 'c',
+                        Alignment::Left | Alignment::None => 'l',
+                    });
+                }
+                out.push_str("}\n");
+                columns = alignments;
+            }
+            Event::End(TagEnd::Table) => out.push_str("\\hline\n\\end{tabular}\\end{center}\n"),
+            Event::Start(Tag::TableHead | Tag::TableRow) => cell = 0,
+            Event::End(TagEnd::TableHead) => out.push_str(" \\\\ \\hline\n"),
+            Event::End(TagEnd::TableRow) => out.push_str(" \\\\\n"),
+            Event::Start(Tag::TableCell) => {
+                if cell > 0 && cell < columns.len() {
+                    out.push_str(" & ");
+                }
+                cell += 1;
+            }
+            Event::End(TagEnd::TableCell) => {}
+            Event::Start(Tag::Emphasis) => out.push_str("\\emph{"),
+            Event::Start(Tag::Strong) => out.push_str("\\textbf{"),
+            Event::End(TagEnd::Emphasis | TagEnd::Strong) => out.push('}'),
+            Event::Start(Tag::Image { dest_url, .. }) => {
+                // What it shows stands beside it only where it cannot be shown.
+                let name = dest_url.strip_suffix(".svg").unwrap_or(&dest_url).to_owned();
+                let mut alt = String::new();
+                for inner in events.by_ref() {
+                    match inner {
+                        Event::End(TagEnd::Image) => break,
+                        Event::Text(text) | Event::Code(text) => alt.push_str(&text),
+                        _ => {}
+                    }
+                }
+                match document.picture(&name) {
+                    Some(picture) => {
+                        out.push_str("\\pictureplace{%\n");
+                        out.push_str(tikz::picture(picture).trim_end());
+                        out.push('}');
+                    }
+                    None => out.push_str(&template::in_tex(&alt)),
+                }
+            }
+            Event::InlineMath(tex) => {
+                out.push('$');
+                out.push_str(&tex);
+                out.push('$');
+            }
+            Event::DisplayMath(tex) if signs(&tex) > PAPER => {
+                out.push_str("\\[\\wideformula{");
+                out.push_str(tex.trim());
+                out.push_str("}\\]");
+            }
+            Event::DisplayMath(tex) => {
+                out.push_str("\\[");
+                out.push_str(tex.trim());
+                out.push_str("\\]");
+            }
+            Event::Code(text) => {
+                out.push_str("\\code{");
+                out.push_str(&code(&text));
+                out.push('}');
+            }
+            Event::Text(text) if in_code => {
+                let lines: Vec<String> = text.trim_end().lines().map(code).collect();
+                out.push_str(&lines.join("\\\\\n"));
+                out.push('\n');
+            }
+            Event::Text(text) => out.push_str(&template::in_tex(&text)),
+            Event::Html(text) | Event::InlineHtml(text) => {
+                if text.trim() == ANSWER {
+                    out.push_str("\\answerroom");
+                } else if !text.trim_start().starts_with("<!--") {
+                    out.push_str(&template::in_tex(&text));
+                }
+            }
+            Event::SoftBreak => out.push('\n'),
+            Event::HardBreak => out.push_str("\\\\\n"),
+            Event::Rule => out.push_str("\n\\medskip\\hrule\\medskip\n"),
+            _ => {}
+        }
+    }
+    out
+}
+
+/// A text in typewriter letters: its quotation marks are straight, its blanks stay.
+fn code(text: &str) -> String {
+    template::in_tex(text).replace('\'', r"\textquotesingle{}").replace(' ', r"\ ")
+}
