@@ -242,6 +242,14 @@ impl Board {
         }
     }
 
+    /// Puts another board to the right of this one.
+    pub fn beside(&mut self, mut other: Board) {
+        if let (Some(mine), Some(theirs)) = (self.frame(), other.frame()) {
+            other.shift((mine.2 + 60.0 - theirs.0, 0.0));
+        }
+        self.put(other);
+    }
+
     /// Puts another board on top of this one.
     pub fn put(&mut self, other: Board) {
         self.shapes.extend(other.shapes);

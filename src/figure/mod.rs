@@ -3,8 +3,11 @@
 //! [`scene::picture`] is the figure of a statement. It shows what is given and what a student may assume, never what the
 //! solver found: no direction that is asked, no friction.
 pub mod board;
+pub mod lamina;
 pub mod layout;
 pub mod picture;
+pub mod pinned;
+pub mod say;
 pub mod scene;
 pub mod svg;
 pub mod symbol;

@@ -5,6 +5,7 @@ use crate::figure::board::Board;
 use crate::figure::board::TEXT;
 use crate::figure::board::Tied;
 use crate::figure::board::Wish;
+use crate::figure::lamina;
 use crate::figure::layout;
 use crate::figure::layout::Ground;
 use crate::figure::layout::Layout;
@@ -16,6 +17,8 @@ use crate::figure::picture::Picture;
 use crate::figure::picture::Role;
 use crate::figure::picture::Run;
 use crate::figure::picture::RunStyle;
+use crate::figure::pinned;
+use crate::figure::say;
 use crate::figure::symbol;
 use crate::figure::vector::V;
 use crate::figure::vector::add;
@@ -44,8 +47,12 @@ use crate::scene::RotaryInertia;
 use crate::scene::Slope;
 use crate::scene::Start;
 use crate::scene::Tie;
+use crate::solve::outcome::Word;
 use crate::words::Words;
 use std::f64::consts::PI;
+
+/// A body that turns and is no larger has no arrow for its positive sense.
+pub const SMALL: f64 = 30.0;
 
 /// The scene of a variant at its start.
 pub fn picture(problem: &Problem, variant: &Variant, words: &Words, labels: FigureLabels) -> Picture {
@@ -53,9 +60,27 @@ pub fn picture(problem: &Problem, variant: &Variant, words: &Words, labels: Figu
         return Board::new().finish(problem.title.clone(), String::new());
     };
     let mut board = Board::new();
-    let plan = layout::layout(&view);
-    mechanism(&mut board, &view, &plan);
-    board.finish(problem.title.clone(), String::new())
+    let mut desc = Vec::new();
+    let bodies = &view.scene.bodies;
+    if bodies.iter().any(|b| b.pin.is_none() && b.particles.is_empty()) {
+        let plan = layout::layout(&view);
+        mechanism(&mut board, &view, &plan);
+        say::mechanism(&view, &plan, told(&view).is_some(), &mut desc);
+    }
+    for (i, body) in bodies.iter().enumerate() {
+        let mut part = Board::new();
+        if body.pin.is_some() {
+            pinned::draw(&mut part, &view, i);
+            say::pinned(&view, i, &mut desc);
+        } else if !body.particles.is_empty() {
+            lamina::draw(&mut part, &view, i);
+            say::lamina(&view, i, &mut desc);
+        } else {
+            continue;
+        }
+        board.beside(part);
+    }
+    board.finish(words.say("figure.scene.title", &[("title", &problem.title)]), desc.join(" "))
 }
 
 /// Bodies on surfaces, on axles, on cords.
@@ -527,15 +552,18 @@ fn told(view: &View) -> Option<f64> {
         return None;
     }
     let c = view.scene.ending_coordinate();
-    let sense = |v: Option<f64>| v.filter(|v| v.abs() > 1e-12).map(f64::signum);
-    let given = view.scene.start.iter().find_map(|s| match s {
-        Start::Speed(at, n) if *at == c => Some(view.of(*n)),
-        _ => None,
-    });
-    // From rest it goes where it is accelerated.
-    sense(view.solved(Quantity::Displacement, Owner::Body(c.body)))
-        .or_else(|| sense(given))
-        .or_else(|| sense(view.solved(Quantity::A, Owner::Body(c.body))))
+    let up = view.scene.bodies.get(c.body).and_then(|b| b.line).is_none_or(|l| l.forward_up);
+    view.variant.solved.words.iter().find_map(|(label, word)| {
+        let whose = label.quantity == Quantity::Direction && label.of == Owner::Body(c.body);
+        match word {
+            _ if !whose => None,
+            Word::Forward => Some(1.0),
+            Word::Back => Some(-1.0),
+            Word::Up => Some(if up { 1.0 } else { -1.0 }),
+            Word::Down => Some(if up { -1.0 } else { 1.0 }),
+            Word::Stays | Word::Yes | Word::No => None,
+        }
+    })
 }
 
 /// How far the ending body goes.
@@ -615,7 +643,7 @@ fn senses(board: &mut Board, view: &View, plan: &Layout) {
             );
         }
         let outer = p.reach((1.0, 0.0));
-        if body.turns && outer > 30.0 {
+        if body.turns && outer > SMALL {
             let sense = if p.clockwise { -1.0 } else { 1.0 };
             let radius = outer + 9.0;
             let taken = busy(view, plan, b, p);
@@ -624,7 +652,7 @@ fn senses(board: &mut Board, view: &View, plan: &Layout) {
                 let (c, s) = polar_degrees(degrees);
                 add(mul(p.forward, c), mul(p.top, s))
             });
-            let clear = |d: &V| taken.iter().all(|t| dot(*t, *d) < 0.93);
+            let clear = |d: &V| taken.iter().all(|t| dot(*t, *d) < 0.82);
             let d = places.iter().copied().find(clear).unwrap_or(places[0]);
             let mid = angle(d);
             board.curved_arrow(p.centre, radius, mid - sense * 0.36, mid + sense * 0.36, Role::Motion);

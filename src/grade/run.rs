@@ -844,7 +844,8 @@ fn second_pass(
             out.push(b',');
             let by_row = by_row && counts_not;
             if superseded {
-                let plain = matches!(judgement.reason, Cow::Borrowed(_));
+                let plain =
+                    judgement.verdict != Verdict::Unreadable && matches!(judgement.reason, Cow::Borrowed(_));
                 reason.clear();
                 say.superseded(winner >> COLUMN_BITS, judgement.verdict, push_number, &mut reason);
                 if !plain {

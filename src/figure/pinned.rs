@@ -1,0 +1,389 @@
+//! The picture of a pinned body: at its start, with the position considered as a ghost.
+use crate::figure::board::Board;
+use crate::figure::board::TEXT;
+use crate::figure::board::Tied;
+use crate::figure::board::Wish;
+use crate::figure::picture::Role;
+use crate::figure::picture::RunStyle;
+use crate::figure::symbol;
+use crate::figure::vector::V;
+use crate::figure::vector::add;
+use crate::figure::vector::along;
+use crate::figure::vector::angle;
+use crate::figure::vector::dot;
+use crate::figure::vector::left;
+use crate::figure::vector::middle;
+use crate::figure::vector::mul;
+use crate::figure::vector::polar;
+use crate::figure::vector::polar_degrees;
+use crate::figure::vector::right;
+use crate::figure::vector::size;
+use crate::figure::vector::sub;
+use crate::figure::vector::unit;
+use crate::figure::view::View;
+use crate::scene::Arm;
+use crate::scene::Body;
+use crate::scene::Degree;
+use crate::scene::End;
+use crate::scene::Num;
+use crate::scene::Pin;
+use crate::scene::Rest;
+use crate::scene::RotaryInertia;
+use crate::scene::Shape;
+use crate::scene::Start;
+use crate::scene::Zero;
+
+/// Pixels of the farthest point from the pin.
+const REACH: f64 = 175.0;
+
+/// A pinned body on the board, the pin at the origin.
+#[derive(Debug, Clone, Copy)]
+pub struct Hung {
+    /// Pixels per metre.
+    pub scale: f64,
+    /// Distance from the pin to the mass centre, pixels.
+    pub arm: f64,
+    /// Ends of a rod, counted from the pin along the line to the mass centre; `None` for another body.
+    pub rod: Option<(f64, f64)>,
+    /// Radius of what is drawn round the mass centre of another body.
+    pub round: f64,
+    /// Does its angle count from upright?
+    pub upright: bool,
+}
+
+impl Hung {
+    /// How the body of a view is drawn.
+    pub fn new(view: &View, body: &Body, pin: &Pin) -> Self {
+        let arm = match pin.arm {
+            Arm::Distance(h) => view.of(h),
+            Arm::HalfOf(l) => view.of(l) / 2.0,
+        };
+        let long = match &body.inertia {
+            Some(RotaryInertia::Shape(Shape::Rod, l)) => Some(view.of(*l)),
+            _ => None,
+        };
+        let mass = view.kilograms(body);
+        let gyration = if mass > 0.0 { (view.inertia(body) / mass).max(0.0).sqrt() } else { 0.0 };
+        let round = match &body.inertia {
+            Some(RotaryInertia::Shape(shape, r)) if *shape != Shape::Rod => view.of(*r),
+            _ => (gyration * 1.12).max(arm * 0.12),
+        };
+        let far = match long {
+            Some(l) => (arm + l / 2.0).max((arm - l / 2.0).abs()),
+            None => arm + round,
+        };
+        let spring = pin.spring.as_ref().map_or(0.0, |s| {
+            let (x, y) = (view.of(s.x_m), view.of(s.y_m));
+            (x * x + y * y).sqrt().max(view.of(s.at_m)) * 0.92
+        });
+        let scale = REACH / if far.max(spring) > 0.0 { far.max(spring) } else { 1.0 };
+        Self {
+            scale,
+            arm: arm * scale,
+            rod: long.map(|l| ((arm - l / 2.0) * scale, (arm + l / 2.0) * scale)),
+            round: round * scale,
+            upright: pin.from == Zero::Upright,
+        }
+    }
+
+    /// Direction from the pin to the mass centre at an angle in degrees.
+    pub fn direction(&self, degrees: f64) -> V {
+        let (c, s) = polar_degrees(degrees);
+        (s, if self.upright { c } else { -c })
+    }
+
+    /// Direction in which the body moves where its angle grows.
+    pub fn across(&self, degrees: f64) -> V {
+        let d = self.direction(degrees);
+        if self.upright { right(d) } else { left(d) }
+    }
+
+    /// Is a growing angle a clockwise turn?
+    pub fn clockwise(&self) -> bool {
+        self.upright
+    }
+
+    /// Outline of the body at an angle, moved by `at`.
+    pub fn outline(&self, board: &mut Board, at: V, degrees: f64, role: Role) {
+        let d = self.direction(degrees);
+        match self.rod {
+            Some((from, to)) => {
+                let side = mul(left(d), 5.0);
+                let (a, b) = (along(at, d, from - 5.0), along(at, d, to));
+                board.lines(&[add(a, side), add(b, side), sub(b, side), sub(a, side)], true, role);
+            }
+            None => {
+                // The hull of a circle round the mass centre and a small one round the pin.
+                let (big, small) = (self.round, (self.round * 0.3).clamp(9.0, 16.0));
+                let centre = along(at, d, self.arm);
+                if self.arm + small <= big + 1.0 {
+                    board.circle(centre, big, role);
+                    return;
+                }
+                // Tangents touch both circles at this angle from the line.
+                let cosine = ((big - small) / self.arm).clamp(-1.0, 1.0);
+                let open = angle((cosine, (1.0 - cosine * cosine).sqrt()));
+                let back = angle(mul(d, -1.0));
+                let mut points = Vec::with_capacity(42);
+                for i in 0..=24 {
+                    let a = back + open + (2.0 * std::f64::consts::PI - 2.0 * open) * f64::from(i) / 24.0;
+                    points.push(along(centre, polar(a), big));
+                }
+                for i in 0..=10 {
+                    let a = back - open + 2.0 * open * f64::from(i) / 10.0;
+                    points.push(along(at, polar(a), small));
+                }
+                board.lines(&points, true, role);
+            }
+        }
+    }
+}
+
+/// Draws a pinned body with all that belongs to it.
+pub fn draw(board: &mut Board, view: &View, index: usize) {
+    let body = &view.scene.bodies[index];
+    let Some(pin) = &body.pin else { return };
+    let hung = Hung::new(view, body, pin);
+    let start = view.of(pin.start_deg);
+    let end = match view.scene.end {
+        End::Angle(_, n) => Some((n, view.of(n))),
+        _ => None,
+    };
+    let d = hung.direction(start);
+    let far = hung.rod.map_or(hung.arm + hung.round, |(_, to)| to);
+    let zero = hung.direction(0.0);
+    let support = if hung.upright { -1.0 } else { 1.0 };
+    if hung.rod.is_some() {
+        bracket(board, (0.0, 0.0), support);
+    }
+    // The direction from which angles count, unless the body covers it.
+    board.line(along((0.0, 0.0), zero, 8.0), along((0.0, 0.0), zero, far * 0.72 + 14.0), Role::Ghost);
+    if let Some((_, degrees)) = end
+        && (degrees - start).abs() > 1.0
+    {
+        hung.outline(board, (0.0, 0.0), degrees, Role::Ghost);
+    }
+    hung.outline(board, (0.0, 0.0), start, Role::Body);
+    if hung.rod.is_none() {
+        // The lines between which the angles are, and the support, in front.
+        for degrees in end.map(|e| e.1).into_iter().chain([start]) {
+            board.line((0.0, 0.0), along((0.0, 0.0), hung.direction(degrees), hung.arm), Role::Ghost);
+        }
+        board.line((0.0, 0.0), along((0.0, 0.0), zero, far * 0.72 + 14.0), Role::Ghost);
+        bracket(board, (0.0, 0.0), support);
+    }
+    let g = along((0.0, 0.0), d, hung.arm);
+    let mut angles = vec![(pin.start_deg, start, 0.0)];
+    if let Some((n, degrees)) = end {
+        angles.push((n, degrees, 24.0));
+    }
+    let base = if hung.rod.is_some() { 50.0 } else { (hung.arm * 0.5).clamp(34.0, 60.0) };
+    for (num, degrees, more) in angles {
+        arc(board, view, &hung, num, degrees, base + more);
+    }
+    board.circle((0.0, 0.0), 3.6, Role::Inner);
+    if hung.arm > 4.0 {
+        board.dot(g);
+        let side = mul(hung.across(start), if end.is_some_and(|(_, e)| e > start) { -1.0 } else { 1.0 });
+        board.wish_for(Wish {
+            rows: vec![vec![symbol::run("G", RunStyle::Italic)]],
+            size: TEXT,
+            role: Role::Dot,
+            spots: vec![(along(g, side, 5.0), side), (along(g, side, -5.0), mul(side, -1.0))],
+            gap: 4.0,
+            tie: Tied::Near,
+        });
+    }
+    sizes(board, view, body, pin, &hung, end.map(|e| e.1));
+    if let Some(spring) = &pin.spring {
+        let anchor = (view.of(spring.x_m) * hung.scale, view.of(spring.y_m) * hung.scale);
+        let held = along((0.0, 0.0), d, view.of(spring.at_m) * hung.scale);
+        let long = size(sub(held, anchor));
+        if long > 12.0 {
+            board.spring(anchor, held, 9, 7.5);
+        } else {
+            board.line(anchor, held, Role::Spring);
+        }
+        let pull = unit(sub(held, anchor));
+        let side = mul(left(pull), 15.0);
+        board.hatch(sub(anchor, side), add(anchor, side), mul(pull, -1.0));
+        board.line(sub(anchor, side), add(anchor, side), Role::Ground);
+        board.dot(held);
+        board.wish_for(Wish {
+            rows: vec![vec![symbol::run("A", RunStyle::Italic)]],
+            size: TEXT,
+            role: Role::Dot,
+            spots: vec![
+                (along(anchor, pull, -9.0), mul(pull, -1.0)),
+                (along(anchor, (0.0, 1.0), 14.0), (0.0, 1.0)),
+            ],
+            gap: 4.0,
+            tie: Tied::Near,
+        });
+        let rest = match spring.rest {
+            Rest::Length(n) | Rest::Stretch(n) => view.label(n, "m"),
+        };
+        let mid = middle(anchor, held);
+        let out = if dot(left(pull), (1.0, 0.6)) > 0.0 { left(pull) } else { right(pull) };
+        board.wish_for(Wish {
+            rows: vec![view.label(spring.stiffness_n_m, "N/m"), rest],
+            size: TEXT,
+            role: Role::Spring,
+            spots: vec![(along(mid, out, 10.0), out), (along(mid, out, -10.0), mul(out, -1.0))],
+            gap: 4.0,
+            tie: Tied::Leader,
+        });
+        for (num, from, to, out) in [
+            (spring.y_m, (0.0, 0.0), (0.0, anchor.1), (-1.0, 0.0)),
+            (spring.x_m, (0.0, anchor.1), anchor, (0.0, anchor.1.signum())),
+        ] {
+            if size(sub(to, from)) > 2.0 {
+                let off = if out.0 < 0.0 { 78.0 } else { 40.0 };
+                dimension(board, from, to, out, off, view.label(num, "m"));
+            }
+        }
+    }
+    for couple in view.scene.couples.iter().filter(|c| c.body == index) {
+        let clockwise = hung.clockwise() == couple.forward;
+        let mid = angle(d);
+        let (from, to) = if clockwise { (mid + 2.4, mid - 1.6) } else { (mid - 2.4, mid + 1.6) };
+        board.curved_arrow((0.0, 0.0), 26.0, from, to, Role::Force);
+        let spot = polar(from + (to - from) * 0.15);
+        board.wish(
+            view.label(couple.moment_n_m, "N·m"),
+            vec![(along((0.0, 0.0), spot, 26.0), spot), (along((0.0, 0.0), polar(to), 26.0), polar(to))],
+            Role::Force,
+        );
+    }
+    for s in &view.scene.start {
+        let Start::Speed(c, num) = *s else { continue };
+        if c.body != index || c.degree != Degree::Turn || view.of(num).abs() < 1e-12 {
+            continue;
+        }
+        let sense = if hung.clockwise() { -1.0 } else { 1.0 };
+        let radius = far + 12.0;
+        let mid = angle(d);
+        board.curved_arrow((0.0, 0.0), radius, mid - sense * 0.02, mid + sense * 0.3, Role::Motion);
+        let at = polar(mid + sense * 0.16);
+        board.wish(view.label(num, "rad/s"), vec![(along((0.0, 0.0), at, radius), at)], Role::Motion);
+    }
+}
+
+/// The angle from the zero direction, with its label.
+fn arc(board: &mut Board, view: &View, hung: &Hung, num: Num, degrees: f64, radius: f64) {
+    let fixed_zero = matches!(num, Num::Fixed(x) if x.abs() < 1e-9);
+    if fixed_zero {
+        return;
+    }
+    let zero = angle(hung.direction(0.0));
+    let sense = if hung.clockwise() { -1.0 } else { 1.0 };
+    let to = zero + sense * degrees * std::f64::consts::PI / 180.0;
+    let label = view.label(num, "°");
+    if degrees.abs() * radius < 400.0 {
+        // Too small for a head: it points from outside.
+        board.arc((0.0, 0.0), radius, zero, to, Role::Dimension);
+    } else {
+        board.curved_arrow((0.0, 0.0), radius, zero, to, Role::Dimension);
+    }
+    let at = |share: f64| {
+        let d = polar(zero + (to - zero) * share);
+        (along((0.0, 0.0), d, radius), d)
+    };
+    let mut spots = vec![at(0.5), at(0.35), at(0.65), at(0.2), at(0.8), at(1.0)];
+    if degrees.abs() < 25.0 {
+        // No room between the lines: before them.
+        let d = polar(zero - (to - zero).signum() * 0.12);
+        spots.insert(
+            0,
+            (along((0.0, 0.0), d, radius), mul(hung.across(0.0), if degrees < 0.0 { 1.0 } else { -1.0 })),
+        );
+    }
+    board.wish(label, spots, Role::Dimension);
+}
+
+/// Lengths along the body, its mass and radius of gyration.
+fn sizes(board: &mut Board, view: &View, body: &Body, pin: &Pin, hung: &Hung, end: Option<f64>) {
+    let start = view.of(pin.start_deg);
+    let d = hung.direction(start);
+    // On the side that the body does not sweep, unless a small angle or a spring is there.
+    let away = mul(hung.across(start), if end.is_some_and(|e| e < start) { 1.0 } else { -1.0 });
+    let full = pin.spring.is_some() || (1.0..35.0).contains(&start.abs());
+    let out = if full && hung.rod.is_some() { mul(away, -1.0) } else { away };
+    let off = if pin.spring.is_some() { 20.0 } else { 28.0 };
+    let at = |far: f64| along((0.0, 0.0), d, far);
+    let mut rows = Vec::new();
+    match (&body.inertia, pin.arm, hung.rod) {
+        (Some(RotaryInertia::Shape(Shape::Rod, l)), arm, Some((from, to))) => {
+            dimension(board, at(from), at(to), out, off, view.label(*l, "m"));
+            if let Arm::Distance(h) = arm
+                && hung.arm > 4.0
+            {
+                dimension(board, at(0.0), at(hung.arm), mul(out, -1.0), 24.0, view.label(h, "m"));
+            }
+        }
+        (inertia, Arm::Distance(h), _) => {
+            if hung.arm > 4.0 {
+                let clear = if hung.round > hung.arm * 0.9 {
+                    hung.round + 14.0
+                } else {
+                    (hung.round + 14.0).min(64.0).max(hung.round + 8.0)
+                };
+                dimension(board, at(0.0), at(hung.arm), out, clear, view.label(h, "m"));
+            }
+            match inertia {
+                Some(RotaryInertia::Gyration(n)) => rows.push(view.label(*n, "m")),
+                Some(RotaryInertia::Moment(n)) => rows.push(view.label(*n, "kg·m<sup>2</sup>")),
+                _ => {}
+            }
+        }
+        (Some(RotaryInertia::Gyration(n)), ..) => rows.push(view.label(*n, "m")),
+        _ => {}
+    }
+    if let Some((n, weight)) = view.mass(body) {
+        rows.insert(0, view.label(n, if weight { "N" } else { "kg" }));
+    }
+    let far = hung.rod.map_or(hung.arm + hung.round, |(_, to)| to);
+    let spots = match hung.rod {
+        Some(_) => {
+            vec![(at(far), d), (at(far * 0.8), mul(out, -1.0)), (at(far), unit(add(d, mul(out, -1.0))))]
+        }
+        None => vec![(at(far), d), (along(at(hung.arm), away, -hung.round), mul(away, -1.0))],
+    };
+    board.wish_for(Wish { rows, size: TEXT, role: Role::Dot, spots, gap: 6.0, tie: Tied::Loose });
+}
+
+/// A dimension line beside a length.
+pub fn dimension(
+    board: &mut Board,
+    from: V,
+    to: V,
+    out: V,
+    off: f64,
+    label: Vec<crate::figure::picture::Run>,
+) {
+    for p in [from, to] {
+        board.line(along(p, out, (off - 16.0).clamp(8.0, 30.0)), along(p, out, off + 5.0), Role::Dimension);
+    }
+    let (a, b) = (along(from, out, off), along(to, out, off));
+    board.double_arrow(a, b, Role::Dimension);
+    let mid = middle(a, b);
+    board.wish(
+        label,
+        vec![
+            (mid, out),
+            (along(mid, unit(sub(b, a)), 34.0), out),
+            (along(mid, unit(sub(b, a)), 60.0), out),
+            (b, unit(sub(b, a))),
+        ],
+        Role::Dimension,
+    );
+}
+
+/// The support of a pin: above it (`up` = 1) or below (-1).
+pub fn bracket(board: &mut Board, at: V, up: f64) {
+    let wall = at.1 + up * 24.0;
+    board.lines(&[(at.0 - 13.0, wall), at, (at.0 + 13.0, wall)], true, Role::Inner);
+    let (a, b) = ((at.0 - 28.0, wall), (at.0 + 28.0, wall));
+    board.hatch(a, b, (0.0, up));
+    board.line(a, b, Role::Ground);
+}

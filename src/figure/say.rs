@@ -1,0 +1,306 @@
+//! What the picture of a scene shows, in words: the text beside it for those who do not see it.
+use crate::figure::layout::Layout;
+use crate::figure::layout::Placed;
+use crate::figure::scene;
+use crate::figure::symbol;
+use crate::figure::vector::V;
+use crate::figure::view::View;
+use crate::scene::Arm;
+use crate::scene::Attach;
+use crate::scene::Body;
+use crate::scene::Coordinate;
+use crate::scene::CordEnd;
+use crate::scene::Degree;
+use crate::scene::End;
+use crate::scene::Far;
+use crate::scene::Mass;
+use crate::scene::Num;
+use crate::scene::Rest;
+use crate::scene::RotaryInertia;
+use crate::scene::Shape;
+use crate::scene::Side;
+use crate::scene::Slope;
+use crate::scene::Start;
+use crate::scene::Tie;
+use crate::scene::Zero;
+
+/// A number with its symbol, as text in one line: `R = 0.40 m`.
+pub fn text(view: &View, num: Num, unit: &str) -> String {
+    view.text(num, unit).replace('\u{a0}', " ")
+}
+
+/// A number without its symbol.
+fn bare(view: &View, num: Num, unit: &str) -> String {
+    symbol::plain(&view.value(num, unit)).replace('\u{a0}', " ")
+}
+
+/// What kind of body it is, in a word.
+pub fn kind(view: &View, body: &Body) -> String {
+    let name = match &body.inertia {
+        None => "block",
+        Some(RotaryInertia::Shape(Shape::Rod, _)) => "rod",
+        Some(RotaryInertia::Shape(Shape::Sphere | Shape::Shell, _)) => "ball",
+        Some(RotaryInertia::Shape(Shape::Hoop, _)) => "hoop",
+        Some(_) if body.pin.is_some() => "body",
+        Some(_) if body.line.is_none() => "drum",
+        Some(_) => "wheel",
+    };
+    view.words.get(&format!("figure.{name}")).to_owned()
+}
+
+/// The body with its data: `Wheel (m = 40 kg, k = 0.25 m)`.
+pub fn named(view: &View, body: &Body) -> String {
+    let mut data = Vec::new();
+    let mut tell = |num: Num, unit: &str| {
+        if matches!(num, Num::Datum(_)) {
+            data.push(text(view, num, unit));
+        }
+    };
+    match &body.mass {
+        Mass::Kilograms(n) => tell(*n, "kg"),
+        Mass::Weight(n) => tell(*n, "N"),
+        Mass::OfParts => {}
+    }
+    for (num, _) in view.radii(body) {
+        tell(num, "m");
+    }
+    match &body.inertia {
+        Some(RotaryInertia::Gyration(n) | RotaryInertia::Shape(Shape::Rod, n)) => tell(*n, "m"),
+        Some(RotaryInertia::Moment(n)) => tell(*n, "kg·m<sup>2</sup>"),
+        _ => {}
+    }
+    if let Some(pin) = &body.pin
+        && let Arm::Distance(n) = pin.arm
+    {
+        tell(n, "m");
+    }
+    let kind = kind(view, body);
+    if data.is_empty() { kind } else { format!("{kind} ({})", data.join(separator(view))) }
+}
+
+/// What stands between the items of a list: no comma where numbers have one.
+pub fn separator(view: &View) -> &'static str {
+    if view.words.number("0.1").contains(',') { "; " } else { ", " }
+}
+
+/// A direction on the board, in words.
+fn way(view: &View, towards: V, incline: bool) -> String {
+    let name = if incline {
+        if towards.1 > 0.0 { "up_incline" } else { "down_incline" }
+    } else if towards.0.abs() > towards.1.abs() {
+        if towards.0 > 0.0 { "right" } else { "left" }
+    } else if towards.1 > 0.0 {
+        "up"
+    } else {
+        "down"
+    };
+    view.words.get(&format!("figure.way.{name}")).to_owned()
+}
+
+/// Where a cord leaves a body.
+fn place(view: &View, end: CordEnd) -> String {
+    let axle = view.scene.bodies.get(end.body).is_none_or(|b| b.line.is_none());
+    let direction = if end.forward { "forward" } else { "back" };
+    match end.attach {
+        Attach::Centre => view.words.get(&format!("figure.place.centre_{direction}")).to_owned(),
+        Attach::Wound(radius, side) => {
+            let side = if side == Side::Top { "top" } else { "bottom" };
+            let name = if axle { "axle".to_owned() } else { format!("{side}_{direction}") };
+            view.words.say(&format!("figure.place.{name}"), &[("radius", &text(view, radius, "m"))])
+        }
+    }
+}
+
+/// The sentences about bodies on lines and axles.
+pub fn mechanism(view: &View, plan: &Layout, told: bool, out: &mut Vec<String>) {
+    let say = |name: &str, pieces: &[(&str, &str)]| view.words.say(&format!("figure.scene.{name}"), pieces);
+    for (i, ground) in plan.grounds.iter().enumerate() {
+        let angle = match ground.slope {
+            Slope::Degrees(n) => text(view, n, "°"),
+            Slope::Level | Slope::Vertical => String::new(),
+        };
+        let side = if ground.up.0 < 0.0 { "left" } else { "right" };
+        let what = if ground.rail { "rail" } else { "incline" };
+        out.push(match ground.slope {
+            Slope::Level => say("level", &[]),
+            Slope::Vertical => say("upright", &[]),
+            Slope::Degrees(_) => say(&format!("{what}_{side}"), &[("angle", &angle)]),
+        });
+        for (b, p) in plan.bodies.iter().enumerate() {
+            if let Some(p) = p.as_ref().filter(|p| p.on == Some(i)) {
+                body(view, plan, b, p, out);
+            }
+        }
+    }
+    for (b, p) in plan.bodies.iter().enumerate() {
+        if let Some(p) = p.as_ref().filter(|p| p.on.is_none()) {
+            body(view, plan, b, p, out);
+        }
+    }
+    if let (true, End::Travel(Coordinate { degree: Degree::Along, .. }, num)) = (told, view.scene.end) {
+        out.push(say("travel", &[("distance", &text(view, num, "m"))]));
+    }
+    let mut senses = Vec::new();
+    for (b, p) in plan.bodies.iter().enumerate() {
+        let Some(p) = p else { continue };
+        let body = &view.scene.bodies[b];
+        let incline = p.on.is_some_and(|g| matches!(plan.grounds[g].slope, Slope::Degrees(_)));
+        let mut list = Vec::new();
+        if body.line.is_some() {
+            list.push(way(view, p.forward, incline));
+        }
+        let given = |s: &Start| matches!(s, Start::Speed(c, n) if c.body == b && view.of(*n).abs() > 1e-12);
+        if view.scene.start.iter().any(given) {
+            continue;
+        }
+        if body.turns && p.reach((1.0, 0.0)) > scene::SMALL {
+            let name = if p.clockwise { "clockwise" } else { "counter" };
+            list.push(view.words.get(&format!("figure.turn.{name}")).to_owned());
+        }
+        if list.is_empty() {
+            continue;
+        }
+        senses.push(format!("{}: {}", kind(view, body), list.join(", ")));
+    }
+    if !senses.is_empty() {
+        out.push(say("positive", &[("list", &senses.join("; "))]));
+    }
+}
+
+fn body(view: &View, plan: &Layout, index: usize, p: &Placed, out: &mut Vec<String>) {
+    let body = &view.scene.bodies[index];
+    let name = named(view, body);
+    let say = |name: &str, pieces: &[(&str, &str)]| view.words.say(&format!("figure.scene.{name}"), pieces);
+    let contact = view.scene.ties.iter().find_map(|t| match t {
+        Tie::Roll { body, radius_m, .. } | Tie::Slip { body, radius_m, .. } if *body == index => {
+            Some(*radius_m)
+        }
+        _ => None,
+    });
+    out.push(match (p.on.is_some(), contact, body.line.is_some()) {
+        (true, Some(radius), _) => say("touches", &[("body", &name), ("radius", &text(view, radius, "m"))]),
+        (true, None, _) => say("lies", &[("body", &name)]),
+        (false, _, true) => say("hangs", &[("body", &name)]),
+        (false, _, false) => say("axle", &[("body", &name)]),
+    });
+    for tie in &view.scene.ties {
+        let list: Vec<Num> = match tie {
+            Tie::Roll { body, mu_s, .. } if *body == index => mu_s.iter().copied().collect(),
+            Tie::Slip { body, mu_s, mu_k, .. } if *body == index => vec![*mu_s, *mu_k],
+            Tie::Slide { body, mu_s, mu_k } if *body == index => {
+                mu_s.iter().copied().chain([*mu_k]).collect()
+            }
+            _ => continue,
+        };
+        if !list.is_empty() {
+            let list: Vec<String> = list.into_iter().map(|n| text(view, n, "")).collect();
+            out.push(say("friction", &[("list", &list.join(separator(view)))]));
+        }
+    }
+    for (i, tie) in view.scene.ties.iter().enumerate() {
+        let Tie::Cord(cord) = tie else { continue };
+        if cord.from.body != index {
+            continue;
+        }
+        let place = place(view, cord.from);
+        out.push(match cord.to {
+            Far::Pull(n) => say("pull", &[("place", &place), ("force", &text(view, n, "N"))]),
+            Far::Fixed => say("fixed", &[("place", &place)]),
+            Far::Spring { stiffness_n_m, stretch_m, .. } => say(
+                "spring",
+                &[
+                    ("place", &place),
+                    ("stiffness", &text(view, stiffness_n_m, "N/m")),
+                    ("stretch", &text(view, stretch_m, "m")),
+                ],
+            ),
+            Far::Body(end) => {
+                let guide = plan.cords.iter().any(|r| r.tie == i && r.guide.is_some());
+                let other = view.scene.bodies.get(end.body).map_or_else(String::new, |b| named(view, b));
+                say(if guide { "over" } else { "joins" }, &[("place", &place), ("other", &other)])
+            }
+        });
+    }
+    couples(view, index, out);
+    let mut list = Vec::new();
+    for start in &view.scene.start {
+        if let Start::Speed(c, num) = *start
+            && c.body == index
+            && view.of(num).abs() > 1e-12
+        {
+            list.push(text(view, num, if c.degree == Degree::Along { "m/s" } else { "rad/s" }));
+        }
+    }
+    if !list.is_empty() {
+        out.push(say("start", &[("list", &list.join(separator(view)))]));
+    }
+}
+
+fn couples(view: &View, index: usize, out: &mut Vec<String>) {
+    for couple in view.scene.couples.iter().filter(|c| c.body == index) {
+        let name = if couple.forward { "figure.scene.couple" } else { "figure.scene.couple_back" };
+        out.push(view.words.say(name, &[("moment", &text(view, couple.moment_n_m, "N·m"))]));
+    }
+}
+
+/// The sentences about a pinned body.
+pub fn pinned(view: &View, index: usize, out: &mut Vec<String>) {
+    let body = &view.scene.bodies[index];
+    let Some(pin) = &body.pin else { return };
+    let say = |name: &str, pieces: &[(&str, &str)]| view.words.say(&format!("figure.pinned.{name}"), pieces);
+    let zero = if pin.from == Zero::Upright { "upright" } else { "hanging" };
+    out.push(say(zero, &[("body", &named(view, body))]));
+    out.push(say("start", &[("angle", &text(view, pin.start_deg, "°"))]));
+    if let End::Angle(_, n) = view.scene.end {
+        out.push(say("end", &[("angle", &text(view, n, "°"))]));
+    }
+    if let Some(spring) = &pin.spring {
+        let rest = match spring.rest {
+            Rest::Length(n) | Rest::Stretch(n) => text(view, n, "m"),
+        };
+        let list = [text(view, spring.stiffness_n_m, "N/m"), rest].join(separator(view));
+        out.push(say(
+            "spring",
+            &[
+                ("x", &text(view, spring.x_m, "m")),
+                ("y", &text(view, spring.y_m, "m")),
+                ("at", &text(view, spring.at_m, "m")),
+                ("list", &list),
+            ],
+        ));
+    }
+    couples(view, index, out);
+    for start in &view.scene.start {
+        if let Start::Speed(c, num) = *start
+            && c.body == index
+            && view.of(num).abs() > 1e-12
+        {
+            out.push(say("spin", &[("spin", &text(view, num, "rad/s"))]));
+        }
+    }
+}
+
+/// The sentences about a lamina.
+pub fn lamina(view: &View, index: usize, out: &mut Vec<String>) {
+    let body = &view.scene.bodies[index];
+    let say = |name: &str, pieces: &[(&str, &str)]| view.words.say(&format!("figure.lamina.{name}"), pieces);
+    let list: Vec<String> = body
+        .particles
+        .iter()
+        .map(|p| {
+            let (mass, x, y) = (bare(view, p.mass_kg, "kg"), bare(view, p.x_m, "m"), bare(view, p.y_m, "m"));
+            say("particle", &[("name", &p.name), ("mass", &mass), ("x", &x), ("y", &y)])
+        })
+        .collect();
+    out.push(say("text", &[("list", &list.join("; "))]));
+    for start in &view.scene.start {
+        if let Start::Lamina { body: b, particle, vx_m_s, vy_m_s, spin_rad_s } = *start
+            && b == index
+        {
+            let name = body.particles.get(particle).map_or("", |p| p.name.as_str());
+            let (vx, vy) = (text(view, vx_m_s, "m/s"), text(view, vy_m_s, "m/s"));
+            let spin = text(view, spin_rad_s, "rad/s");
+            out.push(say("motion", &[("name", name), ("vx", &vx), ("vy", &vy), ("spin", &spin)]));
+        }
+    }
+}
