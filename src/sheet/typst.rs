@@ -42,6 +42,9 @@ pub const PRELUDE: &str = include_str!("../../templates/print.typ");
 /// Width of the longest formula within a line that is never broken, in characters as read aloud.
 const UNBROKEN: usize = 28;
 
+/// A document with a table of more columns than this lies across.
+const WIDE: usize = 7;
+
 /// The source of one PDF with these documents.
 ///
 /// # Errors
@@ -81,9 +84,19 @@ pub fn source(documents: &[(&Head, &Document)], words: &Words) -> Result<String,
         ] {
             let _ = write!(out, "{name}: {}, ", quoted(text));
         }
-        out.push_str("labels: labels)[\n");
-        Page { document, words, out: &mut out, closers: Vec::new(), items: Vec::new(), hidden: 0 }.write()?;
-        out.push_str("];\n");
+        let mut body = String::with_capacity(document.markdown.len() * 4);
+        let mut page = Page {
+            document,
+            words,
+            out: &mut body,
+            closers: Vec::new(),
+            items: Vec::new(),
+            hidden: 0,
+            columns: 0,
+        };
+        page.write()?;
+        let wide = page.columns > WIDE;
+        let _ = writeln!(out, "wide: {wide}, labels: labels)[\n{body}];");
     }
     Ok(out)
 }
@@ -123,7 +136,14 @@ fn quoted(text: &str) -> String {
 /// A text as Typst writes it between markup.
 fn escaped(out: &mut String, text: &str) {
     let mut last = ' ';
-    for c in text.chars() {
+    let mut letters = text.chars().peekable();
+    while let Some(c) = letters.next() {
+        // A sign of percent stays with its number.
+        if c == ' ' && last.is_ascii_digit() && letters.peek() == Some(&'%') {
+            out.push('~');
+            last = c;
+            continue;
+        }
         let plain = match c {
             ',' | ';' | ':' | '!' | '?' | '(' | ')' | '%' | '&' => true,
             // `1. ` begins a list.
@@ -149,6 +169,8 @@ struct Page<'p> {
     items: Vec<(usize, bool)>,
     /// Depth within an image, whose text is a description and not shown.
     hidden: usize,
+    /// Columns of the widest table.
+    columns: usize,
 }
 
 impl Page<'_> {
@@ -263,6 +285,7 @@ impl Page<'_> {
                 self.items.push((self.out.len(), false));
             }
             Tag::Table(columns) => {
+                self.columns = self.columns.max(columns.len());
                 let aligned: Vec<&str> = columns
                     .iter()
                     .map(|c| match c {
