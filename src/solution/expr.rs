@@ -317,6 +317,8 @@ impl Expr {
                     let plain = ledger.is_pure(*s) || ledger.is_degrees(*s);
                     let negative = ledger.value(*s) < 0.0;
                     let parentheses = match place {
+                        // What is its own number: pi.
+                        _ if ledger.shown(*s) == ledger.tex(*s) => false,
                         Place::Term => false,
                         Place::Later => negative,
                         Place::Factor => true,

@@ -9,8 +9,13 @@
 //! - `answers`: the answers, rounded; `beware`: mistakes that suggest themselves.
 pub mod desk;
 pub mod expr;
+pub mod lamina;
 pub mod ledger;
+pub mod mass;
+pub mod pen;
+pub mod pinned;
 pub mod text;
+pub mod thrown;
 
 use crate::bank::Problem;
 use crate::bank::Question;
@@ -111,13 +116,13 @@ pub fn document(
 /// The derivation that the scene needs.
 fn derive(desk: &mut Desk) -> Result<(), Finding> {
     if desk.scene.bodies.iter().any(|b| !b.particles.is_empty()) {
-        return Err(desk.fault("has no worked solution: a lamina of particles"));
+        return lamina::work(desk);
     }
     if desk.scene.pinned().is_some() {
-        return Err(desk.fault("has no worked solution: a pinned body"));
+        return pinned::work(desk);
     }
     if desk.scene.thrown().is_some() {
-        return Err(desk.fault("has no worked solution: a body thrown with slip"));
+        return thrown::work(desk);
     }
     Err(desk.fault("has no worked solution: bodies on lines"))
 }
