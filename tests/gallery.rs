@@ -29,8 +29,7 @@ fn every_variant_has_figure_data_and_answers() {
     let folder = tempfile::tempdir().unwrap();
     for (bank, problems) in [("wheels-on-inclines", 4), ("hoists-and-pulleys", 0), ("pinned-bodies", 0)] {
         let file = folder.path().join(format!("{bank}.html")).display().to_string();
-        let (exit, out, err) =
-            run(&["gallery", bank, "--out", &file, "--variants", "3", "--seeds", "40"]);
+        let (exit, out, err) = run(&["gallery", bank, "--out", &file, "--variants", "3", "--seeds", "40"]);
         assert_eq!((exit, err.as_str()), (Exit::Fine, ""));
         assert!(out.contains("of 3 variants each"), "{out}");
         let html = std::fs::read_to_string(&file).unwrap();
@@ -107,6 +106,7 @@ fn a_gallery_in_german_and_of_chosen_problems() {
     assert_eq!((exit, err.as_str()), (Exit::Fine, ""));
     let (exit, _, err) = run_with(&["pulled-roling", "--force"]);
     assert!(exit == Exit::Faulty && err.contains("pulled-rolling"), "{err}");
-    let (exit, _, err) = run(&["gallery", "wheels-on-inclines", "--out", &file, "--variants", "0", "--force"]);
+    let (exit, _, err) =
+        run(&["gallery", "wheels-on-inclines", "--out", &file, "--variants", "0", "--force"]);
     assert!(exit == Exit::Faulty && err.contains("from 1 to"), "{err}");
 }

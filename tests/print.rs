@@ -26,8 +26,12 @@ fn typst(markdown: &str) -> Result<String, String> {
 #[test]
 fn formulas_in_typst_and_in_words() {
     for (tex, typst, alt) in [
-        (r"m = 40\ \mathrm{kg}", "m = \"40\"#h(0.25em)\"kg\"", "m = 40 kg"),
-        (r"0{,}25\ \mathrm{m}/\mathrm{s}^{2}", "\"0,25\"#h(0.25em)\"m\"class(\"normal\", \\/) attach(\"s\", tr: \"2\")", "0,25 m/s^2"),
+        (r"m = 40\ \mathrm{kg}", "m =\"40\"#h(0.25em)\"kg\"", "m = 40 kg"),
+        (
+            r"0{,}25\ \mathrm{m}/\mathrm{s}^{2}",
+            "\"0,25\"#h(0.25em)\"m\"class(\"normal\", \\/) attach(\"s\", tr: \"2\")",
+            "0,25 m/s^2",
+        ),
         (r"\theta = 30^\circ", "θ = attach(\"30\", tr: ∘)", "θ = 30°"),
         (r"\mu_s", "attach(μ, br: s)", "μ_s"),
         (r"x_{1{,}2}^2", "attach(x, br: \"1,2\", tr: \"2\")", "x_1,2^2"),
@@ -38,21 +42,29 @@ fn formulas_in_typst_and_in_words() {
         (r"\vec v", "arrow(v)", "vector v"),
         (r"m g \sin\theta", "m g op(\"sin\") θ", "mg sin θ"),
         (r"\left(a + b\right)", "lr(\\( a + b \\))", "(a + b)"),
-        (r"\lvert F \rvert \le \mu_s N", "class(\"opening\", \\|) F class(\"closing\", \\|) ≤ attach(μ, br: s) N", "|F| ≤ μ_s N"),
+        (
+            r"\lvert F \rvert \le \mu_s N",
+            "class(\"opening\", \\|) F class(\"closing\", \\|) ≤ attach(μ, br: s) N",
+            "|F| ≤ μ_s N",
+        ),
         (r"\int_0^d F\,\mathrm{d}x", "attach(∫, br: \"0\", tr: d) F #h(0.1667em)\"d\"x", "∫_0^d F dx"),
         (r"\sum_i M_i", "attach(limits(∑), b: i) attach(M, br: i)", "∑_i M_i"),
         (r"\begin{aligned} a &= b \\ c &= d \end{aligned}", "a & = b \\\nc & = d", "a = b; c = d"),
-        (r"\begin{cases} 1 & x > 0 \\ 0 & \text{else} \end{cases}", "cases(\"1\" & x > \"0\", \"0\" & \"else\")", "{ 1 x > 0; 0 else }"),
-        (r"\begin{pmatrix} a & b \\ c & d \end{pmatrix}", "lr(\\( mat(delim: #none, align: #center, a, b; c, d) \\))", "((a b; c d))"),
+        (
+            r"\begin{cases} 1 & x > 0 \\ 0 & \text{else} \end{cases}",
+            "cases(\"1\" & x >\"0\", \"0\" & \"else\")",
+            "{ 1 x > 0; 0 else }",
+        ),
+        (
+            r"\begin{pmatrix} a & b \\ c & d \end{pmatrix}",
+            "lr(\\( mat(delim: #none, align: #center, a, b; c, d) \\))",
+            "((a b; c d))",
+        ),
         (r"f(x, y)", "f class(\"opening\", \\() x \\, y class(\"closing\", \\))", "f(x, y)"),
-        (r"\Delta E \approx 3 \pm 1 \Rightarrow x", "upright(Δ) E ≈ \"3\" ± \"1\" ⇒ x", "ΔE ≈ 3 ± 1 ⇒ x"),
+        (r"\Delta E \approx 3 \pm 1 \Rightarrow x", "upright(Δ) E ≈\"3\"±\"1\"⇒ x", "ΔE ≈ 3 ± 1 ⇒ x"),
         (r"x'", "x attach(\"\", tr: ′)", "x′"),
     ] {
-        let mut found = translated(tex);
-        // Where no text in quotes stands beside it, a space more means nothing.
-        for mark in ["\\>", "\\<"] {
-            found.typst = found.typst.replace(mark, &mark[1..]);
-        }
+        let found = translated(tex);
         assert_eq!(found.typst, typst, "{tex}");
         assert_eq!(found.alt, alt, "{tex}");
     }
@@ -64,7 +76,7 @@ fn what_has_no_translation_is_a_finding() {
         (r"$\unknown x$", "formula"),
         (r"$\color{red} x$", "colours"),
         (r"$\begin{array}{c|c} a & b \end{array}$", "lines"),
-        (r"$\frac{1}{$", "formula"),
+        (r"$\frac{1}$", "formula"),
         (r"$x^$", "formula"),
         ("<table><tr></table>", "HTML"),
         ("![a wheel](wheel.svg)", "no picture wheel.svg"),
@@ -112,7 +124,10 @@ fn markdown_in_typst() {
         ("3. x\n4. y", "#enum(start: 3, [x],\n[y],\n);"),
         ("- x <!-- answer -->", "#list([#question(labels)[x ];],\n);"),
         ("x\n\n<!-- answer -->\n\ny", "x\n\n#answer(labels);\ny"),
-        ("| a | b |\n|:--|--:|\n| $1$ | 2 |", "#table(columns: 2, align: (left, right,), table.header([a], [b], ),\n[#box(math.equation(alt: \"1\", block: false, $\"1\"$));], [2], \n);"),
+        (
+            "| a | b |\n|:--|--:|\n| $1$ | 2 |",
+            "#table(columns: 2, align: (left, right,), table.header([a], [b], ),\n[#box(math.equation(alt: \"1\", block: false, $\"1\"$));], [2], \n);",
+        ),
         ("```\na \"b\"\n\\c\n```", "#raw(block: true, \"a \\\"b\\\"\\n\\\\c\\n\");"),
         ("---", "#rule();"),
         ("a  \nb", "a#linebreak();b"),
@@ -153,8 +168,9 @@ fn every_formula_of_every_family_is_translated() {
                 let mut formulas = 0;
                 for student in 0..30 {
                     let variant = maker.variant(&student.to_string()).expect("satisfiable");
-                    let (head, document) =
-                        sheets.document("s", "Name", std::slice::from_ref(&variant), &mut room).expect("a sheet");
+                    let (head, document) = sheets
+                        .document("s", "Name", std::slice::from_ref(&variant), &mut room)
+                        .expect("a sheet");
                     let text = source(&[(&head, &document)], &words);
                     let text = text.unwrap_or_else(|f| panic!("{language} {} {student}: {f}", problem.id));
                     formulas += text.matches("math.equation(alt:").count();

@@ -99,7 +99,8 @@ fn gallery(args: &args::Gallery, io: &mut Io) -> Result<(), Vec<Finding>> {
     view.text("about", &in_code(&about));
     view.text("several", if problems.len() > 1 { "yes" } else { "" });
     let names = ["gallery", "problems", "statement", "question", "answer"];
-    let phrase = |name: &&'static str| (*name, template::finished(texts.words.get(&format!("gallery.{name}"))));
+    let phrase =
+        |name: &&'static str| (*name, template::finished(texts.words.get(&format!("gallery.{name}"))));
     view.value("words", template::map(names.iter().map(phrase)));
     view.value("problems", template::list(shown));
     view.foreign("chance", &lint::chance(&sweeps));
@@ -124,13 +125,17 @@ fn card(problem: &Problem, variant: &Variant, n: usize, texts: &Texts, converter
     let picture = scene::picture(problem, variant, phrases, problem.figure);
     let id = format!("{}-{n}", problem.id);
     let figure = format!("<figure>{}</figure>\n", svg::inline(&picture, &id).trim_end());
-    let mut data = String::new();
-    for (datum, drawn) in problem.data.iter().zip(&variant.values) {
-        let Some(drawn) = drawn else { continue };
-        let digits = phrases.tex_number(&statement::decimal_text(*drawn));
-        let comma = if data.is_empty() { "" } else { ", " };
-        let _ = write!(data, "{comma}${} = {}$", datum.tex, datum.unit.tex_with(&digits));
-    }
+    let formulas: Vec<String> = problem
+        .data
+        .iter()
+        .zip(&variant.values)
+        .filter_map(|(datum, drawn)| {
+            let digits = phrases.tex_number(&statement::decimal_text((*drawn)?));
+            Some(format!("{} = {}", datum.tex, datum.unit.tex_with(&digits)))
+        })
+        .collect();
+    // A comma within its formula does not begin a line.
+    let data = if formulas.is_empty() { String::new() } else { format!("${}$", formulas.join(",$ $")) };
     let place = Place { lower: 0, prefix: &id };
     let data = converter.body(&Document { markdown: data, pictures: Vec::new() }, place);
     let mut what = Vec::new();

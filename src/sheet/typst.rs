@@ -61,6 +61,8 @@ pub fn source(documents: &[(&Head, &Document)], words: &Words) -> Result<String,
         }
         [(first, _), ..] => (joined(&[&first.title, &first.set]), String::new()),
     };
+    // A document without a title is refused, for those who have it read aloud.
+    let title = if title.is_empty() { "slipstick".to_owned() } else { title };
     let _ = writeln!(out, "title: {}, authors: ({authors}))", quoted(&title));
     out.push_str("#let labels = (");
     for (name, phrase) in [
@@ -818,6 +820,7 @@ fn symbol(c: char) -> String {
     match c {
         '-' => "−".to_owned(),
         '*' => "∗".to_owned(),
+        '=' | '+' | '<' | '>' => c.to_string(),
         c if c.is_ascii_punctuation() => format!("\\{c}"),
         c => c.to_string(),
     }

@@ -31,8 +31,7 @@ fn sheets(students: usize) -> Vec<(Head, Document)> {
     (0..students)
         .map(|i| {
             let student = format!("s{i}");
-            let variants: Vec<_> =
-                makers.iter().map(|m| m.variant(&student).expect("satisfiable")).collect();
+            let variants: Vec<_> = makers.iter().map(|m| m.variant(&student).expect("satisfiable")).collect();
             sheets.document(&student, "A Name", &variants, &mut room).expect("a sheet")
         })
         .collect()
