@@ -333,7 +333,7 @@ impl Board {
                     if taken.iter().any(|t| segment_meets(a, b, *t)) {
                         return;
                     }
-                    cost += 0.6 * obstacles.crossings(a, b);
+                    cost += 0.3 * obstacles.crossings(a, b);
                 }
                 // Beyond what is drawn the picture has to grow.
                 let outside = (whole.0 - frame.0).max(frame.2 - whole.2).max(0.0)
@@ -426,16 +426,15 @@ fn head_of(role: Role) -> (Role, f64) {
 /// How much a label on such a line disturbs; 0: not at all.
 fn weight(role: Role) -> f64 {
     match role {
-        Role::Force | Role::Friction | Role::Motion => 9.0,
-        Role::ForceHead | Role::FrictionHead | Role::MotionHead | Role::Dot => 10.0,
-        Role::Cord | Role::Spring => 8.0,
-        Role::Body | Role::Ground => 7.0,
-        Role::Inner => 5.0,
-        Role::Curve(_) | Role::Axis | Role::Area(_) => 7.0,
-        Role::DimensionHead => 6.0,
-        Role::Dimension => 5.0,
-        Role::Hatch => 2.5,
-        Role::Ghost => 3.0,
+        Role::Force | Role::Friction | Role::Motion => 30.0,
+        Role::ForceHead | Role::FrictionHead | Role::MotionHead | Role::Dot => 30.0,
+        Role::Cord | Role::Spring | Role::Body | Role::Ground => 28.0,
+        Role::Inner => 14.0,
+        Role::Curve(_) | Role::Axis | Role::Area(_) => 16.0,
+        Role::DimensionHead => 7.0,
+        Role::Dimension => 6.0,
+        Role::Hatch => 3.0,
+        Role::Ghost => 4.0,
         Role::Grid => 0.8,
         Role::Paper => 0.0,
     }
