@@ -25,9 +25,10 @@ fn seeds() -> usize {
 /// Runs a program of poppler-utils and gives what it prints.
 fn poppler(program: &str, arguments: &[&str], file: &Path) -> Vec<u8> {
     let to_stdout = if program == "pdftotext" { &["-"][..] } else { &[] };
-    let output = Command::new(program).args(arguments).arg(file).args(to_stdout).output().unwrap_or_else(|e| {
-        panic!("{program} cannot be run ({e}): install the Debian package poppler-utils")
-    });
+    let output =
+        Command::new(program).args(arguments).arg(file).args(to_stdout).output().unwrap_or_else(|e| {
+            panic!("{program} cannot be run ({e}): install the Debian package poppler-utils")
+        });
     assert!(output.status.success(), "{program}: {}", String::from_utf8_lossy(&output.stderr));
     output.stdout
 }
@@ -116,7 +117,7 @@ fn every_family_can_be_read_in_its_pdf() {
                         "{whose}: {rooms} rooms for answers in\n{text}"
                     );
                 }
-            }
+            });
         }
     }
 }
