@@ -1493,3 +1493,26 @@ fn solutions_stand_apart_from_what_students_get() {
     assert!(ran.err.contains("the bank copy was changed"), "{}", ran.err);
     assert!(!Path::new(&room.path("three")).exists());
 }
+
+#[test]
+fn a_set_of_an_earlier_version_is_english_markdown_and_pages() {
+    let room = Room::new(&CLASS[..2]);
+    room.roster("more.csv", &CLASS[..3]);
+    assert_eq!(room.generate("roster.csv", "set", &["--problems", "pulled-rolling"]).exit, Exit::Fine);
+    let set = room.read("set/set.json");
+    let old: String = set
+        .lines()
+        .filter(|l| !l.starts_with("  \"language\"") && !l.starts_with("  \"formats\""))
+        .map(|l| format!("{l}\n"))
+        .collect();
+    assert!(old.len() < set.len());
+    room.write("set/set.json", &old);
+    room.write("in.csv", "student,problem,part,answer\n0017,1,v,x\n");
+    let ran = run(&["grade", &room.path("set"), &room.path("in.csv"), "--out", &room.path("grades")]);
+    assert_eq!((ran.exit, ran.err.as_str()), (Exit::Fine, ""));
+    assert!(room.read("grades/answers.csv").contains("neither a number nor a known word"));
+    let ran = room.generate("more.csv", "set", &["--add"]);
+    assert_eq!((ran.exit, ran.err.as_str()), (Exit::Fine, ""));
+    assert!(names(&room, "set").iter().filter(|n| n.ends_with("sheet.html")).count() == 3);
+    assert_eq!(room.read("set/booklet.html").matches("<article").count(), 3);
+}

@@ -73,8 +73,6 @@ pub enum Tied {
 pub struct Board {
     shapes: Vec<Shape>,
     wishes: Vec<Wish>,
-    /// Circles and points within which no label may stand.
-    kept: Vec<Frame>,
 }
 
 impl Board {
@@ -190,21 +188,6 @@ impl Board {
         self.lines(&points, false, Role::Spring);
     }
 
-    /// No label may stand in this box.
-    pub fn keep_free(&mut self, corner: V, other: V) {
-        self.kept.push((
-            corner.0.min(other.0),
-            corner.1.min(other.1),
-            corner.0.max(other.0),
-            corner.1.max(other.1),
-        ));
-    }
-
-    /// Wishes a label beside a point, in a direction from it.
-    pub fn label(&mut self, runs: Vec<Run>, at: V, towards: V) {
-        self.wish(runs, vec![(at, towards)], Role::Dot);
-    }
-
     /// Wishes a label at one of several spots, best first.
     pub fn wish(&mut self, runs: Vec<Run>, spots: Vec<(V, V)>, role: Role) {
         self.wish_for(Wish { rows: vec![runs], size: TEXT, role, spots, gap: 5.0, tie: Tied::Leader });
@@ -239,9 +222,6 @@ impl Board {
         for wish in &mut self.wishes {
             wish.spots.iter_mut().for_each(|(p, _)| *p = add(*p, by));
         }
-        for f in &mut self.kept {
-            *f = (f.0 + by.0, f.1 + by.1, f.2 + by.0, f.3 + by.1);
-        }
     }
 
     /// Puts another board to the right of this one.
@@ -256,7 +236,6 @@ impl Board {
     pub fn put(&mut self, other: Board) {
         self.shapes.extend(other.shapes);
         self.wishes.extend(other.wishes);
-        self.kept.extend(other.kept);
     }
 
     /// Finds places for the labels and makes the picture.
@@ -306,7 +285,7 @@ impl Board {
     fn place(&mut self) -> Vec<(Wish, Frame)> {
         let mut obstacles = Obstacles::new(&self.shapes);
         let whole = self.frame().unwrap_or((0.0, 0.0, 1.0, 1.0));
-        let mut taken: Vec<Frame> = self.kept.clone();
+        let mut taken: Vec<Frame> = Vec::with_capacity(self.wishes.len());
         let mut placed: Vec<(Wish, Frame)> = Vec::with_capacity(self.wishes.len());
         for wish in std::mem::take(&mut self.wishes) {
             let halves = wish.rows.iter().map(|runs| half_of(runs, wish.size));
@@ -566,7 +545,7 @@ fn segment_meets(a: V, b: V, f: Frame) -> bool {
 }
 
 /// The box of an outline.
-pub fn extent(outline: &Outline) -> Frame {
+fn extent(outline: &Outline) -> Frame {
     let of = |points: &[Point]| {
         let mut f = (f64::INFINITY, f64::INFINITY, f64::NEG_INFINITY, f64::NEG_INFINITY);
         for p in points {

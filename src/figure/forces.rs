@@ -48,10 +48,12 @@ use crate::words::Words;
 
 /// Radius to which a body is drawn.
 const RADIUS: f64 = 66.0;
+/// The same where it touches the ground within its outline, so that the forces there have room.
+const ON_RAIL: f64 = 84.0;
 /// Length of the longest arrow.
 const LONGEST: f64 = 92.0;
 /// Length of the shortest arrow.
-const SHORTEST: f64 = 33.0;
+const SHORTEST: f64 = 38.0;
 /// Share of the largest force below which a force counts as 0.
 const NOTHING: f64 = 1e-9;
 
@@ -172,10 +174,11 @@ pub fn free_body(problem: &Problem, variant: &Variant, words: &Words, body: usiz
 fn moving<'a>(view: &'a View<'a>, body: usize) -> Option<Diagram<'a>> {
     let plan = layout::layout(view);
     let mut p = plan.bodies.get(body).cloned().flatten()?;
-    let scale = RADIUS / layout::outer_m(view, body);
+    let radius = if p.on_rail() { ON_RAIL } else { RADIUS };
+    let scale = radius / layout::outer_m(view, body);
     p.centre = (0.0, 0.0);
     let ratio = match &p.look {
-        Look::Wheel { outer, .. } => RADIUS / outer,
+        Look::Wheel { outer, .. } => radius / outer,
         Look::Block { .. } => 1.25,
     };
     p.look = match p.look {
@@ -560,7 +563,7 @@ fn arrows(board: &mut Board, forces: &[Force]) -> bool {
             role: f.role,
             spots,
             gap: 4.0,
-            tie: Tied::Leader,
+            tie: Tied::Near,
         });
     }
     any
