@@ -59,6 +59,11 @@ pub enum Verb {
         after_help = "Examples:\n  slipstick lint my-bank.yaml\n  slipstick lint wheels-on-inclines --seeds 2000"
     )]
     Lint(Lint),
+    /// Look through a bank: many variants of each problem side by side, with their answers, on one page
+    #[command(
+        after_help = "Examples:\n  slipstick gallery wheels-on-inclines --out gallery.html\n  slipstick gallery my-bank.yaml --out gallery.html --problems spring-released --variants 40\n\nThe page needs nothing but itself. It shows figures, data, answers and condition numbers, and the tables of `lint`;\nit holds keys and is for instructors."
+    )]
+    Gallery(Gallery),
     /// Draw and solve a set again and prove its key: both roads, and an enclosure of every answer
     #[command(
         after_help = "Example:\n  slipstick verify week-5\n\nEach number of the key is computed once more with numbers that keep account of their errors, those of the\nprinted data among them: the true answer provably lies within `error bound` of the key (column error_bound of\nkey.csv). Exit code 0 if the set is what it was and every key holds, 2 if not."
@@ -330,6 +335,31 @@ pub struct Lint {
     #[arg(long, value_name = "N", default_value_t = 1000)]
     pub seeds: u64,
     /// Templates of one's own.
+    #[command(flatten)]
+    pub own: Own,
+}
+
+/// `gallery`
+#[derive(Debug, Args)]
+pub struct Gallery {
+    /// Bank: a YAML file, or the id of a built-in one: wheels-on-inclines, hoists-and-pulleys, slip-and-roll, pinned-bodies
+    pub bank: String,
+    /// File to write, such as gallery.html
+    #[arg(long, value_name = "FILE")]
+    pub out: PathBuf,
+    /// How many variants of each problem to show
+    #[arg(long, value_name = "N", default_value_t = 12)]
+    pub variants: u32,
+    /// How many seeds to try for the tables
+    #[arg(long, value_name = "N", default_value_t = 1000)]
+    pub seeds: u64,
+    /// Only these problems
+    #[arg(long, value_name = "ID,ID", value_delimiter = ',')]
+    pub problems: Option<Vec<String>>,
+    /// Replace a file that is there already
+    #[arg(long)]
+    pub force: bool,
+    /// In which words.
     #[command(flatten)]
     pub own: Own,
 }
