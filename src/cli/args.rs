@@ -66,12 +66,12 @@ pub enum Verb {
     Verify(Verify),
     /// Write worked solutions of a set: both roads, step by step, with figures; not for students yet
     #[command(
-        after_help = "Examples:\n  slipstick solutions week-5 --out week-5-solutions\n  slipstick solutions week-5 --out loesungen --language de --format html,tex\n\nThe set is drawn and solved again first, as grading does it. Each student's folder gets solution.html and the\nlike; booklet.html has them all."
+        after_help = "Examples:\n  slipstick solutions week-5 --out week-5-solutions\n  slipstick solutions week-5 --out loesungen --language de --format html,tex\n\nThe set is drawn and solved again first, as grading does it. Each student's folder gets\nsolution.html and the like; booklet.html has them all."
     )]
     Solutions(Solutions),
     /// Write out the built-in templates and word lists, to change them
     #[command(
-        after_help = "Examples:\n  slipstick templates --out my-templates\n  slipstick templates --out vorlagen --language de\n\nChange what you like, delete what you do not change, and give the folder to generate, practice, lint or solutions with\n--templates. README.md in the folder says what each template receives."
+        after_help = "Examples:\n  slipstick templates --out my-templates\n  slipstick templates --out vorlagen --language de\n\nChange what you like, delete what you do not change, and give the folder with --templates to\ngenerate, practice, lint or solutions. README.md in it says what each template receives."
     )]
     Templates(Templates),
     /// Show the whole job on a made-up class of 24: set, submissions, grades
