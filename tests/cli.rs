@@ -1482,6 +1482,20 @@ fn solutions_stand_apart_from_what_students_get() {
         assert_eq!(ran.exit, Exit::Faulty);
         assert!(ran.err.contains(says), "{out}: {}", ran.err);
     }
+    // Nor do others write there, whichever set it is.
+    let among = [
+        vec!["templates".to_owned(), "--out".to_owned(), room.path("set/students/x")],
+        ["generate", "slip-and-roll", "--roster", &room.path("roster.csv"), "--seed", "1", "--out"]
+            .iter()
+            .map(|s| (*s).to_owned())
+            .chain([room.path("set/students/set2")])
+            .collect::<Vec<String>>(),
+    ];
+    for args in among {
+        let ran = run(&args.iter().map(String::as_str).collect::<Vec<_>>());
+        assert_eq!(ran.exit, Exit::Faulty);
+        assert!(ran.err.contains("is within the folder of what students get"), "{}", ran.err);
+    }
     assert!(before == tree(&room.0.path().join("set")), "the set is untouched");
     // In another language.
     assert_eq!(solve("german", &["--language", "de", "--format", "md"]).exit, Exit::Fine);

@@ -111,6 +111,7 @@ fn generate(args: &args::Generate, io: &mut Io) -> Result<(), Vec<Finding>> {
     }
     if old.is_none() {
         files::has_a_name(&args.out, "--out week-5").map_err(|f| vec![f])?;
+        files::not_among_students(&args.out).map_err(|f| vec![f])?;
         may_write(&args.out, args.force)?;
     }
     let name = match (&args.name, &old) {

@@ -30,6 +30,7 @@ fn templates(args: &args::Templates, io: &mut Io) -> Result<(), Vec<Finding>> {
     let one = |f: Finding| vec![f];
     banks::words(&args.language)?;
     files::has_a_name(&args.out, "--out my-templates").map_err(one)?;
+    files::not_among_students(&args.out).map_err(one)?;
     if args.out.exists() && !(args.out.is_dir() && files::names_in(&args.out).is_empty()) {
         let fault = Finding::new("", "is there already").in_file(args.out.display().to_string());
         return Err(vec![fault.hint("give a new folder: templates that you changed are not replaced")]);
