@@ -4,6 +4,7 @@ use crate::finding::Finding;
 use crate::sheet::document::ANSWER;
 use crate::sheet::document::Document;
 use crate::sheet::document::Head;
+use crate::sheet::document::kept_together;
 use crate::template;
 use crate::template::Templates;
 use crate::template::View;
@@ -56,7 +57,8 @@ impl<'w> Converter<'w> {
     /// The body of a page.
     pub fn body(&mut self, document: &Document, place: Place) -> String {
         let mut out = String::with_capacity(document.markdown.len() * 6);
-        let mut walk = Walk { tables: 0, formulas: 0, columns: Vec::new(), cell: 0, in_head: false };
+        let mut walk =
+            Walk { tables: 0, formulas: 0, columns: Vec::new(), cell: 0, in_head: false, in_code: false };
         let mut events = Parser::new_ext(&document.markdown, MARKDOWN).peekable();
         let mut ready: Vec<Event> = Vec::new();
         while let Some(event) = events.next() {
@@ -150,6 +152,17 @@ impl<'w> Converter<'w> {
             Event::End(TagEnd::TableCell) => {
                 out.push(html(if walk.in_head { "</th>" } else { "</td>" }.to_owned()));
             }
+            Event::Start(Tag::CodeBlock(_)) => {
+                walk.in_code = true;
+                out.push(event);
+            }
+            Event::End(TagEnd::CodeBlock) => {
+                walk.in_code = false;
+                out.push(event);
+            }
+            Event::Text(text) if !walk.in_code && text.contains(" %") => {
+                out.push(Event::Text(kept_together(&text).into()));
+            }
             Event::Rule => out.push(Event::Html("<hr>\n".into())),
             Event::HardBreak => out.push(html("<br>\n".to_owned())),
             event => out.push(event),
@@ -179,6 +192,7 @@ struct Walk {
     columns: Vec<Alignment>,
     cell: usize,
     in_head: bool,
+    in_code: bool,
 }
 
 fn lowered(level: HeadingLevel, by: usize) -> HeadingLevel {
