@@ -1214,7 +1214,7 @@ fn formats_are_those_asked_for() {
     assert!(ran.out.contains("latex/booklet.tex (all sheets)"), "{}", ran.out);
     assert_eq!(names(&room, "latex/students/0017"), ["problem-1.svg", "sheet.json", "sheet.md", "sheet.tex"]);
     assert!(!names(&room, "latex").contains(&"booklet.html".to_owned()));
-    generate("page", &["--format", "html"]);
+    generate("page", &["--format", " HTML, html"]);
     assert_eq!(names(&room, "page/students/0017"), ["sheet.html", "sheet.json"]);
     // The page needs no other file, the booklet has both students, and the answers stand in neither.
     let page = room.read("page/students/0017/sheet.html");

@@ -96,7 +96,7 @@ pub struct Own {
 }
 
 /// A format in which sheets and solutions are written.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, ValueEnum)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Format {
     /// Markdown, with its figures as SVG files
     Md,
@@ -111,6 +111,16 @@ pub enum Format {
 impl Format {
     /// All of them.
     pub const ALL: [Self; 4] = [Self::Md, Self::Html, Self::Tex, Self::Pdf];
+
+    /// A format by its name, as people type it.
+    ///
+    /// # Errors
+    /// There is none of this name.
+    pub fn parse(text: &str) -> Result<Self, String> {
+        let name = text.trim().to_ascii_lowercase();
+        let found = Self::ALL.into_iter().find(|f| f.ending() == name);
+        found.ok_or_else(|| "the formats are html, md, pdf and tex".to_owned())
+    }
 
     /// The ending of its files.
     pub const fn ending(self) -> &'static str {
@@ -147,9 +157,8 @@ pub struct Generate {
     #[arg(
         long,
         value_name = "FORMAT,FORMAT",
-        value_enum,
-        value_delimiter = ',',
-        hide_possible_values = true
+        value_parser = Format::parse,
+        value_delimiter = ','
     )]
     pub format: Option<Vec<Format>>,
     /// Add late joiners to an existing set; nothing else changes
@@ -383,9 +392,8 @@ pub struct Solutions {
     #[arg(
         long,
         value_name = "FORMAT,FORMAT",
-        value_enum,
-        value_delimiter = ',',
-        hide_possible_values = true
+        value_parser = Format::parse,
+        value_delimiter = ','
     )]
     pub format: Option<Vec<Format>>,
     /// Replace solutions that were made before (and nothing else)

@@ -46,10 +46,8 @@ mod machine {
 
     impl Machine {
         pub fn new(_: &Words, _: Option<(&str, &str)>) -> Result<Self, Finding> {
-            let fault = Finding::new("--format pdf", "this program was built without PDF");
-            Err(fault.hint(
-                "build it with `cargo build --release --features pdf` (takes minutes), or print the HTML pages",
-            ))
+            let what = "this program was built without PDF: build it with `cargo build --release --features pdf`, or print the HTML pages";
+            Err(Finding::new("--format pdf", what))
         }
         pub fn press(&self, _: &[(&Head, &Document)]) -> Result<Vec<u8>, Finding> {
             match self.0 {}
