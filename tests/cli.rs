@@ -1372,6 +1372,11 @@ fn broken_templates_and_lists_are_told_with_their_place() {
     let room = Room::new(&CLASS[..1]);
     for (file, text, says) in [
         ("sheet.md", "# Sheet\n\n{{ nosuch }}\n", "ROOM/mine/sheet.md:3:4: template: "),
+        (
+            "questions.md",
+            "Find $\\nosuchcommand{x}$.\n",
+            "problems.pulled-rolling: formula `$\\nosuchcommand{x}$`: ",
+        ),
         ("sheet.html", "<p>\n{% if %}\n", "ROOM/mine/sheet.html:2:"),
         ("sheet.tex", "\\begin{document}\n{{ body }\n", "ROOM/mine/sheet.tex:2:"),
         ("booklet.html", "{{ titel }}", "ROOM/mine/booklet.html:1:4: template: "),

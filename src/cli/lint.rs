@@ -234,6 +234,56 @@ fn notes(problem: &Problem, sweep: &Sweep) -> Vec<String> {
     notes
 }
 
+/// Formulas of statements and questions that cannot be read, on one variant of each case of these problems.
+///
+/// # Errors
+/// Faults of the templates.
+pub fn faulty_formulas(bank: &Bank, texts: &Texts, problems: &[usize]) -> Result<Vec<Finding>, Vec<Finding>> {
+    let sheets = Sheets::new(&texts.templates, &texts.words, bank, &bank.id, problems)?;
+    let mut room = Room::default();
+    let mut findings = Vec::new();
+    for (i, problem) in problems.iter().filter_map(|p| bank.problems.get(*p)).enumerate() {
+        for variant in one_of_each_case(problem, &bank.id) {
+            let mut out = Vec::new();
+            sheets.problem(i, &variant, &mut room, &mut out).map_err(|f| vec![f])?;
+            add_formulas(&mut findings, problem, texts, &String::from_utf8_lossy(&out));
+        }
+    }
+    Ok(findings)
+}
+
+fn add_formulas(findings: &mut Vec<Finding>, problem: &Problem, texts: &Texts, markdown: &str) {
+    for fault in html::faulty_formulas(markdown) {
+        let mut finding = Finding::new(format!("problems.{}", problem.id), format!("formula {fault}"));
+        // Where the questions are one's own as well, either may hold it.
+        let own = |name: &str| texts.templates.own_file(name);
+        if let Some(file) = own(&statement::template_name(problem))
+            && own("questions.md").is_none()
+        {
+            finding = finding.in_file(file);
+        }
+        if !findings.contains(&finding) {
+            findings.push(finding);
+        }
+    }
+}
+
+/// A variant of each case that 64 draws meet; fewer if a draw cannot be made.
+fn one_of_each_case(problem: &Problem, bank: &str) -> Vec<Variant> {
+    let maker = Maker::new(problem, 1, bank);
+    let mut variants: Vec<Variant> = Vec::new();
+    for student in 0..64 {
+        if variants.len() == problem.cases.len() {
+            break;
+        }
+        let Ok(variant) = maker.variant(&format!("text {student}")) else { break };
+        if variants.iter().all(|v| v.case != variant.case) {
+            variants.push(variant);
+        }
+    }
+    variants
+}
+
 /// One sheet of each case is written: faults that show only then, and formulas that cannot be read. Then a whole sheet, in
 /// every format that this program makes without a compiler.
 fn faulty_texts(bank: &Bank, texts: &Texts) -> Result<Vec<Finding>, Vec<Finding>> {
@@ -243,28 +293,13 @@ fn faulty_texts(bank: &Bank, texts: &Texts) -> Result<Vec<Finding>, Vec<Finding>
     let mut room = Room::default();
     let mut whole: Vec<Variant> = Vec::new();
     for (i, problem) in bank.problems.iter().enumerate() {
-        let maker = Maker::new(problem, 1, &bank.id);
-        let mut seen = vec![false; problem.cases.len()];
-        for student in 0..64 {
-            let Ok(variant) = maker.variant(&format!("text {student}")) else { break };
-            if std::mem::replace(&mut seen[variant.case], true) {
-                continue;
-            }
+        for variant in one_of_each_case(problem, &bank.id) {
             if whole.len() == i {
                 whole.push(variant.clone());
             }
             let mut out = Vec::new();
             match sheets.problem(i, &variant, &mut room, &mut out) {
-                Ok(()) => {
-                    let text = String::from_utf8_lossy(&out);
-                    for fault in html::faulty_formulas(&text) {
-                        let finding =
-                            Finding::new(format!("problems.{}", problem.id), format!("formula {fault}"));
-                        if !findings.contains(&finding) {
-                            findings.push(finding);
-                        }
-                    }
-                }
+                Ok(()) => add_formulas(&mut findings, problem, texts, &String::from_utf8_lossy(&out)),
                 Err(fault) if findings.contains(&fault) => {}
                 Err(fault) => findings.push(fault),
             }
