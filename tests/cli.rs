@@ -1420,6 +1420,13 @@ fn broken_templates_and_lists_are_told_with_their_place() {
         assert!(room.shown(&lint.err).contains(says), "{file}: {}", room.shown(&lint.err));
         fs::remove_dir_all(room.path("mine")).unwrap();
     }
+    // The solutions are tried as well, before the sheets go out.
+    fs::create_dir_all(room.path("mine/solution")).unwrap();
+    room.write("mine/solution/default.md", "## {{ title }}\n{{ sectoins }}\n");
+    let lint = run(&["lint", "wheels-on-inclines", "--seeds", "2", "--templates", &room.path("mine")]);
+    assert_eq!(lint.exit, Exit::Faulty);
+    assert!(room.shown(&lint.err).contains("ROOM/mine/solution/default.md:2:"), "{}", room.shown(&lint.err));
+    fs::remove_dir_all(room.path("mine")).unwrap();
     // A folder for several languages: that of the sheet goes before the others.
     for (folder, text) in
         [("", "{{ body_of }}"), ("de/", "Blatt {{ title }} {% for p in problems %}{{ p.body }}{% endfor %}")]

@@ -23,6 +23,7 @@ use crate::sheet::key_table;
 use crate::sheet::page::Room;
 use crate::sheet::page::Sheets;
 use crate::sheet::statement;
+use crate::solution;
 use rayon::prelude::*;
 
 /// A class for which the chance of equal sheets is told.
@@ -302,6 +303,12 @@ fn faulty_texts(bank: &Bank, texts: &Texts) -> Result<Vec<Finding>, Vec<Finding>
                 Ok(()) => add_formulas(&mut findings, problem, texts, &String::from_utf8_lossy(&out)),
                 Err(fault) if findings.contains(&fault) => {}
                 Err(fault) => findings.push(fault),
+            }
+            let solved = solution::document(problem, &variant, i + 1, &texts.words, &texts.templates);
+            if let Err(fault) = solved
+                && !findings.contains(&fault)
+            {
+                findings.push(fault);
             }
         }
     }
