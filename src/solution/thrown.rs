@@ -856,7 +856,6 @@ impl Throw {
             pen.say("thrown.check_slips", &[("slip", slip)]);
         } else {
             pen.say("thrown.check_event", &[("slip", slip)]);
-            let f_name = format!("{}_r", names.friction);
             if self.level {
                 pen.say("thrown.check_level", &[]);
             } else {
@@ -878,17 +877,10 @@ impl Throw {
                 };
                 let size = Self::magnitude(&mut pen, friction, "N");
                 let limit = product([self.mu_s.clone(), worked.normal.into()]);
-                pen.say("thrown.check_grip", &[("friction", &f_name)]);
-                let text = pen.tex(&limit);
-                let limit = pen.quiet(&text, "N", &limit);
-                let ledger = &pen.desk.ledger;
-                let line = format!(
-                    r"{} = {} \le {text} = {}",
-                    ledger.tex(size),
-                    ledger.shown(size),
-                    ledger.shown(limit)
-                );
-                pen.formula(line);
+                let needed = pen.with_value(size);
+                pen.say("thrown.check_grip", &[("needed", &needed)]);
+                let name = pen.desk.free(&[r"F_{\mathrm{max}}", "F_m"]);
+                pen.find(&name, "N", &limit);
                 pen.say("thrown.rolls_on", &[]);
             }
         }
@@ -918,7 +910,7 @@ impl Throw {
                 && right.is_finite()
                 && (wrong - right).abs() > TOLD * right.abs().max(wrong.abs())
         };
-        let value = |tex: &str, x: f64, unit: &str| format!("${tex} = {}$", pen.rough(x, unit));
+        let value = |tex: &str, x: f64, unit: &str| pen.instead(tex, x, unit);
         let up = if self.up { 1.0 } else { -1.0 };
         let slipping = -worked.sense * of(&self.mu_k) * normal * up;
         let v = found(worked.v);
