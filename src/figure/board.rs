@@ -58,6 +58,8 @@ pub struct Wish {
 /// How a label is tied to its point.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Tied {
+    /// It stands at its first spot unless another label is there, whatever else it covers.
+    Fixed,
     /// It stands close by wherever that can be, whatever it covers but labels.
     Near,
     /// It may stand off, without a leader.
@@ -341,6 +343,15 @@ impl Board {
                     *best = Some((cost, frame, leader));
                 }
             };
+            if wish.tie == Tied::Fixed {
+                let (point, towards) = wish.spots[0];
+                let reach = half.0 * towards.0.abs() + half.1 * towards.1.abs();
+                let centre = along(point, towards, wish.gap + reach);
+                let frame = (centre.0 - half.0, centre.1 - half.1, centre.0 + half.0, centre.1 + half.1);
+                if !taken.iter().any(|t| overlap(grown(frame, 1.0), *t)) {
+                    best = Some((-1.0, frame, None));
+                }
+            }
             for (i, (point, towards)) in wish.spots.iter().enumerate() {
                 for (ring, gap) in [0.0, 5.0, 10.0].into_iter().enumerate() {
                     if wish.gap + gap < LEADER_FROM || ring == 0 {
@@ -351,7 +362,8 @@ impl Board {
             }
             let (point, towards) = wish.spots[0];
             let start = angle(towards);
-            let rings: &[f64] = if wish.tie == Tied::Near { &RINGS[..3] } else { &RINGS };
+            let rings: &[f64] =
+                if matches!(wish.tie, Tied::Near | Tied::Fixed) { &RINGS[..3] } else { &RINGS };
             for (ring, gap) in rings.iter().enumerate() {
                 for turn in 0..24 {
                     let off = f64::from((turn + 1) / 2) * if turn % 2 == 0 { 1.0 } else { -1.0 };
