@@ -137,6 +137,7 @@ impl Lamina {
 
     fn particles(&self, desk: &mut Desk) -> Worked {
         let mut pen = Pen::new(desk, "eom", "lamina.title_sum");
+        pen.picture("scene");
         let value = |pen: &Pen, e: &Expr| pen.value(e);
         let known = format!("${}$", self.names[self.known]);
 

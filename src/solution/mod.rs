@@ -19,6 +19,7 @@ pub mod thrown;
 
 use crate::bank::Problem;
 use crate::bank::Question;
+use crate::figure;
 use crate::figure::picture::Picture;
 use crate::finding::Finding;
 use crate::problem::make::Variant;
@@ -140,8 +141,8 @@ fn rank(id: &str) -> u8 {
 }
 
 /// The pictures that a solution may show, by name.
-fn pictures(_: &Desk) -> Vec<(String, Picture)> {
-    Vec::new()
+fn pictures(desk: &Desk) -> Vec<(String, Picture)> {
+    figure::all(desk.problem, desk.variant, desk.words)
 }
 
 /// Is every question answered, and every number that of the key?

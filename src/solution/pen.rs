@@ -156,6 +156,18 @@ pub fn steps(ledger: &Ledger, symbol: Symbol, from: &Expr) -> String {
         lines.push(rows(ledger, from, false));
     }
     lines.push(vec![value]);
+    if let (Expr::Root(inner), [symbols, numbers, value]) = (from, lines.as_slice())
+        && numbers.iter().any(|row| width(row) > LINE)
+        && matches!(**inner, Expr::Sum(_))
+    {
+        // A root cannot be broken; its square can.
+        return format!(
+            r"\begin{{aligned}} {name} &= {} \\ {name}^{{2}} &= {} \\ {name} &= {} \end{{aligned}}",
+            symbols.concat(),
+            rows(ledger, inner, false).join(r" \\ &\quad "),
+            value.concat()
+        );
+    }
     let single = lines.iter().all(|l| l.len() == 1);
     let chain: Vec<&str> = lines.iter().flatten().map(String::as_str).collect();
     let total: usize = width(name) + chain.iter().map(|l| width(l) + 3).sum::<usize>();

@@ -170,8 +170,7 @@ fn read(desk: &mut Desk, body: usize, pin: &Pin) -> Result<Swing, Finding> {
         stretch: desk.free(&[r"\delta", "e"]),
         speed: desk.free(&["v_G", "u_G"]),
     };
-    let zero = format!("{angle}_{{0}}");
-    let one = format!("{angle}_{{1}}");
+    let (zero, one) = (format!("{angle}_0"), format!("{angle}_1"));
     let phi0 = desk.number(pin.start_deg, &zero, "deg");
     let g = desk.number(scene.gravity_m_s2, "g", "m/s^2");
     let start = scene.start.iter().rev().find_map(|s| match s {
@@ -201,6 +200,7 @@ fn read(desk: &mut Desk, body: usize, pin: &Pin) -> Result<Swing, Finding> {
         })
         .collect();
     let mut pen = Pen::new(desk, "forces", "pinned.title_forces");
+    pen.picture("scene");
     let from = if pin.from == Zero::Upright { "pinned.from_upright" } else { "pinned.from_hanging" };
     let mut text = vec![
         pen.desk.say("pinned.forces", &[("radial", &names.radial), ("across", &names.across)]),
@@ -594,17 +594,14 @@ impl Swing {
             pen.say("pinned.closed", &closed[..2]);
         }
 
-        if matches!(pen.desk.scene.end, End::TurningPoint(_) | End::Speed(..)) {
-            let shown = pen.tex(&self.phi1);
-            let value = match &self.phi1 {
-                Expr::Symbol(s) => pen.with_value(*s),
-                _ => shown,
-            };
-            let phrase = match pen.desk.scene.end {
-                End::TurningPoint(_) => "pinned.angle_turning",
-                _ => "pinned.angle_speed",
-            };
-            pen.say(phrase, &[("angle", &value), ("omega", &names.omega)]);
+        let ends = match pen.desk.scene.end {
+            End::TurningPoint(_) => Some("pinned.angle_turning"),
+            End::Speed(..) => Some("pinned.angle_speed"),
+            _ => None,
+        };
+        if let (Some(phrase), Expr::Symbol(angle)) = (ends, &self.phi1) {
+            pen.say(phrase, &[("omega", &names.omega)]);
+            pen.formula(pen.with_value(*angle));
         }
         let at = self.told(&pen, &self.phi1);
         pen.say(if self.instant { "pinned.at_start" } else { "pinned.at" }, &[("angle", &at)]);
@@ -782,7 +779,7 @@ impl Swing {
         }
         if asked(pen, Quantity::RotationalFraction) {
             pen.say("pinned.share", &[]);
-            let name = pen.desk.free(&["q", "q_r"]);
+            let name = pen.desk.free(&[r"\zeta", r"\zeta_r"]);
             let share = pen.find(&name, "1", &quotient(self.own.clone(), self.about.into()));
             let label = Label { quantity: Quantity::RotationalFraction, of: Owner::Scene };
             pen.motion(label, share);
@@ -1178,6 +1175,7 @@ impl Swing {
             pen.energy(Label { quantity: Quantity::KineticEnergy, of: scene }, energy);
         }
         self.rate(&mut pen, worked, &turning, omega);
+        pen.picture("energy");
         if pen.desk.asks(Quantity::IO) {
             pen.say("pinned.inertia_energy", &[]);
             let name = pen.desk.free(&["I_O", "J_O"]);
@@ -1322,6 +1320,7 @@ impl Swing {
             let phi = pen.tex(&self.phi);
             pen.say("pinned.stays", &[("phi", &phi), ("angle", &start)]);
         }
+        pen.picture("graph-swing");
         self.direction(&mut pen);
         pen.done();
     }

@@ -180,6 +180,7 @@ fn read(desk: &mut Desk, thrown: &Thrown) -> Result<Throw, Finding> {
     };
 
     let mut pen = Pen::new(desk, "forces", "thrown.title_forces");
+    pen.picture("scene");
     let inclined = theta.is_some();
     pen.say(
         if inclined { "thrown.forces_incline" } else { "thrown.forces_level" },
@@ -488,7 +489,7 @@ impl Throw {
             let energy = pen.find(&format!("{}_1", names.kinetic), "J", &energy);
             pen.motion(Self::scene_label(Quantity::KineticEnergy), energy);
             if pen.desk.asks(Quantity::RotationalFraction) {
-                let name = pen.desk.free(&["q", "q_r"]);
+                let name = pen.desk.free(&[r"\zeta", r"\zeta_r"]);
                 let share = pen.find(&name, "1", &quotient(spinning, energy.into()));
                 let note = pen.desk.words.get("thrown.note_share").to_owned();
                 let label = Self::scene_label(Quantity::RotationalFraction);
@@ -587,7 +588,8 @@ impl Throw {
         }
         let loss = pen.find(&loss_name, "N", &loss);
         let slip_speed = Self::magnitude(&mut pen, worked.slip, "m/s");
-        let stored = half(product([Expr::from(reduced), square(worked.slip.into())]));
+        let stored = product([Expr::from(reduced), square(worked.slip.into())]);
+        let twice = |e: Expr| product([whole(2), e]);
         let way;
         let mut slip_left = ZERO;
         let mut event: Option<Symbol> = None;
@@ -602,17 +604,16 @@ impl Throw {
             let left = sum([worked.slip.into(), signed(spent, worked.sense < 0.0)]);
             let left = pen.find(&format!("{}_1", names.slip), "m/s", &left);
             let squares = difference(square(worked.slip.into()), square(left.into()));
-            let lost = half(product([Expr::from(reduced), squares]));
+            let lost = product([Expr::from(reduced), squares]);
             pen.say("thrown.slip_way_part", &[]);
-            way = pen.find(&names.way, "m", &quotient(lost, loss.into()));
+            way = pen.find(&names.way, "m", &quotient(lost, twice(loss.into())));
             slip_left = left.into();
             slid = t1;
         } else {
             pen.say("thrown.slip_way", &[]);
-            way = pen.find(&names.way, "m", &quotient(stored, loss.into()));
+            way = pen.find(&names.way, "m", &quotient(stored, twice(loss.into())));
             pen.say("thrown.slip_time", &[]);
-            let twice = product([whole(2), way.into()]);
-            let until = pen.find(&t_name, "s", &quotient(twice, slip_speed.into()));
+            let until = pen.find(&t_name, "s", &quotient(twice(way.into()), slip_speed.into()));
             event = Some(until);
             slid = until.into();
         }
@@ -746,6 +747,7 @@ impl Throw {
         let again = pen.quiet(&text, "J", &rubbed);
         let same = format!("{text} = {}", pen.desk.ledger.shown(again));
         pen.say("thrown.heat_same", &[("same", &same)]);
+        pen.picture("energy");
     }
 
     /// Friction and accelerations while it slips, from the work of the forces on the mass centre or in the rotation.
@@ -766,9 +768,9 @@ impl Throw {
             let share_x = value(pen, x1).abs() / most(pen, &self.v0, v1);
             if share_x > 0.02 {
                 pen.say("thrown.work_centre", &[("friction", &names.friction)]);
-                let gained =
-                    half(product([self.m.clone(), difference(square(v1.into()), square_of(&self.v0))]));
-                let forward = sum([quotient(gained, x1.into()), self.weight()]);
+                let gained = product([self.m.clone(), difference(square(v1.into()), square_of(&self.v0))]);
+                let over = product([whole(2), x1.into()]);
+                let forward = sum([quotient(gained, over), self.weight()]);
                 let force = pen.find(&names.friction, "N", &signed(forward, self.up));
                 pen.energy(self.label(Quantity::Friction), force);
             } else {
@@ -781,8 +783,9 @@ impl Throw {
                 };
                 pen.say("thrown.work_turn", &[("friction", &names.friction)]);
                 let squares = difference(square(w1.into()), square_of(&self.w0));
-                let gained = half(product([self.own.clone(), squares]));
-                let forward = minus(quotient(gained, product([self.c.clone(), turned.into()])));
+                let gained = product([self.own.clone(), squares]);
+                let over = product([whole(2), self.c.clone(), turned.into()]);
+                let forward = minus(quotient(gained, over));
                 let force = pen.find(&names.friction, "N", &signed(forward, self.up));
                 pen.energy(self.label(Quantity::Friction), force);
             }
@@ -887,6 +890,7 @@ impl Throw {
         let value = pen.desk.ledger.value(worked.v);
         let way = self.way(pen.desk, value).to_owned();
         let v = pen.desk.ledger.tex(worked.v).to_owned();
+        pen.picture("graph-slip");
         if value > 0.0 {
             pen.say("thrown.moves_forward", &[("v", &v), ("way", &way)]);
         } else if value < 0.0 {

@@ -18,7 +18,9 @@ pub fn plain(markdown: &str) -> String {
         if block.starts_with('|') {
             out.extend(table(block, &mut count));
         } else if let Some(formula) = block.strip_prefix("$$").and_then(|b| b.strip_suffix("$$")) {
-            if formula.contains(r"\sum") {
+            if formula.contains(r"^{2} &= ") {
+                out.push(format!("$${}$$", under_root(formula)));
+            } else if formula.contains(r"\sum") {
                 out.push(format!("$${}$$", written_out(formula, &labels)));
             } else if formula.contains("_i") || formula.contains(",i}") {
                 definitions.extend(labels.iter().map(|l| format!("$${}$$", of(formula, l))));
@@ -33,6 +35,16 @@ pub fn plain(markdown: &str) -> String {
     }
     out.extend(definitions);
     out.join("\n\n")
+}
+
+/// A root whose square is told: `s = ... \\ s^2 = ... \\ s = value` as one chain.
+fn under_root(formula: &str) -> String {
+    let name = formula.trim_start_matches(r"\begin{aligned} ").split(" &= ").next().unwrap_or("").to_owned();
+    let square = format!(r" \\ {name}^{{2}} &= ");
+    let (Some((head, rest)), result) = (formula.split_once(&square), format!(r" \\ {name} &= ")) else {
+        return formula.to_owned();
+    };
+    format!(r"{head} \\ &= \sqrt{{{}", rest.replace(&result, r"} \\ &= "))
 }
 
 fn is_number(text: &str) -> bool {
