@@ -34,7 +34,7 @@ pub struct Converter<'w> {
 /// Formulas remembered at most, so that memory does not grow with the class.
 const REMEMBERED: usize = 4096;
 /// A formula on a line of its own that has more signs than this may be wider than a phone, and scrolls by itself.
-const PHONE: usize = 34;
+const PHONE: usize = 28;
 /// One with more signs than this is set smaller on paper, so that it fits.
 pub const PAPER: usize = 70;
 
@@ -354,7 +354,8 @@ fn mathml(tex: &str, display_mode: DisplayMode) -> String {
 }
 
 /// What the writer of MathML leaves ugly: escaped spaces, the micro sign for the letter mu, wide
-/// slashes in units, decimal commas as if they parted a list, the letters of a unit one by one.
+/// slashes in units, decimal commas as if they parted a list, the letters of a unit one by
+/// one.
 fn tidy(mathml: &str) -> String {
     mathml
         .replace("&amp;nbsp;", "\u{a0}")

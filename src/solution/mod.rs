@@ -9,8 +9,10 @@
 //! - `answers`: the answers, rounded; `beware`: mistakes that suggest themselves.
 pub mod desk;
 pub mod expr;
+pub mod factors;
 pub mod lamina;
 pub mod ledger;
+pub mod linear;
 pub mod mass;
 pub mod pen;
 pub mod pinned;
@@ -125,7 +127,7 @@ fn derive(desk: &mut Desk) -> Result<(), Finding> {
     if desk.scene.thrown().is_some() {
         return thrown::work(desk);
     }
-    Err(desk.fault("has no worked solution: bodies on lines"))
+    linear::sections(desk)
 }
 
 /// Place of a section in the text.
