@@ -1410,6 +1410,9 @@ fn broken_templates_and_lists_are_told_with_their_place() {
         assert_eq!((ran.exit, ran.out.as_str()), (Exit::Faulty, ""), "{file}");
         assert!(room.shown(&ran.err).contains(says), "{file}: {}", room.shown(&ran.err));
         assert!(!Path::new(&room.path("set")).exists());
+        let lint = run(&["lint", "wheels-on-inclines", "--seeds", "2", "--templates", &room.path("mine")]);
+        assert_eq!(lint.exit, Exit::Faulty);
+        assert!(room.shown(&lint.err).contains(says), "{file}: {}", room.shown(&lint.err));
         fs::remove_dir_all(room.path("mine")).unwrap();
     }
     // A folder for several languages: that of the sheet goes before the others.
@@ -1422,4 +1425,94 @@ fn broken_templates_and_lists_are_told_with_their_place() {
     let mine = ["--templates", &room.path("mine"), "--language", "de"];
     assert_eq!(room.generate("roster.csv", "set", &mine).exit, Exit::Fine);
     assert!(room.read("set/students/0017/sheet.md").starts_with("Blatt Räder auf schiefen Ebenen "));
+}
+
+#[test]
+fn solutions_stand_apart_from_what_students_get() {
+    let room = Room::new(&CLASS[..3]);
+    assert_eq!(
+        room.generate("roster.csv", "set", &["--problems", "pulled-rolling,kinetic-energy"]).exit,
+        Exit::Fine
+    );
+    let set = room.path("set");
+    let solve = |out: &str, more: &[&str]| {
+        let path = room.path(out);
+        run(&[&["solutions", &set, "--out", &path][..], more].concat())
+    };
+    let before = tree(&room.0.path().join("set"));
+    let ran = solve("one", &["--threads", "1", "--format", "html,md,tex"]);
+    assert_eq!((ran.exit, ran.err.as_str()), (Exit::Fine, ""));
+    assert!(ran.out.starts_with("Worked solutions for 3 students of 2 problems each"), "{}", ran.out);
+    let files = names(&room, "one");
+    for name in ["0017/solution.html", "0017/solution.md", "0017/solution.tex", "booklet.html", "booklet.tex"]
+    {
+        assert!(files.iter().any(|f| f == name), "{name}: {files:?}");
+    }
+    // Every figure that the Markdown names lies beside it, and no other.
+    let markdown = room.read("one/0017/solution.md");
+    for name in files.iter().filter_map(|f| f.strip_prefix("0017/").filter(|n| n.ends_with(".svg"))) {
+        assert!(markdown.contains(&format!("]({name})")), "{name}");
+    }
+    assert_eq!(
+        markdown.matches(".svg)").count(),
+        files.iter().filter(|f| f.starts_with("0017/") && f.ends_with(".svg")).count()
+    );
+    // The answers of the key are those of the solution.
+    let (omega, _) = key_of(&room, "0017", "1", "omega");
+    let rounded: f64 = omega.parse().unwrap();
+    assert!(markdown.contains(&format!("{rounded:.1}")), "{rounded}: {markdown}");
+    // Whatever the threads, and a second time.
+    assert_eq!(solve("two", &["--threads", "2", "--format", "html,md,tex"]).exit, Exit::Fine);
+    assert!(tree(&room.0.path().join("one")) == tree(&room.0.path().join("two")));
+    assert_eq!(solve("two", &["--format", "html"]).exit, Exit::Faulty);
+    assert_eq!(solve("two", &["--format", "html", "--force"]).exit, Exit::Fine);
+    assert!(!names(&room, "two").contains(&"0017/solution.md".to_owned()));
+    room.write("two/mine.txt", "mine");
+    let ran = solve("two", &["--force"]);
+    assert!(ran.err.contains("holds what `slipstick solutions` did not make: mine.txt"), "{}", ran.err);
+    // Never where students look, nor in the place of the set.
+    for (out, says) in [
+        ("set/students/0017", "is within the folder of what students get"),
+        ("set/students/new/deep", "is within the folder of what students get"),
+        ("set/students", "is within the folder of what students get"),
+        ("set", "is the folder of a set"),
+        ("roster.csv", "is a file"),
+    ] {
+        let ran = solve(out, &["--force"]);
+        assert_eq!(ran.exit, Exit::Faulty);
+        assert!(ran.err.contains(says), "{out}: {}", ran.err);
+    }
+    assert!(before == tree(&room.0.path().join("set")), "the set is untouched");
+    // In another language.
+    assert_eq!(solve("german", &["--language", "de", "--format", "md"]).exit, Exit::Fine);
+    assert!(room.read("german/0017/solution.md").starts_with("# Lösungen: Räder auf schiefen Ebenen"));
+    // A changed set has no solutions.
+    room.write("set/bank.yaml", &room.read("set/bank.yaml").replacen("gravity: 9.81", "gravity: 9.80", 1));
+    let ran = solve("three", &[]);
+    assert_eq!(ran.exit, Exit::Faulty);
+    assert!(ran.err.contains("the bank copy was changed"), "{}", ran.err);
+    assert!(!Path::new(&room.path("three")).exists());
+}
+
+#[test]
+fn a_set_of_an_earlier_version_is_english_markdown_and_pages() {
+    let room = Room::new(&CLASS[..2]);
+    room.roster("more.csv", &CLASS[..3]);
+    assert_eq!(room.generate("roster.csv", "set", &["--problems", "pulled-rolling"]).exit, Exit::Fine);
+    let set = room.read("set/set.json");
+    let old: String = set
+        .lines()
+        .filter(|l| !l.starts_with("  \"language\"") && !l.starts_with("  \"formats\""))
+        .map(|l| format!("{l}\n"))
+        .collect();
+    assert!(old.len() < set.len());
+    room.write("set/set.json", &old);
+    room.write("in.csv", "student,problem,part,answer\n0017,1,v,x\n");
+    let ran = run(&["grade", &room.path("set"), &room.path("in.csv"), "--out", &room.path("grades")]);
+    assert_eq!((ran.exit, ran.err.as_str()), (Exit::Fine, ""));
+    assert!(room.read("grades/answers.csv").contains("neither a number nor a known word"));
+    let ran = room.generate("more.csv", "set", &["--add"]);
+    assert_eq!((ran.exit, ran.err.as_str()), (Exit::Fine, ""));
+    assert!(names(&room, "set").iter().filter(|n| n.ends_with("sheet.html")).count() == 3);
+    assert_eq!(room.read("set/booklet.html").matches("<article").count(), 3);
 }

@@ -21,6 +21,7 @@ use slipstick::sheet::page::Room;
 use slipstick::sheet::page::Sheets;
 use slipstick::sheet::statement;
 use slipstick::sheet::tex;
+use slipstick::solution;
 use slipstick::template::Templates;
 use slipstick::template::variables_of;
 use slipstick::words::Words;
@@ -219,6 +220,53 @@ fn sheets_of_a_thousand_students_are_sound_in_every_format() {
     sweep(1000);
 }
 
+/// Worked solutions of every family: each a document of its own behind the title that `slipstick solutions` writes.
+fn each_solution(language: &str, students: u32, see: &mut dyn FnMut(&Told, &str, &Head, &Document)) {
+    for told in told(language) {
+        for problem in &told.bank.problems {
+            let maker = Maker::new(problem, 6, "solutions");
+            for student in 0..students {
+                let variant = maker.variant(&format!("s{student}")).expect("satisfiable");
+                let solved = solution::document(problem, &variant, 1, &told.words, &told.templates);
+                let mut document = solved.unwrap_or_else(|fault| panic!("{}: {fault}", problem.id));
+                document.markdown.insert_str(0, "# Worked\n\n");
+                let head = Head { title: "Worked".to_owned(), name: NAME.to_owned(), ..Head::default() };
+                see(&told, &problem.id, &head, &document);
+            }
+        }
+    }
+}
+
+fn sweep_solutions(students: u32) {
+    for language in Words::languages() {
+        each_solution(language, students, &mut |told, _, head, document| {
+            for piece in ["{{", "{%", "NaN", "infinite", "undefined", "<!--"] {
+                assert!(!document.markdown.contains(piece), "{piece:?} in {}", document.markdown);
+            }
+            assert_eq!(html::faulty_formulas(&document.markdown), Vec::<String>::new());
+            let body = Converter::new(&told.words).body(document, Place { lower: 0, prefix: "" });
+            let page = html::page(&told.templates, &told.words, "solution", head, &body).expect("renders");
+            valid(language, &String::from_utf8(page).expect("text"));
+            for (name, picture) in &document.pictures {
+                assert!(document.markdown.contains(&format!("]({name}.svg)")));
+                well_formed(&svg::file(picture));
+            }
+            closed(&tex::body(document));
+        });
+    }
+}
+
+#[test]
+fn solutions_are_sound_in_every_format() {
+    sweep_solutions(4);
+}
+
+#[test]
+#[ignore = "minutes in a debug build"]
+fn solutions_of_many_students_are_sound_in_every_format() {
+    sweep_solutions(200);
+}
+
 #[test]
 fn booklets_are_valid_pages() {
     for language in Words::languages() {
@@ -274,21 +322,38 @@ fn latex_compiles() {
             let text = tex::booklet(&told.templates, &told.words, "All <sheets>", list).expect("renders");
             let name = format!("{}-{language}", told.bank.id);
             std::fs::write(folder.path().join(format!("{name}.tex")), text).expect("written");
-            let ran = std::process::Command::new("pdflatex")
-                .args(["-interaction=nonstopmode", "-halt-on-error", &format!("{name}.tex")])
-                .current_dir(folder.path())
-                .output()
-                .expect("pdflatex runs");
-            let said = String::from_utf8_lossy(&ran.stdout).into_owned();
-            assert!(ran.status.success(), "{name}: {said}");
-            for line in said.lines().filter(|l| l.starts_with("Overfull \\hbox")) {
-                let points = line
-                    .split('(')
-                    .nth(1)
-                    .and_then(|t| t.split("pt").next())
-                    .and_then(|t| t.parse::<f64>().ok());
-                assert!(points.is_some_and(|p| p < 3.0), "{name}: {line}");
-            }
+            compiles(folder.path(), &name);
         }
+        // Formulas of solutions are longer.
+        let mut parts = Vec::new();
+        let mut looks = None;
+        each_solution(language, 1, &mut |told, _, head, document| {
+            looks.get_or_insert_with(|| {
+                (Templates::new(language, &[]).expect("built in"), told.words.clone())
+            });
+            parts.push((head.clone(), tex::body(document)));
+        });
+        let (templates, words) = looks.expect("there are problems");
+        let list = parts.iter().map(|(head, body)| (head, body.as_str()));
+        let text = tex::booklet(&templates, &words, "All", list).expect("renders");
+        let name = format!("solutions-{language}");
+        std::fs::write(folder.path().join(format!("{name}.tex")), text).expect("written");
+        compiles(folder.path(), &name);
+    }
+}
+
+/// One run of pdfLaTeX: no error, and nothing that sticks out of its line.
+fn compiles(folder: &std::path::Path, name: &str) {
+    let ran = std::process::Command::new("pdflatex")
+        .args(["-interaction=nonstopmode", "-halt-on-error", &format!("{name}.tex")])
+        .current_dir(folder)
+        .output()
+        .expect("pdflatex runs");
+    let said = String::from_utf8_lossy(&ran.stdout).into_owned();
+    assert!(ran.status.success(), "{name}: {said}");
+    for line in said.lines().filter(|l| l.starts_with("Overfull \\hbox")) {
+        let points =
+            line.split('(').nth(1).and_then(|t| t.split("pt").next()).and_then(|t| t.parse::<f64>().ok());
+        assert!(points.is_some_and(|p| p < 3.0), "{name}: {line}");
     }
 }

@@ -5,7 +5,11 @@
 //! intervals, and the printed result has to lie in what comes out. The line in symbols is held to the same with the
 //! values printed before; equations between quantities that are all known at the end have to hold with these.
 #![allow(clippy::print_stdout, reason = "says how much was checked")]
+use slipstick::bank::Draw;
 use slipstick::bank::Problem;
+use slipstick::bank::decimal::Decimal;
+use slipstick::bank::load;
+use slipstick::problem::make;
 use slipstick::problem::make::Maker;
 use slipstick::problem::make::Variant;
 use slipstick::sheet::html;
@@ -35,8 +39,8 @@ fn linear(problem: &Problem) -> bool {
 }
 
 fn markdown(problem: &Problem, variant: &Variant, words: &Words, templates: &Templates) -> String {
-    match solution::document(problem, variant, 1, words, templates) {
-        Ok(document) => document.markdown,
+    match solution::text(problem, variant, 1, words, templates) {
+        Ok(text) => text,
         Err(finding) => panic!("{finding}\n{:?}", variant.data),
     }
 }
@@ -90,7 +94,10 @@ fn faults(markdown: &str, problem: &Problem, variant: &Variant, words: &Words) -
                 let digits = number::rounded(q.unit.from_si(entry.value()), usize::from(q.figures));
                 q.unit.tex_with(&words.tex_number(&digits))
             }
-            None => variant.solved.word(q.label).map_or_else(String::new, |w| w.text().to_owned()),
+            None => {
+                let word = variant.solved.word(q.label);
+                word.map_or_else(String::new, |w| words.get(&format!("sheet.{}", w.text())).to_owned())
+            }
         };
         if right.is_empty() || !line.contains(&right) {
             faults.push(format!("{}: `{line}` is not {right}", q.id));
@@ -163,4 +170,98 @@ fn both_languages_have_the_same_formulas() {
         let de: Vec<String> = de.iter().map(|f| f.replace("{,}", ".")).collect();
         assert_eq!(en, de, "{}", problem.id);
     });
+}
+
+/// What is wrong with the solution of a variant.
+fn wrong(problem: &Problem, variant: &Variant, words: &Words, templates: &Templates) -> Vec<String> {
+    let text = match solution::text(problem, variant, 1, words, templates) {
+        Ok(text) => text,
+        Err(finding) => return vec![format!("{finding}, data {:?}", variant.data)],
+    };
+    let mut wrong = faults(&text, problem, variant, words);
+    wrong.extend(tex::check(&text, &mut tex::Counts::default()));
+    wrong.into_iter().map(|w| format!("{}: {w}", problem.id)).collect()
+}
+
+/// The pictures that a text shows are there, and each once.
+#[test]
+fn pictures_stand_in_the_text() {
+    let (templates, words) = (templates("en"), Words::english());
+    sweep(2, |problem, variant| {
+        let document = solution::document(problem, variant, 1, &words, &templates).expect("a solution");
+        let shown: Vec<&str> = document
+            .markdown
+            .lines()
+            .filter_map(|l| l.strip_suffix(".svg)")?.rsplit_once("](").map(|p| p.1))
+            .collect();
+        let names: Vec<&str> = document.pictures.iter().map(|(n, _)| n.as_str()).collect();
+        let mut sorted = (shown.clone(), names.clone());
+        sorted.0.sort_unstable();
+        sorted.1.sort_unstable();
+        assert_eq!(sorted.0, sorted.1, "{}", problem.id);
+        assert!(names.contains(&"scene") && names.contains(&"energy"), "{}: {names:?}", problem.id);
+        let bodies = &problem.cases[variant.case].scene.bodies;
+        assert!(bodies.iter().all(|b| names.contains(&format!("forces-{}", b.name).as_str())), "{names:?}");
+    });
+}
+
+/// Scenes of textbooks, with the data printed there.
+#[test]
+fn scenes_of_textbooks() {
+    let (templates, words) = (templates("en"), Words::english());
+    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/scenes");
+    let mut files: Vec<_> =
+        std::fs::read_dir(folder).expect("scenes").map(|f| f.expect("a file").path()).collect();
+    files.sort();
+    let mut solved = 0;
+    for file in files {
+        let text = std::fs::read_to_string(&file).expect("text");
+        let bank = load::scenes_only(&text, &file.display().to_string()).expect("a bank");
+        for problem in bank.problems.iter().filter(|p| linear(p)) {
+            let draws = problem.cases[0].draws.iter();
+            let values: Vec<Option<Decimal>> = draws
+                .map(|d| match d {
+                    Some(Draw::Always { value, decimals }) => {
+                        Some(Decimal { value: *value, decimals: *decimals })
+                    }
+                    _ => None,
+                })
+                .collect();
+            // Some of these scenes are drawn and have no printed data.
+            if values.iter().any(Option::is_none) {
+                continue;
+            }
+            let variant = make::from_values(problem, 0, &values).expect("solved");
+            // One is printed to show that it does not roll.
+            if variant.solved.regime.slips {
+                continue;
+            }
+            let wrong = wrong(problem, &variant, &words, &templates);
+            assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+            solved += 1;
+        }
+    }
+    println!("{solved} scenes of textbooks");
+    assert!(solved >= 15);
+}
+
+/// Every way to start, to end and to pull; every quantity.
+#[test]
+fn scenes_beyond_the_built_in_banks() {
+    let (templates, words) = (templates("en"), Words::english());
+    let text = include_str!("support/lines.yaml");
+    let bank = load::scenes_only(text, "lines.yaml").unwrap_or_else(|f| panic!("{f:?}"));
+    let mut faults = Vec::new();
+    for problem in &bank.problems {
+        let maker = Maker::new(problem, 8, "lines");
+        for student in 0..25 {
+            let variant = maker.variant(&student.to_string()).unwrap_or_else(|u| panic!("{u}"));
+            let wrong = wrong(problem, &variant, &words, &templates);
+            if !wrong.is_empty() {
+                faults.extend(wrong);
+                break;
+            }
+        }
+    }
+    assert!(faults.is_empty(), "{}", faults.join("\n"));
 }

@@ -68,8 +68,8 @@ fn texts() -> Vec<(Words, Templates)> {
 }
 
 fn markdown(problem: &Problem, variant: &Variant, (words, templates): &(Words, Templates)) -> String {
-    match solution::document(problem, variant, 1, words, templates) {
-        Ok(document) => document.markdown,
+    match solution::text(problem, variant, 1, words, templates) {
+        Ok(text) => text,
         Err(finding) => panic!("{finding}\n{:?}", variant.data),
     }
 }

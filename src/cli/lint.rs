@@ -1,17 +1,24 @@
 //! `slipstick lint`: all that is wrong in a bank, then how it behaves over many seeds.
 use crate::bank::Bank;
 use crate::cli::args;
+use crate::cli::args::Format;
 use crate::cli::banks;
 use crate::cli::banks::Texts;
+use crate::cli::output::Output;
 use crate::cli::tell;
 use crate::cli::tell::Exit;
 use crate::cli::tell::Io;
 use crate::cli::words;
 use crate::finding::Finding;
+use crate::key::SheetKey;
 use crate::problem::make::Maker;
+use crate::problem::make::Variant;
+use crate::problem::make_key;
 use crate::problem::sweep;
 use crate::problem::sweep::Sweep;
 use crate::sheet::html;
+use crate::sheet::html::Converter;
+use crate::sheet::key_table;
 use crate::sheet::page::Room;
 use crate::sheet::page::Sheets;
 use crate::sheet::statement;
@@ -189,12 +196,14 @@ fn notes(problem: &crate::bank::Problem, sweep: &Sweep) -> Vec<String> {
     notes
 }
 
-/// One sheet of each case is written: faults that show only then, and formulas that cannot be read.
+/// One sheet of each case is written: faults that show only then, and formulas that cannot be read. Then a whole sheet, in
+/// every format that this program makes without a compiler.
 fn faulty_texts(bank: &Bank, texts: &Texts) -> Result<Vec<Finding>, Vec<Finding>> {
     let mut findings: Vec<Finding> = Vec::new();
     let problems: Vec<usize> = (0..bank.problems.len()).collect();
     let sheets = Sheets::new(&texts.templates, &texts.words, bank, &bank.id, &problems)?;
     let mut room = Room::default();
+    let mut whole: Vec<Variant> = Vec::new();
     for (i, problem) in bank.problems.iter().enumerate() {
         let maker = Maker::new(problem, 1, &bank.id);
         let mut seen = vec![false; problem.cases.len()];
@@ -202,6 +211,9 @@ fn faulty_texts(bank: &Bank, texts: &Texts) -> Result<Vec<Finding>, Vec<Finding>
             let Ok(variant) = maker.variant(&format!("text {student}")) else { break };
             if std::mem::replace(&mut seen[variant.case], true) {
                 continue;
+            }
+            if whole.len() == i {
+                whole.push(variant.clone());
             }
             let mut out = Vec::new();
             match sheets.problem(i, &variant, &mut room, &mut out) {
@@ -219,6 +231,18 @@ fn faulty_texts(bank: &Bank, texts: &Texts) -> Result<Vec<Finding>, Vec<Finding>
                 Err(fault) => findings.push(fault),
             }
         }
+    }
+    if findings.is_empty() && whole.len() == problems.len() {
+        let one = |f: Finding| vec![f];
+        let formats = [Format::Md, Format::Html, Format::Tex];
+        let output = Output::new(texts, &formats, "sheet")?;
+        let (head, document) = sheets.document("0017", "Name", &whole, &mut room).map_err(one)?;
+        let rows = [key_table::row(bank, &problems, &head, &whole)];
+        let made = output.make(0, head, document, &mut Converter::new(&texts.words)).map_err(one)?;
+        output.booklets(&bank.title, std::slice::from_ref(&made)).map_err(one)?;
+        let parts = bank.problems.iter().zip(&whole).map(|(p, v)| make_key::key(p, v)).collect();
+        let keys = [SheetKey { student: "0017".to_owned(), problems: parts }];
+        output.key_table(bank, &bank.id, &problems, &rows, keys.iter()).map_err(one)?;
     }
     Ok(findings)
 }

@@ -25,6 +25,7 @@ use crate::figure::vector::V;
 use crate::figure::vector::add;
 use crate::figure::vector::along;
 use crate::figure::vector::angle;
+use crate::figure::vector::cross;
 use crate::figure::vector::left;
 use crate::figure::vector::mul;
 use crate::figure::vector::size;
@@ -47,10 +48,12 @@ use crate::words::Words;
 
 /// Radius to which a body is drawn.
 const RADIUS: f64 = 66.0;
+/// The same where it touches the ground within its outline, so that the forces there have room.
+const ON_RAIL: f64 = 84.0;
 /// Length of the longest arrow.
 const LONGEST: f64 = 92.0;
 /// Length of the shortest arrow.
-const SHORTEST: f64 = 33.0;
+const SHORTEST: f64 = 38.0;
 /// Share of the largest force below which a force counts as 0.
 const NOTHING: f64 = 1e-9;
 
@@ -82,6 +85,61 @@ struct Kinetic {
     round: f64,
 }
 
+/// Both diagrams of a body, not drawn yet.
+struct Diagram<'a> {
+    forces: Vec<Force>,
+    couples: Vec<Turning>,
+    kinetic: Kinetic,
+    centre: V,
+    /// Pixels per metre.
+    scale: f64,
+    /// Draws the body.
+    body: Box<dyn Fn(&mut Board) + 'a>,
+}
+
+/// What the arrows of a diagram add up to, N and N m, on the board (x to the right, y up, counter-clockwise positive).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Resultant {
+    /// Sum of the forces.
+    pub force: (f64, f64),
+    /// Sum of the moments about the mass centre.
+    pub moment: f64,
+    /// Sum of the magnitudes of the forces.
+    pub size: f64,
+}
+
+/// The sums of both diagrams, that of the forces first; they are equal. `None` where there is no diagram.
+pub fn resultants(
+    problem: &Problem,
+    variant: &Variant,
+    words: &Words,
+    body: usize,
+) -> Option<(Resultant, Resultant)> {
+    let view = View::new(problem, variant, words, FigureLabels::Symbols)?;
+    let diagram = diagram(&view, body)?;
+    let sum = |forces: &[Force], turns: &mut dyn Iterator<Item = &Turning>| {
+        let mut all = Resultant { force: (0.0, 0.0), moment: 0.0, size: 0.0 };
+        for f in forces {
+            let arm = mul(sub(f.at, diagram.centre), 1.0 / diagram.scale);
+            all.force = add(all.force, mul(f.towards, f.value));
+            all.moment += cross(arm, f.towards) * f.value;
+            all.size += f.value.abs();
+        }
+        all.moment += turns.map(|t| t.value).sum::<f64>();
+        all
+    };
+    let kinetic = &diagram.kinetic;
+    Some((sum(&diagram.forces, &mut diagram.couples.iter()), sum(&kinetic.parts, &mut kinetic.turn.iter())))
+}
+
+fn diagram<'a>(view: &'a View<'a>, body: usize) -> Option<Diagram<'a>> {
+    let this = view.scene.bodies.get(body).filter(|b| b.particles.is_empty())?;
+    match &this.pin {
+        Some(pin) => Some(swinging(view, body, pin)),
+        None => moving(view, body),
+    }
+}
+
 /// Can the diagrams of this body be drawn? Its acceleration must have been found.
 pub fn known(problem: &Problem, variant: &Variant, body: usize) -> bool {
     let Some(scene) = problem.cases.get(variant.case).map(|c| &c.scene) else { return false };
@@ -102,26 +160,25 @@ pub fn known(problem: &Problem, variant: &Variant, body: usize) -> bool {
 pub fn free_body(problem: &Problem, variant: &Variant, words: &Words, body: usize) -> Picture {
     let title = |name: &str| words.say("figure.forces.title", &[("body", name)]);
     let view = View::new(problem, variant, words, FigureLabels::Symbols);
-    let Some(view) = view.filter(|v| v.scene.bodies.get(body).is_some_and(|b| b.particles.is_empty())) else {
+    let drawn = view.as_ref().and_then(|view| Some((view, diagram(view, body)?)));
+    let Some((view, diagram)) = drawn else {
         return Board::new().finish(title(""), String::new());
     };
-    let name = say::kind(&view, &view.scene.bodies[body]);
+    let name = say::kind(view, &view.scene.bodies[body]);
     let mut desc = Vec::new();
-    let board = match &view.scene.bodies[body].pin {
-        Some(pin) => swinging(&view, body, pin, &mut desc),
-        None => moving(&view, body, &mut desc),
-    };
+    let board = equation(view, &diagram, &mut desc);
     board.finish(title(&name), desc.join(" "))
 }
 
 /// The diagrams of a body on a line or an axle.
-fn moving(view: &View, body: usize, desc: &mut Vec<String>) -> Board {
+fn moving<'a>(view: &'a View<'a>, body: usize) -> Option<Diagram<'a>> {
     let plan = layout::layout(view);
-    let Some(mut p) = plan.bodies.get(body).cloned().flatten() else { return Board::new() };
-    let scale = RADIUS / layout::outer_m(view, body);
+    let mut p = plan.bodies.get(body).cloned().flatten()?;
+    let radius = if p.on_rail() { ON_RAIL } else { RADIUS };
+    let scale = radius / layout::outer_m(view, body);
     p.centre = (0.0, 0.0);
     let ratio = match &p.look {
-        Look::Wheel { outer, .. } => RADIUS / outer,
+        Look::Wheel { outer, .. } => radius / outer,
         Look::Block { .. } => 1.25,
     };
     p.look = match p.look {
@@ -193,7 +250,9 @@ fn moving(view: &View, body: usize, desc: &mut Vec<String>) -> Board {
         label.extend(names::magnitude(symbol::symbol(&symbol), alpha < 0.0));
         Turning { value: alpha * view.inertia(this) * if p.clockwise { -1.0 } else { 1.0 }, label }
     });
-    let body_of = |board: &mut Board| {
+    let kinetic = Kinetic { parts, turn, round: p.reach((1.0, 0.0)) + 10.0 };
+    let centre = p.centre;
+    let draw = move |board: &mut Board| {
         if p.on.is_some() {
             // The surface, cut away, as a reference.
             let at = along(p.centre, p.top, -p.contact);
@@ -206,8 +265,7 @@ fn moving(view: &View, body: usize, desc: &mut Vec<String>) -> Board {
             board.dot(p.centre);
         }
     };
-    let round = p.reach((1.0, 0.0)) + 10.0;
-    equation(view, &body_of, p.centre, &forces, &couples, &Kinetic { parts, turn, round }, desc)
+    Some(Diagram { forces, couples, kinetic, centre, scale: plan.scale * ratio, body: Box::new(draw) })
 }
 
 /// What the solver found of a body; 0 where it found nothing.
@@ -340,7 +398,7 @@ fn cords(view: &View, body: usize, p: &Placed, plan: &layout::Layout, ratio: f64
 }
 
 /// The diagrams of a pinned body, at the angle that is asked.
-fn swinging(view: &View, body: usize, pin: &Pin, desc: &mut Vec<String>) -> Board {
+fn swinging<'a>(view: &'a View<'a>, body: usize, pin: &Pin) -> Diagram<'a> {
     let this = &view.scene.bodies[body];
     let hung = Hung::new(view, this, pin);
     let degrees = match view.scene.end {
@@ -417,27 +475,21 @@ fn swinging(view: &View, body: usize, pin: &Pin, desc: &mut Vec<String>) -> Boar
     label.extend(names::magnitude(name(&[r"\alpha", r"\alpha_1"]), alpha < 0.0));
     let sense = if hung.clockwise() { -1.0 } else { 1.0 };
     let turn = Some(Turning { value: alpha * view.inertia(this) * sense, label });
-    let body_of = |board: &mut Board| {
+    let draw = move |board: &mut Board| {
         let zero = hung.direction(0.0);
         board.line((0.0, 0.0), mul(zero, 62.0), Role::Ghost);
         hung.outline(board, (0.0, 0.0), degrees, Role::Body);
         board.circle((0.0, 0.0), 3.2, Role::Inner);
         board.dot(g);
     };
-    let round = if hung.rod.is_some() { 27.0 } else { hung.round + 10.0 };
-    equation(view, &body_of, g, &forces, &couples, &Kinetic { parts, turn, round }, desc)
+    let kinetic = Kinetic { parts, turn, round: 27.0 };
+    Diagram { forces, couples, kinetic, centre: g, scale: hung.scale, body: Box::new(draw) }
 }
 
 /// Both diagrams with the sign between them.
-fn equation(
-    view: &View,
-    body: &dyn Fn(&mut Board),
-    centre: V,
-    forces: &[Force],
-    couples: &[Turning],
-    kinetic: &Kinetic,
-    desc: &mut Vec<String>,
-) -> Board {
+fn equation(view: &View, diagram: &Diagram, desc: &mut Vec<String>) -> Board {
+    let Diagram { forces, couples, kinetic, centre, body, .. } = diagram;
+    let centre = *centre;
     let mut one = Board::new();
     body(&mut one);
     arrows(&mut one, forces);
@@ -511,7 +563,7 @@ fn arrows(board: &mut Board, forces: &[Force]) -> bool {
             role: f.role,
             spots,
             gap: 4.0,
-            tie: Tied::Leader,
+            tie: Tied::Near,
         });
     }
     any

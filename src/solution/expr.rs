@@ -322,9 +322,14 @@ impl Expr {
     fn write(&self, ledger: &Ledger, form: Form, place: Place, out: &mut String) {
         let wrap = |needed: bool, out: &mut String, inner: &dyn Fn(&mut String)| {
             if needed {
-                out.push_str(r"\left(");
-                inner(out);
-                out.push_str(r"\right)");
+                let mut within = String::new();
+                inner(&mut within);
+                // Parentheses grow with what is in them only where it is high.
+                let high = [r"\frac", r"\sqrt", r"\left"].iter().any(|h| within.contains(h));
+                let (open, close) = if high { (r"\left(", r"\right)") } else { ("(", ")") };
+                out.push_str(open);
+                out.push_str(&within);
+                out.push_str(close);
             } else {
                 inner(out);
             }
@@ -389,7 +394,10 @@ impl Expr {
                 }
             }),
             Self::Product(factors) => wrap(place > Place::Factor, out, &|out| {
-                for (i, factor) in factors.iter().enumerate() {
+                // Sines last: what follows one could be read as part of its argument.
+                let is_wave = |e: &&Self| matches!(e, Self::Of(Function::Sine | Function::Cosine, _));
+                let ordered = factors.iter().filter(|f| !is_wave(f)).chain(factors.iter().filter(is_wave));
+                for (i, factor) in ordered.enumerate() {
                     if i > 0 {
                         // Two numbers side by side would be read as one.
                         let digit =

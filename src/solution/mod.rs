@@ -38,6 +38,7 @@ use crate::solution::desk::Found;
 use crate::solution::ledger::tex_digits;
 use crate::solution::text::Block;
 use crate::solution::text::Section;
+use crate::solve::outcome::Word;
 use crate::template;
 use crate::template::Templates;
 use crate::template::View;
@@ -56,6 +57,35 @@ pub fn document(
     number: usize,
     words: &Words,
     templates: &Templates,
+) -> Result<Document, Finding> {
+    made(problem, variant, number, (words, templates), &|desk| {
+        figure::all(desk.problem, desk.variant, desk.words)
+    })
+}
+
+/// Its text alone, without the pictures, which take longer than all the rest.
+///
+/// # Errors
+/// Those of [`document`].
+pub fn text(
+    problem: &Problem,
+    variant: &Variant,
+    number: usize,
+    words: &Words,
+    templates: &Templates,
+) -> Result<String, Finding> {
+    made(problem, variant, number, (words, templates), &|_| Vec::new()).map(|d| d.markdown)
+}
+
+/// The pictures that a solution may show, by name.
+type Pictures<'p> = &'p dyn Fn(&Desk) -> Vec<(String, Picture)>;
+
+fn made(
+    problem: &Problem,
+    variant: &Variant,
+    number: usize,
+    (words, templates): (&Words, &Templates),
+    pictures: Pictures,
 ) -> Result<Document, Finding> {
     let mut desk = Desk::new(problem, variant, words)?;
     derive(&mut desk)?;
@@ -142,11 +172,6 @@ fn rank(id: &str) -> u8 {
     }
 }
 
-/// The pictures that a solution may show, by name.
-fn pictures(desk: &Desk) -> Vec<(String, Picture)> {
-    figure::all(desk.problem, desk.variant, desk.words)
-}
-
 /// Is every question answered, and every number that of the key?
 fn check(desk: &Desk) -> Result<(), Finding> {
     let name = |label: Label| desk.scene.name_of(label);
@@ -228,7 +253,7 @@ fn agree(desk: &Desk, number: usize) -> Section {
     let shown = |answer: Option<Answer>| match answer {
         None => "–".to_owned(),
         Some(Answer::Value(symbol)) => format!("${}$", desk.ledger.shown(symbol)),
-        Some(Answer::Word(word)) => format!("`{}`", word.text()),
+        Some(Answer::Word(word)) => format!("`{}`", said(w, word)),
     };
     for q in &desk.problem.questions {
         let Some(Found { eom, energy, note, .. }) = desk.found.iter().find(|f| f.label == q.label) else {
@@ -259,7 +284,8 @@ fn agree(desk: &Desk, number: usize) -> Section {
 fn answers(desk: &Desk, number: usize) -> Vec<(String, String)> {
     let answer = |q: &Question| {
         let Some(entry) = desk.variant.solved.get(q.label) else {
-            return desk.variant.solved.word(q.label).map_or_else(String::new, |w| format!("`{}`", w.text()));
+            let word = desk.variant.solved.word(q.label);
+            return word.map_or_else(String::new, |w| format!("`{}`", said(desk.words, w)));
         };
         let value = entry.value();
         let unit = &q.unit;
@@ -279,6 +305,11 @@ fn answers(desk: &Desk, number: usize) -> Vec<(String, String)> {
         format!("${symbol}{whole}${way}")
     };
     desk.problem.questions.iter().map(|q| (id_of(number, q), answer(q))).collect()
+}
+
+/// A word of an answer as the sheet has it.
+fn said(words: &Words, word: Word) -> &str {
+    words.get(&format!("sheet.{}", word.text()))
 }
 
 /// The phrase for a direction along the line of a body; `None` for 0.

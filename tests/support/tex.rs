@@ -274,6 +274,10 @@ impl Reader<'_> {
         let decimals = digits.split_once('.').map_or(0, |(_, d)| d.len());
         let half = if formula || self.data.iter().any(|d| d == written) {
             0.0
+        } else if decimals == 0 {
+            // Zeros at the end of a whole number may be no figures.
+            let zeros = digits.len() - digits.trim_end_matches('0').len();
+            0.5 * scale * (0..zeros).map(|_| 10.0).product::<f64>()
         } else {
             0.5 * scale / (0..decimals).map(|_| 10.0).product::<f64>()
         };
@@ -325,7 +329,15 @@ pub fn check(markdown: &str, counts: &mut Counts) -> Vec<String> {
     for formula in inline(given) {
         let pieces: Vec<&str> = formula.split(" = ").collect();
         let (Some(name), Some(value)) = (pieces.first(), pieces.last()) else { continue };
-        data.push(value.trim_start_matches('-').to_owned());
+        // Digits in SI are exact where they are those that were drawn, moved by a power of ten.
+        let moved = |text: &str| {
+            let digits: String =
+                text.split('\\').next().unwrap_or("").chars().filter(char::is_ascii_digit).collect();
+            digits.trim_matches('0').to_owned()
+        };
+        if pieces.len() < 3 || moved(pieces[1]) == moved(value) {
+            data.push(value.trim_start_matches('-').to_owned());
+        }
         match evaluate(value, &known, &data) {
             Some((value, _)) => {
                 known.insert((*name).to_owned(), value);
@@ -337,10 +349,7 @@ pub fn check(markdown: &str, counts: &mut Counts) -> Vec<String> {
     for formula in &formulas {
         for chain in chains(formula) {
             let Some((result, steps)) = chain.split_last() else { continue };
-            let (Some(name), true) = (steps.first(), steps.len() >= 2) else { continue };
-            if !is_name(name) {
-                continue;
-            }
+            let Some(name) = steps.first().filter(|n| is_name(n)) else { continue };
             let Some((value, true)) = evaluate(result, &BTreeMap::new(), &data) else { continue };
             for step in &steps[1..] {
                 match evaluate(step, &known, &data) {

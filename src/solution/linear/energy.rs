@@ -55,6 +55,7 @@ pub fn write(walk: &mut Walk, slip_sense: &dyn Fn(usize) -> f64) -> Result<(), F
         None => one_freedom(walk)?,
     }
     if !walk.rolled {
+        walk.out.blocks.push(Block::Picture("energy".to_owned()));
         walk.tell("energy.rest", &[]);
         walk.answer()?;
     }
@@ -153,8 +154,9 @@ fn works(walk: &mut Walk) -> Result<(), Finding> {
             Source::Tie(_) if action.kind == Kind::Spring => {
                 let Some(spring) = walk.spring.clone() else { return walk.beyond("this spring") };
                 let x1 = walk.new_symbol(&["x_{1}", r"\xi_{1}"], "m");
-                walk.tell("energy.spring", &[]);
                 let stretch = walk.stretch_at(&spring, &walk.s.clone());
+                let gives = walk.value(&stretch).abs() < walk.value(&spring.stretch).abs();
+                walk.tell(if gives { "energy.spring_gives" } else { "energy.spring_takes" }, &[]);
                 walk.find(x1, &stretch);
                 let w = walk.new_symbol(&["W_{s}", r"W_{\mathrm{s}}"], "J");
                 let squares = difference(square(spring.stretch.clone()), square(x1.into()));
@@ -223,7 +225,7 @@ fn one_freedom(walk: &mut Walk) -> Result<(), Finding> {
         walk.find(v, &root(sum([square0, gained])));
         walk.note(label, v);
         walk.v = v.into();
-        if let Some(spring) = walk.spring.clone() {
+        if let Some(spring) = walk.spring.clone().filter(|s| s.stretch != ZERO) {
             other_origin(walk, &spring, v)?;
         }
         if walk.desk.asks(Quantity::Direction) && !walk.rolled {
@@ -269,7 +271,7 @@ fn one_freedom(walk: &mut Walk) -> Result<(), Finding> {
             let both = sum([walk.v0.clone(), in_sense(v.into(), walk.sense)]);
             walk.find(s, &product([ratio(1, 2), both, t]));
             walk.s = s.into();
-            return Ok(());
+            return works_if_asked(walk);
         }
         _ => return walk.beyond("this end of the motion"),
     }
@@ -279,7 +281,16 @@ fn one_freedom(walk: &mut Walk) -> Result<(), Finding> {
     let from = quotient(product([walk.effective.clone(), squares]), product([number(2), walk.drive.clone()]));
     walk.find(s, &from);
     walk.s = s.into();
-    Ok(())
+    works_if_asked(walk)
+}
+
+/// The works of the forces, where heat or kinetic energy is asked and the displacement had to be found first.
+fn works_if_asked(walk: &mut Walk) -> Result<(), Finding> {
+    if !walk.desk.asks(Quantity::Heat) && !walk.desk.asks(Quantity::KineticEnergy) {
+        return Ok(());
+    }
+    walk.tell("energy.works", &[]);
+    works(walk)
 }
 
 /// Conservation of energy with heights and the spring counted from where the spring is not stretched.

@@ -136,62 +136,9 @@ impl Mechanism {
     /// # Errors
     /// What the derivation does not cover.
     pub fn new(desk: &mut Desk, rolled: bool) -> Result<Self, Finding> {
-        let scene = desk.scene;
-        let lead = scene.ending_coordinate();
-        let g = desk.number(scene.gravity_m_s2, "g", "m/s^2");
-        let mut parts = Vec::new();
-        let tags = tags(scene);
-        let count = |has: &dyn Fn(&Body) -> bool| scene.bodies.iter().filter(|b| has(b)).count();
-        let lines = count(&|b| b.line.is_some());
-        let turns = count(&|b| b.turns);
-        let surfaces = count(&|b| b.line.is_some_and(|l| l.surface));
-        for (i, body) in scene.bodies.iter().enumerate() {
-            let tag = tags[i].clone();
-            let mass = mass(desk, body, &g, &tag);
-            let inertia = inertia(desk, body, &mass, &g, &tag);
-            let named = |desk: &mut Desk, names: &[&str], several: bool, unit: &str| {
-                let tag = below(if several { &tag } else { "" }, rolled);
-                let names: Vec<String> = names.iter().map(|n| tagged(n, &tag)).collect();
-                let names: Vec<&str> = names.iter().map(String::as_str).collect();
-                let tex = desk.free(&names);
-                desk.unknown(&tex, unit)
-            };
-            let moves = body.line.is_some();
-            let a = moves.then(|| named(desk, &["a", "a_G"], lines > 1, "m/s^2"));
-            let v = moves.then(|| named(desk, &["v", "v_2"], lines > 1, "m/s"));
-            let alpha = body.turns.then(|| named(desk, &[r"\alpha", r"\dot{\omega}"], turns > 1, "rad/s^2"));
-            let omega = body.turns.then(|| named(desk, &[r"\omega", r"\omega_2"], turns > 1, "rad/s"));
-            let level = level(desk, body);
-            let normal = body.line.is_some_and(|l| l.surface).then(|| {
-                let tex = tagged("N", if surfaces > 1 { &tag } else { "" });
-                let tex = desk.free(&[&tex, "N_s"]);
-                let n = desk.unknown(&tex, "N");
-                (n, product([mass.expr(), g.clone(), level]))
-            });
-            let path = match body.line.map(|l| l.slope) {
-                None => "axle",
-                Some(Slope::Level) => "level",
-                Some(Slope::Vertical) => "vertical",
-                Some(Slope::Degrees(_)) => "incline",
-            };
-            parts.push(Part {
-                label: label(desk, &body.name),
-                tag,
-                mass,
-                inertia,
-                a,
-                alpha,
-                v,
-                omega,
-                normal,
-                along: Factors::zero(),
-                turn: Factors::zero(),
-                up: if body.line.is_none_or(|l| l.forward_up) { 1 } else { -1 },
-                path,
-                slips: !rolled
-                    && scene.ties.iter().any(|t| matches!(t, Tie::Slip { body, .. } if *body == i)),
-            });
-        }
+        let lead = desk.scene.ending_coordinate();
+        let g = desk.number(desk.scene.gravity_m_s2, "g", "m/s^2");
+        let parts = parts(desk, rolled);
         let mut this = Self { parts, actions: Vec::new(), lead, g, weighty: false };
         this.act(desk, rolled);
         this.ratios(desk, rolled)?;
@@ -504,6 +451,65 @@ impl Mechanism {
     }
 }
 
+/// The bodies with their unknowns, before anything ties them.
+pub fn parts(desk: &mut Desk, rolled: bool) -> Vec<Part> {
+    let scene = desk.scene;
+    let g = desk.number(scene.gravity_m_s2, "g", "m/s^2");
+    let mut parts = Vec::new();
+    let tags = tags(scene);
+    let count = |has: &dyn Fn(&Body) -> bool| scene.bodies.iter().filter(|b| has(b)).count();
+    let lines = count(&|b| b.line.is_some());
+    let turns = count(&|b| b.turns);
+    let surfaces = count(&|b| b.line.is_some_and(|l| l.surface));
+    for (i, body) in scene.bodies.iter().enumerate() {
+        let tag = tags[i].clone();
+        let mass = mass(desk, body, &g, &tag);
+        let inertia = inertia(desk, body, &mass, &g, &tag);
+        let named = |desk: &mut Desk, names: &[&str], several: bool, unit: &str| {
+            let tag = below(if several { &tag } else { "" }, rolled);
+            let names: Vec<String> = names.iter().map(|n| tagged(n, &tag)).collect();
+            let names: Vec<&str> = names.iter().map(String::as_str).collect();
+            let tex = desk.free(&names);
+            desk.unknown(&tex, unit)
+        };
+        let moves = body.line.is_some();
+        let a = moves.then(|| named(desk, &["a", "a_G"], lines > 1, "m/s^2"));
+        let v = moves.then(|| named(desk, &["v", "v_2"], lines > 1, "m/s"));
+        let alpha = body.turns.then(|| named(desk, &[r"\alpha", r"\dot{\omega}"], turns > 1, "rad/s^2"));
+        let omega = body.turns.then(|| named(desk, &[r"\omega", r"\omega_2"], turns > 1, "rad/s"));
+        let level = level(desk, body);
+        let normal = body.line.is_some_and(|l| l.surface).then(|| {
+            let tex = tagged("N", if surfaces > 1 { &tag } else { "" });
+            let tex = desk.free(&[&tex, "N_s"]);
+            let n = desk.unknown(&tex, "N");
+            (n, product([mass.expr(), g.clone(), level]))
+        });
+        let path = match body.line.map(|l| l.slope) {
+            None => "axle",
+            Some(Slope::Level) => "level",
+            Some(Slope::Vertical) => "vertical",
+            Some(Slope::Degrees(_)) => "incline",
+        };
+        parts.push(Part {
+            label: label(desk, &body.name),
+            tag,
+            mass,
+            inertia,
+            a,
+            alpha,
+            v,
+            omega,
+            normal,
+            along: Factors::zero(),
+            turn: Factors::zero(),
+            up: if body.line.is_none_or(|l| l.forward_up) { 1 } else { -1 },
+            path,
+            slips: !rolled && scene.ties.iter().any(|t| matches!(t, Tie::Slip { body, .. } if *body == i)),
+        });
+    }
+    parts
+}
+
 /// `along` and `arm` of a cord's end: its share along the line, its arm about the mass centre.
 pub fn lever(desk: &mut Desk, end: &CordEnd) -> (Factors, Factors) {
     let toward = if end.forward { 1 } else { -1 };
@@ -519,7 +525,11 @@ pub fn lever(desk: &mut Desk, end: &CordEnd) -> (Factors, Factors) {
 
 /// A tag, with an r if it belongs to the rolling that does not happen.
 fn below(tag: &str, rolled: bool) -> String {
-    if rolled { format!("{tag}\\mathrm{{r}}") } else { tag.to_owned() }
+    match (rolled, tag) {
+        (false, tag) => tag.to_owned(),
+        (true, "") => r"\mathrm{r}".to_owned(),
+        (true, tag) => format!(r"{tag},\mathrm{{r}}"),
+    }
 }
 
 fn friction(desk: &mut Desk, tag: &str) -> Symbol {

@@ -1,12 +1,14 @@
 //! Scenes of bodies on lines and about axles: rolling, slipping, sliding, cords, couples, one spring.
 pub mod beware;
 pub mod energy;
+pub mod instant;
 pub mod mechanism;
 pub mod motion;
 pub mod regime;
 pub mod walk;
 
 use crate::finding::Finding;
+use crate::scene::End;
 use crate::scene::Owner;
 use crate::scene::Quantity;
 use crate::scene::Tie;
@@ -28,6 +30,9 @@ use crate::solution::way;
 /// What the derivation does not cover, by name.
 pub fn sections(desk: &mut Desk) -> Result<(), Finding> {
     forces(desk);
+    if desk.scene.end == End::AtOnce {
+        return instant::write(desk);
+    }
     let slips: Vec<usize> =
         (0..desk.scene.ties.len()).filter(|t| matches!(desk.scene.ties[*t], Tie::Slip { .. })).collect();
     if slips.len() > 1 {
@@ -88,9 +93,6 @@ fn forces(desk: &mut Desk) {
     section.say(text.join(" "));
     for body in &desk.scene.bodies {
         section.blocks.push(Block::Picture(format!("forces-{}", body.name)));
-    }
-    if desk.scene.spring().is_some() {
-        section.blocks.push(Block::Picture("graph-speed".to_owned()));
     }
     desk.sections.push(section);
 }

@@ -48,6 +48,7 @@ pub fn write(walk: &mut Walk, slip_sense: &dyn Fn(usize) -> f64) -> Result<(), F
     if !walk.rolled {
         walk.tell("motion.rest", &[]);
         walk.answer()?;
+        walk.out.blocks.push(Block::Picture("graph-speed".to_owned()));
     }
     Ok(())
 }
@@ -55,6 +56,7 @@ pub fn write(walk: &mut Walk, slip_sense: &dyn Fn(usize) -> f64) -> Result<(), F
 /// The equations of all bodies, numbered, and what closes them.
 fn equations(walk: &mut Walk, slip_sense: &dyn Fn(usize) -> f64) -> Result<(), Finding> {
     let mut n = 0;
+    let turns = walk.m.parts.iter().filter(|p| p.alpha.is_some()).count();
     for body in 0..walk.m.parts.len() {
         let part = walk.m.parts[body].clone();
         let mut which: Vec<String> = Vec::new();
@@ -81,7 +83,16 @@ fn equations(walk: &mut Walk, slip_sense: &dyn Fn(usize) -> f64) -> Result<(), F
                     (Degree::Turn, "axle") => "rows.about_axle".to_owned(),
                     (Degree::Turn, _) => "rows.about_centre".to_owned(),
                 };
-                which.push(walk.phrase(&name, &[]));
+                let mut name = walk.phrase(&name, &[]);
+                if degree == Degree::Turn && right != ZERO {
+                    let tag = if turns > 1 { part.tag.as_str() } else { "" };
+                    let inertia = walk.m.inertia_expr(c).symbols(&walk.desk.ledger);
+                    let own = format!("I_{{G{tag}}}");
+                    name.push_str(
+                        &walk.phrase("rows.inertia", &[("inertia", &format!("${own} = {inertia}$"))]),
+                    );
+                }
+                which.push(name);
             }
             if let (Degree::Along, Some((normal, size))) = (degree, &part.normal) {
                 line(walk, &difference((*normal).into(), size.clone()), &ZERO);
@@ -202,11 +213,14 @@ fn added(walk: &mut Walk) {
     let lead = walk.lead();
     let Some(a) = walk.m.acceleration(lead) else { return };
     let symbol = format!("${}$", walk.desk.ledger.tex(a));
+    let lead_speed =
+        walk.m.speed(lead).map_or_else(String::new, |v| format!("${}$", walk.desk.ledger.tex(v)));
     if gone.is_empty() && steps.len() < 2 {
         let n = walk.number_of(lead);
         walk.tell("motion.direct", &[("n", &n), ("a", &symbol)]);
     } else {
-        let mut text = vec![walk.phrase("motion.multiply", &[("a", &symbol), ("steps", &steps.join(", "))])];
+        let mut text =
+            vec![walk.phrase("motion.multiply", &[("v", &lead_speed), ("steps", &steps.join(", "))])];
         let rolls: Vec<usize> = gone.iter().copied().filter(|t| !is_cord(walk, *t)).collect();
         let fixed: Vec<usize> = gone.iter().copied().filter(|t| is_fixed(walk, *t)).collect();
         let between: Vec<usize> =
@@ -396,9 +410,10 @@ fn on_spring(walk: &mut Walk) -> Result<(), Finding> {
     let (m_e, _) = effective_symbols(walk);
     let first = walk.new_symbol(&["F_{0}", "F_{00}"], "N");
     let kappa = walk.new_symbol(&[r"\kappa", r"\kappa_e"], "N/m");
-    let gamma = walk.tex(&spring.gamma.expr());
+    let gamma = walk.tex(&walk.magnitude(&spring.gamma).expr());
     let m = format!("${}$", walk.desk.ledger.tex(m_e));
-    walk.tell("spring.law", &[("gamma", &gamma)]);
+    let gives = walk.value(&spring.gamma.expr()) > 0.0;
+    walk.tell(if gives { "spring.law_falls" } else { "spring.law_grows" }, &[("gamma", &gamma)]);
     let s = walk.new_symbol(&["s", "s_1"], "m");
     let stretch = difference(spring.stretch.clone(), spring.gamma.times(&Factors::of(&s.into())).expr());
     let law = product([spring.stiffness.clone(), stretch]);
@@ -433,7 +448,9 @@ fn on_spring(walk: &mut Walk) -> Result<(), Finding> {
     walk.find(v, &root(quotient(difference(twice, back), m_e.into())));
     walk.note(walk.label_of_lead(Quantity::V, Quantity::Omega), v);
     walk.v = v.into();
-    other_origin(walk, &spring, &rest, (m_e, kappa))?;
+    if spring.stretch != ZERO {
+        other_origin(walk, &spring, &rest, (m_e, kappa))?;
+    }
     walk.tell("spring.at_end", &[]);
     let tension = walk.get(of_tie(Quantity::Tension, spring.tie))?;
     let _ = tension;
@@ -451,6 +468,7 @@ pub fn constant_forces(walk: &mut Walk, rest: Vec<Expr>) -> Vec<Expr> {
     if rest.is_empty() {
         return rest;
     }
+    walk.tell("spring.constant", &[]);
     let f_c = walk.new_symbol(&["F_{c}", "F_{cc}"], "N");
     walk.find(f_c, &sum(rest));
     vec![f_c.into()]

@@ -13,6 +13,7 @@ use crate::solution::expr::Expr;
 use crate::solution::expr::ZERO;
 use crate::solution::expr::difference;
 use crate::solution::expr::product;
+use crate::solution::expr::quotient;
 use crate::solution::expr::sum;
 use crate::solution::ledger::Symbol;
 use crate::solution::linear::mechanism::Kind;
@@ -21,6 +22,7 @@ use crate::solution::linear::motion::lead_way;
 use crate::solution::linear::walk::Walk;
 use crate::solution::linear::walk::of_body;
 use crate::solution::linear::walk::of_tie;
+use crate::solution::text::Block;
 use crate::solution::way;
 use crate::solve::outcome::Word;
 
@@ -138,6 +140,7 @@ fn grip(walk: &mut Walk, body: usize, mu: &Expr) -> Result<(), Finding> {
         let (first, last) = walk.extremes(body)?;
         let ((a, one), (b, two)) = (size(walk, &first), size(walk, &last));
         holds &= a <= most && b <= most;
+        walk.out.blocks.push(Block::Picture("graph-friction".to_owned()));
         walk.tell("regime.holds_both", &[("one", &one), ("two", &two), ("limit", &limit)]);
     } else {
         let f = walk.get(of_body(Quantity::Friction, body))?;
@@ -168,33 +171,24 @@ fn why_that_way(walk: &mut Walk, body: usize, direction: &str) {
     }
     let share = |walk: &Walk, degree| {
         let row = walk.row(Coordinate { body, degree });
-        row.into_iter().filter(|(a, _)| a.kind == Kind::Given).map(|(_, e)| walk.value(&e)).sum::<f64>()
+        sum(row.into_iter().filter(|(a, _)| a.kind == Kind::Given).map(|(_, e)| e).collect::<Vec<_>>())
     };
-    let arm = walk.m.actions.iter().find(|a| a.body == body && a.kind == Kind::Reaction && !a.arm.is_zero());
-    let Some(c) = arm.map(|a| walk.value(&a.arm.expr()).abs()) else { return };
-    let (mass, inertia) = (
-        walk.value(&walk.m.inertia_expr(Coordinate { body, degree: Degree::Along })),
-        walk.value(&walk.m.inertia_expr(Coordinate { body, degree: Degree::Turn })),
-    );
-    if inertia == 0.0 {
+    let arm = walk.m.actions.iter().find(|a| a.body == body && a.contact);
+    let Some(c) = arm.map(|a| walk.magnitude(&a.arm).expr()) else { return };
+    let along = walk.m.inertia_expr(Coordinate { body, degree: Degree::Along });
+    let turn = walk.m.inertia_expr(Coordinate { body, degree: Degree::Turn });
+    if turn == ZERO {
         return;
     }
-    let up = f64::from(walk.m.parts[body].up);
-    let centre = up * share(walk, Degree::Along) / mass;
-    let spin = up * c * share(walk, Degree::Turn) / inertia;
-    let contact = walk.new_symbol(&["b_{0}"], "m/s^2");
-    walk.desk.ledger.settle(contact, centre - spin);
-    let shown = walk.desk.ledger.shown(contact);
-    let against = way(walk.desk.scene, Owner::Body(body), centre - spin);
+    let (force, moment) = (share(walk, Degree::Along), share(walk, Degree::Turn));
+    let contact = walk.new_symbol(&["a_{C0}"], "m/s^2");
+    walk.tell("regime.why_that_way", &[]);
+    let spin = product([c, quotient(moment, turn)]);
+    walk.find(contact, &difference(quotient(force, along), spin));
+    let value = walk.desk.ledger.value(contact) * f64::from(walk.m.parts[body].up);
+    let against = way(walk.desk.scene, Owner::Body(body), value);
     let against = against.map_or_else(String::new, |w| walk.desk.words.get(w).to_owned());
-    walk.tell(
-        "regime.why_that_way",
-        &[
-            ("contact", &format!("${}$", shown.trim_start_matches('-'))),
-            ("against", &against),
-            ("way", direction),
-        ],
-    );
+    walk.tell("regime.so_that_way", &[("against", &against), ("way", direction)]);
 }
 
 /// The contact slides against the friction that was assumed.

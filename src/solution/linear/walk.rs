@@ -198,6 +198,11 @@ impl<'d, 'a> Walk<'d, 'a> {
         self.desk.unknown(&tex, unit)
     }
 
+    /// Magnitude of a quantity: itself where it is positive.
+    pub fn size(&self, of: Expr) -> Expr {
+        if self.value(&of) < 0.0 { magnitude(of) } else { of }
+    }
+
     /// The name of a body in brackets, with a space before; nothing where it is the only one.
     pub fn in_brackets(&self, body: usize) -> String {
         if self.m.parts.len() < 2 { String::new() } else { format!(" ({})", self.m.parts[body].label) }
@@ -729,11 +734,13 @@ impl<'d, 'a> Walk<'d, 'a> {
             let (first, last) = self.extremes(body)?;
             let larger = if self.value(&first).abs() >= self.value(&last).abs() { first } else { last };
             self.tell("grip.least_spring", &[]);
-            return Ok(self.found_now(label, symbol, &quotient(magnitude(larger), n.into())));
+            let size = self.size(larger);
+            return Ok(self.found_now(label, symbol, &quotient(size, n.into())));
         }
         let f = self.get(of_body(Quantity::Friction, body))?;
         self.tell("grip.least", &[]);
-        Ok(self.found_now(label, symbol, &quotient(magnitude(f.into()), n.into())))
+        let size = self.size(f.into());
+        Ok(self.found_now(label, symbol, &quotient(size, n.into())))
     }
 
     /// Friction at release and at the far end of the motion, for a wheel on a spring.
@@ -806,10 +813,7 @@ impl<'d, 'a> Walk<'d, 'a> {
         let Some(a) = self.m.acceleration(lead) else { return self.beyond("this acceleration") };
         let from = quotient(sum(terms), self.effective.clone());
         self.found_now(self.label_of_lead(Quantity::A, Quantity::Alpha), a, &from);
-        let road = std::mem::replace(&mut self.road, Road::Motion);
-        let found = self.friction(body, of_body(Quantity::Friction, body));
-        self.road = road;
-        Ok(found?.into())
+        Ok(self.friction(body, of_body(Quantity::Friction, body))?.into())
     }
 
     fn time(&mut self, label: Label) -> Result<Symbol, Finding> {
@@ -970,6 +974,9 @@ impl<'d, 'a> Walk<'d, 'a> {
 
     /// `1/2 m v^2 + 1/2 I omega^2 + ...` with the speeds of each body.
     pub fn kinetic_sum(&mut self) -> Result<Expr, Finding> {
+        if self.v == ZERO {
+            return Ok(ZERO);
+        }
         let coordinates: Vec<Coordinate> = self.desk.scene.coordinates().collect();
         let mut all = Vec::new();
         for c in coordinates {
@@ -988,8 +995,10 @@ impl<'d, 'a> Walk<'d, 'a> {
 
     fn kinetic_energy(&mut self, label: Label) -> Result<Symbol, Finding> {
         let symbol = self.new_symbol(&["E_{k}", r"E_{\mathrm{kin}}"], "J");
+        // Of a slipping body the works that are written down leave out that of friction.
+        let slips = self.m.parts.iter().any(|p| p.slips);
         let from = match (self.road, self.works()) {
-            (Road::Energy, Some(works)) => {
+            (Road::Energy, Some(works)) if !slips => {
                 self.tell("energy.kinetic", &[]);
                 let start = product([ratio(1, 2), self.effective.clone(), square(self.v0.clone())]);
                 sum([if self.v0 == ZERO { ZERO } else { start }, works])
@@ -1018,6 +1027,11 @@ impl<'d, 'a> Walk<'d, 'a> {
                 }
             }
             let whole = self.get(of_scene(Quantity::KineticEnergy))?;
+            if turning.len() > 1 {
+                let spin = self.new_symbol(&["E_{r}"], "J");
+                self.find(spin, &sum(turning));
+                turning = vec![spin.into()];
+            }
             return Ok(self.found_now(label, symbol, &quotient(sum(turning), whole.into())));
         }
         self.tell("energy.share", &[]);
@@ -1073,7 +1087,8 @@ impl<'d, 'a> Walk<'d, 'a> {
             };
             let f = self.get(of_body(Quantity::Friction, body))?;
             debug_assert_eq!(self.m.force_of(t), Some(f), "the friction of this tie");
-            all.push(product([magnitude(f.into()), way]));
+            let size = self.size(f.into());
+            all.push(product([size, way]));
         }
         self.tell("motion.heat", &[]);
         Ok(self.found_now(label, symbol, &sum(all)))
@@ -1177,10 +1192,10 @@ impl<'d, 'a> Walk<'d, 'a> {
                 self.tell("energy.fastest", &[]);
                 let gap = difference(spring.stretch.clone(), x_eq.into());
                 let from = Factors::of(&gap).per(&spring.gamma).expr();
-                let from = if self.value(&from) < 0.0 {
-                    Factors::of(&difference(x_eq.into(), spring.stretch.clone())).per(&spring.gamma).expr()
-                } else {
-                    from
+                let from = if self.value(&from) < 0.0 { minus(from) } else { from };
+                let from = match from {
+                    Expr::Sum(terms) => positive_first(terms),
+                    other => other,
                 };
                 self.find(way, &from);
                 let signed = in_sense(way.into(), level);
@@ -1272,7 +1287,7 @@ impl<'d, 'a> Walk<'d, 'a> {
 /// A symbol with a mark below it, behind what stands there already.
 fn marked(tex: &str, mark: &str) -> String {
     match tex.split_once("_{").and_then(|(symbol, below)| Some((symbol, below.strip_suffix('}')?))) {
-        Some((symbol, below)) => format!("{symbol}_{{{below}{mark}}}"),
+        Some((symbol, below)) => format!("{symbol}_{{{below},{mark}}}"),
         None => format!("{tex}_{{{mark}}}"),
     }
 }
