@@ -1250,13 +1250,17 @@ impl Swing {
         let radial = pen.find(&names.radial, "N", &radial);
         pen.energy(self.label(Quantity::PinRadial), radial);
         // Moments about the mass centre.
+        pen.say("pinned.pin_moment", &[("across", &names.across)]);
         let mut about: Vec<Expr> = self.couples.clone();
         if let (Some(s), Some((force, _, side))) = (&self.spring, &place.spring) {
             let lever = difference(s.b.clone(), self.h.clone());
             about.push(product([force.clone(), lever, side.clone()]));
         }
+        if about.len() > 1 {
+            let name = pen.desk.free(&["M_G", r"M_{\mathrm{G}}"]);
+            about = vec![pen.find(&name, "N m", &sum(about)).into()];
+        }
         about.push(minus(product([self.own.clone(), alpha.into()])));
-        pen.say("pinned.pin_moment", &[("across", &names.across)]);
         let across = pen.find(&names.across, "N", &quotient(sum(about), self.h.clone()));
         pen.energy(self.label(Quantity::PinTangential), across);
         if pen.desk.asks(Quantity::PinForce) {
@@ -1419,7 +1423,7 @@ impl Swing {
             {
                 let share = (right / small - 1.0) * 100.0;
                 if share.is_finite() && share > 0.1 && spin0 == 0.0 {
-                    let share = tex_digits(&number::rounded(share, 2), pen.desk.words);
+                    let share = pen.desk.words.number(&number::rounded(share, 2));
                     let small = format!("${}$", pen.rough(small, "s"));
                     let text = [("small", small.as_str()), ("share", share.as_str())];
                     items.push(pen.desk.say("pinned.beware_small", &text));

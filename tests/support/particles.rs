@@ -1,5 +1,5 @@
-//! Makes of a worked solution what a reader of plain formulas understands: tables and sums over particles written out, pi as
-//! a number, a value alone as an equation.
+//! Makes of a worked solution what a reader of plain formulas understands: tables and sums over particles written out, pi (and
+//! half a turn, which is no datum) as a number, a value alone as an equation.
 
 /// Pi, as long as a double.
 const PI: &str = "3.14159265358979";
@@ -9,7 +9,8 @@ pub fn plain(markdown: &str) -> String {
     let body =
         markdown.split("\n### ").take_while(|s| !s.starts_with("Answers") && !s.starts_with("Ergebnisse"));
     let body: Vec<&str> = body.collect();
-    let text = body.join("\n### ").replace(r"\Delta ", r"\Delta_").replace(r"\pi", PI);
+    let text =
+        body.join("\n### ").replace(r"\Delta ", r"\Delta_").replace(r"\pi", PI).replace(r"180^\circ", PI);
     let labels = labels(&text);
     let mut out: Vec<String> = Vec::new();
     let mut definitions = Vec::new();
