@@ -270,6 +270,7 @@ fn forces_add_up_to_mass_times_acceleration() {
 
 #[test]
 fn energy_bars_are_equally_high() {
+    let words = Words::english();
     let mut drawn = 0;
     for problem in support::banks().iter().flat_map(|b| &b.problems).chain(&odd().problems) {
         let maker = Maker::new(problem, 6, "figures").giving_up_after(50);
@@ -278,7 +279,7 @@ fn energy_bars_are_equally_high() {
             if matches!(problem.cases[variant.case].scene.end, End::AtOnce) {
                 continue;
             }
-            let energies = figure::bars::energies(problem, &variant)
+            let energies = figure::bars::energies(problem, &variant, &words)
                 .unwrap_or_else(|| panic!("{} {student}: no energies", problem.id));
             let (a, b) = energies.sums();
             assert!((a - b).abs() <= 1e-6 * a, "{} {student}: {energies:?}", problem.id);

@@ -8,6 +8,7 @@ use scraper::Selector;
 use slipstick::bank::Bank;
 use slipstick::bank::overlay;
 use slipstick::figure::svg;
+use slipstick::num::trig;
 use slipstick::problem::make::Maker;
 use slipstick::problem::make::Variant;
 use slipstick::sheet::document::ANSWER;
@@ -355,5 +356,39 @@ fn compiles(folder: &std::path::Path, name: &str) {
         let points =
             line.split('(').nth(1).and_then(|t| t.split("pt").next()).and_then(|t| t.parse::<f64>().ok());
         assert!(points.is_some_and(|p| p < 3.0), "{name}: {line}");
+    }
+}
+
+/// Contrast of two colours such as `#1b1f24`, after WCAG 2.1.
+fn contrast(a: &str, b: &str) -> f64 {
+    let light = |colour: &str| {
+        let part = |i: usize| {
+            let byte = u8::from_str_radix(&colour[i..i + 2], 16).expect("a colour of six digits");
+            let x = f64::from(byte) / 255.0;
+            if x <= 0.03928 { x / 12.92 } else { trig::power((x + 0.055) / 1.055, 2.4) }
+        };
+        0.2126 * part(1) + 0.7152 * part(3) + 0.0722 * part(5) + 0.05
+    };
+    let (a, b) = (light(a), light(b));
+    a.max(b) / a.min(b)
+}
+
+#[test]
+fn letters_stand_out_from_the_paper_by_day_and_by_night() {
+    let style = include_str!("../templates/style.html");
+    let schemes: Vec<&str> =
+        style.lines().filter(|l| l.contains("--ink:") && l.contains("--tint:")).collect();
+    assert!(schemes.len() >= 2, "light and dark");
+    for scheme in schemes.iter().take(2) {
+        let colour = |name: &str| {
+            let after = scheme.split(&format!("--{name}: ")).nth(1).expect("a colour of this name");
+            after.split(';').next().expect("a colour")
+        };
+        for paper in ["paper", "tint"] {
+            for ink in ["ink", "soft", "accent"] {
+                let c = contrast(colour(ink), colour(paper));
+                assert!(c >= 4.5, "{ink} on {paper}: {c:.2} in {scheme}");
+            }
+        }
     }
 }

@@ -1,5 +1,6 @@
 //! `slipstick lint`: all that is wrong in a bank, then how it behaves over many seeds.
 use crate::bank::Bank;
+use crate::bank::Problem;
 use crate::cli::args;
 use crate::cli::args::Format;
 use crate::cli::banks;
@@ -51,9 +52,8 @@ fn lint(args: &args::Lint, io: &mut Io) -> Result<Vec<Finding>, Vec<Finding>> {
     let bank = &loaded.bank;
     let mut findings = banks::unknown_names(bank, &texts.templates);
     findings.extend(banks::never_given(bank, &texts.templates));
-    let seeds = u32::try_from(args.seeds.min(1_000_000)).unwrap_or(1_000_000);
-    let sweeps: Vec<Sweep> =
-        bank.problems.par_iter().map(|p| sweep::sweep(p, 1, seeds.max(1), &bank.id)).collect();
+    let all: Vec<&Problem> = bank.problems.iter().collect();
+    let sweeps = sweeps(&all, args.seeds, &bank.id);
     for (problem, sweep) in bank.problems.iter().zip(&sweeps) {
         if let Some((seed, none)) = &sweep.unsatisfiable {
             let fault = Finding::new(format!("problems.{}", problem.id), format!("seed {seed}: {none}"));
@@ -72,26 +72,20 @@ fn lint(args: &args::Lint, io: &mut Io) -> Result<Vec<Finding>, Vec<Finding>> {
         findings.extend(faulty_texts(bank, &texts)?);
     }
     for (problem, sweep) in bank.problems.iter().zip(&sweeps) {
+        let tables = tables(problem, sweep);
         io.line(&format!("{}: {}", problem.id, problem.title));
-        io.piece(&cases(sweep));
-        for case in &sweep.cases {
-            for (rule, count) in &case.refusals {
-                let name = if case.name.is_empty() { String::new() } else { format!("{}: ", case.name) };
-                io.line(&format!("    refused {count:>6}  {name}{rule}"));
-            }
+        io.piece(&tell::table(&tables.cases, &LEFT_CASES));
+        for (count, rule) in &tables.refusals {
+            io.line(&format!("    refused {count:>6}  {rule}"));
         }
-        io.piece(&questions(problem, sweep));
-        for note in notes(problem, sweep) {
+        io.piece(&tell::table(&tables.numbers, &LEFT_NUMBERS));
+        io.piece(&tell::table(&tables.words, &LEFT_WORDS));
+        for note in tables.notes {
             io.line(&format!("    note: {note}"));
         }
         io.line("");
     }
-    let chance = sweep::coincidence(&sweeps, CLASS);
-    let verdict = if chance <= RARE { "rare enough" } else { "too likely: widen the ranges" };
-    io.line(&format!(
-        "Chance that two of {CLASS} students get equal sheets of all {}: at most {chance:.1e} ({verdict}).",
-        tell::count(bank.problems.len(), "problem")
-    ));
+    io.line(&chance(&sweeps));
     for sweep in &sweeps {
         let one = sweep::coincidence(std::slice::from_ref(sweep), CLASS);
         io.line(&format!("  {} alone: at most {one:.1e}", sweep.problem));
@@ -99,7 +93,54 @@ fn lint(args: &args::Lint, io: &mut Io) -> Result<Vec<Finding>, Vec<Finding>> {
     Ok(findings)
 }
 
-fn cases(sweep: &Sweep) -> String {
+/// Tries problems of a bank over so many seeds.
+pub fn sweeps(problems: &[&Problem], seeds: u64, bank: &str) -> Vec<Sweep> {
+    let seeds = u32::try_from(seeds.clamp(1, 1_000_000)).unwrap_or(1_000_000);
+    problems.par_iter().map(|p| sweep::sweep(p, 1, seeds, bank)).collect()
+}
+
+/// What a sweep over one problem says, row by row, heads first.
+pub struct Tables {
+    /// Cases and how many of their draws are accepted.
+    pub cases: Vec<Vec<String>>,
+    /// How often each rule refused, and which.
+    pub refusals: Vec<(u32, String)>,
+    /// Questions that ask for numbers.
+    pub numbers: Vec<Vec<String>>,
+    /// Questions that ask for words; without a head.
+    pub words: Vec<Vec<String>>,
+    /// Where figures and tolerance do not fit the condition numbers.
+    pub notes: Vec<String>,
+}
+
+/// Columns of texts, as [`tell::table`] takes them.
+pub const LEFT_CASES: [usize; 1] = [0];
+/// The same for numbers asked.
+pub const LEFT_NUMBERS: [usize; 2] = [0, 3];
+/// The same for words asked.
+pub const LEFT_WORDS: [usize; 2] = [0, 1];
+
+/// The tables of a sweep.
+pub fn tables(problem: &Problem, sweep: &Sweep) -> Tables {
+    let refusals = sweep.cases.iter().flat_map(|case| {
+        let name = if case.name.is_empty() { String::new() } else { format!("{}: ", case.name) };
+        case.refusals.iter().map(move |(rule, count)| (*count, format!("{name}{rule}")))
+    });
+    let (numbers, words) = questions(problem, sweep);
+    Tables { cases: cases(sweep), refusals: refusals.collect(), numbers, words, notes: notes(problem, sweep) }
+}
+
+/// The chance of equal sheets, in a sentence.
+pub fn chance(sweeps: &[Sweep]) -> String {
+    let chance = sweep::coincidence(sweeps, CLASS);
+    let verdict = if chance <= RARE { "rare enough" } else { "too likely: widen the ranges" };
+    format!(
+        "Chance that two of {CLASS} students get equal sheets of all {}: at most {chance:.1e} ({verdict}).",
+        tell::count(sweeps.len(), "problem")
+    )
+}
+
+fn cases(sweep: &Sweep) -> Vec<Vec<String>> {
     let mut rows = vec![
         ["case", "share", "variants", "draws", "accepted", "valid variants"].map(str::to_owned).to_vec(),
     ];
@@ -116,10 +157,10 @@ fn cases(sweep: &Sweep) -> String {
             if case.tries == 0 { "-".to_owned() } else { format!("about {:.0e}", case.valid) },
         ]);
     }
-    tell::table(&rows, &[0])
+    rows
 }
 
-fn questions(problem: &crate::bank::Problem, sweep: &Sweep) -> String {
+fn questions(problem: &Problem, sweep: &Sweep) -> (Vec<Vec<String>>, Vec<Vec<String>>) {
     let percent =
         |share: f64| if share.is_nan() { "-".to_owned() } else { format!("{:.0} %", share * 100.0) };
     let mut rows = vec![
@@ -159,14 +200,11 @@ fn questions(problem: &crate::bank::Problem, sweep: &Sweep) -> String {
         rows.push(row);
     }
     // Words may be longer than a number: they stand behind the table's first column.
-    let (numbers, texts): (Vec<_>, Vec<_>) = rows.into_iter().partition(|r| r.len() != 2);
-    let mut text = tell::table(&numbers, &[0, 3]);
-    text.push_str(&tell::table(&texts, &[0, 1]));
-    text
+    rows.into_iter().partition(|r| r.len() != 2)
 }
 
 /// Where the figures asked and the tolerance do not fit the condition numbers.
-fn notes(problem: &crate::bank::Problem, sweep: &Sweep) -> Vec<String> {
+fn notes(problem: &Problem, sweep: &Sweep) -> Vec<String> {
     let mut notes = Vec::new();
     for (question, seen) in problem.questions.iter().zip(&sweep.questions) {
         let missed = seen.missed();

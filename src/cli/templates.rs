@@ -15,6 +15,9 @@ use std::fs;
 /// The file that explains the others; it is no template.
 pub const README: &str = "README.md";
 
+/// Pages that only instructors see; their looks are not written out.
+const INSTRUCTORS: [&str; 2] = ["accuracy.html", "gallery.html"];
+
 /// Runs it.
 pub fn run(args: &args::Templates, io: &mut Io) -> Exit {
     match templates(args, io) {
@@ -54,7 +57,7 @@ fn templates(args: &args::Templates, io: &mut Io) -> Result<(), Vec<Finding>> {
 /// All files: name, text.
 fn texts(language: &str) -> Result<Vec<(String, String)>, Vec<Finding>> {
     let mut texts: Vec<(String, String)> = Vec::new();
-    for (name, text) in template::built_in(language).filter(|(name, _)| *name != "accuracy.html") {
+    for (name, text) in template::built_in(language).filter(|(name, _)| !INSTRUCTORS.contains(name)) {
         texts.push((name.to_owned(), text.to_owned()));
     }
     for (topic, text) in Words::lists(language).unwrap_or_default() {

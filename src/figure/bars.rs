@@ -53,9 +53,8 @@ impl Energies {
 }
 
 /// The energies of a variant; `None` where the solver does not say enough of them, or where there is no motion.
-pub fn energies(problem: &Problem, variant: &Variant) -> Option<Energies> {
-    let words = Words::english();
-    let view = View::new(problem, variant, &words, FigureLabels::Values)?;
+pub fn energies(problem: &Problem, variant: &Variant, words: &Words) -> Option<Energies> {
+    let view = View::new(problem, variant, words, FigureLabels::Values)?;
     let scene = view.scene;
     if scene.end == End::AtOnce {
         return None;
@@ -178,7 +177,7 @@ pub fn energies(problem: &Problem, variant: &Variant) -> Option<Energies> {
 
 /// The bars; `None` where [`energies`] has none.
 pub fn picture(problem: &Problem, variant: &Variant, words: &Words) -> Option<Picture> {
-    let energies = energies(problem, variant)?;
+    let energies = energies(problem, variant, words)?;
     let total = energies.sums().0;
     let mut board = Board::new();
     let x = [0.0, WIDE + APART];

@@ -150,7 +150,7 @@ mod machine {
         }
 
         pub fn press(&self, documents: &[(&Head, &Document)]) -> Result<Vec<u8>, Finding> {
-            let text = source(documents, &self.words, &|_| String::new())?;
+            let text = source(documents, &self.words)?;
             let job = Job { prelude: &self.prelude, main: Source::new(FIXED.main, text) };
             let pdf = typst::compile::<PagedDocument>(&job)
                 .output

@@ -1,5 +1,6 @@
 //! What a solution says, in order, before a template decides how it stands on the page.
 use crate::solution::expr::Expr;
+use crate::solution::expr::width;
 use crate::solution::ledger::Ledger;
 use crate::solution::ledger::Symbol;
 
@@ -91,7 +92,10 @@ impl Section {
 /// Width of a line of a formula that fits on 16 cm of print, in digits.
 pub const LINE: f64 = 74.0;
 
-/// `a = symbols = numbers = value` on lines of their own, so that a narrow page need not scroll more than one of them; what
+/// Steps that are no wider than this together stand on one line, which a phone just shows.
+pub const SHORT: f64 = 44.0;
+
+/// `a = symbols = numbers = value`, where it is not short on lines of their own, so that a narrow page need not scroll more than one of them; what
 /// says the same twice stands once. The symbol must have its value.
 pub fn worked(ledger: &Ledger, symbol: Symbol, from: &Expr) -> String {
     let (name, symbols, value) = (ledger.tex(symbol), from.symbols(ledger), ledger.shown(symbol));
@@ -100,6 +104,10 @@ pub fn worked(ledger: &Ledger, symbol: Symbol, from: &Expr) -> String {
     }
     if from.numbers(ledger) == value {
         return format!("{name} = {symbols} = {value}");
+    }
+    let line = format!("{name} = {symbols} = {} = {value}", from.numbers(ledger));
+    if width(&line) <= SHORT {
+        return line;
     }
     let numbers = from.numbers_in_lines(ledger, LINE).join(r" \\ &\quad ");
     format!(r"\begin{{aligned}} {name} &= {symbols} \\ &= {numbers} \\ &= {value} \end{{aligned}}")

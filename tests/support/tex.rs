@@ -401,25 +401,29 @@ pub fn check(markdown: &str, counts: &mut Counts) -> Vec<String> {
     faults
 }
 
-/// Places of results, and what to write there instead: the third significant digit changed.
+/// Places of results that follow from a step, and what to write there instead: the third significant digit changed.
 pub fn mutations(markdown: &str) -> Vec<(usize, String)> {
     let mut found = Vec::new();
     let mut at = 0;
-    while let Some(next) = markdown[at..].find(r" \\ &= ") {
-        at += next + r" \\ &= ".len();
-        let rest = &markdown[at..];
+    for (i, formula) in markdown.split("$$").enumerate() {
+        let start = at;
+        at += formula.len() + 2;
+        let steps = formula.matches('=').count();
+        let Some(equals) = formula.rfind("= ").filter(|_| i % 2 == 1 && steps > 1) else { continue };
+        let rest = &formula[equals + 2..];
         let end = rest.find(r" \end{aligned}").unwrap_or(rest.len());
-        if rest[..end].contains('&') || rest[..end].contains('(') {
+        let digits = rest.trim_start_matches('-').starts_with(|c: char| c.is_ascii_digit());
+        if !digits || rest[..end].contains(['(', '+']) || rest[..end].contains(r"\,") {
             continue;
         }
         let mut significant = 0;
-        for (i, c) in rest[..end].char_indices() {
+        for (j, c) in rest[..end].char_indices() {
             if c.is_ascii_digit() && (significant > 0 || c != '0') {
                 significant += 1;
             }
             if significant == 3 {
                 let other = if c == '9' { '3' } else { '9' };
-                found.push((at + i, other.to_string()));
+                found.push((start + equals + 2 + j, other.to_string()));
                 break;
             }
         }

@@ -678,7 +678,7 @@ impl<'d, 'a> Walk<'d, 'a> {
         let rest: Vec<Expr> = rest.into_iter().filter(|e| *e != ZERO).collect();
         let rest: Vec<Expr> = if negative { rest.into_iter().map(minus).collect() } else { rest };
         let over = positive_first(rest);
-        let from = quotient(over, self.magnitude(&lever).expr());
+        let from = Factors::of(&over).per(&self.magnitude(&lever)).expr();
         let Some(symbol) = self.m.force_of(tie) else { return self.beyond("this reaction") };
         let label = self.label_of_tie(tie);
         let body = self.in_brackets(c.body);
