@@ -687,7 +687,12 @@ impl<'d, 'a> Walk<'d, 'a> {
                 let n = self.number_of(c);
                 self.tell("motion.reaction", &[("n", &n)]);
             }
-            (Road::Energy, _) if self.by_rate() => self.tell("energy.reaction_rate", &[("body", &body)]),
+            (Road::Energy, Degree::Along) if self.by_rate() => {
+                self.tell("energy.reaction_rate", &[("body", &body)]);
+            }
+            (Road::Energy, Degree::Turn) if self.by_rate() => {
+                self.tell("energy.reaction_rate_turn", &[("body", &body)]);
+            }
             (Road::Energy, Degree::Along) => self.tell("energy.reaction_along", &[("body", &body)]),
             (Road::Energy, Degree::Turn) => self.tell("energy.reaction_turn", &[("body", &body)]),
         }
