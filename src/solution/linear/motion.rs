@@ -110,7 +110,7 @@ fn equations(walk: &mut Walk, slip_sense: &dyn Fn(usize) -> f64) -> Result<(), F
             Tie::Cord(_) => continue,
         };
         let slips = walk.m.parts[body].slips;
-        let direction = way(walk.desk.scene, Owner::Body(body), sense * f64::from(walk.m.parts[body].up));
+        let direction = way(walk.desk.scene, Owner::Body(body), sense);
         let direction = direction.map_or_else(String::new, |w| walk.desk.words.get(w).to_owned());
         walk.get(of_body(Quantity::Normal, body))?;
         walk.tell(if slips { "close.slip" } else { "close.slide" }, &[("way", &direction)]);
