@@ -141,7 +141,12 @@ fn closing(walk: &mut Walk, n: &mut usize) {
             let c = walk.desk.number(radius, "R", "m");
             let part = walk.m.parts[body].clone();
             let (Some(a), Some(alpha)) = (part.a, part.alpha) else { continue };
-            ("close.roll", Expr::from(a), product([c, alpha.into()]), walk.m.force_of(t))
+            (
+                if walk.rolled { "close.roll_if" } else { "close.roll" },
+                Expr::from(a),
+                product([c, alpha.into()]),
+                walk.m.force_of(t),
+            )
         } else if let Tie::Cord(cord) = tie {
             let end = |walk: &mut Walk, end| {
                 let (along, arm) = lever(walk.desk, end);
