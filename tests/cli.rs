@@ -102,7 +102,8 @@ fn a_set_has_its_files_and_nothing_for_students_but_theirs() {
     );
     let files = tree(&room.0.path().join("set"));
     // Four figures, the sheet in Markdown and as a page, and what `check` reads.
-    assert_eq!(files.len(), 7 + 7 * CLASS.len());
+    let with_pdf = usize::from(slipstick::sheet::pdf::BUILT_IN);
+    assert_eq!(files.len(), 7 + 2 * with_pdf + (7 + with_pdf) * CLASS.len());
     let of_set = [
         "bank.yaml",
         "key.csv",

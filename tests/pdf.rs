@@ -17,11 +17,6 @@ use slipstick::words::Words;
 use std::path::Path;
 use std::process::Command;
 
-/// Sheets of each family that are printed and read again. `SLIPSTICK_PDF_SEEDS=1000` for a thorough run.
-fn seeds() -> usize {
-    std::env::var("SLIPSTICK_PDF_SEEDS").ok().and_then(|n| n.parse().ok()).unwrap_or(100)
-}
-
 /// Runs a program of poppler-utils and gives what it prints.
 fn poppler(program: &str, arguments: &[&str], file: &Path) -> Vec<u8> {
     let to_stdout = if program == "pdftotext" { &["-"][..] } else { &[] };
@@ -67,6 +62,17 @@ fn one_line(finding: slipstick::finding::Finding) -> String {
 
 #[test]
 fn every_family_can_be_read_in_its_pdf() {
+    read_again(100);
+}
+
+#[test]
+#[ignore = "28,000 pages take minutes"]
+fn a_thousand_sheets_of_every_family_can_be_read_in_their_pdfs() {
+    read_again(1000);
+}
+
+/// Prints so many sheets of each family in each language, and reads them again.
+fn read_again(seeds: usize) {
     for language in Words::languages() {
         let words = Words::of(language).expect("a language");
         let press = Press::new(&words, None).unwrap_or_else(|f| panic!("{f}"));
@@ -76,7 +82,7 @@ fn every_family_can_be_read_in_its_pdf() {
                 let maker = Maker::new(problem, 11, "pdf");
                 let sheets = Sheets::new(&templates, &words, &bank, "pdf", &[index]).expect("templates");
                 let mut room = Room::default();
-                let made: Vec<(Variant, (Head, Document))> = (0..seeds())
+                let made: Vec<(Variant, (Head, Document))> = (0..seeds)
                     .map(|i| {
                         let student = format!("s{i}");
                         let variant = maker.variant(&student).expect("satisfiable");

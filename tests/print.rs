@@ -10,6 +10,7 @@ use slipstick::sheet::page::Sheets;
 use slipstick::sheet::typst::Formula;
 use slipstick::sheet::typst::formula;
 use slipstick::sheet::typst::source;
+use slipstick::solution;
 use slipstick::words::Words;
 
 fn translated(tex: &str) -> Formula {
@@ -154,7 +155,7 @@ fn a_picture_brings_its_words() {
     assert!(text.contains("width: 150pt, alt: \"A \\\"wheel\\\".\""), "{text}");
 }
 
-/// Sheets of every family in every language.
+/// Sheets and solutions of every family in every language.
 #[test]
 fn every_formula_of_every_family_is_translated() {
     for language in Words::languages() {
@@ -174,6 +175,12 @@ fn every_formula_of_every_family_is_translated() {
                     let text = source(&[(&head, &document)], &words);
                     let text = text.unwrap_or_else(|f| panic!("{language} {} {student}: {f}", problem.id));
                     formulas += text.matches("math.equation(alt:").count();
+                    if student < 4 {
+                        let solution = solution::document(problem, &variant, 1, &words, &templates);
+                        let solution = solution.unwrap_or_else(|f| panic!("{}: {f}", problem.id));
+                        let text = source(&[(&head, &solution)], &words);
+                        text.unwrap_or_else(|f| panic!("{language} {} {student}: {f}", problem.id));
+                    }
                 }
                 assert!(formulas > 30, "{}: {formulas} formulas", problem.id);
             }

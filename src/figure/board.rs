@@ -413,7 +413,7 @@ fn weight(role: Role) -> f64 {
         Role::DimensionHead => 7.0,
         Role::Dimension => 6.0,
         Role::Hatch => 3.0,
-        Role::Ghost => 4.0,
+        Role::Ghost => 12.0,
         Role::Grid => 0.8,
         Role::Paper => 0.0,
     }

@@ -54,6 +54,12 @@ const ON_RAIL: f64 = 84.0;
 const LONGEST: f64 = 92.0;
 /// Length of the shortest arrow.
 const SHORTEST: f64 = 38.0;
+/// Length of the shortest arrow where all arrows have one scale.
+const SHORT: f64 = 16.0;
+/// How far an arrow stands beside a thin rod in which it would lie.
+const BESIDE: f64 = 15.0;
+/// Size of the caption.
+const CAPTION: f64 = 13.0;
 /// Share of the largest force below which a force counts as 0.
 const NOTHING: f64 = 1e-9;
 
@@ -69,6 +75,8 @@ struct Force {
     push: bool,
     /// Its arrow is no longer than this.
     most: f64,
+    /// How far its arrow is drawn from its line of action, to be seen.
+    aside: V,
 }
 
 /// A couple on the body: counter-clockwise positive.
@@ -164,7 +172,7 @@ pub fn free_body(problem: &Problem, variant: &Variant, words: &Words, body: usiz
     let Some((view, diagram)) = drawn else {
         return Board::new().finish(title(""), String::new());
     };
-    let name = say::kind(view, &view.scene.bodies[body]);
+    let name = say::called(view, &view.scene.bodies[body]);
     let mut desc = Vec::new();
     let board = equation(view, &diagram, &mut desc);
     board.finish(title(&name), desc.join(" "))
@@ -200,6 +208,7 @@ fn moving<'a>(view: &'a View<'a>, body: usize) -> Option<Diagram<'a>> {
         role: Role::Force,
         push: false,
         most: LONGEST,
+        aside: (0.0, 0.0),
     }];
     let (mut a, mut alpha) = (found(view, Quantity::A, body), found(view, Quantity::Alpha, body));
     if p.on.is_some() {
@@ -227,6 +236,7 @@ fn moving<'a>(view: &'a View<'a>, body: usize) -> Option<Diagram<'a>> {
             role: Role::Force,
             push: false,
             most: LONGEST,
+            aside: (0.0, 0.0),
         });
     }
     let mut parts = Vec::new();
@@ -242,6 +252,7 @@ fn moving<'a>(view: &'a View<'a>, body: usize) -> Option<Diagram<'a>> {
             role: Role::Motion,
             push: false,
             most: LONGEST,
+            aside: (0.0, 0.0),
         });
     }
     let turn = this.turns.then(|| {
@@ -328,6 +339,7 @@ fn contact(
         role: Role::Force,
         push: true,
         most: LONGEST,
+        aside: (0.0, 0.0),
     });
     let signed = whose(Quantity::Friction).unwrap_or(friction);
     let negative = if view.scene.thrown().is_some() { friction < 0.0 } else { signed < 0.0 };
@@ -339,6 +351,7 @@ fn contact(
         role: Role::Friction,
         push: false,
         most: LONGEST,
+        aside: (0.0, 0.0),
     });
 }
 
@@ -392,6 +405,7 @@ fn cords(view: &View, body: usize, p: &Placed, plan: &layout::Layout, ratio: f64
                 role: Role::Force,
                 push: false,
                 most: LONGEST,
+                aside: (0.0, 0.0),
             });
         }
     }
@@ -426,6 +440,7 @@ fn swinging<'a>(view: &'a View<'a>, body: usize, pin: &Pin) -> Diagram<'a> {
         role: Role::Force,
         push: false,
         most: LONGEST,
+        aside: (0.0, 0.0),
     };
     let weight = mass * view.of(view.scene.gravity_m_s2);
     let mut forces = vec![
@@ -451,6 +466,15 @@ fn swinging<'a>(view: &'a View<'a>, body: usize, pin: &Pin) -> Diagram<'a> {
         label.extend(symbol);
         label
     };
+    // Along a thin rod they stand beside it, where the tangential ones do not.
+    let beside = |tangential: f64| match hung.rod {
+        Some(_) => mul(across, if tangential < 0.0 { BESIDE } else { -BESIDE }),
+        None => (0.0, 0.0),
+    };
+    let into = hung.rod.is_some_and(|(from, to)| if radial < 0.0 { to > 30.0 } else { from < -30.0 });
+    if into {
+        forces[1].aside = beside(tangential);
+    }
     let parts = vec![
         Force {
             at: g,
@@ -460,6 +484,7 @@ fn swinging<'a>(view: &'a View<'a>, body: usize, pin: &Pin) -> Diagram<'a> {
             role: Role::Motion,
             push: false,
             most: LONGEST,
+            aside: beside(alpha),
         },
         Force {
             at: g,
@@ -469,6 +494,7 @@ fn swinging<'a>(view: &'a View<'a>, body: usize, pin: &Pin) -> Diagram<'a> {
             role: Role::Motion,
             push: false,
             most: LONGEST,
+            aside: (0.0, 0.0),
         },
     ];
     let mut label = name(&["I_G", "J_G"]);
@@ -481,6 +507,26 @@ fn swinging<'a>(view: &'a View<'a>, body: usize, pin: &Pin) -> Diagram<'a> {
         hung.outline(board, (0.0, 0.0), degrees, Role::Body);
         board.circle((0.0, 0.0), 3.2, Role::Inner);
         board.dot(g);
+        let aside = if hung.rod.is_some() { 5.0 } else { 2.0 };
+        let mut letter = |text: &str, at: V| {
+            board.wish_for(Wish {
+                rows: vec![vec![symbol::run(text, RunStyle::Italic)]],
+                size: TEXT,
+                role: Role::Dot,
+                spots: vec![
+                    (add(at, mul(across, aside)), across),
+                    (add(at, mul(across, -aside)), mul(across, -1.0)),
+                    (at, mul(d, -1.0)),
+                    (at, d),
+                ],
+                gap: 4.0,
+                tie: Tied::Near,
+            });
+        };
+        letter("O", (0.0, 0.0));
+        if hung.arm > 4.0 {
+            letter("G", g);
+        }
     };
     let kinetic = Kinetic { parts, turn, round: 27.0 };
     Diagram { forces, couples, kinetic, centre: g, scale: hung.scale, body: Box::new(draw) }
@@ -490,15 +536,16 @@ fn swinging<'a>(view: &'a View<'a>, body: usize, pin: &Pin) -> Diagram<'a> {
 fn equation(view: &View, diagram: &Diagram, desc: &mut Vec<String>) -> Board {
     let Diagram { forces, couples, kinetic, centre, body, .. } = diagram;
     let centre = *centre;
+    let scale = common(forces, &kinetic.parts);
     let mut one = Board::new();
     body(&mut one);
-    arrows(&mut one, forces);
+    arrows(&mut one, forces, scale);
     for c in couples {
         turning(&mut one, centre, 20.0, c, Role::Force);
     }
     let mut two = Board::new();
     body(&mut two);
-    let drawn = arrows(&mut two, &kinetic.parts);
+    let drawn = arrows(&mut two, &kinetic.parts, scale);
     let mut still = !drawn;
     if let Some(t) = kinetic.turn.as_ref().filter(|t| t.value.abs() > 1e-12) {
         turning(&mut two, centre, kinetic.round, t, Role::Motion);
@@ -508,6 +555,8 @@ fn equation(view: &View, diagram: &Diagram, desc: &mut Vec<String>) -> Board {
         two.wish_for(sign("0", centre, TEXT));
     }
     tell(view, forces, couples, kinetic, desc);
+    let free = if scale.is_some() { "scale" } else { "free" };
+    desc.push(view.words.get(&format!("figure.forces.{free}")).to_owned());
     let (mine, theirs) = (one.frame(), two.frame());
     if let (Some(f), Some(h)) = (mine, theirs) {
         let wide = 58.0;
@@ -518,6 +567,17 @@ fn equation(view: &View, diagram: &Diagram, desc: &mut Vec<String>) -> Board {
         // The sign comes first: all other labels make room for it.
         equals.put(one);
         equals.put(two);
+        if let (None, Some(all)) = (scale, equals.frame()) {
+            let text = view.words.get("figure.forces.caption").replace(' ', "\u{a0}");
+            equals.wish_for(Wish {
+                rows: vec![symbol::upright(text)],
+                size: CAPTION,
+                role: Role::Dot,
+                spots: vec![((middle.0, all.1), (0.0, -1.0))],
+                gap: 12.0,
+                tie: Tied::Loose,
+            });
+        }
         return equals;
     }
     one
@@ -534,8 +594,21 @@ fn sign(text: &str, at: V, size: f64) -> Wish {
     }
 }
 
-/// Draws arrows; false if there is nothing to draw.
-fn arrows(board: &mut Board, forces: &[Force]) -> bool {
+/// Pixels per newton in both diagrams, `None` where the smallest arrow would be too short to be seen.
+fn common(forces: &[Force], parts: &[Force]) -> Option<f64> {
+    let seen = |list: &[Force]| {
+        let most = list.iter().map(|f| f.value.abs()).fold(0.0, f64::max);
+        let drawn = |f: &&Force| f.value.is_finite() && f.value.abs() > NOTHING * most;
+        list.iter().filter(drawn).map(|f| (f.value.abs(), f.most)).collect::<Vec<_>>()
+    };
+    let all = [seen(forces), seen(parts)].concat();
+    let scale = all.iter().map(|(value, most)| most / value).fold(f64::INFINITY, f64::min);
+    let least = all.iter().map(|(value, _)| *value).fold(f64::INFINITY, f64::min);
+    (scale.is_finite() && scale * least >= SHORT).then_some(scale)
+}
+
+/// Draws arrows, to the given scale if there is one; false if there is nothing to draw.
+fn arrows(board: &mut Board, forces: &[Force], pixels: Option<f64>) -> bool {
     let most = forces.iter().map(|f| f.value.abs()).fold(0.0, f64::max);
     let mut any = false;
     // One scale for all of them, such that none is longer than it may be.
@@ -543,10 +616,14 @@ fn arrows(board: &mut Board, forces: &[Force]) -> bool {
     let scale = forces.iter().map(room).fold(1.0, f64::min).max(0.5) * LONGEST;
     for f in forces.iter().filter(|f| f.value.is_finite() && f.value.abs() > NOTHING * most) {
         any = true;
-        let long = (scale * f.value.abs() / most).max(SHORTEST);
+        let long = match pixels {
+            Some(pixels) => pixels * f.value.abs(),
+            None => (scale * f.value.abs() / most).max(SHORTEST),
+        };
         let towards = mul(f.towards, f.value.signum());
+        let at = add(f.at, f.aside);
         let (from, to) =
-            if f.push { (along(f.at, towards, -long), f.at) } else { (f.at, along(f.at, towards, long)) };
+            if f.push { (along(at, towards, -long), at) } else { (at, along(at, towards, long)) };
         board.arrow(from, to, f.role);
         let (end, out) = if f.push { (from, mul(towards, -1.0)) } else { (to, towards) };
         let side = left(towards);

@@ -289,6 +289,11 @@ fn slip(view: &View) -> Option<Picture> {
     Some(draw(view, &word("time"), "s", &word("speeds"), "m/s", &curves, &[], &marks))
 }
 
+/// A value as words tell it: 0 where nobody sees it on an axis of this range.
+fn settled(value: f64, range: f64) -> f64 {
+    if value.abs() < 1e-3 * range { 0.0 } else { value }
+}
+
 /// A graph.
 #[expect(clippy::too_many_arguments, reason = "two axes with names and units, and what stands between them")]
 fn draw(
@@ -367,6 +372,8 @@ fn draw(
     let title = name(y_name, y_unit);
     let half = symbol::width(&symbol::upright(title.clone()), TEXT) / 2.0;
     board.wish_for(tick(&title, (half - 30.0, HIGH + 6.0), (0.0, 1.0), TEXT));
+    let x_text = |x: f64| figures(words, settled(x, x_axis.high - x_axis.low));
+    let y_text = |y: f64| figures(words, settled(y, y_axis.high - y_axis.low));
     let mut told = Vec::new();
     for m in marks {
         let p = at((m.x, m.y));
@@ -386,10 +393,9 @@ fn draw(
             gap: 6.0,
             tie: Tied::Leader,
         });
-        told.push(words.say(
-            "figure.graph.mark",
-            &[("mark", &m.label), ("x", &figures(words, m.x)), ("y", &figures(words, m.y))],
-        ));
+        told.push(
+            words.say("figure.graph.mark", &[("mark", &m.label), ("x", &x_text(m.x)), ("y", &y_text(m.y))]),
+        );
     }
     for c in curves {
         let role = Role::Curve(c.look);
@@ -415,9 +421,8 @@ fn draw(
         });
     }
     let ends = |c: &Curve| {
-        let show = |p: Option<&(f64, f64)>| {
-            p.map_or((String::new(), String::new()), |p| (figures(words, p.0), figures(words, p.1)))
-        };
+        let show =
+            |p: Option<&(f64, f64)>| p.map_or((String::new(), String::new()), |p| (x_text(p.0), y_text(p.1)));
         let ((x0, y0), (x1, y1)) = (show(c.points.first()), show(c.points.last()));
         let label = symbol::plain(&c.label);
         words.say(

@@ -156,8 +156,12 @@ fn far(p: V, a: V, b: V) -> f64 {
 fn axes(board: &mut Board, view: &View, low: V, high: V, scale: f64) {
     let (west, east) = (low.0 - 26.0, high.0 + 40.0);
     let (bottom, top) = (low.1 - 26.0, high.1 + 40.0);
-    board.arrow((west, 0.0), (east, 0.0), Role::Dimension);
-    board.arrow((0.0, bottom), (0.0, top), Role::Dimension);
+    for (from, to, towards) in
+        [((west, 0.0), (east, 0.0), (1.0, 0.0)), ((0.0, bottom), (0.0, top), (0.0, 1.0))]
+    {
+        board.line(from, along(to, towards, -7.0), Role::Axis);
+        board.head(to, towards, Role::DimensionHead);
+    }
     let italic = |t: &str| vec![symbol::run(t, RunStyle::Italic)];
     let near = |rows, at: V, towards: V, size: f64| Wish {
         rows: vec![rows],

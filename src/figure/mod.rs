@@ -31,7 +31,7 @@ pub fn all(problem: &Problem, variant: &Variant, words: &Words) -> Vec<(String, 
         FigureLabels::Symbols => FigureLabels::Symbols,
         FigureLabels::Values | FigureLabels::None => FigureLabels::Values,
     };
-    let mut list = vec![("scene".to_owned(), scene::picture(problem, variant, words, labels))];
+    let mut list = vec![("scene".to_owned(), scene::worked(problem, variant, words, labels))];
     let bodies = problem.cases.get(variant.case).map_or(&[][..], |c| &c.scene.bodies);
     for (i, body) in bodies.iter().enumerate() {
         if forces::known(problem, variant, i) {

@@ -58,7 +58,16 @@ pub const SMALL: f64 = 30.0;
 
 /// The scene of a variant at its start.
 pub fn picture(problem: &Problem, variant: &Variant, words: &Words, labels: FigureLabels) -> Picture {
-    let Some(view) = View::new(problem, variant, words, labels) else {
+    drawn(problem, variant, words, labels, false)
+}
+
+/// The same for a worked solution: also the way that the ending body takes where its direction is asked.
+pub fn worked(problem: &Problem, variant: &Variant, words: &Words, labels: FigureLabels) -> Picture {
+    drawn(problem, variant, words, labels, true)
+}
+
+fn drawn(problem: &Problem, variant: &Variant, words: &Words, labels: FigureLabels, worked: bool) -> Picture {
+    let Some(view) = View::new(problem, variant, words, labels).map(|v| View { worked, ..v }) else {
         return Board::new().finish(problem.title.clone(), String::new());
     };
     let mut board = Board::new();
@@ -555,7 +564,7 @@ fn starts(board: &mut Board, view: &View, plan: &Layout) {
     }
 }
 
-/// Which way the ending coordinate goes, as far as the picture may tell: declared, or asked by no question.
+/// Which way the ending coordinate goes, as far as the picture may tell: declared, or asked by no question, or solved.
 fn told(view: &View) -> Option<f64> {
     match view.scene.heading {
         Some(Heading::Forward) => return Some(1.0),
@@ -563,7 +572,7 @@ fn told(view: &View) -> Option<f64> {
         None => {}
     }
     let asked = |q: Quantity| view.problem.questions.iter().any(|x| x.label.quantity == q);
-    if asked(Quantity::Direction) || asked(Quantity::Displacement) {
+    if !view.worked && (asked(Quantity::Direction) || asked(Quantity::Displacement)) {
         return None;
     }
     let c = view.scene.ending_coordinate();

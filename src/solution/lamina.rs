@@ -14,6 +14,7 @@ use crate::solution::expr::difference;
 use crate::solution::expr::product;
 use crate::solution::expr::quotient;
 use crate::solution::expr::ratio;
+use crate::solution::expr::root;
 use crate::solution::expr::square;
 use crate::solution::expr::sum;
 use crate::solution::ledger::FIGURES;
@@ -136,6 +137,7 @@ impl Lamina {
 
     fn particles(&self, desk: &mut Desk) -> Worked {
         let mut pen = Pen::new(desk, "eom", "lamina.title_sum");
+        pen.picture("scene");
         let value = |pen: &Pen, e: &Expr| pen.value(e);
         let known = format!("${}$", self.names[self.known]);
 
@@ -183,6 +185,7 @@ impl Lamina {
 
         // Inertia about the mass centre.
         pen.say("lamina.inertia", &[]);
+        pen.formula(r"\rho_i = \sqrt{\left(x_i - x_G\right)^{2} + \left(y_i - y_G\right)^{2}}");
         let from_centre =
             |i: usize| (difference(self.x[i].clone(), x.into()), difference(self.y[i].clone(), y.into()));
         let arm = |i: usize| {
@@ -193,7 +196,7 @@ impl Lamina {
             "i",
             r"x_i - x_G\ (\mathrm{m})",
             r"y_i - y_G\ (\mathrm{m})",
-            r"\rho_i^{2}\ (\mathrm{m}^{2})",
+            r"\rho_i\ (\mathrm{m})",
             r"m_i\,\rho_i^{2}\ (\mathrm{kg}\,\mathrm{m}^{2})",
         ])];
         for i in 0..self.count() {
@@ -203,7 +206,7 @@ impl Lamina {
                 format!("${}$", self.names[i]),
                 c(&dx),
                 c(&dy),
-                c(&arm(i)),
+                c(&root(arm(i))),
                 c(&product([self.m[i].clone(), arm(i)])),
             ]);
         }
@@ -216,10 +219,10 @@ impl Lamina {
         // Velocities.
         pen.say("lamina.velocities", &[("known", &known)]);
         let (vx, vy, spin) = (pen.tex(&self.vx), pen.tex(&self.vy), pen.tex(&self.spin));
-        let k = &self.names[self.known];
-        pen.formula(format!(
-            r"v_{{x,i}} = {vx} - {spin}\,\left(y_i - y_{{{k}}}\right), \quad v_{{y,i}} = {vy} + {spin}\,\left(x_i - x_{{{k}}}\right)"
-        ));
+        let (xk, yk) = (pen.tex(&self.x[self.known]), pen.tex(&self.y[self.known]));
+        pen.formula(format!(r"v_{{x,i}} = {vx} - {spin}\,\left(y_i - {yk}\right)"));
+        pen.formula(format!(r"v_{{y,i}} = {vy} + {spin}\,\left(x_i - {xk}\right)"));
+        pen.formula(r"v_i = \sqrt{v_{x,i}^{2} + v_{y,i}^{2}}");
         let speed = |i: usize| {
             let (ux, uy) = self.velocity(i);
             sum([square(ux), square(uy)])
@@ -229,13 +232,13 @@ impl Lamina {
             "i",
             r"v_{x,i}\ (\mathrm{m}/\mathrm{s})",
             r"v_{y,i}\ (\mathrm{m}/\mathrm{s})",
-            r"v_i^{2}\ (\mathrm{m}^{2}/\mathrm{s}^{2})",
+            r"v_i\ (\mathrm{m}/\mathrm{s})",
             r"\tfrac{1}{2}\,m_i\,v_i^{2}\ (\mathrm{J})",
         ])];
         for i in 0..self.count() {
             let (ux, uy) = self.velocity(i);
             let c = |e: &Expr| cell(pen.desk, value(&pen, e));
-            rows.push(vec![format!("${}$", self.names[i]), c(&ux), c(&uy), c(&speed(i)), c(&share(i))]);
+            rows.push(vec![format!("${}$", self.names[i]), c(&ux), c(&uy), c(&root(speed(i))), c(&share(i))]);
         }
         pen.table(rows);
         let energy = self.total(&mut pen, r"\sum \tfrac{1}{2}\,m_i\,v_i^{2}", "J", &share);
@@ -256,7 +259,7 @@ impl Lamina {
         // The mass centre as seen from the known particle.
         pen.say("lamina.seen", &[("known", &known)]);
         let seen = |pen: &mut Pen, letter: &str, c: &[Expr]| {
-            let tex = format!(r"\sum m_i\,\left({letter}_i - {letter}_{{{name}}}\right)");
+            let tex = format!(r"\sum m_i\,\left({letter}_i - {}\right)", pen.tex(&c[k]));
             let moment = self.total(pen, &tex, "kg m", &|i| {
                 product([self.m[i].clone(), difference(c[i].clone(), c[k].clone())])
             });
@@ -285,7 +288,9 @@ impl Lamina {
             ])
         };
         let tex = format!(
-            r"\sum m_i\,\left(\left(x_i - x_{{{name}}}\right)^{{2}} + \left(y_i - y_{{{name}}}\right)^{{2}}\right)"
+            r"\sum m_i\,\left(\left(x_i - {}\right)^{{2}} + \left(y_i - {}\right)^{{2}}\right)",
+            pen.tex(&self.x[k]),
+            pen.tex(&self.y[k])
         );
         let about = self.total(&mut pen, &tex, "kg m^2", &|i| product([self.m[i].clone(), arm(i)]));
         let about = pen.find(&about_tex, "kg m^2", &about.into());
@@ -331,7 +336,7 @@ impl Lamina {
         let tells = |wrong: f64, right: f64| {
             wrong.is_finite() && (wrong - right).abs() > TOLD * right.abs().max(wrong.abs())
         };
-        let value = |tex: &str, x: f64, unit: &str| format!("${tex} = {}$", pen.rough(x, unit));
+        let value = |tex: &str, x: f64, unit: &str| pen.instead(tex, x, unit);
         let known = format!("${}$", self.names[k]);
         let (vx, vy) = (of(&self.vx), of(&self.vy));
         let mut items = Vec::new();

@@ -129,6 +129,11 @@ impl<'d, 'a> Pen<'d, 'a> {
         self.desk.from_energy(label, Answer::Value(symbol));
     }
 
+    /// What a mistake would give: `$5\ \mathrm{N}$ for $F$`.
+    pub fn instead(&self, tex: &str, value: f64, unit: &str) -> String {
+        self.desk.say("pinned.instead", &[("value", &self.rough(value, unit)), ("symbol", tex)])
+    }
+
     /// A number with four figures and a unit (ASCII), for remarks: LaTeX without dollars.
     pub fn rough(&self, value: f64, unit: &str) -> String {
         let digits = tex_digits(&number::rounded(value, 4), self.desk.words);
@@ -151,6 +156,18 @@ pub fn steps(ledger: &Ledger, symbol: Symbol, from: &Expr) -> String {
         lines.push(rows(ledger, from, false));
     }
     lines.push(vec![value]);
+    if let (Expr::Root(inner), [symbols, numbers, value]) = (from, lines.as_slice())
+        && numbers.iter().any(|row| width(row) > LINE)
+        && matches!(**inner, Expr::Sum(_))
+    {
+        // A root cannot be broken; its square can.
+        return format!(
+            r"\begin{{aligned}} {name} &= {} \\ {name}^{{2}} &= {} \\ {name} &= {} \end{{aligned}}",
+            symbols.concat(),
+            rows(ledger, inner, false).join(r" \\ &\quad "),
+            value.concat()
+        );
+    }
     let single = lines.iter().all(|l| l.len() == 1);
     let chain: Vec<&str> = lines.iter().flatten().map(String::as_str).collect();
     let total: usize = width(name) + chain.iter().map(|l| width(l) + 3).sum::<usize>();

@@ -30,6 +30,7 @@ use crate::solution::expr::root;
 use crate::solution::expr::sine;
 use crate::solution::expr::square;
 use crate::solution::expr::sum;
+use crate::solution::ledger::FIGURES;
 use crate::solution::ledger::Symbol;
 use crate::solution::ledger::tex_digits;
 use crate::solution::mass;
@@ -95,6 +96,8 @@ struct Names {
     length: String,
     out: String,
     side: String,
+    central: String,
+    aside: String,
     stretch: String,
     speed: String,
 }
@@ -162,11 +165,12 @@ fn read(desk: &mut Desk, body: usize, pin: &Pin) -> Result<Swing, Finding> {
         length: desk.free(&["s", "d"]),
         out: desk.free(&["n_r", "c_r"]),
         side: desk.free(&["n_t", "c_t"]),
+        central: desk.free(&["a_n", "a_c"]),
+        aside: desk.free(&["a_t", "a_q"]),
         stretch: desk.free(&[r"\delta", "e"]),
         speed: desk.free(&["v_G", "u_G"]),
     };
-    let zero = format!("{angle}_{{0}}");
-    let one = format!("{angle}_{{1}}");
+    let (zero, one) = (format!("{angle}_0"), format!("{angle}_1"));
     let phi0 = desk.number(pin.start_deg, &zero, "deg");
     let g = desk.number(scene.gravity_m_s2, "g", "m/s^2");
     let start = scene.start.iter().rev().find_map(|s| match s {
@@ -196,6 +200,7 @@ fn read(desk: &mut Desk, body: usize, pin: &Pin) -> Result<Swing, Finding> {
         })
         .collect();
     let mut pen = Pen::new(desk, "forces", "pinned.title_forces");
+    pen.picture("scene");
     let from = if pin.from == Zero::Upright { "pinned.from_upright" } else { "pinned.from_hanging" };
     let mut text = vec![
         pen.desk.say("pinned.forces", &[("radial", &names.radial), ("across", &names.across)]),
@@ -487,7 +492,7 @@ impl Swing {
             }
         }
         let value = start + self.sense * 0.5 * (low + high);
-        let digits = number::rounded(value, crate::solution::ledger::FIGURES);
+        let digits = number::rounded(value, FIGURES);
         Ok(desk.ledger.given(tex, value, &digits, "", true).into())
     }
 
@@ -540,29 +545,28 @@ impl Swing {
         pen.say("pinned.row_moment", &[]);
         let moments = sum(self.moments(&generic));
         pen.equation(&product([self.about.into(), alpha.clone()]), &moments);
+        let mut circle = None;
         if pins {
             let unknown = |pen: &mut Pen, tex: &str| Expr::Symbol(pen.desk.unknown(tex, "N"));
             let (radial, across) = (unknown(&mut pen, &names.radial), unknown(&mut pen, &names.across));
-            pen.say(
-                "pinned.row_radial",
-                &[("square", &format!("h\\,{}^2", names.omega)), ("radial", &names.radial)],
-            );
+            pen.say("pinned.row_radial", &[("central", &names.central)]);
             let pull = generic.spring.as_ref();
             let right = sum([
                 radial,
                 self.weight_toward(&self.phi),
                 pull.map_or(ZERO, |(f, out, _)| minus(product([f.clone(), out.clone()]))),
             ]);
-            let left = product([self.m.clone(), self.h.clone(), square(omega.clone())]);
-            pen.equation(&left, &right);
-            pen.say("pinned.row_across", &[("across", &names.across)]);
+            let central = Expr::Symbol(pen.desk.unknown(&names.central, "m/s^2"));
+            pen.equation(&product([self.m.clone(), central.clone()]), &right);
+            pen.say("pinned.row_across", &[("aside", &names.aside)]);
             let right = sum([
                 across,
                 self.weight_across(&self.phi),
                 pull.map_or(ZERO, |(f, _, side)| product([f.clone(), side.clone()])),
             ]);
-            let left = product([self.m.clone(), self.h.clone(), alpha.clone()]);
-            pen.equation(&left, &right);
+            let aside = Expr::Symbol(pen.desk.unknown(&names.aside, "m/s^2"));
+            pen.equation(&product([self.m.clone(), aside.clone()]), &right);
+            circle = Some((central, aside));
         }
         if let (Some(s), Some((force, out, side))) = (&self.spring, &generic.spring) {
             let length = Expr::Symbol(pen.desk.unknown(&names.length, "m"));
@@ -581,19 +585,23 @@ impl Swing {
         let radius = pen.tex(&self.h);
         let closed =
             [("radius", radius.as_str()), ("alpha", names.alpha.as_str()), ("omega", names.omega.as_str())];
-        pen.say(if pins { "pinned.closed_pins" } else { "pinned.closed" }, &closed);
+        if let Some((central, aside)) = circle {
+            pen.say("pinned.closed_pins", &closed[..1]);
+            pen.equation(&central, &product([self.h.clone(), square(omega.clone())]));
+            pen.equation(&aside, &product([self.h.clone(), alpha.clone()]));
+            pen.say("pinned.order", &closed[1..]);
+        } else {
+            pen.say("pinned.closed", &closed[..2]);
+        }
 
-        if matches!(pen.desk.scene.end, End::TurningPoint(_) | End::Speed(..)) {
-            let shown = pen.tex(&self.phi1);
-            let value = match &self.phi1 {
-                Expr::Symbol(s) => pen.with_value(*s),
-                _ => shown,
-            };
-            let phrase = match pen.desk.scene.end {
-                End::TurningPoint(_) => "pinned.angle_turning",
-                _ => "pinned.angle_speed",
-            };
-            pen.say(phrase, &[("angle", &value), ("omega", &names.omega)]);
+        let ends = match pen.desk.scene.end {
+            End::TurningPoint(_) => Some("pinned.angle_turning"),
+            End::Speed(..) => Some("pinned.angle_speed"),
+            _ => None,
+        };
+        if let (Some(phrase), Expr::Symbol(angle)) = (ends, &self.phi1) {
+            pen.say(phrase, &[("omega", &names.omega)]);
+            pen.formula(pen.with_value(*angle));
         }
         let at = self.told(&pen, &self.phi1);
         pen.say(if self.instant { "pinned.at_start" } else { "pinned.at" }, &[("angle", &at)]);
@@ -771,7 +779,7 @@ impl Swing {
         }
         if asked(pen, Quantity::RotationalFraction) {
             pen.say("pinned.share", &[]);
-            let name = pen.desk.free(&["q", "q_r"]);
+            let name = pen.desk.free(&[r"\zeta", r"\zeta_r"]);
             let share = pen.find(&name, "1", &quotient(self.own.clone(), self.about.into()));
             let label = Label { quantity: Quantity::RotationalFraction, of: Owner::Scene };
             pen.motion(label, share);
@@ -886,6 +894,18 @@ impl Swing {
         pen.find(&name, "s", &quotient(product([whole(2), pi.into()]), frequency.into()))
     }
 
+    /// The sine of half the amplitude; above 1 where the body goes over the top.
+    fn amplitude(&self, pen: &mut Pen, frequency: Symbol) -> Expr {
+        let half = self.half(pen);
+        let sine_half = if self.phi0 == ZERO && !self.up { ZERO } else { sine(half) };
+        if self.w0 == ZERO {
+            let value = pen.value(&sine_half);
+            return magnitude_of(&sine_half, value);
+        }
+        let share = quotient(self.w0.clone(), product([whole(2), frequency.into()]));
+        root(sum([square_of(&sine_half), square_of(&share)]))
+    }
+
     /// The modulus of the swing, with its steps.
     fn shape(&self, pen: &mut Pen, frequency: Symbol) -> Shape {
         let half = self.half(pen);
@@ -893,14 +913,7 @@ impl Swing {
         let kappa = pen.desk.free(&[r"\kappa", r"\lambda"]);
         let psi = pen.desk.free(&[r"\psi", r"\chi"]);
         let started = self.w0 != ZERO;
-        let sine_half = if self.phi0 == ZERO && !self.up { ZERO } else { sine(half.clone()) };
-        let share = quotient(self.w0.clone(), product([whole(2), frequency.into()]));
-        let from = if started {
-            root(sum([square_of(&sine_half), square_of(&share)]))
-        } else {
-            let value = pen.value(&sine_half);
-            magnitude_of(&sine_half, value)
-        };
+        let from = self.amplitude(pen, frequency);
         let omega = &self.names.omega;
         let tex_frequency = pen.desk.ledger.tex(frequency).to_owned();
         // The angle from hanging, in the formulas of the integral.
@@ -970,10 +983,9 @@ impl Swing {
         pen.table(rows);
         let name = pen.desk.free(&[r"\mu", r"\nu"]);
         let mean = pen.desk.ledger.found(&name, a, "");
-        pen.say(
-            if over { "pinned.mean_found_over" } else { "pinned.mean_found" },
-            &[("mean", &pen.with_value(mean))],
-        );
+        pen.say("pinned.mean_found", &[]);
+        pen.formula(pen.with_value(mean));
+        pen.say(if over { "pinned.mean_over" } else { "pinned.mean_quarter" }, &[("mean", &name)]);
         let pi = pen.desk.ledger.given(r"\pi", std::f64::consts::PI, r"\pi", "", false);
         let name = pen.desk.free(&[r"\tau", r"\tau_1"]);
         let turns = if over { pi.into() } else { product([whole(2), pi.into()]) };
@@ -1017,58 +1029,56 @@ impl Swing {
 
     /// The period as that of small swings times a mean value over the swing.
     fn period_by_mean_value(&self, pen: &mut Pen, frequency: Symbol) {
-        let half = self.half(pen);
-        let share = pen.value(&self.w0) / (2.0 * pen.desk.ledger.value(frequency));
-        let sine_half = pen.value(&half);
-        let (sine_half, _): (f64, f64) = trig::sin_cos_of_degrees(sine_half);
-        let kappa = (sine_half * sine_half + share * share).sqrt();
+        let from = self.amplitude(pen, frequency);
+        let kappa = pen.value(&from);
         let over = kappa > 1.0;
+        let name = pen.desk.free(&["q", "q_1"]);
+        let psi = pen.desk.free(&[r"\psi", r"\chi"]);
+        pen.say(if over { "pinned.mean_value_over" } else { "pinned.mean_value" }, &[("psi", &psi)]);
         // Of a body that goes over the top the amplitude is half the angle, and the modulus 1 / kappa.
-        let modulus = if over { 1.0 / kappa } else { kappa };
+        let q = pen.find(&name, "1", &if over { quotient(ONE, from) } else { from });
+        let modulus = pen.desk.ledger.value(q);
         // The nearest singular place of the integrand is as far from the real axis as this: each point gains its share.
         let away = 1.0 / modulus;
         let far = natural_log(away + (away * away - 1.0).max(0.0).sqrt());
         let enough = (-natural_log(MEAN_REL) / (4.0 * far)).ceil();
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "between 4 and 4096")]
         let points = enough.clamp(4.0, 4096.0) as u32;
-        let mut rows = vec![vec![r"$\psi$".to_owned(), r"$1 / \sqrt{1 - q^2 (\sin \psi)^2}$".to_owned()]];
-        let mut total = 0.0;
-        for i in 0..points {
-            let psi = 90.0 * (f64::from(i) + 0.5) / f64::from(points);
-            let (s, _): (f64, f64) = trig::sin_cos_of_degrees(psi);
-            let value = 1.0 / (1.0 - modulus * modulus * s * s).sqrt();
-            total += value;
-            let cell = |x: f64, n| tex_digits(&number::rounded(x, n), pen.desk.words);
-            rows.push(vec![format!(r"${}^\circ$", cell(psi, 6)), format!("${}$", cell(value, 8))]);
-        }
-        let name = pen.desk.free(&["q", "q_1"]);
-        let q = pen.desk.ledger.found(&name, modulus, "");
-        let psi = pen.desk.free(&[r"\psi", r"\chi"]);
-        rows[0] = vec![
+        let mut rows = vec![vec![
             format!("${psi}$"),
             format!(r"$\frac{{1}}{{\sqrt{{1 - {name}^{{2}}\,\left(\sin {psi}\right)^{{2}}}}}}$"),
-        ];
-        let count = points.to_string();
-        let q = pen.with_value(q);
-        pen.say(
-            if over { "pinned.mean_value_over" } else { "pinned.mean_value" },
-            &[("psi", &psi), ("q", &q), ("count", &count)],
-        );
-        if points <= 12 {
-            pen.table(rows);
+        ]];
+        let mut values = Vec::new();
+        for i in 0..points {
+            let angle = 90.0 * (f64::from(i) + 0.5) / f64::from(points);
+            let (s, _): (f64, f64) = trig::sin_cos_of_degrees(angle);
+            let value = 1.0 / (1.0 - modulus * modulus * s * s).sqrt();
+            let digits = number::rounded(value, 8);
+            let shown = tex_digits(&digits, pen.desk.words);
+            let angle = tex_digits(&number::rounded(angle, FIGURES), pen.desk.words);
+            rows.push(vec![format!(r"${angle}^\circ$"), format!("${shown}$")]);
+            // A number that is its own name.
+            values.push(Expr::Symbol(pen.desk.ledger.given(&shown, value, &digits, "", false)));
         }
+        let count = points.to_string();
+        pen.say("pinned.mean_value_sum", &[("count", &count)]);
         let name = pen.desk.free(&[r"\eta", r"\xi"]);
-        let mean = pen.desk.ledger.found(&name, total / f64::from(points), "");
-        pen.say("pinned.mean_value_found", &[("mean", &pen.with_value(mean))]);
+        let parts = whole(i64::from(points));
+        let mean = if points <= 12 {
+            pen.table(rows);
+            let total = pen.desk.free(&["Z", "Z_1"]);
+            let total = pen.find(&total, "1", &sum(values));
+            pen.find(&name, "1", &quotient(total.into(), parts))
+        } else {
+            let mean = pen.quiet(&name, "1", &quotient(sum(values), parts));
+            pen.formula(pen.with_value(mean));
+            mean
+        };
+        pen.say("pinned.mean_value_found", &[]);
         let pi = pen.desk.ledger.given(r"\pi", std::f64::consts::PI, r"\pi", "", false);
         let name = pen.desk.free(&[r"\tau", r"\tau_1"]);
         let from = if over {
-            let top = product([
-                pi.into(),
-                mean.into(),
-                Expr::from(pen.desk.ledger.found(&pen.desk.free(&["q", "q_1"]), modulus, "")),
-            ]);
-            quotient(top, frequency.into())
+            quotient(product([pi.into(), mean.into(), q.into()]), frequency.into())
         } else {
             quotient(product([whole(2), pi.into(), mean.into()]), frequency.into())
         };
@@ -1165,6 +1175,7 @@ impl Swing {
             pen.energy(Label { quantity: Quantity::KineticEnergy, of: scene }, energy);
         }
         self.rate(&mut pen, worked, &turning, omega);
+        pen.picture("energy");
         if pen.desk.asks(Quantity::IO) {
             pen.say("pinned.inertia_energy", &[]);
             let name = pen.desk.free(&["I_O", "J_O"]);
@@ -1239,13 +1250,17 @@ impl Swing {
         let radial = pen.find(&names.radial, "N", &radial);
         pen.energy(self.label(Quantity::PinRadial), radial);
         // Moments about the mass centre.
+        pen.say("pinned.pin_moment", &[("across", &names.across)]);
         let mut about: Vec<Expr> = self.couples.clone();
         if let (Some(s), Some((force, _, side))) = (&self.spring, &place.spring) {
             let lever = difference(s.b.clone(), self.h.clone());
             about.push(product([force.clone(), lever, side.clone()]));
         }
+        if about.len() > 1 {
+            let name = pen.desk.free(&["M_G", r"M_{\mathrm{G}}"]);
+            about = vec![pen.find(&name, "N m", &sum(about)).into()];
+        }
         about.push(minus(product([self.own.clone(), alpha.into()])));
-        pen.say("pinned.pin_moment", &[("across", &names.across)]);
         let across = pen.find(&names.across, "N", &quotient(sum(about), self.h.clone()));
         pen.energy(self.label(Quantity::PinTangential), across);
         if pen.desk.asks(Quantity::PinForce) {
@@ -1309,6 +1324,7 @@ impl Swing {
             let phi = pen.tex(&self.phi);
             pen.say("pinned.stays", &[("phi", &phi), ("angle", &start)]);
         }
+        pen.picture("graph-swing");
         self.direction(&mut pen);
         pen.done();
     }
@@ -1339,7 +1355,7 @@ impl Swing {
         };
         let mut items = Vec::new();
         let names = &self.names;
-        let value = |tex: &str, x: f64, unit: &str| format!("${tex} = {}$", pen.rough(x, unit));
+        let value = |tex: &str, x: f64, unit: &str| pen.instead(tex, x, unit);
         // The inertia about the mass centre in the moments about the pin.
         if own > 0.0 && asks(Quantity::Alpha) && tells(alpha * about / own, alpha) {
             let wrong = value(&names.alpha, alpha * about / own, "rad/s^2");
@@ -1407,7 +1423,7 @@ impl Swing {
             {
                 let share = (right / small - 1.0) * 100.0;
                 if share.is_finite() && share > 0.1 && spin0 == 0.0 {
-                    let share = tex_digits(&number::rounded(share, 2), pen.desk.words);
+                    let share = pen.desk.words.number(&number::rounded(share, 2));
                     let small = format!("${}$", pen.rough(small, "s"));
                     let text = [("small", small.as_str()), ("share", share.as_str())];
                     items.push(pen.desk.say("pinned.beware_small", &text));

@@ -180,6 +180,7 @@ fn read(desk: &mut Desk, thrown: &Thrown) -> Result<Throw, Finding> {
     };
 
     let mut pen = Pen::new(desk, "forces", "thrown.title_forces");
+    pen.picture("scene");
     let inclined = theta.is_some();
     pen.say(
         if inclined { "thrown.forces_incline" } else { "thrown.forces_level" },
@@ -488,7 +489,7 @@ impl Throw {
             let energy = pen.find(&format!("{}_1", names.kinetic), "J", &energy);
             pen.motion(Self::scene_label(Quantity::KineticEnergy), energy);
             if pen.desk.asks(Quantity::RotationalFraction) {
-                let name = pen.desk.free(&["q", "q_r"]);
+                let name = pen.desk.free(&[r"\zeta", r"\zeta_r"]);
                 let share = pen.find(&name, "1", &quotient(spinning, energy.into()));
                 let note = pen.desk.words.get("thrown.note_share").to_owned();
                 let label = Self::scene_label(Quantity::RotationalFraction);
@@ -587,7 +588,8 @@ impl Throw {
         }
         let loss = pen.find(&loss_name, "N", &loss);
         let slip_speed = Self::magnitude(&mut pen, worked.slip, "m/s");
-        let stored = half(product([Expr::from(reduced), square(worked.slip.into())]));
+        let stored = product([Expr::from(reduced), square(worked.slip.into())]);
+        let twice = |e: Expr| product([whole(2), e]);
         let way;
         let mut slip_left = ZERO;
         let mut event: Option<Symbol> = None;
@@ -602,17 +604,16 @@ impl Throw {
             let left = sum([worked.slip.into(), signed(spent, worked.sense < 0.0)]);
             let left = pen.find(&format!("{}_1", names.slip), "m/s", &left);
             let squares = difference(square(worked.slip.into()), square(left.into()));
-            let lost = half(product([Expr::from(reduced), squares]));
+            let lost = product([Expr::from(reduced), squares]);
             pen.say("thrown.slip_way_part", &[]);
-            way = pen.find(&names.way, "m", &quotient(lost, loss.into()));
+            way = pen.find(&names.way, "m", &quotient(lost, twice(loss.into())));
             slip_left = left.into();
             slid = t1;
         } else {
             pen.say("thrown.slip_way", &[]);
-            way = pen.find(&names.way, "m", &quotient(stored, loss.into()));
+            way = pen.find(&names.way, "m", &quotient(stored, twice(loss.into())));
             pen.say("thrown.slip_time", &[]);
-            let twice = product([whole(2), way.into()]);
-            let until = pen.find(&t_name, "s", &quotient(twice, slip_speed.into()));
+            let until = pen.find(&t_name, "s", &quotient(twice(way.into()), slip_speed.into()));
             event = Some(until);
             slid = until.into();
         }
@@ -746,6 +747,7 @@ impl Throw {
         let again = pen.quiet(&text, "J", &rubbed);
         let same = format!("{text} = {}", pen.desk.ledger.shown(again));
         pen.say("thrown.heat_same", &[("same", &same)]);
+        pen.picture("energy");
     }
 
     /// Friction and accelerations while it slips, from the work of the forces on the mass centre or in the rotation.
@@ -766,9 +768,9 @@ impl Throw {
             let share_x = value(pen, x1).abs() / most(pen, &self.v0, v1);
             if share_x > 0.02 {
                 pen.say("thrown.work_centre", &[("friction", &names.friction)]);
-                let gained =
-                    half(product([self.m.clone(), difference(square(v1.into()), square_of(&self.v0))]));
-                let forward = sum([quotient(gained, x1.into()), self.weight()]);
+                let gained = product([self.m.clone(), difference(square(v1.into()), square_of(&self.v0))]);
+                let over = product([whole(2), x1.into()]);
+                let forward = sum([quotient(gained, over), self.weight()]);
                 let force = pen.find(&names.friction, "N", &signed(forward, self.up));
                 pen.energy(self.label(Quantity::Friction), force);
             } else {
@@ -781,8 +783,9 @@ impl Throw {
                 };
                 pen.say("thrown.work_turn", &[("friction", &names.friction)]);
                 let squares = difference(square(w1.into()), square_of(&self.w0));
-                let gained = half(product([self.own.clone(), squares]));
-                let forward = minus(quotient(gained, product([self.c.clone(), turned.into()])));
+                let gained = product([self.own.clone(), squares]);
+                let over = product([whole(2), self.c.clone(), turned.into()]);
+                let forward = minus(quotient(gained, over));
                 let force = pen.find(&names.friction, "N", &signed(forward, self.up));
                 pen.energy(self.label(Quantity::Friction), force);
             }
@@ -856,7 +859,6 @@ impl Throw {
             pen.say("thrown.check_slips", &[("slip", slip)]);
         } else {
             pen.say("thrown.check_event", &[("slip", slip)]);
-            let f_name = format!("{}_r", names.friction);
             if self.level {
                 pen.say("thrown.check_level", &[]);
             } else {
@@ -878,23 +880,17 @@ impl Throw {
                 };
                 let size = Self::magnitude(&mut pen, friction, "N");
                 let limit = product([self.mu_s.clone(), worked.normal.into()]);
-                pen.say("thrown.check_grip", &[("friction", &f_name)]);
-                let text = pen.tex(&limit);
-                let limit = pen.quiet(&text, "N", &limit);
-                let ledger = &pen.desk.ledger;
-                let line = format!(
-                    r"{} = {} \le {text} = {}",
-                    ledger.tex(size),
-                    ledger.shown(size),
-                    ledger.shown(limit)
-                );
-                pen.formula(line);
+                let needed = pen.with_value(size);
+                pen.say("thrown.check_grip", &[("needed", &needed)]);
+                let name = pen.desk.free(&[r"F_{\mathrm{max}}", "F_m"]);
+                pen.find(&name, "N", &limit);
                 pen.say("thrown.rolls_on", &[]);
             }
         }
         let value = pen.desk.ledger.value(worked.v);
         let way = self.way(pen.desk, value).to_owned();
         let v = pen.desk.ledger.tex(worked.v).to_owned();
+        pen.picture("graph-slip");
         if value > 0.0 {
             pen.say("thrown.moves_forward", &[("v", &v), ("way", &way)]);
         } else if value < 0.0 {
@@ -918,7 +914,7 @@ impl Throw {
                 && right.is_finite()
                 && (wrong - right).abs() > TOLD * right.abs().max(wrong.abs())
         };
-        let value = |tex: &str, x: f64, unit: &str| format!("${tex} = {}$", pen.rough(x, unit));
+        let value = |tex: &str, x: f64, unit: &str| pen.instead(tex, x, unit);
         let up = if self.up { 1.0 } else { -1.0 };
         let slipping = -worked.sense * of(&self.mu_k) * normal * up;
         let v = found(worked.v);
