@@ -415,11 +415,12 @@ fn on_spring(walk: &mut Walk) -> Result<(), Finding> {
     let (m_e, _) = effective_symbols(walk);
     let first = walk.new_symbol(&["F_{0}", "F_{00}"], "N");
     let kappa = walk.new_symbol(&[r"\kappa", r"\kappa_e"], "N/m");
-    let gamma = walk.tex(&walk.magnitude(&spring.gamma).expr());
     let m = format!("${}$", walk.desk.ledger.tex(m_e));
     let gives = walk.value(&spring.gamma.expr()) > 0.0;
-    walk.tell(if gives { "spring.law_falls" } else { "spring.law_grows" }, &[("gamma", &gamma)]);
     let s = walk.new_symbol(&["s", "s_1"], "m");
+    let moved = walk.magnitude(&spring.gamma).times(&Factors::of(&s.into())).expr();
+    let moved = walk.tex(&moved);
+    walk.tell(if gives { "spring.law_falls" } else { "spring.law_grows" }, &[("moved", &moved)]);
     let stretch = difference(spring.stretch.clone(), spring.gamma.times(&Factors::of(&s.into())).expr());
     let law = product([spring.stiffness.clone(), stretch]);
     walk.out.equation(&walk.desk.ledger, &spring.tension.into(), &law);

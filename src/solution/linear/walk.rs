@@ -1280,7 +1280,7 @@ impl<'d, 'a> Walk<'d, 'a> {
         let turn = quotient(product([number(2), first.clone()]), kappa.clone());
         let level = self.value(&turn);
         if far == turn {
-            self.tell("turning_taut", &[]);
+            self.tell(if spring.rigid { "turning_rigid" } else { "turning_taut" }, &[]);
             return Ok(self.found_now(label, symbol, &in_sense(turn, level)));
         }
         // Slack: all that the spring stored goes into what the other forces take up to the turning point.
