@@ -7,6 +7,7 @@ use crate::solution::expr::power;
 use crate::solution::expr::product;
 use crate::solution::expr::quotient;
 use crate::solution::expr::sum;
+use crate::solution::ledger::Ledger;
 
 /// `constant * over / under`; factors that occur above and below are gone.
 #[derive(Debug, Clone, PartialEq)]
@@ -81,6 +82,23 @@ impl Factors {
     #[must_use]
     pub fn signed(&self, sense: i8) -> Self {
         if sense < 0 { self.opposite() } else { self.clone() }
+    }
+    /// The same without a minus in front where a difference that is negative takes it: `(R - r)/r` for `-(r - R)/r`.
+    #[must_use]
+    pub fn upright(&self, ledger: &Ledger) -> Self {
+        let negative = |f: &Expr| matches!(f, Expr::Sum(_)) && f.value(ledger) < 0.0;
+        let mut turned = self.opposite();
+        let factor = turned.over.iter_mut().find(|f| negative(f));
+        match factor {
+            Some(Expr::Sum(terms)) if self.constant.0 < 0 => {
+                let opposites = terms.drain(..).map(minus);
+                let (below, above): (Vec<Expr>, Vec<Expr>) =
+                    opposites.partition(|t| matches!(t, Expr::Minus(_)));
+                *terms = [above, below].concat();
+                turned
+            }
+            _ => self.clone(),
+        }
     }
     /// The product.
     #[must_use]
@@ -181,7 +199,6 @@ impl Factors {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::solution::ledger::Ledger;
     use crate::words::Words;
 
     #[test]
@@ -205,5 +222,14 @@ mod tests {
         assert_eq!(text(&half.times(&m).times(&c.squared()).times(&turn.squared())), r"\tfrac{1}{2}\,m");
         assert_eq!(text(&half.times(&m).times(&turn).opposite()), r"-\frac{m}{2\,c}");
         assert!(c.per(&p).times(&p).per(&c).is_one());
+        let mut l = Ledger::new(&words);
+        let [small, large] = [("r", 2.0), ("R", 3.0)].map(|(tex, x)| {
+            let s = l.given(tex, x, "", "", false);
+            Factors::of(&s.into())
+        });
+        let back = small.plus(&large.opposite()).per(&small).opposite();
+        assert_eq!(back.expr().symbols(&l), r"-\frac{r - R}{r}");
+        assert_eq!(back.upright(&l).expr().symbols(&l), r"\frac{R - r}{r}");
+        assert_eq!(back.opposite().upright(&l), back.opposite());
     }
 }

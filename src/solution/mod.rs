@@ -30,6 +30,7 @@ use crate::scene::Label;
 use crate::scene::Owner;
 use crate::scene::Scene;
 use crate::scene::Slope;
+use crate::scene::Tie;
 use crate::sheet::document::Document;
 use crate::sheet::number;
 use crate::solution::desk::Answer;
@@ -217,13 +218,24 @@ fn check(desk: &Desk) -> Result<(), Finding> {
 /// Name of a quantity in words, with the symbol that it was found under: `angular speed $\omega$`.
 fn named(desk: &Desk, label: Label) -> String {
     let name = desk.words.get(&format!("solution.name.{}", label.quantity.name()));
+    let mut questions = desk.problem.questions.iter();
+    let several = questions.any(|q| q.label.quantity == label.quantity && q.label.of != label.of);
+    let owner = match label.of {
+        Owner::Body(b) => linear::mechanism::label(desk, &desk.scene.bodies[b].name),
+        Owner::Tie(t) => match &desk.scene.ties[t] {
+            Tie::Cord(cord) => cord.name.replace('_', " "),
+            Tie::Roll { .. } | Tie::Slip { .. } | Tie::Slide { .. } => String::new(),
+        },
+        Owner::Scene => String::new(),
+    };
+    let of = if several && !owner.is_empty() { format!(" ({owner})") } else { String::new() };
     let symbol = desk.found.iter().find(|f| f.label == label).and_then(|f| match f.eom.or(f.energy)? {
         Answer::Value(symbol) => Some(desk.ledger.tex(symbol)),
         Answer::Word(_) => None,
     });
     match symbol {
-        Some(tex) => format!("{name} ${tex}$"),
-        None => name.to_owned(),
+        Some(tex) => format!("{name}{of} ${tex}$"),
+        None => format!("{name}{of}"),
     }
 }
 

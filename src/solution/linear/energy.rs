@@ -296,8 +296,10 @@ fn works_if_asked(walk: &mut Walk) -> Result<(), Finding> {
 /// Conservation of energy with heights and the spring counted from where the spring is not stretched.
 fn other_origin(walk: &mut Walk, spring: &Spring, v: Symbol) -> Result<(), Finding> {
     let (z0, z1) = places(walk, spring);
-    let gamma = walk.tex(&spring.gamma.expr());
-    walk.tell("energy.other_origin", &[("gamma", &gamma)]);
+    let z = walk.new_symbol(&["z", "u"], "m");
+    let stretch = spring.gamma.times(&Factors::of(&z.into())).opposite().expr();
+    let stretch = walk.tex(&stretch);
+    walk.tell("energy.other_origin", &[("stretch", &stretch)]);
     walk.find(z0.0, &z0.1);
     walk.find(z1.0, &z1.1);
     let (z0, z1): (Expr, Expr) = (z0.0.into(), z1.0.into());

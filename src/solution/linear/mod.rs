@@ -73,7 +73,9 @@ pub fn sections(desk: &mut Desk) -> Result<(), Finding> {
 fn forces(desk: &mut Desk) {
     let mut section = Section::new("forces", desk.words.get("solution.title.forces"));
     section.blocks.push(Block::Picture("scene".to_owned()));
-    let mut text = vec![desk.say("solution.signs", &[])];
+    let rolls = desk.scene.ties.iter().any(|t| matches!(t, Tie::Roll { .. } | Tie::Slip { .. }));
+    let signs = if rolls { "solution.signs" } else { "solution.signs_drawn" };
+    let mut text = vec![desk.say(signs, &[])];
     let rubbed: Vec<usize> = desk
         .scene
         .ties

@@ -110,7 +110,7 @@ fn equations(walk: &mut Walk, slip_sense: &dyn Fn(usize) -> f64) -> Result<(), F
             Tie::Cord(_) => continue,
         };
         let slips = walk.m.parts[body].slips;
-        let direction = way(walk.desk.scene, Owner::Body(body), sense * f64::from(walk.m.parts[body].up));
+        let direction = way(walk.desk.scene, Owner::Body(body), sense);
         let direction = direction.map_or_else(String::new, |w| walk.desk.words.get(w).to_owned());
         walk.get(of_body(Quantity::Normal, body))?;
         walk.tell(if slips { "close.slip" } else { "close.slide" }, &[("way", &direction)]);
@@ -141,7 +141,12 @@ fn closing(walk: &mut Walk, n: &mut usize) {
             let c = walk.desk.number(radius, "R", "m");
             let part = walk.m.parts[body].clone();
             let (Some(a), Some(alpha)) = (part.a, part.alpha) else { continue };
-            ("close.roll", Expr::from(a), product([c, alpha.into()]), walk.m.force_of(t))
+            (
+                if walk.rolled { "close.roll_if" } else { "close.roll" },
+                Expr::from(a),
+                product([c, alpha.into()]),
+                walk.m.force_of(t),
+            )
         } else if let Tie::Cord(cord) = tie {
             let end = |walk: &mut Walk, end| {
                 let (along, arm) = lever(walk.desk, end);
@@ -410,11 +415,12 @@ fn on_spring(walk: &mut Walk) -> Result<(), Finding> {
     let (m_e, _) = effective_symbols(walk);
     let first = walk.new_symbol(&["F_{0}", "F_{00}"], "N");
     let kappa = walk.new_symbol(&[r"\kappa", r"\kappa_e"], "N/m");
-    let gamma = walk.tex(&walk.magnitude(&spring.gamma).expr());
     let m = format!("${}$", walk.desk.ledger.tex(m_e));
     let gives = walk.value(&spring.gamma.expr()) > 0.0;
-    walk.tell(if gives { "spring.law_falls" } else { "spring.law_grows" }, &[("gamma", &gamma)]);
     let s = walk.new_symbol(&["s", "s_1"], "m");
+    let moved = walk.magnitude(&spring.gamma).times(&Factors::of(&s.into())).expr();
+    let moved = walk.tex(&moved);
+    walk.tell(if gives { "spring.law_falls" } else { "spring.law_grows" }, &[("moved", &moved)]);
     let stretch = difference(spring.stretch.clone(), spring.gamma.times(&Factors::of(&s.into())).expr());
     let law = product([spring.stiffness.clone(), stretch]);
     walk.out.equation(&walk.desk.ledger, &spring.tension.into(), &law);

@@ -35,6 +35,7 @@ use crate::solution::linear::mechanism::Source;
 use crate::solution::linear::mechanism::in_sense;
 use crate::solution::linear::mechanism::tagged;
 use crate::solution::text::Section;
+use std::cmp::Ordering;
 
 /// Which road.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -342,7 +343,8 @@ impl<'d, 'a> Walk<'d, 'a> {
 
     /// Magnitude of a ratio.
     pub fn magnitude(&self, ratio: &Factors) -> Factors {
-        if self.value(&ratio.expr()) < 0.0 { ratio.opposite() } else { ratio.clone() }
+        let size = if self.value(&ratio.expr()) < 0.0 { ratio.opposite() } else { ratio.clone() };
+        size.upright(&self.desk.ledger)
     }
 
     /// Distance that the lead goes, a magnitude.
@@ -687,7 +689,12 @@ impl<'d, 'a> Walk<'d, 'a> {
                 let n = self.number_of(c);
                 self.tell("motion.reaction", &[("n", &n)]);
             }
-            (Road::Energy, _) if self.by_rate() => self.tell("energy.reaction_rate", &[("body", &body)]),
+            (Road::Energy, Degree::Along) if self.by_rate() => {
+                self.tell("energy.reaction_rate", &[("body", &body)]);
+            }
+            (Road::Energy, Degree::Turn) if self.by_rate() => {
+                self.tell("energy.reaction_rate_turn", &[("body", &body)]);
+            }
             (Road::Energy, Degree::Along) => self.tell("energy.reaction_along", &[("body", &body)]),
             (Road::Energy, Degree::Turn) => self.tell("energy.reaction_turn", &[("body", &body)]),
         }
@@ -871,14 +878,24 @@ impl<'d, 'a> Walk<'d, 'a> {
         let way = self.distance();
         if slips || (self.road == Road::Motion && !action.arm.is_zero() && !action.along.is_zero()) {
             let phi = self.get(of_body(Quantity::Phi, action.body))?;
-            self.tell("motion.cord_travel", &[]);
             // Both parts with the sign that they have along the cord.
             let centre = action.along.times(&self.m.parts[action.body].along);
             let centre = Factors::of(&way).times(&centre.signed(sign(self.sense)));
             let spin = self.signed_turn(action.body);
             let turned = Factors::of(&phi.into()).times(&action.arm.signed(sign(spin)));
-            let from = positive_first(vec![centre.expr(), turned.expr()]);
-            let from = in_sense(from.clone(), self.value(&from));
+            let (along, wound) = (self.value(&centre.expr()), self.value(&turned.expr()));
+            let winds = self.phrase(if wound > 0.0 { "motion.unwinds" } else { "motion.winds_up" }, &[]);
+            let name = if along * wound > 0.0 {
+                "motion.cord_travel"
+            } else if along.abs() >= wound.abs() {
+                "motion.cord_travel_less"
+            } else {
+                "motion.cord_travel_against"
+            };
+            self.tell(name, &[("winds", &winds)]);
+            let parts = [centre.expr(), turned.expr()];
+            let from = if along + wound < 0.0 { parts.map(minus) } else { parts };
+            let from = positive_first(from.to_vec());
             return Ok(self.found_now(label, symbol, &from));
         }
         let point = self.m.point(&action);
@@ -907,9 +924,22 @@ impl<'d, 'a> Walk<'d, 'a> {
                     (false, true) => difference(c.clone(), arm),
                     (false, false) => difference(arm, c.clone()),
                 };
+                let (near, away) = (self.value(&c), self.value(&point));
+                let beyond = !far && self.value(&action.arm.expr()).abs() > near;
                 let (centre, point) = (self.tex(&c), self.tex(&point));
-                let name = if far { "energy.why_cord_far" } else { "energy.why_cord_near" };
-                self.tell(name, &[("centre", &centre), ("point", &point)]);
+                if beyond {
+                    let compared = match away.total_cmp(&near) {
+                        Ordering::Greater => "energy.further",
+                        Ordering::Less => "energy.less_far",
+                        Ordering::Equal => "energy.as_far",
+                    };
+                    let compared = self.phrase(compared, &[]);
+                    let pieces = [("centre", &*centre), ("point", &*point), ("compared", &*compared)];
+                    self.tell("energy.why_cord_beyond", &pieces);
+                } else {
+                    let name = if far { "energy.why_cord_far" } else { "energy.why_cord_near" };
+                    self.tell(name, &[("centre", &centre), ("point", &point)]);
+                }
             }
             _ if action.arm.is_zero() => {
                 let body = self.in_brackets(action.body);
@@ -966,7 +996,7 @@ impl<'d, 'a> Walk<'d, 'a> {
                 Factors::of(&omega.into()).times(&action.arm.signed(sign(self.spin_sense(action.body))));
             product([action.force.clone(), positive_first(vec![centre.expr(), turned.expr()])])
         } else {
-            let point = self.m.point(&action).signed(sign(self.sense));
+            let point = self.m.point(&action).signed(sign(self.sense)).upright(&self.desk.ledger);
             Factors::of(&action.force).times(&point).times(&Factors::of(&self.v)).expr()
         };
         Ok(self.found_now(label, symbol, &from))
@@ -1250,7 +1280,7 @@ impl<'d, 'a> Walk<'d, 'a> {
         let turn = quotient(product([number(2), first.clone()]), kappa.clone());
         let level = self.value(&turn);
         if far == turn {
-            self.tell("turning_taut", &[]);
+            self.tell(if spring.rigid { "turning_rigid" } else { "turning_taut" }, &[]);
             return Ok(self.found_now(label, symbol, &in_sense(turn, level)));
         }
         // Slack: all that the spring stored goes into what the other forces take up to the turning point.
