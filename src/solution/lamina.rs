@@ -91,8 +91,12 @@ fn read(desk: &mut Desk) -> Result<Lamina, Finding> {
     Ok(Lamina { body, known, names, m, x, y, vx, vy, spin, kinetic })
 }
 
+/// What rounding leaves of a difference of equal places, SI; a particle of a problem is never so near.
+const NOTHING: f64 = 1e-13;
+
 /// A value as a cell of a table, without unit.
 fn cell(desk: &Desk, value: f64) -> String {
+    let value = if value.abs() < NOTHING { 0.0 } else { value };
     format!("${}$", tex_digits(&number::rounded(value, FIGURES), desk.words))
 }
 

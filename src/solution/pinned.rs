@@ -1400,6 +1400,8 @@ impl Swing {
         if let Some(radial) = worked.radial {
             let right = ledger.value(radial);
             let wrong = right - m * h * omega * omega;
+            // What rounding leaves of a difference of equals is nothing.
+            let wrong = if wrong.abs() < 1e-9 * m * g { 0.0 } else { wrong };
             if tells(wrong, right) {
                 let wrong = value(&names.radial, wrong, "N");
                 let text = [("wrong", wrong.as_str()), ("omega", names.omega.as_str())];
