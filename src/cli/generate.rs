@@ -153,10 +153,7 @@ fn generate(args: &args::Generate, io: &mut Io) -> Result<(), Vec<Finding>> {
             return Ok(());
         }
     }
-    let pool = rayon::ThreadPoolBuilder::new()
-        .num_threads(args.threads.unwrap_or(0))
-        .build()
-        .map_err(|e| vec![Finding::new("--threads", e.to_string())])?;
+    let pool = output::pool(args.threads)?;
     let watched = io.watched;
     let summary = pool.install(|| match &old {
         Some(set) => add(&plan, &members, set, &args.out, watched),

@@ -70,10 +70,7 @@ fn solutions(args: &args::Solutions, io: &mut Io) -> Result<(), Vec<Finding>> {
         bar.inc(1);
         Ok(made)
     };
-    let pool = rayon::ThreadPoolBuilder::new()
-        .num_threads(args.threads.unwrap_or(0))
-        .build()
-        .map_err(|e| vec![Finding::new("--threads", e.to_string())])?;
+    let pool = output::pool(args.threads)?;
     let all = pool.install(|| replay::each(&bank, &set, &make));
     bar.finish_and_clear();
     let stored = args.set.join("set.json").display().to_string();
