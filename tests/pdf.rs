@@ -218,6 +218,27 @@ fn the_same_documents_give_the_same_bytes_on_any_thread() {
     assert!(!info.contains("CreationDate"), "{info}");
 }
 
+/// The other tests press few documents at a time. From a pool with many to do, each wait for the compiler once began the
+/// next document on the same stack, until the stack was full.
+#[test]
+fn many_documents_need_no_more_stack_than_one() {
+    let words = Words::english();
+    let press = Press::new(&words, None).unwrap_or_else(|f| panic!("{f}"));
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(2).stack_size(1 << 20).build().expect("a pool");
+    let sizes: Vec<usize> = pool.install(|| {
+        let documents = (0..300).into_par_iter();
+        documents
+            .map(|i| {
+                let markdown =
+                    format!("# Sheet {i}\n\n1. $x = {i}$ <!-- answer -->\n2. $y$ <!-- answer -->\n");
+                let document = Document { markdown, pictures: Vec::new() };
+                press.press(&[(&Head::default(), &document)]).unwrap_or_else(|f| panic!("{f}")).len()
+            })
+            .collect()
+    });
+    assert!(sizes.iter().all(|s| *s > 1000));
+}
+
 #[test]
 fn a_faulty_prelude_is_told_with_its_place() {
     let words = Words::english();
