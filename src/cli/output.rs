@@ -180,10 +180,6 @@ impl<'o> Output<'o> {
     }
 }
 
-/// Stack of a thread. A booklet is one document: what sets it goes as deep as the booklet is long, some 4 kB a sheet. Only what is
-/// used takes memory.
-const STACK_BYTES: usize = 256 << 20;
-
 /// The threads on which sheets are made, as many as cores where no number is given.
 ///
 /// # Errors
@@ -191,7 +187,6 @@ const STACK_BYTES: usize = 256 << 20;
 pub fn pool(threads: Option<usize>) -> Result<rayon::ThreadPool, Vec<Finding>> {
     rayon::ThreadPoolBuilder::new()
         .num_threads(threads.unwrap_or(0))
-        .stack_size(STACK_BYTES)
         .build()
         .map_err(|e| vec![Finding::new("--threads", e.to_string())])
 }
