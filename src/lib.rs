@@ -9,11 +9,14 @@
 //! - The **regime** is what really happens (`moves_up`, `up ok slips`); a **check** is one condition of validity, with numbers.
 //! - The **key** holds the answers on which both roads agree, with their gap and condition number.
 //! - A student's cell becomes a **reading**; key and reading give a **verdict** with points and a reason.
+//! - A **document** is Markdown with formulas and pictures, the one source of every format; a **template** and the **phrases** of
+//!   a language make it, the program puts in finished texts.
 //! - A **finding** is a fault in somebody's file: where, what value, what would be right.
 //!
 //! # Flow
 //! ```text
-//! bank -> draw -> scene -> solve (eom | energy, agree) -> key -> sheet, set
+//! bank -> draw -> scene -> solve (eom | energy, agree) -> key -> sheet, figure, solution, set
+//!                          document -> Markdown, HTML, LaTeX, Typst -> PDF
 //!                          submissions -> answer -> grade -> report
 //! ```
 //! [`problem::make`] is the first line in one function, [`grade::run`] the second; [`cli`] opens files and tells results.
@@ -34,7 +37,8 @@
 //! A new method: a word in [`solve::method`], its steps in [`num::ode`] or its sum in `solve/energy/quadrature.rs`; [`solve::ladder`]
 //! judges it and measures it. A new picture: numbers into [`plot`].
 //! A new tie: a variant in [`scene::link`], its rows in `solve/eom/equations.rs`, its mode and its work in `solve/energy`, its
-//! words in `bank/scene.rs`. A new family: no Rust, a file in `banks/`. A new quantity: a line in [`scene::ask`] and a `say` on each road.
+//! words in `bank/scene.rs`. A new language: its folder in `templates/`, a line in [`words`], its texts in [`template`] and `cli/banks.rs`.
+//! A new format: a walk over the events of a [`sheet::document`], as in [`sheet::tex`]. A new family: no Rust, a file in `banks/`. A new quantity: a line in [`scene::ask`] and a `say` on each road.
 //!
 //! # Limits
 //! Rigid bodies in a plane, velocity ratios that do not change with position (or one body that swings about a pin), cords without mass that run parallel to the

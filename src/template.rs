@@ -32,6 +32,7 @@ pub const BUILT_IN: &[(&str, &str)] = built_in!("":
     "sheet.tex",
     "booklet.tex",
     "accuracy.html",
+    "gallery.html",
     "statement/compound-pendulum.md",
     "statement/falling-rod.md",
     "statement/kinetic-energy.md",

@@ -18,6 +18,10 @@ macro_rules! lists {
             ("sheet", include_str!(concat!("../templates/", $folder, "words/sheet.yaml"))),
             ("print", include_str!(concat!("../templates/", $folder, "words/print.yaml"))),
             ("solution", include_str!(concat!("../templates/", $folder, "words/solution.yaml"))),
+            ("gallery", include_str!(concat!("../templates/", $folder, "words/gallery.yaml"))),
+            ("pinned", include_str!(concat!("../templates/", $folder, "words/pinned.yaml"))),
+            ("thrown", include_str!(concat!("../templates/", $folder, "words/thrown.yaml"))),
+            ("lamina", include_str!(concat!("../templates/", $folder, "words/lamina.yaml"))),
             ("feedback", include_str!(concat!("../templates/", $folder, "words/feedback.yaml"))),
         ]
     };

@@ -122,7 +122,7 @@ const KEEPERS: &[(&str, &[&str])] = &[
     ("csv", &["answer", "cli", "set", "report", "simulate"]),
     ("encoding_rs", &["answer"]),
     ("indicatif", &["cli"]),
-    ("rayon", &["cli", "set"]),
+    ("rayon", &["cli", "set", "sheet::pdf"]),
     ("pulldown_cmark", &["sheet"]),
     ("pulldown_latex", &["sheet"]),
     ("tempfile", &["cli"]),

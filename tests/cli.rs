@@ -3,6 +3,7 @@
 use slipstick::cli;
 use slipstick::cli::tell::Exit;
 use slipstick::cli::tell::Io;
+use slipstick::words::Words;
 use std::collections::BTreeMap;
 use std::ffi::OsString;
 use std::fs;
@@ -101,7 +102,8 @@ fn a_set_has_its_files_and_nothing_for_students_but_theirs() {
     );
     let files = tree(&room.0.path().join("set"));
     // Four figures, the sheet in Markdown and as a page, and what `check` reads.
-    assert_eq!(files.len(), 7 + 7 * CLASS.len());
+    let with_pdf = usize::from(slipstick::sheet::pdf::BUILT_IN);
+    assert_eq!(files.len(), 7 + 2 * with_pdf + (7 + with_pdf) * CLASS.len());
     let of_set = [
         "bank.yaml",
         "key.csv",
@@ -1192,4 +1194,352 @@ fn verify_proves_a_set_and_sees_what_does_not_belong() {
     room.write("set/key.csv", &key.replace(row, &row.replacen("0.", "1.", 1)));
     assert_eq!(verify().exit, Exit::Faulty);
     assert_eq!(run(&["verify", &room.path("none")]).exit, Exit::Faulty);
+}
+
+/// Names of files below a folder, sorted.
+fn names(room: &Room, folder: &str) -> Vec<String> {
+    tree(&room.0.path().join(folder)).into_keys().collect()
+}
+
+#[test]
+fn formats_are_those_asked_for() {
+    let room = Room::new(&CLASS[..2]);
+    let one = ["--problems", "pulled-rolling"];
+    let generate = |out: &str, more: &[&str]| {
+        let ran = room.generate("roster.csv", out, &[&one[..], more].concat());
+        assert_eq!((ran.exit, ran.err.as_str()), (Exit::Fine, ""), "{out}");
+        ran
+    };
+    let ran = generate("latex", &["--format", "tex,md"]);
+    assert!(ran.out.contains("(sheet.tex, sheet.md, sheet.json); nothing else"), "{}", ran.out);
+    assert!(ran.out.contains("latex/booklet.tex (all sheets)"), "{}", ran.out);
+    assert_eq!(names(&room, "latex/students/0017"), ["problem-1.svg", "sheet.json", "sheet.md", "sheet.tex"]);
+    assert!(!names(&room, "latex").contains(&"booklet.html".to_owned()));
+    generate("page", &["--format", " HTML, html"]);
+    assert_eq!(names(&room, "page/students/0017"), ["sheet.html", "sheet.json"]);
+    // The page needs no other file, the booklet has both students, and the answers stand in neither.
+    let page = room.read("page/students/0017/sheet.html");
+    assert!(page.contains("<svg") && page.contains("<math") && !page.contains("src="));
+    let booklet = room.read("page/booklet.html");
+    assert!(booklet.contains("Name of 0017 (0017)") && booklet.contains("Name of Ana (Ana)"));
+    // Late joiners get the formats of the set, and other ones are refused.
+    room.roster("more.csv", &CLASS[..3]);
+    let ran = room.generate("more.csv", "latex", &["--add"]);
+    assert_eq!((ran.exit, ran.err.as_str()), (Exit::Fine, ""));
+    assert_eq!(room.read("latex/booklet.tex").matches(r"\clearpage").count(), 3);
+    let ran = room.generate("more.csv", "latex", &["--add", "--format", "html"]);
+    assert_eq!(ran.exit, Exit::Faulty);
+    assert!(ran.err.contains("formats: the set has md,tex, this command html"), "{}", ran.err);
+    // Another run in other formats replaces the set; nothing of the old formats stays.
+    generate("latex", &["--format", "html", "--force"]);
+    assert_eq!(names(&room, "latex/students/0017"), ["sheet.html", "sheet.json"]);
+    let ran = room.generate("roster.csv", "none", &["--format", "docx"]);
+    assert_eq!((ran.exit, ran.out.as_str()), (Exit::Faulty, ""));
+    assert!(!Path::new(&room.path("none")).exists());
+}
+
+#[test]
+#[cfg(not(feature = "pdf"))]
+fn without_pdf_one_line_says_how_to_get_it() {
+    let room = Room::new(&CLASS[..1]);
+    let ran = room.generate("roster.csv", "set", &["--format", "pdf"]);
+    assert_eq!((ran.exit, ran.out.as_str()), (Exit::Faulty, ""));
+    assert!(ran.err.contains("--features pdf"), "{}", ran.err);
+    assert!(!Path::new(&room.path("set")).exists());
+}
+
+#[test]
+fn sheets_and_feedback_in_german() {
+    let room = Room::new(&CLASS[..1]);
+    let german = ["--language", "de", "--problems", "pulled-rolling"];
+    let ran = room.generate("roster.csv", "set", &german);
+    assert_eq!((ran.exit, ran.err.as_str()), (Exit::Fine, ""));
+    let sheet = room.read("set/students/0017/sheet.md");
+    for words in [
+        "# Räder auf schiefen Ebenen",
+        "Haftreibungszahl",
+        "**Gesucht**",
+        "`aufwärts` / `abwärts`",
+        "2 Punkte",
+    ] {
+        assert!(sheet.contains(words), "{words}: {sheet}");
+    }
+    assert!(sheet.contains(r"$k = 0{,}") && !sheet.contains(r"$k = 0."), "{sheet}");
+    assert!(room.read("set/students/0017/sheet.html").contains("<html lang=\"de\">"));
+    // The draw does not depend on the language.
+    assert_eq!(room.generate("roster.csv", "english", &["--problems", "pulled-rolling"]).exit, Exit::Fine);
+    assert_eq!(room.read("set/key.csv"), room.read("english/key.csv"));
+    // The sheet knows its language, and so does the set; another one may be asked for.
+    let file = room.path("set/students/0017/sheet.json");
+    let ran =
+        run(&["check", &file, "1.omega=3 N", "1.friction=1 N hinunter", "1.v=vier", "1.k_bound=0,00001"]);
+    assert_eq!(ran.exit, Exit::NotAllRight);
+    for words in [
+        "erwartet rad/s (Winkelgeschwindigkeit), gefunden N (Kraft)",
+        "weder eine Zahl noch ein bekanntes Wort",
+        "nicht innerhalb der Toleranz",
+    ] {
+        assert!(ran.out.contains(words), "{words}: {}", ran.out);
+    }
+    let (friction, _) = key_of(&room, "0017", "1", "friction");
+    let size = friction.trim_start_matches('-').replace('.', ",");
+    let word = if friction.starts_with('-') { "abwärts" } else { "hinauf" };
+    let ran = run(&["check", &file, &format!("1.friction={size} N {word}")]);
+    assert_eq!((ran.exit, ran.out.contains("innerhalb der Toleranz")), (Exit::Fine, true), "{}", ran.out);
+    room.write("in.csv", "student,problem,part,answer\n0017,1,v,x\n0017,1,v,y\n17,1,v,1\n0017,1,vv,1\n");
+    let grade = |out: &str, more: &[&str]| {
+        let (set, answers, out_path) = (room.path("set"), room.path("in.csv"), room.path(out));
+        let ran = run(&[&["grade", &set, &answers, "--out", &out_path][..], more].concat());
+        assert_eq!((ran.exit, ran.err.as_str()), (Exit::Fine, ""));
+        room.read(&format!("{out}/answers.csv"))
+    };
+    let german = grade("de", &[]);
+    for words in [
+        "superseded,0,1,ersetzt durch Zeile 3; wäre sonst unreadable: weder eine Zahl noch ein bekanntes Wort",
+        "steht nicht auf der Liste; ist 0017 gemeint?",
+        "keine Teilaufgabe `vv`; Teilaufgaben: ",
+    ] {
+        assert!(german.contains(words), "{words}: {german}");
+    }
+    assert!(grade("en", &["--language", "en"]).contains("superseded by line 3; would have been unreadable"));
+    let ran = room.generate("roster.csv", "none", &["--language", "fr"]);
+    assert_eq!(ran.exit, Exit::Faulty);
+    assert_eq!(ran.err, "error: --language: there is no language `fr`\n    hint: languages: en, de\n");
+    let ran = run_with(&["practice", "slip-and-roll", "--seed", "3", "--language", "de"], "xyz\nquit\n");
+    assert!(
+        ran.out.contains("Reibungskraft") && ran.out.contains("Eine leere Zeile überspringt"),
+        "{}",
+        ran.out
+    );
+    // A changed question of a bank is not shown as the old one in translation.
+    let bank = include_str!("../banks/wheels-on-inclines.yaml");
+    room.write(
+        "bank.yaml",
+        &bank.replace("the speed $v$ of its centre at that moment", "the speed of $G$ after all"),
+    );
+    let (path, roster, out) = (room.path("bank.yaml"), room.path("roster.csv"), room.path("changed"));
+    let ran =
+        run(&["generate", &path, "--roster", &roster, "--seed", "7", "--out", &out, "--language", "de"]);
+    assert_eq!((ran.exit, ran.err.as_str()), (Exit::Fine, ""));
+    let sheet = room.read("changed/students/0017/sheet.md");
+    assert!(
+        sheet.contains("the speed of $G$ after all") && sheet.contains("die Winkelgeschwindigkeit $\\omega$"),
+        "{sheet}"
+    );
+}
+
+#[test]
+fn templates_are_written_out_and_do_the_same() {
+    let room = Room::new(&CLASS[..1]);
+    for language in Words::languages() {
+        let (folder, plain, own) =
+            (format!("t-{language}"), format!("p-{language}"), format!("o-{language}"));
+        let path = room.path(&folder);
+        let ran = run(&["templates", "--out", &path, "--language", language]);
+        assert_eq!((ran.exit, ran.err.as_str()), (Exit::Fine, ""));
+        let listed = names(&room, &folder);
+        for name in [
+            "README.md",
+            "banks/pinned-bodies.yaml",
+            "sheet.md",
+            "statement/pulled-rolling.md",
+            "words/sheet.yaml",
+        ] {
+            assert!(listed.iter().any(|n| n == name), "{name}");
+        }
+        let readme = room.read(&format!("{folder}/README.md"));
+        for name in listed.iter().filter(|n| *n != "README.md") {
+            let told = match name.split_once('/') {
+                Some(("solution", _)) | None => readme.contains(&format!("## {name}\n")),
+                Some((folder, _)) => readme.contains(&format!("## {folder}/*\n")),
+            };
+            assert!(told, "{name} is explained");
+        }
+        // Unchanged they do what the built-in ones do.
+        let formats = ["--format", "md,html,tex", "--language", language];
+        assert_eq!(room.generate("roster.csv", &plain, &formats).exit, Exit::Fine);
+        let mine = [&formats[..], &["--templates", &path]].concat();
+        let ran = room.generate("roster.csv", &own, &mine);
+        assert_eq!((ran.exit, ran.err.as_str()), (Exit::Fine, ""));
+        assert!(tree(&room.0.path().join(&plain)) == tree(&room.0.path().join(&own)), "{language}");
+        // What is there is not replaced.
+        assert_eq!(run(&["templates", "--out", &path]).exit, Exit::Faulty);
+    }
+    assert_eq!(run(&["templates", "--out", &room.path("x"), "--language", "xx"]).exit, Exit::Faulty);
+}
+
+#[test]
+fn broken_templates_and_lists_are_told_with_their_place() {
+    let room = Room::new(&CLASS[..1]);
+    for (file, text, says) in [
+        ("sheet.md", "# Sheet\n\n{{ nosuch }}\n", "ROOM/mine/sheet.md:3:4: template: "),
+        (
+            "questions.md",
+            "Find $\\nosuchcommand{x}$.\n",
+            "problems.pulled-rolling: formula `$\\nosuchcommand{x}$`: ",
+        ),
+        ("sheet.html", "<p>\n{% if %}\n", "ROOM/mine/sheet.html:2:"),
+        ("sheet.tex", "\\begin{document}\n{{ body }\n", "ROOM/mine/sheet.tex:2:"),
+        ("booklet.html", "{{ titel }}", "ROOM/mine/booklet.html:1:4: template: "),
+        ("key-table.md", "# Key\n{{ sets }}", "ROOM/mine/key-table.md:2:4: template: "),
+        (
+            "words/sheet.yaml",
+            "up: up\npionts: x\n",
+            "ROOM/mine/words/sheet.yaml:2:9: sheet.pionts: is no phrase of the program",
+        ),
+        ("words/sheet.yaml", "points: '{m} points'\n", "has a place {m} that nothing fills"),
+        ("words/sheat.yaml", "up: up\n", "ROOM/mine/words/sheat.yaml: there is no word list `sheat`"),
+        (
+            "banks/wheels-on-inclines.yaml",
+            "title: Räder\nproblems:\n  pulled-roling: {title: X}\n",
+            "ROOM/mine/banks/wheels-on-inclines.yaml:3:3: problems.pulled-roling: the bank has no problem `pulled-roling`\n    hint: did you mean `pulled-rolling`?",
+        ),
+        (
+            "banks/wheels-on-inclines.yaml",
+            "problems: {pulled-rolling: {ask: {omeg: x}, data: {q: y}, titel: z}}\n",
+            "the problem asks no `omeg`\n    hint: did you mean `omega`?",
+        ),
+        (
+            "banks/wheels-on-inclines.yaml",
+            "problems: {pulled-rolling: {ask: {v: '{{ vv }}'}}}\n",
+            "`{{ vv }}` is not known",
+        ),
+    ] {
+        let path = Path::new(&room.path("mine")).join(file);
+        fs::create_dir_all(path.parent().unwrap()).unwrap();
+        fs::write(&path, text).unwrap();
+        let ran = room.generate(
+            "roster.csv",
+            "set",
+            &["--templates", &room.path("mine"), "--format", "html,md,tex"],
+        );
+        assert_eq!((ran.exit, ran.out.as_str()), (Exit::Faulty, ""), "{file}");
+        assert!(room.shown(&ran.err).contains(says), "{file}: {}", room.shown(&ran.err));
+        assert!(!Path::new(&room.path("set")).exists());
+        let lint = run(&["lint", "wheels-on-inclines", "--seeds", "2", "--templates", &room.path("mine")]);
+        assert_eq!(lint.exit, Exit::Faulty);
+        assert!(room.shown(&lint.err).contains(says), "{file}: {}", room.shown(&lint.err));
+        fs::remove_dir_all(room.path("mine")).unwrap();
+    }
+    // The solutions are tried as well, before the sheets go out.
+    fs::create_dir_all(room.path("mine/solution")).unwrap();
+    room.write("mine/solution/default.md", "## {{ title }}\n{{ sectoins }}\n");
+    let lint = run(&["lint", "wheels-on-inclines", "--seeds", "2", "--templates", &room.path("mine")]);
+    assert_eq!(lint.exit, Exit::Faulty);
+    assert!(room.shown(&lint.err).contains("ROOM/mine/solution/default.md:2:"), "{}", room.shown(&lint.err));
+    fs::remove_dir_all(room.path("mine")).unwrap();
+    // A folder for several languages: that of the sheet goes before the others.
+    for (folder, text) in
+        [("", "{{ body_of }}"), ("de/", "Blatt {{ title }} {% for p in problems %}{{ p.body }}{% endfor %}")]
+    {
+        fs::create_dir_all(room.path(&format!("mine/{folder}"))).unwrap();
+        room.write(&format!("mine/{folder}sheet.md"), text);
+    }
+    let mine = ["--templates", &room.path("mine"), "--language", "de"];
+    assert_eq!(room.generate("roster.csv", "set", &mine).exit, Exit::Fine);
+    assert!(room.read("set/students/0017/sheet.md").starts_with("Blatt Räder auf schiefen Ebenen "));
+}
+
+#[test]
+fn solutions_stand_apart_from_what_students_get() {
+    let room = Room::new(&CLASS[..3]);
+    assert_eq!(
+        room.generate("roster.csv", "set", &["--problems", "pulled-rolling,kinetic-energy"]).exit,
+        Exit::Fine
+    );
+    let set = room.path("set");
+    let solve = |out: &str, more: &[&str]| {
+        let path = room.path(out);
+        run(&[&["solutions", &set, "--out", &path][..], more].concat())
+    };
+    let before = tree(&room.0.path().join("set"));
+    let ran = solve("one", &["--threads", "1", "--format", "html,md,tex"]);
+    assert_eq!((ran.exit, ran.err.as_str()), (Exit::Fine, ""));
+    assert!(ran.out.starts_with("Worked solutions for 3 students of 2 problems each"), "{}", ran.out);
+    let files = names(&room, "one");
+    for name in ["0017/solution.html", "0017/solution.md", "0017/solution.tex", "booklet.html", "booklet.tex"]
+    {
+        assert!(files.iter().any(|f| f == name), "{name}: {files:?}");
+    }
+    // Every figure that the Markdown names lies beside it, and no other.
+    let markdown = room.read("one/0017/solution.md");
+    for name in files.iter().filter_map(|f| f.strip_prefix("0017/").filter(|n| n.ends_with(".svg"))) {
+        assert!(markdown.contains(&format!("]({name})")), "{name}");
+    }
+    assert_eq!(
+        markdown.matches(".svg)").count(),
+        files.iter().filter(|f| f.starts_with("0017/") && f.ends_with(".svg")).count()
+    );
+    // The answers of the key are those of the solution.
+    let (omega, _) = key_of(&room, "0017", "1", "omega");
+    let rounded: f64 = omega.parse().unwrap();
+    assert!(markdown.contains(&format!("{rounded:.1}")), "{rounded}: {markdown}");
+    // Whatever the threads, and a second time.
+    assert_eq!(solve("two", &["--threads", "2", "--format", "html,md,tex"]).exit, Exit::Fine);
+    assert!(tree(&room.0.path().join("one")) == tree(&room.0.path().join("two")));
+    assert_eq!(solve("two", &["--format", "html"]).exit, Exit::Faulty);
+    assert_eq!(solve("two", &["--format", "html", "--force"]).exit, Exit::Fine);
+    assert!(!names(&room, "two").contains(&"0017/solution.md".to_owned()));
+    room.write("two/mine.txt", "mine");
+    let ran = solve("two", &["--force"]);
+    assert!(ran.err.contains("holds what `slipstick solutions` did not make: mine.txt"), "{}", ran.err);
+    // Never where students look, nor in the place of the set.
+    for (out, says) in [
+        ("set/students/0017", "is within the folder of what students get"),
+        ("set/students/new/deep", "is within the folder of what students get"),
+        ("set/students", "is within the folder of what students get"),
+        ("set", "is the folder of a set"),
+        ("roster.csv", "is a file"),
+    ] {
+        let ran = solve(out, &["--force"]);
+        assert_eq!(ran.exit, Exit::Faulty);
+        assert!(ran.err.contains(says), "{out}: {}", ran.err);
+    }
+    // Nor do others write there, whichever set it is.
+    let among = [
+        vec!["templates".to_owned(), "--out".to_owned(), room.path("set/students/x")],
+        ["generate", "slip-and-roll", "--roster", &room.path("roster.csv"), "--seed", "1", "--out"]
+            .iter()
+            .map(|s| (*s).to_owned())
+            .chain([room.path("set/students/set2")])
+            .collect::<Vec<String>>(),
+    ];
+    for args in among {
+        let ran = run(&args.iter().map(String::as_str).collect::<Vec<_>>());
+        assert_eq!(ran.exit, Exit::Faulty);
+        assert!(ran.err.contains("is within the folder of what students get"), "{}", ran.err);
+    }
+    assert!(before == tree(&room.0.path().join("set")), "the set is untouched");
+    // In another language.
+    assert_eq!(solve("german", &["--language", "de", "--format", "md"]).exit, Exit::Fine);
+    assert!(room.read("german/0017/solution.md").starts_with("# Lösungen: Räder auf schiefen Ebenen"));
+    // A changed set has no solutions.
+    room.write("set/bank.yaml", &room.read("set/bank.yaml").replacen("gravity: 9.81", "gravity: 9.80", 1));
+    let ran = solve("three", &[]);
+    assert_eq!(ran.exit, Exit::Faulty);
+    assert!(ran.err.contains("the bank copy was changed"), "{}", ran.err);
+    assert!(!Path::new(&room.path("three")).exists());
+}
+
+#[test]
+fn a_set_of_an_earlier_version_is_english_markdown_and_pages() {
+    let room = Room::new(&CLASS[..2]);
+    room.roster("more.csv", &CLASS[..3]);
+    assert_eq!(room.generate("roster.csv", "set", &["--problems", "pulled-rolling"]).exit, Exit::Fine);
+    let set = room.read("set/set.json");
+    let old: String = set
+        .lines()
+        .filter(|l| !l.starts_with("  \"language\"") && !l.starts_with("  \"formats\""))
+        .map(|l| format!("{l}\n"))
+        .collect();
+    assert!(old.len() < set.len());
+    room.write("set/set.json", &old);
+    room.write("in.csv", "student,problem,part,answer\n0017,1,v,x\n");
+    let ran = run(&["grade", &room.path("set"), &room.path("in.csv"), "--out", &room.path("grades")]);
+    assert_eq!((ran.exit, ran.err.as_str()), (Exit::Fine, ""));
+    assert!(room.read("grades/answers.csv").contains("neither a number nor a known word"));
+    let ran = room.generate("more.csv", "set", &["--add"]);
+    assert_eq!((ran.exit, ran.err.as_str()), (Exit::Fine, ""));
+    assert!(names(&room, "set").iter().filter(|n| n.ends_with("sheet.html")).count() == 3);
+    assert_eq!(room.read("set/booklet.html").matches("<article").count(), 3);
 }

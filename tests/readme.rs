@@ -79,6 +79,7 @@ fn shows(output: &str, shown: &[String]) -> Result<(), String> {
 }
 
 #[test]
+#[cfg_attr(feature = "pdf", ignore = "the README shows a program without PDF")]
 fn the_commands_of_the_readme_run() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
     let readme = fs::read_to_string(root.join("README.md")).expect("there is a README.md");

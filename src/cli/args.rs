@@ -59,6 +59,11 @@ pub enum Verb {
         after_help = "Examples:\n  slipstick lint my-bank.yaml\n  slipstick lint wheels-on-inclines --seeds 2000"
     )]
     Lint(Lint),
+    /// Look through a bank: many variants of each problem side by side, with their answers, on one page
+    #[command(
+        after_help = "Examples:\n  slipstick gallery wheels-on-inclines --out gallery.html\n  slipstick gallery my-bank.yaml --out gallery.html --problems spring-released --variants 40\n\nThe page needs nothing but itself. It shows figures, data, answers and condition numbers, and the tables of `lint`;\nit holds keys and is for instructors."
+    )]
+    Gallery(Gallery),
     /// Draw and solve a set again and prove its key: both roads, and an enclosure of every answer
     #[command(
         after_help = "Example:\n  slipstick verify week-5\n\nEach number of the key is computed once more with numbers that keep account of their errors, those of the\nprinted data among them: the true answer provably lies within `error bound` of the key (column error_bound of\nkey.csv). Exit code 0 if the set is what it was and every key holds, 2 if not."
@@ -66,12 +71,12 @@ pub enum Verb {
     Verify(Verify),
     /// Write worked solutions of a set: both roads, step by step, with figures; not for students yet
     #[command(
-        after_help = "Examples:\n  slipstick solutions week-5 --out week-5-solutions\n  slipstick solutions week-5 --out loesungen --language de --format html,tex\n\nThe set is drawn and solved again first, as grading does it. Each student's folder gets solution.html and the\nlike; booklet.html has them all."
+        after_help = "Examples:\n  slipstick solutions week-5 --out week-5-solutions\n  slipstick solutions week-5 --out loesungen --language de --format html,tex\n\nThe set is drawn and solved again first, as grading does it. Each student's folder gets\nsolution.html and the like; booklet.html has them all."
     )]
     Solutions(Solutions),
     /// Write out the built-in templates and word lists, to change them
     #[command(
-        after_help = "Examples:\n  slipstick templates --out my-templates\n  slipstick templates --out vorlagen --language de\n\nChange what you like, delete what you do not change, and give the folder to generate, practice, lint or solutions with\n--templates. README.md in the folder says what each template receives."
+        after_help = "Examples:\n  slipstick templates --out my-templates\n  slipstick templates --out vorlagen --language de\n\nChange what you like, delete what you do not change, and give the folder with --templates to\ngenerate, practice, lint or solutions. README.md in it says what each template receives."
     )]
     Templates(Templates),
     /// Show the whole job on a made-up class of 24: set, submissions, grades
@@ -91,7 +96,7 @@ pub struct Own {
 }
 
 /// A format in which sheets and solutions are written.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, ValueEnum)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Format {
     /// Markdown, with its figures as SVG files
     Md,
@@ -106,6 +111,16 @@ pub enum Format {
 impl Format {
     /// All of them.
     pub const ALL: [Self; 4] = [Self::Md, Self::Html, Self::Tex, Self::Pdf];
+
+    /// A format by its name, as people type it.
+    ///
+    /// # Errors
+    /// There is none of this name.
+    pub fn parse(text: &str) -> Result<Self, String> {
+        let name = text.trim().to_ascii_lowercase();
+        let found = Self::ALL.into_iter().find(|f| f.ending() == name);
+        found.ok_or_else(|| "the formats are html, md, pdf and tex".to_owned())
+    }
 
     /// The ending of its files.
     pub const fn ending(self) -> &'static str {
@@ -142,9 +157,8 @@ pub struct Generate {
     #[arg(
         long,
         value_name = "FORMAT,FORMAT",
-        value_enum,
-        value_delimiter = ',',
-        hide_possible_values = true
+        value_parser = Format::parse,
+        value_delimiter = ','
     )]
     pub format: Option<Vec<Format>>,
     /// Add late joiners to an existing set; nothing else changes
@@ -334,6 +348,31 @@ pub struct Lint {
     pub own: Own,
 }
 
+/// `gallery`
+#[derive(Debug, Args)]
+pub struct Gallery {
+    /// Bank: a YAML file, or the id of a built-in one: wheels-on-inclines, hoists-and-pulleys, slip-and-roll, pinned-bodies
+    pub bank: String,
+    /// File to write, such as gallery.html
+    #[arg(long, value_name = "FILE")]
+    pub out: PathBuf,
+    /// How many variants of each problem to show
+    #[arg(long, value_name = "N", default_value_t = 12)]
+    pub variants: u32,
+    /// How many seeds to try for the tables
+    #[arg(long, value_name = "N", default_value_t = 1000)]
+    pub seeds: u64,
+    /// Only these problems
+    #[arg(long, value_name = "ID,ID", value_delimiter = ',')]
+    pub problems: Option<Vec<String>>,
+    /// Replace a file that is there already
+    #[arg(long)]
+    pub force: bool,
+    /// In which words.
+    #[command(flatten)]
+    pub own: Own,
+}
+
 /// `verify`
 #[derive(Debug, Args)]
 pub struct Verify {
@@ -353,9 +392,8 @@ pub struct Solutions {
     #[arg(
         long,
         value_name = "FORMAT,FORMAT",
-        value_enum,
-        value_delimiter = ',',
-        hide_possible_values = true
+        value_parser = Format::parse,
+        value_delimiter = ','
     )]
     pub format: Option<Vec<Format>>,
     /// Replace solutions that were made before (and nothing else)

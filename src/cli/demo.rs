@@ -39,6 +39,7 @@ pub fn run(args: &args::Demo, io: &mut Io) -> Exit {
 
 fn demo(dir: &Path, io: &mut Io) -> Result<(), Vec<Finding>> {
     files::has_a_name(dir, "slipstick-demo").map_err(|f| vec![f])?;
+    files::not_among_students(dir).map_err(|f| vec![f])?;
     may_replace(dir)?;
     let one = |f: Finding| vec![f];
     let mut loaded = banks::load("wheels-on-inclines")?;

@@ -245,6 +245,29 @@ pub fn has_a_name(place: &Path, example: &str) -> Result<(), Finding> {
         .hint(format!("write into a new folder, such as {example}")))
 }
 
+/// Nothing goes among what the students of a set get: into a folder `students` beside a `set.json`, or below one.
+///
+/// # Errors
+/// A finding about the place.
+pub fn not_among_students(place: &Path) -> Result<(), Finding> {
+    // The folder may not be there yet: those above it are asked, and what is missing is put behind them.
+    let here = Path::new(".");
+    let known = place.ancestors().find_map(|above| {
+        let there = fs::canonicalize(if above.as_os_str().is_empty() { here } else { above }).ok()?;
+        Some(there.join(place.strip_prefix(above).unwrap_or(here)))
+    });
+    let known = known.unwrap_or_else(|| place.to_owned());
+    let of_a_set = |folder: &Path| {
+        folder.file_name().is_some_and(|name| name.eq_ignore_ascii_case("students"))
+            && folder.with_file_name("set.json").is_file()
+    };
+    if !known.ancestors().any(of_a_set) {
+        return Ok(());
+    }
+    let fault = Finding::new("", "is within the folder of what students get");
+    Err(fault.in_file(place.display().to_string()).hint("give another --out"))
+}
+
 /// Names in a folder, sorted; none if the folder is not there.
 pub fn names_in(folder: &Path) -> Vec<String> {
     let Ok(entries) = fs::read_dir(folder) else { return Vec::new() };

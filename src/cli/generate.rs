@@ -7,6 +7,7 @@ use crate::cli::banks;
 use crate::cli::banks::Texts;
 use crate::cli::files;
 use crate::cli::files::Staged;
+use crate::cli::lint;
 use crate::cli::output;
 use crate::cli::output::Made;
 use crate::cli::output::Output;
@@ -111,6 +112,7 @@ fn generate(args: &args::Generate, io: &mut Io) -> Result<(), Vec<Finding>> {
     }
     if old.is_none() {
         files::has_a_name(&args.out, "--out week-5").map_err(|f| vec![f])?;
+        files::not_among_students(&args.out).map_err(|f| vec![f])?;
         may_write(&args.out, args.force)?;
     }
     let name = match (&args.name, &old) {
@@ -126,6 +128,11 @@ fn generate(args: &args::Generate, io: &mut Io) -> Result<(), Vec<Finding>> {
         (None, Some(set)) => replay::indices(&loaded.bank, &set.problems, "problems")?,
         (None, None) => (0..loaded.bank.problems.len()).collect(),
     };
+    // What a text of one's own gets wrong in a formula, students would see as raw commands.
+    let faulty = lint::faulty_formulas(&loaded.bank, &texts, &problems)?;
+    if !faulty.is_empty() {
+        return Err(faulty);
+    }
     let seed = args.seed.or(old.as_ref().map(|s| s.seed)).unwrap_or(0);
     let plan = Plan {
         bank: &loaded.bank,
@@ -146,10 +153,7 @@ fn generate(args: &args::Generate, io: &mut Io) -> Result<(), Vec<Finding>> {
             return Ok(());
         }
     }
-    let pool = rayon::ThreadPoolBuilder::new()
-        .num_threads(args.threads.unwrap_or(0))
-        .build()
-        .map_err(|e| vec![Finding::new("--threads", e.to_string())])?;
+    let pool = output::pool(args.threads)?;
     let watched = io.watched;
     let summary = pool.install(|| match &old {
         Some(set) => add(&plan, &members, set, &args.out, watched),

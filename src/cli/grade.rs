@@ -219,6 +219,7 @@ fn columns(typed: &[String]) -> Result<Vec<(String, String)>, Vec<Finding>> {
 /// Nothing, an empty folder, or with `--force` a folder with an earlier grading.
 fn may_write(out: &Path, set: &Path, force: bool) -> Result<(), Finding> {
     let finding = |what: &str| Finding::new("", what).in_file(out.display().to_string());
+    files::not_among_students(out)?;
     let same = fs::canonicalize(out).ok().zip(fs::canonicalize(set).ok()).is_some_and(|(a, b)| a == b);
     if same || out.join("set.json").exists() {
         return Err(finding("is the folder of a set").hint("give another --out for the grades"));

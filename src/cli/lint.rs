@@ -1,20 +1,29 @@
 //! `slipstick lint`: all that is wrong in a bank, then how it behaves over many seeds.
 use crate::bank::Bank;
+use crate::bank::Problem;
 use crate::cli::args;
+use crate::cli::args::Format;
 use crate::cli::banks;
 use crate::cli::banks::Texts;
+use crate::cli::output::Output;
 use crate::cli::tell;
 use crate::cli::tell::Exit;
 use crate::cli::tell::Io;
 use crate::cli::words;
 use crate::finding::Finding;
+use crate::key::SheetKey;
 use crate::problem::make::Maker;
+use crate::problem::make::Variant;
+use crate::problem::make_key;
 use crate::problem::sweep;
 use crate::problem::sweep::Sweep;
 use crate::sheet::html;
+use crate::sheet::html::Converter;
+use crate::sheet::key_table;
 use crate::sheet::page::Room;
 use crate::sheet::page::Sheets;
 use crate::sheet::statement;
+use crate::solution;
 use rayon::prelude::*;
 
 /// A class for which the chance of equal sheets is told.
@@ -44,9 +53,8 @@ fn lint(args: &args::Lint, io: &mut Io) -> Result<Vec<Finding>, Vec<Finding>> {
     let bank = &loaded.bank;
     let mut findings = banks::unknown_names(bank, &texts.templates);
     findings.extend(banks::never_given(bank, &texts.templates));
-    let seeds = u32::try_from(args.seeds.min(1_000_000)).unwrap_or(1_000_000);
-    let sweeps: Vec<Sweep> =
-        bank.problems.par_iter().map(|p| sweep::sweep(p, 1, seeds.max(1), &bank.id)).collect();
+    let all: Vec<&Problem> = bank.problems.iter().collect();
+    let sweeps = sweeps(&all, args.seeds, &bank.id);
     for (problem, sweep) in bank.problems.iter().zip(&sweeps) {
         if let Some((seed, none)) = &sweep.unsatisfiable {
             let fault = Finding::new(format!("problems.{}", problem.id), format!("seed {seed}: {none}"));
@@ -65,27 +73,21 @@ fn lint(args: &args::Lint, io: &mut Io) -> Result<Vec<Finding>, Vec<Finding>> {
         findings.extend(faulty_texts(bank, &texts)?);
     }
     for (problem, sweep) in bank.problems.iter().zip(&sweeps) {
+        let tables = tables(problem, sweep);
         io.line(&format!("{}: {}", problem.id, problem.title));
-        io.piece(&cases(sweep));
-        for case in &sweep.cases {
-            for (rule, count) in &case.refusals {
-                let name = if case.name.is_empty() { String::new() } else { format!("{}: ", case.name) };
-                io.line(&format!("    refused {count:>6}  {name}{rule}"));
-            }
+        io.piece(&tell::table(&tables.cases, &LEFT_CASES));
+        for (count, rule) in &tables.refusals {
+            io.line(&format!("    refused {count:>6}  {rule}"));
         }
-        io.piece(&questions(problem, sweep));
+        io.piece(&tell::table(&tables.numbers, &LEFT_NUMBERS));
+        io.piece(&tell::table(&tables.words, &LEFT_WORDS));
         io.piece(&mistakes(problem, sweep));
-        for note in notes(problem, sweep) {
+        for note in tables.notes {
             io.line(&format!("    note: {note}"));
         }
         io.line("");
     }
-    let chance = sweep::coincidence(&sweeps, CLASS);
-    let verdict = if chance <= RARE { "rare enough" } else { "too likely: widen the ranges" };
-    io.line(&format!(
-        "Chance that two of {CLASS} students get equal sheets of all {}: at most {chance:.1e} ({verdict}).",
-        tell::count(bank.problems.len(), "problem")
-    ));
+    io.line(&chance(&sweeps));
     for sweep in &sweeps {
         let one = sweep::coincidence(std::slice::from_ref(sweep), CLASS);
         io.line(&format!("  {} alone: at most {one:.1e}", sweep.problem));
@@ -93,7 +95,54 @@ fn lint(args: &args::Lint, io: &mut Io) -> Result<Vec<Finding>, Vec<Finding>> {
     Ok(findings)
 }
 
-fn cases(sweep: &Sweep) -> String {
+/// Tries problems of a bank over so many seeds.
+pub fn sweeps(problems: &[&Problem], seeds: u64, bank: &str) -> Vec<Sweep> {
+    let seeds = u32::try_from(seeds.clamp(1, 1_000_000)).unwrap_or(1_000_000);
+    problems.par_iter().map(|p| sweep::sweep(p, 1, seeds, bank)).collect()
+}
+
+/// What a sweep over one problem says, row by row, heads first.
+pub struct Tables {
+    /// Cases and how many of their draws are accepted.
+    pub cases: Vec<Vec<String>>,
+    /// How often each rule refused, and which.
+    pub refusals: Vec<(u32, String)>,
+    /// Questions that ask for numbers.
+    pub numbers: Vec<Vec<String>>,
+    /// Questions that ask for words; without a head.
+    pub words: Vec<Vec<String>>,
+    /// Where figures and tolerance do not fit the condition numbers.
+    pub notes: Vec<String>,
+}
+
+/// Columns of texts, as [`tell::table`] takes them.
+pub const LEFT_CASES: [usize; 1] = [0];
+/// The same for numbers asked.
+pub const LEFT_NUMBERS: [usize; 2] = [0, 3];
+/// The same for words asked.
+pub const LEFT_WORDS: [usize; 2] = [0, 1];
+
+/// The tables of a sweep.
+pub fn tables(problem: &Problem, sweep: &Sweep) -> Tables {
+    let refusals = sweep.cases.iter().flat_map(|case| {
+        let name = if case.name.is_empty() { String::new() } else { format!("{}: ", case.name) };
+        case.refusals.iter().map(move |(rule, count)| (*count, format!("{name}{rule}")))
+    });
+    let (numbers, words) = questions(problem, sweep);
+    Tables { cases: cases(sweep), refusals: refusals.collect(), numbers, words, notes: notes(problem, sweep) }
+}
+
+/// The chance of equal sheets, in a sentence.
+pub fn chance(sweeps: &[Sweep]) -> String {
+    let chance = sweep::coincidence(sweeps, CLASS);
+    let verdict = if chance <= RARE { "rare enough" } else { "too likely: widen the ranges" };
+    format!(
+        "Chance that two of {CLASS} students get equal sheets of all {}: at most {chance:.1e} ({verdict}).",
+        tell::count(sweeps.len(), "problem")
+    )
+}
+
+fn cases(sweep: &Sweep) -> Vec<Vec<String>> {
     let mut rows = vec![
         ["case", "share", "variants", "draws", "accepted", "valid variants"].map(str::to_owned).to_vec(),
     ];
@@ -110,10 +159,10 @@ fn cases(sweep: &Sweep) -> String {
             if case.tries == 0 { "-".to_owned() } else { format!("about {:.0e}", case.valid) },
         ]);
     }
-    tell::table(&rows, &[0])
+    rows
 }
 
-fn questions(problem: &crate::bank::Problem, sweep: &Sweep) -> String {
+fn questions(problem: &Problem, sweep: &Sweep) -> (Vec<Vec<String>>, Vec<Vec<String>>) {
     let percent =
         |share: f64| if share.is_nan() { "-".to_owned() } else { format!("{:.0} %", share * 100.0) };
     let mut rows = vec![
@@ -153,14 +202,11 @@ fn questions(problem: &crate::bank::Problem, sweep: &Sweep) -> String {
         rows.push(row);
     }
     // Words may be longer than a number: they stand behind the table's first column.
-    let (numbers, texts): (Vec<_>, Vec<_>) = rows.into_iter().partition(|r| r.len() != 2);
-    let mut text = tell::table(&numbers, &[0, 3]);
-    text.push_str(&tell::table(&texts, &[0, 1]));
-    text
+    rows.into_iter().partition(|r| r.len() != 2)
 }
 
 /// For each wrong method the share of draws that it would refuse: those in which it lands near a right answer.
-fn mistakes(problem: &crate::bank::Problem, sweep: &Sweep) -> String {
+fn mistakes(problem: &Problem, sweep: &Sweep) -> String {
     let percent = |share: f64| match share {
         s if s.is_nan() => "-".to_owned(),
         s if s <= 0.0 => "0 %".to_owned(),
@@ -203,7 +249,7 @@ fn mistakes(problem: &crate::bank::Problem, sweep: &Sweep) -> String {
 }
 
 /// Where the figures asked and the tolerance do not fit the condition numbers.
-fn notes(problem: &crate::bank::Problem, sweep: &Sweep) -> Vec<String> {
+fn notes(problem: &Problem, sweep: &Sweep) -> Vec<String> {
     let mut notes = Vec::new();
     for (question, seen) in problem.questions.iter().zip(&sweep.questions) {
         let missed = seen.missed();
@@ -233,36 +279,94 @@ fn notes(problem: &crate::bank::Problem, sweep: &Sweep) -> Vec<String> {
     notes
 }
 
-/// One sheet of each case is written: faults that show only then, and formulas that cannot be read.
+/// Formulas of statements and questions that cannot be read, on one variant of each case of these problems.
+///
+/// # Errors
+/// Faults of the templates.
+pub fn faulty_formulas(bank: &Bank, texts: &Texts, problems: &[usize]) -> Result<Vec<Finding>, Vec<Finding>> {
+    let sheets = Sheets::new(&texts.templates, &texts.words, bank, &bank.id, problems)?;
+    let mut room = Room::default();
+    let mut findings = Vec::new();
+    for (i, problem) in problems.iter().filter_map(|p| bank.problems.get(*p)).enumerate() {
+        for variant in one_of_each_case(problem, &bank.id) {
+            let mut out = Vec::new();
+            sheets.problem(i, &variant, &mut room, &mut out).map_err(|f| vec![f])?;
+            add_formulas(&mut findings, problem, texts, &String::from_utf8_lossy(&out));
+        }
+    }
+    Ok(findings)
+}
+
+fn add_formulas(findings: &mut Vec<Finding>, problem: &Problem, texts: &Texts, markdown: &str) {
+    for fault in html::faulty_formulas(markdown) {
+        let mut finding = Finding::new(format!("problems.{}", problem.id), format!("formula {fault}"));
+        // Where the questions are one's own as well, either may hold it.
+        let own = |name: &str| texts.templates.own_file(name);
+        if let Some(file) = own(&statement::template_name(problem))
+            && own("questions.md").is_none()
+        {
+            finding = finding.in_file(file);
+        }
+        if !findings.contains(&finding) {
+            findings.push(finding);
+        }
+    }
+}
+
+/// A variant of each case that 64 draws meet; fewer if a draw cannot be made.
+fn one_of_each_case(problem: &Problem, bank: &str) -> Vec<Variant> {
+    let maker = Maker::new(problem, 1, bank);
+    let mut variants: Vec<Variant> = Vec::new();
+    for student in 0..64 {
+        if variants.len() == problem.cases.len() {
+            break;
+        }
+        let Ok(variant) = maker.variant(&format!("text {student}")) else { break };
+        if variants.iter().all(|v| v.case != variant.case) {
+            variants.push(variant);
+        }
+    }
+    variants
+}
+
+/// One sheet of each case is written: faults that show only then, and formulas that cannot be read. Then a whole sheet, in
+/// every format that this program makes without a compiler.
 fn faulty_texts(bank: &Bank, texts: &Texts) -> Result<Vec<Finding>, Vec<Finding>> {
     let mut findings: Vec<Finding> = Vec::new();
     let problems: Vec<usize> = (0..bank.problems.len()).collect();
     let sheets = Sheets::new(&texts.templates, &texts.words, bank, &bank.id, &problems)?;
     let mut room = Room::default();
+    let mut whole: Vec<Variant> = Vec::new();
     for (i, problem) in bank.problems.iter().enumerate() {
-        let maker = Maker::new(problem, 1, &bank.id);
-        let mut seen = vec![false; problem.cases.len()];
-        for student in 0..64 {
-            let Ok(variant) = maker.variant(&format!("text {student}")) else { break };
-            if std::mem::replace(&mut seen[variant.case], true) {
-                continue;
+        for variant in one_of_each_case(problem, &bank.id) {
+            if whole.len() == i {
+                whole.push(variant.clone());
             }
             let mut out = Vec::new();
             match sheets.problem(i, &variant, &mut room, &mut out) {
-                Ok(()) => {
-                    let text = String::from_utf8_lossy(&out);
-                    for fault in html::faulty_formulas(&text) {
-                        let finding =
-                            Finding::new(format!("problems.{}", problem.id), format!("formula {fault}"));
-                        if !findings.contains(&finding) {
-                            findings.push(finding);
-                        }
-                    }
-                }
+                Ok(()) => add_formulas(&mut findings, problem, texts, &String::from_utf8_lossy(&out)),
                 Err(fault) if findings.contains(&fault) => {}
                 Err(fault) => findings.push(fault),
             }
+            let solved = solution::document(problem, &variant, i + 1, &texts.words, &texts.templates);
+            if let Err(fault) = solved
+                && !findings.contains(&fault)
+            {
+                findings.push(fault);
+            }
         }
+    }
+    if findings.is_empty() && whole.len() == problems.len() {
+        let one = |f: Finding| vec![f];
+        let formats = [Format::Md, Format::Html, Format::Tex];
+        let output = Output::new(texts, &formats, "sheet")?;
+        let (head, document) = sheets.document("0017", "Name", &whole, &mut room).map_err(one)?;
+        let rows = [key_table::row(bank, &problems, &head, &whole)];
+        let made = output.make(0, head, document, &mut Converter::new(&texts.words)).map_err(one)?;
+        output.booklets(&bank.title, std::slice::from_ref(&made)).map_err(one)?;
+        let parts = bank.problems.iter().zip(&whole).map(|(p, v)| make_key::key(p, v)).collect();
+        let keys = [SheetKey { student: "0017".to_owned(), problems: parts }];
+        output.key_table(bank, &bank.id, &problems, &rows, keys.iter()).map_err(one)?;
     }
     Ok(findings)
 }

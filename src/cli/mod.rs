@@ -8,6 +8,7 @@ mod banks;
 mod check;
 mod demo;
 mod files;
+mod gallery;
 mod generate;
 mod grade;
 mod lint;
@@ -47,6 +48,7 @@ pub fn run(args: impl IntoIterator<Item = OsString>, io: &mut Io) -> Exit {
         Verb::Solve(args) => solve::run(&args, io),
         Verb::Accuracy(args) => accuracy::run(&args, io),
         Verb::Lint(args) => lint::run(&args, io),
+        Verb::Gallery(args) => gallery::run(&args, io),
         Verb::Verify(args) => verify::run(&args, io),
         Verb::Solutions(args) => solutions::run(&args, io),
         Verb::Templates(args) => templates::run(&args, io),

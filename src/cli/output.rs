@@ -19,7 +19,7 @@ use crate::sheet::tex;
 /// The files of a booklet, and of a key table, whatever the formats.
 pub const BOOKLETS: [&str; 3] = ["booklet.html", "booklet.pdf", "booklet.tex"];
 /// The key for people.
-pub const KEY_TABLES: [&str; 2] = ["key-table.html", "key-table.md"];
+pub const KEY_TABLES: [&str; 3] = ["key-table.html", "key-table.md", "key-table.pdf"];
 
 /// What was asked for, or the default: Markdown and a page, and PDF where it is built in. Each once, in a fixed order.
 pub fn formats(asked: Option<&[Format]>) -> Vec<Format> {
@@ -153,7 +153,7 @@ impl<'o> Output<'o> {
         Ok(files)
     }
 
-    /// The key for people: a page, whatever the formats, and Markdown where that is asked for.
+    /// The key for people: a page, whatever the formats, and Markdown and PDF where they are asked for.
     ///
     /// # Errors
     /// Faults of the templates.
@@ -171,8 +171,22 @@ impl<'o> Output<'o> {
         if self.wants(Format::Md) {
             files.push(("key-table.md", document.plain().into_bytes()));
         }
+        if self.wants(Format::Pdf) {
+            files.push(("key-table.pdf", self.pressed(&[(&head, &document)])?));
+        }
         let body = Converter::new(words).body(&document, Place { lower: 0, prefix: "" });
         files.push(("key-table.html", html::page(templates, words, "key", &head, &body)?));
         Ok(files)
     }
+}
+
+/// The threads on which sheets are made, as many as cores where no number is given.
+///
+/// # Errors
+/// They cannot be started.
+pub fn pool(threads: Option<usize>) -> Result<rayon::ThreadPool, Vec<Finding>> {
+    rayon::ThreadPoolBuilder::new()
+        .num_threads(threads.unwrap_or(0))
+        .build()
+        .map_err(|e| vec![Finding::new("--threads", e.to_string())])
 }

@@ -39,7 +39,7 @@ pub fn run(args: &args::Solutions, io: &mut Io) -> Exit {
 fn solutions(args: &args::Solutions, io: &mut Io) -> Result<(), Vec<Finding>> {
     files::sweep_beside(&args.out);
     let set = generate::existing(&args.set)?;
-    may_write(&args.out, &args.set, args.force).map_err(|f| vec![f])?;
+    may_write(&args.out, args.force).map_err(|f| vec![f])?;
     let path = args.set.join(&set.bank.file);
     let text = files::read_text(&path).map_err(|f| vec![f])?;
     let name = path.display().to_string();
@@ -70,10 +70,7 @@ fn solutions(args: &args::Solutions, io: &mut Io) -> Result<(), Vec<Finding>> {
         bar.inc(1);
         Ok(made)
     };
-    let pool = rayon::ThreadPoolBuilder::new()
-        .num_threads(args.threads.unwrap_or(0))
-        .build()
-        .map_err(|e| vec![Finding::new("--threads", e.to_string())])?;
+    let pool = output::pool(args.threads)?;
     let all = pool.install(|| replay::each(&bank, &set, &make));
     bar.finish_and_clear();
     let stored = args.set.join("set.json").display().to_string();
@@ -138,18 +135,10 @@ fn append(whole: &mut Document, of_one: Document, number: usize) {
 }
 
 /// Nothing, an empty folder, or with `--force` a folder that `solutions` made; never among what students get.
-fn may_write(out: &Path, set: &Path, force: bool) -> Result<(), Finding> {
+fn may_write(out: &Path, force: bool) -> Result<(), Finding> {
     let finding = |what: &str| Finding::new("", what).in_file(out.display().to_string());
     files::has_a_name(out, "--out week-5-solutions")?;
-    // The folder may not be there yet, those above it are asked.
-    let above = || {
-        out.ancestors()
-            .find_map(|a| fs::canonicalize(if a == Path::new("") { Path::new(".") } else { a }).ok())
-    };
-    let students = fs::canonicalize(set.join("students")).ok();
-    if students.zip(above()).is_some_and(|(students, above)| above.starts_with(students)) {
-        return Err(finding("is within the folder of what students get").hint("give another --out"));
-    }
+    files::not_among_students(out)?;
     if out.join("set.json").exists() {
         return Err(finding("is the folder of a set").hint("give another --out for the solutions"));
     }

@@ -15,6 +15,9 @@ use std::fs;
 /// The file that explains the others; it is no template.
 pub const README: &str = "README.md";
 
+/// Pages that only instructors see; their looks are not written out.
+const INSTRUCTORS: [&str; 2] = ["accuracy.html", "gallery.html"];
+
 /// Runs it.
 pub fn run(args: &args::Templates, io: &mut Io) -> Exit {
     match templates(args, io) {
@@ -27,6 +30,7 @@ fn templates(args: &args::Templates, io: &mut Io) -> Result<(), Vec<Finding>> {
     let one = |f: Finding| vec![f];
     banks::words(&args.language)?;
     files::has_a_name(&args.out, "--out my-templates").map_err(one)?;
+    files::not_among_students(&args.out).map_err(one)?;
     if args.out.exists() && !(args.out.is_dir() && files::names_in(&args.out).is_empty()) {
         let fault = Finding::new("", "is there already").in_file(args.out.display().to_string());
         return Err(vec![fault.hint("give a new folder: templates that you changed are not replaced")]);
@@ -54,7 +58,7 @@ fn templates(args: &args::Templates, io: &mut Io) -> Result<(), Vec<Finding>> {
 /// All files: name, text.
 fn texts(language: &str) -> Result<Vec<(String, String)>, Vec<Finding>> {
     let mut texts: Vec<(String, String)> = Vec::new();
-    for (name, text) in template::built_in(language).filter(|(name, _)| *name != "accuracy.html") {
+    for (name, text) in template::built_in(language).filter(|(name, _)| !INSTRUCTORS.contains(name)) {
         texts.push((name.to_owned(), text.to_owned()));
     }
     for (topic, text) in Words::lists(language).unwrap_or_default() {

@@ -58,6 +58,8 @@ pub struct Wish {
 /// How a label is tied to its point.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Tied {
+    /// It stands at its first spot unless another label is there, whatever else it covers.
+    Fixed,
     /// It stands close by wherever that can be, whatever it covers but labels.
     Near,
     /// It may stand off, without a leader.
@@ -71,8 +73,6 @@ pub enum Tied {
 pub struct Board {
     shapes: Vec<Shape>,
     wishes: Vec<Wish>,
-    /// Circles and points within which no label may stand.
-    kept: Vec<Frame>,
 }
 
 impl Board {
@@ -188,21 +188,6 @@ impl Board {
         self.lines(&points, false, Role::Spring);
     }
 
-    /// No label may stand in this box.
-    pub fn keep_free(&mut self, corner: V, other: V) {
-        self.kept.push((
-            corner.0.min(other.0),
-            corner.1.min(other.1),
-            corner.0.max(other.0),
-            corner.1.max(other.1),
-        ));
-    }
-
-    /// Wishes a label beside a point, in a direction from it.
-    pub fn label(&mut self, runs: Vec<Run>, at: V, towards: V) {
-        self.wish(runs, vec![(at, towards)], Role::Dot);
-    }
-
     /// Wishes a label at one of several spots, best first.
     pub fn wish(&mut self, runs: Vec<Run>, spots: Vec<(V, V)>, role: Role) {
         self.wish_for(Wish { rows: vec![runs], size: TEXT, role, spots, gap: 5.0, tie: Tied::Leader });
@@ -237,9 +222,6 @@ impl Board {
         for wish in &mut self.wishes {
             wish.spots.iter_mut().for_each(|(p, _)| *p = add(*p, by));
         }
-        for f in &mut self.kept {
-            *f = (f.0 + by.0, f.1 + by.1, f.2 + by.0, f.3 + by.1);
-        }
     }
 
     /// Puts another board to the right of this one.
@@ -254,7 +236,6 @@ impl Board {
     pub fn put(&mut self, other: Board) {
         self.shapes.extend(other.shapes);
         self.wishes.extend(other.wishes);
-        self.kept.extend(other.kept);
     }
 
     /// Finds places for the labels and makes the picture.
@@ -304,7 +285,7 @@ impl Board {
     fn place(&mut self) -> Vec<(Wish, Frame)> {
         let mut obstacles = Obstacles::new(&self.shapes);
         let whole = self.frame().unwrap_or((0.0, 0.0, 1.0, 1.0));
-        let mut taken: Vec<Frame> = self.kept.clone();
+        let mut taken: Vec<Frame> = Vec::with_capacity(self.wishes.len());
         let mut placed: Vec<(Wish, Frame)> = Vec::with_capacity(self.wishes.len());
         for wish in std::mem::take(&mut self.wishes) {
             let halves = wish.rows.iter().map(|runs| half_of(runs, wish.size));
@@ -331,7 +312,7 @@ impl Board {
                     if taken.iter().any(|t| segment_meets(a, b, *t)) {
                         return;
                     }
-                    cost += 0.6 * obstacles.crossings(a, b);
+                    cost += 0.3 * obstacles.crossings(a, b);
                 }
                 // Beyond what is drawn the picture has to grow.
                 let outside = (whole.0 - frame.0).max(frame.2 - whole.2).max(0.0)
@@ -341,6 +322,15 @@ impl Board {
                     *best = Some((cost, frame, leader));
                 }
             };
+            if wish.tie == Tied::Fixed {
+                let (point, towards) = wish.spots[0];
+                let reach = half.0 * towards.0.abs() + half.1 * towards.1.abs();
+                let centre = along(point, towards, wish.gap + reach);
+                let frame = (centre.0 - half.0, centre.1 - half.1, centre.0 + half.0, centre.1 + half.1);
+                if !taken.iter().any(|t| overlap(grown(frame, 1.0), *t)) {
+                    best = Some((-1.0, frame, None));
+                }
+            }
             for (i, (point, towards)) in wish.spots.iter().enumerate() {
                 for (ring, gap) in [0.0, 5.0, 10.0].into_iter().enumerate() {
                     if wish.gap + gap < LEADER_FROM || ring == 0 {
@@ -351,7 +341,8 @@ impl Board {
             }
             let (point, towards) = wish.spots[0];
             let start = angle(towards);
-            let rings: &[f64] = if wish.tie == Tied::Near { &RINGS[..3] } else { &RINGS };
+            let rings: &[f64] =
+                if matches!(wish.tie, Tied::Near | Tied::Fixed) { &RINGS[..3] } else { &RINGS };
             for (ring, gap) in rings.iter().enumerate() {
                 for turn in 0..24 {
                     let off = f64::from((turn + 1) / 2) * if turn % 2 == 0 { 1.0 } else { -1.0 };
@@ -414,16 +405,15 @@ fn head_of(role: Role) -> (Role, f64) {
 /// How much a label on such a line disturbs; 0: not at all.
 fn weight(role: Role) -> f64 {
     match role {
-        Role::Force | Role::Friction | Role::Motion => 9.0,
-        Role::ForceHead | Role::FrictionHead | Role::MotionHead | Role::Dot => 10.0,
-        Role::Cord | Role::Spring => 8.0,
-        Role::Body | Role::Ground => 7.0,
-        Role::Inner => 5.0,
-        Role::Curve(_) | Role::Axis | Role::Area(_) => 7.0,
-        Role::DimensionHead => 6.0,
-        Role::Dimension => 5.0,
-        Role::Hatch => 2.5,
-        Role::Ghost => 3.0,
+        Role::Force | Role::Friction | Role::Motion => 30.0,
+        Role::ForceHead | Role::FrictionHead | Role::MotionHead | Role::Dot => 30.0,
+        Role::Cord | Role::Spring | Role::Body | Role::Ground => 28.0,
+        Role::Inner => 14.0,
+        Role::Curve(_) | Role::Axis | Role::Area(_) => 16.0,
+        Role::DimensionHead => 7.0,
+        Role::Dimension => 6.0,
+        Role::Hatch => 3.0,
+        Role::Ghost => 12.0,
         Role::Grid => 0.8,
         Role::Paper => 0.0,
     }
@@ -555,7 +545,7 @@ fn segment_meets(a: V, b: V, f: Frame) -> bool {
 }
 
 /// The box of an outline.
-pub fn extent(outline: &Outline) -> Frame {
+fn extent(outline: &Outline) -> Frame {
     let of = |points: &[Point]| {
         let mut f = (f64::INFINITY, f64::INFINITY, f64::NEG_INFINITY, f64::NEG_INFINITY);
         for p in points {

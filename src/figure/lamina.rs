@@ -11,6 +11,7 @@ use crate::figure::vector::V;
 use crate::figure::vector::add;
 use crate::figure::vector::along;
 use crate::figure::vector::angle;
+use crate::figure::vector::dot;
 use crate::figure::vector::left;
 use crate::figure::vector::mul;
 use crate::figure::vector::right;
@@ -86,7 +87,7 @@ pub fn draw(board: &mut Board, view: &View, index: usize) {
             });
         }
         // The spin stands where there is room, counter-clockwise as it is counted.
-        let centre = roomy(&places, mul(low, scale), mul(high, scale));
+        let centre = roomy(&ring, mul(low, scale), mul(high, scale));
         board.curved_arrow(centre, 17.0, -0.5, 4.2, Role::Motion);
         board.wish(
             view.label(spin_rad_s, "rad/s"),
@@ -122,17 +123,20 @@ pub fn draw(board: &mut Board, view: &View, index: usize) {
     }
 }
 
-/// The middle of the field that is farthest from all particles and from the axes.
-fn roomy(places: &[V], low: V, high: V) -> V {
+/// The place in and round the field that is farthest from all rods and from the axes.
+fn roomy(ring: &[V], low: V, high: V) -> V {
     let mut best = (f64::NEG_INFINITY, low);
-    for i in 0..=12 {
-        for j in 0..=12 {
+    for i in 0..=14 {
+        for j in 0..=14 {
             let p = (
-                low.0 + (high.0 - low.0) * f64::from(i) / 12.0,
-                low.1 + (high.1 - low.1) * f64::from(j) / 12.0,
+                low.0 - 30.0 + (high.0 - low.0 + 60.0) * f64::from(i) / 14.0,
+                low.1 - 30.0 + (high.1 - low.1 + 60.0) * f64::from(j) / 14.0,
             );
-            let near = places.iter().map(|q| size(sub(*q, p))).fold(f64::INFINITY, f64::min);
-            let score = near.min(p.0.abs() * 1.2).min(p.1.abs() * 1.2);
+            let rods = (0..ring.len()).map(|k| (ring[k], ring[(k + 1) % ring.len()]));
+            let near = rods.map(|(a, b)| far(p, a, b)).fold(f64::INFINITY, f64::min);
+            // Far enough is far enough: then rather within the field.
+            let outside = (low.0 - p.0).max(p.0 - high.0).max(low.1 - p.1).max(p.1 - high.1).max(0.0);
+            let score = near.min(p.0.abs() * 1.2).min(p.1.abs() * 1.2).min(70.0) - outside * 0.4;
             if score > best.0 + 1e-9 {
                 best = (score, p);
             }
@@ -141,11 +145,23 @@ fn roomy(places: &[V], low: V, high: V) -> V {
     best.1
 }
 
+/// Distance of a point from a segment.
+fn far(p: V, a: V, b: V) -> f64 {
+    let (along, to) = (sub(b, a), sub(p, a));
+    let long = dot(along, along);
+    let share = if long > 0.0 { (dot(to, along) / long).clamp(0.0, 1.0) } else { 0.0 };
+    size(sub(to, mul(along, share)))
+}
+
 fn axes(board: &mut Board, view: &View, low: V, high: V, scale: f64) {
     let (west, east) = (low.0 - 26.0, high.0 + 40.0);
     let (bottom, top) = (low.1 - 26.0, high.1 + 40.0);
-    board.arrow((west, 0.0), (east, 0.0), Role::Dimension);
-    board.arrow((0.0, bottom), (0.0, top), Role::Dimension);
+    for (from, to, towards) in
+        [((west, 0.0), (east, 0.0), (1.0, 0.0)), ((0.0, bottom), (0.0, top), (0.0, 1.0))]
+    {
+        board.line(from, along(to, towards, -7.0), Role::Axis);
+        board.head(to, towards, Role::DimensionHead);
+    }
     let italic = |t: &str| vec![symbol::run(t, RunStyle::Italic)];
     let near = |rows, at: V, towards: V, size: f64| Wish {
         rows: vec![rows],
@@ -157,24 +173,17 @@ fn axes(board: &mut Board, view: &View, low: V, high: V, scale: f64) {
     };
     board.wish_for(near(italic("x"), (east, 0.0), (1.0, 0.0), TEXT));
     board.wish_for(near(italic("y"), (0.0, top), (0.0, 1.0), TEXT));
-    // A mark every half metre (or a power of ten more or less), with its number.
-    let mut step = 0.5;
-    while step * scale < 30.0 {
-        step *= 2.0;
-    }
-    while step * scale > 150.0 {
-        step /= 2.0;
-    }
-    for i in -8..=8 {
+    // Marks at round numbers, 48 pixels apart or more, with as many decimals as their step has.
+    let steps = [(0.01, 2), (0.02, 2), (0.05, 2), (0.1, 1), (0.2, 1), (0.5, 1), (1.0, 0), (2.0, 0), (5.0, 0)];
+    let wide = |(step, _): &&(f64, usize)| step * scale >= 48.0;
+    let (step, decimals) = steps.iter().find(wide).copied().unwrap_or((10.0, 0));
+    for i in -10..=10 {
         let value = f64::from(i) * step;
         let s = value * scale;
         if i == 0 {
             continue;
         }
-        let text = view
-            .words
-            .number(&if step < 1.0 && step > 0.2 { format!("{value:.1}") } else { format!("{value}") })
-            .replace('-', "−");
+        let text = view.words.number(&format!("{value:.decimals$}")).replace('-', "−");
         for (place, across, inside) in [
             ((s, 0.0), (0.0, 1.0), s > west + 8.0 && s < east - 14.0),
             ((0.0, s), (1.0, 0.0), s > bottom + 8.0 && s < top - 14.0),

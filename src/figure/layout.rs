@@ -126,6 +126,8 @@ pub enum Piece {
     Straight(V, V),
     /// Round a body or pulley: centre, radius, angles.
     Round(V, f64, f64, f64),
+    /// A post on a block that is lower than the cord.
+    Post(V, V),
 }
 
 /// What a cord ends at.
@@ -625,7 +627,20 @@ impl Builder<'_> {
                 }
             }
             let (own, _) = self.attach(&to, far, back);
-            end = Self::visible(&to, far, own, back);
+            let seen = Self::visible(&to, far, own, back);
+            // Parallel to the line that both share: where the block is too low, a post holds the cord.
+            let high = dot(sub(start, seen), left(away));
+            end = if let (Some(_), Look::Block { across, .. }) = (to.on, &to.look)
+                && to.on == from.on
+                && high.abs() > across + 2.0
+            {
+                let top = along(to.centre, left(away), high);
+                let foot = along(to.centre, left(away), across * high.signum());
+                pieces.push(Piece::Post(foot, top));
+                top
+            } else {
+                seen
+            };
             pieces.push(Piece::Straight(start, end));
         } else {
             // Over a guide pulley: the cord turns the short way.
@@ -749,6 +764,7 @@ fn shift(run: &mut Run, by: V) {
     for piece in &mut run.pieces {
         *piece = match *piece {
             Piece::Straight(a, b) => Piece::Straight(add(a, by), add(b, by)),
+            Piece::Post(a, b) => Piece::Post(add(a, by), add(b, by)),
             Piece::Round(c, r, a, b) => Piece::Round(add(c, by), r, a, b),
         };
     }

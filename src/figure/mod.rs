@@ -2,9 +2,19 @@
 //!
 //! [`scene::picture`] is the figure of a statement. It shows what is given and what a student may assume, never what the
 //! solver found: no direction that is asked, no friction.
+use crate::bank::FigureLabels;
+use crate::bank::Problem;
+use crate::figure::picture::Picture;
+use crate::problem::make::Variant;
+use crate::words::Words;
+
+pub mod bars;
 pub mod board;
+pub mod forces;
+pub mod graph;
 pub mod lamina;
 pub mod layout;
+pub mod names;
 pub mod picture;
 pub mod pinned;
 pub mod say;
@@ -14,3 +24,24 @@ pub mod symbol;
 pub mod tikz;
 pub mod vector;
 pub mod view;
+
+/// All pictures for a worked solution, by name: `scene`, `forces-BODY` for each body, `graph-...`, `energy`.
+pub fn all(problem: &Problem, variant: &Variant, words: &Words) -> Vec<(String, Picture)> {
+    let labels = match problem.figure {
+        FigureLabels::Symbols => FigureLabels::Symbols,
+        FigureLabels::Values | FigureLabels::None => FigureLabels::Values,
+    };
+    let mut list = vec![("scene".to_owned(), scene::worked(problem, variant, words, labels))];
+    let bodies = problem.cases.get(variant.case).map_or(&[][..], |c| &c.scene.bodies);
+    for (i, body) in bodies.iter().enumerate() {
+        if forces::known(problem, variant, i) {
+            let name = format!("forces-{}", body.name);
+            list.push((name, forces::free_body(problem, variant, words, i)));
+        }
+    }
+    list.extend(graph::all(problem, variant, words));
+    if let Some(picture) = bars::picture(problem, variant, words) {
+        list.push(("energy".to_owned(), picture));
+    }
+    list
+}

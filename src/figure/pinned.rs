@@ -103,6 +103,26 @@ impl Hung {
         self.upright
     }
 
+    /// Does the body at an angle cover this point?
+    pub fn covers(&self, point: V, degrees: f64) -> bool {
+        let d = self.direction(degrees);
+        let far = dot(point, d);
+        if let Some((from, to)) = self.rod {
+            return far > from - 7.0 && far < to + 2.0 && dot(point, left(d)).abs() < 7.0;
+        }
+        let small = self.small();
+        (0..=20).any(|i| {
+            let share = f64::from(i) / 20.0;
+            let reach = small + (self.round - small) * share;
+            size(sub(point, mul(d, self.arm * share))) < reach + 2.0
+        })
+    }
+
+    /// Radius of what is drawn round the pin of a body that is no rod.
+    fn small(&self) -> f64 {
+        (self.round * 0.3).clamp(9.0, 16.0)
+    }
+
     /// Outline of the body at an angle, moved by `at`.
     pub fn outline(&self, board: &mut Board, at: V, degrees: f64, role: Role) {
         let d = self.direction(degrees);
@@ -114,7 +134,7 @@ impl Hung {
             }
             None => {
                 // The hull of a circle round the mass centre and a small one round the pin.
-                let (big, small) = (self.round, (self.round * 0.3).clamp(9.0, 16.0));
+                let (big, small) = (self.round, self.small());
                 let centre = along(at, d, self.arm);
                 if self.arm + small <= big + 1.0 {
                     board.circle(centre, big, role);
@@ -152,9 +172,9 @@ pub fn draw(board: &mut Board, view: &View, index: usize) {
     let d = hung.direction(start);
     let far = hung.rod.map_or(hung.arm + hung.round, |(_, to)| to);
     let zero = hung.direction(0.0);
-    let support = if hung.upright { -1.0 } else { 1.0 };
+    let bearing = free_side(&hung, start, end.map(|e| e.1));
     if hung.rod.is_some() {
-        bracket(board, (0.0, 0.0), support);
+        support(board, bearing);
     }
     // The direction from which angles count, unless the body covers it.
     board.line(along((0.0, 0.0), zero, 8.0), along((0.0, 0.0), zero, far * 0.72 + 14.0), Role::Ghost);
@@ -170,7 +190,7 @@ pub fn draw(board: &mut Board, view: &View, index: usize) {
             board.line((0.0, 0.0), along((0.0, 0.0), hung.direction(degrees), hung.arm), Role::Ghost);
         }
         board.line((0.0, 0.0), along((0.0, 0.0), zero, far * 0.72 + 14.0), Role::Ghost);
-        bracket(board, (0.0, 0.0), support);
+        support(board, bearing);
     }
     let g = along((0.0, 0.0), d, hung.arm);
     let mut angles = vec![(pin.start_deg, start, 0.0)];
@@ -379,11 +399,40 @@ pub fn dimension(
     );
 }
 
-/// The support of a pin: above it (`up` = 1) or below (-1).
-pub fn bracket(board: &mut Board, at: V, up: f64) {
-    let wall = at.1 + up * 24.0;
-    board.lines(&[(at.0 - 13.0, wall), at, (at.0 + 13.0, wall)], true, Role::Inner);
-    let (a, b) = ((at.0 - 28.0, wall), (at.0 + 28.0, wall));
-    board.hatch(a, b, (0.0, up));
+/// Distance from a pin to the wall that holds it.
+const WALL: f64 = 24.0;
+/// Half the width of that wall.
+const HALF_WALL: f64 = 28.0;
+
+/// The direction from the pin to a wall that holds it without lying in the body; `None` where the body is all round the pin.
+/// The wall is above what hangs and below what stands wherever that is free.
+fn free_side(hung: &Hung, start: f64, end: Option<f64>) -> Option<V> {
+    let usual = mul(hung.direction(0.0), -1.0);
+    let sides = [usual, left(usual), right(usual), mul(usual, -1.0)];
+    let covered = |side: V, degrees: f64| {
+        let across = left(side);
+        (-4..=4).any(|i| {
+            let foot = along(mul(side, WALL), across, HALF_WALL * f64::from(i) / 4.0);
+            [0.0, 9.0].into_iter().any(|deep| hung.covers(along(foot, side, deep), degrees))
+        })
+    };
+    let free: Vec<V> = sides.into_iter().filter(|s| !covered(*s, start)).collect();
+    // The other position is only dashed: its side is the second best.
+    let best = free.iter().find(|s| end.is_none_or(|e| !covered(**s, e)));
+    best.or(free.first()).copied()
+}
+
+/// The support of a pin: a bracket with a wall on one side, or the bearing alone.
+fn support(board: &mut Board, side: Option<V>) {
+    let pin = (0.0, 0.0);
+    let Some(side) = side else {
+        board.circle(pin, 7.5, Role::Inner);
+        return;
+    };
+    let (wall, across) = (mul(side, WALL), left(side));
+    board.lines(&[along(wall, across, -13.0), pin, along(wall, across, 13.0)], true, Role::Inner);
+    let (a, b) = (along(wall, across, HALF_WALL), along(wall, across, -HALF_WALL));
+    let (a, b) = if side.1 < -0.5 || side.0 < -0.5 { (b, a) } else { (a, b) };
+    board.hatch(a, b, side);
     board.line(a, b, Role::Ground);
 }

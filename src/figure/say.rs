@@ -37,6 +37,7 @@ fn bare(view: &View, num: Num, unit: &str) -> String {
 /// What kind of body it is, in a word.
 pub fn kind(view: &View, body: &Body) -> String {
     let name = match &body.inertia {
+        None if body.line.is_some_and(|l| !l.surface && l.slope == Slope::Vertical) => "load",
         None => "block",
         Some(RotaryInertia::Shape(Shape::Rod, _)) => "rod",
         Some(RotaryInertia::Shape(Shape::Sphere | Shape::Shell, _)) => "ball",
@@ -46,6 +47,16 @@ pub fn kind(view: &View, body: &Body) -> String {
         Some(_) => "wheel",
     };
     view.words.get(&format!("figure.{name}")).to_owned()
+}
+
+/// The body in a word, with the symbol of its mass where several are of its kind: `Load m_1`.
+pub fn called(view: &View, body: &Body) -> String {
+    let name = kind(view, body);
+    if view.scene.bodies.iter().filter(|b| kind(view, b) == name).count() < 2 {
+        return name;
+    }
+    let symbol = view.mass(body).map_or_else(Vec::new, |(n, _)| view.symbol(n));
+    if symbol.is_empty() { name } else { format!("{name} {}", symbol::plain(&symbol)) }
 }
 
 /// The body with its data: `Wheel (m = 40 kg, k = 0.25 m)`.
@@ -97,8 +108,17 @@ fn way(view: &View, towards: V, incline: bool) -> String {
     view.words.get(&format!("figure.way.{name}")).to_owned()
 }
 
-/// Where a cord leaves a body.
-fn place(view: &View, end: CordEnd) -> String {
+/// Where a cord leaves a body, and which way; of what hangs, up or down.
+fn place(view: &View, end: CordEnd, hangs: Option<V>) -> String {
+    if let Some(towards) = hangs {
+        let way = if towards.1 > 0.0 { "up" } else { "down" };
+        return match end.attach {
+            Attach::Centre => view.words.get(&format!("figure.place.centre_{way}")).to_owned(),
+            Attach::Wound(radius, _) => {
+                view.words.say(&format!("figure.place.wound_{way}"), &[("radius", &text(view, radius, "m"))])
+            }
+        };
+    }
     let axle = view.scene.bodies.get(end.body).is_none_or(|b| b.line.is_none());
     let direction = if end.forward { "forward" } else { "back" };
     match end.attach {
@@ -160,7 +180,7 @@ pub fn mechanism(view: &View, plan: &Layout, told: bool, out: &mut Vec<String>) 
         if list.is_empty() {
             continue;
         }
-        senses.push(format!("{}: {}", kind(view, body), list.join(", ")));
+        senses.push(format!("{}: {}", called(view, body), list.join(", ")));
     }
     if !senses.is_empty() {
         out.push(say("positive", &[("list", &senses.join("; "))]));
@@ -202,7 +222,9 @@ fn body(view: &View, plan: &Layout, index: usize, p: &Placed, out: &mut Vec<Stri
         if cord.from.body != index {
             continue;
         }
-        let place = place(view, cord.from);
+        let mut leaves = plan.cords.iter().filter(|r| r.tie == i).flat_map(|r| &r.at);
+        let towards = leaves.find(|(b, _)| *b == index).map(|(_, d)| *d);
+        let place = place(view, cord.from, towards.filter(|_| p.on.is_none() && body.line.is_some()));
         out.push(match cord.to {
             Far::Pull(n) => say("pull", &[("place", &place), ("force", &text(view, n, "N"))]),
             Far::Fixed => say("fixed", &[("place", &place)]),

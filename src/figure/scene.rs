@@ -34,6 +34,8 @@ use crate::figure::vector::size;
 use crate::figure::vector::sub;
 use crate::figure::vector::unit;
 use crate::figure::view::View;
+use crate::figure::view::joined;
+use crate::figure::view::own;
 use crate::problem::make::Variant;
 use crate::scene::Coordinate;
 use crate::scene::Degree;
@@ -56,7 +58,16 @@ pub const SMALL: f64 = 30.0;
 
 /// The scene of a variant at its start.
 pub fn picture(problem: &Problem, variant: &Variant, words: &Words, labels: FigureLabels) -> Picture {
-    let Some(view) = View::new(problem, variant, words, labels) else {
+    drawn(problem, variant, words, labels, false)
+}
+
+/// The same for a worked solution: also the way that the ending body takes where its direction is asked.
+pub fn worked(problem: &Problem, variant: &Variant, words: &Words, labels: FigureLabels) -> Picture {
+    drawn(problem, variant, words, labels, true)
+}
+
+fn drawn(problem: &Problem, variant: &Variant, words: &Words, labels: FigureLabels, worked: bool) -> Picture {
+    let Some(view) = View::new(problem, variant, words, labels).map(|v| View { worked, ..v }) else {
         return Board::new().finish(problem.title.clone(), String::new());
     };
     let mut board = Board::new();
@@ -263,6 +274,7 @@ fn cord(board: &mut Board, view: &View, plan: &Layout, run: &layout::Run) {
         match *piece {
             Piece::Straight(a, b) => board.line(a, b, Role::Cord),
             Piece::Round(c, r, a, b) => board.arc(c, r, a, b, Role::Cord),
+            Piece::Post(a, b) => board.line(a, b, Role::Ground),
         }
     }
     let Some(Tie::Cord(tie)) = view.scene.ties.get(run.tie) else { return };
@@ -367,15 +379,20 @@ fn busy(view: &View, plan: &Layout, body: usize, p: &Placed) -> Vec<V> {
 /// Where radii are drawn, degrees from forward toward the top, best first.
 const SPOKES: [f64; 9] = [176.0, 148.0, 38.0, 210.0, 330.0, 120.0, 62.0, 240.0, 300.0];
 
+/// The same for a small pulley, which has cords to the left and below.
+const PULLEY_SPOKES: [f64; 9] = [38.0, 62.0, 330.0, 120.0, 148.0, 176.0, 300.0, 210.0, 240.0];
+
 /// A direction for a radius that is clear of those taken.
 fn spoke(p: &Placed, taken: &[V]) -> V {
+    let small = p.on.is_none() && p.reach((1.0, 0.0)) < 48.0;
+    let spokes = if small { &PULLEY_SPOKES } else { &SPOKES };
     let direction = |degrees: &f64| {
         let (c, s) = polar_degrees(*degrees);
         add(mul(p.forward, c), mul(p.top, s))
     };
     // Clear is 22 degrees apart.
     let clear = |d: &V| taken.iter().all(|t| dot(*t, *d) < 0.927);
-    SPOKES.iter().map(direction).find(clear).unwrap_or_else(|| direction(&SPOKES[0]))
+    spokes.iter().map(direction).find(clear).unwrap_or_else(|| direction(&spokes[0]))
 }
 
 fn body_labels(board: &mut Board, view: &View, plan: &Layout, index: usize, p: &Placed) {
@@ -473,13 +490,15 @@ fn body_labels(board: &mut Board, view: &View, plan: &Layout, index: usize, p: &
 /// Coefficients at the contacts.
 fn ties(board: &mut Board, view: &View, plan: &Layout) {
     for tie in &view.scene.ties {
-        let (body, list): (usize, Vec<Num>) = match tie {
-            Tie::Roll { body, mu_s, .. } => (*body, mu_s.iter().copied().collect()),
-            Tie::Slip { body, mu_s, mu_k, .. } => (*body, vec![*mu_s, *mu_k]),
-            Tie::Slide { body, mu_s, mu_k } => (*body, mu_s.iter().copied().chain([*mu_k]).collect()),
+        let (body, rest, sliding) = match tie {
+            Tie::Roll { body, mu_s, .. } => (*body, *mu_s, None),
+            Tie::Slip { body, mu_s, mu_k, .. } => (*body, Some(*mu_s), Some(*mu_k)),
+            Tie::Slide { body, mu_s, mu_k } => (*body, *mu_s, Some(*mu_k)),
             Tie::Cord(_) => continue,
         };
         let Some(p) = plan.bodies.get(body).and_then(Option::as_ref) else { continue };
+        let list = [(rest, r"\mu_s"), (sliding, r"\mu_k")];
+        let list = list.into_iter().filter_map(|(num, tex)| Some((num?, tex)));
         let contact = along(p.centre, p.top, -p.contact);
         let under = mul(p.top, -1.0);
         let aside = |far: f64| (along(along(contact, p.forward, far), under, 12.0), under);
@@ -489,7 +508,12 @@ fn ties(board: &mut Board, view: &View, plan: &Layout) {
         } else {
             vec![aside(0.0), aside(40.0), aside(-40.0), aside(clear)]
         };
-        let rows = list.into_iter().map(|num| view.label(num, "")).collect();
+        let coefficient = |(num, tex): (Num, &str)| match num {
+            Num::Datum(_) => view.label(num, ""),
+            // A bare number would say nothing.
+            Num::Fixed(_) => joined(own(tex), view.value(num, "")),
+        };
+        let rows = list.map(coefficient).collect();
         board.wish_for(Wish { rows, size: TEXT, role: Role::Dot, spots, gap: 3.0, tie: Tied::Loose });
     }
 }
@@ -540,7 +564,7 @@ fn starts(board: &mut Board, view: &View, plan: &Layout) {
     }
 }
 
-/// Which way the ending coordinate goes, as far as the picture may tell: declared, or asked by no question.
+/// Which way the ending coordinate goes, as far as the picture may tell: declared, or asked by no question, or solved.
 fn told(view: &View) -> Option<f64> {
     match view.scene.heading {
         Some(Heading::Forward) => return Some(1.0),
@@ -548,7 +572,7 @@ fn told(view: &View) -> Option<f64> {
         None => {}
     }
     let asked = |q: Quantity| view.problem.questions.iter().any(|x| x.label.quantity == q);
-    if asked(Quantity::Direction) || asked(Quantity::Displacement) {
+    if !view.worked && (asked(Quantity::Direction) || asked(Quantity::Displacement)) {
         return None;
     }
     let c = view.scene.ending_coordinate();
@@ -578,10 +602,13 @@ fn travel(board: &mut Board, view: &View, plan: &Layout) {
     let hanging = p.on.is_none();
     let most = if hanging { reach + 70.0 } else { reach + 96.0 };
     let (long, cut) = if real > most { (most, true) } else { (real, false) };
-    let side = if hanging { (p.reach((1.0, 0.0)) + 36.0, (1.0, 0.0)) } else { (0.0, p.top) };
+    // Beside what hangs, on the side where nothing else is.
+    let crowded = plan.bodies.iter().flatten().any(|q| (1.0..160.0).contains(&(q.centre.0 - p.centre.0)));
+    let beside = if crowded { (-1.0, 0.0) } else { (1.0, 0.0) };
+    let side = if hanging { (p.reach((1.0, 0.0)) + 36.0, beside) } else { (0.0, p.top) };
     let from = along(p.centre, side.1, side.0);
     let to = along(from, towards, long);
-    let across = if hanging { (1.0, 0.0) } else { p.top };
+    let across = if hanging { beside } else { p.top };
     if hanging {
         board.line(along(from, across, -9.0), along(from, across, 9.0), Role::Dimension);
     }
@@ -625,7 +652,12 @@ fn senses(board: &mut Board, view: &View, plan: &Layout) {
         if view.scene.start.iter().any(given) {
             continue;
         }
-        if body.line.is_some() {
+        // Bodies that stand on one surface share their arrow.
+        let told = plan.bodies[..b]
+            .iter()
+            .flatten()
+            .any(|q| p.on.is_some() && q.on == p.on && dot(q.forward, p.forward) > 0.0);
+        if body.line.is_some() && !told {
             let (at, off) = if p.on.is_some() {
                 let back = mul(p.forward, -1.0);
                 (along(along(p.centre, back, p.reach(back) + 50.0), p.top, 22.0 - p.contact), p.top)

@@ -32,7 +32,8 @@ const NAMES: &[(char, &str)] = &[
     ('σ', r"\sigma"),
     ('τ', r"\tau"),
     ('υ', r"\upsilon"),
-    ('φ', r"\phi"),
+    ('φ', r"\varphi"),
+    ('ϕ', r"\phi"),
     ('χ', r"\chi"),
     ('ψ', r"\psi"),
     ('ω', r"\omega"),
@@ -165,7 +166,7 @@ fn text(runs: &[Run]) -> String {
                 for c in text.chars() {
                     match named(c) {
                         Some(name) => {
-                            let _ = write!(out, "${name}$");
+                            let _ = write!(out, "${name}{}$", after(name));
                         }
                         None => out.push_str(&letter(c)),
                     }
@@ -209,11 +210,16 @@ fn formula(text: &str) -> String {
     for c in text.chars() {
         match named(c) {
             Some(name) => {
-                let _ = write!(out, "{name} ");
+                let _ = write!(out, "{name}{}", after(name));
             }
             None => out.push_str(&letter(c)),
         }
     }
     // A power with a name of its own would be a second one.
-    out.replace(r"^{\circ}", r"\circ").trim_end().to_owned()
+    out.replace(r"^{\circ}", r"\circ")
+}
+
+/// A space that keeps the letters after a command from becoming part of its name.
+fn after(name: &str) -> &'static str {
+    if name.starts_with('\\') { " " } else { "" }
 }

@@ -29,6 +29,8 @@ pub struct View<'a> {
     pub words: &'a Words,
     /// Are symbols followed by values?
     pub labels: FigureLabels,
+    /// Is it part of a worked solution, which may tell what is asked?
+    pub worked: bool,
 }
 
 impl<'a> View<'a> {
@@ -40,7 +42,7 @@ impl<'a> View<'a> {
         labels: FigureLabels,
     ) -> Option<Self> {
         let scene = &problem.cases.get(variant.case)?.scene;
-        Some(Self { problem, variant, scene, words, labels })
+        Some(Self { problem, variant, scene, words, labels, worked: false })
     }
 
     /// A number of the scene.

@@ -41,7 +41,29 @@ impl Document {
     }
 }
 
+/// A sign of percent stays on the line of its number: the blank between them becomes one that does not break.
+pub fn kept_together(text: &str) -> String {
+    let mut out = String::with_capacity(text.len());
+    let mut pieces = text.split(" %");
+    out.push_str(pieces.next().unwrap_or_default());
+    for piece in pieces {
+        out.push_str(if out.ends_with(|c: char| c.is_ascii_digit()) { "\u{a0}%" } else { " %" });
+        out.push_str(piece);
+    }
+    out
+}
+
 /// A Markdown text without room for answers.
 pub fn without_marks(markdown: &str) -> String {
     markdown.replace(&format!(" {ANSWER}"), "").replace(ANSWER, "")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn percent_stays_with_its_number() {
+        assert_eq!(kept_together("within 1.9 % or 2 %, in %"), "within 1.9\u{a0}% or 2\u{a0}%, in %");
+    }
 }

@@ -4,6 +4,7 @@ use crate::finding::Finding;
 use crate::sheet::document::ANSWER;
 use crate::sheet::document::Document;
 use crate::sheet::document::Head;
+use crate::sheet::document::kept_together;
 use crate::template;
 use crate::template::Templates;
 use crate::template::View;
@@ -34,7 +35,7 @@ pub struct Converter<'w> {
 /// Formulas remembered at most, so that memory does not grow with the class.
 const REMEMBERED: usize = 4096;
 /// A formula on a line of its own that has more signs than this may be wider than a phone, and scrolls by itself.
-const PHONE: usize = 34;
+const PHONE: usize = 28;
 /// One with more signs than this is set smaller on paper, so that it fits.
 pub const PAPER: usize = 70;
 
@@ -56,7 +57,8 @@ impl<'w> Converter<'w> {
     /// The body of a page.
     pub fn body(&mut self, document: &Document, place: Place) -> String {
         let mut out = String::with_capacity(document.markdown.len() * 6);
-        let mut walk = Walk { tables: 0, formulas: 0, columns: Vec::new(), cell: 0, in_head: false };
+        let mut walk =
+            Walk { tables: 0, formulas: 0, columns: Vec::new(), cell: 0, in_head: false, in_code: false };
         let mut events = Parser::new_ext(&document.markdown, MARKDOWN).peekable();
         let mut ready: Vec<Event> = Vec::new();
         while let Some(event) = events.next() {
@@ -79,7 +81,7 @@ impl<'w> Converter<'w> {
             self.event(event, place, &mut walk, &mut ready);
         }
         pulldown_cmark::html::push_html(&mut out, ready.into_iter());
-        out
+        styles_once(&out, &mut Vec::new())
     }
 
     /// One event of Markdown to events that the writer of HTML knows.
@@ -96,21 +98,16 @@ impl<'w> Converter<'w> {
                 }
                 let scrolls = if signs > PHONE {
                     let label = format!("{} {}", self.words.get("sheet.formula"), walk.formulas);
-                    format!(" role=\"region\" tabindex=\"0\" aria-label=\"{label}\"")
+                    format!(" role=\"group\" tabindex=\"0\" aria-label=\"{label}\"")
                 } else {
                     String::new()
                 };
                 let math = self.formula(&tex, DisplayMode::Block);
                 out.push(html(format!("<span class=\"{class}\"{scrolls}>{math}</span>")));
             }
+            // What else a template writes in HTML is its own; names of people are escaped before they come here.
             Event::Html(text) | Event::InlineHtml(text) if text.trim() == ANSWER => {
                 out.push(html("<span class=\"answer\"></span>".to_owned()));
-            }
-            // Nothing that a template writes is markup of its own.
-            Event::Html(text) | Event::InlineHtml(text) => {
-                if !text.trim_start().starts_with("<!--") {
-                    out.push(Event::Text(text));
-                }
             }
             Event::Start(Tag::Heading { level, classes, attrs, .. }) => {
                 let level = lowered(level, place.lower);
@@ -125,7 +122,7 @@ impl<'w> Converter<'w> {
                 walk.columns = columns;
                 let label = format!("{} {}", self.words.get("sheet.table"), walk.tables);
                 out.push(html(format!(
-                    "<div class=\"wide\" role=\"region\" tabindex=\"0\" aria-label=\"{label}\"><table>\n"
+                    "<div class=\"wide\" role=\"group\" tabindex=\"0\" aria-label=\"{label}\"><table>\n"
                 )));
             }
             Event::End(TagEnd::Table) => out.push(html("</tbody></table></div>\n".to_owned())),
@@ -155,6 +152,19 @@ impl<'w> Converter<'w> {
             Event::End(TagEnd::TableCell) => {
                 out.push(html(if walk.in_head { "</th>" } else { "</td>" }.to_owned()));
             }
+            Event::Start(Tag::CodeBlock(_)) => {
+                walk.in_code = true;
+                out.push(event);
+            }
+            Event::End(TagEnd::CodeBlock) => {
+                walk.in_code = false;
+                out.push(event);
+            }
+            Event::Text(text) if !walk.in_code && text.contains(" %") => {
+                out.push(Event::Text(kept_together(&text).into()));
+            }
+            Event::Rule => out.push(Event::Html("<hr>\n".into())),
+            Event::HardBreak => out.push(html("<br>\n".to_owned())),
             event => out.push(event),
         }
     }
@@ -182,6 +192,7 @@ struct Walk {
     columns: Vec<Alignment>,
     cell: usize,
     in_head: bool,
+    in_code: bool,
 }
 
 fn lowered(level: HeadingLevel, by: usize) -> HeadingLevel {
@@ -306,7 +317,9 @@ pub fn booklet<'p>(
     view.foreign("title", title);
     view.text("skip", words.get("sheet.skip"));
     view.text("contents", words.get("sheet.contents"));
+    let mut styles = Vec::new();
     let list = parts.enumerate().map(|(i, (head, body))| {
+        let body = styles_once(body.trim_end(), &mut styles);
         let who = match head.name.as_str() {
             "" => head.student.clone(),
             name => format!("{name} ({})", head.student),
@@ -315,13 +328,32 @@ pub fn booklet<'p>(
             ("id", template::finished(&part_id(i))),
             ("who", template::finished(&template::in_html(&who))),
             ("running", template::finished(&running_head(head))),
-            ("body", template::finished(body.trim_end())),
+            ("body", template::finished(&body)),
         ])
     });
     view.value("sheets", template::list(list.collect()));
     let mut out = Vec::new();
     templates.render("booklet.html", &view, &mut out)?;
     Ok(out)
+}
+
+/// Figures bring their style along; in one page each style is needed once, and counts for all figures.
+fn styles_once(html: &str, seen: &mut Vec<String>) -> String {
+    const END: &str = "</style>";
+    let mut out = String::with_capacity(html.len());
+    let mut rest = html;
+    while let Some(at) = rest.find("<style>") {
+        let (before, tail) = rest.split_at(at);
+        let (style, after) = tail.split_at(tail.find(END).map_or(tail.len(), |end| end + END.len()));
+        out.push_str(before);
+        if !seen.iter().any(|s| s == style) {
+            out.push_str(style);
+            seen.push(style.to_owned());
+        }
+        rest = after;
+    }
+    out.push_str(rest);
+    out
 }
 
 /// Id of a document in a booklet, counted from 0.
@@ -354,14 +386,63 @@ fn mathml(tex: &str, display_mode: DisplayMode) -> String {
 }
 
 /// What the writer of MathML leaves ugly: escaped spaces, the micro sign for the letter mu, wide
-/// slashes in units, decimal commas as if they parted a list, the letters of a unit one by one.
+/// slashes in units, decimal commas as if they parted a list, the letters of a unit one by
+/// one.
 fn tidy(mathml: &str) -> String {
-    mathml
+    let text = mathml
         .replace("&amp;nbsp;", "\u{a0}")
         .replace('\u{b5}', "\u{3bc}")
         .replace("<mo>/</mo>", "<mo lspace=\"0\" rspace=\"0\">/</mo>")
         .replace("</mn><mrow><mo>,</mo></mrow><mn>", ",")
-        .replace("</mi><mi mathvariant=\"normal\">", "")
+        .replace("<mtable class=\"menv-alignlike", "<mtable displaystyle=\"true\" class=\"menv-alignlike");
+    styled(&whole_units(&text))
+}
+
+/// Upright letters side by side, as one word.
+fn whole_units(mathml: &str) -> String {
+    const UPRIGHT: &str = "<mi mathvariant=\"normal\">";
+    let mut out = String::with_capacity(mathml.len());
+    for (i, piece) in mathml.split("</mi>").enumerate() {
+        let upright = out.rfind("<mi").is_some_and(|at| out[at..].starts_with(UPRIGHT));
+        match piece.strip_prefix(UPRIGHT) {
+            Some(more) if i > 0 && upright => out.push_str(more),
+            _ => {
+                if i > 0 {
+                    out.push_str("</mi>");
+                }
+                out.push_str(piece);
+            }
+        }
+    }
+    out
+}
+
+/// Rows that carry a style become elements that may carry one.
+fn styled(mathml: &str) -> String {
+    const OPEN: &str = "<mrow displaystyle=";
+    let mut out = String::with_capacity(mathml.len());
+    let mut rest = mathml;
+    while let Some(at) = rest.find(OPEN) {
+        let (before, tail) = rest.split_at(at);
+        out.push_str(before);
+        // The end of this row, past those of the rows within.
+        let (mut depth, mut from) = (0, 0);
+        let end = loop {
+            let Some(next) = tail[from..].find("mrow").map(|i| from + i) else { break tail.len() };
+            depth += if tail[..next].ends_with("</") { -1 } else { 1 };
+            from = next + 4;
+            if depth == 0 {
+                break next - 2;
+            }
+        };
+        let inner = tail.get(5..end).unwrap_or_default();
+        out.push_str("<mstyle");
+        out.push_str(&styled(inner));
+        out.push_str("</mstyle>");
+        rest = tail.get(end + 7..).unwrap_or_default();
+    }
+    out.push_str(rest);
+    out
 }
 
 /// Says what is wrong with the formulas of a Markdown text, one sentence each.
@@ -378,4 +459,54 @@ pub fn faulty_formulas(markdown: &str) -> Vec<String> {
             Some(format!("`${tex}$`: {}", words.lines().next().unwrap_or("cannot be read")))
         })
         .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn units_are_words_and_symbols_stay_apart() {
+        let of = |tex| mathml(tex, DisplayMode::Inline);
+        assert!(
+            of(r"40\ \mathrm{kg}").contains("<mi mathvariant=\"normal\">kg</mi>"),
+            "{}",
+            of(r"40\ \mathrm{kg}")
+        );
+        assert!(!of(r"x\Delta y").contains("xΔ"));
+        assert!(of("0{,}25").contains("<mn>0,25</mn>"));
+        assert!(of(r"f(1, 2)").contains("<mo>,</mo>"), "{}", of(r"f(1, 2)"));
+        assert!(of(r"a + \tfrac{1}{2} b").contains("</mstyle>"));
+        for tex in [r"\tfrac{1}{\tfrac{2}{3}} + x", r"\mathrm{m}/\mathrm{s}^{2}"] {
+            let text = of(tex);
+            for name in ["mrow", "mstyle", "mi"] {
+                let count = |tag: String| text.matches(&tag).count();
+                let open = count(format!("<{name}>")) + count(format!("<{name} "));
+                assert_eq!(open, count(format!("</{name}>")), "{text}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_style_stands_once_in_a_page() {
+        let mut seen = Vec::new();
+        let first = styles_once("a<style>x</style>b<style>x</style>c<style>y</style>", &mut seen);
+        assert_eq!(first, "a<style>x</style>bc<style>y</style>");
+        assert_eq!(styles_once("<p><style>y</style></p>", &mut seen), "<p></p>");
+    }
+
+    #[test]
+    fn a_name_ends_no_style_sheet() {
+        let head = Head { name: "</style><script>\"\\".to_owned(), ..Head::default() };
+        let text = running_head(&head);
+        assert!(!text[1..text.len() - 1].contains(['<', '>', '"']), "{text}");
+        assert!(text.starts_with("\"\\3c /style"), "{text}");
+    }
+
+    #[test]
+    fn the_width_of_a_formula_is_that_of_its_widest_line() {
+        assert_eq!(signs(r"\frac{a + b}{c}"), 3);
+        assert_eq!(signs(r"\begin{aligned} a &= b \\\\ &= c + d \end{aligned}"), 4);
+        assert_eq!(signs(r"\omega = 1{,}5\ \mathrm{rad}"), 9);
+    }
 }

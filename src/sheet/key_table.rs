@@ -103,7 +103,7 @@ pub fn document<'k>(
 }
 
 /// An answer in its unit, which stands in the head of its column.
-fn shown(words: &Words, problem: &Problem, entry: &KeyEntry) -> String {
+pub fn shown(words: &Words, problem: &Problem, entry: &KeyEntry) -> String {
     let directed = problem.questions.iter().any(|q| q.id == entry.part && q.label.quantity.is_directed());
     match &entry.answer {
         Answer::Word { right, .. } => statement::said(words, right).to_owned(),

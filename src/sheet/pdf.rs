@@ -46,10 +46,8 @@ mod machine {
 
     impl Machine {
         pub fn new(_: &Words, _: Option<(&str, &str)>) -> Result<Self, Finding> {
-            let fault = Finding::new("--format pdf", "this program was built without PDF");
-            Err(fault.hint(
-                "build it with `cargo build --release --features pdf` (takes minutes), or print the HTML pages",
-            ))
+            let what = "this program was built without PDF: build it with `cargo build --release --features pdf`, or print the HTML pages";
+            Err(Finding::new("--format pdf", what))
         }
         pub fn press(&self, _: &[(&Head, &Document)]) -> Result<Vec<u8>, Finding> {
             match self.0 {}
@@ -65,6 +63,8 @@ mod machine {
     use crate::sheet::typst::PRELUDE;
     use crate::sheet::typst::source;
     use crate::words::Words;
+    use rayon::ThreadPool;
+    use rayon::ThreadPoolBuilder;
     use std::sync::LazyLock;
     use std::sync::atomic::AtomicU32;
     use std::sync::atomic::Ordering;
@@ -116,6 +116,14 @@ mod machine {
         }
     });
 
+    /// Threads of the compiler alone. Whoever waits in a pool works on what else is to be done there: with one pool for
+    /// sheets and compiler a sheet would begin on the stack of another, that one's on a third, until no stack is left.
+    static POOL: LazyLock<Result<ThreadPool, String>> =
+        LazyLock::new(|| ThreadPoolBuilder::new().stack_size(STACK).build().map_err(|e| e.to_string()));
+
+    /// Stack of such a thread, bytes; taken from the machine only where it is used.
+    const STACK: usize = 64 << 20;
+
     /// PDFs made by the process; the compiler remembers parts of them until it is told to forget.
     static PRESSED: AtomicU32 = AtomicU32::new(0);
     /// Forget after so many ...
@@ -150,12 +158,19 @@ mod machine {
         }
 
         pub fn press(&self, documents: &[(&Head, &Document)]) -> Result<Vec<u8>, Finding> {
-            let text = source(documents, &self.words, &|_| String::new())?;
+            let text = source(documents, &self.words)?;
             let job = Job { prelude: &self.prelude, main: Source::new(FIXED.main, text) };
-            let pdf = typst::compile::<PagedDocument>(&job)
-                .output
-                .and_then(|pages| typst_pdf::pdf(&pages, &self.options))
-                .map_err(|errors| self.finding(&job, errors.first()));
+            let pool = POOL.as_ref().map_err(|e| Finding::new("", format!("PDF: no threads: {e}")))?;
+            let compile = || {
+                let pages = typst::compile::<PagedDocument>(&job).output;
+                pages.and_then(|pages| typst_pdf::pdf(&pages, &self.options))
+            };
+            // A thread of its own waits for the pool, and ours for it: so it takes up nothing else meanwhile.
+            let pdf = std::thread::scope(|scope| scope.spawn(|| pool.install(compile)).join());
+            let pdf = match pdf {
+                Ok(pdf) => pdf.map_err(|errors| self.finding(&job, errors.first())),
+                Err(panic) => std::panic::resume_unwind(panic),
+            };
             if PRESSED.fetch_add(1, Ordering::Relaxed) % FORGET_EVERY == FORGET_EVERY - 1 {
                 typst::comemo::evict(FORGET_UNUSED);
             }

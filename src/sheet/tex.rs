@@ -4,6 +4,7 @@ use crate::finding::Finding;
 use crate::sheet::document::ANSWER;
 use crate::sheet::document::Document;
 use crate::sheet::document::Head;
+use crate::sheet::document::kept_together;
 use crate::sheet::html::MARKDOWN;
 use crate::sheet::html::PAPER;
 use crate::sheet::html::signs;
@@ -182,7 +183,7 @@ pub fn body(document: &Document) -> String {
                 out.push_str(&lines.join("\\\\\n"));
                 out.push('\n');
             }
-            Event::Text(text) => out.push_str(&template::in_tex(&text)),
+            Event::Text(text) => out.push_str(&template::in_tex(&kept_together(&text))),
             Event::Html(text) | Event::InlineHtml(text) => {
                 if text.trim() == ANSWER {
                     out.push_str("\\answerroom");

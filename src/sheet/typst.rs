@@ -2,7 +2,7 @@
 //!
 //! Everything is written as calls with texts in quotes (`#strong[..];`, `"kg"`), so that no text of anybody can become
 //! markup. A formula or an element that has no translation is a finding, never a gap.
-use crate::figure::picture::Picture;
+use crate::figure::svg;
 use crate::finding::Finding;
 use crate::sheet::document::ANSWER;
 use crate::sheet::document::Document;
@@ -42,15 +42,14 @@ pub const PRELUDE: &str = include_str!("../../templates/print.typ");
 /// Width of the longest formula within a line that is never broken, in characters as read aloud.
 const UNBROKEN: usize = 28;
 
+/// A document with a table of more columns than this lies across.
+const WIDE: usize = 7;
+
 /// The source of one PDF with these documents.
 ///
 /// # Errors
 /// A formula or an element that has no translation, a picture that is not there.
-pub fn source(
-    documents: &[(&Head, &Document)],
-    words: &Words,
-    svg: &dyn Fn(&Picture) -> String,
-) -> Result<String, Finding> {
+pub fn source(documents: &[(&Head, &Document)], words: &Words) -> Result<String, Finding> {
     let mut out = String::from("#import \"/print.typ\": *\n#show: book.with(");
     let _ = write!(out, "language: {}, ", quoted(words.language()));
     let (title, authors) = match documents {
@@ -62,6 +61,8 @@ pub fn source(
         }
         [(first, _), ..] => (joined(&[&first.title, &first.set]), String::new()),
     };
+    // A document without a title is refused, for those who have it read aloud.
+    let title = if title.is_empty() { "slipstick".to_owned() } else { title };
     let _ = writeln!(out, "title: {}, authors: ({authors}))", quoted(&title));
     out.push_str("#let labels = (");
     for (name, phrase) in [
@@ -85,10 +86,19 @@ pub fn source(
         ] {
             let _ = write!(out, "{name}: {}, ", quoted(text));
         }
-        out.push_str("labels: labels)[\n");
-        Page { document, words, svg, out: &mut out, closers: Vec::new(), items: Vec::new(), hidden: 0 }
-            .write()?;
-        out.push_str("];\n");
+        let mut body = String::with_capacity(document.markdown.len() * 4);
+        let mut page = Page {
+            document,
+            words,
+            out: &mut body,
+            closers: Vec::new(),
+            items: Vec::new(),
+            hidden: 0,
+            columns: 0,
+        };
+        page.write()?;
+        let wide = page.columns > WIDE;
+        let _ = writeln!(out, "wide: {wide}, labels: labels)[\n{body}];");
     }
     Ok(out)
 }
@@ -128,7 +138,14 @@ fn quoted(text: &str) -> String {
 /// A text as Typst writes it between markup.
 fn escaped(out: &mut String, text: &str) {
     let mut last = ' ';
-    for c in text.chars() {
+    let mut letters = text.chars().peekable();
+    while let Some(c) = letters.next() {
+        // A sign of percent stays with its number.
+        if c == ' ' && last.is_ascii_digit() && letters.peek() == Some(&'%') {
+            out.push('~');
+            last = c;
+            continue;
+        }
         let plain = match c {
             ',' | ';' | ':' | '!' | '?' | '(' | ')' | '%' | '&' => true,
             // `1. ` begins a list.
@@ -147,7 +164,6 @@ fn escaped(out: &mut String, text: &str) {
 struct Page<'p> {
     document: &'p Document,
     words: &'p Words,
-    svg: &'p dyn Fn(&Picture) -> String,
     out: &'p mut String,
     /// What ends the elements that are open.
     closers: Vec<&'static str>,
@@ -155,6 +171,8 @@ struct Page<'p> {
     items: Vec<(usize, bool)>,
     /// Depth within an image, whose text is a description and not shown.
     hidden: usize,
+    /// Columns of the widest table.
+    columns: usize,
 }
 
 impl Page<'_> {
@@ -269,6 +287,7 @@ impl Page<'_> {
                 self.items.push((self.out.len(), false));
             }
             Tag::Table(columns) => {
+                self.columns = self.columns.max(columns.len());
                 let aligned: Vec<&str> = columns
                     .iter()
                     .map(|c| match c {
@@ -316,7 +335,7 @@ impl Page<'_> {
         let Some(picture) = self.document.picture(name) else {
             return Err(Finding::new("", format!("there is no picture {url} for print")));
         };
-        let svg = (self.svg)(picture);
+        let svg = svg::print(picture);
         let alt = if picture.desc.is_empty() { alt } else { &picture.desc };
         // From CSS pixels to points.
         let width = picture.width * 0.75;
@@ -801,6 +820,7 @@ fn symbol(c: char) -> String {
     match c {
         '-' => "−".to_owned(),
         '*' => "∗".to_owned(),
+        '=' | '+' | '<' | '>' => c.to_string(),
         c if c.is_ascii_punctuation() => format!("\\{c}"),
         c => c.to_string(),
     }

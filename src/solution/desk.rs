@@ -127,7 +127,14 @@ impl<'a> Desk<'a> {
                 }
                 let degrees = unit == "deg";
                 let unit = if degrees { String::new() } else { tex_of(unit) };
-                let name = self.free(&[tex]);
+                // Constants of different values bear different symbols.
+                let taken = |t: &str| self.told.iter().any(|d| d.starts_with(&format!("{t} =")));
+                let mut name = self.free(&[tex]);
+                for i in 1..10 {
+                    if taken(&name) {
+                        name = format!("{tex}_{{{i}}}");
+                    }
+                }
                 let symbol = self.ledger.given(&name, x, &shortest(x), &unit, degrees);
                 self.told.push(format!("{name} = {}", self.ledger.shown(symbol)));
                 self.constants.push((x.to_bits(), tex.to_owned(), symbol));

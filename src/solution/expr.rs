@@ -262,6 +262,38 @@ impl Expr {
         out
     }
 
+    /// As [`Expr::numbers`], a sum that is wider than `limit` on several lines, the later ones with their sign in front.
+    pub fn numbers_in_lines(&self, ledger: &Ledger, limit: f64) -> Vec<String> {
+        let whole = self.numbers(ledger);
+        let Self::Sum(terms) = self else { return vec![whole] };
+        if width(&whole) <= limit {
+            return vec![whole];
+        }
+        let mut lines: Vec<String> = Vec::new();
+        for (i, term) in terms.iter().enumerate() {
+            let mut piece = String::new();
+            match term {
+                term if i == 0 => term.write(ledger, Form::Numbers, Place::Term, &mut piece),
+                Self::Minus(inner) => {
+                    piece.push_str("- ");
+                    inner.write(ledger, Form::Numbers, Place::Later, &mut piece);
+                }
+                term => {
+                    piece.push_str("+ ");
+                    term.write(ledger, Form::Numbers, Place::Later, &mut piece);
+                }
+            }
+            match lines.last_mut() {
+                Some(line) if width(line) + width(&piece) <= limit => {
+                    line.push(' ');
+                    line.push_str(&piece);
+                }
+                _ => lines.push(piece),
+            }
+        }
+        lines
+    }
+
     /// The symbols in it, each once, in order.
     pub fn uses(&self) -> Vec<Symbol> {
         fn walk(expr: &Expr, found: &mut Vec<Symbol>) {
@@ -290,9 +322,14 @@ impl Expr {
     fn write(&self, ledger: &Ledger, form: Form, place: Place, out: &mut String) {
         let wrap = |needed: bool, out: &mut String, inner: &dyn Fn(&mut String)| {
             if needed {
-                out.push_str(r"\left(");
-                inner(out);
-                out.push_str(r"\right)");
+                let mut within = String::new();
+                inner(&mut within);
+                // Parentheses grow with what is in them only where it is high.
+                let high = [r"\frac", r"\sqrt", r"\left"].iter().any(|h| within.contains(h));
+                let (open, close) = if high { (r"\left(", r"\right)") } else { ("(", ")") };
+                out.push_str(open);
+                out.push_str(&within);
+                out.push_str(close);
             } else {
                 inner(out);
             }
@@ -317,6 +354,8 @@ impl Expr {
                     let plain = ledger.is_pure(*s) || ledger.is_degrees(*s);
                     let negative = ledger.value(*s) < 0.0;
                     let parentheses = match place {
+                        // What is its own number: pi.
+                        _ if ledger.shown(*s) == ledger.tex(*s) => false,
                         Place::Term => false,
                         Place::Later => negative,
                         Place::Factor => true,
@@ -355,7 +394,10 @@ impl Expr {
                 }
             }),
             Self::Product(factors) => wrap(place > Place::Factor, out, &|out| {
-                for (i, factor) in factors.iter().enumerate() {
+                // Sines last: what follows one could be read as part of its argument.
+                let is_wave = |e: &&Self| matches!(e, Self::Of(Function::Sine | Function::Cosine, _));
+                let ordered = factors.iter().filter(|f| !is_wave(f)).chain(factors.iter().filter(is_wave));
+                for (i, factor) in ordered.enumerate() {
                     if i > 0 {
                         // Two numbers side by side would be read as one.
                         let digit =
@@ -395,6 +437,67 @@ impl Expr {
             }
         }
     }
+}
+
+/// Width of a formula in print, roughly, in digits.
+pub fn width(tex: &str) -> f64 {
+    let mut rest = tex;
+    let mut sum = 0.0;
+    /// The group at the head of a text, without its braces, and what follows.
+    fn group(text: &str) -> (&str, &str) {
+        let mut depth = 0;
+        for (i, c) in text.char_indices() {
+            match c {
+                '{' => depth += 1,
+                '}' => depth -= 1,
+                _ => {}
+            }
+            if depth == 0 {
+                let inside = text[..i].strip_prefix('{').unwrap_or(&text[..i + c.len_utf8()]);
+                return (inside, &text[i + c.len_utf8()..]);
+            }
+        }
+        (text, "")
+    }
+    while let Some(c) = rest.chars().next() {
+        rest = &rest[c.len_utf8()..];
+        match c {
+            '\\' => {
+                let letters = rest.chars().take_while(char::is_ascii_alphabetic).count();
+                let name = &rest[..letters];
+                rest = &rest[letters..];
+                match name {
+                    "" => {
+                        let mark = rest.chars().next();
+                        rest = &rest[mark.map_or(0, char::len_utf8)..];
+                        sum += if mark == Some(',') { 0.35 } else { 0.6 };
+                    }
+                    "frac" | "tfrac" => {
+                        let (over, after) = group(rest);
+                        let (under, after) = group(after);
+                        sum += width(over).max(width(under)) + 0.3;
+                        rest = after;
+                    }
+                    "sqrt" => sum += 1.6,
+                    "left" | "right" => {}
+                    "quad" => sum += 2.0,
+                    "sin" | "cos" | "int" => sum += 2.6,
+                    "mathrm" => {}
+                    _ => sum += 1.0,
+                }
+            }
+            '^' | '_' => {
+                let (inside, after) = group(rest);
+                sum += 0.75 * width(inside);
+                rest = after;
+            }
+            '{' | '}' | ' ' | '&' => {}
+            '+' | '-' | '=' | '<' | '>' => sum += 2.2,
+            '(' | ')' | '.' | ',' | '/' => sum += 0.6,
+            _ => sum += 1.0,
+        }
+    }
+    sum
 }
 
 #[cfg(test)]

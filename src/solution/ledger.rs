@@ -51,11 +51,30 @@ impl<'w> Ledger<'w> {
         self.found(tex, f64::NAN, unit)
     }
 
+    /// A quantity that is not known yet, of the kind of another.
+    pub fn unknown_like(&mut self, tex: &str, other: Symbol) -> Symbol {
+        let unit = self.lines.get(other.0).map_or_else(String::new, |l| l.unit.clone());
+        self.unknown(tex, &unit)
+    }
+
     /// Gives an unknown its value.
     pub fn settle(&mut self, symbol: Symbol, value: f64) {
         if let Some(line) = self.lines.get_mut(symbol.0) {
             line.value = value;
             line.digits = number::rounded(value, FIGURES);
+        }
+    }
+
+    /// Gives an unknown the value of another quantity, or its opposite, with the digits that this one is shown with.
+    pub fn settle_as(&mut self, symbol: Symbol, other: Symbol, opposite: bool) {
+        let Some(Line { value, digits, .. }) = self.lines.get(other.0).cloned() else { return };
+        if let Some(line) = self.lines.get_mut(symbol.0) {
+            (line.value, line.digits) = if opposite {
+                let turned = digits.strip_prefix('-').map_or_else(|| format!("-{digits}"), str::to_owned);
+                (-value, turned)
+            } else {
+                (value, digits)
+            };
         }
     }
 
@@ -67,6 +86,11 @@ impl<'w> Ledger<'w> {
     /// The symbol in LaTeX.
     pub fn tex(&self, symbol: Symbol) -> &str {
         self.lines.get(symbol.0).map_or("?", |l| l.tex.as_str())
+    }
+
+    /// The unit in LaTeX, empty for a pure number.
+    pub fn unit(&self, symbol: Symbol) -> &str {
+        self.lines.get(symbol.0).map_or("", |l| l.unit.as_str())
     }
 
     /// Is it an angle in degrees?
@@ -100,7 +124,7 @@ impl<'w> Ledger<'w> {
         // One unit of the last digit at most, or there is something to see.
         let digits = number::rounded(x - y, 1);
         let digits = tex_digits(&digits, self.words);
-        if first.unit.is_empty() { digits } else { format!(r"{digits}\ {}", first.unit) }
+        if first.unit.is_empty() || digits == "0" { digits } else { format!(r"{digits}\ {}", first.unit) }
     }
 
     /// The words of the solution.

@@ -9,11 +9,19 @@
 //! - `answers`: the answers, rounded; `beware`: mistakes that suggest themselves.
 pub mod desk;
 pub mod expr;
+pub mod factors;
+pub mod lamina;
 pub mod ledger;
+pub mod linear;
+pub mod mass;
+pub mod pen;
+pub mod pinned;
 pub mod text;
+pub mod thrown;
 
 use crate::bank::Problem;
 use crate::bank::Question;
+use crate::figure;
 use crate::figure::picture::Picture;
 use crate::finding::Finding;
 use crate::problem::make::Variant;
@@ -22,6 +30,7 @@ use crate::scene::Label;
 use crate::scene::Owner;
 use crate::scene::Scene;
 use crate::scene::Slope;
+use crate::scene::Tie;
 use crate::sheet::document::Document;
 use crate::sheet::number;
 use crate::solution::desk::Answer;
@@ -30,6 +39,7 @@ use crate::solution::desk::Found;
 use crate::solution::ledger::tex_digits;
 use crate::solution::text::Block;
 use crate::solution::text::Section;
+use crate::solve::outcome::Word;
 use crate::template;
 use crate::template::Templates;
 use crate::template::View;
@@ -48,6 +58,35 @@ pub fn document(
     number: usize,
     words: &Words,
     templates: &Templates,
+) -> Result<Document, Finding> {
+    made(problem, variant, number, (words, templates), &|desk| {
+        figure::all(desk.problem, desk.variant, desk.words)
+    })
+}
+
+/// Its text alone, without the pictures, which take longer than all the rest.
+///
+/// # Errors
+/// Those of [`document`].
+pub fn text(
+    problem: &Problem,
+    variant: &Variant,
+    number: usize,
+    words: &Words,
+    templates: &Templates,
+) -> Result<String, Finding> {
+    made(problem, variant, number, (words, templates), &|_| Vec::new()).map(|d| d.markdown)
+}
+
+/// The pictures that a solution may show, by name.
+type Pictures<'p> = &'p dyn Fn(&Desk) -> Vec<(String, Picture)>;
+
+fn made(
+    problem: &Problem,
+    variant: &Variant,
+    number: usize,
+    (words, templates): (&Words, &Templates),
+    pictures: Pictures,
 ) -> Result<Document, Finding> {
     let mut desk = Desk::new(problem, variant, words)?;
     derive(&mut desk)?;
@@ -111,15 +150,15 @@ pub fn document(
 /// The derivation that the scene needs.
 fn derive(desk: &mut Desk) -> Result<(), Finding> {
     if desk.scene.bodies.iter().any(|b| !b.particles.is_empty()) {
-        return Err(desk.fault("has no worked solution: a lamina of particles"));
+        return lamina::work(desk);
     }
     if desk.scene.pinned().is_some() {
-        return Err(desk.fault("has no worked solution: a pinned body"));
+        return pinned::work(desk);
     }
     if desk.scene.thrown().is_some() {
-        return Err(desk.fault("has no worked solution: a body thrown with slip"));
+        return thrown::work(desk);
     }
-    Err(desk.fault("has no worked solution: bodies on lines"))
+    linear::sections(desk)
 }
 
 /// Place of a section in the text.
@@ -132,11 +171,6 @@ fn rank(id: &str) -> u8 {
         "beware" => 5,
         _ => 1,
     }
-}
-
-/// The pictures that a solution may show, by name.
-fn pictures(_: &Desk) -> Vec<(String, Picture)> {
-    Vec::new()
 }
 
 /// Is every question answered, and every number that of the key?
@@ -184,13 +218,24 @@ fn check(desk: &Desk) -> Result<(), Finding> {
 /// Name of a quantity in words, with the symbol that it was found under: `angular speed $\omega$`.
 fn named(desk: &Desk, label: Label) -> String {
     let name = desk.words.get(&format!("solution.name.{}", label.quantity.name()));
+    let mut questions = desk.problem.questions.iter();
+    let several = questions.any(|q| q.label.quantity == label.quantity && q.label.of != label.of);
+    let owner = match label.of {
+        Owner::Body(b) => linear::mechanism::label(desk, &desk.scene.bodies[b].name),
+        Owner::Tie(t) => match &desk.scene.ties[t] {
+            Tie::Cord(cord) => cord.name.replace('_', " "),
+            Tie::Roll { .. } | Tie::Slip { .. } | Tie::Slide { .. } => String::new(),
+        },
+        Owner::Scene => String::new(),
+    };
+    let of = if several && !owner.is_empty() { format!(" ({owner})") } else { String::new() };
     let symbol = desk.found.iter().find(|f| f.label == label).and_then(|f| match f.eom.or(f.energy)? {
         Answer::Value(symbol) => Some(desk.ledger.tex(symbol)),
         Answer::Word(_) => None,
     });
     match symbol {
-        Some(tex) => format!("{name} ${tex}$"),
-        None => name.to_owned(),
+        Some(tex) => format!("{name}{of} ${tex}$"),
+        None => format!("{name}{of}"),
     }
 }
 
@@ -220,7 +265,7 @@ fn agree(desk: &Desk, number: usize) -> Section {
     let shown = |answer: Option<Answer>| match answer {
         None => "–".to_owned(),
         Some(Answer::Value(symbol)) => format!("${}$", desk.ledger.shown(symbol)),
-        Some(Answer::Word(word)) => format!("`{}`", word.text()),
+        Some(Answer::Word(word)) => format!("`{}`", said(w, word)),
     };
     for q in &desk.problem.questions {
         let Some(Found { eom, energy, note, .. }) = desk.found.iter().find(|f| f.label == q.label) else {
@@ -251,7 +296,8 @@ fn agree(desk: &Desk, number: usize) -> Section {
 fn answers(desk: &Desk, number: usize) -> Vec<(String, String)> {
     let answer = |q: &Question| {
         let Some(entry) = desk.variant.solved.get(q.label) else {
-            return desk.variant.solved.word(q.label).map_or_else(String::new, |w| format!("`{}`", w.text()));
+            let word = desk.variant.solved.word(q.label);
+            return word.map_or_else(String::new, |w| format!("`{}`", said(desk.words, w)));
         };
         let value = entry.value();
         let unit = &q.unit;
@@ -271,6 +317,11 @@ fn answers(desk: &Desk, number: usize) -> Vec<(String, String)> {
         format!("${symbol}{whole}${way}")
     };
     desk.problem.questions.iter().map(|q| (id_of(number, q), answer(q))).collect()
+}
+
+/// A word of an answer as the sheet has it.
+fn said(words: &Words, word: Word) -> &str {
+    words.get(&format!("sheet.{}", word.text()))
 }
 
 /// The phrase for a direction along the line of a body; `None` for 0.

@@ -1,5 +1,6 @@
 //! What a solution says, in order, before a template decides how it stands on the page.
 use crate::solution::expr::Expr;
+use crate::solution::expr::width;
 use crate::solution::ledger::Ledger;
 use crate::solution::ledger::Symbol;
 
@@ -44,8 +45,17 @@ impl Section {
     }
     /// Adds the steps by which a quantity is found: in symbols, with numbers put in, the value.
     pub fn find(&mut self, ledger: &mut Ledger, symbol: Symbol, from: &Expr) {
-        let value = from.value(ledger);
-        ledger.settle(symbol, value);
+        match from {
+            Expr::Symbol(same) => ledger.settle_as(symbol, *same, false),
+            Expr::Minus(inner) if matches!(**inner, Expr::Symbol(_)) => {
+                let Expr::Symbol(same) = **inner else { return };
+                ledger.settle_as(symbol, same, true);
+            }
+            from => {
+                let value = from.value(ledger);
+                ledger.settle(symbol, value);
+            }
+        }
         self.blocks.push(Block::Formula(worked(ledger, symbol, from)));
     }
     /// Its blocks as Markdown; `alt` tells what a picture shows.
@@ -79,13 +89,26 @@ impl Section {
     }
 }
 
-/// `a = symbols = numbers = value` on lines of their own, so that a narrow page need not scroll more than one of them. The
-/// symbol must have its value.
+/// Width of a line of a formula that fits on 16 cm of print, in digits.
+pub const LINE: f64 = 74.0;
+
+/// Steps that are no wider than this together stand on one line, which a phone just shows.
+pub const SHORT: f64 = 44.0;
+
+/// `a = symbols = numbers = value`, where it is not short on lines of their own, so that a narrow page need not scroll more than one of them; what
+/// says the same twice stands once. The symbol must have its value.
 pub fn worked(ledger: &Ledger, symbol: Symbol, from: &Expr) -> String {
-    let (name, symbols, numbers, value) =
-        (ledger.tex(symbol), from.symbols(ledger), from.numbers(ledger), ledger.shown(symbol));
-    if numbers == value {
+    let (name, symbols, value) = (ledger.tex(symbol), from.symbols(ledger), ledger.shown(symbol));
+    if from.uses().is_empty() {
+        return format!("{name} = {value}");
+    }
+    if from.numbers(ledger) == value {
         return format!("{name} = {symbols} = {value}");
     }
+    let line = format!("{name} = {symbols} = {} = {value}", from.numbers(ledger));
+    if width(&line) <= SHORT {
+        return line;
+    }
+    let numbers = from.numbers_in_lines(ledger, LINE).join(r" \\ &\quad ");
     format!(r"\begin{{aligned}} {name} &= {symbols} \\ &= {numbers} \\ &= {value} \end{{aligned}}")
 }

@@ -22,3 +22,25 @@ pub fn banks() -> Vec<Bank> {
         })
         .collect()
 }
+
+/// The banks in a language: their texts are those of `templates/LANGUAGE/banks/`, where there are any.
+#[allow(dead_code, reason = "each test file takes what it needs")]
+pub fn banks_in(language: &str) -> Vec<Bank> {
+    let mut banks = banks();
+    for bank in &mut banks {
+        let name = format!("{}/templates/{language}/banks/{}.yaml", env!("CARGO_MANIFEST_DIR"), bank.id);
+        if let Ok(text) = std::fs::read_to_string(&name) {
+            let variables = &slipstick::template::variables_of;
+            slipstick::bank::overlay::put_over(bank, &text, &name, variables, None).expect(&name);
+        }
+    }
+    banks
+}
+
+/// The templates of a language, with those that stand in the bank.
+#[allow(dead_code, reason = "each test file takes what it needs")]
+pub fn templates(language: &str, bank: &Bank) -> slipstick::template::Templates {
+    let mut templates = slipstick::template::Templates::new(language, &[]).expect("built-in templates");
+    slipstick::sheet::statement::add_own(&mut templates, bank).expect("statements of the bank");
+    templates
+}

@@ -1,0 +1,308 @@
+//! Energy bars: what there is at the start and what is put in, beside what there is at the end and what has become heat. Both
+//! bars are equally high; where they are not, nothing is drawn.
+use crate::bank::FigureLabels;
+use crate::bank::Problem;
+use crate::figure::board::Board;
+use crate::figure::board::TEXT;
+use crate::figure::board::Tied;
+use crate::figure::board::Wish;
+use crate::figure::picture::Picture;
+use crate::figure::picture::Role;
+use crate::figure::symbol;
+use crate::figure::vector::V;
+use crate::figure::vector::size;
+use crate::figure::view::View;
+use crate::num::trig;
+use crate::problem::make::Variant;
+use crate::scene::Degree;
+use crate::scene::End;
+use crate::scene::Owner;
+use crate::scene::Quantity;
+use crate::scene::Rest;
+use crate::scene::Start;
+use crate::scene::Zero;
+use crate::words::Words;
+
+/// Kinds of energy, by the number of their area.
+const KINDS: [&str; 6] = ["translation", "rotation", "spring", "gravity", "work", "heat"];
+/// Height of the bars.
+const HIGH: f64 = 210.0;
+/// Width of a bar.
+const WIDE: f64 = 74.0;
+/// Space between the bars.
+const APART: f64 = 74.0;
+/// Shares of the sum below this are not drawn.
+const SMALL: f64 = 2e-4;
+/// What doubles may leave between the two sums.
+const EQUAL: f64 = 1e-6;
+
+/// Energies in J, by kind, at the start (with what is put in) and at the end (with what has left).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Energies {
+    /// At the start.
+    pub start: [f64; 6],
+    /// At the end.
+    pub end: [f64; 6],
+}
+
+impl Energies {
+    /// The sum at the start and at the end.
+    pub fn sums(&self) -> (f64, f64) {
+        (self.start.iter().sum(), self.end.iter().sum())
+    }
+}
+
+/// The energies of a variant; `None` where the solver does not say enough of them, or where there is no motion.
+pub fn energies(problem: &Problem, variant: &Variant, words: &Words) -> Option<Energies> {
+    let view = View::new(problem, variant, words, FigureLabels::Values)?;
+    let scene = view.scene;
+    if scene.end == End::AtOnce {
+        return None;
+    }
+    let sum_of = |q: Quantity| -> f64 {
+        variant.solved.entries.iter().filter(|e| e.label.quantity == q).map(|e| e.value()).sum()
+    };
+    let (mut start, mut end) = ([0.0; 6], [0.0; 6]);
+    let kinetic = view.solved(Quantity::KineticEnergy, Owner::Scene).unwrap_or(0.0);
+    let share = view.solved(Quantity::RotationalFraction, Owner::Scene).unwrap_or(0.0);
+    (end[0], end[1]) = (kinetic * (1.0 - share), kinetic * share);
+    // Gravity, counted from the lower of both positions of all bodies together.
+    let gravity = view.of(scene.gravity_m_s2);
+    let gained: f64 = scene
+        .bodies
+        .iter()
+        .enumerate()
+        .map(|(i, b)| {
+            view.solved(Quantity::Rise, Owner::Body(i)).unwrap_or(0.0) * view.kilograms(b) * gravity
+        })
+        .sum();
+    (start[3], end[3]) = if gained > 0.0 { (0.0, gained) } else { (-gained, 0.0) };
+    if let Some((tie, stiffness, stretch, _)) = scene.spring() {
+        let (k, x) = (view.of(stiffness), view.of(stretch));
+        let force = view.solved(Quantity::Tension, Owner::Tie(tie))?;
+        (start[2], end[2]) = (0.5 * k * x * x, 0.5 * force * force / k);
+    }
+    end[5] = sum_of(Quantity::Heat);
+    let mut work = sum_of(Quantity::WorkPull);
+    if let Some((index, pin)) = scene.pinned() {
+        let from = view.of(pin.start_deg);
+        let to = match scene.end {
+            End::Angle(_, n) => view.of(n),
+            _ => return None,
+        };
+        if let Some(spring) = &pin.spring {
+            let k = view.of(spring.stiffness_n_m);
+            let force = view
+                .solved(Quantity::SpringForce, Owner::Body(index))
+                .or_else(|| view.solved(Quantity::SpringForce, Owner::Scene))?;
+            let stretch = match spring.rest {
+                Rest::Stretch(x) => view.of(x),
+                Rest::Length(l) => {
+                    let (s, c) = trig::sin_cos_degrees(from);
+                    let up = if pin.from == Zero::Upright { c.hi } else { -c.hi };
+                    let at = view.of(spring.at_m);
+                    size((view.of(spring.x_m) - at * s.hi, view.of(spring.y_m) - at * up)) - view.of(l)
+                }
+            };
+            (start[2], end[2]) = (0.5 * k * stretch * stretch, 0.5 * force * force / k);
+        }
+        let turned = (to - from).to_radians();
+        for couple in scene.couples.iter().filter(|c| c.body == index) {
+            work += view.of(couple.moment_n_m) * if couple.forward { turned } else { -turned };
+        }
+    }
+    let given: Vec<(usize, Degree, f64)> = scene
+        .start
+        .iter()
+        .filter_map(|s| match s {
+            Start::Speed(c, n) => Some((c.body, c.degree, view.of(*n))),
+            Start::Lamina { .. } => None,
+        })
+        .collect();
+    let settle = |start: [f64; 6], mut end: [f64; 6], work: f64| {
+        let mut start = start;
+        if work >= 0.0 {
+            start[4] = work
+        } else {
+            end[4] = -work
+        }
+        Energies { start, end }
+    };
+    // Couples on bodies that also move: their work has the sign that makes the bars equal.
+    let turning: f64 = scene
+        .couples
+        .iter()
+        .filter(|c| scene.bodies[c.body].pin.is_none())
+        .map(|c| view.of(c.moment_n_m) * view.solved(Quantity::Phi, Owner::Body(c.body)).unwrap_or(0.0))
+        .sum();
+    let moving: f64 = given
+        .iter()
+        .map(|(b, degree, v)| {
+            let body = &scene.bodies[*b];
+            0.5 * v * v * if *degree == Degree::Along { view.kilograms(body) } else { view.inertia(body) }
+        })
+        .sum();
+    let thrown = scene.thrown().is_some();
+    let mut tries = Vec::new();
+    for sign in [1.0, -1.0] {
+        let mut first = settle(start, end, work + sign * turning);
+        if thrown {
+            for (b, degree, v) in &given {
+                let body = &scene.bodies[*b];
+                match degree {
+                    Degree::Along => first.start[0] += 0.5 * view.kilograms(body) * v * v,
+                    Degree::Turn => first.start[1] += 0.5 * view.inertia(body) * v * v,
+                }
+            }
+        } else if moving > 0.0 {
+            // One freedom: what is missing is what all bodies together had, shared as at the end.
+            let (a, b) = first.sums();
+            let missing = b - a;
+            if missing < moving * (1.0 - EQUAL) || scene.pinned().is_some() {
+                continue;
+            }
+            let share = if kinetic > 0.0 { share } else { 1.0 - moving / missing };
+            first.start[0] += missing * (1.0 - share);
+            first.start[1] += missing * share;
+        }
+        tries.push(first);
+    }
+    let whole = |e: &Energies| e.start.iter().chain(&e.end).all(|x| x.is_finite() && *x >= -1e-12);
+    let equal = |e: &Energies| {
+        let (a, b) = e.sums();
+        a > 0.0 && (a - b).abs() <= EQUAL * a.max(b)
+    };
+    tries.into_iter().find(|e| whole(e) && equal(e))
+}
+
+/// The bars; `None` where [`energies`] has none.
+pub fn picture(problem: &Problem, variant: &Variant, words: &Words) -> Option<Picture> {
+    let energies = energies(problem, variant, words)?;
+    let total = energies.sums().0;
+    let mut board = Board::new();
+    let x = [0.0, WIDE + APART];
+    let mut desc = Vec::new();
+    for (bar, (values, name)) in [(&energies.start, "start"), (&energies.end, "end")].into_iter().enumerate()
+    {
+        let left = x[bar];
+        let mut y = 0.0;
+        let mut told: Vec<(f64, usize, f64)> = Vec::new();
+        for (kind, value) in values.iter().enumerate() {
+            if *value < SMALL * total {
+                continue;
+            }
+            let high = HIGH * value / total;
+            area(&mut board, (left, y), (left + WIDE, y + high), kind);
+            told.push((y + high / 2.0, kind, *value));
+            y += high;
+        }
+        let list: Vec<String> = told
+            .iter()
+            .map(|(_, kind, value)| {
+                let name = words.get(&format!("figure.energy.{}", KINDS[*kind]));
+                format!("{name} {} J", figures(words, *value))
+            })
+            .collect();
+        let separator = if words.number("0.1").contains(',') { "; " } else { ", " };
+        desc.push(words.say(&format!("figure.energy.text_{name}"), &[("list", &list.join(separator))]));
+        // Labels apart from each other, in the order of the parts.
+        let step = 23.0;
+        let mut places: Vec<f64> = told.iter().map(|(y, ..)| *y).collect();
+        for _ in 0..40 {
+            for i in 1..places.len() {
+                let near = step - (places[i] - places[i - 1]);
+                if near > 0.0 {
+                    places[i] += near / 2.0;
+                    places[i - 1] -= near / 2.0;
+                }
+            }
+        }
+        let (edge, out): (f64, V) = if bar == 0 { (left, (-1.0, 0.0)) } else { (left + WIDE, (1.0, 0.0)) };
+        for ((y, kind, value), place) in told.iter().zip(&places) {
+            let from = (edge, *y);
+            let knee = (edge + out.0 * 22.0, *place);
+            board.lines(&[from, (edge + out.0 * 6.0, *y), knee], false, Role::Dimension);
+            let text = format!(
+                "{}\u{a0}{}\u{a0}J",
+                words.get(&format!("figure.energy.{}", KINDS[*kind])),
+                figures(words, *value)
+            );
+            board.wish_for(note(&text, knee, out));
+        }
+        board.wish_for(note(
+            words.get(&format!("figure.energy.{name}")),
+            (left + WIDE / 2.0, -2.0),
+            (0.0, -1.0),
+        ));
+    }
+    board.line((-14.0, 0.0), (2.0 * WIDE + APART + 14.0, 0.0), Role::Axis);
+    board.line((WIDE, HIGH), (WIDE + APART, HIGH), Role::Ghost);
+    let sum = format!("{}\u{a0}J", figures(words, total));
+    board.wish_for(note(&sum, (WIDE + APART / 2.0, HIGH), (0.0, 1.0)));
+    Some(board.finish(words.get("figure.energy.title").to_owned(), desc.join(" ")))
+}
+
+fn note(text: &str, at: V, towards: V) -> Wish {
+    Wish {
+        rows: vec![symbol::upright(text.replace(' ', "\u{a0}"))],
+        size: TEXT,
+        role: Role::Dot,
+        spots: vec![(at, towards)],
+        gap: 4.0,
+        tie: Tied::Fixed,
+    }
+}
+
+/// A part of a bar, with a pattern of its own.
+fn area(board: &mut Board, low: V, high: V, kind: usize) {
+    let corners = [low, (high.0, low.1), high, (low.0, high.1)];
+    board.lines(&corners, true, Role::Area(u8::try_from(kind).unwrap_or(0)));
+    let (wide, tall) = (high.0 - low.0, high.1 - low.1);
+    let mut line = |a: V, b: V| board.line(a, b, Role::Hatch);
+    let step = 8.0;
+    // Slanted lines y = x - s, cut by the box; mirrored for the other slant.
+    let slanted = |line: &mut dyn FnMut(V, V), mirrored: bool| {
+        let mut s = -tall + step;
+        while s < wide {
+            let (a, b) = (s.max(0.0), (s + tall).min(wide));
+            if b - a > 1.0 {
+                let x = |t: f64| if mirrored { high.0 - t } else { low.0 + t };
+                line((x(a), low.1 + a - s), (x(b), low.1 + b - s));
+            }
+            s += step;
+        }
+    };
+    match kind {
+        1 => slanted(&mut line, false),
+        2 => {
+            let mut y = step;
+            while y < tall - 1.0 {
+                line((low.0, low.1 + y), (high.0, low.1 + y));
+                y += step;
+            }
+        }
+        3 => slanted(&mut line, true),
+        4 => {
+            let mut x = step;
+            while x < wide - 1.0 {
+                line((low.0 + x, low.1), (low.0 + x, high.1));
+                x += step;
+            }
+        }
+        5 => {
+            slanted(&mut line, false);
+            slanted(&mut line, true);
+        }
+        _ => {}
+    }
+}
+
+/// A number with four significant figures, in the words of the language.
+pub fn figures(words: &Words, x: f64) -> String {
+    if x.abs() < 1e-300 || !x.is_finite() {
+        return "0".to_owned();
+    }
+    let power = trig::log10(x.abs()).floor();
+    let decimals = (3.0 - power).clamp(0.0, 9.0) as usize;
+    words.number(&format!("{x:.decimals$}")).replace('-', "−")
+}

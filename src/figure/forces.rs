@@ -1,0 +1,690 @@
+//! Free-body diagram and kinetic diagram of one body, side by side: what acts on it equals what it makes of it.
+//!
+//! Forces stand at their true points in their true directions, also those that the solver found: friction points as it really
+//! acts. Lengths go with the magnitudes, but no arrow is shorter than can be seen. What is 0 is not drawn. A symbol between
+//! bars is negative in the signs of the scene.
+use crate::bank::FigureLabels;
+use crate::bank::Problem;
+use crate::figure::board::Board;
+use crate::figure::board::TEXT;
+use crate::figure::board::Tied;
+use crate::figure::board::Wish;
+use crate::figure::layout;
+use crate::figure::layout::Look;
+use crate::figure::layout::Placed;
+use crate::figure::names;
+use crate::figure::picture::Picture;
+use crate::figure::picture::Role;
+use crate::figure::picture::Run;
+use crate::figure::picture::RunStyle;
+use crate::figure::pinned::Hung;
+use crate::figure::say;
+use crate::figure::scene;
+use crate::figure::symbol;
+use crate::figure::vector::V;
+use crate::figure::vector::add;
+use crate::figure::vector::along;
+use crate::figure::vector::angle;
+use crate::figure::vector::cross;
+use crate::figure::vector::left;
+use crate::figure::vector::mul;
+use crate::figure::vector::size;
+use crate::figure::vector::sub;
+use crate::figure::vector::unit;
+use crate::figure::view::View;
+use crate::num::trig;
+use crate::problem::make::Variant;
+use crate::scene::Arm;
+use crate::scene::Attach;
+use crate::scene::Couple;
+use crate::scene::End;
+use crate::scene::Far;
+use crate::scene::Owner;
+use crate::scene::Pin;
+use crate::scene::Quantity;
+use crate::scene::Slope;
+use crate::scene::Tie;
+use crate::words::Words;
+
+/// Radius to which a body is drawn.
+const RADIUS: f64 = 66.0;
+/// The same where it touches the ground within its outline, so that the forces there have room.
+const ON_RAIL: f64 = 84.0;
+/// Length of the longest arrow.
+const LONGEST: f64 = 92.0;
+/// Length of the shortest arrow.
+const SHORTEST: f64 = 38.0;
+/// Length of the shortest arrow where all arrows have one scale.
+const SHORT: f64 = 16.0;
+/// How far an arrow stands beside a thin rod in which it would lie.
+const BESIDE: f64 = 15.0;
+/// Size of the caption.
+const CAPTION: f64 = 13.0;
+/// Share of the largest force below which a force counts as 0.
+const NOTHING: f64 = 1e-9;
+
+/// A force on the body.
+struct Force {
+    at: V,
+    /// Its value along `towards`; negative: it acts the other way.
+    value: f64,
+    towards: V,
+    label: Vec<Run>,
+    role: Role,
+    /// Does its arrow end at its point (a push) or begin there (a pull)?
+    push: bool,
+    /// Its arrow is no longer than this.
+    most: f64,
+    /// How far its arrow is drawn from its line of action, to be seen.
+    aside: V,
+}
+
+/// A couple on the body: counter-clockwise positive.
+struct Turning {
+    value: f64,
+    label: Vec<Run>,
+}
+
+/// What a body makes of it: `m a` in one or two components, `I alpha`.
+struct Kinetic {
+    parts: Vec<Force>,
+    turn: Option<Turning>,
+    /// Radius of the arrow of `I alpha`.
+    round: f64,
+}
+
+/// Both diagrams of a body, not drawn yet.
+struct Diagram<'a> {
+    forces: Vec<Force>,
+    couples: Vec<Turning>,
+    kinetic: Kinetic,
+    centre: V,
+    /// Pixels per metre.
+    scale: f64,
+    /// Draws the body.
+    body: Box<dyn Fn(&mut Board) + 'a>,
+}
+
+/// What the arrows of a diagram add up to, N and N m, on the board (x to the right, y up, counter-clockwise positive).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Resultant {
+    /// Sum of the forces.
+    pub force: (f64, f64),
+    /// Sum of the moments about the mass centre.
+    pub moment: f64,
+    /// Sum of the magnitudes of the forces.
+    pub size: f64,
+}
+
+/// The sums of both diagrams, that of the forces first; they are equal. `None` where there is no diagram.
+pub fn resultants(
+    problem: &Problem,
+    variant: &Variant,
+    words: &Words,
+    body: usize,
+) -> Option<(Resultant, Resultant)> {
+    let view = View::new(problem, variant, words, FigureLabels::Symbols)?;
+    let diagram = diagram(&view, body)?;
+    let sum = |forces: &[Force], turns: &mut dyn Iterator<Item = &Turning>| {
+        let mut all = Resultant { force: (0.0, 0.0), moment: 0.0, size: 0.0 };
+        for f in forces {
+            let arm = mul(sub(f.at, diagram.centre), 1.0 / diagram.scale);
+            all.force = add(all.force, mul(f.towards, f.value));
+            all.moment += cross(arm, f.towards) * f.value;
+            all.size += f.value.abs();
+        }
+        all.moment += turns.map(|t| t.value).sum::<f64>();
+        all
+    };
+    let kinetic = &diagram.kinetic;
+    Some((sum(&diagram.forces, &mut diagram.couples.iter()), sum(&kinetic.parts, &mut kinetic.turn.iter())))
+}
+
+fn diagram<'a>(view: &'a View<'a>, body: usize) -> Option<Diagram<'a>> {
+    let this = view.scene.bodies.get(body).filter(|b| b.particles.is_empty())?;
+    match &this.pin {
+        Some(pin) => Some(swinging(view, body, pin)),
+        None => moving(view, body),
+    }
+}
+
+/// Can the diagrams of this body be drawn? Its acceleration must have been found.
+pub fn known(problem: &Problem, variant: &Variant, body: usize) -> bool {
+    let Some(scene) = problem.cases.get(variant.case).map(|c| &c.scene) else { return false };
+    let found = |q: Quantity| {
+        let of = Owner::Body(body);
+        variant
+            .solved
+            .entries
+            .iter()
+            .any(|e| e.label.quantity == q && e.label.of == of && e.value().is_finite())
+    };
+    scene.bodies.get(body).is_some_and(|b| b.particles.is_empty())
+        && (found(Quantity::A) || found(Quantity::Alpha))
+}
+
+/// Free-body diagram and kinetic diagram of a body at the moment that is asked; of a body that is thrown with slip, while it
+/// slips.
+pub fn free_body(problem: &Problem, variant: &Variant, words: &Words, body: usize) -> Picture {
+    let title = |name: &str| words.say("figure.forces.title", &[("body", name)]);
+    let view = View::new(problem, variant, words, FigureLabels::Symbols);
+    let drawn = view.as_ref().and_then(|view| Some((view, diagram(view, body)?)));
+    let Some((view, diagram)) = drawn else {
+        return Board::new().finish(title(""), String::new());
+    };
+    let name = say::called(view, &view.scene.bodies[body]);
+    let mut desc = Vec::new();
+    let board = equation(view, &diagram, &mut desc);
+    board.finish(title(&name), desc.join(" "))
+}
+
+/// The diagrams of a body on a line or an axle.
+fn moving<'a>(view: &'a View<'a>, body: usize) -> Option<Diagram<'a>> {
+    let plan = layout::layout(view);
+    let mut p = plan.bodies.get(body).cloned().flatten()?;
+    let radius = if p.on_rail() { ON_RAIL } else { RADIUS };
+    let scale = radius / layout::outer_m(view, body);
+    p.centre = (0.0, 0.0);
+    let ratio = match &p.look {
+        Look::Wheel { outer, .. } => radius / outer,
+        Look::Block { .. } => 1.25,
+    };
+    p.look = match p.look {
+        Look::Wheel { open, .. } => match layout::look(view, body, scale) {
+            Look::Wheel { outer, rings, .. } => Look::Wheel { outer, rings, open },
+            block @ Look::Block { .. } => block,
+        },
+        Look::Block { along, across } => Look::Block { along: along * ratio, across: across * ratio },
+    };
+    p.contact *= ratio;
+    let this = &view.scene.bodies[body];
+    let mass = view.kilograms(this);
+    let weight = mass * view.of(view.scene.gravity_m_s2);
+    let mut forces = vec![Force {
+        at: p.centre,
+        value: weight,
+        towards: (0.0, -1.0),
+        label: names::weight(view, body),
+        role: Role::Force,
+        push: false,
+        most: LONGEST,
+        aside: (0.0, 0.0),
+    }];
+    let (mut a, mut alpha) = (found(view, Quantity::A, body), found(view, Quantity::Alpha, body));
+    if p.on.is_some() {
+        if p.top.1 > 0.97 && p.contact > 40.0 {
+            // On a level the normal force comes from right below: the weight ends before it.
+            forces[0].most = p.contact * 0.74;
+        }
+        contact(view, body, &p, weight, &mut forces, &mut a, &mut alpha);
+    }
+    cords(view, body, &p, &plan, ratio, &mut forces);
+    let couples: Vec<Turning> = couples_on(view, body)
+        .map(|c| Turning {
+            value: view.of(c.moment_n_m) * if p.clockwise == c.forward { -1.0 } else { 1.0 },
+            label: moment(view, c),
+        })
+        .collect();
+    if this.line.is_none() {
+        // The axle holds the sum of all others.
+        let sum = forces.iter().fold((0.0, 0.0), |s, f| add(s, mul(f.towards, f.value)));
+        forces.push(Force {
+            at: p.centre,
+            value: size(sum),
+            towards: unit(mul(sum, -1.0)),
+            label: symbol::symbol(&names::of_body(view, body, &["O", "O_A"], |b| b.line.is_none())),
+            role: Role::Force,
+            push: false,
+            most: LONGEST,
+            aside: (0.0, 0.0),
+        });
+    }
+    let mut parts = Vec::new();
+    if this.line.is_some() {
+        let mut label = names::mass(view, body);
+        let symbol = symbol::symbol(&names::of_body(view, body, &["a", "a_G"], |b| b.line.is_some()));
+        label.extend(names::magnitude(symbol, a < 0.0));
+        parts.push(Force {
+            at: p.centre,
+            value: a * mass,
+            towards: p.forward,
+            label,
+            role: Role::Motion,
+            push: false,
+            most: LONGEST,
+            aside: (0.0, 0.0),
+        });
+    }
+    let turn = this.turns.then(|| {
+        let mut label = symbol::symbol(&names::of_body(view, body, &["I_G", "J_G"], |_| false));
+        let symbol = names::of_body(view, body, &[r"\alpha", r"\dot{\omega}"], |b| b.turns);
+        label.extend(names::magnitude(symbol::symbol(&symbol), alpha < 0.0));
+        Turning { value: alpha * view.inertia(this) * if p.clockwise { -1.0 } else { 1.0 }, label }
+    });
+    let kinetic = Kinetic { parts, turn, round: p.reach((1.0, 0.0)) + 10.0 };
+    let centre = p.centre;
+    let draw = move |board: &mut Board| {
+        if p.on.is_some() {
+            // The surface, cut away, as a reference.
+            let at = along(p.centre, p.top, -p.contact);
+            let long = p.reach(p.forward) + 22.0;
+            board.line(along(at, p.forward, -long), along(at, p.forward, long), Role::Ghost);
+        }
+        scene::outline(board, &p);
+        scene::inside(board, &p);
+        if matches!(p.look, Look::Block { .. }) {
+            board.dot(p.centre);
+        }
+    };
+    Some(Diagram { forces, couples, kinetic, centre, scale: plan.scale * ratio, body: Box::new(draw) })
+}
+
+/// What the solver found of a body; 0 where it found nothing.
+fn found(view: &View, quantity: Quantity, body: usize) -> f64 {
+    view.solved(quantity, Owner::Body(body)).unwrap_or(0.0)
+}
+
+fn couples_on<'v>(view: &View<'v>, body: usize) -> impl Iterator<Item = &'v Couple> {
+    view.scene.couples.iter().filter(move |c| c.body == body)
+}
+
+fn moment(view: &View, couple: &Couple) -> Vec<Run> {
+    let given = view.symbol(couple.moment_n_m);
+    if given.is_empty() { symbol::symbol("M") } else { given }
+}
+
+/// Normal force and friction.
+fn contact(
+    view: &View,
+    body: usize,
+    p: &Placed,
+    weight: f64,
+    forces: &mut Vec<Force>,
+    a: &mut f64,
+    alpha: &mut f64,
+) {
+    let this = &view.scene.bodies[body];
+    let at = along(p.centre, p.top, -p.contact);
+    let tie = view.scene.ties.iter().position(|t| match t {
+        Tie::Roll { body: b, .. } | Tie::Slip { body: b, .. } | Tie::Slide { body: b, .. } => *b == body,
+        Tie::Cord(_) => false,
+    });
+    let whose = |q: Quantity| {
+        let by_tie = tie.and_then(|t| view.solved(q, Owner::Tie(t)));
+        view.solved(q, Owner::Body(body)).or(by_tie).or_else(|| view.solved(q, Owner::Scene))
+    };
+    let (sine, cosine) = slope(view, body);
+    let normal = whose(Quantity::Normal).unwrap_or(weight * cosine);
+    let mut friction = whose(Quantity::Friction).unwrap_or(0.0);
+    if let Some(thrown) = view.scene.thrown().filter(|t| t.body == body) {
+        // While it slips: against the slip.
+        let radius = view.of(thrown.radius_m);
+        let slip = view.of(thrown.speed_m_s) - radius * view.of(thrown.spin_rad_s);
+        friction = -slip.signum() * view.of(thrown.mu_k) * normal;
+        let (mass, inertia) = (view.kilograms(this), view.inertia(this));
+        let up = if this.line.is_some_and(|l| l.forward_up) { 1.0 } else { -1.0 };
+        *a = if mass > 0.0 { (friction - up * weight * sine) / mass } else { 0.0 };
+        *alpha = if inertia > 0.0 { -friction * radius / inertia } else { 0.0 };
+    } else if this.line.is_some_and(|l| !l.forward_up) {
+        // Found positive up the incline, drawn along the body's own forward direction.
+        friction = -friction;
+    }
+    forces.push(Force {
+        at,
+        value: normal,
+        towards: p.top,
+        label: symbol::symbol(&names::of_body(view, body, &["N", "N_s"], |b| {
+            b.line.is_some_and(|l| l.surface)
+        })),
+        role: Role::Force,
+        push: true,
+        most: LONGEST,
+        aside: (0.0, 0.0),
+    });
+    let signed = whose(Quantity::Friction).unwrap_or(friction);
+    let negative = if view.scene.thrown().is_some() { friction < 0.0 } else { signed < 0.0 };
+    forces.push(Force {
+        at,
+        value: friction,
+        towards: p.forward,
+        label: names::magnitude(symbol::symbol(&names::friction(view, body)), negative),
+        role: Role::Friction,
+        push: false,
+        most: LONGEST,
+        aside: (0.0, 0.0),
+    });
+}
+
+/// Sine and cosine of the slope of a body's line.
+fn slope(view: &View, body: usize) -> (f64, f64) {
+    match view.scene.bodies[body].line.map(|l| l.slope) {
+        None | Some(Slope::Level) => (0.0, 1.0),
+        Some(Slope::Vertical) => (1.0, 0.0),
+        Some(Slope::Degrees(n)) => {
+            let (s, c) = trig::sin_cos_degrees(view.of(n));
+            (s.hi, c.hi)
+        }
+    }
+}
+
+/// Pulls and tensions.
+fn cords(view: &View, body: usize, p: &Placed, plan: &layout::Layout, ratio: f64, forces: &mut Vec<Force>) {
+    for run in &plan.cords {
+        let Some(Tie::Cord(cord)) = view.scene.ties.get(run.tie) else { continue };
+        let far = match cord.to {
+            Far::Body(end) => Some(end),
+            _ => None,
+        };
+        for end in [Some(cord.from), far].into_iter().flatten().filter(|e| e.body == body) {
+            let Some((_, towards)) = run.at.iter().find(|(b, _)| *b == body) else { continue };
+            let at = match end.attach {
+                Attach::Centre => match &p.look {
+                    Look::Block { .. } => along(p.centre, *towards, p.reach(*towards)),
+                    Look::Wheel { .. } => p.centre,
+                },
+                Attach::Wound(radius, side) => {
+                    let out = p.winds(side, end.forward, *towards);
+                    along(p.centre, out, (view.of(radius) * plan.scale * ratio).max(2.0))
+                }
+            };
+            let (value, label) = match cord.to {
+                Far::Pull(n) => {
+                    let given = view.symbol(n);
+                    (view.of(n), if given.is_empty() { symbol::symbol("P") } else { given })
+                }
+                _ => (
+                    view.solved(Quantity::Tension, Owner::Tie(run.tie)).unwrap_or(0.0),
+                    symbol::symbol(&names::tension(view, run.tie)),
+                ),
+            };
+            forces.push(Force {
+                at,
+                value,
+                towards: *towards,
+                label: names::magnitude(label, value < 0.0),
+                role: Role::Force,
+                push: false,
+                most: LONGEST,
+                aside: (0.0, 0.0),
+            });
+        }
+    }
+}
+
+/// The diagrams of a pinned body, at the angle that is asked.
+fn swinging<'a>(view: &'a View<'a>, body: usize, pin: &Pin) -> Diagram<'a> {
+    let this = &view.scene.bodies[body];
+    let hung = Hung::new(view, this, pin);
+    let degrees = match view.scene.end {
+        End::Angle(_, n) => view.of(n),
+        _ => view.of(pin.start_deg),
+    };
+    let (d, across) = (hung.direction(degrees), hung.across(degrees));
+    let g = mul(d, hung.arm);
+    let mass = view.kilograms(this);
+    let metres = match pin.arm {
+        Arm::Distance(h) => view.of(h),
+        Arm::HalfOf(l) => view.of(l) / 2.0,
+    };
+    let name = |candidates: &[&str]| {
+        let list: Vec<String> = candidates.iter().map(|c| (*c).to_owned()).collect();
+        symbol::symbol(&names::free(view.problem, &list))
+    };
+    let (radial, tangential) =
+        (found(view, Quantity::PinRadial, body), found(view, Quantity::PinTangential, body));
+    let force = |at: V, value: f64, towards: V, label: Vec<Run>| Force {
+        at,
+        value,
+        towards,
+        label: names::magnitude(label, value < 0.0),
+        role: Role::Force,
+        push: false,
+        most: LONGEST,
+        aside: (0.0, 0.0),
+    };
+    let weight = mass * view.of(view.scene.gravity_m_s2);
+    let mut forces = vec![
+        force(g, weight, (0.0, -1.0), names::weight(view, body)),
+        force((0.0, 0.0), radial, mul(d, -1.0), name(&["R", "O_r"])),
+        force((0.0, 0.0), tangential, across, name(&["S", "O_t"])),
+    ];
+    if let Some(spring) = &pin.spring {
+        let held = mul(d, view.of(spring.at_m) * hung.scale);
+        let anchor = (view.of(spring.x_m) * hung.scale, view.of(spring.y_m) * hung.scale);
+        let value = found(view, Quantity::SpringForce, body);
+        forces.push(force(held, value, unit(sub(anchor, held)), name(&["F_s", r"F_{\mathrm{s}}"])));
+    }
+    let couples: Vec<Turning> = couples_on(view, body)
+        .map(|c| Turning {
+            value: view.of(c.moment_n_m) * if hung.clockwise() == c.forward { -1.0 } else { 1.0 },
+            label: moment(view, c),
+        })
+        .collect();
+    let (omega, alpha) = (found(view, Quantity::Omega, body), found(view, Quantity::Alpha, body));
+    let with_mass = |symbol: Vec<Run>| {
+        let mut label = names::mass(view, body);
+        label.extend(symbol);
+        label
+    };
+    // Along a thin rod they stand beside it, where the tangential ones do not.
+    let beside = |tangential: f64| match hung.rod {
+        Some(_) => mul(across, if tangential < 0.0 { BESIDE } else { -BESIDE }),
+        None => (0.0, 0.0),
+    };
+    let into = hung.rod.is_some_and(|(from, to)| if radial < 0.0 { to > 30.0 } else { from < -30.0 });
+    if into {
+        forces[1].aside = beside(tangential);
+    }
+    let parts = vec![
+        Force {
+            at: g,
+            value: mass * metres * omega * omega,
+            towards: mul(d, -1.0),
+            label: with_mass(symbol::symbol("a_n")),
+            role: Role::Motion,
+            push: false,
+            most: LONGEST,
+            aside: beside(alpha),
+        },
+        Force {
+            at: g,
+            value: mass * metres * alpha,
+            towards: across,
+            label: with_mass(names::magnitude(symbol::symbol("a_t"), alpha < 0.0)),
+            role: Role::Motion,
+            push: false,
+            most: LONGEST,
+            aside: (0.0, 0.0),
+        },
+    ];
+    let mut label = name(&["I_G", "J_G"]);
+    label.extend(names::magnitude(name(&[r"\alpha", r"\alpha_1"]), alpha < 0.0));
+    let sense = if hung.clockwise() { -1.0 } else { 1.0 };
+    let turn = Some(Turning { value: alpha * view.inertia(this) * sense, label });
+    let draw = move |board: &mut Board| {
+        let zero = hung.direction(0.0);
+        board.line((0.0, 0.0), mul(zero, 62.0), Role::Ghost);
+        hung.outline(board, (0.0, 0.0), degrees, Role::Body);
+        board.circle((0.0, 0.0), 3.2, Role::Inner);
+        board.dot(g);
+        let aside = if hung.rod.is_some() { 5.0 } else { 2.0 };
+        let mut letter = |text: &str, at: V| {
+            board.wish_for(Wish {
+                rows: vec![vec![symbol::run(text, RunStyle::Italic)]],
+                size: TEXT,
+                role: Role::Dot,
+                spots: vec![
+                    (add(at, mul(across, aside)), across),
+                    (add(at, mul(across, -aside)), mul(across, -1.0)),
+                    (at, mul(d, -1.0)),
+                    (at, d),
+                ],
+                gap: 4.0,
+                tie: Tied::Near,
+            });
+        };
+        letter("O", (0.0, 0.0));
+        if hung.arm > 4.0 {
+            letter("G", g);
+        }
+    };
+    let kinetic = Kinetic { parts, turn, round: 27.0 };
+    Diagram { forces, couples, kinetic, centre: g, scale: hung.scale, body: Box::new(draw) }
+}
+
+/// Both diagrams with the sign between them.
+fn equation(view: &View, diagram: &Diagram, desc: &mut Vec<String>) -> Board {
+    let Diagram { forces, couples, kinetic, centre, body, .. } = diagram;
+    let centre = *centre;
+    let scale = common(forces, &kinetic.parts);
+    let mut one = Board::new();
+    body(&mut one);
+    arrows(&mut one, forces, scale);
+    for c in couples {
+        turning(&mut one, centre, 20.0, c, Role::Force);
+    }
+    let mut two = Board::new();
+    body(&mut two);
+    let drawn = arrows(&mut two, &kinetic.parts, scale);
+    let mut still = !drawn;
+    if let Some(t) = kinetic.turn.as_ref().filter(|t| t.value.abs() > 1e-12) {
+        turning(&mut two, centre, kinetic.round, t, Role::Motion);
+        still = false;
+    }
+    if still {
+        two.wish_for(sign("0", centre, TEXT));
+    }
+    tell(view, forces, couples, kinetic, desc);
+    let free = if scale.is_some() { "scale" } else { "free" };
+    desc.push(view.words.get(&format!("figure.forces.{free}")).to_owned());
+    let (mine, theirs) = (one.frame(), two.frame());
+    if let (Some(f), Some(h)) = (mine, theirs) {
+        let wide = 58.0;
+        let middle = (f.2 + wide, centre.1);
+        let mut equals = Board::new();
+        equals.wish_for(sign("=", (middle.0, 0.0), 26.0));
+        two.shift((f.2 + 2.0 * wide - h.0, 0.0));
+        // The sign comes first: all other labels make room for it.
+        equals.put(one);
+        equals.put(two);
+        if let (None, Some(all)) = (scale, equals.frame()) {
+            let text = view.words.get("figure.forces.caption").replace(' ', "\u{a0}");
+            equals.wish_for(Wish {
+                rows: vec![symbol::upright(text)],
+                size: CAPTION,
+                role: Role::Dot,
+                spots: vec![((middle.0, all.1), (0.0, -1.0))],
+                gap: 12.0,
+                tie: Tied::Loose,
+            });
+        }
+        return equals;
+    }
+    one
+}
+
+fn sign(text: &str, at: V, size: f64) -> Wish {
+    Wish {
+        rows: vec![vec![symbol::run(text, RunStyle::Upright)]],
+        size,
+        role: Role::Dot,
+        spots: vec![(at, (0.0, 1.0))],
+        gap: -size * 0.4,
+        tie: Tied::Near,
+    }
+}
+
+/// Pixels per newton in both diagrams, `None` where the smallest arrow would be too short to be seen.
+fn common(forces: &[Force], parts: &[Force]) -> Option<f64> {
+    let seen = |list: &[Force]| {
+        let most = list.iter().map(|f| f.value.abs()).fold(0.0, f64::max);
+        let drawn = |f: &&Force| f.value.is_finite() && f.value.abs() > NOTHING * most;
+        list.iter().filter(drawn).map(|f| (f.value.abs(), f.most)).collect::<Vec<_>>()
+    };
+    let all = [seen(forces), seen(parts)].concat();
+    let scale = all.iter().map(|(value, most)| most / value).fold(f64::INFINITY, f64::min);
+    let least = all.iter().map(|(value, _)| *value).fold(f64::INFINITY, f64::min);
+    (scale.is_finite() && scale * least >= SHORT).then_some(scale)
+}
+
+/// Draws arrows, to the given scale if there is one; false if there is nothing to draw.
+fn arrows(board: &mut Board, forces: &[Force], pixels: Option<f64>) -> bool {
+    let most = forces.iter().map(|f| f.value.abs()).fold(0.0, f64::max);
+    let mut any = false;
+    // One scale for all of them, such that none is longer than it may be.
+    let room = |f: &Force| if f.value.abs() > 0.0 { f.most * most / (LONGEST * f.value.abs()) } else { 1.0 };
+    let scale = forces.iter().map(room).fold(1.0, f64::min).max(0.5) * LONGEST;
+    for f in forces.iter().filter(|f| f.value.is_finite() && f.value.abs() > NOTHING * most) {
+        any = true;
+        let long = match pixels {
+            Some(pixels) => pixels * f.value.abs(),
+            None => (scale * f.value.abs() / most).max(SHORTEST),
+        };
+        let towards = mul(f.towards, f.value.signum());
+        let at = add(f.at, f.aside);
+        let (from, to) =
+            if f.push { (along(at, towards, -long), at) } else { (at, along(at, towards, long)) };
+        board.arrow(from, to, f.role);
+        let (end, out) = if f.push { (from, mul(towards, -1.0)) } else { (to, towards) };
+        let side = left(towards);
+        let near = along(end, out, -8.0);
+        let far = along(end, out, -22.0);
+        let beside = [(near, side), (near, mul(side, -1.0)), (far, side), (far, mul(side, -1.0))];
+        // Friction lies on a line of the surface, which goes on beyond its head.
+        let first = usize::from(f.role == Role::Friction) * 2;
+        let mut spots = beside.to_vec();
+        spots.insert(first, (end, out));
+        board.wish_for(Wish {
+            rows: vec![f.label.clone()],
+            size: TEXT,
+            role: f.role,
+            spots,
+            gap: 4.0,
+            tie: Tied::Near,
+        });
+    }
+    any
+}
+
+/// A curved arrow about a point.
+fn turning(board: &mut Board, centre: V, radius: f64, turn: &Turning, role: Role) {
+    if turn.value.abs() < 1e-300 || !turn.value.is_finite() {
+        return;
+    }
+    let sense = turn.value.signum();
+    // A wide one goes round a part of the body, a narrow one nearly all round its point.
+    let (mid, half) = if radius > 45.0 { (angle((-0.8, 1.0)), 0.5) } else { (angle((-0.35, 1.0)), 1.9) };
+    board.curved_arrow(centre, radius, mid - sense * half, mid + sense * half, role);
+    let spot = |d: V| (along(centre, d, radius), d);
+    board.wish(
+        turn.label.clone(),
+        vec![spot(unit((-0.6, 1.0))), spot(unit((0.6, 1.0))), spot((-1.0, 0.0)), spot((1.0, 0.0))],
+        role,
+    );
+}
+
+/// What the diagrams show, in words.
+fn tell(view: &View, forces: &[Force], couples: &[Turning], kinetic: &Kinetic, desc: &mut Vec<String>) {
+    let way = |towards: V| {
+        let degrees = angle(towards) * 180.0 / std::f64::consts::PI;
+        let rounded = format!("{:.0}", if degrees < -0.5 { degrees + 360.0 } else { degrees.abs() });
+        view.words.say("figure.forces.way", &[("angle", &rounded)])
+    };
+    let turn = |t: &Turning| {
+        let name = if t.value < 0.0 { "figure.turn.clockwise" } else { "figure.turn.counter" };
+        format!("{} {}", symbol::plain(&t.label), view.words.get(name))
+    };
+    let list = |forces: &[Force], turns: &mut dyn Iterator<Item = &Turning>| {
+        let most = forces.iter().map(|f| f.value.abs()).fold(0.0, f64::max);
+        let mut items: Vec<String> = forces
+            .iter()
+            .filter(|f| f.value.is_finite() && f.value.abs() > NOTHING * most)
+            .map(|f| format!("{} {}", symbol::plain(&f.label), way(mul(f.towards, f.value.signum()))))
+            .collect();
+        items.extend(turns.filter(|t| t.value.abs() > 1e-12).map(turn));
+        if items.is_empty() { "0".to_owned() } else { items.join("; ") }
+    };
+    let acting = list(forces, &mut couples.iter());
+    let made = list(&kinetic.parts, &mut kinetic.turn.iter());
+    desc.push(view.words.say("figure.forces.text", &[("forces", &acting), ("kinetic", &made)]));
+}

@@ -1,0 +1,437 @@
+//! Graphs for solutions: speed and friction over the way of a wheel on a spring, angular speed over the angle of a pinned
+//! body, the two speeds that meet where a thrown body begins to roll.
+//!
+//! Every point of a curve is a variant of its own, solved by both roads ([`make::from_values`]) with another end: no formula
+//! stands here. What a solver refuses is left out of the curve.
+use crate::bank::FigureLabels;
+use crate::bank::Problem;
+use crate::figure::bars::figures;
+use crate::figure::board::Board;
+use crate::figure::board::TEXT;
+use crate::figure::board::Tied;
+use crate::figure::board::Wish;
+use crate::figure::names;
+use crate::figure::picture::Picture;
+use crate::figure::picture::Role;
+use crate::figure::picture::Run;
+use crate::figure::picture::RunStyle;
+use crate::figure::symbol;
+use crate::figure::vector::V;
+use crate::figure::view::View;
+use crate::plot::Axis;
+use crate::plot::Scale;
+use crate::problem::make;
+use crate::problem::make::Variant;
+use crate::scene::Coordinate;
+use crate::scene::Degree;
+use crate::scene::End;
+use crate::scene::Num;
+use crate::scene::Owner;
+use crate::scene::Quantity;
+use crate::scene::Tie;
+use crate::words::Words;
+
+/// Points of a curve.
+const POINTS: u32 = 30;
+/// Width of the field.
+const WIDE: f64 = 360.0;
+/// Height of the field.
+const HIGH: f64 = 190.0;
+/// Size of the numbers at the ticks.
+const TICKS: f64 = 13.0;
+
+/// A curve: its points in SI (angles in degrees), number of its look, label.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Curve {
+    /// Points.
+    pub points: Vec<(f64, f64)>,
+    /// Which line.
+    pub look: u8,
+    /// What it is.
+    pub label: Vec<Run>,
+}
+
+/// A marked place on the first axis.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Mark {
+    /// Where.
+    pub x: f64,
+    /// On the curve.
+    pub y: f64,
+    /// What it is.
+    pub label: String,
+}
+
+/// The same problem with another end, one for each value, solved.
+fn sampled(
+    problem: &Problem,
+    variant: &Variant,
+    ends: impl Iterator<Item = (f64, End)>,
+) -> Vec<(f64, Variant)> {
+    let mut other = problem.clone();
+    let mut solved = Vec::new();
+    for (x, end) in ends {
+        if let Some(case) = other.cases.get_mut(variant.case) {
+            case.scene.end = end;
+            case.scene.heading = None;
+        }
+        if let Ok(variant) = make::from_values(&other, variant.case, &variant.values) {
+            solved.push((x, variant));
+        }
+    }
+    solved
+}
+
+/// A quantity of solved variants.
+fn curve(solved: &[(f64, Variant)], quantity: Quantity, body: usize) -> Vec<(f64, f64)> {
+    let of = |(x, v): &(f64, Variant)| Some((*x, value(v, quantity, body).filter(|y| y.is_finite())?));
+    solved.iter().filter_map(of).collect()
+}
+
+fn value(variant: &Variant, quantity: Quantity, body: usize) -> Option<f64> {
+    let of =
+        |owner: Owner| variant.solved.get(crate::scene::Label { quantity, of: owner }).map(|e| e.value());
+    of(Owner::Body(body)).or_else(|| of(Owner::Scene))
+}
+
+/// Shares from 0 to 1 in so many steps, closer at both ends, where curves bend.
+fn shares(steps: u32) -> impl Iterator<Item = f64> {
+    (0..=steps).map(move |i| {
+        let t = f64::from(i) / f64::from(steps);
+        t * t * (3.0 - 2.0 * t)
+    })
+}
+
+/// Speed and friction over the distance from release, for a body on a spring; empty for others.
+pub fn spring_curves(problem: &Problem, variant: &Variant) -> Option<SpringCurves> {
+    let scene = &problem.cases.get(variant.case)?.scene;
+    scene.spring()?;
+    let End::Travel(at @ Coordinate { body, degree: Degree::Along }, asked) = scene.end else { return None };
+    let of = |n: Num| match n {
+        Num::Datum(i) => variant.data.get(i).copied().unwrap_or(0.0),
+        Num::Fixed(x) => x,
+    };
+    let asked = of(asked);
+    let turn = value(variant, Quantity::DTurn, body).filter(|d| d.is_finite() && *d < 20.0 * asked);
+    let far = turn.unwrap_or(1.6 * asked);
+    let least = far * 1e-6;
+    let ends = shares(POINTS).map(|s| {
+        let x = (far * s).clamp(least, far * (1.0 - 1e-9));
+        (x, End::Travel(at, Num::Fixed(x)))
+    });
+    let solved = sampled(problem, variant, ends);
+    let (speed, friction) = (curve(&solved, Quantity::V, body), curve(&solved, Quantity::Friction, body));
+    let mu = scene.ties.iter().find_map(|t| match t {
+        Tie::Roll { body: b, mu_s: Some(mu), .. } if *b == body => Some(of(*mu)),
+        _ => None,
+    });
+    let limit = mu.zip(value(variant, Quantity::Normal, body)).map(|(mu, n)| mu * n);
+    Some(SpringCurves { body, asked, turn, speed, friction, limit })
+}
+
+/// What [`spring_curves`] finds.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SpringCurves {
+    /// Index of the body.
+    pub body: usize,
+    /// Distance that is asked.
+    pub asked: f64,
+    /// Distance of the turning point.
+    pub turn: Option<f64>,
+    /// Speed over distance.
+    pub speed: Vec<(f64, f64)>,
+    /// Friction over distance.
+    pub friction: Vec<(f64, f64)>,
+    /// `mu_s N`.
+    pub limit: Option<f64>,
+}
+
+/// All graphs of a variant, by name; none where nothing teaches.
+pub fn all(problem: &Problem, variant: &Variant, words: &Words) -> Vec<(String, Picture)> {
+    let mut list = Vec::new();
+    let Some(view) = View::new(problem, variant, words, FigureLabels::Values) else { return list };
+    if let Some(curves) = spring_curves(problem, variant) {
+        list.push(("graph-speed".to_owned(), speed(&view, &curves)));
+        if curves.friction.len() > 1 {
+            list.push(("graph-friction".to_owned(), friction(&view, &curves)));
+        }
+    }
+    if let Some(picture) = swing(&view) {
+        list.push(("graph-swing".to_owned(), picture));
+    }
+    if let Some(picture) = slip(&view) {
+        list.push(("graph-slip".to_owned(), picture));
+    }
+    list
+}
+
+fn speed(view: &View, c: &SpringCurves) -> Picture {
+    let words = view.words;
+    let word = |name: &str| words.get(&format!("figure.graph.{name}")).to_owned();
+    let v = |q: Quantity| value(view.variant, q, c.body);
+    let mut marks = Vec::new();
+    if let Some(y) = v(Quantity::V) {
+        marks.push(Mark { x: c.asked, y, label: word("asked") });
+    }
+    if let (Some(x), Some(y)) = (v(Quantity::DAtVMax), v(Quantity::VMax)) {
+        marks.push(Mark { x, y, label: word("equilibrium") });
+    }
+    if let Some(x) = c.turn {
+        marks.push(Mark { x, y: 0.0, label: word("turning") });
+    }
+    let line = Curve { points: c.speed.clone(), look: 0, label: symbol::symbol("v") };
+    draw(view, &word("distance"), "m", &word("speed"), "m/s", &[line], &[], &marks)
+}
+
+fn friction(view: &View, c: &SpringCurves) -> Picture {
+    let words = view.words;
+    let word = |name: &str| words.get(&format!("figure.graph.{name}")).to_owned();
+    let v = |q: Quantity| value(view.variant, q, c.body);
+    let mut marks = Vec::new();
+    if let Some(y) = v(Quantity::Friction) {
+        marks.push(Mark { x: c.asked, y, label: word("asked") });
+    }
+    let line =
+        Curve { points: c.friction.clone(), look: 1, label: symbol::symbol(&names::friction(view, c.body)) };
+    let far = c.friction.last().map_or(1.0, |p| p.0);
+    let mut curves = vec![line];
+    let mut limits = Vec::new();
+    if let Some(limit) = c.limit {
+        for sign in [1.0, -1.0] {
+            let mut label = symbol::symbol(r"\mu_s N");
+            if sign < 0.0 {
+                label.insert(0, symbol::run("−", RunStyle::Upright));
+            }
+            curves.push(Curve { points: vec![(0.0, sign * limit), (far, sign * limit)], look: 2, label });
+            limits.push(sign * limit);
+        }
+    }
+    draw(view, &word("distance"), "m", &word("friction"), "N", &curves, &limits, &marks)
+}
+
+/// Angular speed over the angle of a pinned body.
+fn swing(view: &View) -> Option<Picture> {
+    let (body, pin) = view.scene.pinned()?;
+    let End::Angle(at, asked) = view.scene.end else { return None };
+    let (from, asked) = (view.of(pin.start_deg), view.of(asked));
+    let span = asked - from;
+    if span.abs() < 1.0 {
+        return None;
+    }
+    let far = from + span * 1.2;
+    // Each point is a quadrature of its own: fewer of them.
+    let ends = shares(POINTS / 2).map(|s| {
+        let x = from + (far - from) * s.max(1e-4);
+        (x, End::Angle(at, Num::Fixed(x)))
+    });
+    let mut points = curve(&sampled(view.problem, view.variant, ends), Quantity::Omega, body);
+    if points.len() < 4 {
+        return None;
+    }
+    points.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let word = |name: &str| view.words.get(&format!("figure.graph.{name}")).to_owned();
+    let y = value(view.variant, Quantity::Omega, body)?;
+    let marks = [Mark { x: asked, y, label: word("asked") }];
+    let line = Curve { points, look: 0, label: symbol::symbol(r"\omega") };
+    Some(draw(view, &word("angle"), "°", &word("spin"), "rad/s", &[line], &[], &marks))
+}
+
+/// The speed of the centre and that of the turning rim over time, until they meet and a little on.
+fn slip(view: &View) -> Option<Picture> {
+    let thrown = view.scene.thrown()?;
+    let (body, radius) = (thrown.body, view.of(thrown.radius_m));
+    let at = Coordinate { body, degree: Degree::Along };
+    let mut rolling = view.problem.clone();
+    rolling.cases.get_mut(view.variant.case)?.scene.end = End::Rolling(at);
+    let met = make::from_values(&rolling, view.variant.case, &view.variant.values).ok()?;
+    let when = value(&met, Quantity::T, body).filter(|t| t.is_finite() && *t > 0.0)?;
+    let asked = match view.scene.end {
+        End::Time(_, n) => Some(view.of(n)),
+        _ => None,
+    };
+    let far = asked.unwrap_or(0.0).max(when * 1.3);
+    // Speeds with their signs: the displacement of a short while shows the sense.
+    let signed = |t: f64| -> Option<(f64, f64)> {
+        let mut problem = view.problem.clone();
+        let end = End::Time(at, Num::Fixed(t));
+        problem.cases.get_mut(view.variant.case)?.scene.end = end;
+        let v = make::from_values(&problem, view.variant.case, &view.variant.values).ok()?;
+        Some((value(&v, Quantity::V, body)?, value(&v, Quantity::Omega, body)?))
+    };
+    let (v0, w0) = (view.of(thrown.speed_m_s), view.of(thrown.spin_rad_s));
+    let a = |v: &Variant, q: Quantity| value(v, q, body);
+    // Both are straight while it slips: two points are enough; magnitudes get the sign nearer to the line.
+    let common = {
+        let v = a(&met, Quantity::V)?;
+        let half = signed(when / 2.0)?;
+        let fits = |end: f64| (((v0 + end) / 2.0).abs() - half.0).abs();
+        if fits(v) <= fits(-v) { v } else { -v }
+    };
+    let after = {
+        let (v, _) = signed(far)?;
+        if (v - common).abs() <= (-v - common).abs() { v } else { -v }
+    };
+    let word = |name: &str| view.words.get(&format!("figure.graph.{name}")).to_owned();
+    let mut rim = view.symbol(thrown.radius_m);
+    if rim.is_empty() {
+        rim = symbol::symbol("R");
+    }
+    rim.extend(symbol::symbol(r"\omega"));
+    let curves = [
+        Curve { points: vec![(0.0, v0), (when, common), (far, after)], look: 0, label: symbol::symbol("v") },
+        Curve { points: vec![(0.0, radius * w0), (when, common), (far, after)], look: 1, label: rim },
+    ];
+    let mut marks = vec![Mark { x: when, y: common, label: word("rolls") }];
+    if let Some(t) = asked {
+        let y = if t < when { v0 + (common - v0) * t / when } else { after };
+        marks.push(Mark { x: t, y, label: word("asked") });
+    }
+    Some(draw(view, &word("time"), "s", &word("speeds"), "m/s", &curves, &[], &marks))
+}
+
+/// A value as words tell it: 0 where nobody sees it on an axis of this range.
+fn settled(value: f64, range: f64) -> f64 {
+    if value.abs() < 1e-3 * range { 0.0 } else { value }
+}
+
+/// A graph.
+#[expect(clippy::too_many_arguments, reason = "two axes with names and units, and what stands between them")]
+fn draw(
+    view: &View,
+    x_name: &str,
+    x_unit: &str,
+    y_name: &str,
+    y_unit: &str,
+    curves: &[Curve],
+    limits: &[f64],
+    marks: &[Mark],
+) -> Picture {
+    let words = view.words;
+    let xs = curves.iter().flat_map(|c| c.points.iter().map(|p| p.0));
+    let ys = curves.iter().flat_map(|c| c.points.iter().map(|p| p.1));
+    let (low, high) = (
+        curves.iter().flat_map(|c| c.points.iter().map(|p| p.0)).fold(f64::INFINITY, f64::min),
+        xs.fold(f64::NEG_INFINITY, f64::max),
+    );
+    let low = if low > 0.0 && low < 1e-3 * high { 0.0 } else { low };
+    let x_axis = Axis {
+        label: String::new(),
+        scale: Scale::Linear,
+        low,
+        high: if high > low { high } else { low + 1.0 },
+    };
+    let round = Axis::around("", Scale::Linear, [low, high].into_iter());
+    let y_axis = Axis::around("", Scale::Linear, ys.chain([0.0]));
+    let at = |p: (f64, f64)| -> V { (x_axis.at(p.0) * WIDE, y_axis.at(p.1) * HIGH) };
+    let mut board = Board::new();
+    let zero = y_axis.at(0.0) * HIGH;
+    let tick = |text: &str, at: V, towards: V, size: f64| Wish {
+        rows: vec![symbol::upright(words.number(text).replace('-', "−"))],
+        size,
+        role: Role::Dot,
+        spots: vec![(at, towards)],
+        gap: 4.0,
+        tie: Tied::Fixed,
+    };
+    for t in y_axis.ticks() {
+        let y = t.at * HIGH;
+        board.line((0.0, y), (WIDE, y), Role::Grid);
+        if !t.label.is_empty() {
+            board.wish_for(tick(&t.label, (-2.0, y), (-1.0, 0.0), TICKS));
+        }
+    }
+    for t in round.ticks() {
+        let value = round.low + (round.high - round.low) * t.at;
+        if value < low - 1e-9 * (high - low) || value > high + 1e-9 * (high - low) {
+            continue;
+        }
+        let x = x_axis.at(value) * WIDE;
+        board.line((x, 0.0), (x, HIGH), Role::Grid);
+        if !t.label.is_empty() {
+            board.wish_for(tick(&t.label, (x, -4.0), (0.0, -1.0), TICKS));
+        }
+    }
+    board.line((0.0, zero), (WIDE, zero), Role::Axis);
+    board.line((0.0, 0.0), (0.0, HIGH), Role::Axis);
+    for limit in limits {
+        // The band in which it does not slip is between the limits: outside is hatched.
+        let y = y_axis.at(*limit) * HIGH;
+        board.hatch((0.0, y), (WIDE, y), (0.0, limit.signum()));
+    }
+    for c in curves {
+        let points: Vec<V> = c.points.iter().map(|p| at(*p)).collect();
+        board.lines(&points, false, Role::Curve(c.look));
+    }
+    for m in marks {
+        let p = at((m.x, m.y));
+        board.line((p.0, zero), p, Role::Ghost);
+        board.circle(p, 3.6, Role::Dot);
+    }
+    let name = |text: &str, unit: &str| format!("{text} ({unit})").replace(' ', "\u{a0}");
+    board.wish_for(Wish { gap: 26.0, ..tick(&name(x_name, x_unit), (WIDE / 2.0, 0.0), (0.0, -1.0), TEXT) });
+    let title = name(y_name, y_unit);
+    let half = symbol::width(&symbol::upright(title.clone()), TEXT) / 2.0;
+    board.wish_for(tick(&title, (half - 30.0, HIGH + 6.0), (0.0, 1.0), TEXT));
+    let x_text = |x: f64| figures(words, settled(x, x_axis.high - x_axis.low));
+    let y_text = |y: f64| figures(words, settled(y, y_axis.high - y_axis.low));
+    let mut told = Vec::new();
+    for m in marks {
+        let p = at((m.x, m.y));
+        let up = if m.y >= 0.0 { 1.0 } else { -1.0 };
+        board.wish_for(Wish {
+            rows: vec![symbol::upright(m.label.replace(' ', "\u{a0}"))],
+            size: TEXT,
+            role: Role::Dot,
+            spots: vec![
+                (p, (0.0, up)),
+                (p, (-0.8, 0.6)),
+                (p, (0.8, 0.6)),
+                (p, (0.8, -0.6)),
+                (p, (-0.8, -0.6)),
+                (p, (0.0, -up)),
+            ],
+            gap: 6.0,
+            tie: Tied::Leader,
+        });
+        told.push(
+            words.say("figure.graph.mark", &[("mark", &m.label), ("x", &x_text(m.x)), ("y", &y_text(m.y))]),
+        );
+    }
+    for c in curves {
+        let role = Role::Curve(c.look);
+        let spot = |share: f64| {
+            let x = low + (high - low) * share;
+            let pair = c.points.windows(2).find(|w| w[0].0 <= x && x <= w[1].0);
+            let y = pair.map_or(0.0, |w| {
+                let span = w[1].0 - w[0].0;
+                if span > 0.0 { w[0].1 + (w[1].1 - w[0].1) * (x - w[0].0) / span } else { w[0].1 }
+            });
+            at((x, y))
+        };
+        let spots = [0.12, 0.25, 0.8, 0.6, 0.4]
+            .into_iter()
+            .flat_map(|s| [(spot(s), (-0.5, 0.85)), (spot(s), (0.5, -0.85))]);
+        board.wish_for(Wish {
+            rows: vec![c.label.clone()],
+            size: TEXT,
+            role,
+            spots: spots.collect(),
+            gap: 5.0,
+            tie: Tied::Leader,
+        });
+    }
+    let ends = |c: &Curve| {
+        let show =
+            |p: Option<&(f64, f64)>| p.map_or((String::new(), String::new()), |p| (x_text(p.0), y_text(p.1)));
+        let ((x0, y0), (x1, y1)) = (show(c.points.first()), show(c.points.last()));
+        let label = symbol::plain(&c.label);
+        words.say(
+            "figure.graph.curve",
+            &[("curve", &label), ("x0", &x0), ("y0", &y0), ("x1", &x1), ("y1", &y1)],
+        )
+    };
+    let text = words.say("figure.graph.text", &[("y", &name(y_name, y_unit)), ("x", &name(x_name, x_unit))]);
+    let desc: Vec<String> = std::iter::once(text).chain(curves.iter().map(ends)).chain(told).collect();
+    let title = words.say("figure.graph.title", &[("y", y_name), ("x", x_name)]);
+    board.finish(title, desc.join(" ").replace('\u{a0}', " "))
+}

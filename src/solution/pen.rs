@@ -1,0 +1,304 @@
+//! A pen for one section: phrases, equations, and the steps by which a quantity is found, broken into lines that fit a page.
+use crate::scene::Label;
+use crate::sheet::number;
+use crate::solution::desk::Answer;
+use crate::solution::desk::Desk;
+use crate::solution::expr::Expr;
+use crate::solution::ledger::Ledger;
+use crate::solution::ledger::Symbol;
+use crate::solution::ledger::tex_digits;
+use crate::solution::text::Block;
+use crate::solution::text::Section;
+
+/// Width of a line that still fits 16 cm of print, in characters of average width.
+const LINE: usize = 68;
+/// A chain `a = symbols = numbers = value` up to this width stands on one line.
+const SHORT: usize = 46;
+
+/// A section that is being written.
+#[derive(Debug)]
+pub struct Pen<'d, 'a> {
+    /// The desk.
+    pub desk: &'d mut Desk<'a>,
+    section: Section,
+}
+
+impl<'d, 'a> Pen<'d, 'a> {
+    /// Begins a section with this id; `title` is the name of a phrase.
+    pub fn new(desk: &'d mut Desk<'a>, id: &'static str, title: &str) -> Self {
+        let section = Section::new(id, desk.words.get(title));
+        Self { desk, section }
+    }
+
+    /// Ends the section.
+    pub fn done(self) {
+        if !self.section.blocks.is_empty() {
+            self.desk.sections.push(self.section);
+        }
+    }
+
+    /// A paragraph: a phrase with its places filled in.
+    pub fn say(&mut self, phrase: &str, pieces: &[(&str, &str)]) {
+        let text = self.desk.say(phrase, pieces);
+        self.section.say(text);
+    }
+
+    /// A paragraph of several sentences.
+    pub fn paragraph(&mut self, sentences: &[String]) {
+        if !sentences.is_empty() {
+            self.section.say(sentences.join(" "));
+        }
+    }
+
+    /// A list.
+    pub fn list(&mut self, items: Vec<String>) {
+        if !items.is_empty() {
+            self.section.blocks.push(Block::List(items));
+        }
+    }
+
+    /// A table, first row the head.
+    pub fn table(&mut self, rows: Vec<Vec<String>>) {
+        self.section.blocks.push(Block::Table(rows));
+    }
+
+    /// The picture of this name, if there is one.
+    pub fn picture(&mut self, name: &str) {
+        self.section.blocks.push(Block::Picture(name.to_owned()));
+    }
+
+    /// A formula, LaTeX.
+    pub fn formula(&mut self, tex: impl Into<String>) {
+        self.section.blocks.push(Block::Formula(tex.into()));
+    }
+
+    /// `left = right` in symbols.
+    pub fn equation(&mut self, left: &Expr, right: &Expr) {
+        let (left, rows) = (left.symbols(&self.desk.ledger), rows(&self.desk.ledger, right, true));
+        self.formula(match rows.as_slice() {
+            [row] => format!("{left} = {row}"),
+            rows => {
+                format!(r"\begin{{aligned}} {left} &= {} \end{{aligned}}", rows.join(r" \\ &\quad "))
+            }
+        });
+    }
+
+    /// A new quantity and the steps by which it is found: in symbols, with numbers put in, its value. The unit is ASCII.
+    pub fn find(&mut self, tex: &str, unit: &str, from: &Expr) -> Symbol {
+        let symbol = self.quiet(tex, unit, from);
+        self.steps(symbol, from);
+        symbol
+    }
+
+    /// A new quantity with its value, told nowhere.
+    pub fn quiet(&mut self, tex: &str, unit: &str, from: &Expr) -> Symbol {
+        let symbol = self.desk.unknown(tex, unit);
+        let value = from.value(&self.desk.ledger);
+        self.desk.ledger.settle(symbol, value);
+        symbol
+    }
+
+    /// The steps by which a quantity is found.
+    pub fn steps(&mut self, symbol: Symbol, from: &Expr) {
+        let tex = steps(&self.desk.ledger, symbol, from);
+        self.formula(tex);
+    }
+
+    /// An expression in symbols.
+    pub fn tex(&self, e: &Expr) -> String {
+        e.symbols(&self.desk.ledger)
+    }
+
+    /// The value of an expression.
+    pub fn value(&self, e: &Expr) -> f64 {
+        e.value(&self.desk.ledger)
+    }
+
+    /// A symbol and its value, `h = 0.6\ \mathrm{m}`.
+    pub fn with_value(&self, symbol: Symbol) -> String {
+        format!("{} = {}", self.desk.ledger.tex(symbol), self.desk.ledger.shown(symbol))
+    }
+
+    /// What is found for a label, on the road of the equations of motion.
+    pub fn motion(&mut self, label: Label, symbol: Symbol) {
+        self.desk.from_motion(label, Answer::Value(symbol));
+    }
+
+    /// What is found for a label, on the road of work and energy.
+    pub fn energy(&mut self, label: Label, symbol: Symbol) {
+        self.desk.from_energy(label, Answer::Value(symbol));
+    }
+
+    /// What a mistake would give: `$5\ \mathrm{N}$ for $F$`.
+    pub fn instead(&self, tex: &str, value: f64, unit: &str) -> String {
+        self.desk.say("pinned.instead", &[("value", &self.rough(value, unit)), ("symbol", tex)])
+    }
+
+    /// A number with four figures and a unit (ASCII), for remarks: LaTeX without dollars.
+    pub fn rough(&self, value: f64, unit: &str) -> String {
+        let digits = tex_digits(&number::rounded(value, 4), self.desk.words);
+        match crate::solution::desk::tex_of(unit) {
+            unit if unit.is_empty() => digits,
+            unit => format!(r"{digits}\ {unit}"),
+        }
+    }
+}
+
+/// The steps by which a quantity is found: in symbols, with numbers put in, its value, on one line if that is short.
+pub fn steps(ledger: &Ledger, symbol: Symbol, from: &Expr) -> String {
+    let (name, value) = (ledger.tex(symbol), ledger.shown(symbol));
+    if matches!(from, Expr::Number(..)) {
+        return format!("{name} = {value}");
+    }
+    let (symbols, numbers) = (from.symbols(ledger), from.numbers(ledger));
+    let mut lines = vec![rows(ledger, from, true)];
+    if numbers != value && numbers != symbols {
+        lines.push(rows(ledger, from, false));
+    }
+    lines.push(vec![value]);
+    if let (Expr::Root(inner), [symbols, numbers, value]) = (from, lines.as_slice())
+        && numbers.iter().any(|row| width(row) > LINE)
+        && matches!(**inner, Expr::Sum(_))
+    {
+        // A root cannot be broken; its square can.
+        return format!(
+            r"\begin{{aligned}} {name} &= {} \\ {name}^{{2}} &= {} \\ {name} &= {} \end{{aligned}}",
+            symbols.concat(),
+            rows(ledger, inner, false).join(r" \\ &\quad "),
+            value.concat()
+        );
+    }
+    let single = lines.iter().all(|l| l.len() == 1);
+    let chain: Vec<&str> = lines.iter().flatten().map(String::as_str).collect();
+    let total: usize = width(name) + chain.iter().map(|l| width(l) + 3).sum::<usize>();
+    if single && total <= SHORT {
+        return format!("{name} = {}", chain.join(" = "));
+    }
+    let lines: Vec<String> = lines.iter().map(|l| l.join(r" \\ &\quad ")).collect();
+    format!(r"\begin{{aligned}} {name} &= {} \end{{aligned}}", lines.join(r" \\ &= "))
+}
+
+/// An expression in symbols or numbers; a sum that is too wide for a line is broken before its signs.
+fn rows(ledger: &Ledger, e: &Expr, symbols: bool) -> Vec<String> {
+    let write = |e: &Expr| if symbols { e.symbols(ledger) } else { e.numbers(ledger) };
+    let whole = write(e);
+    let Expr::Sum(terms) = e else { return vec![whole] };
+    if width(&whole) <= LINE {
+        return vec![whole];
+    }
+    let mut rows: Vec<String> = Vec::new();
+    for (i, term) in terms.iter().enumerate() {
+        let (sign, size) = match term {
+            Expr::Minus(inner) => ("- ", write(inner)),
+            Expr::Number(over, under) if *over < 0 => ("- ", write(&Expr::Number(-over, *under))),
+            other => ("+ ", write(other)),
+        };
+        if i == 0 {
+            rows.push(write(term));
+            continue;
+        }
+        let size = match (size.starts_with('-'), term) {
+            (true, Expr::Symbol(_)) => format!("({size})"),
+            (true, _) => format!(r"\left({size}\right)"),
+            (false, _) => size,
+        };
+        let next = format!("{sign}{size}");
+        match rows.last_mut() {
+            Some(last) if width(last) + width(&next) < LINE => {
+                last.push(' ');
+                last.push_str(&next);
+            }
+            _ => rows.push(next),
+        }
+    }
+    rows
+}
+
+/// Width of a formula in characters of average width, roughly.
+pub fn width(tex: &str) -> usize {
+    let chars: Vec<char> = tex.chars().collect();
+    tenths(&chars, &mut 0, false).div_ceil(10)
+}
+
+/// Width in tenths from a place up to the end or to a closing brace.
+fn tenths(chars: &[char], at: &mut usize, one: bool) -> usize {
+    let mut sum = 0;
+    while let Some(c) = chars.get(*at).copied() {
+        *at += 1;
+        sum += match c {
+            '}' => return sum,
+            '{' => tenths(chars, at, false),
+            ' ' => continue,
+            '^' | '_' => tenths(chars, at, true) * 7 / 10,
+            '=' | '+' | '-' => 20,
+            '.' | ',' | '(' | ')' | '|' => 7,
+            '\\' => {
+                let start = *at;
+                while chars.get(*at).is_some_and(char::is_ascii_alphabetic) {
+                    *at += 1;
+                }
+                let name: String = chars[start..*at].iter().collect();
+                match name.as_str() {
+                    "" => {
+                        *at += 1;
+                        4
+                    }
+                    "frac" | "tfrac" => {
+                        let (over, under) = (tenths(chars, at, true), tenths(chars, at, true));
+                        over.max(under) + 4
+                    }
+                    "left" | "right" | "mathrm" | "begin" | "end" => 0,
+                    "sqrt" => 15,
+                    "sin" | "cos" => 32,
+                    "quad" => 20,
+                    "cdot" => 14,
+                    "sum" | "int" => 20,
+                    _ => 11,
+                }
+            }
+            _ => 10,
+        };
+        if one {
+            return sum;
+        }
+    }
+    sum
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::solution::expr::product;
+    use crate::solution::expr::sum;
+    use crate::words::Words;
+
+    #[test]
+    fn widths_count_what_is_seen() {
+        for (tex, seen) in [
+            ("m", 1),
+            (r"m\,g", 3),
+            (r"\frac{m\,g}{2}", 3),
+            (r"(40\ \mathrm{kg})", 6),
+            (r"\phi_{0}", 2),
+            (r"\sin 30^\circ", 6),
+        ] {
+            assert_eq!(width(tex), seen, "{tex}");
+        }
+    }
+
+    #[test]
+    fn a_long_sum_is_broken_before_its_signs() {
+        let words = Words::english();
+        let mut l = Ledger::new(&words);
+        let x = l.given("x", -12.345, "-12.345", r"\mathrm{m}", false);
+        let term = || product([x.into(), x.into()]);
+        let long = sum([term(), Expr::Minus(Box::new(term())), term(), x.into(), term()]);
+        let rows = rows(&l, &long, false);
+        assert!(rows.len() > 1, "{rows:?}");
+        assert!(rows.iter().all(|r| width(r) <= LINE), "{rows:?}");
+        let y = l.found("y", long.value(&l), r"\mathrm{m}");
+        let whole = steps(&l, y, &long);
+        assert_eq!(whole.matches(r"\\ &= ").count(), 2, "{whole}");
+        assert_eq!(rows.join(" "), long.numbers(&l));
+    }
+}

@@ -1,0 +1,1438 @@
+//! A body on a fixed pin, worked: moments about the pin, the integral over the angle, the force of the pin from the other two
+//! rows; then energies, with the kinetic energy of the mass centre and of the rotation about it. Under the weight alone also
+//! the periods: of small swings, and the real one by the arithmetic-geometric mean and by a mean value over the swing.
+use crate::finding::Finding;
+use crate::num::trig;
+use crate::scene::Arm;
+use crate::scene::End;
+use crate::scene::Label;
+use crate::scene::Owner;
+use crate::scene::Pin;
+use crate::scene::Quantity;
+use crate::scene::Rest;
+use crate::scene::Start;
+use crate::scene::Zero;
+use crate::sheet::number;
+use crate::solution::desk::Answer;
+use crate::solution::desk::Desk;
+use crate::solution::expr::Expr;
+use crate::solution::expr::ONE;
+use crate::solution::expr::ZERO;
+use crate::solution::expr::cosine;
+use crate::solution::expr::difference;
+use crate::solution::expr::magnitude;
+use crate::solution::expr::minus;
+use crate::solution::expr::number as whole;
+use crate::solution::expr::product;
+use crate::solution::expr::quotient;
+use crate::solution::expr::ratio;
+use crate::solution::expr::root;
+use crate::solution::expr::sine;
+use crate::solution::expr::square;
+use crate::solution::expr::sum;
+use crate::solution::ledger::FIGURES;
+use crate::solution::ledger::Symbol;
+use crate::solution::ledger::tex_digits;
+use crate::solution::mass;
+use crate::solution::pen::Pen;
+use crate::solve::outcome::Word;
+
+/// A wrong value is told only if it differs by this share from the right one: else it would teach nothing.
+const TOLD: f64 = 0.02;
+/// Step in degrees in which an angle is looked for at which something happens.
+const LOOK: f64 = 0.25;
+/// The farthest way that is looked over, degrees.
+const FAR: f64 = 720.0;
+/// Error of a mean value over a swing, as a share.
+const MEAN_REL: f64 = 1e-11;
+
+/// The body in symbols.
+struct Swing {
+    body: usize,
+    /// Does the angle count from upright?
+    up: bool,
+    m: Expr,
+    g: Expr,
+    /// Distance from the pin to the mass centre.
+    h: Expr,
+    /// Moment of inertia about the mass centre.
+    own: Expr,
+    /// About the pin.
+    about: Symbol,
+    /// Moments of the couples, positive with growing angle.
+    couples: Vec<Expr>,
+    spring: Option<Spring>,
+    phi: Expr,
+    phi0: Expr,
+    phi1: Expr,
+    w0: Expr,
+    /// Is only the instant of the start asked?
+    instant: bool,
+    /// Sense of the motion: 1 with growing angle.
+    sense: f64,
+    names: Names,
+}
+
+/// The spring in symbols.
+struct Spring {
+    /// Distance from the pin to its point of the body.
+    b: Expr,
+    /// Its anchor, as seen from the pin.
+    x: Expr,
+    y: Expr,
+    k: Expr,
+    /// Natural length.
+    l0: Expr,
+}
+
+/// How the unknowns are written.
+struct Names {
+    omega: String,
+    alpha: String,
+    radial: String,
+    across: String,
+    pin: String,
+    spring: String,
+    length: String,
+    out: String,
+    side: String,
+    central: String,
+    aside: String,
+    stretch: String,
+    speed: String,
+}
+
+/// What a place of the body needs of its spring.
+struct Place {
+    phi: Expr,
+    /// Force of the spring, and the components of its direction outward and across.
+    spring: Option<(Expr, Expr, Expr)>,
+}
+
+fn sin_of(angle: &Expr) -> Expr {
+    if *angle == ZERO { ZERO } else { sine(angle.clone()) }
+}
+
+fn cos_of(angle: &Expr) -> Expr {
+    if *angle == ZERO { ONE } else { cosine(angle.clone()) }
+}
+
+/// Writes the sections of a pinned body.
+///
+/// # Errors
+/// What this derivation does not cover.
+pub fn work(desk: &mut Desk) -> Result<(), Finding> {
+    let Some((body, pin)) = desk.scene.pinned() else {
+        return Err(desk.fault("has no worked solution: nothing is pinned"));
+    };
+    let pin = *pin;
+    let motion = desk.variant.solved.regime.motion.word();
+    let known = [Quantity::Omega, Quantity::Alpha, Quantity::V, Quantity::KineticEnergy];
+    let ended = known.iter().any(|q| {
+        let owner = if *q == Quantity::KineticEnergy { Owner::Scene } else { Owner::Body(body) };
+        *q != Quantity::Alpha && desk.variant.solved.get(Label { quantity: *q, of: owner }).is_some()
+    });
+    if !ended {
+        return Err(desk.fault(format!(
+            "has no worked solution: the body does not get where it is to be looked at ({motion})"
+        )));
+    }
+    let swing = read(desk, body, &pin)?;
+    let solved = swing.equations(desk);
+    if solved.pendulum {
+        swing.swings(desk);
+    }
+    swing.balance(desk, &solved);
+    if solved.pendulum {
+        swing.swings_by_energy(desk);
+    }
+    swing.regime(desk, &solved);
+    swing.beware(desk, &solved);
+    Ok(())
+}
+
+/// Free body, and the quantities that everything else needs.
+fn read(desk: &mut Desk, body: usize, pin: &Pin) -> Result<Swing, Finding> {
+    let scene = desk.scene;
+    let angle = desk.free(&[r"\phi", r"\varphi", r"\theta", r"\beta"]);
+    let names = Names {
+        omega: desk.free(&[r"\omega", r"\omega_1"]),
+        alpha: desk.free(&[r"\alpha", r"\alpha_1"]),
+        radial: desk.free(&["R", "O_r"]),
+        across: desk.free(&["S", "O_t"]),
+        pin: desk.free(&["F_O", "O"]),
+        spring: desk.free(&["F_s", r"F_{\mathrm{s}}"]),
+        length: desk.free(&["s", "d"]),
+        out: desk.free(&["n_r", "c_r"]),
+        side: desk.free(&["n_t", "c_t"]),
+        central: desk.free(&["a_n", "a_c"]),
+        aside: desk.free(&["a_t", "a_q"]),
+        stretch: desk.free(&[r"\delta", "e"]),
+        speed: desk.free(&["v_G", "u_G"]),
+    };
+    let (zero, one) = (format!("{angle}_0"), format!("{angle}_1"));
+    let phi0 = desk.number(pin.start_deg, &zero, "deg");
+    let g = desk.number(scene.gravity_m_s2, "g", "m/s^2");
+    let start = scene.start.iter().rev().find_map(|s| match s {
+        Start::Speed(c, w) if c.body == body => Some(*w),
+        _ => None,
+    });
+    let w0_name = desk.free(&[r"\omega_0", r"\Omega_0"]);
+    let w0 = start.map_or(ZERO, |w| desk.number(w, &w0_name, "rad/s"));
+    let couples = scene.couples.iter().filter(|c| c.body == body);
+    let couples: Vec<Expr> = couples
+        .map(|c| {
+            let moment = desk.number(c.moment_n_m, "M", "N m");
+            if c.forward { moment } else { minus(moment) }
+        })
+        .filter(|moment| *moment != ZERO)
+        .collect();
+    let phi = Expr::Symbol(desk.unknown(&angle, "1"));
+
+    let moments: Vec<String> = couples
+        .iter()
+        .map(|c| {
+            let (phrase, bare) = match c {
+                Expr::Minus(inner) => ("pinned.forces_couple_back", inner.as_ref().clone()),
+                other => ("pinned.forces_couple", other.clone()),
+            };
+            desk.say(phrase, &[("moment", &bare.symbols(&desk.ledger))])
+        })
+        .collect();
+    let mut pen = Pen::new(desk, "forces", "pinned.title_forces");
+    pen.picture("scene");
+    let from = if pin.from == Zero::Upright { "pinned.from_upright" } else { "pinned.from_hanging" };
+    let mut text = vec![
+        pen.desk.say("pinned.forces", &[("radial", &names.radial), ("across", &names.across)]),
+        pen.desk.say(from, &[("phi", &angle)]),
+    ];
+    text.extend(moments);
+    if pin.spring.is_some() {
+        text.push(pen.desk.say("pinned.forces_spring", &[("spring", &names.spring)]));
+    }
+    text.push(pen.desk.say("pinned.kinetic", &[]));
+    pen.paragraph(&text);
+    pen.picture(&format!("forces-{}", scene.bodies[body].name));
+    pen.done();
+
+    let mut pen = Pen::new(desk, "inertia", "pinned.title_inertia");
+    let m = mass::mass(&mut pen, body);
+    let h = match pin.arm {
+        Arm::Distance(h) => pen.desk.number(h, "h", "m"),
+        Arm::HalfOf(l) => {
+            let l = pen.desk.number(l, "L", "m");
+            let name = pen.desk.free(&["h", "r_G"]);
+            pen.say("pinned.arm_rod", &[]);
+            pen.find(&name, "m", &quotient(l, whole(2))).into()
+        }
+    };
+    if pen.value(&h) <= 0.0 {
+        return Err(pen.desk.fault("has no worked solution: the pin goes through the mass centre"));
+    }
+    let own = mass::inertia(&mut pen, body, &m);
+    pen.say(if own == ZERO { "pinned.inertia_point" } else { "pinned.inertia" }, &[]);
+    let name = pen.desk.free(&["I_O", "J_O"]);
+    let about = pen.find(&name, "kg m^2", &sum([own.clone(), product([m.clone(), square(h.clone())])]));
+    pen.motion(Label { quantity: Quantity::IO, of: Owner::Body(body) }, about);
+    let spring = match &pin.spring {
+        None => None,
+        Some(s) => {
+            let b = pen.desk.number(s.at_m, "b", "m");
+            let x = pen.desk.number(s.x_m, "x_A", "m");
+            let y = pen.desk.number(s.y_m, "y_A", "m");
+            let k = pen.desk.number(s.stiffness_n_m, "k_s", "N/m");
+            let l0 = match s.rest {
+                Rest::Length(l) => pen.desk.number(l, "l_0", "m"),
+                // Found below, from the length at the start.
+                Rest::Stretch(stretch) => pen.desk.number(stretch, &format!("{}_0", names.stretch), "m"),
+            };
+            Some(Spring { b, x, y, k, l0 })
+        }
+    };
+    pen.done();
+
+    let mut swing = Swing {
+        body,
+        up: pin.from == Zero::Upright,
+        m,
+        g,
+        h,
+        own,
+        about,
+        couples,
+        spring,
+        phi,
+        phi0: phi0.clone(),
+        phi1: phi0,
+        w0,
+        instant: matches!(scene.end, End::AtOnce),
+        sense: 1.0,
+        names,
+    };
+    if let (Some(s), Some(Rest::Stretch(_))) = (&swing.spring, pin.spring.as_ref().map(|s| s.rest)) {
+        // The natural length is what is left of the length at the start.
+        let mut pen = Pen::new(desk, "spring", "pinned.title_spring");
+        let stretch = s.l0.clone();
+        pen.say("pinned.natural", &[]);
+        let length = pen.find(&format!("{}_0", swing.names.length), "m", &s.length(swing.up, &swing.phi0));
+        let name = pen.desk.free(&["l_0", "l_n"]);
+        let l0 = pen.find(&name, "m", &difference(length.into(), stretch));
+        pen.done();
+        if let Some(s) = &mut swing.spring {
+            s.l0 = l0.into();
+        }
+    }
+    let spin = swing.w0.value(&desk.ledger);
+    let drive = swing.moment_at(desk, swing.phi0.value(&desk.ledger));
+    swing.sense = if spin != 0.0 { spin.signum() } else { drive.signum() };
+    swing.phi1 = match scene.end {
+        End::AtOnce => swing.phi0.clone(),
+        End::Angle(_, angle) => desk.number(angle, &one, "deg"),
+        End::TurningPoint(_) => swing.angle_of_speed(desk, &one, 0.0)?,
+        End::Speed(_, w) => {
+            let w = desk.value(w);
+            swing.angle_of_speed(desk, &one, w)?
+        }
+        _ => {
+            return Err(desk.fault(
+                "has no worked solution: a pinned body whose motion ends neither at an angle nor at a speed",
+            ));
+        }
+    };
+    Ok(swing)
+}
+
+impl Spring {
+    /// Its length at an angle, by the law of cosines.
+    fn length(&self, up: bool, phi: &Expr) -> Expr {
+        let along =
+            sum([product([self.x.clone(), sin_of(phi)]), signed(product([self.y.clone(), cos_of(phi)]), up)]);
+        let twice = match &along {
+            Expr::Sum(terms) => product([whole(2), self.b.clone(), Expr::Sum(terms.clone())]),
+            one => product([whole(2), self.b.clone(), one.clone()]),
+        };
+        root(sum([square(self.x.clone()), square(self.y.clone()), square(self.b.clone()), minus(twice)]))
+    }
+
+    /// The same by the places of its ends.
+    fn length_by_places(&self, up: bool, phi: &Expr) -> Expr {
+        let dx = difference(self.x.clone(), product([self.b.clone(), sin_of(phi)]));
+        let dy = difference(self.y.clone(), signed(product([self.b.clone(), cos_of(phi)]), up));
+        root(sum([square(dx), square(dy)]))
+    }
+
+    /// Anchor as seen from the pin, along the body outward.
+    fn along(&self, up: bool, phi: &Expr) -> Expr {
+        sum([product([self.x.clone(), sin_of(phi)]), signed(product([self.y.clone(), cos_of(phi)]), up)])
+    }
+
+    /// Anchor as seen from the pin, across the body, with growing angle.
+    fn aside(&self, up: bool, phi: &Expr) -> Expr {
+        sum([
+            product([self.x.clone(), cos_of(phi)]),
+            minus(signed(product([self.y.clone(), sin_of(phi)]), up)),
+        ])
+    }
+}
+
+/// The expression, or its opposite.
+fn signed(e: Expr, positive: bool) -> Expr {
+    if positive { e } else { minus(e) }
+}
+
+/// What the road of the equations of motion has found, for what comes after it.
+struct Worked {
+    pendulum: bool,
+    alpha: Symbol,
+    omega: Symbol,
+    /// Force of the spring, and its direction, at the end.
+    place: Place,
+    /// The angle turned, radians, where it was needed.
+    turned: Option<Symbol>,
+    /// Stretches at the start and at the end.
+    stretches: Option<(Symbol, Symbol)>,
+    radial: Option<Symbol>,
+}
+
+/// Parts of an integral over the angle, or of a work: name, expression in symbols.
+struct Part {
+    name: &'static str,
+    from: Expr,
+}
+
+impl Swing {
+    fn label(&self, quantity: Quantity) -> Label {
+        Label { quantity, of: Owner::Body(self.body) }
+    }
+
+    fn asks_pin(&self, desk: &Desk) -> bool {
+        [Quantity::PinRadial, Quantity::PinTangential, Quantity::PinForce].iter().any(|q| desk.asks(*q))
+    }
+
+    /// Moment of the weight about the pin, with growing angle.
+    fn weight_moment(&self, phi: &Expr) -> Expr {
+        let size = product([self.m.clone(), self.g.clone(), self.h.clone(), sin_of(phi)]);
+        signed(size, self.up)
+    }
+
+    /// Component of the weight toward the pin.
+    fn weight_toward(&self, phi: &Expr) -> Expr {
+        signed(product([self.m.clone(), self.g.clone(), cos_of(phi)]), self.up)
+    }
+
+    /// Component of the weight across, with growing angle.
+    fn weight_across(&self, phi: &Expr) -> Expr {
+        signed(product([self.m.clone(), self.g.clone(), sin_of(phi)]), self.up)
+    }
+
+    /// `cos phi0 - cos phi1` from upright, `cos phi1 - cos phi0` from hanging: what the mass centre sinks by, over `h`.
+    fn sinking(&self, from: &Expr, to: &Expr) -> Expr {
+        if self.up { difference(cos_of(from), cos_of(to)) } else { difference(cos_of(to), cos_of(from)) }
+    }
+
+    /// The moments about the pin, one for each force.
+    fn moments(&self, place: &Place) -> Vec<Expr> {
+        let mut terms = vec![self.weight_moment(&place.phi)];
+        terms.extend(self.couples.iter().cloned());
+        if let (Some(s), Some((force, _, side))) = (&self.spring, &place.spring) {
+            terms.push(product([force.clone(), s.b.clone(), side.clone()]));
+        }
+        terms.retain(|t| *t != ZERO);
+        terms
+    }
+
+    /// Force of the pin toward it.
+    fn toward(&self, square_of_spin: Expr, place: &Place) -> Expr {
+        let pull = place.spring.as_ref().map_or(ZERO, |(f, out, _)| product([f.clone(), out.clone()]));
+        let kept = product([self.m.clone(), self.h.clone(), square_of_spin]);
+        sum([kept, minus(self.weight_toward(&place.phi)), pull])
+    }
+
+    /// Force of the pin across.
+    fn aside(&self, alpha: Expr, place: &Place) -> Expr {
+        let pull = place.spring.as_ref().map_or(ZERO, |(f, _, side)| product([f.clone(), side.clone()]));
+        let kept = product([self.m.clone(), self.h.clone(), alpha]);
+        sum([kept, minus(self.weight_across(&place.phi)), minus(pull)])
+    }
+
+    /// What the couples add up to.
+    fn couple(&self) -> Expr {
+        sum(self.couples.iter().cloned())
+    }
+
+    // -- in doubles -----------------------------------------------------------------------------------------------------
+
+    /// Moment about the pin at an angle in degrees.
+    fn moment_at(&self, desk: &Desk, degrees: f64) -> f64 {
+        let of = |e: &Expr| e.value(&desk.ledger);
+        let (s, c): (f64, f64) = trig::sin_cos_of_degrees(degrees);
+        let up = if self.up { 1.0 } else { -1.0 };
+        let mut moment = up * of(&self.m) * of(&self.g) * of(&self.h) * s + of(&self.couple());
+        if let Some(spring) = &self.spring {
+            let (force, length) = self.spring_at(desk, degrees);
+            moment += force * of(&spring.b) * (of(&spring.x) * c - up * of(&spring.y) * s) / length;
+        }
+        moment
+    }
+
+    /// Force and length of the spring at an angle in degrees.
+    fn spring_at(&self, desk: &Desk, degrees: f64) -> (f64, f64) {
+        let Some(spring) = &self.spring else { return (0.0, 0.0) };
+        let of = |e: &Expr| e.value(&desk.ledger);
+        let (s, c): (f64, f64) = trig::sin_cos_of_degrees(degrees);
+        let up = if self.up { 1.0 } else { -1.0 };
+        let (dx, dy) = (of(&spring.x) - of(&spring.b) * s, of(&spring.y) - up * of(&spring.b) * c);
+        let length = (dx * dx + dy * dy).sqrt();
+        (of(&spring.k) * (length - of(&spring.l0)), length)
+    }
+
+    /// Square of the angular speed at an angle in degrees, from the work since the start.
+    fn square_at(&self, desk: &Desk, degrees: f64) -> f64 {
+        let of = |e: &Expr| e.value(&desk.ledger);
+        let start = of(&self.phi0);
+        let cosine = |d: f64| -> f64 { trig::sin_cos_of_degrees::<f64>(d).1 };
+        let up = if self.up { 1.0 } else { -1.0 };
+        let fall = up * (cosine(start) - cosine(degrees));
+        let mut work = of(&self.m) * of(&self.g) * of(&self.h) * fall
+            + of(&self.couple()) * (degrees - start) * std::f64::consts::PI / 180.0;
+        if let Some(spring) = &self.spring {
+            let stretch = |d: f64| self.spring_at(desk, d).1 - of(&spring.l0);
+            let (a, b) = (stretch(start), stretch(degrees));
+            work += 0.5 * of(&spring.k) * (a - b) * (a + b);
+        }
+        let spin = of(&self.w0);
+        spin * spin + 2.0 * work / desk.ledger.value(self.about)
+    }
+
+    /// The first angle at which the body has this speed, as a symbol in degrees.
+    fn angle_of_speed(&self, desk: &mut Desk, tex: &str, speed: f64) -> Result<Expr, Finding> {
+        let start = self.phi0.value(&desk.ledger);
+        let over = |way: f64| self.square_at(desk, start + self.sense * way) - speed * speed;
+        let first = over(LOOK);
+        let mut low = LOOK;
+        let found = loop {
+            let high = low + LOOK;
+            if high > FAR {
+                break None;
+            }
+            if over(high) * first <= 0.0 {
+                break Some((low, high));
+            }
+            low = high;
+        };
+        let Some((mut low, mut high)) = found else {
+            return Err(desk.fault("has no worked solution: no angle is found at which the motion ends"));
+        };
+        for _ in 0..80 {
+            let middle = 0.5 * (low + high);
+            if over(middle) * first > 0.0 {
+                low = middle;
+            } else {
+                high = middle;
+            }
+        }
+        let value = start + self.sense * 0.5 * (low + high);
+        let digits = number::rounded(value, FIGURES);
+        Ok(desk.ledger.given(tex, value, &digits, "", true).into())
+    }
+
+    // -- the road of the equations of motion ------------------------------------------------------------------------------
+
+    /// Force and direction of the spring at the end, with the steps.
+    fn place(&self, pen: &mut Pen, by_places: bool) -> Place {
+        let spring = self.spring.as_ref().map(|s| {
+            let length = if by_places {
+                s.length_by_places(self.up, &self.phi1)
+            } else {
+                s.length(self.up, &self.phi1)
+            };
+            let length = Expr::Symbol(pen.find(&format!("{}_1", self.names.length), "m", &length));
+            let force = product([s.k.clone(), difference(length.clone(), s.l0.clone())]);
+            let force = pen.find(&self.names.spring, "N", &force);
+            let label = self.label(Quantity::SpringForce);
+            if by_places {
+                pen.energy(label, force)
+            } else {
+                pen.motion(label, force)
+            }
+            let side = quotient(s.aside(self.up, &self.phi1), length.clone());
+            let side = pen.find(&self.names.side, "1", &side);
+            let out = if self.asks_pin(pen.desk) {
+                let out = quotient(difference(s.along(self.up, &self.phi1), s.b.clone()), length);
+                pen.find(&self.names.out, "1", &out).into()
+            } else {
+                ZERO
+            };
+            (Expr::Symbol(force), out, Expr::Symbol(side))
+        });
+        Place { phi: self.phi1.clone(), spring }
+    }
+
+    fn equations(&self, desk: &mut Desk) -> Worked {
+        let names = &self.names;
+        let pins = self.asks_pin(desk);
+        let pendulum = desk.scene.is_pendulum();
+        let mut pen = Pen::new(desk, "eom", "pinned.title_eom");
+        let alpha = Expr::Symbol(pen.desk.unknown(&names.alpha, "rad/s^2"));
+        let omega = Expr::Symbol(pen.desk.unknown(&names.omega, "rad/s"));
+        let generic = Place {
+            phi: self.phi.clone(),
+            spring: self.spring.as_ref().map(|_| {
+                let mut of = |tex: &str| Expr::Symbol(pen.desk.unknown(tex, "1"));
+                (of(&names.spring), of(&names.out), of(&names.side))
+            }),
+        };
+        pen.say("pinned.row_moment", &[]);
+        let moments = sum(self.moments(&generic));
+        pen.equation(&product([self.about.into(), alpha.clone()]), &moments);
+        let mut circle = None;
+        if pins {
+            let unknown = |pen: &mut Pen, tex: &str| Expr::Symbol(pen.desk.unknown(tex, "N"));
+            let (radial, across) = (unknown(&mut pen, &names.radial), unknown(&mut pen, &names.across));
+            pen.say("pinned.row_radial", &[("central", &names.central)]);
+            let pull = generic.spring.as_ref();
+            let right = sum([
+                radial,
+                self.weight_toward(&self.phi),
+                pull.map_or(ZERO, |(f, out, _)| minus(product([f.clone(), out.clone()]))),
+            ]);
+            let central = Expr::Symbol(pen.desk.unknown(&names.central, "m/s^2"));
+            pen.equation(&product([self.m.clone(), central.clone()]), &right);
+            pen.say("pinned.row_across", &[("aside", &names.aside)]);
+            let right = sum([
+                across,
+                self.weight_across(&self.phi),
+                pull.map_or(ZERO, |(f, _, side)| product([f.clone(), side.clone()])),
+            ]);
+            let aside = Expr::Symbol(pen.desk.unknown(&names.aside, "m/s^2"));
+            pen.equation(&product([self.m.clone(), aside.clone()]), &right);
+            circle = Some((central, aside));
+        }
+        if let (Some(s), Some((force, out, side))) = (&self.spring, &generic.spring) {
+            let length = Expr::Symbol(pen.desk.unknown(&names.length, "m"));
+            pen.say(
+                if pins { "pinned.spring_rows" } else { "pinned.spring_row" },
+                &[("length", &names.length), ("out", &names.out), ("side", &names.side)],
+            );
+            pen.equation(&length, &s.length(self.up, &self.phi));
+            pen.equation(force, &product([s.k.clone(), difference(length.clone(), s.l0.clone())]));
+            pen.equation(side, &quotient(s.aside(self.up, &self.phi), length.clone()));
+            if pins {
+                let along = difference(s.along(self.up, &self.phi), s.b.clone());
+                pen.equation(out, &quotient(along, length));
+            }
+        }
+        let radius = pen.tex(&self.h);
+        let closed =
+            [("radius", radius.as_str()), ("alpha", names.alpha.as_str()), ("omega", names.omega.as_str())];
+        if let Some((central, aside)) = circle {
+            pen.say("pinned.closed_pins", &closed[..1]);
+            pen.equation(&central, &product([self.h.clone(), square(omega.clone())]));
+            pen.equation(&aside, &product([self.h.clone(), alpha.clone()]));
+            pen.say("pinned.order", &closed[1..]);
+        } else {
+            pen.say("pinned.closed", &closed[..2]);
+        }
+
+        let ends = match pen.desk.scene.end {
+            End::TurningPoint(_) => Some("pinned.angle_turning"),
+            End::Speed(..) => Some("pinned.angle_speed"),
+            _ => None,
+        };
+        if let (Some(phrase), Expr::Symbol(angle)) = (ends, &self.phi1) {
+            pen.say(phrase, &[("omega", &names.omega)]);
+            pen.formula(pen.with_value(*angle));
+        }
+        let at = self.told(&pen, &self.phi1);
+        pen.say(if self.instant { "pinned.at_start" } else { "pinned.at" }, &[("angle", &at)]);
+        let place = self.place(&mut pen, false);
+        let moments = self.moments(&place);
+        let over = if moments.len() > 1 {
+            let name = pen.desk.free(&["M_O", r"M_{\mathrm{O}}"]);
+            Expr::Symbol(pen.find(&name, "N m", &sum(moments)))
+        } else {
+            sum(moments)
+        };
+        let alpha = pen.find(&names.alpha, "rad/s^2", &quotient(over, self.about.into()));
+        pen.motion(self.label(Quantity::Alpha), alpha);
+
+        let mut worked =
+            Worked { pendulum, alpha, omega: alpha, place, turned: None, stretches: None, radial: None };
+        worked.omega = self.integral(&mut pen, &mut worked);
+        let omega = worked.omega;
+        pen.motion(self.label(Quantity::Omega), omega);
+        if pins {
+            pen.say("pinned.reactions", &[("angle", &at)]);
+            let radial = self.toward(square(omega.into()), &worked.place);
+            let radial = pen.find(&names.radial, "N", &radial);
+            let across = pen.find(&names.across, "N", &self.aside(alpha.into(), &worked.place));
+            self.told_pin(&mut pen, radial, across);
+            pen.motion(self.label(Quantity::PinRadial), radial);
+            pen.motion(self.label(Quantity::PinTangential), across);
+            if pen.desk.asks(Quantity::PinForce) {
+                let whole = root(sum([square(radial.into()), square(across.into())]));
+                let force = pen.find(&names.pin, "N", &whole);
+                pen.motion(self.label(Quantity::PinForce), force);
+            }
+            worked.radial = Some(radial);
+        }
+        self.others(&mut pen, omega);
+        pen.done();
+        worked
+    }
+
+    /// `\phi_1 = 30^\circ`; only the number where it is a constant 0.
+    fn told(&self, pen: &Pen, angle: &Expr) -> String {
+        match angle {
+            Expr::Symbol(s) => pen.with_value(*s),
+            _ => format!(r"{} = 0", pen.tex(&self.phi)),
+        }
+    }
+
+    /// What the signs of the pin's force say.
+    fn told_pin(&self, pen: &mut Pen, radial: Symbol, across: Symbol) {
+        let (r, s) = (pen.desk.ledger.value(radial), pen.desk.ledger.value(across));
+        let toward = if r > 0.0 { "pinned.pin_toward" } else { "pinned.pin_outward" };
+        let aside = if s > 0.0 { "pinned.pin_with" } else { "pinned.pin_against" };
+        let mut text = Vec::new();
+        if r != 0.0 {
+            text.push(pen.desk.say(toward, &[("radial", &self.names.radial)]));
+        }
+        if s != 0.0 {
+            text.push(pen.desk.say(aside, &[("across", &self.names.across)]));
+        }
+        pen.paragraph(&text);
+    }
+
+    /// The integral over the angle; the angular speed at the end.
+    fn integral(&self, pen: &mut Pen, worked: &mut Worked) -> Symbol {
+        let names = &self.names;
+        if self.instant {
+            pen.say("pinned.instant", &[]);
+            return pen.find(&names.omega, "rad/s", &magnitude_of(&self.w0, pen.value(&self.w0)));
+        }
+        let (phi0, phi1, phi) = (pen.tex(&self.phi0), pen.tex(&self.phi1), pen.tex(&self.phi));
+        let (a, w) = (&names.alpha, &names.omega);
+        let chain = format!(
+            r"{a} = \frac{{\mathrm{{d}}{w}}}{{\mathrm{{d}}t}} = {w}\,\frac{{\mathrm{{d}}{w}}}{{\mathrm{{d}}{phi}}}"
+        );
+        pen.say("pinned.integrate", &[("chain", &chain), ("alpha", a), ("phi", &phi)]);
+        let w0 = pen.tex(&self.w0);
+        pen.formula(format!(
+            r"\int_{{{w0}}}^{{{w}}} {w}\,\mathrm{{d}}{w} = \int_{{{phi0}}}^{{{phi1}}} {a}\,\mathrm{{d}}{phi}"
+        ));
+        let mut parts = vec![Part {
+            name: "J_g",
+            from: product([
+                self.m.clone(),
+                self.g.clone(),
+                self.h.clone(),
+                self.sinking(&self.phi0, &self.phi1),
+            ]),
+        }];
+        if !self.couples.is_empty() {
+            let turned = self.turned(pen);
+            worked.turned = Some(turned);
+            parts.push(Part { name: "J_M", from: product([self.couple(), turned.into()]) });
+        }
+        if let Some(s) = &self.spring {
+            let (length, force, side) = (&names.length, &names.spring, &names.side);
+            let b = pen.tex(&s.b);
+            let chain = format!(r"\mathrm{{d}}{length} = -{b}\,{side}\,\mathrm{{d}}{phi}");
+            let stretch = difference(Expr::Symbol(pen.desk.unknown(length, "m")), s.l0.clone());
+            let law = pen.tex(&product([s.k.clone(), stretch]));
+            let becomes = format!(r"{force}\,{b}\,{side}\,\mathrm{{d}}{phi} = -{law}\,\mathrm{{d}}{length}");
+            pen.say("pinned.spring_integral", &[("chain", &chain), ("becomes", &becomes)]);
+            let first = s.length(self.up, &self.phi0);
+            let first = pen.find(&format!("{length}_0"), "m", &first);
+            let last = self.length(pen);
+            let of = |l: Symbol| difference(l.into(), s.l0.clone());
+            let a = pen.find(&format!("{}_0", names.stretch), "m", &of(first));
+            let b = pen.find(&format!("{}_1", names.stretch), "m", &of(last));
+            worked.stretches = Some((a, b));
+            let squares = difference(square(a.into()), square(b.into()));
+            parts.push(Part { name: "J_s", from: product([ratio(1, 2), s.k.clone(), squares]) });
+        }
+        parts.retain(|p| p.from != ZERO);
+        let omega = Expr::Symbol(pen.desk.unknown(w, "rad/s"));
+        let gained = difference(square(omega), square_of(&self.w0));
+        let left = product([ratio(1, 2), self.about.into(), gained]);
+        pen.say("pinned.integrated", &[]);
+        pen.equation(&left, &sum(parts.iter().map(|p| p.from.clone())));
+        let twice = self.collected(pen, parts, self.about.into(), "J");
+        if matches!(pen.desk.scene.end, End::TurningPoint(_)) {
+            pen.say("pinned.at_rest", &[]);
+            return pen.quiet(w, "rad/s", &ZERO);
+        }
+        let inside = sum([square_of(&self.w0), twice]);
+        let omega = pen.find(w, "rad/s", &root(inside));
+        if self.sense < 0.0 {
+            pen.say("pinned.magnitude", &[("omega", w)]);
+        }
+        omega
+    }
+
+    /// Twice the sum of the parts over an inertia; several parts each by itself first.
+    fn collected(&self, pen: &mut Pen, parts: Vec<Part>, inertia: Expr, total: &str) -> Expr {
+        let sum_of = if parts.len() > 1 {
+            let mut found = Vec::new();
+            for part in parts {
+                found.push(Expr::Symbol(pen.find(part.name, "J", &part.from)));
+            }
+            let name = pen.desk.free(&[total, "Z"]);
+            pen.find(&name, "J", &sum(found)).into()
+        } else {
+            sum(parts.into_iter().map(|p| p.from))
+        };
+        quotient(product([whole(2), sum_of]), inertia)
+    }
+
+    /// The length of the spring at the end, which [`Self::place`] has found.
+    fn length(&self, pen: &mut Pen) -> Symbol {
+        let Some(s) = &self.spring else { return self.about };
+        pen.quiet(&format!("{}_1", self.names.length), "m", &s.length(self.up, &self.phi1))
+    }
+
+    /// The angle turned, in radians with its sign.
+    fn turned(&self, pen: &mut Pen) -> Symbol {
+        let name = format!(r"\Delta {}", pen.tex(&self.phi));
+        pen.say("pinned.radians", &[]);
+        let pi = pen.desk.ledger.given(r"\pi", std::f64::consts::PI, r"\pi", "", false);
+        let half = pen.desk.ledger.given(r"180^\circ", 180.0, "180", "", true);
+        let angle = difference(self.phi1.clone(), self.phi0.clone());
+        pen.find(&name, "rad", &quotient(product([angle, pi.into()]), half.into()))
+    }
+
+    /// Quantities that follow at once.
+    fn others(&self, pen: &mut Pen, omega: Symbol) {
+        let asked = |pen: &Pen, q| pen.desk.asks(q);
+        if asked(pen, Quantity::V) {
+            pen.say("pinned.speed", &[]);
+            let v = pen.find(&self.names.speed, "m/s", &product([self.h.clone(), omega.into()]));
+            pen.motion(self.label(Quantity::V), v);
+        }
+        if asked(pen, Quantity::KineticEnergy) {
+            pen.say("pinned.kinetic_pin", &[]);
+            let name = pen.desk.free(&["T", "T_1", "E"]);
+            let t = pen.find(&name, "J", &product([ratio(1, 2), self.about.into(), square(omega.into())]));
+            pen.motion(Label { quantity: Quantity::KineticEnergy, of: Owner::Scene }, t);
+        }
+        if asked(pen, Quantity::RotationalFraction) {
+            pen.say("pinned.share", &[]);
+            let name = pen.desk.free(&[r"\zeta", r"\zeta_r"]);
+            let share = pen.find(&name, "1", &quotient(self.own.clone(), self.about.into()));
+            let label = Label { quantity: Quantity::RotationalFraction, of: Owner::Scene };
+            pen.motion(label, share);
+            let by_speeds = quotient(
+                self.own.clone(),
+                sum([product([self.m.clone(), square(self.h.clone())]), self.own.clone()]),
+            );
+            let share = pen.quiet(&name, "1", &by_speeds);
+            pen.energy(label, share);
+        }
+        let geometry = pen.desk.words.get("pinned.note_geometry").to_owned();
+        if asked(pen, Quantity::Phi) && !self.instant {
+            let turned = self.turned(pen);
+            let size = magnitude_of(&turned.into(), pen.desk.ledger.value(turned));
+            let label = self.label(Quantity::Phi);
+            let name = format!(r"\left|{}\right|", pen.desk.ledger.tex(turned));
+            let turned = pen.quiet(&name, "rad", &size);
+            pen.desk.from_one_road(label, Answer::Value(turned), &geometry);
+        }
+        if asked(pen, Quantity::Rise) && !self.instant {
+            pen.say("pinned.rise", &[]);
+            let rise = minus(product([self.h.clone(), self.sinking(&self.phi0, &self.phi1)]));
+            let rise = pen.find(r"\Delta z", "m", &rise);
+            pen.desk.from_one_road(self.label(Quantity::Rise), Answer::Value(rise), &geometry);
+        }
+    }
+}
+
+/// The magnitude of something whose value is known.
+fn magnitude_of(e: &Expr, value: f64) -> Expr {
+    if value < 0.0 { magnitude(e.clone()) } else { e.clone() }
+}
+
+fn square_of(e: &Expr) -> Expr {
+    if *e == ZERO { ZERO } else { square(e.clone()) }
+}
+
+// -- swings under the weight alone ----------------------------------------------------------------------------------------
+
+/// The swing from its lowest place.
+struct Shape {
+    /// `kappa`: the sine of half the amplitude, above 1 where it goes over the top.
+    kappa: Symbol,
+    /// Its complement `sqrt(1 - kappa^2)`; of a body that goes over the top `sqrt(kappa^2 - 1)`.
+    complement: Symbol,
+}
+
+impl Swing {
+    fn asks_swings(&self, desk: &Desk) -> bool {
+        let all = [Quantity::Period, Quantity::PeriodSmall, Quantity::OmegaSmall, Quantity::OmegaMax];
+        all.iter().any(|q| desk.asks(*q))
+    }
+
+    /// `1 - cos` of the angle from hanging: by how much the mass centre is above its lowest place, over `h`.
+    fn above_lowest(&self) -> Expr {
+        if self.up { sum([ONE, cos_of(&self.phi0)]) } else { difference(ONE, cos_of(&self.phi0)) }
+    }
+
+    /// Half the angle from hanging at the start.
+    fn half(&self, pen: &mut Pen) -> Expr {
+        if !self.up {
+            return quotient(self.phi0.clone(), whole(2));
+        }
+        let turn = pen.desk.ledger.given(r"180^\circ", 180.0, "180", "", true);
+        quotient(difference(turn.into(), self.phi0.clone()), whole(2))
+    }
+
+    /// Periods and the greatest speed, from the first row of the equations.
+    fn swings(&self, desk: &mut Desk) {
+        if !self.asks_swings(desk) {
+            return;
+        }
+        let mut pen = Pen::new(desk, "swings", "pinned.title_swings");
+        let from_lowest = if self.up { "pinned.small_upright" } else { "pinned.small" };
+        let phi = pen.tex(&self.phi);
+        pen.say(from_lowest, &[("phi", &phi)]);
+        let psi = pen.desk.free(&[r"\psi", r"\chi"]);
+        let angle = if self.up { psi.clone() } else { phi.clone() };
+        let stiffness = pen.tex(&product([self.m.clone(), self.g.clone(), self.h.clone()]));
+        let about = pen.desk.ledger.tex(self.about).to_owned();
+        pen.formula(format!(
+            r"{about}\,\ddot{{{angle}}} = -{stiffness}\,\sin {angle} \quad \Rightarrow \quad {about}\,\ddot{{{angle}}} \approx -{stiffness}\,{angle}"
+        ));
+        pen.say("pinned.small_law", &[]);
+        let pulled = product([self.m.clone(), self.g.clone(), self.h.clone()]);
+        let frequency = pen.desk.free(&[r"\Omega", r"\omega_s"]);
+        let frequency = pen.find(&frequency, "rad/s", &root(quotient(pulled, self.about.into())));
+        pen.motion(self.label(Quantity::OmegaSmall), frequency);
+        if pen.desk.asks(Quantity::PeriodSmall) {
+            let small = self.small_period(&mut pen, frequency);
+            pen.motion(self.label(Quantity::PeriodSmall), small);
+        }
+        if pen.desk.asks(Quantity::OmegaMax) {
+            pen.say("pinned.fastest", &[("alpha", &self.names.alpha)]);
+            let fall =
+                product([whole(2), self.m.clone(), self.g.clone(), self.h.clone(), self.above_lowest()]);
+            let inside = sum([square_of(&self.w0), quotient(fall, self.about.into())]);
+            let name = pen.desk.free(&[r"\omega_{\mathrm{max}}", r"\omega_m"]);
+            let fastest = pen.find(&name, "rad/s", &root(inside));
+            pen.motion(self.label(Quantity::OmegaMax), fastest);
+        }
+        if pen.desk.asks(Quantity::Period) {
+            let shape = self.shape(&mut pen, frequency);
+            self.by_mean(&mut pen, frequency, &shape);
+        }
+        pen.done();
+    }
+
+    fn small_period(&self, pen: &mut Pen, frequency: Symbol) -> Symbol {
+        let pi = pen.desk.ledger.given(r"\pi", std::f64::consts::PI, r"\pi", "", false);
+        let name = pen.desk.free(&[r"\tau_0", r"\tau_s"]);
+        pen.find(&name, "s", &quotient(product([whole(2), pi.into()]), frequency.into()))
+    }
+
+    /// The sine of half the amplitude; above 1 where the body goes over the top.
+    fn amplitude(&self, pen: &mut Pen, frequency: Symbol) -> Expr {
+        let half = self.half(pen);
+        let sine_half = if self.phi0 == ZERO && !self.up { ZERO } else { sine(half) };
+        if self.w0 == ZERO {
+            let value = pen.value(&sine_half);
+            return magnitude_of(&sine_half, value);
+        }
+        let share = quotient(self.w0.clone(), product([whole(2), frequency.into()]));
+        root(sum([square_of(&sine_half), square_of(&share)]))
+    }
+
+    /// The modulus of the swing, with its steps.
+    fn shape(&self, pen: &mut Pen, frequency: Symbol) -> Shape {
+        let half = self.half(pen);
+        let phi = pen.tex(&self.phi);
+        let kappa = pen.desk.free(&[r"\kappa", r"\lambda"]);
+        let psi = pen.desk.free(&[r"\psi", r"\chi"]);
+        let started = self.w0 != ZERO;
+        let from = self.amplitude(pen, frequency);
+        let omega = &self.names.omega;
+        let tex_frequency = pen.desk.ledger.tex(frequency).to_owned();
+        // The angle from hanging, in the formulas of the integral.
+        let lowest = if self.up { pen.desk.free(&[r"\psi_h", r"\beta_h"]) } else { phi };
+        pen.say(
+            if started { "pinned.period_speed_started" } else { "pinned.period_speed" },
+            &[("omega", omega), ("kappa", &kappa)],
+        );
+        pen.formula(format!(
+            r"{omega} = 2\,{tex_frequency}\,\sqrt{{{kappa}^{{2}} - \left(\sin \frac{{{lowest}}}{{2}}\right)^{{2}}}}"
+        ));
+        let kappa = pen.find(&kappa, "1", &from);
+        let over = pen.desk.ledger.value(kappa) > 1.0;
+        let (kappa_tex, value) = (pen.desk.ledger.tex(kappa).to_owned(), Expr::from(kappa));
+        let name = pen.desk.free(&[r"\kappa_c", r"\lambda_c"]);
+        if over {
+            pen.say("pinned.period_over", &[("kappa", &kappa_tex)]);
+            let complement = pen.find(&name, "1", &root(difference(square(value), ONE)));
+            return Shape { kappa, complement };
+        }
+        pen.say(
+            "pinned.period_integral",
+            &[
+                ("omega", omega),
+                ("angle", &lowest),
+                ("substitution", &format!(r"\sin \frac{{{lowest}}}{{2}} = {kappa_tex}\,\sin {psi}")),
+            ],
+        );
+        let tau = pen.desk.free(&[r"\tau", r"\tau_1"]);
+        pen.formula(format!(
+            r"\frac{{{tau}}}{{4}} = \int_{{0}}^{{\frac{{\pi}}{{2}}}} \frac{{\mathrm{{d}}{psi}}}{{{tex_frequency}\,\sqrt{{1 - {kappa_tex}^{{2}}\,\left(\sin {psi}\right)^{{2}}}}}}"
+        ));
+        let cosine_half = if self.phi0 == ZERO && !self.up { ONE } else { cosine(half.clone()) };
+        let from = if started {
+            root(difference(ONE, square(value)))
+        } else {
+            let value = pen.value(&cosine_half);
+            magnitude_of(&cosine_half, value)
+        };
+        pen.say("pinned.period_complement", &[("kappa", &kappa_tex)]);
+        let complement = pen.find(&name, "1", &from);
+        Shape { kappa, complement }
+    }
+
+    /// The period by the arithmetic-geometric mean, with its steps as a table.
+    fn by_mean(&self, pen: &mut Pen, frequency: Symbol, shape: &Shape) {
+        let (kappa, complement) =
+            (pen.desk.ledger.value(shape.kappa), pen.desk.ledger.value(shape.complement));
+        let over = kappa > 1.0;
+        let (mut a, mut b) = (if over { kappa } else { 1.0 }, complement);
+        let first = if over { pen.desk.ledger.tex(shape.kappa).to_owned() } else { "1".to_owned() };
+        let second = pen.desk.ledger.tex(shape.complement).to_owned();
+        pen.say("pinned.mean", &[("first", &first), ("second", &second)]);
+        pen.formula(r"a_{n+1} = \frac{a_n + b_n}{2}, \quad b_{n+1} = \sqrt{a_n\,b_n}");
+        let mut rows = vec![vec!["$n$".to_owned(), "$a_n$".to_owned(), "$b_n$".to_owned()]];
+        for n in 0..12 {
+            let cell = |x: f64| format!("${}$", tex_digits(&number::rounded(x, 8), pen.desk.words));
+            rows.push(vec![format!("${n}$"), cell(a), cell(b)]);
+            if (a - b).abs() <= 1e-8 * a {
+                break;
+            }
+            (a, b) = (0.5 * (a + b), (a * b).sqrt());
+        }
+        for _ in 0..6 {
+            (a, b) = (0.5 * (a + b), (a * b).sqrt());
+        }
+        pen.table(rows);
+        let name = pen.desk.free(&[r"\mu", r"\nu"]);
+        let mean = pen.desk.ledger.found(&name, a, "");
+        pen.say("pinned.mean_found", &[]);
+        pen.formula(pen.with_value(mean));
+        pen.say(if over { "pinned.mean_over" } else { "pinned.mean_quarter" }, &[("mean", &name)]);
+        let pi = pen.desk.ledger.given(r"\pi", std::f64::consts::PI, r"\pi", "", false);
+        let name = pen.desk.free(&[r"\tau", r"\tau_1"]);
+        let turns = if over { pi.into() } else { product([whole(2), pi.into()]) };
+        let period = pen.find(&name, "s", &quotient(turns, product([frequency.into(), mean.into()])));
+        pen.motion(self.label(Quantity::Period), period);
+    }
+
+    /// The same from energies: the pendulum of equal period, the fall to the lowest place, the mean slowness of the swing.
+    fn swings_by_energy(&self, desk: &mut Desk) {
+        if !self.asks_swings(desk) {
+            return;
+        }
+        let mut pen = Pen::new(desk, "swings-energy", "pinned.title_swings_energy");
+        let turning = sum([product([self.m.clone(), square(self.h.clone())]), self.own.clone()]);
+        pen.say("pinned.small_energy", &[]);
+        let name = pen.desk.free(&[r"\ell", r"\ell_r"]);
+        let length = quotient(turning.clone(), product([self.m.clone(), self.h.clone()]));
+        let length = pen.find(&name, "m", &length);
+        let name = pen.desk.free(&[r"\Omega", r"\omega_s"]);
+        let frequency = pen.find(&name, "rad/s", &root(quotient(self.g.clone(), length.into())));
+        pen.energy(self.label(Quantity::OmegaSmall), frequency);
+        if pen.desk.asks(Quantity::PeriodSmall) {
+            let small = self.small_period(&mut pen, frequency);
+            pen.energy(self.label(Quantity::PeriodSmall), small);
+        }
+        if pen.desk.asks(Quantity::OmegaMax) {
+            pen.say("pinned.fastest_energy", &[]);
+            let name = pen.desk.free(&["z_0", "z_m"]);
+            let fall = pen.find(&name, "m", &product([self.h.clone(), self.above_lowest()]));
+            let gained = product([whole(2), self.m.clone(), self.g.clone(), fall.into()]);
+            let inside = sum([square_of(&self.w0), quotient(gained, turning)]);
+            let name = pen.desk.free(&[r"\omega_{\mathrm{max}}", r"\omega_m"]);
+            let fastest = pen.find(&name, "rad/s", &root(inside));
+            pen.energy(self.label(Quantity::OmegaMax), fastest);
+        }
+        if pen.desk.asks(Quantity::Period) {
+            self.period_by_mean_value(&mut pen, frequency);
+        }
+        pen.done();
+    }
+
+    /// The period as that of small swings times a mean value over the swing.
+    fn period_by_mean_value(&self, pen: &mut Pen, frequency: Symbol) {
+        let from = self.amplitude(pen, frequency);
+        let kappa = pen.value(&from);
+        let over = kappa > 1.0;
+        let name = pen.desk.free(&["q", "q_1"]);
+        let psi = pen.desk.free(&[r"\psi", r"\chi"]);
+        pen.say(if over { "pinned.mean_value_over" } else { "pinned.mean_value" }, &[("psi", &psi)]);
+        // Of a body that goes over the top the amplitude is half the angle, and the modulus 1 / kappa.
+        let q = pen.find(&name, "1", &if over { quotient(ONE, from) } else { from });
+        let modulus = pen.desk.ledger.value(q);
+        // The nearest singular place of the integrand is as far from the real axis as this: each point gains its share.
+        let away = 1.0 / modulus;
+        let far = natural_log(away + (away * away - 1.0).max(0.0).sqrt());
+        let enough = (-natural_log(MEAN_REL) / (4.0 * far)).ceil();
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "between 4 and 4096")]
+        let points = enough.clamp(4.0, 4096.0) as u32;
+        let mut rows = vec![vec![
+            format!("${psi}$"),
+            format!(r"$\frac{{1}}{{\sqrt{{1 - {name}^{{2}}\,\left(\sin {psi}\right)^{{2}}}}}}$"),
+        ]];
+        let mut values = Vec::new();
+        for i in 0..points {
+            let angle = 90.0 * (f64::from(i) + 0.5) / f64::from(points);
+            let (s, _): (f64, f64) = trig::sin_cos_of_degrees(angle);
+            let value = 1.0 / (1.0 - modulus * modulus * s * s).sqrt();
+            let digits = number::rounded(value, 8);
+            let shown = tex_digits(&digits, pen.desk.words);
+            let angle = tex_digits(&number::rounded(angle, FIGURES), pen.desk.words);
+            rows.push(vec![format!(r"${angle}^\circ$"), format!("${shown}$")]);
+            // A number that is its own name.
+            values.push(Expr::Symbol(pen.desk.ledger.given(&shown, value, &digits, "", false)));
+        }
+        let count = points.to_string();
+        pen.say("pinned.mean_value_sum", &[("count", &count)]);
+        let name = pen.desk.free(&[r"\eta", r"\xi"]);
+        let parts = whole(i64::from(points));
+        let mean = if points <= 12 {
+            pen.table(rows);
+            let total = pen.desk.free(&["Z", "Z_1"]);
+            let total = pen.find(&total, "1", &sum(values));
+            pen.find(&name, "1", &quotient(total.into(), parts))
+        } else {
+            let mean = pen.quiet(&name, "1", &quotient(sum(values), parts));
+            pen.formula(pen.with_value(mean));
+            mean
+        };
+        pen.say("pinned.mean_value_found", &[]);
+        let pi = pen.desk.ledger.given(r"\pi", std::f64::consts::PI, r"\pi", "", false);
+        let name = pen.desk.free(&[r"\tau", r"\tau_1"]);
+        let from = if over {
+            quotient(product([pi.into(), mean.into(), q.into()]), frequency.into())
+        } else {
+            quotient(product([whole(2), pi.into(), mean.into()]), frequency.into())
+        };
+        let period = pen.find(&name, "s", &from);
+        pen.energy(self.label(Quantity::Period), period);
+    }
+
+    // -- the road of work and energy --------------------------------------------------------------------------------------
+
+    fn balance(&self, desk: &mut Desk, worked: &Worked) {
+        let names = &self.names;
+        let mut pen = Pen::new(desk, "energy", "pinned.title_energy");
+        let turning = sum([product([self.m.clone(), square(self.h.clone())]), self.own.clone()]);
+        let (first, last) = (self.told(&pen, &self.phi0), self.told(&pen, &self.phi1));
+        let scene = Owner::Scene;
+        let omega;
+        if self.instant {
+            pen.say("pinned.states_instant", &[("angle", &first)]);
+            omega = pen.quiet(&names.omega, "rad/s", &magnitude_of(&self.w0, pen.value(&self.w0)));
+        } else {
+            pen.say("pinned.states", &[("first", &first), ("last", &last)]);
+            let height = minus(product([self.h.clone(), self.sinking(&self.phi0, &self.phi1)]));
+            pen.say("pinned.height", &[]);
+            let height = pen.find(r"\Delta z", "m", &height);
+            let sinks = pen.desk.ledger.value(height) < 0.0;
+            let size = pen.rough(pen.desk.ledger.value(height).abs(), "m");
+            pen.say(if sinks { "pinned.sinks" } else { "pinned.rises" }, &[("size", &size)]);
+            let weight = minus(product([self.m.clone(), self.g.clone(), height.into()]));
+            let mut works = vec![Expr::Symbol(pen.find("W_g", "J", &weight))];
+            pen.say("pinned.work_pin", &[]);
+            if let Some(turned) = worked.turned {
+                pen.say("pinned.work_couple", &[("angle", &pen.with_value(turned))]);
+                let work = product([self.couple(), turned.into()]);
+                works.push(pen.find("W_M", "J", &work).into());
+            }
+            if let Some(s) = &self.spring {
+                pen.say("pinned.work_spring", &[]);
+                let length = &names.length;
+                let a = pen.find(&format!("{length}_0"), "m", &s.length_by_places(self.up, &self.phi0));
+                let b = pen.find(&format!("{length}_1"), "m", &s.length_by_places(self.up, &self.phi1));
+                let stored = |l: Symbol| square(difference(l.into(), s.l0.clone()));
+                let work = product([ratio(1, 2), s.k.clone(), difference(stored(a), stored(b))]);
+                works.push(pen.find("W_s", "J", &work).into());
+            }
+            let kinetic = pen.desk.free(&["T", "E"]);
+            let (t0, t1) = (format!("{kinetic}_0"), format!("{kinetic}_1"));
+            let started = self.w0 != ZERO;
+            pen.say(
+                if started { "pinned.kinetic_both_started" } else { "pinned.kinetic_both" },
+                &[("speed", &format!("{} = {}\\,{}", names.speed, pen.tex(&self.h), names.omega))],
+            );
+            let w = Expr::Symbol(pen.desk.unknown(&names.omega, "rad/s"));
+            let v = Expr::Symbol(pen.desk.unknown(&names.speed, "m/s"));
+            let halves =
+                |rate: &Expr, inertia: &Expr| product([ratio(1, 2), inertia.clone(), square(rate.clone())]);
+            let mut energy = halves(&v, &self.m).symbols(&pen.desk.ledger);
+            if self.own != ZERO {
+                energy.push_str(" + ");
+                energy.push_str(&halves(&w, &self.own).symbols(&pen.desk.ledger));
+            }
+            let product_form = pen.tex(&product([ratio(1, 2), turning.clone(), square(w)]));
+            pen.formula(format!("{t1} = {energy} = {product_form}"));
+            let mut start = ZERO;
+            if started {
+                let from = product([ratio(1, 2), turning.clone(), square(self.w0.clone())]);
+                start = pen.find(&t0, "J", &from).into();
+            }
+            let mut left = works.clone();
+            left.insert(0, start.clone());
+            let total = sum(left);
+            let t1_symbol = Expr::Symbol(pen.desk.unknown(&t1, "J"));
+            pen.say("pinned.balance", &[]);
+            pen.equation(&total, &t1_symbol);
+            let t1_found = if matches!(total, Expr::Sum(_)) {
+                pen.find(&t1, "J", &total)
+            } else {
+                pen.quiet(&t1, "J", &total)
+            };
+            let over = if matches!(total, Expr::Sum(_)) { t1_found.into() } else { total };
+            omega = if matches!(pen.desk.scene.end, End::TurningPoint(_)) {
+                pen.say("pinned.at_rest_energy", &[]);
+                pen.quiet(&names.omega, "rad/s", &ZERO)
+            } else {
+                pen.find(&names.omega, "rad/s", &root(quotient(product([whole(2), over]), turning.clone())))
+            };
+        }
+        pen.energy(self.label(Quantity::Omega), omega);
+        if pen.desk.asks(Quantity::KineticEnergy) {
+            let name = pen.desk.free(&["T", "E"]);
+            let moving =
+                product([ratio(1, 2), self.m.clone(), square(product([self.h.clone(), omega.into()]))]);
+            let spinning = product([ratio(1, 2), self.own.clone(), square(omega.into())]);
+            let energy = pen.find(&name, "J", &sum([moving, spinning]));
+            pen.energy(Label { quantity: Quantity::KineticEnergy, of: scene }, energy);
+        }
+        self.rate(&mut pen, worked, &turning, omega);
+        pen.picture("energy");
+        if pen.desk.asks(Quantity::IO) {
+            pen.say("pinned.inertia_energy", &[]);
+            let name = pen.desk.free(&["I_O", "J_O"]);
+            let about = pen.find(&name, "kg m^2", &turning);
+            pen.energy(self.label(Quantity::IO), about);
+        }
+        pen.done();
+    }
+
+    /// Angular acceleration from the rate of the balance; forces of the pin from the central acceleration and from moments
+    /// about the mass centre.
+    fn rate(&self, pen: &mut Pen, worked: &Worked, turning: &Expr, omega: Symbol) {
+        let names = &self.names;
+        let needs =
+            pen.desk.asks(Quantity::Alpha) || self.asks_pin(pen.desk) || pen.desk.asks(Quantity::SpringForce);
+        if pen.desk.asks(Quantity::V) {
+            let v = pen.find(&names.speed, "m/s", &product([self.h.clone(), omega.into()]));
+            pen.energy(self.label(Quantity::V), v);
+        }
+        if !needs {
+            return;
+        }
+        let phi = pen.tex(&self.phi);
+        let last = self.told(pen, &self.phi1);
+        let alpha = Expr::Symbol(pen.desk.unknown(&names.alpha, "rad/s^2"));
+        let slope_z = format!("z_{{{phi}}}");
+        let slope_s = format!("{}_{{{phi}}}", names.length);
+        pen.say("pinned.rate", &[("omega", &names.omega), ("phi", &phi)]);
+        let z = Expr::Symbol(pen.desk.unknown(&slope_z, "m"));
+        let mut powers = vec![minus(product([self.m.clone(), self.g.clone(), z]))];
+        powers.extend(self.couples.iter().cloned());
+        if self.spring.is_some() {
+            let force = Expr::Symbol(pen.desk.unknown(&names.spring, "N"));
+            let s = Expr::Symbol(pen.desk.unknown(&slope_s, "m"));
+            powers.push(minus(product([force, s])));
+        }
+        pen.equation(&product([turning.clone(), alpha]), &sum(powers));
+        pen.say("pinned.slopes", &[("angle", &last)]);
+        let sinking = signed(product([self.h.clone(), sin_of(&self.phi1)]), self.up);
+        let z = pen.find(&slope_z, "m", &minus(sinking));
+        let mut powers = vec![minus(product([self.m.clone(), self.g.clone(), z.into()]))];
+        powers.extend(self.couples.iter().cloned());
+        let mut place = Place { phi: self.phi1.clone(), spring: None };
+        if let (Some(s), Some((_, out, _))) = (&self.spring, &worked.place.spring) {
+            let length =
+                pen.quiet(&format!("{}_1", names.length), "m", &s.length_by_places(self.up, &self.phi1));
+            let force = product([s.k.clone(), difference(length.into(), s.l0.clone())]);
+            let force = pen.find(&names.spring, "N", &force);
+            pen.energy(self.label(Quantity::SpringForce), force);
+            let longer = minus(quotient(product([s.b.clone(), s.aside(self.up, &self.phi1)]), length.into()));
+            let slope = pen.find(&slope_s, "m", &longer);
+            powers.push(minus(product([force.into(), slope.into()])));
+            let side = pen.quiet(&names.side, "1", &minus(quotient(slope.into(), s.b.clone())));
+            place.spring = Some((force.into(), out.clone(), side.into()));
+        }
+        let over = if powers.len() > 1 {
+            let name = format!("W_{{{phi}}}");
+            Expr::Symbol(pen.find(&name, "J", &sum(powers)))
+        } else {
+            sum(powers)
+        };
+        let alpha = pen.find(&names.alpha, "rad/s^2", &quotient(over, turning.clone()));
+        pen.energy(self.label(Quantity::Alpha), alpha);
+        if !self.asks_pin(pen.desk) {
+            return;
+        }
+        pen.say("pinned.pin_energy", &[("speed", &names.speed)]);
+        let speed = pen.find(&names.speed, "m/s", &product([self.h.clone(), omega.into()]));
+        let kept = quotient(product([self.m.clone(), square(speed.into())]), self.h.clone());
+        let pull = place.spring.as_ref().map_or(ZERO, |(f, out, _)| product([f.clone(), out.clone()]));
+        let radial = sum([kept, minus(self.weight_toward(&self.phi1)), pull]);
+        let radial = pen.find(&names.radial, "N", &radial);
+        pen.energy(self.label(Quantity::PinRadial), radial);
+        // Moments about the mass centre.
+        pen.say("pinned.pin_moment", &[("across", &names.across)]);
+        let mut about: Vec<Expr> = self.couples.clone();
+        if let (Some(s), Some((force, _, side))) = (&self.spring, &place.spring) {
+            let lever = difference(s.b.clone(), self.h.clone());
+            about.push(product([force.clone(), lever, side.clone()]));
+        }
+        if about.len() > 1 {
+            let name = pen.desk.free(&["M_G", r"M_{\mathrm{G}}"]);
+            about = vec![pen.find(&name, "N m", &sum(about)).into()];
+        }
+        about.push(minus(product([self.own.clone(), alpha.into()])));
+        let across = pen.find(&names.across, "N", &quotient(sum(about), self.h.clone()));
+        pen.energy(self.label(Quantity::PinTangential), across);
+        if pen.desk.asks(Quantity::PinForce) {
+            let force = root(sum([square(radial.into()), square(across.into())]));
+            let force = pen.find(&names.pin, "N", &force);
+            pen.energy(self.label(Quantity::PinForce), force);
+        }
+    }
+}
+
+/// Natural logarithm.
+fn natural_log(x: f64) -> f64 {
+    trig::log10(x) / trig::log10(std::f64::consts::E)
+}
+
+// -- what was assumed, and what suggests itself ---------------------------------------------------------------------------
+
+impl Swing {
+    /// Does it get there, and which way?
+    fn regime(&self, desk: &mut Desk, worked: &Worked) {
+        let (first, last) = (self.phi0.value(&desk.ledger), self.phi1.value(&desk.ledger));
+        let way = (last - first).abs();
+        let mut pen = Pen::new(desk, "regime", "pinned.title_regime");
+        if self.instant {
+            self.direction(&mut pen);
+            return;
+        }
+        let start = self.told(&pen, &self.phi0);
+        let end = self.told(&pen, &self.phi1);
+        let growing = if self.sense > 0.0 { "pinned.growing" } else { "pinned.falling" };
+        let sense = pen.desk.words.get(growing).to_owned();
+        let drive = self.moment_at(pen.desk, first);
+        if self.w0 == ZERO {
+            let moment = pen.rough(drive, "N m");
+            pen.say("pinned.sets_off", &[("angle", &start), ("moment", &moment), ("sense", &sense)]);
+        } else {
+            pen.say("pinned.goes_on", &[("angle", &start), ("sense", &sense)]);
+        }
+        // How often the moment changes its sense on the way.
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a few thousand")]
+        let steps = (way / LOOK).ceil().clamp(1.0, 4000.0) as u32;
+        let at = |i: u32| first + (last - first) * f64::from(i) / f64::from(steps);
+        let drives = |i: u32| self.moment_at(pen.desk, at(i)) * self.sense;
+        let sizes = (0..=steps).map(|i| drives(i).abs()).fold(0.0, f64::max);
+        let helps = (0..=steps).all(|i| drives(i) >= -1e-12 * sizes);
+        let turns = (1..=steps).filter(|i| drives(*i - 1) * drives(*i) < 0.0).count();
+        let square = self.square_at(pen.desk, last);
+        let angle = [("angle", end.as_str()), ("omega", self.names.omega.as_str())];
+        if matches!(pen.desk.scene.end, End::TurningPoint(_)) {
+            pen.say("pinned.turns_there", &angle);
+        } else if helps {
+            pen.say("pinned.only_faster", &angle);
+        } else if turns <= 1 && drives(0) >= 0.0 && square > 0.0 {
+            pen.say("pinned.brakes_late", &angle);
+        } else {
+            let least = (1..=steps).map(|i| self.square_at(pen.desk, at(i))).fold(f64::INFINITY, f64::min);
+            let least = pen.rough(least, "rad^2/s^2");
+            pen.say("pinned.never_rests", &[angle[0], angle[1], ("least", &least)]);
+        }
+        if worked.pendulum && self.w0 == ZERO && !self.up {
+            let phi = pen.tex(&self.phi);
+            pen.say("pinned.stays", &[("phi", &phi), ("angle", &start)]);
+        }
+        pen.picture("graph-swing");
+        self.direction(&mut pen);
+        pen.done();
+    }
+
+    /// The direction as a word, if it is asked.
+    fn direction(&self, pen: &mut Pen) {
+        let word = if self.sense > 0.0 { Word::Forward } else { Word::Back };
+        let label = self.label(Quantity::Direction);
+        pen.desk.from_motion(label, Answer::Word(word));
+        pen.desk.from_energy(label, Answer::Word(word));
+    }
+
+    /// Mistakes that suggest themselves, with what they would give here.
+    fn beware(&self, desk: &mut Desk, worked: &Worked) {
+        let mut pen = Pen::new(desk, "beware", "pinned.title_beware");
+        let ledger = &pen.desk.ledger;
+        let of = |e: &Expr| e.value(ledger);
+        let (m, g, h, own, about) =
+            (of(&self.m), of(&self.g), of(&self.h), of(&self.own), ledger.value(self.about));
+        let (alpha, omega) = (ledger.value(worked.alpha), ledger.value(worked.omega));
+        let spin0 = of(&self.w0);
+        let turning_point = matches!(pen.desk.scene.end, End::TurningPoint(_));
+        let asks = |q| pen.desk.asks(q);
+        let tells = |wrong: f64, right: f64| {
+            wrong.is_finite()
+                && right.is_finite()
+                && (wrong - right).abs() > TOLD * right.abs().max(wrong.abs())
+        };
+        let mut items = Vec::new();
+        let names = &self.names;
+        let value = |tex: &str, x: f64, unit: &str| pen.instead(tex, x, unit);
+        // The inertia about the mass centre in the moments about the pin.
+        if own > 0.0 && asks(Quantity::Alpha) && tells(alpha * about / own, alpha) {
+            let wrong = value(&names.alpha, alpha * about / own, "rad/s^2");
+            items.push(pen.desk.say("pinned.beware_own", &[("wrong", &wrong)]));
+        } else if own > 0.0 && asks(Quantity::Omega) && spin0 == 0.0 && !turning_point && omega != 0.0 {
+            let wrong = value(&names.omega, omega * (about / own).sqrt(), "rad/s");
+            items.push(pen.desk.say("pinned.beware_own", &[("wrong", &wrong)]));
+        }
+        // The angular acceleration of the end, as if it were constant.
+        let (first, last) = (of(&self.phi0), of(&self.phi1));
+        let turned = (last - first) * std::f64::consts::PI / 180.0;
+        if asks(Quantity::Omega) && !self.instant && !turning_point {
+            let wrong = (spin0 * spin0 + 2.0 * alpha * turned).sqrt();
+            if tells(wrong, omega) {
+                let wrong = value(&names.omega, wrong, "rad/s");
+                let text = [("wrong", wrong.as_str()), ("alpha", names.alpha.as_str())];
+                items.push(pen.desk.say("pinned.beware_constant", &text));
+            }
+        }
+        // The couple over degrees.
+        let couple = of(&self.couple());
+        if couple != 0.0 && asks(Quantity::Omega) && !self.instant && !turning_point {
+            let added = 2.0 * couple * ((last - first) - turned) / about;
+            let wrong = (omega * omega + added).sqrt();
+            if tells(wrong, omega) {
+                let wrong = value(&names.omega, wrong, "rad/s");
+                items.push(pen.desk.say("pinned.beware_degrees", &[("wrong", &wrong)]));
+            }
+        }
+        // The stretch counted from the start, not from the natural length.
+        if let (Some((a, b)), Some(s)) = (worked.stretches, &self.spring) {
+            let (a, b) = (ledger.value(a), ledger.value(b));
+            let stored = 0.5 * of(&s.k);
+            let gained = stored * (-(b - a) * (b - a) - (a * a - b * b));
+            let wrong = (omega * omega + 2.0 * gained / about).sqrt();
+            if asks(Quantity::Omega) && !turning_point && tells(wrong, omega) {
+                let wrong = value(&names.omega, wrong, "rad/s");
+                items.push(pen.desk.say("pinned.beware_stretch", &[("wrong", &wrong)]));
+            }
+        }
+        // No central acceleration in the pin's force.
+        if let Some(radial) = worked.radial {
+            let right = ledger.value(radial);
+            let wrong = right - m * h * omega * omega;
+            // What rounding leaves of a difference of equals is nothing.
+            let wrong = if wrong.abs() < 1e-9 * m * g { 0.0 } else { wrong };
+            if tells(wrong, right) {
+                let wrong = value(&names.radial, wrong, "N");
+                let text = [("wrong", wrong.as_str()), ("omega", names.omega.as_str())];
+                items.push(pen.desk.say("pinned.beware_central", &text));
+            }
+        }
+        if worked.pendulum {
+            let small = 2.0 * std::f64::consts::PI * (about / (m * g * h)).sqrt();
+            let found =
+                |q| pen.desk.variant.solved.get(self.label(q)).map(crate::solve::outcome::Entry::value);
+            if asks(Quantity::PeriodSmall) && own > 0.0 {
+                let wrong = 2.0 * std::f64::consts::PI * (h / g).sqrt();
+                if tells(wrong, small) {
+                    let tau = pen.desk.free(&[r"\tau_0", r"\tau_s"]);
+                    let wrong = value(&tau, wrong, "s");
+                    items.push(pen.desk.say("pinned.beware_simple", &[("wrong", &wrong)]));
+                }
+            }
+            if asks(Quantity::Period)
+                && let Some(right) = found(Quantity::Period)
+            {
+                let share = (right / small - 1.0) * 100.0;
+                if share.is_finite() && share > 0.1 && spin0 == 0.0 {
+                    let share = pen.desk.words.number(&number::rounded(share, 2));
+                    let small = format!("${}$", pen.rough(small, "s"));
+                    let text = [("small", small.as_str()), ("share", share.as_str())];
+                    items.push(pen.desk.say("pinned.beware_small", &text));
+                }
+            }
+        }
+        pen.list(items);
+        pen.done();
+    }
+}
