@@ -14,6 +14,7 @@ mod grade;
 mod lint;
 mod output;
 mod practice;
+mod report;
 mod solutions;
 mod solve;
 pub mod tell;
@@ -43,6 +44,7 @@ pub fn run(args: impl IntoIterator<Item = OsString>, io: &mut Io) -> Exit {
     let exit = match typed.verb {
         Verb::Generate(args) => generate::run(&args, io),
         Verb::Grade(args) => grade::run(&args, io),
+        Verb::Report(args) => report::run(&args, io),
         Verb::Check(args) => check::run(&args, io),
         Verb::Practice(args) => practice::run(&args, io),
         Verb::Solve(args) => solve::run(&args, io),
