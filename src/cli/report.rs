@@ -1,5 +1,6 @@
 //! `slipstick report`: a folder of grades to the class report, feedback for each student and gradebooks.
 use crate::bank::Bank;
+use crate::bank::course;
 use crate::cli::args;
 use crate::cli::args::Own;
 use crate::cli::banks;
@@ -12,10 +13,10 @@ use crate::cli::tell::Exit;
 use crate::cli::tell::Io;
 use crate::finding::Finding;
 use crate::misconception::catalogue::Catalogue;
+use crate::policy::Policy;
 use crate::report::class;
 use crate::report::class::About;
 use crate::report::feedback::Desk;
-use crate::report::feedback::Hints;
 use crate::report::lms;
 use crate::report::lms::Line;
 use crate::report::marks::Class;
@@ -25,6 +26,7 @@ use crate::report::marks::Part;
 use crate::report::marks::Problem;
 use crate::report::marks::Student;
 use crate::report::marks::Unreadable;
+use crate::report::settings;
 use crate::report::study::Study;
 use crate::report::table;
 use crate::set::store::StoredSet;
@@ -169,16 +171,27 @@ pub fn make(graded: &Path, out: &Path, own: &Own, threads: Option<usize>) -> Res
     }
 
     let titles: Vec<String> = basis.set.problems.iter().map(|id| title_of(&bank, id)).collect();
+    let corrections: Vec<(usize, String)> = marks
+        .class
+        .parts
+        .iter()
+        .enumerate()
+        .filter_map(|(i, part)| {
+            let problem = marks.class.problems.get(part.number.checked_sub(1)?)?;
+            let correction = basis.policy.correction(part.number, &problem.id, &part.id)?;
+            Some((i, correction.why.clone()))
+        })
+        .collect();
     let desk = Desk {
         marks: &marks,
-        title: if basis.title.is_empty() { &bank.title } else { &basis.title },
+        title: if basis.policy.title.is_empty() { &bank.title } else { &basis.policy.title },
         set: &basis.set.name,
         problems: &titles,
         words: &texts.words,
         templates: &texts.templates,
         catalogue: &catalogue,
-        hints: basis.hints,
-        corrections: &[],
+        hints: basis.policy.hints,
+        corrections: &corrections,
     };
     folder("feedback")?;
     let pool = output::pool(threads)?;
@@ -188,7 +201,8 @@ pub fn make(graded: &Path, out: &Path, own: &Own, threads: Option<usize>) -> Res
         let of_some = |some: &[usize]| -> Result<(), Vec<Finding>> {
             let mut converter = Converter::new(&texts.words);
             for student in some {
-                let (head, document) = desk.document(*student, &[]).map_err(one)?;
+                let (head, document) =
+                    desk.document(*student, &dropped(&basis.policy, &marks, *student)).map_err(one)?;
                 let body = converter.body(&document, Place { lower: 0, prefix: "" });
                 let page =
                     html::page(&texts.templates, &texts.words, "feedback", &head, &body).map_err(one)?;
@@ -242,6 +256,18 @@ fn lines(marks: &Marks) -> Vec<Line<'_>> {
         .collect()
 }
 
+/// Problems (indices) of a student that do not count.
+fn dropped(policy: &Policy, marks: &Marks, student: usize) -> Vec<usize> {
+    let mut problems = vec![(0.0, 0.0); marks.class.problems.len()];
+    for (p, part) in marks.class.parts.iter().enumerate().filter(|(p, _)| marks.asked(student, *p)) {
+        if let Some(sum) = part.number.checked_sub(1).and_then(|i| problems.get_mut(i)) {
+            sum.0 += marks.points(student, p);
+            sum.1 += part.points;
+        }
+    }
+    policy.total(&problems).dropped
+}
+
 /// Markdown of one line to HTML without the paragraph around it.
 fn inline(converter: &mut Converter, markdown: &str) -> String {
     let document = Document { markdown: markdown.to_owned(), pictures: Vec::new() };
@@ -259,11 +285,10 @@ fn title_of(bank: &Bank, id: &str) -> String {
 struct Basis {
     set: StoredSet,
     bank: Bank,
-    /// Title of the course, empty for none.
-    title: String,
+    /// Settings of the bank with those of the course over them.
+    policy: Policy,
     /// Language of the reasons.
     language: String,
-    hints: Hints,
     provenance: serde_json::Value,
     /// Student, number of the problem, part: what each sheet asks.
     key: Vec<(String, String, String)>,
@@ -286,6 +311,14 @@ impl Basis {
         let bank_path = folder.join("bank.yaml");
         let text = files::read_text(&bank_path).map_err(one)?;
         let bank = banks::parse(&text, &bank_path.display().to_string())?;
+        let course_path = folder.join("course.yaml");
+        let policy = match course_path.is_file() {
+            true => {
+                let text = files::read_text(&course_path).map_err(one)?;
+                course::course(&text, &course_path.display().to_string(), &bank.grading)?
+            }
+            false => bank.grading.clone(),
+        };
         let provenance_path = graded.join("grading.json");
         let provenance = match provenance_path.is_file() {
             true => {
@@ -305,8 +338,7 @@ impl Basis {
             language: language.unwrap_or(&set.language).to_owned(),
             set,
             bank,
-            title: String::new(),
-            hints: Hints::Nudge,
+            policy,
             provenance,
             key,
         })
@@ -324,7 +356,12 @@ impl Basis {
                 questions.iter().map(move |q| Part {
                     number: i + 1,
                     id: q.id.clone(),
-                    points: q.points,
+                    points: self.policy.points_of(
+                        i + 1,
+                        problem.map_or("", |p| p.id.as_str()),
+                        &q.id,
+                        q.points,
+                    ),
                     unit: q.unit.ascii().to_owned(),
                 })
             })
@@ -435,9 +472,13 @@ fn about(basis: &Basis) -> About {
         untimed.map(|n| format!("attempts at {n} answers, because a submitted_at cannot be read")),
     );
     About {
-        title: if basis.title.is_empty() { basis.bank.title.clone() } else { basis.title.clone() },
+        title: if basis.policy.title.is_empty() {
+            basis.bank.title.clone()
+        } else {
+            basis.policy.title.clone()
+        },
         set: basis.set.name.clone(),
-        settings: Vec::new(),
+        settings: settings::in_words(&basis.policy),
         provenance,
     }
 }

@@ -7,6 +7,7 @@
 use crate::finding::Finding;
 use crate::grade::verdict::Verdict;
 use crate::misconception::catalogue::Catalogue;
+use crate::policy::Hints;
 use crate::report::marks::Marks;
 use crate::report::marks::Row;
 use crate::report::table;
@@ -17,17 +18,6 @@ use crate::template::Templates;
 use crate::template::Value;
 use crate::template::View;
 use crate::words::Words;
-
-/// What students are told of wrong methods.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Hints {
-    /// Nothing.
-    None,
-    /// A hint that does not give the answer away.
-    Nudge,
-    /// What was done, how to see that it is wrong, and the hint.
-    Explain,
-}
 
 /// What is the same for all students.
 pub struct Desk<'d> {

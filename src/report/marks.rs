@@ -1,8 +1,8 @@
 //! answers.csv to plain data: for each student and part the row that counts, how often it was tried and when it was first
 //! right. What is held grows with students times parts, not with rows.
-use crate::grade::time;
-use crate::grade::time::Evidence;
 use crate::grade::verdict::Verdict;
+use crate::policy::time;
+use crate::policy::time::Evidence;
 use crate::words::Words;
 use rustc_hash::FxHashMap;
 use std::collections::BTreeMap;

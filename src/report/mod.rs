@@ -5,6 +5,7 @@ pub mod feedback;
 pub mod gradebook;
 pub mod lms;
 pub mod marks;
+pub mod settings;
 pub mod stats;
 pub mod study;
 pub mod table;
