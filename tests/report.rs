@@ -444,15 +444,15 @@ fn a_class_of_five_hundred() {
     // Variants were drawn by lot and nobody looked at the data: fair, at the level of 5 %.
     let fairness = graded.rows("grades/tables/fairness.csv");
     assert!(fairness.iter().all(|r| number(&r["p_holm"]) > 0.05), "{fairness:?}");
-    // When all are right for heavy wheels alone, it is noticed.
+    // When all are right for heavy particles alone, it is noticed.
     let stored = graded.text("grades/basis/set.json");
     let set = StoredSet::parse(&stored).unwrap();
     let mut lines = String::from("student,problem,part,answer\n");
     for (student, sheet) in set.students.iter().zip(&graded.keys) {
-        let mass = numbers(student.problems[0].data["m"].as_str().unwrap())[0];
+        let mass = numbers(student.problems[0].data["m_A"].as_str().unwrap())[0];
         for entry in &sheet.problems[0].parts {
             let answer = match &entry.answer {
-                Answer::Number { value, .. } if mass > 20.0 => shown(entry, *value),
+                Answer::Number { value, .. } if mass > 3.5 => shown(entry, *value),
                 _ => "1".to_owned(),
             };
             let _ = writeln!(lines, "{},1,{},{answer}", student.student, entry.part);
@@ -464,7 +464,7 @@ fn a_class_of_five_hundred() {
     let told = graded.report(&["--force"]);
     assert!(told.contains("fairness"), "{told}");
     let fairness = graded.rows("grades/tables/fairness.csv");
-    let mass = fairness.iter().find(|r| r["datum"] == "m").unwrap();
+    let mass = fairness.iter().find(|r| r["datum"] == "m_A").unwrap();
     assert!(number(&mass["p_holm"]) < 1e-6 && number(&mass["spearman"]) > 0.5, "{mass:?}");
 }
 
