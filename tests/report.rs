@@ -429,7 +429,7 @@ fn a_class_of_five_gets_no_statistics_that_mean_nothing() {
     valid(&page, "en");
     assert!(page.contains("alpha is not given") && page.contains("too few"), "{page}");
     assert!(page.contains("Discrimination is not given") && page.contains("below 20 nothing is said"));
-    assert!(graded.rows("grades/tables/items.csv").iter().all(|r| r["discrimination"].is_empty()));
+    assert!(graded.rows("grades/tables/parts.csv").iter().all(|r| r["discrimination"].is_empty()));
     assert!(!graded.path("grades/tables/fairness.csv").exists());
 }
 
@@ -439,7 +439,7 @@ fn a_class_of_five_hundred() {
     graded.report(&[]);
     recounted(&graded);
     valid(&graded.text("grades/report.html"), "en");
-    let items = graded.rows("grades/tables/items.csv");
+    let items = graded.rows("grades/tables/parts.csv");
     assert!(items.iter().all(|r| number(&r["discrimination"]).abs() <= 1.0));
     // Variants were drawn by lot and nobody looked at the data: fair, at the level of 5 %.
     let fairness = graded.rows("grades/tables/fairness.csv");

@@ -126,8 +126,9 @@ impl Axis {
                 });
                 let decimals = usize::try_from(decimals.unwrap_or(9)).unwrap_or(0);
                 let count = whole(((self.high - self.low) / step).round());
-                for i in 0..=count {
-                    let value = self.low + f64::from(i) * step;
+                // An axis that does not end on a tick has none beyond its end.
+                let inside = |value: &f64| *value <= self.high + 1e-6 * step;
+                for value in (0..=count).map(|i| self.low + f64::from(i) * step).filter(inside) {
                     ticks.push(Tick { at: self.at(value), label: format!("{value:.decimals$}") });
                 }
             }

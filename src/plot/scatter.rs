@@ -71,10 +71,13 @@ impl Scatter {
         svg.rect("frame", (LEFT, TOP), (RIGHT - LEFT, BOTTOM - TOP));
         svg.text("soft tiny", "middle", ((LEFT + RIGHT) / 2.0, BOTTOM + 36.0), &self.x.label);
         svg.upright("soft tiny", (14.0, (TOP + BOTTOM) / 2.0), &self.y.label);
-        if let Some((level, says)) = &self.level {
-            let (_, y) = at(self.x.low, *level);
+        let (mut level, mut level_text) = (None, None);
+        if let Some((value, says)) = &self.level {
+            let (_, y) = at(self.x.low, *value);
             svg.line("mid", (LEFT, y), (RIGHT, y));
-            svg.text("soft tiny halo", "end", (RIGHT - 4.0, y - 4.0), says);
+            svg.text("soft tiny halo", "start", (LEFT + 6.0, y + 14.0), says);
+            level = Some((LEFT, y - 1.0, RIGHT, y + 1.0));
+            level_text = Some((LEFT, y, LEFT + 6.0 + says.chars().count() as f64 * LETTER.0, y + 17.0));
         }
         let mut taken: Vec<Box> = self
             .spots
@@ -83,6 +86,8 @@ impl Scatter {
                 let (x, y) = at(s.x, s.y);
                 (x - 5.0, y - 5.0, x + 5.0, y + 5.0)
             })
+            .chain(level)
+            .chain(level_text)
             .collect();
         for spot in &self.spots {
             svg.disc(if spot.marked { "warn" } else { "dot" }, at(spot.x, spot.y), 5.0);

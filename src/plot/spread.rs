@@ -27,9 +27,9 @@ pub struct Spread {
 
 const LEFT: f64 = 46.0;
 const RIGHT: f64 = 464.0;
-const TOP: f64 = 44.0;
-const BOTTOM: f64 = 230.0;
-const HEIGHT: f64 = 276.0;
+const TOP: f64 = 60.0;
+const BOTTOM: f64 = 246.0;
+const HEIGHT: f64 = 292.0;
 const DOT: f64 = 5.5;
 
 impl Spread {
@@ -79,9 +79,14 @@ impl Spread {
         svg.text("soft tiny", "middle", ((LEFT + RIGHT) / 2.0, bottom + 38.0), &self.axis.label);
         if let Some((value, says)) = &self.line {
             let x = place(*value);
-            svg.line("mid", (x, top - 4.0), (x, bottom));
-            let (anchor, x) = if x > (LEFT + RIGHT) / 2.0 { ("end", x - 5.0) } else { ("start", x + 5.0) };
-            svg.text("tiny halo", anchor, (x, top + 4.0), says);
+            svg.line("mid", (x, top - 6.0), (x, bottom));
+            // Above the columns, within the chart.
+            let anchor = match x {
+                x if x > RIGHT - 60.0 => "end",
+                x if x < LEFT + 60.0 => "start",
+                _ => "middle",
+            };
+            svg.text("tiny halo", anchor, (x, top - 10.0), says);
         }
         svg.finish()
     }

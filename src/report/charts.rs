@@ -114,7 +114,7 @@ pub fn items(marks: &Marks, study: &Study) -> Option<String> {
             description: format!("Ease of each part, then its discrimination: {}.", told.join("; ")),
             x: axis("ease: mean share of the points", 0.0, 1.0),
             y,
-            level: Some((POOR, "below: hardly tells strong from weak".to_owned())),
+            level: Some((POOR, "below 0.2: hardly tells strong from weak".to_owned())),
             spots,
         }
         .svg(),

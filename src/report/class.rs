@@ -19,6 +19,7 @@ use crate::report::table::points;
 use crate::template;
 use crate::template::Templates;
 use crate::template::View;
+use std::collections::BTreeMap;
 
 /// Markdown with formulas to HTML within a line.
 pub type Rich<'r> = &'r mut dyn FnMut(&str) -> String;
@@ -56,6 +57,8 @@ struct Section {
 
 /// Mistakes told in words; all are in the table.
 const FAVOURITES: usize = 6;
+/// Rows of a long table on the page; its file has all.
+const SHOWN: usize = 20;
 
 /// Writes the report.
 ///
@@ -131,6 +134,19 @@ struct Pen<'p> {
 impl Pen<'_> {
     fn table(&mut self, table: Table) -> String {
         let html = table.html();
+        self.tables.push(table);
+        html
+    }
+
+    /// A table of which a page shows the first rows; its file has all.
+    fn long_table(&mut self, table: Table, most: usize) -> String {
+        let mut page = table.clone();
+        page.rows.truncate(most);
+        let mut html = page.html();
+        if table.rows.len() > most {
+            let (all, name) = (table.rows.len(), table.name);
+            html.push_str(&paragraph(&format!("The first {most} of {all}; tables/{name}.csv has all.")));
+        }
         self.tables.push(table);
         html
     }
@@ -277,7 +293,7 @@ impl Pen<'_> {
         if !study.same_most {
             out.push_str(&paragraph("The sheets do not all give the same number of points."));
         }
-        let cell = |v: f64| Cell::number(v, 2);
+        let cell = Cell::points;
         let rows = vec![vec![
             Cell::count(summary.n),
             cell(study.most),
@@ -324,41 +340,48 @@ impl Pen<'_> {
             .iter()
             .enumerate()
             .map(|(p, part)| {
-                let of = &self.marks.by_part[p];
-                let wrong = part.answered - part.right;
+                let blank = self.marks.by_part[p][Verdict::Blank as usize];
                 let success = part.success.filter(|_| part.answered >= LEAST_FOR_SHARE);
+                let ease = part.ease.filter(|_| part.asked >= LEAST_FOR_SHARE);
+                let discrimination = part.discrimination.as_ref();
+                let of = &self.marks.class.parts[p];
                 vec![
-                    Cell::text(&self.label(p)),
-                    Cell::text(&self.marks.class.problems[self.marks.class.parts[p].number - 1].title),
+                    Cell::text(&of.label()),
+                    Cell::points(of.points),
                     Cell::count(part.asked),
                     Cell::count(part.answered),
                     Cell::count(part.right),
-                    Cell::count(wrong),
-                    Cell::text(&of[Verdict::Blank as usize].to_string()),
+                    Cell::text(&blank.to_string()),
                     Cell::or_none(success.map(|s| Cell::share(s.value))),
                     Cell::or_none(success.map(|s| Cell::share(s.low))),
                     Cell::or_none(success.map(|s| Cell::share(s.high))),
+                    Cell::or_none(ease.map(Cell::share)),
+                    Cell::or_none(discrimination.ok().map(|d| Cell::number(*d, 2))),
+                    Cell::text(discrimination.err().map_or("", String::as_str)),
+                    Cell::text(&self.marks.class.problems[of.number - 1].title),
                 ]
             })
             .collect();
         out.push_str(&self.table(Table {
             name: "parts",
-            caption:
-                "Parts: students asked among those who handed in, answers that count, blank cells".to_owned(),
+            caption: "Each part: students asked, of those who handed in; answers that count; ease and discrimination as told below".to_owned(),
             head: vec![
                 ("Part", "part"),
-                ("Problem", "problem"),
+                ("Points", "points"),
                 ("Asked", "asked"),
                 ("Answered", "answered"),
                 ("Right", "right"),
-                ("Not right", "not_right"),
                 ("Blank", "blank_cells"),
-                ("Right", "share_right"),
+                ("Share", "share_right"),
                 ("from", "interval_low"),
                 ("to", "interval_high"),
+                ("Ease", "ease"),
+                ("Discr.", "discrimination"),
+                ("Why none", "why_no_discrimination"),
+                ("Problem", "problem"),
             ],
-            texts: 2,
-            shown: 10,
+            texts: 1,
+            shown: 11,
             rows,
         }));
         out
@@ -404,32 +427,6 @@ impl Pen<'_> {
                 "Discrimination is not given: below {LEAST_FOR_CORRELATION} students the 95 % interval of a correlation is wider than ±0.44, so that hardly any value would say anything."
             )));
         }
-        let rows = study
-            .parts
-            .iter()
-            .enumerate()
-            .map(|(p, part)| {
-                vec![
-                    Cell::text(&self.label(p)),
-                    Cell::or_none(part.ease.filter(|_| part.asked >= LEAST_FOR_SHARE).map(Cell::share)),
-                    Cell::or_none(part.discrimination.as_ref().ok().map(|d| Cell::number(*d, 2))),
-                    Cell::text(part.discrimination.as_ref().err().map_or("", String::as_str)),
-                ]
-            })
-            .collect();
-        out.push_str(&self.table(Table {
-            name: "items",
-            caption: "Ease and discrimination of each part".to_owned(),
-            head: vec![
-                ("Part", "part"),
-                ("Ease", "ease"),
-                ("Discrimination", "discrimination"),
-                ("Why none", "why_none"),
-            ],
-            texts: 1,
-            shown: 3,
-            rows,
-        }));
         out
     }
 
@@ -466,9 +463,11 @@ impl Pen<'_> {
                     ]
                 })
                 .collect();
-            out.push_str(&self.table(Table {
+            let methods = Table {
                 name: "methods",
-                caption: "Wrong methods; those that come to the same value stand together, the most likely first".to_owned(),
+                caption:
+                    "Wrong methods; those that come to the same value stand together, the most likely first"
+                        .to_owned(),
                 head: vec![
                     ("Methods", "methods"),
                     ("What they did", "did"),
@@ -480,7 +479,8 @@ impl Pen<'_> {
                 texts: 3,
                 shown: 6,
                 rows,
-            }));
+            };
+            out.push_str(&self.long_table(methods, SHOWN));
         }
         if !study.slips.is_empty() {
             let rows = study
@@ -519,54 +519,56 @@ impl Pen<'_> {
         if self.marks.troubles.is_empty() {
             return paragraph("Every answer could be read and had a unit of the right kind.");
         }
-        let mut list: Vec<_> = self.marks.troubles.iter().collect();
-        list.sort_by(|a, b| b.1.cells.cmp(&a.1.cells).then_with(|| a.0.cmp(b.0)));
-        let total: u64 = list.iter().map(|(_, t)| t.cells).sum();
+        let total: u64 = self.marks.troubles.values().map(|t| t.cells).sum();
         let mut out = paragraph(&format!(
             "{total} answer cells, replaced attempts included, could not be read, had a unit of another kind, or had none where one is demanded. Where one reason is frequent, tell the class how to write it."
         ));
-        let rows: Vec<Vec<Cell>> = list
+        // One row for each reason, whatever the part.
+        let mut kinds: BTreeMap<(Verdict, &str), (u64, Vec<usize>, Vec<&str>)> = BTreeMap::new();
+        for ((part, verdict, reason), trouble) in &self.marks.troubles {
+            let (cells, parts, examples) = kinds.entry((*verdict, reason)).or_default();
+            *cells += trouble.cells;
+            parts.extend(part);
+            examples.extend(trouble.examples.iter().map(String::as_str));
+        }
+        let mut kinds: Vec<_> = kinds.into_iter().collect();
+        kinds.sort_by(|a, b| b.1.0.cmp(&a.1.0).then_with(|| a.0.cmp(&b.0)));
+        let rows: Vec<Vec<Cell>> = kinds
             .iter()
-            .map(|((part, verdict, reason), trouble)| {
-                let examples: Vec<&str> = trouble.examples.iter().map(String::as_str).collect();
+            .map(|((verdict, reason), (cells, parts, examples))| {
+                let mut distinct: Vec<&str> = Vec::new();
+                for example in examples {
+                    if distinct.len() < 3 && !distinct.contains(example) {
+                        distinct.push(example);
+                    }
+                }
                 let shown: Vec<String> =
-                    examples.iter().map(|e| format!("<code>{}</code>", escaped(&short(e)))).collect();
-                let reason = if reason.is_empty() { "replaced by another attempt" } else { reason };
+                    distinct.iter().map(|e| format!("<code>{}</code>", escaped(&short(e)))).collect();
+                let parts: Vec<String> = parts.iter().map(|p| self.label(*p)).collect();
                 vec![
-                    Cell::text(&part.map_or_else(|| "–".to_owned(), |p| self.label(p))),
                     Cell::text(verdict.as_str()),
                     Cell::text(reason),
-                    Cell::rich(shown.join(" "), &examples.join(" | ")),
-                    Cell::text(&trouble.cells.to_string()),
+                    Cell::rich(shown.join(" "), &distinct.join(" | ")),
+                    Cell::rich(escaped(&several(&parts)), &parts.join(" ")),
+                    Cell::text(&cells.to_string()),
                 ]
             })
             .collect();
-        // A page is read by people: the rest is in the file.
-        const SHOWN: usize = 40;
-        let whole = Table {
+        let table = Table {
             name: "unreadable",
-            caption: "Cells that gave trouble, the most frequent first".to_owned(),
+            caption: "Cells that gave trouble, the most frequent reason first".to_owned(),
             head: vec![
-                ("Part", "part"),
                 ("Verdict", "verdict"),
                 ("Reason", "reason"),
                 ("Such as", "examples"),
+                ("Parts", "parts"),
                 ("Cells", "cells"),
             ],
             texts: 4,
             shown: 5,
             rows,
         };
-        let mut page = whole.clone();
-        page.rows.truncate(SHOWN);
-        out.push_str(&page.html());
-        if whole.rows.len() > SHOWN {
-            out.push_str(&paragraph(&format!(
-                "The first {SHOWN} of {} kinds; tables/unreadable.csv has all.",
-                whole.rows.len()
-            )));
-        }
-        self.tables.push(whole);
+        out.push_str(&self.long_table(table, SHOWN));
         out
     }
 
@@ -732,6 +734,14 @@ impl Pen<'_> {
         }
         lines
     }
+}
+
+/// The first few names of a list.
+fn several(names: &[String]) -> String {
+    const MOST: usize = 3;
+    let more = names.len().saturating_sub(MOST);
+    let shown = names[..names.len() - more].join(", ");
+    if more > 0 { format!("{shown} and {more} more") } else { shown }
 }
 
 /// An example of the table, at most so long.

@@ -269,7 +269,10 @@ impl Marks {
         let counted = found.counted();
         let odd = [Verdict::Unreadable, Verdict::WrongDimension, Verdict::MissingUnit];
         if let Some(verdict) = counted.filter(|v| odd.contains(v)) {
-            let reason = if found.verdict == Verdict::Superseded { String::new() } else { found.reason() };
+            let reason = match found.verdict {
+                Verdict::Superseded => superseded(&found.reason()).map_or_else(String::new, |(_, why)| why),
+                _ => found.reason(),
+            };
             let key = (found.who.and(found.what), verdict, reason);
             let trouble = self.troubles.entry(key).or_default();
             trouble.cells += 1;
@@ -463,7 +466,9 @@ impl<'r> Found<'r> {
     fn counted(&self) -> Option<Verdict> {
         match self.verdict {
             Verdict::Blank | Verdict::UnknownPart | Verdict::UnknownStudent => None,
-            Verdict::Superseded => would_have_been(&self.text(Some(self.columns.reason))),
+            Verdict::Superseded => {
+                superseded(&self.text(Some(self.columns.reason))).map(|(verdict, _)| verdict)
+            }
             verdict => Some(verdict),
         }
     }
@@ -482,8 +487,8 @@ impl<'r> Found<'r> {
     }
 }
 
-/// The verdict that a superseded row names in its reason, in any language: verdicts are not translated.
-fn would_have_been(reason: &str) -> Option<Verdict> {
+/// The verdict that a superseded row names in its reason, and why, in any language: verdicts are not translated.
+fn superseded(reason: &str) -> Option<(Verdict, String)> {
     Words::languages().filter_map(Words::built_in).find_map(|words| {
         let phrase = words.get("feedback.superseded");
         let (before, rest) = phrase.split_once("{line}")?;
@@ -492,7 +497,9 @@ fn would_have_been(reason: &str) -> Option<Verdict> {
         let rest = rest.strip_prefix(between)?;
         // `wrong` begins `wrong direction`: the longest fits.
         let fits = Verdict::ALL.iter().filter(|v| rest.starts_with(v.as_str()));
-        fits.max_by_key(|v| v.as_str().len()).copied()
+        let verdict = *fits.max_by_key(|v| v.as_str().len())?;
+        let why = rest[verdict.as_str().len()..].trim_start_matches([':', ';', ' ']);
+        Some((verdict, why.to_owned()))
     })
 }
 
@@ -632,9 +639,10 @@ mod tests {
             for verdict in [Verdict::Right, Verdict::Wrong, Verdict::WrongDirection, Verdict::MissingUnit] {
                 let reason =
                     words.say("feedback.superseded", &[("line", "12"), ("verdict", verdict.as_str())]);
-                assert_eq!(would_have_been(&format!("{reason}: because")), Some(verdict));
+                let found = superseded(&format!("{reason}: because"));
+                assert_eq!(found, Some((verdict, "because".to_owned())));
             }
         }
-        assert_eq!(would_have_been("right"), None);
+        assert_eq!(superseded("right"), None);
     }
 }

@@ -28,6 +28,10 @@ impl Cell {
     pub fn number(value: f64, decimals: usize) -> Self {
         Cell { shown: fixed(value, decimals), raw: raw(value) }
     }
+    /// Points, with at most two decimals.
+    pub fn points(value: f64) -> Self {
+        Cell { shown: points(value), raw: raw(value) }
+    }
     /// A share, in per cent.
     pub fn share(value: f64) -> Self {
         Cell { shown: percent(value), raw: raw(value) }
@@ -99,7 +103,7 @@ impl Table {
         for row in &self.rows {
             out.push_str("<tr>");
             for (i, cell) in row.iter().enumerate().take(self.shown) {
-                if i == 0 {
+                if i == 0 && self.texts > 0 {
                     out.push_str(&format!("<th scope=\"row\">{}</th>", cell.shown));
                 } else {
                     out.push_str(&format!("<td{}>{}</td>", class(i), cell.shown));
