@@ -37,9 +37,9 @@ pub struct Scatter {
 
 const LEFT: f64 = 52.0;
 const RIGHT: f64 = 464.0;
-const TOP: f64 = 40.0;
-const BOTTOM: f64 = 300.0;
-const HEIGHT: f64 = 346.0;
+const TOP: f64 = 52.0;
+const BOTTOM: f64 = 312.0;
+const HEIGHT: f64 = 358.0;
 /// About how large letters are.
 const LETTER: (f64, f64) = (6.3, 13.0);
 
@@ -71,13 +71,12 @@ impl Scatter {
         svg.rect("frame", (LEFT, TOP), (RIGHT - LEFT, BOTTOM - TOP));
         svg.text("soft tiny", "middle", ((LEFT + RIGHT) / 2.0, BOTTOM + 36.0), &self.x.label);
         svg.upright("soft tiny", (14.0, (TOP + BOTTOM) / 2.0), &self.y.label);
-        let (mut level, mut level_text) = (None, None);
+        let mut level = None;
         if let Some((value, says)) = &self.level {
             let (_, y) = at(self.x.low, *value);
             svg.line("mid", (LEFT, y), (RIGHT, y));
-            svg.text("soft tiny halo", "start", (LEFT + 6.0, y + 14.0), says);
+            svg.text("soft tiny", "start", (8.0, TOP - 8.0), says);
             level = Some((LEFT, y - 1.0, RIGHT, y + 1.0));
-            level_text = Some((LEFT, y, LEFT + 6.0 + says.chars().count() as f64 * LETTER.0, y + 17.0));
         }
         let mut taken: Vec<Box> = self
             .spots
@@ -87,7 +86,6 @@ impl Scatter {
                 (x - 5.0, y - 5.0, x + 5.0, y + 5.0)
             })
             .chain(level)
-            .chain(level_text)
             .collect();
         for spot in &self.spots {
             svg.disc(if spot.marked { "warn" } else { "dot" }, at(spot.x, spot.y), 5.0);

@@ -13,10 +13,10 @@ pub struct Spread {
     pub title: String,
     /// What it shows, for those who do not see it.
     pub description: String,
-    /// The axis of the numbers, from 0; classes are equal parts of it.
+    /// The axis of the numbers; it holds all classes.
     pub axis: Axis,
-    /// How many numbers lie in each class.
-    pub counts: Vec<usize>,
+    /// Classes: lower end, upper end, how many numbers lie between.
+    pub classes: Vec<(f64, f64, usize)>,
     /// Each number, where there are so few that a dot for each says more; empty: columns.
     pub dots: Vec<f64>,
     /// Where a line stands, and what it is: median.
@@ -41,7 +41,7 @@ impl Spread {
         svg.text("head", "start", (8.0, 22.0), &self.title);
         let place = |v: f64| LEFT + self.axis.at(v) * (RIGHT - LEFT);
         if self.dots.is_empty() {
-            let most = self.counts.iter().max().copied().unwrap_or(1).max(1) as f64;
+            let most = self.classes.iter().map(|c| c.2).max().unwrap_or(1).max(1) as f64;
             let mut upright = Axis::around(&self.what, Scale::Linear, [0.0, most].into_iter());
             // Halves of a student do not exist.
             upright.high = upright.high.max(4.0);
@@ -50,10 +50,11 @@ impl Spread {
                 svg.line("grid", (LEFT, y), (RIGHT, y));
                 svg.text("soft tiny", "end", (LEFT - 7.0, y + 4.0), &tick.label);
             }
-            let wide = (RIGHT - LEFT) / self.counts.len().max(1) as f64;
-            for (i, count) in self.counts.iter().enumerate().filter(|(_, c)| **c > 0) {
+            for (from, to, count) in self.classes.iter().filter(|(.., c)| *c > 0) {
                 let high = *count as f64 / upright.high * (bottom - top);
-                svg.rect("bar", (LEFT + i as f64 * wide + 1.0, bottom - high), (wide - 2.0, high));
+                let (from, to) = (place(*from), place(*to));
+                let gap = if to - from > 8.0 { 1.0 } else { 0.3 };
+                svg.rect("bar", (from + gap, bottom - high), (to - from - 2.0 * gap, high));
             }
             svg.upright("soft tiny", (14.0, (top + bottom) / 2.0), &self.what);
         } else {
@@ -110,7 +111,7 @@ mod tests {
             title: "totals".to_owned(),
             description: "d".to_owned(),
             axis: Axis { label: "points".to_owned(), scale: Scale::Linear, low: 0.0, high: 10.0 },
-            counts: vec![1, 0, 3, 2],
+            classes: vec![(0.0, 2.5, 1), (2.5, 5.0, 0), (5.0, 7.5, 3), (7.5, 10.0, 2)],
             dots,
             line: Some((7.0, "median 7".to_owned())),
             what: "students".to_owned(),

@@ -18,7 +18,7 @@ use crate::report::table::fixed;
 use crate::report::table::percent;
 use crate::report::table::points;
 
-/// Classes of the histogram of totals: of 5 % each for large classes, else of 10 %.
+/// From so many students on the histogram has twice as many columns.
 const MANY: usize = 120;
 /// So few students get a dot each.
 const FEW: usize = 30;
@@ -31,10 +31,12 @@ fn axis(label: &str, low: f64, high: f64) -> Axis {
 
 /// Distribution of the totals.
 pub fn totals(study: &Study, summary: &Summary) -> String {
-    let classes = if study.totals.len() >= MANY { 20 } else { 10 };
     // Credit beyond the sheet does not exist, but rounding up may pass the end.
     let most = study.most.max(summary.greatest);
-    let counts = spread::histogram(&study.totals, most, classes);
+    let classes = if study.totals.len() >= MANY { 26 } else { 13 };
+    let histogram = spread::histogram(&study.totals, most, classes);
+    let end = |i: usize| histogram.from + i as f64 * histogram.width;
+    let classes = histogram.counts.iter().enumerate().map(|(i, n)| (end(i), end(i + 1), *n)).collect();
     let few = study.totals.len() < FEW;
     let description = format!(
         "Totals of {} students: median {}, half of them from {} to {}, all from {} to {} of {} points. {}",
@@ -51,8 +53,12 @@ pub fn totals(study: &Study, summary: &Summary) -> String {
         id: "plot-totals".to_owned(),
         title: "Distribution of the totals".to_owned(),
         description,
-        axis: axis(&format!("points of {}", points(study.most)), 0.0, most),
-        counts,
+        axis: axis(
+            &format!("points of {}", points(study.most)),
+            if few { 0.0 } else { histogram.from },
+            if few { most } else { end(histogram.counts.len()) },
+        ),
+        classes,
         dots: if few { study.totals.clone() } else { Vec::new() },
         line: Some((summary.median, format!("median {}", points(summary.median)))),
         what: "students".to_owned(),
@@ -106,7 +112,7 @@ pub fn items(marks: &Marks, study: &Study) -> Option<String> {
     }
     let told: Vec<String> =
         spots.iter().map(|s| format!("{} {} and {}", s.label, percent(s.x), fixed(s.y, 2))).collect();
-    let y = Axis::around("discrimination", Scale::Linear, spots.iter().map(|s| s.y).chain([0.0, 0.6]));
+    let y = Axis::around("discrimination", Scale::Linear, spots.iter().map(|s| s.y).chain([0.0, 0.4]));
     Some(
         Scatter {
             id: "plot-items".to_owned(),
@@ -114,7 +120,7 @@ pub fn items(marks: &Marks, study: &Study) -> Option<String> {
             description: format!("Ease of each part, then its discrimination: {}.", told.join("; ")),
             x: axis("ease: mean share of the points", 0.0, 1.0),
             y,
-            level: Some((POOR, "below 0.2: hardly tells strong from weak".to_owned())),
+            level: Some((POOR, "orange: below 0.2, hardly tells strong from weak".to_owned())),
             spots,
         }
         .svg(),
@@ -175,12 +181,15 @@ pub fn fairness(title: &str, study: &Study, problem: usize) -> Option<String> {
         return None;
     }
     let told: Vec<String> = rows.iter().map(|r| format!("{}: {}", r.label, r.note)).collect();
+    let widest =
+        rows.iter().filter_map(|r| r.interval).fold(0.0, |w: f64, (a, b)| w.max(a.abs()).max(b.abs()));
+    let reach = [0.25, 0.5, 1.0].into_iter().find(|r| widest <= *r).unwrap_or(1.0);
     Some(
         Rows {
             id: format!("plot-fairness-{}", problem + 1),
             title: title.to_owned(),
             description: format!("Correlation of the marks with each datum. {}.", told.join("; ")),
-            axis: axis("correlation of the marks with the datum, with its 95 % interval", -1.0, 1.0),
+            axis: axis("correlation of the marks with the datum, with its 95 % interval", -reach, reach),
             percent: false,
             bars: false,
             rows,

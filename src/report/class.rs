@@ -230,20 +230,22 @@ impl Pen<'_> {
 
     fn lecture(&mut self, rich: Rich) -> String {
         let study = self.study;
-        if study.mistakes.is_empty() {
-            let said = if study.wrong.0 == 0 {
-                "No wrong answer counts: there is no mistake to talk about."
-            } else {
-                "No wrong answer fits a method of the catalogue."
-            };
-            return paragraph(said);
+        // What a single student did is no matter for a lecture.
+        let favourites: Vec<&Mistake> =
+            study.mistakes.iter().filter(|m| m.students > 1).take(FAVOURITES).collect();
+        if favourites.is_empty() {
+            return paragraph(match study.wrong.0 {
+                0 => "No wrong answer counts: there is no mistake to talk about.",
+                _ if study.mistakes.is_empty() => "No wrong answer fits a method of the catalogue.",
+                _ => "No wrong method was taken by more than one student.",
+            });
         }
         let took = study.took_part.len();
         let mut out = paragraph(
             "The class's favourite mistakes, those of most students first. Each answer fits what the method gives for that student's own numbers, within the tolerance of the part; where several methods give the same, the answers cannot tell which it was.",
         );
         out.push_str("<ol class=\"mistakes\">\n");
-        for mistake in study.mistakes.iter().take(FAVOURITES) {
+        for mistake in favourites {
             let share = if took >= LEAST_FOR_SHARE {
                 format!(" ({} of those who handed in)", percent(mistake.students as f64 / took as f64))
             } else {
@@ -452,11 +454,11 @@ impl Pen<'_> {
                     let did: Vec<String> = entries.iter().map(|e| rich(&e.did)).collect();
                     let raw: Vec<&str> = entries.iter().map(|e| e.did.as_str()).collect();
                     let parts: Vec<String> =
-                        mistake.parts.iter().map(|(p, n)| format!("{} ({n})", self.label(*p))).collect();
+                        mistake.parts.iter().map(|(p, n)| format!("{}\u{a0}({n})", self.label(*p))).collect();
                     vec![
                         Cell::text(&mistake.ids.join(" ")),
                         Cell::rich(did.join(" <em>or:</em> "), &raw.join(" or: ")),
-                        Cell::text(&parts.join(", ")),
+                        Cell::rich(escaped(&parts.join(", ")), &parts.join(", ").replace('\u{a0}', " ")),
                         Cell::count(mistake.students),
                         Cell::count(mistake.answers),
                         Cell::share(mistake.answers as f64 / wrong as f64),
@@ -678,7 +680,9 @@ impl Pen<'_> {
                 let cases: Vec<String> = c
                     .cases
                     .iter()
-                    .map(|(name, n, mean)| format!("{name}: {} of {n}", percent(*mean)))
+                    .map(|(name, n, mean)| {
+                        format!("{name}: mean {}, {}", percent(*mean), count(*n, "student"))
+                    })
                     .collect();
                 let what =
                     if c.datum.is_empty() { format!("case ({})", cases.join("; ")) } else { c.datum.clone() };
@@ -717,7 +721,7 @@ impl Pen<'_> {
     fn summary(&self) -> Vec<String> {
         let study = self.study;
         let mut lines = Vec::new();
-        if let Some(mistake) = study.mistakes.first() {
+        if let Some(mistake) = study.mistakes.first().filter(|m| m.students > 1) {
             lines.push(format!(
                 "favourite mistake: {} ({}, in {})",
                 mistake.ids.join(" or "),

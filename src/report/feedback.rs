@@ -63,7 +63,8 @@ impl Desk<'_> {
         let (points, of) = self.marks.totals[student];
         view.text("total", &self.points(points, of));
         view.value("notes", list(self.notes(student, dropped)));
-        let problems = (0..self.marks.class.problems.len()).map(|i| self.problem(student, i)).collect();
+        let problems =
+            (0..self.marks.class.problems.len()).map(|i| self.problem(student, i, dropped)).collect();
         view.value("problems", template::list(problems));
         let mut out = Vec::new();
         self.templates.render("feedback.md", &view, &mut out)?;
@@ -74,6 +75,9 @@ impl Desk<'_> {
 
     fn points(&self, n: f64, of: f64) -> String {
         let number = |v: f64| self.words.number(&table::points(v));
+        if number(of) == "1" {
+            return self.words.say("marks.one_point", &[("n", &number(n))]);
+        }
         self.words.say("marks.points", &[("n", &number(n)), ("of", &number(of))])
     }
 
@@ -91,17 +95,21 @@ impl Desk<'_> {
         notes
     }
 
-    fn problem(&self, student: usize, problem: usize) -> Value {
+    fn problem(&self, student: usize, problem: usize, dropped: &[usize]) -> Value {
         let parts: Vec<usize> = (0..self.marks.class.parts.len())
             .filter(|p| self.marks.class.parts[*p].number == problem + 1 && self.marks.asked(student, *p))
             .collect();
         let of: f64 = parts.iter().map(|p| self.marks.class.parts[*p].points).sum();
         let points: f64 = parts.iter().map(|p| self.marks.points(student, *p)).sum();
+        let mut told = self.points(points, of);
+        if dropped.contains(&problem) {
+            told = format!("{told}; {}", self.words.get("marks.not_counted"));
+        }
         let title = self.problems.get(problem).map_or("", String::as_str);
         template::map([
             ("number", template::finished(&(problem + 1).to_string())),
             ("title", template::finished(title)),
-            ("points", template::finished(&self.points(points, of))),
+            ("points", template::finished(&told)),
             ("parts", template::list(parts.into_iter().map(|p| self.part(student, p)).collect())),
         ])
     }

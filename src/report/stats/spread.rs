@@ -63,16 +63,43 @@ pub fn quantile(sorted: &[f64], share: f64) -> f64 {
     low + rest * (high - low)
 }
 
-/// How many values lie in each of `classes` equal classes from 0 to `greatest` (> 0); each class holds its lower end, the last
-/// one both. Values outside count in the nearest class.
-pub fn histogram(values: &[f64], greatest: f64, classes: usize) -> Vec<usize> {
+/// Classes of a histogram: where they begin, how wide they are, how many values lie in each.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Histogram {
+    /// Lower end of the first class.
+    pub from: f64,
+    /// Width of each, > 0.
+    pub width: f64,
+    /// Values in each.
+    pub counts: Vec<usize>,
+}
+
+/// Steps in which marks are commonly given.
+const STEPS: [f64; 4] = [1.0, 0.5, 0.25, 0.1];
+/// Widths of classes.
+const WIDTHS: [f64; 12] = [0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0, 1000.0];
+
+/// A histogram of values from 0 to `greatest` (> 0) with at most `most` classes. Where all values are multiples of a step and
+/// there are not too many of them, each multiple gets a class of its own, with the multiple in its middle; else classes have a
+/// round width, a multiple of that step, and hold their lower end. Values outside count in the nearest class.
+pub fn histogram(values: &[f64], greatest: f64, most: usize) -> Histogram {
+    let whole = |x: f64| (x - x.round()).abs() < 1e-6;
+    let step = STEPS.into_iter().find(|step| values.iter().all(|v| whole(v / step)));
+    let (from, width) = match step {
+        Some(step) if greatest / step < most as f64 => (-step / 2.0, step),
+        _ => {
+            let fits = |w: &&f64| greatest / **w <= most as f64 && step.is_none_or(|s| whole(**w / s));
+            (0.0, WIDTHS.iter().find(fits).copied().unwrap_or(greatest / most as f64))
+        }
+    };
+    let classes = (((greatest - from) / width - 1e-6).ceil() as usize).max(1);
     let mut counts = vec![0; classes];
     for value in values {
-        // 0.6 of 1 is in the seventh of ten classes, whatever rounding makes of it.
-        let place = (value / greatest * classes as f64 + 1e-9).floor().max(0.0);
+        // 0.6 stands at the beginning of the class from 0.6 on, whatever rounding makes of it.
+        let place = ((value - from) / width + 1e-6).floor().max(0.0);
         counts[(place as usize).min(classes - 1)] += 1;
     }
-    counts
+    Histogram { from, width, counts }
 }
 
 #[cfg(test)]
@@ -91,7 +118,16 @@ mod tests {
     }
     #[test]
     fn each_value_in_one_class() {
-        assert_eq!(histogram(&[0.0, 0.1, 0.3, 0.6, 0.7, 1.0, 1.0], 1.0, 10), [1, 1, 0, 1, 0, 0, 1, 1, 0, 2]);
-        assert_eq!(histogram(&[-1.0, 5.0], 1.0, 2), [1, 1]);
+        // Whole points: a class for each.
+        let whole = histogram(&[0.0, 1.0, 1.0, 4.0], 4.0, 12);
+        assert_eq!(whole, Histogram { from: -0.5, width: 1.0, counts: vec![1, 2, 0, 0, 1] });
+        // Too many for that: classes of 5 points; the greatest is in the last.
+        let many = histogram(&[0.0, 4.0, 5.0, 50.0], 50.0, 12);
+        assert_eq!(many, Histogram { from: 0.0, width: 5.0, counts: vec![2, 1, 0, 0, 0, 0, 0, 0, 0, 1] });
+        // Thirds: no step.
+        let thirds = histogram(&[1.0 / 3.0, 0.6, 7.0, -1.0], 1.0, 12);
+        assert_eq!((thirds.from, thirds.width), (0.0, 0.1));
+        assert_eq!(thirds.counts, [1, 0, 0, 1, 0, 0, 1, 0, 0, 1]);
+        assert_eq!(histogram(&[0.25; 3], 0.3, 12).counts.iter().sum::<usize>(), 3);
     }
 }
