@@ -41,7 +41,7 @@ pub const WIDTH: f64 = 480.0;
 const STEP: f64 = 24.0;
 const TOP: f64 = 40.0;
 /// About how wide a letter is, and how far a label may reach.
-const LETTER: f64 = 6.9;
+const LETTER: f64 = 7.8;
 const WIDEST: f64 = 150.0;
 
 impl Rows {

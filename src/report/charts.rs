@@ -33,7 +33,7 @@ fn axis(label: &str, low: f64, high: f64) -> Axis {
 pub fn totals(study: &Study, summary: &Summary) -> String {
     // Credit beyond the sheet does not exist, but rounding up may pass the end.
     let most = study.most.max(summary.greatest);
-    let classes = if study.totals.len() >= MANY { 26 } else { 13 };
+    let classes = if study.totals.len() >= MANY { 26 } else { 16 };
     let histogram = spread::histogram(&study.totals, most, classes);
     let end = |i: usize| histogram.from + i as f64 * histogram.width;
     let classes = histogram.counts.iter().enumerate().map(|(i, n)| (end(i), end(i + 1), *n)).collect();
