@@ -89,16 +89,23 @@ fn class(students: usize, problems: &str, course: &str) -> Graded {
     let bank = load::bank(&text, "bank.yaml", &variables_of).unwrap();
     let keys = replay::keys(&bank, &stored).unwrap();
     fs::write(path("submissions.csv"), hand_in(&keys)).unwrap();
-    let args = ["grade", &path("set"), &path("submissions.csv"), "--out", &path("grades")];
-    run(&args, Exit::Fine);
-    fs::create_dir_all(path("grades/basis")).unwrap();
-    for name in ["set.json", "bank.yaml", "key.csv"] {
-        fs::copy(path(&format!("set/{name}")), path(&format!("grades/basis/{name}"))).unwrap();
-    }
-    if !course.is_empty() {
-        fs::write(path("grades/basis/course.yaml"), course).unwrap();
-    }
+    fs::write(path("course.yaml"), course).unwrap();
+    grade(&room, "submissions.csv", &[]);
     Graded { room, keys }
+}
+
+fn grade(room: &TempDir, submissions: &str, more: &[&str]) {
+    let path = |name: &str| room.path().join(name).display().to_string();
+    let args = [
+        "grade",
+        &path("set"),
+        &path(submissions),
+        "--out",
+        &path("grades"),
+        "--course",
+        &path("course.yaml"),
+    ];
+    run(&[&args[..], more].concat(), Exit::Fine);
 }
 
 fn shown(entry: &KeyEntry, si: f64) -> String {
@@ -459,8 +466,7 @@ fn a_class_of_five_hundred() {
         }
     }
     fs::write(graded.path("unfair.csv"), lines).unwrap();
-    let path = |name: &str| graded.path(name).display().to_string();
-    run(&["grade", &path("set"), &path("unfair.csv"), "--out", &path("grades"), "--force"], Exit::Fine);
+    grade(&graded.room, "unfair.csv", &["--force"]);
     let told = graded.report(&["--force"]);
     assert!(told.contains("fairness"), "{told}");
     let fairness = graded.rows("grades/tables/fairness.csv");
