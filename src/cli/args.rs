@@ -31,9 +31,11 @@ pub enum Verb {
     Generate(Generate),
     /// Grade submissions against a set
     #[command(
-        after_help = "Examples:\n  slipstick grade week-5 submissions.csv --out week-5-grades\n  slipstick grade week-5 forms-export.csv --out grades --columns student=\"Email Address\" --attempts best\n\nSUBMISSIONS is a CSV file in long form (student,problem,part,answer and, if known, submitted_at) or in wide form\n(one record for each student, columns such as 1.omega). Separator and encoding are found out. Every answer cell\ncomes out exactly once in answers.csv, with a verdict, points and a reason."
+        after_help = "Examples:\n  slipstick grade week-5 submissions.csv --out week-5-grades\n  slipstick grade week-5 forms-export.csv --out grades --columns student=\"Email Address\" --attempts best\n  slipstick course > course.yaml     due date, attempts, late penalty, credit, rounding: change what you need\n  slipstick grade week-5 submissions.csv --course course.yaml --out week-5-grades\n\nSUBMISSIONS is a CSV file in long form (student,problem,part,answer and, if known, submitted_at) or in wide form\n(one record for each student, columns such as 1.omega). Separator and encoding are found out. Every answer cell\ncomes out exactly once in answers.csv, with a verdict, points and a reason."
     )]
     Grade(Grade),
+    /// Print a course file with every setting that bears on marks, explained: `slipstick course > course.yaml`
+    Course,
     /// Check your own answers against your sheet file; the sheet holds no key, the problem is solved anew
     #[command(
         after_help = "Examples:\n  slipstick check sheet.json 1.omega='30.3 rad/s' 1.friction='62.6 N up'\n\nExit code 0 if all the answers given are right, 1 if not."

@@ -43,6 +43,10 @@ pub fn run(args: impl IntoIterator<Item = OsString>, io: &mut Io) -> Exit {
     let exit = match typed.verb {
         Verb::Generate(args) => generate::run(&args, io),
         Verb::Grade(args) => grade::run(&args, io),
+        Verb::Course => {
+            io.piece(crate::bank::course::EXAMPLE);
+            Exit::Fine
+        }
         Verb::Check(args) => check::run(&args, io),
         Verb::Practice(args) => practice::run(&args, io),
         Verb::Solve(args) => solve::run(&args, io),
