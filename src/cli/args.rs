@@ -36,6 +36,11 @@ pub enum Verb {
     Grade(Grade),
     /// Print a course file with every setting that bears on marks, explained: `slipstick course > course.yaml`
     Course,
+    /// Report on grades: the class for the instructor, feedback for each student, gradebooks for Canvas and Moodle
+    #[command(
+        after_help = "Examples:\n  slipstick report week-5-grades\n  slipstick report week-5-grades --language de --out week-5-feedback\n  slipstick report week-5-grades --force                replaces an earlier report\n\nGRADED is a folder that grade made. report.html needs no network: settings, distribution, success, difficulty and\ndiscrimination of each part, the class's favourite mistakes, unreadable cells, attempts, fairness between variants;\nits tables are also CSV files in tables/. feedback/ holds a page for each student: answer, verdict, points, and a\nhint at the level of the course's setting `hints` (none, nudge or explain); never the key, never other students."
+    )]
+    Report(Report),
     /// Check your own answers against your sheet file; the sheet holds no key, the problem is solved anew
     #[command(
         after_help = "Examples:\n  slipstick check sheet.json 1.omega='30.3 rad/s' 1.friction='62.6 N up'\n\nExit code 0 if all the answers given are right, 1 if not."
@@ -213,6 +218,25 @@ pub struct Grade {
     /// Replace an earlier grading
     #[arg(long)]
     pub force: bool,
+}
+
+/// `report`
+#[derive(Debug, Args)]
+pub struct Report {
+    /// Folder of grades, as grade made it
+    pub graded: PathBuf,
+    /// Folder to make [default: into GRADED]
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
+    /// Replace an earlier report (and nothing but what report made)
+    #[arg(long)]
+    pub force: bool,
+    /// Threads [default: one for each core]; the output does not depend on it
+    #[arg(long, value_name = "N")]
+    pub threads: Option<usize>,
+    /// In which words the feedback is.
+    #[command(flatten)]
+    pub own: Own,
 }
 
 /// `check`

@@ -14,6 +14,7 @@ mod grade;
 mod lint;
 mod output;
 mod practice;
+mod report;
 mod solutions;
 mod solve;
 pub mod tell;
@@ -47,6 +48,7 @@ pub fn run(args: impl IntoIterator<Item = OsString>, io: &mut Io) -> Exit {
             io.piece(crate::bank::course::EXAMPLE);
             Exit::Fine
         }
+        Verb::Report(args) => report::run(&args, io),
         Verb::Check(args) => check::run(&args, io),
         Verb::Practice(args) => practice::run(&args, io),
         Verb::Solve(args) => solve::run(&args, io),
