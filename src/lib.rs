@@ -51,6 +51,7 @@ pub mod figure;
 pub mod finding;
 pub mod grade;
 pub mod key;
+pub mod matches;
 pub mod misconception;
 pub mod num;
 pub mod plot;

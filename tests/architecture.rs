@@ -105,6 +105,7 @@ const DOORS: &[(&str, &[&str])] = &[
     ("sheet::document", &["figure"]),
     ("sheet::number", &[]),
     ("plot", &["num"]),
+    ("matches", &["num"]),
     ("cli", &["*"]),
     ("main", &["cli"]),
     ("lib", &[]),
