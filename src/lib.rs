@@ -55,6 +55,7 @@ pub mod matches;
 pub mod misconception;
 pub mod num;
 pub mod plot;
+pub mod policy;
 pub mod problem;
 pub mod report;
 pub mod scene;

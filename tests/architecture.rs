@@ -21,7 +21,8 @@ const DOORS: &[(&str, &[&str])] = &[
         &["solve::agree", "solve::eom", "solve::energy", "solve::outcome", "solve::method", "scene", "num"],
     ),
     ("solve::planted", &["solve::agree", "scene", "num"]),
-    ("bank", &["scene", "solve::outcome", "units", "finding", "num"]),
+    ("policy", &[]),
+    ("bank", &["scene", "solve::outcome", "units", "finding", "num", "policy"]),
     ("draw", &["bank", "scene", "units", "num"]),
     ("key", &["units", "num"]),
     (
@@ -99,7 +100,7 @@ const DOORS: &[(&str, &[&str])] = &[
         ],
     ),
     ("answer", &["units", "num", "finding"]),
-    ("grade", &["key", "answer", "units", "num", "words", "finding"]),
+    ("grade", &["key", "answer", "units", "num", "words", "policy", "finding"]),
     ("report", &["grade", "key", "units", "template"]),
     ("simulate", &["problem", "bank", "sheet", "sheet::number", "solve::agree", "key", "units", "num"]),
     ("sheet::document", &["figure"]),
@@ -132,6 +133,7 @@ const KEEPERS: &[(&str, &[&str])] = &[
     ("typst_layout", &["sheet::pdf"]),
     ("typst_pdf", &["sheet::pdf"]),
     ("hmac", &["draw"]),
+    ("jiff", &["policy"]),
 ];
 
 /// Module path of each source file and its text without comments and test modules.

@@ -4,5 +4,4 @@ pub mod feedback;
 pub mod judge;
 pub mod run;
 pub mod table;
-pub mod time;
 pub mod verdict;
