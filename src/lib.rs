@@ -57,6 +57,7 @@ pub mod num;
 pub mod plot;
 pub mod policy;
 pub mod problem;
+pub mod regrade;
 pub mod report;
 pub mod scene;
 pub mod set;

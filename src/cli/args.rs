@@ -34,6 +34,16 @@ pub enum Verb {
         after_help = "Examples:\n  slipstick grade week-5 submissions.csv --out week-5-grades\n  slipstick grade week-5 forms-export.csv --out grades --columns student=\"Email Address\" --attempts best\n\nSUBMISSIONS is a CSV file in long form (student,problem,part,answer and, if known, submitted_at) or in wide form\n(one record for each student, columns such as 1.omega). Separator and encoding are found out. Every answer cell\ncomes out exactly once in answers.csv, with a verdict, points and a reason."
     )]
     Grade(Grade),
+    /// Say how many verdicts of a grading would change with other tolerances; changes nothing
+    #[command(
+        after_help = "Examples:\n  slipstick what-if week-5-grades\n  slipstick what-if week-5-grades --tolerance 1.5,3%\n\nRelative tolerances in per cent, the same for every part; absolute ones stay. The table counts answers that would become\nright (+) or no longer be right (-), students who gain and lose, and the known wrong methods that a looser tolerance would\nlet pass: those answers, and the keys with a wrong method within the tolerance."
+    )]
+    WhatIf(WhatIf),
+    /// Tell everything about the marks of one student for one problem, in words
+    #[command(
+        after_help = "Examples:\n  slipstick explain week-5-grades 0017 1\n  slipstick explain week-5-grades \"Amina Yusuf\" pulled-rolling --part omega\n  slipstick explain week-5-grades 17 1.omega\n\nThe data on the sheet, the key from both roads with gap, condition number and proved error, the tolerance, every attempt\nas written and as read, which one counts, why it is right or not, how its points add up, and what it was graded with.\nIt works from the folder alone: basis/ holds the set. It holds the key; it is not for students while others still work."
+    )]
+    Explain(Explain),
     /// Check your own answers against your sheet file; the sheet holds no key, the problem is solved anew
     #[command(
         after_help = "Examples:\n  slipstick check sheet.json 1.omega='30.3 rad/s' 1.friction='62.6 N up'\n\nExit code 0 if all the answers given are right, 1 if not."
@@ -208,6 +218,30 @@ pub struct Grade {
     /// Replace answers.csv and gradebook.csv of an earlier run
     #[arg(long)]
     pub force: bool,
+}
+
+/// `what-if`
+#[derive(Debug, Args)]
+pub struct WhatIf {
+    /// Folder of a grading, as grade made it
+    pub graded: PathBuf,
+    /// Relative tolerances in per cent
+    #[arg(long, value_name = "PERCENT,...", value_delimiter = ',', default_value = "0.5,1,2,5")]
+    pub tolerance: Vec<String>,
+}
+
+/// `explain`
+#[derive(Debug, Args)]
+pub struct Explain {
+    /// Folder of a grading, as grade made it
+    pub graded: PathBuf,
+    /// Id of the student, or the name
+    pub student: String,
+    /// Number or id of the problem; `1.omega` names the part too
+    pub problem: String,
+    /// Only this part
+    #[arg(long, value_name = "ID")]
+    pub part: Option<String>,
 }
 
 /// `check`

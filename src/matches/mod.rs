@@ -112,6 +112,20 @@ pub fn find(questions: &[Question], wrong: &[Wrong]) -> Found {
     Found { pairs, answers: all.len(), unexplained: free.len(), unclear }
 }
 
+/// Does any answer hit the key of a classmate at all? If not there is nothing to find, whatever luck may bring.
+pub fn any_hit(questions: &[Question], wrong: &[Wrong]) -> bool {
+    let orders: Vec<Vec<usize>> = questions.iter().map(order).collect();
+    wrong.iter().any(|answer| {
+        let (Some(question), Some(order)) = (questions.get(answer.question), orders.get(answer.question))
+        else {
+            return false;
+        };
+        let (value, half) = window(answer);
+        let from = order.partition_point(|s| question.keys[*s] < value - half);
+        order[from..].iter().take_while(|s| question.keys[**s] <= value + half).any(|s| *s != answer.student)
+    })
+}
+
 /// Students with a key, in the order of their keys.
 fn order(question: &Question) -> Vec<usize> {
     let mut order: Vec<usize> = (0..question.keys.len()).filter(|s| question.keys[*s].is_finite()).collect();
