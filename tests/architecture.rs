@@ -101,7 +101,7 @@ const DOORS: &[(&str, &[&str])] = &[
     ),
     ("answer", &["units", "num", "finding"]),
     ("grade", &["key", "answer", "units", "num", "words", "policy", "finding"]),
-    ("report", &["grade", "key", "units", "template"]),
+    ("report", &["grade", "key", "units", "policy", "template"]),
     ("simulate", &["problem", "bank", "sheet", "sheet::number", "solve::agree", "key", "units", "num"]),
     ("sheet::document", &["figure"]),
     ("sheet::number", &[]),

@@ -34,11 +34,21 @@ pub enum Verb {
         after_help = "Examples:\n  slipstick grade week-5 submissions.csv --out week-5-grades\n  slipstick grade week-5 forms-export.csv --out grades --columns student=\"Email Address\" --attempts best\n\nSUBMISSIONS is a CSV file in long form (student,problem,part,answer and, if known, submitted_at) or in wide form\n(one record for each student, columns such as 1.omega). Separator and encoding are found out. Every answer cell\ncomes out exactly once in answers.csv, with a verdict, points and a reason."
     )]
     Grade(Grade),
+    /// Grade the same submissions again after a change of bank or course, and show who gains and who loses
+    #[command(
+        after_help = "Examples:\n  slipstick regrade week-5 week-5-grades submissions.csv --dry-run\n  slipstick regrade week-5 week-5-grades submissions.csv --out week-5-grades-2 --bank bank-corrected.yaml\n  slipstick regrade week-5 week-5-grades submissions.csv --out week-5-grades-2 --course course.yaml\n\nThe bank may be changed in place (DIR/bank.yaml) or given with --bank: a key, a tolerance, points, words, wrong methods. What\nwas printed on the sheets stays what it was; the key is solved anew from it, on both roads. A part that turned out to be\nfaulty is corrected for all in the course file:\n\n  corrections:\n    - {part: 2.v, give: full, why: part 2 was ambiguous}\n\nWhat changes is told before anything is written. GRADED stays as it is; the new folder is a whole grading with, beside\nit, changes.csv: each mark before and after, and why."
+    )]
+    Regrade(Regrade),
     /// Say how many verdicts of a grading would change with other tolerances; changes nothing
     #[command(
         after_help = "Examples:\n  slipstick what-if week-5-grades\n  slipstick what-if week-5-grades --tolerance 1.5,3%\n\nRelative tolerances in per cent, the same for every part; absolute ones stay. The table counts answers that would become\nright (+) or no longer be right (-), students who gain and lose, and the known wrong methods that a looser tolerance would\nlet pass: those answers, and the keys with a wrong method within the tolerance."
     )]
     WhatIf(WhatIf),
+    /// Find wrong answers that are the right ones of a classmate, with the chance that luck makes them so; for instructors
+    #[command(
+        after_help = "Example:\n  slipstick matches week-5-grades\n\nAn answer hits a classmate's key if it equals it within the rounding of the figures it was given with. The chance comes from\nhow densely the keys of the question lie; hits in several problems multiply, parts of one problem count once. `by luck` is\nhow many pairs as striking honest work would bring in the whole class; only below 0.01 a pair is marked `yes`. What a wrong\nmethod, a slip or another part explains is told and not marked. It writes GRADED/matches.csv; none of it is for students."
+    )]
+    Matches(Matches),
     /// Tell everything about the marks of one student for one problem, in words
     #[command(
         after_help = "Examples:\n  slipstick explain week-5-grades 0017 1\n  slipstick explain week-5-grades \"Amina Yusuf\" pulled-rolling --part omega\n  slipstick explain week-5-grades 17 1.omega\n\nThe data on the sheet, the key from both roads with gap, condition number and proved error, the tolerance, every attempt\nas written and as read, which one counts, why it is right or not, how its points add up, and what it was graded with.\nIt works from the folder alone: basis/ holds the set. It holds the key; it is not for students while others still work."
@@ -203,21 +213,56 @@ pub struct Grade {
     pub set: PathBuf,
     /// CSV file with the answers; `-` reads standard input
     pub submissions: PathBuf,
-    /// Folder to make, for answers.csv and gradebook.csv
-    #[arg(long, value_name = "DIR2")]
+    /// Folder to make
+    #[arg(long, value_name = "GRADED")]
     pub out: PathBuf,
+    /// Settings that bear on marks: due date, attempts, late penalty, credit, rounding, corrections (see `slipstick course`)
+    #[arg(long, value_name = "FILE")]
+    pub course: Option<PathBuf>,
     /// Language of the reasons: en or de [default: that of the set]
     #[arg(long, value_name = "CODE")]
     pub language: Option<String>,
-    /// Which attempt counts where there are several
-    #[arg(long, value_enum, default_value = "last")]
-    pub attempts: Attempts,
+    /// Which attempt counts where there are several [default: as the course or the bank says, else the last]
+    #[arg(long, value_enum)]
+    pub attempts: Option<Attempts>,
     /// Which column is which, such as student="Email Address"; may be repeated
     #[arg(long, value_name = "FIELD=HEADER")]
     pub columns: Vec<String>,
-    /// Replace answers.csv and gradebook.csv of an earlier run
+    /// Replace an earlier grading
     #[arg(long)]
     pub force: bool,
+}
+
+/// `regrade`
+#[derive(Debug, Args)]
+pub struct Regrade {
+    /// Folder of the set, as generate made it
+    pub set: PathBuf,
+    /// Folder of the grading, as grade made it
+    pub graded: PathBuf,
+    /// CSV file with the answers, the same as before; `-` reads standard input
+    pub submissions: PathBuf,
+    /// Folder to make
+    #[arg(long, value_name = "NEW", required_unless_present = "dry_run")]
+    pub out: Option<PathBuf>,
+    /// The changed bank [default: bank.yaml of the set]
+    #[arg(long, value_name = "FILE")]
+    pub bank: Option<PathBuf>,
+    /// Settings that bear on marks [default: those of the old grading]
+    #[arg(long, value_name = "FILE")]
+    pub course: Option<PathBuf>,
+    /// Which attempt counts [default: as in the old grading; with --course as the course says]
+    #[arg(long, value_enum)]
+    pub attempts: Option<Attempts>,
+    /// Which column is which [default: as in the old grading]
+    #[arg(long, value_name = "FIELD=HEADER")]
+    pub columns: Vec<String>,
+    /// Language of the reasons: en or de [default: that of the old grading]
+    #[arg(long, value_name = "CODE")]
+    pub language: Option<String>,
+    /// Only show what would change
+    #[arg(long)]
+    pub dry_run: bool,
 }
 
 /// `what-if`
@@ -228,6 +273,13 @@ pub struct WhatIf {
     /// Relative tolerances in per cent
     #[arg(long, value_name = "PERCENT,...", value_delimiter = ',', default_value = "0.5,1,2,5")]
     pub tolerance: Vec<String>,
+}
+
+/// `matches`
+#[derive(Debug, Args)]
+pub struct Matches {
+    /// Folder of a grading, as grade made it
+    pub graded: PathBuf,
 }
 
 /// `explain`

@@ -23,6 +23,7 @@ use crate::misconception::catalogue::Catalogue;
 use crate::policy::Policy;
 use crate::problem::make::Variant;
 use crate::regrade::rows::Row;
+use crate::set::grading::BASIS;
 use crate::units::spell;
 use std::fmt::Write as _;
 
@@ -72,7 +73,7 @@ fn explain(args: &args::Explain) -> Result<String, Vec<Finding>> {
     let one = |f: Finding| vec![f];
     let name = args.graded.display().to_string();
     // Who is meant is found before anything is solved.
-    let set_folder = args.graded.join(graded::BASIS);
+    let set_folder = args.graded.join(BASIS);
     if args.graded.is_dir() && set_folder.join("set.json").is_file() {
         let set = crate::cli::generate::existing(&set_folder)?;
         let who = graded::student(&set, &args.student).map_err(|f| one(f.in_file(&name)))?;
@@ -190,7 +191,11 @@ impl Desk<'_> {
         let entry = &self.key.parts[index];
         let counting = rows.iter().find(|r| r.counts());
         let policy = &self.graded.policy;
-        let most = policy.points_of(self.number, &self.problem.id, &entry.part, entry.points);
+        let most = policy
+            .points
+            .iter()
+            .find(|(p, _)| p.means(self.number, &self.problem.id, &entry.part))
+            .map_or(entry.points, |(_, points)| *points);
         page.head("");
         let outcome = match counting {
             Some(row) => format!("{} of {} points, {}", row.points, row.max_points, row.verdict),
@@ -440,27 +445,24 @@ fn points(row: &Row, policy: &Policy) -> String {
 }
 
 fn provenance(graded: &Graded, page: &mut Pages) {
-    let said = |path: &str| graded.said(path);
+    let made = &graded.grading;
     page.say(
         1,
         &format!(
             "{}, draw version {}; set {} from seed {}",
-            said("/program"),
-            said("/draw_version"),
-            graded.set.name,
-            graded.set.seed
+            made.program, made.draw_version, made.set, made.seed
         ),
     );
     let drawn = graded.set.bank.sha256.as_str();
-    let other = if drawn == graded.bank.hash {
+    let other = if drawn == made.bank_sha256 {
         String::new()
     } else {
         format!("; the sheets were drawn from {drawn}")
     };
-    page.say(1, &format!("bank {}, SHA-256 {}{other}", graded.bank.id, graded.bank.hash));
-    page.say(
-        1,
-        &format!("key, SHA-256 {}; it was solved anew for this text and is the same", said("/key_sha256")),
-    );
-    page.say(1, &format!("submissions: {}, {} bytes", said("/submissions/file"), said("/submissions/bytes")));
+    page.say(1, &format!("bank {}, SHA-256 {}{other}", made.bank, made.bank_sha256));
+    page.say(1, &format!("key, SHA-256 {}; solved anew for this text, and the same", made.key_sha256));
+    if let Some(course) = &made.course_sha256 {
+        page.say(1, &format!("course, SHA-256 {course}"));
+    }
+    page.say(1, &format!("submissions: {}, {} bytes", made.submissions, made.submissions_bytes));
 }

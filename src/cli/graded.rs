@@ -1,9 +1,12 @@
 //! A folder of grades, opened: its set, its bank, the settings of its course, and the key solved anew from what was printed.
 use crate::bank::Bank;
-use crate::bank::course;
+use crate::cli::args::Attempts;
 use crate::cli::banks;
 use crate::cli::files;
 use crate::cli::generate;
+use crate::cli::grade;
+use crate::cli::grade::ANSWERS;
+use crate::cli::grade::GRADING;
 use crate::cli::words;
 use crate::finding::Finding;
 use crate::key::SheetKey;
@@ -14,20 +17,15 @@ use crate::regrade::rows::Rows;
 use crate::set::given;
 use crate::set::given::Given;
 use crate::set::given::Why;
+use crate::set::grading::BASIS;
+use crate::set::grading::Grading;
 use crate::set::key_file;
 use crate::set::store::StoredSet;
 use crate::units::spell;
-use serde_json::Value;
 use std::fs::File;
 use std::path::Path;
 use std::path::PathBuf;
 
-/// Copies of what a grading was made from.
-pub const BASIS: &str = "basis";
-/// A file of a grading.
-pub const ANSWERS: &str = "answers.csv";
-/// Where a grading says what it was made from.
-pub const PROVENANCE: &str = "grading.json";
 /// What a regrading changed.
 pub const CHANGES: &str = "changes.csv";
 
@@ -44,7 +42,7 @@ pub struct Graded {
     /// Variants and keys in the order of the set; with `only`, of that student alone.
     pub given: Vec<Given>,
     /// grading.json.
-    pub provenance: Value,
+    pub grading: Grading,
 }
 
 /// Opens a grading and solves its key anew, that of one student (an id) if only that is needed.
@@ -62,7 +60,7 @@ pub fn open(folder: &Path, only: Option<&str>) -> Result<Graded, Vec<Finding>> {
             .hint("give the folder that `slipstick grade` made")));
     }
     let basis = folder.join(BASIS);
-    for needed in [ANSWERS, PROVENANCE, "basis/set.json", "basis/bank.yaml", "basis/key.csv"] {
+    for needed in [ANSWERS, GRADING, "basis/set.json", "basis/bank.yaml", "basis/key.csv"] {
         if !folder.join(needed).is_file() {
             let fault = Finding::new("", format!("holds no {needed}")).in_file(name);
             return Err(one(fault.hint(
@@ -73,25 +71,21 @@ pub fn open(folder: &Path, only: Option<&str>) -> Result<Graded, Vec<Finding>> {
     let mut set = generate::existing(&basis)?;
     let bank_path = basis.join("bank.yaml").display().to_string();
     let bank = banks::parse(&files::read_text(&basis.join("bank.yaml")).map_err(one)?, &bank_path)?;
-    let course_path = basis.join("course.yaml");
-    let policy = if course_path.is_file() {
-        let text = files::read_text(&course_path).map_err(one)?;
-        course::course(&text, &course_path.display().to_string(), &bank.grading)?
-    } else {
-        bank.grading.clone()
-    };
-    let path = folder.join(PROVENANCE);
-    let text = files::read_text(&path).map_err(one)?;
-    let provenance: Value = serde_json::from_str(&text).map_err(|e| {
-        one(Finding::new("", format!("cannot be read: {e}"))
-            .in_file(path.display().to_string())
-            .hint("it is written by `slipstick grade` and not meant to be edited"))
-    })?;
-    let said = provenance.pointer("/bank/sha256").and_then(Value::as_str).unwrap_or_default();
-    if said != bank.hash {
+    let path = folder.join(GRADING);
+    let file = path.display().to_string();
+    let grading =
+        Grading::parse(&files::read_text(&path).map_err(one)?).map_err(|f| one(f.in_file(&file)))?;
+    if grading.bank_sha256 != bank.hash {
         let fault = Finding::new("", "is not the bank by which this was graded: its SHA-256 is another");
         return Err(one(fault.in_file(bank_path).hint("put the original copy back, or grade again")));
     }
+    let course_path = basis.join(grade::COURSE);
+    let course = match course_path.is_file() {
+        true => Some((course_path.display().to_string(), files::read_text(&course_path).map_err(one)?)),
+        false => None,
+    };
+    let course = course.as_ref().map(|(file, text)| (file.as_str(), text.as_str()));
+    let policy = grade::policy(&bank.grading, course, attempts(grading.attempts.as_deref()))?;
     if let Some(only) = only {
         set.students.retain(|s| s.student == only);
     }
@@ -105,18 +99,20 @@ pub fn open(folder: &Path, only: Option<&str>) -> Result<Graded, Vec<Finding>> {
     if !faults.is_empty() {
         return Err(faults);
     }
-    Ok(Graded { folder: folder.to_owned(), set, bank, policy, given, provenance })
+    Ok(Graded { folder: folder.to_owned(), set, bank, policy, given, grading })
+}
+
+/// What the command said about attempts.
+pub fn attempts(said: Option<&str>) -> Option<Attempts> {
+    match said? {
+        "best" => Some(Attempts::Best),
+        "first" => Some(Attempts::First),
+        "last" => Some(Attempts::Last),
+        _ => None,
+    }
 }
 
 impl Graded {
-    /// A text of grading.json by its path, such as `/bank/sha256`; empty where there is none.
-    pub fn said(&self, path: &str) -> String {
-        match self.provenance.pointer(path) {
-            Some(Value::String(text)) => text.clone(),
-            Some(Value::Null) | None => String::new(),
-            Some(other) => other.to_string(),
-        }
-    }
     /// Walks over the rows of answers.csv.
     ///
     /// # Errors

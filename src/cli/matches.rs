@@ -1,6 +1,12 @@
-//! matches.csv: whose answers the wrong answers of a grading are. For instructors only.
+//! `slipstick matches` and matches.csv: whose answers the wrong answers of a grading are. For instructors only.
 use crate::answer::read::UnitCache;
+use crate::cli::args;
+use crate::cli::files;
+use crate::cli::graded;
 use crate::cli::graded::Graded;
+use crate::cli::tell;
+use crate::cli::tell::Exit;
+use crate::cli::tell::Io;
 use crate::finding::Finding;
 use crate::grade::feedback::Feedback;
 use crate::grade::judge;
@@ -22,6 +28,11 @@ use std::collections::BTreeMap;
 
 /// With the draws of the class so many keys of each question are known: what a class is too small for, further draws show.
 const KEYS: usize = 300;
+
+/// The file, in the folder of the grading.
+pub const MATCHES: &str = "matches.csv";
+/// Pairs shown on the terminal; the others stand in the file.
+const SHOWN: usize = 20;
 
 /// A pair, in words.
 #[derive(Debug, Clone, PartialEq)]
@@ -202,4 +213,58 @@ pub fn csv(found: &Matches) -> Vec<u8> {
         );
     }
     out
+}
+
+/// Runs `slipstick matches`.
+pub fn run(args: &args::Matches, io: &mut Io) -> Exit {
+    match graded::open(&args.graded, None).and_then(|graded| find(&graded)) {
+        Ok(found) => {
+            io.piece(&told(&found));
+            let path = args.graded.join(MATCHES);
+            let text = String::from_utf8_lossy(&csv(&found)).into_owned();
+            match files::put_all(&[(path.clone(), text)]) {
+                Ok(()) => {
+                    io.line(&format!("  all of them, for your eyes only: {}", path.display()));
+                    Exit::Fine
+                }
+                Err(fault) => io.findings(&[fault]),
+            }
+        }
+        Err(findings) => io.findings(&findings),
+    }
+}
+
+/// Pairs for the terminal.
+fn told(found: &Matches) -> String {
+    let mut text = found.summary();
+    text.push('\n');
+    if found.pairs.is_empty() {
+        return text;
+    }
+    let head = ["look", "student", "key of", "parts", "answers", "chance", "by luck", "other explanation"];
+    let mut rows = vec![head.map(str::to_owned).to_vec()];
+    for pair in found.pairs.iter().take(SHOWN) {
+        rows.push(vec![
+            if pair.flagged { "yes" } else { "" }.to_owned(),
+            pair.student[0].clone(),
+            pair.classmate[0].clone(),
+            pair.parts.join(" "),
+            pair.answers
+                .iter()
+                .map(|a| a.chars().take(20).collect::<String>())
+                .collect::<Vec<_>>()
+                .join(" | "),
+            format!("{:.0e}", pair.chance),
+            format!("{:.0e}", pair.expected),
+            pair.explained.clone(),
+        ]);
+    }
+    text.push_str(&tell::table(&rows, &[0, 1, 2, 3, 4, 7]));
+    if found.pairs.len() > SHOWN {
+        text.push_str(&format!("  and {} more\n", found.pairs.len() - SHOWN));
+    }
+    text.push_str(
+        "  A match accuses nobody: sheets get swapped, friends compute with one set of data, a form is filled in for another.\n",
+    );
+    text
 }

@@ -17,6 +17,7 @@ mod lint;
 mod matches;
 mod output;
 mod practice;
+mod regrade;
 mod solutions;
 mod solve;
 pub mod tell;
@@ -55,6 +56,8 @@ pub fn run(args: impl IntoIterator<Item = OsString>, io: &mut Io) -> Exit {
         Verb::Gallery(args) => gallery::run(&args, io),
         Verb::Verify(args) => verify::run(&args, io),
         Verb::Solutions(args) => solutions::run(&args, io),
+        Verb::Regrade(args) => regrade::run(&args, io),
+        Verb::Matches(args) => matches::run(&args, io),
         Verb::WhatIf(args) => what_if::run(&args, io),
         Verb::Explain(args) => explain::run(&args, io),
         Verb::Templates(args) => templates::run(&args, io),

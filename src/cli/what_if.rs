@@ -97,8 +97,10 @@ fn what_if(args: &args::WhatIf) -> Result<String, Vec<Finding>> {
     for trial in &mut trials {
         for part in 0..parts {
             for student in 0..students {
-                if let Some(entry) = trial.table.entry(student, part) {
-                    trial.what.key(part, entry);
+                if let (Some(entry), Some(other)) =
+                    (now.entry(student, part), trial.table.entry(student, part))
+                {
+                    trial.what.key(part, entry, other);
                 }
             }
         }
@@ -126,7 +128,7 @@ fn key(graded: &Graded, given: &crate::set::given::Given, share: Option<f64>) ->
 }
 
 /// `1 %`, or the range where variants differ; `-` for a word.
-fn tolerance(table: &KeyTable, part: usize) -> String {
+pub fn tolerance(table: &KeyTable, part: usize) -> String {
     let mut range: Option<(f64, f64)> = None;
     for student in 0..table.students.len() {
         if let Some(Answer::Number { value, half_width, .. }) = table.entry(student, part).map(|e| &e.answer)
@@ -188,8 +190,8 @@ fn told(args: &args::WhatIf, now: &KeyTable, trials: &[Trial], answers: u64, ear
     line("mean of points", format!("{:.2}", earned / students), &|t| {
         format!("{:.2}", (earned + t.what.points.iter().sum::<f64>()) / students)
     });
-    line("wrong methods that would pass", String::new(), &|t| t.what.total().methods.to_string());
-    line("keys with a wrong method within", String::new(), &|t| t.what.total().within.to_string());
+    line("answers of wrong methods that would pass", String::new(), &|t| t.what.total().methods.to_string());
+    line("sheets where a wrong method would pass", String::new(), &|t| t.what.total().within.to_string());
     text.push_str(&tell::table(&rows, &[0]));
     let catalogue = Catalogue::built_in();
     for trial in trials.iter().filter(|t| !t.what.methods.is_empty()) {

@@ -72,7 +72,7 @@ pub struct SheetKey {
 }
 
 /// The key of one problem of one student.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct ProblemKey {
     /// Id of the problem.
     pub id: String,

@@ -415,11 +415,11 @@ impl Policy {
         self.late.closes.is_some()
             || self.late.penalty > 0.0 && (self.due.is_some() || !self.extensions.is_empty())
     }
-    /// Points of a part: those of the course, else `own`.
-    pub fn points_of(&self, number: usize, problem: &str, part: &str, own: f64) -> f64 {
+    /// Points that the course gives a part.
+    pub fn points_given(&self, number: usize, problem: &str, part: &str) -> Option<f64> {
         let mut given =
             self.points.iter().filter(|(p, _)| p.part.is_some() && p.means(number, problem, part));
-        given.next().map_or(own, |(_, points)| *points)
+        given.next().map(|(_, points)| *points)
     }
     /// The correction of a part that gives most.
     pub fn correction(&self, number: usize, problem: &str, part: &str) -> Option<&Correction> {

@@ -1,6 +1,6 @@
 //! answers.csv of a grading, row by row.
-use crate::grade::run::push_text;
 use crate::grade::verdict::Verdict;
+use crate::grade::write::push_text;
 use std::io::Read;
 
 /// One row: an answer cell and what became of it.
@@ -165,7 +165,7 @@ pub fn push_line(out: &mut Vec<u8>, fields: &[&str]) {
 }
 
 /// Without the apostrophe that keeps spreadsheets from running a cell.
-fn unguarded(text: String) -> String {
+pub fn unguarded(text: String) -> String {
     match text.strip_prefix('\'') {
         Some(rest) if rest.starts_with(['=', '+', '-', '@', '\t', '\r']) => rest.to_owned(),
         _ => text,

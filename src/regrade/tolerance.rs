@@ -19,7 +19,7 @@ pub struct Change {
     pub lost: u64,
     /// Answers that would become right although they fit a known wrong method.
     pub methods: u64,
-    /// Students on whose sheet a known wrong method comes to an answer that would be right.
+    /// Sheets on which a known wrong method comes to an answer that would become right.
     pub within: u64,
 }
 
@@ -89,10 +89,13 @@ impl WhatIf {
         }
     }
 
-    /// Counts a sheet on which a wrong method comes to an answer that this key takes for right.
-    pub fn key(&mut self, part: usize, entry: &KeyEntry) {
-        let Answer::Number { value, half_width, .. } = entry.answer else { return };
-        if entry.wrong.iter().any(|w| accepts(w.value, value, half_width)) {
+    /// Counts a sheet on which a wrong method comes to an answer that is not right now, and would be by the other key.
+    pub fn key(&mut self, part: usize, now: &KeyEntry, other: &KeyEntry) {
+        let right = |entry: &KeyEntry, x: f64| match entry.answer {
+            Answer::Number { value, half_width, .. } => accepts(x, value, half_width),
+            Answer::Word { .. } => false,
+        };
+        if now.wrong.iter().any(|w| right(other, w.value) && !right(now, w.value)) {
             self.parts[part].within += 1;
         }
     }

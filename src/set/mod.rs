@@ -4,6 +4,7 @@
 //! Grading trusts none of them alone: [`replay`] draws and solves everything again and compares.
 pub mod coincide;
 pub mod given;
+pub mod grading;
 pub mod key_file;
 pub mod replay;
 pub mod store;
