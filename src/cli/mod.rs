@@ -7,19 +7,24 @@ pub mod args;
 mod banks;
 mod check;
 mod demo;
+mod explain;
 mod files;
 mod gallery;
 mod generate;
 mod grade;
+mod graded;
 mod lint;
+mod matches;
 mod output;
 mod practice;
+mod regrade;
 mod report;
 mod solutions;
 mod solve;
 pub mod tell;
 mod templates;
 mod verify;
+mod what_if;
 mod words;
 
 use crate::cli::args::Typed;
@@ -57,6 +62,10 @@ pub fn run(args: impl IntoIterator<Item = OsString>, io: &mut Io) -> Exit {
         Verb::Gallery(args) => gallery::run(&args, io),
         Verb::Verify(args) => verify::run(&args, io),
         Verb::Solutions(args) => solutions::run(&args, io),
+        Verb::Regrade(args) => regrade::run(&args, io),
+        Verb::Matches(args) => matches::run(&args, io),
+        Verb::WhatIf(args) => what_if::run(&args, io),
+        Verb::Explain(args) => explain::run(&args, io),
         Verb::Templates(args) => templates::run(&args, io),
         Verb::Demo(args) => demo::run(&args, io),
     };

@@ -337,7 +337,7 @@ fn superseded(reason: &str) -> Option<(Verdict, String)> {
 /// A field as the grader writes it: what a spreadsheet would run has an apostrophe in front.
 fn guarded(text: &str) -> String {
     let mut out = Vec::new();
-    crate::grade::run::push_text(&mut out, text.as_bytes());
+    crate::grade::write::push_text(&mut out, text.as_bytes());
     let mut reader = csv::ReaderBuilder::new().has_headers(false).from_reader(out.as_slice());
     let mut record = csv::ByteRecord::new();
     match reader.read_byte_record(&mut record) {
