@@ -24,12 +24,28 @@ struct Line {
 pub struct Ledger<'w> {
     words: &'w Words,
     lines: Vec<Line>,
+    /// Figures with which a found quantity is kept; `None`: all.
+    kept: Option<usize>,
 }
 
 impl<'w> Ledger<'w> {
     /// An empty one.
     pub fn new(words: &'w Words) -> Self {
-        Self { words, lines: Vec::new() }
+        Self { words, lines: Vec::new(), kept: None }
+    }
+
+    /// An empty one of somebody who writes each quantity down with so many figures when it is found, and goes on with what is
+    /// written. Data are exact.
+    pub fn by_hand(words: &'w Words, figures: usize) -> Self {
+        Self { kept: Some(figures.max(1)), ..Self::new(words) }
+    }
+
+    /// What is kept of a found value.
+    fn kept(&self, value: f64) -> f64 {
+        match self.kept {
+            Some(figures) => number::rounded(value, figures).parse().unwrap_or(value),
+            None => value,
+        }
     }
 
     /// A datum: its digits are those printed. `unit` is LaTeX, empty for a pure number; an angle in degrees has none.
@@ -42,6 +58,7 @@ impl<'w> Ledger<'w> {
 
     /// A quantity that is found: its full value is kept, [`FIGURES`] figures of it are shown.
     pub fn found(&mut self, tex: &str, value: f64, unit: &str) -> Symbol {
+        let value = self.kept(value);
         let digits = number::rounded(value, FIGURES);
         self.given(tex, value, &digits, unit, false)
     }
@@ -59,6 +76,7 @@ impl<'w> Ledger<'w> {
 
     /// Gives an unknown its value.
     pub fn settle(&mut self, symbol: Symbol, value: f64) {
+        let value = self.kept(value);
         if let Some(line) = self.lines.get_mut(symbol.0) {
             line.value = value;
             line.digits = number::rounded(value, FIGURES);
