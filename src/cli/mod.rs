@@ -14,6 +14,7 @@ mod grade;
 mod lint;
 mod output;
 mod practice;
+mod simulate;
 mod solutions;
 mod solve;
 pub mod tell;
@@ -52,6 +53,7 @@ pub fn run(args: impl IntoIterator<Item = OsString>, io: &mut Io) -> Exit {
         Verb::Verify(args) => verify::run(&args, io),
         Verb::Solutions(args) => solutions::run(&args, io),
         Verb::Templates(args) => templates::run(&args, io),
+        Verb::Simulate(args) => simulate::run(&args, io),
         Verb::Demo(args) => demo::run(&args, io),
     };
     let _ = io.out.flush();
