@@ -14,12 +14,13 @@ fn explore() {
     let n: u32 = std::env::var("N").ok().and_then(|t| t.parse().ok()).unwrap_or(300);
     let words = Words::english();
     for bank in support::banks() {
-        for problem in &bank.problems {
+        for problem in bank.problems.iter().filter(|p| std::env::var("P").map_or(true, |f| f == p.id)) {
             let t0 = std::time::Instant::now();
             let maker = Maker::new(problem, 4, "scoring");
             let mut miss = vec![[0u32; 6]; problem.questions.len()];
             let mut seen = vec![[0u32; 6]; problem.questions.len()];
             let mut failed = 0;
+            let mut errs: Vec<[Vec<(f64, f64, f64)>; 2]> = vec![Default::default(); problem.questions.len()];
             let mut tw = std::time::Duration::ZERO;
             let mut why = String::new();
             for student in 0..n {
@@ -35,6 +36,12 @@ fn explore() {
                     let u = &problem.questions[i].unit;
                     for (k, x) in [h.eom, h.energy].into_iter().enumerate() {
                         let Some(x) = x else { continue };
+                        {
+                            let w = u.to_si(fig(u.from_si(x), 3));
+                            let c = key.parts[i].cond.unwrap();
+                            let rel = (w - value).abs() / value.abs();
+                            errs[i][k].push((rel, rel / c.max(1.0), (w - value).abs() / half_width));
+                        }
                         for (j, f) in [3, 4].into_iter().enumerate() {
                             let w = u.to_si(fig(u.from_si(x), f));
                             seen[i][2 * k + j] += 1;
@@ -50,6 +57,10 @@ fn explore() {
                     100.0*miss[i][0] as f64/seen[i][0] as f64, 100.0*miss[i][1] as f64/seen[i][1] as f64, seen[i][2],
                     100.0*miss[i][2] as f64/seen[i][2] as f64, 100.0*miss[i][3] as f64/seen[i][3] as f64,
                     100.0*miss[i][4] as f64/seen[i][0] as f64, q.relative.fixed());
+                for e in &errs[i] {
+                    let q = |f: &dyn Fn(&(f64, f64, f64)) -> f64, p: f64| { let mut v: Vec<f64> = e.iter().map(f).collect(); v.sort_by(f64::total_cmp); v.get(((v.len() as f64) * p) as usize).copied().unwrap_or(f64::NAN) };
+                    println!("         rel 99 {:5.2} % 99.8 {:5.2} %   per cond 99 {:5.2} 99.8 {:5.2}   halfwidths 99.8 {:5.2}", 100.0*q(&|x| x.0, 0.99), 100.0*q(&|x| x.0, 0.998), 100.0*q(&|x| x.1, 0.99), 100.0*q(&|x| x.1, 0.998), q(&|x| x.2, 0.998));
+                }
             }
         }
     }

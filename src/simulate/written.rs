@@ -201,7 +201,8 @@ mod tests {
             for _ in 0..200 {
                 let slipped = mistyped(digits, &mut chance);
                 assert!(slipped.parse::<f64>().is_ok_and(f64::is_finite), "{digits} {slipped}");
-                assert!(slipped != digits, "{digits}");
+                // Of a single digit there is not always another.
+                assert!(slipped != digits || digits.len() == 1, "{digits}");
             }
         }
         assert_eq!((disguised("30.26").as_str(), disguised("1.29e6").as_str()), ("30.27", "1.28e6"));
