@@ -34,7 +34,8 @@ fn explore() {
                     let i = problem.questions.iter().position(|q| q.label == h.label).unwrap();
                     let Answer::Number { value, half_width, .. } = key.parts[i].answer else { continue };
                     let u = &problem.questions[i].unit;
-                    for (k, x) in [h.eom, h.energy].into_iter().enumerate() {
+                    let (ev, nv) = (h.eom.map(|r| r.value), h.energy.map(|r| r.value)); { let x = h.value().unwrap(); let w = u.to_si(fig(u.from_si(x), 3)); miss[i][5] += u32::from(!accepts(w, value, half_width)); }
+ for (k, x) in [ev, nv].into_iter().enumerate() {
                         let Some(x) = x else { continue };
                         {
                             let w = u.to_si(fig(u.from_si(x), 3));
@@ -53,10 +54,10 @@ fn explore() {
             }
             println!("{} {:.1}s, by hand {:.1}s, failed {failed} {why}", problem.id, t0.elapsed().as_secs_f64(), tw.as_secs_f64());
             for (i, q) in problem.questions.iter().enumerate() {
-                println!("   {:22} eom {:4} {:5.2} {:5.2} % energy {:4} {:5.2} {:5.2}   half {:5.1}  {:?}", q.id, seen[i][0],
+                println!("   {:22} eom {:4} {:5.2} {:5.2} % energy {:4} {:5.2} {:5.2}   half {:5.1}  {:?}  TAKEN {:5.2}", q.id, seen[i][0],
                     100.0*miss[i][0] as f64/seen[i][0] as f64, 100.0*miss[i][1] as f64/seen[i][1] as f64, seen[i][2],
                     100.0*miss[i][2] as f64/seen[i][2] as f64, 100.0*miss[i][3] as f64/seen[i][3] as f64,
-                    100.0*miss[i][4] as f64/seen[i][0] as f64, q.relative.fixed());
+                    100.0*miss[i][4] as f64/seen[i][0] as f64, q.relative.fixed(), 100.0*miss[i][5] as f64/seen[i][0] as f64);
                 for e in &errs[i] {
                     let q = |f: &dyn Fn(&(f64, f64, f64)) -> f64, p: f64| { let mut v: Vec<f64> = e.iter().map(f).collect(); v.sort_by(f64::total_cmp); v.get(((v.len() as f64) * p) as usize).copied().unwrap_or(f64::NAN) };
                     println!("         rel 99 {:5.2} % 99.8 {:5.2} %   per cond 99 {:5.2} 99.8 {:5.2}   halfwidths 99.8 {:5.2}", 100.0*q(&|x| x.0, 0.99), 100.0*q(&|x| x.0, 0.998), 100.0*q(&|x| x.1, 0.99), 100.0*q(&|x| x.1, 0.998), q(&|x| x.2, 0.998));

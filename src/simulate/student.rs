@@ -245,9 +245,7 @@ impl<'h> Student<'h> {
             memory.by_hand.push((figures, all));
         }
         let all = memory.by_hand.iter().find(|(f, _)| *f == figures).map(|(_, all)| all)?;
-        let found = all.iter().find(|h| h.label == label)?;
-        let energy = self.chance.meets(0.5);
-        let si = if energy { found.energy.or(found.eom) } else { found.eom.or(found.energy) }?;
+        let si = all.iter().find(|h| h.label == label)?.value()?;
         Some(plain(Kind::RoundedOnTheWay, Cell::number(si, &part.entry().unit, figures), Some(figures)))
     }
 
