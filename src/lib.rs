@@ -54,6 +54,7 @@ pub mod key;
 pub mod misconception;
 pub mod num;
 pub mod plot;
+pub mod policy;
 pub mod problem;
 pub mod report;
 pub mod scene;

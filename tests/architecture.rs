@@ -21,7 +21,8 @@ const DOORS: &[(&str, &[&str])] = &[
         &["solve::agree", "solve::eom", "solve::energy", "solve::outcome", "solve::method", "scene", "num"],
     ),
     ("solve::planted", &["solve::agree", "scene", "num"]),
-    ("bank", &["scene", "solve::outcome", "units", "finding", "num"]),
+    ("policy", &[]),
+    ("bank", &["scene", "solve::outcome", "units", "finding", "num", "policy"]),
     ("draw", &["bank", "scene", "units", "num"]),
     ("key", &["units", "num"]),
     (
@@ -99,8 +100,8 @@ const DOORS: &[(&str, &[&str])] = &[
         ],
     ),
     ("answer", &["units", "num", "finding"]),
-    ("grade", &["key", "answer", "units", "num", "words", "finding"]),
-    ("report", &["grade", "key", "units", "template"]),
+    ("grade", &["key", "answer", "units", "num", "words", "policy", "finding"]),
+    ("report", &["grade", "key", "units", "policy", "template"]),
     (
         "simulate",
         &[
@@ -148,6 +149,7 @@ const KEEPERS: &[(&str, &[&str])] = &[
     ("typst_layout", &["sheet::pdf"]),
     ("typst_pdf", &["sheet::pdf"]),
     ("hmac", &["draw"]),
+    ("jiff", &["policy"]),
 ];
 
 /// Module path of each source file and its text without comments and test modules.

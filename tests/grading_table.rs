@@ -8,7 +8,7 @@
     reason = "a test fails by panicking, tells figures with --nocapture, and NaN must fail its comparisons"
 )]
 use slipstick::grade::judge::judge;
-use slipstick::grade::run::Attempts;
+use slipstick::grade::rules::Rules;
 use slipstick::grade::run::GradeFault;
 use slipstick::grade::run::Graded;
 use slipstick::grade::run::Options;
@@ -19,6 +19,8 @@ use slipstick::key::Answer;
 use slipstick::key::KeyEntry;
 use slipstick::key::ProblemKey;
 use slipstick::key::SheetKey;
+use slipstick::policy::Counts;
+use slipstick::policy::Policy;
 use slipstick::report::gradebook::gradebook;
 use slipstick::units::Unit;
 use std::io::Cursor;
@@ -309,9 +311,13 @@ fn sheet(student: &str) -> SheetKey {
             ProblemKey {
                 id: "rolling".into(),
                 parts: vec![key("omega"), key("friction")],
-                methods: [].into(),
+                ..ProblemKey::default()
             },
-            ProblemKey { id: "slipping".into(), parts: vec![key("v"), key("rolls")], methods: [].into() },
+            ProblemKey {
+                id: "slipping".into(),
+                parts: vec![key("v"), key("rolls")],
+                ..ProblemKey::default()
+            },
         ],
     }
 }
@@ -320,9 +326,18 @@ fn table() -> KeyTable {
     KeyTable::new(["00123", "b", "nobody"].map(sheet).into(), &names)
 }
 fn run_with(bytes: &[u8], table: &KeyTable, options: &Options) -> Result<(String, Graded), GradeFault> {
+    run_by(bytes, table, options, &Policy::default())
+}
+fn run_by(
+    bytes: &[u8],
+    table: &KeyTable,
+    options: &Options,
+    policy: &Policy,
+) -> Result<(String, Graded), GradeFault> {
     let mut out = Vec::new();
     let open = || Ok(Box::new(Cursor::new(bytes.to_vec())) as Box<dyn std::io::Read + Send>);
-    let graded = grade(&open, table, options, &mut out, &mut |_| {})?;
+    let rules = Rules::new(table, policy).map_err(GradeFault::Header)?;
+    let graded = grade(&open, table, &rules, options, &mut out, &mut |_| {})?;
     Ok((String::from_utf8(out).expect("answers.csv is UTF-8"), graded))
 }
 fn run(text: &str) -> String {
@@ -351,23 +366,23 @@ fn a_messy_long_file() {
         b,1,omega,\"30.3\r\n\
         nobody,2,rolls,yes,\r\n";
     insta::assert_snapshot!(run(text), @r#"
-    line,column,student,problem,part,answer,verdict,points,max_points,reason
-    2,,00123,1,omega,30.3,superseded,0,1,superseded by line 3; would have been right
-    3,,00123,1,omega,31,wrong,0,1,not within the tolerance
-    4,,00123,1,omega,,blank,0,1,nothing written
-    5,,00123,1,omega,huh?,superseded,0,1,superseded by line 3; would have been unreadable: neither a number nor a known word
-    6,,123,1,omega,30.3,unknown student,0,0,not on the roster; did you mean 00123?
-    8,,b,2,v,"b,2,v,1,25 m/s,",unreadable,0,1,"6 fields where the header has 5: the comma split the answer: quote it (""1,25 m/s"") or write 1.25 m/s"
-    9,,b,2,v,"1,25 m/s",right,1,1,within the tolerance; the comma is read as the decimal mark
-    10,,b,2,rolls,"b,2,rolls",unreadable,0,1,3 fields where the header has 5
-    11,,b,2,v,"b,2,v,-1,25,a",unreadable,0,1,"6 fields where the header has 5: the comma split the answer: quote it (""-1,25"") or write -1.25"
-    12,,b,2,omgea,1,unknown part,0,0,"no part `omgea`; parts: v, rolls"
-    13,,b,7,v,1,unknown part,0,0,"no problem `7`; problems: 1 (rolling), 2 (slipping)"
-    14,,,,,",,,,",blank,0,0,an empty record
-    15,,b,1,friction,-62.6 N,wrong direction,0,1,"the magnitude is right, the sign is not"
-    16,,b,2,rolls,'=1+1,unreadable,0,1,"more than one number: write one number and its unit; write one of: yes, no"
-    17,,b,1,omega,"""30.3",unreadable,0,1,a quote opened on line 17 is not closed there
-    18,,nobody,2,rolls,yes,right,1,1,the right word
+    line,column,student,problem,part,answer,verdict,points,max_points,reason,methods,slip,credit,submitted_at
+    2,,00123,1,omega,30.3,superseded,0,1,superseded by line 3; would have been right,,,,
+    3,,00123,1,omega,31,wrong,0,1,not within the tolerance,,,,
+    4,,00123,1,omega,,blank,0,1,nothing written,,,,
+    5,,00123,1,omega,huh?,superseded,0,1,superseded by line 3; would have been unreadable: neither a number nor a known word,,,,
+    6,,123,1,omega,30.3,unknown student,0,0,not on the roster; did you mean 00123?,,,,
+    8,,b,2,v,"b,2,v,1,25 m/s,",unreadable,0,1,"6 fields where the header has 5: the comma split the answer: quote it (""1,25 m/s"") or write 1.25 m/s",,,,
+    9,,b,2,v,"1,25 m/s",right,1,1,within the tolerance; the comma is read as the decimal mark,,,,
+    10,,b,2,rolls,"b,2,rolls",unreadable,0,1,3 fields where the header has 5,,,,
+    11,,b,2,v,"b,2,v,-1,25,a",unreadable,0,1,"6 fields where the header has 5: the comma split the answer: quote it (""-1,25"") or write -1.25",,,,
+    12,,b,2,omgea,1,unknown part,0,0,"no part `omgea`; parts: v, rolls",,,,
+    13,,b,7,v,1,unknown part,0,0,"no problem `7`; problems: 1 (rolling), 2 (slipping)",,,,
+    14,,,,,",,,,",blank,0,0,an empty record,,,,
+    15,,b,1,friction,-62.6 N,wrong direction,0,1,"the magnitude is right, the sign is not",,,,
+    16,,b,2,rolls,'=1+1,unreadable,0,1,"more than one number: write one number and its unit; write one of: yes, no",,,,
+    17,,b,1,omega,"""30.3",unreadable,0,1,a quote opened on line 17 is not closed there,,,,
+    18,,nobody,2,rolls,yes,right,1,1,the right word,,,,
     "#);
 }
 
@@ -375,12 +390,12 @@ fn a_messy_long_file() {
 fn a_quote_left_open_swallows_no_answer() {
     let text = "student,problem,part,answer\nb,1,omega,\"30.3\nb,1,friction,62 N\n00123,2,v,1.25\"\nb,2,v,\"1.25\nm/s\"\n";
     insta::assert_snapshot!(run(text), @r#"
-    line,column,student,problem,part,answer,verdict,points,max_points,reason
-    2,,b,1,omega,"""30.3",unreadable,0,1,a quote opened on line 2 is not closed there
-    3,,b,1,friction,62 N,right,1,1,within the tolerance
-    4,,00123,2,v,"1.25""",unreadable,0,1,"unexpected `\""` at column 1"
+    line,column,student,problem,part,answer,verdict,points,max_points,reason,methods,slip,credit,submitted_at
+    2,,b,1,omega,"""30.3",unreadable,0,1,a quote opened on line 2 is not closed there,,,,
+    3,,b,1,friction,62 N,right,1,1,within the tolerance,,,,
+    4,,00123,2,v,"1.25""",unreadable,0,1,"unexpected `\""` at column 1",,,,
     5,,b,2,v,"1.25
-    m/s",right,1,1,within the tolerance
+    m/s",right,1,1,within the tolerance,,,,
     "#);
 }
 
@@ -391,13 +406,13 @@ fn columns_at_the_end_may_be_missing_and_odd_bytes_hide_no_name() {
         b,2,v,1,25 m/s\nb,2,rolls,y\0es,,\nb,2,rolls\nstr\0ange,2,rolls,yes,,\n";
     let out = run_with(text, &table(), &Options::default()).unwrap().0;
     insta::assert_snapshot!(out.replace('\u{fffd}', "?"), @r#"
-    line,column,student,problem,part,answer,verdict,points,max_points,reason
-    2,,b,1,omega,30.3,right,1,1,within the tolerance
-    3,,b,1,friction,62 N,right,1,1,within the tolerance
-    4,,b,2,v,"b,2,v,1,25 m/s",unreadable,0,1,"5 fields where the header has 6: the comma split the answer: quote it (""1,25 m/s"") or write 1.25 m/s"
-    5,,b,2,rolls,"b,2,rolls,y?es,,",unreadable,0,1,bytes that are no text: save the file as UTF-8
-    6,,b,2,rolls,"b,2,rolls",unreadable,0,1,3 fields where the header has 6
-    7,,,2,rolls,"str?ange,2,rolls,yes,,",unreadable,0,0,bytes that are no text: save the file as UTF-8
+    line,column,student,problem,part,answer,verdict,points,max_points,reason,methods,slip,credit,submitted_at
+    2,,b,1,omega,30.3,right,1,1,within the tolerance,,,,
+    3,,b,1,friction,62 N,right,1,1,within the tolerance,,,,2026-01-01
+    4,,b,2,v,"b,2,v,1,25 m/s",unreadable,0,1,"5 fields where the header has 6: the comma split the answer: quote it (""1,25 m/s"") or write 1.25 m/s",,,,
+    5,,b,2,rolls,"b,2,rolls,y?es,,",unreadable,0,1,bytes that are no text: save the file as UTF-8,,,,
+    6,,b,2,rolls,"b,2,rolls",unreadable,0,1,3 fields where the header has 6,,,,
+    7,,,2,rolls,"str?ange,2,rolls,yes,,",unreadable,0,0,bytes that are no text: save the file as UTF-8,,,,
     "#);
 }
 
@@ -410,9 +425,9 @@ fn parts_may_be_mapped_to_headers() {
     };
     let options = map(&[("student", "ID"), ("1.omega", "Angular speed"), ("rolling.friction", "friction")]);
     insta::assert_snapshot!(run_with(text.as_bytes(), &table(), &options).unwrap().0, @r"
-    line,column,student,problem,part,answer,verdict,points,max_points,reason
-    2,Angular speed,b,1,omega,30.3,right,1,1,within the tolerance
-    2,Friction,b,1,friction,62 N,right,1,1,within the tolerance
+    line,column,student,problem,part,answer,verdict,points,max_points,reason,methods,slip,credit,submitted_at
+    2,Angular speed,b,1,omega,30.3,right,1,1,within the tolerance,,,,
+    2,Friction,b,1,friction,62 N,right,1,1,within the tolerance,,,,
     ");
     let options = map(&[("student", "ID"), ("1.omgea", "Angular speed"), ("9.v", "note"), ("2.v", "Speed")]);
     insta::assert_snapshot!(run_with(text.as_bytes(), &table(), &options).unwrap_err().to_string(), @"
@@ -430,18 +445,18 @@ fn a_wide_file_and_the_gradebook() {
     let options = Options { columns: vec![("student".into(), "Email".into())], ..Options::default() };
     let (out, graded) = run_with(text.as_bytes(), &table(), &options).unwrap();
     insta::assert_snapshot!(out, @r#"
-    line,column,student,problem,part,answer,verdict,points,max_points,reason
-    2,1.omega,b,1,omega,"30,3",right,1,1,within the tolerance; the comma is read as the decimal mark
-    2,rolling.friction,b,1,friction,"62,6 N up",right,1,1,within the tolerance; the comma is read as the decimal mark
-    2,2.v,b,2,v,,blank,0,1,nothing written
-    2,2.nothing,b,2,nothing,5,unknown part,0,0,"no part `nothing`; parts: v, rolls"
-    3,,00123,,,00123;1;2,unreadable,0,0,3 fields where the header has 6
-    4,1.omega,00123,1,omega,289 rpm,right,1,1,within the tolerance
-    4,rolling.friction,00123,1,friction,"-62,6",wrong direction,0,1,"the magnitude is right, the sign is not; the comma is read as the decimal mark"
-    4,2.v,00123,2,v,"1,25",right,1,1,within the tolerance; the comma is read as the decimal mark
-    4,2.nothing,00123,2,nothing,,unknown part,0,0,"no part `nothing`; parts: v, rolls"
+    line,column,student,problem,part,answer,verdict,points,max_points,reason,methods,slip,credit,submitted_at
+    2,1.omega,b,1,omega,"30,3",right,1,1,within the tolerance; the comma is read as the decimal mark,,,,
+    2,rolling.friction,b,1,friction,"62,6 N up",right,1,1,within the tolerance; the comma is read as the decimal mark,,,,
+    2,2.v,b,2,v,,blank,0,1,nothing written,,,,
+    2,2.nothing,b,2,nothing,5,unknown part,0,0,"no part `nothing`; parts: v, rolls",,,,
+    3,,00123,,,00123;1;2,unreadable,0,0,3 fields where the header has 6,,,,
+    4,1.omega,00123,1,omega,289 rpm,right,1,1,within the tolerance,,,,
+    4,rolling.friction,00123,1,friction,"-62,6",wrong direction,0,1,"the magnitude is right, the sign is not; the comma is read as the decimal mark",,,,
+    4,2.v,00123,2,v,"1,25",right,1,1,within the tolerance; the comma is read as the decimal mark,,,,
+    4,2.nothing,00123,2,nothing,,unknown part,0,0,"no part `nothing`; parts: v, rolls",,,,
     "#);
-    insta::assert_snapshot!(String::from_utf8(gradebook(&table(), &graded)).unwrap(), @r#"
+    insta::assert_snapshot!(String::from_utf8(gradebook(&table(), &graded, &Policy::default())).unwrap(), @r#"
     student,name,1.omega,1.friction,2.v,2.rolls,total,max_total
     00123,"'=Ada, B.",1,0,1,,2,4
     b,Bo,1,1,,,2,4
@@ -456,13 +471,14 @@ fn attempts_are_ordered_by_time_and_else_by_row() {
         b,1,omega,30.3,2026-03-02 10:00\nb,1,omega,31,2026-03-01 10:00\n\
         b,2,v,1.25,2026-03-02 10:00\nb,2,v,1.3,yesterday\n";
     let verdicts = |attempts| {
-        let options = Options { attempts, ..Options::default() };
-        let out = run_with(text.as_bytes(), &table(), &options).unwrap().0;
+        let mut policy = Policy::default();
+        policy.attempts.counts = attempts;
+        let out = run_by(text.as_bytes(), &table(), &Options::default(), &policy).unwrap().0;
         out.lines().skip(1).map(|l| l.split(',').nth(6).unwrap().to_owned()).collect::<Vec<_>>()
     };
-    assert_eq!(verdicts(Attempts::Last), ["right", "superseded", "superseded", "wrong"]);
-    assert_eq!(verdicts(Attempts::First), ["superseded", "wrong", "right", "superseded"]);
-    assert_eq!(verdicts(Attempts::Best), ["right", "superseded", "right", "superseded"]);
+    assert_eq!(verdicts(Counts::Last), ["right", "superseded", "superseded", "wrong"]);
+    assert_eq!(verdicts(Counts::First), ["superseded", "wrong", "right", "superseded"]);
+    assert_eq!(verdicts(Counts::Best), ["right", "superseded", "right", "superseded"]);
     let (out, graded) = run_with(text.as_bytes(), &table(), &Options::default()).unwrap();
     assert!(out.contains("submitted_at cannot be read for every attempt"), "{out}");
     assert_eq!(graded.untimed, 1);
@@ -500,7 +516,7 @@ fn form_services_times_and_the_order_of_day_and_month() {
 fn a_single_attempt_needs_no_time() {
     let text = "student,problem,part,answer,submitted_at\nb,1,omega,30.3,yesterday\nb,2,v,,\nb,2,v,1.25,\n";
     let (out, graded) = run_with(text.as_bytes(), &table(), &Options::default()).unwrap();
-    assert_eq!((out.contains("submitted_at"), graded.untimed), (false, 0), "{out}");
+    assert_eq!((out.contains("submitted_at cannot"), graded.untimed), (false, 0), "{out}");
 }
 
 #[test]
@@ -584,7 +600,10 @@ fn a_line_of_100_mb_is_not_held() {
         };
         let (mut out, mut most) = (Vec::new(), 0);
         let options = Options { threads: 2, ..Options::default() };
-        let graded = grade(&open, &table(), &options, &mut out, &mut |_| most = peak().max(most)).unwrap();
+        let policy = Policy::default();
+        let rules = Rules::new(&table(), &policy).unwrap();
+        let graded =
+            grade(&open, &table(), &rules, &options, &mut out, &mut |_| most = peak().max(most)).unwrap();
         let out = String::from_utf8(out).unwrap();
         assert_eq!((graded.cells, graded.count(Verdict::Right)), (2, 1), "{out}");
         assert!(
@@ -651,7 +670,9 @@ fn speed_of_a_million_plain_rows() {
         let open = || Ok(Box::new(std::fs::File::open(&input)?) as Box<dyn std::io::Read + Send>);
         let mut out = std::fs::File::create(&output).unwrap();
         let options = Options { threads, ..Options::default() };
-        let graded = grade(&open, &table, &options, &mut out, &mut |_| {}).unwrap();
+        let policy = Policy::default();
+        let rules = Rules::new(&table, &policy).unwrap();
+        let graded = grade(&open, &table, &rules, &options, &mut out, &mut |_| {}).unwrap();
         let status = std::fs::read_to_string("/proc/self/status").unwrap_or_default();
         let peak = status.lines().find(|l| l.starts_with("VmHWM")).unwrap_or("").to_owned();
         eprintln!(

@@ -2,24 +2,22 @@
 //! `cos`.
 //!
 //! Values are SI. Dimensions are checked where they are known; the radian counts as a pure number here.
-use crate::num::trig;
+use crate::num::formula;
+use crate::num::formula::Formula;
 use crate::scene::Label;
-
-/// Degrees in a radian.
-const DEGREES: f64 = 180.0 / std::f64::consts::PI;
 
 /// Exponents of the base units, in quarters, so that square roots stay whole; the angle is left out.
 pub type Powers = [i32; 3];
 
 /// Deepest nesting that is read.
-const DEPTH: usize = 24;
+const DEPTH: usize = (formula::STACK - 8) / 2;
 /// Longest expression, in characters.
 const LENGTH: usize = 400;
 
 /// An expression, ready to be evaluated without allocation.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Expression {
-    steps: Vec<Step>,
+    formula: Formula<Name>,
     /// Dimension of the value.
     pub powers: Powers,
 }
@@ -33,21 +31,8 @@ pub enum Name {
     Quantity(Label),
 }
 
-#[derive(Debug, Clone, Copy, PartialEq)]
-enum Step {
-    Number(f64),
-    Name(Name),
-    Add,
-    Subtract,
-    Multiply,
-    Divide,
-    Negate,
-    Power(i32),
-    Sqrt,
-    Abs,
-    Sin,
-    Cos,
-}
+/// A step of an expression.
+type Step = formula::Step<Name>;
 
 /// What is wrong with an expression, and at which character (from 1).
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -84,66 +69,30 @@ impl Expression {
             let rest = chars[parser.at];
             return Err(parser.trouble(format!("`{rest}` is not expected here")));
         }
-        Ok(Self { steps: parser.steps, powers })
+        Ok(Self { formula: Formula::new(parser.steps), powers })
     }
     /// Does it need the solution, or are the data enough?
     pub fn needs_solution(&self) -> bool {
-        self.steps.iter().any(|s| matches!(s, Step::Name(Name::Quantity(_))))
+        self.quantities().next().is_some()
     }
     /// The quantities that it names.
     pub fn quantities(&self) -> impl Iterator<Item = Label> {
-        self.steps.iter().filter_map(|s| match s {
-            Step::Name(Name::Quantity(label)) => Some(*label),
-            _ => None,
+        self.formula.names().filter_map(|name| match name {
+            Name::Quantity(label) => Some(label),
+            Name::Datum(..) => None,
         })
     }
     /// Its value, SI; NaN where a quantity does not exist or the expression has no real value.
     pub fn eval(&self, data: &[f64], quantity: &dyn Fn(Label) -> f64) -> f64 {
-        let mut stack = [0.0f64; 2 * DEPTH + 8];
-        let mut top = 0usize;
-        for step in &self.steps {
-            match *step {
-                Step::Number(x) => top = push(&mut stack, top, x),
-                Step::Name(Name::Datum(i, factor)) => {
-                    top = push(&mut stack, top, data.get(i).copied().unwrap_or(f64::NAN) * factor);
-                }
-                Step::Name(Name::Quantity(label)) => top = push(&mut stack, top, quantity(label)),
-                Step::Negate => stack[top - 1] = -stack[top - 1],
-                Step::Sqrt => stack[top - 1] = stack[top - 1].sqrt(),
-                Step::Abs => stack[top - 1] = stack[top - 1].abs(),
-                // Radians inside; sines are taken of degrees, which the portable functions reduce exactly.
-                Step::Sin => stack[top - 1] = trig::sin_cos_degrees(stack[top - 1] * DEGREES).0.hi,
-                Step::Cos => stack[top - 1] = trig::sin_cos_degrees(stack[top - 1] * DEGREES).1.hi,
-                Step::Power(n) => stack[top - 1] = power(stack[top - 1], n),
-                Step::Add | Step::Subtract | Step::Multiply | Step::Divide => {
-                    let b = stack[top - 1];
-                    let a = stack[top - 2];
-                    top -= 1;
-                    stack[top - 1] = match step {
-                        Step::Add => a + b,
-                        Step::Subtract => a - b,
-                        Step::Multiply => a * b,
-                        _ => a / b,
-                    };
-                }
-            }
-        }
-        stack[0]
+        self.formula.eval(&|name| match name {
+            Name::Datum(i, factor) => data.get(i).copied().unwrap_or(f64::NAN) * factor,
+            Name::Quantity(label) => quantity(label),
+        })
     }
-}
-
-fn push(stack: &mut [f64], top: usize, x: f64) -> usize {
-    stack[top] = x;
-    top + 1
-}
-
-/// `x^n` by repeated multiplication, the same bits everywhere.
-fn power(x: f64, n: i32) -> f64 {
-    let mut product = 1.0;
-    for _ in 0..n.unsigned_abs() {
-        product *= x;
+    /// As a formula of its own.
+    pub fn formula(&self) -> &Formula<Name> {
+        &self.formula
     }
-    if n < 0 { 1.0 / product } else { product }
 }
 
 struct Parser<'a> {

@@ -1,6 +1,7 @@
 //! What an instructor writes: problems with their data, scenes, questions and rules, checked and ready to be drawn.
 use crate::bank::expression::Expression;
 use crate::finding::Finding;
+use crate::policy::Policy;
 use crate::scene::{Label, Scene};
 use crate::solve::outcome::CheckKind;
 use crate::units::Unit;
@@ -26,6 +27,8 @@ pub struct Bank {
     pub self_check: bool,
     /// May `check --reveal` show values?
     pub reveal: bool,
+    /// Settings that bear on marks.
+    pub grading: Policy,
     /// SHA-256 of the file's bytes, hex.
     pub hash: String,
 }
@@ -259,6 +262,7 @@ impl Relative {
 /// What doubles may add to a whole number of tenths of a per cent.
 const ROUNDING: f64 = 1e-6;
 
+pub mod course;
 pub mod decimal;
 pub mod expression;
 pub mod load;

@@ -1,6 +1,7 @@
 //! The file format of a bank: which fields there are and what they mean. All findings are collected.
 use crate::bank::TEMPLATE_NAMES;
 use crate::bank::Variables;
+use crate::bank::course;
 use crate::bank::decimal::{self, Decimal};
 use crate::bank::expression::{Expression, Name, Powers};
 use crate::bank::measure;
@@ -9,6 +10,7 @@ use crate::bank::node::{Faults, Fields, Node, Value, close_name, named, shorten}
 use crate::bank::review;
 use crate::bank::scene::{self, Need, Symbol};
 use crate::bank::{Bank, Bound, Case, Datum, Draw, FigureLabels, Problem, Question, Relative};
+use crate::policy::Policy;
 use crate::scene::{Label, Owner, Quantity, Scene};
 use crate::solve::outcome::{CheckKind, Motion};
 use crate::units::Unit;
@@ -72,6 +74,9 @@ pub fn bank(node: &Node, variables: Option<Variables>, faults: &Faults) -> Optio
     let cond_limit = fields.get("cond limit").and_then(|n| limit(n, COND_LIMITS, faults));
     let energy_limit = fields.get("input energy limit").and_then(|n| limit(n, ENERGY_LIMITS, faults));
     let figure = fields.get("figure").and_then(|n| choice(n, &FIGURE_LABELS, faults));
+    let grading = Policy::default();
+    let grading =
+        fields.get("grading").map_or_else(|| grading.clone(), |n| course::read(n, &grading, faults));
     let problems_node = fields.need("problems", "{pulled-rolling: {...}}", faults);
     fields.close(faults);
     let default_gravity = || measure::decimal_constant(GRAVITY).ok();
@@ -98,7 +103,7 @@ pub fn bank(node: &Node, variables: Option<Variables>, faults: &Faults) -> Optio
             }
         }
     }
-    Some(Bank { id: id?, title: title?, problems, self_check, reveal, hash: String::new() })
+    Some(Bank { id: id?, title: title?, problems, self_check, reveal, grading, hash: String::new() })
 }
 
 const FIGURE_LABELS: [(&str, FigureLabels); 3] =

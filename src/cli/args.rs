@@ -198,19 +198,22 @@ pub struct Grade {
     pub set: PathBuf,
     /// CSV file with the answers; `-` reads standard input
     pub submissions: PathBuf,
-    /// Folder to make, for answers.csv and gradebook.csv
-    #[arg(long, value_name = "DIR2")]
+    /// Folder to make
+    #[arg(long, value_name = "GRADED")]
     pub out: PathBuf,
+    /// Settings that bear on marks: due date, attempts, late penalty, credit, rounding, corrections (see `slipstick course`)
+    #[arg(long, value_name = "FILE")]
+    pub course: Option<PathBuf>,
     /// Language of the reasons: en or de [default: that of the set]
     #[arg(long, value_name = "CODE")]
     pub language: Option<String>,
-    /// Which attempt counts where there are several
-    #[arg(long, value_enum, default_value = "last")]
-    pub attempts: Attempts,
+    /// Which attempt counts where there are several [default: as the course or the bank says, else the last]
+    #[arg(long, value_enum)]
+    pub attempts: Option<Attempts>,
     /// Which column is which, such as student="Email Address"; may be repeated
     #[arg(long, value_name = "FIELD=HEADER")]
     pub columns: Vec<String>,
-    /// Replace answers.csv and gradebook.csv of an earlier run
+    /// Replace an earlier grading
     #[arg(long)]
     pub force: bool,
 }

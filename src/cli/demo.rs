@@ -1,6 +1,5 @@
 //! `slipstick demo`: the whole job on a made-up class.
 use crate::cli::args;
-use crate::cli::args::Attempts;
 use crate::cli::args::Format;
 use crate::cli::args::Own;
 use crate::cli::banks;
@@ -71,7 +70,8 @@ fn demo(dir: &Path, io: &mut Io) -> Result<(), Vec<Finding>> {
         set: &root.join("set"),
         submissions: &root.join("submissions.csv"),
         out: &root.join("grades"),
-        attempts: Attempts::Last,
+        attempts: None,
+        course: None,
         columns: &[],
         language: None,
         force: false,

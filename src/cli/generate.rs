@@ -11,6 +11,7 @@ use crate::cli::lint;
 use crate::cli::output;
 use crate::cli::output::Made;
 use crate::cli::output::Output;
+use crate::cli::tell;
 use crate::cli::tell::Exit;
 use crate::cli::tell::Io;
 use crate::cli::tell::count;
@@ -507,7 +508,7 @@ fn store(
         format: store::FORMAT,
         name: plan.name.to_owned(),
         seed: plan.seed,
-        program: format!("{} {}", env!("CARGO_PKG_NAME"), env!("CARGO_PKG_VERSION")),
+        program: tell::program(),
         draw_version: stream::DRAW_VERSION,
         language: plan.texts.words.language().to_owned(),
         formats: plan.formats.iter().map(|f| f.ending().to_owned()).collect(),

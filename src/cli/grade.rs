@@ -1,4 +1,7 @@
 //! `slipstick grade`: submissions against a stored set, whose key is made anew before anything is graded.
+use crate::bank;
+use crate::bank::Bank;
+use crate::bank::load;
 use crate::cli::args;
 use crate::cli::args::Attempts;
 use crate::cli::banks;
@@ -10,13 +13,19 @@ use crate::cli::tell::Exit;
 use crate::cli::tell::Io;
 use crate::finding::Finding;
 use crate::grade::feedback::Feedback;
+use crate::grade::rules::Rules;
 use crate::grade::run;
 use crate::grade::run::GradeFault;
 use crate::grade::run::Options;
 use crate::grade::table::KeyTable;
 use crate::grade::verdict::Verdict;
 use crate::key::SheetKey;
+use crate::policy::Counts;
+use crate::policy::Policy;
 use crate::report::gradebook;
+use crate::set::grading;
+use crate::set::grading::BASIS;
+use crate::set::grading::Grading;
 use crate::set::key_file;
 use crate::set::replay;
 use crate::set::store::StoredSet;
@@ -29,8 +38,28 @@ use std::io::Write as _;
 use std::path::Path;
 use tempfile::NamedTempFile;
 
-/// Files of a grading.
-const MADE: [&str; 2] = ["answers.csv", "gradebook.csv"];
+/// Every answer with its verdict.
+pub const ANSWERS: &str = "answers.csv";
+/// A row for each student.
+pub const GRADEBOOK: &str = "gradebook.csv";
+/// What the grading was made from.
+pub const GRADING: &str = "grading.json";
+/// The course file within the basis of a grading.
+pub const COURSE: &str = "course.yaml";
+/// What the folder of a grading may hold; anything else there is somebody's own.
+const OURS: [&str; 11] = [
+    ANSWERS,
+    GRADEBOOK,
+    GRADING,
+    BASIS,
+    "gradebook-canvas.csv",
+    "gradebook-moodle.csv",
+    "report.html",
+    "tables",
+    "feedback",
+    "matches.csv",
+    "changes.csv",
+];
 
 /// What is to be graded.
 pub struct Job<'j> {
@@ -40,8 +69,10 @@ pub struct Job<'j> {
     pub submissions: &'j Path,
     /// Folder to make.
     pub out: &'j Path,
-    /// Which attempt counts.
-    pub attempts: Attempts,
+    /// Which attempt counts, over bank and course.
+    pub attempts: Option<Attempts>,
+    /// Course file.
+    pub course: Option<&'j Path>,
     /// `field=header`.
     pub columns: &'j [String],
     /// Language of the reasons; that of the set if not given.
@@ -65,6 +96,7 @@ pub fn run(args: &args::Grade, io: &mut Io) -> Exit {
         submissions: &args.submissions,
         out: &args.out,
         attempts: args.attempts,
+        course: args.course.as_deref(),
         columns: &args.columns,
         language: args.language.as_deref(),
         force: args.force,
@@ -75,7 +107,7 @@ pub fn run(args: &args::Grade, io: &mut Io) -> Exit {
             io.line(&graded.summary);
             let out = args.out.display();
             io.line(&format!(
-                "  every answer: {out}/answers.csv; a row for each student: {out}/gradebook.csv"
+                "  every answer: {out}/{ANSWERS}; a row for each student: {out}/{GRADEBOOK}; why: slipstick explain {out} STUDENT PROBLEM"
             ));
             Exit::Fine
         }
@@ -83,8 +115,21 @@ pub fn run(args: &args::Grade, io: &mut Io) -> Exit {
     }
 }
 
+/// A set, its bank and its keys.
+pub struct Replayed {
+    /// What was drawn.
+    pub set: StoredSet,
+    /// The bank beside it.
+    pub bank: Bank,
+    /// The keys, made anew.
+    pub keys: Vec<SheetKey>,
+}
+
 /// The set in a folder and its key, made anew and compared with what is stored.
-pub fn replayed(folder: &Path) -> Result<(StoredSet, Vec<SheetKey>), Vec<Finding>> {
+///
+/// # Errors
+/// The set is not what it was made as.
+pub fn replayed(folder: &Path) -> Result<Replayed, Vec<Finding>> {
     let set = generate::existing(folder)?;
     let path = folder.join(&set.bank.file);
     let text = files::read_text(&path).map_err(|f| vec![f])?;
@@ -109,7 +154,7 @@ pub fn replayed(folder: &Path) -> Result<(StoredSet, Vec<SheetKey>), Vec<Finding
         );
         return Err(faults);
     }
-    Ok((set, keys))
+    Ok(Replayed { set, bank, keys })
 }
 
 /// Grades.
@@ -131,56 +176,149 @@ pub fn grade(job: &Job, input: &mut dyn BufRead) -> Result<Graded, Vec<Finding>>
     if !faults.is_empty() {
         return Err(faults);
     }
-    let (set, keys) = replayed(job.set)?;
+    let Replayed { set, bank, keys } = replayed(job.set)?;
+    let language = job.language.unwrap_or(&set.language);
     let words = match job.language {
         Some(language) => banks::words(language)?,
-        None => Words::of(&set.language).unwrap_or_else(Words::english),
+        None => Words::of(language).unwrap_or_else(Words::english),
     };
+    let course = match job.course {
+        Some(path) => Some((path.display().to_string(), files::read_text(path).map_err(|f| vec![f])?)),
+        None => None,
+    };
+    let course = course.as_ref().map(|(file, text)| (file.as_str(), text.as_str()));
+    let policy = policy(&bank.grading, course, job.attempts)?;
     let names: Vec<(String, String)> =
         set.students.iter().map(|s| (s.student.clone(), s.name.clone())).collect();
-    let table = KeyTable::new(keys, &names);
+    let mut table = KeyTable::new(keys, &names);
+    let settings =
+        course.map_or_else(|| job.set.join(&set.bank.file).display().to_string(), |(f, _)| f.to_owned());
+    table.take_points(&policy);
+    let rules = Rules::new(&table, &policy)
+        .map_err(|faults| faults.into_iter().map(|f| f.in_file(&settings)).collect::<Vec<_>>())?;
     let submissions = job.submissions.display().to_string();
     let spooled = spool(job.submissions, input)
         .map_err(|e| vec![files::trouble(job.submissions, "cannot be read", &e)])?;
     let path = spooled.as_ref().map_or(job.submissions, NamedTempFile::path);
     let size = fs::metadata(path).map_or(0, |m| m.len());
-    let bar = files::progress(job.watched && size > 20_000_000, size * 2, "grading");
+    let bar = files::progress(job.watched && size > 20_000_000, size * rules.reads(), "grading");
     let open = || -> io::Result<Box<dyn Read + Send>> { Ok(Box::new(fs::File::open(path)?)) };
     let options = Options {
-        attempts: match job.attempts {
-            Attempts::Last => run::Attempts::Last,
-            Attempts::Best => run::Attempts::Best,
-            Attempts::First => run::Attempts::First,
-        },
         columns,
         threads: std::thread::available_parallelism().map_or(1, usize::from),
         feedback: Feedback::new(&words),
     };
     let staged = Staged::new(job.out).map_err(|f| vec![f])?;
-    let answers = staged.path().join(MADE[0]);
-    let written = |e: &io::Error| vec![files::trouble(&job.out.join(MADE[0]), "cannot be written", e)];
-    let file = fs::File::create(&answers).map_err(|e| written(&e))?;
+    let written = |name: &str| {
+        let path = job.out.join(name);
+        move |e: &io::Error| vec![files::trouble(&path, "cannot be written", e)]
+    };
+    let fault = written(ANSWERS);
+    let file = fs::File::create(staged.path().join(ANSWERS)).map_err(|e| fault(&e))?;
     let mut out = io::BufWriter::with_capacity(1 << 18, file);
-    let graded = run::grade(&open, &table, &options, &mut out, &mut |read| bar.set_position(read));
+    let graded = run::grade(&open, &table, &rules, &options, &mut out, &mut |read| bar.set_position(read));
     bar.finish_and_clear();
     let graded = graded.map_err(|fault| match fault {
         GradeFault::Io(e) => vec![files::trouble(job.submissions, "cannot be graded", &e)],
         GradeFault::Header(findings) => findings.into_iter().map(|f| f.in_file(&submissions)).collect(),
     })?;
-    out.flush().map_err(|e| written(&e))?;
+    out.flush().map_err(|e| fault(&e))?;
     drop(out);
-    let book = staged.path().join(MADE[1]);
-    fs::write(&book, gradebook::gradebook(&table, &graded)).map_err(|e| written(&e))?;
-    if job.out.exists() {
-        // Only these two files are ours: the folder itself stays.
-        for name in MADE {
-            let (from, to) = (staged.path().join(name), job.out.join(name));
-            fs::rename(&from, &to).map_err(|e| vec![files::trouble(&to, "cannot be written", &e)])?;
+    let put = |name: &str, bytes: &[u8]| {
+        let fault = written(name);
+        fs::write(staged.path().join(name), bytes).map_err(|e| fault(&e))
+    };
+    put(GRADEBOOK, &gradebook::gradebook(&table, &graded, &policy))?;
+    let basis = Path::new(BASIS);
+    fs::create_dir(staged.path().join(basis)).map_err(|e| written(BASIS)(&e))?;
+    let mut key_sha256 = String::new();
+    for name in ["set.json", set.bank.file.as_str(), "key.csv"] {
+        let text = files::read_text(&job.set.join(name)).map_err(|f| vec![f])?;
+        if name == "key.csv" {
+            key_sha256 = load::hash(&text);
         }
-    } else {
-        staged.finish().map_err(|f| vec![f])?;
+        put(&format!("{BASIS}/{name}"), text.as_bytes())?;
     }
+    if let Some((_, text)) = course {
+        put(&format!("{BASIS}/{COURSE}"), text.as_bytes())?;
+    }
+    let verdicts = Verdict::ALL.iter().map(|v| (v.as_str().to_owned(), graded.count(*v).into())).collect();
+    let grading = Grading {
+        format: grading::FORMAT,
+        program: tell::program(),
+        draw_version: set.draw_version,
+        set: set.name.clone(),
+        seed: set.seed,
+        bank: bank.id.clone(),
+        bank_sha256: bank.hash.clone(),
+        key_sha256,
+        course_sha256: course.map(|(_, text)| load::hash(text)),
+        attempts: job.attempts.map(|a| counts(a).as_str().to_owned()),
+        language: words.language().to_owned(),
+        submissions: submissions.clone(),
+        submissions_bytes: size,
+        columns: job.columns.to_vec(),
+        cells: graded.cells,
+        verdicts,
+        wide: graded.wide,
+        untimed: graded.untimed,
+        undated: graded.undated,
+        unused_columns: graded.unused_columns.clone(),
+    };
+    put(GRADING, grading.text().as_bytes())?;
+    put_in_place(staged, job.out)?;
     Ok(Graded { summary: summary(&table, &graded) })
+}
+
+/// The settings that bear on marks: those of the bank, over them those of a course (name and text of its file), over them
+/// what the command says.
+///
+/// # Errors
+/// All that is wrong with the course file.
+pub fn policy(
+    bank: &Policy,
+    course: Option<(&str, &str)>,
+    attempts: Option<Attempts>,
+) -> Result<Policy, Vec<Finding>> {
+    let mut policy = match course {
+        Some((file, text)) => bank::course::course(text, file, bank)?,
+        None => bank.clone(),
+    };
+    if let Some(attempts) = attempts {
+        policy.attempts.counts = counts(attempts);
+    }
+    Ok(policy)
+}
+
+fn counts(typed: Attempts) -> Counts {
+    match typed {
+        Attempts::Last => Counts::Last,
+        Attempts::Best => Counts::Best,
+        Attempts::First => Counts::First,
+    }
+}
+
+/// Moves a finished grading to its place: at once where nothing but a grading is replaced, else file by file, so that what
+/// somebody else put there stays.
+fn put_in_place(staged: Staged, out: &Path) -> Result<(), Vec<Finding>> {
+    let strange = |name: &String| !OURS.contains(&name.as_str());
+    if !out.exists() || !files::names_in(out).iter().any(strange) {
+        return staged.finish().map_err(|f| vec![f]);
+    }
+    for name in OURS {
+        let old = out.join(name);
+        let gone = if old.is_dir() { fs::remove_dir_all(&old) } else { fs::remove_file(&old) };
+        match gone {
+            Err(e) if e.kind() != io::ErrorKind::NotFound => {
+                return Err(vec![files::trouble(&old, "cannot be replaced", &e)]);
+            }
+            _ => {}
+        }
+        if staged.path().join(name).exists() {
+            staged.place_one(Path::new(name)).map_err(|f| vec![f])?;
+        }
+    }
+    Ok(())
 }
 
 /// A pipe is read once, grading reads twice. Standard input is the caller's, who holds its lock.
@@ -231,12 +369,13 @@ fn may_write(out: &Path, set: &Path, force: bool) -> Result<(), Finding> {
         return Err(finding("is a file; grades are written to a folder"));
     }
     if !force {
-        let hint = "give another --out, or --force to replace answers.csv and gradebook.csv";
+        let hint = "give another --out, or --force to replace an earlier grading";
         return Err(finding("is there already").hint(hint));
     }
-    let header = run::ANSWERS_HEADER.trim_end();
+    // What every version of answers.csv begins with.
+    let header = "line,column,student,problem,part,answer,verdict,";
     let mut start = vec![0; header.len()];
-    let ours = fs::File::open(out.join(MADE[0])).and_then(|mut f| f.read_exact(&mut start)).is_ok()
+    let ours = fs::File::open(out.join(ANSWERS)).and_then(|mut f| f.read_exact(&mut start)).is_ok()
         && start == header.as_bytes();
     if ours {
         Ok(())
@@ -288,6 +427,12 @@ fn summary(table: &KeyTable, graded: &run::Graded) -> String {
     text.push_str(&format!("\n  {handed} of {} handed in.", tell::count(table.students.len(), "student")));
     if !graded.unused_columns.is_empty() {
         text.push_str(&format!(" Columns not used: {}.", graded.unused_columns.join(", ")));
+    }
+    if graded.undated > 0 {
+        let answers = tell::count(usize::try_from(graded.undated).unwrap_or(usize::MAX), "answer");
+        text.push_str(&format!(
+            "\n  {answers} that count have no submitted_at that can be read, and are taken as in time."
+        ));
     }
     if graded.untimed > 0 {
         let parts = tell::count(usize::try_from(graded.untimed).unwrap_or(usize::MAX), "answer");

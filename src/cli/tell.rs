@@ -108,3 +108,8 @@ fn wide(text: &str) -> usize {
     let two = |c: &char| matches!(u32::from(*c), 0x1100..=0x115F | 0x2E80..=0xA4CF | 0xAC00..=0xD7A3 | 0xF900..=0xFAFF | 0xFE30..=0xFE6F | 0xFF00..=0xFF60);
     text.chars().count() + text.chars().filter(two).count()
 }
+
+/// Name and version of this program, for what it makes.
+pub fn program() -> String {
+    format!("{} {}", env!("CARGO_PKG_NAME"), env!("CARGO_PKG_VERSION"))
+}

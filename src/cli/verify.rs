@@ -15,7 +15,9 @@ use crate::set::key_file;
 
 /// Runs it.
 pub fn run(args: &args::Verify, io: &mut Io) -> Exit {
-    match grade::replayed(&args.set).and_then(|(set, keys)| strangers(args, &keys).map(|()| (set, keys))) {
+    match grade::replayed(&args.set)
+        .and_then(|made| strangers(args, &made.keys).map(|()| (made.set, made.keys)))
+    {
         Ok((set, keys)) => {
             let sheets = tell::count(keys.len(), "sheet");
             let variants = tell::count(keys.iter().map(|k| k.problems.len()).sum(), "variant");

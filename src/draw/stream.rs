@@ -1,6 +1,6 @@
 //! Seeds to independent streams of random words.
 //!
-//! Draw version 2: the key of a variant is HMAC-SHA256 with the key `slipstick draw 2` of the seed (u64, little endian)
+//! Draw version 3: the key of a variant is HMAC-SHA256 with the key `slipstick draw 3` of the seed (u64, little endian)
 //! and then, each after its length in bytes (u64, little endian), the set's name, the problem's id and the student's id.
 //! With this key and nonce = number of the try (1, 2, ...), ChaCha20 gives 64-bit words (two 32-bit words, the first one
 //! low). Word 0 of try 1 chooses the case; datum number i (from 0) takes word i + 1 of each try. Data that are added at the
@@ -11,10 +11,11 @@ use rand_chacha::ChaCha20Rng;
 use rand_chacha::rand_core::{Rng, SeedableRng};
 use sha2::Sha256;
 
-/// Version of the draw: if a pinned draw changes, this number changes. Version 2 refuses draws with an ill-conditioned answer.
-pub const DRAW_VERSION: u32 = 2;
+/// Version of the draw: if a pinned draw changes, this number changes. Version 2 refuses draws with an ill-conditioned answer,
+/// version 3 those in which a wrong method lands near a right answer.
+pub const DRAW_VERSION: u32 = 3;
 
-const DOMAIN: &[u8] = b"slipstick draw 2";
+const DOMAIN: &[u8] = b"slipstick draw 3";
 
 /// Keys of the variants of one problem of one set.
 #[derive(Clone)]
@@ -153,13 +154,13 @@ mod tests {
 
     #[test]
     fn the_key_can_be_redone_elsewhere() {
-        // python3: hmac.new(b"slipstick draw 2", struct.pack("<Q", 7) + b"".join(struct.pack("<Q", len(p)) + p
+        // python3: hmac.new(b"slipstick draw 3", struct.pack("<Q", 7) + b"".join(struct.pack("<Q", len(p)) + p
         //          for p in [b"week-3", b"pulled-rolling", "Zoë".encode()]), "sha256").hexdigest()
         let source = Source::new(7, "week-3", "pulled-rolling");
         let mut own = source.clone();
         own.part("Zoë");
         let hex: String = own.mac.finalize().into_bytes().iter().map(|b| format!("{b:02x}")).collect();
-        assert_eq!(hex, "5ca7f52583f9f7f36bebf313e5818a6125c0d16d2b9efe8b886fe628e3836d7c");
+        assert_eq!(hex, "b64bc11a87123e1dcd4ebf53010b391ebc2a4f2e77d452ae7916fddd3520a90e");
     }
 
     #[test]

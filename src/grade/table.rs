@@ -1,9 +1,11 @@
 //! The keys of a whole set, laid out for looking up by bytes.
 use crate::grade::feedback::Feedback;
-use crate::grade::run::push_text;
+use crate::grade::write::push_text;
 use crate::key::Answer;
+use crate::key::Follow;
 use crate::key::KeyEntry;
 use crate::key::SheetKey;
+use crate::policy::Policy;
 use crate::units::spell;
 use rustc_hash::FxHashMap;
 use std::sync::Arc;
@@ -48,6 +50,15 @@ pub(crate) struct Hot {
     pub fast: bool,
 }
 
+/// What relations between parts and the guards of follow-through need.
+#[derive(Debug, Clone)]
+pub(crate) struct Numbers {
+    /// See [`crate::key::ProblemKey::known`].
+    pub known: Box<[f64]>,
+    /// See [`crate::key::ProblemKey::given`].
+    pub given: Box<[f64]>,
+}
+
 /// The keys of all students.
 #[derive(Debug)]
 pub struct KeyTable {
@@ -58,6 +69,10 @@ pub struct KeyTable {
     entries: Vec<Option<KeyEntry>>,
     /// For each column the ids of the wrong methods of its problem.
     methods: Vec<Arc<[String]>>,
+    /// For each column the relations between the parts of its problem.
+    follows: Vec<Arc<[Follow]>>,
+    /// For each student and column what relations and guards need; where a problem has several columns, at its first.
+    numbers: Vec<Option<Numbers>>,
     pub(crate) hot: Vec<Hot>,
     by_id: FxHashMap<Box<[u8]>, u32>,
     by_loose_id: FxHashMap<String, Option<u32>>,
@@ -122,6 +137,8 @@ impl KeyTable {
             students: Vec::with_capacity(sheets.len()),
             entries: Vec::with_capacity(sheets.len() * columns.len()),
             methods: vec![Arc::from([]); columns.len()],
+            follows: vec![Arc::from([]); columns.len()],
+            numbers: Vec::with_capacity(sheets.len() * columns.len()),
             hot: Vec::with_capacity(sheets.len() * columns.len()),
             columns,
             by_id: FxHashMap::default(),
@@ -145,7 +162,12 @@ impl KeyTable {
         for sheet in sheets {
             let s = table.students.len() as u32;
             let mut found: Vec<Option<KeyEntry>> = vec![None; table.columns.len()];
+            let mut numbers: Vec<Option<Numbers>> = vec![None; table.columns.len()];
             for (i, problem) in sheet.problems.into_iter().enumerate() {
+                let first = table.columns.partition_point(|c| c.number < i + 1);
+                if let Some(at) = numbers.get_mut(first) {
+                    *at = Some(Numbers { known: problem.known, given: problem.given });
+                }
                 for entry in problem.parts {
                     let at = table
                         .columns
@@ -154,11 +176,15 @@ impl KeyTable {
                     if let Some(at) = at {
                         found[at] = Some(entry);
                         table.methods[at].clone_from(&problem.methods);
+                        if table.follows[at].is_empty() {
+                            table.follows[at].clone_from(&problem.follows);
+                        }
                     }
                 }
             }
             table.hot.extend(found.iter().map(hot));
             table.entries.append(&mut found);
+            table.numbers.append(&mut numbers);
             table.by_id.insert(sheet.student.as_bytes().into(), s);
             table.by_loose_id.entry(loose_id(&sheet.student)).and_modify(|e| *e = None).or_insert(Some(s));
             let mut field = Vec::new();
@@ -214,6 +240,35 @@ impl KeyTable {
         let row = student * self.columns.len();
         let parts = self.entries.get(row + first..row + end).unwrap_or_default();
         (parts, column - first, &self.methods[column])
+    }
+    /// Ids of the wrong methods of a column's problem.
+    pub(crate) fn methods(&self, column: usize) -> &[String] {
+        self.methods.get(column).map_or(&[], |m| m)
+    }
+    /// The relation by which a part follows from others, and the column of part 0 of its problem.
+    pub(crate) fn follow(&self, column: usize) -> Option<(&Follow, usize)> {
+        let number = self.columns.get(column)?.number;
+        let first = self.columns.partition_point(|c| c.number < number);
+        let follow = self.follows.get(column)?.iter().find(|f| first + f.part == column)?;
+        Some((follow, first))
+    }
+    /// What relations and guards need of a student's problem; `first` is the column of its part 0.
+    pub(crate) fn numbers(&self, student: usize, first: usize) -> Option<&Numbers> {
+        self.numbers.get(student * self.columns.len() + first)?.as_ref()
+    }
+    /// Gives parts the points that a course says.
+    pub fn take_points(&mut self, policy: &Policy) {
+        let width = self.columns.len().max(1);
+        for (column, c) in self.columns.iter_mut().enumerate() {
+            let Some(points) = policy.points_given(c.number, &c.problem, &c.part) else { continue };
+            c.points = points;
+            for at in (column..self.entries.len()).step_by(width) {
+                self.hot[at].points = points;
+                if let Some(entry) = &mut self.entries[at] {
+                    entry.points = points;
+                }
+            }
+        }
     }
     /// Why a student is not known.
     pub(crate) fn unknown_student(&self, id: &str, say: &Feedback) -> String {

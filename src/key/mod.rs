@@ -1,4 +1,5 @@
 //! The answer key: plain data, one entry for each part of each problem.
+use crate::num::formula::Formula;
 use crate::units::Unit;
 use std::sync::Arc;
 
@@ -71,7 +72,7 @@ pub struct SheetKey {
 }
 
 /// The key of one problem of one student.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct ProblemKey {
     /// Id of the problem.
     pub id: String,
@@ -79,4 +80,30 @@ pub struct ProblemKey {
     pub parts: Vec<KeyEntry>,
     /// Ids of the wrong methods of the problem.
     pub methods: Arc<[String]>,
+    /// Which parts follow from which.
+    pub follows: Arc<[Follow]>,
+    /// What the relations of `follows` and the guards of follow-through need: the data, SI, then other quantities.
+    pub known: Box<[f64]>,
+    /// Numbers of the statement, SI and as printed: who answers with one of them has not computed it.
+    pub given: Box<[f64]>,
+}
+
+/// A part that follows from others: `v` from `omega` by `r omega`.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Follow {
+    /// The part, by its index in the problem.
+    pub part: usize,
+    /// The parts from which it follows, each with a smaller index.
+    pub from: Vec<usize>,
+    /// How.
+    pub by: Formula<Given>,
+}
+
+/// A value in the relation of a [`Follow`].
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Given {
+    /// Of [`ProblemKey::known`], times a factor.
+    Known(usize, f64),
+    /// The answer to a part.
+    Part(usize),
 }

@@ -5,6 +5,7 @@ pub mod dd;
 mod double;
 pub mod eliminate;
 pub mod elliptic;
+pub mod formula;
 pub mod gauss;
 pub mod half;
 pub mod jet;

@@ -1,10 +1,11 @@
 //! A solved variant to its key: value, accepted half-width, both roads.
+use crate::bank::expression::Name;
 use crate::bank::{Problem, Question};
-use crate::key::{Answer, KeyEntry, ProblemKey, WrongValue};
+use crate::key::{Answer, Follow, Given, KeyEntry, ProblemKey, WrongValue};
 use crate::misconception;
 use crate::problem::make::Variant;
 use crate::scene::{End, Label, Owner, Quantity, Scene, Slope};
-use crate::solve::outcome::Solved;
+use crate::solve::outcome::{Entry, Solved};
 
 /// Absolute tolerance of quantities that may vanish, as a share of the scale of their terms: a thousandth of the
 /// largest force is below what three figures of the terms can tell.
@@ -35,7 +36,38 @@ pub fn key(problem: &Problem, variant: &Variant) -> ProblemKey {
             entry
         })
         .collect();
-    ProblemKey { id: problem.id.clone(), parts, methods: problem.methods.clone() }
+    let (follows, extras) = follows(problem);
+    let quantity = |label: &Label| variant.solved.get(*label).map_or(f64::NAN, Entry::value);
+    let known = variant.data.iter().copied().chain(extras.iter().map(quantity)).collect();
+    let printed = variant.values.iter().flatten().filter_map(|v| v.text().parse::<f64>().ok());
+    let given = variant.data.iter().copied().chain(printed).collect();
+    let methods = problem.methods.clone();
+    ProblemKey { id: problem.id.clone(), parts, methods, follows: follows.into(), known, given }
+}
+
+/// The relations between parts, with parts for their quantities, and the quantities that they need besides.
+fn follows(problem: &Problem) -> (Vec<Follow>, Vec<Label>) {
+    let mut extras: Vec<Label> = Vec::new();
+    let follows = problem.follows.iter().map(|follow| {
+        let by = follow.by.formula().map(&mut |name| match name {
+            Name::Datum(i, factor) => Given::Known(i, factor),
+            Name::Quantity(label) => {
+                let part = follow.from.iter().find(|q| problem.questions[**q].label == label);
+                match part {
+                    Some(part) => Given::Part(*part),
+                    None => {
+                        let at = extras.iter().position(|l| *l == label).unwrap_or_else(|| {
+                            extras.push(label);
+                            extras.len() - 1
+                        });
+                        Given::Known(problem.data.len() + at, 1.0)
+                    }
+                }
+            }
+        });
+        Follow { part: follow.question, from: follow.from.clone(), by }
+    });
+    (follows.collect(), extras)
 }
 
 fn entry(question: &Question, scene: &Scene, variant: &Variant) -> KeyEntry {

@@ -16,11 +16,11 @@ impl Evidence {
         self.month_first |= other.month_first;
     }
     /// Of the two moments of an uncertain date, which one counts: 1 where the month comes first, else 0.
-    pub(crate) fn choice(self) -> usize {
+    pub fn choice(self) -> usize {
         usize::from(self.month_first && !self.day_first)
     }
     /// Does the column decide the order of an uncertain date? Points stand after the day unless a date denies it.
-    pub(crate) fn decides(self, dotted: bool) -> bool {
+    pub fn decides(self, dotted: bool) -> bool {
         match (self.day_first, self.month_first) {
             (true, true) => false,
             (false, false) => dotted,
@@ -34,8 +34,10 @@ impl Evidence {
 pub struct Moment {
     /// Microseconds since 1970 (UTC; a time without zone is taken as UTC): day first, then month first.
     pub micros: [i64; 2],
+    /// Is a zone written?
+    pub zoned: bool,
     /// The order of day and month is uncertain, and whether points stand between them.
-    pub(crate) uncertain: Option<bool>,
+    pub uncertain: Option<bool>,
     /// What the date proves for others.
     pub evidence: Evidence,
 }
@@ -70,13 +72,13 @@ pub fn parse(text: &str) -> Option<Moment> {
         let all = [parts.next()??, parts.next()??, parts.next()??];
         parts.next().is_none().then_some(all)
     };
-    let clock = clock(rest)?;
+    let (clock, zoned) = clock(rest)?;
     let moment = |y, m, d| midnight(y, m, d).map(|at| at.wrapping_add(clock));
     let separator = ['-', '.', '/'].into_iter().find(|s| date.contains(*s))?;
     let [a, b, c] = numbers(separator)?;
     if a >= 1000 {
         let at = moment(a, b, c)?;
-        return Some(Moment { micros: [at; 2], uncertain: None, evidence: Evidence::default() });
+        return Some(Moment { micros: [at; 2], zoned, uncertain: None, evidence: Evidence::default() });
     }
     if separator == '-' {
         return None;
@@ -85,9 +87,11 @@ pub fn parse(text: &str) -> Option<Moment> {
     let evidence = Evidence { day_first: a > 12 && b <= 12, month_first: b > 12 && a <= 12 };
     match (day_first, month_first) {
         (Some(x), Some(y)) => {
-            Some(Moment { micros: [x, y], uncertain: (x != y).then_some(separator == '.'), evidence })
+            Some(Moment { micros: [x, y], zoned, uncertain: (x != y).then_some(separator == '.'), evidence })
         }
-        (Some(x), None) | (None, Some(x)) => Some(Moment { micros: [x; 2], uncertain: None, evidence }),
+        (Some(x), None) | (None, Some(x)) => {
+            Some(Moment { micros: [x; 2], zoned, uncertain: None, evidence })
+        }
         (None, None) => None,
     }
 }
@@ -114,10 +118,10 @@ fn days(year: i64, month: i64, day: i64) -> i64 {
     365 * y + y / 4 - y / 100 + y / 400 + (153 * m + 2) / 5 + day - 1 - 719_468
 }
 
-/// `14:05:30.25+02:00`, `2:05 PM`, empty for midnight: microseconds.
-fn clock(text: &str) -> Option<i64> {
+/// `14:05:30.25+02:00`, `2:05 PM`, empty for midnight: microseconds, and whether a zone is written.
+fn clock(text: &str) -> Option<(i64, bool)> {
     if text.is_empty() {
-        return Some(0);
+        return Some((0, false));
     }
     let end =
         text.find(|c: char| !(c.is_ascii_digit() || c == ':' || c == '.' || c == ',')).unwrap_or(text.len());
@@ -150,6 +154,7 @@ fn clock(text: &str) -> Option<i64> {
             break;
         }
     }
+    let zoned = !zone.is_empty();
     for name in ["GMT", "UTC", "Z"] {
         if let Some(after) = zone.strip_prefix(name) {
             zone = after.trim_start();
@@ -173,7 +178,7 @@ fn clock(text: &str) -> Option<i64> {
         }
         offset = sign * (h * 60 + m);
     }
-    Some((hour * 60 + minute - offset) * 60_000_000 + micros)
+    Some(((hour * 60 + minute - offset) * 60_000_000 + micros, zoned))
 }
 
 #[cfg(test)]

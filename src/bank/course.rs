@@ -1,0 +1,405 @@
+//! The settings that bear on marks, as `grading:` in a bank or as a course file over it: text to [`Policy`].
+use crate::bank::decimal::Decimal;
+use crate::bank::load;
+use crate::bank::node::{Faults, Fields, Node, Value, named, shorten};
+use crate::finding::Finding;
+use crate::policy::time;
+use crate::policy::{Correction, Counts, For, Hints, Part, Per, Policy, Rounding, Way, Zone};
+use crate::policy::{DAY, HOUR, MINUTE};
+
+/// What a course file may hold, with an explanation of each setting; it is read by a test.
+pub const EXAMPLE: &str = include_str!("../../templates/course.yaml");
+
+/// Most points of a part.
+const MOST_POINTS: f64 = 1e6;
+
+/// Reads a course file; what it does not name stays as in `base`, the settings of the bank.
+///
+/// # Errors
+/// All that is wrong with it.
+pub fn course(text: &str, file: &str, base: &Policy) -> Result<Policy, Vec<Finding>> {
+    let tree = load::tree(text).map_err(|f| vec![f.in_file(file)])?;
+    let faults = Faults::default();
+    let policy = read(&tree, base, &faults);
+    if faults.is_empty() { Ok(policy) } else { Err(faults.into_sorted(file)) }
+}
+
+/// Reads the settings of a node over `base`.
+pub fn read(node: &Node, base: &Policy, faults: &Faults) -> Policy {
+    let mut policy = base.clone();
+    if matches!(node.value, Value::Empty) {
+        return policy;
+    }
+    let Some(mut fields) = Fields::open(node, "settings (due, attempts, late, credit, ...)", faults) else {
+        return policy;
+    };
+    if let Some(title) = fields.get("course").and_then(|n| text(n, "a title", faults)) {
+        policy.title = title;
+    }
+    // The zone first: the dates need it.
+    if let Some(zone) = fields.get("time zone").and_then(|n| zone(n, faults)) {
+        policy.zone = zone;
+    }
+    let zone = policy.zone.clone();
+    if let Some(due) = fields.get("due").and_then(|n| moment(n, &zone, faults)) {
+        policy.due = Some(due);
+    }
+    if let Some(n) = fields.get("extensions") {
+        policy.extensions = named(n, "moments by student id", faults)
+            .into_iter()
+            .filter_map(|(id, _, value)| Some((id.to_owned(), moment(value, &zone, faults)?)))
+            .collect();
+    }
+    if let Some(n) = fields.get("attempts") {
+        attempts(n, &mut policy, faults);
+    }
+    if let Some(n) = fields.get("late") {
+        late(n, &mut policy, &zone, faults);
+    }
+    if let Some(n) = fields.get("credit") {
+        credit(n, &mut policy, faults);
+    }
+    const HINTS: [(&str, Hints); 3] =
+        [("none", Hints::None), ("nudge", Hints::Nudge), ("explain", Hints::Explain)];
+    if let Some(hints) = fields.get("hints").and_then(|n| choice(n, &HINTS, faults)) {
+        policy.hints = hints;
+    }
+    if let Some(n) = fields.get("points") {
+        policy.points = named(n, "points by part", faults)
+            .into_iter()
+            .filter_map(|(name, key, value)| {
+                let part = part(name, key, faults)?;
+                if part.part.is_none() {
+                    faults.hint(
+                        key,
+                        format!("`{}` names a whole problem", shorten(name)),
+                        "such as `1.omega: 2`",
+                    );
+                }
+                Some((part, points(value, faults)?))
+            })
+            .collect();
+    }
+    if let Some(n) = fields.get("drop lowest").and_then(|n| whole(n, 0, 100, faults)) {
+        policy.drop_lowest = n as usize;
+    }
+    if let Some(n) = fields.get("round") {
+        policy.rounding = rounding(n, faults);
+    }
+    if let Some(n) = fields.get("corrections") {
+        policy.corrections = corrections(n, faults);
+    }
+    fields.close(faults);
+    policy
+}
+
+fn attempts(node: &Node, policy: &mut Policy, faults: &Faults) {
+    const COUNTS: [(&str, Counts); 3] =
+        [("last", Counts::Last), ("best", Counts::Best), ("first", Counts::First)];
+    if node.text().is_some() {
+        if let Some(counts) = choice(node, &COUNTS, faults) {
+            policy.attempts.counts = counts;
+        }
+        return;
+    }
+    let what = "`last`, `best`, `first` or fields (count, at most, penalty, least)";
+    let Some(mut fields) = Fields::open(node, what, faults) else { return };
+    let attempts = &mut policy.attempts;
+    if let Some(counts) = fields.get("count").and_then(|n| choice(n, &COUNTS, faults)) {
+        attempts.counts = counts;
+    }
+    if let Some(n) = fields.get("at most").and_then(|n| whole(n, 1, 100, faults)) {
+        attempts.at_most = Some(n);
+    }
+    if let Some(share) = fields.get("penalty").and_then(|n| share(n, faults)) {
+        attempts.penalty = share;
+    }
+    if let Some(share) = fields.get("least").and_then(|n| share(n, faults)) {
+        attempts.least = share;
+    }
+    fields.close(faults);
+}
+
+fn late(node: &Node, policy: &mut Policy, zone: &Zone, faults: &Faults) {
+    let what = "fields (penalty, per, at most, grace, closes)";
+    let Some(mut fields) = Fields::open(node, what, faults) else { return };
+    let late = &mut policy.late;
+    const PER: [(&str, Per); 3] = [("day", Per::Day), ("hour", Per::Hour), ("once", Per::Once)];
+    let penalty = fields.get("penalty");
+    if let Some(share) = penalty.and_then(|n| share(n, faults)) {
+        late.penalty = share;
+    }
+    if let Some(per) = fields.get("per").and_then(|n| choice(n, &PER, faults)) {
+        late.per = per;
+    }
+    if let Some(share) = fields.get("at most").and_then(|n| share(n, faults)) {
+        late.most = share;
+    }
+    if let Some(grace) = fields.get("grace").and_then(|n| duration(n, faults)) {
+        late.grace = grace;
+    }
+    let closes = fields.get("closes");
+    if let Some(at) = closes.and_then(|n| moment(n, zone, faults)) {
+        late.closes = Some(at);
+    }
+    if let (Some(n), Some(due), Some(closes)) = (closes, policy.due, late.closes)
+        && closes < due
+    {
+        faults.hint(n, "closes before the answers are due", "a moment after `due`");
+    }
+    if let Some(n) = penalty
+        && late.penalty > 0.0
+        && policy.due.is_none()
+        && policy.extensions.is_empty()
+    {
+        faults.hint(n, "a late penalty, and nothing is due", "for example `due: 2026-03-09 23:59`");
+    }
+    fields.close(faults);
+}
+
+fn credit(node: &Node, policy: &mut Policy, faults: &Faults) {
+    for (name, key, value) in named(node, "shares (follow through, wrong methods, or ids of methods)", faults)
+    {
+        let Some(share) = share(value, faults) else { continue };
+        match name {
+            "follow through" => policy.credit.follow = share,
+            "wrong methods" => policy.credit.methods = share,
+            id if id.len() <= 48 && id.chars().all(|c| c.is_ascii_alphanumeric() || c == '-') => {
+                policy.credit.by_method.retain(|(m, _)| m != id);
+                policy.credit.by_method.push((id.to_owned(), share));
+            }
+            other => faults.hint(
+                key,
+                format!("`{}` earns no credit", shorten(other)),
+                "`follow through`, `wrong methods` or the id of a wrong method such as `A05`",
+            ),
+        }
+    }
+}
+
+fn rounding(node: &Node, faults: &Faults) -> Option<Rounding> {
+    const WAYS: [(&str, Way); 3] = [("nearest", Way::Nearest), ("up", Way::Up), ("down", Way::Down)];
+    let step = |n: &Node| {
+        let found = number(n).filter(|x| *x > 0.0 && *x <= 1000.0);
+        if found.is_none() {
+            faults.hint(n, format!("expected a step of totals, found {}", n.kind()), "for example 0.5");
+        }
+        found
+    };
+    if node.text().is_some() {
+        return Some(Rounding { to: step(node)?, way: Way::Nearest });
+    }
+    let mut fields = Fields::open(node, "a step such as 0.5, or fields (to, way)", faults)?;
+    let to = fields.need("to", "0.5", faults).and_then(step);
+    let way = fields.get("way").and_then(|n| choice(n, &WAYS, faults)).unwrap_or(Way::Nearest);
+    fields.close(faults);
+    Some(Rounding { to: to?, way })
+}
+
+fn corrections(node: &Node, faults: &Faults) -> Vec<Correction> {
+    let Value::List(items) = &node.value else {
+        let hint = "`- {part: 2.v, give: full, why: part 2 was ambiguous}`";
+        faults.hint(node, format!("expected a list of corrections, found {}", node.kind()), hint);
+        return Vec::new();
+    };
+    items.iter().filter_map(|item| correction(item, faults)).collect()
+}
+
+fn correction(node: &Node, faults: &Faults) -> Option<Correction> {
+    let mut fields = Fields::open(node, "a correction (part, give, to, why)", faults)?;
+    let part = fields.need("part", "2.v", faults);
+    let give = fields.get("give");
+    let to =
+        fields.get("to").and_then(|n| choice(n, &[("all", For::All), ("answered", For::Answered)], faults));
+    let why = fields.need("why", "part 2 was ambiguous", faults).and_then(|n| text(n, "a reason", faults));
+    fields.close(faults);
+    let share = match give {
+        None => Some(1.0),
+        Some(n) if n.text().is_some_and(|t| t.trim() == "full") => Some(1.0),
+        Some(n) => share(n, faults),
+    };
+    let part = part.and_then(|n| self::part(n.text().unwrap_or("").trim(), n, faults));
+    Some(Correction { part: part?, share: share?, to: to.unwrap_or(For::All), why: why? })
+}
+
+/// `1.omega`, `pulled-rolling.omega`, `1`.
+fn part(name: &str, at: &Node, faults: &Faults) -> Option<Part> {
+    let (problem, part) = match name.split_once('.') {
+        Some((problem, part)) => (problem.trim(), Some(part.trim())),
+        None => (name.trim(), None),
+    };
+    if problem.is_empty() || part == Some("") {
+        let hint = "number or id of the problem, a point, id of the part: `1.omega`";
+        faults.hint(at, format!("`{}` is no part of a problem", shorten(name)), hint);
+        return None;
+    }
+    Some(Part { problem: problem.to_owned(), part: part.map(str::to_owned), at: (at.line, at.column) })
+}
+
+fn zone(node: &Node, faults: &Faults) -> Option<Zone> {
+    let found = node.text().and_then(Zone::named);
+    if found.is_none() {
+        let hint = "a place such as `Europe/Berlin`, or an offset such as `+01:00`";
+        faults.hint(node, format!("expected a time zone, found {}", node.kind()), hint);
+    }
+    found
+}
+
+fn moment(node: &Node, zone: &Zone, faults: &Faults) -> Option<i64> {
+    let text = node.text().unwrap_or("");
+    let read = time::parse(text).filter(|m| m.micros[0] == m.micros[1] && text.contains(':'));
+    let Some(moment) = read else {
+        let hint = "for example `2026-03-09 23:59`, or `2026-03-09T23:59+01:00`";
+        faults.hint(node, format!("expected a date with the time of day, found {}", node.kind()), hint);
+        return None;
+    };
+    Some(if moment.zoned { moment.micros[0] } else { zone.moment(moment.micros[0]) })
+}
+
+fn duration(node: &Node, faults: &Faults) -> Option<i64> {
+    let text = node.text().unwrap_or("").trim();
+    let split = text.find(|c: char| c.is_alphabetic()).unwrap_or(text.len());
+    let (number, unit) = text.split_at(split);
+    let unit = match unit.trim() {
+        "min" | "minute" | "minutes" => Some(MINUTE),
+        "h" | "hour" | "hours" => Some(HOUR),
+        "d" | "day" | "days" => Some(DAY),
+        _ => None,
+    };
+    let found = number.trim().parse::<i64>().ok().filter(|n| (0..=100_000).contains(n)).zip(unit);
+    if found.is_none() && text != "0" {
+        faults.hint(
+            node,
+            format!("expected a time span, found {}", node.kind()),
+            "for example `10 min` or `2 h`",
+        );
+    }
+    found.map(|(n, unit)| n * unit).or((text == "0").then_some(0))
+}
+
+fn number(node: &Node) -> Option<f64> {
+    Decimal::parse(node.text()?.trim()).and_then(|d| d.text().parse().ok())
+}
+
+/// `25 %` or `0.25`: 0 to 1.
+fn share(node: &Node, faults: &Faults) -> Option<f64> {
+    let text = node.text().unwrap_or("").trim();
+    let read = |t: &str| Decimal::parse(t.trim()).and_then(|d| d.text().parse::<f64>().ok());
+    let found = match text.strip_suffix('%') {
+        Some(percent) => read(percent).map(|x| x / 100.0),
+        None => read(text),
+    };
+    let found = found.filter(|x| (0.0..=1.0).contains(x));
+    if found.is_none() {
+        let hint = "from `0 %` to `100 %`";
+        faults.hint(node, format!("expected a share of the points, found {}", node.kind()), hint);
+    }
+    found
+}
+
+fn points(node: &Node, faults: &Faults) -> Option<f64> {
+    let found = number(node).filter(|x| (0.0..=MOST_POINTS).contains(x));
+    if found.is_none() {
+        faults.at(node, format!("expected points from 0 to {MOST_POINTS}, found {}", node.kind()));
+    }
+    found
+}
+
+fn whole(node: &Node, least: u32, most: u32, faults: &Faults) -> Option<u32> {
+    let found = node.text().and_then(|t| t.trim().parse::<u32>().ok()).filter(|n| (least..=most).contains(n));
+    if found.is_none() {
+        faults.at(node, format!("expected a whole number from {least} to {most}, found {}", node.kind()));
+    }
+    found
+}
+
+fn text(node: &Node, what: &str, faults: &Faults) -> Option<String> {
+    let found = node.text().map(str::trim).filter(|t| !t.is_empty());
+    if found.is_none() {
+        faults.at(node, format!("expected {what}, found {}", node.kind()));
+    }
+    found.map(str::to_owned)
+}
+
+fn choice<T: Copy>(node: &Node, words: &[(&str, T)], faults: &Faults) -> Option<T> {
+    let found = node.text().and_then(|t| words.iter().find(|(w, _)| *w == t.trim()));
+    if found.is_none() {
+        let known: Vec<String> = words.iter().map(|(w, _)| format!("`{w}`")).collect();
+        faults.at(node, format!("expected {}, found {}", known.join(" or "), node.kind()));
+    }
+    found.map(|(_, t)| *t)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_example_is_read() {
+        let policy = course(EXAMPLE, "course.yaml", &Policy::default()).unwrap();
+        assert_eq!(policy.attempts.counts, Counts::Best);
+        assert_eq!(policy.zone.shown(policy.due.unwrap()), "2026-03-09 23:59");
+        assert_eq!(policy.corrections.len(), 1);
+        assert!(policy.timed() && policy.attempts.ordered());
+        // Without a word of it the bank's settings stay.
+        assert_eq!(course("", "course.yaml", &policy).unwrap(), policy);
+    }
+
+    #[test]
+    fn all_faults_come_at_once_with_their_places() {
+        let text = "\
+due: tomorrow
+time zone: CET
+attempts: {count: worst, at most: 0, penalty: 200 %}
+late: {penalty: 10 %, per: week, grace: soon, closes: 2026-03-09}
+credit: {follow: half, 'A 5': 1}
+hints: all
+points: {1: 2, 1.omega: many, .v: 1}
+drop lowest: -1
+round: {way: sideways}
+corrections: [{part: 1.v}, 3]
+extension: {}
+";
+        let told: Vec<String> = course(text, "course.yaml", &Policy::default())
+            .unwrap_err()
+            .iter()
+            .map(ToString::to_string)
+            .collect();
+        insta::assert_snapshot!(told.join("\n"), @r"
+        course.yaml:1:6: due: expected a date with the time of day, found `tomorrow`
+            hint: for example `2026-03-09 23:59`, or `2026-03-09T23:59+01:00`
+        course.yaml:2:12: time zone: expected a time zone, found `CET`
+            hint: a place such as `Europe/Berlin`, or an offset such as `+01:00`
+        course.yaml:3:19: attempts.count: expected `last` or `best` or `first`, found `worst`
+        course.yaml:3:35: attempts.at most: expected a whole number from 1 to 100, found `0`
+        course.yaml:3:47: attempts.penalty: expected a share of the points, found `200 %`
+            hint: from `0 %` to `100 %`
+        course.yaml:4:17: late.penalty: a late penalty, and nothing is due
+            hint: for example `due: 2026-03-09 23:59`
+        course.yaml:4:28: late.per: expected `day` or `hour` or `once`, found `week`
+        course.yaml:4:41: late.grace: expected a time span, found `soon`
+            hint: for example `10 min` or `2 h`
+        course.yaml:4:55: late.closes: expected a date with the time of day, found `2026-03-09`
+            hint: for example `2026-03-09 23:59`, or `2026-03-09T23:59+01:00`
+        course.yaml:5:18: credit.follow: expected a share of the points, found `half`
+            hint: from `0 %` to `100 %`
+        course.yaml:5:24: credit.A 5: `A 5` earns no credit
+            hint: `follow through`, `wrong methods` or the id of a wrong method such as `A05`
+        course.yaml:6:8: hints: expected `none` or `nudge` or `explain`, found `all`
+        course.yaml:7:10: points.1: `1` names a whole problem
+            hint: such as `1.omega: 2`
+        course.yaml:7:25: points.1.omega: expected points from 0 to 1000000, found `many`
+        course.yaml:7:31: points..v: `.v` is no part of a problem
+            hint: number or id of the problem, a point, id of the part: `1.omega`
+        course.yaml:8:14: drop lowest: expected a whole number from 0 to 100, found `-1`
+        course.yaml:9:8: round: `to` is missing
+            hint: for example `to: 0.5`
+        course.yaml:9:14: round.way: expected `nearest` or `up` or `down`, found `sideways`
+        course.yaml:10:15: corrections[0]: `why` is missing
+            hint: for example `why: part 2 was ambiguous`
+        course.yaml:10:28: corrections[1]: expected a correction (part, give, to, why), found `3`
+        course.yaml:11:1: extension: unknown field `extension`
+            hint: did you mean `extensions`?
+        ");
+    }
+}

@@ -1,0 +1,140 @@
+//! What an answer that is not right may still earn: as a known wrong method, or because it follows correctly from the
+//! student's own wrong answer to an earlier part.
+use crate::grade::choose::Winner;
+use crate::grade::diagnose::diagnose;
+use crate::grade::judge::accepts;
+use crate::grade::rules::Rules;
+use crate::grade::table::KeyTable;
+use crate::key::Answer;
+use crate::key::Given;
+
+/// Share of the points, and what it is for.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Credit {
+    /// 0 to 1.
+    pub share: f64,
+    /// Why.
+    pub why: Why,
+}
+
+/// What a share of the points is for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Why {
+    /// It is none.
+    Nothing,
+    /// A known wrong method.
+    Method,
+    /// It follows from the wrong answer in this column.
+    Follows(usize),
+}
+
+impl Credit {
+    const NONE: Credit = Credit { share: 0.0, why: Why::Nothing };
+}
+
+/// Values from which something may follow, and what follows, lie within this factor of the right ones: what is farther off
+/// was not computed with care, or cannot be in this scene.
+const REACH: f64 = 10.0;
+
+/// The larger of what the methods and the relation earn. `x` is the number, SI, judged wrong; `methods` are those that it
+/// fits, if they are known already.
+pub(crate) fn credit(
+    x: f64,
+    (who, what): (usize, usize),
+    table: &KeyTable,
+    rules: &Rules,
+    winners: &[Winner],
+    methods: Option<&[u16]>,
+) -> Credit {
+    let mut best = Credit::NONE;
+    if !x.is_finite() || !rules.may_earn(what) {
+        return best;
+    }
+    if rules.methods_earn(what) {
+        let share = |methods: &[u16]| methods.iter().map(|m| rules.method(what, *m)).fold(0.0, f64::max);
+        let found = match methods {
+            Some(methods) => share(methods),
+            None => {
+                let (parts, part, _) = table.problem_of(who, what);
+                share(&diagnose(x, part, parts).methods)
+            }
+        };
+        if found > best.share {
+            best = Credit { share: found, why: Why::Method };
+        }
+    }
+    let follow = rules.policy.credit.follow;
+    if follow > best.share
+        && let Some(source) = follows(x, (who, what), table, winners)
+    {
+        best = Credit { share: follow, why: Why::Follows(source) };
+    }
+    best
+}
+
+/// Does `x` follow from the student's own answers, at least one of which is wrong? The first wrong one.
+///
+/// The relation is solved again with the wrong answers in place of the key's; beside them the key's, or the student's own
+/// right ones, which may differ by what the tolerance allows.
+fn follows(x: f64, (who, what): (usize, usize), table: &KeyTable, winners: &[Winner]) -> Option<usize> {
+    let (follow, first) = table.follow(what)?;
+    let numbers = table.numbers(who, first)?;
+    let (key, half_width, magnitude) = number(table, who, what)?;
+    let x = if magnitude { x.abs() } else { x };
+    let trivial = |n: f64| {
+        let same = |a: f64| (n.abs() - a.abs()).abs() <= 1e-9 * a.abs();
+        same(0.0) || same(1.0) || numbers.given.iter().any(|g| same(*g))
+    };
+    let possible = |n: f64, key: f64| {
+        let ratio = n.abs() / key.abs();
+        ratio.is_finite() && (1.0 / REACH..=REACH).contains(&ratio)
+    };
+    if trivial(x) || !possible(x, key) {
+        return None;
+    }
+    let own =
+        |part: usize| winners.get(who * table.columns.len() + first + part).map_or(f64::NAN, |w| w.number);
+    let mut wrong = None;
+    for part in &follow.from {
+        let answer = own(*part);
+        let (key, half_width, magnitude) = number(table, who, first + part)?;
+        let right = accepts(answer, key, half_width) || (magnitude && accepts(-answer, key, half_width));
+        if !answer.is_finite() {
+            return None;
+        }
+        if !right {
+            if trivial(answer) || !possible(answer, key) {
+                return None;
+            }
+            wrong = wrong.or(Some(first + part));
+        }
+    }
+    let wrong = wrong?;
+    let by = |right_ones_are_the_keys: bool| {
+        follow.by.eval(&|given| match given {
+            Given::Known(i, factor) => numbers.known.get(i).map_or(f64::NAN, |n| n * factor),
+            Given::Part(part) => {
+                let answer = own(part);
+                match number(table, who, first + part) {
+                    Some((key, half, _)) if right_ones_are_the_keys && accepts(answer, key, half) => key,
+                    _ => answer,
+                }
+            }
+        })
+    };
+    // The relative tolerance of the part, around what follows.
+    let share = half_width / key.abs();
+    let meets = |y: f64| {
+        let y = if magnitude { y.abs() } else { y };
+        y.is_finite() && possible(y, key) && (x - y).abs() <= share * y.abs()
+    };
+    (meets(by(true)) || meets(by(false))).then_some(wrong)
+}
+
+/// Key, accepted half-width, and whether it is a magnitude.
+fn number(table: &KeyTable, who: usize, what: usize) -> Option<(f64, f64, bool)> {
+    match table.entry(who, what)?.answer {
+        Answer::Number { value, half_width, magnitude, .. } => Some((value, half_width, magnitude)),
+        Answer::Word { .. } => None,
+    }
+}

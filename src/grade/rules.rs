@@ -1,0 +1,130 @@
+//! The settings of a course, resolved against the students and parts of a set.
+use crate::finding::Finding;
+use crate::grade::table::KeyTable;
+use crate::policy::Counts;
+use crate::policy::For;
+use crate::policy::Part;
+use crate::policy::Policy;
+
+/// Settings, ready for many rows.
+#[derive(Debug, Clone)]
+pub struct Rules<'p> {
+    /// As they were written.
+    pub policy: &'p Policy,
+    /// For each student, microseconds (UTC); `i64::MAX` where nothing is due.
+    due: Vec<i64>,
+    closes: Vec<i64>,
+    /// For each column the share that each wrong method earns; empty where none earns anything.
+    methods: Vec<Vec<f64>>,
+    /// For each column what everybody gets at least, for whom and why.
+    corrections: Vec<Option<(f64, For, String)>>,
+    /// How many relations lead to each column.
+    levels: Vec<u8>,
+}
+
+impl<'p> Rules<'p> {
+    /// Resolves settings; the points of the table are those of the course already ([`KeyTable::take_points`]).
+    ///
+    /// # Errors
+    /// Parts, methods or students that the set does not have.
+    pub fn new(table: &KeyTable, policy: &'p Policy) -> Result<Self, Vec<Finding>> {
+        let mut faults = Vec::new();
+        let named = |part: &Part, field: &str, faults: &mut Vec<Finding>| {
+            let known = table.columns.iter().any(|c| part.means(c.number, &c.problem, &c.part));
+            if !known {
+                let all: Vec<String> =
+                    table.columns.iter().take(30).map(|c| format!("{}.{}", c.number, c.part)).collect();
+                let fault = Finding::new(field, format!("the set has no part `{}`", part.text()));
+                faults.push(fault.at(part.at.0, part.at.1).hint(format!("its parts: {}", all.join(", "))));
+            }
+        };
+        for (part, _) in &policy.points {
+            named(part, "points", &mut faults);
+        }
+        for correction in &policy.corrections {
+            named(&correction.part, "corrections", &mut faults);
+        }
+        for (id, _) in &policy.credit.by_method {
+            if !(0..table.columns.len()).any(|c| table.methods(c).contains(id)) {
+                let fault =
+                    Finding::new("credit", format!("no problem of the set knows a wrong method `{id}`"));
+                faults.push(fault.hint("ids stand in the column `methods` of answers.csv, and in `lint`"));
+            }
+        }
+        for (id, _) in &policy.extensions {
+            if table.student(id.as_bytes()).is_none() {
+                let fault = Finding::new("extensions", format!("the set has no student `{id}`"));
+                faults
+                    .push(fault.hint("write the id as on the roster, in quotes where it begins with a zero"));
+            }
+        }
+        if !faults.is_empty() {
+            return Err(faults);
+        }
+        let methods = (0..table.columns.len()).map(|column| {
+            let shares: Vec<f64> = table.methods(column).iter().map(|id| policy.credit.of(id)).collect();
+            if shares.iter().any(|s| *s > 0.0) { shares } else { Vec::new() }
+        });
+        let methods = methods.collect();
+        let corrections = table.columns.iter().map(|c| {
+            let found = policy.correction(c.number, &c.problem, &c.part)?;
+            Some((found.share, found.to, found.why.clone()))
+        });
+        let corrections = corrections.collect();
+        let mut levels = vec![0u8; table.columns.len()];
+        if policy.credit.follow > 0.0 {
+            // Parts follow from earlier ones only, so one walk is enough.
+            for column in 0..levels.len() {
+                if let Some((follow, first)) = table.follow(column) {
+                    let below = follow.from.iter().filter_map(|p| levels.get(first + p)).max().copied();
+                    levels[column] = below.unwrap_or(0).saturating_add(1);
+                }
+            }
+        }
+        let students = table.students.iter();
+        let due = students.clone().map(|s| policy.due_for(&s.id).unwrap_or(i64::MAX)).collect();
+        let closes = students.map(|s| policy.closes_for(&s.id).unwrap_or(i64::MAX)).collect();
+        Ok(Rules { policy, due, closes, methods, corrections, levels })
+    }
+    /// Must times be understood before attempts can be ordered?
+    pub(crate) fn careful(&self) -> bool {
+        self.policy.attempts.ordered() || self.policy.timed()
+    }
+    /// The relations that lead to a column; 0 where it follows from nothing.
+    pub(crate) fn level(&self, column: usize) -> u8 {
+        self.levels[column]
+    }
+    /// Walks that are needed to find which attempts count.
+    pub(crate) fn walks(&self) -> u8 {
+        let deepest = self.levels.iter().max().copied().unwrap_or(0);
+        if self.policy.attempts.counts == Counts::Best { deepest + 1 } else { 1 }
+    }
+    /// How often the submissions are read.
+    pub fn reads(&self) -> u64 {
+        1 + u64::from(self.careful()) + u64::from(self.walks())
+    }
+    /// Can an answer to this part that is not right earn something?
+    pub(crate) fn may_earn(&self, column: usize) -> bool {
+        self.levels[column] > 0 || !self.methods[column].is_empty()
+    }
+    /// The share that a wrong method earns.
+    pub(crate) fn method(&self, column: usize, method: u16) -> f64 {
+        self.methods[column].get(usize::from(method)).copied().unwrap_or(0.0)
+    }
+    /// Does any wrong method earn something here?
+    pub(crate) fn methods_earn(&self, column: usize) -> bool {
+        !self.methods[column].is_empty()
+    }
+    /// What lateness leaves of the points of an answer handed in at `moment`; `None` after the closing date.
+    pub(crate) fn late(&self, student: usize, moment: i64) -> Option<f64> {
+        if moment > self.closes[student] {
+            return None;
+        }
+        let due = self.due[student];
+        Some(if moment <= due { 1.0 } else { self.policy.late.factor(moment.saturating_sub(due)) })
+    }
+    /// The correction of a part: share, for whom, why.
+    pub(crate) fn correction(&self, column: usize) -> Option<(f64, For, &str)> {
+        self.corrections[column].as_ref().map(|(share, to, why)| (*share, *to, why.as_str()))
+    }
+}

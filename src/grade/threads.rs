@@ -1,0 +1,95 @@
+//! Batches of records on several threads; what they write comes out in the order of the batches.
+use crate::answer::submissions::Batch;
+use crate::answer::submissions::Source;
+use std::collections::BTreeMap;
+use std::io;
+use std::io::Write;
+use std::sync::Condvar;
+use std::sync::Mutex;
+use std::sync::PoisonError;
+
+struct Output<'a, 'b> {
+    next: u64,
+    waiting: BTreeMap<u64, Vec<u8>>,
+    out: Option<&'b mut (dyn Write + Send + 'b)>,
+    progress: &'a mut (dyn FnMut(u64) + Send),
+    fault: Option<io::Error>,
+}
+
+/// What a worker does with a batch: it may write.
+pub type Process<'a, W> = &'a (dyn Fn(&mut W, &Batch, &mut Vec<u8>) + Sync);
+
+/// Runs all batches through the workers; what they write comes out in the order of the batches.
+///
+/// # Errors
+/// Reading or writing failed.
+pub fn sweep<'b, W: Send>(
+    source: Source,
+    workers: Vec<W>,
+    process: Process<'_, W>,
+    out: Option<&'b mut (dyn Write + Send + 'b)>,
+    progress: &mut (dyn FnMut(u64) + Send),
+) -> io::Result<Vec<W>> {
+    let limit = workers.len() * 4;
+    let source = Mutex::new(source);
+    let output = Mutex::new(Output { next: 0, waiting: BTreeMap::new(), out, progress, fault: None });
+    let turn = Condvar::new();
+    let work = |mut worker: W| -> io::Result<W> {
+        let (mut batch, mut text) = (Batch::default(), Vec::new());
+        let hold = || output.lock().unwrap_or_else(PoisonError::into_inner);
+        loop {
+            let more = source.lock().unwrap_or_else(PoisonError::into_inner).next_batch(&mut batch);
+            match more {
+                Ok(true) => {}
+                Ok(false) => return Ok(worker),
+                Err(fault) => {
+                    hold().fault.get_or_insert_with(|| io::Error::from(fault.kind()));
+                    turn.notify_all();
+                    return Err(fault);
+                }
+            }
+            text.clear();
+            process(&mut worker, &batch, &mut text);
+            let mut held = hold();
+            while held.next != batch.number && held.waiting.len() >= limit && held.fault.is_none() {
+                held = turn.wait(held).unwrap_or_else(PoisonError::into_inner);
+            }
+            if held.fault.is_some() {
+                return Ok(worker);
+            }
+            if held.next != batch.number {
+                held.waiting.insert(batch.number, std::mem::take(&mut text));
+                continue;
+            }
+            (held.progress)(batch.read_so_far);
+            let mut bytes = std::mem::take(&mut text);
+            loop {
+                if let Some(out) = &mut held.out
+                    && let Err(fault) = out.write_all(&bytes)
+                {
+                    held.fault = Some(io::Error::from(fault.kind()));
+                    turn.notify_all();
+                    return Err(fault);
+                }
+                text = bytes;
+                held.next += 1;
+                let next = held.next;
+                match held.waiting.remove(&next) {
+                    Some(more) => bytes = more,
+                    None => break,
+                }
+            }
+            turn.notify_all();
+        }
+    };
+    if workers.len() == 1 {
+        return workers.into_iter().map(work).collect();
+    }
+    std::thread::scope(|scope| {
+        let running: Vec<_> = workers.into_iter().map(|w| scope.spawn(|| work(w))).collect();
+        running
+            .into_iter()
+            .map(|r| r.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic)))
+            .collect()
+    })
+}

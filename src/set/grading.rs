@@ -1,0 +1,87 @@
+//! grading.json: what a grading was made from, so that every mark in it can be traced.
+use crate::finding::Finding;
+use serde::Deserialize;
+use serde::Serialize;
+use serde_json::Map;
+use serde_json::Value;
+
+/// Version of the layout of grading.json.
+pub const FORMAT: u32 = 1;
+
+/// Folder of a grading that holds copies of what it was made from: set.json, bank.yaml, key.csv and course.yaml.
+pub const BASIS: &str = "basis";
+
+/// What a grading was made from.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Grading {
+    /// Version of this layout.
+    pub format: u32,
+    /// Program and version that graded.
+    pub program: String,
+    /// Version of the drawing of the set.
+    pub draw_version: u32,
+    /// Name of the set.
+    pub set: String,
+    /// Seed of the set.
+    pub seed: u64,
+    /// Id of the bank.
+    pub bank: String,
+    /// SHA-256 of the bank that made the key, hex.
+    pub bank_sha256: String,
+    /// SHA-256 of key.csv, hex.
+    pub key_sha256: String,
+    /// SHA-256 of the course file, hex, if one was given.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub course_sha256: Option<String>,
+    /// Which attempt counts, if the command said so over bank and course.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub attempts: Option<String>,
+    /// Language of the reasons.
+    pub language: String,
+    /// File of submissions, as it was named.
+    pub submissions: String,
+    /// Its size in bytes.
+    pub submissions_bytes: u64,
+    /// `field=header`, as the command gave them.
+    #[serde(default)]
+    pub columns: Vec<String>,
+    /// Lines of answers.csv below the header.
+    pub cells: u64,
+    /// How many of each verdict.
+    pub verdicts: Map<String, Value>,
+    /// One record for each student, rather than for each answer.
+    pub wide: bool,
+    /// Parts of students whose attempts were ordered by row, because a time cannot be read.
+    pub untimed: u64,
+    /// Answers that count and have no time that can be read, where lateness bears on marks.
+    pub undated: u64,
+    /// Columns of the submissions that were not used.
+    #[serde(default)]
+    pub unused_columns: Vec<String>,
+}
+
+impl Grading {
+    /// Reads grading.json.
+    ///
+    /// # Errors
+    /// What is wrong with it, with its place.
+    pub fn parse(text: &str) -> Result<Self, Finding> {
+        let grading: Self = serde_json::from_str(text).map_err(|e| {
+            let words = e.to_string();
+            let words = words.split(" at line ").next().unwrap_or("cannot be read").to_owned();
+            Finding::new("", format!("is no grading: {words}"))
+                .at(e.line().max(1), e.column().max(1))
+                .hint("grading.json is written by `slipstick grade` and not meant to be edited")
+        })?;
+        if grading.format == FORMAT {
+            return Ok(grading);
+        }
+        Err(Finding::new("format", format!("is {}; this program reads {FORMAT}", grading.format)))
+    }
+
+    /// The text of grading.json.
+    pub fn text(&self) -> String {
+        // Text keys and finite numbers only: this cannot fail.
+        serde_json::to_string_pretty(self).unwrap_or_else(|_| "{}".to_owned()) + "\n"
+    }
+}
