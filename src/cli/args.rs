@@ -106,6 +106,11 @@ pub enum Verb {
         after_help = "Examples:\n  slipstick templates --out my-templates\n  slipstick templates --out vorlagen --language de\n\nChange what you like, delete what you do not change, and give the folder with --templates to\ngenerate, practice, lint or solutions. README.md in it says what each template receives."
     )]
     Templates(Templates),
+    /// Let a made-up class with declared habits hand in, and write down what each answer really is
+    #[command(
+        after_help = "Examples:\n  slipstick simulate --example > habits.yaml\n  slipstick simulate week-5 --like habits.yaml --out submissions.csv --truth truth.csv --seed 1\n  slipstick grade week-5 submissions.csv --out grades\n\nThe habits are a YAML file: what becomes of an answer (right, rounded on the way, wrong methods, slips, blanks),\nfigures, units, attempts, who copies, when it is handed in. --example prints one with every field explained; it is\nwhat is taken without --like. The truth has a row for each row of the submissions: line, what was done, by which\nmethod or from whom, whether it should be marked right, and the verdict that the number as written should get.\nThe same seed gives the same bytes; a late joiner changes nobody else's answers."
+    )]
+    Simulate(Simulate),
     /// Show the whole job on a made-up class of 24: set, submissions, grades
     #[command(after_help = "Example:\n  slipstick demo\n\nRun twice it replaces only what it made.")]
     Demo(Demo),
@@ -528,6 +533,35 @@ pub struct Templates {
     /// Language: en or de
     #[arg(long, value_name = "CODE", default_value = "en")]
     pub language: String,
+}
+
+/// `simulate`
+#[derive(Debug, Args)]
+pub struct Simulate {
+    /// Folder of the set, as generate made it
+    #[arg(required_unless_present = "example")]
+    pub set: Option<PathBuf>,
+    /// Habits of the class, a YAML file [default: those of --example]
+    #[arg(long, value_name = "FILE")]
+    pub like: Option<PathBuf>,
+    /// File of submissions to write, CSV
+    #[arg(long, value_name = "SUBMISSIONS", required_unless_present = "example")]
+    pub out: Option<PathBuf>,
+    /// File to write what each row really is, CSV
+    #[arg(long, value_name = "FILE", required_unless_present = "example")]
+    pub truth: Option<PathBuf>,
+    /// Seed, a whole number from 0
+    #[arg(long, value_name = "N", default_value_t = 1)]
+    pub seed: u64,
+    /// Language of words such as `up`: en or de [default: that of the set]
+    #[arg(long, value_name = "CODE")]
+    pub language: Option<String>,
+    /// Replace files that are there already
+    #[arg(long)]
+    pub force: bool,
+    /// Print a file of habits with every field explained, and do nothing else
+    #[arg(long)]
+    pub example: bool,
 }
 
 /// `demo`

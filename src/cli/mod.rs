@@ -19,6 +19,7 @@ mod output;
 mod practice;
 mod regrade;
 mod report;
+mod simulate;
 mod solutions;
 mod solve;
 pub mod tell;
@@ -67,6 +68,7 @@ pub fn run(args: impl IntoIterator<Item = OsString>, io: &mut Io) -> Exit {
         Verb::WhatIf(args) => what_if::run(&args, io),
         Verb::Explain(args) => explain::run(&args, io),
         Verb::Templates(args) => templates::run(&args, io),
+        Verb::Simulate(args) => simulate::run(&args, io),
         Verb::Demo(args) => demo::run(&args, io),
     };
     let _ = io.out.flush();

@@ -356,12 +356,10 @@ impl Basis {
                 questions.iter().map(move |q| Part {
                     number: i + 1,
                     id: q.id.clone(),
-                    points: self.policy.points_of(
-                        i + 1,
-                        problem.map_or("", |p| p.id.as_str()),
-                        &q.id,
-                        q.points,
-                    ),
+                    points: self
+                        .policy
+                        .points_given(i + 1, problem.map_or("", |p| p.id.as_str()), &q.id)
+                        .unwrap_or(q.points),
                     unit: q.unit.ascii().to_owned(),
                 })
             })
