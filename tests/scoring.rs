@@ -14,7 +14,9 @@
 )]
 mod support;
 use slipstick::bank::Problem;
+use slipstick::grade::rules::Rules;
 use slipstick::grade::run;
+use slipstick::policy::Policy;
 use slipstick::grade::table::KeyTable;
 use slipstick::key::Answer;
 use slipstick::key::KeyEntry;
@@ -232,7 +234,9 @@ fn score(problem: &Problem, draws: u32, words: &Words) -> Score {
         Ok(Box::new(std::io::Cursor::new(submissions.clone())))
     };
     let mut answers = Vec::new();
-    run::grade(&open, &table, &run::Options::default(), &mut answers, &mut |_| {}).unwrap();
+    let policy = Policy::default();
+    let rules = Rules::new(&table, &policy).unwrap();
+    run::grade(&open, &table, &rules, &run::Options::default(), &mut answers, &mut |_| {}).unwrap();
     compare(problem, &answers, &files.truth, &mut score);
     score
 }
