@@ -107,7 +107,9 @@ fn demo(dir: &Path, io: &mut Io) -> Result<(), Vec<Finding>> {
     generate::coincidences(&summary, io);
     io.line("\nWhat the simulated rows were, and what became of them:");
     io.piece(&table);
-    io.line(&format!("\n{}", graded.summary));
+    // Told of the place that people know.
+    let told = graded.summary.replace(&root.display().to_string(), &shown.to_string());
+    io.line(&format!("\n{told}"));
     io.line("\nMarks:");
     io.piece(&marks);
     io.line(&format!(
