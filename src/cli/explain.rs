@@ -268,7 +268,13 @@ impl Desk<'_> {
                         unit.text_with(&shown(*value)),
                         road(entry.eom),
                         road(entry.energy),
-                        entry.gap.map_or_else(|| "unknown".to_owned(), |g| format!("{g:.0e}")),
+                        entry.gap.map_or_else(
+                            || "unknown".to_owned(),
+                            |g| match g > 0.0 {
+                                true => format!("{g:.0e}"),
+                                false => "0".to_owned(),
+                            }
+                        ),
                         entry.cond.map_or_else(|| "unknown".to_owned(), |c| words::rounded(c, 3)),
                         entry.bound.map_or_else(String::new, |b| format!(
                             "; the true answer lies within {:.0e} of it, proved",
@@ -329,7 +335,10 @@ impl Desk<'_> {
             }
             Reading::Blank | Reading::Unreadable(_) => {}
         }
-        let _ = write!(text, ". {}: {}", sentence(row.verdict.as_str()), row.reason);
+        let _ = match row.verdict {
+            Verdict::Superseded => write!(text, ". {}", sentence(&row.reason)),
+            verdict => write!(text, ". {}: {}", sentence(verdict.as_str()), row.reason),
+        };
         page.say(2, &text);
     }
 
