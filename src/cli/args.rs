@@ -31,9 +31,16 @@ pub enum Verb {
     Generate(Generate),
     /// Grade submissions against a set
     #[command(
-        after_help = "Examples:\n  slipstick grade week-5 submissions.csv --out week-5-grades\n  slipstick grade week-5 forms-export.csv --out grades --columns student=\"Email Address\" --attempts best\n\nSUBMISSIONS is a CSV file in long form (student,problem,part,answer and, if known, submitted_at) or in wide form\n(one record for each student, columns such as 1.omega). Separator and encoding are found out. Every answer cell\ncomes out exactly once in answers.csv, with a verdict, points and a reason."
+        after_help = "Examples:\n  slipstick grade week-5 submissions.csv --out week-5-grades\n  slipstick grade week-5 forms-export.csv --out grades --columns student=\"Email Address\" --attempts best\n  slipstick course > course.yaml     due date, attempts, late penalty, credit, rounding: change what you need\n  slipstick grade week-5 submissions.csv --course course.yaml --out week-5-grades\n\nSUBMISSIONS is a CSV file in long form (student,problem,part,answer and, if known, submitted_at) or in wide form\n(one record for each student, columns such as 1.omega). Separator and encoding are found out. Every answer cell\ncomes out exactly once in answers.csv, with a verdict, points and a reason."
     )]
     Grade(Grade),
+    /// Print a course file with every setting that bears on marks, explained: `slipstick course > course.yaml`
+    Course,
+    /// Report on grades: the class for the instructor, feedback for each student, gradebooks for Canvas and Moodle
+    #[command(
+        after_help = "Examples:\n  slipstick report week-5-grades\n  slipstick report week-5-grades --language de --out week-5-feedback\n  slipstick report week-5-grades --force                replaces an earlier report\n\nGRADED is a folder that grade made. report.html needs no network: settings, distribution, success, difficulty and\ndiscrimination of each part, the class's favourite mistakes, unreadable cells, attempts, fairness between variants;\nits tables are also CSV files in tables/. feedback/ holds a page for each student: answer, verdict, points, and a\nhint at the level of the course's setting `hints` (none, nudge or explain); never the key, never other students."
+    )]
+    Report(Report),
     /// Grade the same submissions again after a change of bank or course, and show who gains and who loses
     #[command(
         after_help = "Examples:\n  slipstick regrade week-5 week-5-grades submissions.csv --dry-run\n  slipstick regrade week-5 week-5-grades submissions.csv --out week-5-grades-2 --bank bank-corrected.yaml\n  slipstick regrade week-5 week-5-grades submissions.csv --out week-5-grades-2 --course course.yaml\n\nThe bank may be changed in place (DIR/bank.yaml) or given with --bank: a key, a tolerance, points, words, wrong methods. What\nwas printed on the sheets stays what it was; the key is solved anew from it, on both roads. A part that turned out to be\nfaulty is corrected for all in the course file:\n\n  corrections:\n    - {part: 2.v, give: full, why: part 2 was ambiguous}\n\nWhat changes is told before anything is written. GRADED stays as it is; the new folder is a whole grading with, beside\nit, changes.csv: each mark before and after, and why."
@@ -99,6 +106,11 @@ pub enum Verb {
         after_help = "Examples:\n  slipstick templates --out my-templates\n  slipstick templates --out vorlagen --language de\n\nChange what you like, delete what you do not change, and give the folder with --templates to\ngenerate, practice, lint or solutions. README.md in it says what each template receives."
     )]
     Templates(Templates),
+    /// Let a made-up class with declared habits hand in, and write down what each answer really is
+    #[command(
+        after_help = "Examples:\n  slipstick simulate --example > habits.yaml\n  slipstick simulate week-5 --like habits.yaml --out submissions.csv --truth truth.csv --seed 1\n  slipstick grade week-5 submissions.csv --out grades\n\nThe habits are a YAML file: what becomes of an answer (right, rounded on the way, wrong methods, slips, blanks),\nfigures, units, attempts, who copies, when it is handed in. --example prints one with every field explained; it is\nwhat is taken without --like. The truth has a row for each row of the submissions: line, what was done, by which\nmethod or from whom, whether it should be marked right, and the verdict that the number as written should get.\nThe same seed gives the same bytes; a late joiner changes nobody else's answers."
+    )]
+    Simulate(Simulate),
     /// Show the whole job on a made-up class of 24: set, submissions, grades
     #[command(after_help = "Example:\n  slipstick demo\n\nRun twice it replaces only what it made.")]
     Demo(Demo),
@@ -231,6 +243,25 @@ pub struct Grade {
     /// Replace an earlier grading
     #[arg(long)]
     pub force: bool,
+}
+
+/// `report`
+#[derive(Debug, Args)]
+pub struct Report {
+    /// Folder of grades, as grade made it
+    pub graded: PathBuf,
+    /// Folder to make [default: into GRADED]
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
+    /// Replace an earlier report (and nothing but what report made)
+    #[arg(long)]
+    pub force: bool,
+    /// Threads [default: one for each core]; the output does not depend on it
+    #[arg(long, value_name = "N")]
+    pub threads: Option<usize>,
+    /// In which words the feedback is.
+    #[command(flatten)]
+    pub own: Own,
 }
 
 /// `regrade`
@@ -502,6 +533,35 @@ pub struct Templates {
     /// Language: en or de
     #[arg(long, value_name = "CODE", default_value = "en")]
     pub language: String,
+}
+
+/// `simulate`
+#[derive(Debug, Args)]
+pub struct Simulate {
+    /// Folder of the set, as generate made it
+    #[arg(required_unless_present = "example")]
+    pub set: Option<PathBuf>,
+    /// Habits of the class, a YAML file [default: those of --example]
+    #[arg(long, value_name = "FILE")]
+    pub like: Option<PathBuf>,
+    /// File of submissions to write, CSV
+    #[arg(long, value_name = "SUBMISSIONS", required_unless_present = "example")]
+    pub out: Option<PathBuf>,
+    /// File to write what each row really is, CSV
+    #[arg(long, value_name = "FILE", required_unless_present = "example")]
+    pub truth: Option<PathBuf>,
+    /// Seed, a whole number from 0
+    #[arg(long, value_name = "N", default_value_t = 1)]
+    pub seed: u64,
+    /// Language of words such as `up`: en or de [default: that of the set]
+    #[arg(long, value_name = "CODE")]
+    pub language: Option<String>,
+    /// Replace files that are there already
+    #[arg(long)]
+    pub force: bool,
+    /// Print a file of habits with every field explained, and do nothing else
+    #[arg(long)]
+    pub example: bool,
 }
 
 /// `demo`

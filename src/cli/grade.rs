@@ -316,7 +316,7 @@ pub fn make(job: &Job, basis: Basis, input: &mut dyn BufRead) -> Result<Made, Ve
         course_sha256: course.map(|(_, text)| load::hash(text)),
         attempts: job.attempts.map(|a| counts(a).as_str().to_owned()),
         language: words.language().to_owned(),
-        submissions: submissions.clone(),
+        submissions: job.submissions.file_name().unwrap_or_default().to_string_lossy().into_owned(),
         submissions_bytes: size,
         columns: job.columns.to_vec(),
         cells: graded.cells,

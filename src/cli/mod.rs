@@ -18,6 +18,8 @@ mod matches;
 mod output;
 mod practice;
 mod regrade;
+mod report;
+mod simulate;
 mod solutions;
 mod solve;
 pub mod tell;
@@ -48,6 +50,11 @@ pub fn run(args: impl IntoIterator<Item = OsString>, io: &mut Io) -> Exit {
     let exit = match typed.verb {
         Verb::Generate(args) => generate::run(&args, io),
         Verb::Grade(args) => grade::run(&args, io),
+        Verb::Course => {
+            io.piece(crate::bank::course::EXAMPLE);
+            Exit::Fine
+        }
+        Verb::Report(args) => report::run(&args, io),
         Verb::Check(args) => check::run(&args, io),
         Verb::Practice(args) => practice::run(&args, io),
         Verb::Solve(args) => solve::run(&args, io),
@@ -61,6 +68,7 @@ pub fn run(args: impl IntoIterator<Item = OsString>, io: &mut Io) -> Exit {
         Verb::WhatIf(args) => what_if::run(&args, io),
         Verb::Explain(args) => explain::run(&args, io),
         Verb::Templates(args) => templates::run(&args, io),
+        Verb::Simulate(args) => simulate::run(&args, io),
         Verb::Demo(args) => demo::run(&args, io),
     };
     let _ = io.out.flush();
