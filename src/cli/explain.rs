@@ -319,9 +319,11 @@ impl Desk<'_> {
                     let _ = write!(text, ", {}", word.as_str());
                 }
                 if judged.number.is_finite() {
-                    let asked =
-                        entry.unit.text_with(&words::rounded(entry.unit.from_si(judged.number), FIGURES));
-                    let _ = write!(text, ", that is {asked} ({} SI)", words::rounded(judged.number, FIGURES));
+                    let (asked, si) = (entry.unit.from_si(judged.number), judged.number);
+                    let _ = write!(text, ", that is {}", entry.unit.text_with(&words::rounded(asked, FIGURES)));
+                    if (asked - si).abs() > 1e-12 * si.abs() {
+                        let _ = write!(text, " ({} in SI)", words::rounded(si, FIGURES));
+                    }
                     if let Answer::Number { value, .. } = entry.answer
                         && value != 0.0
                     {
