@@ -320,7 +320,8 @@ impl Desk<'_> {
                 }
                 if judged.number.is_finite() {
                     let (asked, si) = (entry.unit.from_si(judged.number), judged.number);
-                    let _ = write!(text, ", that is {}", entry.unit.text_with(&words::rounded(asked, FIGURES)));
+                    let _ =
+                        write!(text, ", that is {}", entry.unit.text_with(&words::rounded(asked, FIGURES)));
                     if (asked - si).abs() > 1e-12 * si.abs() {
                         let _ = write!(text, " ({} in SI)", words::rounded(si, FIGURES));
                     }
