@@ -533,7 +533,7 @@ fn diagnosed(table: &KeyTable, who: u32, what: u32, judgement: &mut Judgement, s
             (format!("power_of_ten:{n}"), say.fill("feedback.slip.power_of_ten", &[("n", &n.to_string())]))
         }
         Slip::Unit(from, to) => {
-            (format!("unit:{to}"), say.fill("feedback.slip.unit", &[("from", from), ("to", to)]))
+            (format!("unit:{from}"), say.fill("feedback.slip.unit", &[("from", from), ("to", to)]))
         }
         Slip::FewerFigures(n) => {
             (format!("figures:{n}"), say.fill("feedback.slip.figures", &[("n", &n.to_string())]))
