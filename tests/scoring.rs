@@ -14,12 +14,14 @@
 )]
 mod support;
 use slipstick::bank::Problem;
+use slipstick::grade::rules::Rules;
 use slipstick::grade::run;
 use slipstick::grade::table::KeyTable;
 use slipstick::key::Answer;
 use slipstick::key::KeyEntry;
 use slipstick::key::ProblemKey;
 use slipstick::key::SheetKey;
+use slipstick::policy::Policy;
 use slipstick::problem::make::Maker;
 use slipstick::problem::make::Variant;
 use slipstick::problem::make_key;
@@ -208,7 +210,11 @@ fn unguarded(problem: &Problem, part: &str, method: &str) -> bool {
 fn score(problem: &Problem, draws: u32, words: &Words) -> Score {
     let mut score = Score {
         draws,
-        rounded: problem.questions.iter().map(|q| (q.id.clone(), Count::default(), Default::default())).collect(),
+        rounded: problem
+            .questions
+            .iter()
+            .map(|q| (q.id.clone(), Count::default(), Default::default()))
+            .collect(),
         ..Score::default()
     };
     // Many of all sorts, each part once.
@@ -224,9 +230,13 @@ fn score(problem: &Problem, draws: u32, words: &Words) -> Score {
     score.rows = files.rows;
     let table = KeyTable::new(works.into_iter().map(|w| w.key).collect(), &[]);
     let submissions = files.submissions;
-    let open = || -> std::io::Result<Box<dyn Read + Send>> { Ok(Box::new(std::io::Cursor::new(submissions.clone()))) };
+    let open = || -> std::io::Result<Box<dyn Read + Send>> {
+        Ok(Box::new(std::io::Cursor::new(submissions.clone())))
+    };
     let mut answers = Vec::new();
-    run::grade(&open, &table, &run::Options::default(), &mut answers, &mut |_| {}).unwrap();
+    let policy = Policy::default();
+    let rules = Rules::new(&table, &policy).unwrap();
+    run::grade(&open, &table, &rules, &run::Options::default(), &mut answers, &mut |_| {}).unwrap();
     compare(problem, &answers, &files.truth, &mut score);
     score
 }
@@ -281,7 +291,11 @@ fn compare(problem: &Problem, answers: &[u8], truth: &[u8], score: &mut Score) {
         }
         if kind == Kind::WrongMethod && !method.is_empty() && verdict != "missing unit" {
             let excepted = unguarded(problem, part, method);
-            if excepted { score.excepted.add(!rejected) } else { score.accepted.add(!rejected) }
+            if excepted {
+                score.excepted.add(!rejected)
+            } else {
+                score.accepted.add(!rejected)
+            }
             if !excepted && !rejected {
                 score.faults.push(at());
             }
@@ -332,14 +346,19 @@ fn judge(scores: &[(String, Score)], least: usize) {
     let mut kinds: BTreeMap<&str, Count> = BTreeMap::new();
     let (mut rejected, mut accepted, mut excepted) = (Count::default(), Count::default(), Count::default());
     let (mut recalled, mut precise, mut first) = (Count::default(), Count::default(), Count::default());
-    println!("Rejected although right, with {ON_THE_WAY} figures on the way (each road alone: equations of motion, energy)");
+    println!(
+        "Rejected although right, with {ON_THE_WAY} figures on the way (each road alone: equations of motion, energy)"
+    );
     for (family, s) in scores {
         println!("  {family}: {} draws, {} answers", s.draws, s.rows);
         for (part, count, roads) in s.rounded.iter().filter(|(_, c, _)| c.all > 0) {
             let [eom, energy] = roads.map(percent);
             println!("    {part:20} {:>8} of {:5}   ({eom}, {energy})", percent(*count), count.all);
             if count.share() > REJECTED {
-                faults.push(format!("{family} {part}: {} rejected of {} rounded on the way", count.hits, count.all));
+                faults.push(format!(
+                    "{family} {part}: {} rejected of {} rounded on the way",
+                    count.hits, count.all
+                ));
             }
         }
     }
@@ -348,7 +367,13 @@ fn judge(scores: &[(String, Score)], least: usize) {
         println!("  {family}");
         for (id, count) in &s.recalled {
             let named = s.precise.get(id).copied().unwrap_or_default();
-            println!("    {id:5} {:6} {:>9}   {:6} {:>9}", count.all, percent(*count), named.all, percent(named));
+            println!(
+                "    {id:5} {:6} {:>9}   {:6} {:>9}",
+                count.all,
+                percent(*count),
+                named.all,
+                percent(named)
+            );
             if count.share() < RECALLED {
                 faults.push(format!("{family} {id}: {} of {} named", count.hits, count.all));
             }
@@ -373,7 +398,12 @@ fn judge(scores: &[(String, Score)], least: usize) {
     println!("  right to 4 figures or more, rejected:      {} of {}", rejected.hits, rejected.all);
     println!("  guarded wrong methods marked right:        {} of {}", accepted.hits, accepted.all);
     println!("  unguarded ones marked right (excepted):    {} of {}", excepted.hits, excepted.all);
-    println!("  wrong methods named: {} of {}; first of those named: {}", percent(recalled), recalled.all, percent(first));
+    println!(
+        "  wrong methods named: {} of {}; first of those named: {}",
+        percent(recalled),
+        recalled.all,
+        percent(first)
+    );
     println!("  names that are right: {} of {}", percent(precise), precise.all);
     let shown: Vec<String> = faults.iter().take(40).cloned().collect();
     assert!(faults.is_empty(), "{} faults\n{}", faults.len(), shown.join("\n"));

@@ -29,7 +29,10 @@ pub fn run(args: &args::Simulate, io: &mut Io) -> Exit {
             let students = tell::count(files.students, "student");
             io.line(&format!("{rows} by {students} with seed {}", args.seed));
             for (what, path) in [("submissions", &args.out), ("truth", &args.truth)] {
-                io.line(&format!("  {what}: {}", path.as_ref().map_or_else(String::new, |p| p.display().to_string())));
+                io.line(&format!(
+                    "  {what}: {}",
+                    path.as_ref().map_or_else(String::new, |p| p.display().to_string())
+                ));
             }
             Exit::Fine
         }
@@ -73,8 +76,11 @@ fn simulate(args: &args::Simulate) -> Result<Files, Vec<Finding>> {
     };
     let works = replay::each(&bank, &stored, &|_, student, dealt| {
         let drawn = dealt.variants.iter().zip(&dealt.key.problems);
-        let sheet: Vec<_> =
-            problems.iter().zip(drawn).map(|(p, (variant, key))| (&bank.problems[*p], variant, key)).collect();
+        let sheet: Vec<_> = problems
+            .iter()
+            .zip(drawn)
+            .map(|(p, (variant, key))| (&bank.problems[*p], variant, key))
+            .collect();
         let handed = Student::new(&habits, &words, args.seed, &student.student).work(&sheet);
         Ok(Work { key: dealt.key, handed })
     });

@@ -17,9 +17,9 @@ impl Chance {
     /// The stream of a student.
     pub fn of(seed: u64, student: &str) -> Self {
         // FNV-1a; stream 0 is the class's own.
-        let hash = student.bytes().fold(0xcbf2_9ce4_8422_2325_u64, |h, b| {
-            (h ^ u64::from(b)).wrapping_mul(0x0000_0100_0000_01b3)
-        });
+        let hash = student
+            .bytes()
+            .fold(0xcbf2_9ce4_8422_2325_u64, |h, b| (h ^ u64::from(b)).wrapping_mul(0x0000_0100_0000_01b3));
         Self::new(seed, hash.max(1))
     }
     /// A share, `0 <= share < 1`.

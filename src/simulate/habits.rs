@@ -162,10 +162,7 @@ impl Habits {
     }
 
     /// Ids of wrong methods that are named and that `known` does not have, each with what may have been meant.
-    pub fn unknown_methods<'a>(
-        &'a self,
-        known: &[&str],
-    ) -> impl Iterator<Item = (&'a str, Option<String>)> {
+    pub fn unknown_methods<'a>(&'a self, known: &[&str]) -> impl Iterator<Item = (&'a str, Option<String>)> {
         let known: Vec<String> = known.iter().map(|k| (*k).to_owned()).collect();
         self.methods.iter().filter_map(move |(id, _)| {
             let strange = !known.contains(id);
@@ -196,8 +193,7 @@ fn habits(tree: &Node, faults: &Faults) -> Option<Habits> {
             })
         })
     });
-    let (any_method, methods) =
-        fields.get("wrong methods").map_or((1.0, Vec::new()), |n| methods(n, faults));
+    let (any_method, methods) = fields.get("wrong methods").map_or((1.0, Vec::new()), |n| methods(n, faults));
     let carries_on = part(fields.get("carries on"));
     let follows_on = part(fields.get("follows on"));
     let figures = fields.get("figures").map(|n| counts(n, "figures", MOST_FIGURES, faults));
@@ -367,7 +363,11 @@ fn times(node: &Node, faults: &Faults) -> Option<Times> {
         Some(n) => match moment::span(n.text().unwrap_or("")) {
             Some(minutes) if minutes > 0 => minutes,
             _ => {
-                faults.hint(n, format!("expected a time span, found {}", n.kind()), "such as `36 h` or `2 d`");
+                faults.hint(
+                    n,
+                    format!("expected a time span, found {}", n.kind()),
+                    "such as `36 h` or `2 d`",
+                );
                 1
             }
         },

@@ -81,7 +81,9 @@ mod tests {
         for t in ["2026-03-06 18:00", "2024-02-29 23:59", "1969-12-31 00:01", "2100-03-01 00:00"] {
             assert_eq!(minute(t).map(text).as_deref(), Some(t));
         }
-        for t in ["2026-02-29 10:00", "2026-13-01 10:00", "2026-3-6 18:00", "2026-03-06", "6.3.2026 18:00", ""] {
+        for t in
+            ["2026-02-29 10:00", "2026-13-01 10:00", "2026-3-6 18:00", "2026-03-06", "6.3.2026 18:00", ""]
+        {
             assert_eq!(minute(t), None, "{t}");
         }
         for day in (-200_000..200_000).step_by(17) {
@@ -91,7 +93,10 @@ mod tests {
 
     #[test]
     fn spans_and_zones() {
-        assert_eq!((span("36 h"), span("2d"), span("90min"), span("2 w")), (Some(2160), Some(2880), Some(90), None));
+        assert_eq!(
+            (span("36 h"), span("2d"), span("90min"), span("2 w")),
+            (Some(2160), Some(2880), Some(90), None)
+        );
         assert!(is_zone("+01:00") && is_zone("-09:30") && is_zone("Z"));
         assert!(!is_zone("CET") && !is_zone("+1:00") && !is_zone("01:00"));
     }

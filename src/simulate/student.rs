@@ -294,10 +294,7 @@ impl<'h> Student<'h> {
         let own = |label: Label| {
             let asked = part.problem.questions.iter().position(|q| q.label == label);
             let wrong = asked.and_then(|q| memory.wrong.iter().find(|(p, _)| *p == q));
-            wrong.map_or_else(
-                || part.variant.solved.get(label).map_or(f64::NAN, Entry::value),
-                |(_, x)| *x,
-            )
+            wrong.map_or_else(|| part.variant.solved.get(label).map_or(f64::NAN, Entry::value), |(_, x)| *x)
         };
         let si = follow.by.eval(&part.variant.data, &own);
         if !si.is_finite() {

@@ -43,7 +43,8 @@ impl Kind {
 /// what was done; id of the wrong method; figures of the answer, or on the way where it was rounded there; student or part that
 /// the number is from; should it be marked right (`yes`, `no`); verdict that the grader's rules give to the number as written.
 pub const HEADER: [&str; 12] = [
-    "line", "student", "problem", "part", "attempt", "answer", "kind", "method", "figures", "from", "right", "verdict",
+    "line", "student", "problem", "part", "attempt", "answer", "kind", "method", "figures", "from", "right",
+    "verdict",
 ];
 
 /// What was done in one row.
