@@ -97,6 +97,8 @@ struct Score {
     first: Count,
     /// For each kind: rows that got the verdict that the truth says.
     verdicts: BTreeMap<&'static str, Count>,
+    /// For each kind of slip: wrong answers, and of these the ones where it was recognised.
+    slips: BTreeMap<&'static str, Count>,
     /// What is not as it should be, in words.
     faults: Vec<String>,
 }
@@ -200,6 +202,17 @@ fn students(
     works
 }
 
+/// What answers.csv says of such a slip.
+const fn recognised(kind: Kind) -> Option<&'static str> {
+    match kind {
+        Kind::PowerOfTen => Some("power_of_ten:"),
+        Kind::UnitSlip => Some(":"),
+        Kind::OtherPart => Some("part:"),
+        Kind::Followed => Some("follow:"),
+        _ => None,
+    }
+}
+
 /// Is this method at this question one near which draws are not refused?
 fn unguarded(problem: &Problem, part: &str, method: &str) -> bool {
     let mistake = problem.mistakes.iter().find(|m| m.id == method).unwrap();
@@ -286,6 +299,12 @@ fn compare(problem: &Problem, answers: &[u8], truth: &[u8], score: &mut Score) {
                 score.faults.push(at());
             }
         }
+        if verdict == "wrong"
+            && let Some(sign) = recognised(kind)
+        {
+            let said = format!("{} {}", graded.get(column("slip")).unwrap(), graded.get(column("credit")).unwrap());
+            score.slips.entry(kind.name()).or_default().add(said.contains(sign));
+        }
         for id in &named {
             score.precise.entry((*id).to_owned()).or_default().add(*id == method);
         }
@@ -344,6 +363,7 @@ fn percent(count: Count) -> String {
 fn judge(scores: &[(String, Score)], least: usize) {
     let mut faults: Vec<String> = Vec::new();
     let mut kinds: BTreeMap<&str, Count> = BTreeMap::new();
+    let mut slips: BTreeMap<&str, Count> = BTreeMap::new();
     let (mut rejected, mut accepted, mut excepted) = (Count::default(), Count::default(), Count::default());
     let (mut recalled, mut precise, mut first) = (Count::default(), Count::default(), Count::default());
     println!(
@@ -384,6 +404,9 @@ fn judge(scores: &[(String, Score)], least: usize) {
         accepted.join(s.accepted);
         excepted.join(s.excepted);
         first.join(s.first);
+        for (kind, count) in &s.slips {
+            slips.entry(kind).or_default().join(*count);
+        }
         for (kind, count) in &s.verdicts {
             kinds.entry(kind).or_default().join(*count);
         }
@@ -391,6 +414,10 @@ fn judge(scores: &[(String, Score)], least: usize) {
     }
     println!("Verdicts as the truth says, by kind");
     for (kind, count) in kinds {
+        println!("  {kind:20} {:7} {:>9}", count.all, percent(count));
+    }
+    println!("Slips of wrong answers that are recognised");
+    for (kind, count) in slips {
         println!("  {kind:20} {:7} {:>9}", count.all, percent(count));
     }
     let answers: usize = scores.iter().map(|(_, s)| s.rows).sum();
@@ -414,7 +441,8 @@ fn judge(scores: &[(String, Score)], least: usize) {
 
 #[test]
 fn grading_is_held_against_the_truth() {
-    judge(&all(400), 100_000);
+    let n = std::env::var("DRAWS").ok().and_then(|t| t.parse().ok()).unwrap_or(400);
+    judge(&all(n), 100_000);
 }
 
 #[test]
