@@ -16,6 +16,7 @@ mod support;
 use slipstick::bank::Problem;
 use slipstick::grade::rules::Rules;
 use slipstick::grade::run;
+use slipstick::policy::Policy;
 use slipstick::grade::table::KeyTable;
 use slipstick::key::Answer;
 use slipstick::key::KeyEntry;
