@@ -29,11 +29,14 @@ pub enum Slip {
 }
 
 /// Pairs of units that are taken for one another, and how many of the second make one of the first.
-const CONFUSED: [(&str, &str, f64); 4] = [
+const CONFUSED: [(&str, &str, f64); 7] = [
     ("rev/min", "rad/s", 60.0 / std::f64::consts::TAU),
     ("rev/s", "rad/s", 1.0 / std::f64::consts::TAU),
+    ("deg/s", "rad/s", 180.0 / std::f64::consts::PI),
     ("deg", "rad", 180.0 / std::f64::consts::PI),
     ("rev", "rad", 1.0 / std::f64::consts::TAU),
+    ("km/h", "m/s", 3.6),
+    ("min", "s", 1.0 / 60.0),
 ];
 /// Greatest power of ten that is recognised, both ways.
 const TENS: i32 = 6;
