@@ -36,9 +36,9 @@ use crate::grade::layout::trimmed;
 use crate::grade::quick::Quick;
 use crate::grade::rules::Rules;
 use crate::grade::table::KeyTable;
+use crate::grade::table::joined;
 use crate::grade::tails::Kind;
 use crate::grade::tails::Tails;
-use crate::grade::table::joined;
 use crate::grade::threads::sweep;
 use crate::grade::verdict::Judgement;
 use crate::grade::verdict::Verdict;
@@ -716,17 +716,8 @@ fn push_ids(out: &mut Vec<u8>, found: &[u16], methods: &[String]) {
 /// Judges and writes.
 fn walk_and_write(worker: &mut Worker, batch: &Batch, out: &mut Vec<u8>, job: &Job, winners: &[Winner]) {
     let Job { table, layout, say, rules } = *job;
-    let Worker {
-        scratch,
-        quick,
-        tails,
-        points: earned,
-        cells: written,
-        undated,
-        counts,
-        by_column,
-        ..
-    } = worker;
+    let Worker { scratch, quick, tails, points: earned, cells: written, undated, counts, by_column, .. } =
+        worker;
     let needs_date = rules.policy.timed();
     let by_row_says = say.get("feedback.by_row");
     let mut reason = Vec::new();
@@ -799,7 +790,16 @@ fn walk_and_write(worker: &mut Worker, batch: &Batch, out: &mut Vec<u8>, job: &J
         let submitted = layout.submitted.and_then(|i| record.get(i)).map_or(&b""[..], trimmed);
         cells(record, layout, table, quick, |quick, cell| {
             if let (Some(who), Some(what)) = (cell.who, cell.what)
-                && superseded_line(job, winners, (&mut *quick, &mut *tails), cell, (who, what), submitted, out).is_some()
+                && superseded_line(
+                    job,
+                    winners,
+                    (&mut *quick, &mut *tails),
+                    cell,
+                    (who, what),
+                    submitted,
+                    out,
+                )
+                .is_some()
             {
                 *written += 1;
                 counts[Verdict::Superseded as usize] += 1;

@@ -2,8 +2,8 @@
 use crate::grade::diagnose::Diagnosis;
 use crate::grade::diagnose::Known;
 use crate::grade::feedback::Feedback;
-use crate::grade::write::push_text;
 use crate::grade::ids::Ids;
+use crate::grade::write::push_text;
 use crate::key::Answer;
 use crate::key::Follow;
 use crate::key::KeyEntry;
@@ -64,6 +64,7 @@ pub(crate) struct Numbers {
     /// See [`crate::key::ProblemKey::given`].
     pub given: Box<[f64]>,
 }
+
 /// No number is asked.
 pub(crate) const WORD: u16 = u16::MAX;
 
@@ -290,6 +291,7 @@ impl KeyTable {
                 }
             }
         }
+    }
     /// What a wrong answer fits.
     #[inline]
     pub(crate) fn diagnose(&self, x: f64, student: usize, column: usize) -> Diagnosis {
