@@ -12,6 +12,7 @@ use encoding_rs::WINDOWS_1252;
 use std::borrow::Cow;
 use std::io;
 use std::io::Read;
+use std::ops::Range;
 
 /// A field longer than this cannot be read.
 pub const FIELD_CAP: usize = 64 * 1024;
@@ -338,11 +339,18 @@ impl Batch {
             return each(&Record { line, text, ends, fault: Some(RecordFault::TooLong), open: false });
         }
         let data = &self.bytes;
-        if self.simple && utf8 && !nul && !self.decoded {
-            return self.simple_records(marks, ends, &mut each);
-        }
+        let text_alone = utf8 && !nul && !self.decoded;
         let mut at = 0;
         while at < data.len() {
+            if text_alone {
+                // Lines before the next quote need no care.
+                let plain = if self.simple { data.len() } else { at + plain_lines(&data[at..]) };
+                if plain > at {
+                    line = self.simple_records(at..plain, line, marks, ends, &mut each);
+                    at = plain;
+                    continue;
+                }
+            }
             let walked = if self.simple {
                 let stop = memchr::memchr(b'\n', &data[at..]).map_or(data.len(), |k| at + k);
                 let end = if stop > at && data[stop - 1] == b'\r' { stop - 1 } else { stop };
@@ -361,22 +369,25 @@ impl Batch {
         }
     }
 
-    /// The records of a batch in which every delimiter and every line end is one: no quote, no byte that is no text.
+    /// The records of a part of a batch in which every delimiter and every line end is one: no quote, no byte that is no
+    /// text. Gives the line behind it.
     #[inline]
     fn simple_records(
         &self,
+        part: Range<usize>,
+        mut line: u64,
         marks: &mut Vec<u32>,
         ends: &mut Vec<(usize, usize)>,
         each: &mut impl FnMut(&Record),
-    ) {
-        let text = self.bytes.as_slice();
+    ) -> u64 {
+        let text = &self.bytes[part];
         find_marks(text, self.shape.delimiter, marks);
         // The last line may have no end.
         if text.last() != Some(&b'\n') {
             marks.push(u32::try_from(text.len()).unwrap_or(u32::MAX));
         }
         ends.clear();
-        let (mut begin, mut start, mut line) = (0, 0, self.line);
+        let (mut begin, mut start) = (0, 0);
         for mark in marks.iter().map(|m| *m as usize) {
             if text.get(mark).is_some_and(|b| *b != b'\n') {
                 ends.push((start, mark));
@@ -397,6 +408,7 @@ impl Batch {
             start = mark + 1;
             begin = start;
         }
+        line
     }
 
     /// Splits one record with quotes or odd bytes: its fault, and whether a quote is left open.
@@ -656,6 +668,12 @@ impl Source {
             } else {
                 cut = 0;
                 while cut < data.len() && cut < self.block && (finished || data.len() - cut >= LOOKAHEAD) {
+                    let plain = plain_lines(&data[cut..data.len().min(self.block)]);
+                    if plain > 0 {
+                        lines += memchr::memchr_iter(b'\n', &data[cut..cut + plain]).count() as u64;
+                        cut += plain;
+                        continue;
+                    }
                     let Some(walked) = walk(data, cut, shape, finished, &mut |_| {}) else { break };
                     cut = walked.next;
                     lines += walked.lines;
@@ -741,6 +759,17 @@ impl Source {
             self.fill(LOOKAHEAD)?;
         }
     }
+}
+
+/// How many bytes at the start are whole lines without a quote or a lone CR, of the next few.
+fn plain_lines(data: &[u8]) -> usize {
+    // Not far: where each line has a lone CR, this is asked anew for each.
+    const FAR: usize = 8 * 1024;
+    let data = &data[..data.len().min(FAR)];
+    let odd = memchr::memchr2_iter(b'"', b'\r', data)
+        .find(|i| data[*i] == b'"' || data.get(i + 1) != Some(&b'\n'))
+        .unwrap_or(data.len());
+    memchr::memrchr(b'\n', &data[..odd]).map_or(0, |k| k + 1)
 }
 
 /// Neither a quote nor a lone CR.

@@ -39,13 +39,14 @@ def make(folder, rows):
         scaled = (value / factors[part, unit])[at].tolist()
         unit_names = names[part[at], unit[at]].tolist()
         for name, answers in (
-            ("answers", [f"{x:.4g}" if x == x else "" for x in value[at].tolist()]),
-            ("answers_units", [f"{x:.5g} {u}" if x == x else "" for x, u in zip(scaled, unit_names)]),
+            ("answers", [f"{x:.4g}" if x == x else None for x in value[at].tolist()]),
+            ("answers_units", [f"{x:.5g} {u}" if x == x else None for x, u in zip(scaled, unit_names)]),
         ):
             to = f"{folder}/{order}"
             os.makedirs(to, exist_ok=True)
             frame = pl.DataFrame({"submission": np.arange(rows), "variant": variant[at],
-                                  "part": pl.Series(np.array(PARTS, dtype=object)[part[at]], dtype=pl.String), "answer": answers})
+                                  "part": pl.Series(np.array(PARTS, dtype=object)[part[at]], dtype=pl.String),
+                                  "answer": pl.Series(answers, dtype=pl.String)})
             frame.write_csv(f"{to}/{name}.csv")
             frame.select(student=pl.Series(np.array(students, dtype=object)[variant[at]], dtype=pl.String), problem=pl.lit(1),
                          part="part", answer="answer").write_csv(f"{to}/slipstick_{name}.csv")
