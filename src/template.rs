@@ -24,6 +24,7 @@ pub const BUILT_IN: &[(&str, &str)] = built_in!("":
     "sheet.md",
     "questions.md",
     "solution/default.md",
+    "feedback.md",
     "key-table.md",
     "style.html",
     "sheet.html",
@@ -33,6 +34,7 @@ pub const BUILT_IN: &[(&str, &str)] = built_in!("":
     "booklet.tex",
     "accuracy.html",
     "gallery.html",
+    "report.html",
     "statement/compound-pendulum.md",
     "statement/falling-rod.md",
     "statement/kinetic-energy.md",
@@ -50,6 +52,7 @@ pub const TRANSLATED: &[(&str, &[(&str, &str)])] = &[(
     "de",
     built_in!("de/":
         "sheet.md",
+        "feedback.md",
         "key-table.md",
         "questions.md",
         "statement/compound-pendulum.md",

@@ -23,6 +23,7 @@ macro_rules! lists {
             ("thrown", include_str!(concat!("../templates/", $folder, "words/thrown.yaml"))),
             ("lamina", include_str!(concat!("../templates/", $folder, "words/lamina.yaml"))),
             ("feedback", include_str!(concat!("../templates/", $folder, "words/feedback.yaml"))),
+            ("marks", include_str!(concat!("../templates/", $folder, "words/marks.yaml"))),
         ]
     };
 }

@@ -1,7 +1,7 @@
 //! Every method of the ladder agrees with the closed forms within its own error estimate, or refuses with numbers.
 #![expect(clippy::unwrap_used, reason = "a test that cannot set itself up fails")]
 #![expect(clippy::float_cmp, reason = "exact bits are what is compared")]
-use slipstick::bank::Bank;
+mod support;
 use slipstick::num::Dd;
 use slipstick::num::ode::Trouble;
 use slipstick::problem::make::Maker;
@@ -23,25 +23,10 @@ use slipstick::solve::method::Method;
 use slipstick::solve::method::Rung;
 use slipstick::solve::outcome::Refusal;
 
-fn banks() -> Vec<Bank> {
-    let mut files: Vec<_> = std::fs::read_dir(format!("{}/banks", env!("CARGO_MANIFEST_DIR")))
-        .unwrap()
-        .map(|e| e.unwrap().path())
-        .collect();
-    files.sort();
-    files
-        .iter()
-        .map(|file| {
-            let text = std::fs::read_to_string(file).unwrap();
-            slipstick::bank::load::scenes_only(&text, &file.display().to_string()).unwrap()
-        })
-        .collect()
-}
-
 /// Drawn scenes of all problems in which something moves: name, scene, data.
 fn drawn(seeds: u64) -> Vec<(String, Scene, Vec<f64>)> {
     let mut found = Vec::new();
-    for bank in &banks() {
+    for bank in &support::banks() {
         for problem in bank.problems.iter().filter(|p| !matches!(p.cases[0].scene.end, End::AtOnce)) {
             // Pinned bodies are dear: fewer of them.
             let seeds = if bank.id == "pinned-bodies" { seeds.div_ceil(4) } else { seeds };
@@ -176,7 +161,7 @@ fn every_method_agrees_within_its_own_estimate() {
 
 /// One scene of a problem.
 fn one(problem: &str, seed: u64) -> (Scene, Vec<f64>) {
-    let banks = banks();
+    let banks = support::banks();
     let problem = banks.iter().flat_map(|b| &b.problems).find(|p| p.id == problem).unwrap();
     let variant = Maker::new(problem, seed, "ladder").variant("0").unwrap();
     (problem.cases[variant.case].scene.clone(), variant.data)
@@ -291,7 +276,7 @@ fn a_study_has_every_method_and_its_front() {
 
 #[test]
 fn every_method_gives_every_asked_answer_of_every_bank() {
-    for bank in &banks() {
+    for bank in &support::banks() {
         for problem in bank.problems.iter().filter(|p| !matches!(p.cases[0].scene.end, End::AtOnce)) {
             for seed in 0..3 {
                 let variant = Maker::new(problem, seed, "ladder").variant("0").unwrap();
@@ -314,7 +299,7 @@ fn every_method_gives_every_asked_answer_of_every_bank() {
 
 #[test]
 fn a_quadrature_delivers_at_a_turning_point_or_refuses() {
-    let banks = banks();
+    let banks = support::banks();
     let problem = banks.iter().flat_map(|b| &b.problems).find(|p| p.id == "compound-pendulum").unwrap();
     let mut scene = problem.cases[0].scene.clone();
     let variant = Maker::new(problem, 1, "ladder").variant("0").unwrap();

@@ -7,19 +7,19 @@ use slipstick::problem::make::Maker;
 
 /// Problem, digest of the drawn data, digest of the answers.
 const PINNED: &[(&str, &str, &str)] = &[
-    ("block-pulls-wheel", "a02c80b69f8e835e", "0da4f86a2add2efe"),
-    ("yo-yo", "21c45af8bebf0d28", "4d9ce97aaee5d2c8"),
-    ("two-loads-on-a-stepped-drum", "b4a5a19f86b60afc", "9c4c25d0f39da4cb"),
-    ("falling-rod", "c28b6080fae09630", "a9f512de5410bcf5"),
-    ("compound-pendulum", "5b74dd0de33e0fd9", "8ffa33e70aac5107"),
-    ("lifted-rod", "724eed0a185ae745", "c22800813fc0104d"),
-    ("rod-and-spring", "e487f48f25fb11bb", "57acc0f430326da0"),
-    ("thrown-ball", "5782138d178521a1", "d40d96d9528cc604"),
-    ("wheel-set-down", "3d51989c890ac214", "14dd79d570968c39"),
-    ("kinetic-energy", "f466bdd1440c9a10", "a469c22586a9ae31"),
-    ("pulled-rolling", "7ca260756b74217f", "776fbb56b157f8e4"),
-    ("pulled-slipping", "b66e386c9cb8c99d", "a2ca8ec8ab4ce7fe"),
-    ("spring-released", "173369717f22b8ee", "cc4ca579c4671ccd"),
+    ("block-pulls-wheel", "174926a8dda39bf3", "6a7f6b6e95d71100"),
+    ("yo-yo", "48ffb49e9cc27e56", "aad43f8fb26b9b5b"),
+    ("two-loads-on-a-stepped-drum", "e56a4c810b664baa", "1f5a62c24b2a1120"),
+    ("falling-rod", "8e8007792a987779", "a30ef288926c1b9c"),
+    ("compound-pendulum", "cf0f2da7965fee7b", "225d1b8435f7954f"),
+    ("lifted-rod", "3dcf226255d5b25a", "a0fd8d596473454b"),
+    ("rod-and-spring", "d08752662aa1eee1", "8c6f6beb4d18874f"),
+    ("thrown-ball", "b647285a3ba39085", "0cc3658176d9fa53"),
+    ("wheel-set-down", "e8c03dcd948d78e5", "ef7266c485bd4402"),
+    ("kinetic-energy", "1d494307821fa641", "adb9870667890556"),
+    ("pulled-rolling", "b913f974f9f719ed", "af65fcb59ad3a8b0"),
+    ("pulled-slipping", "c4363eb39c77f46b", "353b8d477a3c18fe"),
+    ("spring-released", "74b71a3e8cb637fa", "fd71432aa9a28857"),
 ];
 
 #[test]

@@ -31,9 +31,36 @@ pub enum Verb {
     Generate(Generate),
     /// Grade submissions against a set
     #[command(
-        after_help = "Examples:\n  slipstick grade week-5 submissions.csv --out week-5-grades\n  slipstick grade week-5 forms-export.csv --out grades --columns student=\"Email Address\" --attempts best\n\nSUBMISSIONS is a CSV file in long form (student,problem,part,answer and, if known, submitted_at) or in wide form\n(one record for each student, columns such as 1.omega). Separator and encoding are found out. Every answer cell\ncomes out exactly once in answers.csv, with a verdict, points and a reason."
+        after_help = "Examples:\n  slipstick grade week-5 submissions.csv --out week-5-grades\n  slipstick grade week-5 forms-export.csv --out grades --columns student=\"Email Address\" --attempts best\n  slipstick course > course.yaml     due date, attempts, late penalty, credit, rounding: change what you need\n  slipstick grade week-5 submissions.csv --course course.yaml --out week-5-grades\n\nSUBMISSIONS is a CSV file in long form (student,problem,part,answer and, if known, submitted_at) or in wide form\n(one record for each student, columns such as 1.omega). Separator and encoding are found out. Every answer cell\ncomes out exactly once in answers.csv, with a verdict, points and a reason."
     )]
     Grade(Grade),
+    /// Print a course file with every setting that bears on marks, explained: `slipstick course > course.yaml`
+    Course,
+    /// Report on grades: the class for the instructor, feedback for each student, gradebooks for Canvas and Moodle
+    #[command(
+        after_help = "Examples:\n  slipstick report week-5-grades\n  slipstick report week-5-grades --language de --out week-5-feedback\n  slipstick report week-5-grades --force                replaces an earlier report\n\nGRADED is a folder that grade made. report.html needs no network: settings, distribution, success, difficulty and\ndiscrimination of each part, the class's favourite mistakes, unreadable cells, attempts, fairness between variants;\nits tables are also CSV files in tables/. feedback/ holds a page for each student: answer, verdict, points, and a\nhint at the level of the course's setting `hints` (none, nudge or explain); never the key, never other students."
+    )]
+    Report(Report),
+    /// Grade the same submissions again after a change of bank or course, and show who gains and who loses
+    #[command(
+        after_help = "Examples:\n  slipstick regrade week-5 week-5-grades submissions.csv --dry-run\n  slipstick regrade week-5 week-5-grades submissions.csv --out week-5-grades-2 --bank bank-corrected.yaml\n  slipstick regrade week-5 week-5-grades submissions.csv --out week-5-grades-2 --course course.yaml\n\nThe bank may be changed in place (DIR/bank.yaml) or given with --bank: a key, a tolerance, points, words, wrong methods. What\nwas printed on the sheets stays what it was; the key is solved anew from it, on both roads. A part that turned out to be\nfaulty is corrected for all in the course file:\n\n  corrections:\n    - {part: 2.v, give: full, why: part 2 was ambiguous}\n\nWhat changes is told before anything is written. GRADED stays as it is; the new folder is a whole grading with, beside\nit, changes.csv: each mark before and after, and why."
+    )]
+    Regrade(Regrade),
+    /// Say how many verdicts of a grading would change with other tolerances; changes nothing
+    #[command(
+        after_help = "Examples:\n  slipstick what-if week-5-grades\n  slipstick what-if week-5-grades --tolerance 1.5,3%\n\nRelative tolerances in per cent, the same for every part; absolute ones stay. The table counts answers that would become\nright (+) or no longer be right (-), students who gain and lose, and the known wrong methods that a looser tolerance would\nlet pass: those answers, and the keys with a wrong method within the tolerance."
+    )]
+    WhatIf(WhatIf),
+    /// Find wrong answers that are the right ones of a classmate, with the chance that luck makes them so; for instructors
+    #[command(
+        after_help = "Example:\n  slipstick matches week-5-grades\n\nAn answer hits a classmate's key if it equals it within the rounding of the figures it was given with. The chance comes from\nhow densely the keys of the question lie; hits in several problems multiply, parts of one problem count once. `by luck` is\nhow many pairs as striking honest work would bring in the whole class; only below 0.01 a pair is marked `yes`. What a wrong\nmethod, a slip or another part explains is told and not marked. It writes GRADED/matches.csv; none of it is for students."
+    )]
+    Matches(Matches),
+    /// Tell everything about the marks of one student for one problem, in words
+    #[command(
+        after_help = "Examples:\n  slipstick explain week-5-grades 0017 1\n  slipstick explain week-5-grades \"Amina Yusuf\" pulled-rolling --part omega\n  slipstick explain week-5-grades 17 1.omega\n\nThe data on the sheet, the key from both roads with gap, condition number and proved error, the tolerance, every attempt\nas written and as read, which one counts, why it is right or not, how its points add up, and what it was graded with.\nIt works from the folder alone: basis/ holds the set. It holds the key; it is not for students while others still work."
+    )]
+    Explain(Explain),
     /// Check your own answers against your sheet file; the sheet holds no key, the problem is solved anew
     #[command(
         after_help = "Examples:\n  slipstick check sheet.json 1.omega='30.3 rad/s' 1.friction='62.6 N up'\n\nExit code 0 if all the answers given are right, 1 if not."
@@ -79,6 +106,11 @@ pub enum Verb {
         after_help = "Examples:\n  slipstick templates --out my-templates\n  slipstick templates --out vorlagen --language de\n\nChange what you like, delete what you do not change, and give the folder with --templates to\ngenerate, practice, lint or solutions. README.md in it says what each template receives."
     )]
     Templates(Templates),
+    /// Let a made-up class with declared habits hand in, and write down what each answer really is
+    #[command(
+        after_help = "Examples:\n  slipstick simulate --example > habits.yaml\n  slipstick simulate week-5 --like habits.yaml --out submissions.csv --truth truth.csv --seed 1\n  slipstick grade week-5 submissions.csv --out grades\n\nThe habits are a YAML file: what becomes of an answer (right, rounded on the way, wrong methods, slips, blanks),\nfigures, units, attempts, who copies, when it is handed in. --example prints one with every field explained; it is\nwhat is taken without --like. The truth has a row for each row of the submissions: line, what was done, by which\nmethod or from whom, whether it should be marked right, and the verdict that the number as written should get.\nThe same seed gives the same bytes; a late joiner changes nobody else's answers."
+    )]
+    Simulate(Simulate),
     /// Show the whole job on a made-up class of 24: set, submissions, grades
     #[command(after_help = "Example:\n  slipstick demo\n\nRun twice it replaces only what it made.")]
     Demo(Demo),
@@ -208,9 +240,105 @@ pub struct Grade {
     /// Which column is which, such as student="Email Address"; may be repeated
     #[arg(long, value_name = "FIELD=HEADER")]
     pub columns: Vec<String>,
+    /// Reports, feedback for each student, gradebooks for Canvas and Moodle, matches (also: slipstick report, slipstick matches)
+    #[arg(long, value_enum, default_value = "auto")]
+    pub reports: Reports,
     /// Replace an earlier grading
     #[arg(long)]
     pub force: bool,
+}
+
+/// Are reports made with the grades?
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum Reports {
+    /// Up to 300,000 answers.
+    Auto,
+    /// Always.
+    Yes,
+    /// Never.
+    No,
+}
+
+/// `report`
+#[derive(Debug, Args)]
+pub struct Report {
+    /// Folder of grades, as grade made it
+    pub graded: PathBuf,
+    /// Folder to make [default: into GRADED]
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
+    /// Replace an earlier report (and nothing but what report made)
+    #[arg(long)]
+    pub force: bool,
+    /// Threads [default: one for each core]; the output does not depend on it
+    #[arg(long, value_name = "N")]
+    pub threads: Option<usize>,
+    /// In which words the feedback is.
+    #[command(flatten)]
+    pub own: Own,
+}
+
+/// `regrade`
+#[derive(Debug, Args)]
+pub struct Regrade {
+    /// Folder of the set, as generate made it
+    pub set: PathBuf,
+    /// Folder of the grading, as grade made it
+    pub graded: PathBuf,
+    /// CSV file with the answers, the same as before; `-` reads standard input
+    pub submissions: PathBuf,
+    /// Folder to make
+    #[arg(long, value_name = "NEW", required_unless_present = "dry_run")]
+    pub out: Option<PathBuf>,
+    /// The changed bank [default: bank.yaml of the set]
+    #[arg(long, value_name = "FILE")]
+    pub bank: Option<PathBuf>,
+    /// Settings that bear on marks [default: those of the old grading]
+    #[arg(long, value_name = "FILE")]
+    pub course: Option<PathBuf>,
+    /// Which attempt counts [default: as in the old grading; with --course as the course says]
+    #[arg(long, value_enum)]
+    pub attempts: Option<Attempts>,
+    /// Which column is which [default: as in the old grading]
+    #[arg(long, value_name = "FIELD=HEADER")]
+    pub columns: Vec<String>,
+    /// Language of the reasons: en or de [default: that of the old grading]
+    #[arg(long, value_name = "CODE")]
+    pub language: Option<String>,
+    /// Only show what would change
+    #[arg(long)]
+    pub dry_run: bool,
+}
+
+/// `what-if`
+#[derive(Debug, Args)]
+pub struct WhatIf {
+    /// Folder of a grading, as grade made it
+    pub graded: PathBuf,
+    /// Relative tolerances in per cent
+    #[arg(long, value_name = "PERCENT,...", value_delimiter = ',', default_value = "0.5,1,2,5")]
+    pub tolerance: Vec<String>,
+}
+
+/// `matches`
+#[derive(Debug, Args)]
+pub struct Matches {
+    /// Folder of a grading, as grade made it
+    pub graded: PathBuf,
+}
+
+/// `explain`
+#[derive(Debug, Args)]
+pub struct Explain {
+    /// Folder of a grading, as grade made it
+    pub graded: PathBuf,
+    /// Id of the student, or the name
+    pub student: String,
+    /// Number or id of the problem; `1.omega` names the part too
+    pub problem: String,
+    /// Only this part
+    #[arg(long, value_name = "ID")]
+    pub part: Option<String>,
 }
 
 /// `check`
@@ -419,6 +547,35 @@ pub struct Templates {
     /// Language: en or de
     #[arg(long, value_name = "CODE", default_value = "en")]
     pub language: String,
+}
+
+/// `simulate`
+#[derive(Debug, Args)]
+pub struct Simulate {
+    /// Folder of the set, as generate made it
+    #[arg(required_unless_present = "example")]
+    pub set: Option<PathBuf>,
+    /// Habits of the class, a YAML file [default: those of --example]
+    #[arg(long, value_name = "FILE")]
+    pub like: Option<PathBuf>,
+    /// File of submissions to write, CSV
+    #[arg(long, value_name = "SUBMISSIONS", required_unless_present = "example")]
+    pub out: Option<PathBuf>,
+    /// File to write what each row really is, CSV
+    #[arg(long, value_name = "FILE", required_unless_present = "example")]
+    pub truth: Option<PathBuf>,
+    /// Seed, a whole number from 0
+    #[arg(long, value_name = "N", default_value_t = 1)]
+    pub seed: u64,
+    /// Language of words such as `up`: en or de [default: that of the set]
+    #[arg(long, value_name = "CODE")]
+    pub language: Option<String>,
+    /// Replace files that are there already
+    #[arg(long)]
+    pub force: bool,
+    /// Print a file of habits with every field explained, and do nothing else
+    #[arg(long)]
+    pub example: bool,
 }
 
 /// `demo`

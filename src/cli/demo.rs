@@ -2,6 +2,7 @@
 use crate::cli::args;
 use crate::cli::args::Format;
 use crate::cli::args::Own;
+use crate::cli::args::Reports;
 use crate::cli::banks;
 use crate::cli::files;
 use crate::cli::files::Staged;
@@ -74,6 +75,7 @@ fn demo(dir: &Path, io: &mut Io) -> Result<(), Vec<Finding>> {
         course: None,
         columns: &[],
         language: None,
+        reports: Reports::Yes,
         force: false,
         watched: io.watched,
     };

@@ -82,12 +82,16 @@ fn gallery(args: &args::Gallery, io: &mut Io) -> Result<(), Vec<Finding>> {
         let statement = converter.body(&Document { markdown, pictures: Vec::new() }, place);
         let cards = variants.iter().enumerate().map(|(n, v)| card(problem, v, n + 1, &texts, &mut converter));
         let cards = template::list(cards.collect());
+        let found = lint::tables(problem, sweep);
+        let never = lint::never_near(&found).map_or_else(String::new, |text| escaped(&text));
+        let notes = notes(problem, sweep, &found.notes);
         shown.push(template::map([
             ("id", template::finished(&problem.id)),
             ("title", template::finished(&problem.title)),
             ("statement", template::finished(statement.trim_end())),
-            ("tables", template::list(tables(problem, sweep, &texts))),
-            ("notes", template::list(notes(problem, sweep))),
+            ("tables", template::list(tables(found, &texts))),
+            ("never", template::finished(&never)),
+            ("notes", template::list(notes)),
             ("variants", cards),
         ]));
     }
@@ -168,8 +172,7 @@ fn card(problem: &Problem, variant: &Variant, n: usize, texts: &Texts, converter
 }
 
 /// The tables of `lint`, with the same numbers.
-fn tables(problem: &Problem, sweep: &Sweep, texts: &Texts) -> Vec<Value> {
-    let found = lint::tables(problem, sweep);
+fn tables(found: lint::Tables, texts: &Texts) -> Vec<Value> {
     let refusals: Vec<Vec<String>> =
         found.refusals.into_iter().map(|(count, rule)| vec![rule, count.to_string()]).collect();
     let name = |name: &str| texts.words.get(&format!("gallery.{name}")).to_owned();
@@ -181,11 +184,13 @@ fn tables(problem: &Problem, sweep: &Sweep, texts: &Texts) -> Vec<Value> {
         }
         std::iter::once(head).chain(rows).collect::<Vec<_>>()
     };
+    let last = found.mistakes.first().map_or(0, |head| head.len() - 1);
     let all = [
         (name("cases"), found.cases, &lint::LEFT_CASES[..]),
         (name("refusals"), headed("refusals", refusals), &[0][..]),
         (name("numbers"), found.numbers, &lint::LEFT_NUMBERS[..]),
         (name("words"), headed("words", found.words), &lint::LEFT_WORDS[..]),
+        (name("mistakes"), found.mistakes, &[0, last][..]),
     ];
     let cells = |row: &[String], left: &[usize]| {
         let cell = |(i, text): (usize, &String)| {
@@ -209,7 +214,7 @@ fn tables(problem: &Problem, sweep: &Sweep, texts: &Texts) -> Vec<Value> {
 }
 
 /// What a person should look at.
-fn notes(problem: &Problem, sweep: &Sweep) -> Vec<Value> {
+fn notes(problem: &Problem, sweep: &Sweep, fit: &[String]) -> Vec<Value> {
     let mut notes = Vec::new();
     if let Some((seed, none)) = &sweep.unsatisfiable {
         notes.push(format!("seed {seed}: {none}"));
@@ -219,7 +224,7 @@ fn notes(problem: &Problem, sweep: &Sweep) -> Vec<Value> {
             notes.push(format!("a draw cannot be solved: {text}"));
         }
     }
-    notes.extend(lint::tables(problem, sweep).notes);
+    notes.extend_from_slice(fit);
     notes.iter().map(|note| template::finished(&escaped(note))).collect()
 }
 

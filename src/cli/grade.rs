@@ -4,10 +4,15 @@ use crate::bank::Bank;
 use crate::bank::load;
 use crate::cli::args;
 use crate::cli::args::Attempts;
+use crate::cli::args::Own;
+use crate::cli::args::Reports;
 use crate::cli::banks;
 use crate::cli::files;
 use crate::cli::files::Staged;
 use crate::cli::generate;
+use crate::cli::graded;
+use crate::cli::matches;
+use crate::cli::report;
 use crate::cli::tell;
 use crate::cli::tell::Exit;
 use crate::cli::tell::Io;
@@ -36,6 +41,7 @@ use std::io::BufRead;
 use std::io::Read;
 use std::io::Write as _;
 use std::path::Path;
+use std::path::PathBuf;
 use tempfile::NamedTempFile;
 
 /// Every answer with its verdict.
@@ -77,6 +83,8 @@ pub struct Job<'j> {
     pub columns: &'j [String],
     /// Language of the reasons; that of the set if not given.
     pub language: Option<&'j str>,
+    /// Are reports made, too?
+    pub reports: Reports,
     /// Replace an earlier grading.
     pub force: bool,
     /// Does a person watch?
@@ -99,6 +107,7 @@ pub fn run(args: &args::Grade, io: &mut Io) -> Exit {
         course: args.course.as_deref(),
         columns: &args.columns,
         language: args.language.as_deref(),
+        reports: args.reports,
         force: args.force,
         watched: io.watched,
     };
@@ -163,7 +172,7 @@ pub fn replayed(folder: &Path) -> Result<Replayed, Vec<Finding>> {
 /// The set was changed, the file of submissions cannot be read, or the folder may not be written.
 pub fn grade(job: &Job, input: &mut dyn BufRead) -> Result<Graded, Vec<Finding>> {
     let mut faults = Vec::new();
-    let columns = columns(job.columns).map_err(|f| faults.extend(f)).unwrap_or_default();
+    columns(job.columns).map_err(|f| faults.extend(f)).ok();
     may_write(job.out, job.set, job.force).map_err(|f| faults.push(f)).ok();
     let from_pipe = job.submissions == Path::new("-");
     if !from_pipe && !job.submissions.exists() {
@@ -177,6 +186,108 @@ pub fn grade(job: &Job, input: &mut dyn BufRead) -> Result<Graded, Vec<Finding>>
         return Err(faults);
     }
     let Replayed { set, bank, keys } = replayed(job.set)?;
+    let text = |name: &str| files::read_text(&job.set.join(name)).map_err(|f| vec![f]);
+    let (set_text, bank_text, key_text) = (text("set.json")?, text(&set.bank.file)?, text("key.csv")?);
+    let made = make(job, Basis { set, bank, keys, set_text, bank_text, key_text }, input)?;
+    let mut summary = summary(&made.table, &made.graded);
+    let out = job.out.display().to_string();
+    match made.reports()? {
+        Some((report, matches)) => {
+            summary.push_str(&format!("\n{}\n  {matches}", report.told(&out)));
+        }
+        None if job.reports == Reports::Auto => {
+            summary.push_str(&format!(
+                "\n  So many answers: for reports and feedback run `slipstick report {out}`."
+            ));
+        }
+        None => {}
+    }
+    made.finish()?;
+    Ok(Graded { summary })
+}
+
+/// What answers are graded by, and the texts of it that are kept beside the grades.
+pub struct Basis {
+    /// What was drawn.
+    pub set: StoredSet,
+    /// The bank.
+    pub bank: Bank,
+    /// The keys.
+    pub keys: Vec<SheetKey>,
+    /// set.json.
+    pub set_text: String,
+    /// The bank's file.
+    pub bank_text: String,
+    /// key.csv.
+    pub key_text: String,
+}
+
+/// A grading that is whole, and not yet in its place.
+pub struct Made {
+    staged: Staged,
+    out: PathBuf,
+    table: KeyTable,
+    graded: run::Graded,
+    policy: Policy,
+    grading: Grading,
+    reports: Reports,
+}
+
+/// Up to so many answers, reports are made with the grades.
+const REPORTED: u64 = 300_000;
+
+impl Made {
+    /// Where it lies until it is put in its place.
+    pub fn folder(&self) -> &Path {
+        self.staged.path()
+    }
+    /// The settings by which it was made.
+    pub fn policy(&self) -> &Policy {
+        &self.policy
+    }
+    /// What it was made from.
+    pub fn grading(&self) -> &Grading {
+        &self.grading
+    }
+    /// Makes the reports, if there are to be any: what stands out, and a sentence on matches.
+    ///
+    /// # Errors
+    /// A file cannot be written.
+    pub fn reports(&self) -> Result<Option<(report::Summary, String)>, Vec<Finding>> {
+        let made = match self.reports {
+            Reports::Yes => true,
+            Reports::No => false,
+            Reports::Auto => self.graded.cells <= REPORTED,
+        };
+        if !made {
+            return Ok(None);
+        }
+        let folder = self.staged.path();
+        let own = Own { templates: None, language: Some(self.grading.language.clone()) };
+        let reported = report::make(folder, folder, &own, None).map_err(|f| self.staged.named(f))?;
+        let graded = graded::open(folder, None).map_err(|f| self.staged.named(f))?;
+        let found = matches::find(&graded).map_err(|f| self.staged.named(f))?;
+        let path = folder.join(matches::MATCHES);
+        fs::write(&path, matches::csv(&found))
+            .map_err(|e| vec![files::trouble(&self.out.join(matches::MATCHES), "cannot be written", &e)])?;
+        Ok(Some((reported, found.summary())))
+    }
+    /// Puts it in its place.
+    ///
+    /// # Errors
+    /// A file cannot be put there.
+    pub fn finish(self) -> Result<(), Vec<Finding>> {
+        put_in_place(self.staged, &self.out)
+    }
+}
+
+/// Grades by a basis, beside the place where the grading is to be.
+///
+/// # Errors
+/// The file of submissions cannot be read, the course is faulty, or the folder cannot be written.
+pub fn make(job: &Job, basis: Basis, input: &mut dyn BufRead) -> Result<Made, Vec<Finding>> {
+    let columns = columns(job.columns)?;
+    let Basis { set, bank, keys, set_text, bank_text, key_text } = basis;
     let language = job.language.unwrap_or(&set.language);
     let words = match job.language {
         Some(language) => banks::words(language)?,
@@ -231,12 +342,9 @@ pub fn grade(job: &Job, input: &mut dyn BufRead) -> Result<Graded, Vec<Finding>>
     put(GRADEBOOK, &gradebook::gradebook(&table, &graded, &policy))?;
     let basis = Path::new(BASIS);
     fs::create_dir(staged.path().join(basis)).map_err(|e| written(BASIS)(&e))?;
-    let mut key_sha256 = String::new();
-    for name in ["set.json", set.bank.file.as_str(), "key.csv"] {
-        let text = files::read_text(&job.set.join(name)).map_err(|f| vec![f])?;
-        if name == "key.csv" {
-            key_sha256 = load::hash(&text);
-        }
+    for (name, text) in
+        [("set.json", &set_text), (set.bank.file.as_str(), &bank_text), ("key.csv", &key_text)]
+    {
         put(&format!("{BASIS}/{name}"), text.as_bytes())?;
     }
     if let Some((_, text)) = course {
@@ -251,11 +359,11 @@ pub fn grade(job: &Job, input: &mut dyn BufRead) -> Result<Graded, Vec<Finding>>
         seed: set.seed,
         bank: bank.id.clone(),
         bank_sha256: bank.hash.clone(),
-        key_sha256,
+        key_sha256: load::hash(&key_text),
         course_sha256: course.map(|(_, text)| load::hash(text)),
         attempts: job.attempts.map(|a| counts(a).as_str().to_owned()),
         language: words.language().to_owned(),
-        submissions: submissions.clone(),
+        submissions: job.submissions.file_name().unwrap_or_default().to_string_lossy().into_owned(),
         submissions_bytes: size,
         columns: job.columns.to_vec(),
         cells: graded.cells,
@@ -266,8 +374,7 @@ pub fn grade(job: &Job, input: &mut dyn BufRead) -> Result<Graded, Vec<Finding>>
         unused_columns: graded.unused_columns.clone(),
     };
     put(GRADING, grading.text().as_bytes())?;
-    put_in_place(staged, job.out)?;
-    Ok(Graded { summary: summary(&table, &graded) })
+    Ok(Made { staged, out: job.out.to_owned(), table, graded, policy, grading, reports: job.reports })
 }
 
 /// The settings that bear on marks: those of the bank, over them those of a course (name and text of its file), over them

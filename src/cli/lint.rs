@@ -81,7 +81,13 @@ fn lint(args: &args::Lint, io: &mut Io) -> Result<Vec<Finding>, Vec<Finding>> {
         }
         io.piece(&tell::table(&tables.numbers, &LEFT_NUMBERS));
         io.piece(&tell::table(&tables.words, &LEFT_WORDS));
-        io.piece(&mistakes(problem, sweep));
+        if tables.mistakes.len() > 1 {
+            let last = tables.mistakes.first().map_or(0, |head| head.len() - 1);
+            io.piece(&tell::table(&tables.mistakes, &[0, last]));
+        }
+        if let Some(never) = never_near(&tables) {
+            io.line(&format!("  {never}"));
+        }
         for note in tables.notes {
             io.line(&format!("    note: {note}"));
         }
@@ -111,6 +117,10 @@ pub struct Tables {
     pub numbers: Vec<Vec<String>>,
     /// Questions that ask for words; without a head.
     pub words: Vec<Vec<String>>,
+    /// Wrong methods that land near a right answer in some draws: shares of draws by case, then by question.
+    pub mistakes: Vec<Vec<String>>,
+    /// Wrong methods that never do.
+    pub never: Vec<String>,
     /// Where figures and tolerance do not fit the condition numbers.
     pub notes: Vec<String>,
 }
@@ -129,7 +139,21 @@ pub fn tables(problem: &Problem, sweep: &Sweep) -> Tables {
         case.refusals.iter().map(move |(rule, count)| (*count, format!("{name}{rule}")))
     });
     let (numbers, words) = questions(problem, sweep);
-    Tables { cases: cases(sweep), refusals: refusals.collect(), numbers, words, notes: notes(problem, sweep) }
+    let (mistakes, never) = mistakes(problem, sweep);
+    Tables {
+        cases: cases(sweep),
+        refusals: refusals.collect(),
+        numbers,
+        words,
+        mistakes,
+        never,
+        notes: notes(problem, sweep),
+    }
+}
+
+/// The wrong methods that no draw has near a right answer, in a sentence; nothing where there are none.
+pub fn never_near(tables: &Tables) -> Option<String> {
+    (!tables.never.is_empty()).then(|| format!("never near a right answer: {}", tables.never.join(", ")))
 }
 
 /// The chance of equal sheets, in a sentence.
@@ -205,8 +229,9 @@ fn questions(problem: &Problem, sweep: &Sweep) -> (Vec<Vec<String>>, Vec<Vec<Str
     rows.into_iter().partition(|r| r.len() != 2)
 }
 
-/// For each wrong method the share of draws that it would refuse: those in which it lands near a right answer.
-fn mistakes(problem: &Problem, sweep: &Sweep) -> String {
+/// For each wrong method the share of draws that it would refuse: those in which it lands near a right answer. Then those that
+/// never do.
+fn mistakes(problem: &Problem, sweep: &Sweep) -> (Vec<Vec<String>>, Vec<String>) {
     let percent = |share: f64| match share {
         s if s.is_nan() => "-".to_owned(),
         s if s <= 0.0 => "0 %".to_owned(),
@@ -224,7 +249,7 @@ fn mistakes(problem: &Problem, sweep: &Sweep) -> String {
     let mut never = Vec::new();
     for (mistake, seen) in problem.mistakes.iter().zip(&sweep.mistakes) {
         if seen.near.iter().all(|s| s.is_nan() || *s <= 0.0) {
-            never.push(seen.id.as_str());
+            never.push(seen.id.clone());
             continue;
         }
         let mut near: Vec<String> = Vec::new();
@@ -237,15 +262,7 @@ fn mistakes(problem: &Problem, sweep: &Sweep) -> String {
         row.push(near.join(", "));
         rows.push(row);
     }
-    let mut text = String::new();
-    if rows.len() > 1 {
-        let last = rows[0].len() - 1;
-        text.push_str(&tell::table(&rows, &[0, last]));
-    }
-    if !never.is_empty() {
-        text.push_str(&format!("  never near a right answer: {}\n", never.join(", ")));
-    }
-    text
+    (rows, never)
 }
 
 /// Where the figures asked and the tolerance do not fit the condition numbers.

@@ -7,18 +7,25 @@ pub mod args;
 mod banks;
 mod check;
 mod demo;
+mod explain;
 mod files;
 mod gallery;
 mod generate;
 mod grade;
+mod graded;
 mod lint;
+mod matches;
 mod output;
 mod practice;
+mod regrade;
+mod report;
+mod simulate;
 mod solutions;
 mod solve;
 pub mod tell;
 mod templates;
 mod verify;
+mod what_if;
 mod words;
 
 use crate::cli::args::Typed;
@@ -43,6 +50,11 @@ pub fn run(args: impl IntoIterator<Item = OsString>, io: &mut Io) -> Exit {
     let exit = match typed.verb {
         Verb::Generate(args) => generate::run(&args, io),
         Verb::Grade(args) => grade::run(&args, io),
+        Verb::Course => {
+            io.piece(crate::bank::course::EXAMPLE);
+            Exit::Fine
+        }
+        Verb::Report(args) => report::run(&args, io),
         Verb::Check(args) => check::run(&args, io),
         Verb::Practice(args) => practice::run(&args, io),
         Verb::Solve(args) => solve::run(&args, io),
@@ -51,7 +63,12 @@ pub fn run(args: impl IntoIterator<Item = OsString>, io: &mut Io) -> Exit {
         Verb::Gallery(args) => gallery::run(&args, io),
         Verb::Verify(args) => verify::run(&args, io),
         Verb::Solutions(args) => solutions::run(&args, io),
+        Verb::Regrade(args) => regrade::run(&args, io),
+        Verb::Matches(args) => matches::run(&args, io),
+        Verb::WhatIf(args) => what_if::run(&args, io),
+        Verb::Explain(args) => explain::run(&args, io),
         Verb::Templates(args) => templates::run(&args, io),
+        Verb::Simulate(args) => simulate::run(&args, io),
         Verb::Demo(args) => demo::run(&args, io),
     };
     let _ = io.out.flush();

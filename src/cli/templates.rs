@@ -16,7 +16,7 @@ use std::fs;
 pub const README: &str = "README.md";
 
 /// Pages that only instructors see; their looks are not written out.
-const INSTRUCTORS: [&str; 2] = ["accuracy.html", "gallery.html"];
+const INSTRUCTORS: [&str; 3] = ["accuracy.html", "gallery.html", "report.html"];
 
 /// Runs it.
 pub fn run(args: &args::Templates, io: &mut Io) -> Exit {

@@ -1,6 +1,7 @@
 //! Arithmetic that gives the same digits everywhere: double-double numbers, first derivatives, portable functions,
 //! small linear systems. No mechanics.
 pub mod ball;
+pub mod chance;
 pub mod dd;
 mod double;
 pub mod eliminate;

@@ -214,6 +214,26 @@ pub fn log10(x: f64) -> f64 {
     libm::log10(x)
 }
 
+/// Natural logarithm; within an ulp.
+pub fn ln(x: f64) -> f64 {
+    libm::log(x)
+}
+
+/// `e^x`; within an ulp.
+pub fn exp(x: f64) -> f64 {
+    libm::exp(x)
+}
+
+/// Logarithm of the gamma function of a positive x; within a few ulp of the greater of it and 1.
+pub fn ln_gamma(x: f64) -> f64 {
+    libm::lgamma(x)
+}
+
+/// What of a normal distribution lies beyond: `2/sqrt(pi)` times the integral of `exp(-t^2)` from x on; within a few ulp.
+pub fn erfc(x: f64) -> f64 {
+    libm::erfc(x)
+}
+
 /// `x^y` of a positive x, for step sizes; within a few ulp.
 pub fn power(x: f64, y: f64) -> f64 {
     libm::pow(x, y)

@@ -125,9 +125,10 @@ impl Axis {
                     (scaled - scaled.round()).abs() < 1e-6
                 });
                 let decimals = usize::try_from(decimals.unwrap_or(9)).unwrap_or(0);
-                let count = whole(((self.high - self.low) / step).round());
-                for i in 0..=count {
-                    let value = self.low + f64::from(i) * step;
+                // An axis that does not begin or end on a tick has none beyond its ends.
+                let first = (self.low / step - 1e-6).ceil() * step;
+                let count = whole(((self.high - first) / step + 1e-6).floor());
+                for value in (0..=count).map(|i| first + f64::from(i) * step) {
                     ticks.push(Tick { at: self.at(value), label: format!("{value:.decimals$}") });
                 }
             }
@@ -167,6 +168,9 @@ mod tests {
         let axis = Axis::around("x", Scale::Linear, [0.13, 0.87].into_iter());
         let labels: Vec<String> = axis.ticks().into_iter().map(|t| t.label).collect();
         assert_eq!(labels, ["0.0", "0.2", "0.4", "0.6", "0.8", "1.0"]);
+        let odd = Axis { label: String::new(), scale: Scale::Linear, low: -0.5, high: 14.5 };
+        let labels: Vec<String> = odd.ticks().into_iter().map(|t| t.label).collect();
+        assert_eq!(labels, ["0", "2", "4", "6", "8", "10", "12", "14"]);
         let one = Axis::around("x", Scale::Linear, [2.0].into_iter());
         assert!(one.high > one.low);
         let none = Axis::around("x", Scale::Log, std::iter::empty());

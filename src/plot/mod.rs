@@ -5,6 +5,9 @@
 //! equal data give equal bytes.
 pub mod axis;
 pub mod lines;
+pub mod rows;
+pub mod scatter;
+pub mod spread;
 pub mod svg;
 
 pub use axis::Axis;
@@ -12,3 +15,8 @@ pub use axis::Scale;
 pub use lines::Figure;
 pub use lines::Point;
 pub use lines::Series;
+pub use rows::Row;
+pub use rows::Rows;
+pub use scatter::Scatter;
+pub use scatter::Spot;
+pub use spread::Spread;

@@ -37,6 +37,12 @@ const STYLE: &str = "\
 .plot .paper{fill:var(--paper)}.plot .grid{stroke:var(--grid);stroke-width:1;fill:none}.plot .frame{stroke:var(--soft);stroke-width:1;fill:none}\
 .plot .line{fill:none;stroke-width:1.6;stroke-linejoin:round}.plot .mark{stroke-width:1.6;stroke-linejoin:round}.plot .ring{fill:none;stroke:var(--ink);stroke-width:1.4}";
 
+/// What charts add.
+const CHARTS: &str = "\
+.plot .bar{fill:var(--c1);fill-opacity:.82}.plot .faint{fill:var(--grid)}.plot .dot{fill:var(--c1);stroke:var(--paper);stroke-width:.8}\
+.plot .warn{fill:var(--c2);stroke:var(--paper);stroke-width:.8}.plot .whisker{stroke:var(--ink);stroke-width:1.5;fill:none}.plot .mid{stroke:var(--c2);stroke-width:1.6;fill:none}\
+.plot .tiny{font-size:11px}.plot .halo{paint-order:stroke;stroke:var(--paper);stroke-width:3px;stroke-linejoin:round}";
+
 /// Number of colours of series.
 pub const COLOURS: usize = 7;
 /// Dashes of series, in their order.
@@ -46,11 +52,18 @@ impl Svg {
     /// Begins a picture of this size with a title and a description for those who do not see it. `id` tells the pictures of one
     /// page apart.
     pub fn new(id: &str, width: f64, height: f64, title: &str, description: &str) -> Self {
+        Self::styled(id, (width, height), title, description, "")
+    }
+    /// The same for charts: with bars, whiskers, boxes.
+    pub fn chart(id: &str, (width, height): (f64, f64), title: &str, description: &str) -> Self {
+        Self::styled(id, (width, height), title, description, CHARTS)
+    }
+    fn styled(id: &str, (width, height): (f64, f64), title: &str, description: &str, more: &str) -> Self {
         let mut text = String::with_capacity(8192);
         let (w, h) = (px(width), px(height));
         let _ = write!(
             text,
-            "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"plot\" viewBox=\"0 0 {w} {h}\" width=\"{w}\" height=\"{h}\" role=\"img\" aria-labelledby=\"{id}-t {id}-d\">\n<title id=\"{id}-t\">{}</title>\n<desc id=\"{id}-d\">{}</desc>\n<style>{STYLE}</style>\n<rect class=\"paper\" width=\"{w}\" height=\"{h}\"/>\n",
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"plot\" viewBox=\"0 0 {w} {h}\" width=\"{w}\" height=\"{h}\" role=\"img\" aria-labelledby=\"{id}-t {id}-d\">\n<title id=\"{id}-t\">{}</title>\n<desc id=\"{id}-d\">{}</desc>\n<style>{STYLE}{more}</style>\n<rect class=\"paper\" width=\"{w}\" height=\"{h}\"/>\n",
             escaped(title),
             escaped(description)
         );
@@ -143,6 +156,16 @@ impl Svg {
         let _ = writeln!(
             self.text,
             "<path class=\"mark\" stroke=\"var(--c{colour})\" fill=\"{fill}\" d=\"{shape}\"/>"
+        );
+    }
+    /// A disc.
+    pub fn disc(&mut self, class: &str, (x, y): (f64, f64), radius: f64) {
+        let _ = writeln!(
+            self.text,
+            "<circle class=\"{class}\" cx=\"{}\" cy=\"{}\" r=\"{}\"/>",
+            px(x),
+            px(y),
+            px(radius)
         );
     }
     /// A ring round a place.

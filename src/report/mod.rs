@@ -1,2 +1,11 @@
 //! What teacher and students get back.
+pub mod charts;
+pub mod class;
+pub mod feedback;
 pub mod gradebook;
+pub mod lms;
+pub mod marks;
+pub mod settings;
+pub mod stats;
+pub mod study;
+pub mod table;

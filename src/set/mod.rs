@@ -3,6 +3,7 @@
 //! `set.json` says what was drawn; `bank.yaml` beside it is a copy of the bank; `key.csv` is for people and scripts.
 //! Grading trusts none of them alone: [`replay`] draws and solves everything again and compares.
 pub mod coincide;
+pub mod given;
 pub mod grading;
 pub mod key_file;
 pub mod replay;

@@ -73,6 +73,28 @@ impl<'a> Desk<'a> {
     /// # Errors
     /// The variant has a case that the problem has not.
     pub fn new(problem: &'a Problem, variant: &'a Variant, words: &'a Words) -> Result<Self, Finding> {
+        Self::with(problem, variant, Ledger::new(words), words)
+    }
+
+    /// As [`Desk::new`], for somebody who writes each quantity down with so many figures ([`Ledger::by_hand`]).
+    ///
+    /// # Errors
+    /// Those of [`Desk::new`].
+    pub fn by_hand(
+        problem: &'a Problem,
+        variant: &'a Variant,
+        words: &'a Words,
+        figures: usize,
+    ) -> Result<Self, Finding> {
+        Self::with(problem, variant, Ledger::by_hand(words, figures), words)
+    }
+
+    fn with(
+        problem: &'a Problem,
+        variant: &'a Variant,
+        ledger: Ledger<'a>,
+        words: &'a Words,
+    ) -> Result<Self, Finding> {
         let Some(case) = problem.cases.get(variant.case) else {
             return Err(Finding::new(
                 format!("problems.{}", problem.id),
@@ -84,7 +106,7 @@ impl<'a> Desk<'a> {
             variant,
             scene: &case.scene,
             words,
-            ledger: Ledger::new(words),
+            ledger,
             sections: Vec::new(),
             found: Vec::new(),
             data: vec![None; problem.data.len()],

@@ -235,6 +235,41 @@ impl Expr {
         }
     }
 
+    /// How far its value may be off because the quantities in it were rounded, to first order.
+    pub fn doubt(&self, ledger: &Ledger) -> f64 {
+        let of = |e: &Self| (e.value(ledger), e.doubt(ledger));
+        match self {
+            Self::Number(..) => 0.0,
+            Self::Symbol(s) => ledger.doubt(*s),
+            Self::Minus(inner) | Self::Of(Function::Magnitude, inner) => inner.doubt(ledger),
+            Self::Sum(terms) => terms.iter().map(|t| t.doubt(ledger)).sum(),
+            Self::Product(factors) => {
+                let share = |(x, doubt): (f64, f64)| if doubt == 0.0 { 0.0 } else { (doubt / x).abs() };
+                let size = self.value(ledger).abs();
+                let off = size * factors.iter().map(|f| share(of(f))).sum::<f64>();
+                // A factor 0: what the others make of its doubt is not worth a line.
+                if off.is_finite() { off } else { 0.0 }
+            }
+            Self::Quotient(over, under) => {
+                let ((x, dx), (y, dy)) = (of(over), of(under));
+                (dx + (x / y).abs() * dy) / y.abs()
+            }
+            Self::Power(base, n) => {
+                let (x, doubt) = of(base);
+                f64::from(*n) * (1..*n).map(|_| x.abs()).product::<f64>() * doubt
+            }
+            Self::Root(inner) => {
+                let (x, doubt) = of(inner);
+                if doubt == 0.0 { 0.0 } else { doubt / (2.0 * x.abs().sqrt()) }
+            }
+            // The sine and the cosine move at most as much as the angle.
+            Self::Of(Function::Sine | Function::Cosine, inner) => {
+                let per = if inner.in_degrees(ledger) { std::f64::consts::PI / 180.0 } else { 1.0 };
+                inner.doubt(ledger) * per
+            }
+        }
+    }
+
     /// Does it hold an angle that the ledger keeps in degrees?
     fn in_degrees(&self, ledger: &Ledger) -> bool {
         match self {

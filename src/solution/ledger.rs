@@ -1,5 +1,7 @@
 //! The quantities of one solution: how each is written, its full value and the digits that are shown.
+use crate::num::trig::power;
 use crate::sheet::number;
+use crate::solution::expr::Expr;
 use crate::words::Words;
 
 /// Significant figures of values on the way; answers have those that their question asks.
@@ -13,6 +15,8 @@ pub struct Symbol(usize);
 struct Line {
     tex: String,
     value: f64,
+    /// How far rounding on the way may have moved the value, to first order.
+    doubt: f64,
     /// Digits as shown, with a point.
     digits: String,
     unit: String,
@@ -24,31 +28,62 @@ struct Line {
 pub struct Ledger<'w> {
     words: &'w Words,
     lines: Vec<Line>,
+    /// Figures with which a found quantity is kept; `None`: all.
+    kept: Option<usize>,
 }
 
 impl<'w> Ledger<'w> {
     /// An empty one.
     pub fn new(words: &'w Words) -> Self {
-        Self { words, lines: Vec::new() }
+        Self { words, lines: Vec::new(), kept: None }
+    }
+
+    /// An empty one of somebody who writes each quantity down with so many figures when it is found, and goes on with what is
+    /// written. Data are exact.
+    pub fn by_hand(words: &'w Words, figures: usize) -> Self {
+        Self { kept: Some(figures.max(1)), ..Self::new(words) }
+    }
+
+    /// What is kept of a found value, and how far that may be off: half a unit of the last figure.
+    fn kept(&self, value: f64) -> (f64, f64) {
+        let Some(figures) = self.kept else { return (value, 0.0) };
+        let text = format!("{value:.*e}", figures - 1);
+        let exponent: Option<i32> = text.split_once('e').and_then(|(_, e)| e.parse().ok());
+        let last = exponent.map_or(0.0, |e| power(10.0, f64::from(e) - float(figures)));
+        (text.parse().unwrap_or(value), if value == 0.0 { 0.0 } else { 5.0 * last })
+    }
+
+    /// How far rounding on the way may have moved a value, to first order; 0 where nothing is rounded.
+    pub fn doubt(&self, symbol: Symbol) -> f64 {
+        self.lines.get(symbol.0).map_or(0.0, |l| l.doubt)
+    }
+
+    /// Gives an unknown the value of an expression.
+    pub fn settle_by(&mut self, symbol: Symbol, from: &Expr) {
+        let (value, doubt) = (from.value(self), from.doubt(self));
+        self.settle(symbol, value);
+        if let Some(line) = self.lines.get_mut(symbol.0) {
+            line.doubt += doubt;
+        }
     }
 
     /// A datum: its digits are those printed. `unit` is LaTeX, empty for a pure number; an angle in degrees has none.
     pub fn given(&mut self, tex: &str, value: f64, digits: &str, unit: &str, degrees: bool) -> Symbol {
-        let line =
-            Line { tex: tex.to_owned(), value, digits: digits.to_owned(), unit: unit.to_owned(), degrees };
-        self.lines.push(line);
+        let (tex, digits, unit) = (tex.to_owned(), digits.to_owned(), unit.to_owned());
+        self.lines.push(Line { tex, value, doubt: 0.0, digits, unit, degrees });
         Symbol(self.lines.len() - 1)
     }
 
     /// A quantity that is found: its full value is kept, [`FIGURES`] figures of it are shown.
     pub fn found(&mut self, tex: &str, value: f64, unit: &str) -> Symbol {
-        let digits = number::rounded(value, FIGURES);
-        self.given(tex, value, &digits, unit, false)
+        let symbol = self.unknown(tex, unit);
+        self.settle(symbol, value);
+        symbol
     }
 
     /// A quantity that is not known yet: it can be written, not valued.
     pub fn unknown(&mut self, tex: &str, unit: &str) -> Symbol {
-        self.found(tex, f64::NAN, unit)
+        self.given(tex, f64::NAN, &number::rounded(f64::NAN, FIGURES), unit, false)
     }
 
     /// A quantity that is not known yet, of the kind of another.
@@ -59,16 +94,19 @@ impl<'w> Ledger<'w> {
 
     /// Gives an unknown its value.
     pub fn settle(&mut self, symbol: Symbol, value: f64) {
+        let (value, doubt) = self.kept(value);
         if let Some(line) = self.lines.get_mut(symbol.0) {
             line.value = value;
+            line.doubt = doubt;
             line.digits = number::rounded(value, FIGURES);
         }
     }
 
     /// Gives an unknown the value of another quantity, or its opposite, with the digits that this one is shown with.
     pub fn settle_as(&mut self, symbol: Symbol, other: Symbol, opposite: bool) {
-        let Some(Line { value, digits, .. }) = self.lines.get(other.0).cloned() else { return };
+        let Some(Line { value, doubt, digits, .. }) = self.lines.get(other.0).cloned() else { return };
         if let Some(line) = self.lines.get_mut(symbol.0) {
+            line.doubt = doubt;
             (line.value, line.digits) = if opposite {
                 let turned = digits.strip_prefix('-').map_or_else(|| format!("-{digits}"), str::to_owned);
                 (-value, turned)
@@ -141,4 +179,9 @@ pub fn tex_digits(digits: &str, words: &Words) -> String {
         }
         None => words.tex_number(digits),
     }
+}
+
+#[expect(clippy::cast_precision_loss, reason = "a handful of figures")]
+const fn float(figures: usize) -> f64 {
+    figures as f64
 }

@@ -7,6 +7,7 @@
 //! - whatever the derivation writes: `forces`, `eom`, `energy`, ...;
 //! - `agree`: what both roads found; `regime`: the check of what was assumed;
 //! - `answers`: the answers, rounded; `beware`: mistakes that suggest themselves.
+pub mod by_hand;
 pub mod desk;
 pub mod expr;
 pub mod factors;

@@ -93,8 +93,7 @@ impl<'d, 'a> Pen<'d, 'a> {
     /// A new quantity with its value, told nowhere.
     pub fn quiet(&mut self, tex: &str, unit: &str, from: &Expr) -> Symbol {
         let symbol = self.desk.unknown(tex, unit);
-        let value = from.value(&self.desk.ledger);
-        self.desk.ledger.settle(symbol, value);
+        self.desk.ledger.settle_by(symbol, from);
         symbol
     }
 

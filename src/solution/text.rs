@@ -51,10 +51,7 @@ impl Section {
                 let Expr::Symbol(same) = **inner else { return };
                 ledger.settle_as(symbol, same, true);
             }
-            from => {
-                let value = from.value(ledger);
-                ledger.settle(symbol, value);
-            }
+            from => ledger.settle_by(symbol, from),
         }
         self.blocks.push(Block::Formula(worked(ledger, symbol, from)));
     }

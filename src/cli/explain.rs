@@ -1,0 +1,468 @@
+//! `slipstick explain`: everything about one mark, in words.
+use crate::answer::read::Reading;
+use crate::answer::read::UnitCache;
+use crate::answer::read::read;
+use crate::bank::Problem;
+use crate::bank::Relative;
+use crate::cli::args;
+use crate::cli::files;
+use crate::cli::graded;
+use crate::cli::graded::Graded;
+use crate::cli::tell::Exit;
+use crate::cli::tell::Io;
+use crate::cli::what_if::per_cent;
+use crate::cli::words;
+use crate::finding::Finding;
+use crate::grade::feedback::Feedback;
+use crate::grade::judge;
+use crate::grade::verdict::Verdict;
+use crate::key::Answer;
+use crate::key::KeyEntry;
+use crate::key::ProblemKey;
+use crate::misconception::catalogue::Catalogue;
+use crate::policy::Policy;
+use crate::problem::make::Variant;
+use crate::regrade::rows::Row;
+use crate::set::grading::BASIS;
+use crate::units::spell;
+use std::fmt::Write as _;
+
+/// Figures of keys and answers in the text.
+const FIGURES: usize = 9;
+/// Width of the text.
+const WIDTH: usize = 100;
+
+/// Runs it.
+pub fn run(args: &args::Explain, io: &mut Io) -> Exit {
+    match explain(args) {
+        Ok(text) => {
+            io.piece(&text);
+            Exit::Fine
+        }
+        Err(findings) => io.findings(&findings),
+    }
+}
+
+/// Lines that are wrapped when all is said.
+#[derive(Default)]
+struct Pages(String);
+
+impl Pages {
+    fn head(&mut self, text: &str) {
+        let _ = writeln!(self.0, "{text}");
+    }
+    /// A line below a heading, wrapped, further lines set in.
+    fn say(&mut self, depth: usize, text: &str) {
+        let indent = "  ".repeat(depth);
+        let mut line = indent.clone();
+        for word in text.split(' ') {
+            let long = line.chars().count() + 1 + word.chars().count() > WIDTH;
+            if long && line.trim() != "" {
+                let _ = writeln!(self.0, "{}", line.trim_end());
+                line = format!("{indent}    ");
+            } else if line.trim() != "" {
+                line.push(' ');
+            }
+            line.push_str(word);
+        }
+        let _ = writeln!(self.0, "{}", line.trim_end());
+    }
+}
+
+fn explain(args: &args::Explain) -> Result<String, Vec<Finding>> {
+    let one = |f: Finding| vec![f];
+    let name = args.graded.display().to_string();
+    // Who is meant is found before anything is solved.
+    let set_folder = args.graded.join(BASIS);
+    if args.graded.is_dir() && set_folder.join("set.json").is_file() {
+        let set = crate::cli::generate::existing(&set_folder)?;
+        let who = graded::student(&set, &args.student).map_err(|f| one(f.in_file(&name)))?;
+        let (number, in_name) = graded::problem(&set, &args.problem).map_err(|f| one(f.in_file(&name)))?;
+        let graded = graded::open(&args.graded, Some(&set.students[who].student))?;
+        return text(&graded, number, args.part.clone().or(in_name));
+    }
+    // The finding says what is missing.
+    graded::open(&args.graded, None).map(|_| String::new())
+}
+
+fn text(graded: &Graded, index: usize, part: Option<String>) -> Result<String, Vec<Finding>> {
+    let (Some(student), Some(given)) = (graded.set.students.first(), graded.given.first()) else {
+        return Err(vec![Finding::new("", "the set has no such student")]);
+    };
+    let problem = graded.bank.problems.iter().find(|p| p.id == graded.set.problems[index]);
+    let (Some(problem), Some(key), Some(variant)) =
+        (problem, given.key.problems.get(index), given.variants.get(index))
+    else {
+        return Err(vec![Finding::new("", "the sheet has no such problem")]);
+    };
+    if let Some(part) = &part
+        && !key.parts.iter().any(|e| e.part == *part)
+    {
+        let known: Vec<&str> = key.parts.iter().map(|e| e.part.as_str()).collect();
+        let fault = Finding::new("", format!("problem {} ({}) has no part `{part}`", index + 1, problem.id))
+            .in_file(graded.folder.display().to_string());
+        return Err(vec![match spell::closest(part, known.iter().copied()) {
+            Some(near) => fault.hint(format!("did you mean `{near}`?")),
+            None => fault.hint(format!("its parts: {}", known.join(", "))),
+        }]);
+    }
+    let mut rows = Vec::new();
+    let number = (index + 1).to_string();
+    graded.each_row(&mut |row| {
+        if row.student == student.student && row.problem == number && row.is_known() {
+            rows.push(row);
+        }
+    })?;
+    let changes = changes(graded, &student.student, &number)?;
+    let mut page = Pages::default();
+    let called = if student.name.is_empty() { String::new() } else { format!(" ({})", student.name) };
+    page.head(&format!(
+        "{}{called}, problem {} ({}) of set {}",
+        student.student,
+        index + 1,
+        problem.id,
+        graded.set.name
+    ));
+    page.head("");
+    page.head("Data on the sheet");
+    if let Some(stored) = student.problems.get(index) {
+        let case = if stored.case.is_empty() { String::new() } else { format!("case {}: ", stored.case) };
+        let data: Vec<String> = stored
+            .data
+            .iter()
+            .map(|(symbol, value)| format!("{symbol} = {}", value.as_str().unwrap_or_default()))
+            .collect();
+        page.say(1, &format!("{case}{}", data.join(", ")));
+    }
+    for (i, entry) in key.parts.iter().enumerate() {
+        if part.as_ref().is_none_or(|p| *p == entry.part) {
+            let of_part: Vec<&Row> = rows.iter().filter(|r| r.part == entry.part).collect();
+            let desk = Desk { graded, problem, key, variant, number: index + 1 };
+            desk.part(&mut page, i, &of_part);
+            for change in changes.iter().filter(|c| c.0 == entry.part) {
+                page.say(1, &format!("regraded: {}", change.1));
+            }
+        }
+    }
+    page.head("");
+    page.head("What it was graded with");
+    provenance(graded, &mut page);
+    Ok(page.0)
+}
+
+/// What a regrading changed for a problem: part and words.
+fn changes(graded: &Graded, student: &str, number: &str) -> Result<Vec<(String, String)>, Vec<Finding>> {
+    let path = graded.folder.join(graded::CHANGES);
+    if !path.is_file() {
+        return Ok(Vec::new());
+    }
+    let bytes = files::read(&path).map_err(|f| vec![f])?;
+    let mut reader = csv::ReaderBuilder::new().flexible(true).from_reader(bytes.as_slice());
+    let mut found = Vec::new();
+    for record in reader.records() {
+        let record =
+            record.map_err(|e| vec![Finding::new("", e.to_string()).in_file(path.display().to_string())])?;
+        let field = |i: usize| record.get(i).unwrap_or_default();
+        if field(0) == student && field(1) == number {
+            let text = format!(
+                "before {} points ({}), now {} points ({}): {}",
+                field(3),
+                field(5),
+                field(4),
+                field(6),
+                field(7)
+            );
+            found.push((field(2).to_owned(), text));
+        }
+    }
+    Ok(found)
+}
+
+struct Desk<'g> {
+    graded: &'g Graded,
+    problem: &'g Problem,
+    key: &'g ProblemKey,
+    variant: &'g Variant,
+    number: usize,
+}
+
+impl Desk<'_> {
+    fn part(&self, page: &mut Pages, index: usize, rows: &[&Row]) {
+        let entry = &self.key.parts[index];
+        let counting = rows.iter().find(|r| r.counts());
+        let policy = &self.graded.policy;
+        let most = policy
+            .points
+            .iter()
+            .find(|(p, _)| p.means(self.number, &self.problem.id, &entry.part))
+            .map_or(entry.points, |(_, points)| *points);
+        page.head("");
+        let outcome = match counting {
+            Some(row) => format!("{} of {} points, {}", row.points, row.max_points, row.verdict),
+            None => format!("no answer, of {most} points"),
+        };
+        page.head(&format!("{}.{}: {outcome}", self.number, entry.part));
+        self.asked(page, index);
+        if rows.is_empty() {
+            page.say(1, "attempts: none was handed in");
+        } else {
+            page.say(1, "attempts, in the order of the file:");
+        }
+        for row in rows {
+            self.attempt(page, index, row);
+        }
+        if let Some(row) = counting {
+            if rows.iter().filter(|r| r.verdict != Verdict::Blank).count() > 1 {
+                let at_most =
+                    policy.attempts.at_most.map_or_else(String::new, |n| format!(" of the first {n}"));
+                page.say(
+                    1,
+                    &format!(
+                        "which counts: the {}{at_most}; that is line {}",
+                        match policy.attempts.counts.as_str() {
+                            "best" => "one with the most points",
+                            other => other,
+                        },
+                        row.line
+                    ),
+                );
+            }
+            self.why(page, index, row);
+        }
+        let correction = policy.correction(self.number, &self.problem.id, &entry.part);
+        if let Some(correction) = correction {
+            page.say(
+                1,
+                &format!(
+                    "correction: {} get at least {} % of this part: {}",
+                    if matches!(correction.to, crate::policy::For::All) { "all" } else { "all who answered" },
+                    per_cent(correction.share),
+                    correction.why
+                ),
+            );
+        }
+    }
+
+    /// What was asked, the key and its tolerance.
+    fn asked(&self, page: &mut Pages, index: usize) {
+        let entry = &self.key.parts[index];
+        let question = self.problem.questions.iter().find(|q| q.id == entry.part);
+        let label = question.and_then(|q| {
+            let case = self.problem.cases.get(self.variant.case)?;
+            Some(case.scene.name_of(q.label))
+        });
+        let label = label.unwrap_or_else(|| entry.part.clone());
+        match &entry.answer {
+            Answer::Word { right, offered } => {
+                page.say(1, &format!("asked: {label}, a word of {}; the key is {right}", offered.join(", ")));
+            }
+            Answer::Number { value, half_width, .. } => {
+                let unit = &entry.unit;
+                let shown = |si: f64| words::rounded(unit.from_si(si), FIGURES);
+                let road = |si: Option<f64>| si.map_or_else(|| "none".to_owned(), shown);
+                page.say(1, &format!("asked: {label}, {}", in_unit(entry)));
+                page.say(
+                    1,
+                    &format!(
+                        "key: {}; equations of motion {}, work and energy {}, gap {}; condition number {}{}",
+                        unit.text_with(&shown(*value)),
+                        road(entry.eom),
+                        road(entry.energy),
+                        entry.gap.map_or_else(|| "unknown".to_owned(), |g| format!("{g:.0e}")),
+                        entry.cond.map_or_else(|| "unknown".to_owned(), |c| words::rounded(c, 3)),
+                        entry.bound.map_or_else(String::new, |b| format!(
+                            "; the true answer lies within {:.0e} of it, proved",
+                            unit.from_si(b)
+                        ))
+                    ),
+                );
+                let rule = question.map_or_else(String::new, |q| rule(q, entry, *value, *half_width));
+                page.say(
+                    1,
+                    &format!(
+                        "tolerance: {rule}, which is {} to either side: right is what lies from {} to {}",
+                        unit.text_with(&words::rounded(unit.from_si(*half_width), 5)),
+                        shown(value - half_width),
+                        shown(value + half_width)
+                    ),
+                );
+            }
+        }
+    }
+
+    /// One attempt: what was written, how it was read, what it is.
+    fn attempt(&self, page: &mut Pages, index: usize, row: &Row) {
+        let entry = &self.key.parts[index];
+        let mut units = UnitCache::default();
+        let judged = judge::judge_with(&row.answer, entry, &mut units, Feedback::english());
+        let when =
+            if row.submitted_at.is_empty() { String::new() } else { format!(", {}", row.submitted_at) };
+        let place = if row.column.is_empty() { String::new() } else { format!(", column {}", row.column) };
+        let mut text = format!("line {}{place}{when}: `{}`", row.line, shortened(&row.answer));
+        match read(&row.answer, &mut units) {
+            Reading::Number(number) => {
+                let unit = number.unit.as_ref().map_or_else(
+                    || match entry.unit.is_number() {
+                        true => "without unit".to_owned(),
+                        false => format!("without unit, so {}", entry.unit.ascii()),
+                    },
+                    |u| format!("in {}", u.ascii()),
+                );
+                let _ = write!(text, ", read as {} {unit}", number.value);
+                if let Some(word) = number.word {
+                    let _ = write!(text, ", {}", word.as_str());
+                }
+                if judged.number.is_finite() {
+                    let asked =
+                        entry.unit.text_with(&words::rounded(entry.unit.from_si(judged.number), FIGURES));
+                    let _ = write!(text, ", that is {asked} ({} SI)", words::rounded(judged.number, FIGURES));
+                    if let Answer::Number { value, .. } = entry.answer
+                        && value != 0.0
+                    {
+                        let off = (judged.number - value) / value.abs();
+                        let _ = write!(text, ", {} from the key", signed_per_cent(off));
+                    }
+                }
+            }
+            Reading::Word(word) => {
+                let _ = write!(text, ", read as the word {}", word.as_str());
+            }
+            Reading::Blank | Reading::Unreadable(_) => {}
+        }
+        let _ = write!(text, ". {}: {}", sentence(row.verdict.as_str()), row.reason);
+        page.say(2, &text);
+    }
+
+    /// Methods, slip and how the points of the attempt that counts add up.
+    fn why(&self, page: &mut Pages, index: usize, row: &Row) {
+        let entry = &self.key.parts[index];
+        let catalogue = Catalogue::built_in();
+        for id in row.methods.split_whitespace() {
+            let at = self.key.methods.iter().position(|m| m == id);
+            let value = at.and_then(|m| entry.wrong.iter().find(|w| usize::from(w.method) == m));
+            let comes = value.map_or_else(String::new, |w| {
+                let shown = words::rounded(entry.unit.from_si(w.value), FIGURES);
+                format!(" (which comes to {})", entry.unit.text_with(&shown))
+            });
+            let told = catalogue.get(id).map_or_else(String::new, |e| format!(": {}. {}", e.did, e.see));
+            page.say(1, &format!("fits the wrong method {id}{comes}{told}"));
+        }
+        if let Some(slip) = slip(&row.slip) {
+            page.say(1, &format!("fits a slip: {slip}"));
+        }
+        let points = points(row, &self.graded.policy);
+        page.say(1, &format!("points: {points}"));
+    }
+}
+
+fn in_unit(entry: &KeyEntry) -> String {
+    match (entry.unit.is_number(), entry.unit_required) {
+        (true, _) => "a plain number".to_owned(),
+        (false, true) => format!("in {}, the unit must be written", entry.unit.ascii()),
+        (false, false) => format!("in {}", entry.unit.ascii()),
+    }
+}
+
+/// Which rule made the half-width.
+fn rule(question: &crate::bank::Question, entry: &KeyEntry, value: f64, half_width: f64) -> String {
+    let share = question.relative.at(entry.cond.unwrap_or(f64::NAN));
+    if share * value.abs() * (1.0 + 1e-9) < half_width {
+        return match question.absolute {
+            Some(_) => "the absolute one of the bank".to_owned(),
+            None => "a thousandth of the largest term, because the answer may vanish".to_owned(),
+        };
+    }
+    match question.relative {
+        Relative::Fixed(_) => format!("{} % of the key", per_cent(share)),
+        Relative::Widens { .. } => format!("{} % of the key, by its condition number", per_cent(share)),
+    }
+}
+
+fn signed_per_cent(share: f64) -> String {
+    let share = share * 100.0;
+    let sign = if share < 0.0 { "-" } else { "+" };
+    format!("{sign}{} %", words::rounded(share.abs(), 3))
+}
+
+fn sentence(text: &str) -> String {
+    let mut chars = text.chars();
+    chars.next().map_or_else(String::new, |c| c.to_uppercase().chain(chars).collect())
+}
+
+/// A long cell is shown by its beginning; nothing in it moves the cursor.
+fn shortened(text: &str) -> String {
+    const LONGEST: usize = 120;
+    let clean = text.chars().map(|c| if c.is_control() { '\u{fffd}' } else { c });
+    let mut short: String = clean.take(LONGEST).collect();
+    if text.chars().nth(LONGEST).is_some() {
+        short.push('…');
+    }
+    short
+}
+
+/// The column `slip` in words.
+fn slip(text: &str) -> Option<String> {
+    let (kind, what) = text.split_once(':').unwrap_or((text, ""));
+    Some(match kind {
+        "" => return None,
+        "power_of_ten" => format!("the right number times ten to the power {what}"),
+        "unit" => format!("the right number in {what}"),
+        "figures" => format!("the right number, rounded to {what} figures"),
+        "drift" => "as far off as rounding to three figures on the way explains".to_owned(),
+        "part" => format!("the right number of part {what}"),
+        _ => text.to_owned(),
+    })
+}
+
+/// How the points of a row come about.
+fn points(row: &Row, policy: &Policy) -> String {
+    let mut steps = vec![match row.verdict {
+        Verdict::Right => format!("{} for a right answer", row.max_points),
+        _ => format!("0 of {}, the answer is not right", row.max_points),
+    }];
+    for word in row.credit.split_whitespace() {
+        let (kind, what) = word.split_once(':').unwrap_or((word, ""));
+        match kind {
+            "methods" => {
+                let share = row.methods.split(' ').map(|id| policy.credit.of(id)).fold(0.0, f64::max);
+                steps[0] = format!("{} % of {} for a known wrong method", per_cent(share), row.max_points);
+            }
+            "follow" => {
+                let share = per_cent(policy.credit.follow);
+                steps[0] = format!(
+                    "{share} % of {}, because the answer follows correctly from the student's own answer to {what}",
+                    row.max_points
+                );
+            }
+            "attempt" => steps.push(format!("times {what} for earlier attempts")),
+            "late" => steps.push(format!("times {what} for lateness")),
+            "closed" => steps.push("nothing, because it came after the end".to_owned()),
+            "correction" => steps.push("raised to what a correction gives to all".to_owned()),
+            _ => steps.push(word.to_owned()),
+        }
+    }
+    format!("{}; together {}", steps.join(", "), row.points)
+}
+
+fn provenance(graded: &Graded, page: &mut Pages) {
+    let made = &graded.grading;
+    page.say(
+        1,
+        &format!(
+            "{}, draw version {}; set {} from seed {}",
+            made.program, made.draw_version, made.set, made.seed
+        ),
+    );
+    let drawn = graded.set.bank.sha256.as_str();
+    let other = if drawn == made.bank_sha256 {
+        String::new()
+    } else {
+        format!("; the sheets were drawn from {drawn}")
+    };
+    page.say(1, &format!("bank {}, SHA-256 {}{other}", made.bank, made.bank_sha256));
+    page.say(1, &format!("key, SHA-256 {}; solved anew for this text, and the same", made.key_sha256));
+    if let Some(course) = &made.course_sha256 {
+        page.say(1, &format!("course, SHA-256 {course}"));
+    }
+    page.say(1, &format!("submissions: {}, {} bytes", made.submissions, made.submissions_bytes));
+}

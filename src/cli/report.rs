@@ -1,0 +1,482 @@
+//! `slipstick report`: a folder of grades to the class report, feedback for each student and gradebooks.
+use crate::bank::Bank;
+use crate::bank::course;
+use crate::cli::args;
+use crate::cli::args::Own;
+use crate::cli::banks;
+use crate::cli::files;
+use crate::cli::files::Staged;
+use crate::cli::generate;
+use crate::cli::output;
+use crate::cli::tell;
+use crate::cli::tell::Exit;
+use crate::cli::tell::Io;
+use crate::finding::Finding;
+use crate::misconception::catalogue::Catalogue;
+use crate::policy::Policy;
+use crate::report::class;
+use crate::report::class::About;
+use crate::report::feedback::Desk;
+use crate::report::lms;
+use crate::report::lms::Line;
+use crate::report::marks::Class;
+use crate::report::marks::Drawn;
+use crate::report::marks::Marks;
+use crate::report::marks::Part;
+use crate::report::marks::Problem;
+use crate::report::marks::Student;
+use crate::report::marks::Unreadable;
+use crate::report::settings;
+use crate::report::study::Study;
+use crate::report::table;
+use crate::set::store::StoredSet;
+use crate::sheet::document::Document;
+use crate::sheet::html;
+use crate::sheet::html::Converter;
+use crate::sheet::html::Place;
+use crate::template::Templates;
+use rayon::prelude::*;
+use std::fs;
+use std::io;
+use std::path::Path;
+use std::path::PathBuf;
+
+/// What a report is made of; all but `course.yaml` must be there.
+const BASIS: &str = "basis";
+/// What a report makes, in the folder of the grades or in one of its own.
+pub const MADE: [&str; 5] =
+    ["report.html", "tables", "feedback", "gradebook-canvas.csv", "gradebook-moodle.csv"];
+
+/// Runs it.
+pub fn run(args: &args::Report, io: &mut Io) -> Exit {
+    match report(args) {
+        Ok(made) => {
+            let out = args.out.as_deref().unwrap_or(&args.graded).display().to_string();
+            io.line(&made.told(&out));
+            Exit::Fine
+        }
+        Err(findings) => io.findings(&findings),
+    }
+}
+
+/// What was made, for the terminal.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Summary {
+    /// Students of the set.
+    pub students: usize,
+    /// Students who handed in.
+    pub took_part: usize,
+    /// Tables.
+    pub tables: usize,
+    /// What stands out.
+    pub lines: Vec<String>,
+}
+
+impl Summary {
+    /// Some lines that say what is where.
+    pub fn told(&self, out: &str) -> String {
+        let mut text = format!(
+            "Report on {} of {} who handed in\n  the class:     {out}/report.html (its {} tables as CSV: {out}/tables)\n  each student:  {out}/feedback (HTML and Markdown, nothing of others in it)\n  to import:     {out}/gradebook-canvas.csv, {out}/gradebook-moodle.csv",
+            self.took_part,
+            tell::count(self.students, "student"),
+            self.tables
+        );
+        for line in &self.lines {
+            text.push_str(&format!("\n  {line}"));
+        }
+        text
+    }
+}
+
+fn report(args: &args::Report) -> Result<Summary, Vec<Finding>> {
+    let one = |f: Finding| vec![f];
+    let place = args.out.as_deref().unwrap_or(&args.graded);
+    files::not_among_students(place).map_err(one)?;
+    if !args.graded.is_dir() {
+        let fault = Finding::new("", "there is no such folder").in_file(args.graded.display().to_string());
+        return Err(vec![fault.hint("give the folder that `slipstick grade` made")]);
+    }
+    files::sweep_beside(place);
+    may_write(args, place).map_err(one)?;
+    let staged = Staged::new(place).map_err(one)?;
+    let made = make(&args.graded, staged.path(), &args.own, args.threads)
+        .map_err(|findings| staged.named(findings))?;
+    if !place.exists() {
+        staged.finish().map_err(one)?;
+        return Ok(made);
+    }
+    // Only these are ours: the folder itself stays. What was there goes aside and is removed with the staged folder.
+    for name in MADE {
+        let (old, aside) = (place.join(name), staged.path().join(format!("old-{name}")));
+        if old.exists() {
+            fs::rename(&old, &aside).map_err(|e| one(files::trouble(&old, "cannot be replaced", &e)))?;
+        }
+        staged.place_one(Path::new(name)).map_err(one)?;
+    }
+    Ok(made)
+}
+
+/// Into the folder of the grades, or one that is not there or is empty; with `--force` over an earlier report.
+fn may_write(args: &args::Report, place: &Path) -> Result<(), Finding> {
+    let fault = |what: &str| Finding::new("", what).in_file(place.display().to_string());
+    if place.exists() && !place.is_dir() {
+        return Err(fault("is a file; a report is written to a folder"));
+    }
+    let names = files::names_in(place);
+    let old = names.iter().any(|n| MADE.contains(&n.as_str()));
+    let same = fs::canonicalize(place).ok() == fs::canonicalize(&args.graded).ok();
+    if !same && names.iter().any(|n| !MADE.contains(&n.as_str())) {
+        return Err(fault("holds what `slipstick report` did not make").hint("give another --out"));
+    }
+    if old && !args.force {
+        return Err(fault("holds a report already").hint("--force replaces it; --out DIR writes another"));
+    }
+    Ok(())
+}
+
+/// Makes the reports of a folder of grades into a folder that is there, and replaces nothing in it.
+///
+/// # Errors
+/// What is missing or faulty in the folder of the grades, a language that is not there, or writing that fails.
+pub fn make(graded: &Path, out: &Path, own: &Own, threads: Option<usize>) -> Result<Summary, Vec<Finding>> {
+    let one = |f: Finding| vec![f];
+    let basis = Basis::read(graded)?;
+    let language = own.language.clone().unwrap_or_else(|| basis.language.clone());
+    let mut bank = basis.bank.clone();
+    let texts = banks::texts(own, &language, &mut bank)?;
+    let catalogue = Catalogue::of(&language).unwrap_or_else(Catalogue::built_in);
+    let marks = read_marks(graded, &basis)?;
+    let study = Study::of(&marks);
+    let written = |name: &str, e: &io::Error| one(files::trouble(&out.join(name), "cannot be written", e));
+    let write = |name: &str, bytes: &[u8]| fs::write(out.join(name), bytes).map_err(|e| written(name, &e));
+    let folder = |name: &str| fs::create_dir(out.join(name)).map_err(|e| written(name, &e));
+
+    // The class report is in English, for the instructor.
+    let english = crate::words::Words::english();
+    let mut converter = Converter::new(&english);
+    let about = about(&basis);
+    let told = class::report(
+        &marks,
+        &study,
+        &about,
+        &Catalogue::built_in(),
+        &Templates::english(),
+        &mut |markdown| inline(&mut converter, markdown),
+    )
+    .map_err(one)?;
+    write("report.html", &told.html)?;
+    folder("tables")?;
+    for table in &told.tables {
+        write(&format!("tables/{}.csv", table.name), &table.csv())?;
+    }
+
+    let titles: Vec<String> = basis.set.problems.iter().map(|id| title_of(&bank, id)).collect();
+    let corrections: Vec<(usize, String)> = marks
+        .class
+        .parts
+        .iter()
+        .enumerate()
+        .filter_map(|(i, part)| {
+            let problem = marks.class.problems.get(part.number.checked_sub(1)?)?;
+            let correction = basis.policy.correction(part.number, &problem.id, &part.id)?;
+            Some((i, correction.why.clone()))
+        })
+        .collect();
+    let desk = Desk {
+        marks: &marks,
+        title: if basis.policy.title.is_empty() { &bank.title } else { &basis.policy.title },
+        set: &basis.set.name,
+        problems: &titles,
+        words: &texts.words,
+        templates: &texts.templates,
+        catalogue: &catalogue,
+        hints: basis.policy.hints,
+        corrections: &corrections,
+    };
+    folder("feedback")?;
+    let pool = output::pool(threads)?;
+    let students: Vec<usize> = (0..marks.class.students.len()).collect();
+    let chunk = students.len().div_ceil(pool.current_num_threads() * 4).max(1);
+    let all: Result<Vec<()>, Vec<Finding>> = pool.install(|| {
+        let of_some = |some: &[usize]| -> Result<(), Vec<Finding>> {
+            let mut converter = Converter::new(&texts.words);
+            for student in some {
+                let (head, document) =
+                    desk.document(*student, &dropped(&basis.policy, &marks, *student)).map_err(one)?;
+                let body = converter.body(&document, Place { lower: 0, prefix: "" });
+                let page =
+                    html::page(&texts.templates, &texts.words, "feedback", &head, &body).map_err(one)?;
+                let name = &marks.class.students[*student].folder;
+                write(&format!("feedback/{name}.html"), &page)?;
+                write(&format!("feedback/{name}.md"), document.plain().as_bytes())?;
+            }
+            Ok(())
+        };
+        students.par_chunks(chunk).map(of_some).collect()
+    });
+    all?;
+
+    let lines = lines(&marks);
+    let most = study.most.max(marks.totals.iter().map(|t| t.1).fold(0.0, f64::max));
+    write("gradebook-canvas.csv", &lms::canvas(&basis.set.name, most, &lines))?;
+    write("gradebook-moodle.csv", &lms::moodle(&basis.set.name, &lines))?;
+    Ok(Summary {
+        students: marks.class.students.len(),
+        took_part: study.took_part.len(),
+        tables: told.tables.len(),
+        lines: told.summary,
+    })
+}
+
+/// Lines of the gradebooks; the short text names the verdict of each part.
+fn lines(marks: &Marks) -> Vec<Line<'_>> {
+    let told = |s: usize| -> String {
+        let parts = marks.class.parts.iter().enumerate().filter(|(p, _)| marks.asked(s, *p));
+        let told: Vec<String> = parts
+            .map(|(p, part)| {
+                let verdict = marks.cell(s, p).row.as_ref().map_or("no answer", |r| r.verdict.as_str());
+                let points = table::points(marks.points(s, p));
+                format!("{} {verdict} {points}/{}", part.label(), table::points(part.points))
+            })
+            .collect();
+        told.join("; ")
+    };
+    let any = |s: usize| marks.took_part(s) || (0..marks.class.parts.len()).any(|p| marks.points(s, p) > 0.0);
+    marks
+        .class
+        .students
+        .iter()
+        .enumerate()
+        .map(|(s, student)| Line {
+            id: &student.id,
+            name: &student.name,
+            points: any(s).then_some(marks.totals[s].0),
+            feedback: if any(s) { told(s) } else { String::new() },
+        })
+        .collect()
+}
+
+/// Problems (indices) of a student that do not count.
+fn dropped(policy: &Policy, marks: &Marks, student: usize) -> Vec<usize> {
+    let mut problems = vec![(0.0, 0.0); marks.class.problems.len()];
+    for (p, part) in marks.class.parts.iter().enumerate().filter(|(p, _)| marks.asked(student, *p)) {
+        if let Some(sum) = part.number.checked_sub(1).and_then(|i| problems.get_mut(i)) {
+            sum.0 += marks.points(student, p);
+            sum.1 += part.points;
+        }
+    }
+    policy.total(&problems).dropped
+}
+
+/// Markdown of one line to HTML without the paragraph around it.
+fn inline(converter: &mut Converter, markdown: &str) -> String {
+    let document = Document { markdown: markdown.to_owned(), pictures: Vec::new() };
+    let html = converter.body(&document, Place { lower: 0, prefix: "" });
+    let html = html.trim();
+    let inner = html.strip_prefix("<p>").and_then(|h| h.strip_suffix("</p>"));
+    inner.filter(|h| !h.contains("<p>")).unwrap_or(html).to_owned()
+}
+
+fn title_of(bank: &Bank, id: &str) -> String {
+    bank.problems.iter().find(|p| p.id == id).map_or_else(|| id.to_owned(), |p| p.title.clone())
+}
+
+/// What stands beside the answers in a folder of grades.
+struct Basis {
+    set: StoredSet,
+    bank: Bank,
+    /// Settings of the bank with those of the course over them.
+    policy: Policy,
+    /// Language of the reasons.
+    language: String,
+    provenance: serde_json::Value,
+    /// Student, number of the problem, part: what each sheet asks.
+    key: Vec<(String, String, String)>,
+}
+
+impl Basis {
+    fn read(graded: &Path) -> Result<Self, Vec<Finding>> {
+        let one = |f: Finding| vec![f];
+        let folder = graded.join(BASIS);
+        if !folder.join("set.json").is_file() {
+            let fault = Finding::new("", format!("holds no {BASIS}/set.json"));
+            let fault = fault.in_file(graded.display().to_string());
+            return Err(vec![
+                fault.hint(
+                    "give a folder that `slipstick grade` made; one of an earlier version: grade again",
+                ),
+            ]);
+        }
+        let set = generate::existing(&folder)?;
+        let bank_path = folder.join("bank.yaml");
+        let text = files::read_text(&bank_path).map_err(one)?;
+        let bank = banks::parse(&text, &bank_path.display().to_string())?;
+        let course_path = folder.join("course.yaml");
+        let policy = match course_path.is_file() {
+            true => {
+                let text = files::read_text(&course_path).map_err(one)?;
+                course::course(&text, &course_path.display().to_string(), &bank.grading)?
+            }
+            false => bank.grading.clone(),
+        };
+        let provenance_path = graded.join("grading.json");
+        let provenance = match provenance_path.is_file() {
+            true => {
+                let text = files::read_text(&provenance_path).map_err(one)?;
+                serde_json::from_str(&text).map_err(|e| {
+                    one(Finding::new("", format!("cannot be read: {e}"))
+                        .in_file(provenance_path.display().to_string())
+                        .hint("it is written by `slipstick grade` and not meant to be edited"))
+                })?
+            }
+            false => serde_json::Value::Null,
+        };
+        let key_path = folder.join("key.csv");
+        let key = read_key(&key_path).map_err(one)?;
+        let language = provenance.get("language").and_then(serde_json::Value::as_str);
+        Ok(Self {
+            language: language.unwrap_or(&set.language).to_owned(),
+            set,
+            bank,
+            policy,
+            provenance,
+            key,
+        })
+    }
+
+    /// The class without marks.
+    fn class(&self) -> Class {
+        let indices: Vec<Option<&crate::bank::Problem>> =
+            self.set.problems.iter().map(|id| self.bank.problems.iter().find(|p| p.id == *id)).collect();
+        let parts: Vec<Part> = indices
+            .iter()
+            .enumerate()
+            .flat_map(|(i, problem)| {
+                let questions = problem.map_or(&[][..], |p| &p.questions);
+                questions.iter().map(move |q| Part {
+                    number: i + 1,
+                    id: q.id.clone(),
+                    points: self
+                        .policy
+                        .points_given(i + 1, problem.map_or("", |p| p.id.as_str()), &q.id)
+                        .unwrap_or(q.points),
+                    unit: q.unit.ascii().to_owned(),
+                })
+            })
+            .collect();
+        let students: Vec<Student> = self.set.students.iter().map(student).collect();
+        let whose: rustc_hash::FxHashMap<&str, usize> =
+            self.set.students.iter().enumerate().map(|(i, s)| (s.student.as_str(), i)).collect();
+        let which: rustc_hash::FxHashMap<(String, &str), usize> =
+            parts.iter().enumerate().map(|(i, p)| ((p.number.to_string(), p.id.as_str()), i)).collect();
+        let mut asked = vec![false; students.len() * parts.len()];
+        for (who, number, part) in &self.key {
+            let which = which.get(&(number.clone(), part.as_str()));
+            if let (Some(who), Some(what)) = (whose.get(who.as_str()), which) {
+                asked[who * parts.len() + what] = true;
+            }
+        }
+        let problems = self
+            .set
+            .problems
+            .iter()
+            .map(|id| Problem { id: id.clone(), title: title_of(&self.bank, id) })
+            .collect();
+        Class { students, problems, parts, asked }
+    }
+}
+
+/// A student of the set with the numbers that were drawn.
+fn student(stored: &crate::set::store::StoredStudent) -> Student {
+    let drawn = stored.problems.iter().map(|variant| {
+        let data = variant.data.iter().filter_map(|(symbol, value)| {
+            let text = value.as_str()?;
+            let number = text.split_whitespace().next()?.parse::<f64>().ok()?;
+            number.is_finite().then(|| (symbol.clone(), number))
+        });
+        Drawn { case: variant.case.clone(), data: data.collect() }
+    });
+    Student {
+        id: stored.student.clone(),
+        name: stored.name.clone(),
+        folder: stored.folder.clone(),
+        drawn: drawn.collect(),
+    }
+}
+
+fn read_key(path: &Path) -> Result<Vec<(String, String, String)>, Finding> {
+    let bytes = files::read(path)?;
+    let mut reader = csv::ReaderBuilder::new().from_reader(bytes.as_slice());
+    let fault = |e: &csv::Error| Finding::new("", e.to_string()).in_file(path.display().to_string());
+    let mut rows = Vec::new();
+    for record in reader.records() {
+        let record = record.map_err(|e| fault(&e))?;
+        let text = |i: usize| record.get(i).unwrap_or_default().to_owned();
+        rows.push((text(0), text(1), text(2)));
+    }
+    Ok(rows)
+}
+
+fn read_marks(graded: &Path, basis: &Basis) -> Result<Marks, Vec<Finding>> {
+    let unreadable = |path: &PathBuf, fault: Unreadable| {
+        let finding = Finding::new("", fault.what).in_file(path.display().to_string());
+        let finding = if fault.line > 0 {
+            finding.at(usize::try_from(fault.line).unwrap_or(usize::MAX), 1)
+        } else {
+            finding
+        };
+        vec![finding.hint("it is written by `slipstick grade` and not meant to be edited: grade again")]
+    };
+    let answers = graded.join("answers.csv");
+    let mut open = || fs::File::open(&answers).map(|f| io::BufReader::with_capacity(1 << 18, f));
+    let mut marks = Marks::read(basis.class(), &mut open).map_err(|f| unreadable(&answers, f))?;
+    let book = graded.join("gradebook.csv");
+    let file = fs::File::open(&book).map_err(|e| vec![files::trouble(&book, "cannot be read", &e)])?;
+    marks.book(io::BufReader::new(file)).map_err(|f| unreadable(&book, f))?;
+    Ok(marks)
+}
+
+/// How it was graded and of what, in words.
+fn about(basis: &Basis) -> About {
+    let json = &basis.provenance;
+    let text = |path: &[&str]| -> Option<String> {
+        let mut value = json;
+        for name in path {
+            value = value.get(name)?;
+        }
+        match value {
+            serde_json::Value::String(text) => Some(text.clone()),
+            serde_json::Value::Number(n) => Some(n.to_string()),
+            _ => None,
+        }
+    };
+    let short = |hash: String| hash.chars().take(16).collect::<String>();
+    let mut provenance = Vec::new();
+    let mut add = |name: &str, value: Option<String>| {
+        if let Some(value) = value.filter(|v| !v.is_empty()) {
+            provenance.push((name.to_owned(), value));
+        }
+    };
+    add("Graded by", text(&["program"]));
+    add("Set", Some(format!("{}, seed {}", basis.set.name, basis.set.seed)));
+    add("Made by", Some(format!("{}, draw version {}", basis.set.program, basis.set.draw_version)));
+    add("Bank", Some(format!("{}, SHA-256 {}…", basis.set.bank.id, short(basis.set.bank.sha256.clone()))));
+    add("Key", text(&["key_sha256"]).map(|h| format!("SHA-256 {}…", short(h))));
+    add("Submissions", text(&["submissions", "file"]));
+    add("Language", Some(basis.language.clone()));
+    let untimed = text(&["untimed"]).filter(|n| n != "0");
+    add(
+        "Ordered by row",
+        untimed.map(|n| format!("attempts at {n} answers, because a submitted_at cannot be read")),
+    );
+    About {
+        title: if basis.policy.title.is_empty() {
+            basis.bank.title.clone()
+        } else {
+            basis.policy.title.clone()
+        },
+        set: basis.set.name.clone(),
+        settings: settings::in_words(&basis.policy),
+        provenance,
+    }
+}

@@ -1,0 +1,126 @@
+//! `slipstick simulate`: a made-up class with declared habits hands in answers to a stored set, and the truth is written beside them.
+use crate::cli::args;
+use crate::cli::banks;
+use crate::cli::files;
+use crate::cli::generate;
+use crate::cli::tell;
+use crate::cli::tell::Exit;
+use crate::cli::tell::Io;
+use crate::finding::Finding;
+use crate::set::replay;
+use crate::simulate::classwork;
+use crate::simulate::classwork::Files;
+use crate::simulate::classwork::Work;
+use crate::simulate::habits;
+use crate::simulate::habits::Habits;
+use crate::simulate::student::Student;
+use crate::words::Words;
+use std::path::Path;
+
+/// Runs it.
+pub fn run(args: &args::Simulate, io: &mut Io) -> Exit {
+    if args.example {
+        io.piece(habits::EXAMPLE);
+        return Exit::Fine;
+    }
+    match simulate(args) {
+        Ok(files) => {
+            let rows = tell::count(files.rows, "answer");
+            let students = tell::count(files.students, "student");
+            io.line(&format!("{rows} by {students} with seed {}", args.seed));
+            for (what, path) in [("submissions", &args.out), ("truth", &args.truth)] {
+                io.line(&format!(
+                    "  {what}: {}",
+                    path.as_ref().map_or_else(String::new, |p| p.display().to_string())
+                ));
+            }
+            Exit::Fine
+        }
+        Err(findings) => io.findings(&findings),
+    }
+}
+
+fn simulate(args: &args::Simulate) -> Result<Files, Vec<Finding>> {
+    // clap demands all three unless --example is given.
+    let (Some(set), Some(out), Some(truth)) = (&args.set, &args.out, &args.truth) else {
+        return Err(vec![Finding::new("", "give the folder of a set, --out and --truth")]);
+    };
+    let mut faults = Vec::new();
+    let habits = match &args.like {
+        Some(path) => read(path).map_err(|f| faults.extend(f)).ok(),
+        None => Some(Habits::usual()),
+    };
+    for path in [out, truth] {
+        faults.extend(may_write(path, args.force).err());
+    }
+    if out == truth {
+        faults.push(Finding::new("--truth", "is the file of the submissions").hint("give it another name"));
+    }
+    if let Some(language) = &args.language {
+        faults.extend(banks::words(language).err().unwrap_or_default());
+    }
+    let (Some(habits), true) = (habits, faults.is_empty()) else { return Err(faults) };
+    let stored = generate::existing(set)?;
+    let path = set.join(&stored.bank.file);
+    let text = files::read_text(&path).map_err(|f| vec![f])?;
+    let bank = banks::parse(&text, &path.display().to_string())?;
+    let problems = replay::indices(&bank, &stored.problems, "problems")?;
+    if let Some(path) = &args.like {
+        let asked = problems.iter().flat_map(|p| &bank.problems[*p].mistakes);
+        let known: Vec<&str> = asked.map(|m| m.id.as_str()).collect();
+        known_methods(&habits, &known, path)?;
+    }
+    let words = match &args.language {
+        Some(language) => banks::words(language)?,
+        None => Words::of(&stored.language).unwrap_or_else(Words::english),
+    };
+    let works = replay::each(&bank, &stored, &|_, student, dealt| {
+        let drawn = dealt.variants.iter().zip(&dealt.key.problems);
+        let sheet: Vec<_> = problems
+            .iter()
+            .zip(drawn)
+            .map(|(p, (variant, key))| (&bank.problems[*p], variant, key))
+            .collect();
+        let handed = Student::new(&habits, &words, args.seed, &student.student).work(&sheet);
+        Ok(Work { key: dealt.key, handed })
+    });
+    let file = set.join("set.json").display().to_string();
+    let named = |f: Finding| if f.file.is_none() { f.in_file(&file) } else { f };
+    let mut works = works.map_err(|faults| faults.into_iter().map(named).collect::<Vec<_>>())?;
+    classwork::copy(&habits, args.seed, &mut works);
+    let files = classwork::write(&habits, &words, args.seed, &works);
+    let text = |bytes: &[u8]| String::from_utf8_lossy(bytes).into_owned();
+    files::put_all(&[(out.clone(), text(&files.submissions)), (truth.clone(), text(&files.truth))])
+        .map_err(|f| vec![f])?;
+    Ok(files)
+}
+
+fn read(path: &Path) -> Result<Habits, Vec<Finding>> {
+    let text = files::read_text(path).map_err(|f| vec![f])?;
+    Habits::read(&text, &path.display().to_string())
+}
+
+/// Are all wrong methods that the habits name listed in the bank?
+fn known_methods(habits: &Habits, known: &[&str], path: &Path) -> Result<(), Vec<Finding>> {
+    let file = path.display().to_string();
+    let strange = habits.unknown_methods(known).map(|(id, near)| {
+        let what = format!("no problem of this set lists the wrong method `{id}`");
+        let finding = Finding::new("wrong methods", what).in_file(&file);
+        finding.hint(near.unwrap_or_else(|| "the ids stand in the bank under `mistakes`".to_owned()))
+    });
+    let strange: Vec<Finding> = strange.collect();
+    if strange.is_empty() { Ok(()) } else { Err(strange) }
+}
+
+/// A file that is not there, or that may be replaced.
+fn may_write(path: &Path, force: bool) -> Result<(), Finding> {
+    let finding = |what: &str| Finding::new("", what).in_file(path.display().to_string());
+    files::not_among_students(path)?;
+    if path.is_dir() {
+        return Err(finding("is a folder; a file is written"));
+    }
+    if path.exists() && !force {
+        return Err(finding("is there already").hint("give another name, or --force to replace it"));
+    }
+    Ok(())
+}

@@ -1,0 +1,145 @@
+//! One row for each thing: a bar or a mark, with its interval.
+use crate::plot::axis::Axis;
+use crate::plot::svg::Svg;
+
+/// A row.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Row {
+    /// Name, to the left.
+    pub label: String,
+    /// Value; a row without one says why in its note.
+    pub value: Option<f64>,
+    /// Interval, both ends.
+    pub interval: Option<(f64, f64)>,
+    /// To the right.
+    pub note: String,
+    /// In the second colour.
+    pub marked: bool,
+}
+
+/// A chart of rows.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Rows {
+    /// Tells the figures of a page apart.
+    pub id: String,
+    /// Title.
+    pub title: String,
+    /// What it shows, for those who do not see it.
+    pub description: String,
+    /// The axis.
+    pub axis: Axis,
+    /// Labels of ticks are per cent.
+    pub percent: bool,
+    /// Bars from the low end of the axis, else marks and a line at 0.
+    pub bars: bool,
+    /// The rows, from above.
+    pub rows: Vec<Row>,
+}
+
+/// Width of charts: on a phone their letters are still read.
+pub const WIDTH: f64 = 480.0;
+const STEP: f64 = 24.0;
+const TOP: f64 = 40.0;
+/// About how wide a letter is, and how far a label may reach.
+const LETTER: f64 = 7.8;
+const WIDEST: f64 = 150.0;
+
+impl Rows {
+    /// The chart as SVG text: the same bytes for the same data.
+    pub fn svg(&self) -> String {
+        let longest =
+            |text: &dyn Fn(&Row) -> usize| self.rows.iter().map(text).max().unwrap_or(0) as f64 * LETTER;
+        let left = (longest(&|r| r.label.chars().count()) + 14.0).clamp(40.0, WIDEST);
+        let right = WIDTH - (longest(&|r| r.note.chars().count()) + 12.0).clamp(16.0, 120.0);
+        let bottom = TOP + self.rows.len() as f64 * STEP + 4.0;
+        let mut svg = Svg::chart(&self.id, (WIDTH, bottom + 44.0), &self.title, &self.description);
+        svg.text("head", "start", (8.0, 22.0), &self.title);
+        let place = |value: f64| left + self.axis.at(value) * (right - left);
+        for tick in self.axis.ticks() {
+            let x = left + tick.at * (right - left);
+            svg.line("grid", (x, TOP), (x, bottom));
+            svg.text("soft tiny", "middle", (x, bottom + 16.0), &self.tick(&tick.label));
+        }
+        svg.text("soft tiny", "middle", ((left + right) / 2.0, bottom + 34.0), &self.axis.label);
+        let base = if self.bars { place(self.axis.low) } else { place(0.0) };
+        svg.line("frame", (base, TOP), (base, bottom));
+        for (i, row) in self.rows.iter().enumerate() {
+            let y = TOP + (i as f64 + 0.5) * STEP + 2.0;
+            svg.text("", "end", (left - 8.0, y + 4.5), &shortened(&row.label));
+            svg.text("soft tiny", "start", (right + 8.0, y + 4.0), &row.note);
+            let Some(value) = row.value else { continue };
+            if self.bars {
+                let class = if row.marked { "warn" } else { "bar" };
+                svg.rect(class, (base, y - 7.5), ((place(value) - base).max(0.0), 15.0));
+            }
+            if let Some((low, high)) = row.interval {
+                let (a, b) = (place(low), place(high));
+                svg.line("whisker", (a, y), (b, y));
+                for end in [a, b] {
+                    svg.line("whisker", (end, y - 3.5), (end, y + 3.5));
+                }
+            }
+            if !self.bars {
+                svg.disc(if row.marked { "warn" } else { "dot" }, (place(value), y), 5.0);
+            }
+        }
+        svg.finish()
+    }
+
+    fn tick(&self, label: &str) -> String {
+        match label.parse::<f64>() {
+            Ok(value) if self.percent => format!("{:.0} %", value * 100.0),
+            _ => label.replace('-', "\u{2212}"),
+        }
+    }
+}
+
+/// A label that fits.
+fn shortened(text: &str) -> String {
+    let most = ((WIDEST - 14.0) / LETTER) as usize;
+    if text.chars().count() <= most {
+        return text.to_owned();
+    }
+    text.chars().take(most - 1).chain(std::iter::once('…')).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::plot::Scale;
+
+    #[test]
+    fn bars_are_as_long_as_their_values() {
+        let row = |label: &str, value| Row {
+            label: label.to_owned(),
+            value,
+            interval: value.map(|v| (v - 0.1, v + 0.1)),
+            note: "n".to_owned(),
+            marked: false,
+        };
+        let chart = Rows {
+            id: "r".to_owned(),
+            title: "a & b".to_owned(),
+            description: "three rows".to_owned(),
+            axis: Axis { label: "share".to_owned(), scale: Scale::Linear, low: 0.0, high: 1.0 },
+            percent: true,
+            bars: true,
+            rows: vec![
+                row("one", Some(0.25)),
+                row("two", Some(0.75)),
+                row("a very long name of a part", None),
+            ],
+        };
+        let svg = chart.svg();
+        assert_eq!(svg, chart.svg());
+        let widths: Vec<f64> = svg
+            .lines()
+            .filter(|l| l.contains("class=\"bar\""))
+            .filter_map(|l| l.split("width=\"").nth(1)?.split('"').next()?.parse().ok())
+            .collect();
+        assert_eq!(widths.len(), 2);
+        assert!((widths[1] / widths[0] - 3.0).abs() < 0.01, "{widths:?}");
+        assert!(svg.contains("a &amp; b") && svg.contains("100 %") && svg.contains("…</text>"));
+        assert!(!svg.contains("NaN"));
+    }
+}

@@ -1,0 +1,142 @@
+//! Single points over two axes, each with its name where there is room.
+use crate::plot::axis::Axis;
+use crate::plot::rows::WIDTH;
+use crate::plot::svg::Svg;
+
+/// A point.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Spot {
+    /// Along the first axis.
+    pub x: f64,
+    /// Along the second.
+    pub y: f64,
+    /// Name.
+    pub label: String,
+    /// In the second colour.
+    pub marked: bool,
+}
+
+/// A chart of points.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Scatter {
+    /// Tells the figures of a page apart.
+    pub id: String,
+    /// Title.
+    pub title: String,
+    /// What it shows, for those who do not see it.
+    pub description: String,
+    /// First axis, shares in per cent.
+    pub x: Axis,
+    /// Second axis.
+    pub y: Axis,
+    /// A level of the second axis with a line, and what stands there.
+    pub level: Option<(f64, String)>,
+    /// The points.
+    pub spots: Vec<Spot>,
+}
+
+const LEFT: f64 = 52.0;
+const RIGHT: f64 = 464.0;
+const TOP: f64 = 52.0;
+const BOTTOM: f64 = 312.0;
+const HEIGHT: f64 = 358.0;
+/// About how large letters are.
+const LETTER: (f64, f64) = (6.3, 13.0);
+
+type Box = (f64, f64, f64, f64);
+
+impl Scatter {
+    /// The chart as SVG text: the same bytes for the same data.
+    pub fn svg(&self) -> String {
+        let mut svg = Svg::chart(&self.id, (WIDTH, HEIGHT), &self.title, &self.description);
+        svg.text("head", "start", (8.0, 22.0), &self.title);
+        let at = |x: f64, y: f64| {
+            (
+                LEFT + 8.0 + self.x.at(x) * (RIGHT - LEFT - 16.0),
+                BOTTOM - 8.0 - self.y.at(y) * (BOTTOM - TOP - 16.0),
+            )
+        };
+        for tick in self.x.ticks() {
+            let x = LEFT + 8.0 + tick.at * (RIGHT - LEFT - 16.0);
+            svg.line("grid", (x, TOP), (x, BOTTOM));
+            let label =
+                tick.label.parse::<f64>().map_or(tick.label.clone(), |v| format!("{:.0} %", v * 100.0));
+            svg.text("soft tiny", "middle", (x, BOTTOM + 16.0), &label);
+        }
+        for tick in self.y.ticks() {
+            let y = BOTTOM - 8.0 - tick.at * (BOTTOM - TOP - 16.0);
+            svg.line("grid", (LEFT, y), (RIGHT, y));
+            svg.text("soft tiny", "end", (LEFT - 7.0, y + 4.0), &tick.label.replace('-', "\u{2212}"));
+        }
+        svg.rect("frame", (LEFT, TOP), (RIGHT - LEFT, BOTTOM - TOP));
+        svg.text("soft tiny", "middle", ((LEFT + RIGHT) / 2.0, BOTTOM + 36.0), &self.x.label);
+        svg.upright("soft tiny", (14.0, (TOP + BOTTOM) / 2.0), &self.y.label);
+        let mut level = None;
+        if let Some((value, says)) = &self.level {
+            let (_, y) = at(self.x.low, *value);
+            svg.line("mid", (LEFT, y), (RIGHT, y));
+            svg.text("soft tiny", "start", (8.0, TOP - 8.0), says);
+            level = Some((LEFT, y - 1.0, RIGHT, y + 1.0));
+        }
+        let mut taken: Vec<Box> = self
+            .spots
+            .iter()
+            .map(|s| {
+                let (x, y) = at(s.x, s.y);
+                (x - 5.0, y - 5.0, x + 5.0, y + 5.0)
+            })
+            .chain(level)
+            .collect();
+        for spot in &self.spots {
+            svg.disc(if spot.marked { "warn" } else { "dot" }, at(spot.x, spot.y), 5.0);
+        }
+        for spot in &self.spots {
+            // To the right, to the left, above, below: where nothing stands yet; else the table says it.
+            let (x, y) = at(spot.x, spot.y);
+            let wide = spot.label.chars().count() as f64 * LETTER.0;
+            let places = [
+                ("start", x + 8.0, y + 4.0, x + 7.0),
+                ("end", x - 8.0, y + 4.0, x - 7.0 - wide),
+                ("middle", x, y - 9.0, x - wide / 2.0),
+                ("middle", x, y + 17.0, x - wide / 2.0),
+            ];
+            for (anchor, tx, ty, from) in places {
+                let mine = (from, ty - LETTER.1 + 3.0, from + wide, ty + 2.0);
+                let inside = mine.0 > LEFT && mine.2 < RIGHT && mine.1 > TOP && mine.3 < BOTTOM;
+                let free = taken.iter().all(|o| mine.2 < o.0 || mine.0 > o.2 || mine.3 < o.1 || mine.1 > o.3);
+                if inside && free {
+                    svg.text("tiny halo", anchor, (tx, ty), &spot.label);
+                    taken.push(mine);
+                    break;
+                }
+            }
+        }
+        svg.finish()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::plot::Scale;
+
+    #[test]
+    fn names_do_not_stand_on_each_other() {
+        let axis = |low: f64| Axis { label: "x".to_owned(), scale: Scale::Linear, low, high: 1.0 };
+        let spot = |x: f64| Spot { x, y: 0.5, label: "1.name".to_owned(), marked: x > 0.9 };
+        let chart = Scatter {
+            id: "s".to_owned(),
+            title: "t".to_owned(),
+            description: "d".to_owned(),
+            x: axis(0.0),
+            y: axis(-0.2),
+            level: Some((0.2, "low".to_owned())),
+            spots: [0.5; 9].into_iter().chain([0.1, 0.95]).map(spot).collect(),
+        };
+        let svg = chart.svg();
+        assert_eq!(svg.matches("class=\"dot\"").count() + svg.matches("class=\"warn\"").count(), 11);
+        // Around the nine that fall together there is room for four names.
+        assert_eq!(svg.matches(">1.name</text>").count(), 6);
+        assert_eq!(svg, chart.svg());
+    }
+}

@@ -1,0 +1,401 @@
+//! Two gradings of the same answers: who gains and who loses, for which part, and why.
+use crate::grade::verdict::Verdict;
+use crate::key::Answer;
+use crate::key::KeyEntry;
+use crate::regrade::rows::Fault;
+use crate::regrade::rows::Row;
+use crate::regrade::rows::unguarded;
+use std::collections::BTreeMap;
+use std::io::Read;
+
+/// The answer that counts for one student and part.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Cell {
+    /// Line of the submissions.
+    pub line: u64,
+    /// Column, where a record has several answers.
+    pub column: String,
+    /// The verdict.
+    pub verdict: Verdict,
+    /// Most points.
+    pub max_points: f64,
+    /// Ids of wrong methods.
+    pub methods: String,
+    /// Words of the column `credit`.
+    pub credit: String,
+}
+
+/// A grading as far as it is compared; students and parts are those of a common list.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Grading {
+    parts: usize,
+    /// The answers that count, a row of parts for each student.
+    cells: Vec<Option<Cell>>,
+    /// Points in the gradebook, likewise.
+    points: Vec<Option<f64>>,
+    /// Total and of how many, for each student.
+    pub totals: Vec<Option<(f64, f64)>>,
+}
+
+/// The students and parts (number of the problem, id of the part) of both gradings.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Who {
+    /// Ids.
+    pub students: Vec<String>,
+    /// Parts in the order of the sheet.
+    pub parts: Vec<(usize, String)>,
+    by_student: BTreeMap<String, usize>,
+    by_part: BTreeMap<(String, String), usize>,
+}
+
+impl Who {
+    /// From the lists.
+    pub fn new(students: Vec<String>, parts: Vec<(usize, String)>) -> Self {
+        let by_student = students.iter().enumerate().map(|(i, s)| (s.clone(), i)).collect();
+        let by_part = parts.iter().enumerate().map(|(i, (n, p))| ((n.to_string(), p.clone()), i)).collect();
+        Self { students, parts, by_student, by_part }
+    }
+    /// `1.omega`
+    pub fn label(&self, part: usize) -> String {
+        let (number, id) = &self.parts[part];
+        format!("{number}.{id}")
+    }
+}
+
+impl Grading {
+    /// Nothing known yet.
+    pub fn new(who: &Who) -> Self {
+        let size = who.students.len() * who.parts.len();
+        Self {
+            parts: who.parts.len(),
+            cells: vec![None; size],
+            points: vec![None; size],
+            totals: vec![None; who.students.len()],
+        }
+    }
+
+    /// Takes a row of answers.csv.
+    pub fn take(&mut self, who: &Who, row: Row) {
+        if !row.counts() {
+            return;
+        }
+        let student = who.by_student.get(&row.student);
+        let part = who.by_part.get(&(row.problem, row.part));
+        if let (Some(s), Some(p)) = (student, part) {
+            self.cells[s * self.parts + p] = Some(Cell {
+                line: row.line,
+                column: row.column,
+                verdict: row.verdict,
+                max_points: row.max_points,
+                methods: row.methods,
+                credit: row.credit,
+            });
+        }
+    }
+
+    /// Takes gradebook.csv.
+    ///
+    /// # Errors
+    /// It is no gradebook.
+    pub fn book(&mut self, who: &Who, gradebook: impl Read) -> Result<(), Fault> {
+        let fault =
+            |e: &csv::Error| Fault { line: e.position().map_or(0, csv::Position::line), what: e.to_string() };
+        let mut reader = csv::ReaderBuilder::new().flexible(true).from_reader(gradebook);
+        let header: Vec<String> = reader
+            .byte_headers()
+            .map_err(|e| fault(&e))?
+            .iter()
+            .map(|f| unguarded(String::from_utf8_lossy(f).into_owned()))
+            .collect();
+        let at = |name: &str| {
+            let found = header.iter().position(|h| h == name);
+            found.ok_or_else(|| Fault { line: 1, what: format!("there is no column `{name}`") })
+        };
+        let (student, total, of) = (at("student")?, at("total")?, at("max_total")?);
+        let parts: Vec<Option<usize>> =
+            (0..who.parts.len()).map(|p| header.iter().position(|h| *h == who.label(p))).collect();
+        for record in reader.byte_records() {
+            let record = record.map_err(|e| fault(&e))?;
+            let line = record.position().map_or(0, csv::Position::line);
+            let text = |i: usize| String::from_utf8_lossy(record.get(i).unwrap_or_default()).into_owned();
+            let number = |i: usize| -> Result<Option<f64>, Fault> {
+                let text = text(i);
+                if text.is_empty() {
+                    return Ok(None);
+                }
+                let value = text.parse::<f64>().ok().filter(|v| v.is_finite());
+                value
+                    .map(Some)
+                    .ok_or_else(|| Fault { line, what: format!("`{text}` is no number of points") })
+            };
+            let Some(s) = who.by_student.get(&unguarded(text(student))) else { continue };
+            for (p, column) in parts.iter().enumerate() {
+                if let Some(column) = column {
+                    self.points[s * self.parts + p] = number(*column)?;
+                }
+            }
+            self.totals[*s] = number(total)?.zip(number(of)?);
+        }
+        Ok(())
+    }
+
+    /// The answer that counts.
+    pub fn cell(&self, student: usize, part: usize) -> Option<&Cell> {
+        self.cells[student * self.parts + part].as_ref()
+    }
+    /// Points as the gradebook has them.
+    pub fn points(&self, student: usize, part: usize) -> Option<f64> {
+        self.points[student * self.parts + part]
+    }
+}
+
+/// Why a mark changed.
+#[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Why {
+    /// The key has another value.
+    Key,
+    /// The tolerance is another.
+    Tolerance,
+    /// Whether a unit must be written is settled otherwise.
+    Unit,
+    /// The part has other points.
+    Points,
+    /// A wrong method is now recognised.
+    Method,
+    /// A wrong method is no longer recognised.
+    NoMethod,
+    /// Credit for a wrong method is another.
+    Credit,
+    /// What follows from an earlier answer is marked otherwise.
+    Follow,
+    /// A correction for all.
+    Correction,
+    /// Another attempt counts.
+    Attempt,
+    /// What attempts or lateness cost, or when answers were due.
+    Policy,
+    /// Something else, such as a later version of the program.
+    Other,
+}
+
+impl Why {
+    /// A word for tables.
+    pub const fn as_str(&self) -> &'static str {
+        match self {
+            Why::Key => "key",
+            Why::Tolerance => "tolerance",
+            Why::Unit => "unit",
+            Why::Points => "points of the part",
+            Why::Method => "wrong method recognised",
+            Why::NoMethod => "wrong method no longer recognised",
+            Why::Credit => "credit",
+            Why::Follow => "follow-through",
+            Why::Correction => "correction",
+            Why::Attempt => "another attempt counts",
+            Why::Policy => "attempts or lateness",
+            Why::Other => "other",
+        }
+    }
+}
+
+/// A mark that changed.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Change {
+    /// Student, an index.
+    pub student: usize,
+    /// Part, an index.
+    pub part: usize,
+    /// Points before; `None` where there were none.
+    pub before: Option<f64>,
+    /// Points after.
+    pub after: Option<f64>,
+    /// Verdict before; `None` where nothing counted.
+    pub was: Option<Verdict>,
+    /// Verdict after.
+    pub is: Option<Verdict>,
+    /// Why, at least one reason.
+    pub why: Vec<Why>,
+}
+
+impl Change {
+    /// How many points more.
+    pub fn gain(&self) -> f64 {
+        self.after.unwrap_or(0.0) - self.before.unwrap_or(0.0)
+    }
+}
+
+/// Points nearer to each other than this are equal.
+pub const DUST: f64 = 1e-9;
+/// Keys that differ by no more than this share are equal.
+const SAME: f64 = 1e-12;
+
+/// All marks whose points or verdicts differ, by student, then part. `keys` gives the entry before and after.
+pub fn compare<'k>(
+    who: &Who,
+    old: &Grading,
+    new: &Grading,
+    keys: &dyn Fn(usize, usize) -> [Option<&'k KeyEntry>; 2],
+) -> Vec<Change> {
+    let mut found = Vec::new();
+    for student in 0..who.students.len() {
+        for part in 0..who.parts.len() {
+            let (before, after) = (old.points(student, part), new.points(student, part));
+            let (a, b) = (old.cell(student, part), new.cell(student, part));
+            let (was, is) = (a.map(|c| c.verdict), b.map(|c| c.verdict));
+            let moved = (after.unwrap_or(0.0) - before.unwrap_or(0.0)).abs() > DUST;
+            if moved || was != is {
+                let why = why(a, b, keys(student, part), moved);
+                found.push(Change { student, part, before, after, was, is, why });
+            }
+        }
+    }
+    found
+}
+
+fn has(credit: &str, word: &str) -> bool {
+    credit.split(' ').any(|w| w == word || w.split(':').next() == Some(word))
+}
+
+/// Words of `credit` of some kinds, to be compared.
+fn of_kind<'c>(credit: &'c str, kinds: &[&str]) -> Vec<&'c str> {
+    credit.split(' ').filter(|w| kinds.contains(&w.split(':').next().unwrap_or_default())).collect()
+}
+
+fn why(a: Option<&Cell>, b: Option<&Cell>, keys: [Option<&KeyEntry>; 2], moved: bool) -> Vec<Why> {
+    let mut why = Vec::new();
+    let (credit_a, credit_b) = (a.map_or("", |c| &c.credit), b.map_or("", |c| &c.credit));
+    if has(credit_a, "correction") != has(credit_b, "correction") || (a.is_none() && b.is_none()) {
+        // Without an answer only a correction gives points.
+        why.push(Why::Correction);
+    }
+    let (Some(a), Some(b)) = (a, b) else {
+        if why.is_empty() {
+            why.push(Why::Other);
+        }
+        return why;
+    };
+    if (a.line, &a.column) != (b.line, &b.column) {
+        why.push(Why::Attempt);
+    } else if a.verdict != b.verdict {
+        why.extend(of_key(keys));
+    }
+    if moved {
+        if (a.max_points - b.max_points).abs() > DUST {
+            why.push(Why::Points);
+        }
+        match (has(credit_a, "methods"), has(credit_b, "methods")) {
+            (false, true) if a.methods != b.methods => why.push(Why::Method),
+            (true, false) if a.methods != b.methods => why.push(Why::NoMethod),
+            (true, true) | (false, true) | (true, false) if a.verdict == b.verdict => why.push(Why::Credit),
+            _ => {}
+        }
+        if of_kind(credit_a, &["follow"]) != of_kind(credit_b, &["follow"]) && a.verdict == b.verdict {
+            why.push(Why::Follow);
+        }
+        const COSTS: [&str; 3] = ["attempt", "late", "closed"];
+        if of_kind(credit_a, &COSTS) != of_kind(credit_b, &COSTS) {
+            why.push(Why::Policy);
+        }
+    }
+    if why.is_empty() && moved && has(credit_a, "follow") && has(credit_b, "follow") {
+        why.push(Why::Credit);
+    }
+    if why.is_empty() {
+        why.push(Why::Other);
+    }
+    why.sort();
+    why.dedup();
+    why
+}
+
+/// What differs between two entries of a key.
+pub fn of_key([old, new]: [Option<&KeyEntry>; 2]) -> Vec<Why> {
+    let (Some(old), Some(new)) = (old, new) else { return vec![Why::Key] };
+    let mut why = Vec::new();
+    match (&old.answer, &new.answer) {
+        (
+            Answer::Number { value: a, half_width: wide_a, directed: d, magnitude: m },
+            Answer::Number { value: b, half_width: wide_b, directed: e, magnitude: n },
+        ) => {
+            if (a - b).abs() > SAME * a.abs().max(b.abs()) || d != e || m != n {
+                why.push(Why::Key);
+            }
+            // A half-width that only goes with the value is the same tolerance.
+            let share = |value: f64, wide: f64| if value == 0.0 { wide } else { wide / value.abs() };
+            let (a, b) = (share(*a, *wide_a), share(*b, *wide_b));
+            if (a - b).abs() > 1e-9 * a.max(b) {
+                why.push(Why::Tolerance);
+            }
+        }
+        (a, b) if a != b => why.push(Why::Key),
+        _ => {}
+    }
+    if old.unit_required != new.unit_required || old.unit.ascii() != new.unit.ascii() {
+        why.push(Why::Unit);
+    }
+    why
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn who() -> Who {
+        Who::new(["a", "b"].map(str::to_owned).to_vec(), vec![(1, "v".to_owned()), (1, "t".to_owned())])
+    }
+
+    fn grading(rows: &[(&str, &str, u64, Verdict, &str, &str)], book: &str) -> Grading {
+        let mut found = Grading::new(&who());
+        for (student, part, line, verdict, methods, credit) in rows {
+            found.take(
+                &who(),
+                Row {
+                    line: *line,
+                    column: String::new(),
+                    student: (*student).to_owned(),
+                    problem: "1".to_owned(),
+                    part: (*part).to_owned(),
+                    answer: "3".to_owned(),
+                    verdict: *verdict,
+                    points: 0.0,
+                    max_points: 2.0,
+                    reason: String::new(),
+                    methods: (*methods).to_owned(),
+                    slip: String::new(),
+                    credit: (*credit).to_owned(),
+                    submitted_at: String::new(),
+                },
+            );
+        }
+        found.book(&who(), format!("student,name,1.v,1.t,total,max_total\n{book}").as_bytes()).unwrap();
+        found
+    }
+
+    #[test]
+    fn each_change_has_its_reason() {
+        let old = grading(
+            &[
+                ("a", "v", 2, Verdict::Wrong, "", ""),
+                ("a", "t", 3, Verdict::Right, "", "late:0.8"),
+                ("b", "v", 4, Verdict::Wrong, "", ""),
+            ],
+            "a,,0,1.6,1.6,4\nb,,0,,0,4\n",
+        );
+        let new = grading(
+            &[
+                ("a", "v", 2, Verdict::Wrong, "A05", "methods"),
+                ("a", "t", 3, Verdict::Right, "", ""),
+                ("b", "v", 5, Verdict::Right, "", ""),
+            ],
+            "a,,0.5,2,2.5,4\nb,,2,2,4,4\n",
+        );
+        let found = compare(&who(), &old, &new, &|_, _| [None, None]);
+        let told: Vec<_> = found.iter().map(|c| (c.student, c.part, c.gain(), c.why.clone())).collect();
+        assert_eq!(told[0], (0, 0, 0.5, vec![Why::Method]));
+        assert!((told[1].2 - 0.4).abs() < 1e-12 && told[1].3 == [Why::Policy]);
+        assert_eq!(told[2], (1, 0, 2.0, vec![Why::Attempt]));
+        // Points without an answer: a correction.
+        assert_eq!(told[3], (1, 1, 2.0, vec![Why::Correction]));
+        assert!(compare(&who(), &old, &old, &|_, _| [None, None]).is_empty());
+    }
+}

@@ -1,0 +1,4 @@
+//! Gradings that are there already: their rows, what other tolerances would make of them, what a new grading changes.
+pub mod changes;
+pub mod rows;
+pub mod tolerance;

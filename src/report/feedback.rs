@@ -1,0 +1,329 @@
+//! What one student gets back: each part with the answer, the verdict, the points and, at the level that the course sets, a hint.
+//! Nothing of the key, nothing of anybody else.
+//!
+//! The template `feedback.md` receives `title`, `name`, `student`, `set`, `total` (`14 of 20 points`), `notes` (what does not
+//! count, or nothing handed in) and `problems`: a list of `number`, `title`, `points` and `parts`, each with `sign`, `name`
+//! (`1.omega`), `verdict`, `points`, `answer`, `reason`, `credit` and `hints` (lists of lines).
+use crate::finding::Finding;
+use crate::grade::verdict::Verdict;
+use crate::misconception::catalogue::Catalogue;
+use crate::policy::Hints;
+use crate::report::marks::Marks;
+use crate::report::marks::Row;
+use crate::report::table;
+use crate::sheet::document::Document;
+use crate::sheet::document::Head;
+use crate::template;
+use crate::template::Templates;
+use crate::template::Value;
+use crate::template::View;
+use crate::words::Words;
+
+/// What is the same for all students.
+pub struct Desk<'d> {
+    /// The marks.
+    pub marks: &'d Marks,
+    /// Title of the course or bank, in the language of the feedback.
+    pub title: &'d str,
+    /// Name of the set.
+    pub set: &'d str,
+    /// Titles of the problems, in the language of the feedback.
+    pub problems: &'d [String],
+    /// Words of the language.
+    pub words: &'d Words,
+    /// Templates of the language.
+    pub templates: &'d Templates,
+    /// Words about wrong methods, in the language.
+    pub catalogue: &'d Catalogue,
+    /// How much is said of them.
+    pub hints: Hints,
+    /// Why a part was corrected: part (index), reason.
+    pub corrections: &'d [(usize, String)],
+}
+
+impl Desk<'_> {
+    /// The feedback of a student; `dropped` are the indices of the problems that do not count.
+    ///
+    /// # Errors
+    /// Faults of the template.
+    pub fn document(&self, student: usize, dropped: &[usize]) -> Result<(Head, Document), Finding> {
+        let who = &self.marks.class.students[student];
+        let head = Head {
+            title: self.title.to_owned(),
+            name: who.name.clone(),
+            student: who.id.clone(),
+            set: self.set.to_owned(),
+            code: String::new(),
+        };
+        let mut view = View::new();
+        view.foreign("title", self.title);
+        view.foreign("name", &who.name);
+        view.foreign("student", &who.id);
+        view.foreign("set", self.set);
+        let (points, of) = self.marks.totals[student];
+        view.text("total", &self.points(points, of));
+        view.value("notes", list(self.notes(student, dropped)));
+        let problems =
+            (0..self.marks.class.problems.len()).map(|i| self.problem(student, i, dropped)).collect();
+        view.value("problems", template::list(problems));
+        let mut out = Vec::new();
+        self.templates.render("feedback.md", &view, &mut out)?;
+        let mut markdown = String::from_utf8_lossy(&out).trim_end().to_owned();
+        markdown.push('\n');
+        Ok((head, Document { markdown, pictures: Vec::new() }))
+    }
+
+    fn points(&self, n: f64, of: f64) -> String {
+        let number = |v: f64| self.words.number(&table::points(v));
+        if number(of) == "1" {
+            return self.words.say("marks.one_point", &[("n", &number(n))]);
+        }
+        self.words.say("marks.points", &[("n", &number(n)), ("of", &number(of))])
+    }
+
+    fn notes(&self, student: usize, dropped: &[usize]) -> Vec<String> {
+        let mut notes = Vec::new();
+        if !self.marks.took_part(student) {
+            notes.push(self.words.get("marks.nothing").to_owned());
+        }
+        let numbers: Vec<String> = dropped.iter().map(|i| (i + 1).to_string()).collect();
+        match numbers.as_slice() {
+            [] => {}
+            [one] => notes.push(self.words.say("marks.dropped", &[("number", one)])),
+            several => notes.push(self.words.say("marks.dropped_many", &[("numbers", &several.join(", "))])),
+        }
+        notes
+    }
+
+    fn problem(&self, student: usize, problem: usize, dropped: &[usize]) -> Value {
+        let parts: Vec<usize> = (0..self.marks.class.parts.len())
+            .filter(|p| self.marks.class.parts[*p].number == problem + 1 && self.marks.asked(student, *p))
+            .collect();
+        let of: f64 = parts.iter().map(|p| self.marks.class.parts[*p].points).sum();
+        let points: f64 = parts.iter().map(|p| self.marks.points(student, *p)).sum();
+        let mut told = self.points(points, of);
+        if dropped.contains(&problem) {
+            told = format!("{told}; {}", self.words.get("marks.not_counted"));
+        }
+        let title = self.problems.get(problem).map_or("", String::as_str);
+        template::map([
+            ("number", template::finished(&(problem + 1).to_string())),
+            ("title", template::finished(title)),
+            ("points", template::finished(&told)),
+            ("parts", template::list(parts.into_iter().map(|p| self.part(student, p)).collect())),
+        ])
+    }
+
+    fn part(&self, student: usize, part: usize) -> Value {
+        let asked = &self.marks.class.parts[part];
+        let row = self.marks.cell(student, part).row.as_ref();
+        let points = self.marks.points(student, part);
+        let verdict = row.map(|r| r.verdict);
+        let right = verdict == Some(Verdict::Right);
+        let (sign, name) = match verdict {
+            None => ("–", "none"),
+            Some(Verdict::Right) => ("✓", "right"),
+            Some(Verdict::WrongDirection) => ("✗", "wrong_direction"),
+            Some(Verdict::WrongDimension) => ("✗", "wrong_dimension"),
+            Some(Verdict::MissingUnit) => ("✗", "missing_unit"),
+            Some(Verdict::Unreadable) => ("✗", "unreadable"),
+            Some(_) => ("✗", "wrong"),
+        };
+        let reason = row.filter(|_| !right).map_or_else(String::new, |r| self.reason(r));
+        let mut credit: Vec<String> =
+            row.map_or_else(Vec::new, |r| r.credit.iter().filter_map(|c| self.credit(c, part)).collect());
+        if row.is_none() && points > 0.0 {
+            credit.extend(self.credit("correction", part));
+        }
+        let hints = row.filter(|_| !right).map_or_else(Vec::new, |r| self.hints(r, student, part));
+        template::map([
+            ("sign", template::finished(sign)),
+            ("name", template::finished(&template::in_markdown(&asked.label()))),
+            ("verdict", template::finished(self.words.get(&format!("marks.verdict.{name}")))),
+            ("points", template::finished(&self.points(points, asked.points))),
+            ("answer", template::finished(&row.map_or_else(String::new, |r| quoted(&r.answer)))),
+            ("reason", template::finished(&sentence(&reason))),
+            ("credit", list(credit.iter().map(|c| sentence(c)).collect())),
+            ("hints", list(hints)),
+        ])
+    }
+
+    /// The reason without what it says of a slip, and not at all where the verdict says the same.
+    fn reason(&self, row: &Row) -> String {
+        let plain =
+            |name: &str| Words::languages().filter_map(Words::built_in).any(|w| w.get(name) == row.reason);
+        if ["feedback.outside", "feedback.another_word"].into_iter().any(plain) {
+            return String::new();
+        }
+        let outside = |w: &Words| row.reason.strip_prefix(w.get("feedback.outside")).map(str::to_owned);
+        let rest = Words::languages().filter_map(Words::built_in).find_map(outside);
+        let notes = rest.as_deref().map_or(row.reason.as_str(), |r| r.trim_start_matches("; "));
+        let pieces: Vec<&str> = notes.split("; ").filter(|piece| !is_slip(piece)).collect();
+        template::in_markdown(&pieces.join("; "))
+    }
+
+    fn credit(&self, word: &str, part: usize) -> Option<String> {
+        let (name, value) = word.split_once(':').unwrap_or((word, ""));
+        let percent = || {
+            let share: f64 = value.parse().unwrap_or(1.0);
+            self.words.number(&format!("{} %", table::points(share * 100.0)))
+        };
+        let number = self.marks.class.parts[part].number;
+        let full = format!("marks.credit.{name}");
+        let say = |place: &str, text: &str| self.words.say(&full, &[(place, text)]);
+        Some(match name {
+            "methods" | "closed" => self.words.get(&full).to_owned(),
+            "follow" => {
+                let parts: Vec<String> =
+                    value.split('+').map(|p| template::in_markdown(&format!("{number}.{p}"))).collect();
+                say("part", &parts.join(self.words.get("marks.and")))
+            }
+            "attempt" | "late" => say("percent", &percent()),
+            "correction" => match self.corrections.iter().find(|(p, _)| *p == part) {
+                Some((_, why)) if !why.is_empty() => say("why", &template::in_markdown(why)),
+                _ => self.words.get("marks.credit.correction_plain").to_owned(),
+            },
+            _ => return None,
+        })
+    }
+
+    fn hints(&self, row: &Row, student: usize, part: usize) -> Vec<String> {
+        if self.hints == Hints::None {
+            return Vec::new();
+        }
+        let explains = self.hints == Hints::Explain;
+        let mut told: Vec<String> = Vec::new();
+        for entry in row.methods.iter().filter_map(|id| self.catalogue.get(id)) {
+            let hint = self.words.say("marks.hint", &[("hint", &entry.hint)]);
+            let text = if explains {
+                let did = self.words.say("marks.did", &[("did", &entry.did)]);
+                let see = self.words.say("marks.see", &[("see", &entry.see)]);
+                format!("{did} {see} {hint}")
+            } else {
+                hint
+            };
+            if !told.contains(&text) {
+                told.push(text);
+            }
+        }
+        let mut lines = match told.len() {
+            0 | 1 => told,
+            _ => {
+                let mut lines = vec![self.words.get("marks.one_of").to_owned()];
+                // A list within the list; its items stand one below the other.
+                let items: Vec<String> =
+                    told.iter().enumerate().map(|(i, t)| format!("{}. {t}", i + 1)).collect();
+                lines.push(items.join("\n  "));
+                lines
+            }
+        };
+        lines.extend(self.slip(row, student, part, explains));
+        lines
+    }
+
+    fn slip(&self, row: &Row, student: usize, part: usize, explains: bool) -> Option<String> {
+        let (name, value) = row.slip.split_once(':').unwrap_or((&row.slip, ""));
+        if !["power_of_ten", "unit", "figures", "drift", "part"].contains(&name) {
+            return None;
+        }
+        let number = self.marks.class.parts[part].number;
+        // Which part it is right for may be told only to those who know: else it would be that part's answer.
+        let known = || {
+            let at = self.marks.class.parts.iter().position(|p| p.number == number && p.id == value)?;
+            let other = self.marks.cell(student, at).row.as_ref()?;
+            (other.verdict == Verdict::Right).then(|| template::in_markdown(&format!("{number}.{value}")))
+        };
+        let nudge = || self.words.get(&format!("marks.slip.{name}.nudge")).to_owned();
+        if !explains {
+            return Some(nudge());
+        }
+        let full = format!("marks.slip.{name}.explain");
+        Some(match name {
+            "unit" => self.words.say(&full, &[("unit", &template::in_markdown(value))]),
+            "figures" => self.words.say(&full, &[("n", value)]),
+            "part" => known().map_or_else(nudge, |part| self.words.say(&full, &[("part", &part)])),
+            _ => self.words.get(&full).to_owned(),
+        })
+    }
+}
+
+fn list(lines: Vec<String>) -> Value {
+    template::list(lines.iter().map(|l| template::finished(l)).collect())
+}
+
+/// An answer within quotation marks: escaped, its blanks as one.
+fn quoted(text: &str) -> String {
+    let words: Vec<&str> = text.split_whitespace().collect();
+    template::in_markdown(&words.join(" "))
+}
+
+/// Begins with a capital and ends with a point.
+fn sentence(text: &str) -> String {
+    let mut letters = text.chars();
+    let Some(first) = letters.next() else { return String::new() };
+    let mut out: String = first.to_uppercase().chain(letters).collect();
+    if !out.ends_with(['.', '!', '?']) {
+        out.push('.');
+    }
+    out
+}
+
+/// Does a piece of a reason tell what a wrong number has in common with the right one? That is for the instructor; the student is
+/// told of it at the level of the hints.
+fn is_slip(piece: &str) -> bool {
+    const SLIPS: [&str; 5] = ["power_of_ten", "unit", "figures", "drift", "other_part"];
+    Words::languages()
+        .filter_map(Words::built_in)
+        .any(|words| SLIPS.iter().any(|name| fits(words.get(&format!("feedback.slip.{name}")), piece)))
+}
+
+/// Is this the phrase, whatever stands in its places?
+fn fits(phrase: &str, text: &str) -> bool {
+    let mut rest = text;
+    for (i, piece) in phrase.split('{').enumerate() {
+        let fixed = if i == 0 { piece } else { piece.split_once('}').map_or("", |(_, fixed)| fixed) };
+        if i == 0 {
+            match rest.strip_prefix(fixed) {
+                Some(after) => rest = after,
+                None => return false,
+            }
+        } else if fixed.is_empty() {
+            rest = "";
+        } else {
+            match rest.find(fixed) {
+                Some(at) => rest = &rest[at + fixed.len()..],
+                None => return false,
+            }
+        }
+    }
+    rest.is_empty()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn phrases_are_recognised_with_anything_in_their_places() {
+        assert!(fits(
+            "the right number in {from}, given in {to}",
+            "the right number in rev/min, given in rad/s"
+        ));
+        assert!(fits("rounded to {n} figures", "rounded to 2 figures"));
+        assert!(!fits("rounded to {n} figures", "rounded to 2 figure"));
+        assert!(!fits("the right word", "the right wordy"));
+        for code in Words::languages() {
+            let words = Words::of(code).unwrap();
+            assert!(is_slip(&words.say("feedback.slip.power_of_ten", &[("n", "-3")])));
+            assert!(is_slip(words.get("feedback.slip.drift")));
+            assert!(!is_slip(words.get("feedback.outside")));
+        }
+    }
+
+    #[test]
+    fn sentences_begin_and_end() {
+        assert_eq!(sentence("größer als 1"), "Größer als 1.");
+        assert_eq!(sentence("Why?"), "Why?");
+        assert_eq!(sentence(""), "");
+    }
+}

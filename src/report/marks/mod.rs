@@ -1,0 +1,182 @@
+//! Marks as plain data: for each student and part the row that counts, how often it was tried and when it was first
+//! right. What is held grows with students times parts, not with rows.
+mod read;
+
+use crate::grade::verdict::Verdict;
+use std::collections::BTreeMap;
+
+/// A student of the set.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Student {
+    /// Id, as on the roster.
+    pub id: String,
+    /// Name, empty if none is known.
+    pub name: String,
+    /// Name of the student's folder.
+    pub folder: String,
+    /// What was drawn, one for each problem.
+    pub drawn: Vec<Drawn>,
+}
+
+/// What a student was dealt for one problem.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Drawn {
+    /// Name of the case, empty if there is one.
+    pub case: String,
+    /// Symbol and number as printed; equal symbols have equal units within a problem.
+    pub data: Vec<(String, f64)>,
+}
+
+/// A problem of the set.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Problem {
+    /// Id.
+    pub id: String,
+    /// Title for people.
+    pub title: String,
+}
+
+/// A part of a problem.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Part {
+    /// Number of the problem, from 1.
+    pub number: usize,
+    /// Id of the part.
+    pub id: String,
+    /// Most points.
+    pub points: f64,
+    /// Unit in which it is asked, empty for none.
+    pub unit: String,
+}
+
+impl Part {
+    /// `1.omega`
+    pub fn label(&self) -> String {
+        format!("{}.{}", self.number, self.id)
+    }
+}
+
+/// Who is there and what was asked.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Class {
+    /// In the order of the set.
+    pub students: Vec<Student>,
+    /// In the order of the sheet.
+    pub problems: Vec<Problem>,
+    /// In the order of the sheet.
+    pub parts: Vec<Part>,
+    /// Does the sheet of a student have a part? Row after row, a row for each student.
+    pub asked: Vec<bool>,
+}
+
+/// The row that counts.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Row {
+    /// Line of the file of submissions.
+    pub line: u64,
+    /// What became of it.
+    pub verdict: Verdict,
+    /// Points after credit, penalties and lateness.
+    pub points: f64,
+    /// What was handed in, shortened to [`LONGEST`].
+    pub answer: String,
+    /// Why.
+    pub reason: String,
+    /// Ids of the wrong methods that fit, most likely first.
+    pub methods: Vec<String>,
+    /// `power_of_ten:3` and its like; empty for none.
+    pub slip: String,
+    /// Words such as `late:0.8`.
+    pub credit: Vec<String>,
+}
+
+/// Signs of an answer or a reason that are kept.
+pub const LONGEST: usize = 240;
+
+/// All that is known of one student and part.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Cell {
+    /// The row that counts; none where nothing but blanks was handed in.
+    pub row: Option<Row>,
+    /// Rows that are not blank.
+    pub attempts: u32,
+    /// Which of them was right first, from 1; in the order of time, where times are known.
+    pub first_right: Option<u32>,
+    /// Seconds from the first attempt at this part to the first right one, where both times are known.
+    pub seconds: Option<f64>,
+}
+
+/// Cells that could not be read, of one part and for one reason.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Trouble {
+    /// How many.
+    pub cells: u64,
+    /// Some of them, the first of the file.
+    pub examples: Vec<String>,
+}
+
+/// Examples kept for each kind of trouble.
+pub(crate) const EXAMPLES: usize = 3;
+
+/// Part (index, none for a row that belongs to none), verdict, reason.
+pub type TroubleKey = (Option<usize>, Verdict, String);
+
+/// The marks of a class.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Marks {
+    /// Who and what.
+    pub class: Class,
+    /// Row after row, a row for each student.
+    pub cells: Vec<Cell>,
+    /// Points of each cell as the gradebook has them, corrections included; `None` where it has none.
+    pub given: Vec<Option<f64>>,
+    /// Points of each student and of how many, what is dropped and rounded included.
+    pub totals: Vec<(f64, f64)>,
+    /// Rows of answers.csv by verdict, in the order of `Verdict::ALL`.
+    pub verdicts: [u64; Verdict::ALL.len()],
+    /// The same for each part.
+    pub by_part: Vec<[u64; Verdict::ALL.len()]>,
+    /// Rows in all.
+    pub rows: u64,
+    /// Is there a column of times that can be read?
+    pub timed: bool,
+    /// Cells that could not be read, or have a unit of another kind or none where one is demanded.
+    pub troubles: BTreeMap<TroubleKey, Trouble>,
+}
+
+/// Why answers.csv cannot be read.
+#[derive(Debug)]
+pub struct Unreadable {
+    /// Line of answers.csv, 0 if unknown.
+    pub line: u64,
+    /// What is wrong.
+    pub what: String,
+}
+
+impl Marks {
+    /// Points of a student for a part; 0 where nothing was given.
+    pub fn points(&self, student: usize, part: usize) -> f64 {
+        self.given[student * self.class.parts.len() + part].unwrap_or(0.0)
+    }
+    /// The cell of a student and a part.
+    pub fn cell(&self, student: usize, part: usize) -> &Cell {
+        &self.cells[student * self.class.parts.len() + part]
+    }
+    /// Does the sheet of a student have a part?
+    pub fn asked(&self, student: usize, part: usize) -> bool {
+        self.class.asked[student * self.class.parts.len() + part]
+    }
+    /// Did a student hand in anything that is not blank?
+    pub fn took_part(&self, student: usize) -> bool {
+        (0..self.class.parts.len()).any(|p| self.cell(student, p).attempts > 0)
+    }
+    /// Points of a student and the most that the sheet gives, as sums of parts.
+    pub fn sum(&self, student: usize) -> (f64, f64) {
+        let mut sum = (0.0, 0.0);
+        for p in 0..self.class.parts.len() {
+            sum.0 += self.cell(student, p).row.as_ref().map_or(0.0, |r| r.points);
+            sum.1 += if self.asked(student, p) { self.class.parts[p].points } else { 0.0 };
+        }
+        sum
+    }
+}

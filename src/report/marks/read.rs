@@ -1,0 +1,482 @@
+//! answers.csv and gradebook.csv to marks, in a stream.
+use crate::grade::verdict::Verdict;
+use crate::policy::time;
+use crate::policy::time::Evidence;
+use crate::report::marks::Cell;
+use crate::report::marks::Class;
+use crate::report::marks::EXAMPLES;
+use crate::report::marks::LONGEST;
+use crate::report::marks::Marks;
+use crate::report::marks::Row;
+use crate::report::marks::Unreadable;
+use crate::words::Words;
+use rustc_hash::FxHashMap;
+use std::io::Read;
+
+struct Columns {
+    line: Option<usize>,
+    student: usize,
+    problem: usize,
+    part: usize,
+    answer: usize,
+    verdict: usize,
+    points: usize,
+    max_points: usize,
+    reason: usize,
+    methods: Option<usize>,
+    slip: Option<usize>,
+    credit: Option<usize>,
+    submitted: Option<usize>,
+}
+
+/// What is remembered of a cell while rows pass by: moments with the day first, with the month first; places in the file.
+#[derive(Debug, Clone, Copy, Default)]
+struct Seen {
+    first: Option<[i64; 2]>,
+    last: Option<[i64; 2]>,
+    right: Option<[(i64, u64); 2]>,
+    right_row: Option<(u64, u32)>,
+    untimed: bool,
+    /// Times go back somewhere.
+    disordered: bool,
+}
+
+impl Marks {
+    /// Reads answers.csv. `open` may be called twice, where attempts do not stand in the order of their times.
+    ///
+    /// # Errors
+    /// No answers.csv, or one that is cut off.
+    pub fn read<R: Read>(
+        mut class: Class,
+        open: &mut dyn FnMut() -> std::io::Result<R>,
+    ) -> Result<Self, Unreadable> {
+        let size = class.students.len() * class.parts.len();
+        class.asked.resize(size, false);
+        let whose: FxHashMap<String, usize> =
+            class.students.iter().enumerate().map(|(i, s)| (guarded(&s.id), i)).collect();
+        let which: FxHashMap<(String, String), usize> = class
+            .parts
+            .iter()
+            .enumerate()
+            .map(|(i, p)| ((p.number.to_string(), guarded(&p.id)), i))
+            .collect();
+        let mut marks = Self {
+            cells: vec![Cell::default(); size],
+            by_part: vec![[0; Verdict::ALL.len()]; class.parts.len()],
+            class,
+            ..Self::default()
+        };
+        let mut seen = vec![Seen::default(); size];
+        let mut evidence = Evidence::default();
+        let mut pass = |marks: &mut Self, see: &mut dyn FnMut(&mut Self, &Found)| -> Result<(), Unreadable> {
+            let source = open().map_err(|e| Unreadable { line: 0, what: e.to_string() })?;
+            let mut reader = csv::ReaderBuilder::new().flexible(true).from_reader(source);
+            let columns = columns(reader.byte_headers().map_err(fault)?)?;
+            let mut record = csv::ByteRecord::new();
+            let mut number = 0;
+            while reader.read_byte_record(&mut record).map_err(fault)? {
+                number += 1;
+                let found = Found::of(&record, &columns, number, &whose, &which)?;
+                see(marks, &found);
+            }
+            Ok(())
+        };
+        pass(&mut marks, &mut |marks, found| marks.take(found, &mut seen, &mut evidence))?;
+        let order = evidence.choice();
+        if seen.iter().any(|s| s.disordered && !s.untimed) {
+            // How many attempts came before the first right one: counted in a second reading.
+            let mut before = vec![0u32; size];
+            pass(&mut marks, &mut |marks, found| {
+                let Some(i) = marks.place(found) else { return };
+                if found.counted().is_none() {
+                    return;
+                }
+                if let (Some(right), Some(at)) = (seen[i].right, found.moment())
+                    && (at.micros[order], found.number) < right[order]
+                {
+                    before[i] += 1;
+                }
+            })?;
+            for (i, cell) in marks.cells.iter_mut().enumerate() {
+                if seen[i].disordered && !seen[i].untimed && seen[i].right.is_some() {
+                    cell.first_right = Some(before[i] + 1);
+                }
+            }
+        }
+        marks.given = marks.cells.iter().map(|c| c.row.as_ref().map(|r| r.points)).collect();
+        marks.totals = (0..marks.class.students.len()).map(|s| marks.sum(s)).collect();
+        for (cell, seen) in marks.cells.iter_mut().zip(&seen) {
+            if let (Some(right), Some(first), false) = (seen.right, seen.first, seen.untimed) {
+                cell.seconds = Some((right[order].0.saturating_sub(first[order])).max(0) as f64 / 1e6);
+            }
+        }
+        Ok(marks)
+    }
+
+    fn place(&self, found: &Found) -> Option<usize> {
+        Some(found.who? * self.class.parts.len() + found.what?)
+    }
+
+    fn take(&mut self, found: &Found, seen: &mut [Seen], evidence: &mut Evidence) {
+        self.rows += 1;
+        self.verdicts[found.verdict as usize] += 1;
+        if let (Some(_), Some(part)) = (found.who, found.what) {
+            self.by_part[part][found.verdict as usize] += 1;
+        }
+        let counted = found.counted();
+        let odd = [Verdict::Unreadable, Verdict::WrongDimension, Verdict::MissingUnit];
+        if let Some(verdict) = counted.filter(|v| odd.contains(v)) {
+            let reason = match found.verdict {
+                Verdict::Superseded => superseded(&found.reason()).map_or_else(String::new, |(_, why)| why),
+                _ => found.reason(),
+            };
+            let key = (found.who.and(found.what), verdict, reason);
+            let trouble = self.troubles.entry(key).or_default();
+            trouble.cells += 1;
+            let example = found.answer();
+            if trouble.examples.len() < EXAMPLES && !trouble.examples.contains(&example) {
+                trouble.examples.push(example);
+            }
+        }
+        let Some(i) = self.place(found) else { return };
+        self.class.asked[i] = found.verdict != Verdict::UnknownPart;
+        if let (Some(part), true) = (found.what, found.max_points > 0.0) {
+            // What a course makes of the points of the bank is seen here.
+            self.class.parts[part].points = found.max_points;
+        }
+        let Some(verdict) = counted else { return };
+        let moment = found.moment();
+        let cell = &mut self.cells[i];
+        cell.attempts += 1;
+        let seen = &mut seen[i];
+        match moment {
+            Some(moment) => {
+                self.timed = true;
+                evidence.join(moment.evidence);
+                let at = moment.micros;
+                let first = seen.first.get_or_insert(at);
+                for (first, at) in first.iter_mut().zip(at) {
+                    *first = at.min(*first);
+                }
+                let last = seen.last.get_or_insert(at);
+                seen.disordered |= last.iter().zip(at).any(|(last, at)| at < *last);
+                *last = at;
+            }
+            None => seen.untimed = true,
+        }
+        if verdict == Verdict::Right {
+            if let Some(moment) = moment {
+                let right = seen.right.get_or_insert(moment.micros.map(|at| (at, found.number)));
+                for (right, at) in right.iter_mut().zip(moment.micros) {
+                    *right = (*right).min((at, found.number));
+                }
+            }
+            if seen.right_row.is_none() {
+                seen.right_row = Some((found.number, cell.attempts));
+                cell.first_right = Some(cell.attempts);
+            }
+        }
+        if found.verdict != Verdict::Superseded {
+            cell.row = Some(found.row());
+        }
+    }
+
+    /// Takes the points and totals of gradebook.csv, which knows of corrections, dropped problems and rounding, in place of the
+    /// sums of the rows that count.
+    ///
+    /// # Errors
+    /// It is no gradebook, or that of another class.
+    pub fn book(&mut self, gradebook: impl Read) -> Result<(), Unreadable> {
+        let mut reader = csv::ReaderBuilder::new().flexible(true).from_reader(gradebook);
+        let header = reader.byte_headers().map_err(fault)?.clone();
+        let at = |name: &str| header.iter().position(|f| f == name.as_bytes());
+        let need = |name: &str| {
+            at(name).ok_or_else(|| Unreadable { line: 1, what: format!("there is no column `{name}`") })
+        };
+        let (student, total, of) = (need("student")?, need("total")?, need("max_total")?);
+        let columns: Vec<usize> =
+            self.class.parts.iter().map(|p| need(&guarded(&p.label()))).collect::<Result<_, _>>()?;
+        let whose: FxHashMap<String, usize> =
+            self.class.students.iter().enumerate().map(|(i, s)| (guarded(&s.id), i)).collect();
+        let mut found = 0;
+        for record in reader.byte_records() {
+            let record = record.map_err(fault)?;
+            let line = record.position().map_or(0, csv::Position::line);
+            let text = |i: usize| String::from_utf8_lossy(record.get(i).unwrap_or_default());
+            let number = |i: usize| -> Result<Option<f64>, Unreadable> {
+                let text = text(i);
+                if text.is_empty() {
+                    return Ok(None);
+                }
+                match text.parse::<f64>() {
+                    Ok(value) if value.is_finite() => Ok(Some(value)),
+                    _ => Err(Unreadable { line, what: format!("`{text}` is no number of points") }),
+                }
+            };
+            let Some(who) = whose.get(text(student).as_ref()).copied() else {
+                return Err(Unreadable { line, what: format!("`{}` is not in the set", text(student)) });
+            };
+            found += 1;
+            for (part, column) in columns.iter().enumerate() {
+                self.given[who * columns.len() + part] = number(*column)?;
+            }
+            self.totals[who] = (number(total)?.unwrap_or(0.0), number(of)?.unwrap_or(0.0));
+        }
+        if found == self.class.students.len() {
+            return Ok(());
+        }
+        let what = format!("has {found} students, the set {}", self.class.students.len());
+        Err(Unreadable { line: 0, what })
+    }
+}
+
+/// A row of answers.csv.
+struct Found<'r> {
+    record: &'r csv::ByteRecord,
+    columns: &'r Columns,
+    number: u64,
+    who: Option<usize>,
+    what: Option<usize>,
+    verdict: Verdict,
+    points: f64,
+    max_points: f64,
+}
+
+impl<'r> Found<'r> {
+    fn of(
+        record: &'r csv::ByteRecord,
+        columns: &'r Columns,
+        number: u64,
+        whose: &FxHashMap<String, usize>,
+        which: &FxHashMap<(String, String), usize>,
+    ) -> Result<Self, Unreadable> {
+        let line = record.position().map_or(0, csv::Position::line);
+        let text = |i: usize| String::from_utf8_lossy(record.get(i).unwrap_or_default());
+        let verdict = text(columns.verdict);
+        let Some(verdict) = Verdict::ALL.iter().copied().find(|v| v.as_str() == verdict) else {
+            return Err(Unreadable { line, what: format!("`{verdict}` is no verdict") });
+        };
+        let number_at = |i: usize| -> Result<f64, Unreadable> {
+            let text = text(i);
+            let value = if text.is_empty() { Ok(0.0) } else { text.parse::<f64>() };
+            value
+                .ok()
+                .filter(|v| v.is_finite())
+                .ok_or_else(|| Unreadable { line, what: format!("`{text}` is no number of points") })
+        };
+        Ok(Self {
+            record,
+            columns,
+            number,
+            who: whose.get(text(columns.student).as_ref()).copied(),
+            what: which.get(&(text(columns.problem).into_owned(), text(columns.part).into_owned())).copied(),
+            verdict,
+            points: number_at(columns.points)?,
+            max_points: number_at(columns.max_points)?,
+        })
+    }
+
+    fn text(&self, column: Option<usize>) -> std::borrow::Cow<'_, str> {
+        String::from_utf8_lossy(column.and_then(|c| self.record.get(c)).unwrap_or_default())
+    }
+    fn reason(&self) -> String {
+        shortened(&self.text(Some(self.columns.reason)))
+    }
+    fn answer(&self) -> String {
+        let text = self.text(Some(self.columns.answer));
+        shortened(text.strip_prefix('\'').unwrap_or(&text))
+    }
+    fn words(&self, column: Option<usize>) -> Vec<String> {
+        self.text(column).split_whitespace().map(str::to_owned).collect()
+    }
+    fn moment(&self) -> Option<time::Moment> {
+        time::parse(&self.text(self.columns.submitted))
+    }
+
+    /// The verdict of an attempt, that which a superseded one would have had; `None` for what is no attempt.
+    fn counted(&self) -> Option<Verdict> {
+        match self.verdict {
+            Verdict::Blank | Verdict::UnknownPart | Verdict::UnknownStudent => None,
+            Verdict::Superseded => {
+                superseded(&self.text(Some(self.columns.reason))).map(|(verdict, _)| verdict)
+            }
+            verdict => Some(verdict),
+        }
+    }
+
+    fn row(&self) -> Row {
+        Row {
+            line: self.text(self.columns.line).parse().unwrap_or(0),
+            verdict: self.verdict,
+            points: self.points,
+            answer: self.answer(),
+            reason: self.reason(),
+            methods: self.words(self.columns.methods),
+            slip: self.text(self.columns.slip).into_owned(),
+            credit: self.words(self.columns.credit),
+        }
+    }
+}
+
+/// The verdict that a superseded row names in its reason, and why, in any language: verdicts are not translated.
+fn superseded(reason: &str) -> Option<(Verdict, String)> {
+    Words::languages().filter_map(Words::built_in).find_map(|words| {
+        let phrase = words.get("feedback.superseded");
+        let (before, rest) = phrase.split_once("{line}")?;
+        let (between, _) = rest.split_once("{verdict}")?;
+        let rest = reason.strip_prefix(before)?.trim_start_matches(|c: char| c.is_ascii_digit());
+        let rest = rest.strip_prefix(between)?;
+        // `wrong` begins `wrong direction`: the longest fits.
+        let fits = Verdict::ALL.iter().filter(|v| rest.starts_with(v.as_str()));
+        let verdict = *fits.max_by_key(|v| v.as_str().len())?;
+        let why = rest[verdict.as_str().len()..].trim_start_matches([':', ';', ' ']);
+        Some((verdict, why.to_owned()))
+    })
+}
+
+/// A field as the grader writes it: what a spreadsheet would run has an apostrophe in front.
+fn guarded(text: &str) -> String {
+    let mut out = Vec::new();
+    crate::grade::write::push_text(&mut out, text.as_bytes());
+    let mut reader = csv::ReaderBuilder::new().has_headers(false).from_reader(out.as_slice());
+    let mut record = csv::ByteRecord::new();
+    match reader.read_byte_record(&mut record) {
+        Ok(true) => String::from_utf8_lossy(record.get(0).unwrap_or_default()).into_owned(),
+        _ => text.to_owned(),
+    }
+}
+
+/// Not longer than [`LONGEST`], without signs that neither HTML nor a reader can show.
+fn shortened(text: &str) -> String {
+    let mut out: String = text
+        .chars()
+        .take(LONGEST)
+        .map(|c| match c {
+            '\n' | '\r' | '\t' => ' ',
+            c if c.is_control() || noncharacter(c) => '\u{fffd}',
+            c => c,
+        })
+        .collect();
+    if text.chars().nth(LONGEST).is_some() {
+        out.push('…');
+    }
+    out
+}
+
+fn noncharacter(c: char) -> bool {
+    let code = u32::from(c);
+    (0xfdd0..=0xfdef).contains(&code) || code & 0xfffe == 0xfffe
+}
+
+fn columns(header: &csv::ByteRecord) -> Result<Columns, Unreadable> {
+    let at = |name: &str| header.iter().position(|f| f == name.as_bytes());
+    let need = |name: &str| {
+        at(name).ok_or_else(|| Unreadable { line: 1, what: format!("there is no column `{name}`") })
+    };
+    Ok(Columns {
+        line: at("line"),
+        student: need("student")?,
+        problem: need("problem")?,
+        part: need("part")?,
+        answer: need("answer")?,
+        verdict: need("verdict")?,
+        points: need("points")?,
+        max_points: need("max_points")?,
+        reason: need("reason")?,
+        methods: at("methods"),
+        slip: at("slip"),
+        credit: at("credit"),
+        submitted: at("submitted_at"),
+    })
+}
+
+fn fault(error: csv::Error) -> Unreadable {
+    let line = error.position().map_or(0, csv::Position::line);
+    Unreadable { line, what: error.to_string() }
+}
+
+#[cfg(test)]
+#[allow(clippy::float_cmp, reason = "points and seconds are whole here")]
+mod tests {
+    use super::*;
+    use crate::report::marks::Part;
+    use crate::report::marks::Problem;
+    use crate::report::marks::Student;
+
+    fn class() -> Class {
+        Class {
+            students: ["a", "=b"].map(|id| Student { id: id.to_owned(), ..Student::default() }).to_vec(),
+            problems: vec![Problem::default()],
+            parts: ["v", "t"]
+                .map(|id| Part { number: 1, id: id.to_owned(), points: 1.0, unit: String::new() })
+                .to_vec(),
+            asked: vec![true; 4],
+        }
+    }
+    fn read(rows: &str) -> Result<Marks, Unreadable> {
+        let text = format!(
+            "line,column,student,problem,part,answer,verdict,points,max_points,reason,methods,slip,credit,submitted_at\n{rows}"
+        );
+        Marks::read(class(), &mut || Ok(text.as_bytes()))
+    }
+
+    #[test]
+    fn the_row_that_counts_and_the_first_right_one() {
+        let marks = read(
+            "2,,a,1,v,3,superseded,0,2,superseded by line 4; would have been wrong: not within; x,A05,,,2026-03-01 10:05\n\
+             3,,a,1,v,2,superseded,0,2,superseded by line 4; would have been right,,,,2026-03-01 10:20\n\
+             4,,a,1,v,5,wrong,0,2,not within,A05 A06,drift,late:0.8 closed,2026-03-01 11:00\n\
+             5,,a,1,v,,blank,0,2,nothing written,,,,2026-03-01 12:00\n\
+             6,,'=b,1,v,'=cmd,unreadable,0,2,neither,,,,\n\
+             7,,zz,1,v,1,unknown student,0,0,not on the roster,,,,\n",
+        )
+        .unwrap();
+        let cell = marks.cell(0, 0);
+        assert_eq!((cell.attempts, cell.first_right, cell.seconds), (3, Some(2), Some(900.0)));
+        let row = cell.row.as_ref().unwrap();
+        assert_eq!((row.verdict, row.line, row.answer.as_str()), (Verdict::Wrong, 4, "5"));
+        assert_eq!(row.methods, ["A05", "A06"]);
+        assert_eq!(row.credit, ["late:0.8", "closed"]);
+        assert_eq!(marks.cell(1, 0).row.as_ref().unwrap().answer, "=cmd");
+        assert_eq!(marks.class.parts[0].points, 2.0);
+        assert_eq!(marks.sum(0), (0.0, 3.0));
+        assert!(marks.took_part(1) && marks.rows == 6 && marks.troubles.len() == 1);
+    }
+
+    #[test]
+    fn attempts_out_of_order_are_counted_by_time() {
+        // The day comes first: 13/2 proves it. In time: wrong (13/2), wrong (1/3), right (2/3).
+        let marks = read(
+            "2,,a,1,v,3,right,1,1,within,,,,2/3/2026 10:00\n\
+             3,,a,1,v,3,superseded,0,1,superseded by line 2; would have been wrong,,,,13/2/2026 10:00\n\
+             4,,a,1,v,3,superseded,0,1,superseded by line 2; would have been wrong,,,,1/3/2026 10:00\n",
+        )
+        .unwrap();
+        let cell = marks.cell(0, 0);
+        assert_eq!((cell.attempts, cell.first_right), (3, Some(3)));
+        assert_eq!(cell.seconds, Some(17.0 * 86400.0));
+        assert_eq!(cell.row.as_ref().unwrap().verdict, Verdict::Right);
+    }
+
+    #[test]
+    fn faults_have_a_line() {
+        assert_eq!(read("2,,a,1,v,3,great,0,2,x,,,,\n").unwrap_err().line, 2);
+        assert_eq!(read("2,,a,1,v,3,right,many,2,x,,,,\n").unwrap_err().line, 2);
+        let none = Marks::read(class(), &mut || Ok("student,verdict\n".as_bytes())).unwrap_err();
+        assert!(none.what.contains("problem"), "{none:?}");
+    }
+
+    #[test]
+    fn verdicts_of_superseded_rows_in_every_language() {
+        for code in Words::languages() {
+            let words = Words::of(code).unwrap();
+            for verdict in [Verdict::Right, Verdict::Wrong, Verdict::WrongDirection, Verdict::MissingUnit] {
+                let reason =
+                    words.say("feedback.superseded", &[("line", "12"), ("verdict", verdict.as_str())]);
+                let found = superseded(&format!("{reason}: because"));
+                assert_eq!(found, Some((verdict, "because".to_owned())));
+            }
+        }
+        assert_eq!(superseded("right"), None);
+    }
+}

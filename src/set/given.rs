@@ -1,0 +1,215 @@
+//! The key of a set from its stored data, with a bank that may have been changed since: nothing is drawn, what was printed on
+//! the sheets stays what it was, and both roads are solved anew.
+use crate::bank::Bank;
+use crate::bank::Draw;
+use crate::bank::Problem;
+use crate::bank::decimal::Decimal;
+use crate::finding::Finding;
+use crate::key::ProblemKey;
+use crate::key::SheetKey;
+use crate::problem::make;
+use crate::problem::make::Variant;
+use crate::problem::make_key;
+use crate::set::store::StoredSet;
+use crate::set::store::StoredVariant;
+use crate::sheet::statement;
+use crate::solve::outcome::Refusal;
+use crate::units::spell;
+use rayon::prelude::*;
+
+/// What a student's stored data come to.
+pub struct Given {
+    /// Variants in the order of the sheet.
+    pub variants: Vec<Variant>,
+    /// Their key.
+    pub key: SheetKey,
+}
+
+/// Why the stored data of a student give no key.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Lost {
+    /// Id of the student.
+    pub student: String,
+    /// Index of the problem in the bank.
+    pub problem: usize,
+    /// Index of the case.
+    pub case: usize,
+    /// Why.
+    pub why: Why,
+}
+
+/// Why there is no key.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Why {
+    /// The scene cannot be solved, or the two roads disagree.
+    Refused(Refusal),
+    /// It is solved, but something else happens than the problem says: what does.
+    Happens(String),
+    /// This part has no answer.
+    Unanswered(String),
+}
+
+/// What stands in the way.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Fault {
+    /// The bank and the stored data do not fit each other.
+    Misfit(Finding),
+    /// The data of one student give no key.
+    Lost(Lost),
+}
+
+/// The stored students with their keys, in the order of the set.
+///
+/// # Errors
+/// Problems, cases and data that the bank no longer has, once each; then the students whose data give no key, all of them.
+pub fn all(bank: &Bank, set: &StoredSet) -> Result<Vec<Given>, Vec<Fault>> {
+    let problems = crate::set::replay::indices(bank, &set.problems, "problems")
+        .map_err(|faults| faults.into_iter().map(Fault::Misfit).collect::<Vec<_>>())?;
+    let solved: Vec<Result<Given, Vec<Fault>>> =
+        set.students.par_iter().map(|s| one(bank, &problems, &s.student, &s.problems)).collect();
+    let (mut found, mut faults) = (Vec::with_capacity(solved.len()), Vec::new());
+    for result in solved {
+        match result {
+            Ok(given) => found.push(given),
+            Err(more) => {
+                for fault in more {
+                    if !faults.contains(&fault) {
+                        faults.push(fault);
+                    }
+                }
+            }
+        }
+    }
+    // What is wrong with the bank goes before what is wrong for somebody.
+    faults.sort_by_key(|f| matches!(f, Fault::Lost(_)));
+    if faults.is_empty() { Ok(found) } else { Err(faults) }
+}
+
+fn one(
+    bank: &Bank,
+    problems: &[usize],
+    student: &str,
+    stored: &[StoredVariant],
+) -> Result<Given, Vec<Fault>> {
+    let mut faults = Vec::new();
+    let (mut variants, mut keys) = (Vec::with_capacity(problems.len()), Vec::with_capacity(problems.len()));
+    if stored.len() != problems.len() {
+        let what = format!("{student} has {} problems, the set {}", stored.len(), problems.len());
+        return Err(vec![Fault::Misfit(Finding::new("students", what))]);
+    }
+    for (index, old) in problems.iter().zip(stored) {
+        let problem = &bank.problems[*index];
+        if old.id != problem.id {
+            let what = format!("{student} has `{}` where the set has `{}`", old.id, problem.id);
+            faults.push(Fault::Misfit(Finding::new("students", what)));
+            continue;
+        }
+        let (case, values) = match values(problem, old) {
+            Ok(found) => found,
+            Err(more) => {
+                faults.extend(more.into_iter().map(Fault::Misfit));
+                continue;
+            }
+        };
+        match solved(problem, case, &values) {
+            Ok((variant, key)) => {
+                variants.push(variant);
+                keys.push(key);
+            }
+            Err(why) => {
+                faults.push(Fault::Lost(Lost { student: student.to_owned(), problem: *index, case, why }));
+            }
+        }
+    }
+    if faults.is_empty() {
+        Ok(Given { variants, key: SheetKey { student: student.to_owned(), problems: keys } })
+    } else {
+        Err(faults)
+    }
+}
+
+/// Case and data as the bank's problem takes them. Findings are the same for every student with the same trouble.
+fn values(problem: &Problem, old: &StoredVariant) -> Result<(usize, Vec<Option<Decimal>>), Vec<Finding>> {
+    let path = |rest: &str| format!("problems.{}.{rest}", problem.id);
+    let Some(index) = problem.cases.iter().position(|c| c.name == old.case) else {
+        let what = match old.case.as_str() {
+            "" => "the bank has cases now, the sheets were drawn without".to_owned(),
+            name => format!("the bank has no case `{name}`, which is on sheets"),
+        };
+        return Err(vec![Finding::new(path("cases"), what)]);
+    };
+    let mut faults = Vec::new();
+    let case = &problem.cases[index];
+    for symbol in old.data.keys() {
+        let used = problem.data.iter().position(|d| d.symbol == *symbol);
+        if used.is_none_or(|i| case.draws.get(i).is_none_or(Option::is_none)) {
+            let known = problem.data.iter().map(|d| d.symbol.as_str());
+            let fault = Finding::new(
+                path("data"),
+                format!("`{symbol}` is printed on sheets, the bank has it no more"),
+            );
+            faults.push(match spell::closest(symbol, known) {
+                Some(near) if !old.data.contains_key(near) => fault.hint(format!(
+                    "was it renamed to `{near}`? Sheets keep the symbol that they were printed with"
+                )),
+                _ => fault,
+            });
+        }
+    }
+    let mut values = vec![None; problem.data.len()];
+    for (i, datum) in problem.data.iter().enumerate() {
+        let Some(draw) = case.draws.get(i).and_then(Option::as_ref) else { continue };
+        let field = path(&format!("data.{}", datum.symbol));
+        match old.data.get(&datum.symbol).and_then(serde_json::Value::as_str) {
+            Some(text) => {
+                let digits = text.split(' ').next().unwrap_or_default();
+                let value = Decimal::parse(digits);
+                // The unit is that of the sheet, or the number would mean something else.
+                match value.filter(|v| statement::printed(problem, i, *v) == text) {
+                    Some(value) => values[i] = Some(value),
+                    None => {
+                        let unit = text.split_once(' ').map_or("no unit", |(_, unit)| unit);
+                        let what = format!(
+                            "is printed in {unit} on the sheets, the bank says {}",
+                            datum.unit.ascii()
+                        );
+                        faults.push(Finding::new(field, what).hint("give the datum its old unit back"));
+                    }
+                }
+            }
+            None => match draw {
+                // A constant that no sheet prints is the same for all.
+                Draw::Always { value, decimals } => {
+                    values[i] = Some(Decimal { value: *value, decimals: *decimals });
+                }
+                _ => faults.push(
+                    Finding::new(field, "is drawn in the bank, and on no sheet")
+                        .hint("a datum that came later can only be `draw: always ...`"),
+                ),
+            },
+        }
+    }
+    if faults.is_empty() { Ok((index, values)) } else { Err(faults) }
+}
+
+fn solved(problem: &Problem, case: usize, values: &[Option<Decimal>]) -> Result<(Variant, ProblemKey), Why> {
+    let variant = make::from_values(problem, case, values).map_err(Why::Refused)?;
+    let regime = &variant.solved.regime;
+    let word = regime.motion.word();
+    let regimes = &problem.cases[case].regimes;
+    if regime.slips || (!regimes.is_empty() && !regimes.iter().any(|r| r == word)) {
+        return Err(Why::Happens(regime.word()));
+    }
+    if let Some(check) = variant.solved.checks.iter().find(|c| !c.ok) {
+        return Err(Why::Happens(format!("{} fails", check.kind.name())));
+    }
+    let missing = problem.questions.iter().find(|q| match q.label.quantity.is_word() {
+        true => variant.solved.word(q.label).is_none(),
+        false => variant.solved.get(q.label).is_none_or(|e| !e.value().is_finite()),
+    });
+    if let Some(question) = missing {
+        return Err(Why::Unanswered(question.id.clone()));
+    }
+    let key = make_key::key(problem, &variant);
+    Ok((variant, key))
+}

@@ -1,0 +1,241 @@
+//! A whole made-up class: what each student hands in, who copies from whom, when, and the two files of it, submissions and truth.
+use crate::key::SheetKey;
+use crate::simulate::chance::Chance;
+use crate::simulate::habits::Habits;
+use crate::simulate::moment;
+use crate::simulate::student::Handed;
+use crate::simulate::truth::HEADER;
+use crate::simulate::truth::Kind;
+use crate::simulate::truth::Truth;
+use crate::simulate::written;
+use crate::simulate::written::Cell;
+use crate::words::Words;
+
+/// One student's work.
+#[derive(Debug, Clone)]
+pub struct Work {
+    /// The student's key.
+    pub key: SheetKey,
+    /// What is handed in, in the student's own order; empty for one who is absent.
+    pub handed: Vec<Handed>,
+}
+
+/// The files of a class.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Files {
+    /// The submissions, a row for each answer.
+    pub submissions: Vec<u8>,
+    /// The truth, a row for each row of the submissions.
+    pub truth: Vec<u8>,
+    /// Rows.
+    pub rows: usize,
+    /// Students who handed in.
+    pub students: usize,
+}
+
+/// Stream of lots for what the class does as a class.
+const CLASS: u64 = 0;
+
+/// Lets groups copy: the members of a group take over answers of its first one, for the same parts of their own sheets.
+pub fn copy(habits: &Habits, seed: u64, works: &mut [Work]) {
+    let Some(copying) = &habits.copying else { return };
+    let mut chance = Chance::new(seed, CLASS);
+    let mut present: Vec<usize> = (0..works.len()).filter(|w| !works[*w].handed.is_empty()).collect();
+    for i in (1..present.len()).rev() {
+        present.swap(i, chance.below(i + 1));
+    }
+    for group in present.chunks_exact(copying.size.max(2)).take(copying.groups) {
+        let Some((source, copiers)) = group.split_first() else { continue };
+        let last: Vec<Handed> = last_attempts(&works[*source].handed);
+        let name = works[*source].key.student.clone();
+        for copier in copiers {
+            let work = &mut works[*copier];
+            for from in &last {
+                if matches!(from.cell, Cell::Blank) || !chance.meets(copying.share) {
+                    continue;
+                }
+                let disguise = chance.meets(copying.disguise);
+                let Some(entry) =
+                    work.key.problems.get(from.problem).and_then(|p| p.parts.get(from.part)).cloned()
+                else {
+                    continue;
+                };
+                let cell = match from.cell.clone() {
+                    Cell::Number { digits, unit, way } if disguise => {
+                        Cell::Number { digits: written::disguised(&digits), unit, way }
+                    }
+                    cell => cell,
+                };
+                let verdict = cell.verdict(&entry);
+                let truth = Truth {
+                    kind: Kind::Copied,
+                    method: from.truth.method.clone(),
+                    figures: from.truth.figures,
+                    from: name.clone(),
+                    // Nothing but the number can be judged: one that fits the copier's own data is right.
+                    right: verdict == "right",
+                    verdict,
+                };
+                let place = work.handed.iter().position(|h| (h.problem, h.part) == (from.problem, from.part));
+                let place = place.unwrap_or(work.handed.len());
+                work.handed.retain(|h| (h.problem, h.part) != (from.problem, from.part));
+                let place = place.min(work.handed.len());
+                let (problem, part) = (from.problem, from.part);
+                work.handed.insert(place, Handed { problem, part, attempt: 1, cell, truth });
+            }
+        }
+    }
+}
+
+/// The last attempt at each part, in the order of the sheet.
+fn last_attempts(handed: &[Handed]) -> Vec<Handed> {
+    let mut last: Vec<Handed> = Vec::new();
+    for one in handed {
+        match last.iter_mut().find(|h| (h.problem, h.part) == (one.problem, one.part)) {
+            Some(old) if old.attempt < one.attempt => *old = one.clone(),
+            Some(_) => {}
+            None => last.push(one.clone()),
+        }
+    }
+    last.sort_by_key(|h| (h.problem, h.part));
+    last
+}
+
+/// A row before it is written.
+struct Row<'w> {
+    student: &'w str,
+    handed: &'w Handed,
+    part: &'w str,
+    minute: Option<i64>,
+    comma: bool,
+}
+
+/// Writes the files. The rows stand student by student, or by the times where there are some.
+pub fn write(habits: &Habits, words: &Words, seed: u64, works: &[Work]) -> Files {
+    let mut rows: Vec<Row> = Vec::new();
+    for work in works {
+        let student = work.key.student.as_str();
+        // A stream of its own: what is handed in does not depend on when, nor on commas.
+        let mut chance = Chance::of(seed ^ 0x5ca1_ab1e, student);
+        let comma = chance.meets(habits.commas) || habits.spreadsheet;
+        let count = i64::try_from(work.handed.len()).unwrap_or(i64::MAX);
+        let last = habits.times.as_ref().map(|t| {
+            let within = |from: i64, to: i64, share: f64| from + whole(share * float(to - from));
+            if chance.meets(t.late) {
+                within(t.due + 1, t.due + t.by + 1, chance.share())
+            } else {
+                // Everything is handed in minute by minute before.
+                within((t.opens + count).min(t.due), t.due, chance.share())
+            }
+        });
+        for (i, handed) in work.handed.iter().enumerate() {
+            let entry = work.key.problems.get(handed.problem).and_then(|p| p.parts.get(handed.part));
+            let minute = last.map(|l| l - (count - 1 - i64::try_from(i).unwrap_or(0)));
+            rows.push(Row { student, handed, part: entry.map_or("", |e| e.part.as_str()), minute, comma });
+        }
+    }
+    if habits.times.is_some() {
+        rows.sort_by_key(|r| r.minute);
+    }
+    let mut submissions = String::new();
+    let mut truth = csv::Writer::from_writer(Vec::new());
+    // Writing to memory cannot fail.
+    let _ = truth.write_record(HEADER);
+    let separator = if habits.spreadsheet { ';' } else { ',' };
+    header(habits, &mut submissions);
+    for (i, row) in rows.iter().enumerate() {
+        let answer = text(&row.handed.cell, row.comma, i, words);
+        let time = row.minute.map(|m| match habits.times.as_ref().map_or("", |t| t.zone.as_str()) {
+            "" => moment::text(m),
+            zone => format!("{}:00{zone}", moment::text(m).replace(' ', "T")),
+        });
+        let problem = (row.handed.problem + 1).to_string();
+        let mut fields = vec![row.student, problem.as_str(), row.part, answer.as_str()];
+        if let Some(time) = &time {
+            if habits.spreadsheet { fields.insert(0, time) } else { fields.push(time) }
+        }
+        if habits.spreadsheet {
+            fields.push(if i % 2 == 0 { "phone" } else { "" });
+        }
+        for (j, field) in fields.iter().enumerate() {
+            if j > 0 {
+                submissions.push(separator);
+            }
+            // Spreadsheets quote more than they must.
+            let quote = habits.spreadsheet && field.contains(' ') && i % 3 == 0;
+            push_field(&mut submissions, field, separator, quote);
+        }
+        submissions.push_str(if habits.spreadsheet { "\r\n" } else { "\n" });
+        let t = &row.handed.truth;
+        let _ = truth.write_record([
+            (i + 2).to_string().as_str(),
+            row.student,
+            &problem,
+            row.part,
+            &row.handed.attempt.to_string(),
+            &answer,
+            t.kind.name(),
+            &t.method,
+            &t.figures.map_or_else(String::new, |f| f.to_string()),
+            &t.from,
+            if t.right { "yes" } else { "no" },
+            t.verdict,
+        ]);
+    }
+    Files {
+        submissions: submissions.into_bytes(),
+        truth: truth.into_inner().unwrap_or_default(),
+        rows: rows.len(),
+        students: works.iter().filter(|w| !w.handed.is_empty()).count(),
+    }
+}
+
+fn header(habits: &Habits, out: &mut String) {
+    out.push_str(match (habits.spreadsheet, habits.times.is_some()) {
+        (false, false) => "student,problem,part,answer\n",
+        (false, true) => "student,problem,part,answer,submitted_at\n",
+        (true, false) => "\u{feff}STUDENT;Problem;Part ;Answer;Device\r\n",
+        (true, true) => "\u{feff}Submitted_at;STUDENT;Problem;Part ;Answer;Device\r\n",
+    });
+}
+
+/// What stands in the cell. `row` varies what varies from row to row without meaning anything.
+fn text(cell: &Cell, comma: bool, row: usize, words: &Words) -> String {
+    match cell {
+        Cell::Blank => if row.is_multiple_of(2) { "" } else { "  " }.to_owned(),
+        Cell::Garbage(text) => (*text).to_owned(),
+        Cell::Word(word) => words.get(&format!("sheet.{word}")).to_owned(),
+        Cell::Number { digits, unit, way } => {
+            let digits = if comma { digits.replace('.', ",") } else { digits.clone() };
+            let number = match unit {
+                Some(unit) => unit.text_with(&digits),
+                None => digits,
+            };
+            match way {
+                Some(way) => format!("{number} {}", words.get(&format!("sheet.{way}"))),
+                None => number,
+            }
+        }
+    }
+}
+
+fn push_field(out: &mut String, field: &str, separator: char, quote: bool) {
+    let must = field.contains([separator, '"', '\n', '\r']) || field != field.trim();
+    if quote || must {
+        out.push('"');
+        out.push_str(&field.replace('"', "\"\""));
+        out.push('"');
+    } else {
+        out.push_str(field);
+    }
+}
+
+#[expect(clippy::cast_precision_loss, reason = "minutes of a term")]
+const fn float(minutes: i64) -> f64 {
+    minutes as f64
+}
+
+#[expect(clippy::cast_possible_truncation, reason = "minutes of a term")]
+const fn whole(minutes: f64) -> i64 {
+    minutes as i64
+}

@@ -1,0 +1,334 @@
+//! One student of a made-up class at work on a sheet: what is handed in for each part, attempt by attempt, and what was really done.
+use crate::bank::Problem;
+use crate::key::Answer;
+use crate::key::KeyEntry;
+use crate::key::ProblemKey;
+use crate::problem::make::Variant;
+use crate::scene::Label;
+use crate::scene::Owner;
+use crate::scene::Slope;
+use crate::simulate::chance::Chance;
+use crate::simulate::habits::Habits;
+use crate::simulate::truth::Kind;
+use crate::simulate::truth::Truth;
+use crate::simulate::written;
+use crate::simulate::written::Cell;
+use crate::solution::by_hand;
+use crate::solution::by_hand::ByHand;
+use crate::solve::outcome::Entry;
+use crate::units::Unit;
+use crate::words::Words;
+
+/// One answer that is handed in.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Handed {
+    /// Index of the problem in the sheet.
+    pub problem: usize,
+    /// Index of the part.
+    pub part: usize,
+    /// Which attempt at the part, from 1.
+    pub attempt: u32,
+    /// What is written.
+    pub cell: Cell,
+    /// What was done.
+    pub truth: Truth,
+}
+
+/// Where a number comes from, before it is written.
+struct Idea {
+    kind: Kind,
+    method: String,
+    figures: Option<u32>,
+    from: String,
+    cell: Cell,
+}
+
+/// One part of one problem.
+struct Part<'s> {
+    problem: &'s Problem,
+    variant: &'s Variant,
+    key: &'s ProblemKey,
+    index: usize,
+}
+
+impl<'s> Part<'s> {
+    fn entry(&self) -> &'s KeyEntry {
+        &self.key.parts[self.index]
+    }
+    fn label(&self) -> Option<Label> {
+        self.problem.questions.get(self.index).map(|q| q.label)
+    }
+    /// Do words for its direction say `forward` and `back`?
+    fn level(&self) -> bool {
+        let scene = &self.problem.cases[self.variant.case].scene;
+        let body = match self.label().map(|l| l.of) {
+            Some(Owner::Body(b)) => Some(b),
+            _ => scene.bare_body(),
+        };
+        let line = body.and_then(|b| scene.bodies.get(b)).and_then(|b| b.line);
+        line.is_none_or(|l| l.slope == Slope::Level)
+    }
+}
+
+/// What a student remembers of the problem at hand.
+#[derive(Default)]
+struct Memory {
+    /// The wrong method in use.
+    method: Option<u16>,
+    /// Answers to earlier parts that are wrong numbers, SI.
+    wrong: Vec<(usize, f64)>,
+    /// What comes out by hand, with so many figures on the way.
+    by_hand: Vec<(u32, Vec<ByHand>)>,
+}
+
+/// A student with the habits of the class.
+pub struct Student<'h> {
+    habits: &'h Habits,
+    words: &'h Words,
+    chance: Chance,
+}
+
+impl<'h> Student<'h> {
+    /// A student of a class that hands in with this seed.
+    pub fn new(habits: &'h Habits, words: &'h Words, seed: u64, student: &str) -> Self {
+        Self { habits, words, chance: Chance::of(seed, student) }
+    }
+
+    /// Works on the problems of a sheet: first attempts at all parts in the order of the sheet, then second ones and so on. Somebody
+    /// who is absent hands in nothing.
+    pub fn work(&mut self, problems: &[(&Problem, &Variant, &ProblemKey)]) -> Vec<Handed> {
+        if self.chance.meets(self.habits.absent) {
+            return Vec::new();
+        }
+        let mut rounds: Vec<Vec<Handed>> = Vec::new();
+        for (at, (problem, variant, key)) in problems.iter().enumerate() {
+            let mut memory = Memory::default();
+            for index in 0..key.parts.len() {
+                let part = Part { problem, variant, key, index };
+                let attempts = self.habits.attempts.at(self.chance.share());
+                for attempt in 1..=attempts {
+                    let sure = attempt > 1 && self.chance.meets(self.habits.improves);
+                    let idea = if sure { self.right(&part) } else { self.idea(&part, &mut memory) };
+                    let cell = self.write(&part, &idea);
+                    let verdict = cell.verdict(part.entry());
+                    let wrong = verdict.starts_with("wrong").then(|| cell.si(&part.entry().unit)).flatten();
+                    memory.wrong.retain(|(p, _)| *p != index);
+                    memory.wrong.extend(wrong.map(|x| (index, x)));
+                    let truth = truth(idea, verdict);
+                    let done = truth.right;
+                    let round = usize::try_from(attempt).unwrap_or(1) - 1;
+                    if rounds.len() <= round {
+                        rounds.push(Vec::new());
+                    }
+                    rounds[round].push(Handed { problem: at, part: index, attempt, cell, truth });
+                    if done {
+                        break;
+                    }
+                }
+            }
+        }
+        rounds.into_iter().flatten().collect()
+    }
+
+    /// What comes into the student's head for a part.
+    fn idea(&mut self, part: &Part, memory: &mut Memory) -> Idea {
+        if let Some(idea) = self.carried(part, memory).or_else(|| self.followed(part, memory)) {
+            return idea;
+        }
+        let kind = self.habits.answers.at(self.chance.share());
+        let idea = match &part.entry().answer {
+            Answer::Word { right, offered } => self.word(kind, right, offered),
+            Answer::Number { value, .. } => self.number(kind, *value, part, memory),
+        };
+        // Where a habit has no place (no such unit, no method spoils the part), the answer is right.
+        idea.unwrap_or_else(|| self.right(part))
+    }
+
+    fn figures(&mut self) -> u32 {
+        self.habits.figures.at(self.chance.share())
+    }
+
+    /// The right answer, rounded.
+    fn right(&mut self, part: &Part) -> Idea {
+        match &part.entry().answer {
+            Answer::Word { right, .. } => plain(Kind::Right, Cell::Word(right), None),
+            Answer::Number { value, .. } => {
+                let figures = self.figures();
+                plain(Kind::Right, Cell::number(*value, &part.entry().unit, figures), Some(figures))
+            }
+        }
+    }
+
+    fn word(&mut self, kind: Kind, right: &'static str, offered: &'static [&'static str]) -> Option<Idea> {
+        match kind {
+            Kind::Blank => Some(plain(kind, Cell::Blank, None)),
+            Kind::Garbage => Some(self.garbage()),
+            Kind::WrongMethod | Kind::WrongSign => {
+                let others: Vec<&str> = offered.iter().copied().filter(|o| *o != right).collect();
+                let word = others.get(self.chance.below(others.len())).copied()?;
+                Some(plain(kind, Cell::Word(word), None))
+            }
+            _ => None,
+        }
+    }
+
+    fn garbage(&mut self) -> Idea {
+        let text = written::GARBAGE[self.chance.below(written::GARBAGE.len())];
+        plain(Kind::Garbage, Cell::Garbage(text), None)
+    }
+
+    /// A number that came about in this way; `None` where that is not possible.
+    fn number(&mut self, kind: Kind, value: f64, part: &Part, memory: &mut Memory) -> Option<Idea> {
+        let unit = &part.entry().unit;
+        let figures = self.figures();
+        let idea = |cell: Cell| plain(kind, cell, Some(figures));
+        Some(match kind {
+            Kind::Right => return None,
+            Kind::RoundedOnTheWay => return self.rounded(part, memory),
+            Kind::WrongMethod => {
+                let method = self.method(part)?;
+                memory.method = Some(method);
+                return self.by_method(part, method);
+            }
+            Kind::WrongSign => idea(Cell::number(-value, unit, figures)),
+            Kind::UnitSlip => {
+                let meant = written::other_unit(unit, &mut self.chance)?;
+                match Cell::number(value, &meant, figures) {
+                    Cell::Number { digits, way, .. } => {
+                        let from = meant.ascii().to_owned();
+                        Idea { from, ..idea(Cell::Number { digits, unit: Some(unit.clone()), way }) }
+                    }
+                    _ => return None,
+                }
+            }
+            Kind::WrongUnit => {
+                let strange = written::strange_unit(unit, &mut self.chance)?;
+                match Cell::number(value, unit, figures) {
+                    Cell::Number { digits, way, .. } => {
+                        idea(Cell::Number { digits, unit: Some(strange), way })
+                    }
+                    _ => return None,
+                }
+            }
+            Kind::PowerOfTen => {
+                let tens = [1e-3, 1e-2, 0.1, 10.0, 100.0, 1e3];
+                idea(Cell::number(value * tens[self.chance.below(tens.len())], unit, figures))
+            }
+            Kind::TypingError => match Cell::number(value, unit, figures) {
+                Cell::Number { digits, unit, way } => {
+                    idea(Cell::Number { digits: written::mistyped(&digits, &mut self.chance), unit, way })
+                }
+                _ => return None,
+            },
+            Kind::OtherPart => {
+                let numbers = part.key.parts.iter().enumerate().filter_map(|(i, e)| match e.answer {
+                    Answer::Number { value, .. } if i != part.index => Some((e, value)),
+                    _ => None,
+                });
+                let others: Vec<(&KeyEntry, f64)> = numbers.collect();
+                let (other, value) = *others.get(self.chance.below(others.len()))?;
+                Idea { from: other.part.clone(), ..idea(Cell::number(value, &other.unit, figures)) }
+            }
+            Kind::Blank => plain(kind, Cell::Blank, None),
+            Kind::Garbage => self.garbage(),
+            Kind::Followed | Kind::Copied => return None,
+        })
+    }
+
+    /// Worked by hand with few figures on the way; the answer has as many.
+    fn rounded(&mut self, part: &Part, memory: &mut Memory) -> Option<Idea> {
+        let figures = self.habits.on_the_way.at(self.chance.share());
+        let label = part.label()?;
+        if !memory.by_hand.iter().any(|(f, _)| *f == figures) {
+            let digits = usize::try_from(figures).unwrap_or(3);
+            let all = by_hand::answers(part.problem, part.variant, self.words, digits).unwrap_or_default();
+            memory.by_hand.push((figures, all));
+        }
+        let all = memory.by_hand.iter().find(|(f, _)| *f == figures).map(|(_, all)| all)?;
+        let si = all.iter().find(|h| h.label == label)?.value()?;
+        Some(plain(Kind::RoundedOnTheWay, Cell::number(si, &part.entry().unit, figures), Some(figures)))
+    }
+
+    /// A wrong method that spoils this part, by the favourites of the class.
+    fn method(&mut self, part: &Part) -> Option<u16> {
+        let likes = |method: u16| {
+            let id = part.key.methods.get(usize::from(method))?;
+            let named = self.habits.methods.iter().find(|(m, _)| m == id);
+            Some(named.map_or(self.habits.any_method, |(_, w)| *w))
+        };
+        let weights: Vec<(u16, f64)> =
+            part.entry().wrong.iter().filter_map(|w| Some((w.method, likes(w.method)?))).collect();
+        let total: f64 = weights.iter().map(|(_, w)| w).sum();
+        let mut left = self.chance.share() * total;
+        for (method, weight) in weights {
+            if left < weight {
+                return Some(method);
+            }
+            left -= weight;
+        }
+        None
+    }
+
+    fn by_method(&mut self, part: &Part, method: u16) -> Option<Idea> {
+        let wrong = part.entry().wrong.iter().find(|w| w.method == method)?;
+        let figures = self.figures();
+        let method = part.key.methods.get(usize::from(method))?.clone();
+        let cell = Cell::number(wrong.value, &part.entry().unit, figures);
+        Some(Idea { method, ..plain(Kind::WrongMethod, cell, Some(figures)) })
+    }
+
+    /// The wrong method of an earlier part, used again.
+    fn carried(&mut self, part: &Part, memory: &Memory) -> Option<Idea> {
+        let method = memory.method?;
+        part.entry().wrong.iter().find(|w| w.method == method)?;
+        if self.chance.meets(self.habits.carries_on) { self.by_method(part, method) } else { None }
+    }
+
+    /// Worked out from a wrong answer to an earlier part, as the bank says.
+    fn followed(&mut self, part: &Part, memory: &Memory) -> Option<Idea> {
+        let follow = part.problem.follows.iter().find(|f| f.question == part.index)?;
+        let from = follow.from.iter().find(|p| memory.wrong.iter().any(|(w, _)| w == *p))?;
+        if !self.chance.meets(self.habits.follows_on) {
+            return None;
+        }
+        let own = |label: Label| {
+            let asked = part.problem.questions.iter().position(|q| q.label == label);
+            let wrong = asked.and_then(|q| memory.wrong.iter().find(|(p, _)| *p == q));
+            wrong.map_or_else(|| part.variant.solved.get(label).map_or(f64::NAN, Entry::value), |(_, x)| *x)
+        };
+        let si = follow.by.eval(&part.variant.data, &own);
+        if !si.is_finite() {
+            return None;
+        }
+        let figures = self.figures();
+        let from = part.problem.questions.get(*from)?.id.clone();
+        let cell = Cell::number(si, &part.entry().unit, figures);
+        Some(Idea { from, ..plain(Kind::Followed, cell, Some(figures)) })
+    }
+
+    /// Unit and direction as the habits are. Slips that live in the unit keep theirs.
+    fn write(&mut self, part: &Part, idea: &Idea) -> Cell {
+        let unit: &Unit = &part.entry().unit;
+        let written = self.habits.units.at(self.chance.share());
+        let by_word = self.chance.meets(self.habits.words);
+        let (figures, cell) = (idea.figures.unwrap_or(4), idea.cell.clone());
+        let cell = match idea.kind {
+            Kind::UnitSlip | Kind::WrongUnit | Kind::OtherPart | Kind::TypingError => cell,
+            _ => written::in_habit(cell, unit, written, figures, &mut self.chance),
+        };
+        match part.entry().answer {
+            Answer::Number { directed: true, .. } if by_word => written::by_word(cell, part.level()),
+            _ => cell,
+        }
+    }
+}
+
+fn plain(kind: Kind, cell: Cell, figures: Option<u32>) -> Idea {
+    Idea { kind, method: String::new(), figures, from: String::new(), cell }
+}
+
+fn truth(idea: Idea, verdict: &'static str) -> Truth {
+    // A right number without the unit that is demanded is not to be marked right.
+    let right = idea.kind.deserves() && verdict != "missing unit";
+    Truth { kind: idea.kind, method: idea.method, figures: idea.figures, from: idea.from, right, verdict }
+}

@@ -1,0 +1,75 @@
+//! The answers of a careful student who solves by hand and rounds on the way.
+//!
+//! Whom this stands for: somebody who follows the worked solution with a pocket calculator. Each
+//! quantity that the solution names (a work, an effective mass, an acceleration, a tension) is computed in one go from what stands
+//! on the paper, written down with so many figures, and used as it is written from there on. Data and g are exact as
+//! printed; what the calculator does between two lines of the paper is exact too. Of the two roads of the solution such a student
+//! takes, for each question, the one that keeps more figures, as can be seen on the paper: 1200 J less 1165 J leaves two, the
+//! product of two written numbers nearly all.
+//!
+//! This is the honest reading of "intermediate results rounded to three figures": to round after every key of the calculator
+//! would be harsher than anybody works, and to move the data a little, as `lint` does, knows nothing of the steps. It needs no
+//! formula of its own: every family that has a worked solution has these answers.
+use crate::bank::Problem;
+use crate::finding::Finding;
+use crate::problem::make::Variant;
+use crate::scene::Label;
+use crate::solution::derive;
+use crate::solution::desk::Answer;
+use crate::solution::desk::Desk;
+use crate::words::Words;
+
+/// A number that came about with rounding on the way, SI.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Rough {
+    /// The value.
+    pub value: f64,
+    /// How far the figures that were left out may have moved it, to first order, >= 0.
+    pub doubt: f64,
+}
+
+/// What such a student comes to for one question, on either road.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ByHand {
+    /// The quantity.
+    pub label: Label,
+    /// From the equations of motion; `None` if the solution does not find it there.
+    pub eom: Option<Rough>,
+    /// From work and energy; likewise.
+    pub energy: Option<Rough>,
+}
+
+impl ByHand {
+    /// The number on the road that keeps more figures; of equal ones, that of the equations of motion. SI.
+    pub fn value(&self) -> Option<f64> {
+        let (first, second) = match (self.eom, self.energy) {
+            (Some(a), Some(b)) if b.doubt < a.doubt => (Some(b), Some(a)),
+            (a, b) => (a, b),
+        };
+        first.or(second).map(|r| r.value)
+    }
+}
+
+/// What comes out by hand for each question that asks a number, in the order of the questions, with so many figures on the way.
+///
+/// # Errors
+/// The derivations do not cover the scene, or rounding has changed the course of the motion.
+pub fn answers(
+    problem: &Problem,
+    variant: &Variant,
+    words: &Words,
+    figures: usize,
+) -> Result<Vec<ByHand>, Finding> {
+    let mut desk = Desk::by_hand(problem, variant, words, figures)?;
+    derive(&mut desk)?;
+    let rough = |answer: Option<Answer>| match answer? {
+        Answer::Value(symbol) => {
+            let (value, doubt) = (desk.ledger.value(symbol), desk.ledger.doubt(symbol));
+            value.is_finite().then_some(Rough { value, doubt })
+        }
+        Answer::Word(_) => None,
+    };
+    let numbers = problem.questions.iter().filter(|q| !q.label.quantity.is_word());
+    let found = numbers.filter_map(|q| desk.found.iter().find(|f| f.label == q.label));
+    Ok(found.map(|f| ByHand { label: f.label, eom: rough(f.eom), energy: rough(f.energy) }).collect())
+}
