@@ -240,9 +240,23 @@ pub struct Grade {
     /// Which column is which, such as student="Email Address"; may be repeated
     #[arg(long, value_name = "FIELD=HEADER")]
     pub columns: Vec<String>,
+    /// Reports, feedback for each student, gradebooks for Canvas and Moodle, matches (also: slipstick report, slipstick matches)
+    #[arg(long, value_enum, default_value = "auto")]
+    pub reports: Reports,
     /// Replace an earlier grading
     #[arg(long)]
     pub force: bool,
+}
+
+/// Are reports made with the grades?
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum Reports {
+    /// Up to 300,000 answers.
+    Auto,
+    /// Always.
+    Yes,
+    /// Never.
+    No,
 }
 
 /// `report`

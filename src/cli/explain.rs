@@ -268,7 +268,13 @@ impl Desk<'_> {
                         unit.text_with(&shown(*value)),
                         road(entry.eom),
                         road(entry.energy),
-                        entry.gap.map_or_else(|| "unknown".to_owned(), |g| format!("{g:.0e}")),
+                        entry.gap.map_or_else(
+                            || "unknown".to_owned(),
+                            |g| match g > 0.0 {
+                                true => format!("{g:.0e}"),
+                                false => "0".to_owned(),
+                            }
+                        ),
                         entry.cond.map_or_else(|| "unknown".to_owned(), |c| words::rounded(c, 3)),
                         entry.bound.map_or_else(String::new, |b| format!(
                             "; the true answer lies within {:.0e} of it, proved",
@@ -313,9 +319,12 @@ impl Desk<'_> {
                     let _ = write!(text, ", {}", word.as_str());
                 }
                 if judged.number.is_finite() {
-                    let asked =
-                        entry.unit.text_with(&words::rounded(entry.unit.from_si(judged.number), FIGURES));
-                    let _ = write!(text, ", that is {asked} ({} SI)", words::rounded(judged.number, FIGURES));
+                    let (asked, si) = (entry.unit.from_si(judged.number), judged.number);
+                    let _ =
+                        write!(text, ", that is {}", entry.unit.text_with(&words::rounded(asked, FIGURES)));
+                    if (asked - si).abs() > 1e-12 * si.abs() {
+                        let _ = write!(text, " ({} in SI)", words::rounded(si, FIGURES));
+                    }
                     if let Answer::Number { value, .. } = entry.answer
                         && value != 0.0
                     {
@@ -329,7 +338,10 @@ impl Desk<'_> {
             }
             Reading::Blank | Reading::Unreadable(_) => {}
         }
-        let _ = write!(text, ". {}: {}", sentence(row.verdict.as_str()), row.reason);
+        let _ = match row.verdict {
+            Verdict::Superseded => write!(text, ". {}", sentence(&row.reason)),
+            verdict => write!(text, ". {}: {}", sentence(verdict.as_str()), row.reason),
+        };
         page.say(2, &text);
     }
 

@@ -4,10 +4,13 @@ use crate::bank::Bank;
 use crate::bank::load;
 use crate::cli::args;
 use crate::cli::args::Attempts;
+use crate::cli::args::Own;
+use crate::cli::args::Reports;
 use crate::cli::banks;
 use crate::cli::files;
 use crate::cli::files::Staged;
 use crate::cli::generate;
+use crate::cli::report;
 use crate::cli::tell;
 use crate::cli::tell::Exit;
 use crate::cli::tell::Io;
@@ -78,6 +81,8 @@ pub struct Job<'j> {
     pub columns: &'j [String],
     /// Language of the reasons; that of the set if not given.
     pub language: Option<&'j str>,
+    /// Are reports made, too?
+    pub reports: Reports,
     /// Replace an earlier grading.
     pub force: bool,
     /// Does a person watch?
@@ -100,6 +105,7 @@ pub fn run(args: &args::Grade, io: &mut Io) -> Exit {
         course: args.course.as_deref(),
         columns: &args.columns,
         language: args.language.as_deref(),
+        reports: args.reports,
         force: args.force,
         watched: io.watched,
     };
@@ -181,7 +187,17 @@ pub fn grade(job: &Job, input: &mut dyn BufRead) -> Result<Graded, Vec<Finding>>
     let text = |name: &str| files::read_text(&job.set.join(name)).map_err(|f| vec![f]);
     let (set_text, bank_text, key_text) = (text("set.json")?, text(&set.bank.file)?, text("key.csv")?);
     let made = make(job, Basis { set, bank, keys, set_text, bank_text, key_text }, input)?;
-    let summary = summary(&made.table, &made.graded);
+    let mut summary = summary(&made.table, &made.graded);
+    let out = job.out.display().to_string();
+    match made.reports()? {
+        Some(report) => summary.push_str(&format!("\n{}", report.told(&out))),
+        None if job.reports == Reports::Auto => {
+            summary.push_str(&format!(
+                "\n  So many answers: for reports and feedback run `slipstick report {out}`."
+            ));
+        }
+        None => {}
+    }
     made.finish()?;
     Ok(Graded { summary })
 }
@@ -210,7 +226,11 @@ pub struct Made {
     graded: run::Graded,
     policy: Policy,
     grading: Grading,
+    reports: Reports,
 }
+
+/// Up to so many answers, reports are made with the grades.
+const REPORTED: u64 = 300_000;
 
 impl Made {
     /// Where it lies until it is put in its place.
@@ -224,6 +244,24 @@ impl Made {
     /// What it was made from.
     pub fn grading(&self) -> &Grading {
         &self.grading
+    }
+    /// Makes the reports, if there are to be any: what stands out.
+    ///
+    /// # Errors
+    /// A file cannot be written.
+    pub fn reports(&self) -> Result<Option<report::Summary>, Vec<Finding>> {
+        let made = match self.reports {
+            Reports::Yes => true,
+            Reports::No => false,
+            Reports::Auto => self.graded.cells <= REPORTED,
+        };
+        if !made {
+            return Ok(None);
+        }
+        let folder = self.staged.path();
+        let own = Own { templates: None, language: Some(self.grading.language.clone()) };
+        let reported = report::make(folder, folder, &own, None).map_err(|f| self.staged.named(f))?;
+        Ok(Some(reported))
     }
     /// Puts it in its place.
     ///
@@ -327,7 +365,7 @@ pub fn make(job: &Job, basis: Basis, input: &mut dyn BufRead) -> Result<Made, Ve
         unused_columns: graded.unused_columns.clone(),
     };
     put(GRADING, grading.text().as_bytes())?;
-    Ok(Made { staged, out: job.out.to_owned(), table, graded, policy, grading })
+    Ok(Made { staged, out: job.out.to_owned(), table, graded, policy, grading, reports: job.reports })
 }
 
 /// The settings that bear on marks: those of the bank, over them those of a course (name and text of its file), over them

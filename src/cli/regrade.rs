@@ -1,6 +1,7 @@
 //! `slipstick regrade`: the same answers by a changed bank or course, as a diff; the old grading stays as it is.
 use crate::bank::Bank;
 use crate::cli::args;
+use crate::cli::args::Reports;
 use crate::cli::banks;
 use crate::cli::files;
 use crate::cli::generate;
@@ -77,6 +78,7 @@ impl Done {
         match self.out {
             None => Ok("Nothing was written (--dry-run).\n".to_owned()),
             Some(out) => {
+                self.made.reports()?;
                 self.made.finish()?;
                 Ok(format!(
                     "Written to {}, all changes in {}/{}; {} is as it was.\n",
@@ -133,6 +135,7 @@ fn regrade(args: &args::Regrade, input: &mut dyn BufRead, watched: bool) -> Resu
         course: course.as_deref(),
         columns,
         language: Some(language),
+        reports: Reports::Auto,
         force: false,
         watched,
     };

@@ -7,6 +7,8 @@ use crate::cli::files;
 use crate::cli::files::Staged;
 use crate::cli::generate;
 use crate::cli::grade;
+use crate::cli::graded;
+use crate::cli::matches;
 use crate::cli::output;
 use crate::cli::tell;
 use crate::cli::tell::Exit;
@@ -45,8 +47,8 @@ use std::path::Path;
 use std::path::PathBuf;
 
 /// What a report makes, in the folder of the grades or in one of its own.
-pub const MADE: [&str; 5] =
-    ["report.html", "tables", "feedback", "gradebook-canvas.csv", "gradebook-moodle.csv"];
+pub const MADE: [&str; 6] =
+    ["report.html", "tables", "feedback", "gradebook-canvas.csv", "gradebook-moodle.csv", matches::MATCHES];
 
 /// Runs it.
 pub fn run(args: &args::Report, io: &mut Io) -> Exit {
@@ -71,6 +73,8 @@ pub struct Summary {
     pub tables: usize,
     /// What stands out.
     pub lines: Vec<String>,
+    /// Whose answers the wrong ones are, in a sentence.
+    pub matches: String,
 }
 
 impl Summary {
@@ -82,7 +86,7 @@ impl Summary {
             tell::count(self.students, "student"),
             self.tables
         );
-        for line in &self.lines {
+        for line in self.lines.iter().chain([&self.matches]) {
             text.push_str(&format!("\n  {line}"));
         }
         text
@@ -152,6 +156,9 @@ pub fn make(graded: &Path, out: &Path, own: &Own, threads: Option<usize>) -> Res
     let write = |name: &str, bytes: &[u8]| fs::write(out.join(name), bytes).map_err(|e| written(name, &e));
     let folder = |name: &str| fs::create_dir(out.join(name)).map_err(|e| written(name, &e));
 
+    let found = matches::find(&graded::open(graded, None)?)?;
+    write(matches::MATCHES, &found.csv())?;
+
     // The class report is in English, for the instructor.
     let english = crate::words::Words::english();
     let mut converter = Converter::new(&english);
@@ -161,6 +168,7 @@ pub fn make(graded: &Path, out: &Path, own: &Own, threads: Option<usize>) -> Res
         &study,
         &about,
         &Catalogue::built_in(),
+        &found,
         &Templates::english(),
         &mut |markdown| inline(&mut converter, markdown),
     )
@@ -225,6 +233,7 @@ pub fn make(graded: &Path, out: &Path, own: &Own, threads: Option<usize>) -> Res
         took_part: study.took_part.len(),
         tables: told.tables.len(),
         lines: told.summary,
+        matches: found.summary(),
     })
 }
 
