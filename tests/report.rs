@@ -433,7 +433,7 @@ fn a_class_of_five_gets_no_statistics_that_mean_nothing() {
     let page = graded.text("grades/report.html");
     valid(&page, "en");
     assert!(page.contains("alpha is not given") && page.contains("too few"), "{page}");
-    assert!(page.contains("Discrimination is not given") && page.contains("below 20 nothing is said"));
+    assert!(page.contains("Discrimination is not given") && page.contains("fewer than 20 students"));
     assert!(graded.rows("grades/tables/parts.csv").iter().all(|r| r["discrimination"].is_empty()));
     assert!(!graded.path("grades/tables/fairness.csv").exists());
     // `grade` makes the same by itself.
@@ -472,8 +472,11 @@ fn feedback_tells_what_lateness_attempts_and_corrections_did() {
     assert!(told[..4].iter().all(|n| *n > 0) && told[4] == 0, "{told:?}");
     for row in graded.rows("grades/gradebook-moodle.csv") {
         let mine = book.iter().find(|r| r["student"] == row["ID number"]).unwrap();
-        assert_eq!(row["wheels-on-inclines"], mine["total"]);
+        // Not everybody can get the same number of points, as different problems are dropped.
+        let share = 100.0 * number(&mine["total"]) / number(&mine["max_total"]);
+        assert!((number(&row["wheels-on-inclines %"]) - share).abs() <= 0.005 + 1e-9, "{row:?}");
     }
+    assert!(graded.text("grades/gradebook-canvas.csv").contains("\nPoints Possible,,,,,100\n"));
     let page = graded.text("grades/report.html");
     valid(&page, "en");
     for said in ["2026-03-01 13:00 (UTC)", "the figure was wrong; sorry", "the weakest problem", "SHA-256"] {
