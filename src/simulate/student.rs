@@ -111,7 +111,9 @@ impl<'h> Student<'h> {
                     let idea = if sure { self.right(&part) } else { self.idea(&part, &mut memory) };
                     let cell = self.write(&part, &idea);
                     let verdict = cell.verdict(part.entry());
-                    let wrong = verdict.starts_with("wrong").then(|| cell.si(&part.entry().unit)).flatten();
+                    // A number with a unit of another kind leads nowhere.
+                    let leads = matches!(verdict, "wrong" | "wrong direction");
+                    let wrong = leads.then(|| cell.si(&part.entry().unit)).flatten();
                     memory.wrong.retain(|(p, _)| *p != index);
                     memory.wrong.extend(wrong.map(|x| (index, x)));
                     let truth = truth(idea, verdict);
