@@ -57,15 +57,13 @@ impl Room {
         room.write("roster.csv", &format!("student,name\n{rows}"));
         let ran = run(&[
             "generate",
-            "wheels-on-inclines",
+            concat!(env!("CARGO_MANIFEST_DIR"), "/tests/regrade/wheel.yaml"),
             "--roster",
             &room.path("roster.csv"),
             "--seed",
             "7",
             "--name",
             "week",
-            "--problems",
-            "pulled-rolling",
             "--out",
             &room.path("set"),
         ]);
@@ -178,7 +176,7 @@ fn a_wider_tolerance_is_a_diff() {
     assert_eq!(ran.exit, Exit::Fine, "{}", ran.err);
     insta::assert_snapshot!(room.shown(&ran.out), @r#"
 ROOM/grades regraded
-  bank: ROOM/bank.yaml, 5576f30ecc52… in place of c77c42da7406…; sheets keep their data, the key is solved anew
+  bank: ROOM/bank.yaml, a1bfc625020c… in place of 1a2fd9c7c8f8…; sheets keep their data, the key is solved anew
   1.omega: tolerance 1 % -> 2 %
   part     gain  lose  points  why
   1.omega     1     0      +1  tolerance 1
@@ -230,6 +228,14 @@ student,problem,part,points_before,points_after,verdict_before,verdict_after,why
 fn a_part_is_corrected_for_all() {
     let room = Room::new();
     room.answers();
+    // One of them gives no answer to it.
+    let answers: String = room
+        .read("answers.csv")
+        .lines()
+        .filter(|l| !l.starts_with("0031,1,v,"))
+        .map(|l| format!("{l}\n"))
+        .collect();
+    room.write("answers.csv", &answers);
     room.grade(&[]);
     room.write(
         "course.yaml",
@@ -239,24 +245,34 @@ fn a_part_is_corrected_for_all() {
     assert_eq!(ran.exit, Exit::Fine, "{}", ran.err);
     insta::assert_snapshot!(room.shown(&ran.out), @r#"
 ROOM/grades regraded
-  bank: as before (c77c42da7406…)
+  bank: as before (1a2fd9c7c8f8…)
   course: ROOM/course.yaml
   correction: all get at least 100 % of 1.v: ambiguous
   settings that differ: credit
   part  gain  lose  points  why
-  1.v      3     0    +1.5  correction 3
-  3 of 6 students gain, 0 lose; mean of totals 1.25 -> 1.50
+  1.v      4     0    +2.5  correction 4
+  4 of 6 students gain, 0 lose; mean of totals 1.08 -> 1.50
   0044  Name of 0044  0.5 -> 1  +0.5  1.v +0.5 (correction)
   0058  Name of 0058  0.5 -> 1  +0.5  1.v +0.5 (correction)
   0062  Name of 0062  0.5 -> 1  +0.5  1.v +0.5 (correction)
+  0031  Name of 0031    1 -> 2    +1  1.v +1 (correction)
 Written to ROOM/new, all changes in ROOM/new/changes.csv; ROOM/grades is as it was.
 "#);
+    // Who handed in nothing gets the points too.
     insta::assert_snapshot!(room.read("new/changes.csv"), @r#"
 student,problem,part,points_before,points_after,verdict_before,verdict_after,why
+0031,1,v,,1,,,correction: ambiguous
 0044,1,v,0.5,1,wrong,wrong,correction: ambiguous
 0058,1,v,0.5,1,wrong,wrong,correction: ambiguous
 0062,1,v,0.5,1,wrong,wrong,correction: ambiguous
 "#);
+    let ran = run(&["explain", &room.path("new"), "31", "1.v"]);
+    assert!(ran.out.contains("1.v: no answer, 1 of 1 points by a correction"), "{}", ran.out);
+    assert!(
+        ran.out.contains("regraded: before no answer, now 1 points without an answer: correction: ambiguous"),
+        "{}",
+        ran.out
+    );
 }
 
 #[test]
@@ -292,7 +308,7 @@ error: ROOM/bank.yaml: problems.pulled-rolling: with the data of 0062: the relat
     assert_eq!(ran.exit, Exit::Fine, "{}", ran.err);
     insta::assert_snapshot!(room.shown(&ran.out), @r#"
 ROOM/grades regraded
-  bank: ROOM/bank.yaml, 1e43a1f01429… in place of c77c42da7406…; sheets keep their data, the key is solved anew
+  bank: ROOM/bank.yaml, f68844e7a69e… in place of 1a2fd9c7c8f8…; sheets keep their data, the key is solved anew
   1.omega: another key for 6 of 6 students, by up to 77.65 %
   1.v: another key for 6 of 6 students, by up to 28.17 %
   1.friction: another key for 6 of 6 students, by up to 71.742 %
@@ -334,7 +350,7 @@ fn what_no_longer_fits_is_found() {
         // What happens on nobody's sheet.
         ("regimes: [moves_up]", "regimes: [moves_down]"),
         // Another problem.
-        ("  pulled-rolling:\n", "  pulled-rolls:\n"),
+        ("  pulled-rolling:\n", "  pulled-wheel:\n"),
     ] {
         room.change(&[(from, to)]);
         let ran = room.regrade(&["--bank", &bank, "--out", &room.path("new")]);
@@ -369,7 +385,7 @@ error: ROOM/bank.yaml: problems.pulled-rolling: with the data of 0062: another m
 
 Faulty
 error: ROOM/bank.yaml: problems: the bank has no problem `pulled-rolling`
-    hint: its problems: kinetic-energy, pulled-rolls, pulled-slipping, spring-released
+    hint: its problems: pulled-wheel
 "#);
 }
 
@@ -425,7 +441,7 @@ error: ROOM/grades: problem 1 (pulled-rolling) has no part `omga`
     hint: did you mean `omega`?
 
 Fine
-warning: ROOM/answers.csv has 43 bytes, the old grading was made from 262: changes may come from other answers too
+warning: answers.csv has 43 bytes, the old grading was made from 262: changes may come from other answers too
 
 Faulty
 error: ROOM/grades/basis/bank.yaml: is not the bank by which this was graded: its SHA-256 is another
@@ -464,10 +480,10 @@ Data on the sheet
   tolerance: 1 % of the key, which is 0.17440 rad/s to either side: right is what lies from
       17.2659575 to 17.6147647
   attempts, in the order of the file:
-    line 4: `17.51012`, read as 17.51012 without unit, so rad/s, that is 17.5101200 rad/s
-        (17.5101200 SI), +0.400 % from the key. Right: within the tolerance
-    line 14: `199.9 rpm`, read as 199.9 in rpm, that is 20.9334790 rad/s (20.9334790 SI), +20.0 %
-        from the key. Superseded by line 4; would have been wrong
+    line 4: `17.51012`, read as 17.51012 without unit, so rad/s, that is 17.5101200 rad/s, +0.400 %
+        from the key. Right: within the tolerance
+    line 14: `199.9 rpm`, read as 199.9 in rpm, that is 20.9334790 rad/s, +20.0 % from the key.
+        Superseded by line 4; would have been wrong
   which counts: the one with the most points; that is line 4
   points: 1 for a right answer; together 1
 
@@ -478,8 +494,8 @@ Data on the sheet
   tolerance: 1 % of the key, which is 0.024417 m/s to either side: right is what lies from
       2.41723405 to 2.46606706
   attempts, in the order of the file:
-    line 5: `2.45142`, read as 2.45142 without unit, so m/s, that is 2.45142000 m/s (2.45142000 SI),
-        +0.400 % from the key. Right: within the tolerance
+    line 5: `2.45142`, read as 2.45142 without unit, so m/s, that is 2.45142000 m/s, +0.400 % from
+        the key. Right: within the tolerance
   points: 1 for a right answer; together 1
 
 1.friction: 0 of 2 points, unreadable
@@ -520,11 +536,11 @@ Data on the sheet
 
 What it was graded with
   slipstick 0.1.0, draw version 3; set week from seed 7
-  bank wheels-on-inclines, SHA-256 c77c42da7406f96c7987fa554358cff48e742662763f0dd1cd324c506f56dde7
+  bank one-wheel, SHA-256 1a2fd9c7c8f8999d941fe2fc93f5f09c5b98215c9fc3e9e353d7c23ceb374f7d
   key, SHA-256 d97257deb3e29d01b53a345362a1bb49aa7b5eca64ed3a334025dd6774290468; solved anew for
       this text, and the same
   course, SHA-256 6774c14141fb11c387157d62401bb3d51daa38446109ee2c8be51eabbf67fe61
-  submissions: ROOM/answers.csv, 325 bytes
+  submissions: answers.csv, 325 bytes
 "#);
 }
 
