@@ -558,7 +558,7 @@ fn copied_answers_are_found_and_told_to_nobody_else() {
     let ran = run(&["matches", &room.path("grades")]);
     assert_eq!(ran.exit, Exit::Fine, "{}", ran.err);
     insta::assert_snapshot!(room.shown(&ran.out), @r#"
-7 wrong answers in numbers were held against classmates' keys, 3 of them with no other explanation: 1 pair stands out. Among honest students luck alone makes a pair stand out in one set of 100.
+7 wrong answers in numbers held against classmates' keys, 3 of them with no other explanation: 1 pair stands out. Among honest students luck alone makes a pair stand out in one set of 100.
   look  student  key of  parts                  answers                    chance  by luck  other explanation
   yes   0062     0023    1.omega 1.v 1.k_bound  17.4404 | 2.4417 | 0.3199    4e-5     2e-4  1.omega: A01
   A match accuses nobody: sheets get swapped, friends compute with one set of data, a form is filled in for another.
@@ -568,4 +568,12 @@ fn copied_answers_are_found_and_told_to_nobody_else() {
 look,student,classmate,parts,answers,chance,expected_by_luck,other_explanation
 yes,0062,0023,1.omega 1.v 1.k_bound,17.4404 | 2.4417 | 0.3199,4.5e-5,2.2e-4,1.omega: A01
 "#);
+    // The class report shows the pair to the instructor; what students get knows nothing of it.
+    assert!(room.read("grades/report.html").contains("0023 (Name of 0023)"));
+    let feedback = tree(Path::new(&room.path("grades/feedback")));
+    assert!(feedback.len() >= 2 * STUDENTS.len());
+    for (name, bytes) in feedback.iter().filter(|(name, _)| name.contains("0062")) {
+        let text = String::from_utf8_lossy(bytes);
+        assert!(!text.contains("0023") && !text.contains("classmate"), "{name}: {text}");
+    }
 }
