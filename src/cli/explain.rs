@@ -371,7 +371,7 @@ impl Desk<'_> {
                 let shown = words::rounded(entry.unit.from_si(w.value), FIGURES);
                 format!(" (which comes to {})", entry.unit.text_with(&shown))
             });
-            let told = catalogue.get(id).map_or_else(String::new, |e| format!(": {}. {}", e.did, e.see));
+            let told = catalogue.get(id).map_or_else(String::new, |e| format!(": {} {}", e.did, e.see));
             page.say(1, &format!("fits the wrong method {id}{comes}{told}"));
         }
         if let Some(slip) = slip(&row.slip) {

@@ -182,7 +182,12 @@ mod tests {
 
     #[test]
     fn confused_units_are_of_the_dimensions_that_are_asked() {
-        for (pairs, dimension) in [(&CONFUSED[..2], RATE), (&CONFUSED[2..], ANGLE)] {
+        for (pairs, dimension) in [
+            (&CONFUSED[..3], RATE),
+            (&CONFUSED[3..5], ANGLE),
+            (&CONFUSED[5..6], SPEED),
+            (&CONFUSED[6..], TIME),
+        ] {
             for (from, to, factor) in pairs {
                 let (from, to) = (Unit::parse(from).unwrap(), Unit::parse(to).unwrap());
                 assert_eq!((from.dimension(), to.dimension()), (dimension, dimension));

@@ -40,7 +40,8 @@ fn signed_quantity(text: &[u8]) -> bool {
         at += 2 + digits(more);
     }
     let unit = rest[at..].trim_ascii_start();
-    unit == b"%"
+    unit.is_empty()
+        || unit == b"%"
         || (unit.first().is_some_and(|b| b.is_ascii_alphabetic() || !b.is_ascii())
             && unit.iter().enumerate().all(|(i, b)| match b {
                 b'.' | b' ' | b'/' | b'^' => true,

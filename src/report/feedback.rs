@@ -195,30 +195,26 @@ impl Desk<'_> {
             return Vec::new();
         }
         let explains = self.hints == Hints::Explain;
-        let mut told: Vec<String> = Vec::new();
+        let mut told: Vec<Vec<String>> = Vec::new();
+        let several = row.methods.len() > 1;
         for entry in row.methods.iter().filter_map(|id| self.catalogue.get(id)) {
-            let hint = self.words.say("marks.hint", &[("hint", &entry.hint)]);
-            let text = if explains {
+            let mut lines = Vec::new();
+            if explains {
                 let did = self.words.say("marks.did", &[("did", &entry.did)]);
-                let see = self.words.say("marks.see", &[("see", &entry.see)]);
-                format!("{did} {see} {hint}")
-            } else {
-                hint
-            };
-            if !told.contains(&text) {
-                told.push(text);
+                lines.push(if several { entry.did.clone() } else { did });
+                lines.push(self.words.say("marks.see", &[("see", &entry.see)]));
+            }
+            lines.push(self.words.say("marks.hint", &[("hint", &entry.hint)]));
+            if !told.contains(&lines) {
+                told.push(lines);
             }
         }
-        let mut lines = match told.len() {
-            0 | 1 => told,
-            _ => {
-                let mut lines = vec![self.words.get("marks.one_of").to_owned()];
-                // A list within the list; its items stand one below the other.
-                let items: Vec<String> =
-                    told.iter().enumerate().map(|(i, t)| format!("{}. {t}", i + 1)).collect();
-                lines.push(items.join("\n  "));
-                lines
-            }
+        let mut lines = if told.len() < 2 {
+            told.concat()
+        } else {
+            // A list within the list; its items stand one below the other.
+            let items = told.iter().enumerate().map(|(i, t)| format!("{}. {}", i + 1, t.join(" ")));
+            vec![self.words.get("marks.one_of").to_owned(), items.collect::<Vec<_>>().join("\n  ")]
         };
         lines.extend(self.slip(row, student, part, explains));
         lines
