@@ -97,5 +97,9 @@ fn changed(
         *taken.get_mut(*index)? = if degrees { value.to_degrees() } else { value };
     }
     let road = agree::quick(scene, &taken).ok()?;
+    // A swing that would never get there has no answer, whatever holds where it ends instead.
+    if scene.pinned().is_some() && road.course.as_ref().is_some_and(|c| !c.reached) {
+        return None;
+    }
     Some(road.said.iter().map(|s| (s.label, s.value.f64())).collect())
 }
