@@ -1,6 +1,6 @@
 //! Rosters, and student ids as names of folders.
 use crate::answer::submissions::Batch;
-use crate::answer::submissions::Record;
+use crate::answer::submissions::Scratch;
 use crate::answer::submissions::Source;
 use crate::finding::Finding;
 use rustc_hash::FxHashMap;
@@ -38,9 +38,9 @@ pub fn roster(bytes: &[u8]) -> Result<Vec<(String, String)>, Vec<Finding>> {
     };
     let mut all: Vec<(String, String)> = Vec::new();
     let mut seen: FxHashMap<String, u64> = FxHashMap::default();
-    let (mut batch, mut record) = (Batch::default(), Record::default());
+    let (mut batch, mut scratch) = (Batch::default(), Scratch::default());
     while source.next_batch(&mut batch).map_err(unread)? {
-        batch.records(&mut record, &mut |r| {
+        batch.records(&mut scratch, |r| {
             let line = r.line();
             let text = |i: usize| String::from_utf8_lossy(r.get(i).unwrap_or_default()).trim().to_owned();
             let empty = |from: usize| (from..r.len()).all(|i| text(i).is_empty());

@@ -12,6 +12,7 @@ use encoding_rs::WINDOWS_1252;
 use std::borrow::Cow;
 use std::io;
 use std::io::Read;
+use std::ops::Range;
 
 /// A field longer than this cannot be read.
 pub const FIELD_CAP: usize = 64 * 1024;
@@ -38,6 +39,32 @@ struct Shape {
     delimiter: u8,
     /// Fields of the header; 0 where they are not known.
     width: usize,
+}
+
+/// Places of delimiters and of LF, in order; eight bytes at a time.
+fn find_marks(data: &[u8], delimiter: u8, marks: &mut Vec<u32>) {
+    const ONES: u64 = 0x0101_0101_0101_0101;
+    const LOW: u64 = 0x7f7f_7f7f_7f7f_7f7f;
+    marks.clear();
+    // The high bit of each byte that is zero, and no other.
+    let zeros = |x: u64| !(((x & LOW) + LOW) | x | LOW);
+    let (delimiters, ends) = (ONES * u64::from(delimiter), ONES * u64::from(b'\n'));
+    let mut words = data.chunks_exact(8);
+    let mut base = 0u32;
+    for word in &mut words {
+        let word = word.try_into().map_or(0, u64::from_le_bytes);
+        let mut hits = zeros(word ^ delimiters) | zeros(word ^ ends);
+        while hits != 0 {
+            marks.push(base + (hits.trailing_zeros() >> 3));
+            hits &= hits - 1;
+        }
+        base += 8;
+    }
+    for (i, b) in (base..).zip(words.remainder()) {
+        if *b == delimiter || *b == b'\n' {
+            marks.push(i);
+        }
+    }
 }
 
 /// Where a record ends, where the next one begins, and how many lines it took.
@@ -220,14 +247,24 @@ pub struct Batch {
     pub number: u64,
 }
 
-/// Fields of a record, reused from record to record.
-#[derive(Debug, Default)]
-pub struct Record {
+/// One record: its line and its fields.
+#[derive(Debug, Clone, Copy)]
+pub struct Record<'b> {
     line: u64,
-    text: Vec<u8>,
-    ends: Vec<(usize, usize)>,
+    /// What the fields are cut from: the record, or all of a simple batch.
+    text: &'b [u8],
+    ends: &'b [(usize, usize)],
     fault: Option<RecordFault>,
     open: bool,
+}
+
+/// What reading records needs, kept from batch to batch.
+#[derive(Debug, Default)]
+pub struct Scratch {
+    text: Vec<u8>,
+    ends: Vec<(usize, usize)>,
+    /// Delimiters and line ends of a simple batch.
+    marks: Vec<u32>,
 }
 
 /// Why the bytes of a record cannot be read.
@@ -239,7 +276,7 @@ pub enum RecordFault {
     TooLong,
 }
 
-impl Record {
+impl<'b> Record<'b> {
     /// Line of the file on which it begins, from 1.
     pub fn line(&self) -> u64 {
         self.line
@@ -254,7 +291,7 @@ impl Record {
     }
     /// A field, without quotes.
     #[inline]
-    pub fn get(&self, index: usize) -> Option<&[u8]> {
+    pub fn get(&self, index: usize) -> Option<&'b [u8]> {
         self.ends.get(index).map(|(a, b)| &self.text[*a..*b])
     }
     /// Why it cannot be read.
@@ -289,103 +326,123 @@ impl Record {
 
 impl Batch {
     /// Calls `each` for every record; blank lines are passed over.
-    pub fn records(&self, record: &mut Record, each: &mut dyn FnMut(&Record)) {
+    pub fn records(&self, scratch: &mut Scratch, mut each: impl FnMut(&Record)) {
         let utf8 = std::str::from_utf8(&self.bytes).is_ok();
         let nul = memchr::memchr(0, &self.bytes).is_some();
+        let Scratch { text, ends, marks } = scratch;
         let mut line = self.line;
         if self.overlong {
-            record.line = line;
-            record.open = false;
-            record.text.clear();
-            record.text.extend_from_slice(String::from_utf8_lossy(&self.bytes).as_bytes());
-            record.ends.clear();
-            record.ends.push((0, record.text.len()));
-            record.fault = Some(RecordFault::TooLong);
-            each(record);
-            return;
+            text.clear();
+            text.extend_from_slice(String::from_utf8_lossy(&self.bytes).as_bytes());
+            ends.clear();
+            ends.push((0, text.len()));
+            return each(&Record { line, text, ends, fault: Some(RecordFault::TooLong), open: false });
         }
         let data = &self.bytes;
+        let text_alone = utf8 && !nul && !self.decoded;
         let mut at = 0;
         while at < data.len() {
-            record.line = line;
-            record.ends.clear();
-            record.text.clear();
-            record.fault = None;
-            record.open = false;
-            if self.simple {
-                let stop = memchr::memchr(b'\n', &data[at..]).map_or(data.len(), |k| at + k);
-                let mut raw = &data[at..stop];
-                if let [rest @ .., b'\r'] = raw {
-                    raw = rest;
-                }
-                at = stop + 1;
-                line += 1;
-                if raw.is_empty() {
+            if text_alone {
+                // Lines before the next quote need no care.
+                let plain = if self.simple { data.len() } else { at + plain_lines(&data[at..]) };
+                if plain > at {
+                    line = self.simple_records(at..plain, line, marks, ends, &mut each);
+                    at = plain;
                     continue;
                 }
-                if utf8 && !nul {
-                    record.text.extend_from_slice(raw);
-                    let mut start = 0;
-                    if raw.len() < 256 {
-                        for (i, b) in raw.iter().enumerate() {
-                            if *b == self.shape.delimiter {
-                                record.ends.push((start, i));
-                                start = i + 1;
-                            }
-                        }
-                    } else {
-                        for i in memchr::memchr_iter(self.shape.delimiter, raw) {
-                            record.ends.push((start, i));
-                            start = i + 1;
-                        }
-                        self.check(record);
-                    }
-                    record.ends.push((start, raw.len()));
-                    if self.decoded || raw.len() > FIELD_CAP {
-                        self.check(record);
-                    }
-                } else {
-                    self.careful(raw, record);
-                }
-                each(record);
-                continue;
             }
-            let mut ignore = |_: Span| {};
-            let Some(walked) = walk(data, at, self.shape, true, &mut ignore) else { break };
+            let walked = if self.simple {
+                let stop = memchr::memchr(b'\n', &data[at..]).map_or(data.len(), |k| at + k);
+                let end = if stop > at && data[stop - 1] == b'\r' { stop - 1 } else { stop };
+                Walked { end, next: stop + 1, lines: 1 }
+            } else {
+                let Some(walked) = walk(data, at, self.shape, true, &mut |_| {}) else { break };
+                walked
+            };
             let raw = &data[at..walked.end];
+            if !raw.is_empty() {
+                let (fault, open) = self.careful(raw, text, ends);
+                each(&Record { line, text, ends, fault, open });
+            }
             at = walked.next;
             line += walked.lines;
-            if !raw.is_empty() {
-                self.careful(raw, record);
-                each(record);
+        }
+    }
+
+    /// The records of a part of a batch in which every delimiter and every line end is one: no quote, no byte that is no
+    /// text. Gives the line behind it.
+    #[inline]
+    fn simple_records(
+        &self,
+        part: Range<usize>,
+        mut line: u64,
+        marks: &mut Vec<u32>,
+        ends: &mut Vec<(usize, usize)>,
+        each: &mut impl FnMut(&Record),
+    ) -> u64 {
+        let text = &self.bytes[part];
+        find_marks(text, self.shape.delimiter, marks);
+        // The last line may have no end.
+        if text.last() != Some(&b'\n') {
+            marks.push(u32::try_from(text.len()).unwrap_or(u32::MAX));
+        }
+        ends.clear();
+        let (mut begin, mut start) = (0, 0);
+        for mark in marks.iter().map(|m| *m as usize) {
+            if text.get(mark).is_some_and(|b| *b != b'\n') {
+                ends.push((start, mark));
+                start = mark + 1;
+                continue;
             }
+            let end = if mark > start && text[mark - 1] == b'\r' { mark - 1 } else { mark };
+            if end > begin {
+                ends.push((start, end));
+                let mut fault = None;
+                if end - begin >= 256 {
+                    self.check(&text[begin..end], ends, &mut fault);
+                }
+                each(&Record { line, text, ends, fault, open: false });
+            }
+            ends.clear();
+            line += 1;
+            start = mark + 1;
+            begin = start;
         }
+        line
     }
 
-    /// Splits one record with quotes or odd bytes.
-    fn careful(&self, raw: &[u8], record: &mut Record) {
-        let text = decoded(raw);
-        let text = text.as_ref();
-        let mut spans = Vec::new();
-        walk(text, 0, self.shape, true, &mut |span| spans.push(span));
-        for span in spans {
-            record.open |= span.open;
-            let start = record.text.len();
-            record.text.extend_from_slice(&unquoted(text, span));
-            record.ends.push((start, record.text.len()));
-        }
-        self.check(record);
+    /// Splits one record with quotes or odd bytes: its fault, and whether a quote is left open.
+    fn careful(
+        &self,
+        raw: &[u8],
+        text: &mut Vec<u8>,
+        ends: &mut Vec<(usize, usize)>,
+    ) -> (Option<RecordFault>, bool) {
+        let raw = decoded(raw);
+        let raw = raw.as_ref();
+        text.clear();
+        ends.clear();
+        let mut open = false;
+        walk(raw, 0, self.shape, true, &mut |span| {
+            open |= span.open;
+            let start = text.len();
+            text.extend_from_slice(&unquoted(raw, span));
+            ends.push((start, text.len()));
+        });
+        let mut fault = None;
+        self.check(text, ends, &mut fault);
+        (fault, open)
     }
 
-    fn check(&self, record: &mut Record) {
-        if record.ends.iter().any(|(a, b)| b - a > FIELD_CAP) {
-            record.fault = Some(RecordFault::TooLong);
-        } else if record.text.contains(&0)
-            || (self.decoded && memchr::memmem::find(&record.text, "\u{fffd}".as_bytes()).is_some())
+    fn check(&self, text: &[u8], ends: &[(usize, usize)], fault: &mut Option<RecordFault>) {
+        if ends.iter().any(|(a, b)| b - a > FIELD_CAP) {
+            *fault = Some(RecordFault::TooLong);
+        } else if memchr::memchr(0, text).is_some()
+            || (self.decoded && memchr::memmem::find(text, "\u{fffd}".as_bytes()).is_some())
             // Windows-1252 leaves five bytes undefined; they come out as controls U+0081..U+009D
-            || record.text.windows(2).any(|w| w[0] == 0xc2 && matches!(w[1], 0x81 | 0x8d | 0x8f | 0x90 | 0x9d))
+            || text.windows(2).any(|w| w[0] == 0xc2 && matches!(w[1], 0x81 | 0x8d | 0x8f | 0x90 | 0x9d))
         {
-            record.fault = Some(RecordFault::Bytes);
+            *fault = Some(RecordFault::Bytes);
         }
     }
 
@@ -585,6 +642,9 @@ impl Source {
     /// # Errors
     /// Those of the reader.
     pub fn next_batch(&mut self, batch: &mut Batch) -> io::Result<bool> {
+        if !self.skipping && self.decoder.is_none() && self.next_simple(batch)? {
+            return Ok(true);
+        }
         loop {
             self.fill(LOOKAHEAD + self.block)?;
             if self.skipping {
@@ -596,19 +656,24 @@ impl Source {
             if data.is_empty() {
                 return Ok(false);
             }
-            let lone_cr = |d: &[u8]| memchr::memchr_iter(b'\r', d).any(|i| d.get(i + 1) != Some(&b'\n'));
             let mut cut = if finished && data.len() <= self.block {
                 data.len()
             } else {
                 memchr::memrchr(b'\n', &data[..data.len().min(self.block)]).map_or(0, |k| k + 1)
             };
-            let simple = cut > 0 && memchr::memchr(b'"', &data[..cut]).is_none() && !lone_cr(&data[..cut]);
+            let simple = cut > 0 && is_simple(&data[..cut]);
             let mut lines = 0;
             if simple {
                 lines = memchr::memchr_iter(b'\n', &data[..cut]).count() as u64;
             } else {
                 cut = 0;
                 while cut < data.len() && cut < self.block && (finished || data.len() - cut >= LOOKAHEAD) {
+                    let plain = plain_lines(&data[cut..data.len().min(self.block)]);
+                    if plain > 0 {
+                        lines += memchr::memchr_iter(b'\n', &data[cut..cut + plain]).count() as u64;
+                        cut += plain;
+                        continue;
+                    }
                     let Some(walked) = walk(data, cut, shape, finished, &mut |_| {}) else { break };
                     cut = walked.next;
                     lines += walked.lines;
@@ -636,6 +701,42 @@ impl Source {
         }
     }
 
+    /// Reads straight into the batch up to a line end, where all that is read has neither quotes nor lone CRs. `false`:
+    /// nothing is taken, the bytes are in the buffer.
+    fn next_simple(&mut self, batch: &mut Batch) -> io::Result<bool> {
+        let held = self.buffer.len() - self.start;
+        if self.finished || held >= self.block {
+            return Ok(false);
+        }
+        batch.bytes.clear();
+        batch.bytes.extend_from_slice(&self.buffer[self.start..]);
+        let want = self.block - held;
+        let got = (&mut self.inner).take(want as u64).read_to_end(&mut batch.bytes)?;
+        self.read_so_far += got as u64;
+        self.finished = got < want;
+        self.start = 0;
+        let cut = memchr::memrchr(b'\n', &batch.bytes).map_or(0, |k| k + 1);
+        let rest = &batch.bytes[cut..];
+        // What is behind the last line end of the file is left to the careful way.
+        if cut == 0 || (self.finished && !rest.is_empty()) || !is_simple(&batch.bytes[..cut]) {
+            std::mem::swap(&mut self.buffer, &mut batch.bytes);
+            return Ok(false);
+        }
+        self.buffer.clear();
+        self.buffer.extend_from_slice(rest);
+        batch.bytes.truncate(cut);
+        batch.line = self.line;
+        batch.shape = self.shape;
+        batch.simple = true;
+        batch.decoded = false;
+        batch.overlong = false;
+        batch.number = self.batches;
+        batch.read_so_far = self.read_so_far;
+        self.batches += 1;
+        self.line += memchr::memchr_iter(b'\n', &batch.bytes).count() as u64;
+        Ok(true)
+    }
+
     /// Passes over bytes up to and with the next line end.
     fn skip_line(&mut self) -> io::Result<()> {
         loop {
@@ -658,6 +759,23 @@ impl Source {
             self.fill(LOOKAHEAD)?;
         }
     }
+}
+
+/// How many bytes at the start are whole lines without a quote or a lone CR, of the next few.
+fn plain_lines(data: &[u8]) -> usize {
+    // Not far: where each line has a lone CR, this is asked anew for each.
+    const FAR: usize = 8 * 1024;
+    let data = &data[..data.len().min(FAR)];
+    let odd = memchr::memchr2_iter(b'"', b'\r', data)
+        .find(|i| data[*i] == b'"' || data.get(i + 1) != Some(&b'\n'))
+        .unwrap_or(data.len());
+    memchr::memrchr(b'\n', &data[..odd]).map_or(0, |k| k + 1)
+}
+
+/// Neither a quote nor a lone CR.
+fn is_simple(data: &[u8]) -> bool {
+    memchr::memchr(b'"', data).is_none()
+        && memchr::memchr_iter(b'\r', data).all(|i| data.get(i + 1) == Some(&b'\n'))
 }
 
 /// Decodes onto the end of `out`.
@@ -700,9 +818,9 @@ pub fn all_records(inner: Box<dyn Read + Send>) -> io::Result<(Option<Header>, L
 }
 
 fn collect(source: &mut Source) -> io::Result<Lines> {
-    let (mut batch, mut record, mut all) = (Batch::default(), Record::default(), Vec::new());
+    let (mut batch, mut scratch, mut all) = (Batch::default(), Scratch::default(), Vec::new());
     while source.next_batch(&mut batch)? {
-        batch.records(&mut record, &mut |r| {
+        batch.records(&mut scratch, |r| {
             let fields =
                 (0..r.len()).map(|i| String::from_utf8_lossy(r.get(i).unwrap_or_default()).into_owned());
             all.push((r.line(), fields.collect()));

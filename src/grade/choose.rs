@@ -123,6 +123,42 @@ impl Attempt {
     }
 }
 
+/// One attempt, or the sum of several, where only their order in the file matters.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct ByRow {
+    /// Class and place: of two classes the higher one counts, within a class the place decides. 0: none or blank.
+    rank: u64,
+    number: f64,
+}
+
+/// Places have fewer bits.
+const CLASS: u32 = 62;
+
+impl ByRow {
+    /// Nothing.
+    pub const NONE: ByRow = ByRow { rank: 0, number: f64::NAN };
+    /// An attempt.
+    pub fn new(class: u8, at: u64, number: f64) -> ByRow {
+        ByRow { rank: u64::from(class) << CLASS | at, number }
+    }
+    /// Is there any?
+    pub fn is_some(&self) -> bool {
+        self.rank != 0
+    }
+    /// Of two, what counts; the order in which they are joined does not matter.
+    pub fn join(&mut self, other: &ByRow, counts: Counts) {
+        let later = other.rank > self.rank;
+        let same_class = (other.rank ^ self.rank) >> CLASS == 0;
+        if later != (same_class && counts == Counts::First) {
+            *self = *other;
+        }
+    }
+    /// What counts.
+    pub fn winner(&self) -> Winner {
+        Winner { at: self.rank & ((1 << CLASS) - 1), number: self.number, ..Winner::NONE }
+    }
+}
+
 /// One attempt whose time is understood.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Try {

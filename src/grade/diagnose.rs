@@ -2,7 +2,7 @@
 //! only what the match proves, and never makes a wrong answer right.
 use crate::key::Answer;
 use crate::key::KeyEntry;
-use crate::key::WrongValue;
+use crate::units::Dimension;
 
 /// What a wrong answer fits.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -28,7 +28,13 @@ pub enum Slip {
     OtherPart(usize),
 }
 
-/// Pairs of units that are taken for one another, and how many of the second make one of the first.
+/// Of an angular velocity, of an angle, of a speed and of a time.
+const RATE: Dimension = Dimension([0, 0, -1, 1]);
+const ANGLE: Dimension = Dimension([0, 0, 0, 1]);
+const SPEED: Dimension = Dimension([0, 1, -1, 0]);
+const TIME: Dimension = Dimension([0, 0, 1, 0]);
+/// Pairs of units that are taken for one another, and how many of the second make one of the first: three for a rate, two
+/// for an angle, one for a speed, one for a time.
 const CONFUSED: [(&str, &str, f64); 7] = [
     ("rev/min", "rad/s", 60.0 / std::f64::consts::TAU),
     ("rev/s", "rad/s", 1.0 / std::f64::consts::TAU),
@@ -45,83 +51,160 @@ const DRIFT_PER_COND: f64 = 0.005;
 /// A drift ends at this many half-widths: what is farther off is no rounding.
 const DRIFT_ENDS: f64 = 3.0;
 
-/// What the number `x`, SI, judged wrong for `parts[part]`, has in common with what is known of its problem.
-pub fn diagnose(x: f64, part: usize, parts: &[Option<KeyEntry>]) -> Diagnosis {
-    let mut found = Diagnosis::default();
-    let Some(entry) = parts.get(part).and_then(Option::as_ref) else { return found };
-    let Answer::Number { value: key, half_width, magnitude, .. } = entry.answer else { return found };
-    let x = if magnitude { x.abs() } else { x };
-    let share = if key == 0.0 { 0.0 } else { half_width / key.abs() };
-    // A wrong value has the relative tolerance of the right one.
-    let miss = |x: f64, value: f64| {
-        let width = (share * value.abs()).max(f64::MIN_POSITIVE);
-        (x - value).abs() / width
-    };
-    let fits = |x: f64, value: f64| miss(x, value) <= 1.0;
-    let mut methods: Vec<(f64, WrongValue)> =
-        entry.wrong.iter().map(|w| (miss(x, w.value), *w)).filter(|(d, _)| *d <= 1.0).collect();
-    // Stable: of equally near ones the first of the bank.
-    methods.sort_by(|a, b| a.0.total_cmp(&b.0));
-    found.methods = methods.iter().map(|(_, w)| w.method).collect();
-    found.slip = slip(x, (key, half_width), part, parts, &fits);
-    found
+/// What an answer to one part of one student is compared with, made once for many answers.
+#[derive(Debug, Clone, Copy)]
+pub struct Known {
+    key: f64,
+    magnitude: bool,
+    /// Half-width over key; a wrong value has the relative tolerance of the right one.
+    share: f64,
+    /// How far off a drift may be.
+    reach: f64,
+    /// The key rounded to two figures and to one; NaN where it cannot be.
+    rounded: [f64; 2],
+    /// The pairs of [`CONFUSED`] that may apply.
+    confused: (u8, u8),
+    /// Another part of the problem is of the same dimension.
+    alike: bool,
 }
 
-fn slip(
-    x: f64,
-    (key, half_width): (f64, f64),
-    part: usize,
-    parts: &[Option<KeyEntry>],
-    fits: &dyn Fn(f64, f64) -> bool,
-) -> Option<Slip> {
-    let entry = parts.get(part)?.as_ref()?;
-    for n in (-TENS..=TENS).filter(|n| *n != 0) {
-        if fits(x, key * ten_to(n)) {
-            return Some(Slip::PowerOfTen(n));
+/// Fits `value`: within its tolerance, relative as that of the key.
+fn fits(x: f64, value: f64, share: f64) -> bool {
+    (x - value).abs() <= width(value, share)
+}
+
+fn width(value: f64, share: f64) -> f64 {
+    (share * value.abs()).max(f64::MIN_POSITIVE)
+}
+
+impl Known {
+    /// Of `parts[part]`; `None` where no number is asked.
+    pub fn of(part: usize, parts: &[Option<KeyEntry>]) -> Option<Known> {
+        let entry = parts.get(part)?.as_ref()?;
+        let Answer::Number { value: key, half_width, magnitude, .. } = entry.answer else { return None };
+        let share = if key == 0.0 { 0.0 } else { half_width / key.abs() };
+        let dimension = entry.unit.dimension();
+        let confused = match dimension {
+            RATE => (0, 3),
+            ANGLE => (3, 5),
+            SPEED => (5, 6),
+            TIME => (6, 7),
+            _ => (0, 0),
+        };
+        let others = parts.iter().enumerate().filter(|(i, _)| *i != part).filter_map(|(_, p)| p.as_ref());
+        let alike = others.into_iter().any(|other| other.unit.dimension() == dimension);
+        let reach = (DRIFT_PER_COND * entry.cond.unwrap_or(0.0) * key.abs()).min(DRIFT_ENDS * half_width);
+        let rounded = [2, 1].map(|figures| rounded(key, figures).unwrap_or(f64::NAN));
+        Some(Known { key, magnitude, share, reach, rounded, confused, alike })
+    }
+
+    /// What the number `x`, SI, judged wrong for `parts[part]`, has in common with what is known of its problem.
+    pub fn diagnose(&self, x: f64, part: usize, parts: &[Option<KeyEntry>]) -> Diagnosis {
+        let mut found = Diagnosis::default();
+        let Some(entry) = parts.get(part).and_then(Option::as_ref) else { return found };
+        let x = if self.magnitude { x.abs() } else { x };
+        // Mostly none fits: first without a branch for each.
+        if entry.wrong.iter().fold(false, |any, w| any | fits(x, w.value, self.share)) {
+            let miss = |value: f64| (x - value).abs() / width(value, self.share);
+            let near = entry.wrong.iter().filter(|w| fits(x, w.value, self.share));
+            let mut methods: Vec<(f64, u16)> = near.map(|w| (miss(w.value), w.method)).collect();
+            // Stable: of equally near ones the first of the bank.
+            methods.sort_by(|a, b| a.0.total_cmp(&b.0));
+            found.methods = methods.iter().map(|(_, method)| *method).collect();
         }
+        found.slip = self.slip(x, part, parts, entry);
+        found
     }
-    for (from, to, factor) in CONFUSED {
-        if entry.unit.dimension() == unit_of(to) && fits(x, key * factor) {
-            return Some(Slip::Unit(from, to));
-        }
-    }
-    let figures = (1..=2).rev().find(|n| rounded(key, *n).is_some_and(|r| (x - r).abs() <= 1e-9 * r.abs()));
-    if let Some(figures) = figures {
-        return Some(Slip::FewerFigures(figures));
-    }
-    let reach = (DRIFT_PER_COND * entry.cond.unwrap_or(0.0) * key.abs()).min(DRIFT_ENDS * half_width);
-    if (x - key).abs() <= reach {
-        return Some(Slip::Drift);
-    }
-    parts
-        .iter()
-        .enumerate()
-        .filter_map(|(i, other)| Some((i, other.as_ref()?)))
-        .filter(|(i, other)| *i != part && other.unit.dimension() == entry.unit.dimension())
-        .find(|(_, other)| match other.answer {
-            Answer::Number { value, half_width, .. } => {
-                (x.abs() - value.abs()).abs() <= half_width.min(1e-2 * value.abs())
+
+    fn slip(&self, x: f64, part: usize, parts: &[Option<KeyEntry>], entry: &KeyEntry) -> Option<Slip> {
+        let Known { key, share, .. } = *self;
+        // Between these ratios no power of ten fits a tolerance below a half.
+        let ratio = x / key;
+        let near = share < 0.5 && (ratio <= 0.0 || (0.16..4.9).contains(&ratio));
+        if !near {
+            for n in (-TENS..=TENS).filter(|n| *n != 0) {
+                if fits(x, key * ten_to(n), share) {
+                    return Some(Slip::PowerOfTen(n));
+                }
             }
-            Answer::Word { .. } => false,
-        })
-        .map(|(i, _)| Slip::OtherPart(i))
+        }
+        let (first, end) = self.confused;
+        for (from, to, factor) in &CONFUSED[usize::from(first)..usize::from(end)] {
+            if fits(x, key * factor, share) {
+                return Some(Slip::Unit(from, to));
+            }
+        }
+        for (figures, rounded) in [2, 1].into_iter().zip(self.rounded) {
+            if (x - rounded).abs() <= 1e-9 * rounded.abs() {
+                return Some(Slip::FewerFigures(figures));
+            }
+        }
+        if (x - key).abs() <= self.reach {
+            return Some(Slip::Drift);
+        }
+        if !self.alike {
+            return None;
+        }
+        parts
+            .iter()
+            .enumerate()
+            .filter_map(|(i, other)| Some((i, other.as_ref()?)))
+            .filter(|(i, other)| *i != part && other.unit.dimension() == entry.unit.dimension())
+            .find(|(_, other)| match other.answer {
+                Answer::Number { value, half_width, .. } => {
+                    (x.abs() - value.abs()).abs() <= half_width.min(1e-2 * value.abs())
+                }
+                Answer::Word { .. } => false,
+            })
+            .map(|(i, _)| Slip::OtherPart(i))
+    }
 }
 
-fn unit_of(name: &str) -> crate::units::Dimension {
-    crate::units::Unit::parse(name)
-        .map(|u| u.dimension())
-        .unwrap_or_else(|_| crate::units::Unit::one().dimension())
+/// As [`Known::diagnose`], for a single answer.
+pub fn diagnose(x: f64, part: usize, parts: &[Option<KeyEntry>]) -> Diagnosis {
+    Known::of(part, parts).map_or_else(Diagnosis::default, |known| known.diagnose(x, part, parts))
 }
 
 fn ten_to(n: i32) -> f64 {
-    let mut product = 1.0;
-    for _ in 0..n.unsigned_abs() {
-        product *= 10.0;
-    }
-    if n < 0 { 1.0 / product } else { product }
+    let ten = crate::units::TENS[n.unsigned_abs() as usize];
+    if n < 0 { 1.0 / ten } else { ten }
 }
 
 /// A number rounded to so many figures.
 fn rounded(value: f64, figures: usize) -> Option<f64> {
     format!("{value:.*e}", figures.checked_sub(1)?).parse().ok()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::units::Unit;
+
+    #[test]
+    fn confused_units_are_of_the_dimensions_that_are_asked() {
+        for (pairs, dimension) in [
+            (&CONFUSED[..3], RATE),
+            (&CONFUSED[3..5], ANGLE),
+            (&CONFUSED[5..6], SPEED),
+            (&CONFUSED[6..], TIME),
+        ] {
+            for (from, to, factor) in pairs {
+                let (from, to) = (Unit::parse(from).unwrap(), Unit::parse(to).unwrap());
+                assert_eq!((from.dimension(), to.dimension()), (dimension, dimension));
+                assert!((from.to_si(*factor) - to.to_si(1.0)).abs() < 1e-12);
+            }
+        }
+    }
+
+    #[test]
+    fn no_power_of_ten_is_missed_by_the_quick_look() {
+        for share in [0.001, 0.01, 0.1, 0.49] {
+            for n in (-TENS..=TENS).filter(|n| *n != 0) {
+                for edge in [1.0 - share, 1.0, 1.0 + share] {
+                    let ratio = ten_to(n) * edge;
+                    assert!(!(0.16..4.9).contains(&ratio), "{n} {edge}");
+                }
+            }
+        }
+    }
 }

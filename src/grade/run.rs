@@ -4,15 +4,15 @@
 //! where lateness or the number of an attempt bears on marks, so that times are understood; once more for each step of
 //! follow-through where the best attempt counts), then to judge and write. What is held grows with students times parts, not
 //! with rows. Batches of records are graded on several threads; the output does not depend on their number.
-use crate::answer::read::UnitCache;
-use crate::answer::read::plain_number;
 use crate::answer::submissions::Batch;
 use crate::answer::submissions::Record;
 use crate::answer::submissions::RecordFault;
+use crate::answer::submissions::Scratch;
 use crate::answer::submissions::Source;
 use crate::finding::Finding;
 use crate::grade::choose;
 use crate::grade::choose::Attempt;
+use crate::grade::choose::ByRow;
 use crate::grade::choose::Ordered;
 use crate::grade::choose::Try;
 use crate::grade::choose::Winner;
@@ -22,7 +22,6 @@ use crate::grade::credit::Why;
 use crate::grade::credit::credit;
 use crate::grade::diagnose::Diagnosis;
 use crate::grade::diagnose::Slip;
-use crate::grade::diagnose::diagnose;
 use crate::grade::feedback::Feedback;
 use crate::grade::judge::accepts;
 use crate::grade::judge::judge_with;
@@ -34,9 +33,12 @@ use crate::grade::layout::layout;
 use crate::grade::layout::open_quote;
 use crate::grade::layout::sort_of_row;
 use crate::grade::layout::trimmed;
+use crate::grade::quick::Quick;
 use crate::grade::rules::Rules;
 use crate::grade::table::KeyTable;
 use crate::grade::table::joined;
+use crate::grade::tails::Kind;
+use crate::grade::tails::Tails;
 use crate::grade::threads::sweep;
 use crate::grade::verdict::Judgement;
 use crate::grade::verdict::Verdict;
@@ -138,6 +140,8 @@ impl Graded {
 enum Found {
     /// Nothing yet.
     Nothing,
+    /// Where nothing but the order of rows matters; column after column.
+    Rows(Vec<ByRow>),
     /// Where neither lateness nor the number of an attempt matters.
     Attempts(Vec<Attempt>),
     /// Where times are understood.
@@ -146,11 +150,9 @@ enum Found {
 
 /// What a worker keeps between rows.
 struct Worker {
-    record: Record,
-    units: UnitCache,
-    key: Vec<u8>,
-    last_student: Option<(Vec<u8>, u32)>,
-    last_part: Option<(Vec<u8>, u32)>,
+    scratch: Scratch,
+    quick: Quick,
+    tails: Tails,
     found: Found,
     evidence: Evidence,
     points: Vec<(u32, f64)>,
@@ -163,11 +165,9 @@ struct Worker {
 impl Worker {
     fn new(table: &KeyTable, found: Found) -> Worker {
         Worker {
-            record: Record::default(),
-            units: UnitCache::default(),
-            key: Vec::new(),
-            last_student: None,
-            last_part: None,
+            scratch: Scratch::default(),
+            quick: Quick::default(),
+            tails: Tails::default(),
             found,
             evidence: Evidence::default(),
             points: Vec::new(),
@@ -193,22 +193,16 @@ struct Cell<'a> {
 }
 
 /// Calls `each` for every cell of a record.
+#[inline]
 fn cells<'a>(
-    record: &'a Record,
+    record: &Record<'a>,
     layout: &'a Layout,
     table: &KeyTable,
-    memory: &mut Memory<'_>,
-    each: &mut dyn FnMut(&mut Memory<'_>, &Cell<'a>),
+    quick: &mut Quick,
+    mut each: impl FnMut(&mut Quick, &Cell<'a>),
 ) {
     let student = trimmed(record.get(layout.student).unwrap_or_default());
-    let who = match memory.last_student {
-        Some((bytes, s)) if bytes == student => Some(*s),
-        _ => {
-            let found = table.student(student);
-            *memory.last_student = found.map(|s| (student.to_vec(), s));
-            found
-        }
-    };
+    let who = quick.student(table, student);
     let line = record.line();
     match &layout.form {
         Form::Long { problem, part, answer } => {
@@ -216,17 +210,9 @@ fn cells<'a>(
                 trimmed(record.get(*problem).unwrap_or_default()),
                 trimmed(record.get(*part).unwrap_or_default()),
             );
-            joined(problem, part, memory.key);
-            let what = match memory.last_part {
-                Some((bytes, c)) if bytes == memory.key => Some(*c),
-                _ => {
-                    let found = table.column(memory.key);
-                    *memory.last_part = found.map(|c| (memory.key.clone(), c));
-                    found
-                }
-            };
+            let what = quick.column(table, problem, part);
             let answer = record.get(*answer).unwrap_or_default();
-            each(memory, &Cell { line, column: None, student, problem, part, answer, who, what });
+            each(quick, &Cell { line, column: None, student, problem, part, answer, who, what });
         }
         Form::Wide(all) => {
             for (index, one) in all.iter().enumerate() {
@@ -240,18 +226,10 @@ fn cells<'a>(
                     who,
                     what: one.column,
                 };
-                each(memory, &cell);
+                each(quick, &cell);
             }
         }
     }
-}
-
-/// The parts of a worker that looking up needs.
-struct Memory<'a> {
-    last_student: &'a mut Option<(Vec<u8>, u32)>,
-    last_part: &'a mut Option<(Vec<u8>, u32)>,
-    key: &'a mut Vec<u8>,
-    units: &'a mut UnitCache,
 }
 
 /// Judges a cell whose student and column are known; the plain number's way needs no text.
@@ -261,27 +239,22 @@ fn judged<'w>(
     who: u32,
     what: u32,
     answer: &[u8],
-    units: &mut UnitCache,
+    quick: &mut Quick,
     say: &Feedback<'w>,
 ) -> Judgement<'w> {
     let hot = &table.hot[who as usize * table.columns.len() + what as usize];
-    if hot.fast
-        && let Some(number) = plain_number(answer)
-    {
-        let x = number * hot.times / hot.over;
-        if x.is_finite() {
-            let (verdict, points, reason) = if accepts(x, hot.value, hot.half_width) {
-                (Verdict::Right, hot.points, say.within)
-            } else if accepts(-x, hot.value, hot.half_width) {
-                (Verdict::WrongDirection, 0.0, if hot.magnitude { say.no_sign } else { say.other_sign })
-            } else {
-                (Verdict::Wrong, 0.0, say.outside)
-            };
-            return Judgement { verdict, points, reason: Cow::Borrowed(reason), number: x };
-        }
+    if let Some(x) = quick.si(table, hot, answer) {
+        let (verdict, points, reason) = if accepts(x, hot.value, hot.half_width) {
+            (Verdict::Right, hot.points, say.within)
+        } else if accepts(-x, hot.value, hot.half_width) {
+            (Verdict::WrongDirection, 0.0, if hot.magnitude { say.no_sign } else { say.other_sign })
+        } else {
+            (Verdict::Wrong, 0.0, say.outside)
+        };
+        return Judgement { verdict, points, reason: Cow::Borrowed(reason), number: x };
     }
     match table.entry(who as usize, what as usize) {
-        Some(entry) => judge_with(&String::from_utf8_lossy(answer), entry, units, say),
+        Some(entry) => judge_with(&String::from_utf8_lossy(answer), entry, quick.units(), say),
         None => Judgement {
             verdict: Verdict::UnknownPart,
             points: 0.0,
@@ -314,22 +287,16 @@ fn worth(
     job: &Job,
     (who, what): (u32, u32),
     answer: &[u8],
-    units: &mut UnitCache,
+    quick: &mut Quick,
     winners: &[Winner],
 ) -> Option<(u8, f64, f64)> {
     let (table, rules) = (job.table, job.rules);
     let best = rules.policy.attempts.counts == Counts::Best;
     let hot = &table.hot[who as usize * table.columns.len() + what as usize];
-    if !best
-        && hot.fast
-        && let Some(number) = plain_number(answer)
-    {
-        let x = number * hot.times / hot.over;
-        if x.is_finite() {
-            return Some((choose::READABLE, x, 0.0));
-        }
+    if !best && let Some(x) = quick.si(table, hot, answer) {
+        return Some((choose::READABLE, x, 0.0));
     }
-    let judgement = judged(table, who, what, answer, units, job.say);
+    let judgement = judged(table, who, what, answer, quick, job.say);
     let x = judgement.number;
     match judgement.verdict {
         Verdict::Blank | Verdict::UnknownPart => None,
@@ -345,11 +312,10 @@ fn worth(
 
 /// Which attempts count, in the columns of one level or in all.
 fn walk_attempts(worker: &mut Worker, batch: &Batch, job: &Job, level: Option<u8>, winners: &[Winner]) {
-    let Worker { record, units, key, last_student, last_part, found, evidence, .. } = worker;
+    let Worker { scratch, quick, found, evidence, .. } = worker;
     let Found::Attempts(attempts) = found else { return };
     let counts = job.rules.policy.attempts.counts;
-    let mut memory = Memory { last_student, last_part, key, units };
-    batch.records(record, &mut |record| {
+    batch.records(scratch, |record| {
         if !matches!(sort_of_row(record, job.layout, job.say), Row::Cells) {
             return;
         }
@@ -358,12 +324,12 @@ fn walk_attempts(worker: &mut Worker, batch: &Batch, job: &Job, level: Option<u8
             evidence.join(moment.evidence);
         }
         let uncertain = time.and_then(|t| t.uncertain);
-        cells(record, job.layout, job.table, &mut memory, &mut |memory, cell| {
+        cells(record, job.layout, job.table, quick, |quick, cell| {
             let (Some(who), Some(what)) = (cell.who, cell.what) else { return };
             if level.is_some_and(|level| job.rules.level(what as usize) != level) {
                 return;
             }
-            let found = worth(job, (who, what), cell.answer, memory.units, winners);
+            let found = worth(job, (who, what), cell.answer, quick, winners);
             let Some((class, number, share)) = found else { return };
             let at = place(cell.line, cell.column.map_or(0, |(i, _)| i));
             let one = Attempt {
@@ -379,6 +345,26 @@ fn walk_attempts(worker: &mut Worker, batch: &Batch, job: &Job, level: Option<u8
                 best: (share, at, number),
             };
             attempts[who as usize * job.table.columns.len() + what as usize].join(&one, counts);
+        });
+    });
+}
+
+/// Which attempts count where only their order in the file matters.
+fn walk_rows(worker: &mut Worker, batch: &Batch, job: &Job) {
+    let Worker { scratch, quick, found, .. } = worker;
+    let Found::Rows(rows) = found else { return };
+    let counts = job.rules.policy.attempts.counts;
+    let students = job.table.students.len();
+    batch.records(scratch, |record| {
+        if !matches!(sort_of_row(record, job.layout, job.say), Row::Cells) {
+            return;
+        }
+        cells(record, job.layout, job.table, quick, |quick, cell| {
+            let (Some(who), Some(what)) = (cell.who, cell.what) else { return };
+            let found = worth(job, (who, what), cell.answer, quick, &[]);
+            let Some((class, number, _)) = found else { return };
+            let at = place(cell.line, cell.column.map_or(0, |(i, _)| i));
+            rows[what as usize * students + who as usize].join(&ByRow::new(class, at, number), counts);
         });
     });
 }
@@ -399,22 +385,21 @@ fn walk_ordered(
     winners: &[Winner],
     times: &Times,
 ) {
-    let Worker { record, units, key, last_student, last_part, found, .. } = worker;
+    let Worker { scratch, quick, found, .. } = worker;
     let Found::Ordered(ordered) = found else { return };
     let attempts = &job.rules.policy.attempts;
     let depth = choose::depth(attempts);
-    let mut memory = Memory { last_student, last_part, key, units };
-    batch.records(record, &mut |record| {
+    batch.records(scratch, |record| {
         if !matches!(sort_of_row(record, job.layout, job.say), Row::Cells) {
             return;
         }
         let time = moment(record, job).map(|m| m.micros[times.evidence.choice()]);
-        cells(record, job.layout, job.table, &mut memory, &mut |memory, cell| {
+        cells(record, job.layout, job.table, quick, |quick, cell| {
             let (Some(who), Some(what)) = (cell.who, cell.what) else { return };
             if level.is_some_and(|level| job.rules.level(what as usize) != level) {
                 return;
             }
-            let found = worth(job, (who, what), cell.answer, memory.units, winners);
+            let found = worth(job, (who, what), cell.answer, quick, winners);
             let Some((mut class, number, share)) = found else { return };
             let index = who as usize * job.table.columns.len() + what as usize;
             let at = place(cell.line, cell.column.map_or(0, |(i, _)| i));
@@ -471,6 +456,27 @@ fn choose_winners(
         1 => vec![None],
         n => (0..n).map(Some).collect(),
     };
+    if !careful && !attempts.ordered() && attempts.counts != Counts::Best && job.layout.submitted.is_none() {
+        let process = |w: &mut Worker, b: &Batch, _: &mut Vec<u8>| walk_rows(w, b, job);
+        let workers = walk(&|| Found::Rows(vec![ByRow::NONE; cells]), &process, heard)?;
+        let mut all: Vec<ByRow> = Vec::new();
+        for worker in workers {
+            let Found::Rows(rows) = worker.found else { continue };
+            if all.is_empty() {
+                all = rows;
+                continue;
+            }
+            for (all, one) in all.iter_mut().zip(&rows) {
+                all.join(one, attempts.counts);
+            }
+        }
+        // By column here, by student there.
+        let students = table.students.len().max(1);
+        for (from, one) in all.iter().enumerate().filter(|(_, one)| one.is_some()) {
+            winners[from % students * table.columns.len() + from / students] = one.winner();
+        }
+        return Ok(winners);
+    }
     if !careful && !attempts.ordered() {
         for level in levels {
             let process =
@@ -523,27 +529,32 @@ struct Fits {
     found: Vec<u16>,
 }
 
-/// Tells a slip in the reason; ids of methods have a column of their own.
-fn diagnosed(table: &KeyTable, who: u32, what: u32, judgement: &mut Judgement, say: &Feedback) -> Fits {
-    let (parts, part, methods) = table.problem_of(who as usize, what as usize);
-    let Diagnosis { methods: found, slip } = diagnose(judgement.number, part, parts);
-    let mut fits = Fits { methods: String::new(), slip: String::new(), found };
-    let told = slip.map(|slip| match slip {
+/// A slip as a word for machines, and as students are told.
+fn slip_in_words<'w>(slip: Slip, table: &KeyTable, what: u32, say: &Feedback<'w>) -> (String, Cow<'w, str>) {
+    match slip {
         Slip::PowerOfTen(n) => {
             (format!("power_of_ten:{n}"), say.fill("feedback.slip.power_of_ten", &[("n", &n.to_string())]))
         }
         Slip::Unit(from, to) => {
-            (format!("unit:{to}"), say.fill("feedback.slip.unit", &[("from", from), ("to", to)]))
+            (format!("unit:{from}"), say.fill("feedback.slip.unit", &[("from", from), ("to", to)]))
         }
         Slip::FewerFigures(n) => {
             (format!("figures:{n}"), say.fill("feedback.slip.figures", &[("n", &n.to_string())]))
         }
         Slip::Drift => ("drift".to_owned(), Cow::Borrowed(say.get("feedback.slip.drift"))),
         Slip::OtherPart(i) => {
-            let other = table.columns.get(what as usize - part + i).map_or("", |c| c.part.as_str());
+            let other = table.columns.get(table.first_of(what as usize) + i).map_or("", |c| c.part.as_str());
             (format!("part:{other}"), say.fill("feedback.slip.other_part", &[("part", other)]))
         }
-    });
+    }
+}
+
+/// Tells a slip in the reason; ids of methods have a column of their own.
+fn diagnosed(table: &KeyTable, who: u32, what: u32, judgement: &mut Judgement, say: &Feedback) -> Fits {
+    let methods = table.methods(what as usize);
+    let Diagnosis { methods: found, slip } = table.diagnose(judgement.number, who as usize, what as usize);
+    let mut fits = Fits { methods: String::new(), slip: String::new(), found };
+    let told = slip.map(|slip| slip_in_words(slip, table, what, say));
     if let Some((word, told)) = told {
         judgement.reason = Cow::Owned(format!("{}; {told}", judgement.reason));
         fits.slip = word;
@@ -629,24 +640,85 @@ fn awarded(
     (if share >= 1.0 { points } else { policy::plain(points * share) }, words)
 }
 
+/// Writes the line of an attempt that does not count, where its number can be had the quick way; `None`: nothing is written.
+/// Most lines of a large file are such.
+#[inline]
+fn superseded_line(
+    job: &Job,
+    winners: &[Winner],
+    (quick, tails): (&mut Quick, &mut Tails),
+    cell: &Cell,
+    (who, what): (u32, u32),
+    submitted: &[u8],
+    out: &mut Vec<u8>,
+) -> Option<()> {
+    let Job { table, say, .. } = *job;
+    let index = who as usize * table.columns.len() + what as usize;
+    let winner = &winners[index];
+    if cell.column.is_some() || winner.by_row || winner.at == place(cell.line, 0) {
+        return None;
+    }
+    let hot = &table.hot[index];
+    let x = quick.si(table, hot, cell.answer)?;
+    let (verdict, found) = if accepts(x, hot.value, hot.half_width) {
+        (Verdict::Right, Diagnosis::default())
+    } else {
+        let found = table.diagnose(x, who as usize, what as usize);
+        let other_way = accepts(-x, hot.value, hot.half_width);
+        (if other_way { Verdict::WrongDirection } else { Verdict::Wrong }, found)
+    };
+    let column = what as usize;
+    let kind = Kind { verdict, slip: found.slip, magnitude: hot.magnitude, points: hot.points };
+    let at = match tails.find(column, &kind) {
+        Some(at) => at,
+        None => {
+            let reason = match verdict {
+                Verdict::Right => say.within,
+                Verdict::Wrong => say.outside,
+                _ if hot.magnitude => say.no_sign,
+                _ => say.other_sign,
+            };
+            let slip = found.slip.map(|slip| slip_in_words(slip, table, what, say));
+            let (word, told) = slip.unwrap_or_default();
+            tails.add(column, kind, say, reason, (&word, &told))?
+        }
+    };
+    let tail = tails.get(column, at)?;
+    push_number(out, cell.line);
+    out.extend_from_slice(b",,");
+    out.extend_from_slice(&table.students[who as usize].field);
+    out.push(b',');
+    out.extend_from_slice(&table.columns[what as usize].fields);
+    out.push(b',');
+    push_text(out, cell.answer);
+    out.extend_from_slice(&tail.before);
+    push_number(out, line_of(winner.at));
+    out.extend_from_slice(&tail.after);
+    if !found.methods.is_empty() {
+        push_ids(out, &found.methods, table.methods(column));
+    }
+    out.extend_from_slice(&tail.slip);
+    push_text(out, submitted);
+    out.push(b'\n');
+    Some(())
+}
+
+/// Ids of wrong methods with blanks between.
+fn push_ids(out: &mut Vec<u8>, found: &[u16], methods: &[String]) {
+    for (i, id) in found.iter().filter_map(|m| methods.get(usize::from(*m))).enumerate() {
+        if i > 0 {
+            out.push(b' ');
+        }
+        out.extend_from_slice(id.as_bytes());
+    }
+}
+
 /// Judges and writes.
 fn walk_and_write(worker: &mut Worker, batch: &Batch, out: &mut Vec<u8>, job: &Job, winners: &[Winner]) {
     let Job { table, layout, say, rules } = *job;
-    let Worker {
-        record,
-        units,
-        key,
-        last_student,
-        last_part,
-        points: earned,
-        cells: written,
-        undated,
-        counts,
-        by_column,
-        ..
-    } = worker;
+    let Worker { scratch, quick, tails, points: earned, cells: written, undated, counts, by_column, .. } =
+        worker;
     let needs_date = rules.policy.timed();
-    let mut memory = Memory { last_student, last_part, key, units };
     let by_row_says = say.get("feedback.by_row");
     let mut reason = Vec::new();
     let whole = |out: &mut Vec<u8>, record: &Record, verdict: Verdict, reason: &str| {
@@ -701,7 +773,7 @@ fn walk_and_write(worker: &mut Worker, batch: &Batch, out: &mut Vec<u8>, job: &J
         }
         out.push(b'\n');
     };
-    batch.records(record, &mut |record| {
+    batch.records(scratch, |record| {
         match sort_of_row(record, layout, say) {
             Row::Cells => {}
             Row::Empty => {
@@ -716,7 +788,24 @@ fn walk_and_write(worker: &mut Worker, batch: &Batch, out: &mut Vec<u8>, job: &J
             }
         }
         let submitted = layout.submitted.and_then(|i| record.get(i)).map_or(&b""[..], trimmed);
-        cells(record, layout, table, &mut memory, &mut |memory, cell| {
+        cells(record, layout, table, quick, |quick, cell| {
+            if let (Some(who), Some(what)) = (cell.who, cell.what)
+                && superseded_line(
+                    job,
+                    winners,
+                    (&mut *quick, &mut *tails),
+                    cell,
+                    (who, what),
+                    submitted,
+                    out,
+                )
+                .is_some()
+            {
+                *written += 1;
+                counts[Verdict::Superseded as usize] += 1;
+                by_column[what as usize][Verdict::Superseded as usize] += 1;
+                return;
+            }
             push_number(out, cell.line);
             out.push(b',');
             if let Some((_, header)) = cell.column {
@@ -757,7 +846,7 @@ fn walk_and_write(worker: &mut Worker, batch: &Batch, out: &mut Vec<u8>, job: &J
                 return;
             };
             let index = who as usize * table.columns.len() + what as usize;
-            let mut judgement = judged(table, who, what, cell.answer, memory.units, say);
+            let mut judgement = judged(table, who, what, cell.answer, quick, say);
             if judgement.verdict == Verdict::Unreadable
                 && record.quote_left_open()
                 && cell.answer.trim_ascii_start().starts_with(b"\"")

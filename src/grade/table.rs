@@ -1,11 +1,15 @@
 //! The keys of a whole set, laid out for looking up by bytes.
+use crate::grade::diagnose::Diagnosis;
+use crate::grade::diagnose::Known;
 use crate::grade::feedback::Feedback;
+use crate::grade::ids::Ids;
 use crate::grade::write::push_text;
 use crate::key::Answer;
 use crate::key::Follow;
 use crate::key::KeyEntry;
 use crate::key::SheetKey;
 use crate::policy::Policy;
+use crate::units::Unit;
 use crate::units::spell;
 use rustc_hash::FxHashMap;
 use std::sync::Arc;
@@ -48,6 +52,8 @@ pub(crate) struct Hot {
     pub magnitude: bool,
     /// A plain number can be judged here.
     pub fast: bool,
+    /// The unit that is asked, by its place in [`KeyTable::units`]; `WORD` where no number is asked.
+    pub unit: u16,
 }
 
 /// What relations between parts and the guards of follow-through need.
@@ -59,6 +65,9 @@ pub(crate) struct Numbers {
     pub given: Box<[f64]>,
 }
 
+/// No number is asked.
+pub(crate) const WORD: u16 = u16::MAX;
+
 /// The keys of all students.
 #[derive(Debug)]
 pub struct KeyTable {
@@ -67,6 +76,8 @@ pub struct KeyTable {
     /// In the order of the sheets.
     pub columns: Vec<Column>,
     entries: Vec<Option<KeyEntry>>,
+    /// For each entry what a wrong answer is compared with.
+    known: Vec<Option<Known>>,
     /// For each column the ids of the wrong methods of its problem.
     methods: Vec<Arc<[String]>>,
     /// For each column the relations between the parts of its problem.
@@ -74,7 +85,11 @@ pub struct KeyTable {
     /// For each student and column what relations and guards need; where a problem has several columns, at its first.
     numbers: Vec<Option<Numbers>>,
     pub(crate) hot: Vec<Hot>,
-    by_id: FxHashMap<Box<[u8]>, u32>,
+    /// The units that are asked.
+    pub(crate) units: Vec<Unit>,
+    /// For each column the first one of its problem and the one behind its last.
+    problems: Vec<(usize, usize)>,
+    by_id: Ids,
     by_loose_id: FxHashMap<String, Option<u32>>,
     by_part: FxHashMap<Box<[u8]>, u32>,
     by_loose_part: FxHashMap<Vec<u8>, Option<u32>>,
@@ -136,16 +151,23 @@ impl KeyTable {
         let mut table = KeyTable {
             students: Vec::with_capacity(sheets.len()),
             entries: Vec::with_capacity(sheets.len() * columns.len()),
+            known: Vec::with_capacity(sheets.len() * columns.len()),
             methods: vec![Arc::from([]); columns.len()],
             follows: vec![Arc::from([]); columns.len()],
             numbers: Vec::with_capacity(sheets.len() * columns.len()),
             hot: Vec::with_capacity(sheets.len() * columns.len()),
+            units: Vec::new(),
+            problems: Vec::new(),
             columns,
-            by_id: FxHashMap::default(),
+            by_id: Ids::with_room(sheets.len()),
             by_loose_id: FxHashMap::default(),
             by_part: FxHashMap::default(),
             by_loose_part: FxHashMap::default(),
         };
+        for of_problem in table.columns.chunk_by(|a, b| a.number == b.number) {
+            let first = table.problems.len();
+            table.problems.resize(first + of_problem.len(), (first, first + of_problem.len()));
+        }
         let mut key = Vec::new();
         for (c, column) in (0u32..).zip(&table.columns) {
             for problem in [column.number.to_string(), column.problem.clone()] {
@@ -182,10 +204,13 @@ impl KeyTable {
                     }
                 }
             }
-            table.hot.extend(found.iter().map(hot));
+            table.hot.extend(found.iter().map(|entry| hot(entry, &mut table.units)));
+            for (at, (first, end)) in table.problems.iter().enumerate() {
+                table.known.push(Known::of(at - first, &found[*first..*end]));
+            }
             table.entries.append(&mut found);
             table.numbers.append(&mut numbers);
-            table.by_id.insert(sheet.student.as_bytes().into(), s);
+            table.by_id.put(sheet.student.as_bytes(), s);
             table.by_loose_id.entry(loose_id(&sheet.student)).and_modify(|e| *e = None).or_insert(Some(s));
             let mut field = Vec::new();
             push_text(&mut field, sheet.student.as_bytes());
@@ -198,7 +223,7 @@ impl KeyTable {
     /// Index of a student by the exact id.
     #[inline]
     pub(crate) fn student(&self, id: &[u8]) -> Option<u32> {
-        self.by_id.get(id).copied()
+        self.by_id.get(id)
     }
     /// Index of a column by number or id of the problem and id of the part; `key` is from [`joined`].
     #[inline]
@@ -233,10 +258,7 @@ impl KeyTable {
         student: usize,
         column: usize,
     ) -> (&[Option<KeyEntry>], usize, &[String]) {
-        let Some(number) = self.columns.get(column).map(|c| c.number) else { return (&[], 0, &[]) };
-        // Columns are sorted by number.
-        let first = self.columns.partition_point(|c| c.number < number);
-        let end = self.columns.partition_point(|c| c.number <= number);
+        let Some((first, end)) = self.problems.get(column).copied() else { return (&[], 0, &[]) };
         let row = student * self.columns.len();
         let parts = self.entries.get(row + first..row + end).unwrap_or_default();
         (parts, column - first, &self.methods[column])
@@ -269,6 +291,20 @@ impl KeyTable {
                 }
             }
         }
+    }
+    /// What a wrong answer fits.
+    #[inline]
+    pub(crate) fn diagnose(&self, x: f64, student: usize, column: usize) -> Diagnosis {
+        let Some((first, end)) = self.problems.get(column).copied() else { return Diagnosis::default() };
+        let row = student * self.columns.len();
+        match (self.known.get(row + column), self.entries.get(row + first..row + end)) {
+            (Some(Some(known)), Some(parts)) => known.diagnose(x, column - first, parts),
+            _ => Diagnosis::default(),
+        }
+    }
+    /// The first column of a column's problem.
+    pub(crate) fn first_of(&self, column: usize) -> usize {
+        self.problems.get(column).map_or(0, |(first, _)| *first)
     }
     /// Why a student is not known.
     pub(crate) fn unknown_student(&self, id: &str, say: &Feedback) -> String {
@@ -309,7 +345,7 @@ impl KeyTable {
     }
 }
 
-fn hot(entry: &Option<KeyEntry>) -> Hot {
+fn hot(entry: &Option<KeyEntry>, units: &mut Vec<Unit>) -> Hot {
     let none = Hot {
         value: 0.0,
         half_width: 0.0,
@@ -318,6 +354,7 @@ fn hot(entry: &Option<KeyEntry>) -> Hot {
         points: 0.0,
         magnitude: false,
         fast: false,
+        unit: WORD,
     };
     let Some(entry) = entry else { return none };
     let Answer::Number { value, half_width, magnitude, .. } = entry.answer else {
@@ -325,5 +362,10 @@ fn hot(entry: &Option<KeyEntry>) -> Hot {
     };
     let (times, over) = entry.unit.times_over();
     let fast = !entry.unit_required || entry.unit.is_number();
-    Hot { value, half_width, times, over, points: entry.points, magnitude, fast }
+    let unit = units.iter().position(|u| *u == entry.unit).unwrap_or_else(|| {
+        units.push(entry.unit.clone());
+        units.len() - 1
+    });
+    let unit = u16::try_from(unit).unwrap_or(WORD);
+    Hot { value, half_width, times, over, points: entry.points, magnitude, fast, unit }
 }

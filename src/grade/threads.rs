@@ -8,10 +8,17 @@ use std::sync::Condvar;
 use std::sync::Mutex;
 use std::sync::PoisonError;
 
+/// What is done with what the workers wrote.
 struct Output<'a, 'b> {
+    /// The batch whose turn it is.
     next: u64,
-    waiting: BTreeMap<u64, Vec<u8>>,
+    /// Batches before their turn: their bytes, and how much was read with them.
+    waiting: BTreeMap<u64, (Vec<u8>, u64)>,
+    /// Buffers that were written and can be filled again.
+    spare: Vec<Vec<u8>>,
+    /// A worker is writing; it alone has the file for now.
     out: Option<&'b mut (dyn Write + Send + 'b)>,
+    writing: bool,
     progress: &'a mut (dyn FnMut(u64) + Send),
     fault: Option<io::Error>,
 }
@@ -19,7 +26,8 @@ struct Output<'a, 'b> {
 /// What a worker does with a batch: it may write.
 pub type Process<'a, W> = &'a (dyn Fn(&mut W, &Batch, &mut Vec<u8>) + Sync);
 
-/// Runs all batches through the workers; what they write comes out in the order of the batches.
+/// Runs all batches through the workers; what they write comes out in the order of the batches. A worker that finds the
+/// turn of its batch come writes it and what waits behind it, while the others go on.
 ///
 /// # Errors
 /// Reading or writing failed.
@@ -32,11 +40,19 @@ pub fn sweep<'b, W: Send>(
 ) -> io::Result<Vec<W>> {
     let limit = workers.len() * 4;
     let source = Mutex::new(source);
-    let output = Mutex::new(Output { next: 0, waiting: BTreeMap::new(), out, progress, fault: None });
+    let output = Mutex::new(Output {
+        next: 0,
+        waiting: BTreeMap::new(),
+        spare: Vec::new(),
+        out,
+        writing: false,
+        progress,
+        fault: None,
+    });
     let turn = Condvar::new();
+    let hold = || output.lock().unwrap_or_else(PoisonError::into_inner);
     let work = |mut worker: W| -> io::Result<W> {
         let (mut batch, mut text) = (Batch::default(), Vec::new());
-        let hold = || output.lock().unwrap_or_else(PoisonError::into_inner);
         loop {
             let more = source.lock().unwrap_or_else(PoisonError::into_inner).next_batch(&mut batch);
             match more {
@@ -57,29 +73,29 @@ pub fn sweep<'b, W: Send>(
             if held.fault.is_some() {
                 return Ok(worker);
             }
-            if held.next != batch.number {
-                held.waiting.insert(batch.number, std::mem::take(&mut text));
-                continue;
-            }
-            (held.progress)(batch.read_so_far);
-            let mut bytes = std::mem::take(&mut text);
-            loop {
-                if let Some(out) = &mut held.out
-                    && let Err(fault) = out.write_all(&bytes)
-                {
-                    held.fault = Some(io::Error::from(fault.kind()));
-                    turn.notify_all();
-                    return Err(fault);
-                }
-                text = bytes;
-                held.next += 1;
+            held.waiting.insert(batch.number, (std::mem::take(&mut text), batch.read_so_far));
+            while !held.writing && held.fault.is_none() {
                 let next = held.next;
-                match held.waiting.remove(&next) {
-                    Some(more) => bytes = more,
-                    None => break,
+                let Some((bytes, read)) = held.waiting.remove(&next) else { break };
+                (held.progress)(read);
+                if let Some(out) = held.out.take() {
+                    held.writing = true;
+                    drop(held);
+                    let written = out.write_all(&bytes);
+                    held = hold();
+                    held.out = Some(out);
+                    held.writing = false;
+                    if let Err(fault) = written {
+                        held.fault = Some(io::Error::from(fault.kind()));
+                        turn.notify_all();
+                        return Err(fault);
+                    }
                 }
+                held.next += 1;
+                held.spare.push(bytes);
+                turn.notify_all();
             }
-            turn.notify_all();
+            text = held.spare.pop().unwrap_or_default();
         }
     };
     if workers.len() == 1 {

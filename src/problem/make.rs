@@ -1,13 +1,16 @@
 //! Draw, fill, solve, check: the flow in one function, tries and refusals counted.
 use crate::bank::Bound;
 use crate::bank::Case;
+use crate::bank::Follow;
 use crate::bank::Problem;
 use crate::bank::Question;
 use crate::bank::decimal::Decimal;
 use crate::draw::fill;
 use crate::draw::sample;
 use crate::draw::stream::Source;
+use crate::draw::stream::Words;
 use crate::misconception;
+use crate::misconception::Wrong;
 use crate::num::Dd;
 use crate::problem::make_key;
 use crate::scene::End;
@@ -40,6 +43,8 @@ pub struct Variant {
     pub refusals: Refusals,
     /// Relative tolerance of each question.
     pub within: Vec<f64>,
+    /// Where the wrong methods come to, for all questions.
+    pub wrong: Vec<Wrong>,
 }
 
 /// How often each rule refused a draw, in the order of the rules (see [`Refusals::table`]).
@@ -228,18 +233,11 @@ impl<'p> Maker<'p> {
         let mut values: Vec<Option<Decimal>> = vec![None; self.problem.data.len()];
         let mut refusals = Refusals::default();
         for tries in 1..=self.max_tries {
-            words.attempt(tries);
-            for (i, draw) in case.draws.iter().enumerate() {
-                if let Some(draw) = draw {
-                    let value = sample::value(&mut words, i, draw);
-                    values[i] = Some(value);
-                    data[i] = fill::number(&self.problem.data[i], value);
-                }
-            }
+            self.draw(&mut words, tries, case, &mut values, &mut data);
             match self.judge(index, &data, &mut refusals) {
-                Ok(solved) => {
+                Ok((solved, wrong)) => {
                     let within = make_key::within(self.problem, &solved);
-                    return Ok(Variant { case: index, values, data, solved, tries, refusals, within });
+                    return Ok(Variant { case: index, values, data, solved, tries, refusals, within, wrong });
                 }
                 Err(rule) => refusals.add(rule),
             }
@@ -254,6 +252,38 @@ impl<'p> Maker<'p> {
             }
         }
         Err(Box::new(self.unsatisfiable(index, self.max_tries, &refusals, None)))
+    }
+
+    fn draw(
+        &self,
+        words: &mut Words,
+        tries: u32,
+        case: &Case,
+        values: &mut [Option<Decimal>],
+        data: &mut [f64],
+    ) {
+        words.attempt(tries);
+        for (i, draw) in case.draws.iter().enumerate() {
+            if let Some(draw) = draw {
+                let value = sample::value(words, i, draw);
+                values[i] = Some(value);
+                data[i] = fill::number(&self.problem.data[i], value);
+            }
+        }
+    }
+
+    /// The variant of a student that took so many tries before: the last of them alone, those before it are not made again.
+    /// `None` where it does not hold the rules.
+    pub fn again(&self, student: &str, tries: u32) -> Option<Variant> {
+        let mut words = self.source.student(student);
+        let index = sample::case(&mut words, &self.problem.cases);
+        let mut data = vec![0.0; self.problem.data.len()];
+        let mut values: Vec<Option<Decimal>> = vec![None; self.problem.data.len()];
+        self.draw(&mut words, tries, &self.problem.cases[index], &mut values, &mut data);
+        let mut refusals = Refusals::default();
+        let (solved, wrong) = self.judge(index, &data, &mut refusals).ok()?;
+        let within = make_key::within(self.problem, &solved);
+        Some(Variant { case: index, values, data, solved, tries, refusals, within, wrong })
     }
 
     fn unsatisfiable(
@@ -274,7 +304,12 @@ impl<'p> Maker<'p> {
     }
 
     /// Solves, or says which rule refuses.
-    fn judge(&self, index: usize, data: &[f64], refusals: &mut Refusals) -> Result<Solved, usize> {
+    fn judge(
+        &self,
+        index: usize,
+        data: &[f64],
+        refusals: &mut Refusals,
+    ) -> Result<(Solved, Vec<Wrong>), usize> {
         let case = &self.problem.cases[index];
         let first_bound = CHECKS + CheckKind::ALL.len() + 2 * self.problem.questions.len();
         // Bounds on the data alone cost nothing: they go first.
@@ -307,41 +342,31 @@ impl<'p> Maker<'p> {
         if !agree::prove(&case.scene, data, &mut solved) || !make_key::narrow(self.problem, &solved) {
             return Err(PROOF);
         }
-        if !self.relations_hold(data, &solved) {
+        if broken_relation(self.problem, data, &solved).is_some() {
             return Err(FOLLOWS);
         }
-        self.told_apart(index, data, &solved, refusals)?;
-        Ok(solved)
+        let wrong = self.told_apart(index, data, &solved, refusals)?;
+        Ok((solved, wrong))
     }
 
-    /// Do the relations between parts give the right answers from right ones?
-    fn relations_hold(&self, data: &[f64], solved: &Solved) -> bool {
-        let right = |label: Label| solved.get(label).map_or(f64::NAN, Entry::value);
-        self.problem.follows.iter().all(|follow| {
-            let question = &self.problem.questions[follow.question];
-            let Some(entry) = solved.get(question.label) else { return false };
-            let value = follow.by.eval(data, &right);
-            (value - entry.value()).abs() <= RELATION * entry.value().abs().max(entry.scale)
-        })
-    }
-
-    /// Does no wrong method come near a right answer?
+    /// Where the wrong methods come to, if none comes near a right answer.
     fn told_apart(
         &self,
         index: usize,
         data: &[f64],
         solved: &Solved,
         refusals: &mut Refusals,
-    ) -> Result<(), usize> {
+    ) -> Result<Vec<Wrong>, usize> {
         if self.problem.mistakes.is_empty() {
-            return Ok(());
+            return Ok(Vec::new());
         }
         let questions = &self.problem.questions;
         let labels: Vec<Label> = questions.iter().map(|q| q.label).collect();
         let width = questions.len() + 1;
         let mut near = vec![false; self.problem.mistakes.len() * width];
         let mut guarded = None;
-        for wrong in misconception::values(self.problem, index, data, solved, &labels) {
+        let all = misconception::values(self.problem, index, data, solved, &labels);
+        for wrong in &all {
             let mistake = &self.problem.mistakes[wrong.mistake];
             for (i, q) in questions.iter().enumerate().filter(|(_, q)| q.label == wrong.label) {
                 let Some(entry) = solved.get(q.label) else { continue };
@@ -370,7 +395,7 @@ impl<'p> Maker<'p> {
                 let bounds = CHECKS + CheckKind::ALL.len() + 2 * self.problem.questions.len();
                 Err(bounds + self.problem.cases[index].bounds.len() + mistake)
             }
-            None => Ok(()),
+            None => Ok(all),
         }
     }
 
@@ -470,6 +495,17 @@ fn holds(bound: &Bound, data: &[f64], quantity: &dyn Fn(Label) -> f64) -> bool {
     !value.is_nan() && bound.min.is_none_or(|m| value >= m) && bound.max.is_none_or(|m| value <= m)
 }
 
+/// The first relation between parts that does not give the right answer from right ones: an index into the questions.
+pub fn broken_relation(problem: &Problem, data: &[f64], solved: &Solved) -> Option<usize> {
+    let right = |label: Label| solved.get(label).map_or(f64::NAN, Entry::value);
+    let holds = |question: &Question, value: f64| {
+        let Some(entry) = solved.get(question.label) else { return false };
+        (value - entry.value()).abs() <= RELATION * entry.value().abs().max(entry.scale)
+    };
+    let broken = |f: &&Follow| !holds(&problem.questions[f.question], f.by.eval(data, &right));
+    problem.follows.iter().find(broken).map(|f| f.question)
+}
+
 /// The variant of stored values, for replay: solved anew, no rules applied.
 ///
 /// Errors: the values are no scene, or the roads disagree.
@@ -481,5 +517,7 @@ pub fn from_values(problem: &Problem, case: usize, values: &[Option<Decimal>]) -
     agree::prove(scene, &data, &mut solved);
     let within = make_key::within(problem, &solved);
     let refusals = Refusals::default();
-    Ok(Variant { case, values: values.to_vec(), data, solved, tries: 0, refusals, within })
+    let labels: Vec<Label> = problem.questions.iter().map(|q| q.label).collect();
+    let wrong = misconception::values(problem, case, &data, &solved, &labels);
+    Ok(Variant { case, values: values.to_vec(), data, solved, tries: 0, refusals, within, wrong })
 }

@@ -2,7 +2,6 @@
 use crate::bank::expression::Name;
 use crate::bank::{Problem, Question};
 use crate::key::{Answer, Follow, Given, KeyEntry, ProblemKey, WrongValue};
-use crate::misconception;
 use crate::problem::make::Variant;
 use crate::scene::{End, Label, Owner, Quantity, Scene, Slope};
 use crate::solve::outcome::{Entry, Solved};
@@ -21,17 +20,17 @@ const YES_NO: &[&str] = &["yes", "no"];
 /// which no answer meets.
 pub fn key(problem: &Problem, variant: &Variant) -> ProblemKey {
     let scene = &problem.cases[variant.case].scene;
-    let labels: Vec<Label> = problem.questions.iter().map(|q| q.label).collect();
-    let wrong = misconception::values(problem, variant.case, &variant.data, &variant.solved, &labels);
     let parts = problem
         .questions
         .iter()
         .map(|question| {
             let mut entry = entry(question, scene, variant);
             let magnitude = is_magnitude(question.label.quantity);
-            entry.wrong.extend(wrong.iter().filter(|w| w.label == question.label).map(|w| WrongValue {
-                method: u16::try_from(w.mistake).unwrap_or(u16::MAX),
-                value: if magnitude { w.value.abs() } else { w.value },
+            entry.wrong.extend(variant.wrong.iter().filter(|w| w.label == question.label).map(|w| {
+                WrongValue {
+                    method: u16::try_from(w.mistake).unwrap_or(u16::MAX),
+                    value: if magnitude { w.value.abs() } else { w.value },
+                }
             }));
             entry
         })

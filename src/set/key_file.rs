@@ -3,6 +3,7 @@ use crate::finding::Finding;
 use crate::key::Answer;
 use crate::key::KeyEntry;
 use crate::key::SheetKey;
+use rayon::prelude::*;
 
 /// The columns.
 pub const HEADER: [&str; 11] = [
@@ -84,12 +85,17 @@ pub fn rows(keys: &[SheetKey]) -> impl Iterator<Item = [String; 11]> {
 
 /// The text of key.csv.
 pub fn text(keys: &[SheetKey]) -> Vec<u8> {
-    let mut out = csv::Writer::from_writer(Vec::new());
-    for row in rows(keys) {
-        // Writing to memory cannot fail.
-        let _ = out.write_record(&row);
-    }
-    out.into_inner().unwrap_or_default()
+    // The header is the first row of each part, and stays in the first part alone.
+    let part = |(i, keys): (usize, &[SheetKey])| {
+        let mut out = csv::Writer::from_writer(Vec::new());
+        for row in rows(keys).skip(usize::from(i > 0)) {
+            // Writing to memory cannot fail.
+            let _ = out.write_record(&row);
+        }
+        out.into_inner().unwrap_or_default()
+    };
+    let parts: Vec<Vec<u8>> = keys.par_chunks(512).enumerate().map(part).collect();
+    if parts.is_empty() { part((0, &[])) } else { parts.concat() }
 }
 
 /// Compares a stored key.csv with the key made anew. Rows of students who are not in `keys` are left over from an

@@ -104,6 +104,7 @@ impl Marks {
             }
         }
         marks.given = marks.cells.iter().map(|c| c.row.as_ref().map(|r| r.points)).collect();
+        marks.dropped = vec![Vec::new(); marks.class.students.len()];
         marks.totals = (0..marks.class.students.len()).map(|s| marks.sum(s)).collect();
         for (cell, seen) in marks.cells.iter_mut().zip(&seen) {
             if let (Some(right), Some(first), false) = (seen.right, seen.first, seen.untimed) {
@@ -194,6 +195,7 @@ impl Marks {
             at(name).ok_or_else(|| Unreadable { line: 1, what: format!("there is no column `{name}`") })
         };
         let (student, total, of) = (need("student")?, need("total")?, need("max_total")?);
+        let dropped = at("dropped");
         let columns: Vec<usize> =
             self.class.parts.iter().map(|p| need(&guarded(&p.label()))).collect::<Result<_, _>>()?;
         let whose: FxHashMap<String, usize> =
@@ -220,6 +222,9 @@ impl Marks {
             for (part, column) in columns.iter().enumerate() {
                 self.given[who * columns.len() + part] = number(*column)?;
             }
+            let numbers = dropped.map_or_else(|| "".into(), text);
+            let numbers = numbers.split(' ').filter_map(|n| n.parse::<usize>().ok()?.checked_sub(1));
+            self.dropped[who] = numbers.filter(|i| *i < self.class.problems.len()).collect();
             self.totals[who] = (number(total)?.unwrap_or(0.0), number(of)?.unwrap_or(0.0));
         }
         if found == self.class.students.len() {

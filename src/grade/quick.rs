@@ -1,0 +1,120 @@
+//! The SI number of a cell and its column, the quick way: a plain number, or one with a unit whose spelling was met before
+//! and about which nothing is to be said. Everything else is left to the long way.
+use crate::answer::quick::Behind;
+use crate::answer::quick::Spellings;
+use crate::answer::read::UnitCache;
+use crate::grade::ids::mixed;
+use crate::grade::table::Hot;
+use crate::grade::table::KeyTable;
+use crate::grade::table::WORD;
+use crate::grade::table::joined;
+
+/// A spelling where a unit is asked: SI value = number * times / over; `None`: the long way.
+type Pair = Option<(f64, f64)>;
+
+/// What is remembered from row to row.
+#[derive(Debug, Default)]
+pub(crate) struct Quick {
+    spellings: Spellings,
+    /// For each spelling and asked unit, where it is known.
+    pairs: Vec<Option<Pair>>,
+    student: Option<(Vec<u8>, u32)>,
+    parts: Vec<Option<Part>>,
+    key: Vec<u8>,
+}
+
+/// Problem and part as they were written, and their column.
+#[derive(Debug)]
+struct Part {
+    problem: Vec<u8>,
+    part: Vec<u8>,
+    column: u32,
+}
+
+/// Places for parts, a power of two.
+const PARTS: usize = 256;
+/// Longer texts are not remembered.
+const LONGEST: usize = 64;
+
+impl Quick {
+    /// The number of a cell in SI, if its verdict depends on nothing else.
+    #[inline]
+    pub fn si(&mut self, table: &KeyTable, hot: &Hot, answer: &[u8]) -> Option<f64> {
+        let (number, behind) = self.spellings.number(answer)?;
+        let (times, over) = match behind {
+            Behind::Nothing if hot.fast => (hot.times, hot.over),
+            Behind::Nothing => return None,
+            Behind::Unit(spelling) => self.pair(table, spelling, hot.unit)?,
+        };
+        let x = number * times / over;
+        x.is_finite().then_some(x)
+    }
+
+    /// For the long way.
+    pub fn units(&mut self) -> &mut UnitCache {
+        &mut self.spellings.units
+    }
+
+    #[inline]
+    fn pair(&mut self, table: &KeyTable, spelling: u16, asked: u16) -> Pair {
+        if asked == WORD {
+            return None;
+        }
+        let at = usize::from(spelling) * table.units.len() + usize::from(asked);
+        match self.pairs.get(at) {
+            Some(Some(pair)) => *pair,
+            _ => self.new_pair(table, at, spelling, asked),
+        }
+    }
+
+    #[cold]
+    fn new_pair(&mut self, table: &KeyTable, at: usize, spelling: u16, asked: u16) -> Pair {
+        let spelled = self.spellings.unit(spelling)?;
+        let asked = table.units.get(usize::from(asked))?;
+        let silent =
+            asked.agrees(&spelled.unit) && !spelled.unit.counts_turns(asked) && !spelled.case_forgiven;
+        let pair = silent.then(|| spelled.unit.times_over());
+        if self.pairs.len() <= at {
+            self.pairs.resize(at + 1, None);
+        }
+        self.pairs[at] = Some(pair);
+        pair
+    }
+
+    /// The number of a student.
+    #[inline]
+    pub fn student(&mut self, table: &KeyTable, id: &[u8]) -> Option<u32> {
+        if let Some((last, number)) = &self.student
+            && last == id
+        {
+            return Some(*number);
+        }
+        let number = table.student(id)?;
+        let last = self.student.get_or_insert_default();
+        last.0.clear();
+        last.0.extend_from_slice(id);
+        last.1 = number;
+        Some(number)
+    }
+
+    /// The column of a part.
+    #[inline]
+    pub fn column(&mut self, table: &KeyTable, problem: &[u8], part: &[u8]) -> Option<u32> {
+        let at = (mixed(problem).rotate_left(5) ^ mixed(part)) as usize % PARTS;
+        if let Some(Some(known)) = self.parts.get(at)
+            && known.part == part
+            && known.problem == problem
+        {
+            return Some(known.column);
+        }
+        joined(problem, part, &mut self.key);
+        let column = table.column(&self.key)?;
+        if self.key.len() <= LONGEST {
+            if self.parts.is_empty() {
+                self.parts.resize_with(PARTS, || None);
+            }
+            self.parts[at] = Some(Part { problem: problem.to_vec(), part: part.to_vec(), column });
+        }
+        Some(column)
+    }
+}
