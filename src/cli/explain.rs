@@ -209,7 +209,7 @@ impl Desk<'_> {
         page.head("");
         let outcome = match counting {
             Some(row) => format!("{} of {} points, {}", row.points, row.max_points, row.verdict),
-            None => match policy.correction(self.number, &self.problem.id, &entry.part) {
+            None => match policy.correction(self.number, &self.problem.id, &entry.part, false) {
                 Some(c) if c.to == For::All => {
                     format!("no answer, {} of {most} points by a correction", policy::plain(c.share * most))
                 }
@@ -244,7 +244,7 @@ impl Desk<'_> {
             }
             self.why(page, index, row);
         }
-        let correction = policy.correction(self.number, &self.problem.id, &entry.part);
+        let correction = policy.correction(self.number, &self.problem.id, &entry.part, counting.is_some());
         if let Some(correction) = correction {
             page.say(
                 1,

@@ -187,7 +187,7 @@ pub fn make(graded: &Path, out: &Path, own: &Own, threads: Option<usize>) -> Res
         .enumerate()
         .filter_map(|(i, part)| {
             let problem = marks.class.problems.get(part.number.checked_sub(1)?)?;
-            let correction = basis.policy.correction(part.number, &problem.id, &part.id)?;
+            let correction = basis.policy.correction(part.number, &problem.id, &part.id, true)?;
             Some((i, correction.why.clone()))
         })
         .collect();

@@ -102,6 +102,10 @@ impl Known {
     pub fn diagnose(&self, x: f64, part: usize, parts: &[Option<KeyEntry>]) -> Diagnosis {
         let mut found = Diagnosis::default();
         let Some(entry) = parts.get(part).and_then(Option::as_ref) else { return found };
+        // The right magnitude with a sign that nobody asked for fits nothing else.
+        if self.magnitude && x < 0.0 && fits(-x, self.key, self.share) {
+            return found;
+        }
         let x = if self.magnitude { x.abs() } else { x };
         // Mostly none fits: first without a branch for each.
         if entry.wrong.iter().fold(false, |any, w| any | fits(x, w.value, self.share)) {

@@ -34,10 +34,12 @@ fn signed_quantity(text: &[u8]) -> bool {
     if at == 0 {
         return false;
     }
-    if let [b'e' | b'E', b'+' | b'-', more @ ..] = &rest[at..]
-        && digits(more) > 0
-    {
-        at += 2 + digits(more);
+    if let [b'e' | b'E', more @ ..] = &rest[at..] {
+        let signed = usize::from(matches!(more.first(), Some(b'+' | b'-')));
+        let exponent = digits(&more[signed..]);
+        if exponent > 0 {
+            at += 1 + signed + exponent;
+        }
     }
     let unit = rest[at..].trim_ascii_start();
     unit.is_empty()
