@@ -54,11 +54,10 @@ fn signed_quantity(text: &[u8]) -> bool {
 
 /// Does a spreadsheet take it for a formula, or for what may become one? The wide signs `＝ ＋ － ＠` count as well.
 fn begins_oddly(text: &[u8]) -> bool {
-    match text {
-        [b'=' | b'+' | b'-' | b'@' | b'\t' | b'\r' | b'\n', ..] => true,
-        [0xef, 0xbc, 0x9d | 0x8b | 0x8d | 0xa0, ..] => true,
-        _ => false,
-    }
+    matches!(
+        text,
+        [b'=' | b'+' | b'-' | b'@' | b'\t' | b'\r' | b'\n', ..] | [0xef, 0xbc, 0x9d | 0x8b | 0x8d | 0xa0, ..]
+    )
 }
 
 /// A field of CSV: quoted where needed, and harmless to a spreadsheet: what begins with `= + - @` and is neither a number

@@ -289,7 +289,9 @@ impl<'r> Found<'r> {
     }
     fn answer(&self) -> String {
         let text = self.text(Some(self.columns.answer));
-        shortened(text.strip_prefix('\'').unwrap_or(&text))
+        // The grader's apostrophe goes, a student's own stays.
+        let plain = text.strip_prefix('\'').filter(|plain| guarded(plain) == text);
+        shortened(plain.unwrap_or(&text))
     }
     fn words(&self, column: Option<usize>) -> Vec<String> {
         self.text(column).split_whitespace().map(str::to_owned).collect()
@@ -433,7 +435,8 @@ mod tests {
              4,,a,1,v,5,wrong,0,2,not within,A05 A06,drift,late:0.8 closed,2026-03-01 11:00\n\
              5,,a,1,v,,blank,0,2,nothing written,,,,2026-03-01 12:00\n\
              6,,'=b,1,v,'=cmd,unreadable,0,2,neither,,,,\n\
-             7,,zz,1,v,1,unknown student,0,0,not on the roster,,,,\n",
+             7,,'=b,1,t,'quoted',unreadable,0,2,neither,,,,\n\
+             8,,zz,1,v,1,unknown student,0,0,not on the roster,,,,\n",
         )
         .unwrap();
         let cell = marks.cell(0, 0);
@@ -443,9 +446,10 @@ mod tests {
         assert_eq!(row.methods, ["A05", "A06"]);
         assert_eq!(row.credit, ["late:0.8", "closed"]);
         assert_eq!(marks.cell(1, 0).row.as_ref().unwrap().answer, "=cmd");
+        assert_eq!(marks.cell(1, 1).row.as_ref().unwrap().answer, "'quoted'");
         assert_eq!(marks.class.parts[0].points, 2.0);
-        assert_eq!(marks.sum(0), (0.0, 3.0));
-        assert!(marks.took_part(1) && marks.rows == 6 && marks.troubles.len() == 1);
+        assert_eq!(marks.sum(0), (0.0, 4.0));
+        assert!(marks.took_part(1) && marks.rows == 7 && marks.troubles.len() == 2);
     }
 
     #[test]
