@@ -552,6 +552,15 @@ What it was graded with
   course, SHA-256 6774c14141fb11c387157d62401bb3d51daa38446109ee2c8be51eabbf67fe61
   submissions: answers.csv, 325 bytes
 "#);
+    let ran = run(&["explain", &room.path("grades"), "Name of 0058", "1.v"]);
+    let value = room.key("0058", "v") * 1.03;
+    assert!(
+        ran.out.contains("follow-through: v = r*omega, with the student's own omega it comes to"),
+        "{}",
+        ran.out
+    );
+    assert!(ran.out.contains(&format!("{value:.5}")), "{value}: {}", ran.out);
+    assert!(ran.out.contains("because the answer follows correctly"), "{}", ran.out);
 }
 
 #[test]

@@ -17,6 +17,7 @@ use crate::grade::feedback::Feedback;
 use crate::grade::judge;
 use crate::grade::verdict::Verdict;
 use crate::key::Answer;
+use crate::key::Given;
 use crate::key::KeyEntry;
 use crate::key::ProblemKey;
 use crate::misconception::catalogue::Catalogue;
@@ -140,7 +141,7 @@ fn text(graded: &Graded, index: usize, part: Option<String>) -> Result<String, V
         if part.as_ref().is_none_or(|p| *p == entry.part) {
             let of_part: Vec<&Row> = rows.iter().filter(|r| r.part == entry.part).collect();
             let desk = Desk { graded, problem, key, variant, number: index + 1 };
-            desk.part(&mut page, i, &of_part);
+            desk.part(&mut page, i, &of_part, &rows);
             for change in changes.iter().filter(|c| c.0 == entry.part) {
                 page.say(1, &format!("regraded: {}", change.1));
             }
@@ -197,7 +198,7 @@ struct Desk<'g> {
 }
 
 impl Desk<'_> {
-    fn part(&self, page: &mut Pages, index: usize, rows: &[&Row]) {
+    fn part(&self, page: &mut Pages, index: usize, rows: &[&Row], all: &[Row]) {
         let entry = &self.key.parts[index];
         let counting = rows.iter().find(|r| r.counts());
         let policy = &self.graded.policy;
@@ -242,7 +243,7 @@ impl Desk<'_> {
                     ),
                 );
             }
-            self.why(page, index, row);
+            self.why(page, index, row, all);
         }
         let correction = policy.correction(self.number, &self.problem.id, &entry.part, counting.is_some());
         if let Some(correction) = correction {
@@ -361,7 +362,7 @@ impl Desk<'_> {
     }
 
     /// Methods, slip and how the points of the attempt that counts add up.
-    fn why(&self, page: &mut Pages, index: usize, row: &Row) {
+    fn why(&self, page: &mut Pages, index: usize, row: &Row, all: &[Row]) {
         let entry = &self.key.parts[index];
         let catalogue = Catalogue::built_in();
         for id in row.methods.split_whitespace() {
@@ -377,9 +378,64 @@ impl Desk<'_> {
         if let Some(slip) = slip(&row.slip) {
             page.say(1, &format!("fits a slip: {slip}"));
         }
+        if row.credit.split(' ').any(|w| w.starts_with("follow:")) {
+            self.follows(page, index, row, all);
+        }
         let points = points(row, &self.graded.policy);
         page.say(1, &format!("points: {points}"));
     }
+
+    /// What the relation comes to with the student's own answers.
+    fn follows(&self, page: &mut Pages, index: usize, row: &Row, all: &[Row]) {
+        let written = self.problem.follows.iter().find(|f| {
+            self.problem.questions.get(f.question).is_some_and(|q| q.id == self.key.parts[index].part)
+        });
+        let (Some(written), Some(follow)) = (written, self.key.follows.iter().find(|f| f.part == index))
+        else {
+            return;
+        };
+        let number = |part: usize, row: &Row| {
+            let entry = self.key.parts.get(part)?;
+            Some(judge::judge_with(&row.answer, entry, &mut UnitCache::default(), Feedback::english()).number)
+        };
+        let own = |part: usize| {
+            let id = self.key.parts.get(part).map(|e| e.part.as_str());
+            let row = all.iter().find(|r| r.counts() && Some(r.part.as_str()) == id);
+            row.and_then(|r| Some((number(part, r)?, r.verdict == Verdict::Right)))
+                .unwrap_or((f64::NAN, false))
+        };
+        // A right answer may stand for itself or for the key's.
+        let by = |keys: bool| {
+            follow.by.eval(&|given| match given {
+                Given::Known(i, factor) => self.key.known.get(i).map_or(f64::NAN, |n| n * factor),
+                Given::Part(part) => match (own(part), self.key.parts.get(part).map(|e| &e.answer)) {
+                    ((_, true), Some(Answer::Number { value, .. })) if keys => *value,
+                    ((answer, _), _) => answer,
+                },
+            })
+        };
+        let entry = &self.key.parts[index];
+        let answer = number(index, row).unwrap_or(f64::NAN);
+        let near = |y: f64| (y.abs() - answer.abs()).abs();
+        let value = if near(by(true)) <= near(by(false)) { by(true) } else { by(false) };
+        let from: Vec<&str> =
+            follow.from.iter().filter_map(|p| self.key.parts.get(*p)).map(|e| e.part.as_str()).collect();
+        page.say(
+            1,
+            &format!(
+                "follow-through: {} = {}, with the student's own {} it comes to {}",
+                entry.part,
+                written.text,
+                from.join(" and "),
+                entry.unit.text_with(&words::rounded(entry.unit.from_si(value), FIGURES))
+            ),
+        );
+    }
+}
+
+/// Text of the catalogue without the marks of formulas.
+pub fn plain(text: &str) -> String {
+    text.replace('$', "")
 }
 
 fn in_unit(entry: &KeyEntry) -> String {

@@ -6,6 +6,7 @@ use std::path::Path;
 mod accuracy;
 pub mod args;
 mod banks;
+mod changes;
 mod check;
 mod demo;
 mod explain;

@@ -1,8 +1,9 @@
 //! `slipstick regrade`: the same answers by a changed bank or course, as a diff; the old grading stays as it is.
-use crate::bank::Bank;
 use crate::cli::args;
 use crate::cli::args::Reports;
 use crate::cli::banks;
+use crate::cli::changes::Desk;
+use crate::cli::changes::Tables;
 use crate::cli::files;
 use crate::cli::generate;
 use crate::cli::grade;
@@ -10,37 +11,24 @@ use crate::cli::grade::Basis;
 use crate::cli::grade::Job;
 use crate::cli::graded;
 use crate::cli::graded::Graded;
-use crate::cli::tell;
 use crate::cli::tell::Exit;
 use crate::cli::tell::Io;
-use crate::cli::what_if;
-use crate::cli::what_if::per_cent;
 use crate::finding::Finding;
 use crate::grade::table::KeyTable;
-use crate::key::Answer;
 use crate::key::SheetKey;
-use crate::policy::Policy;
 use crate::regrade::changes;
-use crate::regrade::changes::Change;
-use crate::regrade::changes::DUST;
 use crate::regrade::changes::Grading;
 use crate::regrade::changes::Who;
-use crate::regrade::changes::Why;
-use crate::regrade::rows;
 use crate::set::given;
 use crate::set::grading::BASIS;
 use crate::set::key_file;
 use crate::set::store::StoredSet;
 use crate::units::spell;
 use std::collections::BTreeMap;
-use std::fmt::Write as _;
 use std::fs;
 use std::io::BufRead;
 use std::path::Path;
 use std::path::PathBuf;
-
-/// Students shown one by one; the others stand in changes.csv.
-const SHOWN: usize = 20;
 
 /// Runs it.
 pub fn run(args: &args::Regrade, io: &mut Io) -> Exit {
@@ -308,287 +296,4 @@ fn notes(old: &Graded, made: &grade::Made) -> Vec<String> {
         notes.push(format!("graded by {} then, by {} now", was.program, is.program));
     }
     notes
-}
-
-struct Tables {
-    old: KeyTable,
-    new: KeyTable,
-}
-
-/// Where students and parts of the new key are in the old one.
-struct Places {
-    students: Vec<Option<usize>>,
-    parts: Vec<Option<usize>>,
-}
-
-impl Tables {
-    fn places(&self, who: &Who) -> Places {
-        let old: BTreeMap<&str, usize> =
-            self.old.students.iter().enumerate().map(|(i, s)| (s.id.as_str(), i)).collect();
-        let part =
-            |p: &(usize, String)| self.old.columns.iter().position(|c| (c.number, &c.part) == (p.0, &p.1));
-        Places {
-            students: who.students.iter().map(|s| old.get(s.as_str()).copied()).collect(),
-            parts: who.parts.iter().map(part).collect(),
-        }
-    }
-    fn entries(&self, places: &Places, student: usize, part: usize) -> [Option<&crate::key::KeyEntry>; 2] {
-        let old = places.students[student].zip(places.parts[part]).and_then(|(s, p)| self.old.entry(s, p));
-        [old, self.new.entry(student, part)]
-    }
-}
-
-struct Desk<'d> {
-    who: &'d Who,
-    set: &'d StoredSet,
-    before: &'d Grading,
-    after: &'d Grading,
-    changes: &'d [Change],
-    tables: &'d Tables,
-    places: &'d Places,
-}
-
-impl Desk<'_> {
-    /// What is graded otherwise than before.
-    fn rules(
-        &self,
-        text: &mut String,
-        old: &Graded,
-        (bank, bank_file): (&Bank, &str),
-        made: &grade::Made,
-        course: Option<&Path>,
-    ) {
-        let short = |hash: &str| hash.get(..12).unwrap_or(hash).to_owned();
-        if old.bank.hash == bank.hash {
-            let _ = writeln!(text, "  bank: as before ({}…)", short(&bank.hash));
-        } else {
-            let _ = writeln!(
-                text,
-                "  bank: {bank_file}, {}… in place of {}…; sheets keep their data, the key is solved anew",
-                short(&bank.hash),
-                short(&old.bank.hash)
-            );
-        }
-        let mut said = Vec::new();
-        for (p, _) in self.who.parts.iter().enumerate() {
-            said.extend(self.part(p));
-        }
-        said.extend(settings(&old.policy, made.policy()));
-        if said.is_empty() && old.bank.hash != bank.hash {
-            said.push("no key, tolerance or setting differs: only words do".to_owned());
-        }
-        if let Some(course) = course.filter(|_| old.policy != *made.policy()) {
-            let _ = writeln!(text, "  course: {}", course.display());
-        }
-        for line in said {
-            let _ = writeln!(text, "  {line}");
-        }
-    }
-
-    /// How the key of a part differs.
-    fn part(&self, part: usize) -> Vec<String> {
-        let mut counts: BTreeMap<Why, usize> = BTreeMap::new();
-        let mut farthest = 0.0f64;
-        let mut points: Option<(f64, f64)> = None;
-        for student in 0..self.who.students.len() {
-            let keys = self.tables.entries(self.places, student, part);
-            let [Some(old), Some(new)] = keys else { continue };
-            for why in changes::of_key(keys) {
-                *counts.entry(why).or_default() += 1;
-            }
-            if let (Answer::Number { value: a, .. }, Answer::Number { value: b, .. }) =
-                (&old.answer, &new.answer)
-            {
-                let size = a.abs().max(b.abs());
-                if size > 0.0 {
-                    farthest = farthest.max((a - b).abs() / size);
-                }
-            }
-            if (old.points - new.points).abs() > DUST {
-                points = Some((old.points, new.points));
-            }
-        }
-        let label = self.who.label(part);
-        let mut said = Vec::new();
-        for (why, count) in counts {
-            said.push(match why {
-                Why::Key => format!(
-                    "{label}: another key for {count} of {}, by up to {} %",
-                    tell::count(self.who.students.len(), "student"),
-                    per_cent(farthest)
-                ),
-                Why::Tolerance => {
-                    let old = self.places.parts[part]
-                        .map_or_else(String::new, |p| what_if::tolerance(&self.tables.old, p));
-                    format!("{label}: tolerance {old} -> {}", what_if::tolerance(&self.tables.new, part))
-                }
-                _ => format!("{label}: another unit, or it must be written or not"),
-            });
-        }
-        if let Some((old, new)) = points {
-            said.push(format!("{label}: {old} -> {new} points in the bank"));
-        }
-        said
-    }
-
-    /// Who gains and who loses.
-    fn marks(&self, text: &mut String) {
-        if self.changes.is_empty() {
-            text.push_str("  No mark changes.\n");
-            return;
-        }
-        let mut rows = vec![["part", "gain", "lose", "points", "why"].map(str::to_owned).to_vec()];
-        for part in 0..self.who.parts.len() {
-            let of: Vec<&Change> = self.changes.iter().filter(|c| c.part == part).collect();
-            if of.is_empty() {
-                continue;
-            }
-            let count = |f: &dyn Fn(f64) -> bool| of.iter().filter(|c| f(c.gain())).count().to_string();
-            let mut whys: BTreeMap<&Why, usize> = BTreeMap::new();
-            for why in of.iter().flat_map(|c| &c.why) {
-                *whys.entry(why).or_default() += 1;
-            }
-            let whys: Vec<String> = whys.iter().map(|(w, n)| format!("{} {n}", w.as_str())).collect();
-            rows.push(vec![
-                self.who.label(part),
-                count(&|g| g > DUST),
-                count(&|g| g < -DUST),
-                signed(of.iter().map(|c| c.gain()).sum()),
-                whys.join(", "),
-            ]);
-        }
-        text.push_str(&tell::table(&rows, &[0, 4]));
-        let total = |g: &Grading, s: usize| g.totals[s].map_or(0.0, |t| t.0);
-        let mut moved: Vec<(usize, f64)> = (0..self.who.students.len())
-            .map(|s| (s, total(self.after, s) - total(self.before, s)))
-            .filter(|(_, d)| d.abs() > DUST)
-            .collect();
-        let (gain, lose) =
-            (moved.iter().filter(|(_, d)| *d > 0.0).count(), moved.iter().filter(|(_, d)| *d < 0.0).count());
-        let n = self.who.students.len().max(1) as f64;
-        let mean = |g: &Grading| (0..self.who.students.len()).map(|s| total(g, s)).sum::<f64>() / n;
-        let _ = writeln!(
-            text,
-            "  {gain} of {} gain, {lose} lose; mean of totals {:.2} -> {:.2}",
-            tell::count(self.who.students.len(), "student"),
-            mean(self.before),
-            mean(self.after)
-        );
-        // Those who lose first: they will ask.
-        moved.sort_by(|a, b| a.1.total_cmp(&b.1).then(a.0.cmp(&b.0)));
-        let mut rows = Vec::new();
-        for (student, change) in moved.iter().take(SHOWN) {
-            let of = self.changes.iter().filter(|c| c.student == *student && c.gain().abs() > DUST);
-            let parts: Vec<String> = of
-                .map(|c| {
-                    let why: Vec<&str> = c.why.iter().map(Why::as_str).collect();
-                    format!("{} {} ({})", self.who.label(c.part), signed(c.gain()), why.join(", "))
-                })
-                .collect();
-            let stored = &self.set.students[*student];
-            rows.push(vec![
-                stored.student.clone(),
-                stored.name.clone(),
-                format!(
-                    "{} -> {}",
-                    points(total(self.before, *student)),
-                    points(total(self.after, *student))
-                ),
-                signed(*change),
-                parts.join(", "),
-            ]);
-        }
-        text.push_str(&tell::table(&rows, &[0, 1, 4]));
-        if moved.len() > SHOWN {
-            let _ = writeln!(text, "  and {} more", moved.len() - SHOWN);
-        }
-    }
-
-    /// changes.csv.
-    fn csv(&self, policy: &Policy) -> Vec<u8> {
-        let mut out =
-            b"student,problem,part,points_before,points_after,verdict_before,verdict_after,why\n".to_vec();
-        for change in self.changes {
-            let (number, part) = &self.who.parts[change.part];
-            let column = &self.tables.new.columns[change.part];
-            let why: Vec<String> = change
-                .why
-                .iter()
-                .map(|w| match (w, policy.correction(*number, &column.problem, part, change.is.is_some())) {
-                    (Why::Correction, Some(c)) if !c.why.is_empty() => format!("correction: {}", c.why),
-                    _ => w.as_str().to_owned(),
-                })
-                .collect();
-            let shown = |p: Option<f64>| p.map_or_else(String::new, points);
-            let verdict = |v: Option<crate::grade::verdict::Verdict>| v.map_or("", |v| v.as_str());
-            rows::push_line(
-                &mut out,
-                &[
-                    &self.who.students[change.student],
-                    &number.to_string(),
-                    part,
-                    &shown(change.before),
-                    &shown(change.after),
-                    verdict(change.was),
-                    verdict(change.is),
-                    &why.join("; "),
-                ],
-            );
-        }
-        out
-    }
-}
-
-/// Which settings of the course differ.
-fn settings(old: &Policy, new: &Policy) -> Vec<String> {
-    let mut said = Vec::new();
-    for correction in new.corrections.iter().filter(|c| {
-        !old.corrections
-            .iter()
-            .any(|o| (o.part.text(), o.share.to_bits(), o.to) == (c.part.text(), c.share.to_bits(), c.to))
-    }) {
-        said.push(format!(
-            "correction: {} get at least {} % of {}: {}",
-            if matches!(correction.to, crate::policy::For::All) { "all" } else { "all who answered" },
-            per_cent(correction.share),
-            correction.part.text(),
-            correction.why
-        ));
-    }
-    let gone =
-        |c: &&crate::policy::Correction| !new.corrections.iter().any(|n| n.part.text() == c.part.text());
-    for correction in old.corrections.iter().filter(gone) {
-        said.push(format!("the correction of {} is gone", correction.part.text()));
-    }
-    let differ = [
-        ("due", old.due != new.due || old.zone != new.zone),
-        ("extensions", old.extensions != new.extensions),
-        ("attempts", old.attempts != new.attempts),
-        ("late", old.late != new.late),
-        ("credit", old.credit != new.credit),
-        (
-            "points",
-            old.points
-                .iter()
-                .map(|(p, x)| (p.text(), x.to_bits()))
-                .ne(new.points.iter().map(|(p, x)| (p.text(), x.to_bits()))),
-        ),
-        ("drop lowest", old.drop_lowest != new.drop_lowest),
-        ("round", old.rounding != new.rounding),
-    ];
-    let differ: Vec<&str> = differ.iter().filter(|(_, d)| *d).map(|(name, _)| *name).collect();
-    if !differ.is_empty() {
-        said.push(format!("settings that differ: {}", differ.join(", ")));
-    }
-    said
-}
-
-/// Points without the dust of sums.
-fn points(value: f64) -> String {
-    crate::policy::plain(value).to_string()
-}
-
-fn signed(value: f64) -> String {
-    let value = crate::policy::plain(value);
-    if value > 0.0 { format!("+{value}") } else { value.to_string() }
 }

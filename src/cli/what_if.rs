@@ -2,11 +2,13 @@
 use crate::answer::read::UnitCache;
 use crate::bank::Relative;
 use crate::cli::args;
+use crate::cli::explain::plain;
 use crate::cli::graded;
 use crate::cli::graded::Graded;
 use crate::cli::tell;
 use crate::cli::tell::Exit;
 use crate::cli::tell::Io;
+use crate::cli::words;
 use crate::finding::Finding;
 use crate::grade::feedback::Feedback;
 use crate::grade::table::KeyTable;
@@ -139,10 +141,15 @@ pub fn tolerance(table: &KeyTable, part: usize) -> String {
             range = Some((least.min(share), most.max(share)));
         }
     }
+    // Where an absolute tolerance is the wider one, the share is no round number.
+    let shown = |share: f64| match words::rounded(share * 100.0, 2) {
+        text if text.contains('.') => text.trim_end_matches('0').trim_end_matches('.').to_owned(),
+        text => text,
+    };
     match range {
         None => "-".to_owned(),
-        Some((least, most)) if per_cent(least) == per_cent(most) => format!("{} %", per_cent(least)),
-        Some((least, most)) => format!("{}-{} %", per_cent(least), per_cent(most)),
+        Some((least, most)) if shown(least) == shown(most) => format!("{} %", shown(least)),
+        Some((least, most)) => format!("{}-{} %", shown(least), shown(most)),
     }
 }
 
@@ -204,7 +211,7 @@ fn told(args: &args::WhatIf, now: &KeyTable, trials: &[Trial], answers: u64, ear
         let mut list: Vec<(&String, &u64)> = trial.what.methods.iter().collect();
         list.sort_by(|a, b| b.1.cmp(a.1).then(a.0.cmp(b.0)));
         for (id, count) in list {
-            let did = catalogue.get(id).map_or("", |e| e.did.as_str());
+            let did = catalogue.get(id).map_or_else(String::new, |e| plain(&e.did));
             text.push_str(&format!("    {count} x {id}  {did}\n"));
         }
     }
