@@ -4,8 +4,13 @@ use slipstick::cli::tell::Io;
 use std::io;
 use std::io::IsTerminal as _;
 use std::process::ExitCode;
+#[cfg(unix)]
+use std::sync::Arc;
 
 fn main() -> ExitCode {
+    // A file beyond the limit of its size is then a fault of writing with its message, and not the end by a signal.
+    #[cfg(unix)]
+    let _ = signal_hook::flag::register(signal_hook::consts::SIGXFSZ, Arc::default());
     let watched = io::stderr().is_terminal();
     let typed = io::stdin().is_terminal();
     let mut input = io::stdin().lock();

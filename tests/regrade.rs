@@ -1,8 +1,18 @@
 //! After grading: what other tolerances would change, grading again by a changed bank or course, and marks explained.
 #![expect(clippy::unwrap_used, reason = "a test that cannot set itself up fails")]
+mod support;
+
 use slipstick::cli;
 use slipstick::cli::tell::Exit;
 use slipstick::cli::tell::Io;
+use slipstick::draw::stream::DRAW_VERSION;
+use slipstick::set::given;
+use slipstick::set::key_file;
+use slipstick::set::replay;
+use slipstick::set::store;
+use slipstick::set::store::StoredBank;
+use slipstick::set::store::StoredSet;
+use slipstick::set::store::StoredStudent;
 use std::collections::BTreeMap;
 use std::ffi::OsString;
 use std::fs;
@@ -558,7 +568,7 @@ fn copied_answers_are_found_and_told_to_nobody_else() {
     let ran = run(&["matches", &room.path("grades")]);
     assert_eq!(ran.exit, Exit::Fine, "{}", ran.err);
     insta::assert_snapshot!(room.shown(&ran.out), @r#"
-7 wrong answers in numbers were held against classmates' keys, 3 of them with no other explanation: 1 pair stands out. Among honest students luck alone makes a pair stand out in one set of 100.
+7 wrong answers in numbers held against classmates' keys, 3 of them with no other explanation: 1 pair stands out. Among honest students luck alone makes a pair stand out in one set of 100.
   look  student  key of  parts                  answers                    chance  by luck  other explanation
   yes   0062     0023    1.omega 1.v 1.k_bound  17.4404 | 2.4417 | 0.3199    4e-5     2e-4  1.omega: A01
   A match accuses nobody: sheets get swapped, friends compute with one set of data, a form is filled in for another.
@@ -568,4 +578,53 @@ fn copied_answers_are_found_and_told_to_nobody_else() {
 look,student,classmate,parts,answers,chance,expected_by_luck,other_explanation
 yes,0062,0023,1.omega 1.v 1.k_bound,17.4404 | 2.4417 | 0.3199,4.5e-5,2.2e-4,1.omega: A01
 "#);
+    // The class report shows the pair to the instructor; what students get knows nothing of it.
+    assert!(room.read("grades/report.html").contains("0023 (Name of 0023)"));
+    let feedback = tree(Path::new(&room.path("grades/feedback")));
+    assert!(feedback.len() >= 2 * STUDENTS.len());
+    for (name, bytes) in feedback.iter().filter(|(name, _)| name.contains("0062")) {
+        let text = String::from_utf8_lossy(bytes);
+        assert!(!text.contains("0023") && !text.contains("classmate"), "{name}: {text}");
+    }
+}
+
+/// What is printed on a sheet is enough: solved from it, the key of every family is that of the draw, to the last bit.
+#[test]
+fn the_printed_data_give_the_key_of_the_draw() {
+    for bank in support::banks() {
+        let all: Vec<usize> = (0..bank.problems.len()).collect();
+        let dealer = replay::Dealer::new(&bank, &all, 3, "printed");
+        let mut keys = Vec::new();
+        let mut students = Vec::new();
+        for id in ["a", "b", "c", "d"] {
+            let dealt = dealer.deal(id).unwrap();
+            let problems = dealt.variants.iter().zip(&bank.problems);
+            students.push(StoredStudent {
+                student: id.to_owned(),
+                name: String::new(),
+                folder: id.to_owned(),
+                problems: problems.map(|(variant, problem)| replay::stored(problem, variant)).collect(),
+            });
+            keys.push(dealt.key);
+        }
+        let set = StoredSet {
+            format: store::FORMAT,
+            name: "printed".to_owned(),
+            seed: 3,
+            program: String::new(),
+            draw_version: DRAW_VERSION,
+            language: "en".to_owned(),
+            formats: Vec::new(),
+            bank: StoredBank { id: bank.id.clone(), file: "bank.yaml".to_owned(), sha256: bank.hash.clone() },
+            problems: bank.problems.iter().map(|p| p.id.clone()).collect(),
+            students,
+            coincidences: Vec::new(),
+        };
+        // As it is read again.
+        let set = StoredSet::parse(&set.text()).unwrap();
+        let Ok(found) = given::all(&bank, &set) else { panic!("{}: no key from the printed data", bank.id) };
+        let again: Vec<_> = found.into_iter().map(|g| g.key).collect();
+        assert!(key_file::text(&again) == key_file::text(&keys), "{}: another key", bank.id);
+        assert!(again == keys, "{}: other wrong values or relations", bank.id);
+    }
 }

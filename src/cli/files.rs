@@ -7,6 +7,7 @@ use std::io;
 use std::path::Path;
 use std::path::PathBuf;
 use std::time::Duration;
+use std::time::SystemTime;
 use tempfile::TempDir;
 
 /// A fault of the machine as a finding about a path.
@@ -24,8 +25,16 @@ fn in_words(error: &io::Error) -> String {
             "something else of this name is in the way".to_owned()
         }
         io::ErrorKind::StorageFull => "the disk is full".to_owned(),
+        io::ErrorKind::QuotaExceeded => "the quota of the disk is used up".to_owned(),
+        io::ErrorKind::FileTooLarge => "files may not grow that large here".to_owned(),
         _ => error.to_string(),
     }
+}
+
+/// Size and last change of a file, to see that it stays as it is.
+pub fn stamp(path: &Path) -> Option<(u64, SystemTime)> {
+    let about = fs::metadata(path).ok()?;
+    Some((about.len(), about.modified().ok()?))
 }
 
 /// Bytes of a file.

@@ -303,6 +303,7 @@ pub fn make(job: &Job, basis: Basis, input: &mut dyn BufRead) -> Result<Made, Ve
         .map_err(|e| vec![files::trouble(job.submissions, "cannot be read", &e)])?;
     let path = spooled.as_ref().map_or(job.submissions, NamedTempFile::path);
     let size = fs::metadata(path).map_or(0, |m| m.len());
+    let first = files::stamp(path);
     let bar = files::progress(job.watched && size > 20_000_000, size * rules.reads(), "grading");
     let open = || -> io::Result<Box<dyn Read + Send>> { Ok(Box::new(fs::File::open(path)?)) };
     let options = Options {
@@ -320,10 +321,16 @@ pub fn make(job: &Job, basis: Basis, input: &mut dyn BufRead) -> Result<Made, Ve
     let mut out = io::BufWriter::with_capacity(1 << 18, file);
     let graded = run::grade(&open, &table, &rules, &options, &mut out, &mut |read| bar.set_position(read));
     bar.finish_and_clear();
-    let graded = graded.map_err(|fault| match fault {
+    let graded = graded.map_err(|why| match why {
         GradeFault::Io(e) => vec![files::trouble(job.submissions, "cannot be graded", &e)],
+        GradeFault::Write(e) => fault(&e),
         GradeFault::Header(findings) => findings.into_iter().map(|f| f.in_file(&submissions)).collect(),
     })?;
+    // Which attempt counts was found in an earlier walk over the file.
+    if files::stamp(path) != first {
+        let changed = Finding::new("", "was changed while it was graded").in_file(submissions);
+        return Err(vec![changed.hint("grade it again, or a copy of it")]);
+    }
     out.flush().map_err(|e| fault(&e))?;
     drop(out);
     let put = |name: &str, bytes: &[u8]| {

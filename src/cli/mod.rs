@@ -1,6 +1,7 @@
 //! The street door: what was typed becomes files read, the library called, results told.
 use clap::Parser as _;
 use std::ffi::OsString;
+use std::path::Path;
 
 mod accuracy;
 pub mod args;
@@ -71,6 +72,12 @@ pub fn run(args: impl IntoIterator<Item = OsString>, io: &mut Io) -> Exit {
         Verb::Simulate(args) => simulate::run(&args, io),
         Verb::Demo(args) => demo::run(&args, io),
     };
-    let _ = io.out.flush();
-    exit
+    // A reader who went away (`| head`) is no error; a disk that is full is one.
+    match io.out.flush() {
+        Err(error) if error.kind() != std::io::ErrorKind::BrokenPipe => {
+            let fault = files::trouble(Path::new("standard output"), "cannot be written", &error);
+            io.findings(&[fault])
+        }
+        _ => exit,
+    }
 }

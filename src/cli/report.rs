@@ -224,10 +224,9 @@ pub fn make(graded: &Path, out: &Path, own: &Own, threads: Option<usize>) -> Res
     });
     all?;
 
-    let lines = lines(&marks);
-    let most = study.most.max(marks.totals.iter().map(|t| t.1).fold(0.0, f64::max));
-    write("gradebook-canvas.csv", &lms::canvas(&basis.set.name, most, &lines))?;
-    write("gradebook-moodle.csv", &lms::moodle(&basis.set.name, &lines))?;
+    let (item, most, lines) = book(&marks, &basis.grading.set);
+    write("gradebook-canvas.csv", &lms::canvas(&item, most, &lines))?;
+    write("gradebook-moodle.csv", &lms::moodle(&item, &lines))?;
     Ok(Summary {
         students: marks.class.students.len(),
         took_part: study.took_part.len(),
@@ -237,8 +236,12 @@ pub fn make(graded: &Path, out: &Path, own: &Own, threads: Option<usize>) -> Res
     })
 }
 
-/// Lines of the gradebooks; the short text names the verdict of each part.
-fn lines(marks: &Marks) -> Vec<Line<'_>> {
+/// Name of the grade item, the most that it gives, and the lines of the gradebooks; their short text names the verdict of each
+/// part. Where not all students can get the same number of points (another problem is dropped), points cannot be compared: the
+/// item is then in per cent.
+fn book<'m>(marks: &'m Marks, set: &str) -> (String, f64, Vec<Line<'m>>) {
+    let most = marks.totals.iter().map(|t| t.1).fold(0.0, f64::max);
+    let same = marks.totals.iter().all(|t| (t.1 - most).abs() <= 1e-9 * most);
     let told = |s: usize| -> String {
         let parts = marks.class.parts.iter().enumerate().filter(|(p, _)| marks.asked(s, *p));
         let told: Vec<String> = parts
@@ -250,19 +253,22 @@ fn lines(marks: &Marks) -> Vec<Line<'_>> {
             .collect();
         told.join("; ")
     };
-    let any = |s: usize| marks.took_part(s) || (0..marks.class.parts.len()).any(|p| marks.points(s, p) > 0.0);
-    marks
-        .class
-        .students
-        .iter()
-        .enumerate()
-        .map(|(s, student)| Line {
+    let points = |(points, of): (f64, f64)| match same {
+        true => points,
+        false if of > 0.0 => (points / of * 10_000.0).round() / 100.0,
+        false => 0.0,
+    };
+    let line = |(s, student): (usize, &'m Student)| {
+        let any = marks.took_part(s) || (0..marks.class.parts.len()).any(|p| marks.points(s, p) > 0.0);
+        Line {
             id: &student.id,
             name: &student.name,
-            points: any(s).then_some(marks.totals[s].0),
-            feedback: if any(s) { told(s) } else { String::new() },
-        })
-        .collect()
+            points: any.then(|| points(marks.totals[s])),
+            feedback: if any { told(s) } else { String::new() },
+        }
+    };
+    let lines = marks.class.students.iter().enumerate().map(line).collect();
+    if same { (set.to_owned(), most, lines) } else { (format!("{set} %"), 100.0, lines) }
 }
 
 /// Markdown of one line to HTML without the paragraph around it.

@@ -39,6 +39,7 @@ use crate::grade::table::KeyTable;
 use crate::grade::table::joined;
 use crate::grade::tails::Kind;
 use crate::grade::tails::Tails;
+use crate::grade::threads::Halt;
 use crate::grade::threads::sweep;
 use crate::grade::verdict::Judgement;
 use crate::grade::verdict::Verdict;
@@ -77,8 +78,10 @@ impl Default for Options<'_> {
 /// Why nothing was graded.
 #[derive(Debug)]
 pub enum GradeFault {
-    /// Reading or writing failed.
+    /// Reading failed.
     Io(io::Error),
+    /// Writing failed.
+    Write(io::Error),
     /// The header does not do; all that is wrong with it.
     Header(Vec<Finding>),
 }
@@ -86,7 +89,7 @@ pub enum GradeFault {
 impl fmt::Display for GradeFault {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            GradeFault::Io(fault) => write!(f, "{fault}"),
+            GradeFault::Io(fault) | GradeFault::Write(fault) => write!(f, "{fault}"),
             GradeFault::Header(findings) => {
                 for (i, finding) in findings.iter().enumerate() {
                     write!(f, "{}{finding}", if i > 0 { "\n" } else { "" })?;
@@ -102,6 +105,15 @@ impl std::error::Error for GradeFault {}
 impl From<io::Error> for GradeFault {
     fn from(fault: io::Error) -> Self {
         GradeFault::Io(fault)
+    }
+}
+
+impl From<Halt> for GradeFault {
+    fn from(halt: Halt) -> Self {
+        match halt {
+            Halt::Read(fault) => GradeFault::Io(fault),
+            Halt::Write(fault) => GradeFault::Write(fault),
+        }
     }
 }
 
@@ -421,7 +433,7 @@ fn choose_winners(
     job: &Job,
     threads: usize,
     heard: &mut (dyn FnMut(u64) + Send),
-) -> io::Result<Vec<Winner>> {
+) -> Result<Vec<Winner>, GradeFault> {
     let (table, rules) = (job.table, job.rules);
     let attempts = rules.policy.attempts;
     let cells = table.students.len() * table.columns.len();
@@ -429,10 +441,11 @@ fn choose_winners(
     let careful = rules.careful() && job.layout.submitted.is_some();
     let walk = |found: &dyn Fn() -> Found,
                 process: &(dyn Fn(&mut Worker, &Batch, &mut Vec<u8>) + Sync),
-                heard: &mut (dyn FnMut(u64) + Send)| {
+                heard: &mut (dyn FnMut(u64) + Send)|
+     -> Result<Vec<Worker>, GradeFault> {
         let (source, _) = Source::open(open()?)?;
         let workers = (0..threads).map(|_| Worker::new(table, found())).collect();
-        sweep(source, workers, process, None, heard)
+        Ok(sweep(source, workers, process, None, heard)?)
     };
     let gathered = |workers: Vec<Worker>| {
         let mut all: Vec<Attempt> = Vec::new();
@@ -950,11 +963,11 @@ pub fn grade(
     };
     let winners = choose_winners(open, &job, threads, &mut heard)?;
     let (source, _) = Source::open(open()?)?;
-    out.write_all(ANSWERS_HEADER.as_bytes())?;
+    out.write_all(ANSWERS_HEADER.as_bytes()).map_err(GradeFault::Write)?;
     let workers = (0..threads).map(|_| Worker::new(table, Found::Nothing)).collect();
     let process = |w: &mut Worker, b: &Batch, out: &mut Vec<u8>| walk_and_write(w, b, out, &job, &winners);
     let workers = sweep(source, workers, &process, Some(&mut *out), &mut heard)?;
-    out.flush()?;
+    out.flush().map_err(GradeFault::Write)?;
     let mut graded = Graded {
         cells: 0,
         counts: VerdictCounts::default(),

@@ -8,6 +8,15 @@ use std::sync::Condvar;
 use std::sync::Mutex;
 use std::sync::PoisonError;
 
+/// Reading or writing failed.
+#[derive(Debug)]
+pub enum Halt {
+    /// Reading.
+    Read(io::Error),
+    /// Writing.
+    Write(io::Error),
+}
+
 /// What is done with what the workers wrote.
 struct Output<'a, 'b> {
     /// The batch whose turn it is.
@@ -20,7 +29,7 @@ struct Output<'a, 'b> {
     out: Option<&'b mut (dyn Write + Send + 'b)>,
     writing: bool,
     progress: &'a mut (dyn FnMut(u64) + Send),
-    fault: Option<io::Error>,
+    halted: bool,
 }
 
 /// What a worker does with a batch: it may write.
@@ -37,7 +46,7 @@ pub fn sweep<'b, W: Send>(
     process: Process<'_, W>,
     out: Option<&'b mut (dyn Write + Send + 'b)>,
     progress: &mut (dyn FnMut(u64) + Send),
-) -> io::Result<Vec<W>> {
+) -> Result<Vec<W>, Halt> {
     let limit = workers.len() * 4;
     let source = Mutex::new(source);
     let output = Mutex::new(Output {
@@ -47,11 +56,11 @@ pub fn sweep<'b, W: Send>(
         out,
         writing: false,
         progress,
-        fault: None,
+        halted: false,
     });
     let turn = Condvar::new();
     let hold = || output.lock().unwrap_or_else(PoisonError::into_inner);
-    let work = |mut worker: W| -> io::Result<W> {
+    let work = |mut worker: W| -> Result<W, Halt> {
         let (mut batch, mut text) = (Batch::default(), Vec::new());
         loop {
             let more = source.lock().unwrap_or_else(PoisonError::into_inner).next_batch(&mut batch);
@@ -59,22 +68,22 @@ pub fn sweep<'b, W: Send>(
                 Ok(true) => {}
                 Ok(false) => return Ok(worker),
                 Err(fault) => {
-                    hold().fault.get_or_insert_with(|| io::Error::from(fault.kind()));
+                    hold().halted = true;
                     turn.notify_all();
-                    return Err(fault);
+                    return Err(Halt::Read(fault));
                 }
             }
             text.clear();
             process(&mut worker, &batch, &mut text);
             let mut held = hold();
-            while held.next != batch.number && held.waiting.len() >= limit && held.fault.is_none() {
+            while held.next != batch.number && held.waiting.len() >= limit && !held.halted {
                 held = turn.wait(held).unwrap_or_else(PoisonError::into_inner);
             }
-            if held.fault.is_some() {
+            if held.halted {
                 return Ok(worker);
             }
             held.waiting.insert(batch.number, (std::mem::take(&mut text), batch.read_so_far));
-            while !held.writing && held.fault.is_none() {
+            while !held.writing && !held.halted {
                 let next = held.next;
                 let Some((bytes, read)) = held.waiting.remove(&next) else { break };
                 (held.progress)(read);
@@ -86,9 +95,9 @@ pub fn sweep<'b, W: Send>(
                     held.out = Some(out);
                     held.writing = false;
                     if let Err(fault) = written {
-                        held.fault = Some(io::Error::from(fault.kind()));
+                        held.halted = true;
                         turn.notify_all();
-                        return Err(fault);
+                        return Err(Halt::Write(fault));
                     }
                 }
                 held.next += 1;

@@ -38,9 +38,17 @@ impl Matches {
     /// One sentence of what was looked at and what luck brings.
     pub fn summary(&self) -> String {
         let flagged = self.pairs.iter().filter(|p| p.flagged).count();
+        if self.answers == 0 {
+            return "No wrong answer in numbers, so none that is a classmate's.".to_owned();
+        }
         let looked = format!(
-            "{} wrong answers in numbers were held against classmates' keys, {} of them with no other explanation",
-            self.answers, self.unexplained
+            "{} in numbers held against classmates' keys, {} of them with no other explanation",
+            if self.answers == 1 {
+                "1 wrong answer".to_owned()
+            } else {
+                format!("{} wrong answers", self.answers)
+            },
+            self.unexplained
         );
         let found = match flagged {
             0 => "no pair stands out".to_owned(),

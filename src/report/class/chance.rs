@@ -71,11 +71,15 @@ impl Pen<'_> {
         let study = self.study;
         let title = |i: usize| format!("{}. {}", i + 1, self.marks.class.problems[i].title);
         let mut out = String::new();
-        for (problem, n) in &study.too_few {
+        if !study.too_few.is_empty() {
+            let few: Vec<String> = study
+                .too_few
+                .iter()
+                .map(|(i, n)| format!("{} ({})", title(*i), count(*n, "student")))
+                .collect();
             out.push_str(&paragraph(&format!(
-                "{}: {} handed in an answer; below {LEAST_FOR_CORRELATION} nothing is said, because chance alone makes such differences.",
-                title(*problem),
-                count(*n, "student")
+                "Nothing is said on {}: with answers of fewer than {LEAST_FOR_CORRELATION} students chance alone makes such differences.",
+                few.join("; ")
             )));
         }
         if study.fairness.is_empty() {
