@@ -23,6 +23,7 @@
 //!                          document -> Markdown, HTML, LaTeX, Typst -> PDF
 //!                          misconception (wrong values, beside the key)
 //!              policy, submissions -> answer -> grade -> report, matches, regrade
+//!              set, habits -> simulate -> submissions, truth
 //! ```
 //! [`problem::make`] is the first line in one function, [`grade::run`] the second; [`cli`] opens files and tells results.
 //!

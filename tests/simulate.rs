@@ -239,6 +239,33 @@ lateness: 3
 }
 
 #[test]
+fn a_late_joiner_changes_nobody_elses_answers() {
+    let room = Room::new();
+    let (roster, set) = (room.path("roster.csv"), room.path("set"));
+    let habits = room.path("habits.yaml");
+    let alone: Vec<&str> = EXAMPLE.lines().filter(|l| !l.starts_with("copying:")).collect();
+    room.write("habits.yaml", &alone.join("\n"));
+    let mut seen: Vec<Vec<String>> = Vec::new();
+    for (students, more) in
+        [("student\na\nb\n", &["--seed", "1"][..]), ("student\nb\nnew\na\n", &["--add"][..])]
+    {
+        room.write("roster.csv", students);
+        let bank = ["generate", "hoists-and-pulleys", "--roster", &roster, "--out", &set];
+        let (exit, _, err) = run(&[&bank[..], more].concat());
+        assert_eq!(exit, Exit::Fine, "{err}");
+        let (out, truth) = (room.path("s.csv"), room.path("t.csv"));
+        let args = ["simulate", &set, "--like", &habits, "--out", &out, "--truth", &truth, "--force"];
+        let (exit, _, err) = run(&args);
+        assert_eq!(exit, Exit::Fine, "{err}");
+        let text = room.read("s.csv");
+        seen.push(text.lines().filter(|l| !l.starts_with("new,")).map(str::to_owned).collect());
+        assert_eq!(more[0] == "--add", text.contains("\nnew,"));
+    }
+    assert!(seen[0].len() > 20);
+    assert_eq!(seen[0], seen[1]);
+}
+
+#[test]
 fn nothing_is_written_over() {
     let room = Room::new();
     room.write("a.csv", "mine");

@@ -150,7 +150,9 @@ pub fn write(habits: &Habits, words: &Words, seed: u64, works: &[Work]) -> Files
     let separator = if habits.spreadsheet { ';' } else { ',' };
     header(habits, &mut submissions);
     for (i, row) in rows.iter().enumerate() {
-        let answer = text(&row.handed.cell, row.comma, i, words);
+        // What varies without meaning anything varies by what is answered, not by where the row stands.
+        let odd = row.handed.problem + row.handed.part + usize::try_from(row.handed.attempt).unwrap_or(0);
+        let answer = text(&row.handed.cell, row.comma, odd, words);
         let time = row.minute.map(|m| match habits.times.as_ref().map_or("", |t| t.zone.as_str()) {
             "" => moment::text(m),
             zone => format!("{}:00{zone}", moment::text(m).replace(' ', "T")),
@@ -161,14 +163,14 @@ pub fn write(habits: &Habits, words: &Words, seed: u64, works: &[Work]) -> Files
             if habits.spreadsheet { fields.insert(0, time) } else { fields.push(time) }
         }
         if habits.spreadsheet {
-            fields.push(if i % 2 == 0 { "phone" } else { "" });
+            fields.push(if odd % 2 == 0 { "phone" } else { "" });
         }
         for (j, field) in fields.iter().enumerate() {
             if j > 0 {
                 submissions.push(separator);
             }
             // Spreadsheets quote more than they must.
-            let quote = habits.spreadsheet && field.contains(' ') && i % 3 == 0;
+            let quote = habits.spreadsheet && field.contains(' ') && odd % 3 == 0;
             push_field(&mut submissions, field, separator, quote);
         }
         submissions.push_str(if habits.spreadsheet { "\r\n" } else { "\n" });
@@ -205,10 +207,10 @@ fn header(habits: &Habits, out: &mut String) {
     });
 }
 
-/// What stands in the cell. `row` varies what varies from row to row without meaning anything.
-fn text(cell: &Cell, comma: bool, row: usize, words: &Words) -> String {
+/// What stands in the cell; `odd` tells whether a blank has blanks in it.
+fn text(cell: &Cell, comma: bool, odd: usize, words: &Words) -> String {
     match cell {
-        Cell::Blank => if row.is_multiple_of(2) { "" } else { "  " }.to_owned(),
+        Cell::Blank => if odd.is_multiple_of(2) { "" } else { "  " }.to_owned(),
         Cell::Garbage(text) => (*text).to_owned(),
         Cell::Word(word) => words.get(&format!("sheet.{word}")).to_owned(),
         Cell::Number { digits, unit, way } => {
