@@ -25,7 +25,7 @@ pub(crate) fn push_float(out: &mut Vec<u8>, value: f64) {
     }
 }
 
-/// `-62.6 N` and its like: a sign, a number, then a unit that begins with a letter; nothing that a spreadsheet could run, as
+/// `-62,6`, `-62.6 N` and their like: a sign, a number, perhaps a unit that begins with a letter; nothing that a spreadsheet could run, as
 /// it would `-2/A1`.
 fn signed_quantity(text: &[u8]) -> bool {
     let [b'+' | b'-', rest @ ..] = text else { return false };
@@ -34,13 +34,14 @@ fn signed_quantity(text: &[u8]) -> bool {
     if at == 0 {
         return false;
     }
-    if let [b'e' | b'E', b'+' | b'-', more @ ..] = &rest[at..]
-        && digits(more) > 0
-    {
-        at += 2 + digits(more);
+    if let [b'e' | b'E', more @ ..] = &rest[at..] {
+        let sign = usize::from(matches!(more, [b'+' | b'-', ..]));
+        let power = digits(&more[sign..]);
+        at += if power > 0 { 1 + sign + power } else { 0 };
     }
     let unit = rest[at..].trim_ascii_start();
-    unit == b"%"
+    unit.is_empty()
+        || unit == b"%"
         || (unit.first().is_some_and(|b| b.is_ascii_alphabetic() || !b.is_ascii())
             && unit.iter().enumerate().all(|(i, b)| match b {
                 b'.' | b' ' | b'/' | b'^' => true,
@@ -128,6 +129,7 @@ mod tests {
             "-5^2",
             "-2*3",
             "-1e5/A1",
+            "-1e+5/A1",
             "+cmd|x",
             "-",
             "+",
