@@ -2,6 +2,7 @@
 //! only what the match proves, and never makes a wrong answer right.
 use crate::key::Answer;
 use crate::key::KeyEntry;
+use crate::key::WrongValue;
 use crate::units::Dimension;
 
 /// What a wrong answer fits.
@@ -66,6 +67,8 @@ pub struct Known {
     confused: (u8, u8),
     /// Another part of the problem is of the same dimension.
     alike: bool,
+    /// Where its wrong values stand in a table, and how many they are.
+    pub(crate) wrong: (u32, u32),
 }
 
 /// Fits `value`: within its tolerance, relative as that of the key.
@@ -95,32 +98,38 @@ impl Known {
         let alike = others.into_iter().any(|other| other.unit.dimension() == dimension);
         let reach = (DRIFT_PER_COND * entry.cond.unwrap_or(0.0) * key.abs()).min(DRIFT_ENDS * half_width);
         let rounded = [2, 1].map(|figures| rounded(key, figures).unwrap_or(f64::NAN));
-        Some(Known { key, magnitude, share, reach, rounded, confused, alike })
+        Some(Known { key, magnitude, share, reach, rounded, confused, alike, wrong: (0, 0) })
     }
 
-    /// What the number `x`, SI, judged wrong for `parts[part]`, has in common with what is known of its problem.
-    pub fn diagnose(&self, x: f64, part: usize, parts: &[Option<KeyEntry>]) -> Diagnosis {
+    /// What the number `x`, SI, judged wrong for `parts[part]`, has in common with what is known of its problem; `wrong` is
+    /// where wrong methods come to.
+    pub fn diagnose(
+        &self,
+        x: f64,
+        part: usize,
+        parts: &[Option<KeyEntry>],
+        wrong: &[WrongValue],
+    ) -> Diagnosis {
         let mut found = Diagnosis::default();
-        let Some(entry) = parts.get(part).and_then(Option::as_ref) else { return found };
         // The right magnitude with a sign that nobody asked for fits nothing else.
         if self.magnitude && x < 0.0 && fits(-x, self.key, self.share) {
             return found;
         }
         let x = if self.magnitude { x.abs() } else { x };
         // Mostly none fits: first without a branch for each.
-        if entry.wrong.iter().fold(false, |any, w| any | fits(x, w.value, self.share)) {
+        if wrong.iter().fold(false, |any, w| any | fits(x, w.value, self.share)) {
             let miss = |value: f64| (x - value).abs() / width(value, self.share);
-            let near = entry.wrong.iter().filter(|w| fits(x, w.value, self.share));
+            let near = wrong.iter().filter(|w| fits(x, w.value, self.share));
             let mut methods: Vec<(f64, u16)> = near.map(|w| (miss(w.value), w.method)).collect();
             // Stable: of equally near ones the first of the bank.
             methods.sort_by(|a, b| a.0.total_cmp(&b.0));
             found.methods = methods.iter().map(|(_, method)| *method).collect();
         }
-        found.slip = self.slip(x, part, parts, entry);
+        found.slip = self.slip(x, part, parts);
         found
     }
 
-    fn slip(&self, x: f64, part: usize, parts: &[Option<KeyEntry>], entry: &KeyEntry) -> Option<Slip> {
+    fn slip(&self, x: f64, part: usize, parts: &[Option<KeyEntry>]) -> Option<Slip> {
         let Known { key, share, .. } = *self;
         // Between these ratios no power of ten fits a tolerance below a half.
         let ratio = x / key;
@@ -149,6 +158,7 @@ impl Known {
         if !self.alike {
             return None;
         }
+        let entry = parts.get(part)?.as_ref()?;
         parts
             .iter()
             .enumerate()
@@ -166,7 +176,10 @@ impl Known {
 
 /// As [`Known::diagnose`], for a single answer.
 pub fn diagnose(x: f64, part: usize, parts: &[Option<KeyEntry>]) -> Diagnosis {
-    Known::of(part, parts).map_or_else(Diagnosis::default, |known| known.diagnose(x, part, parts))
+    match (Known::of(part, parts), parts.get(part)) {
+        (Some(known), Some(Some(entry))) => known.diagnose(x, part, parts, &entry.wrong),
+        _ => Diagnosis::default(),
+    }
 }
 
 fn ten_to(n: i32) -> f64 {

@@ -6,6 +6,7 @@ pub mod feedback;
 mod ids;
 pub mod judge;
 mod layout;
+mod lean;
 mod quick;
 pub mod rules;
 pub mod run;

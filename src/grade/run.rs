@@ -33,6 +33,7 @@ use crate::grade::layout::layout;
 use crate::grade::layout::open_quote;
 use crate::grade::layout::sort_of_row;
 use crate::grade::layout::trimmed;
+use crate::grade::lean::Lean;
 use crate::grade::quick::Quick;
 use crate::grade::rules::Rules;
 use crate::grade::table::KeyTable;
@@ -281,6 +282,7 @@ struct Job<'j> {
     layout: &'j Layout,
     rules: &'j Rules<'j>,
     say: &'j Feedback<'j>,
+    lean: &'j Lean,
 }
 
 /// The time of a record: what was read, and whether it is uncertain.
@@ -365,17 +367,20 @@ fn walk_rows(worker: &mut Worker, batch: &Batch, job: &Job) {
     let Worker { scratch, quick, found, .. } = worker;
     let Found::Rows(rows) = found else { return };
     let counts = job.rules.policy.attempts.counts;
-    let students = job.table.students.len();
     batch.records(scratch, |record| {
         if !matches!(sort_of_row(record, job.layout, job.say), Row::Cells) {
             return;
         }
         cells(record, job.layout, job.table, quick, |quick, cell| {
             let (Some(who), Some(what)) = (cell.who, cell.what) else { return };
-            let found = worth(job, (who, what), cell.answer, quick, &[]);
+            let x = job.lean.column(what).and_then(|hot| quick.si(job.table, hot, cell.answer));
+            let found = match x {
+                Some(x) => Some((choose::READABLE, x, 0.0)),
+                None => worth(job, (who, what), cell.answer, quick, &[]),
+            };
             let Some((class, number, _)) = found else { return };
             let at = place(cell.line, cell.column.map_or(0, |(i, _)| i));
-            rows[what as usize * students + who as usize].join(&ByRow::new(class, at, number), counts);
+            rows[job.lean.at(who, what)].join(&ByRow::new(class, at, number), counts);
         });
     });
 }
@@ -661,26 +666,27 @@ fn awarded(
 #[inline]
 fn superseded_line(
     job: &Job,
-    winners: &[Winner],
+    places: &[u64],
     (quick, tails): (&mut Quick, &mut Tails),
     cell: &Cell,
     (who, what): (u32, u32),
     submitted: &[u8],
     out: &mut Vec<u8>,
 ) -> Option<()> {
-    let Job { table, say, .. } = *job;
-    let index = who as usize * table.columns.len() + what as usize;
-    let winner = &winners[index];
-    if cell.column.is_some() || winner.by_row || winner.at == place(cell.line, 0) {
+    let Job { table, say, lean, .. } = *job;
+    let at = lean.at(who, what);
+    let winner = places[at];
+    if cell.column.is_some() || winner == u64::MAX || winner == place(cell.line, 0) {
         return None;
     }
-    let hot = &table.hot[index];
+    let hot = lean.column(what)?;
     let x = quick.si(table, hot, cell.answer)?;
-    let (verdict, found) = if accepts(x, hot.value, hot.half_width) {
+    let (key, half_width) = lean.bounds(at);
+    let (verdict, found) = if accepts(x, key, half_width) {
         (Verdict::Right, Diagnosis::default())
     } else {
         let found = table.diagnose(x, who as usize, what as usize);
-        let other_way = accepts(-x, hot.value, hot.half_width);
+        let other_way = accepts(-x, key, half_width);
         (if other_way { Verdict::WrongDirection } else { Verdict::Wrong }, found)
     };
     let column = what as usize;
@@ -702,13 +708,13 @@ fn superseded_line(
     let tail = tails.get(column, at)?;
     push_number(out, cell.line);
     out.extend_from_slice(b",,");
-    out.extend_from_slice(&table.students[who as usize].field);
+    lean.push_name(who, table, out);
     out.push(b',');
-    out.extend_from_slice(&table.columns[what as usize].fields);
+    out.extend_from_slice(&table.columns[column].fields);
     out.push(b',');
     push_text(out, cell.answer);
     out.extend_from_slice(&tail.before);
-    push_number(out, line_of(winner.at));
+    push_number(out, line_of(winner));
     out.extend_from_slice(&tail.after);
     if !found.methods.is_empty() {
         push_ids(out, &found.methods, table.methods(column));
@@ -730,8 +736,14 @@ fn push_ids(out: &mut Vec<u8>, found: &[u16], methods: &[String]) {
 }
 
 /// Judges and writes.
-fn walk_and_write(worker: &mut Worker, batch: &Batch, out: &mut Vec<u8>, job: &Job, winners: &[Winner]) {
-    let Job { table, layout, say, rules } = *job;
+fn walk_and_write(
+    worker: &mut Worker,
+    batch: &Batch,
+    out: &mut Vec<u8>,
+    job: &Job,
+    (winners, places): (&[Winner], &[u64]),
+) {
+    let Job { table, layout, say, rules, .. } = *job;
     let Worker { scratch, quick, tails, points: earned, cells: written, undated, counts, by_column, .. } =
         worker;
     let needs_date = rules.policy.timed();
@@ -806,16 +818,8 @@ fn walk_and_write(worker: &mut Worker, batch: &Batch, out: &mut Vec<u8>, job: &J
         let submitted = layout.submitted.and_then(|i| record.get(i)).map_or(&b""[..], trimmed);
         cells(record, layout, table, quick, |quick, cell| {
             if let (Some(who), Some(what)) = (cell.who, cell.what)
-                && superseded_line(
-                    job,
-                    winners,
-                    (&mut *quick, &mut *tails),
-                    cell,
-                    (who, what),
-                    submitted,
-                    out,
-                )
-                .is_some()
+                && superseded_line(job, places, (&mut *quick, &mut *tails), cell, (who, what), submitted, out)
+                    .is_some()
             {
                 *written += 1;
                 counts[Verdict::Superseded as usize] += 1;
@@ -953,7 +957,8 @@ pub fn grade(
     let threads = options.threads.max(1);
     let (_, header) = Source::open(open()?)?;
     let layout = layout(header, table, &options.columns).map_err(GradeFault::Header)?;
-    let job = Job { table, layout: &layout, rules, say: &options.feedback };
+    let lean = Lean::of(table);
+    let job = Job { table, layout: &layout, rules, say: &options.feedback, lean: &lean };
     // Walks one after the other: what each has read is added up.
     let (mut before, mut now) = (0, 0);
     let mut heard = |read: u64| {
@@ -964,10 +969,12 @@ pub fn grade(
         progress(before + now);
     };
     let winners = choose_winners(open, &job, threads, &mut heard)?;
+    let places = lean.places(&winners);
     let (source, _) = Source::open(open()?)?;
     out.write_all(ANSWERS_HEADER.as_bytes()).map_err(GradeFault::Write)?;
     let workers = (0..threads).map(|_| Worker::new(table, Found::Nothing)).collect();
-    let process = |w: &mut Worker, b: &Batch, out: &mut Vec<u8>| walk_and_write(w, b, out, &job, &winners);
+    let process =
+        |w: &mut Worker, b: &Batch, out: &mut Vec<u8>| walk_and_write(w, b, out, &job, (&winners, &places));
     let workers = sweep(source, workers, &process, Some(&mut *out), &mut heard)?;
     out.flush().map_err(GradeFault::Write)?;
     let mut graded = Graded {

@@ -8,6 +8,7 @@ use crate::key::Answer;
 use crate::key::Follow;
 use crate::key::KeyEntry;
 use crate::key::SheetKey;
+use crate::key::WrongValue;
 use crate::policy::Policy;
 use crate::units::Unit;
 use crate::units::spell;
@@ -78,6 +79,8 @@ pub struct KeyTable {
     entries: Vec<Option<KeyEntry>>,
     /// For each entry what a wrong answer is compared with.
     known: Vec<Option<Known>>,
+    /// The wrong values of all entries, one behind the other.
+    wrong: Vec<WrongValue>,
     /// For each column the ids of the wrong methods of its problem.
     methods: Vec<Arc<[String]>>,
     /// For each column the relations between the parts of its problem.
@@ -152,6 +155,7 @@ impl KeyTable {
             students: Vec::with_capacity(sheets.len()),
             entries: Vec::with_capacity(sheets.len() * columns.len()),
             known: Vec::with_capacity(sheets.len() * columns.len()),
+            wrong: Vec::new(),
             methods: vec![Arc::from([]); columns.len()],
             follows: vec![Arc::from([]); columns.len()],
             numbers: Vec::with_capacity(sheets.len() * columns.len()),
@@ -206,7 +210,12 @@ impl KeyTable {
             }
             table.hot.extend(found.iter().map(|entry| hot(entry, &mut table.units)));
             for (at, (first, end)) in table.problems.iter().enumerate() {
-                table.known.push(Known::of(at - first, &found[*first..*end]));
+                let mut known = Known::of(at - first, &found[*first..*end]);
+                if let (Some(known), Some(entry)) = (&mut known, &found[at]) {
+                    known.wrong = (table.wrong.len() as u32, entry.wrong.len() as u32);
+                    table.wrong.extend_from_slice(&entry.wrong);
+                }
+                table.known.push(known);
             }
             table.entries.append(&mut found);
             table.numbers.append(&mut numbers);
@@ -298,7 +307,11 @@ impl KeyTable {
         let Some((first, end)) = self.problems.get(column).copied() else { return Diagnosis::default() };
         let row = student * self.columns.len();
         match (self.known.get(row + column), self.entries.get(row + first..row + end)) {
-            (Some(Some(known)), Some(parts)) => known.diagnose(x, column - first, parts),
+            (Some(Some(known)), Some(parts)) => {
+                let (from, count) = known.wrong;
+                let wrong = self.wrong.get(from as usize..from as usize + count as usize);
+                known.diagnose(x, column - first, parts, wrong.unwrap_or_default())
+            }
             _ => Diagnosis::default(),
         }
     }

@@ -25,7 +25,7 @@ pub(crate) fn push_float(out: &mut Vec<u8>, value: f64) {
     }
 }
 
-/// `-62.6 N` and its like: a sign, a number, then a unit that begins with a letter; nothing that a spreadsheet could run, as
+/// `-62,6`, `-62.6 N` and their like: a sign, a number, perhaps a unit that begins with a letter; nothing that a spreadsheet could run, as
 /// it would `-2/A1`.
 fn signed_quantity(text: &[u8]) -> bool {
     let [b'+' | b'-', rest @ ..] = text else { return false };
@@ -130,6 +130,7 @@ mod tests {
             "-5^2",
             "-2*3",
             "-1e5/A1",
+            "-1e+5/A1",
             "+cmd|x",
             "-",
             "+",
