@@ -1,6 +1,7 @@
 //! Answers as people write them: digits, unit, direction; slips of the pen; and the verdict that the rules of grading give them.
 use crate::key::Answer;
 use crate::key::KeyEntry;
+use crate::num::U;
 use crate::sheet::number::rounded;
 use crate::simulate::chance::Chance;
 use crate::simulate::habits::Written;
@@ -92,9 +93,11 @@ impl Cell {
                 None if entry.unit_required && !entry.unit.is_number() => "missing unit",
                 _ => {
                     let x = self.si(&entry.unit).unwrap_or(f64::NAN);
-                    if (x - value).abs() <= *half_width {
+                    // Conversions of units in doubles are not held against anybody.
+                    let width = half_width + 8.0 * U * (half_width + x.abs());
+                    if (x - value).abs() <= width {
                         "right"
-                    } else if (-x - value).abs() <= *half_width {
+                    } else if (-x - value).abs() <= width {
                         "wrong direction"
                     } else {
                         "wrong"
