@@ -129,11 +129,17 @@ fn what_follows_from_a_wrong_answer_earns_method_marks() {
     assert_eq!(seen(&graded[1]), ("wrong", "0", ""));
     let graded = class.grade(&answers(wrong, v), "");
     assert_eq!(seen(&graded[1]), ("right", "1", ""));
-    // From a right answer nothing follows but the right one.
+    // From an answer that is right within its tolerance something may follow that just misses its own.
+    let graded = class.grade(&answers(omega * 1.0095, v * 1.018), "");
+    assert_eq!([seen(&graded[0]).0, seen(&graded[1]).2], ["right", "follow:omega"]);
+    // Beyond that nothing follows from a right answer but the right one.
     let graded = class.grade(&answers(omega, v * 1.3), "");
     assert_eq!(seen(&graded[1]), ("wrong", "0", ""));
     // Trivial values, data repeated, and what cannot be.
-    for trivial in [1.0, 0.0, class.datum("ann", "P"), class.datum("ann", "m"), omega * 11.0] {
+    let nearly = class.datum("ann", "m") * 1.0001;
+    for trivial in
+        [1.0, 0.0, class.datum("ann", "P"), class.datum("ann", "m"), nearly, 20.0, -wrong, omega * 5.0]
+    {
         let graded = class.grade(&answers(trivial, trivial * r), "");
         assert_eq!(seen(&graded[1]), ("wrong", "0", ""), "{trivial}");
     }
@@ -232,7 +238,10 @@ late: {penalty: 10 %, per: day, at most: 50 %, grace: 5 min, closes: 2026-04-10 
     // The fourth is not looked at.
     let rows: Vec<String> = ["17", "18", "19", "20"]
         .iter()
-        .map(|day| at(if *day == "20" { omega } else { 1.5 }, &format!("2026-03-{day} 12:00")))
+        .map(|day| {
+            let wrong = day.parse::<f64>().unwrap() / 10.0;
+            at(if *day == "20" { omega } else { wrong }, &format!("2026-03-{day} 12:00"))
+        })
         .collect();
     let graded = class.grade(&rows, course);
     assert_eq!(seen(&graded[3]).0, "superseded");
@@ -258,6 +267,32 @@ late: {penalty: 10 %, per: day, at most: 50 %, grace: 5 min, closes: 2026-04-10 
     let rows = [at(1.5, "2026-03-20 12:00"), at(omega, "2026-04-11 12:00")];
     let graded = class.grade(&rows, course);
     assert_eq!([&*graded[0]["verdict"], &*graded[1]["verdict"]], ["wrong", "superseded"]);
+    // What is handed in again, in a whole sheet say, is no further attempt, nor late.
+    let rows = [
+        at(1.5, "2026-03-19 12:00"),
+        at(omega, "2026-03-20 12:00"),
+        at(omega, "2026-03-21 12:00"),
+        at(omega, "2026-04-01 12:00"),
+    ];
+    for counts in ["best", "last"] {
+        let graded = class.grade(&rows, &course.replace("best", counts));
+        assert_eq!(seen(&graded[1]), ("right", "0.8", "attempt:0.8"), "{counts}");
+    }
+    // Clocks go back: the same time of the next day is a day later, though 25 hours have passed.
+    let autumn = "time zone: Europe/Berlin\ndue: 2026-10-24 23:59\nlate: {penalty: 10 %}\n";
+    for (time, points) in
+        [("2026-10-24 23:59:59", "1"), ("2026-10-25 23:59:30", "0.9"), ("2026-10-26 00:00:01", "0.8")]
+    {
+        assert_eq!(seen(&class.grade(&[at(omega, time)], autumn)[0]).1, points, "{time}");
+    }
+    // Whether 3/4 is in March or April nobody can tell: it is taken as in time, and told.
+    let graded =
+        class.grade(&[at(omega, "3/4/2026 10:00")], "due: 2026-03-09 23:59\nlate: {penalty: 10 %}\n");
+    assert_eq!(seen(&graded[0]), ("right", "1", ""));
+    assert!(graded[0]["reason"].contains("taken as in time"), "{graded:?}");
+    let rows = [at(omega, "3/4/2026 10:00"), "bob,1,omega,1.5,3/25/2026 10:00".to_owned()];
+    let graded = class.grade(&rows, "due: 2026-03-03 23:59\nlate: {penalty: 10 %}\n");
+    assert_eq!(seen(&graded[0]), ("right", "0.9", "late:0.9"));
     // The last attempt counts, and costs by its number.
     let course = "attempts: {count: last, penalty: 10 %}\n";
     let rows = [at(1.5, "2026-03-20 12:00"), at(2.5, "2026-03-20 12:01"), at(omega, "2026-03-20 12:02")];
@@ -272,13 +307,17 @@ fn a_correction_is_for_everybody() {
     let graded = class.grade(&rows, course);
     assert_eq!(seen(&graded[0]), ("wrong", "1", "correction"));
     assert!(
-        graded[0]["reason"].ends_with("100 % of the points for everybody: the figure was cut"),
+        graded[0]["reason"].ends_with("100 % of the points by a correction: the figure was cut"),
         "{graded:?}"
     );
     assert_eq!(seen(&graded[1]), ("unreadable", "0.5", "correction"));
     let (ann, bob) = (class.gradebook("ann"), class.gradebook("bob"));
+    // Two corrections of one part: each student gets the better of those that are for them.
     assert_eq!([&*ann["1.v"], &*ann["1.omega"], &*ann["total"]], ["1", "0.5", "1.5"]);
     assert_eq!([&*bob["1.v"], &*bob["1.omega"], &*bob["total"]], ["1", "", "1"]);
+    let course = "corrections:\n  - {part: 1.v, give: 50 %, why: a}\n  - {part: 1.v, to: answered, why: b}\n";
+    class.grade(&rows, course);
+    assert_eq!([&*class.gradebook("ann")["1.v"], &*class.gradebook("bob")["1.v"]], ["1", "0.5"]);
 }
 
 #[test]
@@ -295,6 +334,10 @@ fn totals_have_the_points_of_the_course() {
         ["2.4", "2.4", "0.3"]
     );
     assert_eq!(class.gradebook("ann")["total"], "3");
+    // Rounding up gives no more than there is.
+    class.grade(&rows, "round: {to: 1000, way: up}\n");
+    let ann = class.gradebook("ann");
+    assert_eq!(ann["total"], ann["max_total"]);
     class.grade(&rows, &format!("{course}drop lowest: 1\n"));
     let ann = class.gradebook("ann");
     assert_eq!([&*ann["total"], &*ann["dropped"]], ["2.5", "2"]);

@@ -197,19 +197,22 @@ pub(crate) struct Ordered {
     rest: Option<Try>,
 }
 
-/// Most attempts that are kept in order. A number handed in again is no further attempt (whole sheets are handed in anew to
-/// mend one answer), so more are kept than count.
-const KEPT: usize = 100;
+/// Least and most attempts that are kept in order. A number handed in again is no further attempt (whole sheets are handed in
+/// anew to mend one answer), so more are kept than count.
+const KEPT: (usize, usize) = (32, 100);
 /// How often the same may be handed in again on average before what is kept no longer tells the number of an attempt.
 const REPEATED: usize = 8;
 
 /// How many attempts are kept in order.
 pub(crate) fn depth(attempts: &Attempts) -> usize {
-    if attempts.counts == Counts::First || !attempts.ordered() && attempts.counts == Counts::Last {
-        return 1;
+    match attempts.counts {
+        Counts::First => 1,
+        _ if attempts.ordered() => {
+            let most = attempts.at_most.unwrap_or(attempts.settles()) as usize;
+            most.saturating_mul(REPEATED).clamp(KEPT.0, KEPT.1)
+        }
+        _ => KEPT.0,
     }
-    let most = attempts.at_most.unwrap_or(attempts.settles()) as usize;
-    most.saturating_mul(REPEATED).min(KEPT)
 }
 
 impl Ordered {
