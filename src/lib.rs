@@ -9,6 +9,10 @@
 //! - The **regime** is what really happens (`moves_up`, `up ok slips`); a **check** is one condition of validity, with numbers.
 //! - The **key** holds the answers on which both roads agree, with their gap and condition number.
 //! - A student's cell becomes a **reading**; key and reading give a **verdict** with points and a reason.
+//! - A **wrong method** is a road that students take: its value comes from a changed scene, changed data or a change of the value;
+//!   the **catalogue** holds its words. A **slip** is another thing that a wrong number fits. Neither makes it right.
+//! - A **policy** is what bears on marks (attempts, lateness, credit, corrections, totals); a **grading** is a folder with every
+//!   answer's verdict and with copies of all that it was made from.
 //! - A **document** is Markdown with formulas and pictures, the one source of every format; a **template** and the **phrases** of
 //!   a language make it, the program puts in finished texts.
 //! - A **finding** is a fault in somebody's file: where, what value, what would be right.
@@ -17,7 +21,8 @@
 //! ```text
 //! bank -> draw -> scene -> solve (eom | energy, agree) -> key -> sheet, figure, solution, set
 //!                          document -> Markdown, HTML, LaTeX, Typst -> PDF
-//!                          submissions -> answer -> grade -> report
+//!                          misconception (wrong values, beside the key)
+//!              policy, submissions -> answer -> grade -> report, matches, regrade
 //! ```
 //! [`problem::make`] is the first line in one function, [`grade::run`] the second; [`cli`] opens files and tells results.
 //!
@@ -38,7 +43,9 @@
 //! judges it and measures it. A new picture: numbers into [`plot`].
 //! A new tie: a variant in [`scene::link`], its rows in `solve/eom/equations.rs`, its mode and its work in `solve/energy`, its
 //! words in `bank/scene.rs`. A new language: its folder in `templates/`, a line in [`words`], its texts in [`template`] and `cli/banks.rs`.
-//! A new format: a walk over the events of a [`sheet::document`], as in [`sheet::tex`]. A new family: no Rust, a file in `banks/`. A new quantity: a line in [`scene::ask`] and a `say` on each road.
+//! A new format: a walk over the events of a [`sheet::document`], as in [`sheet::tex`]. A new family: no Rust, a file in `banks/`.
+//! A new wrong method: an entry under `mistakes:` of its problem and its words in the catalogue. A new setting of marks: a field of
+//! [`policy`], a line in `bank/course.rs`, its effect in `grade/credit.rs` or `grade/choose.rs`. A new quantity: a line in [`scene::ask`] and a `say` on each road.
 //!
 //! # Limits
 //! Rigid bodies in a plane, velocity ratios that do not change with position (or one body that swings about a pin), cords without mass that run parallel to the

@@ -106,6 +106,7 @@ const DOORS: &[(&str, &[&str])] = &[
         "report",
         &[
             "grade",
+            "matches",
             "policy",
             "key",
             "units",

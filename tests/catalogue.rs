@@ -102,3 +102,22 @@ fn hints_give_nothing_away_and_all_words_can_be_set() {
         }
     }
 }
+
+#[test]
+fn every_problem_says_which_parts_follow_from_which() {
+    let mut relations = 0;
+    for bank in support::banks() {
+        for problem in &bank.problems {
+            assert!(!problem.follows.is_empty(), "{}, {}: no `follows`", bank.id, problem.id);
+            for follow in &problem.follows {
+                let part = &problem.questions[follow.question].id;
+                assert!(follow.from.iter().all(|f| *f < follow.question), "{}, {part}", problem.id);
+                let others = problem.follows.iter().filter(|f| f.question == follow.question);
+                assert_eq!(others.count(), 1, "{}, {part}", problem.id);
+            }
+            relations += problem.follows.len();
+        }
+    }
+    println!("{relations} relations between parts");
+    assert!(relations >= 40, "{relations}");
+}

@@ -1,10 +1,6 @@
 //! Marks by the settings of a course: follow-through, credit for known wrong methods, attempts, lateness, corrections, totals;
 //! through the command line, on a real bank.
-#![expect(
-    clippy::unwrap_used,
-    clippy::float_cmp,
-    reason = "a test that cannot set itself up fails; shares are exact"
-)]
+#![expect(clippy::unwrap_used, reason = "a test that cannot set itself up fails")]
 use slipstick::cli;
 use slipstick::cli::tell::Exit;
 use slipstick::cli::tell::Io;

@@ -86,7 +86,7 @@ fn honest(class: &Class, student: usize, question: usize, rng: &mut ChaCha20Rng)
             let n = entry.wrong.len() as u32;
             if n == 0 { 2.0 * key } else { entry.wrong[rng.random_range(0..n) as usize].value }
         }
-        2 => key * [0.5, 2.0, 1.414_213_562, 9.81, 0.866_025_4][rng.random_range(0..5u32) as usize],
+        2 => key * [0.5, 2.0, 1.7, 9.81, 0.866_025_4][rng.random_range(0..5u32) as usize],
         _ => {
             // Two figures in the wrong order.
             let text = format!("{key:.3e}").replace('-', "");

@@ -1,8 +1,18 @@
 //! After grading: what other tolerances would change, grading again by a changed bank or course, and marks explained.
 #![expect(clippy::unwrap_used, reason = "a test that cannot set itself up fails")]
+mod support;
+
 use slipstick::cli;
 use slipstick::cli::tell::Exit;
 use slipstick::cli::tell::Io;
+use slipstick::draw::stream::DRAW_VERSION;
+use slipstick::set::given;
+use slipstick::set::key_file;
+use slipstick::set::replay;
+use slipstick::set::store;
+use slipstick::set::store::StoredBank;
+use slipstick::set::store::StoredSet;
+use slipstick::set::store::StoredStudent;
 use std::collections::BTreeMap;
 use std::ffi::OsString;
 use std::fs;
@@ -45,22 +55,6 @@ fn tree(folder: &Path) -> BTreeMap<String, Vec<u8>> {
     found
 }
 
-const BANK: &str = "bank: small
-title: One wheel
-tolerance: 1 %
-problems:
-  pulled:
-    title: Pulled wheel
-    statement: 'A wheel of mass {{ value.m }} is pulled.'
-    data:
-      m: {name: mass, unit: kg, draw: 20 to 60 by 1}
-      R: {name: outer radius, unit: m, draw: 0.20 to 0.60 by 0.01}
-      k: {name: radius of gyration, unit: m, draw: 0.10 to 0.40 by 0.01}
-      P: {name: pull, unit: N, draw: 200 to 600 by 10}
-      d: {name: travel, unit: m, draw: 1.0 to 5.0 by 0.1}
-      mu_s: {name: static friction, unit: 1, draw: always 0.9}
-";
-
 /// A room with a set of some students of the built-in wheels and a form of answers.
 struct Room(TempDir);
 
@@ -73,15 +67,13 @@ impl Room {
         room.write("roster.csv", &format!("student,name\n{rows}"));
         let ran = run(&[
             "generate",
-            "wheels-on-inclines",
+            concat!(env!("CARGO_MANIFEST_DIR"), "/tests/regrade/wheel.yaml"),
             "--roster",
             &room.path("roster.csv"),
             "--seed",
             "7",
             "--name",
             "week",
-            "--problems",
-            "pulled-rolling",
             "--out",
             &room.path("set"),
         ]);
@@ -132,11 +124,14 @@ impl Room {
         args.extend(more);
         run(&args)
     }
-    /// The bank of the set with a change.
-    fn change(&self, from: &str, to: &str) {
-        let bank = self.read("set/bank.yaml");
-        assert!(bank.contains(from), "the bank has no `{from}`");
-        self.write("bank.yaml", &bank.replacen(from, to, 1));
+    /// The bank of the set with some changes.
+    fn change(&self, changes: &[(&str, &str)]) {
+        let mut bank = self.read("set/bank.yaml");
+        for (from, to) in changes {
+            assert!(bank.contains(from), "the bank has no `{from}`");
+            bank = bank.replacen(from, to, 1);
+        }
+        self.write("bank.yaml", &bank);
     }
 }
 
@@ -147,8 +142,489 @@ fn other_tolerances_change_so_many_verdicts() {
     room.grade(&[]);
     let ran = run(&["what-if", &room.path("grades")]);
     assert_eq!(ran.exit, Exit::Fine, "{}", ran.err);
-    insta::assert_snapshot!(room.shown(&ran.out), @"");
+    insta::assert_snapshot!(room.shown(&ran.out), @r#"
+ROOM/grades: 12 answers that count of 6 students; answers that would become right (+) or no longer be right (-)
+  part                                      tolerance now  0.5 %   1 %   2 %   5 %
+  1.omega                                             1 %     -1     0    +1    +2
+  1.v                                                 1 %     -1     0    +1    +2
+  1.friction                                      2-4.6 %      0     0     0     0
+  1.mu_required                                 1.8-4.7 %      0     0     0     0
+  1.cord_travel                                       1 %      0     0     0     0
+  1.k_bound                                           1 %      0     0     0     0
+  all parts                                                   -2     0    +2    +4
+  students who gain                                            0     0     1     2
+  students who lose                                            1     0     0     0
+  mean of points                                     1.25   0.92  1.25  1.50  1.75
+  answers of wrong methods that would pass                     0     0     0     1
+  sheets where a wrong method would pass                       0     0     4    11
+  warning: at 5 % 1 answer of a known wrong method would be right:
+    1 x A08  Treated the wheel as if it rolled on its rim throughout, in the speeds and in the work of the pull.
+  Absolute tolerances stay. Points are those of the answers that count now, before dropping and rounding.
+"#);
     let ran = run(&["what-if", &room.path("grades"), "--tolerance", "2%,x,0"]);
     assert_eq!(ran.exit, Exit::Faulty);
-    insta::assert_snapshot!(ran.err, @"");
+    insta::assert_snapshot!(ran.err, @r#"
+error: --tolerance: `x` is no tolerance
+    hint: per cent, above 0 and at most 100, such as --tolerance 0.5,1,2%
+error: --tolerance: `0` is no tolerance
+    hint: per cent, above 0 and at most 100, such as --tolerance 0.5,1,2%
+2 findings
+"#);
+}
+
+#[test]
+fn a_wider_tolerance_is_a_diff() {
+    let room = Room::new();
+    room.answers();
+    room.grade(&[]);
+    let old = tree(Path::new(&room.path("grades")));
+    room.change(&[("omega: {ask:", "omega: {tolerance: {relative: 2 %}, ask:")]);
+    let (bank, new) = (room.path("bank.yaml"), room.path("new"));
+    // Nothing is written where nothing is to be.
+    let everything = tree(room.0.path());
+    let ran = room.regrade(&["--bank", &bank, "--dry-run"]);
+    assert_eq!(ran.exit, Exit::Fine, "{}", ran.err);
+    insta::assert_snapshot!(room.shown(&ran.out), @r#"
+ROOM/grades regraded
+  bank: ROOM/bank.yaml, a1bfc625020c… in place of 1a2fd9c7c8f8…; sheets keep their data, the key is solved anew
+  1.omega: tolerance 1 % -> 2 %
+  part     gain  lose  points  why
+  1.omega     1     0      +1  tolerance 1
+  1.v         0     1    -0.5  follow-through 1
+  1 of 6 students gain, 0 lose; mean of totals 1.25 -> 1.33
+  0044  Name of 0044  0.5 -> 1  +0.5  1.omega +1 (tolerance), 1.v -0.5 (follow-through)
+Nothing was written (--dry-run).
+"#);
+    assert_eq!(tree(room.0.path()), everything);
+
+    let ran = room.regrade(&["--bank", &bank, "--out", &new]);
+    assert_eq!(ran.exit, Exit::Fine, "{}", ran.err);
+    assert!(ran.out.ends_with("is as it was.\n"), "{}", ran.out);
+    insta::assert_snapshot!(room.read("new/changes.csv"), @r#"
+student,problem,part,points_before,points_after,verdict_before,verdict_after,why
+0044,1,omega,0,1,wrong,right,tolerance
+0044,1,v,0.5,0,wrong,wrong,follow-through
+"#);
+    assert_eq!(tree(Path::new(&room.path("grades"))), old);
+    let names: Vec<String> = tree(Path::new(&new)).into_keys().collect();
+    for name in [
+        "answers.csv",
+        "gradebook.csv",
+        "grading.json",
+        "changes.csv",
+        "basis/bank.yaml",
+        "basis/key.csv",
+        "basis/set.json",
+    ] {
+        assert!(names.iter().any(|n| n == name), "{name} is not among {names:?}");
+    }
+    // The new grading explains itself, and can be regraded in its turn.
+    let ran = run(&["explain", &new, "44", "1.omega"]);
+    assert_eq!(ran.exit, Exit::Fine, "{}", ran.err);
+    assert!(
+        ran.out.contains("regraded: before 0 points (wrong), now 1 points (right): tolerance"),
+        "{}",
+        ran.out
+    );
+    let (set, answers, third) = (room.path("set"), room.path("answers.csv"), room.path("third"));
+    let ran = run(&["regrade", &set, &new, &answers, "--out", &third]);
+    assert_eq!(ran.exit, Exit::Fine, "{}", ran.err);
+    let back = |name: &str| fs::read(Path::new(&third).join(name)).unwrap();
+    assert_eq!(back("answers.csv"), old["answers.csv"]);
+    assert_eq!(back("gradebook.csv"), old["gradebook.csv"]);
+}
+
+#[test]
+fn a_part_is_corrected_for_all() {
+    let room = Room::new();
+    room.answers();
+    // One of them gives no answer to it.
+    let answers: String = room
+        .read("answers.csv")
+        .lines()
+        .filter(|l| !l.starts_with("0031,1,v,"))
+        .map(|l| format!("{l}\n"))
+        .collect();
+    room.write("answers.csv", &answers);
+    room.grade(&[]);
+    room.write(
+        "course.yaml",
+        "corrections:\n  - {part: 1.v, give: full, to: all, why: ambiguous}\ncredit: {wrong methods: 25 %}\n",
+    );
+    let ran = room.regrade(&["--course", &room.path("course.yaml"), "--out", &room.path("new")]);
+    assert_eq!(ran.exit, Exit::Fine, "{}", ran.err);
+    insta::assert_snapshot!(room.shown(&ran.out), @r#"
+ROOM/grades regraded
+  bank: as before (1a2fd9c7c8f8…)
+  course: ROOM/course.yaml
+  correction: all get at least 100 % of 1.v: ambiguous
+  settings that differ: credit
+  part  gain  lose  points  why
+  1.v      4     0    +2.5  correction 4
+  4 of 6 students gain, 0 lose; mean of totals 1.08 -> 1.50
+  0044  Name of 0044  0.5 -> 1  +0.5  1.v +0.5 (correction)
+  0058  Name of 0058  0.5 -> 1  +0.5  1.v +0.5 (correction)
+  0062  Name of 0062  0.5 -> 1  +0.5  1.v +0.5 (correction)
+  0031  Name of 0031    1 -> 2    +1  1.v +1 (correction)
+Written to ROOM/new, all changes in ROOM/new/changes.csv; ROOM/grades is as it was.
+"#);
+    // Who handed in nothing gets the points too.
+    insta::assert_snapshot!(room.read("new/changes.csv"), @r#"
+student,problem,part,points_before,points_after,verdict_before,verdict_after,why
+0031,1,v,,1,,,correction: ambiguous
+0044,1,v,0.5,1,wrong,wrong,correction: ambiguous
+0058,1,v,0.5,1,wrong,wrong,correction: ambiguous
+0062,1,v,0.5,1,wrong,wrong,correction: ambiguous
+"#);
+    let ran = run(&["explain", &room.path("new"), "31", "1.v"]);
+    assert!(ran.out.contains("1.v: no answer, 1 of 1 points by a correction"), "{}", ran.out);
+    assert!(
+        ran.out.contains("regraded: before no answer, now 1 points without an answer: correction: ambiguous"),
+        "{}",
+        ran.out
+    );
+}
+
+#[test]
+fn another_scene_is_another_key() {
+    let room = Room::new();
+    room.answers();
+    room.grade(&[]);
+    // The wheel was written to roll on its hub and was meant to roll on its rim.
+    let scene = [
+        ("- rolls: {body: wheel, on its: hub", "- rolls: {body: wheel, on its: rim"),
+        (
+            "body: wheel, wound on: rim, leaves: top forward",
+            "body: wheel, wound on: hub, leaves: top forward",
+        ),
+    ];
+    room.change(&scene);
+    let bank = room.path("bank.yaml");
+    // The relation between parts that was right for the old scene is not for the new one.
+    let ran = room.regrade(&["--bank", &bank, "--dry-run"]);
+    assert_eq!(ran.exit, Exit::Faulty);
+    insta::assert_snapshot!(room.shown(&ran.err), @r#"
+error: ROOM/bank.yaml: problems.pulled-rolling: with the data of 0017: the relation of `follows` does not give v from the other parts
+error: ROOM/bank.yaml: problems.pulled-rolling: with the data of 0023: the relation of `follows` does not give v from the other parts
+error: ROOM/bank.yaml: problems.pulled-rolling: with the data of 0031: the relation of `follows` does not give v from the other parts
+error: ROOM/bank.yaml: problems.pulled-rolling: with the data of 0044: the relation of `follows` does not give v from the other parts
+error: ROOM/bank.yaml: problems.pulled-rolling: with the data of 0058: the relation of `follows` does not give v from the other parts
+error: ROOM/bank.yaml: problems.pulled-rolling: with the data of 0062: the relation of `follows` does not give v from the other parts
+    hint: sheets are printed: a regrading keeps their problems, parts and data, and needs a key for each
+6 findings
+"#);
+    room.change(&[scene[0], scene[1], ("v: r*omega", "v: R*omega")]);
+    let ran = room.regrade(&["--bank", &bank, "--dry-run"]);
+    assert_eq!(ran.exit, Exit::Fine, "{}", ran.err);
+    insta::assert_snapshot!(room.shown(&ran.out), @r#"
+ROOM/grades regraded
+  bank: ROOM/bank.yaml, f68844e7a69e… in place of 1a2fd9c7c8f8…; sheets keep their data, the key is solved anew
+  1.omega: another key for 6 of 6 students, by up to 77.65 %
+  1.v: another key for 6 of 6 students, by up to 28.17 %
+  1.friction: another key for 6 of 6 students, by up to 71.742 %
+  1.friction: tolerance 2-4.6 % -> 1.5-4.7 %
+  1.mu_required: another key for 6 of 6 students, by up to 71.742 %
+  1.mu_required: tolerance 1.8-4.7 % -> 1.3-5 %
+  1.cord_travel: another key for 6 of 6 students, by up to 71.739 %
+  part     gain  lose  points  why
+  1.omega     0     3      -3  key 3
+  1.v         0     6    -4.5  key 3, follow-through 3
+  0 of 6 students gain, 6 lose; mean of totals 1.25 -> 0.00
+  0017  Name of 0017    2 -> 0    -2  1.omega -1 (key), 1.v -1 (key)
+  0023  Name of 0023    2 -> 0    -2  1.omega -1 (key), 1.v -1 (key)
+  0031  Name of 0031    2 -> 0    -2  1.omega -1 (key), 1.v -1 (key)
+  0044  Name of 0044  0.5 -> 0  -0.5  1.v -0.5 (follow-through)
+  0058  Name of 0058  0.5 -> 0  -0.5  1.v -0.5 (follow-through)
+  0062  Name of 0062  0.5 -> 0  -0.5  1.v -0.5 (follow-through)
+Nothing was written (--dry-run).
+"#);
+}
+
+#[test]
+fn what_no_longer_fits_is_found() {
+    let room = Room::new();
+    room.answers();
+    room.grade(&[]);
+    let bank = room.path("bank.yaml");
+    let mut told = Vec::new();
+    for (from, to) in [
+        // A part renamed.
+        ("      k_bound: {ask:", "      k_bounds: {quantity: k_bound, ask:"),
+        // A datum in another unit.
+        (
+            "d: {name: distance that the centre moves, unit: m}",
+            "d: {name: distance that the centre moves, unit: cm}",
+        ),
+        // A case renamed.
+        ("      friction up:\n        share: 3", "      upwards:\n        share: 3"),
+        // What happens on nobody's sheet.
+        ("regimes: [moves_up]", "regimes: [moves_down]"),
+        // Another problem.
+        ("  pulled-rolling:\n", "  pulled-wheel:\n"),
+    ] {
+        room.change(&[(from, to)]);
+        let ran = room.regrade(&["--bank", &bank, "--out", &room.path("new")]);
+        told.push(format!("{:?}\n{}", ran.exit, room.shown(&ran.err)));
+        assert!(!Path::new(&room.path("new")).exists());
+    }
+    insta::assert_snapshot!(told.join("\n"), @r#"
+Faulty
+error: ROOM/bank.yaml: problems.pulled-rolling.questions: part `k_bound` is on the sheets, the bank has it no more
+    hint: was it renamed to `k_bounds`? Parts keep their ids
+error: ROOM/bank.yaml: problems.pulled-rolling.questions: part `k_bounds` is on no sheet
+    hint: nobody was asked it: take it out again
+2 findings
+
+Faulty
+error: ROOM/bank.yaml: problems.pulled-rolling.data.d: is printed in m on the sheets, the bank says cm
+    hint: give the datum its old unit back
+
+Faulty
+error: ROOM/bank.yaml: problems.pulled-rolling.cases: the bank has no case `friction up`, which is on sheets
+    hint: sheets are printed: a regrading keeps their problems, parts and data, and needs a key for each
+
+Faulty
+error: ROOM/bank.yaml: problems.pulled-rolling: with the data of 0017: another motion than the problem tells of: moves_up
+error: ROOM/bank.yaml: problems.pulled-rolling: with the data of 0023: another motion than the problem tells of: moves_up
+error: ROOM/bank.yaml: problems.pulled-rolling: with the data of 0031: another motion than the problem tells of: moves_up
+error: ROOM/bank.yaml: problems.pulled-rolling: with the data of 0044: another motion than the problem tells of: moves_up
+error: ROOM/bank.yaml: problems.pulled-rolling: with the data of 0058: another motion than the problem tells of: moves_up
+error: ROOM/bank.yaml: problems.pulled-rolling: with the data of 0062: another motion than the problem tells of: moves_up
+    hint: sheets are printed: a regrading keeps their problems, parts and data, and needs a key for each
+6 findings
+
+Faulty
+error: ROOM/bank.yaml: problems: the bank has no problem `pulled-rolling`
+    hint: its problems: pulled-wheel
+"#);
+}
+
+#[test]
+fn other_faults_are_told() {
+    let room = Room::new();
+    room.answers();
+    room.grade(&[]);
+    let mut told = Vec::new();
+    let mut tell = |ran: Ran| told.push(format!("{:?}\n{}", ran.exit, room.shown(&ran.err)));
+    tell(room.regrade(&["--out", &room.path("grades")]));
+    tell(room.regrade(&["--out", &room.path("grades/new")]));
+    let (set, answers, new) = (room.path("set"), room.path("answers.csv"), room.path("new"));
+    tell(run(&["regrade", &set, &set, &answers, "--out", &new]));
+    tell(run(&["regrade", &set, &room.path("nowhere"), &answers, "--out", &new]));
+    tell(run(&["explain", &room.path("grades"), "9999", "1"]));
+    tell(run(&["explain", &room.path("grades"), "17", "2"]));
+    tell(run(&["explain", &room.path("grades"), "17", "1", "--part", "omga"]));
+    // Other submissions than before.
+    room.write("answers.csv", "student,problem,part,answer\n0017,1,omega,3\n");
+    tell(room.regrade(&["--dry-run"]));
+    // A basis that was changed.
+    let text = room.read("grades/basis/bank.yaml");
+    room.write("grades/basis/bank.yaml", &format!("{text}# a word more\n"));
+    tell(run(&["what-if", &room.path("grades")]));
+    insta::assert_snapshot!(told.join("\n"), @r#"
+Faulty
+error: ROOM/grades: --out: is there already
+    hint: a regrading keeps both versions: give a folder that is not there yet
+
+Faulty
+error: ROOM/grades/new: --out: is within the old grading, which stays as it is
+    hint: give another --out
+
+Faulty
+error: ROOM/set: holds no answers.csv
+    hint: give the folder that `slipstick grade` made; if an earlier version did, grade again
+
+Faulty
+error: ROOM/nowhere: there is no such folder
+    hint: give the folder that `slipstick grade` made
+
+Faulty
+error: ROOM/grades: `9999` is no student of this set
+    hint: its students: 0017, 0023, 0031, 0044, 0058, ...
+
+Faulty
+error: ROOM/grades: the set has no problem `2`
+    hint: its problems: 1 (pulled-rolling)
+
+Faulty
+error: ROOM/grades: problem 1 (pulled-rolling) has no part `omga`
+    hint: did you mean `omega`?
+
+Fine
+warning: answers.csv has 43 bytes, the old grading was made from 262: changes may come from other answers too
+
+Faulty
+error: ROOM/grades/basis/bank.yaml: is not the bank by which this was graded: its SHA-256 is another
+    hint: put the original copy back, or grade again
+"#);
+}
+
+#[test]
+fn a_mark_is_explained() {
+    let room = Room::new();
+    room.answers();
+    let value = room.key("0023", "omega");
+    let text = room.read("answers.csv");
+    room.write(
+        "answers.csv",
+        &format!(
+            "{text}0023,1,omega,{:.1} rpm\n0023,1,friction,=cmd\n0023,1,k_bound,2 N\n",
+            value * 60.0 / std::f64::consts::TAU * 1.2
+        ),
+    );
+    room.write("course.yaml", "attempts: {count: best, penalty: 10 %, least: 50 %}\n");
+    room.grade(&["--course", &room.path("course.yaml")]);
+    let ran = run(&["explain", &room.path("grades"), "23", "pulled-rolling"]);
+    assert_eq!(ran.exit, Exit::Fine, "{}", ran.err);
+    insta::assert_snapshot!(room.shown(&ran.out), @r#"
+0023 (Name of 0023), problem 1 (pulled-rolling) of set week
+
+Data on the sheet
+  case friction down: m = 48 kg, R = 0.46 m, r = 0.14 m, k = 0.41 m, theta = 16 deg, P = 350 N, d =
+      1.0 m, mu_s = 0.50, g = 9.81 m/s^2
+
+1.omega: 1 of 1 points, right
+  asked: omega, in rad/s
+  key: 17.4403611 rad/s; equations of motion 17.4403611, work and energy 17.4403611, gap 0;
+      condition number 3.53; the true answer lies within 4e-14 of it, proved
+  tolerance: 1 % of the key, which is 0.17440 rad/s to either side: right is what lies from
+      17.2659575 to 17.6147647
+  attempts, in the order of the file:
+    line 4: `17.51012`, read as 17.51012 without unit, so rad/s, that is 17.5101200 rad/s, +0.400 %
+        from the key. Right: within the tolerance
+    line 14: `199.9 rpm`, read as 199.9 in rpm, that is 20.9334790 rad/s, +20.0 % from the key.
+        Superseded by line 4; would have been wrong
+  which counts: the one with the most points; that is line 4
+  points: 1 for a right answer; together 1
+
+1.v: 1 of 1 points, right
+  asked: v, in m/s
+  key: 2.44165056 m/s; equations of motion 2.44165056, work and energy 2.44165056, gap 0; condition
+      number 3.48; the true answer lies within 5e-15 of it, proved
+  tolerance: 1 % of the key, which is 0.024417 m/s to either side: right is what lies from
+      2.41723405 to 2.46606706
+  attempts, in the order of the file:
+    line 5: `2.45142`, read as 2.45142 without unit, so m/s, that is 2.45142000 m/s, +0.400 % from
+        the key. Right: within the tolerance
+  points: 1 for a right answer; together 1
+
+1.friction: 0 of 2 points, unreadable
+  asked: friction, in N
+  key: -77.1281031 N; equations of motion -77.1281031, work and energy -77.1281031, gap 0; condition
+      number 13.6; the true answer lies within 4e-13 of it, proved
+  tolerance: 4.1 % of the key, by its condition number, which is 3.1623 N to either side: right is
+      what lies from -80.2903553 to -73.9658508
+  attempts, in the order of the file:
+    line 15: `=cmd`. Unreadable: neither a number nor a known word
+  points: 0 of 2, the answer is not right; together 0
+
+1.mu_required: no answer, of 1 points
+  asked: mu_required, a plain number
+  key: 0.170396539; equations of motion 0.170396539, work and energy 0.170396539, gap 0; condition
+      number 15.6; the true answer lies within 1e-15 of it, proved
+  tolerance: 4.7 % of the key, by its condition number, which is 0.0080086 to either side: right is
+      what lies from 0.162387901 to 0.178405176
+  attempts: none was handed in
+
+1.cord_travel: no answer, of 1 points
+  asked: cord_travel, in m
+  key: 4.28571429 m; equations of motion 4.28571429, work and energy 4.28571429, gap 0; condition
+      number 2.53; the true answer lies within 2e-15 of it, proved
+  tolerance: 1 % of the key, which is 0.042857 m to either side: right is what lies from 4.24285714
+      to 4.32857143
+  attempts: none was handed in
+
+1.k_bound: 0 of 1 points, wrong dimension
+  asked: k_bound, in m
+  key: 0.319934096 m; equations of motion 0.319934096, work and energy 0.319934096, gap 0; condition
+      number 2.17; the true answer lies within 7e-16 of it, proved
+  tolerance: 1 % of the key, which is 0.0031993 m to either side: right is what lies from
+      0.316734755 to 0.323133437
+  attempts, in the order of the file:
+    line 16: `2 N`, read as 2 in N. Wrong dimension: expected m (length), found N (force)
+  points: 0 of 1, the answer is not right; together 0
+
+What it was graded with
+  slipstick 0.1.0, draw version 3; set week from seed 7
+  bank one-wheel, SHA-256 1a2fd9c7c8f8999d941fe2fc93f5f09c5b98215c9fc3e9e353d7c23ceb374f7d
+  key, SHA-256 d97257deb3e29d01b53a345362a1bb49aa7b5eca64ed3a334025dd6774290468; solved anew for
+      this text, and the same
+  course, SHA-256 6774c14141fb11c387157d62401bb3d51daa38446109ee2c8be51eabbf67fe61
+  submissions: answers.csv, 325 bytes
+"#);
+}
+
+#[test]
+fn copied_answers_are_found_and_told_to_nobody_else() {
+    let room = Room::new();
+    room.answers();
+    // One student has the answers of a classmate in three parts of the one problem: one piece of evidence, to five figures.
+    let mut text = room.read("answers.csv");
+    for part in ["omega", "v", "k_bound"] {
+        text.push_str(&format!("0062,1,{part},{:.4}\n", room.key("0023", part)));
+    }
+    room.write("answers.csv", &text);
+    room.grade(&[]);
+    let ran = run(&["matches", &room.path("grades")]);
+    assert_eq!(ran.exit, Exit::Fine, "{}", ran.err);
+    insta::assert_snapshot!(room.shown(&ran.out), @r#"
+7 wrong answers in numbers held against classmates' keys, 3 of them with no other explanation: 1 pair stands out. Among honest students luck alone makes a pair stand out in one set of 100.
+  look  student  key of  parts                  answers                    chance  by luck  other explanation
+  yes   0062     0023    1.omega 1.v 1.k_bound  17.4404 | 2.4417 | 0.3199    4e-5     2e-4  1.omega: A01
+  A match accuses nobody: sheets get swapped, friends compute with one set of data, a form is filled in for another.
+  all of them, for your eyes only: ROOM/grades/matches.csv
+"#);
+    insta::assert_snapshot!(room.read("grades/matches.csv"), @r#"
+look,student,classmate,parts,answers,chance,expected_by_luck,other_explanation
+yes,0062,0023,1.omega 1.v 1.k_bound,17.4404 | 2.4417 | 0.3199,4.5e-5,2.2e-4,1.omega: A01
+"#);
+    // The class report shows the pair to the instructor; what students get knows nothing of it.
+    assert!(room.read("grades/report.html").contains("0023 (Name of 0023)"));
+    let feedback = tree(Path::new(&room.path("grades/feedback")));
+    assert!(feedback.len() >= 2 * STUDENTS.len());
+    for (name, bytes) in feedback.iter().filter(|(name, _)| name.contains("0062")) {
+        let text = String::from_utf8_lossy(bytes);
+        assert!(!text.contains("0023") && !text.contains("classmate"), "{name}: {text}");
+    }
+}
+
+/// What is printed on a sheet is enough: solved from it, the key of every family is that of the draw, to the last bit.
+#[test]
+fn the_printed_data_give_the_key_of_the_draw() {
+    for bank in support::banks() {
+        let all: Vec<usize> = (0..bank.problems.len()).collect();
+        let dealer = replay::Dealer::new(&bank, &all, 3, "printed");
+        let mut keys = Vec::new();
+        let mut students = Vec::new();
+        for id in ["a", "b", "c", "d"] {
+            let dealt = dealer.deal(id).unwrap();
+            let problems = dealt.variants.iter().zip(&bank.problems);
+            students.push(StoredStudent {
+                student: id.to_owned(),
+                name: String::new(),
+                folder: id.to_owned(),
+                problems: problems.map(|(variant, problem)| replay::stored(problem, variant)).collect(),
+            });
+            keys.push(dealt.key);
+        }
+        let set = StoredSet {
+            format: store::FORMAT,
+            name: "printed".to_owned(),
+            seed: 3,
+            program: String::new(),
+            draw_version: DRAW_VERSION,
+            language: "en".to_owned(),
+            formats: Vec::new(),
+            bank: StoredBank { id: bank.id.clone(), file: "bank.yaml".to_owned(), sha256: bank.hash.clone() },
+            problems: bank.problems.iter().map(|p| p.id.clone()).collect(),
+            students,
+            coincidences: Vec::new(),
+        };
+        // As it is read again.
+        let set = StoredSet::parse(&set.text()).unwrap();
+        let Ok(found) = given::all(&bank, &set) else { panic!("{}: no key from the printed data", bank.id) };
+        let again: Vec<_> = found.into_iter().map(|g| g.key).collect();
+        assert!(key_file::text(&again) == key_file::text(&keys), "{}: another key", bank.id);
+        assert!(again == keys, "{}: other wrong values or relations", bank.id);
+    }
 }

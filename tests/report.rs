@@ -89,16 +89,17 @@ fn class(students: usize, problems: &str, course: &str) -> Graded {
     let bank = load::bank(&text, "bank.yaml", &variables_of).unwrap();
     let keys = replay::keys(&bank, &stored).unwrap();
     fs::write(path("submissions.csv"), hand_in(&keys)).unwrap();
-    let args = ["grade", &path("set"), &path("submissions.csv"), "--out", &path("grades")];
-    run(&args, Exit::Fine);
-    fs::create_dir_all(path("grades/basis")).unwrap();
-    for name in ["set.json", "bank.yaml", "key.csv"] {
-        fs::copy(path(&format!("set/{name}")), path(&format!("grades/basis/{name}"))).unwrap();
-    }
-    if !course.is_empty() {
-        fs::write(path("grades/basis/course.yaml"), course).unwrap();
-    }
+    fs::write(path("course.yaml"), course).unwrap();
+    grade(&room, "submissions.csv", &[]);
     Graded { room, keys }
+}
+
+/// Grades without reports, which the tests ask for by themselves.
+fn grade(room: &TempDir, submissions: &str, more: &[&str]) {
+    let path = |name: &str| room.path().join(name).display().to_string();
+    let (set, submissions, grades) = (path("set"), path(submissions), path("grades"));
+    let args = ["grade", &set, &submissions, "--out", &grades, "--course", &path("course.yaml")];
+    run(&[&args[..], &["--reports", "no"], more].concat(), Exit::Fine);
 }
 
 fn shown(entry: &KeyEntry, si: f64) -> String {
@@ -354,8 +355,12 @@ fn a_class_of_sixty() {
     assert_eq!(parsed.select(&select("table > caption")).count(), parsed.select(&select("table")).count());
     assert!(page.contains("Cronbach") && page.contains("Hints to students") && page.contains("explain"));
     assert!(!page.contains("<script") && page.contains("&lt;script&gt;"));
-    // No student is named in it.
-    assert!(!page.contains("s0001") && !page.contains("Amina"));
+    // No student is named in it but where answers match those of classmates.
+    let (before, rest) = page.split_once("<section id=\"matches\">").unwrap();
+    let (_, after) = rest.split_once("</section>").unwrap();
+    for told in [before, after] {
+        assert!(!told.contains("s0001") && !told.contains("Amina") && !told.contains("Zoë"));
+    }
     let folder = graded.path("grades/feedback");
     assert_eq!(fs::read_dir(&folder).unwrap().count(), 120);
     tells_no_key(&graded, &folder);
@@ -428,9 +433,57 @@ fn a_class_of_five_gets_no_statistics_that_mean_nothing() {
     let page = graded.text("grades/report.html");
     valid(&page, "en");
     assert!(page.contains("alpha is not given") && page.contains("too few"), "{page}");
-    assert!(page.contains("Discrimination is not given") && page.contains("below 20 nothing is said"));
+    assert!(page.contains("Discrimination is not given") && page.contains("fewer than 20 students"));
     assert!(graded.rows("grades/tables/parts.csv").iter().all(|r| r["discrimination"].is_empty()));
     assert!(!graded.path("grades/tables/fairness.csv").exists());
+    // `grade` makes the same by itself.
+    let path = |name: &str| graded.path(name).display().to_string();
+    run(&["grade", &path("set"), &path("submissions.csv"), "--out", &path("alone")], Exit::Fine);
+    for name in ["feedback/s0002.html", "tables/parts.csv", "gradebook-canvas.csv", "gradebook-moodle.csv"] {
+        assert_eq!(graded.text(&format!("alone/{name}")), graded.text(&format!("grades/{name}")), "{name}");
+    }
+    assert!(graded.path("alone/report.html").exists());
+}
+
+/// A course with everything: what a student reads of it, and totals that are those of the gradebook.
+#[test]
+fn feedback_tells_what_lateness_attempts_and_corrections_did() {
+    let course = "due: 2026-03-01 13:00\nattempts: {penalty: 25 %}\nlate: {penalty: 20 %, per: once}\ndrop lowest: 1\nround: {to: 0.5}\ncorrections: [{part: 1.x_G, give: full, why: the figure was wrong; sorry}]\n";
+    let graded = class(12, "kinetic-energy,pulled-rolling", course);
+    graded.report(&[]);
+    let mut told = [0; 5];
+    let words = [
+        "Late: 80 % of the points.",
+        "A further attempt: 75 % of the points.",
+        "Points given to all: the figure was wrong; sorry.",
+        "does not count",
+        "for everybody",
+    ];
+    let book = graded.rows("grades/gradebook.csv");
+    for row in &book {
+        let text = graded.text(&format!("grades/feedback/{}.md", row["student"]));
+        for (n, word) in told.iter_mut().zip(words) {
+            *n += text.matches(word).count();
+        }
+        let total = format!("**{} of {} points**", row["total"], row["max_total"]);
+        assert!(text.contains(&total), "{total}\n{text}");
+        assert!(text.contains(&format!("problem {} does not count", row["dropped"])), "{text}");
+    }
+    assert!(told[..4].iter().all(|n| *n > 0) && told[4] == 0, "{told:?}");
+    for row in graded.rows("grades/gradebook-moodle.csv") {
+        let mine = book.iter().find(|r| r["student"] == row["ID number"]).unwrap();
+        // Not everybody can get the same number of points, as different problems are dropped.
+        let share = 100.0 * number(&mine["total"]) / number(&mine["max_total"]);
+        assert!((number(&row["wheels-on-inclines %"]) - share).abs() <= 0.005 + 1e-9, "{row:?}");
+    }
+    assert!(graded.text("grades/gradebook-canvas.csv").contains("\nPoints Possible,,,,,100\n"));
+    let page = graded.text("grades/report.html");
+    valid(&page, "en");
+    for said in ["2026-03-01 13:00 (UTC)", "the figure was wrong; sorry", "the weakest problem", "SHA-256"] {
+        assert!(page.contains(said), "{said}");
+    }
+    let late = graded.rows("grades/tables/credit.csv");
+    assert!(late.iter().any(|r| r["credit"] == "late" && number(&r["answers"]) > 0.0), "{late:?}");
 }
 
 #[test]
@@ -459,8 +512,7 @@ fn a_class_of_five_hundred() {
         }
     }
     fs::write(graded.path("unfair.csv"), lines).unwrap();
-    let path = |name: &str| graded.path(name).display().to_string();
-    run(&["grade", &path("set"), &path("unfair.csv"), "--out", &path("grades"), "--force"], Exit::Fine);
+    grade(&graded.room, "unfair.csv", &["--force"]);
     let told = graded.report(&["--force"]);
     assert!(told.contains("fairness"), "{told}");
     let fairness = graded.rows("grades/tables/fairness.csv");

@@ -259,7 +259,7 @@ fn files_that_cannot_be_read() {
     }
     // Root reads everything.
     use std::os::unix::fs::PermissionsExt as _;
-    fs::set_permissions(room.path("in.csv"), fs::Permissions::from_mode(0)).unwrap();
+    fs::set_permissions(room.path("in.csv"), fs::Permissions::from_mode(0o0)).unwrap();
     if fs::File::open(room.path("in.csv")).is_err() {
         let ran = room.grade("g", &[]);
         assert_eq!(ran.status.code(), Some(2));

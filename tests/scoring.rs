@@ -50,6 +50,8 @@ const ON_THE_WAY: usize = 3;
 const REJECTED: f64 = 0.003;
 /// Share of wrong methods that are to be named.
 const RECALLED: f64 = 0.99;
+/// Share of the slips that are to be recognised. The answer to another part is recognised where it is of the same kind only.
+const SLIPS: [(&str, f64); 3] = [("power of ten", 0.99), ("unit slip", 0.95), ("other part", 0.70)];
 /// Draws whose cost is that of an integration in steps: fewer of them.
 const SLOW: [(&str, u32); 2] = [("rod-and-spring", 8), ("lifted-rod", 3)];
 /// Only each of so many draws is dealt to those who do anything but round on the way.
@@ -97,6 +99,8 @@ struct Score {
     first: Count,
     /// For each kind: rows that got the verdict that the truth says.
     verdicts: BTreeMap<&'static str, Count>,
+    /// For each kind of slip: wrong answers, and of these the ones where it was recognised.
+    slips: BTreeMap<&'static str, Count>,
     /// What is not as it should be, in words.
     faults: Vec<String>,
 }
@@ -200,6 +204,17 @@ fn students(
     works
 }
 
+/// What answers.csv says of such a slip.
+const fn recognised(kind: Kind) -> Option<&'static str> {
+    match kind {
+        Kind::PowerOfTen => Some("power_of_ten:"),
+        Kind::UnitSlip => Some(":"),
+        Kind::OtherPart => Some("part:"),
+        Kind::Followed => Some("follow:"),
+        _ => None,
+    }
+}
+
 /// Is this method at this question one near which draws are not refused?
 fn unguarded(problem: &Problem, part: &str, method: &str) -> bool {
     let mistake = problem.mistakes.iter().find(|m| m.id == method).unwrap();
@@ -286,6 +301,13 @@ fn compare(problem: &Problem, answers: &[u8], truth: &[u8], score: &mut Score) {
                 score.faults.push(at());
             }
         }
+        if verdict == "wrong"
+            && let Some(sign) = recognised(kind)
+        {
+            let said =
+                format!("{} {}", graded.get(column("slip")).unwrap(), graded.get(column("credit")).unwrap());
+            score.slips.entry(kind.name()).or_default().add(said.contains(sign));
+        }
         for id in &named {
             score.precise.entry((*id).to_owned()).or_default().add(*id == method);
         }
@@ -344,6 +366,7 @@ fn percent(count: Count) -> String {
 fn judge(scores: &[(String, Score)], least: usize) {
     let mut faults: Vec<String> = Vec::new();
     let mut kinds: BTreeMap<&str, Count> = BTreeMap::new();
+    let mut slips: BTreeMap<&str, Count> = BTreeMap::new();
     let (mut rejected, mut accepted, mut excepted) = (Count::default(), Count::default(), Count::default());
     let (mut recalled, mut precise, mut first) = (Count::default(), Count::default(), Count::default());
     println!(
@@ -384,6 +407,9 @@ fn judge(scores: &[(String, Score)], least: usize) {
         accepted.join(s.accepted);
         excepted.join(s.excepted);
         first.join(s.first);
+        for (kind, count) in &s.slips {
+            slips.entry(kind).or_default().join(*count);
+        }
         for (kind, count) in &s.verdicts {
             kinds.entry(kind).or_default().join(*count);
         }
@@ -392,6 +418,16 @@ fn judge(scores: &[(String, Score)], least: usize) {
     println!("Verdicts as the truth says, by kind");
     for (kind, count) in kinds {
         println!("  {kind:20} {:7} {:>9}", count.all, percent(count));
+    }
+    println!(
+        "Slips of wrong answers that are recognised; what follows from an answer that is too far off earns nothing"
+    );
+    for (kind, count) in slips {
+        println!("  {kind:20} {:7} {:>9}", count.all, percent(count));
+        let bar = SLIPS.iter().find(|(k, _)| *k == kind).map_or(0.0, |(_, bar)| *bar);
+        if count.share() < bar {
+            faults.push(format!("{kind}: {} of {} recognised", count.hits, count.all));
+        }
     }
     let answers: usize = scores.iter().map(|(_, s)| s.rows).sum();
     println!("{answers} answers of {} families", scores.len());

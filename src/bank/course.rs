@@ -44,10 +44,21 @@ pub fn read(node: &Node, base: &Policy, faults: &Faults) -> Policy {
     if let Some(due) = fields.get("due").and_then(|n| moment(n, &zone, faults)) {
         policy.due = Some(due);
     }
+    let due = policy.due;
     if let Some(n) = fields.get("extensions") {
         policy.extensions = named(n, "moments by student id", faults)
             .into_iter()
-            .filter_map(|(id, _, value)| Some((id.to_owned(), moment(value, &zone, faults)?)))
+            .filter_map(|(id, _, value)| {
+                let at = moment(value, &zone, faults)?;
+                if due.is_some_and(|due| at < due) {
+                    faults.hint(
+                        value,
+                        "an extension that ends before the answers are due",
+                        "a moment after `due`",
+                    );
+                }
+                Some((id.to_owned(), at))
+            })
             .collect();
     }
     if let Some(n) = fields.get("attempts") {
@@ -88,6 +99,13 @@ pub fn read(node: &Node, base: &Policy, faults: &Faults) -> Policy {
     }
     if let Some(n) = fields.get("corrections") {
         policy.corrections = corrections(n, faults);
+    }
+    if let (Some(due), Some(closes)) = (policy.due, policy.late.closes)
+        && closes < due
+        && (base.due, base.late.closes) != (policy.due, policy.late.closes)
+    {
+        let at = fields.get("late").or_else(|| fields.get("due")).unwrap_or(node);
+        faults.hint(at, "`closes` is before `due`", "a moment after it");
     }
     fields.close(faults);
     policy
@@ -141,11 +159,6 @@ fn late(node: &Node, policy: &mut Policy, zone: &Zone, faults: &Faults) {
     let closes = fields.get("closes");
     if let Some(at) = closes.and_then(|n| moment(n, zone, faults)) {
         late.closes = Some(at);
-    }
-    if let (Some(n), Some(due), Some(closes)) = (closes, policy.due, late.closes)
-        && closes < due
-    {
-        faults.hint(n, "closes before the answers are due", "a moment after `due`");
     }
     if let Some(n) = penalty
         && late.penalty > 0.0
@@ -253,7 +266,18 @@ fn moment(node: &Node, zone: &Zone, faults: &Faults) -> Option<i64> {
         faults.hint(node, format!("expected a date with the time of day, found {}", node.kind()), hint);
         return None;
     };
-    Some(if moment.zoned { moment.micros[0] } else { zone.moment(moment.micros[0]) })
+    let shown = moment.micros[0];
+    if !moment.zoned && zone.skips(shown) {
+        let hint = "clocks are put forward over it";
+        faults.hint(node, format!("there is no such time in {}: {}", zone.name(), node.kind()), hint);
+        return None;
+    }
+    let at = if moment.zoned { shown } else { zone.moment(shown) };
+    // 23:59 includes its last second, unless seconds are written.
+    let clock = text.trim().split(['T', 't', ' ']).find(|t| t.contains(':')).unwrap_or("");
+    let clock = clock.split(['+', '-', 'Z', 'z']).next().unwrap_or("");
+    let seconds = clock.matches(':').count() > 1;
+    Some(if seconds { at } else { at + MINUTE - 1 })
 }
 
 fn duration(node: &Node, faults: &Faults) -> Option<i64> {

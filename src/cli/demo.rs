@@ -83,6 +83,7 @@ fn demo(dir: &Path, io: &mut Io) -> Result<(), Vec<Finding>> {
     let table = kinds_and_verdicts(&handed, &root.join("grades").join("answers.csv"))?;
     let marks = marks(&root.join("grades").join("gradebook.csv"))?;
     write(MARKER, b"Made by `slipstick demo`, which may replace this folder.\n")?;
+    let told = graded.summary.replace(&root.display().to_string(), &dir.display().to_string());
     staged.finish().map_err(one)?;
 
     let shown = dir.display();
@@ -107,7 +108,7 @@ fn demo(dir: &Path, io: &mut Io) -> Result<(), Vec<Finding>> {
     generate::coincidences(&summary, io);
     io.line("\nWhat the simulated rows were, and what became of them:");
     io.piece(&table);
-    io.line(&format!("\n{}", graded.summary));
+    io.line(&format!("\n{told}"));
     io.line("\nMarks:");
     io.piece(&marks);
     io.line(&format!(

@@ -20,6 +20,8 @@ use crate::key::Answer;
 use crate::key::KeyEntry;
 use crate::key::ProblemKey;
 use crate::misconception::catalogue::Catalogue;
+use crate::policy;
+use crate::policy::For;
 use crate::policy::Policy;
 use crate::problem::make::Variant;
 use crate::regrade::rows::Row;
@@ -165,17 +167,25 @@ fn changes(graded: &Graded, student: &str, number: &str) -> Result<Vec<(String, 
         let field = |i: usize| record.get(i).unwrap_or_default();
         if field(0) == student && field(1) == number {
             let text = format!(
-                "before {} points ({}), now {} points ({}): {}",
-                field(3),
-                field(5),
-                field(4),
-                field(6),
+                "before {}, now {}: {}",
+                told(field(3), field(5)),
+                told(field(4), field(6)),
                 field(7)
             );
             found.push((field(2).to_owned(), text));
         }
     }
     Ok(found)
+}
+
+/// Points and verdict of one version.
+fn told(points: &str, verdict: &str) -> String {
+    match (points, verdict) {
+        ("", "") => "no answer".to_owned(),
+        (points, "") => format!("{points} points without an answer"),
+        ("", verdict) => verdict.to_owned(),
+        (points, verdict) => format!("{points} points ({verdict})"),
+    }
 }
 
 struct Desk<'g> {
@@ -199,7 +209,12 @@ impl Desk<'_> {
         page.head("");
         let outcome = match counting {
             Some(row) => format!("{} of {} points, {}", row.points, row.max_points, row.verdict),
-            None => format!("no answer, of {most} points"),
+            None => match policy.correction(self.number, &self.problem.id, &entry.part, false) {
+                Some(c) if c.to == For::All => {
+                    format!("no answer, {} of {most} points by a correction", policy::plain(c.share * most))
+                }
+                _ => format!("no answer, of {most} points"),
+            },
         };
         page.head(&format!("{}.{}: {outcome}", self.number, entry.part));
         self.asked(page, index);
@@ -229,13 +244,13 @@ impl Desk<'_> {
             }
             self.why(page, index, row);
         }
-        let correction = policy.correction(self.number, &self.problem.id, &entry.part);
+        let correction = policy.correction(self.number, &self.problem.id, &entry.part, counting.is_some());
         if let Some(correction) = correction {
             page.say(
                 1,
                 &format!(
                     "correction: {} get at least {} % of this part: {}",
-                    if matches!(correction.to, crate::policy::For::All) { "all" } else { "all who answered" },
+                    if correction.to == For::All { "all" } else { "all who answered" },
                     per_cent(correction.share),
                     correction.why
                 ),
@@ -268,7 +283,13 @@ impl Desk<'_> {
                         unit.text_with(&shown(*value)),
                         road(entry.eom),
                         road(entry.energy),
-                        entry.gap.map_or_else(|| "unknown".to_owned(), |g| format!("{g:.0e}")),
+                        entry.gap.map_or_else(
+                            || "unknown".to_owned(),
+                            |g| match g > 0.0 {
+                                true => format!("{g:.0e}"),
+                                false => "0".to_owned(),
+                            }
+                        ),
                         entry.cond.map_or_else(|| "unknown".to_owned(), |c| words::rounded(c, 3)),
                         entry.bound.map_or_else(String::new, |b| format!(
                             "; the true answer lies within {:.0e} of it, proved",
@@ -313,9 +334,12 @@ impl Desk<'_> {
                     let _ = write!(text, ", {}", word.as_str());
                 }
                 if judged.number.is_finite() {
-                    let asked =
-                        entry.unit.text_with(&words::rounded(entry.unit.from_si(judged.number), FIGURES));
-                    let _ = write!(text, ", that is {asked} ({} SI)", words::rounded(judged.number, FIGURES));
+                    let (asked, si) = (entry.unit.from_si(judged.number), judged.number);
+                    let _ =
+                        write!(text, ", that is {}", entry.unit.text_with(&words::rounded(asked, FIGURES)));
+                    if (asked - si).abs() > 1e-12 * si.abs() {
+                        let _ = write!(text, " ({} in SI)", words::rounded(si, FIGURES));
+                    }
                     if let Answer::Number { value, .. } = entry.answer
                         && value != 0.0
                     {
@@ -329,7 +353,10 @@ impl Desk<'_> {
             }
             Reading::Blank | Reading::Unreadable(_) => {}
         }
-        let _ = write!(text, ". {}: {}", sentence(row.verdict.as_str()), row.reason);
+        let _ = match row.verdict {
+            Verdict::Superseded => write!(text, ". {}", sentence(&row.reason)),
+            verdict => write!(text, ". {}: {}", sentence(verdict.as_str()), row.reason),
+        };
         page.say(2, &text);
     }
 
@@ -344,7 +371,7 @@ impl Desk<'_> {
                 let shown = words::rounded(entry.unit.from_si(w.value), FIGURES);
                 format!(" (which comes to {})", entry.unit.text_with(&shown))
             });
-            let told = catalogue.get(id).map_or_else(String::new, |e| format!(": {}. {}", e.did, e.see));
+            let told = catalogue.get(id).map_or_else(String::new, |e| format!(": {} {}", e.did, e.see));
             page.say(1, &format!("fits the wrong method {id}{comes}{told}"));
         }
         if let Some(slip) = slip(&row.slip) {

@@ -10,8 +10,6 @@ use crate::cli::banks;
 use crate::cli::files;
 use crate::cli::files::Staged;
 use crate::cli::generate;
-use crate::cli::graded;
-use crate::cli::matches;
 use crate::cli::report;
 use crate::cli::tell;
 use crate::cli::tell::Exit;
@@ -192,9 +190,7 @@ pub fn grade(job: &Job, input: &mut dyn BufRead) -> Result<Graded, Vec<Finding>>
     let mut summary = summary(&made.table, &made.graded);
     let out = job.out.display().to_string();
     match made.reports()? {
-        Some((report, matches)) => {
-            summary.push_str(&format!("\n{}\n  {matches}", report.told(&out)));
-        }
+        Some(report) => summary.push_str(&format!("\n{}", report.told(&out))),
         None if job.reports == Reports::Auto => {
             summary.push_str(&format!(
                 "\n  So many answers: for reports and feedback run `slipstick report {out}`."
@@ -249,11 +245,11 @@ impl Made {
     pub fn grading(&self) -> &Grading {
         &self.grading
     }
-    /// Makes the reports, if there are to be any: what stands out, and a sentence on matches.
+    /// Makes the reports, if there are to be any: what stands out.
     ///
     /// # Errors
     /// A file cannot be written.
-    pub fn reports(&self) -> Result<Option<(report::Summary, String)>, Vec<Finding>> {
+    pub fn reports(&self) -> Result<Option<report::Summary>, Vec<Finding>> {
         let made = match self.reports {
             Reports::Yes => true,
             Reports::No => false,
@@ -265,12 +261,7 @@ impl Made {
         let folder = self.staged.path();
         let own = Own { templates: None, language: Some(self.grading.language.clone()) };
         let reported = report::make(folder, folder, &own, None).map_err(|f| self.staged.named(f))?;
-        let graded = graded::open(folder, None).map_err(|f| self.staged.named(f))?;
-        let found = matches::find(&graded).map_err(|f| self.staged.named(f))?;
-        let path = folder.join(matches::MATCHES);
-        fs::write(&path, matches::csv(&found))
-            .map_err(|e| vec![files::trouble(&self.out.join(matches::MATCHES), "cannot be written", &e)])?;
-        Ok(Some((reported, found.summary())))
+        Ok(Some(reported))
     }
     /// Puts it in its place.
     ///

@@ -161,6 +161,9 @@ pub fn findings(bank: &Bank, faults: Vec<given::Fault>, file: &str) -> Vec<Findi
                         .get(fault.case)
                         .map_or_else(Vec::new, |case| words::refusal(problem, &case.scene, refusal)),
                     Why::Happens(what) => vec![format!("another motion than the problem tells of: {what}")],
+                    Why::Relation(part) => {
+                        vec![format!("the relation of `follows` does not give {part} from the other parts")]
+                    }
                     Why::Unanswered(part) => vec![format!("part {part} has no answer")],
                 };
                 let field = format!("problems.{}", problem.id);

@@ -19,8 +19,9 @@ use crate::matches;
 use crate::matches::Question;
 use crate::matches::Wrong;
 use crate::matches::figures;
-use crate::regrade::rows;
 use crate::regrade::rows::Row;
+use crate::report::alike::Matches;
+use crate::report::alike::Told;
 use crate::set::replay::Dealer;
 use crate::set::replay::indices;
 use rayon::prelude::*;
@@ -33,58 +34,6 @@ const KEYS: usize = 300;
 pub const MATCHES: &str = "matches.csv";
 /// Pairs shown on the terminal; the others stand in the file.
 const SHOWN: usize = 20;
-
-/// A pair, in words.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Told {
-    /// Who gave the answers: id and name.
-    pub student: [String; 2],
-    /// Whose keys they hit: id and name.
-    pub classmate: [String; 2],
-    /// Parts, such as `1.omega`.
-    pub parts: Vec<String>,
-    /// The answers, as handed in.
-    pub answers: Vec<String>,
-    /// The chance that luck makes answers as fine as these hit this classmate's keys so well.
-    pub chance: f64,
-    /// How many pairs as striking luck brings in the whole class.
-    pub expected: f64,
-    /// Is it to be looked at?
-    pub flagged: bool,
-    /// What explains the answers otherwise, such as `1.omega: A05`; empty if nothing does.
-    pub explained: String,
-}
-
-/// What was found.
-#[derive(Debug, Clone, PartialEq, Default)]
-pub struct Matches {
-    /// Most striking first.
-    pub pairs: Vec<Told>,
-    /// Wrong answers in numbers that were held against classmates' keys.
-    pub answers: usize,
-    /// How many of those nothing else explains.
-    pub unexplained: usize,
-}
-
-impl Matches {
-    /// One sentence of what was looked at and what luck brings.
-    pub fn summary(&self) -> String {
-        let flagged = self.pairs.iter().filter(|p| p.flagged).count();
-        let looked = format!(
-            "{} wrong answers in numbers were held against classmates' keys, {} of them with no other explanation",
-            self.answers, self.unexplained
-        );
-        let found = match flagged {
-            0 => "no pair stands out".to_owned(),
-            1 => "1 pair stands out".to_owned(),
-            n => format!("{n} pairs stand out"),
-        };
-        format!(
-            "{looked}: {found}. Among honest students luck alone makes a pair stand out in one set of {:.0}.",
-            1.0 / matches::FLAGGED
-        )
-    }
-}
 
 /// Holds the wrong answers of a grading against the keys of classmates.
 ///
@@ -193,35 +142,13 @@ fn draw_more(graded: &Graded, table: &KeyTable, questions: &mut [Question]) -> R
     Ok(())
 }
 
-/// matches.csv.
-pub fn csv(found: &Matches) -> Vec<u8> {
-    let header = "look,student,classmate,parts,answers,chance,expected_by_luck,other_explanation\n";
-    let mut out = header.as_bytes().to_vec();
-    for pair in &found.pairs {
-        rows::push_line(
-            &mut out,
-            &[
-                if pair.flagged { "yes" } else { "" },
-                &pair.student[0],
-                &pair.classmate[0],
-                &pair.parts.join(" "),
-                &pair.answers.join(" | "),
-                &format!("{:.1e}", pair.chance),
-                &format!("{:.1e}", pair.expected),
-                &pair.explained,
-            ],
-        );
-    }
-    out
-}
-
 /// Runs `slipstick matches`.
 pub fn run(args: &args::Matches, io: &mut Io) -> Exit {
     match graded::open(&args.graded, None).and_then(|graded| find(&graded)) {
         Ok(found) => {
             io.piece(&told(&found));
             let path = args.graded.join(MATCHES);
-            let text = String::from_utf8_lossy(&csv(&found)).into_owned();
+            let text = String::from_utf8_lossy(&found.csv()).into_owned();
             match files::put_all(&[(path.clone(), text)]) {
                 Ok(()) => {
                     io.line(&format!("  all of them, for your eyes only: {}", path.display()));

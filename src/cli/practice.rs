@@ -7,10 +7,14 @@ use crate::cli::tell::Exit;
 use crate::cli::tell::Io;
 use crate::cli::words;
 use crate::finding::Finding;
+use crate::grade::diagnose::diagnose;
 use crate::grade::feedback::Feedback;
 use crate::grade::judge;
 use crate::grade::verdict::Verdict;
+use crate::key::KeyEntry;
 use crate::key::ProblemKey;
+use crate::misconception::catalogue::Catalogue;
+use crate::policy::Hints;
 use crate::problem::make::Maker;
 use crate::problem::make::Variant;
 use crate::problem::make_key;
@@ -57,6 +61,7 @@ fn practice(args: &args::Practice, io: &mut Io) -> Result<(), Vec<Finding>> {
         problems.iter().map(|p| Maker::new(&bank.problems[*p], seed, "practice")).collect();
     let of_seed = words.say("feedback.seed", &[("seed", &seed.to_string())]);
     io.line(&format!("{} ({of_seed}). {}", bank.title, words.get("feedback.commands")));
+    let catalogue = Catalogue::of(language).unwrap_or_else(Catalogue::built_in);
     let mut room = Room::default();
     let (mut right, mut asked) = (0, 0);
     for round in 0usize.. {
@@ -70,7 +75,8 @@ fn practice(args: &args::Practice, io: &mut Io) -> Result<(), Vec<Finding>> {
         let text = document::without_marks(&String::from_utf8_lossy(&text));
         io.line(&format!("\n## {}\n\n{}", problem.title, plain(&text)));
         let key = make_key::key(problem, &variant);
-        match questions(problem, &variant, &key, (&mut right, &mut asked), words, io) {
+        let tutor = Tutor { catalogue: &catalogue, hints: bank.grading.hints };
+        match questions(problem, &variant, &key, (&mut right, &mut asked), (words, &tutor), io) {
             Next::Draw => {}
             Next::Quit => break,
         }
@@ -82,18 +88,55 @@ fn practice(args: &args::Practice, io: &mut Io) -> Result<(), Vec<Finding>> {
     Ok(())
 }
 
+/// Tells what a wrong number has in common with known wrong methods, as far as the bank lets it.
+struct Tutor<'t> {
+    catalogue: &'t Catalogue,
+    hints: Hints,
+}
+
+impl Tutor<'_> {
+    /// Lines about the most likely method; where several fit, it is one of them.
+    fn lines(
+        &self,
+        number: f64,
+        part: usize,
+        parts: &[Option<KeyEntry>],
+        methods: &[String],
+        words: &Words,
+    ) -> Vec<String> {
+        if self.hints == Hints::None || !number.is_finite() {
+            return Vec::new();
+        }
+        let found = diagnose(number, part, parts).methods;
+        let known = found.iter().filter_map(|m| self.catalogue.get(methods.get(usize::from(*m))?));
+        let mut lines = Vec::new();
+        for entry in known.take(if self.hints == Hints::Explain { 1 } else { 2 }) {
+            if self.hints == Hints::Explain {
+                lines.push(words.say("marks.did", &[("did", &entry.did)]));
+                lines.push(words.say("marks.see", &[("see", &entry.see)]));
+            }
+            let hint = words.say("marks.hint", &[("hint", &entry.hint)]);
+            if !lines.contains(&hint) {
+                lines.push(hint);
+            }
+        }
+        lines
+    }
+}
+
 /// The question part of a round.
 fn questions(
     problem: &Problem,
     variant: &Variant,
     key: &ProblemKey,
     (right, asked): (&mut usize, &mut usize),
-    words: &Words,
+    (words, tutor): (&Words, &Tutor),
     io: &mut Io,
 ) -> Next {
+    let parts: Vec<Option<KeyEntry>> = key.parts.iter().cloned().map(Some).collect();
     let say = Feedback::new(words);
     let commands = words.get("feedback.commands");
-    for (question, entry) in problem.questions.iter().zip(&key.parts) {
+    for (part, (question, entry)) in problem.questions.iter().zip(&key.parts).enumerate() {
         loop {
             io.piece(&format!("{} = ", entry.part));
             let Some(cell) = io.ask() else {
@@ -127,6 +170,9 @@ fn questions(
             let word = question.label.quantity.is_word();
             let again = if word { "" } else { words.get("feedback.try_again") };
             io.line(&format!("  {}: {}{again}", judgement.verdict.as_str(), judgement.reason));
+            for line in tutor.lines(judgement.number, part, &parts, &key.methods, words) {
+                io.line(&format!("  {}", plain(&line)));
+            }
             // A word that is no answer may have been meant as a command.
             let word = cell.chars().all(char::is_alphabetic);
             if word && judgement.verdict == Verdict::Unreadable {

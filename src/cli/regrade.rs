@@ -514,7 +514,7 @@ impl Desk<'_> {
             let why: Vec<String> = change
                 .why
                 .iter()
-                .map(|w| match (w, policy.correction(*number, &column.problem, part)) {
+                .map(|w| match (w, policy.correction(*number, &column.problem, part, change.is.is_some())) {
                     (Why::Correction, Some(c)) if !c.why.is_empty() => format!("correction: {}", c.why),
                     _ => w.as_str().to_owned(),
                 })

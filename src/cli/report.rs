@@ -1,12 +1,14 @@
 //! `slipstick report`: a folder of grades to the class report, feedback for each student and gradebooks.
 use crate::bank::Bank;
-use crate::bank::course;
 use crate::cli::args;
 use crate::cli::args::Own;
 use crate::cli::banks;
 use crate::cli::files;
 use crate::cli::files::Staged;
 use crate::cli::generate;
+use crate::cli::grade;
+use crate::cli::graded;
+use crate::cli::matches;
 use crate::cli::output;
 use crate::cli::tell;
 use crate::cli::tell::Exit;
@@ -29,23 +31,24 @@ use crate::report::marks::Unreadable;
 use crate::report::settings;
 use crate::report::study::Study;
 use crate::report::table;
+use crate::set::grading::BASIS;
+use crate::set::grading::Grading;
 use crate::set::store::StoredSet;
 use crate::sheet::document::Document;
 use crate::sheet::html;
 use crate::sheet::html::Converter;
 use crate::sheet::html::Place;
 use crate::template::Templates;
+use clap::ValueEnum as _;
 use rayon::prelude::*;
 use std::fs;
 use std::io;
 use std::path::Path;
 use std::path::PathBuf;
 
-/// What a report is made of; all but `course.yaml` must be there.
-const BASIS: &str = "basis";
 /// What a report makes, in the folder of the grades or in one of its own.
-pub const MADE: [&str; 5] =
-    ["report.html", "tables", "feedback", "gradebook-canvas.csv", "gradebook-moodle.csv"];
+pub const MADE: [&str; 6] =
+    ["report.html", "tables", "feedback", "gradebook-canvas.csv", "gradebook-moodle.csv", matches::MATCHES];
 
 /// Runs it.
 pub fn run(args: &args::Report, io: &mut Io) -> Exit {
@@ -70,6 +73,8 @@ pub struct Summary {
     pub tables: usize,
     /// What stands out.
     pub lines: Vec<String>,
+    /// Whose answers the wrong ones are, in a sentence.
+    pub matches: String,
 }
 
 impl Summary {
@@ -81,7 +86,7 @@ impl Summary {
             tell::count(self.students, "student"),
             self.tables
         );
-        for line in &self.lines {
+        for line in self.lines.iter().chain([&self.matches]) {
             text.push_str(&format!("\n  {line}"));
         }
         text
@@ -141,7 +146,7 @@ fn may_write(args: &args::Report, place: &Path) -> Result<(), Finding> {
 pub fn make(graded: &Path, out: &Path, own: &Own, threads: Option<usize>) -> Result<Summary, Vec<Finding>> {
     let one = |f: Finding| vec![f];
     let basis = Basis::read(graded)?;
-    let language = own.language.clone().unwrap_or_else(|| basis.language.clone());
+    let language = own.language.clone().unwrap_or_else(|| basis.grading.language.clone());
     let mut bank = basis.bank.clone();
     let texts = banks::texts(own, &language, &mut bank)?;
     let catalogue = Catalogue::of(&language).unwrap_or_else(Catalogue::built_in);
@@ -150,6 +155,9 @@ pub fn make(graded: &Path, out: &Path, own: &Own, threads: Option<usize>) -> Res
     let written = |name: &str, e: &io::Error| one(files::trouble(&out.join(name), "cannot be written", e));
     let write = |name: &str, bytes: &[u8]| fs::write(out.join(name), bytes).map_err(|e| written(name, &e));
     let folder = |name: &str| fs::create_dir(out.join(name)).map_err(|e| written(name, &e));
+
+    let found = matches::find(&graded::open(graded, None)?)?;
+    write(matches::MATCHES, &found.csv())?;
 
     // The class report is in English, for the instructor.
     let english = crate::words::Words::english();
@@ -160,6 +168,7 @@ pub fn make(graded: &Path, out: &Path, own: &Own, threads: Option<usize>) -> Res
         &study,
         &about,
         &Catalogue::built_in(),
+        &found,
         &Templates::english(),
         &mut |markdown| inline(&mut converter, markdown),
     )
@@ -178,7 +187,7 @@ pub fn make(graded: &Path, out: &Path, own: &Own, threads: Option<usize>) -> Res
         .enumerate()
         .filter_map(|(i, part)| {
             let problem = marks.class.problems.get(part.number.checked_sub(1)?)?;
-            let correction = basis.policy.correction(part.number, &problem.id, &part.id)?;
+            let correction = basis.policy.correction(part.number, &problem.id, &part.id, true)?;
             Some((i, correction.why.clone()))
         })
         .collect();
@@ -201,8 +210,7 @@ pub fn make(graded: &Path, out: &Path, own: &Own, threads: Option<usize>) -> Res
         let of_some = |some: &[usize]| -> Result<(), Vec<Finding>> {
             let mut converter = Converter::new(&texts.words);
             for student in some {
-                let (head, document) =
-                    desk.document(*student, &dropped(&basis.policy, &marks, *student)).map_err(one)?;
+                let (head, document) = desk.document(*student).map_err(one)?;
                 let body = converter.body(&document, Place { lower: 0, prefix: "" });
                 let page =
                     html::page(&texts.templates, &texts.words, "feedback", &head, &body).map_err(one)?;
@@ -216,20 +224,24 @@ pub fn make(graded: &Path, out: &Path, own: &Own, threads: Option<usize>) -> Res
     });
     all?;
 
-    let lines = lines(&marks);
-    let most = study.most.max(marks.totals.iter().map(|t| t.1).fold(0.0, f64::max));
-    write("gradebook-canvas.csv", &lms::canvas(&basis.set.name, most, &lines))?;
-    write("gradebook-moodle.csv", &lms::moodle(&basis.set.name, &lines))?;
+    let (item, most, lines) = book(&marks, &basis.grading.set);
+    write("gradebook-canvas.csv", &lms::canvas(&item, most, &lines))?;
+    write("gradebook-moodle.csv", &lms::moodle(&item, &lines))?;
     Ok(Summary {
         students: marks.class.students.len(),
         took_part: study.took_part.len(),
         tables: told.tables.len(),
         lines: told.summary,
+        matches: found.summary(),
     })
 }
 
-/// Lines of the gradebooks; the short text names the verdict of each part.
-fn lines(marks: &Marks) -> Vec<Line<'_>> {
+/// Name of the grade item, the most that it gives, and the lines of the gradebooks; their short text names the verdict of each
+/// part. Where not all students can get the same number of points (another problem is dropped), points cannot be compared: the
+/// item is then in per cent.
+fn book<'m>(marks: &'m Marks, set: &str) -> (String, f64, Vec<Line<'m>>) {
+    let most = marks.totals.iter().map(|t| t.1).fold(0.0, f64::max);
+    let same = marks.totals.iter().all(|t| (t.1 - most).abs() <= 1e-9 * most);
     let told = |s: usize| -> String {
         let parts = marks.class.parts.iter().enumerate().filter(|(p, _)| marks.asked(s, *p));
         let told: Vec<String> = parts
@@ -241,31 +253,22 @@ fn lines(marks: &Marks) -> Vec<Line<'_>> {
             .collect();
         told.join("; ")
     };
-    let any = |s: usize| marks.took_part(s) || (0..marks.class.parts.len()).any(|p| marks.points(s, p) > 0.0);
-    marks
-        .class
-        .students
-        .iter()
-        .enumerate()
-        .map(|(s, student)| Line {
+    let points = |(points, of): (f64, f64)| match same {
+        true => points,
+        false if of > 0.0 => (points / of * 10_000.0).round() / 100.0,
+        false => 0.0,
+    };
+    let line = |(s, student): (usize, &'m Student)| {
+        let any = marks.took_part(s) || (0..marks.class.parts.len()).any(|p| marks.points(s, p) > 0.0);
+        Line {
             id: &student.id,
             name: &student.name,
-            points: any(s).then_some(marks.totals[s].0),
-            feedback: if any(s) { told(s) } else { String::new() },
-        })
-        .collect()
-}
-
-/// Problems (indices) of a student that do not count.
-fn dropped(policy: &Policy, marks: &Marks, student: usize) -> Vec<usize> {
-    let mut problems = vec![(0.0, 0.0); marks.class.problems.len()];
-    for (p, part) in marks.class.parts.iter().enumerate().filter(|(p, _)| marks.asked(student, *p)) {
-        if let Some(sum) = part.number.checked_sub(1).and_then(|i| problems.get_mut(i)) {
-            sum.0 += marks.points(student, p);
-            sum.1 += part.points;
+            points: any.then(|| points(marks.totals[s])),
+            feedback: if any { told(s) } else { String::new() },
         }
-    }
-    policy.total(&problems).dropped
+    };
+    let lines = marks.class.students.iter().enumerate().map(line).collect();
+    if same { (set.to_owned(), most, lines) } else { (format!("{set} %"), 100.0, lines) }
 }
 
 /// Markdown of one line to HTML without the paragraph around it.
@@ -287,9 +290,8 @@ struct Basis {
     bank: Bank,
     /// Settings of the bank with those of the course over them.
     policy: Policy,
-    /// Language of the reasons.
-    language: String,
-    provenance: serde_json::Value,
+    /// What the grading was made from.
+    grading: Grading,
     /// Student, number of the problem, part: what each sheet asks.
     key: Vec<(String, String, String)>,
 }
@@ -308,40 +310,24 @@ impl Basis {
             ]);
         }
         let set = generate::existing(&folder)?;
-        let bank_path = folder.join("bank.yaml");
+        let bank_path = folder.join(&set.bank.file);
         let text = files::read_text(&bank_path).map_err(one)?;
         let bank = banks::parse(&text, &bank_path.display().to_string())?;
-        let course_path = folder.join("course.yaml");
-        let policy = match course_path.is_file() {
-            true => {
-                let text = files::read_text(&course_path).map_err(one)?;
-                course::course(&text, &course_path.display().to_string(), &bank.grading)?
-            }
-            false => bank.grading.clone(),
+        let grading_path = graded.join(grade::GRADING);
+        let text = files::read_text(&grading_path).map_err(one)?;
+        let grading =
+            Grading::parse(&text).map_err(|f| one(f.in_file(grading_path.display().to_string())))?;
+        let course_path = folder.join(grade::COURSE);
+        let course = match course_path.is_file() {
+            true => Some((course_path.display().to_string(), files::read_text(&course_path).map_err(one)?)),
+            false => None,
         };
-        let provenance_path = graded.join("grading.json");
-        let provenance = match provenance_path.is_file() {
-            true => {
-                let text = files::read_text(&provenance_path).map_err(one)?;
-                serde_json::from_str(&text).map_err(|e| {
-                    one(Finding::new("", format!("cannot be read: {e}"))
-                        .in_file(provenance_path.display().to_string())
-                        .hint("it is written by `slipstick grade` and not meant to be edited"))
-                })?
-            }
-            false => serde_json::Value::Null,
-        };
+        let course = course.as_ref().map(|(file, text)| (file.as_str(), text.as_str()));
+        let typed = grading.attempts.as_deref().and_then(|a| args::Attempts::from_str(a, true).ok());
+        let policy = grade::policy(&bank.grading, course, typed)?;
         let key_path = folder.join("key.csv");
         let key = read_key(&key_path).map_err(one)?;
-        let language = provenance.get("language").and_then(serde_json::Value::as_str);
-        Ok(Self {
-            language: language.unwrap_or(&set.language).to_owned(),
-            set,
-            bank,
-            policy,
-            provenance,
-            key,
-        })
+        Ok(Self { set, bank, policy, grading, key })
     }
 
     /// The class without marks.
@@ -438,37 +424,32 @@ fn read_marks(graded: &Path, basis: &Basis) -> Result<Marks, Vec<Finding>> {
 
 /// How it was graded and of what, in words.
 fn about(basis: &Basis) -> About {
-    let json = &basis.provenance;
-    let text = |path: &[&str]| -> Option<String> {
-        let mut value = json;
-        for name in path {
-            value = value.get(name)?;
-        }
-        match value {
-            serde_json::Value::String(text) => Some(text.clone()),
-            serde_json::Value::Number(n) => Some(n.to_string()),
-            _ => None,
-        }
-    };
-    let short = |hash: String| hash.chars().take(16).collect::<String>();
+    let grading = &basis.grading;
+    let short = |hash: &str| hash.chars().take(16).collect::<String>();
     let mut provenance = Vec::new();
-    let mut add = |name: &str, value: Option<String>| {
-        if let Some(value) = value.filter(|v| !v.is_empty()) {
-            provenance.push((name.to_owned(), value));
-        }
-    };
-    add("Graded by", text(&["program"]));
-    add("Set", Some(format!("{}, seed {}", basis.set.name, basis.set.seed)));
-    add("Made by", Some(format!("{}, draw version {}", basis.set.program, basis.set.draw_version)));
-    add("Bank", Some(format!("{}, SHA-256 {}…", basis.set.bank.id, short(basis.set.bank.sha256.clone()))));
-    add("Key", text(&["key_sha256"]).map(|h| format!("SHA-256 {}…", short(h))));
-    add("Submissions", text(&["submissions", "file"]));
-    add("Language", Some(basis.language.clone()));
-    let untimed = text(&["untimed"]).filter(|n| n != "0");
-    add(
-        "Ordered by row",
-        untimed.map(|n| format!("attempts at {n} answers, because a submitted_at cannot be read")),
-    );
+    let mut add = |name: &str, value: String| provenance.push((name.to_owned(), value));
+    add("Graded by", grading.program.clone());
+    add("Submissions", format!("{}, {} bytes", grading.submissions, grading.submissions_bytes));
+    add("Set", format!("{}, seed {}, draw version {}", grading.set, grading.seed, grading.draw_version));
+    add("Bank", format!("{}, SHA-256 {}…", grading.bank, short(&grading.bank_sha256)));
+    add("Key", format!("SHA-256 {}…", short(&grading.key_sha256)));
+    if let Some(hash) = &grading.course_sha256 {
+        add("Course file", format!("SHA-256 {}…", short(hash)));
+    }
+    add("Language", grading.language.clone());
+    if !grading.columns.is_empty() {
+        add("Columns", grading.columns.join(", "));
+    }
+    if grading.untimed > 0 {
+        let n = grading.untimed;
+        add("By row", format!("attempts at {n} answers, because a submitted_at cannot be read"));
+    }
+    if grading.undated > 0 {
+        add("Undated", format!("{} answers that count have no time that can be read", grading.undated));
+    }
+    if !grading.unused_columns.is_empty() {
+        add("Not used", grading.unused_columns.join(", "));
+    }
     About {
         title: if basis.policy.title.is_empty() {
             basis.bank.title.clone()

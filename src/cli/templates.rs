@@ -110,6 +110,19 @@ const PIECES: &[(&str, &str, &[Piece])] = &[
         )],
     ),
     (
+        "feedback.md",
+        "what one student gets back of a grading (`slipstick report`)",
+        &[
+            ("title", "title of the course or the bank"),
+            ("name, student, set", "of the student (the name may be empty) and of the set"),
+            ("total, notes", "`14 of 20 points`; a list of remarks, such as a problem that does not count"),
+            (
+                "problems",
+                "a list of `number`, `title`, `points`, `parts`: a list of `sign`, `name`, `verdict`, `points`, `answer`, `reason`, `credit` (a list of lines), `hints` (a list of lines)",
+            ),
+        ],
+    ),
+    (
         "sheet.md",
         "the sheet of one student",
         &[

@@ -38,12 +38,21 @@ pub struct Winner {
     pub(crate) late: f64,
     /// After the closing date.
     pub(crate) closed: bool,
+    /// When it was handed in is not known.
+    pub(crate) undated: bool,
 }
 
 impl Winner {
     /// Nothing was handed in.
-    pub(crate) const NONE: Winner =
-        Winner { at: u64::MAX, by_row: false, number: f64::NAN, attempt: 1.0, late: 1.0, closed: false };
+    pub(crate) const NONE: Winner = Winner {
+        at: u64::MAX,
+        by_row: false,
+        number: f64::NAN,
+        attempt: 1.0,
+        late: 1.0,
+        closed: false,
+        undated: false,
+    };
 }
 
 /// One attempt, or the sum of several, where neither lateness nor the number of an attempt matters: times need not be
@@ -96,7 +105,9 @@ impl Attempt {
         if (other.by_row.0 < self.by_row.0) == first {
             self.by_row = other.by_row;
         }
-        if other.best.0 > self.best.0 || (other.best.0 >= self.best.0 && other.best.1 < self.best.1) {
+        // Of equal ones the first; of those that earn nothing the last, which is what the student went on with.
+        let earlier = (other.best.1 < self.best.1) == (other.best.0 > 0.0);
+        if other.best.0 > self.best.0 || (other.best.0 >= self.best.0 && earlier) {
             self.best = other.best;
         }
     }
@@ -170,6 +181,8 @@ pub(crate) struct Try {
     pub share: f64,
     /// What lateness leaves.
     pub late: f64,
+    /// When it was handed in is not known.
+    pub undated: bool,
 }
 
 /// The attempts of a student at a part in the order of time, as far as they can matter: with a limit the first so many; for
@@ -184,14 +197,19 @@ pub(crate) struct Ordered {
     rest: Option<Try>,
 }
 
+/// Most attempts that are kept in order. A number handed in again is no further attempt (whole sheets are handed in anew to
+/// mend one answer), so more are kept than count.
+const KEPT: usize = 100;
+/// How often the same may be handed in again on average before what is kept no longer tells the number of an attempt.
+const REPEATED: usize = 8;
+
 /// How many attempts are kept in order.
 pub(crate) fn depth(attempts: &Attempts) -> usize {
-    let most = match attempts.counts {
-        Counts::Best => attempts.at_most.unwrap_or(attempts.settles()),
-        Counts::First => 1,
-        Counts::Last => attempts.at_most.unwrap_or(0),
-    };
-    most as usize
+    if attempts.counts == Counts::First || !attempts.ordered() && attempts.counts == Counts::Last {
+        return 1;
+    }
+    let most = attempts.at_most.unwrap_or(attempts.settles()) as usize;
+    most.saturating_mul(REPEATED).min(KEPT)
 }
 
 impl Ordered {
@@ -200,7 +218,7 @@ impl Ordered {
         class: 0,
         count: 0,
         kept: Vec::new(),
-        last: Try { key: (0, 0), number: f64::NAN, share: 0.0, late: 1.0 },
+        last: Try { key: (0, 0), number: f64::NAN, share: 0.0, late: 1.0, undated: false },
         rest: None,
     };
     /// Adds an attempt.
@@ -263,35 +281,51 @@ impl Ordered {
         if self.class == 0 {
             return Winner::NONE;
         }
-        let by_row = untimed && self.count > 1 && attempts.counts != Counts::Best;
-        let winner = |one: &Try, nth: u32| Winner {
+        let by_row = untimed && self.count > 1;
+        let winner = |one: &Try, nth: usize| Winner {
             at: one.key.1,
             by_row,
             number: one.number,
-            attempt: attempts.factor(nth),
+            attempt: attempts.factor(u32::try_from(nth).unwrap_or(u32::MAX)),
             late: one.late,
             closed: self.class == CLOSED,
+            undated: one.undated,
         };
-        let nth = |i: usize| u32::try_from(i + 1).unwrap_or(u32::MAX);
+        // The first of each run of equal numbers.
+        let same = |a: &Try, b: &Try| a.number.to_bits() == b.number.to_bits() && a.number.is_finite();
+        let mut tries: Vec<&Try> = Vec::with_capacity(self.kept.len());
+        for (i, one) in self.kept.iter().enumerate() {
+            if i == 0 || !same(&self.kept[i - 1], one) {
+                tries.push(one);
+            }
+        }
+        let all_kept = self.kept.len() == self.count as usize;
+        if let Some(most) = attempts.at_most {
+            tries.truncate(most as usize);
+        }
+        let full = attempts.at_most.is_some_and(|most| tries.len() == most as usize);
         match attempts.counts {
-            Counts::First => self.kept.first().map_or(winner(&self.last, 1), |one| winner(one, 1)),
-            Counts::Last => match attempts.at_most {
-                Some(most) if self.count > most => {
-                    let i = most as usize - 1;
-                    self.kept.get(i).map_or(winner(&self.last, most), |one| winner(one, most))
-                }
-                _ => winner(&self.last, self.count),
+            Counts::First => tries.first().map_or(winner(&self.last, 1), |one| winner(one, 1)),
+            Counts::Last => match tries.last() {
+                Some(one) if all_kept || full || same(one, &self.last) => winner(one, tries.len()),
+                _ => winner(&self.last, self.count as usize),
             },
             Counts::Best => {
-                let mut best: Option<(f64, Winner)> = None;
+                let mut best: Option<(f64, f64, Winner)> = None;
                 let rest = self.rest.as_ref().filter(|_| attempts.at_most.is_none());
-                for (i, one) in self.kept.iter().chain(rest).enumerate() {
-                    let worth = one.share * one.late * attempts.factor(nth(i));
-                    if best.is_none_or(|(most, _)| worth > most) {
-                        best = Some((worth, winner(one, nth(i))));
+                for (i, one) in tries.into_iter().chain(rest).enumerate() {
+                    let worth =
+                        one.share * one.late * attempts.factor(u32::try_from(i + 1).unwrap_or(u32::MAX));
+                    // Of equal worth what is right in itself, then the first; of those that earn nothing the last.
+                    let better = |(most, share, _): &(f64, f64, Winner)| {
+                        worth > *most
+                            || (worth >= *most && (one.share > *share || (one.share <= 0.0 && *share <= 0.0)))
+                    };
+                    if best.as_ref().is_none_or(better) {
+                        best = Some((worth, one.share, winner(one, i + 1)));
                     }
                 }
-                best.map_or(winner(&self.last, self.count), |(_, w)| w)
+                best.map_or(winner(&self.last, self.count as usize), |(_, _, w)| w)
             }
         }
     }
@@ -303,20 +337,27 @@ mod tests {
     use proptest::prelude::*;
 
     fn one(time: i64, share: f64) -> Try {
-        Try { key: (time, time.unsigned_abs()), number: share, share, late: 1.0 }
+        Try { key: (time, time.unsigned_abs()), number: share, share, late: 1.0, undated: false }
     }
 
     /// What the settings mean, said by sorting all attempts.
     fn plainly(attempts: &Attempts, tries: &[Try]) -> u64 {
         let mut sorted = tries.to_vec();
         sorted.sort_by_key(|t| t.key);
+        sorted.dedup_by(|b, a| a.number.to_bits() == b.number.to_bits());
         sorted.truncate(attempts.at_most.unwrap_or(u32::MAX) as usize);
         let worth = |i: usize| sorted[i].share * sorted[i].late * attempts.factor(i as u32 + 1);
         let i = match attempts.counts {
             Counts::First => 0,
             Counts::Last => sorted.len() - 1,
             Counts::Best => {
-                (1..sorted.len()).fold(0, |best, i| if worth(i) > worth(best) { i } else { best })
+                let most = (0..sorted.len()).map(worth).fold(0.0, f64::max);
+                let share = |i: &usize| (sorted[*i].share * 1e6) as i64;
+                let equal = (0..sorted.len()).filter(|i| worth(*i) >= most);
+                let most_share = equal.clone().map(|i| share(&i)).max().unwrap_or(0);
+                let mut equal = equal.filter(|i| share(i) == most_share);
+                let chosen = if most_share > 0 { equal.next() } else { equal.next_back() };
+                chosen.unwrap_or(0)
             }
         };
         sorted[i].key.1

@@ -34,7 +34,9 @@ impl Credit {
 
 /// Values from which something may follow, and what follows, lie within this factor of the right ones: what is farther off
 /// was not computed with care, or cannot be in this scene.
-const REACH: f64 = 10.0;
+const REACH: f64 = 4.0;
+/// So near to 0, 1 or a number of the statement an answer was not computed.
+const COPIED: f64 = 1e-3;
 
 /// The larger of what the methods and the relation earn. `x` is the number, SI, judged wrong; `methods` are those that it
 /// fits, if they are known already.
@@ -72,24 +74,26 @@ pub(crate) fn credit(
     best
 }
 
-/// Does `x` follow from the student's own answers, at least one of which is wrong? The first wrong one.
+/// Does `x` follow from the student's own answers? From the first wrong one, or the first if all are right: from answers that
+/// are off by as much as their tolerance something may follow that is not right.
 ///
 /// The relation is solved again with the wrong answers in place of the key's; beside them the key's, or the student's own
 /// right ones, which may differ by what the tolerance allows.
 fn follows(x: f64, (who, what): (usize, usize), table: &KeyTable, winners: &[Winner]) -> Option<usize> {
     let (follow, first) = table.follow(what)?;
     let numbers = table.numbers(who, first)?;
-    let (key, half_width, magnitude) = number(table, who, what)?;
-    let x = if magnitude { x.abs() } else { x };
+    let (key, half_width, kind) = number(table, who, what)?;
     let trivial = |n: f64| {
-        let same = |a: f64| (n.abs() - a.abs()).abs() <= 1e-9 * a.abs();
-        same(0.0) || same(1.0) || numbers.given.iter().any(|g| same(*g))
+        let same = |a: f64| (n.abs() - a.abs()).abs() <= COPIED * a.abs();
+        n.abs() <= 0.0 || round(n) || same(1.0) || numbers.given.iter().any(|g| same(*g))
     };
-    let possible = |n: f64, key: f64| {
-        let ratio = n.abs() / key.abs();
+    // Of its size, and of its sign where the other one cannot be.
+    let possible = |n: f64, key: f64, kind: Kind| {
+        let ratio = n / key;
+        let ratio = if kind == Kind::Directed { ratio.abs() } else { ratio };
         ratio.is_finite() && (1.0 / REACH..=REACH).contains(&ratio)
     };
-    if trivial(x) || !possible(x, key) {
+    if trivial(x) || !possible(x, key, kind) {
         return None;
     }
     let own =
@@ -97,19 +101,18 @@ fn follows(x: f64, (who, what): (usize, usize), table: &KeyTable, winners: &[Win
     let mut wrong = None;
     for part in &follow.from {
         let answer = own(*part);
-        let (key, half_width, magnitude) = number(table, who, first + part)?;
-        let right = accepts(answer, key, half_width) || (magnitude && accepts(-answer, key, half_width));
+        let (key, half_width, kind) = number(table, who, first + part)?;
         if !answer.is_finite() {
             return None;
         }
-        if !right {
-            if trivial(answer) || !possible(answer, key) {
+        if !accepts(answer, key, half_width) {
+            if trivial(answer) || !possible(answer, key, kind) {
                 return None;
             }
             wrong = wrong.or(Some(first + part));
         }
     }
-    let wrong = wrong?;
+    let source = wrong.or_else(|| follow.from.first().map(|part| first + part))?;
     let by = |right_ones_are_the_keys: bool| {
         follow.by.eval(&|given| match given {
             Given::Known(i, factor) => numbers.known.get(i).map_or(f64::NAN, |n| n * factor),
@@ -125,16 +128,40 @@ fn follows(x: f64, (who, what): (usize, usize), table: &KeyTable, winners: &[Win
     // The relative tolerance of the part, around what follows.
     let share = half_width / key.abs();
     let meets = |y: f64| {
-        let y = if magnitude { y.abs() } else { y };
-        y.is_finite() && possible(y, key) && (x - y).abs() <= share * y.abs()
+        let y = if kind == Kind::Magnitude { y.abs() } else { y };
+        y.is_finite() && possible(y, key, kind) && (x - y).abs() <= share * y.abs()
     };
-    (meets(by(true)) || meets(by(false))).then_some(wrong)
+    (meets(by(true)) || meets(by(false))).then_some(source)
 }
 
-/// Key, accepted half-width, and whether it is a magnitude.
-fn number(table: &KeyTable, who: usize, what: usize) -> Option<(f64, f64, bool)> {
+/// Which signs a number may have.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Kind {
+    /// Never negative.
+    Magnitude,
+    /// Along a line, so that a wrong one may well have the other sign.
+    Directed,
+    /// The sign of the key: a cord does not push.
+    Signed,
+}
+
+/// One significant figure: a guess.
+fn round(n: f64) -> bool {
+    let text = format!("{n:.0e}");
+    text.parse::<f64>().is_ok_and(|r| (n - r).abs() <= 1e-9 * n.abs())
+}
+
+/// Key, accepted half-width, and which signs it may have.
+fn number(table: &KeyTable, who: usize, what: usize) -> Option<(f64, f64, Kind)> {
     match table.entry(who, what)?.answer {
-        Answer::Number { value, half_width, magnitude, .. } => Some((value, half_width, magnitude)),
+        Answer::Number { value, half_width, magnitude, directed } => {
+            let kind = match (magnitude, directed) {
+                (_, true) => Kind::Directed,
+                (true, false) => Kind::Magnitude,
+                (false, false) => Kind::Signed,
+            };
+            Some((value, half_width, kind))
+        }
         Answer::Word { .. } => None,
     }
 }

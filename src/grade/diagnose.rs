@@ -29,16 +29,21 @@ pub enum Slip {
     OtherPart(usize),
 }
 
-/// Of an angular velocity, and of an angle.
+/// Of an angular velocity, of an angle, of a speed and of a time.
 const RATE: Dimension = Dimension([0, 0, -1, 1]);
 const ANGLE: Dimension = Dimension([0, 0, 0, 1]);
-/// Pairs of units that are taken for one another, and how many of the second make one of the first: two for a rate, two
-/// for an angle.
-const CONFUSED: [(&str, &str, f64); 4] = [
+const SPEED: Dimension = Dimension([0, 1, -1, 0]);
+const TIME: Dimension = Dimension([0, 0, 1, 0]);
+/// Pairs of units that are taken for one another, and how many of the second make one of the first: three for a rate, two
+/// for an angle, one for a speed, one for a time.
+const CONFUSED: [(&str, &str, f64); 7] = [
     ("rev/min", "rad/s", 60.0 / std::f64::consts::TAU),
     ("rev/s", "rad/s", 1.0 / std::f64::consts::TAU),
+    ("deg/s", "rad/s", 180.0 / std::f64::consts::PI),
     ("deg", "rad", 180.0 / std::f64::consts::PI),
     ("rev", "rad", 1.0 / std::f64::consts::TAU),
+    ("km/h", "m/s", 3.6),
+    ("min", "s", 1.0 / 60.0),
 ];
 /// Greatest power of ten that is recognised, both ways.
 const TENS: i32 = 6;
@@ -83,8 +88,10 @@ impl Known {
         let share = if key == 0.0 { 0.0 } else { half_width / key.abs() };
         let dimension = entry.unit.dimension();
         let confused = match dimension {
-            RATE => (0, 2),
-            ANGLE => (2, 4),
+            RATE => (0, 3),
+            ANGLE => (3, 5),
+            SPEED => (5, 6),
+            TIME => (6, 7),
             _ => (0, 0),
         };
         let others = parts.iter().enumerate().filter(|(i, _)| *i != part).filter_map(|(_, p)| p.as_ref());
@@ -104,6 +111,10 @@ impl Known {
         wrong: &[WrongValue],
     ) -> Diagnosis {
         let mut found = Diagnosis::default();
+        // The right magnitude with a sign that nobody asked for fits nothing else.
+        if self.magnitude && x < 0.0 && fits(-x, self.key, self.share) {
+            return found;
+        }
         let x = if self.magnitude { x.abs() } else { x };
         // Mostly none fits: first without a branch for each.
         if wrong.iter().fold(false, |any, w| any | fits(x, w.value, self.share)) {
@@ -188,7 +199,12 @@ mod tests {
 
     #[test]
     fn confused_units_are_of_the_dimensions_that_are_asked() {
-        for (pairs, dimension) in [(&CONFUSED[..2], RATE), (&CONFUSED[2..], ANGLE)] {
+        for (pairs, dimension) in [
+            (&CONFUSED[..3], RATE),
+            (&CONFUSED[3..5], ANGLE),
+            (&CONFUSED[5..6], SPEED),
+            (&CONFUSED[6..], TIME),
+        ] {
             for (from, to, factor) in pairs {
                 let (from, to) = (Unit::parse(from).unwrap(), Unit::parse(to).unwrap());
                 assert_eq!((from.dimension(), to.dimension()), (dimension, dimension));

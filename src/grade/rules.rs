@@ -2,7 +2,6 @@
 use crate::finding::Finding;
 use crate::grade::table::KeyTable;
 use crate::policy::Counts;
-use crate::policy::For;
 use crate::policy::Part;
 use crate::policy::Policy;
 
@@ -16,8 +15,8 @@ pub struct Rules<'p> {
     closes: Vec<i64>,
     /// For each column the share that each wrong method earns; empty where none earns anything.
     methods: Vec<Vec<f64>>,
-    /// For each column what everybody gets at least, for whom and why.
-    corrections: Vec<Option<(f64, For, String)>>,
+    /// For each column what everybody gets at least, and why: who did not answer, who did.
+    corrections: Vec<[Option<(f64, String)>; 2]>,
     /// How many relations lead to each column.
     levels: Vec<u8>,
 }
@@ -58,6 +57,15 @@ impl<'p> Rules<'p> {
                     .push(fault.hint("write the id as on the roster, in quotes where it begins with a zero"));
             }
         }
+        let problems = table.columns.last().map_or(0, |c| c.number);
+        if policy.drop_lowest > 0 && policy.drop_lowest >= problems {
+            let what = format!(
+                "is {}, and the set has {problems} problem{}",
+                policy.drop_lowest,
+                if problems == 1 { "" } else { "s" }
+            );
+            faults.push(Finding::new("drop lowest", what).hint("at least one problem must count"));
+        }
         if !faults.is_empty() {
             return Err(faults);
         }
@@ -67,8 +75,10 @@ impl<'p> Rules<'p> {
         });
         let methods = methods.collect();
         let corrections = table.columns.iter().map(|c| {
-            let found = policy.correction(c.number, &c.problem, &c.part)?;
-            Some((found.share, found.to, found.why.clone()))
+            [false, true].map(|answered| {
+                let found = policy.correction(c.number, &c.problem, &c.part, answered)?;
+                Some((found.share, found.why.clone()))
+            })
         });
         let corrections = corrections.collect();
         let mut levels = vec![0u8; table.columns.len()];
@@ -121,10 +131,10 @@ impl<'p> Rules<'p> {
             return None;
         }
         let due = self.due[student];
-        Some(if moment <= due { 1.0 } else { self.policy.late.factor(moment.saturating_sub(due)) })
+        Some(if due == i64::MAX { 1.0 } else { self.policy.late_factor(due, moment) })
     }
-    /// The correction of a part: share, for whom, why.
-    pub(crate) fn correction(&self, column: usize) -> Option<(f64, For, &str)> {
-        self.corrections[column].as_ref().map(|(share, to, why)| (*share, *to, why.as_str()))
+    /// What who answered a part, or did not, gets at least, and why.
+    pub(crate) fn correction(&self, column: usize, answered: bool) -> Option<(f64, &str)> {
+        self.corrections[column][usize::from(answered)].as_ref().map(|(share, why)| (*share, why.as_str()))
     }
 }

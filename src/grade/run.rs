@@ -49,7 +49,6 @@ use crate::grade::write::push_number;
 use crate::grade::write::push_text;
 use crate::policy;
 use crate::policy::Counts;
-use crate::policy::For;
 use crate::policy::time;
 use crate::policy::time::Evidence;
 use crate::policy::time::Moment;
@@ -410,7 +409,8 @@ fn walk_ordered(
         if !matches!(sort_of_row(record, job.layout, job.say), Row::Cells) {
             return;
         }
-        let time = moment(record, job).map(|m| m.micros[times.evidence.choice()]);
+        let certain = |m: &Moment| m.uncertain.is_none_or(|dotted| times.evidence.decides(dotted));
+        let time = moment(record, job).filter(certain).map(|m| m.micros[times.evidence.choice()]);
         cells(record, job.layout, job.table, quick, |quick, cell| {
             let (Some(who), Some(what)) = (cell.who, cell.what) else { return };
             if level.is_some_and(|level| job.rules.level(what as usize) != level) {
@@ -426,7 +426,7 @@ fn walk_ordered(
                 class = choose::CLOSED;
             }
             let key = (if times.untimed[index] { 0 } else { time.unwrap_or(0) }, at);
-            let one = Try { key, number, share, late: late.unwrap_or(0.0) };
+            let one = Try { key, number, share, late: late.unwrap_or(0.0), undated: time.is_none() };
             ordered[index].add(class, one, depth);
         });
     });
@@ -554,7 +554,7 @@ fn slip_in_words<'w>(slip: Slip, table: &KeyTable, what: u32, say: &Feedback<'w>
             (format!("power_of_ten:{n}"), say.fill("feedback.slip.power_of_ten", &[("n", &n.to_string())]))
         }
         Slip::Unit(from, to) => {
-            (format!("unit:{to}"), say.fill("feedback.slip.unit", &[("from", from), ("to", to)]))
+            (format!("unit:{from}"), say.fill("feedback.slip.unit", &[("from", from), ("to", to)]))
         }
         Slip::FewerFigures(n) => {
             (format!("figures:{n}"), say.fill("feedback.slip.figures", &[("n", &n.to_string())]))
@@ -645,7 +645,10 @@ fn awarded(
         told.push(say.fill("feedback.credit.late", &[("share", &percent(winner.late))]));
     }
     share *= winner.attempt * winner.late;
-    if let Some((given, _, why)) = job.rules.correction(what as usize)
+    if job.rules.policy.timed() && (winner.undated || job.layout.submitted.is_none()) {
+        told.push(Cow::Borrowed(say.get("feedback.credit.undated")));
+    }
+    if let Some((given, why)) = job.rules.correction(what as usize, true)
         && given > share
     {
         share = given;
@@ -884,8 +887,7 @@ fn walk_and_write(
                 (judgement.points, credit) =
                     awarded(job, (who, what), &mut judgement, fits.as_ref(), &winner, winners);
                 earned.push((index as u32, judgement.points));
-                let dated = || std::str::from_utf8(submitted).is_ok_and(|t| time::parse(t).is_some());
-                *undated += u64::from(needs_date && !dated());
+                *undated += u64::from(needs_date && (winner.undated || layout.submitted.is_none()));
             }
             out.extend_from_slice(verdict.as_str().as_bytes());
             out.push(b',');
@@ -1001,7 +1003,7 @@ pub fn grade(
     }
     // What is given to all is given to those who handed in nothing, too.
     for (index, points) in graded.points.iter_mut().enumerate().filter(|(_, p)| p.is_none()) {
-        if let Some((share, For::All, _)) = rules.correction(index % table.columns.len().max(1)) {
+        if let Some((share, _)) = rules.correction(index % table.columns.len().max(1), false) {
             *points = Some(policy::plain(table.hot[index].points * share));
         }
     }

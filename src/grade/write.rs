@@ -25,8 +25,8 @@ pub(crate) fn push_float(out: &mut Vec<u8>, value: f64) {
     }
 }
 
-/// `-62,6`, `-62.6 N` and their like: a sign, a number, perhaps a unit that begins with a letter; nothing that a spreadsheet could run, as
-/// it would `-2/A1`.
+/// `-62,6`, `-62.6 N` and their like: a sign, a number, perhaps a unit that begins with a letter; nothing that a
+/// spreadsheet could run, as it would `-2/A1`.
 fn signed_quantity(text: &[u8]) -> bool {
     let [b'+' | b'-', rest @ ..] = text else { return false };
     let digits = |t: &[u8]| t.iter().take_while(|b| b.is_ascii_digit() || matches!(b, b'.' | b',')).count();
@@ -35,9 +35,11 @@ fn signed_quantity(text: &[u8]) -> bool {
         return false;
     }
     if let [b'e' | b'E', more @ ..] = &rest[at..] {
-        let sign = usize::from(matches!(more, [b'+' | b'-', ..]));
-        let power = digits(&more[sign..]);
-        at += if power > 0 { 1 + sign + power } else { 0 };
+        let signed = usize::from(matches!(more.first(), Some(b'+' | b'-')));
+        let exponent = digits(&more[signed..]);
+        if exponent > 0 {
+            at += 1 + signed + exponent;
+        }
     }
     let unit = rest[at..].trim_ascii_start();
     unit.is_empty()
@@ -52,11 +54,10 @@ fn signed_quantity(text: &[u8]) -> bool {
 
 /// Does a spreadsheet take it for a formula, or for what may become one? The wide signs `＝ ＋ － ＠` count as well.
 fn begins_oddly(text: &[u8]) -> bool {
-    match text {
-        [b'=' | b'+' | b'-' | b'@' | b'\t' | b'\r' | b'\n', ..] => true,
-        [0xef, 0xbc, 0x9d | 0x8b | 0x8d | 0xa0, ..] => true,
-        _ => false,
-    }
+    matches!(
+        text,
+        [b'=' | b'+' | b'-' | b'@' | b'\t' | b'\r' | b'\n', ..] | [0xef, 0xbc, 0x9d | 0x8b | 0x8d | 0xa0, ..]
+    )
 }
 
 /// A field of CSV: quoted where needed, and harmless to a spreadsheet: what begins with `= + - @` and is neither a number

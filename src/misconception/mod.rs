@@ -55,11 +55,10 @@ fn one(
     let spoilt = |label: Label| mistake.of.is_empty() || mistake.of.contains(&label);
     // Most methods come to a value by an expression alone.
     let changed = if changes { self::changed(problem, mistake, (case, scene), data, &right) } else { None };
-    if changes && changed.is_none() {
-        return;
-    }
     let other = |label: Label| match &changed {
         Some(road) => road.iter().find(|(l, _)| *l == label).map_or(f64::NAN, |(_, v)| *v),
+        // Without such a motion only what follows from the data alone has a value.
+        None if changes => f64::NAN,
         None => right(label),
     };
     for label in labels {
@@ -97,5 +96,9 @@ fn changed(
         *taken.get_mut(*index)? = if degrees { value.to_degrees() } else { value };
     }
     let road = agree::quick(scene, &taken).ok()?;
+    // A swing that does not come to its end tells what holds at the start: nobody's answer to what is asked at the end.
+    if scene.pinned().is_some() && road.course.as_ref().is_some_and(|c| c.asked.is_some() && !c.reached) {
+        return None;
+    }
     Some(road.said.iter().map(|s| (s.label, s.value.f64())).collect())
 }

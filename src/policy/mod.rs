@@ -3,6 +3,7 @@
 //! `bank/course.rs`.
 pub mod time;
 
+use jiff::tz::AmbiguousOffset;
 use jiff::tz::TimeZone;
 
 /// Microseconds in a minute.
@@ -144,6 +145,18 @@ impl Zone {
         let moment = date.and_then(|d| self.zone.to_ambiguous_timestamp(d).compatible());
         moment.map_or(shown, jiff::Timestamp::as_microsecond)
     }
+    /// Do clocks of this zone never show this, because they are put forward over it?
+    pub fn skips(&self, shown: i64) -> bool {
+        let date = jiff::Timestamp::from_microsecond(shown).map(|t| TimeZone::UTC.to_datetime(t));
+        date.is_ok_and(|d| {
+            matches!(self.zone.to_ambiguous_timestamp(d).offset(), AmbiguousOffset::Gap { .. })
+        })
+    }
+    /// What clocks of this zone show at a moment, as microseconds since their 1970.
+    pub fn clock(&self, moment: i64) -> i64 {
+        let Ok(stamp) = jiff::Timestamp::from_microsecond(moment) else { return moment };
+        moment.saturating_add(i64::from(self.zone.to_offset(stamp).seconds()) * 1_000_000)
+    }
     /// What clocks of this zone show at a moment, to the minute: `2026-03-09 23:59`.
     pub fn shown(&self, moment: i64) -> String {
         jiff::Timestamp::from_microsecond(moment)
@@ -240,7 +253,7 @@ pub struct Late {
     pub per: Per,
     /// Greatest share that lateness costs, 0 to 1.
     pub most: f64,
-    /// So late is not late, microseconds.
+    /// So late is not late, microseconds. (A due date without seconds includes its minute.)
     pub grace: i64,
     /// From then on nothing counts, microseconds since 1970 (UTC).
     pub closes: Option<i64>,
@@ -405,10 +418,26 @@ impl Policy {
         let extended = self.extensions.iter().find(|(id, _)| id == student).map(|(_, at)| *at);
         extended.or(self.due)
     }
-    /// From when on nothing counts for a student.
+    /// From when on nothing counts for a student: an extension moves it by as much as the due date.
     pub fn closes_for(&self, student: &str) -> Option<i64> {
         let extended = self.extensions.iter().find(|(id, _)| id == student).map(|(_, at)| *at);
-        self.late.closes.map(|at| extended.map_or(at, |e| e.max(at)))
+        self.late.closes.map(|at| match (extended, self.due) {
+            (Some(extended), Some(due)) => at.saturating_add(extended.saturating_sub(due).max(0)),
+            (Some(extended), None) => at.max(extended),
+            _ => at,
+        })
+    }
+    /// What an answer that is handed in at `moment` and was due at `due` keeps of its points. Days are those of the zone's
+    /// clocks: the same time of the next day is a day later, whether the night had 23 hours or 25.
+    pub fn late_factor(&self, due: i64, moment: i64) -> f64 {
+        if moment <= due {
+            return 1.0;
+        }
+        let by = match self.late.per {
+            Per::Day => self.zone.clock(moment).saturating_sub(self.zone.clock(due)),
+            Per::Hour | Per::Once => moment.saturating_sub(due),
+        };
+        self.late.factor(by.max(1))
     }
     /// Does it matter when an answer was handed in, besides the order?
     pub fn timed(&self) -> bool {
@@ -421,10 +450,17 @@ impl Policy {
             self.points.iter().filter(|(p, _)| p.part.is_some() && p.means(number, problem, part));
         given.next().map(|(_, points)| *points)
     }
-    /// The correction of a part that gives most.
-    pub fn correction(&self, number: usize, problem: &str, part: &str) -> Option<&Correction> {
+    /// The correction of a part that gives most to a student who answered it, or did not.
+    pub fn correction(
+        &self,
+        number: usize,
+        problem: &str,
+        part: &str,
+        answered: bool,
+    ) -> Option<&Correction> {
         let mut found: Option<&Correction> = None;
-        for one in self.corrections.iter().filter(|c| c.part.means(number, problem, part)) {
+        let meant = |c: &&Correction| c.part.means(number, problem, part) && (answered || c.to == For::All);
+        for one in self.corrections.iter().filter(meant) {
             if found.is_none_or(|f| one.share > f.share) {
                 found = Some(one);
             }
@@ -446,8 +482,10 @@ impl Policy {
                 of += possible;
             }
         }
-        let points = self.rounding.map_or_else(|| plain(points), |r| r.round(points));
-        Total { points, of: plain(of), dropped: order }
+        let of = plain(of);
+        // Rounding up must not give more than there is.
+        let points = self.rounding.map_or_else(|| plain(points), |r| r.round(points).min(of));
+        Total { points, of, dropped: order }
     }
 }
 

@@ -1,6 +1,7 @@
 //! Draw, fill, solve, check: the flow in one function, tries and refusals counted.
 use crate::bank::Bound;
 use crate::bank::Case;
+use crate::bank::Follow;
 use crate::bank::Problem;
 use crate::bank::Question;
 use crate::bank::decimal::Decimal;
@@ -341,22 +342,11 @@ impl<'p> Maker<'p> {
         if !agree::prove(&case.scene, data, &mut solved) || !make_key::narrow(self.problem, &solved) {
             return Err(PROOF);
         }
-        if !self.relations_hold(data, &solved) {
+        if broken_relation(self.problem, data, &solved).is_some() {
             return Err(FOLLOWS);
         }
         let wrong = self.told_apart(index, data, &solved, refusals)?;
         Ok((solved, wrong))
-    }
-
-    /// Do the relations between parts give the right answers from right ones?
-    fn relations_hold(&self, data: &[f64], solved: &Solved) -> bool {
-        let right = |label: Label| solved.get(label).map_or(f64::NAN, Entry::value);
-        self.problem.follows.iter().all(|follow| {
-            let question = &self.problem.questions[follow.question];
-            let Some(entry) = solved.get(question.label) else { return false };
-            let value = follow.by.eval(data, &right);
-            (value - entry.value()).abs() <= RELATION * entry.value().abs().max(entry.scale)
-        })
     }
 
     /// Where the wrong methods come to, if none comes near a right answer.
@@ -503,6 +493,17 @@ fn input_energy(scene: &Scene, data: &[f64], solved: &Solved) -> Option<f64> {
 fn holds(bound: &Bound, data: &[f64], quantity: &dyn Fn(Label) -> f64) -> bool {
     let value = bound.expression.eval(data, quantity);
     !value.is_nan() && bound.min.is_none_or(|m| value >= m) && bound.max.is_none_or(|m| value <= m)
+}
+
+/// The first relation between parts that does not give the right answer from right ones: an index into the questions.
+pub fn broken_relation(problem: &Problem, data: &[f64], solved: &Solved) -> Option<usize> {
+    let right = |label: Label| solved.get(label).map_or(f64::NAN, Entry::value);
+    let holds = |question: &Question, value: f64| {
+        let Some(entry) = solved.get(question.label) else { return false };
+        (value - entry.value()).abs() <= RELATION * entry.value().abs().max(entry.scale)
+    };
+    let broken = |f: &&Follow| !holds(&problem.questions[f.question], f.by.eval(data, &right));
+    problem.follows.iter().find(broken).map(|f| f.question)
 }
 
 /// The variant of stored values, for replay: solved anew, no rules applied.

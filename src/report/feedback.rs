@@ -42,12 +42,13 @@ pub struct Desk<'d> {
 }
 
 impl Desk<'_> {
-    /// The feedback of a student; `dropped` are the indices of the problems that do not count.
+    /// The feedback of a student.
     ///
     /// # Errors
     /// Faults of the template.
-    pub fn document(&self, student: usize, dropped: &[usize]) -> Result<(Head, Document), Finding> {
+    pub fn document(&self, student: usize) -> Result<(Head, Document), Finding> {
         let who = &self.marks.class.students[student];
+        let dropped = self.marks.dropped.get(student).map_or(&[][..], Vec::as_slice);
         let head = Head {
             title: self.title.to_owned(),
             name: who.name.clone(),
@@ -158,7 +159,9 @@ impl Desk<'_> {
         let outside = |w: &Words| row.reason.strip_prefix(w.get("feedback.outside")).map(str::to_owned);
         let rest = Words::languages().filter_map(Words::built_in).find_map(outside);
         let notes = rest.as_deref().map_or(row.reason.as_str(), |r| r.trim_start_matches("; "));
-        let pieces: Vec<&str> = notes.split("; ").filter(|piece| !is_slip(piece)).collect();
+        // What it says of credit comes last, and may hold anything.
+        let pieces = notes.split("; ").take_while(|piece| !is_one_of(CREDIT, piece));
+        let pieces: Vec<&str> = pieces.filter(|piece| !is_one_of(SLIPS, piece)).collect();
         template::in_markdown(&pieces.join("; "))
     }
 
@@ -192,30 +195,26 @@ impl Desk<'_> {
             return Vec::new();
         }
         let explains = self.hints == Hints::Explain;
-        let mut told: Vec<String> = Vec::new();
+        let mut told: Vec<Vec<String>> = Vec::new();
+        let several = row.methods.len() > 1;
         for entry in row.methods.iter().filter_map(|id| self.catalogue.get(id)) {
-            let hint = self.words.say("marks.hint", &[("hint", &entry.hint)]);
-            let text = if explains {
+            let mut lines = Vec::new();
+            if explains {
                 let did = self.words.say("marks.did", &[("did", &entry.did)]);
-                let see = self.words.say("marks.see", &[("see", &entry.see)]);
-                format!("{did} {see} {hint}")
-            } else {
-                hint
-            };
-            if !told.contains(&text) {
-                told.push(text);
+                lines.push(if several { entry.did.clone() } else { did });
+                lines.push(self.words.say("marks.see", &[("see", &entry.see)]));
+            }
+            lines.push(self.words.say("marks.hint", &[("hint", &entry.hint)]));
+            if !told.contains(&lines) {
+                told.push(lines);
             }
         }
-        let mut lines = match told.len() {
-            0 | 1 => told,
-            _ => {
-                let mut lines = vec![self.words.get("marks.one_of").to_owned()];
-                // A list within the list; its items stand one below the other.
-                let items: Vec<String> =
-                    told.iter().enumerate().map(|(i, t)| format!("{}. {t}", i + 1)).collect();
-                lines.push(items.join("\n  "));
-                lines
-            }
+        let mut lines = if told.len() < 2 {
+            told.concat()
+        } else {
+            // A list within the list; its items stand one below the other.
+            let items = told.iter().enumerate().map(|(i, t)| format!("{}. {}", i + 1, t.join(" ")));
+            vec![self.words.get("marks.one_of").to_owned(), items.collect::<Vec<_>>().join("\n  ")]
         };
         lines.extend(self.slip(row, student, part, explains));
         lines
@@ -268,13 +267,24 @@ fn sentence(text: &str) -> String {
     out
 }
 
-/// Does a piece of a reason tell what a wrong number has in common with the right one? That is for the instructor; the student is
-/// told of it at the level of the hints.
-fn is_slip(piece: &str) -> bool {
-    const SLIPS: [&str; 5] = ["power_of_ten", "unit", "figures", "drift", "other_part"];
+/// Phrases that tell what a wrong number has in common with the right one. They are for the instructor; the student is told of it
+/// at the level of the hints.
+const SLIPS: &[&str] = &["slip.power_of_ten", "slip.unit", "slip.figures", "slip.drift", "slip.other_part"];
+/// Phrases that tell why the points are not all or nothing: told apart from the reason.
+const CREDIT: &[&str] = &[
+    "credit.method",
+    "credit.follows",
+    "credit.attempt",
+    "credit.late",
+    "credit.closed",
+    "credit.correction",
+];
+
+/// Is a piece of a reason one of these phrases, in any language?
+fn is_one_of(phrases: &[&str], piece: &str) -> bool {
     Words::languages()
         .filter_map(Words::built_in)
-        .any(|words| SLIPS.iter().any(|name| fits(words.get(&format!("feedback.slip.{name}")), piece)))
+        .any(|words| phrases.iter().any(|name| fits(words.get(&format!("feedback.{name}")), piece)))
 }
 
 /// Is this the phrase, whatever stands in its places?
@@ -314,9 +324,15 @@ mod tests {
         assert!(!fits("the right word", "the right wordy"));
         for code in Words::languages() {
             let words = Words::of(code).unwrap();
-            assert!(is_slip(&words.say("feedback.slip.power_of_ten", &[("n", "-3")])));
-            assert!(is_slip(words.get("feedback.slip.drift")));
-            assert!(!is_slip(words.get("feedback.outside")));
+            assert!(is_one_of(SLIPS, &words.say("feedback.slip.power_of_ten", &[("n", "-3")])));
+            assert!(is_one_of(SLIPS, words.get("feedback.slip.drift")));
+            assert!(!is_one_of(SLIPS, words.get("feedback.outside")));
+            assert!(is_one_of(CREDIT, &words.say("feedback.credit.late", &[("share", "80 %")])));
+            let given = words.say("feedback.credit.correction", &[("share", "100 %"), ("why", "no")]);
+            assert!(is_one_of(CREDIT, &given));
+            for name in ["feedback.within", "feedback.outside", "feedback.other_sign", "feedback.blank"] {
+                assert!(!is_one_of(CREDIT, words.get(name)) && !is_one_of(SLIPS, words.get(name)));
+            }
         }
     }
 

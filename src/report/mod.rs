@@ -1,4 +1,5 @@
 //! What teacher and students get back.
+pub mod alike;
 pub mod charts;
 pub mod class;
 pub mod feedback;

@@ -47,6 +47,8 @@ pub enum Why {
     Happens(String),
     /// This part has no answer.
     Unanswered(String),
+    /// The relation by which this part follows from others does not give its right answer.
+    Relation(String),
 }
 
 /// What stands in the way.
@@ -209,6 +211,9 @@ fn solved(problem: &Problem, case: usize, values: &[Option<Decimal>]) -> Result<
     });
     if let Some(question) = missing {
         return Err(Why::Unanswered(question.id.clone()));
+    }
+    if let Some(part) = make::broken_relation(problem, &variant.data, &variant.solved) {
+        return Err(Why::Relation(problem.questions[part].id.clone()));
     }
     let key = make_key::key(problem, &variant);
     Ok((variant, key))

@@ -106,6 +106,7 @@ struct Row<'w> {
     student: &'w str,
     handed: &'w Handed,
     part: &'w str,
+    verdict: &'static str,
     minute: Option<i64>,
     comma: bool,
 }
@@ -131,7 +132,12 @@ pub fn write(habits: &Habits, words: &Words, seed: u64, works: &[Work]) -> Files
         for (i, handed) in work.handed.iter().enumerate() {
             let entry = work.key.problems.get(handed.problem).and_then(|p| p.parts.get(handed.part));
             let minute = last.map(|l| l - (count - 1 - i64::try_from(i).unwrap_or(0)));
-            rows.push(Row { student, handed, part: entry.map_or("", |e| e.part.as_str()), minute, comma });
+            let part = entry.map_or("", |e| e.part.as_str());
+            let verdict = match entry {
+                Some(entry) if comma => handed.cell.verdict_with_comma(entry, handed.truth.verdict),
+                _ => handed.truth.verdict,
+            };
+            rows.push(Row { student, handed, part, verdict, minute, comma });
         }
     }
     if habits.times.is_some() {
@@ -179,7 +185,7 @@ pub fn write(habits: &Habits, words: &Words, seed: u64, works: &[Work]) -> Files
             &t.figures.map_or_else(String::new, |f| f.to_string()),
             &t.from,
             if t.right { "yes" } else { "no" },
-            t.verdict,
+            row.verdict,
         ]);
     }
     Files {

@@ -19,6 +19,9 @@ use crate::solve::outcome::Entry;
 use crate::units::Unit;
 use crate::words::Words;
 
+/// Fewer figures than these are not sensible, at the end or on the way.
+const SENSIBLE: u32 = 3;
+
 /// One answer that is handed in.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Handed {
@@ -111,7 +114,9 @@ impl<'h> Student<'h> {
                     let idea = if sure { self.right(&part) } else { self.idea(&part, &mut memory) };
                     let cell = self.write(&part, &idea);
                     let verdict = cell.verdict(part.entry());
-                    let wrong = verdict.starts_with("wrong").then(|| cell.si(&part.entry().unit)).flatten();
+                    // A number with a unit of another kind leads nowhere.
+                    let leads = matches!(verdict, "wrong" | "wrong direction");
+                    let wrong = leads.then(|| cell.si(&part.entry().unit)).flatten();
                     memory.wrong.retain(|(p, _)| *p != index);
                     memory.wrong.extend(wrong.map(|x| (index, x)));
                     let truth = truth(idea, verdict);
@@ -328,7 +333,8 @@ fn plain(kind: Kind, cell: Cell, figures: Option<u32>) -> Idea {
 }
 
 fn truth(idea: Idea, verdict: &'static str) -> Truth {
-    // A right number without the unit that is demanded is not to be marked right.
-    let right = idea.kind.deserves() && verdict != "missing unit";
+    // Neither a right number without the unit that is demanded is to be marked right, nor one with too few figures.
+    let enough = idea.figures.is_none_or(|f| f >= SENSIBLE);
+    let right = idea.kind.deserves() && enough && verdict != "missing unit";
     Truth { kind: idea.kind, method: idea.method, figures: idea.figures, from: idea.from, right, verdict }
 }

@@ -45,7 +45,9 @@ impl Cell {
     /// A number of this value, SI, in this unit with so many figures.
     pub fn number(si: f64, unit: &Unit, figures: u32) -> Self {
         let digits = rounded(unit.from_si(si), usize::try_from(figures).unwrap_or(4));
-        Self::Number { digits, unit: Some(unit.clone()), way: None }
+        // Nobody writes the unit of a pure number.
+        let unit = (unit.ascii() != "1").then(|| unit.clone());
+        Self::Number { digits, unit, way: None }
     }
 
     /// The number that it says, SI; `asked` is the unit of a number that has none.
@@ -53,6 +55,21 @@ impl Cell {
         let Self::Number { digits, unit, way } = self else { return None };
         let sign = way.and_then(|w| WAYS.iter().find(|(name, _)| *name == w)).map_or(1.0, |(_, s)| *s);
         digits.parse::<f64>().ok().map(|x| sign * unit.as_ref().unwrap_or(asked).to_si(x))
+    }
+
+    /// The verdict that it gets with a decimal comma where it gets `verdict` with a point: `1,799` may be 1799 as well, and where
+    /// that would be right, it cannot be decided.
+    pub fn verdict_with_comma(&self, entry: &KeyEntry, verdict: &'static str) -> &'static str {
+        let Self::Number { digits, unit, way } = self else { return verdict };
+        let grouped = digits.trim_start_matches('-').split_once('.').is_some_and(|(whole, decimals)| {
+            let digits = |t: &str, n: usize| t.len() <= n && t.bytes().all(|b| b.is_ascii_digit());
+            digits(whole, 3) && decimals.len() == 3 && digits(decimals, 3) && whole != "0"
+        });
+        if !grouped || verdict != "wrong" {
+            return verdict;
+        }
+        let whole = Self::Number { digits: digits.replace('.', ""), unit: unit.clone(), way: *way };
+        if matches!(whole.verdict(entry), "right" | "wrong direction") { "unreadable" } else { verdict }
     }
 
     /// The verdict that it gets by the rules of grading, in their words.

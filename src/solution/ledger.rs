@@ -185,3 +185,50 @@ pub fn tex_digits(digits: &str, words: &Words) -> String {
 const fn float(figures: usize) -> f64 {
     figures as f64
 }
+
+#[cfg(test)]
+#[allow(clippy::float_cmp, reason = "digits on paper are exact")]
+mod tests {
+    use super::*;
+    use crate::solution::expr::difference;
+    use crate::solution::expr::product;
+    use crate::solution::expr::root;
+
+    #[test]
+    fn by_hand_each_quantity_is_kept_as_it_is_written() {
+        let words = Words::english();
+        let mut l = Ledger::by_hand(&words, 3);
+        let g = l.given("g", 9.81, "9.81", "", false);
+        let found = |l: &mut Ledger, from: &Expr| {
+            let symbol = l.unknown("x", "");
+            l.settle_by(symbol, from);
+            symbol
+        };
+        let square = found(&mut l, &product([g.into(), g.into()]));
+        // 96.2361 is 96.2 on the paper, off by at most 0.05.
+        assert_eq!(l.value(square), 96.2);
+        assert!((l.doubt(square) - 0.05).abs() < 1e-12, "{}", l.doubt(square));
+        // sqrt(96.2) = 9.80816: what is written decides, not 9.81.
+        let root = found(&mut l, &root(square.into()));
+        assert_eq!(l.value(root), 9.81);
+        assert!((l.doubt(root) - (0.005 + 0.05 / (2.0 * 96.2f64.sqrt()))).abs() < 1e-9, "{}", l.doubt(root));
+        // 1165 is 1160 or 1170 on the paper: of 1200 less it two figures are left, and the doubt says so.
+        let large = l.found("W", 1204.0, "");
+        let less = l.found("T", 1163.0, "");
+        let rest = found(&mut l, &difference(large.into(), less.into()));
+        assert_eq!((l.value(large), l.value(less), l.value(rest)), (1200.0, 1160.0, 40.0));
+        assert!((l.doubt(rest) - 10.05).abs() < 1e-9, "{}", l.doubt(rest));
+        assert_eq!(l.doubt(g), 0.0);
+    }
+
+    #[test]
+    fn otherwise_all_digits_are_kept() {
+        let words = Words::english();
+        let mut l = Ledger::new(&words);
+        let x = l.found("x", 1.0 / 3.0, "");
+        assert_eq!((l.value(x), l.doubt(x)), (1.0 / 3.0, 0.0));
+        let y = l.unknown("y", "");
+        l.settle_by(y, &product([x.into(), x.into()]));
+        assert_eq!((l.value(y), l.doubt(y)), ((1.0 / 3.0) * (1.0 / 3.0), 0.0));
+    }
+}

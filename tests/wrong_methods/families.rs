@@ -913,8 +913,12 @@ const SPRUNG: &[(&str, fn(&D) -> Answers)] = &[
     ("P09", |d| {
         let r = sprung_with(d, 0.0, d.of("g"));
         let mut all = r.motion();
-        all.push(("spring_force", spring(d, d.of("phi1"), 0.0).1));
-        all
+        // Such a spring may stop the rod before.
+        if all.iter().any(|(name, v)| *name == "omega" && v.is_finite()) {
+            all.push(("spring_force", spring(d, d.of("phi1"), 0.0).1));
+            return all;
+        }
+        Vec::new()
     }),
     ("P10", |d| with_work(d, -d.of("ks") * stretches(d).1 * stretches(d).1 / 2.0)),
     ("P11", |d| Rod { work: 0.0, moment: 0.0, ..sprung(d) }.motion()),

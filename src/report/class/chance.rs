@@ -1,12 +1,14 @@
 //! Sections on attempts, time, and whether variants were equally hard.
 use crate::report::charts;
 use crate::report::class::Pen;
+use crate::report::class::SHOWN;
 use crate::report::class::count;
 use crate::report::class::figure;
 use crate::report::class::lasting;
 use crate::report::class::paragraph;
 use crate::report::stats::LEAST_FOR_CORRELATION;
 use crate::report::stats::LEAST_FOR_MEDIAN;
+use crate::report::study::Comparison;
 use crate::report::study::LEVEL;
 use crate::report::table::Cell;
 use crate::report::table::Table;
@@ -58,7 +60,7 @@ impl Pen<'_> {
                 ("Never", "never_right"),
                 ("Median attempt", "median_attempt"),
                 ("Median time", "median_seconds"),
-                ("of", "timed_students"),
+                ("Students", "timed_students"),
             ],
             texts: 1,
             shown: 10,
@@ -71,11 +73,15 @@ impl Pen<'_> {
         let study = self.study;
         let title = |i: usize| format!("{}. {}", i + 1, self.marks.class.problems[i].title);
         let mut out = String::new();
-        for (problem, n) in &study.too_few {
+        if !study.too_few.is_empty() {
+            let few: Vec<String> = study
+                .too_few
+                .iter()
+                .map(|(i, n)| format!("{} ({})", title(*i), count(*n, "student")))
+                .collect();
             out.push_str(&paragraph(&format!(
-                "{}: {} handed in an answer; below {LEAST_FOR_CORRELATION} nothing is said, because chance alone makes such differences.",
-                title(*problem),
-                count(*n, "student")
+                "Nothing is said on {}: with answers of fewer than {LEAST_FOR_CORRELATION} students chance alone makes such differences.",
+                few.join("; ")
             )));
         }
         if study.fairness.is_empty() {
@@ -113,9 +119,10 @@ impl Pen<'_> {
                 out.push_str(&figure(&chart));
             }
         }
-        let rows = study
-            .fairness
-            .iter()
+        let mut list: Vec<&Comparison> = study.fairness.iter().collect();
+        list.sort_by(|a, b| a.p.total_cmp(&b.p));
+        let rows = list
+            .into_iter()
             .map(|c| {
                 let cases: Vec<String> = c
                     .cases
@@ -138,9 +145,11 @@ impl Pen<'_> {
                 ]
             })
             .collect();
-        out.push_str(&self.table(Table {
+        let table = Table {
             name: "fairness",
-            caption: "Share of the points of a problem against what was drawn".to_owned(),
+            caption:
+                "Share of the points of a problem against what was drawn, the least likely by chance first"
+                    .to_owned(),
             head: vec![
                 ("Problem", "problem"),
                 ("Datum", "datum"),
@@ -154,7 +163,8 @@ impl Pen<'_> {
             texts: 2,
             shown: 8,
             rows,
-        }));
+        };
+        out.push_str(&self.long_table(table, SHOWN));
         out
     }
 }

@@ -1,4 +1,5 @@
 //! The class report: sections of sentences, plots and tables, made of a [`Study`].
+mod alike;
 mod chance;
 mod mistakes;
 mod parts;
@@ -7,6 +8,7 @@ use crate::finding::Finding;
 use crate::grade::verdict::Verdict;
 use crate::misconception::catalogue::Catalogue;
 use crate::plot::svg::escaped;
+use crate::report::alike::Matches;
 use crate::report::marks::Marks;
 use crate::report::stats::LEAST_FOR_SHARE;
 use crate::report::study::LEVEL;
@@ -66,6 +68,7 @@ pub fn report(
     study: &Study,
     about: &About,
     catalogue: &Catalogue,
+    matches: &Matches,
     templates: &Templates,
     rich: Rich,
 ) -> Result<ClassReport, Finding> {
@@ -81,6 +84,7 @@ pub fn report(
         Section { id: "reading", title: "What could not be read", body: pen.reading() },
         Section { id: "attempts", title: "Attempts and time", body: pen.attempts() },
         Section { id: "fairness", title: "Fairness between variants", body: pen.fairness() },
+        Section { id: "matches", title: "Answers of classmates", body: pen.alike(matches) },
     ];
     let mut view = View::new();
     view.foreign("title", &about.title);

@@ -132,6 +132,8 @@ pub struct Marks {
     pub given: Vec<Option<f64>>,
     /// Points of each student and of how many, what is dropped and rounded included.
     pub totals: Vec<(f64, f64)>,
+    /// Problems (indices) of each student that do not count.
+    pub dropped: Vec<Vec<usize>>,
     /// Rows of answers.csv by verdict, in the order of `Verdict::ALL`.
     pub verdicts: [u64; Verdict::ALL.len()],
     /// The same for each part.

@@ -104,6 +104,7 @@ impl Marks {
             }
         }
         marks.given = marks.cells.iter().map(|c| c.row.as_ref().map(|r| r.points)).collect();
+        marks.dropped = vec![Vec::new(); marks.class.students.len()];
         marks.totals = (0..marks.class.students.len()).map(|s| marks.sum(s)).collect();
         for (cell, seen) in marks.cells.iter_mut().zip(&seen) {
             if let (Some(right), Some(first), false) = (seen.right, seen.first, seen.untimed) {
@@ -194,6 +195,7 @@ impl Marks {
             at(name).ok_or_else(|| Unreadable { line: 1, what: format!("there is no column `{name}`") })
         };
         let (student, total, of) = (need("student")?, need("total")?, need("max_total")?);
+        let dropped = at("dropped");
         let columns: Vec<usize> =
             self.class.parts.iter().map(|p| need(&guarded(&p.label()))).collect::<Result<_, _>>()?;
         let whose: FxHashMap<String, usize> =
@@ -220,6 +222,9 @@ impl Marks {
             for (part, column) in columns.iter().enumerate() {
                 self.given[who * columns.len() + part] = number(*column)?;
             }
+            let numbers = dropped.map_or_else(|| "".into(), text);
+            let numbers = numbers.split(' ').filter_map(|n| n.parse::<usize>().ok()?.checked_sub(1));
+            self.dropped[who] = numbers.filter(|i| *i < self.class.problems.len()).collect();
             self.totals[who] = (number(total)?.unwrap_or(0.0), number(of)?.unwrap_or(0.0));
         }
         if found == self.class.students.len() {
@@ -284,7 +289,9 @@ impl<'r> Found<'r> {
     }
     fn answer(&self) -> String {
         let text = self.text(Some(self.columns.answer));
-        shortened(text.strip_prefix('\'').unwrap_or(&text))
+        // The grader's apostrophe goes, a student's own stays.
+        let plain = text.strip_prefix('\'').filter(|plain| guarded(plain) == text);
+        shortened(plain.unwrap_or(&text))
     }
     fn words(&self, column: Option<usize>) -> Vec<String> {
         self.text(column).split_whitespace().map(str::to_owned).collect()
@@ -428,7 +435,8 @@ mod tests {
              4,,a,1,v,5,wrong,0,2,not within,A05 A06,drift,late:0.8 closed,2026-03-01 11:00\n\
              5,,a,1,v,,blank,0,2,nothing written,,,,2026-03-01 12:00\n\
              6,,'=b,1,v,'=cmd,unreadable,0,2,neither,,,,\n\
-             7,,zz,1,v,1,unknown student,0,0,not on the roster,,,,\n",
+             7,,'=b,1,t,'quoted',unreadable,0,2,neither,,,,\n\
+             8,,zz,1,v,1,unknown student,0,0,not on the roster,,,,\n",
         )
         .unwrap();
         let cell = marks.cell(0, 0);
@@ -438,9 +446,10 @@ mod tests {
         assert_eq!(row.methods, ["A05", "A06"]);
         assert_eq!(row.credit, ["late:0.8", "closed"]);
         assert_eq!(marks.cell(1, 0).row.as_ref().unwrap().answer, "=cmd");
+        assert_eq!(marks.cell(1, 1).row.as_ref().unwrap().answer, "'quoted'");
         assert_eq!(marks.class.parts[0].points, 2.0);
-        assert_eq!(marks.sum(0), (0.0, 3.0));
-        assert!(marks.took_part(1) && marks.rows == 6 && marks.troubles.len() == 1);
+        assert_eq!(marks.sum(0), (0.0, 4.0));
+        assert!(marks.took_part(1) && marks.rows == 7 && marks.troubles.len() == 2);
     }
 
     #[test]

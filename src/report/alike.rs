@@ -1,0 +1,89 @@
+//! Wrong answers that are the right ones of a classmate, as the instructor is told of them; never for students.
+use crate::grade::write::push_text;
+use crate::matches;
+
+/// A pair, in words.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Told {
+    /// Who gave the answers: id and name.
+    pub student: [String; 2],
+    /// Whose keys they hit: id and name.
+    pub classmate: [String; 2],
+    /// Parts, such as `1.omega`.
+    pub parts: Vec<String>,
+    /// The answers, as handed in.
+    pub answers: Vec<String>,
+    /// The chance that luck makes answers as fine as these hit this classmate's keys so well.
+    pub chance: f64,
+    /// How many pairs as striking luck brings in the whole class.
+    pub expected: f64,
+    /// Is it to be looked at?
+    pub flagged: bool,
+    /// What explains the answers otherwise, such as `1.omega: A05`; empty if nothing does.
+    pub explained: String,
+}
+
+/// What was found.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Matches {
+    /// Most striking first.
+    pub pairs: Vec<Told>,
+    /// Wrong answers in numbers that were held against classmates' keys.
+    pub answers: usize,
+    /// How many of those nothing else explains.
+    pub unexplained: usize,
+}
+
+impl Matches {
+    /// One sentence of what was looked at and what luck brings.
+    pub fn summary(&self) -> String {
+        let flagged = self.pairs.iter().filter(|p| p.flagged).count();
+        if self.answers == 0 {
+            return "No wrong answer in numbers, so none that is a classmate's.".to_owned();
+        }
+        let looked = format!(
+            "{} in numbers held against classmates' keys, {} of them with no other explanation",
+            if self.answers == 1 {
+                "1 wrong answer".to_owned()
+            } else {
+                format!("{} wrong answers", self.answers)
+            },
+            self.unexplained
+        );
+        let found = match flagged {
+            0 => "no pair stands out".to_owned(),
+            1 => "1 pair stands out".to_owned(),
+            n => format!("{n} pairs stand out"),
+        };
+        format!(
+            "{looked}: {found}. Among honest students luck alone makes a pair stand out in one set of {:.0}.",
+            1.0 / matches::FLAGGED
+        )
+    }
+
+    /// matches.csv: all pairs.
+    pub fn csv(&self) -> Vec<u8> {
+        let header = "look,student,classmate,parts,answers,chance,expected_by_luck,other_explanation\n";
+        let mut out = header.as_bytes().to_vec();
+        for pair in &self.pairs {
+            let fields = [
+                if pair.flagged { "yes" } else { "" },
+                &pair.student[0],
+                &pair.classmate[0],
+                &pair.parts.join(" "),
+                &pair.answers.join(" | "),
+                &format!("{:.1e}", pair.chance),
+                &format!("{:.1e}", pair.expected),
+                &pair.explained,
+            ];
+            for (i, field) in fields.iter().enumerate() {
+                if i > 0 {
+                    out.push(b',');
+                }
+                push_text(&mut out, field.as_bytes());
+            }
+            out.push(b'\n');
+        }
+        out
+    }
+}
