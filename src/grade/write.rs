@@ -25,8 +25,8 @@ pub(crate) fn push_float(out: &mut Vec<u8>, value: f64) {
     }
 }
 
-/// `-62,6`, `-62.6 N` and their like: a sign, a number, perhaps a unit that begins with a letter; nothing that a spreadsheet could run, as
-/// it would `-2/A1`.
+/// `-62,6`, `-62.6 N` and their like: a sign, a number, perhaps a unit that begins with a letter; nothing that a
+/// spreadsheet could run, as it would `-2/A1`.
 fn signed_quantity(text: &[u8]) -> bool {
     let [b'+' | b'-', rest @ ..] = text else { return false };
     let digits = |t: &[u8]| t.iter().take_while(|b| b.is_ascii_digit() || matches!(b, b'.' | b',')).count();
