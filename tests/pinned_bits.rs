@@ -12,14 +12,14 @@ const PINNED: &[(&str, &str, &str)] = &[
     ("two-loads-on-a-stepped-drum", "e56a4c810b664baa", "1f5a62c24b2a1120"),
     ("falling-rod", "8e8007792a987779", "a30ef288926c1b9c"),
     ("compound-pendulum", "cf0f2da7965fee7b", "225d1b8435f7954f"),
-    ("lifted-rod", "3dcf226255d5b25a", "a0fd8d596473454b"),
-    ("rod-and-spring", "d08752662aa1eee1", "8c6f6beb4d18874f"),
-    ("thrown-ball", "b647285a3ba39085", "0cc3658176d9fa53"),
-    ("wheel-set-down", "e8c03dcd948d78e5", "ef7266c485bd4402"),
+    ("lifted-rod", "a2d91ba6b66ba680", "90ac589f98f276fc"),
+    ("rod-and-spring", "79681241d0ce1f0f", "c54454a365a5cf77"),
+    ("thrown-ball", "3015d95e48e1eaab", "84e0113a1e465eed"),
+    ("wheel-set-down", "3897c747dae7d128", "d91d3d287cf1348a"),
     ("kinetic-energy", "1d494307821fa641", "adb9870667890556"),
     ("pulled-rolling", "b913f974f9f719ed", "af65fcb59ad3a8b0"),
     ("pulled-slipping", "c4363eb39c77f46b", "353b8d477a3c18fe"),
-    ("spring-released", "74b71a3e8cb637fa", "fd71432aa9a28857"),
+    ("spring-released", "0c12659539776b14", "1e7a4d70460272f7"),
 ];
 
 #[test]
