@@ -637,3 +637,48 @@ fn the_printed_data_give_the_key_of_the_draw() {
         assert!(again == keys, "{}: other wrong values or relations", bank.id);
     }
 }
+
+#[test]
+fn force_replaces_nothing_of_others() {
+    let room = Room::new();
+    room.answers();
+    room.grade(&[]);
+    let again = || {
+        run(&[
+            "grade",
+            &room.path("set"),
+            &room.path("answers.csv"),
+            "--out",
+            &room.path("grades"),
+            "--force",
+        ])
+    };
+    for name in
+        ["notes.txt", "feedback/notes.txt", "feedback/0099.html", "tables/mine.csv", "basis/notes.txt"]
+    {
+        room.write(&format!("grades/{name}"), "mine");
+        let before = tree(room.0.path());
+        let mut runs = vec![("grade", again())];
+        if !name.starts_with("basis") && name != "notes.txt" {
+            runs.push(("report", run(&["report", &room.path("grades"), "--force"])));
+        }
+        for (verb, ran) in runs {
+            assert_eq!(ran.exit, Exit::Faulty, "{verb} {name}");
+            let what = format!("ROOM/grades: holds what `slipstick {verb}` did not make: {name}");
+            assert!(room.shown(&ran.err).contains(&what), "{}", ran.err);
+            assert!(tree(room.0.path()) == before, "{verb} {name}");
+        }
+        fs::remove_file(room.path(&format!("grades/{name}"))).unwrap();
+    }
+    // What lies beside the report is not touched by it.
+    let before = tree(room.0.path());
+    room.write("grades/notes.txt", "mine");
+    let ran = run(&["report", &room.path("grades"), "--force"]);
+    assert_eq!((ran.exit, room.read("grades/notes.txt").as_str()), (Exit::Fine, "mine"), "{}", ran.err);
+    fs::remove_file(room.path("grades/notes.txt")).unwrap();
+    assert_eq!(again().exit, Exit::Fine);
+    assert!(tree(room.0.path()) == before, "nothing is left over, and the same is made again");
+    let ran = room.grade(&["--force", "--reports", "no"]);
+    assert!(ran.out.contains("The earlier report and feedback in"), "{}", ran.out);
+    assert!(!Path::new(&room.path("grades/report.html")).exists());
+}

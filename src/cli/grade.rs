@@ -10,6 +10,7 @@ use crate::cli::banks;
 use crate::cli::files;
 use crate::cli::files::Staged;
 use crate::cli::generate;
+use crate::cli::graded;
 use crate::cli::report;
 use crate::cli::tell;
 use crate::cli::tell::Exit;
@@ -50,19 +51,17 @@ pub const GRADEBOOK: &str = "gradebook.csv";
 pub const GRADING: &str = "grading.json";
 /// The course file within the basis of a grading.
 pub const COURSE: &str = "course.yaml";
-/// What the folder of a grading may hold; anything else there is somebody's own.
-const OURS: [&str; 11] = [
+/// What the folder of a grading may hold beside its reports; anything else there is somebody's own.
+const OURS: [&str; 9] = [
     ANSWERS,
     GRADEBOOK,
     GRADING,
-    BASIS,
-    "gradebook-canvas.csv",
-    "gradebook-moodle.csv",
-    "report.html",
-    "tables",
-    "feedback",
-    "matches.csv",
-    "changes.csv",
+    graded::CHANGES,
+    "basis/",
+    "basis/set.json",
+    "basis/bank.yaml",
+    "basis/key.csv",
+    "basis/course.yaml",
 ];
 
 /// What is to be graded.
@@ -198,7 +197,13 @@ pub fn grade(job: &Job, input: &mut dyn BufRead) -> Result<Graded, Vec<Finding>>
         }
         None => {}
     }
+    let gone = made.without_reports() && report::MADE.iter().any(|name| job.out.join(name).exists());
     made.finish()?;
+    if gone {
+        summary.push_str(&format!(
+            "\n  The earlier report and feedback in {out} told of the grades before, and are gone."
+        ));
+    }
     Ok(Graded { summary })
 }
 
@@ -263,12 +268,17 @@ impl Made {
         let reported = report::make(folder, folder, &own, None).map_err(|f| self.staged.named(f))?;
         Ok(Some(reported))
     }
+    /// Are there no reports in it?
+    fn without_reports(&self) -> bool {
+        !self.staged.path().join("report.html").exists()
+    }
     /// Puts it in its place.
     ///
     /// # Errors
     /// A file cannot be put there.
     pub fn finish(self) -> Result<(), Vec<Finding>> {
-        put_in_place(self.staged, &self.out)
+        // Once more: it may have come while answers were graded.
+        only_ours(&self.out).and_then(|()| self.staged.finish()).map_err(|f| vec![f])
     }
 }
 
@@ -403,27 +413,11 @@ fn counts(typed: Attempts) -> Counts {
     }
 }
 
-/// Moves a finished grading to its place: at once where nothing but a grading is replaced, else file by file, so that what
-/// somebody else put there stays.
-fn put_in_place(staged: Staged, out: &Path) -> Result<(), Vec<Finding>> {
-    let strange = |name: &String| !OURS.contains(&name.as_str());
-    if !out.exists() || !files::names_in(out).iter().any(strange) {
-        return staged.finish().map_err(|f| vec![f]);
-    }
-    for name in OURS {
-        let old = out.join(name);
-        let gone = if old.is_dir() { fs::remove_dir_all(&old) } else { fs::remove_file(&old) };
-        match gone {
-            Err(e) if e.kind() != io::ErrorKind::NotFound => {
-                return Err(vec![files::trouble(&old, "cannot be replaced", &e)]);
-            }
-            _ => {}
-        }
-        if staged.path().join(name).exists() {
-            staged.place_one(Path::new(name)).map_err(|f| vec![f])?;
-        }
-    }
-    Ok(())
+/// The whole folder is exchanged at once: nothing may be in it that is not a grading's, such as notes of somebody else.
+fn only_ours(out: &Path) -> Result<(), Finding> {
+    let students = report::folders(out);
+    let foreign = files::foreign(out, &|name: &str| OURS.contains(&name) || report::is_ours(name, &students));
+    if foreign.is_empty() { Ok(()) } else { Err(files::not_ours(out, &foreign, "grade")) }
 }
 
 /// A pipe is read once, grading reads twice. Standard input is the caller's, who holds its lock.
@@ -463,6 +457,7 @@ fn columns(typed: &[String]) -> Result<Vec<(String, String)>, Vec<Finding>> {
 fn may_write(out: &Path, set: &Path, force: bool) -> Result<(), Finding> {
     let finding = |what: &str| Finding::new("", what).in_file(out.display().to_string());
     files::not_among_students(out)?;
+    files::has_a_name(out, "grades")?;
     let same = fs::canonicalize(out).ok().zip(fs::canonicalize(set).ok()).is_some_and(|(a, b)| a == b);
     if same || out.join("set.json").exists() {
         return Err(finding("is the folder of a set").hint("give another --out for the grades"));
@@ -483,7 +478,7 @@ fn may_write(out: &Path, set: &Path, force: bool) -> Result<(), Finding> {
     let ours = fs::File::open(out.join(ANSWERS)).and_then(|mut f| f.read_exact(&mut start)).is_ok()
         && start == header.as_bytes();
     if ours {
-        Ok(())
+        only_ours(out)
     } else {
         Err(finding("holds no earlier grading").hint("--force replaces only what grade made"))
     }
