@@ -431,7 +431,7 @@ error: ROOM/grades/new: --out: is within the old grading, which stays as it is
     hint: give another --out
 
 Faulty
-error: ROOM/set: holds no answers.csv
+error: ROOM/set: holds no answers.csv, gradebook.csv, grading.json, basis/set.json, basis/bank.yaml, basis/key.csv
     hint: give the folder that `slipstick grade` made; if an earlier version did, grade again
 
 Faulty
@@ -681,4 +681,41 @@ fn force_replaces_nothing_of_others() {
     let ran = room.grade(&["--force", "--reports", "no"]);
     assert!(ran.out.contains("The earlier report and feedback in"), "{}", ran.out);
     assert!(!Path::new(&room.path("grades/report.html")).exists());
+}
+
+#[test]
+fn an_edited_grading_is_refused() {
+    let room = Room::new();
+    room.answers();
+    room.grade(&[]);
+    let grades = room.path("grades");
+    for name in ["answers.csv", "gradebook.csv"] {
+        let good = room.read(&format!("grades/{name}"));
+        let cut = good[..good.trim_end().rfind('\n').unwrap() + 1].to_owned();
+        for bad in [cut, good.replacen("0017", "0018", 1)] {
+            room.write(&format!("grades/{name}"), &bad);
+            for args in [
+                &["report", &grades, "--force"][..],
+                &["explain", &grades, "0017", "1"],
+                &["what-if", &grades],
+                &["matches", &grades],
+                &["regrade", &room.path("set"), &grades, &room.path("answers.csv"), "--dry-run"],
+            ] {
+                let ran = run(args);
+                assert_eq!(ran.exit, Exit::Faulty, "{args:?}");
+                let what = format!("ROOM/grades/{name}: is not as `slipstick grade` wrote it");
+                assert!(room.shown(&ran.err).contains(&what), "{args:?} {}", ran.err);
+            }
+        }
+        room.write(&format!("grades/{name}"), &good);
+    }
+    let answers = room.read("answers.csv");
+    room.write("answers.csv", &answers.replacen("0017,1,omega,", "0017,1,omega,9", 1));
+    let longer = room.regrade(&["--dry-run"]);
+    assert!(longer.err.contains(" bytes, the old grading was made from "), "{}", longer.err);
+    room.write("answers.csv", &answers.replacen("0017,1,v,", "0017,1,V,", 1));
+    let other = room.regrade(&["--dry-run"]);
+    assert!(other.err.contains("and another (by SHA-256)"), "{}", other.err);
+    room.write("answers.csv", &answers);
+    assert_eq!(room.regrade(&["--dry-run"]).err, "");
 }

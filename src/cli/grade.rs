@@ -234,7 +234,7 @@ pub struct Made {
     reports: Reports,
 }
 
-/// Up to so many answers, reports are made with the grades.
+/// Up to so many answers, reports are made with the grades, and what was written is hashed.
 const REPORTED: u64 = 300_000;
 
 impl Made {
@@ -358,6 +358,10 @@ pub fn make(job: &Job, basis: Basis, input: &mut dyn BufRead) -> Result<Made, Ve
     if let Some((_, text)) = course {
         put(&format!("{BASIS}/{COURSE}"), text.as_bytes())?;
     }
+    let hash = |path: &Path| match graded.cells <= REPORTED {
+        true => graded::hash(path).map(Some).map_err(|f| staged.named(vec![f])),
+        false => Ok(None),
+    };
     let verdicts = Verdict::ALL.iter().map(|v| (v.as_str().to_owned(), graded.count(*v).into())).collect();
     let grading = Grading {
         format: grading::FORMAT,
@@ -373,6 +377,9 @@ pub fn make(job: &Job, basis: Basis, input: &mut dyn BufRead) -> Result<Made, Ve
         language: words.language().to_owned(),
         submissions: job.submissions.file_name().unwrap_or_default().to_string_lossy().into_owned(),
         submissions_bytes: size,
+        submissions_sha256: hash(path)?,
+        answers_sha256: hash(&staged.path().join(ANSWERS))?,
+        gradebook_sha256: hash(&staged.path().join(GRADEBOOK))?,
         columns: job.columns.to_vec(),
         cells: graded.cells,
         verdicts,

@@ -281,7 +281,13 @@ fn read(who: &Who, folder: &Path) -> Result<Grading, Vec<Finding>> {
 fn notes(old: &Graded, made: &grade::Made) -> Vec<String> {
     let (was, is) = (&old.grading, made.grading());
     let mut notes = Vec::new();
-    if was.submissions_bytes != is.submissions_bytes {
+    let hashes = was.submissions_sha256.as_ref().zip(is.submissions_sha256.as_ref());
+    if was.submissions_bytes == is.submissions_bytes && hashes.is_some_and(|(a, b)| a != b) {
+        notes.push(format!(
+            "{} is as long as the file of the old grading, and another (by SHA-256): changes may come from other answers too",
+            is.submissions
+        ));
+    } else if was.submissions_bytes != is.submissions_bytes {
         notes.push(format!(
             "{} has {} bytes, the old grading was made from {}: changes may come from other answers too",
             is.submissions, is.submissions_bytes, was.submissions_bytes

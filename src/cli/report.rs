@@ -363,16 +363,8 @@ struct Basis {
 impl Basis {
     fn read(graded: &Path) -> Result<Self, Vec<Finding>> {
         let one = |f: Finding| vec![f];
+        graded::has_all(graded).map_err(one)?;
         let folder = graded.join(BASIS);
-        if !folder.join("set.json").is_file() {
-            let fault = Finding::new("", format!("holds no {BASIS}/set.json"));
-            let fault = fault.in_file(graded.display().to_string());
-            return Err(vec![
-                fault.hint(
-                    "give a folder that `slipstick grade` made; one of an earlier version: grade again",
-                ),
-            ]);
-        }
         let set = generate::existing(&folder)?;
         let bank_path = folder.join(&set.bank.file);
         let text = files::read_text(&bank_path).map_err(one)?;
@@ -381,6 +373,7 @@ impl Basis {
         let text = files::read_text(&grading_path).map_err(one)?;
         let grading =
             Grading::parse(&text).map_err(|f| one(f.in_file(grading_path.display().to_string())))?;
+        graded::intact(graded, &grading)?;
         let course_path = folder.join(grade::COURSE);
         let course = match course_path.is_file() {
             true => Some((course_path.display().to_string(), files::read_text(&course_path).map_err(one)?)),
