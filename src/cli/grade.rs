@@ -49,10 +49,10 @@ pub const ANSWERS: &str = "answers.csv";
 pub const GRADEBOOK: &str = "gradebook.csv";
 /// What the grading was made from.
 pub const GRADING: &str = "grading.json";
-/// The course file within the basis of a grading.
+/// The course file within the basis of a grading; those that a regrading laid over it are `course-2.yaml` and so on.
 pub const COURSE: &str = "course.yaml";
 /// What the folder of a grading may hold beside its reports; anything else there is somebody's own.
-const OURS: [&str; 9] = [
+const OURS: [&str; 8] = [
     ANSWERS,
     GRADEBOOK,
     GRADING,
@@ -61,7 +61,6 @@ const OURS: [&str; 9] = [
     "basis/set.json",
     "basis/bank.yaml",
     "basis/key.csv",
-    "basis/course.yaml",
 ];
 
 /// What is to be graded.
@@ -74,8 +73,8 @@ pub struct Job<'j> {
     pub out: &'j Path,
     /// Which attempt counts, over bank and course.
     pub attempts: Option<Attempts>,
-    /// Course file.
-    pub course: Option<&'j Path>,
+    /// Course files, each over those before it.
+    pub courses: &'j [PathBuf],
     /// `field=header`.
     pub columns: &'j [String],
     /// Language of the reasons; that of the set if not given.
@@ -101,7 +100,7 @@ pub fn run(args: &args::Grade, io: &mut Io) -> Exit {
         submissions: &args.submissions,
         out: &args.out,
         attempts: args.attempts,
-        course: args.course.as_deref(),
+        courses: args.course.as_slice(),
         columns: &args.columns,
         language: args.language.as_deref(),
         reports: args.reports,
@@ -196,6 +195,10 @@ pub fn grade(job: &Job, input: &mut dyn BufRead) -> Result<Graded, Vec<Finding>>
             ));
         }
         None => {}
+    }
+    if made.graded.cells == made.graded.count(Verdict::Blank) {
+        let file = job.submissions.display();
+        summary.push_str(&format!("\n  warning: there is no answer in {file}: is it the right export?"));
     }
     let gone = made.without_reports() && report::MADE.iter().any(|name| job.out.join(name).exists());
     made.finish()?;
@@ -294,17 +297,14 @@ pub fn make(job: &Job, basis: Basis, input: &mut dyn BufRead) -> Result<Made, Ve
         Some(language) => banks::words(language)?,
         None => Words::of(language).unwrap_or_else(Words::english),
     };
-    let course = match job.course {
-        Some(path) => Some((path.display().to_string(), files::read_text(path).map_err(|f| vec![f])?)),
-        None => None,
-    };
-    let course = course.as_ref().map(|(file, text)| (file.as_str(), text.as_str()));
-    let policy = policy(&bank.grading, course, job.attempts)?;
+    let courses = read_courses(job.courses)?;
+    let policy = policy(&bank.grading, &courses, job.attempts)?;
     let names: Vec<(String, String)> =
         set.students.iter().map(|s| (s.student.clone(), s.name.clone())).collect();
     let mut table = KeyTable::new(keys, &names);
-    let settings =
-        course.map_or_else(|| job.set.join(&set.bank.file).display().to_string(), |(f, _)| f.to_owned());
+    let settings = courses
+        .last()
+        .map_or_else(|| job.set.join(&set.bank.file).display().to_string(), |(file, _)| file.clone());
     table.take_points(&policy);
     let rules = Rules::new(&table, &policy)
         .map_err(|faults| faults.into_iter().map(|f| f.in_file(&settings)).collect::<Vec<_>>())?;
@@ -355,8 +355,8 @@ pub fn make(job: &Job, basis: Basis, input: &mut dyn BufRead) -> Result<Made, Ve
     {
         put(&format!("{BASIS}/{name}"), text.as_bytes())?;
     }
-    if let Some((_, text)) = course {
-        put(&format!("{BASIS}/{COURSE}"), text.as_bytes())?;
+    for (i, (_, text)) in courses.iter().enumerate() {
+        put(&format!("{BASIS}/{}", course_name(i)), text.as_bytes())?;
     }
     let hash = |path: &Path| match graded.cells <= REPORTED {
         true => graded::hash(path).map(Some).map_err(|f| staged.named(vec![f])),
@@ -372,7 +372,8 @@ pub fn make(job: &Job, basis: Basis, input: &mut dyn BufRead) -> Result<Made, Ve
         bank: bank.id.clone(),
         bank_sha256: bank.hash.clone(),
         key_sha256: load::hash(&key_text),
-        course_sha256: course.map(|(_, text)| load::hash(text)),
+        course_sha256: (!courses.is_empty())
+            .then(|| load::hash(&courses.iter().map(|(_, text)| text.as_str()).collect::<String>())),
         attempts: job.attempts.map(|a| counts(a).as_str().to_owned()),
         language: words.language().to_owned(),
         submissions: job.submissions.file_name().unwrap_or_default().to_string_lossy().into_owned(),
@@ -392,20 +393,41 @@ pub fn make(job: &Job, basis: Basis, input: &mut dyn BufRead) -> Result<Made, Ve
     Ok(Made { staged, out: job.out.to_owned(), table, graded, policy, grading, reports: job.reports })
 }
 
-/// The settings that bear on marks: those of the bank, over them those of a course (name and text of its file), over them
+/// Name of the course file number `i` (from 0) in a basis.
+fn course_name(i: usize) -> String {
+    if i == 0 { COURSE.to_owned() } else { format!("course-{}.yaml", i + 1) }
+}
+
+/// The course files of a grading, in the order in which they were laid over each other.
+pub fn courses(graded: &Path) -> Vec<PathBuf> {
+    let files = (0..).map(|i| graded.join(BASIS).join(course_name(i)));
+    files.take_while(|path| path.is_file()).collect()
+}
+
+/// Course files: name and text.
+///
+/// # Errors
+/// One cannot be read.
+pub fn read_courses(paths: &[PathBuf]) -> Result<Vec<(String, String)>, Vec<Finding>> {
+    let read =
+        |path: &PathBuf| Ok((path.display().to_string(), files::read_text(path).map_err(|f| vec![f])?));
+    paths.iter().map(read).collect()
+}
+
+/// The settings that bear on marks: those of the bank, over them those of courses (name and text of each file), over them
 /// what the command says.
 ///
 /// # Errors
 /// All that is wrong with the course file.
 pub fn policy(
     bank: &Policy,
-    course: Option<(&str, &str)>,
+    courses: &[(String, String)],
     attempts: Option<Attempts>,
 ) -> Result<Policy, Vec<Finding>> {
-    let mut policy = match course {
-        Some((file, text)) => bank::course::course(text, file, bank)?,
-        None => bank.clone(),
-    };
+    let mut policy = bank.clone();
+    for (file, text) in courses {
+        policy = bank::course::course(text, file, &policy)?;
+    }
     if let Some(attempts) = attempts {
         policy.attempts.counts = counts(attempts);
     }
@@ -423,7 +445,12 @@ fn counts(typed: Attempts) -> Counts {
 /// The whole folder is exchanged at once: nothing may be in it that is not a grading's, such as notes of somebody else.
 fn only_ours(out: &Path) -> Result<(), Finding> {
     let students = report::folders(out);
-    let foreign = files::foreign(out, &|name: &str| OURS.contains(&name) || report::is_ours(name, &students));
+    let courses: Vec<String> =
+        (0..courses(out).len()).map(|i| format!("{BASIS}/{}", course_name(i))).collect();
+    let ours = |name: &str| {
+        OURS.contains(&name) || courses.iter().any(|c| c == name) || report::is_ours(name, &students)
+    };
+    let foreign = files::foreign(out, &ours);
     if foreign.is_empty() { Ok(()) } else { Err(files::not_ours(out, &foreign, "grade")) }
 }
 

@@ -75,13 +75,8 @@ pub fn open(folder: &Path, only: Option<&str>) -> Result<Graded, Vec<Finding>> {
         let fault = Finding::new("", "is not the bank by which this was graded: its SHA-256 is another");
         return Err(one(fault.in_file(bank_path).hint("put the original copy back, or grade again")));
     }
-    let course_path = basis.join(grade::COURSE);
-    let course = match course_path.is_file() {
-        true => Some((course_path.display().to_string(), files::read_text(&course_path).map_err(one)?)),
-        false => None,
-    };
-    let course = course.as_ref().map(|(file, text)| (file.as_str(), text.as_str()));
-    let policy = grade::policy(&bank.grading, course, attempts(grading.attempts.as_deref()))?;
+    let courses = grade::read_courses(&grade::courses(folder))?;
+    let policy = grade::policy(&bank.grading, &courses, attempts(grading.attempts.as_deref()))?;
     if let Some(only) = only {
         set.students.retain(|s| s.student == only);
     }

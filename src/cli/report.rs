@@ -374,14 +374,9 @@ impl Basis {
         let grading =
             Grading::parse(&text).map_err(|f| one(f.in_file(grading_path.display().to_string())))?;
         graded::intact(graded, &grading)?;
-        let course_path = folder.join(grade::COURSE);
-        let course = match course_path.is_file() {
-            true => Some((course_path.display().to_string(), files::read_text(&course_path).map_err(one)?)),
-            false => None,
-        };
-        let course = course.as_ref().map(|(file, text)| (file.as_str(), text.as_str()));
+        let courses = grade::read_courses(&grade::courses(graded))?;
         let typed = grading.attempts.as_deref().and_then(|a| args::Attempts::from_str(a, true).ok());
-        let policy = grade::policy(&bank.grading, course, typed)?;
+        let policy = grade::policy(&bank.grading, &courses, typed)?;
         let key_path = folder.join("key.csv");
         let key = read_key(&key_path).map_err(one)?;
         Ok(Self { set, bank, policy, grading, key })
