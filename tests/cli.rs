@@ -891,6 +891,36 @@ fn the_program_itself_exits_with_these_codes() {
     slipstick().args(&args).assert().code(3);
 }
 
+/// What cannot be told is an error, whatever the length of it; a reader who went away is none.
+#[test]
+#[cfg(target_os = "linux")]
+fn a_full_disk_behind_standard_output_is_told() {
+    use std::process::Command;
+    let room = Room::new(&CLASS[..1]);
+    assert_eq!(room.generate("roster.csv", "set", &[]).exit, Exit::Fine);
+    room.write("in.csv", "student,problem,part,answer\n0017,1,v,3\n");
+    let (set, answers, out) = (room.path("set"), room.path("in.csv"), room.path("out"));
+    for args in [
+        &["course"][..],
+        &["--help"],
+        &["lint", "wheels-on-inclines"],
+        &["grade", &set, &answers, "--out", &out],
+        &["report", &out, "--force"],
+        &["explain", &out, "0017", "1"],
+        &["what-if", &out],
+    ] {
+        let full = fs::OpenOptions::new().write(true).open("/dev/full").unwrap();
+        let ran = Command::new(env!("CARGO_BIN_EXE_slipstick")).args(args).stdout(full).output().unwrap();
+        let err = String::from_utf8_lossy(&ran.stderr);
+        assert_eq!(ran.status.code(), Some(2), "{args:?} {err}");
+        assert!(err.contains("standard output: cannot be written: the disk is full"), "{args:?} {err}");
+    }
+    let (reader, writer) = std::io::pipe().unwrap();
+    drop(reader);
+    let ran = Command::new(env!("CARGO_BIN_EXE_slipstick")).arg("course").stdout(writer).output().unwrap();
+    assert_eq!((ran.status.code(), ran.stderr.as_slice()), (Some(0), &b""[..]));
+}
+
 #[test]
 #[cfg(unix)]
 fn a_killed_run_leaves_nothing_that_looks_like_a_set() {

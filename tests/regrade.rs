@@ -431,7 +431,7 @@ error: ROOM/grades/new: --out: is within the old grading, which stays as it is
     hint: give another --out
 
 Faulty
-error: ROOM/set: holds no answers.csv
+error: ROOM/set: holds no answers.csv, gradebook.csv, grading.json, basis/set.json, basis/bank.yaml, basis/key.csv
     hint: give the folder that `slipstick grade` made; if an earlier version did, grade again
 
 Faulty
@@ -636,4 +636,86 @@ fn the_printed_data_give_the_key_of_the_draw() {
         assert!(key_file::text(&again) == key_file::text(&keys), "{}: another key", bank.id);
         assert!(again == keys, "{}: other wrong values or relations", bank.id);
     }
+}
+
+#[test]
+fn force_replaces_nothing_of_others() {
+    let room = Room::new();
+    room.answers();
+    room.grade(&[]);
+    let again = || {
+        run(&[
+            "grade",
+            &room.path("set"),
+            &room.path("answers.csv"),
+            "--out",
+            &room.path("grades"),
+            "--force",
+        ])
+    };
+    for name in
+        ["notes.txt", "feedback/notes.txt", "feedback/0099.html", "tables/mine.csv", "basis/notes.txt"]
+    {
+        room.write(&format!("grades/{name}"), "mine");
+        let before = tree(room.0.path());
+        let mut runs = vec![("grade", again())];
+        if !name.starts_with("basis") && name != "notes.txt" {
+            runs.push(("report", run(&["report", &room.path("grades"), "--force"])));
+        }
+        for (verb, ran) in runs {
+            assert_eq!(ran.exit, Exit::Faulty, "{verb} {name}");
+            let what = format!("ROOM/grades: holds what `slipstick {verb}` did not make: {name}");
+            assert!(room.shown(&ran.err).contains(&what), "{}", ran.err);
+            assert!(tree(room.0.path()) == before, "{verb} {name}");
+        }
+        fs::remove_file(room.path(&format!("grades/{name}"))).unwrap();
+    }
+    // What lies beside the report is not touched by it.
+    let before = tree(room.0.path());
+    room.write("grades/notes.txt", "mine");
+    let ran = run(&["report", &room.path("grades"), "--force"]);
+    assert_eq!((ran.exit, room.read("grades/notes.txt").as_str()), (Exit::Fine, "mine"), "{}", ran.err);
+    fs::remove_file(room.path("grades/notes.txt")).unwrap();
+    assert_eq!(again().exit, Exit::Fine);
+    assert!(tree(room.0.path()) == before, "nothing is left over, and the same is made again");
+    let ran = room.grade(&["--force", "--reports", "no"]);
+    assert!(ran.out.contains("The earlier report and feedback in"), "{}", ran.out);
+    assert!(!Path::new(&room.path("grades/report.html")).exists());
+}
+
+#[test]
+fn an_edited_grading_is_refused() {
+    let room = Room::new();
+    room.answers();
+    room.grade(&[]);
+    let grades = room.path("grades");
+    for name in ["answers.csv", "gradebook.csv"] {
+        let good = room.read(&format!("grades/{name}"));
+        let cut = good[..good.trim_end().rfind('\n').unwrap() + 1].to_owned();
+        for bad in [cut, good.replacen("0017", "0018", 1)] {
+            room.write(&format!("grades/{name}"), &bad);
+            for args in [
+                &["report", &grades, "--force"][..],
+                &["explain", &grades, "0017", "1"],
+                &["what-if", &grades],
+                &["matches", &grades],
+                &["regrade", &room.path("set"), &grades, &room.path("answers.csv"), "--dry-run"],
+            ] {
+                let ran = run(args);
+                assert_eq!(ran.exit, Exit::Faulty, "{args:?}");
+                let what = format!("ROOM/grades/{name}: is not as `slipstick grade` wrote it");
+                assert!(room.shown(&ran.err).contains(&what), "{args:?} {}", ran.err);
+            }
+        }
+        room.write(&format!("grades/{name}"), &good);
+    }
+    let answers = room.read("answers.csv");
+    room.write("answers.csv", &answers.replacen("0017,1,omega,", "0017,1,omega,9", 1));
+    let longer = room.regrade(&["--dry-run"]);
+    assert!(longer.err.contains(" bytes, the old grading was made from "), "{}", longer.err);
+    room.write("answers.csv", &answers.replacen("0017,1,v,", "0017,1,V,", 1));
+    let other = room.regrade(&["--dry-run"]);
+    assert!(other.err.contains("and another (by SHA-256)"), "{}", other.err);
+    room.write("answers.csv", &answers);
+    assert_eq!(room.regrade(&["--dry-run"]).err, "");
 }

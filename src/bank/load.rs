@@ -8,6 +8,7 @@ use serde::de::{Deserialize, Deserializer, MapAccess, SeqAccess, Visitor};
 use serde_yaml::{Spanned, from_str_with_options, options};
 use sha2::{Digest, Sha256};
 use std::fmt;
+use std::io;
 
 /// Largest bank that is read, bytes: a hundred times the built-in ones.
 pub const MAX_BYTES: usize = 4 << 20;
@@ -44,8 +45,26 @@ pub fn scenes_only(text: &str, file: &str) -> Result<Bank, Vec<Finding>> {
 
 /// SHA-256 of a text, hex.
 pub fn hash(text: &str) -> String {
+    hex(&Sha256::digest(text.as_bytes()))
+}
+
+/// SHA-256 of a file, hex, read in a stream.
+///
+/// # Errors
+/// Reading fails.
+pub fn hash_of(mut source: impl io::Read) -> io::Result<String> {
+    let (mut hash, mut piece) = (Sha256::new(), vec![0; 1 << 16]);
+    loop {
+        match source.read(&mut piece)? {
+            0 => return Ok(hex(&hash.finalize())),
+            n => hash.update(&piece[..n]),
+        }
+    }
+}
+
+fn hex(bytes: &[u8]) -> String {
     use fmt::Write as _;
-    Sha256::digest(text.as_bytes()).iter().fold(String::with_capacity(64), |mut hex, byte| {
+    bytes.iter().fold(String::with_capacity(64), |mut hex, byte| {
         // Writing to a String cannot fail.
         let _ = write!(hex, "{byte:02x}");
         hex

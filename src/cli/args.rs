@@ -293,10 +293,10 @@ pub struct Regrade {
     /// The changed bank [default: bank.yaml of the set]
     #[arg(long, value_name = "FILE")]
     pub bank: Option<PathBuf>,
-    /// Settings that bear on marks [default: those of the old grading]
+    /// Settings that bear on marks, over those of the old grading: what the file does not name stays as it was graded
     #[arg(long, value_name = "FILE")]
     pub course: Option<PathBuf>,
-    /// Which attempt counts [default: as in the old grading; with --course as the course says]
+    /// Which attempt counts [default: as in the old grading, unless --course says otherwise]
     #[arg(long, value_enum)]
     pub attempts: Option<Attempts>,
     /// Which column is which [default: as in the old grading]

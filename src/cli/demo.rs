@@ -72,7 +72,7 @@ fn demo(dir: &Path, io: &mut Io) -> Result<(), Vec<Finding>> {
         submissions: &root.join("submissions.csv"),
         out: &root.join("grades"),
         attempts: None,
-        course: None,
+        courses: &[],
         columns: &[],
         language: None,
         reports: Reports::Yes,

@@ -286,6 +286,38 @@ pub fn names_in(folder: &Path) -> Vec<String> {
     names
 }
 
+/// What a folder holds that is not ours, as paths below it, sorted; `ours` is asked about `name`, `folder/` and `folder/name`. What
+/// stands in a folder that is not ours is not listed.
+pub fn foreign(folder: &Path, ours: &dyn Fn(&str) -> bool) -> Vec<String> {
+    fn walk(folder: &Path, above: &str, ours: &dyn Fn(&str) -> bool, found: &mut Vec<String>) {
+        for name in names_in(folder).into_iter().filter(|n| !n.starts_with(UNFINISHED)) {
+            let path = folder.join(&name);
+            let end = if path.is_dir() { "/" } else { "" };
+            let below = format!("{above}{name}{end}");
+            if !ours(&below) {
+                found.push(below);
+            } else if path.is_dir() {
+                walk(&path, &below, ours, found);
+            }
+        }
+    }
+    let mut found = Vec::new();
+    walk(folder, "", ours, &mut found);
+    found
+}
+
+/// The finding that names what is not ours; `verb` did not make it.
+pub fn not_ours(place: &Path, foreign: &[String], verb: &str) -> Finding {
+    const NAMED: usize = 5;
+    let mut named = foreign.iter().take(NAMED).cloned().collect::<Vec<_>>().join(", ");
+    if foreign.len() > NAMED {
+        named.push_str(&format!(" and {} more", foreign.len() - NAMED));
+    }
+    Finding::new("", format!("holds what `slipstick {verb}` did not make: {named}"))
+        .in_file(place.display().to_string())
+        .hint("nothing was changed: move it elsewhere, or give another --out")
+}
+
 /// A bar that shows itself only where a person watches and the work takes long.
 pub fn progress(watched: bool, length: u64, what: &str) -> ProgressBar {
     if !watched || length < 200 {

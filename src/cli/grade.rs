@@ -10,6 +10,7 @@ use crate::cli::banks;
 use crate::cli::files;
 use crate::cli::files::Staged;
 use crate::cli::generate;
+use crate::cli::graded;
 use crate::cli::report;
 use crate::cli::tell;
 use crate::cli::tell::Exit;
@@ -48,21 +49,18 @@ pub const ANSWERS: &str = "answers.csv";
 pub const GRADEBOOK: &str = "gradebook.csv";
 /// What the grading was made from.
 pub const GRADING: &str = "grading.json";
-/// The course file within the basis of a grading.
+/// The course file within the basis of a grading; those that a regrading laid over it are `course-2.yaml` and so on.
 pub const COURSE: &str = "course.yaml";
-/// What the folder of a grading may hold; anything else there is somebody's own.
-const OURS: [&str; 11] = [
+/// What the folder of a grading may hold beside its reports; anything else there is somebody's own.
+const OURS: [&str; 8] = [
     ANSWERS,
     GRADEBOOK,
     GRADING,
-    BASIS,
-    "gradebook-canvas.csv",
-    "gradebook-moodle.csv",
-    "report.html",
-    "tables",
-    "feedback",
-    "matches.csv",
-    "changes.csv",
+    graded::CHANGES,
+    "basis/",
+    "basis/set.json",
+    "basis/bank.yaml",
+    "basis/key.csv",
 ];
 
 /// What is to be graded.
@@ -75,8 +73,8 @@ pub struct Job<'j> {
     pub out: &'j Path,
     /// Which attempt counts, over bank and course.
     pub attempts: Option<Attempts>,
-    /// Course file.
-    pub course: Option<&'j Path>,
+    /// Course files, each over those before it.
+    pub courses: &'j [PathBuf],
     /// `field=header`.
     pub columns: &'j [String],
     /// Language of the reasons; that of the set if not given.
@@ -102,7 +100,7 @@ pub fn run(args: &args::Grade, io: &mut Io) -> Exit {
         submissions: &args.submissions,
         out: &args.out,
         attempts: args.attempts,
-        course: args.course.as_deref(),
+        courses: args.course.as_slice(),
         columns: &args.columns,
         language: args.language.as_deref(),
         reports: args.reports,
@@ -198,7 +196,17 @@ pub fn grade(job: &Job, input: &mut dyn BufRead) -> Result<Graded, Vec<Finding>>
         }
         None => {}
     }
+    if made.graded.cells == made.graded.count(Verdict::Blank) {
+        let file = job.submissions.display();
+        summary.push_str(&format!("\n  warning: there is no answer in {file}: is it the right export?"));
+    }
+    let gone = made.without_reports() && report::MADE.iter().any(|name| job.out.join(name).exists());
     made.finish()?;
+    if gone {
+        summary.push_str(&format!(
+            "\n  The earlier report and feedback in {out} told of the grades before, and are gone."
+        ));
+    }
     Ok(Graded { summary })
 }
 
@@ -229,7 +237,7 @@ pub struct Made {
     reports: Reports,
 }
 
-/// Up to so many answers, reports are made with the grades.
+/// Up to so many answers, reports are made with the grades, and what was written is hashed.
 const REPORTED: u64 = 300_000;
 
 impl Made {
@@ -263,12 +271,17 @@ impl Made {
         let reported = report::make(folder, folder, &own, None).map_err(|f| self.staged.named(f))?;
         Ok(Some(reported))
     }
+    /// Are there no reports in it?
+    fn without_reports(&self) -> bool {
+        !self.staged.path().join("report.html").exists()
+    }
     /// Puts it in its place.
     ///
     /// # Errors
     /// A file cannot be put there.
     pub fn finish(self) -> Result<(), Vec<Finding>> {
-        put_in_place(self.staged, &self.out)
+        // Once more: it may have come while answers were graded.
+        only_ours(&self.out).and_then(|()| self.staged.finish()).map_err(|f| vec![f])
     }
 }
 
@@ -284,17 +297,14 @@ pub fn make(job: &Job, basis: Basis, input: &mut dyn BufRead) -> Result<Made, Ve
         Some(language) => banks::words(language)?,
         None => Words::of(language).unwrap_or_else(Words::english),
     };
-    let course = match job.course {
-        Some(path) => Some((path.display().to_string(), files::read_text(path).map_err(|f| vec![f])?)),
-        None => None,
-    };
-    let course = course.as_ref().map(|(file, text)| (file.as_str(), text.as_str()));
-    let policy = policy(&bank.grading, course, job.attempts)?;
+    let courses = read_courses(job.courses)?;
+    let policy = policy(&bank.grading, &courses, job.attempts)?;
     let names: Vec<(String, String)> =
         set.students.iter().map(|s| (s.student.clone(), s.name.clone())).collect();
     let mut table = KeyTable::new(keys, &names);
-    let settings =
-        course.map_or_else(|| job.set.join(&set.bank.file).display().to_string(), |(f, _)| f.to_owned());
+    let settings = courses
+        .last()
+        .map_or_else(|| job.set.join(&set.bank.file).display().to_string(), |(file, _)| file.clone());
     table.take_points(&policy);
     let rules = Rules::new(&table, &policy)
         .map_err(|faults| faults.into_iter().map(|f| f.in_file(&settings)).collect::<Vec<_>>())?;
@@ -345,9 +355,13 @@ pub fn make(job: &Job, basis: Basis, input: &mut dyn BufRead) -> Result<Made, Ve
     {
         put(&format!("{BASIS}/{name}"), text.as_bytes())?;
     }
-    if let Some((_, text)) = course {
-        put(&format!("{BASIS}/{COURSE}"), text.as_bytes())?;
+    for (i, (_, text)) in courses.iter().enumerate() {
+        put(&format!("{BASIS}/{}", course_name(i)), text.as_bytes())?;
     }
+    let hash = |path: &Path| match graded.cells <= REPORTED {
+        true => graded::hash(path).map(Some).map_err(|f| staged.named(vec![f])),
+        false => Ok(None),
+    };
     let verdicts = Verdict::ALL.iter().map(|v| (v.as_str().to_owned(), graded.count(*v).into())).collect();
     let grading = Grading {
         format: grading::FORMAT,
@@ -358,11 +372,15 @@ pub fn make(job: &Job, basis: Basis, input: &mut dyn BufRead) -> Result<Made, Ve
         bank: bank.id.clone(),
         bank_sha256: bank.hash.clone(),
         key_sha256: load::hash(&key_text),
-        course_sha256: course.map(|(_, text)| load::hash(text)),
+        course_sha256: (!courses.is_empty())
+            .then(|| load::hash(&courses.iter().map(|(_, text)| text.as_str()).collect::<String>())),
         attempts: job.attempts.map(|a| counts(a).as_str().to_owned()),
         language: words.language().to_owned(),
         submissions: job.submissions.file_name().unwrap_or_default().to_string_lossy().into_owned(),
         submissions_bytes: size,
+        submissions_sha256: hash(path)?,
+        answers_sha256: hash(&staged.path().join(ANSWERS))?,
+        gradebook_sha256: hash(&staged.path().join(GRADEBOOK))?,
         columns: job.columns.to_vec(),
         cells: graded.cells,
         verdicts,
@@ -375,20 +393,41 @@ pub fn make(job: &Job, basis: Basis, input: &mut dyn BufRead) -> Result<Made, Ve
     Ok(Made { staged, out: job.out.to_owned(), table, graded, policy, grading, reports: job.reports })
 }
 
-/// The settings that bear on marks: those of the bank, over them those of a course (name and text of its file), over them
+/// Name of the course file number `i` (from 0) in a basis.
+fn course_name(i: usize) -> String {
+    if i == 0 { COURSE.to_owned() } else { format!("course-{}.yaml", i + 1) }
+}
+
+/// The course files of a grading, in the order in which they were laid over each other.
+pub fn courses(graded: &Path) -> Vec<PathBuf> {
+    let files = (0..).map(|i| graded.join(BASIS).join(course_name(i)));
+    files.take_while(|path| path.is_file()).collect()
+}
+
+/// Course files: name and text.
+///
+/// # Errors
+/// One cannot be read.
+pub fn read_courses(paths: &[PathBuf]) -> Result<Vec<(String, String)>, Vec<Finding>> {
+    let read =
+        |path: &PathBuf| Ok((path.display().to_string(), files::read_text(path).map_err(|f| vec![f])?));
+    paths.iter().map(read).collect()
+}
+
+/// The settings that bear on marks: those of the bank, over them those of courses (name and text of each file), over them
 /// what the command says.
 ///
 /// # Errors
 /// All that is wrong with the course file.
 pub fn policy(
     bank: &Policy,
-    course: Option<(&str, &str)>,
+    courses: &[(String, String)],
     attempts: Option<Attempts>,
 ) -> Result<Policy, Vec<Finding>> {
-    let mut policy = match course {
-        Some((file, text)) => bank::course::course(text, file, bank)?,
-        None => bank.clone(),
-    };
+    let mut policy = bank.clone();
+    for (file, text) in courses {
+        policy = bank::course::course(text, file, &policy)?;
+    }
     if let Some(attempts) = attempts {
         policy.attempts.counts = counts(attempts);
     }
@@ -403,27 +442,16 @@ fn counts(typed: Attempts) -> Counts {
     }
 }
 
-/// Moves a finished grading to its place: at once where nothing but a grading is replaced, else file by file, so that what
-/// somebody else put there stays.
-fn put_in_place(staged: Staged, out: &Path) -> Result<(), Vec<Finding>> {
-    let strange = |name: &String| !OURS.contains(&name.as_str());
-    if !out.exists() || !files::names_in(out).iter().any(strange) {
-        return staged.finish().map_err(|f| vec![f]);
-    }
-    for name in OURS {
-        let old = out.join(name);
-        let gone = if old.is_dir() { fs::remove_dir_all(&old) } else { fs::remove_file(&old) };
-        match gone {
-            Err(e) if e.kind() != io::ErrorKind::NotFound => {
-                return Err(vec![files::trouble(&old, "cannot be replaced", &e)]);
-            }
-            _ => {}
-        }
-        if staged.path().join(name).exists() {
-            staged.place_one(Path::new(name)).map_err(|f| vec![f])?;
-        }
-    }
-    Ok(())
+/// The whole folder is exchanged at once: nothing may be in it that is not a grading's, such as notes of somebody else.
+fn only_ours(out: &Path) -> Result<(), Finding> {
+    let students = report::folders(out);
+    let courses: Vec<String> =
+        (0..courses(out).len()).map(|i| format!("{BASIS}/{}", course_name(i))).collect();
+    let ours = |name: &str| {
+        OURS.contains(&name) || courses.iter().any(|c| c == name) || report::is_ours(name, &students)
+    };
+    let foreign = files::foreign(out, &ours);
+    if foreign.is_empty() { Ok(()) } else { Err(files::not_ours(out, &foreign, "grade")) }
 }
 
 /// A pipe is read once, grading reads twice. Standard input is the caller's, who holds its lock.
@@ -463,6 +491,7 @@ fn columns(typed: &[String]) -> Result<Vec<(String, String)>, Vec<Finding>> {
 fn may_write(out: &Path, set: &Path, force: bool) -> Result<(), Finding> {
     let finding = |what: &str| Finding::new("", what).in_file(out.display().to_string());
     files::not_among_students(out)?;
+    files::has_a_name(out, "grades")?;
     let same = fs::canonicalize(out).ok().zip(fs::canonicalize(set).ok()).is_some_and(|(a, b)| a == b);
     if same || out.join("set.json").exists() {
         return Err(finding("is the folder of a set").hint("give another --out for the grades"));
@@ -483,7 +512,7 @@ fn may_write(out: &Path, set: &Path, force: bool) -> Result<(), Finding> {
     let ours = fs::File::open(out.join(ANSWERS)).and_then(|mut f| f.read_exact(&mut start)).is_ok()
         && start == header.as_bytes();
     if ours {
-        Ok(())
+        only_ours(out)
     } else {
         Err(finding("holds no earlier grading").hint("--force replaces only what grade made"))
     }

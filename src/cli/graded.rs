@@ -1,11 +1,13 @@
 //! A folder of grades, opened: its set, its bank, the settings of its course, and the key solved anew from what was printed.
 use crate::bank::Bank;
+use crate::bank::load;
 use crate::cli::args::Attempts;
 use crate::cli::banks;
 use crate::cli::files;
 use crate::cli::generate;
 use crate::cli::grade;
 use crate::cli::grade::ANSWERS;
+use crate::cli::grade::GRADEBOOK;
 use crate::cli::grade::GRADING;
 use crate::cli::words;
 use crate::finding::Finding;
@@ -59,15 +61,8 @@ pub fn open(folder: &Path, only: Option<&str>) -> Result<Graded, Vec<Finding>> {
             .in_file(name)
             .hint("give the folder that `slipstick grade` made")));
     }
+    has_all(folder).map_err(one)?;
     let basis = folder.join(BASIS);
-    for needed in [ANSWERS, GRADING, "basis/set.json", "basis/bank.yaml", "basis/key.csv"] {
-        if !folder.join(needed).is_file() {
-            let fault = Finding::new("", format!("holds no {needed}")).in_file(name);
-            return Err(one(fault.hint(
-                "give the folder that `slipstick grade` made; if an earlier version did, grade again",
-            )));
-        }
-    }
     let mut set = generate::existing(&basis)?;
     let bank_path = basis.join("bank.yaml").display().to_string();
     let bank = banks::parse(&files::read_text(&basis.join("bank.yaml")).map_err(one)?, &bank_path)?;
@@ -75,17 +70,13 @@ pub fn open(folder: &Path, only: Option<&str>) -> Result<Graded, Vec<Finding>> {
     let file = path.display().to_string();
     let grading =
         Grading::parse(&files::read_text(&path).map_err(one)?).map_err(|f| one(f.in_file(&file)))?;
+    intact(folder, &grading)?;
     if grading.bank_sha256 != bank.hash {
         let fault = Finding::new("", "is not the bank by which this was graded: its SHA-256 is another");
         return Err(one(fault.in_file(bank_path).hint("put the original copy back, or grade again")));
     }
-    let course_path = basis.join(grade::COURSE);
-    let course = match course_path.is_file() {
-        true => Some((course_path.display().to_string(), files::read_text(&course_path).map_err(one)?)),
-        false => None,
-    };
-    let course = course.as_ref().map(|(file, text)| (file.as_str(), text.as_str()));
-    let policy = grade::policy(&bank.grading, course, attempts(grading.attempts.as_deref()))?;
+    let courses = grade::read_courses(&grade::courses(folder))?;
+    let policy = grade::policy(&bank.grading, &courses, attempts(grading.attempts.as_deref()))?;
     if let Some(only) = only {
         set.students.retain(|s| s.student == only);
     }
@@ -100,6 +91,53 @@ pub fn open(folder: &Path, only: Option<&str>) -> Result<Graded, Vec<Finding>> {
         return Err(faults);
     }
     Ok(Graded { folder: folder.to_owned(), set, bank, policy, given, grading })
+}
+
+/// Are the files there that every grading has?
+///
+/// # Errors
+/// A finding that names those that are missing.
+pub fn has_all(folder: &Path) -> Result<(), Finding> {
+    let all = [ANSWERS, GRADEBOOK, GRADING, "basis/set.json", "basis/bank.yaml", "basis/key.csv"];
+    let missing: Vec<&str> = all.into_iter().filter(|name| !folder.join(name).is_file()).collect();
+    if missing.is_empty() {
+        return Ok(());
+    }
+    let fault = Finding::new("", format!("holds no {}", missing.join(", ")));
+    Err(fault
+        .in_file(folder.display().to_string())
+        .hint("give the folder that `slipstick grade` made; if an earlier version did, grade again"))
+}
+
+/// Are the marks those that were written? Large gradings are not hashed.
+///
+/// # Errors
+/// A finding for each file that was cut short or edited.
+pub fn intact(folder: &Path, grading: &Grading) -> Result<(), Vec<Finding>> {
+    let mut faults = Vec::new();
+    for (name, told) in [(ANSWERS, &grading.answers_sha256), (GRADEBOOK, &grading.gradebook_sha256)] {
+        let Some(told) = told else { continue };
+        let path = folder.join(name);
+        match hash(&path) {
+            Ok(found) if found == *told => {}
+            Ok(_) => faults.push(
+                Finding::new("", "is not as `slipstick grade` wrote it: its SHA-256 is another")
+                    .in_file(path.display().to_string())
+                    .hint("put the original back, or grade again; marks are changed by a course file"),
+            ),
+            Err(fault) => faults.push(fault),
+        }
+    }
+    if faults.is_empty() { Ok(()) } else { Err(faults) }
+}
+
+/// SHA-256 of a file, hex.
+///
+/// # Errors
+/// It cannot be read.
+pub fn hash(path: &Path) -> Result<String, Finding> {
+    let hashed = File::open(path).and_then(load::hash_of);
+    hashed.map_err(|e| files::trouble(path, "cannot be read", &e))
 }
 
 /// What the command said about attempts.

@@ -1,6 +1,7 @@
 //! The street door: what was typed becomes files read, the library called, results told.
 use clap::Parser as _;
 use std::ffi::OsString;
+use std::io::Write as _;
 use std::path::Path;
 
 mod accuracy;
@@ -34,9 +35,27 @@ use crate::cli::args::Typed;
 use crate::cli::args::Verb;
 use crate::cli::tell::Exit;
 use crate::cli::tell::Io;
+use crate::cli::tell::Told;
 
 /// Runs one command line; the first argument is the program's name. May be called any number of times.
 pub fn run(args: impl IntoIterator<Item = OsString>, io: &mut Io) -> Exit {
+    let mut told = Told { out: &mut *io.out, fault: None };
+    let (watched, typed) = (io.watched, io.typed);
+    let exit =
+        verb(args, &mut Io { input: &mut *io.input, out: &mut told, err: &mut *io.err, watched, typed });
+    // The flush fails with what is told below.
+    let _ = told.flush();
+    // A reader who went away (`| head`) is no error; a disk that is full is one.
+    match told.fault {
+        Some(error) if error.kind() != std::io::ErrorKind::BrokenPipe => {
+            let fault = files::trouble(Path::new("standard output"), "cannot be written", &error);
+            io.findings(&[fault])
+        }
+        _ => exit,
+    }
+}
+
+fn verb(args: impl IntoIterator<Item = OsString>, io: &mut Io) -> Exit {
     let typed = match Typed::try_parse_from(args) {
         Ok(typed) => typed,
         Err(error) => {
@@ -49,7 +68,7 @@ pub fn run(args: impl IntoIterator<Item = OsString>, io: &mut Io) -> Exit {
             return Exit::Fine;
         }
     };
-    let exit = match typed.verb {
+    match typed.verb {
         Verb::Generate(args) => generate::run(&args, io),
         Verb::Grade(args) => grade::run(&args, io),
         Verb::Course => {
@@ -72,13 +91,5 @@ pub fn run(args: impl IntoIterator<Item = OsString>, io: &mut Io) -> Exit {
         Verb::Templates(args) => templates::run(&args, io),
         Verb::Simulate(args) => simulate::run(&args, io),
         Verb::Demo(args) => demo::run(&args, io),
-    };
-    // A reader who went away (`| head`) is no error; a disk that is full is one.
-    match io.out.flush() {
-        Err(error) if error.kind() != std::io::ErrorKind::BrokenPipe => {
-            let fault = files::trouble(Path::new("standard output"), "cannot be written", &error);
-            io.findings(&[fault])
-        }
-        _ => exit,
     }
 }

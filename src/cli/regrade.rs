@@ -20,7 +20,6 @@ use crate::regrade::changes;
 use crate::regrade::changes::Grading;
 use crate::regrade::changes::Who;
 use crate::set::given;
-use crate::set::grading::BASIS;
 use crate::set::key_file;
 use crate::set::store::StoredSet;
 use crate::units::spell;
@@ -101,14 +100,15 @@ fn regrade(args: &args::Regrade, input: &mut dyn BufRead, watched: bool) -> Resu
     })?;
     let keys: Vec<SheetKey> = found.into_iter().map(|g| g.key).collect();
     same_parts(&old, &keys, &bank_file)?;
-    let kept = old.folder.join(BASIS).join(grade::COURSE);
-    let course = args.course.clone().or_else(|| kept.is_file().then_some(kept));
-    let attempts = match (args.attempts, &args.course) {
-        (Some(attempts), _) => Some(attempts),
-        // A new course file says what counts.
-        (None, Some(_)) => None,
-        (None, None) => graded::attempts(old.grading.attempts.as_deref()),
-    };
+    same_units(&old, &keys, &bank_file)?;
+    let mut courses = grade::courses(&old.folder);
+    courses.extend(args.course.clone());
+    let typed = graded::attempts(old.grading.attempts.as_deref());
+    // What was typed then holds unless the new course says otherwise.
+    let then = grade::policy(&bank.grading, &grade::read_courses(&courses)?, None)?.attempts.counts;
+    let before = grade::policy(&bank.grading, &grade::read_courses(&grade::courses(&old.folder))?, None)?;
+    let attempts = args.attempts.or(typed.filter(|_| then == before.attempts.counts));
+    let course = courses.last();
     let columns = if args.columns.is_empty() { &old.grading.columns } else { &args.columns };
     let language = args.language.as_deref().unwrap_or(&old.grading.language);
     // Where nothing is to be written, the folder goes away by itself.
@@ -120,7 +120,7 @@ fn regrade(args: &args::Regrade, input: &mut dyn BufRead, watched: bool) -> Resu
         submissions: &args.submissions,
         out: args.out.as_deref().filter(|_| !args.dry_run).unwrap_or(&nowhere_new),
         attempts,
-        course: course.as_deref(),
+        courses: &courses,
         columns,
         language: Some(language),
         reports: Reports::Auto,
@@ -147,7 +147,8 @@ fn regrade(args: &args::Regrade, input: &mut dyn BufRead, watched: bool) -> Resu
     let before = read(&who, &old.folder)?;
     let after = read(&who, made.folder())?;
     let places = tables.places(&who);
-    let changes = changes::compare(&who, &before, &after, &|s, p| tables.entries(&places, s, p));
+    let settings = changes::Settings::of(&old.policy, made.policy());
+    let changes = changes::compare(&who, &before, &after, settings, &|s, p| tables.entries(&places, s, p));
     let desk = Desk {
         who: &who,
         set: &set,
@@ -158,7 +159,7 @@ fn regrade(args: &args::Regrade, input: &mut dyn BufRead, watched: bool) -> Resu
         places: &places,
     };
     let mut told = format!("{} regraded\n", old.folder.display());
-    desk.rules(&mut told, &old, (&bank, &bank_file), &made, course.as_deref());
+    desk.rules(&mut told, &old, (&bank, &bank_file), &made, course.map(PathBuf::as_path));
     desk.marks(&mut told);
     let csv = desk.csv(made.policy());
     let path = made.folder().join(graded::CHANGES);
@@ -265,6 +266,33 @@ fn same_parts(old: &Graded, keys: &[SheetKey], file: &str) -> Result<(), Vec<Fin
     if faults.is_empty() { Ok(()) } else { Err(faults) }
 }
 
+/// A part that is asked in another unit reads answers without unit otherwise than the sheet said.
+fn same_units(old: &Graded, keys: &[SheetKey], file: &str) -> Result<(), Vec<Finding>> {
+    let (Some(before), Some(after)) = (old.given.first(), keys.first()) else { return Ok(()) };
+    let mut faults = Vec::new();
+    for (old, new) in before.key.problems.iter().zip(&after.problems) {
+        for was in &old.parts {
+            let Some(is) = new.parts.iter().find(|e| e.part == was.part) else { continue };
+            let needed = was.unit_required && is.unit_required;
+            let (from, to) = (was.unit.ascii(), is.unit.ascii());
+            if from != to && !needed {
+                let shown = |unit: &str| if unit.is_empty() { "no unit".to_owned() } else { unit.to_owned() };
+                let what = format!(
+                    "the sheets ask for {}, the bank now for {}: answers without unit would be read otherwise than they were meant",
+                    shown(from),
+                    shown(to)
+                );
+                faults.push(
+                    Finding::new(format!("problems.{}.questions.{}", new.id, was.part), what)
+                        .in_file(file)
+                        .hint("give the part its old unit back"),
+                );
+            }
+        }
+    }
+    if faults.is_empty() { Ok(()) } else { Err(faults) }
+}
+
 fn read(who: &Who, folder: &Path) -> Result<Grading, Vec<Finding>> {
     let mut found = Grading::new(who);
     graded::each_row(&folder.join(grade::ANSWERS), &mut |row| found.take(who, row))?;
@@ -281,7 +309,13 @@ fn read(who: &Who, folder: &Path) -> Result<Grading, Vec<Finding>> {
 fn notes(old: &Graded, made: &grade::Made) -> Vec<String> {
     let (was, is) = (&old.grading, made.grading());
     let mut notes = Vec::new();
-    if was.submissions_bytes != is.submissions_bytes {
+    let hashes = was.submissions_sha256.as_ref().zip(is.submissions_sha256.as_ref());
+    if was.submissions_bytes == is.submissions_bytes && hashes.is_some_and(|(a, b)| a != b) {
+        notes.push(format!(
+            "{} is as long as the file of the old grading, and another (by SHA-256): changes may come from other answers too",
+            is.submissions
+        ));
+    } else if was.submissions_bytes != is.submissions_bytes {
         notes.push(format!(
             "{} has {} bytes, the old grading was made from {}: changes may come from other answers too",
             is.submissions, is.submissions_bytes, was.submissions_bytes

@@ -41,6 +41,7 @@ use crate::sheet::html::Place;
 use crate::template::Templates;
 use clap::ValueEnum as _;
 use rayon::prelude::*;
+use std::collections::BTreeSet;
 use std::fs;
 use std::io;
 use std::path::Path;
@@ -49,6 +50,41 @@ use std::path::PathBuf;
 /// What a report makes, in the folder of the grades or in one of its own.
 pub const MADE: [&str; 6] =
     ["report.html", "tables", "feedback", "gradebook-canvas.csv", "gradebook-moodle.csv", matches::MATCHES];
+
+/// Tables that a report may have.
+const TABLES: [&str; 10] = [
+    "attempts",
+    "credit",
+    "fairness",
+    "matches",
+    "methods",
+    "parts",
+    "slips",
+    "totals",
+    "unreadable",
+    "verdicts",
+];
+
+/// Names of the students' files in a folder of grades, by its basis; none where there is no basis.
+pub fn folders(graded: &Path) -> BTreeSet<String> {
+    let text = fs::read_to_string(graded.join(BASIS).join("set.json")).unwrap_or_default();
+    let set = StoredSet::parse(&text).ok();
+    set.into_iter().flat_map(|set| set.students).map(|s| s.folder).collect()
+}
+
+/// Does a report make this (a file, or `folder/`) for students of these names?
+pub fn is_ours(name: &str, students: &BTreeSet<String>) -> bool {
+    match name.split_once('/') {
+        None => MADE.contains(&name) && !["tables", "feedback"].contains(&name),
+        Some(("tables" | "feedback", "")) => true,
+        Some(("tables", file)) => file.strip_suffix(".csv").is_some_and(|t| TABLES.contains(&t)),
+        Some(("feedback", file)) => {
+            let student = file.strip_suffix(".html").or_else(|| file.strip_suffix(".md"));
+            student.is_some_and(|s| students.contains(s))
+        }
+        Some(_) => false,
+    }
+}
 
 /// Runs it.
 pub fn run(args: &args::Report, io: &mut Io) -> Exit {
@@ -110,15 +146,37 @@ fn report(args: &args::Report) -> Result<Summary, Vec<Finding>> {
         staged.finish().map_err(one)?;
         return Ok(made);
     }
-    // Only these are ours: the folder itself stays. What was there goes aside and is removed with the staged folder.
-    for name in MADE {
-        let (old, aside) = (place.join(name), staged.path().join(format!("old-{name}")));
-        if old.exists() {
-            fs::rename(&old, &aside).map_err(|e| one(files::trouble(&old, "cannot be replaced", &e)))?;
-        }
-        staged.place_one(Path::new(name)).map_err(one)?;
-    }
+    may_write(args, place).map_err(one)?;
+    exchange(&staged, place).map_err(one)?;
     Ok(made)
+}
+
+/// Only what a report makes is ours: the folder itself stays. What was there goes aside and is removed with the staged folder; if
+/// anything fails, all of it comes back.
+fn exchange(staged: &Staged, place: &Path) -> Result<(), Finding> {
+    let aside = |name: &str| staged.path().join(format!("old-{name}"));
+    let swap = |name: &str| -> Result<(), Finding> {
+        let old = place.join(name);
+        if old.exists() {
+            fs::rename(&old, aside(name)).map_err(|e| files::trouble(&old, "cannot be replaced", &e))?;
+        }
+        staged.place_one(Path::new(name))
+    };
+    for (i, name) in MADE.iter().enumerate() {
+        let Err(fault) = swap(name) else { continue };
+        for name in MADE[..=i].iter().rev() {
+            let (here, new) = (place.join(name), staged.path().join(name));
+            // The new one makes room, where it came so far.
+            if !new.exists() {
+                let _ = fs::rename(&here, new);
+            }
+            if aside(name).exists() {
+                let _ = fs::rename(aside(name), &here);
+            }
+        }
+        return Err(fault);
+    }
+    Ok(())
 }
 
 /// Into the folder of the grades, or one that is not there or is empty; with `--force` over an earlier report.
@@ -130,8 +188,14 @@ fn may_write(args: &args::Report, place: &Path) -> Result<(), Finding> {
     let names = files::names_in(place);
     let old = names.iter().any(|n| MADE.contains(&n.as_str()));
     let same = fs::canonicalize(place).ok() == fs::canonicalize(&args.graded).ok();
-    if !same && names.iter().any(|n| !MADE.contains(&n.as_str())) {
-        return Err(fault("holds what `slipstick report` did not make").hint("give another --out"));
+    let students = folders(&args.graded);
+    let mut foreign = files::foreign(place, &|name: &str| is_ours(name, &students));
+    if same {
+        // Beside the reports lie the grades, and what else somebody put there: all of it stays.
+        foreign.retain(|name| MADE.contains(&name.split('/').next().unwrap_or_default()));
+    }
+    if !foreign.is_empty() {
+        return Err(files::not_ours(place, &foreign, "report"));
     }
     if old && !args.force {
         return Err(fault("holds a report already").hint("--force replaces it; --out DIR writes another"));
@@ -299,16 +363,8 @@ struct Basis {
 impl Basis {
     fn read(graded: &Path) -> Result<Self, Vec<Finding>> {
         let one = |f: Finding| vec![f];
+        graded::has_all(graded).map_err(one)?;
         let folder = graded.join(BASIS);
-        if !folder.join("set.json").is_file() {
-            let fault = Finding::new("", format!("holds no {BASIS}/set.json"));
-            let fault = fault.in_file(graded.display().to_string());
-            return Err(vec![
-                fault.hint(
-                    "give a folder that `slipstick grade` made; one of an earlier version: grade again",
-                ),
-            ]);
-        }
         let set = generate::existing(&folder)?;
         let bank_path = folder.join(&set.bank.file);
         let text = files::read_text(&bank_path).map_err(one)?;
@@ -317,14 +373,10 @@ impl Basis {
         let text = files::read_text(&grading_path).map_err(one)?;
         let grading =
             Grading::parse(&text).map_err(|f| one(f.in_file(grading_path.display().to_string())))?;
-        let course_path = folder.join(grade::COURSE);
-        let course = match course_path.is_file() {
-            true => Some((course_path.display().to_string(), files::read_text(&course_path).map_err(one)?)),
-            false => None,
-        };
-        let course = course.as_ref().map(|(file, text)| (file.as_str(), text.as_str()));
+        graded::intact(graded, &grading)?;
+        let courses = grade::read_courses(&grade::courses(graded))?;
         let typed = grading.attempts.as_deref().and_then(|a| args::Attempts::from_str(a, true).ok());
-        let policy = grade::policy(&bank.grading, course, typed)?;
+        let policy = grade::policy(&bank.grading, &courses, typed)?;
         let key_path = folder.join("key.csv");
         let key = read_key(&key_path).map_err(one)?;
         Ok(Self { set, bank, policy, grading, key })

@@ -115,6 +115,10 @@ fn known_methods(habits: &Habits, known: &[&str], path: &Path) -> Result<(), Vec
 /// A file that is not there, or that may be replaced.
 fn may_write(path: &Path, force: bool) -> Result<(), Finding> {
     let finding = |what: &str| Finding::new("", what).in_file(path.display().to_string());
+    if path == Path::new("-") {
+        let hint = "submissions and truth are two files: give both a name";
+        return Err(finding("is no file; nothing is written to standard output").hint(hint));
+    }
     files::not_among_students(path)?;
     if path.is_dir() {
         return Err(finding("is a folder; a file is written"));

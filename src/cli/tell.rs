@@ -1,5 +1,6 @@
 //! Findings and results on the terminal: the only place that prints.
 use crate::finding::Finding;
+use std::io;
 use std::io::BufRead;
 use std::io::Write;
 
@@ -30,8 +31,40 @@ pub struct Io<'a> {
     pub typed: bool,
 }
 
+/// Standard output that remembers the first fault, so that it is told at the end.
+pub struct Told<'a> {
+    /// Where it goes.
+    pub out: &'a mut dyn Write,
+    /// What went wrong first.
+    pub fault: Option<io::Error>,
+}
+
+impl Told<'_> {
+    fn noted<T>(&mut self, done: io::Result<T>) -> io::Result<T> {
+        done.map_err(|fault| {
+            let kind = fault.kind();
+            if kind == io::ErrorKind::Interrupted {
+                return fault;
+            }
+            self.fault.get_or_insert(fault);
+            kind.into()
+        })
+    }
+}
+
+impl Write for Told<'_> {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        let done = self.out.write(bytes);
+        self.noted(done)
+    }
+    fn flush(&mut self) -> io::Result<()> {
+        let done = self.out.flush();
+        self.noted(done)
+    }
+}
+
 impl Io<'_> {
-    /// A line of the result. A reader who went away (`| head`) is no error.
+    /// A line of the result. What cannot be written is told at the end ([`Told`]).
     pub fn line(&mut self, text: &str) {
         let _ = writeln!(self.out, "{text}");
     }

@@ -2,6 +2,7 @@
 use crate::grade::verdict::Verdict;
 use crate::key::Answer;
 use crate::key::KeyEntry;
+use crate::policy::Policy;
 use crate::regrade::rows::Fault;
 use crate::regrade::rows::Row;
 use crate::regrade::rows::unguarded;
@@ -166,8 +167,10 @@ pub enum Why {
     NoMethod,
     /// Credit for a wrong method is another.
     Credit,
-    /// What follows from an earlier answer is marked otherwise.
+    /// Points because it follows from an earlier answer, or other ones.
     Follow,
+    /// What followed from an earlier answer does so no more, or earns more by itself.
+    NoFollow,
     /// A correction for all.
     Correction,
     /// Another attempt counts.
@@ -190,10 +193,31 @@ impl Why {
             Why::NoMethod => "wrong method no longer recognised",
             Why::Credit => "credit",
             Why::Follow => "follow-through",
+            Why::NoFollow => "no longer follow-through",
             Why::Correction => "correction",
             Why::Attempt => "another attempt counts",
             Why::Policy => "attempts or lateness",
             Why::Other => "other",
+        }
+    }
+}
+
+/// Which settings of the course are others.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Settings {
+    /// Those of attempts, due dates and lateness.
+    pub costs: bool,
+    /// What an answer that is not right may earn.
+    pub credit: bool,
+}
+
+impl Settings {
+    /// Compares them.
+    pub fn of(old: &Policy, new: &Policy) -> Self {
+        Self {
+            costs: (&old.zone, old.due, &old.extensions, old.attempts, old.late)
+                != (&new.zone, new.due, &new.extensions, new.attempts, new.late),
+            credit: old.credit != new.credit,
         }
     }
 }
@@ -234,6 +258,7 @@ pub fn compare<'k>(
     who: &Who,
     old: &Grading,
     new: &Grading,
+    settings: Settings,
     keys: &dyn Fn(usize, usize) -> [Option<&'k KeyEntry>; 2],
 ) -> Vec<Change> {
     let mut found = Vec::new();
@@ -244,7 +269,7 @@ pub fn compare<'k>(
             let (was, is) = (a.map(|c| c.verdict), b.map(|c| c.verdict));
             let moved = (after.unwrap_or(0.0) - before.unwrap_or(0.0)).abs() > DUST;
             if moved || was != is {
-                let why = why(a, b, keys(student, part), moved);
+                let why = why(a, b, settings, keys(student, part), moved);
                 found.push(Change { student, part, before, after, was, is, why });
             }
         }
@@ -261,7 +286,13 @@ fn of_kind<'c>(credit: &'c str, kinds: &[&str]) -> Vec<&'c str> {
     credit.split(' ').filter(|w| kinds.contains(&w.split(':').next().unwrap_or_default())).collect()
 }
 
-fn why(a: Option<&Cell>, b: Option<&Cell>, keys: [Option<&KeyEntry>; 2], moved: bool) -> Vec<Why> {
+fn why(
+    a: Option<&Cell>,
+    b: Option<&Cell>,
+    settings: Settings,
+    keys: [Option<&KeyEntry>; 2],
+    moved: bool,
+) -> Vec<Why> {
     let mut why = Vec::new();
     let (credit_a, credit_b) = (a.map_or("", |c| &c.credit), b.map_or("", |c| &c.credit));
     if has(credit_a, "correction") != has(credit_b, "correction") || (a.is_none() && b.is_none()) {
@@ -286,14 +317,18 @@ fn why(a: Option<&Cell>, b: Option<&Cell>, keys: [Option<&KeyEntry>; 2], moved: 
         match (has(credit_a, "methods"), has(credit_b, "methods")) {
             (false, true) if a.methods != b.methods => why.push(Why::Method),
             (true, false) if a.methods != b.methods => why.push(Why::NoMethod),
-            (true, true) | (false, true) | (true, false) if a.verdict == b.verdict => why.push(Why::Credit),
+            (true, true) | (false, true) | (true, false) if settings.credit && a.verdict == b.verdict => {
+                why.push(Why::Credit);
+            }
             _ => {}
         }
-        if of_kind(credit_a, &["follow"]) != of_kind(credit_b, &["follow"]) && a.verdict == b.verdict {
-            why.push(Why::Follow);
+        let follow = |credit: &str| of_kind(credit, &["follow"]).join(" ");
+        if follow(credit_a) != follow(credit_b) {
+            why.push(if has(credit_b, "follow") { Why::Follow } else { Why::NoFollow });
         }
         const COSTS: [&str; 3] = ["attempt", "late", "closed"];
-        if of_kind(credit_a, &COSTS) != of_kind(credit_b, &COSTS) {
+        // A wrong answer has no points for these to bear on, so that the words come and go with them.
+        if settings.costs && of_kind(credit_a, &COSTS) != of_kind(credit_b, &COSTS) {
             why.push(Why::Policy);
         }
     }
@@ -389,13 +424,17 @@ mod tests {
             ],
             "a,,0.5,2,2.5,4\nb,,2,2,4,4\n",
         );
-        let found = compare(&who(), &old, &new, &|_, _| [None, None]);
+        let found =
+            compare(&who(), &old, &new, Settings { costs: true, credit: false }, &|_, _| [None, None]);
         let told: Vec<_> = found.iter().map(|c| (c.student, c.part, c.gain(), c.why.clone())).collect();
         assert_eq!(told[0], (0, 0, 0.5, vec![Why::Method]));
         assert!((told[1].2 - 0.4).abs() < 1e-12 && told[1].3 == [Why::Policy]);
         assert_eq!(told[2], (1, 0, 2.0, vec![Why::Attempt]));
         // Points without an answer: a correction.
         assert_eq!(told[3], (1, 1, 2.0, vec![Why::Correction]));
-        assert!(compare(&who(), &old, &old, &|_, _| [None, None]).is_empty());
+        // The words of lateness came and went, the settings did not.
+        let found = compare(&who(), &old, &new, Settings::default(), &|_, _| [None, None]);
+        assert_eq!(found[1].why, [Why::Other]);
+        assert!(compare(&who(), &old, &old, Settings::default(), &|_, _| [None, None]).is_empty());
     }
 }

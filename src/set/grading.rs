@@ -42,6 +42,15 @@ pub struct Grading {
     pub submissions: String,
     /// Its size in bytes.
     pub submissions_bytes: u64,
+    /// SHA-256 of the submissions, hex; left out of large gradings, as the next two.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub submissions_sha256: Option<String>,
+    /// SHA-256 of answers.csv, hex.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub answers_sha256: Option<String>,
+    /// SHA-256 of gradebook.csv, hex.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub gradebook_sha256: Option<String>,
     /// `field=header`, as the command gave them.
     #[serde(default)]
     pub columns: Vec<String>,
