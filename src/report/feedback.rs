@@ -3,7 +3,7 @@
 //!
 //! The template `feedback.md` receives `title`, `name`, `student`, `set`, `total` (`14 of 20 points`), `notes` (what does not
 //! count, or nothing handed in) and `problems`: a list of `number`, `title`, `points` and `parts`, each with `sign`, `name`
-//! (`1.omega`), `verdict`, `points`, `answer`, `reason`, `credit` and `hints` (lists of lines).
+//! (`1.omega`), `asked`, `verdict`, `points`, `answer`, `reason`, `credit` and `hints` (lists of lines).
 use crate::finding::Finding;
 use crate::grade::verdict::Verdict;
 use crate::misconception::catalogue::Catalogue;
@@ -29,6 +29,8 @@ pub struct Desk<'d> {
     pub set: &'d str,
     /// Titles of the problems, in the language of the feedback.
     pub problems: &'d [String],
+    /// What each part asks, in the language of the feedback; empty where it is not known.
+    pub asked: &'d [String],
     /// Words of the language.
     pub words: &'d Words,
     /// Templates of the language.
@@ -132,8 +134,8 @@ impl Desk<'_> {
             Some(_) => ("✗", "wrong"),
         };
         // After a correction with full points nobody is told what may have gone wrong.
-        let corrected = points >= asked.points
-            && row.is_none_or(|r| r.credit.iter().any(|c| c.as_str() == "correction"));
+        let corrected =
+            points >= asked.points && row.is_none_or(|r| r.credit.iter().any(|c| c.as_str() == "correction"));
         let row_told = row.filter(|_| !right && !corrected);
         let reason = row_told.map_or_else(String::new, |r| self.reason(r));
         let mut credit: Vec<String> =
@@ -145,6 +147,7 @@ impl Desk<'_> {
         template::map([
             ("sign", template::finished(sign)),
             ("name", template::finished(&template::in_markdown(&asked.label()))),
+            ("asked", template::finished(self.asked.get(part).map_or("", String::as_str))),
             ("verdict", template::finished(self.words.get(&format!("marks.verdict.{name}")))),
             ("points", template::finished(&self.points(points, asked.points))),
             ("answer", template::finished(&row.map_or_else(String::new, |r| quoted(&r.answer)))),
