@@ -360,7 +360,10 @@ mod tests {
 
     #[test]
     fn the_example_is_read() {
-        let policy = course(EXAMPLE, "course.yaml", &Policy::default()).unwrap();
+        // As it stands it switches nothing on; without `#: ` every setting.
+        assert_eq!(course(EXAMPLE, "course.yaml", &Policy::default()).unwrap(), Policy::default());
+        let full = EXAMPLE.replace("\n#: ", "\n");
+        let policy = course(&full, "course.yaml", &Policy::default()).unwrap();
         assert_eq!(policy.attempts.counts, Counts::Best);
         assert_eq!(policy.zone.shown(policy.due.unwrap()), "2026-03-09 23:59");
         assert_eq!(policy.corrections.len(), 1);

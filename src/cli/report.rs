@@ -1,5 +1,7 @@
 //! `slipstick report`: a folder of grades to the class report, feedback for each student and gradebooks.
 use crate::bank::Bank;
+use crate::bank::Question;
+use crate::bank::Relative;
 use crate::cli::args;
 use crate::cli::args::Own;
 use crate::cli::banks;
@@ -255,11 +257,23 @@ pub fn make(graded: &Path, out: &Path, own: &Own, threads: Option<usize>) -> Res
             Some((i, correction.why.clone()))
         })
         .collect();
+    let words: Vec<String> = marks
+        .class
+        .parts
+        .iter()
+        .map(|part| {
+            let id = part.number.checked_sub(1).and_then(|i| basis.set.problems.get(i));
+            let problem = id.and_then(|id| bank.problems.iter().find(|p| p.id == *id));
+            let question = problem.and_then(|p| p.questions.iter().find(|q| q.id == part.id));
+            question.map_or_else(String::new, |q| asked(&q.ask).to_owned())
+        })
+        .collect();
     let desk = Desk {
         marks: &marks,
         title: if basis.policy.title.is_empty() { &bank.title } else { &basis.policy.title },
         set: &basis.set.name,
         problems: &titles,
+        asked: &words,
         words: &texts.words,
         templates: &texts.templates,
         catalogue: &catalogue,
@@ -399,6 +413,9 @@ impl Basis {
                         .points_given(i + 1, problem.map_or("", |p| p.id.as_str()), &q.id)
                         .unwrap_or(q.points),
                     unit: q.unit.ascii().to_owned(),
+                    unit_required: q.unit_required,
+                    asked: asked(&q.ask).to_owned(),
+                    tolerance: tolerance(q),
                 })
             })
             .collect();
@@ -422,6 +439,32 @@ impl Basis {
             .collect();
         Class { students, problems, parts, asked }
     }
+}
+
+/// What a question asks; nothing where a template makes it of the variant.
+fn asked(ask: &str) -> &str {
+    if ask.contains("{{") || ask.contains("{%") || ask.contains("{#") { "" } else { ask.trim() }
+}
+
+/// The rule of the tolerance in words.
+fn tolerance(question: &Question) -> String {
+    if question.label.quantity.is_word() {
+        return String::new();
+    }
+    let share = |s: f64| format!("{} %", table::points(s * 100.0));
+    let mut text = match question.relative {
+        Relative::Fixed(s) => share(s),
+        Relative::Widens { least, per_cond, most } => format!(
+            "{} to {}: {} for each unit of the condition number",
+            share(least),
+            share(most),
+            share(per_cond)
+        ),
+    };
+    if let Some(width) = question.absolute.filter(|w| *w > 0.0) {
+        text.push_str(&format!(", at least {width} in SI units"));
+    }
+    text
 }
 
 /// A student of the set with the numbers that were drawn.

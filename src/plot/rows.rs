@@ -7,6 +7,8 @@ use crate::plot::svg::Svg;
 pub struct Row {
     /// Name, to the left.
     pub label: String,
+    /// A line of words above the bar, cut where the chart ends; empty for none.
+    pub words: String,
     /// Value; a row without one says why in its note.
     pub value: Option<f64>,
     /// Interval, both ends.
@@ -42,7 +44,10 @@ const STEP: f64 = 24.0;
 const TOP: f64 = 40.0;
 /// About how wide a letter is, and how far a label may reach.
 const LETTER: f64 = 7.8;
-const WIDEST: f64 = 150.0;
+const WIDEST: f64 = 220.0;
+/// Height of a line of words, and about how wide one of its letters is.
+const WORDS: f64 = 16.0;
+const SMALL: f64 = 6.2;
 
 impl Rows {
     /// The chart as SVG text: the same bytes for the same data.
@@ -51,7 +56,9 @@ impl Rows {
             |text: &dyn Fn(&Row) -> usize| self.rows.iter().map(text).max().unwrap_or(0) as f64 * LETTER;
         let left = (longest(&|r| r.label.chars().count()) + 14.0).clamp(40.0, WIDEST);
         let right = WIDTH - (longest(&|r| r.note.chars().count()) + 12.0).clamp(16.0, 120.0);
-        let bottom = TOP + self.rows.len() as f64 * STEP + 4.0;
+        let worded = self.rows.iter().any(|r| !r.words.is_empty());
+        let step = if worded { STEP + WORDS } else { STEP };
+        let bottom = TOP + self.rows.len() as f64 * step + 4.0;
         let mut svg = Svg::chart(&self.id, (WIDTH, bottom + 44.0), &self.title, &self.description);
         svg.text("head", "start", (8.0, 22.0), &self.title);
         let place = |value: f64| left + self.axis.at(value) * (right - left);
@@ -64,8 +71,17 @@ impl Rows {
         let base = if self.bars { place(self.axis.low) } else { place(0.0) };
         svg.line("frame", (base, TOP), (base, bottom));
         for (i, row) in self.rows.iter().enumerate() {
-            let y = TOP + (i as f64 + 0.5) * STEP + 2.0;
-            svg.text("", "end", (left - 8.0, y + 4.5), &shortened(&row.label));
+            let y = TOP + (i as f64 + 1.0) * step - 0.5 * STEP + 2.0;
+            if !row.words.is_empty() {
+                let most = ((WIDTH - left) / SMALL) as usize;
+                svg.text("soft tiny", "start", (left + 2.0, y - 12.0), &shortened(&row.words, most));
+            }
+            svg.text(
+                "",
+                "end",
+                (left - 8.0, y + 4.5),
+                &shortened(&row.label, ((WIDEST - 14.0) / LETTER) as usize),
+            );
             svg.text("soft tiny", "start", (right + 8.0, y + 4.0), &row.note);
             let Some(value) = row.value else { continue };
             if self.bars {
@@ -95,12 +111,11 @@ impl Rows {
 }
 
 /// A label that fits.
-fn shortened(text: &str) -> String {
-    let most = ((WIDEST - 14.0) / LETTER) as usize;
+fn shortened(text: &str, most: usize) -> String {
     if text.chars().count() <= most {
         return text.to_owned();
     }
-    text.chars().take(most - 1).chain(std::iter::once('…')).collect()
+    text.chars().take(most.saturating_sub(1)).chain(std::iter::once('…')).collect()
 }
 
 #[cfg(test)]
@@ -112,6 +127,7 @@ mod tests {
     fn bars_are_as_long_as_their_values() {
         let row = |label: &str, value| Row {
             label: label.to_owned(),
+            words: String::new(),
             value,
             interval: value.map(|v| (v - 0.1, v + 0.1)),
             note: "n".to_owned(),
@@ -127,7 +143,7 @@ mod tests {
             rows: vec![
                 row("one", Some(0.25)),
                 row("two", Some(0.75)),
-                row("a very long name of a part", None),
+                row("a very long name of a part, longer than any", None),
             ],
         };
         let svg = chart.svg();

@@ -91,7 +91,7 @@ impl Scatter {
             svg.disc(if spot.marked { "warn" } else { "dot" }, at(spot.x, spot.y), 5.0);
         }
         for spot in &self.spots {
-            // To the right, to the left, above, below: where nothing stands yet; else the table says it.
+            // To the right, to the left, above, below: where nothing stands yet.
             let (x, y) = at(spot.x, spot.y);
             let wide = spot.label.chars().count() as f64 * LETTER.0;
             let places = [
@@ -100,11 +100,23 @@ impl Scatter {
                 ("middle", x, y - 9.0, x - wide / 2.0),
                 ("middle", x, y + 17.0, x - wide / 2.0),
             ];
-            for (anchor, tx, ty, from) in places {
+            // Then farther away with a line to the point.
+            let far = (1..=16).flat_map(|k| {
+                let dy = f64::from(k / 2 + 1) * if k % 2 == 0 { 15.0 } else { -15.0 };
+                [
+                    ("start", x + 22.0, y + dy + 4.0, x + 22.0),
+                    ("end", x - 22.0, y + dy + 4.0, x - 22.0 - wide),
+                ]
+            });
+            for (i, (anchor, tx, ty, from)) in places.into_iter().chain(far).enumerate() {
                 let mine = (from, ty - LETTER.1 + 3.0, from + wide, ty + 2.0);
                 let inside = mine.0 > LEFT && mine.2 < RIGHT && mine.1 > TOP && mine.3 < BOTTOM;
                 let free = taken.iter().all(|o| mine.2 < o.0 || mine.0 > o.2 || mine.3 < o.1 || mine.1 > o.3);
                 if inside && free {
+                    if i >= 4 {
+                        let near = if anchor == "start" { tx - 2.0 } else { tx + 2.0 };
+                        svg.line("frame", (x, y), (near, ty - 4.0));
+                    }
                     svg.text("tiny halo", anchor, (tx, ty), &spot.label);
                     taken.push(mine);
                     break;
@@ -135,8 +147,8 @@ mod tests {
         };
         let svg = chart.svg();
         assert_eq!(svg.matches("class=\"dot\"").count() + svg.matches("class=\"warn\"").count(), 11);
-        // Around the nine that fall together there is room for four names.
-        assert_eq!(svg.matches(">1.name</text>").count(), 6);
+        // Those that fall together are named at the ends of lines.
+        assert_eq!(svg.matches(">1.name</text>").count(), 11);
         assert_eq!(svg, chart.svg());
     }
 }

@@ -55,6 +55,9 @@ impl Matches {
             1 => "1 pair stands out".to_owned(),
             n => format!("{n} pairs stand out"),
         };
+        if self.unexplained == 0 {
+            return format!("{looked}: {found}.");
+        }
         format!(
             "{looked}: {found}. Among honest students luck alone makes a pair stand out in one set of {:.0}.",
             1.0 / matches::FLAGGED

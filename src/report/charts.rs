@@ -76,6 +76,7 @@ pub fn success(marks: &Marks, study: &Study) -> String {
             let success = part.success.filter(|_| part.answered >= LEAST_FOR_SHARE);
             Row {
                 label: marks.class.parts[p].label(),
+                words: String::new(),
                 value: success.map(|s| s.value),
                 interval: success.map(|s| (s.low, s.high)),
                 note: format!("{} of {}", part.right, part.answered),
@@ -127,17 +128,17 @@ pub fn items(marks: &Marks, study: &Study) -> Option<String> {
     )
 }
 
-/// Wrong methods by students.
-pub fn mistakes(marks: &Marks, study: &Study) -> String {
+/// Wrong methods by students: ids, words, how many.
+pub fn mistakes(marks: &Marks, methods: &[(String, String, usize)]) -> String {
     const MOST: usize = 12;
-    let top = study.mistakes.iter().take(MOST);
-    let most = study.mistakes.iter().map(|m| m.students).max().unwrap_or(1);
-    let rows: Vec<Row> = top
-        .map(|m| Row {
-            label: m.ids.join(" "),
-            value: Some(m.students as f64),
+    let most = methods.iter().map(|m| m.2).max().unwrap_or(1);
+    let rows: Vec<Row> = (methods.iter().take(MOST))
+        .map(|(ids, words, students)| Row {
+            label: ids.clone(),
+            words: words.clone(),
+            value: Some(*students as f64),
             interval: None,
-            note: m.students.to_string(),
+            note: students.to_string(),
             marked: false,
         })
         .collect();
@@ -170,6 +171,7 @@ pub fn fairness(title: &str, study: &Study, problem: usize) -> Option<String> {
             let rho = c.rho?;
             Some(Row {
                 label: c.datum.clone(),
+                words: String::new(),
                 value: Some(rho.value),
                 interval: Some((rho.low, rho.high)),
                 note: fixed(rho.value, 2),

@@ -3,7 +3,7 @@
 //!
 //! The template `feedback.md` receives `title`, `name`, `student`, `set`, `total` (`14 of 20 points`), `notes` (what does not
 //! count, or nothing handed in) and `problems`: a list of `number`, `title`, `points` and `parts`, each with `sign`, `name`
-//! (`1.omega`), `verdict`, `points`, `answer`, `reason`, `credit` and `hints` (lists of lines).
+//! (`1.omega`), `asked`, `verdict`, `points`, `answer`, `reason`, `credit` and `hints` (lists of lines).
 use crate::finding::Finding;
 use crate::grade::verdict::Verdict;
 use crate::misconception::catalogue::Catalogue;
@@ -29,6 +29,8 @@ pub struct Desk<'d> {
     pub set: &'d str,
     /// Titles of the problems, in the language of the feedback.
     pub problems: &'d [String],
+    /// What each part asks, in the language of the feedback; empty where it is not known.
+    pub asked: &'d [String],
     /// Words of the language.
     pub words: &'d Words,
     /// Templates of the language.
@@ -85,7 +87,8 @@ impl Desk<'_> {
     fn notes(&self, student: usize, dropped: &[usize]) -> Vec<String> {
         let mut notes = Vec::new();
         if !self.marks.took_part(student) {
-            notes.push(self.words.get("marks.nothing").to_owned());
+            let given = self.marks.totals[student].0 > 0.0;
+            notes.push(self.words.get(if given { "marks.nothing_but" } else { "marks.nothing" }).to_owned());
         }
         let numbers: Vec<String> = dropped.iter().map(|i| (i + 1).to_string()).collect();
         match numbers.as_slice() {
@@ -130,16 +133,21 @@ impl Desk<'_> {
             Some(Verdict::Unreadable) => ("✗", "unreadable"),
             Some(_) => ("✗", "wrong"),
         };
-        let reason = row.filter(|_| !right).map_or_else(String::new, |r| self.reason(r));
+        // After a correction with full points nobody is told what may have gone wrong.
+        let corrected =
+            points >= asked.points && row.is_none_or(|r| r.credit.iter().any(|c| c.as_str() == "correction"));
+        let row_told = row.filter(|_| !right && !corrected);
+        let reason = row_told.map_or_else(String::new, |r| self.reason(r));
         let mut credit: Vec<String> =
             row.map_or_else(Vec::new, |r| r.credit.iter().filter_map(|c| self.credit(c, part)).collect());
         if row.is_none() && points > 0.0 {
             credit.extend(self.credit("correction", part));
         }
-        let hints = row.filter(|_| !right).map_or_else(Vec::new, |r| self.hints(r, student, part));
+        let hints = row_told.map_or_else(Vec::new, |r| self.hints(r, student, part));
         template::map([
             ("sign", template::finished(sign)),
             ("name", template::finished(&template::in_markdown(&asked.label()))),
+            ("asked", template::finished(self.asked.get(part).map_or("", String::as_str))),
             ("verdict", template::finished(self.words.get(&format!("marks.verdict.{name}")))),
             ("points", template::finished(&self.points(points, asked.points))),
             ("answer", template::finished(&row.map_or_else(String::new, |r| quoted(&r.answer)))),
@@ -149,20 +157,16 @@ impl Desk<'_> {
         ])
     }
 
-    /// The reason without what it says of a slip, and not at all where the verdict says the same.
+    /// What the student is told of the reading of an answer. Of a wrong number only phrases that are known to say nothing of slips;
+    /// of what could not be read the whole reason, up to what it says of credit.
     fn reason(&self, row: &Row) -> String {
-        let plain =
-            |name: &str| Words::languages().filter_map(Words::built_in).any(|w| w.get(name) == row.reason);
-        if ["feedback.outside", "feedback.another_word"].into_iter().any(plain) {
-            return String::new();
-        }
-        let outside = |w: &Words| row.reason.strip_prefix(w.get("feedback.outside")).map(str::to_owned);
-        let rest = Words::languages().filter_map(Words::built_in).find_map(outside);
-        let notes = rest.as_deref().map_or(row.reason.as_str(), |r| r.trim_start_matches("; "));
         // What it says of credit comes last, and may hold anything.
-        let pieces = notes.split("; ").take_while(|piece| !is_one_of(CREDIT, piece));
-        let pieces: Vec<&str> = pieces.filter(|piece| !is_one_of(SLIPS, piece)).collect();
-        template::in_markdown(&pieces.join("; "))
+        let pieces = row.reason.split("; ").take_while(|piece| !is_one_of(CREDIT, piece));
+        let told: Vec<&str> = match row.verdict {
+            Verdict::Wrong | Verdict::WrongDirection => pieces.filter(|p| is_one_of(READING, p)).collect(),
+            _ => pieces.filter(|p| !is_one_of(SLIPS, p)).collect(),
+        };
+        template::in_markdown(&told.join("; "))
     }
 
     fn credit(&self, word: &str, part: usize) -> Option<String> {
@@ -270,6 +274,18 @@ fn sentence(text: &str) -> String {
 /// Phrases that tell what a wrong number has in common with the right one. They are for the instructor; the student is told of it
 /// at the level of the hints.
 const SLIPS: &[&str] = &["slip.power_of_ten", "slip.unit", "slip.figures", "slip.drift", "slip.other_part"];
+/// Phrases that tell how a number was read, and no more of a wrong one than its verdict does.
+const READING: &[&str] = &[
+    "other_sign",
+    "other_word",
+    "no_sign",
+    "decimal_comma",
+    "revolutions",
+    "about",
+    "turning",
+    "unit_read",
+    "no_direction",
+];
 /// Phrases that tell why the points are not all or nothing: told apart from the reason.
 const CREDIT: &[&str] = &[
     "credit.method",
@@ -326,6 +342,11 @@ mod tests {
             let words = Words::of(code).unwrap();
             assert!(is_one_of(SLIPS, &words.say("feedback.slip.power_of_ten", &[("n", "-3")])));
             assert!(is_one_of(SLIPS, words.get("feedback.slip.drift")));
+            for slip in SLIPS {
+                let phrase = words.get(&format!("feedback.{slip}"));
+                assert!(phrase.split("; ").all(|piece| !is_one_of(READING, piece)), "{slip}");
+            }
+            assert!(is_one_of(READING, words.get("feedback.decimal_comma")));
             assert!(!is_one_of(SLIPS, words.get("feedback.outside")));
             assert!(is_one_of(CREDIT, &words.say("feedback.credit.late", &[("share", "80 %")])));
             let given = words.say("feedback.credit.correction", &[("share", "100 %"), ("why", "no")]);

@@ -36,17 +36,51 @@ pub struct PartStudy {
     pub seconds: Option<(f64, usize)>,
 }
 
-/// Wrong methods that come to the same value in some answers, told as one.
+/// A wrong method, with the answers that it explains best.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Mistake {
-    /// Ids; the most likely first, where it is the same in most answers.
+    /// Its id; several where one mistake has an id in each kind of problem.
     pub ids: Vec<String>,
+    /// Methods that fit some of these answers as well, the most frequent first.
+    pub also: Vec<String>,
     /// Answers that count and fit.
     pub answers: usize,
-    /// Students with such an answer.
-    pub students: usize,
-    /// Answers by part (index).
+    /// Students (indices) with such an answer, ascending.
+    pub who: Vec<usize>,
+    /// Answers by part (index), ascending.
     pub parts: Vec<(usize, usize)>,
+}
+
+impl Mistake {
+    /// Students with such an answer.
+    pub fn students(&self) -> usize {
+        self.who.len()
+    }
+
+    /// Takes another in that is the same mistake: nobody is counted twice.
+    pub fn join(&mut self, other: &Mistake) {
+        self.ids.extend(other.ids.iter().cloned());
+        let more = other.also.iter().filter(|id| !self.also.contains(id)).cloned().collect::<Vec<_>>();
+        self.also.extend(more);
+        let ids = &self.ids;
+        self.also.retain(|id| !ids.contains(id));
+        self.answers += other.answers;
+        self.who.extend(&other.who);
+        self.who.sort_unstable();
+        self.who.dedup();
+        let mut parts: BTreeMap<usize, usize> = self.parts.iter().copied().collect();
+        for (part, n) in &other.parts {
+            *parts.entry(*part).or_default() += n;
+        }
+        self.parts = parts.into_iter().collect();
+    }
+
+    /// Most students first, then most answers.
+    pub fn sort(list: &mut [Mistake]) {
+        list.sort_by(|a, b| {
+            (b.students(), b.answers).cmp(&(a.students(), a.answers)).then_with(|| a.ids.cmp(&b.ids))
+        });
+    }
 }
 
 /// How marks of a problem go with a datum, or differ between cases.
@@ -198,14 +232,15 @@ fn part(marks: &Marks, took_part: &[usize], p: usize, scale: &[usize], matrix: &
     }
 }
 
+/// Each answer counts for the first, most likely method that fits it.
 fn mistakes(marks: &Marks) -> (Vec<Mistake>, (usize, usize)) {
+    #[derive(Default)]
     struct Count {
-        orders: BTreeMap<Vec<String>, usize>,
+        also: BTreeMap<String, usize>,
         parts: BTreeMap<usize, usize>,
-        students: usize,
-        last: Option<usize>,
+        who: Vec<usize>,
     }
-    let mut sets: BTreeMap<Vec<String>, Count> = BTreeMap::new();
+    let mut counts: BTreeMap<String, Count> = BTreeMap::new();
     let (mut wrong, mut unexplained) = (0, 0);
     let width = marks.class.parts.len().max(1);
     for (i, row) in marks.cells.iter().enumerate().filter_map(|(i, c)| Some((i, c.row.as_ref()?))) {
@@ -213,42 +248,34 @@ fn mistakes(marks: &Marks) -> (Vec<Mistake>, (usize, usize)) {
             continue;
         }
         wrong += 1;
-        if row.methods.is_empty() {
+        let Some((first, others)) = row.methods.split_first() else {
             unexplained += usize::from(row.slip.is_empty() && row.verdict == Verdict::Wrong);
             continue;
+        };
+        let count = counts.entry(first.clone()).or_default();
+        for other in others.iter().filter(|id| *id != first) {
+            *count.also.entry(other.clone()).or_default() += 1;
         }
-        let mut set = row.methods.clone();
-        set.sort_unstable();
-        set.dedup();
-        let count = sets.entry(set).or_insert_with(|| Count {
-            orders: BTreeMap::new(),
-            parts: BTreeMap::new(),
-            students: 0,
-            last: None,
-        });
-        *count.orders.entry(row.methods.clone()).or_default() += 1;
         *count.parts.entry(i % width).or_default() += 1;
-        if count.last != Some(i / width) {
-            count.last = Some(i / width);
-            count.students += 1;
+        if count.who.last() != Some(&(i / width)) {
+            count.who.push(i / width);
         }
     }
-    let mut list: Vec<Mistake> = sets
-        .into_values()
-        .map(|count| {
-            // The last of the greatest would be taken: turned round, the first by name is.
-            let order = count.orders.iter().rev().max_by_key(|(_, n)| **n);
+    let mut list: Vec<Mistake> = counts
+        .into_iter()
+        .map(|(id, count)| {
+            let mut also: Vec<(String, usize)> = count.also.into_iter().collect();
+            also.sort_by(|a, b| b.1.cmp(&a.1).then_with(|| a.0.cmp(&b.0)));
             Mistake {
-                ids: order.map(|(ids, _)| ids.clone()).unwrap_or_default(),
+                ids: vec![id],
+                also: also.into_iter().map(|(id, _)| id).collect(),
                 answers: count.parts.values().sum(),
-                students: count.students,
+                who: count.who,
                 parts: count.parts.into_iter().collect(),
             }
         })
         .collect();
-    list.sort_by(|a, b| {
-        (b.students, b.answers).cmp(&(a.students, a.answers)).then_with(|| a.ids.cmp(&b.ids))
-    });
+    Mistake::sort(&mut list);
     (list, (wrong, unexplained))
 }
 

@@ -7,5 +7,6 @@ pub mod page;
 pub mod pdf;
 pub mod public;
 pub mod statement;
+pub mod terminal;
 pub mod tex;
 pub mod typst;

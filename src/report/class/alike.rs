@@ -1,11 +1,22 @@
 //! The section on answers that are those of classmates.
 use crate::matches::FLAGGED;
+use crate::plot::svg::escaped;
 use crate::report::alike::Matches;
 use crate::report::class::Pen;
 use crate::report::class::SHOWN;
 use crate::report::class::paragraph;
 use crate::report::table::Cell;
 use crate::report::table::Table;
+
+/// `1 in 2e14`, and as it is where luck brings one or more.
+fn by_luck(expected: f64) -> String {
+    match 1.0 / expected {
+        _ if expected >= 1.0 => format!("{expected:.1}"),
+        one_in if one_in < 1000.0 => format!("1 in {one_in:.0}"),
+        one_in if one_in.is_finite() => format!("1 in {one_in:.0e}"),
+        _ => "never".to_owned(),
+    }
+}
 
 impl Pen<'_> {
     pub(crate) fn alike(&mut self, found: &Matches) -> String {
@@ -26,7 +37,7 @@ impl Pen<'_> {
                 named(&pair.classmate),
                 Cell::text(&pair.parts.join(", ")),
                 Cell::text(&pair.answers.join(" | ")),
-                Cell::text(&format!("{:.1e}", pair.expected)),
+                Cell::rich(escaped(&by_luck(pair.expected)), &format!("{:.1e}", pair.expected)),
                 Cell::text(if pair.flagged { "yes" } else { "no" }),
                 Cell::text(&pair.explained),
             ]

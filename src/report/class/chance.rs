@@ -27,11 +27,11 @@ impl Pen<'_> {
                 let mut row = vec![Cell::text(&self.label(p)), Cell::count(part.answered)];
                 row.extend(part.first_right.iter().map(|n| Cell::count(*n)));
                 row.push(Cell::count(never));
-                row.push(Cell::or_none(part.attempts.map(|m| Cell::number(m, 1))));
                 row.push(Cell::or_none(
                     part.seconds.map(|(m, _)| Cell::rich(lasting(m), &format!("{m:.0}"))),
                 ));
                 row.push(Cell::or_none(part.seconds.map(|(_, n)| Cell::count(n))));
+                row.push(Cell::or_none(part.attempts.map(|m| Cell::number(m, 1))));
                 row
             })
             .collect();
@@ -58,12 +58,13 @@ impl Pen<'_> {
                 ("3rd", "right_at_3"),
                 ("Later", "right_later"),
                 ("Never", "never_right"),
-                ("Median attempt", "median_attempt"),
                 ("Median time", "median_seconds"),
                 ("Students", "timed_students"),
+                ("Median attempt", "median_attempt"),
             ],
             texts: 1,
-            shown: 10,
+            // Where it is 1 everywhere it says nothing.
+            shown: if study.parts.iter().any(|p| p.attempts.is_some_and(|m| m > 1.0)) { 10 } else { 9 },
             rows,
         }));
         out

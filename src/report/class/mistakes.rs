@@ -13,6 +13,7 @@ use crate::report::study::Mistake;
 use crate::report::table::Cell;
 use crate::report::table::Table;
 use crate::report::table::percent;
+use crate::sheet::terminal::plain;
 use std::collections::BTreeMap;
 
 /// Mistakes told in words; all are in the table.
@@ -32,11 +33,32 @@ impl Pen<'_> {
         format!("{}{}", shown.join(", "), if more > 0 { format!(" and {more} more") } else { String::new() })
     }
 
+    /// The wrong methods; those of the same words, which stand in the lists of several problems, as one.
+    pub(crate) fn favourites(&self) -> Vec<Mistake> {
+        let words = |m: &Mistake| m.ids.first().and_then(|id| self.catalogue.get(id)).map(|e| e.did.as_str());
+        let mut list: Vec<Mistake> = Vec::new();
+        for mistake in &self.study.mistakes {
+            let same = list.iter_mut().find(|m| words(m).is_some() && words(m) == words(mistake));
+            match same {
+                Some(known) => known.join(mistake),
+                None => list.push(mistake.clone()),
+            }
+        }
+        Mistake::sort(&mut list);
+        list
+    }
+
+    /// What was done, in a line of plain text.
+    pub(crate) fn in_short(&self, mistake: &Mistake) -> String {
+        let entry = mistake.ids.first().and_then(|id| self.catalogue.get(id));
+        entry.map_or_else(String::new, |e| plain(e.did.trim_end_matches('.')))
+    }
+
     pub(crate) fn lecture(&mut self, rich: Rich) -> String {
         let study = self.study;
         // What a single student did is no matter for a lecture.
-        let favourites: Vec<&Mistake> =
-            study.mistakes.iter().filter(|m| m.students > 1).take(FAVOURITES).collect();
+        let all = self.favourites();
+        let favourites: Vec<&Mistake> = all.iter().filter(|m| m.students() > 1).take(FAVOURITES).collect();
         if favourites.is_empty() {
             return paragraph(match study.wrong.0 {
                 0 => "No wrong answer counts: there is no mistake to talk about.",
@@ -46,36 +68,40 @@ impl Pen<'_> {
         }
         let took = study.took_part.len();
         let mut out = paragraph(
-            "The class's favourite mistakes, those of most students first. Each answer fits what the method gives for that student's own numbers, within the tolerance of the part; where several methods give the same, the answers cannot tell which it was.",
+            "The class's favourite mistakes, those of most students first. Each answer fits what the method gives for that student's own numbers, within the tolerance of the part; where several methods give the same, the answers cannot tell which it was, and count for the most likely one.",
         );
         out.push_str("<ol class=\"mistakes\">\n");
         for mistake in favourites {
+            let students = mistake.students();
             let share = if took >= LEAST_FOR_SHARE {
-                format!(" ({} of those who handed in)", percent(mistake.students as f64 / took as f64))
+                format!(" ({} of those who handed in)", percent(students as f64 / took as f64))
             } else {
                 String::new()
             };
-            let who =
-                format!("{}{share}, in {}", count(mistake.students, "student"), self.where_made(mistake));
-            let notes: Vec<String> = mistake
-                .ids
-                .iter()
-                .map(|id| {
-                    let code = format!("<code>{}</code>", escaped(id));
-                    match self.catalogue.get(id) {
-                        Some(entry) => format!("<p>{} {code}</p>", rich(&entry.note)),
-                        None => format!("<p>A method that the catalogue does not describe. {code}</p>"),
-                    }
-                })
-                .collect();
-            let one_of =
-                if notes.len() > 1 { "<p>One of these, which come to the same value:</p>\n" } else { "" };
-            let body = if notes.len() > 1 {
-                let items: Vec<String> = notes.iter().map(|n| format!("<li>{n}</li>")).collect();
-                format!("{one_of}<ul>\n{}\n</ul>", items.join("\n"))
-            } else {
-                notes.concat()
+            let who = format!("{}{share}, in {}", count(students, "student"), self.where_made(mistake));
+            let codes = |ids: &[String]| -> String {
+                let codes: Vec<String> =
+                    ids.iter().map(|id| format!("<code>{}</code>", escaped(id))).collect();
+                codes.join(" ")
             };
+            let ids = codes(&mistake.ids);
+            let mut body = match mistake.ids.first().and_then(|id| self.catalogue.get(id)) {
+                Some(entry) => {
+                    let (they, advice) = advice(&entry.note);
+                    let advice = match advice {
+                        "" => String::new(),
+                        text => format!("<p><strong>In the lecture:</strong> {}</p>", rich(text)),
+                    };
+                    format!("<p>{} {ids}</p>{advice}", rich(&they))
+                }
+                None => format!("<p>A method that the catalogue does not describe. {ids}</p>"),
+            };
+            if !mistake.also.is_empty() {
+                body.push_str(&format!(
+                    "<p class=\"who\">Some of these answers fit {} too.</p>",
+                    codes(&mistake.also)
+                ));
+            }
             out.push_str(&format!("<li><p class=\"who\">{}</p>\n{body}</li>\n", escaped(&who)));
         }
         out.push_str("</ol>\n");
@@ -90,11 +116,15 @@ impl Pen<'_> {
         }
         let explained = wrong - unexplained;
         let mut out = paragraph(&format!(
-            "Of {} that count, {explained} fit a wrong method of the catalogue, a wrong direction or a slip; {unexplained} fit nothing that is known.",
-            count(wrong, "wrong answer")
+            "Of {} that {}, {explained} fit a wrong method of the catalogue, a wrong direction or a slip; {unexplained} fit nothing that is known.",
+            count(wrong, "wrong answer"),
+            if wrong == 1 { "counts" } else { "count" }
         ));
         if !study.mistakes.is_empty() {
-            out.push_str(&figure(&charts::mistakes(self.marks, study)));
+            let bars: Vec<(String, String, usize)> = (self.favourites().iter())
+                .map(|m| (m.ids.join(" "), self.in_short(m), m.students()))
+                .collect();
+            out.push_str(&figure(&charts::mistakes(self.marks, &bars)));
             let rows = study
                 .mistakes
                 .iter()
@@ -109,7 +139,10 @@ impl Pen<'_> {
                         Cell::text(&mistake.ids.join(" ")),
                         Cell::rich(did.join(" <em>or:</em> "), &raw.join(" or: ")),
                         Cell::rich(escaped(&parts.join(", ")), &parts.join(", ").replace('\u{a0}', " ")),
-                        Cell::count(mistake.students),
+                        Cell::or_none(
+                            (!mistake.also.is_empty()).then(|| Cell::text(&mistake.also.join(" "))),
+                        ),
+                        Cell::count(mistake.students()),
                         Cell::count(mistake.answers),
                         Cell::share(mistake.answers as f64 / wrong as f64),
                     ]
@@ -117,19 +150,19 @@ impl Pen<'_> {
                 .collect();
             let methods = Table {
                 name: "methods",
-                caption:
-                    "Wrong methods; those that come to the same value stand together, the most likely first"
-                        .to_owned(),
+                caption: "Wrong methods; an answer that fits several counts for the most likely one"
+                    .to_owned(),
                 head: vec![
-                    ("Methods", "methods"),
-                    ("What they did", "did"),
+                    ("Method", "method"),
+                    ("The mistake", "did"),
                     ("Parts (answers)", "parts"),
+                    ("Some fit too", "fits_as_well"),
                     ("Students", "students"),
                     ("Answers", "answers"),
                     ("Of the wrong", "share_of_wrong"),
                 ],
-                texts: 3,
-                shown: 6,
+                texts: 4,
+                shown: 7,
                 rows,
             };
             out.push_str(&self.long_table(methods, SHOWN));
@@ -222,6 +255,14 @@ impl Pen<'_> {
         };
         out.push_str(&self.long_table(table, SHOWN));
         out
+    }
+}
+
+/// A note of the catalogue, `They do this: show that.`, as a sentence and an advice; the advice may be empty.
+fn advice(note: &str) -> (String, &str) {
+    match note.split_once(": ") {
+        Some((they, advice)) => (format!("{they}."), advice),
+        None => (note.to_owned(), ""),
     }
 }
 

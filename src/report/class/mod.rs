@@ -18,6 +18,7 @@ use crate::report::table::Table;
 use crate::report::table::fixed;
 use crate::report::table::percent;
 use crate::report::table::points;
+use crate::sheet::terminal::plain;
 use crate::template;
 use crate::template::Templates;
 use crate::template::View;
@@ -74,7 +75,7 @@ pub fn report(
 ) -> Result<ClassReport, Finding> {
     let mut pen = Pen { marks, study, catalogue, tables: Vec::new() };
     let sections = [
-        Section { id: "graded", title: "How this was graded", body: pen.graded(about) },
+        Section { id: "graded", title: "How this was graded", body: pen.graded(about, rich) },
         Section { id: "overview", title: "Overview", body: pen.overview() },
         Section { id: "lecture", title: "For the next lecture", body: pen.lecture(rich) },
         Section { id: "totals", title: "Totals", body: pen.totals() },
@@ -156,7 +157,7 @@ impl Pen<'_> {
         self.marks.class.parts[part].label()
     }
 
-    fn graded(&mut self, about: &About) -> String {
+    fn graded(&mut self, about: &About, rich: Rich) -> String {
         let mut out = String::from("<div class=\"facts\">\n");
         for (title, pairs) in [("Settings", &about.settings), ("Provenance", &about.provenance)] {
             if pairs.is_empty() {
@@ -169,6 +170,43 @@ impl Pen<'_> {
             out.push_str("</dl></div>\n");
         }
         out.push_str("</div>\n");
+        let rows = (self.marks.class.parts.iter())
+            .map(|part| {
+                let none = |text: &str| match text {
+                    "" => Cell::none(),
+                    text => Cell::text(text),
+                };
+                let shown = match part.asked.as_str() {
+                    "" => escaped(&self.marks.class.problems[part.number - 1].title),
+                    asked => rich(asked),
+                };
+                let unit = match (part.unit.as_str(), part.unit_required) {
+                    (unit, true) => format!("{unit}, required"),
+                    (unit, false) => unit.to_owned(),
+                };
+                vec![
+                    Cell::text(&part.label()),
+                    Cell::rich(shown, &plain(&part.asked)),
+                    none(&unit),
+                    none(&part.tolerance),
+                    Cell::points(part.points),
+                ]
+            })
+            .collect();
+        out.push_str(&self.table(Table {
+            name: "asked",
+            caption: "What each part asks, and what counts as right".to_owned(),
+            head: vec![
+                ("Part", "part"),
+                ("What is asked", "what_is_asked"),
+                ("Unit", "unit"),
+                ("Tolerance", "tolerance"),
+                ("Points", "points"),
+            ],
+            texts: 4,
+            shown: 5,
+            rows,
+        }));
         out
     }
 
@@ -222,11 +260,13 @@ impl Pen<'_> {
     fn summary(&self) -> Vec<String> {
         let study = self.study;
         let mut lines = Vec::new();
-        if let Some(mistake) = study.mistakes.first().filter(|m| m.students > 1) {
+        let favourites = self.favourites();
+        if let Some(mistake) = favourites.first().filter(|m| m.students() > 1) {
             lines.push(format!(
-                "favourite mistake: {} ({}, in {})",
+                "favourite mistake: {}, {} ({}, in {})",
                 mistake.ids.join(" or "),
-                count(mistake.students, "student"),
+                self.in_short(mistake),
+                count(mistake.students(), "student"),
                 self.where_made(mistake)
             ));
         }

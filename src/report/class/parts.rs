@@ -1,5 +1,4 @@
 //! Sections on totals and parts: how many points, how hard, how telling.
-use crate::grade::verdict::Verdict;
 use crate::report::charts;
 use crate::report::class::Pen;
 use crate::report::class::count;
@@ -10,6 +9,7 @@ use crate::report::stats::LEAST_FOR_SHARE;
 use crate::report::table::Cell;
 use crate::report::table::Table;
 use crate::report::table::fixed;
+use crate::sheet::terminal::plain;
 
 impl Pen<'_> {
     pub(crate) fn totals(&mut self) -> String {
@@ -48,12 +48,12 @@ impl Pen<'_> {
                 ("Students", "students"),
                 ("Of", "max_total"),
                 ("Mean", "mean"),
-                ("Deviation", "standard_deviation"),
-                ("Least", "least"),
-                ("Quarter", "lower_quartile"),
+                ("SD", "standard_deviation"),
+                ("Minimum", "minimum"),
+                ("Lower quartile", "lower_quartile"),
                 ("Median", "median"),
-                ("Three quarters", "upper_quartile"),
-                ("Greatest", "greatest"),
+                ("Upper quartile", "upper_quartile"),
+                ("Maximum", "maximum"),
             ],
             texts: 0,
             shown: 9,
@@ -76,7 +76,7 @@ impl Pen<'_> {
             .iter()
             .enumerate()
             .map(|(p, part)| {
-                let blank = self.marks.by_part[p][Verdict::Blank as usize];
+                let none = part.asked.saturating_sub(part.answered);
                 let success = part.success.filter(|_| part.answered >= LEAST_FOR_SHARE);
                 let ease = part.ease.filter(|_| part.asked >= LEAST_FOR_SHARE);
                 let discrimination = part.discrimination.as_ref();
@@ -87,7 +87,7 @@ impl Pen<'_> {
                     Cell::count(part.asked),
                     Cell::count(part.answered),
                     Cell::count(part.right),
-                    Cell::text(&blank.to_string()),
+                    Cell::count(none),
                     Cell::or_none(success.map(|s| Cell::share(s.value))),
                     Cell::or_none(success.map(|s| Cell::share(s.low))),
                     Cell::or_none(success.map(|s| Cell::share(s.high))),
@@ -95,19 +95,20 @@ impl Pen<'_> {
                     Cell::or_none(discrimination.ok().map(|d| Cell::number(*d, 2))),
                     Cell::text(discrimination.err().map_or("", String::as_str)),
                     Cell::text(&self.marks.class.problems[of.number - 1].title),
+                    Cell::text(&plain(&of.asked)),
                 ]
             })
             .collect();
         out.push_str(&self.table(Table {
             name: "parts",
-            caption: "Each part: students asked, of those who handed in; answers that count; ease and discrimination as told below".to_owned(),
+            caption: "Each part, in students who handed in: asked it, answered it, were right, gave no answer; ease and discrimination as told below".to_owned(),
             head: vec![
                 ("Part", "part"),
                 ("Points", "points"),
                 ("Asked", "asked"),
                 ("Answered", "answered"),
                 ("Right", "right"),
-                ("Blank", "blank_cells"),
+                ("No answer", "no_answer"),
                 ("Share", "share_right"),
                 ("from", "interval_low"),
                 ("to", "interval_high"),
@@ -115,6 +116,7 @@ impl Pen<'_> {
                 ("Discr.", "discrimination"),
                 ("Why none", "why_no_discrimination"),
                 ("Problem", "problem"),
+                ("What is asked", "what_is_asked"),
             ],
             texts: 1,
             shown: 11,

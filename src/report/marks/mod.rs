@@ -47,6 +47,12 @@ pub struct Part {
     pub points: f64,
     /// Unit in which it is asked, empty for none.
     pub unit: String,
+    /// Must it be written?
+    pub unit_required: bool,
+    /// What is asked, in words: Markdown with formulas, in the language of the bank; empty where it changes with the variant.
+    pub asked: String,
+    /// What counts as right, in words; empty for answers that are words.
+    pub tolerance: String,
 }
 
 impl Part {

@@ -415,7 +415,7 @@ mod tests {
             students: ["a", "=b"].map(|id| Student { id: id.to_owned(), ..Student::default() }).to_vec(),
             problems: vec![Problem::default()],
             parts: ["v", "t"]
-                .map(|id| Part { number: 1, id: id.to_owned(), points: 1.0, unit: String::new() })
+                .map(|id| Part { number: 1, id: id.to_owned(), points: 1.0, ..Part::default() })
                 .to_vec(),
             asked: vec![true; 4],
         }
