@@ -117,7 +117,7 @@ const OLD: &str = "old";
 
 /// A folder that is being filled beside its place, on the same file system.
 ///
-/// `.slipstick-unfinished-XXXX` holds `slipstick-owner` (process, machine since its start, name of the place), `new`
+/// `.slipstick-unfinished-PID-XXXX` holds `slipstick-owner` (process, machine since its start, name of the place), `new`
 /// and, for the moment between two renames, `old`. A killed run leaves it; the next run beside it [`sweep`]s it away.
 pub struct Staged {
     folder: TempDir,
@@ -135,7 +135,8 @@ impl Staged {
         let above = parent(place);
         fs::create_dir_all(&above).map_err(|e| fault(&e))?;
         sweep(&above);
-        let folder = tempfile::Builder::new().prefix(UNFINISHED).tempdir_in(&above).map_err(|e| fault(&e))?;
+        let prefix = format!("{UNFINISHED}{}-", std::process::id());
+        let folder = tempfile::Builder::new().prefix(&prefix).tempdir_in(&above).map_err(|e| fault(&e))?;
         let name = place.file_name().unwrap_or_default().to_string_lossy();
         let owner = format!("{}\n{}\n{name}\n", std::process::id(), machine());
         fs::write(folder.path().join(OWNER), owner).map_err(|e| fault(&e))?;
@@ -196,7 +197,16 @@ impl Staged {
 fn sweep(folder: &Path) {
     for name in names_in(folder).iter().filter(|n| n.starts_with(UNFINISHED)) {
         let left = folder.join(name);
-        let Ok(owner) = fs::read_to_string(left.join(OWNER)) else { continue };
+        let owner = fs::read_to_string(left.join(OWNER)).unwrap_or_default();
+        if owner.lines().count() < 3 {
+            // Killed before it had written whose it is: only its name tells, and nothing else is in it.
+            let pid = name.strip_prefix(UNFINISHED).and_then(|n| n.split('-').next()?.parse::<u32>().ok());
+            let alone = names_in(&left).iter().all(|n| n == OWNER);
+            if alone && pid.is_some_and(|pid| Path::new("/proc/self").exists() && has_ended(pid)) {
+                let _ = fs::remove_dir_all(&left);
+            }
+            continue;
+        }
         let mut lines = owner.lines();
         let (pid, run, place) = (lines.next(), lines.next(), lines.next());
         let (Some(Ok(pid)), Some(run), Some(place)) = (pid.map(str::parse::<u32>), run, place) else {
@@ -213,12 +223,17 @@ fn sweep(folder: &Path) {
     }
 }
 
+/// Has a process of this machine ended?
+fn has_ended(pid: u32) -> bool {
+    let Ok(stat) = fs::read_to_string(format!("/proc/{pid}/stat")) else { return true };
+    // Behind the name in brackets stands the state: a zombie has ended, nobody has asked how.
+    stat.rsplit(')').next().is_some_and(|s| s.trim_start().starts_with(['Z', 'X']))
+}
+
 /// Is the process gone that wrote this file? Known only on this machine since its start, else after a day.
 fn is_gone(owner: &Path, pid: u32, run: &str) -> bool {
     if !run.is_empty() && run == machine() {
-        let Ok(stat) = fs::read_to_string(format!("/proc/{pid}/stat")) else { return true };
-        // Behind the name in brackets stands the state: a zombie has ended, nobody has asked how.
-        return stat.rsplit(')').next().is_some_and(|s| s.trim_start().starts_with(['Z', 'X']));
+        return has_ended(pid);
     }
     const DAY: Duration = Duration::from_secs(24 * 60 * 60);
     let modified = fs::metadata(owner).and_then(|m| m.modified());
