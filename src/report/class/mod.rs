@@ -75,11 +75,11 @@ pub fn report(
 ) -> Result<ClassReport, Finding> {
     let mut pen = Pen { marks, study, catalogue, tables: Vec::new() };
     let sections = [
-        Section { id: "graded", title: "How this was graded", body: pen.graded(about, rich) },
+        Section { id: "graded", title: "How this was graded", body: pen.graded(about) },
         Section { id: "overview", title: "Overview", body: pen.overview() },
         Section { id: "lecture", title: "For the next lecture", body: pen.lecture(rich) },
         Section { id: "totals", title: "Totals", body: pen.totals() },
-        Section { id: "parts", title: "Part by part", body: pen.parts() },
+        Section { id: "parts", title: "Part by part", body: pen.legend(rich) + &pen.parts() },
         Section { id: "items", title: "Difficulty and discrimination", body: pen.items() },
         Section { id: "mistakes", title: "Wrong methods and slips", body: pen.mistakes(rich) },
         Section { id: "reading", title: "What could not be read", body: pen.reading() },
@@ -101,6 +101,12 @@ pub fn report(
     let mut html = Vec::new();
     templates.render("report.html", &view, &mut html)?;
     Ok(ClassReport { html, summary: pen.summary(), tables: pen.tables })
+}
+
+/// The first letter small.
+fn lowered(text: &str) -> String {
+    let mut letters = text.chars();
+    letters.next().map_or_else(String::new, |first| first.to_lowercase().chain(letters).collect())
 }
 
 /// `1 student`, `2 students`
@@ -157,7 +163,7 @@ impl Pen<'_> {
         self.marks.class.parts[part].label()
     }
 
-    fn graded(&mut self, about: &About, rich: Rich) -> String {
+    fn graded(&mut self, about: &About) -> String {
         let mut out = String::from("<div class=\"facts\">\n");
         for (title, pairs) in [("Settings", &about.settings), ("Provenance", &about.provenance)] {
             if pairs.is_empty() {
@@ -170,6 +176,11 @@ impl Pen<'_> {
             out.push_str("</dl></div>\n");
         }
         out.push_str("</div>\n");
+        out
+    }
+
+    /// Each part in words, with what counts as right.
+    fn legend(&mut self, rich: Rich) -> String {
         let rows = (self.marks.class.parts.iter())
             .map(|part| {
                 let none = |text: &str| match text {
@@ -181,6 +192,8 @@ impl Pen<'_> {
                     asked => rich(asked),
                 };
                 let unit = match (part.unit.as_str(), part.unit_required) {
+                    _ if part.tolerance.is_empty() => "a word".to_owned(),
+                    ("1", _) => String::new(),
                     (unit, true) => format!("{unit}, required"),
                     (unit, false) => unit.to_owned(),
                 };
@@ -193,7 +206,7 @@ impl Pen<'_> {
                 ]
             })
             .collect();
-        out.push_str(&self.table(Table {
+        self.table(Table {
             name: "asked",
             caption: "What each part asks, and what counts as right".to_owned(),
             head: vec![
@@ -206,8 +219,7 @@ impl Pen<'_> {
             texts: 4,
             shown: 5,
             rows,
-        }));
-        out
+        })
     }
 
     fn overview(&mut self) -> String {
@@ -263,9 +275,9 @@ impl Pen<'_> {
         let favourites = self.favourites();
         if let Some(mistake) = favourites.first().filter(|m| m.students() > 1) {
             lines.push(format!(
-                "favourite mistake: {}, {} ({}, in {})",
+                "favourite mistake: {} ({}; {}, in {})",
+                lowered(&self.in_short(mistake)),
                 mistake.ids.join(" or "),
-                self.in_short(mistake),
                 count(mistake.students(), "student"),
                 self.where_made(mistake)
             ));
