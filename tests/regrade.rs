@@ -154,7 +154,7 @@ ROOM/grades: 12 answers that count of 6 students; answers that would become righ
   all parts                                                   -2     0    +2    +4
   students who gain                                            0     0     1     2
   students who lose                                            1     0     0     0
-  mean of totals                                     1.25   0.92  1.25  1.50  1.75
+  mean of totals                                     1.25   1.00  1.25  1.50  1.75
   answers of wrong methods that would pass                     0     0     0     1
   sheets where a wrong method would pass                       0     0     4    11
   warning: at 5 % 1 answer of a known wrong method would be right:
@@ -542,6 +542,9 @@ Data on the sheet
     line 16: `2 N`, read as 2 in N. Wrong dimension: expected m (length), found N (force)
   points: 0 of 1, the answer is not right; together 0
 
+The total
+  2 of 7 points
+
 What it was graded with
   slipstick 0.1.0, draw version 3; set week from seed 7
   bank one-wheel, SHA-256 1a2fd9c7c8f8999d941fe2fc93f5f09c5b98215c9fc3e9e353d7c23ceb374f7d
@@ -755,6 +758,9 @@ fn a_regrading_keeps_units_and_settings() {
     assert!(answers.contains(",late:0.9,") && answers.contains("correction"), "{answers}");
     let ran = run(&["explain", &room.path("newer"), "0017", "1"]);
     assert_eq!(ran.exit, Exit::Fine, "{}", ran.err);
+    let told = "due: 2026-03-09 23:59 UTC; came 2026-03-10 12:00, 0 d 12 h 1 min late; lateness costs 10 %";
+    let joined = ran.out.split_whitespace().collect::<Vec<_>>().join(" ");
+    assert!(joined.contains(told), "{}", ran.out);
 
     // The sheets say m/s: an answer without unit is one.
     room.change(&[(

@@ -5,6 +5,7 @@ use crate::cli::args;
 use crate::cli::banks;
 use crate::cli::tell::Exit;
 use crate::cli::tell::Io;
+use crate::cli::tell::plain;
 use crate::cli::words;
 use crate::finding::Finding;
 use crate::grade::diagnose::diagnose;
@@ -199,45 +200,6 @@ fn solution(problem: &Problem, variant: &Variant, key: &ProblemKey, words: &Word
             io.line(&format!("  because {}", words::check(scene, check)));
         }
     }
-}
-
-/// Formulas as a terminal can show them.
-fn plain(markdown: &str) -> String {
-    let mut out = String::with_capacity(markdown.len());
-    let mut math = false;
-    let mut rest = markdown;
-    const SIGNS: [(&str, &str); 16] = [
-        (r"\ ", " "),
-        (r"\,", " "),
-        (r"{}^\circ", "°"),
-        (r"^\circ", "°"),
-        ("{,}", ","),
-        (r"\mathrm", ""),
-        (r"\theta", "θ"),
-        (r"\omega", "ω"),
-        (r"\alpha", "α"),
-        (r"\phi", "φ"),
-        (r"\mu", "μ"),
-        (r"\%", "%"),
-        ("^{2}", "²"),
-        ("^2", "²"),
-        ("{", ""),
-        ("}", ""),
-    ];
-    while let Some(c) = rest.chars().next() {
-        if c == '$' {
-            math = !math;
-            rest = &rest[1..];
-        } else if let Some((tex, sign)) = SIGNS.iter().filter(|_| math).find(|(tex, _)| rest.starts_with(tex))
-        {
-            out.push_str(sign);
-            rest = &rest[tex.len()..];
-        } else {
-            out.push(c);
-            rest = &rest[c.len_utf8()..];
-        }
-    }
-    out
 }
 
 #[expect(clippy::disallowed_methods, reason = "the street door knows a clock; the seed is shown")]

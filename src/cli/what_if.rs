@@ -1,13 +1,13 @@
 //! `slipstick what-if`: how many verdicts of a grading would change with other tolerances.
 use crate::bank::Relative;
 use crate::cli::args;
-use crate::cli::explain::plain;
 use crate::cli::files;
 use crate::cli::graded;
 use crate::cli::graded::Graded;
 use crate::cli::tell;
 use crate::cli::tell::Exit;
 use crate::cli::tell::Io;
+use crate::cli::tell::plain;
 use crate::cli::words;
 use crate::finding::Finding;
 use crate::grade::rules::Rules;
