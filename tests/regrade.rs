@@ -154,12 +154,12 @@ ROOM/grades: 12 answers that count of 6 students; answers that would become righ
   all parts                                                   -2     0    +2    +4
   students who gain                                            0     0     1     2
   students who lose                                            1     0     0     0
-  mean of points                                     1.25   0.92  1.25  1.50  1.75
+  mean of totals                                     1.25   1.00  1.25  1.50  1.75
   answers of wrong methods that would pass                     0     0     0     1
   sheets where a wrong method would pass                       0     0     4    11
   warning: at 5 % 1 answer of a known wrong method would be right:
     1 x A08  Treated the wheel as if it rolled on its rim throughout, in the speeds and in the work of the pull.
-  Absolute tolerances stay. Points are those of the answers that count now, before dropping and rounding.
+  Absolute tolerances stay. All answers are graded anew by each: attempts, lateness, follow-through, corrections, totals.
 "#);
     let ran = run(&["what-if", &room.path("grades"), "--tolerance", "2%,x,0"]);
     assert_eq!(ran.exit, Exit::Faulty);
@@ -190,9 +190,8 @@ ROOM/grades regraded
   1.omega: tolerance 1 % -> 2 %
   part     gain  lose  points  why
   1.omega     1     0      +1  tolerance 1
-  1.v         0     1    -0.5  follow-through 1
-  1 of 6 students gain, 0 lose; mean of totals 1.25 -> 1.33
-  0044  Name of 0044  0.5 -> 1  +0.5  1.omega +1 (tolerance), 1.v -0.5 (follow-through)
+  1 of 6 students gain, 0 lose; mean of totals 1.25 -> 1.42
+  0044  Name of 0044  0.5 -> 1.5  +1  1.omega +1 (tolerance)
 Nothing was written (--dry-run).
 "#);
     assert_eq!(tree(room.0.path()), everything);
@@ -203,7 +202,6 @@ Nothing was written (--dry-run).
     insta::assert_snapshot!(room.read("new/changes.csv"), @r#"
 student,problem,part,points_before,points_after,verdict_before,verdict_after,why
 0044,1,omega,0,1,wrong,right,tolerance
-0044,1,v,0.5,0,wrong,wrong,follow-through
 "#);
     assert_eq!(tree(Path::new(&room.path("grades"))), old);
     let names: Vec<String> = tree(Path::new(&new)).into_keys().collect();
@@ -328,14 +326,14 @@ ROOM/grades regraded
   1.cord_travel: another key for 6 of 6 students, by up to 71.739 %
   part     gain  lose  points  why
   1.omega     0     3      -3  key 3
-  1.v         0     6    -4.5  key 3, follow-through 3
+  1.v         0     6    -4.5  key 3, no longer follow-through 3
   0 of 6 students gain, 6 lose; mean of totals 1.25 -> 0.00
   0017  Name of 0017    2 -> 0    -2  1.omega -1 (key), 1.v -1 (key)
   0023  Name of 0023    2 -> 0    -2  1.omega -1 (key), 1.v -1 (key)
   0031  Name of 0031    2 -> 0    -2  1.omega -1 (key), 1.v -1 (key)
-  0044  Name of 0044  0.5 -> 0  -0.5  1.v -0.5 (follow-through)
-  0058  Name of 0058  0.5 -> 0  -0.5  1.v -0.5 (follow-through)
-  0062  Name of 0062  0.5 -> 0  -0.5  1.v -0.5 (follow-through)
+  0044  Name of 0044  0.5 -> 0  -0.5  1.v -0.5 (no longer follow-through)
+  0058  Name of 0058  0.5 -> 0  -0.5  1.v -0.5 (no longer follow-through)
+  0062  Name of 0062  0.5 -> 0  -0.5  1.v -0.5 (no longer follow-through)
 Nothing was written (--dry-run).
 "#);
 }
@@ -544,6 +542,9 @@ Data on the sheet
     line 16: `2 N`, read as 2 in N. Wrong dimension: expected m (length), found N (force)
   points: 0 of 1, the answer is not right; together 0
 
+The total
+  2 of 7 points
+
 What it was graded with
   slipstick 0.1.0, draw version 3; set week from seed 7
   bank one-wheel, SHA-256 1a2fd9c7c8f8999d941fe2fc93f5f09c5b98215c9fc3e9e353d7c23ceb374f7d
@@ -718,4 +719,102 @@ fn an_edited_grading_is_refused() {
     assert!(other.err.contains("and another (by SHA-256)"), "{}", other.err);
     room.write("answers.csv", &answers);
     assert_eq!(room.regrade(&["--dry-run"]).err, "");
+}
+
+#[test]
+fn a_regrading_keeps_units_and_settings() {
+    let room = Room::new();
+    room.answers();
+    // All of it comes a day late.
+    let late: String = room
+        .read("answers.csv")
+        .lines()
+        .enumerate()
+        .map(|(i, l)| format!("{l},{}\n", if i == 0 { "submitted_at" } else { "2026-03-10 12:00" }))
+        .collect();
+    room.write("answers.csv", &late);
+    room.write("course.yaml", "due: 2026-03-09 23:59\nlate: {penalty: 20 %, per: day}\n");
+    room.grade(&["--course", &room.path("course.yaml"), "--attempts", "best"]);
+    assert!(room.read("grades/answers.csv").contains(",late:0.8,"));
+    // A file that names one thing leaves the others as they were, also once more.
+    let regrade = |from: &str, course: &str, to: &str| {
+        room.write("next.yaml", course);
+        let [set, old, answers, next, new] =
+            ["set", from, "answers.csv", "next.yaml", to].map(|n| room.path(n));
+        let ran = run(&["regrade", &set, &old, &answers, "--course", &next, "--out", &new]);
+        assert_eq!(ran.exit, Exit::Fine, "{}", ran.err);
+        ran.out
+    };
+    let told =
+        regrade("grades", "corrections:\n  - {part: 1.v, give: full, to: all, why: ambiguous}\n", "new");
+    assert!(!told.contains("settings that differ"), "{told}");
+    let answers = room.read("new/answers.csv");
+    assert!(answers.contains(",late:0.8,") && answers.contains("correction"), "{answers}");
+    assert!(room.read("new/grading.json").contains("\"attempts\": \"best\""));
+    let told = regrade("new", "late: {penalty: 10 %}\nattempts: first\n", "newer");
+    assert!(told.contains("settings that differ: attempts, late\n"), "{told}");
+    assert!(told.contains("attempts or lateness"), "{told}");
+    let answers = room.read("newer/answers.csv");
+    assert!(answers.contains(",late:0.9,") && answers.contains("correction"), "{answers}");
+    let ran = run(&["explain", &room.path("newer"), "0017", "1"]);
+    assert_eq!(ran.exit, Exit::Fine, "{}", ran.err);
+    let told = "due: 2026-03-09 23:59 UTC; came 2026-03-10 12:00, 0 d 12 h 1 min late; lateness costs 10 %";
+    let joined = ran.out.split_whitespace().collect::<Vec<_>>().join(" ");
+    assert!(joined.contains(told), "{}", ran.out);
+
+    // The sheets say m/s: an answer without unit is one.
+    room.change(&[(
+        "of its centre at that moment', unit: m/s}",
+        "of its centre at that moment', unit: km/h}",
+    )]);
+    let ran = room.regrade(&["--bank", &room.path("bank.yaml"), "--out", &room.path("other")]);
+    assert_eq!(ran.exit, Exit::Faulty, "{}", ran.out);
+    assert!(ran.err.contains("the sheets ask for m/s, the bank now for km/h"), "{}", ran.err);
+    assert!(!Path::new(&room.path("other")).exists());
+}
+
+#[test]
+fn a_file_without_answers_is_told() {
+    let room = Room::new();
+    room.write("answers.csv", "student,problem,part,answer\n");
+    assert!(room.grade(&[]).out.contains("warning: there is no answer in"));
+    room.answers();
+    assert!(!room.grade(&["--force"]).out.contains("warning"));
+}
+
+#[test]
+fn other_tolerances_are_graded_as_grading_would() {
+    let room = Room::new();
+    room.answers();
+    // A first attempt that is off by 3 %, a second one that is far off; all of it late.
+    let mut text = "student,problem,part,answer,submitted_at\n".to_owned();
+    for student in STUDENTS {
+        for (off, hour) in [(1.03, 10), (1.4, 11)] {
+            let value = room.key(student, "omega") * off;
+            text.push_str(&format!("{student},1,omega,{value:.5},2026-03-10 {hour}:00\n"));
+        }
+    }
+    room.write("answers.csv", &text);
+    room.write(
+        "course.yaml",
+        "due: 2026-03-09 23:59\nlate: {penalty: 20 %, per: day}\nattempts: {count: best, penalty: 50 %}\ndrop lowest: 0\n",
+    );
+    room.grade(&["--course", &room.path("course.yaml")]);
+    let ran = run(&["what-if", &room.path("grades"), "--tolerance", "5"]);
+    assert_eq!(ran.exit, Exit::Fine, "{}", ran.err);
+    // What the same tolerance in the bank gives.
+    let bank = room.read("set/bank.yaml");
+    let questions = bank.find("    questions:\n      omega: {ask:").unwrap();
+    let (head, rest) = bank.split_at(questions);
+    room.write(
+        "bank.yaml",
+        &format!("{head}{}", rest.replacen("omega: {ask:", "omega: {tolerance: {relative: 5 %}, ask:", 1)),
+    );
+    let again = room.regrade(&["--bank", &room.path("bank.yaml"), "--dry-run"]);
+    assert_eq!(again.exit, Exit::Fine, "{}", again.err);
+    let means = again.out.lines().find_map(|l| l.split("mean of totals ").nth(1)).unwrap();
+    let line = ran.out.lines().find(|l| l.contains("mean of totals")).unwrap();
+    let told: Vec<&str> = line.split_whitespace().skip(3).collect();
+    assert_eq!(told.join(" -> "), means, "{}", ran.out);
+    assert_eq!(means, "0.00 -> 0.80");
 }

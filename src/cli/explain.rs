@@ -6,10 +6,12 @@ use crate::bank::Problem;
 use crate::bank::Relative;
 use crate::cli::args;
 use crate::cli::files;
+use crate::cli::grade;
 use crate::cli::graded;
 use crate::cli::graded::Graded;
 use crate::cli::tell::Exit;
 use crate::cli::tell::Io;
+use crate::cli::tell::plain;
 use crate::cli::what_if::per_cent;
 use crate::cli::words;
 use crate::finding::Finding;
@@ -23,9 +25,15 @@ use crate::key::ProblemKey;
 use crate::misconception::catalogue::Catalogue;
 use crate::policy;
 use crate::policy::For;
+use crate::policy::Per;
 use crate::policy::Policy;
+use crate::policy::Way;
+use crate::policy::time;
+use crate::policy::time::Evidence;
+use crate::policy::time::Moment;
 use crate::problem::make::Variant;
 use crate::regrade::rows::Row;
+use crate::regrade::rows::unguarded;
 use crate::set::grading::BASIS;
 use crate::units::spell;
 use std::fmt::Write as _;
@@ -111,7 +119,12 @@ fn text(graded: &Graded, index: usize, part: Option<String>) -> Result<String, V
     }
     let mut rows = Vec::new();
     let number = (index + 1).to_string();
+    let mut evidence = Evidence::default();
     graded.each_row(&mut |row| {
+        // The whole column says whether the day comes first.
+        if let Some(moment) = time::parse(&row.submitted_at) {
+            evidence.join(moment.evidence);
+        }
         if row.student == student.student && row.problem == number && row.is_known() {
             rows.push(row);
         }
@@ -140,13 +153,24 @@ fn text(graded: &Graded, index: usize, part: Option<String>) -> Result<String, V
     for (i, entry) in key.parts.iter().enumerate() {
         if part.as_ref().is_none_or(|p| *p == entry.part) {
             let of_part: Vec<&Row> = rows.iter().filter(|r| r.part == entry.part).collect();
-            let desk = Desk { graded, problem, key, variant, number: index + 1 };
+            let desk = Desk {
+                graded,
+                problem,
+                key,
+                variant,
+                number: index + 1,
+                student: &student.student,
+                evidence,
+            };
             desk.part(&mut page, i, &of_part, &rows);
             for change in changes.iter().filter(|c| c.0 == entry.part) {
                 page.say(1, &format!("regraded: {}", change.1));
             }
         }
     }
+    page.head("");
+    page.head("The total");
+    total(graded, &student.student, &mut page)?;
     page.head("");
     page.head("What it was graded with");
     provenance(graded, &mut page);
@@ -195,6 +219,8 @@ struct Desk<'g> {
     key: &'g ProblemKey,
     variant: &'g Variant,
     number: usize,
+    student: &'g str,
+    evidence: Evidence,
 }
 
 impl Desk<'_> {
@@ -372,7 +398,9 @@ impl Desk<'_> {
                 let shown = words::rounded(entry.unit.from_si(w.value), FIGURES);
                 format!(" (which comes to {})", entry.unit.text_with(&shown))
             });
-            let told = catalogue.get(id).map_or_else(String::new, |e| format!(": {} {}", e.did, e.see));
+            let told = catalogue
+                .get(id)
+                .map_or_else(String::new, |e| format!(": {} {}", plain(&e.did), plain(&e.see)));
             page.say(1, &format!("fits the wrong method {id}{comes}{told}"));
         }
         if let Some(slip) = slip(&row.slip) {
@@ -381,8 +409,60 @@ impl Desk<'_> {
         if row.credit.split(' ').any(|w| w.starts_with("follow:")) {
             self.follows(page, index, row, all);
         }
+        if self.graded.policy.timed() {
+            page.say(1, &self.late(row));
+        }
         let points = points(row, &self.graded.policy);
         page.say(1, &format!("points: {points}"));
+    }
+
+    /// When it was due, when it came, how late that is.
+    fn late(&self, row: &Row) -> String {
+        let policy = &self.graded.policy;
+        let zone = &policy.zone;
+        let extended = policy.extensions.iter().any(|(id, _)| id == self.student);
+        let due = policy.due_for(self.student);
+        let mut text = match due {
+            Some(due) => {
+                let why = if extended { " (extension)" } else { "" };
+                format!("due: {} {}{why}", zone.shown(due), zone.name())
+            }
+            None => format!("due: at no time ({})", zone.name()),
+        };
+        if let Some(closes) = policy.closes_for(self.student) {
+            let _ = write!(text, ", nothing counts after {}", zone.shown(closes));
+        }
+        let certain = |m: &Moment| m.uncertain.is_none_or(|dotted| self.evidence.decides(dotted));
+        let Some(moment) = time::parse(&row.submitted_at).filter(certain) else {
+            text.push_str("; when it came cannot be read, so it is taken as in time");
+            return text;
+        };
+        let shown = moment.micros[self.evidence.choice()];
+        let at = if moment.zoned { shown } else { zone.moment(shown) };
+        let _ = write!(text, "; came {}", zone.shown(at));
+        match due {
+            Some(due) if at > due => {
+                let late = &policy.late;
+                let minutes = (at - due + policy::MINUTE - 1) / policy::MINUTE;
+                let (days, hours, minutes) = (minutes / 1440, minutes / 60 % 24, minutes % 60);
+                let _ = write!(
+                    text,
+                    ", {days} d {hours} h {minutes} min late; lateness costs {} %{}, at most {} %",
+                    per_cent(late.penalty),
+                    match late.per {
+                        Per::Once => "",
+                        Per::Hour => " for each begun hour",
+                        Per::Day => " for each begun day",
+                    },
+                    per_cent(late.most)
+                );
+                if late.grace > 0 {
+                    let _ = write!(text, ", {} min are no lateness", late.grace / policy::MINUTE);
+                }
+            }
+            _ => text.push_str(", in time"),
+        }
+        text
     }
 
     /// What the relation comes to with the student's own answers.
@@ -431,11 +511,6 @@ impl Desk<'_> {
             ),
         );
     }
-}
-
-/// Text of the catalogue without the marks of formulas.
-pub fn plain(text: &str) -> String {
-    text.replace('$', "")
 }
 
 fn in_unit(entry: &KeyEntry) -> String {
@@ -517,7 +592,11 @@ fn points(row: &Row, policy: &Policy) -> String {
                     row.max_points
                 );
             }
-            "attempt" => steps.push(format!("times {what} for earlier attempts")),
+            "attempt" => steps.push(format!(
+                "times {what} for earlier attempts (each costs {} %, {} % are left at least)",
+                per_cent(policy.attempts.penalty),
+                per_cent(policy.attempts.least)
+            )),
             "late" => steps.push(format!("times {what} for lateness")),
             "closed" => steps.push("nothing, because it came after the end".to_owned()),
             "correction" => steps.push("raised to what a correction gives to all".to_owned()),
@@ -525,6 +604,46 @@ fn points(row: &Row, policy: &Policy) -> String {
         }
     }
     format!("{}; together {}", steps.join(", "), row.points)
+}
+
+/// How the total of the gradebook is made.
+fn total(graded: &Graded, student: &str, page: &mut Pages) -> Result<(), Vec<Finding>> {
+    let path = graded.folder.join(grade::GRADEBOOK);
+    let bytes = files::read(&path).map_err(|f| vec![f])?;
+    let fault = |e: csv::Error| vec![Finding::new("", e.to_string()).in_file(path.display().to_string())];
+    let mut reader = csv::ReaderBuilder::new().flexible(true).from_reader(bytes.as_slice());
+    let header = reader.headers().map_err(fault)?.clone();
+    let policy = &graded.policy;
+    for record in reader.records() {
+        let record = record.map_err(fault)?;
+        let field = |name: &str| {
+            let at = header.iter().position(|h| h == name);
+            at.and_then(|i| record.get(i)).unwrap_or_default()
+        };
+        if unguarded(field("student").to_owned()) != student {
+            continue;
+        }
+        let mut text = format!("{} of {} points", field("total"), field("max_total"));
+        if policy.drop_lowest > 0 {
+            let dropped = field("dropped");
+            let told = if dropped.is_empty() { "none here" } else { dropped };
+            let _ = write!(
+                text,
+                "; of the problems the lowest {} are dropped by their share of points: {told}",
+                policy.drop_lowest
+            );
+        }
+        if let Some(rounding) = policy.rounding {
+            let way = match rounding.way {
+                Way::Nearest => "to the nearest multiple of",
+                Way::Up => "up to multiples of",
+                Way::Down => "down to multiples of",
+            };
+            let _ = write!(text, "; rounded {way} {}", rounding.to);
+        }
+        page.say(1, &text);
+    }
+    Ok(())
 }
 
 fn provenance(graded: &Graded, page: &mut Pages) {

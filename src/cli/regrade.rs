@@ -147,7 +147,12 @@ fn regrade(args: &args::Regrade, input: &mut dyn BufRead, watched: bool) -> Resu
     let before = read(&who, &old.folder)?;
     let after = read(&who, made.folder())?;
     let places = tables.places(&who);
-    let settings = changes::Settings::of(&old.policy, made.policy());
+    let (then, now) = (&old.policy, made.policy());
+    let settings = changes::Settings {
+        costs: (&then.zone, then.due, &then.extensions, then.attempts, then.late)
+            != (&now.zone, now.due, &now.extensions, now.attempts, now.late),
+        credit: then.credit != now.credit,
+    };
     let changes = changes::compare(&who, &before, &after, settings, &|s, p| tables.entries(&places, s, p));
     let desk = Desk {
         who: &who,

@@ -1,25 +1,36 @@
 //! `slipstick what-if`: how many verdicts of a grading would change with other tolerances.
-use crate::answer::read::UnitCache;
 use crate::bank::Relative;
 use crate::cli::args;
-use crate::cli::explain::plain;
+use crate::cli::files;
 use crate::cli::graded;
 use crate::cli::graded::Graded;
 use crate::cli::tell;
 use crate::cli::tell::Exit;
 use crate::cli::tell::Io;
+use crate::cli::tell::plain;
 use crate::cli::words;
 use crate::finding::Finding;
-use crate::grade::feedback::Feedback;
+use crate::grade::rules::Rules;
+use crate::grade::run;
+use crate::grade::run::GradeFault;
+use crate::grade::run::Options;
 use crate::grade::table::KeyTable;
+use crate::grade::verdict::Verdict;
 use crate::key::Answer;
 use crate::key::SheetKey;
 use crate::misconception::catalogue::Catalogue;
 use crate::problem::make_key;
 use crate::regrade::rows::Row;
+use crate::regrade::tolerance::Cell;
 use crate::regrade::tolerance::Change;
 use crate::regrade::tolerance::WhatIf;
+use crate::report::gradebook;
 use std::collections::BTreeMap;
+use std::fs::File;
+use std::io;
+use std::io::Read;
+use std::io::Write as _;
+use tempfile::NamedTempFile;
 
 /// Runs it.
 pub fn run(args: &args::WhatIf, io: &mut Io) -> Exit {
@@ -59,55 +70,121 @@ pub fn per_cent(share: f64) -> String {
 /// One of the tolerances that are tried.
 struct Trial {
     share: f64,
-    table: KeyTable,
     what: WhatIf,
+    totals: Vec<f64>,
+}
+
+/// All answers graded by a key.
+struct Run {
+    /// Student after student, what counts for each part.
+    cells: Vec<Cell>,
+    /// Totals as in the gradebook.
+    totals: Vec<f64>,
+    /// How many answers count.
+    answers: u64,
 }
 
 fn what_if(args: &args::WhatIf) -> Result<String, Vec<Finding>> {
     let shares = shares(&args.tolerance)?;
     let graded = graded::open(&args.graded, None)?;
-    let keys = |share: Option<f64>| {
-        KeyTable::new(graded.given.iter().map(|g| key(&graded, g, share)).collect(), &[])
+    let table = |share: Option<f64>| {
+        let mut table = KeyTable::new(graded.given.iter().map(|g| key(&graded, g, share)).collect(), &[]);
+        table.take_points(&graded.policy);
+        table
     };
-    let now = keys(None);
+    let now = table(None);
     let (students, parts) = (now.students.len(), now.columns.len());
-    let mut trials: Vec<Trial> = shares
-        .into_iter()
-        .map(|share| Trial { share, table: keys(Some(share)), what: WhatIf::new(students, parts) })
-        .collect();
-    let column: BTreeMap<(String, &str), usize> =
-        now.columns.iter().enumerate().map(|(i, c)| ((c.number.to_string(), c.part.as_str()), i)).collect();
-    let whose: BTreeMap<&str, usize> =
-        now.students.iter().enumerate().map(|(i, s)| (s.id.as_str(), i)).collect();
-    let (mut units, say) = (UnitCache::default(), Feedback::english());
-    let (mut answers, mut earned) = (0u64, 0.0);
-    graded.each_row(&mut |row: Row| {
-        if !row.counts() {
-            return;
-        }
-        let student = whose.get(row.student.as_str()).copied();
-        let part = column.get(&(row.problem.clone(), row.part.as_str())).copied();
-        let (Some(student), Some(part)) = (student, part) else { return };
-        earned += row.points;
-        answers += 1;
-        for trial in &mut trials {
-            if let Some(entry) = trial.table.entry(student, part) {
-                trial.what.take(&row, (student, part), entry, &mut units, say);
-            }
-        }
-    })?;
-    for trial in &mut trials {
+    let handed =
+        handed_in(&graded).map_err(|e| vec![files::trouble(&args.graded, "cannot be graded", &e)])?;
+    let as_is = run_with(&graded, &now, &handed)?;
+    let mut trials = Vec::new();
+    for share in shares {
+        let table = table(Some(share));
+        let other = run_with(&graded, &table, &handed)?;
+        let mut what = WhatIf::new(parts);
+        what.take(&as_is.cells, &other.cells);
         for part in 0..parts {
             for student in 0..students {
-                if let (Some(entry), Some(other)) =
-                    (now.entry(student, part), trial.table.entry(student, part))
-                {
-                    trial.what.key(part, entry, other);
+                if let (Some(entry), Some(other)) = (now.entry(student, part), table.entry(student, part)) {
+                    what.key(part, entry, other);
                 }
             }
         }
+        trials.push(Trial { share, what, totals: other.totals });
     }
-    Ok(told(args, &now, &trials, answers, earned))
+    Ok(told(args, &now, &trials, &as_is))
+}
+
+/// The answers of a grading as they were handed in, one a line and in their order: a file of submissions again.
+fn handed_in(graded: &Graded) -> Result<NamedTempFile, io::Error> {
+    let mut timed = false;
+    let mut faults = Vec::new();
+    let mut see = |see: &mut dyn FnMut(Row)| {
+        if let Err(fault) = graded.each_row(see) {
+            faults.extend(fault);
+        }
+    };
+    see(&mut |row: Row| timed |= !row.submitted_at.is_empty());
+    let mut file = NamedTempFile::new()?;
+    let mut written = Ok(());
+    {
+        let mut out = csv::Writer::from_writer(io::BufWriter::new(file.as_file_mut()));
+        let columns = if timed { 5 } else { 4 };
+        out.write_record(&["student", "problem", "part", "answer", "submitted_at"][..columns])?;
+        see(&mut |row: Row| {
+            let fields = [&row.student, &row.problem, &row.part, &row.answer, &row.submitted_at];
+            if written.is_ok() {
+                written = out.write_record(fields[..columns].iter().map(|f| f.as_bytes()));
+            }
+        });
+        out.flush()?;
+    }
+    written?;
+    match faults.first() {
+        Some(fault) => Err(io::Error::other(fault.to_string())),
+        None => Ok(file),
+    }
+}
+
+/// Grades them by another key, by the same settings.
+fn run_with(graded: &Graded, table: &KeyTable, handed: &NamedTempFile) -> Result<Run, Vec<Finding>> {
+    let trouble = |e: &io::Error| vec![files::trouble(&graded.folder, "cannot be graded", e)];
+    let rules = Rules::new(table, &graded.policy)?;
+    let open = || -> io::Result<Box<dyn Read + Send>> { Ok(Box::new(File::open(handed.path())?)) };
+    let options = Options {
+        threads: std::thread::available_parallelism().map_or(1, usize::from),
+        ..Options::default()
+    };
+    let mut file = NamedTempFile::new().map_err(|e| trouble(&e))?;
+    let mut out = io::BufWriter::with_capacity(1 << 18, file.as_file_mut());
+    let done =
+        run::grade(&open, table, &rules, &options, &mut out, &mut |_| {}).map_err(|why| match why {
+            GradeFault::Io(e) | GradeFault::Write(e) => trouble(&e),
+            GradeFault::Header(findings) => findings,
+        })?;
+    out.flush().map_err(|e| trouble(&e))?;
+    drop(out);
+    let parts = table.columns.len();
+    let column: BTreeMap<(String, &str), usize> =
+        table.columns.iter().enumerate().map(|(i, c)| ((c.number.to_string(), c.part.as_str()), i)).collect();
+    let whose: BTreeMap<&str, usize> =
+        table.students.iter().enumerate().map(|(i, s)| (s.id.as_str(), i)).collect();
+    let mut cells = vec![Cell::default(); table.students.len() * parts];
+    let mut answers = 0;
+    graded::each_row(file.path(), &mut |row: Row| {
+        if !row.counts() {
+            return;
+        }
+        let student = whose.get(row.student.as_str());
+        let part = column.get(&(row.problem, row.part.as_str()));
+        let (Some(student), Some(part)) = (student, part) else { return };
+        answers += 1;
+        cells[student * parts + part] = Cell { right: row.verdict == Verdict::Right, methods: row.methods };
+    })?;
+    let totals = (0..table.students.len())
+        .map(|s| gradebook::total(table, &done.points, s, &graded.policy).points)
+        .collect();
+    Ok(Run { cells, totals, answers })
 }
 
 /// The key of a student, with another relative tolerance if one is given; absolute tolerances stay.
@@ -153,7 +230,8 @@ pub fn tolerance(table: &KeyTable, part: usize) -> String {
     }
 }
 
-fn told(args: &args::WhatIf, now: &KeyTable, trials: &[Trial], answers: u64, earned: f64) -> String {
+fn told(args: &args::WhatIf, now: &KeyTable, trials: &[Trial], as_is: &Run) -> String {
+    let answers = as_is.answers;
     let mut text = format!(
         "{}: {} of {}; answers that would become right (+) or no longer be right (-)\n",
         args.graded.display(),
@@ -188,15 +266,14 @@ fn told(args: &args::WhatIf, now: &KeyTable, trials: &[Trial], answers: u64, ear
     let students = now.students.len().max(1) as f64;
     const DUST: f64 = 1e-9;
     line("all parts", String::new(), &|t| changed(&t.what.total()));
-    line("students who gain", String::new(), &|t| {
-        t.what.points.iter().filter(|p| **p > DUST).count().to_string()
-    });
-    line("students who lose", String::new(), &|t| {
-        t.what.points.iter().filter(|p| **p < -DUST).count().to_string()
-    });
-    line("mean of points", format!("{:.2}", earned / students), &|t| {
-        format!("{:.2}", (earned + t.what.points.iter().sum::<f64>()) / students)
-    });
+    let moved = |t: &Trial, gain: bool| {
+        let moves = t.totals.iter().zip(&as_is.totals).map(|(is, was)| is - was);
+        moves.filter(|d| if gain { *d > DUST } else { *d < -DUST }).count().to_string()
+    };
+    line("students who gain", String::new(), &|t| moved(t, true));
+    line("students who lose", String::new(), &|t| moved(t, false));
+    let mean = |totals: &[f64]| format!("{:.2}", totals.iter().sum::<f64>() / students);
+    line("mean of totals", mean(&as_is.totals), &|t| mean(&t.totals));
     line("answers of wrong methods that would pass", String::new(), &|t| t.what.total().methods.to_string());
     line("sheets where a wrong method would pass", String::new(), &|t| t.what.total().within.to_string());
     text.push_str(&tell::table(&rows, &[0]));
@@ -216,7 +293,7 @@ fn told(args: &args::WhatIf, now: &KeyTable, trials: &[Trial], answers: u64, ear
         }
     }
     text.push_str(
-        "  Absolute tolerances stay. Points are those of the answers that count now, before dropping and rounding.\n",
+        "  Absolute tolerances stay. All answers are graded anew by each: attempts, lateness, follow-through, corrections, totals.\n",
     );
     text
 }

@@ -2,7 +2,6 @@
 use crate::grade::verdict::Verdict;
 use crate::key::Answer;
 use crate::key::KeyEntry;
-use crate::policy::Policy;
 use crate::regrade::rows::Fault;
 use crate::regrade::rows::Row;
 use crate::regrade::rows::unguarded;
@@ -209,17 +208,6 @@ pub struct Settings {
     pub costs: bool,
     /// What an answer that is not right may earn.
     pub credit: bool,
-}
-
-impl Settings {
-    /// Compares them.
-    pub fn of(old: &Policy, new: &Policy) -> Self {
-        Self {
-            costs: (&old.zone, old.due, &old.extensions, old.attempts, old.late)
-                != (&new.zone, new.due, &new.extensions, new.attempts, new.late),
-            credit: old.credit != new.credit,
-        }
-    }
 }
 
 /// A mark that changed.
