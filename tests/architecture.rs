@@ -143,7 +143,7 @@ const DOORS: &[(&str, &[&str])] = &[
     ("sheet::terminal", &[]),
     ("plot", &["num"]),
     ("matches", &["num"]),
-    ("regrade", &["grade", "answer", "key"]),
+    ("regrade", &["grade", "answer", "key", "policy"]),
     ("cli", &["*"]),
     ("main", &["cli"]),
     ("lib", &[]),

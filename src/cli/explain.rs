@@ -11,7 +11,6 @@ use crate::cli::graded;
 use crate::cli::graded::Graded;
 use crate::cli::tell::Exit;
 use crate::cli::tell::Io;
-use crate::cli::tell::plain;
 use crate::cli::what_if::per_cent;
 use crate::cli::words;
 use crate::finding::Finding;
@@ -35,6 +34,7 @@ use crate::problem::make::Variant;
 use crate::regrade::rows::Row;
 use crate::regrade::rows::unguarded;
 use crate::set::grading::BASIS;
+use crate::sheet::terminal::plain;
 use crate::units::spell;
 use std::fmt::Write as _;
 

@@ -5,7 +5,6 @@ use crate::cli::args;
 use crate::cli::banks;
 use crate::cli::tell::Exit;
 use crate::cli::tell::Io;
-use crate::cli::tell::plain;
 use crate::cli::words;
 use crate::finding::Finding;
 use crate::grade::diagnose::diagnose;

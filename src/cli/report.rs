@@ -54,7 +54,8 @@ pub const MADE: [&str; 6] =
     ["report.html", "tables", "feedback", "gradebook-canvas.csv", "gradebook-moodle.csv", matches::MATCHES];
 
 /// Tables that a report may have.
-const TABLES: [&str; 10] = [
+const TABLES: [&str; 11] = [
+    "asked",
     "attempts",
     "credit",
     "fairness",

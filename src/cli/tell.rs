@@ -136,57 +136,6 @@ pub fn count(n: usize, one: &str) -> String {
     if n == 1 { format!("1 {one}") } else { format!("{n} {one}s") }
 }
 
-/// Formulas as a terminal can show them.
-pub fn plain(markdown: &str) -> String {
-    let mut out = String::with_capacity(markdown.len());
-    let mut math = false;
-    let mut rest = markdown;
-    const SIGNS: [(&str, &str); 28] = [
-        (r"\ ", " "),
-        (r"\,", " "),
-        (r"{}^\circ", "°"),
-        (r"^\circ", "°"),
-        ("{,}", ","),
-        (r"\mathrm", ""),
-        (r"\frac", ""),
-        ("}{", "/"),
-        (r"\sqrt", "√"),
-        (r"\times", "×"),
-        (r"\cdot", "·"),
-        (r"\sin", "sin"),
-        (r"\cos", "cos"),
-        (r"\tan", "tan"),
-        (r"\rho", "ρ"),
-        (r"\pi", "π"),
-        (r"\le", "≤"),
-        (r"\ge", "≥"),
-        (r"\theta", "θ"),
-        (r"\omega", "ω"),
-        (r"\alpha", "α"),
-        (r"\phi", "φ"),
-        (r"\mu", "μ"),
-        (r"\%", "%"),
-        ("^{2}", "²"),
-        ("^2", "²"),
-        ("{", ""),
-        ("}", ""),
-    ];
-    while let Some(c) = rest.chars().next() {
-        if c == '$' {
-            math = !math;
-            rest = &rest[1..];
-        } else if let Some((tex, sign)) = SIGNS.iter().filter(|_| math).find(|(tex, _)| rest.starts_with(tex))
-        {
-            out.push_str(sign);
-            rest = &rest[tex.len()..];
-        } else {
-            out.push(c);
-            rest = &rest[c.len_utf8()..];
-        }
-    }
-    out
-}
-
 /// Columns that a text takes on a terminal: Chinese, Japanese and Korean signs take two.
 fn wide(text: &str) -> usize {
     let two = |c: &char| matches!(u32::from(*c), 0x1100..=0x115F | 0x2E80..=0xA4CF | 0xAC00..=0xD7A3 | 0xF900..=0xFAFF | 0xFE30..=0xFE6F | 0xFF00..=0xFF60);

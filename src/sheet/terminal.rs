@@ -5,7 +5,7 @@ pub fn plain(markdown: &str) -> String {
     let mut out = String::with_capacity(markdown.len());
     let mut math = false;
     let mut rest = markdown;
-    const SIGNS: [(&str, &str); 25] = [
+    const SIGNS: [(&str, &str); 29] = [
         (r"\ ", " "),
         (r"\,", " "),
         (r"{}^\circ", "°"),
@@ -13,13 +13,17 @@ pub fn plain(markdown: &str) -> String {
         ("{,}", ","),
         (r"\mathrm", ""),
         (r"\frac", ""),
+        ("}{", "/"),
         (r"\sqrt", "√"),
         (r"\times", "×"),
+        (r"\cdot", "·"),
         (r"\sin", "sin "),
         (r"\cos", "cos "),
+        (r"\tan", "tan "),
         (r"\rho", "ρ"),
         (r"\pi", "π"),
-        ("}{", "/"),
+        (r"\le", "≤"),
+        (r"\ge", "≥"),
         (r"\theta", "θ"),
         (r"\omega", "ω"),
         (r"\alpha", "α"),
