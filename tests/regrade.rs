@@ -158,7 +158,7 @@ ROOM/grades: 12 answers that count of 6 students; answers that would become righ
   answers of wrong methods that would pass                     0     0     0     1
   sheets where a wrong method would pass                       0     0     4    11
   warning: at 5 % 1 answer of a known wrong method would be right:
-    1 x A08  Treated the wheel as if it rolled on its rim throughout, in the speeds and in the work of the pull.
+    1 x A08  Treating the wheel as if it rolled on its rim throughout, in the speeds and in the work of the pull.
   Absolute tolerances stay. All answers are graded anew by each: attempts, lateness, follow-through, corrections, totals.
 "#);
     let ran = run(&["what-if", &room.path("grades"), "--tolerance", "2%,x,0"]);
