@@ -101,6 +101,8 @@ fn demo(dir: &Path, io: &mut Io) -> Result<(), Vec<Finding>> {
         ("submissions.csv".to_owned(), "what the class handed in, as messy as it comes"),
         ("grades/answers.csv".to_owned(), "every answer with verdict, points and reason"),
         ("grades/gradebook.csv".to_owned(), "a row for each student"),
+        ("grades/report.html".to_owned(), "the class, for the instructor: open it in a browser"),
+        (format!("grades/feedback/{first}.html"), "what one student gets back"),
     ] {
         io.line(&format!("  {shown}/{path:<34} {what}"));
     }
