@@ -1,5 +1,6 @@
-//! Every family of the banks over a thousand seeds: rules hold, regimes get their shares, answers are sane, keys are sound.
+//! Every family of the banks over a thousand seeds (swings, which are dear, over four hundred): rules hold, regimes get their shares, answers are sane, keys are sound.
 mod support;
+use rayon::prelude::*;
 use slipstick::key::Answer;
 use slipstick::problem::make::Maker;
 use slipstick::problem::make_key;
@@ -9,14 +10,15 @@ use slipstick::scene::Quantity;
 #[test]
 fn banks_are_satisfied_and_sheets_differ() {
     for bank in support::banks() {
-        let sweeps: Vec<_> = bank.problems.iter().map(|p| sweep::sweep(p, 0, 1000, "sweep")).collect();
+        let seeds = if bank.id == "pinned-bodies" { 400 } else { 1000 };
+        let sweeps: Vec<_> = bank.problems.par_iter().map(|p| sweep::sweep(p, 0, seeds, "sweep")).collect();
         for s in &sweeps {
             assert!(s.unsatisfiable.is_none(), "{:?}", s.unsatisfiable);
             assert!(s.unsolved.is_none(), "{}: {:?}", s.problem, s.unsolved);
             for c in &s.cases {
                 // Many draws are lost to wrong methods that lie near a right answer.
                 assert!(c.acceptance() > 0.25, "{} {}: {}", s.problem, c.name, c.acceptance());
-                let share = c.variants as f64 / 1000.0;
+                let share = c.variants as f64 / f64::from(seeds);
                 assert!((share - c.share).abs() < 0.06, "{} {}: {share}", s.problem, c.name);
             }
             for q in &s.questions {
