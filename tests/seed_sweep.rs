@@ -17,7 +17,7 @@ fn banks_are_satisfied_and_sheets_differ() {
             assert!(s.unsolved.is_none(), "{}: {:?}", s.problem, s.unsolved);
             for c in &s.cases {
                 // Many draws are lost to wrong methods that lie near a right answer.
-                assert!(c.acceptance() > 0.25, "{} {}: {}", s.problem, c.name, c.acceptance());
+                assert!(c.acceptance() > 0.2, "{} {}: {}", s.problem, c.name, c.acceptance());
                 let share = c.variants as f64 / f64::from(seeds);
                 assert!((share - c.share).abs() < 0.06, "{} {}: {share}", s.problem, c.name);
             }
