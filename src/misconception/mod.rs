@@ -28,15 +28,33 @@ const SAME: f64 = 1e-9;
 /// Where the wrong methods of a problem come to for these quantities, in the order of the methods, then of the quantities. A
 /// method without a real answer (a wheel that would not move) has no value.
 pub fn values(problem: &Problem, case: usize, data: &[f64], solved: &Solved, labels: &[Label]) -> Vec<Wrong> {
+    values_while(problem, case, data, solved, labels, &mut |_| true)
+}
+
+/// The same, as long as each value that is found is to be followed by others: a method is finished, the next one not begun.
+pub fn values_while(
+    problem: &Problem,
+    case: usize,
+    data: &[f64],
+    solved: &Solved,
+    labels: &[Label],
+    go_on: &mut dyn FnMut(&Wrong) -> bool,
+) -> Vec<Wrong> {
     let mut found = Vec::new();
     let Some(scene) = problem.cases.get(case).map(|c| &c.scene) else { return found };
     for (index, mistake) in problem.mistakes.iter().enumerate() {
         if !mistake.cases.is_empty() && !mistake.cases.contains(&case) {
             continue;
         }
+        let mut more = true;
         one(problem, mistake, (case, scene), data, solved, labels, &mut |label, value| {
-            found.push(Wrong { mistake: index, label, value });
+            let wrong = Wrong { mistake: index, label, value };
+            more &= go_on(&wrong);
+            found.push(wrong);
         });
+        if !more {
+            break;
+        }
     }
     found
 }

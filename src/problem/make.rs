@@ -365,8 +365,8 @@ impl<'p> Maker<'p> {
         let width = questions.len() + 1;
         let mut near = vec![false; self.problem.mistakes.len() * width];
         let mut guarded = None;
-        let all = misconception::values(self.problem, index, data, solved, &labels);
-        for wrong in &all {
+        // The first guarded one refuses the draw; the others are of interest only to who counts them.
+        let all = misconception::values_while(self.problem, index, data, solved, &labels, &mut |wrong| {
             let mistake = &self.problem.mistakes[wrong.mistake];
             for (i, q) in questions.iter().enumerate().filter(|(_, q)| q.label == wrong.label) {
                 let Some(entry) = solved.get(q.label) else { continue };
@@ -382,7 +382,8 @@ impl<'p> Maker<'p> {
                     }
                 }
             }
-        }
+            self.watching || guarded.is_none()
+        });
         if self.watching {
             refusals.told += 1;
             refusals.near.resize(near.len(), 0);
