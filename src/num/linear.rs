@@ -8,6 +8,7 @@
 use crate::num::Real;
 use crate::num::Rough;
 use crate::num::U;
+use crate::num::eliminate::Equations;
 use nalgebra::DMatrix;
 use nalgebra::SMatrix;
 use smallvec::SmallVec;
@@ -32,9 +33,15 @@ pub struct Linear<T> {
 pub struct Solution<T> {
     unknowns: usize,
     x: SmallVec<[T; 8]>,
+    /// The unknowns that the equations leave open; empty where all are determined.
+    open: SmallVec<[bool; 8]>,
 }
 
 impl<T: Real> Solution<T> {
+    /// Do the equations leave unknown `i` open? Its value is then NaN.
+    pub fn is_open(&self, i: usize) -> bool {
+        self.open.get(i).copied().unwrap_or(false)
+    }
     /// Unknown `i` for right-hand side `k`.
     pub fn get(&self, i: usize, k: usize) -> T {
         self.x[k * self.unknowns + i]
@@ -48,6 +55,14 @@ pub struct Singular {
     pub unknowns: usize,
     /// How many of them are determined.
     pub rank: usize,
+}
+
+/// Why elimination alone does not do.
+enum Hard {
+    /// A row is a repetition of others.
+    Repeats,
+    /// The unknowns are too far apart in size.
+    Scaled,
 }
 
 impl<T: Real> Linear<T> {
@@ -69,17 +84,55 @@ impl<T: Real> Linear<T> {
     }
 
     /// Solves for all right-hand sides: by elimination where that leaves residuals of rounding only and all unknowns are
-    /// of like size, else by refinement.
+    /// of like size, else by refinement. Where equations repeat each other, the unknowns that have only one value all the same.
     pub fn solve(&self) -> Result<Solution<T>, Singular> {
+        let whole = |x| Solution { unknowns: self.unknowns, x, open: SmallVec::new() };
         match self.eliminated() {
-            Some(x) => Ok(Solution { unknowns: self.unknowns, x }),
-            None => self.refined(),
+            Ok(x) => Ok(whole(x)),
+            Err(Hard::Scaled) => self.refined().or_else(|singular| self.partly().ok_or(singular)),
+            // Refinement in doubles would settle on one of many solutions.
+            Err(Hard::Repeats) => match self.partly() {
+                Some(solution) => Ok(solution),
+                None => self.refined(),
+            },
         }
+    }
+
+    /// The unknowns that have only one value although equations repeat each other; `None` where they contradict each other.
+    fn partly(&self) -> Option<Solution<T>> {
+        let n = self.unknowns;
+        let mut x = SmallVec::with_capacity(n * self.columns);
+        let mut open: SmallVec<[bool; 8]> = smallvec![false; n];
+        for k in 0..self.columns {
+            let mut equations = Equations::new(n);
+            for r in 0..n {
+                let mut size = T::Rough::zero();
+                let row: &mut [T] = equations.row();
+                for (_, c, v) in self.terms.iter().filter(|(row, ..)| *row == r) {
+                    row[*c] = row[*c] + *v;
+                }
+                for (_, _, v) in self.right.iter().filter(|(row, column, _)| *row == r && *column == k) {
+                    row[n] = row[n] + *v;
+                    size += v.size();
+                }
+                row[n] = row[n].cleared(size);
+            }
+            let reduced = equations.reduce(&[]);
+            if !reduced.repeats() {
+                return None;
+            }
+            for (i, open) in open.iter_mut().enumerate() {
+                let value = reduced.value(i);
+                *open |= value.is_none();
+                x.push(value.unwrap_or_else(|| T::of(f64::NAN)));
+            }
+        }
+        Some(Solution { unknowns: n, x, open })
     }
 
     /// Gaussian elimination with scaled partial pivoting, derivatives by its own factors: `A dx = db - dA x`. Nothing is
     /// allocated up to 5 unknowns and one right-hand side.
-    fn eliminated(&self) -> Option<SmallVec<[T; 8]>> {
+    fn eliminated(&self) -> Result<SmallVec<[T; 8]>, Hard> {
         let (n, m) = (self.unknowns, self.columns);
         let width = n + m;
         let nothing = T::Rough::zero();
@@ -108,7 +161,7 @@ impl<T: Real> Linear<T> {
                     }
                 }
             }
-            order.swap(col, best?.0);
+            order.swap(col, best.ok_or(Hard::Repeats)?.0);
             let pivot = order[col] * width;
             for r in &order[col + 1..] {
                 let row = r * width;
@@ -119,7 +172,10 @@ impl<T: Real> Linear<T> {
                 cells[row + col] = factor;
                 for c in col + 1..width {
                     if !cells[pivot + c].is_zero() {
-                        cells[row + c] = cells[row + c] - factor * cells[pivot + c];
+                        let less = factor * cells[pivot + c];
+                        // A coefficient that is only rounding is no pivot.
+                        let cell = &mut cells[row + c];
+                        *cell = if c < n { cell.balance(-less) } else { *cell - less };
                     }
                 }
             }
@@ -142,11 +198,11 @@ impl<T: Real> Linear<T> {
                 x[col] = if sum.is_zero() { sum } else { sum / cells[row + col] };
             }
             if !like_size(&x) {
-                return None;
+                return Err(Hard::Scaled);
             }
             self.residual(k, &x, &mut residual, &mut size);
             if !residual.iter().zip(&size).all(|(r, s)| r.size() <= settled * *s) {
-                return None;
+                return Err(Hard::Scaled);
             }
             if T::SLOPES == 0 {
                 out.extend(x.iter().map(|v| T::exactly(*v)));
@@ -194,7 +250,7 @@ impl<T: Real> Linear<T> {
                 out.push(T::with_slopes(*v, |i| change[order[col] * slopes + i] / lead));
             }
         }
-        Some(out)
+        Ok(out)
     }
 
     fn refined(&self) -> Result<Solution<T>, Singular> {
@@ -272,7 +328,7 @@ impl<T: Real> Linear<T> {
             }
             self.slopes(k, column, (&inverse, &rows, &cols), &mut out);
         }
-        Ok(Solution { unknowns: n, x: out })
+        Ok(Solution { unknowns: n, x: out, open: SmallVec::new() })
     }
 
     /// Inverse of the matrix with its rows and columns scaled by powers of two, row-major; fills in the scales of the rows.

@@ -245,8 +245,6 @@ pub struct System<'s> {
 
 /// What the judge has to say.
 pub enum Verdict {
-    /// The ties leave nothing free.
-    Nothing,
     /// The motion is not determined: something without inertia is free to move.
     Undetermined,
     /// More freedoms than one, and a spring or a start speed: not for this judge, nor for the program.
@@ -511,9 +509,10 @@ impl<'s> System<'s> {
         let modes = self.modes(&loose);
         let k = modes.len();
         let mut tried: Vec<Vec<f64>> = Vec::new();
-        // Extreme motions: all but one of the freedoms taken by contacts that stay.
+        // Extreme motions: all but one of the freedoms that the contacts could take are taken.
         let subsets = 1usize << sticking.len();
-        for set in 0..subsets {
+        let mut left = 0;
+        for set in (0..subsets).rev() {
             let rows: Vec<Vec<f64>> = sticking
                 .iter()
                 .enumerate()
@@ -521,7 +520,10 @@ impl<'s> System<'s> {
                 .map(|(_, c)| modes.iter().map(|z| inner(&c.row, z)).chain([0.0]).collect())
                 .collect();
             let kernel = reduce(rows, k).kernel(k);
-            if kernel.len() == 1 || set == subsets - 1 {
+            if set == subsets - 1 {
+                left = kernel.len();
+            }
+            if kernel.len() <= left + 1 {
                 tried.extend(kernel);
             }
         }
@@ -603,8 +605,12 @@ impl<'s> System<'s> {
             .map(|c| if c.said == Said::Rolls { Grip::Sticks } else { Grip::Slides(0.0) })
             .collect();
         let freedoms = self.modes(&loose).len();
-        if freedoms == 0 {
-            return Verdict::Nothing;
+        let slips = self.contacts.iter().any(|c| c.said == Said::Slips);
+        if slips && self.springs > 0 {
+            return Verdict::Beyond("a spring where something slips");
+        }
+        if slips && !s.start.is_empty() {
+            return Verdict::Beyond("a speed where something slips");
         }
         if self.springs > 1 {
             return Verdict::Beyond("two springs");
@@ -615,6 +621,8 @@ impl<'s> System<'s> {
         let (v0, started) = match s.start.first() {
             None => (vec![0.0; self.cols()], false),
             Some(_) if freedoms > 1 => return Verdict::Beyond("a speed with two freedoms"),
+            Some((.., v)) if freedoms == 0 && v.si != 0.0 => return Verdict::Contradiction,
+            Some(_) if freedoms == 0 => (vec![0.0; self.cols()], false),
             Some((body, spin, v)) => {
                 let mode = self.modes(&loose).remove(0);
                 let ratio = inner(&self.moving(*body, *spin), &mode);
@@ -801,8 +809,10 @@ impl<'s> System<'s> {
             if turns_at.is_some() { stretch_at(last_place) } else { 0.0 }
         } else if arrived {
             stretch_at(at)
+        } else if turns_at.is_some() {
+            stretch_at(last_place)
         } else {
-            tension
+            0.0
         };
         let end = self.instant(grips, last).expect("as before");
         let over: [&Instant; 2] = [&now, &end];
@@ -902,7 +912,7 @@ impl<'s> System<'s> {
         if let Some((_, row, ks, _, rigid)) = &self.spring {
             // Where nothing accelerates, sliding friction left out.
             let mode = self.modes(&self.contacts.iter().map(|c| if c.said == Said::Rolls { Grip::Sticks } else { Grip::Slides(0.0) }).collect::<Vec<_>>());
-            let gamma = inner(row, &mode[0]);
+            let gamma = mode.first().map_or(0.0, |m| inner(row, m));
             if gamma.abs() > NOTHING {
                 let without: f64 = inner(&mode[0], &self.force);
                 let x = -without / (gamma * ks);
