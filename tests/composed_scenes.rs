@@ -18,7 +18,7 @@ mod composed;
 #[path = "support/lagrange.rs"]
 mod lagrange;
 
-use composed::{Event, scene, yaml};
+use composed::{Event, nudged, scene, yaml};
 use lagrange::{Owner, System, Told, Verdict};
 use slipstick::bank::decimal::Decimal;
 use slipstick::bank::load;
@@ -73,8 +73,11 @@ fn judge(seed: u64) -> Result<Outcome, String> {
     let mut solved = match solve(&case.scene, &data) {
         Ok(solved) => solved,
         Err(Refusal::Singular { .. }) => {
+            // Ties that hold more or less than others only because two data are equal by chance.
+            let chance = System::new(&nudged(seed)).rank() != System::new(&s).rank();
             return match verdict {
-                Verdict::Undetermined => Ok(Outcome::Refused("singular".into())),
+                Verdict::Undetermined => Ok(Outcome::Refused("motion not determined".into())),
+                _ if chance => Ok(Outcome::Refused("not determined but for equal data".into())),
                 _ => Err("the equations are said not to determine it".into()),
             };
         }

@@ -364,6 +364,9 @@ pub fn refusal(problem: &Problem, scene: &Scene, refusal: &Refusal) -> Vec<Strin
                 "a body that slips starts from rest, or is thrown alone with its speed and its spin both given"
                     .to_owned()
             }
+            Unsupported::SlipShared => {
+                "a contact is said to slip where other ties hold it, too: what friction it would need is open".to_owned()
+            }
             Unsupported::SlidesInTurn => {
                 "of the bodies that slide here one stays or moves on account of what another does; that is not solved"
                     .to_owned()

@@ -142,7 +142,12 @@ impl<T: Real> Reduced<T> {
     pub fn value(&self, j: usize) -> Option<T> {
         let row = self.pivot[j]?;
         let alone = self.open().into_iter().all(|open| self.cell(row, open).is_zero());
-        alone.then(|| self.cell(row, self.equations.cols))
+        alone.then(|| self.right(row))
+    }
+    /// Right-hand side of a row, nothing where it is nothing beside the terms that made it.
+    fn right(&self, row: usize) -> T {
+        let value = self.cell(row, self.equations.cols);
+        self.equations.sizes[row].map_or(value, |size| value.cleared(size))
     }
     /// How many equations say something of their own.
     pub fn rank(&self) -> usize {
@@ -153,16 +158,14 @@ impl<T: Real> Reduced<T> {
     pub fn repeats(&self) -> bool {
         let width = self.equations.cols + 1;
         let rows = self.equations.cells.chunks_exact(width).zip(&self.scales).enumerate();
-        rows.filter(|(i, _)| !self.pivot.contains(&Some(*i))).all(|(_, (row, scale))| {
-            let (right, left) = (row[self.equations.cols], &row[..self.equations.cols]);
+        rows.filter(|(i, _)| !self.pivot.contains(&Some(*i))).all(|(i, (row, scale))| {
             let moves = |v: &T| (0..T::SLOPES).any(|s| v.slope(s).abs() > T::Rough::of(BY_CHANCE) * *scale);
-            right.is_zero() && !left.iter().any(moves)
+            self.right(i).is_zero() && !row[..self.equations.cols].iter().any(moves)
         })
     }
     /// The solution for the right-hand sides, if no unknown is open.
     pub fn solution(&self) -> Option<SmallVec<[T; 4]>> {
-        let cols = self.equations.cols;
-        self.pivot.iter().map(|p| p.map(|row| self.cell(row, cols))).collect()
+        self.pivot.iter().map(|p| p.map(|row| self.right(row))).collect()
     }
 }
 

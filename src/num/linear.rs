@@ -89,17 +89,15 @@ impl<T: Real> Linear<T> {
         let whole = |x| Solution { unknowns: self.unknowns, x, open: SmallVec::new() };
         match self.eliminated() {
             Ok(x) => Ok(whole(x)),
-            Err(Hard::Scaled) => self.refined().or_else(|singular| self.partly().ok_or(singular)),
+            Err(Hard::Scaled) => self.refined().or_else(|singular| self.partly().map_err(|_| singular)),
             // Refinement in doubles would settle on one of many solutions.
-            Err(Hard::Repeats) => match self.partly() {
-                Some(solution) => Ok(solution),
-                None => self.refined(),
-            },
+            Err(Hard::Repeats) => self.partly(),
         }
     }
 
-    /// The unknowns that have only one value although equations repeat each other; `None` where they contradict each other.
-    fn partly(&self) -> Option<Solution<T>> {
+    /// The unknowns that have only one value although equations repeat each other. Errors: they contradict each other, or it takes
+    /// equal data to make one the repetition of others.
+    fn partly(&self) -> Result<Solution<T>, Singular> {
         let n = self.unknowns;
         let mut x = SmallVec::with_capacity(n * self.columns);
         let mut open: SmallVec<[bool; 8]> = smallvec![false; n];
@@ -116,10 +114,11 @@ impl<T: Real> Linear<T> {
                     size += v.size();
                 }
                 row[n] = row[n].cleared(size);
+                equations.sized(size);
             }
             let reduced = equations.reduce(&[]);
             if !reduced.repeats() {
-                return None;
+                return Err(Singular { unknowns: n, rank: reduced.rank() });
             }
             for (i, open) in open.iter_mut().enumerate() {
                 let value = reduced.value(i);
@@ -127,7 +126,7 @@ impl<T: Real> Linear<T> {
                 x.push(value.unwrap_or_else(|| T::of(f64::NAN)));
             }
         }
-        Some(Solution { unknowns: n, x, open })
+        Ok(Solution { unknowns: n, x, open })
     }
 
     /// Gaussian elimination with scaled partial pivoting, derivatives by its own factors: `A dx = db - dA x`. Nothing is

@@ -327,6 +327,8 @@ pub enum Unsupported {
     SpringWithSlip,
     /// A start speed where something slips, unless it is thrown alone.
     SpeedWithSlip,
+    /// A contact is said to slip, and the ties share the friction that it would need to roll.
+    SlipShared,
     /// Bodies that slide and could stay, one on account of what another does.
     SlidesInTurn,
     /// A body thrown with slip beside other bodies or cords.

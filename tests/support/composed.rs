@@ -511,6 +511,23 @@ fn constructs(s: &Scene) -> Vec<&'static str> {
     list
 }
 
+/// The same with every datum a little off, each by its own share: data that are equal by chance are so no more.
+pub fn nudged(seed: u64) -> Scene {
+    let mut s = scene(seed);
+    let nudge = |a: &mut Amount| {
+        if let Some(n) = a.symbol.as_ref().and_then(|x| x[1..].parse::<u32>().ok()) {
+            a.si *= 1.0 + 1e-3 * f64::from(n * n % 31 + 1).sqrt();
+        }
+    };
+    for b in &mut s.bodies {
+        if let Spread::Shape(_, r) = &mut b.spread {
+            nudge(r);
+        }
+        b.radii.iter_mut().for_each(|(_, r)| nudge(r));
+    }
+    s
+}
+
 /// The scene as the text of a bank.
 pub fn yaml(s: &Scene) -> String {
     let mut data: Vec<&Amount> = Vec::new();

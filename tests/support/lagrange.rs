@@ -212,6 +212,12 @@ struct Contact {
     said: Said,
 }
 
+impl Contact {
+    fn loose(&self) -> Grip {
+        if self.said == Said::Rolls { Grip::Sticks } else { Grip::Slides(0.0) }
+    }
+}
+
 #[derive(Clone, Copy, PartialEq)]
 enum Said {
     Rolls,
@@ -384,6 +390,13 @@ impl<'s> System<'s> {
         self.mass.len()
     }
 
+    /// How many motions the ties leave, contacts with friction loose, and fast.
+    pub fn rank(&self) -> [usize; 2] {
+        let loose: Vec<Grip> = self.contacts.iter().map(Contact::loose).collect();
+        let fast = vec![Grip::Sticks; self.contacts.len()];
+        [self.modes(&loose).len(), self.modes(&fast).len()]
+    }
+
     /// Rows that hold with these grips.
     fn holding(&self, grips: &[Grip]) -> Vec<(Option<usize>, &[f64])> {
         let mut rows: Vec<(Option<usize>, &[f64])> = self.rows.iter().map(|(t, r)| (*t, r.as_slice())).collect();
@@ -533,7 +546,8 @@ impl<'s> System<'s> {
                 motion.iter_mut().zip(z).for_each(|(m, z)| *m += share * z);
             }
             let work = inner(&motion, &surplus).abs();
-            let terms: f64 = motion.iter().zip(&surplus).map(|(m, s)| (m * s).abs()).sum();
+            let size = |i: usize| force[i].abs() + (self.mass[i] * now.a[i]).abs();
+            let terms: f64 = motion.iter().enumerate().map(|(i, m)| m.abs() * size(i)).sum();
             let most: f64 =
                 sticking.iter().map(|c| (inner(&c.row, &motion) * c.mu_s.unwrap_or(0.0) * c.normal).abs()).sum();
             if work > most + 1e-11 * (terms + most) {
@@ -599,11 +613,7 @@ impl<'s> System<'s> {
     pub fn judge(&self) -> Verdict {
         let s = self.s;
         let all: Vec<Grip> = vec![Grip::Sticks; self.contacts.len()];
-        let loose: Vec<Grip> = self
-            .contacts
-            .iter()
-            .map(|c| if c.said == Said::Rolls { Grip::Sticks } else { Grip::Slides(0.0) })
-            .collect();
+        let loose: Vec<Grip> = self.contacts.iter().map(Contact::loose).collect();
         let freedoms = self.modes(&loose).len();
         let slips = self.contacts.iter().any(|c| c.said == Said::Slips);
         if slips && self.springs > 0 {
@@ -911,7 +921,7 @@ impl<'s> System<'s> {
         }
         if let Some((_, row, ks, _, rigid)) = &self.spring {
             // Where nothing accelerates, sliding friction left out.
-            let mode = self.modes(&self.contacts.iter().map(|c| if c.said == Said::Rolls { Grip::Sticks } else { Grip::Slides(0.0) }).collect::<Vec<_>>());
+            let mode = self.modes(&self.contacts.iter().map(Contact::loose).collect::<Vec<_>>());
             let gamma = mode.first().map_or(0.0, |m| inner(row, m));
             if gamma.abs() > NOTHING {
                 let without: f64 = inner(&mode[0], &self.force);

@@ -150,8 +150,8 @@ fn drive<T: Real>(
         if let Some(end) = &pull {
             add(spring_tension * a.point(n, end));
         }
-        let power = power.cleared(size);
-        row[m] = power;
+        row[m] = power.cleared(size);
+        rows.sized(size);
     }
     let rates = rows.reduce(&[]).solution().unwrap_or_else(|| smallvec![T::of(f64::NAN); m]);
     combine(scene.bodies.len(), modes, &rates)

@@ -181,6 +181,9 @@ impl<'a, T: Real> Walk<'a, T> {
         let mut rolled: Rolled<T> = Rolled::new();
         if !slipping.is_empty() {
             // Kinetic friction has the sense that static friction would have, the other contacts as declared.
+            if slipping.iter().any(|t| response.is_open(*t)) {
+                return Err(Refusal::Unsupported(Unsupported::SlipShared));
+            }
             for t in &slipping {
                 setting.friction_sense[*t] = response.reaction(*t, CONSTANT).sign();
             }
@@ -692,6 +695,8 @@ impl<'a, T: Real> Walk<'a, T> {
                     self.say_scaled(Quantity::SlipDistance, Owner::Body(*body), slip, scale);
                     heat = Some(heat.unwrap_or_else(T::zero) + self.friction(t, tension).abs() * slip);
                 }
+                // What the ties hold produces no heat, whatever its friction.
+                Tie::Slide { .. } if self.response.is_open(t) => heat = heat.or(Some(T::zero())),
                 Tie::Slide { body, .. } => {
                     let path = self.along(*body).map_or_else(T::zero, |c| self.ratio(c)).abs() * s;
                     heat = Some(heat.unwrap_or_else(T::zero) + self.friction(t, tension).abs() * path);
