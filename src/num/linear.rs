@@ -310,6 +310,7 @@ impl<T: Real> Linear<T> {
                 self.cancel(k, column, &inverse, &rows, &cols);
             }
             self.cancel(k, column, &inverse, &rows, &cols);
+            self.vanish(k, column);
             // Where unknowns cancel to their last bits the residual stays a little above rounding.
             settled |= residual.iter().zip(&size).all(|(r, s)| r.negligible(*s));
             if !settled || column.iter().any(|v| !v.is_finite()) {
@@ -417,6 +418,32 @@ impl<T: Real> Linear<T> {
             if x.negligible((natural * cols[i]).abs()) {
                 *x = T::Plain::zero();
             }
+        }
+    }
+
+    /// Sets to 0 all unknowns together that no equation would miss: beside the other terms of each of its equations such an
+    /// unknown is rounding, or all other terms of the equation are such unknowns too.
+    fn vanish(&self, k: usize, x: &mut [T::Plain]) {
+        let mut noise: SmallVec<[bool; 12]> = x.iter().map(|v| !v.is_zero()).collect();
+        let mut others: SmallVec<[T::Rough; 6]> = smallvec![T::Rough::zero(); self.unknowns];
+        loop {
+            others.fill(T::Rough::zero());
+            for (r, _, v) in self.right.iter().filter(|(_, column, _)| *column == k) {
+                others[*r] += v.size();
+            }
+            for (r, c, v) in self.terms.iter().filter(|(_, c, _)| !noise[*c]) {
+                others[*r] += (v.plain() * x[*c]).size();
+            }
+            let before = noise.clone();
+            for (r, c, v) in self.terms.iter().filter(|(r, c, _)| before[*c] && !others[*r].is_zero()) {
+                noise[*c] &= (v.plain() * x[*c]).negligible(others[*r]);
+            }
+            if noise == before {
+                break;
+            }
+        }
+        for (v, _) in x.iter_mut().zip(&noise).filter(|(_, noise)| **noise) {
+            *v = T::Plain::zero();
         }
     }
 
@@ -591,6 +618,31 @@ mod tests {
         let x = l.solve().unwrap();
         assert!((x.get(0, 0).cond() - 2.0).abs() < 1e-14);
         assert!((x.get(1, 0).cond() - 3.0).abs() < 1e-14);
+    }
+    /// Two unknowns that only name each other and are 0 kept their rounding: nothing of the right-hand side was in them.
+    #[test]
+    fn what_is_only_rounding_is_zero() {
+        // a - c w = 0, m a - F = 0, I w + c F = 0, and beside them T = 5: a = w = F = 0.
+        let third = Dd::new(1.0) / Dd::new(3.0);
+        let mut l = Linear::<Dd>::new(4, 1);
+        l.term(0, 0, Dd::ONE);
+        l.term(0, 1, -third);
+        l.term(1, 0, Dd::new(7.0));
+        l.term(1, 2, -Dd::ONE);
+        l.term(2, 1, Dd::new(0.3));
+        l.term(2, 2, third);
+        l.term(3, 3, third);
+        l.right(3, 0, Dd::new(5.0));
+        let mut x = [1e-32, 3e-32, 7e-32, 15.0].map(Dd::new);
+        l.vanish(0, &mut x);
+        assert_eq!(x.map(|v| v.hi), [0.0, 0.0, 0.0, 15.0]);
+        // A tiny acceleration of a large mass is none.
+        let mut l = Linear::<Dd>::new(1, 1);
+        l.term(0, 0, Dd::new(1e35));
+        l.right(0, 0, Dd::new(1e3));
+        let mut x = [Dd::new(1e-32)];
+        l.vanish(0, &mut x);
+        assert_eq!(x[0].hi, 1e-32);
     }
     #[test]
     fn a_singular_system_says_so() {

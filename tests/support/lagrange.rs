@@ -844,9 +844,9 @@ impl<'s> System<'s> {
             }
             let slip = inner(&c.row, &q) * at;
             if c.said != Said::Rolls && arrived {
-                if let Some(force) = there.reactions[c.tie] {
-                    heat = Some(heat.unwrap_or(0.0) + (force * slip).abs());
-                }
+                // What does not slip makes no heat, whatever holds it.
+                let force = if slip == 0.0 { Some(0.0) } else { there.reactions[c.tie] };
+                heat = force.map(|f| heat.unwrap_or(0.0) + (f * slip).abs());
             }
             if c.said == Said::Slips && arrived {
                 say("slip_distance", own, slip.abs(), at);
