@@ -20,6 +20,7 @@ mod lagrange;
 
 use composed::{Event, nudged, scene, yaml};
 use lagrange::{Owner, System, Told, Verdict};
+use rayon::prelude::*;
 use slipstick::bank::decimal::Decimal;
 use slipstick::bank::load;
 use slipstick::draw::fill;
@@ -70,13 +71,14 @@ fn judge(seed: u64) -> Result<Outcome, String> {
             _ => panic!("every datum is given"),
         })
         .collect();
+    // Ties that hold more or less than others only because two data are equal by chance.
+    let chance = System::new(&nudged(seed)).rank() != System::new(&s).rank();
     let mut solved = match solve(&case.scene, &data) {
         Ok(solved) => solved,
         Err(Refusal::Singular { .. }) => {
-            // Ties that hold more or less than others only because two data are equal by chance.
-            let chance = System::new(&nudged(seed)).rank() != System::new(&s).rank();
             return match verdict {
                 Verdict::Undetermined => Ok(Outcome::Refused("motion not determined".into())),
+                _ if System::new(&s).massless() => Ok(Outcome::Refused("motion not determined".into())),
                 _ if chance => Ok(Outcome::Refused("not determined but for equal data".into())),
                 _ => Err("the equations are said not to determine it".into()),
             };
@@ -84,6 +86,7 @@ fn judge(seed: u64) -> Result<Outcome, String> {
         Err(Refusal::Unsupported(Unsupported::StartHeld)) => {
             return match verdict {
                 Verdict::Contradiction => Ok(Outcome::Refused("start of what is held".into())),
+                _ if chance => Ok(Outcome::Refused("not determined but for equal data".into())),
                 _ => Err("its start is said to contradict the ties".into()),
             };
         }
@@ -202,9 +205,11 @@ fn composed_scenes_agree_with_lagrange_or_are_refused_by_name() {
     let mut constructs: BTreeMap<&str, (u32, u32)> = BTreeMap::new();
     let mut faults = Vec::new();
     let from: u64 = std::env::var("SLIPSTICK_FIRST").ok().and_then(|n| n.parse().ok()).unwrap_or(0);
-    for seed in from..from + seeds() {
-        let outcome = std::panic::catch_unwind(|| judge(seed));
-        let outcome = outcome.unwrap_or_else(|_| Err("panics".into()));
+    let judged: Vec<_> = (from..from + seeds())
+        .into_par_iter()
+        .map(|seed| (seed, std::panic::catch_unwind(|| judge(seed)).unwrap_or_else(|_| Err("panics".into()))))
+        .collect();
+    for (seed, outcome) in judged {
         let published = matches!(outcome, Ok(Outcome::Published));
         for c in scene(seed).constructs {
             let (all, good) = constructs.entry(c).or_default();
