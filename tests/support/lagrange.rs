@@ -276,6 +276,10 @@ pub struct Told {
     pub rests: bool,
     /// Sense of the ending coordinate, forward.
     pub sense: f64,
+    /// The word for it.
+    pub direction: &'static str,
+    /// Does it go where the scene says?
+    pub as_said: bool,
     /// Is the end reached? And is that a matter of rounding?
     pub reached: bool,
     pub near_reach: bool,
@@ -619,6 +623,19 @@ impl<'s> System<'s> {
         }
     }
 
+    /// Friction of the only contact at the start, up the incline, if the wheel had this radius of gyration.
+    pub fn friction_with(s: &Scene, k: f64) -> Option<f64> {
+        let mut other = s.clone();
+        if let Spread::Gyration(own) = &mut other.bodies[0].spread {
+            own.si = k;
+        }
+        let system = System::new(&other);
+        let now = system.instant(&vec![Grip::Sticks; system.contacts.len()], 0.0)?;
+        let contact = system.contacts.first()?;
+        let f = &system.frames[contact.body];
+        now.reactions[contact.tie].map(|r| r * dot(f.forward, f.up))
+    }
+
     pub fn judge(&self) -> Verdict {
         let s = self.s;
         let all: Vec<Grip> = vec![Grip::Sticks; self.contacts.len()];
@@ -745,6 +762,15 @@ impl<'s> System<'s> {
                 Event::TurningPoint => turns_at,
                 Event::AtOnce => None,
             }
+        };
+        told.as_said = moves && !wrong_way;
+        let f = &self.frames[s.of];
+        let level = matches!(s.bodies[s.of].way, Way::Along(i) if s.surfaces[i].slope.is_none() && !s.surfaces[i].vertical);
+        told.direction = match (told.sense, f.line && !level) {
+            (0.0, _) => "stays",
+            (sense, true) => if sense * dot(f.forward, f.up) > 0.0 { "up" } else { "down" },
+            // On a level up is to the right, whichever way is forward.
+            (sense, false) => if sense * dot(f.forward, f.up) > 0.0 { "forward" } else { "back" },
         };
         told.reached = time.is_some();
         told.near_reach = match s.event {
