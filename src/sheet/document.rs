@@ -1,5 +1,6 @@
 //! A text with its pictures: Markdown with `$...$` formulas is the single source of every format.
 use crate::figure::picture::Picture;
+use crate::figure::svg::Screen;
 
 /// A text with its pictures.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -38,6 +39,11 @@ impl Document {
     /// The picture of this name.
     pub fn picture(&self, name: &str) -> Option<&Picture> {
         self.pictures.iter().find(|(n, _)| n == name).map(|(_, picture)| picture)
+    }
+
+    /// The pictures as they stand on a screen: made once, shown in the page, in the booklet and as files.
+    pub fn screens(&self) -> Vec<(&str, Screen<'_>)> {
+        self.pictures.iter().map(|(name, picture)| (name.as_str(), Screen::new(picture))).collect()
     }
 }
 

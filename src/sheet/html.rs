@@ -1,8 +1,7 @@
 //! Markdown with math and pictures to HTML with MathML and inline SVG. The Markdown text is the only source.
-use crate::figure::svg;
+use crate::figure::svg::Screen;
 use crate::finding::Finding;
 use crate::sheet::document::ANSWER;
-use crate::sheet::document::Document;
 use crate::sheet::document::Head;
 use crate::sheet::document::kept_together;
 use crate::template;
@@ -55,18 +54,18 @@ impl<'w> Converter<'w> {
     }
 
     /// The body of a page.
-    pub fn body(&mut self, document: &Document, place: Place) -> String {
-        let mut out = String::with_capacity(document.markdown.len() * 6);
+    pub fn body(&mut self, markdown: &str, screens: &[(&str, Screen)], place: Place) -> String {
+        let mut out = String::with_capacity(markdown.len() * 6);
         let mut walk =
             Walk { tables: 0, formulas: 0, columns: Vec::new(), cell: 0, in_head: false, in_code: false };
-        let mut events = Parser::new_ext(&document.markdown, MARKDOWN).peekable();
+        let mut events = Parser::new_ext(markdown, MARKDOWN).peekable();
         let mut ready: Vec<Event> = Vec::new();
         while let Some(event) = events.next() {
             // A paragraph that holds nothing but a picture becomes that picture.
             if event == Event::Start(Tag::Paragraph)
                 && let Some(Event::Start(Tag::Image { dest_url, .. })) = events.peek()
                 && let Some(name) = dest_url.strip_suffix(".svg").map(str::to_owned)
-                && let Some(picture) = document.picture(&name)
+                && let Some((_, screen)) = screens.iter().find(|(n, _)| *n == name)
             {
                 for skipped in events.by_ref() {
                     if skipped == Event::End(TagEnd::Paragraph) {
@@ -74,7 +73,7 @@ impl<'w> Converter<'w> {
                     }
                 }
                 let id = format!("{}{name}", place.prefix);
-                let figure = format!("<figure>{}</figure>\n", svg::inline(picture, &id).trim_end());
+                let figure = format!("<figure>{}</figure>\n", screen.inline(&id).trim_end());
                 ready.push(Event::Html(figure.into()));
                 continue;
             }
