@@ -277,8 +277,13 @@ impl Templates {
     /// A name that the view does not hold, with file, line and column.
     pub fn render(&self, name: &str, view: &View, out: &mut Vec<u8>) -> Result<(), Finding> {
         metered::begin(view.size);
+        let from = out.len();
         let writer = metered::Writer(out);
-        self.engine(name).render_to(name, &view.context, writer).map_err(|e| self.fault(&e, name))
+        self.engine(name).render_to(name, &view.context, writer).map_err(|e| self.fault(&e, name))?;
+        if name.ends_with(".html") {
+            close_to_outside(out, from);
+        }
+        Ok(())
     }
 
     /// The file that stands in the place of a built-in template, or adds one.
@@ -315,6 +320,25 @@ impl Templates {
         name.clone_into(&mut fault.field);
         fault.at(*line, *column).in_file(file)
     }
+}
+
+/// What a page may fetch and run: nothing but its own styles, and pictures within it.
+pub const CONTENT_SECURITY_POLICY: &str = "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; \
+     style-src 'unsafe-inline'; img-src data:; base-uri 'none'; form-action 'none'\">";
+
+/// Puts the policy at the head of the page that begins here, whoever wrote its template.
+fn close_to_outside(page: &mut Vec<u8>, from: usize) {
+    let text = String::from_utf8_lossy(page.get(from..).unwrap_or_default());
+    let lower: String = text.chars().take(2000).map(|c| c.to_ascii_lowercase()).collect();
+    let after = |tag: &str| lower.find(tag).and_then(|at| lower[at..].find('>').map(|end| at + end + 1));
+    let at = from
+        + after("<head>")
+            .or_else(|| after("<head "))
+            .or_else(|| after("<html"))
+            .or_else(|| after("<!doctype"))
+            .unwrap_or(0);
+    let line = format!("\n{CONTENT_SECURITY_POLICY}");
+    page.splice(at..at, line.bytes());
 }
 
 /// An engine with the filters and functions that templates have.

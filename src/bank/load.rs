@@ -27,7 +27,9 @@ fn read(text: &str, file: &str, variables: Option<Variables>) -> Result<Bank, Ve
     match read {
         Some(mut bank) if faults.is_empty() => {
             bank.hash = hash(text);
-            bank.places = texts(&tree).map(|(field, node)| (field, (file.to_owned(), node.line, node.column))).collect();
+            bank.places = texts(&tree)
+                .map(|(field, node)| (field, (file.to_owned(), node.line, node.column)))
+                .collect();
             Ok(bank)
         }
         _ => {
@@ -47,7 +49,9 @@ pub fn texts(tree: &Node) -> impl Iterator<Item = (String, &Node)> {
             _ => &[],
         }
     }
-    let field = |node, name: &'static str| fields(node).iter().filter(move |(k, _)| k.text() == Some(name)).map(|(_, v)| v);
+    let field = |node, name: &'static str| {
+        fields(node).iter().filter(move |(k, _)| k.text() == Some(name)).map(|(_, v)| v)
+    };
     let problems = field(tree, "problems").flat_map(fields).map(|(_, problem)| problem);
     problems.flat_map(move |problem| {
         let statements = field(problem, "statement").map(|node| (node.path.clone(), node));

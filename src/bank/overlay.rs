@@ -49,7 +49,8 @@ pub fn put_over(
         }
     }
     for (field, node) in load::texts(&tree) {
-        let mut now = bank.problems.iter().flat_map(|p| p.statement.iter().chain(p.questions.iter().map(|q| &q.ask)));
+        let mut now =
+            bank.problems.iter().flat_map(|p| p.statement.iter().chain(p.questions.iter().map(|q| &q.ask)));
         if now.any(|text| node.text().is_some_and(|t| t.trim() == text)) {
             bank.places.insert(field, (file.to_owned(), node.line, node.column));
         }

@@ -104,7 +104,16 @@ pub fn bank(node: &Node, variables: Option<Variables>, faults: &Faults) -> Optio
             }
         }
     }
-    Some(Bank { id: id?, title: title?, problems, self_check, reveal, grading, hash: String::new(), places: BTreeMap::new() })
+    Some(Bank {
+        id: id?,
+        title: title?,
+        problems,
+        self_check,
+        reveal,
+        grading,
+        hash: String::new(),
+        places: BTreeMap::new(),
+    })
 }
 
 const FIGURE_LABELS: [(&str, FigureLabels); 3] =

@@ -352,7 +352,7 @@ fn book<'m>(marks: &'m Marks, set: &str) -> (String, f64, Vec<Line<'m>>) {
 
 /// Markdown of one line to HTML without the paragraph around it.
 fn inline(converter: &mut Converter, markdown: &str) -> String {
-    let document = Document { markdown: markdown.to_owned(), pictures: Vec::new() };
+    let document = Document::new(markdown.to_owned(), Vec::new());
     let html = converter.body(&document, Place { lower: 0, prefix: "" });
     let html = html.trim();
     let inner = html.strip_prefix("<p>").and_then(|h| h.strip_suffix("</p>"));

@@ -187,7 +187,8 @@ fn replace(value: StringInput, kwargs: Kwargs, state: &State) -> TeraResult<Valu
 fn join(items: &[Value], kwargs: Kwargs, state: &State) -> TeraResult<Value> {
     let between = kwargs.get::<StringInput>("sep")?;
     let safe = state.autoescaping_enabled()
-        && (items.iter().any(|x| x.is_string() && x.is_safe()) || between.as_ref().is_some_and(StringInput::is_safe));
+        && (items.iter().any(|x| x.is_string() && x.is_safe())
+            || between.as_ref().is_some_and(StringInput::is_safe));
     let separator = match &between {
         Some(text) if safe => text.rendered(state)?.into_owned(),
         Some(text) => text.as_str().to_owned(),
@@ -372,7 +373,9 @@ pub fn metered(text: &str) -> Result<Option<Metered>, Finding> {
                 }
                 Token::Sign('[' | '{') => {
                     let follows = match before {
-                        Some(Token::Word(w)) => !matches!(w, "in" | "and" | "or" | "not" | "if" | "else" | "is"),
+                        Some(Token::Word(w)) => {
+                            !matches!(w, "in" | "and" | "or" | "not" | "if" | "else" | "is")
+                        }
                         Some(Token::Plain) => true,
                         Some(Token::Sign(sign)) => matches!(sign, ')' | ']' | '}' | '?'),
                         None => false,
@@ -453,7 +456,8 @@ fn tags(text: &str) -> Vec<Tag<'_>> {
 fn after_raw(text: &str, at: usize) -> Option<usize> {
     let tag = |at: usize, name: &str| {
         let rest = text.get(at + 2..)?;
-        let rest = rest.strip_prefix('-').unwrap_or(rest).trim_start_matches(|c: char| c.is_ascii_whitespace());
+        let rest =
+            rest.strip_prefix('-').unwrap_or(rest).trim_start_matches(|c: char| c.is_ascii_whitespace());
         let rest = rest.strip_prefix(name)?.trim_start_matches(|c: char| c.is_ascii_whitespace());
         let rest = rest.strip_prefix('-').unwrap_or(rest).strip_prefix("%}")?;
         Some(text.len() - rest.len())
