@@ -192,8 +192,7 @@ fn sweep(students: u32) {
             sound(language, &document.markdown);
             assert!(!document.plain().contains("<!--"));
             let mut converter = Converter::new(&told.words);
-            let body =
-                converter.body(&document.markdown, &document.screens(), Place { lower: 0, prefix: "" });
+            let body = converter.body(document, &document.screens(), Place { lower: 0, prefix: "" });
             let page = html::page(&told.templates, &told.words, "sheet", head, &body).expect("renders");
             valid(language, &String::from_utf8(page).expect("text"));
             for (name, picture) in &document.pictures {
@@ -247,7 +246,7 @@ fn sweep_solutions(students: u32) {
             }
             assert_eq!(html::faulty_formulas(&document.markdown), Vec::<String>::new());
             let body = Converter::new(&told.words).body(
-                &document.markdown,
+                &document,
                 &document.screens(),
                 Place { lower: 0, prefix: "" },
             );
@@ -282,7 +281,7 @@ fn booklets_are_valid_pages() {
                 if other.bank.id == told.bank.id {
                     let prefix = format!("{}-", html::part_id(parts.len()));
                     let body = Converter::new(&told.words).body(
-                        &document.markdown,
+                        &document,
                         &document.screens(),
                         Place { lower: 1, prefix: &prefix },
                     );

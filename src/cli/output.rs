@@ -110,10 +110,9 @@ impl<'o> Output<'o> {
                     document.plain().into_bytes()
                 }
                 Format::Html => {
-                    let body = converter.body(&document.markdown, &screens, Place { lower: 0, prefix: "" });
+                    let body = converter.body(&document, &screens, Place { lower: 0, prefix: "" });
                     let prefix = format!("{}-", html::part_id(at));
-                    made.html =
-                        converter.body(&document.markdown, &screens, Place { lower: 1, prefix: &prefix });
+                    made.html = converter.body(&document, &screens, Place { lower: 1, prefix: &prefix });
                     html::page(&self.texts.templates, &self.texts.words, self.name, &made.head, &body)?
                 }
                 Format::Tex => {
@@ -177,7 +176,7 @@ impl<'o> Output<'o> {
         if self.wants(Format::Pdf) {
             files.push(("key-table.pdf", self.pressed(&[(&head, &document)])?));
         }
-        let body = Converter::new(words).body(&document.markdown, &[], Place { lower: 0, prefix: "" });
+        let body = Converter::new(words).body(&document, &[], Place { lower: 0, prefix: "" });
         files.push(("key-table.html", html::page(templates, words, "key", &head, &body)?));
         Ok(files)
     }

@@ -36,6 +36,7 @@ use crate::report::table;
 use crate::set::grading::BASIS;
 use crate::set::grading::Grading;
 use crate::set::store::StoredSet;
+use crate::sheet::document::Document;
 use crate::sheet::html;
 use crate::sheet::html::Converter;
 use crate::sheet::html::Place;
@@ -289,7 +290,7 @@ pub fn make(graded: &Path, out: &Path, own: &Own, threads: Option<usize>) -> Res
             let mut converter = Converter::new(&texts.words);
             for student in some {
                 let (head, document) = desk.document(*student).map_err(one)?;
-                let body = converter.body(&document.markdown, &[], Place { lower: 0, prefix: "" });
+                let body = converter.body(&document, &[], Place { lower: 0, prefix: "" });
                 let page =
                     html::page(&texts.templates, &texts.words, "feedback", &head, &body).map_err(one)?;
                 let name = &marks.class.students[*student].folder;
@@ -351,7 +352,8 @@ fn book<'m>(marks: &'m Marks, set: &str) -> (String, f64, Vec<Line<'m>>) {
 
 /// Markdown of one line to HTML without the paragraph around it.
 fn inline(converter: &mut Converter, markdown: &str) -> String {
-    let html = converter.body(markdown, &[], Place { lower: 0, prefix: "" });
+    let document = Document::new(markdown.to_owned(), Vec::new());
+    let html = converter.body(&document, &[], Place { lower: 0, prefix: "" });
     let html = html.trim();
     let inner = html.strip_prefix("<p>").and_then(|h| h.strip_suffix("</p>"));
     inner.filter(|h| !h.contains("<p>")).unwrap_or(html).to_owned()
