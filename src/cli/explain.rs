@@ -17,6 +17,7 @@ use crate::finding::Finding;
 use crate::grade::feedback::Feedback;
 use crate::grade::judge;
 use crate::grade::verdict::Verdict;
+use crate::guard::unguarded;
 use crate::key::Answer;
 use crate::key::Given;
 use crate::key::KeyEntry;
@@ -32,7 +33,6 @@ use crate::policy::time::Evidence;
 use crate::policy::time::Moment;
 use crate::problem::make::Variant;
 use crate::regrade::rows::Row;
-use crate::regrade::rows::unguarded;
 use crate::set::grading::BASIS;
 use crate::sheet::terminal::plain;
 use crate::units::spell;
@@ -620,7 +620,7 @@ fn total(graded: &Graded, student: &str, page: &mut Pages) -> Result<(), Vec<Fin
             let at = header.iter().position(|h| h == name);
             at.and_then(|i| record.get(i)).unwrap_or_default()
         };
-        if unguarded(field("student").to_owned()) != student {
+        if unguarded(field("student")) != student {
             continue;
         }
         let mut text = format!("{} of {} points", field("total"), field("max_total"));

@@ -46,7 +46,7 @@ use crate::grade::verdict::Judgement;
 use crate::grade::verdict::Verdict;
 use crate::grade::write::push_float;
 use crate::grade::write::push_number;
-use crate::grade::write::push_text;
+use crate::guard::push_text;
 use crate::policy;
 use crate::policy::Counts;
 use crate::policy::time;

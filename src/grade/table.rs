@@ -3,7 +3,7 @@ use crate::grade::diagnose::Diagnosis;
 use crate::grade::diagnose::Known;
 use crate::grade::feedback::Feedback;
 use crate::grade::ids::Ids;
-use crate::grade::write::push_text;
+use crate::guard::push_text;
 use crate::key::Answer;
 use crate::key::Follow;
 use crate::key::KeyEntry;
