@@ -292,7 +292,7 @@ fn settings(old: &Policy, new: &Policy) -> Vec<String> {
         said.push(format!("the correction of {} is gone", correction.part.text()));
     }
     let differ = [
-        ("due", old.due != new.due || old.zone != new.zone),
+        ("due", old.due != new.due || old.zone != new.zone || old.day_first != new.day_first),
         ("extensions", old.extensions != new.extensions),
         ("attempts", old.attempts != new.attempts),
         ("late", old.late != new.late),

@@ -79,7 +79,7 @@ impl Marks {
             Ok(())
         };
         pass(&mut marks, &mut |marks, found| marks.take(found, &mut seen, &mut evidence))?;
-        let order = evidence.choice();
+        let order = marks.class.day_first.map_or(evidence, Evidence::said).choice();
         if seen.iter().any(|s| s.disordered && !s.untimed) {
             // How many attempts came before the first right one: counted in a second reading.
             let mut before = vec![0u32; size];
@@ -402,6 +402,7 @@ mod tests {
                 .map(|id| Part { number: 1, id: id.to_owned(), points: 1.0, ..Part::default() })
                 .to_vec(),
             asked: vec![true; 4],
+            day_first: None,
         }
     }
     fn read(rows: &str) -> Result<Marks, Unreadable> {
