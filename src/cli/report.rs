@@ -16,6 +16,7 @@ use crate::cli::tell;
 use crate::cli::tell::Exit;
 use crate::cli::tell::Io;
 use crate::finding::Finding;
+use crate::guard::unguarded;
 use crate::misconception::catalogue::Catalogue;
 use crate::policy::Policy;
 use crate::report::class;
@@ -438,7 +439,7 @@ impl Basis {
             .iter()
             .map(|id| Problem { id: id.clone(), title: title_of(&self.bank, id) })
             .collect();
-        Class { students, problems, parts, asked }
+        Class { students, problems, parts, asked, day_first: self.policy.day_first }
     }
 }
 
@@ -493,7 +494,7 @@ fn read_key(path: &Path) -> Result<Vec<(String, String, String)>, Finding> {
     let mut rows = Vec::new();
     for record in reader.records() {
         let record = record.map_err(|e| fault(&e))?;
-        let text = |i: usize| record.get(i).unwrap_or_default().to_owned();
+        let text = |i: usize| unguarded(record.get(i).unwrap_or_default()).to_owned();
         rows.push((text(0), text(1), text(2)));
     }
     Ok(rows)
