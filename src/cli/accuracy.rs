@@ -9,6 +9,7 @@ use crate::cli::tell::Exit;
 use crate::cli::tell::Io;
 use crate::cli::words;
 use crate::finding::Finding;
+use crate::num::shown;
 use crate::plot::Axis;
 use crate::plot::Figure;
 use crate::plot::Point;
@@ -237,7 +238,7 @@ fn short(error: f64) -> String {
     if error == 0.0 {
         "0".to_owned()
     } else if error.is_finite() {
-        format!("{error:.1e}")
+        shown::figures(error, 2)
     } else {
         "none".to_owned()
     }

@@ -19,6 +19,7 @@ use crate::figure::vector::size;
 use crate::figure::vector::sub;
 use crate::figure::vector::unit;
 use crate::figure::view::View;
+use crate::num::shown;
 use crate::scene::Start;
 
 /// Pixels of the longer side.
@@ -183,7 +184,7 @@ fn axes(board: &mut Board, view: &View, low: V, high: V, scale: f64) {
         if i == 0 {
             continue;
         }
-        let text = view.words.number(&format!("{value:.decimals$}")).replace('-', "−");
+        let text = view.words.number(&shown::decimals(value, decimals)).replace('-', "−");
         for (place, across, inside) in [
             ((s, 0.0), (0.0, 1.0), s > west + 8.0 && s < east - 14.0),
             ((0.0, s), (1.0, 0.0), s > bottom + 8.0 && s < top - 14.0),
