@@ -1,4 +1,5 @@
 //! What a student wrote: files of submissions, rosters, and the text of a single cell.
+pub mod figures;
 pub mod quick;
 pub mod read;
 pub mod roster;

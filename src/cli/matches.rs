@@ -1,4 +1,5 @@
 //! `slipstick matches` and matches.csv: whose answers the wrong answers of a grading are. For instructors only.
+use crate::answer::figures;
 use crate::answer::read::UnitCache;
 use crate::cli::args;
 use crate::cli::files;
@@ -18,7 +19,6 @@ use crate::key::SheetKey;
 use crate::matches;
 use crate::matches::Question;
 use crate::matches::Wrong;
-use crate::matches::figures;
 use crate::num::shown;
 use crate::regrade::rows::Row;
 use crate::report::alike::Matches;
