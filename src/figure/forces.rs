@@ -291,7 +291,8 @@ fn couples_on<'v>(view: &View<'v>, body: usize) -> impl Iterator<Item = &'v Coup
 
 fn moment(view: &View, couple: &Couple) -> Vec<Run> {
     let given = view.symbol(couple.moment_n_m);
-    if given.is_empty() { symbol::symbol("M") } else { given }
+    let symbol = if given.is_empty() { symbol::symbol("M") } else { given };
+    names::magnitude(symbol, view.of(couple.moment_n_m) < 0.0)
 }
 
 /// Normal force and friction.

@@ -87,11 +87,12 @@ pub fn draw(board: &mut Board, view: &View, index: usize) {
                 tie: Tied::Leader,
             });
         }
-        // The spin stands where there is room, counter-clockwise as it is counted.
+        // The spin stands where there is room, in the sense that it has; counter-clockwise is positive.
         let centre = roomy(&ring, mul(low, scale), mul(high, scale));
-        board.curved_arrow(centre, 17.0, -0.5, 4.2, Role::Motion);
+        let (from, to) = if view.of(spin_rad_s) < 0.0 { (3.7, -1.0) } else { (-0.5, 4.2) };
+        board.curved_arrow(centre, 17.0, from, to, Role::Motion);
         board.wish(
-            view.label(spin_rad_s, "rad/s"),
+            view.size_label(spin_rad_s, "rad/s"),
             vec![
                 (along(centre, (0.0, -1.0), 17.0), (0.0, -1.0)),
                 (along(centre, (0.0, 1.0), 17.0), (0.0, 1.0)),
