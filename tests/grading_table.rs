@@ -679,6 +679,102 @@ fn a_million_rows_are_accounted_for() {
     assert!(graded.count(Verdict::Unreadable) >= 3000, "{:?}", graded.counts);
 }
 
+/// The column `slip` of a single answer to a part with this key, whose tolerance is 0.5 %.
+fn slip_of(cell: &str, key: f64, unit: &str) -> String {
+    let part = entry(
+        "x",
+        Answer::Number { value: key, half_width: 0.005 * key.abs(), directed: true, magnitude: false },
+        unit,
+    );
+    let problem = ProblemKey { id: "p".into(), parts: vec![part], ..sheet("s").problems[0].clone() };
+    let table = KeyTable::new(vec![SheetKey { student: "s".into(), problems: vec![problem] }], &[]);
+    let text = format!("student,problem,part,answer\ns,1,x,\"{cell}\"\n");
+    let (out, _) = run_with(text.as_bytes(), &table, &Options::default()).unwrap();
+    let mut reader = csv::Reader::from_reader(out.as_bytes());
+    let at = reader.headers().unwrap().iter().position(|h| h == "slip").unwrap();
+    reader.records().next().unwrap().unwrap()[at].to_owned()
+}
+
+// Nothing before this looked at how the number was written: only whether its value was the key rounded to one or two figures. So `-1.00e+02`,
+// rounded on the way, was told to have one figure; and a number in another unit was held against the key rounded in SI.
+#[test]
+fn fewer_figures_are_counted_as_they_are_written() {
+    for (cell, key, unit, figures) in [
+        ("-1.00e+02", -105.2, "N", None),
+        ("-100. N", -105.2, "N", None),
+        ("-1e2", -105.2, "N", Some(1)),
+        ("-100 N", -105.2, "N", Some(1)),
+        ("-1.1e2 N", -105.2, "N", Some(2)),
+        ("-1,1e2 N", -105.2, "N", Some(2)),
+        ("-110", -105.2, "N", Some(2)),
+        ("-110,0", -105.2, "N", None),
+        ("-0.11 kN", -105.2, "N", Some(2)),
+        ("-0,110 kN", -105.2, "N", None),
+        ("11 * 10^1 N up", 105.2, "N", Some(2)),
+        ("300 rpm", 30.263, "rad/s", Some(1)),
+        ("3.0e2 rpm", 30.263, "rad/s", None),
+        ("290 rpm", 30.9, "rad/s", None),
+        ("0.05", 0.0462, "m", Some(1)),
+        ("0.050", 0.0462, "m", None),
+        ("5 cm", 0.0462, "m", Some(1)),
+        // Halves go up, from the decimal number; one more figure is as good as it gets.
+        ("0.53", 0.525, "m", Some(2)),
+        ("0.52", 0.525, "m", None),
+        // A number in the cell that is not the answer has no figures of its own.
+        ("omega_1 = 27.5", 30.263, "rad/s", None),
+    ] {
+        let slip = slip_of(cell, key, unit);
+        let told = slip.strip_prefix("figures:").map(|n| n.parse::<u32>().unwrap());
+        assert_eq!(told, figures, "{cell} for {key} {unit}: {slip}");
+    }
+}
+
+#[test]
+fn too_few_figures_are_told_only_of_the_right_number_rounded_to_them() {
+    use dashu_float::DBig;
+    use std::str::FromStr;
+    let (mut told, mut silent) = (0, 0);
+    for step in 0..400u32 {
+        let key = (1.0 + f64::from(step) * 0.0225) * [0.01, 1.0, 100.0][step as usize % 3];
+        let key: f64 = format!("{key:.3e}").parse().unwrap();
+        let exact = DBig::from_str(&key.to_string()).unwrap();
+        for figures in 1..=3usize {
+            for off in [-1i32, 0, 1] {
+                let near = format!("{:.*e}", figures - 1, key);
+                let (mantissa, exponent) = near.split_once('e').unwrap();
+                let digits = mantissa.replace('.', "").parse::<i32>().unwrap() + off;
+                if digits.to_string().len() != figures {
+                    continue;
+                }
+                let text = digits.to_string();
+                let mantissa = match text.split_at(1) {
+                    (one, "") => one.to_owned(),
+                    (one, rest) => format!("{one}.{rest}"),
+                };
+                let forms =
+                    [format!("{mantissa}e{exponent}"), format!("{mantissa}e{exponent}").replace('.', ",")];
+                for cell in forms {
+                    let written = DBig::from_str(&format!("{mantissa}e{exponent}")).unwrap();
+                    let rounds = exact.clone().with_precision(figures).value() == written;
+                    let value: f64 = format!("{mantissa}e{exponent}").parse().unwrap();
+                    let slip = slip_of(&cell, key, "m");
+                    let says = slip == format!("figures:{figures}");
+                    if (value - key).abs() <= 0.005 * key {
+                        assert_eq!(slip, "", "{cell} is right for {key}");
+                    } else {
+                        assert_eq!(says, rounds, "{cell} for {key}: {slip}");
+                        assert!(says || !slip.starts_with("figures"), "{cell} for {key}: {slip}");
+                        told += u32::from(says);
+                        silent += u32::from(!says);
+                    }
+                }
+            }
+        }
+    }
+    println!("{told} answers have too few figures, {silent} are another number");
+    assert!(told > 300 && silent > 300, "{told} {silent}");
+}
+
 /// A line of 100 MB, in one field or in many, quoted or not, is one unreadable record and is never held.
 #[test]
 fn a_line_of_100_mb_is_not_held() {

@@ -1,4 +1,5 @@
 //! What a student wrote: files of submissions, rosters, and the text of a single cell.
+pub mod figures;
 mod numeral;
 mod plain;
 pub mod quick;

@@ -132,6 +132,8 @@ pub struct Case {
     pub draws: Vec<Option<Draw>>,
     /// The scene.
     pub scene: Scene,
+    /// Cords, by name, that leave a fixed axle upward (`true`) or downward, for the picture.
+    pub upright: Vec<(String, bool)>,
     /// Regime words that count as valid here (`moves_up`, `up ok`).
     pub regimes: Vec<String>,
     /// Bounds on answers and derived quantities.

@@ -170,6 +170,9 @@ pub struct Read {
     pub scene: Option<Scene>,
     /// Every use of a datum.
     pub uses: Vec<Use>,
+    /// Cords, by name, that leave a fixed axle upward (`true`) or downward. To mechanics `front down` is what `top forward` is:
+    /// only a picture needs to know.
+    pub upright: Vec<(String, bool)>,
 }
 
 struct Reader<'a> {
@@ -180,6 +183,10 @@ struct Reader<'a> {
     lost: Cell<bool>,
     /// The start gives the angle of a pinned body.
     angled: Cell<bool>,
+    /// Does the end of a cord that was read last leave a fixed axle upward, or downward?
+    upward: Cell<Option<bool>>,
+    /// As in [`Read`].
+    upright: RefCell<Vec<(String, bool)>>,
 }
 
 /// Reads a scene. `gravity` is the index of g among the data.
@@ -191,9 +198,11 @@ pub fn read(node: &Node, symbols: &[Symbol], gravity: usize, faults: &Faults) ->
         uses: RefCell::new(Vec::new()),
         lost: Cell::new(false),
         angled: Cell::new(false),
+        upward: Cell::new(None),
+        upright: RefCell::new(Vec::new()),
     };
     let scene = reader.scene(node, gravity).filter(|_| faults.count() == before);
-    Read { scene, uses: reader.uses.into_inner() }
+    Read { scene, uses: reader.uses.into_inner(), upright: reader.upright.into_inner() }
 }
 
 struct Surface<'n> {
@@ -888,6 +897,9 @@ impl Reader<'_> {
         let from = fields
             .need("from", "{body: wheel, wound on: rim, leaves: top forward}", f)
             .and_then(|n| self.cord_end(n, bodies));
+        if let Some(up) = self.upward.take() {
+            self.upright.borrow_mut().push((name.clone(), up));
+        }
         let ends = [fields.get("pulled with"), fields.get("to"), fields.get("spring"), fields.get("held")];
         if ends.iter().flatten().count() != 1 {
             f.hint(
@@ -1034,6 +1046,14 @@ impl Reader<'_> {
                 // The side for which a positive turn goes with unwinding while it moves down.
                 words.push(("up", (if line.forward_up { Top } else { Bottom }, line.forward_up)));
             }
+        }
+        if body.line.is_none() {
+            let said = node.text().unwrap_or("");
+            self.upward.set(match said.rsplit_once(' ') {
+                Some((_, "up")) => Some(true),
+                Some((_, "down")) => Some(false),
+                _ => None,
+            });
         }
         self.word(node, "where the wound cord leaves", &words)
     }

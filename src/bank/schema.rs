@@ -8,7 +8,7 @@ use crate::bank::measure;
 use crate::bank::mistake;
 use crate::bank::node::{Faults, Fields, Node, Value, close_name, named, shorten};
 use crate::bank::review;
-use crate::bank::scene::{self, Need, Symbol};
+use crate::bank::scene::{self, Need, Read, Symbol};
 use crate::bank::{Bank, Bound, Case, Datum, Draw, FigureLabels, Problem, Question, Relative};
 use crate::policy::Policy;
 use crate::scene::{Label, Owner, Quantity, Scene};
@@ -463,7 +463,7 @@ fn problem(
             let scene = case.read.as_ref().and_then(|r| r.scene.as_ref());
             bounds.extend(bounds_of(n, &plain, scene, faults));
         }
-        if let Some(scene) = case.read.and_then(|r| r.scene) {
+        if let Some(Read { scene: Some(scene), upright, .. }) = case.read {
             let mut draws = case.draws;
             draws.push(Some(g_draw.clone()));
             ready.push(Case {
@@ -471,6 +471,7 @@ fn problem(
                 share: case.share,
                 draws,
                 scene,
+                upright,
                 regimes: case.regimes,
                 bounds,
             });

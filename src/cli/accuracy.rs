@@ -10,6 +10,7 @@ use crate::cli::tell::Io;
 use crate::cli::words;
 use crate::finding::Finding;
 use crate::guard::push_line;
+use crate::num::shown;
 use crate::plot::Axis;
 use crate::plot::Figure;
 use crate::plot::Point;
@@ -238,7 +239,7 @@ fn short(error: f64) -> String {
     if error == 0.0 {
         "0".to_owned()
     } else if error.is_finite() {
-        format!("{error:.1e}")
+        shown::figures(error, 2)
     } else {
         "none".to_owned()
     }

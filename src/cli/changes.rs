@@ -8,6 +8,7 @@ use crate::cli::what_if::per_cent;
 use crate::grade::table::KeyTable;
 use crate::guard::push_line;
 use crate::key::Answer;
+use crate::num::shown;
 use crate::policy::Policy;
 use crate::regrade::changes;
 use crate::regrade::changes::Change;
@@ -200,10 +201,10 @@ impl Desk<'_> {
         let mean = |g: &Grading| (0..self.who.students.len()).map(|s| total(g, s)).sum::<f64>() / n;
         let _ = writeln!(
             text,
-            "  {gain} of {} gain, {lose} lose; mean of totals {:.2} -> {:.2}",
+            "  {gain} of {} gain, {lose} lose; mean of totals {} -> {}",
             tell::count(self.who.students.len(), "student"),
-            mean(self.before),
-            mean(self.after)
+            shown::decimals(mean(self.before), 2),
+            shown::decimals(mean(self.after), 2)
         );
         // Those who lose first: they will ask.
         moved.sort_by(|a, b| a.1.total_cmp(&b.1).then(a.0.cmp(&b.0)));

@@ -23,6 +23,7 @@ use crate::key::Given;
 use crate::key::KeyEntry;
 use crate::key::ProblemKey;
 use crate::misconception::catalogue::Catalogue;
+use crate::num::shown;
 use crate::policy;
 use crate::policy::For;
 use crate::policy::Per;
@@ -315,14 +316,14 @@ impl Desk<'_> {
                         entry.gap.map_or_else(
                             || "unknown".to_owned(),
                             |g| match g > 0.0 {
-                                true => format!("{g:.0e}"),
+                                true => shown::figures(g, 1),
                                 false => "0".to_owned(),
                             }
                         ),
                         entry.cond.map_or_else(|| "unknown".to_owned(), |c| words::rounded(c, 3)),
                         entry.bound.map_or_else(String::new, |b| format!(
-                            "; the true answer lies within {:.0e} of it, proved",
-                            unit.from_si(b)
+                            "; the true answer lies within {} of it, proved",
+                            shown::figures(unit.from_si(b), 1)
                         ))
                     ),
                 );

@@ -13,6 +13,7 @@ use crate::cli::tell::Io;
 use crate::cli::words;
 use crate::finding::Finding;
 use crate::key::SheetKey;
+use crate::num::shown;
 use crate::problem::make::Maker;
 use crate::problem::make::Variant;
 use crate::problem::make_key;
@@ -101,7 +102,7 @@ fn lint(args: &args::Lint, io: &mut Io) -> Result<Vec<Finding>, Vec<Finding>> {
     io.line(&chance(&sweeps));
     for sweep in &sweeps {
         let one = sweep::coincidence(std::slice::from_ref(sweep), CLASS);
-        io.line(&format!("  {} alone: at most {one:.1e}", sweep.problem));
+        io.line(&format!("  {} alone: at most {}", sweep.problem, shown::figures(one, 2)));
     }
     Ok(findings)
 }
@@ -166,7 +167,8 @@ pub fn chance(sweeps: &[Sweep]) -> String {
     let chance = sweep::coincidence(sweeps, CLASS);
     let verdict = if chance <= RARE { "rare enough" } else { "too likely: widen the ranges" };
     format!(
-        "Chance that two of {CLASS} students get equal sheets of all {}: at most {chance:.1e} ({verdict}).",
+        "Chance that two of {CLASS} students get equal sheets of all {}: at most {} ({verdict}).",
+        shown::figures(chance, 2),
         tell::count(sweeps.len(), "problem")
     )
 }
@@ -177,23 +179,21 @@ fn cases(sweep: &Sweep) -> Vec<Vec<String>> {
     ];
     for case in &sweep.cases {
         let name = if case.name.is_empty() { "(all)" } else { &case.name };
-        let accepted =
-            if case.tries == 0 { "-".to_owned() } else { format!("{:.0} %", case.acceptance() * 100.0) };
+        let accepted = if case.tries == 0 { "-".to_owned() } else { tell::percent(case.acceptance()) };
         rows.push(vec![
             name.to_owned(),
-            format!("{:.0} %", case.share * 100.0),
+            tell::percent(case.share),
             case.variants.to_string(),
             case.tries.to_string(),
             accepted,
-            if case.tries == 0 { "-".to_owned() } else { format!("about {:.0e}", case.valid) },
+            if case.tries == 0 { "-".to_owned() } else { format!("about {}", shown::figures(case.valid, 1)) },
         ]);
     }
     rows
 }
 
 fn questions(problem: &Problem, sweep: &Sweep) -> (Vec<Vec<String>>, Vec<Vec<String>>) {
-    let percent =
-        |share: f64| if share.is_nan() { "-".to_owned() } else { format!("{:.0} %", share * 100.0) };
+    let percent = |share: f64| if share.is_nan() { "-".to_owned() } else { tell::percent(share) };
     let mut rows = vec![
         [
             "question",
@@ -241,7 +241,7 @@ fn mistakes(problem: &Problem, sweep: &Sweep) -> (Vec<Vec<String>>, Vec<String>)
         s if s.is_nan() => "-".to_owned(),
         s if s <= 0.0 => "0 %".to_owned(),
         s if s < 0.01 => "< 1 %".to_owned(),
-        s => format!("{:.0} %", s * 100.0),
+        s => tell::percent(s),
     };
     let single = sweep.cases.len() == 1;
     let mut head = vec!["wrong method".to_owned()];
@@ -281,9 +281,9 @@ fn notes(problem: &Problem, sweep: &Sweep) -> Vec<String> {
                 None => "ask for more figures, or lower its cond limit",
             };
             notes.push(format!(
-                "{}: {:.0} % of honest answers with {} figures on the way miss its tolerance; {advice}",
+                "{}: {} of honest answers with {} figures on the way miss its tolerance; {advice}",
                 question.id,
-                missed * 100.0,
+                tell::percent(missed),
                 question.figures
             ));
         }

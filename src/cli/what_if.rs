@@ -18,6 +18,7 @@ use crate::grade::verdict::Verdict;
 use crate::key::Answer;
 use crate::key::SheetKey;
 use crate::misconception::catalogue::Catalogue;
+use crate::num::shown;
 use crate::policy::Unread;
 use crate::problem::make_key;
 use crate::regrade::rows::Row;
@@ -64,7 +65,7 @@ fn shares(typed: &[String]) -> Result<Vec<f64>, Vec<Finding>> {
 
 /// A share in per cent, without zeros at the end.
 pub fn per_cent(share: f64) -> String {
-    let text = format!("{:.3}", share * 100.0);
+    let text = shown::decimals(share * 100.0, 3);
     text.trim_end_matches('0').trim_end_matches('.').to_owned()
 }
 
@@ -276,7 +277,7 @@ fn told(args: &args::WhatIf, now: &KeyTable, trials: &[Trial], as_is: &Run) -> S
     };
     line("students who gain", String::new(), &|t| moved(t, true));
     line("students who lose", String::new(), &|t| moved(t, false));
-    let mean = |totals: &[f64]| format!("{:.2}", totals.iter().sum::<f64>() / students);
+    let mean = |totals: &[f64]| shown::decimals(totals.iter().sum::<f64>() / students, 2);
     line("mean of totals", mean(&as_is.totals), &|t| mean(&t.totals));
     line("answers of wrong methods that would pass", String::new(), &|t| t.what.total().methods.to_string());
     line("sheets where a wrong method would pass", String::new(), &|t| t.what.total().within.to_string());

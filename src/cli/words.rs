@@ -29,14 +29,18 @@ pub fn figures(value: f64) -> String {
     rounded(value, 5)
 }
 
-fn body(scene: &Scene, index: usize) -> &str {
-    scene.bodies.get(index).map_or("body", |b| b.name.as_str())
+/// What stands behind `the`: the id of a body where it is a word, `body B` where it is not.
+fn body(scene: &Scene, index: usize) -> String {
+    let Some(body) = scene.bodies.get(index) else { return "body".to_owned() };
+    let word = body.name.trim_end_matches(|c: char| c.is_ascii_digit());
+    let is_word = word.len() > 1 && word.chars().all(|c| c.is_lowercase() || c == '_');
+    if is_word { body.name.clone() } else { format!("body {}", body.name) }
 }
 
 fn of_tie(scene: &Scene, index: usize) -> String {
     match scene.ties.get(index) {
         Some(Tie::Roll { body: b, .. } | Tie::Slip { body: b, .. } | Tie::Slide { body: b, .. }) => {
-            body(scene, *b).to_owned()
+            body(scene, *b)
         }
         Some(Tie::Cord(cord)) => cord.name.clone(),
         None => "tie".to_owned(),

@@ -1,6 +1,7 @@
 //! A variant as a picture sees it: numbers of the scene, their symbols and drawn values as label text, words.
 use crate::bank::FigureLabels;
 use crate::bank::Problem;
+use crate::figure::names;
 use crate::figure::picture::Run;
 use crate::figure::picture::RunStyle;
 use crate::figure::symbol;
@@ -43,6 +44,12 @@ impl<'a> View<'a> {
     ) -> Option<Self> {
         let scene = &problem.cases.get(variant.case)?.scene;
         Some(Self { problem, variant, scene, words, labels, worked: false })
+    }
+
+    /// Does this cord leave its fixed axle upward, or downward? `None`: along the level.
+    pub fn upward(&self, cord: &str) -> Option<bool> {
+        let said = &self.problem.cases.get(self.variant.case)?.upright;
+        said.iter().find(|(name, _)| name == cord).map(|(_, up)| *up)
     }
 
     /// A number of the scene.
@@ -88,6 +95,30 @@ impl<'a> View<'a> {
             return symbol;
         }
         joined(symbol, self.value(num, unit))
+    }
+
+    /// Label of the size of a number whose sense an arrow shows: `|ω_0| = 11 rad/s` of -11 rad/s.
+    pub fn size_label(&self, num: Num, unit: &str) -> Vec<Run> {
+        if self.labels == FigureLabels::Symbols && !self.symbol(num).is_empty() {
+            return names::magnitude(self.symbol(num), self.of(num) < 0.0);
+        }
+        self.size_runs(num, unit)
+    }
+
+    /// The same as text, whatever the labels say.
+    pub fn size_text(&self, num: Num, unit: &str) -> String {
+        symbol::plain(&self.size_runs(num, unit))
+    }
+
+    fn size_runs(&self, num: Num, unit: &str) -> Vec<Run> {
+        let mut value = self.value(num, unit);
+        if let Some(first) = value.first_mut() {
+            first.text = first.text.trim_start_matches('−').to_owned();
+        }
+        match self.symbol(num) {
+            symbol if symbol.is_empty() => value,
+            symbol => joined(names::magnitude(symbol, self.of(num) < 0.0), value),
+        }
     }
 
     /// `R = 0.40 m` as text, whatever the labels say.

@@ -633,9 +633,16 @@ fn slip_in_words<'w>(slip: Slip, table: &KeyTable, what: u32, say: &Feedback<'w>
 }
 
 /// Tells a slip in the reason; ids of methods have a column of their own.
-fn diagnosed(table: &KeyTable, who: u32, what: u32, judgement: &mut Judgement, say: &Feedback) -> Fits {
+fn diagnosed(
+    table: &KeyTable,
+    (who, what): (u32, u32),
+    cell: &[u8],
+    judgement: &mut Judgement,
+    say: &Feedback,
+) -> Fits {
     let methods = table.methods(what as usize);
-    let Diagnosis { methods: found, slip } = table.diagnose(judgement.number, who as usize, what as usize);
+    let Diagnosis { methods: found, slip } =
+        table.diagnose(judgement.number, cell, who as usize, what as usize);
     let mut fits = Fits { methods: String::new(), slip: String::new(), found };
     let told = slip.map(|slip| slip_in_words(slip, table, what, say));
     if let Some((word, told)) = told {
@@ -753,7 +760,7 @@ fn superseded_line(
     let (verdict, found) = if accepts(x, key, half_width) {
         (Verdict::Right, Diagnosis::default())
     } else {
-        let found = table.diagnose(x, who as usize, what as usize);
+        let found = table.diagnose(x, cell.answer, who as usize, what as usize);
         let other_way = accepts(-x, key, half_width);
         (if other_way { Verdict::WrongDirection } else { Verdict::Wrong }, found)
     };
@@ -959,7 +966,7 @@ fn walk_and_write(
                 judgement.reason = Cow::Owned(format!("{}; {said}", judgement.reason));
             }
             let wrong = matches!(judgement.verdict, Verdict::Wrong | Verdict::WrongDirection);
-            let fits = wrong.then(|| diagnosed(table, who, what, &mut judgement, say));
+            let fits = wrong.then(|| diagnosed(table, (who, what), cell.answer, &mut judgement, say));
             let winner = winners[index];
             let counts_not = !matches!(judgement.verdict, Verdict::Blank | Verdict::UnknownPart);
             let at = place(cell.line, cell.column.map_or(0, |(i, _)| i));

@@ -323,14 +323,14 @@ impl KeyTable {
     }
     /// What a wrong answer fits.
     #[inline]
-    pub(crate) fn diagnose(&self, x: f64, student: usize, column: usize) -> Diagnosis {
+    pub(crate) fn diagnose(&self, x: f64, cell: &[u8], student: usize, column: usize) -> Diagnosis {
         let Some((first, end)) = self.problems.get(column).copied() else { return Diagnosis::default() };
         let row = student * self.columns.len();
         match (self.known.get(row + column), self.entries.get(row + first..row + end)) {
             (Some(Some(known)), Some(parts)) => {
                 let (from, count) = known.wrong;
                 let wrong = self.wrong.get(from as usize..from as usize + count as usize);
-                known.diagnose(x, column - first, parts, wrong.unwrap_or_default())
+                known.diagnose(x, cell, column - first, parts, wrong.unwrap_or_default())
             }
             _ => Diagnosis::default(),
         }

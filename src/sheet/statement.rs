@@ -14,6 +14,7 @@ use crate::bank::Problem;
 use crate::bank::Question;
 use crate::bank::decimal::Decimal;
 use crate::finding::Finding;
+use crate::num::shown;
 use crate::problem::make::Variant;
 use crate::problem::make_key;
 use crate::scene::Num;
@@ -446,7 +447,7 @@ fn form(words: &Words, q: &Question, scene: &Scene, common: &Common, within: f64
 
 /// `1 %`
 pub fn percent(share: f64) -> String {
-    let text = format!("{:.4}", share * 100.0);
+    let text = shown::decimals(share * 100.0, 4);
     let text = text.trim_end_matches('0').trim_end_matches('.');
     format!("{text} %")
 }

@@ -20,6 +20,7 @@ use crate::solution::linear::mechanism::Kind;
 use crate::solution::linear::mechanism::in_sense;
 use crate::solution::linear::motion::lead_way;
 use crate::solution::linear::walk::Walk;
+use crate::solution::linear::walk::larger;
 use crate::solution::linear::walk::of_body;
 use crate::solution::linear::walk::of_tie;
 use crate::solution::text::Block;
@@ -137,8 +138,17 @@ fn grip(walk: &mut Walk, body: usize, mu: &Expr) -> Result<(), Finding> {
     let mut holds = true;
     if walk.spring.is_some() {
         walk.tell("regime.extremes", &[]);
-        let (first, last) = walk.extremes(body)?;
-        let ((a, one), (b, two)) = (size(walk, &first), size(walk, &last));
+        let ends = walk.extremes(body)?;
+        match larger(walk, &ends) {
+            Some((end, pulls_most)) => {
+                let at = walk.phrase(&format!("extremes.at.{}", end.place), &[]);
+                let force = if pulls_most { "greatest" } else { "least" };
+                let force = walk.phrase(&format!("extremes.force.{force}"), &[]);
+                walk.tell("regime.larger", &[("at", &at), ("force", &force)]);
+            }
+            None => walk.tell("regime.equal", &[]),
+        }
+        let [(a, one), (b, two)] = ends.map(|end| size(walk, &end.friction));
         holds &= a <= most && b <= most;
         walk.out.blocks.push(Block::Picture("graph-friction".to_owned()));
         walk.tell("regime.holds_both", &[("one", &one), ("two", &two), ("limit", &limit)]);
