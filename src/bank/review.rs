@@ -111,16 +111,24 @@ pub fn structure(scene: &Scene, node: &Node, faults: &Faults) {
         scene.ties.iter().filter(|t| matches!(t, Tie::Cord(c) if what(&c.to))).count()
     };
     let springs = cord_to(|far| matches!(far, Far::Spring { .. }));
-    let rolls = scene.ties.iter().filter(|t| matches!(t, Tie::Roll { .. })).count();
-    let ties = rolls + cord_to(|far| matches!(far, Far::Body(_) | Far::Fixed));
-    let freedoms = scene.coordinates().count().saturating_sub(ties);
+    let slips = scene.ties.iter().find_map(|t| match t {
+        Tie::Slip { body, .. } => Some(&scene.bodies[*body].name),
+        _ => None,
+    });
+    let freedoms = scene.freedoms();
     if freedoms == 0 {
         faults.hint(node, "the ties leave nothing free to move", "take one of the ties away");
     }
     if springs > 1 {
         faults.at(node, "a scene has at most one spring");
     }
-    if freedoms > 1 && springs > 0 {
+    if let (Some(name), true) = (slips, springs > 0) {
+        faults.hint(
+            node,
+            format!("`{name}` slips, and there is a spring; that is not solved"),
+            "let the wheel roll, or take the spring away",
+        );
+    } else if freedoms > 1 && springs > 0 {
         faults.hint(
             node,
             format!("a spring holds a scene with {freedoms} freedoms; one is solved"),
@@ -128,11 +136,7 @@ pub fn structure(scene: &Scene, node: &Node, faults: &Faults) {
         );
     }
     thrown(scene, node, faults);
-    if freedoms > 1 && !scene.start.is_empty() && scene.thrown().is_none() {
-        let slips = scene.ties.iter().find_map(|t| match t {
-            Tie::Slip { body, .. } => Some(&scene.bodies[*body].name),
-            _ => None,
-        });
+    if (freedoms > 1 || slips.is_some()) && !scene.start.is_empty() && scene.thrown().is_none() {
         match slips {
             Some(name) => faults.hint(part(node, "start"),
                 format!("`{name}` slips, so its speed and its spin at the start are both given, or it starts from rest"),

@@ -70,6 +70,13 @@ pub fn check(scene: &Scene, c: &Check) -> String {
                 body(scene, c.of)
             )
         }
+        CheckKind::NoSlip | CheckKind::Taut if c.available.is_nan() => format!(
+            "whether {} holds is not known: several ties share its force, and statics does not say how",
+            match c.kind {
+                CheckKind::NoSlip => format!("the contact of the {}", of_tie(scene, c.of)),
+                _ => of_tie(scene, c.of),
+            }
+        ),
         CheckKind::NoSlip if c.ok => format!(
             "the {} holds without slipping: needs {required} N of friction, mu_s N = {available} N",
             of_tie(scene, c.of)
@@ -352,6 +359,21 @@ pub fn refusal(problem: &Problem, scene: &Scene, refusal: &Refusal) -> Vec<Strin
             }
             Unsupported::SpeedWithTwoFreedoms => {
                 "a start with a speed where two coordinates are free is not solved".to_owned()
+            }
+            Unsupported::StartHeld => {
+                "the start gives a speed to what the ties hold at rest; take it away, or one of the ties".to_owned()
+            }
+            Unsupported::SpringWithSlip => "a spring where something slips is not solved".to_owned(),
+            Unsupported::SpeedWithSlip => {
+                "a body that slips starts from rest, or is thrown alone with its speed and its spin both given"
+                    .to_owned()
+            }
+            Unsupported::SlipShared => {
+                "a contact is said to slip where other ties hold it, too: what friction it would need is open".to_owned()
+            }
+            Unsupported::SlidesInTurn => {
+                "of the bodies that slide here one stays or moves on account of what another does; that is not solved"
+                    .to_owned()
             }
             Unsupported::ThrownWithOthers => {
                 "a body thrown with slip beside other bodies or cords is not solved".to_owned()

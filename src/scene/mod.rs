@@ -9,6 +9,7 @@ pub mod admissible;
 pub mod ask;
 pub mod body;
 pub mod force;
+pub mod freedom;
 pub mod inertia;
 pub mod link;
 pub mod motion;

@@ -126,7 +126,7 @@ pub struct Check {
     pub ok: bool,
     /// What is required (see [`CheckKind`]).
     pub required: f64,
-    /// What is available; may be infinite (no turning point).
+    /// What is available; may be infinite (no turning point), NaN where statics leaves it open.
     pub available: f64,
     /// How far it holds, as a share: (available - required) / the larger; draws want a margin. Negative where it fails.
     pub margin: f64,
@@ -209,6 +209,8 @@ pub struct Solved {
     pub entries: Vec<Entry>,
     /// Answers in words.
     pub words: Vec<(Label, Word)>,
+    /// Reactions, and what hangs on them, that the ties share in a way that statics leaves open: not published.
+    pub open: Vec<Label>,
     /// Quantities whose value is finite but so large or small that no double holds it to 16 digits: not published.
     pub beyond: Vec<Label>,
 }
@@ -319,6 +321,16 @@ pub enum Unsupported {
     SpringWithTwoFreedoms,
     /// A start speed where the scene has two freedoms.
     SpeedWithTwoFreedoms,
+    /// A start speed of what the ties hold at rest.
+    StartHeld,
+    /// A spring where something slips.
+    SpringWithSlip,
+    /// A start speed where something slips, unless it is thrown alone.
+    SpeedWithSlip,
+    /// A contact is said to slip, and the ties share the friction that it would need to roll.
+    SlipShared,
+    /// Bodies that slide and could stay, one on account of what another does.
+    SlidesInTurn,
     /// A body thrown with slip beside other bodies or cords.
     ThrownWithOthers,
     /// A body thrown with slip whose motion ends neither where it rolls nor after a time.
@@ -395,6 +407,8 @@ pub enum Held<P> {
     Slipping(usize, P, P, P, f64),
     /// A cord between bodies: index of the tie, tension N.
     Cord(usize, f64),
+    /// A rolling contact or a cord whose force the ties share in a way that statics leaves open: index of the tie.
+    Open(usize),
     /// The contact of a body that is thrown with slip.
     Thrown(Throw),
 }
@@ -432,6 +446,8 @@ pub struct Throw {
 pub struct Road<T: Real> {
     /// Its quantities.
     pub said: Vec<Said<T>>,
+    /// Reactions, and what hangs on them, that the ties leave open.
+    pub open: Vec<Label>,
     /// Where the motion goes; `None` where only an instant is asked.
     pub course: Option<Course<T::Plain>>,
     /// Contacts and cords over the motion, from the road that has the reactions as unknowns; the other leaves it empty.
@@ -449,7 +465,7 @@ impl<P: Real<Plain = P>> Course<P> {
 impl<T: Real> Road<T> {
     /// Nothing said yet.
     pub fn new() -> Self {
-        Self { said: Vec::with_capacity(24), course: None, held: Vec::with_capacity(4) }
+        Self { said: Vec::with_capacity(24), open: Vec::new(), course: None, held: Vec::with_capacity(4) }
     }
     /// What the road says of a label.
     pub fn get(&self, label: Label) -> Option<&Said<T>> {

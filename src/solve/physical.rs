@@ -156,6 +156,15 @@ pub fn judge<P: Real<Plain = P>>(
                 });
                 words.push((rolls(scene, *tie), if must { Word::No } else { Word::Yes }));
             }
+            // Nobody can say that it holds.
+            Held::Open(tie) => checks.push(Check {
+                kind: if matches!(scene.ties[*tie], Tie::Cord(_)) { CheckKind::Taut } else { CheckKind::NoSlip },
+                of: *tie,
+                ok: false,
+                required: 0.0,
+                available: f64::NAN,
+                margin: -1.0,
+            }),
             Held::Cord(tie, tension) => checks.push(Check {
                 kind: CheckKind::Taut,
                 of: *tie,
