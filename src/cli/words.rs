@@ -4,6 +4,7 @@ use crate::key::Answer;
 use crate::key::KeyEntry;
 use crate::num::gauss::Unsettled;
 use crate::num::ode::Trouble;
+use crate::scene::Degree;
 use crate::scene::End;
 use crate::scene::Num;
 use crate::scene::Scene;
@@ -123,6 +124,34 @@ pub fn check(scene: &Scene, c: &Check) -> String {
             "friction does not end the slip of the {}: {required} N keep it up, mu_k N = {available} N",
             of_tie(scene, c.of)
         ),
+        CheckKind::Slack => {
+            let unit = if scene.ending_coordinate().degree == Degree::Along { "m" } else { "rad" };
+            let when = if c.required < c.available { "is still taut" } else { "is slack" };
+            format!(
+                "{} {when} at the end, after {required} {unit}: it goes slack after {available} {unit}",
+                of_tie(scene, c.of)
+            )
+        }
+        CheckKind::SlipEnds if c.available.is_infinite() => {
+            format!("the {} slips at the end, after {required} s: its slip does not end", of_tie(scene, c.of))
+        }
+        CheckKind::SlipEnds => {
+            let when = if c.required < c.available { "still slips" } else { "rolls" };
+            format!(
+                "the {} {when} at the end, after {required} s: its slip ends after {available} s",
+                of_tie(scene, c.of)
+            )
+        }
+        CheckKind::UnderWay => {
+            format!("the {} is on its way at the end: it moves at {available} m/s", of_tie(scene, c.of))
+        }
+        CheckKind::StaticLimit => {
+            let can = if c.required <= c.available { "could" } else { "could not" };
+            format!(
+                "static friction {can} hold the {} rolling: that needs {required} N, mu_s N = {available} N",
+                of_tie(scene, c.of)
+            )
+        }
         CheckKind::Reaches if scene.pinned().is_some() => reaches_on_a_pin(scene, c),
         CheckKind::Reaches if c.ok && c.available.is_infinite() => {
             format!("the end is reached: {required} asked, the motion goes on without end")
@@ -441,6 +470,7 @@ mod tests {
             start: vec![crate::scene::Start::Speed(turn, zero)],
             end: End::TurningPoint(turn),
             heading: None,
+            span: crate::scene::Span::ToEnd,
         };
         let moves = |available: f64, required: f64| {
             let kind = CheckKind::Moves;

@@ -173,6 +173,11 @@ pub fn prove(scene: &Scene, data: &[f64], solved: &mut Solved) -> bool {
     for (i, entry) in solved.entries.iter_mut().enumerate() {
         let said = road.said.get(i).filter(|s| s.label == entry.label).or_else(|| road.get(entry.label));
         entry.bound = said.map(|s| s.value.about(entry.value())).filter(|b| b.is_finite());
+        // Zero on both roads and within the enclosure, and no datum moves it: zero by structure, whatever rounding left of it.
+        let zero = [entry.eom, entry.energy].iter().all(|v| v.is_some_and(|v| v == 0.0)) && entry.cond == 0.0;
+        if zero && said.is_some_and(|s| s.value.value().hi.abs() <= s.value.radius()) {
+            entry.bound = Some(0.0);
+        }
     }
     true
 }
