@@ -8,6 +8,7 @@ use crate::scene::Degree;
 use crate::scene::End;
 use crate::scene::Num;
 use crate::scene::Scene;
+use crate::scene::Span;
 use crate::scene::Tie;
 use crate::scene::admissible::Inadmissible;
 use crate::scene::admissible::Rule;
@@ -44,6 +45,15 @@ fn of_tie(scene: &Scene, index: usize) -> String {
     }
 }
 
+/// How far a condition looks, where the forces change on the way.
+fn looks(scene: &Scene) -> &'static str {
+    match (scene.spring(), scene.span) {
+        (None, _) => "",
+        (Some(_), Span::ToEnd) => " up to the end that is asked",
+        (Some(_), Span::ToTurningPoint) => " up to the turning point",
+    }
+}
+
 /// One condition in words with its numbers.
 pub fn check(scene: &Scene, c: &Check) -> String {
     let (required, available) = (figures(c.required), figures(c.available));
@@ -68,12 +78,14 @@ pub fn check(scene: &Scene, c: &Check) -> String {
             )
         }
         CheckKind::NoSlip if c.ok => format!(
-            "the {} holds without slipping: needs {required} N of friction, mu_s N = {available} N",
-            of_tie(scene, c.of)
+            "the {} holds without slipping{}: needs {required} N of friction, mu_s N = {available} N",
+            of_tie(scene, c.of),
+            looks(scene)
         ),
         CheckKind::NoSlip => format!(
-            "the {} slips: rolling needs {required} N of friction, mu_s N = {available} N is available",
-            of_tie(scene, c.of)
+            "the {} slips: rolling{} needs {required} N of friction, mu_s N = {available} N is available",
+            of_tie(scene, c.of),
+            looks(scene)
         ),
         CheckKind::MustSlip if c.ok => format!(
             "the {} slips: rolling would need {available} N of friction, more than mu_s N = {required} N",
@@ -90,7 +102,9 @@ pub fn check(scene: &Scene, c: &Check) -> String {
             "the {} is not pressed on its surface: normal force {available} N, required more than {required}",
             body(scene, c.of)
         ),
-        CheckKind::Taut if c.ok => format!("{} is taut with {available} N", of_tie(scene, c.of)),
+        CheckKind::Taut if c.ok => {
+            format!("{} is taut{} with {available} N", of_tie(scene, c.of), looks(scene))
+        }
         CheckKind::Taut => {
             format!(
                 "{} is not taut: tension {available} N, required more than {required}",
@@ -470,7 +484,7 @@ mod tests {
             start: vec![crate::scene::Start::Speed(turn, zero)],
             end: End::TurningPoint(turn),
             heading: None,
-            span: crate::scene::Span::ToEnd,
+            span: Span::ToEnd,
         };
         let moves = |available: f64, required: f64| {
             let kind = CheckKind::Moves;

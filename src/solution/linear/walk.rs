@@ -10,6 +10,7 @@ use crate::scene::Label;
 use crate::scene::Num;
 use crate::scene::Owner;
 use crate::scene::Quantity;
+use crate::scene::Span;
 use crate::scene::Start;
 use crate::scene::Tie;
 use crate::solution::desk::Answer;
@@ -759,13 +760,29 @@ impl<'d, 'a> Walk<'d, 'a> {
             let at = self.stretch_at(s, &far);
             self.value(&at).abs() < SLACK * self.value(&s.stretch).abs()
         });
-        self.tell(if slack { "extremes.slack" } else { "extremes.turn" }, &[]);
+        let place = if slack {
+            "slack"
+        } else if far == self.s {
+            "end"
+        } else {
+            "turn"
+        };
+        self.tell(&format!("extremes.{place}"), &[]);
         let last = self.friction_at(body, &far, "2")?;
         Ok((first, last))
     }
 
-    /// Displacement at which the tension is least: the turning point, or where the cord goes slack.
+    /// Displacement at the far end of what the conditions look at: the end that is asked or, where the scene looks beyond it, the
+    /// turning point; but no farther than where the cord goes slack, for friction then stays what it is.
     fn far_end(&mut self) -> Result<Expr, Finding> {
+        if self.desk.scene.span == Span::ToEnd && self.s != ZERO {
+            return Ok(self.s.clone());
+        }
+        self.turning_or_slack()
+    }
+
+    /// Displacement at which the tension is least in the whole motion: the turning point, or where the cord goes slack.
+    fn turning_or_slack(&mut self) -> Result<Expr, Finding> {
         let Some(spring) = self.spring.clone() else { return self.beyond("a spring that is not there") };
         let (first, kappa) = (spring.first.clone(), spring.kappa.clone());
         let turn = quotient(product([number(2), first.clone()]), kappa.clone());
@@ -1276,7 +1293,7 @@ impl<'d, 'a> Walk<'d, 'a> {
         if self.v0 != ZERO {
             return self.beyond("the turning point of a motion on a spring that starts with a speed");
         }
-        let far = self.far_end()?;
+        let far = self.turning_or_slack()?;
         let turn = quotient(product([number(2), first.clone()]), kappa.clone());
         let level = self.value(&turn);
         if far == turn {
