@@ -3,7 +3,7 @@ use crate::bank::measure;
 use crate::bank::node::{Faults, Fields, Node, Value, close_name, named, shorten};
 use crate::scene::{
     Arm, Attach, Body, Coordinate, Cord, CordEnd, Couple, Degree, End, Far, Heading, Line, Mass, Num, Part,
-    Particle, Pin, PinSpring, Rest, RotaryInertia, Scene, Shape, Side, Slope, Start, Tie, Zero,
+    Particle, Pin, PinSpring, Rest, RotaryInertia, Scene, Shape, Side, Slope, Span, Start, Tie, Zero,
 };
 use crate::units::Unit;
 use std::cell::Cell;
@@ -240,7 +240,16 @@ impl Reader<'_> {
                 format!("write `start: {{{}: {{angle: phi0}}}}`", body.name),
             );
         }
-        Some(Scene { gravity_m_s2: Num::Datum(gravity), bodies, ties, couples, start, end, heading })
+        Some(Scene {
+            gravity_m_s2: Num::Datum(gravity),
+            bodies,
+            ties,
+            couples,
+            start,
+            end,
+            heading,
+            span: Span::default(),
+        })
     }
 
     fn number(&self, node: &Node, need: Need) -> Option<Num> {

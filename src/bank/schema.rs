@@ -11,7 +11,7 @@ use crate::bank::review;
 use crate::bank::scene::{self, Need, Read, Symbol};
 use crate::bank::{Bank, Bound, Case, Datum, Draw, FigureLabels, Problem, Question, Relative};
 use crate::policy::Policy;
-use crate::scene::{Label, Owner, Quantity, Scene};
+use crate::scene::{Label, Owner, Quantity, Scene, Span};
 use crate::solve::outcome::{CheckKind, Motion};
 use crate::units::Unit;
 use std::collections::BTreeMap;
@@ -31,13 +31,18 @@ const FIGURES: u8 = 3;
 /// Most data of a problem; with g these are all that condition numbers are taken of.
 const MAX_DATA: usize = 63;
 /// Margins where the bank does not say them; the other checks have none.
-const MARGINS: [(CheckKind, f64); 6] = [
+const MARGINS: [(CheckKind, f64); 11] = [
     (CheckKind::Moves, 0.10),
     (CheckKind::NoSlip, 0.05),
     (CheckKind::MustSlip, 0.05),
     (CheckKind::StartsSlipping, 0.05),
     (CheckKind::Closes, 0.05),
     (CheckKind::Reaches, 0.05),
+    (CheckKind::Taut, 0.05),
+    (CheckKind::Slack, 0.05),
+    (CheckKind::SlipEnds, 0.05),
+    (CheckKind::UnderWay, 0.05),
+    (CheckKind::StaticLimit, 0.05),
 ];
 /// What holds for all problems of a bank.
 struct Common {
@@ -445,7 +450,7 @@ fn problem(
         .collect();
     let context =
         mistake::Context { data: &plain, symbols: &symbols, gravity: gravity_index, cases: &read_cases };
-    let mistakes = mistakes_node.map_or_else(Vec::new, |n| mistake::mistakes(n, &context, faults));
+    let mut mistakes = mistakes_node.map_or_else(Vec::new, |n| mistake::mistakes(n, &context, faults));
     let asks = asks_node.map(|n| asks(n, &questions, faults));
     let asked: Vec<Question> = match asks {
         None => questions.into_iter().filter_map(|(_, q)| q).collect(),
@@ -456,6 +461,9 @@ fn problem(
         let names: Vec<&str> = plain.iter().map(|d| d.symbol.as_str()).collect();
         review::templates(statement_node, questions_node, &names, variables, faults);
     }
+    // What is asked says how far the conditions look: the key is the same wherever these questions are answered.
+    let span = Span::of(asked.iter().map(|q| q.label.quantity));
+    mistakes.iter_mut().flat_map(|m| &mut m.scenes).flatten().for_each(|s| s.span = span);
     let mut ready = Vec::new();
     for case in cases {
         let mut bounds = Vec::new();
@@ -463,7 +471,8 @@ fn problem(
             let scene = case.read.as_ref().and_then(|r| r.scene.as_ref());
             bounds.extend(bounds_of(n, &plain, scene, faults));
         }
-        if let Some(Read { scene: Some(scene), upright, .. }) = case.read {
+        if let Some(Read { scene: Some(mut scene), upright, .. }) = case.read {
+            scene.span = span;
             let mut draws = case.draws;
             draws.push(Some(g_draw.clone()));
             ready.push(Case {

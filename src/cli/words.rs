@@ -4,9 +4,11 @@ use crate::key::Answer;
 use crate::key::KeyEntry;
 use crate::num::gauss::Unsettled;
 use crate::num::ode::Trouble;
+use crate::scene::Degree;
 use crate::scene::End;
 use crate::scene::Num;
 use crate::scene::Scene;
+use crate::scene::Span;
 use crate::scene::Tie;
 use crate::scene::admissible::Inadmissible;
 use crate::scene::admissible::Rule;
@@ -47,6 +49,15 @@ fn of_tie(scene: &Scene, index: usize) -> String {
     }
 }
 
+/// How far a condition looks, where the forces change on the way.
+fn looks(scene: &Scene) -> &'static str {
+    match (scene.spring(), scene.span) {
+        (None, _) => "",
+        (Some(_), Span::ToEnd) => " up to the end that is asked",
+        (Some(_), Span::ToTurningPoint) => " up to the turning point",
+    }
+}
+
 /// One condition in words with its numbers.
 pub fn check(scene: &Scene, c: &Check) -> String {
     let (required, available) = (figures(c.required), figures(c.available));
@@ -78,12 +89,14 @@ pub fn check(scene: &Scene, c: &Check) -> String {
             }
         ),
         CheckKind::NoSlip if c.ok => format!(
-            "the {} holds without slipping: needs {required} N of friction, mu_s N = {available} N",
-            of_tie(scene, c.of)
+            "the {} holds without slipping{}: needs {required} N of friction, mu_s N = {available} N",
+            of_tie(scene, c.of),
+            looks(scene)
         ),
         CheckKind::NoSlip => format!(
-            "the {} slips: rolling needs {required} N of friction, mu_s N = {available} N is available",
-            of_tie(scene, c.of)
+            "the {} slips: rolling{} needs {required} N of friction, mu_s N = {available} N is available",
+            of_tie(scene, c.of),
+            looks(scene)
         ),
         CheckKind::MustSlip if c.ok => format!(
             "the {} slips: rolling would need {available} N of friction, more than mu_s N = {required} N",
@@ -100,7 +113,9 @@ pub fn check(scene: &Scene, c: &Check) -> String {
             "the {} is not pressed on its surface: normal force {available} N, required more than {required}",
             body(scene, c.of)
         ),
-        CheckKind::Taut if c.ok => format!("{} is taut with {available} N", of_tie(scene, c.of)),
+        CheckKind::Taut if c.ok => {
+            format!("{} is taut{} with {available} N", of_tie(scene, c.of), looks(scene))
+        }
         CheckKind::Taut => {
             format!(
                 "{} is not taut: tension {available} N, required more than {required}",
@@ -134,6 +149,34 @@ pub fn check(scene: &Scene, c: &Check) -> String {
             "friction does not end the slip of the {}: {required} N keep it up, mu_k N = {available} N",
             of_tie(scene, c.of)
         ),
+        CheckKind::Slack => {
+            let unit = if scene.ending_coordinate().degree == Degree::Along { "m" } else { "rad" };
+            let when = if c.required < c.available { "is still taut" } else { "is slack" };
+            format!(
+                "{} {when} at the end, after {required} {unit}: it goes slack after {available} {unit}",
+                of_tie(scene, c.of)
+            )
+        }
+        CheckKind::SlipEnds if c.available.is_infinite() => {
+            format!("the {} slips at the end, after {required} s: its slip does not end", of_tie(scene, c.of))
+        }
+        CheckKind::SlipEnds => {
+            let when = if c.required < c.available { "still slips" } else { "rolls" };
+            format!(
+                "the {} {when} at the end, after {required} s: its slip ends after {available} s",
+                of_tie(scene, c.of)
+            )
+        }
+        CheckKind::UnderWay => {
+            format!("the {} is on its way at the end: it moves at {available} m/s", of_tie(scene, c.of))
+        }
+        CheckKind::StaticLimit => {
+            let can = if c.required <= c.available { "could" } else { "could not" };
+            format!(
+                "static friction {can} hold the {} rolling: that needs {required} N, mu_s N = {available} N",
+                of_tie(scene, c.of)
+            )
+        }
         CheckKind::Reaches if scene.pinned().is_some() => reaches_on_a_pin(scene, c),
         CheckKind::Reaches if c.ok && c.available.is_infinite() => {
             format!("the end is reached: {required} asked, the motion goes on without end")
@@ -467,6 +510,7 @@ mod tests {
             start: vec![crate::scene::Start::Speed(turn, zero)],
             end: End::TurningPoint(turn),
             heading: None,
+            span: Span::ToEnd,
         };
         let moves = |available: f64, required: f64| {
             let kind = CheckKind::Moves;

@@ -7,6 +7,7 @@ use crate::scene::Far;
 use crate::scene::Label;
 use crate::scene::Owner;
 use crate::scene::Quantity;
+use crate::scene::Span;
 use crate::scene::Tie;
 use crate::solution::desk::Answer;
 use crate::solution::expr::Expr;
@@ -33,6 +34,13 @@ use crate::solve::outcome::Word;
 /// What the derivation does not cover, and a check that fails.
 pub fn write(walk: &mut Walk) -> Result<(), Finding> {
     walk.tell("regime.intro", &[]);
+    if walk.spring.is_some() {
+        let far = match walk.desk.scene.span {
+            Span::ToEnd => "end",
+            Span::ToTurningPoint => "turn",
+        };
+        walk.tell(&format!("regime.range.{far}"), &[]);
+    }
     moves(walk)?;
     for body in 0..walk.m.parts.len() {
         if walk.m.parts[body].normal.is_some() {

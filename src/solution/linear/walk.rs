@@ -10,6 +10,7 @@ use crate::scene::Label;
 use crate::scene::Num;
 use crate::scene::Owner;
 use crate::scene::Quantity;
+use crate::scene::Span;
 use crate::scene::Start;
 use crate::scene::Tie;
 use crate::solution::desk::Answer;
@@ -795,8 +796,17 @@ impl<'d, 'a> Walk<'d, 'a> {
         Ok([first, Extreme { friction, place, stretch_m }])
     }
 
-    /// Displacement at the far end of the motion: the turning point, or where the cord goes slack and friction stays what it is.
+    /// Displacement at the far end of what the conditions look at: the end that is asked or, where the scene looks beyond it, the
+    /// turning point; but no farther than where the cord goes slack, for friction then stays what it is.
     fn far_end(&mut self) -> Result<Expr, Finding> {
+        if self.desk.scene.span == Span::ToEnd && self.s != ZERO {
+            return Ok(self.s.clone());
+        }
+        self.turning_or_slack()
+    }
+
+    /// Displacement at which the tension is least in the whole motion: the turning point, or where the cord goes slack.
+    fn turning_or_slack(&mut self) -> Result<Expr, Finding> {
         let Some(spring) = self.spring.clone() else { return self.beyond("a spring that is not there") };
         let (first, kappa) = (spring.first.clone(), spring.kappa.clone());
         let turn = quotient(product([number(2), first.clone()]), kappa.clone());
@@ -1307,7 +1317,7 @@ impl<'d, 'a> Walk<'d, 'a> {
         if self.v0 != ZERO {
             return self.beyond("the turning point of a motion on a spring that starts with a speed");
         }
-        let far = self.far_end()?;
+        let far = self.turning_or_slack()?;
         let turn = quotient(product([number(2), first.clone()]), kappa.clone());
         let level = self.value(&turn);
         if far == turn {
