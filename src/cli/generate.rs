@@ -161,6 +161,9 @@ fn generate(args: &args::Generate, io: &mut Io) -> Result<(), Vec<Finding>> {
         None => whole(&plan, &members, &args.out, watched),
     })?;
     tell(&plan, &summary, &args.out, io);
+    for note in lint::seldom_words(&loaded.bank, &problems) {
+        io.line(&format!("  note: {}: {}", note.field, note.message));
+    }
     for m in members.iter().filter(|m| m.folder != m.student) {
         io.line(&format!("  {} is in students/{}", m.student, m.folder));
     }

@@ -18,7 +18,6 @@ use crate::problem::make::Variant;
 use crate::problem::make_key;
 use crate::scene::Num;
 use crate::scene::Owner;
-use crate::scene::Quantity;
 use crate::scene::Scene;
 use crate::scene::Slope;
 use crate::scene::Start;
@@ -405,16 +404,10 @@ fn forms(words: &Words, problem: &Problem, scene: &Scene, common: &Common, withi
 /// How an answer is to be written: `in N, signed or with up / down`.
 fn form(words: &Words, q: &Question, scene: &Scene, common: &Common, within: f64) -> String {
     let [forward, back] = direction_words(words, scene, q.label.of);
-    match q.label.quantity {
-        Quantity::Direction => {
-            let pieces = [("a", forward), ("b", back), ("c", words.get("sheet.stays"))];
-            return words.say("sheet.one_of_three", &pieces);
-        }
-        Quantity::Rolls => {
-            let pieces = [("a", words.get("sheet.yes")), ("b", words.get("sheet.no"))];
-            return words.say("sheet.one_of_two", &pieces);
-        }
-        _ => {}
+    if q.label.quantity.is_word()
+        && let [a, b] = make_key::offered(q.label.quantity, scene)
+    {
+        return words.say("sheet.one_of_two", &[("a", said(words, a)), ("b", said(words, b))]);
     }
     let mut text = match q.unit.ascii() {
         "1" => words.get("sheet.number").to_owned(),
