@@ -162,6 +162,9 @@ fn generate(args: &args::Generate, io: &mut Io) -> Result<(), Vec<Finding>> {
         None => whole(&plan, &members, &args.out, watched),
     })?;
     tell(&plan, &summary, &args.out, io);
+    for note in lint::seldom_words(&loaded.bank, &problems) {
+        io.line(&format!("  note: {}: {}", note.field, note.message));
+    }
     for m in members.iter().filter(|m| m.folder != m.student) {
         io.line(&format!("  {} is in students/{}", m.student, m.folder));
     }
@@ -204,12 +207,13 @@ pub fn whole(plan: &Plan, members: &[Member], out: &Path, watched: bool) -> Resu
             .map_err(|e| vec![files::trouble(&out.join(name), "cannot be written", &e)])
     };
     write("bank.yaml", plan.text.as_bytes())?;
-    write("key.csv", &key_file::text(&keys))?;
+    let key = key_file::text(&keys);
+    write("key.csv", &key)?;
     write("submissions.csv", &blank_form(plan, &set))?;
     for (name, bytes) in together(plan, &sheets, &keys)? {
         write(name, &bytes)?;
     }
-    write("set.json", set.text().as_bytes())?;
+    write("set.json", set.sealed(&key).as_bytes())?;
     staged.finish().map_err(one)?;
     let tries = tries(&set, 0);
     Ok(Summary { written: members.len(), set, tries, cut })
@@ -293,7 +297,9 @@ fn add(
     }));
     keys.extend(dealt.iter().map(|d| d.key.clone()));
     let (set, cut) = store(plan, &everybody, &dealt, Some((old, &keys)));
-    let mut files = vec![("key.csv", key_file::text(&keys)), ("set.json", set.text().into_bytes())];
+    let key = key_file::text(&keys);
+    let sealed = set.sealed(&key).into_bytes();
+    let mut files = vec![("key.csv", key), ("set.json", sealed)];
     if form_is_blank {
         files.push(("submissions.csv", blank_form(plan, &set)));
     }

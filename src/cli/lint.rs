@@ -1,6 +1,7 @@
 //! `slipstick lint`: all that is wrong in a bank, then how it behaves over many seeds.
 use crate::bank::Bank;
 use crate::bank::Problem;
+use crate::bank::Question;
 use crate::bank::node::shorten;
 use crate::cli::args;
 use crate::cli::args::Format;
@@ -18,6 +19,7 @@ use crate::problem::make::Maker;
 use crate::problem::make::Variant;
 use crate::problem::make_key;
 use crate::problem::sweep;
+use crate::problem::sweep::Seldom;
 use crate::problem::sweep::Sweep;
 use crate::sheet::document;
 use crate::sheet::document::Dropped;
@@ -76,6 +78,12 @@ fn lint(args: &args::Lint, io: &mut Io) -> Result<Vec<Finding>, Vec<Finding>> {
     let mut dropped = Vec::new();
     if findings.is_empty() {
         findings.extend(faulty_texts(bank, &texts, &mut dropped)?);
+        for (problem, sweep) in bank.problems.iter().zip(&sweeps) {
+            for (question, seen) in problem.questions.iter().zip(&sweep.questions) {
+                let never = sweep::seldom(&seen.words).into_iter().filter(sweep::Seldom::never);
+                findings.extend(never.map(|s| seldom(problem, question, &s).in_file(&loaded.file)));
+            }
+        }
     }
     for (problem, sweep) in bank.problems.iter().zip(&sweeps) {
         let tables = tables(problem, sweep);
@@ -223,9 +231,10 @@ fn questions(problem: &Problem, sweep: &Sweep) -> (Vec<Vec<String>>, Vec<Vec<Str
             row.push(if least == most { most } else { format!("{least} to {most}") });
             row.push(percent(seen.missed()));
         } else {
-            let total: u64 = seen.words.iter().map(|(_, n)| n).sum();
-            let share = |n: u64| n * 100 / total.max(1);
-            let list: Vec<String> = seen.words.iter().map(|(w, n)| format!("{w} {} %", share(*n))).collect();
+            let share = |(word, n): &(&str, u64)| {
+                format!("{word} {} %", n * 100 / sweep::printed(&seen.words, word).max(1))
+            };
+            let list: Vec<String> = seen.words.iter().map(share).collect();
             row.push(list.join(", "));
         }
         rows.push(row);
@@ -270,10 +279,41 @@ fn mistakes(problem: &Problem, sweep: &Sweep) -> (Vec<Vec<String>>, Vec<String>)
     (rows, never)
 }
 
-/// Where the figures asked and the tolerance do not fit the condition numbers.
+/// A word of a printed list that is right too seldom.
+fn seldom(problem: &Problem, question: &Question, seldom: &Seldom) -> Finding {
+    let Seldom { word, right, printed } = *seldom;
+    let what = match right {
+        0 => format!("`{word}` is offered and right in none of {printed} variants: that is no question"),
+        _ => format!(
+            "`{word}` is right in {right} of {printed} variants, less than {:.0} %",
+            sweep::WORD_SHARE * 100.0
+        ),
+    };
+    let hint = "leave the question out, or let cases and ranges bring each word about, with the same data drawn for all";
+    Finding::new(format!("problems.{}.questions.{}", problem.id, question.id), what).hint(hint)
+}
+
+/// Variants that are tried for the words of a problem where nothing else is asked of it.
+const FOR_WORDS: u32 = 100;
+
+/// Words of printed lists that are right too seldom, on a few variants of these problems.
+pub fn seldom_words(bank: &Bank, problems: &[usize]) -> Vec<Finding> {
+    let mut found = Vec::new();
+    for problem in problems.iter().filter_map(|p| bank.problems.get(*p)) {
+        for (question, words) in sweep::words_of(problem, FOR_WORDS, &bank.id) {
+            let question = &problem.questions[question];
+            found.extend(sweep::seldom(&words).iter().map(|s| seldom(problem, question, s)));
+        }
+    }
+    found
+}
+
+/// Where the figures asked and the tolerance do not fit the condition numbers, and words that are right too seldom.
 fn notes(problem: &Problem, sweep: &Sweep) -> Vec<String> {
     let mut notes = Vec::new();
     for (question, seen) in problem.questions.iter().zip(&sweep.questions) {
+        let rare = sweep::seldom(&seen.words).into_iter().filter(|s| !s.never());
+        notes.extend(rare.map(|s| format!("{}: {}", question.id, seldom(problem, question, &s).message)));
         let missed = seen.missed();
         if missed > HONEST_MISSES {
             let advice = match question.relative.fixed() {

@@ -78,7 +78,7 @@ quantities! {
     Period "period" "s" "time of a full swing to and fro, or of a full turn where it goes over the top";
     PeriodSmall "period_small" "s" "period of small swings";
     OmegaSmall "omega_small" "rad/s" "angular frequency of small swings";
-    Direction "direction" "" "up, down or stays (forward, back or stays on a level)";
+    Direction "direction" "" "up or down (forward or back on a level)";
     Rolls "rolls" "" "yes if it could roll without slipping, else no";
 }
 

@@ -408,17 +408,11 @@ fn forms(words: &Words, problem: &Problem, scene: &Scene, common: &Common, withi
 /// How an answer is to be written: `in N, signed or with up / down`.
 fn form(words: &Words, q: &Question, scene: &Scene, common: &Common, within: f64) -> String {
     let [forward, back] = direction_words(words, scene, q.label.of);
-    match q.label.quantity {
-        Quantity::Direction => {
-            let pieces = [("a", forward), ("b", back), ("c", words.get("sheet.stays"))];
-            return words.say("sheet.one_of_three", &pieces);
-        }
-        Quantity::Rolls => {
-            let pieces = [("a", words.get("sheet.yes")), ("b", words.get("sheet.no"))];
-            let text = words.say("sheet.one_of_two", &pieces);
-            return range(scene, q).map_or_else(|| text.clone(), |r| format!("{text}, {}", words.get(r)));
-        }
-        _ => {}
+    if q.label.quantity.is_word()
+        && let [a, b] = make_key::offered(q.label.quantity, scene)
+    {
+        let text = words.say("sheet.one_of_two", &[("a", said(words, a)), ("b", said(words, b))]);
+        return range(scene, q).map_or_else(|| text.clone(), |r| format!("{text}, {}", words.get(r)));
     }
     let mut text = match q.unit.ascii() {
         "1" => words.get("sheet.number").to_owned(),
