@@ -167,7 +167,8 @@ fn compare(s: &composed::Scene, forces: f64, solved: &Solved, told: &Told) -> Re
         }
     }
     for (name, of, want, _) in &told.values {
-        let published = solved.entries.iter().any(|e| e.label.quantity.name() == *name && owner(e.label.of) == *of);
+        let published =
+            solved.entries.iter().any(|e| e.label.quantity.name() == *name && owner(e.label.of) == *of);
         let optional = ["displacement"].contains(name);
         if !published && !optional {
             faults.push(format!("{name} of {of:?} is not published; the judge has {want:e}"));
@@ -253,7 +254,8 @@ fn composed_scenes_agree_with_lagrange_or_are_refused_by_name() {
     }
     let mut kinds: BTreeMap<String, (u32, u64)> = BTreeMap::new();
     for (seed, why) in &faults {
-        let kind: String = why.lines().next().unwrap_or("").chars().filter(|c| !c.is_ascii_digit()).take(60).collect();
+        let kind: String =
+            why.lines().next().unwrap_or("").chars().filter(|c| !c.is_ascii_digit()).take(60).collect();
         let k = kinds.entry(kind).or_insert((0, *seed));
         k.0 += 1;
     }

@@ -56,6 +56,7 @@ fn key(name: &str) -> KeyEntry {
         "huge" => entry("huge", number(3e300, 3e298, false), "m"),
         "torque" => entry("torque", number(12.0, 0.12, false), "N m"),
         "angle" => entry("angle", number(std::f64::consts::FRAC_PI_6, 0.005, false), "deg"),
+        "reach" => entry("reach", number(1.25, 0.0125, true), "m"),
         "mu" => entry("mu", number(0.25, 0.0025, false), "1"),
         "alpha" => entry("alpha", number(4.5, 0.045, false), "rad/s^2"),
         "weight" => entry("weight", number(163.586, 1.63586, false), "N"),
@@ -143,8 +144,23 @@ const TABLE: &[(&str, &str, &str, &str)] = &[
     ("30,263", "omega", "right", "the comma is read as the decimal mark"),
     ("30,263 N", "large", "unreadable", "write 30263 or 30.263"),
     ("29,111", "large", "wrong", "the comma is read as the decimal mark"),
-    ("30.263,0", "large", "unreadable", "more than one comma or point"),
-    ("30,263.0", "large", "unreadable", "more than one comma or point"),
+    // both marks: the last one is the decimal mark, the other groups by three, and the reason says what came out
+    ("30.263,0", "large", "right", "read as 30263"),
+    ("30,263.0", "large", "right", "read as 30263"),
+    ("30,263.25 N", "large", "right", "read as 30263.25 N"),
+    ("1.030.263,5", "large", "wrong", "read as 1030263.5"),
+    ("1,030,263.5", "large", "wrong", "read as 1030263.5"),
+    ("30 263,0 N", "large", "right", "read as 30263 N"),
+    ("30'263", "large", "right", "read as 30263"),
+    ("30’263.0 N", "large", "right", "read as 30263 N"),
+    ("30'263,5", "large", "right", "read as 30263.5"),
+    ("30,26.3", "large", "unreadable", "more than one comma or point"),
+    ("3026,300.5", "large", "unreadable", "more than one comma or point"),
+    ("0,263.5", "large", "unreadable", "more than one comma or point"),
+    ("30.263,0.5", "large", "unreadable", "more than one comma or point"),
+    ("30'26", "large", "unreadable", "more than one comma or point"),
+    ("30'263 000", "large", "unreadable", "more than one number"),
+    ("30 26", "large", "unreadable", "more than one number"),
     ("1,030,263", "large", "unreadable", "more than one comma or point"),
     ("1.2.3 m/s", "v", "unreadable", "more than one comma or point"),
     ("0,164", "large", "wrong", "the comma is read as the decimal mark"),
@@ -234,7 +250,7 @@ const TABLE: &[(&str, &str, &str, &str)] = &[
     ("30.3 m/s", "omega", "wrong dimension", "expected rad/s (angular velocity), found m/s (speed)"),
     ("12 N", "torque", "wrong dimension", "a factor m is missing"),
     ("62.6 kg", "friction", "wrong dimension", "expected N (force), found kg (mass)"),
-    ("14 lb", "friction", "wrong dimension", "write lbf"),
+    ("14 lbm", "friction", "wrong dimension", "write lbf"),
     ("14 deg", "mu", "wrong dimension", ""),
     ("1.25 ms^-1", "v", "wrong dimension", "ms is a millisecond"),
     // the unit itself
@@ -261,15 +277,106 @@ const TABLE: &[(&str, &str, &str, &str)] = &[
     ("0", "tiny", "wrong", ""),
     ("3.02e300", "huge", "right", ""),
     ("3.04e300", "huge", "wrong", ""),
+    // an uncertainty: the number before it counts, and the reason says so
+    ("30.3 ± 0.1 rad/s", "omega", "right", "what follows ± is passed over"),
+    ("30.3 ± 0.1", "omega", "right", "what follows ± is passed over"),
+    ("30.3 rad/s ± 0.1 rad/s", "omega", "right", "what follows ±"),
+    ("30.3 rad/s ± 2 rpm", "omega", "right", "what follows ±"),
+    ("30.3 rad/s ± 0.5 %", "omega", "right", "what follows ±"),
+    ("(30.3 ± 0.1) rad/s", "omega", "right", "what follows ±"),
+    ("30.3+-0.1 rad/s", "omega", "right", "what follows ±"),
+    ("30.3 +/- 0.1", "omega", "right", "what follows ±"),
+    ("$30.3 \\pm 0.1$", "omega", "right", "what follows ±"),
+    ("62.6 ± 0.3 N up", "friction", "right", "what follows ±"),
+    ("62.6 N down ± 0.3 N", "friction", "wrong direction", "what follows ±"),
+    ("31 ± 1 rad/s", "omega", "wrong", "what follows ±"),
+    ("±62.6 N", "friction", "unreadable", ""),
+    ("30.3 rad/s ± 0.1 m", "omega", "unreadable", "more than one number"),
+    ("25 ± 1 %", "mu", "unreadable", "more than one number"),
+    ("30.3 ± 0.1 ± 0.2", "omega", "unreadable", ""),
+    // exact values
+    ("5/4", "v", "right", "read as 1.25"),
+    ("5/4 m/s", "v", "right", "read as 1.25 m/s"),
+    ("1 1/4 m/s", "v", "right", "read as 1.25 m/s"),
+    ("1¼ m/s", "v", "right", "read as 1.25 m/s"),
+    ("(5/4) m/s", "v", "right", "read as 1.25 m/s"),
+    ("1/4", "mu", "right", "read as 0.25"),
+    ("-1/4", "mu", "wrong direction", ""),
+    ("1/2", "v", "wrong", "read as 0.5"),
+    ("sqrt(918)", "omega", "right", "read as 30.2985148"),
+    ("√918 rad/s", "omega", "right", "read as 30.2985148"),
+    ("2*sqrt(229) rad/s", "omega", "right", "read as"),
+    ("9 sqrt(2) N m", "torque", "wrong", "read as 12.72792206 N m"),
+    ("12*sqrt(4)/2", "torque", "right", "read as 12"),
+    ("\\frac{5}{4}\\ \\mathrm{m/s}", "v", "right", "read as 1.25 m/s"),
+    ("$\\sqrt{918}$", "omega", "right", "read as 30.2985148"),
+    ("pi/6 rad", "angle", "right", "read as 0.5235987756 rad"),
+    ("π/6 rad", "angle", "right", ""),
+    ("30 1/s", "omega", "right", "within the tolerance"),
+    ("1/2*3", "v", "unreadable", "not a formula"),
+    ("1/2 sqrt(3)", "v", "unreadable", "not a formula"),
+    ("2.5/2", "v", "unreadable", "not a formula"),
+    ("3/4/2026", "v", "unreadable", "not a formula"),
+    ("sqrt(2*9.81*0.08)", "v", "unreadable", "not a formula"),
+    ("5/0", "v", "unreadable", "not a finite number"),
+    ("sqrt(-2)", "v", "unreadable", ""),
+    // brackets
+    ("30.3 [rad/s]", "omega", "right", ""),
+    ("30.3 (rad/s)", "omega", "right", ""),
+    ("30.3 {rad/s}", "omega", "right", ""),
+    ("30.3 ［rad/s］", "omega", "right", ""),
+    ("[30.3] rad/s", "omega", "right", "read as 30.3 rad/s"),
+    ("(30.3 rad/s)", "omega", "right", "read as 30.3 rad/s"),
+    ("62.6 N [up]", "friction", "right", ""),
+    ("(30.3 rad/s", "omega", "unreadable", ""),
+    // the web and other scripts
+    ("30.3&nbsp;rad/s", "omega", "right", ""),
+    ("30.3&amp;nbsp;rad/s", "omega", "right", ""),
+    ("30.3&#160;rad/s", "omega", "right", ""),
+    ("&minus;62.6&thinsp;N", "friction", "wrong direction", ""),
+    ("<p>30.3 rad/s</p>", "omega", "right", ""),
+    ("4.5 rad/s<sup>2</sup>", "alpha", "right", ""),
+    ("4.2&times;10<sup>3</sup>&nbsp;N", "force", "right", ""),
+    ("٣٠٫٣ rad/s", "omega", "right", "read as 30.3 rad/s"),
+    ("۳۰٫۳", "omega", "right", "read as 30.3"),
+    ("३०.३", "omega", "right", "read as 30.3"),
+    ("٣٠٬٢٦٣ N", "large", "right", "read as 30263 N"),
+    ("３０．３［ｒａｄ／ｓ］", "omega", "right", ""),
+    // units with two meanings take the one that is asked
+    ("14 lb", "friction", "right", "the unit is read as lbf"),
+    ("14 lbs up", "friction", "right", "the unit is read as lbf"),
+    ("8.85 lb ft", "torque", "right", "the unit is read as"),
+    ("2.43 knots", "v", "right", ""),
+    ("2.43 kt", "v", "right", ""),
+    ("2.43 kn", "v", "right", "the unit is read as knot"),
+    ("4.2 kn", "force", "right", "the unit is read as kN"),
+    ("4.816 r/s", "omega", "unreadable", "may be rad/s or rev/s"),
+    ("30.3 r/s", "omega", "unreadable", "may be rad/s or rev/s"),
+    ("30.3 r s^-1", "omega", "unreadable", "may be rad s^-1 or rev s^-1"),
+    ("4.5 r/s²", "alpha", "unreadable", "may be rad/s² or rev/s²"),
+    // several units
+    ("4 ft 1.2 in", "reach", "right", "read as 4.1 ft"),
+    ("4 ft, 1.2 in", "reach", "right", "read as 4.1 ft"),
+    ("4 feet and 1.2 inches", "reach", "right", "read as 4.1 ft"),
+    ("4' 1.2\"", "reach", "right", "read as 4.1 ft"),
+    ("4′1″", "reach", "right", "read as 4.083333333 ft"),
+    ("1 m 25 cm", "reach", "right", "read as 1.25 m"),
+    ("-4 ft 1.2 in", "reach", "wrong direction", "read as -4.1 ft"),
+    ("4 ft 13 in", "reach", "unreadable", "more than one number"),
+    ("4.1 ft 3 in", "reach", "unreadable", "more than one number"),
+    ("1.2 in 4 ft", "reach", "unreadable", "more than one number"),
+    ("4 ft 3 N", "reach", "unreadable", ""),
+    // what is contradictory is shown
+    ("-62.6 N down", "friction", "unreadable", "62.6 N down or 62.6 N up"),
+    ("-62,6 N hinauf", "friction", "unreadable", "62.6 N up or 62.6 N down"),
+    ("- 62.6 forward", "friction", "unreadable", "62.6 forward or 62.6 back"),
     // neither
     ("", "omega", "blank", "nothing written"),
     ("  \u{a0} ", "omega", "blank", ""),
     ("about thirty", "omega", "unreadable", "neither a number nor a known word"),
     ("?", "omega", "unreadable", ""),
     ("30 or 31", "omega", "unreadable", ""),
-    ("30.3 ± 0.1 rad/s", "omega", "unreadable", "more than one number"),
     ("30 31", "omega", "unreadable", "more than one number"),
-    ("1/2", "v", "unreadable", "not a formula or a fraction"),
     ("v = 2*0.625 = 1.25", "v", "unreadable", "not a formula"),
     ("2*0.625", "v", "unreadable", "not a formula"),
     ("10^10^10 m", "huge", "unreadable", ""),
@@ -570,6 +677,102 @@ fn a_million_rows_are_accounted_for() {
     }
     assert_eq!(lines.next(), None);
     assert!(graded.count(Verdict::Unreadable) >= 3000, "{:?}", graded.counts);
+}
+
+/// The column `slip` of a single answer to a part with this key, whose tolerance is 0.5 %.
+fn slip_of(cell: &str, key: f64, unit: &str) -> String {
+    let part = entry(
+        "x",
+        Answer::Number { value: key, half_width: 0.005 * key.abs(), directed: true, magnitude: false },
+        unit,
+    );
+    let problem = ProblemKey { id: "p".into(), parts: vec![part], ..sheet("s").problems[0].clone() };
+    let table = KeyTable::new(vec![SheetKey { student: "s".into(), problems: vec![problem] }], &[]);
+    let text = format!("student,problem,part,answer\ns,1,x,\"{cell}\"\n");
+    let (out, _) = run_with(text.as_bytes(), &table, &Options::default()).unwrap();
+    let mut reader = csv::Reader::from_reader(out.as_bytes());
+    let at = reader.headers().unwrap().iter().position(|h| h == "slip").unwrap();
+    reader.records().next().unwrap().unwrap()[at].to_owned()
+}
+
+// Nothing before this looked at how the number was written: only whether its value was the key rounded to one or two figures. So `-1.00e+02`,
+// rounded on the way, was told to have one figure; and a number in another unit was held against the key rounded in SI.
+#[test]
+fn fewer_figures_are_counted_as_they_are_written() {
+    for (cell, key, unit, figures) in [
+        ("-1.00e+02", -105.2, "N", None),
+        ("-100. N", -105.2, "N", None),
+        ("-1e2", -105.2, "N", Some(1)),
+        ("-100 N", -105.2, "N", Some(1)),
+        ("-1.1e2 N", -105.2, "N", Some(2)),
+        ("-1,1e2 N", -105.2, "N", Some(2)),
+        ("-110", -105.2, "N", Some(2)),
+        ("-110,0", -105.2, "N", None),
+        ("-0.11 kN", -105.2, "N", Some(2)),
+        ("-0,110 kN", -105.2, "N", None),
+        ("11 * 10^1 N up", 105.2, "N", Some(2)),
+        ("300 rpm", 30.263, "rad/s", Some(1)),
+        ("3.0e2 rpm", 30.263, "rad/s", None),
+        ("290 rpm", 30.9, "rad/s", None),
+        ("0.05", 0.0462, "m", Some(1)),
+        ("0.050", 0.0462, "m", None),
+        ("5 cm", 0.0462, "m", Some(1)),
+        // Halves go up, from the decimal number; one more figure is as good as it gets.
+        ("0.53", 0.525, "m", Some(2)),
+        ("0.52", 0.525, "m", None),
+        // A number in the cell that is not the answer has no figures of its own.
+        ("omega_1 = 27.5", 30.263, "rad/s", None),
+    ] {
+        let slip = slip_of(cell, key, unit);
+        let told = slip.strip_prefix("figures:").map(|n| n.parse::<u32>().unwrap());
+        assert_eq!(told, figures, "{cell} for {key} {unit}: {slip}");
+    }
+}
+
+#[test]
+fn too_few_figures_are_told_only_of_the_right_number_rounded_to_them() {
+    use dashu_float::DBig;
+    use std::str::FromStr;
+    let (mut told, mut silent) = (0, 0);
+    for step in 0..400u32 {
+        let key = (1.0 + f64::from(step) * 0.0225) * [0.01, 1.0, 100.0][step as usize % 3];
+        let key: f64 = format!("{key:.3e}").parse().unwrap();
+        let exact = DBig::from_str(&key.to_string()).unwrap();
+        for figures in 1..=3usize {
+            for off in [-1i32, 0, 1] {
+                let near = format!("{:.*e}", figures - 1, key);
+                let (mantissa, exponent) = near.split_once('e').unwrap();
+                let digits = mantissa.replace('.', "").parse::<i32>().unwrap() + off;
+                if digits.to_string().len() != figures {
+                    continue;
+                }
+                let text = digits.to_string();
+                let mantissa = match text.split_at(1) {
+                    (one, "") => one.to_owned(),
+                    (one, rest) => format!("{one}.{rest}"),
+                };
+                let forms =
+                    [format!("{mantissa}e{exponent}"), format!("{mantissa}e{exponent}").replace('.', ",")];
+                for cell in forms {
+                    let written = DBig::from_str(&format!("{mantissa}e{exponent}")).unwrap();
+                    let rounds = exact.clone().with_precision(figures).value() == written;
+                    let value: f64 = format!("{mantissa}e{exponent}").parse().unwrap();
+                    let slip = slip_of(&cell, key, "m");
+                    let says = slip == format!("figures:{figures}");
+                    if (value - key).abs() <= 0.005 * key {
+                        assert_eq!(slip, "", "{cell} is right for {key}");
+                    } else {
+                        assert_eq!(says, rounds, "{cell} for {key}: {slip}");
+                        assert!(says || !slip.starts_with("figures"), "{cell} for {key}: {slip}");
+                        told += u32::from(says);
+                        silent += u32::from(!says);
+                    }
+                }
+            }
+        }
+    }
+    println!("{told} answers have too few figures, {silent} are another number");
+    assert!(told > 300 && silent > 300, "{told} {silent}");
 }
 
 /// A line of 100 MB, in one field or in many, quoted or not, is one unreadable record and is never held.

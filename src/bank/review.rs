@@ -260,11 +260,13 @@ pub fn label(scene: &Scene, name: &str) -> Result<Label, (String, Option<String>
 const fn why(quantity: Quantity) -> &'static str {
     match quantity {
         Quantity::Omega | Quantity::Alpha | Quantity::Phi => "nothing turns here",
-        Quantity::V | Quantity::A | Quantity::Rise => "nothing moves along a line here",
+        Quantity::V | Quantity::A | Quantity::Displacement | Quantity::Rise => {
+            "nothing moves along a line here"
+        }
         Quantity::Friction | Quantity::Normal => "nothing touches a surface here",
         Quantity::MuRequired => "nothing rolls or slips here",
         Quantity::SlipDistance | Quantity::FrictionIfRolled => "it needs a tie `slips`",
-        Quantity::SlipSpeed | Quantity::Displacement | Quantity::ARolling => {
+        Quantity::SlipSpeed | Quantity::ARolling => {
             "it needs a body that `slips` and starts with a speed and a spin"
         }
         Quantity::Rolls => "it needs a tie `slips`, or `rolls` with mu_s",
@@ -273,7 +275,10 @@ const fn why(quantity: Quantity) -> &'static str {
         Quantity::CordTravel => "it needs a cord that is pulled or held by a spring",
         Quantity::WorkPull | Quantity::PowerPull => "it needs a cord with `pulled with`",
         Quantity::KBound => "it needs one wheel with a radius of gyration that rolls and is pulled",
-        Quantity::XEq | Quantity::VMax | Quantity::DAtVMax | Quantity::DTurn => "it needs a spring",
+        Quantity::XEq => "it needs a spring",
+        Quantity::VMax | Quantity::DAtVMax | Quantity::DTurn => {
+            "it needs an end of a body on a line, and a spring or a speed at the start"
+        }
         Quantity::XG | Quantity::YG | Quantity::IG => "it needs a body of particles",
         Quantity::IO | Quantity::PinRadial | Quantity::PinTangential | Quantity::PinForce => {
             "it needs a pinned body"
@@ -328,7 +333,7 @@ pub fn labels(scene: &Scene) -> Vec<Label> {
                 }
             }
             if let Some(line) = body.line {
-                for q in [Quantity::V, Quantity::A, Quantity::Rise] {
+                for q in [Quantity::V, Quantity::A, Quantity::Displacement, Quantity::Rise] {
                     add(q, of);
                 }
                 if line.surface {
@@ -344,6 +349,12 @@ pub fn labels(scene: &Scene) -> Vec<Label> {
     add(Quantity::RotationalFraction, Owner::Scene);
     let end = scene.ending_coordinate();
     add(Quantity::Direction, Owner::Body(end.body));
+    let changes = scene.spring().is_some() || !scene.start.is_empty();
+    if changes && end.degree == Degree::Along && scene.thrown().is_none() {
+        for q in [Quantity::VMax, Quantity::DAtVMax, Quantity::DTurn] {
+            add(q, Owner::Body(end.body));
+        }
+    }
     for (t, tie) in scene.ties.iter().enumerate() {
         match tie {
             Tie::Roll { body, mu_s, .. } => {
@@ -364,7 +375,7 @@ pub fn labels(scene: &Scene) -> Vec<Label> {
                     add(q, Owner::Body(*body));
                 }
                 if scene.thrown().is_some_and(|t| t.body == *body) {
-                    for q in [Quantity::SlipSpeed, Quantity::Displacement, Quantity::ARolling] {
+                    for q in [Quantity::SlipSpeed, Quantity::ARolling] {
                         add(q, Owner::Body(*body));
                     }
                 }
@@ -384,11 +395,6 @@ pub fn labels(scene: &Scene) -> Vec<Label> {
                     add(Quantity::Tension, Owner::Tie(t));
                     add(Quantity::CordTravel, Owner::Tie(t));
                     add(Quantity::XEq, Owner::Scene);
-                    if end.degree == Degree::Along {
-                        for q in [Quantity::VMax, Quantity::DAtVMax, Quantity::DTurn] {
-                            add(q, Owner::Body(end.body));
-                        }
-                    }
                 }
                 Far::Body(_) | Far::Fixed => add(Quantity::Tension, Owner::Tie(t)),
             },

@@ -1,6 +1,8 @@
 //! `slipstick lint`: all that is wrong in a bank, then how it behaves over many seeds.
 use crate::bank::Bank;
 use crate::bank::Problem;
+use crate::bank::Question;
+use crate::bank::node::shorten;
 use crate::cli::args;
 use crate::cli::args::Format;
 use crate::cli::banks;
@@ -12,11 +14,15 @@ use crate::cli::tell::Io;
 use crate::cli::words;
 use crate::finding::Finding;
 use crate::key::SheetKey;
+use crate::num::shown;
 use crate::problem::make::Maker;
 use crate::problem::make::Variant;
 use crate::problem::make_key;
 use crate::problem::sweep;
+use crate::problem::sweep::Seldom;
 use crate::problem::sweep::Sweep;
+use crate::sheet::document;
+use crate::sheet::document::Dropped;
 use crate::sheet::html;
 use crate::sheet::html::Converter;
 use crate::sheet::key_table;
@@ -69,8 +75,15 @@ fn lint(args: &args::Lint, io: &mut Io) -> Result<Vec<Finding>, Vec<Finding>> {
             }
         }
     }
+    let mut dropped = Vec::new();
     if findings.is_empty() {
-        findings.extend(faulty_texts(bank, &texts)?);
+        findings.extend(faulty_texts(bank, &texts, &mut dropped)?);
+        for (problem, sweep) in bank.problems.iter().zip(&sweeps) {
+            for (question, seen) in problem.questions.iter().zip(&sweep.questions) {
+                let never = sweep::seldom(&seen.words).into_iter().filter(sweep::Seldom::never);
+                findings.extend(never.map(|s| seldom(problem, question, &s).in_file(&loaded.file)));
+            }
+        }
     }
     for (problem, sweep) in bank.problems.iter().zip(&sweeps) {
         let tables = tables(problem, sweep);
@@ -88,7 +101,8 @@ fn lint(args: &args::Lint, io: &mut Io) -> Result<Vec<Finding>, Vec<Finding>> {
         if let Some(never) = never_near(&tables) {
             io.line(&format!("  {never}"));
         }
-        for note in tables.notes {
+        let told = dropped.iter().filter(|(id, _)| *id == problem.id).map(|(_, note)| note.clone());
+        for note in tables.notes.into_iter().chain(told) {
             io.line(&format!("    note: {note}"));
         }
         io.line("");
@@ -96,7 +110,7 @@ fn lint(args: &args::Lint, io: &mut Io) -> Result<Vec<Finding>, Vec<Finding>> {
     io.line(&chance(&sweeps));
     for sweep in &sweeps {
         let one = sweep::coincidence(std::slice::from_ref(sweep), CLASS);
-        io.line(&format!("  {} alone: at most {one:.1e}", sweep.problem));
+        io.line(&format!("  {} alone: at most {}", sweep.problem, shown::figures(one, 2)));
     }
     Ok(findings)
 }
@@ -161,7 +175,8 @@ pub fn chance(sweeps: &[Sweep]) -> String {
     let chance = sweep::coincidence(sweeps, CLASS);
     let verdict = if chance <= RARE { "rare enough" } else { "too likely: widen the ranges" };
     format!(
-        "Chance that two of {CLASS} students get equal sheets of all {}: at most {chance:.1e} ({verdict}).",
+        "Chance that two of {CLASS} students get equal sheets of all {}: at most {} ({verdict}).",
+        shown::figures(chance, 2),
         tell::count(sweeps.len(), "problem")
     )
 }
@@ -172,23 +187,21 @@ fn cases(sweep: &Sweep) -> Vec<Vec<String>> {
     ];
     for case in &sweep.cases {
         let name = if case.name.is_empty() { "(all)" } else { &case.name };
-        let accepted =
-            if case.tries == 0 { "-".to_owned() } else { format!("{:.0} %", case.acceptance() * 100.0) };
+        let accepted = if case.tries == 0 { "-".to_owned() } else { tell::percent(case.acceptance()) };
         rows.push(vec![
             name.to_owned(),
-            format!("{:.0} %", case.share * 100.0),
+            tell::percent(case.share),
             case.variants.to_string(),
             case.tries.to_string(),
             accepted,
-            if case.tries == 0 { "-".to_owned() } else { format!("about {:.0e}", case.valid) },
+            if case.tries == 0 { "-".to_owned() } else { format!("about {}", shown::figures(case.valid, 1)) },
         ]);
     }
     rows
 }
 
 fn questions(problem: &Problem, sweep: &Sweep) -> (Vec<Vec<String>>, Vec<Vec<String>>) {
-    let percent =
-        |share: f64| if share.is_nan() { "-".to_owned() } else { format!("{:.0} %", share * 100.0) };
+    let percent = |share: f64| if share.is_nan() { "-".to_owned() } else { tell::percent(share) };
     let mut rows = vec![
         [
             "question",
@@ -218,9 +231,10 @@ fn questions(problem: &Problem, sweep: &Sweep) -> (Vec<Vec<String>>, Vec<Vec<Str
             row.push(if least == most { most } else { format!("{least} to {most}") });
             row.push(percent(seen.missed()));
         } else {
-            let total: u64 = seen.words.iter().map(|(_, n)| n).sum();
-            let share = |n: u64| n * 100 / total.max(1);
-            let list: Vec<String> = seen.words.iter().map(|(w, n)| format!("{w} {} %", share(*n))).collect();
+            let share = |(word, n): &(&str, u64)| {
+                format!("{word} {} %", n * 100 / sweep::printed(&seen.words, word).max(1))
+            };
+            let list: Vec<String> = seen.words.iter().map(share).collect();
             row.push(list.join(", "));
         }
         rows.push(row);
@@ -236,7 +250,7 @@ fn mistakes(problem: &Problem, sweep: &Sweep) -> (Vec<Vec<String>>, Vec<String>)
         s if s.is_nan() => "-".to_owned(),
         s if s <= 0.0 => "0 %".to_owned(),
         s if s < 0.01 => "< 1 %".to_owned(),
-        s => format!("{:.0} %", s * 100.0),
+        s => tell::percent(s),
     };
     let single = sweep.cases.len() == 1;
     let mut head = vec!["wrong method".to_owned()];
@@ -265,10 +279,41 @@ fn mistakes(problem: &Problem, sweep: &Sweep) -> (Vec<Vec<String>>, Vec<String>)
     (rows, never)
 }
 
-/// Where the figures asked and the tolerance do not fit the condition numbers.
+/// A word of a printed list that is right too seldom.
+fn seldom(problem: &Problem, question: &Question, seldom: &Seldom) -> Finding {
+    let Seldom { word, right, printed } = *seldom;
+    let what = match right {
+        0 => format!("`{word}` is offered and right in none of {printed} variants: that is no question"),
+        _ => format!(
+            "`{word}` is right in {right} of {printed} variants, less than {:.0} %",
+            sweep::WORD_SHARE * 100.0
+        ),
+    };
+    let hint = "leave the question out, or let cases and ranges bring each word about, with the same data drawn for all";
+    Finding::new(format!("problems.{}.questions.{}", problem.id, question.id), what).hint(hint)
+}
+
+/// Variants that are tried for the words of a problem where nothing else is asked of it.
+const FOR_WORDS: u32 = 100;
+
+/// Words of printed lists that are right too seldom, on a few variants of these problems.
+pub fn seldom_words(bank: &Bank, problems: &[usize]) -> Vec<Finding> {
+    let mut found = Vec::new();
+    for problem in problems.iter().filter_map(|p| bank.problems.get(*p)) {
+        for (question, words) in sweep::words_of(problem, FOR_WORDS, &bank.id) {
+            let question = &problem.questions[question];
+            found.extend(sweep::seldom(&words).iter().map(|s| seldom(problem, question, s)));
+        }
+    }
+    found
+}
+
+/// Where the figures asked and the tolerance do not fit the condition numbers, and words that are right too seldom.
 fn notes(problem: &Problem, sweep: &Sweep) -> Vec<String> {
     let mut notes = Vec::new();
     for (question, seen) in problem.questions.iter().zip(&sweep.questions) {
+        let rare = sweep::seldom(&seen.words).into_iter().filter(|s| !s.never());
+        notes.extend(rare.map(|s| format!("{}: {}", question.id, seldom(problem, question, &s).message)));
         let missed = seen.missed();
         if missed > HONEST_MISSES {
             let advice = match question.relative.fixed() {
@@ -276,9 +321,9 @@ fn notes(problem: &Problem, sweep: &Sweep) -> Vec<String> {
                 None => "ask for more figures, or lower its cond limit",
             };
             notes.push(format!(
-                "{}: {:.0} % of honest answers with {} figures on the way miss its tolerance; {advice}",
+                "{}: {} of honest answers with {} figures on the way miss its tolerance; {advice}",
                 question.id,
-                missed * 100.0,
+                tell::percent(missed),
                 question.figures
             ));
         }
@@ -346,9 +391,31 @@ fn one_of_each_case(problem: &Problem, bank: &str) -> Vec<Variant> {
     variants
 }
 
+/// What a text of students does not keep, in words.
+fn not_kept(what: &Dropped) -> String {
+    match what {
+        Dropped::Html(html) => {
+            format!("`{}` is dropped: HTML does not reach students, write it in Markdown", shorten(html))
+        }
+        Dropped::Link(url) => {
+            format!(
+                "the link to `{}` is dropped: only http, https, mailto and places nearby stay",
+                shorten(url)
+            )
+        }
+        Dropped::Picture(url) => {
+            format!("the picture `{}` is dropped: pages hold only what the program draws", shorten(url))
+        }
+    }
+}
+
 /// One sheet of each case is written: faults that show only then, and formulas that cannot be read. Then a whole sheet, in
-/// every format that this program makes without a compiler.
-fn faulty_texts(bank: &Bank, texts: &Texts) -> Result<Vec<Finding>, Vec<Finding>> {
+/// every format that this program makes without a compiler. `notes` gets what is dropped from a text, by problem.
+fn faulty_texts(
+    bank: &Bank,
+    texts: &Texts,
+    notes: &mut Vec<(String, String)>,
+) -> Result<Vec<Finding>, Vec<Finding>> {
     let mut findings: Vec<Finding> = Vec::new();
     let problems: Vec<usize> = (0..bank.problems.len()).collect();
     let sheets = Sheets::new(&texts.templates, &texts.words, bank, &bank.id, &problems)?;
@@ -361,7 +428,16 @@ fn faulty_texts(bank: &Bank, texts: &Texts) -> Result<Vec<Finding>, Vec<Finding>
             }
             let mut out = Vec::new();
             match sheets.problem(i, &variant, &mut room, &mut out) {
-                Ok(()) => add_formulas(&mut findings, problem, texts, &String::from_utf8_lossy(&out)),
+                Ok(()) => {
+                    let text = String::from_utf8_lossy(&out);
+                    add_formulas(&mut findings, problem, texts, &text);
+                    for what in [&problem.title, &*text].into_iter().flat_map(|t| document::dropped(t)) {
+                        let note = (problem.id.clone(), not_kept(&what));
+                        if !notes.contains(&note) {
+                            notes.push(note);
+                        }
+                    }
+                }
                 Err(fault) if findings.contains(&fault) => {}
                 Err(fault) => findings.push(fault),
             }

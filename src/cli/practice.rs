@@ -7,7 +7,7 @@ use crate::cli::tell::Exit;
 use crate::cli::tell::Io;
 use crate::cli::words;
 use crate::finding::Finding;
-use crate::grade::diagnose::diagnose;
+use crate::grade::diagnose;
 use crate::grade::feedback::Feedback;
 use crate::grade::judge;
 use crate::grade::verdict::Verdict;
@@ -108,7 +108,7 @@ impl Tutor<'_> {
         if self.hints == Hints::None || !number.is_finite() {
             return Vec::new();
         }
-        let found = diagnose(number, part, parts).methods;
+        let found = diagnose::methods(number, part, parts);
         let known = found.iter().filter_map(|m| self.catalogue.get(methods.get(usize::from(*m))?));
         let mut lines = Vec::new();
         for entry in known.take(if self.hints == Hints::Explain { 1 } else { 2 }) {

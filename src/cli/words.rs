@@ -4,9 +4,11 @@ use crate::key::Answer;
 use crate::key::KeyEntry;
 use crate::num::gauss::Unsettled;
 use crate::num::ode::Trouble;
+use crate::scene::Degree;
 use crate::scene::End;
 use crate::scene::Num;
 use crate::scene::Scene;
+use crate::scene::Span;
 use crate::scene::Tie;
 use crate::scene::admissible::Inadmissible;
 use crate::scene::admissible::Rule;
@@ -29,17 +31,30 @@ pub fn figures(value: f64) -> String {
     rounded(value, 5)
 }
 
-fn body(scene: &Scene, index: usize) -> &str {
-    scene.bodies.get(index).map_or("body", |b| b.name.as_str())
+/// What stands behind `the`: the id of a body where it is a word, `body B` where it is not.
+fn body(scene: &Scene, index: usize) -> String {
+    let Some(body) = scene.bodies.get(index) else { return "body".to_owned() };
+    let word = body.name.trim_end_matches(|c: char| c.is_ascii_digit());
+    let is_word = word.len() > 1 && word.chars().all(|c| c.is_lowercase() || c == '_');
+    if is_word { body.name.clone() } else { format!("body {}", body.name) }
 }
 
 fn of_tie(scene: &Scene, index: usize) -> String {
     match scene.ties.get(index) {
         Some(Tie::Roll { body: b, .. } | Tie::Slip { body: b, .. } | Tie::Slide { body: b, .. }) => {
-            body(scene, *b).to_owned()
+            body(scene, *b)
         }
         Some(Tie::Cord(cord)) => cord.name.clone(),
         None => "tie".to_owned(),
+    }
+}
+
+/// How far a condition looks, where the forces change on the way.
+fn looks(scene: &Scene) -> &'static str {
+    match (scene.spring(), scene.span) {
+        (None, _) => "",
+        (Some(_), Span::ToEnd) => " up to the end that is asked",
+        (Some(_), Span::ToTurningPoint) => " up to the turning point",
     }
 }
 
@@ -74,12 +89,14 @@ pub fn check(scene: &Scene, c: &Check) -> String {
             }
         ),
         CheckKind::NoSlip if c.ok => format!(
-            "the {} holds without slipping: needs {required} N of friction, mu_s N = {available} N",
-            of_tie(scene, c.of)
+            "the {} holds without slipping{}: needs {required} N of friction, mu_s N = {available} N",
+            of_tie(scene, c.of),
+            looks(scene)
         ),
         CheckKind::NoSlip => format!(
-            "the {} slips: rolling needs {required} N of friction, mu_s N = {available} N is available",
-            of_tie(scene, c.of)
+            "the {} slips: rolling{} needs {required} N of friction, mu_s N = {available} N is available",
+            of_tie(scene, c.of),
+            looks(scene)
         ),
         CheckKind::MustSlip if c.ok => format!(
             "the {} slips: rolling would need {available} N of friction, more than mu_s N = {required} N",
@@ -96,7 +113,9 @@ pub fn check(scene: &Scene, c: &Check) -> String {
             "the {} is not pressed on its surface: normal force {available} N, required more than {required}",
             body(scene, c.of)
         ),
-        CheckKind::Taut if c.ok => format!("{} is taut with {available} N", of_tie(scene, c.of)),
+        CheckKind::Taut if c.ok => {
+            format!("{} is taut{} with {available} N", of_tie(scene, c.of), looks(scene))
+        }
         CheckKind::Taut => {
             format!(
                 "{} is not taut: tension {available} N, required more than {required}",
@@ -130,6 +149,34 @@ pub fn check(scene: &Scene, c: &Check) -> String {
             "friction does not end the slip of the {}: {required} N keep it up, mu_k N = {available} N",
             of_tie(scene, c.of)
         ),
+        CheckKind::Slack => {
+            let unit = if scene.ending_coordinate().degree == Degree::Along { "m" } else { "rad" };
+            let when = if c.required < c.available { "is still taut" } else { "is slack" };
+            format!(
+                "{} {when} at the end, after {required} {unit}: it goes slack after {available} {unit}",
+                of_tie(scene, c.of)
+            )
+        }
+        CheckKind::SlipEnds if c.available.is_infinite() => {
+            format!("the {} slips at the end, after {required} s: its slip does not end", of_tie(scene, c.of))
+        }
+        CheckKind::SlipEnds => {
+            let when = if c.required < c.available { "still slips" } else { "rolls" };
+            format!(
+                "the {} {when} at the end, after {required} s: its slip ends after {available} s",
+                of_tie(scene, c.of)
+            )
+        }
+        CheckKind::UnderWay => {
+            format!("the {} is on its way at the end: it moves at {available} m/s", of_tie(scene, c.of))
+        }
+        CheckKind::StaticLimit => {
+            let can = if c.required <= c.available { "could" } else { "could not" };
+            format!(
+                "static friction {can} hold the {} rolling: that needs {required} N, mu_s N = {available} N",
+                of_tie(scene, c.of)
+            )
+        }
         CheckKind::Reaches if scene.pinned().is_some() => reaches_on_a_pin(scene, c),
         CheckKind::Reaches if c.ok && c.available.is_infinite() => {
             format!("the end is reached: {required} asked, the motion goes on without end")
@@ -463,6 +510,7 @@ mod tests {
             start: vec![crate::scene::Start::Speed(turn, zero)],
             end: End::TurningPoint(turn),
             heading: None,
+            span: Span::ToEnd,
         };
         let moves = |available: f64, required: f64| {
             let kind = CheckKind::Moves;

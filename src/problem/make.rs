@@ -12,6 +12,7 @@ use crate::draw::stream::Words;
 use crate::misconception;
 use crate::misconception::Wrong;
 use crate::num::Dd;
+use crate::num::shown;
 use crate::problem::make_key;
 use crate::scene::End;
 use crate::scene::Label;
@@ -133,7 +134,7 @@ fn rule_name(problem: &Problem, case: usize, rule: usize) -> String {
         _ if rule < conds => format!("question {} has an answer", problem.questions[rule - questions].id),
         _ if rule < bounds => {
             let question = &problem.questions[rule - conds];
-            let limit = format!("{:.1}", question.cond_limit);
+            let limit = shown::decimals(question.cond_limit, 1);
             format!("cond of {} above {}", question.id, limit.trim_end_matches(".0"))
         }
         _ => match problem.cases[case].bounds.get(rule - bounds) {

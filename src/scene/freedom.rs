@@ -22,9 +22,8 @@ impl Scene {
     /// Coordinates less the ties that say something of their own; contacts that slip or slide hold nothing.
     pub fn freedoms(&self) -> usize {
         let coordinates: Vec<Coordinate> = self.coordinates().collect();
-        let place = |body: usize, degree: Degree| {
-            coordinates.iter().position(|c| *c == Coordinate { body, degree })
-        };
+        let place =
+            |body: usize, degree: Degree| coordinates.iter().position(|c| *c == Coordinate { body, degree });
         let mut ties: Equations<f64> = Equations::new(coordinates.len());
         for tie in &self.ties {
             let ends: [Option<&CordEnd>; 2] = match tie {

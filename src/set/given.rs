@@ -11,6 +11,7 @@ use crate::problem::make;
 use crate::problem::make::Variant;
 use crate::problem::make_key;
 use crate::set::store::StoredSet;
+use crate::set::store::StoredStudent;
 use crate::set::store::StoredVariant;
 use crate::sheet::statement;
 use crate::solve::outcome::Refusal;
@@ -121,6 +122,62 @@ fn one(
             Err(why) => {
                 faults.push(Fault::Lost(Lost { student: student.to_owned(), problem: *index, case, why }));
             }
+        }
+    }
+    if faults.is_empty() {
+        Ok(Given { variants, key: SheetKey { student: student.to_owned(), problems: keys } })
+    } else {
+        Err(faults)
+    }
+}
+
+/// All students of a set that an earlier version drew, see [`as_stored`].
+///
+/// # Errors
+/// Those of [`as_stored`].
+pub fn all_as_stored(bank: &Bank, set: &StoredSet) -> Result<Vec<Given>, Vec<Finding>> {
+    let problems = crate::set::replay::indices(bank, &set.problems, "problems")?;
+    let one = |s: &StoredStudent| as_stored(bank, &problems, &s.student, &s.problems);
+    let mut found = Vec::with_capacity(set.students.len());
+    for given in set.students.par_iter().map(one).collect::<Vec<_>>() {
+        found.push(given?);
+    }
+    Ok(found)
+}
+
+/// A stored student of a set that an earlier version drew: variants and key from the stored data. What counts is the stored
+/// key, so no rule of drawing is asked.
+///
+/// # Errors
+/// Bank and data do not fit each other, or the scene has no answer.
+pub fn as_stored(
+    bank: &Bank,
+    problems: &[usize],
+    student: &str,
+    stored: &[StoredVariant],
+) -> Result<Given, Vec<Finding>> {
+    let field = |id: &str| format!("students {student}, {id}");
+    if stored.len() != problems.len()
+        || !stored.iter().zip(problems).all(|(s, p)| s.id == bank.problems[*p].id)
+    {
+        return Err(vec![Finding::new(format!("students {student}"), "has other problems than the set")]);
+    }
+    let (mut variants, mut keys) = (Vec::new(), Vec::new());
+    let mut faults = Vec::new();
+    for (index, old) in problems.iter().zip(stored) {
+        let problem = &bank.problems[*index];
+        let variant = values(problem, old).and_then(|(case, values)| {
+            make::from_values(problem, case, &values).map_err(|_| {
+                let what = "the stored data have no answer by this version";
+                vec![Finding::new(field(&old.id), what)]
+            })
+        });
+        match variant {
+            Ok(variant) => {
+                keys.push(make_key::key(problem, &variant));
+                variants.push(variant);
+            }
+            Err(more) => faults.extend(more),
         }
     }
     if faults.is_empty() {

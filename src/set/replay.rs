@@ -7,6 +7,8 @@ use crate::key::SheetKey;
 use crate::problem::make::Maker;
 use crate::problem::make::Variant;
 use crate::problem::make_key;
+use crate::set::given;
+use crate::set::given::Given;
 use crate::set::store::StoredSet;
 use crate::set::store::StoredStudent;
 use crate::set::store::StoredVariant;
@@ -114,6 +116,12 @@ pub fn indices(bank: &Bank, ids: &[String], field: &str) -> Result<Vec<usize>, V
     if faults.is_empty() { Ok(found) } else { Err(faults) }
 }
 
+/// Was the set drawn by an earlier version, which chose other draws? Then nothing is drawn again: what was drawn is taken as it
+/// is stored, and so is the key ([`crate::set::key_file::put_stored`]).
+pub fn is_earlier(set: &StoredSet) -> bool {
+    set.draw_version < stream::DRAW_VERSION
+}
+
 /// Draws and solves a stored set again. The keys are returned only if the bank copy and every drawn number are the
 /// stored ones.
 ///
@@ -143,13 +151,14 @@ pub fn each<T: Send>(
         return Err(vec![fault.hint("put the original copy back, or make the set anew")]);
     }
     // Another program version is fine as long as it draws the same way and the numbers agree.
-    if set.draw_version != stream::DRAW_VERSION {
+    if set.draw_version > stream::DRAW_VERSION {
         let what = format!("is {}; this program draws by version {}", set.draw_version, stream::DRAW_VERSION);
         let hint = format!("the set was made by {}: use that version, or make the set anew", set.program);
         return Err(vec![Finding::new("draw_version", what).hint(hint)]);
     }
     let problems = indices(bank, &set.problems, "problems")?;
     let dealer = Dealer::new(bank, &problems, set.seed, &set.name);
+    let earlier = is_earlier(set);
     // What `make` finds is no difference.
     let made_badly = AtomicBool::new(false);
     let one = |(i, student): (usize, &StoredStudent)| -> Result<T, Vec<Finding>> {
@@ -157,6 +166,11 @@ pub fn each<T: Send>(
             made_badly.store(true, Ordering::Relaxed);
             vec![f]
         };
+        if earlier {
+            let Given { variants, key } =
+                given::as_stored(bank, &problems, &student.student, &student.problems)?;
+            return make(i, student, Dealt { variants, key }).map_err(by_make);
+        }
         if let Some(dealt) = dealer.deal_again(bank, &problems, student) {
             return make(i, student, dealt).map_err(by_make);
         }

@@ -14,6 +14,7 @@ use crate::bank::Problem;
 use crate::bank::Question;
 use crate::bank::decimal::Decimal;
 use crate::finding::Finding;
+use crate::num::shown;
 use crate::problem::make::Variant;
 use crate::problem::make_key;
 use crate::scene::Num;
@@ -21,6 +22,7 @@ use crate::scene::Owner;
 use crate::scene::Quantity;
 use crate::scene::Scene;
 use crate::scene::Slope;
+use crate::scene::Span;
 use crate::scene::Start;
 use crate::sheet::document;
 use crate::template;
@@ -117,7 +119,7 @@ pub fn add_own(templates: &mut Templates, bank: &Bank) -> Result<(), Vec<Finding
     for problem in &bank.problems {
         if let Some(text) = &problem.statement {
             let field = template_name(problem);
-            if let Err(fault) = templates.add_markdown(&field, text) {
+            if let Err(fault) = templates.add_markdown(&field, text, bank.places.get(&field).cloned()) {
                 faults.push(fault);
             }
         } else if !templates.has_markdown(&template_name(problem)) {
@@ -127,7 +129,8 @@ pub fn add_own(templates: &mut Templates, bank: &Bank) -> Result<(), Vec<Finding
             )));
         }
         for q in problem.questions.iter().filter(|q| is_template(&q.ask)) {
-            if let Err(fault) = templates.add_markdown(&ask_name(problem, q), &q.ask) {
+            let field = ask_name(problem, q);
+            if let Err(fault) = templates.add_markdown(&field, &q.ask, bank.places.get(&field).cloned()) {
                 faults.push(fault);
             }
         }
@@ -405,16 +408,11 @@ fn forms(words: &Words, problem: &Problem, scene: &Scene, common: &Common, withi
 /// How an answer is to be written: `in N, signed or with up / down`.
 fn form(words: &Words, q: &Question, scene: &Scene, common: &Common, within: f64) -> String {
     let [forward, back] = direction_words(words, scene, q.label.of);
-    match q.label.quantity {
-        Quantity::Direction => {
-            let pieces = [("a", forward), ("b", back), ("c", words.get("sheet.stays"))];
-            return words.say("sheet.one_of_three", &pieces);
-        }
-        Quantity::Rolls => {
-            let pieces = [("a", words.get("sheet.yes")), ("b", words.get("sheet.no"))];
-            return words.say("sheet.one_of_two", &pieces);
-        }
-        _ => {}
+    if q.label.quantity.is_word()
+        && let [a, b] = make_key::offered(q.label.quantity, scene)
+    {
+        let text = words.say("sheet.one_of_two", &[("a", said(words, a)), ("b", said(words, b))]);
+        return range(scene, q).map_or_else(|| text.clone(), |r| format!("{text}, {}", words.get(r)));
     }
     let mut text = match q.unit.ascii() {
         "1" => words.get("sheet.number").to_owned(),
@@ -431,6 +429,9 @@ fn form(words: &Words, q: &Question, scene: &Scene, common: &Common, within: f64
     if q.label.quantity.is_directed() && make_key::words_sign(scene, q.label) {
         add(&words.say("sheet.signed", &[("forward", forward), ("back", back)]));
     }
+    if let Some(range) = range(scene, q) {
+        add(words.get(range));
+    }
     if q.figures != common.figures {
         add(&words.say("sheet.figures", &[("n", &q.figures.to_string())]));
     }
@@ -443,9 +444,21 @@ fn form(words: &Words, q: &Question, scene: &Scene, common: &Common, within: f64
     text
 }
 
+/// Over which part of the motion an extremum is taken, where the forces change on the way so that it matters.
+fn range(scene: &Scene, q: &Question) -> Option<&'static str> {
+    scene.spring()?;
+    match (q.label.quantity, scene.span) {
+        (Quantity::MuRequired | Quantity::Rolls, Span::ToEnd) => Some("sheet.to_the_end"),
+        (Quantity::MuRequired | Quantity::Rolls | Quantity::VMax | Quantity::DAtVMax, _) => {
+            Some("sheet.to_the_turning_point")
+        }
+        _ => None,
+    }
+}
+
 /// `1 %`
 pub fn percent(share: f64) -> String {
-    let text = format!("{:.4}", share * 100.0);
+    let text = shown::decimals(share * 100.0, 4);
     let text = text.trim_end_matches('0').trim_end_matches('.');
     format!("{text} %")
 }

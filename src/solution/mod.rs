@@ -23,6 +23,7 @@ pub mod thrown;
 use crate::bank::Problem;
 use crate::bank::Question;
 use crate::figure;
+use crate::figure::names;
 use crate::figure::picture::Picture;
 use crate::finding::Finding;
 use crate::problem::make::Variant;
@@ -145,7 +146,7 @@ fn made(
     markdown.push('\n');
     let used = |name: &str| markdown.contains(&format!("({name}.svg)"));
     let pictures = pictures.into_iter().filter(|(name, _)| used(name)).collect();
-    Ok(Document { markdown, pictures })
+    Ok(Document::new(markdown, pictures))
 }
 
 /// The derivation that the scene needs.
@@ -222,9 +223,9 @@ fn named(desk: &Desk, label: Label) -> String {
     let mut questions = desk.problem.questions.iter();
     let several = questions.any(|q| q.label.quantity == label.quantity && q.label.of != label.of);
     let owner = match label.of {
-        Owner::Body(b) => linear::mechanism::label(desk, &desk.scene.bodies[b].name),
+        Owner::Body(b) => names::body_within(desk.words, desk.scene, b),
         Owner::Tie(t) => match &desk.scene.ties[t] {
-            Tie::Cord(cord) => cord.name.replace('_', " "),
+            Tie::Cord(cord) => names::cord(desk.words, desk.scene, cord),
             Tie::Roll { .. } | Tie::Slip { .. } | Tie::Slide { .. } => String::new(),
         },
         Owner::Scene => String::new(),
@@ -248,7 +249,8 @@ fn id_of(number: usize, q: &Question) -> String {
 fn given(desk: &Desk, number: usize) -> Section {
     let mut section = Section::new("given", desk.words.get("solution.title.given"));
     let data: Vec<String> = desk.told().iter().map(|d| format!("${d}$")).collect();
-    section.say(desk.say("solution.given", &[("data", &data.join(", "))]));
+    let phrase = if desk.degrees_told() { "solution.given_angles" } else { "solution.given" };
+    section.say(desk.say(phrase, &[("data", &data.join(", "))]));
     let asked = desk.problem.questions.iter();
     let asked: Vec<String> =
         asked.map(|q| format!("{} (`{}`)", named(desk, q.label), id_of(number, q))).collect();
@@ -260,7 +262,12 @@ fn given(desk: &Desk, number: usize) -> Section {
 fn agree(desk: &Desk, number: usize) -> Section {
     let w = desk.words;
     let mut section = Section::new("agree", w.get("solution.title.agree"));
-    let head = ["question", "eom", "energy", "difference"];
+    // What is summed over particles has no motion and no work.
+    let roads = match desk.scene.bodies.iter().any(|b| !b.particles.is_empty()) {
+        true => ["particles", "decomposed"],
+        false => ["eom", "energy"],
+    };
+    let head = ["question", roads[0], roads[1], "difference"];
     let mut rows = vec![head.map(|h| w.get(&format!("solution.agree.{h}")).to_owned()).to_vec()];
     let mut notes: Vec<String> = Vec::new();
     let shown = |answer: Option<Answer>| match answer {

@@ -152,7 +152,12 @@ impl Half {
         let open = |one: &[Label], other: &[Label]| one.iter().find(|l| !other.contains(l)).copied();
         if let Some(label) = open(&solved.open, &second.open).or(open(&second.open, &solved.open)) {
             let nothing = f64::NAN;
-            return Err(Refusal::Disagree { label, eom: nothing, energy: nothing, allowed: 2.0 * EACH_ROAD * U });
+            return Err(Refusal::Disagree {
+                label,
+                eom: nothing,
+                energy: nothing,
+                allowed: 2.0 * EACH_ROAD * U,
+            });
         }
         if let (Some((sense, reached)), Some(other)) = (course, second.course) {
             // Which way it goes and whether it arrives are answers too.
@@ -181,6 +186,11 @@ pub fn prove(scene: &Scene, data: &[f64], solved: &mut Solved) -> bool {
     for (i, entry) in solved.entries.iter_mut().enumerate() {
         let said = road.said.get(i).filter(|s| s.label == entry.label).or_else(|| road.get(entry.label));
         entry.bound = said.map(|s| s.value.about(entry.value())).filter(|b| b.is_finite());
+        // Zero on both roads and within the enclosure, and no datum moves it: zero by structure, whatever rounding left of it.
+        let zero = [entry.eom, entry.energy].iter().all(|v| v.is_some_and(|v| v == 0.0)) && entry.cond == 0.0;
+        if zero && said.is_some_and(|s| s.value.value().hi.abs() <= s.value.radius()) {
+            entry.bound = Some(0.0);
+        }
     }
     true
 }

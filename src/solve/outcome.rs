@@ -62,18 +62,20 @@ impl Regime {
     }
 }
 
-/// Which condition of validity.
+/// Which condition of validity, or which switch of the motion: an event at which another law takes over. Near a switch an
+/// answer may jump although its condition number is small, so draws keep away from it by a margin.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum CheckKind {
     /// It moves, the declared way: drive at the start, as a share of the largest force term (signed by the heading).
     Moves,
-    /// `|F| <= mu_s N` over the whole motion: required is the largest |F|, N; available `mu_s N`.
+    /// `|F| <= mu_s N` as far as the scene looks ([`crate::scene::Span`]): required is the largest |F|, N; available `mu_s N`.
     NoSlip,
     /// `|F_rolled| > mu_s N`: required is `mu_s N`; available the friction that rolling would need.
     MustSlip,
     /// N > 0: required 0, available N.
     Pressed,
-    /// A cord between bodies is taut: required 0, available the tension, N.
+    /// A cord between bodies is taut as far as the scene looks: required 0, available the least tension, N; the margin is its
+    /// share of the other forces that make it up.
     Taut,
     /// The slip goes against the friction: required 0, available slip speed against friction, m/s.
     SlipDirection,
@@ -84,6 +86,18 @@ pub enum CheckKind {
     Closes,
     /// The end event is reached before the turning point: required, the asked value; available, the farthest.
     Reaches,
+    /// Switch: where the cord of a spring goes slack. Required, the way to the end; available, the way to the switch. It always
+    /// holds, the margin is how far they are apart.
+    Slack,
+    /// Switch: where the slip of what is thrown ends. Required, the time of the end, s; available, that of the switch. It always
+    /// holds, the margin is how far they are apart.
+    SlipEnds,
+    /// Switch: the turning point of what is thrown. Available, its speed at the end, m/s. It always holds, the margin is the share
+    /// of the speeds that make it up.
+    UnderWay,
+    /// Switch: whether static friction could hold what is thrown, where the end comes before that is put to the test. Required, the
+    /// friction that rolling needs, N; available `mu_s N`. It always holds, the margin is how far they are apart.
+    StaticLimit,
 }
 
 impl CheckKind {
@@ -98,6 +112,10 @@ impl CheckKind {
         Self::StartsSlipping,
         Self::Closes,
         Self::Reaches,
+        Self::Slack,
+        Self::SlipEnds,
+        Self::UnderWay,
+        Self::StaticLimit,
     ];
     /// Name in JSON and in tables of refusals.
     pub const fn name(self) -> &'static str {
@@ -111,6 +129,10 @@ impl CheckKind {
             Self::StartsSlipping => "starts_slipping",
             Self::Closes => "closes",
             Self::Reaches => "reaches",
+            Self::Slack => "slack",
+            Self::SlipEnds => "slip_ends",
+            Self::UnderWay => "under_way",
+            Self::StaticLimit => "static_limit",
         }
     }
 }
@@ -395,7 +417,7 @@ pub struct Course<P> {
     pub reached: bool,
 }
 
-/// A contact or cord over the whole motion, on one road.
+/// A contact or cord as far as the scene looks, on one road.
 #[derive(Debug, Clone, Copy)]
 pub enum Held<P> {
     /// A body on a surface: index, normal force N.
@@ -405,8 +427,10 @@ pub enum Held<P> {
     /// A slipping contact: index of the tie, friction if it rolled, `mu_s N`, slip acceleration against friction, sense
     /// in which the centre sets off.
     Slipping(usize, P, P, P, f64),
-    /// A cord between bodies: index of the tie, tension N.
-    Cord(usize, f64),
+    /// A cord between bodies: index of the tie, least tension N, and its share of the other forces that make it up.
+    Cord(usize, f64, f64),
+    /// The cord of a spring that goes slack on the way: index of the tie, way to the end, way to where it goes slack.
+    Slack(usize, P, P),
     /// A rolling contact or a cord whose force the ties share in a way that statics leaves open: index of the tie.
     Open(usize),
     /// The contact of a body that is thrown with slip.
@@ -427,6 +451,10 @@ pub struct Throw {
     pub holds: bool,
     /// Is it to roll by the end that is asked?
     pub to_roll: bool,
+    /// Time of the end, s, where a time is asked, and time at which the slip ends, infinite if it does not.
+    pub times: Option<(f64, f64)>,
+    /// Speed at the end, m/s, and the sum of the magnitudes of the speeds that make it up, where the end is reached.
+    pub at_end: Option<(f64, f64)>,
     /// Slip speed at the start, m/s, >= 0.
     pub slip: f64,
     /// Sum of the magnitudes of the speeds that make it up, m/s.

@@ -158,21 +158,28 @@ pub fn judge<P: Real<Plain = P>>(
             }
             // Nobody can say that it holds.
             Held::Open(tie) => checks.push(Check {
-                kind: if matches!(scene.ties[*tie], Tie::Cord(_)) { CheckKind::Taut } else { CheckKind::NoSlip },
+                kind: if matches!(scene.ties[*tie], Tie::Cord(_)) {
+                    CheckKind::Taut
+                } else {
+                    CheckKind::NoSlip
+                },
                 of: *tie,
                 ok: false,
                 required: 0.0,
                 available: f64::NAN,
                 margin: -1.0,
             }),
-            Held::Cord(tie, tension) => checks.push(Check {
+            Held::Cord(tie, tension, share) => checks.push(Check {
                 kind: CheckKind::Taut,
                 of: *tie,
                 ok: *tension > 0.0,
                 required: 0.0,
                 available: *tension,
-                margin: if *tension > 0.0 { 1.0 } else { -1.0 },
+                margin: if *tension > 0.0 { *share } else { -1.0 },
             }),
+            Held::Slack(tie, asked, slack) => {
+                checks.push(switch(CheckKind::Slack, *tie, asked.f64(), slack.f64()));
+            }
         }
     }
     let asked = course.asked.unwrap_or_else(P::zero);
@@ -287,7 +294,29 @@ fn throw_checks(scene: &Scene, t: &Throw, checks: &mut Vec<Check>) {
             available: t.available,
             margin: share(t.available, t.needed),
         });
+    } else {
+        checks.push(switch(CheckKind::StaticLimit, t.tie, t.needed, t.available));
     }
+    if let (true, Some((asked, until))) = (t.slips, t.times) {
+        checks.push(switch(CheckKind::SlipEnds, t.tie, asked, until));
+    }
+    if let Some((speed, speeds)) = t.at_end {
+        let margin = if speeds > 0.0 { speed / speeds } else { 0.0 };
+        checks.push(Check {
+            kind: CheckKind::UnderWay,
+            of: t.tie,
+            ok: true,
+            required: 0.0,
+            available: speed,
+            margin,
+        });
+    }
+}
+
+/// A switch and what is asked, on whichever side of it.
+fn switch(kind: CheckKind, of: usize, required: f64, available: f64) -> Check {
+    let apart = margin(Dd::new(available), Dd::new(required)).abs();
+    Check { kind, of, ok: true, required, available, margin: apart }
 }
 
 fn rolls(scene: &Scene, tie: usize) -> Label {

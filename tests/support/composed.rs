@@ -273,10 +273,12 @@ impl Maker<'_> {
             };
             return End { body, wound: Some(radius), leaves };
         }
-        let level =
-            matches!(b.way, Way::Along(s) if surfaces[s].slope.is_none() && !surfaces[s].vertical);
-        let leaves =
-            if level { self.lot.of(&["forward", "back"]) } else { self.lot.of(&["forward", "back", "up", "down"]) };
+        let level = matches!(b.way, Way::Along(s) if surfaces[s].slope.is_none() && !surfaces[s].vertical);
+        let leaves = if level {
+            self.lot.of(&["forward", "back"])
+        } else {
+            self.lot.of(&["forward", "back", "up", "down"])
+        };
         End { body, wound: None, leaves }
     }
 }
@@ -305,7 +307,11 @@ pub fn scene(seed: u64) -> Scene {
     let mut bodies = Vec::new();
     for i in 0..count {
         // Blocks, wheels, drums, yo-yos.
-        let kind = if count == 1 { m.lot.of(&[0, 1, 1, 1, 2, 3, 3]) } else { m.lot.of(&[0, 0, 0, 1, 1, 1, 2, 2, 3]) };
+        let kind = if count == 1 {
+            m.lot.of(&[0, 1, 1, 1, 2, 3, 3])
+        } else {
+            m.lot.of(&[0, 0, 0, 1, 1, 1, 2, 2, 3])
+        };
         let name = format!("{}{}", ["block", "wheel", "drum", "yoyo"][kind], i + 1);
         bodies.push(m.body(name, &surfaces, kind));
     }
@@ -470,7 +476,8 @@ pub fn scene(seed: u64) -> Scene {
 }
 
 fn constructs(s: &Scene) -> Vec<&'static str> {
-    let mut list: Vec<&'static str> = vec![["one body", "two bodies", "three bodies", "four bodies"][s.bodies.len() - 1]];
+    let mut list: Vec<&'static str> =
+        vec![["one body", "two bodies", "three bodies", "four bodies"][s.bodies.len() - 1]];
     for b in &s.bodies {
         list.push(match (b.way, &b.spread) {
             (_, Spread::Block) => "block",
@@ -488,7 +495,11 @@ fn constructs(s: &Scene) -> Vec<&'static str> {
             Tie::Cord { far: Far::To(_), .. } => "cord between bodies",
             Tie::Cord { far: Far::Fast, .. } => "cord held fast",
             Tie::Cord { far: Far::Spring { rigid, .. }, .. } => {
-                if *rigid { "rigid spring" } else { "spring on a cord" }
+                if *rigid {
+                    "rigid spring"
+                } else {
+                    "spring on a cord"
+                }
             }
         });
     }
@@ -578,7 +589,8 @@ pub fn yaml(s: &Scene) -> String {
             Spread::Moment(k) => fields.push(format!("moment of inertia: {}", say(k, &mut data))),
             Spread::Shape(word, r) => {
                 // Its rim is its own radius unless another is written.
-                own_rim = b.radii.iter().any(|(n, a)| *n == "rim" && a.text == r.text && a.symbol == r.symbol);
+                own_rim =
+                    b.radii.iter().any(|(n, a)| *n == "rim" && a.text == r.text && a.symbol == r.symbol);
                 fields.push(format!("shape: {{{word}: {}}}", say(r, &mut data)));
             }
             Spread::Discs(parts) => {
@@ -696,7 +708,8 @@ pub fn yaml(s: &Scene) -> String {
     }
     for d in &data {
         let symbol = d.symbol.as_deref().unwrap_or_default();
-        let _ = writeln!(text, "      {symbol}: {{name: datum, unit: \"{}\", draw: always {}}}", d.unit, d.text);
+        let _ =
+            writeln!(text, "      {symbol}: {{name: datum, unit: \"{}\", draw: always {}}}", d.unit, d.text);
     }
     text.push_str("    scene:\n");
     text.push_str(&out);

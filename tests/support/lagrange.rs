@@ -353,17 +353,41 @@ impl<'s> System<'s> {
                 Tie::Rolls { body, on, mu_s } => {
                     let (row, normal) = contact(*body, radius(&s.bodies[*body], on));
                     let mu_s = mu_s.as_ref().map(|m| m.si);
-                    contacts.push(Contact { tie: t, body: *body, row, normal, mu_s, mu_k: 0.0, said: Said::Rolls });
+                    contacts.push(Contact {
+                        tie: t,
+                        body: *body,
+                        row,
+                        normal,
+                        mu_s,
+                        mu_k: 0.0,
+                        said: Said::Rolls,
+                    });
                 }
                 Tie::Slips { body, on, mu_s, mu_k } => {
                     let (row, normal) = contact(*body, radius(&s.bodies[*body], on));
                     let (mu_s, mu_k) = (Some(mu_s.si), mu_k.si);
-                    contacts.push(Contact { tie: t, body: *body, row, normal, mu_s, mu_k, said: Said::Slips });
+                    contacts.push(Contact {
+                        tie: t,
+                        body: *body,
+                        row,
+                        normal,
+                        mu_s,
+                        mu_k,
+                        said: Said::Slips,
+                    });
                 }
                 Tie::Slides { body, mu_s, mu_k } => {
                     let (row, normal) = contact(*body, 0.0);
                     let mu_s = Some(mu_s.as_ref().unwrap_or(mu_k).si);
-                    contacts.push(Contact { tie: t, body: *body, row, normal, mu_s, mu_k: mu_k.si, said: Said::Slides });
+                    contacts.push(Contact {
+                        tie: t,
+                        body: *body,
+                        row,
+                        normal,
+                        mu_s,
+                        mu_k: mu_k.si,
+                        said: Said::Slides,
+                    });
                 }
                 Tie::Cord { from, far } => {
                     let (at, along) = leaves(s, &frames, from);
@@ -402,7 +426,8 @@ impl<'s> System<'s> {
 
     /// Rows that hold with these grips.
     fn holding(&self, grips: &[Grip]) -> Vec<(Option<usize>, &[f64])> {
-        let mut rows: Vec<(Option<usize>, &[f64])> = self.rows.iter().map(|(t, r)| (*t, r.as_slice())).collect();
+        let mut rows: Vec<(Option<usize>, &[f64])> =
+            self.rows.iter().map(|(t, r)| (*t, r.as_slice())).collect();
         for (c, g) in self.contacts.iter().zip(grips) {
             if *g == Grip::Sticks {
                 rows.push((Some(c.tie), &c.row));
@@ -561,8 +586,10 @@ impl<'s> System<'s> {
             let work = inner(&motion, &surplus).abs();
             let size = |i: usize| force[i].abs() + (self.mass[i] * now.a[i]).abs();
             let terms: f64 = motion.iter().enumerate().map(|(i, m)| m.abs() * size(i)).sum();
-            let most: f64 =
-                sticking.iter().map(|c| (inner(&c.row, &motion) * c.mu_s.unwrap_or(0.0) * c.normal).abs()).sum();
+            let most: f64 = sticking
+                .iter()
+                .map(|c| (inner(&c.row, &motion) * c.mu_s.unwrap_or(0.0) * c.normal).abs())
+                .sum();
             if work > most + 1e-11 * (terms + most) {
                 return Some(false);
             }
@@ -685,7 +712,8 @@ impl<'s> System<'s> {
                 .iter()
                 .map(|c| {
                     let slip = inner(&c.row, &v0);
-                    if c.said == Said::Rolls || slip.abs() < NOTHING * v0.iter().map(|v| v.abs()).sum::<f64>() {
+                    if c.said == Said::Rolls || slip.abs() < NOTHING * v0.iter().map(|v| v.abs()).sum::<f64>()
+                    {
                         Grip::Sticks
                     } else {
                         Grip::Slides(-slip.signum())
@@ -708,7 +736,16 @@ impl<'s> System<'s> {
     }
 
     #[expect(clippy::too_many_arguments, reason = "a test's own walk through one motion")]
-    fn move_on(&self, grips: &[Grip], all: &[Grip], v0: &[f64], started: bool, now: Instant, tension: f64, told: &mut Told) {
+    fn move_on(
+        &self,
+        grips: &[Grip],
+        all: &[Grip],
+        v0: &[f64],
+        started: bool,
+        now: Instant,
+        tension: f64,
+        told: &mut Told,
+    ) {
         let s = self.s;
         let n = self.cols();
         let turn_end = s.event == Event::Turn || !self.frames[s.of].line;
@@ -721,14 +758,21 @@ impl<'s> System<'s> {
             let terms: f64 = watch.iter().zip(&now.a).map(|(w, a)| (w * a).abs()).sum();
             if a.abs() < 1e-11 * terms { 0.0 } else { a }
         };
-        told.sense = if lead_v != 0.0 { lead_v.signum() } else if lead_a != 0.0 { lead_a.signum() } else { 0.0 };
+        told.sense = if lead_v != 0.0 {
+            lead_v.signum()
+        } else if lead_a != 0.0 {
+            lead_a.signum()
+        } else {
+            0.0
+        };
         let by = s.by.as_ref().map_or(0.0, |b| b.si);
         // The motion as one coordinate `q` that grows, everything else in proportion (from rest under constant forces, or
         // with one freedom).
         let shape: Vec<f64> = if started { v0.to_vec() } else { now.a.clone() };
         let per = inner(&watch, &shape);
         let moves = told.sense != 0.0;
-        let q: Vec<f64> = if moves { shape.iter().map(|x| x / per * told.sense).collect() } else { vec![0.0; n] };
+        let q: Vec<f64> =
+            if moves { shape.iter().map(|x| x / per * told.sense).collect() } else { vec![0.0; n] };
         let u0 = lead_v.abs();
         let lead = |a: &[f64]| inner(&watch, a) * told.sense;
         let mut law = Law { u0, a: lead(&now.a), spring: None };
@@ -737,7 +781,8 @@ impl<'s> System<'s> {
             if gamma.abs() > NOTHING {
                 let slack = self.instant(grips, 0.0).expect("as before");
                 let (a0, a1) = (lead(&slack.a), lead(&self.instant(grips, 1.0).expect("as before").a));
-                law.spring = Some(Pull { per_newton: a1 - a0, without: a0, ks: *ks, x0: *x0, gamma, rigid: *rigid });
+                law.spring =
+                    Some(Pull { per_newton: a1 - a0, without: a0, ks: *ks, x0: *x0, gamma, rigid: *rigid });
                 law.a = law.acceleration(0.0);
             }
         }
@@ -748,15 +793,19 @@ impl<'s> System<'s> {
             Some("back") => told.sense > 0.0,
             _ => false,
         };
-        let place = |d: f64| -> Option<f64> {
-            told_time(d, farthest, turns_at, |t| law.place(t))
-        };
+        let place = |d: f64| -> Option<f64> { told_time(d, farthest, turns_at, |t| law.place(t)) };
         let time = if !moves || wrong_way {
             None
         } else {
             match s.event {
                 Event::Travel | Event::Turn => place(by),
-                Event::Position => if by * told.sense >= 0.0 { place(by.abs()) } else { None },
+                Event::Position => {
+                    if by * told.sense >= 0.0 {
+                        place(by.abs())
+                    } else {
+                        None
+                    }
+                }
                 Event::Time => turns_at.is_none_or(|t| by <= t * (1.0 + 1e-12)).then_some(by),
                 Event::Speed => law.reaching(by),
                 Event::TurningPoint => turns_at,
@@ -786,7 +835,9 @@ impl<'s> System<'s> {
                 if x < 0.0 && !rigid { 0.0 } else { ks * x }
             })
         };
-        let there = self.instant(grips, if moves && time.is_some() { stretch_at(at) } else { tension }).expect("as before");
+        let there = self
+            .instant(grips, if moves && time.is_some() { stretch_at(at) } else { tension })
+            .expect("as before");
         let u = match (s.event, time) {
             (Event::TurningPoint, _) => 0.0,
             (_, Some(t)) if law.speed(t) < 1e-12 * u0 => 0.0,
@@ -888,7 +939,10 @@ impl<'s> System<'s> {
                 say("slip_distance", own, slip.abs(), at);
             }
             if c.said == Said::Rolls && f.on_surface {
-                let most = over.iter().map(|i| i.reactions[c.tie]).try_fold(0.0f64, |m, r| r.map(|r| m.max(r.abs())));
+                let most = over
+                    .iter()
+                    .map(|i| i.reactions[c.tie])
+                    .try_fold(0.0f64, |m, r| r.map(|r| m.max(r.abs())));
                 match most {
                     Some(most) => {
                         let normal = if c.normal == 0.0 { 0.0 } else { c.normal };
@@ -925,7 +979,8 @@ impl<'s> System<'s> {
             let own = Owner::Tie(t);
             let (point, along) = leaves(s, &self.frames, from);
             let b = from.body;
-            let rate = q[3 * b] * along.0 + q[3 * b + 1] * along.1 + q[3 * b + 2] * dot(quarter(point), along);
+            let rate =
+                q[3 * b] * along.0 + q[3 * b + 1] * along.1 + q[3 * b + 2] * dot(quarter(point), along);
             match far {
                 Far::Pulled(p) if arrived => {
                     say("cord_travel", own, (rate * at).abs(), at);
@@ -1001,7 +1056,10 @@ impl<'s> System<'s> {
         }
         let heat = told.values.iter().find(|v| v.0 == "heat").map_or(0.0, |v| v.2);
         let off = (start + work - heat - energy).abs();
-        assert!(off <= 1e-8 * (size + start + heat + energy), "the judge's own energies differ by {off}: {start} + {work} - {heat} - {energy}");
+        assert!(
+            off <= 1e-8 * (size + start + heat + energy),
+            "the judge's own energies differ by {off}: {start} + {work} - {heat} - {energy}"
+        );
     }
 }
 

@@ -1,6 +1,7 @@
 //! The mechanism of a scene in symbols: velocity ratios, forces with their points, masses and moments of inertia.
 //!
 //! Derived here anew from the scene: neither road's code is used.
+use crate::figure::names;
 use crate::finding::Finding;
 use crate::scene::Attach;
 use crate::scene::Body;
@@ -491,7 +492,7 @@ pub fn parts(desk: &mut Desk, rolled: bool) -> Vec<Part> {
             Some(Slope::Degrees(_)) => "incline",
         };
         parts.push(Part {
-            label: label(desk, &body.name),
+            label: names::body(desk.words, desk.scene, i),
             tag,
             mass,
             inertia,
@@ -633,12 +634,6 @@ fn tags(scene: &Scene) -> Vec<String> {
             }
         })
         .collect()
-}
-
-/// The name of a body as a heading: a phrase if there is one, else as the bank has it.
-pub fn label(desk: &Desk, name: &str) -> String {
-    let phrase = format!("solution.body.{name}");
-    if desk.words.has(&phrase) { desk.words.get(&phrase).to_owned() } else { name.replace('_', " ") }
 }
 
 /// A whole number as an expression; used where a formula counts.

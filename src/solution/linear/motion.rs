@@ -1,4 +1,5 @@
 //! The first road of a scene of lines and axles: free bodies, elimination by velocity ratios, the integral over displacement.
+use crate::figure::names;
 use crate::finding::Finding;
 use crate::scene::Coordinate;
 use crate::scene::Degree;
@@ -183,7 +184,9 @@ fn closing(walk: &mut Walk, n: &mut usize) {
         *n += 1;
         let force = force.map_or_else(String::new, |f| format!("${}$", walk.desk.ledger.tex(f)));
         let cord = match tie {
-            Tie::Cord(cord) if scene.cords_with(Quantity::Tension).count() > 1 => format!(" `{}`", cord.name),
+            Tie::Cord(cord) if scene.cords_with(Quantity::Tension).count() > 1 => {
+                format!(" {}", names::cord(walk.desk.words, scene, cord))
+            }
             _ => String::new(),
         };
         walk.tell(name, &[("force", &force), ("cord", &cord)]);

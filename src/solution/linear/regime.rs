@@ -7,6 +7,7 @@ use crate::scene::Far;
 use crate::scene::Label;
 use crate::scene::Owner;
 use crate::scene::Quantity;
+use crate::scene::Span;
 use crate::scene::Tie;
 use crate::solution::desk::Answer;
 use crate::solution::expr::Expr;
@@ -20,6 +21,7 @@ use crate::solution::linear::mechanism::Kind;
 use crate::solution::linear::mechanism::in_sense;
 use crate::solution::linear::motion::lead_way;
 use crate::solution::linear::walk::Walk;
+use crate::solution::linear::walk::larger;
 use crate::solution::linear::walk::of_body;
 use crate::solution::linear::walk::of_tie;
 use crate::solution::text::Block;
@@ -32,6 +34,13 @@ use crate::solve::outcome::Word;
 /// What the derivation does not cover, and a check that fails.
 pub fn write(walk: &mut Walk) -> Result<(), Finding> {
     walk.tell("regime.intro", &[]);
+    if walk.spring.is_some() {
+        let far = match walk.desk.scene.span {
+            Span::ToEnd => "end",
+            Span::ToTurningPoint => "turn",
+        };
+        walk.tell(&format!("regime.range.{far}"), &[]);
+    }
     moves(walk)?;
     for body in 0..walk.m.parts.len() {
         if walk.m.parts[body].normal.is_some() {
@@ -137,8 +146,17 @@ fn grip(walk: &mut Walk, body: usize, mu: &Expr) -> Result<(), Finding> {
     let mut holds = true;
     if walk.spring.is_some() {
         walk.tell("regime.extremes", &[]);
-        let (first, last) = walk.extremes(body)?;
-        let ((a, one), (b, two)) = (size(walk, &first), size(walk, &last));
+        let ends = walk.extremes(body)?;
+        match larger(walk, &ends) {
+            Some((end, pulls_most)) => {
+                let at = walk.phrase(&format!("extremes.at.{}", end.place), &[]);
+                let force = if pulls_most { "greatest" } else { "least" };
+                let force = walk.phrase(&format!("extremes.force.{force}"), &[]);
+                walk.tell("regime.larger", &[("at", &at), ("force", &force)]);
+            }
+            None => walk.tell("regime.equal", &[]),
+        }
+        let [(a, one), (b, two)] = ends.map(|end| size(walk, &end.friction));
         holds &= a <= most && b <= most;
         walk.out.blocks.push(Block::Picture("graph-friction".to_owned()));
         walk.tell("regime.holds_both", &[("one", &one), ("two", &two), ("limit", &limit)]);

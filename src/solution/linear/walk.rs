@@ -10,6 +10,7 @@ use crate::scene::Label;
 use crate::scene::Num;
 use crate::scene::Owner;
 use crate::scene::Quantity;
+use crate::scene::Span;
 use crate::scene::Start;
 use crate::scene::Tie;
 use crate::solution::desk::Answer;
@@ -66,6 +67,29 @@ pub struct Spring {
     /// Stiffness, reckoned to the lead.
     pub kappa: Expr,
 }
+
+/// Friction at one end of a motion on a spring.
+#[derive(Debug, Clone)]
+pub struct Extreme {
+    /// The friction.
+    pub friction: Expr,
+    /// Which end: a phrase of `extremes.at`.
+    pub place: &'static str,
+    /// Stretch of the spring there, m.
+    pub stretch_m: f64,
+}
+
+/// The end at which friction is the larger, and whether the spring pulls more there; `None` where it is equally large at both.
+pub fn larger(walk: &Walk, ends: &[Extreme; 2]) -> Option<(Extreme, bool)> {
+    let [a, b] = ends.each_ref().map(|e| walk.value(&e.friction).abs());
+    let [one, other] = ends;
+    let (most, least) = if a > b { (one, other) } else { (other, one) };
+    let equal = (a - b).abs() <= EQUAL * a.max(b);
+    (!equal).then(|| (most.clone(), most.stretch_m > least.stretch_m))
+}
+
+/// Two values are equal that differ by less than this share: rounding of doubles.
+const EQUAL: f64 = 1e-12;
 
 /// Stretch, as a share of the first, below which rounding alone keeps a cord from being slack.
 const SLACK: f64 = 1e-12;
@@ -738,10 +762,11 @@ impl<'d, 'a> Walk<'d, 'a> {
         let n = self.get(of_body(Quantity::Normal, body))?;
         let symbol = self.new_symbol(&[r"\mu_{\mathrm{min}}"], "1");
         if self.spring.is_some() {
-            let (first, last) = self.extremes(body)?;
-            let larger = if self.value(&first).abs() >= self.value(&last).abs() { first } else { last };
-            self.tell("grip.least_spring", &[]);
-            let size = self.size(larger);
+            let ends = self.extremes(body)?;
+            let most = larger(self, &ends).map_or_else(|| ends[0].clone(), |(most, _)| most);
+            let at = self.phrase(&format!("extremes.at.{}", most.place), &[]);
+            self.tell("grip.least_spring", &[("at", &at)]);
+            let size = self.size(most.friction);
             return Ok(self.found_now(label, symbol, &quotient(size, n.into())));
         }
         let f = self.get(of_body(Quantity::Friction, body))?;
@@ -751,21 +776,37 @@ impl<'d, 'a> Walk<'d, 'a> {
     }
 
     /// Friction at release and at the far end of the motion, for a wheel on a spring.
-    pub fn extremes(&mut self, body: usize) -> Result<(Expr, Expr), Finding> {
+    pub fn extremes(&mut self, body: usize) -> Result<[Extreme; 2], Finding> {
+        let Some(spring) = self.spring.clone() else { return self.beyond("a spring that is not there") };
         let far = self.far_end()?;
+        let stretch = self.stretch_at(&spring, &far);
+        let (stretch_m, first_m) = (self.value(&stretch), self.value(&spring.stretch));
+        let place = if stretch_m.abs() < SLACK * first_m.abs() {
+            "slack"
+        } else if far == self.s {
+            "end"
+        } else {
+            "turn"
+        };
         self.tell("extremes.release", &[]);
-        let first = self.friction_at(body, &ZERO, "1")?;
-        let slack = self.spring.as_ref().is_some_and(|s| {
-            let at = self.stretch_at(s, &far);
-            self.value(&at).abs() < SLACK * self.value(&s.stretch).abs()
-        });
-        self.tell(if slack { "extremes.slack" } else { "extremes.turn" }, &[]);
-        let last = self.friction_at(body, &far, "2")?;
-        Ok((first, last))
+        let friction = self.friction_at(body, &ZERO, "1")?;
+        let first = Extreme { friction, place: "release", stretch_m: first_m };
+        self.tell(&format!("extremes.{place}"), &[]);
+        let friction = self.friction_at(body, &far, "2")?;
+        Ok([first, Extreme { friction, place, stretch_m }])
     }
 
-    /// Displacement at which the tension is least: the turning point, or where the cord goes slack.
+    /// Displacement at the far end of what the conditions look at: the end that is asked or, where the scene looks beyond it, the
+    /// turning point; but no farther than where the cord goes slack, for friction then stays what it is.
     fn far_end(&mut self) -> Result<Expr, Finding> {
+        if self.desk.scene.span == Span::ToEnd && self.s != ZERO {
+            return Ok(self.s.clone());
+        }
+        self.turning_or_slack()
+    }
+
+    /// Displacement at which the tension is least in the whole motion: the turning point, or where the cord goes slack.
+    fn turning_or_slack(&mut self) -> Result<Expr, Finding> {
         let Some(spring) = self.spring.clone() else { return self.beyond("a spring that is not there") };
         let (first, kappa) = (spring.first.clone(), spring.kappa.clone());
         let turn = quotient(product([number(2), first.clone()]), kappa.clone());
@@ -1276,7 +1317,7 @@ impl<'d, 'a> Walk<'d, 'a> {
         if self.v0 != ZERO {
             return self.beyond("the turning point of a motion on a spring that starts with a speed");
         }
-        let far = self.far_end()?;
+        let far = self.turning_or_slack()?;
         let turn = quotient(product([number(2), first.clone()]), kappa.clone());
         let level = self.value(&turn);
         if far == turn {

@@ -14,6 +14,7 @@ pub mod thrown;
 
 use crate::num::Real;
 use crate::num::Rough;
+use crate::num::ball;
 use crate::num::eliminate::Equations;
 use crate::num::ode::Count;
 use crate::num::plant::plant;
@@ -28,6 +29,7 @@ use crate::scene::Owner;
 use crate::scene::Quantity;
 use crate::scene::RotaryInertia;
 use crate::scene::Scene;
+use crate::scene::Span;
 use crate::scene::Start;
 use crate::scene::Tie;
 use crate::solve::energy::account::Account;
@@ -382,12 +384,15 @@ impl<'a, T: Real> Ledger<'a, T> {
             }
         }
         self.if_rolled();
-        let drive = self.driving(
-            &start_powers,
-            tension0,
-            loosely.as_ref(),
-            [sense, self.inclined, 1.0].into_iter().find(|s| *s != 0.0).unwrap_or(1.0),
-        );
+        // A power of nothing neither drives nor resists: for the margin alone, nothing of it is proved.
+        let drive = ball::unwatched(|| {
+            self.driving(
+                &start_powers,
+                tension0,
+                loosely.as_ref(),
+                [sense, self.inclined, 1.0].into_iter().find(|s| *s != 0.0).unwrap_or(1.0),
+            )
+        });
         if sense == 0.0 || lead.is_zero() && self.v0.is_zero() {
             self.road.course = Some(Course { drive, ..Course::at_rest() });
             self.standing(tension0);
@@ -424,8 +429,9 @@ impl<'a, T: Real> Ledger<'a, T> {
         let reached = !wrong_way && s.is_some_and(|s| turns || arrives(s.plain()));
         self.road.course = Some(Course { sense, drive, asked: s.map(T::plain), farthest: limit, reached });
         let tension_at = |s: T| store.map_or_else(T::zero, |k| k.stiffness * k.stretch_at(s));
-        let last_tension = turning.map_or_else(T::zero, tension_at);
-        self.grip(tension0, last_tension);
+        // The extremes of the tension are where the account of the way opens and where it is closed.
+        let closing = if reached && self.scene.span == Span::ToEnd { s } else { turning };
+        self.grip(tension0, closing.map_or_else(T::zero, tension_at));
         let summed = self.points.map(|points| Sum { account: &account, points, evaluations: Cell::new(0) });
         if (store.is_some() || !u0.is_zero()) && self.end.degree == Degree::Along {
             let body = Owner::Body(self.end.body);
@@ -511,7 +517,7 @@ impl<'a, T: Real> Ledger<'a, T> {
 
     fn reactions(&mut self, tension: T) -> Reactions<T> {
         if let Some((at, known)) = &self.last
-            && (*at - tension).is_zero()
+            && at.same(tension)
         {
             return known.clone();
         }
@@ -529,7 +535,7 @@ impl<'a, T: Real> Ledger<'a, T> {
             }
         }
         let first = self.reactions(tension0);
-        let last = if (tension0 - tension1).is_zero() { first.clone() } else { self.reactions(tension1) };
+        let last = if tension0.same(tension1) { first.clone() } else { self.reactions(tension1) };
         for (t, tie) in self.scene.ties.iter().enumerate() {
             if let Tie::Roll { body, .. } = tie {
                 if first.is_open(t) {
@@ -625,6 +631,8 @@ impl<'a, T: Real> Ledger<'a, T> {
             let (v, w) = (self.mode.v[b], self.mode.w[b]);
             if body.line.is_some() {
                 self.say(Quantity::V, Owner::Body(b), v.abs() * u);
+                let moved = plant!("energy: way of the centre", v) * s;
+                self.say(Quantity::Displacement, Owner::Body(b), moved.signed(sense));
                 self.say(Quantity::Rise, Owner::Body(b), (v * s).signed(sense) * self.n.bodies[b].climb);
             }
             if body.turns {

@@ -265,8 +265,7 @@ pub fn respond<T: Real>(scene: &Scene, n: &Numbers<T>, setting: &Setting) -> Res
             rows.right(row, layout.columns - 1, T::of(1.0));
         }
     }
-    let solution =
-        rows.solve().map_err(|s| Refusal::Singular { unknowns: s.unknowns, rank: s.rank })?;
+    let solution = rows.solve().map_err(|s| Refusal::Singular { unknowns: s.unknowns, rank: s.rank })?;
     // Ties may share a reaction in any way; where an acceleration is open, the motion is.
     let mut accelerations = layout.along.iter().chain(&layout.turn).flatten();
     if accelerations.any(|i| solution.is_open(*i)) {

@@ -15,6 +15,7 @@ use crate::num::ode::Count;
 use crate::num::plant::plant;
 use crate::scene::Attach;
 use crate::scene::Coordinate;
+use crate::scene::Cord;
 use crate::scene::CordEnd;
 use crate::scene::Degree;
 use crate::scene::End;
@@ -27,6 +28,7 @@ use crate::scene::Quantity;
 use crate::scene::RotaryInertia;
 use crate::scene::Scene;
 use crate::scene::Side;
+use crate::scene::Span;
 use crate::scene::Start;
 use crate::scene::Tie;
 use crate::solve::eom::equations::CONSTANT;
@@ -166,7 +168,13 @@ impl<'a, T: Real> Walk<'a, T> {
         let velocity = |r: &Response<T>, c: Coordinate| match given {
             Some((known, v)) => {
                 let (own, lead) = (r.acceleration(c, r.last()), r.acceleration(known, r.last()));
-                if c == known { Some(v) } else if lead.is_zero() { None } else { Some(v * own / lead) }
+                if c == known {
+                    Some(v)
+                } else if lead.is_zero() {
+                    None
+                } else {
+                    Some(v * own / lead)
+                }
             }
             None => Some(T::zero()),
         };
@@ -251,7 +259,8 @@ impl<'a, T: Real> Walk<'a, T> {
                         return true;
                     };
                     let tension = spring.as_ref().map_or_else(T::zero, |s| s.stiffness * s.stretch);
-                    let pull = if spring.is_some() { response.reaction(t, SPRING) * tension } else { T::zero() };
+                    let pull =
+                        if spring.is_some() { response.reaction(t, SPRING) * tension } else { T::zero() };
                     let friction = response.reaction(t, CONSTANT).balance(pull);
                     friction.abs().at_most(n.get(mu_s.unwrap_or(*mu_k)) * response.normal(c.body))
                 };
@@ -421,7 +430,7 @@ impl<'a, T: Real> Walk<'a, T> {
             reached,
         });
 
-        // Over the whole motion: tension at the start, and at the turning point or 0 when slack.
+        // The tension falls or grows all the way: its extremes are at the start and at the end of what is looked at, 0 when slack.
         let spring = self.spring;
         let tension_at = |s: T| match (spring, gamma) {
             (Some(spring), Some(gamma)) => {
@@ -430,11 +439,16 @@ impl<'a, T: Real> Walk<'a, T> {
             }
             _ => zero,
         };
-        let last_tension = match turning {
-            Some(t) => tension_at(t),
-            None => zero,
+        let last = match self.scene.span {
+            Span::ToEnd if reached => s,
+            Span::ToEnd | Span::ToTurningPoint => turning,
         };
-        self.grip(tension0, last_tension);
+        self.grip(tension0, last.map_or(zero, tension_at));
+        if let (true, Some(s), Some((slack, _)), Some((tie, ..))) =
+            (reached, s, travel.slack, self.scene.spring())
+        {
+            self.road.held.push(Held::Slack(tie, s.plain(), slack.plain()));
+        }
         let path = self.stepped(&travel, if reached { s } else { None })?;
         let (met, peak, rest) = path.map_or((None, None, None), |p| (p.end, p.fastest, p.turning));
         if (self.spring.is_some() || !v0.is_zero()) && self.along(self.end.body) == Some(self.end) {
@@ -595,13 +609,74 @@ impl<'a, T: Real> Walk<'a, T> {
                 }
                 Tie::Cord(c) if matches!(c.to, Far::Body(_) | Far::Fixed) => {
                     let (first, last) = (self.friction(t, tension0), self.friction(t, tension1));
-                    let least = if last.below(first) { last } else { first };
+                    let (least, at) = if last.below(first) { (last, tension1) } else { (first, tension0) };
+                    let share = self.share_of_tension(t, c, least, at);
                     let force = self.n.publish(Quantity::Tension, least).f64();
-                    self.road.held.push(Held::Cord(t, force));
+                    self.road.held.push(Held::Cord(t, force, share));
                 }
                 _ => {}
             }
         }
+    }
+
+    /// Tension of a cord as a share of the other forces (or moments) on what it pulls, at this tension of the spring: near 0 the
+    /// cord is about to go slack. The smaller share of its two ends.
+    fn share_of_tension(&self, tie: usize, cord: &Cord, tension: T, spring: T) -> f64 {
+        let other = match &cord.to {
+            Far::Body(end) => Some(end),
+            Far::Pull(_) | Far::Spring { .. } | Far::Fixed => None,
+        };
+        let share = |end: &CordEnd| {
+            let b = end.body;
+            let n = &self.n.bodies[b];
+            let (c, arm) = match (self.along(b), end.attach) {
+                (Some(c), _) => (c, None),
+                (None, Attach::Wound(p, _)) => {
+                    (Coordinate { body: b, degree: Degree::Turn }, Some(self.n.get(p)))
+                }
+                (None, Attach::Centre) => return 1.0,
+            };
+            // Lever of a cord or contact that acts on the body.
+            let lever = |attach: Attach| match (arm, attach) {
+                (None, _) => T::of(1.0),
+                (Some(_), Attach::Wound(p, _)) => self.n.get(p),
+                (Some(_), Attach::Centre) => T::zero(),
+            };
+            let size = |x: T| x.f64().abs();
+            let a = self.acceleration(c, spring);
+            let mut others = match arm {
+                None => size(n.mass * a) + size(n.mass * n.climb * self.n.gravity),
+                Some(_) => size(n.inertia * a),
+            };
+            for couple in self.scene.couples.iter().filter(|k| arm.is_some() && k.body == b) {
+                others += size(self.n.massive(couple.moment_n_m));
+            }
+            for (t, other) in self.scene.ties.iter().enumerate().filter(|(t, _)| *t != tie) {
+                others += match other {
+                    Tie::Roll { body, radius_m, .. } | Tie::Slip { body, radius_m, .. } if *body == b => {
+                        size(self.friction(t, spring) * lever(Attach::Wound(*radius_m, Side::Bottom)))
+                    }
+                    Tie::Slide { body, .. } if *body == b && arm.is_none() => size(self.friction(t, spring)),
+                    Tie::Cord(Cord { from, to, .. }) => {
+                        let far = match to {
+                            Far::Body(end) if end.body == b => Some(end),
+                            _ => None,
+                        };
+                        let force = match to {
+                            Far::Pull(p) => self.n.massive(*p),
+                            Far::Spring { .. } => spring,
+                            Far::Body(_) | Far::Fixed => self.friction(t, spring),
+                        };
+                        let near = Some(from).filter(|end| end.body == b);
+                        near.into_iter().chain(far).map(|end| size(force * lever(end.attach))).sum()
+                    }
+                    _ => 0.0,
+                };
+            }
+            let own = size(tension * lever(end.attach));
+            if others > 0.0 { own / others } else { 1.0 }
+        };
+        other.map_or(1.0, share).min(share(&cord.from))
     }
 
     /// What needs no ending event: accelerations and forces at the start.
@@ -686,6 +761,8 @@ impl<'a, T: Real> Walk<'a, T> {
                 let ratio = self.ratio(c);
                 let v = ratio.abs() * u;
                 self.say(Quantity::V, Owner::Body(b), v);
+                let moved = plant!("eom: displacement of the centre", ratio) * s;
+                self.say(Quantity::Displacement, Owner::Body(b), moved.signed(sense));
                 self.say(Quantity::Rise, Owner::Body(b), (ratio * n.climb * s).signed(sense));
                 energy = energy + (n.mass * v * v).scale2(-1);
                 whole = whole + n.mass * ratio * ratio;

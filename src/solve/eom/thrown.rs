@@ -232,6 +232,11 @@ pub fn road_by<T: Real>(
         closes,
         holds,
         to_roll,
+        times: match scene.end {
+            End::Time(_, t) => Some((n.get(t).f64(), until.map_or(f64::INFINITY, T::f64))),
+            _ => None,
+        },
+        at_end: state.as_ref().map(|s| (size(s.v), size(v0) + size(s.v - v0))),
         slip: size(slip0),
         speeds: size(v0) + size(rim),
         upkeep: force(rolling.friction.signed(-sense)),
