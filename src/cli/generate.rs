@@ -130,9 +130,16 @@ fn generate(args: &args::Generate, io: &mut Io) -> Result<(), Vec<Finding>> {
         (None, None) => (0..loaded.bank.problems.len()).collect(),
     };
     // What a text of one's own gets wrong in a formula, students would see as raw commands.
-    let faulty = lint::faulty_formulas(&loaded.bank, &texts, &problems)?;
-    if !faulty.is_empty() {
-        return Err(faulty);
+    let tried = lint::tried(&loaded.bank, &texts, &problems)?;
+    if !tried.faults.is_empty() {
+        return Err(tried.faults);
+    }
+    // What only the worked solutions will lack is told now, as `lint` does, and refuses nothing.
+    for fault in &tried.unsolved {
+        io.note(&format!("note: {fault}"));
+    }
+    for short in &tried.short {
+        io.note(&format!("note: problems.{}: {}", short.problem, short.what));
     }
     let seed = args.seed.or(old.as_ref().map(|s| s.seed)).unwrap_or(0);
     let plan = Plan {
