@@ -11,6 +11,7 @@ use crate::cli::lint;
 use crate::cli::output;
 use crate::cli::output::Made;
 use crate::cli::output::Output;
+use crate::cli::solve;
 use crate::cli::tell;
 use crate::cli::tell::Exit;
 use crate::cli::tell::Io;
@@ -430,7 +431,8 @@ fn deal(
         .map_init(
             || (Room::default(), Converter::new(&plan.texts.words)),
             |(room, converter), (at, member)| {
-                let dealt = dealer.deal(&member.student)?;
+                let dealt =
+                    dealer.deal(&member.student).map_err(|none| solve::unsatisfiable(plan.bank, &none))?;
                 let (mut made, row) =
                     writer.write(at, &member.student, &member.name, &dealt, room, converter)?;
                 let json = public.text(&member.student, &dealt.variants);

@@ -6,6 +6,7 @@ use crate::cli::args::Format;
 use crate::cli::banks;
 use crate::cli::banks::Texts;
 use crate::cli::output::Output;
+use crate::cli::solve;
 use crate::cli::tell;
 use crate::cli::tell::Exit;
 use crate::cli::tell::Io;
@@ -59,12 +60,14 @@ fn lint(args: &args::Lint, io: &mut Io) -> Result<Vec<Finding>, Vec<Finding>> {
     let sweeps = sweeps(&all, args.seeds, &bank.id);
     for (problem, sweep) in bank.problems.iter().zip(&sweeps) {
         if let Some((seed, none)) = &sweep.unsatisfiable {
-            let fault = Finding::new(format!("problems.{}", problem.id), format!("seed {seed}: {none}"));
+            let mut fault = solve::unsatisfiable(bank, none);
+            if none.constant.is_none() {
+                fault.message = format!("seed {seed}: {}", fault.message);
+            }
             findings.push(
                 fault.in_file(&loaded.file).hint("widen the ranges, or loosen the rule that refuses most"),
             );
-        }
-        if let Some(refusal) = &sweep.unsolved {
+        } else if let Some(refusal) = &sweep.unsolved {
             for text in words::refusal(problem, &problem.cases[0].scene, refusal) {
                 let what = format!("a draw cannot be solved: {text}");
                 findings.push(Finding::new(format!("problems.{}", problem.id), what).in_file(&loaded.file));

@@ -1,5 +1,5 @@
 //! `slipstick solve`: a diagnosis of one problem with given data.
-use crate::bank::Case;
+use crate::bank::Bank;
 use crate::bank::Datum;
 use crate::bank::Draw;
 use crate::bank::Problem;
@@ -14,6 +14,7 @@ use crate::cli::words;
 use crate::draw::fill;
 use crate::finding::Finding;
 use crate::problem::make::Maker;
+use crate::problem::make::Unsatisfiable;
 use crate::scene::Quantity;
 use crate::scene::Scene;
 use crate::sheet::statement;
@@ -143,9 +144,8 @@ pub fn data(
 
 /// Does what really happens fit what the problem declares? A problem that declares no regime takes any, as in drawing.
 pub fn fits(problem: &Problem, case: usize, solved: &Solved) -> bool {
-    let word = solved.regime.word();
-    let declared = |c: &Case| c.regimes.is_empty() || c.regimes.contains(&word);
-    solved.all_hold() && problem.cases.get(case).is_some_and(declared)
+    let declared = problem.cases.get(case).is_some_and(|c| solved.regime.is_one_of(&c.regimes));
+    declared && solved.all_hold()
 }
 
 /// Case, values as scenes take them, and each datum as it is shown.
@@ -154,12 +154,42 @@ pub type Data = (usize, Vec<f64>, Vec<String>);
 fn drawn(loaded: &Loaded, problem: &Problem, seed: u64) -> Result<Data, Vec<Finding>> {
     let variant = Maker::new(problem, seed, &loaded.bank.id)
         .variant("")
-        .map_err(|e| vec![Finding::new(format!("problems.{}", problem.id), e.to_string())])?;
+        .map_err(|none| vec![unsatisfiable(&loaded.bank, &none)])?;
+    let shown = printed(problem, &variant.values);
+    Ok((variant.case, variant.data, shown))
+}
+
+/// Each datum as it is shown.
+fn printed(problem: &Problem, values: &[Option<Decimal>]) -> Vec<String> {
     let shown = |(i, value): (usize, &Option<Decimal>)| {
         value.map(|v| format!("{} = {}", problem.data[i].symbol, statement::printed(problem, i, v)))
     };
-    let shown = variant.values.iter().enumerate().filter_map(shown).collect();
-    Ok((variant.case, variant.data, shown))
+    values.iter().enumerate().filter_map(shown).collect()
+}
+
+/// That no draw holds the rules: which refused, what came out, why it has no solution if it has none; and where the data are
+/// constants, all that `solve` says of them.
+pub fn unsatisfiable(bank: &Bank, none: &Unsatisfiable) -> Finding {
+    let mut text = none.to_string();
+    if let Some(problem) = bank.problems.iter().find(|p| p.id == none.problem)
+        && let Some(case) = problem.cases.get(none.index)
+    {
+        if let (Some(refusal), None) = (&none.unsolved, &none.disagreement) {
+            for why in words::refusal(problem, &case.scene, refusal) {
+                text.push_str(&format!("\n    {why}"));
+            }
+        }
+        if let Some((values, data)) = &none.constant
+            && let Ok((solved, taken)) = ladder::solve(&case.scene, data, &Wish::default())
+        {
+            let holds = fits(problem, none.index, &solved);
+            let shown = printed(problem, values);
+            let told = table(problem, none.index, &shown, &solved, &taken, holds);
+            text.push('\n');
+            text.push_str(told.trim_end());
+        }
+    }
+    Finding::new(format!("problems.{}", none.problem), text)
 }
 
 /// Data from `--set`, and the case to which they belong.
@@ -567,7 +597,7 @@ problems:
             for power in ["", "^2", "2", "²", "^-1", "-2", "**2"] {
                 all.insert(format!("{name}{power}"));
             }
-            for other in ["slug", "kg", "ft", "m", "s", "min", "rad", "lbf"] {
+            for other in ["slug", "ft", "s", "lbf"] {
                 all.extend(FORMS.iter().map(|f| f.replace("{}", &name).replace("{o}", other)));
             }
         }
