@@ -276,7 +276,7 @@ pub mod course;
 pub mod decimal;
 pub mod expression;
 pub mod load;
-mod measure;
+pub mod measure;
 pub mod mistake;
 pub mod node;
 pub mod overlay;

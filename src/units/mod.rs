@@ -10,6 +10,7 @@ pub mod spell;
 mod table;
 
 pub use parse::UnitFault;
+pub use parse::names;
 pub use quantity::Quantity;
 pub use quantity::QuantityFault;
 pub use quantity::parse_decimal;
