@@ -5,6 +5,7 @@ use crate::policy::Policy;
 use crate::scene::{Label, Scene};
 use crate::solve::outcome::CheckKind;
 use crate::units::Unit;
+use std::collections::BTreeMap;
 use std::sync::Arc;
 
 /// How the variables of a template are found: template text in, names out, or what is wrong with the template.
@@ -31,6 +32,8 @@ pub struct Bank {
     pub grading: Policy,
     /// SHA-256 of the file's bytes, hex.
     pub hash: String,
+    /// Where statements and questions stand, by field path: file, line and column.
+    pub places: BTreeMap<String, (String, usize, usize)>,
 }
 
 /// One problem.

@@ -14,6 +14,7 @@ use crate::policy::Policy;
 use crate::scene::{Label, Owner, Quantity, Scene};
 use crate::solve::outcome::{CheckKind, Motion};
 use crate::units::Unit;
+use std::collections::BTreeMap;
 
 /// Gravity where the bank does not say it.
 const GRAVITY: &str = "9.81 m/s^2";
@@ -103,7 +104,16 @@ pub fn bank(node: &Node, variables: Option<Variables>, faults: &Faults) -> Optio
             }
         }
     }
-    Some(Bank { id: id?, title: title?, problems, self_check, reveal, grading, hash: String::new() })
+    Some(Bank {
+        id: id?,
+        title: title?,
+        problems,
+        self_check,
+        reveal,
+        grading,
+        hash: String::new(),
+        places: BTreeMap::new(),
+    })
 }
 
 const FIGURE_LABELS: [(&str, FigureLabels); 3] =

@@ -6,6 +6,7 @@ use crate::cli::tell;
 use crate::cli::what_if;
 use crate::cli::what_if::per_cent;
 use crate::grade::table::KeyTable;
+use crate::guard::push_line;
 use crate::key::Answer;
 use crate::num::shown;
 use crate::policy::Policy;
@@ -15,7 +16,6 @@ use crate::regrade::changes::DUST;
 use crate::regrade::changes::Grading;
 use crate::regrade::changes::Who;
 use crate::regrade::changes::Why;
-use crate::regrade::rows;
 use crate::set::store::StoredSet;
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
@@ -253,9 +253,9 @@ impl Desk<'_> {
                 .collect();
             let shown = |p: Option<f64>| p.map_or_else(String::new, points);
             let verdict = |v: Option<crate::grade::verdict::Verdict>| v.map_or("", |v| v.as_str());
-            rows::push_line(
+            push_line(
                 &mut out,
-                &[
+                [
                     &self.who.students[change.student],
                     &number.to_string(),
                     part,
@@ -293,7 +293,7 @@ fn settings(old: &Policy, new: &Policy) -> Vec<String> {
         said.push(format!("the correction of {} is gone", correction.part.text()));
     }
     let differ = [
-        ("due", old.due != new.due || old.zone != new.zone),
+        ("due", old.due != new.due || old.zone != new.zone || old.day_first != new.day_first),
         ("extensions", old.extensions != new.extensions),
         ("attempts", old.attempts != new.attempts),
         ("late", old.late != new.late),

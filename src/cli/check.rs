@@ -71,7 +71,7 @@ fn check(args: &args::Check, io: &mut Io) -> Result<Exit, Vec<Finding>> {
                 let known: Vec<String> =
                     sheet.problems.iter().map(|p| format!("{} ({})", p.number, p.id)).collect();
                 let fault = Finding::new("", format!("`{name}`: the sheet has no problem `{problem}`"));
-                faults.push(fault.hint(format!("its problems: {}", known.join(", "))));
+                faults.push(listed_once(fault, format!("its problems: {}", known.join(", ")), &faults));
             }
         }
     }
@@ -94,7 +94,7 @@ fn check(args: &args::Check, io: &mut Io) -> Result<Exit, Vec<Finding>> {
             let fault = Finding::new("", what);
             faults.push(match units::spell::closest(part, known.iter().copied()) {
                 Some(near) => fault.hint(format!("did you mean `{near}`?")),
-                None => fault.hint(format!("its parts: {}", known.join(", "))),
+                None => listed_once(fault, format!("its parts: {}", known.join(", ")), &faults),
             });
             continue;
         };
@@ -120,6 +120,12 @@ fn check(args: &args::Check, io: &mut Io) -> Result<Exit, Vec<Finding>> {
     }
     io.piece(&tell::table(&rows, &[0, 1, 2, 3, 4]));
     Ok(if all_right { Exit::Fine } else { Exit::NotAllRight })
+}
+
+/// With a list as hint, unless an earlier finding has printed it.
+fn listed_once(fault: Finding, list: String, earlier: &[Finding]) -> Finding {
+    let said = earlier.iter().any(|f| f.hint.as_ref() == Some(&list));
+    if said { fault } else { fault.hint(list) }
 }
 
 fn solve(problem: &SheetProblem, file: &str, words: &Words) -> Result<Solved, Vec<Finding>> {

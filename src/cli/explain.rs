@@ -17,6 +17,7 @@ use crate::finding::Finding;
 use crate::grade::feedback::Feedback;
 use crate::grade::judge;
 use crate::grade::verdict::Verdict;
+use crate::guard::unguarded;
 use crate::key::Answer;
 use crate::key::Given;
 use crate::key::KeyEntry;
@@ -27,13 +28,13 @@ use crate::policy;
 use crate::policy::For;
 use crate::policy::Per;
 use crate::policy::Policy;
+use crate::policy::Unread;
 use crate::policy::Way;
 use crate::policy::time;
 use crate::policy::time::Evidence;
 use crate::policy::time::Moment;
 use crate::problem::make::Variant;
 use crate::regrade::rows::Row;
-use crate::regrade::rows::unguarded;
 use crate::set::grading::BASIS;
 use crate::sheet::terminal::plain;
 use crate::units::spell;
@@ -130,6 +131,7 @@ fn text(graded: &Graded, index: usize, part: Option<String>) -> Result<String, V
             rows.push(row);
         }
     })?;
+    let evidence = graded.policy.day_first.map_or(evidence, Evidence::said);
     let changes = changes(graded, &student.student, &number)?;
     let mut page = Pages::default();
     let called = if student.name.is_empty() { String::new() } else { format!(" ({})", student.name) };
@@ -350,7 +352,7 @@ impl Desk<'_> {
         let mut text = format!("line {}{place}{when}: `{}`", row.line, shortened(&row.answer));
         match read(&row.answer, &mut units) {
             Reading::Number(number) => {
-                let unit = number.unit.as_ref().map_or_else(
+                let unit = number.unit_for(&entry.unit).map_or_else(
                     || match entry.unit.is_number() {
                         true => "without unit".to_owned(),
                         false => format!("without unit, so {}", entry.unit.ascii()),
@@ -434,12 +436,12 @@ impl Desk<'_> {
             let _ = write!(text, ", nothing counts after {}", zone.shown(closes));
         }
         let certain = |m: &Moment| m.uncertain.is_none_or(|dotted| self.evidence.decides(dotted));
-        let Some(moment) = time::parse(&row.submitted_at).filter(certain) else {
-            text.push_str("; when it came cannot be read, so it is taken as in time");
+        let Some(moment) = zone.read(&row.submitted_at).filter(certain) else {
+            let unread = policy.late.unread.map_or("in time", Unread::as_str);
+            let _ = write!(text, "; when it came cannot be read, so it is taken as {unread}");
             return text;
         };
-        let shown = moment.micros[self.evidence.choice()];
-        let at = if moment.zoned { shown } else { zone.moment(shown) };
+        let at = moment.micros[self.evidence.choice()];
         let _ = write!(text, "; came {}", zone.shown(at));
         match due {
             Some(due) if at > due => {
@@ -621,7 +623,7 @@ fn total(graded: &Graded, student: &str, page: &mut Pages) -> Result<(), Vec<Fin
             let at = header.iter().position(|h| h == name);
             at.and_then(|i| record.get(i)).unwrap_or_default()
         };
-        if unguarded(field("student").to_owned()) != student {
+        if unguarded(field("student")) != student {
             continue;
         }
         let mut text = format!("{} of {} points", field("total"), field("max_total"));

@@ -17,6 +17,7 @@ use crate::cli::tell::Io;
 use crate::cli::tell::count;
 use crate::draw::stream;
 use crate::finding::Finding;
+use crate::guard::push_line;
 use crate::key::SheetKey;
 use crate::set::coincide;
 use crate::set::key_file;
@@ -531,17 +532,15 @@ fn store(
 
 /// A form to fill in: long, no answers.
 fn blank_form(plan: &Plan, set: &StoredSet) -> Vec<u8> {
-    let mut out = csv::Writer::from_writer(Vec::new());
-    let _ = out.write_record(["student", "problem", "part", "answer"]);
+    let mut out = b"student,problem,part,answer\n".to_vec();
     for student in &set.students {
         for (i, problem) in plan.problems.iter().filter_map(|p| plan.bank.problems.get(*p)).enumerate() {
             for q in &problem.questions {
-                let _ = out.write_record([student.student.as_str(), &(i + 1).to_string(), &q.id, ""]);
+                push_line(&mut out, [student.student.as_str(), &(i + 1).to_string(), &q.id, ""]);
             }
         }
     }
-    // Writing to memory cannot fail.
-    out.into_inner().unwrap_or_default()
+    out
 }
 
 /// The set that stands in a folder.

@@ -26,6 +26,7 @@ use crate::grade::verdict::Verdict;
 use crate::key::SheetKey;
 use crate::policy::Counts;
 use crate::policy::Policy;
+use crate::policy::Unread;
 use crate::report::gradebook;
 use crate::set::grading;
 use crate::set::grading::BASIS;
@@ -185,7 +186,7 @@ pub fn grade(job: &Job, input: &mut dyn BufRead) -> Result<Graded, Vec<Finding>>
     let text = |name: &str| files::read_text(&job.set.join(name)).map_err(|f| vec![f]);
     let (set_text, bank_text, key_text) = (text("set.json")?, text(&set.bank.file)?, text("key.csv")?);
     let made = make(job, Basis { set, bank, keys, set_text, bank_text, key_text }, input)?;
-    let mut summary = summary(&made.table, &made.graded);
+    let mut summary = summary(&made.table, &made.graded, &made.policy);
     let out = job.out.display().to_string();
     match made.reports()? {
         Some(report) => summary.push_str(&format!("\n{}", report.told(&out))),
@@ -518,7 +519,7 @@ fn may_write(out: &Path, set: &Path, force: bool) -> Result<(), Finding> {
     }
 }
 
-fn summary(table: &KeyTable, graded: &run::Graded) -> String {
+fn summary(table: &KeyTable, graded: &run::Graded, policy: &Policy) -> String {
     let form = if graded.wide { "wide" } else { "long" };
     let mut text = format!(
         "{} in {form} form:",
@@ -562,10 +563,17 @@ fn summary(table: &KeyTable, graded: &run::Graded) -> String {
     if !graded.unused_columns.is_empty() {
         text.push_str(&format!(" Columns not used: {}.", graded.unused_columns.join(", ")));
     }
+    if graded.respelled > 0 {
+        let answers = tell::count(usize::try_from(graded.respelled).unwrap_or(usize::MAX), "answer");
+        text.push_str(&format!(
+            "\n  {answers} came under an id that differs from the roster's in upper and lower case alone, and count."
+        ));
+    }
     if graded.undated > 0 {
         let answers = tell::count(usize::try_from(graded.undated).unwrap_or(usize::MAX), "answer");
         text.push_str(&format!(
-            "\n  {answers} that count have no submitted_at that can be read, and are taken as in time."
+            "\n  {answers} that count have no submitted_at that can be read, and are taken as {}.",
+            policy.late.unread.map_or("in time", Unread::as_str)
         ));
     }
     if graded.untimed > 0 {

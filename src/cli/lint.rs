@@ -1,6 +1,7 @@
 //! `slipstick lint`: all that is wrong in a bank, then how it behaves over many seeds.
 use crate::bank::Bank;
 use crate::bank::Problem;
+use crate::bank::node::shorten;
 use crate::cli::args;
 use crate::cli::args::Format;
 use crate::cli::banks;
@@ -18,6 +19,8 @@ use crate::problem::make::Variant;
 use crate::problem::make_key;
 use crate::problem::sweep;
 use crate::problem::sweep::Sweep;
+use crate::sheet::document;
+use crate::sheet::document::Dropped;
 use crate::sheet::html;
 use crate::sheet::html::Converter;
 use crate::sheet::key_table;
@@ -70,8 +73,9 @@ fn lint(args: &args::Lint, io: &mut Io) -> Result<Vec<Finding>, Vec<Finding>> {
             }
         }
     }
+    let mut dropped = Vec::new();
     if findings.is_empty() {
-        findings.extend(faulty_texts(bank, &texts)?);
+        findings.extend(faulty_texts(bank, &texts, &mut dropped)?);
     }
     for (problem, sweep) in bank.problems.iter().zip(&sweeps) {
         let tables = tables(problem, sweep);
@@ -89,7 +93,8 @@ fn lint(args: &args::Lint, io: &mut Io) -> Result<Vec<Finding>, Vec<Finding>> {
         if let Some(never) = never_near(&tables) {
             io.line(&format!("  {never}"));
         }
-        for note in tables.notes {
+        let told = dropped.iter().filter(|(id, _)| *id == problem.id).map(|(_, note)| note.clone());
+        for note in tables.notes.into_iter().chain(told) {
             io.line(&format!("    note: {note}"));
         }
         io.line("");
@@ -346,9 +351,31 @@ fn one_of_each_case(problem: &Problem, bank: &str) -> Vec<Variant> {
     variants
 }
 
+/// What a text of students does not keep, in words.
+fn not_kept(what: &Dropped) -> String {
+    match what {
+        Dropped::Html(html) => {
+            format!("`{}` is dropped: HTML does not reach students, write it in Markdown", shorten(html))
+        }
+        Dropped::Link(url) => {
+            format!(
+                "the link to `{}` is dropped: only http, https, mailto and places nearby stay",
+                shorten(url)
+            )
+        }
+        Dropped::Picture(url) => {
+            format!("the picture `{}` is dropped: pages hold only what the program draws", shorten(url))
+        }
+    }
+}
+
 /// One sheet of each case is written: faults that show only then, and formulas that cannot be read. Then a whole sheet, in
-/// every format that this program makes without a compiler.
-fn faulty_texts(bank: &Bank, texts: &Texts) -> Result<Vec<Finding>, Vec<Finding>> {
+/// every format that this program makes without a compiler. `notes` gets what is dropped from a text, by problem.
+fn faulty_texts(
+    bank: &Bank,
+    texts: &Texts,
+    notes: &mut Vec<(String, String)>,
+) -> Result<Vec<Finding>, Vec<Finding>> {
     let mut findings: Vec<Finding> = Vec::new();
     let problems: Vec<usize> = (0..bank.problems.len()).collect();
     let sheets = Sheets::new(&texts.templates, &texts.words, bank, &bank.id, &problems)?;
@@ -361,7 +388,16 @@ fn faulty_texts(bank: &Bank, texts: &Texts) -> Result<Vec<Finding>, Vec<Finding>
             }
             let mut out = Vec::new();
             match sheets.problem(i, &variant, &mut room, &mut out) {
-                Ok(()) => add_formulas(&mut findings, problem, texts, &String::from_utf8_lossy(&out)),
+                Ok(()) => {
+                    let text = String::from_utf8_lossy(&out);
+                    add_formulas(&mut findings, problem, texts, &text);
+                    for what in [&problem.title, &*text].into_iter().flat_map(|t| document::dropped(t)) {
+                        let note = (problem.id.clone(), not_kept(&what));
+                        if !notes.contains(&note) {
+                            notes.push(note);
+                        }
+                    }
+                }
                 Err(fault) if findings.contains(&fault) => {}
                 Err(fault) => findings.push(fault),
             }

@@ -119,7 +119,7 @@ fn beginning(head: &Head, title: &str, words: &Words) -> Document {
         words.get("sheet.code"),
         head.code
     ));
-    Document { markdown, pictures: Vec::new() }
+    Document::new(markdown, Vec::new())
 }
 
 /// Puts the solution of a problem behind the others; its pictures get names of their own.

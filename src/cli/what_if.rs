@@ -19,6 +19,7 @@ use crate::key::Answer;
 use crate::key::SheetKey;
 use crate::misconception::catalogue::Catalogue;
 use crate::num::shown;
+use crate::policy::Unread;
 use crate::problem::make_key;
 use crate::regrade::rows::Row;
 use crate::regrade::tolerance::Cell;
@@ -150,7 +151,10 @@ fn handed_in(graded: &Graded) -> Result<NamedTempFile, io::Error> {
 /// Grades them by another key, by the same settings.
 fn run_with(graded: &Graded, table: &KeyTable, handed: &NamedTempFile) -> Result<Run, Vec<Finding>> {
     let trouble = |e: &io::Error| vec![files::trouble(&graded.folder, "cannot be graded", e)];
-    let rules = Rules::new(table, &graded.policy)?;
+    let mut policy = graded.policy.clone();
+    // What is graded already may be from a version that did not ask.
+    policy.late.unread.get_or_insert(Unread::InTime);
+    let rules = Rules::new(table, &policy)?;
     let open = || -> io::Result<Box<dyn Read + Send>> { Ok(Box::new(File::open(handed.path())?)) };
     let options = Options {
         threads: std::thread::available_parallelism().map_or(1, usize::from),

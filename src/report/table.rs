@@ -1,5 +1,5 @@
 //! Tables of the class report: as HTML with a caption, and as CSV with the numbers unrounded.
-use crate::grade::write::push_text;
+use crate::guard::push_text;
 use crate::num::shown;
 use crate::plot::svg::escaped;
 

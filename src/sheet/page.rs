@@ -106,7 +106,7 @@ impl<'b> Sheets<'b> {
         room: &mut Room,
     ) -> Result<(Head, Document), Finding> {
         let head = self.head(student, name, variants);
-        let mut document = Document::default();
+        let mut pictures = Vec::new();
         let mut problems = Vec::with_capacity(variants.len());
         let mut body = Vec::new();
         for (i, (index, _)) in self.statements.iter().enumerate() {
@@ -117,7 +117,7 @@ impl<'b> Sheets<'b> {
                     let picture = scene::picture(problem, variant, self.words, problem.figure);
                     let name = format!("problem-{}", i + 1);
                     let line = format!("![{}]({name}.svg)", alternative(&picture));
-                    document.pictures.push((name, picture));
+                    pictures.push((name, picture));
                     line
                 });
                 self.write(i, variant, figure.as_deref(), room, &mut body)?;
@@ -132,9 +132,9 @@ impl<'b> Sheets<'b> {
         view.value("problems", template::list(problems));
         let mut out = Vec::new();
         self.templates.render("sheet.md", &view, &mut out)?;
-        document.markdown = String::from_utf8_lossy(&out).trim_end().to_owned();
-        document.markdown.push('\n');
-        Ok((head, document))
+        let mut markdown = String::from_utf8_lossy(&out).trim_end().to_owned();
+        markdown.push('\n');
+        Ok((head, Document::new(markdown, pictures)))
     }
 
     /// Who gets the sheet, and the code of what was drawn.

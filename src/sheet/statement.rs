@@ -120,7 +120,7 @@ pub fn add_own(templates: &mut Templates, bank: &Bank) -> Result<(), Vec<Finding
     for problem in &bank.problems {
         if let Some(text) = &problem.statement {
             let field = template_name(problem);
-            if let Err(fault) = templates.add_markdown(&field, text) {
+            if let Err(fault) = templates.add_markdown(&field, text, bank.places.get(&field).cloned()) {
                 faults.push(fault);
             }
         } else if !templates.has_markdown(&template_name(problem)) {
@@ -130,7 +130,8 @@ pub fn add_own(templates: &mut Templates, bank: &Bank) -> Result<(), Vec<Finding
             )));
         }
         for q in problem.questions.iter().filter(|q| is_template(&q.ask)) {
-            if let Err(fault) = templates.add_markdown(&ask_name(problem, q), &q.ask) {
+            let field = ask_name(problem, q);
+            if let Err(fault) = templates.add_markdown(&field, &q.ask, bank.places.get(&field).cloned()) {
                 faults.push(fault);
             }
         }

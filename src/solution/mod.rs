@@ -146,7 +146,7 @@ fn made(
     markdown.push('\n');
     let used = |name: &str| markdown.contains(&format!("({name}.svg)"));
     let pictures = pictures.into_iter().filter(|(name, _)| used(name)).collect();
-    Ok(Document { markdown, pictures })
+    Ok(Document::new(markdown, pictures))
 }
 
 /// The derivation that the scene needs.
