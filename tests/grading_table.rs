@@ -7,7 +7,10 @@
     clippy::disallowed_methods,
     reason = "a test fails by panicking, tells figures with --nocapture, and NaN must fail its comparisons"
 )]
+use slipstick::answer::read::UnitCache;
+use slipstick::grade::feedback::Feedback;
 use slipstick::grade::judge::judge;
+use slipstick::grade::judge::judge_with;
 use slipstick::grade::rules::Rules;
 use slipstick::grade::run::GradeFault;
 use slipstick::grade::run::Graded;
@@ -23,6 +26,7 @@ use slipstick::policy::Counts;
 use slipstick::policy::Policy;
 use slipstick::report::gradebook::gradebook;
 use slipstick::units::Unit;
+use slipstick::words::Words;
 use std::io::Cursor;
 
 fn entry(part: &str, answer: Answer, unit: &str) -> KeyEntry {
@@ -410,6 +414,23 @@ fn every_cell_of_the_table() {
         }
     }
     assert!(faults.is_empty(), "{}", faults.join("\n"));
+}
+
+/// How a cell was read is told in the language of the set, with its own decimal mark.
+#[test]
+fn reasons_in_german() {
+    let say = Feedback::new(Words::built_in("de").unwrap());
+    for (cell, name, piece) in [
+        ("30.263,25 N", "large", "gelesen als 30263,25 N"),
+        ("5/4", "v", "gelesen als 1,25"),
+        ("30,3 ± 0,1", "omega", "was hinter ± steht, ist übergangen"),
+        ("14 lb", "friction", "die Einheit ist als lbf gelesen"),
+        ("-62,6 N hinauf", "friction", "62,6 N aufwärts oder 62,6 N abwärts"),
+        ("30 r/s", "omega", "kann rad/s oder rev/s sein"),
+    ] {
+        let got = judge_with(cell, &key(name), &mut UnitCache::default(), &say);
+        assert!(got.reason.contains(piece), "{cell}: {}", got.reason);
+    }
 }
 
 #[test]

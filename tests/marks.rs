@@ -330,23 +330,23 @@ fn where_a_time_is_unread_and_lateness_matters_the_course_says_what_holds() {
         ("3/4/2026 10:00", "`dates: day first` or `dates: month first`"),
         ("2026-03-01 10:00 CST", "(line 2: `2026-03-01 10:00 CST`)"),
     ] {
-        let row = format!("ann,1,omega,{omega:.6},{time}");
-        let err = refused(&[row.clone()], course, head);
+        let row = [format!("ann,1,omega,{omega:.6},{time}")];
+        let err = refused(&row, course, head);
         assert!(err.contains(piece) && err.contains("late: {unread: in time}"), "{time}: {err}");
-        let graded = class.grade(&[row.clone()], &say("in time"));
+        let graded = class.grade(&row, &say("in time"));
         assert_eq!(seen(&graded[0]), ("right", "1", ""), "{time}");
         assert!(graded[0]["reason"].contains("taken as in time"), "{graded:?}");
-        let graded = class.grade(&[row.clone()], &say("late"));
+        let graded = class.grade(&row, &say("late"));
         assert_eq!(seen(&graded[0]), ("right", "0.6", "late:0.6"), "{time}");
         assert!(graded[0]["reason"].contains("taken as late"), "{graded:?}");
         let closed = say("late").replace("penalty: 10 %", "closes: 2026-03-20 12:00");
-        assert_eq!(seen(&class.grade(&[row.clone()], &closed)[0]), ("right", "0", "closed"), "{time}");
+        assert_eq!(seen(&class.grade(&row, &closed)[0]), ("right", "0", "closed"), "{time}");
         // Where lateness costs nothing nobody asks.
-        assert_eq!(seen(&class.grade(&[row], "due: 2026-03-09 23:59\n")[0]), ("right", "1", ""));
+        assert_eq!(seen(&class.grade(&row, "due: 2026-03-09 23:59\n")[0]), ("right", "1", ""));
     }
     // No column of times at all.
-    let row = format!("ann,1,omega,{omega:.6}");
-    let err = refused(&[row.clone()], course, "student,problem,part,answer");
+    let row = [format!("ann,1,omega,{omega:.6}")];
+    let err = refused(&row, course, "student,problem,part,answer");
     assert!(err.contains("no column `submitted_at`, and lateness bears on marks"), "{err}");
     // One attempt that is read and one that is not: only what counts is asked for.
     let rows = [format!("ann,1,omega,{omega:.6},2026-03-01 10:00"), "nobody,1,omega,1,yesterday".to_owned()];

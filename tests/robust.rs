@@ -438,6 +438,27 @@ fn formulas_in_names_stay_texts_in_every_csv() {
     assert!(cells_that_run(&room, &["roster.csv", "in.csv"]) > 20);
 }
 
+/// A workbook in the place of a CSV file, through the street door: one clear message, and nothing written.
+#[test]
+fn a_workbook_is_named_where_csv_is_wanted() {
+    let room = Room::new(3);
+    room.write("class.xlsx", b"PK\x03\x04\x14\0[Content_Types].xml\0xl/workbook.xml");
+    for args in [
+        &["grade", "set", "class.xlsx", "--out", "g"][..],
+        &["generate", "wheels-on-inclines", "--roster", "class.xlsx", "--seed", "1", "--out", "g"],
+    ] {
+        let ran = room.run(args);
+        let told = stderr(&ran);
+        assert_eq!(ran.status.code(), Some(2), "{told}");
+        assert!(told.starts_with("error: class.xlsx: ") && told.lines().count() == 1, "{told}");
+        assert!(
+            told.contains("an Excel workbook (.xlsx)") && told.contains("save the sheet as CSV"),
+            "{told}"
+        );
+        assert!(!room.path("g").exists());
+    }
+}
+
 /// Cells of all CSV files of a room but these; none of them may be run by a spreadsheet.
 fn cells_that_run(room: &Room, own: &[&str]) -> usize {
     let mut seen = 0;
