@@ -297,6 +297,11 @@ impl Unit {
         }
         mine[..3] != [0; 3] || (self.scale.pi == 0 && other.scale.pi == 0)
     }
+    /// Is it a power of ten of the other?
+    pub(crate) fn by_tens(&self, other: &Unit) -> bool {
+        let ratio = other.scale.inverse().and_then(|inverse| self.scale.times(inverse));
+        ratio.is_some_and(|r| (r.num, r.den, r.pi) == (1, 1, 0))
+    }
     /// `1/min` where an angular velocity is asked: turns in that time, as engineers write it. `1/s` is `rad/s`.
     pub(crate) fn counts_turns(&self, asked: &Unit) -> bool {
         let per_second = self.scale.num == 1 && self.scale.den == 1;

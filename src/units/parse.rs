@@ -208,6 +208,8 @@ impl Reader<'_> {
         let rest: String = self.text[self.at..].iter().filter(|c| !c.is_whitespace()).collect();
         let rest = rest.trim_start_matches(['·', '\u{22c5}', '*']);
         // Above a second `r` is a radian to some and a turn to others; what is right of it does not matter.
+        let lower = rest.to_lowercase();
+        let rest = if self.any_case { lower.as_str() } else { rest };
         let second = rest.strip_prefix('/').unwrap_or(rest).trim_start_matches('(');
         let second = second.strip_prefix("sec").or_else(|| second.strip_prefix('s'));
         let per_second = second.is_some_and(|more| !more.starts_with(char::is_alphabetic));
