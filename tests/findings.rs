@@ -1024,9 +1024,9 @@ fn a_pinned_body() {
     test.yaml:21:7: problems.slide.questions.pin_radail: `pin_radail` is no quantity
         hint: did you mean `pin_radial`?
     test.yaml:19:15: problems.slide.regimes[0]: expected a regime, found `swings`
-        hint: regimes: moves_up, balanced, moves_down, moves_forward, moves_back, rolls, at_limit, slips_up, spins_in_place, slips_down, up ok, up turning_point, up unreachable, down ok, down turning_point, down unreachable, rest, swings ok, swings turning_point, swings unreachable, rolls_after, rolls_at_start, slips_through, never, instant
+        hint: regimes: moves_up, balanced, moves_down, moves_forward, moves_back, rolls, at_limit, slips_up, spins_in_place, slips_down, slips_forward, slips_back, up ok, up turning_point, up unreachable, down ok, down turning_point, down unreachable, forward ok, forward turning_point, forward unreachable, back ok, back turning_point, back unreachable, rest, swings ok, swings turning_point, swings unreachable, rolls_after, rolls_at_start, slips_through, never, instant
     test.yaml:19:23: problems.slide.regimes[1]: expected a regime, found `ok`
-        hint: regimes: moves_up, balanced, moves_down, moves_forward, moves_back, rolls, at_limit, slips_up, spins_in_place, slips_down, up ok, up turning_point, up unreachable, down ok, down turning_point, down unreachable, rest, swings ok, swings turning_point, swings unreachable, rolls_after, rolls_at_start, slips_through, never, instant
+        hint: regimes: moves_up, balanced, moves_down, moves_forward, moves_back, rolls, at_limit, slips_up, spins_in_place, slips_down, slips_forward, slips_back, up ok, up turning_point, up unreachable, down ok, down turning_point, down unreachable, forward ok, forward turning_point, forward unreachable, back ok, back turning_point, back unreachable, rest, swings ok, swings turning_point, swings unreachable, rolls_after, rolls_at_start, slips_through, never, instant
     "#);
 }
 
