@@ -345,3 +345,90 @@ fn a_disc_driven_down_against_a_spring() {
         assert!((mu.value() / (friction / 169.914_184_223) - 1.0).abs() < 1e-9, "{}", mu.value());
     }
 }
+
+/// The street door, once: what came out on standard output.
+fn run(args: &[&str], input: &str) -> (slipstick::cli::tell::Exit, String) {
+    let (mut out, mut err) = (Vec::new(), Vec::new());
+    let mut input = input.as_bytes();
+    let words = std::iter::once("slipstick").chain(args.iter().copied()).map(std::ffi::OsString::from);
+    let exit = slipstick::cli::run(
+        words,
+        &mut slipstick::cli::tell::Io {
+            input: &mut input,
+            out: &mut out,
+            err: &mut err,
+            watched: false,
+            typed: false,
+        },
+    );
+    (exit, String::from_utf8_lossy(&out).into_owned() + &String::from_utf8_lossy(&err))
+}
+
+/// One key for all verbs: what is asked says how far it looks, `asks:` included, and a sheet carries its questions.
+#[test]
+fn every_verb_has_the_same_key() {
+    use slipstick::cli::tell::Exit;
+    let room = tempfile::tempdir().unwrap();
+    let path = |name: &str| room.path().join(name).display().to_string();
+    std::fs::write(path("roster.csv"), "student\n7\n").unwrap();
+    let wheel = Wheel {
+        m: 20.0,
+        rim: 0.2,
+        k: 0.15,
+        slope: 30.0,
+        ks: 150.0,
+        x0: 0.0,
+        rigid: true,
+        lever: 0.0,
+        forward: true,
+        couple: -30.0,
+        cart: None,
+        v0: 0.0,
+        end: End::Travel(1.0),
+        whole: true,
+    };
+    let text = wheel.bank() + "    statement: '{{ m }}'\n";
+    let mut keys = Vec::new();
+    // All questions; the greatest speed left out by `asks:`.
+    for (name, text) in [("whole", text.clone()), ("end", text + "    asks: [mu]\n")] {
+        let (bank, set) = (path(&format!("{name}.yaml")), path(name));
+        std::fs::write(&bank, text).unwrap();
+        let (exit, said) =
+            run(&["generate", &bank, "--roster", &path("roster.csv"), "--seed", "5", "--out", &set], "");
+        assert_eq!(exit, Exit::Fine, "{said}");
+        let key = std::fs::read_to_string(path(&format!("{name}/key.csv"))).unwrap();
+        let value = key.lines().find(|l| l.contains(",mu,")).unwrap().split(',').nth(3).unwrap().to_owned();
+        let (_, solved) = run(&["solve", &bank, "one", "--seed", "5", "--json"], "");
+        let json: serde_json::Value = serde_json::from_str(&solved).unwrap();
+        let other: f64 = json["quantities"]["mu_required"]["value"].as_f64().unwrap();
+        assert_eq!(value.parse::<f64>().unwrap(), other, "solve");
+        let sheet = path(&format!("{name}/students/7/sheet.json"));
+        assert_eq!(run(&["check", &sheet, &format!("1.mu={value}")], "").0, Exit::Fine, "check");
+        assert_eq!(
+            run(&["check", &sheet, &format!("1.mu={}", other * 1.05)], "").0,
+            Exit::NotAllRight,
+            "check"
+        );
+        let (_, practised) =
+            run(&["practice", &bank, "--seed", "5", "--problems", "one"], &format!("1.mu={value}\nquit\n"));
+        assert!(practised.contains("right") && !practised.contains("wrong"), "{practised}");
+        let (exit, said) = run(&["verify", &set], "");
+        assert_eq!(exit, Exit::Fine, "{said}");
+        let page = std::fs::read_to_string(path(&format!("{name}/students/7/sheet.html"))).unwrap();
+        let range = if name == "end" {
+            "from the start to the end that is asked"
+        } else {
+            "from the start to the turning point"
+        };
+        assert!(page.contains(range), "the sheet says which");
+        let (exit, said) =
+            run(&["solutions", &set, "--out", &path(&format!("{name}-solved")), "--format", "md"], "");
+        assert_eq!(exit, Exit::Fine, "{said}");
+        let worked = std::fs::read_to_string(path(&format!("{name}-solved/7/solution.md"))).unwrap();
+        let range =
+            if name == "end" { "from the start to there" } else { "from the start to the turning point" };
+        assert!(worked.contains(range), "the worked solution says which");
+        keys.push(other);
+    }
+    assert!(keys[0] > 1.5 * keys[1], "{keys:?}");
+}
