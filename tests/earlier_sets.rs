@@ -98,7 +98,8 @@ fn a_stored_hash_stands_above_what_a_later_version_would_solve() {
     let room = tempfile::tempdir().unwrap();
     fs::write(at(&room, "roster.csv"), "student\n0017\n0023\n").unwrap();
     let bank = kept("set").join("bank.yaml").display().to_string();
-    let made = ["generate", &bank, "--roster", &at(&room, "roster.csv"), "--out", &at(&room, "set"), "--seed", "7"];
+    let made =
+        ["generate", &bank, "--roster", &at(&room, "roster.csv"), "--out", &at(&room, "set"), "--seed", "7"];
     assert_eq!(run(&made).0, Exit::Fine);
     fs::write(at(&room, "in.csv"), "student,problem,part,answer\n0017,1,v,7\n").unwrap();
     let now = format!("\"draw_version\": {DRAW_VERSION}");

@@ -380,7 +380,10 @@ impl Reader<'_> {
                 Value::Map(_) => Fields::open(value, "a slope", self.faults).and_then(|mut fields| {
                     let slope = fields.need("slope", "theta", self.faults);
                     fields.close(self.faults);
-                    slope.filter(|n| !self.absent(n)).and_then(|n| self.number(n, Need::Slope)).map(Slope::Degrees)
+                    slope
+                        .filter(|n| !self.absent(n))
+                        .and_then(|n| self.number(n, Need::Slope))
+                        .map(Slope::Degrees)
                 }),
                 _ => self.word(
                     value,

@@ -297,7 +297,8 @@ fn problem(
     }
     let gravity_index = data.len();
     let scene_node = fields.get("scene");
-    let read = |n: &Node, symbols: &[Symbol], touching| scene::read(n, symbols, touching, gravity_index, faults);
+    let read =
+        |n: &Node, symbols: &[Symbol], touching| scene::read(n, symbols, touching, gravity_index, faults);
     let base = scene_node.map(|n| read(n, &symbols, Touching::Rolls));
     let regimes = fields.get("regimes").map_or_else(Vec::new, |n| regimes(n, faults));
     let margins = fields.get("margins").map_or_else(Vec::new, |n| margins(n, faults));
@@ -574,9 +575,9 @@ impl CaseRead<'_> {
     /// How a contact that does not say it is taken in this case.
     fn touching(&self) -> Touching {
         let read = self.read.as_ref().filter(|r| !r.touches.is_empty());
-        let slips = read.and_then(|r| r.scene.as_ref()).is_some_and(|s| {
-            s.ties.iter().any(|t| matches!(t, Tie::Slip { .. }))
-        });
+        let slips = read
+            .and_then(|r| r.scene.as_ref())
+            .is_some_and(|s| s.ties.iter().any(|t| matches!(t, Tie::Slip { .. })));
         if slips { Touching::Slips } else { Touching::Rolls }
     }
 }

@@ -150,7 +150,9 @@ fn solve(problem: &SheetProblem, file: &str, words: &Words) -> Result<Solved, Ve
         let draws = case.draws.iter();
         draws
             .map(|d| match d {
-                Some(Draw::Always { value, decimals }) => Some(Decimal { value: *value, decimals: *decimals }),
+                Some(Draw::Always { value, decimals }) => {
+                    Some(Decimal { value: *value, decimals: *decimals })
+                }
                 _ => None,
             })
             .collect()

@@ -157,12 +157,19 @@ pub fn replayed(folder: &Path) -> Result<Replayed, Vec<Finding>> {
     let stored = files::read(&path).map_err(|f| vec![f])?;
     let file = path.display().to_string();
     let earlier = replay::is_earlier(&set);
-    let seal = store::seal(&files::read_text(&folder.join("set.json")).map_err(|f| vec![f])?).filter(|_| earlier);
+    let seal =
+        store::seal(&files::read_text(&folder.join("set.json")).map_err(|f| vec![f])?).filter(|_| earlier);
     let hash = load::hash(&String::from_utf8_lossy(&stored));
     if let Some(seal) = seal.as_ref().filter(|seal| **seal != hash) {
         let short = |hash: &str| hash.chars().take(12).collect::<String>();
-        let what = format!("was changed: its SHA-256 is {}…, that of the set's key is {}…", short(&hash), short(seal));
-        return Err(vec![Finding::new("", what).in_file(file).hint("put the original back, or make the set anew")]);
+        let what = format!(
+            "was changed: its SHA-256 is {}…, that of the set's key is {}…",
+            short(&hash),
+            short(seal)
+        );
+        return Err(vec![
+            Finding::new("", what).in_file(file).hint("put the original back, or make the set anew"),
+        ]);
     }
     let (other, faults) = match earlier {
         true => match key_file::put_stored(&stored, &mut keys, seal.is_some()) {
@@ -174,7 +181,10 @@ pub fn replayed(folder: &Path) -> Result<Replayed, Vec<Finding>> {
     let mut faults: Vec<Finding> = faults.into_iter().map(|f| f.in_file(&file)).collect();
     if let Some(last) = faults.pop() {
         faults.push(last.hint(match earlier {
-            true => format!("put the original back; if it is, grade with the version that made it: {}", set.program),
+            true => format!(
+                "put the original back; if it is, grade with the version that made it: {}",
+                set.program
+            ),
             false => {
                 "key.csv is not what the set gives: put the original back, or make the set anew".to_owned()
             }

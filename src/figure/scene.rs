@@ -490,7 +490,9 @@ fn body_labels(board: &mut Board, view: &View, plan: &Layout, index: usize, p: &
 /// Coefficients at the contacts.
 fn ties(board: &mut Board, view: &View, plan: &Layout) {
     for (index, tie) in view.scene.ties.iter().enumerate() {
-        let (Tie::Roll { body, .. } | Tie::Slip { body, .. } | Tie::Slide { body, .. }) = *tie else { continue };
+        let (Tie::Roll { body, .. } | Tie::Slip { body, .. } | Tie::Slide { body, .. }) = *tie else {
+            continue;
+        };
         let Some(p) = plan.bodies.get(body).and_then(Option::as_ref) else { continue };
         let contact = along(p.centre, p.top, -p.contact);
         let under = mul(p.top, -1.0);

@@ -65,7 +65,10 @@ impl<'a> View<'a> {
             Some(Tie::Slide { mu_s, mu_k, .. }) => (*mu_s, Some(*mu_k)),
             Some(Tie::Cord(_)) | None => (None, None),
         };
-        [(r"\mu_s", rest), (r"\mu_k", sliding)].into_iter().filter_map(|(tex, num)| Some((tex, num?))).collect()
+        [(r"\mu_s", rest), (r"\mu_k", sliding)]
+            .into_iter()
+            .filter_map(|(tex, num)| Some((tex, num?)))
+            .collect()
     }
 
     /// Symbol of a datum; nothing for a constant.

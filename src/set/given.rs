@@ -157,7 +157,9 @@ pub fn as_stored(
     stored: &[StoredVariant],
 ) -> Result<Given, Vec<Finding>> {
     let field = |id: &str| format!("students {student}, {id}");
-    if stored.len() != problems.len() || !stored.iter().zip(problems).all(|(s, p)| s.id == bank.problems[*p].id) {
+    if stored.len() != problems.len()
+        || !stored.iter().zip(problems).all(|(s, p)| s.id == bank.problems[*p].id)
+    {
         return Err(vec![Finding::new(format!("students {student}"), "has other problems than the set")]);
     }
     let (mut variants, mut keys) = (Vec::new(), Vec::new());

@@ -181,7 +181,9 @@ fn take(entry: &mut KeyEntry, row: &csv::StringRecord, sealed: bool) -> Result<b
                 if cell(i) == now[i - 2] {
                     continue;
                 }
-                let Some(read) = cell(i).parse::<f64>().ok().filter(|x| x.is_finite()) else { return other(i) };
+                let Some(read) = cell(i).parse::<f64>().ok().filter(|x| x.is_finite()) else {
+                    return other(i);
+                };
                 let read = entry.unit.to_si(read);
                 let near = (read - *number).abs() <= AS_STORED * read.abs().max(number.abs());
                 if !sealed && !near {

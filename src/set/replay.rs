@@ -167,7 +167,8 @@ pub fn each<T: Send>(
             vec![f]
         };
         if earlier {
-            let Given { variants, key } = given::as_stored(bank, &problems, &student.student, &student.problems)?;
+            let Given { variants, key } =
+                given::as_stored(bank, &problems, &student.student, &student.problems)?;
             return make(i, student, Dealt { variants, key }).map_err(by_make);
         }
         if let Some(dealt) = dealer.deal_again(bank, &problems, student) {

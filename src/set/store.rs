@@ -121,7 +121,10 @@ impl StoredSet {
     /// The text of set.json with the SHA-256 of its key.csv: a later version that draws otherwise, or solves otherwise, knows by
     /// it that the key is the one that was published.
     pub fn sealed(&self, key: &[u8]) -> String {
-        let seal = format!("  \"key_sha256\": {},\n  \"problems\":", json(&load::hash(&String::from_utf8_lossy(key))));
+        let seal = format!(
+            "  \"key_sha256\": {},\n  \"problems\":",
+            json(&load::hash(&String::from_utf8_lossy(key)))
+        );
         self.text().replacen("  \"problems\":", &seal, 1)
     }
 

@@ -161,7 +161,8 @@ impl Question {
     /// The question of a problem whose text stands in the tree of its bank.
     fn new(bank: &Bank, tree: &Node, problem: &Problem, case: &Case) -> Self {
         let common = ["reveal", "tolerance", "units"];
-        let common = common.into_iter().filter_map(|name| Some((name.to_owned(), to_json(field(tree, name)?))));
+        let common =
+            common.into_iter().filter_map(|name| Some((name.to_owned(), to_json(field(tree, name)?))));
         let whole = field(tree, "problems").and_then(|p| field(p, &problem.id));
         let of = |name: &str, id: &str| whole.and_then(|p| field(p, name)).and_then(|list| field(list, id));
         let mut data = Map::new();
