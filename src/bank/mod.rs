@@ -13,7 +13,7 @@ pub type Variables<'a> = &'a dyn Fn(&str) -> Result<Vec<String>, Vec<Finding>>;
 
 /// Names that templates know besides the symbols of the data (what they hold: `sheet/statement.rs`).
 pub const TEMPLATE_NAMES: &[&str] =
-    &["value", "tex", "title", "number", "case", "count", "particles", "motion", "questions"];
+    &["value", "tex", "title", "number", "case", "count", "particles", "motion", "series", "questions"];
 
 /// A bank, checked: every symbol is known, every unit fits, every datum is used.
 #[derive(Debug, Clone)]
@@ -276,7 +276,7 @@ pub mod course;
 pub mod decimal;
 pub mod expression;
 pub mod load;
-mod measure;
+pub mod measure;
 pub mod mistake;
 pub mod node;
 pub mod overlay;

@@ -38,10 +38,11 @@ const MARGINS: [(CheckKind, f64); 11] = [
     (CheckKind::StartsSlipping, 0.05),
     (CheckKind::Closes, 0.05),
     (CheckKind::Reaches, 0.05),
-    (CheckKind::Taut, 0.05),
+    // A small share of large forces still has its sign.
+    (CheckKind::Taut, 0.01),
     (CheckKind::Slack, 0.05),
     (CheckKind::SlipEnds, 0.05),
-    (CheckKind::UnderWay, 0.05),
+    (CheckKind::UnderWay, 0.02),
     (CheckKind::StaticLimit, 0.05),
 ];
 /// What holds for all problems of a bank.
@@ -189,14 +190,23 @@ fn share(node: &Node, faults: &Faults) -> Option<f64> {
         Some(rest) => (rest.trim(), 2),
         None => (text, 0),
     };
-    let read = Decimal::parse(digits).and_then(|d| {
+    let written = Decimal::read(digits);
+    let read = written.as_ref().ok().and_then(|d| {
         let decimals = d.decimals.checked_add(decimals)?;
         Decimal { value: d.value, decimals }.text().parse::<f64>().ok()
     });
     if read.is_none() {
-        faults.hint(node, format!("expected a share, found {}", node.kind()), "write `5 %` or `0.05`");
+        faults.hint(node, expected("a share", node, written), "write `5 %` or `0.05`");
     }
     read
+}
+
+/// That something else was expected, or that there are too many digits.
+fn expected(what: &str, node: &Node, read: Result<Decimal, String>) -> String {
+    match read {
+        Err(why) if why.contains("too many digits") => format!("expected {what}: {why}"),
+        _ => format!("expected {what}, found {}", node.kind()),
+    }
 }
 
 /// Limits of condition numbers: what they are, and from where to where.
@@ -206,10 +216,11 @@ const ENERGY_LIMITS: (&str, f64, f64) = ("a multiple of the kinetic energy", 1.0
 
 /// A plain number, greatest value of something.
 fn limit(node: &Node, (what, least, most): (&str, f64, f64), faults: &Faults) -> Option<f64> {
-    let read = node.text().and_then(|t| Decimal::parse(t.trim())).and_then(|d| d.text().parse::<f64>().ok());
+    let written = Decimal::read(node.text().unwrap_or("").trim());
+    let read = written.as_ref().ok().and_then(|d| d.text().parse::<f64>().ok());
     let fine = read.filter(|x| (least..=most).contains(x));
     if fine.is_none() {
-        faults.at(node, format!("expected {what} from {least} to {most}, found {}", node.kind()));
+        faults.at(node, expected(&format!("{what} from {least} to {most}"), node, written));
     }
     fine
 }
@@ -739,7 +750,7 @@ fn regimes(node: &Node, faults: &Faults) -> Vec<String> {
     let mut list = Vec::new();
     for item in items {
         let text = item.text().unwrap_or("").trim();
-        if Motion::ALL.iter().any(|m| m.word() == text) {
+        if Motion::ALL.iter().any(|m| m.is_called(text)) {
             list.push(text.to_owned());
         } else {
             let words: Vec<&str> = Motion::ALL.iter().map(|m| m.word()).collect();
@@ -938,10 +949,11 @@ fn unowned(name: &str) -> Result<Label, (String, Option<String>)> {
 }
 
 fn points(node: &Node, faults: &Faults) -> Option<f64> {
-    let read = node.text().and_then(|t| Decimal::parse(t.trim())).and_then(|d| d.text().parse::<f64>().ok());
+    let written = Decimal::read(node.text().unwrap_or("").trim());
+    let read = written.as_ref().ok().and_then(|d| d.text().parse::<f64>().ok());
     let fine = read.filter(|p| (0.0..=1000.0).contains(p));
     if fine.is_none() {
-        faults.at(node, format!("expected points from 0 to 1000, found {}", node.kind()));
+        faults.at(node, expected("points from 0 to 1000", node, written));
     }
     fine
 }

@@ -11,6 +11,7 @@ use crate::cli::lint;
 use crate::cli::output;
 use crate::cli::output::Made;
 use crate::cli::output::Output;
+use crate::cli::solve;
 use crate::cli::tell;
 use crate::cli::tell::Exit;
 use crate::cli::tell::Io;
@@ -131,9 +132,16 @@ fn generate(args: &args::Generate, io: &mut Io) -> Result<(), Vec<Finding>> {
         (None, None) => (0..loaded.bank.problems.len()).collect(),
     };
     // What a text of one's own gets wrong in a formula, students would see as raw commands.
-    let faulty = lint::faulty_formulas(&loaded.bank, &texts, &problems)?;
-    if !faulty.is_empty() {
-        return Err(faulty);
+    let tried = lint::tried(&loaded.bank, &texts, &problems)?;
+    if !tried.faults.is_empty() {
+        return Err(tried.faults);
+    }
+    // What only the worked solutions will lack is told now, as `lint` does, and refuses nothing.
+    for fault in &tried.unsolved {
+        io.note(&format!("note: {fault}"));
+    }
+    for note in &tried.notes {
+        io.note(&format!("note: problems.{}: {}", note.problem, note.what));
     }
     let seed = args.seed.or(old.as_ref().map(|s| s.seed)).unwrap_or(0);
     let plan = Plan {
@@ -430,7 +438,8 @@ fn deal(
         .map_init(
             || (Room::default(), Converter::new(&plan.texts.words)),
             |(room, converter), (at, member)| {
-                let dealt = dealer.deal(&member.student)?;
+                let dealt =
+                    dealer.deal(&member.student).map_err(|none| solve::unsatisfiable(plan.bank, &none))?;
                 let (mut made, row) =
                     writer.write(at, &member.student, &member.name, &dealt, room, converter)?;
                 let json = public.text(&member.student, &dealt.variants);

@@ -4,14 +4,13 @@ use crate::key::Answer;
 use crate::key::KeyEntry;
 use crate::num::gauss::Unsettled;
 use crate::num::ode::Trouble;
+use crate::problem::rule::inadmissible;
+use crate::scene::Coordinate;
 use crate::scene::Degree;
 use crate::scene::End;
-use crate::scene::Num;
 use crate::scene::Scene;
 use crate::scene::Span;
 use crate::scene::Tie;
-use crate::scene::admissible::Inadmissible;
-use crate::scene::admissible::Rule;
 pub use crate::sheet::number::rounded;
 use crate::sheet::statement;
 use crate::solve::ladder;
@@ -72,12 +71,15 @@ pub fn check(scene: &Scene, c: &Check) -> String {
         }
         CheckKind::Moves if c.ok => {
             let ratio = figures(c.available / c.required);
-            format!("the {} moves as declared: the drive is {ratio} times what resists", body(scene, c.of))
+            format!(
+                "the {} moves as declared: the driving force is {ratio} times the resistance",
+                body(scene, c.of)
+            )
         }
         CheckKind::Moves => {
             let ratio = figures(if c.available == 0.0 { 0.0 } else { c.available / c.required });
             format!(
-                "the {} does not move as declared: the drive is {ratio} times what resists, required more than 1",
+                "the {} does not move as declared: the driving force is {ratio} times the resistance, required more than 1",
                 body(scene, c.of)
             )
         }
@@ -110,7 +112,7 @@ pub fn check(scene: &Scene, c: &Check) -> String {
             format!("the {} is pressed on its surface with {available} N", body(scene, c.of))
         }
         CheckKind::Pressed => format!(
-            "the {} is not pressed on its surface: normal force {available} N, required more than {required}",
+            "the {} is not pressed on its surface: normal force {available} N, required more than {required} N",
             body(scene, c.of)
         ),
         CheckKind::Taut if c.ok => {
@@ -118,7 +120,7 @@ pub fn check(scene: &Scene, c: &Check) -> String {
         }
         CheckKind::Taut => {
             format!(
-                "{} is not taut: tension {available} N, required more than {required}",
+                "{} is not taut: tension {available} N, required more than {required} N",
                 of_tie(scene, c.of)
             )
         }
@@ -126,7 +128,7 @@ pub fn check(scene: &Scene, c: &Check) -> String {
             format!("the slip of the {} goes against the friction", of_tie(scene, c.of))
         }
         CheckKind::SlipDirection => format!(
-            "the slip of the {} does not go against the friction: {available}, required more than {required}",
+            "the slip of the {} does not go against the friction: {available} m/s^2, required more than {required} m/s^2",
             of_tie(scene, c.of)
         ),
         CheckKind::StartsSlipping if c.ok => {
@@ -177,58 +179,54 @@ pub fn check(scene: &Scene, c: &Check) -> String {
                 of_tie(scene, c.of)
             )
         }
-        CheckKind::Reaches if scene.pinned().is_some() => reaches_on_a_pin(scene, c),
-        CheckKind::Reaches if c.ok && c.available.is_infinite() => {
-            format!("the end is reached: {required} asked, the motion goes on without end")
-        }
-        CheckKind::Reaches if c.ok && matches!(scene.end, End::TurningPoint(_)) => {
-            format!("the end is reached: it comes to rest after {available}")
-        }
-        CheckKind::Reaches if c.ok => {
-            format!("the end is reached: {required} asked, the motion goes as far as {available}")
-        }
-        CheckKind::Reaches if c.available.is_infinite() && matches!(scene.end, End::TurningPoint(_)) => {
-            "the end is not reached: it never comes to rest".to_owned()
-        }
-        CheckKind::Reaches if c.available.is_infinite() => {
-            format!("the end is not reached: {required} asked, the motion goes the other way")
-        }
-        CheckKind::Reaches => {
-            format!("the end is not reached: {required} asked, the motion goes only as far as {available}")
-        }
+        CheckKind::Reaches => reaches(scene, c),
     }
 }
 
-/// How far a pinned body swings, in the measure of its end.
-fn reaches_on_a_pin(scene: &Scene, c: &Check) -> String {
+/// The unit in which the end of a motion is told.
+fn measure(scene: &Scene) -> &'static str {
+    let turns = |c: Coordinate| c.degree == Degree::Turn;
+    let pinned = scene.pinned().is_some();
+    match scene.end {
+        End::Time(..) | End::Rolling(_) => "s",
+        End::Speed(c, _) if pinned || turns(c) => "rad/s",
+        End::Speed(..) => "m/s",
+        _ if pinned => "degrees",
+        End::Travel(c, _) | End::Position(c, _) | End::TurningPoint(c) | End::Angle(c, _) if turns(c) => {
+            "rad"
+        }
+        _ => "m",
+    }
+}
+
+/// Is the end reached, and how far does the motion go?
+fn reaches(scene: &Scene, c: &Check) -> String {
+    let unit = measure(scene);
     let (required, available) = (figures(c.required), figures(c.available));
-    let unit = match scene.end {
-        End::Time(..) => "s",
-        End::Speed(..) => "rad/s",
-        _ => "degrees",
-    };
-    match (c.ok, scene.end, c.available.is_infinite()) {
-        (true, End::TurningPoint(_), _) => {
-            format!("the end is reached: it comes to rest after {available} degrees")
+    let (pinned, endless) = (scene.pinned().is_some(), c.available.is_infinite());
+    match (c.ok, matches!(scene.end, End::TurningPoint(_))) {
+        (true, true) if !endless || pinned => {
+            format!("the end is reached: it comes to rest after {available} {unit}")
         }
-        (false, End::TurningPoint(_), _) => {
-            "the end is not reached: it does not come to rest in two turns".to_owned()
-        }
-        (true, _, true) => {
+        (false, true) if pinned => "the end is not reached: it does not come to rest in two turns".to_owned(),
+        (false, true) if endless => "the end is not reached: it never comes to rest".to_owned(),
+        (true, _) if endless && pinned => {
             format!("the end is reached: {required} {unit} asked, the motion goes on well beyond")
         }
-        (true, _, false) => {
-            format!("the end is reached: {required} {unit} asked, the motion goes as far as {available}")
+        (true, _) if endless => {
+            format!("the end is reached: {required} {unit} asked, the motion goes on without end")
         }
-        (false, _, true) => {
-            format!("the end is not reached: {required} {unit} asked, the motion goes the other way")
-        }
-        (false, _, false) if c.required < 0.0 => {
-            format!("the end is not reached: {required} {unit} asked, the motion goes the other way")
-        }
-        (false, _, false) => {
+        (true, _) => {
             format!(
-                "the end is not reached: {required} {unit} asked, the motion goes only as far as {available}"
+                "the end is reached: {required} {unit} asked, the motion goes as far as {available} {unit}"
+            )
+        }
+        (false, _) if endless || (pinned && c.required < 0.0) => {
+            format!("the end is not reached: {required} {unit} asked, the motion goes the other way")
+        }
+        (false, _) => {
+            format!(
+                "the end is not reached: {required} {unit} asked, the motion goes only as far as {available} {unit}"
             )
         }
     }
@@ -236,30 +234,8 @@ fn reaches_on_a_pin(scene: &Scene, c: &Check) -> String {
 
 /// What really happens, in a sentence.
 pub fn regime(words: &Words, regime: Regime) -> String {
-    let name = regime.motion.word().replace(' ', "_");
-    let text = words.get(&format!("sheet.regime.{name}"));
+    let text = words.get(&regime.motion.phrase());
     if regime.slips { words.say("sheet.regime.if_rolled", &[("regime", text)]) } else { text.to_owned() }
-}
-
-fn symbol(problem: &Problem, num: Num) -> String {
-    match num {
-        Num::Datum(i) => problem.data.get(i).map_or_else(|| "a datum".to_owned(), |d| d.symbol.clone()),
-        Num::Fixed(x) => format!("the constant {x}"),
-    }
-}
-
-fn inadmissible(problem: &Problem, fault: &Inadmissible) -> String {
-    let name = symbol(problem, fault.datum);
-    let value = fault.value;
-    match fault.rule {
-        Rule::Finite => format!("{name} = {value}: must be a finite number"),
-        Rule::Positive => format!("{name} = {value}: must be above 0"),
-        Rule::NotNegative => format!("{name} = {value}: must not be below 0"),
-        Rule::Angle => format!("{name} = {value}: an angle is from -360 to 360 degrees"),
-        Rule::Stretch => format!("{name} = {value}: must not be above the length of the spring at the start"),
-        Rule::Slope => format!("{name} = {value}: a slope is from 0 to 90 degrees"),
-        Rule::NotAbove(other) => format!("{name} = {value}: must not be above {}", symbol(problem, other)),
-    }
 }
 
 /// Why this method, and whether it meets what was asked.
@@ -296,7 +272,7 @@ fn reason(taken: &Taken) -> &'static str {
             "the forces are the same all the way up to the start of rolling and from there on, so the closed form is exact and nothing is cheaper"
         }
         (true, Method::Closed, Force::Linear) => {
-            "the force changes in proportion to the way, so the closed form is exact and nothing is cheaper"
+            "the force changes in proportion to the displacement, so the closed form is exact and nothing is cheaper"
         }
         (true, Method::Closed, Force::Pendulum) => {
             "under its weight alone the time is an elliptic integral, known to rounding, and nothing is cheaper"
@@ -459,10 +435,10 @@ pub fn refusal(problem: &Problem, scene: &Scene, refusal: &Refusal) -> Vec<Strin
             one(format!("{} does not apply to this scene; auto finds what does", method.name()))
         }
         Refusal::Unsettled(Unsettled { value, gap }) if value.is_finite() && gap.is_finite() => one(format!(
-            "an integral over the motion does not settle: a part of it is {value:e}, and halving its panels still changes that by {gap:e}; the motion all but stops on its way, or a spring passes its anchor. No answer is given."
+            "an integral over the motion does not settle: a part of it is {value:e}, and halving its panels still changes that by {gap:e}; the motion all but stops before its end, or a spring passes its anchor. No answer is given."
         )),
         Refusal::Unsettled(_) => one(
-            "an integral over the motion has no value: the motion stops on its way, or a spring passes its anchor, where its force has no direction. No answer is given."
+            "an integral over the motion has no value: the motion stops before its end, or a spring passes its anchor, where its force has no direction. No answer is given."
                 .to_owned(),
         ),
         Refusal::Disagree { label, eom, energy, allowed } if *allowed < 1.0 => one(format!(

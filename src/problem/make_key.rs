@@ -132,13 +132,16 @@ pub fn within(problem: &Problem, solved: &Solved) -> Vec<f64> {
 /// The proved bound of the error of a key is to be below this share of the accepted half-width.
 pub const PROVED_SHARE: f64 = 1e-3;
 
-/// Is the enclosure of every numeric answer narrow beside its tolerance? Quantities that are not enclosed at all do not
-/// count.
-pub fn narrow(problem: &Problem, solved: &Solved) -> bool {
-    problem.questions.iter().filter_map(|q| Some((q, solved.get(q.label)?))).all(|(question, entry)| {
+/// The first numeric answer whose enclosure is not narrow beside its tolerance: index of the question, and the bound as a share
+/// of the half-width. Quantities that are not enclosed at all do not count.
+pub fn wide(problem: &Problem, solved: &Solved) -> Option<(usize, f64)> {
+    let shares = problem.questions.iter().enumerate().filter_map(|(i, question)| {
+        let entry = solved.get(question.label)?;
         let half_width = half_width(question, entry.value(), entry.scale, entry.cond);
-        entry.bound.is_none_or(|bound| bound <= PROVED_SHARE * half_width)
-    })
+        Some((i, entry.bound?, half_width))
+    });
+    let mut wide = shares.filter(|(_, bound, half_width)| !bound.le(&(PROVED_SHARE * half_width)));
+    wide.next().map(|(i, bound, half_width)| (i, bound / half_width))
 }
 
 /// Quantities that can be 0 although the terms that make them up are not.

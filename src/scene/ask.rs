@@ -58,7 +58,7 @@ quantities! {
     WorkPull "work_pull" "J" "work of the pull";
     PowerPull "power_pull" "W" "power of the pull at the end";
     FrictionIfRolled "friction_if_rolled" "N" "friction that rolling without slipping would need, positive up the incline";
-    KBound "k_bound" "m" "greatest radius of gyration for which friction points up the incline at this pull";
+    KBound "k_bound" "m" "radius of gyration below which friction points up the incline at this pull";
     XEq "x_eq" "m" "stretch of the spring at equilibrium";
     VMax "v_max" "m/s" "greatest speed of the motion";
     DAtVMax "D_at_v_max" "m" "distance from release at which the speed is greatest";

@@ -253,10 +253,8 @@ fn values(problem: &Problem, old: &StoredVariant) -> Result<(usize, Vec<Option<D
 
 fn solved(problem: &Problem, case: usize, values: &[Option<Decimal>]) -> Result<(Variant, ProblemKey), Why> {
     let variant = make::from_values(problem, case, values).map_err(Why::Refused)?;
-    let regime = &variant.solved.regime;
-    let word = regime.motion.word();
-    let regimes = &problem.cases[case].regimes;
-    if regime.slips || (!regimes.is_empty() && !regimes.iter().any(|r| r == word)) {
+    let regime = variant.solved.regime;
+    if !regime.is_one_of(&problem.cases[case].regimes) {
         return Err(Why::Happens(regime.word()));
     }
     if let Some(check) = variant.solved.checks.iter().find(|c| !c.ok) {

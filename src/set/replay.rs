@@ -5,6 +5,7 @@ use crate::draw::stream;
 use crate::finding::Finding;
 use crate::key::SheetKey;
 use crate::problem::make::Maker;
+use crate::problem::make::Unsatisfiable;
 use crate::problem::make::Variant;
 use crate::problem::make_key;
 use crate::set::given;
@@ -43,13 +44,11 @@ impl<'b> Dealer<'b> {
     ///
     /// # Errors
     /// The bank cannot be satisfied: the table of refusals.
-    pub fn deal(&self, student: &str) -> Result<Dealt, Finding> {
+    pub fn deal(&self, student: &str) -> Result<Dealt, Box<Unsatisfiable>> {
         let mut variants = Vec::with_capacity(self.makers.len());
         let mut keys = Vec::with_capacity(self.makers.len());
         for maker in &self.makers {
-            let variant = maker
-                .variant(student)
-                .map_err(|e| Finding::new(format!("problems.{}", maker.problem().id), e.to_string()))?;
+            let variant = maker.variant(student)?;
             keys.push(make_key::key(maker.problem(), &variant));
             variants.push(variant);
         }
@@ -85,7 +84,7 @@ pub fn stored(problem: &Problem, variant: &Variant) -> StoredVariant {
         }
     }
     let case = problem.cases.get(variant.case).map_or_else(String::new, |c| c.name.clone());
-    let table = variant.refusals.table(problem, variant.case);
+    let table = variant.refusals.names(problem, variant.case);
     let refused = table.into_iter().map(|(rule, count)| (rule, Value::from(count))).collect();
     StoredVariant { id: problem.id.clone(), case, tries: variant.tries, refused, data }
 }
@@ -174,7 +173,10 @@ pub fn each<T: Send>(
         if let Some(dealt) = dealer.deal_again(bank, &problems, student) {
             return make(i, student, dealt).map_err(by_make);
         }
-        let dealt = dealer.deal(&student.student).map_err(|f| vec![f])?;
+        let undrawn = |none: Box<Unsatisfiable>| {
+            vec![Finding::new(format!("problems.{}", none.problem), none.to_string())]
+        };
+        let dealt = dealer.deal(&student.student).map_err(undrawn)?;
         let mut faults = Vec::new();
         if student.problems.len() != problems.len() {
             let what = format!(

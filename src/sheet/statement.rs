@@ -14,6 +14,7 @@ use crate::bank::Problem;
 use crate::bank::Question;
 use crate::bank::decimal::Decimal;
 use crate::finding::Finding;
+use crate::num::elliptic;
 use crate::num::shown;
 use crate::problem::make::Variant;
 use crate::problem::make_key;
@@ -78,6 +79,7 @@ pub struct Statement<'b> {
     words: &'b Words,
     name: String,
     values: bool,
+    series: bool,
     common: Common,
     /// Text before and after the digits of each datum.
     around: Vec<(String, String)>,
@@ -167,10 +169,12 @@ impl<'b> Statement<'b> {
             .filter(|(_, q)| is_template(&q.ask))
             .map(|(i, q)| (i, ask_name(problem, q)))
             .collect();
-        let mut values = used.iter().any(|v| v == "value");
+        let mut used = used;
         for (_, ask) in &asks {
-            values |= templates.variables(ask)?.iter().any(|v| v == "value");
+            used.extend(templates.variables(ask)?);
         }
+        let uses = |name: &str| used.iter().any(|v| v == name);
+        let (values, series) = (uses("value"), uses("series"));
         let around = problem
             .data
             .iter()
@@ -211,7 +215,7 @@ impl<'b> Statement<'b> {
             }
             cases.push(this);
         }
-        Ok(Self { problem, templates, words, name, values, common: common.clone(), around, cases })
+        Ok(Self { problem, templates, words, name, values, series, common: common.clone(), around, cases })
     }
 
     /// Appends the statement of a variant, with its figure (a line of Markdown) and its questions.
@@ -261,6 +265,9 @@ impl<'b> Statement<'b> {
         if of_case.particles {
             self.particles(&self.problem.cases[case].scene, drawn, &mut scratch.view);
         }
+        if self.series {
+            scratch.view.text("series", &self.series(variant));
+        }
         self.templates.render(&self.name, &scratch.view, out)?;
         while out.last().is_some_and(u8::is_ascii_whitespace) {
             out.pop();
@@ -291,6 +298,27 @@ impl<'b> Statement<'b> {
         }
         out.push(b'\n');
         Ok(())
+    }
+
+    /// The series of the period and how many of its terms this swing takes to be within the tolerance, for a student who sums it.
+    fn series(&self, variant: &Variant) -> String {
+        const MOST: usize = 40;
+        let of = |quantity: Quantity| variant.solved.entries.iter().find(|e| e.label.quantity == quantity);
+        let asked = self.problem.questions.iter().position(|q| q.label.quantity == Quantity::Period);
+        let share = asked.and_then(|q| {
+            let (question, entry) = (&self.problem.questions[q], of(Quantity::Period)?);
+            let width = make_key::half_width(question, entry.value(), entry.scale, entry.cond);
+            Some(width / entry.value())
+        });
+        // A pendulum of the frequency w that swings up to A passes below with 2 w sin(A/2).
+        let modulus = of(Quantity::OmegaMax).zip(of(Quantity::OmegaSmall));
+        let modulus = modulus.map(|(most, small)| most.value() / (2.0 * small.value()));
+        let terms = share.zip(modulus).and_then(|(share, k)| elliptic::terms_within(k, share, MOST));
+        match terms {
+            Some(1) => self.words.get("sheet.series.one").to_owned(),
+            Some(n) => self.words.say("sheet.series.terms", &[("terms", &n.to_string())]),
+            None => self.words.say("sheet.series.many", &[("terms", &MOST.to_string())]),
+        }
     }
 
     /// `$40\ \mathrm{kg}$`

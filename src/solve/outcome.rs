@@ -6,7 +6,7 @@ use crate::scene::Label;
 use crate::solve::method::Method;
 
 /// What really happens, in the words that scripts rely on ([`Regime::word`]).
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Regime {
     /// The motion.
     pub motion: Motion,
@@ -15,50 +15,85 @@ pub struct Regime {
 }
 
 macro_rules! motions {
-    ($($variant:ident $word:literal;)*) => {
-        /// Words of the regime.
-        #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-        pub enum Motion { $(#[doc = concat!("`", $word, "`")] $variant,)* }
+    ($($variant:ident $word:literal $they:literal [$($synonym:literal)*];)*) => {
+        /// Words of the regime: the table from which banks are read, messages are made, and the list of the README is checked.
+        /// What each means stands in the word lists, `sheet.regime.WORD`, in every language.
+        #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+        pub enum Motion { $(#[doc = concat!("`", $word, "`: they ", $they)] $variant,)* }
         impl Motion {
             /// All of them.
             pub const ALL: &'static [Motion] = &[$(Motion::$variant,)*];
             /// The word.
             pub const fn word(self) -> &'static str { match self { $(Motion::$variant => $word,)* } }
+            /// What several draws of it do: `move up`.
+            pub const fn they(self) -> &'static str { match self { $(Motion::$variant => $they,)* } }
+            /// Other words for it in banks.
+            pub const fn synonyms(self) -> &'static [&'static str] {
+                match self { $(Motion::$variant => &[$($synonym),*],)* }
+            }
         }
     };
 }
+// On a level, and where a body only turns, forward is right and back is left; there the words of slopes are read too.
 motions! {
-    MovesUp "moves_up";
-    Balanced "balanced";
-    MovesDown "moves_down";
-    MovesForward "moves_forward";
-    MovesBack "moves_back";
-    Rolls "rolls";
-    AtLimit "at_limit";
-    SlipsUp "slips_up";
-    SpinsInPlace "spins_in_place";
-    SlipsDown "slips_down";
-    UpOk "up ok";
-    UpTurningPoint "up turning_point";
-    UpUnreachable "up unreachable";
-    DownOk "down ok";
-    DownTurningPoint "down turning_point";
-    DownUnreachable "down unreachable";
-    Rest "rest";
-    SwingsOk "swings ok";
-    SwingsTurningPoint "swings turning_point";
-    SwingsUnreachable "swings unreachable";
-    RollsAfter "rolls_after";
-    RollsAtStart "rolls_at_start";
-    SlipsThrough "slips_through";
-    Never "never";
-    Instant "instant";
+    MovesUp "moves_up" "move up" [];
+    Balanced "balanced" "are balanced and stay" [];
+    MovesDown "moves_down" "move down" [];
+    MovesForward "moves_forward" "move forward" [];
+    MovesBack "moves_back" "move back" [];
+    Rolls "rolls" "roll" [];
+    AtLimit "at_limit" "are just at the limit of slipping" [];
+    SlipsUp "slips_up" "slip up" [];
+    SpinsInPlace "spins_in_place" "spin in place" [];
+    SlipsDown "slips_down" "slip down" [];
+    SlipsForward "slips_forward" "slip forward" ["slips_up"];
+    SlipsBack "slips_back" "slip back" ["slips_down"];
+    UpOk "up ok" "move up and reach the end" [];
+    UpTurningPoint "up turning_point" "move up and just reach the end" [];
+    UpUnreachable "up unreachable" "move up and turn before the end" [];
+    DownOk "down ok" "move down and reach the end" [];
+    DownTurningPoint "down turning_point" "move down and just reach the end" [];
+    DownUnreachable "down unreachable" "move down and turn before the end" [];
+    ForwardOk "forward ok" "move forward and reach the end" ["up ok"];
+    ForwardTurningPoint "forward turning_point" "move forward and just reach the end" ["up turning_point"];
+    ForwardUnreachable "forward unreachable" "move forward and turn before the end" ["up unreachable"];
+    BackOk "back ok" "move back and reach the end" ["down ok"];
+    BackTurningPoint "back turning_point" "move back and just reach the end" ["down turning_point"];
+    BackUnreachable "back unreachable" "move back and turn before the end" ["down unreachable"];
+    Rest "rest" "stay at rest" [];
+    SwingsOk "swings ok" "swing and reach the end" [];
+    SwingsTurningPoint "swings turning_point" "swing and just reach the end" [];
+    SwingsUnreachable "swings unreachable" "swing and turn before the end" [];
+    RollsAfter "rolls_after" "slip first and roll afterwards" [];
+    RollsAtStart "rolls_at_start" "roll from the start" [];
+    SlipsThrough "slips_through" "slip on the other way" [];
+    Never "never" "slip without end" [];
+    Instant "instant" "are an instant only" [];
+}
+
+impl Motion {
+    /// Is this word one for it?
+    pub fn is_called(self, word: &str) -> bool {
+        self.word() == word || self.synonyms().contains(&word)
+    }
+    /// Name of the phrase that says what it means: `sheet.regime.up_ok`.
+    pub fn phrase(self) -> String {
+        format!("sheet.regime.{}", self.word().replace(' ', "_"))
+    }
 }
 
 impl Regime {
     /// The word, with ` slips` appended where it applies.
     pub fn word(self) -> String {
         if self.slips { format!("{} slips", self.motion.word()) } else { self.motion.word().to_owned() }
+    }
+    /// What several draws of it do: `slip down`.
+    pub fn they(self) -> String {
+        if self.slips { "slip where they are said to roll".to_owned() } else { self.motion.they().to_owned() }
+    }
+    /// Is it what a problem declares by these words? Any motion is where it declares none, save slip of what is said to roll.
+    pub fn is_one_of(self, declared: &[String]) -> bool {
+        !self.slips && (declared.is_empty() || declared.iter().any(|word| self.motion.is_called(word)))
     }
 }
 
@@ -77,7 +112,7 @@ pub enum CheckKind {
     /// A cord between bodies is taut as far as the scene looks: required 0, available the least tension, N; the margin is its
     /// share of the other forces that make it up.
     Taut,
-    /// The slip goes against the friction: required 0, available slip speed against friction, m/s.
+    /// The slip goes against the friction: required 0, available slip acceleration against friction, m/s^2.
     SlipDirection,
     /// What is thrown starts with slip: required 0, available the slip speed, m/s; the margin is its share of the speeds
     /// that make it up.
@@ -134,6 +169,10 @@ impl CheckKind {
             Self::UnderWay => "under_way",
             Self::StaticLimit => "static_limit",
         }
+    }
+    /// Is its margin a share that says how far it holds? That of the others is 1 or -1.
+    pub const fn is_share(self) -> bool {
+        !matches!(self, Self::Pressed | Self::Taut | Self::SlipDirection)
     }
 }
 

@@ -224,15 +224,19 @@ pub fn judge<P: Real<Plain = P>>(
             (true, true, true) => Motion::RollsAfter,
         }
     } else if let Some((tie, friction, available, sense)) = slipping {
-        let forward_up = match &scene.ties[tie] {
-            Tie::Slip { body, .. } => scene.bodies[*body].line.is_none_or(|l| l.forward_up),
-            _ => true,
+        let line = match &scene.ties[tie] {
+            Tie::Slip { body, .. } => scene.bodies[*body].line,
+            _ => None,
         };
-        match (friction.abs().status(available), if forward_up { sense } else { -sense }) {
+        let upward = if line.is_none_or(|l| l.forward_up) { sense } else { -sense };
+        let sloped = line.is_some_and(|l| l.slope != Slope::Level);
+        match (friction.abs().status(available), upward) {
             (s, _) if s < 0.0 => Motion::Rolls,
             (0.0, _) => Motion::AtLimit,
-            (_, u) if u > 0.0 => Motion::SlipsUp,
-            (_, u) if u < 0.0 => Motion::SlipsDown,
+            (_, u) if u > 0.0 && sloped => Motion::SlipsUp,
+            (_, u) if u < 0.0 && sloped => Motion::SlipsDown,
+            (_, u) if u > 0.0 => Motion::SlipsForward,
+            (_, u) if u < 0.0 => Motion::SlipsBack,
             _ => Motion::SpinsInPlace,
         }
     } else if body.pin.is_some() {
@@ -243,14 +247,17 @@ pub fn judge<P: Real<Plain = P>>(
             _ => Motion::SwingsUnreachable,
         }
     } else if scene.spring().is_some() {
+        let [ok, turning_point, unreachable] = match (sloped, upward > 0.0) {
+            (true, true) => [Motion::UpOk, Motion::UpTurningPoint, Motion::UpUnreachable],
+            (true, false) => [Motion::DownOk, Motion::DownTurningPoint, Motion::DownUnreachable],
+            (false, true) => [Motion::ForwardOk, Motion::ForwardTurningPoint, Motion::ForwardUnreachable],
+            (false, false) => [Motion::BackOk, Motion::BackTurningPoint, Motion::BackUnreachable],
+        };
         match (upward, course.reached, place) {
             (0.0, ..) => Motion::Rest,
-            (u, _, 0.0) if u > 0.0 && course.asked.is_some() => Motion::UpTurningPoint,
-            (_, _, 0.0) if course.asked.is_some() => Motion::DownTurningPoint,
-            (u, true, _) if u > 0.0 => Motion::UpOk,
-            (_, true, _) => Motion::DownOk,
-            (u, false, _) if u > 0.0 => Motion::UpUnreachable,
-            _ => Motion::DownUnreachable,
+            (_, _, 0.0) if course.asked.is_some() => turning_point,
+            (_, true, _) => ok,
+            (_, false, _) => unreachable,
         }
     } else {
         match (sloped, upward) {
