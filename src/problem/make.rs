@@ -373,7 +373,7 @@ impl<'p> Maker<'p> {
         for check in solved.checks.iter().filter(|c| c.kind == CheckKind::Moves) {
             // What nothing drives needs no margin.
             let driven = check.available > 0.0 || check.available.is_nan();
-            if driven && !(-check.margin >= self.margins[kind]) {
+            if driven && (check.margin.is_nan() || -check.margin < self.margins[kind]) {
                 return Err(Rule::Check(check.kind).found(check.margin));
             }
         }

@@ -277,8 +277,9 @@ impl<'a, T: Real> Ledger<'a, T> {
                 stays[t] = matches!(tie, Tie::Slide { body, .. } if going[*body] == 0.0);
             }
             at_start = friction(&mut kinetic, &[false].repeat(ties), !started);
-            while !started {
-                // What static friction takes more power from than all else gives does not set off.
+            // What static friction takes more power from than all else gives does not set off.
+            let mut settled = started;
+            while !settled {
                 let most = friction(&mut kinetic, &stays, true);
                 modes = speeds::modes(scene, &n, Grip::Declared, &stays);
                 let first = drive(scene, &n, &modes, &most, tension);
@@ -288,9 +289,7 @@ impl<'a, T: Real> Ledger<'a, T> {
                         stays[t] |= first.v[*body].sign() * going[*body] <= 0.0;
                     }
                 }
-                if stays == before {
-                    break;
-                }
+                settled = stays == before;
             }
             let sliding = friction(&mut kinetic, &stays, false);
             modes = speeds::modes(scene, &n, Grip::Declared, &stays);
