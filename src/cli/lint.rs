@@ -391,7 +391,7 @@ fn faulty_texts(
                 Ok(()) => {
                     let text = String::from_utf8_lossy(&out);
                     add_formulas(&mut findings, problem, texts, &text);
-                    for what in [&problem.title, &*text].into_iter().flat_map(|t| document::dropped(t)) {
+                    for what in [&problem.title, &*text].into_iter().flat_map(document::dropped) {
                         let note = (problem.id.clone(), not_kept(&what));
                         if !notes.contains(&note) {
                             notes.push(note);
