@@ -144,7 +144,8 @@ fn compare(s: &composed::Scene, forces: f64, solved: &Solved, told: &Told) -> Re
             let bound = e.value();
             let k = if bound.is_finite() { bound } else { 1e4 };
             let friction = System::friction_with(s, k).unwrap_or(f64::NAN);
-            let fits = if bound.is_finite() { friction.abs() <= 1e-9 * forces } else { friction >= -1e-9 * forces };
+            let fits =
+                if bound.is_finite() { friction.abs() <= 1e-9 * forces } else { friction >= -1e-9 * forces };
             if !fits {
                 faults.push(format!("k_bound {bound:e}: there the friction is {friction:e}"));
             }

@@ -64,7 +64,9 @@ fn two_tied_blocks_that_nothing_pulls_stay() {
     }
     assert!(open(&smooth).is_empty());
     // With friction the cord may be tight between two blocks that hold it: statics does not say.
-    let rough = format!("{FLOOR}{blocks}        - slides: {{body: A, mu_k: 0.3}}\n        - slides: {{body: B, mu_k: 0.2}}\n{end}");
+    let rough = format!(
+        "{FLOOR}{blocks}        - slides: {{body: A, mu_k: 0.3}}\n        - slides: {{body: B, mu_k: 0.2}}\n{end}"
+    );
     let rough = solved(&rough);
     assert_eq!(rough.1.regime.word(), "balanced");
     for name in ["A.v", "A.a", "B.v", "B.a", "kinetic_energy"] {
@@ -225,6 +227,10 @@ fn what_slips_starts_from_rest_and_without_a_spring() {
         findings.iter().map(ToString::to_string).collect::<String>()
     };
     let spring = "        - cord: {from: {body: wheel, tied at: centre, leaves: back}, spring: {stiffness: 50 N/m, stretch: 0.1 m}}\n";
-    assert!(of(spring, "at rest").contains("`wheel` slips, and there is a spring"), "{}", of(spring, "at rest"));
+    assert!(
+        of(spring, "at rest").contains("`wheel` slips, and there is a spring"),
+        "{}",
+        of(spring, "at rest")
+    );
     assert!(of("", "{wheel: {speed: 1 m/s}}").contains("`wheel` slips"));
 }

@@ -817,9 +817,21 @@ impl<'s> System<'s> {
         let level = matches!(s.bodies[s.of].way, Way::Along(i) if s.surfaces[i].slope.is_none() && !s.surfaces[i].vertical);
         told.direction = match (told.sense, f.line && !level) {
             (0.0, _) => "stays",
-            (sense, true) => if sense * dot(f.forward, f.up) > 0.0 { "up" } else { "down" },
+            (sense, true) => {
+                if sense * dot(f.forward, f.up) > 0.0 {
+                    "up"
+                } else {
+                    "down"
+                }
+            }
             // On a level up is to the right, whichever way is forward.
-            (sense, false) => if sense * dot(f.forward, f.up) > 0.0 { "forward" } else { "back" },
+            (sense, false) => {
+                if sense * dot(f.forward, f.up) > 0.0 {
+                    "forward"
+                } else {
+                    "back"
+                }
+            }
         };
         told.reached = time.is_some();
         told.near_reach = match s.event {
