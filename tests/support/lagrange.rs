@@ -911,11 +911,9 @@ impl<'s> System<'s> {
             Some(t) if self.spring.is_some() => law.place(t),
             _ => 0.0,
         };
-        let to_turning = super::SPRING_CHECKS_RUN_TO_THE_TURNING_POINT;
+        // As far as the scene looks: to its end, or to the turning point if it turns before.
         let last = if !moves {
             tension
-        } else if to_turning {
-            if turns_at.is_some() { stretch_at(last_place) } else { 0.0 }
         } else if arrived {
             stretch_at(at)
         } else if turns_at.is_some() {
