@@ -52,14 +52,20 @@ impl<T: Real> Equations<T> {
         for allowed in (0..=free.len()).rev() {
             let kept = &free[..allowed];
             loop {
-                // The pivot that is largest within its own row loses least; of rows with sizes, that of least error.
-                let mut best: Option<(usize, usize, T::Rough)> = None;
+                // The pivot that is largest within its own row loses least; of rows with sizes, that of least error. Of equal
+                // ones the shortest row: what holds one unknown fast does so before its value is mixed with others.
+                let mut best: Option<(usize, usize, T::Rough, usize)> = None;
                 for i in (0..rows).filter(|i| !used[*i]) {
                     let row = &self.cells[i * width..i * width + cols];
                     let size = row.iter().fold(T::Rough::zero(), |s, v| s.max(v.size()));
                     let mut lead: Option<(usize, T::Rough, T::Rough)> = None;
+                    let mut length = 0;
                     for (j, v) in row.iter().enumerate() {
-                        if pivot[j].is_some() || v.is_zero() || kept.contains(&j) {
+                        if pivot[j].is_some() || v.is_zero() {
+                            continue;
+                        }
+                        length += 1;
+                        if kept.contains(&j) {
                             continue;
                         }
                         let share = v.size() / size;
@@ -69,12 +75,12 @@ impl<T: Real> Equations<T> {
                     }
                     if let Some((j, share, coefficient)) = lead {
                         let score = self.sizes[i].map_or(share, |error| coefficient / error);
-                        if best.is_none_or(|(_, _, s)| score > s) {
-                            best = Some((i, j, score));
+                        if best.is_none_or(|(_, _, s, l)| score > s || score >= s && length < l) {
+                            best = Some((i, j, score, length));
                         }
                     }
                 }
-                let Some((i, j, _)) = best else { break };
+                let Some((i, j, ..)) = best else { break };
                 used[i] = true;
                 pivot[j] = Some(i);
                 let row = &mut self.cells[i * width..(i + 1) * width];

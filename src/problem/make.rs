@@ -70,7 +70,8 @@ const PROOF: usize = 3;
 const INPUT: usize = 4;
 const REGIME: usize = 5;
 const FOLLOWS: usize = 6;
-const CHECKS: usize = 7;
+const START: usize = 7;
+const CHECKS: usize = 8;
 
 /// A relation between parts holds if it gives the right answer within this share: it is computed in doubles.
 const RELATION: f64 = 1e-9;
@@ -128,6 +129,7 @@ fn rule_name(problem: &Problem, case: usize, rule: usize) -> String {
         PROOF => "the key is proved".to_owned(),
         INPUT => format!("input energy above {} times the kinetic", problem.energy_limit),
         REGIME => "regime".to_owned(),
+        START => "the start agrees with the ties".to_owned(),
         FOLLOWS => "a relation of `follows` does not hold".to_owned(),
         _ if rule < questions => CheckKind::ALL[rule - CHECKS].name().to_owned(),
         _ if rule < conds => format!("question {} has an answer", problem.questions[rule - questions].id),
@@ -323,6 +325,10 @@ impl<'p> Maker<'p> {
             Refusal::Disagree { .. } => {
                 refusals.unsolved = Some(refusal);
                 DISAGREE
+            }
+            Refusal::Open(_) | Refusal::Contradiction { .. } => {
+                refusals.unsolved = Some(refusal);
+                START
             }
             other => {
                 refusals.unsolved = Some(other);

@@ -178,11 +178,11 @@ impl Scene {
             },
         }
     }
-    /// All coordinates: the lines, and the turns.
+    /// All coordinates: the lines, and the turns. A body of particles moves freely in the plane and has none.
     pub fn coordinates(&self) -> impl Iterator<Item = Coordinate> {
         self.bodies.iter().enumerate().flat_map(|(body, b)| {
             let along = b.line.map(|_| Coordinate { body, degree: Degree::Along });
-            let turn = b.turns.then_some(Coordinate { body, degree: Degree::Turn });
+            let turn = b.spins().then_some(Coordinate { body, degree: Degree::Turn });
             along.into_iter().chain(turn)
         })
     }

@@ -4,6 +4,7 @@ use crate::num::Dd;
 use crate::num::Jet;
 use crate::num::JetOf;
 use crate::num::Real;
+use crate::num::Rough;
 use crate::num::U;
 use crate::num::Wide;
 use crate::num::ball;
@@ -23,6 +24,7 @@ use crate::solve::outcome::Motion;
 use crate::solve::outcome::Refusal;
 use crate::solve::outcome::Regime;
 use crate::solve::outcome::Road;
+use crate::solve::outcome::Said;
 use crate::solve::outcome::Solved;
 use crate::solve::outcome::Unsupported;
 use crate::solve::physical;
@@ -85,9 +87,10 @@ fn half<T: Real>(scene: &Scene, data: &[f64], wide: bool) -> Result<Half, Refusa
     let mut beyond = Vec::new();
     let mut entries = Vec::with_capacity(road.said.len());
     for said in &road.said {
-        let value = said.value.f64();
+        let gone = vanishes(said.value.f64(), said.scale);
+        let value = if gone { 0.0 } else { said.value.f64() };
         // A finite number that no double holds, or only with fewer digits.
-        let lost = !value.is_finite() || value.abs() < f64::MIN_POSITIVE;
+        let lost = !gone && (!value.is_finite() || value.abs() < f64::MIN_POSITIVE);
         if lost && said.value.is_finite() && !said.value.is_zero() {
             beyond.push(said.label);
             continue;
@@ -98,7 +101,7 @@ fn half<T: Real>(scene: &Scene, data: &[f64], wide: bool) -> Result<Half, Refusa
             energy: None,
             bound: None,
             // What is endless stays so, whatever small change of the data.
-            cond: if value.is_infinite() { 0.0 } else { said.value.cond() },
+            cond: if value.is_infinite() { 0.0 } else { cond(said) },
             scale: said.scale,
         });
     }
@@ -129,7 +132,10 @@ impl Half {
             // The roads mostly speak in the same order.
             let said =
                 second.said.get(i).filter(|s| s.label == entry.label).or_else(|| second.get(entry.label));
-            let (eom, energy) = (entry.value(), said.map_or(f64::NAN, |s| s.value.f64()));
+            let (eom, mut energy) = (entry.value(), said.map_or(f64::NAN, |s| s.value.f64()));
+            if eom == 0.0 && vanishes(energy, entry.scale) {
+                energy = 0.0;
+            }
             entry.energy = Some(energy);
             if !agree(eom, energy, entry.cond) {
                 let allowed = 2.0 * EACH_ROAD * U * entry.cond.max(1.0);
@@ -227,6 +233,21 @@ fn supported(scene: &Scene) -> Result<(), Refusal> {
         return Err(Refusal::Freedoms(0));
     }
     Ok(())
+}
+
+/// Is it nothing beside the terms that make it up? As near to 0 as this is where the rounding of the printed data alone leaves
+/// what is exactly 0 in decimals, such as the mass centre of symmetric particles: 8 u.
+fn vanishes(value: f64, scale: f64) -> bool {
+    scale > 0.0 && scale.is_finite() && value.abs() <= 8.0 * U * scale
+}
+
+/// Condition number of what a road says. What vanishes is told by the scale of its terms: a relative change of the data moves
+/// it by at most so many times that share of them.
+fn cond<T: Real>(said: &Said<T>) -> f64 {
+    if !vanishes(said.value.f64(), said.scale) {
+        return said.value.cond();
+    }
+    (0..T::SLOPES).fold(0.0, |sum, i| sum + said.value.slope(i).abs().f64()) / said.scale
 }
 
 /// Coordinates less ties.

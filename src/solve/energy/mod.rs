@@ -28,7 +28,6 @@ use crate::scene::Owner;
 use crate::scene::Quantity;
 use crate::scene::RotaryInertia;
 use crate::scene::Scene;
-use crate::scene::Start;
 use crate::scene::Tie;
 use crate::solve::energy::account::Account;
 use crate::solve::energy::account::Store;
@@ -38,6 +37,7 @@ use crate::solve::energy::quadrature::Sum;
 use crate::solve::energy::quadrature::Summed;
 use crate::solve::energy::speeds::Mode;
 use crate::solve::method::Method;
+use crate::solve::outcome;
 use crate::solve::outcome::Course;
 use crate::solve::outcome::Grip;
 use crate::solve::outcome::Refusal;
@@ -49,14 +49,14 @@ use std::cell::Cell;
 
 /// Everything that work and energy say of a scene whose data are admissible.
 ///
-/// Errors: ties that hold the ending coordinate fast.
+/// Errors: ties that hold the ending coordinate fast, a start that contradicts them or leaves open what is asked.
 pub fn road<T: Real>(scene: &Scene, data: &[f64]) -> Result<Road<T>, Refusal> {
     let n = Numbers::<T>::new(scene, data);
     if let Some((body, pin)) = scene.pinned() {
         return swing::road(scene, n, body, pin);
     }
     if matches!(scene.end, End::AtOnce) {
-        return Ok(instant::road(scene, &n));
+        return instant::road(scene, &n);
     }
     if let Some(thrown) = scene.thrown() {
         return thrown::road(scene, &n, &thrown);
@@ -78,7 +78,7 @@ pub fn road_by<T: Real>(
         return swing::road_by(scene, n, (body, pin), points);
     }
     if matches!(scene.end, End::AtOnce) {
-        return Ok((instant::road(scene, &n), Count::default()));
+        return Ok((instant::road(scene, &n)?, Count::default()));
     }
     if scene.thrown().is_some() {
         return Err(Refusal::NoMethod { method: Method::Gauss });
@@ -236,14 +236,10 @@ impl<'a, T: Real> Ledger<'a, T> {
             }
         }
         let modes = speeds::modes(scene, &n, Grip::Declared)?;
-        let mut v0 = T::zero();
-        for s in &scene.start {
-            if let Start::Speed(c, v) = s {
-                let ratio = modes[0].of(*c);
-                if !ratio.is_zero() {
-                    v0 = n.get(*v) / ratio;
-                }
-            }
+        let leads = scene.start_speeds().find(|(c, _)| !modes[0].of(*c).is_zero());
+        let v0 = leads.map_or_else(T::zero, |(c, v)| n.get(v) / modes[0].of(c));
+        for (c, v) in scene.start_speeds() {
+            outcome::consistent(c, n.get(v), modes[0].of(c) * v0)?;
         }
         let mut start_rate = drive(scene, &n, &modes, &frictions(&kinetic), tension);
         let inclined = start_rate.of(end).sign();

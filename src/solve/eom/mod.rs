@@ -27,7 +27,6 @@ use crate::scene::Quantity;
 use crate::scene::RotaryInertia;
 use crate::scene::Scene;
 use crate::scene::Side;
-use crate::scene::Start;
 use crate::scene::Tie;
 use crate::solve::eom::equations::CONSTANT;
 use crate::solve::eom::equations::Response;
@@ -41,6 +40,7 @@ use crate::solve::eom::integrate::path;
 use crate::solve::eom::travel::State;
 use crate::solve::eom::travel::Travel;
 use crate::solve::method::Rung;
+use crate::solve::outcome;
 use crate::solve::outcome::Course;
 use crate::solve::outcome::Grip;
 use crate::solve::outcome::Held;
@@ -59,7 +59,7 @@ pub fn road<T: Real>(scene: &Scene, data: &[f64]) -> Result<Road<T>, Refusal> {
         return swing::road(scene, n, body, pin);
     }
     if matches!(scene.end, End::AtOnce) {
-        return Ok(instant::road(scene, &n));
+        return instant::road(scene, &n);
     }
     if let Some(thrown) = scene.thrown() {
         return thrown::road(scene, &n, &thrown);
@@ -82,7 +82,7 @@ pub fn road_by<T: Real>(
         return swing::road_by(scene, n, (body, pin), Some((rung, asked)));
     }
     if matches!(scene.end, End::AtOnce) {
-        return Ok((instant::road(scene, &n), Count::default()));
+        return Ok((instant::road(scene, &n)?, Count::default()));
     }
     if let Some(thrown) = scene.thrown() {
         return thrown::road_by(scene, &n, &thrown, Some(rung));
@@ -187,7 +187,8 @@ impl<'a, T: Real> Walk<'a, T> {
                 if let Tie::Slide { body, .. } = tie {
                     let c = Coordinate { body: *body, degree: Degree::Along };
                     let sense = if started {
-                        (response.acceleration(c, last) * Self::start_speed(scene, &n, &response, end)).sign()
+                        (response.acceleration(c, last) * Self::start_speed(scene, &n, &response, end)?)
+                            .sign()
                     } else {
                         total(&response, c).sign()
                     };
@@ -240,17 +241,28 @@ impl<'a, T: Real> Walk<'a, T> {
     }
 
     /// Speed of the ending coordinate at the start, from the speed that is given.
-    fn start_speed(scene: &Scene, n: &Numbers<T>, response: &Response<T>, end: Coordinate) -> T {
+    ///
+    /// Errors: a velocity of the start that the ties do not allow.
+    fn start_speed(
+        scene: &Scene,
+        n: &Numbers<T>,
+        response: &Response<T>,
+        end: Coordinate,
+    ) -> Result<T, Refusal> {
         let last = response.last();
-        for s in &scene.start {
-            if let Start::Speed(c, v) = s {
-                let ratio = response.acceleration(*c, last) / response.acceleration(end, last);
-                if !ratio.is_zero() {
-                    return n.get(*v) / ratio;
-                }
-            }
+        if scene.start_speeds().next().is_none() {
+            return Ok(T::zero());
         }
-        T::zero()
+        if response.acceleration(end, last).is_zero() {
+            return Err(Refusal::Freedoms(0));
+        }
+        let ratio = |c: Coordinate| response.acceleration(c, last) / response.acceleration(end, last);
+        let leads = scene.start_speeds().find(|(c, _)| !ratio(*c).is_zero());
+        let speed = leads.map_or_else(T::zero, |(c, v)| n.get(v) / ratio(c));
+        for (c, v) in scene.start_speeds() {
+            outcome::consistent(c, n.get(v), ratio(c) * speed)?;
+        }
+        Ok(speed)
     }
 
     fn say(&mut self, quantity: Quantity, of: Owner, value: T) {
@@ -307,7 +319,7 @@ impl<'a, T: Real> Walk<'a, T> {
         let zero = T::zero();
         let tension0 = self.spring.as_ref().map_or(zero, |s| s.stiffness * s.stretch);
         let a0 = self.acceleration(self.end, tension0);
-        let v0 = Self::start_speed(self.scene, &self.n, &self.response, self.end);
+        let v0 = Self::start_speed(self.scene, &self.n, &self.response, self.end)?;
         let sense = if !v0.is_zero() {
             v0.sign()
         } else if self.moves {
