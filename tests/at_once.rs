@@ -357,8 +357,7 @@ fn geometry(scene: &Scene) -> Vec<Vec<f64>> {
 }
 
 /// Gauss-Jordan with whole pivoting: rank, and the solution where there is exactly one.
-fn eliminate(rows: &[Vec<f64>], right: &[f64]) -> (usize, Option<Vec<f64>>) {
-    let width = rows[0].len();
+fn eliminate(width: usize, rows: &[Vec<f64>], right: &[f64]) -> (usize, Option<Vec<f64>>) {
     let mut a: Vec<Vec<f64>> =
         rows.iter().zip(right).map(|(r, b)| r.iter().copied().chain([*b]).collect()).collect();
     let mut pivots: Vec<(usize, usize)> = Vec::new();
@@ -430,11 +429,11 @@ fn composed_scenes_have_the_kinetic_energy_that_their_ties_give() {
     let (mut solved_count, mut moved, mut opened, mut contradicted, mut redundant, mut tied) =
         (0, 0, 0, 0, 0, 0);
     let mut freedoms_seen = [0; 9];
-    for round in 0..4000 {
+    for round in 0..2500 {
         let mut scene = composed(&mut dice);
         let ties = geometry(&scene);
         let width = 2 * scene.bodies.len();
-        let (rank, _) = eliminate(&ties, &vec![0.0; ties.len()]);
+        let (rank, _) = eliminate(width, &ties, &vec![0.0; ties.len()]);
         // Speeds for one freedom after the other, until none is left.
         let mut coordinates: Vec<Coordinate> = scene.coordinates().collect();
         let turn_round = dice.pick(coordinates.len() as u64) as usize;
@@ -445,7 +444,7 @@ fn composed_scenes_have_the_kinetic_energy_that_their_ties_give() {
                 ((1.0 + 4.0 * dice.unit()) * 100.0).round() / if dice.one_in(2) { 100.0 } else { -100.0 };
             scene.start.push(Start::Speed(*c, f(speed)));
             let (rows, right) = with_start(&scene);
-            let (more, _) = eliminate(&rows, &right);
+            let (more, _) = eliminate(width, &rows, &right);
             if more == known {
                 scene.start.pop();
             }
@@ -465,7 +464,7 @@ fn composed_scenes_have_the_kinetic_energy_that_their_ties_give() {
         }
         let mut solved = answer.unwrap_or_else(|e| panic!("{round}: {e:?}: {scene:?}"));
         let (rows, right) = with_start(&scene);
-        let q = eliminate(&rows, &right).1.unwrap();
+        let q = eliminate(width, &rows, &right).1.unwrap();
         let joules = energy_by_hand(&scene, &q);
         assert!(
             near(energy(&solved), joules, 1e-9),
@@ -552,7 +551,7 @@ fn composed_scenes_have_the_kinetic_energy_that_their_ties_give() {
     println!(
         "{solved_count} solved, {tied} of them tied, freedoms {freedoms_seen:?}; {moved} compared with a motion; {opened} open, {contradicted} contradictions refused; {redundant} with redundant ties refused"
     );
-    assert!(solved_count > 3000 && tied > 2000 && moved > 500 && opened > 1000 && contradicted > 2000);
+    assert!(solved_count > 2000 && tied > 1000 && moved > 300 && opened > 600 && contradicted > 1000);
 }
 
 // ---------------------------------------------------------------------------------------------- symmetric particles

@@ -1,6 +1,7 @@
 //! Gauss-Jordan elimination on a few equations, any shape, in any number type.
 use crate::num::Real;
 use crate::num::Rough;
+use crate::num::ball;
 use smallvec::SmallVec;
 use smallvec::smallvec;
 
@@ -9,6 +10,8 @@ use smallvec::smallvec;
 pub struct Equations<T: Real> {
     cols: usize,
     cells: SmallVec<[T; 32]>,
+    /// Are the coefficients made of few printed decimals? See [`Equations::of_decimals`].
+    decimal: bool,
     /// For each row: sum of the magnitudes of the terms of its right-hand side, where it was told.
     sizes: SmallVec<[Option<T::Rough>; 8]>,
 }
@@ -24,7 +27,12 @@ pub struct Reduced<T: Real> {
 impl<T: Real> Equations<T> {
     /// No equations yet in `cols` unknowns.
     pub fn new(cols: usize) -> Self {
-        Self { cols, cells: SmallVec::new(), sizes: SmallVec::new() }
+        Self { cols, decimal: false, cells: SmallVec::new(), sizes: SmallVec::new() }
+    }
+    /// The same of coefficients that are made of few printed decimals, such as radii: a difference of two of their products is
+    /// exactly 0, or far above the rounding of their doubles. Within that it is taken as the 0 that it is, in enclosures too.
+    pub fn of_decimals(cols: usize) -> Self {
+        Self { decimal: true, ..Self::new(cols) }
     }
     /// Adds an equation `0 = 0` and gives its numbers to be filled.
     pub fn row(&mut self) -> &mut [T] {
@@ -105,9 +113,14 @@ impl<T: Real> Equations<T> {
                         self.sizes[k] = Some(own + f.size() * error);
                     }
                     for (k, (v, b)) in row.iter_mut().zip(&base).enumerate() {
-                        if k != j && !b.is_zero() {
-                            *v = *v - f * *b;
+                        if k == j || b.is_zero() {
+                            continue;
                         }
+                        *v = if self.decimal && k < cols {
+                            ball::unwatched(|| v.apart(f * *b))
+                        } else {
+                            *v - f * *b
+                        };
                     }
                 }
             }

@@ -71,7 +71,7 @@ fn column(c: Coordinate) -> usize {
 /// What the ties say of the velocities. `grip` says which contacts that slip are taken as rolling.
 fn conditions<T: Real>(scene: &Scene, n: &Numbers<T>, grip: Grip) -> Equations<T> {
     let bodies = scene.bodies.len();
-    let mut rows = Equations::new(2 * bodies);
+    let mut rows = Equations::of_decimals(2 * bodies);
     // A body without a line does not travel, one that does not turn has no spin.
     for (b, body) in scene.bodies.iter().enumerate() {
         for (missing, degree) in [(body.line.is_none(), Degree::Along), (!body.spins(), Degree::Turn)] {
