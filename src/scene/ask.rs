@@ -91,6 +91,10 @@ impl Quantity {
     pub const fn is_word(self) -> bool {
         matches!(self, Self::Direction | Self::Rolls)
     }
+    /// Is it a coordinate of a point?
+    pub const fn is_place(self) -> bool {
+        matches!(self, Self::XG | Self::YG)
+    }
     /// Is its sign a direction along the line of the body, so that `62.6 N down` is an answer?
     pub const fn is_directed(self) -> bool {
         matches!(

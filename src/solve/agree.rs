@@ -3,6 +3,7 @@ use crate::num::Ball;
 use crate::num::Dd;
 use crate::num::Jet;
 use crate::num::JetOf;
+use crate::num::NOISE;
 use crate::num::Real;
 use crate::num::Rough;
 use crate::num::U;
@@ -87,7 +88,7 @@ fn half<T: Real>(scene: &Scene, data: &[f64], wide: bool) -> Result<Half, Refusa
     let mut beyond = Vec::new();
     let mut entries = Vec::with_capacity(road.said.len());
     for said in &road.said {
-        let gone = vanishes(said.value.f64(), said.scale);
+        let gone = vanishes(said.value.f64(), NOISE, said.scale);
         let value = if gone { 0.0 } else { said.value.f64() };
         // A finite number that no double holds, or only with fewer digits.
         let lost = !gone && (!value.is_finite() || value.abs() < f64::MIN_POSITIVE);
@@ -133,7 +134,8 @@ impl Half {
             let said =
                 second.said.get(i).filter(|s| s.label == entry.label).or_else(|| second.get(entry.label));
             let (eom, mut energy) = (entry.value(), said.map_or(f64::NAN, |s| s.value.f64()));
-            if eom == 0.0 && vanishes(energy, entry.scale) {
+            // What is 0 on the one road is 0 on the other up to what the rounding of the printed data leaves of its terms.
+            if eom == 0.0 && vanishes(energy, 8.0 * U, entry.scale) {
                 energy = 0.0;
             }
             entry.energy = Some(energy);
@@ -235,19 +237,19 @@ fn supported(scene: &Scene) -> Result<(), Refusal> {
     Ok(())
 }
 
-/// Is it nothing beside the terms that make it up? As near to 0 as this is where the rounding of the printed data alone leaves
-/// what is exactly 0 in decimals, such as the mass centre of symmetric particles: 8 u.
-fn vanishes(value: f64, scale: f64) -> bool {
-    scale > 0.0 && scale.is_finite() && value.abs() <= 8.0 * U * scale
+/// Is a value this share of the terms that make it up, or less? A scale near the least of doubles judges nothing.
+fn vanishes(value: f64, share: f64, scale: f64) -> bool {
+    scale.is_finite() && share * scale > f64::MIN_POSITIVE && value.abs() <= share * scale
 }
 
-/// Condition number of what a road says. What vanishes is told by the scale of its terms: a relative change of the data moves
-/// it by at most so many times that share of them.
+/// Condition number of what a road says. A place that is 0 is told by the scale of its terms: where the origin lies says nothing
+/// of how well it is known.
 fn cond<T: Real>(said: &Said<T>) -> f64 {
-    if !vanishes(said.value.f64(), said.scale) {
-        return said.value.cond();
+    if said.label.quantity.is_place() && vanishes(said.value.f64(), NOISE, said.scale) {
+        (0..T::SLOPES).fold(0.0, |sum, i| sum + said.value.slope(i).abs().f64()) / said.scale
+    } else {
+        said.value.cond()
     }
-    (0..T::SLOPES).fold(0.0, |sum, i| sum + said.value.slope(i).abs().f64()) / said.scale
 }
 
 /// Coordinates less ties.

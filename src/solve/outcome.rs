@@ -143,8 +143,8 @@ pub struct Entry {
     pub eom: Option<f64>,
     /// From work and energy.
     pub energy: Option<f64>,
-    /// Condition number with respect to the data, g and angles included; of an answer that vanishes beside the terms that
-    /// make it up, with respect to their scale.
+    /// Condition number with respect to the data, g and angles included; infinite for 0 with nonzero sensitivity, but that of
+    /// a place that is 0 is told by the scale of its terms.
     pub cond: f64,
     /// Proved: the true answer for the printed data lies within this of [`Entry::value`], SI. `None` where nothing is
     /// proved.

@@ -52,8 +52,8 @@ pub fn road<T: Real>(scene: &Scene, n: &Numbers<T>) -> Result<Road<T>, Refusal> 
         let Some((known, vx, vy, spin)) = motion else { continue };
         let place = |i: usize| (n.get(body.particles[i].x_m), n.get(body.particles[i].y_m));
         let (xa, ya) = place(known);
-        let (mut mass, mut mx, mut my) = (T::zero(), T::zero(), T::zero());
-        let (mut scale_x, mut scale_y) = (0.0, 0.0);
+        // First moments of what lies ahead of the origin and of what lies behind: printed decimals that balance leave 0.
+        let (mut mass, mut ahead, mut behind) = (T::zero(), [T::zero(); 2], [T::zero(); 2]);
         for (i, p) in body.particles.iter().enumerate() {
             let m = n.massive(p.mass_kg);
             let (x, y) = place(i);
@@ -62,12 +62,14 @@ pub fn road<T: Real>(scene: &Scene, n: &Numbers<T>) -> Result<Road<T>, Refusal> 
             let square = ux.square() + uy.square();
             energy = energy + plant!("eom: kinetic energy of a particle", m * square).scale2(-1);
             mass = mass + m;
-            mx = mx + plant!("eom: first moment, x", m * x);
-            my = my + plant!("eom: first moment, y", m * y);
-            scale_x += (m * x).f64().abs();
-            scale_y += (m * y).f64().abs();
+            let moments = [plant!("eom: first moment, x", m * x), plant!("eom: first moment, y", m * y)];
+            for (axis, moment) in moments.into_iter().enumerate() {
+                let side = if moment.sign() < 0.0 { &mut behind } else { &mut ahead };
+                side[axis] = side[axis] + moment.abs();
+            }
         }
-        let (xg, yg) = (mx / mass, my / mass);
+        let [xg, yg] = [0, 1].map(|axis| ahead[axis].apart(behind[axis]) / mass);
+        let [scale_x, scale_y] = [0, 1].map(|axis| (ahead[axis] + behind[axis]).f64() / mass.f64());
         let mut inertia = T::zero();
         for (i, p) in body.particles.iter().enumerate() {
             let (x, y) = place(i);
@@ -75,8 +77,8 @@ pub fn road<T: Real>(scene: &Scene, n: &Numbers<T>) -> Result<Road<T>, Refusal> 
             inertia = inertia + n.massive(p.mass_kg) * plant!("eom: square of the arm", arm);
         }
         let of = Owner::Body(b);
-        say(Quantity::XG, of, xg, scale_x / mass.f64());
-        say(Quantity::YG, of, yg, scale_y / mass.f64());
+        say(Quantity::XG, of, xg, scale_x);
+        say(Quantity::YG, of, yg, scale_y);
         say(Quantity::IG, of, inertia, inertia.f64());
     }
     say(Quantity::KineticEnergy, Owner::Scene, energy, energy.f64());
