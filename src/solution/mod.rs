@@ -27,6 +27,7 @@ use crate::figure::picture::Picture;
 use crate::finding::Finding;
 use crate::problem::make::Variant;
 use crate::problem::make_key;
+use crate::scene::End;
 use crate::scene::Label;
 use crate::scene::Owner;
 use crate::scene::Scene;
@@ -156,7 +157,7 @@ fn derive(desk: &mut Desk) -> Result<(), Finding> {
     if desk.scene.pinned().is_some() {
         return pinned::work(desk);
     }
-    if desk.scene.thrown().is_some() {
+    if desk.scene.thrown().is_some() && desk.scene.end != End::AtOnce {
         return thrown::work(desk);
     }
     linear::sections(desk)

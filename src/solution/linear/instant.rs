@@ -24,6 +24,7 @@ use crate::solution::linear::mechanism::Part;
 use crate::solution::linear::mechanism::tagged;
 use crate::solution::linear::walk::of_body;
 use crate::solution::linear::walk::of_scene;
+use crate::solution::text::Block;
 use crate::solution::text::Section;
 
 /// The velocities of one body, as far as they are known, positive forward.
@@ -116,7 +117,9 @@ impl Speeds<'_, '_> {
             (None, None, None) if arm.is_zero() => (Degree::Along, Factors::of(out).per(&along).expr()),
             _ => return false,
         };
-        self.derive(Coordinate { body, degree }, &from, "solution.instant_cord");
+        let tied = self.inner[body].is_some() && !arm.is_zero();
+        let why = if tied { "solution.instant_cord_tied" } else { "solution.instant_cord" };
+        self.derive(Coordinate { body, degree }, &from, why);
         true
     }
 }
@@ -128,6 +131,8 @@ impl Speeds<'_, '_> {
 pub fn write(desk: &mut Desk) -> Result<(), Finding> {
     let parts = mechanism::parts(desk, false);
     let mut section = Section::new("energy", desk.words.get("solution.title.energy"));
+    section.blocks.push(Block::Picture("scene".to_owned()));
+    section.say(desk.words.get("solution.signs_drawn"));
     section.say(desk.words.get("solution.instant"));
     let speeds = speeds(desk, parts, section)?;
     let Speeds { desk, parts, known, mut section, .. } = speeds;
