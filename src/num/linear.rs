@@ -171,10 +171,7 @@ impl<T: Real> Linear<T> {
                 cells[row + col] = factor;
                 for c in col + 1..width {
                     if !cells[pivot + c].is_zero() {
-                        let less = factor * cells[pivot + c];
-                        // A coefficient that is only rounding is no pivot.
-                        let cell = &mut cells[row + c];
-                        *cell = if c < n { cell.balance(-less) } else { *cell - less };
+                        cells[row + c] = cells[row + c].balance(-(factor * cells[pivot + c]));
                     }
                 }
             }
@@ -191,7 +188,7 @@ impl<T: Real> Linear<T> {
                 let mut sum = cells[row + n + k];
                 for c in col + 1..n {
                     if !cells[row + c].is_zero() && !x[c].is_zero() {
-                        sum = sum - cells[row + c] * x[c];
+                        sum = sum.balance(-(cells[row + c] * x[c]));
                     }
                 }
                 x[col] = if sum.is_zero() { sum } else { sum / cells[row + col] };
