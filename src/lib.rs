@@ -58,6 +58,7 @@ pub mod draw;
 pub mod figure;
 pub mod finding;
 pub mod grade;
+pub mod guard;
 pub mod key;
 pub mod matches;
 pub mod misconception;

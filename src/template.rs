@@ -2,7 +2,11 @@
 //!
 //! Views hold finished strings: numbers, units and formulas are text already and marked as such, names of people are
 //! not and are escaped for the format. A variable that does not exist is an error with its place, never an empty text.
+//! Templates that the program did not bring along are metered ([`metered`]).
+mod metered;
+
 use crate::finding::Finding;
+use crate::template::metered::Metered;
 use std::collections::BTreeMap;
 use std::io;
 use tera::Context;
@@ -90,11 +94,22 @@ pub struct Templates {
     engines: Vec<(&'static str, Tera)>,
     /// Where the templates given by the user came from: name to path.
     files: BTreeMap<String, String>,
+    /// Templates that stand inside another file: name to its path, line and column there.
+    within: BTreeMap<String, Place>,
+    /// Templates with a meter, by name.
+    metered: BTreeMap<String, Metered>,
 }
+
+/// Where a text stands: file, line and column counted from 1.
+pub type Place = (String, usize, usize);
 
 /// What a template sees. Values put in as finished text are not escaped again.
 #[derive(Clone, Default)]
-pub struct View(Context);
+pub struct View {
+    context: Context,
+    /// About how long all of it is.
+    size: usize,
+}
 
 impl View {
     /// An empty view.
@@ -103,19 +118,24 @@ impl View {
     }
     /// Puts in a finished text.
     pub fn text(&mut self, name: impl Into<String>, text: &str) {
-        self.0.insert_value(name.into(), Value::safe_string(text));
+        self.value(name, Value::safe_string(text));
     }
     /// Puts in a text that somebody else wrote, to be escaped.
     pub fn foreign(&mut self, name: impl Into<String>, text: &str) {
-        self.0.insert_value(name.into(), Value::normal_string(text));
+        self.value(name, Value::normal_string(text));
     }
     /// Puts in a list or map that was made before.
     pub fn value(&mut self, name: impl Into<String>, value: Value) {
-        self.0.insert_value(name.into(), value);
+        let name = name.into();
+        self.remove(&name);
+        self.size = self.size.saturating_add(metered::size(&value, usize::MAX));
+        self.context.insert_value(name, value);
     }
     /// Takes a name away.
     pub fn remove(&mut self, name: &str) {
-        let _ = self.0.remove(name);
+        if let Some(was) = self.context.remove(name) {
+            self.size = self.size.saturating_sub(metered::size(&was, usize::MAX));
+        }
     }
 }
 
@@ -146,10 +166,10 @@ impl Templates {
     /// Templates that cannot be read, each with its file, line and column.
     pub fn new(language: &str, own: &[(String, String, String)]) -> Result<Self, Vec<Finding>> {
         let mut faults = Vec::new();
-        let mut files = BTreeMap::new();
+        let (mut files, mut all_metered) = (BTreeMap::new(), BTreeMap::new());
         let mut engines = Vec::with_capacity(ENGINES.len());
         for (end, escape) in ENGINES {
-            let mut engine = Tera::default();
+            let mut engine = engine();
             engine.autoescape_on([end]);
             engine.set_escape_fn(escape);
             let mine = |name: &str| own.iter().any(|(o, _, _)| o == name);
@@ -161,16 +181,25 @@ impl Templates {
             loop {
                 let before = left.len();
                 let mut errors = Vec::new();
-                left.retain(|(name, path, text)| match engine.add_raw_template(name, text) {
-                    Ok(()) => {
-                        if name != path {
-                            files.insert((*name).to_owned(), (*path).to_owned());
+                left.retain(|(name, path, text)| {
+                    let is_own = name != path;
+                    let added = if is_own {
+                        add(&mut engine, name, text)
+                    } else {
+                        engine.add_raw_template(name, text).map(|()| None).map_err(|e| finding(&e))
+                    };
+                    match added {
+                        Ok(metered) => {
+                            if is_own {
+                                files.insert((*name).to_owned(), (*path).to_owned());
+                            }
+                            all_metered.extend(metered.map(|m| ((*name).to_owned(), m)));
+                            false
                         }
-                        false
-                    }
-                    Err(error) => {
-                        errors.push(finding(&error, path, None));
-                        true
+                        Err(error) => {
+                            errors.push(error.in_file(*path));
+                            true
+                        }
                     }
                 });
                 if left.is_empty() || left.len() == before {
@@ -181,7 +210,8 @@ impl Templates {
             engines.push((end, engine));
         }
         if faults.is_empty() {
-            Ok(Self { language: language.to_owned(), engines, files })
+            let (language, within) = (language.to_owned(), BTreeMap::new());
+            Ok(Self { language, engines, files, within, metered: all_metered })
         } else {
             Err(faults)
         }
@@ -209,13 +239,20 @@ impl Templates {
         &found.unwrap_or(&self.engines[0]).1
     }
 
-    /// Adds a Markdown template that stands inside another file (a bank), under a name of its own.
+    /// Adds a Markdown template that stands inside another file (a bank), under a name of its own, which is its field there.
     ///
     /// # Errors
     /// It cannot be read.
-    pub fn add_markdown(&mut self, name: &str, text: &str) -> Result<(), Finding> {
+    pub fn add_markdown(&mut self, name: &str, text: &str, place: Option<Place>) -> Result<(), Finding> {
+        match place {
+            Some(place) => self.within.insert(name.to_owned(), place),
+            None => self.within.remove(name),
+        };
         let (_, engine) = &mut self.engines[0];
-        engine.add_raw_template(name, text).map_err(|e| finding(&e, name, None))
+        let added = add(engine, name, text).map_err(|f| self.placed(f, name))?;
+        self.metered.remove(name);
+        self.metered.extend(added.map(|metered| (name.to_owned(), metered)));
+        Ok(())
     }
 
     /// Is there a Markdown template of this name?
@@ -228,8 +265,7 @@ impl Templates {
     /// # Errors
     /// There is none of this name.
     pub fn variables(&self, name: &str) -> Result<Vec<String>, Finding> {
-        let names =
-            self.engine(name).get_template_variables(name).map_err(|e| finding(&e, self.path(name), None))?;
+        let names = self.engine(name).get_template_variables(name).map_err(|e| self.fault(&e, name))?;
         let mut names: Vec<String> = names.into_iter().map(str::to_owned).collect();
         names.sort_unstable();
         Ok(names)
@@ -240,7 +276,14 @@ impl Templates {
     /// # Errors
     /// A name that the view does not hold, with file, line and column.
     pub fn render(&self, name: &str, view: &View, out: &mut Vec<u8>) -> Result<(), Finding> {
-        self.engine(name).render_to(name, &view.0, out).map_err(|e| finding(&e, self.path(name), None))
+        metered::begin(view.size);
+        let from = out.len();
+        let writer = metered::Writer(out);
+        self.engine(name).render_to(name, &view.context, writer).map_err(|e| self.fault(&e, name))?;
+        if name.ends_with(".html") {
+            close_to_outside(out, from);
+        }
+        Ok(())
     }
 
     /// The file that stands in the place of a built-in template, or adds one.
@@ -248,31 +291,104 @@ impl Templates {
         self.files.get(name).map(String::as_str)
     }
 
-    fn path<'a>(&'a self, name: &'a str) -> &'a str {
-        self.files.get(name).map_or(name, String::as_str)
+    /// What went wrong while a template was written; the place may be in another one that it includes.
+    fn fault(&self, error: &tera::Error, name: &str) -> Finding {
+        let mut fault = finding(error);
+        let mut name = name;
+        if let ErrorKind::SyntaxError(report) | ErrorKind::RenderingError(report) = error.kind() {
+            let known = |n: &str| self.engines.iter().any(|(_, engine)| engine.contains_template(n));
+            name = Some(report.filename()).filter(|n| known(n)).unwrap_or(name);
+            if let (Some(metered), Some((line, column))) = (self.metered.get(name), fault.at) {
+                fault.at = Some((line, metered.column(line, column.saturating_sub(1)) + 1));
+            }
+        }
+        if metered::is_over() {
+            fault.message = format!("template: {}", metered::SPENT);
+            fault.hint = Some(metered::SPENT_HINT.to_owned());
+        }
+        self.placed(fault, name)
     }
+
+    /// A finding with its file: one within a text that stands in another file keeps both places.
+    fn placed(&self, mut fault: Finding, name: &str) -> Finding {
+        let Some((file, line, column)) = self.within.get(name) else {
+            return fault.in_file(self.files.get(name).map_or(name, String::as_str));
+        };
+        if let Some((line, column)) = fault.at {
+            fault.message.push_str(&format!(" (line {line}, column {column} of the text)"));
+        }
+        name.clone_into(&mut fault.field);
+        fault.at(*line, *column).in_file(file)
+    }
+}
+
+/// What a page may fetch and run: nothing but its own styles, and pictures within it.
+pub const CONTENT_SECURITY_POLICY: &str = "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; \
+     style-src 'unsafe-inline'; img-src data:; base-uri 'none'; form-action 'none'\">";
+
+/// Puts the policy at the head of the page that begins here, whoever wrote its template.
+fn close_to_outside(page: &mut Vec<u8>, from: usize) {
+    let text = String::from_utf8_lossy(page.get(from..).unwrap_or_default());
+    let lower: String = text.chars().take(2000).map(|c| c.to_ascii_lowercase()).collect();
+    let after = |tag: &str| lower.find(tag).and_then(|at| lower[at..].find('>').map(|end| at + end + 1));
+    let at = from
+        + after("<head>")
+            .or_else(|| after("<head "))
+            .or_else(|| after("<html"))
+            .or_else(|| after("<!doctype"))
+            .unwrap_or(0);
+    let line = format!("\n{CONTENT_SECURITY_POLICY}");
+    page.splice(at..at, line.bytes());
+}
+
+/// An engine with the filters and functions that templates have.
+fn engine() -> Tera {
+    let mut engine = Tera::default();
+    metered::equip(&mut engine);
+    engine
+}
+
+/// Adds a template that the program did not bring along, with its meter if it needs one.
+fn add(engine: &mut Tera, name: &str, text: &str) -> Result<Option<Metered>, Finding> {
+    let metered = metered::metered(text)?;
+    // As it was written first: what is wrong is told of that.
+    engine.add_raw_template(name, text).map_err(|e| finding(&e))?;
+    if let Some(metered) = &metered {
+        let added = engine.add_raw_template(name, &metered.text);
+        added.map_err(|e| {
+            let mut fault = finding(&e);
+            fault.at = fault.at.map(|(line, column)| (line, metered.column(line, column - 1) + 1));
+            fault
+        })?;
+    }
+    Ok(metered)
 }
 
 /// The variables that a Markdown template uses at its top level, sorted; findings have the place within the text.
 pub fn variables_of(text: &str) -> Result<Vec<String>, Vec<Finding>> {
-    let mut tera = Tera::default();
-    tera.add_raw_template("text.md", text).map_err(|e| vec![finding(&e, "", Some(()))])?;
-    let names = tera.get_template_variables("text.md").map_err(|e| vec![finding(&e, "", Some(()))])?;
+    let mut engine = engine();
+    add(&mut engine, "text.md", text).map_err(|f| vec![f])?;
+    let names = engine.get_template_variables("text.md").map_err(|e| vec![finding(&e)])?;
     let mut names: Vec<String> = names.into_iter().map(str::to_owned).collect();
     names.sort_unstable();
     Ok(names)
 }
 
-fn finding(error: &tera::Error, file: &str, inner: Option<()>) -> Finding {
-    let finding = match error.kind() {
+/// What is wrong, with line and column in the text of the template.
+fn finding(error: &tera::Error) -> Finding {
+    // A message may hold a value, of any length.
+    let short = |text: String| match text.char_indices().nth(400) {
+        Some((end, _)) => format!("{} ...", &text[..end]),
+        None => text,
+    };
+    match error.kind() {
         ErrorKind::SyntaxError(report) | ErrorKind::RenderingError(report) => {
             let span = report.span();
-            Finding::new("", format!("template: {}", report.message().trim()))
-                .at(span.start_line, span.start_col + 1)
+            let message = short(format!("template: {}", report.message().trim()));
+            Finding::new("", message).at(span.start_line, span.start_col + 1)
         }
-        other => Finding::new("", format!("template: {other}")),
-    };
-    if inner.is_some() || file.is_empty() { finding } else { finding.in_file(file) }
+        other => Finding::new("", short(format!("template: {other}"))),
+    }
 }
 
 /// Escapes what Markdown (with math) would take for markup.

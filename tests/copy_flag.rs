@@ -9,6 +9,7 @@
     reason = "a test fails by panicking and tells figures with --nocapture"
 )]
 mod support;
+use slipstick::answer::figures;
 use slipstick::answer::read::UnitCache;
 use slipstick::grade::feedback::Feedback;
 use slipstick::grade::judge;
@@ -20,7 +21,6 @@ use slipstick::key::SheetKey;
 use slipstick::matches;
 use slipstick::matches::Question;
 use slipstick::matches::Wrong;
-use slipstick::matches::figures;
 use slipstick::policy::Policy;
 use slipstick::problem::make::Maker;
 use slipstick::problem::make::Variant;

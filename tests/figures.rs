@@ -384,8 +384,9 @@ fn files_parse_and_repeat() {
             let variant = Maker::new(problem, 8, "figures").variant("0").expect("satisfiable");
             for (name, picture) in figure::all(problem, &variant, &words) {
                 let what = format!("{} {name}", problem.id);
-                let inline = figure::svg::inline(&picture, "p1");
-                assert_eq!(inline, figure::svg::inline(&picture, "p1"), "{what}");
+                let screen = figure::svg::Screen::new(&picture);
+                let inline = screen.inline("p1");
+                assert_eq!(inline, figure::svg::Screen::new(&picture).inline("p1"), "{what}");
                 let elements = parse(&inline);
                 let ids: Vec<&String> =
                     elements.iter().flat_map(|(_, a)| a).filter(|(k, _)| k == "id").map(|(_, v)| v).collect();
@@ -396,7 +397,7 @@ fn files_parse_and_repeat() {
                 for word in ["<style", "class=", "var(", "@media", "NaN", "inf\""] {
                     assert!(!print.contains(word), "{what}: {word}");
                 }
-                for text in [&figure::svg::file(&picture), &print] {
+                for text in [&screen.file(), &print] {
                     parse(text);
                     for (_, attributes) in parse(text) {
                         for (key, value) in attributes {
@@ -443,7 +444,7 @@ fn goldens_are_as_they_were() {
         let variant = Maker::new(&problem, 1, "goldens").variant("0").expect("satisfiable");
         let pictures = figure::all(&problem, &variant, &words);
         let (_, picture) = pictures.into_iter().find(|(n, _)| n == name).expect("a picture of this name");
-        let text = figure::svg::file(&picture);
+        let text = figure::svg::Screen::new(&picture).file();
         let path = format!("{folder}/{id}-{name}.svg");
         if renew {
             std::fs::write(&path, text).expect("a golden is written");

@@ -192,12 +192,12 @@ fn sweep(students: u32) {
             sound(language, &document.markdown);
             assert!(!document.plain().contains("<!--"));
             let mut converter = Converter::new(&told.words);
-            let body = converter.body(document, Place { lower: 0, prefix: "" });
+            let body = converter.body(document, &document.screens(), Place { lower: 0, prefix: "" });
             let page = html::page(&told.templates, &told.words, "sheet", head, &body).expect("renders");
             valid(language, &String::from_utf8(page).expect("text"));
             for (name, picture) in &document.pictures {
                 assert!(document.markdown.contains(&format!("]({name}.svg)")));
-                well_formed(&svg::file(picture));
+                well_formed(&svg::Screen::new(picture).file());
             }
             let latex = tex::body(document);
             closed(&latex);
@@ -245,12 +245,16 @@ fn sweep_solutions(students: u32) {
                 assert!(!document.markdown.contains(piece), "{piece:?} in {}", document.markdown);
             }
             assert_eq!(html::faulty_formulas(&document.markdown), Vec::<String>::new());
-            let body = Converter::new(&told.words).body(document, Place { lower: 0, prefix: "" });
+            let body = Converter::new(&told.words).body(
+                &document,
+                &document.screens(),
+                Place { lower: 0, prefix: "" },
+            );
             let page = html::page(&told.templates, &told.words, "solution", head, &body).expect("renders");
             valid(language, &String::from_utf8(page).expect("text"));
             for (name, picture) in &document.pictures {
                 assert!(document.markdown.contains(&format!("]({name}.svg)")));
-                well_formed(&svg::file(picture));
+                well_formed(&svg::Screen::new(picture).file());
             }
             closed(&tex::body(document));
         });
@@ -276,8 +280,11 @@ fn booklets_are_valid_pages() {
             each_sheet(language, 3, &mut |other, head, document| {
                 if other.bank.id == told.bank.id {
                     let prefix = format!("{}-", html::part_id(parts.len()));
-                    let body =
-                        Converter::new(&told.words).body(document, Place { lower: 1, prefix: &prefix });
+                    let body = Converter::new(&told.words).body(
+                        &document,
+                        &document.screens(),
+                        Place { lower: 1, prefix: &prefix },
+                    );
                     parts.push((head.clone(), body));
                 }
             });

@@ -1,4 +1,10 @@
 //! A cell to a number with its unit, a word, a blank, or why it cannot be read. Knows nothing of keys.
+use crate::answer::numeral::Numeral;
+use crate::answer::numeral::begins;
+use crate::answer::numeral::numeral;
+use crate::answer::numeral::unsigned;
+use crate::answer::plain::Plain;
+use crate::answer::plain::plain;
 use crate::units::Unit;
 use crate::units::UnitFault;
 use rustc_hash::FxHashMap;
@@ -50,6 +56,35 @@ impl Word {
             _ => None,
         }
     }
+    /// The other way.
+    pub const fn opposite(self) -> Word {
+        match self {
+            Word::Up => Word::Down,
+            Word::Down => Word::Up,
+            Word::Forward => Word::Back,
+            Word::Back => Word::Forward,
+            Word::Right => Word::Left,
+            Word::Left => Word::Right,
+            Word::Yes => Word::No,
+            Word::No => Word::Yes,
+            Word::Stays => Word::Stays,
+        }
+    }
+}
+
+/// How a number was read, where it could not simply be read.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Note {
+    /// A lone comma is the decimal mark.
+    Comma,
+    /// Marks, brackets, a fraction, a root, several units or digits of another script: the value is told.
+    ReadAs,
+    /// The number before `±` counts.
+    Uncertainty,
+    /// `about` or the like stood before it.
+    About,
+    /// `clockwise`, `ccw` or the like stood after it.
+    Turning,
 }
 
 /// A number as it was written.
@@ -59,18 +94,16 @@ pub struct Number {
     pub value: f64,
     /// Where a lone comma stands before three digits: the number if the comma only grouped digits.
     pub grouped: Option<f64>,
-    /// A lone comma was read as the decimal mark.
-    pub comma: bool,
     /// The unit, if one was written.
     pub unit: Option<Arc<Unit>>,
+    /// What the unit means where that is of the kind that is asked, and `unit` is not: `lb` a force, `kn` a knot.
+    pub otherwise: Option<Arc<Unit>>,
     /// Upper and lower case of the unit were forgiven.
     pub case_forgiven: bool,
     /// The direction, if one was written.
     pub word: Option<Word>,
-    /// `about` or the like stood before it.
-    pub about: bool,
-    /// `clockwise`, `ccw` or the like stood after it.
-    pub turning: bool,
+    /// How it was read.
+    pub notes: Vec<Note>,
 }
 
 impl Number {
@@ -79,13 +112,24 @@ impl Number {
         Number {
             value,
             grouped: None,
-            comma: false,
             unit: None,
+            otherwise: None,
             case_forgiven: false,
             word: None,
-            about: false,
-            turning: false,
+            notes: Vec::new(),
         }
+    }
+    /// The unit as it is meant where a quantity in `asked` is asked.
+    pub fn unit_for(&self, asked: &Unit) -> Option<&Unit> {
+        let unit = self.unit.as_deref()?;
+        match self.otherwise.as_deref() {
+            Some(other) if !asked.agrees(unit) && asked.agrees(other) => Some(other),
+            _ => Some(unit),
+        }
+    }
+    /// Was anything forgiven or interpreted?
+    pub fn is_interpreted(&self) -> bool {
+        !self.notes.is_empty() || self.grouped.is_some() || self.word.is_some()
     }
 }
 
@@ -117,39 +161,77 @@ pub enum Why {
     TwoNumbers,
     /// A formula before or after the result.
     Formula,
-    /// A negative number with a direction.
-    SignAndWord,
+    /// A negative number with a direction: its size, its unit and the direction.
+    SignAndWord {
+        /// Digits without the minus.
+        size: String,
+        /// In ASCII; empty if there is none.
+        unit: String,
+        /// The direction.
+        word: Word,
+    },
     /// `yes`, `no` or `stays` after a number, or two directions.
     OddWord,
     /// What follows the number is no unit.
     Unit(UnitFault),
 }
 
-/// A unit, and whether its letters had to be forgiven.
-type ReadUnit = Result<(Arc<Unit>, bool), UnitFault>;
+/// A unit as it was spelled.
+#[derive(Debug, Clone)]
+struct Spelled {
+    unit: Arc<Unit>,
+    case_forgiven: bool,
+    /// See [`Number::otherwise`].
+    otherwise: Option<Arc<Unit>>,
+}
 
 /// Unit texts already read, so that a class of answers parses each spelling once.
 #[derive(Debug, Default)]
 pub struct UnitCache {
-    known: FxHashMap<Box<str>, ReadUnit>,
+    known: FxHashMap<Box<str>, Result<Spelled, UnitFault>>,
 }
 
 impl UnitCache {
-    fn unit(&mut self, text: &str) -> ReadUnit {
+    fn unit(&mut self, text: &str) -> Result<Spelled, UnitFault> {
         if let Some(found) = self.known.get(text) {
             return found.clone();
         }
-        let plain = spoken(text);
-        let text = plain.as_deref().unwrap_or(text);
-        let found = match Unit::parse(text) {
-            Ok(unit) => Ok((Arc::new(unit), false)),
-            Err(_) => Unit::parse_any_case(text).map(|(unit, forgiven)| (Arc::new(unit), forgiven)),
+        let said = spoken(text);
+        let said = said.as_deref().unwrap_or(text);
+        let found = match Unit::parse(said) {
+            Ok(unit) => Ok((unit, false)),
+            Err(_) => Unit::parse_any_case(said),
         };
+        let found = found.map(|(unit, case_forgiven)| Spelled {
+            unit: Arc::new(unit),
+            case_forgiven,
+            otherwise: otherwise(said).map(Arc::new),
+        });
         if self.known.len() < 512 && text.len() <= 64 {
             self.known.insert(text.into(), found.clone());
         }
         found
     }
+}
+
+/// The other meaning of a unit that has two: pounds are a mass or a force; `kn` is a knot, or kN by a slip of the shift key.
+fn otherwise(text: &str) -> Option<Unit> {
+    let mut other = String::with_capacity(text.len() + 4);
+    let mut changed = false;
+    for piece in text.split_inclusive(|c: char| !c.is_alphabetic()) {
+        let name = piece.trim_end_matches(|c: char| !c.is_alphabetic());
+        let meant = match name {
+            "kn" => Some("knot"),
+            name if ["lb", "lbs", "pound", "pounds"].iter().any(|p| p.eq_ignore_ascii_case(name)) => {
+                Some("lbf")
+            }
+            _ => None,
+        };
+        changed |= meant.is_some();
+        other.push_str(meant.unwrap_or(name));
+        other.push_str(&piece[name.len()..]);
+    }
+    if changed { Unit::parse(&other).ok() } else { None }
 }
 
 /// `radians per second squared` as `radians/second^2`; `None` where nothing is spoken.
@@ -193,9 +275,9 @@ pub fn plain_number(cell: &[u8]) -> Option<f64> {
 /// Reads a cell.
 ///
 /// ```
-/// use slipstick::answer::read::{Reading, UnitCache, read};
+/// use slipstick::answer::read::{Note, Reading, UnitCache, read};
 /// let Reading::Number(n) = read("1,25 m/s", &mut UnitCache::default()) else { panic!("a number") };
-/// assert_eq!((n.value, n.comma), (1.25, true));
+/// assert_eq!((n.value, n.notes), (1.25, vec![Note::Comma]));
 /// ```
 pub fn read(cell: &str, units: &mut UnitCache) -> Reading {
     if let Some(value) = plain_number(cell.as_bytes()) {
@@ -204,97 +286,10 @@ pub fn read(cell: &str, units: &mut UnitCache) -> Reading {
     if cell.len() > 800 || cell.chars().count() > 200 {
         return if cell.trim().is_empty() { Reading::Blank } else { Reading::Unreadable(Why::TooLong) };
     }
-    match general(&normal(cell), units) {
+    match general(&plain(cell), units) {
         Ok(reading) => reading,
         Err(why) => Reading::Unreadable(why),
     }
-}
-
-/// One kind of blank, one kind of minus, nothing invisible, no spreadsheet's wrapping.
-fn normal(cell: &str) -> String {
-    let mut text = String::with_capacity(cell.len());
-    for c in cell.chars() {
-        match c {
-            '\u{200b}'..='\u{200f}' | '\u{2060}' | '\u{feff}' | '\u{ad}' | '\u{202a}'..='\u{202e}' => {}
-            '\u{2010}'..='\u{2015}' | '\u{2212}' | '\u{fe63}' | '\u{ff0d}' => text.push('-'),
-            c if c.is_whitespace() => text.push(' '),
-            '０'..='９' => text.extend(char::from_u32(u32::from(c) - u32::from('０') + u32::from('0'))),
-            '．' => text.push('.'),
-            '，' => text.push(','),
-            '／' => text.push('/'),
-            '＋' => text.push('+'),
-            '＝' => text.push('='),
-            '\u{2191}' => text.push_str(" up "),
-            '\u{2193}' => text.push_str(" down "),
-            c => text.push(c),
-        }
-    }
-    if text.contains(['\\', '$']) {
-        text = without_tex(&text);
-    }
-    let mut trimmed = text.trim();
-    if let Some(inside) = trimmed.strip_prefix("=\"").and_then(|t| t.strip_suffix('"')) {
-        trimmed = inside.trim();
-    } else if trimmed.len() >= 2
-        && let Some(inside) = trimmed.strip_prefix('"').and_then(|t| t.strip_suffix('"'))
-    {
-        trimmed = inside.trim();
-    }
-    let trimmed = trimmed.strip_prefix('\'').unwrap_or(trimmed).trim();
-    trimmed.strip_suffix(['.', ';', ',']).unwrap_or(trimmed).trim_end().to_owned()
-}
-
-/// LaTeX such as `$47.3$\\ \\mathrm{rad/s}` as plain text.
-fn without_tex(text: &str) -> String {
-    const PLAIN: &[(&str, &str)] = &[
-        ("$", ""),
-        ("^{\\circ}", "°"),
-        ("^\\circ", "°"),
-        ("\\degree", "°"),
-        ("{,}", ","),
-        ("\\mathrm", ""),
-        ("\\textrm", ""),
-        ("\\text", ""),
-        ("\\rm", ""),
-        ("\\left", ""),
-        ("\\right", ""),
-        ("\\qquad", " "),
-        ("\\quad", " "),
-        ("\\cdot", "·"),
-        ("\\times", "×"),
-        ("\\approx", "≈"),
-        ("\\uparrow", " up "),
-        ("\\downarrow", " down "),
-        ("\\%", "%"),
-        ("\\ ", " "),
-        ("\\,", " "),
-        ("\\;", " "),
-        ("\\:", " "),
-        ("\\!", ""),
-        ("\\(", ""),
-        ("\\)", ""),
-    ];
-    let mut text = text.to_owned();
-    for (from, to) in PLAIN {
-        text = text.replace(from, to);
-    }
-    let mut out = String::with_capacity(text.len());
-    let mut raised = false; // inside ^{ }
-    for c in text.chars() {
-        match c {
-            '{' if out.ends_with('^') => {
-                raised = true;
-                out.push('(');
-            }
-            '}' if raised => {
-                raised = false;
-                out.push(')');
-            }
-            '{' | '}' => {}
-            c => out.push(c),
-        }
-    }
-    out
 }
 
 const ABOUT: &[&str] =
@@ -304,8 +299,7 @@ const ABOUT: &[&str] =
 fn without_about(text: &str) -> (&str, bool) {
     let end = text.find(|c: char| !c.is_alphabetic()).unwrap_or(text.len());
     let rest = text[end..].strip_prefix('.').unwrap_or(&text[end..]).trim_start();
-    let about = rest.starts_with(|c: char| c.is_ascii_digit() || "-+.,".contains(c))
-        && ABOUT.contains(&text[..end].to_lowercase().as_str());
+    let about = begins(rest) && ABOUT.contains(&text[..end].to_lowercase().as_str());
     if about { (rest, true) } else { (text, false) }
 }
 
@@ -338,24 +332,20 @@ fn without_turning(text: &str) -> (&str, bool) {
     (text, false)
 }
 
-fn general(text: &str, units: &mut UnitCache) -> Result<Reading, Why> {
-    if text.is_empty() {
+fn general(plain: &Plain, units: &mut UnitCache) -> Result<Reading, Why> {
+    if plain.text.is_empty() {
         return Ok(Reading::Blank);
     }
-    let text = after_symbol(text)?;
+    let text = after_symbol(&plain.text)?.replace("+/-", "±").replace("+-", "±");
+    let (text, bracketed) = without_brackets(&text);
     let text = text.trim_start_matches(['~', '\u{2248}', '\u{2243}', ' ']);
     let (text, about) = without_about(text);
     let (text, turning) = without_turning(text);
     if let Some(word) = phrase(text) {
         return word.map(Reading::Word);
     }
-    let starts = |t: &str| {
-        let t = t.strip_prefix(['-', '+']).unwrap_or(t).trim_start();
-        let t = t.strip_prefix(['.', ',']).unwrap_or(t);
-        t.starts_with(|c: char| c.is_ascii_digit())
-    };
     let (mut word, mut text) = (None, text);
-    if !starts(text) {
+    if !begins(text) {
         let lower = text.trim_start_matches(['-', '+']).trim().to_lowercase();
         if ["nan", "inf", "infinity", "\u{221e}"]
             .iter()
@@ -364,37 +354,240 @@ fn general(text: &str, units: &mut UnitCache) -> Result<Reading, Why> {
             return Err(Why::NotFinite);
         }
         let digit = text.find(|c: char| c.is_ascii_digit()).ok_or(Why::NoNumber)?;
-        let before = text[..digit].trim_end_matches(['.', ',', '-', '+']);
+        let before = text[..digit].trim_end_matches(['.', ',', '-', '+', '(']);
         word = Some(phrase(before.trim_end_matches([':', ' '])).ok_or(Why::NoNumber)??);
-        text = text[before.len()..].trim_start();
-        if !starts(text) {
+        text = without_brackets(&text[before.len()..]).0;
+        if !begins(text) {
             return Err(Why::NoNumber);
         }
     }
-    let (mut number, negative, rest) = decimal(text)?;
-    let (unit_text, after) = split_unit(rest, units)?;
-    if let Some(after) = after {
+    let read = quantity(text, units)?;
+    if let Some(after) = read.word {
         if word.is_some_and(|w| w != after) {
             return Err(Why::OddWord);
         }
         word = Some(after);
     }
-    if let Some((unit, forgiven)) = unit_text {
-        number.unit = Some(unit);
-        number.case_forgiven = forgiven;
-    }
     if let Some(w) = word {
         if w.sign().is_none() && !matches!(w, Word::Left | Word::Right) {
             return Err(Why::OddWord);
         }
-        if negative {
-            return Err(Why::SignAndWord);
+        if read.negative {
+            let unit = read.unit.as_ref().map_or("", |u| u.unit.ascii());
+            return Err(Why::SignAndWord { size: read.value.to_string(), unit: unit.to_owned(), word: w });
         }
     }
-    number.word = word;
-    number.about = about;
-    number.turning = turning;
+    let sign = if read.negative { -1.0 } else { 1.0 };
+    let told = read.told || bracketed || plain.foreign;
+    let notes = [
+        (read.comma, Note::Comma),
+        (told, Note::ReadAs),
+        (read.uncertain, Note::Uncertainty),
+        (about, Note::About),
+        (turning, Note::Turning),
+    ];
+    let mut number = Number {
+        grouped: read.grouped.map(|g| sign * g),
+        word,
+        notes: notes.into_iter().filter(|(is_so, _)| *is_so).map(|(_, note)| note).collect(),
+        ..Number::plain(sign * read.value)
+    };
+    if let Some(spelled) = read.unit {
+        number.unit = Some(spelled.unit);
+        number.case_forgiven = spelled.case_forgiven;
+        number.otherwise = spelled.otherwise;
+    }
     Ok(Reading::Number(number))
+}
+
+/// Where the bracket closes that opens at the start.
+fn closing(text: &str) -> Option<usize> {
+    let mut depth = 0usize;
+    for (i, b) in text.bytes().enumerate() {
+        match b {
+            b'(' => depth += 1,
+            b')' => depth = depth.checked_sub(1)?,
+            _ => {}
+        }
+        if depth == 0 {
+            return (b == b')').then_some(i);
+        }
+    }
+    None
+}
+
+/// Without brackets around all of it.
+fn without_brackets(text: &str) -> (&str, bool) {
+    let (mut text, mut found) = (text.trim(), false);
+    while text.starts_with('(') && closing(text).is_some_and(|at| at + 1 == text.len()) {
+        text = text[1..text.len() - 1].trim();
+        found = true;
+    }
+    (text, found)
+}
+
+/// A number with what belongs to it.
+struct Quantity {
+    negative: bool,
+    /// Without its sign, in the unit.
+    value: f64,
+    grouped: Option<f64>,
+    comma: bool,
+    told: bool,
+    uncertain: bool,
+    unit: Option<Spelled>,
+    word: Option<Word>,
+}
+
+/// Reads `-12,876.9 mm`, `3/4 m`, `42 ft 3 in`, `34.65 ± 0.1 N`, `(34.65 ± 0.1) N`, `62.6 N up`.
+fn quantity(text: &str, units: &mut UnitCache) -> Result<Quantity, Why> {
+    let (negative, body) = unsigned(text);
+    let (mut sign, mut told, mut spread_inside) = (negative, false, false);
+    let (number, behind) = match numeral(body) {
+        Err(Why::NoNumber) if body.starts_with('(') => {
+            // The number in brackets, its unit behind them.
+            let end = closing(body).ok_or(Why::NoNumber)?;
+            let (minus, inside) = unsigned(body[1..end].trim());
+            let inner = numeral(inside)?;
+            let left = inner.rest.trim();
+            if let Some(spread) = left.strip_prefix('±') {
+                if !numeral(spread.trim())?.rest.trim().is_empty() {
+                    return Err(Why::TwoNumbers);
+                }
+                spread_inside = true;
+            } else if !left.is_empty() || (negative && minus) {
+                return Err(Why::Formula);
+            }
+            sign = negative || minus;
+            told = true;
+            (inner, &body[end + 1..])
+        }
+        found => {
+            let found = found?;
+            let behind = found.rest;
+            (found, behind)
+        }
+    };
+    let (behind, spread) = match behind.split_once('±') {
+        Some((behind, spread)) => {
+            match (behind.trim_end().strip_suffix('('), spread.trim().strip_suffix(')')) {
+                (Some(behind), Some(spread)) => (behind, Some(spread)), // N (± 0.1)
+                _ => (behind, Some(spread.trim())),
+            }
+        }
+        None => (behind, None),
+    };
+    let (value, mut unit, mut word);
+    match sum(&number, behind, units)? {
+        Some((all, first, rest)) => {
+            (value, unit) = (all, Some(first));
+            word = match rest.trim() {
+                "" => None,
+                rest => Some(phrase(rest).ok_or(Why::TwoNumbers)??),
+            };
+            told = true;
+        }
+        None => {
+            value = number.value;
+            (unit, word) = split_unit(behind, units)?;
+        }
+    }
+    if let Some(spread) = spread {
+        if spread_inside || spread.contains('±') || !begins(spread) || spread.starts_with(['-', '+', '(']) {
+            return Err(Why::TwoNumbers);
+        }
+        let spread = numeral(spread)?;
+        let (its, way) = split_unit(spread.rest, units)?;
+        match (&unit, its) {
+            (_, None) => {}
+            // Of `25 ± 1 %` nobody knows what is in per cent.
+            (None, Some(its)) if its.unit.ascii() == "%" => return Err(Why::TwoNumbers),
+            (None, Some(its)) => unit = Some(its),
+            (Some(unit), Some(its)) if unit.unit.agrees(&its.unit) || its.unit.ascii() == "%" => {}
+            (Some(_), Some(_)) => return Err(Why::TwoNumbers),
+        }
+        if let (Some(one), Some(other)) = (word, way)
+            && one != other
+        {
+            return Err(Why::OddWord);
+        }
+        word = word.or(way);
+    }
+    if !value.is_finite() {
+        return Err(Why::NotFinite);
+    }
+    Ok(Quantity {
+        negative: sign,
+        value,
+        grouped: number.grouped,
+        comma: number.comma,
+        told: told || number.told,
+        uncertain: spread.is_some() || spread_inside,
+        unit,
+        word,
+    })
+}
+
+/// What several numbers with ever smaller units come to in the first of these, and what follows: `42 ft 3 in`, `1 h 20 min`.
+/// Lengths, times, masses and angles are written so; a list of two answers looks alike, so a comma or an `and` joins only what
+/// is not counted by tens. `None`: no second number with a unit of the same kind stands there.
+fn sum<'t>(
+    first: &Numeral<'t>,
+    behind: &'t str,
+    units: &mut UnitCache,
+) -> Result<Option<(f64, Spelled, &'t str)>, Why> {
+    let (first_name, mut rest) = unit_name(behind);
+    let Some(whole) = unit_of(first_name, units) else { return Ok(None) };
+    let (mut value, mut larger, mut more) = (first.value, (whole.clone(), first.whole), false);
+    let mut touching = first_name.starts_with(char::is_alphabetic);
+    loop {
+        let apart = rest.trim_start();
+        let joined =
+            [". ", "and ", "und ", "& ", ", "].iter().find_map(|j| Some((*j, apart.strip_prefix(j)?)));
+        let text = joined.map_or(apart, |(_, text)| text).trim_start();
+        if !text.starts_with(|c: char| c.is_ascii_digit()) || (touching && text.len() == rest.len()) {
+            break;
+        }
+        let Ok(next) = numeral(text) else { break };
+        let (next_name, behind) = unit_name(next.rest);
+        let Some(unit) = unit_of(next_name, units) else { break };
+        let product = behind.starts_with(['/', '^', '*', '·', '²', '³']);
+        if product || unit.unit.dimension() != whole.unit.dimension() {
+            break;
+        }
+        let [one, less] = [&larger.0, &unit].map(|u| u.unit.to_si(1.0));
+        let share = unit.unit.to_si(next.value) / one;
+        let list = joined.is_some_and(|(by, _)| by != ". ") && whole.unit.by_tens(&unit.unit);
+        let customary =
+            matches!(whole.unit.dimension().0, [1, 0, 0, 0] | [0, 1, 0, 0] | [0, 0, 1, 0] | [0, 0, 0, 1]);
+        if !larger.1 || less >= one || share >= 1.0 || list || !customary {
+            return Err(Why::TwoNumbers);
+        }
+        value += unit.unit.to_si(next.value) / whole.unit.to_si(1.0);
+        larger = (unit, next.whole);
+        touching = next_name.starts_with(char::is_alphabetic);
+        rest = behind;
+        more = true;
+    }
+    Ok(more.then_some((value, whole, rest)))
+}
+
+/// The name of a unit at the start of a text, or the sign for feet or inches, and what follows.
+fn unit_name(text: &str) -> (&str, &str) {
+    let text = text.trim_start();
+    let sign = ["''", "'", "′", "\"", "″"].into_iter().find(|sign| text.starts_with(sign));
+    let end = sign.map(str::len).or_else(|| text.find(|c: char| !c.is_alphabetic()));
+    text.split_at(end.unwrap_or(text.len()))
+}
+
+fn unit_of(name: &str, units: &mut UnitCache) -> Option<Spelled> {
+    let name = match name {
+        "" => return None,
+        "'" | "′" => "ft",
+        "''" | "\"" | "″" => "in",
+        name => name,
+    };
+    units.unit(name).ok()
 }
 
 /// What stands after `omega =` or `=`.
@@ -403,145 +596,14 @@ fn after_symbol(text: &str) -> Result<&str, Why> {
     let (name, rest) = (text[..at].trim(), text[at..].trim_start_matches(['=', '\u{2248}']).trim_start());
     let symbol = name.chars().count() <= 24
         && name.chars().next().is_none_or(|c| c.is_alphabetic() || c == '\\' || c == '|')
-        && name.chars().all(|c| c.is_alphanumeric() || " _\\|{}'".contains(c));
+        && name.chars().all(|c| c.is_alphanumeric() || " _\\|()'".contains(c));
     if !symbol || rest.contains(['=', '\u{2248}']) {
         return Err(Why::Formula);
     }
     Ok(rest)
 }
 
-fn superscript(c: char) -> Option<char> {
-    "⁰¹²³⁴⁵⁶⁷⁸⁹"
-        .chars()
-        .zip('0'..='9')
-        .find(|(s, _)| *s == c)
-        .map(|(_, d)| d)
-        .or((c == '\u{207b}').then_some('-'))
-}
-
-/// The number at the start: (number, was it written with a minus, what follows).
-fn decimal(text: &str) -> Result<(Number, bool, &str), Why> {
-    let negative = text.starts_with('-');
-    let mut rest = text.strip_prefix(['-', '+']).unwrap_or(text).trim_start();
-    let mut digits = String::with_capacity(24); // with a point
-    let (mut commas, mut points, mut spaced) = (0, 0, false);
-    let mut after_mark = 0usize;
-    let bytes = rest.as_bytes();
-    let digit_at = |k: usize| bytes.get(k).is_some_and(u8::is_ascii_digit);
-    let mut at = 0;
-    while let Some(&b) = bytes.get(at) {
-        match b {
-            b'0'..=b'9' => {
-                digits.push(char::from(b));
-                after_mark += 1;
-            }
-            b',' | b'.' if digit_at(at + 1) || (b == b'.' && at > 0 && points == 0 && commas == 0) => {
-                if b == b',' {
-                    commas += 1;
-                } else {
-                    points += 1;
-                }
-                if commas + points > 1 {
-                    return Err(Why::Marks);
-                }
-                digits.push('.');
-                after_mark = 0;
-            }
-            b' ' if bytes[at + 1..].starts_with(b"1/") || bytes[at + 1..].starts_with(b"1 /") => break, // `30.3 1/s`
-            b' ' if digit_at(at + 1) => {
-                // a blank groups digits only before exactly three of them, and only above the decimal mark
-                let three = (1..=3).all(|k| digit_at(at + k)) && !digit_at(at + 4);
-                let first = digits.len() <= 3 || spaced;
-                if !(three && first && commas + points == 0 && !digits.is_empty()) {
-                    return Err(Why::TwoNumbers);
-                }
-                spaced = true;
-            }
-            b'\'' if digit_at(at + 1) => return Err(Why::Marks),
-            _ => break,
-        }
-        at += 1;
-    }
-    if !digits.bytes().any(|b| b.is_ascii_digit()) {
-        return Err(Why::NoNumber);
-    }
-    rest = &rest[at..];
-    let grouped_digits = (commas == 1
-        && !spaced
-        && after_mark == 3
-        && digits.find('.').is_some_and(|p| (1..=3).contains(&p))
-        && !digits.starts_with('0'))
-    .then(|| digits.replace('.', ""));
-    // powers of ten
-    let mut exponent = String::new();
-    if let Some(tail) = rest.strip_prefix(['e', 'E']) {
-        let sign = tail.starts_with('-');
-        let number = tail.strip_prefix(['-', '+']).unwrap_or(tail);
-        let length = number.bytes().take_while(u8::is_ascii_digit).count();
-        if length > 0 {
-            exponent = format!("{}{}", if sign { "-" } else { "" }, &number[..length]);
-            rest = &number[length..];
-        }
-    } else if let Some((power, tail)) = times_ten(rest)? {
-        exponent = power;
-        rest = tail;
-    }
-    let parse = |digits: &str| -> Result<f64, Why> {
-        let text = if exponent.is_empty() { digits.to_owned() } else { format!("{digits}e{exponent}") };
-        let value: f64 = text.parse().map_err(|_| Why::NoNumber)?;
-        if !value.is_finite() {
-            return Err(Why::NotFinite);
-        }
-        Ok(if negative { -value } else { value })
-    };
-    let value = parse(&digits)?;
-    let grouped = grouped_digits.and_then(|d| parse(&d).ok());
-    let number = Number { grouped, comma: commas == 1, ..Number::plain(value) };
-    Ok((number, negative, rest))
-}
-
-/// `×10^n`, `x 10^-3`, `·10ⁿ`, `*10**n`: the exponent and what follows.
-fn times_ten(text: &str) -> Result<Option<(String, &str)>, Why> {
-    let Some(tail) = text.trim_start().strip_prefix(['\u{d7}', 'x', 'X', '*', '·', '\u{22c5}', '\u{2219}'])
-    else {
-        return Ok(None);
-    };
-    let Some(tail) = tail.trim_start().strip_prefix("10") else {
-        return if tail.trim_start().starts_with(|c: char| c.is_ascii_digit()) {
-            Err(Why::Formula)
-        } else {
-            Ok(None)
-        };
-    };
-    let raised: String = tail.chars().map_while(superscript).collect();
-    if !raised.is_empty() {
-        let bytes: usize = tail.chars().take(raised.chars().count()).map(char::len_utf8).sum();
-        return Ok(Some((raised, &tail[bytes..])));
-    }
-    let tail = tail.trim_start();
-    let Some(tail) = tail.strip_prefix("**").or_else(|| tail.strip_prefix('^')) else {
-        return Err(Why::Formula);
-    };
-    let tail = tail.trim_start();
-    let (closing, tail) = match tail.chars().next() {
-        Some('(') => (Some(')'), &tail[1..]),
-        Some('{') => (Some('}'), &tail[1..]),
-        _ => (None, tail),
-    };
-    let sign = tail.starts_with('-');
-    let number = tail.strip_prefix(['-', '+']).unwrap_or(tail);
-    let length = number.bytes().take_while(u8::is_ascii_digit).count();
-    if length == 0 {
-        return Err(Why::Formula);
-    }
-    let mut rest = &number[length..];
-    if let Some(closing) = closing {
-        rest = rest.strip_prefix(closing).ok_or(Why::Formula)?;
-    }
-    Ok(Some((format!("{}{}", if sign { "-" } else { "" }, &number[..length]), rest)))
-}
-
-type UnitAndWord = (Option<(Arc<Unit>, bool)>, Option<Word>);
+type UnitAndWord = (Option<Spelled>, Option<Word>);
 
 /// What follows a number: a unit, then perhaps a direction.
 fn split_unit(rest: &str, units: &mut UnitCache) -> Result<UnitAndWord, Why> {
@@ -574,12 +636,11 @@ fn split_unit(rest: &str, units: &mut UnitCache) -> Result<UnitAndWord, Why> {
     if let Some(fault) = fault_before_word {
         return Err(Why::Unit(fault));
     }
-    if rest.starts_with(['/', '+', '-', '^']) || rest.contains('\u{b1}') {
-        return Err(if rest.contains('\u{b1}') || rest.starts_with(['+', '-']) {
-            Why::TwoNumbers
-        } else {
-            Why::Formula
-        });
+    if rest.starts_with(['+', '-']) {
+        return Err(Why::TwoNumbers);
+    }
+    if rest.starts_with(['/', '^', '*', '\u{d7}', '·']) {
+        return Err(Why::Formula);
     }
     Err(Why::Unit(first_fault))
 }

@@ -3,6 +3,7 @@ use crate::answer::submissions::Batch;
 use crate::answer::submissions::Scratch;
 use crate::answer::submissions::Source;
 use crate::finding::Finding;
+use crate::guard::unguarded;
 use rustc_hash::FxHashMap;
 use std::io::Cursor;
 
@@ -42,7 +43,8 @@ pub fn roster(bytes: &[u8]) -> Result<Vec<(String, String)>, Vec<Finding>> {
     while source.next_batch(&mut batch).map_err(unread)? {
         batch.records(&mut scratch, |r| {
             let line = r.line();
-            let text = |i: usize| String::from_utf8_lossy(r.get(i).unwrap_or_default()).trim().to_owned();
+            let raw = |i: usize| String::from_utf8_lossy(r.get(i).unwrap_or_default()).into_owned();
+            let text = |i: usize| unguarded(raw(i).trim()).to_owned();
             let empty = |from: usize| (from..r.len()).all(|i| text(i).is_empty());
             if empty(0) {
                 return;
@@ -60,7 +62,13 @@ pub fn roster(bytes: &[u8]) -> Result<Vec<(String, String)>, Vec<Finding>> {
                 return;
             }
             let id = text(student);
-            if id.is_empty() {
+            // A quote that is not closed in its line, where the lines after it look like records: the id was on two lines.
+            let broken = r.quote_left_open() && raw(student).trim_start().starts_with('"');
+            if broken || raw(student).contains(line_break) {
+                let odd = format!("`{}` has a line break", raw(student).escape_debug());
+                let odd = Finding::new("student", odd).at(place(line), student + 1);
+                findings.push(odd.hint("write the id on one line, without a quote that is left open"));
+            } else if id.is_empty() {
                 findings.push(Finding::new("student", "the id is blank").at(place(line), student + 1));
             } else if id.chars().any(char::is_control) {
                 findings.push(
@@ -84,6 +92,10 @@ pub fn roster(bytes: &[u8]) -> Result<Vec<(String, String)>, Vec<Finding>> {
         findings.push(Finding::new("roster", "no student").at(place(header.line), 1));
     }
     if findings.is_empty() { Ok(all) } else { Err(findings) }
+}
+
+fn line_break(c: char) -> bool {
+    matches!(c, '\n'..='\r' | '\u{85}' | '\u{2028}' | '\u{2029}')
 }
 
 /// A student id as the name of a folder that every system takes. Small letters, digits and `_ - .` inside stay; a capital
@@ -180,7 +192,31 @@ mod tests {
                 "line 5, column 1: record: 3 fields where the header has 2\n    hint: put a name with a comma in quotes",
             ]
         );
+        let guarded = roster(b"student,name\n'=cmd,'+x\n'30,a\n").unwrap();
+        assert_eq!(
+            guarded,
+            [("=cmd".into(), "+x".into()), ("'30".into(), "a".into())] as [(String, String); 2]
+        );
         assert!(roster(b"").is_err() && roster(b"id\n1\n").is_err() && roster(b"student\n").is_err());
+    }
+
+    /// The reader of submissions takes a quote that is left open for a character, so `"a\nb",x` became two students, `"a` and
+    /// `b"`, and blanks around an id were taken off with the line breaks among them.
+    #[test]
+    fn an_id_with_a_line_break_is_refused() {
+        for text in [
+            "student,name\n\"a\nb\",x\n",
+            "student,name\n\"a\r\nb\",\"x\"\n",
+            "student\n\"a\nb\"\n",
+            "student,name\n\"a\n\",x\n",
+            "student,name\n\"\na\",x\n",
+            "name,student\nx,\"a\nb\"\n",
+            "student,name\na\u{2028}b,x\n",
+            "student,name\na\u{85},x\n",
+        ] {
+            let faults = roster(text.as_bytes()).expect_err(text);
+            assert!(faults[0].message.contains("has a line break"), "{text:?}: {faults:?}");
+        }
     }
 
     #[test]

@@ -521,6 +521,12 @@ impl Source {
             block: block.max(16),
         };
         source.fill(LOOKAHEAD)?;
+        if let Some(what) = foreign(source.rest()) {
+            let said = format!(
+                "it is {what}, not a CSV file: open it, save the sheet as CSV (UTF-8), and give that file"
+            );
+            return Err(io::Error::new(io::ErrorKind::InvalidData, said));
+        }
         source.find_encoding();
         source.fill(LOOKAHEAD)?;
         source.skip_blank_lines();
@@ -757,6 +763,32 @@ impl Source {
                 return Ok(());
             }
             self.fill(LOOKAHEAD)?;
+        }
+    }
+}
+
+/// What a file is by its first bytes, where it is something else than text in lines that people take for CSV.
+fn foreign(head: &[u8]) -> Option<&'static str> {
+    let has = |text: &str| memchr::memmem::find(head, text.as_bytes()).is_some();
+    match head {
+        [b'P', b'K', 3, 4, ..] | [b'P', b'K', 5, 6, ..] => Some(match () {
+            () if has("opendocument.spreadsheet") => "a LibreOffice spreadsheet (.ods)",
+            () if has("xl/") => "an Excel workbook (.xlsx)",
+            () if has("Index/") => "a Numbers spreadsheet (.numbers)",
+            () if has("[Content_Types].xml") => "an Office file, such as an Excel workbook (.xlsx)",
+            () => "a zip archive",
+        }),
+        [0xd0, 0xcf, 0x11, 0xe0, ..] => Some("an old Excel workbook (.xls)"),
+        [0x1f, 0x8b, 8, ..] => Some("a compressed file (.gz)"),
+        [b'%', b'P', b'D', b'F', b'-', ..] => Some("a PDF file"),
+        _ => {
+            let text = head.strip_prefix(b"\xef\xbb\xbf").unwrap_or(head).trim_ascii_start();
+            let begins =
+                |mark: &str| text.get(..mark.len()).is_some_and(|t| t.eq_ignore_ascii_case(mark.as_bytes()));
+            ["<!doctype", "<html", "<?xml", "<table"]
+                .into_iter()
+                .any(begins)
+                .then_some("a web page or an XML file (some services export one as .xls)")
         }
     }
 }

@@ -4,7 +4,7 @@ use crate::bank::load;
 use crate::bank::node::{Faults, Fields, Node, Value, named, shorten};
 use crate::finding::Finding;
 use crate::policy::time;
-use crate::policy::{Correction, Counts, For, Hints, Part, Per, Policy, Rounding, Way, Zone};
+use crate::policy::{Correction, Counts, For, Hints, Part, Per, Policy, Rounding, Unread, Way, Zone};
 use crate::policy::{DAY, HOUR, MINUTE};
 
 /// What a course file may hold, with an explanation of each setting; it is read by a test.
@@ -41,20 +41,25 @@ pub fn read(node: &Node, base: &Policy, faults: &Faults) -> Policy {
         policy.zone = zone;
     }
     let zone = policy.zone.clone();
-    if let Some(due) = fields.get("due").and_then(|n| moment(n, &zone, faults)) {
+    const DATES: [(&str, bool); 2] = [("day first", true), ("month first", false)];
+    if let Some(day_first) = fields.get("dates").and_then(|n| choice(n, &DATES, faults)) {
+        policy.day_first = Some(day_first);
+    }
+    let dates = (zone.clone(), policy.day_first);
+    if let Some(due) = fields.get("due").and_then(|n| moment(n, &dates, faults)) {
         policy.due = Some(due);
     }
     let due = policy.due;
     if let Some(n) = fields.get("extensions") {
-        policy.extensions = named(n, "moments by student id", faults)
+        policy.extensions = named(n, "times by student id", faults)
             .into_iter()
             .filter_map(|(id, _, value)| {
-                let at = moment(value, &zone, faults)?;
+                let at = moment(value, &dates, faults)?;
                 if due.is_some_and(|due| at < due) {
                     faults.hint(
                         value,
                         "an extension that ends before the answers are due",
-                        "a moment after `due`",
+                        "a time after `due`",
                     );
                 }
                 Some((id.to_owned(), at))
@@ -65,7 +70,7 @@ pub fn read(node: &Node, base: &Policy, faults: &Faults) -> Policy {
         attempts(n, &mut policy, faults);
     }
     if let Some(n) = fields.get("late") {
-        late(n, &mut policy, &zone, faults);
+        late(n, &mut policy, &dates, faults);
     }
     if let Some(n) = fields.get("credit") {
         credit(n, &mut policy, faults);
@@ -105,7 +110,7 @@ pub fn read(node: &Node, base: &Policy, faults: &Faults) -> Policy {
         && (base.due, base.late.closes) != (policy.due, policy.late.closes)
     {
         let at = fields.get("late").or_else(|| fields.get("due")).unwrap_or(node);
-        faults.hint(at, "`closes` is before `due`", "a moment after it");
+        faults.hint(at, "`closes` is before `due`", "a time after it");
     }
     fields.close(faults);
     policy
@@ -138,8 +143,8 @@ fn attempts(node: &Node, policy: &mut Policy, faults: &Faults) {
     fields.close(faults);
 }
 
-fn late(node: &Node, policy: &mut Policy, zone: &Zone, faults: &Faults) {
-    let what = "fields (penalty, per, at most, grace, closes)";
+fn late(node: &Node, policy: &mut Policy, dates: &Dates, faults: &Faults) {
+    let what = "fields (penalty, per, at most, grace, closes, unread)";
     let Some(mut fields) = Fields::open(node, what, faults) else { return };
     let late = &mut policy.late;
     const PER: [(&str, Per); 3] = [("day", Per::Day), ("hour", Per::Hour), ("once", Per::Once)];
@@ -157,8 +162,12 @@ fn late(node: &Node, policy: &mut Policy, zone: &Zone, faults: &Faults) {
         late.grace = grace;
     }
     let closes = fields.get("closes");
-    if let Some(at) = closes.and_then(|n| moment(n, zone, faults)) {
+    if let Some(at) = closes.and_then(|n| moment(n, dates, faults)) {
         late.closes = Some(at);
+    }
+    const UNREAD: [(&str, Unread); 2] = [("in time", Unread::InTime), ("late", Unread::Late)];
+    if let Some(unread) = fields.get("unread").and_then(|n| choice(n, &UNREAD, faults)) {
+        late.unread = Some(unread);
     }
     if let Some(n) = penalty
         && late.penalty > 0.0
@@ -258,21 +267,25 @@ fn zone(node: &Node, faults: &Faults) -> Option<Zone> {
     found
 }
 
-fn moment(node: &Node, zone: &Zone, faults: &Faults) -> Option<i64> {
+/// The zone of times that name none, and whether the day comes first in dates.
+type Dates = (Zone, Option<bool>);
+
+fn moment(node: &Node, (zone, day_first): &Dates, faults: &Faults) -> Option<i64> {
     let text = node.text().unwrap_or("");
-    let read = time::parse(text).filter(|m| m.micros[0] == m.micros[1] && text.contains(':'));
-    let Some(moment) = read else {
+    let order = usize::from(*day_first == Some(false));
+    let certain = |m: &time::Moment| m.micros[0] == m.micros[1] || day_first.is_some();
+    let shown = time::parse(text).filter(|m| certain(m) && text.contains(':'));
+    let Some((shown, read)) = shown.and_then(|shown| Some((shown, zone.read(text)?))) else {
         let hint = "for example `2026-03-09 23:59`, or `2026-03-09T23:59+01:00`";
         faults.hint(node, format!("expected a date with the time of day, found {}", node.kind()), hint);
         return None;
     };
-    let shown = moment.micros[0];
-    if !moment.zoned && zone.skips(shown) {
+    if !shown.zoned && zone.skips(shown.micros[order]) {
         let hint = "clocks are put forward over it";
         faults.hint(node, format!("there is no such time in {}: {}", zone.name(), node.kind()), hint);
         return None;
     }
-    let at = if moment.zoned { shown } else { zone.moment(shown) };
+    let at = read.micros[order];
     // 23:59 includes its last second, unless seconds are written.
     let clock = text.trim().split(['T', 't', ' ']).find(|t| t.contains(':')).unwrap_or("");
     let clock = clock.split(['+', '-', 'Z', 'z']).next().unwrap_or("");

@@ -27,6 +27,9 @@ fn read(text: &str, file: &str, variables: Option<Variables>) -> Result<Bank, Ve
     match read {
         Some(mut bank) if faults.is_empty() => {
             bank.hash = hash(text);
+            bank.places = texts(&tree)
+                .map(|(field, node)| (field, (file.to_owned(), node.line, node.column)))
+                .collect();
             Ok(bank)
         }
         _ => {
@@ -36,6 +39,28 @@ fn read(text: &str, file: &str, variables: Option<Variables>) -> Result<Bank, Ve
             Err(faults.into_sorted(file))
         }
     }
+}
+
+/// The statements and questions of a bank or of texts put over one: field path in the bank, and node.
+pub fn texts(tree: &Node) -> impl Iterator<Item = (String, &Node)> {
+    fn fields(node: &Node) -> &[(Node, Node)] {
+        match &node.value {
+            Value::Map(fields) => fields,
+            _ => &[],
+        }
+    }
+    let field = |node, name: &'static str| {
+        fields(node).iter().filter(move |(k, _)| k.text() == Some(name)).map(|(_, v)| v)
+    };
+    let problems = field(tree, "problems").flat_map(fields).map(|(_, problem)| problem);
+    problems.flat_map(move |problem| {
+        let statements = field(problem, "statement").map(|node| (node.path.clone(), node));
+        let asks = field(problem, "questions").flat_map(fields).flat_map(move |(_, q)| field(q, "ask"));
+        let over = field(problem, "ask").flat_map(fields).map(|(id, node)| {
+            (format!("{}.questions.{}.ask", problem.path, id.text().unwrap_or_default()), node)
+        });
+        statements.chain(asks.map(|node| (node.path.clone(), node))).chain(over)
+    })
 }
 
 /// Reads a bank without looking into its templates, for uses that show no text.

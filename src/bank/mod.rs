@@ -2,9 +2,10 @@
 use crate::bank::expression::Expression;
 use crate::finding::Finding;
 use crate::policy::Policy;
-use crate::scene::{Label, Scene};
+use crate::scene::{Label, Num, Scene};
 use crate::solve::outcome::CheckKind;
 use crate::units::Unit;
+use std::collections::BTreeMap;
 use std::sync::Arc;
 
 /// How the variables of a template are found: template text in, names out, or what is wrong with the template.
@@ -12,7 +13,7 @@ pub type Variables<'a> = &'a dyn Fn(&str) -> Result<Vec<String>, Vec<Finding>>;
 
 /// Names that templates know besides the symbols of the data (what they hold: `sheet/statement.rs`).
 pub const TEMPLATE_NAMES: &[&str] =
-    &["value", "tex", "title", "number", "case", "count", "particles", "motion", "questions"];
+    &["value", "tex", "title", "number", "case", "count", "particles", "motion", "series", "questions"];
 
 /// A bank, checked: every symbol is known, every unit fits, every datum is used.
 #[derive(Debug, Clone)]
@@ -31,6 +32,8 @@ pub struct Bank {
     pub grading: Policy,
     /// SHA-256 of the file's bytes, hex.
     pub hash: String,
+    /// Where statements and questions stand, by field path: file, line and column.
+    pub places: BTreeMap<String, (String, usize, usize)>,
 }
 
 /// One problem.
@@ -123,12 +126,19 @@ pub enum Draw {
 pub struct Case {
     /// Name, empty if the problem has only one.
     pub name: String,
+    /// Its name in the text of the bank: of a case that is two, by whether a contact rolls or slips, the name of both.
+    pub written: String,
     /// Share among the cases, > 0.
     pub share: u32,
     /// One for each datum of the problem; `None` where this case does not use it.
     pub draws: Vec<Option<Draw>>,
     /// The scene.
     pub scene: Scene,
+    /// Cords, by name, that leave a fixed axle upward (`true`) or downward, for the picture.
+    pub upright: Vec<(String, bool)>,
+    /// Contacts that the bank leaves open (`touches:`) and that roll or slip in this case: index of the tie, and the kinetic
+    /// coefficient, which is printed either way.
+    pub touches: Vec<(usize, Num)>,
     /// Regime words that count as valid here (`moves_up`, `up ok`).
     pub regimes: Vec<String>,
     /// Bounds on answers and derived quantities.
@@ -266,7 +276,7 @@ pub mod course;
 pub mod decimal;
 pub mod expression;
 pub mod load;
-mod measure;
+pub mod measure;
 pub mod mistake;
 pub mod node;
 pub mod overlay;

@@ -48,6 +48,13 @@ pub fn put_over(
             }
         }
     }
+    for (field, node) in load::texts(&tree) {
+        let mut now =
+            bank.problems.iter().flat_map(|p| p.statement.iter().chain(p.questions.iter().map(|q| &q.ask)));
+        if now.any(|text| node.text().is_some_and(|t| t.trim() == text)) {
+            bank.places.insert(field, (file.to_owned(), node.line, node.column));
+        }
+    }
     if faults.is_empty() { Ok(()) } else { Err(faults.into_sorted(file)) }
 }
 

@@ -9,6 +9,8 @@ use crate::cli::tell::Exit;
 use crate::cli::tell::Io;
 use crate::cli::words;
 use crate::finding::Finding;
+use crate::guard::push_line;
+use crate::num::shown;
 use crate::plot::Axis;
 use crate::plot::Figure;
 use crate::plot::Point;
@@ -237,7 +239,7 @@ fn short(error: f64) -> String {
     if error == 0.0 {
         "0".to_owned()
     } else if error.is_finite() {
-        format!("{error:.1e}")
+        shown::figures(error, 2)
     } else {
         "none".to_owned()
     }
@@ -330,7 +332,7 @@ impl Sheet<'_> {
     }
 
     fn csv(&self) -> String {
-        let mut writer = csv::Writer::from_writer(Vec::new());
+        let mut out = Vec::new();
         let mut head: Vec<String> =
             ["problem", "method", "setting", "step_s", "rtol", "points", "evaluations", "steps"]
                 .map(str::to_owned)
@@ -340,11 +342,7 @@ impl Sheet<'_> {
         }
         head.extend(self.names().iter().map(|n| format!("error of {n}")));
         head.extend(["worst error", "given/asked", "unbeaten", "auto", "refused"].map(str::to_owned));
-        let mut write = |record: &[String]| {
-            // A vector in memory takes every record.
-            let _ = writer.write_record(record);
-        };
-        write(&head);
+        push_line(&mut out, &head);
         for line in &self.lines {
             let rung = line.row.rung;
             let (mut step, mut rtol, mut points) = (String::new(), String::new(), String::new());
@@ -379,9 +377,9 @@ impl Sheet<'_> {
                     record.extend([yes(false), yes(line.row.auto), why]);
                 }
             }
-            write(&record);
+            push_line(&mut out, &record);
         }
-        String::from_utf8(writer.into_inner().unwrap_or_default()).unwrap_or_default()
+        String::from_utf8(out).unwrap_or_default()
     }
 
     /// Error against cost, one line for each method.
@@ -490,7 +488,7 @@ impl Sheet<'_> {
         view.foreign("choice", &format!("{choice}."));
         view.text("plot", &self.plot().svg());
         let cost = if self.timed {
-            "time of a whole solve on its road (median of batches)"
+            "time of a whole solve by its method (median of batches)"
         } else {
             "number of force evaluations"
         };

@@ -6,7 +6,9 @@ use crate::cli::tell;
 use crate::cli::what_if;
 use crate::cli::what_if::per_cent;
 use crate::grade::table::KeyTable;
+use crate::guard::push_line;
 use crate::key::Answer;
+use crate::num::shown;
 use crate::policy::Policy;
 use crate::regrade::changes;
 use crate::regrade::changes::Change;
@@ -14,7 +16,6 @@ use crate::regrade::changes::DUST;
 use crate::regrade::changes::Grading;
 use crate::regrade::changes::Who;
 use crate::regrade::changes::Why;
-use crate::regrade::rows;
 use crate::set::store::StoredSet;
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
@@ -200,10 +201,10 @@ impl Desk<'_> {
         let mean = |g: &Grading| (0..self.who.students.len()).map(|s| total(g, s)).sum::<f64>() / n;
         let _ = writeln!(
             text,
-            "  {gain} of {} gain, {lose} lose; mean of totals {:.2} -> {:.2}",
+            "  {gain} of {} gain, {lose} lose; mean of totals {} -> {}",
             tell::count(self.who.students.len(), "student"),
-            mean(self.before),
-            mean(self.after)
+            shown::decimals(mean(self.before), 2),
+            shown::decimals(mean(self.after), 2)
         );
         // Those who lose first: they will ask.
         moved.sort_by(|a, b| a.1.total_cmp(&b.1).then(a.0.cmp(&b.0)));
@@ -252,9 +253,9 @@ impl Desk<'_> {
                 .collect();
             let shown = |p: Option<f64>| p.map_or_else(String::new, points);
             let verdict = |v: Option<crate::grade::verdict::Verdict>| v.map_or("", |v| v.as_str());
-            rows::push_line(
+            push_line(
                 &mut out,
-                &[
+                [
                     &self.who.students[change.student],
                     &number.to_string(),
                     part,
@@ -292,7 +293,7 @@ fn settings(old: &Policy, new: &Policy) -> Vec<String> {
         said.push(format!("the correction of {} is gone", correction.part.text()));
     }
     let differ = [
-        ("due", old.due != new.due || old.zone != new.zone),
+        ("due", old.due != new.due || old.zone != new.zone || old.day_first != new.day_first),
         ("extensions", old.extensions != new.extensions),
         ("attempts", old.attempts != new.attempts),
         ("late", old.late != new.late),

@@ -17,22 +17,24 @@ use crate::finding::Finding;
 use crate::grade::feedback::Feedback;
 use crate::grade::judge;
 use crate::grade::verdict::Verdict;
+use crate::guard::unguarded;
 use crate::key::Answer;
 use crate::key::Given;
 use crate::key::KeyEntry;
 use crate::key::ProblemKey;
 use crate::misconception::catalogue::Catalogue;
+use crate::num::shown;
 use crate::policy;
 use crate::policy::For;
 use crate::policy::Per;
 use crate::policy::Policy;
+use crate::policy::Unread;
 use crate::policy::Way;
 use crate::policy::time;
 use crate::policy::time::Evidence;
 use crate::policy::time::Moment;
 use crate::problem::make::Variant;
 use crate::regrade::rows::Row;
-use crate::regrade::rows::unguarded;
 use crate::set::grading::BASIS;
 use crate::sheet::terminal::plain;
 use crate::units::spell;
@@ -129,6 +131,7 @@ fn text(graded: &Graded, index: usize, part: Option<String>) -> Result<String, V
             rows.push(row);
         }
     })?;
+    let evidence = graded.policy.day_first.map_or(evidence, Evidence::said);
     let changes = changes(graded, &student.student, &number)?;
     let mut page = Pages::default();
     let called = if student.name.is_empty() { String::new() } else { format!(" ({})", student.name) };
@@ -313,14 +316,14 @@ impl Desk<'_> {
                         entry.gap.map_or_else(
                             || "unknown".to_owned(),
                             |g| match g > 0.0 {
-                                true => format!("{g:.0e}"),
+                                true => shown::figures(g, 1),
                                 false => "0".to_owned(),
                             }
                         ),
                         entry.cond.map_or_else(|| "unknown".to_owned(), |c| words::rounded(c, 3)),
                         entry.bound.map_or_else(String::new, |b| format!(
-                            "; the true answer lies within {:.0e} of it, proved",
-                            unit.from_si(b)
+                            "; the true answer lies within {} of it, proved",
+                            shown::figures(unit.from_si(b), 1)
                         ))
                     ),
                 );
@@ -349,7 +352,7 @@ impl Desk<'_> {
         let mut text = format!("line {}{place}{when}: `{}`", row.line, shortened(&row.answer));
         match read(&row.answer, &mut units) {
             Reading::Number(number) => {
-                let unit = number.unit.as_ref().map_or_else(
+                let unit = number.unit_for(&entry.unit).map_or_else(
                     || match entry.unit.is_number() {
                         true => "without unit".to_owned(),
                         false => format!("without unit, so {}", entry.unit.ascii()),
@@ -433,12 +436,12 @@ impl Desk<'_> {
             let _ = write!(text, ", nothing counts after {}", zone.shown(closes));
         }
         let certain = |m: &Moment| m.uncertain.is_none_or(|dotted| self.evidence.decides(dotted));
-        let Some(moment) = time::parse(&row.submitted_at).filter(certain) else {
-            text.push_str("; when it came cannot be read, so it is taken as in time");
+        let Some(moment) = zone.read(&row.submitted_at).filter(certain) else {
+            let unread = policy.late.unread.map_or("in time", Unread::as_str);
+            let _ = write!(text, "; when it came cannot be read, so it is taken as {unread}");
             return text;
         };
-        let shown = moment.micros[self.evidence.choice()];
-        let at = if moment.zoned { shown } else { zone.moment(shown) };
+        let at = moment.micros[self.evidence.choice()];
         let _ = write!(text, "; came {}", zone.shown(at));
         match due {
             Some(due) if at > due => {
@@ -566,7 +569,7 @@ fn slip(text: &str) -> Option<String> {
         "power_of_ten" => format!("the right number times ten to the power {what}"),
         "unit" => format!("the right number in {what}"),
         "figures" => format!("the right number, rounded to {what} figures"),
-        "drift" => "as far off as rounding to three figures on the way explains".to_owned(),
+        "drift" => "as far off as rounding intermediate results to three figures explains".to_owned(),
         "part" => format!("the right number of part {what}"),
         _ => text.to_owned(),
     })
@@ -620,7 +623,7 @@ fn total(graded: &Graded, student: &str, page: &mut Pages) -> Result<(), Vec<Fin
             let at = header.iter().position(|h| h == name);
             at.and_then(|i| record.get(i)).unwrap_or_default()
         };
-        if unguarded(field("student").to_owned()) != student {
+        if unguarded(field("student")) != student {
             continue;
         }
         let mut text = format!("{} of {} points", field("total"), field("max_total"));
@@ -651,8 +654,12 @@ fn provenance(graded: &Graded, page: &mut Pages) {
     page.say(
         1,
         &format!(
-            "{}, draw version {}; set {} from seed {}",
-            made.program, made.draw_version, made.set, made.seed
+            "{}, draw version {}; set {} from seed {}{}",
+            made.program,
+            made.draw_version,
+            made.set,
+            made.seed,
+            if made.replayed { "" } else { ", not replayed" }
         ),
     );
     let drawn = graded.set.bank.sha256.as_str();
@@ -662,7 +669,11 @@ fn provenance(graded: &Graded, page: &mut Pages) {
         format!("; the sheets were drawn from {drawn}")
     };
     page.say(1, &format!("bank {}, SHA-256 {}{other}", made.bank, made.bank_sha256));
-    page.say(1, &format!("key, SHA-256 {}; solved anew for this text, and the same", made.key_sha256));
+    let key = match made.replayed {
+        true => "solved anew for this text, and the same",
+        false => "as it was stored with the set, which an earlier version drew",
+    };
+    page.say(1, &format!("key, SHA-256 {}; {key}", made.key_sha256));
     if let Some(course) = &made.course_sha256 {
         page.say(1, &format!("course, SHA-256 {course}"));
     }

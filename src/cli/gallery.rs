@@ -5,6 +5,7 @@ use crate::cli::banks;
 use crate::cli::banks::Texts;
 use crate::cli::files;
 use crate::cli::lint;
+use crate::cli::solve;
 use crate::cli::tell;
 use crate::cli::tell::Exit;
 use crate::cli::tell::Io;
@@ -68,7 +69,7 @@ fn gallery(args: &args::Gallery, io: &mut Io) -> Result<(), Vec<Finding>> {
         let mut variants = Vec::new();
         for n in 1..=args.variants {
             let variant = maker.variant(&n.to_string()).map_err(|none| {
-                let fault = Finding::new(format!("problems.{}", problem.id), none.to_string());
+                let fault = solve::unsatisfiable(bank, &none);
                 vec![fault.in_file(&loaded.file).hint("`slipstick lint` says more")]
             })?;
             variants.push(variant);
@@ -79,7 +80,7 @@ fn gallery(args: &args::Gallery, io: &mut Io) -> Result<(), Vec<Finding>> {
         }
         let markdown = String::from_utf8_lossy(&statement).into_owned();
         let place = Place { lower: 1, prefix: &problem.id };
-        let statement = converter.body(&Document { markdown, pictures: Vec::new() }, place);
+        let statement = converter.body(&Document::new(markdown, Vec::new()), &[], place);
         let cards = variants.iter().enumerate().map(|(n, v)| card(problem, v, n + 1, &texts, &mut converter));
         let cards = template::list(cards.collect());
         let found = lint::tables(problem, sweep);
@@ -128,7 +129,7 @@ fn card(problem: &Problem, variant: &Variant, n: usize, texts: &Texts, converter
     let phrases = &texts.words;
     let picture = scene::picture(problem, variant, phrases, problem.figure);
     let id = format!("{}-{n}", problem.id);
-    let figure = format!("<figure>{}</figure>\n", svg::inline(&picture, &id).trim_end());
+    let figure = format!("<figure>{}</figure>\n", svg::Screen::new(&picture).inline(&id).trim_end());
     let formulas: Vec<String> = problem
         .data
         .iter()
@@ -141,7 +142,7 @@ fn card(problem: &Problem, variant: &Variant, n: usize, texts: &Texts, converter
     // A comma within its formula does not begin a line.
     let data = if formulas.is_empty() { String::new() } else { format!("${}$", formulas.join(",$ $")) };
     let place = Place { lower: 0, prefix: &id };
-    let data = converter.body(&Document { markdown: data, pictures: Vec::new() }, place);
+    let data = converter.body(&Document::new(data, Vec::new()), &[], place);
     let mut what = Vec::new();
     if let Some(case) = problem.cases.get(variant.case).filter(|c| !c.name.is_empty()) {
         what.push(case.name.clone());

@@ -1,4 +1,5 @@
 //! `slipstick matches` and matches.csv: whose answers the wrong answers of a grading are. For instructors only.
+use crate::answer::figures;
 use crate::answer::read::UnitCache;
 use crate::cli::args;
 use crate::cli::files;
@@ -18,7 +19,7 @@ use crate::key::SheetKey;
 use crate::matches;
 use crate::matches::Question;
 use crate::matches::Wrong;
-use crate::matches::figures;
+use crate::num::shown;
 use crate::regrade::rows::Row;
 use crate::report::alike::Matches;
 use crate::report::alike::Told;
@@ -181,8 +182,8 @@ fn told(found: &Matches) -> String {
                 .map(|a| a.chars().take(20).collect::<String>())
                 .collect::<Vec<_>>()
                 .join(" | "),
-            format!("{:.0e}", pair.chance),
-            format!("{:.0e}", pair.expected),
+            shown::figures(pair.chance, 1),
+            shown::figures(pair.expected, 1),
             pair.explained.clone(),
         ]);
     }

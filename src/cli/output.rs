@@ -2,7 +2,6 @@
 use crate::bank::Bank;
 use crate::cli::args::Format;
 use crate::cli::banks::Texts;
-use crate::figure::svg;
 use crate::finding::Finding;
 use crate::key::SheetKey;
 use crate::sheet::document::Document;
@@ -97,20 +96,23 @@ impl<'o> Output<'o> {
             tex: String::new(),
             document: Document::default(),
         };
+        let screens = match self.wants(Format::Md) || self.wants(Format::Html) {
+            true => document.screens(),
+            false => Vec::new(),
+        };
         for format in self.formats {
             let name = format!("{}.{}", self.name, format.ending());
             let bytes = match format {
                 Format::Md => {
-                    for (name, picture) in &document.pictures {
-                        let svg = svg::file(picture);
-                        made.files.push((format!("{name}.svg"), svg.into_bytes()));
+                    for (name, screen) in &screens {
+                        made.files.push((format!("{name}.svg"), screen.file().into_bytes()));
                     }
                     document.plain().into_bytes()
                 }
                 Format::Html => {
-                    let body = converter.body(&document, Place { lower: 0, prefix: "" });
+                    let body = converter.body(&document, &screens, Place { lower: 0, prefix: "" });
                     let prefix = format!("{}-", html::part_id(at));
-                    made.html = converter.body(&document, Place { lower: 1, prefix: &prefix });
+                    made.html = converter.body(&document, &screens, Place { lower: 1, prefix: &prefix });
                     html::page(&self.texts.templates, &self.texts.words, self.name, &made.head, &body)?
                 }
                 Format::Tex => {
@@ -174,7 +176,7 @@ impl<'o> Output<'o> {
         if self.wants(Format::Pdf) {
             files.push(("key-table.pdf", self.pressed(&[(&head, &document)])?));
         }
-        let body = Converter::new(words).body(&document, Place { lower: 0, prefix: "" });
+        let body = Converter::new(words).body(&document, &[], Place { lower: 0, prefix: "" });
         files.push(("key-table.html", html::page(templates, words, "key", &head, &body)?));
         Ok(files)
     }

@@ -3,11 +3,12 @@ use crate::answer::read::UnitCache;
 use crate::bank::Problem;
 use crate::cli::args;
 use crate::cli::banks;
+use crate::cli::solve;
 use crate::cli::tell::Exit;
 use crate::cli::tell::Io;
 use crate::cli::words;
 use crate::finding::Finding;
-use crate::grade::diagnose::diagnose;
+use crate::grade::diagnose;
 use crate::grade::feedback::Feedback;
 use crate::grade::judge;
 use crate::grade::verdict::Verdict;
@@ -70,7 +71,7 @@ fn practice(args: &args::Practice, io: &mut Io) -> Result<(), Vec<Finding>> {
         let problem = &bank.problems[problems[i]];
         let variant = makers[i]
             .variant(&format!("round {}", round / problems.len() + 1))
-            .map_err(|e| vec![Finding::new(format!("problems.{}", problem.id), e.to_string())])?;
+            .map_err(|none| vec![solve::unsatisfiable(bank, &none)])?;
         let mut text = Vec::new();
         sheets.problem(i, &variant, &mut room, &mut text).map_err(|f| vec![f])?;
         let text = document::without_marks(&String::from_utf8_lossy(&text));
@@ -108,7 +109,7 @@ impl Tutor<'_> {
         if self.hints == Hints::None || !number.is_finite() {
             return Vec::new();
         }
-        let found = diagnose(number, part, parts).methods;
+        let found = diagnose::methods(number, part, parts);
         let known = found.iter().filter_map(|m| self.catalogue.get(methods.get(usize::from(*m))?));
         let mut lines = Vec::new();
         for entry in known.take(if self.hints == Hints::Explain { 1 } else { 2 }) {

@@ -16,6 +16,7 @@ use crate::cli::tell;
 use crate::cli::tell::Exit;
 use crate::cli::tell::Io;
 use crate::finding::Finding;
+use crate::guard::unguarded;
 use crate::misconception::catalogue::Catalogue;
 use crate::policy::Policy;
 use crate::report::class;
@@ -290,7 +291,7 @@ pub fn make(graded: &Path, out: &Path, own: &Own, threads: Option<usize>) -> Res
             let mut converter = Converter::new(&texts.words);
             for student in some {
                 let (head, document) = desk.document(*student).map_err(one)?;
-                let body = converter.body(&document, Place { lower: 0, prefix: "" });
+                let body = converter.body(&document, &[], Place { lower: 0, prefix: "" });
                 let page =
                     html::page(&texts.templates, &texts.words, "feedback", &head, &body).map_err(one)?;
                 let name = &marks.class.students[*student].folder;
@@ -352,8 +353,8 @@ fn book<'m>(marks: &'m Marks, set: &str) -> (String, f64, Vec<Line<'m>>) {
 
 /// Markdown of one line to HTML without the paragraph around it.
 fn inline(converter: &mut Converter, markdown: &str) -> String {
-    let document = Document { markdown: markdown.to_owned(), pictures: Vec::new() };
-    let html = converter.body(&document, Place { lower: 0, prefix: "" });
+    let document = Document::new(markdown.to_owned(), Vec::new());
+    let html = converter.body(&document, &[], Place { lower: 0, prefix: "" });
     let html = html.trim();
     let inner = html.strip_prefix("<p>").and_then(|h| h.strip_suffix("</p>"));
     inner.filter(|h| !h.contains("<p>")).unwrap_or(html).to_owned()
@@ -438,7 +439,7 @@ impl Basis {
             .iter()
             .map(|id| Problem { id: id.clone(), title: title_of(&self.bank, id) })
             .collect();
-        Class { students, problems, parts, asked }
+        Class { students, problems, parts, asked, day_first: self.policy.day_first }
     }
 }
 
@@ -493,7 +494,7 @@ fn read_key(path: &Path) -> Result<Vec<(String, String, String)>, Finding> {
     let mut rows = Vec::new();
     for record in reader.records() {
         let record = record.map_err(|e| fault(&e))?;
-        let text = |i: usize| record.get(i).unwrap_or_default().to_owned();
+        let text = |i: usize| unguarded(record.get(i).unwrap_or_default()).to_owned();
         rows.push((text(0), text(1), text(2)));
     }
     Ok(rows)
@@ -526,7 +527,14 @@ fn about(basis: &Basis) -> About {
     let mut add = |name: &str, value: String| provenance.push((name.to_owned(), value));
     add("Graded by", grading.program.clone());
     add("Submissions", format!("{}, {} bytes", grading.submissions, grading.submissions_bytes));
-    add("Set", format!("{}, seed {}, draw version {}", grading.set, grading.seed, grading.draw_version));
+    let replayed = match grading.replayed {
+        true => "",
+        false => ", of an earlier version: not replayed, graded by its stored key",
+    };
+    add(
+        "Set",
+        format!("{}, seed {}, draw version {}{replayed}", grading.set, grading.seed, grading.draw_version),
+    );
     add("Bank", format!("{}, SHA-256 {}…", grading.bank, short(&grading.bank_sha256)));
     add("Key", format!("SHA-256 {}…", short(&grading.key_sha256)));
     if let Some(hash) = &grading.course_sha256 {

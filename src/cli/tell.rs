@@ -1,5 +1,6 @@
 //! Findings and results on the terminal: the only place that prints.
 use crate::finding::Finding;
+use crate::num::shown;
 use std::io;
 use std::io::BufRead;
 use std::io::Write;
@@ -129,6 +130,11 @@ pub fn table(rows: &[Vec<String>], left: &[usize]) -> String {
         text.push('\n');
     }
     text
+}
+
+/// A share in whole per cent: `40 %`.
+pub fn percent(share: f64) -> String {
+    format!("{} %", shown::decimals(share * 100.0, 0))
 }
 
 /// `1 sheet`, `2 sheets`

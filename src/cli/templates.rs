@@ -99,6 +99,10 @@ const PIECES: &[(&str, &str, &[Piece])] = &[
                 "count, particles, motion",
                 "of a body of particles: how many, in words; a list of `name`, `mass`, `x`, `y`; `particle`, `vx`, `vy`, `spin`",
             ),
+            (
+                "series",
+                "of a swing: its series, and how many terms of it suffice for the tolerance of the period",
+            ),
         ],
     ),
     (

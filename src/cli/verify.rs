@@ -2,6 +2,7 @@
 use crate::cli::args;
 use crate::cli::files;
 use crate::cli::grade;
+use crate::cli::grade::Replayed;
 use crate::cli::tell;
 use crate::cli::tell::Exit;
 use crate::cli::tell::Io;
@@ -11,20 +12,27 @@ use crate::key::Answer;
 use crate::key::KeyEntry;
 use crate::key::SheetKey;
 use crate::num::U;
+use crate::num::shown;
 use crate::set::key_file;
 
 /// Runs it.
 pub fn run(args: &args::Verify, io: &mut Io) -> Exit {
-    match grade::replayed(&args.set)
-        .and_then(|made| strangers(args, &made.keys).map(|()| (made.set, made.keys)))
-    {
-        Ok((set, keys)) => {
+    let made = grade::replayed(&args.set).and_then(|made| match made.not_drawn {
+        // Held against its hash already.
+        Some(_) => Ok(made),
+        None => strangers(args, &made.keys).map(|()| made),
+    });
+    match made {
+        Ok(Replayed { set, keys, not_drawn, .. }) => {
             let sheets = tell::count(keys.len(), "sheet");
             let variants = tell::count(keys.iter().map(|k| k.problems.len()).sum(), "variant");
-            io.line(&format!(
-                "{sheets}, {variants} drawn and solved again from seed {}: bank copy, drawn data and key.csv are what they were",
-                set.seed
-            ));
+            io.line(&match not_drawn {
+                None => format!(
+                    "{sheets}, {variants} drawn and solved again from seed {}: bank copy, drawn data and key.csv are what they were",
+                    set.seed
+                ),
+                Some(told) => format!("{sheets}, {variants}, solved again from the stored data. {told}"),
+            });
             let rows = rows(&keys);
             io.piece(&table(&rows));
             io.line(&verdict(&rows));
@@ -142,10 +150,10 @@ fn table(rows: &[Row]) -> String {
         } else {
             line.extend([
                 words::rounded(row.gap_ulps, 3),
-                format!("{:.2}", row.gap_bar),
+                shown::decimals(row.gap_bar, 2),
                 words::rounded(row.worst_cond, 3),
                 row.enclosed.to_string(),
-                if row.enclosed == 0 { "-".to_owned() } else { format!("{:.0e}", row.widest) },
+                if row.enclosed == 0 { "-".to_owned() } else { shown::figures(row.widest, 1) },
             ]);
         }
         lines.push(line);
@@ -169,7 +177,8 @@ fn verdict(rows: &[Row]) -> String {
     }
     let widest = rows.iter().fold(0.0f64, |w, r| w.max(r.widest));
     text.push_str(&format!(
-        "{enclosed} of {answers} numbers are enclosed: the true answer for the printed data lies within {widest:.0e} of the tolerance."
+        "{enclosed} of {answers} numbers are enclosed: the true answer for the printed data lies within {} of the tolerance.",
+        shown::figures(widest, 1)
     ));
     text
 }
@@ -178,10 +187,10 @@ fn faults(rows: &[Row]) -> Vec<Finding> {
     let bad = rows.iter().filter(|r| !r.holds());
     let text = |r: &Row| {
         format!(
-            "the roads differ by {:.1} u max(1, cond) (at most {BAR}), the enclosure is {:.1e} of the tolerance (at most {:.0e})",
-            r.gap_bar,
-            r.widest,
-            crate::problem::make_key::PROVED_SHARE
+            "the roads differ by {} u max(1, cond) (at most {BAR}), the enclosure is {} of the tolerance (at most {})",
+            shown::decimals(r.gap_bar, 1),
+            shown::figures(r.widest, 2),
+            shown::figures(crate::problem::make_key::PROVED_SHARE, 1)
         )
     };
     bad.map(|r| Finding::new(&r.name, text(r))).collect()

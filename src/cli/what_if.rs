@@ -18,6 +18,8 @@ use crate::grade::verdict::Verdict;
 use crate::key::Answer;
 use crate::key::SheetKey;
 use crate::misconception::catalogue::Catalogue;
+use crate::num::shown;
+use crate::policy::Unread;
 use crate::problem::make_key;
 use crate::regrade::rows::Row;
 use crate::regrade::tolerance::Cell;
@@ -63,7 +65,7 @@ fn shares(typed: &[String]) -> Result<Vec<f64>, Vec<Finding>> {
 
 /// A share in per cent, without zeros at the end.
 pub fn per_cent(share: f64) -> String {
-    let text = format!("{:.3}", share * 100.0);
+    let text = shown::decimals(share * 100.0, 3);
     text.trim_end_matches('0').trim_end_matches('.').to_owned()
 }
 
@@ -149,7 +151,10 @@ fn handed_in(graded: &Graded) -> Result<NamedTempFile, io::Error> {
 /// Grades them by another key, by the same settings.
 fn run_with(graded: &Graded, table: &KeyTable, handed: &NamedTempFile) -> Result<Run, Vec<Finding>> {
     let trouble = |e: &io::Error| vec![files::trouble(&graded.folder, "cannot be graded", e)];
-    let rules = Rules::new(table, &graded.policy)?;
+    let mut policy = graded.policy.clone();
+    // What is graded already may be from a version that did not ask.
+    policy.late.unread.get_or_insert(Unread::InTime);
+    let rules = Rules::new(table, &policy)?;
     let open = || -> io::Result<Box<dyn Read + Send>> { Ok(Box::new(File::open(handed.path())?)) };
     let options = Options {
         threads: std::thread::available_parallelism().map_or(1, usize::from),
@@ -272,7 +277,7 @@ fn told(args: &args::WhatIf, now: &KeyTable, trials: &[Trial], as_is: &Run) -> S
     };
     line("students who gain", String::new(), &|t| moved(t, true));
     line("students who lose", String::new(), &|t| moved(t, false));
-    let mean = |totals: &[f64]| format!("{:.2}", totals.iter().sum::<f64>() / students);
+    let mean = |totals: &[f64]| shown::decimals(totals.iter().sum::<f64>() / students, 2);
     line("mean of totals", mean(&as_is.totals), &|t| mean(&t.totals));
     line("answers of wrong methods that would pass", String::new(), &|t| t.what.total().methods.to_string());
     line("sheets where a wrong method would pass", String::new(), &|t| t.what.total().within.to_string());

@@ -12,6 +12,7 @@ use crate::figure::symbol;
 use crate::figure::vector::V;
 use crate::figure::vector::size;
 use crate::figure::view::View;
+use crate::num::shown;
 use crate::num::trig;
 use crate::problem::make::Variant;
 use crate::scene::Degree;
@@ -304,5 +305,5 @@ pub fn figures(words: &Words, x: f64) -> String {
     }
     let power = trig::log10(x.abs()).floor();
     let decimals = (3.0 - power).clamp(0.0, 9.0) as usize;
-    words.number(&format!("{x:.decimals$}")).replace('-', "−")
+    words.number(&shown::decimals(x, decimals)).replace('-', "−")
 }

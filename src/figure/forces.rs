@@ -32,6 +32,7 @@ use crate::figure::vector::size;
 use crate::figure::vector::sub;
 use crate::figure::vector::unit;
 use crate::figure::view::View;
+use crate::num::shown;
 use crate::num::trig;
 use crate::problem::make::Variant;
 use crate::scene::Arm;
@@ -290,7 +291,8 @@ fn couples_on<'v>(view: &View<'v>, body: usize) -> impl Iterator<Item = &'v Coup
 
 fn moment(view: &View, couple: &Couple) -> Vec<Run> {
     let given = view.symbol(couple.moment_n_m);
-    if given.is_empty() { symbol::symbol("M") } else { given }
+    let symbol = if given.is_empty() { symbol::symbol("M") } else { given };
+    names::magnitude(symbol, view.of(couple.moment_n_m) < 0.0)
 }
 
 /// Normal force and friction.
@@ -667,7 +669,7 @@ fn turning(board: &mut Board, centre: V, radius: f64, turn: &Turning, role: Role
 fn tell(view: &View, forces: &[Force], couples: &[Turning], kinetic: &Kinetic, desc: &mut Vec<String>) {
     let way = |towards: V| {
         let degrees = angle(towards) * 180.0 / std::f64::consts::PI;
-        let rounded = format!("{:.0}", if degrees < -0.5 { degrees + 360.0 } else { degrees.abs() });
+        let rounded = shown::decimals(if degrees < -0.5 { degrees + 360.0 } else { degrees.abs() }, 0);
         view.words.say("figure.forces.way", &[("angle", &rounded)])
     };
     let turn = |t: &Turning| {

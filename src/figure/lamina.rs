@@ -19,6 +19,7 @@ use crate::figure::vector::size;
 use crate::figure::vector::sub;
 use crate::figure::vector::unit;
 use crate::figure::view::View;
+use crate::num::shown;
 use crate::scene::Start;
 
 /// Pixels of the longer side.
@@ -86,11 +87,12 @@ pub fn draw(board: &mut Board, view: &View, index: usize) {
                 tie: Tied::Leader,
             });
         }
-        // The spin stands where there is room, counter-clockwise as it is counted.
+        // The spin stands where there is room, in the sense that it has; counter-clockwise is positive.
         let centre = roomy(&ring, mul(low, scale), mul(high, scale));
-        board.curved_arrow(centre, 17.0, -0.5, 4.2, Role::Motion);
+        let (from, to) = if view.of(spin_rad_s) < 0.0 { (3.7, -1.0) } else { (-0.5, 4.2) };
+        board.curved_arrow(centre, 17.0, from, to, Role::Motion);
         board.wish(
-            view.label(spin_rad_s, "rad/s"),
+            view.size_label(spin_rad_s, "rad/s"),
             vec![
                 (along(centre, (0.0, -1.0), 17.0), (0.0, -1.0)),
                 (along(centre, (0.0, 1.0), 17.0), (0.0, 1.0)),
@@ -183,7 +185,7 @@ fn axes(board: &mut Board, view: &View, low: V, high: V, scale: f64) {
         if i == 0 {
             continue;
         }
-        let text = view.words.number(&format!("{value:.decimals$}")).replace('-', "−");
+        let text = view.words.number(&shown::decimals(value, decimals)).replace('-', "−");
         for (place, across, inside) in [
             ((s, 0.0), (0.0, 1.0), s > west + 8.0 && s < east - 14.0),
             ((0.0, s), (1.0, 0.0), s > bottom + 8.0 && s < top - 14.0),

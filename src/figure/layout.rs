@@ -517,12 +517,11 @@ impl Builder<'_> {
     fn ending(&mut self, tie: usize, cord: &Cord) -> Run {
         let end = cord.from;
         let placed = self.bodies[end.body].clone().expect("a placed body");
-        let towards = self.leaves(&placed, end).unwrap_or({
-            // A free axle: what is paid out hangs down, unless something holds it from above.
-            match cord.to {
-                Far::Fixed => (0.0, 1.0),
-                _ => (0.0, -1.0),
-            }
+        let towards = self.leaves(&placed, end).unwrap_or_else(|| match self.view.upward(&cord.name) {
+            Some(true) => (0.0, 1.0),
+            Some(false) => (0.0, -1.0),
+            None if end.forward => placed.forward,
+            None => mul(placed.forward, -1.0),
         });
         let (at, _) = self.attach(&placed, end, towards);
         let mut pieces: Vec<Piece> = self.wound(&placed, end, towards).into_iter().collect();

@@ -1,13 +1,82 @@
-//! Symbols of unknown quantities in pictures of solutions, the same that the worked solutions use.
+//! Names of bodies and cords in words, and symbols of unknown quantities in pictures of solutions, the same that the worked
+//! solutions use. Ids of a bank are for who writes it: people read words.
 use crate::bank::Problem;
 use crate::figure::picture::Run;
 use crate::figure::symbol;
 use crate::figure::view::View;
 use crate::scene::Body;
+use crate::scene::Cord;
 use crate::scene::Far;
 use crate::scene::Mass;
+use crate::scene::RotaryInertia;
 use crate::scene::Scene;
+use crate::scene::Shape;
+use crate::scene::Slope;
 use crate::scene::Tie;
+use crate::words::Words;
+
+/// What kind of body it is, in a word: by its id where that is a word that the language knows, else by what it is.
+fn kind<'w>(words: &'w Words, body: &Body) -> &'w str {
+    let id = body.name.trim_end_matches(|c: char| c.is_ascii_digit() || c == '_');
+    let known = format!("solution.body.{id}");
+    if words.has(&known) {
+        return words.get(&known);
+    }
+    let name = match &body.inertia {
+        None if body.line.is_some_and(|l| !l.surface && l.slope == Slope::Vertical) => "load",
+        None => "block",
+        Some(RotaryInertia::Shape(Shape::Rod, _)) => "rod",
+        Some(RotaryInertia::Shape(Shape::Sphere | Shape::Shell, _)) => "ball",
+        Some(RotaryInertia::Shape(Shape::Hoop, _)) => "hoop",
+        Some(_) if body.pin.is_some() => "body",
+        Some(_) if body.line.is_none() => "drum",
+        Some(_) => "wheel",
+    };
+    words.get(&format!("figure.{name}"))
+}
+
+/// A body in words, as a heading: `Wheel`; of several of a kind `Load 2`, or `Block B` where their ids are letters.
+pub fn body(words: &Words, scene: &Scene, index: usize) -> String {
+    let Some(this) = scene.bodies.get(index) else { return String::new() };
+    let word = kind(words, this);
+    let alike: Vec<usize> =
+        (0..scene.bodies.len()).filter(|b| kind(words, &scene.bodies[*b]) == word).collect();
+    if alike.len() < 2 {
+        return word.to_owned();
+    }
+    let of = |b: usize| {
+        let id = scene.bodies[b].name.as_str();
+        let digits = &id[id.trim_end_matches(|c: char| c.is_ascii_digit()).len()..];
+        if id.len() == 1 { id.to_uppercase() } else { digits.to_owned() }
+    };
+    let marks: Vec<String> = alike.iter().map(|b| of(*b)).collect();
+    let told = marks.iter().enumerate().all(|(i, m)| !m.is_empty() && !marks[..i].contains(m));
+    let mark = if told { of(index) } else { alike.iter().take_while(|b| **b <= index).count().to_string() };
+    format!("{word} {mark}")
+}
+
+/// The same within a sentence.
+pub fn body_within(words: &Words, scene: &Scene, index: usize) -> String {
+    let name = body(words, scene, index);
+    // German writes its nouns with capitals everywhere.
+    match name.split_once(' ') {
+        _ if words.language() != "en" => name,
+        Some((word, mark)) => format!("{} {mark}", word.to_lowercase()),
+        None => name.to_lowercase(),
+    }
+}
+
+/// A cord in words, by what it ties: `between wheel and pulley`.
+pub fn cord(words: &Words, scene: &Scene, cord: &Cord) -> String {
+    let one = body_within(words, scene, cord.from.body);
+    let other = match &cord.to {
+        Far::Body(end) => body_within(words, scene, end.body),
+        Far::Fixed => words.get("solution.cord.fixed").to_owned(),
+        Far::Spring { .. } => words.get("solution.cord.spring").to_owned(),
+        Far::Pull(_) => words.get("solution.cord.pull").to_owned(),
+    };
+    words.say("solution.cord.between", &[("one", &one), ("other", &other)])
+}
 
 /// The first of these symbols that no datum bears; if all are taken, the last one with a star.
 pub fn free(problem: &Problem, candidates: &[String]) -> String {

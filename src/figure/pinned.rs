@@ -264,13 +264,14 @@ pub fn draw(board: &mut Board, view: &View, index: usize) {
         }
     }
     for couple in view.scene.couples.iter().filter(|c| c.body == index) {
-        let clockwise = hung.clockwise() == couple.forward;
+        let forward = couple.forward == (view.of(couple.moment_n_m) >= 0.0);
+        let clockwise = hung.clockwise() == forward;
         let mid = angle(d);
         let (from, to) = if clockwise { (mid + 2.4, mid - 1.6) } else { (mid - 2.4, mid + 1.6) };
         board.curved_arrow((0.0, 0.0), 26.0, from, to, Role::Force);
         let spot = polar(from + (to - from) * 0.15);
         board.wish(
-            view.label(couple.moment_n_m, "N·m"),
+            view.size_label(couple.moment_n_m, "N·m"),
             vec![(along((0.0, 0.0), spot, 26.0), spot), (along((0.0, 0.0), polar(to), 26.0), polar(to))],
             Role::Force,
         );
@@ -280,12 +281,13 @@ pub fn draw(board: &mut Board, view: &View, index: usize) {
         if c.body != index || c.degree != Degree::Turn || view.of(num).abs() < 1e-12 {
             continue;
         }
-        let sense = if hung.clockwise() { -1.0 } else { 1.0 };
+        let actual = if view.of(num) < 0.0 { -1.0 } else { 1.0 };
+        let sense = if hung.clockwise() { -actual } else { actual };
         let radius = far + 12.0;
         let mid = angle(d);
         board.curved_arrow((0.0, 0.0), radius, mid - sense * 0.02, mid + sense * 0.3, Role::Motion);
         let at = polar(mid + sense * 0.16);
-        board.wish(view.label(num, "rad/s"), vec![(along((0.0, 0.0), at, radius), at)], Role::Motion);
+        board.wish(view.size_label(num, "rad/s"), vec![(along((0.0, 0.0), at, radius), at)], Role::Motion);
     }
 }
 

@@ -1,9 +1,11 @@
 //! What the picture of a scene shows, in words: the text beside it for those who do not see it.
 use crate::figure::layout::Layout;
 use crate::figure::layout::Placed;
+use crate::figure::names;
 use crate::figure::scene;
 use crate::figure::symbol;
 use crate::figure::vector::V;
+use crate::figure::vector::mul;
 use crate::figure::view::View;
 use crate::scene::Arm;
 use crate::scene::Attach;
@@ -34,29 +36,10 @@ fn bare(view: &View, num: Num, unit: &str) -> String {
     symbol::plain(&view.value(num, unit)).replace('\u{a0}', " ")
 }
 
-/// What kind of body it is, in a word.
-pub fn kind(view: &View, body: &Body) -> String {
-    let name = match &body.inertia {
-        None if body.line.is_some_and(|l| !l.surface && l.slope == Slope::Vertical) => "load",
-        None => "block",
-        Some(RotaryInertia::Shape(Shape::Rod, _)) => "rod",
-        Some(RotaryInertia::Shape(Shape::Sphere | Shape::Shell, _)) => "ball",
-        Some(RotaryInertia::Shape(Shape::Hoop, _)) => "hoop",
-        Some(_) if body.pin.is_some() => "body",
-        Some(_) if body.line.is_none() => "drum",
-        Some(_) => "wheel",
-    };
-    view.words.get(&format!("figure.{name}")).to_owned()
-}
-
-/// The body in a word, with the symbol of its mass where several are of its kind: `Load m_1`.
+/// The body in words: `Load 2`.
 pub fn called(view: &View, body: &Body) -> String {
-    let name = kind(view, body);
-    if view.scene.bodies.iter().filter(|b| kind(view, b) == name).count() < 2 {
-        return name;
-    }
-    let symbol = view.mass(body).map_or_else(Vec::new, |(n, _)| view.symbol(n));
-    if symbol.is_empty() { name } else { format!("{name} {}", symbol::plain(&symbol)) }
+    let index = view.scene.bodies.iter().position(|b| b.name == body.name);
+    index.map_or_else(String::new, |i| names::body(view.words, view.scene, i))
 }
 
 /// The body with its data: `Wheel (m = 40 kg, k = 0.25 m)`.
@@ -85,8 +68,8 @@ pub fn named(view: &View, body: &Body) -> String {
     {
         tell(n, "m");
     }
-    let kind = kind(view, body);
-    if data.is_empty() { kind } else { format!("{kind} ({})", data.join(separator(view))) }
+    let name = called(view, body);
+    if data.is_empty() { name } else { format!("{name} ({})", data.join(separator(view))) }
 }
 
 /// What stands between the items of a list: no comma where numbers have one.
@@ -108,10 +91,16 @@ fn way(view: &View, towards: V, incline: bool) -> String {
     view.words.get(&format!("figure.way.{name}")).to_owned()
 }
 
-/// Where a cord leaves a body, and which way; of what hangs, up or down.
-fn place(view: &View, end: CordEnd, hangs: Option<V>) -> String {
-    if let Some(towards) = hangs {
-        let way = if towards.1 > 0.0 { "up" } else { "down" };
+/// Where a cord leaves a body, and which way as it is drawn of what hangs and of a fixed axle.
+fn place(view: &View, end: CordEnd, drawn: Option<V>) -> String {
+    let axle = view.scene.bodies.get(end.body).is_none_or(|b| b.line.is_none());
+    if let Some(towards) = drawn {
+        let way = match towards {
+            (x, _) if axle && x > 0.5 => "right",
+            (x, _) if axle && x < -0.5 => "left",
+            (_, y) if y > 0.0 => "up",
+            _ => "down",
+        };
         return match end.attach {
             Attach::Centre => view.words.get(&format!("figure.place.centre_{way}")).to_owned(),
             Attach::Wound(radius, _) => {
@@ -119,7 +108,6 @@ fn place(view: &View, end: CordEnd, hangs: Option<V>) -> String {
             }
         };
     }
-    let axle = view.scene.bodies.get(end.body).is_none_or(|b| b.line.is_none());
     let direction = if end.forward { "forward" } else { "back" };
     match end.attach {
         Attach::Centre => view.words.get(&format!("figure.place.centre_{direction}")).to_owned(),
@@ -203,12 +191,10 @@ fn body(view: &View, plan: &Layout, index: usize, p: &Placed, out: &mut Vec<Stri
         (false, _, true) => say("hangs", &[("body", &name)]),
         (false, _, false) => say("axle", &[("body", &name)]),
     });
-    for tie in &view.scene.ties {
+    for (i, tie) in view.scene.ties.iter().enumerate() {
         let list: Vec<Num> = match tie {
-            Tie::Roll { body, mu_s, .. } if *body == index => mu_s.iter().copied().collect(),
-            Tie::Slip { body, mu_s, mu_k, .. } if *body == index => vec![*mu_s, *mu_k],
-            Tie::Slide { body, mu_s, mu_k } if *body == index => {
-                mu_s.iter().copied().chain([*mu_k]).collect()
+            Tie::Roll { body, .. } | Tie::Slip { body, .. } | Tie::Slide { body, .. } if *body == index => {
+                view.coefficients(i).into_iter().map(|(_, num)| num).collect()
             }
             _ => continue,
         };
@@ -224,7 +210,9 @@ fn body(view: &View, plan: &Layout, index: usize, p: &Placed, out: &mut Vec<Stri
         }
         let mut leaves = plan.cords.iter().filter(|r| r.tie == i).flat_map(|r| &r.at);
         let towards = leaves.find(|(b, _)| *b == index).map(|(_, d)| *d);
-        let place = place(view, cord.from, towards.filter(|_| p.on.is_none() && body.line.is_some()));
+        let free = !matches!(cord.to, Far::Body(_));
+        let drawn = towards.filter(|_| p.on.is_none() && (body.line.is_some() || free));
+        let place = place(view, cord.from, drawn);
         out.push(match cord.to {
             Far::Pull(n) => say("pull", &[("place", &place), ("force", &text(view, n, "N"))]),
             Far::Fixed => say("fixed", &[("place", &place)]),
@@ -250,7 +238,18 @@ fn body(view: &View, plan: &Layout, index: usize, p: &Placed, out: &mut Vec<Stri
             && c.body == index
             && view.of(num).abs() > 1e-12
         {
-            list.push(text(view, num, if c.degree == Degree::Along { "m/s" } else { "rad/s" }));
+            let (unit, sense) = if c.degree == Degree::Along { ("m/s", 1.0) } else { ("rad/s", -1.0) };
+            let sense = if view.of(num) < 0.0 { -sense } else { sense };
+            let way = if c.degree == Degree::Along {
+                let incline = p.on.is_some_and(|g| matches!(plan.grounds[g].slope, Slope::Degrees(_)));
+                way(view, mul(p.forward, sense), incline)
+            } else {
+                let clockwise = p.clockwise == (sense < 0.0);
+                view.words
+                    .get(if clockwise { "figure.turn.clockwise" } else { "figure.turn.counter" })
+                    .to_owned()
+            };
+            list.push(format!("{} {way}", view.size_text(num, unit).replace('\u{a0}', " ")));
         }
     }
     if !list.is_empty() {
@@ -260,8 +259,10 @@ fn body(view: &View, plan: &Layout, index: usize, p: &Placed, out: &mut Vec<Stri
 
 fn couples(view: &View, index: usize, out: &mut Vec<String>) {
     for couple in view.scene.couples.iter().filter(|c| c.body == index) {
-        let name = if couple.forward { "figure.scene.couple" } else { "figure.scene.couple_back" };
-        out.push(view.words.say(name, &[("moment", &text(view, couple.moment_n_m, "N·m"))]));
+        let forward = couple.forward == (view.of(couple.moment_n_m) >= 0.0);
+        let name = if forward { "figure.scene.couple" } else { "figure.scene.couple_back" };
+        let moment = view.size_text(couple.moment_n_m, "N·m").replace('\u{a0}', " ");
+        out.push(view.words.say(name, &[("moment", &moment)]));
     }
 }
 

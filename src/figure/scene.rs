@@ -370,8 +370,12 @@ fn busy(view: &View, plan: &Layout, body: usize, p: &Placed) -> Vec<V> {
     {
         out.push(mul(p.forward, sense));
     }
-    if view.scene.start.iter().any(|s| matches!(s, Start::Speed(c, _) if c.body == body)) {
-        out.push(p.forward);
+    for start in &view.scene.start {
+        if let Start::Speed(c, num) = *start
+            && c.body == body
+        {
+            out.push(mul(p.forward, if view.of(num) < 0.0 { -1.0 } else { 1.0 }));
+        }
     }
     out
 }
@@ -489,16 +493,11 @@ fn body_labels(board: &mut Board, view: &View, plan: &Layout, index: usize, p: &
 
 /// Coefficients at the contacts.
 fn ties(board: &mut Board, view: &View, plan: &Layout) {
-    for tie in &view.scene.ties {
-        let (body, rest, sliding) = match tie {
-            Tie::Roll { body, mu_s, .. } => (*body, *mu_s, None),
-            Tie::Slip { body, mu_s, mu_k, .. } => (*body, Some(*mu_s), Some(*mu_k)),
-            Tie::Slide { body, mu_s, mu_k } => (*body, *mu_s, Some(*mu_k)),
-            Tie::Cord(_) => continue,
+    for (index, tie) in view.scene.ties.iter().enumerate() {
+        let (Tie::Roll { body, .. } | Tie::Slip { body, .. } | Tie::Slide { body, .. }) = *tie else {
+            continue;
         };
         let Some(p) = plan.bodies.get(body).and_then(Option::as_ref) else { continue };
-        let list = [(rest, r"\mu_s"), (sliding, r"\mu_k")];
-        let list = list.into_iter().filter_map(|(num, tex)| Some((num?, tex)));
         let contact = along(p.centre, p.top, -p.contact);
         let under = mul(p.top, -1.0);
         let aside = |far: f64| (along(along(contact, p.forward, far), under, 12.0), under);
@@ -508,12 +507,12 @@ fn ties(board: &mut Board, view: &View, plan: &Layout) {
         } else {
             vec![aside(0.0), aside(40.0), aside(-40.0), aside(clear)]
         };
-        let coefficient = |(num, tex): (Num, &str)| match num {
+        let coefficient = |(tex, num): (&str, Num)| match num {
             Num::Datum(_) => view.label(num, ""),
             // A bare number would say nothing.
             Num::Fixed(_) => joined(own(tex), view.value(num, "")),
         };
-        let rows = list.map(coefficient).collect();
+        let rows = view.coefficients(index).into_iter().map(coefficient).collect();
         board.wish_for(Wish { rows, size: TEXT, role: Role::Dot, spots, gap: 3.0, tie: Tied::Loose });
     }
 }
@@ -521,20 +520,21 @@ fn ties(board: &mut Board, view: &View, plan: &Layout) {
 fn couples(board: &mut Board, view: &View, plan: &Layout) {
     for couple in &view.scene.couples {
         let Some(p) = plan.bodies.get(couple.body).and_then(Option::as_ref) else { continue };
-        let clockwise = p.clockwise == couple.forward;
+        let forward = couple.forward == (view.of(couple.moment_n_m) >= 0.0);
+        let clockwise = p.clockwise == forward;
         let radius = (p.reach((1.0, 0.0)) * 0.45).max(16.0);
         let mid = angle(p.top);
         let (from, to) = if clockwise { (mid + 1.9, mid - 1.9) } else { (mid - 1.9, mid + 1.9) };
         board.curved_arrow(p.centre, radius, from, to, Role::Force);
         board.wish(
-            view.label(couple.moment_n_m, "N·m"),
+            view.size_label(couple.moment_n_m, "N·m"),
             vec![(along(p.centre, p.top, radius), p.top)],
             Role::Force,
         );
     }
 }
 
-/// Speeds and spins at the start.
+/// Speeds and spins at the start, in the sense that they have.
 fn starts(board: &mut Board, view: &View, plan: &Layout) {
     for start in &view.scene.start {
         let Start::Speed(Coordinate { body, degree }, num) = *start else { continue };
@@ -542,20 +542,22 @@ fn starts(board: &mut Board, view: &View, plan: &Layout) {
         if view.of(num).abs() < 1e-12 {
             continue;
         }
+        let actual = if view.of(num) < 0.0 { -1.0 } else { 1.0 };
         match degree {
             Degree::Along => {
                 let from = p.centre;
-                let to = along(from, p.forward, p.reach(p.forward) + 42.0);
+                let towards = mul(p.forward, actual);
+                let to = along(from, towards, p.reach(towards) + 42.0);
                 board.arrow(from, to, Role::Motion);
-                board.wish(view.label(num, "m/s"), vec![(to, p.forward), (to, p.top)], Role::Motion);
+                board.wish(view.size_label(num, "m/s"), vec![(to, towards), (to, p.top)], Role::Motion);
             }
             Degree::Turn => {
                 let radius = p.reach((1.0, 0.0)) + 11.0;
                 let mid = angle(p.top);
-                let sense = if p.clockwise { -1.0 } else { 1.0 };
+                let sense = if p.clockwise { -actual } else { actual };
                 board.curved_arrow(p.centre, radius, mid - sense * 0.55, mid + sense * 0.55, Role::Motion);
                 board.wish(
-                    view.label(num, "rad/s"),
+                    view.size_label(num, "rad/s"),
                     vec![(along(p.centre, p.top, radius), p.top)],
                     Role::Motion,
                 );

@@ -197,13 +197,29 @@ fn style(of: Option<&Picture>) -> String {
     out
 }
 
-/// A number with at most one decimal; never `-0`.
-pub fn number(x: f64) -> String {
-    let text = format!("{x:.1}");
-    match text.strip_suffix(".0") {
-        Some("-0") => "0".to_owned(),
-        Some(whole) => whole.to_owned(),
-        None => text,
+/// A number with at most one decimal, ties of the binary value to even; never `-0`. Written without allocation: a page of
+/// figures holds thousands.
+#[derive(Debug, Clone, Copy)]
+pub struct Coordinate(pub f64);
+
+impl std::fmt::Display for Coordinate {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let tenths = self.0 * 10.0;
+        let whole = tenths.round_ties_even();
+        // Near a tie the product may have rounded to the wrong side; beyond the integers of i64 there is nothing to round.
+        if ((tenths - whole).abs() - 0.5).abs() < 1e-6 || !(self.0.abs() < 1e9) {
+            let text = format!("{:.1}", self.0);
+            return match text.strip_suffix(".0") {
+                Some("-0") => f.write_str("0"),
+                Some(whole) => f.write_str(whole),
+                None => f.write_str(&text),
+            };
+        }
+        #[expect(clippy::cast_possible_truncation, reason = "below 1e10 and whole")]
+        let whole = whole as i64;
+        let (units, tenth) = (whole.unsigned_abs() / 10, whole.unsigned_abs() % 10);
+        let sign = if whole < 0 { "-" } else { "" };
+        if tenth == 0 { write!(f, "{sign}{units}") } else { write!(f, "{sign}{units}.{tenth}") }
     }
 }
 
@@ -229,34 +245,45 @@ enum Manner {
     Attributes,
 }
 
-/// The picture within a page: style by classes and CSS variables, light and dark by the reader's setting, black on white in
-/// print. `id` tells the pictures of one page apart.
-pub fn inline(picture: &Picture, id: &str) -> String {
-    let id = escaped(id);
-    let mut out = String::with_capacity(8192);
-    let _ = write!(
-        out,
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"fig\" viewBox=\"0 0 {w} {h}\" width=\"{w}\" height=\"{h}\" role=\"img\" aria-labelledby=\"{id}-t {id}-d\"><title id=\"{id}-t\">{}</title><desc id=\"{id}-d\">{}</desc>",
-        escaped(&picture.title),
-        escaped(&picture.desc),
-        w = number(picture.width),
-        h = number(picture.height),
-    );
-    let _ = writeln!(out, "<style>{}</style>", style(Some(picture)));
-    content(picture, Manner::Classes, &mut out);
-    out.push_str("</svg>\n");
-    out
+/// A picture for the screen: style by classes and CSS variables, light and dark by the reader's setting, black on white in
+/// print. Written once, however many pages and files show it.
+#[derive(Debug)]
+pub struct Screen<'p> {
+    picture: &'p Picture,
+    style: String,
+    content: String,
 }
 
-/// The picture as a file of its own, with the same looks and paper of its own below it.
-pub fn file(picture: &Picture) -> String {
-    let text = inline(picture, "figure");
-    let paper = "<rect width=\"100%\" height=\"100%\" style=\"fill:var(--f-paper)\"/>";
-    match text.split_once("</style>\n") {
-        Some((head, rest)) => {
-            format!("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n{head}</style>\n{paper}\n{rest}")
-        }
-        None => text,
+impl<'p> Screen<'p> {
+    /// Writes it.
+    pub fn new(picture: &'p Picture) -> Self {
+        let mut text = String::with_capacity(8192);
+        content(picture, Manner::Classes, &mut text);
+        Self { picture, style: style(Some(picture)), content: text }
+    }
+
+    fn written(&self, before: &str, id: &str, paper: &str) -> String {
+        let (id, picture) = (escaped(id), self.picture);
+        format!(
+            "{before}<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"fig\" viewBox=\"0 0 {w} {h}\" width=\"{w}\" height=\"{h}\" role=\"img\" aria-labelledby=\"{id}-t {id}-d\"><title id=\"{id}-t\">{}</title><desc id=\"{id}-d\">{}</desc><style>{}</style>\n{paper}{}</svg>\n",
+            escaped(&picture.title),
+            escaped(&picture.desc),
+            self.style,
+            self.content,
+            w = Coordinate(picture.width),
+            h = Coordinate(picture.height),
+        )
+    }
+
+    /// Within a page; `id` tells the pictures of one page apart.
+    pub fn inline(&self, id: &str) -> String {
+        self.written("", id, "")
+    }
+
+    /// As a file of its own, with the same looks and paper of its own below it.
+    pub fn file(&self) -> String {
+        let paper = "<rect width=\"100%\" height=\"100%\" style=\"fill:var(--f-paper)\"/>\n";
+        self.written("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n", "figure", paper)
     }
 }
 
@@ -268,8 +295,8 @@ pub fn print(picture: &Picture) -> String {
         "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {w} {h}\" width=\"{w}\" height=\"{h}\"><title>{}</title><desc>{}</desc>",
         escaped(&picture.title),
         escaped(&picture.desc),
-        w = number(picture.width),
-        h = number(picture.height),
+        w = Coordinate(picture.width),
+        h = Coordinate(picture.height),
     );
     content(picture, Manner::Attributes, &mut out);
     out.push_str("</svg>\n");
@@ -306,7 +333,8 @@ fn path(outline: &Outline, out: &mut String) {
     match outline {
         Outline::Lines { points, closed } => {
             for (i, p) in points.iter().enumerate() {
-                let _ = write!(out, "{}{} {}", if i == 0 { 'M' } else { 'L' }, number(p.0), number(p.1));
+                let _ =
+                    write!(out, "{}{} {}", if i == 0 { 'M' } else { 'L' }, Coordinate(p.0), Coordinate(p.1));
             }
             if *closed {
                 out.push('Z');
@@ -318,15 +346,15 @@ fn path(outline: &Outline, out: &mut String) {
                 (centre.0 + radius * c, centre.1 - radius * s)
             };
             let (a, b) = (at(*from), at(*to));
-            let _ = write!(out, "M{} {}", number(a.0), number(a.1));
+            let _ = write!(out, "M{} {}", Coordinate(a.0), Coordinate(a.1));
             // A circle is more than one arc can be.
             let parts = ((to - from).abs() / 3.0).ceil().max(1.0);
             let sweep = u8::from(to < from);
             let mut i = 1.0;
             while i <= parts {
                 let p = if i < parts { at(from + (to - from) * i / parts) } else { b };
-                let r = number(*radius);
-                let _ = write!(out, "A{r} {r} 0 0 {sweep} {} {}", number(p.0), number(p.1));
+                let r = Coordinate(*radius);
+                let _ = write!(out, "A{r} {r} 0 0 {sweep} {} {}", Coordinate(p.0), Coordinate(p.1));
                 i += 1.0;
             }
         }
@@ -339,7 +367,7 @@ fn content(picture: &Picture, manner: Manner, out: &mut String) {
     while let Some(Shape { outline, role }) = shapes.next() {
         let what = attributes(*role, manner);
         if let Outline::Circle { centre, radius } = outline {
-            let (x, y, r) = (number(centre.0), number(centre.1), number(*radius));
+            let (x, y, r) = (Coordinate(centre.0), Coordinate(centre.1), Coordinate(*radius));
             let _ = writeln!(out, "<circle {what} cx=\"{x}\" cy=\"{y}\" r=\"{r}\"/>");
             continue;
         }
@@ -361,8 +389,8 @@ fn content(picture: &Picture, manner: Manner, out: &mut String) {
 
 fn text(label: &Label, manner: Manner, out: &mut String) {
     let centre = (label.bounds.0 + label.bounds.2) / 2.0;
-    let (x, y) = (number(centre), number(label.at.1));
-    let size = number(label.size);
+    let (x, y) = (Coordinate(centre), Coordinate(label.at.1));
+    let size = Coordinate(label.size);
     let ink = letters(label.role);
     let _ = match manner {
         Manner::Classes if ink == "ink" => {
@@ -394,10 +422,10 @@ fn text(label: &Label, manner: Manner, out: &mut String) {
         }
         out.push_str("<tspan");
         if shift.abs() > 1e-9 {
-            let _ = write!(out, " dy=\"{}\"", number(shift));
+            let _ = write!(out, " dy=\"{}\"", Coordinate(shift));
         }
         if small {
-            let _ = write!(out, " font-size=\"{}\"", number(symbol::SMALL * label.size));
+            let _ = write!(out, " font-size=\"{}\"", Coordinate(symbol::SMALL * label.size));
         }
         if italic {
             out.push_str(" font-style=\"italic\"");
@@ -405,4 +433,28 @@ fn text(label: &Label, manner: Manner, out: &mut String) {
         let _ = write!(out, ">{}</tspan>", escaped(text));
     }
     out.push_str("</text>\n");
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Goldens show coordinates that happen to occur; ties and halves of a last binary digit do not.
+    #[test]
+    fn coordinates_are_rounded_as_the_decimal_value_is() {
+        let mut bits = 0x9e37_79b9_7f4a_7c15_u64;
+        let mut values =
+            vec![0.0, -0.0, 0.05, -0.05, 0.25, 0.35, 1e9, -1e300, 0.049_999_999_999_999_996, f64::NAN];
+        for _ in 0..100_000 {
+            bits = bits.wrapping_mul(0x5851_f42d_4c95_7f2d).wrapping_add(0x1405_7b7e_f767_814f);
+            #[expect(clippy::cast_precision_loss, reason = "any number will do")]
+            let near = ((bits >> 40) as f64 - 8_388_608.0) / 1000.0;
+            values.extend([near, (near * 20.0).round() / 20.0, f64::from_bits(bits)]);
+        }
+        for x in values {
+            let text = format!("{x:.1}");
+            let short = text.strip_suffix(".0").unwrap_or(&text);
+            assert_eq!(Coordinate(x).to_string(), if short == "-0" { "0" } else { short }, "{x:e}");
+        }
+    }
 }

@@ -6,7 +6,7 @@ use crate::figure::picture::Role;
 use crate::figure::picture::Run;
 use crate::figure::picture::RunStyle;
 use crate::figure::svg;
-use crate::figure::svg::number;
+use crate::figure::svg::Coordinate;
 use std::fmt::Write as _;
 
 /// Greek letters and signs that TeX fonts have under a name.
@@ -66,7 +66,7 @@ const NAMES: &[(char, &str)] = &[
 pub fn picture(picture: &Picture) -> String {
     let mut out = String::with_capacity(8192);
     for line in picture.title.lines().chain(picture.desc.lines()) {
-        let _ = writeln!(out, "% {line}");
+        let _ = writeln!(out, "% {}", line.replace(char::is_control, " "));
     }
     out.push_str("\\begin{tikzpicture}[x=0.75pt,y=-0.75pt,line cap=round,line join=round]\n");
     let mut used: Vec<&str> = Vec::new();
@@ -84,8 +84,8 @@ pub fn picture(picture: &Picture) -> String {
     let _ = writeln!(
         out,
         "\\useasboundingbox (0,0) rectangle ({},{});",
-        number(picture.width),
-        number(picture.height)
+        Coordinate(picture.width),
+        Coordinate(picture.height)
     );
     for shape in &picture.shapes {
         let _ = write!(out, "\\path[{}] ", options(shape.role));
@@ -98,7 +98,7 @@ pub fn picture(picture: &Picture) -> String {
                 }
             }
             Outline::Circle { centre, radius } => {
-                let _ = write!(out, "{} circle[radius={}pt]", place(*centre), number(radius * 0.75));
+                let _ = write!(out, "{} circle[radius={}pt]", place(*centre), Coordinate(radius * 0.75));
             }
             Outline::Arc { centre, radius, from, to } => {
                 // The y axis points down, radii in points do not follow it: angles stay as seen.
@@ -107,9 +107,9 @@ pub fn picture(picture: &Picture) -> String {
                 let _ = write!(
                     out,
                     "{start} arc[start angle={},end angle={},radius={}pt]",
-                    number(from.to_degrees()),
-                    number(to.to_degrees()),
-                    number(radius * 0.75)
+                    Coordinate(from.to_degrees()),
+                    Coordinate(to.to_degrees()),
+                    Coordinate(radius * 0.75)
                 );
             }
         }
@@ -117,7 +117,7 @@ pub fn picture(picture: &Picture) -> String {
     }
     for label in &picture.labels {
         let centre = (label.bounds.0 + label.bounds.2) / 2.0;
-        let size = number(label.size * 0.75);
+        let size = Coordinate(label.size * 0.75);
         let _ = writeln!(
             out,
             "\\node[anchor=base,inner sep=0pt,fig{},font=\\fontsize{{{size}}}{{{size}}}\\selectfont] at {} {{{}}};",
@@ -131,7 +131,7 @@ pub fn picture(picture: &Picture) -> String {
 }
 
 fn place(p: Point) -> String {
-    format!("({},{})", number(p.0), number(p.1))
+    format!("({},{})", Coordinate(p.0), Coordinate(p.1))
 }
 
 fn options(role: Role) -> String {
@@ -198,7 +198,9 @@ fn letter(c: char) -> String {
     match c {
         '\u{a0}' => "~".to_owned(),
         '\\' => r"\textbackslash{}".to_owned(),
-        '{' | '}' | '%' | '$' | '&' | '#' | '_' => format!("\\{c}"),
+        '{' | '}' | '%' | '&' | '#' | '_' => format!("\\{c}"),
+        // In braces: a formula may begin right after it.
+        '$' => r"{\$}".to_owned(),
         '~' => r"\textasciitilde{}".to_owned(),
         '^' => r"\textasciicircum{}".to_owned(),
         c => c.to_string(),

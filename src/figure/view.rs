@@ -1,6 +1,7 @@
 //! A variant as a picture sees it: numbers of the scene, their symbols and drawn values as label text, words.
 use crate::bank::FigureLabels;
 use crate::bank::Problem;
+use crate::figure::names;
 use crate::figure::picture::Run;
 use crate::figure::picture::RunStyle;
 use crate::figure::symbol;
@@ -14,6 +15,7 @@ use crate::scene::Quantity;
 use crate::scene::RotaryInertia;
 use crate::scene::Scene;
 use crate::scene::Shape;
+use crate::scene::Tie;
 use crate::words::Words;
 
 /// A variant with what is needed to label its picture.
@@ -45,12 +47,37 @@ impl<'a> View<'a> {
         Some(Self { problem, variant, scene, words, labels, worked: false })
     }
 
+    /// Does this cord leave its fixed axle upward, or downward? `None`: along the level.
+    pub fn upward(&self, cord: &str) -> Option<bool> {
+        let said = &self.problem.cases.get(self.variant.case)?.upright;
+        said.iter().find(|(name, _)| name == cord).map(|(_, up)| *up)
+    }
+
     /// A number of the scene.
     pub fn of(&self, num: Num) -> f64 {
         match num {
             Num::Datum(i) => self.variant.data.get(i).copied().unwrap_or(0.0),
             Num::Fixed(x) => x,
         }
+    }
+
+    /// The coefficients of friction that are given for a contact, by the index of its tie: what for, and the number.
+    pub fn coefficients(&self, tie: usize) -> Vec<(&'static str, Num)> {
+        let case = self.problem.cases.get(self.variant.case);
+        // A contact that is left open shows both of its coefficients, whether it rolls or slips.
+        let open = || case.and_then(|c| c.touches.iter().find(|(t, _)| *t == tie)).map(|(_, mu_k)| *mu_k);
+        let (rest, sliding) = match self.scene.ties.get(tie) {
+            Some(Tie::Roll { mu_s, .. }) => (*mu_s, open()),
+            Some(Tie::Slip { mu_s, mu_k, .. }) => (Some(*mu_s), Some(*mu_k)),
+            Some(Tie::Slide { mu_s, mu_k, .. }) => (*mu_s, Some(*mu_k)),
+            Some(Tie::Cord(_)) | None => (None, None),
+        };
+        // A datum that is both is told once.
+        let rest = rest.filter(|rest| sliding != Some(*rest) || matches!(rest, Num::Fixed(_)));
+        [(r"\mu_s", rest), (r"\mu_k", sliding)]
+            .into_iter()
+            .filter_map(|(tex, num)| Some((tex, num?)))
+            .collect()
     }
 
     /// Symbol of a datum; nothing for a constant.
@@ -88,6 +115,30 @@ impl<'a> View<'a> {
             return symbol;
         }
         joined(symbol, self.value(num, unit))
+    }
+
+    /// Label of the size of a number whose sense an arrow shows: `|ω_0| = 11 rad/s` of -11 rad/s.
+    pub fn size_label(&self, num: Num, unit: &str) -> Vec<Run> {
+        if self.labels == FigureLabels::Symbols && !self.symbol(num).is_empty() {
+            return names::magnitude(self.symbol(num), self.of(num) < 0.0);
+        }
+        self.size_runs(num, unit)
+    }
+
+    /// The same as text, whatever the labels say.
+    pub fn size_text(&self, num: Num, unit: &str) -> String {
+        symbol::plain(&self.size_runs(num, unit))
+    }
+
+    fn size_runs(&self, num: Num, unit: &str) -> Vec<Run> {
+        let mut value = self.value(num, unit);
+        if let Some(first) = value.first_mut() {
+            first.text = first.text.trim_start_matches('−').to_owned();
+        }
+        match self.symbol(num) {
+            symbol if symbol.is_empty() => value,
+            symbol => joined(names::magnitude(symbol, self.of(num) < 0.0), value),
+        }
     }
 
     /// `R = 0.40 m` as text, whatever the labels say.

@@ -1,7 +1,7 @@
 //! What an answer that is not right may still earn: as a known wrong method, or because it follows correctly from the
 //! student's own wrong answer to an earlier part.
 use crate::grade::choose::Winner;
-use crate::grade::diagnose::diagnose;
+use crate::grade::diagnose;
 use crate::grade::judge::accepts;
 use crate::grade::rules::Rules;
 use crate::grade::table::KeyTable;
@@ -58,7 +58,7 @@ pub(crate) fn credit(
             Some(methods) => share(methods),
             None => {
                 let (parts, part, _) = table.problem_of(who, what);
-                share(&diagnose(x, part, parts).methods)
+                share(&diagnose::methods(x, part, parts))
             }
         };
         if found > best.share {

@@ -1,8 +1,16 @@
 //! What a wrong number has in common with numbers that are known: wrong methods, powers of ten, units, other parts. It says
 //! only what the match proves, and never makes a wrong answer right.
+use crate::answer::figures;
+use crate::answer::figures::Figures;
+use crate::answer::read::Reading;
+use crate::answer::read::UnitCache;
+use crate::answer::read::read;
 use crate::key::Answer;
 use crate::key::KeyEntry;
 use crate::key::WrongValue;
+use crate::num::shown;
+use crate::num::trig::log10;
+use crate::num::trig::power;
 use crate::units::Dimension;
 
 /// What a wrong answer fits.
@@ -21,7 +29,7 @@ pub enum Slip {
     PowerOfTen(i32),
     /// The right number in the first unit, given in the second.
     Unit(&'static str, &'static str),
-    /// The right number, rounded to this many figures.
+    /// The right number rounded to the figures that were written, this many, and that are too few.
     FewerFigures(usize),
     /// As far off as rounding to three figures on the way explains.
     Drift,
@@ -61,8 +69,6 @@ pub struct Known {
     share: f64,
     /// How far off a drift may be.
     reach: f64,
-    /// The key rounded to two figures and to one; NaN where it cannot be.
-    rounded: [f64; 2],
     /// The pairs of [`CONFUSED`] that may apply.
     confused: (u8, u8),
     /// Another part of the problem is of the same dimension.
@@ -97,25 +103,31 @@ impl Known {
         let others = parts.iter().enumerate().filter(|(i, _)| *i != part).filter_map(|(_, p)| p.as_ref());
         let alike = others.into_iter().any(|other| other.unit.dimension() == dimension);
         let reach = (DRIFT_PER_COND * entry.cond.unwrap_or(0.0) * key.abs()).min(DRIFT_ENDS * half_width);
-        let rounded = [2, 1].map(|figures| rounded(key, figures).unwrap_or(f64::NAN));
-        Some(Known { key, magnitude, share, reach, rounded, confused, alike, wrong: (0, 0) })
+        Some(Known { key, magnitude, share, reach, confused, alike, wrong: (0, 0) })
     }
 
-    /// What the number `x`, SI, judged wrong for `parts[part]`, has in common with what is known of its problem; `wrong` is
-    /// where wrong methods come to.
+    /// What the number `x`, SI, written as `cell` and judged wrong for `parts[part]`, has in common with what is known of its
+    /// problem; `wrong` is where wrong methods come to.
     pub fn diagnose(
         &self,
         x: f64,
+        cell: &[u8],
         part: usize,
         parts: &[Option<KeyEntry>],
         wrong: &[WrongValue],
     ) -> Diagnosis {
-        let mut found = Diagnosis::default();
-        // The right magnitude with a sign that nobody asked for fits nothing else.
-        if self.magnitude && x < 0.0 && fits(-x, self.key, self.share) {
-            return found;
-        }
-        let x = if self.magnitude { x.abs() } else { x };
+        let Some(x) = self.compared(x) else { return Diagnosis::default() };
+        Diagnosis { methods: self.methods(x, wrong), slip: self.slip(x, cell, part, parts) }
+    }
+
+    /// The number that is compared. The right magnitude with a sign that nobody asked for fits nothing else.
+    fn compared(&self, x: f64) -> Option<f64> {
+        let signed = self.magnitude && x < 0.0 && fits(-x, self.key, self.share);
+        (!signed).then_some(if self.magnitude { x.abs() } else { x })
+    }
+
+    /// The wrong methods that a number fits, the nearest first.
+    fn methods(&self, x: f64, wrong: &[WrongValue]) -> Vec<u16> {
         // Mostly none fits: first without a branch for each.
         if wrong.iter().fold(false, |any, w| any | fits(x, w.value, self.share)) {
             let miss = |value: f64| (x - value).abs() / width(value, self.share);
@@ -123,13 +135,12 @@ impl Known {
             let mut methods: Vec<(f64, u16)> = near.map(|w| (miss(w.value), w.method)).collect();
             // Stable: of equally near ones the first of the bank.
             methods.sort_by(|a, b| a.0.total_cmp(&b.0));
-            found.methods = methods.iter().map(|(_, method)| *method).collect();
+            return methods.iter().map(|(_, method)| *method).collect();
         }
-        found.slip = self.slip(x, part, parts);
-        found
+        Vec::new()
     }
 
-    fn slip(&self, x: f64, part: usize, parts: &[Option<KeyEntry>]) -> Option<Slip> {
+    fn slip(&self, x: f64, cell: &[u8], part: usize, parts: &[Option<KeyEntry>]) -> Option<Slip> {
         let Known { key, share, .. } = *self;
         // Between these ratios no power of ten fits a tolerance below a half.
         let ratio = x / key;
@@ -147,10 +158,8 @@ impl Known {
                 return Some(Slip::Unit(from, to));
             }
         }
-        for (figures, rounded) in [2, 1].into_iter().zip(self.rounded) {
-            if (x - rounded).abs() <= 1e-9 * rounded.abs() {
-                return Some(Slip::FewerFigures(figures));
-            }
+        if let Some(figures) = self.rounded_to(x, cell) {
+            return Some(Slip::FewerFigures(figures));
         }
         if (x - key).abs() <= self.reach {
             return Some(Slip::Drift);
@@ -172,24 +181,38 @@ impl Known {
             })
             .map(|(i, _)| Slip::OtherPart(i))
     }
+
+    /// How many figures were written, if they are those of the right number rounded to that many, in the unit of the answer.
+    fn rounded_to(&self, x: f64, cell: &[u8]) -> Option<usize> {
+        // Rounded to one figure a number changes by half of itself at most.
+        if !((x - self.key).abs() <= 0.5 * x.abs()) {
+            return None;
+        }
+        let cell = std::str::from_utf8(cell).ok()?;
+        let Figures { count, number } = figures::written(cell)?;
+        // The unit, the point and the power of ten drop out: both numbers in units of the last figure.
+        let right = number * (self.key / x);
+        let same = |a: f64, b: f64| (a - b).abs() <= 1e-9 * b;
+        if !same(shown::rounded(right, count), number) {
+            return None;
+        }
+        // Of `sqrt(2)` the 2 is no answer.
+        let Reading::Number(read) = read(cell, &mut UnitCache::default()) else { return None };
+        let scale = read.value.abs() / number;
+        same(scale, power(10.0, log10(scale).round())).then_some(count)
+    }
 }
 
-/// As [`Known::diagnose`], for a single answer.
-pub fn diagnose(x: f64, part: usize, parts: &[Option<KeyEntry>]) -> Diagnosis {
-    match (Known::of(part, parts), parts.get(part)) {
-        (Some(known), Some(Some(entry))) => known.diagnose(x, part, parts, &entry.wrong),
-        _ => Diagnosis::default(),
-    }
+/// The wrong methods that the number `x`, SI, judged wrong for `parts[part]`, fits: those of [`Known::diagnose`].
+pub fn methods(x: f64, part: usize, parts: &[Option<KeyEntry>]) -> Vec<u16> {
+    let entry = parts.get(part).and_then(Option::as_ref);
+    let Some((known, entry)) = Known::of(part, parts).zip(entry) else { return Vec::new() };
+    known.compared(x).map_or_else(Vec::new, |x| known.methods(x, &entry.wrong))
 }
 
 fn ten_to(n: i32) -> f64 {
     let ten = crate::units::TENS[n.unsigned_abs() as usize];
     if n < 0 { 1.0 / ten } else { ten }
-}
-
-/// A number rounded to so many figures.
-fn rounded(value: f64, figures: usize) -> Option<f64> {
-    format!("{value:.*e}", figures.checked_sub(1)?).parse().ok()
 }
 
 #[cfg(test)]

@@ -92,7 +92,7 @@ impl<'w> Feedback<'w> {
         }
     }
 
-    /// The words that are offered: `up, down, stays`.
+    /// The words that are offered: `up, down`.
     pub fn offered(&self, offered: &[&str]) -> String {
         let words: Vec<&str> = offered.iter().map(|w| self.word(w)).collect();
         words.join(", ")
@@ -101,6 +101,15 @@ impl<'w> Feedback<'w> {
     /// A number as this language writes it.
     pub fn number(&self, value: f64) -> String {
         self.words.number(&value.to_string())
+    }
+
+    /// A number as it was read, with its unit: ten figures, which nobody who writes a fraction or a root exceeds.
+    pub fn read_as(&self, value: f64, unit: &str) -> String {
+        let rounded: f64 = format!("{value:.9e}").parse().unwrap_or(value);
+        let plain = rounded == 0.0 || (1e-5..1e16).contains(&rounded.abs());
+        let text = if plain { format!("{rounded}") } else { format!("{rounded:e}") };
+        let number = self.words.number(&text);
+        if unit == "1" { number } else { format!("{number} {unit}") }
     }
 
     /// Is a decimal comma worth a note?
@@ -117,8 +126,16 @@ impl<'w> Feedback<'w> {
             Why::Marks => "feedback.marks",
             Why::TwoNumbers => "feedback.two_numbers",
             Why::Formula => "feedback.formula",
-            Why::SignAndWord => "feedback.sign_and_word",
             Why::OddWord => "feedback.odd_word",
+            Why::SignAndWord { size, unit, word } => {
+                let mut size = self.words.number(size);
+                if !unit.is_empty() {
+                    size.push_str(&format!(" {unit}"));
+                }
+                let [way, other] = [*word, word.opposite()].map(|w| self.word(w.as_str()).to_owned());
+                return self
+                    .fill("feedback.sign_and_word", &[("size", &size), ("way", &way), ("other", &other)]);
+            }
             Why::Unit(fault) => return self.unit(fault),
         }))
     }
@@ -135,6 +152,10 @@ impl<'w> Feedback<'w> {
             UnitFault::CaseMatters { name, either } => {
                 let either = either.join(self.get("feedback.unit_or"));
                 self.fill("feedback.unit_case", &[("name", name), ("either", &either)])
+            }
+            UnitFault::Either { name, either } => {
+                let either = either.join(self.get("feedback.unit_or"));
+                self.fill("feedback.unit_either", &[("name", name), ("either", &either)])
             }
             UnitFault::Stray { found, column } => {
                 let found = found.escape_debug().to_string();

@@ -1,4 +1,5 @@
 //! The comparison of one cell with its key: readable, dimension, value, direction.
+use crate::answer::read::Note;
 use crate::answer::read::Number;
 use crate::answer::read::Reading;
 use crate::answer::read::UnitCache;
@@ -69,9 +70,11 @@ fn judge_word<'w>(word: Word, right: &str, offered: &[&str], say: &Feedback<'w>)
         Word::Left if level => Word::Back,
         other => other,
     };
+    // To stay is no direction on any list (on sheets of earlier versions it was), and an answer all the same.
+    let stays = word == Word::Stays && (level || offered.contains(&Word::Up.as_str()));
     if word.as_str() == right {
         (Verdict::Right, Cow::Borrowed(say.get("feedback.right_word")))
-    } else if offered.contains(&word.as_str()) {
+    } else if stays || offered.contains(&word.as_str()) {
         (Verdict::Wrong, Cow::Borrowed(say.get("feedback.another_word")))
     } else {
         let pieces = [("word", say.word(word.as_str())), ("words", &*say.offered(offered))];
@@ -94,7 +97,7 @@ fn judge_number<'w>(
     say: &Feedback<'w>,
     compared: &mut f64,
 ) -> (Verdict, Cow<'w, str>) {
-    let unit = match &number.unit {
+    let unit = match number.unit_for(&entry.unit) {
         Some(unit) if !entry.unit.agrees(unit) => {
             return (Verdict::WrongDimension, say.mismatch(&entry.unit, unit));
         }
@@ -105,7 +108,7 @@ fn judge_number<'w>(
         None => &entry.unit,
     };
     let angular = entry.unit.dimension().0[3] != 0 || entry.unit.dimension().0 == [0, 0, -1, 0];
-    if number.turning && !angular {
+    if number.notes.contains(&Note::Turning) && !angular {
         return (Verdict::Unreadable, say.why(&Why::OddWord));
     }
     let word_counts = key.directed || !key.magnitude;
@@ -148,20 +151,28 @@ fn judge_number<'w>(
         _ => say.outside,
     };
     let mut notes: Vec<Cow<str>> = Vec::new();
-    if number.comma && say.comma_is_odd() {
+    if number.notes.contains(&Note::Comma) && say.comma_is_odd() {
         notes.push(Cow::Borrowed(say.get("feedback.decimal_comma")));
+    }
+    if number.notes.contains(&Note::ReadAs) {
+        let unit = number.unit.as_ref().map_or("1", |_| unit.ascii());
+        let value = say.read_as(number.value, unit);
+        notes.push(say.fill("feedback.read_as", &[("value", &value)]));
+    }
+    if number.notes.contains(&Note::Uncertainty) {
+        notes.push(Cow::Borrowed(say.get("feedback.uncertainty")));
     }
     if turns {
         let time = unit.ascii().strip_prefix("1/").unwrap_or(unit.ascii());
         notes.push(say.fill("feedback.revolutions", &[("unit", unit.ascii()), ("time", time)]));
     }
-    if number.about {
+    if number.notes.contains(&Note::About) {
         notes.push(Cow::Borrowed(say.get("feedback.about")));
     }
-    if number.turning {
+    if number.notes.contains(&Note::Turning) {
         notes.push(Cow::Borrowed(say.get("feedback.turning")));
     }
-    if number.case_forgiven {
+    if number.case_forgiven || number.unit.as_deref().is_some_and(|u| u != unit) {
         notes.push(say.fill("feedback.unit_read", &[("unit", unit.ascii())]));
     }
     if number.word.is_some() && !word_counts {

@@ -20,6 +20,8 @@ pub(crate) struct WideColumn {
     pub part: String,
     /// Which column of the table it is.
     pub column: Option<u32>,
+    /// The header has more in it than the part.
+    loose: bool,
 }
 
 pub(crate) enum Form {
@@ -49,6 +51,37 @@ fn plain_header(text: &str) -> String {
     text.trim().to_lowercase().replace([' ', '-'], "_")
 }
 
+/// The one known part that a header contains, as form services write it: `Problem 2: 2.omega`, `1.v (m/s)`. `None`: none, or
+/// several.
+fn contained(header: &str, table: &KeyTable) -> Option<(String, String, u32)> {
+    let mut found: Option<(String, String, u32)> = None;
+    let mut key = Vec::new();
+    for token in header.split(|c: char| !(c.is_alphanumeric() || matches!(c, '.' | '_' | '-'))) {
+        let Some((problem, part)) = token.trim_matches(['.', '-']).split_once('.') else { continue };
+        joined(problem.as_bytes(), part.as_bytes(), &mut key);
+        let Some(column) = table.column(&key) else { continue };
+        if found.as_ref().is_some_and(|(_, _, other)| *other != column) {
+            return None;
+        }
+        found = Some((problem.to_owned(), part.to_owned(), column));
+    }
+    found
+}
+
+/// Of several columns for one part that which names it best: told with --columns or with nothing but the part in its header;
+/// or that whose whole header ends the others' (`Points - Problem 2: 2.omega` is about `Problem 2: 2.omega`).
+fn the_best(wide: Vec<WideColumn>) -> Vec<WideColumn> {
+    let about = |one: &WideColumn, other: &WideColumn| {
+        let (one_text, other_text) = (plain_header(&one.header), plain_header(&other.header));
+        one.field != other.field
+            && one.loose
+            && one.column == other.column
+            && (!other.loose || (one_text.len() > other_text.len() && one_text.ends_with(&other_text)))
+    };
+    let kept: Vec<bool> = wide.iter().map(|one| !wide.iter().any(|other| about(one, other))).collect();
+    wide.into_iter().zip(kept).filter(|(_, kept)| *kept).map(|(one, _)| one).collect()
+}
+
 pub(crate) fn layout(
     header: Option<Header>,
     table: &KeyTable,
@@ -61,6 +94,14 @@ pub(crate) fn layout(
         ]);
     };
     let mut findings = Vec::new();
+    // Lists that a finding has printed.
+    let mut lists: Vec<String> = Vec::new();
+    let mut listed = false;
+    let mut columns_are = |more: Option<String>| {
+        let shown = header.fields[..header.fields.len().min(30)].join(" | ");
+        let list = (!std::mem::replace(&mut listed, true)).then(|| format!("the columns are: {shown}"));
+        list.into_iter().chain(more).collect::<Vec<String>>().join("; ")
+    };
     const ROLES: [&str; 5] = ["student", "problem", "part", "answer", "submitted_at"];
     // `problem.part` stands for a column of a wide file
     let mut mapped_parts = Vec::new();
@@ -77,7 +118,19 @@ pub(crate) fn layout(
         joined(problem.as_bytes(), part.as_bytes(), &mut key);
         let column = table.column(&key);
         if column.is_none() {
-            findings.push(Finding::new("--columns", table.unknown_part(problem, part, Feedback::english())));
+            let said = table.unknown_part(problem, part, Feedback::english());
+            // The list behind it is printed once.
+            let said = match said.split_once(" parts: ").or_else(|| said.split_once(" problems: ")) {
+                Some((before, list)) if lists.iter().any(|l| l == list) => {
+                    before.trim_end_matches(';').to_owned()
+                }
+                Some((_, list)) => {
+                    lists.push(list.to_owned());
+                    said
+                }
+                None => said,
+            };
+            findings.push(Finding::new("--columns", said));
         }
         let exact: Vec<usize> = (0..header.fields.len()).filter(|i| header.fields[*i] == *wanted).collect();
         let hits = if exact.is_empty() {
@@ -93,15 +146,16 @@ pub(crate) fn layout(
                 problem: problem.to_owned(),
                 part: part.to_owned(),
                 column,
+                loose: false,
             });
         } else {
             let said = match hits.len() {
                 0 => format!("no column `{wanted}`"),
                 n => format!("column `{wanted}` stands there {n} times"),
             };
-            let hint =
-                format!("the columns are: {}", header.fields[..header.fields.len().min(30)].join(" | "));
-            findings.push(Finding::new("header", said).at(header.line as usize, 1).hint(hint));
+            let fault = Finding::new("header", said).at(header.line as usize, 1);
+            let hint = columns_are(None);
+            findings.push(if hint.is_empty() { fault } else { fault.hint(hint) });
         }
     }
     let mut find = |role: &str, required: bool| -> Option<usize> {
@@ -128,10 +182,7 @@ pub(crate) fn layout(
                 .hint("rename all but one"),
             );
         } else if hits.is_empty() && (required || mapped.is_some()) {
-            let hint = format!(
-                "the columns are: {}; map one with --columns {role}=\"Its header\"",
-                header.fields.iter().take(30).map(String::as_str).collect::<Vec<_>>().join(" | ")
-            );
+            let hint = columns_are(Some(format!("map one with --columns {role}=\"Its header\"")));
             findings.push(
                 Finding::new("header", format!("no column `{}`", mapped.unwrap_or(role)))
                     .at(header.line as usize, 1)
@@ -149,25 +200,27 @@ pub(crate) fn layout(
         if mapped_parts.iter().any(|m| m.field == field) {
             continue;
         }
-        let Some((problem, part)) = text.split_once('.') else { continue };
-        let (problem, part) = (problem.trim(), part.trim());
-        let number = !problem.is_empty() && problem.bytes().all(|b| b.is_ascii_digit());
-        if Some(field) == student || part.is_empty() || !(number || table.has_problem(problem)) {
+        if Some(field) == student || Some(field) == submitted {
             continue;
         }
+        let (problem, part) = text.split_once('.').map_or(("", ""), |(a, b)| (a.trim(), b.trim()));
+        let number = !problem.is_empty() && problem.bytes().all(|b| b.is_ascii_digit());
+        let named = !part.is_empty() && (number || table.has_problem(problem));
         joined(problem.as_bytes(), part.as_bytes(), &mut key);
-        let column = table.column(&key);
-        wide.push(WideColumn {
-            field,
-            header: text.clone(),
-            problem: problem.to_owned(),
-            part: part.to_owned(),
-            column,
-        });
+        let exact = if named { table.column(&key) } else { None };
+        let inside = if exact.is_some() { None } else { contained(text, table) };
+        let header = text.clone();
+        if let Some((problem, part, column)) = inside {
+            wide.push(WideColumn { field, header, problem, part, column: Some(column), loose: true });
+        } else if named {
+            let (problem, part) = (problem.to_owned(), part.to_owned());
+            wide.push(WideColumn { field, header, problem, part, column: exact, loose: false });
+        }
     }
     let told = !mapped_parts.is_empty();
     wide.append(&mut mapped_parts);
     wide.sort_by_key(|w| w.field);
+    let wide = the_best(wide);
     let names_long = |role: &str| {
         columns.iter().any(|(r, _)| r == role) || header.fields.iter().any(|h| plain_header(h) == role)
     };
@@ -181,7 +234,10 @@ pub(crate) fn layout(
                         format!("column `{}` asks for a part that stands there already", one.header),
                     )
                     .at(header.line as usize, 1)
-                    .hint("keep one column for each part"),
+                    .hint(format!(
+                        "keep one column for each part, or say which it is: --columns {}.{}=\"Its header\"",
+                        one.problem, one.part
+                    )),
                 );
             }
         }

@@ -18,7 +18,7 @@ pub(crate) struct Quick {
     spellings: Spellings,
     /// For each spelling and asked unit, where it is known.
     pairs: Vec<Option<Pair>>,
-    student: Option<(Vec<u8>, u32)>,
+    student: Option<(Vec<u8>, (u32, bool))>,
     parts: Vec<Option<Part>>,
     key: Vec<u8>,
 }
@@ -81,15 +81,15 @@ impl Quick {
         pair
     }
 
-    /// The number of a student.
+    /// The number of a student, and whether upper and lower case had to be forgiven.
     #[inline]
-    pub fn student(&mut self, table: &KeyTable, id: &[u8]) -> Option<u32> {
+    pub fn student(&mut self, table: &KeyTable, id: &[u8]) -> Option<(u32, bool)> {
         if let Some((last, number)) = &self.student
             && last == id
         {
             return Some(*number);
         }
-        let number = table.student(id)?;
+        let number = table.student(id).map(|n| (n, false)).or_else(|| table.student_by_case(id))?;
         let last = self.student.get_or_insert_default();
         last.0.clear();
         last.0.extend_from_slice(id);

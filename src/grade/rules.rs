@@ -4,6 +4,7 @@ use crate::grade::table::KeyTable;
 use crate::policy::Counts;
 use crate::policy::Part;
 use crate::policy::Policy;
+use crate::policy::Unread;
 
 /// Settings, ready for many rows.
 #[derive(Debug, Clone)]
@@ -34,7 +35,11 @@ impl<'p> Rules<'p> {
                 let all: Vec<String> =
                     table.columns.iter().take(30).map(|c| format!("{}.{}", c.number, c.part)).collect();
                 let fault = Finding::new(field, format!("the set has no part `{}`", part.text()));
-                faults.push(fault.at(part.at.0, part.at.1).hint(format!("its parts: {}", all.join(", "))));
+                let (fault, hint) =
+                    (fault.at(part.at.0, part.at.1), format!("its parts: {}", all.join(", ")));
+                // The list is printed once.
+                let said = faults.iter().any(|f| f.hint.as_ref() == Some(&hint));
+                faults.push(if said { fault } else { fault.hint(hint) });
             }
         };
         for (part, _) in &policy.points {
@@ -132,6 +137,19 @@ impl<'p> Rules<'p> {
         }
         let due = self.due[student];
         Some(if due == i64::MAX { 1.0 } else { self.policy.late_factor(due, moment) })
+    }
+    /// Does it matter when this student handed in?
+    pub(crate) fn matters(&self, student: usize) -> bool {
+        self.policy.timed() && (self.due[student] != i64::MAX || self.closes[student] != i64::MAX)
+    }
+    /// What is left of the points of an answer of which nobody knows when it was handed in; `None`: nothing counts.
+    pub(crate) fn undated(&self, student: usize) -> Option<f64> {
+        let late = &self.policy.late;
+        match late.unread {
+            Some(Unread::Late) if self.closes[student] != i64::MAX => None,
+            Some(Unread::Late) if self.matters(student) => Some((1.0 - late.most).clamp(0.0, 1.0)),
+            _ => Some(1.0),
+        }
     }
     /// What who answered a part, or did not, gets at least, and why.
     pub(crate) fn correction(&self, column: usize, answered: bool) -> Option<(f64, &str)> {

@@ -46,10 +46,10 @@ use crate::grade::verdict::Judgement;
 use crate::grade::verdict::Verdict;
 use crate::grade::write::push_float;
 use crate::grade::write::push_number;
-use crate::grade::write::push_text;
+use crate::guard::push_text;
 use crate::policy;
 use crate::policy::Counts;
-use crate::policy::time;
+use crate::policy::Unread;
 use crate::policy::time::Evidence;
 use crate::policy::time::Moment;
 use std::borrow::Cow;
@@ -137,6 +137,8 @@ pub struct Graded {
     pub untimed: u64,
     /// Lateness bears on marks, and so many of the answers that count have no time that can be read.
     pub undated: u64,
+    /// Answers under an id that differs in upper and lower case alone from that of the roster.
+    pub respelled: u64,
     /// Columns of the file that were not used.
     pub unused_columns: Vec<String>,
 }
@@ -170,6 +172,7 @@ struct Worker {
     points: Vec<(u32, f64)>,
     cells: u64,
     undated: u64,
+    respelled: u64,
     counts: VerdictCounts,
     by_column: Vec<VerdictCounts>,
 }
@@ -185,6 +188,7 @@ impl Worker {
             points: Vec::new(),
             cells: 0,
             undated: 0,
+            respelled: 0,
             counts: VerdictCounts::default(),
             by_column: vec![VerdictCounts::default(); table.columns.len()],
         }
@@ -201,6 +205,8 @@ struct Cell<'a> {
     part: &'a [u8],
     answer: &'a [u8],
     who: Option<u32>,
+    /// The id differs in upper and lower case from that of the roster.
+    respelled: bool,
     what: Option<u32>,
 }
 
@@ -214,7 +220,8 @@ fn cells<'a>(
     mut each: impl FnMut(&mut Quick, &Cell<'a>),
 ) {
     let student = trimmed(record.get(layout.student).unwrap_or_default());
-    let who = quick.student(table, student);
+    let found = quick.student(table, student);
+    let (who, respelled) = (found.map(|(who, _)| who), found.is_some_and(|(_, respelled)| respelled));
     let line = record.line();
     match &layout.form {
         Form::Long { problem, part, answer } => {
@@ -224,7 +231,7 @@ fn cells<'a>(
             );
             let what = quick.column(table, problem, part);
             let answer = record.get(*answer).unwrap_or_default();
-            each(quick, &Cell { line, column: None, student, problem, part, answer, who, what });
+            each(quick, &Cell { line, column: None, student, problem, part, answer, who, respelled, what });
         }
         Form::Wide(all) => {
             for (index, one) in all.iter().enumerate() {
@@ -236,6 +243,7 @@ fn cells<'a>(
                     part: one.part.as_bytes(),
                     answer: record.get(one.field).unwrap_or_default(),
                     who,
+                    respelled,
                     what: one.column,
                 };
                 each(quick, &cell);
@@ -288,11 +296,7 @@ struct Job<'j> {
 /// The time of a record: what was read, and whether it is uncertain.
 fn moment(record: &Record, job: &Job) -> Option<Moment> {
     let text = record.get(job.layout.submitted?).and_then(|t| std::str::from_utf8(t).ok())?;
-    let mut moment = time::parse(text)?;
-    if !moment.zoned {
-        moment.micros = moment.micros.map(|shown| job.rules.policy.zone.moment(shown));
-    }
-    Some(moment)
+    job.rules.policy.zone.read(text)
 }
 
 /// Class, number and share of the points of a cell: what the choice among attempts needs. Blank cells have none.
@@ -420,8 +424,10 @@ fn walk_ordered(
             let Some((mut class, number, share)) = found else { return };
             let index = who as usize * job.table.columns.len() + what as usize;
             let at = place(cell.line, cell.column.map_or(0, |(i, _)| i));
-            // What cannot be dated is not late.
-            let late = time.map_or(Some(1.0), |t| job.rules.late(who as usize, t));
+            let late = match time {
+                Some(time) => job.rules.late(who as usize, time),
+                None => job.rules.undated(who as usize),
+            };
             if late.is_none() && class == choose::READABLE {
                 class = choose::CLOSED;
             }
@@ -466,7 +472,7 @@ fn choose_winners(
                 all.join(one, rules.policy.attempts.counts);
             }
         }
-        (all, evidence)
+        (all, rules.policy.day_first.map_or(evidence, Evidence::said))
     };
     let no_attempts = || Found::Attempts(vec![Attempt::NONE; cells]);
     // What follows from another part is worth what it is only when the winner there is known.
@@ -540,6 +546,65 @@ fn choose_winners(
     Ok(winners)
 }
 
+/// Lines whose times are shown where they cannot be read.
+const SHOWN: usize = 3;
+
+/// Refuses to guess: where lateness bears on marks and an answer that counts has no time that can be read, the course must say
+/// what holds.
+fn said_of_unread(open: Open<'_>, job: &Job, winners: &[Winner]) -> Result<(), GradeFault> {
+    let (rules, layout) = (job.rules, job.layout);
+    if !rules.policy.timed() || rules.policy.late.unread.is_some() {
+        return Ok(());
+    }
+    let width = job.table.columns.len().max(1);
+    let unread = winners.iter().enumerate().filter(|(index, w)| {
+        w.at != Winner::NONE.at && (w.undated || layout.submitted.is_none()) && rules.matters(index / width)
+    });
+    let lines: Vec<u64> = unread.map(|(_, w)| line_of(w.at)).collect();
+    if lines.is_empty() {
+        return Ok(());
+    }
+    let says = "say in the course file what holds: `late: {unread: in time}` or `late: {unread: late}`";
+    let Some(field) = layout.submitted else {
+        let what = "no column `submitted_at`, and lateness bears on marks";
+        let hint = format!("map one with --columns submitted_at=\"Its header\", or {says}");
+        return Err(GradeFault::Header(vec![Finding::new("header", what).at(1, 1).hint(hint)]));
+    };
+    let mut first = lines.clone();
+    first.sort_unstable();
+    first.dedup();
+    first.truncate(SHOWN);
+    let (mut shown, mut uncertain) = (Vec::new(), None);
+    let (mut source, _) = Source::open(open()?)?;
+    let (mut batch, mut scratch) = (Batch::default(), Scratch::default());
+    while shown.len() < first.len() && source.next_batch(&mut batch)? {
+        batch.records(&mut scratch, |record| {
+            if !first.contains(&record.line()) {
+                return;
+            }
+            let text = String::from_utf8_lossy(record.get(field).unwrap_or_default()).trim().to_owned();
+            if rules.policy.zone.read(&text).is_some_and(|m| m.uncertain.is_some()) {
+                uncertain.get_or_insert(text.clone());
+            }
+            let text: String = text.chars().take(40).collect();
+            let text = if text.is_empty() { "nothing".to_owned() } else { format!("`{text}`") };
+            shown.push(format!("line {}: {text}", record.line()));
+        });
+    }
+    let what = format!(
+        "lateness bears on marks, and {} that count{} no time that can be read ({}{})",
+        if lines.len() == 1 { "1 answer".to_owned() } else { format!("{} answers", lines.len()) },
+        if lines.len() == 1 { "s has" } else { " have" },
+        shown.join("; "),
+        if lines.len() > shown.len() { "; ..." } else { "" }
+    );
+    let order = uncertain.map_or_else(String::new, |text| {
+        format!("; of `{text}` it says which comes first: `dates: day first` or `dates: month first`")
+    });
+    let fault = Finding::new("submitted_at", what).hint(format!("mend the times, or {says}{order}"));
+    Err(GradeFault::Header(vec![fault]))
+}
+
 /// What a wrong answer fits, as words for machines: ids of wrong methods, and a slip.
 struct Fits {
     methods: String,
@@ -568,9 +633,16 @@ fn slip_in_words<'w>(slip: Slip, table: &KeyTable, what: u32, say: &Feedback<'w>
 }
 
 /// Tells a slip in the reason; ids of methods have a column of their own.
-fn diagnosed(table: &KeyTable, who: u32, what: u32, judgement: &mut Judgement, say: &Feedback) -> Fits {
+fn diagnosed(
+    table: &KeyTable,
+    (who, what): (u32, u32),
+    cell: &[u8],
+    judgement: &mut Judgement,
+    say: &Feedback,
+) -> Fits {
     let methods = table.methods(what as usize);
-    let Diagnosis { methods: found, slip } = table.diagnose(judgement.number, who as usize, what as usize);
+    let Diagnosis { methods: found, slip } =
+        table.diagnose(judgement.number, cell, who as usize, what as usize);
     let mut fits = Fits { methods: String::new(), slip: String::new(), found };
     let told = slip.map(|slip| slip_in_words(slip, table, what, say));
     if let Some((word, told)) = told {
@@ -646,7 +718,10 @@ fn awarded(
     }
     share *= winner.attempt * winner.late;
     if job.rules.policy.timed() && (winner.undated || job.layout.submitted.is_none()) {
-        told.push(Cow::Borrowed(say.get("feedback.credit.undated")));
+        told.push(Cow::Borrowed(say.get(match job.rules.policy.late.unread {
+            Some(Unread::Late) => "feedback.credit.undated_late",
+            _ => "feedback.credit.undated",
+        })));
     }
     if let Some((given, why)) = job.rules.correction(what as usize, true)
         && given > share
@@ -676,7 +751,7 @@ fn superseded_line(
     let Job { table, say, lean, .. } = *job;
     let at = lean.at(who, what);
     let winner = places[at];
-    if cell.column.is_some() || winner == u64::MAX || winner == place(cell.line, 0) {
+    if cell.column.is_some() || cell.respelled || winner == u64::MAX || winner == place(cell.line, 0) {
         return None;
     }
     let hot = lean.column(what)?;
@@ -685,7 +760,7 @@ fn superseded_line(
     let (verdict, found) = if accepts(x, key, half_width) {
         (Verdict::Right, Diagnosis::default())
     } else {
-        let found = table.diagnose(x, who as usize, what as usize);
+        let found = table.diagnose(x, cell.answer, who as usize, what as usize);
         let other_way = accepts(-x, key, half_width);
         (if other_way { Verdict::WrongDirection } else { Verdict::Wrong }, found)
     };
@@ -744,8 +819,18 @@ fn walk_and_write(
     (winners, places): (&[Winner], &[u64]),
 ) {
     let Job { table, layout, say, rules, .. } = *job;
-    let Worker { scratch, quick, tails, points: earned, cells: written, undated, counts, by_column, .. } =
-        worker;
+    let Worker {
+        scratch,
+        quick,
+        tails,
+        points: earned,
+        cells: written,
+        undated,
+        respelled,
+        counts,
+        by_column,
+        ..
+    } = worker;
     let needs_date = rules.policy.timed();
     let by_row_says = say.get("feedback.by_row");
     let mut reason = Vec::new();
@@ -873,8 +958,15 @@ fn walk_and_write(
             {
                 judgement.reason = open_quote(cell.line, say);
             }
+            if cell.respelled {
+                *respelled += 1;
+                let written = String::from_utf8_lossy(cell.student);
+                let pieces = [("written", &*written), ("student", &*table.students[who as usize].id)];
+                let said = say.fill("feedback.respelled", &pieces);
+                judgement.reason = Cow::Owned(format!("{}; {said}", judgement.reason));
+            }
             let wrong = matches!(judgement.verdict, Verdict::Wrong | Verdict::WrongDirection);
-            let fits = wrong.then(|| diagnosed(table, who, what, &mut judgement, say));
+            let fits = wrong.then(|| diagnosed(table, (who, what), cell.answer, &mut judgement, say));
             let winner = winners[index];
             let counts_not = !matches!(judgement.verdict, Verdict::Blank | Verdict::UnknownPart);
             let at = place(cell.line, cell.column.map_or(0, |(i, _)| i));
@@ -968,7 +1060,16 @@ pub fn grade(
         now = read;
         progress(before + now);
     };
-    let winners = choose_winners(open, &job, threads, &mut heard)?;
+    let mut winners = choose_winners(open, &job, threads, &mut heard)?;
+    said_of_unread(open, &job, &winners)?;
+    if layout.submitted.is_none() && rules.policy.timed() {
+        // All are undated, and cost alike: which one counts does not change.
+        let width = table.columns.len().max(1);
+        for (index, winner) in winners.iter_mut().enumerate().filter(|(_, w)| w.at != Winner::NONE.at) {
+            let left = rules.undated(index / width);
+            (winner.late, winner.closed) = (left.unwrap_or(0.0), left.is_none());
+        }
+    }
     let places = lean.places(&winners);
     let (source, _) = Source::open(open()?)?;
     out.write_all(ANSWERS_HEADER.as_bytes()).map_err(GradeFault::Write)?;
@@ -985,11 +1086,13 @@ pub fn grade(
         wide: matches!(layout.form, Form::Wide(_)),
         untimed: winners.iter().filter(|w| w.by_row).count() as u64,
         undated: 0,
+        respelled: 0,
         unused_columns: layout.unused.clone(),
     };
     for worker in workers {
         graded.cells += worker.cells;
         graded.undated += worker.undated;
+        graded.respelled += worker.respelled;
         let add = |to: &mut VerdictCounts, from: &VerdictCounts| {
             to.iter_mut().zip(from).for_each(|(a, b)| *a += b);
         };

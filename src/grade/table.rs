@@ -3,7 +3,8 @@ use crate::grade::diagnose::Diagnosis;
 use crate::grade::diagnose::Known;
 use crate::grade::feedback::Feedback;
 use crate::grade::ids::Ids;
-use crate::grade::write::push_text;
+use crate::guard::push_text;
+use crate::guard::unguarded;
 use crate::key::Answer;
 use crate::key::Follow;
 use crate::key::KeyEntry;
@@ -93,6 +94,8 @@ pub struct KeyTable {
     /// For each column the first one of its problem and the one behind its last.
     problems: Vec<(usize, usize)>,
     by_id: Ids,
+    /// In small letters; `None` where two ids differ in nothing else.
+    by_small_id: FxHashMap<String, Option<u32>>,
     by_loose_id: FxHashMap<String, Option<u32>>,
     by_part: FxHashMap<Box<[u8]>, u32>,
     by_loose_part: FxHashMap<Vec<u8>, Option<u32>>,
@@ -164,6 +167,7 @@ impl KeyTable {
             problems: Vec::new(),
             columns,
             by_id: Ids::with_room(sheets.len()),
+            by_small_id: FxHashMap::default(),
             by_loose_id: FxHashMap::default(),
             by_part: FxHashMap::default(),
             by_loose_part: FxHashMap::default(),
@@ -220,6 +224,11 @@ impl KeyTable {
             table.entries.append(&mut found);
             table.numbers.append(&mut numbers);
             table.by_id.put(sheet.student.as_bytes(), s);
+            table
+                .by_small_id
+                .entry(sheet.student.to_lowercase())
+                .and_modify(|e| *e = None)
+                .or_insert(Some(s));
             table.by_loose_id.entry(loose_id(&sheet.student)).and_modify(|e| *e = None).or_insert(Some(s));
             let mut field = Vec::new();
             push_text(&mut field, sheet.student.as_bytes());
@@ -233,6 +242,17 @@ impl KeyTable {
     #[inline]
     pub(crate) fn student(&self, id: &[u8]) -> Option<u32> {
         self.by_id.get(id)
+    }
+    /// Index of a student whose id was guarded against spreadsheets, or differs in upper and lower case alone from one on the
+    /// roster, and is no other's; `true`: the case differs.
+    #[cold]
+    pub(crate) fn student_by_case(&self, id: &[u8]) -> Option<(u32, bool)> {
+        let id = unguarded(std::str::from_utf8(id).ok()?);
+        if let Some(exact) = self.student(id.as_bytes()) {
+            return Some((exact, false));
+        }
+        let found = self.by_small_id.get(&id.to_lowercase()).copied().flatten()?;
+        Some((found, true))
     }
     /// Index of a column by number or id of the problem and id of the part; `key` is from [`joined`].
     #[inline]
@@ -303,14 +323,14 @@ impl KeyTable {
     }
     /// What a wrong answer fits.
     #[inline]
-    pub(crate) fn diagnose(&self, x: f64, student: usize, column: usize) -> Diagnosis {
+    pub(crate) fn diagnose(&self, x: f64, cell: &[u8], student: usize, column: usize) -> Diagnosis {
         let Some((first, end)) = self.problems.get(column).copied() else { return Diagnosis::default() };
         let row = student * self.columns.len();
         match (self.known.get(row + column), self.entries.get(row + first..row + end)) {
             (Some(Some(known)), Some(parts)) => {
                 let (from, count) = known.wrong;
                 let wrong = self.wrong.get(from as usize..from as usize + count as usize);
-                known.diagnose(x, column - first, parts, wrong.unwrap_or_default())
+                known.diagnose(x, cell, column - first, parts, wrong.unwrap_or_default())
             }
             _ => Diagnosis::default(),
         }

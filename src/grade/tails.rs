@@ -3,7 +3,7 @@ use crate::grade::diagnose::Slip;
 use crate::grade::feedback::Feedback;
 use crate::grade::verdict::Verdict;
 use crate::grade::write::push_float;
-use crate::grade::write::push_text;
+use crate::guard::push_text;
 
 /// What the end of a line about a superseded attempt depends on, beside the line that superseded it and wrong methods.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -81,6 +81,26 @@ pub fn complete<T: Real>(complement: T) -> T {
     if mean.is_zero() { T::of(f64::INFINITY) } else { half_pi / mean }
 }
 
+/// How many terms of `2 K(k) / pi = 1 + (1/2)^2 k^2 + (1 3 / 2 4)^2 k^4 + ...`, the leading 1 among them, come within this share of
+/// the whole, for a modulus 0 <= k <= 1; `None` if that takes more than `most`.
+pub fn terms_within(modulus: f64, share: f64, most: usize) -> Option<usize> {
+    let square = modulus * modulus;
+    let half_pi = std::f64::consts::FRAC_PI_2;
+    let whole = complete((1.0 - square).max(0.0).sqrt()) / half_pi;
+    let (mut sum, mut term, mut factor) = (0.0, 1.0, 0.0);
+    for count in 1..=most {
+        sum += term;
+        // Terms are positive: the sum stays below the whole.
+        if whole - sum <= share * whole {
+            return Some(count);
+        }
+        factor += 1.0;
+        let odd = (2.0 * factor - 1.0) / (2.0 * factor);
+        term *= odd * odd * square;
+    }
+    None
+}
+
 /// `F = int_0^theta d theta / sqrt(cos^2 + k'^2 sin^2)` for the angle theta from 0 to 180 degrees of the point
 /// (along, across), across >= 0, and the complementary modulus k' >= 0.
 pub fn incomplete<T: Real>(across: T, along: T, complement: T) -> T {
@@ -125,6 +145,38 @@ pub fn incomplete<T: Real>(across: T, along: T, complement: T) -> T {
 mod tests {
     use super::*;
     use crate::num::Jet;
+
+    #[test]
+    fn so_many_terms_suffice_and_one_less_does_not() {
+        let mut seen = [0usize; 40];
+        for step in 1..1000u32 {
+            let k = f64::from(step) / 1000.0;
+            for share in [0.05, 0.01, 0.003, 1e-4] {
+                let Some(count) = terms_within(k, share, 400) else { continue };
+                // Summed the other way round, from binomials, against the integral by a fine midpoint rule.
+                let panels = 4000;
+                let whole: f64 = (0..panels)
+                    .map(|i| (f64::from(i) + 0.5) / f64::from(panels) * std::f64::consts::FRAC_PI_2)
+                    .map(|t| 1.0 / (1.0 - k * k * t.sin() * t.sin()).sqrt() / f64::from(panels))
+                    .sum();
+                let sum = |n: usize| -> f64 {
+                    let term = |j: usize| {
+                        let ratio: f64 = (1..=j).map(|i| (2 * i - 1) as f64 / (2 * i) as f64).product();
+                        ratio * ratio * k.powi(2 * i32::try_from(j).unwrap())
+                    };
+                    (0..n).rev().map(term).sum()
+                };
+                assert!(whole - sum(count) <= share * whole * (1.0 + 1e-9), "{k} {share} {count}");
+                assert!(
+                    count == 1 || whole - sum(count - 1) > share * whole * (1.0 - 1e-9),
+                    "{k} {share} {count}"
+                );
+                seen[count.min(39)] += 1;
+            }
+        }
+        assert!(seen.iter().take(12).skip(1).all(|n| *n > 0), "{seen:?}");
+        assert_eq!(terms_within(1.0, 0.01, 400), None);
+    }
 
     fn near(a: Dd, b: Dd) -> bool {
         ((a - b) / b).hi.abs() < 1e-29

@@ -17,6 +17,7 @@ pub mod plant;
 pub mod real;
 pub mod root;
 pub mod rough;
+pub mod shown;
 pub mod trig;
 pub mod wide;
 

@@ -1,4 +1,5 @@
 //! Axes: where a value stands, and which ticks are drawn.
+use crate::num::shown;
 use crate::num::trig;
 
 /// How values are spread.
@@ -129,7 +130,7 @@ impl Axis {
                 let first = (self.low / step - 1e-6).ceil() * step;
                 let count = whole(((self.high - first) / step + 1e-6).floor());
                 for value in (0..=count).map(|i| first + f64::from(i) * step) {
-                    ticks.push(Tick { at: self.at(value), label: format!("{value:.decimals$}") });
+                    ticks.push(Tick { at: self.at(value), label: shown::decimals(value, decimals) });
                 }
             }
         }

@@ -1,4 +1,5 @@
 //! One row for each thing: a bar or a mark, with its interval.
+use crate::num::shown;
 use crate::plot::axis::Axis;
 use crate::plot::svg::Svg;
 
@@ -104,7 +105,7 @@ impl Rows {
 
     fn tick(&self, label: &str) -> String {
         match label.parse::<f64>() {
-            Ok(value) if self.percent => format!("{:.0} %", value * 100.0),
+            Ok(value) if self.percent => format!("{} %", shown::decimals(value * 100.0, 0)),
             _ => label.replace('-', "\u{2212}"),
         }
     }

@@ -1,4 +1,5 @@
 //! Single points over two axes, each with its name where there is room.
+use crate::num::shown;
 use crate::plot::axis::Axis;
 use crate::plot::rows::WIDTH;
 use crate::plot::svg::Svg;
@@ -59,8 +60,10 @@ impl Scatter {
         for tick in self.x.ticks() {
             let x = LEFT + 8.0 + tick.at * (RIGHT - LEFT - 16.0);
             svg.line("grid", (x, TOP), (x, BOTTOM));
-            let label =
-                tick.label.parse::<f64>().map_or(tick.label.clone(), |v| format!("{:.0} %", v * 100.0));
+            let label = tick
+                .label
+                .parse::<f64>()
+                .map_or(tick.label.clone(), |v| format!("{} %", shown::decimals(v * 100.0, 0)));
             svg.text("soft tiny", "middle", (x, BOTTOM + 16.0), &label);
         }
         for tick in self.y.ticks() {

@@ -20,6 +20,8 @@ pub struct Policy {
     pub title: String,
     /// Zone of times that name none.
     pub zone: Zone,
+    /// Does the day come first in dates such as 3/4/2026? `None`: the dates of the file must say.
+    pub day_first: Option<bool>,
     /// When answers are due, microseconds since 1970 (UTC).
     pub due: Option<i64>,
     /// Student id and the moment that takes the place of `due` (and of `closes`, if that is earlier).
@@ -47,6 +49,7 @@ impl Default for Policy {
         Policy {
             title: String::new(),
             zone: Zone::utc(),
+            day_first: None,
             due: None,
             extensions: Vec::new(),
             attempts: Attempts::default(),
@@ -144,6 +147,28 @@ impl Zone {
         let date = stamp.map(|t| TimeZone::UTC.to_datetime(t));
         let moment = date.and_then(|d| self.zone.to_ambiguous_timestamp(d).compatible());
         moment.map_or(shown, jiff::Timestamp::as_microsecond)
+    }
+    /// Do clocks of this zone show this under that word (`CEST`)?
+    pub fn calls(&self, shown: i64, word: &str) -> bool {
+        let stamp = jiff::Timestamp::from_microsecond(self.moment(shown));
+        stamp.is_ok_and(|t| self.zone.to_offset_info(t).abbreviation() == word)
+    }
+    /// Reads a time; one that names no zone is of this one, and so is one that names it by a word that this zone uses.
+    pub fn read(&self, text: &str) -> Option<time::Moment> {
+        let mut moment = time::parse(text)?;
+        match moment.word {
+            None if moment.zoned => {}
+            None => moment.micros = moment.micros.map(|shown| self.moment(shown)),
+            Some(word) => {
+                let shown = moment.micros.map(|at| at.saturating_add(word.offset.unwrap_or(0)));
+                if shown.iter().all(|shown| self.calls(*shown, word.name())) {
+                    moment.micros = shown.map(|shown| self.moment(shown));
+                } else {
+                    word.offset?;
+                }
+            }
+        }
+        Some(moment)
     }
     /// Do clocks of this zone never show this, because they are put forward over it?
     pub fn skips(&self, shown: i64) -> bool {
@@ -257,11 +282,32 @@ pub struct Late {
     pub grace: i64,
     /// From then on nothing counts, microseconds since 1970 (UTC).
     pub closes: Option<i64>,
+    /// What holds where the time of an answer cannot be read; `None`: nobody has said, and it has to be said where it matters.
+    pub unread: Option<Unread>,
+}
+
+/// An answer of which nobody knows when it was handed in.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Unread {
+    /// It is taken as in time.
+    InTime,
+    /// It costs what lateness costs at most; after a closing date nothing counts, so neither does it.
+    Late,
+}
+
+impl Unread {
+    /// As it is written.
+    pub const fn as_str(self) -> &'static str {
+        match self {
+            Unread::InTime => "in time",
+            Unread::Late => "late",
+        }
+    }
 }
 
 impl Default for Late {
     fn default() -> Self {
-        Late { penalty: 0.0, per: Per::Day, most: 1.0, grace: 0, closes: None }
+        Late { penalty: 0.0, per: Per::Day, most: 1.0, grace: 0, closes: None, unread: None }
     }
 }
 

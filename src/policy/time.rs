@@ -10,6 +10,10 @@ pub struct Evidence {
 }
 
 impl Evidence {
+    /// What a course says of the order.
+    pub fn said(day_first: bool) -> Evidence {
+        Evidence { day_first, month_first: !day_first }
+    }
     /// Adds what another part of the column proves.
     pub fn join(&mut self, other: Evidence) {
         self.day_first |= other.day_first;
@@ -36,64 +40,221 @@ pub struct Moment {
     pub micros: [i64; 2],
     /// Is a zone written?
     pub zoned: bool,
+    /// The zone is written as a word, and only a place knows what it means (`CST`, `BST`), or knows better.
+    pub word: Option<Word>,
     /// The order of day and month is uncertain, and whether points stand between them.
     pub uncertain: Option<bool>,
     /// What the date proves for others.
     pub evidence: Evidence,
 }
 
+/// A zone as a word.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Word {
+    /// In capitals, filled up with blanks.
+    name: [u8; 5],
+    /// What it adds to UTC nearly everywhere, microseconds; it is taken from the moment already. `None`: it means several things.
+    pub offset: Option<i64>,
+}
+
+impl Word {
+    /// In capitals.
+    pub fn name(&self) -> &str {
+        std::str::from_utf8(&self.name).unwrap_or_default().trim_end()
+    }
+}
+
+/// Words for zones that mean one thing to nearly everybody, in minutes from UTC. Those that do not (CST, IST, BST, AST, ...)
+/// are understood where the zone of the course uses them.
+const ZONES: [(&str, i64); 29] = [
+    ("CET", 60),
+    ("CEST", 120),
+    ("MEZ", 60),
+    ("MESZ", 120),
+    ("WET", 0),
+    ("WEST", 60),
+    ("EET", 120),
+    ("EEST", 180),
+    ("MSK", 180),
+    ("EST", -300),
+    ("EDT", -240),
+    ("CDT", -300),
+    ("MST", -420),
+    ("MDT", -360),
+    ("PST", -480),
+    ("PDT", -420),
+    ("AKST", -540),
+    ("AKDT", -480),
+    ("HST", -600),
+    ("JST", 540),
+    ("KST", 540),
+    ("HKT", 480),
+    ("SGT", 480),
+    ("AEST", 600),
+    ("AEDT", 660),
+    ("NZST", 720),
+    ("NZDT", 780),
+    ("SAST", 120),
+    ("BRT", -180),
+];
+
 /// Reads ISO 8601 with or without zone, `2026-03-01 14:05[:30]`, `2026/03/01 2:05:30 PM GMT+1`, `01.03.2026 14:05`,
-/// `3/25/2026 2:05:30 PM`, `25/3/2026 14:05`. `None` if it cannot be read. `3/4/2026` is two moments: March and April.
+/// `3/25/2026 2:05:30 PM`, `25/3/26 14:05`, `Monday, 29 March 2026, 3:30 PM`, `29. März 2026 15:30 MESZ`, the serial number of a
+/// spreadsheet (days since 1899-12-30), and seconds or milliseconds since 1970. `None` if it cannot be read. `3/4/2026` is two
+/// moments: March and April. The day of the week is passed over.
 pub fn parse(text: &str) -> Option<Moment> {
-    let spaced: String;
-    let mut text = text.trim();
-    if text.len() > 48 {
+    let text = text.trim();
+    if text.len() > 80 {
         return None;
     }
-    if !text.is_ascii() {
-        // a narrow blank stands before AM and PM in newer exports
-        spaced = text.replace(char::is_whitespace, " ");
-        text = spaced.as_str();
-        if !text.is_ascii() {
-            return None;
-        }
+    if text.is_ascii() {
+        return dated(text).or_else(|| counted(text)).or_else(|| worded(text));
     }
+    // A narrow blank stands before AM and PM in newer exports; some write marks for the direction of the text.
+    let invisible =
+        |c: char| matches!(c, '\u{200b}'..='\u{200f}' | '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}');
+    let spaced: String =
+        text.chars().filter(|c| !invisible(*c)).map(|c| if c.is_whitespace() { ' ' } else { c }).collect();
+    let text = spaced.trim();
+    dated(text).or_else(|| counted(text)).or_else(|| worded(text))
+}
+
+/// One moment without doubt.
+fn certain(at: i64, zoned: bool, word: Option<Word>) -> Moment {
+    Moment { micros: [at; 2], zoned, word, uncertain: None, evidence: Evidence::default() }
+}
+
+/// A date in numbers, with or without the time of day.
+fn dated(text: &str) -> Option<Moment> {
     let cut = text.find(['T', 't', ' ']).unwrap_or(text.len());
     let (date, rest) = (&text[..cut], text[cut..].trim_start_matches(['T', 't', ' ', ',']));
     let date = date.trim_end_matches(',');
-    let numbers = |separator: char| -> Option<[i64; 3]> {
-        let mut parts = date.split(separator).map(|p| {
-            if (1..=4).contains(&p.len()) && p.bytes().all(|b| b.is_ascii_digit()) {
-                p.parse::<i64>().ok()
-            } else {
-                None
-            }
-        });
-        let all = [parts.next()??, parts.next()??, parts.next()??];
-        parts.next().is_none().then_some(all)
-    };
-    let (clock, zoned) = clock(rest)?;
-    let moment = |y, m, d| midnight(y, m, d).map(|at| at.wrapping_add(clock));
     let separator = ['-', '.', '/'].into_iter().find(|s| date.contains(*s))?;
-    let [a, b, c] = numbers(separator)?;
+    let mut parts = date.split(separator).map(|p| {
+        let digits = (1..=4).contains(&p.len()) && p.bytes().all(|b| b.is_ascii_digit());
+        if digits { p.parse::<i64>().ok().map(|n| (n, p.len())) } else { None }
+    });
+    let [(a, _), (b, _), (c, length)] = [parts.next()??, parts.next()??, parts.next()??];
+    if parts.next().is_some() {
+        return None;
+    }
+    let clock = clock(rest)?;
+    let moment = |y, m, d| midnight(y, m, d).map(|at| at.wrapping_add(clock.micros));
     if a >= 1000 {
-        let at = moment(a, b, c)?;
-        return Some(Moment { micros: [at; 2], zoned, uncertain: None, evidence: Evidence::default() });
+        return Some(certain(moment(a, b, c)?, clock.zoned, clock.word));
     }
     if separator == '-' {
         return None;
     }
-    let (day_first, month_first) = (moment(c, b, a), moment(c, a, b));
+    let year = if length == 2 { full_year(c) } else { c };
+    let (day_first, month_first) = (moment(year, b, a), moment(year, a, b));
     let evidence = Evidence { day_first: a > 12 && b <= 12, month_first: b > 12 && a <= 12 };
+    let one = |at| Moment { evidence, ..certain(at, clock.zoned, clock.word) };
     match (day_first, month_first) {
         (Some(x), Some(y)) => {
-            Some(Moment { micros: [x, y], zoned, uncertain: (x != y).then_some(separator == '.'), evidence })
+            Some(Moment { micros: [x, y], uncertain: (x != y).then_some(separator == '.'), ..one(x) })
         }
-        (Some(x), None) | (None, Some(x)) => {
-            Some(Moment { micros: [x; 2], zoned, uncertain: None, evidence })
-        }
+        (Some(x), None) | (None, Some(x)) => Some(one(x)),
         (None, None) => None,
     }
+}
+
+/// A year of two digits: 1970 to 2069.
+fn full_year(year: i64) -> i64 {
+    if year < 70 { 2000 + year } else { 1900 + year }
+}
+
+/// A number alone: days as spreadsheets count them, seconds or milliseconds since 1970; between 2000 and 2100 they are apart.
+fn counted(text: &str) -> Option<Moment> {
+    let (whole, fraction) = text.split_once(['.', ',']).unwrap_or((text, ""));
+    let digits = |t: &str| t.len() <= 15 && t.bytes().all(|b| b.is_ascii_digit());
+    if whole.is_empty() || !digits(whole) || !digits(fraction) {
+        return None;
+    }
+    let count: i64 = whole.parse().ok()?;
+    let part: f64 = if fraction.is_empty() { 0.0 } else { format!("0.{fraction}").parse().ok()? };
+    match (whole.len(), count) {
+        // A spreadsheet counts from 1899-12-30, in the zone of who wrote it; its days are exact to a second.
+        (5, 36_526..73_051) => {
+            let seconds = (part * 86_400.0).round() as i64;
+            Some(certain((count - 25_569) * 86_400_000_000 + seconds * 1_000_000, false, None))
+        }
+        (9 | 10, 946_684_800..4_102_444_800) => {
+            Some(certain(count * 1_000_000 + (part * 1e6).round() as i64, true, None))
+        }
+        (12 | 13, 946_684_800_000..4_102_444_800_000) => Some(certain(count * 1_000, true, None)),
+        _ => None,
+    }
+}
+
+/// The number of a month by its English or German name, whole or cut to three letters (`Sept` to four).
+fn month(word: &str) -> Option<i64> {
+    const MONTHS: [&[&str]; 12] = [
+        &["january", "januar", "jänner"],
+        &["february", "februar"],
+        &["march", "märz", "maerz", "mrz"],
+        &["april"],
+        &["may", "mai"],
+        &["june", "juni"],
+        &["july", "juli"],
+        &["august"],
+        &["september", "sept"],
+        &["october", "oktober"],
+        &["november"],
+        &["december", "dezember"],
+    ];
+    let is = |name: &&str| *name == word || (word.chars().count() == 3 && name.starts_with(word));
+    (1..).zip(MONTHS).find(|(_, names)| names.iter().any(is)).map(|(number, _)| number)
+}
+
+/// A date with the month as a word: `Monday, 29 March 2026, 3:30 PM`, `March 29th, 2026 at 15:30`, `29-Mar-26 15:30`,
+/// `Sun Mar 29 15:30:00 CEST 2026`.
+fn worded(text: &str) -> Option<Moment> {
+    const FILLERS: [&str; 9] = ["at", "um", "the", "of", "den", "der", "on", "am", "uhr"];
+    const DAYS: [&str; 14] =
+        ["mon", "tue", "wed", "thu", "fri", "sat", "sun", "mo", "di", "mi", "do", "fr", "sa", "so"];
+    const WHOLE: [&str; 8] =
+        ["montag", "dienstag", "mittwoch", "donnerstag", "freitag", "samstag", "sonnabend", "sonntag"];
+    let lower = text.to_lowercase();
+    let mut words: Vec<&str> = lower.split([' ', ',']).filter(|w| !w.is_empty()).collect();
+    let at = words.iter().position(|w| w.contains(':')).unwrap_or(words.len());
+    let mut clock_words = words.split_off(at);
+    let is_year = |w: &str| w.len() == 4 && w.bytes().all(|b| b.is_ascii_digit());
+    // As the system clock writes it, with the year at the end.
+    if clock_words.len() > 1 && clock_words.last().is_some_and(|w| is_year(w)) {
+        words.extend(clock_words.pop());
+    }
+    // How many numbers stand before the month, and which it is; numbers with their digits.
+    let mut month_at: Option<(usize, i64)> = None;
+    let mut numbers: Vec<(i64, usize)> = Vec::new();
+    for word in words.iter().flat_map(|w| w.split(['-', '/', '.'])).filter(|w| !w.is_empty()) {
+        let digits = word.bytes().take_while(u8::is_ascii_digit).count();
+        if digits > 0 {
+            if digits > 4 || !["", "st", "nd", "rd", "th"].contains(&&word[digits..]) {
+                return None;
+            }
+            numbers.push((word[..digits].parse().ok()?, digits));
+        } else if let Some(month) = month(word) {
+            if month_at.replace((numbers.len(), month)).is_some() {
+                return None;
+            }
+        } else if !(FILLERS.contains(&word)
+            || DAYS.contains(&word)
+            || WHOLE.contains(&word)
+            || word.ends_with("day") && DAYS.iter().any(|d| word.starts_with(d)))
+        {
+            return None;
+        }
+    }
+    let ((before, month), [first, second]) = (month_at?, <[(i64, usize); 2]>::try_from(numbers).ok()?);
+    let ((day, _), (year, length)) = match (before, first.1) {
+        (0 | 1, 1 | 2) => (first, second),
+        (1, 4) => (second, first), // 2026 March 29
+        _ => return None,
+    };
+    let year = if length == 2 { full_year(year) } else { year };
+    let clock = clock(&clock_words.join(" "))?;
+    Some(certain(midnight(year, month, day)?.wrapping_add(clock.micros), clock.zoned, clock.word))
 }
 
 /// Microseconds from 1970 to the beginning of a day that exists.
@@ -118,15 +279,22 @@ fn days(year: i64, month: i64, day: i64) -> i64 {
     365 * y + y / 4 - y / 100 + y / 400 + (153 * m + 2) / 5 + day - 1 - 719_468
 }
 
-/// `14:05:30.25+02:00`, `2:05 PM`, empty for midnight: microseconds, and whether a zone is written.
-fn clock(text: &str) -> Option<(i64, bool)> {
+/// The time of day, and its zone.
+struct Clock {
+    micros: i64,
+    zoned: bool,
+    word: Option<Word>,
+}
+
+/// `14:05:30.25+02:00`, `2:05 PM`, `14:05 CEST`, empty for midnight.
+fn clock(text: &str) -> Option<Clock> {
     if text.is_empty() {
-        return Some((0, false));
+        return Some(Clock { micros: 0, zoned: false, word: None });
     }
     let end =
         text.find(|c: char| !(c.is_ascii_digit() || c == ':' || c == '.' || c == ',')).unwrap_or(text.len());
     let zone = text[end..].trim();
-    let body = text[..end].replace(',', ".");
+    let body = text[..end].trim_end_matches(',').replace(',', ".");
     let mut parts = body.split(':');
     let whole =
         |p: Option<&str>| p.filter(|p| (1..=2).contains(&p.len())).and_then(|p| p.parse::<i64>().ok());
@@ -143,8 +311,8 @@ fn clock(text: &str) -> Option<(i64, bool)> {
         return None;
     }
     let zone = zone.to_ascii_uppercase();
-    let mut zone = zone.as_str();
-    for (half, add) in [("AM", 0), ("PM", 12)] {
+    let mut zone = zone.strip_prefix("UHR").unwrap_or(&zone).trim_start();
+    for (half, add) in [("AM", 0), ("A.M.", 0), ("PM", 12), ("P.M.", 12)] {
         if let Some(after) = zone.strip_prefix(half) {
             if !(1..=12).contains(&hour) {
                 return None;
@@ -154,7 +322,23 @@ fn clock(text: &str) -> Option<(i64, bool)> {
             break;
         }
     }
+    let shown = (hour * 60 + minute) * 60_000_000 + micros;
+    // `GMT+0200 (Central European Summer Time)`, `(CEST)`
+    if let Some((before, inside)) = zone.split_once('(') {
+        let inside = inside.strip_suffix(')')?;
+        zone = if before.trim().is_empty() { inside } else { before.trim() };
+    }
     let zoned = !zone.is_empty();
+    if (2..=5).contains(&zone.len())
+        && zone.bytes().all(|b| b.is_ascii_uppercase())
+        && !["GMT", "UTC"].contains(&zone)
+    {
+        let mut name = [b' '; 5];
+        name[..zone.len()].copy_from_slice(zone.as_bytes());
+        let offset = ZONES.iter().find(|(known, _)| *known == zone).map(|(_, minutes)| minutes * 60_000_000);
+        let word = Some(Word { name, offset });
+        return Some(Clock { micros: shown - offset.unwrap_or(0), zoned, word });
+    }
     for name in ["GMT", "UTC", "Z"] {
         if let Some(after) = zone.strip_prefix(name) {
             zone = after.trim_start();
@@ -178,7 +362,7 @@ fn clock(text: &str) -> Option<(i64, bool)> {
         }
         offset = sign * (h * 60 + m);
     }
-    Some(((hour * 60 + minute - offset) * 60_000_000 + micros, zoned))
+    Some(Clock { micros: shown - offset * 60_000_000, zoned, word: None })
 }
 
 #[cfg(test)]
@@ -203,12 +387,47 @@ mod tests {
             "2026/03/25 9:05:30 AM UTC-5",
             "2026-03-25T14:05:30.000",
             "2026-03-25T09:05:30-0500",
+            "3/25/26 14:05:30",
+            "25.03.26, 14:05:30",
+            "Wednesday, 25 March 2026, 2:05:30 PM",
+            "25 March 2026 2:05:30 PM",
+            "Mittwoch, 25. M\u{e4}rz 2026, 14:05:30",
+            "25. Mrz. 2026 um 14:05:30 Uhr",
+            "Mar 25, 2026, 2:05:30\u{202f}p.m.",
+            "March 25th, 2026 at 14:05:30",
+            "25-Mar-2026 14:05:30",
+            "25-Mar-26 14:05:30",
+            "Wed, 25 Mar 2026 15:05:30 +0100",
+            "Wed Mar 25 15:05:30 CET 2026",
+            "Wed Mar 25 2026 15:05:30 GMT+0100 (Central European Standard Time)",
+            "2026-03-25 16:05:30 CEST",
+            "2026-03-25 16:05:30 (MESZ)",
+            "25.03.2026 10:05:30 AM EDT",
+            "46106.587153",
+            "46106,58715278",
+            "1774447530",
+            "1774447530.0",
+            "1774447530000",
         ] {
             assert_eq!(parse(text).map(|m| (m.micros, m.uncertain)), Some((want, None)), "{text}");
         }
-        for odd in
-            ["13/13/2026 10:00", "yesterday", "2026-02-30", "2026-03-25 25:00", "14:05", "", "03-04-2026"]
-        {
+        for odd in [
+            "13/13/2026 10:00",
+            "yesterday",
+            "2026-02-30",
+            "2026-03-25 25:00",
+            "14:05",
+            "",
+            "03-04-2026",
+            "31 February 2026 10:00",
+            "March 2026",
+            "25 March April 2026",
+            "25 Marchember 2026",
+            "1234",
+            "12345678",
+            "46106 x",
+            "25 March 2026 15:05 CEST+1",
+        ] {
             assert_eq!(parse(odd), None, "{odd}");
         }
     }
@@ -228,10 +447,53 @@ mod tests {
         assert_eq!([day, month, both, none].map(|e| e.decides(true)), [true, true, false, true]);
     }
 
+    /// Words for zones were refused before, and a wrong offset moves a deadline: the fixed ones are the database's own.
+    #[test]
+    fn words_for_zones_are_those_of_the_database() {
+        let places = [
+            ("CET", "Europe/Berlin"),
+            ("CEST", "Europe/Berlin"),
+            ("WET", "Europe/Lisbon"),
+            ("WEST", "Europe/Lisbon"),
+            ("EET", "Europe/Helsinki"),
+            ("EEST", "Europe/Helsinki"),
+            ("MSK", "Europe/Moscow"),
+            ("EST", "America/New_York"),
+            ("EDT", "America/New_York"),
+            ("CDT", "America/Chicago"),
+            ("MST", "America/Denver"),
+            ("MDT", "America/Denver"),
+            ("PST", "America/Los_Angeles"),
+            ("PDT", "America/Los_Angeles"),
+            ("AKST", "America/Anchorage"),
+            ("AKDT", "America/Anchorage"),
+            ("HST", "Pacific/Honolulu"),
+            ("JST", "Asia/Tokyo"),
+            ("KST", "Asia/Seoul"),
+            ("HKT", "Asia/Hong_Kong"),
+            ("AEST", "Australia/Sydney"),
+            ("AEDT", "Australia/Sydney"),
+            ("NZST", "Pacific/Auckland"),
+            ("NZDT", "Pacific/Auckland"),
+            ("SAST", "Africa/Johannesburg"),
+        ];
+        for (word, place) in places {
+            let zone = crate::policy::Zone::named(place).unwrap();
+            let found = ["2026-01-15 12:00", "2026-07-15 12:00"].into_iter().find_map(|at| {
+                let by_word = parse(&format!("{at} {word}"))?;
+                zone.calls(parse(at)?.micros[0], word)
+                    .then_some((by_word.micros[0], zone.read(at)?.micros[0]))
+            });
+            let (by_word, by_place) = found.unwrap_or_else(|| panic!("{word} is not used in {place}"));
+            assert_eq!(by_word, by_place, "{word}");
+        }
+    }
+
     proptest! {
         #[test]
         fn no_text_panics(text in "\\PC{0,45}", near in "[0-9TZ:/. +-]{0,30}") {
             let _ = (parse(&text), parse(&near));
+            let _ = parse(&format!("{near} March {text}"));
         }
     }
 }

@@ -8,6 +8,7 @@
 //! 18 % missed 1 %, of these 22 %.
 use crate::bank::Problem;
 use crate::draw::stream::Words;
+use crate::num::shown;
 use crate::num::trig::power;
 use crate::problem::make::Variant;
 use crate::problem::make_key;
@@ -66,6 +67,5 @@ fn rounding(words: &mut Words, lot: usize, figures: u8) -> f64 {
 
 /// The number rounded to so many figures.
 fn significant(value: f64, figures: u8) -> f64 {
-    let digits = usize::from(figures.max(1)) - 1;
-    format!("{value:.digits$e}").parse().unwrap_or(value)
+    shown::rounded(value, usize::from(figures))
 }

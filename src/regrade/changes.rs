@@ -1,10 +1,10 @@
 //! Two gradings of the same answers: who gains and who loses, for which part, and why.
 use crate::grade::verdict::Verdict;
+use crate::guard::unguarded;
 use crate::key::Answer;
 use crate::key::KeyEntry;
 use crate::regrade::rows::Fault;
 use crate::regrade::rows::Row;
-use crate::regrade::rows::unguarded;
 use std::collections::BTreeMap;
 use std::io::Read;
 
@@ -105,7 +105,7 @@ impl Grading {
             .byte_headers()
             .map_err(|e| fault(&e))?
             .iter()
-            .map(|f| unguarded(String::from_utf8_lossy(f).into_owned()))
+            .map(|f| unguarded(&String::from_utf8_lossy(f)).to_owned())
             .collect();
         let at = |name: &str| {
             let found = header.iter().position(|h| h == name);
@@ -128,7 +128,7 @@ impl Grading {
                     .map(Some)
                     .ok_or_else(|| Fault { line, what: format!("`{text}` is no number of points") })
             };
-            let Some(s) = who.by_student.get(&unguarded(text(student))) else { continue };
+            let Some(s) = who.by_student.get(unguarded(&text(student))) else { continue };
             for (p, column) in parts.iter().enumerate() {
                 if let Some(column) = column {
                     self.points[s * self.parts + p] = number(*column)?;

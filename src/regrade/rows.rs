@@ -1,6 +1,6 @@
 //! answers.csv of a grading, row by row.
 use crate::grade::verdict::Verdict;
-use crate::grade::write::push_text;
+use crate::guard::unguarded;
 use std::io::Read;
 
 /// One row: an answer cell and what became of it.
@@ -123,13 +123,14 @@ impl<R: Read> Rows<R> {
             let value = text.parse::<f64>().ok().filter(|v| v.is_finite());
             value.ok_or_else(|| Fault { line, what: format!("{}: `{text}` is no number", COLUMNS[i]) })
         };
+        let plain = |text: String| unguarded(&text).to_owned();
         Ok(Some(Row {
             line: text(0).parse().unwrap_or(0),
-            column: unguarded(text(1)),
-            student: unguarded(text(2)),
-            problem: unguarded(text(3)),
-            part: unguarded(text(4)),
-            answer: unguarded(text(5)),
+            column: plain(text(1)),
+            student: plain(text(2)),
+            problem: plain(text(3)),
+            part: plain(text(4)),
+            answer: plain(text(5)),
             verdict,
             points: number(7)?,
             max_points: number(8)?,
@@ -137,7 +138,7 @@ impl<R: Read> Rows<R> {
             methods: text(10),
             slip: text(11),
             credit: text(12),
-            submitted_at: unguarded(text(13)),
+            submitted_at: plain(text(13)),
         }))
     }
 }
@@ -151,25 +152,6 @@ impl<R: Read> Iterator for Rows<R> {
 
 fn fault(error: &csv::Error) -> Fault {
     Fault { line: error.position().map_or(0, csv::Position::line), what: error.to_string() }
-}
-
-/// Appends a line of CSV whose fields a spreadsheet does not run.
-pub fn push_line(out: &mut Vec<u8>, fields: &[&str]) {
-    for (i, field) in fields.iter().enumerate() {
-        if i > 0 {
-            out.push(b',');
-        }
-        push_text(out, field.as_bytes());
-    }
-    out.push(b'\n');
-}
-
-/// Without the apostrophe that keeps spreadsheets from running a cell.
-pub fn unguarded(text: String) -> String {
-    match text.strip_prefix('\'') {
-        Some(rest) if rest.starts_with(['=', '+', '-', '@', '\t', '\r']) => rest.to_owned(),
-        _ => text,
-    }
 }
 
 #[cfg(test)]

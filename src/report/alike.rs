@@ -1,6 +1,7 @@
 //! Wrong answers that are the right ones of a classmate, as the instructor is told of them; never for students.
-use crate::grade::write::push_text;
+use crate::guard::push_text;
 use crate::matches;
+use crate::num::shown;
 
 /// A pair, in words.
 #[derive(Debug, Clone, PartialEq)]
@@ -59,8 +60,8 @@ impl Matches {
             return format!("{looked}: {found}.");
         }
         format!(
-            "{looked}: {found}. Among honest students luck alone makes a pair stand out in one set of {:.0}.",
-            1.0 / matches::FLAGGED
+            "{looked}: {found}. Among honest students luck alone makes a pair stand out in one set of {}.",
+            shown::decimals(1.0 / matches::FLAGGED, 0)
         )
     }
 
@@ -75,8 +76,8 @@ impl Matches {
                 &pair.classmate[0],
                 &pair.parts.join(" "),
                 &pair.answers.join(" | "),
-                &format!("{:.1e}", pair.chance),
-                &format!("{:.1e}", pair.expected),
+                &shown::figures(pair.chance, 2),
+                &shown::figures(pair.expected, 2),
                 &pair.explained,
             ];
             for (i, field) in fields.iter().enumerate() {

@@ -73,7 +73,7 @@ impl Desk<'_> {
         self.templates.render("feedback.md", &view, &mut out)?;
         let mut markdown = String::from_utf8_lossy(&out).trim_end().to_owned();
         markdown.push('\n');
-        Ok((head, Document { markdown, pictures: Vec::new() }))
+        Ok((head, Document::new(markdown, Vec::new())))
     }
 
     fn points(&self, n: f64, of: f64) -> String {

@@ -2,7 +2,7 @@
 use crate::grade::run::Graded;
 use crate::grade::table::KeyTable;
 use crate::grade::write::push_float;
-use crate::grade::write::push_text;
+use crate::guard::push_text;
 use crate::policy::Policy;
 use crate::policy::Total;
 use crate::policy::plain;

@@ -1,6 +1,6 @@
 //! Gradebooks as Canvas and Moodle import them: one total for each student of the set.
 use crate::grade::write::push_float;
-use crate::grade::write::push_text;
+use crate::guard::push_text;
 
 /// A student's line of a gradebook.
 #[derive(Debug, Clone, PartialEq)]

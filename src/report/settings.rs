@@ -20,6 +20,9 @@ pub fn in_words(policy: &Policy) -> Vec<(String, String)> {
             None => "no date".to_owned(),
         },
     );
+    if let Some(day_first) = policy.day_first {
+        add("Dates", if day_first { "the day comes first" } else { "the month comes first" }.to_owned());
+    }
     if !policy.extensions.is_empty() {
         let n = policy.extensions.len();
         add("Extensions", format!("{n} {}", if n == 1 { "student" } else { "students" }));
@@ -50,6 +53,9 @@ pub fn in_words(policy: &Policy) -> Vec<(String, String)> {
     }
     if let Some(closes) = late.closes {
         text.push_str(&format!("; nothing counts after {}", policy.zone.shown(closes)));
+    }
+    if let Some(unread) = late.unread {
+        text.push_str(&format!("; what has no time that can be read is taken as {}", unread.as_str()));
     }
     add("Late", text);
     let credit = &policy.credit;
@@ -125,9 +131,10 @@ mod tests {
         let told = told.join("\n").replace('\u{a0}', " ");
         for line in [
             "Due: 2026-03-09 23:59 (Europe/Berlin)",
+            "Dates: the day comes first",
             "Extensions: 1 student",
             "Attempts: the best counts, of at most 3, 10 % less for each earlier one, at least 50 % left",
-            "Late: 10 % less for each begun day, at most 50 %, after a grace of 10 min; nothing counts after 2026-03-16 23:59",
+            "Late: 10 % less for each begun day, at most 50 %, after a grace of 10 min; nothing counts after 2026-03-16 23:59; what has no time that can be read is taken as in time",
             "Follow-through: 50 % for what follows from one's own wrong answer",
             "Known wrong methods: no points; A05: 25 %",
             "Hints to students: nudge",

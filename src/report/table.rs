@@ -1,5 +1,6 @@
 //! Tables of the class report: as HTML with a caption, and as CSV with the numbers unrounded.
-use crate::grade::write::push_text;
+use crate::guard::push_text;
+use crate::num::shown;
 use crate::plot::svg::escaped;
 
 /// A cell: what is shown, and what stands in the CSV file.
@@ -48,9 +49,7 @@ impl Cell {
 
 /// A number with so many decimals and a minus sign; never `-0`.
 pub fn fixed(value: f64, decimals: usize) -> String {
-    let text = format!("{value:.decimals$}");
-    let zero = text.trim_start_matches('-').bytes().all(|b| matches!(b, b'0' | b'.'));
-    if zero { text.trim_start_matches('-').to_owned() } else { text.replace('-', "\u{2212}") }
+    shown::decimals(value, decimals).replace('-', "\u{2212}")
 }
 
 /// A share in per cent; the blank does not break.
@@ -66,7 +65,7 @@ pub fn points(value: f64) -> String {
 
 /// Six significant figures, as scripts read them.
 fn raw(value: f64) -> String {
-    let rounded: f64 = format!("{value:.5e}").parse().unwrap_or(value);
+    let rounded: f64 = shown::rounded(value, 6);
     if rounded == 0.0 { "0".to_owned() } else { rounded.to_string() }
 }
 

@@ -1,9 +1,10 @@
 //! Markdown with math and pictures to HTML with MathML and inline SVG. The Markdown text is the only source.
-use crate::figure::svg;
+use crate::figure::svg::Screen;
 use crate::finding::Finding;
 use crate::sheet::document::ANSWER;
 use crate::sheet::document::Document;
 use crate::sheet::document::Head;
+use crate::sheet::document::is_break;
 use crate::sheet::document::kept_together;
 use crate::template;
 use crate::template::Templates;
@@ -13,18 +14,18 @@ use pulldown_cmark::Alignment;
 use pulldown_cmark::CowStr;
 use pulldown_cmark::Event;
 use pulldown_cmark::HeadingLevel;
-use pulldown_cmark::Options;
 use pulldown_cmark::Parser;
 use pulldown_cmark::Tag;
 use pulldown_cmark::TagEnd;
 use pulldown_latex::RenderConfig;
 use pulldown_latex::Storage;
 use pulldown_latex::config::DisplayMode;
+use pulldown_latex::event::Content;
+use pulldown_latex::event::Event as Formula;
 use rustc_hash::FxHashMap;
 use std::fmt::Write as _;
 
-/// What of Markdown is read, in every format.
-pub const MARKDOWN: Options = Options::ENABLE_MATH.union(Options::ENABLE_TABLES);
+pub use crate::sheet::document::MARKDOWN;
 
 /// Turns documents into HTML and remembers formulas: the same few occur in every sheet.
 pub struct Converter<'w> {
@@ -55,18 +56,42 @@ impl<'w> Converter<'w> {
     }
 
     /// The body of a page.
-    pub fn body(&mut self, document: &Document, place: Place) -> String {
+    pub fn body(&mut self, document: &Document, screens: &[(&str, Screen)], place: Place) -> String {
         let mut out = String::with_capacity(document.markdown.len() * 6);
         let mut walk =
             Walk { tables: 0, formulas: 0, columns: Vec::new(), cell: 0, in_head: false, in_code: false };
         let mut events = Parser::new_ext(&document.markdown, MARKDOWN).peekable();
         let mut ready: Vec<Event> = Vec::new();
         while let Some(event) = events.next() {
+            // A picture within a text; one that is not there leaves its words.
+            if let Event::Start(Tag::Image { dest_url, .. }) = &event {
+                if let Some(name) = dest_url.strip_suffix(".svg")
+                    && let Some((_, screen)) = screens.iter().find(|(n, _)| *n == name)
+                {
+                    let svg = screen.inline(&format!("{}{name}", place.prefix));
+                    ready.push(Event::InlineHtml(svg.trim_end().to_owned().into()));
+                    let mut depth = 1;
+                    for inner in events.by_ref() {
+                        match inner {
+                            Event::Start(Tag::Image { .. }) => depth += 1,
+                            Event::End(TagEnd::Image) => depth -= 1,
+                            _ => {}
+                        }
+                        if depth == 0 {
+                            break;
+                        }
+                    }
+                }
+                continue;
+            }
+            if event == Event::End(TagEnd::Image) {
+                continue;
+            }
             // A paragraph that holds nothing but a picture becomes that picture.
             if event == Event::Start(Tag::Paragraph)
                 && let Some(Event::Start(Tag::Image { dest_url, .. })) = events.peek()
                 && let Some(name) = dest_url.strip_suffix(".svg").map(str::to_owned)
-                && let Some(picture) = document.picture(&name)
+                && let Some((_, screen)) = screens.iter().find(|(n, _)| *n == name)
             {
                 for skipped in events.by_ref() {
                     if skipped == Event::End(TagEnd::Paragraph) {
@@ -74,7 +99,7 @@ impl<'w> Converter<'w> {
                     }
                 }
                 let id = format!("{}{name}", place.prefix);
-                let figure = format!("<figure>{}</figure>\n", svg::inline(picture, &id).trim_end());
+                let figure = format!("<figure>{}</figure>\n", screen.inline(&id).trim_end());
                 ready.push(Event::Html(figure.into()));
                 continue;
             }
@@ -105,10 +130,14 @@ impl<'w> Converter<'w> {
                 let math = self.formula(&tex, DisplayMode::Block);
                 out.push(html(format!("<span class=\"{class}\"{scrolls}>{math}</span>")));
             }
-            // What else a template writes in HTML is its own; names of people are escaped before they come here.
             Event::Html(text) | Event::InlineHtml(text) if text.trim() == ANSWER => {
                 out.push(html("<span class=\"answer\"></span>".to_owned()));
             }
+            Event::Html(text) | Event::InlineHtml(text) if is_break(&text) => {
+                out.push(html("<br>\n".to_owned()));
+            }
+            // Nobody's HTML reaches a page.
+            Event::Html(_) | Event::InlineHtml(_) => {}
             Event::Start(Tag::Heading { level, classes, attrs, .. }) => {
                 let level = lowered(level, place.lower);
                 out.push(Event::Start(Tag::Heading { level, id: None, classes, attrs }));
@@ -364,12 +393,18 @@ pub fn part_id(i: usize) -> String {
 /// A formula as MathML; one that cannot be read is shown as it was written.
 fn mathml(tex: &str, display_mode: DisplayMode) -> String {
     let storage = Storage::new();
-    let parser = pulldown_latex::Parser::new(tex, &storage);
     let mut out = String::new();
     let config = RenderConfig { display_mode, ..RenderConfig::default() };
-    match pulldown_latex::push_mathml(&mut out, parser, config) {
-        Ok(()) => tidy(&out),
-        Err(_) => {
+    let written = match unfit(tex) {
+        Some(_) => None,
+        None => {
+            let parser = pulldown_latex::Parser::new(tex, &storage);
+            pulldown_latex::push_mathml(&mut out, parser, config).ok()
+        }
+    };
+    match written {
+        Some(()) => tidy(&out),
+        None => {
             let mut shown = String::from("<code>");
             for c in tex.chars() {
                 match c {
@@ -445,18 +480,80 @@ fn styled(mathml: &str) -> String {
     out
 }
 
+/// Signs of a formula at most.
+const LONGEST: usize = 10_000;
+/// Groups within groups at most.
+const DEEPEST: usize = 60;
+
+/// What a formula may not hold in any format, before it is read: new commands can repeat themselves for ever, and what is no
+/// formula would be carried out by LaTeX.
+pub fn unfit(tex: &str) -> Option<&'static str> {
+    const NEW: [&str; 9] =
+        ["def", "edef", "gdef", "xdef", "let", "futurelet", "newcommand", "renewcommand", "providecommand"];
+    if tex.len() > LONGEST {
+        return Some("is too long");
+    }
+    let (mut depth, mut rest) = (0usize, tex);
+    while let Some(c) = rest.chars().next() {
+        let command = rest.strip_prefix('\\').unwrap_or_default();
+        let letters = command.chars().take_while(char::is_ascii_alphabetic).count();
+        let name = &command[..letters];
+        match (c, name) {
+            ('\\', name) if NEW.contains(&name) => return Some("new commands cannot be made here"),
+            ('\\', "left" | "begin" | "begingroup") | ('{', _) => depth += 1,
+            ('\\', "right" | "end" | "endgroup") | ('}', _) => depth = depth.saturating_sub(1),
+            ('%', _) => return Some("a sign of percent is written `\\%`"),
+            ('^', _) if rest.starts_with("^^") => return Some("`^^` is no exponent"),
+            _ => {}
+        }
+        if depth > DEEPEST {
+            return Some("has too many groups within groups");
+        }
+        // A command of one sign takes that sign with it.
+        rest = match (c, letters) {
+            ('\\', 0) => &command[command.chars().next().map_or(0, char::len_utf8)..],
+            ('\\', _) => &command[letters..],
+            (c, _) => &rest[c.len_utf8()..],
+        };
+    }
+    None
+}
+
+/// What is wrong with a formula, so that it can be shown in no format.
+pub fn fault_of(tex: &str) -> Option<String> {
+    if let Some(fault) = unfit(tex) {
+        return Some(fault.to_owned());
+    }
+    let storage = Storage::new();
+    for event in pulldown_latex::Parser::new(tex, &storage) {
+        match event {
+            Err(fault) => {
+                let words = fault.to_string();
+                return Some(words.lines().next().unwrap_or("cannot be read").to_owned());
+            }
+            // Words within a formula go to LaTeX as they stand.
+            Ok(Formula::Content(Content::Text(text)))
+                if text != "&nbsp;" && text.contains(['\\', '$', '{', '}']) =>
+            {
+                return Some("holds commands within words".to_owned());
+            }
+            Ok(_) => {}
+        }
+    }
+    None
+}
+
 /// Says what is wrong with the formulas of a Markdown text, one sentence each.
 pub fn faulty_formulas(markdown: &str) -> Vec<String> {
-    let storage = Storage::new();
     Parser::new_ext(markdown, MARKDOWN)
         .filter_map(|event| match event {
             Event::InlineMath(tex) | Event::DisplayMath(tex) => Some(tex),
             _ => None,
         })
-        .filter_map(|tex| {
-            let fault = pulldown_latex::Parser::new(&tex, &storage).find_map(Result::err)?;
-            let words = fault.to_string();
-            Some(format!("`${tex}$`: {}", words.lines().next().unwrap_or("cannot be read")))
+        .filter_map(|tex| fault_of(&tex).map(|fault| (tex, fault)))
+        .map(|(tex, fault)| match tex.char_indices().nth(200) {
+            Some((end, _)) => format!("`${} ...$`: {fault}", &tex[..end]),
+            None => format!("`${tex}$`: {fault}"),
         })
         .collect()
 }

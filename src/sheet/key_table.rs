@@ -99,7 +99,7 @@ pub fn document<'k>(
     markdown.push('\n');
     let title = format!("{}: {}", words.get("sheet.key"), bank.title);
     let head = Head { title, set: set.to_owned(), ..Head::default() };
-    Ok((head, Document { markdown, pictures: Vec::new() }))
+    Ok((head, Document::new(markdown, Vec::new())))
 }
 
 /// An answer in its unit, which stands in the head of its column.

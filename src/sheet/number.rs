@@ -1,4 +1,5 @@
 //! Rounded numbers for people.
+use crate::num::shown;
 
 /// As many significant figures as asked, with the zeros at the end that belong to them.
 pub fn rounded(value: f64, figures: usize) -> String {
@@ -16,15 +17,15 @@ pub fn rounded(value: f64, figures: usize) -> String {
         return word.to_owned();
     }
     let figures = figures.max(1);
-    let short = format!("{value:.*e}", figures - 1);
+    let short = shown::figures(value, figures);
     let exponent: i32 = short.split_once('e').and_then(|(_, e)| e.parse().ok()).unwrap_or(0);
     let decimals = i32::try_from(figures).unwrap_or(17) - 1 - exponent;
     if (-5..6).contains(&exponent) && decimals >= 0 {
-        format!("{value:.*}", usize::try_from(decimals).unwrap_or(0))
+        shown::decimals(value, usize::try_from(decimals).unwrap_or(0))
     } else if (0..6).contains(&exponent) {
         // More digits before the point than figures: round them there.
         let whole: f64 = short.parse().unwrap_or(value);
-        format!("{whole:.0}")
+        shown::decimals(whole, 0)
     } else {
         short
     }

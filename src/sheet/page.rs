@@ -106,7 +106,7 @@ impl<'b> Sheets<'b> {
         room: &mut Room,
     ) -> Result<(Head, Document), Finding> {
         let head = self.head(student, name, variants);
-        let mut document = Document::default();
+        let mut pictures = Vec::new();
         let mut problems = Vec::with_capacity(variants.len());
         let mut body = Vec::new();
         for (i, (index, _)) in self.statements.iter().enumerate() {
@@ -117,7 +117,7 @@ impl<'b> Sheets<'b> {
                     let picture = scene::picture(problem, variant, self.words, problem.figure);
                     let name = format!("problem-{}", i + 1);
                     let line = format!("![{}]({name}.svg)", alternative(&picture));
-                    document.pictures.push((name, picture));
+                    pictures.push((name, picture));
                     line
                 });
                 self.write(i, variant, figure.as_deref(), room, &mut body)?;
@@ -132,9 +132,9 @@ impl<'b> Sheets<'b> {
         view.value("problems", template::list(problems));
         let mut out = Vec::new();
         self.templates.render("sheet.md", &view, &mut out)?;
-        document.markdown = String::from_utf8_lossy(&out).trim_end().to_owned();
-        document.markdown.push('\n');
-        Ok((head, document))
+        let mut markdown = String::from_utf8_lossy(&out).trim_end().to_owned();
+        markdown.push('\n');
+        Ok((head, Document::new(markdown, pictures)))
     }
 
     /// Who gets the sheet, and the code of what was drawn.
@@ -142,8 +142,8 @@ impl<'b> Sheets<'b> {
         let mut drawn = format!("{}\u{0}{student}", self.set);
         for ((index, _), variant) in self.statements.iter().zip(variants) {
             let problem = &self.bank.problems[*index];
-            let case = problem.cases.get(variant.case).map_or("", |c| c.name.as_str());
-            drawn.push_str(&format!("\u{0}{}\u{0}{case}", problem.id));
+            // Not the case: whoever knows its names could try which of them gives this code.
+            drawn.push_str(&format!("\u{0}{}", problem.id));
             for number in variant.values.iter() {
                 drawn.push('\u{0}');
                 drawn.push_str(&number.map_or_else(String::new, decimal_text));

@@ -14,6 +14,8 @@ use crate::bank::Problem;
 use crate::bank::Question;
 use crate::bank::decimal::Decimal;
 use crate::finding::Finding;
+use crate::num::elliptic;
+use crate::num::shown;
 use crate::problem::make::Variant;
 use crate::problem::make_key;
 use crate::scene::Num;
@@ -21,6 +23,7 @@ use crate::scene::Owner;
 use crate::scene::Quantity;
 use crate::scene::Scene;
 use crate::scene::Slope;
+use crate::scene::Span;
 use crate::scene::Start;
 use crate::sheet::document;
 use crate::template;
@@ -76,6 +79,7 @@ pub struct Statement<'b> {
     words: &'b Words,
     name: String,
     values: bool,
+    series: bool,
     common: Common,
     /// Text before and after the digits of each datum.
     around: Vec<(String, String)>,
@@ -117,7 +121,7 @@ pub fn add_own(templates: &mut Templates, bank: &Bank) -> Result<(), Vec<Finding
     for problem in &bank.problems {
         if let Some(text) = &problem.statement {
             let field = template_name(problem);
-            if let Err(fault) = templates.add_markdown(&field, text) {
+            if let Err(fault) = templates.add_markdown(&field, text, bank.places.get(&field).cloned()) {
                 faults.push(fault);
             }
         } else if !templates.has_markdown(&template_name(problem)) {
@@ -127,7 +131,8 @@ pub fn add_own(templates: &mut Templates, bank: &Bank) -> Result<(), Vec<Finding
             )));
         }
         for q in problem.questions.iter().filter(|q| is_template(&q.ask)) {
-            if let Err(fault) = templates.add_markdown(&ask_name(problem, q), &q.ask) {
+            let field = ask_name(problem, q);
+            if let Err(fault) = templates.add_markdown(&field, &q.ask, bank.places.get(&field).cloned()) {
                 faults.push(fault);
             }
         }
@@ -164,10 +169,12 @@ impl<'b> Statement<'b> {
             .filter(|(_, q)| is_template(&q.ask))
             .map(|(i, q)| (i, ask_name(problem, q)))
             .collect();
-        let mut values = used.iter().any(|v| v == "value");
+        let mut used = used;
         for (_, ask) in &asks {
-            values |= templates.variables(ask)?.iter().any(|v| v == "value");
+            used.extend(templates.variables(ask)?);
         }
+        let uses = |name: &str| used.iter().any(|v| v == name);
+        let (values, series) = (uses("value"), uses("series"));
         let around = problem
             .data
             .iter()
@@ -208,7 +215,7 @@ impl<'b> Statement<'b> {
             }
             cases.push(this);
         }
-        Ok(Self { problem, templates, words, name, values, common: common.clone(), around, cases })
+        Ok(Self { problem, templates, words, name, values, series, common: common.clone(), around, cases })
     }
 
     /// Appends the statement of a variant, with its figure (a line of Markdown) and its questions.
@@ -258,6 +265,9 @@ impl<'b> Statement<'b> {
         if of_case.particles {
             self.particles(&self.problem.cases[case].scene, drawn, &mut scratch.view);
         }
+        if self.series {
+            scratch.view.text("series", &self.series(variant));
+        }
         self.templates.render(&self.name, &scratch.view, out)?;
         while out.last().is_some_and(u8::is_ascii_whitespace) {
             out.pop();
@@ -288,6 +298,27 @@ impl<'b> Statement<'b> {
         }
         out.push(b'\n');
         Ok(())
+    }
+
+    /// The series of the period and how many of its terms this swing takes to be within the tolerance, for a student who sums it.
+    fn series(&self, variant: &Variant) -> String {
+        const MOST: usize = 40;
+        let of = |quantity: Quantity| variant.solved.entries.iter().find(|e| e.label.quantity == quantity);
+        let asked = self.problem.questions.iter().position(|q| q.label.quantity == Quantity::Period);
+        let share = asked.and_then(|q| {
+            let (question, entry) = (&self.problem.questions[q], of(Quantity::Period)?);
+            let width = make_key::half_width(question, entry.value(), entry.scale, entry.cond);
+            Some(width / entry.value())
+        });
+        // A pendulum of the frequency w that swings up to A passes below with 2 w sin(A/2).
+        let modulus = of(Quantity::OmegaMax).zip(of(Quantity::OmegaSmall));
+        let modulus = modulus.map(|(most, small)| most.value() / (2.0 * small.value()));
+        let terms = share.zip(modulus).and_then(|(share, k)| elliptic::terms_within(k, share, MOST));
+        match terms {
+            Some(1) => self.words.get("sheet.series.one").to_owned(),
+            Some(n) => self.words.say("sheet.series.terms", &[("terms", &n.to_string())]),
+            None => self.words.say("sheet.series.many", &[("terms", &MOST.to_string())]),
+        }
     }
 
     /// `$40\ \mathrm{kg}$`
@@ -405,16 +436,11 @@ fn forms(words: &Words, problem: &Problem, scene: &Scene, common: &Common, withi
 /// How an answer is to be written: `in N, signed or with up / down`.
 fn form(words: &Words, q: &Question, scene: &Scene, common: &Common, within: f64) -> String {
     let [forward, back] = direction_words(words, scene, q.label.of);
-    match q.label.quantity {
-        Quantity::Direction => {
-            let pieces = [("a", forward), ("b", back), ("c", words.get("sheet.stays"))];
-            return words.say("sheet.one_of_three", &pieces);
-        }
-        Quantity::Rolls => {
-            let pieces = [("a", words.get("sheet.yes")), ("b", words.get("sheet.no"))];
-            return words.say("sheet.one_of_two", &pieces);
-        }
-        _ => {}
+    if q.label.quantity.is_word()
+        && let [a, b] = make_key::offered(q.label.quantity, scene)
+    {
+        let text = words.say("sheet.one_of_two", &[("a", said(words, a)), ("b", said(words, b))]);
+        return range(scene, q).map_or_else(|| text.clone(), |r| format!("{text}, {}", words.get(r)));
     }
     let mut text = match q.unit.ascii() {
         "1" => words.get("sheet.number").to_owned(),
@@ -431,6 +457,9 @@ fn form(words: &Words, q: &Question, scene: &Scene, common: &Common, within: f64
     if q.label.quantity.is_directed() && make_key::words_sign(scene, q.label) {
         add(&words.say("sheet.signed", &[("forward", forward), ("back", back)]));
     }
+    if let Some(range) = range(scene, q) {
+        add(words.get(range));
+    }
     if q.figures != common.figures {
         add(&words.say("sheet.figures", &[("n", &q.figures.to_string())]));
     }
@@ -443,9 +472,21 @@ fn form(words: &Words, q: &Question, scene: &Scene, common: &Common, within: f64
     text
 }
 
+/// Over which part of the motion an extremum is taken, where the forces change on the way so that it matters.
+fn range(scene: &Scene, q: &Question) -> Option<&'static str> {
+    scene.spring()?;
+    match (q.label.quantity, scene.span) {
+        (Quantity::MuRequired | Quantity::Rolls, Span::ToEnd) => Some("sheet.to_the_end"),
+        (Quantity::MuRequired | Quantity::Rolls | Quantity::VMax | Quantity::DAtVMax, _) => {
+            Some("sheet.to_the_turning_point")
+        }
+        _ => None,
+    }
+}
+
 /// `1 %`
 pub fn percent(share: f64) -> String {
-    let text = format!("{:.4}", share * 100.0);
+    let text = shown::decimals(share * 100.0, 4);
     let text = text.trim_end_matches('0').trim_end_matches('.');
     format!("{text} %")
 }

@@ -4,9 +4,11 @@ use crate::finding::Finding;
 use crate::sheet::document::ANSWER;
 use crate::sheet::document::Document;
 use crate::sheet::document::Head;
+use crate::sheet::document::MARKDOWN;
+use crate::sheet::document::is_break;
 use crate::sheet::document::kept_together;
-use crate::sheet::html::MARKDOWN;
 use crate::sheet::html::PAPER;
+use crate::sheet::html::fault_of;
 use crate::sheet::html::signs;
 use crate::template;
 use crate::template::Templates;
@@ -158,6 +160,12 @@ pub fn body(document: &Document) -> String {
                     None => out.push_str(&template::in_tex(&alt)),
                 }
             }
+            // LaTeX carries out whatever stands in a formula: what is none is shown as it was written.
+            Event::InlineMath(tex) | Event::DisplayMath(tex) if fault_of(&tex).is_some() => {
+                out.push_str("\\code{");
+                out.push_str(&code(&tex));
+                out.push('}');
+            }
             Event::InlineMath(tex) => {
                 out.push('$');
                 out.push_str(&tex);
@@ -187,8 +195,8 @@ pub fn body(document: &Document) -> String {
             Event::Html(text) | Event::InlineHtml(text) => {
                 if text.trim() == ANSWER {
                     out.push_str("\\answerroom");
-                } else if !text.trim_start().starts_with("<!--") {
-                    out.push_str(&template::in_tex(&text));
+                } else if is_break(&text) {
+                    out.push_str("\\\\\n");
                 }
             }
             Event::SoftBreak => out.push('\n'),

@@ -7,12 +7,14 @@ use crate::finding::Finding;
 use crate::sheet::document::ANSWER;
 use crate::sheet::document::Document;
 use crate::sheet::document::Head;
+use crate::sheet::document::MARKDOWN;
+use crate::sheet::document::is_break;
+use crate::sheet::html::unfit;
 use crate::words::Words;
 use pulldown_cmark::Alignment;
 use pulldown_cmark::CodeBlockKind;
 use pulldown_cmark::Event as Mark;
 use pulldown_cmark::HeadingLevel;
-use pulldown_cmark::Options;
 use pulldown_cmark::Parser as Markdown;
 use pulldown_cmark::Tag;
 use pulldown_cmark::TagEnd;
@@ -177,11 +179,10 @@ struct Page<'p> {
 
 impl Page<'_> {
     fn write(&mut self) -> Result<(), Finding> {
-        let options = Options::ENABLE_MATH | Options::ENABLE_TABLES;
         let document = self.document;
         let mut alt = String::new();
         let mut picture: Option<String> = None;
-        for mark in Markdown::new_ext(&document.markdown, options) {
+        for mark in Markdown::new_ext(&document.markdown, MARKDOWN) {
             if self.hidden > 0 {
                 match mark {
                     Mark::Start(_) => self.hidden += 1,
@@ -321,7 +322,7 @@ impl Page<'_> {
                 Some((_, wants)) => *wants = true,
                 None => self.out.push_str("#answer(labels);"),
             }
-        } else if trimmed.eq_ignore_ascii_case("<br>") || trimmed.eq_ignore_ascii_case("<br/>") {
+        } else if is_break(trimmed) {
             self.out.push_str("#linebreak();");
         } else if !(trimmed.is_empty() || trimmed.starts_with("<!--")) {
             let fault = Finding::new("", format!("HTML has no translation for print: {trimmed}"));
@@ -379,8 +380,11 @@ pub struct Formula {
 /// What cannot be read, and what has no translation.
 pub fn formula(tex: &str, block: bool, words: &Words) -> Result<Formula, Finding> {
     let storage = Storage::new();
-    let events: Result<Vec<Event>, _> = Parser::new(tex, &storage).collect();
     let fault = |what: &str| Finding::new("", format!("formula `${tex}$`: {what}"));
+    if let Some(what) = unfit(tex) {
+        return Err(fault(what));
+    }
+    let events: Result<Vec<Event>, _> = Parser::new(tex, &storage).collect();
     let events = events.map_err(|e| fault(e.to_string().lines().next().unwrap_or("cannot be read")))?;
     let mut reader = Reader { events: &events, next: 0, words, block };
     let pieces = reader.row(Upright::No, false).map_err(|what| fault(&what))?;

@@ -1,4 +1,6 @@
 //! A whole made-up class: what each student hands in, who copies from whom, when, and the two files of it, submissions and truth.
+use crate::guard::push_field;
+use crate::guard::push_line;
 use crate::key::SheetKey;
 use crate::simulate::chance::Chance;
 use crate::simulate::habits::Habits;
@@ -143,11 +145,10 @@ pub fn write(habits: &Habits, words: &Words, seed: u64, works: &[Work]) -> Files
     if habits.times.is_some() {
         rows.sort_by_key(|r| r.minute);
     }
-    let mut submissions = String::new();
-    let mut truth = csv::Writer::from_writer(Vec::new());
-    // Writing to memory cannot fail.
-    let _ = truth.write_record(HEADER);
-    let separator = if habits.spreadsheet { ';' } else { ',' };
+    let mut submissions = Vec::new();
+    let mut truth = Vec::new();
+    push_line(&mut truth, HEADER);
+    let separator = if habits.spreadsheet { b';' } else { b',' };
     header(habits, &mut submissions);
     for (i, row) in rows.iter().enumerate() {
         // What varies without meaning anything varies by what is answered, not by where the row stands.
@@ -170,41 +171,46 @@ pub fn write(habits: &Habits, words: &Words, seed: u64, works: &[Work]) -> Files
                 submissions.push(separator);
             }
             // Spreadsheets quote more than they must.
-            let quote = habits.spreadsheet && field.contains(' ') && odd % 3 == 0;
-            push_field(&mut submissions, field, separator, quote);
+            let quoted = habits.spreadsheet && field.contains(' ') && odd % 3 == 0;
+            push_field(&mut submissions, field.as_bytes(), separator, quoted);
         }
-        submissions.push_str(if habits.spreadsheet { "\r\n" } else { "\n" });
+        submissions.extend_from_slice(if habits.spreadsheet { b"\r\n" } else { b"\n" });
         let t = &row.handed.truth;
-        let _ = truth.write_record([
-            (i + 2).to_string().as_str(),
-            row.student,
-            &problem,
-            row.part,
-            &row.handed.attempt.to_string(),
-            &answer,
-            t.kind.name(),
-            &t.method,
-            &t.figures.map_or_else(String::new, |f| f.to_string()),
-            &t.from,
-            if t.right { "yes" } else { "no" },
-            row.verdict,
-        ]);
+        let figures = t.figures.map_or_else(String::new, |f| f.to_string());
+        push_line(
+            &mut truth,
+            [
+                (i + 2).to_string().as_str(),
+                row.student,
+                &problem,
+                row.part,
+                &row.handed.attempt.to_string(),
+                &answer,
+                t.kind.name(),
+                &t.method,
+                &figures,
+                &t.from,
+                if t.right { "yes" } else { "no" },
+                row.verdict,
+            ],
+        );
     }
     Files {
-        submissions: submissions.into_bytes(),
-        truth: truth.into_inner().unwrap_or_default(),
+        submissions,
+        truth,
         rows: rows.len(),
         students: works.iter().filter(|w| !w.handed.is_empty()).count(),
     }
 }
 
-fn header(habits: &Habits, out: &mut String) {
-    out.push_str(match (habits.spreadsheet, habits.times.is_some()) {
+fn header(habits: &Habits, out: &mut Vec<u8>) {
+    let text = match (habits.spreadsheet, habits.times.is_some()) {
         (false, false) => "student,problem,part,answer\n",
         (false, true) => "student,problem,part,answer,submitted_at\n",
         (true, false) => "\u{feff}STUDENT;Problem;Part ;Answer;Device\r\n",
         (true, true) => "\u{feff}Submitted_at;STUDENT;Problem;Part ;Answer;Device\r\n",
-    });
+    };
+    out.extend_from_slice(text.as_bytes());
 }
 
 /// What stands in the cell; `odd` tells whether a blank has blanks in it.
@@ -224,17 +230,6 @@ fn text(cell: &Cell, comma: bool, odd: usize, words: &Words) -> String {
                 None => number,
             }
         }
-    }
-}
-
-fn push_field(out: &mut String, field: &str, separator: char, quote: bool) {
-    let must = field.contains([separator, '"', '\n', '\r']) || field != field.trim();
-    if quote || must {
-        out.push('"');
-        out.push_str(&field.replace('"', "\"\""));
-        out.push('"');
-    } else {
-        out.push_str(field);
     }
 }
 

@@ -1,5 +1,6 @@
 //! Submissions of a class: right ones and the ways in which they go wrong.
 use crate::bank::Problem;
+use crate::guard::push_field;
 use crate::key::Answer;
 use crate::key::KeyEntry;
 use crate::key::ProblemKey;
@@ -9,7 +10,6 @@ use crate::solve::agree;
 use rand::RngExt as _;
 use rand::SeedableRng as _;
 use rand_chacha::ChaCha20Rng;
-use std::fmt::Write as _;
 
 macro_rules! kinds {
     ($($variant:ident $name:literal;)*) => {
@@ -98,18 +98,15 @@ pub fn hand_in(sheets: &[Sheet], seed: u64) -> HandIn {
             [stamp(), student, problem.to_owned(), part.to_owned(), "2 m/s".to_owned()],
         ));
     }
-    let mut text = String::from("\u{feff}Submitted_at;STUDENT;Problem;Part ;Answer;Device\r\n");
+    let mut bytes = "\u{feff}Submitted_at;STUDENT;Problem;Part ;Answer;Device\r\n".as_bytes().to_vec();
     for (i, (_, fields)) in rows.iter().enumerate() {
         for field in fields {
-            if field.contains([';', '"']) || (field.contains(' ') && i % 3 == 0) {
-                let _ = write!(text, "\"{}\";", field.replace('"', "\"\""));
-            } else {
-                let _ = write!(text, "{field};");
-            }
+            push_field(&mut bytes, field.as_bytes(), b';', field.contains(' ') && i % 3 == 0);
+            bytes.push(b';');
         }
-        text.push_str(if i % 2 == 0 { "phone\r\n" } else { "\r\n" });
+        bytes.extend_from_slice(if i % 2 == 0 { b"phone\r\n" } else { b"\r\n" });
     }
-    HandIn { bytes: text.into_bytes(), kinds: rows.into_iter().map(|(kind, _)| kind).collect() }
+    HandIn { bytes, kinds: rows.into_iter().map(|(kind, _)| kind).collect() }
 }
 
 /// Signs as words, forward first.

@@ -4,6 +4,7 @@ use crate::bank::Problem;
 use crate::bank::decimal::Decimal;
 use crate::finding::Finding;
 use crate::problem::make::Variant;
+use crate::scene::End;
 use crate::scene::Label;
 use crate::scene::Num;
 use crate::scene::Quantity;
@@ -127,7 +128,11 @@ impl<'a> Desk<'a> {
             let symbol = desk.ledger.given(&datum.tex, *value, &digits, &unit, datum.degrees);
             let shown = desk.ledger.shown(symbol);
             let again = if shown == printed { String::new() } else { format!(" = {shown}") };
-            desk.told.push(format!("{} = {printed}{again}", datum.tex));
+            // At an instant nothing falls: g is no datum of it.
+            let idle = desk.scene.end == End::AtOnce && desk.scene.gravity_m_s2 == Num::Datum(i);
+            if !idle {
+                desk.told.push(format!("{} = {printed}{again}", datum.tex));
+            }
             desk.data[i] = Some(symbol);
         }
         Ok(desk)
@@ -195,6 +200,11 @@ impl<'a> Desk<'a> {
     /// The data as they are told, each a formula without dollars.
     pub fn told(&self) -> &[String] {
         &self.told
+    }
+
+    /// Is one of them an angle in degrees?
+    pub fn degrees_told(&self) -> bool {
+        self.told.iter().any(|t| t.contains(r"^\circ"))
     }
 
     /// Symbol (as the bank has it) and text of each datum for templates, `$R = 200\ \mathrm{mm}$`.

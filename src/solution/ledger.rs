@@ -1,4 +1,5 @@
 //! The quantities of one solution: how each is written, its full value and the digits that are shown.
+use crate::num::shown;
 use crate::num::trig::power;
 use crate::sheet::number;
 use crate::solution::expr::Expr;
@@ -47,7 +48,7 @@ impl<'w> Ledger<'w> {
     /// What is kept of a found value, and how far that may be off: half a unit of the last figure.
     fn kept(&self, value: f64) -> (f64, f64) {
         let Some(figures) = self.kept else { return (value, 0.0) };
-        let text = format!("{value:.*e}", figures - 1);
+        let text = shown::figures(value, figures);
         let exponent: Option<i32> = text.split_once('e').and_then(|(_, e)| e.parse().ok());
         let last = exponent.map_or(0.0, |e| power(10.0, f64::from(e) - float(figures)));
         (text.parse().unwrap_or(value), if value == 0.0 { 0.0 } else { 5.0 * last })

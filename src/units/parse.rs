@@ -29,6 +29,13 @@ pub enum UnitFault {
         /// What it might be.
         either: Vec<String>,
     },
+    /// A name that stands for two units, such as `r` for the radian and for the revolution.
+    Either {
+        /// The name.
+        name: String,
+        /// What it may be.
+        either: Vec<String>,
+    },
     /// A character that has no place there.
     Stray {
         /// The character.
@@ -63,6 +70,9 @@ impl fmt::Display for UnitFault {
                     "unknown unit `{name}`: write {} (upper and lower case matter)",
                     either.join(" or ")
                 )
+            }
+            UnitFault::Either { name, either } => {
+                write!(f, "`{name}` may be {}: write one of them", either.join(" or "))
             }
             UnitFault::Stray { found, column } => {
                 write!(f, "unexpected `{}` at column {column}", found.escape_debug())
@@ -195,10 +205,23 @@ impl Reader<'_> {
             let found = self.text[start];
             return Err(UnitFault::Stray { found, column: start + 1 });
         }
-        // r/min, U/min: these letters are a turn only above min or s
         let rest: String = self.text[self.at..].iter().filter(|c| !c.is_whitespace()).collect();
+        let rest = rest.trim_start_matches(['·', '\u{22c5}', '*']);
+        // Above a second `r` is a radian to some and a turn to others; what is right of it does not matter.
+        let lower = rest.to_lowercase();
+        let rest = if self.any_case { lower.as_str() } else { rest };
+        let second = rest.strip_prefix('/').unwrap_or(rest).trim_start_matches('(');
+        let second = second.strip_prefix("sec").or_else(|| second.strip_prefix('s'));
+        let per_second = second.is_some_and(|more| !more.starts_with(char::is_alphabetic));
+        if (name == "r" || (name == "R" && self.any_case)) && per_second {
+            let tail: String = self.text[self.at..].iter().collect();
+            return Err(UnitFault::Either {
+                name: format!("{name}{tail}"),
+                either: vec![format!("rad{tail}"), format!("rev{tail}")],
+            });
+        }
+        // r/min, U/min, U/s: there these letters are a turn.
         let turns = || {
-            let rest = rest.trim_start_matches(['·', '\u{22c5}', '*']);
             ["/min", "/s", "min-1", "min^-1", "min^(-1)", "min⁻¹", "s-1", "s^-1", "s^(-1)", "s⁻¹"]
                 .contains(&rest)
         };
@@ -322,14 +345,16 @@ fn look_up(name: &str) -> Option<Found> {
     Some((row, ascii, *ten))
 }
 
+/// Every name of a unit that is read, with each of its prefixes.
+pub fn names() -> impl Iterator<Item = String> {
+    ROWS.iter().flat_map(|r| {
+        let prefixed = r.prefixes.chars().map(move |p| format!("{p}{}", r.name));
+        std::iter::once(r.name.to_owned()).chain(prefixed)
+    })
+}
+
 fn unknown(name: &str, column: usize) -> UnitFault {
-    let known: Vec<String> = ROWS
-        .iter()
-        .flat_map(|r| {
-            let prefixed = r.prefixes.chars().filter(char::is_ascii).map(move |p| format!("{p}{}", r.name));
-            std::iter::once(r.name.to_owned()).chain(prefixed)
-        })
-        .collect();
+    let known: Vec<String> = names().filter(|n| !n.starts_with(['\u{b5}', '\u{3bc}'])).collect();
     let close = known.iter().find(|k| k.to_lowercase() == name.to_lowercase()).cloned();
     let close = close.or_else(|| spell::closest(name, known.iter().map(String::as_str)).map(str::to_owned));
     UnitFault::Unknown { name: name.chars().take(24).collect(), column, close }

@@ -63,6 +63,9 @@ pub(crate) const ROWS: &[Row] = &[
     row("t", "t", MASS, 1, 1, 3, 0, ""),
     row("lb", "lb", MASS, 45_359_237, 1, -8, 0, ""),
     row("lbm", "lb", MASS, 45_359_237, 1, -8, 0, ""),
+    row("lbs", "lb", MASS, 45_359_237, 1, -8, 0, ""),
+    row("pound", "lb", MASS, 45_359_237, 1, -8, 0, ""),
+    row("pounds", "lb", MASS, 45_359_237, 1, -8, 0, ""),
     row("slug", "slug", MASS, LBF, 3048, -9, 0, ""), // lbf s^2/ft
     row("m", "m", LENGTH, 1, 1, 0, 0, "kcdmnu\u{b5}\u{3bc}"),
     row("in", "in", LENGTH, 254, 1, -4, 0, ""),
@@ -102,6 +105,10 @@ pub(crate) const ROWS: &[Row] = &[
     row("kmh", "km/h", SPEED, 5, 18, 0, 0, ""),
     row("kph", "km/h", SPEED, 5, 18, 0, 0, ""),
     row("mph", "mi/h", SPEED, 44_704, 1, -5, 0, ""),
+    row("knot", "knot", SPEED, 463, 9, -2, 0, ""), // 1852 m in an hour
+    row("knots", "knot", SPEED, 463, 9, -2, 0, ""),
+    row("kt", "knot", SPEED, 463, 9, -2, 0, ""),
+    row("kts", "knot", SPEED, 463, 9, -2, 0, ""),
     row("fps", "ft/s", SPEED, 3048, 1, -4, 0, ""),
     row("%", "%", NONE, 1, 1, -2, 0, ""),
     // full names

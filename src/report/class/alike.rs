@@ -1,5 +1,6 @@
 //! The section on answers that are those of classmates.
 use crate::matches::FLAGGED;
+use crate::num::shown;
 use crate::plot::svg::escaped;
 use crate::report::alike::Matches;
 use crate::report::class::Pen;
@@ -11,9 +12,9 @@ use crate::report::table::Table;
 /// `1 in 2e14`, and as it is where luck brings one or more.
 fn by_luck(expected: f64) -> String {
     match 1.0 / expected {
-        _ if expected >= 1.0 => format!("{expected:.1}"),
-        one_in if one_in < 1000.0 => format!("1 in {one_in:.0}"),
-        one_in if one_in.is_finite() => format!("1 in {one_in:.0e}"),
+        _ if expected >= 1.0 => shown::decimals(expected, 1),
+        one_in if one_in < 1000.0 => format!("1 in {}", shown::decimals(one_in, 0)),
+        one_in if one_in.is_finite() => format!("1 in {}", shown::figures(one_in, 1)),
         _ => "never".to_owned(),
     }
 }
@@ -37,7 +38,7 @@ impl Pen<'_> {
                 named(&pair.classmate),
                 Cell::text(&pair.parts.join(", ")),
                 Cell::text(&pair.answers.join(" | ")),
-                Cell::rich(escaped(&by_luck(pair.expected)), &format!("{:.1e}", pair.expected)),
+                Cell::rich(escaped(&by_luck(pair.expected)), &shown::figures(pair.expected, 2)),
                 Cell::text(if pair.flagged { "yes" } else { "no" }),
                 Cell::text(&pair.explained),
             ]

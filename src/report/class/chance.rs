@@ -1,4 +1,5 @@
 //! Sections on attempts, time, and whether variants were equally hard.
+use crate::num::shown;
 use crate::report::charts;
 use crate::report::class::Pen;
 use crate::report::class::SHOWN;
@@ -28,7 +29,7 @@ impl Pen<'_> {
                 row.extend(part.first_right.iter().map(|n| Cell::count(*n)));
                 row.push(Cell::count(never));
                 row.push(Cell::or_none(
-                    part.seconds.map(|(m, _)| Cell::rich(lasting(m), &format!("{m:.0}"))),
+                    part.seconds.map(|(m, _)| Cell::rich(lasting(m), &shown::decimals(m, 0))),
                 ));
                 row.push(Cell::or_none(part.seconds.map(|(_, n)| Cell::count(n))));
                 row.push(Cell::or_none(part.attempts.map(|m| Cell::number(m, 1))));
@@ -81,7 +82,7 @@ impl Pen<'_> {
                 .map(|(i, n)| format!("{} ({})", title(*i), count(*n, "student")))
                 .collect();
             out.push_str(&paragraph(&format!(
-                "Nothing is said on {}: with answers of fewer than {LEAST_FOR_CORRELATION} students chance alone makes such differences.",
+                "Nothing is said about {}: with answers of fewer than {LEAST_FOR_CORRELATION} students chance alone makes such differences.",
                 few.join("; ")
             )));
         }

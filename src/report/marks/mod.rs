@@ -73,6 +73,8 @@ pub struct Class {
     pub parts: Vec<Part>,
     /// Does the sheet of a student have a part? Row after row, a row for each student.
     pub asked: Vec<bool>,
+    /// Does the day come first in dates? `None`: they must say themselves.
+    pub day_first: Option<bool>,
 }
 
 /// The row that counts.

@@ -1,5 +1,6 @@
 //! answers.csv and gradebook.csv to marks, in a stream.
 use crate::grade::verdict::Verdict;
+use crate::guard::unguarded;
 use crate::policy::time;
 use crate::policy::time::Evidence;
 use crate::report::marks::Cell;
@@ -53,13 +54,9 @@ impl Marks {
         let size = class.students.len() * class.parts.len();
         class.asked.resize(size, false);
         let whose: FxHashMap<String, usize> =
-            class.students.iter().enumerate().map(|(i, s)| (guarded(&s.id), i)).collect();
-        let which: FxHashMap<(String, String), usize> = class
-            .parts
-            .iter()
-            .enumerate()
-            .map(|(i, p)| ((p.number.to_string(), guarded(&p.id)), i))
-            .collect();
+            class.students.iter().enumerate().map(|(i, s)| (s.id.clone(), i)).collect();
+        let which: FxHashMap<(String, String), usize> =
+            class.parts.iter().enumerate().map(|(i, p)| ((p.number.to_string(), p.id.clone()), i)).collect();
         let mut marks = Self {
             cells: vec![Cell::default(); size],
             by_part: vec![[0; Verdict::ALL.len()]; class.parts.len()],
@@ -82,7 +79,7 @@ impl Marks {
             Ok(())
         };
         pass(&mut marks, &mut |marks, found| marks.take(found, &mut seen, &mut evidence))?;
-        let order = evidence.choice();
+        let order = marks.class.day_first.map_or(evidence, Evidence::said).choice();
         if seen.iter().any(|s| s.disordered && !s.untimed) {
             // How many attempts came before the first right one: counted in a second reading.
             let mut before = vec![0u32; size];
@@ -197,9 +194,9 @@ impl Marks {
         let (student, total, of) = (need("student")?, need("total")?, need("max_total")?);
         let dropped = at("dropped");
         let columns: Vec<usize> =
-            self.class.parts.iter().map(|p| need(&guarded(&p.label()))).collect::<Result<_, _>>()?;
+            self.class.parts.iter().map(|p| need(&p.label())).collect::<Result<_, _>>()?;
         let whose: FxHashMap<String, usize> =
-            self.class.students.iter().enumerate().map(|(i, s)| (guarded(&s.id), i)).collect();
+            self.class.students.iter().enumerate().map(|(i, s)| (s.id.clone(), i)).collect();
         let mut found = 0;
         for record in reader.byte_records() {
             let record = record.map_err(fault)?;
@@ -215,7 +212,7 @@ impl Marks {
                     _ => Err(Unreadable { line, what: format!("`{text}` is no number of points") }),
                 }
             };
-            let Some(who) = whose.get(text(student).as_ref()).copied() else {
+            let Some(who) = whose.get(unguarded(&text(student))).copied() else {
                 return Err(Unreadable { line, what: format!("`{}` is not in the set", text(student)) });
             };
             found += 1;
@@ -273,8 +270,10 @@ impl<'r> Found<'r> {
             record,
             columns,
             number,
-            who: whose.get(text(columns.student).as_ref()).copied(),
-            what: which.get(&(text(columns.problem).into_owned(), text(columns.part).into_owned())).copied(),
+            who: whose.get(unguarded(&text(columns.student))).copied(),
+            what: which
+                .get(&(text(columns.problem).into_owned(), unguarded(&text(columns.part)).to_owned()))
+                .copied(),
             verdict,
             points: number_at(columns.points)?,
             max_points: number_at(columns.max_points)?,
@@ -288,10 +287,7 @@ impl<'r> Found<'r> {
         shortened(&self.text(Some(self.columns.reason)))
     }
     fn answer(&self) -> String {
-        let text = self.text(Some(self.columns.answer));
-        // The grader's apostrophe goes, a student's own stays.
-        let plain = text.strip_prefix('\'').filter(|plain| guarded(plain) == text);
-        shortened(plain.unwrap_or(&text))
+        shortened(unguarded(&self.text(Some(self.columns.answer))))
     }
     fn words(&self, column: Option<usize>) -> Vec<String> {
         self.text(column).split_whitespace().map(str::to_owned).collect()
@@ -339,18 +335,6 @@ fn superseded(reason: &str) -> Option<(Verdict, String)> {
         let why = rest[verdict.as_str().len()..].trim_start_matches([':', ';', ' ']);
         Some((verdict, why.to_owned()))
     })
-}
-
-/// A field as the grader writes it: what a spreadsheet would run has an apostrophe in front.
-fn guarded(text: &str) -> String {
-    let mut out = Vec::new();
-    crate::grade::write::push_text(&mut out, text.as_bytes());
-    let mut reader = csv::ReaderBuilder::new().has_headers(false).from_reader(out.as_slice());
-    let mut record = csv::ByteRecord::new();
-    match reader.read_byte_record(&mut record) {
-        Ok(true) => String::from_utf8_lossy(record.get(0).unwrap_or_default()).into_owned(),
-        _ => text.to_owned(),
-    }
 }
 
 /// Not longer than [`LONGEST`], without signs that neither HTML nor a reader can show.
@@ -418,6 +402,7 @@ mod tests {
                 .map(|id| Part { number: 1, id: id.to_owned(), points: 1.0, ..Part::default() })
                 .to_vec(),
             asked: vec![true; 4],
+            day_first: None,
         }
     }
     fn read(rows: &str) -> Result<Marks, Unreadable> {

@@ -1,6 +1,5 @@
 //! Kinetic energy of bodies at an instant: the velocities that the ties add to those of the start, then the definition, body by
 //! body.
-use crate::finding::Finding;
 use crate::scene::Coordinate;
 use crate::scene::CordEnd;
 use crate::scene::Degree;
@@ -24,6 +23,8 @@ use crate::solution::linear::mechanism::Part;
 use crate::solution::linear::mechanism::tagged;
 use crate::solution::linear::walk::of_body;
 use crate::solution::linear::walk::of_scene;
+use crate::solution::stop::Beyond;
+use crate::solution::stop::Stop;
 use crate::solution::text::Block;
 use crate::solution::text::Section;
 
@@ -128,7 +129,7 @@ impl Speeds<'_, '_> {
 ///
 /// # Errors
 /// What the derivation does not cover.
-pub fn write(desk: &mut Desk) -> Result<(), Finding> {
+pub fn write(desk: &mut Desk) -> Result<(), Stop> {
     let parts = mechanism::parts(desk, false);
     let mut section = Section::new("energy", desk.words.get("solution.title.energy"));
     section.blocks.push(Block::Picture("scene".to_owned()));
@@ -193,7 +194,7 @@ fn speeds<'d, 'a>(
     desk: &'d mut Desk<'a>,
     parts: Vec<Part>,
     section: Section,
-) -> Result<Speeds<'d, 'a>, Finding> {
+) -> Result<Speeds<'d, 'a>, Stop> {
     let scene = desk.scene;
     let known = vec![Known::default(); parts.len()];
     let inner = vec![None; parts.len()];
@@ -222,9 +223,7 @@ fn speeds<'d, 'a>(
                     // along v + arm omega = 0
                     all.inner[body] = Some((along.per(&arm).opposite(), "solution.instant_fixed"));
                 } else if both && all.inner[body].is_some() {
-                    return Err(all
-                        .desk
-                        .fault("the worked solution does not cover: a body that two ties hold"));
+                    return Err(Beyond::HeldFast.into());
                 } else {
                     // What moves only in the direction of the cord rests.
                     let degree = if all.parts[body].v.is_some() { Degree::Along } else { Degree::Turn };
@@ -262,11 +261,8 @@ fn speeds<'d, 'a>(
             break;
         }
     }
-    if let Some(c) = scene.coordinates().find(|c| all.get(*c).is_none()) {
-        let name = &scene.bodies[c.body].name;
-        return Err(all.desk.fault(format!(
-            "the worked solution does not cover: velocities that several ties give together, as those of `{name}`"
-        )));
+    if scene.coordinates().any(|c| all.get(c).is_none()) {
+        return Err(Beyond::LooseSpin.into());
     }
     Ok(all)
 }

@@ -68,8 +68,9 @@ fn column(c: Coordinate) -> usize {
     }
 }
 
-/// What the ties say of the velocities. `grip` says which contacts that slip are taken as rolling.
-fn conditions<T: Real>(scene: &Scene, n: &Numbers<T>, grip: Grip) -> Equations<T> {
+/// What the ties say of the velocities. `grip` says which contacts that slip are taken as rolling, `stays` which bodies that could
+/// slide do not.
+fn conditions<T: Real>(scene: &Scene, n: &Numbers<T>, grip: Grip, stays: &[bool]) -> Equations<T> {
     let bodies = scene.bodies.len();
     let mut rows = Equations::of_decimals(2 * bodies);
     // A body without a line does not travel, one that does not turn has no spin.
@@ -104,6 +105,9 @@ fn conditions<T: Real>(scene: &Scene, n: &Numbers<T>, grip: Grip) -> Equations<T
             row[column(Coordinate { body: *body, degree: Degree::Turn })] =
                 -plant!("energy: distance from the contact", n.get(*radius));
         }
+        if let (Tie::Slide { body, .. }, Some(true)) = (tie, stays.get(t)) {
+            rows.row()[column(Coordinate { body: *body, degree: Degree::Along })] = T::of(1.0);
+        }
         if let Tie::Cord(cord) = tie {
             match &cord.to {
                 Far::Fixed => add_point(rows.row(), &cord.from),
@@ -130,7 +134,7 @@ pub fn at_start<T: Real>(scene: &Scene, n: &Numbers<T>) -> Result<Mode<T>, Refus
     }
     // The given velocities are solved for last: what then is left open must be one of them.
     let columns: SmallVec<[usize; 4]> = given.iter().map(|(c, _)| column(*c)).collect();
-    let reduced = conditions(scene, n, Grip::Declared).reduce(&columns);
+    let reduced = conditions(scene, n, Grip::Declared, &[]).reduce(&columns);
     let open = reduced.open();
     if let Some(c) =
         scene.coordinates().find(|c| open.contains(&column(*c)) && !columns.contains(&column(*c)))
@@ -152,12 +156,13 @@ pub fn at_start<T: Real>(scene: &Scene, n: &Numbers<T>) -> Result<Mode<T>, Refus
     Ok(motion)
 }
 
-/// The possible motions: the first has unit rate of the ending coordinate, the others leave it at rest.
+/// The possible motions: the first has unit rate of the ending coordinate, the others leave it at rest; all of them do where
+/// the ties hold it fast, and there are none where they hold everything.
 ///
-/// `grip` says which contacts that slip are taken as rolling. Errors: the ties hold the ending coordinate fast.
-pub fn modes<T: Real>(scene: &Scene, n: &Numbers<T>, grip: Grip) -> Result<Modes<T>, Refusal> {
+/// `grip` says which contacts that slip are taken as rolling, `stays` which bodies that could slide do not.
+pub fn modes<T: Real>(scene: &Scene, n: &Numbers<T>, grip: Grip, stays: &[bool]) -> Modes<T> {
     let bodies = scene.bodies.len();
-    let rows = conditions(scene, n, grip);
+    let rows = conditions(scene, n, grip, stays);
     let main = column(scene.ending_coordinate());
     // Keep the spin of a slipping wheel open beside the ending coordinate.
     let mut free: SmallVec<[usize; 4]> = smallvec![main];
@@ -169,13 +174,13 @@ pub fn modes<T: Real>(scene: &Scene, n: &Numbers<T>, grip: Grip) -> Result<Modes
     }));
     let reduced = rows.reduce(&free);
     let mut open = reduced.open();
-    let Some(first) = open.iter().position(|j| *j == main) else { return Err(Refusal::Freedoms(0)) };
-    open.swap(0, first);
-    Ok(open
-        .into_iter()
+    if let Some(first) = open.iter().position(|j| *j == main) {
+        open.swap(0, first);
+    }
+    open.into_iter()
         .map(|j| {
             let part = |offset: usize| (0..bodies).map(|b| reduced.in_mode(j, 2 * b + offset)).collect();
             Mode { v: part(0), w: part(1) }
         })
-        .collect())
+        .collect()
 }

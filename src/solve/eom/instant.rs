@@ -136,7 +136,7 @@ fn struck<T: Real>(scene: &Scene, n: &Numbers<T>) -> Result<Struck<T>, Refusal> 
     let blow = |at: usize, before: &[Blow<T>]| -> Result<Option<Blow<T>>, Refusal> {
         let setting = Setting {
             grip: Grip::Declared,
-            held: false,
+            stays: smallvec![false; scene.ties.len()],
             friction_sense: smallvec![0.0; scene.ties.len()],
             starting: false,
             probe: Some(out.coordinates[at]),
