@@ -19,7 +19,7 @@ use slipstick::bank::{load, review};
 use slipstick::problem::make::Maker;
 use slipstick::scene::*;
 use slipstick::solve::agree::{prove, solve};
-use slipstick::solve::outcome::{Refusal, Solved};
+use slipstick::solve::outcome::{Refusal, Solved, Unsupported};
 
 fn f(x: f64) -> Num {
     Num::Fixed(x)
@@ -198,7 +198,7 @@ fn a_start_that_says_too_little_or_too_much_is_refused_by_name() {
     told(&drawn, &["scene.start", "already give the spin of `drum`"]);
     // Constants are compared: 0.8 m/s is 8 rad/s at 0.1 m.
     let constant = drawn.replace("0.5 to 1.5 step 0.1", "always 0.8").replace("5 to 15 step 1", "always 9");
-    told(&constant, &["the start agrees with the ties", "Contradiction", "given: 9.0", "follows: 8.0"]);
+    told(&constant, &["the start contradicts the ties", "Contradiction", "given: 9.0", "follows: 8.0"]);
     // A body that the ties hold fast has no speed, whatever the start says.
     let held = free.replace(
         "ties: [rolls: {body: wheel, on its: rim}]",
@@ -306,7 +306,7 @@ fn composed(dice: &mut Dice) -> Scene {
         start,
         end: End::AtOnce,
         heading: None,
-        span: slipstick::scene::Span::ToEnd,
+        span: Span::ToEnd,
     }
 }
 
@@ -461,11 +461,12 @@ fn composed_scenes_have_the_kinetic_energy_that_their_ties_give() {
         }
         assert_eq!(known, width);
         let answer = solve(&scene, &[]);
+        // Ties that say the same twice leave reactions open, and velocities not.
         if rank < ties.len() {
-            // Ties that say the same twice: their reactions are open, here as in a scene that moves on.
-            assert!(answer.is_err(), "{round}: {scene:?}");
             redundant += 1;
-            continue;
+            if matches!(answer, Err(Refusal::Singular { .. })) {
+                continue;
+            }
         }
         if scene.start.is_empty() {
             assert_eq!(energy(&answer.unwrap()), 0.0, "{round}: held fast");
@@ -548,8 +549,9 @@ fn composed_scenes_have_the_kinetic_energy_that_their_ties_give() {
                 if scene.start.len() == 1 && !slips {
                     more.end = End::Travel(lead, f(0.1));
                     let refused = solve(&more, &[]);
+                    let held = Refusal::Unsupported(Unsupported::StartHeld);
                     assert!(
-                        matches!(refused, Err(Refusal::Contradiction { .. })),
+                        matches!(refused, Err(Refusal::Contradiction { .. })) || refused == Err(held),
                         "{round}, moving: {refused:?}: {more:?}"
                     );
                 }
@@ -558,7 +560,7 @@ fn composed_scenes_have_the_kinetic_energy_that_their_ties_give() {
         }
     }
     println!(
-        "{solved_count} solved, {tied} of them tied, freedoms {freedoms_seen:?}; {moved} compared with a motion; {opened} open, {contradicted} contradictions refused; {redundant} with redundant ties refused"
+        "{solved_count} solved, {tied} of them tied, freedoms {freedoms_seen:?}; {moved} compared with a motion; {opened} open, {contradicted} contradictions refused; {redundant} with redundant ties"
     );
     assert!(solved_count > 2000 && tied > 1000 && moved > 300 && opened > 600 && contradicted > 1000);
 }
@@ -681,7 +683,7 @@ fn particles_in_one_place_have_no_moment_of_inertia() {
         }],
         end: End::AtOnce,
         heading: None,
-        span: slipstick::scene::Span::ToEnd,
+        span: Span::ToEnd,
     };
     scene.bodies[0].inertia = None;
     scene.bodies[0].mass = Mass::OfParts;

@@ -127,6 +127,7 @@ impl<T: Real> Equations<T> {
                         if k == j || b.is_zero() {
                             continue;
                         }
+                        // An equation that says again what others say leaves nothing but rounding.
                         *v = if self.decimal && k < cols {
                             ball::unwatched(|| v.apart(f * *b))
                         } else {

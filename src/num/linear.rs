@@ -171,7 +171,10 @@ impl<T: Real> Linear<T> {
                 cells[row + col] = factor;
                 for c in col + 1..width {
                     if !cells[pivot + c].is_zero() {
-                        cells[row + c] = cells[row + c].balance(-(factor * cells[pivot + c]));
+                        let less = factor * cells[pivot + c];
+                        // A coefficient that is only rounding is no pivot.
+                        let cell = &mut cells[row + c];
+                        *cell = if c < n { cell.balance(-less) } else { *cell - less };
                     }
                 }
             }

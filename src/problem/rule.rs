@@ -20,6 +20,8 @@ pub enum Rule {
     Start,
     /// The scene can be solved.
     Solvable,
+    /// The start agrees with the ties and leaves no velocity open.
+    Start,
     /// The two roads agree.
     Agree,
     /// Rounding of the printed data leaves no doubt which way the scene goes.
@@ -217,6 +219,7 @@ fn name(problem: &Problem, case: usize, rule: Rule) -> String {
         Rule::Admissible => "data that are no scene".to_owned(),
         Rule::Start => "the start does not agree with the ties".to_owned(),
         Rule::Solvable => "cannot be solved".to_owned(),
+        Rule::Start => "the start contradicts the ties, or leaves a velocity open".to_owned(),
         Rule::Agree => "the two roads disagree".to_owned(),
         Rule::Certain => {
             "the key is not proved: rounding of the printed data leaves open which way it goes".to_owned()

@@ -184,6 +184,9 @@ impl<'a, T: Real> Walk<'a, T> {
         {
             return Err(Refusal::Unsupported(Unsupported::StartHeld));
         }
+        for (c, v) in scene.start_speeds() {
+            outcome::consistent(c, n.get(v), velocity(&response, c).unwrap_or_else(T::zero))?;
+        }
         let slipping: SmallVec<[usize; 2]> =
             (0..scene.ties.len()).filter(|t| matches!(scene.ties[*t], Tie::Slip { .. })).collect();
         let slides = scene.ties.iter().any(|t| matches!(t, Tie::Slide { .. }));
