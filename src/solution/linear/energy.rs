@@ -56,8 +56,7 @@ pub fn write(walk: &mut Walk, slip_sense: &dyn Fn(usize) -> f64) -> Result<(), F
     }
     if !walk.rolled {
         walk.out.blocks.push(Block::Picture("energy".to_owned()));
-        walk.tell("energy.rest", &[]);
-        walk.answer()?;
+        walk.answer("energy.rest")?;
     }
     Ok(())
 }

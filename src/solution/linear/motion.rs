@@ -47,8 +47,7 @@ pub fn write(walk: &mut Walk, slip_sense: &dyn Fn(usize) -> f64) -> Result<(), F
         integrate(walk)?;
     }
     if !walk.rolled {
-        walk.tell("motion.rest", &[]);
-        walk.answer()?;
+        walk.answer("motion.rest")?;
         walk.out.blocks.push(Block::Picture("graph-speed".to_owned()));
     }
     Ok(())

@@ -1325,11 +1325,13 @@ impl<'d, 'a> Walk<'d, 'a> {
         Ok(self.found_now(label, symbol, &quotient(over, product([number(2), size]))))
     }
 
-    /// Answers the questions of the problem along this road.
+    /// Answers the questions of the problem along this road, after a phrase that leads over to those not answered yet.
     ///
     /// # Errors
     /// What the derivation does not cover.
-    pub fn answer(&mut self) -> Result<(), Finding> {
+    pub fn answer(&mut self, phrase: &str) -> Result<(), Finding> {
+        self.tell(phrase, &[]);
+        let before = self.out.blocks.len();
         let labels: Vec<Label> = self.desk.problem.questions.iter().map(|q| q.label).collect();
         for label in labels {
             if label.quantity.is_word() || label.quantity == Quantity::FrictionIfRolled {
@@ -1340,6 +1342,9 @@ impl<'d, 'a> Walk<'d, 'a> {
                 Road::Motion => self.desk.from_motion(label, Answer::Value(symbol)),
                 Road::Energy => self.desk.from_energy(label, Answer::Value(symbol)),
             }
+        }
+        if self.out.blocks.len() == before {
+            self.out.blocks.pop();
         }
         Ok(())
     }
