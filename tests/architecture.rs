@@ -88,6 +88,7 @@ const DOORS: &[(&str, &[&str])] = &[
     (
         "set",
         &[
+            "guard",
             "problem",
             "bank",
             "draw",
@@ -101,11 +102,12 @@ const DOORS: &[(&str, &[&str])] = &[
             "finding",
         ],
     ),
-    ("answer", &["units", "num", "finding"]),
-    ("grade", &["key", "answer", "units", "num", "words", "policy", "finding"]),
+    ("answer", &["guard", "units", "num", "finding"]),
+    ("grade", &["guard", "key", "answer", "units", "num", "words", "policy", "finding"]),
     (
         "report",
         &[
+            "guard",
             "grade",
             "matches",
             "policy",
@@ -124,6 +126,7 @@ const DOORS: &[(&str, &[&str])] = &[
     (
         "simulate",
         &[
+            "guard",
             "problem",
             "bank",
             "scene",
@@ -144,7 +147,7 @@ const DOORS: &[(&str, &[&str])] = &[
     ("sheet::terminal", &[]),
     ("plot", &["num"]),
     ("matches", &["num"]),
-    ("regrade", &["grade", "answer", "key", "policy"]),
+    ("regrade", &["guard", "grade", "answer", "key", "policy"]),
     ("cli", &["*"]),
     ("main", &["cli"]),
     ("lib", &[]),

@@ -1573,3 +1573,28 @@ fn a_set_of_an_earlier_version_is_english_markdown_and_pages() {
     assert!(names(&room, "set").iter().filter(|n| n.ends_with("sheet.html")).count() == 3);
     assert_eq!(room.read("set/booklet.html").matches("<article").count(), 3);
 }
+
+/// The whole way through the street door: units that end in a digit, for the right kind of datum and for others. Only units
+/// that end in a letter were typed before.
+#[test]
+fn typed_units_that_end_in_a_digit_are_read_and_checked() {
+    let pulled = |more: &str| {
+        let symbol = more.split('=').next();
+        let data = ["m=40kg", "R=200mm", "r=100mm", "k=150mm", "theta=15", "P=100N", "d=3m", "mu_s=0.5"];
+        let mut args = vec!["solve", "wheels-on-inclines", "pulled-rolling", "--json"];
+        for text in data.iter().filter(|d| d.split('=').next() != symbol).chain([&more]) {
+            args.extend(["--set", text]);
+        }
+        run(&args)
+    };
+    let metric = pulled("g=9.81456 m/s^2").out;
+    assert!(metric.contains("\"omega\""), "{metric}");
+    for text in ["g=32.2ft/s^2", "g=9.81456", "g=9.81456 m/s2", "g=9.81456m s^-2", "g=9814.56 mm/s²"] {
+        assert_eq!(metric, pulled(text).out, "{text}");
+    }
+    for (text, found) in [("m=1.4 s^2", "found s^2"), ("m=1.4 m2", "(area)"), ("mu_s=0.5 m^2", "(area)")] {
+        let ran = pulled(text);
+        assert_eq!((ran.exit, ran.out.as_str()), (Exit::Faulty, ""), "{text}");
+        assert!(ran.err.contains(found), "{text}: {}", ran.err);
+    }
+}

@@ -221,6 +221,7 @@ fn scene(kind: Kind) -> Scene {
         start: vec![],
         end: End::Travel(along, end),
         heading,
+        span: Span::ToTurningPoint,
     }
 }
 

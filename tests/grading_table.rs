@@ -7,7 +7,10 @@
     clippy::disallowed_methods,
     reason = "a test fails by panicking, tells figures with --nocapture, and NaN must fail its comparisons"
 )]
+use slipstick::answer::read::UnitCache;
+use slipstick::grade::feedback::Feedback;
 use slipstick::grade::judge::judge;
+use slipstick::grade::judge::judge_with;
 use slipstick::grade::rules::Rules;
 use slipstick::grade::run::GradeFault;
 use slipstick::grade::run::Graded;
@@ -23,6 +26,7 @@ use slipstick::policy::Counts;
 use slipstick::policy::Policy;
 use slipstick::report::gradebook::gradebook;
 use slipstick::units::Unit;
+use slipstick::words::Words;
 use std::io::Cursor;
 
 fn entry(part: &str, answer: Answer, unit: &str) -> KeyEntry {
@@ -163,6 +167,7 @@ const TABLE: &[(&str, &str, &str, &str)] = &[
     ("30 26", "large", "unreadable", "more than one number"),
     ("1,030,263", "large", "unreadable", "more than one comma or point"),
     ("1.2.3 m/s", "v", "unreadable", "more than one comma or point"),
+    ("1..25 m/s", "v", "unreadable", "more than one comma or point"),
     ("0,164", "large", "wrong", "the comma is read as the decimal mark"),
     ("0,164", "weight", "wrong", "the comma is read as the decimal mark"),
     // turns
@@ -289,6 +294,8 @@ const TABLE: &[(&str, &str, &str, &str)] = &[
     ("$30.3 \\pm 0.1$", "omega", "right", "what follows ±"),
     ("62.6 ± 0.3 N up", "friction", "right", "what follows ±"),
     ("62.6 N down ± 0.3 N", "friction", "wrong direction", "what follows ±"),
+    ("30.3 rad/s (± 0.1)", "omega", "right", "what follows ±"),
+    ("30.3 rad/s (±0.1 rad/s)", "omega", "right", "what follows ±"),
     ("31 ± 1 rad/s", "omega", "wrong", "what follows ±"),
     ("±62.6 N", "friction", "unreadable", ""),
     ("30.3 rad/s ± 0.1 m", "omega", "unreadable", "more than one number"),
@@ -328,6 +335,7 @@ const TABLE: &[(&str, &str, &str, &str)] = &[
     ("[30.3] rad/s", "omega", "right", "read as 30.3 rad/s"),
     ("(30.3 rad/s)", "omega", "right", "read as 30.3 rad/s"),
     ("62.6 N [up]", "friction", "right", ""),
+    ("up (62.6 N)", "friction", "right", ""),
     ("(30.3 rad/s", "omega", "unreadable", ""),
     // the web and other scripts
     ("30.3&nbsp;rad/s", "omega", "right", ""),
@@ -352,6 +360,7 @@ const TABLE: &[(&str, &str, &str, &str)] = &[
     ("4.2 kn", "force", "right", "the unit is read as kN"),
     ("4.816 r/s", "omega", "unreadable", "may be rad/s or rev/s"),
     ("30.3 r/s", "omega", "unreadable", "may be rad/s or rev/s"),
+    ("30.3 R/S", "omega", "unreadable", "may be rad/S or rev/S"),
     ("30.3 r s^-1", "omega", "unreadable", "may be rad s^-1 or rev s^-1"),
     ("4.5 r/s²", "alpha", "unreadable", "may be rad/s² or rev/s²"),
     // several units
@@ -362,6 +371,12 @@ const TABLE: &[(&str, &str, &str, &str)] = &[
     ("4′1″", "reach", "right", "read as 4.083333333 ft"),
     ("1 m 25 cm", "reach", "right", "read as 1.25 m"),
     ("-4 ft 1.2 in", "reach", "wrong direction", "read as -4.1 ft"),
+    ("4 ft. 1 1/5 in.", "reach", "right", "read as 4.1 ft"),
+    ("4' 1''", "reach", "right", "read as 4.083333333 ft"),
+    ("1 m, 25 cm", "reach", "unreadable", "more than one number"),
+    ("1.25 m 1.25 m", "reach", "unreadable", "more than one number"),
+    ("4 m 0.1 m", "reach", "unreadable", "more than one number"),
+    ("62 N 600 mN", "friction", "unreadable", "more than one number"),
     ("4 ft 13 in", "reach", "unreadable", "more than one number"),
     ("4.1 ft 3 in", "reach", "unreadable", "more than one number"),
     ("1.2 in 4 ft", "reach", "unreadable", "more than one number"),
@@ -401,6 +416,23 @@ fn every_cell_of_the_table() {
     assert!(faults.is_empty(), "{}", faults.join("\n"));
 }
 
+/// How a cell was read is told in the language of the set, with its own decimal mark.
+#[test]
+fn reasons_in_german() {
+    let say = Feedback::new(Words::built_in("de").unwrap());
+    for (cell, name, piece) in [
+        ("30.263,25 N", "large", "gelesen als 30263,25 N"),
+        ("5/4", "v", "gelesen als 1,25"),
+        ("30,3 ± 0,1", "omega", "was hinter ± steht, ist übergangen"),
+        ("14 lb", "friction", "die Einheit ist als lbf gelesen"),
+        ("-62,6 N hinauf", "friction", "62,6 N aufwärts oder 62,6 N abwärts"),
+        ("30 r/s", "omega", "kann rad/s oder rev/s sein"),
+    ] {
+        let got = judge_with(cell, &key(name), &mut UnitCache::default(), &say);
+        assert!(got.reason.contains(piece), "{cell}: {}", got.reason);
+    }
+}
+
 #[test]
 fn the_edge_of_the_tolerance_is_right() {
     let exact = entry("x", number(100.0, 1.0, false), "m");
@@ -408,6 +440,140 @@ fn the_edge_of_the_tolerance_is_right() {
         [("101", true), ("99", true), ("101.0000000001", false), ("98.9999999999", false), ("9900 cm", true)]
     {
         assert_eq!(judge(cell, &exact).verdict == Verdict::Right, right, "{cell}");
+    }
+}
+
+/// A number in many styles of the same value; the styles of a row have to be read as one number.
+mod styles {
+    use super::*;
+    use proptest::prelude::*;
+    use slipstick::answer::read::Number;
+    use slipstick::answer::read::Reading;
+    use slipstick::answer::read::UnitCache;
+    use slipstick::answer::read::read;
+
+    fn number(cell: &str) -> Option<Number> {
+        match read(cell, &mut UnitCache::default()) {
+            Reading::Number(number) => Some(number),
+            _ => None,
+        }
+    }
+    /// Digits with a mark between groups of three.
+    fn grouped(digits: &str, mark: &str) -> String {
+        let from = digits.len() % 3;
+        let mut groups: Vec<&str> = if from > 0 { vec![&digits[..from]] } else { vec![] };
+        groups.extend((from..digits.len()).step_by(3).map(|i| &digits[i..i + 3]));
+        groups.join(mark)
+    }
+    fn in_script(text: &str, zero: char) -> String {
+        let digit = |c: char| c.to_digit(10).and_then(|d| char::from_u32(u32::from(zero) + d)).unwrap_or(c);
+        text.chars().map(digit).collect()
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(2000))]
+        /// The table of cells has each style with one number; a rule about marks that is wrong for some digits would hold there.
+        #[test]
+        fn a_number_reads_the_same_in_every_style(
+            whole in 1u32..999_999_999,
+            decimals in "[0-9]{0,5}",
+            marks in prop::sample::select(vec![
+                ("", "."), ("", ","), (",", "."), (".", ","), ("'", "."), ("'", ","), ("’", "."), (" ", ","), (" ", "."),
+                ("\u{2009}", ","), ("\u{202f}", "."), ("\u{a0}", ","), ("&nbsp;", "."), ("٬", "٫"), ("&#8239;", ","),
+            ]),
+            script in prop::sample::select(vec!['0', '٠', '۰', '०', '０']),
+            sign in prop::sample::select(vec!["", "+", "-", "−", "–", "－", "&minus;"]),
+            unit in prop::sample::select(vec!["", "N", "m/s", "rad/s^2", "kg m²"]),
+            around in 0usize..12,
+        ) {
+            let (group, point) = marks;
+            let negative = !["", "+"].contains(&sign);
+            let value: f64 = format!("{}{whole}.{decimals}", if negative { "-" } else { "" }).parse().unwrap();
+            let digits = whole.to_string();
+            // A lone comma or point is the decimal mark: these group only where the other one stands.
+            let group = if decimals.is_empty() && [",", "."].contains(&group) { "" } else { group };
+            let mut written = if group.is_empty() { digits } else { grouped(&digits, "|") };
+            if !decimals.is_empty() {
+                written = format!("{written}_{decimals}");
+            }
+            let written = in_script(&written, script).replace('|', group).replace('_', point);
+            let written = format!("{sign}{written}");
+            let cell = match around {
+                0 => format!("{written}{unit}"),
+                1 => format!("{written} [{unit}]").replace(" []", ""),
+                2 => format!("({written} {unit})"),
+                3 => format!("<p>{written}&nbsp;{unit}</p>"),
+                4 => format!("x = {written} {unit}"),
+                5 => format!("{written} ± 0.1 {unit}"),
+                6 => format!("({written} +/- 0,2) {unit}"),
+                7 => format!("\u{200e}{written}\u{202f}{unit}."),
+                8 => format!("${written}\\,${unit}"),
+                9 => format!("ca. {written} {unit}"),
+                10 => format!("=\"{written} {unit}\""),
+                _ => format!("  {written}  {unit} "),
+            };
+            let read = number(&cell).unwrap_or_else(|| panic!("{cell:?} is not read"));
+            prop_assert_eq!(read.value.to_bits(), value.to_bits(), "{:?}", cell);
+            let asked = if unit.is_empty() { None } else { Some(Unit::parse(unit).unwrap()) };
+            prop_assert_eq!(read.unit.as_deref(), asked.as_ref(), "{:?}", cell);
+            prop_assert!(read.word.is_none());
+            // Whatever is not simply there is told.
+            let told = !group.is_empty() && whole > 999;
+            prop_assert!(!told || read.is_interpreted(), "{:?}", cell);
+        }
+
+        #[test]
+        fn an_exact_value_reads_as_what_it_is(a in 1u32..500, b in 1u32..500, c in 2u32..500, style in 0usize..9) {
+            let (x, y, z) = (f64::from(a), f64::from(b), f64::from(c));
+            let (cell, value) = match style {
+                0 => (format!("{a}/{b}"), x / y),
+                1 => (format!("{a}⁄{b} m"), x / y),
+                2 => (format!("\\frac{{{a}}}{{{b}}}\\,\\mathrm{{m}}"), x / y),
+                3 => (format!("{a}*sqrt({c})"), x * z.sqrt()),
+                4 => (format!("{a}√{c}/{b}"), x * z.sqrt() / y),
+                5 => (format!("{a} {}/{c} m", c - 1), x + (z - 1.0) / z),
+                6 => (format!("{a}π/{b}"), x * std::f64::consts::PI / y),
+                7 => (format!("-sqrt({a}/{b})"), -(x / y).sqrt()),
+                _ => (format!("({a}/{b}) m"), x / y),
+            };
+            let read = number(&cell);
+            // Three digits above the bar of a mixed number may be a group of its whole number.
+            if style == 5 && c > 100 {
+                prop_assert!(read.is_none(), "{cell}");
+                return Ok(());
+            }
+            let read = read.unwrap_or_else(|| panic!("{cell:?} is not read"));
+            prop_assert!((read.value - value).abs() <= 1e-15 * value.abs(), "{}: {}", cell, read.value);
+            prop_assert!(read.is_interpreted(), "{cell}");
+        }
+
+        #[test]
+        fn several_units_add_up(feet in 0u32..100, inches in 0u32..120, joined in prop::sample::select(vec![" ", ", ", " and "])) {
+            let cell = format!("{feet} ft{joined}{}.{} in", inches / 10, inches % 10);
+            let read = number(&cell).unwrap_or_else(|| panic!("{cell:?} is not read"));
+            let metres = read.unit.as_ref().unwrap().to_si(read.value);
+            let want = f64::from(feet) * 0.3048 + f64::from(inches) * 0.00254;
+            prop_assert!((metres - want).abs() <= 1e-14 * want.max(1.0), "{}: {}", cell, metres);
+        }
+
+        /// No cell of digits and marks is read as a number that another rule would give it.
+        #[test]
+        fn marks_in_disorder_are_refused(groups in prop::collection::vec("[0-9]{1,4}", 2..5), marks in prop::collection::vec(prop::sample::select(vec![',', '.', '\'', ' ']), 4)) {
+            let mut cell = groups[0].clone();
+            for (mark, group) in marks.iter().zip(&groups[1..]) {
+                cell.push(*mark);
+                cell.push_str(group);
+            }
+            let Some(read) = number(&cell) else { return Ok(()) };
+            let used = &marks[..groups.len() - 1];
+            let last = used[used.len() - 1];
+            let decimal = matches!(last, ',' | '.') && used.iter().filter(|m| **m == last).count() == 1;
+            let grouping = &used[..used.len() - usize::from(decimal)];
+            prop_assert!(grouping.iter().all(|m| *m == grouping[0]), "{cell:?} is {}", read.value);
+            prop_assert!(decimal || !used.iter().any(|m| matches!(m, ',' | '.')), "{cell:?} is {}", read.value);
+            let between = &groups[1..groups.len() - usize::from(decimal)];
+            prop_assert!(between.iter().all(|g| g.len() == 3), "{cell:?} is {}", read.value);
+        }
     }
 }
 
@@ -617,6 +783,12 @@ fn form_services_times_and_the_order_of_day_and_month() {
     assert_eq!(timed(b, a, &[]), second(1), "undecided: by row");
     assert_eq!(timed(b, a, &["1/25/2026 8:00", "25/1/2026 8:00"]), second(1), "contradictory: by row");
     assert_eq!(timed("05.02.2026 9:00", "10.01.2026 9:00", &[]), first);
+    // Moodle, spreadsheets and clocks, also mixed.
+    assert_eq!(timed("\"Monday, 29 March 2026, 3:30 PM\"", "29 March 2026 3:29 PM", &[]), first);
+    assert_eq!(timed("3/29/26 15:30", "3/4/26 15:31", &[]), first, "month first, by the other");
+    assert_eq!(timed("46110.645833", "1774798200", &[]), second(0), "15:29:59.97 and 15:30:00");
+    assert_eq!(timed("29.03.2026 17:30 CEST", "29.03.2026 15:29 UTC", &[]), first);
+    assert_eq!(timed("2026-03-29 12:00 IST", "2026-03-29 9:00", &[]), second(1), "IST means three things");
 }
 
 #[test]
@@ -624,6 +796,102 @@ fn a_single_attempt_needs_no_time() {
     let text = "student,problem,part,answer,submitted_at\nb,1,omega,30.3,yesterday\nb,2,v,,\nb,2,v,1.25,\n";
     let (out, graded) = run_with(text.as_bytes(), &table(), &Options::default()).unwrap();
     assert_eq!((out.contains("submitted_at cannot"), graded.untimed), (false, 0), "{out}");
+}
+
+/// The earlier tests had ids in the roster's own spelling or in another one that is no id; a student who writes `AB12` for `ab12`
+/// was a stranger.
+#[test]
+fn an_id_that_differs_in_case_alone_counts_where_it_is_unique() {
+    let table = KeyTable::new(["ab12", "Ab13", "aB13", "ÖZ1", "=x"].map(sheet).into(), &[]);
+    let text = "student,problem,part,answer\nAB12,1,omega,30.3\nab12,1,omega,31\nAb13,1,omega,30.3\nAB13,1,omega,30.3\n\
+        öz1,1,omega,\nöz1,2,v,1.25\n'=X,2,v,1.25\n'=x,1,omega,30.3\n";
+    let (out, graded) = run_with(text.as_bytes(), &table, &Options::default()).unwrap();
+    insta::assert_snapshot!(out, @"
+        line,column,student,problem,part,answer,verdict,points,max_points,reason,methods,slip,credit,submitted_at
+        2,,ab12,1,omega,30.3,superseded,0,1,superseded by line 3; would have been right: within the tolerance; the id AB12 is read as ab12: they differ in upper and lower case alone,,,,
+        3,,ab12,1,omega,31,wrong,0,1,not within the tolerance,,,,
+        4,,Ab13,1,omega,30.3,right,1,1,within the tolerance,,,,
+        5,,AB13,1,omega,30.3,unknown student,0,0,not on the roster,,,,
+        6,,ÖZ1,1,omega,,blank,0,1,nothing written; the id öz1 is read as ÖZ1: they differ in upper and lower case alone,,,,
+        7,,ÖZ1,2,v,1.25,right,1,1,within the tolerance; the id öz1 is read as ÖZ1: they differ in upper and lower case alone,,,,
+        8,,'=x,2,v,1.25,right,1,1,within the tolerance; the id '=X is read as =x: they differ in upper and lower case alone,,,,
+        9,,'=x,1,omega,30.3,right,1,1,within the tolerance,,,,
+        ");
+    assert_eq!(graded.respelled, 4);
+    let options = Options { threads: 2, ..Options::default() };
+    assert_eq!(run_with(text.as_bytes(), &table, &options).unwrap().0, out);
+}
+
+/// Headers had to be a part and nothing else; form services put a title before it and columns of their own beside it.
+#[test]
+fn a_header_that_contains_exactly_one_part_is_that_part() {
+    let wide = |header: &str| {
+        let row = "b,30.3,62.6 N,7\n";
+        run_with(format!("student,{header}\n{row}").as_bytes(), &table(), &Options::default())
+    };
+    for header in [
+        "Problem 1: 1.omega,Problem 1: 1.friction,Time",
+        "1.omega (rad/s),rolling.friction in N,Both (1.omega 1.friction)",
+        "Question [1.OMEGA],\"Q2, 1.friction?\",Version 2.5",
+        "Problem 1: 1.omega,1.friction,Points - Problem 1: 1.omega",
+        "1.omega,Problem 1: 1.friction,Feedback on 1.omega",
+    ] {
+        let (out, graded) = wide(header).unwrap();
+        let verdicts: Vec<&str> = out.lines().skip(1).filter(|l| l.contains(",right,1,1,")).collect();
+        assert_eq!((verdicts.len(), graded.cells, graded.unused_columns.len()), (2, 2, 1), "{header}: {out}");
+    }
+    let fault = wide("Try 1.omega,1.friction,Again 1.omega").unwrap_err().to_string();
+    assert!(fault.contains("`Again 1.omega` asks for a part that stands there already"), "{fault}");
+    assert!(fault.contains("--columns 1.omega=\"Its header\""), "{fault}");
+    let columns = vec![("1.omega".to_owned(), "Try 1.omega".to_owned())];
+    let told = Options { columns, ..Options::default() };
+    let text = "student,Try 1.omega,1.friction,Again 1.omega\nb,30.3,62.6,7\n";
+    let (_, graded) = run_with(text.as_bytes(), &table(), &told).unwrap();
+    assert_eq!((graded.count(Verdict::Right), graded.unused_columns), (2, vec!["Again 1.omega".to_owned()]));
+}
+
+/// The list of columns stood behind every missing one, and that of the parts behind every unknown one.
+#[test]
+fn a_list_is_printed_once_in_a_message() {
+    let columns =
+        ["1.omgea", "1.fricton", "rolling.x", "9.v", "student"].map(|part| (part.to_owned(), "x".to_owned()));
+    let options = Options { columns: columns.into(), ..Options::default() };
+    let told = run_with(b"id;problem;part;note\n1;2;3;4\n", &table(), &options).unwrap_err().to_string();
+    for list in ["id | problem | part | note", "omega, friction"] {
+        assert_eq!(told.matches(list).count(), 1, "{list} in {told}");
+    }
+    let mut policy = Policy::default();
+    for part in ["1.x", "1.y", "7"] {
+        let (problem, part) = part.split_once('.').unwrap_or((part, "v"));
+        policy.points.push((
+            slipstick::policy::Part { problem: problem.to_owned(), part: Some(part.to_owned()), at: (1, 1) },
+            1.0,
+        ));
+    }
+    let table = table();
+    let faults = Rules::new(&table, &policy).unwrap_err();
+    let told: String = faults.iter().map(|f| format!("{f}\n")).collect();
+    assert_eq!((faults.len(), told.matches("1.omega, 1.friction").count()), (3, 1), "{told}");
+}
+
+/// A workbook was read as text, and the message was about a missing column in a kilobyte of signs.
+#[test]
+fn what_is_no_csv_is_named() {
+    let zip = |inside: &str| [b"PK\x03\x04\x14\0", inside.as_bytes(), &[0, 0xff, b'\n']].concat();
+    for (bytes, name) in [
+        (zip("[Content_Types].xml....xl/workbook.xml"), "an Excel workbook (.xlsx)"),
+        (zip("mimetypeapplication/vnd.oasis.opendocument.spreadsheet"), "a LibreOffice spreadsheet (.ods)"),
+        (zip("Index/Document.iwa"), "a Numbers spreadsheet (.numbers)"),
+        (zip("notes.txt"), "a zip archive"),
+        (b"\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1\0\0".to_vec(), "an old Excel workbook (.xls)"),
+        (b"%PDF-1.7\n".to_vec(), "a PDF file"),
+        (b"\xef\xbb\xbf\n<HTML><table>".to_vec(), "a web page"),
+    ] {
+        let fault = run_with(&bytes, &table(), &Options::default()).unwrap_err().to_string();
+        assert!(fault.contains(name) && fault.contains("save the sheet as CSV"), "{name}: {fault}");
+        let faults = slipstick::answer::roster::roster(&bytes).unwrap_err();
+        assert!(faults.len() == 1 && faults[0].message.contains(name), "{name}: {faults:?}");
+    }
 }
 
 #[test]
@@ -635,7 +903,7 @@ fn headers_that_do_not_do_are_told_at_once() {
     line 1, column 1: header: column `part` stands there 2 times (fields 3, 4)
         hint: rename all but one
     line 1, column 1: header: no column `answer`
-        hint: the columns are: id | problem | part | part; map one with --columns answer="Its header"
+        hint: map one with --columns answer="Its header"
     "#);
 }
 
@@ -824,9 +1092,13 @@ mod any {
     proptest! {
         #![proptest_config(ProptestConfig::with_cases(300))]
         #[test]
-        fn no_cell_panics(cell in "\\PC{0,60}", near in "[0-9.,eEx×^· +−mNkrads/upown-]{0,20}") {
+        fn no_cell_panics(
+            cell in "\\PC{0,60}",
+            near in "[0-9.,eEx×^· +−mNkrads/upown-]{0,20}",
+            nearer in "[0-9.,'’ ±√π½٣()\\[\\]{}&;#<>/*^\"$\\\\a-z-]{0,30}",
+        ) {
             for name in ["omega", "friction", "rolls", "large"] {
-                for cell in [&cell, &near] {
+                for cell in [&cell, &near, &nearer] {
                     let got = judge(cell, &key(name));
                     prop_assert!(!got.reason.is_empty());
                 }

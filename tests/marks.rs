@@ -209,7 +209,6 @@ fn known_wrong_methods_may_earn_credit() {
     error: ROOM/course.yaml:2:10: points: the set has no part `3.v`
         hint: its parts: 1.omega, 1.v, 1.friction, 1.mu_required, 1.cord_travel, 1.k_bound, 2.rolls, 2.friction_if_rolled, 2.friction, 2.v, 2.omega, 2.phi, 2.slip_distance, 2.heat
     error: ROOM/course.yaml:4:22: corrections: the set has no part `1.w`
-        hint: its parts: 1.omega, 1.v, 1.friction, 1.mu_required, 1.cord_travel, 1.k_bound, 2.rolls, 2.friction_if_rolled, 2.friction, 2.v, 2.omega, 2.phi, 2.slip_distance, 2.heat
     error: ROOM/course.yaml: credit: no problem of the set knows a wrong method `Z99`
         hint: ids stand in the column `methods` of answers.csv, and in `lint`
     error: ROOM/course.yaml: extensions: the set has no student `zoe`
@@ -256,7 +255,12 @@ late: {penalty: 10 %, per: day, at most: 50 %, grace: 5 min, closes: 2026-04-10 
         ("2026-03-30 01:00", "0.8", "late:0.8"),
         ("2026-04-08 12:00", "0.5", "late:0.5"),
         ("2026-04-10 12:01", "0", "closed"),
-        ("yesterday", "1", ""),
+        ("\"28 March 2026, 11:59 PM\"", "1", ""),
+        ("\"Sunday, 29 March 2026, 12:05 AM\"", "0.9", "late:0.9"),
+        ("2026-03-28 23:05 GMT", "0.9", "late:0.9"),
+        ("29.03.26 00:05 CET", "0.9", "late:0.9"),
+        ("46110.0034722", "0.9", "late:0.9"),
+        ("1774739100", "0.9", "late:0.9"),
     ] {
         let graded = class.grade(&[at(omega, time)], course);
         assert_eq!(seen(&graded[0]), ("right", points, credit), "{time}");
@@ -285,18 +289,74 @@ late: {penalty: 10 %, per: day, at most: 50 %, grace: 5 min, closes: 2026-04-10 
     {
         assert_eq!(seen(&class.grade(&[at(omega, time)], autumn)[0]).1, points, "{time}");
     }
-    // Whether 3/4 is in March or April nobody can tell: it is taken as in time, and told.
-    let graded =
-        class.grade(&[at(omega, "3/4/2026 10:00")], "due: 2026-03-09 23:59\nlate: {penalty: 10 %}\n");
-    assert_eq!(seen(&graded[0]), ("right", "1", ""));
-    assert!(graded[0]["reason"].contains("taken as in time"), "{graded:?}");
     let rows = [at(omega, "3/4/2026 10:00"), "bob,1,omega,1.5,3/25/2026 10:00".to_owned()];
     let graded = class.grade(&rows, "due: 2026-03-03 23:59\nlate: {penalty: 10 %}\n");
     assert_eq!(seen(&graded[0]), ("right", "0.9", "late:0.9"));
+    // Other places use words for zones that the program does not know by itself.
+    let london = "time zone: Europe/London\ndue: 2026-07-01 12:00\nlate: {penalty: 10 %}\n";
+    for (time, points) in
+        [("2026-07-01 11:59 BST", "1"), ("2026-07-01 12:01 BST", "0.9"), ("2026-07-01 11:01 UTC", "0.9")]
+    {
+        assert_eq!(seen(&class.grade(&[at(omega, time)], london)[0]).1, points, "{time}");
+    }
     // The last attempt counts, and costs by its number.
     let course = "attempts: {count: last, penalty: 10 %}\n";
     let rows = [at(1.5, "2026-03-20 12:00"), at(2.5, "2026-03-20 12:01"), at(omega, "2026-03-20 12:02")];
     assert_eq!(seen(&class.grade(&rows, course)[2]), ("right", "0.8", "attempt:0.8"));
+}
+
+/// Before, an answer whose time cannot be read was taken as in time, whatever it cost others to be late, and the tests held it
+/// to that; now the course has to say what holds, where it matters.
+#[test]
+fn where_a_time_is_unread_and_lateness_matters_the_course_says_what_holds() {
+    let class = Class::new();
+    let omega = class.key("ann", "1", "omega");
+    let course = "due: 2026-03-09 23:59\nlate: {penalty: 10 %, at most: 40 %}\n";
+    let say = |unread: &str| course.replace("at most: 40 %", &format!("at most: 40 %, unread: {unread}"));
+    let refused = |answers: &[String], course: &str, head: &str| {
+        let out = class.path("refused");
+        fs::write(class.path("in.csv"), format!("{head}\n{}\n", answers.join("\n"))).unwrap();
+        fs::write(class.path("course.yaml"), course).unwrap();
+        let args = ["grade", &class.path("set"), &class.path("in.csv"), "--out", &out, "--course"];
+        let (exit, said, err) = run(&[&args[..], &[&class.path("course.yaml")]].concat());
+        assert_eq!((exit, said.as_str()), (Exit::Faulty, ""), "{err}");
+        assert!(!Path::new(&out).exists());
+        err.replace(&class.path(""), "")
+    };
+    let head = "student,problem,part,answer,submitted_at";
+    for (time, piece) in [
+        ("yesterday", "1 answer that counts has no time that can be read (line 2: `yesterday`)"),
+        ("", "(line 2: nothing)"),
+        ("3/4/2026 10:00", "`dates: day first` or `dates: month first`"),
+        ("2026-03-01 10:00 CST", "(line 2: `2026-03-01 10:00 CST`)"),
+    ] {
+        let row = [format!("ann,1,omega,{omega:.6},{time}")];
+        let err = refused(&row, course, head);
+        assert!(err.contains(piece) && err.contains("late: {unread: in time}"), "{time}: {err}");
+        let graded = class.grade(&row, &say("in time"));
+        assert_eq!(seen(&graded[0]), ("right", "1", ""), "{time}");
+        assert!(graded[0]["reason"].contains("taken as in time"), "{graded:?}");
+        let graded = class.grade(&row, &say("late"));
+        assert_eq!(seen(&graded[0]), ("right", "0.6", "late:0.6"), "{time}");
+        assert!(graded[0]["reason"].contains("taken as late"), "{graded:?}");
+        let closed = say("late").replace("penalty: 10 %", "closes: 2026-03-20 12:00");
+        assert_eq!(seen(&class.grade(&row, &closed)[0]), ("right", "0", "closed"), "{time}");
+        // Where lateness costs nothing nobody asks.
+        assert_eq!(seen(&class.grade(&row, "due: 2026-03-09 23:59\n")[0]), ("right", "1", ""));
+    }
+    // No column of times at all.
+    let row = [format!("ann,1,omega,{omega:.6}")];
+    let err = refused(&row, course, "student,problem,part,answer");
+    assert!(err.contains("no column `submitted_at`, and lateness bears on marks"), "{err}");
+    // One attempt that is read and one that is not: only what counts is asked for.
+    let rows = [format!("ann,1,omega,{omega:.6},2026-03-01 10:00"), "nobody,1,omega,1,yesterday".to_owned()];
+    assert_eq!(seen(&class.grade(&rows, course)[0]), ("right", "1", ""));
+    // The course decides what comes first, against no proof in the file.
+    for (first, points) in [("day first", "0.6"), ("month first", "1")] {
+        let row = format!("ann,1,omega,{omega:.6},3/4/26 10:00");
+        let graded = class.grade(&[row], &format!("dates: {first}\n{course}"));
+        assert_eq!(seen(&graded[0]).1, points, "{first}");
+    }
 }
 
 #[test]

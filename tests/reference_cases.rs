@@ -50,6 +50,7 @@ fn scene(name: &str, rigid: bool) -> (Scene, Vec<&'static str>) {
         start: vec![],
         end: End::Travel(along(0), Num::Datum(7)),
         heading: None,
+        span: Span::ToEnd,
     };
     match name {
         "pulled-rolling" => (
@@ -81,6 +82,8 @@ fn scene(name: &str, rigid: bool) -> (Scene, Vec<&'static str>) {
                     cord(2, Far::Spring { stiffness_n_m: Num::Datum(6), stretch_m: Num::Datum(7), rigid }),
                 ],
                 end: End::Travel(along(0), Num::Datum(8)),
+                // The greatest speed and the turning point are asked, too.
+                span: Span::ToTurningPoint,
                 ..base
             },
             vec!["m", "R", "r", "k", "theta", "g", "ks", "x0", "D", "mu_s"],
@@ -333,6 +336,7 @@ fn pinned(inputs: &Value, from: Zero) -> (Scene, Vec<f64>) {
         start: vec![],
         end: End::Angle(Coordinate { body: 0, degree: Degree::Turn }, Num::Datum(4)),
         heading: None,
+        span: Span::ToEnd,
     };
     (scene, symbols.iter().map(|s| number(&inputs[*s])).collect())
 }

@@ -435,20 +435,133 @@ fn formulas_in_names_stay_texts_in_every_csv() {
     room.write("in.csv", b"student,problem,part,answer\n=1+1,1,omega,30\n+x1,1,omega,=2+2\ns3,1,omega,30\n");
     let ran = room.run(&["grade", "set", "in.csv", "--out", "g", "--reports", "yes"]);
     assert!(ran.status.success(), "{}", stderr(&ran));
+    assert!(cells_that_run(&room, &["roster.csv", "in.csv"]) > 20);
+}
+
+/// A workbook in the place of a CSV file, through the street door: one clear message, and nothing written.
+#[test]
+fn a_workbook_is_named_where_csv_is_wanted() {
+    let room = Room::new(3);
+    room.write("class.xlsx", b"PK\x03\x04\x14\0[Content_Types].xml\0xl/workbook.xml");
+    for args in [
+        &["grade", "set", "class.xlsx", "--out", "g"][..],
+        &["generate", "wheels-on-inclines", "--roster", "class.xlsx", "--seed", "1", "--out", "g"],
+    ] {
+        let ran = room.run(args);
+        let told = stderr(&ran);
+        assert_eq!(ran.status.code(), Some(2), "{told}");
+        assert!(told.starts_with("error: class.xlsx: ") && told.lines().count() == 1, "{told}");
+        assert!(
+            told.contains("an Excel workbook (.xlsx)") && told.contains("save the sheet as CSV"),
+            "{told}"
+        );
+        assert!(!room.path("g").exists());
+    }
+}
+
+/// Cells of all CSV files of a room but these; none of them may be run by a spreadsheet.
+fn cells_that_run(room: &Room, own: &[&str]) -> usize {
     let mut seen = 0;
-    for (name, bytes) in tree(&room.path("g")) {
-        // The copies are of the instructor's own files, and exact.
-        if name.extension().is_none_or(|e| e != "csv") || name.starts_with("basis") {
+    for (name, bytes) in tree(room.0.path()) {
+        if name.extension().is_none_or(|e| e != "csv") || own.iter().any(|o| name == Path::new(o)) {
             continue;
         }
-        let mut reader = csv::ReaderBuilder::new().has_headers(false).flexible(true).from_reader(&bytes[..]);
-        for record in reader.records().map(Result::unwrap) {
+        let head = &bytes[..bytes.len().min(300)];
+        let delimiter = if head.contains(&b';') && !head.contains(&b',') { b';' } else { b',' };
+        let mut reader = csv::ReaderBuilder::new()
+            .has_headers(false)
+            .flexible(true)
+            .delimiter(delimiter)
+            .from_reader(&bytes[..]);
+        for record in reader.byte_records().map(Result::unwrap) {
             for cell in &record {
+                let cell = String::from_utf8_lossy(cell);
                 seen += 1;
-                let odd = cell.starts_with(['=', '+', '-', '@', '\t', '\r']) && cell.len() > 1;
-                assert!(!odd || cell.parse::<f64>().is_ok(), "{}: {cell}", name.display());
+                let odd = cell.starts_with(['=', '+', '-', '@', '\t', '\r', '＝', '＋', '－', '＠']);
+                let number = cell[1.min(cell.len())..].starts_with(|c: char| c.is_ascii_digit());
+                assert!(!odd || number, "{}: {cell}", name.display());
             }
         }
     }
-    assert!(seen > 20);
+    seen
+}
+
+/// The earlier tests looked at what `grade` writes, and at ids that a guard changes only in writing: the key, the form and the
+/// simulated files had none, and nobody filled in a form whose ids had one.
+#[test]
+fn formula_like_ids_come_back_through_every_file() {
+    let room = Room(tempfile::tempdir().unwrap());
+    let ids = ["=1+1", "+x1", "-y+1", "@SUM(1)", "'=quoted", "plain", "＝wide", "\"a\"\"b\""];
+    room.write(
+        "roster.csv",
+        format!("student,name\n{}", ids.map(|id| format!("{id},N\n")).concat()).as_bytes(),
+    );
+    let made = [
+        "generate",
+        "wheels-on-inclines",
+        "--roster",
+        "roster.csv",
+        "--seed",
+        "7",
+        "--problems",
+        "pulled-rolling",
+    ];
+    let ran = room.run(&[&made[..], &["--out", "set"]].concat());
+    assert!(ran.status.success(), "{}", stderr(&ran));
+    // The form filled in, with its own ids.
+    let form = fs::read_to_string(room.path("set/submissions.csv")).unwrap();
+    let filled: String =
+        form.lines().map(|l| if l.ends_with(',') { format!("{l}30\n") } else { format!("{l}\n") }).collect();
+    room.write("in.csv", filled.as_bytes());
+    for (what, args) in [
+        ("simulate", vec!["simulate", "set", "--out", "sim.csv", "--truth", "truth.csv", "--seed", "3"]),
+        ("grade the form", vec!["grade", "set", "in.csv", "--out", "g", "--reports", "yes"]),
+        ("grade what is simulated", vec!["grade", "set", "sim.csv", "--out", "g2", "--reports", "yes"]),
+        ("what-if", vec!["what-if", "g"]),
+        ("verify", vec!["verify", "set"]),
+        ("explain", vec!["explain", "g", "=1+1", "1"]),
+        (
+            "another roster from the form",
+            vec![
+                "generate",
+                "wheels-on-inclines",
+                "--roster",
+                "again.csv",
+                "--seed",
+                "7",
+                "--problems",
+                "pulled-rolling",
+                "--out",
+                "set-2",
+            ],
+        ),
+    ] {
+        if what.starts_with("another") {
+            // Ids as the key has them, as somebody would copy them into a new roster.
+            let key = fs::read_to_string(room.path("set/key.csv")).unwrap();
+            let mut reader = csv::ReaderBuilder::new().from_reader(key.as_bytes());
+            let mut again = csv::Writer::from_path(room.path("again.csv")).unwrap();
+            again.write_record(["student"]).unwrap();
+            let mut last = String::new();
+            for record in reader
+                .records()
+                .map(Result::unwrap)
+                .filter(|r| r[0] != *std::mem::replace(&mut last, r[0].to_owned()))
+            {
+                again.write_record([&record[0]]).unwrap();
+            }
+            again.flush().unwrap();
+        }
+        let ran = room.run(&args);
+        assert!(ran.status.success(), "{what}: {}{}", stderr(&ran), String::from_utf8_lossy(&ran.stdout));
+    }
+    let answers = fs::read_to_string(room.path("g/answers.csv")).unwrap();
+    assert!(!answers.contains("unknown student"), "{answers}");
+    assert!(!fs::read_to_string(room.path("g2/answers.csv")).unwrap().contains("unknown student"));
+    assert_eq!(
+        fs::read(room.path("set/key.csv")).unwrap(),
+        fs::read(room.path("set-2/key.csv")).unwrap(),
+        "other ids, or other draws"
+    );
+    assert!(cells_that_run(&room, &["roster.csv"]) > 500);
 }

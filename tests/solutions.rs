@@ -40,7 +40,8 @@ fn linear(problem: &Problem) -> bool {
 
 fn markdown(problem: &Problem, variant: &Variant, words: &Words, templates: &Templates) -> String {
     match solution::text(problem, variant, 1, words, templates) {
-        Ok(text) => text,
+        Ok(text) if !text.contains(words.get("solution.title.beyond")) => text,
+        Ok(short) => panic!("{short}\n{:?}", variant.data),
         Err(finding) => panic!("{finding}\n{:?}", variant.data),
     }
 }
@@ -175,6 +176,9 @@ fn both_languages_have_the_same_formulas() {
 /// What is wrong with the solution of a variant.
 fn wrong(problem: &Problem, variant: &Variant, words: &Words, templates: &Templates) -> Vec<String> {
     let text = match solution::text(problem, variant, 1, words, templates) {
+        Ok(text) if text.contains(words.get("solution.title.beyond")) => {
+            return vec![format!("{}: is a short page, data {:?}\n{text}", problem.id, variant.data)];
+        }
         Ok(text) => text,
         Err(finding) => return vec![format!("{finding}, data {:?}", variant.data)],
     };

@@ -158,6 +158,7 @@ fn scene(kind: Kind, from: Zero) -> Scene {
         start: if kind == Kind::Thrown { vec![Start::Speed(turn, d(6))] } else { vec![] },
         end: End::Angle(turn, d(5)),
         heading: None,
+        span: Span::ToEnd,
     }
 }
 

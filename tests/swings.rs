@@ -40,6 +40,7 @@ fn swinging(from: Zero, start: f64, end: End) -> Scene {
         start: vec![],
         end,
         heading: None,
+        span: Span::ToEnd,
     }
 }
 

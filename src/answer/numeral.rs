@@ -263,6 +263,9 @@ fn decimal(text: &str) -> Result<Numeral<'_>, Why> {
     let mut rest = &text[at..];
     let count = |mark: u8| marks.iter().filter(|m| **m == mark).count();
     let (commas, points) = (count(b','), count(b'.'));
+    if rest.starts_with([',', '.']) && rest[1..].starts_with([',', '.']) {
+        return Err(Why::Marks);
+    }
     if commas + points == 0 && at > 0 {
         rest = rest.strip_prefix('.').unwrap_or(rest); // `5. N`
     }

@@ -356,7 +356,7 @@ fn general(plain: &Plain, units: &mut UnitCache) -> Result<Reading, Why> {
         let digit = text.find(|c: char| c.is_ascii_digit()).ok_or(Why::NoNumber)?;
         let before = text[..digit].trim_end_matches(['.', ',', '-', '+', '(']);
         word = Some(phrase(before.trim_end_matches([':', ' '])).ok_or(Why::NoNumber)??);
-        text = text[before.len()..].trim_start();
+        text = without_brackets(&text[before.len()..]).0;
         if !begins(text) {
             return Err(Why::NoNumber);
         }
@@ -469,7 +469,12 @@ fn quantity(text: &str, units: &mut UnitCache) -> Result<Quantity, Why> {
         }
     };
     let (behind, spread) = match behind.split_once('±') {
-        Some((behind, spread)) => (behind, Some(spread.trim())),
+        Some((behind, spread)) => {
+            match (behind.trim_end().strip_suffix('('), spread.trim().strip_suffix(')')) {
+                (Some(behind), Some(spread)) => (behind, Some(spread)), // N (± 0.1)
+                _ => (behind, Some(spread.trim())),
+            }
+        }
         None => (behind, None),
     };
     let (value, mut unit, mut word);
@@ -524,57 +529,65 @@ fn quantity(text: &str, units: &mut UnitCache) -> Result<Quantity, Why> {
 }
 
 /// What several numbers with ever smaller units come to in the first of these, and what follows: `42 ft 3 in`, `1 h 20 min`.
-/// `None`: no second number with a unit of the same kind stands there.
+/// Lengths, times, masses and angles are written so; a list of two answers looks alike, so a comma or an `and` joins only what
+/// is not counted by tens. `None`: no second number with a unit of the same kind stands there.
 fn sum<'t>(
     first: &Numeral<'t>,
     behind: &'t str,
     units: &mut UnitCache,
 ) -> Result<Option<(f64, Spelled, &'t str)>, Why> {
-    let name = |text: &'t str| -> (&'t str, &'t str) {
-        let text = text.trim_start();
-        let end = text.find(|c: char| !c.is_alphabetic());
-        match text.chars().next() {
-            Some(mark @ ('\'' | '′' | '"' | '″')) => text.split_at(mark.len_utf8()),
-            _ => text.split_at(end.unwrap_or(text.len())),
-        }
-    };
-    // 5'3" is feet and inches.
-    let unit_of = |name: &str, units: &mut UnitCache| match name {
-        "" => None,
-        "'" | "′" => units.unit("ft").ok(),
-        "\"" | "″" => units.unit("in").ok(),
-        name => units.unit(name).ok(),
-    };
-    let (first_name, mut rest) = name(behind);
+    let (first_name, mut rest) = unit_name(behind);
     let Some(whole) = unit_of(first_name, units) else { return Ok(None) };
     let (mut value, mut larger, mut more) = (first.value, (whole.clone(), first.whole), false);
+    let mut touching = first_name.starts_with(char::is_alphabetic);
     loop {
         let apart = rest.trim_start();
-        let joined = ["and ", "und ", "& ", ", "].iter().find_map(|j| apart.strip_prefix(j));
-        let text = joined.unwrap_or(apart).trim_start();
-        let touching = text.len() == rest.len() && first_name.starts_with(char::is_alphabetic);
-        if !text.starts_with(|c: char| c.is_ascii_digit()) || touching {
+        let joined =
+            [". ", "and ", "und ", "& ", ", "].iter().find_map(|j| Some((*j, apart.strip_prefix(j)?)));
+        let text = joined.map_or(apart, |(_, text)| text).trim_start();
+        if !text.starts_with(|c: char| c.is_ascii_digit()) || (touching && text.len() == rest.len()) {
             break;
         }
         let Ok(next) = numeral(text) else { break };
-        let (next_name, behind) = name(next.rest);
+        let (next_name, behind) = unit_name(next.rest);
         let Some(unit) = unit_of(next_name, units) else { break };
-        if unit.unit.dimension() != whole.unit.dimension()
-            || behind.starts_with(['/', '^', '*', '·', '²', '³'])
-        {
+        let product = behind.starts_with(['/', '^', '*', '·', '²', '³']);
+        if product || unit.unit.dimension() != whole.unit.dimension() {
             break;
         }
-        // In the larger unit it is a fraction of one.
-        let share = unit.unit.to_si(next.value) / larger.0.unit.to_si(1.0);
-        if !larger.1 || share >= 1.0 || next.told {
+        let [one, less] = [&larger.0, &unit].map(|u| u.unit.to_si(1.0));
+        let share = unit.unit.to_si(next.value) / one;
+        let list = joined.is_some_and(|(by, _)| by != ". ") && whole.unit.by_tens(&unit.unit);
+        let customary =
+            matches!(whole.unit.dimension().0, [1, 0, 0, 0] | [0, 1, 0, 0] | [0, 0, 1, 0] | [0, 0, 0, 1]);
+        if !larger.1 || less >= one || share >= 1.0 || list || !customary {
             return Err(Why::TwoNumbers);
         }
         value += unit.unit.to_si(next.value) / whole.unit.to_si(1.0);
         larger = (unit, next.whole);
+        touching = next_name.starts_with(char::is_alphabetic);
         rest = behind;
         more = true;
     }
     Ok(more.then_some((value, whole, rest)))
+}
+
+/// The name of a unit at the start of a text, or the sign for feet or inches, and what follows.
+fn unit_name(text: &str) -> (&str, &str) {
+    let text = text.trim_start();
+    let sign = ["''", "'", "′", "\"", "″"].into_iter().find(|sign| text.starts_with(sign));
+    let end = sign.map(str::len).or_else(|| text.find(|c: char| !c.is_alphabetic()));
+    text.split_at(end.unwrap_or(text.len()))
+}
+
+fn unit_of(name: &str, units: &mut UnitCache) -> Option<Spelled> {
+    let name = match name {
+        "" => return None,
+        "'" | "′" => "ft",
+        "''" | "\"" | "″" => "in",
+        name => name,
+    };
+    units.unit(name).ok()
 }
 
 /// What stands after `omega =` or `=`.

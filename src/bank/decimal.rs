@@ -3,6 +3,8 @@ use crate::bank::Draw;
 
 /// Most decimals of a datum.
 pub const MAX_DECIMALS: u8 = 12;
+/// Most digits of a datum: they fit a double exactly.
+pub const MAX_DIGITS: usize = 15;
 
 /// A decimal number: `value` times 10^-`decimals`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -16,20 +18,30 @@ pub struct Decimal {
 impl Decimal {
     /// Reads `-0.30`: digits with at most one point and at most 15 digits.
     pub fn parse(text: &str) -> Option<Self> {
+        Self::read(text).ok()
+    }
+    /// The same; errors: what is wrong with it, in words.
+    pub fn read(text: &str) -> Result<Self, String> {
         let (negative, digits) = match text.strip_prefix('-') {
             Some(rest) => (true, rest),
             None => (false, text.strip_prefix('+').unwrap_or(text)),
         };
         let (whole, part) = digits.split_once('.').unwrap_or((digits, ""));
         let all = whole.bytes().chain(part.bytes());
-        let count = whole.len() + part.len();
-        let decimals = u8::try_from(part.len()).ok().filter(|d| *d <= MAX_DECIMALS)?;
-        if whole.is_empty() || count > 15 || !all.clone().all(|b| b.is_ascii_digit()) || digits.ends_with('.')
-        {
-            return None;
+        if whole.is_empty() || !all.clone().all(|b| b.is_ascii_digit()) || digits.ends_with('.') {
+            return Err(format!("`{}` is not a decimal number", crate::bank::node::shorten(text)));
         }
+        let decimals = u8::try_from(part.len()).ok().filter(|d| *d <= MAX_DECIMALS);
+        let (Some(decimals), true) = (decimals, whole.len() + part.len() <= MAX_DIGITS) else {
+            return Err(format!(
+                "`{}` has too many digits: {} in all and {} after the point, where at most {MAX_DIGITS} and {MAX_DECIMALS} are read",
+                crate::bank::node::shorten(text),
+                whole.len() + part.len(),
+                part.len()
+            ));
+        };
         let value = all.fold(0i64, |v, b| v * 10 + i64::from(b - b'0'));
-        Some(Self { value: if negative { -value } else { value }, decimals })
+        Ok(Self { value: if negative { -value } else { value }, decimals })
     }
     /// The same number with more decimals.
     fn widened(self, decimals: u8) -> Option<i64> {
@@ -128,7 +140,7 @@ pub fn draw(text: &str) -> Result<Draw, (String, String)> {
 fn too_long() -> (String, String) {
     (
         "these numbers have too many digits".to_owned(),
-        "at most 15 digits in all, counted to the last decimal".to_owned(),
+        format!("at most {MAX_DIGITS} digits in all, counted to the last decimal"),
     )
 }
 
@@ -137,11 +149,12 @@ fn word<'t>(text: &'t str, start: &str) -> Option<&'t str> {
 }
 
 fn number(text: &str) -> Result<Decimal, (String, String)> {
-    Decimal::parse(text).ok_or_else(|| {
-        (
-            format!("`{}` is not a decimal number", crate::bank::node::shorten(text)),
-            "write digits with a point, such as 0.30, without a unit".to_owned(),
-        )
+    Decimal::read(text).map_err(|why| {
+        let hint = match why.contains("too many") {
+            true => "round it: the printed number is the number used",
+            false => "write digits with a point, such as 0.30, without a unit",
+        };
+        (why, hint.to_owned())
     })
 }
 

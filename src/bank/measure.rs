@@ -44,8 +44,10 @@ pub fn decimal_constant(text: &str) -> Result<(Decimal, Unit), String> {
     let end =
         text.find(|c: char| !(c.is_ascii_digit() || matches!(c, '.' | '-' | '+'))).unwrap_or(text.len());
     let (digits, rest) = text.split_at(end);
-    let number = Decimal::parse(digits.trim())
-        .ok_or_else(|| format!("`{}` does not begin with a decimal number", shorten(text)))?;
+    let number = Decimal::read(digits.trim()).map_err(|why| match digits.is_empty() {
+        true => format!("`{}` does not begin with a decimal number", shorten(text)),
+        false => why,
+    })?;
     let unit = if rest.trim().is_empty() { Unit::one() } else { unit(rest)? };
     Ok((number, unit))
 }

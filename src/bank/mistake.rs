@@ -8,19 +8,31 @@ use crate::bank::expression::{Expression, Name, Powers};
 use crate::bank::measure;
 use crate::bank::node::{Faults, Fields, Node, Value, close_name, named, shorten};
 use crate::bank::review;
-use crate::bank::scene::{self, Symbol};
+use crate::bank::scene::{self, Symbol, Touching};
 use crate::scene::{Label, Scene};
 
 /// What the reader knows of the problem.
 pub struct Context<'a> {
     /// Its data, g last.
     pub data: &'a [Datum],
-    /// The symbols that its scene may use.
-    pub symbols: &'a [Symbol],
     /// Index of g.
     pub gravity: usize,
-    /// Name and scene of each case, with the text that the scene was read from.
-    pub cases: &'a [(&'a str, &'a Scene, &'a Node)],
+    /// Its cases.
+    pub cases: &'a [OfCase<'a>],
+}
+
+/// What the reader knows of a case.
+pub struct OfCase<'a> {
+    /// Its name.
+    pub name: &'a str,
+    /// Its scene.
+    pub scene: &'a Scene,
+    /// The text that the scene was read from.
+    pub node: &'a Node,
+    /// The symbols that its scene may use.
+    pub symbols: &'a [Symbol],
+    /// How contacts are taken that do not say whether they roll or slip.
+    pub touching: Touching,
 }
 
 /// Reads `mistakes: {A05: {data: {k: R/sqrt(2)}}}`.
@@ -87,7 +99,7 @@ fn mistake(id: &str, key: &Node, node: &Node, context: &Context, faults: &Faults
         }
     });
     let scenes = scene_node.map_or_else(Vec::new, |changes| {
-        context.cases.iter().map(|(_, _, whole)| changed(whole, changes, context, faults)).collect()
+        context.cases.iter().map(|case| changed(case, changes, context, faults)).collect()
     });
     let cases = cases_node.map_or_else(Vec::new, |n| cases(n, context, faults));
     Some(Mistake { id: id.to_owned(), data, scenes, values, of, cases, unguarded: unguarded.map(|(_, r)| r) })
@@ -102,10 +114,10 @@ fn cases(node: &Node, context: &Context, faults: &Faults) -> Vec<usize> {
     let mut found = Vec::new();
     for item in items {
         let name = item.text().unwrap_or("").trim();
-        match context.cases.iter().position(|(case, ..)| *case == name) {
+        match context.cases.iter().position(|case| case.name == name) {
             Some(index) => found.push(index),
             None => {
-                let hint = close_name(name, context.cases.iter().map(|(case, ..)| *case));
+                let hint = close_name(name, context.cases.iter().map(|case| case.name));
                 faults.maybe(item, format!("`{}` is no case of this problem", shorten(name)), hint);
             }
         }
@@ -120,8 +132,8 @@ fn is_id(text: &str) -> bool {
 }
 
 /// The scene with some of its fields replaced, read by the reader of scenes.
-fn changed(whole: &Node, changes: &Node, context: &Context, faults: &Faults) -> Option<Scene> {
-    let (Value::Map(old), Value::Map(new)) = (&whole.value, &changes.value) else {
+fn changed(case: &OfCase, changes: &Node, context: &Context, faults: &Faults) -> Option<Scene> {
+    let (Value::Map(old), Value::Map(new)) = (&case.node.value, &changes.value) else {
         faults.at(changes, format!("expected fields of a scene, found {}", changes.kind()));
         return None;
     };
@@ -133,12 +145,12 @@ fn changed(whole: &Node, changes: &Node, context: &Context, faults: &Faults) -> 
         }
     }
     let node = Node { value: Value::Map(fields), ..changes.clone() };
-    scene::read(&node, context.symbols, context.gravity, faults).scene
+    scene::read(&node, case.symbols, case.touching, context.gravity, faults).scene
 }
 
 fn label(name: &str, at: &Node, context: &Context, faults: &Faults) -> Option<Label> {
     let mut trouble = None;
-    for (_, scene, _) in context.cases {
+    for OfCase { scene, .. } in context.cases {
         match review::label(scene, name) {
             Ok(label) => return Some(label),
             Err(fault) => trouble = trouble.or(Some(fault)),
@@ -193,7 +205,7 @@ fn expression(node: &Node, context: &Context, strict: bool, faults: &Faults) -> 
             return Ok((Name::Datum(i, factor), measure::powers(&context.data[i].unit)));
         }
         let mut trouble = (format!("`{}` is not known", shorten(name)), None);
-        for (_, scene, _) in context.cases {
+        for OfCase { scene, .. } in context.cases {
             match review::label(scene, name) {
                 Ok(label) if label.quantity.is_word() => {
                     trouble.0 = format!("`{name}` is a word, not a number")

@@ -2,7 +2,7 @@
 use crate::bank::expression::Expression;
 use crate::finding::Finding;
 use crate::policy::Policy;
-use crate::scene::{Label, Scene};
+use crate::scene::{Label, Num, Scene};
 use crate::solve::outcome::CheckKind;
 use crate::units::Unit;
 use std::collections::BTreeMap;
@@ -126,6 +126,8 @@ pub enum Draw {
 pub struct Case {
     /// Name, empty if the problem has only one.
     pub name: String,
+    /// Its name in the text of the bank: of a case that is two, by whether a contact rolls or slips, the name of both.
+    pub written: String,
     /// Share among the cases, > 0.
     pub share: u32,
     /// One for each datum of the problem; `None` where this case does not use it.
@@ -134,6 +136,9 @@ pub struct Case {
     pub scene: Scene,
     /// Cords, by name, that leave a fixed axle upward (`true`) or downward, for the picture.
     pub upright: Vec<(String, bool)>,
+    /// Contacts that the bank leaves open (`touches:`) and that roll or slip in this case: index of the tie, and the kinetic
+    /// coefficient, which is printed either way.
+    pub touches: Vec<(usize, Num)>,
     /// Regime words that count as valid here (`moves_up`, `up ok`).
     pub regimes: Vec<String>,
     /// Bounds on answers and derived quantities.
@@ -271,7 +276,7 @@ pub mod course;
 pub mod decimal;
 pub mod expression;
 pub mod load;
-mod measure;
+pub mod measure;
 pub mod mistake;
 pub mod node;
 pub mod overlay;

@@ -111,16 +111,24 @@ pub fn structure(scene: &Scene, node: &Node, faults: &Faults) {
         scene.ties.iter().filter(|t| matches!(t, Tie::Cord(c) if what(&c.to))).count()
     };
     let springs = cord_to(|far| matches!(far, Far::Spring { .. }));
-    let rolls = scene.ties.iter().filter(|t| matches!(t, Tie::Roll { .. })).count();
-    let ties = rolls + cord_to(|far| matches!(far, Far::Body(_) | Far::Fixed));
-    let freedoms = scene.coordinates().count().saturating_sub(ties);
+    let slips = scene.ties.iter().find_map(|t| match t {
+        Tie::Slip { body, .. } => Some(&scene.bodies[*body].name),
+        _ => None,
+    });
+    let freedoms = scene.freedoms();
     if freedoms == 0 {
         faults.hint(node, "the ties leave nothing free to move", "take one of the ties away");
     }
     if springs > 1 {
         faults.at(node, "a scene has at most one spring");
     }
-    if freedoms > 1 && springs > 0 {
+    if let (Some(name), true) = (slips, springs > 0) {
+        faults.hint(
+            node,
+            format!("`{name}` slips, and there is a spring; that is not solved"),
+            "let the wheel roll, or take the spring away",
+        );
+    } else if freedoms > 1 && springs > 0 {
         faults.hint(
             node,
             format!("a spring holds a scene with {freedoms} freedoms; one is solved"),
@@ -128,11 +136,7 @@ pub fn structure(scene: &Scene, node: &Node, faults: &Faults) {
         );
     }
     thrown(scene, node, faults);
-    if freedoms > 1 && !scene.start.is_empty() && scene.thrown().is_none() {
-        let slips = scene.ties.iter().find_map(|t| match t {
-            Tie::Slip { body, .. } => Some(&scene.bodies[*body].name),
-            _ => None,
-        });
+    if (freedoms > 1 || slips.is_some()) && !scene.start.is_empty() && scene.thrown().is_none() {
         match slips {
             Some(name) => faults.hint(part(node, "start"),
                 format!("`{name}` slips, so its speed and its spin at the start are both given, or it starts from rest"),
@@ -256,11 +260,13 @@ pub fn label(scene: &Scene, name: &str) -> Result<Label, (String, Option<String>
 const fn why(quantity: Quantity) -> &'static str {
     match quantity {
         Quantity::Omega | Quantity::Alpha | Quantity::Phi => "nothing turns here",
-        Quantity::V | Quantity::A | Quantity::Rise => "nothing moves along a line here",
+        Quantity::V | Quantity::A | Quantity::Displacement | Quantity::Rise => {
+            "nothing moves along a line here"
+        }
         Quantity::Friction | Quantity::Normal => "nothing touches a surface here",
         Quantity::MuRequired => "nothing rolls or slips here",
         Quantity::SlipDistance | Quantity::FrictionIfRolled => "it needs a tie `slips`",
-        Quantity::SlipSpeed | Quantity::Displacement | Quantity::ARolling => {
+        Quantity::SlipSpeed | Quantity::ARolling => {
             "it needs a body that `slips` and starts with a speed and a spin"
         }
         Quantity::Rolls => "it needs a tie `slips`, or `rolls` with mu_s",
@@ -269,7 +275,10 @@ const fn why(quantity: Quantity) -> &'static str {
         Quantity::CordTravel => "it needs a cord that is pulled or held by a spring",
         Quantity::WorkPull | Quantity::PowerPull => "it needs a cord with `pulled with`",
         Quantity::KBound => "it needs one wheel with a radius of gyration that rolls and is pulled",
-        Quantity::XEq | Quantity::VMax | Quantity::DAtVMax | Quantity::DTurn => "it needs a spring",
+        Quantity::XEq => "it needs a spring",
+        Quantity::VMax | Quantity::DAtVMax | Quantity::DTurn => {
+            "it needs an end of a body on a line, and a spring or a speed at the start"
+        }
         Quantity::XG | Quantity::YG | Quantity::IG => "it needs a body of particles",
         Quantity::IO | Quantity::PinRadial | Quantity::PinTangential | Quantity::PinForce => {
             "it needs a pinned body"
@@ -324,7 +333,7 @@ pub fn labels(scene: &Scene) -> Vec<Label> {
                 }
             }
             if let Some(line) = body.line {
-                for q in [Quantity::V, Quantity::A, Quantity::Rise] {
+                for q in [Quantity::V, Quantity::A, Quantity::Displacement, Quantity::Rise] {
                     add(q, of);
                 }
                 if line.surface {
@@ -340,6 +349,12 @@ pub fn labels(scene: &Scene) -> Vec<Label> {
     add(Quantity::RotationalFraction, Owner::Scene);
     let end = scene.ending_coordinate();
     add(Quantity::Direction, Owner::Body(end.body));
+    let changes = scene.spring().is_some() || !scene.start.is_empty();
+    if changes && end.degree == Degree::Along && scene.thrown().is_none() {
+        for q in [Quantity::VMax, Quantity::DAtVMax, Quantity::DTurn] {
+            add(q, Owner::Body(end.body));
+        }
+    }
     for (t, tie) in scene.ties.iter().enumerate() {
         match tie {
             Tie::Roll { body, mu_s, .. } => {
@@ -360,7 +375,7 @@ pub fn labels(scene: &Scene) -> Vec<Label> {
                     add(q, Owner::Body(*body));
                 }
                 if scene.thrown().is_some_and(|t| t.body == *body) {
-                    for q in [Quantity::SlipSpeed, Quantity::Displacement, Quantity::ARolling] {
+                    for q in [Quantity::SlipSpeed, Quantity::ARolling] {
                         add(q, Owner::Body(*body));
                     }
                 }
@@ -380,11 +395,6 @@ pub fn labels(scene: &Scene) -> Vec<Label> {
                     add(Quantity::Tension, Owner::Tie(t));
                     add(Quantity::CordTravel, Owner::Tie(t));
                     add(Quantity::XEq, Owner::Scene);
-                    if end.degree == Degree::Along {
-                        for q in [Quantity::VMax, Quantity::DAtVMax, Quantity::DTurn] {
-                            add(q, Owner::Body(end.body));
-                        }
-                    }
                 }
                 Far::Body(_) | Far::Fixed => add(Quantity::Tension, Owner::Tie(t)),
             },

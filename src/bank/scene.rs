@@ -3,7 +3,7 @@ use crate::bank::measure;
 use crate::bank::node::{Faults, Fields, Node, Value, close_name, named, shorten};
 use crate::scene::{
     Arm, Attach, Body, Coordinate, Cord, CordEnd, Couple, Degree, End, Far, Heading, Line, Mass, Num, Part,
-    Particle, Pin, PinSpring, Rest, RotaryInertia, Scene, Shape, Side, Slope, Start, Tie, Zero,
+    Particle, Pin, PinSpring, Rest, RotaryInertia, Scene, Shape, Side, Slope, Span, Start, Tie, Zero,
 };
 use crate::units::Unit;
 use std::cell::Cell;
@@ -152,6 +152,18 @@ pub struct Symbol {
     pub name: String,
     /// Its unit; `None` if the bank's own is wrong (said elsewhere).
     pub unit: Option<Unit>,
+    /// It is not there in this case (`draw: none`): a particle of such data is left out, a slope is level, a speed or spin
+    /// at the start is 0.
+    pub absent: bool,
+}
+
+/// How contacts that do not say whether they roll or slip (`touches:`) are taken.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Touching {
+    /// They roll.
+    Rolls,
+    /// They slip.
+    Slips,
 }
 
 /// One use of a datum.
@@ -173,11 +185,15 @@ pub struct Read {
     /// Cords, by name, that leave a fixed axle upward (`true`) or downward. To mechanics `front down` is what `top forward` is:
     /// only a picture needs to know.
     pub upright: Vec<(String, bool)>,
+    /// Contacts that do not say whether they roll or slip: index of the tie, and the kinetic coefficient.
+    pub touches: Vec<(usize, Num)>,
 }
 
 struct Reader<'a> {
     symbols: &'a [Symbol],
+    touching: Touching,
     faults: &'a Faults,
+    touches: RefCell<Vec<(usize, Num)>>,
     uses: RefCell<Vec<Use>>,
     /// The line of some body could not be read, so nothing is said of surfaces that are not used.
     lost: Cell<bool>,
@@ -190,11 +206,13 @@ struct Reader<'a> {
 }
 
 /// Reads a scene. `gravity` is the index of g among the data.
-pub fn read(node: &Node, symbols: &[Symbol], gravity: usize, faults: &Faults) -> Read {
+pub fn read(node: &Node, symbols: &[Symbol], touching: Touching, gravity: usize, faults: &Faults) -> Read {
     let before = faults.count();
     let reader = Reader {
         symbols,
+        touching,
         faults,
+        touches: RefCell::new(Vec::new()),
         uses: RefCell::new(Vec::new()),
         lost: Cell::new(false),
         angled: Cell::new(false),
@@ -202,7 +220,12 @@ pub fn read(node: &Node, symbols: &[Symbol], gravity: usize, faults: &Faults) ->
         upright: RefCell::new(Vec::new()),
     };
     let scene = reader.scene(node, gravity).filter(|_| faults.count() == before);
-    Read { scene, uses: reader.uses.into_inner(), upright: reader.upright.into_inner() }
+    Read {
+        scene,
+        uses: reader.uses.into_inner(),
+        upright: reader.upright.into_inner(),
+        touches: reader.touches.into_inner(),
+    }
 }
 
 struct Surface<'n> {
@@ -240,7 +263,36 @@ impl Reader<'_> {
                 format!("write `start: {{{}: {{angle: phi0}}}}`", body.name),
             );
         }
-        Some(Scene { gravity_m_s2: Num::Datum(gravity), bodies, ties, couples, start, end, heading })
+        Some(Scene {
+            gravity_m_s2: Num::Datum(gravity),
+            bodies,
+            ties,
+            couples,
+            start,
+            end,
+            heading,
+            span: Span::default(),
+        })
+    }
+
+    /// Is this the symbol of a datum that is not there in this case?
+    fn absent(&self, node: &Node) -> bool {
+        let text = node.text().map(str::trim);
+        self.symbols.iter().any(|s| s.absent && Some(s.name.as_str()) == text)
+    }
+
+    /// Is everything that is written in this node the symbol of such a datum?
+    fn all_absent(&self, node: &Node) -> bool {
+        match &node.value {
+            Value::Map(fields) => !fields.is_empty() && fields.iter().all(|(_, v)| self.all_absent(v)),
+            Value::List(items) => !items.is_empty() && items.iter().all(|v| self.all_absent(v)),
+            _ => self.absent(node),
+        }
+    }
+
+    /// A speed or a spin at the start: 0 where its datum is not there.
+    fn at_start(&self, node: &Node, need: Need) -> Option<Num> {
+        if self.absent(node) { Some(Num::Fixed(0.0)) } else { self.number(node, need) }
     }
 
     fn number(&self, node: &Node, need: Need) -> Option<Num> {
@@ -349,9 +401,12 @@ impl Reader<'_> {
         for (name, _, value) in named(node, "surfaces by name", self.faults) {
             let slope = match &value.value {
                 Value::Map(_) => Fields::open(value, "a slope", self.faults).and_then(|mut fields| {
-                    let slope = self.need_number(&mut fields, "slope", "theta", Need::Slope);
+                    let slope = fields.need("slope", "theta", self.faults);
                     fields.close(self.faults);
-                    slope.map(Slope::Degrees)
+                    slope
+                        .filter(|n| !self.absent(n))
+                        .and_then(|n| self.number(n, Need::Slope))
+                        .map(Slope::Degrees)
                 }),
                 _ => self.word(
                     value,
@@ -666,8 +721,13 @@ impl Reader<'_> {
     fn particles(&self, node: &Node) -> Vec<Particle> {
         let f = self.faults;
         let mut list = Vec::new();
+        let mut left_out = 0;
         for (name, _, value) in named(node, "particles by name", f) {
             let Some(mut fields) = Fields::open(value, "a particle (mass, at)", f) else { continue };
+            if self.all_absent(value) {
+                left_out += 1;
+                continue;
+            }
             let mass = self.need_number(&mut fields, "mass", "m_A", Need::Mass);
             let at = fields.need("at", "[x_A, y_A]", f).and_then(|n| match &n.value {
                 Value::List(xy) if xy.len() == 2 => {
@@ -684,7 +744,7 @@ impl Reader<'_> {
             }
         }
         if let Value::Map(m) = &node.value
-            && m.len() < 2
+            && m.len() < 2 + left_out
         {
             f.at(node, "a body of particles has at least two of them");
         }
@@ -790,10 +850,10 @@ impl Reader<'_> {
                 continue;
             };
             let tie = match word {
-                "rolls" | "slips" | "slides" => self.contact(word, value, bodies),
+                "rolls" | "slips" | "slides" | "touches" => self.contact(word, value, bodies, ties.len()),
                 "cord" => self.cord(value, bodies).map(Tie::Cord),
                 _ => {
-                    self.unknown(key, "tie", &["rolls", "slips", "slides", "cord"]);
+                    self.unknown(key, "tie", &["rolls", "slips", "slides", "touches", "cord"]);
                     None
                 }
             };
@@ -804,7 +864,7 @@ impl Reader<'_> {
                 f.hint(
                     item,
                     format!("`{}` touches its surface twice", bodies[body].name),
-                    "keep one of `rolls`, `slips`, `slides`",
+                    "keep one of `rolls`, `slips`, `slides`, `touches`",
                 );
             }
             if let Tie::Cord(c) = &tie
@@ -831,7 +891,7 @@ impl Reader<'_> {
         ties
     }
 
-    fn contact(&self, word: &str, node: &Node, bodies: &[Body]) -> Option<Tie> {
+    fn contact(&self, word: &str, node: &Node, bodies: &[Body], tie: usize) -> Option<Tie> {
         let f = self.faults;
         let mut fields = Fields::open(node, "the body and where it touches", f)?;
         let body = self.need_body(&mut fields, "body", bodies);
@@ -878,6 +938,12 @@ impl Reader<'_> {
         let mu_s = self.need_number(&mut fields, "mu_s", "mu_s", Need::Friction);
         let mu_k = self.need_number(&mut fields, "mu_k", "mu_k", Need::Friction);
         fields.close(f);
+        if word == "touches" {
+            self.touches.borrow_mut().push((tie, mu_k?));
+            if self.touching == Touching::Rolls {
+                return Some(Tie::Roll { body: body?, radius_m: radius?, mu_s: Some(mu_s?) });
+            }
+        }
         Some(Tie::Slip { body: body?, radius_m: radius?, mu_s: mu_s?, mu_k: mu_k? })
     }
 
@@ -1188,14 +1254,14 @@ impl Reader<'_> {
                 if let Some(n) = speed {
                     if bodies[body].line.is_none() {
                         f.hint(n, format!("`{name}` does not move along a line"), "write `spin:`");
-                    } else if let Some(v) = self.number(n, Need::Velocity) {
+                    } else if let Some(v) = self.at_start(n, Need::Velocity) {
                         list.push(Start::Speed(Coordinate { body, degree: Degree::Along }, v));
                     }
                 }
                 if let Some(n) = spin {
                     if !bodies[body].turns {
                         f.hint(n, format!("`{name}` does not turn"), "write `speed:`");
-                    } else if let Some(w) = self.number(n, Need::Spin) {
+                    } else if let Some(w) = self.at_start(n, Need::Spin) {
                         list.push(Start::Speed(Coordinate { body, degree: Degree::Turn }, w));
                     }
                 }

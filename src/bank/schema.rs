@@ -8,10 +8,10 @@ use crate::bank::measure;
 use crate::bank::mistake;
 use crate::bank::node::{Faults, Fields, Node, Value, close_name, named, shorten};
 use crate::bank::review;
-use crate::bank::scene::{self, Need, Read, Symbol};
+use crate::bank::scene::{self, Need, Read, Symbol, Touching};
 use crate::bank::{Bank, Bound, Case, Datum, Draw, FigureLabels, Problem, Question, Relative};
 use crate::policy::Policy;
-use crate::scene::{Label, Owner, Quantity, Scene};
+use crate::scene::{Label, Owner, Quantity, Scene, Span, Tie};
 use crate::solve::outcome::{CheckKind, Motion};
 use crate::units::Unit;
 use std::collections::BTreeMap;
@@ -31,13 +31,18 @@ const FIGURES: u8 = 3;
 /// Most data of a problem; with g these are all that condition numbers are taken of.
 const MAX_DATA: usize = 63;
 /// Margins where the bank does not say them; the other checks have none.
-const MARGINS: [(CheckKind, f64); 6] = [
+const MARGINS: [(CheckKind, f64); 11] = [
     (CheckKind::Moves, 0.10),
     (CheckKind::NoSlip, 0.05),
     (CheckKind::MustSlip, 0.05),
     (CheckKind::StartsSlipping, 0.05),
     (CheckKind::Closes, 0.05),
     (CheckKind::Reaches, 0.05),
+    (CheckKind::Taut, 0.05),
+    (CheckKind::Slack, 0.05),
+    (CheckKind::SlipEnds, 0.05),
+    (CheckKind::UnderWay, 0.05),
+    (CheckKind::StaticLimit, 0.05),
 ];
 /// What holds for all problems of a bank.
 struct Common {
@@ -54,6 +59,8 @@ struct Common {
 struct DatumRead<'n> {
     node: &'n Node,
     draw: Option<Draw>,
+    /// `draw: none`: it is not there, unless a case draws it.
+    absent: bool,
     datum: Datum,
     /// False where the bank's unit is wrong, which is told once.
     unit_known: bool,
@@ -182,14 +189,23 @@ fn share(node: &Node, faults: &Faults) -> Option<f64> {
         Some(rest) => (rest.trim(), 2),
         None => (text, 0),
     };
-    let read = Decimal::parse(digits).and_then(|d| {
+    let written = Decimal::read(digits);
+    let read = written.as_ref().ok().and_then(|d| {
         let decimals = d.decimals.checked_add(decimals)?;
         Decimal { value: d.value, decimals }.text().parse::<f64>().ok()
     });
     if read.is_none() {
-        faults.hint(node, format!("expected a share, found {}", node.kind()), "write `5 %` or `0.05`");
+        faults.hint(node, expected("a share", node, written), "write `5 %` or `0.05`");
     }
     read
+}
+
+/// That something else was expected, or that there are too many digits.
+fn expected(what: &str, node: &Node, read: Result<Decimal, String>) -> String {
+    match read {
+        Err(why) if why.contains("too many digits") => format!("expected {what}: {why}"),
+        _ => format!("expected {what}, found {}", node.kind()),
+    }
 }
 
 /// Limits of condition numbers: what they are, and from where to where.
@@ -199,10 +215,11 @@ const ENERGY_LIMITS: (&str, f64, f64) = ("a multiple of the kinetic energy", 1.0
 
 /// A plain number, greatest value of something.
 fn limit(node: &Node, (what, least, most): (&str, f64, f64), faults: &Faults) -> Option<f64> {
-    let read = node.text().and_then(|t| Decimal::parse(t.trim())).and_then(|d| d.text().parse::<f64>().ok());
+    let written = Decimal::read(node.text().unwrap_or("").trim());
+    let read = written.as_ref().ok().and_then(|d| d.text().parse::<f64>().ok());
     let fine = read.filter(|x| (least..=most).contains(x));
     if fine.is_none() {
-        faults.at(node, format!("expected {what} from {least} to {most}, found {}", node.kind()));
+        faults.at(node, expected(&format!("{what} from {least} to {most}"), node, written));
     }
     fine
 }
@@ -294,14 +311,20 @@ fn problem(
     let mut data = data_node.map_or_else(Vec::new, |n| data_of(n, faults));
     let symbols: Vec<Symbol> = data
         .iter()
-        .map(|d| Symbol { name: d.datum.symbol.clone(), unit: d.unit_known.then(|| d.datum.unit.clone()) })
+        .map(|d| Symbol {
+            name: d.datum.symbol.clone(),
+            unit: d.unit_known.then(|| d.datum.unit.clone()),
+            absent: d.absent,
+        })
         .collect();
     if let Some(n) = data_node.filter(|_| data.len() > MAX_DATA) {
         faults.at(n, format!("a problem has at most {MAX_DATA} data, this one {}", data.len()));
     }
     let gravity_index = data.len();
     let scene_node = fields.get("scene");
-    let base = scene_node.map(|n| scene::read(n, &symbols, gravity_index, faults));
+    let read =
+        |n: &Node, symbols: &[Symbol], touching| scene::read(n, symbols, touching, gravity_index, faults);
+    let base = scene_node.map(|n| read(n, &symbols, Touching::Rolls));
     let regimes = fields.get("regimes").map_or_else(Vec::new, |n| regimes(n, faults));
     let margins = fields.get("margins").map_or_else(Vec::new, |n| margins(n, faults));
     let cond_limit = fields.get("cond limit").and_then(|n| limit(n, COND_LIMITS, faults));
@@ -333,10 +356,12 @@ fn problem(
             }
             cases.push(CaseRead {
                 name: String::new(),
+                written: String::new(),
                 node,
                 share: 1,
                 draws: data.iter().map(|d| d.draw.clone()).collect(),
                 wrong: data.iter().map(|d| d.draw_wrong).collect(),
+                symbols: symbols.clone(),
                 read: base.clone(),
                 scene_node,
                 regimes: regimes.clone(),
@@ -356,19 +381,24 @@ fn problem(
                 let share = f.get("share").map_or(Some(1), |n| whole(n, 1, 1_000_000, faults)).unwrap_or(1);
                 let mut draws: Vec<Option<Draw>> = data.iter().map(|d| d.draw.clone()).collect();
                 let mut wrong: Vec<bool> = data.iter().map(|d| d.draw_wrong).collect();
+                let mut symbols = symbols.clone();
                 if let Some(n) = f.get("draws") {
                     for (symbol, key, value) in named(n, "draws by symbol", faults) {
                         match data.iter().position(|d| d.datum.symbol == symbol) {
                             Some(i) => {
-                                draws[i] = draw(value, faults);
-                                wrong[i] = draws[i].is_none();
+                                symbols[i].absent = is_none(value);
+                                draws[i] = if symbols[i].absent { None } else { draw(value, faults) };
+                                wrong[i] = draws[i].is_none() && !symbols[i].absent;
                             }
                             None => unknown_symbol(key, symbol, &symbols, faults),
                         }
                     }
                 }
                 let own_node = f.get("scene");
-                let own = own_node.map(|n| scene::read(n, &symbols, gravity_index, faults));
+                // With other data there, the scene of the problem is another one, too.
+                let same = symbols.iter().zip(&data).all(|(s, d)| s.absent == d.absent);
+                let again = scene_node.filter(|_| !same && base.as_ref().is_some_and(|b| b.scene.is_some()));
+                let own = own_node.or(again).map(|n| read(n, &symbols, Touching::Rolls));
                 let replaced = own.is_some();
                 let own_regimes = f.get("regimes").map(|n| self::regimes(n, faults));
                 let bounds = f.get("bounds");
@@ -378,10 +408,12 @@ fn problem(
                 }
                 cases.push(CaseRead {
                     name: case_name.trim().to_owned(),
+                    written: case_name.to_owned(),
                     node: value,
                     share,
                     draws,
                     wrong,
+                    symbols,
                     read: if replaced { own } else { base.clone() },
                     scene_node: own_node.or(scene_node),
                     regimes: own_regimes.unwrap_or_else(|| regimes.clone()),
@@ -390,6 +422,8 @@ fn problem(
             }
         }
     }
+
+    let cases: Vec<CaseRead> = cases.into_iter().flat_map(|case| by_contact(case, &read)).collect();
 
     // Every datum that a case draws is used by its scene; what the scene uses is drawn; ranges are admissible.
     for case in &cases {
@@ -439,13 +473,16 @@ fn problem(
     let scenes: Vec<(&str, &Scene)> =
         cases.iter().filter_map(|c| Some((c.name.as_str(), c.read.as_ref()?.scene.as_ref()?))).collect();
     let questions = questions_node.map_or_else(Vec::new, |n| questions(n, common, &scenes, faults));
-    let read_cases: Vec<(&str, &Scene, &Node)> = cases
+    let read_cases: Vec<mistake::OfCase> = cases
         .iter()
-        .filter_map(|c| Some((c.name.as_str(), c.read.as_ref()?.scene.as_ref()?, c.scene_node?)))
+        .filter_map(|c| {
+            let scene = c.read.as_ref()?.scene.as_ref()?;
+            let (name, node, touching) = (c.name.as_str(), c.scene_node?, c.touching());
+            Some(mistake::OfCase { name, scene, node, symbols: &c.symbols, touching })
+        })
         .collect();
-    let context =
-        mistake::Context { data: &plain, symbols: &symbols, gravity: gravity_index, cases: &read_cases };
-    let mistakes = mistakes_node.map_or_else(Vec::new, |n| mistake::mistakes(n, &context, faults));
+    let context = mistake::Context { data: &plain, gravity: gravity_index, cases: &read_cases };
+    let mut mistakes = mistakes_node.map_or_else(Vec::new, |n| mistake::mistakes(n, &context, faults));
     let asks = asks_node.map(|n| asks(n, &questions, faults));
     let asked: Vec<Question> = match asks {
         None => questions.into_iter().filter_map(|(_, q)| q).collect(),
@@ -456,6 +493,9 @@ fn problem(
         let names: Vec<&str> = plain.iter().map(|d| d.symbol.as_str()).collect();
         review::templates(statement_node, questions_node, &names, variables, faults);
     }
+    // What is asked says how far the conditions look: the key is the same wherever these questions are answered.
+    let span = Span::of(asked.iter().map(|q| q.label.quantity));
+    mistakes.iter_mut().flat_map(|m| &mut m.scenes).flatten().for_each(|s| s.span = span);
     let mut ready = Vec::new();
     for case in cases {
         let mut bounds = Vec::new();
@@ -463,15 +503,18 @@ fn problem(
             let scene = case.read.as_ref().and_then(|r| r.scene.as_ref());
             bounds.extend(bounds_of(n, &plain, scene, faults));
         }
-        if let Some(Read { scene: Some(scene), upright, .. }) = case.read {
+        if let Some(Read { scene: Some(mut scene), upright, touches, .. }) = case.read {
+            scene.span = span;
             let mut draws = case.draws;
             draws.push(Some(g_draw.clone()));
             ready.push(Case {
                 name: case.name,
+                written: case.written,
                 share: case.share,
                 draws,
                 scene,
                 upright,
+                touches,
                 regimes: case.regimes,
                 bounds,
             });
@@ -501,18 +544,71 @@ fn problem(
     })
 }
 
+/// A case whose contact does not say whether it rolls or slips is two: one in which it rolls, and one in which it slips, so far
+/// as its regimes let it. A draw belongs to that in which what happens is what was assumed.
+fn by_contact<'n>(
+    case: CaseRead<'n>,
+    read: &dyn Fn(&Node, &[Symbol], Touching) -> scene::Read,
+) -> Vec<CaseRead<'n>> {
+    let touches = case.read.as_ref().is_some_and(|r| r.scene.is_some() && !r.touches.is_empty());
+    let Some(node) = case.scene_node.filter(|_| touches) else { return vec![case] };
+    let slips = |regime: &&String| regime.starts_with("slips") || regime.starts_with("spins");
+    let mut kept = Vec::new();
+    for (touching, word) in [(Touching::Rolls, "rolls"), (Touching::Slips, "slips")] {
+        let fits = |r: &&String| slips(r) == (touching == Touching::Slips);
+        let regimes: Vec<String> = case.regimes.iter().filter(fits).cloned().collect();
+        if !regimes.is_empty() || case.regimes.is_empty() {
+            kept.push((touching, word, regimes));
+        }
+    }
+    let both = kept.len() > 1;
+    let one = |(touching, word, regimes): (Touching, &str, Vec<String>)| {
+        let mut one = case.clone();
+        one.regimes = regimes;
+        if touching == Touching::Slips {
+            one.read = Some(read(node, &case.symbols, touching));
+        }
+        if both {
+            one.name = if case.name.is_empty() { word.to_owned() } else { format!("{}, {word}", case.name) };
+        }
+        one
+    };
+    kept.into_iter().map(one).collect()
+}
+
+/// `none`: the datum is not there.
+fn is_none(node: &Node) -> bool {
+    node.text().is_some_and(|t| t.trim() == "none")
+}
+
+#[derive(Clone)]
 struct CaseRead<'n> {
     name: String,
+    /// Its name as it is written.
+    written: String,
     node: &'n Node,
     share: u32,
     draws: Vec<Option<Draw>>,
     /// Draws that are given but wrong.
     wrong: Vec<bool>,
+    /// The symbols, as far as their data are there.
+    symbols: Vec<Symbol>,
     /// What was read of its scene, if it has one.
     read: Option<scene::Read>,
     scene_node: Option<&'n Node>,
     regimes: Vec<String>,
     bounds: Option<&'n Node>,
+}
+
+impl CaseRead<'_> {
+    /// How a contact that does not say it is taken in this case.
+    fn touching(&self) -> Touching {
+        let read = self.read.as_ref().filter(|r| !r.touches.is_empty());
+        let slips = read
+            .and_then(|r| r.scene.as_ref())
+            .is_some_and(|s| s.ties.iter().any(|t| matches!(t, Tie::Slip { .. })));
+        if slips { Touching::Slips } else { Touching::Rolls }
+    }
 }
 
 fn data_draws(data: &[DatumRead], case: &CaseRead) -> Vec<(String, Option<Draw>)> {
@@ -578,6 +674,7 @@ fn data_of<'n>(node: &'n Node, faults: &Faults) -> Vec<DatumRead<'n>> {
             degrees: false,
         };
         let mut own = None;
+        let mut absent = false;
         let mut unit_known = false;
         let mut draw_wrong = false;
         if let Some(mut fields) = Fields::open(value, "a datum (name, unit, draw)", faults) {
@@ -601,11 +698,12 @@ fn data_of<'n>(node: &'n Node, faults: &Faults) -> Vec<DatumRead<'n>> {
                 datum.tex = tex;
             }
             let given = fields.get("draw");
-            own = given.and_then(|n| draw(n, faults));
-            draw_wrong = given.is_some() && own.is_none();
+            absent = given.is_some_and(is_none);
+            own = given.filter(|_| !absent).and_then(|n| draw(n, faults));
+            draw_wrong = given.is_some() && !absent && own.is_none();
             fields.close(faults);
         }
-        list.push(DatumRead { node: value, draw: own, datum, unit_known, draw_wrong });
+        list.push(DatumRead { node: value, draw: own, absent, datum, unit_known, draw_wrong });
     }
     list
 }
@@ -651,7 +749,7 @@ fn regimes(node: &Node, faults: &Faults) -> Vec<String> {
     let mut list = Vec::new();
     for item in items {
         let text = item.text().unwrap_or("").trim();
-        if Motion::ALL.iter().any(|m| m.word() == text) {
+        if Motion::ALL.iter().any(|m| m.is_called(text)) {
             list.push(text.to_owned());
         } else {
             let words: Vec<&str> = Motion::ALL.iter().map(|m| m.word()).collect();
@@ -850,10 +948,11 @@ fn unowned(name: &str) -> Result<Label, (String, Option<String>)> {
 }
 
 fn points(node: &Node, faults: &Faults) -> Option<f64> {
-    let read = node.text().and_then(|t| Decimal::parse(t.trim())).and_then(|d| d.text().parse::<f64>().ok());
+    let written = Decimal::read(node.text().unwrap_or("").trim());
+    let read = written.as_ref().ok().and_then(|d| d.text().parse::<f64>().ok());
     let fine = read.filter(|p| (0.0..=1000.0).contains(p));
     if fine.is_none() {
-        faults.at(node, format!("expected points from 0 to 1000, found {}", node.kind()));
+        faults.at(node, expected("points from 0 to 1000", node, written));
     }
     fine
 }

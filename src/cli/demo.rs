@@ -10,6 +10,7 @@ use crate::cli::generate;
 use crate::cli::generate::Plan;
 use crate::cli::grade;
 use crate::cli::grade::Job;
+use crate::cli::solve;
 use crate::cli::tell;
 use crate::cli::tell::Exit;
 use crate::cli::tell::Io;
@@ -143,7 +144,7 @@ fn submissions(plan: &Plan) -> Result<HandIn, Vec<Finding>> {
     let dealer = Dealer::new(plan.bank, plan.problems, plan.seed, plan.name);
     let mut dealt = Vec::new();
     for (id, _) in class::STUDENTS {
-        dealt.push(dealer.deal(id).map_err(|f| vec![f])?);
+        dealt.push(dealer.deal(id).map_err(|none| vec![solve::unsatisfiable(plan.bank, &none)])?);
     }
     let chosen = || plan.problems.iter().filter_map(|p| plan.bank.problems.get(*p));
     let sheets: Vec<Sheet> = class::STUDENTS

@@ -654,8 +654,12 @@ fn provenance(graded: &Graded, page: &mut Pages) {
     page.say(
         1,
         &format!(
-            "{}, draw version {}; set {} from seed {}",
-            made.program, made.draw_version, made.set, made.seed
+            "{}, draw version {}; set {} from seed {}{}",
+            made.program,
+            made.draw_version,
+            made.set,
+            made.seed,
+            if made.replayed { "" } else { ", not replayed" }
         ),
     );
     let drawn = graded.set.bank.sha256.as_str();
@@ -665,7 +669,11 @@ fn provenance(graded: &Graded, page: &mut Pages) {
         format!("; the sheets were drawn from {drawn}")
     };
     page.say(1, &format!("bank {}, SHA-256 {}{other}", made.bank, made.bank_sha256));
-    page.say(1, &format!("key, SHA-256 {}; solved anew for this text, and the same", made.key_sha256));
+    let key = match made.replayed {
+        true => "solved anew for this text, and the same",
+        false => "as it was stored with the set, which an earlier version drew",
+    };
+    page.say(1, &format!("key, SHA-256 {}; {key}", made.key_sha256));
     if let Some(course) = &made.course_sha256 {
         page.say(1, &format!("course, SHA-256 {course}"));
     }

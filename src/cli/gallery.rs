@@ -5,6 +5,7 @@ use crate::cli::banks;
 use crate::cli::banks::Texts;
 use crate::cli::files;
 use crate::cli::lint;
+use crate::cli::solve;
 use crate::cli::tell;
 use crate::cli::tell::Exit;
 use crate::cli::tell::Io;
@@ -68,7 +69,7 @@ fn gallery(args: &args::Gallery, io: &mut Io) -> Result<(), Vec<Finding>> {
         let mut variants = Vec::new();
         for n in 1..=args.variants {
             let variant = maker.variant(&n.to_string()).map_err(|none| {
-                let fault = Finding::new(format!("problems.{}", problem.id), none.to_string());
+                let fault = solve::unsatisfiable(bank, &none);
                 vec![fault.in_file(&loaded.file).hint("`slipstick lint` says more")]
             })?;
             variants.push(variant);

@@ -11,6 +11,7 @@ use crate::cli::lint;
 use crate::cli::output;
 use crate::cli::output::Made;
 use crate::cli::output::Output;
+use crate::cli::solve;
 use crate::cli::tell;
 use crate::cli::tell::Exit;
 use crate::cli::tell::Io;
@@ -131,9 +132,16 @@ fn generate(args: &args::Generate, io: &mut Io) -> Result<(), Vec<Finding>> {
         (None, None) => (0..loaded.bank.problems.len()).collect(),
     };
     // What a text of one's own gets wrong in a formula, students would see as raw commands.
-    let faulty = lint::faulty_formulas(&loaded.bank, &texts, &problems)?;
-    if !faulty.is_empty() {
-        return Err(faulty);
+    let tried = lint::tried(&loaded.bank, &texts, &problems)?;
+    if !tried.faults.is_empty() {
+        return Err(tried.faults);
+    }
+    // What only the worked solutions will lack is told now, as `lint` does, and refuses nothing.
+    for fault in &tried.unsolved {
+        io.note(&format!("note: {fault}"));
+    }
+    for note in &tried.notes {
+        io.note(&format!("note: problems.{}: {}", note.problem, note.what));
     }
     let seed = args.seed.or(old.as_ref().map(|s| s.seed)).unwrap_or(0);
     let plan = Plan {
@@ -162,6 +170,9 @@ fn generate(args: &args::Generate, io: &mut Io) -> Result<(), Vec<Finding>> {
         None => whole(&plan, &members, &args.out, watched),
     })?;
     tell(&plan, &summary, &args.out, io);
+    for note in lint::seldom_words(&loaded.bank, &problems) {
+        io.line(&format!("  note: {}: {}", note.field, note.message));
+    }
     for m in members.iter().filter(|m| m.folder != m.student) {
         io.line(&format!("  {} is in students/{}", m.student, m.folder));
     }
@@ -204,12 +215,13 @@ pub fn whole(plan: &Plan, members: &[Member], out: &Path, watched: bool) -> Resu
             .map_err(|e| vec![files::trouble(&out.join(name), "cannot be written", &e)])
     };
     write("bank.yaml", plan.text.as_bytes())?;
-    write("key.csv", &key_file::text(&keys))?;
+    let key = key_file::text(&keys);
+    write("key.csv", &key)?;
     write("submissions.csv", &blank_form(plan, &set))?;
     for (name, bytes) in together(plan, &sheets, &keys)? {
         write(name, &bytes)?;
     }
-    write("set.json", set.text().as_bytes())?;
+    write("set.json", set.sealed(&key).as_bytes())?;
     staged.finish().map_err(one)?;
     let tries = tries(&set, 0);
     Ok(Summary { written: members.len(), set, tries, cut })
@@ -293,7 +305,9 @@ fn add(
     }));
     keys.extend(dealt.iter().map(|d| d.key.clone()));
     let (set, cut) = store(plan, &everybody, &dealt, Some((old, &keys)));
-    let mut files = vec![("key.csv", key_file::text(&keys)), ("set.json", set.text().into_bytes())];
+    let key = key_file::text(&keys);
+    let sealed = set.sealed(&key).into_bytes();
+    let mut files = vec![("key.csv", key), ("set.json", sealed)];
     if form_is_blank {
         files.push(("submissions.csv", blank_form(plan, &set)));
     }
@@ -424,7 +438,8 @@ fn deal(
         .map_init(
             || (Room::default(), Converter::new(&plan.texts.words)),
             |(room, converter), (at, member)| {
-                let dealt = dealer.deal(&member.student)?;
+                let dealt =
+                    dealer.deal(&member.student).map_err(|none| solve::unsatisfiable(plan.bank, &none))?;
                 let (mut made, row) =
                     writer.write(at, &member.student, &member.name, &dealt, room, converter)?;
                 let json = public.text(&member.student, &dealt.variants);

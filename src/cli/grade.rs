@@ -15,6 +15,7 @@ use crate::cli::report;
 use crate::cli::tell;
 use crate::cli::tell::Exit;
 use crate::cli::tell::Io;
+use crate::draw::stream;
 use crate::finding::Finding;
 use crate::grade::feedback::Feedback;
 use crate::grade::rules::Rules;
@@ -33,6 +34,7 @@ use crate::set::grading::BASIS;
 use crate::set::grading::Grading;
 use crate::set::key_file;
 use crate::set::replay;
+use crate::set::store;
 use crate::set::store::StoredSet;
 use crate::words::Words;
 use std::fs;
@@ -127,11 +129,14 @@ pub struct Replayed {
     pub set: StoredSet,
     /// The bank beside it.
     pub bank: Bank,
-    /// The keys, made anew.
+    /// The keys, made anew; of a set that an earlier version drew those that are stored.
     pub keys: Vec<SheetKey>,
+    /// Of such a set: that it was not drawn again, and what its key was held against.
+    pub not_drawn: Option<String>,
 }
 
-/// The set in a folder and its key, made anew and compared with what is stored.
+/// The set in a folder and its key, made anew and compared with what is stored. A set of an earlier version of the drawing is not
+/// drawn again: its key is the stored one, which must have the hash that was stored with it.
 ///
 /// # Errors
 /// The set is not what it was made as.
@@ -148,19 +153,62 @@ pub fn replayed(folder: &Path) -> Result<Replayed, Vec<Finding>> {
             .map(|f| if f.file.is_none() { f.in_file(&file) } else { f.in_file(&name) })
             .collect()
     };
-    let keys = replay::keys(&bank, &set).map_err(in_set)?;
+    let mut keys = replay::keys(&bank, &set).map_err(in_set)?;
     let path = folder.join("key.csv");
     let stored = files::read(&path).map_err(|f| vec![f])?;
     let file = path.display().to_string();
-    let mut faults: Vec<Finding> =
-        key_file::compare(&stored, &keys).into_iter().map(|f| f.in_file(&file)).collect();
-    if let Some(last) = faults.pop() {
-        faults.push(
-            last.hint("key.csv is not what the set gives: put the original back, or make the set anew"),
+    let earlier = replay::is_earlier(&set);
+    let seal =
+        store::seal(&files::read_text(&folder.join("set.json")).map_err(|f| vec![f])?).filter(|_| earlier);
+    let hash = load::hash(&String::from_utf8_lossy(&stored));
+    if let Some(seal) = seal.as_ref().filter(|seal| **seal != hash) {
+        let short = |hash: &str| hash.chars().take(12).collect::<String>();
+        let what = format!(
+            "was changed: its SHA-256 is {}…, that of the set's key is {}…",
+            short(&hash),
+            short(seal)
         );
+        return Err(vec![
+            Finding::new("", what).in_file(file).hint("put the original back, or make the set anew"),
+        ]);
+    }
+    let (other, faults) = match earlier {
+        true => match key_file::put_stored(&stored, &mut keys, seal.is_some()) {
+            Ok(other) => (other, Vec::new()),
+            Err(faults) => (0, faults),
+        },
+        false => (0, key_file::compare(&stored, &keys)),
+    };
+    let mut faults: Vec<Finding> = faults.into_iter().map(|f| f.in_file(&file)).collect();
+    if let Some(last) = faults.pop() {
+        faults.push(last.hint(match earlier {
+            true => format!(
+                "put the original back; if it is, grade with the version that made it: {}",
+                set.program
+            ),
+            false => {
+                "key.csv is not what the set gives: put the original back, or make the set anew".to_owned()
+            }
+        }));
         return Err(faults);
     }
-    Ok(Replayed { set, bank, keys })
+    let not_drawn = earlier.then(|| {
+        let held = match seal {
+            Some(_) => "which has the SHA-256 that is stored with the set",
+            None => "which agrees with what the stored data give",
+        };
+        let mut told = format!(
+            "The set was drawn by draw version {}, this program has {}: it was not replayed. Its key is the stored one, {held}.",
+            set.draw_version,
+            stream::DRAW_VERSION
+        );
+        if other > 0 {
+            let answers = tell::count(other, "answer");
+            told.push_str(&format!(" By this version the stored data would give {answers} of it otherwise."));
+        }
+        told
+    });
+    Ok(Replayed { set, bank, keys, not_drawn })
 }
 
 /// Grades.
@@ -182,11 +230,15 @@ pub fn grade(job: &Job, input: &mut dyn BufRead) -> Result<Graded, Vec<Finding>>
     if !faults.is_empty() {
         return Err(faults);
     }
-    let Replayed { set, bank, keys } = replayed(job.set)?;
+    let Replayed { set, bank, keys, not_drawn } = replayed(job.set)?;
     let text = |name: &str| files::read_text(&job.set.join(name)).map_err(|f| vec![f]);
     let (set_text, bank_text, key_text) = (text("set.json")?, text(&set.bank.file)?, text("key.csv")?);
-    let made = make(job, Basis { set, bank, keys, set_text, bank_text, key_text }, input)?;
+    let replayed = not_drawn.is_none();
+    let made = make(job, Basis { set, bank, keys, replayed, set_text, bank_text, key_text }, input)?;
     let mut summary = summary(&made.table, &made.graded, &made.policy);
+    if let Some(told) = not_drawn {
+        summary.push_str(&format!("\n  {told}"));
+    }
     let out = job.out.display().to_string();
     match made.reports()? {
         Some(report) => summary.push_str(&format!("\n{}", report.told(&out))),
@@ -219,6 +271,8 @@ pub struct Basis {
     pub bank: Bank,
     /// The keys.
     pub keys: Vec<SheetKey>,
+    /// Was the set drawn again?
+    pub replayed: bool,
     /// set.json.
     pub set_text: String,
     /// The bank's file.
@@ -292,7 +346,7 @@ impl Made {
 /// The file of submissions cannot be read, the course is faulty, or the folder cannot be written.
 pub fn make(job: &Job, basis: Basis, input: &mut dyn BufRead) -> Result<Made, Vec<Finding>> {
     let columns = columns(job.columns)?;
-    let Basis { set, bank, keys, set_text, bank_text, key_text } = basis;
+    let Basis { set, bank, keys, replayed, set_text, bank_text, key_text } = basis;
     let language = job.language.unwrap_or(&set.language);
     let words = match job.language {
         Some(language) => banks::words(language)?,
@@ -368,6 +422,7 @@ pub fn make(job: &Job, basis: Basis, input: &mut dyn BufRead) -> Result<Made, Ve
         format: grading::FORMAT,
         program: tell::program(),
         draw_version: set.draw_version,
+        replayed,
         set: set.name.clone(),
         seed: set.seed,
         bank: bank.id.clone(),

@@ -1,12 +1,14 @@
 //! `slipstick lint`: all that is wrong in a bank, then how it behaves over many seeds.
 use crate::bank::Bank;
 use crate::bank::Problem;
+use crate::bank::Question;
 use crate::bank::node::shorten;
 use crate::cli::args;
 use crate::cli::args::Format;
 use crate::cli::banks;
 use crate::cli::banks::Texts;
 use crate::cli::output::Output;
+use crate::cli::solve;
 use crate::cli::tell;
 use crate::cli::tell::Exit;
 use crate::cli::tell::Io;
@@ -18,6 +20,7 @@ use crate::problem::make::Maker;
 use crate::problem::make::Variant;
 use crate::problem::make_key;
 use crate::problem::sweep;
+use crate::problem::sweep::Seldom;
 use crate::problem::sweep::Sweep;
 use crate::sheet::document;
 use crate::sheet::document::Dropped;
@@ -28,6 +31,8 @@ use crate::sheet::page::Room;
 use crate::sheet::page::Sheets;
 use crate::sheet::statement;
 use crate::solution;
+use crate::solution::stop::Beyond;
+use crate::words::Words;
 use rayon::prelude::*;
 
 /// A class for which the chance of equal sheets is told.
@@ -61,21 +66,31 @@ fn lint(args: &args::Lint, io: &mut Io) -> Result<Vec<Finding>, Vec<Finding>> {
     let sweeps = sweeps(&all, args.seeds, &bank.id);
     for (problem, sweep) in bank.problems.iter().zip(&sweeps) {
         if let Some((seed, none)) = &sweep.unsatisfiable {
-            let fault = Finding::new(format!("problems.{}", problem.id), format!("seed {seed}: {none}"));
+            let mut fault = solve::unsatisfiable(bank, none);
+            if none.constant.is_none() {
+                fault.message = format!("seed {seed}: {}", fault.message);
+            }
             findings.push(
                 fault.in_file(&loaded.file).hint("widen the ranges, or loosen the rule that refuses most"),
             );
-        }
-        if let Some(refusal) = &sweep.unsolved {
+        } else if let Some(refusal) = &sweep.unsolved {
             for text in words::refusal(problem, &problem.cases[0].scene, refusal) {
                 let what = format!("a draw cannot be solved: {text}");
                 findings.push(Finding::new(format!("problems.{}", problem.id), what).in_file(&loaded.file));
             }
         }
     }
-    let mut dropped = Vec::new();
+    let mut notes = Vec::new();
     if findings.is_empty() {
-        findings.extend(faulty_texts(bank, &texts, &mut dropped)?);
+        let texts = faulty_texts(bank, &texts)?;
+        findings.extend(texts.faults);
+        notes = texts.notes;
+        for (problem, sweep) in bank.problems.iter().zip(&sweeps) {
+            for (question, seen) in problem.questions.iter().zip(&sweep.questions) {
+                let never = sweep::seldom(&seen.words).into_iter().filter(sweep::Seldom::never);
+                findings.extend(never.map(|s| seldom(problem, question, &s).in_file(&loaded.file)));
+            }
+        }
     }
     for (problem, sweep) in bank.problems.iter().zip(&sweeps) {
         let tables = tables(problem, sweep);
@@ -93,8 +108,8 @@ fn lint(args: &args::Lint, io: &mut Io) -> Result<Vec<Finding>, Vec<Finding>> {
         if let Some(never) = never_near(&tables) {
             io.line(&format!("  {never}"));
         }
-        let told = dropped.iter().filter(|(id, _)| *id == problem.id).map(|(_, note)| note.clone());
-        for note in tables.notes.into_iter().chain(told) {
+        let told = notes.iter().filter(|n| n.problem == problem.id).map(|n| &n.what);
+        for note in tables.notes.iter().chain(told) {
             io.line(&format!("    note: {note}"));
         }
         io.line("");
@@ -223,9 +238,10 @@ fn questions(problem: &Problem, sweep: &Sweep) -> (Vec<Vec<String>>, Vec<Vec<Str
             row.push(if least == most { most } else { format!("{least} to {most}") });
             row.push(percent(seen.missed()));
         } else {
-            let total: u64 = seen.words.iter().map(|(_, n)| n).sum();
-            let share = |n: u64| n * 100 / total.max(1);
-            let list: Vec<String> = seen.words.iter().map(|(w, n)| format!("{w} {} %", share(*n))).collect();
+            let share = |(word, n): &(&str, u64)| {
+                format!("{word} {} %", n * 100 / sweep::printed(&seen.words, word).max(1))
+            };
+            let list: Vec<String> = seen.words.iter().map(share).collect();
             row.push(list.join(", "));
         }
         rows.push(row);
@@ -270,10 +286,41 @@ fn mistakes(problem: &Problem, sweep: &Sweep) -> (Vec<Vec<String>>, Vec<String>)
     (rows, never)
 }
 
-/// Where the figures asked and the tolerance do not fit the condition numbers.
+/// A word of a printed list that is right too seldom.
+fn seldom(problem: &Problem, question: &Question, seldom: &Seldom) -> Finding {
+    let Seldom { word, right, printed } = *seldom;
+    let what = match right {
+        0 => format!("`{word}` is offered and right in none of {printed} variants: that is no question"),
+        _ => format!(
+            "`{word}` is right in {right} of {printed} variants, less than {:.0} %",
+            sweep::WORD_SHARE * 100.0
+        ),
+    };
+    let hint = "leave the question out, or let cases and ranges bring each word about, with the same data drawn for all";
+    Finding::new(format!("problems.{}.questions.{}", problem.id, question.id), what).hint(hint)
+}
+
+/// Variants that are tried for the words of a problem where nothing else is asked of it.
+const FOR_WORDS: u32 = 100;
+
+/// Words of printed lists that are right too seldom, on a few variants of these problems.
+pub fn seldom_words(bank: &Bank, problems: &[usize]) -> Vec<Finding> {
+    let mut found = Vec::new();
+    for problem in problems.iter().filter_map(|p| bank.problems.get(*p)) {
+        for (question, words) in sweep::words_of(problem, FOR_WORDS, &bank.id) {
+            let question = &problem.questions[question];
+            found.extend(sweep::seldom(&words).iter().map(|s| seldom(problem, question, s)));
+        }
+    }
+    found
+}
+
+/// Where the figures asked and the tolerance do not fit the condition numbers, and words that are right too seldom.
 fn notes(problem: &Problem, sweep: &Sweep) -> Vec<String> {
     let mut notes = Vec::new();
     for (question, seen) in problem.questions.iter().zip(&sweep.questions) {
+        let rare = sweep::seldom(&seen.words).into_iter().filter(|s| !s.never());
+        notes.extend(rare.map(|s| format!("{}: {}", question.id, seldom(problem, question, &s).message)));
         let missed = seen.missed();
         if missed > HONEST_MISSES {
             let advice = match question.relative.fixed() {
@@ -301,22 +348,76 @@ fn notes(problem: &Problem, sweep: &Sweep) -> Vec<String> {
     notes
 }
 
-/// Formulas of statements and questions that cannot be read, on one variant of each case of these problems.
+/// What is found on one variant of each case.
+#[derive(Default)]
+pub struct Tried {
+    /// Faults of statements and questions: students would see them.
+    pub faults: Vec<Finding>,
+    /// Faults of worked solutions.
+    pub unsolved: Vec<Finding>,
+    /// What is no fault: cases whose worked solution is a short page, what is dropped from a text.
+    pub notes: Vec<Note>,
+}
+
+/// What is worth knowing of a problem before its sheets go out.
+#[derive(Debug, PartialEq)]
+pub struct Note {
+    /// Id of the problem.
+    pub problem: String,
+    /// What is to be told.
+    pub what: String,
+}
+
+/// That the worked solution is a short page, and why.
+pub fn short_page(problem: &Problem, case: usize, what: Beyond) -> String {
+    let case = match problem.cases.get(case).map_or("", |c| c.name.as_str()) {
+        "" => String::new(),
+        name => format!(" of the case `{name}`"),
+    };
+    format!(
+        "the worked solution{case} is a short page with data and answers: it does not cover {}",
+        what.text(&Words::english())
+    )
+}
+
+/// Writes statement and worked solution of one variant of each case of these problems: faults that show only then, formulas
+/// that cannot be read, and what the worked solutions do not cover.
 ///
 /// # Errors
 /// Faults of the templates.
-pub fn faulty_formulas(bank: &Bank, texts: &Texts, problems: &[usize]) -> Result<Vec<Finding>, Vec<Finding>> {
+pub fn tried(bank: &Bank, texts: &Texts, problems: &[usize]) -> Result<Tried, Vec<Finding>> {
     let sheets = Sheets::new(&texts.templates, &texts.words, bank, &bank.id, problems)?;
     let mut room = Room::default();
-    let mut findings = Vec::new();
+    let mut out = Tried::default();
     for (i, problem) in problems.iter().filter_map(|p| bank.problems.get(*p)).enumerate() {
         for variant in one_of_each_case(problem, &bank.id) {
-            let mut out = Vec::new();
-            sheets.problem(i, &variant, &mut room, &mut out).map_err(|f| vec![f])?;
-            add_formulas(&mut findings, problem, texts, &String::from_utf8_lossy(&out));
+            let mut sheet = Vec::new();
+            match sheets.problem(i, &variant, &mut room, &mut sheet) {
+                Ok(()) => {
+                    let text = String::from_utf8_lossy(&sheet);
+                    add_formulas(&mut out.faults, problem, texts, &text);
+                    for what in [&problem.title, &*text].into_iter().flat_map(document::dropped) {
+                        let note = Note { problem: problem.id.clone(), what: not_kept(&what) };
+                        if !out.notes.contains(&note) {
+                            out.notes.push(note);
+                        }
+                    }
+                }
+                Err(fault) if out.faults.contains(&fault) => {}
+                Err(fault) => out.faults.push(fault),
+            }
+            match solution::worked(problem, &variant, i + 1, &texts.words, &texts.templates) {
+                Ok((_, None)) => {}
+                Ok((_, Some(what))) => {
+                    let what = short_page(problem, variant.case, what);
+                    out.notes.push(Note { problem: problem.id.clone(), what });
+                }
+                Err(fault) if out.unsolved.contains(&fault) => {}
+                Err(fault) => out.unsolved.push(fault),
+            }
         }
     }
-    Ok(findings)
+    Ok(out)
 }
 
 fn add_formulas(findings: &mut Vec<Finding>, problem: &Problem, texts: &Texts, markdown: &str) {
@@ -369,46 +470,17 @@ fn not_kept(what: &Dropped) -> String {
     }
 }
 
-/// One sheet of each case is written: faults that show only then, and formulas that cannot be read. Then a whole sheet, in
-/// every format that this program makes without a compiler. `notes` gets what is dropped from a text, by problem.
-fn faulty_texts(
-    bank: &Bank,
-    texts: &Texts,
-    notes: &mut Vec<(String, String)>,
-) -> Result<Vec<Finding>, Vec<Finding>> {
-    let mut findings: Vec<Finding> = Vec::new();
+/// What [`tried`] finds in the whole bank; where that is nothing, a whole sheet is made in every format that this program makes
+/// without a compiler.
+fn faulty_texts(bank: &Bank, texts: &Texts) -> Result<Tried, Vec<Finding>> {
     let problems: Vec<usize> = (0..bank.problems.len()).collect();
+    let mut out = tried(bank, texts, &problems)?;
+    out.faults.append(&mut out.unsolved);
     let sheets = Sheets::new(&texts.templates, &texts.words, bank, &bank.id, &problems)?;
     let mut room = Room::default();
-    let mut whole: Vec<Variant> = Vec::new();
-    for (i, problem) in bank.problems.iter().enumerate() {
-        for variant in one_of_each_case(problem, &bank.id) {
-            if whole.len() == i {
-                whole.push(variant.clone());
-            }
-            let mut out = Vec::new();
-            match sheets.problem(i, &variant, &mut room, &mut out) {
-                Ok(()) => {
-                    let text = String::from_utf8_lossy(&out);
-                    add_formulas(&mut findings, problem, texts, &text);
-                    for what in [&problem.title, &*text].into_iter().flat_map(|t| document::dropped(t)) {
-                        let note = (problem.id.clone(), not_kept(&what));
-                        if !notes.contains(&note) {
-                            notes.push(note);
-                        }
-                    }
-                }
-                Err(fault) if findings.contains(&fault) => {}
-                Err(fault) => findings.push(fault),
-            }
-            let solved = solution::document(problem, &variant, i + 1, &texts.words, &texts.templates);
-            if let Err(fault) = solved
-                && !findings.contains(&fault)
-            {
-                findings.push(fault);
-            }
-        }
-    }
+    let first = |p: &Problem| one_of_each_case(p, &bank.id).into_iter().next();
+    let whole: Vec<Variant> = bank.problems.iter().filter_map(first).collect();
+    let findings = &out.faults;
     if findings.is_empty() && whole.len() == problems.len() {
         let one = |f: Finding| vec![f];
         let formats = [Format::Md, Format::Html, Format::Tex];
@@ -421,5 +493,5 @@ fn faulty_texts(
         let keys = [SheetKey { student: "0017".to_owned(), problems: parts }];
         output.key_table(bank, &bank.id, &problems, &rows, keys.iter()).map_err(one)?;
     }
-    Ok(findings)
+    Ok(out)
 }

@@ -3,6 +3,7 @@ use crate::answer::read::UnitCache;
 use crate::bank::Problem;
 use crate::cli::args;
 use crate::cli::banks;
+use crate::cli::solve;
 use crate::cli::tell::Exit;
 use crate::cli::tell::Io;
 use crate::cli::words;
@@ -70,7 +71,7 @@ fn practice(args: &args::Practice, io: &mut Io) -> Result<(), Vec<Finding>> {
         let problem = &bank.problems[problems[i]];
         let variant = makers[i]
             .variant(&format!("round {}", round / problems.len() + 1))
-            .map_err(|e| vec![Finding::new(format!("problems.{}", problem.id), e.to_string())])?;
+            .map_err(|none| vec![solve::unsatisfiable(bank, &none)])?;
         let mut text = Vec::new();
         sheets.problem(i, &variant, &mut room, &mut text).map_err(|f| vec![f])?;
         let text = document::without_marks(&String::from_utf8_lossy(&text));

@@ -133,6 +133,7 @@ fn regrade(args: &args::Regrade, input: &mut dyn BufRead, watched: bool) -> Resu
         set_text: set.text(),
         key_text: String::from_utf8_lossy(&key_file::text(&keys)).into_owned(),
         bank_text: text,
+        replayed: old.grading.replayed,
         set,
         bank,
         keys,

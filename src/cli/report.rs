@@ -527,7 +527,14 @@ fn about(basis: &Basis) -> About {
     let mut add = |name: &str, value: String| provenance.push((name.to_owned(), value));
     add("Graded by", grading.program.clone());
     add("Submissions", format!("{}, {} bytes", grading.submissions, grading.submissions_bytes));
-    add("Set", format!("{}, seed {}, draw version {}", grading.set, grading.seed, grading.draw_version));
+    let replayed = match grading.replayed {
+        true => "",
+        false => ", of an earlier version: not replayed, graded by its stored key",
+    };
+    add(
+        "Set",
+        format!("{}, seed {}, draw version {}{replayed}", grading.set, grading.seed, grading.draw_version),
+    );
     add("Bank", format!("{}, SHA-256 {}…", grading.bank, short(&grading.bank_sha256)));
     add("Key", format!("SHA-256 {}…", short(&grading.key_sha256)));
     if let Some(hash) = &grading.course_sha256 {

@@ -5,6 +5,7 @@ use crate::cli::banks;
 use crate::cli::files;
 use crate::cli::files::Staged;
 use crate::cli::generate;
+use crate::cli::lint;
 use crate::cli::output;
 use crate::cli::output::Made;
 use crate::cli::output::Output;
@@ -22,6 +23,7 @@ use crate::sheet::page::Sheets;
 use crate::solution;
 use crate::template;
 use crate::words::Words;
+use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
 
@@ -53,12 +55,21 @@ fn solutions(args: &args::Solutions, io: &mut Io) -> Result<(), Vec<Finding>> {
     let sheets = Sheets::new(&texts.templates, words, &bank, &set.name, &problems)?;
     let staged = Staged::new(&args.out).map_err(|f| vec![f])?;
     let bar = files::progress(io.watched, set.students.len() as u64, "solutions");
-    let make = |at: usize, student: &StoredStudent, dealt: Dealt| -> Result<Made, Finding> {
+    let make = |at: usize, student: &StoredStudent, dealt: Dealt| -> Result<(Made, Vec<String>), Finding> {
         let head = sheets.head(&student.student, &student.name, &dealt.variants);
         let mut whole = beginning(&head, &bank.title, words);
+        let mut short = Vec::new();
         for (i, (index, variant)) in problems.iter().zip(&dealt.variants).enumerate() {
-            let of_one = solution::document(&bank.problems[*index], variant, i + 1, words, &texts.templates)?;
+            let problem = &bank.problems[*index];
+            let (of_one, beyond) = solution::worked(problem, variant, i + 1, words, &texts.templates)?;
             append(&mut whole, of_one, i + 1);
+            if let Some(what) = beyond {
+                short.push(format!(
+                    "problems.{}: {}",
+                    problem.id,
+                    lint::short_page(problem, variant.case, what)
+                ));
+            }
         }
         let mut made = output.make(at, head, whole, &mut Converter::new(words))?;
         let place = staged.path().join(&student.folder);
@@ -68,7 +79,7 @@ fn solutions(args: &args::Solutions, io: &mut Io) -> Result<(), Vec<Finding>> {
             fs::write(place.join(name), bytes).map_err(|e| fault(&e))?;
         }
         bar.inc(1);
-        Ok(made)
+        Ok((made, short))
     };
     let pool = output::pool(args.threads)?;
     let all = pool.install(|| replay::each(&bank, &set, &make));
@@ -78,6 +89,7 @@ fn solutions(args: &args::Solutions, io: &mut Io) -> Result<(), Vec<Finding>> {
         let named = faults.into_iter().map(|f| if f.file.is_none() { f.in_file(&stored) } else { f });
         staged.named(named.collect())
     })?;
+    let (all, short): (Vec<Made>, Vec<Vec<String>>) = all.into_iter().unzip();
     let title = format!("{}: {}, {}", words.get("sheet.solutions"), bank.title, set.name);
     let write = |name: &str, bytes: &[u8]| {
         fs::write(staged.path().join(name), bytes)
@@ -100,6 +112,13 @@ fn solutions(args: &args::Solutions, io: &mut Io) -> Result<(), Vec<Finding>> {
     let booklet: Vec<String> = booklet.map(|f| format!("{out}/booklet.{}", f.ending())).collect();
     if !booklet.is_empty() {
         io.line(&format!("  all in one:    {}", booklet.join(", ")));
+    }
+    let mut told: BTreeMap<&str, usize> = BTreeMap::new();
+    for text in short.iter().flatten() {
+        *told.entry(text).or_default() += 1;
+    }
+    for (text, students) in told {
+        io.note(&format!("note: {text} (for {})", tell::count(students, "student")));
     }
     Ok(())
 }

@@ -1,5 +1,5 @@
 //! `slipstick solve`: a diagnosis of one problem with given data.
-use crate::bank::Case;
+use crate::bank::Bank;
 use crate::bank::Datum;
 use crate::bank::Draw;
 use crate::bank::Problem;
@@ -14,6 +14,7 @@ use crate::cli::words;
 use crate::draw::fill;
 use crate::finding::Finding;
 use crate::problem::make::Maker;
+use crate::problem::make::Unsatisfiable;
 use crate::scene::Quantity;
 use crate::scene::Scene;
 use crate::sheet::statement;
@@ -143,9 +144,8 @@ pub fn data(
 
 /// Does what really happens fit what the problem declares? A problem that declares no regime takes any, as in drawing.
 pub fn fits(problem: &Problem, case: usize, solved: &Solved) -> bool {
-    let word = solved.regime.word();
-    let declared = |c: &Case| c.regimes.is_empty() || c.regimes.contains(&word);
-    solved.all_hold() && problem.cases.get(case).is_some_and(declared)
+    let declared = problem.cases.get(case).is_some_and(|c| solved.regime.is_one_of(&c.regimes));
+    declared && solved.all_hold()
 }
 
 /// Case, values as scenes take them, and each datum as it is shown.
@@ -154,12 +154,42 @@ pub type Data = (usize, Vec<f64>, Vec<String>);
 fn drawn(loaded: &Loaded, problem: &Problem, seed: u64) -> Result<Data, Vec<Finding>> {
     let variant = Maker::new(problem, seed, &loaded.bank.id)
         .variant("")
-        .map_err(|e| vec![Finding::new(format!("problems.{}", problem.id), e.to_string())])?;
+        .map_err(|none| vec![unsatisfiable(&loaded.bank, &none)])?;
+    let shown = printed(problem, &variant.values);
+    Ok((variant.case, variant.data, shown))
+}
+
+/// Each datum as it is shown.
+fn printed(problem: &Problem, values: &[Option<Decimal>]) -> Vec<String> {
     let shown = |(i, value): (usize, &Option<Decimal>)| {
         value.map(|v| format!("{} = {}", problem.data[i].symbol, statement::printed(problem, i, v)))
     };
-    let shown = variant.values.iter().enumerate().filter_map(shown).collect();
-    Ok((variant.case, variant.data, shown))
+    values.iter().enumerate().filter_map(shown).collect()
+}
+
+/// That no draw holds the rules: which refused, what came out, why it has no solution if it has none; and where the data are
+/// constants, all that `solve` says of them.
+pub fn unsatisfiable(bank: &Bank, none: &Unsatisfiable) -> Finding {
+    let mut text = none.to_string();
+    if let Some(problem) = bank.problems.iter().find(|p| p.id == none.problem)
+        && let Some(case) = problem.cases.get(none.index)
+    {
+        if let (Some(refusal), None) = (&none.unsolved, &none.disagreement) {
+            for why in words::refusal(problem, &case.scene, refusal) {
+                text.push_str(&format!("\n    {why}"));
+            }
+        }
+        if let Some((values, data)) = &none.constant
+            && let Ok((solved, taken)) = ladder::solve(&case.scene, data, &Wish::default())
+        {
+            let holds = fits(problem, none.index, &solved);
+            let shown = printed(problem, values);
+            let told = table(problem, none.index, &shown, &solved, &taken, holds);
+            text.push('\n');
+            text.push_str(told.trim_end());
+        }
+    }
+    Finding::new(format!("problems.{}", none.problem), text)
 }
 
 /// Data from `--set`, and the case to which they belong.
@@ -261,8 +291,8 @@ fn constant(problem: &Problem, datum: usize) -> f64 {
 fn quantity(text: &str, datum: &Datum) -> Result<f64, String> {
     let unit = &datum.unit;
     let q = units::parse_quantity(text, &Unit::one()).map_err(|e| format!("`{text}`: {e}"))?;
-    let plain = text.ends_with(|c: char| c.is_ascii_digit() || c == '.');
-    if plain {
+    // A unit may end in a digit: `ft/s^2`.
+    if q.plain {
         return Ok(q.number);
     }
     if unit.agrees(&q.unit) {
@@ -472,4 +502,161 @@ fn table(
         let _ = writeln!(out, "Not shown, for no double holds them to 16 digits: {}", names.join(", "));
     }
     out
+}
+
+/// A value typed after `--set` against the same value as a constant of a bank in that unit.
+///
+/// The earlier tests typed only units that end in a letter (`40kg`, `200mm`). Whether a unit was written had been read off the
+/// last character of the text, so that `32.2ft/s^2` was 32.2 m/s^2 and `1.4 s^2` passed as a mass. Here every name of the
+/// table is typed, alone, in powers and in products, for data of every kind: it is what the bank would draw in this unit, or
+/// is refused as another kind.
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::units::names;
+    use std::collections::BTreeSet;
+
+    /// Symbols of the data and the units in which they are given unless another is tried.
+    const DATA: &[(&str, &str)] = &[
+        ("m", "kg"),
+        ("I", "kg m^2"),
+        ("b", "m"),
+        ("P", "N"),
+        ("M", "N m"),
+        ("w0", "rad/s"),
+        ("v1", "m/s"),
+        ("theta", "deg"),
+        ("mu", "1"),
+    ];
+
+    /// The same for the second problem.
+    const ON_A_SPRING: &[(&str, &str)] = &[("m", "kg"), ("ks", "N/m"), ("x0", "m"), ("t1", "s")];
+
+    /// Two problems whose data are all of value 0.3, those of one symbol in this unit.
+    fn bank(symbol: &str, unit: &str) -> String {
+        let line = |(name, own): &(&str, &str)| {
+            let unit = if *name == symbol { unit } else { *own };
+            format!("      {name}: {{name: a datum, unit: \"{unit}\", draw: always 0.3}}\n")
+        };
+        let data = |list: &[(&str, &str)]| -> String { list.iter().map(line).collect() };
+        let g = if symbol == "g" { unit } else { "m/s^2" };
+        let (first, second) = (data(DATA), data(ON_A_SPRING));
+        format!(
+            "bank: typed
+title: Typed
+gravity: 0.3 {g}
+problems:
+  p:
+    title: A block and a drum
+    data:
+{first}    scene:
+      surfaces: {{incline: {{slope: theta}}}}
+      bodies:
+        drum: {{moment of inertia: I, radii: {{rim: b}}, moves: about a fixed axle}}
+        block: {{mass: m, moves: along incline, positive: down}}
+      ties:
+        - slides: {{body: block, mu_k: mu}}
+        - cord: {{name: upper, from: {{body: block, tied at: centre, leaves: back}}, to: {{body: drum, wound on: rim, leaves: front down}}}}
+        - cord: {{name: pull, from: {{body: block, tied at: centre, leaves: forward}}, pulled with: P}}
+      forces: [couple: {{on: drum, moment: M, sense: forward}}]
+      start: {{drum: {{spin: w0}}}}
+      end: {{speed: {{of: block, reaches: v1}}}}
+    questions:
+      a: {{ask: the acceleration, unit: m/s^2, quantity: block.a}}
+    statement: '{{{{ m }}}}{{{{ I }}}}{{{{ b }}}}{{{{ P }}}}{{{{ M }}}}{{{{ w0 }}}}{{{{ v1 }}}}{{{{ theta }}}}{{{{ mu }}}}{{{{ g }}}}'
+  q:
+    title: A block on a spring
+    data:
+{second}    scene:
+      bodies:
+        block: {{mass: m, moves: vertically, positive: down}}
+      ties:
+        - cord: {{from: {{body: block, tied at: centre, leaves: up}}, spring: {{stiffness: ks, stretch: x0, attached: rigidly}}}}
+      start: at rest
+      end: {{time: {{of: block, is: t1}}}}
+    questions:
+      v: {{ask: the speed, unit: m/s}}
+    statement: '{{{{ m }}}}{{{{ ks }}}}{{{{ x0 }}}}{{{{ t1 }}}}{{{{ g }}}}'
+"
+        )
+    }
+
+    fn load(symbol: &str, unit: &str) -> Loaded {
+        let (text, file) = (bank(symbol, unit), "bank.yaml".to_owned());
+        let bank = banks::parse(&text, &file).unwrap_or_else(|f| panic!("{symbol} in {unit}: {f:?}"));
+        Loaded { bank, text, file }
+    }
+
+    /// Spellings of units: each name alone, in powers, and in products and quotients with a few others, many of which end in a
+    /// digit.
+    fn spellings() -> BTreeSet<String> {
+        const FORMS: [&str; 8] =
+            ["{}/{o}", "{o}/{}", "{} {o}", "{}/{o}^2", "{o}/{}^2", "{o} {}2", "{o}·{}⁻²", "{} {o}^2/s^2"];
+        let mut all = BTreeSet::new();
+        for name in names() {
+            for power in ["", "^2", "2", "²", "^-1", "-2", "**2"] {
+                all.insert(format!("{name}{power}"));
+            }
+            for other in ["slug", "ft", "s", "lbf"] {
+                all.extend(FORMS.iter().map(|f| f.replace("{}", &name).replace("{o}", other)));
+            }
+        }
+        all
+    }
+
+    /// The number of a datum, as scenes take it, where it is typed with this unit.
+    fn typed(loaded: &Loaded, problem: &Problem, symbol: &str, unit: &str) -> Result<f64, String> {
+        let given = problem.data.iter().filter(|d| d.symbol != "g" || symbol == "g");
+        let set = |d: &Datum| match d.symbol == symbol {
+            true => format!("{symbol}=0.3{unit}"),
+            false => format!("{}=0.3", d.symbol),
+        };
+        let set: Vec<String> = given.map(set).collect();
+        let at = problem.data.iter().position(|d| d.symbol == symbol).unwrap_or(usize::MAX);
+        match data(loaded, problem, &set, None) {
+            Ok((_, data, _)) => Ok(data[at]),
+            Err(faults) => Err(faults.iter().map(|f| format!("{f}\n")).collect()),
+        }
+    }
+
+    #[test]
+    fn every_unit_typed_is_the_unit_drawn() {
+        let base = load("", "");
+        let kinds: [(usize, &[(&str, &str)]); 3] = [(0, DATA), (1, ON_A_SPRING), (0, &[("g", "m/s^2")])];
+        let (mut same, mut refused, mut digit, mut n) = (0, 0, 0, 0u32);
+        for unit in spellings() {
+            let Ok(read) = Unit::parse(&unit) else { continue };
+            for (at, list) in kinds {
+                for (symbol, own) in list {
+                    let fits = Unit::parse(own).is_ok_and(|own| own.agrees(&read));
+                    n += 1;
+                    if fits {
+                        let gap = if n % 2 == 0 { " " } else { "" };
+                        let found = typed(&base, &base.bank.problems[at], symbol, &format!("{gap}{unit}"));
+                        let of = |loaded: &Loaded| {
+                            let mut data = loaded.bank.problems[at].data.iter();
+                            data.find(|d| d.symbol == *symbol).expect("the datum of the bank").clone()
+                        };
+                        // A slope of whole turns is refused by the bank: there the unit alone is changed.
+                        let datum = match *symbol {
+                            "theta" => Datum { unit: read.clone(), ..of(&base) },
+                            _ => of(&load(symbol, &unit)),
+                        };
+                        let number = fill::number(&datum, Decimal { value: 3, decimals: 1 });
+                        assert_eq!(found, Ok(number), "{symbol}=0.3 {unit}");
+                        same += 1;
+                        digit += u32::from(unit.ends_with(|c: char| c.is_ascii_digit()));
+                    } else if n % 13 == 0 {
+                        // A sample of all the kinds that it is not.
+                        let told = typed(&base, &base.bank.problems[at], symbol, &unit)
+                            .expect_err(&format!("{symbol}=0.3{unit} is not in {own}"));
+                        assert!(told.contains(&format!("--set {symbol}")), "{told}");
+                        assert!(told.contains("expected"), "{told}");
+                        refused += 1;
+                    }
+                }
+            }
+        }
+        assert!(same > 1_000 && refused > 5_000 && digit > 200, "{same} {refused} {digit}");
+    }
 }

@@ -2,6 +2,7 @@
 use crate::cli::args;
 use crate::cli::files;
 use crate::cli::grade;
+use crate::cli::grade::Replayed;
 use crate::cli::tell;
 use crate::cli::tell::Exit;
 use crate::cli::tell::Io;
@@ -16,16 +17,22 @@ use crate::set::key_file;
 
 /// Runs it.
 pub fn run(args: &args::Verify, io: &mut Io) -> Exit {
-    match grade::replayed(&args.set)
-        .and_then(|made| strangers(args, &made.keys).map(|()| (made.set, made.keys)))
-    {
-        Ok((set, keys)) => {
+    let made = grade::replayed(&args.set).and_then(|made| match made.not_drawn {
+        // Held against its hash already.
+        Some(_) => Ok(made),
+        None => strangers(args, &made.keys).map(|()| made),
+    });
+    match made {
+        Ok(Replayed { set, keys, not_drawn, .. }) => {
             let sheets = tell::count(keys.len(), "sheet");
             let variants = tell::count(keys.iter().map(|k| k.problems.len()).sum(), "variant");
-            io.line(&format!(
-                "{sheets}, {variants} drawn and solved again from seed {}: bank copy, drawn data and key.csv are what they were",
-                set.seed
-            ));
+            io.line(&match not_drawn {
+                None => format!(
+                    "{sheets}, {variants} drawn and solved again from seed {}: bank copy, drawn data and key.csv are what they were",
+                    set.seed
+                ),
+                Some(told) => format!("{sheets}, {variants}, solved again from the stored data. {told}"),
+            });
             let rows = rows(&keys);
             io.piece(&table(&rows));
             io.line(&verdict(&rows));

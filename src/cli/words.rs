@@ -4,12 +4,13 @@ use crate::key::Answer;
 use crate::key::KeyEntry;
 use crate::num::gauss::Unsettled;
 use crate::num::ode::Trouble;
+use crate::problem::rule::inadmissible;
+use crate::scene::Coordinate;
+use crate::scene::Degree;
 use crate::scene::End;
-use crate::scene::Num;
 use crate::scene::Scene;
+use crate::scene::Span;
 use crate::scene::Tie;
-use crate::scene::admissible::Inadmissible;
-use crate::scene::admissible::Rule;
 pub use crate::sheet::number::rounded;
 use crate::sheet::statement;
 use crate::solve::ladder;
@@ -47,6 +48,15 @@ fn of_tie(scene: &Scene, index: usize) -> String {
     }
 }
 
+/// How far a condition looks, where the forces change on the way.
+fn looks(scene: &Scene) -> &'static str {
+    match (scene.spring(), scene.span) {
+        (None, _) => "",
+        (Some(_), Span::ToEnd) => " up to the end that is asked",
+        (Some(_), Span::ToTurningPoint) => " up to the turning point",
+    }
+}
+
 /// One condition in words with its numbers.
 pub fn check(scene: &Scene, c: &Check) -> String {
     let (required, available) = (figures(c.required), figures(c.available));
@@ -70,13 +80,22 @@ pub fn check(scene: &Scene, c: &Check) -> String {
                 body(scene, c.of)
             )
         }
+        CheckKind::NoSlip | CheckKind::Taut if c.available.is_nan() => format!(
+            "whether {} holds is not known: several ties share its force, and statics does not say how",
+            match c.kind {
+                CheckKind::NoSlip => format!("the contact of the {}", of_tie(scene, c.of)),
+                _ => of_tie(scene, c.of),
+            }
+        ),
         CheckKind::NoSlip if c.ok => format!(
-            "the {} holds without slipping: needs {required} N of friction, mu_s N = {available} N",
-            of_tie(scene, c.of)
+            "the {} holds without slipping{}: needs {required} N of friction, mu_s N = {available} N",
+            of_tie(scene, c.of),
+            looks(scene)
         ),
         CheckKind::NoSlip => format!(
-            "the {} slips: rolling needs {required} N of friction, mu_s N = {available} N is available",
-            of_tie(scene, c.of)
+            "the {} slips: rolling{} needs {required} N of friction, mu_s N = {available} N is available",
+            of_tie(scene, c.of),
+            looks(scene)
         ),
         CheckKind::MustSlip if c.ok => format!(
             "the {} slips: rolling would need {available} N of friction, more than mu_s N = {required} N",
@@ -90,13 +109,15 @@ pub fn check(scene: &Scene, c: &Check) -> String {
             format!("the {} is pressed on its surface with {available} N", body(scene, c.of))
         }
         CheckKind::Pressed => format!(
-            "the {} is not pressed on its surface: normal force {available} N, required more than {required}",
+            "the {} is not pressed on its surface: normal force {available} N, required more than {required} N",
             body(scene, c.of)
         ),
-        CheckKind::Taut if c.ok => format!("{} is taut with {available} N", of_tie(scene, c.of)),
+        CheckKind::Taut if c.ok => {
+            format!("{} is taut{} with {available} N", of_tie(scene, c.of), looks(scene))
+        }
         CheckKind::Taut => {
             format!(
-                "{} is not taut: tension {available} N, required more than {required}",
+                "{} is not taut: tension {available} N, required more than {required} N",
                 of_tie(scene, c.of)
             )
         }
@@ -104,7 +125,7 @@ pub fn check(scene: &Scene, c: &Check) -> String {
             format!("the slip of the {} goes against the friction", of_tie(scene, c.of))
         }
         CheckKind::SlipDirection => format!(
-            "the slip of the {} does not go against the friction: {available}, required more than {required}",
+            "the slip of the {} does not go against the friction: {available} m/s^2, required more than {required} m/s^2",
             of_tie(scene, c.of)
         ),
         CheckKind::StartsSlipping if c.ok => {
@@ -127,58 +148,82 @@ pub fn check(scene: &Scene, c: &Check) -> String {
             "friction does not end the slip of the {}: {required} N keep it up, mu_k N = {available} N",
             of_tie(scene, c.of)
         ),
-        CheckKind::Reaches if scene.pinned().is_some() => reaches_on_a_pin(scene, c),
-        CheckKind::Reaches if c.ok && c.available.is_infinite() => {
-            format!("the end is reached: {required} asked, the motion goes on without end")
+        CheckKind::Slack => {
+            let unit = if scene.ending_coordinate().degree == Degree::Along { "m" } else { "rad" };
+            let when = if c.required < c.available { "is still taut" } else { "is slack" };
+            format!(
+                "{} {when} at the end, after {required} {unit}: it goes slack after {available} {unit}",
+                of_tie(scene, c.of)
+            )
         }
-        CheckKind::Reaches if c.ok && matches!(scene.end, End::TurningPoint(_)) => {
-            format!("the end is reached: it comes to rest after {available}")
+        CheckKind::SlipEnds if c.available.is_infinite() => {
+            format!("the {} slips at the end, after {required} s: its slip does not end", of_tie(scene, c.of))
         }
-        CheckKind::Reaches if c.ok => {
-            format!("the end is reached: {required} asked, the motion goes as far as {available}")
+        CheckKind::SlipEnds => {
+            let when = if c.required < c.available { "still slips" } else { "rolls" };
+            format!(
+                "the {} {when} at the end, after {required} s: its slip ends after {available} s",
+                of_tie(scene, c.of)
+            )
         }
-        CheckKind::Reaches if c.available.is_infinite() && matches!(scene.end, End::TurningPoint(_)) => {
-            "the end is not reached: it never comes to rest".to_owned()
+        CheckKind::UnderWay => {
+            format!("the {} is on its way at the end: it moves at {available} m/s", of_tie(scene, c.of))
         }
-        CheckKind::Reaches if c.available.is_infinite() => {
-            format!("the end is not reached: {required} asked, the motion goes the other way")
+        CheckKind::StaticLimit => {
+            let can = if c.required <= c.available { "could" } else { "could not" };
+            format!(
+                "static friction {can} hold the {} rolling: that needs {required} N, mu_s N = {available} N",
+                of_tie(scene, c.of)
+            )
         }
-        CheckKind::Reaches => {
-            format!("the end is not reached: {required} asked, the motion goes only as far as {available}")
-        }
+        CheckKind::Reaches => reaches(scene, c),
     }
 }
 
-/// How far a pinned body swings, in the measure of its end.
-fn reaches_on_a_pin(scene: &Scene, c: &Check) -> String {
+/// The unit in which the end of a motion is told.
+fn measure(scene: &Scene) -> &'static str {
+    let turns = |c: Coordinate| c.degree == Degree::Turn;
+    let pinned = scene.pinned().is_some();
+    match scene.end {
+        End::Time(..) | End::Rolling(_) => "s",
+        End::Speed(c, _) if pinned || turns(c) => "rad/s",
+        End::Speed(..) => "m/s",
+        _ if pinned => "degrees",
+        End::Travel(c, _) | End::Position(c, _) | End::TurningPoint(c) | End::Angle(c, _) if turns(c) => {
+            "rad"
+        }
+        _ => "m",
+    }
+}
+
+/// Is the end reached, and how far does the motion go?
+fn reaches(scene: &Scene, c: &Check) -> String {
+    let unit = measure(scene);
     let (required, available) = (figures(c.required), figures(c.available));
-    let unit = match scene.end {
-        End::Time(..) => "s",
-        End::Speed(..) => "rad/s",
-        _ => "degrees",
-    };
-    match (c.ok, scene.end, c.available.is_infinite()) {
-        (true, End::TurningPoint(_), _) => {
-            format!("the end is reached: it comes to rest after {available} degrees")
+    let (pinned, endless) = (scene.pinned().is_some(), c.available.is_infinite());
+    match (c.ok, matches!(scene.end, End::TurningPoint(_))) {
+        (true, true) if !endless || pinned => {
+            format!("the end is reached: it comes to rest after {available} {unit}")
         }
-        (false, End::TurningPoint(_), _) => {
-            "the end is not reached: it does not come to rest in two turns".to_owned()
-        }
-        (true, _, true) => {
+        (false, true) if pinned => "the end is not reached: it does not come to rest in two turns".to_owned(),
+        (false, true) if endless => "the end is not reached: it never comes to rest".to_owned(),
+        (true, _) if endless && pinned => {
             format!("the end is reached: {required} {unit} asked, the motion goes on well beyond")
         }
-        (true, _, false) => {
-            format!("the end is reached: {required} {unit} asked, the motion goes as far as {available}")
+        (true, _) if endless => {
+            format!("the end is reached: {required} {unit} asked, the motion goes on without end")
         }
-        (false, _, true) => {
-            format!("the end is not reached: {required} {unit} asked, the motion goes the other way")
-        }
-        (false, _, false) if c.required < 0.0 => {
-            format!("the end is not reached: {required} {unit} asked, the motion goes the other way")
-        }
-        (false, _, false) => {
+        (true, _) => {
             format!(
-                "the end is not reached: {required} {unit} asked, the motion goes only as far as {available}"
+                "the end is reached: {required} {unit} asked, the motion goes as far as {available} {unit}"
+            )
+        }
+        (false, _) if endless || (pinned && c.required < 0.0) => {
+            format!("the end is not reached: {required} {unit} asked, the motion goes the other way")
+        }
+        (false, _) => {
+            format!(
+                "the end is not reached: {required} {unit} asked, the motion goes only as far as {available} {unit}"
             )
         }
     }
@@ -186,30 +231,8 @@ fn reaches_on_a_pin(scene: &Scene, c: &Check) -> String {
 
 /// What really happens, in a sentence.
 pub fn regime(words: &Words, regime: Regime) -> String {
-    let name = regime.motion.word().replace(' ', "_");
-    let text = words.get(&format!("sheet.regime.{name}"));
+    let text = words.get(&regime.motion.phrase());
     if regime.slips { words.say("sheet.regime.if_rolled", &[("regime", text)]) } else { text.to_owned() }
-}
-
-fn symbol(problem: &Problem, num: Num) -> String {
-    match num {
-        Num::Datum(i) => problem.data.get(i).map_or_else(|| "a datum".to_owned(), |d| d.symbol.clone()),
-        Num::Fixed(x) => format!("the constant {x}"),
-    }
-}
-
-fn inadmissible(problem: &Problem, fault: &Inadmissible) -> String {
-    let name = symbol(problem, fault.datum);
-    let value = fault.value;
-    match fault.rule {
-        Rule::Finite => format!("{name} = {value}: must be a finite number"),
-        Rule::Positive => format!("{name} = {value}: must be above 0"),
-        Rule::NotNegative => format!("{name} = {value}: must not be below 0"),
-        Rule::Angle => format!("{name} = {value}: an angle is from -360 to 360 degrees"),
-        Rule::Stretch => format!("{name} = {value}: must not be above the length of the spring at the start"),
-        Rule::Slope => format!("{name} = {value}: a slope is from 0 to 90 degrees"),
-        Rule::NotAbove(other) => format!("{name} = {value}: must not be above {}", symbol(problem, other)),
-    }
 }
 
 /// Why this method, and whether it meets what was asked.
@@ -353,6 +376,21 @@ pub fn refusal(problem: &Problem, scene: &Scene, refusal: &Refusal) -> Vec<Strin
             Unsupported::SpeedWithTwoFreedoms => {
                 "a start with a speed where two coordinates are free is not solved".to_owned()
             }
+            Unsupported::StartHeld => {
+                "the start gives a speed to what the ties hold at rest; take it away, or one of the ties".to_owned()
+            }
+            Unsupported::SpringWithSlip => "a spring where something slips is not solved".to_owned(),
+            Unsupported::SpeedWithSlip => {
+                "a body that slips starts from rest, or is thrown alone with its speed and its spin both given"
+                    .to_owned()
+            }
+            Unsupported::SlipShared => {
+                "a contact is said to slip where other ties hold it, too: what friction it would need is open".to_owned()
+            }
+            Unsupported::SlidesInTurn => {
+                "of the bodies that slide here one stays or moves on account of what another does; that is not solved"
+                    .to_owned()
+            }
             Unsupported::ThrownWithOthers => {
                 "a body thrown with slip beside other bodies or cords is not solved".to_owned()
             }
@@ -445,6 +483,7 @@ mod tests {
             start: vec![crate::scene::Start::Speed(turn, zero)],
             end: End::TurningPoint(turn),
             heading: None,
+            span: Span::ToEnd,
         };
         let moves = |available: f64, required: f64| {
             let kind = CheckKind::Moves;

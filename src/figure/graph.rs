@@ -28,6 +28,7 @@ use crate::scene::End;
 use crate::scene::Num;
 use crate::scene::Owner;
 use crate::scene::Quantity;
+use crate::scene::Span;
 use crate::scene::Tie;
 use crate::words::Words;
 
@@ -102,7 +103,7 @@ fn shares(steps: u32) -> impl Iterator<Item = f64> {
     })
 }
 
-/// Speed and friction over the distance from release, for a body on a spring; empty for others.
+/// Speed and friction over the distance from release, as far as the scene looks, for a body on a spring; empty for others.
 pub fn spring_curves(problem: &Problem, variant: &Variant) -> Option<SpringCurves> {
     let scene = &problem.cases.get(variant.case)?.scene;
     scene.spring()?;
@@ -113,7 +114,11 @@ pub fn spring_curves(problem: &Problem, variant: &Variant) -> Option<SpringCurve
     };
     let asked = of(asked);
     let turn = value(variant, Quantity::DTurn, body).filter(|d| d.is_finite() && *d < 20.0 * asked);
-    let far = turn.unwrap_or(1.6 * asked);
+    // The end that is asked ends the motion, unless the whole of it is asked about.
+    let (turn, far) = match scene.span {
+        Span::ToEnd => (None, asked),
+        Span::ToTurningPoint => (turn, turn.unwrap_or(1.6 * asked)),
+    };
     let least = far * 1e-6;
     let ends = shares(POINTS).map(|s| {
         let x = (far * s).clamp(least, far * (1.0 - 1e-9));
@@ -173,7 +178,8 @@ fn speed(view: &View, c: &SpringCurves) -> Picture {
     if let Some(y) = v(Quantity::V) {
         marks.push(Mark { x: c.asked, y, label: word("asked") });
     }
-    if let (Some(x), Some(y)) = (v(Quantity::DAtVMax), v(Quantity::VMax)) {
+    let far = c.speed.last().map_or(0.0, |p| p.0);
+    if let (Some(x), Some(y)) = (v(Quantity::DAtVMax).filter(|x| *x <= far), v(Quantity::VMax)) {
         marks.push(Mark { x, y, label: word("equilibrium") });
     }
     if let Some(x) = c.turn {

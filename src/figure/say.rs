@@ -191,11 +191,11 @@ fn body(view: &View, plan: &Layout, index: usize, p: &Placed, out: &mut Vec<Stri
         (false, _, true) => say("hangs", &[("body", &name)]),
         (false, _, false) => say("axle", &[("body", &name)]),
     });
-    for tie in &view.scene.ties {
+    for (i, tie) in view.scene.ties.iter().enumerate() {
         let list: Vec<Num> = match tie {
-            Tie::Roll { body, mu_s, .. } if *body == index => mu_s.iter().copied().collect(),
-            Tie::Slip { body, mu_s, mu_k, .. } if *body == index => scene::each_once(Some(*mu_s), *mu_k),
-            Tie::Slide { body, mu_s, mu_k } if *body == index => scene::each_once(*mu_s, *mu_k),
+            Tie::Roll { body, .. } | Tie::Slip { body, .. } | Tie::Slide { body, .. } if *body == index => {
+                view.coefficients(i).into_iter().map(|(_, num)| num).collect()
+            }
             _ => continue,
         };
         if !list.is_empty() {

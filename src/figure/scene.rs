@@ -491,25 +491,13 @@ fn body_labels(board: &mut Board, view: &View, plan: &Layout, index: usize, p: &
     }
 }
 
-/// The coefficients of a contact: a datum that is both is told once.
-pub fn each_once(rest: Option<Num>, sliding: Num) -> Vec<Num> {
-    let rest = rest.filter(|rest| *rest != sliding || matches!(rest, Num::Fixed(_)));
-    rest.into_iter().chain([sliding]).collect()
-}
-
 /// Coefficients at the contacts.
 fn ties(board: &mut Board, view: &View, plan: &Layout) {
-    for tie in &view.scene.ties {
-        let (body, rest, sliding) = match tie {
-            Tie::Roll { body, mu_s, .. } => (*body, *mu_s, None),
-            Tie::Slip { body, mu_s, mu_k, .. } => (*body, Some(*mu_s), Some(*mu_k)),
-            Tie::Slide { body, mu_s, mu_k } => (*body, *mu_s, Some(*mu_k)),
-            Tie::Cord(_) => continue,
+    for (index, tie) in view.scene.ties.iter().enumerate() {
+        let (Tie::Roll { body, .. } | Tie::Slip { body, .. } | Tie::Slide { body, .. }) = *tie else {
+            continue;
         };
         let Some(p) = plan.bodies.get(body).and_then(Option::as_ref) else { continue };
-        let rest = rest.filter(|rest| sliding.is_none_or(|s| each_once(Some(*rest), s).len() > 1));
-        let list = [(rest, r"\mu_s"), (sliding, r"\mu_k")];
-        let list = list.into_iter().filter_map(|(num, tex)| Some((num?, tex)));
         let contact = along(p.centre, p.top, -p.contact);
         let under = mul(p.top, -1.0);
         let aside = |far: f64| (along(along(contact, p.forward, far), under, 12.0), under);
@@ -519,12 +507,12 @@ fn ties(board: &mut Board, view: &View, plan: &Layout) {
         } else {
             vec![aside(0.0), aside(40.0), aside(-40.0), aside(clear)]
         };
-        let coefficient = |(num, tex): (Num, &str)| match num {
+        let coefficient = |(tex, num): (&str, Num)| match num {
             Num::Datum(_) => view.label(num, ""),
             // A bare number would say nothing.
             Num::Fixed(_) => joined(own(tex), view.value(num, "")),
         };
-        let rows = list.map(coefficient).collect();
+        let rows = view.coefficients(index).into_iter().map(coefficient).collect();
         board.wish_for(Wish { rows, size: TEXT, role: Role::Dot, spots, gap: 3.0, tie: Tied::Loose });
     }
 }

@@ -15,6 +15,7 @@ use crate::scene::Quantity;
 use crate::scene::RotaryInertia;
 use crate::scene::Scene;
 use crate::scene::Shape;
+use crate::scene::Tie;
 use crate::words::Words;
 
 /// A variant with what is needed to label its picture.
@@ -58,6 +59,25 @@ impl<'a> View<'a> {
             Num::Datum(i) => self.variant.data.get(i).copied().unwrap_or(0.0),
             Num::Fixed(x) => x,
         }
+    }
+
+    /// The coefficients of friction that are given for a contact, by the index of its tie: what for, and the number.
+    pub fn coefficients(&self, tie: usize) -> Vec<(&'static str, Num)> {
+        let case = self.problem.cases.get(self.variant.case);
+        // A contact that is left open shows both of its coefficients, whether it rolls or slips.
+        let open = || case.and_then(|c| c.touches.iter().find(|(t, _)| *t == tie)).map(|(_, mu_k)| *mu_k);
+        let (rest, sliding) = match self.scene.ties.get(tie) {
+            Some(Tie::Roll { mu_s, .. }) => (*mu_s, open()),
+            Some(Tie::Slip { mu_s, mu_k, .. }) => (Some(*mu_s), Some(*mu_k)),
+            Some(Tie::Slide { mu_s, mu_k, .. }) => (*mu_s, Some(*mu_k)),
+            Some(Tie::Cord(_)) | None => (None, None),
+        };
+        // A datum that is both is told once.
+        let rest = rest.filter(|rest| sliding != Some(*rest) || matches!(rest, Num::Fixed(_)));
+        [(r"\mu_s", rest), (r"\mu_k", sliding)]
+            .into_iter()
+            .filter_map(|(tex, num)| Some((tex, num?)))
+            .collect()
     }
 
     /// Symbol of a datum; nothing for a constant.

@@ -92,7 +92,7 @@ impl<'w> Feedback<'w> {
         }
     }
 
-    /// The words that are offered: `up, down, stays`.
+    /// The words that are offered: `up, down`.
     pub fn offered(&self, offered: &[&str]) -> String {
         let words: Vec<&str> = offered.iter().map(|w| self.word(w)).collect();
         words.join(", ")

@@ -70,9 +70,11 @@ fn judge_word<'w>(word: Word, right: &str, offered: &[&str], say: &Feedback<'w>)
         Word::Left if level => Word::Back,
         other => other,
     };
+    // To stay is no direction on any list (on sheets of earlier versions it was), and an answer all the same.
+    let stays = word == Word::Stays && (level || offered.contains(&Word::Up.as_str()));
     if word.as_str() == right {
         (Verdict::Right, Cow::Borrowed(say.get("feedback.right_word")))
-    } else if offered.contains(&word.as_str()) {
+    } else if stays || offered.contains(&word.as_str()) {
         (Verdict::Wrong, Cow::Borrowed(say.get("feedback.another_word")))
     } else {
         let pieces = [("word", say.word(word.as_str())), ("words", &*say.offered(offered))];

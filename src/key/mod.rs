@@ -21,7 +21,7 @@ pub enum Answer {
     Word {
         /// The right one, such as `up`.
         right: &'static str,
-        /// All that are offered, such as `up`, `down`, `stays`.
+        /// All that are offered, such as `up`, `down`.
         offered: &'static [&'static str],
     },
 }

@@ -171,11 +171,19 @@ impl Real for Ball {
         }
         self.mid.sign()
     }
+    fn abs(self) -> Self {
+        // The magnitudes of two numbers are no farther apart than the numbers: nothing is decided here.
+        Self { mid: if self.mid.sign() < 0.0 { -self.mid } else { self.mid }, radius: self.radius }
+    }
     fn is_zero(self) -> bool {
         if self.open() {
             DOUBT.set(true);
         }
         self.mid == Dd::ZERO
+    }
+    #[expect(clippy::float_cmp, reason = "equal bits make the same enclosure")]
+    fn same(self, other: Self) -> bool {
+        self.mid == other.mid && self.radius == other.radius
     }
     fn root(self) -> Self {
         if self.exact() && self.mid == Dd::ZERO {

@@ -19,7 +19,13 @@ pub struct Reduced<T: Real> {
     equations: Equations<T>,
     /// Row in which each unknown is the pivot.
     pivot: SmallVec<[Option<usize>; 8]>,
+    /// Size of each row as it was collected.
+    scales: SmallVec<[T::Rough; 8]>,
 }
+
+/// A number that is 0 and has a derivative above this share of its row is 0 by the chance of equal data; derivatives are
+/// right to some 14 digits.
+const BY_CHANCE: f64 = 1e-9;
 
 impl<T: Real> Equations<T> {
     /// No equations yet in `cols` unknowns.
@@ -49,6 +55,11 @@ impl<T: Real> Equations<T> {
         let mut pivot: SmallVec<[Option<usize>; 8]> = smallvec![None; cols];
         let mut used: SmallVec<[bool; 8]> = smallvec![false; rows];
         let mut base: SmallVec<[T; 9]> = SmallVec::new();
+        let scales = self
+            .cells
+            .chunks_exact(width)
+            .map(|row| row[..cols].iter().fold(T::Rough::zero(), |s, v| s.max(v.size())))
+            .collect();
         for allowed in (0..=free.len()).rev() {
             let kept = &free[..allowed];
             loop {
@@ -100,13 +111,14 @@ impl<T: Real> Equations<T> {
                     }
                     for (k, (v, b)) in row.iter_mut().zip(&base).enumerate() {
                         if k != j && !b.is_zero() {
-                            *v = *v - f * *b;
+                            // An equation that says again what others say leaves nothing but rounding.
+                            *v = v.balance(-(f * *b));
                         }
                     }
                 }
             }
         }
-        Reduced { equations: self, pivot }
+        Reduced { equations: self, pivot, scales }
     }
 }
 
@@ -126,10 +138,34 @@ impl<T: Real> Reduced<T> {
             None => T::zero(),
         }
     }
+    /// Unknown `j`, if it has only one value in all solutions for the right-hand sides.
+    pub fn value(&self, j: usize) -> Option<T> {
+        let row = self.pivot[j]?;
+        let alone = self.open().into_iter().all(|open| self.cell(row, open).is_zero());
+        alone.then(|| self.right(row))
+    }
+    /// Right-hand side of a row, nothing where it is nothing beside the terms that made it.
+    fn right(&self, row: usize) -> T {
+        let value = self.cell(row, self.equations.cols);
+        self.equations.sizes[row].map_or(value, |size| value.cleared(size))
+    }
+    /// How many equations say something of their own.
+    pub fn rank(&self) -> usize {
+        self.pivot.iter().flatten().count()
+    }
+    /// Do the equations that say nothing of their own say what the others say, whatever the data? They do not where a
+    /// right-hand side contradicts the others, or where it takes equal data to make one the repetition of others.
+    pub fn repeats(&self) -> bool {
+        let width = self.equations.cols + 1;
+        let rows = self.equations.cells.chunks_exact(width).zip(&self.scales).enumerate();
+        rows.filter(|(i, _)| !self.pivot.contains(&Some(*i))).all(|(i, (row, scale))| {
+            let moves = |v: &T| (0..T::SLOPES).any(|s| v.slope(s).abs() > T::Rough::of(BY_CHANCE) * *scale);
+            self.right(i).is_zero() && !row[..self.equations.cols].iter().any(moves)
+        })
+    }
     /// The solution for the right-hand sides, if no unknown is open.
     pub fn solution(&self) -> Option<SmallVec<[T; 4]>> {
-        let cols = self.equations.cols;
-        self.pivot.iter().map(|p| p.map(|row| self.cell(row, cols))).collect()
+        self.pivot.iter().map(|p| p.map(|row| self.right(row))).collect()
     }
 }
 
@@ -149,6 +185,19 @@ mod tests {
         assert_eq!(r.open().as_slice(), [2]);
         assert_eq!([0, 1, 2].map(|j| r.in_mode(2, j)), [d(6.0), d(3.0), d(1.0)]);
         assert!(r.solution().is_none());
+    }
+    /// Two equations that say the same left rounding, which was taken for a third of its own.
+    #[test]
+    fn what_is_said_twice_leaves_open_only_what_it_leaves_open() {
+        let d = |x: f64| Dd::new(x) / Dd::new(3.0);
+        let mut e = Equations::new(3);
+        e.row().copy_from_slice(&[d(1.0), d(1.0), d(0.0), d(5.0)]);
+        e.row().copy_from_slice(&[d(0.7), d(0.7), d(0.0), d(5.0) * Dd::new(0.7)]);
+        e.row().copy_from_slice(&[d(0.0), d(0.0), d(2.0), d(8.0)]);
+        let r = e.reduce(&[]);
+        assert_eq!((r.rank(), r.repeats()), (2, true));
+        assert_eq!([r.value(0), r.value(1)], [None, None]);
+        assert!((r.value(2).unwrap() - Dd::new(4.0)).hi.abs() < 1e-30);
     }
     #[test]
     fn two_equations_in_two_unknowns() {

@@ -8,6 +8,7 @@
 use crate::num::Real;
 use crate::num::Rough;
 use crate::num::U;
+use crate::num::eliminate::Equations;
 use nalgebra::DMatrix;
 use nalgebra::SMatrix;
 use smallvec::SmallVec;
@@ -32,9 +33,15 @@ pub struct Linear<T> {
 pub struct Solution<T> {
     unknowns: usize,
     x: SmallVec<[T; 8]>,
+    /// The unknowns that the equations leave open; empty where all are determined.
+    open: SmallVec<[bool; 8]>,
 }
 
 impl<T: Real> Solution<T> {
+    /// Do the equations leave unknown `i` open? Its value is then NaN.
+    pub fn is_open(&self, i: usize) -> bool {
+        self.open.get(i).copied().unwrap_or(false)
+    }
     /// Unknown `i` for right-hand side `k`.
     pub fn get(&self, i: usize, k: usize) -> T {
         self.x[k * self.unknowns + i]
@@ -48,6 +55,14 @@ pub struct Singular {
     pub unknowns: usize,
     /// How many of them are determined.
     pub rank: usize,
+}
+
+/// Why elimination alone does not do.
+enum Hard {
+    /// A row is a repetition of others.
+    Repeats,
+    /// The unknowns are too far apart in size.
+    Scaled,
 }
 
 impl<T: Real> Linear<T> {
@@ -69,17 +84,54 @@ impl<T: Real> Linear<T> {
     }
 
     /// Solves for all right-hand sides: by elimination where that leaves residuals of rounding only and all unknowns are
-    /// of like size, else by refinement.
+    /// of like size, else by refinement. Where equations repeat each other, the unknowns that have only one value all the same.
     pub fn solve(&self) -> Result<Solution<T>, Singular> {
+        let whole = |x| Solution { unknowns: self.unknowns, x, open: SmallVec::new() };
         match self.eliminated() {
-            Some(x) => Ok(Solution { unknowns: self.unknowns, x }),
-            None => self.refined(),
+            Ok(x) => Ok(whole(x)),
+            Err(Hard::Scaled) => self.refined().or_else(|singular| self.partly().map_err(|_| singular)),
+            // Refinement in doubles would settle on one of many solutions.
+            Err(Hard::Repeats) => self.partly(),
         }
+    }
+
+    /// The unknowns that have only one value although equations repeat each other. Errors: they contradict each other, or it takes
+    /// equal data to make one the repetition of others.
+    fn partly(&self) -> Result<Solution<T>, Singular> {
+        let n = self.unknowns;
+        let mut x = SmallVec::with_capacity(n * self.columns);
+        let mut open: SmallVec<[bool; 8]> = smallvec![false; n];
+        for k in 0..self.columns {
+            let mut equations = Equations::new(n);
+            for r in 0..n {
+                let mut size = T::Rough::zero();
+                let row: &mut [T] = equations.row();
+                for (_, c, v) in self.terms.iter().filter(|(row, ..)| *row == r) {
+                    row[*c] = row[*c] + *v;
+                }
+                for (_, _, v) in self.right.iter().filter(|(row, column, _)| *row == r && *column == k) {
+                    row[n] = row[n] + *v;
+                    size += v.size();
+                }
+                row[n] = row[n].cleared(size);
+                equations.sized(size);
+            }
+            let reduced = equations.reduce(&[]);
+            if !reduced.repeats() {
+                return Err(Singular { unknowns: n, rank: reduced.rank() });
+            }
+            for (i, open) in open.iter_mut().enumerate() {
+                let value = reduced.value(i);
+                *open |= value.is_none();
+                x.push(value.unwrap_or_else(|| T::of(f64::NAN)));
+            }
+        }
+        Ok(Solution { unknowns: n, x, open })
     }
 
     /// Gaussian elimination with scaled partial pivoting, derivatives by its own factors: `A dx = db - dA x`. Nothing is
     /// allocated up to 5 unknowns and one right-hand side.
-    fn eliminated(&self) -> Option<SmallVec<[T; 8]>> {
+    fn eliminated(&self) -> Result<SmallVec<[T; 8]>, Hard> {
         let (n, m) = (self.unknowns, self.columns);
         let width = n + m;
         let nothing = T::Rough::zero();
@@ -108,7 +160,7 @@ impl<T: Real> Linear<T> {
                     }
                 }
             }
-            order.swap(col, best?.0);
+            order.swap(col, best.ok_or(Hard::Repeats)?.0);
             let pivot = order[col] * width;
             for r in &order[col + 1..] {
                 let row = r * width;
@@ -119,7 +171,10 @@ impl<T: Real> Linear<T> {
                 cells[row + col] = factor;
                 for c in col + 1..width {
                     if !cells[pivot + c].is_zero() {
-                        cells[row + c] = cells[row + c] - factor * cells[pivot + c];
+                        let less = factor * cells[pivot + c];
+                        // A coefficient that is only rounding is no pivot.
+                        let cell = &mut cells[row + c];
+                        *cell = if c < n { cell.balance(-less) } else { *cell - less };
                     }
                 }
             }
@@ -142,11 +197,11 @@ impl<T: Real> Linear<T> {
                 x[col] = if sum.is_zero() { sum } else { sum / cells[row + col] };
             }
             if !like_size(&x) {
-                return None;
+                return Err(Hard::Scaled);
             }
             self.residual(k, &x, &mut residual, &mut size);
             if !residual.iter().zip(&size).all(|(r, s)| r.size() <= settled * *s) {
-                return None;
+                return Err(Hard::Scaled);
             }
             if T::SLOPES == 0 {
                 out.extend(x.iter().map(|v| T::exactly(*v)));
@@ -194,7 +249,7 @@ impl<T: Real> Linear<T> {
                 out.push(T::with_slopes(*v, |i| change[order[col] * slopes + i] / lead));
             }
         }
-        Some(out)
+        Ok(out)
     }
 
     fn refined(&self) -> Result<Solution<T>, Singular> {
@@ -255,6 +310,7 @@ impl<T: Real> Linear<T> {
                 self.cancel(k, column, &inverse, &rows, &cols);
             }
             self.cancel(k, column, &inverse, &rows, &cols);
+            self.vanish(k, column);
             // Where unknowns cancel to their last bits the residual stays a little above rounding.
             settled |= residual.iter().zip(&size).all(|(r, s)| r.negligible(*s));
             if !settled || column.iter().any(|v| !v.is_finite()) {
@@ -272,7 +328,7 @@ impl<T: Real> Linear<T> {
             }
             self.slopes(k, column, (&inverse, &rows, &cols), &mut out);
         }
-        Ok(Solution { unknowns: n, x: out })
+        Ok(Solution { unknowns: n, x: out, open: SmallVec::new() })
     }
 
     /// Inverse of the matrix with its rows and columns scaled by powers of two, row-major; fills in the scales of the rows.
@@ -362,6 +418,32 @@ impl<T: Real> Linear<T> {
             if x.negligible((natural * cols[i]).abs()) {
                 *x = T::Plain::zero();
             }
+        }
+    }
+
+    /// Sets to 0 all unknowns together that no equation would miss: beside the other terms of each of its equations such an
+    /// unknown is rounding, or all other terms of the equation are such unknowns too.
+    fn vanish(&self, k: usize, x: &mut [T::Plain]) {
+        let mut noise: SmallVec<[bool; 12]> = x.iter().map(|v| !v.is_zero()).collect();
+        let mut others: SmallVec<[T::Rough; 6]> = smallvec![T::Rough::zero(); self.unknowns];
+        loop {
+            others.fill(T::Rough::zero());
+            for (r, _, v) in self.right.iter().filter(|(_, column, _)| *column == k) {
+                others[*r] += v.size();
+            }
+            for (r, c, v) in self.terms.iter().filter(|(_, c, _)| !noise[*c]) {
+                others[*r] += (v.plain() * x[*c]).size();
+            }
+            let before = noise.clone();
+            for (r, c, v) in self.terms.iter().filter(|(r, c, _)| before[*c] && !others[*r].is_zero()) {
+                noise[*c] &= (v.plain() * x[*c]).negligible(others[*r]);
+            }
+            if noise == before {
+                break;
+            }
+        }
+        for (v, _) in x.iter_mut().zip(&noise).filter(|(_, noise)| **noise) {
+            *v = T::Plain::zero();
         }
     }
 
@@ -536,6 +618,31 @@ mod tests {
         let x = l.solve().unwrap();
         assert!((x.get(0, 0).cond() - 2.0).abs() < 1e-14);
         assert!((x.get(1, 0).cond() - 3.0).abs() < 1e-14);
+    }
+    /// Two unknowns that only name each other and are 0 kept their rounding: nothing of the right-hand side was in them.
+    #[test]
+    fn what_is_only_rounding_is_zero() {
+        // a - c w = 0, m a - F = 0, I w + c F = 0, and beside them T = 5: a = w = F = 0.
+        let third = Dd::new(1.0) / Dd::new(3.0);
+        let mut l = Linear::<Dd>::new(4, 1);
+        l.term(0, 0, Dd::ONE);
+        l.term(0, 1, -third);
+        l.term(1, 0, Dd::new(7.0));
+        l.term(1, 2, -Dd::ONE);
+        l.term(2, 1, Dd::new(0.3));
+        l.term(2, 2, third);
+        l.term(3, 3, third);
+        l.right(3, 0, Dd::new(5.0));
+        let mut x = [1e-32, 3e-32, 7e-32, 15.0].map(Dd::new);
+        l.vanish(0, &mut x);
+        assert_eq!(x.map(|v| v.hi), [0.0, 0.0, 0.0, 15.0]);
+        // A tiny acceleration of a large mass is none.
+        let mut l = Linear::<Dd>::new(1, 1);
+        l.term(0, 0, Dd::new(1e35));
+        l.right(0, 0, Dd::new(1e3));
+        let mut x = [Dd::new(1e-32)];
+        l.vanish(0, &mut x);
+        assert_eq!(x[0].hi, 1e-32);
     }
     #[test]
     fn a_singular_system_says_so() {

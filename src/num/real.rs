@@ -96,6 +96,12 @@ pub trait Real:
     fn is_zero(self) -> bool {
         self.rough().is_zero()
     }
+    /// Is it the same number, so that what was computed from the one holds for the other? No question of what is true: two
+    /// enclosures are the same if their ends are.
+    #[inline(always)]
+    fn same(self, other: Self) -> bool {
+        (self - other).is_zero()
+    }
     /// Its magnitude.
     #[inline(always)]
     fn size(self) -> Self::Rough {

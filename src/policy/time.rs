@@ -224,7 +224,9 @@ fn worded(text: &str) -> Option<Moment> {
     if clock_words.len() > 1 && clock_words.last().is_some_and(|w| is_year(w)) {
         words.extend(clock_words.pop());
     }
-    let (mut month_at, mut numbers): (Option<(usize, i64)>, Vec<(i64, usize)>) = (None, Vec::new());
+    // How many numbers stand before the month, and which it is; numbers with their digits.
+    let mut month_at: Option<(usize, i64)> = None;
+    let mut numbers: Vec<(i64, usize)> = Vec::new();
     for word in words.iter().flat_map(|w| w.split(['-', '/', '.'])).filter(|w| !w.is_empty()) {
         let digits = word.bytes().take_while(u8::is_ascii_digit).count();
         if digits > 0 {

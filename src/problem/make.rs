@@ -1,5 +1,4 @@
 //! Draw, fill, solve, check: the flow in one function, tries and refusals counted.
-use crate::bank::Bound;
 use crate::bank::Case;
 use crate::bank::Follow;
 use crate::bank::Problem;
@@ -12,8 +11,10 @@ use crate::draw::stream::Words;
 use crate::misconception;
 use crate::misconception::Wrong;
 use crate::num::Dd;
-use crate::num::shown;
 use crate::problem::make_key;
+pub use crate::problem::rule::Refusals;
+use crate::problem::rule::Refused;
+use crate::problem::rule::Rule;
 use crate::scene::End;
 use crate::scene::Label;
 use crate::scene::Numbers;
@@ -48,104 +49,8 @@ pub struct Variant {
     pub wrong: Vec<Wrong>,
 }
 
-/// How often each rule refused a draw, in the order of the rules (see [`Refusals::table`]).
-#[derive(Debug, Clone, Default, PartialEq)]
-pub struct Refusals {
-    counts: Vec<u32>,
-    /// The last draw of admissible data that could not be solved, or on which the two roads disagreed.
-    pub unsolved: Option<Refusal>,
-    /// Condition numbers of all questions, draw by draw, of the draws that hold all rules but those about them; kept only by
-    /// a maker that is [`Maker::watching`].
-    pub conds: Vec<f64>,
-    /// Draws that hold all rules but those about wrong methods; kept only by a maker that is watching.
-    pub told: u32,
-    /// How many of those each wrong method would refuse, guarded or not: for each method its questions in order, and last
-    /// all of them together.
-    pub near: Vec<u32>,
-}
-
-const INADMISSIBLE: usize = 0;
-const UNSOLVABLE: usize = 1;
-const DISAGREE: usize = 2;
-const PROOF: usize = 3;
-const INPUT: usize = 4;
-const REGIME: usize = 5;
-const FOLLOWS: usize = 6;
-const CHECKS: usize = 7;
-
 /// A relation between parts holds if it gives the right answer within this share: it is computed in doubles.
 const RELATION: f64 = 1e-9;
-
-impl Refusals {
-    fn add(&mut self, rule: usize) {
-        if self.counts.len() <= rule {
-            self.counts.resize(rule + 1, 0);
-        }
-        self.counts[rule] += 1;
-    }
-    /// Adds the counts of another variant of the same case.
-    pub fn join(&mut self, other: &Refusals) {
-        if self.counts.len() < other.counts.len() {
-            self.counts.resize(other.counts.len(), 0);
-        }
-        for (mine, theirs) in self.counts.iter_mut().zip(&other.counts) {
-            *mine += theirs;
-        }
-        self.conds.extend_from_slice(&other.conds);
-        self.told += other.told;
-        if self.near.len() < other.near.len() {
-            self.near.resize(other.near.len(), 0);
-        }
-        for (mine, theirs) in self.near.iter_mut().zip(&other.near) {
-            *mine += theirs;
-        }
-        if other.unsolved.is_some() {
-            self.unsolved.clone_from(&other.unsolved);
-        }
-    }
-    /// All refusals together.
-    pub fn total(&self) -> u64 {
-        self.counts.iter().map(|c| u64::from(*c)).sum()
-    }
-    /// Names of the rules that refused and how often, most first.
-    pub fn table(&self, problem: &Problem, case: usize) -> Vec<(String, u32)> {
-        let mut list: Vec<(String, u32)> = Vec::new();
-        for (rule, count) in self.counts.iter().enumerate().filter(|(_, c)| **c > 0) {
-            list.push((rule_name(problem, case, rule), *count));
-        }
-        list.sort_by(|a, b| b.1.cmp(&a.1).then_with(|| a.0.cmp(&b.0)));
-        list
-    }
-}
-
-fn rule_name(problem: &Problem, case: usize, rule: usize) -> String {
-    let questions = CHECKS + CheckKind::ALL.len();
-    let conds = questions + problem.questions.len();
-    let bounds = conds + problem.questions.len();
-    match rule {
-        INADMISSIBLE => "admissible data".to_owned(),
-        UNSOLVABLE => "solvable".to_owned(),
-        DISAGREE => "the two roads agree".to_owned(),
-        PROOF => "the key is proved".to_owned(),
-        INPUT => format!("input energy above {} times the kinetic", problem.energy_limit),
-        REGIME => "regime".to_owned(),
-        FOLLOWS => "a relation of `follows` does not hold".to_owned(),
-        _ if rule < questions => CheckKind::ALL[rule - CHECKS].name().to_owned(),
-        _ if rule < conds => format!("question {} has an answer", problem.questions[rule - questions].id),
-        _ if rule < bounds => {
-            let question = &problem.questions[rule - conds];
-            let limit = shown::decimals(question.cond_limit, 1);
-            format!("cond of {} above {}", question.id, limit.trim_end_matches(".0"))
-        }
-        _ => match problem.cases[case].bounds.get(rule - bounds) {
-            Some(bound) => format!("bound {}", bound.text),
-            None => {
-                let mistake = problem.mistakes.get(rule - bounds - problem.cases[case].bounds.len());
-                format!("wrong method {} near a right answer", mistake.map_or("?", |m| m.id.as_str()))
-            }
-        },
-    }
-}
 
 /// A wrong method nearer to the right answer than this many of its half-widths cannot be told from it.
 pub const APART: f64 = 2.0;
@@ -165,6 +70,10 @@ pub struct Unsatisfiable {
     pub disagreement: Option<String>,
     /// The last draw of admissible data that could not be solved, if there was one.
     pub unsolved: Option<Refusal>,
+    /// Index of the case.
+    pub index: usize,
+    /// The data, as printed and as the scene takes them, if they are the same in every draw.
+    pub constant: Option<(Vec<Option<Decimal>>, Vec<f64>)>,
 }
 
 impl fmt::Display for Unsatisfiable {
@@ -176,7 +85,11 @@ impl fmt::Display for Unsatisfiable {
         if let Some(disagreement) = &self.disagreement {
             return write!(f, ": {disagreement}; the problem is refused");
         }
-        write!(f, ": none of {} draws holds the rules; refused by", self.tries)?;
+        if self.constant.is_some() {
+            write!(f, ": its data are constants, and they break the rules; refused by")?;
+        } else {
+            write!(f, ": none of {} draws holds the rules; refused by", self.tries)?;
+        }
         for (rule, count) in &self.table {
             write!(f, "\n    {count:>7}  {rule}")?;
         }
@@ -233,14 +146,17 @@ impl<'p> Maker<'p> {
         let mut data = vec![0.0; self.problem.data.len()];
         let mut values: Vec<Option<Decimal>> = vec![None; self.problem.data.len()];
         let mut refusals = Refusals::default();
-        for tries in 1..=self.max_tries {
+        // Constants are the same in every draw.
+        let constant = case.draws.iter().flatten().all(|d| d.count() == 1);
+        let most = if constant { 1 } else { self.max_tries };
+        for tries in 1..=most {
             self.draw(&mut words, tries, case, &mut values, &mut data);
             match self.judge(index, &data, &mut refusals) {
                 Ok((solved, wrong)) => {
                     let within = make_key::within(self.problem, &solved);
                     return Ok(Variant { case: index, values, data, solved, tries, refusals, within, wrong });
                 }
-                Err(rule) => refusals.add(rule),
+                Err(refused) => refusals.add(refused),
             }
             // A key that the roads do not share is no bad luck of the draw: nothing is redrawn around it.
             if let Some(Refusal::Disagree { label, eom, energy, allowed }) = &refusals.unsolved {
@@ -249,10 +165,18 @@ impl<'p> Maker<'p> {
                     "the two roads disagree on {name}: {eom:e} from the equations of motion, {energy:e} from work and \
                      energy, more than the relative {allowed:.1e} that rounding explains"
                 );
-                return Err(Box::new(self.unsatisfiable(index, tries, &refusals, Some(disagreement))));
+                let constant = constant.then_some((values, data));
+                return Err(Box::new(self.unsatisfiable(
+                    index,
+                    tries,
+                    &refusals,
+                    Some(disagreement),
+                    constant,
+                )));
             }
         }
-        Err(Box::new(self.unsatisfiable(index, self.max_tries, &refusals, None)))
+        let constant = constant.then_some((values, data));
+        Err(Box::new(self.unsatisfiable(index, most, &refusals, None, constant)))
     }
 
     fn draw(
@@ -293,6 +217,7 @@ impl<'p> Maker<'p> {
         tries: u32,
         refusals: &Refusals,
         disagreement: Option<String>,
+        constant: Option<(Vec<Option<Decimal>>, Vec<f64>)>,
     ) -> Unsatisfiable {
         Unsatisfiable {
             problem: self.problem.id.clone(),
@@ -301,6 +226,8 @@ impl<'p> Maker<'p> {
             table: refusals.table(self.problem, case),
             disagreement,
             unsolved: refusals.unsolved.clone(),
+            index: case,
+            constant,
         }
     }
 
@@ -310,24 +237,22 @@ impl<'p> Maker<'p> {
         index: usize,
         data: &[f64],
         refusals: &mut Refusals,
-    ) -> Result<(Solved, Vec<Wrong>), usize> {
+    ) -> Result<(Solved, Vec<Wrong>), Refused> {
         let case = &self.problem.cases[index];
-        let first_bound = CHECKS + CheckKind::ALL.len() + 2 * self.problem.questions.len();
         // Bounds on the data alone cost nothing: they go first.
-        for (i, bound) in case.bounds.iter().enumerate() {
-            if !bound.expression.needs_solution() && !holds(bound, data, &|_| f64::NAN) {
-                return Err(first_bound + i);
-            }
-        }
+        bounds(case, false, data, &|_| f64::NAN)?;
         let mut unsolved = |refusal| match refusal {
-            Refusal::Inadmissible(_) => INADMISSIBLE,
+            Refusal::Inadmissible(faults) => {
+                refusals.inadmissible = faults;
+                Rule::Admissible
+            }
             Refusal::Disagree { .. } => {
                 refusals.unsolved = Some(refusal);
-                DISAGREE
+                Rule::Agree
             }
             other => {
                 refusals.unsolved = Some(other);
-                UNSOLVABLE
+                Rule::Solvable
             }
         };
         // A draw that breaks a rule on the first road needs no second one.
@@ -340,11 +265,14 @@ impl<'p> Maker<'p> {
         self.conditioned(half.preview())?;
         let mut solved = half.confirm(&case.scene, data).map_err(unsolved)?;
         self.checks(&solved, |kind| kind == CheckKind::Moves)?;
-        if !agree::prove(&case.scene, data, &mut solved) || !make_key::narrow(self.problem, &solved) {
-            return Err(PROOF);
+        if !agree::prove(&case.scene, data, &mut solved) {
+            return Err(Rule::Certain.into());
         }
-        if broken_relation(self.problem, data, &solved).is_some() {
-            return Err(FOLLOWS);
+        if let Some((question, share)) = make_key::wide(self.problem, &solved) {
+            return Err(Rule::Proved(question).found(share));
+        }
+        if let Some(question) = broken_relation(self.problem, data, &solved) {
+            return Err(Rule::Follows(question).into());
         }
         let wrong = self.told_apart(index, data, &solved, refusals)?;
         Ok((solved, wrong))
@@ -357,7 +285,7 @@ impl<'p> Maker<'p> {
         data: &[f64],
         solved: &Solved,
         refusals: &mut Refusals,
-    ) -> Result<Vec<Wrong>, usize> {
+    ) -> Result<Vec<Wrong>, Refused> {
         if self.problem.mistakes.is_empty() {
             return Ok(Vec::new());
         }
@@ -393,63 +321,56 @@ impl<'p> Maker<'p> {
             }
         }
         match guarded {
-            Some(mistake) => {
-                let bounds = CHECKS + CheckKind::ALL.len() + 2 * self.problem.questions.len();
-                Err(bounds + self.problem.cases[index].bounds.len() + mistake)
-            }
+            Some(mistake) => Err(Rule::Mistake(mistake).into()),
             None => Ok(all),
         }
     }
 
     /// Is the kinetic energy not what two much larger energies leave?
-    fn energies(&self, case: &Case, solved: &Solved, data: &[f64]) -> Result<(), usize> {
+    fn energies(&self, case: &Case, solved: &Solved, data: &[f64]) -> Result<(), Refused> {
         let kinetic = Label { quantity: Quantity::KineticEnergy, of: Owner::Scene };
         // At a turning point there is none.
         if let (Some(kinetic), false) = (solved.get(kinetic), matches!(case.scene.end, End::TurningPoint(_)))
             && let Some(input) = input_energy(&case.scene, data, solved)
         {
             let within = input <= self.problem.energy_limit * kinetic.value();
-            return if within { Ok(()) } else { Err(INPUT) };
+            return if within { Ok(()) } else { Err(Rule::Input.found(input / kinetic.value())) };
         }
         Ok(())
     }
 
     /// Is every answer determined well enough by the printed data?
-    fn conditioned(&self, solved: &Solved) -> Result<(), usize> {
-        let conds = CHECKS + CheckKind::ALL.len() + self.problem.questions.len();
+    fn conditioned(&self, solved: &Solved) -> Result<(), Refused> {
         let above = |q: &Question| !cond(solved, q.label).le(&q.cond_limit);
         match self.problem.questions.iter().position(above) {
-            Some(question) => Err(conds + question),
+            Some(i) => Err(Rule::Cond(i).found(cond(solved, self.problem.questions[i].label))),
             None => Ok(()),
         }
     }
 
     /// Do the checks of these kinds hold, with their margins?
-    fn checks(&self, solved: &Solved, of: impl Fn(CheckKind) -> bool) -> Result<(), usize> {
+    fn checks(&self, solved: &Solved, of: impl Fn(CheckKind) -> bool) -> Result<(), Refused> {
         for check in solved.checks.iter().filter(|c| of(c.kind)) {
             let kind = CheckKind::ALL.iter().position(|k| *k == check.kind).unwrap_or(0);
             if !check.ok || check.margin.is_nan() || check.margin < self.margins[kind] {
-                return Err(CHECKS + kind);
+                return Err(Rule::Check(check.kind).found(check.margin));
             }
         }
         Ok(())
     }
 
     /// The rules that need a solution, on the first road; which one refuses.
-    fn rules(&self, case: &Case, solved: &Solved, data: &[f64]) -> Result<(), usize> {
-        let questions = CHECKS + CheckKind::ALL.len();
-        let first_bound = questions + 2 * self.problem.questions.len();
+    fn rules(&self, case: &Case, solved: &Solved, data: &[f64]) -> Result<(), Refused> {
         self.checks(solved, |kind| kind != CheckKind::Moves)?;
         // A question about a slack cord would ask about another motion than the statement tells.
         if let Some((tie, _, _, false)) = case.scene.spring() {
             let tension = solved.get(Label { quantity: Quantity::Tension, of: Owner::Tie(tie) });
             if tension.is_some_and(|t| t.value() <= 0.0) {
-                return Err(CHECKS + CheckKind::ALL.iter().position(|k| *k == CheckKind::Taut).unwrap_or(0));
+                return Err(Rule::Check(CheckKind::Taut).into());
             }
         }
-        let word = solved.regime.motion.word();
-        if solved.regime.slips || (!case.regimes.is_empty() && !case.regimes.iter().any(|r| r == word)) {
-            return Err(REGIME);
+        if !solved.regime.is_one_of(&case.regimes) {
+            return Err(Rule::Regime(solved.regime).into());
         }
         for (i, question) in self.problem.questions.iter().enumerate() {
             let answered = if question.label.quantity.is_word() {
@@ -458,16 +379,10 @@ impl<'p> Maker<'p> {
                 solved.get(question.label).is_some_and(|e| e.value().is_finite())
             };
             if !answered {
-                return Err(questions + i);
+                return Err(Rule::Answered(i).into());
             }
         }
-        let quantity = |label: Label| solved.get(label).map_or(f64::NAN, Entry::value);
-        for (i, bound) in case.bounds.iter().enumerate() {
-            if bound.expression.needs_solution() && !holds(bound, data, &quantity) {
-                return Err(first_bound + i);
-            }
-        }
-        Ok(())
+        bounds(case, true, data, &|label| solved.get(label).map_or(f64::NAN, Entry::value))
     }
 }
 
@@ -491,10 +406,24 @@ fn input_energy(scene: &Scene, data: &[f64], solved: &Solved) -> Option<f64> {
     Some(n.publish(Quantity::KineticEnergy, energy).hi + pulls.map(|w| w.max(0.0)).sum::<f64>())
 }
 
-/// Does the value of a bound's expression lie within it? NaN does not.
-fn holds(bound: &Bound, data: &[f64], quantity: &dyn Fn(Label) -> f64) -> bool {
-    let value = bound.expression.eval(data, quantity);
-    !value.is_nan() && bound.min.is_none_or(|m| value >= m) && bound.max.is_none_or(|m| value <= m)
+/// Do the values of these bounds, those that need a solution or the others, lie within them? NaN does not.
+fn bounds(
+    case: &Case,
+    of_solution: bool,
+    data: &[f64],
+    quantity: &dyn Fn(Label) -> f64,
+) -> Result<(), Refused> {
+    for (i, bound) in case.bounds.iter().enumerate() {
+        if bound.expression.needs_solution() != of_solution {
+            continue;
+        }
+        let value = bound.expression.eval(data, quantity);
+        let within = bound.min.is_none_or(|m| value >= m) && bound.max.is_none_or(|m| value <= m);
+        if value.is_nan() || !within {
+            return Err(Rule::Bound(i).found(value));
+        }
+    }
+    Ok(())
 }
 
 /// The first relation between parts that does not give the right answer from right ones: an index into the questions.

@@ -3,16 +3,20 @@ use crate::bank::expression::Name;
 use crate::bank::{Problem, Question};
 use crate::key::{Answer, Follow, Given, KeyEntry, ProblemKey, WrongValue};
 use crate::problem::make::Variant;
-use crate::scene::{End, Label, Owner, Quantity, Scene, Slope};
+use crate::scene::{Label, Owner, Quantity, Scene, Slope};
 use crate::solve::outcome::{Entry, Solved};
 
 /// Absolute tolerance of quantities that may vanish, as a share of the scale of their terms: a thousandth of the
 /// largest force is below what three figures of the terms can tell.
 pub const VANISHING_SHARE: f64 = 1e-3;
 
-const SLOPED: &[&str] = &["up", "down", "stays"];
-const LEVEL: &[&str] = &["forward", "back", "stays"];
+const SLOPED: &[&str] = &["up", "down"];
+const LEVEL: &[&str] = &["forward", "back"];
 const YES_NO: &[&str] = &["yes", "no"];
+
+/// The lists of words of which a sheet asks for one. No word stands on two of them, and none that no draw can have: what stays
+/// at rest is never drawn.
+pub const LISTS: [&[&str]; 3] = [SLOPED, LEVEL, YES_NO];
 
 /// The key of a variant: one entry for each question of the problem.
 ///
@@ -128,13 +132,16 @@ pub fn within(problem: &Problem, solved: &Solved) -> Vec<f64> {
 /// The proved bound of the error of a key is to be below this share of the accepted half-width.
 pub const PROVED_SHARE: f64 = 1e-3;
 
-/// Is the enclosure of every numeric answer narrow beside its tolerance? Quantities that are not enclosed at all do not
-/// count.
-pub fn narrow(problem: &Problem, solved: &Solved) -> bool {
-    problem.questions.iter().filter_map(|q| Some((q, solved.get(q.label)?))).all(|(question, entry)| {
+/// The first numeric answer whose enclosure is not narrow beside its tolerance: index of the question, and the bound as a share
+/// of the half-width. Quantities that are not enclosed at all do not count.
+pub fn wide(problem: &Problem, solved: &Solved) -> Option<(usize, f64)> {
+    let shares = problem.questions.iter().enumerate().filter_map(|(i, question)| {
+        let entry = solved.get(question.label)?;
         let half_width = half_width(question, entry.value(), entry.scale, entry.cond);
-        entry.bound.is_none_or(|bound| bound <= PROVED_SHARE * half_width)
-    })
+        Some((i, entry.bound?, half_width))
+    });
+    let mut wide = shares.filter(|(_, bound, half_width)| !bound.le(&(PROVED_SHARE * half_width)));
+    wide.next().map(|(i, bound, half_width)| (i, bound / half_width))
 }
 
 /// Quantities that can be 0 although the terms that make them up are not.
@@ -191,20 +198,12 @@ pub const fn is_magnitude(quantity: Quantity) -> bool {
     )
 }
 
-fn offered(quantity: Quantity, scene: &Scene) -> &'static [&'static str] {
+/// The list of words of which one answers a question in words.
+pub fn offered(quantity: Quantity, scene: &Scene) -> &'static [&'static str] {
     if quantity == Quantity::Rolls {
         return YES_NO;
     }
-    let body = match scene.end {
-        End::AtOnce => 0,
-        End::Travel(c, _)
-        | End::Position(c, _)
-        | End::Time(c, _)
-        | End::Speed(c, _)
-        | End::Angle(c, _)
-        | End::TurningPoint(c)
-        | End::Rolling(c) => c.body,
-    };
+    let body = scene.ending_coordinate().body;
     match scene.bodies.get(body).and_then(|b| b.line) {
         Some(line) if line.slope != Slope::Level => SLOPED,
         _ => LEVEL,

@@ -2,4 +2,5 @@
 pub mod make;
 pub mod make_key;
 pub mod rounding;
+pub mod rule;
 pub mod sweep;

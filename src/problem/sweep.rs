@@ -2,7 +2,8 @@
 //! how well they are conditioned, and how likely two students get the same sheet.
 use crate::bank::Problem;
 use crate::draw::stream::Source;
-use crate::problem::make::{Maker, Refusals, Unsatisfiable};
+use crate::problem::make::{Maker, Refusals, Unsatisfiable, Variant};
+use crate::problem::make_key;
 use crate::problem::rounding;
 use crate::solve::outcome::Refusal;
 
@@ -65,8 +66,83 @@ pub struct QuestionSweep {
     pub honest: (u32, u32),
     /// Least and greatest relative tolerance.
     pub within: (f64, f64),
-    /// Words and how often each was right.
+    /// The words of the lists that were printed, and how often each was right.
     pub words: Vec<(&'static str, u64)>,
+}
+
+/// Each word of a list that sheets print is to be right in at least this share of the variants that print the list: else it is
+/// no question.
+pub const WORD_SHARE: f64 = 0.2;
+
+/// Variants with a list from which on a word that was never right counts as one that never is: of those that are right as often
+/// as they should be, one in 70,000 hides so long.
+const ENOUGH: u64 = 50;
+
+/// How a word of a printed list fares that is right too seldom.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Seldom {
+    /// The word.
+    pub word: &'static str,
+    /// Variants in which it was right.
+    pub right: u64,
+    /// Variants that print its list.
+    pub printed: u64,
+}
+
+impl Seldom {
+    /// Is it never right, as far as can be seen?
+    pub fn never(&self) -> bool {
+        self.right == 0
+    }
+}
+
+/// Words that are right too seldom, by more than chance explains; `words` are all words of the lists that were printed, with
+/// how often each was right.
+pub fn seldom(words: &[(&'static str, u64)]) -> Vec<Seldom> {
+    let all = words.iter().map(|&(word, right)| Seldom { word, right, printed: printed(words, word) });
+    let short = |s: &Seldom| {
+        let spread = (WORD_SHARE * (1.0 - WORD_SHARE) / count(s.printed)).sqrt();
+        s.printed >= ENOUGH && count(s.right) / count(s.printed) < WORD_SHARE - 2.0 * spread
+    };
+    all.filter(short).collect()
+}
+
+/// Variants that print the list on which this word stands.
+pub fn printed(words: &[(&'static str, u64)], word: &str) -> u64 {
+    let list = make_key::LISTS.into_iter().find(|list| list.contains(&word)).unwrap_or_default();
+    words.iter().filter(|(w, _)| list.contains(w)).map(|(_, n)| n).sum()
+}
+
+/// The words of the lists that variants of a problem print, and how often each is right: for each question that is answered in
+/// words, over so many variants, without the tables of a [`sweep`].
+pub fn words_of(problem: &Problem, variants: u32, set: &str) -> Vec<(usize, Vec<(&'static str, u64)>)> {
+    let asked = problem.questions.iter().enumerate().filter(|(_, q)| q.label.quantity.is_word());
+    let mut found: Vec<(usize, Vec<(&'static str, u64)>)> = asked.map(|(i, _)| (i, Vec::new())).collect();
+    if found.is_empty() {
+        return found;
+    }
+    let maker = Maker::new(problem, 1, set);
+    for student in 0..variants {
+        let Ok(variant) = maker.variant(&format!("words {student}")) else { break };
+        for (question, words) in &mut found {
+            count_word(problem, &variant, *question, words);
+        }
+    }
+    found
+}
+
+fn count_word(problem: &Problem, variant: &Variant, question: usize, words: &mut Vec<(&'static str, u64)>) {
+    let label = problem.questions[question].label;
+    for word in make_key::offered(label.quantity, &problem.cases[variant.case].scene) {
+        if words.iter().all(|(w, _)| w != word) {
+            words.push((word, 0));
+        }
+    }
+    if let Some(right) = variant.solved.word(label)
+        && let Some((_, n)) = words.iter_mut().find(|(w, _)| *w == right.text())
+    {
+        *n += 1;
+    }
 }
 
 /// How often a wrong method lands near a right answer.
@@ -177,14 +253,11 @@ pub fn sweep(problem: &Problem, first: u64, seeds: u32, set: &str) -> Sweep {
                 }
             }
         }
-        for ((question, seen), within) in
-            problem.questions.iter().zip(&mut out.questions).zip(&variant.within)
+        for (i, ((question, seen), within)) in
+            problem.questions.iter().zip(&mut out.questions).zip(&variant.within).enumerate()
         {
-            if let Some(word) = variant.solved.word(question.label) {
-                match seen.words.iter_mut().find(|(w, _)| *w == word.text()) {
-                    Some((_, n)) => *n += 1,
-                    None => seen.words.push((word.text(), 1)),
-                }
+            if question.label.quantity.is_word() {
+                count_word(problem, &variant, i, &mut seen.words);
             } else if let Some(entry) = variant.solved.get(question.label) {
                 let value = question.unit.from_si(entry.value());
                 let (low, high) = seen.range.unwrap_or((value, value));

@@ -45,7 +45,7 @@ quantities! {
     Alpha "alpha" "rad/s^2" "angular acceleration at the end, positive with rolling forward or with growing angle";
     Friction "friction" "N" "friction force on the body at the end, positive up the incline";
     Normal "normal" "N" "normal force of the surface";
-    MuRequired "mu_required" "1" "least static friction coefficient for rolling over the whole motion";
+    MuRequired "mu_required" "1" "least static friction coefficient for rolling from the start to the end (to the turning point where a quantity of the whole motion is asked)";
     T "t" "s" "time from the start to the end";
     Tension "tension" "N" "tension of the cord at the end";
     CordTravel "cord_travel" "m" "distance that the pulled end of the cord moves";
@@ -78,7 +78,7 @@ quantities! {
     Period "period" "s" "time of a full swing to and fro, or of a full turn where it goes over the top";
     PeriodSmall "period_small" "s" "period of small swings";
     OmegaSmall "omega_small" "rad/s" "angular frequency of small swings";
-    Direction "direction" "" "up, down or stays (forward, back or stays on a level)";
+    Direction "direction" "" "up or down (forward or back on a level)";
     Rolls "rolls" "" "yes if it could roll without slipping, else no";
 }
 
@@ -90,6 +90,10 @@ impl Quantity {
     /// Is its answer a word (`up`, `yes`) and not a number?
     pub const fn is_word(self) -> bool {
         matches!(self, Self::Direction | Self::Rolls)
+    }
+    /// Is it a quantity of the whole motion up to the turning point, whatever end is asked?
+    pub const fn looks_beyond(self) -> bool {
+        matches!(self, Self::VMax | Self::DAtVMax | Self::DTurn)
     }
     /// Is its sign a direction along the line of the body, so that `62.6 N down` is an answer?
     pub const fn is_directed(self) -> bool {

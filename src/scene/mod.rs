@@ -9,6 +9,7 @@ pub mod admissible;
 pub mod ask;
 pub mod body;
 pub mod force;
+pub mod freedom;
 pub mod inertia;
 pub mod link;
 pub mod motion;
@@ -20,7 +21,7 @@ pub use ask::{Label, Owner, Quantity};
 pub use body::{Body, Line, Mass, Part, Particle, RotaryInertia, Shape, Slope};
 pub use force::Couple;
 pub use link::{Attach, Cord, CordEnd, Far, Side, Tie};
-pub use motion::{Coordinate, Degree, End, Heading, Start, Thrown};
+pub use motion::{Coordinate, Degree, End, Heading, Span, Start, Thrown};
 pub use numbers::{BodyNumbers, Numbers};
 pub use pin::{Arm, Pin, PinSpring, Rest, Zero};
 
@@ -51,4 +52,6 @@ pub struct Scene {
     pub end: End,
     /// Is `end` to be reached in a declared direction? `None`: in whichever it moves.
     pub heading: Option<Heading>,
+    /// How far the conditions of validity and the extrema look.
+    pub span: Span,
 }

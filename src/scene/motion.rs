@@ -1,5 +1,6 @@
 //! How a motion starts and what ends it.
 use crate::scene::Num;
+use crate::scene::Quantity;
 use crate::scene::Scene;
 use crate::scene::Tie;
 
@@ -70,6 +71,26 @@ pub enum Heading {
     Forward,
     /// Back (negative).
     Back,
+}
+
+/// How far the conditions of validity and the extrema (`mu_required`, the least tension of a cord) look. An end event ends the
+/// motion; what would come after it counts only where a quantity that is asked looks there ([`Quantity::looks_beyond`]).
+///
+/// [`Quantity::looks_beyond`]: crate::scene::Quantity::looks_beyond
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Span {
+    /// From the start to the end that is asked; to the turning point where the motion turns before it.
+    #[default]
+    ToEnd,
+    /// From the start to the turning point: a quantity of the whole motion is asked.
+    ToTurningPoint,
+}
+
+impl Span {
+    /// How far the questions make it look.
+    pub fn of(asked: impl IntoIterator<Item = Quantity>) -> Self {
+        if asked.into_iter().any(Quantity::looks_beyond) { Self::ToTurningPoint } else { Self::ToEnd }
+    }
 }
 
 /// A body thrown with slip: it starts with a speed and a spin that rolling would not tie together.

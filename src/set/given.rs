@@ -11,6 +11,7 @@ use crate::problem::make;
 use crate::problem::make::Variant;
 use crate::problem::make_key;
 use crate::set::store::StoredSet;
+use crate::set::store::StoredStudent;
 use crate::set::store::StoredVariant;
 use crate::sheet::statement;
 use crate::solve::outcome::Refusal;
@@ -130,6 +131,62 @@ fn one(
     }
 }
 
+/// All students of a set that an earlier version drew, see [`as_stored`].
+///
+/// # Errors
+/// Those of [`as_stored`].
+pub fn all_as_stored(bank: &Bank, set: &StoredSet) -> Result<Vec<Given>, Vec<Finding>> {
+    let problems = crate::set::replay::indices(bank, &set.problems, "problems")?;
+    let one = |s: &StoredStudent| as_stored(bank, &problems, &s.student, &s.problems);
+    let mut found = Vec::with_capacity(set.students.len());
+    for given in set.students.par_iter().map(one).collect::<Vec<_>>() {
+        found.push(given?);
+    }
+    Ok(found)
+}
+
+/// A stored student of a set that an earlier version drew: variants and key from the stored data. What counts is the stored
+/// key, so no rule of drawing is asked.
+///
+/// # Errors
+/// Bank and data do not fit each other, or the scene has no answer.
+pub fn as_stored(
+    bank: &Bank,
+    problems: &[usize],
+    student: &str,
+    stored: &[StoredVariant],
+) -> Result<Given, Vec<Finding>> {
+    let field = |id: &str| format!("students {student}, {id}");
+    if stored.len() != problems.len()
+        || !stored.iter().zip(problems).all(|(s, p)| s.id == bank.problems[*p].id)
+    {
+        return Err(vec![Finding::new(format!("students {student}"), "has other problems than the set")]);
+    }
+    let (mut variants, mut keys) = (Vec::new(), Vec::new());
+    let mut faults = Vec::new();
+    for (index, old) in problems.iter().zip(stored) {
+        let problem = &bank.problems[*index];
+        let variant = values(problem, old).and_then(|(case, values)| {
+            make::from_values(problem, case, &values).map_err(|_| {
+                let what = "the stored data have no answer by this version";
+                vec![Finding::new(field(&old.id), what)]
+            })
+        });
+        match variant {
+            Ok(variant) => {
+                keys.push(make_key::key(problem, &variant));
+                variants.push(variant);
+            }
+            Err(more) => faults.extend(more),
+        }
+    }
+    if faults.is_empty() {
+        Ok(Given { variants, key: SheetKey { student: student.to_owned(), problems: keys } })
+    } else {
+        Err(faults)
+    }
+}
+
 /// Case and data as the bank's problem takes them. Findings are the same for every student with the same trouble.
 fn values(problem: &Problem, old: &StoredVariant) -> Result<(usize, Vec<Option<Decimal>>), Vec<Finding>> {
     let path = |rest: &str| format!("problems.{}.{rest}", problem.id);
@@ -196,10 +253,8 @@ fn values(problem: &Problem, old: &StoredVariant) -> Result<(usize, Vec<Option<D
 
 fn solved(problem: &Problem, case: usize, values: &[Option<Decimal>]) -> Result<(Variant, ProblemKey), Why> {
     let variant = make::from_values(problem, case, values).map_err(Why::Refused)?;
-    let regime = &variant.solved.regime;
-    let word = regime.motion.word();
-    let regimes = &problem.cases[case].regimes;
-    if regime.slips || (!regimes.is_empty() && !regimes.iter().any(|r| r == word)) {
+    let regime = variant.solved.regime;
+    if !regime.is_one_of(&problem.cases[case].regimes) {
         return Err(Why::Happens(regime.word()));
     }
     if let Some(check) = variant.solved.checks.iter().find(|c| !c.ok) {

@@ -20,6 +20,9 @@ pub struct Grading {
     pub program: String,
     /// Version of the drawing of the set.
     pub draw_version: u32,
+    /// Was the set drawn again before it was graded? Not one of an earlier version of the drawing.
+    #[serde(default = "yes", skip_serializing_if = "is_yes")]
+    pub replayed: bool,
     /// Name of the set.
     pub set: String,
     /// Seed of the set.
@@ -67,6 +70,15 @@ pub struct Grading {
     /// Columns of the submissions that were not used.
     #[serde(default)]
     pub unused_columns: Vec<String>,
+}
+
+const fn yes() -> bool {
+    true
+}
+
+#[expect(clippy::trivially_copy_pass_by_ref, reason = "serde asks with a reference")]
+const fn is_yes(said: &bool) -> bool {
+    *said
 }
 
 impl Grading {

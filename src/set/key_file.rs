@@ -5,6 +5,7 @@ use crate::guard::unguarded;
 use crate::key::Answer;
 use crate::key::KeyEntry;
 use crate::key::SheetKey;
+use crate::problem::make_key;
 use rayon::prelude::*;
 
 /// The columns.
@@ -97,6 +98,104 @@ pub fn text(keys: &[SheetKey]) -> Vec<u8> {
     };
     let parts: Vec<Vec<u8>> = keys.par_chunks(512).enumerate().map(part).collect();
     if parts.is_empty() { part((0, &[])) } else { parts.concat() }
+}
+
+/// A stored number may differ by this share from what the stored data give: by what a later version rounds otherwise.
+const AS_STORED: f64 = 1e-9;
+
+/// Puts what a stored key.csv holds into keys that were solved from the stored data by a later version: right answers and
+/// tolerances are those that were published. How many of them the stored data do not give by this version: none, unless the file
+/// is `sealed` by its hash.
+///
+/// # Errors
+/// At most five findings and their number: rows that are missing, cells that cannot be read, answers that the stored data do not
+/// give where no hash tells an edit from another way of solving.
+pub fn put_stored(stored: &[u8], keys: &mut [SheetKey], sealed: bool) -> Result<usize, Vec<Finding>> {
+    let body = stored.strip_prefix(b"\xef\xbb\xbf").unwrap_or(stored);
+    let mut reader = csv::ReaderBuilder::new().flexible(true).from_reader(body);
+    let mut rows: rustc_hash::FxHashMap<(String, String, String), (usize, csv::StringRecord)> =
+        rustc_hash::FxHashMap::default();
+    let mut findings = Vec::new();
+    let (mut more, mut other) = (0usize, 0usize);
+    let mut tell = |finding: Finding| if findings.len() < 5 { findings.push(finding) } else { more += 1 };
+    for record in reader.records() {
+        let Ok(record) = record else {
+            tell(Finding::new("", "a record cannot be read"));
+            continue;
+        };
+        let line = record.position().map_or(0, |p| usize::try_from(p.line()).unwrap_or(0));
+        let cell = |i: usize| record.get(i).unwrap_or_default().to_owned();
+        if rows.insert((cell(0), cell(1), cell(2)), (line, record.clone())).is_some() {
+            tell(Finding::new("", format!("{} {}.{} stands twice", cell(0), cell(1), cell(2))).at(line, 1));
+        }
+    }
+    for key in keys {
+        for (i, problem) in key.problems.iter_mut().enumerate() {
+            for entry in &mut problem.parts {
+                let name = (key.student.clone(), (i + 1).to_string(), entry.part.clone());
+                let Some((line, row)) = rows.get(&name) else {
+                    tell(Finding::new("", format!("{} {}.{} is missing", name.0, name.1, name.2)));
+                    continue;
+                };
+                match take(entry, row, sealed) {
+                    Ok(same) => other += usize::from(!same),
+                    Err(what) => {
+                        let what = format!("{} {}.{}: {what}", name.0, name.1, name.2);
+                        tell(Finding::new("", what).at(*line, 1));
+                    }
+                }
+            }
+        }
+    }
+    if more > 0 {
+        findings.push(Finding::new("", format!("and {more} more differences")));
+    }
+    if findings.is_empty() { Ok(other) } else { Err(findings) }
+}
+
+/// One row into its entry, or what is wrong with it. Is it what the entry was, up to rounding?
+fn take(entry: &mut KeyEntry, row: &csv::StringRecord, sealed: bool) -> Result<bool, String> {
+    let mut same = true;
+    let cell = |i: usize| row.get(i).unwrap_or_default();
+    let now = fields(entry);
+    let other = |i: usize| {
+        let stored = cell(i);
+        Err(format!("{} is `{stored}` here, `{}` from the stored data", HEADER[i], now[i - 2]))
+    };
+    if cell(4) != now[2] {
+        return other(4);
+    }
+    match &mut entry.answer {
+        Answer::Word { right, .. } => {
+            let words = make_key::LISTS.into_iter().flatten();
+            match words.into_iter().find(|w| **w == cell(3)) {
+                Some(word) if sealed || word == right => {
+                    same &= word == right;
+                    *right = word;
+                }
+                _ => return other(3),
+            }
+        }
+        Answer::Number { value, half_width, .. } => {
+            for (i, number) in [(3, value), (9, half_width)] {
+                // What is written as it would be now is the same double.
+                if cell(i) == now[i - 2] {
+                    continue;
+                }
+                let Some(read) = cell(i).parse::<f64>().ok().filter(|x| x.is_finite()) else {
+                    return other(i);
+                };
+                let read = entry.unit.to_si(read);
+                let near = (read - *number).abs() <= AS_STORED * read.abs().max(number.abs());
+                if !sealed && !near {
+                    return other(i);
+                }
+                same &= near;
+                *number = read;
+            }
+        }
+    }
+    Ok(same)
 }
 
 /// Compares a stored key.csv with the key made anew. Rows of students who are not in `keys` are left over from an

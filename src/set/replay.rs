@@ -5,8 +5,11 @@ use crate::draw::stream;
 use crate::finding::Finding;
 use crate::key::SheetKey;
 use crate::problem::make::Maker;
+use crate::problem::make::Unsatisfiable;
 use crate::problem::make::Variant;
 use crate::problem::make_key;
+use crate::set::given;
+use crate::set::given::Given;
 use crate::set::store::StoredSet;
 use crate::set::store::StoredStudent;
 use crate::set::store::StoredVariant;
@@ -41,13 +44,11 @@ impl<'b> Dealer<'b> {
     ///
     /// # Errors
     /// The bank cannot be satisfied: the table of refusals.
-    pub fn deal(&self, student: &str) -> Result<Dealt, Finding> {
+    pub fn deal(&self, student: &str) -> Result<Dealt, Box<Unsatisfiable>> {
         let mut variants = Vec::with_capacity(self.makers.len());
         let mut keys = Vec::with_capacity(self.makers.len());
         for maker in &self.makers {
-            let variant = maker
-                .variant(student)
-                .map_err(|e| Finding::new(format!("problems.{}", maker.problem().id), e.to_string()))?;
+            let variant = maker.variant(student)?;
             keys.push(make_key::key(maker.problem(), &variant));
             variants.push(variant);
         }
@@ -83,7 +84,7 @@ pub fn stored(problem: &Problem, variant: &Variant) -> StoredVariant {
         }
     }
     let case = problem.cases.get(variant.case).map_or_else(String::new, |c| c.name.clone());
-    let table = variant.refusals.table(problem, variant.case);
+    let table = variant.refusals.names(problem, variant.case);
     let refused = table.into_iter().map(|(rule, count)| (rule, Value::from(count))).collect();
     StoredVariant { id: problem.id.clone(), case, tries: variant.tries, refused, data }
 }
@@ -112,6 +113,12 @@ pub fn indices(bank: &Bank, ids: &[String], field: &str) -> Result<Vec<usize>, V
         }
     }
     if faults.is_empty() { Ok(found) } else { Err(faults) }
+}
+
+/// Was the set drawn by an earlier version, which chose other draws? Then nothing is drawn again: what was drawn is taken as it
+/// is stored, and so is the key ([`crate::set::key_file::put_stored`]).
+pub fn is_earlier(set: &StoredSet) -> bool {
+    set.draw_version < stream::DRAW_VERSION
 }
 
 /// Draws and solves a stored set again. The keys are returned only if the bank copy and every drawn number are the
@@ -143,13 +150,14 @@ pub fn each<T: Send>(
         return Err(vec![fault.hint("put the original copy back, or make the set anew")]);
     }
     // Another program version is fine as long as it draws the same way and the numbers agree.
-    if set.draw_version != stream::DRAW_VERSION {
+    if set.draw_version > stream::DRAW_VERSION {
         let what = format!("is {}; this program draws by version {}", set.draw_version, stream::DRAW_VERSION);
         let hint = format!("the set was made by {}: use that version, or make the set anew", set.program);
         return Err(vec![Finding::new("draw_version", what).hint(hint)]);
     }
     let problems = indices(bank, &set.problems, "problems")?;
     let dealer = Dealer::new(bank, &problems, set.seed, &set.name);
+    let earlier = is_earlier(set);
     // What `make` finds is no difference.
     let made_badly = AtomicBool::new(false);
     let one = |(i, student): (usize, &StoredStudent)| -> Result<T, Vec<Finding>> {
@@ -157,10 +165,18 @@ pub fn each<T: Send>(
             made_badly.store(true, Ordering::Relaxed);
             vec![f]
         };
+        if earlier {
+            let Given { variants, key } =
+                given::as_stored(bank, &problems, &student.student, &student.problems)?;
+            return make(i, student, Dealt { variants, key }).map_err(by_make);
+        }
         if let Some(dealt) = dealer.deal_again(bank, &problems, student) {
             return make(i, student, dealt).map_err(by_make);
         }
-        let dealt = dealer.deal(&student.student).map_err(|f| vec![f])?;
+        let undrawn = |none: Box<Unsatisfiable>| {
+            vec![Finding::new(format!("problems.{}", none.problem), none.to_string())]
+        };
+        let dealt = dealer.deal(&student.student).map_err(undrawn)?;
         let mut faults = Vec::new();
         if student.problems.len() != problems.len() {
             let what = format!(

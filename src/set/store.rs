@@ -1,4 +1,5 @@
 //! set.json: what a set is made of, to text and back.
+use crate::bank::load;
 use crate::finding::Finding;
 use serde::Deserialize;
 use serde::Serialize;
@@ -117,6 +118,16 @@ impl StoredSet {
         Err(Finding::new("format", format!("is {}; this program reads {FORMAT}", set.format)))
     }
 
+    /// The text of set.json with the SHA-256 of its key.csv: a later version that draws otherwise, or solves otherwise, knows by
+    /// it that the key is the one that was published.
+    pub fn sealed(&self, key: &[u8]) -> String {
+        let seal = format!(
+            "  \"key_sha256\": {},\n  \"problems\":",
+            json(&load::hash(&String::from_utf8_lossy(key)))
+        );
+        self.text().replacen("  \"problems\":", &seal, 1)
+    }
+
     /// The text of set.json: one line for each student.
     pub fn text(&self) -> String {
         let mut out = String::from("{\n");
@@ -139,6 +150,12 @@ impl StoredSet {
         out.push_str("\n}\n");
         out
     }
+}
+
+/// The SHA-256 of key.csv that stands in the text of a set.json; sets of versions before 4 of the drawing have none.
+pub fn seal(text: &str) -> Option<String> {
+    let value: Value = serde_json::from_str(text).ok()?;
+    Some(value.get("key_sha256")?.as_str()?.to_owned())
 }
 
 fn lines(out: &mut String, name: &str, items: impl Iterator<Item = String>) {

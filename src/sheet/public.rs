@@ -1,8 +1,11 @@
 //! sheet.json: what a student needs to check answers alone. It holds the drawn data and the scene, never the key.
 //!
-//! The scene is a bank of one problem and one case without its ranges; with the drawn data put in their place it is
-//! read by the ordinary reader of banks and solved anew. A bank with `self check: off` gives sheets without scenes.
+//! The scene is a question ([`Question`]): what is asked of which bodies, without what happens to them. It has no regimes, no
+//! bounds, no cases and no ranges, and is the same for every student of the problem; what is drawn stands beside it. With the
+//! drawn data put in their place it is read by the ordinary reader of banks and solved anew. A case with a scene of its own
+//! gives that one, as its statement does. A bank with `self check: off` gives sheets without scenes.
 use crate::bank::Bank;
+use crate::bank::Case;
 use crate::bank::Problem;
 use crate::bank::load;
 use crate::bank::node;
@@ -11,9 +14,11 @@ use crate::finding::Finding;
 use crate::problem::make::Variant;
 use crate::sheet::statement;
 use serde::Deserialize;
+use serde::Serialize;
 use serde_json::Map;
 use serde_json::Value;
 use serde_json::json;
+use std::collections::BTreeMap;
 use std::fmt::Write as _;
 
 /// Version of the layout.
@@ -44,12 +49,11 @@ impl<'b> Writer<'b> {
         let tree = load::tree(text)?;
         let mut scenes = Vec::new();
         for problem in problems.iter().filter_map(|p| bank.problems.get(*p)) {
-            let cases = 0..problem.cases.len();
-            scenes.push(if bank.self_check {
-                cases.map(|case| scene(bank, &tree, problem, case).to_string()).collect()
-            } else {
-                cases.map(|_| "null".to_owned()).collect()
-            });
+            let text = |case| match bank.self_check {
+                true => Question::new(bank, &tree, problem, case).text(),
+                false => "null".to_owned(),
+            };
+            scenes.push(problem.cases.iter().map(text).collect());
         }
         Ok(Self { bank, set, language, problems: problems.to_vec(), scenes })
     }
@@ -124,56 +128,80 @@ fn put(fields: &mut Map<String, Value>, name: &str, text: &str) {
     }
 }
 
-/// A bank with this one case of this one problem, without ranges and bounds.
-fn scene(bank: &Bank, tree: &Node, problem: &Problem, case: usize) -> Value {
-    let mut out = Map::new();
-    for name in ["bank", "title", "reveal", "tolerance", "units"] {
-        if let Some(node) = field(tree, name) {
-            out.insert(name.to_owned(), to_json(node));
-        }
-    }
-    out.entry("title").or_insert_with(|| Value::from(""));
-    put(&mut out, "title", &bank.title);
-    let whole = field(tree, "problems").and_then(|p| field(p, &problem.id));
-    let of_case = whole
-        .and_then(|p| field(p, "cases"))
-        .and_then(|c| problem.cases.get(case).and_then(|this| field(c, &this.name)));
-    let mut one = Map::new();
-    one.insert("title".to_owned(), Value::from(problem.title.as_str()));
-    let mut data = Map::new();
-    for (i, datum) in problem.data.iter().enumerate() {
-        let drawn = problem.cases.get(case).and_then(|c| c.draws.get(i)).is_some_and(Option::is_some);
-        let written = whole.and_then(|p| field(p, "data")).and_then(|d| field(d, &datum.symbol));
-        if let (true, Some(written)) = (drawn, written) {
-            let mut fields = to_json(written);
-            if let Value::Object(fields) = &mut fields {
+/// A problem as it is put to everybody: the scene that is asked about, the data that are given, the questions.
+///
+/// Its fields are all that a sheet says of a problem besides the drawn data, so that nothing of how a draw came about can get
+/// into it.
+#[derive(Debug, Serialize)]
+struct Question {
+    /// Id of the bank.
+    bank: Value,
+    /// Its title.
+    title: String,
+    /// Settings of the whole bank that checking needs: `reveal`, `tolerance`, `units`, as they are written.
+    #[serde(flatten)]
+    common: Map<String, Value>,
+    /// The one problem, by its id.
+    problems: BTreeMap<String, Asked>,
+}
+
+/// The problem of a [`Question`].
+#[derive(Debug, Serialize)]
+struct Asked {
+    title: String,
+    /// Name and unit of all that may be given, by symbol.
+    data: Map<String, Value>,
+    /// Bodies, ties, start and end.
+    scene: Value,
+    /// What is asked, by part.
+    questions: Map<String, Value>,
+}
+
+impl Question {
+    /// The question of a problem whose text stands in the tree of its bank.
+    fn new(bank: &Bank, tree: &Node, problem: &Problem, case: &Case) -> Self {
+        let common = ["reveal", "tolerance", "units"];
+        let common =
+            common.into_iter().filter_map(|name| Some((name.to_owned(), to_json(field(tree, name)?))));
+        let whole = field(tree, "problems").and_then(|p| field(p, &problem.id));
+        let of = |name: &str, id: &str| whole.and_then(|p| field(p, name)).and_then(|list| field(list, id));
+        let mut data = Map::new();
+        for datum in &problem.data {
+            if let Some(Value::Object(mut fields)) = of("data", &datum.symbol).map(to_json) {
                 fields.shift_remove("draw");
-                put(fields, "name", &problem.data[i].name);
+                put(&mut fields, "name", &datum.name);
+                data.insert(datum.symbol.clone(), Value::Object(fields));
             }
-            data.insert(datum.symbol.clone(), fields);
         }
-    }
-    one.insert("data".to_owned(), Value::Object(data));
-    for name in ["scene", "regimes"] {
-        if let Some(node) =
-            of_case.and_then(|c| field(c, name)).or_else(|| whole.and_then(|p| field(p, name)))
-        {
-            one.insert(name.to_owned(), to_json(node));
-        }
-    }
-    let mut questions = Map::new();
-    for q in &problem.questions {
-        if let Some(node) = whole.and_then(|p| field(p, "questions")).and_then(|n| field(n, &q.id)) {
-            let mut fields = to_json(node);
-            if let Value::Object(fields) = &mut fields {
-                put(fields, "ask", &q.ask);
+        let mut questions = Map::new();
+        for q in &problem.questions {
+            if let Some(Value::Object(mut fields)) = of("questions", &q.id).map(to_json) {
+                // Why a wrong method may lie near is for who reads the bank.
+                fields.shift_remove("unguarded");
+                put(&mut fields, "ask", &q.ask);
+                questions.insert(q.id.clone(), Value::Object(fields));
             }
-            questions.insert(q.id.clone(), fields);
+        }
+        let own = |case: &Case| of("cases", &case.written).and_then(|c| field(c, "scene"));
+        let scene = own(case).or_else(|| whole.and_then(|p| field(p, "scene")));
+        let asked = Asked {
+            title: problem.title.clone(),
+            data,
+            scene: scene.map_or(Value::Null, to_json),
+            questions,
+        };
+        Self {
+            bank: field(tree, "bank").map_or(Value::Null, to_json),
+            title: bank.title.clone(),
+            common: common.collect(),
+            problems: BTreeMap::from([(problem.id.clone(), asked)]),
         }
     }
-    one.insert("questions".to_owned(), Value::Object(questions));
-    out.insert("problems".to_owned(), json!({ problem.id.as_str(): one }));
-    Value::Object(out)
+
+    fn text(&self) -> String {
+        // Text keys only: this cannot fail.
+        serde_json::to_string(self).unwrap_or_else(|_| "null".to_owned())
+    }
 }
 
 /// A sheet file as it is read.
@@ -260,6 +288,10 @@ impl SheetProblem {
                 (Some(value), Some(unit), Value::Object(fields)) => {
                     fields.insert("draw".to_owned(), Value::from(format!("always {value}")));
                     fields.insert("unit".to_owned(), Value::from(unit));
+                }
+                // What this student is not given is not there: a particle, a slope.
+                (_, _, Value::Object(fields)) if !self.data.contains_key(symbol) => {
+                    fields.insert("draw".to_owned(), Value::from("none"));
                 }
                 _ => faults.push(Finding::new(field, "needs a value and a unit, as texts")),
             }

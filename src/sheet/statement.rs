@@ -23,6 +23,7 @@ use crate::scene::Owner;
 use crate::scene::Quantity;
 use crate::scene::Scene;
 use crate::scene::Slope;
+use crate::scene::Span;
 use crate::scene::Start;
 use crate::sheet::document;
 use crate::template;
@@ -435,16 +436,11 @@ fn forms(words: &Words, problem: &Problem, scene: &Scene, common: &Common, withi
 /// How an answer is to be written: `in N, signed or with up / down`.
 fn form(words: &Words, q: &Question, scene: &Scene, common: &Common, within: f64) -> String {
     let [forward, back] = direction_words(words, scene, q.label.of);
-    match q.label.quantity {
-        Quantity::Direction => {
-            let pieces = [("a", forward), ("b", back), ("c", words.get("sheet.stays"))];
-            return words.say("sheet.one_of_three", &pieces);
-        }
-        Quantity::Rolls => {
-            let pieces = [("a", words.get("sheet.yes")), ("b", words.get("sheet.no"))];
-            return words.say("sheet.one_of_two", &pieces);
-        }
-        _ => {}
+    if q.label.quantity.is_word()
+        && let [a, b] = make_key::offered(q.label.quantity, scene)
+    {
+        let text = words.say("sheet.one_of_two", &[("a", said(words, a)), ("b", said(words, b))]);
+        return range(scene, q).map_or_else(|| text.clone(), |r| format!("{text}, {}", words.get(r)));
     }
     let mut text = match q.unit.ascii() {
         "1" => words.get("sheet.number").to_owned(),
@@ -461,6 +457,9 @@ fn form(words: &Words, q: &Question, scene: &Scene, common: &Common, within: f64
     if q.label.quantity.is_directed() && make_key::words_sign(scene, q.label) {
         add(&words.say("sheet.signed", &[("forward", forward), ("back", back)]));
     }
+    if let Some(range) = range(scene, q) {
+        add(words.get(range));
+    }
     if q.figures != common.figures {
         add(&words.say("sheet.figures", &[("n", &q.figures.to_string())]));
     }
@@ -471,6 +470,18 @@ fn form(words: &Words, q: &Question, scene: &Scene, common: &Common, within: f64
         add(words.get("sheet.with_unit"));
     }
     text
+}
+
+/// Over which part of the motion an extremum is taken, where the forces change on the way so that it matters.
+fn range(scene: &Scene, q: &Question) -> Option<&'static str> {
+    scene.spring()?;
+    match (q.label.quantity, scene.span) {
+        (Quantity::MuRequired | Quantity::Rolls, Span::ToEnd) => Some("sheet.to_the_end"),
+        (Quantity::MuRequired | Quantity::Rolls | Quantity::VMax | Quantity::DAtVMax, _) => {
+            Some("sheet.to_the_turning_point")
+        }
+        _ => None,
+    }
 }
 
 /// `1 %`

@@ -11,12 +11,12 @@
 //! would be harsher than anybody works, and to move the data a little, as `lint` does, knows nothing of the steps. It needs no
 //! formula of its own: every family that has a worked solution has these answers.
 use crate::bank::Problem;
-use crate::finding::Finding;
 use crate::problem::make::Variant;
 use crate::scene::Label;
 use crate::solution::derive;
 use crate::solution::desk::Answer;
 use crate::solution::desk::Desk;
+use crate::solution::stop::Stop;
 use crate::words::Words;
 
 /// A number that came about with rounding on the way, SI.
@@ -59,7 +59,7 @@ pub fn answers(
     variant: &Variant,
     words: &Words,
     figures: usize,
-) -> Result<Vec<ByHand>, Finding> {
+) -> Result<Vec<ByHand>, Stop> {
     let mut desk = Desk::by_hand(problem, variant, words, figures)?;
     derive(&mut desk)?;
     let rough = |answer: Option<Answer>| match answer? {

@@ -1,6 +1,5 @@
 //! Particles that move as one body, worked: the sum over the particles; then the mass centre and the rotation about it. About
 //! any other point there is a cross term, which is shown for the particle whose velocity is known.
-use crate::finding::Finding;
 use crate::scene::Label;
 use crate::scene::Num;
 use crate::scene::Owner;
@@ -21,6 +20,8 @@ use crate::solution::ledger::FIGURES;
 use crate::solution::ledger::Symbol;
 use crate::solution::ledger::tex_digits;
 use crate::solution::pen::Pen;
+use crate::solution::stop::Beyond;
+use crate::solution::stop::Stop;
 
 /// A wrong value is told only if it differs by this share from the right one: else it would teach nothing.
 const TOLD: f64 = 0.02;
@@ -53,7 +54,7 @@ struct Worked {
 ///
 /// # Errors
 /// What this derivation does not cover.
-pub fn work(desk: &mut Desk) -> Result<(), Finding> {
+pub fn work(desk: &mut Desk) -> Result<(), Stop> {
     let lamina = read(desk)?;
     let worked = lamina.particles(desk);
     lamina.decomposition(desk, &worked);
@@ -61,10 +62,10 @@ pub fn work(desk: &mut Desk) -> Result<(), Finding> {
     Ok(())
 }
 
-fn read(desk: &mut Desk) -> Result<Lamina, Finding> {
+fn read(desk: &mut Desk) -> Result<Lamina, Stop> {
     let scene = desk.scene;
     if scene.bodies.len() != 1 {
-        return Err(desk.fault("has no worked solution: a lamina of particles beside other bodies"));
+        return Err(Beyond::LaminaInCompany.into());
     }
     let motion = scene.start.iter().find_map(|s| match s {
         Start::Lamina { body, particle, vx_m_s, vy_m_s, spin_rad_s } => {
@@ -73,7 +74,7 @@ fn read(desk: &mut Desk) -> Result<Lamina, Finding> {
         Start::Speed(..) => None,
     });
     let Some((body, known, vx, vy, spin)) = motion else {
-        return Err(desk.fault("has no worked solution: a lamina of particles whose motion is not given"));
+        return Err(Beyond::LaminaWithoutMotion.into());
     };
     let particles = &scene.bodies[body].particles;
     let names: Vec<String> = particles.iter().map(|p| p.name.clone()).collect();

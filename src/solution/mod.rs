@@ -7,6 +7,8 @@
 //! - whatever the derivation writes: `forces`, `eom`, `energy`, ...;
 //! - `agree`: what both roads found; `regime`: the check of what was assumed;
 //! - `answers`: the answers, rounded; `beware`: mistakes that suggest themselves.
+//!
+//! What no derivation covers has a short page: `given`, `beyond` with the reason, `answers`.
 pub mod by_hand;
 pub mod desk;
 pub mod expr;
@@ -17,6 +19,7 @@ pub mod linear;
 pub mod mass;
 pub mod pen;
 pub mod pinned;
+pub mod stop;
 pub mod text;
 pub mod thrown;
 
@@ -39,6 +42,8 @@ use crate::solution::desk::Answer;
 use crate::solution::desk::Desk;
 use crate::solution::desk::Found;
 use crate::solution::ledger::tex_digits;
+use crate::solution::stop::Beyond;
+use crate::solution::stop::Stop;
 use crate::solution::text::Block;
 use crate::solution::text::Section;
 use crate::solve::outcome::Word;
@@ -53,7 +58,7 @@ const AGREEMENT_REL: f64 = 1e-9;
 /// The worked solution of a variant that has this number in its sheet.
 ///
 /// # Errors
-/// A scene that the derivations do not cover, numbers that are not those of the key, faults of the template.
+/// Numbers that are not those of the key, faults of the template.
 pub fn document(
     problem: &Problem,
     variant: &Variant,
@@ -61,6 +66,20 @@ pub fn document(
     words: &Words,
     templates: &Templates,
 ) -> Result<Document, Finding> {
+    worked(problem, variant, number, words, templates).map(|(document, _)| document)
+}
+
+/// The same, and what the derivations do not cover, if it is a short page for that reason.
+///
+/// # Errors
+/// Those of [`document`].
+pub fn worked(
+    problem: &Problem,
+    variant: &Variant,
+    number: usize,
+    words: &Words,
+    templates: &Templates,
+) -> Result<(Document, Option<Beyond>), Finding> {
     made(problem, variant, number, (words, templates), &|desk| {
         figure::all(desk.problem, desk.variant, desk.words)
     })
@@ -77,7 +96,7 @@ pub fn text(
     words: &Words,
     templates: &Templates,
 ) -> Result<String, Finding> {
-    made(problem, variant, number, (words, templates), &|_| Vec::new()).map(|d| d.markdown)
+    made(problem, variant, number, (words, templates), &|_| Vec::new()).map(|(d, _)| d.markdown)
 }
 
 /// The pictures that a solution may show, by name.
@@ -89,21 +108,35 @@ fn made(
     number: usize,
     (words, templates): (&Words, &Templates),
     pictures: Pictures,
-) -> Result<Document, Finding> {
+) -> Result<(Document, Option<Beyond>), Finding> {
     let mut desk = Desk::new(problem, variant, words)?;
-    derive(&mut desk)?;
-    check(&desk)?;
+    let beyond = match derive(&mut desk).and_then(|()| check(&desk)) {
+        Ok(()) => None,
+        Err(Stop::Fault(fault)) => return Err(fault),
+        Err(Stop::Beyond(what)) => {
+            // What was written down up to here leads nowhere.
+            desk = Desk::new(problem, variant, words)?;
+            Some(what)
+        }
+    };
     let mut sections = std::mem::take(&mut desk.sections);
     let answers = answers(&desk, number);
     sections.push(given(&desk, number));
-    sections.push(agree(&desk, number));
+    match beyond {
+        None => sections.push(agree(&desk, number)),
+        Some(what) => {
+            let mut section = Section::new("beyond", words.get("solution.title.beyond"));
+            section.say(words.say("solution.short", &[("what", &what.text(words))]));
+            sections.push(section);
+        }
+    }
     let mut last = Section::new("answers", words.get("solution.title.answers"));
     last.say(words.get("solution.answers"));
     last.blocks.push(Block::List(answers.iter().map(|(id, answer)| format!("`{id}`: {answer}")).collect()));
     sections.push(last);
     sections.sort_by_key(|s| rank(s.id));
 
-    let pictures = pictures(&desk);
+    let pictures = if beyond.is_none() { pictures(&desk) } else { Vec::new() };
     for section in &mut sections {
         section.blocks.retain(|b| match b {
             Block::Picture(name) => pictures.iter().any(|(n, _)| n == name),
@@ -139,18 +172,20 @@ fn made(
     });
     view.value("answers", template::list(list.collect()));
     let own = format!("solution/{}.md", problem.id);
-    let name = if templates.has_markdown(&own) { own.as_str() } else { "solution/default.md" };
+    // A text for this problem speaks of sections that a short page does not have.
+    let name =
+        if beyond.is_none() && templates.has_markdown(&own) { own.as_str() } else { "solution/default.md" };
     let mut out = Vec::new();
     templates.render(name, &view, &mut out)?;
     let mut markdown = String::from_utf8_lossy(&out).trim_end().to_owned();
     markdown.push('\n');
     let used = |name: &str| markdown.contains(&format!("({name}.svg)"));
     let pictures = pictures.into_iter().filter(|(name, _)| used(name)).collect();
-    Ok(Document::new(markdown, pictures))
+    Ok((Document::new(markdown, pictures), beyond))
 }
 
 /// The derivation that the scene needs.
-fn derive(desk: &mut Desk) -> Result<(), Finding> {
+fn derive(desk: &mut Desk) -> Result<(), Stop> {
     if desk.scene.bodies.iter().any(|b| !b.particles.is_empty()) {
         return lamina::work(desk);
     }
@@ -176,11 +211,11 @@ fn rank(id: &str) -> u8 {
 }
 
 /// Is every question answered, and every number that of the key?
-fn check(desk: &Desk) -> Result<(), Finding> {
+fn check(desk: &Desk) -> Result<(), Stop> {
     let name = |label: Label| desk.scene.name_of(label);
     for q in &desk.problem.questions {
         if !desk.found.iter().any(|f| f.label == q.label && (f.eom.is_some() || f.energy.is_some())) {
-            return Err(desk.fault(format!("the worked solution does not answer {}", name(q.label))));
+            return Err(Beyond::Quantity(q.label.quantity).into());
         }
     }
     for found in &desk.found {
@@ -192,23 +227,29 @@ fn check(desk: &Desk) -> Result<(), Finding> {
                     // What is the small rest of large terms is judged by their size.
                     let scale = here.abs().max(key.abs()) * entry.cond.max(1.0);
                     let scale = if scale.is_nan() { entry.scale } else { scale.max(entry.scale) };
+                    // A formula that yields no number does not cover the case; another number than the key's is wrong.
+                    if !here.is_finite() && key.is_finite() {
+                        return Err(Beyond::Unfound.into());
+                    }
                     if !(here - key).abs().le(&(AGREEMENT_REL * scale)) {
-                        return Err(desk.fault(format!(
+                        let fault = desk.fault(format!(
                             "the worked solution finds {} = {here:e}, the key has {key:e}: it is not printed",
                             name(found.label)
-                        )));
+                        ));
+                        return Err(fault.into());
                     }
                 }
                 Answer::Word(word) => {
                     if let Some(key) = desk.variant.solved.word(found.label)
                         && key != word
                     {
-                        return Err(desk.fault(format!(
+                        let fault = desk.fault(format!(
                             "the worked solution finds {}: {}, the key has {}: it is not printed",
                             name(found.label),
                             word.text(),
                             key.text()
-                        )));
+                        ));
+                        return Err(fault.into());
                     }
                 }
             }

@@ -1,7 +1,6 @@
 //! A body on a fixed pin, worked: moments about the pin, the integral over the angle, the force of the pin from the other two
 //! rows; then energies, with the kinetic energy of the mass centre and of the rotation about it. Under the weight alone also
 //! the periods: of small swings, and the real one by the arithmetic-geometric mean and by a mean value over the swing.
-use crate::finding::Finding;
 use crate::num::trig;
 use crate::scene::Arm;
 use crate::scene::End;
@@ -35,6 +34,8 @@ use crate::solution::ledger::Symbol;
 use crate::solution::ledger::tex_digits;
 use crate::solution::mass;
 use crate::solution::pen::Pen;
+use crate::solution::stop::Beyond;
+use crate::solution::stop::Stop;
 use crate::solve::outcome::Word;
 
 /// A wrong value is told only if it differs by this share from the right one: else it would teach nothing.
@@ -121,21 +122,18 @@ fn cos_of(angle: &Expr) -> Expr {
 ///
 /// # Errors
 /// What this derivation does not cover.
-pub fn work(desk: &mut Desk) -> Result<(), Finding> {
+pub fn work(desk: &mut Desk) -> Result<(), Stop> {
     let Some((body, pin)) = desk.scene.pinned() else {
-        return Err(desk.fault("has no worked solution: nothing is pinned"));
+        return Err(Beyond::Arrangement.into());
     };
     let pin = *pin;
-    let motion = desk.variant.solved.regime.motion.word();
     let known = [Quantity::Omega, Quantity::Alpha, Quantity::V, Quantity::KineticEnergy];
     let ended = known.iter().any(|q| {
         let owner = if *q == Quantity::KineticEnergy { Owner::Scene } else { Owner::Body(body) };
         *q != Quantity::Alpha && desk.variant.solved.get(Label { quantity: *q, of: owner }).is_some()
     });
     if !ended {
-        return Err(desk.fault(format!(
-            "has no worked solution: the body does not get where it is to be looked at ({motion})"
-        )));
+        return Err(Beyond::NotThere.into());
     }
     let swing = read(desk, body, &pin)?;
     let solved = swing.equations(desk);
@@ -152,7 +150,7 @@ pub fn work(desk: &mut Desk) -> Result<(), Finding> {
 }
 
 /// Free body, and the quantities that everything else needs.
-fn read(desk: &mut Desk, body: usize, pin: &Pin) -> Result<Swing, Finding> {
+fn read(desk: &mut Desk, body: usize, pin: &Pin) -> Result<Swing, Stop> {
     let scene = desk.scene;
     let angle = desk.free(&[r"\phi", r"\varphi", r"\theta", r"\beta"]);
     let names = Names {
@@ -227,7 +225,7 @@ fn read(desk: &mut Desk, body: usize, pin: &Pin) -> Result<Swing, Finding> {
         }
     };
     if pen.value(&h) <= 0.0 {
-        return Err(pen.desk.fault("has no worked solution: the pin goes through the mass centre"));
+        return Err(Beyond::PinAtCentre.into());
     }
     let own = mass::inertia(&mut pen, body, &m);
     pen.say(if own == ZERO { "pinned.inertia_point" } else { "pinned.inertia" }, &[]);
@@ -294,9 +292,7 @@ fn read(desk: &mut Desk, body: usize, pin: &Pin) -> Result<Swing, Finding> {
             swing.angle_of_speed(desk, &one, w)?
         }
         _ => {
-            return Err(desk.fault(
-                "has no worked solution: a pinned body whose motion ends neither at an angle nor at a speed",
-            ));
+            return Err(Beyond::PinnedEnd.into());
         }
     };
     Ok(swing)
@@ -465,7 +461,7 @@ impl Swing {
     }
 
     /// The first angle at which the body has this speed, as a symbol in degrees.
-    fn angle_of_speed(&self, desk: &mut Desk, tex: &str, speed: f64) -> Result<Expr, Finding> {
+    fn angle_of_speed(&self, desk: &mut Desk, tex: &str, speed: f64) -> Result<Expr, Stop> {
         let start = self.phi0.value(&desk.ledger);
         let over = |way: f64| self.square_at(desk, start + self.sense * way) - speed * speed;
         let first = over(LOOK);
@@ -481,7 +477,7 @@ impl Swing {
             low = high;
         };
         let Some((mut low, mut high)) = found else {
-            return Err(desk.fault("has no worked solution: no angle is found at which the motion ends"));
+            return Err(Beyond::NoAngle.into());
         };
         for _ in 0..80 {
             let middle = 0.5 * (low + high);

@@ -1,7 +1,6 @@
 //! A body thrown with slip, worked: friction against the slip until the contact is at rest, rolling from then on; then by
 //! the angular momentum about the surface, in which friction has no lever, the energy of the slip, and the whole balance with
 //! its heat.
-use crate::finding::Finding;
 use crate::scene::End;
 use crate::scene::Label;
 use crate::scene::Owner;
@@ -28,6 +27,8 @@ use crate::solution::expr::sum;
 use crate::solution::ledger::Symbol;
 use crate::solution::mass;
 use crate::solution::pen::Pen;
+use crate::solution::stop::Beyond;
+use crate::solution::stop::Stop;
 use crate::solve::outcome::Entry;
 use crate::solve::outcome::Word;
 
@@ -123,9 +124,9 @@ fn square_of(e: &Expr) -> Expr {
 ///
 /// # Errors
 /// What this derivation does not cover.
-pub fn work(desk: &mut Desk) -> Result<(), Finding> {
+pub fn work(desk: &mut Desk) -> Result<(), Stop> {
     let Some(thrown) = desk.scene.thrown() else {
-        return Err(desk.fault("has no worked solution: nothing is thrown with slip"));
+        return Err(Beyond::Arrangement.into());
     };
     let throw = read(desk, &thrown)?;
     let worked = throw.motion(desk)?;
@@ -136,17 +137,17 @@ pub fn work(desk: &mut Desk) -> Result<(), Finding> {
 }
 
 /// Free body and inertia.
-fn read(desk: &mut Desk, thrown: &Thrown) -> Result<Throw, Finding> {
+fn read(desk: &mut Desk, thrown: &Thrown) -> Result<Throw, Stop> {
     let scene = desk.scene;
     let body = thrown.body;
     let Some(line) = scene.bodies[body].line else {
-        return Err(desk.fault("has no worked solution: what is thrown moves along no line"));
+        return Err(Beyond::Arrangement.into());
     };
     let theta = match line.slope {
         Slope::Level => None,
         Slope::Degrees(angle) => Some(desk.number(angle, r"\theta", "deg")),
         Slope::Vertical => {
-            return Err(desk.fault("has no worked solution: a body thrown along a vertical line"));
+            return Err(Beyond::ThrownVertically.into());
         }
     };
     let theta = theta.filter(|t| *t != ZERO);
@@ -175,7 +176,7 @@ fn read(desk: &mut Desk, thrown: &Thrown) -> Result<Throw, Finding> {
         End::Time(_, t) => Some(desk.number(t, "t_1", "s")),
         End::Rolling(_) => None,
         _ => {
-            return Err(desk.fault("has no worked solution: a thrown body that is looked at at no time"));
+            return Err(Beyond::OtherEnd.into());
         }
     };
 
@@ -198,7 +199,7 @@ fn read(desk: &mut Desk, thrown: &Thrown) -> Result<Throw, Finding> {
     let m = mass::mass(&mut pen, body);
     let own = mass::inertia(&mut pen, body, &m);
     if own == ZERO {
-        return Err(pen.desk.fault("has no worked solution: a thrown body without moment of inertia"));
+        return Err(Beyond::ThrownWithoutInertia.into());
     }
     pen.done();
     Ok(Throw {
@@ -266,7 +267,7 @@ impl Throw {
 
     // -- the road of the equations of motion ------------------------------------------------------------------------------
 
-    fn motion(&self, desk: &mut Desk) -> Result<Worked, Finding> {
+    fn motion(&self, desk: &mut Desk) -> Result<Worked, Stop> {
         let names = &self.names;
         let mut pen = Pen::new(desk, "eom", "thrown.title_eom");
         pen.say("thrown.slip", &[("slip", &names.slip)]);
@@ -274,7 +275,7 @@ impl Throw {
         let slip = pen.find(&format!("{}_0", names.slip), "m/s", &slip);
         let slip_value = pen.desk.ledger.value(slip);
         if slip_value == 0.0 {
-            return Err(pen.desk.fault("has no worked solution: thrown without slip"));
+            return Err(Beyond::ThrownWithoutSlip.into());
         }
         let sense = slip_value.signum();
         let slip_speed = Self::magnitude(&mut pen, slip, "m/s");
@@ -335,10 +336,10 @@ impl Throw {
         };
         let phase = match (&self.t1, event) {
             (None, Some(_)) if holds => Phase::Event,
-            (None, _) => return Err(pen.desk.fault("has no worked solution: it never begins to roll")),
+            (None, _) => return Err(Beyond::NeverRolls.into()),
             (Some(t1), Some(event)) if pen.value(t1) > pen.desk.ledger.value(event) => {
                 if !holds {
-                    return Err(pen.desk.fault("has no worked solution: it cannot roll when its slip ends"));
+                    return Err(Beyond::CannotRoll.into());
                 }
                 Phase::Rolls
             }

@@ -107,7 +107,8 @@ fn half<T: Real>(scene: &Scene, data: &[f64], wide: bool) -> Result<Half, Refusa
         .course
         .map_or((instant, Vec::new(), Vec::new()), |course| physical::judge(scene, &course, &road.held));
     let course = road.course.map(|c| (c.sense, c.reached));
-    Ok(Half { solved: Solved { regime, checks, entries, words, beyond }, course, wide })
+    let open = road.open;
+    Ok(Half { solved: Solved { regime, checks, entries, words, open, beyond }, course, wide })
 }
 
 impl Half {
@@ -146,6 +147,17 @@ impl Half {
             let (label, energy) = (said.label, said.value.f64());
             return Err(Refusal::Disagree { label, eom: f64::NAN, energy, allowed: 2.0 * EACH_ROAD * U });
         }
+        // What ties leave open is the same on both roads.
+        let open = |one: &[Label], other: &[Label]| one.iter().find(|l| !other.contains(l)).copied();
+        if let Some(label) = open(&solved.open, &second.open).or(open(&second.open, &solved.open)) {
+            let nothing = f64::NAN;
+            return Err(Refusal::Disagree {
+                label,
+                eom: nothing,
+                energy: nothing,
+                allowed: 2.0 * EACH_ROAD * U,
+            });
+        }
         if let (Some((sense, reached)), Some(other)) = (course, second.course) {
             // Which way it goes and whether it arrives are answers too.
             if sense != other.sense || reached != other.reached {
@@ -173,6 +185,11 @@ pub fn prove(scene: &Scene, data: &[f64], solved: &mut Solved) -> bool {
     for (i, entry) in solved.entries.iter_mut().enumerate() {
         let said = road.said.get(i).filter(|s| s.label == entry.label).or_else(|| road.get(entry.label));
         entry.bound = said.map(|s| s.value.about(entry.value())).filter(|b| b.is_finite());
+        // Zero on both roads and within the enclosure, and no datum moves it: zero by structure, whatever rounding left of it.
+        let zero = [entry.eom, entry.energy].iter().all(|v| v.is_some_and(|v| v == 0.0)) && entry.cond == 0.0;
+        if zero && said.is_some_and(|s| s.value.value().hi.abs() <= s.value.radius()) {
+            entry.bound = Some(0.0);
+        }
     }
     true
 }
@@ -203,7 +220,11 @@ fn supported(scene: &Scene) -> Result<(), Refusal> {
     if springs > 1 {
         return refuse(Unsupported::TwoSprings);
     }
-    let freedoms = freedoms(scene);
+    let slips = scene.ties.iter().any(|t| matches!(t, Tie::Slip { .. }));
+    if slips && springs > 0 {
+        return refuse(Unsupported::SpringWithSlip);
+    }
+    let freedoms = scene.freedoms();
     if freedoms > 1 && springs > 0 {
         return refuse(Unsupported::SpringWithTwoFreedoms);
     }
@@ -220,23 +241,13 @@ fn supported(scene: &Scene) -> Result<(), Refusal> {
     if matches!(scene.end, End::Rolling(_)) {
         return refuse(Unsupported::NotThrown);
     }
+    if slips && !scene.start.is_empty() {
+        return refuse(Unsupported::SpeedWithSlip);
+    }
     if freedoms > 1 && !scene.start.is_empty() {
         return refuse(Unsupported::SpeedWithTwoFreedoms);
     }
-    if freedoms < 1 {
-        return Err(Refusal::Freedoms(0));
-    }
     Ok(())
-}
-
-/// Coordinates less ties.
-fn freedoms(scene: &Scene) -> usize {
-    let ties = scene.ties.iter().filter(|t| match t {
-        Tie::Roll { .. } => true,
-        Tie::Slip { .. } | Tie::Slide { .. } => false,
-        Tie::Cord(c) => matches!(c.to, crate::scene::Far::Body(_) | crate::scene::Far::Fixed),
-    });
-    scene.coordinates().count().saturating_sub(ties.count())
 }
 
 /// Within `16 u max(1, cond)` of the larger; NaN agrees with nothing, equal infinities agree.

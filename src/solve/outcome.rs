@@ -6,7 +6,7 @@ use crate::scene::Label;
 use crate::solve::method::Method;
 
 /// What really happens, in the words that scripts rely on ([`Regime::word`]).
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Regime {
     /// The motion.
     pub motion: Motion,
@@ -15,44 +15,71 @@ pub struct Regime {
 }
 
 macro_rules! motions {
-    ($($variant:ident $word:literal;)*) => {
-        /// Words of the regime.
-        #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-        pub enum Motion { $(#[doc = concat!("`", $word, "`")] $variant,)* }
+    ($($variant:ident $word:literal $they:literal [$($synonym:literal)*];)*) => {
+        /// Words of the regime: the table from which banks are read, messages are made, and the list of the README is checked.
+        /// What each means stands in the word lists, `sheet.regime.WORD`, in every language.
+        #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+        pub enum Motion { $(#[doc = concat!("`", $word, "`: they ", $they)] $variant,)* }
         impl Motion {
             /// All of them.
             pub const ALL: &'static [Motion] = &[$(Motion::$variant,)*];
             /// The word.
             pub const fn word(self) -> &'static str { match self { $(Motion::$variant => $word,)* } }
+            /// What several draws of it do: `move up`.
+            pub const fn they(self) -> &'static str { match self { $(Motion::$variant => $they,)* } }
+            /// Other words for it in banks.
+            pub const fn synonyms(self) -> &'static [&'static str] {
+                match self { $(Motion::$variant => &[$($synonym),*],)* }
+            }
         }
     };
 }
+// On a level, and where a body only turns, forward is right and back is left; there the words of slopes are read too.
 motions! {
-    MovesUp "moves_up";
-    Balanced "balanced";
-    MovesDown "moves_down";
-    MovesForward "moves_forward";
-    MovesBack "moves_back";
-    Rolls "rolls";
-    AtLimit "at_limit";
-    SlipsUp "slips_up";
-    SpinsInPlace "spins_in_place";
-    SlipsDown "slips_down";
-    UpOk "up ok";
-    UpTurningPoint "up turning_point";
-    UpUnreachable "up unreachable";
-    DownOk "down ok";
-    DownTurningPoint "down turning_point";
-    DownUnreachable "down unreachable";
-    Rest "rest";
-    SwingsOk "swings ok";
-    SwingsTurningPoint "swings turning_point";
-    SwingsUnreachable "swings unreachable";
-    RollsAfter "rolls_after";
-    RollsAtStart "rolls_at_start";
-    SlipsThrough "slips_through";
-    Never "never";
-    Instant "instant";
+    MovesUp "moves_up" "move up" [];
+    Balanced "balanced" "are balanced and stay" [];
+    MovesDown "moves_down" "move down" [];
+    MovesForward "moves_forward" "move forward" [];
+    MovesBack "moves_back" "move back" [];
+    Rolls "rolls" "roll" [];
+    AtLimit "at_limit" "are just at the limit of slipping" [];
+    SlipsUp "slips_up" "slip up" [];
+    SpinsInPlace "spins_in_place" "spin in place" [];
+    SlipsDown "slips_down" "slip down" [];
+    SlipsForward "slips_forward" "slip forward" ["slips_up"];
+    SlipsBack "slips_back" "slip back" ["slips_down"];
+    UpOk "up ok" "move up and reach the end" [];
+    UpTurningPoint "up turning_point" "move up and just reach the end" [];
+    UpUnreachable "up unreachable" "move up and turn before the end" [];
+    DownOk "down ok" "move down and reach the end" [];
+    DownTurningPoint "down turning_point" "move down and just reach the end" [];
+    DownUnreachable "down unreachable" "move down and turn before the end" [];
+    ForwardOk "forward ok" "move forward and reach the end" ["up ok"];
+    ForwardTurningPoint "forward turning_point" "move forward and just reach the end" ["up turning_point"];
+    ForwardUnreachable "forward unreachable" "move forward and turn before the end" ["up unreachable"];
+    BackOk "back ok" "move back and reach the end" ["down ok"];
+    BackTurningPoint "back turning_point" "move back and just reach the end" ["down turning_point"];
+    BackUnreachable "back unreachable" "move back and turn before the end" ["down unreachable"];
+    Rest "rest" "stay at rest" [];
+    SwingsOk "swings ok" "swing and reach the end" [];
+    SwingsTurningPoint "swings turning_point" "swing and just reach the end" [];
+    SwingsUnreachable "swings unreachable" "swing and turn before the end" [];
+    RollsAfter "rolls_after" "slip first and roll afterwards" [];
+    RollsAtStart "rolls_at_start" "roll from the start" [];
+    SlipsThrough "slips_through" "slip on the other way" [];
+    Never "never" "slip without end" [];
+    Instant "instant" "are an instant only" [];
+}
+
+impl Motion {
+    /// Is this word one for it?
+    pub fn is_called(self, word: &str) -> bool {
+        self.word() == word || self.synonyms().contains(&word)
+    }
+    /// Name of the phrase that says what it means: `sheet.regime.up_ok`.
+    pub fn phrase(self) -> String {
+        format!("sheet.regime.{}", self.word().replace(' ', "_"))
+    }
 }
 
 impl Regime {
@@ -60,22 +87,32 @@ impl Regime {
     pub fn word(self) -> String {
         if self.slips { format!("{} slips", self.motion.word()) } else { self.motion.word().to_owned() }
     }
+    /// What several draws of it do: `slip down`.
+    pub fn they(self) -> String {
+        if self.slips { "slip where they are said to roll".to_owned() } else { self.motion.they().to_owned() }
+    }
+    /// Is it what a problem declares by these words? Any motion is where it declares none, save slip of what is said to roll.
+    pub fn is_one_of(self, declared: &[String]) -> bool {
+        !self.slips && (declared.is_empty() || declared.iter().any(|word| self.motion.is_called(word)))
+    }
 }
 
-/// Which condition of validity.
+/// Which condition of validity, or which switch of the motion: an event at which another law takes over. Near a switch an
+/// answer may jump although its condition number is small, so draws keep away from it by a margin.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum CheckKind {
     /// It moves, the declared way: drive at the start, as a share of the largest force term (signed by the heading).
     Moves,
-    /// `|F| <= mu_s N` over the whole motion: required is the largest |F|, N; available `mu_s N`.
+    /// `|F| <= mu_s N` as far as the scene looks ([`crate::scene::Span`]): required is the largest |F|, N; available `mu_s N`.
     NoSlip,
     /// `|F_rolled| > mu_s N`: required is `mu_s N`; available the friction that rolling would need.
     MustSlip,
     /// N > 0: required 0, available N.
     Pressed,
-    /// A cord between bodies is taut: required 0, available the tension, N.
+    /// A cord between bodies is taut as far as the scene looks: required 0, available the least tension, N; the margin is its
+    /// share of the other forces that make it up.
     Taut,
-    /// The slip goes against the friction: required 0, available slip speed against friction, m/s.
+    /// The slip goes against the friction: required 0, available slip acceleration against friction, m/s^2.
     SlipDirection,
     /// What is thrown starts with slip: required 0, available the slip speed, m/s; the margin is its share of the speeds
     /// that make it up.
@@ -84,6 +121,18 @@ pub enum CheckKind {
     Closes,
     /// The end event is reached before the turning point: required, the asked value; available, the farthest.
     Reaches,
+    /// Switch: where the cord of a spring goes slack. Required, the way to the end; available, the way to the switch. It always
+    /// holds, the margin is how far they are apart.
+    Slack,
+    /// Switch: where the slip of what is thrown ends. Required, the time of the end, s; available, that of the switch. It always
+    /// holds, the margin is how far they are apart.
+    SlipEnds,
+    /// Switch: the turning point of what is thrown. Available, its speed at the end, m/s. It always holds, the margin is the share
+    /// of the speeds that make it up.
+    UnderWay,
+    /// Switch: whether static friction could hold what is thrown, where the end comes before that is put to the test. Required, the
+    /// friction that rolling needs, N; available `mu_s N`. It always holds, the margin is how far they are apart.
+    StaticLimit,
 }
 
 impl CheckKind {
@@ -98,6 +147,10 @@ impl CheckKind {
         Self::StartsSlipping,
         Self::Closes,
         Self::Reaches,
+        Self::Slack,
+        Self::SlipEnds,
+        Self::UnderWay,
+        Self::StaticLimit,
     ];
     /// Name in JSON and in tables of refusals.
     pub const fn name(self) -> &'static str {
@@ -111,7 +164,15 @@ impl CheckKind {
             Self::StartsSlipping => "starts_slipping",
             Self::Closes => "closes",
             Self::Reaches => "reaches",
+            Self::Slack => "slack",
+            Self::SlipEnds => "slip_ends",
+            Self::UnderWay => "under_way",
+            Self::StaticLimit => "static_limit",
         }
+    }
+    /// Is its margin a share that says how far it holds? That of the others is 1 or -1.
+    pub const fn is_share(self) -> bool {
+        !matches!(self, Self::Pressed | Self::Taut | Self::SlipDirection)
     }
 }
 
@@ -126,7 +187,7 @@ pub struct Check {
     pub ok: bool,
     /// What is required (see [`CheckKind`]).
     pub required: f64,
-    /// What is available; may be infinite (no turning point).
+    /// What is available; may be infinite (no turning point), NaN where statics leaves it open.
     pub available: f64,
     /// How far it holds, as a share: (available - required) / the larger; draws want a margin. Negative where it fails.
     pub margin: f64,
@@ -209,6 +270,8 @@ pub struct Solved {
     pub entries: Vec<Entry>,
     /// Answers in words.
     pub words: Vec<(Label, Word)>,
+    /// Reactions, and what hangs on them, that the ties share in a way that statics leaves open: not published.
+    pub open: Vec<Label>,
     /// Quantities whose value is finite but so large or small that no double holds it to 16 digits: not published.
     pub beyond: Vec<Label>,
 }
@@ -319,6 +382,16 @@ pub enum Unsupported {
     SpringWithTwoFreedoms,
     /// A start speed where the scene has two freedoms.
     SpeedWithTwoFreedoms,
+    /// A start speed of what the ties hold at rest.
+    StartHeld,
+    /// A spring where something slips.
+    SpringWithSlip,
+    /// A start speed where something slips, unless it is thrown alone.
+    SpeedWithSlip,
+    /// A contact is said to slip, and the ties share the friction that it would need to roll.
+    SlipShared,
+    /// Bodies that slide and could stay, one on account of what another does.
+    SlidesInTurn,
     /// A body thrown with slip beside other bodies or cords.
     ThrownWithOthers,
     /// A body thrown with slip whose motion ends neither where it rolls nor after a time.
@@ -383,7 +456,7 @@ pub struct Course<P> {
     pub reached: bool,
 }
 
-/// A contact or cord over the whole motion, on one road.
+/// A contact or cord as far as the scene looks, on one road.
 #[derive(Debug, Clone, Copy)]
 pub enum Held<P> {
     /// A body on a surface: index, normal force N.
@@ -393,8 +466,12 @@ pub enum Held<P> {
     /// A slipping contact: index of the tie, friction if it rolled, `mu_s N`, slip acceleration against friction, sense
     /// in which the centre sets off.
     Slipping(usize, P, P, P, f64),
-    /// A cord between bodies: index of the tie, tension N.
-    Cord(usize, f64),
+    /// A cord between bodies: index of the tie, least tension N, and its share of the other forces that make it up.
+    Cord(usize, f64, f64),
+    /// The cord of a spring that goes slack on the way: index of the tie, way to the end, way to where it goes slack.
+    Slack(usize, P, P),
+    /// A rolling contact or a cord whose force the ties share in a way that statics leaves open: index of the tie.
+    Open(usize),
     /// The contact of a body that is thrown with slip.
     Thrown(Throw),
 }
@@ -413,6 +490,10 @@ pub struct Throw {
     pub holds: bool,
     /// Is it to roll by the end that is asked?
     pub to_roll: bool,
+    /// Time of the end, s, where a time is asked, and time at which the slip ends, infinite if it does not.
+    pub times: Option<(f64, f64)>,
+    /// Speed at the end, m/s, and the sum of the magnitudes of the speeds that make it up, where the end is reached.
+    pub at_end: Option<(f64, f64)>,
     /// Slip speed at the start, m/s, >= 0.
     pub slip: f64,
     /// Sum of the magnitudes of the speeds that make it up, m/s.
@@ -432,6 +513,8 @@ pub struct Throw {
 pub struct Road<T: Real> {
     /// Its quantities.
     pub said: Vec<Said<T>>,
+    /// Reactions, and what hangs on them, that the ties leave open.
+    pub open: Vec<Label>,
     /// Where the motion goes; `None` where only an instant is asked.
     pub course: Option<Course<T::Plain>>,
     /// Contacts and cords over the motion, from the road that has the reactions as unknowns; the other leaves it empty.
@@ -449,7 +532,7 @@ impl<P: Real<Plain = P>> Course<P> {
 impl<T: Real> Road<T> {
     /// Nothing said yet.
     pub fn new() -> Self {
-        Self { said: Vec::with_capacity(24), course: None, held: Vec::with_capacity(4) }
+        Self { said: Vec::with_capacity(24), open: Vec::new(), course: None, held: Vec::with_capacity(4) }
     }
     /// What the road says of a label.
     pub fn get(&self, label: Label) -> Option<&Said<T>> {

@@ -156,14 +156,30 @@ pub fn judge<P: Real<Plain = P>>(
                 });
                 words.push((rolls(scene, *tie), if must { Word::No } else { Word::Yes }));
             }
-            Held::Cord(tie, tension) => checks.push(Check {
+            // Nobody can say that it holds.
+            Held::Open(tie) => checks.push(Check {
+                kind: if matches!(scene.ties[*tie], Tie::Cord(_)) {
+                    CheckKind::Taut
+                } else {
+                    CheckKind::NoSlip
+                },
+                of: *tie,
+                ok: false,
+                required: 0.0,
+                available: f64::NAN,
+                margin: -1.0,
+            }),
+            Held::Cord(tie, tension, share) => checks.push(Check {
                 kind: CheckKind::Taut,
                 of: *tie,
                 ok: *tension > 0.0,
                 required: 0.0,
                 available: *tension,
-                margin: if *tension > 0.0 { 1.0 } else { -1.0 },
+                margin: if *tension > 0.0 { *share } else { -1.0 },
             }),
+            Held::Slack(tie, asked, slack) => {
+                checks.push(switch(CheckKind::Slack, *tie, asked.f64(), slack.f64()));
+            }
         }
     }
     let asked = course.asked.unwrap_or_else(P::zero);
@@ -208,15 +224,19 @@ pub fn judge<P: Real<Plain = P>>(
             (true, true, true) => Motion::RollsAfter,
         }
     } else if let Some((tie, friction, available, sense)) = slipping {
-        let forward_up = match &scene.ties[tie] {
-            Tie::Slip { body, .. } => scene.bodies[*body].line.is_none_or(|l| l.forward_up),
-            _ => true,
+        let line = match &scene.ties[tie] {
+            Tie::Slip { body, .. } => scene.bodies[*body].line,
+            _ => None,
         };
-        match (friction.abs().status(available), if forward_up { sense } else { -sense }) {
+        let upward = if line.is_none_or(|l| l.forward_up) { sense } else { -sense };
+        let sloped = line.is_some_and(|l| l.slope != Slope::Level);
+        match (friction.abs().status(available), upward) {
             (s, _) if s < 0.0 => Motion::Rolls,
             (0.0, _) => Motion::AtLimit,
-            (_, u) if u > 0.0 => Motion::SlipsUp,
-            (_, u) if u < 0.0 => Motion::SlipsDown,
+            (_, u) if u > 0.0 && sloped => Motion::SlipsUp,
+            (_, u) if u < 0.0 && sloped => Motion::SlipsDown,
+            (_, u) if u > 0.0 => Motion::SlipsForward,
+            (_, u) if u < 0.0 => Motion::SlipsBack,
             _ => Motion::SpinsInPlace,
         }
     } else if body.pin.is_some() {
@@ -227,14 +247,17 @@ pub fn judge<P: Real<Plain = P>>(
             _ => Motion::SwingsUnreachable,
         }
     } else if scene.spring().is_some() {
+        let [ok, turning_point, unreachable] = match (sloped, upward > 0.0) {
+            (true, true) => [Motion::UpOk, Motion::UpTurningPoint, Motion::UpUnreachable],
+            (true, false) => [Motion::DownOk, Motion::DownTurningPoint, Motion::DownUnreachable],
+            (false, true) => [Motion::ForwardOk, Motion::ForwardTurningPoint, Motion::ForwardUnreachable],
+            (false, false) => [Motion::BackOk, Motion::BackTurningPoint, Motion::BackUnreachable],
+        };
         match (upward, course.reached, place) {
             (0.0, ..) => Motion::Rest,
-            (u, _, 0.0) if u > 0.0 && course.asked.is_some() => Motion::UpTurningPoint,
-            (_, _, 0.0) if course.asked.is_some() => Motion::DownTurningPoint,
-            (u, true, _) if u > 0.0 => Motion::UpOk,
-            (_, true, _) => Motion::DownOk,
-            (u, false, _) if u > 0.0 => Motion::UpUnreachable,
-            _ => Motion::DownUnreachable,
+            (_, _, 0.0) if course.asked.is_some() => turning_point,
+            (_, true, _) => ok,
+            (_, false, _) => unreachable,
         }
     } else {
         match (sloped, upward) {
@@ -278,7 +301,29 @@ fn throw_checks(scene: &Scene, t: &Throw, checks: &mut Vec<Check>) {
             available: t.available,
             margin: share(t.available, t.needed),
         });
+    } else {
+        checks.push(switch(CheckKind::StaticLimit, t.tie, t.needed, t.available));
     }
+    if let (true, Some((asked, until))) = (t.slips, t.times) {
+        checks.push(switch(CheckKind::SlipEnds, t.tie, asked, until));
+    }
+    if let Some((speed, speeds)) = t.at_end {
+        let margin = if speeds > 0.0 { speed / speeds } else { 0.0 };
+        checks.push(Check {
+            kind: CheckKind::UnderWay,
+            of: t.tie,
+            ok: true,
+            required: 0.0,
+            available: speed,
+            margin,
+        });
+    }
+}
+
+/// A switch and what is asked, on whichever side of it.
+fn switch(kind: CheckKind, of: usize, required: f64, available: f64) -> Check {
+    let apart = margin(Dd::new(available), Dd::new(required)).abs();
+    Check { kind, of, ok: true, required, available, margin: apart }
 }
 
 fn rolls(scene: &Scene, tie: usize) -> Label {

@@ -21,6 +21,7 @@ use crate::scene::RotaryInertia;
 use crate::scene::Scene;
 use crate::scene::Side;
 use crate::scene::Slope;
+use crate::scene::Span;
 use crate::scene::Start;
 use crate::scene::Tie;
 use crate::scene::Zero;
@@ -61,7 +62,16 @@ fn cord_end((body, wound, forward): (usize, Option<f64>, bool)) -> CordEnd {
 
 fn scene(bodies: Vec<Body>, ties: Vec<Tie>, travel: f64) -> Scene {
     let end = End::Travel(Coordinate { body: 0, degree: Degree::Along }, f(travel));
-    Scene { gravity_m_s2: f(9.81), bodies, ties, couples: Vec::new(), start: Vec::new(), end, heading: None }
+    Scene {
+        gravity_m_s2: f(9.81),
+        bodies,
+        ties,
+        couples: Vec::new(),
+        start: Vec::new(),
+        end,
+        heading: None,
+        span: Span::ToEnd,
+    }
 }
 
 /// A body of 4 kg pinned 0.6 m from its mass centre, from one angle to another.

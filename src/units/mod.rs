@@ -10,6 +10,7 @@ pub mod spell;
 mod table;
 
 pub use parse::UnitFault;
+pub use parse::names;
 pub use quantity::Quantity;
 pub use quantity::QuantityFault;
 pub use quantity::parse_decimal;
@@ -295,6 +296,11 @@ impl Unit {
             return false;
         }
         mine[..3] != [0; 3] || (self.scale.pi == 0 && other.scale.pi == 0)
+    }
+    /// Is it a power of ten of the other?
+    pub(crate) fn by_tens(&self, other: &Unit) -> bool {
+        let ratio = other.scale.inverse().and_then(|inverse| self.scale.times(inverse));
+        ratio.is_some_and(|r| (r.num, r.den, r.pi) == (1, 1, 0))
     }
     /// `1/min` where an angular velocity is asked: turns in that time, as engineers write it. `1/s` is `rad/s`.
     pub(crate) fn counts_turns(&self, asked: &Unit) -> bool {

@@ -208,6 +208,8 @@ impl Reader<'_> {
         let rest: String = self.text[self.at..].iter().filter(|c| !c.is_whitespace()).collect();
         let rest = rest.trim_start_matches(['·', '\u{22c5}', '*']);
         // Above a second `r` is a radian to some and a turn to others; what is right of it does not matter.
+        let lower = rest.to_lowercase();
+        let rest = if self.any_case { lower.as_str() } else { rest };
         let second = rest.strip_prefix('/').unwrap_or(rest).trim_start_matches('(');
         let second = second.strip_prefix("sec").or_else(|| second.strip_prefix('s'));
         let per_second = second.is_some_and(|more| !more.starts_with(char::is_alphabetic));
@@ -343,14 +345,16 @@ fn look_up(name: &str) -> Option<Found> {
     Some((row, ascii, *ten))
 }
 
+/// Every name of a unit that is read, with each of its prefixes.
+pub fn names() -> impl Iterator<Item = String> {
+    ROWS.iter().flat_map(|r| {
+        let prefixed = r.prefixes.chars().map(move |p| format!("{p}{}", r.name));
+        std::iter::once(r.name.to_owned()).chain(prefixed)
+    })
+}
+
 fn unknown(name: &str, column: usize) -> UnitFault {
-    let known: Vec<String> = ROWS
-        .iter()
-        .flat_map(|r| {
-            let prefixed = r.prefixes.chars().filter(char::is_ascii).map(move |p| format!("{p}{}", r.name));
-            std::iter::once(r.name.to_owned()).chain(prefixed)
-        })
-        .collect();
+    let known: Vec<String> = names().filter(|n| !n.starts_with(['\u{b5}', '\u{3bc}'])).collect();
     let close = known.iter().find(|k| k.to_lowercase() == name.to_lowercase()).cloned();
     let close = close.or_else(|| spell::closest(name, known.iter().map(String::as_str)).map(str::to_owned));
     UnitFault::Unknown { name: name.chars().take(24).collect(), column, close }

@@ -10,6 +10,8 @@ pub struct Quantity {
     pub number: f64,
     /// The unit as written, or the one that a plain number takes.
     pub unit: Unit,
+    /// All of the text is the number: no unit is written, not even `1`.
+    pub plain: bool,
     /// In SI (angles in rad): the nearest double where the unit is a decimal multiple.
     pub value_si: f64,
     /// As a scene holds it: degrees for an angle, else SI.
@@ -125,7 +127,7 @@ pub fn parse_quantity(text: &str, plain: &Unit) -> Result<Quantity, QuantityFaul
     if !(number.is_finite() && value_si.is_finite() && value_scene.is_finite()) {
         return Err(QuantityFault::TooLarge);
     }
-    Ok(Quantity { number, unit, value_si, value_scene })
+    Ok(Quantity { number, unit, plain: rest.is_empty(), value_si, value_scene })
 }
 
 #[cfg(test)]

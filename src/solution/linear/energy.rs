@@ -1,5 +1,4 @@
 //! The second road of a scene of lines and axles: states, the work of each force over its own displacement, kinetic energy.
-use crate::finding::Finding;
 use crate::scene::Coordinate;
 use crate::scene::Degree;
 use crate::scene::End;
@@ -35,13 +34,15 @@ use crate::solution::linear::walk::Walk;
 use crate::solution::linear::walk::of_body;
 use crate::solution::linear::walk::of_tie;
 use crate::solution::linear::walk::positive_first;
+use crate::solution::stop::Beyond;
+use crate::solution::stop::Stop;
 use crate::solution::text::Block;
 
 /// Writes the road and answers the questions along it.
 ///
 /// # Errors
 /// What the derivation does not cover.
-pub fn write(walk: &mut Walk, slip_sense: &dyn Fn(usize) -> f64) -> Result<(), Finding> {
+pub fn write(walk: &mut Walk, slip_sense: &dyn Fn(usize) -> f64) -> Result<(), Stop> {
     let slipping = walk.m.parts.iter().position(|p| p.slips);
     friction(walk, slip_sense)?;
     walk.drive = sum(walk
@@ -56,13 +57,13 @@ pub fn write(walk: &mut Walk, slip_sense: &dyn Fn(usize) -> f64) -> Result<(), F
     }
     if !walk.rolled {
         walk.out.blocks.push(Block::Picture("energy".to_owned()));
-        walk.answer("energy.rest")?;
+        walk.answer()?;
     }
     Ok(())
 }
 
 /// Kinetic friction: its size is a law of its own on both roads.
-fn friction(walk: &mut Walk, slip_sense: &dyn Fn(usize) -> f64) -> Result<(), Finding> {
+fn friction(walk: &mut Walk, slip_sense: &dyn Fn(usize) -> f64) -> Result<(), Stop> {
     for (tie, f, from, _) in walk.kinetic(slip_sense) {
         let body = match &walk.desk.scene.ties[tie] {
             Tie::Slip { body, .. } | Tie::Slide { body, .. } | Tie::Roll { body, .. } => *body,
@@ -143,7 +144,7 @@ fn kinetic(walk: &mut Walk) {
 }
 
 /// The work of each force up to the end.
-fn works(walk: &mut Walk) -> Result<(), Finding> {
+fn works(walk: &mut Walk) -> Result<(), Stop> {
     for (action, share) in walk.terms() {
         if walk.works.iter().any(|(s, ..)| *s == action.source) {
             continue;
@@ -151,7 +152,7 @@ fn works(walk: &mut Walk) -> Result<(), Finding> {
         let symbol = match action.source {
             Source::Tie(t) if action.kind == Kind::Given => walk.get(of_tie(Quantity::WorkPull, t))?,
             Source::Tie(_) if action.kind == Kind::Spring => {
-                let Some(spring) = walk.spring.clone() else { return walk.beyond("this spring") };
+                let Some(spring) = walk.spring.clone() else { return walk.beyond(Beyond::Arrangement) };
                 let x1 = walk.new_symbol(&["x_{1}", r"\xi_{1}"], "m");
                 let stretch = walk.stretch_at(&spring, &walk.s.clone());
                 let gives = walk.value(&stretch).abs() < walk.value(&spring.stretch).abs();
@@ -196,9 +197,9 @@ fn works(walk: &mut Walk) -> Result<(), Finding> {
     Ok(())
 }
 
-fn one_freedom(walk: &mut Walk) -> Result<(), Finding> {
+fn one_freedom(walk: &mut Walk) -> Result<(), Stop> {
     let lead = walk.lead();
-    let Some(v) = walk.m.speed(lead) else { return walk.beyond("this speed") };
+    let Some(v) = walk.m.speed(lead) else { return walk.beyond(Beyond::Arrangement) };
     let label = walk.label_of_lead(Quantity::V, Quantity::Omega);
     let placed = matches!(walk.desk.scene.end, End::Travel(..) | End::Position(..));
     walk.tell(if walk.v0 == ZERO { "energy.states_rest" } else { "energy.states_moving" }, &[]);
@@ -237,7 +238,7 @@ fn one_freedom(walk: &mut Walk) -> Result<(), Finding> {
         return Ok(());
     }
     if walk.spring.is_some() {
-        return walk.beyond("a motion on a spring that does not end at a place");
+        return walk.beyond(Beyond::SpringWithoutPlace);
     }
     // The place is not known: work per displacement first.
     kinetic(walk);
@@ -272,7 +273,7 @@ fn one_freedom(walk: &mut Walk) -> Result<(), Finding> {
             walk.s = s.into();
             return works_if_asked(walk);
         }
-        _ => return walk.beyond("this end of the motion"),
+        _ => return walk.beyond(Beyond::OtherEnd),
     }
     let s = new_way(walk);
     walk.tell("energy.balance", &[]);
@@ -284,7 +285,7 @@ fn one_freedom(walk: &mut Walk) -> Result<(), Finding> {
 }
 
 /// The works of the forces, where heat or kinetic energy is asked and the displacement had to be found first.
-fn works_if_asked(walk: &mut Walk) -> Result<(), Finding> {
+fn works_if_asked(walk: &mut Walk) -> Result<(), Stop> {
     if !walk.desk.asks(Quantity::Heat) && !walk.desk.asks(Quantity::KineticEnergy) {
         return Ok(());
     }
@@ -293,7 +294,7 @@ fn works_if_asked(walk: &mut Walk) -> Result<(), Finding> {
 }
 
 /// Conservation of energy with heights and the spring counted from where the spring is not stretched.
-fn other_origin(walk: &mut Walk, spring: &Spring, v: Symbol) -> Result<(), Finding> {
+fn other_origin(walk: &mut Walk, spring: &Spring, v: Symbol) -> Result<(), Stop> {
     let (z0, z1) = places(walk, spring);
     let z = walk.new_symbol(&["z", "u"], "m");
     let stretch = spring.gamma.times(&Factors::of(&z.into())).opposite().expr();
@@ -327,17 +328,17 @@ fn other_origin(walk: &mut Walk, spring: &Spring, v: Symbol) -> Result<(), Findi
 }
 
 /// A slipping body: the work theorem of the mass centre gives its speed, the total balance its spin.
-fn slipping_body(walk: &mut Walk, body: usize) -> Result<(), Finding> {
+fn slipping_body(walk: &mut Walk, body: usize) -> Result<(), Stop> {
     let placed = matches!(walk.desk.scene.end, End::Travel(..) | End::Position(..));
     let lead = walk.lead();
-    let Some(v) = walk.m.speed(lead) else { return walk.beyond("this speed") };
+    let Some(v) = walk.m.speed(lead) else { return walk.beyond(Beyond::Arrangement) };
     if !placed || walk.m.parts.len() > 1 || lead.degree == Degree::Turn {
-        return walk.beyond("a slipping wheel with other bodies, or whose motion does not end at a place");
+        return walk.beyond(Beyond::SlipInCompany);
     }
     walk.tell("energy.slip_two", &[]);
     let share = walk.drive.clone();
     let (c_v, omega) = (walk.m.parts[body].v, walk.m.parts[body].omega);
-    let (Some(_), Some(omega)) = (c_v, omega) else { return walk.beyond("this slip") };
+    let (Some(_), Some(omega)) = (c_v, omega) else { return walk.beyond(Beyond::Arrangement) };
     // The mass centre.
     walk.tell("energy.centre", &[]);
     let half = product([ratio(1, 2), walk.effective.clone(), square(v.into())]);
@@ -403,7 +404,7 @@ fn slipping_body(walk: &mut Walk, body: usize) -> Result<(), Finding> {
 }
 
 /// Works of all forces on a slipping body but that of friction, which is the heat lost.
-fn slip_works(walk: &mut Walk, body: usize) -> Result<(), Finding> {
+fn slip_works(walk: &mut Walk, body: usize) -> Result<(), Stop> {
     let phi = walk.get(of_body(Quantity::Phi, body))?;
     for action in walk.m.actions.clone() {
         let symbol = match action.source {

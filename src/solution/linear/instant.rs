@@ -1,5 +1,4 @@
 //! Kinetic energy of bodies at an instant: its definition, body by body.
-use crate::finding::Finding;
 use crate::scene::Degree;
 use crate::scene::Quantity;
 use crate::scene::Start;
@@ -14,13 +13,14 @@ use crate::solution::expr::square;
 use crate::solution::expr::sum;
 use crate::solution::linear::mechanism;
 use crate::solution::linear::walk::of_scene;
+use crate::solution::stop::Stop;
 use crate::solution::text::Section;
 
 /// Writes the sum.
 ///
 /// # Errors
 /// What the derivation does not cover.
-pub fn write(desk: &mut Desk) -> Result<(), Finding> {
+pub fn write(desk: &mut Desk) -> Result<(), Stop> {
     let parts = mechanism::parts(desk, false);
     let mut section = Section::new("energy", desk.words.get("solution.title.energy"));
     section.say(desk.words.get("solution.instant"));

@@ -2,7 +2,6 @@
 //!
 //! Derived here anew from the scene: neither road's code is used.
 use crate::figure::names;
-use crate::finding::Finding;
 use crate::scene::Attach;
 use crate::scene::Body;
 use crate::scene::Coordinate;
@@ -31,6 +30,8 @@ use crate::solution::expr::sine;
 use crate::solution::expr::sum;
 use crate::solution::factors::Factors;
 use crate::solution::ledger::Symbol;
+use crate::solution::stop::Beyond;
+use crate::solution::stop::Stop;
 
 /// What brings a force or couple.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -136,7 +137,7 @@ impl Mechanism {
     ///
     /// # Errors
     /// What the derivation does not cover.
-    pub fn new(desk: &mut Desk, rolled: bool) -> Result<Self, Finding> {
+    pub fn new(desk: &mut Desk, rolled: bool) -> Result<Self, Stop> {
         let lead = desk.scene.ending_coordinate();
         let g = desk.number(desk.scene.gravity_m_s2, "g", "m/s^2");
         let parts = parts(desk, rolled);
@@ -254,7 +255,7 @@ impl Mechanism {
     }
 
     /// Velocity ratios from the ties: first within each body, then from body to body.
-    fn ratios(&mut self, desk: &mut Desk, rolled: bool) -> Result<(), Finding> {
+    fn ratios(&mut self, desk: &mut Desk, rolled: bool) -> Result<(), Stop> {
         let scene = desk.scene;
         // Spin per unit velocity of the centre, where a tie of the body alone gives it.
         let mut inner: Vec<Option<Factors>> = vec![None; self.parts.len()];
@@ -270,9 +271,7 @@ impl Mechanism {
                     let (along, arm) = lever(desk, &cord.from);
                     // along v + arm omega = 0
                     if part.a.is_none() || part.alpha.is_none() || arm.is_zero() {
-                        return Err(
-                            desk.fault("the worked solution does not cover: a body held fast by a cord")
-                        );
+                        return Err(Beyond::HeldFast.into());
                     }
                     inner[cord.from.body] = Some(along.per(&arm).opposite());
                 }
@@ -280,8 +279,6 @@ impl Mechanism {
             }
         }
         let mut known = vec![false; self.parts.len()];
-        let unfit =
-            |desk: &Desk, what: &str| Err(desk.fault(format!("the worked solution does not cover: {what}")));
         // Sets the ratios of a body from one of its coordinates.
         let settle = |parts: &mut Vec<Part>, body: usize, degree: Degree, ratio: Factors| -> bool {
             let part = &mut parts[body];
@@ -302,10 +299,10 @@ impl Mechanism {
             true
         };
         if self.parts[self.lead.body].slips && self.lead.degree == Degree::Turn {
-            return unfit(desk, "an end that is told by the spin of a slipping body");
+            return Err(Beyond::EndBySpin.into());
         }
         if !settle(&mut self.parts, self.lead.body, self.lead.degree, Factors::one()) {
-            return unfit(desk, "a body whose centre and spin only other bodies tie together");
+            return Err(Beyond::LooseSpin.into());
         }
         known[self.lead.body] = true;
         loop {
@@ -322,7 +319,7 @@ impl Mechanism {
                 let (along, arm) = lever(desk, two);
                 let part = &self.parts[two.body];
                 if part.slips && !arm.is_zero() {
-                    return unfit(desk, "a cord between bodies that is wound on a slipping one");
+                    return Err(Beyond::WoundOnSlipping.into());
                 }
                 // given + (along v + arm omega) = 0, with omega = inner v.
                 let (degree, per) = match (part.a.is_some(), part.alpha.is_some() && !part.slips) {
@@ -330,20 +327,17 @@ impl Mechanism {
                         Some(inner) => (Degree::Along, along.plus(&arm.times(inner))),
                         None if arm.is_zero() => (Degree::Along, along),
                         None => {
-                            return unfit(
-                                desk,
-                                "a body whose centre and spin only other bodies tie together",
-                            );
+                            return Err(Beyond::LooseSpin.into());
                         }
                     },
                     (true, false) => (Degree::Along, along),
                     _ => (Degree::Turn, arm),
                 };
                 if per.is_zero() {
-                    return unfit(desk, "a cord that holds a body fast");
+                    return Err(Beyond::HeldFast.into());
                 }
                 if !settle(&mut self.parts, two.body, degree, given.per(&per).opposite()) {
-                    return unfit(desk, "a body whose centre and spin only other bodies tie together");
+                    return Err(Beyond::LooseSpin.into());
                 }
                 known[two.body] = true;
                 progress = true;
@@ -353,7 +347,7 @@ impl Mechanism {
             }
         }
         if known.contains(&false) {
-            return unfit(desk, "bodies that nothing ties to the one whose motion ends it");
+            return Err(Beyond::Untied.into());
         }
         // Every cord keeps its length.
         for tie in &scene.ties {
@@ -362,7 +356,7 @@ impl Mechanism {
             {
                 let ends = [&cord.from, other].map(|end| self.point_of(desk, end).expr().value(&desk.ledger));
                 if (ends[0] + ends[1]).abs() > 1e-9 * ends[0].abs().max(ends[1].abs()) {
-                    return unfit(desk, "cords that hold each other fast");
+                    return Err(Beyond::CordsLock.into());
                 }
             }
         }

@@ -7,7 +7,6 @@ pub mod motion;
 pub mod regime;
 pub mod walk;
 
-use crate::finding::Finding;
 use crate::scene::End;
 use crate::scene::Owner;
 use crate::scene::Quantity;
@@ -20,6 +19,8 @@ use crate::solution::expr::product;
 use crate::solution::linear::walk::Road;
 use crate::solution::linear::walk::Walk;
 use crate::solution::linear::walk::of_body;
+use crate::solution::stop::Beyond;
+use crate::solution::stop::Stop;
 use crate::solution::text::Block;
 use crate::solution::text::Section;
 use crate::solution::way;
@@ -28,7 +29,7 @@ use crate::solution::way;
 ///
 /// # Errors
 /// What the derivation does not cover, by name.
-pub fn sections(desk: &mut Desk) -> Result<(), Finding> {
+pub fn sections(desk: &mut Desk) -> Result<(), Stop> {
     forces(desk);
     if desk.scene.end == End::AtOnce {
         return instant::write(desk);
@@ -36,7 +37,7 @@ pub fn sections(desk: &mut Desk) -> Result<(), Finding> {
     let slips: Vec<usize> =
         (0..desk.scene.ties.len()).filter(|t| matches!(desk.scene.ties[*t], Tie::Slip { .. })).collect();
     if slips.len() > 1 {
-        return Err(desk.fault("the worked solution does not cover: more than one slipping contact"));
+        return Err(Beyond::SeveralSlips.into());
     }
     let mut senses: Vec<(usize, f64)> = Vec::new();
     if let [tie] = slips.as_slice() {
@@ -46,7 +47,7 @@ pub fn sections(desk: &mut Desk) -> Result<(), Finding> {
     let title = |desk: &Desk, id: &str| desk.words.get(&format!("solution.title.{id}")).to_owned();
 
     let out = Section::new("eom", &title(desk, "eom"));
-    let mut walk = Walk::new(desk, Road::Motion, false, out)?;
+    let mut walk = Walk::new(desk, Road::Motion, false, &senses, out)?;
     motion::write(&mut walk, &slip_sense)?;
     let heading = Section::new("regime", &title(walk.desk, "regime"));
     let eom = std::mem::replace(&mut walk.out, heading);
@@ -58,7 +59,7 @@ pub fn sections(desk: &mut Desk) -> Result<(), Finding> {
     desk.sections.push(eom);
 
     let out = Section::new("energy", &title(desk, "energy"));
-    let mut walk = Walk::new(desk, Road::Energy, false, out)?;
+    let mut walk = Walk::new(desk, Road::Energy, false, &senses, out)?;
     energy::write(&mut walk, &slip_sense)?;
     let energy = walk.out;
     desk.sections.push(energy);
@@ -100,14 +101,14 @@ fn forces(desk: &mut Desk) {
 }
 
 /// Could it roll? The friction that rolling would need, on both roads; the sense of that friction, positive up.
-fn rolled(desk: &mut Desk, tie: usize) -> Result<f64, Finding> {
+fn rolled(desk: &mut Desk, tie: usize) -> Result<f64, Stop> {
     let Tie::Slip { body, mu_s, .. } = desk.scene.ties[tie] else {
-        return Err(desk.fault("the worked solution does not cover: this contact"));
+        return Err(Beyond::Arrangement.into());
     };
     let label = of_body(Quantity::FrictionIfRolled, body);
     let friction = of_body(Quantity::Friction, body);
     let out = Section::new("rolled", desk.words.get("solution.title.rolled"));
-    let mut walk = Walk::new(desk, Road::Motion, true, out)?;
+    let mut walk = Walk::new(desk, Road::Motion, true, &[], out)?;
     walk.tell("rolled.motion", &[]);
     motion::write(&mut walk, &|_| 1.0)?;
     let needed = walk.get(friction)?;
@@ -117,7 +118,7 @@ fn rolled(desk: &mut Desk, tie: usize) -> Result<f64, Finding> {
     let mut section = walk.out;
 
     let out = Section::new("rolled", "");
-    let mut walk = Walk::new(desk, Road::Energy, true, out)?;
+    let mut walk = Walk::new(desk, Road::Energy, true, &[], out)?;
     walk.tell("rolled.energy", &[]);
     energy::write(&mut walk, &|_| 1.0)?;
     let again = walk.get(friction)?;
@@ -138,7 +139,7 @@ fn rolled(desk: &mut Desk, tie: usize) -> Result<f64, Finding> {
     section.say(desk.say(name, &pieces));
     desk.sections.push(section);
     if !slips {
-        return Err(desk.fault("the worked solution does not cover: a wheel that is said to slip and rolls"));
+        return Err(Beyond::RollsAfterAll.into());
     }
     Ok(value.signum())
 }

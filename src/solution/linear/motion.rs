@@ -1,6 +1,5 @@
 //! The first road of a scene of lines and axles: free bodies, elimination by velocity ratios, the integral over displacement.
 use crate::figure::names;
-use crate::finding::Finding;
 use crate::scene::Coordinate;
 use crate::scene::Degree;
 use crate::scene::End;
@@ -31,6 +30,8 @@ use crate::solution::linear::walk::of_body;
 use crate::solution::linear::walk::of_scene;
 use crate::solution::linear::walk::of_tie;
 use crate::solution::linear::walk::positive_first;
+use crate::solution::stop::Beyond;
+use crate::solution::stop::Stop;
 use crate::solution::text::Block;
 use crate::solution::way;
 
@@ -38,7 +39,7 @@ use crate::solution::way;
 ///
 /// # Errors
 /// What the derivation does not cover.
-pub fn write(walk: &mut Walk, slip_sense: &dyn Fn(usize) -> f64) -> Result<(), Finding> {
+pub fn write(walk: &mut Walk, slip_sense: &dyn Fn(usize) -> f64) -> Result<(), Stop> {
     equations(walk, slip_sense)?;
     if walk.spring.is_some() {
         on_spring(walk)?;
@@ -47,14 +48,14 @@ pub fn write(walk: &mut Walk, slip_sense: &dyn Fn(usize) -> f64) -> Result<(), F
         integrate(walk)?;
     }
     if !walk.rolled {
-        walk.answer("motion.rest")?;
+        walk.answer()?;
         walk.out.blocks.push(Block::Picture("graph-speed".to_owned()));
     }
     Ok(())
 }
 
 /// The equations of all bodies, numbered, and what closes them.
-fn equations(walk: &mut Walk, slip_sense: &dyn Fn(usize) -> f64) -> Result<(), Finding> {
+fn equations(walk: &mut Walk, slip_sense: &dyn Fn(usize) -> f64) -> Result<(), Stop> {
     let mut n = 0;
     let turns = walk.m.parts.iter().filter(|p| p.alpha.is_some()).count();
     for body in 0..walk.m.parts.len() {
@@ -281,9 +282,9 @@ fn long(walk: &Walk) -> bool {
 }
 
 /// The acceleration of the lead from the sum of the equations.
-fn eliminate(walk: &mut Walk) -> Result<(), Finding> {
+fn eliminate(walk: &mut Walk) -> Result<(), Stop> {
     added(walk);
-    let Some(a) = walk.m.acceleration(walk.lead()) else { return walk.beyond("this acceleration") };
+    let Some(a) = walk.m.acceleration(walk.lead()) else { return walk.beyond(Beyond::Arrangement) };
     let drive = sum(walk.terms().into_iter().map(|(_, e)| e).collect::<Vec<_>>());
     walk.drive = drive.clone();
     if long(walk) {
@@ -314,10 +315,10 @@ pub fn lead_way(walk: &Walk) -> String {
 }
 
 /// The integral over displacement under constant forces.
-fn integrate(walk: &mut Walk) -> Result<(), Finding> {
+fn integrate(walk: &mut Walk) -> Result<(), Stop> {
     let lead = walk.lead();
     let (Some(a), Some(v)) = (walk.m.acceleration(lead), walk.m.speed(lead)) else {
-        return walk.beyond("this motion");
+        return walk.beyond(Beyond::Arrangement);
     };
     if walk.rolled {
         return Ok(());
@@ -374,7 +375,7 @@ fn integrate(walk: &mut Walk) -> Result<(), Finding> {
             walk.find(s, &minus(quotient(square(walk.v0.clone()), product([number(2), a]))));
             walk.s = s.into();
         }
-        End::AtOnce | End::Angle(..) | End::Rolling(_) => return walk.beyond("this end of the motion"),
+        End::AtOnce | End::Angle(..) | End::Rolling(_) => return walk.beyond(Beyond::OtherEnd),
     }
     Ok(())
 }
@@ -400,17 +401,17 @@ fn integral(walk: &mut Walk, v: Symbol, a: &str, along: bool) {
 }
 
 /// A scene with a spring: force and stiffness reckoned to the lead, then the integral.
-fn on_spring(walk: &mut Walk) -> Result<(), Finding> {
-    let Some(spring) = walk.spring.clone() else { return walk.beyond("a spring that is not there") };
+fn on_spring(walk: &mut Walk) -> Result<(), Stop> {
+    let Some(spring) = walk.spring.clone() else { return walk.beyond(Beyond::Arrangement) };
     let lead = walk.lead();
     let (Some(a), Some(v)) = (walk.m.acceleration(lead), walk.m.speed(lead)) else {
-        return walk.beyond("this motion");
+        return walk.beyond(Beyond::Arrangement);
     };
     if !matches!(walk.desk.scene.end, End::Travel(..) | End::Position(..)) {
-        return walk.beyond("a motion on a spring that does not end at a place");
+        return walk.beyond(Beyond::SpringWithoutPlace);
     }
     if walk.v0 != ZERO {
-        return walk.beyond("a motion on a spring that starts with a speed");
+        return walk.beyond(Beyond::SpringWithSpeed);
     }
     added(walk);
     // The spring's law: x = x0 - gamma s.
@@ -498,8 +499,8 @@ fn other_origin(
     spring: &Spring,
     rest: &[Expr],
     (m_e, kappa): (Symbol, Symbol),
-) -> Result<(), Finding> {
-    let Some(v) = walk.m.speed(walk.lead()) else { return walk.beyond("this speed") };
+) -> Result<(), Stop> {
+    let Some(v) = walk.m.speed(walk.lead()) else { return walk.beyond(Beyond::Arrangement) };
     let z = walk.new_symbol(&["z", "u"], "m");
     let (z0, z1) = places(walk, spring);
     walk.tell("spring.other_origin", &[]);

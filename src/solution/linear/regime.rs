@@ -1,5 +1,4 @@
 //! The check of what was assumed: it moves, contacts are pressed, rolling contacts hold, cords are taut, the end is reached.
-use crate::finding::Finding;
 use crate::scene::Coordinate;
 use crate::scene::Degree;
 use crate::scene::End;
@@ -7,6 +6,7 @@ use crate::scene::Far;
 use crate::scene::Label;
 use crate::scene::Owner;
 use crate::scene::Quantity;
+use crate::scene::Span;
 use crate::scene::Tie;
 use crate::solution::desk::Answer;
 use crate::solution::expr::Expr;
@@ -23,6 +23,8 @@ use crate::solution::linear::walk::Walk;
 use crate::solution::linear::walk::larger;
 use crate::solution::linear::walk::of_body;
 use crate::solution::linear::walk::of_tie;
+use crate::solution::stop::Beyond;
+use crate::solution::stop::Stop;
 use crate::solution::text::Block;
 use crate::solution::way;
 use crate::solve::outcome::Word;
@@ -31,8 +33,15 @@ use crate::solve::outcome::Word;
 ///
 /// # Errors
 /// What the derivation does not cover, and a check that fails.
-pub fn write(walk: &mut Walk) -> Result<(), Finding> {
+pub fn write(walk: &mut Walk) -> Result<(), Stop> {
     walk.tell("regime.intro", &[]);
+    if walk.spring.is_some() {
+        let far = match walk.desk.scene.span {
+            Span::ToEnd => "end",
+            Span::ToTurningPoint => "turn",
+        };
+        walk.tell(&format!("regime.range.{far}"), &[]);
+    }
     moves(walk)?;
     for body in 0..walk.m.parts.len() {
         if walk.m.parts[body].normal.is_some() {
@@ -73,7 +82,7 @@ fn valued(walk: &Walk, symbol: Symbol) -> String {
 }
 
 /// Which way it moves.
-fn moves(walk: &mut Walk) -> Result<(), Finding> {
+fn moves(walk: &mut Walk) -> Result<(), Stop> {
     let lead = walk.lead();
     let way = lead_way(walk);
     let label = Label { quantity: Quantity::Direction, of: Owner::Body(lead.body) };
@@ -119,7 +128,7 @@ fn moves(walk: &mut Walk) -> Result<(), Finding> {
 }
 
 /// `|F| <= mu_s N` over the whole motion.
-fn grip(walk: &mut Walk, body: usize, mu: &Expr) -> Result<(), Finding> {
+fn grip(walk: &mut Walk, body: usize, mu: &Expr) -> Result<(), Stop> {
     let n = walk.get(of_body(Quantity::Normal, body))?;
     let limit = walk.new_symbol(&[r"F_{\mathrm{max}}"], "N");
     walk.tell("regime.limit", &[]);
@@ -166,7 +175,7 @@ fn grip(walk: &mut Walk, body: usize, mu: &Expr) -> Result<(), Finding> {
         }
     }
     if !holds {
-        return walk.beyond("a wheel that is said to roll and slips");
+        return walk.beyond(Beyond::SlipsAfterAll);
     }
     let label = of_body(Quantity::Rolls, body);
     walk.desk.from_motion(label, Answer::Word(Word::Yes));
@@ -202,7 +211,7 @@ fn why_that_way(walk: &mut Walk, body: usize, direction: &str) {
 }
 
 /// The contact slides against the friction that was assumed.
-fn slip(walk: &mut Walk, body: usize) -> Result<(), Finding> {
+fn slip(walk: &mut Walk, body: usize) -> Result<(), Stop> {
     let Some((_, c)) = walk.slip_of(body) else { return Ok(()) };
     let a = walk.get(of_body(Quantity::A, body))?;
     let alpha = walk.get(of_body(Quantity::Alpha, body))?;
@@ -216,7 +225,7 @@ fn slip(walk: &mut Walk, body: usize) -> Result<(), Finding> {
     let names = [value, friction].map(|x| way(walk.desk.scene, Owner::Body(body), x));
     let [slides, force] = names.map(|n| n.map_or_else(String::new, |w| walk.desk.words.get(w).to_owned()));
     if value * friction >= 0.0 {
-        return walk.beyond("a wheel whose friction does not act against its slip");
+        return walk.beyond(Beyond::FrictionWithSlip);
     }
     walk.tell("regime.slip_way", &[("slides", &slides), ("force", &force)]);
     let label = of_body(Quantity::Rolls, body);
@@ -226,10 +235,10 @@ fn slip(walk: &mut Walk, body: usize) -> Result<(), Finding> {
 }
 
 /// Tension of a cord.
-fn taut(walk: &mut Walk, tie: usize) -> Result<(), Finding> {
+fn taut(walk: &mut Walk, tie: usize) -> Result<(), Stop> {
     let t = walk.get(of_tie(Quantity::Tension, tie))?;
     if walk.desk.ledger.value(t) <= 0.0 {
-        return walk.beyond("a cord that is not taut");
+        return walk.beyond(Beyond::SlackCord);
     }
     let shown = valued(walk, t);
     let spring = walk.spring.as_ref().is_some_and(|s| s.tie == tie);
@@ -238,7 +247,7 @@ fn taut(walk: &mut Walk, tie: usize) -> Result<(), Finding> {
 }
 
 /// The end lies before the turning point.
-fn reaches(walk: &mut Walk) -> Result<(), Finding> {
+fn reaches(walk: &mut Walk) -> Result<(), Stop> {
     let lead = walk.lead();
     if !matches!(walk.desk.scene.end, End::Travel(..) | End::Position(..)) {
         return Ok(());
@@ -254,7 +263,7 @@ fn reaches(walk: &mut Walk) -> Result<(), Finding> {
     let turn = walk.get(of_body(Quantity::DTurn, lead.body))?;
     let (d, far) = (walk.value(&walk.distance()), walk.desk.ledger.value(turn));
     if d > far {
-        return walk.beyond("an end behind the turning point");
+        return walk.beyond(Beyond::BehindTurning);
     }
     let distance = walk.tex(&walk.distance());
     let shown = valued(walk, turn);

@@ -1,15 +1,14 @@
 //! One road through a scene of lines and axles: what is known so far, and each further quantity on demand, written down as it
 //! is found.
-use crate::finding::Finding;
 use crate::scene::Coordinate;
 use crate::scene::Degree;
 use crate::scene::End;
 use crate::scene::Far;
-use crate::scene::Heading;
 use crate::scene::Label;
 use crate::scene::Num;
 use crate::scene::Owner;
 use crate::scene::Quantity;
+use crate::scene::Span;
 use crate::scene::Start;
 use crate::scene::Tie;
 use crate::solution::desk::Answer;
@@ -34,6 +33,8 @@ use crate::solution::linear::mechanism::Mechanism;
 use crate::solution::linear::mechanism::Source;
 use crate::solution::linear::mechanism::in_sense;
 use crate::solution::linear::mechanism::tagged;
+use crate::solution::stop::Beyond;
+use crate::solution::stop::Stop;
 use crate::solution::text::Section;
 use std::cmp::Ordering;
 
@@ -143,11 +144,17 @@ pub const fn of_scene(quantity: Quantity) -> Label {
 }
 
 impl<'d, 'a> Walk<'d, 'a> {
-    /// Sets out: mechanism, senses, start.
+    /// Sets out: mechanism, senses, start. `slips`: each slipping contact with the sense of its friction, positive up.
     ///
     /// # Errors
     /// What the derivation does not cover.
-    pub fn new(desk: &'d mut Desk<'a>, road: Road, rolled: bool, out: Section) -> Result<Self, Finding> {
+    pub fn new(
+        desk: &'d mut Desk<'a>,
+        road: Road,
+        rolled: bool,
+        slips: &[(usize, f64)],
+        out: Section,
+    ) -> Result<Self, Stop> {
         let m = Mechanism::new(desk, rolled)?;
         let scene = desk.scene;
         let mut spring = None;
@@ -155,7 +162,7 @@ impl<'d, 'a> Walk<'d, 'a> {
             let stiffness = desk.number(ks, "k_s", "N/m");
             let stretch = desk.number(x0, "x_0", "m");
             let (Some(action), Some(tension)) = (m.action_of(tie), m.force_of(tie)) else {
-                return Err(desk.fault("the worked solution does not cover: a spring without a cord"));
+                return Err(Beyond::Arrangement.into());
             };
             let gamma = m.point(action);
             let kappa = Factors::of(&stiffness).times(&gamma.squared()).expr();
@@ -179,7 +186,7 @@ impl<'d, 'a> Walk<'d, 'a> {
             rolled,
         };
         walk.effective = walk.m.effective(walk.desk);
-        walk.set_out()?;
+        walk.set_out(slips)?;
         Ok(walk)
     }
 
@@ -232,15 +239,15 @@ impl<'d, 'a> Walk<'d, 'a> {
         if self.m.parts.len() < 2 { String::new() } else { format!(" ({})", self.m.parts[body].label) }
     }
 
-    /// A finding: beyond what is covered.
-    pub fn beyond<T>(&self, what: &str) -> Result<T, Finding> {
-        Err(self.desk.fault(format!("the worked solution does not cover: {what}")))
+    /// It stops here: beyond what is covered.
+    pub fn beyond<T>(&self, what: Beyond) -> Result<T, Stop> {
+        Err(what.into())
     }
 
-    fn start_velocity(&mut self) -> Result<Expr, Finding> {
+    fn start_velocity(&mut self) -> Result<Expr, Stop> {
         let mut v0 = ZERO;
         for start in &self.desk.scene.start {
-            let Start::Speed(c, num) = start else { return self.beyond("this start") };
+            let Start::Speed(c, num) = start else { return self.beyond(Beyond::Arrangement) };
             let given =
                 self.desk.number(*num, if c.degree == Degree::Along { "v_0" } else { r"\omega_0" }, "m/s");
             if given == ZERO {
@@ -248,7 +255,7 @@ impl<'d, 'a> Walk<'d, 'a> {
             }
             let ratio = self.m.ratio(*c).clone();
             if ratio.is_zero() || v0 != ZERO {
-                return self.beyond("a start with more than one speed");
+                return self.beyond(Beyond::SeveralSpeeds);
             }
             v0 = Factors::of(&given).per(&ratio).expr();
         }
@@ -256,7 +263,7 @@ impl<'d, 'a> Walk<'d, 'a> {
     }
 
     /// Sense of the motion, kinetic friction with its sign, displacement at the end as far as it is told.
-    fn set_out(&mut self) -> Result<(), Finding> {
+    fn set_out(&mut self, slips: &[(usize, f64)]) -> Result<(), Stop> {
         self.v0 = self.start_velocity()?;
         let scene = self.desk.scene;
         // Without sliding friction first: it needs the sense.
@@ -285,16 +292,15 @@ impl<'d, 'a> Walk<'d, 'a> {
         let slipping = scene.ties.iter().any(|t| matches!(t, Tie::Slip { .. })) && !self.rolled;
         self.sense = if v0 != 0.0 { v0.signum() } else { push.signum() };
         if slipping && v0 == 0.0 {
-            self.sense = match scene.heading {
-                Some(Heading::Back) => -1.0,
-                _ => 1.0,
-            };
+            // A couple has no share in the path of a centre that slips: friction alone may drive it.
+            let rubbed: f64 = slips.iter().map(|(tie, sense)| sense * self.friction_of_slip(*tie)).sum();
+            self.sense = (push + rubbed).signum();
         }
-        if push == 0.0 && v0 == 0.0 {
-            return self.beyond("a scene in which nothing moves");
+        if push == 0.0 && v0 == 0.0 && !slipping {
+            return self.beyond(Beyond::NothingMoves);
         }
         if slipping && (v0 != 0.0 || self.spring.is_some()) {
-            return self.beyond("a slipping wheel with a start speed or on a spring");
+            return self.beyond(Beyond::SlipWithSpeed);
         }
         self.s = match scene.end {
             End::Travel(_, d) => {
@@ -305,6 +311,19 @@ impl<'d, 'a> Walk<'d, 'a> {
             _ => ZERO,
         };
         Ok(())
+    }
+
+    /// Share of the friction of a slipping contact in the equation of the lead, N, if it points up.
+    fn friction_of_slip(&mut self, tie: usize) -> f64 {
+        let Tie::Slip { body, mu_k, .. } = self.desk.scene.ties[tie] else { return 0.0 };
+        let mu = self.desk.number(mu_k, r"\mu_k", "1");
+        let mut own = self.m.actions.iter().filter(|a| a.contact && a.source == Source::Tie(tie));
+        match (own.next(), &self.m.parts[body].normal) {
+            (Some(action), Some((_, normal))) => {
+                self.value(&self.m.point(action).expr()) * self.value(&mu) * self.value(normal)
+            }
+            _ => 0.0,
+        }
     }
 
     fn length(&mut self, num: Num) -> Expr {
@@ -402,7 +421,7 @@ impl<'d, 'a> Walk<'d, 'a> {
     ///
     /// # Errors
     /// What the derivation does not cover.
-    pub fn get(&mut self, label: Label) -> Result<Symbol, Finding> {
+    pub fn get(&mut self, label: Label) -> Result<Symbol, Stop> {
         if let Some(symbol) = self.found(label) {
             return Ok(symbol);
         }
@@ -428,7 +447,7 @@ impl<'d, 'a> Walk<'d, 'a> {
             Quantity::Friction => self.friction(body, label),
             Quantity::Tension => match label.of {
                 Owner::Tie(t) => self.tension(t, label),
-                _ => self.beyond("this tension"),
+                _ => self.beyond(Beyond::Arrangement),
             },
             Quantity::MuRequired => self.least_grip(body, label),
             Quantity::T => self.time(label),
@@ -443,13 +462,13 @@ impl<'d, 'a> Walk<'d, 'a> {
             Quantity::XEq => self.equilibrium(label),
             Quantity::VMax | Quantity::DAtVMax => self.fastest(label),
             Quantity::DTurn => self.turning(label),
-            other => self.beyond(&format!("{} on lines and axles", other.name())),
+            other => self.beyond(Beyond::Quantity(other)),
         }
     }
 
     /// Another acceleration than the lead's, by its ratio; that of a slipping body's spin from its own equation.
-    fn acceleration(&mut self, c: Coordinate, label: Label) -> Result<Symbol, Finding> {
-        let Some(symbol) = self.m.acceleration(c) else { return self.beyond("this acceleration") };
+    fn acceleration(&mut self, c: Coordinate, label: Label) -> Result<Symbol, Stop> {
+        let Some(symbol) = self.m.acceleration(c) else { return self.beyond(Beyond::Arrangement) };
         if self.own(c) {
             self.friction(c.body, of_body(Quantity::Friction, c.body))?;
             let over = sum(self.row(c).into_iter().map(|(_, e)| e));
@@ -482,9 +501,9 @@ impl<'d, 'a> Walk<'d, 'a> {
     }
 
     /// On the energy road: from the rate of the balance.
-    fn lead_acceleration(&mut self, label: Label, symbol: Symbol) -> Result<Symbol, Finding> {
+    fn lead_acceleration(&mut self, label: Label, symbol: Symbol) -> Result<Symbol, Stop> {
         if self.road == Road::Motion {
-            return self.beyond("an acceleration before its equation");
+            return self.beyond(Beyond::Arrangement);
         }
         let from = match self.spring.clone() {
             None if self.value(&self.s) != 0.0 => {
@@ -506,8 +525,8 @@ impl<'d, 'a> Walk<'d, 'a> {
         Ok(self.found_now(label, symbol, &from))
     }
 
-    fn speed(&mut self, c: Coordinate, label: Label) -> Result<Symbol, Finding> {
-        let Some(symbol) = self.m.speed(c) else { return self.beyond("this speed") };
+    fn speed(&mut self, c: Coordinate, label: Label) -> Result<Symbol, Stop> {
+        let Some(symbol) = self.m.speed(c) else { return self.beyond(Beyond::Arrangement) };
         if self.own(c) {
             return self.own_spin(c, label, symbol);
         }
@@ -524,9 +543,9 @@ impl<'d, 'a> Walk<'d, 'a> {
     }
 
     /// Spin of a slipping body.
-    fn own_spin(&mut self, c: Coordinate, label: Label, symbol: Symbol) -> Result<Symbol, Finding> {
+    fn own_spin(&mut self, c: Coordinate, label: Label, symbol: Symbol) -> Result<Symbol, Stop> {
         let own = self.m.parts[c.body].clone();
-        let Some(v) = own.v else { return self.beyond("this spin") };
+        let Some(v) = own.v else { return self.beyond(Beyond::Arrangement) };
         let v = self.found(of_body(Quantity::V, c.body)).unwrap_or(v);
         match self.road {
             Road::Motion => {
@@ -537,11 +556,11 @@ impl<'d, 'a> Walk<'d, 'a> {
                 let from = in_sense(product([quotient(alpha.into(), a.into()), v.into()]), turned);
                 Ok(self.found_now(label, symbol, &from))
             }
-            Road::Energy => self.beyond("a spin before its balance"),
+            Road::Energy => self.beyond(Beyond::Arrangement),
         }
     }
 
-    fn angle(&mut self, body: usize, label: Label) -> Result<Symbol, Finding> {
+    fn angle(&mut self, body: usize, label: Label) -> Result<Symbol, Stop> {
         let tag = if self.desk.scene.bodies.iter().filter(|b| b.turns).count() > 1 {
             self.m.parts[body].tag.clone()
         } else {
@@ -571,7 +590,7 @@ impl<'d, 'a> Walk<'d, 'a> {
         Ok(self.found_now(label, symbol, &from))
     }
 
-    fn rise(&mut self, body: usize, label: Label) -> Result<Symbol, Finding> {
+    fn rise(&mut self, body: usize, label: Label) -> Result<Symbol, Stop> {
         let tag = if self.m.parts.iter().filter(|p| p.a.is_some()).count() > 1 {
             self.m.parts[body].tag.clone()
         } else {
@@ -584,9 +603,9 @@ impl<'d, 'a> Walk<'d, 'a> {
         Ok(self.found_now(label, symbol, &from))
     }
 
-    fn normal(&mut self, body: usize, label: Label) -> Result<Symbol, Finding> {
+    fn normal(&mut self, body: usize, label: Label) -> Result<Symbol, Stop> {
         let Some((symbol, from)) = self.m.parts[body].normal.clone() else {
-            return self.beyond("a normal force where there is no surface");
+            return self.beyond(Beyond::Arrangement);
         };
         if self.road == Road::Energy {
             self.tell("energy.normal", &[]);
@@ -599,16 +618,16 @@ impl<'d, 'a> Walk<'d, 'a> {
         self.rows.iter().find(|(r, _)| *r == c).map_or_else(|| "?".to_owned(), |(_, n)| n.to_string())
     }
 
-    fn friction(&mut self, body: usize, label: Label) -> Result<Symbol, Finding> {
+    fn friction(&mut self, body: usize, label: Label) -> Result<Symbol, Stop> {
         let tie = self.desk.scene.ties.iter().position(|t| match t {
             Tie::Roll { body: b, .. } | Tie::Slip { body: b, .. } | Tie::Slide { body: b, .. } => *b == body,
             Tie::Cord(_) => false,
         });
-        let Some(tie) = tie else { return self.beyond("friction where there is no contact") };
+        let Some(tie) = tie else { return self.beyond(Beyond::Arrangement) };
         self.reaction(tie, label)
     }
 
-    fn tension(&mut self, tie: usize, label: Label) -> Result<Symbol, Finding> {
+    fn tension(&mut self, tie: usize, label: Label) -> Result<Symbol, Stop> {
         if let Some(spring) = self.spring.clone().filter(|s| s.tie == tie) {
             if let Some(known) = self.found(label) {
                 return Ok(known);
@@ -626,7 +645,7 @@ impl<'d, 'a> Walk<'d, 'a> {
     }
 
     /// A reaction: from the row in which it is the only unknown left, others first where need be.
-    fn reaction(&mut self, tie: usize, label: Label) -> Result<Symbol, Finding> {
+    fn reaction(&mut self, tie: usize, label: Label) -> Result<Symbol, Stop> {
         if let Some(known) = self.found(label) {
             return Ok(known);
         }
@@ -634,7 +653,7 @@ impl<'d, 'a> Walk<'d, 'a> {
         self.solve_reaction(tie, &mut path)?;
         match self.found(label) {
             Some(symbol) => Ok(symbol),
-            None => self.beyond("this reaction"),
+            None => self.beyond(Beyond::Arrangement),
         }
     }
 
@@ -647,7 +666,7 @@ impl<'d, 'a> Walk<'d, 'a> {
         }
     }
 
-    fn solve_reaction(&mut self, tie: usize, path: &mut Vec<usize>) -> Result<(), Finding> {
+    fn solve_reaction(&mut self, tie: usize, path: &mut Vec<usize>) -> Result<(), Stop> {
         path.push(tie);
         let coordinates: Vec<Coordinate> = self.desk.scene.coordinates().collect();
         // The row that asks for the fewest other reactions; lines before turns.
@@ -674,7 +693,7 @@ impl<'d, 'a> Walk<'d, 'a> {
             }
         }
         let Some((_, c, others)) = best else {
-            return self.beyond("reactions that only several equations give");
+            return self.beyond(Beyond::SeveralEquations);
         };
         for other in others {
             if self.found(self.label_of_tie(other)).is_none() {
@@ -704,7 +723,7 @@ impl<'d, 'a> Walk<'d, 'a> {
         let rest: Vec<Expr> = if negative { rest.into_iter().map(minus).collect() } else { rest };
         let over = positive_first(rest);
         let from = Factors::of(&over).per(&self.magnitude(&lever)).expr();
-        let Some(symbol) = self.m.force_of(tie) else { return self.beyond("this reaction") };
+        let Some(symbol) = self.m.force_of(tie) else { return self.beyond(Beyond::Arrangement) };
         let label = self.label_of_tie(tie);
         let body = self.in_brackets(c.body);
         match (self.road, c.degree) {
@@ -732,7 +751,7 @@ impl<'d, 'a> Walk<'d, 'a> {
     }
 
     /// What the forces of a row amount to: inertia times acceleration, or kinetic energy per displacement.
-    fn gain(&mut self, c: Coordinate) -> Result<Expr, Finding> {
+    fn gain(&mut self, c: Coordinate) -> Result<Expr, Stop> {
         let ratio = self.m.ratio(c).clone();
         if ratio.is_zero() && !self.own(c) {
             return Ok(ZERO);
@@ -757,7 +776,7 @@ impl<'d, 'a> Walk<'d, 'a> {
         Ok(weighted(&inertia, &per))
     }
 
-    fn least_grip(&mut self, body: usize, label: Label) -> Result<Symbol, Finding> {
+    fn least_grip(&mut self, body: usize, label: Label) -> Result<Symbol, Stop> {
         let n = self.get(of_body(Quantity::Normal, body))?;
         let symbol = self.new_symbol(&[r"\mu_{\mathrm{min}}"], "1");
         if self.spring.is_some() {
@@ -775,8 +794,8 @@ impl<'d, 'a> Walk<'d, 'a> {
     }
 
     /// Friction at release and at the far end of the motion, for a wheel on a spring.
-    pub fn extremes(&mut self, body: usize) -> Result<[Extreme; 2], Finding> {
-        let Some(spring) = self.spring.clone() else { return self.beyond("a spring that is not there") };
+    pub fn extremes(&mut self, body: usize) -> Result<[Extreme; 2], Stop> {
+        let Some(spring) = self.spring.clone() else { return self.beyond(Beyond::Arrangement) };
         let far = self.far_end()?;
         let stretch = self.stretch_at(&spring, &far);
         let (stretch_m, first_m) = (self.value(&stretch), self.value(&spring.stretch));
@@ -795,9 +814,18 @@ impl<'d, 'a> Walk<'d, 'a> {
         Ok([first, Extreme { friction, place, stretch_m }])
     }
 
-    /// Displacement at the far end of the motion: the turning point, or where the cord goes slack and friction stays what it is.
-    fn far_end(&mut self) -> Result<Expr, Finding> {
-        let Some(spring) = self.spring.clone() else { return self.beyond("a spring that is not there") };
+    /// Displacement at the far end of what the conditions look at: the end that is asked or, where the scene looks beyond it, the
+    /// turning point; but no farther than where the cord goes slack, for friction then stays what it is.
+    fn far_end(&mut self) -> Result<Expr, Stop> {
+        if self.desk.scene.span == Span::ToEnd && self.s != ZERO {
+            return Ok(self.s.clone());
+        }
+        self.turning_or_slack()
+    }
+
+    /// Displacement at which the tension is least in the whole motion: the turning point, or where the cord goes slack.
+    fn turning_or_slack(&mut self) -> Result<Expr, Stop> {
+        let Some(spring) = self.spring.clone() else { return self.beyond(Beyond::Arrangement) };
         let (first, kappa) = (spring.first.clone(), spring.kappa.clone());
         let turn = quotient(product([number(2), first.clone()]), kappa.clone());
         let slack = Factors::of(&spring.stretch).per(&spring.gamma).expr();
@@ -806,8 +834,8 @@ impl<'d, 'a> Walk<'d, 'a> {
         Ok(if goes_slack { slack } else { turn })
     }
 
-    fn friction_at(&mut self, body: usize, s: &Expr, mark: &str) -> Result<Expr, Finding> {
-        let Some(spring) = self.spring.clone() else { return self.beyond("a spring that is not there") };
+    fn friction_at(&mut self, body: usize, s: &Expr, mark: &str) -> Result<Expr, Stop> {
+        let Some(spring) = self.spring.clone() else { return self.beyond(Beyond::Arrangement) };
         let saved = (self.m.clone(), self.known.clone(), self.s.clone());
         // The same equations once more, with unknowns of this place.
         let mut m = Mechanism::new(self.desk, self.rolled)?;
@@ -834,8 +862,8 @@ impl<'d, 'a> Walk<'d, 'a> {
         result
     }
 
-    fn friction_here(&mut self, body: usize, spring: &Spring, s: &Expr) -> Result<Expr, Finding> {
-        let Some(tension) = self.m.force_of(spring.tie) else { return self.beyond("this spring") };
+    fn friction_here(&mut self, body: usize, spring: &Spring, s: &Expr) -> Result<Expr, Stop> {
+        let Some(tension) = self.m.force_of(spring.tie) else { return self.beyond(Beyond::Arrangement) };
         let stretch = self.stretch_at(spring, s);
         let label = of_tie(Quantity::Tension, spring.tie);
         if self.value(&stretch).abs() < SLACK * self.value(&spring.stretch).abs() {
@@ -848,16 +876,16 @@ impl<'d, 'a> Walk<'d, 'a> {
         }
         let terms: Vec<Expr> = self.terms().into_iter().map(|(_, e)| e).collect();
         let lead = self.lead();
-        let Some(a) = self.m.acceleration(lead) else { return self.beyond("this acceleration") };
+        let Some(a) = self.m.acceleration(lead) else { return self.beyond(Beyond::Arrangement) };
         let from = quotient(sum(terms), self.effective.clone());
         self.found_now(self.label_of_lead(Quantity::A, Quantity::Alpha), a, &from);
         Ok(self.friction(body, of_body(Quantity::Friction, body))?.into())
     }
 
-    fn time(&mut self, label: Label) -> Result<Symbol, Finding> {
+    fn time(&mut self, label: Label) -> Result<Symbol, Stop> {
         let symbol = self.new_symbol(&["t", "t_2"], "s");
         if self.spring.is_some() {
-            return self.beyond("the time of a motion on a spring");
+            return self.beyond(Beyond::SpringTime);
         }
         if let End::Time(_, t) = self.desk.scene.end {
             let t = self.desk.number(t, "t", "s");
@@ -884,11 +912,11 @@ impl<'d, 'a> Walk<'d, 'a> {
     }
 
     /// Index of the tie of a label that belongs to a cord.
-    fn cord_of(&self, label: Label) -> Result<(usize, Action), Finding> {
-        let Owner::Tie(t) = label.of else { return self.beyond("a cord without a tie") };
+    fn cord_of(&self, label: Label) -> Result<(usize, Action), Stop> {
+        let Owner::Tie(t) = label.of else { return self.beyond(Beyond::Arrangement) };
         match self.m.action_of(t) {
             Some(action) => Ok((t, action.clone())),
-            None => self.beyond("this cord"),
+            None => self.beyond(Beyond::Arrangement),
         }
     }
 
@@ -901,7 +929,7 @@ impl<'d, 'a> Walk<'d, 'a> {
         pulls.count() > 1
     }
 
-    fn cord_travel(&mut self, label: Label) -> Result<Symbol, Finding> {
+    fn cord_travel(&mut self, label: Label) -> Result<Symbol, Stop> {
         let (t, action) = self.cord_of(label)?;
         let tag = if self.several_pulls() { (t + 1).to_string() } else { String::new() };
         let symbol = self.new_symbol(&[&tagged(r"\ell", &tag), &tagged("L", &tag)], "m");
@@ -992,7 +1020,7 @@ impl<'d, 'a> Walk<'d, 'a> {
         }
     }
 
-    fn work_of_pull(&mut self, label: Label) -> Result<Symbol, Finding> {
+    fn work_of_pull(&mut self, label: Label) -> Result<Symbol, Stop> {
         let (t, action) = self.cord_of(label)?;
         let travel = self.get(of_tie(Quantity::CordTravel, t))?;
         let helps = self.pull_helps(&action);
@@ -1013,7 +1041,7 @@ impl<'d, 'a> Walk<'d, 'a> {
         centre + phi * self.spin_sense(action.body) * self.value(&action.arm.expr())
     }
 
-    fn power_of_pull(&mut self, label: Label) -> Result<Symbol, Finding> {
+    fn power_of_pull(&mut self, label: Label) -> Result<Symbol, Stop> {
         let (t, action) = self.cord_of(label)?;
         let tag = if self.several_pulls() { (t + 1).to_string() } else { "P".to_owned() };
         let symbol = self.new_symbol(&[&tagged(r"\dot{W}", &tag)], "W");
@@ -1034,7 +1062,7 @@ impl<'d, 'a> Walk<'d, 'a> {
     }
 
     /// `1/2 m v^2 + 1/2 I omega^2 + ...` with the speeds of each body.
-    pub fn kinetic_sum(&mut self) -> Result<Expr, Finding> {
+    pub fn kinetic_sum(&mut self) -> Result<Expr, Stop> {
         if self.v == ZERO {
             return Ok(ZERO);
         }
@@ -1054,7 +1082,7 @@ impl<'d, 'a> Walk<'d, 'a> {
         Ok(sum(all))
     }
 
-    fn kinetic_energy(&mut self, label: Label) -> Result<Symbol, Finding> {
+    fn kinetic_energy(&mut self, label: Label) -> Result<Symbol, Stop> {
         let symbol = self.new_symbol(&["E_{k}", r"E_{\mathrm{kin}}"], "J");
         // Of a slipping body the works that are written down leave out that of friction.
         let slips = self.m.parts.iter().any(|p| p.slips);
@@ -1075,7 +1103,7 @@ impl<'d, 'a> Walk<'d, 'a> {
         if found.is_empty() { None } else { Some(sum(found)) }
     }
 
-    fn rotational(&mut self, label: Label) -> Result<Symbol, Finding> {
+    fn rotational(&mut self, label: Label) -> Result<Symbol, Stop> {
         let symbol = self.new_symbol(&[r"\eta", r"\beta"], "1");
         let slips = self.m.parts.iter().any(|p| p.slips);
         if self.road == Road::Motion || slips {
@@ -1105,8 +1133,8 @@ impl<'d, 'a> Walk<'d, 'a> {
         Ok(self.found_now(label, symbol, &quotient(sum(turning), self.effective.clone())))
     }
 
-    fn slip_distance(&mut self, body: usize, label: Label) -> Result<Symbol, Finding> {
-        let Some((_, c)) = self.slip_of(body) else { return self.beyond("slip where nothing slips") };
+    fn slip_distance(&mut self, body: usize, label: Label) -> Result<Symbol, Stop> {
+        let Some((_, c)) = self.slip_of(body) else { return self.beyond(Beyond::Arrangement) };
         let phi = self.get(of_body(Quantity::Phi, body))?;
         let symbol = self.new_symbol(&[r"\delta", r"\Delta"], "m");
         self.tell("slip_distance", &[]);
@@ -1130,7 +1158,7 @@ impl<'d, 'a> Walk<'d, 'a> {
         found.map(|(t, r)| (t, self.desk.number(r, "R", "m")))
     }
 
-    fn heat(&mut self, label: Label) -> Result<Symbol, Finding> {
+    fn heat(&mut self, label: Label) -> Result<Symbol, Stop> {
         let symbol = self.new_symbol(&["Q", r"Q_{\mathrm{th}}"], "J");
         if self.road == Road::Energy {
             return self.heat_by_balance(label, symbol);
@@ -1156,7 +1184,7 @@ impl<'d, 'a> Walk<'d, 'a> {
     }
 
     /// What the forces put in and is not found as kinetic energy.
-    fn heat_by_balance(&mut self, label: Label, symbol: Symbol) -> Result<Symbol, Finding> {
+    fn heat_by_balance(&mut self, label: Label, symbol: Symbol) -> Result<Symbol, Stop> {
         let kinetic = self.kinetic_sum()?;
         // Friction's own work is what is asked.
         let others = self.works.iter().filter(|(_, kind, _)| *kind != Kind::Kinetic);
@@ -1169,12 +1197,12 @@ impl<'d, 'a> Walk<'d, 'a> {
         Ok(self.found_now(label, symbol, &from))
     }
 
-    fn bound_of_gyration(&mut self, body: usize, label: Label) -> Result<Symbol, Finding> {
+    fn bound_of_gyration(&mut self, body: usize, label: Label) -> Result<Symbol, Stop> {
         let c = self.desk.scene.ties.iter().find_map(|t| match t {
             Tie::Roll { radius_m, .. } => Some(*radius_m),
             _ => None,
         });
-        let Some(c) = c else { return self.beyond("a bound of the radius of gyration without rolling") };
+        let Some(c) = c else { return self.beyond(Beyond::NoBound) };
         let c = self.desk.number(c, "R", "m");
         let symbol = self.new_symbol(&["k_{0}"], "m");
         let share = |walk: &Self, degree| {
@@ -1184,14 +1212,14 @@ impl<'d, 'a> Walk<'d, 'a> {
         let (force, moment) = (share(self, Degree::Along), share(self, Degree::Turn));
         let up = f64::from(self.m.parts[body].up);
         if self.value(&force) * up <= 0.0 || self.value(&moment) * up <= 0.0 {
-            return self.beyond("a radius of gyration that bounds nothing");
+            return self.beyond(Beyond::NoBound);
         }
         self.tell_road("bound", &[]);
         let (part, k0) = (self.m.parts[body].clone(), Factors::of(&symbol.into()).squared());
         let inertia = part.mass.times(&k0);
         let lines: Vec<(Expr, Expr)> = match self.road {
             Road::Motion => {
-                let Some(a) = part.a else { return self.beyond("this bound") };
+                let Some(a) = part.a else { return self.beyond(Beyond::Arrangement) };
                 let tex = marked(self.desk.ledger.tex(a), "0");
                 let a = self.desk.ledger.unknown_like(&tex, a);
                 let a = Factors::of(&a.into());
@@ -1215,8 +1243,8 @@ impl<'d, 'a> Walk<'d, 'a> {
         Ok(self.found_now(label, symbol, &root(quotient(product([c, moment]), force))))
     }
 
-    fn equilibrium(&mut self, label: Label) -> Result<Symbol, Finding> {
-        let Some(spring) = self.spring.clone() else { return self.beyond("a spring that is not there") };
+    fn equilibrium(&mut self, label: Label) -> Result<Symbol, Stop> {
+        let Some(spring) = self.spring.clone() else { return self.beyond(Beyond::Arrangement) };
         let symbol = self.new_symbol(&[r"x_{\mathrm{eq}}"], "m");
         self.tell_road("equilibrium", &[]);
         let per = Factors::of(&spring.stiffness).times(&spring.gamma);
@@ -1225,18 +1253,18 @@ impl<'d, 'a> Walk<'d, 'a> {
     }
 
     /// The greatest speed of a motion on a spring, and where it is.
-    fn fastest(&mut self, label: Label) -> Result<Symbol, Finding> {
+    fn fastest(&mut self, label: Label) -> Result<Symbol, Stop> {
         let Some(spring) = self.spring.clone() else { return self.fastest_thrown(label) };
         let (first, kappa) = (spring.first.clone(), spring.kappa.clone());
         if self.v0 != ZERO {
-            return self.beyond("the greatest speed of a motion on a spring that starts with a speed");
+            return self.beyond(Beyond::SpringWithSpeed);
         }
         let body = self.lead().body;
         let slack = Factors::of(&spring.stretch).per(&spring.gamma).expr();
         let level = self.value(&first) / self.value(&kappa);
         let s = self.value(&slack);
         if !spring.rigid && s * level > 0.0 && s.abs() < level.abs() * (1.0 - 1e-9) {
-            return self.beyond("the greatest speed where the cord is slack");
+            return self.beyond(Beyond::FastestSlack);
         }
         let way = self.new_symbol(&["D_{v}"], "m");
         let top = self.new_symbol(&[r"v_{\mathrm{max}}"], "m/s");
@@ -1273,14 +1301,14 @@ impl<'d, 'a> Walk<'d, 'a> {
         self.note(of_body(Quantity::VMax, body), top);
         match self.found(label) {
             Some(symbol) => Ok(symbol),
-            None => self.beyond("this greatest speed"),
+            None => self.beyond(Beyond::Arrangement),
         }
     }
 
     /// Thrown against a constant force: fastest at the start.
-    fn fastest_thrown(&mut self, label: Label) -> Result<Symbol, Finding> {
+    fn fastest_thrown(&mut self, label: Label) -> Result<Symbol, Stop> {
         if self.value(&self.drive) * self.sense > 0.0 {
-            return self.beyond("the greatest speed of a motion that never ends");
+            return self.beyond(Beyond::NeverFastest);
         }
         self.tell("fastest_at_start", &[]);
         let (symbol, from) = if label.quantity == Quantity::VMax {
@@ -1292,11 +1320,11 @@ impl<'d, 'a> Walk<'d, 'a> {
         Ok(self.found_now(label, symbol, &from))
     }
 
-    fn turning(&mut self, label: Label) -> Result<Symbol, Finding> {
+    fn turning(&mut self, label: Label) -> Result<Symbol, Stop> {
         let symbol = self.new_symbol(&[r"D_{\mathrm{t}}"], "m");
         let Some(spring) = self.spring.clone() else {
             if self.value(&self.drive) * self.sense >= 0.0 {
-                return self.beyond("the turning point of a motion that never turns");
+                return self.beyond(Beyond::NeverTurns);
             }
             self.tell("turning_constant", &[]);
             let size = in_sense(self.drive.clone(), self.value(&self.drive));
@@ -1305,9 +1333,9 @@ impl<'d, 'a> Walk<'d, 'a> {
         };
         let (first, kappa) = (spring.first.clone(), spring.kappa.clone());
         if self.v0 != ZERO {
-            return self.beyond("the turning point of a motion on a spring that starts with a speed");
+            return self.beyond(Beyond::SpringWithSpeed);
         }
-        let far = self.far_end()?;
+        let far = self.turning_or_slack()?;
         let turn = quotient(product([number(2), first.clone()]), kappa.clone());
         let level = self.value(&turn);
         if far == turn {
@@ -1317,7 +1345,7 @@ impl<'d, 'a> Walk<'d, 'a> {
         // Slack: all that the spring stored goes into what the other forces take up to the turning point.
         let rest = self.drive.clone();
         if self.value(&rest) * level >= 0.0 {
-            return self.beyond("the turning point of a motion that never turns");
+            return self.beyond(Beyond::NeverTurns);
         }
         self.tell("turning_slack", &[]);
         let over = product([spring.stiffness.clone(), square(spring.stretch.clone())]);
@@ -1325,13 +1353,13 @@ impl<'d, 'a> Walk<'d, 'a> {
         Ok(self.found_now(label, symbol, &quotient(over, product([number(2), size]))))
     }
 
-    /// Answers the questions of the problem along this road, after a phrase that leads over to those not answered yet.
+    /// Answers the questions of the problem along this road, behind a sentence that announces what is still to be found.
     ///
     /// # Errors
     /// What the derivation does not cover.
-    pub fn answer(&mut self, phrase: &str) -> Result<(), Finding> {
-        self.tell(phrase, &[]);
+    pub fn answer(&mut self) -> Result<(), Stop> {
         let before = self.out.blocks.len();
+        self.tell_road("rest", &[]);
         let labels: Vec<Label> = self.desk.problem.questions.iter().map(|q| q.label).collect();
         for label in labels {
             if label.quantity.is_word() || label.quantity == Quantity::FrictionIfRolled {
@@ -1343,8 +1371,9 @@ impl<'d, 'a> Walk<'d, 'a> {
                 Road::Energy => self.desk.from_energy(label, Answer::Value(symbol)),
             }
         }
-        if self.out.blocks.len() == before {
-            self.out.blocks.pop();
+        // Nothing was left to find.
+        if self.out.blocks.len() == before + 1 {
+            self.out.blocks.truncate(before);
         }
         Ok(())
     }

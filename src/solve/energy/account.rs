@@ -141,8 +141,8 @@ impl<T: Real> Account<T> {
     }
     fn uniform_time(&self, s: T, u0: T, u: T) -> T {
         let change = u - u0;
-        if change.abs().below((u + u0).scale2(-1)) {
-            // The change of the speed would lose digits: the mean speed keeps them.
+        if change.size() < (u + u0).scale2(-1).size() {
+            // The change of the speed would lose digits: the mean speed keeps them. Both are right wherever they are taken.
             return (s / (u0 + u)).scale2(1);
         }
         if change.is_zero() { T::zero() } else { change * self.doubled / self.constant }

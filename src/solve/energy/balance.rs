@@ -17,6 +17,7 @@ use crate::scene::Side;
 use crate::scene::Tie;
 use crate::solve::energy::speeds::Mode;
 use smallvec::SmallVec;
+use smallvec::smallvec;
 
 /// `sum m v v' + I w w'` of two modes: twice the kinetic energy if they are the same.
 pub fn inertia<T: Real>(n: &Numbers<T>, a: &Mode<T>, b: &Mode<T>) -> T {
@@ -83,18 +84,38 @@ pub fn powers<T: Real>(scene: &Scene, n: &Numbers<T>, mode: &Mode<T>, friction: 
     list
 }
 
+/// One reaction for each tie: the friction of a contact (positive forward) or the tension of a cord.
+#[derive(Debug, Clone)]
+pub struct Reactions<T> {
+    all: PerTie<T>,
+    open: PerTie<bool>,
+}
+
+impl<T> Reactions<T> {
+    /// Do the ties share this reaction in a way that no virtual velocity tells apart? Its value is then NaN.
+    pub fn is_open(&self, tie: usize) -> bool {
+        self.open[tie]
+    }
+}
+
+impl<T> std::ops::Index<usize> for Reactions<T> {
+    type Output = T;
+    fn index(&self, tie: usize) -> &T {
+        &self.all[tie]
+    }
+}
+
 /// The reactions, from the rate of the energy balance of each body alone, of its mass centre and of its rotation: the
 /// velocity cancels, and what is left holds for every virtual velocity of that body.
 ///
-/// `rate` are the accelerations of all coordinates; `given` the tension of the spring. Returns one number a tie: the
-/// friction of a contact (positive forward) or the tension of a cord.
+/// `rate` are the accelerations of all coordinates; `given` the tension of the spring.
 pub fn reactions<T: Real>(
     scene: &Scene,
     n: &Numbers<T>,
     rate: &dyn Fn(Coordinate) -> T,
     spring_tension: T,
     kinetic: &[Option<T>],
-) -> PerTie<T> {
+) -> Reactions<T> {
     let ties = scene.ties.len();
     let unknown: SmallVec<[usize; 4]> = (0..ties)
         .filter(|t| match &scene.ties[*t] {
@@ -189,16 +210,13 @@ pub fn reactions<T: Real>(
             rows.sized(size);
         }
     }
-    let found = rows.reduce(&[]).solution();
+    let found = rows.reduce(&[]);
     let mut all: PerTie<T> = kinetic.iter().map(|k| k.unwrap_or_else(T::zero)).collect();
-    if let Some(found) = found {
-        for (t, value) in unknown.into_iter().zip(found) {
-            all[t] = value;
-        }
-    } else {
-        for t in unknown {
-            all[t] = T::of(f64::NAN);
-        }
+    let mut open: PerTie<bool> = smallvec![false; ties];
+    for (j, t) in unknown.into_iter().enumerate() {
+        let value = found.value(j);
+        open[t] = value.is_none();
+        all[t] = value.unwrap_or_else(|| T::of(f64::NAN));
     }
-    all
+    Reactions { all, open }
 }

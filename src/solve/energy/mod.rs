@@ -14,6 +14,7 @@ pub mod thrown;
 
 use crate::num::Real;
 use crate::num::Rough;
+use crate::num::ball;
 use crate::num::eliminate::Equations;
 use crate::num::ode::Count;
 use crate::num::plant::plant;
@@ -28,12 +29,14 @@ use crate::scene::Owner;
 use crate::scene::Quantity;
 use crate::scene::RotaryInertia;
 use crate::scene::Scene;
+use crate::scene::Span;
 use crate::scene::Start;
 use crate::scene::Tie;
 use crate::solve::energy::account::Account;
 use crate::solve::energy::account::Store;
 use crate::solve::energy::balance::PerTie;
 use crate::solve::energy::balance::Power;
+use crate::solve::energy::balance::Reactions;
 use crate::solve::energy::quadrature::Sum;
 use crate::solve::energy::quadrature::Summed;
 use crate::solve::energy::speeds::Mode;
@@ -94,6 +97,8 @@ struct Ledger<'a, T: Real> {
     end: Coordinate,
     /// The motion as one mode, unit rate of the ending coordinate.
     mode: Mode<T>,
+    /// The same where nothing that could slide stays: what the drive at the start and the equilibrium are told of.
+    loose: Mode<T>,
     /// Accelerations of all modes at the start, summed to coordinates.
     start_rate: Mode<T>,
     /// Kinetic friction of contacts that slip or slide.
@@ -102,16 +107,19 @@ struct Ledger<'a, T: Real> {
     at_start: PerTie<T>,
     /// For each contact that is said to slip: its friction if it rolled.
     rolled: SmallVec<[(usize, T); 1]>,
-    moves: bool,
     /// Sense in which it would set off without sliding friction.
     inclined: f64,
-    /// Speed at the start.
+    /// Speed of the ending coordinate at the start.
     v0: T,
+    /// Does it start with a speed, of whichever coordinate?
+    started: bool,
+    /// Does anything move that is not held?
+    free: bool,
     road: Road<T>,
     /// Points of a quadrature, where the work is to be summed.
     points: Option<usize>,
     /// The reactions that were asked last, and the tension of the spring for which.
-    last: Option<(T, PerTie<T>)>,
+    last: Option<(T, Reactions<T>)>,
 }
 
 /// Rates of the modes from their power balances, and their sum as one motion.
@@ -144,11 +152,11 @@ fn drive<T: Real>(
         if let Some(end) = &pull {
             add(spring_tension * a.point(n, end));
         }
-        let power = power.cleared(size);
-        row[m] = power;
+        row[m] = power.cleared(size);
+        rows.sized(size);
     }
     let rates = rows.reduce(&[]).solution().unwrap_or_else(|| smallvec![T::of(f64::NAN); m]);
-    combine(modes, &rates)
+    combine(scene.bodies.len(), modes, &rates)
 }
 
 /// Kinetic friction of each tie, zero where it has none.
@@ -156,26 +164,20 @@ fn frictions<T: Real>(kinetic: &[Option<T>]) -> PerTie<T> {
     kinetic.iter().map(|k| k.unwrap_or_else(T::zero)).collect()
 }
 
-/// The reactions where the contacts hold as `grip` says. Ties that leave no freedom hold the scene at rest.
+/// The reactions where the contacts hold as `grip` says.
 fn if_rolls<T: Real>(
     scene: &Scene,
     n: &Numbers<T>,
     grip: Grip,
     kinetic: &[Option<T>],
     tension: T,
-) -> Result<PerTie<T>, Refusal> {
-    let friction: PerTie<T> = frictions(kinetic);
-    let rate = match speeds::modes(scene, n, grip) {
-        Ok(modes) => drive(scene, n, &modes, &friction, tension),
-        Err(Refusal::Freedoms(0)) => Mode::still(scene.bodies.len()),
-        Err(other) => return Err(other),
-    };
-    Ok(balance::reactions(scene, n, &|c| rate.of(c), tension, kinetic))
+) -> Reactions<T> {
+    let rate = drive(scene, n, &speeds::modes(scene, n, grip, &[]), &frictions(kinetic), tension);
+    balance::reactions(scene, n, &|c| rate.of(c), tension, kinetic)
 }
 
 /// `sum rate_j mode_j`.
-fn combine<T: Real>(modes: &[Mode<T>], rates: &[T]) -> Mode<T> {
-    let bodies = modes.first().map_or(0, |m| m.v.len());
+fn combine<T: Real>(bodies: usize, modes: &[Mode<T>], rates: &[T]) -> Mode<T> {
     let mut sum = Mode::still(bodies);
     for (mode, rate) in modes.iter().zip(rates) {
         for b in 0..bodies {
@@ -215,7 +217,7 @@ impl<'a, T: Real> Ledger<'a, T> {
                 }
                 _ => None,
             };
-            let all = if_rolls(scene, &n, Grip::AllRoll, &kinetic, tension)?;
+            let all = if_rolls(scene, &n, Grip::AllRoll, &kinetic, tension);
             for t in &slipping {
                 kinetic[*t] = kinetic_of(*t, all[*t].sign());
             }
@@ -226,7 +228,7 @@ impl<'a, T: Real> Ledger<'a, T> {
                 for settled in [false, true] {
                     for t in &slipping {
                         kinetic[*t] = None;
-                        let friction = if_rolls(scene, &n, Grip::Rolls(*t), &kinetic, tension)?[*t];
+                        let friction = if_rolls(scene, &n, Grip::Rolls(*t), &kinetic, tension)[*t];
                         kinetic[*t] = kinetic_of(*t, friction.sign());
                         if settled {
                             rolled.push((*t, friction));
@@ -235,58 +237,68 @@ impl<'a, T: Real> Ledger<'a, T> {
                 }
             }
         }
-        let modes = speeds::modes(scene, &n, Grip::Declared)?;
-        let mut v0 = T::zero();
-        for s in &scene.start {
-            if let Start::Speed(c, v) = s {
-                let ratio = modes[0].of(*c);
-                if !ratio.is_zero() {
-                    v0 = n.get(*v) / ratio;
-                }
-            }
-        }
+        let mut modes = speeds::modes(scene, &n, Grip::Declared, &[]);
+        // Rate of the first mode at the start, from the first speed that is given and not 0.
+        let given = scene.start.iter().find_map(|s| match s {
+            Start::Speed(c, v) if !n.get(*v).is_zero() => Some((*c, n.get(*v))),
+            _ => None,
+        });
+        let rate0 = match (given, modes.first()) {
+            (Some((c, v)), Some(mode)) if !mode.of(c).is_zero() => v / mode.of(c),
+            _ => T::zero(),
+        };
+        let started = given.is_some();
+        let v0 = modes.first().map_or_else(T::zero, |m| rate0 * m.of(end));
+        let loose = modes.first().cloned();
         let mut start_rate = drive(scene, &n, &modes, &frictions(&kinetic), tension);
         let inclined = start_rate.of(end).sign();
-        let mut moves = true;
         let mut at_start = frictions(&kinetic);
         if scene.ties.iter().any(|t| matches!(t, Tie::Slide { .. })) {
             // The work of sliding friction is negative, whichever way the body goes.
             let free = start_rate.clone();
-            let started = !v0.is_zero();
-            let going = |b: usize| if started { (modes[0].v[b] * v0).sign() } else { free.v[b].sign() };
-            let mut friction = |starting: bool| {
+            let going = |b: usize| match modes.first() {
+                Some(m) if started => (m.v[b] * rate0).sign(),
+                _ => free.v[b].sign(),
+            };
+            let going: SmallVec<[f64; 4]> = (0..scene.bodies.len()).map(going).collect();
+            let mut stays: PerTie<bool> = smallvec![false; ties];
+            // Held by static friction, which is then a reaction, or sliding with this coefficient.
+            let friction = |kinetic: &mut PerTie<Option<T>>, stays: &[bool], starting: bool| {
                 for (t, tie) in scene.ties.iter().enumerate() {
                     if let Tie::Slide { body, mu_s, mu_k } = tie {
                         let mu = if starting { mu_s.unwrap_or(*mu_k) } else { *mu_k };
                         let most = n.get(mu) * balance::normal(&n, *body);
-                        kinetic[t] = Some(most.signed(-going(*body)));
+                        kinetic[t] = (!stays[t]).then(|| most.signed(-going[*body]));
                     }
                 }
-                frictions(&kinetic)
+                frictions(kinetic)
             };
-            at_start = friction(!started);
-            let first = drive(scene, &n, &modes, &at_start, tension);
-            moves = started
-                || !scene.ties.iter().any(|tie| match tie {
-                    Tie::Slide { body, .. } => first.v[*body].sign() * going(*body) <= 0.0,
-                    _ => false,
-                });
-            let sliding = friction(false);
-            if moves {
-                start_rate = drive(scene, &n, &modes, &sliding, tension);
-            } else {
-                // Held by static friction, which is then a reaction.
-                start_rate = Mode::still(scene.bodies.len());
+            for (t, tie) in scene.ties.iter().enumerate() {
+                stays[t] = matches!(tie, Tie::Slide { body, .. } if going[*body] == 0.0);
+            }
+            at_start = friction(&mut kinetic, &[false].repeat(ties), !started);
+            while !started {
+                // What static friction takes more power from than all else gives does not set off.
+                let most = friction(&mut kinetic, &stays, true);
+                modes = speeds::modes(scene, &n, Grip::Declared, &stays);
+                let first = drive(scene, &n, &modes, &most, tension);
+                let before = stays.clone();
                 for (t, tie) in scene.ties.iter().enumerate() {
-                    if matches!(tie, Tie::Slide { .. }) {
-                        kinetic[t] = None;
+                    if let Tie::Slide { body, .. } = tie {
+                        stays[t] |= first.v[*body].sign() * going[*body] <= 0.0;
                     }
+                }
+                if stays == before {
+                    break;
                 }
             }
+            let sliding = friction(&mut kinetic, &stays, false);
+            modes = speeds::modes(scene, &n, Grip::Declared, &stays);
+            start_rate = drive(scene, &n, &modes, &sliding, tension);
         }
         let lead = start_rate.of(end);
         let mode = if modes.len() == 1 || lead.is_zero() {
-            modes[0].clone()
+            modes.first().cloned().unwrap_or_else(|| Mode::still(scene.bodies.len()))
         } else {
             // From rest the displacements are as the accelerations.
             let mut mode = start_rate.clone();
@@ -295,19 +307,22 @@ impl<'a, T: Real> Ledger<'a, T> {
             }
             mode
         };
+        let loose = loose.filter(|_| mode.of(end).is_zero()).unwrap_or_else(|| mode.clone());
         let road = Road::new();
         Ok(Self {
             scene,
             n,
             end,
             mode,
+            loose,
             start_rate,
             kinetic,
             at_start,
             rolled,
-            moves,
             inclined,
             v0,
+            started,
+            free: !modes.is_empty(),
             road,
             points: None,
             last: None,
@@ -335,39 +350,47 @@ impl<'a, T: Real> Ledger<'a, T> {
         let powers = balance::powers(self.scene, &self.n, &self.mode, &frictions);
         let size = powers.iter().fold(T::Rough::zero(), |sum, p| sum + p.power.size());
         let constant = powers.iter().fold(T::zero(), |sum, p| sum + p.power).cleared(size);
-        let start_powers = balance::powers(self.scene, &self.n, &self.mode, &self.at_start);
+        let start_powers = balance::powers(self.scene, &self.n, &self.loose, &self.at_start);
+        let loosely = store.map(|s| {
+            let Some(Tie::Cord(cord)) = spring.map(|(tie, ..)| &self.scene.ties[tie]) else { return s };
+            Store { lost: self.loose.point(&self.n, &cord.from), ..s }
+        });
         let doubled = balance::inertia(&self.n, &self.mode, &self.mode);
         let tension0 = store.map_or_else(T::zero, |s| s.stiffness * s.stretch);
         let lead = self.start_rate.of(self.end);
         let sense = if !self.v0.is_zero() {
             self.v0.sign()
-        } else if self.moves {
-            lead.sign()
-        } else {
+        } else if self.started {
             0.0
+        } else {
+            lead.sign()
         };
-        if let Some(s) = &store {
+        if let Some(s) = &loosely {
             // Where the power of all but the sliding friction vanishes.
-            let slides =
-                |p: &&Power<T>| p.tie.is_some_and(|t| matches!(self.scene.ties[t], Tie::Slide { .. }));
-            let sliding = powers.iter().filter(slides).fold(T::zero(), |sum, p| sum + p.power);
-            let x_eq = -(constant - sliding) / (s.stiffness * s.lost);
+            let given =
+                |p: &&Power<T>| !p.tie.is_some_and(|t| matches!(self.scene.ties[t], Tie::Slide { .. }));
+            let others = start_powers.iter().filter(given);
+            let size = others.clone().fold(T::Rough::zero(), |sum, p| sum + p.power.size());
+            let others = others.fold(T::zero(), |sum, p| sum + p.power).cleared(size);
+            let x_eq = -others / (s.stiffness * s.lost);
             if !s.lost.is_zero() && (x_eq.sign() >= 0.0 || s.rigid) {
                 self.say(Quantity::XEq, Owner::Scene, x_eq);
             }
         }
-        let slips = !self.rolled.is_empty();
         self.if_rolled();
-        let drive = self.driving(
-            &start_powers,
-            tension0,
-            store.as_ref(),
-            [sense, self.inclined, 1.0].into_iter().find(|s| *s != 0.0).unwrap_or(1.0),
-        );
+        // A power of nothing neither drives nor resists: for the margin alone, nothing of it is proved.
+        let drive = ball::unwatched(|| {
+            self.driving(
+                &start_powers,
+                tension0,
+                loosely.as_ref(),
+                [sense, self.inclined, 1.0].into_iter().find(|s| *s != 0.0).unwrap_or(1.0),
+            )
+        });
         if sense == 0.0 || lead.is_zero() && self.v0.is_zero() {
             self.road.course = Some(Course { drive, ..Course::at_rest() });
-            let still = sense == 0.0 && !slips;
-            self.standing(tension0, still);
+            self.standing(tension0);
+            self.resting(tension0);
             if store.is_some() && self.end.degree == Degree::Along {
                 for q in [Quantity::VMax, Quantity::DAtVMax, Quantity::DTurn] {
                     self.say(q, Owner::Body(self.end.body), T::zero());
@@ -400,8 +423,9 @@ impl<'a, T: Real> Ledger<'a, T> {
         let reached = !wrong_way && s.is_some_and(|s| turns || arrives(s.plain()));
         self.road.course = Some(Course { sense, drive, asked: s.map(T::plain), farthest: limit, reached });
         let tension_at = |s: T| store.map_or_else(T::zero, |k| k.stiffness * k.stretch_at(s));
-        let last_tension = turning.map_or_else(T::zero, tension_at);
-        self.grip(tension0, last_tension);
+        // The extremes of the tension are where the account of the way opens and where it is closed.
+        let closing = if reached && self.scene.span == Span::ToEnd { s } else { turning };
+        self.grip(tension0, closing.map_or_else(T::zero, tension_at));
         let summed = self.points.map(|points| Sum { account: &account, points, evaluations: Cell::new(0) });
         if (store.is_some() || !u0.is_zero()) && self.end.degree == Degree::Along {
             let body = Owner::Body(self.end.body);
@@ -419,7 +443,7 @@ impl<'a, T: Real> Ledger<'a, T> {
                 let there = summed.as_ref().map_or_else(|| closed(&account, s, rest), |sum| sum.at(s));
                 self.arrived(&account, s, there, sense, tension_at(s));
             }
-            _ => self.standing(tension0, false),
+            _ => self.standing(tension0),
         }
         let evaluations = summed.map_or(0, |sum| sum.evaluations.get());
         Ok((self.road, Count { evaluations, ..Count::default() }))
@@ -478,16 +502,16 @@ impl<'a, T: Real> Ledger<'a, T> {
 
     /// Accelerations at this tension of the spring, from the power balance there.
     fn rate(&self, tension: T) -> Mode<T> {
-        if self.scene.spring().is_none() || !self.moves {
+        if self.scene.spring().is_none() || !self.free {
             return self.start_rate.clone();
         }
         let frictions: PerTie<T> = frictions(&self.kinetic);
         drive(self.scene, &self.n, std::slice::from_ref(&self.mode), &frictions, tension)
     }
 
-    fn reactions(&mut self, tension: T) -> PerTie<T> {
+    fn reactions(&mut self, tension: T) -> Reactions<T> {
         if let Some((at, known)) = &self.last
-            && (*at - tension).is_zero()
+            && at.same(tension)
         {
             return known.clone();
         }
@@ -505,9 +529,15 @@ impl<'a, T: Real> Ledger<'a, T> {
             }
         }
         let first = self.reactions(tension0);
-        let last = if (tension0 - tension1).is_zero() { first.clone() } else { self.reactions(tension1) };
+        let last = if tension0.same(tension1) { first.clone() } else { self.reactions(tension1) };
         for (t, tie) in self.scene.ties.iter().enumerate() {
             if let Tie::Roll { body, .. } = tie {
+                if first.is_open(t) {
+                    if self.scene.bodies[*body].line.is_some_and(|l| l.surface) {
+                        self.say_open(Quantity::MuRequired, Owner::Body(*body));
+                    }
+                    continue;
+                }
                 let most = first[t].abs().larger(last[t].abs());
                 let normal = balance::normal(&self.n, *body);
                 if self.scene.bodies[*body].line.is_some_and(|l| l.surface) {
@@ -517,29 +547,56 @@ impl<'a, T: Real> Ledger<'a, T> {
         }
     }
 
-    fn standing(&mut self, tension: T, at_rest: bool) {
+    fn standing(&mut self, tension: T) {
         let rate = self.rate(tension);
-        self.say_rates(&rate, at_rest);
+        self.say_rates(&rate);
         self.say_forces(tension);
         self.bound_of_gyration();
     }
 
-    fn say_rates(&mut self, rate: &Mode<T>, at_rest: bool) {
+    /// No power at the start, no speed, no energy, ever.
+    fn resting(&mut self, tension: T) {
+        let rate = self.rate(tension);
+        if self.started || rate.v.iter().chain(&rate.w).any(|x| !x.is_zero()) {
+            return;
+        }
         for (b, body) in self.scene.bodies.iter().enumerate() {
-            let still = |x: T| if at_rest { T::zero() } else { x };
             if body.line.is_some() {
-                self.say(Quantity::A, Owner::Body(b), still(rate.v[b]));
+                self.say(Quantity::V, Owner::Body(b), T::zero());
             }
             if body.turns {
-                self.say(Quantity::Alpha, Owner::Body(b), still(rate.w[b]));
+                self.say(Quantity::Omega, Owner::Body(b), T::zero());
             }
         }
+        self.say(Quantity::KineticEnergy, Owner::Scene, T::zero());
+    }
+
+    fn say_rates(&mut self, rate: &Mode<T>) {
+        for (b, body) in self.scene.bodies.iter().enumerate() {
+            if body.line.is_some() {
+                self.say(Quantity::A, Owner::Body(b), rate.v[b]);
+            }
+            if body.turns {
+                self.say(Quantity::Alpha, Owner::Body(b), rate.w[b]);
+            }
+        }
+    }
+
+    /// Says that a quantity hangs on a reaction that no balance of powers tells from the others.
+    fn say_open(&mut self, quantity: Quantity, of: Owner) {
+        self.road.open.push(Label { quantity, of });
     }
 
     fn say_forces(&mut self, tension: T) {
         let held = self.reactions(tension);
         for (t, tie) in self.scene.ties.iter().enumerate() {
             match tie {
+                Tie::Roll { body, .. } | Tie::Slip { body, .. } | Tie::Slide { body, .. }
+                    if held.is_open(t) =>
+                {
+                    self.say_open(Quantity::Friction, Owner::Body(*body));
+                }
+                Tie::Cord(_) if held.is_open(t) => self.say_open(Quantity::Tension, Owner::Tie(t)),
                 Tie::Roll { body, .. } | Tie::Slip { body, .. } | Tie::Slide { body, .. } => {
                     self.say(Quantity::Friction, Owner::Body(*body), held[t].signed(self.up(*body)));
                 }
@@ -559,7 +616,7 @@ impl<'a, T: Real> Ledger<'a, T> {
         let u = if rest { T::zero() } else { there.u };
         let rate = self.rate(tension);
         self.say(Quantity::T, Owner::Scene, there.time);
-        self.say_rates(&rate, false);
+        self.say_rates(&rate);
         self.say_forces(tension);
         self.bound_of_gyration();
         self.say(Quantity::KineticEnergy, Owner::Scene, energy);
@@ -568,6 +625,8 @@ impl<'a, T: Real> Ledger<'a, T> {
             let (v, w) = (self.mode.v[b], self.mode.w[b]);
             if body.line.is_some() {
                 self.say(Quantity::V, Owner::Body(b), v.abs() * u);
+                let moved = plant!("energy: way of the centre", v) * s;
+                self.say(Quantity::Displacement, Owner::Body(b), moved.signed(sense));
                 self.say(Quantity::Rise, Owner::Body(b), (v * s).signed(sense) * self.n.bodies[b].climb);
             }
             if body.turns {

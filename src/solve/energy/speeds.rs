@@ -15,7 +15,6 @@ use crate::scene::Scene;
 use crate::scene::Side;
 use crate::scene::Tie;
 use crate::solve::outcome::Grip;
-use crate::solve::outcome::Refusal;
 use smallvec::SmallVec;
 use smallvec::smallvec;
 
@@ -59,10 +58,11 @@ impl<T: Real> Mode<T> {
     }
 }
 
-/// The possible motions: the first has unit rate of the ending coordinate, the others leave it at rest.
+/// The possible motions: the first has unit rate of the ending coordinate, the others leave it at rest; all of them do where
+/// the ties hold it fast, and there are none where they hold everything.
 ///
-/// `grip` says which contacts that slip are taken as rolling. Errors: the ties hold the ending coordinate fast.
-pub fn modes<T: Real>(scene: &Scene, n: &Numbers<T>, grip: Grip) -> Result<Modes<T>, Refusal> {
+/// `grip` says which contacts that slip are taken as rolling, `stays` which bodies that could slide do not.
+pub fn modes<T: Real>(scene: &Scene, n: &Numbers<T>, grip: Grip, stays: &[bool]) -> Modes<T> {
     let bodies = scene.bodies.len();
     let column = |c: Coordinate| match c.degree {
         Degree::Along => 2 * c.body,
@@ -102,6 +102,9 @@ pub fn modes<T: Real>(scene: &Scene, n: &Numbers<T>, grip: Grip) -> Result<Modes
             row[column(Coordinate { body: *body, degree: Degree::Turn })] =
                 -plant!("energy: distance from the contact", n.get(*radius));
         }
+        if let (Tie::Slide { body, .. }, Some(true)) = (tie, stays.get(t)) {
+            rows.row()[column(Coordinate { body: *body, degree: Degree::Along })] = T::of(1.0);
+        }
         if let Tie::Cord(cord) = tie {
             match &cord.to {
                 Far::Fixed => add_point(rows.row(), &cord.from),
@@ -125,13 +128,13 @@ pub fn modes<T: Real>(scene: &Scene, n: &Numbers<T>, grip: Grip) -> Result<Modes
     }));
     let reduced = rows.reduce(&free);
     let mut open = reduced.open();
-    let Some(first) = open.iter().position(|j| *j == main) else { return Err(Refusal::Freedoms(0)) };
-    open.swap(0, first);
-    Ok(open
-        .into_iter()
+    if let Some(first) = open.iter().position(|j| *j == main) {
+        open.swap(0, first);
+    }
+    open.into_iter()
         .map(|j| {
             let part = |offset: usize| (0..bodies).map(|b| reduced.in_mode(j, 2 * b + offset)).collect();
             Mode { v: part(0), w: part(1) }
         })
-        .collect())
+        .collect()
 }

@@ -108,7 +108,9 @@ pub fn road_by<T: Real>(
     };
     let limit = turning.unwrap_or_else(|| T::of(f64::INFINITY));
     let asked = motion.asked(scene, &n, free, turning)?;
-    let reached = asked.filter(|q| q.not_negative() && q.at_most(limit));
+    // The turning point is where it is: no comparison with itself.
+    let turns = matches!(scene.end, End::TurningPoint(_));
+    let reached = asked.filter(|q| turns || q.not_negative() && q.at_most(limit));
     let (mut push, mut hold) = (T::Plain::zero(), T::Plain::zero());
     for power in &powers {
         let power = power.signed(sense).plain();
@@ -129,7 +131,7 @@ pub fn road_by<T: Real>(
         book.forces(&store, &store.start, spin.square());
         return Ok((book.road, Count::default()));
     };
-    let ends = matches!(scene.end, End::TurningPoint(_)) || way.side(limit) == 0.0;
+    let ends = turns || way.side(limit) == 0.0;
     let place = match scene.end {
         // The angle itself is printed; the way to it would round it.
         End::Angle(_, angle) => Half::of_degrees(n.get(angle)),

@@ -75,7 +75,7 @@ pub fn road<T: Real>(scene: &Scene, n: &Numbers<T>, thrown: &Thrown) -> Result<R
     let body = thrown.body;
     let numbers = n.bodies[body];
     let c = n.get(thrown.radius_m);
-    let modes = speeds::modes(scene, n, Grip::AllRoll)?;
+    let modes = speeds::modes(scene, n, Grip::AllRoll, &[]);
     let rolling = &modes[0];
     // No kinetic energy in common: m v v' + I w w' = 0; at unit velocity of the contact.
     let (across, turning) = (numbers.inertia * rolling.w[body], numbers.mass * rolling.v[body]);

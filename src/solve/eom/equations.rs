@@ -38,8 +38,8 @@ pub const SPRING: usize = 1;
 pub struct Setting {
     /// How contacts that are said to slip are taken.
     pub grip: Grip,
-    /// Hold what slides: static friction is then a reaction.
-    pub held: bool,
+    /// For each tie: is it a body that could slide and stays? Static friction is then a reaction.
+    pub stays: SmallVec<[bool; 4]>,
     /// For each tie that slips or slides: sense of the kinetic friction, 0 for none.
     pub friction_sense: SmallVec<[f64; 4]>,
     /// Slides feel their static coefficient (does it start?).
@@ -116,6 +116,10 @@ impl<T: Real> Response<T> {
     /// Friction of a contact (positive forward), or tension of a cord.
     pub fn reaction(&self, tie: usize, column: usize) -> T {
         self.at(self.layout.reaction[tie], column)
+    }
+    /// Do the ties share a reaction in a way that the equations leave open?
+    pub fn is_open(&self, tie: usize) -> bool {
+        self.layout.reaction[tie].is_some_and(|i| self.solution.is_open(i))
     }
     /// The last right-hand side: the probe, if there is one.
     pub fn last(&self) -> usize {
@@ -221,7 +225,7 @@ pub fn respond<T: Real>(scene: &Scene, n: &Numbers<T>, setting: &Setting) -> Res
                 if let Some(along) = layout.along[*body] {
                     rows.term(along, row, -plant!("eom: sliding friction along the line", T::of(1.0)));
                 }
-                if let (true, Some(along)) = (setting.held, layout.along[*body]) {
+                if let (true, Some(along)) = (setting.stays[t], layout.along[*body]) {
                     rows.term(row, along, T::of(1.0));
                     continue;
                 }
@@ -261,8 +265,12 @@ pub fn respond<T: Real>(scene: &Scene, n: &Numbers<T>, setting: &Setting) -> Res
             rows.right(row, layout.columns - 1, T::of(1.0));
         }
     }
-    match rows.solve() {
-        Ok(solution) => Ok(Response { layout, solution }),
-        Err(s) => Err(Refusal::Singular { unknowns: s.unknowns, rank: s.rank }),
+    let solution = rows.solve().map_err(|s| Refusal::Singular { unknowns: s.unknowns, rank: s.rank })?;
+    // Ties may share a reaction in any way; where an acceleration is open, the motion is.
+    let mut accelerations = layout.along.iter().chain(&layout.turn).flatten();
+    if accelerations.any(|i| solution.is_open(*i)) {
+        let open = (0..layout.count).filter(|i| solution.is_open(*i)).count();
+        return Err(Refusal::Singular { unknowns: layout.count, rank: layout.count - open });
     }
+    Ok(Response { layout, solution })
 }

@@ -15,6 +15,7 @@ use crate::num::ode::Count;
 use crate::num::plant::plant;
 use crate::scene::Attach;
 use crate::scene::Coordinate;
+use crate::scene::Cord;
 use crate::scene::CordEnd;
 use crate::scene::Degree;
 use crate::scene::End;
@@ -27,6 +28,7 @@ use crate::scene::Quantity;
 use crate::scene::RotaryInertia;
 use crate::scene::Scene;
 use crate::scene::Side;
+use crate::scene::Span;
 use crate::scene::Start;
 use crate::scene::Tie;
 use crate::solve::eom::equations::CONSTANT;
@@ -47,6 +49,7 @@ use crate::solve::outcome::Held;
 use crate::solve::outcome::Refusal;
 use crate::solve::outcome::Road;
 use crate::solve::outcome::Said;
+use crate::solve::outcome::Unsupported;
 use smallvec::SmallVec;
 use smallvec::smallvec;
 
@@ -119,8 +122,10 @@ struct Walk<'a, T: Real> {
     response: Response<T>,
     /// Column whose accelerations have the ratios of the velocities.
     ratio_column: usize,
-    /// Does anything move at all?
-    moves: bool,
+    /// Speed of the ending coordinate at the start.
+    v0: T,
+    /// Does it start with a speed, of whichever coordinate?
+    started: bool,
     /// Steps instead of the closed form: the rung, and which quantities are wanted.
     by: Option<(Rung, &'a dyn Fn(Quantity) -> bool)>,
     road: Road<T>,
@@ -129,17 +134,22 @@ struct Walk<'a, T: Real> {
 impl<'a, T: Real> Walk<'a, T> {
     fn new(scene: &'a Scene, n: Numbers<'a, T>) -> Result<Self, Refusal> {
         let end = scene.ending_coordinate();
-        let started = !scene.start.is_empty();
+        // What is given as 0 is no speed.
+        let given = scene.start.iter().find_map(|s| match s {
+            Start::Speed(c, v) if !n.get(*v).is_zero() => Some((*c, n.get(*v))),
+            _ => None,
+        });
+        let started = given.is_some();
         let spring = scene.spring().map(|(tie, ks, x0, rigid)| {
             let Tie::Cord(cord) = &scene.ties[tie] else { unreachable!("a spring is on a cord") };
             Spring { stiffness: n.massive(ks), stretch: n.get(x0), rigid, end: cord.from }
         });
         let mut setting = Setting {
             grip: Grip::AllRoll,
-            held: false,
+            stays: smallvec![false; scene.ties.len()],
             friction_sense: smallvec![0.0; scene.ties.len()],
             starting: false,
-            probe: started.then_some(end),
+            probe: given.map(|(c, _)| c),
         };
         let mut response = respond(scene, &n, &setting)?;
         let total = |r: &Response<T>, c: Coordinate| match &spring {
@@ -149,17 +159,39 @@ impl<'a, T: Real> Walk<'a, T> {
             None => r.acceleration(c, CONSTANT),
         };
         let x_eq = spring.as_ref().and_then(|s| {
-            let per_newton = response.acceleration(end, SPRING);
-            (!per_newton.is_zero())
-                .then(|| -(response.acceleration(end, CONSTANT) / per_newton) / s.stiffness)
+            // Any coordinate that it moves says where it would rest, the ending one first.
+            let mut known = std::iter::once(end).chain(scene.coordinates());
+            let c = known.find(|c| !response.acceleration(*c, SPRING).is_zero())?;
+            Some(-(response.acceleration(c, CONSTANT) / response.acceleration(c, SPRING)) / s.stiffness)
         });
+        // Velocity of a coordinate at the start: as a unit force on the one that is given would set it off.
+        let velocity = |r: &Response<T>, c: Coordinate| match given {
+            Some((known, v)) => {
+                let (own, lead) = (r.acceleration(c, r.last()), r.acceleration(known, r.last()));
+                if c == known {
+                    Some(v)
+                } else if lead.is_zero() {
+                    None
+                } else {
+                    Some(v * own / lead)
+                }
+            }
+            None => Some(T::zero()),
+        };
+        if let Some((known, _)) = given
+            && response.acceleration(known, response.last()).is_zero()
+        {
+            return Err(Refusal::Unsupported(Unsupported::StartHeld));
+        }
         let slipping: SmallVec<[usize; 2]> =
             (0..scene.ties.len()).filter(|t| matches!(scene.ties[*t], Tie::Slip { .. })).collect();
         let slides = scene.ties.iter().any(|t| matches!(t, Tie::Slide { .. }));
-        let mut moves = true;
         let mut rolled: Rolled<T> = Rolled::new();
         if !slipping.is_empty() {
             // Kinetic friction has the sense that static friction would have, the other contacts as declared.
+            if slipping.iter().any(|t| response.is_open(*t)) {
+                return Err(Refusal::Unsupported(Unsupported::SlipShared));
+            }
             for t in &slipping {
                 setting.friction_sense[*t] = response.reaction(*t, CONSTANT).sign();
             }
@@ -182,32 +214,59 @@ impl<'a, T: Real> Walk<'a, T> {
         }
         if slides {
             // Against the motion: that of the start, else the one that would set in without friction.
-            let last = response.last();
-            for (t, tie) in scene.ties.iter().enumerate() {
-                if let Tie::Slide { body, .. } = tie {
-                    let c = Coordinate { body: *body, degree: Degree::Along };
-                    let sense = if started {
-                        (response.acceleration(c, last) * Self::start_speed(scene, &n, &response, end)).sign()
-                    } else {
-                        total(&response, c).sign()
+            let sliding = |t: usize| match &scene.ties[t] {
+                Tie::Slide { body, .. } => Some(Coordinate { body: *body, degree: Degree::Along }),
+                _ => None,
+            };
+            let ties = scene.ties.len();
+            for t in 0..ties {
+                let Some(c) = sliding(t) else { continue };
+                let sense = match velocity(&response, c) {
+                    Some(v) if started => v.sign(),
+                    _ => total(&response, c).sign(),
+                };
+                setting.friction_sense[t] = -sense;
+                setting.stays[t] = sense == 0.0;
+            }
+            if !started {
+                // What static friction can turn back stays, and may take others with it.
+                setting.starting = true;
+                loop {
+                    response = respond(scene, &n, &setting)?;
+                    let turned = |t: &usize| {
+                        let back = |c| total(&response, c).sign() * setting.friction_sense[*t] >= 0.0;
+                        !setting.stays[*t] && sliding(*t).is_some_and(back)
                     };
-                    setting.friction_sense[t] = -sense;
+                    let turned: SmallVec<[usize; 4]> = (0..ties).filter(turned).collect();
+                    if turned.is_empty() {
+                        break;
+                    }
+                    turned.into_iter().for_each(|t| setting.stays[t] = true);
+                }
+                setting.starting = false;
+            }
+            response = respond(scene, &n, &setting)?;
+            if !started {
+                // With several freedoms what one body does may free or turn another: then no guess is made.
+                let held = |t: usize, c: Coordinate| {
+                    if !setting.stays[t] {
+                        return total(&response, c).sign() * setting.friction_sense[t] < 0.0;
+                    }
+                    let (Tie::Slide { mu_s, mu_k, .. }, false) = (&scene.ties[t], response.is_open(t)) else {
+                        return true;
+                    };
+                    let tension = spring.as_ref().map_or_else(T::zero, |s| s.stiffness * s.stretch);
+                    let pull =
+                        if spring.is_some() { response.reaction(t, SPRING) * tension } else { T::zero() };
+                    let friction = response.reaction(t, CONSTANT).balance(pull);
+                    friction.abs().at_most(n.get(mu_s.unwrap_or(*mu_k)) * response.normal(c.body))
+                };
+                if (0..ties).any(|t| sliding(t).is_some_and(|c| !held(t, c))) {
+                    return Err(Refusal::Unsupported(Unsupported::SlidesInTurn));
                 }
             }
-            let stuck = |r: &Response<T>, senses: &[f64]| {
-                scene.ties.iter().enumerate().any(|(t, tie)| {
-                    let Tie::Slide { body, .. } = tie else { return false };
-                    let c = Coordinate { body: *body, degree: Degree::Along };
-                    !started && total(r, c).sign() * senses[t] >= 0.0
-                })
-            };
-            setting.starting = !started;
-            response = respond(scene, &n, &setting)?;
-            moves = !stuck(&response, &setting.friction_sense);
-            setting.starting = false;
-            setting.held = !moves;
-            response = respond(scene, &n, &setting)?;
         }
+        let v0 = velocity(&response, end).unwrap_or_else(T::zero);
         let mut ratio_column = if spring.is_some() {
             SPRING
         } else if started {
@@ -218,7 +277,7 @@ impl<'a, T: Real> Walk<'a, T> {
         let lead = response.acceleration(end, ratio_column);
         let idle_spring = ratio_column == SPRING && lead.is_zero();
         let near_balance = ratio_column == CONSTANT && slipping.is_empty() && lead.cond() > NEAR_BALANCE;
-        if moves && (idle_spring || near_balance) {
+        if idle_spring || near_balance {
             // Ratios of accelerations that nearly vanish would lose the digits of their derivatives.
             setting.probe = Some(end);
             response = respond(scene, &n, &setting)?;
@@ -233,24 +292,11 @@ impl<'a, T: Real> Walk<'a, T> {
             rolled,
             response,
             ratio_column,
-            moves,
+            v0,
+            started,
             by: None,
             road: Road::new(),
         })
-    }
-
-    /// Speed of the ending coordinate at the start, from the speed that is given.
-    fn start_speed(scene: &Scene, n: &Numbers<T>, response: &Response<T>, end: Coordinate) -> T {
-        let last = response.last();
-        for s in &scene.start {
-            if let Start::Speed(c, v) = s {
-                let ratio = response.acceleration(*c, last) / response.acceleration(end, last);
-                if !ratio.is_zero() {
-                    return n.get(*v) / ratio;
-                }
-            }
-        }
-        T::zero()
     }
 
     fn say(&mut self, quantity: Quantity, of: Owner, value: T) {
@@ -307,13 +353,14 @@ impl<'a, T: Real> Walk<'a, T> {
         let zero = T::zero();
         let tension0 = self.spring.as_ref().map_or(zero, |s| s.stiffness * s.stretch);
         let a0 = self.acceleration(self.end, tension0);
-        let v0 = Self::start_speed(self.scene, &self.n, &self.response, self.end);
+        let v0 = self.v0;
         let sense = if !v0.is_zero() {
             v0.sign()
-        } else if self.moves {
-            a0.sign()
-        } else {
+        } else if self.started {
+            // The ties hold it while others move.
             0.0
+        } else {
+            a0.sign()
         };
         let wrong_way = match self.scene.heading {
             Some(Heading::Forward) => sense < 0.0,
@@ -325,11 +372,11 @@ impl<'a, T: Real> Walk<'a, T> {
         {
             self.say(Quantity::XEq, Owner::Scene, x_eq);
         }
-        let slips = self.slips();
         self.contacts_if_rolled();
         if sense == 0.0 || self.response.acceleration(self.end, self.ratio_column).is_zero() {
             self.road.course = Some(Course::at_rest());
-            self.standing(tension0, sense == 0.0 && !slips);
+            self.standing(tension0);
+            self.resting(tension0);
             if self.spring.is_some() && self.along(self.end.body) == Some(self.end) {
                 for q in [Quantity::VMax, Quantity::DAtVMax, Quantity::DTurn] {
                     self.say(q, Owner::Body(self.end.body), zero);
@@ -363,7 +410,7 @@ impl<'a, T: Real> Walk<'a, T> {
             reached,
         });
 
-        // Over the whole motion: tension at the start, and at the turning point or 0 when slack.
+        // The tension falls or grows all the way: its extremes are at the start and at the end of what is looked at, 0 when slack.
         let spring = self.spring;
         let tension_at = |s: T| match (spring, gamma) {
             (Some(spring), Some(gamma)) => {
@@ -372,11 +419,16 @@ impl<'a, T: Real> Walk<'a, T> {
             }
             _ => zero,
         };
-        let last_tension = match turning {
-            Some(t) => tension_at(t),
-            None => zero,
+        let last = match self.scene.span {
+            Span::ToEnd if reached => s,
+            Span::ToEnd | Span::ToTurningPoint => turning,
         };
-        self.grip(tension0, last_tension);
+        self.grip(tension0, last.map_or(zero, tension_at));
+        if let (true, Some(s), Some((slack, _)), Some((tie, ..))) =
+            (reached, s, travel.slack, self.scene.spring())
+        {
+            self.road.held.push(Held::Slack(tie, s.plain(), slack.plain()));
+        }
         let path = self.stepped(&travel, if reached { s } else { None })?;
         let (met, peak, rest) = path.map_or((None, None, None), |p| (p.end, p.fastest, p.turning));
         if (self.spring.is_some() || !v0.is_zero()) && self.along(self.end.body) == Some(self.end) {
@@ -397,7 +449,7 @@ impl<'a, T: Real> Walk<'a, T> {
                 }
                 self.arrived(&state, sense, tension_at(state.s));
             }
-            _ => self.standing(tension0, false),
+            _ => self.standing(tension0),
         }
         Ok((self.road, path.map_or_else(Count::default, |p| p.count)))
     }
@@ -422,10 +474,6 @@ impl<'a, T: Real> Walk<'a, T> {
         let wanted = Wanted { end: event, fastest, turning: asked(Quantity::DTurn) };
         let trouble = |trouble| Refusal::Trouble { method: rung.method(), trouble };
         path(travel, &wanted, rung).map(Some).map_err(trouble)
-    }
-
-    fn slips(&self) -> bool {
-        !self.rolled.is_empty()
     }
 
     /// What the event asks for, in its own measure, and the distance at which it comes.
@@ -515,6 +563,17 @@ impl<'a, T: Real> Walk<'a, T> {
             }
         }
         for (t, tie) in self.scene.ties.iter().enumerate() {
+            if self.response.is_open(t) {
+                if let Tie::Roll { body, .. } = tie
+                    && self.scene.bodies[*body].line.is_some_and(|l| l.surface)
+                {
+                    self.say_open(Quantity::MuRequired, Owner::Body(*body));
+                }
+                if matches!(tie, Tie::Roll { mu_s: Some(_), .. } | Tie::Cord(_)) {
+                    self.road.held.push(Held::Open(t));
+                }
+                continue;
+            }
             match tie {
                 Tie::Roll { body, mu_s, .. } => {
                     let (first, last) = (self.friction(t, tension0).abs(), self.friction(t, tension1).abs());
@@ -530,37 +589,125 @@ impl<'a, T: Real> Walk<'a, T> {
                 }
                 Tie::Cord(c) if matches!(c.to, Far::Body(_) | Far::Fixed) => {
                     let (first, last) = (self.friction(t, tension0), self.friction(t, tension1));
-                    let least = if last.below(first) { last } else { first };
+                    let (least, at) = if last.below(first) { (last, tension1) } else { (first, tension0) };
+                    let share = self.share_of_tension(t, c, least, at);
                     let force = self.n.publish(Quantity::Tension, least).f64();
-                    self.road.held.push(Held::Cord(t, force));
+                    self.road.held.push(Held::Cord(t, force, share));
                 }
                 _ => {}
             }
         }
     }
 
+    /// Tension of a cord as a share of the other forces (or moments) on what it pulls, at this tension of the spring: near 0 the
+    /// cord is about to go slack. The smaller share of its two ends.
+    fn share_of_tension(&self, tie: usize, cord: &Cord, tension: T, spring: T) -> f64 {
+        let other = match &cord.to {
+            Far::Body(end) => Some(end),
+            Far::Pull(_) | Far::Spring { .. } | Far::Fixed => None,
+        };
+        let share = |end: &CordEnd| {
+            let b = end.body;
+            let n = &self.n.bodies[b];
+            let (c, arm) = match (self.along(b), end.attach) {
+                (Some(c), _) => (c, None),
+                (None, Attach::Wound(p, _)) => {
+                    (Coordinate { body: b, degree: Degree::Turn }, Some(self.n.get(p)))
+                }
+                (None, Attach::Centre) => return 1.0,
+            };
+            // Lever of a cord or contact that acts on the body.
+            let lever = |attach: Attach| match (arm, attach) {
+                (None, _) => T::of(1.0),
+                (Some(_), Attach::Wound(p, _)) => self.n.get(p),
+                (Some(_), Attach::Centre) => T::zero(),
+            };
+            let size = |x: T| x.f64().abs();
+            let a = self.acceleration(c, spring);
+            let mut others = match arm {
+                None => size(n.mass * a) + size(n.mass * n.climb * self.n.gravity),
+                Some(_) => size(n.inertia * a),
+            };
+            for couple in self.scene.couples.iter().filter(|k| arm.is_some() && k.body == b) {
+                others += size(self.n.massive(couple.moment_n_m));
+            }
+            for (t, other) in self.scene.ties.iter().enumerate().filter(|(t, _)| *t != tie) {
+                others += match other {
+                    Tie::Roll { body, radius_m, .. } | Tie::Slip { body, radius_m, .. } if *body == b => {
+                        size(self.friction(t, spring) * lever(Attach::Wound(*radius_m, Side::Bottom)))
+                    }
+                    Tie::Slide { body, .. } if *body == b && arm.is_none() => size(self.friction(t, spring)),
+                    Tie::Cord(Cord { from, to, .. }) => {
+                        let far = match to {
+                            Far::Body(end) if end.body == b => Some(end),
+                            _ => None,
+                        };
+                        let force = match to {
+                            Far::Pull(p) => self.n.massive(*p),
+                            Far::Spring { .. } => spring,
+                            Far::Body(_) | Far::Fixed => self.friction(t, spring),
+                        };
+                        let near = Some(from).filter(|end| end.body == b);
+                        near.into_iter().chain(far).map(|end| size(force * lever(end.attach))).sum()
+                    }
+                    _ => 0.0,
+                };
+            }
+            let own = size(tension * lever(end.attach));
+            if others > 0.0 { own / others } else { 1.0 }
+        };
+        other.map_or(1.0, share).min(share(&cord.from))
+    }
+
     /// What needs no ending event: accelerations and forces at the start.
-    fn standing(&mut self, tension: T, at_rest: bool) {
-        self.accelerations(tension, at_rest);
+    fn standing(&mut self, tension: T) {
+        self.accelerations(tension);
         self.forces(tension);
         self.bound_of_gyration();
     }
 
-    fn accelerations(&mut self, tension: T, at_rest: bool) {
+    /// Where nothing sets off, everything stays as it is: no speed, no energy.
+    fn resting(&mut self, tension: T) {
+        let moves = |c: Coordinate| !self.acceleration(c, tension).is_zero();
+        if self.started || self.scene.coordinates().any(moves) {
+            return;
+        }
+        for b in 0..self.scene.bodies.len() {
+            for (c, q) in [(self.along(b), Quantity::V), (self.turn(b), Quantity::Omega)] {
+                if c.is_some() {
+                    self.say(q, Owner::Body(b), T::zero());
+                }
+            }
+        }
+        self.say(Quantity::KineticEnergy, Owner::Scene, T::zero());
+    }
+
+    fn accelerations(&mut self, tension: T) {
         for b in 0..self.scene.bodies.len() {
             for (c, q) in [(self.along(b), Quantity::A), (self.turn(b), Quantity::Alpha)] {
                 if let Some(c) = c {
-                    let a = if at_rest { T::zero() } else { self.acceleration(c, tension) };
+                    let a = self.acceleration(c, tension);
                     self.say(q, Owner::Body(b), a);
                 }
             }
         }
     }
 
+    /// Says that a quantity hangs on a reaction that the ties share in a way that statics leaves open.
+    fn say_open(&mut self, quantity: Quantity, of: Owner) {
+        self.road.open.push(Label { quantity, of });
+    }
+
     /// Friction of the contacts and tension of the cords at this tension of the spring.
     fn forces(&mut self, tension: T) {
         for (t, tie) in self.scene.ties.iter().enumerate() {
             match tie {
+                Tie::Roll { body, .. } | Tie::Slip { body, .. } | Tie::Slide { body, .. }
+                    if self.response.is_open(t) =>
+                {
+                    self.say_open(Quantity::Friction, Owner::Body(*body));
+                }
+                Tie::Cord(_) if self.response.is_open(t) => self.say_open(Quantity::Tension, Owner::Tie(t)),
                 Tie::Roll { body, .. } | Tie::Slip { body, .. } | Tie::Slide { body, .. } => {
                     let f = self.friction(t, tension);
                     let scale = self.friction_scale(&self.response, *body, f, tension);
@@ -585,7 +732,7 @@ impl<'a, T: Real> Walk<'a, T> {
         // Shares at unit rate: the speed would bring in its own rounding and leave by cancelling.
         let (mut turning, mut whole) = (T::zero(), T::zero());
         self.say(Quantity::T, Owner::Scene, state.time);
-        self.accelerations(tension, false);
+        self.accelerations(tension);
         self.forces(tension);
         self.bound_of_gyration();
         for b in 0..self.scene.bodies.len() {
@@ -594,6 +741,8 @@ impl<'a, T: Real> Walk<'a, T> {
                 let ratio = self.ratio(c);
                 let v = ratio.abs() * u;
                 self.say(Quantity::V, Owner::Body(b), v);
+                let moved = plant!("eom: displacement of the centre", ratio) * s;
+                self.say(Quantity::Displacement, Owner::Body(b), moved.signed(sense));
                 self.say(Quantity::Rise, Owner::Body(b), (ratio * n.climb * s).signed(sense));
                 energy = energy + (n.mass * v * v).scale2(-1);
                 whole = whole + n.mass * ratio * ratio;
@@ -623,6 +772,8 @@ impl<'a, T: Real> Walk<'a, T> {
                     self.say_scaled(Quantity::SlipDistance, Owner::Body(*body), slip, scale);
                     heat = Some(heat.unwrap_or_else(T::zero) + self.friction(t, tension).abs() * slip);
                 }
+                // What the ties hold produces no heat, whatever its friction.
+                Tie::Slide { .. } if self.response.is_open(t) => heat = heat.or(Some(T::zero())),
                 Tie::Slide { body, .. } => {
                     let path = self.along(*body).map_or_else(T::zero, |c| self.ratio(c)).abs() * s;
                     heat = Some(heat.unwrap_or_else(T::zero) + self.friction(t, tension).abs() * path);

@@ -95,8 +95,9 @@ pub fn road_by<T: Real>(
     let phase = |grip: Grip, sense: f64| -> Result<(Phase<T>, Response<T>), Refusal> {
         let mut friction_sense = smallvec![0.0; scene.ties.len()];
         friction_sense[thrown.tie] = sense;
+        let stays = smallvec![false; scene.ties.len()];
         let response =
-            respond(scene, n, &Setting { grip, held: false, friction_sense, starting: false, probe: None })?;
+            respond(scene, n, &Setting { grip, stays, friction_sense, starting: false, probe: None })?;
         let of = |degree| response.acceleration(Coordinate { body, degree }, CONSTANT);
         let friction = response.reaction(thrown.tie, CONSTANT);
         Ok((Phase { a: of(Degree::Along), alpha: of(Degree::Turn), friction }, response))
@@ -231,6 +232,11 @@ pub fn road_by<T: Real>(
         closes,
         holds,
         to_roll,
+        times: match scene.end {
+            End::Time(_, t) => Some((n.get(t).f64(), until.map_or(f64::INFINITY, T::f64))),
+            _ => None,
+        },
+        at_end: state.as_ref().map(|s| (size(s.v), size(v0) + size(s.v - v0))),
         slip: size(slip0),
         speeds: size(v0) + size(rim),
         upkeep: force(rolling.friction.signed(-sense)),

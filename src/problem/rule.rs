@@ -1,0 +1,309 @@
+//! The rules of a draw, how often each refused and what came out instead, in words.
+use crate::bank::Bound;
+use crate::bank::Problem;
+use crate::bank::measure;
+use crate::scene::Num;
+use crate::scene::admissible;
+use crate::scene::admissible::Inadmissible;
+use crate::solve::outcome::CheckKind;
+use crate::solve::outcome::Refusal;
+use crate::solve::outcome::Regime;
+use std::collections::BTreeMap;
+
+/// A rule of a draw, by what it is about: questions, bounds and wrong methods by index, a regime by what came out.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Rule {
+    /// The data are a scene.
+    Admissible,
+    /// The scene can be solved.
+    Solvable,
+    /// The two roads agree.
+    Agree,
+    /// Rounding of the printed data leaves no doubt which way the scene goes.
+    Certain,
+    /// The proved error of this answer is small beside its tolerance.
+    Proved(usize),
+    /// The kinetic energy is not a small rest of the energy put in.
+    Input,
+    /// What happens is what the problem declares; this happens.
+    Regime(Regime),
+    /// The relation by which this part follows from others gives its right answer.
+    Follows(usize),
+    /// A condition of validity holds, with its margin.
+    Check(CheckKind),
+    /// This question has an answer.
+    Answered(usize),
+    /// The printed data determine this answer.
+    Cond(usize),
+    /// This bound holds.
+    Bound(usize),
+    /// This wrong method stays away from right answers.
+    Mistake(usize),
+}
+
+/// A rule that refuses a draw, and the number that came out: a margin, a condition number, the value of a bound. NaN where
+/// there is none.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Refused {
+    /// Which rule.
+    pub rule: Rule,
+    /// What came out.
+    pub found: f64,
+}
+
+impl Rule {
+    /// The refusal in which this number came out.
+    pub const fn found(self, found: f64) -> Refused {
+        Refused { rule: self, found }
+    }
+}
+
+impl From<Rule> for Refused {
+    fn from(rule: Rule) -> Self {
+        rule.found(f64::NAN)
+    }
+}
+
+/// How often a rule refused, and the least and the greatest number that came out.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Tally {
+    count: u32,
+    least: f64,
+    most: f64,
+}
+
+impl Tally {
+    const NONE: Tally = Tally { count: 0, least: f64::INFINITY, most: f64::NEG_INFINITY };
+    fn join(&mut self, other: Tally) {
+        self.count += other.count;
+        // NaN is no number that came out.
+        self.least = self.least.min(other.least);
+        self.most = self.most.max(other.most);
+    }
+    /// `0.2`, or `0.2 to 0.4`; empty where no number came out.
+    fn range(self, shown: &dyn Fn(f64) -> String) -> String {
+        if self.least > self.most {
+            return String::new();
+        }
+        let (least, most) = (shown(self.least), shown(self.most));
+        if least == most { least } else { format!("{least} to {most}") }
+    }
+}
+
+/// How often each rule refused a draw.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Refusals {
+    tallies: BTreeMap<Rule, Tally>,
+    /// The last draw of admissible data that could not be solved, or on which the two roads disagreed.
+    pub unsolved: Option<Refusal>,
+    /// What was wrong with the last draw that is no scene.
+    pub inadmissible: Vec<Inadmissible>,
+    /// Condition numbers of all questions, draw by draw, of the draws that hold all rules but those about them; kept only by
+    /// a maker that is watching.
+    pub conds: Vec<f64>,
+    /// Draws that hold all rules but those about wrong methods; kept only by a maker that is watching.
+    pub told: u32,
+    /// How many of those each wrong method would refuse, guarded or not: for each method its questions in order, and last
+    /// all of them together.
+    pub near: Vec<u32>,
+}
+
+impl Refusals {
+    /// Counts a refusal.
+    pub fn add(&mut self, refused: Refused) {
+        let one = Tally { count: 1, least: refused.found, most: refused.found };
+        self.tallies.entry(refused.rule).or_insert(Tally::NONE).join(one);
+    }
+    /// Adds the counts of another variant of the same case.
+    pub fn join(&mut self, other: &Refusals) {
+        for (rule, tally) in &other.tallies {
+            self.tallies.entry(*rule).or_insert(Tally::NONE).join(*tally);
+        }
+        self.conds.extend_from_slice(&other.conds);
+        self.told += other.told;
+        if self.near.len() < other.near.len() {
+            self.near.resize(other.near.len(), 0);
+        }
+        for (mine, theirs) in self.near.iter_mut().zip(&other.near) {
+            *mine += theirs;
+        }
+        if other.unsolved.is_some() {
+            self.unsolved.clone_from(&other.unsolved);
+        }
+        if !other.inadmissible.is_empty() {
+            self.inadmissible.clone_from(&other.inadmissible);
+        }
+    }
+    /// All refusals together.
+    pub fn total(&self) -> u64 {
+        self.tallies.values().map(|t| u64::from(t.count)).sum()
+    }
+    /// Names of the rules that refused and how often, most first.
+    pub fn names(&self, problem: &Problem, case: usize) -> Vec<(String, u32)> {
+        let named = self.tallies.iter().map(|(rule, tally)| (name(problem, case, *rule), tally.count));
+        sorted(named)
+    }
+    /// The same with what came out and what was wanted.
+    pub fn table(&self, problem: &Problem, case: usize) -> Vec<(String, u32)> {
+        let regime = |rule: &Rule| matches!(rule, Rule::Regime(_));
+        let others = self.tallies.iter().filter(|(rule, _)| !regime(rule));
+        let rows = others.map(|(rule, tally)| (self.sentence(problem, case, *rule, *tally), tally.count));
+        let mut happened: Vec<(Regime, u32)> = Vec::new();
+        for (rule, tally) in &self.tallies {
+            if let Rule::Regime(regime) = rule {
+                happened.push((*regime, tally.count));
+            }
+        }
+        happened.sort_by(|a, b| b.1.cmp(&a.1).then(a.0.cmp(&b.0)));
+        let all: u32 = happened.iter().map(|(_, n)| n).sum();
+        let list: Vec<String> = happened.iter().map(|(r, n)| format!("{n} of {all} {}", r.they())).collect();
+        let wanted = problem.cases.get(case).map_or_else(String::new, |c| c.regimes.join(", "));
+        let wanted = if wanted.is_empty() { "no slip".to_owned() } else { wanted };
+        let regime = format!("regime: {} (wanted: {wanted})", list.join(", "));
+        sorted(rows.chain((all > 0).then_some((regime, all))))
+    }
+
+    /// What a rule refused, with the numbers.
+    fn sentence(&self, problem: &Problem, case: usize, rule: Rule, tally: Tally) -> String {
+        let plain = rounded;
+        let name = name(problem, case, rule);
+        let came_out = match rule {
+            Rule::Check(kind) => {
+                let margin = problem.margins.iter().find(|(k, _)| *k == kind).map_or(0.0, |(_, m)| *m);
+                let range = tally.range(&|x| format!("{} %", rounded(100.0 * x)));
+                match (kind.is_share(), margin > 0.0) {
+                    (false, _) => "does not hold".to_owned(),
+                    (true, true) => format!("margin {range} (`margins`: {} %)", rounded(100.0 * margin)),
+                    (true, false) => format!("margin {range} (above 0 % it holds)"),
+                }
+            }
+            Rule::Cond(question) => {
+                let limit = problem.questions.get(question).map_or(f64::NAN, |q| q.cond_limit);
+                format!("{} (`cond limit`: {})", tally.range(&plain), rounded(limit))
+            }
+            Rule::Input => format!(
+                "{} times the kinetic energy (`input energy limit`: {})",
+                tally.range(&plain),
+                rounded(problem.energy_limit)
+            ),
+            Rule::Bound(bound) => match problem.cases.get(case).and_then(|c| c.bounds.get(bound)) {
+                Some(bound) => format!("{} ({})", tally.range(&|x| in_unit(bound, x)), wanted(bound)),
+                None => String::new(),
+            },
+            Rule::Proved(_) => {
+                format!("{} of its tolerance", tally.range(&plain))
+            }
+            Rule::Admissible => {
+                self.inadmissible.iter().map(|f| inadmissible(problem, f)).collect::<Vec<_>>().join("; ")
+            }
+            _ => String::new(),
+        };
+        if came_out.is_empty() { name } else { format!("{name}: {came_out}") }
+    }
+}
+
+fn sorted(rows: impl Iterator<Item = (String, u32)>) -> Vec<(String, u32)> {
+    let mut list: Vec<(String, u32)> = Vec::new();
+    for (name, count) in rows {
+        match list.iter_mut().find(|(n, _)| *n == name) {
+            Some((_, n)) => *n += count,
+            None => list.push((name, count)),
+        }
+    }
+    list.sort_by(|a, b| b.1.cmp(&a.1).then_with(|| a.0.cmp(&b.0)));
+    list
+}
+
+/// What a rule is called where it refuses.
+fn name(problem: &Problem, case: usize, rule: Rule) -> String {
+    let question = |i: usize| problem.questions.get(i).map_or("?", |q| q.id.as_str());
+    match rule {
+        Rule::Admissible => "data that are no scene".to_owned(),
+        Rule::Solvable => "cannot be solved".to_owned(),
+        Rule::Agree => "the two roads disagree".to_owned(),
+        Rule::Certain => {
+            "the key is not proved: rounding of the printed data leaves open which way it goes".to_owned()
+        }
+        Rule::Proved(i) => format!("the key is not proved: the bound of the error of {}", question(i)),
+        Rule::Input => "input energy".to_owned(),
+        Rule::Regime(_) => "regime".to_owned(),
+        Rule::Follows(i) => format!("the relation of `follows` for {} does not hold", question(i)),
+        Rule::Check(kind) => kind.name().to_owned(),
+        Rule::Answered(i) => format!("question {} has no answer", question(i)),
+        Rule::Cond(i) => format!("cond of {}", question(i)),
+        Rule::Bound(i) => {
+            let bound = problem.cases.get(case).and_then(|c| c.bounds.get(i));
+            format!("bound {}", bound.map_or("?", |b| b.text.as_str()))
+        }
+        Rule::Mistake(i) => {
+            let mistake = problem.mistakes.get(i);
+            format!("wrong method {} near a right answer", mistake.map_or("?", |m| m.id.as_str()))
+        }
+    }
+}
+
+/// A value of a bound's expression, in SI.
+fn in_unit(bound: &Bound, value: f64) -> String {
+    match measure::powers_text(bound.expression.powers).as_str() {
+        "1" => rounded(value),
+        unit => format!("{} {unit}", rounded(value)),
+    }
+}
+
+/// What a bound allows.
+fn wanted(bound: &Bound) -> String {
+    let shown = |x: f64| in_unit(bound, x);
+    match (bound.min, bound.max) {
+        (Some(min), Some(max)) => format!("wanted: {} to {}", shown(min), shown(max)),
+        (Some(min), None) => format!("wanted: at least {}", shown(min)),
+        (None, Some(max)) => format!("wanted: at most {}", shown(max)),
+        (None, None) => "wanted: a number".to_owned(),
+    }
+}
+
+/// A number of the scene by its symbol.
+fn symbol(problem: &Problem, num: Num) -> String {
+    match num {
+        Num::Datum(i) => problem.data.get(i).map_or_else(|| "a datum".to_owned(), |d| d.symbol.clone()),
+        Num::Fixed(x) => format!("the constant {x}"),
+    }
+}
+
+/// What is wrong with a number of the scene.
+pub fn inadmissible(problem: &Problem, fault: &Inadmissible) -> String {
+    use admissible::Rule as R;
+    let name = symbol(problem, fault.datum);
+    let value = fault.value;
+    match fault.rule {
+        R::Finite => format!("{name} = {value}: must be a finite number"),
+        R::Positive => format!("{name} = {value}: must be above 0"),
+        R::NotNegative => format!("{name} = {value}: must not be below 0"),
+        R::Angle => format!("{name} = {value}: an angle is from -360 to 360 degrees"),
+        R::Stretch => format!("{name} = {value}: must not be above the length of the spring at the start"),
+        R::Slope => format!("{name} = {value}: a slope is from 0 to 90 degrees"),
+        R::NotAbove(other) => format!("{name} = {value}: must not be above {}", symbol(problem, other)),
+    }
+}
+
+/// Three figures, for people.
+fn rounded(value: f64) -> String {
+    let size = value.abs();
+    if size == 0.0 {
+        "0".to_owned()
+    } else if (1e-3..1e6).contains(&size) {
+        let text = format!(
+            "{:.*}",
+            if size >= 100.0 {
+                0
+            } else if size >= 10.0 {
+                1
+            } else {
+                3
+            },
+            value
+        );
+        if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text }
+    } else {
+        format!("{value:.1e}")
+    }
+}

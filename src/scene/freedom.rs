@@ -1,0 +1,57 @@
+//! How many freedoms the ties leave, whatever the data: for telling what is no scene that is solved, not for solving.
+use crate::num::eliminate::Equations;
+use crate::scene::Attach;
+use crate::scene::Coordinate;
+use crate::scene::CordEnd;
+use crate::scene::Degree;
+use crate::scene::Far;
+use crate::scene::Num;
+use crate::scene::Scene;
+use crate::scene::Side;
+use crate::scene::Tie;
+
+/// A number in the place of one that is not known: of no simple ratio to those of the other data.
+fn stand_in(num: Num) -> f64 {
+    match num {
+        Num::Fixed(x) => x,
+        Num::Datum(i) => (2.0 + i as f64).sqrt() + 1.0 / (3.0 + i as f64),
+    }
+}
+
+impl Scene {
+    /// Coordinates less the ties that say something of their own; contacts that slip or slide hold nothing.
+    pub fn freedoms(&self) -> usize {
+        let coordinates: Vec<Coordinate> = self.coordinates().collect();
+        let place =
+            |body: usize, degree: Degree| coordinates.iter().position(|c| *c == Coordinate { body, degree });
+        let mut ties: Equations<f64> = Equations::new(coordinates.len());
+        for tie in &self.ties {
+            let ends: [Option<&CordEnd>; 2] = match tie {
+                Tie::Roll { body, radius_m, .. } => {
+                    let row = ties.row();
+                    let along = place(*body, Degree::Along).map(|i| (i, 1.0));
+                    let turn = place(*body, Degree::Turn).map(|i| (i, -stand_in(*radius_m)));
+                    along.into_iter().chain(turn).for_each(|(i, x)| row[i] = x);
+                    continue;
+                }
+                Tie::Cord(cord) => match &cord.to {
+                    Far::Fixed => [Some(&cord.from), None],
+                    Far::Body(other) => [Some(&cord.from), Some(other)],
+                    Far::Pull(_) | Far::Spring { .. } => continue,
+                },
+                Tie::Slip { .. } | Tie::Slide { .. } => continue,
+            };
+            let row = ties.row();
+            for end in ends.into_iter().flatten() {
+                let toward = if end.forward { 1.0 } else { -1.0 };
+                if let Some(i) = place(end.body, Degree::Along) {
+                    row[i] += toward;
+                }
+                if let (Attach::Wound(p, side), Some(i)) = (end.attach, place(end.body, Degree::Turn)) {
+                    row[i] += toward * stand_in(p) * if side == Side::Top { 1.0 } else { -1.0 };
+                }
+            }
+        }
+        coordinates.len() - ties.reduce(&[]).rank()
+    }
+}

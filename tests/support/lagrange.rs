@@ -1,0 +1,1198 @@
+//! A judge of composed scenes, written for the test from nothing: Lagrange's equations with multipliers in plain x and y (x to
+//! the right, y up, turns counter-clockwise), three coordinates a body. It reads the words of the bank for itself, derives the
+//! constraints from geometry, finds by trial which contacts hold, and moves along in time. It shares no line with the
+//! program. Everything is in doubles.
+use crate::composed::{Amount, Body, End, Event, Far, Scene, Spread, Tie, Way};
+
+type V2 = (f64, f64);
+fn dot(a: V2, b: V2) -> f64 {
+    a.0 * b.0 + a.1 * b.1
+}
+fn times(k: f64, a: V2) -> V2 {
+    (k * a.0, k * a.1)
+}
+/// A quarter turn counter-clockwise.
+fn quarter(a: V2) -> V2 {
+    (-a.1, a.0)
+}
+
+/// Below this a number of a reduced matrix, whose rows were of order 1, is 0.
+const NOTHING: f64 = 1e-9;
+
+/// Where a body moves, in plain x and y.
+struct Frame {
+    /// Forward along the line; to the right for an axle.
+    forward: V2,
+    /// Up along the line (to the right on a level).
+    up: V2,
+    /// From the surface to the body; where there is none, so that forward is to its right.
+    out: V2,
+    /// Counter-clockwise turn that goes with rolling forward on a surface below: 1 or -1.
+    sense: f64,
+    on_surface: bool,
+    line: bool,
+    turns: bool,
+}
+
+fn frame(s: &Scene, b: &Body) -> Frame {
+    let turns = !matches!(b.spread, Spread::Block);
+    let (up, on_surface, line) = match b.way {
+        Way::Axle => ((1.0, 0.0), false, false),
+        Way::Vertically => ((0.0, 1.0), false, true),
+        Way::Along(i) => {
+            let surface = &s.surfaces[i];
+            let up = match &surface.slope {
+                Some(a) if a.si == 90.0 => (0.0, 1.0),
+                Some(a) => {
+                    let angle = a.si * std::f64::consts::PI / 180.0;
+                    (libm::cos(angle), libm::sin(angle))
+                }
+                None if surface.vertical => (0.0, 1.0),
+                None => (1.0, 0.0),
+            };
+            (up, true, true)
+        }
+    };
+    let back = matches!(b.positive, Some("down" | "back" | "left"));
+    let forward = if back { times(-1.0, up) } else { up };
+    let out = if on_surface { quarter(up) } else { quarter(forward) };
+    // The point of contact, at -out c, is at rest: v forward + turn * quarter(-out c) = 0.
+    let sense = dot(quarter(out), forward).signum();
+    Frame { forward, up, out, sense, on_surface, line, turns }
+}
+
+fn radius(b: &Body, name: &str) -> f64 {
+    b.radii.iter().find(|(n, _)| *n == name).map(|(_, a)| a.si).expect("a radius that was drawn")
+}
+
+/// Where a cord leaves: from the mass centre to the point, and the direction away from the body.
+fn leaves(s: &Scene, frames: &[Frame], e: &End) -> (V2, V2) {
+    let f = &frames[e.body];
+    let Some(on) = e.wound else {
+        let along = match e.leaves {
+            "forward" => f.forward,
+            "back" => times(-1.0, f.forward),
+            "up" => f.up,
+            "down" => times(-1.0, f.up),
+            other => panic!("{other}"),
+        };
+        return ((0.0, 0.0), along);
+    };
+    let p = radius(&s.bodies[e.body], on);
+    let (above, below) = (times(p, f.out), times(-p, f.out));
+    match e.leaves {
+        "top forward" => (above, f.forward),
+        "top back" => (above, times(-1.0, f.forward)),
+        "bottom forward" => (below, f.forward),
+        "bottom back" => (below, times(-1.0, f.forward)),
+        // A turn forward is clockwise where no surface says otherwise, so the front, which it moves down, is on the right.
+        "front down" => ((p, 0.0), (0.0, -1.0)),
+        "front up" => ((p, 0.0), (0.0, 1.0)),
+        "back down" => ((-p, 0.0), (0.0, -1.0)),
+        // Moving down it then turns forward.
+        "back up" | "up" => ((-p, 0.0), (0.0, 1.0)),
+        other => panic!("{other}"),
+    }
+}
+
+fn masses(s: &Scene, b: &Body) -> (f64, f64) {
+    let kg = |a: &Amount| if a.unit == "N" { a.si / s.gravity.si } else { a.si };
+    let m = b.mass.as_ref().map_or(1.0, kg);
+    match &b.spread {
+        Spread::Block => (m, 0.0),
+        Spread::Gyration(k) => (m, m * k.si * k.si),
+        Spread::Moment(i) => (m, i.si),
+        Spread::Shape(word, r) => {
+            let beta = match *word {
+                "disc" => 1.0 / 2.0,
+                "hoop" => 1.0,
+                "sphere" => 2.0 / 5.0,
+                "shell" => 2.0 / 3.0,
+                other => panic!("{other}"),
+            };
+            (m, beta * m * r.si * r.si)
+        }
+        Spread::Discs(parts) => {
+            let m = parts.iter().map(|(m, _)| m.si).sum();
+            (m, parts.iter().map(|(m, r)| 0.5 * m.si * r.si * r.si).sum())
+        }
+    }
+}
+
+/// Rows reduced with full pivoting: `a x = b` in the last column. Pivots as (row, column); what is left of the rows without
+/// a pivot, and the size that their right-hand sides had.
+struct Reduced {
+    rows: Vec<Vec<f64>>,
+    pivots: Vec<(usize, usize)>,
+}
+
+fn reduce(mut rows: Vec<Vec<f64>>, cols: usize) -> Reduced {
+    let mut pivots: Vec<(usize, usize)> = Vec::new();
+    loop {
+        let mut best = (0, 0, NOTHING);
+        for (i, row) in rows.iter().enumerate().filter(|(i, _)| !pivots.iter().any(|p| p.0 == *i)) {
+            for (j, v) in row.iter().take(cols).enumerate() {
+                if v.abs() > best.2 {
+                    best = (i, j, v.abs());
+                }
+            }
+        }
+        let (i, j, size) = best;
+        if size <= NOTHING {
+            break;
+        }
+        pivots.push((i, j));
+        let lead = rows[i][j];
+        rows[i].iter_mut().for_each(|v| *v /= lead);
+        let base = rows[i].clone();
+        for (k, row) in rows.iter_mut().enumerate() {
+            if k != i && row[j] != 0.0 {
+                let f = row[j];
+                row.iter_mut().zip(&base).for_each(|(v, b)| *v -= f * b);
+                row[j] = 0.0;
+            }
+        }
+    }
+    Reduced { rows, pivots }
+}
+
+impl Reduced {
+    /// Solutions of `a x = 0`.
+    fn kernel(&self, cols: usize) -> Vec<Vec<f64>> {
+        let open = (0..cols).filter(|j| !self.pivots.iter().any(|p| p.1 == *j));
+        open.map(|j| {
+            let mut x = vec![0.0; cols];
+            x[j] = 1.0;
+            for (row, col) in &self.pivots {
+                x[*col] = -self.rows[*row][j];
+            }
+            for v in &mut x {
+                if v.abs() < NOTHING {
+                    *v = 0.0;
+                }
+            }
+            x
+        })
+        .collect()
+    }
+    /// The unknowns that have one value only.
+    fn determined(&self, cols: usize) -> Vec<Option<f64>> {
+        let mut x = vec![None; cols];
+        let open: Vec<usize> = (0..cols).filter(|j| !self.pivots.iter().any(|p| p.1 == *j)).collect();
+        for (row, col) in &self.pivots {
+            if open.iter().all(|j| self.rows[*row][*j].abs() < NOTHING) {
+                x[*col] = Some(self.rows[*row][cols]);
+            }
+        }
+        x
+    }
+}
+
+fn inner(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a * b).sum()
+}
+
+/// What a contact that can stick or slide does.
+#[derive(Clone, Copy, PartialEq, Debug)]
+enum Grip {
+    Sticks,
+    /// Kinetic friction along `forward` of its body, this sign.
+    Slides(f64),
+}
+
+/// A contact with friction: row of its velocity along forward, N, coefficients.
+struct Contact {
+    tie: usize,
+    body: usize,
+    row: Vec<f64>,
+    normal: f64,
+    mu_s: Option<f64>,
+    mu_k: f64,
+    /// Said to roll (holds without limit), said to slip, or slides.
+    said: Said,
+}
+
+impl Contact {
+    fn loose(&self) -> Grip {
+        if self.said == Said::Rolls { Grip::Sticks } else { Grip::Slides(0.0) }
+    }
+}
+
+#[derive(Clone, Copy, PartialEq)]
+enum Said {
+    Rolls,
+    Slips,
+    Slides,
+}
+
+/// Accelerations, and the reaction of each tie where it is determined.
+struct Instant {
+    a: Vec<f64>,
+    reactions: Vec<Option<f64>>,
+}
+
+/// Everything of a scene that stays while it moves.
+pub struct System<'s> {
+    s: &'s Scene,
+    frames: Vec<Frame>,
+    mass: Vec<f64>,
+    inertia: Vec<f64>,
+    /// Ties without friction, and what holds bodies on their lines and axles; index of the tie, if it is one.
+    rows: Vec<(Option<usize>, Vec<f64>)>,
+    contacts: Vec<Contact>,
+    /// Forces without the spring's.
+    force: Vec<f64>,
+    /// Tie, row of the velocity of its end along the cord, stiffness, stretch at the start, rigid.
+    spring: Option<(usize, Vec<f64>, f64, f64, bool)>,
+    springs: usize,
+    /// Sum of the magnitudes of all forces, N: what a zero is held against.
+    pub forces: f64,
+}
+
+/// What the judge has to say.
+pub enum Verdict {
+    /// The motion is not determined: something without inertia is free to move.
+    Undetermined,
+    /// More freedoms than one, and a spring or a start speed: not for this judge, nor for the program.
+    Beyond(&'static str),
+    /// A start speed that the ties do not allow.
+    Contradiction,
+    /// Which contacts hold is not settled by Coulomb's law with two coefficients.
+    Ambiguous,
+    /// A contact that is said to slip could hold.
+    CouldRoll,
+    /// Values by name (`v of 0`).
+    Told(Told),
+}
+
+/// All that this judge would publish.
+#[derive(Default)]
+pub struct Told {
+    /// Quantity, owner, value, size of its terms.
+    pub values: Vec<(&'static str, Owner, f64, f64)>,
+    /// Reactions that statics leaves open.
+    pub open: Vec<(&'static str, Owner)>,
+    /// Does anything move?
+    pub rests: bool,
+    /// Sense of the ending coordinate, forward.
+    pub sense: f64,
+    /// Is the end reached? And is that a matter of rounding?
+    pub reached: bool,
+    pub near_reach: bool,
+    /// Checks by name and owner (index): hold or not; absent where it is a matter of rounding.
+    pub checks: Vec<(&'static str, usize, bool)>,
+    pub freedoms: usize,
+}
+
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub enum Owner {
+    Scene,
+    Body(usize),
+    Tie(usize),
+}
+
+impl<'s> System<'s> {
+    pub fn new(s: &'s Scene) -> Self {
+        let frames: Vec<Frame> = s.bodies.iter().map(|b| frame(s, b)).collect();
+        let n = 3 * s.bodies.len();
+        let point = |body: usize, at: V2, along: V2| {
+            // Velocity of the point at `at` from the mass centre, along a direction.
+            let mut row = vec![0.0; n];
+            row[3 * body] = along.0;
+            row[3 * body + 1] = along.1;
+            row[3 * body + 2] = dot(quarter(at), along);
+            row
+        };
+        let (mut mass, mut inertia) = (vec![0.0; n], vec![0.0; s.bodies.len()]);
+        let mut force = vec![0.0; n];
+        let mut rows: Vec<(Option<usize>, Vec<f64>)> = Vec::new();
+        let mut forces = 0.0;
+        let add = |force: &mut Vec<f64>, sum: &mut f64, row: &[f64], size: f64| {
+            force.iter_mut().zip(row).for_each(|(f, r)| *f += size * r);
+            *sum += size.abs();
+        };
+        for (i, (b, f)) in s.bodies.iter().zip(&frames).enumerate() {
+            let (m, moment) = masses(s, b);
+            mass[3 * i] = m;
+            mass[3 * i + 1] = m;
+            mass[3 * i + 2] = moment;
+            inertia[i] = moment;
+            add(&mut force, &mut forces, &point(i, (0.0, 0.0), (0.0, -1.0)), m * s.gravity.si);
+            if f.line {
+                rows.push((None, point(i, (0.0, 0.0), f.out)));
+            } else {
+                rows.push((None, point(i, (0.0, 0.0), (1.0, 0.0))));
+                rows.push((None, point(i, (0.0, 0.0), (0.0, 1.0))));
+            }
+            if !f.turns {
+                let mut row = vec![0.0; n];
+                row[3 * i + 2] = 1.0;
+                rows.push((None, row));
+                mass[3 * i + 2] = 1.0;
+            }
+        }
+        for (body, moment, forward) in &s.couples {
+            let sense = if *forward { frames[*body].sense } else { -frames[*body].sense };
+            force[3 * body + 2] += sense * moment.si;
+            forces += moment.si;
+        }
+        let mut contacts = Vec::new();
+        let mut spring = None;
+        let mut springs = 0;
+        for (t, tie) in s.ties.iter().enumerate() {
+            let contact = |body: usize, c: f64| {
+                let f = &frames[body];
+                // Cords run along the line, so nothing but the weight presses.
+                let normal = mass[3 * body] * s.gravity.si * f.out.1;
+                (point(body, times(-c, f.out), f.forward), if normal.abs() < 1e-12 { 0.0 } else { normal })
+            };
+            match tie {
+                Tie::Rolls { body, on, mu_s } => {
+                    let (row, normal) = contact(*body, radius(&s.bodies[*body], on));
+                    let mu_s = mu_s.as_ref().map(|m| m.si);
+                    contacts.push(Contact {
+                        tie: t,
+                        body: *body,
+                        row,
+                        normal,
+                        mu_s,
+                        mu_k: 0.0,
+                        said: Said::Rolls,
+                    });
+                }
+                Tie::Slips { body, on, mu_s, mu_k } => {
+                    let (row, normal) = contact(*body, radius(&s.bodies[*body], on));
+                    let (mu_s, mu_k) = (Some(mu_s.si), mu_k.si);
+                    contacts.push(Contact {
+                        tie: t,
+                        body: *body,
+                        row,
+                        normal,
+                        mu_s,
+                        mu_k,
+                        said: Said::Slips,
+                    });
+                }
+                Tie::Slides { body, mu_s, mu_k } => {
+                    let (row, normal) = contact(*body, 0.0);
+                    let mu_s = Some(mu_s.as_ref().unwrap_or(mu_k).si);
+                    contacts.push(Contact {
+                        tie: t,
+                        body: *body,
+                        row,
+                        normal,
+                        mu_s,
+                        mu_k: mu_k.si,
+                        said: Said::Slides,
+                    });
+                }
+                Tie::Cord { from, far } => {
+                    let (at, along) = leaves(s, &frames, from);
+                    let mut row = point(from.body, at, along);
+                    match far {
+                        Far::Pulled(p) => add(&mut force, &mut forces, &row, p.si),
+                        Far::Fast => rows.push((Some(t), row)),
+                        Far::To(to) => {
+                            // What one end takes in the other gives.
+                            let (at, along) = leaves(s, &frames, to);
+                            row.iter_mut().zip(point(to.body, at, along)).for_each(|(r, o)| *r += o);
+                            rows.push((Some(t), row));
+                        }
+                        Far::Spring { stiffness, stretch, rigid } => {
+                            springs += 1;
+                            forces += stiffness.si * stretch.si;
+                            spring = Some((t, row, stiffness.si, stretch.si, *rigid));
+                        }
+                    }
+                }
+            }
+        }
+        Self { s, frames, mass, inertia, rows, contacts, force, spring, springs, forces }
+    }
+
+    fn cols(&self) -> usize {
+        self.mass.len()
+    }
+
+    /// How many motions the ties leave, contacts with friction loose, and fast.
+    pub fn rank(&self) -> [usize; 2] {
+        let loose: Vec<Grip> = self.contacts.iter().map(Contact::loose).collect();
+        let fast = vec![Grip::Sticks; self.contacts.len()];
+        [self.modes(&loose).len(), self.modes(&fast).len()]
+    }
+
+    /// Rows that hold with these grips.
+    fn holding(&self, grips: &[Grip]) -> Vec<(Option<usize>, &[f64])> {
+        let mut rows: Vec<(Option<usize>, &[f64])> =
+            self.rows.iter().map(|(t, r)| (*t, r.as_slice())).collect();
+        for (c, g) in self.contacts.iter().zip(grips) {
+            if *g == Grip::Sticks {
+                rows.push((Some(c.tie), &c.row));
+            }
+        }
+        rows
+    }
+
+    fn modes(&self, grips: &[Grip]) -> Vec<Vec<f64>> {
+        let rows = self.holding(grips).iter().map(|(_, r)| [r, &[0.0][..]].concat()).collect();
+        reduce(rows, self.cols()).kernel(self.cols())
+    }
+
+    /// Given forces with these grips, the spring at this tension.
+    fn given(&self, grips: &[Grip], tension: f64) -> Vec<f64> {
+        let mut f = self.force.clone();
+        let mut add = |row: &[f64], size: f64| f.iter_mut().zip(row).for_each(|(f, r)| *f += size * r);
+        for (c, g) in self.contacts.iter().zip(grips) {
+            if let Grip::Slides(sign) = g {
+                add(&c.row, sign * c.mu_k * c.normal);
+            }
+        }
+        if let Some((_, row, ..)) = &self.spring {
+            add(row, tension);
+        }
+        f
+    }
+
+    /// Accelerations and reactions; `None` where something without inertia is free.
+    fn instant(&self, grips: &[Grip], tension: f64) -> Option<Instant> {
+        let n = self.cols();
+        let force = self.given(grips, tension);
+        let modes = self.modes(grips);
+        let k = modes.len();
+        let weigh = |z: &[f64]| z.iter().zip(&self.mass).map(|(z, m)| z * m).collect::<Vec<f64>>();
+        // z M z' u = z Q
+        let rows: Vec<Vec<f64>> = modes
+            .iter()
+            .map(|z| {
+                let heavy = weigh(z);
+                let own: f64 = inner(&heavy, z).max(1e-30);
+                let row = modes.iter().map(|o| inner(&heavy, o) / own).chain([inner(z, &force) / own]);
+                row.collect()
+            })
+            .collect();
+        for z in &modes {
+            if inner(&weigh(z), z) < 1e-12 {
+                return None;
+            }
+        }
+        let reduced = reduce(rows, k);
+        if reduced.pivots.len() < k {
+            return None;
+        }
+        let rates = reduced.determined(k);
+        let mut a = vec![0.0; n];
+        let mut size = vec![0.0f64; n];
+        for (z, u) in modes.iter().zip(&rates) {
+            for i in 0..n {
+                let term = z[i] * u.expect("determined");
+                a[i] += term;
+                size[i] += term.abs();
+            }
+        }
+        // A balance: the forces that make the acceleration cancel.
+        for (z, u) in modes.iter().zip(&rates) {
+            let terms: f64 = z.iter().zip(&force).map(|(z, f)| (z * f).abs()).sum::<f64>()
+                + self.contacts.iter().map(|c| (inner(&c.row, z) * c.mu_k * c.normal).abs()).sum::<f64>()
+                + self.spring.as_ref().map_or(0.0, |s| (inner(&s.1, z) * tension).abs());
+            let _ = u;
+            if k == 1 && inner(z, &force).abs() <= 1e-12 * terms {
+                a.fill(0.0);
+            }
+        }
+        for (a, s) in a.iter_mut().zip(&size) {
+            if a.abs() <= 1e-12 * s {
+                *a = 0.0;
+            }
+        }
+        // G^T l = M a - Q
+        let holding = self.holding(grips);
+        let cols = holding.len();
+        let rest: Vec<f64> = (0..n).map(|i| self.mass[i] * a[i] - force[i]).collect();
+        let rows = (0..n).map(|i| holding.iter().map(|(_, r)| r[i]).chain([rest[i]]).collect()).collect();
+        let found = reduce(rows, cols).determined(cols);
+        let mut reactions = vec![None; self.s.ties.len()];
+        for ((tie, _), value) in holding.iter().zip(found) {
+            if let Some(t) = tie {
+                reactions[*t] = value;
+            }
+        }
+        for (c, g) in self.contacts.iter().zip(grips) {
+            if let Grip::Slides(sign) = g {
+                reactions[c.tie] = Some(sign * c.mu_k * c.normal);
+            }
+        }
+        Some(Instant { a, reactions })
+    }
+
+    /// Can static friction hold the contacts that stick (those said to roll hold without limit), given that the others
+    /// slide? By virtual work: in no motion that the other ties allow may the forces do more than friction can take.
+    fn can_hold(&self, grips: &[Grip], tension: f64) -> Option<bool> {
+        let now = self.instant(grips, tension)?;
+        let sticking: Vec<&Contact> = self
+            .contacts
+            .iter()
+            .zip(grips)
+            .filter(|(c, g)| **g == Grip::Sticks && c.said != Said::Rolls)
+            .map(|(c, _)| c)
+            .collect();
+        // Those that stick take kinetic coefficient 0 here: their friction is what is looked for.
+        let loose: Vec<Grip> = self
+            .contacts
+            .iter()
+            .zip(grips)
+            .map(|(c, g)| if *g == Grip::Sticks && c.said != Said::Rolls { Grip::Slides(0.0) } else { *g })
+            .collect();
+        let force = self.given(&loose, tension);
+        let surplus: Vec<f64> = (0..self.cols()).map(|i| force[i] - self.mass[i] * now.a[i]).collect();
+        let modes = self.modes(&loose);
+        let k = modes.len();
+        let mut tried: Vec<Vec<f64>> = Vec::new();
+        // Extreme motions: all but one of the freedoms that the contacts could take are taken.
+        let subsets = 1usize << sticking.len();
+        let mut left = 0;
+        for set in (0..subsets).rev() {
+            let rows: Vec<Vec<f64>> = sticking
+                .iter()
+                .enumerate()
+                .filter(|(i, _)| set >> i & 1 == 1)
+                .map(|(_, c)| modes.iter().map(|z| inner(&c.row, z)).chain([0.0]).collect())
+                .collect();
+            let kernel = reduce(rows, k).kernel(k);
+            if set == subsets - 1 {
+                left = kernel.len();
+            }
+            if kernel.len() <= left + 1 {
+                tried.extend(kernel);
+            }
+        }
+        for v in tried {
+            let mut motion = vec![0.0; self.cols()];
+            for (z, share) in modes.iter().zip(&v) {
+                motion.iter_mut().zip(z).for_each(|(m, z)| *m += share * z);
+            }
+            let work = inner(&motion, &surplus).abs();
+            let size = |i: usize| force[i].abs() + (self.mass[i] * now.a[i]).abs();
+            let terms: f64 = motion.iter().enumerate().map(|(i, m)| m.abs() * size(i)).sum();
+            let most: f64 = sticking
+                .iter()
+                .map(|c| (inner(&c.row, &motion) * c.mu_s.unwrap_or(0.0) * c.normal).abs())
+                .sum();
+            if work > most + 1e-11 * (terms + most) {
+                return Some(false);
+            }
+        }
+        Some(true)
+    }
+
+    fn moving(&self, body: usize, turn: bool) -> Vec<f64> {
+        let f = &self.frames[body];
+        let mut row = vec![0.0; self.cols()];
+        if turn {
+            row[3 * body + 2] = f.sense;
+        } else {
+            row[3 * body] = f.forward.0;
+            row[3 * body + 1] = f.forward.1;
+        }
+        row
+    }
+
+    /// What contacts do at the start from rest.
+    fn grips_from_rest(&self, tension: f64) -> Result<Vec<Grip>, Verdict> {
+        let n = self.contacts.len();
+        let mut fitting: Vec<Vec<Grip>> = Vec::new();
+        for code in 0..3usize.pow(u32::try_from(n).expect("few")) {
+            let mut rest = code;
+            let grips: Vec<Grip> = (0..n)
+                .map(|_| {
+                    let g = [Grip::Sticks, Grip::Slides(1.0), Grip::Slides(-1.0)][rest % 3];
+                    rest /= 3;
+                    g
+                })
+                .collect();
+            let said = self.contacts.iter().zip(&grips);
+            if said.clone().any(|(c, g)| c.said == Said::Rolls && *g != Grip::Sticks) {
+                continue;
+            }
+            let Some(now) = self.instant(&grips, tension) else { continue };
+            let against = said.clone().all(|(c, g)| match g {
+                Grip::Sticks => true,
+                Grip::Slides(sign) => {
+                    let slip = inner(&c.row, &now.a);
+                    let terms: f64 = c.row.iter().zip(&now.a).map(|(r, a)| (r * a).abs()).sum();
+                    slip * sign < 0.0 && slip.abs() > 1e-11 * terms
+                }
+            });
+            if against && self.can_hold(&grips, tension) == Some(true) {
+                fitting.push(grips);
+            }
+        }
+        // Where everything can stay, it stays.
+        if let Some(all) = fitting.iter().find(|g| g.iter().all(|g| *g == Grip::Sticks)) {
+            return Ok(all.clone());
+        }
+        match fitting.len() {
+            1 => Ok(fitting.remove(0)),
+            0 => Err(Verdict::Undetermined),
+            _ => Err(Verdict::Ambiguous),
+        }
+    }
+
+    pub fn judge(&self) -> Verdict {
+        let s = self.s;
+        let all: Vec<Grip> = vec![Grip::Sticks; self.contacts.len()];
+        let loose: Vec<Grip> = self.contacts.iter().map(Contact::loose).collect();
+        let freedoms = self.modes(&loose).len();
+        let slips = self.contacts.iter().any(|c| c.said == Said::Slips);
+        if slips && self.springs > 0 {
+            return Verdict::Beyond("a spring where something slips");
+        }
+        if slips && !s.start.is_empty() {
+            return Verdict::Beyond("a speed where something slips");
+        }
+        if self.springs > 1 {
+            return Verdict::Beyond("two springs");
+        }
+        if freedoms > 1 && self.spring.is_some() {
+            return Verdict::Beyond("a spring with two freedoms");
+        }
+        let (v0, started) = match s.start.first() {
+            None => (vec![0.0; self.cols()], false),
+            Some(_) if freedoms > 1 => return Verdict::Beyond("a speed with two freedoms"),
+            Some((.., v)) if freedoms == 0 && v.si != 0.0 => return Verdict::Contradiction,
+            Some(_) if freedoms == 0 => (vec![0.0; self.cols()], false),
+            Some((body, spin, v)) => {
+                let mode = self.modes(&loose).remove(0);
+                let ratio = inner(&self.moving(*body, *spin), &mode);
+                if ratio.abs() < NOTHING {
+                    if v.si != 0.0 {
+                        return Verdict::Contradiction;
+                    }
+                    (vec![0.0; self.cols()], false)
+                } else {
+                    (mode.iter().map(|z| z * v.si / ratio).collect(), v.si != 0.0)
+                }
+            }
+        };
+        if s.event == Event::AtOnce {
+            let mut told = Told { freedoms, ..Told::default() };
+            let energy = 0.5 * v0.iter().zip(&self.mass).map(|(v, m)| m * v * v).sum::<f64>();
+            told.values.push(("kinetic_energy", Owner::Scene, energy, energy));
+            return Verdict::Told(told);
+        }
+        let tension = self.spring.as_ref().map_or(0.0, |(_, _, ks, x0, _)| ks * x0);
+        let grips = if started {
+            // What moves has kinetic friction against it; what the ties hold at rest stays.
+            self.contacts
+                .iter()
+                .map(|c| {
+                    let slip = inner(&c.row, &v0);
+                    if c.said == Said::Rolls || slip.abs() < NOTHING * v0.iter().map(|v| v.abs()).sum::<f64>()
+                    {
+                        Grip::Sticks
+                    } else {
+                        Grip::Slides(-slip.signum())
+                    }
+                })
+                .collect()
+        } else {
+            match self.grips_from_rest(tension) {
+                Ok(grips) => grips,
+                Err(verdict) => return verdict,
+            }
+        };
+        if self.contacts.iter().zip(&grips).any(|(c, g)| c.said == Said::Slips && *g == Grip::Sticks) {
+            return Verdict::CouldRoll;
+        }
+        let Some(now) = self.instant(&grips, tension) else { return Verdict::Undetermined };
+        let mut told = Told { freedoms, ..Told::default() };
+        self.move_on(&grips, &all, &v0, started, now, tension, &mut told);
+        Verdict::Told(told)
+    }
+
+    #[expect(clippy::too_many_arguments, reason = "a test's own walk through one motion")]
+    fn move_on(
+        &self,
+        grips: &[Grip],
+        all: &[Grip],
+        v0: &[f64],
+        started: bool,
+        now: Instant,
+        tension: f64,
+        told: &mut Told,
+    ) {
+        let s = self.s;
+        let n = self.cols();
+        let turn_end = s.event == Event::Turn || !self.frames[s.of].line;
+        let watch = self.moving(s.of, turn_end);
+        let still = |x: &[f64]| x.iter().all(|v| *v == 0.0);
+        told.rests = !started && still(&now.a);
+        let lead_v = inner(&watch, v0);
+        let lead_a = {
+            let a = inner(&watch, &now.a);
+            let terms: f64 = watch.iter().zip(&now.a).map(|(w, a)| (w * a).abs()).sum();
+            if a.abs() < 1e-11 * terms { 0.0 } else { a }
+        };
+        told.sense = if lead_v != 0.0 {
+            lead_v.signum()
+        } else if lead_a != 0.0 {
+            lead_a.signum()
+        } else {
+            0.0
+        };
+        let by = s.by.as_ref().map_or(0.0, |b| b.si);
+        // The motion as one coordinate `q` that grows, everything else in proportion (from rest under constant forces, or
+        // with one freedom).
+        let shape: Vec<f64> = if started { v0.to_vec() } else { now.a.clone() };
+        let per = inner(&watch, &shape);
+        let moves = told.sense != 0.0;
+        let q: Vec<f64> =
+            if moves { shape.iter().map(|x| x / per * told.sense).collect() } else { vec![0.0; n] };
+        let u0 = lead_v.abs();
+        let lead = |a: &[f64]| inner(&watch, a) * told.sense;
+        let mut law = Law { u0, a: lead(&now.a), spring: None };
+        if let (Some((_, row, ks, x0, rigid)), true) = (&self.spring, moves) {
+            let gamma = inner(row, &q);
+            if gamma.abs() > NOTHING {
+                let slack = self.instant(grips, 0.0).expect("as before");
+                let (a0, a1) = (lead(&slack.a), lead(&self.instant(grips, 1.0).expect("as before").a));
+                law.spring =
+                    Some(Pull { per_newton: a1 - a0, without: a0, ks: *ks, x0: *x0, gamma, rigid: *rigid });
+                law.a = law.acceleration(0.0);
+            }
+        }
+        let turns_at = law.turning();
+        let farthest = turns_at.map_or(f64::INFINITY, |t| law.place(t));
+        let wrong_way = match s.heading {
+            Some("forward") => told.sense < 0.0,
+            Some("back") => told.sense > 0.0,
+            _ => false,
+        };
+        let place = |d: f64| -> Option<f64> { told_time(d, farthest, turns_at, |t| law.place(t)) };
+        let time = if !moves || wrong_way {
+            None
+        } else {
+            match s.event {
+                Event::Travel | Event::Turn => place(by),
+                Event::Position => {
+                    if by * told.sense >= 0.0 {
+                        place(by.abs())
+                    } else {
+                        None
+                    }
+                }
+                Event::Time => turns_at.is_none_or(|t| by <= t * (1.0 + 1e-12)).then_some(by),
+                Event::Speed => law.reaching(by),
+                Event::TurningPoint => turns_at,
+                Event::AtOnce => None,
+            }
+        };
+        told.reached = time.is_some();
+        told.near_reach = match s.event {
+            Event::Travel | Event::Turn | Event::Position => (by.abs() / farthest - 1.0).abs() < 1e-9,
+            Event::Time => turns_at.is_some_and(|t| (by / t - 1.0).abs() < 1e-9),
+            Event::Speed => law.fastest().is_some_and(|(_, v)| (by / v - 1.0).abs() < 1e-9),
+            _ => false,
+        };
+        let at = time.map_or(0.0, |t| law.place(t));
+        let stretch_at = |place: f64| {
+            self.spring.as_ref().map_or(0.0, |(_, row, ks, x0, rigid)| {
+                let x = x0 - inner(row, &q) * place;
+                if x < 0.0 && !rigid { 0.0 } else { ks * x }
+            })
+        };
+        let there = self
+            .instant(grips, if moves && time.is_some() { stretch_at(at) } else { tension })
+            .expect("as before");
+        let u = match (s.event, time) {
+            (Event::TurningPoint, _) => 0.0,
+            (_, Some(t)) => law.speed(t),
+            _ => 0.0,
+        };
+        let forces = self.forces;
+        // Natural sizes, for what cancels.
+        let accelerations = now.a.iter().chain(&there.a).fold(s.gravity.si, |m, a| m.max(a.abs()));
+        let mut say = |name, of, value: f64, size: f64| told.values.push((name, of, value, size));
+        let arrived = time.is_some();
+        let mut energy = 0.0;
+        let mut spinning = 0.0;
+        for (b, f) in self.frames.iter().enumerate() {
+            let own = Owner::Body(b);
+            if f.line {
+                let row = self.moving(b, false);
+                say("a", own, inner(&row, &there.a), accelerations);
+                let v = inner(&row, &q) * u;
+                if arrived || told.rests {
+                    say("v", own, v.abs(), v.abs());
+                }
+                if arrived {
+                    say("rise", own, q[3 * b + 1] * at, at * q[3 * b].abs().max(q[3 * b + 1].abs()));
+                    say("displacement", own, inner(&row, &q) * at, at);
+                }
+                energy += 0.5 * self.mass[3 * b] * v * v;
+                if f.on_surface {
+                    let normal = self.mass[3 * b] * s.gravity.si * f.out.1;
+                    say("normal", own, normal, forces);
+                }
+            }
+            if f.turns {
+                let row = self.moving(b, true);
+                say("alpha", own, inner(&row, &there.a), accelerations);
+                let w = inner(&row, &q) * u;
+                if arrived || told.rests {
+                    say("omega", own, w.abs(), w.abs());
+                }
+                if arrived {
+                    say("phi", own, (inner(&row, &q) * at).abs(), at);
+                }
+                energy += 0.5 * self.inertia[b] * w * w;
+                spinning += 0.5 * self.inertia[b] * w * w;
+            }
+        }
+        if arrived || told.rests {
+            say("kinetic_energy", Owner::Scene, energy, energy);
+        }
+        if arrived {
+            say("t", Owner::Scene, time.unwrap_or(0.0), time.unwrap_or(0.0));
+            // The share is that of any speed: the program tells it only where something moves.
+            if energy > 0.0 {
+                say("rotational_fraction", Owner::Scene, spinning / energy, 1.0);
+            }
+        }
+        // Over the motion: the ends of the range of the tension.
+        let last_place = match turns_at {
+            Some(t) if self.spring.is_some() => law.place(t),
+            _ => 0.0,
+        };
+        let to_turning = super::SPRING_CHECKS_RUN_TO_THE_TURNING_POINT;
+        let last = if !moves {
+            tension
+        } else if to_turning {
+            if turns_at.is_some() { stretch_at(last_place) } else { 0.0 }
+        } else if arrived {
+            stretch_at(at)
+        } else if turns_at.is_some() {
+            stretch_at(last_place)
+        } else {
+            0.0
+        };
+        let end = self.instant(grips, last).expect("as before");
+        let over: [&Instant; 2] = [&now, &end];
+        let mut heat = None;
+        let mut open = Vec::new();
+        let mut checks: Vec<(&'static str, usize, bool)> = Vec::new();
+        let mut check = |name, of, room: f64, size: f64| {
+            if room.abs() > 1e-9 * size {
+                checks.push((name, of, room > 0.0));
+            }
+        };
+        for c in &self.contacts {
+            let own = Owner::Body(c.body);
+            let f = &self.frames[c.body];
+            let upward = dot(f.forward, f.up);
+            match there.reactions[c.tie] {
+                Some(force) => say("friction", own, force * upward, forces),
+                None => open.push(("friction", own)),
+            }
+            let slip = inner(&c.row, &q) * at;
+            if c.said != Said::Rolls && arrived {
+                // What does not slip makes no heat, whatever holds it.
+                let force = if slip == 0.0 { Some(0.0) } else { there.reactions[c.tie] };
+                heat = force.map(|f| heat.unwrap_or(0.0) + (f * slip).abs());
+            }
+            if c.said == Said::Slips && arrived {
+                say("slip_distance", own, slip.abs(), at);
+            }
+            if c.said == Said::Rolls && f.on_surface {
+                let most = over
+                    .iter()
+                    .map(|i| i.reactions[c.tie])
+                    .try_fold(0.0f64, |m, r| r.map(|r| m.max(r.abs())));
+                match most {
+                    Some(most) => {
+                        let normal = if c.normal == 0.0 { 0.0 } else { c.normal };
+                        if normal > 0.0 {
+                            say("mu_required", own, most / normal, forces / normal);
+                        }
+                        if let Some(mu) = c.mu_s {
+                            check("no_slip", c.tie, mu * normal - most, mu * normal + most);
+                        }
+                    }
+                    None => open.push(("mu_required", own)),
+                }
+            }
+            if c.said == Said::Slips {
+                // As if this contact rolled, the others as they are.
+                let mut rolled = grips.to_vec();
+                let place = self.contacts.iter().position(|o| o.tie == c.tie).expect("itself");
+                rolled[place] = Grip::Sticks;
+                if let Some(r) = self.instant(&rolled, tension).and_then(|i| i.reactions[c.tie]) {
+                    let alone = self.contacts.iter().filter(|o| o.said == Said::Slips).count() == 1;
+                    // With others that slip or slide, theirs may turn when this one rolls.
+                    if alone && self.contacts.iter().all(|o| o.said != Said::Slides) {
+                        say("friction_if_rolled", own, r * upward, forces);
+                        if c.normal > 0.0 {
+                            say("mu_required", own, r.abs() / c.normal, forces / c.normal);
+                            check("must_slip", c.tie, r.abs() - c.mu_s.unwrap_or(0.0) * c.normal, r.abs());
+                        }
+                    }
+                }
+            }
+        }
+        let _ = all;
+        if let Some(heat) = heat {
+            say("heat", Owner::Scene, heat, heat);
+        }
+        for (t, tie) in s.ties.iter().enumerate() {
+            let Tie::Cord { from, far } = tie else { continue };
+            let own = Owner::Tie(t);
+            let (point, along) = leaves(s, &self.frames, from);
+            let b = from.body;
+            let rate =
+                q[3 * b] * along.0 + q[3 * b + 1] * along.1 + q[3 * b + 2] * dot(quarter(point), along);
+            match far {
+                Far::Pulled(p) if arrived => {
+                    say("cord_travel", own, (rate * at).abs(), at);
+                    say("work_pull", own, p.si * rate * at, p.si * at);
+                    say("power_pull", own, p.si * rate * u, p.si * u);
+                }
+                Far::Pulled(_) => {}
+                Far::Spring { .. } => {
+                    if arrived {
+                        say("cord_travel", own, (rate * at).abs(), at);
+                    }
+                    let now = if moves && arrived { stretch_at(at) } else { tension };
+                    say("tension", own, now, forces);
+                }
+                Far::Fast | Far::To(_) => {
+                    match there.reactions[t] {
+                        Some(pull) => say("tension", own, pull, forces),
+                        None => open.push(("tension", own)),
+                    }
+                    if let (Some(a), Some(b)) = (over[0].reactions[t], over[1].reactions[t]) {
+                        check("taut", t, a.min(b), forces);
+                    }
+                }
+            }
+        }
+        if let Some((_, row, ks, _, rigid)) = &self.spring {
+            // Where nothing accelerates, sliding friction left out.
+            let mode = self.modes(&self.contacts.iter().map(Contact::loose).collect::<Vec<_>>());
+            let gamma = mode.first().map_or(0.0, |m| inner(row, m));
+            if gamma.abs() > NOTHING {
+                let without: f64 = inner(&mode[0], &self.force);
+                let x = -without / (gamma * ks);
+                if *rigid || x >= 0.0 {
+                    say("x_eq", Owner::Scene, x, forces / ks);
+                }
+            }
+        }
+        if (self.spring.is_some() || started) && !turn_end {
+            let own = Owner::Body(s.of);
+            if moves {
+                if let Some((at, v)) = law.fastest() {
+                    say("v_max", own, v, v);
+                    say("D_at_v_max", own, at, farthest.min(at.max(1.0)));
+                }
+                say("D_turn", own, farthest, farthest);
+            } else if self.spring.is_some() {
+                for name in ["v_max", "D_at_v_max", "D_turn"] {
+                    say(name, own, 0.0, 0.0);
+                }
+            }
+        }
+        told.open = open;
+        told.checks = checks;
+        if arrived {
+            self.account(&q, at, u, u0, energy, told);
+        }
+    }
+
+    /// The judge judges itself: kinetic energy gained is the work done.
+    fn account(&self, q: &[f64], at: f64, u: f64, u0: f64, energy: f64, told: &Told) {
+        let _ = u;
+        let start: f64 = 0.5 * q.iter().zip(&self.mass).map(|(z, m)| m * z * z).sum::<f64>() * u0 * u0;
+        let mut work = inner(q, &self.force) * at;
+        let mut size = q.iter().zip(&self.force).map(|(z, f)| (z * f * at).abs()).sum::<f64>();
+        if let Some((_, row, ks, x0, rigid)) = &self.spring {
+            let mut x = x0 - inner(row, q) * at;
+            if x < 0.0 && !rigid {
+                x = 0.0;
+            }
+            work += 0.5 * ks * (x0 * x0 - x * x);
+            size += 0.5 * ks * (x0 * x0 + x * x);
+        }
+        let heat = told.values.iter().find(|v| v.0 == "heat").map_or(0.0, |v| v.2);
+        let off = (start + work - heat - energy).abs();
+        assert!(
+            off <= 1e-8 * (size + start + heat + energy),
+            "the judge's own energies differ by {off}: {start} + {work} - {heat} - {energy}"
+        );
+    }
+}
+
+/// Time at which a growing place is reached.
+fn told_time(d: f64, farthest: f64, turns_at: Option<f64>, place: impl Fn(f64) -> f64) -> Option<f64> {
+    if d > farthest * (1.0 + 1e-12) {
+        return None;
+    }
+    if d <= 0.0 {
+        return Some(0.0);
+    }
+    let most = turns_at.unwrap_or_else(|| {
+        let mut t = 1.0;
+        while place(t) < d {
+            t *= 2.0;
+        }
+        t
+    });
+    Some(bisect(0.0, most, |t| place(t) >= d))
+}
+
+/// The least argument at which a condition that stays holds.
+fn bisect(low: f64, high: f64, holds: impl Fn(f64) -> bool) -> f64 {
+    let (mut low, mut high) = (low, high);
+    for _ in 0..200 {
+        let middle = 0.5 * (low + high);
+        if holds(middle) {
+            high = middle;
+        } else {
+            low = middle;
+        }
+    }
+    high
+}
+
+/// A spring that acts on the coordinate.
+struct Pull {
+    per_newton: f64,
+    without: f64,
+    ks: f64,
+    x0: f64,
+    gamma: f64,
+    rigid: bool,
+}
+
+/// The motion of the ending coordinate in time, in the sense in which it sets off.
+struct Law {
+    u0: f64,
+    a: f64,
+    spring: Option<Pull>,
+}
+
+impl Law {
+    fn acceleration(&self, place: f64) -> f64 {
+        match &self.spring {
+            None => self.a,
+            Some(p) => {
+                let x = p.x0 - p.gamma * place;
+                let x = if x < 0.0 && !p.rigid { 0.0 } else { x };
+                p.without + p.per_newton * p.ks * x
+            }
+        }
+    }
+    /// Place and speed of the swing at a time, as long as the spring acts.
+    fn swing(p: &Pull, u0: f64, t: f64) -> (f64, f64) {
+        let w2 = p.per_newton * p.ks * p.gamma;
+        let start = p.without + p.per_newton * p.ks * p.x0;
+        assert!(w2 > 0.0, "a spring holds back");
+        let w = w2.sqrt();
+        let (s, c) = (libm::sin(w * t), libm::cos(w * t));
+        let half = libm::sin(0.5 * w * t);
+        (start / w2 * 2.0 * half * half + u0 / w * s, start / w * s + u0 * c)
+    }
+    /// Time at which the swing comes to rest.
+    fn swing_rest(p: &Pull, u0: f64) -> f64 {
+        let w = (p.per_newton * p.ks * p.gamma).sqrt();
+        let start = p.without + p.per_newton * p.ks * p.x0;
+        // start/w sin + u0 cos = 0 for the first time.
+        let angle = std::f64::consts::PI - libm::atan2(u0, start / w);
+        if u0 == 0.0 { std::f64::consts::PI / w } else { angle / w }
+    }
+    /// Time at which the cord goes slack.
+    fn slack(&self) -> Option<f64> {
+        let p = self.spring.as_ref().filter(|p| !p.rigid && p.gamma > 0.0)?;
+        let at = p.x0 / p.gamma;
+        if at == 0.0 {
+            return Some(0.0);
+        }
+        let rest = Self::swing_rest(p, self.u0);
+        let peak = Self::swing(p, self.u0, rest).0;
+        (peak > at).then(|| bisect(0.0, rest, |t| Self::swing(p, self.u0, t).0 >= at))
+    }
+    fn state(&self, t: f64) -> (f64, f64) {
+        let uniform = |x: f64, u: f64, a: f64, t: f64| (x + u * t + 0.5 * a * t * t, u + a * t);
+        let Some(p) = &self.spring else { return uniform(0.0, self.u0, self.a, t) };
+        match self.slack() {
+            Some(at) if t > at => {
+                let (x, u) = Self::swing(p, self.u0, at);
+                uniform(x, u, p.without, t - at)
+            }
+            _ => Self::swing(p, self.u0, t),
+        }
+    }
+    fn place(&self, t: f64) -> f64 {
+        self.state(t).0
+    }
+    fn speed(&self, t: f64) -> f64 {
+        self.state(t).1
+    }
+    fn turning(&self) -> Option<f64> {
+        match &self.spring {
+            None => (self.a < 0.0).then(|| -self.u0 / self.a),
+            Some(p) => match self.slack() {
+                Some(at) => (p.without < 0.0).then(|| at - Self::swing(p, self.u0, at).1 / p.without),
+                None => Some(Self::swing_rest(p, self.u0)),
+            },
+        }
+    }
+    /// Place and speed at which it is fastest; none if it grows without end.
+    fn fastest(&self) -> Option<(f64, f64)> {
+        let t = self.peak()?;
+        Some((self.place(t), self.speed(t)))
+    }
+    fn peak(&self) -> Option<f64> {
+        if self.acceleration(0.0) <= 0.0 {
+            return Some(0.0);
+        }
+        let end = match (self.turning(), self.slack()) {
+            (Some(t), _) => t,
+            (None, Some(at)) => {
+                let p = self.spring.as_ref().expect("it is slack");
+                if p.without > 0.0 {
+                    return None;
+                }
+                at
+            }
+            (None, None) => return None,
+        };
+        self.spring.as_ref()?;
+        Some(bisect(0.0, end, |t| self.acceleration(self.place(t)) <= 0.0 || t >= end))
+    }
+    /// First time at which it has this speed.
+    fn reaching(&self, u: f64) -> Option<f64> {
+        if u == self.u0 {
+            return Some(0.0);
+        }
+        let peak = self.peak();
+        if u > self.u0 {
+            let end = match peak {
+                Some(t) => t,
+                None => {
+                    let mut t = 1.0;
+                    while self.speed(t) < u {
+                        t *= 2.0;
+                        if t > 1e12 {
+                            return None;
+                        }
+                    }
+                    t
+                }
+            };
+            return (self.speed(end) >= u).then(|| bisect(0.0, end, |t| self.speed(t) >= u));
+        }
+        // Slower than at the start: on the way to the turning point.
+        let end = self.turning()?;
+        let from = peak.unwrap_or(0.0);
+        Some(bisect(from, end, |t| self.speed(t) <= u))
+    }
+}
