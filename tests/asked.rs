@@ -116,6 +116,16 @@ start: {wheel: {speed: v0}}",
     ),
 ];
 
+/// On a floor the place of equilibrium is that of the slack cord: equal by structure, whatever rounding says of both.
+const SLACKENING: &Kind = &(
+    "cart on a spring by its cord on a floor",
+    &[MASS, STIFF, ("x0", "m", "0.20 to 0.40 step 0.01")],
+    "surfaces: {track: level}
+bodies: {wheel: {mass: m, moves: along track}}
+ties: [cord: {from: {body: wheel, tied at: centre, leaves: forward}, spring: {stiffness: ks, stretch: x0, attached: by the cord}}]
+start: at rest",
+);
+
 /// Pinned bodies: an end at rest is a zero of the speed that no quadrature may spoil.
 const PINNED: &[Kind] = &[
     ("pendulum", &[MASS, ("phi", "deg", "20 to 120 step 1")], "bodies: {wheel: {mass: m, radius of gyration: 0.3 m, pinned: {distance: 0.5 m}, angle: from hanging}}
@@ -288,8 +298,10 @@ fn an_end_at_rest_is_drawn_and_proved() {
 fn what_the_solver_says_can_be_asked() {
     let travel = ("{travel: {of: wheel, by: d}}", ("d", "m", "0.02 to 0.05 step 0.001"));
     let time = ("{time: {of: wheel, is: t1}}", ("t1", "s", "0.05 to 0.10 step 0.001"));
-    let lines =
-        MOVING.iter().flat_map(|kind| [travel, time].map(|(end, more)| everything(kind, end, &[more])));
+    let lines = MOVING
+        .iter()
+        .chain([SLACKENING])
+        .flat_map(|kind| [travel, time].map(|(end, more)| everything(kind, end, &[more])));
     // Where a couple or a spring acts on a pinned body, an integral gives the time, which is not enclosed.
     let pins = PINNED[..2].iter().map(|kind| everything(kind, time.0, &[time.1]));
     let late = ("{time: {of: wheel, is: t1}}", ("t1", "s", "0.5 to 1.0 step 0.1"));

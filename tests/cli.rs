@@ -651,7 +651,7 @@ fn solve_takes_any_regime_where_none_is_declared() {
 fn checks_say_how_a_motion_goes() {
     let weak = solve(&[], &[("P", "10N")]);
     assert_eq!(weak.exit, Exit::RegimeFails);
-    let other_way = "the end is not reached: 3.0000 asked, the motion goes the other way";
+    let other_way = "the end is not reached: 3.0000 m asked, the motion goes the other way";
     assert!(weak.out.contains(other_way), "{}", weak.out);
     let scene = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/scenes/g5-openstax-cyl-up-h.yaml");
     let bank = fs::read_to_string(scene).unwrap();

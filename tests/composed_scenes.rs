@@ -20,6 +20,7 @@ mod lagrange;
 
 use composed::{Event, nudged, scene, yaml};
 use lagrange::{Owner, System, Told, Verdict};
+use rayon::prelude::*;
 use slipstick::bank::decimal::Decimal;
 use slipstick::bank::load;
 use slipstick::draw::fill;
@@ -28,8 +29,6 @@ use slipstick::solve::agree::{prove, solve};
 use slipstick::solve::outcome::{Refusal, Solved, Unsupported};
 use std::collections::BTreeMap;
 
-/// Checks of scenes with a spring run to the turning point, whatever end is asked; `false` once they end with the motion.
-pub const SPRING_CHECKS_RUN_TO_THE_TURNING_POINT: bool = true;
 /// At an instant all velocities follow from the ties; `true` once they do.
 const AT_ONCE_SEES_TIES: bool = false;
 
@@ -70,13 +69,14 @@ fn judge(seed: u64) -> Result<Outcome, String> {
             _ => panic!("every datum is given"),
         })
         .collect();
+    // Ties that hold more or less than others only because two data are equal by chance.
+    let chance = System::new(&nudged(seed)).rank() != System::new(&s).rank();
     let mut solved = match solve(&case.scene, &data) {
         Ok(solved) => solved,
         Err(Refusal::Singular { .. }) => {
-            // Ties that hold more or less than others only because two data are equal by chance.
-            let chance = System::new(&nudged(seed)).rank() != System::new(&s).rank();
             return match verdict {
                 Verdict::Undetermined => Ok(Outcome::Refused("motion not determined".into())),
+                _ if System::new(&s).massless() => Ok(Outcome::Refused("motion not determined".into())),
                 _ if chance => Ok(Outcome::Refused("not determined but for equal data".into())),
                 _ => Err("the equations are said not to determine it".into()),
             };
@@ -84,6 +84,7 @@ fn judge(seed: u64) -> Result<Outcome, String> {
         Err(Refusal::Unsupported(Unsupported::StartHeld)) => {
             return match verdict {
                 Verdict::Contradiction => Ok(Outcome::Refused("start of what is held".into())),
+                _ if chance => Ok(Outcome::Refused("not determined but for equal data".into())),
                 _ => Err("its start is said to contradict the ties".into()),
             };
         }
@@ -119,7 +120,7 @@ fn judge(seed: u64) -> Result<Outcome, String> {
     if told.near_reach {
         return Ok(Outcome::Unjudged("the end is the turning point, to rounding"));
     }
-    compare(&solved, &told)?;
+    compare(&s, System::new(&s).forces, &solved, &told)?;
     Ok(Outcome::Published)
 }
 
@@ -132,11 +133,20 @@ fn owner(of: program::Owner) -> Owner {
 }
 
 /// Every quantity that is published against the judge, and every one of the judge against what is published.
-fn compare(solved: &Solved, told: &Told) -> Result<(), String> {
+fn compare(s: &composed::Scene, forces: f64, solved: &Solved, told: &Told) -> Result<(), String> {
     let mut faults = Vec::new();
     for e in &solved.entries {
         let (name, of) = (e.label.quantity.name(), owner(e.label.of));
-        if ["k_bound"].contains(&name) {
+        if name == "k_bound" {
+            // At this radius of gyration there is no friction; where there is no such radius, it points up at any.
+            let bound = e.value();
+            let k = if bound.is_finite() { bound } else { 1e4 };
+            let friction = System::friction_with(s, k).unwrap_or(f64::NAN);
+            let fits =
+                if bound.is_finite() { friction.abs() <= 1e-9 * forces } else { friction >= -1e-9 * forces };
+            if !fits {
+                faults.push(format!("k_bound {bound:e}: there the friction is {friction:e}"));
+            }
             continue;
         }
         if told.open.contains(&(name, of)) {
@@ -158,8 +168,7 @@ fn compare(solved: &Solved, told: &Told) -> Result<(), String> {
     for (name, of, want, _) in &told.values {
         let published =
             solved.entries.iter().any(|e| e.label.quantity.name() == *name && owner(e.label.of) == *of);
-        let optional = ["displacement"].contains(name);
-        if !published && !optional {
+        if !published {
             faults.push(format!("{name} of {of:?} is not published; the judge has {want:e}"));
         }
     }
@@ -170,8 +179,16 @@ fn compare(solved: &Solved, told: &Told) -> Result<(), String> {
         {
             faults.push(format!("check {name} of {}: {} is published, {ok} by the judge", c.of, c.ok));
         }
+        if name == "moves" && c.ok != told.as_said {
+            faults.push(format!("moves: {} is published, {} by the judge", c.ok, told.as_said));
+        }
         if name == "reaches" && !told.near_reach && c.ok != told.reached {
             faults.push(format!("reaches: {} is published, {} by the judge", c.ok, told.reached));
+        }
+    }
+    for (label, word) in &solved.words {
+        if label.quantity == program::Quantity::Direction && word.text() != told.direction {
+            faults.push(format!("direction: {} is published, {} by the judge", word.text(), told.direction));
         }
     }
     if faults.is_empty() { Ok(()) } else { Err(faults.join("\n")) }
@@ -203,9 +220,11 @@ fn composed_scenes_agree_with_lagrange_or_are_refused_by_name() {
     let mut constructs: BTreeMap<&str, (u32, u32)> = BTreeMap::new();
     let mut faults = Vec::new();
     let from: u64 = std::env::var("SLIPSTICK_FIRST").ok().and_then(|n| n.parse().ok()).unwrap_or(0);
-    for seed in from..from + seeds() {
-        let outcome = std::panic::catch_unwind(|| judge(seed));
-        let outcome = outcome.unwrap_or_else(|_| Err("panics".into()));
+    let judged: Vec<_> = (from..from + seeds())
+        .into_par_iter()
+        .map(|seed| (seed, std::panic::catch_unwind(|| judge(seed)).unwrap_or_else(|_| Err("panics".into()))))
+        .collect();
+    for (seed, outcome) in judged {
         let published = matches!(outcome, Ok(Outcome::Published));
         for c in scene(seed).constructs {
             let (all, good) = constructs.entry(c).or_default();
@@ -242,6 +261,16 @@ fn composed_scenes_agree_with_lagrange_or_are_refused_by_name() {
         println!("fault {count:>5} x, first seed {seed}: {kind}");
         let why = &faults.iter().find(|(s, _)| s == seed).unwrap().1;
         println!("{why}\n{}", yaml(&scene(*seed)).split_once("data:").unwrap().1);
+    }
+    // What refuses everything would pass, too: of each construct so many of 100 are published, and judged right.
+    for (name, (all, good)) in &constructs {
+        let least = match *name {
+            "end: at once" if !AT_ONCE_SEES_TIES => continue,
+            "slips" => 12,
+            "end: at once" | "start with a speed" | "rigid spring" | "spring on a cord" => 30,
+            _ => 45,
+        };
+        assert!(*all < 40 || good * 100 >= least * all, "{name}: only {good} of {all} are published");
     }
     if let Some((seed, why)) = faults.first() {
         panic!("{} scenes fail; seed {seed}:\n{why}\n{}", faults.len(), yaml(&scene(*seed)));

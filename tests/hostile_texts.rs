@@ -157,7 +157,7 @@ fn bombs() -> Vec<(&'static str, String)> {
         ("a text that is too long", "x".repeat(300_000)),
         ("a formula that repeats itself", r"$\def\x{\x\x}\x$".to_owned()),
         ("a formula that doubles", r"$\def\a{xx}\def\b{\a\a}\newcommand{\c}{\b\b\b}\c$".to_owned()),
-        ("a formula of groups", format!("${}x{}$", "{".repeat(4000), "}".repeat(4000))),
+        ("a formula of groups", format!("${}x{}$", "{ ".repeat(4000), " }".repeat(4000))),
         ("a formula of roots", format!("${}x$", r"\sqrt".repeat(20_000))),
     ]
 }
@@ -248,11 +248,11 @@ fn honest_templates_come_through() {
         ("{% set x %}<{{ m }}>{% endset %}{{ x }}{{ x | length }}", "<2 kg>6"),
         ("{% filter upper | replace(from='B', to='c') %}ab{% endfilter %}", "Ac"),
         ("{% set l = [[1, 2], [3]] %}{{ l[0][1] }}{{ l[1] | length }}", "21"),
-        ("{% if m is containing('kg') and not ('z' in m) %}yes{% elif m %}no{% endif %}", "yes"),
+        ("{% if m is containing(pat='kg') and not ('z' in m) %}yes{% elif m %}no{% endif %}", "yes"),
         ("{% raw %}{{ x ~ }}{% endraw %}{# {{ x | #}{{ 'q' if m else 'r' }}", "{{ x ~ }}q"),
-        ("{{ -1.5 | abs }} {{ 2 + 3 * 4 }} {{ 'a' ~ 1 ~ [1, 2] }}", "1.5 14 a1[1, 2]"),
+        ("{{ -1.5 | abs }} {{ 2 + 3 * 4 }} {{ 'a' ~ 1 ~ [1, 2] }}", "1.5 14 a1\\[1, 2\\]"),
         ("{{ nowhere | default(value='d') }} {{ nowhere is defined }}", "d false"),
-        ("{{ 'x\\ny' | indent }} {{ \"}}\" }} {{ '%}' ~ \"~|\" }}", "x\n    y }} %}~|"),
+        ("{{ 'x\\ny' | indent }} {{ \"}}\" }} {{ '%}' ~ \"~|\" }}", "x\n    y \\}\\} %\\}\\~\\|"),
         ("{{- m -}}  x {%- if m %} y{% endif -%}  z", "2 kgx yz"),
         ("{% set_global n = 0 %}{% for i in items %}{% set_global n = n + 1 %}{% endfor %}{{ n }}", "3"),
     ] {
@@ -558,15 +558,10 @@ fn lint_tells_what_students_will_not_see() {
         if matches!(ending.as_str(), "html" | "md" | "tex") {
             let text = fs::read_to_string(&file).unwrap();
             for word in ["<script", "javascript:", "x.example", "onclick", "<b>", "<u>", "<i>"] {
-                let fine =
-                    word.starts_with('<') && ending == "html" && !text.contains(&format!("{word}>alert"));
-                assert!(!text.contains(word) || fine && word != "<script", "{}: {word}", file.display());
+                // In LaTeX a tag is a text like any other.
+                let is_text = word.len() == 3 && ending == "tex";
+                assert!(is_text || !text.contains(word), "{}: {word}", file.display());
             }
-            assert!(
-                !text.contains("statement") || text.contains("bold word, a link, and"),
-                "{}",
-                file.display()
-            );
             seen += 1;
         }
     }

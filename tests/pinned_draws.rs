@@ -98,6 +98,6 @@ fn an_unsatisfiable_bank_stops_with_a_table() {
     let none = Maker::new(&bank.problems[0], 42, "week 1").giving_up_after(300).variant("1").unwrap_err();
     insta::assert_snapshot!(none, @r"
     slide, case `heavy`: none of 300 draws holds the rules; refused by
-            300  bound v
+            300  bound v: 1.79 m/s to 4.749 m/s (wanted: at most 0.001 m/s)
     ");
 }

@@ -1,6 +1,8 @@
 //! Every command of the README runs, and prints what the README shows.
 #![expect(clippy::disallowed_methods, reason = "the commands need the search path of this machine")]
 #![expect(clippy::unwrap_used, reason = "a test that cannot set itself up fails")]
+use slipstick::solve::outcome::Motion;
+use slipstick::words::Words;
 use std::fs;
 use std::path::Path;
 use std::process::Command;
@@ -171,4 +173,21 @@ fn shown_output_is_compared() {
     let list: Vec<(usize, &str, usize)> =
         found.iter().map(|s| (s.line, s.command.as_str(), s.output.len())).collect();
     assert_eq!(list, [(3, "slipstick a --b", 1), (6, "c", 0)]);
+}
+
+/// The README's list of regimes is the program's table. A word that only the program knew could not be found by anybody: nothing
+/// compared the two.
+#[test]
+fn the_list_of_regimes_is_the_table_of_the_program() {
+    let words = Words::english();
+    let mut wanted = vec!["| regime | what happens | also read |".to_owned(), "|---|---|---|".to_owned()];
+    for motion in Motion::ALL {
+        let also: Vec<String> = motion.synonyms().iter().map(|s| format!("`{s}`")).collect();
+        let also = if also.is_empty() { " ".to_owned() } else { format!(" {} ", also.join(", ")) };
+        wanted.push(format!("| `{}` | {} |{also}|", motion.word(), words.get(&motion.phrase())));
+    }
+    let readme = fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("README.md")).unwrap();
+    let lines = readme.lines().skip_while(|l| !l.starts_with("| regime |"));
+    let found: Vec<&str> = lines.take_while(|l| l.starts_with('|')).collect();
+    assert_eq!(found, wanted, "the README should have\n{}", wanted.join("\n"));
 }

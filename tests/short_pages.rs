@@ -163,7 +163,8 @@ fn what_is_not_covered_has_a_short_page_and_refuses_nothing() {
             let text = plain(&text);
             for row in key.lines().filter(|r| r.starts_with("1,")) {
                 let cells: Vec<&str> = row.split(',').collect();
-                let value = slipstick::sheet::number::rounded(cells[3].parse().unwrap(), 3);
+                let value =
+                    slipstick::sheet::number::rounded(cells[3].trim_start_matches('-').parse().unwrap(), 3);
                 assert!(text.contains(&value), "{format}: {value} of {row}");
             }
         }

@@ -51,7 +51,7 @@ pub fn read(node: &Node, base: &Policy, faults: &Faults) -> Policy {
     }
     let due = policy.due;
     if let Some(n) = fields.get("extensions") {
-        policy.extensions = named(n, "moments by student id", faults)
+        policy.extensions = named(n, "times by student id", faults)
             .into_iter()
             .filter_map(|(id, _, value)| {
                 let at = moment(value, &dates, faults)?;
@@ -59,7 +59,7 @@ pub fn read(node: &Node, base: &Policy, faults: &Faults) -> Policy {
                     faults.hint(
                         value,
                         "an extension that ends before the answers are due",
-                        "a moment after `due`",
+                        "a time after `due`",
                     );
                 }
                 Some((id.to_owned(), at))
@@ -110,7 +110,7 @@ pub fn read(node: &Node, base: &Policy, faults: &Faults) -> Policy {
         && (base.due, base.late.closes) != (policy.due, policy.late.closes)
     {
         let at = fields.get("late").or_else(|| fields.get("due")).unwrap_or(node);
-        faults.hint(at, "`closes` is before `due`", "a moment after it");
+        faults.hint(at, "`closes` is before `due`", "a time after it");
     }
     fields.close(faults);
     policy

@@ -38,10 +38,11 @@ const MARGINS: [(CheckKind, f64); 11] = [
     (CheckKind::StartsSlipping, 0.05),
     (CheckKind::Closes, 0.05),
     (CheckKind::Reaches, 0.05),
-    (CheckKind::Taut, 0.05),
+    // A small share of large forces still has its sign.
+    (CheckKind::Taut, 0.01),
     (CheckKind::Slack, 0.05),
     (CheckKind::SlipEnds, 0.05),
-    (CheckKind::UnderWay, 0.05),
+    (CheckKind::UnderWay, 0.02),
     (CheckKind::StaticLimit, 0.05),
 ];
 /// What holds for all problems of a bank.

@@ -488,7 +488,7 @@ impl Sheet<'_> {
         view.foreign("choice", &format!("{choice}."));
         view.text("plot", &self.plot().svg());
         let cost = if self.timed {
-            "time of a whole solve on its road (median of batches)"
+            "time of a whole solve by its method (median of batches)"
         } else {
             "number of force evaluations"
         };

@@ -569,7 +569,7 @@ fn slip(text: &str) -> Option<String> {
         "power_of_ten" => format!("the right number times ten to the power {what}"),
         "unit" => format!("the right number in {what}"),
         "figures" => format!("the right number, rounded to {what} figures"),
-        "drift" => "as far off as rounding to three figures on the way explains".to_owned(),
+        "drift" => "as far off as rounding intermediate results to three figures explains".to_owned(),
         "part" => format!("the right number of part {what}"),
         _ => text.to_owned(),
     })

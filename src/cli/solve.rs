@@ -380,7 +380,8 @@ fn json(problem: &Problem, case: usize, solved: &Solved, taken: &Taken) -> Strin
     }
     out.push_str(if first { "}" } else { "\n  }" });
     let beyond: Vec<String> = solved.beyond.iter().map(|l| string(&scene.name_of(*l))).collect();
-    let _ = write!(out, ",\n  \"beyond\": [{}]\n}}\n", beyond.join(", "));
+    let open: Vec<String> = solved.open.iter().map(|l| string(&scene.name_of(*l))).collect();
+    let _ = write!(out, ",\n  \"beyond\": [{}],\n  \"open\": [{}]\n}}\n", beyond.join(", "), open.join(", "));
     out
 }
 
@@ -497,6 +498,10 @@ fn table(
         head.push("est. error".to_owned());
     }
     out.push_str(&tell::table(&lines, &[0, 2]));
+    if !solved.open.is_empty() {
+        let names: Vec<String> = solved.open.iter().map(|l| scene.name_of(*l)).collect();
+        let _ = writeln!(out, "Left open by statics, for several ties share one force: {}", names.join(", "));
+    }
     if !solved.beyond.is_empty() {
         let names: Vec<String> = solved.beyond.iter().map(|l| scene.name_of(*l)).collect();
         let _ = writeln!(out, "Not shown, for no double holds them to 16 digits: {}", names.join(", "));

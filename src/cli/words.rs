@@ -71,12 +71,15 @@ pub fn check(scene: &Scene, c: &Check) -> String {
         }
         CheckKind::Moves if c.ok => {
             let ratio = figures(c.available / c.required);
-            format!("the {} moves as declared: the drive is {ratio} times what resists", body(scene, c.of))
+            format!(
+                "the {} moves as declared: the driving force is {ratio} times the resistance",
+                body(scene, c.of)
+            )
         }
         CheckKind::Moves => {
             let ratio = figures(if c.available == 0.0 { 0.0 } else { c.available / c.required });
             format!(
-                "the {} does not move as declared: the drive is {ratio} times what resists, required more than 1",
+                "the {} does not move as declared: the driving force is {ratio} times the resistance, required more than 1",
                 body(scene, c.of)
             )
         }
@@ -269,7 +272,7 @@ fn reason(taken: &Taken) -> &'static str {
             "the forces are the same all the way up to the start of rolling and from there on, so the closed form is exact and nothing is cheaper"
         }
         (true, Method::Closed, Force::Linear) => {
-            "the force changes in proportion to the way, so the closed form is exact and nothing is cheaper"
+            "the force changes in proportion to the displacement, so the closed form is exact and nothing is cheaper"
         }
         (true, Method::Closed, Force::Pendulum) => {
             "under its weight alone the time is an elliptic integral, known to rounding, and nothing is cheaper"
@@ -432,10 +435,10 @@ pub fn refusal(problem: &Problem, scene: &Scene, refusal: &Refusal) -> Vec<Strin
             one(format!("{} does not apply to this scene; auto finds what does", method.name()))
         }
         Refusal::Unsettled(Unsettled { value, gap }) if value.is_finite() && gap.is_finite() => one(format!(
-            "an integral over the motion does not settle: a part of it is {value:e}, and halving its panels still changes that by {gap:e}; the motion all but stops on its way, or a spring passes its anchor. No answer is given."
+            "an integral over the motion does not settle: a part of it is {value:e}, and halving its panels still changes that by {gap:e}; the motion all but stops before its end, or a spring passes its anchor. No answer is given."
         )),
         Refusal::Unsettled(_) => one(
-            "an integral over the motion has no value: the motion stops on its way, or a spring passes its anchor, where its force has no direction. No answer is given."
+            "an integral over the motion has no value: the motion stops before its end, or a spring passes its anchor, where its force has no direction. No answer is given."
                 .to_owned(),
         ),
         Refusal::Disagree { label, eom, energy, allowed } if *allowed < 1.0 => one(format!(

@@ -28,6 +28,7 @@ use crate::scene::End;
 use crate::scene::Num;
 use crate::scene::Owner;
 use crate::scene::Quantity;
+use crate::scene::Slope;
 use crate::scene::Span;
 use crate::scene::Tie;
 use crate::words::Words;
@@ -212,7 +213,9 @@ fn friction(view: &View, c: &SpringCurves) -> Picture {
             limits.push(sign * limit);
         }
     }
-    draw(view, &word("distance"), "m", &word("friction"), "N", &curves, &limits, &marks)
+    let level = view.scene.bodies[c.body].line.is_some_and(|l| l.slope == Slope::Level);
+    let name = word(if level { "friction_level" } else { "friction" });
+    draw(view, &word("distance"), "m", &name, "N", &curves, &limits, &marks)
 }
 
 /// Angular speed over the angle of a pinned body.

@@ -66,7 +66,7 @@ const NAMES: &[(char, &str)] = &[
 pub fn picture(picture: &Picture) -> String {
     let mut out = String::with_capacity(8192);
     for line in picture.title.lines().chain(picture.desc.lines()) {
-        let _ = writeln!(out, "% {line}");
+        let _ = writeln!(out, "% {}", line.replace(char::is_control, " "));
     }
     out.push_str("\\begin{tikzpicture}[x=0.75pt,y=-0.75pt,line cap=round,line join=round]\n");
     let mut used: Vec<&str> = Vec::new();
@@ -198,7 +198,9 @@ fn letter(c: char) -> String {
     match c {
         '\u{a0}' => "~".to_owned(),
         '\\' => r"\textbackslash{}".to_owned(),
-        '{' | '}' | '%' | '$' | '&' | '#' | '_' => format!("\\{c}"),
+        '{' | '}' | '%' | '&' | '#' | '_' => format!("\\{c}"),
+        // In braces: a formula may begin right after it.
+        '$' => r"{\$}".to_owned(),
         '~' => r"\textasciitilde{}".to_owned(),
         '^' => r"\textasciicircum{}".to_owned(),
         c => c.to_string(),

@@ -353,7 +353,9 @@ impl<'p> Maker<'p> {
         for check in solved.checks.iter().filter(|c| of(c.kind)) {
             let kind = CheckKind::ALL.iter().position(|k| *k == check.kind).unwrap_or(0);
             if !check.ok || check.margin.is_nan() || check.margin < self.margins[kind] {
-                return Err(Rule::Check(check.kind).found(check.margin));
+                // A condition may fail for more than its margin says: then no number tells why.
+                let told = check.ok || check.margin < 0.0;
+                return Err(Rule::Check(check.kind).found(if told { check.margin } else { f64::NAN }));
             }
         }
         Ok(())

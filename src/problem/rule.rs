@@ -8,6 +8,7 @@ use crate::scene::admissible::Inadmissible;
 use crate::solve::outcome::CheckKind;
 use crate::solve::outcome::Refusal;
 use crate::solve::outcome::Regime;
+use crate::units::Unit;
 use std::collections::BTreeMap;
 
 /// A rule of a draw, by what it is about: questions, bounds and wrong methods by index, a regime by what came out.
@@ -171,21 +172,14 @@ impl Refusals {
             Rule::Check(kind) => {
                 let margin = problem.margins.iter().find(|(k, _)| *k == kind).map_or(0.0, |(_, m)| *m);
                 let range = tally.range(&|x| format!("{} %", rounded(100.0 * x)));
-                match (kind.is_share(), margin > 0.0) {
+                match (kind.is_share() && !range.is_empty(), margin > 0.0) {
                     (false, _) => "does not hold".to_owned(),
                     (true, true) => format!("margin {range} (`margins`: {} %)", rounded(100.0 * margin)),
                     (true, false) => format!("margin {range} (above 0 % it holds)"),
                 }
             }
-            Rule::Cond(question) => {
-                let limit = problem.questions.get(question).map_or(f64::NAN, |q| q.cond_limit);
-                format!("{} (`cond limit`: {})", tally.range(&plain), rounded(limit))
-            }
-            Rule::Input => format!(
-                "{} times the kinetic energy (`input energy limit`: {})",
-                tally.range(&plain),
-                rounded(problem.energy_limit)
-            ),
+            Rule::Cond(_) => format!("{} (`cond limit`)", tally.range(&plain)),
+            Rule::Input => format!("{} times (`input energy limit`)", tally.range(&plain)),
             Rule::Bound(bound) => match problem.cases.get(case).and_then(|c| c.bounds.get(bound)) {
                 Some(bound) => format!("{} ({})", tally.range(&|x| in_unit(bound, x)), wanted(bound)),
                 None => String::new(),
@@ -225,12 +219,16 @@ fn name(problem: &Problem, case: usize, rule: Rule) -> String {
             "the key is not proved: rounding of the printed data leaves open which way it goes".to_owned()
         }
         Rule::Proved(i) => format!("the key is not proved: the bound of the error of {}", question(i)),
-        Rule::Input => "input energy".to_owned(),
+        Rule::Input => format!("input energy above {} times the kinetic", problem.energy_limit),
         Rule::Regime(_) => "regime".to_owned(),
         Rule::Follows(i) => format!("the relation of `follows` for {} does not hold", question(i)),
         Rule::Check(kind) => kind.name().to_owned(),
         Rule::Answered(i) => format!("question {} has no answer", question(i)),
-        Rule::Cond(i) => format!("cond of {}", question(i)),
+        Rule::Cond(i) => {
+            let limit = problem.questions.get(i).map_or(f64::NAN, |q| q.cond_limit);
+            let limit = format!("{limit:.1}");
+            format!("cond of {} above {}", question(i), limit.trim_end_matches(".0"))
+        }
         Rule::Bound(i) => {
             let bound = problem.cases.get(case).and_then(|c| c.bounds.get(i));
             format!("bound {}", bound.map_or("?", |b| b.text.as_str()))
@@ -244,10 +242,10 @@ fn name(problem: &Problem, case: usize, rule: Rule) -> String {
 
 /// A value of a bound's expression, in SI.
 fn in_unit(bound: &Bound, value: f64) -> String {
-    match measure::powers_text(bound.expression.powers).as_str() {
-        "1" => rounded(value),
-        unit => format!("{} {unit}", rounded(value)),
-    }
+    let powers = measure::powers_text(bound.expression.powers);
+    // Roots of units have no spelling of their own.
+    let unit = Unit::parse(&powers).map_or(powers, |u| u.ascii().to_owned());
+    if unit == "1" { rounded(value) } else { format!("{} {unit}", rounded(value)) }
 }
 
 /// What a bound allows.

@@ -260,7 +260,8 @@ fn check(desk: &Desk) -> Result<(), Stop> {
 
 /// Name of a quantity in words, with the symbol that it was found under: `angular speed $\omega$`.
 fn named(desk: &Desk, label: Label) -> String {
-    let name = desk.words.get(&format!("solution.name.{}", label.quantity.name()));
+    let forward = way(desk.scene, label.of, 1.0).map_or("", |w| desk.words.get(w));
+    let name = desk.say(&format!("solution.name.{}", label.quantity.name()), &[("way", forward)]);
     let mut questions = desk.problem.questions.iter();
     let several = questions.any(|q| q.label.quantity == label.quantity && q.label.of != label.of);
     let owner = match label.of {

@@ -102,10 +102,13 @@ impl Beyond {
     /// In words: `a slipping wheel with other bodies`.
     pub fn text(self, words: &Words) -> String {
         let name = match self {
-            Self::Quantity(q) => words.get(&format!("solution.name.{}", q.name())),
-            _ => "",
+            Self::Quantity(q) => {
+                let way = words.get("solution.way.forward");
+                words.say(&format!("solution.name.{}", q.name()), &[("way", way)])
+            }
+            _ => String::new(),
         };
-        words.say(&format!("solution.beyond.{}", self.name()), &[("name", name)])
+        words.say(&format!("solution.beyond.{}", self.name()), &[("name", &name)])
     }
 }
 

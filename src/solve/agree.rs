@@ -85,7 +85,8 @@ fn half<T: Real>(scene: &Scene, data: &[f64], wide: bool) -> Result<Half, Refusa
     let mut beyond = Vec::new();
     let mut entries = Vec::with_capacity(road.said.len());
     for said in &road.said {
-        let value = said.value.f64();
+        // A zero has no sign.
+        let value = said.value.f64() + 0.0;
         // A finite number that no double holds, or only with fewer digits.
         let lost = !value.is_finite() || value.abs() < f64::MIN_POSITIVE;
         if lost && said.value.is_finite() && !said.value.is_zero() {
@@ -130,7 +131,7 @@ impl Half {
             // The roads mostly speak in the same order.
             let said =
                 second.said.get(i).filter(|s| s.label == entry.label).or_else(|| second.get(entry.label));
-            let (eom, energy) = (entry.value(), said.map_or(f64::NAN, |s| s.value.f64()));
+            let (eom, energy) = (entry.value(), said.map_or(f64::NAN, |s| s.value.f64() + 0.0));
             entry.energy = Some(energy);
             if !agree(eom, energy, entry.cond) {
                 let allowed = 2.0 * EACH_ROAD * U * entry.cond.max(1.0);

@@ -113,6 +113,7 @@ pub enum Event {
     AtOnce,
 }
 
+#[derive(Clone)]
 pub struct Scene {
     pub gravity: Amount,
     pub surfaces: Vec<Surface>,

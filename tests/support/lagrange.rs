@@ -276,12 +276,15 @@ pub struct Told {
     pub rests: bool,
     /// Sense of the ending coordinate, forward.
     pub sense: f64,
+    /// The word for it.
+    pub direction: &'static str,
+    /// Does it go where the scene says?
+    pub as_said: bool,
     /// Is the end reached? And is that a matter of rounding?
     pub reached: bool,
     pub near_reach: bool,
     /// Checks by name and owner (index): hold or not; absent where it is a matter of rounding.
     pub checks: Vec<(&'static str, usize, bool)>,
-    pub freedoms: usize,
 }
 
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -453,6 +456,21 @@ impl<'s> System<'s> {
         f
     }
 
+    /// Sum of the magnitudes of what the forces do in a mode.
+    fn terms(&self, grips: &[Grip], z: &[f64], tension: f64) -> f64 {
+        let own: f64 = z.iter().zip(&self.force).map(|(z, f)| (z * f).abs()).sum();
+        let of = |row: &[f64], size: f64| row.iter().zip(z).map(|(r, z)| (r * z * size).abs()).sum::<f64>();
+        let contacts = self.contacts.iter().zip(grips).filter(|(_, g)| **g != Grip::Sticks);
+        own + contacts.map(|(c, _)| of(&c.row, c.mu_k * c.normal)).sum::<f64>()
+            + self.spring.as_ref().map_or(0.0, |s| of(&s.1, tension))
+    }
+
+    /// Is something without inertia free to move?
+    pub fn massless(&self) -> bool {
+        let loose: Vec<Grip> = self.contacts.iter().map(Contact::loose).collect();
+        self.instant(&loose, 0.0).is_none()
+    }
+
     /// Accelerations and reactions; `None` where something without inertia is free.
     fn instant(&self, grips: &[Grip], tension: f64) -> Option<Instant> {
         let n = self.cols();
@@ -466,8 +484,13 @@ impl<'s> System<'s> {
             .map(|z| {
                 let heavy = weigh(z);
                 let own: f64 = inner(&heavy, z).max(1e-30);
-                let row = modes.iter().map(|o| inner(&heavy, o) / own).chain([inner(z, &force) / own]);
-                row.collect()
+                // A balance of forces.
+                let drive = if inner(z, &force).abs() <= 1e-12 * self.terms(grips, z, tension) {
+                    0.0
+                } else {
+                    inner(z, &force)
+                };
+                modes.iter().map(|o| inner(&heavy, o) / own).chain([drive / own]).collect()
             })
             .collect();
         for z in &modes {
@@ -487,16 +510,6 @@ impl<'s> System<'s> {
                 let term = z[i] * u.expect("determined");
                 a[i] += term;
                 size[i] += term.abs();
-            }
-        }
-        // A balance: the forces that make the acceleration cancel.
-        for (z, u) in modes.iter().zip(&rates) {
-            let terms: f64 = z.iter().zip(&force).map(|(z, f)| (z * f).abs()).sum::<f64>()
-                + self.contacts.iter().map(|c| (inner(&c.row, z) * c.mu_k * c.normal).abs()).sum::<f64>()
-                + self.spring.as_ref().map_or(0.0, |s| (inner(&s.1, z) * tension).abs());
-            let _ = u;
-            if k == 1 && inner(z, &force).abs() <= 1e-12 * terms {
-                a.fill(0.0);
             }
         }
         for (a, s) in a.iter_mut().zip(&size) {
@@ -637,6 +650,19 @@ impl<'s> System<'s> {
         }
     }
 
+    /// Friction of the only contact at the start, up the incline, if the wheel had this radius of gyration.
+    pub fn friction_with(s: &Scene, k: f64) -> Option<f64> {
+        let mut other = s.clone();
+        if let Spread::Gyration(own) = &mut other.bodies[0].spread {
+            own.si = k;
+        }
+        let system = System::new(&other);
+        let now = system.instant(&vec![Grip::Sticks; system.contacts.len()], 0.0)?;
+        let contact = system.contacts.first()?;
+        let f = &system.frames[contact.body];
+        now.reactions[contact.tie].map(|r| r * dot(f.forward, f.up))
+    }
+
     pub fn judge(&self) -> Verdict {
         let s = self.s;
         let all: Vec<Grip> = vec![Grip::Sticks; self.contacts.len()];
@@ -674,7 +700,7 @@ impl<'s> System<'s> {
             }
         };
         if s.event == Event::AtOnce {
-            let mut told = Told { freedoms, ..Told::default() };
+            let mut told = Told::default();
             let energy = 0.5 * v0.iter().zip(&self.mass).map(|(v, m)| m * v * v).sum::<f64>();
             told.values.push(("kinetic_energy", Owner::Scene, energy, energy));
             return Verdict::Told(told);
@@ -704,7 +730,7 @@ impl<'s> System<'s> {
             return Verdict::CouldRoll;
         }
         let Some(now) = self.instant(&grips, tension) else { return Verdict::Undetermined };
-        let mut told = Told { freedoms, ..Told::default() };
+        let mut told = Told::default();
         self.move_on(&grips, &all, &v0, started, now, tension, &mut told);
         Verdict::Told(told)
     }
@@ -786,6 +812,27 @@ impl<'s> System<'s> {
                 Event::AtOnce => None,
             }
         };
+        told.as_said = moves && !wrong_way;
+        let f = &self.frames[s.of];
+        let level = matches!(s.bodies[s.of].way, Way::Along(i) if s.surfaces[i].slope.is_none() && !s.surfaces[i].vertical);
+        told.direction = match (told.sense, f.line && !level) {
+            (0.0, _) => "stays",
+            (sense, true) => {
+                if sense * dot(f.forward, f.up) > 0.0 {
+                    "up"
+                } else {
+                    "down"
+                }
+            }
+            // On a level up is to the right, whichever way is forward.
+            (sense, false) => {
+                if sense * dot(f.forward, f.up) > 0.0 {
+                    "forward"
+                } else {
+                    "back"
+                }
+            }
+        };
         told.reached = time.is_some();
         told.near_reach = match s.event {
             Event::Travel | Event::Turn | Event::Position => (by.abs() / farthest - 1.0).abs() < 1e-9,
@@ -805,6 +852,7 @@ impl<'s> System<'s> {
             .expect("as before");
         let u = match (s.event, time) {
             (Event::TurningPoint, _) => 0.0,
+            (_, Some(t)) if law.speed(t) < 1e-12 * u0 => 0.0,
             (_, Some(t)) => law.speed(t),
             _ => 0.0,
         };
@@ -863,11 +911,9 @@ impl<'s> System<'s> {
             Some(t) if self.spring.is_some() => law.place(t),
             _ => 0.0,
         };
-        let to_turning = super::SPRING_CHECKS_RUN_TO_THE_TURNING_POINT;
+        // As far as the scene looks: to its end, or to the turning point if it turns before.
         let last = if !moves {
             tension
-        } else if to_turning {
-            if turns_at.is_some() { stretch_at(last_place) } else { 0.0 }
         } else if arrived {
             stretch_at(at)
         } else if turns_at.is_some() {
@@ -926,14 +972,10 @@ impl<'s> System<'s> {
                 let place = self.contacts.iter().position(|o| o.tie == c.tie).expect("itself");
                 rolled[place] = Grip::Sticks;
                 if let Some(r) = self.instant(&rolled, tension).and_then(|i| i.reactions[c.tie]) {
-                    let alone = self.contacts.iter().filter(|o| o.said == Said::Slips).count() == 1;
-                    // With others that slip or slide, theirs may turn when this one rolls.
-                    if alone && self.contacts.iter().all(|o| o.said != Said::Slides) {
-                        say("friction_if_rolled", own, r * upward, forces);
-                        if c.normal > 0.0 {
-                            say("mu_required", own, r.abs() / c.normal, forces / c.normal);
-                            check("must_slip", c.tie, r.abs() - c.mu_s.unwrap_or(0.0) * c.normal, r.abs());
-                        }
+                    say("friction_if_rolled", own, r * upward, forces);
+                    if c.normal > 0.0 {
+                        say("mu_required", own, r.abs() / c.normal, forces / c.normal);
+                        check("must_slip", c.tie, r.abs() - c.mu_s.unwrap_or(0.0) * c.normal, r.abs());
                     }
                 }
             }
@@ -981,6 +1023,7 @@ impl<'s> System<'s> {
             if gamma.abs() > NOTHING {
                 let without: f64 = inner(&mode[0], &self.force);
                 let x = -without / (gamma * ks);
+                let x = if without.abs() < 1e-12 * self.terms(&[], &mode[0], 0.0) { 0.0 } else { x };
                 if *rigid || x >= 0.0 {
                     say("x_eq", Owner::Scene, x, forces / ks);
                 }

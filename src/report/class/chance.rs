@@ -82,7 +82,7 @@ impl Pen<'_> {
                 .map(|(i, n)| format!("{} ({})", title(*i), count(*n, "student")))
                 .collect();
             out.push_str(&paragraph(&format!(
-                "Nothing is said on {}: with answers of fewer than {LEAST_FOR_CORRELATION} students chance alone makes such differences.",
+                "Nothing is said about {}: with answers of fewer than {LEAST_FOR_CORRELATION} students chance alone makes such differences.",
                 few.join("; ")
             )));
         }

@@ -288,7 +288,7 @@ fn slip_in_words(word: &str) -> String {
     match word {
         "power_of_ten" => "the right number times a power of ten".to_owned(),
         "figures" => "the right number, rounded to too few figures".to_owned(),
-        "drift" => "just outside the tolerance: rounding on the way explains it".to_owned(),
+        "drift" => "just outside the tolerance: rounded intermediate results explain it".to_owned(),
         "part" => "the right number of another part".to_owned(),
         other => match other.strip_prefix("unit ") {
             Some(unit) => format!("the right number in {unit}, given in the unit asked"),

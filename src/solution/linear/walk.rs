@@ -1214,7 +1214,9 @@ impl<'d, 'a> Walk<'d, 'a> {
         if self.value(&force) * up <= 0.0 || self.value(&moment) * up <= 0.0 {
             return self.beyond(Beyond::NoBound);
         }
-        self.tell_road("bound", &[]);
+        let way = crate::solution::way(self.desk.scene, Owner::Body(body), 1.0);
+        let way = way.map_or_else(String::new, |w| self.desk.words.get(w).to_owned());
+        self.tell_road("bound", &[("way", &way)]);
         let (part, k0) = (self.m.parts[body].clone(), Factors::of(&symbol.into()).squared());
         let inertia = part.mass.times(&k0);
         let lines: Vec<(Expr, Expr)> = match self.road {

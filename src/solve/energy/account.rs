@@ -109,7 +109,8 @@ impl<T: Real> Account<T> {
         let k = self.store?;
         let balanced = start / k.stiff();
         let at = match self.slack() {
-            Some(slack) if balanced.reaches(slack) => {
+            // Only against the other forces is it balanced while the cord is taut.
+            Some(slack) if self.constant.not_negative() => {
                 if self.constant.sign() > 0.0 {
                     return None;
                 }

@@ -168,11 +168,11 @@ fn frictions<T: Real>(kinetic: &[Option<T>]) -> PerTie<T> {
 fn if_rolls<T: Real>(
     scene: &Scene,
     n: &Numbers<T>,
-    grip: Grip,
+    (grip, stays): (Grip, &[bool]),
     kinetic: &[Option<T>],
     tension: T,
 ) -> Reactions<T> {
-    let rate = drive(scene, n, &speeds::modes(scene, n, grip, &[]), &frictions(kinetic), tension);
+    let rate = drive(scene, n, &speeds::modes(scene, n, grip, stays), &frictions(kinetic), tension);
     balance::reactions(scene, n, &|c| rate.of(c), tension, kinetic)
 }
 
@@ -208,7 +208,7 @@ impl<'a, T: Real> Ledger<'a, T> {
                 kinetic[t] = Some(T::zero());
             }
         }
-        let mut rolled = SmallVec::new();
+        let mut rolled: SmallVec<[(usize, T); 1]> = SmallVec::new();
         if !slipping.is_empty() {
             let kinetic_of = |t: usize, sense: f64| match &scene.ties[t] {
                 Tie::Slip { body, mu_k, .. } => {
@@ -217,7 +217,7 @@ impl<'a, T: Real> Ledger<'a, T> {
                 }
                 _ => None,
             };
-            let all = if_rolls(scene, &n, Grip::AllRoll, &kinetic, tension);
+            let all = if_rolls(scene, &n, (Grip::AllRoll, &[]), &kinetic, tension);
             for t in &slipping {
                 kinetic[*t] = kinetic_of(*t, all[*t].sign());
             }
@@ -228,7 +228,7 @@ impl<'a, T: Real> Ledger<'a, T> {
                 for settled in [false, true] {
                     for t in &slipping {
                         kinetic[*t] = None;
-                        let friction = if_rolls(scene, &n, Grip::Rolls(*t), &kinetic, tension)[*t];
+                        let friction = if_rolls(scene, &n, (Grip::Rolls(*t), &[]), &kinetic, tension)[*t];
                         kinetic[*t] = kinetic_of(*t, friction.sign());
                         if settled {
                             rolled.push((*t, friction));
@@ -295,6 +295,12 @@ impl<'a, T: Real> Ledger<'a, T> {
             let sliding = friction(&mut kinetic, &stays, false);
             modes = speeds::modes(scene, &n, Grip::Declared, &stays);
             start_rate = drive(scene, &n, &modes, &sliding, tension);
+            // The work of what slides counts in what the contacts that slip would need to roll.
+            for (t, friction) in &mut rolled {
+                let mut without = kinetic.clone();
+                without[*t] = None;
+                *friction = if_rolls(scene, &n, (Grip::Rolls(*t), &stays), &without, tension)[*t];
+            }
         }
         let lead = start_rate.of(end);
         let mode = if modes.len() == 1 || lead.is_zero() {

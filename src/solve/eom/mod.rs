@@ -202,6 +202,9 @@ impl<'a, T: Real> Walk<'a, T> {
                     for t in &slipping {
                         setting.grip = Grip::Rolls(*t);
                         let one = respond(scene, &n, &setting)?;
+                        if one.is_open(*t) {
+                            return Err(Refusal::Unsupported(Unsupported::SlipShared));
+                        }
                         setting.friction_sense[*t] = one.reaction(*t, CONSTANT).sign();
                         if settled {
                             rolled.push((*t, one));
@@ -265,6 +268,23 @@ impl<'a, T: Real> Walk<'a, T> {
                     return Err(Refusal::Unsupported(Unsupported::SlidesInTurn));
                 }
             }
+            // What slips may pull what slides: the friction that it would need is told with theirs.
+            for (t, one) in &mut rolled {
+                setting.grip = if slipping.len() == 1 { Grip::AllRoll } else { Grip::Rolls(*t) };
+                *one = respond(scene, &n, &setting)?;
+                if one.is_open(*t) {
+                    return Err(Refusal::Unsupported(Unsupported::SlipShared));
+                }
+                let turned = one.reaction(*t, CONSTANT).sign() * setting.friction_sense[*t] < 0.0;
+                let back = |s: usize| {
+                    let a = sliding(s).map(|c| one.acceleration(c, CONSTANT).sign());
+                    !setting.stays[s] && a.is_some_and(|a| a * setting.friction_sense[s] > 0.0)
+                };
+                if turned || (0..ties).any(back) {
+                    return Err(Refusal::Unsupported(Unsupported::SlidesInTurn));
+                }
+            }
+            setting.grip = Grip::Declared;
         }
         let v0 = velocity(&response, end).unwrap_or_else(T::zero);
         let mut ratio_column = if spring.is_some() {

@@ -73,10 +73,11 @@ impl<T: Real> Travel<T> {
         }
         let w2 = self.w2?;
         let level = self.f0 / w2;
+        // Slack, it gains speed as long as the other forces do not hold it back.
         if let Some((at, f1)) = self.slack
-            && level.reaches(at)
+            && f1.not_negative()
         {
-            return (f1.sign() <= 0.0).then(|| (at, self.taut_square(at).root()));
+            return f1.is_zero().then(|| (at, self.taut_square(at).root()));
         }
         Some((level, (self.u0.square() + self.f0.square() / w2).root()))
     }

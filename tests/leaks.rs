@@ -1,0 +1,494 @@
+//! Nothing that a student gets tells an answer in words: no file below students/, no range of a datum, no list of words.
+//!
+//! Earlier tests looked at what one sheet holds (no key, no value of it). A word leaks across sheets: what stands in those with one
+//! answer and never in those with another, which no test of a single sheet can see.
+#![expect(clippy::unwrap_used, reason = "a test that cannot set itself up fails")]
+mod support;
+use rayon::prelude::*;
+use slipstick::bank::Bank;
+use slipstick::bank::Problem;
+use slipstick::bank::load;
+use slipstick::cli;
+use slipstick::cli::tell::Exit;
+use slipstick::cli::tell::Io;
+use slipstick::problem::make::Maker;
+use slipstick::problem::make::Variant;
+use slipstick::problem::make_key;
+use std::collections::BTreeMap;
+use std::collections::BTreeSet;
+use std::ffi::OsString;
+use std::fs;
+use std::path::Path;
+
+/// A wheel on a contact that does not say whether it rolls or slips, and a statement that does not either.
+const OPEN: &str = "
+bank: left-open
+title: Left open
+problems:
+  pulled:
+    title: A wheel is pulled
+    data:
+      m: {name: mass of the wheel, unit: kg, draw: 20 to 40 step 1}
+      P: {name: pull of the cord, unit: N, draw: 150 to 600 step 10}
+      theta: {name: slope of the incline, unit: deg, draw: 10 to 16 step 1}
+      d: {name: distance that the centre moves, unit: m, draw: 1.0 to 3.0 step 0.1}
+      mu_s: {name: coefficient of static friction, unit: '1', draw: 0.14 to 0.40 step 0.02}
+      mu_k: {name: coefficient of kinetic friction, unit: '1', draw: 0.10 to 0.13 step 0.01}
+    scene:
+      surfaces: {incline: {slope: theta}}
+      bodies: {wheel: {mass: m, radius of gyration: 0.25 m, radii: {rim: 0.4 m}, moves: along incline}}
+      ties:
+        - touches: {body: wheel, on its: rim, mu_s: mu_s, mu_k: mu_k}
+        - cord: {from: {body: wheel, tied at: centre, leaves: up}, pulled with: P}
+      start: at rest
+      end: {travel: {of: wheel, by: d, heading: up}}
+    questions:
+      rolls: {ask: whether the wheel rolls without slipping}
+      friction: {ask: 'the friction force on it, with its direction', unit: N}
+      v: {ask: its speed at that moment, unit: m/s}
+    statement: |
+      A wheel of mass {{ m }} stands on an incline of {{ theta }}; the coefficients of friction are {{ mu_s }} (static) and {{ mu_k }} (kinetic). It
+      starts from rest, pulled up the incline at its axle with {{ P }}. Its centre moves {{ d }}; whether it rolls or slips is for you to find. Use {{ g }}.
+";
+
+fn banks() -> Vec<(Bank, String)> {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("banks");
+    let mut all: Vec<(Bank, String)> = support::banks()
+        .into_iter()
+        .map(|b| (folder.join(format!("{}.yaml", b.id)), b))
+        .map(|(p, b)| (b, fs::read_to_string(p).unwrap()))
+        .collect();
+    all.push((load::scenes_only(OPEN, "open.yaml").unwrap_or_else(|f| panic!("{f:?}")), OPEN.to_owned()));
+    all
+}
+
+/// Problems that ask for words, with the index of the first such question.
+fn in_words(bank: &Bank) -> impl Iterator<Item = (&Problem, usize)> {
+    let asked = |p: &Problem| {
+        p.questions
+            .iter()
+            .enumerate()
+            .filter(|(_, q)| q.label.quantity.is_word())
+            .map(|(i, _)| i)
+            .collect::<Vec<_>>()
+    };
+    bank.problems.iter().flat_map(move |p| asked(p).into_iter().map(move |q| (p, q)))
+}
+
+fn variants(problem: &Problem, count: u64) -> Vec<Variant> {
+    let one = |seed| Maker::new(problem, seed, "leaks").variant("s").unwrap_or_else(|e| panic!("{e}"));
+    (1..=count).into_par_iter().map(one).collect()
+}
+
+/// A set of this one problem with a sheet in every format for each of so many students, and each one's files and answer.
+fn sheets(
+    text: &str,
+    problem: &Problem,
+    question: usize,
+    language: &str,
+) -> Vec<(String, BTreeMap<String, String>)> {
+    const STUDENTS: usize = 200;
+    let room = tempfile::tempdir().unwrap();
+    let at = |name: &str| room.path().join(name).display().to_string();
+    fs::write(at("bank.yaml"), text).unwrap();
+    let rows: String = (0..STUDENTS).map(|i| format!("s{i:03}\n")).collect();
+    fs::write(at("roster.csv"), format!("student\n{rows}")).unwrap();
+    let args = [
+        "slipstick",
+        "generate",
+        &at("bank.yaml"),
+        "--roster",
+        &at("roster.csv"),
+        "--seed",
+        "5",
+        "--name",
+        "leaks",
+        "--problems",
+        &problem.id,
+        "--format",
+        "html,md,tex",
+        "--language",
+        language,
+        "--out",
+        &at("set"),
+    ];
+    let (mut out, mut err, mut input) = (Vec::new(), Vec::new(), &b""[..]);
+    let io = &mut Io { input: &mut input, out: &mut out, err: &mut err, watched: false, typed: false };
+    let exit = cli::run(args.iter().map(OsString::from), io);
+    assert_eq!(exit, Exit::Fine, "{}", String::from_utf8_lossy(&err));
+    let key = fs::read_to_string(at("set/key.csv")).unwrap();
+    let part = &problem.questions[question].id;
+    (0..STUDENTS)
+        .map(|i| {
+            let row = key.lines().find(|l| l.starts_with(&format!("s{i:03},1,{part},"))).unwrap();
+            let answer = row.split(',').nth(3).unwrap().to_owned();
+            let folder = room.path().join(format!("set/students/s{i:03}"));
+            let files = fs::read_dir(folder).unwrap().map(|f| f.unwrap().path());
+            let files = files.map(|p| {
+                (p.file_name().unwrap().to_string_lossy().into_owned(), fs::read_to_string(&p).unwrap())
+            });
+            (answer, files.collect())
+        })
+        .collect()
+}
+
+/// What stands in a student's files, each token with how often, file by file; numbers only where they are no coordinates of a
+/// figure and no values of the data.
+fn tokens(files: &BTreeMap<String, String>) -> BTreeSet<String> {
+    let sheet: serde_json::Value = serde_json::from_str(&files["sheet.json"]).unwrap();
+    let data = sheet["problems"][0]["data"].as_object().unwrap();
+    let values: BTreeSet<&str> = data.values().filter_map(|d| d["value"].as_str()).collect();
+    let mut found = BTreeSet::new();
+    for (file, text) in files {
+        let drawn = !["sheet.json", "sheet.md"].contains(&file.as_str());
+        let mut counts: BTreeMap<&str, u32> = BTreeMap::new();
+        let is_part = |c: char| c.is_alphanumeric() || matches!(c, '.' | '_');
+        for token in text.split(|c: char| !is_part(c)).map(|t| t.trim_matches('.')).filter(|t| !t.is_empty())
+        {
+            let number = token.starts_with(|c: char| c.is_ascii_digit());
+            if !(number && (drawn || values.contains(token))) {
+                *counts.entry(token).or_default() += 1;
+            }
+        }
+        found.insert(format!("file {file}"));
+        for (token, n) in counts {
+            found.insert(format!("{file}: {token}"));
+            found.insert(format!("{file}: {token} {n} times"));
+        }
+    }
+    found
+}
+
+/// Tokens that stand, or are missing, with one answer alone, though chance would have put them among the others too.
+fn telling(sheets: &[(String, BTreeSet<String>)]) -> Vec<String> {
+    let share =
+        |answer: &str| sheets.iter().filter(|(a, _)| a == answer).count() as f64 / sheets.len() as f64;
+    let shares: BTreeMap<&str, f64> = sheets.iter().map(|(a, _)| (a.as_str(), share(a))).collect();
+    let all: BTreeSet<&String> = sheets.iter().flat_map(|(_, t)| t).collect();
+    let mut faults = Vec::new();
+    for token in all {
+        for there in [true, false] {
+            let with: Vec<&str> =
+                sheets.iter().filter(|(_, t)| t.contains(token) == there).map(|(a, _)| a.as_str()).collect();
+            let Some(first) = with.first().filter(|f| with.iter().all(|a| a == *f)) else { continue };
+            // By chance alone it would be rarer than one in a million that so many share an answer.
+            if shares[first].powf(with.len() as f64) < 1e-6 {
+                faults.push(format!(
+                    "`{token}` {} in {} sheets, all with `{first}`",
+                    if there { "stands" } else { "is missing" },
+                    with.len()
+                ));
+            }
+        }
+    }
+    faults
+}
+
+#[test]
+fn no_token_of_a_students_files_goes_with_one_answer_in_words_alone() {
+    for (bank, text) in banks() {
+        for (problem, question) in in_words(&bank) {
+            let languages: &[&str] = if bank.id == "left-open" { &["en"] } else { &["en", "de"] };
+            for language in languages {
+                let sheets = sheets(&text, problem, question, language);
+                let sheets: Vec<_> = sheets.par_iter().map(|(a, files)| (a.clone(), tokens(files))).collect();
+                let answers: BTreeSet<&String> = sheets.iter().map(|(a, _)| a).collect();
+                assert!(answers.len() > 1, "{}: a question with one answer", problem.id);
+                let faults = telling(&sheets);
+                assert!(
+                    faults.is_empty(),
+                    "{}, {language}: {} leaks\n{}",
+                    problem.id,
+                    faults.len(),
+                    faults[..faults.len().min(20)].join("\n")
+                );
+            }
+        }
+    }
+}
+
+/// The test above sees a leak if there is one: the regimes of the case, which sheet.json once carried.
+#[test]
+fn a_planted_token_is_seen() {
+    let sheet = |i: u32| {
+        let answer = if i.is_multiple_of(2) { "up" } else { "down" };
+        (answer.to_owned(), BTreeSet::from(["the".to_owned(), format!("code {i}"), format!("{answer} ok")]))
+    };
+    let faults = telling(&(0..200).map(sheet).collect::<Vec<_>>());
+    assert_eq!(faults.len(), 4, "{faults:?}");
+    assert!(faults.iter().all(|f| f.contains(" ok`")), "{faults:?}");
+}
+
+/// A type of its own without regimes, bounds, cases and ranges: the same text for every student of the problem.
+#[test]
+fn the_scene_of_a_sheet_is_the_same_for_every_student() {
+    for (bank, text) in banks() {
+        let problems: Vec<usize> = (0..bank.problems.len()).collect();
+        let writer = slipstick::sheet::public::Writer::new(&bank, &text, &problems, "leaks", "en").unwrap();
+        let drawn: Vec<Vec<Variant>> = bank.problems.iter().map(|p| variants(p, 60)).collect();
+        let mut first: Vec<Option<serde_json::Value>> = vec![None; problems.len()];
+        for student in 0..60 {
+            let of: Vec<Variant> = drawn.iter().map(|v| v[student].clone()).collect();
+            let sheet: serde_json::Value = serde_json::from_str(&writer.text("s", &of)).unwrap();
+            for (i, problem) in sheet["problems"].as_array().unwrap().iter().enumerate() {
+                let scene = problem["scene"].clone();
+                let shown = scene.to_string();
+                for word in ["regimes", "bounds", "cases", "draw", "mistakes", "margins", "share"] {
+                    assert!(!shown.contains(&format!("\"{word}\":")), "{}: {word}", problem["id"]);
+                }
+                assert!(scene["problems"][&bank.problems[i].id]["scene"].is_object(), "{}", problem["id"]);
+                let same = first[i].get_or_insert_with(|| scene.clone());
+                assert_eq!(*same, scene, "{} {}", bank.id, problem["id"]);
+            }
+        }
+    }
+}
+
+/// What was drawn for one datum, by answer.
+type ByWord = BTreeMap<&'static str, Vec<f64>>;
+
+/// Share of the joint range of the values that two answers have in common; and the share that the best threshold gets right,
+/// each answer counted as likely as the other.
+fn told_by(a: &[f64], b: &[f64]) -> (f64, f64) {
+    let (min, max) = (
+        |x: &[f64]| x.iter().copied().fold(f64::INFINITY, f64::min),
+        |x: &[f64]| x.iter().copied().fold(f64::NEG_INFINITY, f64::max),
+    );
+    let (low, high) = (min(a).min(min(b)), max(a).max(max(b)));
+    let common = if high > low { (max(a).min(max(b)) - min(a).max(min(b))) / (high - low) } else { 1.0 };
+    let below = |x: &[f64], t: f64| x.iter().filter(|v| **v <= t).count() as f64 / x.len() as f64;
+    let gap = a.iter().chain(b).map(|t| (below(a, *t) - below(b, *t)).abs()).fold(0.0, f64::max);
+    (common, 0.5 + gap / 2.0)
+}
+
+/// Least share of the joint range that the answers share, and the most that a threshold may get right.
+const COMMON: f64 = 0.5;
+const GUESSED: f64 = 0.82;
+
+#[test]
+fn no_range_of_a_datum_tells_an_answer_in_words() {
+    for (bank, _) in banks() {
+        for (problem, question) in in_words(&bank) {
+            let drawn = variants(problem, 1000);
+            let word = |v: &Variant| v.solved.word(problem.questions[question].label).unwrap().text();
+            for (i, datum) in problem.data.iter().enumerate() {
+                let mut by: ByWord = BTreeMap::new();
+                for v in drawn.iter().filter(|v| v.values[i].is_some()) {
+                    by.entry(word(v)).or_default().push(v.data[i]);
+                }
+                let values: Vec<(&&str, &Vec<f64>)> = by.iter().collect();
+                // A datum that some variants do not have is missing with every answer.
+                assert_eq!(
+                    values.len(),
+                    drawn.iter().map(word).collect::<BTreeSet<_>>().len(),
+                    "{} {}",
+                    problem.id,
+                    datum.symbol
+                );
+                for (n, (one, a)) in values.iter().enumerate() {
+                    for (other, b) in &values[n + 1..] {
+                        let (common, guessed) = told_by(a, b);
+                        println!(
+                            "{} {}: {one} or {other}: {common:.2} in common, a threshold gets {guessed:.2}",
+                            problem.id, datum.symbol
+                        );
+                        // What the instructor leaves to chance in the open bank is his; its mu_s decides.
+                        if bank.id != "left-open" {
+                            assert!(
+                                common >= COMMON && guessed <= GUESSED,
+                                "{} {}: {common} {guessed}",
+                                problem.id,
+                                datum.symbol
+                            );
+                        }
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// Each word of a list that sheets print is right in at least a fifth of the variants that print it, over 1,000 seeds.
+#[test]
+fn every_word_of_a_printed_list_is_right_often_enough() {
+    for (bank, _) in banks() {
+        for (problem, question) in in_words(&bank) {
+            let label = problem.questions[question].label;
+            let mut lists: BTreeMap<&[&str], BTreeMap<&str, u32>> = BTreeMap::new();
+            for v in variants(problem, 1000) {
+                let list = make_key::offered(label.quantity, &problem.cases[v.case].scene);
+                *lists.entry(list).or_default().entry(v.solved.word(label).unwrap().text()).or_default() += 1;
+            }
+            for (list, right) in lists {
+                let printed: u32 = right.values().sum();
+                for word in list {
+                    let n = right.get(word).copied().unwrap_or(0);
+                    println!("{} {}: `{word}` right in {n} of {printed}", bank.id, problem.id);
+                    assert!(
+                        f64::from(n) >= 0.2 * f64::from(printed),
+                        "{} {word}: {n} of {printed}",
+                        problem.id
+                    );
+                }
+            }
+        }
+    }
+}
+
+fn run(args: &[&str]) -> (Exit, String, String) {
+    let (mut out, mut err, mut input) = (Vec::new(), Vec::new(), &b""[..]);
+    let words = std::iter::once("slipstick").chain(args.iter().copied()).map(OsString::from);
+    let io = &mut Io { input: &mut input, out: &mut out, err: &mut err, watched: false, typed: false };
+    let exit = cli::run(words, io);
+    (exit, String::from_utf8(out).unwrap(), String::from_utf8(err).unwrap())
+}
+
+/// An instructor's bank is told of a word that is never right, by `lint` as a finding, by `generate` as a note.
+#[test]
+fn a_word_that_is_never_right_is_told_to_the_instructor() {
+    let room = tempfile::tempdir().unwrap();
+    let at = |name: &str| room.path().join(name).display().to_string();
+    // Friction always suffices here.
+    fs::write(
+        at("bank.yaml"),
+        OPEN.replace("0.14 to 0.40 step 0.02", "0.80 to 0.90 step 0.02")
+            .replace("    questions:", "    regimes: [moves_up]\n    questions:"),
+    )
+    .unwrap();
+    fs::write(at("roster.csv"), "student\n1\n").unwrap();
+    let (exit, out, err) = run(&["lint", &at("bank.yaml"), "--seeds", "60"]);
+    assert_eq!(exit, Exit::Faulty, "{out}");
+    assert!(err.contains("`no` is offered and right in none of 60 variants"), "{err}");
+    assert!(out.contains("yes 100 %, no 0 %") || out.contains("no 0 %"), "{out}");
+    let (exit, out, _) = run(&[
+        "generate",
+        &at("bank.yaml"),
+        "--roster",
+        &at("roster.csv"),
+        "--seed",
+        "1",
+        "--out",
+        &at("set"),
+    ]);
+    assert_eq!(exit, Exit::Fine);
+    assert!(
+        out.contains("note: problems.pulled.questions.rolls: `no` is offered and right in none"),
+        "{out}"
+    );
+    // And nothing where the rule holds.
+    fs::write(at("open.yaml"), OPEN).unwrap();
+    let (exit, out, err) = run(&["lint", &at("open.yaml"), "--seeds", "200"]);
+    assert_eq!(exit, Exit::Fine, "{out}{err}");
+    let (_, out, _) = run(&[
+        "generate",
+        &at("open.yaml"),
+        "--roster",
+        &at("roster.csv"),
+        "--seed",
+        "1",
+        "--out",
+        &at("open"),
+    ]);
+    assert!(!out.contains("note:"), "{out}");
+}
+
+/// A contact that is left open rolls or slips as the data have it: of both assumptions exactly one holds, whatever the data.
+#[test]
+fn a_contact_left_open_rolls_or_slips_and_never_both() {
+    let bank = load::scenes_only(OPEN, "open.yaml").unwrap();
+    let problem = &bank.problems[0];
+    let names: Vec<&str> = problem.cases.iter().map(|c| c.name.as_str()).collect();
+    assert_eq!(names, ["rolls", "slips"]);
+    // What is left of the pull at the axle drives it, and rolling needs k^2/(k^2 + R^2) of that as friction; slipping, mu_k N.
+    let grip = 0.25f64.powi(2) / (0.25f64.powi(2) + 0.4f64.powi(2));
+    let mut seen = [0u32; 2];
+    for v in variants(problem, 300) {
+        let of = |symbol: &str| v.data[problem.data.iter().position(|d| d.symbol == symbol).unwrap()];
+        let (sin, cos) = slipstick::num::trig::sin_cos_degrees(of("theta"));
+        let (m, weight) = (of("m"), of("m") * of("g"));
+        let (drive, normal) = (of("P") - weight * sin.hi, weight * cos.hi);
+        let rolls = drive * grip <= of("mu_s") * normal;
+        let friction = if rolls { -drive * grip } else { -of("mu_k") * normal };
+        let a = (drive + friction) / m;
+        let entry = |name: &str| {
+            let q = problem.questions.iter().find(|q| q.id == name).unwrap();
+            v.solved.get(q.label).unwrap().value()
+        };
+        assert_eq!(
+            v.solved.word(problem.questions[0].label).unwrap().text(),
+            if rolls { "yes" } else { "no" }
+        );
+        assert!((entry("friction") - friction).abs() <= 1e-9 * drive, "{} {friction}", entry("friction"));
+        assert!((entry("v") - (2.0 * a * of("d")).sqrt()).abs() <= 1e-9 * entry("v"));
+        seen[usize::from(rolls)] += 1;
+        // Whichever was assumed first, the other assumption fails on the same data.
+        let hold: Vec<bool> = (0..2)
+            .map(|case| {
+                slipstick::problem::make::from_values(problem, case, &v.values)
+                    .is_ok_and(|v| v.solved.all_hold() && !v.solved.regime.slips)
+            })
+            .collect();
+        assert_eq!(hold, [rolls, !rolls]);
+    }
+    assert!(seen.iter().all(|n| *n > 90), "{seen:?}");
+}
+
+/// `solve` and `check` find what happens; the sheet does not say it.
+#[test]
+fn solve_and_check_find_what_an_open_contact_does() {
+    let room = tempfile::tempdir().unwrap();
+    let at = |name: &str| room.path().join(name).display().to_string();
+    fs::write(at("bank.yaml"), OPEN).unwrap();
+    for (pull, regime) in [("150N", "moves_up"), ("600N", "slips_up")] {
+        let args = ["m=25kg", &format!("P={pull}"), "d=2m", "mu_s=0.2", "mu_k=0.12", "theta=12"]
+            .map(|a| format!("--set={a}"));
+        let all: Vec<&str> = ["solve", &at("bank.yaml"), "pulled"]
+            .into_iter()
+            .map(|s| Box::leak(s.to_owned().into_boxed_str()) as &str)
+            .chain(args.iter().map(String::as_str))
+            .collect();
+        let (exit, out, err) = run(&all);
+        assert_eq!(exit, Exit::Fine, "{out}{err}");
+        assert!(out.contains(&format!("regime: {regime}")), "{out}");
+    }
+    let rows: String = (0..12).map(|i| format!("s{i}\n")).collect();
+    fs::write(at("roster.csv"), format!("student\n{rows}")).unwrap();
+    assert_eq!(
+        run(&[
+            "generate",
+            &at("bank.yaml"),
+            "--roster",
+            &at("roster.csv"),
+            "--seed",
+            "1",
+            "--out",
+            &at("set")
+        ])
+        .0,
+        Exit::Fine
+    );
+    let key = fs::read_to_string(at("set/key.csv")).unwrap();
+    let mut words = BTreeSet::new();
+    for i in 0..12 {
+        let cell = |part: &str| {
+            key.lines()
+                .find(|l| l.starts_with(&format!("s{i},1,{part},")))
+                .unwrap()
+                .split(',')
+                .nth(3)
+                .unwrap()
+                .to_owned()
+        };
+        words.insert(cell("rolls"));
+        let sheet = at(&format!("set/students/s{i}/sheet.json"));
+        let answers = [
+            format!("1.rolls={}", cell("rolls")),
+            format!("1.friction={} N", cell("friction")),
+            format!("1.v={}", cell("v")),
+        ];
+        let (exit, out, err) = run(&["check", &sheet, &answers[0], &answers[1], &answers[2]]);
+        assert_eq!(exit, Exit::Fine, "{out}{err}");
+    }
+    assert_eq!(words.len(), 2);
+    assert_eq!(run(&["solutions", &at("set"), "--out", &at("solved")]).0, Exit::Fine);
+}
