@@ -265,7 +265,8 @@ impl Templates {
     /// # Errors
     /// There is none of this name.
     pub fn variables(&self, name: &str) -> Result<Vec<String>, Finding> {
-        let names = self.engine(name).get_template_variables(name).map_err(|e| self.fault(&e, name))?;
+        let names =
+            self.engine(name).get_template_variables(name).map_err(|e| self.fault(&e, name, false))?;
         let mut names: Vec<String> = names.into_iter().map(str::to_owned).collect();
         names.sort_unstable();
         Ok(names)
@@ -279,7 +280,8 @@ impl Templates {
         metered::begin(view.size);
         let from = out.len();
         let writer = metered::Writer(out);
-        self.engine(name).render_to(name, &view.context, writer).map_err(|e| self.fault(&e, name))?;
+        let written = self.engine(name).render_to(name, &view.context, writer);
+        written.map_err(|e| self.fault(&e, name, metered::is_over()))?;
         if name.ends_with(".html") {
             close_to_outside(out, from);
         }
@@ -291,8 +293,8 @@ impl Templates {
         self.files.get(name).map(String::as_str)
     }
 
-    /// What went wrong while a template was written; the place may be in another one that it includes.
-    fn fault(&self, error: &tera::Error, name: &str) -> Finding {
+    /// What went wrong with a template, `over` its budget or otherwise; the place may be in another one that it includes.
+    fn fault(&self, error: &tera::Error, name: &str, over: bool) -> Finding {
         let mut fault = finding(error);
         let mut name = name;
         if let ErrorKind::SyntaxError(report) | ErrorKind::RenderingError(report) = error.kind() {
@@ -302,7 +304,7 @@ impl Templates {
                 fault.at = Some((line, metered.column(line, column.saturating_sub(1)) + 1));
             }
         }
-        if metered::is_over() {
+        if over {
             fault.message = format!("template: {}", metered::SPENT);
             fault.hint = Some(metered::SPENT_HINT.to_owned());
         }

@@ -252,7 +252,7 @@ fn honest_templates_come_through() {
         ("{% raw %}{{ x ~ }}{% endraw %}{# {{ x | #}{{ 'q' if m else 'r' }}", "{{ x ~ }}q"),
         ("{{ -1.5 | abs }} {{ 2 + 3 * 4 }} {{ 'a' ~ 1 ~ [1, 2] }}", "1.5 14 a1\\[1, 2\\]"),
         ("{{ nowhere | default(value='d') }} {{ nowhere is defined }}", "d false"),
-        ("{{ 'x\\ny' | indent }} {{ \"}}\" }} {{ '%}' ~ \"~|\" }}", "x\n    y \\}\\} %\\}\\~\\|"),
+        ("{{ 'x\\ny' | indent }} {{ \"}}\" }} {{ '%}' ~ \"~|\" }}", "x     y \\}\\} %\\}\\~\\|"),
         ("{{- m -}}  x {%- if m %} y{% endif -%}  z", "2 kgx yz"),
         ("{% set_global n = 0 %}{% for i in items %}{% set_global n = n + 1 %}{% endfor %}{{ n }}", "3"),
     ] {
@@ -571,6 +571,42 @@ fn lint_tells_what_students_will_not_see() {
         sheet.contains("A bold word, a link, and\nseen from afar; [more](https://a.example)."),
         "{sheet}"
     );
+}
+
+/// Names of all kinds that mean harm, on every page that shows them.
+#[test]
+fn hostile_names_act_on_no_page() {
+    let room = tempfile::tempdir().unwrap();
+    let path = |name: &str| room.path().join(name).display().to_string();
+    let evil = "<script>alert(1)</script><img src=x onerror=alert(2)>[x](javascript:alert(3))![y](http://x.example/y.png)";
+    let bank = bank("", &format!("the speed {evil}"), &format!("'A {evil}'"))
+        .replace("name: mass,", &format!("name: 'mass {evil}', tex: 'm<b onclick=alert(4)>',"))
+        .replace(
+            "    questions:",
+            "    cases:\n      'one <script>alert(5)</script>': {share: 1}\n      'two \" onload=alert(6) x=\"': {share: 1}\n    questions:",
+        );
+    fs::write(path("b.yaml"), bank).unwrap();
+    fs::write(path("r.csv"), "student,name\ns1,<script>alert(7)</script>\n\"<b onclick=alert(8)>\",B\n")
+        .unwrap();
+    let fine = |args: &[&str]| {
+        let (exit, out, err) = run(args);
+        assert_eq!((exit, err.as_str()), (Exit::Fine, ""), "{args:?}: {out}");
+    };
+    let (file, roster, set, grades) = (path("b.yaml"), path("r.csv"), path("set"), path("grades"));
+    fine(&["gallery", &file, "--variants", "4", "--seeds", "20", "--out", &path("gallery.html")]);
+    fine(&["generate", &file, "--roster", &roster, "--seed", "1", "--out", &set]);
+    fine(&["solutions", &set, "--out", &path("solutions")]);
+    let answers =
+        "student,problem,part,answer\ns1,1,v,<script>alert(9)</script>\n\"<b onclick=alert(8)>\",1,v,1 m/s\n";
+    fs::write(path("a.csv"), answers).unwrap();
+    fine(&["grade", &set, &path("a.csv"), "--out", &grades]);
+    let mut pages = 0;
+    for file in files(room.path()).into_iter().filter(|f| f.extension().is_some_and(|e| e == "html")) {
+        let page = fs::read_to_string(&file).unwrap();
+        assert_eq!(all_acts(&page), Vec::<String>::new(), "{}", file.display());
+        pages += 1;
+    }
+    assert!(pages >= 10, "{pages} pages");
 }
 
 fn files(folder: &Path) -> Vec<std::path::PathBuf> {
