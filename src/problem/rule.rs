@@ -2,6 +2,7 @@
 use crate::bank::Bound;
 use crate::bank::Problem;
 use crate::bank::measure;
+use crate::num::shown;
 use crate::scene::Num;
 use crate::scene::admissible;
 use crate::scene::admissible::Inadmissible;
@@ -232,7 +233,7 @@ fn name(problem: &Problem, case: usize, rule: Rule) -> String {
         Rule::Answered(i) => format!("question {} has no answer", question(i)),
         Rule::Cond(i) => {
             let limit = problem.questions.get(i).map_or(f64::NAN, |q| q.cond_limit);
-            let limit = format!("{limit:.1}");
+            let limit = shown::decimals(limit, 1);
             format!("cond of {} above {}", question(i), limit.trim_end_matches(".0"))
         }
         Rule::Bound(i) => {
@@ -295,17 +296,12 @@ fn rounded(value: f64) -> String {
     if size == 0.0 {
         "0".to_owned()
     } else if (1e-3..1e6).contains(&size) {
-        let text = format!(
-            "{:.*}",
-            if size >= 100.0 {
-                0
-            } else if size >= 10.0 {
-                1
-            } else {
-                3
-            },
-            value
-        );
+        let decimals = match size {
+            100.0.. => 0,
+            10.0.. => 1,
+            _ => 3,
+        };
+        let text = shown::decimals(value, decimals);
         if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text }
     } else {
         format!("{value:.1e}")
