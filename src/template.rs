@@ -176,28 +176,26 @@ impl Templates {
             let brought = built_in(language).filter(|(n, _)| n.ends_with(end) && !mine(n));
             let given = own.iter().filter(|(n, _, _)| n.ends_with(end));
             // Texts before those that include them: a file may include its neighbours in any order.
-            let mut left: Vec<(&str, &str, &str)> = brought.map(|(name, text)| (name, name, text)).collect();
-            left.extend(given.map(|(name, path, text)| (name.as_str(), path.as_str(), text.as_str())));
+            let mut left: Vec<(&str, Option<&str>, &str)> =
+                brought.map(|(name, text)| (name, None, text)).collect();
+            left.extend(given.map(|(name, path, text)| (name.as_str(), Some(path.as_str()), text.as_str())));
             loop {
                 let before = left.len();
                 let mut errors = Vec::new();
                 left.retain(|(name, path, text)| {
-                    let is_own = name != path;
-                    let added = if is_own {
-                        add(&mut engine, name, text)
-                    } else {
-                        engine.add_raw_template(name, text).map(|()| None).map_err(|e| finding(&e))
+                    // What the program brought along is not metered.
+                    let added = match path {
+                        Some(_) => add(&mut engine, name, text),
+                        None => engine.add_raw_template(name, text).map(|()| None).map_err(|e| finding(&e)),
                     };
                     match added {
                         Ok(metered) => {
-                            if is_own {
-                                files.insert((*name).to_owned(), (*path).to_owned());
-                            }
+                            files.extend(path.map(|path| ((*name).to_owned(), path.to_owned())));
                             all_metered.extend(metered.map(|m| ((*name).to_owned(), m)));
                             false
                         }
                         Err(error) => {
-                            errors.push(error.in_file(*path));
+                            errors.push(error.in_file(path.unwrap_or(name)));
                             true
                         }
                     }

@@ -1345,7 +1345,7 @@ fn sheets_and_feedback_in_german() {
     let bank = include_str!("../banks/wheels-on-inclines.yaml");
     room.write(
         "bank.yaml",
-        &bank.replace("the speed $v$ of its centre at that moment", "the speed of $G$ after all"),
+        &bank.replace("the speed $v$ of its centre at that instant", "the speed of $G$ after all"),
     );
     let (path, roster, out) = (room.path("bank.yaml"), room.path("roster.csv"), room.path("changed"));
     let ran =
