@@ -360,7 +360,7 @@ fn level(kind: &str, sense: &str, regime: &str) -> String {
         ),
     };
     let surface = if kind == "axle" { "" } else { "      surfaces: {floor: level}\n" };
-    let tie = tie.replace("}}, rolls:", "}}\n        - rolls:");
+    let tie = tie.replace("}, rolls:", "}\n        - rolls:");
     format!(
         "bank: level\ntitle: Level\ninput energy limit: 100\nproblems:\n  p:\n    title: T\n    data:\n      \
          m: {{name: mass, unit: kg, draw: 20 to 40 step 1}}\n      R: {{name: radius, unit: mm, draw: 300 to 400 step 10}}\n{data}    \
