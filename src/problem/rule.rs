@@ -290,20 +290,20 @@ pub fn inadmissible(problem: &Problem, fault: &Inadmissible) -> String {
     }
 }
 
-/// Three figures, for people.
+/// Four figures, for people: enough to tell what just breaks a limit from the limit.
 fn rounded(value: f64) -> String {
     let size = value.abs();
     if size == 0.0 {
-        "0".to_owned()
-    } else if (1e-3..1e6).contains(&size) {
-        let decimals = match size {
-            100.0.. => 0,
-            10.0.. => 1,
-            _ => 3,
-        };
-        let text = shown::decimals(value, decimals);
-        if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text }
-    } else {
-        format!("{value:.1e}")
+        return "0".to_owned();
     }
+    let decimals = match size {
+        1e-3..1.0 => 4,
+        1.0..10.0 => 3,
+        10.0..100.0 => 2,
+        100.0..1e3 => 1,
+        1e3..1e6 => 0,
+        _ => return shown::figures(value, 2),
+    };
+    let text = shown::decimals(value, decimals);
+    if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text }
 }
