@@ -77,16 +77,17 @@ fn judge(seed: u64) -> Result<Outcome, String> {
             return match verdict {
                 Verdict::Undetermined => Ok(Outcome::Refused("motion not determined".into())),
                 _ if System::new(&s).massless() => Ok(Outcome::Refused("motion not determined".into())),
-                _ if chance => Ok(Outcome::Refused("not determined but for equal data".into())),
                 _ => Err("the equations are said not to determine it".into()),
             };
         }
         Err(Refusal::Unsupported(Unsupported::StartHeld)) => {
             return match verdict {
                 Verdict::Contradiction => Ok(Outcome::Refused("start of what is held".into())),
-                _ if chance => Ok(Outcome::Refused("not determined but for equal data".into())),
                 _ => Err("its start is said to contradict the ties".into()),
             };
+        }
+        Err(Refusal::Unsupported(Unsupported::EqualByChance)) if !chance => {
+            return Err("data are said to be equal by chance".into());
         }
         Err(Refusal::Unsupported(what)) => return Ok(Outcome::Refused(format!("{what:?}"))),
         Err(other) => return Err(format!("{other:?}")),

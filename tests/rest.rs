@@ -234,3 +234,39 @@ fn what_slips_starts_from_rest_and_without_a_spring() {
     );
     assert!(of("", "{wheel: {speed: 1 m/s}}").contains("`wheel` slips"));
 }
+
+/// No draw could stay: the check that it moves refused each, whatever regime was declared.
+#[test]
+fn a_problem_may_declare_that_a_block_stays() {
+    let bank = |regimes: &str| {
+        let text = format!(
+            "bank: b\ntitle: B\nproblems:\n  p:\n    title: P\n    data:\n      m: {{name: mass, unit: kg, draw: 2 to 9 step 0.5}}\n      theta: {{name: slope, unit: deg, draw: 10 to 40 step 1}}\n      mu: {{name: friction, unit: \"1\", draw: 0.3 to 0.6 step 0.05}}\n    scene:
+      surfaces: {{incline: {{slope: theta}}}}
+      bodies:
+        A: {{mass: m, moves: along incline}}
+      ties:
+        - slides: {{body: A, mu_k: 0.2, mu_s: mu}}
+      start: at rest
+      end: {{travel: {{of: A, by: 1 m}}}}
+    regimes: [{regimes}]
+    questions:
+      friction: {{ask: the friction, unit: N}}\n"
+        );
+        load::scenes_only(&text, "test").unwrap_or_else(|f| panic!("{f:#?}"))
+    };
+    for (regime, stays) in [("balanced", true), ("moves_down", false)] {
+        let bank = bank(regime);
+        let maker = slipstick::problem::make::Maker::new(&bank.problems[0], 1, "rest");
+        for student in 0..40 {
+            let v = maker.variant(&student.to_string()).unwrap_or_else(|e| panic!("{regime}: {e}"));
+            let [m, theta, mu, g] = v.data[..] else { panic!("{:?}", v.data) };
+            let (sine, cosine) = (libm::sin(theta.to_radians()), libm::cos(theta.to_radians()));
+            // With the margin of `moves`, 10 % of the larger of drive and hold.
+            let margin = (sine - mu * cosine) / sine.max(mu * cosine);
+            assert!(if stays { margin <= -0.1 + 1e-12 } else { margin >= 0.1 - 1e-12 }, "{regime}: {margin}");
+            let friction = v.solved.entries.iter().find(|e| e.label.quantity.name() == "friction").unwrap();
+            let want = m * g * if stays { sine } else { 0.2 * cosine };
+            assert!((friction.value() / want - 1.0).abs() < 1e-13, "{regime}: {}", friction.value());
+        }
+    }
+}

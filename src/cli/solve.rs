@@ -144,8 +144,8 @@ pub fn data(
 
 /// Does what really happens fit what the problem declares? A problem that declares no regime takes any, as in drawing.
 pub fn fits(problem: &Problem, case: usize, solved: &Solved) -> bool {
-    let declared = problem.cases.get(case).is_some_and(|c| solved.regime.is_one_of(&c.regimes));
-    declared && solved.all_hold()
+    let declared = |regimes: &[String]| solved.regime.is_one_of(regimes) && solved.holds_as(regimes);
+    problem.cases.get(case).is_some_and(|c| declared(&c.regimes))
 }
 
 /// Case, values as scenes take them, and each datum as it is shown.

@@ -410,6 +410,10 @@ pub fn refusal(problem: &Problem, scene: &Scene, refusal: &Refusal) -> Vec<Strin
             Unsupported::SlipShared => {
                 "a contact is said to slip where other ties hold it, too: what friction it would need is open".to_owned()
             }
+            Unsupported::EqualByChance => {
+                "two data are equal, and only so the ties leave another number of freedoms: such data are not solved"
+                    .to_owned()
+            }
             Unsupported::SlidesInTurn => {
                 "of the bodies that slide here one stays or moves on account of what another does; that is not solved"
                     .to_owned()

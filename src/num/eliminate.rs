@@ -22,13 +22,7 @@ pub struct Reduced<T: Real> {
     equations: Equations<T>,
     /// Row in which each unknown is the pivot.
     pivot: SmallVec<[Option<usize>; 8]>,
-    /// Size of each row as it was collected.
-    scales: SmallVec<[T::Rough; 8]>,
 }
-
-/// A number that is 0 and has a derivative above this share of its row is 0 by the chance of equal data; derivatives are
-/// right to some 14 digits.
-const BY_CHANCE: f64 = 1e-9;
 
 impl<T: Real> Equations<T> {
     /// No equations yet in `cols` unknowns.
@@ -63,11 +57,6 @@ impl<T: Real> Equations<T> {
         let mut pivot: SmallVec<[Option<usize>; 8]> = smallvec![None; cols];
         let mut used: SmallVec<[bool; 8]> = smallvec![false; rows];
         let mut base: SmallVec<[T; 9]> = SmallVec::new();
-        let scales = self
-            .cells
-            .chunks_exact(width)
-            .map(|row| row[..cols].iter().fold(T::Rough::zero(), |s, v| s.max(v.size())))
-            .collect();
         for allowed in (0..=free.len()).rev() {
             let kept = &free[..allowed];
             loop {
@@ -138,7 +127,7 @@ impl<T: Real> Equations<T> {
                 }
             }
         }
-        Reduced { equations: self, pivot, scales }
+        Reduced { equations: self, pivot }
     }
 }
 
@@ -173,15 +162,9 @@ impl<T: Real> Reduced<T> {
     pub fn rank(&self) -> usize {
         self.pivot.iter().flatten().count()
     }
-    /// Do the equations that say nothing of their own say what the others say, whatever the data? They do not where a
-    /// right-hand side contradicts the others, or where it takes equal data to make one the repetition of others.
+    /// Do the equations that say nothing of their own say what the others say?
     pub fn repeats(&self) -> bool {
-        let width = self.equations.cols + 1;
-        let rows = self.equations.cells.chunks_exact(width).zip(&self.scales).enumerate();
-        rows.filter(|(i, _)| !self.pivot.contains(&Some(*i))).all(|(i, (row, scale))| {
-            let moves = |v: &T| (0..T::SLOPES).any(|s| v.slope(s).abs() > T::Rough::of(BY_CHANCE) * *scale);
-            self.right(i).is_zero() && !row[..self.equations.cols].iter().any(moves)
-        })
+        (0..self.equations.sizes.len()).all(|i| self.pivot.contains(&Some(i)) || self.right(i).is_zero())
     }
     /// The solution for the right-hand sides, if no unknown is open.
     pub fn solution(&self) -> Option<SmallVec<[T; 4]>> {

@@ -95,8 +95,7 @@ impl<T: Real> Linear<T> {
         }
     }
 
-    /// The unknowns that have only one value although equations repeat each other. Errors: they contradict each other, or it takes
-    /// equal data to make one the repetition of others.
+    /// The unknowns that have only one value although equations repeat each other. Errors: they contradict each other.
     fn partly(&self) -> Result<Solution<T>, Singular> {
         let n = self.unknowns;
         let mut x = SmallVec::with_capacity(n * self.columns);

@@ -268,7 +268,7 @@ impl<'p> Maker<'p> {
         }
         self.conditioned(half.preview())?;
         let mut solved = half.confirm(&case.scene, data).map_err(unsolved)?;
-        self.checks(&solved, |kind| kind == CheckKind::Moves)?;
+        self.moves(case, &solved)?;
         if !agree::prove(&case.scene, data, &mut solved) {
             return Err(Rule::Certain.into());
         }
@@ -333,7 +333,10 @@ impl<'p> Maker<'p> {
     /// Is the kinetic energy not what two much larger energies leave?
     fn energies(&self, case: &Case, solved: &Solved, data: &[f64]) -> Result<(), Refused> {
         let kinetic = Label { quantity: Quantity::KineticEnergy, of: Owner::Scene };
-        // At a turning point there is none.
+        // At a turning point there is none, nor at rest.
+        if solved.regime.stays_as(&case.regimes) {
+            return Ok(());
+        }
         if let (Some(kinetic), false) = (solved.get(kinetic), matches!(case.scene.end, End::TurningPoint(_)))
             && let Some(input) = input_energy(&case.scene, data, solved)
         {
@@ -360,6 +363,22 @@ impl<'p> Maker<'p> {
                 // A condition may fail for more than its margin says: then no number tells why.
                 let told = check.ok || check.margin < 0.0;
                 return Err(Rule::Check(check.kind).found(if told { check.margin } else { f64::NAN }));
+            }
+        }
+        Ok(())
+    }
+
+    /// Does it move with the margin, or stay with the same margin where it is declared to stay?
+    fn moves(&self, case: &Case, solved: &Solved) -> Result<(), Refused> {
+        if !solved.regime.stays_as(&case.regimes) {
+            return self.checks(solved, |kind| kind == CheckKind::Moves);
+        }
+        let kind = CheckKind::ALL.iter().position(|k| *k == CheckKind::Moves).unwrap_or(0);
+        for check in solved.checks.iter().filter(|c| c.kind == CheckKind::Moves) {
+            // What nothing drives needs no margin.
+            let driven = check.available > 0.0 || check.available.is_nan();
+            if driven && !(-check.margin >= self.margins[kind]) {
+                return Err(Rule::Check(check.kind).found(check.margin));
             }
         }
         Ok(())

@@ -19,8 +19,13 @@ fn stand_in(num: Num) -> f64 {
 }
 
 impl Scene {
-    /// Coordinates less the ties that say something of their own; contacts that slip or slide hold nothing.
+    /// Coordinates less the ties that say something of their own, whatever the data; contacts that slip or slide hold nothing.
     pub fn freedoms(&self) -> usize {
+        self.freedoms_with(&stand_in)
+    }
+
+    /// The same for these numbers: another count where data are equal by chance.
+    pub fn freedoms_with(&self, number: &dyn Fn(Num) -> f64) -> usize {
         let coordinates: Vec<Coordinate> = self.coordinates().collect();
         let place =
             |body: usize, degree: Degree| coordinates.iter().position(|c| *c == Coordinate { body, degree });
@@ -30,7 +35,7 @@ impl Scene {
                 Tie::Roll { body, radius_m, .. } => {
                     let row = ties.row();
                     let along = place(*body, Degree::Along).map(|i| (i, 1.0));
-                    let turn = place(*body, Degree::Turn).map(|i| (i, -stand_in(*radius_m)));
+                    let turn = place(*body, Degree::Turn).map(|i| (i, -number(*radius_m)));
                     along.into_iter().chain(turn).for_each(|(i, x)| row[i] = x);
                     continue;
                 }
@@ -48,7 +53,7 @@ impl Scene {
                     row[i] += toward;
                 }
                 if let (Attach::Wound(p, side), Some(i)) = (end.attach, place(end.body, Degree::Turn)) {
-                    row[i] += toward * stand_in(p) * if side == Side::Top { 1.0 } else { -1.0 };
+                    row[i] += toward * number(p) * if side == Side::Top { 1.0 } else { -1.0 };
                 }
             }
         }

@@ -12,6 +12,7 @@ use crate::num::ball;
 use crate::num::wide::ordinary;
 use crate::scene::End;
 use crate::scene::Label;
+use crate::scene::Num;
 use crate::scene::Owner;
 use crate::scene::Quantity;
 use crate::scene::Scene;
@@ -62,7 +63,7 @@ pub fn first(scene: &Scene, data: &[f64]) -> Result<Half, Refusal> {
     if !faults.is_empty() {
         return Err(Refusal::Inadmissible(faults));
     }
-    supported(scene)?;
+    supported(scene, data)?;
     // Few kinds of numbers: each is compiled through both roads. What is rare goes through the widest.
     match data.len() {
         65.. => Err(Refusal::Unsupported(Unsupported::TooManyData)),
@@ -79,7 +80,7 @@ pub fn quick(scene: &Scene, data: &[f64]) -> Result<Road<f64>, Refusal> {
     if !faults.is_empty() {
         return Err(Refusal::Inadmissible(faults));
     }
-    supported(scene)?;
+    supported(scene, data)?;
     eom::road(scene, data)
 }
 
@@ -204,7 +205,7 @@ pub fn prove(scene: &Scene, data: &[f64], solved: &mut Solved) -> bool {
 }
 
 /// Is the combination one that the assembly has?
-fn supported(scene: &Scene) -> Result<(), Refusal> {
+fn supported(scene: &Scene, data: &[f64]) -> Result<(), Refusal> {
     let lamina = scene.bodies.iter().any(|b| !b.particles.is_empty());
     let refuse = |what| Err(Refusal::Unsupported(what));
     if scene.pinned().is_some() {
@@ -234,6 +235,15 @@ fn supported(scene: &Scene) -> Result<(), Refusal> {
         return refuse(Unsupported::SpringWithSlip);
     }
     let freedoms = scene.freedoms();
+    let number = |n: Num| match n {
+        Num::Datum(i) => data.get(i).copied().unwrap_or(f64::NAN),
+        Num::Fixed(x) => x,
+    };
+    // Cords alone can say what other ties say.
+    let held = |t: &Tie| matches!(t, Tie::Cord(c) if matches!(c.to, crate::scene::Far::Body(_) | crate::scene::Far::Fixed));
+    if scene.ties.iter().any(held) && scene.freedoms_with(&number) != freedoms {
+        return refuse(Unsupported::EqualByChance);
+    }
     if freedoms > 1 && springs > 0 {
         return refuse(Unsupported::SpringWithTwoFreedoms);
     }

@@ -93,6 +93,11 @@ impl Regime {
     pub fn they(self) -> String {
         if self.slips { "slip where they are said to roll".to_owned() } else { self.motion.they().to_owned() }
     }
+    /// Does it stay, and does a problem declare that by these words?
+    pub fn stays_as(self, declared: &[String]) -> bool {
+        matches!(self.motion, Motion::Balanced | Motion::Rest)
+            && declared.iter().any(|word| self.motion.is_called(word))
+    }
     /// Is it what a problem declares by these words? Any motion is where it declares none, save slip of what is said to roll.
     pub fn is_one_of(self, declared: &[String]) -> bool {
         !self.slips && (declared.is_empty() || declared.iter().any(|word| self.motion.is_called(word)))
@@ -292,6 +297,11 @@ impl Solved {
     pub fn all_hold(&self) -> bool {
         self.checks.iter().all(|c| c.ok)
     }
+    /// The same where a problem declares these regimes: what is declared to stay need not move.
+    pub fn holds_as(&self, declared: &[String]) -> bool {
+        let stays = self.regime.stays_as(declared);
+        self.checks.iter().all(|c| c.ok || stays && c.kind == CheckKind::Moves)
+    }
 }
 
 /// Why a scene with these data has no answer.
@@ -417,6 +427,8 @@ pub enum Unsupported {
     SpeedWithSlip,
     /// A contact is said to slip, and the ties share the friction that it would need to roll.
     SlipShared,
+    /// Ties that hold more or less than they would if two data were not equal.
+    EqualByChance,
     /// Bodies that slide and could stay, one on account of what another does.
     SlidesInTurn,
     /// A body thrown with slip beside other bodies or cords.

@@ -512,8 +512,10 @@ impl<'s> System<'s> {
                 size[i] += term.abs();
             }
         }
+        // Lengths are of order 0.1 to 1 m, so turns and travels are of like size.
+        let most = a.iter().fold(0.0f64, |m, a| m.max(a.abs()));
         for (a, s) in a.iter_mut().zip(&size) {
-            if a.abs() <= 1e-12 * s {
+            if a.abs() <= 1e-12 * s.max(most) {
                 *a = 0.0;
             }
         }
@@ -960,7 +962,7 @@ impl<'s> System<'s> {
                             say("mu_required", own, most / normal, forces / normal);
                         }
                         if let Some(mu) = c.mu_s {
-                            check("no_slip", c.tie, mu * normal - most, mu * normal + most);
+                            check("no_slip", c.tie, mu * normal - most, forces);
                         }
                     }
                     None => open.push(("mu_required", own)),
@@ -975,7 +977,7 @@ impl<'s> System<'s> {
                     say("friction_if_rolled", own, r * upward, forces);
                     if c.normal > 0.0 {
                         say("mu_required", own, r.abs() / c.normal, forces / c.normal);
-                        check("must_slip", c.tie, r.abs() - c.mu_s.unwrap_or(0.0) * c.normal, r.abs());
+                        check("must_slip", c.tie, r.abs() - c.mu_s.unwrap_or(0.0) * c.normal, forces);
                     }
                 }
             }

@@ -711,7 +711,7 @@ impl<'a, T: Real> Ledger<'a, T> {
             .fold(T::zero(), |sum, p| sum + p.power)
             / self.mode.of(along);
         let (centre, whole) = (centre.signed(up), whole.signed(up));
-        let rotation = whole - centre;
+        let rotation = whole.balance(-centre);
         if if centre.sign() > 0.0 { rotation.sign() <= 0.0 } else { rotation.sign() < 0.0 } {
             return;
         }
