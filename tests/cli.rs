@@ -96,7 +96,7 @@ fn a_set_has_its_files_and_nothing_for_students_but_theirs() {
     assert_eq!((ran.exit, ran.err.as_str()), (Exit::Fine, ""));
     assert!(
         ran.out
-            .starts_with("5 sheets of 4 problems with 24 questions each, 20 variants drawn and solved twice"),
+            .starts_with("5 sheets of 4 problems with 23 questions each, 20 variants drawn and solved twice"),
         "{}",
         ran.out
     );
