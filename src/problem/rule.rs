@@ -17,8 +17,6 @@ use std::collections::BTreeMap;
 pub enum Rule {
     /// The data are a scene.
     Admissible,
-    /// The velocities of the start agree with the ties, and with them leave none open.
-    Start,
     /// The scene can be solved.
     Solvable,
     /// The start agrees with the ties and leaves no velocity open.
@@ -218,7 +216,6 @@ fn name(problem: &Problem, case: usize, rule: Rule) -> String {
     let question = |i: usize| problem.questions.get(i).map_or("?", |q| q.id.as_str());
     match rule {
         Rule::Admissible => "data that are no scene".to_owned(),
-        Rule::Start => "the start does not agree with the ties".to_owned(),
         Rule::Solvable => "cannot be solved".to_owned(),
         Rule::Start => "the start contradicts the ties, or leaves a velocity open".to_owned(),
         Rule::Agree => "the two roads disagree".to_owned(),
