@@ -176,28 +176,26 @@ impl Templates {
             let brought = built_in(language).filter(|(n, _)| n.ends_with(end) && !mine(n));
             let given = own.iter().filter(|(n, _, _)| n.ends_with(end));
             // Texts before those that include them: a file may include its neighbours in any order.
-            let mut left: Vec<(&str, &str, &str)> = brought.map(|(name, text)| (name, name, text)).collect();
-            left.extend(given.map(|(name, path, text)| (name.as_str(), path.as_str(), text.as_str())));
+            let mut left: Vec<(&str, Option<&str>, &str)> =
+                brought.map(|(name, text)| (name, None, text)).collect();
+            left.extend(given.map(|(name, path, text)| (name.as_str(), Some(path.as_str()), text.as_str())));
             loop {
                 let before = left.len();
                 let mut errors = Vec::new();
                 left.retain(|(name, path, text)| {
-                    let is_own = name != path;
-                    let added = if is_own {
-                        add(&mut engine, name, text)
-                    } else {
-                        engine.add_raw_template(name, text).map(|()| None).map_err(|e| finding(&e))
+                    // What the program brought along is not metered.
+                    let added = match path {
+                        Some(_) => add(&mut engine, name, text),
+                        None => engine.add_raw_template(name, text).map(|()| None).map_err(|e| finding(&e)),
                     };
                     match added {
                         Ok(metered) => {
-                            if is_own {
-                                files.insert((*name).to_owned(), (*path).to_owned());
-                            }
+                            files.extend(path.map(|path| ((*name).to_owned(), path.to_owned())));
                             all_metered.extend(metered.map(|m| ((*name).to_owned(), m)));
                             false
                         }
                         Err(error) => {
-                            errors.push(error.in_file(*path));
+                            errors.push(error.in_file(path.unwrap_or(name)));
                             true
                         }
                     }
@@ -265,7 +263,8 @@ impl Templates {
     /// # Errors
     /// There is none of this name.
     pub fn variables(&self, name: &str) -> Result<Vec<String>, Finding> {
-        let names = self.engine(name).get_template_variables(name).map_err(|e| self.fault(&e, name))?;
+        let names =
+            self.engine(name).get_template_variables(name).map_err(|e| self.fault(&e, name, false))?;
         let mut names: Vec<String> = names.into_iter().map(str::to_owned).collect();
         names.sort_unstable();
         Ok(names)
@@ -279,7 +278,8 @@ impl Templates {
         metered::begin(view.size);
         let from = out.len();
         let writer = metered::Writer(out);
-        self.engine(name).render_to(name, &view.context, writer).map_err(|e| self.fault(&e, name))?;
+        let written = self.engine(name).render_to(name, &view.context, writer);
+        written.map_err(|e| self.fault(&e, name, metered::is_over()))?;
         if name.ends_with(".html") {
             close_to_outside(out, from);
         }
@@ -291,8 +291,8 @@ impl Templates {
         self.files.get(name).map(String::as_str)
     }
 
-    /// What went wrong while a template was written; the place may be in another one that it includes.
-    fn fault(&self, error: &tera::Error, name: &str) -> Finding {
+    /// What went wrong with a template, `over` its budget or otherwise; the place may be in another one that it includes.
+    fn fault(&self, error: &tera::Error, name: &str, over: bool) -> Finding {
         let mut fault = finding(error);
         let mut name = name;
         if let ErrorKind::SyntaxError(report) | ErrorKind::RenderingError(report) = error.kind() {
@@ -302,7 +302,7 @@ impl Templates {
                 fault.at = Some((line, metered.column(line, column.saturating_sub(1)) + 1));
             }
         }
-        if metered::is_over() {
+        if over {
             fault.message = format!("template: {}", metered::SPENT);
             fault.hint = Some(metered::SPENT_HINT.to_owned());
         }

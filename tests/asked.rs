@@ -336,3 +336,40 @@ fn nothing_is_enclosed_as_nothing() {
         assert!(names.iter().any(|n| n == "a" || n == "alpha"), "{names:?}");
     }
 }
+
+/// How far it slides or rolls up is a question like any other: with wrong methods, beside them a right answer of its own.
+#[test]
+fn wrong_methods_know_distances() {
+    let text = "bank: asked
+title: Asked
+problems:
+  one:
+    title: One
+    data:
+      v0: {name: v0, unit: m/s, draw: 1.0 to 4.0 step 0.1}
+      theta: {name: slope, unit: deg, draw: 10 to 30 step 1}
+    scene:
+      surfaces: {track: {slope: theta}}
+      bodies: {ball: {mass: 2 kg, shape: {sphere: 0.1 m}, radii: {rim: 0.1 m}, moves: along track, positive: up}}
+      ties: [rolls: {body: ball, on its: rim, mu_s: 0.5}]
+      start: {ball: {speed: v0}}
+      end: {turning point: ball}
+    questions:
+      D_turn: {ask: how far does it roll up, unit: m}
+      displacement: {ask: and by how much is it displaced, unit: cm}
+    follows: {displacement: D_turn}
+    mistakes:
+      rotation-forgotten: {values: {D_turn: v0^2/(2*g*sin(theta)), displacement: v0^2/(2*g*sin(theta))}}
+";
+    let bank = load::scenes_only(text, "asked.yaml").unwrap();
+    let variant = Maker::new(&bank.problems[0], 3, "asked").variant("one").unwrap();
+    let value = |q: Quantity| variant.solved.entries.iter().find(|e| e.label.quantity == q).unwrap().value();
+    let sine = libm::sin(variant.data[1].to_radians());
+    let far = 0.7 * variant.data[0] * variant.data[0] / (variant.data[2] * sine);
+    assert!((value(Quantity::DTurn) / far - 1.0).abs() < 1e-14);
+    assert!((value(Quantity::Displacement) / far - 1.0).abs() < 1e-14);
+    assert_eq!(variant.wrong.len(), 2);
+    for wrong in &variant.wrong {
+        assert!((wrong.value / far * 1.4 - 1.0).abs() < 1e-14, "{wrong:?}");
+    }
+}

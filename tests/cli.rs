@@ -96,7 +96,7 @@ fn a_set_has_its_files_and_nothing_for_students_but_theirs() {
     assert_eq!((ran.exit, ran.err.as_str()), (Exit::Fine, ""));
     assert!(
         ran.out
-            .starts_with("5 sheets of 4 problems with 24 questions each, 20 variants drawn and solved twice"),
+            .starts_with("5 sheets of 4 problems with 23 questions each, 20 variants drawn and solved twice"),
         "{}",
         ran.out
     );
@@ -424,9 +424,9 @@ fn a_changed_set_is_not_graded() {
     change("set/set.json", "{", "{{", "is no set");
     change(
         "set/set.json",
-        "\"draw_version\": 3",
+        "\"draw_version\": 4",
         "\"draw_version\": 9",
-        "draw_version: is 9; this program draws by version 3",
+        "draw_version: is 9; this program draws by version 4",
     );
     // Another program version that draws the same is fine.
     let set = room.read("set/set.json");
@@ -1345,7 +1345,7 @@ fn sheets_and_feedback_in_german() {
     let bank = include_str!("../banks/wheels-on-inclines.yaml");
     room.write(
         "bank.yaml",
-        &bank.replace("the speed $v$ of its centre at that moment", "the speed of $G$ after all"),
+        &bank.replace("the speed $v$ of its centre at that instant", "the speed of $G$ after all"),
     );
     let (path, roster, out) = (room.path("bank.yaml"), room.path("roster.csv"), room.path("changed"));
     let ran =

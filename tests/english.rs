@@ -91,6 +91,7 @@ const RULES: &[Rule] = &[
         instead: "work (it has no plural)",
         fine: &["cord that works"],
     },
+    Rule { unwanted: &["heat is made", "makes heat", "has made"], instead: "dissipates energy", fine: &[] },
     Rule { unwanted: &["torn loose"], instead: "breaks loose", fine: &[] },
     Rule { unwanted: &["works over"], instead: "does work over", fine: &[] },
     Rule {

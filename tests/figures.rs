@@ -211,7 +211,9 @@ fn every_datum_of_the_scene_is_in_its_picture() {
                         continue;
                     }
                     let symbol = symbol::plain(&symbol::symbol(&datum.tex));
-                    let value = words.number(&drawn.text()).replace('-', "−");
+                    // An arrow shows the sense of what is negative, its label the size.
+                    let symbol = if drawn.value < 0 { format!("|{symbol}|") } else { symbol };
+                    let value = words.number(drawn.text().trim_start_matches('-'));
                     let label = format!("{symbol}\u{a0}=\u{a0}{value}");
                     let times = values.lines().filter(|l| l.starts_with(&label)).count();
                     assert_eq!(times, 1, "{} {student}: {label} in {values}", problem.id);

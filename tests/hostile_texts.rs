@@ -252,23 +252,33 @@ fn honest_templates_come_through() {
         ("{% raw %}{{ x ~ }}{% endraw %}{# {{ x | #}{{ 'q' if m else 'r' }}", "{{ x ~ }}q"),
         ("{{ -1.5 | abs }} {{ 2 + 3 * 4 }} {{ 'a' ~ 1 ~ [1, 2] }}", "1.5 14 a1\\[1, 2\\]"),
         ("{{ nowhere | default(value='d') }} {{ nowhere is defined }}", "d false"),
-        ("{{ 'x\\ny' | indent }} {{ \"}}\" }} {{ '%}' ~ \"~|\" }}", "x\n    y \\}\\} %\\}\\~\\|"),
+        ("{{ 'x\\ny' | indent }} {{ \"}}\" }} {{ '%}' ~ \"~|\" }}", "x     y \\}\\} %\\}\\~\\|"),
         ("{{- m -}}  x {%- if m %} y{% endif -%}  z", "2 kgx yz"),
         ("{% set_global n = 0 %}{% for i in items %}{% set_global n = n + 1 %}{% endfor %}{{ n }}", "3"),
     ] {
         assert_eq!(render(text).as_deref(), Ok(expected), "{text}");
     }
-    for (text, at) in [
-        ("{{ [1] | join ~ m ~ (m | nth(n=1)) }}", "mine.md:1:27:"),
-        ("a\n{% set x = m ~ 'b' %}ü{{ x ~ 'c' }}{{ x | int }}", "mine.md:2:43:"),
-        ("{% for i in [m, m] %}\n{{ i ~ i }}{{ i ~ unknown.y }}{% endfor %}", "mine.md:2:19:"),
-        ("{% set x = 1 %}{{ nowhere }}", "mine.md:1:19:"),
-        ("{{ m ~ }}", "mine.md:1:8:"),
-        ("{% block a %}{% endblock %}", "mine.md:1:1:"),
-    ] {
+    // The place is that of the text as it was written: where the fault begins, or right behind the value that is at fault.
+    let pointed = |text: &str| {
         let fault = render(text).expect_err(text);
-        assert!(fault.starts_with(at), "{text}: {fault}");
-    }
+        let mut place = fault.split(':').skip(1).map(|n| n.parse::<usize>().unwrap_or(0));
+        let (line, column) = (place.next().unwrap(), place.next().unwrap());
+        let line = text.lines().nth(line - 1).unwrap_or_default();
+        line.chars().skip(column - 1).take(4).collect::<String>()
+    };
+    let found: Vec<String> = [
+        "{{ [1] | join ~ m ~ (m | nth(n=1)) }}".to_owned(),
+        "a\n{% set x = m ~ 'b' %}ü{{ x ~ 'c' }}{{ x | int }}".to_owned(),
+        "{% for i in [m, m] %}\n{{ i ~ i }}{{ i ~ nowhere.y }}{% endfor %}".to_owned(),
+        "{% set x = 1 %}{{ nowhere }}".to_owned(),
+        "{{ m ~ }}".to_owned(),
+        "a{% block a %}{% endblock %}".to_owned(),
+        format!("{{% set x = 'ab' %}}{}", "{% set x = x ~ x %}".repeat(30)),
+    ]
+    .iter()
+    .map(|text| pointed(text))
+    .collect();
+    assert_eq!(found, ["| nt", "int ", "nowh", " }}", "}}", "{% b", " %}{"]);
 }
 
 /// What has acted in some browser or viewer once, as a statement would hold it.
@@ -571,6 +581,42 @@ fn lint_tells_what_students_will_not_see() {
         sheet.contains("A bold word, a link, and\nseen from afar; [more](https://a.example)."),
         "{sheet}"
     );
+}
+
+/// Names of all kinds that mean harm, on every page that shows them.
+#[test]
+fn hostile_names_act_on_no_page() {
+    let room = tempfile::tempdir().unwrap();
+    let path = |name: &str| room.path().join(name).display().to_string();
+    let evil = "<script>alert(1)</script><img src=x onerror=alert(2)>[x](javascript:alert(3))![y](http://x.example/y.png)";
+    let bank = bank("", &format!("the speed {evil}"), &format!("'A {evil}'"))
+        .replace("name: mass,", &format!("name: 'mass {evil}', tex: 'm<b onclick=alert(4)>',"))
+        .replace(
+            "    questions:",
+            "    cases:\n      'one <script>alert(5)</script>': {share: 1}\n      'two \" onload=alert(6) x=\"': {share: 1}\n    questions:",
+        );
+    fs::write(path("b.yaml"), bank).unwrap();
+    fs::write(path("r.csv"), "student,name\ns1,<script>alert(7)</script>\n\"<b onclick=alert(8)>\",B\n")
+        .unwrap();
+    let fine = |args: &[&str]| {
+        let (exit, out, err) = run(args);
+        assert_eq!((exit, err.as_str()), (Exit::Fine, ""), "{args:?}: {out}");
+    };
+    let (file, roster, set, grades) = (path("b.yaml"), path("r.csv"), path("set"), path("grades"));
+    fine(&["gallery", &file, "--variants", "4", "--seeds", "20", "--out", &path("gallery.html")]);
+    fine(&["generate", &file, "--roster", &roster, "--seed", "1", "--out", &set]);
+    fine(&["solutions", &set, "--out", &path("solutions")]);
+    let answers =
+        "student,problem,part,answer\ns1,1,v,<script>alert(9)</script>\n\"<b onclick=alert(8)>\",1,v,1 m/s\n";
+    fs::write(path("a.csv"), answers).unwrap();
+    fine(&["grade", &set, &path("a.csv"), "--out", &grades]);
+    let mut pages = 0;
+    for file in files(room.path()).into_iter().filter(|f| f.extension().is_some_and(|e| e == "html")) {
+        let page = fs::read_to_string(&file).unwrap();
+        assert_eq!(all_acts(&page), Vec::<String>::new(), "{}", file.display());
+        pages += 1;
+    }
+    assert!(pages >= 10, "{pages} pages");
 }
 
 fn files(folder: &Path) -> Vec<std::path::PathBuf> {

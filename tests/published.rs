@@ -50,6 +50,7 @@ const TABLE: &[(&str, usize, &str, &str, f64)] = &[
     ("g2-mk-6-5", 1, "g2-mk-6-5", "t", 1.0),
     ("g3-hib-18-5", 0, "g3-hib-18-5", "omega", 1.0),
     ("g4-hib-18-1", 0, "g4-hib-18-1", "kinetic_energy", 1.0),
+    ("g4-hib-18-1", 0, "g4-hib-18-1-tied", "kinetic_energy", 1.0),
     ("g5-openstax-cyl-up-h", 0, "g5-openstax-cyl-up-h", "rise", 1.0),
     ("g5-openstax-mu-hollow", 0, "g5-openstax-mu-hollow", "mu_required", 1.0),
     ("g5-schaum-16-3", 0, "g5-schaum-16-3", "t", 1.0),

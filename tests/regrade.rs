@@ -546,7 +546,7 @@ The total
   2 of 7 points
 
 What it was graded with
-  slipstick 0.1.0, draw version 3; set week from seed 7
+  slipstick 0.1.0, draw version 4; set week from seed 7
   bank one-wheel, SHA-256 1a2fd9c7c8f8999d941fe2fc93f5f09c5b98215c9fc3e9e353d7c23ceb374f7d
   key, SHA-256 d97257deb3e29d01b53a345362a1bb49aa7b5eca64ed3a334025dd6774290468; solved anew for
       this text, and the same

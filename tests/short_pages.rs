@@ -155,7 +155,7 @@ fn what_is_not_covered_has_a_short_page_and_refuses_nothing() {
             let plain = |text: &str| text.replace("{,}", ".").replace(',', ".");
             assert_eq!(plain(&text).matches(&plain(reason)).count(), 2, "{format}: {text}");
             assert_eq!(text.matches(words.get("solution.title.beyond")).count(), 2, "{format}");
-            assert_eq!(text.matches(words.get("solution.title.energy")).count(), 1, "{format}");
+            assert_eq!(text.matches(words.get("solution.title.agree")).count(), 1, "{format}");
             if let Ok(booklet) = booklet {
                 assert_eq!(plain(&booklet).matches(&plain(reason)).count(), 4, "{format}");
             }

@@ -5,7 +5,8 @@ use crate::bank::node::{Faults, Node, Value, close_name, shorten};
 use crate::bank::scene::{Need, admissible};
 use crate::bank::{Datum, Draw};
 use crate::finding::Finding;
-use crate::scene::{Attach, Degree, End, Far, Label, Num, Owner, Quantity, RotaryInertia, Scene, Tie};
+use crate::scene::{Attach, Coordinate, Cord, CordEnd, Degree, End, Far, Label};
+use crate::scene::{Num, Owner, Quantity, RotaryInertia, Scene, Tie};
 
 /// A datum in one case: used where it is drawn, drawn where it is used, and admissible over its whole range.
 pub fn datum(
@@ -157,6 +158,99 @@ pub fn structure(scene: &Scene, node: &Node, faults: &Faults) {
     }
 }
 
+/// The start of a scene of which only an instant is asked: with the ties it gives each velocity, and none twice. What depends
+/// on the numbers is left to the solvers: constants that agree with the ties may be given besides.
+pub fn instant(scene: &Scene, draws: &[(String, Option<Draw>)], node: &Node, faults: &Faults) {
+    let moving = !matches!(scene.end, End::AtOnce) || scene.pinned().is_some();
+    if moving || scene.start_speeds().next().is_none() {
+        return;
+    }
+    let coordinates: Vec<Coordinate> = scene.coordinates().collect();
+    let place =
+        |body: usize, degree: Degree| coordinates.iter().position(|c| *c == Coordinate { body, degree });
+    let end = |e: &CordEnd| {
+        let turn = if matches!(e.attach, Attach::Wound(..)) { place(e.body, Degree::Turn) } else { None };
+        place(e.body, Degree::Along).into_iter().chain(turn)
+    };
+    // The coordinates of which each condition speaks, and the numbers in it: the ties, then the start.
+    let (mut rows, mut numbers): (Vec<Vec<usize>>, Vec<Num>) = (Vec::new(), Vec::new());
+    for tie in &scene.ties {
+        match tie {
+            Tie::Roll { body, radius_m, .. } => {
+                let both = [place(*body, Degree::Along), place(*body, Degree::Turn)];
+                rows.push(both.into_iter().flatten().collect());
+                numbers.push(*radius_m);
+            }
+            Tie::Cord(Cord { from, to, .. }) => {
+                let other = match to {
+                    Far::Body(other) => Some(other),
+                    Far::Fixed => None,
+                    Far::Pull(_) | Far::Spring { .. } => continue,
+                };
+                rows.push(end(from).chain(other.into_iter().flat_map(end)).collect());
+                for e in [Some(from), other].into_iter().flatten() {
+                    if let Attach::Wound(r, _) = e.attach {
+                        numbers.push(r);
+                    }
+                }
+            }
+            Tie::Slip { .. } | Tie::Slide { .. } => {}
+        }
+    }
+    let ties = rows.len();
+    for (c, number) in scene.start_speeds() {
+        rows.push(place(c.body, c.degree).into_iter().collect());
+        numbers.push(number);
+    }
+    // Each condition takes a coordinate of its own, others making way for it where they can (Kuhn's matching).
+    fn take(row: usize, rows: &[Vec<usize>], taken: &mut [Option<usize>], tried: &mut [bool]) -> bool {
+        for j in rows[row].iter().copied() {
+            if std::mem::replace(&mut tried[j], true) {
+                continue;
+            }
+            if taken[j].is_none_or(|other| take(other, rows, taken, tried)) {
+                taken[j] = Some(row);
+                return true;
+            }
+        }
+        false
+    }
+    let name = |c: &Coordinate| {
+        let what = if c.degree == Degree::Along { "speed" } else { "spin" };
+        format!("the {what} of `{}`", scene.bodies[c.body].name)
+    };
+    let mut taken = vec![None; coordinates.len()];
+    let start = part(node, "start");
+    let drawn = |number: &Num| match number {
+        Num::Datum(i) => draws
+            .get(*i)
+            .and_then(|(_, draw)| draw.as_ref())
+            .is_some_and(|draw| draw.range().0.value != draw.range().1.value),
+        Num::Fixed(_) => false,
+    };
+    let varies = numbers.iter().any(drawn);
+    for row in 0..rows.len() {
+        let found = take(row, &rows, &mut taken, &mut vec![false; coordinates.len()]);
+        let given = row.checked_sub(ties).and_then(|i| scene.start_speeds().nth(i));
+        if let (false, true, Some((c, _))) = (found, varies, given) {
+            faults.hint(
+                start,
+                format!("the ties and the rest of the start already give {}", name(&c)),
+                "take it away: one speed or spin for each freedom that the ties leave",
+            );
+        }
+    }
+    for (c, _) in coordinates.iter().zip(&taken).filter(|(_, row)| row.is_none()) {
+        let (body, field) =
+            (&scene.bodies[c.body].name, if c.degree == Degree::Along { "speed: v" } else { "spin: w" });
+        faults.hint(
+            start,
+            format!("the start and the ties leave {} open", name(c)),
+            format!("write `start: {{{body}: {{{field}}}}}` besides, or a tie that gives it"),
+        );
+    }
+}
+
 /// The field of this name, or the whole where it is not written.
 fn part<'n>(node: &'n Node, name: &str) -> &'n Node {
     match &node.value {
@@ -226,7 +320,7 @@ pub fn label(scene: &Scene, name: &str) -> Result<Label, (String, Option<String>
     if found.is_empty() {
         return Err((
             format!("`{shown}` does not exist in this scene"),
-            Some(format!("`{}` is: {}; {}", bare, quantity.meaning(), why(quantity))),
+            Some(format!("`{}` is: {}; {}", bare, quantity.meaning(), reason(scene, quantity))),
         ));
     }
     let names = || found.iter().map(|l| format!("`{}`", scene.name_of(*l))).collect::<Vec<_>>().join(", ");
@@ -254,6 +348,29 @@ pub fn label(scene: &Scene, name: &str) -> Result<Label, (String, Option<String>
             }
         }
     }
+}
+
+/// Why a scene has not this quantity, for hints.
+fn reason(scene: &Scene, quantity: Quantity) -> String {
+    use Quantity as Q;
+    let of_particles = matches!(quantity, Q::XG | Q::YG | Q::IG);
+    let of_pins = matches!(
+        quantity,
+        Q::IO
+            | Q::PinRadial
+            | Q::PinTangential
+            | Q::PinForce
+            | Q::SpringForce
+            | Q::OmegaMax
+            | Q::Period
+            | Q::PeriodSmall
+            | Q::OmegaSmall
+    );
+    if !matches!(scene.end, End::AtOnce) || of_particles || of_pins {
+        return why(quantity).to_owned();
+    }
+    let names: Vec<String> = labels(scene).into_iter().map(|l| scene.name_of(l)).collect();
+    format!("with `end: at once` only what holds at the start is asked: {}", names.join(", "))
 }
 
 /// What a quantity needs, for hints.
@@ -326,27 +443,33 @@ pub fn labels(scene: &Scene) -> Vec<Label> {
             for q in [Quantity::XG, Quantity::YG, Quantity::IG] {
                 add(q, of);
             }
-        } else if moves {
+        } else {
             if body.turns {
-                for q in [Quantity::Omega, Quantity::Alpha, Quantity::Phi] {
+                add(Quantity::Omega, of);
+                for q in [Quantity::Alpha, Quantity::Phi].into_iter().filter(|_| moves) {
                     add(q, of);
                 }
             }
             if let Some(line) = body.line {
-                for q in [Quantity::V, Quantity::A, Quantity::Displacement, Quantity::Rise] {
+                add(Quantity::V, of);
+                for q in [Quantity::A, Quantity::Displacement, Quantity::Rise].into_iter().filter(|_| moves) {
                     add(q, of);
                 }
-                if line.surface {
+                if line.surface && moves {
                     add(Quantity::Normal, of);
                 }
             }
         }
     }
+    if moves {
+        add(Quantity::T, Owner::Scene);
+    }
+    if scene.coordinates().next().is_some() {
+        add(Quantity::RotationalFraction, Owner::Scene);
+    }
     if !moves {
         return list;
     }
-    add(Quantity::T, Owner::Scene);
-    add(Quantity::RotationalFraction, Owner::Scene);
     let end = scene.ending_coordinate();
     add(Quantity::Direction, Owner::Body(end.body));
     let changes = scene.spring().is_some() || !scene.start.is_empty();

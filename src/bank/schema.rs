@@ -442,6 +442,7 @@ fn problem(
         }
         if let Some(scene) = &read.scene {
             review::structure(scene, case.scene_node.unwrap_or(case.node), faults);
+            review::instant(scene, &data_draws(&data, case), case.scene_node.unwrap_or(case.node), faults);
             review::inertia_where_slipping(scene, &data_draws(&data, case), case.node, faults);
         }
     }

@@ -88,7 +88,7 @@ fn gallery(args: &args::Gallery, io: &mut Io) -> Result<(), Vec<Finding>> {
         let notes = notes(problem, sweep, &found.notes);
         shown.push(template::map([
             ("id", template::finished(&problem.id)),
-            ("title", template::finished(&problem.title)),
+            ("title", template::finished(&escaped(&problem.title))),
             ("statement", template::finished(statement.trim_end())),
             ("tables", template::list(tables(found, &texts))),
             ("never", template::finished(&never)),

@@ -292,8 +292,8 @@ fn seldom(problem: &Problem, question: &Question, seldom: &Seldom) -> Finding {
     let what = match right {
         0 => format!("`{word}` is offered and right in none of {printed} variants: that is no question"),
         _ => format!(
-            "`{word}` is right in {right} of {printed} variants, less than {:.0} %",
-            sweep::WORD_SHARE * 100.0
+            "`{word}` is right in {right} of {printed} variants, less than {}",
+            tell::percent(sweep::WORD_SHARE)
         ),
     };
     let hint = "leave the question out, or let cases and ranges bring each word about, with the same data drawn for all";

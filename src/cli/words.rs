@@ -361,6 +361,12 @@ fn trouble(trouble: &Trouble) -> String {
     }
 }
 
+/// A velocity in words, such as "the spin of `drum`".
+fn velocity(scene: &Scene, of: Coordinate) -> String {
+    let what = if of.degree == Degree::Along { "speed" } else { "spin" };
+    format!("the {what} of `{}`", scene.bodies.get(of.body).map_or("?", |b| b.name.as_str()))
+}
+
 /// Why a scene with these data has no answer; a sentence each.
 pub fn refusal(problem: &Problem, scene: &Scene, refusal: &Refusal) -> Vec<String> {
     let one = |text: String| vec![text];
@@ -371,6 +377,20 @@ pub fn refusal(problem: &Problem, scene: &Scene, refusal: &Refusal) -> Vec<Strin
         }
         Refusal::Freedoms(n) => {
             one(format!("the ties leave {n} freedoms; the program solves one, or two where something slips"))
+        }
+        Refusal::Open(of) => one(format!(
+            "the start leaves {} open: neither the speeds that are given nor the ties determine it",
+            velocity(scene, *of)
+        )),
+        Refusal::Contradiction { of, given, follows } => {
+            let unit = if of.degree == Degree::Along { "m/s" } else { "rad/s" };
+            one(format!(
+                "the start contradicts the ties: it gives {} as {} {unit}, but {} {unit} follows from the ties and the rest of \
+                 the start",
+                velocity(scene, *of),
+                rounded(*given, 5),
+                rounded(*follows, 5)
+            ))
         }
         Refusal::Unsupported(what) => one(match what {
             Unsupported::SpringWithTwoFreedoms => {

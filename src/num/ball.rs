@@ -64,6 +64,10 @@ impl Ball {
     fn exact(self) -> bool {
         self.radius == 0.0
     }
+    /// Is it a double, known exactly?
+    fn whole(self) -> bool {
+        self.exact() && self.mid.lo == 0.0
+    }
     /// Is its sign open?
     fn open(self) -> bool {
         !(self.mid.hi.abs() > self.radius || self.exact())
@@ -80,7 +84,12 @@ impl Add for Ball {
         if o.exact() && o.mid == Dd::ZERO {
             return self;
         }
-        Self::made(self.mid + o.mid, self.radius + o.radius)
+        let sum = self.mid + o.mid;
+        // The sum of two doubles is a double-double.
+        if self.whole() && o.whole() && sum.is_finite() {
+            return Self::new(sum, 0.0);
+        }
+        Self::made(sum, self.radius + o.radius)
     }
 }
 impl Sub for Ball {
@@ -97,15 +106,15 @@ impl Neg for Ball {
 }
 impl Mul for Ball {
     type Output = Self;
-    #[expect(clippy::float_cmp, reason = "an exact 0 or 1 makes an exact product")]
+    #[expect(clippy::float_cmp, reason = "an exact 0, 1 or -1 makes an exact product")]
     fn mul(self, o: Self) -> Self {
         for (a, b) in [(self, o), (o, self)] {
-            if a.exact() && a.mid.lo == 0.0 {
+            if a.whole() {
                 if a.mid.hi == 0.0 && b.radius.is_finite() {
                     return Self::new(Dd::ZERO, 0.0);
                 }
-                if a.mid.hi == 1.0 {
-                    return b;
+                if a.mid.hi.abs() == 1.0 {
+                    return if a.mid.hi > 0.0 { b } else { -b };
                 }
             }
         }
@@ -115,7 +124,11 @@ impl Mul for Ball {
 }
 impl Div for Ball {
     type Output = Self;
+    #[expect(clippy::float_cmp, reason = "an exact 1 or -1 makes an exact quotient")]
     fn div(self, o: Self) -> Self {
+        if o.whole() && o.mid.hi.abs() == 1.0 {
+            return if o.mid.hi > 0.0 { self } else { -self };
+        }
         let q = self.mid / o.mid;
         let least = (o.mid.hi.abs() - o.radius) / UP;
         let radius =

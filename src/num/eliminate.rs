@@ -1,6 +1,7 @@
 //! Gauss-Jordan elimination on a few equations, any shape, in any number type.
 use crate::num::Real;
 use crate::num::Rough;
+use crate::num::ball;
 use smallvec::SmallVec;
 use smallvec::smallvec;
 
@@ -9,6 +10,8 @@ use smallvec::smallvec;
 pub struct Equations<T: Real> {
     cols: usize,
     cells: SmallVec<[T; 32]>,
+    /// Are the coefficients made of few printed decimals? See [`Equations::of_decimals`].
+    decimal: bool,
     /// For each row: sum of the magnitudes of the terms of its right-hand side, where it was told.
     sizes: SmallVec<[Option<T::Rough>; 8]>,
 }
@@ -24,7 +27,12 @@ pub struct Reduced<T: Real> {
 impl<T: Real> Equations<T> {
     /// No equations yet in `cols` unknowns.
     pub fn new(cols: usize) -> Self {
-        Self { cols, cells: SmallVec::new(), sizes: SmallVec::new() }
+        Self { cols, decimal: false, cells: SmallVec::new(), sizes: SmallVec::new() }
+    }
+    /// The same of coefficients that are made of few printed decimals, such as radii: a difference of two of their products is
+    /// exactly 0, or far above the rounding of their doubles. Within that it is taken as the 0 that it is, in enclosures too.
+    pub fn of_decimals(cols: usize) -> Self {
+        Self { decimal: true, ..Self::new(cols) }
     }
     /// Adds an equation `0 = 0` and gives its numbers to be filled.
     pub fn row(&mut self) -> &mut [T] {
@@ -52,14 +60,20 @@ impl<T: Real> Equations<T> {
         for allowed in (0..=free.len()).rev() {
             let kept = &free[..allowed];
             loop {
-                // The pivot that is largest within its own row loses least; of rows with sizes, that of least error.
-                let mut best: Option<(usize, usize, T::Rough)> = None;
+                // The pivot that is largest within its own row loses least; of rows with sizes, that of least error. Of equal
+                // ones the shortest row: what holds one unknown fast does so before its value is mixed with others.
+                let mut best: Option<(usize, usize, T::Rough, usize)> = None;
                 for i in (0..rows).filter(|i| !used[*i]) {
                     let row = &self.cells[i * width..i * width + cols];
                     let size = row.iter().fold(T::Rough::zero(), |s, v| s.max(v.size()));
                     let mut lead: Option<(usize, T::Rough, T::Rough)> = None;
+                    let mut length = 0;
                     for (j, v) in row.iter().enumerate() {
-                        if pivot[j].is_some() || v.is_zero() || kept.contains(&j) {
+                        if pivot[j].is_some() || v.is_zero() {
+                            continue;
+                        }
+                        length += 1;
+                        if kept.contains(&j) {
                             continue;
                         }
                         let share = v.size() / size;
@@ -69,12 +83,12 @@ impl<T: Real> Equations<T> {
                     }
                     if let Some((j, share, coefficient)) = lead {
                         let score = self.sizes[i].map_or(share, |error| coefficient / error);
-                        if best.is_none_or(|(_, _, s)| score > s) {
-                            best = Some((i, j, score));
+                        if best.is_none_or(|(_, _, s, l)| score > s || score >= s && length < l) {
+                            best = Some((i, j, score, length));
                         }
                     }
                 }
-                let Some((i, j, _)) = best else { break };
+                let Some((i, j, ..)) = best else { break };
                 used[i] = true;
                 pivot[j] = Some(i);
                 let row = &mut self.cells[i * width..(i + 1) * width];
@@ -99,10 +113,16 @@ impl<T: Real> Equations<T> {
                         self.sizes[k] = Some(own + f.size() * error);
                     }
                     for (k, (v, b)) in row.iter_mut().zip(&base).enumerate() {
-                        if k != j && !b.is_zero() {
-                            // An equation that says again what others say leaves nothing but rounding.
-                            *v = v.balance(-(f * *b));
+                        if k == j || b.is_zero() {
+                            continue;
                         }
+                        // An equation that says again what others say leaves nothing but rounding.
+                        *v = if self.decimal && k < cols {
+                            ball::unwatched(|| v.apart(f * *b))
+                        } else {
+                            // An equation that says again what others say leaves nothing but rounding.
+                            v.balance(-(f * *b))
+                        };
                     }
                 }
             }

@@ -190,7 +190,7 @@ impl<T: Real> Linear<T> {
                 let mut sum = cells[row + n + k];
                 for c in col + 1..n {
                     if !cells[row + c].is_zero() && !x[c].is_zero() {
-                        sum = sum - cells[row + c] * x[c];
+                        sum = sum.balance(-(cells[row + c] * x[c]));
                     }
                 }
                 x[col] = if sum.is_zero() { sum } else { sum / cells[row + col] };

@@ -250,6 +250,10 @@ impl<'p> Maker<'p> {
                 refusals.unsolved = Some(refusal);
                 Rule::Agree
             }
+            Refusal::Open(_) | Refusal::Contradiction { .. } => {
+                refusals.unsolved = Some(refusal);
+                Rule::Start
+            }
             other => {
                 refusals.unsolved = Some(other);
                 Rule::Solvable

@@ -2,6 +2,7 @@
 use crate::bank::Bound;
 use crate::bank::Problem;
 use crate::bank::measure;
+use crate::num::shown;
 use crate::scene::Num;
 use crate::scene::admissible;
 use crate::scene::admissible::Inadmissible;
@@ -18,6 +19,8 @@ pub enum Rule {
     Admissible,
     /// The scene can be solved.
     Solvable,
+    /// The start agrees with the ties and leaves no velocity open.
+    Start,
     /// The two roads agree.
     Agree,
     /// Rounding of the printed data leaves no doubt which way the scene goes.
@@ -214,6 +217,7 @@ fn name(problem: &Problem, case: usize, rule: Rule) -> String {
     match rule {
         Rule::Admissible => "data that are no scene".to_owned(),
         Rule::Solvable => "cannot be solved".to_owned(),
+        Rule::Start => "the start contradicts the ties, or leaves a velocity open".to_owned(),
         Rule::Agree => "the two roads disagree".to_owned(),
         Rule::Certain => {
             "the key is not proved: rounding of the printed data leaves open which way it goes".to_owned()
@@ -226,7 +230,7 @@ fn name(problem: &Problem, case: usize, rule: Rule) -> String {
         Rule::Answered(i) => format!("question {} has no answer", question(i)),
         Rule::Cond(i) => {
             let limit = problem.questions.get(i).map_or(f64::NAN, |q| q.cond_limit);
-            let limit = format!("{limit:.1}");
+            let limit = shown::decimals(limit, 1);
             format!("cond of {} above {}", question(i), limit.trim_end_matches(".0"))
         }
         Rule::Bound(i) => {
@@ -283,25 +287,20 @@ pub fn inadmissible(problem: &Problem, fault: &Inadmissible) -> String {
     }
 }
 
-/// Three figures, for people.
+/// Four figures, for people: enough to tell what just breaks a limit from the limit.
 fn rounded(value: f64) -> String {
     let size = value.abs();
     if size == 0.0 {
-        "0".to_owned()
-    } else if (1e-3..1e6).contains(&size) {
-        let text = format!(
-            "{:.*}",
-            if size >= 100.0 {
-                0
-            } else if size >= 10.0 {
-                1
-            } else {
-                3
-            },
-            value
-        );
-        if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text }
-    } else {
-        format!("{value:.1e}")
+        return "0".to_owned();
     }
+    let decimals = match size {
+        1e-3..1.0 => 4,
+        1.0..10.0 => 3,
+        10.0..100.0 => 2,
+        100.0..1e3 => 1,
+        1e3..1e6 => 0,
+        _ => return shown::figures(value, 2),
+    };
+    let text = shown::decimals(value, decimals);
+    if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text }
 }

@@ -95,6 +95,10 @@ impl Quantity {
     pub const fn looks_beyond(self) -> bool {
         matches!(self, Self::VMax | Self::DAtVMax | Self::DTurn)
     }
+    /// Is it a coordinate of a point?
+    pub const fn is_place(self) -> bool {
+        matches!(self, Self::XG | Self::YG)
+    }
     /// Is its sign a direction along the line of the body, so that `62.6 N down` is an answer?
     pub const fn is_directed(self) -> bool {
         matches!(
@@ -182,11 +186,11 @@ impl Scene {
             },
         }
     }
-    /// All coordinates: the lines, and the turns.
+    /// All coordinates: the lines, and the turns. A body of particles moves freely in the plane and has none.
     pub fn coordinates(&self) -> impl Iterator<Item = Coordinate> {
         self.bodies.iter().enumerate().flat_map(|(body, b)| {
             let along = b.line.map(|_| Coordinate { body, degree: Degree::Along });
-            let turn = b.turns.then_some(Coordinate { body, degree: Degree::Turn });
+            let turn = b.spins().then_some(Coordinate { body, degree: Degree::Turn });
             along.into_iter().chain(turn)
         })
     }

@@ -23,6 +23,13 @@ pub struct Body {
     pub pin: Option<Pin>,
 }
 
+impl Body {
+    /// Is its spin a coordinate of the scene? The motion of a body of particles is told by itself.
+    pub fn spins(&self) -> bool {
+        self.turns && self.particles.is_empty()
+    }
+}
+
 /// Mass of a body.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Mass {

@@ -113,6 +113,13 @@ pub struct Thrown {
 }
 
 impl Scene {
+    /// The speeds and spins of the start, in the order of the bank.
+    pub fn start_speeds(&self) -> impl Iterator<Item = (Coordinate, Num)> {
+        self.start.iter().filter_map(|s| match s {
+            Start::Speed(c, number) => Some((*c, *number)),
+            Start::Lamina { .. } => None,
+        })
+    }
     /// The body that is thrown with slip, if there is one: it slips, and its speed and its spin at the start are both given.
     pub fn thrown(&self) -> Option<Thrown> {
         let given = |body: usize, degree: Degree| {

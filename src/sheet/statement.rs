@@ -34,7 +34,7 @@ use std::fmt::Write as _;
 
 /// Names that a statement may use besides the symbols of its problem.
 pub const RESERVED: &[&str] =
-    &["value", "tex", "title", "number", "case", "count", "particles", "motion", "questions"];
+    &["value", "tex", "title", "number", "case", "count", "particles", "motion", "series", "questions"];
 
 /// What all problems of one sheet have in common, so that it is said once.
 #[derive(Debug, Clone, PartialEq)]

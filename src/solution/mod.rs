@@ -31,6 +31,7 @@ use crate::figure::picture::Picture;
 use crate::finding::Finding;
 use crate::problem::make::Variant;
 use crate::problem::make_key;
+use crate::scene::End;
 use crate::scene::Label;
 use crate::scene::Owner;
 use crate::scene::Scene;
@@ -192,7 +193,7 @@ fn derive(desk: &mut Desk) -> Result<(), Stop> {
     if desk.scene.pinned().is_some() {
         return pinned::work(desk);
     }
-    if desk.scene.thrown().is_some() {
+    if desk.scene.thrown().is_some() && desk.scene.end != End::AtOnce {
         return thrown::work(desk);
     }
     linear::sections(desk)

@@ -3,7 +3,9 @@ use crate::num::Ball;
 use crate::num::Dd;
 use crate::num::Jet;
 use crate::num::JetOf;
+use crate::num::NOISE;
 use crate::num::Real;
+use crate::num::Rough;
 use crate::num::U;
 use crate::num::Wide;
 use crate::num::ball;
@@ -24,6 +26,7 @@ use crate::solve::outcome::Motion;
 use crate::solve::outcome::Refusal;
 use crate::solve::outcome::Regime;
 use crate::solve::outcome::Road;
+use crate::solve::outcome::Said;
 use crate::solve::outcome::Solved;
 use crate::solve::outcome::Unsupported;
 use crate::solve::physical;
@@ -87,9 +90,10 @@ fn half<T: Real>(scene: &Scene, data: &[f64], wide: bool) -> Result<Half, Refusa
     let mut entries = Vec::with_capacity(road.said.len());
     for said in &road.said {
         // A zero has no sign.
-        let value = said.value.f64() + 0.0;
+        let gone = vanishes(said.value.f64(), NOISE, said.scale);
+        let value = if gone { 0.0 } else { said.value.f64() + 0.0 };
         // A finite number that no double holds, or only with fewer digits.
-        let lost = !value.is_finite() || value.abs() < f64::MIN_POSITIVE;
+        let lost = !gone && (!value.is_finite() || value.abs() < f64::MIN_POSITIVE);
         if lost && said.value.is_finite() && !said.value.is_zero() {
             beyond.push(said.label);
             continue;
@@ -100,7 +104,7 @@ fn half<T: Real>(scene: &Scene, data: &[f64], wide: bool) -> Result<Half, Refusa
             energy: None,
             bound: None,
             // What is endless stays so, whatever small change of the data.
-            cond: if value.is_infinite() { 0.0 } else { said.value.cond() },
+            cond: if value.is_infinite() { 0.0 } else { cond(said) },
             scale: said.scale,
         });
     }
@@ -132,7 +136,11 @@ impl Half {
             // The roads mostly speak in the same order.
             let said =
                 second.said.get(i).filter(|s| s.label == entry.label).or_else(|| second.get(entry.label));
-            let (eom, energy) = (entry.value(), said.map_or(f64::NAN, |s| s.value.f64() + 0.0));
+            let (eom, mut energy) = (entry.value(), said.map_or(f64::NAN, |s| s.value.f64() + 0.0));
+            // What is 0 on the one road is 0 on the other up to what the rounding of the printed data leaves of its terms.
+            if eom == 0.0 && vanishes(energy, 8.0 * U, entry.scale) {
+                energy = 0.0;
+            }
             entry.energy = Some(energy);
             if !agree(eom, energy, entry.cond) {
                 let allowed = 2.0 * EACH_ROAD * U * entry.cond.max(1.0);
@@ -259,6 +267,21 @@ fn supported(scene: &Scene, data: &[f64]) -> Result<(), Refusal> {
         return refuse(Unsupported::SpeedWithTwoFreedoms);
     }
     Ok(())
+}
+
+/// Is a value this share of the terms that make it up, or less? A scale near the least of doubles judges nothing.
+fn vanishes(value: f64, share: f64, scale: f64) -> bool {
+    scale.is_finite() && share * scale > f64::MIN_POSITIVE && value.abs() <= share * scale
+}
+
+/// Condition number of what a road says. A place that is 0 is told by the scale of its terms: where the origin lies says nothing
+/// of how well it is known.
+fn cond<T: Real>(said: &Said<T>) -> f64 {
+    if said.label.quantity.is_place() && vanishes(said.value.f64(), NOISE, said.scale) {
+        (0..T::SLOPES).fold(0.0, |sum, i| sum + said.value.slope(i).abs().f64()) / said.scale
+    } else {
+        said.value.cond()
+    }
 }
 
 /// Within `16 u max(1, cond)` of the larger; NaN agrees with nothing, equal infinities agree.

@@ -1,7 +1,9 @@
 //! What a solver yields: numbers, words of the regime, checks; never sentences.
 use crate::num::Real;
+use crate::num::ball;
 use crate::num::gauss::Unsettled;
 use crate::num::ode::Trouble;
+use crate::scene::Coordinate;
 use crate::scene::Label;
 use crate::solve::method::Method;
 
@@ -207,7 +209,8 @@ pub struct Entry {
     pub eom: Option<f64>,
     /// From work and energy.
     pub energy: Option<f64>,
-    /// Condition number with respect to the data, g and angles included; infinite for 0 with nonzero sensitivity.
+    /// Condition number with respect to the data, g and angles included; infinite for 0 with nonzero sensitivity, but that of
+    /// a place that is 0 is told by the scale of its terms.
     pub cond: f64,
     /// Proved: the true answer for the printed data lies within this of [`Entry::value`], SI. `None` where nothing is
     /// proved.
@@ -315,6 +318,17 @@ pub enum Refusal {
     },
     /// The ties leave this many freedoms; the program solves one, or two with slip.
     Freedoms(usize),
+    /// The start and the ties leave the velocity of this coordinate open.
+    Open(Coordinate),
+    /// The start gives this coordinate a velocity that the ties and the rest of the start do not allow.
+    Contradiction {
+        /// Whose velocity.
+        of: Coordinate,
+        /// As the start gives it, m/s or rad/s.
+        given: f64,
+        /// As it follows from the ties and the rest of the start.
+        follows: f64,
+    },
     /// The assembly cannot express this combination.
     Unsupported(Unsupported),
     /// An integral over the motion does not settle: its value, and how far halved panels are off it.
@@ -377,6 +391,19 @@ pub enum Refusal {
         /// Which method.
         method: Method,
     },
+}
+
+/// Does a velocity that the start gives agree with the one that follows from the ties and the rest of the start? Printed
+/// decimals agree up to the rounding of their doubles.
+///
+/// Errors: [`Refusal::Contradiction`].
+pub fn consistent<T: Real>(of: Coordinate, given: T, follows: T) -> Result<(), Refusal> {
+    // No enclosure has to prove it: if the decimals agree, the velocities hold as they stand.
+    if ball::unwatched(|| given.apart(follows).is_zero()) {
+        Ok(())
+    } else {
+        Err(Refusal::Contradiction { of, given: given.f64(), follows: follows.f64() })
+    }
 }
 
 impl From<Unsettled> for Refusal {

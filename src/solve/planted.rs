@@ -188,6 +188,20 @@ fn scenes() -> Vec<(&'static str, Scene)> {
         ("thrown, rolling since long", ball(10.0, 5.0, -30.0, 0.2, End::Time(along, f(5.0)))),
         ("thrown and braked", braked),
         ("lamina", lamina),
+        ("hoist at an instant", {
+            let bodies =
+                vec![wheel(), body("drum", None, 5.0, Some(0.1)), body("block", Some(90.0), 60.0, None)];
+            let ties = vec![
+                cord((0, Some(0.4), true), Far::Body(cord_end((1, Some(0.15), false)))),
+                cord((1, Some(0.25), true), Far::Body(cord_end((2, None, true)))),
+            ];
+            let mut scene = scene(bodies, ties, 1.0);
+            for (body, degree, value) in [(0, Degree::Along, 1.5), (2, Degree::Along, -0.7)] {
+                scene.start.push(Start::Speed(Coordinate { body, degree }, f(value)));
+            }
+            scene.end = End::AtOnce;
+            scene
+        }),
         ("pinned body falls", pinned(Zero::Upright, 20.0, 130.0)),
         ("pendulum", pinned(Zero::Hanging, 75.0, -30.0)),
         ("driven flywheel", {

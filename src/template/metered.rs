@@ -31,7 +31,7 @@ const ITEM: usize = 64;
 /// What one turn of a loop counts beside its text.
 const TURN: usize = 8;
 /// What one include counts.
-const INCLUDE: usize = 1 << 10;
+const INCLUDE: usize = 1 << 13;
 /// The widest indent that the engine makes.
 const INDENT: usize = 1000;
 /// Characters of a template at most.
@@ -386,9 +386,7 @@ pub fn metered(text: &str) -> Result<Option<Metered>, Finding> {
                     open.push(!follows);
                 }
                 Token::Sign(']' | '}') => {
-                    if open.pop() == Some(true) {
-                        edits.push((*end, "|spent)".to_owned()));
-                    }
+                    edits.extend((open.pop() == Some(true)).then(|| (*end, "|spent)".to_owned())));
                 }
                 _ => {}
             }

@@ -1,71 +1,268 @@
-//! Kinetic energy of bodies at an instant: its definition, body by body.
+//! Kinetic energy of bodies at an instant: the velocities that the ties add to those of the start, then the definition, body by
+//! body.
+use crate::scene::Coordinate;
+use crate::scene::CordEnd;
 use crate::scene::Degree;
+use crate::scene::Far;
 use crate::scene::Quantity;
-use crate::scene::Start;
 use crate::scene::Tie;
 use crate::solution::desk::Answer;
 use crate::solution::desk::Desk;
 use crate::solution::expr::Expr;
+use crate::solution::expr::ZERO;
+use crate::solution::expr::magnitude;
 use crate::solution::expr::product;
 use crate::solution::expr::quotient;
 use crate::solution::expr::ratio;
 use crate::solution::expr::square;
 use crate::solution::expr::sum;
+use crate::solution::factors::Factors;
+use crate::solution::ledger::Symbol;
 use crate::solution::linear::mechanism;
+use crate::solution::linear::mechanism::Part;
+use crate::solution::linear::mechanism::tagged;
+use crate::solution::linear::walk::of_body;
 use crate::solution::linear::walk::of_scene;
+use crate::solution::stop::Beyond;
 use crate::solution::stop::Stop;
+use crate::solution::text::Block;
 use crate::solution::text::Section;
 
-/// Writes the sum.
+/// The velocities of one body, as far as they are known, positive forward.
+#[derive(Debug, Clone, Default)]
+struct Known {
+    along: Option<Expr>,
+    turn: Option<Expr>,
+}
+
+/// The velocities of the bodies, found one after the other.
+struct Speeds<'d, 'a> {
+    desk: &'d mut Desk<'a>,
+    parts: Vec<Part>,
+    known: Vec<Known>,
+    /// Spin per unit velocity of the centre, where a tie of the body alone gives it, and the phrase for that.
+    inner: Vec<Option<(Factors, &'static str)>>,
+    section: Section,
+    derived: bool,
+}
+
+impl Speeds<'_, '_> {
+    fn get(&self, c: Coordinate) -> Option<&Expr> {
+        let known = &self.known[c.body];
+        if c.degree == Degree::Along { known.along.as_ref() } else { known.turn.as_ref() }
+    }
+    fn set(&mut self, c: Coordinate, velocity: Expr) {
+        let known = &mut self.known[c.body];
+        *(if c.degree == Degree::Along { &mut known.along } else { &mut known.turn }) = Some(velocity);
+    }
+    /// Writes down a velocity that follows.
+    fn derive(&mut self, c: Coordinate, from: &Expr, why: &str) {
+        let part = &self.parts[c.body];
+        let symbol = if c.degree == Degree::Along { part.v } else { part.omega };
+        let Some(symbol) = symbol.filter(|_| *from != ZERO) else {
+            self.set(c, ZERO);
+            return;
+        };
+        if !self.derived {
+            self.derived = true;
+            self.section.say(self.desk.words.get("solution.instant_ties"));
+        }
+        self.section.say(self.desk.words.get(why));
+        self.section.find(&mut self.desk.ledger, symbol, from);
+        self.set(c, symbol.into());
+    }
+    /// The velocities of a body that its own tie gives once one of them is known. Did that add one?
+    fn within(&mut self, body: usize) -> bool {
+        let Some((inner, why)) = self.inner[body].clone() else { return false };
+        let (along, turn) =
+            (Coordinate { body, degree: Degree::Along }, Coordinate { body, degree: Degree::Turn });
+        match (self.get(along).cloned(), self.get(turn).cloned()) {
+            (Some(v), None) => self.derive(turn, &Factors::of(&v).times(&inner).expr(), why),
+            (None, Some(w)) => self.derive(along, &Factors::of(&w).per(&inner).expr(), why),
+            _ => return false,
+        }
+        true
+    }
+    /// Velocity of the point at which a cord leaves, along the cord and away from the body; `None` if it is not known.
+    fn point(&mut self, end: &CordEnd) -> Option<Expr> {
+        let (along, arm) = mechanism::lever(self.desk, end);
+        let known = &self.known[end.body];
+        let mut terms = Vec::new();
+        for (velocity, share) in [(&known.along, along), (&known.turn, arm)] {
+            if !share.is_zero() {
+                terms.push(Factors::of(velocity.as_ref()?).times(&share).expr());
+            }
+        }
+        Some(sum(terms))
+    }
+    /// The velocity that a cord adds to the body at this end, whose point goes out with `out`. Did it add one?
+    fn pulled(&mut self, end: &CordEnd, out: &Expr) -> bool {
+        let (along, arm) = mechanism::lever(self.desk, end);
+        let (v, w) = (self.known[end.body].along.clone(), self.known[end.body].turn.clone());
+        let body = end.body;
+        let rest = |known: &Expr, share: &Factors| {
+            sum([out.clone(), Factors::of(known).times(&share.opposite()).expr()])
+        };
+        let (degree, from) = match (v, w, &self.inner[body]) {
+            (None, None, Some((inner, _))) => {
+                let share = along.plus(&arm.times(inner));
+                if share.is_zero() {
+                    return false;
+                }
+                (Degree::Along, Factors::of(out).per(&share).expr())
+            }
+            (None, Some(w), _) => (Degree::Along, Factors::of(&rest(&w, &arm)).per(&along).expr()),
+            (Some(v), None, _) if !arm.is_zero() => {
+                (Degree::Turn, Factors::of(&rest(&v, &along)).per(&arm).expr())
+            }
+            (None, None, None) if arm.is_zero() => (Degree::Along, Factors::of(out).per(&along).expr()),
+            _ => return false,
+        };
+        let tied = self.inner[body].is_some() && !arm.is_zero();
+        let why = if tied { "solution.instant_cord_tied" } else { "solution.instant_cord" };
+        self.derive(Coordinate { body, degree }, &from, why);
+        true
+    }
+}
+
+/// Writes the velocities and the sum.
 ///
 /// # Errors
 /// What the derivation does not cover.
 pub fn write(desk: &mut Desk) -> Result<(), Stop> {
     let parts = mechanism::parts(desk, false);
     let mut section = Section::new("energy", desk.words.get("solution.title.energy"));
+    section.blocks.push(Block::Picture("scene".to_owned()));
+    section.say(desk.words.get("solution.signs_drawn"));
     section.say(desk.words.get("solution.instant"));
+    let speeds = speeds(desk, parts, section)?;
+    let Speeds { desk, parts, known, mut section, .. } = speeds;
+    if known.iter().any(|k| [&k.along, &k.turn].into_iter().flatten().any(|v| matches!(v, Expr::Symbol(_)))) {
+        section.say(desk.words.get("solution.instant_sum"));
+    }
+    let mut turning = Vec::new();
     let mut terms = Vec::new();
-    for (body, part) in parts.iter().enumerate() {
-        let mut speeds: [Option<Expr>; 2] = [None, None];
-        for start in &desk.scene.start {
-            if let Start::Speed(c, num) = start
-                && c.body == body
-            {
-                let (at, tex, unit) = match c.degree {
-                    Degree::Along => (0, "v", "m/s"),
-                    Degree::Turn => (1, r"\omega", "rad/s"),
-                };
-                speeds[at] = Some(desk.number(*num, tex, unit));
-            }
+    for (part, known) in parts.iter().zip(&known) {
+        let half = |i: &Factors, v: &Expr| product([ratio(1, 2), i.expr(), square(v.clone())]);
+        if let Some(v) = known.along.as_ref().filter(|v| **v != ZERO) {
+            terms.push(half(&part.mass, v));
         }
-        let rolls = desk.scene.ties.iter().find_map(|t| match t {
-            Tie::Roll { body: b, radius_m, .. } if *b == body => Some(*radius_m),
-            _ => None,
-        });
-        if let Some(radius) = rolls {
-            let c = desk.number(radius, "R", "m");
-            match speeds.clone() {
-                [None, Some(spin)] => speeds[0] = Some(product([c, spin])),
-                [Some(v), None] => speeds[1] = Some(quotient(v, c)),
-                _ => {}
-            }
-        }
-        for (degree, speed) in [Degree::Along, Degree::Turn].into_iter().zip(speeds) {
-            let Some(speed) = speed else { continue };
-            let inertia = match degree {
-                Degree::Along if part.a.is_some() => vec![part.mass.clone()],
-                Degree::Along => Vec::new(),
-                Degree::Turn => part.inertia.clone(),
-            };
-            terms.extend(inertia.iter().map(|i| product([ratio(1, 2), i.expr(), square(speed.clone())])));
+        if let Some(w) = known.turn.as_ref().filter(|w| **w != ZERO) {
+            turning.extend(part.inertia.iter().map(|i| half(i, w)));
+            terms.extend(part.inertia.iter().map(|i| half(i, w)));
         }
     }
-    let label = of_scene(Quantity::KineticEnergy);
     let tex = desk.free(&["E_{k}"]);
     let energy = desk.unknown(&tex, "J");
     section.find(&mut desk.ledger, energy, &sum(terms));
-    desk.sections.push(section);
     let note = desk.words.get("solution.instant_note").to_owned();
-    desk.from_one_road(label, Answer::Value(energy), &note);
+    desk.from_one_road(of_scene(Quantity::KineticEnergy), Answer::Value(energy), &note);
+    if desk.asks(Quantity::RotationalFraction) {
+        let tex = desk.free(&[r"\eta", r"\beta"]);
+        let share = desk.unknown(&tex, "1");
+        section.find(&mut desk.ledger, share, &quotient(sum(turning), energy.into()));
+        desk.from_one_road(of_scene(Quantity::RotationalFraction), Answer::Value(share), &note);
+    }
+    for c in desk.scene.coordinates() {
+        let (quantity, tex, unit) = match c.degree {
+            Degree::Along => (Quantity::V, "v", "m/s"),
+            Degree::Turn => (Quantity::Omega, r"\omega", "rad/s"),
+        };
+        let velocity = match c.degree {
+            Degree::Along => &known[c.body].along,
+            Degree::Turn => &known[c.body].turn,
+        };
+        let (Some(velocity), true) = (velocity, desk.asks_label(of_body(quantity, c.body))) else { continue };
+        let symbol = match velocity {
+            Expr::Symbol(symbol) if desk.ledger.value(*symbol) >= 0.0 => *symbol,
+            other => {
+                let tex = format!(r"\left|{}\right|", tagged(tex, &parts[c.body].tag));
+                let size: Symbol = desk.unknown(&tex, unit);
+                let from = if *other == ZERO { ZERO } else { magnitude(other.clone()) };
+                section.find(&mut desk.ledger, size, &from);
+                size
+            }
+        };
+        desk.from_one_road(of_body(quantity, c.body), Answer::Value(symbol), &note);
+    }
+    desk.sections.push(section);
     Ok(())
+}
+
+/// All velocities: those of the start, then tie by tie.
+fn speeds<'d, 'a>(
+    desk: &'d mut Desk<'a>,
+    parts: Vec<Part>,
+    section: Section,
+) -> Result<Speeds<'d, 'a>, Stop> {
+    let scene = desk.scene;
+    let known = vec![Known::default(); parts.len()];
+    let inner = vec![None; parts.len()];
+    let mut all = Speeds { desk, parts, known, inner, section, derived: false };
+    let rest = scene.start_speeds().next().is_none();
+    for c in scene.coordinates().filter(|_| rest) {
+        all.set(c, ZERO);
+    }
+    for (c, num) in scene.start_speeds().filter(|_| !rest) {
+        let (tex, unit) = if c.degree == Degree::Along { ("v", "m/s") } else { (r"\omega", "rad/s") };
+        let tex = tagged(tex, &all.parts[c.body].tag);
+        let velocity = all.desk.number(num, &tex, unit);
+        all.set(c, velocity);
+    }
+    for tie in &scene.ties {
+        match tie {
+            Tie::Roll { body, radius_m, .. } => {
+                let c = Factors::of(&all.desk.number(*radius_m, "R", "m"));
+                all.inner[*body] = Some((Factors::one().per(&c), "solution.instant_roll"));
+            }
+            Tie::Cord(cord) if cord.to == Far::Fixed => {
+                let (along, arm) = mechanism::lever(all.desk, &cord.from);
+                let body = cord.from.body;
+                let both = all.parts[body].v.is_some() && all.parts[body].omega.is_some();
+                if both && !arm.is_zero() && all.inner[body].is_none() {
+                    // along v + arm omega = 0
+                    all.inner[body] = Some((along.per(&arm).opposite(), "solution.instant_fixed"));
+                } else if both && all.inner[body].is_some() {
+                    return Err(Beyond::SeveralEquations.into());
+                } else {
+                    // What moves only in the direction of the cord rests.
+                    let degree = if all.parts[body].v.is_some() { Degree::Along } else { Degree::Turn };
+                    all.set(Coordinate { body, degree }, ZERO);
+                }
+            }
+            _ => {}
+        }
+    }
+    // What a body has not does not move.
+    for (known, part) in all.known.iter_mut().zip(&all.parts) {
+        if part.v.is_none() {
+            known.along = Some(ZERO);
+        }
+        if part.omega.is_none() {
+            known.turn = Some(ZERO);
+        }
+    }
+    loop {
+        let mut progress = false;
+        for body in 0..all.parts.len() {
+            progress |= all.within(body);
+        }
+        for tie in &scene.ties {
+            let Tie::Cord(cord) = tie else { continue };
+            let Far::Body(other) = &cord.to else { continue };
+            match (all.point(&cord.from), all.point(other)) {
+                // What runs out at the one end runs in at the other.
+                (Some(out), None) => progress |= all.pulled(other, &Factors::of(&out).opposite().expr()),
+                (None, Some(out)) => progress |= all.pulled(&cord.from, &Factors::of(&out).opposite().expr()),
+                _ => {}
+            }
+        }
+        if !progress {
+            break;
+        }
+    }
+    if scene.coordinates().any(|c| all.get(c).is_none()) {
+        return Err(Beyond::SeveralEquations.into());
+    }
+    Ok(all)
 }

@@ -30,10 +30,10 @@ use crate::solution::way;
 /// # Errors
 /// What the derivation does not cover, by name.
 pub fn sections(desk: &mut Desk) -> Result<(), Stop> {
-    forces(desk);
     if desk.scene.end == End::AtOnce {
         return instant::write(desk);
     }
+    forces(desk);
     let slips: Vec<usize> =
         (0..desk.scene.ties.len()).filter(|t| matches!(desk.scene.ties[*t], Tie::Slip { .. })).collect();
     if slips.len() > 1 {

@@ -893,8 +893,13 @@ impl<'d, 'a> Walk<'d, 'a> {
         }
         let from = match self.road {
             Road::Motion => {
-                self.tell("motion.time", &[]);
                 let a = self.get(self.label_of_lead(Quantity::A, Quantity::Alpha))?;
+                if self.value(&a.into()) == 0.0 {
+                    self.tell("motion.time_uniform", &[]);
+                    let from = quotient(self.s.clone(), self.v0.clone());
+                    return Ok(self.found_now(label, symbol, &from));
+                }
+                self.tell("motion.time", &[]);
                 let end = in_sense(self.v.clone(), self.sense);
                 quotient(difference(end, self.v0.clone()), a.into())
             }

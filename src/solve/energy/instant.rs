@@ -1,35 +1,41 @@
-//! Kinetic energy at an instant by the decomposition: the mass centre, and the rotation about it.
+//! Kinetic energy at an instant by the decomposition: the mass centre, and the rotation about it, of each body in turn.
 //!
 //! For a lamina the inertia about the mass centre is taken from the mutual distances (Lagrange's identity,
-//! `I_G = sum over pairs m_i m_j r_ij^2 / sum m`), so no centre is needed for it. A body with a speed and a spin is taken
-//! as turning about its instantaneous centre, at the distance `v / omega`.
+//! `I_G = sum over pairs m_i m_j r_ij^2 / sum m`), so no centre is needed for it. The velocities of all other bodies follow
+//! from the start through the ties, as in a scene that moves on.
 use crate::num::Real;
 use crate::num::plant::plant;
-use crate::scene::Coordinate;
-use crate::scene::Degree;
 use crate::scene::Label;
 use crate::scene::Numbers;
 use crate::scene::Owner;
 use crate::scene::Quantity;
 use crate::scene::Scene;
 use crate::scene::Start;
-use crate::scene::Tie;
+use crate::solve::energy::balance;
+use crate::solve::energy::speeds;
+use crate::solve::outcome::Refusal;
 use crate::solve::outcome::Road;
 use crate::solve::outcome::Said;
 
-/// `T = 1/2 m v_G^2 + 1/2 I_G omega^2`, counter-clockwise positive.
-pub fn road<T: Real>(scene: &Scene, n: &Numbers<T>) -> Road<T> {
+/// `T = sum 1/2 m v_G^2 + 1/2 I_G omega^2`, counter-clockwise positive.
+///
+/// Errors: a start that contradicts the ties, or leaves a velocity open.
+pub fn road<T: Real>(scene: &Scene, n: &Numbers<T>) -> Result<Road<T>, Refusal> {
     let mut road = Road::new();
-    let mut energy = T::zero();
+    let motion = speeds::at_start(scene, n)?;
+    let doubled = balance::inertia(n, &motion, &motion);
+    let mut energy = doubled.scale2(-1);
     let mut say = |quantity, of, value: T| {
         let label = Label { quantity, of };
         let value = n.publish(quantity, value);
         road.said.push(Said { label, value, scale: value.f64().abs() });
     };
     for (b, body) in scene.bodies.iter().enumerate() {
-        if body.particles.is_empty() {
-            energy = energy + about_instantaneous_centre(scene, n, b);
-            continue;
+        if body.line.is_some() {
+            say(Quantity::V, Owner::Body(b), motion.v[b].abs());
+        }
+        if body.spins() {
+            say(Quantity::Omega, Owner::Body(b), motion.w[b].abs());
         }
         for s in &scene.start {
             let Start::Lamina { body: of, particle, vx_m_s, vy_m_s, spin_rad_s } = s else { continue };
@@ -67,29 +73,10 @@ pub fn road<T: Real>(scene: &Scene, n: &Numbers<T>) -> Road<T> {
         }
     }
     say(Quantity::KineticEnergy, Owner::Scene, energy);
-    road
-}
-
-fn about_instantaneous_centre<T: Real>(scene: &Scene, n: &Numbers<T>, b: usize) -> T {
-    let given = |degree| {
-        scene.start.iter().find_map(|s| match s {
-            Start::Speed(c, value) if *c == Coordinate { body: b, degree } => Some(n.get(*value)),
-            _ => None,
-        })
-    };
-    let (speed, spin) = (given(Degree::Along), given(Degree::Turn));
-    let contact = scene.ties.iter().find_map(|t| match t {
-        Tie::Roll { body, radius_m, .. } if *body == b => Some(n.get(*radius_m)),
-        _ => None,
-    });
-    let body = n.bodies[b];
-    let (distance, spin) = match (speed, spin, contact) {
-        (_, Some(w), Some(c)) => (c, w),
-        (Some(v), None, Some(c)) => (c, v / c),
-        (Some(v), Some(w), None) if !w.is_zero() => (v / w, w),
-        (None, Some(w), None) => (T::zero(), w),
-        (Some(v), _, None) => return (body.mass * v.square()).scale2(-1),
-        (None, None, _) => return T::zero(),
-    };
-    ((body.inertia + body.mass * distance.square()) * spin.square()).scale2(-1)
+    if scene.coordinates().next().is_some() {
+        let turning =
+            (0..n.bodies.len()).fold(T::zero(), |sum, b| sum + n.bodies[b].inertia * motion.w[b].square());
+        say(Quantity::RotationalFraction, Owner::Scene, turning.over(energy.scale2(1)));
+    }
+    Ok(road)
 }

@@ -30,7 +30,6 @@ use crate::scene::Quantity;
 use crate::scene::RotaryInertia;
 use crate::scene::Scene;
 use crate::scene::Span;
-use crate::scene::Start;
 use crate::scene::Tie;
 use crate::solve::energy::account::Account;
 use crate::solve::energy::account::Store;
@@ -41,6 +40,7 @@ use crate::solve::energy::quadrature::Sum;
 use crate::solve::energy::quadrature::Summed;
 use crate::solve::energy::speeds::Mode;
 use crate::solve::method::Method;
+use crate::solve::outcome;
 use crate::solve::outcome::Course;
 use crate::solve::outcome::Grip;
 use crate::solve::outcome::Refusal;
@@ -52,14 +52,14 @@ use std::cell::Cell;
 
 /// Everything that work and energy say of a scene whose data are admissible.
 ///
-/// Errors: ties that hold the ending coordinate fast.
+/// Errors: ties that hold the ending coordinate fast, a start that contradicts them or leaves open what is asked.
 pub fn road<T: Real>(scene: &Scene, data: &[f64]) -> Result<Road<T>, Refusal> {
     let n = Numbers::<T>::new(scene, data);
     if let Some((body, pin)) = scene.pinned() {
         return swing::road(scene, n, body, pin);
     }
     if matches!(scene.end, End::AtOnce) {
-        return Ok(instant::road(scene, &n));
+        return instant::road(scene, &n);
     }
     if let Some(thrown) = scene.thrown() {
         return thrown::road(scene, &n, &thrown);
@@ -81,7 +81,7 @@ pub fn road_by<T: Real>(
         return swing::road_by(scene, n, (body, pin), points);
     }
     if matches!(scene.end, End::AtOnce) {
-        return Ok((instant::road(scene, &n), Count::default()));
+        return Ok((instant::road(scene, &n)?, Count::default()));
     }
     if scene.thrown().is_some() {
         return Err(Refusal::NoMethod { method: Method::Gauss });
@@ -238,16 +238,17 @@ impl<'a, T: Real> Ledger<'a, T> {
             }
         }
         let mut modes = speeds::modes(scene, &n, Grip::Declared, &[]);
-        // Rate of the first mode at the start, from the first speed that is given and not 0.
-        let given = scene.start.iter().find_map(|s| match s {
-            Start::Speed(c, v) if !n.get(*v).is_zero() => Some((*c, n.get(*v))),
-            _ => None,
+        // Rate of the first mode at the start, from the first given speed that it has; the others have to agree.
+        let rate0 = modes.first().map_or_else(T::zero, |m| {
+            let leads = scene.start_speeds().find(|(c, _)| !m.of(*c).is_zero());
+            leads.map_or_else(T::zero, |(c, v)| n.get(v) / m.of(c))
         });
-        let rate0 = match (given, modes.first()) {
-            (Some((c, v)), Some(mode)) if !mode.of(c).is_zero() => v / mode.of(c),
-            _ => T::zero(),
-        };
-        let started = given.is_some();
+        for (c, v) in scene.start_speeds() {
+            let follows = modes.first().map_or_else(T::zero, |m| rate0 * m.of(c));
+            outcome::consistent(c, n.get(v), follows)?;
+        }
+        // What is given as 0 is no speed.
+        let started = scene.start_speeds().any(|(_, v)| !n.get(v).is_zero());
         let v0 = modes.first().map_or_else(T::zero, |m| rate0 * m.of(end));
         let loose = modes.first().cloned();
         let mut start_rate = drive(scene, &n, &modes, &frictions(&kinetic), tension);

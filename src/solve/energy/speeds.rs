@@ -14,7 +14,9 @@ use crate::scene::Numbers;
 use crate::scene::Scene;
 use crate::scene::Side;
 use crate::scene::Tie;
+use crate::solve::outcome;
 use crate::solve::outcome::Grip;
+use crate::solve::outcome::Refusal;
 use smallvec::SmallVec;
 use smallvec::smallvec;
 
@@ -58,21 +60,22 @@ impl<T: Real> Mode<T> {
     }
 }
 
-/// The possible motions: the first has unit rate of the ending coordinate, the others leave it at rest; all of them do where
-/// the ties hold it fast, and there are none where they hold everything.
-///
-/// `grip` says which contacts that slip are taken as rolling, `stays` which bodies that could slide do not.
-pub fn modes<T: Real>(scene: &Scene, n: &Numbers<T>, grip: Grip, stays: &[bool]) -> Modes<T> {
-    let bodies = scene.bodies.len();
-    let column = |c: Coordinate| match c.degree {
+/// Place of a coordinate among the unknowns.
+fn column(c: Coordinate) -> usize {
+    match c.degree {
         Degree::Along => 2 * c.body,
         Degree::Turn => 2 * c.body + 1,
-    };
-    let cols = 2 * bodies;
-    let mut rows = Equations::new(cols);
+    }
+}
+
+/// What the ties say of the velocities. `grip` says which contacts that slip are taken as rolling, `stays` which bodies that could
+/// slide do not.
+fn conditions<T: Real>(scene: &Scene, n: &Numbers<T>, grip: Grip, stays: &[bool]) -> Equations<T> {
+    let bodies = scene.bodies.len();
+    let mut rows = Equations::of_decimals(2 * bodies);
     // A body without a line does not travel, one that does not turn has no spin.
     for (b, body) in scene.bodies.iter().enumerate() {
-        for (missing, degree) in [(body.line.is_none(), Degree::Along), (!body.turns, Degree::Turn)] {
+        for (missing, degree) in [(body.line.is_none(), Degree::Along), (!body.spins(), Degree::Turn)] {
             if missing {
                 rows.row()[column(Coordinate { body: b, degree })] = T::of(1.0);
             }
@@ -117,6 +120,49 @@ pub fn modes<T: Real>(scene: &Scene, n: &Numbers<T>, grip: Grip, stays: &[bool])
             }
         }
     }
+    rows
+}
+
+/// The velocities that the start and the ties give; all 0 where it starts from rest.
+///
+/// Errors: a velocity that they leave open, or one that the start gives against them.
+pub fn at_start<T: Real>(scene: &Scene, n: &Numbers<T>) -> Result<Mode<T>, Refusal> {
+    let mut motion = Mode::still(scene.bodies.len());
+    let given: SmallVec<[(Coordinate, T); 4]> = scene.start_speeds().map(|(c, v)| (c, n.get(v))).collect();
+    if given.is_empty() {
+        return Ok(motion);
+    }
+    // The given velocities are solved for last: what then is left open must be one of them.
+    let columns: SmallVec<[usize; 4]> = given.iter().map(|(c, _)| column(*c)).collect();
+    let reduced = conditions(scene, n, Grip::Declared, &[]).reduce(&columns);
+    let open = reduced.open();
+    if let Some(c) =
+        scene.coordinates().find(|c| open.contains(&column(*c)) && !columns.contains(&column(*c)))
+    {
+        return Err(Refusal::Open(c));
+    }
+    for (i, (_, v)) in given.iter().enumerate() {
+        if open.contains(&columns[i]) && !columns[..i].contains(&columns[i]) {
+            let part = |j: usize| *v * reduced.in_mode(columns[i], j);
+            for b in 0..scene.bodies.len() {
+                motion.v[b] = motion.v[b].balance(part(2 * b));
+                motion.w[b] = motion.w[b].balance(part(2 * b + 1));
+            }
+        }
+    }
+    for (c, v) in &given {
+        outcome::consistent(*c, *v, motion.of(*c))?;
+    }
+    Ok(motion)
+}
+
+/// The possible motions: the first has unit rate of the ending coordinate, the others leave it at rest; all of them do where
+/// the ties hold it fast, and there are none where they hold everything.
+///
+/// `grip` says which contacts that slip are taken as rolling, `stays` which bodies that could slide do not.
+pub fn modes<T: Real>(scene: &Scene, n: &Numbers<T>, grip: Grip, stays: &[bool]) -> Modes<T> {
+    let bodies = scene.bodies.len();
+    let rows = conditions(scene, n, grip, stays);
     let main = column(scene.ending_coordinate());
     // Keep the spin of a slipping wheel open beside the ending coordinate.
     let mut free: SmallVec<[usize; 4]> = smallvec![main];

@@ -74,7 +74,7 @@ impl Layout {
         let (mut along, mut turn, mut normal) = (Places::new(), Places::new(), Places::new());
         for b in &scene.bodies {
             along.push(next(b.line.is_some()));
-            turn.push(next(b.turns));
+            turn.push(next(b.spins()));
             normal.push(next(b.line.is_some_and(|l| l.surface)));
         }
         let reaction = scene

@@ -1,7 +1,11 @@
-//! Kinetic energy at an instant, as a sum: over particles, or over bodies each with its mass centre and its spin.
+//! Kinetic energy at an instant: of particles as their sum, of bodies on lines and axles as the work of the impulses that
+//! would set them going from rest. A force that grows from 0 and gives a body a velocity does half the work of its impulse
+//! over that velocity; no velocity ratio of the ties and no kinetic energy of a single body comes in.
 use crate::num::Real;
+use crate::num::Rough;
 use crate::num::dd::pow2;
 use crate::num::plant::plant;
+use crate::scene::Coordinate;
 use crate::scene::Degree;
 use crate::scene::Label;
 use crate::scene::Numbers;
@@ -9,14 +13,23 @@ use crate::scene::Owner;
 use crate::scene::Quantity;
 use crate::scene::Scene;
 use crate::scene::Start;
-use crate::scene::Tie;
+use crate::solve::eom::equations::Setting;
+use crate::solve::eom::equations::respond;
+use crate::solve::outcome;
+use crate::solve::outcome::Grip;
+use crate::solve::outcome::Refusal;
 use crate::solve::outcome::Road;
 use crate::solve::outcome::Said;
+use smallvec::SmallVec;
+use smallvec::smallvec;
 
 /// `T = sum 1/2 m_i |v_i|^2` with `v_i = v_A + omega x (r_i - r_A)`, counter-clockwise positive.
-pub fn road<T: Real>(scene: &Scene, n: &Numbers<T>) -> Road<T> {
+///
+/// Errors: those of the equations, a start that contradicts the ties or leaves a velocity open.
+pub fn road<T: Real>(scene: &Scene, n: &Numbers<T>) -> Result<Road<T>, Refusal> {
     let mut road = Road::new();
-    let mut energy = T::zero();
+    let struck = struck(scene, n)?;
+    let mut energy = struck.energy;
     let mut say = |quantity, of, value: T, scale: f64| {
         let label = Label { quantity, of };
         road.said.push(Said {
@@ -26,9 +39,9 @@ pub fn road<T: Real>(scene: &Scene, n: &Numbers<T>) -> Road<T> {
         });
     };
     for (b, body) in scene.bodies.iter().enumerate() {
-        if body.particles.is_empty() {
-            energy = energy + spinning(scene, n, b);
-            continue;
+        for (c, velocity) in struck.coordinates.iter().zip(&struck.velocities).filter(|(c, _)| c.body == b) {
+            let quantity = if c.degree == Degree::Along { Quantity::V } else { Quantity::Omega };
+            say(quantity, Owner::Body(b), velocity.abs(), velocity.f64().abs());
         }
         let motion = scene.start.iter().find_map(|s| match s {
             Start::Lamina { body, particle, vx_m_s, vy_m_s, spin_rad_s } if *body == b => {
@@ -39,8 +52,8 @@ pub fn road<T: Real>(scene: &Scene, n: &Numbers<T>) -> Road<T> {
         let Some((known, vx, vy, spin)) = motion else { continue };
         let place = |i: usize| (n.get(body.particles[i].x_m), n.get(body.particles[i].y_m));
         let (xa, ya) = place(known);
-        let (mut mass, mut mx, mut my) = (T::zero(), T::zero(), T::zero());
-        let (mut scale_x, mut scale_y) = (0.0, 0.0);
+        // First moments of what lies ahead of the origin and of what lies behind: printed decimals that balance leave 0.
+        let (mut mass, mut ahead, mut behind) = (T::zero(), [T::zero(); 2], [T::zero(); 2]);
         for (i, p) in body.particles.iter().enumerate() {
             let m = n.massive(p.mass_kg);
             let (x, y) = place(i);
@@ -49,51 +62,120 @@ pub fn road<T: Real>(scene: &Scene, n: &Numbers<T>) -> Road<T> {
             let square = ux.square() + uy.square();
             energy = energy + plant!("eom: kinetic energy of a particle", m * square).scale2(-1);
             mass = mass + m;
-            mx = mx + plant!("eom: first moment, x", m * x);
-            my = my + plant!("eom: first moment, y", m * y);
-            scale_x += (m * x).f64().abs();
-            scale_y += (m * y).f64().abs();
+            let moments = [plant!("eom: first moment, x", m * x), plant!("eom: first moment, y", m * y)];
+            for (axis, moment) in moments.into_iter().enumerate() {
+                let side = if moment.sign() < 0.0 { &mut behind } else { &mut ahead };
+                side[axis] = side[axis] + moment.abs();
+            }
         }
-        let (xg, yg) = (mx / mass, my / mass);
+        let [xg, yg] = [0, 1].map(|axis| ahead[axis].apart(behind[axis]) / mass);
+        let [scale_x, scale_y] = [0, 1].map(|axis| (ahead[axis] + behind[axis]).f64() / mass.f64());
         let mut inertia = T::zero();
         for (i, p) in body.particles.iter().enumerate() {
             let (x, y) = place(i);
-            let arm = (x - xg).square() + (y - yg).square();
+            let arm = x.balance(-xg).square() + y.balance(-yg).square();
             inertia = inertia + n.massive(p.mass_kg) * plant!("eom: square of the arm", arm);
         }
         let of = Owner::Body(b);
-        say(Quantity::XG, of, xg, scale_x / mass.f64());
-        say(Quantity::YG, of, yg, scale_y / mass.f64());
+        say(Quantity::XG, of, xg, scale_x);
+        say(Quantity::YG, of, yg, scale_y);
         say(Quantity::IG, of, inertia, inertia.f64());
     }
     say(Quantity::KineticEnergy, Owner::Scene, energy, energy.f64());
-    road
+    if !struck.coordinates.is_empty() {
+        let turns =
+            struck.coordinates.iter().zip(&struck.velocities).filter(|(c, _)| c.degree == Degree::Turn);
+        let turning = turns.fold(T::zero(), |sum, (c, w)| sum + n.bodies[c.body].inertia * w.square());
+        let share = turning.scale2(-1).over(energy);
+        say(Quantity::RotationalFraction, Owner::Scene, share, share.f64());
+    }
+    Ok(road)
 }
 
-/// `1/2 m v^2 + 1/2 I omega^2` of one body, whose speed or spin may follow from rolling.
-fn spinning<T: Real>(scene: &Scene, n: &Numbers<T>, b: usize) -> T {
-    let (mut v, mut w) = (None, None);
-    for s in &scene.start {
-        if let Start::Speed(c, value) = s
-            && c.body == b
-        {
-            match c.degree {
-                Degree::Along => v = Some(n.get(*value)),
-                Degree::Turn => w = Some(n.get(*value)),
+/// The motion that impulses bring about from rest: each at a coordinate whose velocity the start gives, the ties holding.
+struct Struck<T> {
+    coordinates: SmallVec<[Coordinate; 6]>,
+    /// Velocity of each coordinate.
+    velocities: SmallVec<[T; 6]>,
+    /// Kinetic energy: of each impulse half its product with the velocity that it adds at its own coordinate.
+    energy: T,
+}
+
+/// What a unit impulse at a coordinate does while those before it keep their velocities.
+struct Blow<T> {
+    /// Which coordinate.
+    at: usize,
+    /// Velocities that it brings about.
+    velocities: SmallVec<[T; 6]>,
+}
+
+impl<T: Real> Blow<T> {
+    /// At the coordinate itself: the reciprocal of the mass that is felt there.
+    fn own(&self) -> T {
+        self.velocities[self.at]
+    }
+}
+
+/// A velocity that is left of others by rounding alone is below this many times the noise of their numbers.
+const LEFT: f64 = 65_536.0;
+
+/// The velocities at the start. Impulses are to velocities what forces are to accelerations: a unit impulse changes the
+/// velocities as a unit force, alone, accelerates.
+///
+/// Errors: equations that do not determine the motion; a velocity that the start and the ties leave open, or one that the
+/// start gives against them.
+fn struck<T: Real>(scene: &Scene, n: &Numbers<T>) -> Result<Struck<T>, Refusal> {
+    let coordinates: SmallVec<[Coordinate; 6]> = scene.coordinates().collect();
+    let mut out =
+        Struck { velocities: smallvec![T::zero(); coordinates.len()], coordinates, energy: T::zero() };
+    if scene.start_speeds().next().is_none() {
+        return Ok(out);
+    }
+    let mut blows: SmallVec<[Blow<T>; 4]> = SmallVec::new();
+    // The blow at a coordinate beside those before it; `None` where it stirs nothing there.
+    let blow = |at: usize, before: &[Blow<T>]| -> Result<Option<Blow<T>>, Refusal> {
+        let setting = Setting {
+            grip: Grip::Declared,
+            stays: smallvec![false; scene.ties.len()],
+            friction_sense: smallvec![0.0; scene.ties.len()],
+            starting: false,
+            probe: Some(out.coordinates[at]),
+        };
+        let response = respond(scene, n, &setting)?;
+        let column = response.last();
+        let mut velocities: SmallVec<[T; 6]> =
+            out.coordinates.iter().map(|c| response.acceleration(*c, column)).collect();
+        let alone = velocities[at].size();
+        for other in before {
+            let share = velocities[other.at] / other.own();
+            for (v, o) in velocities.iter_mut().zip(&other.velocities) {
+                *v = v.balance(-(share * *o));
             }
         }
-    }
-    for t in &scene.ties {
-        if let Tie::Roll { body, radius_m, .. } = t
-            && *body == b
-        {
-            let c = n.get(*radius_m);
-            v = v.or_else(|| w.map(|w| c * w));
-            w = w.or_else(|| v.map(|v| v / c));
+        let stirs = !velocities[at].negligible(alone * T::Rough::of(LEFT));
+        Ok(stirs.then_some(Blow { at, velocities }))
+    };
+    let place = |c: Coordinate| out.coordinates.iter().position(|own| *own == c);
+    for (c, given) in scene.start_speeds() {
+        let Some(at) = place(c) else { continue };
+        let missing = n.get(given) - out.velocities[at];
+        if let Some(blow) = blow(at, &blows)? {
+            let impulse = missing / blow.own();
+            for (v, b) in out.velocities.iter_mut().zip(&blow.velocities) {
+                *v = v.balance(impulse * *b);
+            }
+            out.energy = out.energy + plant!("eom: work of an impulse", impulse * missing).scale2(-1);
+            blows.push(blow);
         }
     }
-    let numbers = n.bodies[b];
-    let moving = v.map_or_else(T::zero, |v| numbers.mass * v.square());
-    let turning = w.map_or_else(T::zero, |w| numbers.inertia * w.square());
-    (moving + turning).scale2(-1)
+    for (c, given) in scene.start_speeds() {
+        let follows = place(c).map_or_else(T::zero, |at| out.velocities[at]);
+        outcome::consistent(c, n.get(given), follows)?;
+    }
+    for (at, c) in out.coordinates.iter().enumerate() {
+        if scene.start_speeds().all(|(given, _)| given != *c) && blow(at, &blows)?.is_some() {
+            return Err(Refusal::Open(*c));
+        }
+    }
+    Ok(out)
 }

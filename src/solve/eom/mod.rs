@@ -43,6 +43,7 @@ use crate::solve::eom::integrate::path;
 use crate::solve::eom::travel::State;
 use crate::solve::eom::travel::Travel;
 use crate::solve::method::Rung;
+use crate::solve::outcome;
 use crate::solve::outcome::Course;
 use crate::solve::outcome::Grip;
 use crate::solve::outcome::Held;
@@ -62,7 +63,7 @@ pub fn road<T: Real>(scene: &Scene, data: &[f64]) -> Result<Road<T>, Refusal> {
         return swing::road(scene, n, body, pin);
     }
     if matches!(scene.end, End::AtOnce) {
-        return Ok(instant::road(scene, &n));
+        return instant::road(scene, &n);
     }
     if let Some(thrown) = scene.thrown() {
         return thrown::road(scene, &n, &thrown);
@@ -85,7 +86,7 @@ pub fn road_by<T: Real>(
         return swing::road_by(scene, n, (body, pin), Some((rung, asked)));
     }
     if matches!(scene.end, End::AtOnce) {
-        return Ok((instant::road(scene, &n), Count::default()));
+        return Ok((instant::road(scene, &n)?, Count::default()));
     }
     if let Some(thrown) = scene.thrown() {
         return thrown::road_by(scene, &n, &thrown, Some(rung));
@@ -182,6 +183,9 @@ impl<'a, T: Real> Walk<'a, T> {
             && response.acceleration(known, response.last()).is_zero()
         {
             return Err(Refusal::Unsupported(Unsupported::StartHeld));
+        }
+        for (c, v) in scene.start_speeds() {
+            outcome::consistent(c, n.get(v), velocity(&response, c).unwrap_or_else(T::zero))?;
         }
         let slipping: SmallVec<[usize; 2]> =
             (0..scene.ties.len()).filter(|t| matches!(scene.ties[*t], Tie::Slip { .. })).collect();
@@ -287,6 +291,9 @@ impl<'a, T: Real> Walk<'a, T> {
             setting.grip = Grip::Declared;
         }
         let v0 = velocity(&response, end).unwrap_or_else(T::zero);
+        for (c, v) in scene.start_speeds() {
+            outcome::consistent(c, n.get(v), velocity(&response, c).unwrap_or_else(T::zero))?;
+        }
         let mut ratio_column = if spring.is_some() {
             SPRING
         } else if started {
