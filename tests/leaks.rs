@@ -329,6 +329,21 @@ fn no_range_of_a_datum_tells_an_answer_in_words() {
     for Asked { bank, problem, question, drawn } in ASKED.iter() {
         let word = |v: &Variant| v.solved.word(problem.questions[*question].label).unwrap().text();
         let words: BTreeSet<&str> = drawn.iter().map(word).collect();
+        // The tolerance of a part is printed too, and may follow how near to each other the terms of its answer are.
+        for (i, q) in problem.questions.iter().enumerate().filter(|(_, q)| q.relative.fixed().is_none()) {
+            let mut by: ByWord = BTreeMap::new();
+            for v in drawn {
+                by.entry(word(v)).or_default().push(v.within[i]);
+            }
+            let values: Vec<&Vec<f64>> = by.values().collect();
+            for (n, a) in values.iter().enumerate() {
+                for b in &values[n + 1..] {
+                    let (_, guessed) = told_by(a, b);
+                    println!("{} tolerance of {}: a threshold gets {guessed:.2}", problem.id, q.id);
+                    assert!(guessed <= GUESSED, "{} tolerance of {}: {guessed}", problem.id, q.id);
+                }
+            }
+        }
         for (i, datum) in problem.data.iter().enumerate() {
             let mut by: ByWord = BTreeMap::new();
             for v in drawn.iter().filter(|v| v.values[i].is_some()) {
