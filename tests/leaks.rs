@@ -3,6 +3,7 @@
 //! Earlier tests looked at what one sheet holds (no key, no value of it). A word leaks across sheets: what stands in those with one
 //! answer and never in those with another, which no test of a single sheet can see.
 #![expect(clippy::unwrap_used, reason = "a test that cannot set itself up fails")]
+#![expect(clippy::print_stdout, reason = "shares and thresholds, for who looks with --nocapture")]
 mod support;
 use rayon::prelude::*;
 use slipstick::bank::Bank;
@@ -195,7 +196,7 @@ fn telling(sheets: &[(String, BTreeSet<String>)]) -> Vec<String> {
                 sheets.iter().filter(|(_, t)| t.contains(token) == there).map(|(a, _)| a.as_str()).collect();
             let Some(first) = with.first().filter(|f| with.iter().all(|a| a == *f)) else { continue };
             // By chance alone it would be rarer than one in a million that so many share an answer.
-            if shares[first].powf(with.len() as f64) < 1e-6 {
+            if std::iter::repeat_n(shares[first], with.len()).product::<f64>() < 1e-6 {
                 faults.push(format!(
                     "`{token}` {} in {} sheets, all with `{first}`",
                     if there { "stands" } else { "is missing" },
