@@ -3,6 +3,7 @@
 //! Earlier tests looked at what one sheet holds (no key, no value of it). A word leaks across sheets: what stands in those with one
 //! answer and never in those with another, which no test of a single sheet can see.
 #![expect(clippy::unwrap_used, reason = "a test that cannot set itself up fails")]
+#![expect(clippy::print_stdout, reason = "shares and thresholds, for who looks with --nocapture")]
 mod support;
 use rayon::prelude::*;
 use slipstick::bank::Bank;
@@ -195,7 +196,7 @@ fn telling(sheets: &[(String, BTreeSet<String>)]) -> Vec<String> {
                 sheets.iter().filter(|(_, t)| t.contains(token) == there).map(|(a, _)| a.as_str()).collect();
             let Some(first) = with.first().filter(|f| with.iter().all(|a| a == *f)) else { continue };
             // By chance alone it would be rarer than one in a million that so many share an answer.
-            if shares[first].powf(with.len() as f64) < 1e-6 {
+            if std::iter::repeat_n(shares[first], with.len()).product::<f64>() < 1e-6 {
                 faults.push(format!(
                     "`{token}` {} in {} sheets, all with `{first}`",
                     if there { "stands" } else { "is missing" },
@@ -329,6 +330,21 @@ fn no_range_of_a_datum_tells_an_answer_in_words() {
     for Asked { bank, problem, question, drawn } in ASKED.iter() {
         let word = |v: &Variant| v.solved.word(problem.questions[*question].label).unwrap().text();
         let words: BTreeSet<&str> = drawn.iter().map(word).collect();
+        // The tolerance of a part is printed too, and may follow how near to each other the terms of its answer are.
+        for (i, q) in problem.questions.iter().enumerate().filter(|(_, q)| q.relative.fixed().is_none()) {
+            let mut by: ByWord = BTreeMap::new();
+            for v in drawn {
+                by.entry(word(v)).or_default().push(v.within[i]);
+            }
+            let values: Vec<&Vec<f64>> = by.values().collect();
+            for (n, a) in values.iter().enumerate() {
+                for b in &values[n + 1..] {
+                    let (_, guessed) = told_by(a, b);
+                    println!("{} tolerance of {}: a threshold gets {guessed:.2}", problem.id, q.id);
+                    assert!(guessed <= GUESSED, "{} tolerance of {}: {guessed}", problem.id, q.id);
+                }
+            }
+        }
         for (i, datum) in problem.data.iter().enumerate() {
             let mut by: ByWord = BTreeMap::new();
             for v in drawn.iter().filter(|v| v.values[i].is_some()) {
