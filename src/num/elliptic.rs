@@ -87,6 +87,9 @@ pub fn terms_within(modulus: f64, share: f64, most: usize) -> Option<usize> {
     let square = modulus * modulus;
     let half_pi = std::f64::consts::FRAC_PI_2;
     let whole = complete((1.0 - square).max(0.0).sqrt()) / half_pi;
+    if !whole.is_finite() {
+        return None;
+    }
     let (mut sum, mut term, mut factor) = (0.0, 1.0, 0.0);
     for count in 1..=most {
         sum += term;
