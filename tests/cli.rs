@@ -121,7 +121,7 @@ fn a_set_has_its_files_and_nothing_for_students_but_theirs() {
         key.lines().next(),
         Some("student,problem,part,value,unit,eom,energy,gap,cond,tolerance,error_bound")
     );
-    assert_eq!(key.lines().count(), 1 + 24 * CLASS.len());
+    assert_eq!(key.lines().count(), 1 + 23 * CLASS.len());
     // A unit reads as people write it and stays on one line.
     let html = room.read("set/students/0017/sheet.html");
     assert!(html.contains("in\u{a0}kg\u{a0}m²") && html.contains("<code>2.v</code>, in\u{a0}m/s"), "{html}");

@@ -7,19 +7,19 @@ use slipstick::problem::make::Maker;
 
 /// Problem, digest of the drawn data, digest of the answers.
 const PINNED: &[(&str, &str, &str)] = &[
-    ("block-pulls-wheel", "174926a8dda39bf3", "4e94d2cc59f7a53f"),
-    ("yo-yo", "48ffb49e9cc27e56", "cbe01e7672033d36"),
-    ("two-loads-on-a-stepped-drum", "e56a4c810b664baa", "2f5c2a618e69e5de"),
-    ("falling-rod", "8e8007792a987779", "a30ef288926c1b9c"),
-    ("compound-pendulum", "cf0f2da7965fee7b", "225d1b8435f7954f"),
-    ("lifted-rod", "a2d91ba6b66ba680", "90ac589f98f276fc"),
-    ("rod-and-spring", "79681241d0ce1f0f", "c54454a365a5cf77"),
-    ("thrown-ball", "3015d95e48e1eaab", "84e0113a1e465eed"),
-    ("wheel-set-down", "3897c747dae7d128", "d91d3d287cf1348a"),
-    ("kinetic-energy", "1d494307821fa641", "adb9870667890556"),
-    ("pulled-rolling", "b913f974f9f719ed", "0046635d4ba0c558"),
-    ("pulled-slipping", "c4363eb39c77f46b", "6e680e1d997aa732"),
-    ("spring-released", "0c12659539776b14", "a2cdf19fd232eb72"),
+    ("block-pulls-wheel", "48f0a6947418f696", "57ed9150ac3e9a0b"),
+    ("yo-yo", "f77ba8a7923a22f1", "4a637d9c220b28fd"),
+    ("two-loads-on-a-stepped-drum", "ab8e32af2fcb04ba", "79e205ef6124f352"),
+    ("falling-rod", "2e7545d318b231d2", "85b8a6273d50cf3f"),
+    ("compound-pendulum", "4cad979d93006443", "8f22c398df53ffa1"),
+    ("lifted-rod", "efa876bf286d2b6c", "b94bef31c6a95479"),
+    ("rod-and-spring", "9589c05578d271dc", "d476733f2f7ee1d7"),
+    ("thrown-ball", "26af46574cdccf6f", "a0d788fbbcb915c1"),
+    ("wheel-set-down", "9d1d0943968ef4a9", "acdb173a35a72676"),
+    ("kinetic-energy", "bf22ad97eb787f90", "d4b75ba300a268bc"),
+    ("pulled-rolling", "699a19ad6f9c3c29", "8770b403757459b4"),
+    ("pulled-slipping", "49999fd51db07b4e", "7ae946299c7a4e27"),
+    ("spring-released", "84ef3c41f2691831", "a7684f1ae7197c49"),
 ];
 
 #[test]
