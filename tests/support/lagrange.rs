@@ -705,6 +705,24 @@ impl<'s> System<'s> {
             let mut told = Told::default();
             let energy = 0.5 * v0.iter().zip(&self.mass).map(|(v, m)| m * v * v).sum::<f64>();
             told.values.push(("kinetic_energy", Owner::Scene, energy, energy));
+            let mut spinning = 0.0;
+            for (b, f) in self.frames.iter().enumerate() {
+                let mut say = |name, spin| {
+                    let v = inner(&self.moving(b, spin), &v0).abs();
+                    told.values.push((name, Owner::Body(b), v, v));
+                    v
+                };
+                if f.line {
+                    say("v", false);
+                }
+                if f.turns {
+                    let w = say("omega", true);
+                    spinning += 0.5 * self.inertia[b] * w * w;
+                }
+            }
+            if energy > 0.0 {
+                told.values.push(("rotational_fraction", Owner::Scene, spinning / energy, 1.0));
+            }
             return Verdict::Told(told);
         }
         let tension = self.spring.as_ref().map_or(0.0, |(_, _, ks, x0, _)| ks * x0);

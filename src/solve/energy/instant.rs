@@ -73,7 +73,7 @@ pub fn road<T: Real>(scene: &Scene, n: &Numbers<T>) -> Result<Road<T>, Refusal> 
         }
     }
     say(Quantity::KineticEnergy, Owner::Scene, energy);
-    if scene.coordinates().next().is_some() {
+    if scene.coordinates().next().is_some() && !energy.is_zero() {
         let turning =
             (0..n.bodies.len()).fold(T::zero(), |sum, b| sum + n.bodies[b].inertia * motion.w[b].square());
         say(Quantity::RotationalFraction, Owner::Scene, turning.over(energy.scale2(1)));

@@ -82,7 +82,7 @@ pub fn road<T: Real>(scene: &Scene, n: &Numbers<T>) -> Result<Road<T>, Refusal> 
         say(Quantity::IG, of, inertia, inertia.f64());
     }
     say(Quantity::KineticEnergy, Owner::Scene, energy, energy.f64());
-    if !struck.coordinates.is_empty() {
+    if !struck.coordinates.is_empty() && !energy.is_zero() {
         let turns =
             struck.coordinates.iter().zip(&struck.velocities).filter(|(c, _)| c.degree == Degree::Turn);
         let turning = turns.fold(T::zero(), |sum, (c, w)| sum + n.bodies[c.body].inertia * w.square());
