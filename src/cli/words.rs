@@ -520,6 +520,6 @@ mod tests {
         assert!(moves(0.0, 3.0).contains("a speed of its own"));
         assert!(moves(0.0, 0.0).contains("a speed of its own"));
         assert!(moves(3.0, 0.0).contains("nothing resists"));
-        assert!(moves(3.0, 2.0).contains("the drive is 1.5000 times"));
+        assert!(moves(3.0, 2.0).contains("the driving force is 1.5000 times the resistance"));
     }
 }

@@ -291,9 +291,6 @@ impl<'a, T: Real> Walk<'a, T> {
             setting.grip = Grip::Declared;
         }
         let v0 = velocity(&response, end).unwrap_or_else(T::zero);
-        for (c, v) in scene.start_speeds() {
-            outcome::consistent(c, n.get(v), velocity(&response, c).unwrap_or_else(T::zero))?;
-        }
         let mut ratio_column = if spring.is_some() {
             SPRING
         } else if started {
