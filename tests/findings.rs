@@ -723,7 +723,7 @@ fn unknown_name_in_a_statement() {
     assert_snapshot!(found(&[("    questions:", "    statement: A block of mass {{ m }} on {{ theta }}, {{ mu }}.\n    questions:")]), @r#"
      21 |     statement: A block of mass {{ m }} on {{ theta }}, {{ mu }}.
     test.yaml:21:16: problems.slide.statement: `{{ mu }}` is not known
-        hint: known names: m, theta, g, value, tex, title, number, case, count, particles, motion, questions
+        hint: known names: m, theta, g, value, tex, title, number, case, count, particles, motion, series, questions
     "#);
 }
 
@@ -749,7 +749,7 @@ fn unknown_name_in_a_question() {
     assert_snapshot!(found(&[("{ask: the speed, unit: m/s}", "{ask: 'the speed at {{ d }}', unit: m/s}")]), @r#"
      22 |       v: {ask: 'the speed at {{ d }}', unit: m/s}
     test.yaml:22:16: problems.slide.questions.v.ask: `{{ d }}` is not known
-        hint: known names: m, theta, g, value, tex, title, number, case, count, particles, motion, questions
+        hint: known names: m, theta, g, value, tex, title, number, case, count, particles, motion, series, questions
     "#);
 }
 

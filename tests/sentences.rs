@@ -1,5 +1,10 @@
 //! What texts and figures claim, held against the scene itself: each sentence that the program computes is computed here once more, from
 //! the drawn data and by other means. The tests of worked solutions read formulas only; a false sentence between them went unseen.
+#![allow(
+    clippy::disallowed_methods,
+    clippy::print_stdout,
+    reason = "elementary formulas of a second witness; figures are told with --nocapture"
+)]
 mod support;
 use dashu_float::DBig;
 use slipstick::bank::Bank;

@@ -246,7 +246,7 @@ fn sweep_solutions(students: u32) {
             }
             assert_eq!(html::faulty_formulas(&document.markdown), Vec::<String>::new());
             let body = Converter::new(&told.words).body(
-                &document,
+                document,
                 &document.screens(),
                 Place { lower: 0, prefix: "" },
             );
@@ -281,7 +281,7 @@ fn booklets_are_valid_pages() {
                 if other.bank.id == told.bank.id {
                     let prefix = format!("{}-", html::part_id(parts.len()));
                     let body = Converter::new(&told.words).body(
-                        &document,
+                        document,
                         &document.screens(),
                         Place { lower: 1, prefix: &prefix },
                     );

@@ -207,7 +207,8 @@ impl std::fmt::Display for Coordinate {
         let tenths = self.0 * 10.0;
         let whole = tenths.round_ties_even();
         // Near a tie the product may have rounded to the wrong side; beyond the integers of i64 there is nothing to round.
-        if ((tenths - whole).abs() - 0.5).abs() < 1e-6 || !(self.0.abs() < 1e9) {
+        let plain = ((tenths - whole).abs() - 0.5).abs() > 1e-6 && self.0.abs() < 1e9;
+        if !plain {
             let text = format!("{:.1}", self.0);
             return match text.strip_suffix(".0") {
                 Some("-0") => f.write_str("0"),

@@ -185,7 +185,8 @@ impl Known {
     /// How many figures were written, if they are those of the right number rounded to that many, in the unit of the answer.
     fn rounded_to(&self, x: f64, cell: &[u8]) -> Option<usize> {
         // Rounded to one figure a number changes by half of itself at most.
-        if !((x - self.key).abs() <= 0.5 * x.abs()) {
+        let near = (x - self.key).abs() <= 0.5 * x.abs();
+        if !near {
             return None;
         }
         let cell = std::str::from_utf8(cell).ok()?;
