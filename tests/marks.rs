@@ -207,7 +207,7 @@ fn known_wrong_methods_may_earn_credit() {
     let err = err.replace(&class.path(""), "ROOM/");
     insta::assert_snapshot!(err, @r"
     error: ROOM/course.yaml:2:10: points: the set has no part `3.v`
-        hint: its parts: 1.omega, 1.v, 1.friction, 1.mu_required, 1.cord_travel, 1.k_bound, 2.rolls, 2.friction_if_rolled, 2.friction, 2.v, 2.omega, 2.phi, 2.slip_distance, 2.heat
+        hint: its parts: 1.omega, 1.v, 1.friction, 1.mu_required, 1.cord_travel, 1.k_bound, 2.friction_if_rolled, 2.friction, 2.v, 2.omega, 2.phi, 2.slip_distance, 2.heat
     error: ROOM/course.yaml:4:22: corrections: the set has no part `1.w`
     error: ROOM/course.yaml: credit: no problem of the set knows a wrong method `Z99`
         hint: ids stand in the column `methods` of answers.csv, and in `lint`
