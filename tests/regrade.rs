@@ -147,18 +147,19 @@ ROOM/grades: 12 answers that count of 6 students; answers that would become righ
   part                                      tolerance now  0.5 %   1 %   2 %   5 %
   1.omega                                             1 %     -1     0    +1    +2
   1.v                                                 1 %     -1     0    +1    +2
-  1.friction                                      2-4.6 %      0     0     0     0
-  1.mu_required                                 1.8-4.7 %      0     0     0     0
+  1.friction                                      2-2.8 %      0     0     0     0
+  1.mu_required                                 1.8-2.7 %      0     0     0     0
   1.cord_travel                                       1 %      0     0     0     0
   1.k_bound                                           1 %      0     0     0     0
   all parts                                                   -2     0    +2    +4
   students who gain                                            0     0     1     2
   students who lose                                            1     0     0     0
   mean of totals                                     1.25   1.00  1.25  1.50  1.75
-  answers of wrong methods that would pass                     0     0     0     1
-  sheets where a wrong method would pass                       0     0     4    11
-  warning: at 5 % 1 answer of a known wrong method would be right:
-    1 x A08  Treating the wheel as if it rolled on its rim throughout, in the speeds and in the work of the pull.
+  answers of wrong methods that would pass                     0     0     0     2
+  sheets where a wrong method would pass                       0     0     6    11
+  warning: at 5 % 2 answers of a known wrong method would be right:
+    2 x A10  Leaving the weight out.
+    2 x A13  Writing the weight without g, as if the mass were a force.
   Absolute tolerances stay. All answers are graded anew by each: attempts, lateness, follow-through, corrections, totals.
 "#);
     let ran = run(&["what-if", &room.path("grades"), "--tolerance", "2%,x,0"]);
@@ -257,13 +258,14 @@ ROOM/grades regraded
   course: ROOM/course.yaml
   correction: all get at least 100 % of 1.v: ambiguous
   settings that differ: credit
-  part  gain  lose  points  why
-  1.v      4     0    +2.5  correction 4
-  4 of 6 students gain, 0 lose; mean of totals 1.08 -> 1.50
-  0044  Name of 0044  0.5 -> 1  +0.5  1.v +0.5 (correction)
-  0058  Name of 0058  0.5 -> 1  +0.5  1.v +0.5 (correction)
-  0062  Name of 0062  0.5 -> 1  +0.5  1.v +0.5 (correction)
-  0031  Name of 0031    1 -> 2    +1  1.v +1 (correction)
+  part     gain  lose  points  why
+  1.omega     2     0    +0.5  credit 2
+  1.v         4     0    +2.5  correction 4
+  4 of 6 students gain, 0 lose; mean of totals 1.08 -> 1.58
+  0044  Name of 0044     0.5 -> 1   +0.5  1.v +0.5 (correction)
+  0058  Name of 0058  0.5 -> 1.25  +0.75  1.omega +0.25 (credit), 1.v +0.5 (correction)
+  0062  Name of 0062  0.5 -> 1.25  +0.75  1.omega +0.25 (credit), 1.v +0.5 (correction)
+  0031  Name of 0031       1 -> 2     +1  1.v +1 (correction)
 Written to ROOM/new, all changes in ROOM/new/changes.csv; ROOM/grades is as it was.
 "#);
     // Who handed in nothing gets the points too.
@@ -271,7 +273,9 @@ Written to ROOM/new, all changes in ROOM/new/changes.csv; ROOM/grades is as it w
 student,problem,part,points_before,points_after,verdict_before,verdict_after,why
 0031,1,v,,1,,,correction: ambiguous
 0044,1,v,0.5,1,wrong,wrong,correction: ambiguous
+0058,1,omega,0,0.25,wrong,wrong,credit
 0058,1,v,0.5,1,wrong,wrong,correction: ambiguous
+0062,1,omega,0,0.25,wrong,wrong,credit
 0062,1,v,0.5,1,wrong,wrong,correction: ambiguous
 "#);
     let ran = run(&["explain", &room.path("new"), "31", "1.v"]);
@@ -317,13 +321,13 @@ error: ROOM/bank.yaml: problems.pulled-rolling: with the data of 0062: the relat
     insta::assert_snapshot!(room.shown(&ran.out), @r#"
 ROOM/grades regraded
   bank: ROOM/bank.yaml, f68844e7a69e… in place of 1a2fd9c7c8f8…; sheets keep their data, the key is solved anew
-  1.omega: another key for 6 of 6 students, by up to 77.65 %
-  1.v: another key for 6 of 6 students, by up to 28.17 %
-  1.friction: another key for 6 of 6 students, by up to 71.742 %
-  1.friction: tolerance 2-4.6 % -> 1.5-4.7 %
-  1.mu_required: another key for 6 of 6 students, by up to 71.742 %
-  1.mu_required: tolerance 1.8-4.7 % -> 1.3-5 %
-  1.cord_travel: another key for 6 of 6 students, by up to 71.739 %
+  1.omega: another key for 6 of 6 students, by up to 71.484 %
+  1.v: another key for 6 of 6 students, by up to 24.516 %
+  1.friction: another key for 6 of 6 students, by up to 66.744 %
+  1.friction: tolerance 2-2.8 % -> 1.6-2.7 %
+  1.mu_required: another key for 6 of 6 students, by up to 66.744 %
+  1.mu_required: tolerance 1.8-2.7 % -> 1.3-3.2 %
+  1.cord_travel: another key for 6 of 6 students, by up to 70.455 %
   part     gain  lose  points  why
   1.omega     0     3      -3  key 3
   1.v         0     6    -4.5  key 3, no longer follow-through 3
@@ -478,66 +482,66 @@ fn a_mark_is_explained() {
 0023 (Name of 0023), problem 1 (pulled-rolling) of set week
 
 Data on the sheet
-  case friction down: m = 48 kg, R = 0.46 m, r = 0.14 m, k = 0.41 m, theta = 16 deg, P = 350 N, d =
-      1.0 m, mu_s = 0.50, g = 9.81 m/s^2
+  case friction up: m = 40 kg, R = 0.43 m, r = 0.18 m, k = 0.27 m, theta = 22 deg, P = 220 N, d =
+      1.8 m, mu_s = 0.70, g = 9.81 m/s^2
 
 1.omega: 1 of 1 points, right
   asked: omega, in rad/s
-  key: 17.4403611 rad/s; equations of motion 17.4403611, work and energy 17.4403611, gap 0;
-      condition number 3.53; the true answer lies within 4e-14 of it, proved
-  tolerance: 1 % of the key, which is 0.17440 rad/s to either side: right is what lies from
-      17.2659575 to 17.6147647
+  key: 22.6183484 rad/s; equations of motion 22.6183484, work and energy 22.6183484, gap 0;
+      condition number 3.86; the true answer lies within 5e-14 of it, proved
+  tolerance: 1 % of the key, which is 0.22618 rad/s to either side: right is what lies from
+      22.3921649 to 22.8445318
   attempts, in the order of the file:
-    line 4: `17.51012`, read as 17.51012 without unit, so rad/s, that is 17.5101200 rad/s, +0.400 %
+    line 4: `22.70882`, read as 22.70882 without unit, so rad/s, that is 22.7088200 rad/s, +0.400 %
         from the key. Right: within the tolerance
-    line 14: `199.9 rpm`, read as 199.9 in rpm, that is 20.9334790 rad/s, +20.0 % from the key.
+    line 14: `259.2 rpm`, read as 259.2 in rpm, that is 27.1433605 rad/s, +20.0 % from the key.
         Superseded by line 4; would have been wrong
   which counts: the one with the most points; that is line 4
   points: 1 for a right answer; together 1
 
 1.v: 1 of 1 points, right
   asked: v, in m/s
-  key: 2.44165056 m/s; equations of motion 2.44165056, work and energy 2.44165056, gap 0; condition
-      number 3.48; the true answer lies within 5e-15 of it, proved
-  tolerance: 1 % of the key, which is 0.024417 m/s to either side: right is what lies from
-      2.41723405 to 2.46606706
+  key: 4.07130270 m/s; equations of motion 4.07130270, work and energy 4.07130270, gap 0; condition
+      number 3.37; the true answer lies within 8e-15 of it, proved
+  tolerance: 1 % of the key, which is 0.040713 m/s to either side: right is what lies from
+      4.03058968 to 4.11201573
   attempts, in the order of the file:
-    line 5: `2.45142`, read as 2.45142 without unit, so m/s, that is 2.45142000 m/s, +0.400 % from
+    line 5: `4.08759`, read as 4.08759 without unit, so m/s, that is 4.08759000 m/s, +0.400 % from
         the key. Right: within the tolerance
   points: 1 for a right answer; together 1
 
 1.friction: 0 of 2 points, unreadable
   asked: friction, in N
-  key: -77.1281031 N; equations of motion -77.1281031, work and energy -77.1281031, gap 0; condition
-      number 13.6; the true answer lies within 4e-13 of it, proved
-  tolerance: 4.1 % of the key, by its condition number, which is 3.1623 N to either side: right is
-      what lies from -80.2903553 to -73.9658508
+  key: 111.167913 N; equations of motion 111.167913, work and energy 111.167913, gap 0; condition
+      number 7.37; the true answer lies within 5e-13 of it, proved
+  tolerance: 2.3 % of the key, by its condition number, which is 2.5569 N to either side: right is
+      what lies from 108.611051 to 113.724775
   attempts, in the order of the file:
     line 15: `=cmd`. Unreadable: neither a number nor a known word
   points: 0 of 2, the answer is not right; together 0
 
 1.mu_required: no answer, of 1 points
   asked: mu_required, a plain number
-  key: 0.170396539; equations of motion 0.170396539, work and energy 0.170396539, gap 0; condition
-      number 15.6; the true answer lies within 1e-15 of it, proved
-  tolerance: 4.7 % of the key, by its condition number, which is 0.0080086 to either side: right is
-      what lies from 0.162387901 to 0.178405176
+  key: 0.305551622; equations of motion 0.305551622, work and energy 0.305551622, gap 0; condition
+      number 5.87; the true answer lies within 2e-15 of it, proved
+  tolerance: 1.8 % of the key, by its condition number, which is 0.0054999 to either side: right is
+      what lies from 0.300051692 to 0.311051551
   attempts: none was handed in
 
 1.cord_travel: no answer, of 1 points
   asked: cord_travel, in m
-  key: 4.28571429 m; equations of motion 4.28571429, work and energy 4.28571429, gap 0; condition
-      number 2.53; the true answer lies within 2e-15 of it, proved
-  tolerance: 1 % of the key, which is 0.042857 m to either side: right is what lies from 4.24285714
-      to 4.32857143
+  key: 6.10000000 m; equations of motion 6.10000000, work and energy 6.10000000, gap 0; condition
+      number 2.41; the true answer lies within 4e-15 of it, proved
+  tolerance: 1 % of the key, which is 0.061000 m to either side: right is what lies from 6.03900000
+      to 6.16100000
   attempts: none was handed in
 
 1.k_bound: 0 of 1 points, wrong dimension
   asked: k_bound, in m
-  key: 0.319934096 m; equations of motion 0.319934096, work and energy 0.319934096, gap 0; condition
-      number 2.17; the true answer lies within 7e-16 of it, proved
-  tolerance: 1 % of the key, which is 0.0031993 m to either side: right is what lies from
-      0.316734755 to 0.323133437
+  key: 0.482955798 m; equations of motion 0.482955798, work and energy 0.482955798, gap 0; condition
+      number 4.98; the true answer lies within 2e-15 of it, proved
+  tolerance: 1 % of the key, which is 0.0048296 m to either side: right is what lies from
+      0.478126240 to 0.487785356
   attempts, in the order of the file:
     line 16: `2 N`, read as 2 in N. Wrong dimension: expected m (length), found N (force)
   points: 0 of 1, the answer is not right; together 0
@@ -548,7 +552,7 @@ The total
 What it was graded with
   slipstick 0.1.0, draw version 4; set week from seed 7
   bank one-wheel, SHA-256 1a2fd9c7c8f8999d941fe2fc93f5f09c5b98215c9fc3e9e353d7c23ceb374f7d
-  key, SHA-256 d97257deb3e29d01b53a345362a1bb49aa7b5eca64ed3a334025dd6774290468; solved anew for
+  key, SHA-256 d5949bc3a1e867dec8799a0300fa808510f3bf0ede1807ef4be5a6ad4b344568; solved anew for
       this text, and the same
   course, SHA-256 6774c14141fb11c387157d62401bb3d51daa38446109ee2c8be51eabbf67fe61
   submissions: answers.csv, 325 bytes
@@ -578,15 +582,15 @@ fn copied_answers_are_found_and_told_to_nobody_else() {
     let ran = run(&["matches", &room.path("grades")]);
     assert_eq!(ran.exit, Exit::Fine, "{}", ran.err);
     insta::assert_snapshot!(room.shown(&ran.out), @r#"
-7 wrong answers in numbers held against classmates' keys, 3 of them with no other explanation: 1 pair stands out. Among honest students luck alone makes a pair stand out in one set of 100.
+7 wrong answers in numbers held against classmates' keys, 2 of them with no other explanation: 1 pair stands out. Among honest students luck alone makes a pair stand out in one set of 100.
   look  student  key of  parts                  answers                    chance  by luck  other explanation
-  yes   0062     0023    1.omega 1.v 1.k_bound  17.4404 | 2.4417 | 0.3199    4e-5     2e-4  1.omega: A01
+  yes   0062     0023    1.omega 1.v 1.k_bound  22.6183 | 4.0713 | 0.4830    2e-5     1e-4  1.omega: A18
   A match accuses nobody: sheets get swapped, friends compute with one set of data, a form is filled in for another.
   all of them, for your eyes only: ROOM/grades/matches.csv
 "#);
     insta::assert_snapshot!(room.read("grades/matches.csv"), @r#"
 look,student,classmate,parts,answers,chance,expected_by_luck,other_explanation
-yes,0062,0023,1.omega 1.v 1.k_bound,17.4404 | 2.4417 | 0.3199,4.5e-5,2.2e-4,1.omega: A01
+yes,0062,0023,1.omega 1.v 1.k_bound,22.6183 | 4.0713 | 0.4830,2.2e-5,1.1e-4,1.omega: A18
 "#);
     // The class report shows the pair to the instructor; what students get knows nothing of it.
     assert!(room.read("grades/report.html").contains("0023 (Name of 0023)"));
