@@ -155,7 +155,7 @@ fn habits_are_what_is_done() {
     let by: BTreeSet<&str> = rows.iter().map(|r| r["method"].as_str()).collect();
     assert_eq!(by, BTreeSet::from(["", "A05"]));
     assert!(rows.iter().all(|r| r["kind"] == "right" || r["kind"] == "wrong method"));
-    assert_eq!(rows.len(), 16 * (6 + 8 + 6));
+    assert_eq!(rows.len(), 16 * (6 + 7 + 6));
     // All are absent.
     room.simulate(Some("{answers: {right: 1}, absent: 100 %}"), "none", &[]);
     assert_eq!(room.read("none.csv"), "student,problem,part,answer\n");
@@ -184,7 +184,7 @@ fn habits_are_what_is_done() {
     // Several attempts, and times in order.
     let late = "{answers: {wrong sign: 1}, attempts: 3, handed in: {opens: 2026-03-02 08:00, due: 2026-03-02 20:00, late: 50 %}}";
     room.simulate(Some(late), "late", &[]);
-    assert_eq!(count(&room.rows("late-truth.csv"), "attempt", "3"), 16 * (6 + 8 + 6));
+    assert_eq!(count(&room.rows("late-truth.csv"), "attempt", "3"), 16 * (6 + 7 + 6));
     let times: Vec<String> = room.rows("late.csv").iter().map(|r| r["submitted_at"].clone()).collect();
     assert!(times.is_sorted() && times.iter().any(|t| t.as_str() > "2026-03-02 20:00"), "{times:?}");
     assert!(times.iter().all(|t| t.as_str() >= "2026-03-02 08:00" && t.as_str() <= "2026-03-03 20:00"));
