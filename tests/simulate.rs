@@ -170,7 +170,7 @@ fn habits_are_what_is_done() {
     room.simulate(Some(copying), "pairs", &[]);
     let rows = room.rows("pairs-truth.csv");
     let copied: Vec<_> = rows.iter().filter(|r| r["kind"] == "copied").collect();
-    assert_eq!(copied.len(), 2 * (6 + 8 + 6));
+    assert_eq!(copied.len(), 2 * (6 + 7 + 6));
     let pairs: BTreeSet<_> = copied.iter().map(|r| (&r["student"], &r["from"])).collect();
     assert_eq!(pairs.len(), 2);
     for row in &copied {
