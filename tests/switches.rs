@@ -154,7 +154,8 @@ fn drawn(switch: &Switch, x: f64, margins: &str) -> (Result<(), String>, Option<
     let kind = CheckKind::ALL.iter().find(|k| k.name() == switch.name).unwrap();
     let margin = solved.checks.iter().find(|c| c.kind == *kind).map(|c| c.margin);
     let variant = Maker::new(problem, 1, "switches").giving_up_after(1).variant("one");
-    (variant.map(|_| ()).map_err(|e| e.table[0].0.clone()), margin)
+    let rule = |row: &str| row.split(':').next().unwrap_or_default().to_owned();
+    (variant.map(|_| ()).map_err(|e| rule(&e.table[0].0)), margin)
 }
 
 #[test]

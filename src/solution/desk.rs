@@ -4,8 +4,10 @@ use crate::bank::Problem;
 use crate::bank::decimal::Decimal;
 use crate::finding::Finding;
 use crate::problem::make::Variant;
+use crate::scene::Body;
 use crate::scene::End;
 use crate::scene::Label;
+use crate::scene::Mass;
 use crate::scene::Num;
 use crate::scene::Quantity;
 use crate::scene::Scene;
@@ -128,8 +130,11 @@ impl<'a> Desk<'a> {
             let symbol = desk.ledger.given(&datum.tex, *value, &digits, &unit, datum.degrees);
             let shown = desk.ledger.shown(symbol);
             let again = if shown == printed { String::new() } else { format!(" = {shown}") };
-            // At an instant nothing falls: g is no datum of it.
-            let idle = desk.scene.end == End::AtOnce && desk.scene.gravity_m_s2 == Num::Datum(i);
+            // At an instant of bodies on lines nothing falls; a pin carries weight even then, and a weight that is given needs g.
+            let weighs = |b: &Body| b.pin.is_some() || matches!(b.mass, Mass::Weight(_));
+            let idle = desk.scene.end == End::AtOnce
+                && desk.scene.gravity_m_s2 == Num::Datum(i)
+                && !desk.scene.bodies.iter().any(weighs);
             if !idle {
                 desk.told.push(format!("{} = {printed}{again}", datum.tex));
             }
