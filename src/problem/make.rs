@@ -387,13 +387,6 @@ impl<'p> Maker<'p> {
     /// The rules that need a solution, on the first road; which one refuses.
     fn rules(&self, case: &Case, solved: &Solved, data: &[f64]) -> Result<(), Refused> {
         self.checks(solved, |kind| kind != CheckKind::Moves)?;
-        // A question about a slack cord would ask about another motion than the statement tells.
-        if let Some((tie, _, _, false)) = case.scene.spring() {
-            let tension = solved.get(Label { quantity: Quantity::Tension, of: Owner::Tie(tie) });
-            if tension.is_some_and(|t| t.value() <= 0.0) {
-                return Err(Rule::Check(CheckKind::Taut).into());
-            }
-        }
         if !solved.regime.is_one_of(&case.regimes) {
             return Err(Rule::Regime(solved.regime).into());
         }

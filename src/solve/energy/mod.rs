@@ -18,6 +18,7 @@ use crate::num::ball;
 use crate::num::eliminate::Equations;
 use crate::num::ode::Count;
 use crate::num::plant::plant;
+use crate::scene::Attach;
 use crate::scene::Coordinate;
 use crate::scene::Degree;
 use crate::scene::End;
@@ -710,7 +711,10 @@ impl<'a, T: Real> Ledger<'a, T> {
             .fold(T::zero(), |sum, p| sum + p.power)
             / self.mode.of(along);
         let (centre, whole) = (centre.signed(up), whole.signed(up));
-        let rotation = whole.balance(-centre);
+        // A pull at the centre turns nothing: so it is, whatever rounding leaves of the difference.
+        let wound =
+            self.scene.ties.iter().any(|t| matches!(t, Tie::Cord(c) if c.from.attach != Attach::Centre));
+        let rotation = if wound { whole.balance(-centre) } else { T::zero() };
         if if centre.sign() > 0.0 { rotation.sign() <= 0.0 } else { rotation.sign() < 0.0 } {
             return;
         }
