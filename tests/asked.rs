@@ -373,3 +373,84 @@ problems:
         assert!((wrong.value / far * 1.4 - 1.0).abs() < 1e-14, "{wrong:?}");
     }
 }
+
+/// The only draw of a scene of constants: what it asks, as its questions are written, in a problem that declares these regimes.
+fn only_draw(scene: &str, regimes: &str, questions: &str) -> Result<Vec<f64>, String> {
+    let text = format!(
+        "bank: b\ntitle: B\nproblems:\n  p:\n    title: P\n    data: {{}}\n    scene:\n      {}\n    regimes: [{regimes}]\n    questions: {{{questions}}}\n",
+        scene.replace('\n', "\n      ")
+    );
+    let bank = load::scenes_only(&text, "test").unwrap_or_else(|f| panic!("{f:#?}\n{text}"));
+    let problem = &bank.problems[0];
+    let variant = Maker::new(problem, 1, "set").variant("one").map_err(|e| e.to_string())?;
+    let value = |q: &slipstick::bank::Question| variant.solved.get(q.label).unwrap().value();
+    Ok(problem.questions.iter().map(value).collect())
+}
+
+/// A pull at the axle has no lever. The tests above have pulls on hubs and rims, whose moment leaves no doubt of its sign: the one that
+/// is zero by structure was enclosed as a difference, and refused every draw for the sake of `k_bound`, which nobody asked.
+#[test]
+fn a_wheel_pulled_at_its_axle_is_drawn() {
+    let wheel = |track: &str, leaves: &str| {
+        format!(
+            "surfaces: {{track: {track}}}
+bodies: {{wheel: {{mass: 4.3 kg, radius of gyration: 0.13 m, radii: {{rim: 0.31 m}}, moves: along track}}}}
+ties:
+  - rolls: {{body: wheel, on its: rim, mu_s: 0.9}}
+  - cord: {{from: {{body: wheel, tied at: centre, leaves: {leaves}}}, pulled with: 23.7 N}}
+start: at rest
+end: {{travel: {{of: wheel, by: 1.7 m}}}}"
+        )
+    };
+    let inertia = 4.3 * (1.0 + 0.13 * 0.13 / (0.31 * 0.31));
+    let weight = 4.3 * 9.81 * 0.173_648_177_666_930_33;
+    for (track, leaves, regime, a) in [
+        ("level", "forward", "moves_forward", 23.7 / inertia),
+        ("{slope: 10 deg}", "up", "moves_up", (23.7 - weight) / inertia),
+        ("{slope: 10 deg}", "down", "moves_down", -(23.7 + weight) / inertia),
+    ] {
+        let drawn = only_draw(&wheel(track, leaves), regime, "a: {ask: a}").unwrap();
+        assert!((drawn[0] - a).abs() < 1e-13 * a.abs(), "{track}, {leaves}: {drawn:?}, not {a}");
+    }
+}
+
+/// Rest by structure can be drawn where it is declared. The tests of rest in `rest.rs` only solve: no test drew one.
+#[test]
+fn what_rests_by_structure_is_drawn() {
+    let blocks = |friction: &str| {
+        format!(
+            "surfaces: {{floor: level}}
+bodies: {{A: {{mass: 2 kg, moves: along floor}}, B: {{mass: 3 kg, moves: along floor}}}}
+ties:
+{friction}  - cord: {{name: c, from: {{body: A, tied at: centre, leaves: forward}}, to: {{body: B, tied at: centre, leaves: back}}}}
+start: at rest
+end: {{travel: {{of: A, by: 1 m}}}}"
+        )
+    };
+    let a = "A_a: {quantity: A.a, ask: a}";
+    let rough = blocks("  - slides: {body: A, mu_k: 0.2}\n  - slides: {body: B, mu_k: 0.2}\n");
+    assert_eq!(only_draw(&blocks(""), "balanced", a), Ok(vec![0.0]));
+    assert_eq!(only_draw(&rough, "balanced", a), Ok(vec![0.0]));
+    // Without friction nothing can pull on the cord; with it statics leaves the tension open, and it cannot be asked.
+    let tension = "c_tension: {quantity: c.tension, ask: t}";
+    assert_eq!(only_draw(&blocks(""), "balanced", tension), Ok(vec![0.0]));
+    assert!(only_draw(&rough, "balanced", tension).is_err());
+    // An idle cord is no licence for what is declared to move.
+    assert!(only_draw(&blocks(""), "moves_forward", a).is_err());
+    for end in ["W", "B"] {
+        let scene = format!(
+            "surfaces: {{floor: level}}
+bodies:
+  W: {{mass: 4 kg, shape: {{disc: 0.2 m}}, radii: {{rim: 0.2 m}}, moves: along floor}}
+  B: {{mass: 3 kg, moves: vertically, positive: down}}
+ties:
+  - rolls: {{body: W, on its: rim, mu_s: 0.9}}
+  - cord: {{name: c, from: {{body: W, wound on: rim, leaves: bottom forward}}, to: {{body: B, tied at: centre, leaves: up}}}}
+start: at rest
+end: {{travel: {{of: {end}, by: 1 m}}}}"
+        );
+        let asked = "B_a: {quantity: B.a, ask: a}, c_tension: {quantity: c.tension, ask: t}";
+        let drawn = only_draw(&scene, "balanced", asked).unwrap();
+        assert!(drawn[0] == 0.0 && (drawn[1] - 29.43).abs() < 1e-13, "{end}: {drawn:?}");
+    }
+}

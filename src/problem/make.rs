@@ -22,7 +22,7 @@ use crate::scene::Owner;
 use crate::scene::Quantity;
 use crate::scene::Scene;
 use crate::solve::agree;
-use crate::solve::outcome::{CheckKind, Entry, Refusal, Solved};
+use crate::solve::outcome::{Check, CheckKind, Entry, Refusal, Solved};
 use std::fmt;
 
 /// Tries after which a bank counts as unsatisfiable.
@@ -355,9 +355,9 @@ impl<'p> Maker<'p> {
         }
     }
 
-    /// Do the checks of these kinds hold, with their margins?
-    fn checks(&self, solved: &Solved, of: impl Fn(CheckKind) -> bool) -> Result<(), Refused> {
-        for check in solved.checks.iter().filter(|c| of(c.kind)) {
+    /// Do these checks hold, with their margins?
+    fn checks(&self, solved: &Solved, of: impl Fn(&Check) -> bool) -> Result<(), Refused> {
+        for check in solved.checks.iter().filter(|c| of(c)) {
             let kind = CheckKind::ALL.iter().position(|k| *k == check.kind).unwrap_or(0);
             if !check.ok || check.margin.is_nan() || check.margin < self.margins[kind] {
                 // A condition may fail for more than its margin says: then no number tells why.
@@ -371,7 +371,7 @@ impl<'p> Maker<'p> {
     /// Does it move with the margin, or stay with the same margin where it is declared to stay?
     fn moves(&self, case: &Case, solved: &Solved) -> Result<(), Refused> {
         if !solved.regime.stays_as(&case.regimes) {
-            return self.checks(solved, |kind| kind == CheckKind::Moves);
+            return self.checks(solved, |c| c.kind == CheckKind::Moves);
         }
         let kind = CheckKind::ALL.iter().position(|k| *k == CheckKind::Moves).unwrap_or(0);
         for check in solved.checks.iter().filter(|c| c.kind == CheckKind::Moves) {
@@ -386,7 +386,9 @@ impl<'p> Maker<'p> {
 
     /// The rules that need a solution, on the first road; which one refuses.
     fn rules(&self, case: &Case, solved: &Solved, data: &[f64]) -> Result<(), Refused> {
-        self.checks(solved, |kind| kind != CheckKind::Moves)?;
+        // What is declared to stay needs no cord that pulls.
+        let stays = solved.regime.stays_as(&case.regimes);
+        self.checks(solved, |c| c.kind != CheckKind::Moves && !(stays && c.idles()))?;
         if !solved.regime.is_one_of(&case.regimes) {
             return Err(Rule::Regime(solved.regime).into());
         }

@@ -200,6 +200,13 @@ pub struct Check {
     pub margin: f64,
 }
 
+impl Check {
+    /// Is it of a cord that need not pull: without tension, or with one that statics leaves open? What rests needs none.
+    pub fn idles(&self) -> bool {
+        self.kind == CheckKind::Taut && !(self.available < 0.0 || self.available > 0.0)
+    }
+}
+
 /// A quantity as both roads give it, SI.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Entry {
@@ -300,7 +307,7 @@ impl Solved {
     /// The same where a problem declares these regimes: what is declared to stay need not move.
     pub fn holds_as(&self, declared: &[String]) -> bool {
         let stays = self.regime.stays_as(declared);
-        self.checks.iter().all(|c| c.ok || stays && c.kind == CheckKind::Moves)
+        self.checks.iter().all(|c| c.ok || stays && (c.kind == CheckKind::Moves || c.idles()))
     }
 }
 

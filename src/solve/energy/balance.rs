@@ -125,7 +125,8 @@ pub fn reactions<T: Real>(
         })
         .collect();
     let cols = unknown.len();
-    let mut rows = Equations::new(cols);
+    // The levers are decimals: two forces at one point have one lever, whatever its rounding.
+    let mut rows = Equations::of_decimals(cols);
     for b in 0..scene.bodies.len() {
         for degree in [Degree::Along, Degree::Turn] {
             let present = match degree {
