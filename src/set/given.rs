@@ -257,7 +257,7 @@ fn solved(problem: &Problem, case: usize, values: &[Option<Decimal>]) -> Result<
     if !regime.is_one_of(&problem.cases[case].regimes) {
         return Err(Why::Happens(regime.word()));
     }
-    if let Some(check) = variant.solved.checks.iter().find(|c| !c.ok) {
+    if let Some(check) = variant.solved.failing(&problem.cases[case].regimes) {
         return Err(Why::Happens(format!("{} fails", check.kind.name())));
     }
     let missing = problem.questions.iter().find(|q| match q.label.quantity.is_word() {

@@ -299,8 +299,12 @@ impl Solved {
     }
     /// The same where a problem declares these regimes: what is declared to stay need not move.
     pub fn holds_as(&self, declared: &[String]) -> bool {
+        self.failing(declared).is_none()
+    }
+    /// The first check that fails where a problem declares these regimes.
+    pub fn failing(&self, declared: &[String]) -> Option<&Check> {
         let stays = self.regime.stays_as(declared);
-        self.checks.iter().all(|c| c.ok || stays && c.kind == CheckKind::Moves)
+        self.checks.iter().find(|c| !c.ok && !(stays && c.kind == CheckKind::Moves))
     }
 }
 
