@@ -394,7 +394,7 @@ impl<'p> Maker<'p> {
                 return Err(Rule::Check(CheckKind::Taut).into());
             }
         }
-        if !solved.regime.is_one_of(&case.regimes) {
+        if !solved.regime.is_one_of(&case.regimes, &case.scene) {
             return Err(Rule::Regime(solved.regime).into());
         }
         for (i, question) in self.problem.questions.iter().enumerate() {
