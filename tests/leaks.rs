@@ -376,7 +376,7 @@ fn every_word_of_a_printed_list_is_right_often_enough() {
         let label = problem.questions[*question].label;
         let mut lists: BTreeMap<&[&str], BTreeMap<&str, u32>> = BTreeMap::new();
         for v in drawn {
-            let list = make_key::offered(label.quantity, &problem.cases[v.case].scene);
+            let list = make_key::offered(problem, label.quantity, &problem.cases[v.case].scene);
             *lists.entry(list).or_default().entry(v.solved.word(label).unwrap().text()).or_default() += 1;
         }
         for (list, right) in lists {
@@ -546,4 +546,110 @@ fn solve_and_check_find_what_an_open_contact_does() {
     }
     assert_eq!(words.len(), 2);
     assert_eq!(run(&["solutions", &at("set"), "--out", &at("solved")]).0, Exit::Fine);
+}
+
+/// A block that stays or slides, by its data.
+const STAYS: &str = "
+bank: may-stay
+title: May stay
+problems:
+  block:
+    title: A block is let go
+    data:
+      m: {name: mass of the block, unit: kg, draw: 1 to 9 step 0.5}
+      theta: {name: slope of the incline, unit: deg, draw: 10 to 45 step 1}
+    scene:
+      surfaces: {incline: {slope: theta}}
+      bodies: {block: {mass: m, moves: along incline}}
+      ties: [slides: {body: block, mu_k: 0.5}]
+      start: at rest
+      end: {travel: {of: block, by: 1 m}}
+    regimes: [balanced, moves_down]
+    questions:
+      direction: {ask: which way the block goes}
+    statement: 'A block of mass {{ m }} lies on an incline of {{ theta }}, the coefficient of friction is 0.5; use {{ g }}.'
+";
+
+/// The list on a sheet is that of the words which the declared regimes can have: what is drawn at rest is answered by a word on it.
+///
+/// The earlier tests counted over the words of a list, and every list was a pair: a right answer that stands on none was not
+/// counted anywhere.
+#[test]
+fn the_words_on_a_sheet_follow_from_the_declared_regimes() {
+    let lists = |bank: &str| {
+        let bank = load::scenes_only(bank, "bank.yaml").unwrap_or_else(|f| panic!("{f:?}"));
+        let problem = &bank.problems[0];
+        let quantity = problem.questions[0].label.quantity;
+        let of = |c: &slipstick::bank::Case| make_key::offered(problem, quantity, &c.scene);
+        problem.cases.iter().map(of).collect::<Vec<_>>()
+    };
+    for (regimes, list) in [
+        ("balanced, moves_down", &["down", "stays"][..]),
+        ("moves_up, balanced", &["up", "stays"]),
+        ("moves_up, balanced, moves_down", &["up", "down", "stays"]),
+        ("moves_up, moves_down", &["up", "down"]),
+        // One word would tell the answer. A block without a spring never has the regime `rest`.
+        ("moves_down", &["up", "down"]),
+        ("moves_down, rest", &["up", "down"]),
+        ("balanced", &["up", "down", "stays"]),
+    ] {
+        assert_eq!(lists(&STAYS.replace("balanced, moves_down", regimes)), [list], "{regimes}");
+    }
+    let level =
+        STAYS.replace("{slope: theta}", "level").replace("balanced, moves_down", "balanced, moves_forward");
+    let level =
+        level.replace("      theta: {name: slope of the incline, unit: deg, draw: 10 to 45 step 1}\n", "");
+    assert_eq!(lists(&level), [["forward", "stays"]]);
+    // A case of its own for each answer prints the same list: else it would tell.
+    let cases = STAYS.replace("    regimes: [balanced, moves_down]\n", "").replace(
+        "    questions:",
+        "    cases:\n      holds: {regimes: [balanced]}\n      slides: {regimes: [moves_down]}\n    questions:",
+    );
+    assert_eq!(lists(&cases), [["down", "stays"]; 2]);
+
+    let room = tempfile::tempdir().unwrap();
+    let at = |name: &str| room.path().join(name).display().to_string();
+    fs::write(at("bank.yaml"), STAYS).unwrap();
+    fs::write(at("roster.csv"), "student\n1\n2\n3\n4\n5\n6\n7\n8\n").unwrap();
+    let (exit, out, err) = run(&["lint", &at("bank.yaml"), "--seeds", "60"]);
+    assert_eq!(exit, Exit::Fine, "{out}{err}");
+    assert!(out.contains("down ") && out.contains("stays ") && !out.contains("up 0 %"), "{out}");
+    for (language, list) in [("en", "`down` or `stays`"), ("de", "`abwärts` oder `ruht`")] {
+        let (bank, roster, set) = (at("bank.yaml"), at("roster.csv"), at(language));
+        let (exit, out, err) = run(&[
+            "generate",
+            &bank,
+            "--roster",
+            &roster,
+            "--seed",
+            "1",
+            "--out",
+            &set,
+            "--language",
+            language,
+        ]);
+        assert_eq!(exit, Exit::Fine, "{out}{err}");
+        assert!(!out.contains("note: problems"), "{out}");
+        let key = fs::read_to_string(format!("{set}/key.csv")).unwrap();
+        assert!(key.contains("stays") && key.contains("down"), "{key}");
+        let plain = |html: String| html.replace("<code>", "`").replace("</code>", "`");
+        let sheet = plain(fs::read_to_string(format!("{set}/students/1/sheet.html")).unwrap());
+        assert!(sheet.contains(list), "{sheet}");
+        // The key is right by the sheet's own words, and no student is told that it is not offered.
+        let answers: String = key
+            .lines()
+            .filter_map(|l| l.split_once(','))
+            .filter(|(s, _)| s.parse::<u32>().is_ok())
+            .map(|(s, rest)| format!("{s},{}\n", if rest.contains("stays") { "stays" } else { "down" }))
+            .collect();
+        fs::write(at("answers.csv"), format!("student,1.direction\n{answers}")).unwrap();
+        let graded = at(&format!("graded-{language}"));
+        let (exit, out, err) = run(&["grade", &set, &at("answers.csv"), "--out", &graded]);
+        assert_eq!(exit, Exit::Fine, "{out}{err}");
+        assert!(!out.contains("not offered"), "{out}");
+        let grades = fs::read_to_string(format!("{graded}/answers.csv")).unwrap();
+        assert_eq!(grades.matches(",right,").count(), 8, "{grades}");
+        let (_, out, _) = run(&["check", &format!("{set}/students/1/sheet.json"), "1.direction=up"]);
+        assert!(out.contains("down, stays") || out.contains("abwärts, ruht"), "{out}");
+    }
 }

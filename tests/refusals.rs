@@ -473,3 +473,69 @@ fn every_regime_word_is_read_and_the_message_lists_all() {
         assert!(told.contains(motion.word()), "{told}");
     }
 }
+
+/// A regime that is the declared one with a check that fails is told as that; and at an end that is the turning point the words
+/// `... turning_point` are right.
+///
+/// The earlier tests looked at failing checks only together with another regime, and at turning points only by the word `... ok`.
+#[test]
+fn a_declared_regime_is_not_called_another() {
+    let room = Room::new();
+    let (data, questions) = (
+        "    data:\n      m: {name: mass, unit: kg, draw: 2 to 9 step 0.5}\n",
+        "    statement: 'S {{ m }} {{ g }}'\n",
+    );
+    let bank = |scene: &str, rest: &str| {
+        format!(
+            "bank: b\ntitle: B\nproblems:\n  p:\n    title: P\n{data}    scene:\n{scene}{rest}{questions}"
+        )
+    };
+    let blocks = "      surfaces: {floor: level}
+      bodies: {A: {mass: m, moves: along floor}, B: {mass: 3 kg, moves: along floor}}
+      ties:
+        - slides: {body: A, mu_k: 0.2}
+        - slides: {body: B, mu_k: 0.2}
+        - cord: {name: c, from: {body: A, tied at: centre, leaves: forward}, to: {body: B, tied at: centre, leaves: back}}
+      start: at rest
+      end: {travel: {of: A, by: 1 m}}\n";
+    let asks = "    regimes: [balanced]\n    questions: {kinetic_energy: {ask: how much, unit: J}}\n";
+    fs::write(room.path("two.yaml"), bank(blocks, asks)).unwrap();
+    let Ran { out, err, .. } = room.run(&["solve", &room.path("two.yaml"), "p", "--set", "m=2kg"]);
+    assert!(
+        out.contains("This is what the problem declares (balanced), but taut fails; the numbers"),
+        "{out}{err}"
+    );
+    assert!(!out.contains("This is not"), "{out}");
+
+    let spring = "      surfaces: {floor: level}
+      bodies: {disc: {mass: m, shape: {disc: 0.2 m}, radii: {rim: 0.2 m}, moves: along floor}}
+      ties:
+        - rolls: {body: disc, on its: rim, mu_s: 0.6}
+        - cord: {name: c, from: {body: disc, tied at: centre, leaves: forward}, spring: {stiffness: 30 N/m, stretch: 0.1 m, attached: rigidly}}
+      start: at rest
+      end: {turning point: disc}\n";
+    let rod = "      bodies: {rod: {mass: m, shape: {rod: 1 m}, pinned: at its end, angle: from hanging}}
+      start: {rod: {angle: 20 deg, spin: 1 rad/s}}
+      end: {turning point: rod}\n";
+    for (scene, words, fits) in [
+        (spring, "forward turning_point", true),
+        (spring, "forward ok", true),
+        (spring, "up turning_point", true),
+        (spring, "back turning_point", false),
+        (spring, "forward unreachable", false),
+        (rod, "swings turning_point", true),
+        (rod, "swings ok", true),
+        (rod, "swings unreachable", false),
+        // Short of the turning point the asked place is not that.
+        (
+            &spring.replace("{turning point: disc}", "{travel: {of: disc, by: 0.05 m}}"),
+            "forward turning_point",
+            false,
+        ),
+    ] {
+        let rest = format!("    regimes: [{words}]\n    questions: {{t: {{ask: how long, unit: s}}}}\n");
+        let bank = load::scenes_only(&bank(scene, &rest), "bank.yaml").unwrap_or_else(|f| panic!("{f:?}"));
+        let drawn = Maker::new(&bank.problems[0], 1, "b").variant("s");
+        assert_eq!(drawn.is_ok(), fits, "{words}: {drawn:?}");
+    }
+}

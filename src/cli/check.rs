@@ -16,6 +16,7 @@ use crate::finding::Finding;
 use crate::grade::feedback::Feedback;
 use crate::grade::judge;
 use crate::grade::verdict::Verdict;
+use crate::key::Answer;
 use crate::key::ProblemKey;
 use crate::problem::make;
 use crate::problem::make::Variant;
@@ -179,10 +180,18 @@ fn solve(problem: &SheetProblem, file: &str, words: &Words) -> Result<Solved, Ve
     };
     let scene = &only.cases[variant.case].scene;
     let signs = |q: &Question| statement::direction_words(words, scene, q.label.of).map(str::to_owned);
+    let mut key = make_key::key(only, &variant);
+    for part in &mut key.parts {
+        let printed =
+            problem.parts.iter().find(|p| p.id == part.part).and_then(|p| make_key::listed(&p.words));
+        if let (Answer::Word { offered, .. }, Some(list)) = (&mut part.answer, printed) {
+            *offered = list;
+        }
+    }
     Ok(Solved {
         number: problem.number,
         id: problem.id.clone(),
-        key: make_key::key(only, &variant),
+        key,
         reveal: bank.reveal,
         signs: only.questions.iter().map(signs).collect(),
     })

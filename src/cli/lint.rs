@@ -238,8 +238,8 @@ fn questions(problem: &Problem, sweep: &Sweep) -> (Vec<Vec<String>>, Vec<Vec<Str
             row.push(if least == most { most } else { format!("{least} to {most}") });
             row.push(percent(seen.missed()));
         } else {
-            let share = |(word, n): &(&str, u64)| {
-                format!("{word} {} %", n * 100 / sweep::printed(&seen.words, word).max(1))
+            let share = |w: &sweep::Listed| {
+                format!("{} {} %", w.word, w.right * 100 / sweep::printed(&seen.words, w.list).max(1))
             };
             let list: Vec<String> = seen.words.iter().map(share).collect();
             row.push(list.join(", "));

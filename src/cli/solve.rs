@@ -1,5 +1,6 @@
 //! `slipstick solve`: a diagnosis of one problem with given data.
 use crate::bank::Bank;
+use crate::bank::Case;
 use crate::bank::Datum;
 use crate::bank::Draw;
 use crate::bank::Problem;
@@ -144,8 +145,8 @@ pub fn data(
 
 /// Does what really happens fit what the problem declares? A problem that declares no regime takes any, as in drawing.
 pub fn fits(problem: &Problem, case: usize, solved: &Solved) -> bool {
-    let declared = |regimes: &[String]| solved.regime.is_one_of(regimes) && solved.holds_as(regimes);
-    problem.cases.get(case).is_some_and(|c| declared(&c.regimes))
+    let declared = |c: &Case| solved.regime.is_one_of(&c.regimes, &c.scene) && solved.holds_as(&c.regimes);
+    problem.cases.get(case).is_some_and(declared)
 }
 
 /// Case, values as scenes take them, and each datum as it is shown.
@@ -448,11 +449,18 @@ pub fn regime(problem: &Problem, case: usize, solved: &Solved, holds: bool) -> S
     let mut out =
         format!("regime: {} ({})\n", solved.regime.word(), words::regime(&Words::english(), solved.regime));
     if !holds {
-        let declared = match problem.cases[case].regimes.join(", ") {
+        let regimes = &problem.cases[case].regimes;
+        let declared = match regimes.join(", ") {
             any if any.is_empty() => String::new(),
             some => format!(" ({some})"),
         };
-        let _ = writeln!(out, "This is not what the problem declares{declared}{NUMBERS_OF_TIES}.");
+        let told = match solved.failing(regimes) {
+            Some(check) if !regimes.is_empty() && solved.regime.is_one_of(regimes, scene) => {
+                format!("This is what the problem declares{declared}, but {} fails", check.kind.name())
+            }
+            _ => format!("This is not what the problem declares{declared}"),
+        };
+        let _ = writeln!(out, "{told}{NUMBERS_OF_TIES}.");
     }
     for check in &solved.checks {
         let mark = if check.ok { "holds" } else { "FAILS" };

@@ -64,14 +64,15 @@ pub fn judge_with<'w>(
 }
 
 fn judge_word<'w>(word: Word, right: &str, offered: &[&str], say: &Feedback<'w>) -> (Verdict, Cow<'w, str>) {
-    let level = offered.contains(&Word::Forward.as_str());
+    let either = |a: Word, b: Word| offered.contains(&a.as_str()) || offered.contains(&b.as_str());
+    let level = either(Word::Forward, Word::Back);
     let word = match word {
         Word::Right if level => Word::Forward,
         Word::Left if level => Word::Back,
         other => other,
     };
-    // To stay is no direction on any list (on sheets of earlier versions it was), and an answer all the same.
-    let stays = word == Word::Stays && (level || offered.contains(&Word::Up.as_str()));
+    // To stay is on few lists of directions (on sheets of earlier versions it was on all), and an answer all the same.
+    let stays = word == Word::Stays && (level || either(Word::Up, Word::Down));
     if word.as_str() == right {
         (Verdict::Right, Cow::Borrowed(say.get("feedback.right_word")))
     } else if stays || offered.contains(&word.as_str()) {

@@ -389,7 +389,7 @@ impl<'p> Maker<'p> {
         // What is declared to stay needs no cord that pulls.
         let stays = solved.regime.stays_as(&case.regimes);
         self.checks(solved, |c| c.kind != CheckKind::Moves && !(stays && c.idles()))?;
-        if !solved.regime.is_one_of(&case.regimes) {
+        if !solved.regime.is_one_of(&case.regimes, &case.scene) {
             return Err(Rule::Regime(solved.regime).into());
         }
         for (i, question) in self.problem.questions.iter().enumerate() {

@@ -3,20 +3,25 @@ use crate::bank::expression::Name;
 use crate::bank::{Problem, Question};
 use crate::key::{Answer, Follow, Given, KeyEntry, ProblemKey, WrongValue};
 use crate::problem::make::Variant;
-use crate::scene::{Label, Owner, Quantity, Scene, Slope};
-use crate::solve::outcome::{Entry, Solved};
+use crate::scene::{Label, Owner, Quantity, Scene, Slope, Tie};
+use crate::solve::outcome::{Entry, Motion, Solved};
 
 /// Absolute tolerance of quantities that may vanish, as a share of the scale of their terms: a thousandth of the
 /// largest force is below what three figures of the terms can tell.
 pub const VANISHING_SHARE: f64 = 1e-3;
 
-const SLOPED: &[&str] = &["up", "down"];
-const LEVEL: &[&str] = &["forward", "back"];
-const YES_NO: &[&str] = &["yes", "no"];
+/// A list of words of which a sheet asks for one.
+pub type List = &'static [&'static str];
 
-/// The lists of words of which a sheet asks for one. No word stands on two of them, and none that no draw can have: what stays
-/// at rest is never drawn.
-pub const LISTS: [&[&str]; 3] = [SLOPED, LEVEL, YES_NO];
+const YES_NO: List = &["yes", "no"];
+
+/// The lists for a direction by what can come out: the pair, the pair and rest, each of the pair and rest.
+const SLOPED: [List; 4] = [&["up", "down"], &["up", "down", "stays"], &["up", "stays"], &["down", "stays"]];
+const LEVEL: [List; 4] =
+    [&["forward", "back"], &["forward", "back", "stays"], &["forward", "stays"], &["back", "stays"]];
+
+/// All words that a key can have.
+pub const WORDS: [&str; 7] = ["up", "down", "forward", "back", "stays", "yes", "no"];
 
 /// The key of a variant: one entry for each question of the problem.
 ///
@@ -28,7 +33,7 @@ pub fn key(problem: &Problem, variant: &Variant) -> ProblemKey {
         .questions
         .iter()
         .map(|question| {
-            let mut entry = entry(question, scene, variant);
+            let mut entry = entry(problem, question, scene, variant);
             let magnitude = is_magnitude(question.label.quantity);
             entry.wrong.extend(variant.wrong.iter().filter(|w| w.label == question.label).map(|w| {
                 WrongValue {
@@ -73,11 +78,11 @@ fn follows(problem: &Problem) -> (Vec<Follow>, Vec<Label>) {
     (follows.collect(), extras)
 }
 
-fn entry(question: &Question, scene: &Scene, variant: &Variant) -> KeyEntry {
+fn entry(problem: &Problem, question: &Question, scene: &Scene, variant: &Variant) -> KeyEntry {
     let quantity = question.label.quantity;
     let mut key = KeyEntry {
         part: question.id.clone(),
-        answer: Answer::Word { right: "", offered: offered(quantity, scene) },
+        answer: Answer::Word { right: "", offered: offered(problem, quantity, scene) },
         unit: question.unit.clone(),
         unit_required: question.unit_required,
         points: question.points,
@@ -90,7 +95,7 @@ fn entry(question: &Question, scene: &Scene, variant: &Variant) -> KeyEntry {
     };
     if quantity.is_word() {
         let right = variant.solved.word(question.label).map_or("", |w| w.text());
-        key.answer = Answer::Word { right, offered: offered(quantity, scene) };
+        key.answer = Answer::Word { right, offered: offered(problem, quantity, scene) };
         return key;
     }
     let (value, scale) = match variant.solved.get(question.label) {
@@ -198,14 +203,65 @@ pub const fn is_magnitude(quantity: Quantity) -> bool {
     )
 }
 
-/// The list of words of which one answers a question in words.
-pub fn offered(quantity: Quantity, scene: &Scene) -> &'static [&'static str] {
+/// The list of words of which one answers a question in words, on the sheet of this scene.
+///
+/// It follows from the regimes that the problem declares, over all cases whose words are of the same kind: a list that differed
+/// from case to case would tell the answer. A single word would tell it, too: then the pair stays, and lint finds it.
+pub fn offered(problem: &Problem, quantity: Quantity, scene: &Scene) -> List {
     if quantity == Quantity::Rolls {
         return YES_NO;
     }
-    let body = scene.ending_coordinate().body;
-    match scene.bodies.get(body).and_then(|b| b.line) {
-        Some(line) if line.slope != Slope::Level => SLOPED,
-        _ => LEVEL,
+    let sloped = is_sloped(scene);
+    let like = problem.cases.iter().filter(|c| is_sloped(&c.scene) == sloped);
+    let (mut ahead, mut back, mut stays) = (false, false, false);
+    for case in like {
+        let went = went(&case.scene, &case.regimes);
+        (ahead, back, stays) = (ahead || went[0], back || went[1], stays || went[2]);
     }
+    let [pair, all, ahead_or_stays, back_or_stays] = if sloped { SLOPED } else { LEVEL };
+    match (ahead, back, stays) {
+        (_, _, false) => pair,
+        (true, false, true) => ahead_or_stays,
+        (false, true, true) => back_or_stays,
+        (_, _, true) => all,
+    }
+}
+
+/// The list that consists of these words.
+pub fn listed(words: &[String]) -> Option<List> {
+    SLOPED.into_iter().chain(LEVEL).find(|list| list.iter().eq(words))
+}
+
+/// Does a word for the direction say up or down here?
+fn is_sloped(scene: &Scene) -> bool {
+    let body = scene.bodies.get(scene.ending_coordinate().body);
+    body.and_then(|b| b.line).is_some_and(|line| line.slope != Slope::Level)
+}
+
+/// Which directions these regimes can have: up or forward, down or back, none.
+fn went(scene: &Scene, regimes: &[String]) -> [bool; 3] {
+    use Motion as M;
+    // The regime of a slip is that of the body which slips.
+    let end = scene.ending_coordinate().body;
+    let slips_itself = scene.ties.iter().any(|t| matches!(t, Tie::Slip { body, .. } if *body == end));
+    let springs = scene.spring().is_some();
+    let of = |motion: &M| match motion {
+        M::MovesUp | M::MovesForward | M::UpOk | M::UpTurningPoint | M::UpUnreachable => [true, false, false],
+        M::ForwardOk | M::ForwardTurningPoint | M::ForwardUnreachable => [true, false, false],
+        M::MovesDown | M::MovesBack | M::DownOk | M::DownTurningPoint | M::DownUnreachable => {
+            [false, true, false]
+        }
+        M::BackOk | M::BackTurningPoint | M::BackUnreachable => [false, true, false],
+        M::SlipsUp | M::SlipsForward if slips_itself => [true, false, false],
+        M::SlipsDown | M::SlipsBack if slips_itself => [false, true, false],
+        M::Balanced => [false, false, !springs],
+        M::Rest => [false, false, springs],
+        _ => [true, true, false],
+    };
+    // What is declared to do anything is not drawn at rest.
+    if regimes.is_empty() {
+        return [true, true, false];
+    }
+    let called = M::ALL.iter().filter(|m| regimes.iter().any(|word| m.is_called(word)));
+    called.map(of).fold([false; 3], |a, b| [a[0] || b[0], a[1] || b[1], a[2] || b[2]])
 }

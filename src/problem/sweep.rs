@@ -3,7 +3,7 @@
 use crate::bank::Problem;
 use crate::draw::stream::Source;
 use crate::problem::make::{Maker, Refusals, Unsatisfiable, Variant};
-use crate::problem::make_key;
+use crate::problem::make_key::{self, List};
 use crate::problem::rounding;
 use crate::solve::outcome::Refusal;
 
@@ -67,7 +67,7 @@ pub struct QuestionSweep {
     /// Least and greatest relative tolerance.
     pub within: (f64, f64),
     /// The words of the lists that were printed, and how often each was right.
-    pub words: Vec<(&'static str, u64)>,
+    pub words: Vec<Listed>,
 }
 
 /// Each word of a list that sheets print is to be right in at least this share of the variants that print the list: else it is
@@ -77,6 +77,17 @@ pub const WORD_SHARE: f64 = 0.2;
 /// Variants with a list from which on a word that was never right counts as one that never is: of those that are right as often
 /// as they should be, one in 70,000 hides so long.
 const ENOUGH: u64 = 50;
+
+/// A word of a list that sheets print.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Listed {
+    /// The word.
+    pub word: &'static str,
+    /// The list: a word may stand on several.
+    pub list: List,
+    /// Variants that print this list in which it was right.
+    pub right: u64,
+}
 
 /// How a word of a printed list fares that is right too seldom.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -98,8 +109,9 @@ impl Seldom {
 
 /// Words that are right too seldom, by more than chance explains; `words` are all words of the lists that were printed, with
 /// how often each was right.
-pub fn seldom(words: &[(&'static str, u64)]) -> Vec<Seldom> {
-    let all = words.iter().map(|&(word, right)| Seldom { word, right, printed: printed(words, word) });
+pub fn seldom(words: &[Listed]) -> Vec<Seldom> {
+    let of = |w: &Listed| Seldom { word: w.word, right: w.right, printed: printed(words, w.list) };
+    let all = words.iter().map(of);
     let short = |s: &Seldom| {
         let spread = (WORD_SHARE * (1.0 - WORD_SHARE) / count(s.printed)).sqrt();
         s.printed >= ENOUGH && count(s.right) / count(s.printed) < WORD_SHARE - 2.0 * spread
@@ -107,17 +119,16 @@ pub fn seldom(words: &[(&'static str, u64)]) -> Vec<Seldom> {
     all.filter(short).collect()
 }
 
-/// Variants that print the list on which this word stands.
-pub fn printed(words: &[(&'static str, u64)], word: &str) -> u64 {
-    let list = make_key::LISTS.into_iter().find(|list| list.contains(&word)).unwrap_or_default();
-    words.iter().filter(|(w, _)| list.contains(w)).map(|(_, n)| n).sum()
+/// Variants that print this list: one of its words is right in each.
+pub fn printed(words: &[Listed], list: List) -> u64 {
+    words.iter().filter(|w| w.list == list).map(|w| w.right).sum()
 }
 
 /// The words of the lists that variants of a problem print, and how often each is right: for each question that is answered in
 /// words, over so many variants, without the tables of a [`sweep`].
-pub fn words_of(problem: &Problem, variants: u32, set: &str) -> Vec<(usize, Vec<(&'static str, u64)>)> {
+pub fn words_of(problem: &Problem, variants: u32, set: &str) -> Vec<(usize, Vec<Listed>)> {
     let asked = problem.questions.iter().enumerate().filter(|(_, q)| q.label.quantity.is_word());
-    let mut found: Vec<(usize, Vec<(&'static str, u64)>)> = asked.map(|(i, _)| (i, Vec::new())).collect();
+    let mut found: Vec<(usize, Vec<Listed>)> = asked.map(|(i, _)| (i, Vec::new())).collect();
     if found.is_empty() {
         return found;
     }
@@ -131,17 +142,16 @@ pub fn words_of(problem: &Problem, variants: u32, set: &str) -> Vec<(usize, Vec<
     found
 }
 
-fn count_word(problem: &Problem, variant: &Variant, question: usize, words: &mut Vec<(&'static str, u64)>) {
+fn count_word(problem: &Problem, variant: &Variant, question: usize, words: &mut Vec<Listed>) {
     let label = problem.questions[question].label;
-    for word in make_key::offered(label.quantity, &problem.cases[variant.case].scene) {
-        if words.iter().all(|(w, _)| w != word) {
-            words.push((word, 0));
-        }
+    let list = make_key::offered(problem, label.quantity, &problem.cases[variant.case].scene);
+    if words.iter().all(|w| w.list != list) {
+        words.extend(list.iter().map(|word| Listed { word, list, right: 0 }));
     }
     if let Some(right) = variant.solved.word(label)
-        && let Some((_, n)) = words.iter_mut().find(|(w, _)| *w == right.text())
+        && let Some(listed) = words.iter_mut().find(|w| w.list == list && w.word == right.text())
     {
-        *n += 1;
+        listed.right += 1;
     }
 }
 

@@ -254,10 +254,11 @@ fn values(problem: &Problem, old: &StoredVariant) -> Result<(usize, Vec<Option<D
 fn solved(problem: &Problem, case: usize, values: &[Option<Decimal>]) -> Result<(Variant, ProblemKey), Why> {
     let variant = make::from_values(problem, case, values).map_err(Why::Refused)?;
     let regime = variant.solved.regime;
-    if !regime.is_one_of(&problem.cases[case].regimes) {
+    let told = &problem.cases[case];
+    if !regime.is_one_of(&told.regimes, &told.scene) {
         return Err(Why::Happens(regime.word()));
     }
-    if let Some(check) = variant.solved.checks.iter().find(|c| !c.ok) {
+    if let Some(check) = variant.solved.failing(&told.regimes) {
         return Err(Why::Happens(format!("{} fails", check.kind.name())));
     }
     let missing = problem.questions.iter().find(|q| match q.label.quantity.is_word() {

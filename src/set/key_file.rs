@@ -166,16 +166,13 @@ fn take(entry: &mut KeyEntry, row: &csv::StringRecord, sealed: bool) -> Result<b
         return other(4);
     }
     match &mut entry.answer {
-        Answer::Word { right, .. } => {
-            let words = make_key::LISTS.into_iter().flatten();
-            match words.into_iter().find(|w| **w == cell(3)) {
-                Some(word) if sealed || word == right => {
-                    same &= word == right;
-                    *right = word;
-                }
-                _ => return other(3),
+        Answer::Word { right, .. } => match make_key::WORDS.into_iter().find(|w| *w == cell(3)) {
+            Some(word) if sealed || word == *right => {
+                same &= word == *right;
+                *right = word;
             }
-        }
+            _ => return other(3),
+        },
         Answer::Number { value, half_width, .. } => {
             for (i, number) in [(3, value), (9, half_width)] {
                 // What is written as it would be now is the same double.

@@ -12,6 +12,7 @@ use crate::bank::node;
 use crate::bank::node::Node;
 use crate::finding::Finding;
 use crate::problem::make::Variant;
+use crate::problem::make_key;
 use crate::sheet::statement;
 use serde::Deserialize;
 use serde::Serialize;
@@ -86,13 +87,18 @@ impl<'b> Writer<'b> {
             for (p, q) in problem.questions.iter().enumerate() {
                 let comma = if p == 0 { "" } else { ",\n  " };
                 // The relative tolerance, not the half-width: that would give the key away.
-                let part = json!({
+                let mut part = json!({
                     "id": q.id,
                     "quantity": q.label.quantity.name(),
                     "unit": q.unit.ascii(),
                     "points": q.points,
                     "tolerance": if q.label.quantity.is_word() { 0.0 } else { variant.within[p] },
                 });
+                // The scene has no regimes: where they leave a list that is not the usual pair, it is said here.
+                let list = make_key::offered(problem, q.label.quantity, &problem.cases[variant.case].scene);
+                if q.label.quantity.is_word() && list.contains(&"stays") {
+                    part["words"] = json!(list);
+                }
                 let _ = write!(out, "{comma}{part}");
             }
             let scene = self.scenes.get(i).and_then(|s| s.get(variant.case)).map_or("null", String::as_str);
@@ -233,6 +239,19 @@ pub struct SheetProblem {
     pub scene: Value,
     /// The drawn data.
     pub data: Map<String, Value>,
+    /// What is asked.
+    #[serde(default)]
+    pub parts: Vec<SheetPart>,
+}
+
+/// One part of a problem of a sheet file.
+#[derive(Debug, Deserialize)]
+pub struct SheetPart {
+    /// Id.
+    pub id: String,
+    /// The words that are offered, where they are not the usual ones.
+    #[serde(default)]
+    pub words: Vec<String>,
 }
 
 impl SheetFile {

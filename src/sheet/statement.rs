@@ -430,16 +430,28 @@ pub fn said<'w>(words: &'w Words, word: &'w str) -> &'w str {
 
 /// How each answer is to be written, with these relative tolerances.
 fn forms(words: &Words, problem: &Problem, scene: &Scene, common: &Common, within: &[f64]) -> Vec<String> {
-    problem.questions.iter().zip(within).map(|(q, within)| form(words, q, scene, common, *within)).collect()
+    let form = |(q, within): (&Question, &f64)| form(words, problem, q, scene, common, *within);
+    problem.questions.iter().zip(within).map(form).collect()
 }
 
 /// How an answer is to be written: `in N, signed or with up / down`.
-fn form(words: &Words, q: &Question, scene: &Scene, common: &Common, within: f64) -> String {
+fn form(
+    words: &Words,
+    problem: &Problem,
+    q: &Question,
+    scene: &Scene,
+    common: &Common,
+    within: f64,
+) -> String {
     let [forward, back] = direction_words(words, scene, q.label.of);
-    if q.label.quantity.is_word()
-        && let [a, b] = make_key::offered(q.label.quantity, scene)
-    {
-        let text = words.say("sheet.one_of_two", &[("a", said(words, a)), ("b", said(words, b))]);
+    if q.label.quantity.is_word() {
+        let list = make_key::offered(problem, q.label.quantity, scene);
+        let said: Vec<&str> = list.iter().map(|word| said(words, word)).collect();
+        let text = match said.as_slice() {
+            [a, b, c] => words.say("sheet.one_of_three", &[("a", a), ("b", b), ("c", c)]),
+            [a, b] => words.say("sheet.one_of_two", &[("a", a), ("b", b)]),
+            _ => String::new(),
+        };
         return range(scene, q).map_or_else(|| text.clone(), |r| format!("{text}, {}", words.get(r)));
     }
     let mut text = match q.unit.ascii() {

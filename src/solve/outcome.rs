@@ -4,7 +4,9 @@ use crate::num::ball;
 use crate::num::gauss::Unsettled;
 use crate::num::ode::Trouble;
 use crate::scene::Coordinate;
+use crate::scene::End;
 use crate::scene::Label;
+use crate::scene::Scene;
 use crate::solve::method::Method;
 
 /// What really happens, in the words that scripts rely on ([`Regime::word`]).
@@ -99,8 +101,19 @@ impl Regime {
             && declared.iter().any(|word| self.motion.is_called(word))
     }
     /// Is it what a problem declares by these words? Any motion is where it declares none, save slip of what is said to roll.
-    pub fn is_one_of(self, declared: &[String]) -> bool {
-        !self.slips && (declared.is_empty() || declared.iter().any(|word| self.motion.is_called(word)))
+    ///
+    /// An end that is the turning point is always reached, `ok`, and is the turning point: both words are right.
+    pub fn is_one_of(self, declared: &[String], scene: &Scene) -> bool {
+        let there = match (&scene.end, self.motion) {
+            (End::TurningPoint(_), Motion::UpOk) => Motion::UpTurningPoint,
+            (End::TurningPoint(_), Motion::DownOk) => Motion::DownTurningPoint,
+            (End::TurningPoint(_), Motion::ForwardOk) => Motion::ForwardTurningPoint,
+            (End::TurningPoint(_), Motion::BackOk) => Motion::BackTurningPoint,
+            (End::TurningPoint(_), Motion::SwingsOk) => Motion::SwingsTurningPoint,
+            (_, motion) => motion,
+        };
+        let is = |word: &String| self.motion.is_called(word) || there.is_called(word);
+        !self.slips && (declared.is_empty() || declared.iter().any(is))
     }
 }
 
@@ -306,8 +319,13 @@ impl Solved {
     }
     /// The same where a problem declares these regimes: what is declared to stay need not move.
     pub fn holds_as(&self, declared: &[String]) -> bool {
+        self.failing(declared).is_none()
+    }
+    /// The first check that fails where a problem declares these regimes.
+    pub fn failing(&self, declared: &[String]) -> Option<&Check> {
         let stays = self.regime.stays_as(declared);
-        self.checks.iter().all(|c| c.ok || stays && (c.kind == CheckKind::Moves || c.idles()))
+        let idle = |c: &&Check| stays && (c.kind == CheckKind::Moves || c.idles());
+        self.checks.iter().find(|c| !c.ok && !idle(c))
     }
 }
 
