@@ -32,6 +32,7 @@ use crate::sheet::page::Sheets;
 use crate::sheet::statement;
 use crate::solution;
 use crate::solution::stop::Beyond;
+use crate::solve::outcome::Motion;
 use crate::words::Words;
 use rayon::prelude::*;
 
@@ -374,8 +375,9 @@ pub fn short_page(problem: &Problem, case: usize, what: Beyond) -> String {
         "" => String::new(),
         name => format!(" of the case `{name}`"),
     };
+    let report = if what.is_fault() { "; that is a fault of slipstick, please report it" } else { "" };
     format!(
-        "the worked solution{case} is a short page with data and answers: it does not cover {}",
+        "the worked solution{case} is a short page with data and answers: it does not cover {}{report}",
         what.text(&Words::english())
     )
 }
@@ -410,7 +412,10 @@ pub fn tried(bank: &Bank, texts: &Texts, problems: &[usize]) -> Result<Tried, Ve
                 Ok((_, None)) => {}
                 Ok((_, Some(what))) => {
                     let what = short_page(problem, variant.case, what);
-                    out.notes.push(Note { problem: problem.id.clone(), what });
+                    let note = Note { problem: problem.id.clone(), what };
+                    if !out.notes.contains(&note) {
+                        out.notes.push(note);
+                    }
                 }
                 Err(fault) if out.unsolved.contains(&fault) => {}
                 Err(fault) => out.unsolved.push(fault),
@@ -436,16 +441,23 @@ fn add_formulas(findings: &mut Vec<Finding>, problem: &Problem, texts: &Texts, m
     }
 }
 
-/// A variant of each case that 64 draws meet; fewer if a draw cannot be made.
+/// A variant of each case that 64 draws meet, one that moves and one that stays where both are declared; fewer if a draw cannot
+/// be made.
 fn one_of_each_case(problem: &Problem, bank: &str) -> Vec<Variant> {
     let maker = Maker::new(problem, 1, bank);
     let mut variants: Vec<Variant> = Vec::new();
+    let may_stay = |regimes: &[String]| {
+        [Motion::Balanced, Motion::Rest].iter().any(|m| regimes.iter().any(|word| m.is_called(word)))
+    };
+    let kinds = |regimes: &[String]| 1 + usize::from(regimes.len() > 1 && may_stay(regimes));
+    let wanted: usize = problem.cases.iter().map(|c| kinds(&c.regimes)).sum();
     for student in 0..64 {
-        if variants.len() == problem.cases.len() {
+        if variants.len() == wanted {
             break;
         }
         let Ok(variant) = maker.variant(&format!("text {student}")) else { break };
-        if variants.iter().all(|v| v.case != variant.case) {
+        let kind = |v: &Variant| (v.case, v.solved.regime.stays());
+        if variants.iter().all(|v| kind(v) != kind(&variant)) {
             variants.push(variant);
         }
     }

@@ -198,7 +198,7 @@ fn solution(problem: &Problem, variant: &Variant, key: &ProblemKey, words: &Word
     // The conditions are told in English only.
     if words.language() == "en" {
         for check in &variant.solved.checks {
-            io.line(&format!("  because {}", words::check(scene, check)));
+            io.line(&format!("  because {}", words::check(scene, &variant.solved.checks, check)));
         }
     }
 }

@@ -64,11 +64,9 @@ fn solutions(args: &args::Solutions, io: &mut Io) -> Result<(), Vec<Finding>> {
             let (of_one, beyond) = solution::worked(problem, variant, i + 1, words, &texts.templates)?;
             append(&mut whole, of_one, i + 1);
             if let Some(what) = beyond {
-                short.push(format!(
-                    "problems.{}: {}",
-                    problem.id,
-                    lint::short_page(problem, variant.case, what)
-                ));
+                let word = if what.is_fault() { "warning" } else { "note" };
+                let page = lint::short_page(problem, variant.case, what);
+                short.push(format!("{word}: problems.{}: {page}", problem.id));
             }
         }
         let mut made = output.make(at, head, whole, &mut Converter::new(words))?;
@@ -118,7 +116,7 @@ fn solutions(args: &args::Solutions, io: &mut Io) -> Result<(), Vec<Finding>> {
         *told.entry(text).or_default() += 1;
     }
     for (text, students) in told {
-        io.note(&format!("note: {text} (for {})", tell::count(students, "student")));
+        io.note(&format!("{text} (for {})", tell::count(students, "student")));
     }
     Ok(())
 }

@@ -349,7 +349,7 @@ fn json(problem: &Problem, case: usize, solved: &Solved, taken: &Taken) -> Strin
     );
     for (i, check) in solved.checks.iter().enumerate() {
         let comma = if i == 0 { "" } else { "," };
-        let detail = string(&words::check(scene, check));
+        let detail = string(&words::check(scene, &solved.checks, check));
         let _ = write!(
             out,
             "{comma}\n    {{\"name\": \"{}\", \"ok\": {}, \"detail\": {detail}}}",
@@ -464,7 +464,8 @@ pub fn regime(problem: &Problem, case: usize, solved: &Solved, holds: bool) -> S
     }
     for check in &solved.checks {
         let mark = if check.ok { "holds" } else { "FAILS" };
-        let _ = writeln!(out, "  {mark}  {}: {}", check.kind.name(), words::check(scene, check));
+        let _ =
+            writeln!(out, "  {mark}  {}: {}", check.kind.name(), words::check(scene, &solved.checks, check));
     }
     out
 }

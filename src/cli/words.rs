@@ -49,16 +49,19 @@ fn of_tie(scene: &Scene, index: usize) -> String {
 }
 
 /// How far a condition looks, where the forces change on the way.
-fn looks(scene: &Scene) -> &'static str {
+fn looks(scene: &Scene, all: &[Check]) -> &'static str {
+    // Where it never turns there is no turning point to speak of.
+    let endless = all.iter().any(|c| c.kind == CheckKind::Reaches && c.available.is_infinite());
     match (scene.spring(), scene.span) {
         (None, _) => "",
         (Some(_), Span::ToEnd) => " up to the end that is asked",
+        (Some(_), Span::ToTurningPoint) if endless => " over the whole motion",
         (Some(_), Span::ToTurningPoint) => " up to the turning point",
     }
 }
 
-/// One condition in words with its numbers.
-pub fn check(scene: &Scene, c: &Check) -> String {
+/// One condition of `all` in words with its numbers.
+pub fn check(scene: &Scene, all: &[Check], c: &Check) -> String {
     let (required, available) = (figures(c.required), figures(c.available));
     match c.kind {
         // What moves already needs no drive to set it going; a start speed may be 0.
@@ -93,12 +96,12 @@ pub fn check(scene: &Scene, c: &Check) -> String {
         CheckKind::NoSlip if c.ok => format!(
             "the {} holds without slipping{}: needs {required} N of friction, mu_s N = {available} N",
             of_tie(scene, c.of),
-            looks(scene)
+            looks(scene, all)
         ),
         CheckKind::NoSlip => format!(
             "the {} slips: rolling{} needs {required} N of friction, mu_s N = {available} N is available",
             of_tie(scene, c.of),
-            looks(scene)
+            looks(scene, all)
         ),
         CheckKind::MustSlip if c.ok => format!(
             "the {} slips: rolling would need {available} N of friction, more than mu_s N = {required} N",
@@ -116,7 +119,7 @@ pub fn check(scene: &Scene, c: &Check) -> String {
             body(scene, c.of)
         ),
         CheckKind::Taut if c.ok => {
-            format!("{} is taut{} with {available} N", of_tie(scene, c.of), looks(scene))
+            format!("{} is taut{} with {available} N", of_tie(scene, c.of), looks(scene, all))
         }
         CheckKind::Taut => {
             format!(
@@ -514,7 +517,7 @@ mod tests {
         };
         let moves = |available: f64, required: f64| {
             let kind = CheckKind::Moves;
-            check(&scene, &Check { kind, of: 0, ok: true, required, available, margin: 1.0 })
+            check(&scene, &[], &Check { kind, of: 0, ok: true, required, available, margin: 1.0 })
         };
         // Without a drive only a speed of its own can move it.
         assert!(moves(0.0, 3.0).contains("a speed of its own"));

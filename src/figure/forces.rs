@@ -98,6 +98,8 @@ struct Kinetic {
 struct Diagram<'a> {
     forces: Vec<Force>,
     couples: Vec<Turning>,
+    /// What acts at the axle of a body without a mass, its own weight included: not known, so not drawn.
+    unknown: Option<Force>,
     kinetic: Kinetic,
     centre: V,
     /// Pixels per metre.
@@ -138,7 +140,11 @@ pub fn resultants(
         all
     };
     let kinetic = &diagram.kinetic;
-    Some((sum(&diagram.forces, &mut diagram.couples.iter()), sum(&kinetic.parts, &mut kinetic.turn.iter())))
+    let mut left = sum(&diagram.forces, &mut diagram.couples.iter());
+    if let Some(f) = &diagram.unknown {
+        left.force = add(left.force, mul(f.towards, f.value));
+    }
+    Some((left, sum(&kinetic.parts, &mut kinetic.turn.iter())))
 }
 
 fn diagram<'a>(view: &'a View<'a>, body: usize) -> Option<Diagram<'a>> {
@@ -226,10 +232,14 @@ fn moving<'a>(view: &'a View<'a>, body: usize) -> Option<Diagram<'a>> {
             label: moment(view, c),
         })
         .collect();
+    let mut unknown = None;
+    if this.massless() {
+        forces.remove(0);
+    }
     if this.line.is_none() {
         // The axle holds the sum of all others.
         let sum = forces.iter().fold((0.0, 0.0), |s, f| add(s, mul(f.towards, f.value)));
-        forces.push(Force {
+        let axle = Force {
             at: p.centre,
             value: size(sum),
             towards: unit(mul(sum, -1.0)),
@@ -238,7 +248,12 @@ fn moving<'a>(view: &'a View<'a>, body: usize) -> Option<Diagram<'a>> {
             push: false,
             most: LONGEST,
             aside: (0.0, 0.0),
-        });
+        };
+        if this.massless() {
+            unknown = Some(axle);
+        } else {
+            forces.push(axle);
+        }
     }
     let mut parts = Vec::new();
     if this.line.is_some() {
@@ -277,7 +292,15 @@ fn moving<'a>(view: &'a View<'a>, body: usize) -> Option<Diagram<'a>> {
             board.dot(p.centre);
         }
     };
-    Some(Diagram { forces, couples, kinetic, centre, scale: plan.scale * ratio, body: Box::new(draw) })
+    Some(Diagram {
+        forces,
+        couples,
+        unknown,
+        kinetic,
+        centre,
+        scale: plan.scale * ratio,
+        body: Box::new(draw),
+    })
 }
 
 /// What the solver found of a body; 0 where it found nothing.
@@ -531,7 +554,7 @@ fn swinging<'a>(view: &'a View<'a>, body: usize, pin: &Pin) -> Diagram<'a> {
         }
     };
     let kinetic = Kinetic { parts, turn, round: 27.0 };
-    Diagram { forces, couples, kinetic, centre: g, scale: hung.scale, body: Box::new(draw) }
+    Diagram { forces, couples, unknown: None, kinetic, centre: g, scale: hung.scale, body: Box::new(draw) }
 }
 
 /// Both diagrams with the sign between them.
@@ -559,6 +582,16 @@ fn equation(view: &View, diagram: &Diagram, desc: &mut Vec<String>) -> Board {
     tell(view, forces, couples, kinetic, desc);
     let free = if scale.is_some() { "scale" } else { "free" };
     desc.push(view.words.get(&format!("figure.forces.{free}")).to_owned());
+    let mut captions = Vec::new();
+    if scale.is_none() {
+        captions.push("figure.forces.caption");
+    }
+    if diagram.unknown.is_some() {
+        captions.push("figure.forces.caption_axle");
+        desc.push(view.words.get("figure.forces.axle").to_owned());
+    }
+    let captions: Vec<_> =
+        captions.iter().map(|name| symbol::upright(view.words.get(name).replace(' ', "\u{a0}"))).collect();
     let (mine, theirs) = (one.frame(), two.frame());
     if let (Some(f), Some(h)) = (mine, theirs) {
         let wide = 58.0;
@@ -569,10 +602,9 @@ fn equation(view: &View, diagram: &Diagram, desc: &mut Vec<String>) -> Board {
         // The sign comes first: all other labels make room for it.
         equals.put(one);
         equals.put(two);
-        if let (None, Some(all)) = (scale, equals.frame()) {
-            let text = view.words.get("figure.forces.caption").replace(' ', "\u{a0}");
+        if let (false, Some(all)) = (captions.is_empty(), equals.frame()) {
             equals.wish_for(Wish {
-                rows: vec![symbol::upright(text)],
+                rows: captions,
                 size: CAPTION,
                 role: Role::Dot,
                 spots: vec![((middle.0, all.1), (0.0, -1.0))],

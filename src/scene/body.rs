@@ -28,6 +28,13 @@ impl Body {
     pub fn spins(&self) -> bool {
         self.turns && self.particles.is_empty()
     }
+    /// Has it no mass of its own? On a fixed axle a given moment of inertia says all, and a mass beside it is refused.
+    pub fn massless(&self) -> bool {
+        self.line.is_none()
+            && self.pin.is_none()
+            && self.particles.is_empty()
+            && matches!(self.inertia, Some(RotaryInertia::Moment(_)))
+    }
 }
 
 /// Mass of a body.

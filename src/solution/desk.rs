@@ -132,9 +132,9 @@ impl<'a> Desk<'a> {
             let again = if shown == printed { String::new() } else { format!(" = {shown}") };
             // At an instant of bodies on lines nothing falls; a pin carries weight even then, and a weight that is given needs g.
             let weighs = |b: &Body| b.pin.is_some() || matches!(b.mass, Mass::Weight(_));
-            let idle = desk.scene.end == End::AtOnce
-                && desk.scene.gravity_m_s2 == Num::Datum(i)
-                && !desk.scene.bodies.iter().any(weighs);
+            let bodies = &desk.scene.bodies;
+            let falls = desk.scene.end != End::AtOnce && !bodies.iter().all(Body::massless);
+            let idle = desk.scene.gravity_m_s2 == Num::Datum(i) && !falls && !bodies.iter().any(weighs);
             if !idle {
                 desk.told.push(format!("{} = {printed}{again}", datum.tex));
             }
@@ -258,16 +258,6 @@ impl<'a> Desk<'a> {
     /// Is this label asked?
     pub fn asks_label(&self, label: Label) -> bool {
         self.problem.questions.iter().any(|q| q.label == label)
-    }
-
-    /// A finding about the solution of this problem.
-    pub fn fault(&self, what: impl Into<String>) -> Finding {
-        let case = &self.problem.cases[self.variant.case];
-        let field = match case.name.as_str() {
-            "" => format!("problems.{}", self.problem.id),
-            name => format!("problems.{}.cases.{name}", self.problem.id),
-        };
-        Finding::new(field, what)
     }
 }
 

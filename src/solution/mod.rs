@@ -1,5 +1,5 @@
 //! Worked solutions: both roads in symbols and numbers, from the scene's own terms. A third derivation beside the two that
-//! make the key: a solution whose numbers are not those of the key is refused, never printed.
+//! make the key: a solution whose numbers are not those of the key is never printed, a short page stands in its place.
 //!
 //! A derivation works on a [`desk::Desk`]: it writes its sections and says what it has found on which road. The sections, by
 //! id, in the order of the text:
@@ -59,7 +59,7 @@ const AGREEMENT_REL: f64 = 1e-9;
 /// The worked solution of a variant that has this number in its sheet.
 ///
 /// # Errors
-/// Numbers that are not those of the key, faults of the template.
+/// Faults of the template.
 pub fn document(
     problem: &Problem,
     variant: &Variant,
@@ -132,7 +132,9 @@ fn made(
         }
     }
     let mut last = Section::new("answers", words.get("solution.title.answers"));
-    last.say(words.get("solution.answers"));
+    if beyond.is_none() {
+        last.say(words.get("solution.answers"));
+    }
     last.blocks.push(Block::List(answers.iter().map(|(id, answer)| format!("`{id}`: {answer}")).collect()));
     sections.push(last);
     sections.sort_by_key(|s| rank(s.id));
@@ -213,7 +215,6 @@ fn rank(id: &str) -> u8 {
 
 /// Is every question answered, and every number that of the key?
 fn check(desk: &Desk) -> Result<(), Stop> {
-    let name = |label: Label| desk.scene.name_of(label);
     for q in &desk.problem.questions {
         if !desk.found.iter().any(|f| f.label == q.label && (f.eom.is_some() || f.energy.is_some())) {
             return Err(Beyond::Quantity(q.label.quantity).into());
@@ -233,24 +234,14 @@ fn check(desk: &Desk) -> Result<(), Stop> {
                         return Err(Beyond::Unfound.into());
                     }
                     if !(here - key).abs().le(&(AGREEMENT_REL * scale)) {
-                        let fault = desk.fault(format!(
-                            "the worked solution finds {} = {here:e}, the key has {key:e}: it is not printed",
-                            name(found.label)
-                        ));
-                        return Err(fault.into());
+                        return Err(Beyond::Differs(found.label.quantity).into());
                     }
                 }
                 Answer::Word(word) => {
                     if let Some(key) = desk.variant.solved.word(found.label)
                         && key != word
                     {
-                        let fault = desk.fault(format!(
-                            "the worked solution finds {}: {}, the key has {}: it is not printed",
-                            name(found.label),
-                            word.text(),
-                            key.text()
-                        ));
-                        return Err(fault.into());
+                        return Err(Beyond::Differs(found.label.quantity).into());
                     }
                 }
             }

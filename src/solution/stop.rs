@@ -44,6 +44,8 @@ macro_rules! beyond {
             $(#[doc = concat!("`", $name, "`")] $variant,)*
             /// A quantity that they do not find.
             Quantity(Quantity),
+            /// A quantity of which they find another value than the key: a fault of a derivation.
+            Differs(Quantity),
         }
         impl Beyond {
             /// All but the quantities.
@@ -52,6 +54,7 @@ macro_rules! beyond {
                 match self {
                     $(Beyond::$variant => $name,)*
                     Beyond::Quantity(_) => "quantity",
+                    Beyond::Differs(_) => "differs",
                 }
             }
         }
@@ -99,10 +102,15 @@ beyond! {
 }
 
 impl Beyond {
+    /// Is it a fault of this program, worth reporting?
+    pub const fn is_fault(self) -> bool {
+        matches!(self, Self::Differs(_))
+    }
+
     /// In words: `a slipping wheel with other bodies`.
     pub fn text(self, words: &Words) -> String {
         let name = match self {
-            Self::Quantity(q) => {
+            Self::Quantity(q) | Self::Differs(q) => {
                 let way = words.get("solution.way.forward");
                 words.say(&format!("solution.name.{}", q.name()), &[("way", way)])
             }
@@ -119,7 +127,11 @@ mod tests {
     #[test]
     fn everything_that_is_not_covered_has_words() {
         for words in Words::languages().filter_map(Words::of) {
-            for what in Beyond::ALL.iter().copied().chain([Beyond::Quantity(Quantity::V)]) {
+            for what in Beyond::ALL
+                .iter()
+                .copied()
+                .chain([Beyond::Quantity(Quantity::V), Beyond::Differs(Quantity::V)])
+            {
                 assert!(what.text(&words).len() > 9, "{what:?}");
             }
         }

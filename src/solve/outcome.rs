@@ -95,10 +95,13 @@ impl Regime {
     pub fn they(self) -> String {
         if self.slips { "slip where they are said to roll".to_owned() } else { self.motion.they().to_owned() }
     }
+    /// Does it stay?
+    pub const fn stays(self) -> bool {
+        matches!(self.motion, Motion::Balanced | Motion::Rest)
+    }
     /// Does it stay, and does a problem declare that by these words?
     pub fn stays_as(self, declared: &[String]) -> bool {
-        matches!(self.motion, Motion::Balanced | Motion::Rest)
-            && declared.iter().any(|word| self.motion.is_called(word))
+        self.stays() && declared.iter().any(|word| self.motion.is_called(word))
     }
     /// Is it what a problem declares by these words? Any motion is where it declares none, save slip of what is said to roll.
     ///

@@ -139,7 +139,7 @@ impl Mechanism {
     /// What the derivation does not cover.
     pub fn new(desk: &mut Desk, rolled: bool) -> Result<Self, Stop> {
         let lead = desk.scene.ending_coordinate();
-        let g = desk.number(desk.scene.gravity_m_s2, "g", "m/s^2");
+        let g = gravity(desk);
         let parts = parts(desk, rolled);
         let mut this = Self { parts, actions: Vec::new(), lead, g, weighty: false };
         this.act(desk, rolled);
@@ -449,7 +449,7 @@ impl Mechanism {
 /// The bodies with their unknowns, before anything ties them.
 pub fn parts(desk: &mut Desk, rolled: bool) -> Vec<Part> {
     let scene = desk.scene;
-    let g = desk.number(scene.gravity_m_s2, "g", "m/s^2");
+    let g = gravity(desk);
     let mut parts = Vec::new();
     let tags = tags(scene);
     let count = |has: &dyn Fn(&Body) -> bool| scene.bodies.iter().filter(|b| has(b)).count();
@@ -551,7 +551,18 @@ fn mass_of(desk: &mut Desk, mass: &Mass, g: &Expr, tag: &str) -> Expr {
     }
 }
 
+/// g, told only where something has a weight.
+fn gravity(desk: &mut Desk) -> Expr {
+    if desk.scene.bodies.iter().all(Body::massless) {
+        return ZERO;
+    }
+    desk.number(desk.scene.gravity_m_s2, "g", "m/s^2")
+}
+
 fn mass(desk: &mut Desk, body: &Body, g: &Expr, tag: &str) -> Factors {
+    if body.massless() {
+        return Factors::zero();
+    }
     Factors::of(&match (&body.mass, &body.inertia) {
         (Mass::OfParts, Some(RotaryInertia::Parts(parts))) => {
             sum(parts.iter().map(|p| mass_of(desk, &p.mass, g, tag)).collect::<Vec<_>>())

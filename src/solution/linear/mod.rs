@@ -8,6 +8,7 @@ pub mod regime;
 pub mod walk;
 
 use crate::scene::End;
+use crate::scene::Far;
 use crate::scene::Owner;
 use crate::scene::Quantity;
 use crate::scene::Tie;
@@ -32,6 +33,9 @@ use crate::solution::way;
 pub fn sections(desk: &mut Desk) -> Result<(), Stop> {
     if desk.scene.end == End::AtOnce {
         return instant::write(desk);
+    }
+    if desk.variant.solved.regime.stays() {
+        return Err(Beyond::NothingMoves.into());
     }
     forces(desk);
     let slips: Vec<usize> =
@@ -90,7 +94,11 @@ fn forces(desk: &mut Desk) {
         let way = way(desk.scene, Owner::Body(*first), 1.0).map_or("", |w| desk.words.get(w));
         text.push(desk.say("solution.signs_friction", &[("way", way)]));
     }
-    if desk.scene.bodies.iter().any(|b| b.turns && b.line.is_none()) {
+    let related = desk.scene.ties.iter().any(|t| match t {
+        Tie::Cord(cord) => matches!(cord.to, Far::Body(_) | Far::Fixed),
+        Tie::Roll { .. } | Tie::Slip { .. } | Tie::Slide { .. } => false,
+    });
+    if related && desk.scene.bodies.iter().any(|b| b.turns && b.line.is_none()) {
         text.push(desk.say("solution.signs_axle", &[]));
     }
     section.say(text.join(" "));

@@ -787,10 +787,25 @@ impl<'d, 'a> Walk<'d, 'a> {
             let size = self.size(most.friction);
             return Ok(self.found_now(label, symbol, &quotient(size, n.into())));
         }
-        let f = self.get(of_body(Quantity::Friction, body))?;
-        self.tell("grip.least", &[]);
+        // Kinetic friction says nothing of the grip that rolling needs.
+        let rolling = if self.m.parts[body].slips { self.if_rolled(body) } else { None };
+        let (f, name) = match rolling {
+            Some(f) => (f, "grip.least_rolling"),
+            None => (self.get(of_body(Quantity::Friction, body))?, "grip.least"),
+        };
+        self.tell(name, &[]);
         let size = self.size(f.into());
         Ok(self.found_now(label, symbol, &quotient(size, n.into())))
+    }
+
+    /// The friction that rolling would need, as this road found it before.
+    fn if_rolled(&self, body: usize) -> Option<Symbol> {
+        let label = of_body(Quantity::FrictionIfRolled, body);
+        let found = self.desk.found.iter().find(|f| f.label == label)?;
+        match if self.road == Road::Motion { found.eom? } else { found.energy? } {
+            Answer::Value(symbol) => Some(symbol),
+            Answer::Word(_) => None,
+        }
     }
 
     /// Friction at release and at the far end of the motion, for a wheel on a spring.
