@@ -14,6 +14,10 @@ fn signed_quantity(text: &[u8]) -> bool {
         let exponent = digits(&more[signed..]);
         if exponent > 0 {
             at += 1 + signed + exponent;
+            // `1e5cmd` begins like a number and is none.
+            if rest.get(at).is_some_and(u8::is_ascii_alphanumeric) {
+                return false;
+            }
         }
     }
     let unit = rest[at..].trim_ascii_start();
@@ -149,6 +153,8 @@ mod tests {
             "-1e5/A1",
             "-1e+5/A1",
             "+cmd|x",
+            "+1e5cmd",
+            "-1E-5x y",
             "-",
             "+",
             "-5%/A1",

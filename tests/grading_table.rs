@@ -377,7 +377,7 @@ const TABLE: &[(&str, &str, &str, &str)] = &[
     ("1.25 m 1.25 m", "reach", "unreadable", "more than one number"),
     ("4 m 0.1 m", "reach", "unreadable", "more than one number"),
     ("62 N 600 mN", "friction", "unreadable", "more than one number"),
-    ("4 ft 13 in", "reach", "unreadable", "more than one number"),
+    ("4 ft 13 in", "reach", "unreadable", "13 in is 1 ft or more"),
     ("4.1 ft 3 in", "reach", "unreadable", "more than one number"),
     ("1.2 in 4 ft", "reach", "unreadable", "more than one number"),
     ("4 ft 3 N", "reach", "unreadable", ""),
@@ -385,6 +385,27 @@ const TABLE: &[(&str, &str, &str, &str)] = &[
     ("-62.6 N down", "friction", "unreadable", "62.6 N down or 62.6 N up"),
     ("-62,6 N hinauf", "friction", "unreadable", "62.6 N up or 62.6 N down"),
     ("- 62.6 forward", "friction", "unreadable", "62.6 forward or 62.6 back"),
+    // what is missing or may be another number is named; before, these fell to whatever reason came first
+    ("5-", "v", "unreadable", "nothing stands behind `-`"),
+    ("0.25 -", "mu", "unreadable", "nothing stands behind `-`"),
+    ("12 ±", "torque", "unreadable", "nothing stands behind `±`"),
+    (">= 0.25", "mu", "unreadable", "a bound is no number"),
+    ("≥0.25", "mu", "unreadable", "a bound is no number"),
+    ("mu < 0.25", "mu", "unreadable", "a bound is no number"),
+    ("1.25 ± 2 %", "v", "right", "what follows ±"),
+    ("30.3 /s", "omega", "right", ""),
+    ("4.5 /s^2", "alpha", "right", ""),
+    ("12 /s", "torque", "wrong dimension", "found 1/s"),
+    ("12·71 m", "reach", "unreadable", "the raised dot may be"),
+    ("0x10", "v", "unreadable", "`0x` begins another one"),
+    ("0x0C", "v", "unreadable", "`0x` begins another one"),
+    ("4'", "reach", "unreadable", "write ft or in"),
+    ("12.63\"", "reach", "unreadable", "write ft or in"),
+    ("4' 3", "reach", "unreadable", "write ft or in"),
+    ("4.816 rps", "omega", "unreadable", "did you mean `rev/s`?"),
+    ("perhaps", "direction", "unreadable", "no known word; write one of"),
+    ("62.6 N -down", "friction", "unreadable", "not one direction"),
+    ("62.6 N - down", "friction", "wrong direction", ""),
     // neither
     ("", "omega", "blank", "nothing written"),
     ("  \u{a0} ", "omega", "blank", ""),
@@ -666,7 +687,7 @@ fn a_quote_left_open_swallows_no_answer() {
     line,column,student,problem,part,answer,verdict,points,max_points,reason,methods,slip,credit,submitted_at
     2,,b,1,omega,"""30.3",unreadable,0,1,a quote opened on line 2 is not closed there,,,,
     3,,b,1,friction,62 N,right,1,1,within the tolerance,,,,
-    4,,00123,2,v,"1.25""",unreadable,0,1,"unexpected `\""` at column 1",,,,
+    4,,00123,2,v,"1.25""",unreadable,0,1,"write ft or in, not ' or """,,,,
     5,,b,2,v,"1.25
     m/s",right,1,1,within the tolerance,,,,
     "#);
@@ -784,7 +805,7 @@ fn form_services_times_and_the_order_of_day_and_month() {
     assert_eq!(timed(b, a, &["1/25/2026 8:00", "25/1/2026 8:00"]), second(1), "contradictory: by row");
     assert_eq!(timed("05.02.2026 9:00", "10.01.2026 9:00", &[]), first);
     // Moodle, spreadsheets and clocks, also mixed.
-    assert_eq!(timed("\"Monday, 29 March 2026, 3:30 PM\"", "29 March 2026 3:29 PM", &[]), first);
+    assert_eq!(timed("\"Sunday, 29 March 2026, 3:30 PM\"", "29 March 2026 3:29 PM", &[]), first);
     assert_eq!(timed("3/29/26 15:30", "3/4/26 15:31", &[]), first, "month first, by the other");
     assert_eq!(timed("46110.645833", "1774798200", &[]), second(0), "15:29:59.97 and 15:30:00");
     assert_eq!(timed("29.03.2026 17:30 CEST", "29.03.2026 15:29 UTC", &[]), first);
@@ -892,6 +913,23 @@ fn what_is_no_csv_is_named() {
         let faults = slipstick::answer::roster::roster(&bytes).unwrap_err();
         assert!(faults.len() == 1 && faults[0].message.contains(name), "{name}: {faults:?}");
     }
+}
+
+/// Tests had columns of points whose header ended like the part's own, none of remarks in other words; and no file with more
+/// columns than are shown.
+#[test]
+fn a_column_of_remarks_is_no_second_answer_and_a_long_list_says_how_long_it_is() {
+    let graded = run("student,Q1 1.omega,Comments on 1.omega\nb,30.3,hard\n");
+    assert!(graded.contains("30.3,right") && !graded.contains("hard"), "{graded}");
+    let refused = |text: &str| {
+        let told = run_with(text.as_bytes(), &table(), &Options::default());
+        told.map(|_| ()).map_err(|fault| format!("{fault:?}")).unwrap_err()
+    };
+    let twice = refused("student,Q1 1.omega,Again 1.omega\nb,30.3,30.3\n");
+    assert!(twice.contains("--columns 1.omega="), "{twice}");
+    let many: Vec<String> = (0..300).map(|i| format!("foo{i}")).collect();
+    let told = refused(&format!("student,{}\nb\n", many.join(",")));
+    assert!(told.contains("foo28 | and 271 more"), "{told}");
 }
 
 #[test]

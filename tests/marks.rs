@@ -328,7 +328,7 @@ fn where_a_time_is_unread_and_lateness_matters_the_course_says_what_holds() {
         ("yesterday", "1 answer that counts has no time that can be read (line 2: `yesterday`)"),
         ("", "(line 2: nothing)"),
         ("3/4/2026 10:00", "`dates: day first` or `dates: month first`"),
-        ("2026-03-01 10:00 CST", "(line 2: `2026-03-01 10:00 CST`)"),
+        ("2026-03-01 10:00 CST", "(line 2: `2026-03-01 10:00 CST`, CST means several zones)"),
     ] {
         let row = [format!("ann,1,omega,{omega:.6},{time}")];
         let err = refused(&row, course, head);
@@ -357,6 +357,48 @@ fn where_a_time_is_unread_and_lateness_matters_the_course_says_what_holds() {
         let graded = class.grade(&[row], &format!("dates: {first}\n{course}"));
         assert_eq!(seen(&graded[0]).1, points, "{first}");
     }
+}
+
+/// Tests of lateness wrote a time of day always, so a date alone was midnight, the best of the day for who is late, and nobody
+/// was told; and no weekday of a test contradicted its date.
+#[test]
+fn a_date_without_a_time_of_day_is_no_early_morning() {
+    let class = Class::new();
+    let omega = class.key("ann", "1", "omega");
+    let row = |time: &str| [format!("ann,1,omega,{omega:.6},{time}")];
+    let course = "due: 2026-03-29 15:30\ntime zone: Europe/Berlin\nlate: {penalty: 10 %, per: day, unread: late, at most: 40 %}\n";
+    for (time, points, piece) in [
+        // Due in the middle of that day; a step of lateness in the middle of the next one; the most from then on.
+        ("2026-03-28", "1", "read as 00:00"),
+        ("2026-03-29", "0.6", "taken as late, because it is not known when it came (no time of day"),
+        ("46110", "0.6", "no time of day"),
+        ("2026-03-30", "0.6", "no time of day"),
+        ("2026-04-20", "0.6", "read as 00:00"),
+        ("\"Monday, 29 March 2026, 3:30 PM\"", "0.6", "the day of the week does not fit the date"),
+        ("\"Sunday, 29 March 2026, 3:30 PM\"", "1", "within the tolerance"),
+        ("2026-03-29 15:00 CST", "0.6", "CST means several time zones"),
+        ("20260329T133000Z", "1", "within the tolerance"),
+        ("20260329T133101Z", "0.9", "late"),
+        ("3-29-2026 15:30", "1", "within the tolerance"),
+        ("2026-03-29 15h31", "0.9", "late"),
+    ] {
+        let graded = class.grade(&row(time), course);
+        assert_eq!(graded[0]["points"], points, "{time}: {graded:?}");
+        assert!(graded[0]["reason"].contains(piece), "{time}: {graded:?}");
+    }
+    let closes = course.replace("penalty: 10 %", "closes: 2026-04-02 12:00");
+    for (time, points) in [("2026-04-01", "1"), ("2026-04-02", "0"), ("2026-04-03", "0")] {
+        let graded = class.grade(&row(time), &closes);
+        let unread = graded[0]["reason"].contains("not known when it came");
+        assert_eq!(
+            (graded[0]["points"].as_str(), unread),
+            (points, time == "2026-04-02"),
+            "{time}: {graded:?}"
+        );
+    }
+    // Lateness costs nothing: a date is as good as a time.
+    let graded = class.grade(&row("2026-03-29"), "due: 2026-03-29 15:30\n");
+    assert_eq!(graded[0]["reason"], "within the tolerance");
 }
 
 #[test]

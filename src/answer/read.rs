@@ -85,6 +85,8 @@ pub enum Note {
     About,
     /// `clockwise`, `ccw` or the like stood after it.
     Turning,
+    /// The number has no unit and its uncertainty is in per cent: where a pure number is asked, both may be.
+    PerCent,
 }
 
 /// A number as it was written.
@@ -172,6 +174,23 @@ pub enum Why {
     },
     /// `yes`, `no` or `stays` after a number, or two directions.
     OddWord,
+    /// Nothing stands behind a sign: `5-`, `12 ±`.
+    Lacking(char),
+    /// `>= 0.42`.
+    Bound,
+    /// `12·71`: a point or a product.
+    Dot,
+    /// `0x10`.
+    Hex,
+    /// `12'`, `4' 3`: the signs for feet and inches alone.
+    Prime,
+    /// `3 ft 14 in`: the smaller part holds a whole larger unit.
+    Full {
+        /// As it is written.
+        part: String,
+        /// The larger unit.
+        whole: String,
+    },
     /// What follows the number is no unit.
     Unit(UnitFault),
 }
@@ -336,6 +355,9 @@ fn general(plain: &Plain, units: &mut UnitCache) -> Result<Reading, Why> {
     if plain.text.is_empty() {
         return Ok(Reading::Blank);
     }
+    if plain.text.contains(['<', '>', '≥', '≤', '⩾', '⩽']) {
+        return Err(Why::Bound);
+    }
     let text = after_symbol(&plain.text)?.replace("+/-", "±").replace("+-", "±");
     let (text, bracketed) = without_brackets(&text);
     let text = text.trim_start_matches(['~', '\u{2248}', '\u{2243}', ' ']);
@@ -361,6 +383,9 @@ fn general(plain: &Plain, units: &mut UnitCache) -> Result<Reading, Why> {
             return Err(Why::NoNumber);
         }
     }
+    if let Some(why) = looks_like(text) {
+        return Err(why);
+    }
     let read = quantity(text, units)?;
     if let Some(after) = read.word {
         if word.is_some_and(|w| w != after) {
@@ -385,6 +410,7 @@ fn general(plain: &Plain, units: &mut UnitCache) -> Result<Reading, Why> {
         (read.uncertain, Note::Uncertainty),
         (about, Note::About),
         (turning, Note::Turning),
+        (read.per_cent, Note::PerCent),
     ];
     let mut number = Number {
         grouped: read.grouped.map(|g| sign * g),
@@ -398,6 +424,31 @@ fn general(plain: &Plain, units: &mut UnitCache) -> Result<Reading, Why> {
         number.otherwise = spelled.otherwise;
     }
     Ok(Reading::Number(number))
+}
+
+/// What looks like a number and is none, or may be another one.
+fn looks_like(text: &str) -> Option<Why> {
+    let body = unsigned(text).1;
+    let digits = |t: &str| t.bytes().take_while(u8::is_ascii_digit).count();
+    if let Some(hex) = body.strip_prefix("0x").or_else(|| body.strip_prefix("0X")) {
+        let power = hex.strip_prefix("10").is_some_and(|t| t.starts_with(['^', '*']) || digits(t) < t.len());
+        if hex.starts_with(|c: char| c.is_ascii_hexdigit()) && !power {
+            return Some(Why::Hex);
+        }
+    }
+    let whole = digits(body);
+    if let Some(behind) = body[whole..].strip_prefix(['·', '\u{22c5}', '\u{2219}'])
+        && whole > 0
+    {
+        let more = digits(behind);
+        let power = more == 2 && behind.starts_with("10");
+        if more > 0 && !power && !behind[more..].starts_with(['.', ',', '/', '^', '*', '·']) {
+            return Some(Why::Dot);
+        }
+    }
+    let last = text.chars().last().filter(|c| matches!(c, '-' | '+' | '±'))?;
+    let raised = text.ends_with("^-") || text.ends_with("^+");
+    (text.contains(|c: char| c.is_ascii_digit()) && !raised).then_some(Why::Lacking(last))
 }
 
 /// Where the bracket closes that opens at the start.
@@ -435,6 +486,8 @@ struct Quantity {
     comma: bool,
     told: bool,
     uncertain: bool,
+    /// See [`Note::PerCent`].
+    per_cent: bool,
     unit: Option<Spelled>,
     word: Option<Word>,
 }
@@ -442,7 +495,7 @@ struct Quantity {
 /// Reads `-12,876.9 mm`, `3/4 m`, `42 ft 3 in`, `34.65 ± 0.1 N`, `(34.65 ± 0.1) N`, `62.6 N up`.
 fn quantity(text: &str, units: &mut UnitCache) -> Result<Quantity, Why> {
     let (negative, body) = unsigned(text);
-    let (mut sign, mut told, mut spread_inside) = (negative, false, false);
+    let (mut sign, mut told, mut spread_inside, mut per_cent) = (negative, false, false, false);
     let (number, behind) = match numeral(body) {
         Err(Why::NoNumber) if body.starts_with('(') => {
             // The number in brackets, its unit behind them.
@@ -500,8 +553,8 @@ fn quantity(text: &str, units: &mut UnitCache) -> Result<Quantity, Why> {
         let (its, way) = split_unit(spread.rest, units)?;
         match (&unit, its) {
             (_, None) => {}
-            // Of `25 ± 1 %` nobody knows what is in per cent.
-            (None, Some(its)) if its.unit.ascii() == "%" => return Err(Why::TwoNumbers),
+            // Of `25 ± 1 %` nobody knows what is in per cent, unless a unit is asked.
+            (None, Some(its)) if its.unit.ascii() == "%" => per_cent = true,
             (None, Some(its)) => unit = Some(its),
             (Some(unit), Some(its)) if unit.unit.agrees(&its.unit) || its.unit.ascii() == "%" => {}
             (Some(_), Some(_)) => return Err(Why::TwoNumbers),
@@ -523,6 +576,7 @@ fn quantity(text: &str, units: &mut UnitCache) -> Result<Quantity, Why> {
         comma: number.comma,
         told: told || number.told,
         uncertain: spread.is_some() || spread_inside,
+        per_cent,
         unit,
         word,
     })
@@ -560,8 +614,13 @@ fn sum<'t>(
         let list = joined.is_some_and(|(by, _)| by != ". ") && whole.unit.by_tens(&unit.unit);
         let customary =
             matches!(whole.unit.dimension().0, [1, 0, 0, 0] | [0, 1, 0, 0] | [0, 0, 1, 0] | [0, 0, 0, 1]);
-        if !larger.1 || less >= one || share >= 1.0 || list || !customary {
+        if !larger.1 || less >= one || list || !customary {
             return Err(Why::TwoNumbers);
+        }
+        if share >= 1.0 {
+            let end = text.len() - behind.len();
+            let whole = larger.0.unit.ascii().to_owned();
+            return Err(Why::Full { part: text[..end].trim().to_owned(), whole });
         }
         value += unit.unit.to_si(next.value) / whole.unit.to_si(1.0);
         larger = (unit, next.whole);
@@ -611,6 +670,15 @@ fn split_unit(rest: &str, units: &mut UnitCache) -> Result<UnitAndWord, Why> {
     if rest.is_empty() {
         return Ok((None, None));
     }
+    if rest.starts_with(['\'', '′', '"', '″']) {
+        return Err(Why::Prime);
+    }
+    // 12 /s
+    if rest.starts_with('/')
+        && let Ok(found) = units.unit(&format!("1{rest}"))
+    {
+        return Ok((Some(found), None));
+    }
     let first_fault = match units.unit(rest) {
         Ok(found) => return Ok((Some(found), None)),
         Err(fault) => fault,
@@ -621,6 +689,14 @@ fn split_unit(rest: &str, units: &mut UnitCache) -> Result<UnitAndWord, Why> {
     let mut fault_before_word = None;
     for cut in cuts {
         let Some(word) = phrase(&rest[cut..]) else { continue };
+        // `155.3 N -down` says the sign and the direction.
+        if rest[cut..]
+            .trim_start_matches([' ', ',', '('])
+            .strip_prefix('-')
+            .is_some_and(|t| !t.starts_with(' '))
+        {
+            return Err(Why::OddWord);
+        }
         let before = rest[..cut].trim_end_matches([',', ' ', ';']);
         if before.is_empty() {
             return Ok((None, Some(word?)));

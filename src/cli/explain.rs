@@ -436,13 +436,21 @@ impl Desk<'_> {
             let _ = write!(text, ", nothing counts after {}", zone.shown(closes));
         }
         let certain = |m: &Moment| m.uncertain.is_none_or(|dotted| self.evidence.decides(dotted));
-        let Some(moment) = zone.read(&row.submitted_at).filter(certain) else {
+        let limits = (due.unwrap_or(i64::MAX), policy.closes_for(self.student).unwrap_or(i64::MAX));
+        let choice = self.evidence.choice();
+        let known =
+            |m: &Moment| certain(m) && !(m.whole_day && policy.hour_matters(limits, m.micros[choice]));
+        let Some(moment) = zone.read(&row.submitted_at).filter(known) else {
             let unread = policy.late.unread.map_or("in time", Unread::as_str);
-            let _ = write!(text, "; when it came cannot be read, so it is taken as {unread}");
+            let doubt = zone.doubt(&row.submitted_at).map_or_else(String::new, |d| format!(" ({d})"));
+            let _ = write!(text, "; when it came cannot be read{doubt}, so it is taken as {unread}");
             return text;
         };
-        let at = moment.micros[self.evidence.choice()];
+        let at = moment.micros[choice];
         let _ = write!(text, "; came {}", zone.shown(at));
+        if moment.whole_day {
+            text.push_str(" (no time of day is written)");
+        }
         match due {
             Some(due) if at > due => {
                 let late = &policy.late;

@@ -40,6 +40,8 @@ pub struct Winner {
     pub(crate) closed: bool,
     /// When it was handed in is not known.
     pub(crate) undated: bool,
+    /// Only the day is known, which is enough.
+    pub(crate) whole_day: bool,
 }
 
 impl Winner {
@@ -52,6 +54,7 @@ impl Winner {
         late: 1.0,
         closed: false,
         undated: false,
+        whole_day: false,
     };
 }
 
@@ -183,6 +186,8 @@ pub(crate) struct Try {
     pub late: f64,
     /// When it was handed in is not known.
     pub undated: bool,
+    /// Only the day is known, which is enough.
+    pub whole_day: bool,
 }
 
 /// The attempts of a student at a part in the order of time, as far as they can matter: with a limit the first so many; for
@@ -221,7 +226,7 @@ impl Ordered {
         class: 0,
         count: 0,
         kept: Vec::new(),
-        last: Try { key: (0, 0), number: f64::NAN, share: 0.0, late: 1.0, undated: false },
+        last: Try { key: (0, 0), number: f64::NAN, share: 0.0, late: 1.0, undated: false, whole_day: false },
         rest: None,
     };
     /// Adds an attempt.
@@ -293,6 +298,7 @@ impl Ordered {
             late: one.late,
             closed: self.class == CLOSED,
             undated: one.undated,
+            whole_day: one.whole_day,
         };
         // The first of each run of equal numbers.
         let same = |a: &Try, b: &Try| a.number.to_bits() == b.number.to_bits() && a.number.is_finite();
@@ -340,7 +346,8 @@ mod tests {
     use proptest::prelude::*;
 
     fn one(time: i64, share: f64) -> Try {
-        Try { key: (time, time.unsigned_abs()), number: share, share, late: 1.0, undated: false }
+        let key = (time, time.unsigned_abs());
+        Try { key, number: share, share, late: 1.0, undated: false, whole_day: false }
     }
 
     /// What the settings mean, said by sorting all attempts.

@@ -136,6 +136,14 @@ impl<'w> Feedback<'w> {
                 return self
                     .fill("feedback.sign_and_word", &[("size", &size), ("way", &way), ("other", &other)]);
             }
+            Why::Lacking(sign) => return self.fill("feedback.lacking", &[("sign", &sign.to_string())]),
+            Why::Bound => "feedback.bound",
+            Why::Dot => "feedback.dot",
+            Why::Hex => "feedback.hex",
+            Why::Prime => "feedback.prime",
+            Why::Full { part, whole } => {
+                return self.fill("feedback.full", &[("part", part), ("whole", whole)]);
+            }
             Why::Unit(fault) => return self.unit(fault),
         }))
     }
@@ -146,8 +154,9 @@ impl<'w> Feedback<'w> {
             UnitFault::Unknown { name, close: Some(close), .. } => {
                 self.fill("feedback.unit_close", &[("name", name), ("close", close)])
             }
-            UnitFault::Unknown { name, column, close: None } => {
-                self.fill("feedback.unit_unknown", &[("name", name), ("column", &column.to_string())])
+            // A column would count in the unit, not in the cell.
+            UnitFault::Unknown { name, close: None, .. } => {
+                self.fill("feedback.unit_unknown", &[("name", name)])
             }
             UnitFault::CaseMatters { name, either } => {
                 let either = either.join(self.get("feedback.unit_or"));
@@ -157,9 +166,9 @@ impl<'w> Feedback<'w> {
                 let either = either.join(self.get("feedback.unit_or"));
                 self.fill("feedback.unit_either", &[("name", name), ("either", &either)])
             }
-            UnitFault::Stray { found, column } => {
+            UnitFault::Stray { found, .. } => {
                 let found = found.escape_debug().to_string();
-                self.fill("feedback.unit_stray", &[("found", &found), ("column", &column.to_string())])
+                self.fill("feedback.unit_stray", &[("found", &found)])
             }
             UnitFault::Exponent { column } => {
                 self.fill("feedback.unit_exponent", &[("column", &column.to_string())])
@@ -231,7 +240,12 @@ mod tests {
         }
         for text in ["", "furlong", "Newtn", "PA", "m/", "m^", "m;", "m^99", &"m".repeat(80)] {
             if let Err(fault) = Unit::parse(text) {
-                assert_eq!(say.unit(&fault), fault.to_string());
+                let shown = fault.to_string();
+                let column = match fault {
+                    UnitFault::Exponent { .. } => None,
+                    _ => shown.find(" at column"),
+                };
+                assert_eq!(say.unit(&fault), shown[..column.unwrap_or(shown.len())]);
             }
         }
         for kind in units::kinds() {

@@ -40,7 +40,11 @@ pub fn judge_with<'w>(
     let (verdict, reason) = match (read(cell, units), &entry.answer) {
         (Reading::Blank, _) => (Verdict::Blank, Cow::Borrowed(say.get("feedback.blank"))),
         (Reading::Unreadable(why), Answer::Word { offered, .. }) => {
-            let pieces = [("why", &*say.why(&why)), ("words", &*say.offered(offered))];
+            let why = match why {
+                Why::NoNumber => Cow::Borrowed(say.get("feedback.no_word")),
+                why => say.why(&why),
+            };
+            let pieces = [("why", &*why), ("words", &*say.offered(offered))];
             (Verdict::Unreadable, say.fill("feedback.write_one_of", &pieces))
         }
         (Reading::Unreadable(why), _) => (Verdict::Unreadable, say.why(&why)),
@@ -108,6 +112,9 @@ fn judge_number<'w>(
         }
         None => &entry.unit,
     };
+    if number.notes.contains(&Note::PerCent) && entry.unit.is_number() {
+        return (Verdict::Unreadable, say.why(&Why::TwoNumbers));
+    }
     let angular = entry.unit.dimension().0[3] != 0 || entry.unit.dimension().0 == [0, 0, -1, 0];
     if number.notes.contains(&Note::Turning) && !angular {
         return (Verdict::Unreadable, say.why(&Why::OddWord));

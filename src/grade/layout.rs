@@ -71,8 +71,16 @@ fn contained(header: &str, table: &KeyTable) -> Option<(String, String, u32)> {
 /// Of several columns for one part that which names it best: told with --columns or with nothing but the part in its header;
 /// or that whose whole header ends the others' (`Points - Problem 2: 2.omega` is about `Problem 2: 2.omega`).
 fn the_best(wide: Vec<WideColumn>) -> Vec<WideColumn> {
+    const REMARKS: [&str; 9] =
+        ["comment", "remark", "feedback", "points", "score", "marks", "kommentar", "bemerkung", "punkte"];
+    let remark = |text: &str| REMARKS.iter().any(|word| text.contains(word));
     let about = |one: &WideColumn, other: &WideColumn| {
         let (one_text, other_text) = (plain_header(&one.header), plain_header(&other.header));
+        // `Comments on 2.v` beside `Q2 2.v`
+        if one.loose && other.loose && one.column == other.column && remark(&one_text) && !remark(&other_text)
+        {
+            return true;
+        }
         one.field != other.field
             && one.loose
             && one.column == other.column
@@ -98,7 +106,10 @@ pub(crate) fn layout(
     let mut lists: Vec<String> = Vec::new();
     let mut listed = false;
     let mut columns_are = |more: Option<String>| {
-        let shown = header.fields[..header.fields.len().min(30)].join(" | ");
+        let mut shown = header.fields[..header.fields.len().min(30)].join(" | ");
+        if header.fields.len() > 30 {
+            shown.push_str(&format!(" | and {} more", header.fields.len() - 30));
+        }
         let list = (!std::mem::replace(&mut listed, true)).then(|| format!("the columns are: {shown}"));
         list.into_iter().chain(more).collect::<Vec<String>>().join("; ")
     };

@@ -132,11 +132,11 @@ impl<'p> Rules<'p> {
     }
     /// What lateness leaves of the points of an answer handed in at `moment`; `None` after the closing date.
     pub(crate) fn late(&self, student: usize, moment: i64) -> Option<f64> {
-        if moment > self.closes[student] {
-            return None;
-        }
-        let due = self.due[student];
-        Some(if due == i64::MAX { 1.0 } else { self.policy.late_factor(due, moment) })
+        self.policy.left((self.due[student], self.closes[student]), moment)
+    }
+    /// Of an answer that came on the day that begins at `midnight`: does the time of day matter?
+    pub(crate) fn hour_matters(&self, student: usize, midnight: i64) -> bool {
+        self.policy.hour_matters((self.due[student], self.closes[student]), midnight)
     }
     /// Does it matter when this student handed in?
     pub(crate) fn matters(&self, student: usize) -> bool {

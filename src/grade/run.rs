@@ -50,6 +50,7 @@ use crate::guard::push_text;
 use crate::policy;
 use crate::policy::Counts;
 use crate::policy::Unread;
+use crate::policy::time::Doubt;
 use crate::policy::time::Evidence;
 use crate::policy::time::Moment;
 use std::borrow::Cow;
@@ -414,7 +415,9 @@ fn walk_ordered(
             return;
         }
         let certain = |m: &Moment| m.uncertain.is_none_or(|dotted| times.evidence.decides(dotted));
-        let time = moment(record, job).filter(certain).map(|m| m.micros[times.evidence.choice()]);
+        let read = moment(record, job).filter(certain);
+        let time = read.map(|m| m.micros[times.evidence.choice()]);
+        let whole_day = read.is_some_and(|m| m.whole_day);
         cells(record, job.layout, job.table, quick, |quick, cell| {
             let (Some(who), Some(what)) = (cell.who, cell.what) else { return };
             if level.is_some_and(|level| job.rules.level(what as usize) != level) {
@@ -424,7 +427,9 @@ fn walk_ordered(
             let Some((mut class, number, share)) = found else { return };
             let index = who as usize * job.table.columns.len() + what as usize;
             let at = place(cell.line, cell.column.map_or(0, |(i, _)| i));
-            let late = match time {
+            // A date alone is enough where every hour of the day costs the same.
+            let known = time.filter(|time| !(whole_day && job.rules.hour_matters(who as usize, *time)));
+            let late = match known {
                 Some(time) => job.rules.late(who as usize, time),
                 None => job.rules.undated(who as usize),
             };
@@ -432,7 +437,8 @@ fn walk_ordered(
                 class = choose::CLOSED;
             }
             let key = (if times.untimed[index] { 0 } else { time.unwrap_or(0) }, at);
-            let one = Try { key, number, share, late: late.unwrap_or(0.0), undated: time.is_none() };
+            let late = late.unwrap_or(0.0);
+            let one = Try { key, number, share, late, undated: known.is_none(), whole_day };
             ordered[index].add(class, one, depth);
         });
     });
@@ -586,9 +592,10 @@ fn said_of_unread(open: Open<'_>, job: &Job, winners: &[Winner]) -> Result<(), G
             if rules.policy.zone.read(&text).is_some_and(|m| m.uncertain.is_some()) {
                 uncertain.get_or_insert(text.clone());
             }
+            let doubt = rules.policy.zone.doubt(&text).map_or_else(String::new, |d| format!(", {d}"));
             let text: String = text.chars().take(40).collect();
             let text = if text.is_empty() { "nothing".to_owned() } else { format!("`{text}`") };
-            shown.push(format!("line {}: {text}", record.line()));
+            shown.push(format!("line {}: {text}{doubt}", record.line()));
         });
     }
     let what = format!(
@@ -669,7 +676,7 @@ fn awarded(
     (who, what): (u32, u32),
     judgement: &mut Judgement,
     fits: Option<&Fits>,
-    winner: &Winner,
+    (winner, submitted): (&Winner, &[u8]),
     winners: &[Winner],
 ) -> (f64, String) {
     let (table, say) = (job.table, job.say);
@@ -718,10 +725,19 @@ fn awarded(
     }
     share *= winner.attempt * winner.late;
     if job.rules.policy.timed() && (winner.undated || job.layout.submitted.is_none()) {
-        told.push(Cow::Borrowed(say.get(match job.rules.policy.late.unread {
+        let taken = say.get(match job.rules.policy.late.unread {
             Some(Unread::Late) => "feedback.credit.undated_late",
             _ => "feedback.credit.undated",
-        })));
+        });
+        let why = match job.rules.policy.zone.doubt(&String::from_utf8_lossy(submitted)) {
+            None => None,
+            Some(Doubt::WholeDay) => Some(Cow::Borrowed(say.get("feedback.credit.no_hour"))),
+            Some(Doubt::Weekday) => Some(Cow::Borrowed(say.get("feedback.credit.weekday"))),
+            Some(Doubt::Zone(word)) => Some(say.fill("feedback.credit.zones", &[("zone", word.name())])),
+        };
+        told.push(why.map_or(Cow::Borrowed(taken), |why| Cow::Owned(format!("{taken} ({why})"))));
+    } else if job.rules.policy.timed() && winner.whole_day {
+        told.push(Cow::Borrowed(say.get("feedback.credit.midnight")));
     }
     if let Some((given, why)) = job.rules.correction(what as usize, true)
         && given > share
@@ -977,7 +993,7 @@ fn walk_and_write(
             let mut credit = String::new();
             if counts_not && !superseded {
                 (judgement.points, credit) =
-                    awarded(job, (who, what), &mut judgement, fits.as_ref(), &winner, winners);
+                    awarded(job, (who, what), &mut judgement, fits.as_ref(), (&winner, submitted), winners);
                 earned.push((index as u32, judgement.points));
                 *undated += u64::from(needs_date && (winner.undated || layout.submitted.is_none()));
             }

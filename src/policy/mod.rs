@@ -155,7 +155,7 @@ impl Zone {
     }
     /// Reads a time; one that names no zone is of this one, and so is one that names it by a word that this zone uses.
     pub fn read(&self, text: &str) -> Option<time::Moment> {
-        let mut moment = time::parse(text)?;
+        let mut moment = time::parse(text).filter(|m| !m.clashes)?;
         match moment.word {
             None if moment.zoned => {}
             None => moment.micros = moment.micros.map(|shown| self.moment(shown)),
@@ -169,6 +169,17 @@ impl Zone {
             }
         }
         Some(moment)
+    }
+    /// Why a time cannot be read, or tells no more than the day; `None` where there is no doubt, or no time at all.
+    pub fn doubt(&self, text: &str) -> Option<time::Doubt> {
+        let moment = time::parse(text)?;
+        if moment.clashes {
+            return Some(time::Doubt::Weekday);
+        }
+        match self.read(text) {
+            None => moment.word.map(time::Doubt::Zone),
+            Some(_) => moment.whole_day.then_some(time::Doubt::WholeDay),
+        }
     }
     /// Do clocks of this zone never show this, because they are put forward over it?
     pub fn skips(&self, shown: i64) -> bool {
@@ -484,6 +495,19 @@ impl Policy {
             Per::Hour | Per::Once => moment.saturating_sub(due),
         };
         self.late.factor(by.max(1))
+    }
+    /// What is left of an answer that came at `moment` and was due at `due`; `None` once nothing counts. `i64::MAX`: never.
+    pub fn left(&self, (due, closes): (i64, i64), moment: i64) -> Option<f64> {
+        if moment > closes {
+            return None;
+        }
+        Some(if due == i64::MAX { 1.0 } else { self.late_factor(due, moment) })
+    }
+    /// Of an answer that came on the day that begins at `midnight`: does the time of day matter?
+    pub fn hour_matters(&self, limits: (i64, i64), midnight: i64) -> bool {
+        let last = self.zone.moment(self.zone.clock(midnight).saturating_add(DAY - 1));
+        let left = |moment| self.left(limits, moment).map(f64::to_bits);
+        left(midnight) != left(last)
     }
     /// Does it matter when an answer was handed in, besides the order?
     pub fn timed(&self) -> bool {

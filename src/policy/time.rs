@@ -40,12 +40,37 @@ pub struct Moment {
     pub micros: [i64; 2],
     /// Is a zone written?
     pub zoned: bool,
+    /// No time of day is written: it is read as midnight.
+    pub whole_day: bool,
+    /// The day of the week that is written is not that of the date.
+    pub clashes: bool,
     /// The zone is written as a word, and only a place knows what it means (`CST`, `BST`), or knows better.
     pub word: Option<Word>,
     /// The order of day and month is uncertain, and whether points stand between them.
     pub uncertain: Option<bool>,
     /// What the date proves for others.
     pub evidence: Evidence,
+}
+
+/// Why a time tells less than it seems to.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Doubt {
+    /// A date without a time of day.
+    WholeDay,
+    /// The day of the week is not that of the date.
+    Weekday,
+    /// A word that means several zones.
+    Zone(Word),
+}
+
+impl std::fmt::Display for Doubt {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Doubt::WholeDay => f.write_str("no time of day"),
+            Doubt::Weekday => f.write_str("the day of the week does not fit the date"),
+            Doubt::Zone(word) => write!(f, "{} means several zones", word.name()),
+        }
+    }
 }
 
 /// A zone as a word.
@@ -99,29 +124,87 @@ const ZONES: [(&str, i64); 29] = [
 ];
 
 /// Reads ISO 8601 with or without zone, `2026-03-01 14:05[:30]`, `2026/03/01 2:05:30 PM GMT+1`, `01.03.2026 14:05`,
-/// `3/25/2026 2:05:30 PM`, `25/3/26 14:05`, `Monday, 29 March 2026, 3:30 PM`, `29. März 2026 15:30 MESZ`, the serial number of a
-/// spreadsheet (days since 1899-12-30), and seconds or milliseconds since 1970. `None` if it cannot be read. `3/4/2026` is two
-/// moments: March and April. The day of the week is passed over.
+/// `3/25/2026 2:05:30 PM`, `25/3/26 14:05`, `3-25-2026 14:05`, `20260325T140530Z`, `2026-03-25 14h05`, `Sunday, 29 March 2026, 3:30 PM`,
+/// `29. März 2026 15:30 MESZ`, the serial number of a spreadsheet (days since 1899-12-30), and seconds or milliseconds since 1970.
+/// `None` if it cannot be read. `3/4/2026` is two moments: March and April.
 pub fn parse(text: &str) -> Option<Moment> {
     let text = text.trim();
     if text.len() > 80 {
         return None;
     }
     if text.is_ascii() {
-        return dated(text).or_else(|| counted(text)).or_else(|| worded(text));
+        return read(text);
     }
     // A narrow blank stands before AM and PM in newer exports; some write marks for the direction of the text.
     let invisible =
         |c: char| matches!(c, '\u{200b}'..='\u{200f}' | '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}');
-    let spaced: String =
-        text.chars().filter(|c| !invisible(*c)).map(|c| if c.is_whitespace() { ' ' } else { c }).collect();
-    let text = spaced.trim();
+    // Digits of Arabic, Persian and full width.
+    let latin = |c: char| match u32::from(c) {
+        n @ 0x660..=0x669 => char::from_digit(n - 0x660, 10).unwrap_or(c),
+        n @ 0x6f0..=0x6f9 => char::from_digit(n - 0x6f0, 10).unwrap_or(c),
+        n @ 0xff01..=0xff5e => char::from_u32(n - 0xfee0).unwrap_or(c),
+        _ if c.is_whitespace() => ' ',
+        _ => c,
+    };
+    let spaced: String = text.chars().filter(|c| !invisible(*c)).map(latin).collect();
+    read(spaced.trim())
+}
+
+/// Reads a text whose digits and blanks are ASCII.
+fn read(text: &str) -> Option<Moment> {
+    let hours = with_colons(text);
+    let text = hours.as_deref().unwrap_or(text);
+    let extended = extended(text);
+    let text = extended.as_deref().unwrap_or(text);
     dated(text).or_else(|| counted(text)).or_else(|| worded(text))
+}
+
+/// `15h30` as `15:30`, `15h` as `15:00`; `None` where no hour is written so.
+fn with_colons(text: &str) -> Option<String> {
+    let at = text.char_indices().find_map(|(at, c)| {
+        let digit = |b: Option<&u8>| b.is_some_and(u8::is_ascii_digit);
+        let before = at.checked_sub(1).and_then(|i| text.as_bytes().get(i));
+        (matches!(c, 'h' | 'H') && digit(before)).then_some(at)
+    })?;
+    let (hour, behind) = (&text[..at], &text[at + 1..]);
+    let digits = behind.bytes().take_while(u8::is_ascii_digit).count();
+    match digits {
+        2 => Some(format!("{hour}:{behind}")),
+        0 if !behind.starts_with(|c: char| c.is_alphanumeric()) => Some(format!("{hour}:00{behind}")),
+        _ => None,
+    }
+}
+
+/// `20260329T153000Z` as `2026-03-29 15:30:00Z`; `None` where the date is not eight digits.
+fn extended(text: &str) -> Option<String> {
+    let digits = |text: &str| text.bytes().take_while(u8::is_ascii_digit).count();
+    if digits(text) != 8 {
+        return None;
+    }
+    let (date, rest) = text.split_at(8);
+    let clock = rest.trim_start_matches(['T', 't', ' ']);
+    if clock.len() == rest.len() && !rest.is_empty() {
+        return None;
+    }
+    let clock = match digits(clock) {
+        4 => format!("{}:{}", &clock[..2], &clock[2..]),
+        6 => format!("{}:{}:{}", &clock[..2], &clock[2..4], &clock[4..]),
+        _ => clock.to_owned(),
+    };
+    Some(format!("{}-{}-{} {clock}", &date[..4], &date[4..6], &date[6..]).trim_end().to_owned())
 }
 
 /// One moment without doubt.
 fn certain(at: i64, zoned: bool, word: Option<Word>) -> Moment {
-    Moment { micros: [at; 2], zoned, word, uncertain: None, evidence: Evidence::default() }
+    Moment {
+        micros: [at; 2],
+        zoned,
+        whole_day: false,
+        clashes: false,
+        word,
+        uncertain: None,
+        evidence: Evidence::default(),
+    }
 }
 
 /// A date in numbers, with or without the time of day.
@@ -140,16 +223,18 @@ fn dated(text: &str) -> Option<Moment> {
     }
     let clock = clock(rest)?;
     let moment = |y, m, d| midnight(y, m, d).map(|at| at.wrapping_add(clock.micros));
+    let whole_day = rest.is_empty();
     if a >= 1000 {
-        return Some(certain(moment(a, b, c)?, clock.zoned, clock.word));
+        return Some(Moment { whole_day, ..certain(moment(a, b, c)?, clock.zoned, clock.word) });
     }
-    if separator == '-' {
+    // Of 26-03-29 nobody knows which is the year.
+    if separator == '-' && length != 4 {
         return None;
     }
     let year = if length == 2 { full_year(c) } else { c };
     let (day_first, month_first) = (moment(year, b, a), moment(year, a, b));
     let evidence = Evidence { day_first: a > 12 && b <= 12, month_first: b > 12 && a <= 12 };
-    let one = |at| Moment { evidence, ..certain(at, clock.zoned, clock.word) };
+    let one = |at| Moment { evidence, whole_day, ..certain(at, clock.zoned, clock.word) };
     match (day_first, month_first) {
         (Some(x), Some(y)) => {
             Some(Moment { micros: [x, y], uncertain: (x != y).then_some(separator == '.'), ..one(x) })
@@ -177,7 +262,9 @@ fn counted(text: &str) -> Option<Moment> {
         // A spreadsheet counts from 1899-12-30, in the zone of who wrote it; its days are exact to a second.
         (5, 36_526..73_051) => {
             let seconds = (part * 86_400.0).round() as i64;
-            Some(certain((count - 25_569) * 86_400_000_000 + seconds * 1_000_000, false, None))
+            let whole_day = fraction.bytes().all(|b| b == b'0');
+            let at = (count - 25_569) * 86_400_000_000 + seconds * 1_000_000;
+            Some(Moment { whole_day, ..certain(at, false, None) })
         }
         (9 | 10, 946_684_800..4_102_444_800) => {
             Some(certain(count * 1_000_000 + (part * 1e6).round() as i64, true, None))
@@ -211,10 +298,6 @@ fn month(word: &str) -> Option<i64> {
 /// `Sun Mar 29 15:30:00 CEST 2026`.
 fn worded(text: &str) -> Option<Moment> {
     const FILLERS: [&str; 9] = ["at", "um", "the", "of", "den", "der", "on", "am", "uhr"];
-    const DAYS: [&str; 14] =
-        ["mon", "tue", "wed", "thu", "fri", "sat", "sun", "mo", "di", "mi", "do", "fr", "sa", "so"];
-    const WHOLE: [&str; 8] =
-        ["montag", "dienstag", "mittwoch", "donnerstag", "freitag", "samstag", "sonnabend", "sonntag"];
     let lower = text.to_lowercase();
     let mut words: Vec<&str> = lower.split([' ', ',']).filter(|w| !w.is_empty()).collect();
     let at = words.iter().position(|w| w.contains(':')).unwrap_or(words.len());
@@ -227,6 +310,7 @@ fn worded(text: &str) -> Option<Moment> {
     // How many numbers stand before the month, and which it is; numbers with their digits.
     let mut month_at: Option<(usize, i64)> = None;
     let mut numbers: Vec<(i64, usize)> = Vec::new();
+    let mut week: Vec<i64> = Vec::new();
     for word in words.iter().flat_map(|w| w.split(['-', '/', '.'])).filter(|w| !w.is_empty()) {
         let digits = word.bytes().take_while(u8::is_ascii_digit).count();
         if digits > 0 {
@@ -238,11 +322,9 @@ fn worded(text: &str) -> Option<Moment> {
             if month_at.replace((numbers.len(), month)).is_some() {
                 return None;
             }
-        } else if !(FILLERS.contains(&word)
-            || DAYS.contains(&word)
-            || WHOLE.contains(&word)
-            || word.ends_with("day") && DAYS.iter().any(|d| word.starts_with(d)))
-        {
+        } else if let Some(day) = weekday(word) {
+            week.push(day);
+        } else if !FILLERS.contains(&word) {
             return None;
         }
     }
@@ -254,7 +336,25 @@ fn worded(text: &str) -> Option<Moment> {
     };
     let year = if length == 2 { full_year(year) } else { year };
     let clock = clock(&clock_words.join(" "))?;
-    Some(certain(midnight(year, month, day)?.wrapping_add(clock.micros), clock.zoned, clock.word))
+    let at = midnight(year, month, day)?;
+    // 1970 began on a Thursday.
+    let clashes = week.iter().any(|d| *d != (days(year, month, day) + 3).rem_euclid(7));
+    let moment = certain(at.wrapping_add(clock.micros), clock.zoned, clock.word);
+    Some(Moment { whole_day: clock_words.is_empty(), clashes, ..moment })
+}
+
+/// The day of the week by its English or German name, whole or cut; 0 is Monday.
+fn weekday(word: &str) -> Option<i64> {
+    const DAYS: [&[&str]; 7] = [
+        &["mon", "monday", "mo", "montag"],
+        &["tue", "tues", "tuesday", "di", "dienstag"],
+        &["wed", "wednesday", "mi", "mittwoch"],
+        &["thu", "thur", "thurs", "thursday", "do", "donnerstag"],
+        &["fri", "friday", "fr", "freitag"],
+        &["sat", "saturday", "sa", "samstag", "sonnabend"],
+        &["sun", "sunday", "so", "sonntag"],
+    ];
+    (0..).zip(DAYS).find(|(_, names)| names.contains(&word)).map(|(day, _)| day)
 }
 
 /// Microseconds from 1970 to the beginning of a day that exists.
@@ -403,6 +503,13 @@ mod tests {
             "2026-03-25 16:05:30 CEST",
             "2026-03-25 16:05:30 (MESZ)",
             "25.03.2026 10:05:30 AM EDT",
+            "20260325T140530Z",
+            "20260325T150530+0100",
+            "20260325 140530",
+            "3-25-2026 14:05:30",
+            "25-3-2026 14:05:30",
+            "2026-03-25 14h05:30",
+            "\u{662}\u{660}\u{662}\u{666}-\u{660}\u{663}-\u{662}\u{665} \u{661}\u{664}:\u{660}\u{665}:\u{663}\u{660}",
             "46106.587153",
             "46106,58715278",
             "1774447530",
@@ -418,7 +525,9 @@ mod tests {
             "2026-03-25 25:00",
             "14:05",
             "",
-            "03-04-2026",
+            "26-03-29",
+            "20261329T1530",
+            "2026-03-25 14h5",
             "31 February 2026 10:00",
             "March 2026",
             "25 March April 2026",
@@ -430,6 +539,33 @@ mod tests {
         ] {
             assert_eq!(parse(odd), None, "{odd}");
         }
+    }
+
+    /// The tests held only that these spellings are read at all: a date alone became midnight and a wrong day of the week was
+    /// passed over, and nothing told it.
+    #[test]
+    fn a_date_alone_and_a_wrong_weekday_are_told_apart() {
+        let zone = crate::policy::Zone::utc();
+        for (text, doubt) in [
+            ("2026-03-29", Some("no time of day")),
+            ("20260329", Some("no time of day")),
+            ("3/29/2026", Some("no time of day")),
+            ("29. März 2026", Some("no time of day")),
+            ("46110", Some("no time of day")),
+            ("46110.0", Some("no time of day")),
+            ("46110.5", None),
+            ("2026-03-29 00:00", None),
+            ("2026-03-29 15h", None),
+            ("Monday, 29 March 2026, 3:30 PM", Some("the day of the week does not fit the date")),
+            ("So, 29. März 2026, 15:30", None),
+            ("Sonnabend, 28. März 2026, 15:30", None),
+            ("2026-03-29 15:30 CST", Some("CST means several zones")),
+            ("whenever", None),
+        ] {
+            assert_eq!(zone.doubt(text).map(|d| d.to_string()).as_deref(), doubt, "{text}");
+        }
+        assert_eq!(zone.read("Monday, 29 March 2026, 3:30 PM"), None);
+        assert_eq!(parse("3-4-2026 10:00").map(|m| m.uncertain), Some(Some(false)));
     }
 
     #[test]

@@ -356,6 +356,8 @@ pub fn names() -> impl Iterator<Item = String> {
 fn unknown(name: &str, column: usize) -> UnitFault {
     let known: Vec<String> = names().filter(|n| !n.starts_with(['\u{b5}', '\u{3bc}'])).collect();
     let close = known.iter().find(|k| k.to_lowercase() == name.to_lowercase()).cloned();
+    // Revolutions, and not one of the names that look alike.
+    let close = close.or_else(|| name.eq_ignore_ascii_case("rps").then(|| "rev/s".to_owned()));
     let close = close.or_else(|| spell::closest(name, known.iter().map(String::as_str)).map(str::to_owned));
     UnitFault::Unknown { name: name.chars().take(24).collect(), column, close }
 }
