@@ -824,3 +824,35 @@ fn every_page_is_closed_to_the_outside() {
         assert!(kinds.contains(kind), "{kind} in {kinds:?}");
     }
 }
+
+/// The policy stands where a browser heeds it, wherever the word `head` stands in somebody's own template. The earlier test gave one
+/// template of its own, whose first `<head` was the head.
+#[test]
+fn the_policy_is_in_the_real_head() {
+    for page in [
+        "<!DOCTYPE html><!-- <head> --><html><head><title>x</title></head><body>y</body></html>",
+        "<!-- <head> --><!DOCTYPE html><html><head><script>x</script></head></html>",
+        "<!DOCTYPE html>\n<html lang=en>\n<!-- a\n<HEAD >\n--> <!--> <!---> <!-- b --!>\n<HEAD data-x='a>b'>\n<script>x</script></HEAD></html>",
+        "<!DOCTYPE html><title>The <head> of it</title><script>x</script>",
+        "<!DOCTYPE html><html><header>a</header><script>x</script></html>",
+        "<script>'<head>'</script><p>no head</p>",
+        "<p title='<head>'>x</p>",
+        "<html><body><!-- <head> -->x</body></html>",
+        "<!-- <html><head>",
+        "x",
+        "",
+    ] {
+        let long = format!("<!--{}-->", "x".repeat(5000));
+        for page in [page.to_owned(), format!("{long}{page}"), format!("\n {page}")] {
+            let own = [("mine.html".to_owned(), "mine.html".to_owned(), page.clone())];
+            let templates = Templates::new("en", &own).map_err(|f| f[0].to_string()).unwrap();
+            let mut out = Vec::new();
+            templates.render("mine.html", &View::new(), &mut out).unwrap();
+            let out = String::from_utf8(out).unwrap();
+            let parsed = Html::parse_document(&out);
+            let head = scraper::Selector::parse("head > *").unwrap();
+            let first = parsed.select(&head).next().map(|e| e.value().attr("http-equiv"));
+            assert_eq!(first, Some(Some("Content-Security-Policy")), "{page}: {out}");
+        }
+    }
+}
