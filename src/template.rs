@@ -326,19 +326,61 @@ impl Templates {
 pub const CONTENT_SECURITY_POLICY: &str = "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; \
      style-src 'unsafe-inline'; img-src data:; base-uri 'none'; form-action 'none'\">";
 
-/// Puts the policy at the head of the page that begins here, whoever wrote its template.
+/// Puts the policy at the head of the page that begins here, whoever wrote its template: into the tag of the head if nothing but a
+/// document type, comments and `<html>` come before, else before all that could act.
 fn close_to_outside(page: &mut Vec<u8>, from: usize) {
     let text = String::from_utf8_lossy(page.get(from..).unwrap_or_default());
-    let lower: String = text.chars().take(2000).map(|c| c.to_ascii_lowercase()).collect();
-    let after = |tag: &str| lower.find(tag).and_then(|at| lower[at..].find('>').map(|end| at + end + 1));
-    let at = from
-        + after("<head>")
-            .or_else(|| after("<head "))
-            .or_else(|| after("<html"))
-            .or_else(|| after("<!doctype"))
-            .unwrap_or(0);
+    let at = from + head_of(&text);
     let line = format!("\n{CONTENT_SECURITY_POLICY}");
     page.splice(at..at, line.bytes());
+}
+
+/// Where the head of a page begins, behind its tag; behind the document type, or at the begin, if it has none.
+fn head_of(page: &str) -> usize {
+    let mut rest = page.trim_start_matches(|c: char| c.is_whitespace() || c == '\u{feff}');
+    let begins = |rest: &str, with: &str| {
+        let behind = rest.get(with.len()..).unwrap_or_default();
+        rest.get(..with.len()).is_some_and(|b| b.eq_ignore_ascii_case(with))
+            && (with == "<!--" || behind.starts_with(|c: char| c == '>' || c.is_ascii_whitespace()))
+    };
+    let mut best = 0;
+    loop {
+        let is_head = begins(rest, "<head");
+        let behind = if begins(rest, "<!--") {
+            // `<!-->` and `<!--->` are comments, too, and `--!>` ends one.
+            let short = ["<!-->", "<!--->"].iter().find(|s| rest.starts_with(**s)).map(|s| s.len());
+            short.or_else(|| ["-->", "--!>"].iter().filter_map(|end| Some(rest.find(end)? + end.len())).min())
+        } else if is_head || begins(rest, "<html") || begins(rest, "<!doctype") {
+            tag_end(rest)
+        } else {
+            None
+        };
+        let Some(after) = behind.and_then(|at| rest.get(at..)) else { return best };
+        let is_type = begins(rest, "<!doctype");
+        let at = page.len() - after.len();
+        if is_head {
+            return at;
+        }
+        if is_type && best == 0 {
+            best = at;
+        }
+        rest = after.trim_start();
+    }
+}
+
+/// Behind the `>` that ends the tag; one within quotes does not.
+fn tag_end(tag: &str) -> Option<usize> {
+    let mut quote = None;
+    for (at, c) in tag.char_indices() {
+        match quote {
+            Some(q) if c == q => quote = None,
+            Some(_) => {}
+            None if c == '>' => return Some(at + 1),
+            None if matches!(c, '"' | '\'') => quote = Some(c),
+            None => {}
+        }
+    }
+    None
 }
 
 /// An engine with the filters and functions that templates have.

@@ -826,7 +826,7 @@ fn all_at_once() {
     "#);
 }
 
-/// All that a bomb costs is a finding.
+/// All that a bomb costs is a finding, in plain words (earlier any finding would do, also the reader's own name for it).
 #[test]
 fn bombs_are_refused() {
     let laughs = (1..12).fold("a0: &a0 [x, x]\n".to_owned(), |mut text, i| {
@@ -844,11 +844,23 @@ fn bombs_are_refused() {
         text
     });
     let long = "a: b\n".repeat(load::MAX_BYTES / 4);
-    for bomb in
-        [laughs, deep, nested, long, String::new(), "\0".to_owned(), "- 1\n- 2".to_owned(), "42".to_owned()]
-    {
+    for bomb in [
+        laughs.clone(),
+        deep,
+        nested,
+        long,
+        String::new(),
+        "\0".to_owned(),
+        "- 1\n- 2".to_owned(),
+        "42".to_owned(),
+    ] {
         let found = load::bank(&bomb, "bomb.yaml", &template::variables_of).unwrap_err();
         assert!(!found.is_empty());
+        for finding in &found {
+            let told = finding.to_string();
+            assert!(!told.contains("budget") && !told.contains("breach") && !told.contains(" { "), "{told}");
+            assert!(bomb != laughs || told.contains("alias") && finding.hint.is_some(), "{told}");
+        }
     }
 }
 

@@ -122,7 +122,19 @@ fn syntax(error: &serde_yaml::Error) -> Finding {
     let message = message.lines().next().unwrap_or("cannot be read").to_owned();
     // The place is told before the message.
     let message = message.split(" at line ").next().unwrap_or("cannot be read").trim_end_matches(',');
-    let finding = Finding::new("", format!("YAML: {message}"));
+    let mut finding = Finding::new("", format!("YAML: {message}"));
+    if let Some(breach) = message.strip_prefix("budget breached: ") {
+        let (what, hint) = if breach.contains("Depth") {
+            ("lists and maps are nested too deeply", "48 levels are read")
+        } else {
+            // Whatever was counted: no bank comes near the limits but by aliases.
+            (
+                "the file holds too much, with what each alias stands for counted each time",
+                "aliases (`*name`) within aliases multiply: write out what is meant",
+            )
+        };
+        finding = Finding::new("", format!("YAML: {what}")).hint(hint);
+    }
     match error.location() {
         Some(at) if at.line() > 0 => finding.at(small(at.line()), small(at.column())),
         _ => finding,

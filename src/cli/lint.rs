@@ -467,8 +467,14 @@ fn one_of_each_case(problem: &Problem, bank: &str) -> Vec<Variant> {
 /// What a text of students does not keep, in words.
 fn not_kept(what: &Dropped) -> String {
     match what {
+        Dropped::Tag(html) => {
+            format!(
+                "`{}` is dropped: the tags are dropped, the words stay; write it in Markdown",
+                shorten(html)
+            )
+        }
         Dropped::Html(html) => {
-            format!("`{}` is dropped: HTML does not reach students, write it in Markdown", shorten(html))
+            format!("`{}` is dropped: it does not reach students, nor does what stands in it", shorten(html))
         }
         Dropped::Link(url) => {
             format!(

@@ -75,11 +75,13 @@ pub fn kept_together(text: &str) -> String {
     out
 }
 
-/// What a text of students does not keep: HTML (but [`ANSWER`] and breaks of lines), links to anything but the web, mail and
-/// places nearby, pictures that the program did not draw. The words of a link and of a picture stay.
+/// What a text of students does not keep: tags of HTML (but [`ANSWER`] and breaks of lines), links to anything but the web, mail
+/// and places nearby, pictures that the program did not draw. The words between tags, of a link and of a picture stay.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Dropped {
-    /// A tag or comment.
+    /// A tag, whose words stay.
+    Tag(String),
+    /// HTML that goes with all that it holds: a comment, a script ([`WITH_CONTENT`]).
     Html(String),
     /// The target of a link.
     Link(String),
@@ -87,32 +89,79 @@ pub enum Dropped {
     Picture(String),
 }
 
+/// Elements whose content is not meant to be read, or only where they act.
+const WITH_CONTENT: [&str; 12] = [
+    "script", "style", "template", "iframe", "object", "applet", "svg", "canvas", "audio", "video",
+    "noembed", "noframes",
+];
+
+/// Elements within a line: where their tags go, words do not come apart.
+const WITHIN_LINE: [&str; 24] = [
+    "a", "abbr", "b", "bdi", "bdo", "big", "cite", "code", "del", "dfn", "em", "font", "i", "ins", "kbd",
+    "mark", "q", "s", "small", "span", "strong", "tt", "u", "var",
+];
+
+/// Stands before a `<` at the begin of a line, so that the line is read as Markdown and not as a block of HTML, in which words
+/// would be lost. Means nothing, and is gone at the end.
+const GUARD: char = '\u{fffe}';
+
 /// Passes over a text at most: what stays may make a tag anew.
-const PASSES: usize = 8;
+const PASSES: usize = 10;
+
+/// What is taken out of a text.
+struct Cut {
+    range: Range<usize>,
+    told: Option<Dropped>,
+    /// What comes in its place; a blank only between words.
+    instead: &'static str,
+}
 
 /// A Markdown text without what could act or fetch something.
-pub fn clean(mut markdown: String) -> String {
+pub fn clean(markdown: String) -> String {
+    cleaned(markdown).0
+}
+
+/// The text as students get it, and what it lost.
+fn cleaned(mut markdown: String) -> (String, Vec<Dropped>) {
+    let mut told = Vec::new();
+    if is_plain(&markdown) {
+        return (markdown, told);
+    }
+    markdown.retain(|c| c != GUARD);
     for _ in 0..PASSES {
         let cuts = cuts(&markdown);
         if cuts.is_empty() {
-            return markdown;
+            if !markdown.contains(GUARD) {
+                return (markdown, told);
+            }
+            // A tag that never ends is a text. What stood behind a guard begins a line now, and is looked at again.
+            markdown = markdown.replace(&format!("{GUARD}<"), "&lt;").replace(GUARD, "");
+            continue;
         }
         let mut out = String::with_capacity(markdown.len());
         let mut from = 0;
-        for (range, _) in cuts {
-            out.push_str(markdown.get(from..range.start).unwrap_or_default());
-            from = from.max(range.end);
+        for cut in cuts {
+            out.push_str(markdown.get(from..cut.range.start).unwrap_or_default());
+            from = from.max(cut.range.end);
+            let rest = markdown.get(from..).unwrap_or_default();
+            let apart = out.ends_with(|c: char| c.is_whitespace() || c == GUARD)
+                || rest.starts_with(char::is_whitespace);
+            if cut.instead != " " || !apart && !out.is_empty() {
+                out.push_str(cut.instead);
+            }
+            told.extend(cut.told);
         }
         out.push_str(markdown.get(from..).unwrap_or_default());
         markdown = out;
     }
     // Somebody nests tags on purpose.
-    markdown.replace('<', "&lt;").replace("](", "] (").replace("]:", "] :")
+    markdown.retain(|c| c != GUARD);
+    (markdown.replace('<', "&lt;").replace("](", "] (").replace("]:", "] :"), told)
 }
 
 /// What [`clean`] takes out of a text.
 pub fn dropped(markdown: &str) -> Vec<Dropped> {
-    cuts(markdown).into_iter().filter_map(|(_, what)| what).collect()
+    cleaned(markdown.to_owned()).1
 }
 
 /// Is this HTML that means the same in every format?
@@ -143,28 +192,84 @@ fn is_drawn(url: &str) -> bool {
 /// Can there be nothing to cut? Most texts are of this kind, and need not be read twice.
 fn is_plain(markdown: &str) -> bool {
     let mut links = markdown.match_indices("](");
+    // Words behind a mark that begins their line would stand in a block of HTML.
+    let alone = |line: &str| line.trim_start().strip_prefix(ANSWER).is_none_or(|rest| rest.trim().is_empty());
     !without_marks(markdown).contains('<')
         && !markdown.contains("]:")
+        && (!markdown.contains(ANSWER) || markdown.lines().all(alone))
         && links.all(|(at, _)| {
             let url = markdown.get(at + 2..).unwrap_or_default();
             is_drawn(url.split(')').next().unwrap_or_default())
         })
 }
 
-/// What is cut out of a text, in order and apart; what it is, where it is told.
-fn cuts(markdown: &str) -> Vec<(Range<usize>, Option<Dropped>)> {
-    if is_plain(markdown) {
-        return Vec::new();
+/// The name of the element whose tag begins here, in small letters, and whether the tag opens it.
+fn element(tag: &str) -> Option<(String, bool)> {
+    let inside = tag.strip_prefix('<')?;
+    let name = inside.strip_prefix('/').unwrap_or(inside);
+    let end = name.find(|c: char| !c.is_ascii_alphanumeric() && c != '-').unwrap_or(name.len());
+    let name = name.get(..end).filter(|n| n.starts_with(|c: char| c.is_ascii_alphabetic()))?;
+    Some((name.to_ascii_lowercase(), !inside.starts_with('/')))
+}
+
+/// Where what begins in a text ends, if it goes with all that it holds. Looks for each end once.
+#[derive(Default)]
+struct Ends {
+    /// The text in small letters, once it is needed.
+    small: String,
+    /// Ends that come no more.
+    never: Vec<String>,
+}
+
+impl Ends {
+    fn of(&mut self, markdown: &str, from: usize) -> Option<usize> {
+        let text = markdown.get(from..)?;
+        let known = [("<!--", "-->"), ("<![CDATA[", "]]>"), ("<?", "?>"), ("<!", ">")];
+        let (end, skip) = match known.iter().find(|(begin, _)| text.starts_with(begin)) {
+            // `<!-->` is a comment, too.
+            Some(("<!--", end)) => ((*end).to_owned(), 2),
+            Some((begin, end)) => ((*end).to_owned(), begin.len()),
+            None => {
+                let (name, opens) = element(text)?;
+                if !opens || !WITH_CONTENT.contains(&name.as_str()) {
+                    return None;
+                }
+                (format!("</{name}"), name.len())
+            }
+        };
+        if self.never.contains(&end) {
+            return None;
+        }
+        if self.small.is_empty() {
+            self.small = markdown.to_ascii_lowercase();
+        }
+        let Some(at) = self.small.get(from + skip..).and_then(|rest| rest.find(&end)) else {
+            self.never.push(end);
+            return None;
+        };
+        let at = from + skip + at;
+        if end.starts_with("</") {
+            return Some(markdown.get(at..)?.find('>').map_or(markdown.len(), |close| at + close + 1));
+        }
+        Some(at + end.len())
     }
+}
+
+/// What is cut out of a text, in order.
+fn cuts(markdown: &str) -> Vec<Cut> {
+    let link = |range, told| Cut { range, told, instead: "" };
     let parser = Parser::new_ext(markdown, MARKDOWN);
-    let mut found: Vec<(Range<usize>, Option<Dropped>)> = Vec::new();
+    let mut found: Vec<Cut> = Vec::new();
     for (_, definition) in parser.reference_definitions().iter() {
         if !is_harmless(&definition.dest) && !is_drawn(&definition.dest) {
-            found.push((definition.span.clone(), Some(Dropped::Link(definition.dest.to_string()))));
+            found.push(link(definition.span.clone(), Some(Dropped::Link(definition.dest.to_string()))));
         }
     }
     // Links and pictures that are open: what is told of them if they go, and where their words stand.
     let mut open: Vec<(Option<Dropped>, Option<Range<usize>>)> = Vec::new();
+    // The lines of the block of HTML that is open; up to where all is cut already.
+    let mut block: Vec<Range<usize>> = Vec::new();
+    let (mut ends_of, mut gone) = (Ends::default(), 0);
     for (event, range) in parser.into_offset_iter() {
         let begins = match &event {
             Event::Start(Tag::Link { dest_url, link_type, .. }) => {
@@ -189,16 +294,56 @@ fn cuts(markdown: &str) -> Vec<(Range<usize>, Option<Dropped>)> {
             // An address in angle brackets has no words of its own.
             let is_address = markdown.get(range.clone()).is_some_and(|t| t.starts_with('<'));
             let words = words.filter(|_| !is_address).unwrap_or(range.end..range.end);
-            found.push((range.start..words.start, Some(told)));
-            found.push((words.end..range.end, None));
-        } else if let Event::Html(html) | Event::InlineHtml(html) = &event
-            && !is_mark(html)
+            found.push(link(range.start..words.start, Some(told)));
+            found.push(link(words.end..range.end, None));
+        } else if let Event::Html(_) = &event {
+            block.push(range);
+        } else if let Event::End(TagEnd::HtmlBlock) = &event {
+            let lines = std::mem::take(&mut block);
+            if lines.iter().all(|line| markdown.get(line.clone()).is_none_or(is_mark)) {
+                continue;
+            }
+            for line in lines {
+                let text = markdown.get(line.clone()).unwrap_or_default();
+                let start = line.start + text.len() - text.trim_start_matches([' ', '\t']).len();
+                if start < gone {
+                    continue;
+                }
+                // What is set in would be a text of a program.
+                found.push(link(line.start..start, None));
+                if let Some(end) = ends_of.of(markdown, start) {
+                    let html = markdown.get(start..end).unwrap_or_default();
+                    let told = (!is_mark(html)).then(|| Dropped::Html(html.to_owned()));
+                    found.push(link(start..end, told));
+                    gone = end;
+                } else if markdown.get(start..).is_some_and(|rest| rest.starts_with('<')) {
+                    found.push(Cut { range: start..start, told: None, instead: "\u{fffe}" });
+                }
+            }
+        } else if let Event::InlineHtml(html) = &event
+            && range.start >= gone
+            && (!is_mark(html) || markdown.get(..range.start).is_some_and(|t| t.ends_with(GUARD)))
         {
-            found.push((range, Some(Dropped::Html(html.trim().to_string()))));
+            let (name, opens) = element(html).unwrap_or_default();
+            let end = ends_of.of(markdown, range.start).unwrap_or(range.end).max(range.end);
+            let is_tag = end == range.end && !name.is_empty();
+            let html = markdown.get(range.start..end).unwrap_or_default().to_owned();
+            gone = end;
+            let told =
+                (!is_mark(&html)).then_some(if is_tag { Dropped::Tag(html) } else { Dropped::Html(html) });
+            let instead = match name.as_str() {
+                // Powers stay powers.
+                "sup" if opens => "^",
+                "sub" if opens => "\\_",
+                "sup" | "sub" => "",
+                name if name.is_empty() || WITHIN_LINE.contains(&name) => "",
+                _ => " ",
+            };
+            found.push(Cut { range: range.start..end, told, instead });
         }
     }
-    found.retain(|(range, _)| !range.is_empty());
-    found.sort_by_key(|(range, _)| (range.start, range.end));
+    found.retain(|cut| !cut.range.is_empty() || !cut.instead.is_empty());
+    found.sort_by_key(|cut| (cut.range.start, cut.range.end));
     found
 }
 

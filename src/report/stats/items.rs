@@ -92,7 +92,12 @@ fn enough(n: usize) -> Told<()> {
     if n >= LEAST_FOR_CORRELATION {
         return Ok(());
     }
-    Err(format!("{n} students are too few: below {LEAST_FOR_CORRELATION} chance alone makes such a number"))
+    let few = match n {
+        0 => "0 students are".to_owned(),
+        1 => "1 student is".to_owned(),
+        n => format!("{n} students are"),
+    };
+    Err(format!("{few} too few: below {LEAST_FOR_CORRELATION} chance alone makes such a number"))
 }
 
 #[cfg(test)]
@@ -132,6 +137,11 @@ mod tests {
         close(alpha.high, 1.0 - 1.0 / (9.0 * 15.4392), 1e-5);
         assert!(matrix.alpha().unwrap_err().contains("too few"));
         assert!(matrix.discrimination(0).unwrap_err().contains("too few"));
+        // Only several were tried before.
+        let told = |n| enough(n).unwrap_err();
+        assert!(told(1).starts_with("1 student is too few"), "{}", told(1));
+        assert!(told(2).starts_with("2 students are too few"), "{}", told(2));
+        assert!(told(0).starts_with("0 students are too few"), "{}", told(0));
     }
 
     #[test]
