@@ -219,7 +219,7 @@ pub struct Check {
 impl Check {
     /// Is it of a cord that need not pull: without tension, or with one that statics leaves open? What rests needs none.
     pub fn idles(&self) -> bool {
-        self.kind == CheckKind::Taut && !(self.available < 0.0 || self.available > 0.0)
+        self.kind == CheckKind::Taut && (self.available.is_nan() || self.available.abs() <= 0.0)
     }
 }
 
