@@ -99,6 +99,11 @@ fn friction_is_said_to_be_largest_where_it_is() {
         let maker = Maker::new(problem, 11, "sentences").giving_up_after(20_000);
         for student in 0..150 {
             let variant = maker.variant(&student.to_string()).unwrap_or_else(|u| panic!("{u}"));
+            // Where the cord is slack at the asked end there is a short page, without sentences.
+            let beyond = languages[0].0.get("solution.title.beyond");
+            if solution(problem, &variant, &languages[0]).contains(beyond) {
+                continue;
+            }
             let of = |symbol| datum(problem, &variant, symbol);
             let (m, c, p, k, ks, x0) = (of("m"), of("R"), of("r"), of("k"), of("ks"), of("x0"));
             let weight = m * 9.81 * of("theta").to_radians().sin();
