@@ -2,7 +2,7 @@
 //!
 //! Views hold finished strings: numbers, units and formulas are text already and marked as such, names of people are
 //! not and are escaped for the format. A variable that does not exist is an error with its place, never an empty text.
-//! Templates that the program did not bring along are metered ([`metered`]).
+//! Templates that the program did not bring along are metered (`template::metered`).
 mod metered;
 
 use crate::finding::Finding;

@@ -81,7 +81,7 @@ pub fn kept_together(text: &str) -> String {
 pub enum Dropped {
     /// A tag, whose words stay.
     Tag(String),
-    /// HTML that goes with all that it holds: a comment, a script ([`WITH_CONTENT`]).
+    /// HTML that goes with all that it holds: a comment, a script (`WITH_CONTENT`).
     Html(String),
     /// The target of a link.
     Link(String),

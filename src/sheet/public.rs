@@ -1,6 +1,6 @@
 //! sheet.json: what a student needs to check answers alone. It holds the drawn data and the scene, never the key.
 //!
-//! The scene is a question ([`Question`]): what is asked of which bodies, without what happens to them. It has no regimes, no
+//! The scene is a question (`Question`): what is asked of which bodies, without what happens to them. It has no regimes, no
 //! bounds, no cases and no ranges, and is the same for every student of the problem; what is drawn stands beside it. With the
 //! drawn data put in their place it is read by the ordinary reader of banks and solved anew. A case with a scene of its own
 //! gives that one, as its statement does. A bank with `self check: off` gives sheets without scenes.
