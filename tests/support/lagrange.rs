@@ -671,21 +671,16 @@ impl<'s> System<'s> {
         let loose: Vec<Grip> = self.contacts.iter().map(Contact::loose).collect();
         let freedoms = self.modes(&loose).len();
         let slips = self.contacts.iter().any(|c| c.said == Said::Slips);
-        if slips && self.springs > 0 {
-            return Verdict::Beyond("a spring where something slips");
-        }
-        if slips && !s.start.is_empty() {
-            return Verdict::Beyond("a speed where something slips");
-        }
-        if self.springs > 1 {
-            return Verdict::Beyond("two springs");
-        }
-        if freedoms > 1 && self.spring.is_some() {
-            return Verdict::Beyond("a spring with two freedoms");
-        }
         let (v0, started) = match s.start.first() {
             None => (vec![0.0; self.cols()], false),
-            Some(_) if freedoms > 1 => return Verdict::Beyond("a speed with two freedoms"),
+            Some((body, spin, v)) if freedoms > 1 => {
+                let moving = self.moving(*body, *spin);
+                let held = self.modes(&loose).iter().all(|mode| inner(&moving, mode).abs() < NOTHING);
+                if held && v.si != 0.0 {
+                    return Verdict::Contradiction;
+                }
+                return Verdict::Beyond("a speed with two freedoms");
+            }
             Some((.., v)) if freedoms == 0 && v.si != 0.0 => return Verdict::Contradiction,
             Some(_) if freedoms == 0 => (vec![0.0; self.cols()], false),
             Some((body, spin, v)) => {
@@ -701,6 +696,18 @@ impl<'s> System<'s> {
                 }
             }
         };
+        if slips && self.springs > 0 {
+            return Verdict::Beyond("a spring where something slips");
+        }
+        if slips && !s.start.is_empty() {
+            return Verdict::Beyond("a speed where something slips");
+        }
+        if self.springs > 1 {
+            return Verdict::Beyond("two springs");
+        }
+        if freedoms > 1 && self.spring.is_some() {
+            return Verdict::Beyond("a spring with two freedoms");
+        }
         if s.event == Event::AtOnce {
             let mut told = Told::default();
             let energy = 0.5 * v0.iter().zip(&self.mass).map(|(v, m)| m * v * v).sum::<f64>();
