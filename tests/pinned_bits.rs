@@ -55,3 +55,33 @@ fn draws_and_answers_are_pinned_to_the_bit() {
         PINNED.iter().map(|(p, d, a)| format!("    (\"{p}\", \"{d}\", \"{a}\"),")).collect();
     assert_eq!(lines, pinned, "\n{}\n", lines.join("\n"));
 }
+
+/// Condition numbers of 10 draws of each problem, as derivatives carried along with each number gave them.
+#[test]
+fn condition_numbers_are_pinned_to_six_digits() {
+    let pinned = include_str!("reference/conditions.csv");
+    let mut seen = 0;
+    for bank in support::banks() {
+        for problem in &bank.problems {
+            let maker = Maker::new(problem, 7, "pinned");
+            for student in 0..10 {
+                let variant =
+                    maker.variant(&format!("s{student}")).expect("a bank of the project can be satisfied");
+                for e in &variant.solved.entries {
+                    let name = problem.cases[variant.case].scene.name_of(e.label);
+                    let row = format!("{},s{student},{name},", problem.id);
+                    let want: f64 = pinned
+                        .lines()
+                        .find_map(|line| line.strip_prefix(&row))
+                        .unwrap_or_else(|| panic!("{row} is not pinned"))
+                        .parse()
+                        .expect("a number");
+                    let off = (e.cond - want).abs() / want.max(1.0);
+                    assert!(off <= 1e-6, "{row} {:e} for {want:e}", e.cond);
+                    seen += 1;
+                }
+            }
+        }
+    }
+    assert_eq!(seen, pinned.lines().count() - 1);
+}
