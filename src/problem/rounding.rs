@@ -3,7 +3,7 @@
 //! Somebody who writes down three figures of each intermediate result is off by up to half a unit of the third at each
 //! step. Here each datum but g enters with two such errors, with leading digits as numbers have them (evenly spread
 //! logarithm), and the answer is rounded too; what comes out is held against the tolerance. It stands in for a calculation step
-//! by step, which needs a worked solution (those are worked by hand in `solution::by_hand`, and scored in `tests/scoring.rs`), and
+//! by step, which needs a worked solution (those are worked by hand in `solution::by_hand`, and scored in `tests/grading/scoring.rs`), and
 //! errs on the careful side: of the slip distances and heats of a wheel pulled with slip that were computed in such steps 14 to
 //! 18 % missed 1 %, of these 22 %.
 use crate::bank::Problem;

@@ -44,3 +44,10 @@ pub fn templates(language: &str, bank: &Bank) -> slipstick::template::Templates 
     slipstick::sheet::statement::add_own(&mut templates, bank).expect("statements of the bank");
     templates
 }
+
+/// How many draws a sweep makes: `SLIPSTICK_SEEDS`, 100 where it is not set, never more than `full`.
+#[allow(dead_code, reason = "each program of tests takes what it needs")]
+pub fn seeds(full: u32) -> u32 {
+    let asked = std::env::var("SLIPSTICK_SEEDS").ok();
+    asked.map_or(100, |n| n.parse().expect("SLIPSTICK_SEEDS is a whole number")).min(full)
+}

@@ -1,0 +1,458 @@
+//! Pictures over the whole range of draws: labels apart and inside, shapes inside, every datum told, forces that add up, energies
+//! that are equal, files that parse. A few goldens: `RENEW_GOLDENS=1 cargo test --test pages figures` writes them anew.
+use crate::support;
+use slipstick::bank::Bank;
+use slipstick::bank::FigureLabels;
+use slipstick::bank::load;
+use slipstick::figure;
+use slipstick::figure::picture::Outline;
+use slipstick::figure::picture::Picture;
+use slipstick::figure::picture::Role;
+use slipstick::figure::symbol;
+use slipstick::figure::vector;
+use slipstick::problem::make::Maker;
+use slipstick::problem::make::Variant;
+use slipstick::scene::End;
+use slipstick::scene::Quantity;
+use slipstick::words::Words;
+
+/// Scenes that no bank of the project has: what an instructor may write besides.
+const ODD: &str = include_str!("../support/odd-scenes.yaml");
+
+fn odd() -> Bank {
+    load::scenes_only(ODD, "odd").unwrap_or_else(|f| panic!("{f:?}"))
+}
+
+/// Scenes of textbooks: banks of one problem each.
+fn textbook() -> Vec<Bank> {
+    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/scenes");
+    let mut files: Vec<_> =
+        std::fs::read_dir(folder).expect("scenes").map(|f| f.expect("a file").path()).collect();
+    files.sort();
+    let read = |file: &std::path::PathBuf| {
+        let text = std::fs::read_to_string(file).expect("a bank is text");
+        load::scenes_only(&text, &file.display().to_string()).unwrap_or_else(|f| panic!("{f:?}"))
+    };
+    files.iter().map(read).collect()
+}
+
+fn all_text(picture: &Picture) -> String {
+    picture.labels.iter().map(|l| symbol::plain(&l.runs) + "\n").collect()
+}
+
+/// Corners of an outline, enough of them to know where it is.
+fn corners(outline: &Outline) -> Vec<(f64, f64)> {
+    match outline {
+        Outline::Lines { points, .. } => points.clone(),
+        Outline::Circle { centre: (x, y), radius: r } => vec![(x - r, y - r), (x + r, y + r)],
+        Outline::Arc { centre, radius, from, to } => (0..=12)
+            .map(|i| {
+                let (c, s) = vector::polar(from + (to - from) * f64::from(i) / 12.0);
+                (centre.0 + radius * c, centre.1 - radius * s)
+            })
+            .collect(),
+    }
+}
+
+/// Boxes apart and inside, shapes inside, numbers finite.
+fn check(picture: &Picture, what: &str) {
+    let inside = |x: f64, y: f64| {
+        x.is_finite() && y.is_finite() && x >= 0.0 && y >= 0.0 && x <= picture.width && y <= picture.height
+    };
+    assert!(
+        picture.width < 900.0 && picture.height < 700.0,
+        "{what}: {} x {}",
+        picture.width,
+        picture.height
+    );
+    assert!(!picture.title.is_empty() && !picture.desc.is_empty(), "{what}");
+    for place in ["{", "NaN", "inf"] {
+        assert!(!picture.desc.contains(place), "{what}: {}", picture.desc);
+    }
+    for shape in &picture.shapes {
+        for (x, y) in corners(&shape.outline) {
+            assert!(inside(x, y), "{what}: {shape:?} leaves the picture");
+        }
+    }
+    for (i, a) in picture.labels.iter().enumerate() {
+        let f = a.bounds;
+        let text = symbol::plain(&a.runs);
+        assert!(inside(f.0, f.1) && inside(f.2, f.3) && f.0 < f.2 && f.1 < f.3, "{what}: {text} is outside");
+        assert!(a.size >= 12.0, "{what}: {text} is small");
+        assert!((f.2 - f.0) + 1e-9 >= symbol::width(&a.runs, a.size), "{what}: {text} leaves its box");
+        for b in &picture.labels[i + 1..] {
+            let g = b.bounds;
+            let apart = f.2 <= g.0 || g.2 <= f.0 || f.3 <= g.1 || g.3 <= f.1;
+            assert!(apart, "{what}: {text} covers {}", symbol::plain(&b.runs));
+        }
+    }
+}
+
+/// Labels that lie on a cord, a spring, an arrow of a force or motion.
+fn covering(picture: &Picture) -> usize {
+    let strong = |r: Role| {
+        matches!(r, Role::Cord | Role::Spring | Role::Force | Role::Friction | Role::Motion | Role::Curve(_))
+    };
+    let lines = picture.shapes.iter().filter(|s| strong(s.role));
+    let points: Vec<(f64, f64)> = lines
+        .flat_map(|s| {
+            let ends = corners(&s.outline);
+            let between = |w: &[(f64, f64)]| -> Vec<(f64, f64)> {
+                (0..=20)
+                    .map(|i| {
+                        let t = f64::from(i) / 20.0;
+                        (w[0].0 + (w[1].0 - w[0].0) * t, w[0].1 + (w[1].1 - w[0].1) * t)
+                    })
+                    .collect()
+            };
+            if matches!(s.outline, Outline::Circle { .. }) {
+                Vec::new()
+            } else {
+                ends.windows(2).flat_map(between).collect()
+            }
+        })
+        .collect();
+    let covers =
+        |f: (f64, f64, f64, f64)| points.iter().any(|p| p.0 > f.0 && p.0 < f.2 && p.1 > f.1 && p.1 < f.3);
+    picture.labels.iter().filter(|l| covers(l.bounds)).count()
+}
+
+#[test]
+fn labels_of_scenes_are_apart_and_inside_over_the_whole_range_of_draws() {
+    let languages: Vec<Words> = Words::languages().map(|l| Words::of(l).expect("built in")).collect();
+    let (mut pictures, mut labels, mut covered) = (0, 0, 0);
+    for bank in support::banks() {
+        for problem in &bank.problems {
+            let maker = Maker::new(problem, 1, "figures");
+            for student in 0..100 {
+                let variant = maker.variant(&student.to_string()).expect("satisfiable");
+                for words in &languages {
+                    for kind in [FigureLabels::Values, FigureLabels::Symbols] {
+                        let picture = figure::scene::picture(problem, &variant, words, kind);
+                        check(&picture, &format!("{} {student} {} {kind:?}", problem.id, words.language()));
+                        covered += covering(&picture);
+                        labels += picture.labels.len();
+                        pictures += 1;
+                    }
+                }
+            }
+        }
+    }
+    assert!(pictures >= 5000, "{pictures}");
+    let share = covered as f64 / labels as f64;
+    assert!(share < 0.01, "{covered} of {labels} labels lie on a cord, a spring or an arrow");
+}
+
+#[test]
+fn every_picture_of_a_solution_is_drawn_well() {
+    let words = Words::of("de").expect("built in");
+    for bank in support::banks() {
+        for problem in &bank.problems {
+            let maker = Maker::new(problem, 2, "figures");
+            for student in 0..12 {
+                let variant = maker.variant(&student.to_string()).expect("satisfiable");
+                for (name, picture) in figure::all(problem, &variant, &words) {
+                    check(&picture, &format!("{} {student} {name}", problem.id));
+                    let noise = name == "graph-speed" && picture.desc.contains("0,0000");
+                    assert!(!noise, "{} {student}: {}", problem.id, picture.desc);
+                    if name.starts_with("forces-") {
+                        // Either the arrows are to scale, or both the picture and its words say that they are not.
+                        let caption = words.get("figure.forces.caption").replace(' ', "\u{a0}");
+                        let told = picture.desc.contains(words.get("figure.forces.free"));
+                        assert_eq!(all_text(&picture).contains(&caption), told, "{} {name}", problem.id);
+                    }
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn scenes_of_textbooks_and_odd_ones_are_drawn_too() {
+    let words = Words::english();
+    let mut drawn = 0;
+    for bank in textbook().into_iter().chain([odd()]) {
+        for problem in &bank.problems {
+            // Some of them have answers that their data hardly determine: no draw, no picture.
+            let Ok(variant) = Maker::new(problem, 1, "figures").giving_up_after(1).variant("0") else {
+                continue;
+            };
+            drawn += 1;
+            for (name, picture) in figure::all(problem, &variant, &words) {
+                check(&picture, &format!("{} {name}", problem.id));
+            }
+        }
+    }
+    assert!(drawn >= 30, "{drawn}");
+}
+
+#[test]
+fn every_datum_of_the_scene_is_in_its_picture() {
+    // Told by the statement alone: where the direction is asked, how long it takes, how fast g is.
+    let hidden =
+        [("spring-released", "D"), ("two-loads-on-a-stepped-drum", "d"), ("wheel-set-down", "t1"), ("", "g")];
+    for language in Words::languages() {
+        let words = Words::of(language).expect("built in");
+        for problem in support::banks().iter().flat_map(|b| &b.problems).filter(|p| p.id != "kinetic-energy")
+        {
+            let maker = Maker::new(problem, 3, "figures");
+            for student in 0..10 {
+                let variant = maker.variant(&student.to_string()).expect("satisfiable");
+                let values =
+                    all_text(&figure::scene::picture(problem, &variant, &words, FigureLabels::Values));
+                let symbols =
+                    all_text(&figure::scene::picture(problem, &variant, &words, FigureLabels::Symbols));
+                for (datum, drawn) in problem.data.iter().zip(&variant.values) {
+                    let Some(drawn) = drawn else { continue };
+                    let told_elsewhere =
+                        hidden.iter().any(|(p, s)| (p.is_empty() || *p == problem.id) && *s == datum.symbol);
+                    // What is 0 at the start has no arrow.
+                    if told_elsewhere || drawn.value == 0 {
+                        continue;
+                    }
+                    let symbol = symbol::plain(&symbol::symbol(&datum.tex));
+                    // An arrow shows the sense of what is negative, its label the size.
+                    let symbol = if drawn.value < 0 { format!("|{symbol}|") } else { symbol };
+                    let value = words.number(drawn.text().trim_start_matches('-'));
+                    let label = format!("{symbol}\u{a0}=\u{a0}{value}");
+                    let times = values.lines().filter(|l| l.starts_with(&label)).count();
+                    assert_eq!(times, 1, "{} {student}: {label} in {values}", problem.id);
+                    assert!(
+                        symbols.lines().any(|l| l == symbol),
+                        "{} {student}: {symbol} in {symbols}",
+                        problem.id
+                    );
+                }
+                assert!(!symbols.contains('='), "{}: {symbols}", problem.id);
+            }
+        }
+    }
+}
+
+#[test]
+fn pictures_of_statements_give_no_answer_away() {
+    let words = Words::english();
+    for bank in support::banks() {
+        for problem in &bank.problems {
+            let variant = Maker::new(problem, 4, "figures").variant("0").expect("satisfiable");
+            let before = figure::scene::picture(problem, &variant, &words, FigureLabels::Values);
+            // Whatever is asked: with every asked quantity's sign turned round, the picture is the same.
+            let mut other = variant.clone();
+            for entry in &mut other.solved.entries {
+                entry.eom = entry.eom.map(|x| -3.0 * x);
+                entry.energy = entry.energy.map(|x| -3.0 * x);
+            }
+            let after = figure::scene::picture(problem, &other, &words, FigureLabels::Values);
+            assert_eq!(before, after, "{}", problem.id);
+        }
+    }
+}
+
+#[test]
+fn forces_add_up_to_mass_times_acceleration() {
+    let words = Words::english();
+    let mut bodies = 0;
+    let banks = support::banks().into_iter().chain(textbook()).chain([odd()]);
+    for problem in banks.flat_map(|b| b.problems) {
+        let maker = Maker::new(&problem, 5, "figures").giving_up_after(50);
+        for student in 0..10 {
+            let Ok(variant) = maker.variant(&student.to_string()) else { continue };
+            let scene = &problem.cases[variant.case].scene;
+            for (i, body) in scene.bodies.iter().enumerate() {
+                if !figure::forces::known(&problem, &variant, i) || matches!(scene.end, End::AtOnce) {
+                    continue;
+                }
+                let Some((acting, made)) = figure::forces::resultants(&problem, &variant, &words, i) else {
+                    panic!("{}: {} has no diagram", problem.id, body.name);
+                };
+                bodies += 1;
+                let near = |a: f64, b: f64| (a - b).abs() <= 1e-6 * acting.size;
+                let what = format!("{} {student} {}: {acting:?} {made:?}", problem.id, body.name);
+                assert!(near(acting.force.0, made.force.0) && near(acting.force.1, made.force.1), "{what}");
+                if body.turns {
+                    assert!(near(acting.moment, made.moment), "{what}");
+                }
+            }
+        }
+    }
+    assert!(bodies > 150, "{bodies}");
+}
+
+#[test]
+fn energy_bars_are_equally_high() {
+    let words = Words::english();
+    let mut drawn = 0;
+    for problem in support::banks().iter().flat_map(|b| &b.problems).chain(&odd().problems) {
+        let maker = Maker::new(problem, 6, "figures").giving_up_after(50);
+        for student in 0..20 {
+            let Ok(variant) = maker.variant(&student.to_string()) else { continue };
+            if matches!(problem.cases[variant.case].scene.end, End::AtOnce) {
+                continue;
+            }
+            let energies = figure::bars::energies(problem, &variant, &words)
+                .unwrap_or_else(|| panic!("{} {student}: no energies", problem.id));
+            let (a, b) = energies.sums();
+            assert!((a - b).abs() <= 1e-6 * a, "{} {student}: {energies:?}", problem.id);
+            drawn += 1;
+        }
+    }
+    assert!(drawn > 250, "{drawn}");
+}
+
+/// A quantity of a variant by its name.
+fn quantity(variant: &Variant, quantity: Quantity) -> f64 {
+    let entry = variant.solved.entries.iter().find(|e| e.label.quantity == quantity);
+    entry.map_or(f64::NAN, |e| e.value())
+}
+
+#[test]
+fn curves_of_the_spring_meet_what_the_solver_says() {
+    let problem = support::banks().into_iter().flat_map(|b| b.problems).find(|p| p.id == "spring-released");
+    let problem = problem.expect("the spring scene");
+    let maker = Maker::new(&problem, 7, "figures");
+    for student in 0..12 {
+        let variant = maker.variant(&student.to_string()).expect("satisfiable");
+        let curves = figure::graph::spring_curves(&problem, &variant).expect("curves");
+        let (v_max, at) = (quantity(&variant, Quantity::VMax), quantity(&variant, Quantity::DAtVMax));
+        let turn = quantity(&variant, Quantity::DTurn);
+        let close = |a: f64, b: f64, scale: f64| (a - b).abs() <= 0.03 * scale;
+        let read = |points: &[(f64, f64)], x: f64| {
+            let w = points.windows(2).find(|w| w[0].0 <= x && x <= w[1].0).expect("inside");
+            w[0].1 + (w[1].1 - w[0].1) * (x - w[0].0) / (w[1].0 - w[0].0)
+        };
+        assert!(curves.speed.len() > 25, "{}", curves.speed.len());
+        let (first, last) = (curves.speed[0], curves.speed[curves.speed.len() - 1]);
+        assert!(first.0 < 1e-5 * turn && first.1 < 0.01 * v_max, "starts at rest: {first:?}");
+        assert!(close(last.0, turn, turn) && last.1 < 0.01 * v_max, "ends at the turning point: {last:?}");
+        assert!(close(read(&curves.speed, at), v_max, v_max));
+        assert!(curves.speed.iter().all(|p| p.1 <= v_max * (1.0 + 1e-9)));
+        assert!(close(read(&curves.speed, curves.asked), quantity(&variant, Quantity::V), v_max));
+        let friction = quantity(&variant, Quantity::Friction);
+        let largest = curves.friction.iter().map(|p| p.1.abs()).fold(0.0, f64::max);
+        assert!(close(read(&curves.friction, curves.asked), friction, largest));
+        // The largest friction of the curve is the one that the least coefficient has to hold.
+        let needed = quantity(&variant, Quantity::MuRequired) * quantity(&variant, Quantity::Normal);
+        assert!(close(largest, needed, needed), "{largest} {needed}");
+        assert!(curves.limit.expect("a limit") > largest);
+    }
+}
+
+/// Element names and attributes of a well-formed XML text; panics where it is not.
+fn parse(xml: &str) -> Vec<(String, Vec<(String, String)>)> {
+    let (mut open, mut found): (Vec<String>, _) = (Vec::new(), Vec::new());
+    let mut rest = xml.trim_start_matches("<?xml version=\"1.0\" encoding=\"UTF-8\"?>").trim();
+    while let Some(start) = rest.find('<') {
+        let text = &rest[..start];
+        assert!(!text.contains('>'), "{text}");
+        for part in text.split('&').skip(1) {
+            let name = part.split(';').next().unwrap_or("");
+            assert!(["amp", "lt", "gt", "quot"].contains(&name), "&{name}");
+        }
+        let end = start + rest[start..].find('>').expect("a tag ends");
+        let tag = &rest[start + 1..end];
+        rest = &rest[end + 1..];
+        if let Some(name) = tag.strip_prefix('/') {
+            assert_eq!(open.pop().as_deref(), Some(name));
+            continue;
+        }
+        let (tag, closed) = tag.strip_suffix('/').map_or((tag, false), |t| (t, true));
+        let (name, mut list) = tag.split_once(' ').unwrap_or((tag, ""));
+        let mut attributes = Vec::new();
+        while let Some((key, after)) = list.split_once("=\"") {
+            let (value, after) = after.split_once('"').expect("a quote ends");
+            assert!(!value.contains('<'));
+            attributes.push((key.trim().to_owned(), value.to_owned()));
+            list = after;
+        }
+        assert!(list.trim().is_empty(), "{tag}");
+        let mut keys: Vec<&str> = attributes.iter().map(|(k, _)| k.as_str()).collect();
+        keys.sort_unstable();
+        keys.dedup();
+        assert_eq!(keys.len(), attributes.len(), "{tag}");
+        found.push((name.to_owned(), attributes));
+        if !closed {
+            open.push(name.to_owned());
+        }
+    }
+    assert!(open.is_empty() && rest.trim().is_empty(), "{open:?} {rest}");
+    found
+}
+
+#[test]
+fn files_parse_and_repeat() {
+    let words = Words::of("de").expect("built in");
+    for bank in support::banks() {
+        for problem in &bank.problems {
+            let variant = Maker::new(problem, 8, "figures").variant("0").expect("satisfiable");
+            for (name, picture) in figure::all(problem, &variant, &words) {
+                let what = format!("{} {name}", problem.id);
+                let screen = figure::svg::Screen::new(&picture);
+                let inline = screen.inline("p1");
+                assert_eq!(inline, figure::svg::Screen::new(&picture).inline("p1"), "{what}");
+                let elements = parse(&inline);
+                let ids: Vec<&String> =
+                    elements.iter().flat_map(|(_, a)| a).filter(|(k, _)| k == "id").map(|(_, v)| v).collect();
+                assert_eq!(ids, ["p1-t", "p1-d"], "{what}");
+                let svg = &elements[0];
+                assert!(svg.0 == "svg" && svg.1.contains(&("role".to_owned(), "img".to_owned())), "{what}");
+                let print = figure::svg::print(&picture);
+                for word in ["<style", "class=", "var(", "@media", "NaN", "inf\""] {
+                    assert!(!print.contains(word), "{what}: {word}");
+                }
+                for text in [&screen.file(), &print] {
+                    parse(text);
+                    for (_, attributes) in parse(text) {
+                        for (key, value) in attributes {
+                            if ["x", "y", "cx", "cy", "r", "width", "height"].contains(&key.as_str())
+                                && !value.ends_with('%')
+                            {
+                                assert!(
+                                    value.parse::<f64>().is_ok_and(f64::is_finite),
+                                    "{what}: {key}={value}"
+                                );
+                            }
+                        }
+                    }
+                }
+                let tikz = figure::tikz::picture(&picture);
+                let deep = tikz.lines().filter(|l| !l.starts_with('%')).collect::<String>();
+                assert_eq!(deep.matches('{').count(), deep.matches('}').count(), "{what}");
+                assert_eq!(deep.matches('$').count() % 2, 0, "{what}");
+                assert!(tikz.contains("\\begin{tikzpicture}") && tikz.ends_with("\\end{tikzpicture}\n"));
+                assert!(!tikz.contains("NaN") && !deep.contains('−') && !deep.contains('μ'), "{what}");
+            }
+        }
+    }
+}
+
+#[test]
+fn goldens_are_as_they_were() {
+    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/goldens");
+    let renew = std::env::vars().any(|(name, _)| name == "RENEW_GOLDENS");
+    let words = Words::english();
+    let mut stale = Vec::new();
+    for (id, name) in [
+        ("pulled-rolling", "scene"),
+        ("spring-released", "scene"),
+        ("block-pulls-wheel", "scene"),
+        ("rod-and-spring", "scene"),
+        ("kinetic-energy", "scene"),
+        ("pulled-slipping", "forces-wheel"),
+        ("spring-released", "energy"),
+        ("thrown-ball", "graph-slip"),
+    ] {
+        let problem =
+            support::banks().into_iter().flat_map(|b| b.problems).find(|p| p.id == id).expect("a problem");
+        let variant = Maker::new(&problem, 1, "goldens").variant("0").expect("satisfiable");
+        let pictures = figure::all(&problem, &variant, &words);
+        let (_, picture) = pictures.into_iter().find(|(n, _)| n == name).expect("a picture of this name");
+        let text = figure::svg::Screen::new(&picture).file();
+        let path = format!("{folder}/{id}-{name}.svg");
+        if renew {
+            std::fs::write(&path, text).expect("a golden is written");
+        } else if std::fs::read_to_string(&path).ok().as_ref() != Some(&text) {
+            stale.push(path);
+        }
+    }
+    assert!(stale.is_empty(), "other pictures than before; look at them, then RENEW_GOLDENS=1: {stale:?}");
+}

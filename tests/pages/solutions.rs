@@ -1,0 +1,269 @@
+//! Worked solutions: made for every draw, answering every question, and true line by line.
+//!
+//! The second test does not know how a solution was made. It reads the Markdown that comes out, and solves each printed
+//! equation again: a printed number stands for all numbers that round to it (data are exact), the right side is evaluated in
+//! intervals, and the printed result has to lie in what comes out. The line in symbols is held to the same with the
+//! values printed before; equations between quantities that are all known at the end have to hold with these.
+use slipstick::bank::Draw;
+use slipstick::bank::Problem;
+use slipstick::bank::decimal::Decimal;
+use slipstick::bank::load;
+use slipstick::problem::make;
+use slipstick::problem::make::Maker;
+use slipstick::problem::make::Variant;
+use slipstick::sheet::html;
+use slipstick::sheet::number;
+use slipstick::solution;
+use slipstick::solution::expr::width;
+use slipstick::template::Templates;
+use slipstick::words::Words;
+
+use crate::support;
+use crate::tex;
+
+/// Widest line of a formula that fits on 16 cm of print, in digits.
+const LINE: f64 = 86.0;
+
+fn templates(language: &str) -> Templates {
+    Templates::new(language, &[]).expect("templates")
+}
+
+/// The problems whose solutions are derived by bodies on lines and axles.
+fn linear(problem: &Problem) -> bool {
+    problem.cases.iter().all(|c| {
+        let s = &c.scene;
+        s.pinned().is_none() && s.thrown().is_none() && s.bodies.iter().all(|b| b.particles.is_empty())
+    })
+}
+
+fn markdown(problem: &Problem, variant: &Variant, words: &Words, templates: &Templates) -> String {
+    match solution::text(problem, variant, 1, words, templates) {
+        Ok(text) if !text.contains(words.get("solution.title.beyond")) => text,
+        Ok(short) => panic!("{short}\n{:?}", variant.data),
+        Err(finding) => panic!("{finding}\n{:?}", variant.data),
+    }
+}
+
+/// Calls with each linear problem and many of its variants.
+fn sweep(draws: u32, mut each: impl FnMut(&Problem, &Variant)) {
+    for bank in support::banks() {
+        for problem in bank.problems.iter().filter(|p| linear(p)) {
+            let maker = Maker::new(problem, 4, "solutions");
+            for student in 0..draws {
+                let variant = maker.variant(&student.to_string()).expect("a variant");
+                each(problem, &variant);
+            }
+        }
+    }
+}
+
+/// What is wrong with a solution, beside its numbers.
+fn faults(markdown: &str, problem: &Problem, variant: &Variant, words: &Words) -> Vec<String> {
+    let mut faults = html::faulty_formulas(markdown);
+    let sentences: String = markdown.split("$$").step_by(2).collect::<Vec<_>>().join(" ");
+    for (i, piece) in sentences.split('$').enumerate() {
+        // Outside of formulas nothing is left to fill in.
+        if i % 2 == 0 && (piece.contains('{') || piece.contains('}') || piece.contains('?')) {
+            let heading = piece.lines().any(|l| l.starts_with('#') && l.ends_with('?'));
+            if !heading {
+                faults.push(format!("left open: {piece:?}"));
+            }
+        }
+    }
+    for word in ["NaN", "none}", "infinite", "solution."] {
+        if markdown.contains(word) {
+            faults.push(format!("says {word}"));
+        }
+    }
+    for formula in tex::displayed(markdown) {
+        for line in tex::lines(&formula) {
+            if width(&line) > LINE {
+                faults.push(format!("{:.0} wide: {line}", width(&line)));
+            }
+        }
+    }
+    for q in &problem.questions {
+        let row = format!("- `1.{}`: ", q.id);
+        let Some(line) = markdown.lines().find_map(|l| l.strip_prefix(&row)) else {
+            faults.push(format!("no answer to {}", q.id));
+            continue;
+        };
+        let right = match variant.solved.get(q.label) {
+            Some(entry) => {
+                let digits = number::rounded(q.unit.from_si(entry.value()), usize::from(q.figures));
+                q.unit.tex_with(&words.tex_number(&digits))
+            }
+            None => {
+                let word = variant.solved.word(q.label);
+                word.map_or_else(String::new, |w| words.get(&format!("sheet.{}", w.text())).to_owned())
+            }
+        };
+        if right.is_empty() || !line.contains(&right) {
+            faults.push(format!("{}: `{line}` is not {right}", q.id));
+        }
+    }
+    faults
+}
+
+fn every_draw(draws: u32) {
+    let (templates, words) = (templates("en"), Words::english());
+    let mut counts = tex::Counts::default();
+    let mut made = 0u32;
+    sweep(draws, |problem, variant| {
+        let text = markdown(problem, variant, &words, &templates);
+        let mut wrong = faults(&text, problem, variant, &words);
+        wrong.extend(tex::check(&text, &mut counts));
+        assert!(wrong.is_empty(), "{}: {}\n\n{text}", problem.id, wrong.join("\n"));
+        made += 1;
+    });
+    println!("{made} solutions: {counts:?}");
+    // So that a change of the text's form cannot switch the check off.
+    assert!(
+        counts.numbers > 20 * made && counts.symbols > 20 * made && counts.relations > 2 * made,
+        "{counts:?}"
+    );
+}
+
+#[test]
+fn every_printed_equation_holds() {
+    every_draw(support::seeds(300));
+}
+
+#[test]
+#[ignore = "a thousand draws of each family take a minute"]
+fn every_printed_equation_holds_for_a_thousand() {
+    every_draw(1000);
+}
+
+#[test]
+fn a_wrong_digit_is_seen() {
+    let (templates, words) = (templates("en"), Words::english());
+    let mut planted = 0;
+    sweep(2, |problem, variant| {
+        let text = markdown(problem, variant, &words, &templates);
+        for (from, to) in tex::mutations(&text) {
+            let wrong = format!("{}{}{}", &text[..from], to, &text[from + to.len()..]);
+            let found = tex::check(&wrong, &mut tex::Counts::default());
+            assert!(
+                !found.is_empty(),
+                "{}: not seen: ...{}...",
+                problem.id,
+                &wrong[from.saturating_sub(60)..from + 20]
+            );
+            planted += 1;
+        }
+    });
+    println!("{planted} wrong digits seen");
+    assert!(planted > 200);
+}
+
+#[test]
+fn both_languages_have_the_same_formulas() {
+    let english = (Words::english(), templates("en"));
+    let german = (Words::of("de").expect("German"), templates("de"));
+    sweep(12, |problem, variant| {
+        let texts = [&english, &german].map(|(w, t)| markdown(problem, variant, w, t));
+        let wrong = faults(&texts[1], problem, variant, &german.0);
+        assert!(wrong.is_empty(), "{}: {}\n\n{}", problem.id, wrong.join("\n"), texts[1]);
+        let [en, de] = texts.map(|t| tex::displayed(&t));
+        let de: Vec<String> = de.iter().map(|f| f.replace("{,}", ".")).collect();
+        assert_eq!(en, de, "{}", problem.id);
+    });
+}
+
+/// What is wrong with the solution of a variant.
+fn wrong(problem: &Problem, variant: &Variant, words: &Words, templates: &Templates) -> Vec<String> {
+    let text = match solution::text(problem, variant, 1, words, templates) {
+        Ok(text) if text.contains(words.get("solution.title.beyond")) => {
+            return vec![format!("{}: is a short page, data {:?}\n{text}", problem.id, variant.data)];
+        }
+        Ok(text) => text,
+        Err(finding) => return vec![format!("{finding}, data {:?}", variant.data)],
+    };
+    let mut wrong = faults(&text, problem, variant, words);
+    wrong.extend(tex::check(&text, &mut tex::Counts::default()));
+    wrong.into_iter().map(|w| format!("{}: {w}", problem.id)).collect()
+}
+
+/// The pictures that a text shows are there, and each once.
+#[test]
+fn pictures_stand_in_the_text() {
+    let (templates, words) = (templates("en"), Words::english());
+    sweep(2, |problem, variant| {
+        let document = solution::document(problem, variant, 1, &words, &templates).expect("a solution");
+        let shown: Vec<&str> = document
+            .markdown
+            .lines()
+            .filter_map(|l| l.strip_suffix(".svg)")?.rsplit_once("](").map(|p| p.1))
+            .collect();
+        let names: Vec<&str> = document.pictures.iter().map(|(n, _)| n.as_str()).collect();
+        let mut sorted = (shown.clone(), names.clone());
+        sorted.0.sort_unstable();
+        sorted.1.sort_unstable();
+        assert_eq!(sorted.0, sorted.1, "{}", problem.id);
+        assert!(names.contains(&"scene") && names.contains(&"energy"), "{}: {names:?}", problem.id);
+        let bodies = &problem.cases[variant.case].scene.bodies;
+        assert!(bodies.iter().all(|b| names.contains(&format!("forces-{}", b.name).as_str())), "{names:?}");
+    });
+}
+
+/// Scenes of textbooks, with the data printed there.
+#[test]
+fn scenes_of_textbooks() {
+    let (templates, words) = (templates("en"), Words::english());
+    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/scenes");
+    let mut files: Vec<_> =
+        std::fs::read_dir(folder).expect("scenes").map(|f| f.expect("a file").path()).collect();
+    files.sort();
+    let mut solved = 0;
+    for file in files {
+        let text = std::fs::read_to_string(&file).expect("text");
+        let bank = load::scenes_only(&text, &file.display().to_string()).expect("a bank");
+        for problem in bank.problems.iter().filter(|p| linear(p)) {
+            let draws = problem.cases[0].draws.iter();
+            let values: Vec<Option<Decimal>> = draws
+                .map(|d| match d {
+                    Some(Draw::Always { value, decimals }) => {
+                        Some(Decimal { value: *value, decimals: *decimals })
+                    }
+                    _ => None,
+                })
+                .collect();
+            // Some of these scenes are drawn and have no printed data.
+            if values.iter().any(Option::is_none) {
+                continue;
+            }
+            let variant = make::from_values(problem, 0, &values).expect("solved");
+            // One is printed to show that it does not roll.
+            if variant.solved.regime.slips {
+                continue;
+            }
+            let wrong = wrong(problem, &variant, &words, &templates);
+            assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+            solved += 1;
+        }
+    }
+    println!("{solved} scenes of textbooks");
+    assert!(solved >= 15);
+}
+
+/// Every way to start, to end and to pull; every quantity.
+#[test]
+fn scenes_beyond_the_built_in_banks() {
+    let (templates, words) = (templates("en"), Words::english());
+    let text = include_str!("../support/lines.yaml");
+    let bank = load::scenes_only(text, "lines.yaml").unwrap_or_else(|f| panic!("{f:?}"));
+    let mut faults = Vec::new();
+    for problem in &bank.problems {
+        let maker = Maker::new(problem, 8, "lines");
+        for student in 0..25 {
+            let variant = maker.variant(&student.to_string()).unwrap_or_else(|u| panic!("{u}"));
+            let wrong = wrong(problem, &variant, &words, &templates);
+            if !wrong.is_empty() {
+                faults.extend(wrong);
+                break;
+            }
+        }
+    }
+    assert!(faults.is_empty(), "{}", faults.join("\n"));
+}

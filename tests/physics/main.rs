@@ -1,0 +1,38 @@
+//! Two roads, reference and published cases, limits, extremes and composed scenes: is the key right?
+#![allow(
+    clippy::cast_possible_truncation,
+    clippy::disallowed_methods,
+    clippy::float_cmp,
+    clippy::neg_cmp_op_on_partial_ord,
+    clippy::print_stdout,
+    clippy::unwrap_used,
+    reason = "a test fails by panicking, tells figures with --nocapture, and NaN must fail its comparisons"
+)]
+#[path = "../support/mod.rs"]
+mod support;
+
+mod at_once;
+mod big;
+mod catalogue;
+mod composed;
+mod composed_scenes;
+mod extremes;
+mod ladder;
+mod lagrange;
+mod limits;
+mod pinned_bits;
+mod pinned_draws;
+mod published;
+mod range;
+mod reference_cases;
+mod rest;
+mod seed_sweep;
+mod swing_extremes;
+mod swings;
+mod switches;
+mod third_witness;
+mod tolerance;
+mod traps;
+mod two_roads;
+mod wrong_method_families;
+mod wrong_methods;

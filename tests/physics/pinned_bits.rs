@@ -1,0 +1,87 @@
+//! The same seed gives the same bits in every build and on every machine: drawn data and all answers of both roads.
+//!
+//! If a line must change, raise the draw version (draws) or say in the README what moved (answers).
+use crate::support;
+use sha2::Digest;
+use slipstick::problem::make::Maker;
+
+/// Problem, digest of the drawn data, digest of the answers.
+const PINNED: &[(&str, &str, &str)] = &[
+    ("block-pulls-wheel", "48f0a6947418f696", "b194e132ae793c34"),
+    ("yo-yo", "f77ba8a7923a22f1", "711a6d60ec74464a"),
+    ("two-loads-on-a-stepped-drum", "ab8e32af2fcb04ba", "39a0eff9ab138afd"),
+    ("falling-rod", "2e7545d318b231d2", "85b8a6273d50cf3f"),
+    ("compound-pendulum", "4cad979d93006443", "8f22c398df53ffa1"),
+    ("lifted-rod", "efa876bf286d2b6c", "b94bef31c6a95479"),
+    ("rod-and-spring", "9589c05578d271dc", "d476733f2f7ee1d7"),
+    ("thrown-ball", "26af46574cdccf6f", "975bd4fde3adfacb"),
+    ("wheel-set-down", "9d1d0943968ef4a9", "acdb173a35a72676"),
+    ("kinetic-energy", "bf22ad97eb787f90", "d4b75ba300a268bc"),
+    ("pulled-rolling", "36fc3c1b454362c5", "6e3be81609b705fa"),
+    ("pulled-slipping", "49999fd51db07b4e", "e30775673ff8e86b"),
+    ("spring-released", "84ef3c41f2691831", "ad964ce64ca6458a"),
+];
+
+#[test]
+fn draws_and_answers_are_pinned_to_the_bit() {
+    let mut seen = Vec::new();
+    for bank in support::banks() {
+        for problem in &bank.problems {
+            let maker = Maker::new(problem, 7, "pinned");
+            let (mut data, mut answers) = (sha2::Sha256::new(), sha2::Sha256::new());
+            for student in 0..200 {
+                let variant =
+                    maker.variant(&format!("s{student}")).expect("a bank of the project can be satisfied");
+                for x in &variant.data {
+                    data.update(x.to_bits().to_le_bytes());
+                }
+                let mut entries: Vec<_> = variant.solved.entries.iter().collect();
+                entries.sort_by_key(|e| e.label);
+                for e in entries {
+                    answers.update(problem.cases[variant.case].scene.name_of(e.label));
+                    for x in [e.eom, e.energy].into_iter().flatten() {
+                        answers.update(x.to_bits().to_le_bytes());
+                    }
+                }
+            }
+            let hex =
+                |d: sha2::Sha256| d.finalize().iter().take(8).map(|b| format!("{b:02x}")).collect::<String>();
+            seen.push((problem.id.clone(), hex(data), hex(answers)));
+        }
+    }
+    let lines: Vec<String> =
+        seen.iter().map(|(p, d, a)| format!("    (\"{p}\", \"{d}\", \"{a}\"),")).collect();
+    let pinned: Vec<String> =
+        PINNED.iter().map(|(p, d, a)| format!("    (\"{p}\", \"{d}\", \"{a}\"),")).collect();
+    assert_eq!(lines, pinned, "\n{}\n", lines.join("\n"));
+}
+
+/// Condition numbers of 10 draws of each problem, as derivatives carried along with each number gave them.
+#[test]
+fn condition_numbers_are_pinned_to_six_digits() {
+    let pinned = include_str!("../reference/conditions.csv");
+    let mut seen = 0;
+    for bank in support::banks() {
+        for problem in &bank.problems {
+            let maker = Maker::new(problem, 7, "pinned");
+            for student in 0..10 {
+                let variant =
+                    maker.variant(&format!("s{student}")).expect("a bank of the project can be satisfied");
+                for e in &variant.solved.entries {
+                    let name = problem.cases[variant.case].scene.name_of(e.label);
+                    let row = format!("{},s{student},{name},", problem.id);
+                    let want: f64 = pinned
+                        .lines()
+                        .find_map(|line| line.strip_prefix(&row))
+                        .unwrap_or_else(|| panic!("{row} is not pinned"))
+                        .parse()
+                        .expect("a number");
+                    let off = (e.cond - want).abs() / want.max(1.0);
+                    assert!(off <= 1e-6, "{row} {:e} for {want:e}", e.cond);
+                    seen += 1;
+                }
+            }
+        }
+    }
+    assert_eq!(seen, pinned.lines().count() - 1);
+}
