@@ -260,9 +260,11 @@ impl<'p> Maker<'p> {
             }
         };
         // A draw that breaks a rule on the first road needs no second one.
-        let half = agree::first(&case.scene, data).map_err(&mut unsolved)?;
+        let mut half = agree::first(&case.scene, data).map_err(&mut unsolved)?;
         self.rules(case, half.preview(), data)?;
         self.energies(case, half.preview(), data)?;
+        // Condition numbers cost more than all the rest of the first road: only for what holds the other rules.
+        half.weigh(&case.scene, data);
         if self.watching {
             refusals.conds.extend(self.problem.questions.iter().map(|q| cond(half.preview(), q.label)));
         }
