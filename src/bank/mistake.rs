@@ -6,9 +6,9 @@ use crate::bank::Mistake;
 use crate::bank::Question;
 use crate::bank::expression::{Expression, Name, Powers};
 use crate::bank::measure;
-use crate::bank::node::{Faults, Fields, Node, Value, close_name, named, shorten};
+use crate::bank::node::{Faults, Fields, Node, Value, close_name, named, shorten, suggestion};
 use crate::bank::review;
-use crate::bank::scene::{self, Symbol, Touching};
+use crate::bank::scene::{self, DatumSymbol, Touching};
 use crate::scene::{Label, Scene};
 
 /// What the reader knows of the problem.
@@ -30,7 +30,7 @@ pub struct OfCase<'a> {
     /// The text that the scene was read from.
     pub node: &'a Node,
     /// The symbols that its scene may use.
-    pub symbols: &'a [Symbol],
+    pub symbols: &'a [DatumSymbol],
     /// How contacts are taken that do not say whether they roll or slip.
     pub touching: Touching,
 }
@@ -53,7 +53,7 @@ fn mistake(id: &str, key: &Node, node: &Node, context: &Context, faults: &Faults
     let (values_node, of_node) = (fields.get("values"), fields.get("of"));
     let cases_node = fields.get("cases");
     let unguarded = fields.get("unguarded").map(|n| (n, n.text().unwrap_or("").trim().to_owned()));
-    fields.close(faults);
+    fields.close();
     if data_node.is_none() && scene_node.is_none() && values_node.is_none() {
         let hint = "`data: {k: R/sqrt(2)}`, `scene: {ties: [...]}` or `values: {omega: v/R}`";
         faults.hint(node, "this wrong method changes nothing", hint);
@@ -167,9 +167,7 @@ pub fn follows(node: &Node, questions: &[Question], context: &Context, faults: &
     let mut list = Vec::new();
     for (id, key, value) in named(node, "relations by question", faults) {
         let Some(index) = questions.iter().position(|q| q.id == id) else {
-            let ids = questions.iter().map(|q| q.id.as_str());
-            let hint = close_name(id, ids.clone())
-                .unwrap_or_else(|| format!("questions: {}", ids.collect::<Vec<_>>().join(", ")));
+            let hint = suggestion(id, "questions", questions.iter().map(|q| q.id.as_str()));
             faults.hint(key, format!("`{}` is no question that is asked", shorten(id)), hint);
             continue;
         };

@@ -278,11 +278,13 @@ pub mod expression;
 pub mod load;
 pub mod measure;
 pub mod mistake;
+pub mod need;
 pub mod node;
 pub mod overlay;
 pub mod review;
 pub mod scene;
 pub mod schema;
+pub mod yaml;
 
 #[cfg(test)]
 #[allow(clippy::float_cmp, reason = "what is printed is what is used")]
