@@ -4,7 +4,7 @@ use crate::bank::Datum;
 use crate::bank::Follow;
 use crate::bank::Mistake;
 use crate::bank::Question;
-use crate::bank::expression::{Expression, Name, Powers};
+use crate::bank::expression::{Exponents, Expression, Name};
 use crate::bank::measure;
 use crate::bank::node::{Faults, Fields, Node, Value, close_name, named, shorten, suggestion};
 use crate::bank::review;
@@ -18,11 +18,11 @@ pub struct Context<'a> {
     /// Index of g.
     pub gravity: usize,
     /// Its cases.
-    pub cases: &'a [OfCase<'a>],
+    pub cases: &'a [CaseContext<'a>],
 }
 
 /// What the reader knows of a case.
-pub struct OfCase<'a> {
+pub struct CaseContext<'a> {
     /// Its name.
     pub name: &'a str,
     /// Its scene.
@@ -132,7 +132,7 @@ fn is_id(text: &str) -> bool {
 }
 
 /// The scene with some of its fields replaced, read by the reader of scenes.
-fn changed(case: &OfCase, changes: &Node, context: &Context, faults: &Faults) -> Option<Scene> {
+fn changed(case: &CaseContext, changes: &Node, context: &Context, faults: &Faults) -> Option<Scene> {
     let (Value::Map(old), Value::Map(new)) = (&case.node.value, &changes.value) else {
         faults.at(changes, format!("expected fields of a scene, found {}", changes.kind()));
         return None;
@@ -150,7 +150,7 @@ fn changed(case: &OfCase, changes: &Node, context: &Context, faults: &Faults) ->
 
 fn label(name: &str, at: &Node, context: &Context, faults: &Faults) -> Option<Label> {
     let mut trouble = None;
-    for OfCase { scene, .. } in context.cases {
+    for CaseContext { scene, .. } in context.cases {
         match review::label(scene, name) {
             Ok(label) => return Some(label),
             Err(fault) => trouble = trouble.or(Some(fault)),
@@ -197,21 +197,14 @@ pub fn follows(node: &Node, questions: &[Question], context: &Context, faults: &
 /// mix them up.
 fn expression(node: &Node, context: &Context, strict: bool, faults: &Faults) -> Option<Expression> {
     let text = node.text().unwrap_or("");
-    let lookup = |name: &str| -> Result<(Name, Powers), (String, Option<String>)> {
-        if let Some(i) = context.data.iter().position(|d| d.symbol == name) {
-            let factor = if context.data[i].degrees { std::f64::consts::PI / 180.0 } else { 1.0 };
-            return Ok((Name::Datum(i, factor), measure::powers(&context.data[i].unit)));
+    let lookup = |name: &str| -> Result<(Name, Exponents), (String, Option<String>)> {
+        if let Some(found) = measure::datum(context.data, name) {
+            return Ok(found);
         }
         let mut trouble = (format!("`{}` is not known", shorten(name)), None);
-        for OfCase { scene, .. } in context.cases {
-            match review::label(scene, name) {
-                Ok(label) if label.quantity.is_word() => {
-                    trouble.0 = format!("`{name}` is a word, not a number")
-                }
-                Ok(label) => {
-                    let unit = measure::unit(label.quantity.unit()).map_err(|m| (m, None))?;
-                    return Ok((Name::Quantity(label), measure::powers(&unit)));
-                }
+        for CaseContext { scene, .. } in context.cases {
+            match review::label(scene, name).and_then(|label| measure::quantity(label, name)) {
+                Ok(found) => return Ok(found),
                 Err(fault) => trouble = fault,
             }
         }
@@ -221,8 +214,8 @@ fn expression(node: &Node, context: &Context, strict: bool, faults: &Faults) -> 
         if strict { Expression::parse(text, &lookup) } else { Expression::parse_loosely(text, &lookup) };
     match read {
         Ok(e) => Some(e),
-        Err(t) => {
-            faults.maybe(node, format!("`{}`, character {}: {}", shorten(text), t.column, t.message), t.hint);
+        Err(fault) => {
+            fault.tell(node, text, faults);
             None
         }
     }

@@ -269,7 +269,7 @@ impl Relative {
     }
 }
 
-/// What doubles may add to a whole number of tenths of a per cent.
+/// Greatest rounding error of a number of tenths of a per cent that is whole but for doubles.
 const ROUNDING: f64 = 1e-6;
 
 pub mod course;

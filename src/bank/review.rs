@@ -202,7 +202,8 @@ pub fn instant(scene: &Scene, draws: &[(String, Option<Draw>)], node: &Node, fau
         rows.push(place(c.body, c.degree).into_iter().collect());
         numbers.push(number);
     }
-    // Each condition takes a coordinate of its own, others making way for it where they can (Kuhn's matching).
+    // A maximum matching of conditions to coordinates (Kuhn): a condition that finds no coordinate of its own says nothing
+    // new, a coordinate without a condition is left open.
     fn take(row: usize, rows: &[Vec<usize>], taken: &mut [Option<usize>], tried: &mut [bool]) -> bool {
         for j in rows[row].iter().copied() {
             if std::mem::replace(&mut tried[j], true) {

@@ -150,6 +150,18 @@ fn excluded(name: &str, body: &Node, faults: &Faults) {
     }
 }
 
+/// An end with a value: its word, the field of the value, an example of it, what it is along a line and in turning, and
+/// what is made of it.
+type EndRow = (&'static str, &'static str, &'static str, Need, Need, fn(Coordinate, Num) -> End);
+const ENDS: [EndRow; 6] = [
+    ("travel", "by", "d", Need::LENGTH, Need::TURN, End::Travel),
+    ("turn", "by", "phi", Need::TURN, Need::TURN, End::Travel),
+    ("position", "at", "s", Need::PLACE, Need::PLACE, End::Position),
+    ("time", "is", "t1", Need::TIME, Need::TIME, End::Time),
+    ("speed", "reaches", "v1", Need::SPEED_REACHED, Need::SPIN_REACHED, End::Speed),
+    ("angle", "reaches", "phi1", Need::ANGLE, Need::ANGLE, End::Angle),
+];
+
 struct Surface<'n> {
     name: &'n str,
     slope: Slope,
@@ -225,7 +237,7 @@ impl SceneReader<'_> {
             return None;
         };
         if let Some(datum) = self.symbols.iter().position(|s| s.name == text) {
-            // Where its unit is wrong, that has been told; it is used all the same.
+            // A unit that is wrong is a finding already; the datum counts as used all the same.
             if let Some(unit) = self.symbols[datum].unit.as_ref().filter(|u| !measure::fits(u, need.unit)) {
                 f.hint(
                     node,
@@ -330,7 +342,7 @@ impl SceneReader<'_> {
                     &[("level", Slope::Level), ("horizontal", Slope::Level), ("vertical", Slope::Vertical)],
                 ),
             };
-            // A slope that is wrong has been told; the name stays known, so that nothing else is blamed.
+            // A slope that is wrong is a finding already; the name stays known, so that no other finding follows from it.
             list.push(Surface { name, slope: slope.unwrap_or(Slope::Level) });
         }
         list
@@ -419,7 +431,7 @@ impl SceneReader<'_> {
         body.line = match moves.map(|n| self.line(n, positive, surfaces)) {
             Some(Ok(line)) => line,
             Some(Err(())) | None => {
-                // Told already; with some line nothing else is blamed.
+                // It is a finding already; a line is assumed, so that no other finding follows from it.
                 self.lost.set(true);
                 let slope = surfaces.first().map_or(Slope::Vertical, |s| s.slope);
                 Some(Line { slope, forward_up: true, surface: !surfaces.is_empty() })
@@ -543,7 +555,7 @@ impl SceneReader<'_> {
                 _ => None,
             },
         });
-        // What is wrong has been told; the body stays pinned, so that nothing else is blamed.
+        // What is wrong is a finding already; the body stays pinned, so that no other finding follows from it.
         Pin {
             arm: arm.unwrap_or(Arm::Distance(Num::Fixed(1.0))),
             from: from.unwrap_or(Zero::Hanging),
@@ -1163,31 +1175,19 @@ impl SceneReader<'_> {
             let body = self.body_named(value, bodies)?;
             return Some((End::Rolling(Coordinate { body, degree: Degree::Along }), None));
         }
-        let names = ["travel", "turn", "position", "time", "speed", "turning point", "rolling", "angle"];
-        if !names.contains(&word) {
+        let Some((_, by, example, along, in_turning, end)) = ENDS.into_iter().find(|row| row.0 == word)
+        else {
+            let names = ["travel", "turn", "position", "time", "speed", "turning point", "rolling", "angle"];
             self.unknown(key, "end", &names);
             return None;
-        }
+        };
         let mut fields = Fields::open(value, "the body and the value", f)?;
         let body = self.need_body(&mut fields, "of", bodies);
         let line = body.and_then(|b| bodies[b].line);
         let turning = word == "turn" || (body.is_some() && line.is_none());
         let degree = if turning { Degree::Turn } else { Degree::Along };
-        let number = match word {
-            "travel" => {
-                self.need_number(&mut fields, "by", "d", if turning { Need::TURN } else { Need::LENGTH })
-            }
-            "turn" => self.need_number(&mut fields, "by", "phi", Need::TURN),
-            "position" => self.need_number(&mut fields, "at", "s", Need::PLACE),
-            "time" => self.need_number(&mut fields, "is", "t1", Need::TIME),
-            "angle" => self.need_number(&mut fields, "reaches", "phi1", Need::ANGLE),
-            _ => self.need_number(
-                &mut fields,
-                "reaches",
-                "v1",
-                if turning { Need::SPIN_REACHED } else { Need::SPEED_REACHED },
-            ),
-        };
+        let need = if turning { in_turning } else { along };
+        let number = self.need_number(&mut fields, by, example, need);
         let heading_node = fields.get("heading");
         let heading = heading_node.map_or(Some(None), |n| {
             let mut words = vec![("forward", Heading::Forward), ("back", Heading::Back)];
@@ -1227,15 +1227,7 @@ impl SceneReader<'_> {
             f.hint(n, "a pinned body goes where its forces or its start take it", "remove this field");
         }
         let coordinate = Coordinate { body, degree };
-        let number = number?;
-        let end = match word {
-            "travel" | "turn" => End::Travel(coordinate, number),
-            "position" => End::Position(coordinate, number),
-            "time" => End::Time(coordinate, number),
-            "angle" => End::Angle(coordinate, number),
-            _ => End::Speed(coordinate, number),
-        };
-        Some((end, heading?))
+        Some((end(coordinate, number?), heading?))
     }
 }
 

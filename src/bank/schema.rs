@@ -3,7 +3,7 @@ use crate::bank::TEMPLATE_NAMES;
 use crate::bank::Variables;
 use crate::bank::course;
 use crate::bank::decimal::{self, Decimal};
-use crate::bank::expression::{Expression, Name, Powers};
+use crate::bank::expression::{Exponents, Expression, Name};
 use crate::bank::measure;
 use crate::bank::mistake;
 use crate::bank::need::Need;
@@ -25,8 +25,8 @@ const RELATIVE: f64 = 0.01;
 /// Greatest condition number where the bank does not say it. A rounding to three figures on the way is off by some 0.13 % on
 /// average, so that about 10 of them fit into 1 %.
 const COND_LIMIT: f64 = 10.0;
-/// Greatest input energy of a spring problem, in kinetic energies, where the bank does not say it: with more, the speed is what
-/// two large energies leave.
+/// Greatest input energy of a spring problem, in kinetic energies, where the bank does not say it: with more, the
+/// speed comes from a small difference of two large energies.
 const ENERGY_LIMIT: f64 = 4.0;
 /// Significant figures asked for where the bank does not say it.
 const FIGURES: u8 = 3;
@@ -322,12 +322,12 @@ fn problem(
     let scenes: Vec<(&str, &Scene)> =
         cases.iter().filter_map(|c| Some((c.name.as_str(), c.read.as_ref()?.scene.as_ref()?))).collect();
     let questions = questions_node.map_or_else(Vec::new, |n| questions(n, common, &scenes, faults));
-    let read_cases: Vec<mistake::OfCase> = cases
+    let read_cases: Vec<mistake::CaseContext> = cases
         .iter()
         .filter_map(|c| {
             let scene = c.read.as_ref()?.scene.as_ref()?;
             let (name, node, touching) = (c.name.as_str(), c.scene_node?, c.touching());
-            Some(mistake::OfCase { name, scene, node, symbols: &c.symbols, touching })
+            Some(mistake::CaseContext { name, scene, node, symbols: &c.symbols, touching })
         })
         .collect();
     let context = mistake::Context { data: &data, gravity: data.len() - 1, cases: &read_cases };
@@ -341,7 +341,8 @@ fn problem(
         let names: Vec<&str> = data.iter().map(|d| d.symbol.as_str()).collect();
         review::templates(statement_node, questions_node, &names, variables, faults);
     }
-    // What is asked says how far the conditions look: the key is the same wherever these questions are answered.
+    // Some quantities lie beyond the end of the motion, at the turning point: where one is asked, the conditions of validity
+    // are checked up to there.
     let span = Span::of(asked.iter().map(|q| q.label.quantity));
     mistakes.iter_mut().flat_map(|m| &mut m.scenes).flatten().for_each(|s| s.span = span);
     let cases: Vec<Case> = cases
@@ -962,10 +963,9 @@ fn asks(node: &Node, questions: &[(String, Option<Question>)], faults: &Faults) 
 fn bounds_of(node: &Node, data: &[Datum], scene: Option<&Scene>, faults: &Faults) -> Vec<Bound> {
     let mut list = Vec::new();
     for (written, key, value) in named(node, "bounds by expression", faults) {
-        let lookup = |name: &str| -> Result<(Name, Powers), (String, Option<String>)> {
-            if let Some(i) = data.iter().position(|d| d.symbol == name) {
-                let factor = if data[i].degrees { std::f64::consts::PI / 180.0 } else { 1.0 };
-                return Ok((Name::Datum(i, factor), measure::powers(&data[i].unit)));
+        let lookup = |name: &str| -> Result<(Name, Exponents), (String, Option<String>)> {
+            if let Some(found) = measure::datum(data, name) {
+                return Ok(found);
             }
             let label = scene.map_or_else(|| unowned(name), |s| review::label(s, name)).map_err(
                 |(message, hint)| {
@@ -973,20 +973,12 @@ fn bounds_of(node: &Node, data: &[Datum], scene: Option<&Scene>, faults: &Faults
                     (message, close.or(hint))
                 },
             )?;
-            if label.quantity.is_word() {
-                return Err((format!("`{name}` is a word, not a number"), None));
-            }
-            let unit = measure::unit(label.quantity.unit()).map_err(|m| (m, None))?;
-            Ok((Name::Quantity(label), measure::powers(&unit)))
+            measure::quantity(label, name)
         };
         let expression = match Expression::parse(written, &lookup) {
             Ok(e) => Some(e),
-            Err(t) => {
-                faults.maybe(
-                    key,
-                    format!("`{}`, character {}: {}", shorten(written), t.column, t.message),
-                    t.hint,
-                );
+            Err(fault) => {
+                fault.tell(key, written, faults);
                 None
             }
         };
