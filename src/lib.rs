@@ -27,6 +27,47 @@
 //! ```
 //! [`problem::make`] is the first line in one function, [`grade::run`] the second; [`cli`] opens files and tells results.
 //!
+//! # In Rust
+//! A bank is read from its text; what is wrong with it comes as findings, all at once:
+//! ```
+//! use slipstick::bank::load;
+//! let text = include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/banks/hoists-and-pulleys.yaml"));
+//! let bank = load::scenes_only(text, "hoists.yaml")?;
+//! assert!(bank.problems.len() > 1);
+//! let findings = load::scenes_only("bank: hoists\nproblems: {}\n", "hoists.yaml").unwrap_err();
+//! assert!(findings[0].to_string().starts_with("hoists.yaml:1:1: `title` is missing"));
+//! # Ok::<(), slipstick::finding::Findings>(())
+//! ```
+//! Seed, name of the set and student id give a variant, the same whenever it is made:
+//! ```
+//! # use slipstick::bank::load;
+//! # let text = include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/banks/hoists-and-pulleys.yaml"));
+//! # let bank = load::scenes_only(text, "hoists.yaml").unwrap();
+//! use slipstick::problem::make::Maker;
+//! let maker = Maker::new(&bank.problems[0], 1, "week-5");
+//! let variant = maker.variant("0017")?;
+//! assert_eq!(variant, maker.variant("0017")?);
+//! assert_ne!(variant.values, maker.variant("0018")?.values);
+//! # Ok::<(), Box<slipstick::problem::make::Unsatisfiable>>(())
+//! ```
+//! Its key judges what a student writes into a cell:
+//! ```
+//! # use slipstick::bank::load;
+//! # let text = include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/banks/hoists-and-pulleys.yaml"));
+//! # let bank = load::scenes_only(text, "hoists.yaml").unwrap();
+//! # let problem = &bank.problems[0];
+//! # let variant = slipstick::problem::make::Maker::new(problem, 1, "week-5").variant("0017").unwrap();
+//! use slipstick::grade::{judge::judge, verdict::Verdict};
+//! use slipstick::key::Answer;
+//! let key = slipstick::problem::make_key::key(problem, &variant);
+//! let part = &key.parts[0];
+//! let Answer::Number { value, .. } = part.answer else { panic!("a number is asked") };
+//! let cell = |value: f64| part.unit.text_with(&part.unit.from_si(value).to_string());
+//! assert_eq!(judge(&cell(value), part).verdict, Verdict::Right);
+//! assert_eq!(judge(&cell(2.0 * value), part).verdict, Verdict::Wrong);
+//! assert_eq!(judge("12 apples", part).verdict, Verdict::Unreadable);
+//! ```
+//!
 //! # Invariants
 //! - The roads share the scene and the arithmetic of [`num`], no mechanics; only [`solve::agree`] and [`solve::ladder`] see both.
 //! - Nothing is published that they do not agree on within `16 u max(1, cond)`, u = 2^-53; NaN agrees with nothing.

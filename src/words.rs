@@ -3,9 +3,9 @@
 //! A phrase is a line of a word list, `templates/words/TOPIC.yaml` (other languages: `templates/LANGUAGE/words/TOPIC.yaml`);
 //! its name is the topic, a point, and the name in the list: `figure.wheel`. `{place}` in a phrase is filled in. A language is
 //! complete or it does not build: every name of the English lists, with the same places, is checked by a test.
-use crate::bank::load;
 use crate::bank::node::Node;
 use crate::bank::node::Value;
+use crate::bank::yaml;
 use crate::finding::Finding;
 use crate::finding::Findings;
 use rustc_hash::FxHashMap;
@@ -95,7 +95,7 @@ impl Words {
     }
 
     fn read(&mut self, topic: &str, text: &str, known_only: bool) -> Result<(), Findings> {
-        let tree = load::tree(text)?;
+        let tree = yaml::tree(text)?;
         let mut faults = Findings::default();
         self.branch(topic, &tree, known_only, &mut faults);
         faults.into_result(())

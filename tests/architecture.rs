@@ -160,7 +160,7 @@ const DOORS: &[(&str, &[&str])] = &[
 /// Crate and the only places that may name it.
 const KEEPERS: &[(&str, &[&str])] = &[
     ("clap", &["cli"]),
-    ("serde_yaml", &["bank::load", "bank::tree"]),
+    ("serde_yaml", &["bank::yaml"]),
     ("tera", &["template"]),
     ("rand", &["simulate"]),
     ("rand_chacha", &["draw", "simulate"]),
@@ -178,6 +178,7 @@ const KEEPERS: &[(&str, &[&str])] = &[
     ("typst_pdf", &["sheet::pdf"]),
     ("hmac", &["draw"]),
     ("jiff", &["policy"]),
+    ("strsim", &["units"]),
 ];
 
 /// Module path of each source file and its text without comments and test modules.

@@ -1,7 +1,7 @@
 //! The settings that bear on marks, as `grading:` in a bank or as a course file over it: text to [`Policy`].
 use crate::bank::decimal::Decimal;
-use crate::bank::load;
-use crate::bank::node::{Faults, Fields, Node, Value, named, shorten};
+use crate::bank::node::{Faults, Fields, Node, Value, choice, named, shorten, text, whole};
+use crate::bank::yaml;
 use crate::finding::Findings;
 use crate::policy::time;
 use crate::policy::{Correction, Counts, For, Hints, Part, Per, Policy, Rounding, Unread, Way, Zone};
@@ -9,6 +9,16 @@ use crate::policy::{DAY, HOUR, MINUTE};
 
 /// What a course file may hold, with an explanation of each setting; it is read by a test.
 pub const EXAMPLE: &str = include_str!("../../templates/course.yaml");
+
+const DATES: [(&str, bool); 2] = [("day first", true), ("month first", false)];
+const HINTS: [(&str, Hints); 3] =
+    [("none", Hints::None), ("nudge", Hints::Nudge), ("explain", Hints::Explain)];
+const COUNTS: [(&str, Counts); 3] =
+    [("last", Counts::Last), ("best", Counts::Best), ("first", Counts::First)];
+const PER: [(&str, Per); 3] = [("day", Per::Day), ("hour", Per::Hour), ("once", Per::Once)];
+const UNREAD: [(&str, Unread); 2] = [("in time", Unread::InTime), ("late", Unread::Late)];
+const WAYS: [(&str, Way); 3] = [("nearest", Way::Nearest), ("up", Way::Up), ("down", Way::Down)];
+const FOR: [(&str, For); 2] = [("all", For::All), ("answered", For::Answered)];
 
 /// Most points of a part.
 const MOST_POINTS: f64 = 1e6;
@@ -18,7 +28,7 @@ const MOST_POINTS: f64 = 1e6;
 /// # Errors
 /// All that is wrong with it.
 pub fn course(text: &str, file: &str, base: &Policy) -> Result<Policy, Findings> {
-    let tree = load::tree(text).map_err(|f| f.in_file(file))?;
+    let tree = yaml::tree(text).map_err(|f| f.in_file(file))?;
     let faults = Faults::default();
     let policy = read(&tree, base, &faults);
     if faults.is_empty() { Ok(policy) } else { Err(faults.into_sorted(file)) }
@@ -33,39 +43,14 @@ pub fn read(node: &Node, base: &Policy, faults: &Faults) -> Policy {
     let Some(mut fields) = Fields::open(node, "settings (due, attempts, late, credit, ...)", faults) else {
         return policy;
     };
-    if let Some(title) = fields.get("course").and_then(|n| text(n, "a title", faults)) {
-        policy.title = title;
-    }
-    // The zone first: the dates need it.
-    if let Some(zone) = fields.get("time zone").and_then(|n| zone(n, faults)) {
-        policy.zone = zone;
-    }
-    let zone = policy.zone.clone();
-    const DATES: [(&str, bool); 2] = [("day first", true), ("month first", false)];
-    if let Some(day_first) = fields.get("dates").and_then(|n| choice(n, &DATES, faults)) {
-        policy.day_first = Some(day_first);
-    }
-    let dates = (zone.clone(), policy.day_first);
-    if let Some(due) = fields.get("due").and_then(|n| moment(n, &dates, faults)) {
-        policy.due = Some(due);
-    }
+    fields.set("course", &mut policy.title, |n, f| text(n, "a title", f));
+    // The zone and the order of day and month first: the dates need them.
+    fields.set("time zone", &mut policy.zone, zone);
+    fields.set("dates", &mut policy.day_first, |n, f| choice(n, &DATES, f).map(Some));
+    let dates = (policy.zone.clone(), policy.day_first);
+    fields.set("due", &mut policy.due, |n, f| moment(n, &dates, f).map(Some));
     let due = policy.due;
-    if let Some(n) = fields.get("extensions") {
-        policy.extensions = named(n, "times by student id", faults)
-            .into_iter()
-            .filter_map(|(id, _, value)| {
-                let at = moment(value, &dates, faults)?;
-                if due.is_some_and(|due| at < due) {
-                    faults.hint(
-                        value,
-                        "an extension that ends before the answers are due",
-                        "a time after `due`",
-                    );
-                }
-                Some((id.to_owned(), at))
-            })
-            .collect();
-    }
+    fields.set("extensions", &mut policy.extensions, |n, f| Some(extensions(n, due, &dates, f)));
     if let Some(n) = fields.get("attempts") {
         attempts(n, &mut policy, faults);
     }
@@ -75,108 +60,80 @@ pub fn read(node: &Node, base: &Policy, faults: &Faults) -> Policy {
     if let Some(n) = fields.get("credit") {
         credit(n, &mut policy, faults);
     }
-    const HINTS: [(&str, Hints); 3] =
-        [("none", Hints::None), ("nudge", Hints::Nudge), ("explain", Hints::Explain)];
-    if let Some(hints) = fields.get("hints").and_then(|n| choice(n, &HINTS, faults)) {
-        policy.hints = hints;
-    }
-    if let Some(n) = fields.get("points") {
-        policy.points = named(n, "points by part", faults)
-            .into_iter()
-            .filter_map(|(name, key, value)| {
-                let part = part(name, key, faults)?;
-                if part.part.is_none() {
-                    faults.hint(
-                        key,
-                        format!("`{}` names a whole problem", shorten(name)),
-                        "such as `1.omega: 2`",
-                    );
-                }
-                Some((part, points(value, faults)?))
-            })
-            .collect();
-    }
-    if let Some(n) = fields.get("drop lowest").and_then(|n| whole(n, 0, 100, faults)) {
-        policy.drop_lowest = n as usize;
-    }
-    if let Some(n) = fields.get("round") {
-        policy.rounding = rounding(n, faults);
-    }
-    if let Some(n) = fields.get("corrections") {
-        policy.corrections = corrections(n, faults);
-    }
+    fields.set("hints", &mut policy.hints, |n, f| choice(n, &HINTS, f));
+    fields.set("points", &mut policy.points, |n, f| Some(points_by_part(n, f)));
+    fields.set("drop lowest", &mut policy.drop_lowest, |n, f| whole(n, 0, 100, f).map(|n| n as usize));
+    fields.set("round", &mut policy.rounding, |n, f| Some(rounding(n, f)));
+    fields.set("corrections", &mut policy.corrections, |n, f| Some(corrections(n, f)));
     if let (Some(due), Some(closes)) = (policy.due, policy.late.closes)
         && closes < due
         && (base.due, base.late.closes) != (policy.due, policy.late.closes)
     {
-        let at = fields.get("late").or_else(|| fields.get("due")).unwrap_or(node);
+        let at = node.field("late").or_else(|| node.field("due")).unwrap_or(node);
         faults.hint(at, "`closes` is before `due`", "a time after it");
     }
-    fields.close(faults);
+    fields.close();
     policy
 }
 
-fn attempts(node: &Node, policy: &mut Policy, faults: &Faults) {
-    const COUNTS: [(&str, Counts); 3] =
-        [("last", Counts::Last), ("best", Counts::Best), ("first", Counts::First)];
-    if node.text().is_some() {
-        if let Some(counts) = choice(node, &COUNTS, faults) {
-            policy.attempts.counts = counts;
+fn extensions(node: &Node, due: Option<i64>, dates: &Dates, faults: &Faults) -> Vec<(String, i64)> {
+    let mut list = Vec::new();
+    for (id, _, value) in named(node, "times by student id", faults) {
+        let Some(at) = moment(value, dates, faults) else { continue };
+        if due.is_some_and(|due| at < due) {
+            faults.hint(value, "an extension that ends before the answers are due", "a time after `due`");
         }
+        list.push((id.to_owned(), at));
+    }
+    list
+}
+
+fn points_by_part(node: &Node, faults: &Faults) -> Vec<(Part, f64)> {
+    let mut list = Vec::new();
+    for (name, key, value) in named(node, "points by part", faults) {
+        let Some(part) = part(name, key, faults) else { continue };
+        if part.part.is_none() {
+            let message = format!("`{}` names a whole problem", shorten(name));
+            faults.hint(key, message, "such as `1.omega: 2`");
+        }
+        list.extend(points(value, faults).map(|points| (part, points)));
+    }
+    list
+}
+
+fn attempts(node: &Node, policy: &mut Policy, faults: &Faults) {
+    let attempts = &mut policy.attempts;
+    if node.text().is_some() {
+        attempts.counts = choice(node, &COUNTS, faults).unwrap_or(attempts.counts);
         return;
     }
     let what = "`last`, `best`, `first` or fields (count, at most, penalty, least)";
     let Some(mut fields) = Fields::open(node, what, faults) else { return };
-    let attempts = &mut policy.attempts;
-    if let Some(counts) = fields.get("count").and_then(|n| choice(n, &COUNTS, faults)) {
-        attempts.counts = counts;
-    }
-    if let Some(n) = fields.get("at most").and_then(|n| whole(n, 1, 100, faults)) {
-        attempts.at_most = Some(n);
-    }
-    if let Some(share) = fields.get("penalty").and_then(|n| share(n, faults)) {
-        attempts.penalty = share;
-    }
-    if let Some(share) = fields.get("least").and_then(|n| share(n, faults)) {
-        attempts.least = share;
-    }
-    fields.close(faults);
+    fields.set("count", &mut attempts.counts, |n, f| choice(n, &COUNTS, f));
+    fields.set("at most", &mut attempts.at_most, |n, f| whole(n, 1, 100, f).map(Some));
+    fields.set("penalty", &mut attempts.penalty, share);
+    fields.set("least", &mut attempts.least, share);
+    fields.close();
 }
 
 fn late(node: &Node, policy: &mut Policy, dates: &Dates, faults: &Faults) {
     let what = "fields (penalty, per, at most, grace, closes, unread)";
     let Some(mut fields) = Fields::open(node, what, faults) else { return };
     let late = &mut policy.late;
-    const PER: [(&str, Per); 3] = [("day", Per::Day), ("hour", Per::Hour), ("once", Per::Once)];
-    let penalty = fields.get("penalty");
-    if let Some(share) = penalty.and_then(|n| share(n, faults)) {
-        late.penalty = share;
-    }
-    if let Some(per) = fields.get("per").and_then(|n| choice(n, &PER, faults)) {
-        late.per = per;
-    }
-    if let Some(share) = fields.get("at most").and_then(|n| share(n, faults)) {
-        late.most = share;
-    }
-    if let Some(grace) = fields.get("grace").and_then(|n| duration(n, faults)) {
-        late.grace = grace;
-    }
-    let closes = fields.get("closes");
-    if let Some(at) = closes.and_then(|n| moment(n, dates, faults)) {
-        late.closes = Some(at);
-    }
-    const UNREAD: [(&str, Unread); 2] = [("in time", Unread::InTime), ("late", Unread::Late)];
-    if let Some(unread) = fields.get("unread").and_then(|n| choice(n, &UNREAD, faults)) {
-        late.unread = Some(unread);
-    }
-    if let Some(n) = penalty
+    fields.set("penalty", &mut late.penalty, share);
+    fields.set("per", &mut late.per, |n, f| choice(n, &PER, f));
+    fields.set("at most", &mut late.most, share);
+    fields.set("grace", &mut late.grace, duration);
+    fields.set("closes", &mut late.closes, |n, f| moment(n, dates, f).map(Some));
+    fields.set("unread", &mut late.unread, |n, f| choice(n, &UNREAD, f).map(Some));
+    if let Some(n) = node.field("penalty")
         && late.penalty > 0.0
         && policy.due.is_none()
         && policy.extensions.is_empty()
     {
         faults.hint(n, "a late penalty, and nothing is due", "for example `due: 2026-03-09 23:59`");
     }
-    fields.close(faults);
+    fields.close();
 }
 
 fn credit(node: &Node, policy: &mut Policy, faults: &Faults) {
@@ -200,7 +157,6 @@ fn credit(node: &Node, policy: &mut Policy, faults: &Faults) {
 }
 
 fn rounding(node: &Node, faults: &Faults) -> Option<Rounding> {
-    const WAYS: [(&str, Way); 3] = [("nearest", Way::Nearest), ("up", Way::Up), ("down", Way::Down)];
     let step = |n: &Node| {
         let found = number(n).filter(|x| *x > 0.0 && *x <= 1000.0);
         if found.is_none() {
@@ -212,9 +168,9 @@ fn rounding(node: &Node, faults: &Faults) -> Option<Rounding> {
         return Some(Rounding { to: step(node)?, way: Way::Nearest });
     }
     let mut fields = Fields::open(node, "a step such as 0.5, or fields (to, way)", faults)?;
-    let to = fields.need("to", "0.5", faults).and_then(step);
-    let way = fields.get("way").and_then(|n| choice(n, &WAYS, faults)).unwrap_or(Way::Nearest);
-    fields.close(faults);
+    let to = fields.need("to", "0.5").and_then(step);
+    let way = fields.read("way", |n, f| choice(n, &WAYS, f)).unwrap_or(Way::Nearest);
+    fields.close();
     Some(Rounding { to: to?, way })
 }
 
@@ -229,12 +185,11 @@ fn corrections(node: &Node, faults: &Faults) -> Vec<Correction> {
 
 fn correction(node: &Node, faults: &Faults) -> Option<Correction> {
     let mut fields = Fields::open(node, "a correction (part, give, to, why)", faults)?;
-    let part = fields.need("part", "2.v", faults);
+    let part = fields.need("part", "2.v");
     let give = fields.get("give");
-    let to =
-        fields.get("to").and_then(|n| choice(n, &[("all", For::All), ("answered", For::Answered)], faults));
-    let why = fields.need("why", "part 2 was ambiguous", faults).and_then(|n| text(n, "a reason", faults));
-    fields.close(faults);
+    let to = fields.read("to", |n, f| choice(n, &FOR, f));
+    let why = fields.need("why", "part 2 was ambiguous").and_then(|n| text(n, "a reason", faults));
+    fields.close();
     let share = match give {
         None => Some(1.0),
         Some(n) if n.text().is_some_and(|t| t.trim() == "full") => Some(1.0),
@@ -340,31 +295,6 @@ fn points(node: &Node, faults: &Faults) -> Option<f64> {
         faults.at(node, format!("expected points from 0 to {MOST_POINTS}, found {}", node.kind()));
     }
     found
-}
-
-fn whole(node: &Node, least: u32, most: u32, faults: &Faults) -> Option<u32> {
-    let found = node.text().and_then(|t| t.trim().parse::<u32>().ok()).filter(|n| (least..=most).contains(n));
-    if found.is_none() {
-        faults.at(node, format!("expected a whole number from {least} to {most}, found {}", node.kind()));
-    }
-    found
-}
-
-fn text(node: &Node, what: &str, faults: &Faults) -> Option<String> {
-    let found = node.text().map(str::trim).filter(|t| !t.is_empty());
-    if found.is_none() {
-        faults.at(node, format!("expected {what}, found {}", node.kind()));
-    }
-    found.map(str::to_owned)
-}
-
-fn choice<T: Copy>(node: &Node, words: &[(&str, T)], faults: &Faults) -> Option<T> {
-    let found = node.text().and_then(|t| words.iter().find(|(w, _)| *w == t.trim()));
-    if found.is_none() {
-        let known: Vec<String> = words.iter().map(|(w, _)| format!("`{w}`")).collect();
-        faults.at(node, format!("expected {}, found {}", known.join(" or "), node.kind()));
-    }
-    found.map(|(_, t)| *t)
 }
 
 #[cfg(test)]

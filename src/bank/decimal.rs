@@ -51,7 +51,7 @@ impl Decimal {
         }
         (value.unsigned_abs() < 1_000_000_000_000_000).then_some(value)
     }
-    /// The same number without up to so many decimals that are 0.
+    /// The same number without zeros at the end of its decimals, at most so many of them.
     #[must_use]
     pub fn trimmed(self, at_most: u8) -> Self {
         let mut out = self;

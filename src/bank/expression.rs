@@ -2,12 +2,13 @@
 //! `cos`.
 //!
 //! Values are SI. Dimensions are checked where they are known; the radian counts as a pure number here.
+use crate::bank::node::{Faults, Node, shorten};
 use crate::num::formula;
 use crate::num::formula::Formula;
 use crate::scene::Label;
 
 /// Exponents of the base units, in quarters, so that square roots stay whole; the angle is left out.
-pub type Powers = [i32; 3];
+pub type Exponents = [i32; 3];
 
 /// Deepest nesting that is read.
 const DEPTH: usize = (formula::STACK - 8) / 2;
@@ -19,7 +20,7 @@ const LENGTH: usize = 400;
 pub struct Expression {
     formula: Formula<Name>,
     /// Dimension of the value.
-    pub powers: Powers,
+    pub powers: Exponents,
 }
 
 /// What a name means.
@@ -31,12 +32,9 @@ pub enum Name {
     Quantity(Label),
 }
 
-/// A step of an expression.
-type Step = formula::Step<Name>;
-
 /// What is wrong with an expression, and at which character (from 1).
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Trouble {
+pub struct ExpressionFault {
     /// Character, from 1.
     pub column: usize,
     /// What is wrong.
@@ -45,19 +43,27 @@ pub struct Trouble {
     pub hint: Option<String>,
 }
 
+impl ExpressionFault {
+    /// Tells it of the text at a node.
+    pub fn tell(self, node: &Node, text: &str, faults: &Faults) {
+        let message = format!("`{}`, character {}: {}", shorten(text), self.column, self.message);
+        faults.maybe(node, message, self.hint);
+    }
+}
+
 /// Looks up a name: its meaning and dimension, or what to say about it.
-pub type Lookup<'a> = &'a dyn Fn(&str) -> Result<(Name, Powers), (String, Option<String>)>;
+pub type Lookup<'a> = &'a dyn Fn(&str) -> Result<(Name, Exponents), (String, Option<String>)>;
 
 impl Expression {
     /// Reads an expression.
-    pub fn parse(text: &str, lookup: Lookup) -> Result<Self, Trouble> {
+    pub fn parse(text: &str, lookup: Lookup) -> Result<Self, ExpressionFault> {
         Self::read(text, lookup, true)
     }
     /// Reads an expression whose sums may add what cannot be added, as wrong methods do (`k + r^2`).
-    pub fn parse_loosely(text: &str, lookup: Lookup) -> Result<Self, Trouble> {
+    pub fn parse_loosely(text: &str, lookup: Lookup) -> Result<Self, ExpressionFault> {
         Self::read(text, lookup, false)
     }
-    fn read(text: &str, lookup: Lookup, strict: bool) -> Result<Self, Trouble> {
+    fn read(text: &str, lookup: Lookup, strict: bool) -> Result<Self, ExpressionFault> {
         let chars: Vec<char> = text.chars().collect();
         let mut parser = Parser { chars: &chars, at: 0, steps: Vec::new(), depth: 0, strict, lookup };
         if chars.len() > LENGTH {
@@ -98,7 +104,7 @@ impl Expression {
 struct Parser<'a> {
     chars: &'a [char],
     at: usize,
-    steps: Vec<Step>,
+    steps: Vec<formula::Step<Name>>,
     depth: usize,
     /// Must the terms of a sum have one dimension?
     strict: bool,
@@ -106,8 +112,8 @@ struct Parser<'a> {
 }
 
 impl Parser<'_> {
-    fn trouble(&self, message: impl Into<String>) -> Trouble {
-        Trouble { column: self.at + 1, message: message.into(), hint: None }
+    fn trouble(&self, message: impl Into<String>) -> ExpressionFault {
+        ExpressionFault { column: self.at + 1, message: message.into(), hint: None }
     }
     fn blanks(&mut self) {
         while self.chars.get(self.at).is_some_and(|c| c.is_whitespace()) {
@@ -125,18 +131,18 @@ impl Parser<'_> {
         }
         found
     }
-    fn deeper(&mut self) -> Result<(), Trouble> {
+    fn deeper(&mut self) -> Result<(), ExpressionFault> {
         self.depth += 1;
         if self.depth > DEPTH { Err(self.trouble("nested too deeply")) } else { Ok(()) }
     }
-    fn sum(&mut self) -> Result<Powers, Trouble> {
+    fn sum(&mut self) -> Result<Exponents, ExpressionFault> {
         self.deeper()?;
         let first = self.product()?;
         loop {
             let step = if self.take('+') {
-                Step::Add
+                formula::Step::Add
             } else if self.take('-') {
-                Step::Subtract
+                formula::Step::Subtract
             } else {
                 break;
             };
@@ -151,13 +157,13 @@ impl Parser<'_> {
         self.depth -= 1;
         Ok(first)
     }
-    fn product(&mut self) -> Result<Powers, Trouble> {
+    fn product(&mut self) -> Result<Exponents, ExpressionFault> {
         let mut powers = self.signed()?;
         loop {
             let (step, sign) = if self.take('*') || self.take('·') {
-                (Step::Multiply, 1)
+                (formula::Step::Multiply, 1)
             } else if self.take('/') {
-                (Step::Divide, -1)
+                (formula::Step::Divide, -1)
             } else {
                 return Ok(powers);
             };
@@ -168,21 +174,21 @@ impl Parser<'_> {
             self.steps.push(step);
         }
     }
-    fn small(&self, exponent: i32) -> Result<i32, Trouble> {
+    fn small(&self, exponent: i32) -> Result<i32, ExpressionFault> {
         if exponent.abs() > 400 { Err(self.trouble("an exponent is too large")) } else { Ok(exponent) }
     }
-    fn signed(&mut self) -> Result<Powers, Trouble> {
+    fn signed(&mut self) -> Result<Exponents, ExpressionFault> {
         let mut negative = false;
         while self.take('-') {
             negative = !negative;
         }
         let powers = self.raised()?;
         if negative {
-            self.steps.push(Step::Negate);
+            self.steps.push(formula::Step::Negate);
         }
         Ok(powers)
     }
-    fn raised(&mut self) -> Result<Powers, Trouble> {
+    fn raised(&mut self) -> Result<Exponents, ExpressionFault> {
         let mut powers = self.atom()?;
         if self.take('^') {
             let negative = self.take('-');
@@ -200,11 +206,11 @@ impl Parser<'_> {
             for p in &mut powers {
                 *p = self.small(p.saturating_mul(n))?;
             }
-            self.steps.push(Step::Power(n));
+            self.steps.push(formula::Step::Power(n));
         }
         Ok(powers)
     }
-    fn atom(&mut self) -> Result<Powers, Trouble> {
+    fn atom(&mut self) -> Result<Exponents, ExpressionFault> {
         let Some(c) = self.peek() else {
             return Err(self.trouble("something is missing at the end"));
         };
@@ -224,7 +230,7 @@ impl Parser<'_> {
             let digits: String = self.chars[start..self.at].iter().collect();
             return match digits.parse::<f64>() {
                 Ok(x) if x.is_finite() => {
-                    self.steps.push(Step::Number(x));
+                    self.steps.push(formula::Step::Number(x));
                     Ok([0; 3])
                 }
                 _ => {
@@ -254,28 +260,28 @@ impl Parser<'_> {
                             }
                             *p /= 2;
                         }
-                        self.steps.push(Step::Sqrt);
+                        self.steps.push(formula::Step::Sqrt);
                     }
-                    "abs" => self.steps.push(Step::Abs),
+                    "abs" => self.steps.push(formula::Step::Abs),
                     _ if self.strict && powers != [0; 3] => {
                         self.at = start;
                         return Err(self.trouble(format!("`{name}` takes an angle")));
                     }
-                    "sin" => self.steps.push(Step::Sin),
-                    _ => self.steps.push(Step::Cos),
+                    "sin" => self.steps.push(formula::Step::Sin),
+                    _ => self.steps.push(formula::Step::Cos),
                 }
                 return Ok(powers);
             }
             if name == "pi" && (self.lookup)(&name).is_err() {
-                self.steps.push(Step::Number(std::f64::consts::PI));
+                self.steps.push(formula::Step::Number(std::f64::consts::PI));
                 return Ok([0; 3]);
             }
             return match (self.lookup)(&name) {
                 Ok((meaning, powers)) => {
-                    self.steps.push(Step::Name(meaning));
+                    self.steps.push(formula::Step::Name(meaning));
                     Ok(powers)
                 }
-                Err((message, hint)) => Err(Trouble { column: start + 1, message, hint }),
+                Err((message, hint)) => Err(ExpressionFault { column: start + 1, message, hint }),
             };
         }
         Err(self.trouble(format!("`{c}` is not expected here")))
@@ -286,7 +292,7 @@ impl Parser<'_> {
 mod tests {
     use super::*;
 
-    fn read(text: &str) -> Result<Expression, Trouble> {
+    fn read(text: &str) -> Result<Expression, ExpressionFault> {
         Expression::parse(text, &|name| match name {
             "k" => Ok((Name::Datum(0, 1.0), [4, 0, 0])),
             "r" => Ok((Name::Datum(1, 1.0), [4, 0, 0])),

@@ -1,7 +1,9 @@
 //! Units as a bank needs them: does a unit fit a use, constants of the scene, dimensions of expressions.
+use crate::bank::Datum;
 use crate::bank::decimal::Decimal;
-use crate::bank::expression::Powers;
+use crate::bank::expression::{Exponents, Name};
 use crate::bank::node::shorten;
+use crate::scene::Label;
 use crate::units::Unit;
 use crate::units::parse_quantity;
 
@@ -53,13 +55,13 @@ pub fn decimal_constant(text: &str) -> Result<(Decimal, Unit), String> {
 }
 
 /// The dimension as an expression counts it: exponents of mass, length and time, in quarters.
-pub fn powers(unit: &Unit) -> Powers {
+pub fn powers(unit: &Unit) -> Exponents {
     let [mass, length, time, _] = unit.dimension().0;
     [i32::from(mass) * 4, i32::from(length) * 4, i32::from(time) * 4]
 }
 
 /// A dimension in words, for messages: `kg m s^-2`.
-pub fn powers_text(powers: Powers) -> String {
+pub fn powers_text(powers: Exponents) -> String {
     let mut words = Vec::new();
     for (name, p) in ["kg", "m", "s"].iter().zip(powers) {
         match p {
@@ -70,4 +72,22 @@ pub fn powers_text(powers: Powers) -> String {
         }
     }
     if words.is_empty() { "1".to_owned() } else { words.join(" ") }
+}
+
+/// A datum as an expression takes it, if there is one of this name, with its dimension.
+pub fn datum(data: &[Datum], name: &str) -> Option<(Name, Exponents)> {
+    let i = data.iter().position(|d| d.symbol == name)?;
+    let factor = if data[i].degrees { std::f64::consts::PI / 180.0 } else { 1.0 };
+    Some((Name::Datum(i, factor), powers(&data[i].unit)))
+}
+
+/// A quantity as an expression takes it, with its dimension.
+///
+/// # Errors
+/// It is a word: message, and no hint.
+pub fn quantity(label: Label, name: &str) -> Result<(Name, Exponents), (String, Option<String>)> {
+    if label.quantity.is_word() {
+        return Err((format!("`{name}` is a word, not a number"), None));
+    }
+    Ok((Name::Quantity(label), powers(&own(label.quantity.unit()))))
 }

@@ -4,11 +4,11 @@ use crate::bank::Datum;
 use crate::bank::Follow;
 use crate::bank::Mistake;
 use crate::bank::Question;
-use crate::bank::expression::{Expression, Name, Powers};
+use crate::bank::expression::{Exponents, Expression, Name};
 use crate::bank::measure;
-use crate::bank::node::{Faults, Fields, Node, Value, close_name, named, shorten};
+use crate::bank::node::{Faults, Fields, Node, Value, close_name, named, shorten, suggestion};
 use crate::bank::review;
-use crate::bank::scene::{self, Symbol, Touching};
+use crate::bank::scene::{self, DatumSymbol, Touching};
 use crate::scene::{Label, Scene};
 
 /// What the reader knows of the problem.
@@ -18,11 +18,11 @@ pub struct Context<'a> {
     /// Index of g.
     pub gravity: usize,
     /// Its cases.
-    pub cases: &'a [OfCase<'a>],
+    pub cases: &'a [CaseContext<'a>],
 }
 
 /// What the reader knows of a case.
-pub struct OfCase<'a> {
+pub struct CaseContext<'a> {
     /// Its name.
     pub name: &'a str,
     /// Its scene.
@@ -30,7 +30,7 @@ pub struct OfCase<'a> {
     /// The text that the scene was read from.
     pub node: &'a Node,
     /// The symbols that its scene may use.
-    pub symbols: &'a [Symbol],
+    pub symbols: &'a [DatumSymbol],
     /// How contacts are taken that do not say whether they roll or slip.
     pub touching: Touching,
 }
@@ -53,7 +53,7 @@ fn mistake(id: &str, key: &Node, node: &Node, context: &Context, faults: &Faults
     let (values_node, of_node) = (fields.get("values"), fields.get("of"));
     let cases_node = fields.get("cases");
     let unguarded = fields.get("unguarded").map(|n| (n, n.text().unwrap_or("").trim().to_owned()));
-    fields.close(faults);
+    fields.close();
     if data_node.is_none() && scene_node.is_none() && values_node.is_none() {
         let hint = "`data: {k: R/sqrt(2)}`, `scene: {ties: [...]}` or `values: {omega: v/R}`";
         faults.hint(node, "this wrong method changes nothing", hint);
@@ -132,7 +132,7 @@ fn is_id(text: &str) -> bool {
 }
 
 /// The scene with some of its fields replaced, read by the reader of scenes.
-fn changed(case: &OfCase, changes: &Node, context: &Context, faults: &Faults) -> Option<Scene> {
+fn changed(case: &CaseContext, changes: &Node, context: &Context, faults: &Faults) -> Option<Scene> {
     let (Value::Map(old), Value::Map(new)) = (&case.node.value, &changes.value) else {
         faults.at(changes, format!("expected fields of a scene, found {}", changes.kind()));
         return None;
@@ -150,7 +150,7 @@ fn changed(case: &OfCase, changes: &Node, context: &Context, faults: &Faults) ->
 
 fn label(name: &str, at: &Node, context: &Context, faults: &Faults) -> Option<Label> {
     let mut trouble = None;
-    for OfCase { scene, .. } in context.cases {
+    for CaseContext { scene, .. } in context.cases {
         match review::label(scene, name) {
             Ok(label) => return Some(label),
             Err(fault) => trouble = trouble.or(Some(fault)),
@@ -167,9 +167,7 @@ pub fn follows(node: &Node, questions: &[Question], context: &Context, faults: &
     let mut list = Vec::new();
     for (id, key, value) in named(node, "relations by question", faults) {
         let Some(index) = questions.iter().position(|q| q.id == id) else {
-            let ids = questions.iter().map(|q| q.id.as_str());
-            let hint = close_name(id, ids.clone())
-                .unwrap_or_else(|| format!("questions: {}", ids.collect::<Vec<_>>().join(", ")));
+            let hint = suggestion(id, "questions", questions.iter().map(|q| q.id.as_str()));
             faults.hint(key, format!("`{}` is no question that is asked", shorten(id)), hint);
             continue;
         };
@@ -199,21 +197,14 @@ pub fn follows(node: &Node, questions: &[Question], context: &Context, faults: &
 /// mix them up.
 fn expression(node: &Node, context: &Context, strict: bool, faults: &Faults) -> Option<Expression> {
     let text = node.text().unwrap_or("");
-    let lookup = |name: &str| -> Result<(Name, Powers), (String, Option<String>)> {
-        if let Some(i) = context.data.iter().position(|d| d.symbol == name) {
-            let factor = if context.data[i].degrees { std::f64::consts::PI / 180.0 } else { 1.0 };
-            return Ok((Name::Datum(i, factor), measure::powers(&context.data[i].unit)));
+    let lookup = |name: &str| -> Result<(Name, Exponents), (String, Option<String>)> {
+        if let Some(found) = measure::datum(context.data, name) {
+            return Ok(found);
         }
         let mut trouble = (format!("`{}` is not known", shorten(name)), None);
-        for OfCase { scene, .. } in context.cases {
-            match review::label(scene, name) {
-                Ok(label) if label.quantity.is_word() => {
-                    trouble.0 = format!("`{name}` is a word, not a number")
-                }
-                Ok(label) => {
-                    let unit = measure::unit(label.quantity.unit()).map_err(|m| (m, None))?;
-                    return Ok((Name::Quantity(label), measure::powers(&unit)));
-                }
+        for CaseContext { scene, .. } in context.cases {
+            match review::label(scene, name).and_then(|label| measure::quantity(label, name)) {
+                Ok(found) => return Ok(found),
                 Err(fault) => trouble = fault,
             }
         }
@@ -223,8 +214,8 @@ fn expression(node: &Node, context: &Context, strict: bool, faults: &Faults) -> 
         if strict { Expression::parse(text, &lookup) } else { Expression::parse_loosely(text, &lookup) };
     match read {
         Ok(e) => Some(e),
-        Err(t) => {
-            faults.maybe(node, format!("`{}`, character {}: {}", shorten(text), t.column, t.message), t.hint);
+        Err(fault) => {
+            fault.tell(node, text, faults);
             None
         }
     }

@@ -269,7 +269,7 @@ impl Relative {
     }
 }
 
-/// What doubles may add to a whole number of tenths of a per cent.
+/// Greatest rounding error of a number of tenths of a per cent that is whole but for doubles.
 const ROUNDING: f64 = 1e-6;
 
 pub mod course;
@@ -278,11 +278,13 @@ pub mod expression;
 pub mod load;
 pub mod measure;
 pub mod mistake;
+pub mod need;
 pub mod node;
 pub mod overlay;
 pub mod review;
 pub mod scene;
 pub mod schema;
+pub mod yaml;
 
 #[cfg(test)]
 #[allow(clippy::float_cmp, reason = "what is printed is what is used")]

@@ -1,6 +1,7 @@
 //! A bank as a tree of texts with places; what the texts mean is read elsewhere.
 use crate::finding::Finding;
 use crate::finding::Findings;
+use crate::units::spell;
 use std::cell::RefCell;
 
 /// One node of the tree.
@@ -34,6 +35,13 @@ impl Node {
     pub fn text(&self) -> Option<&str> {
         match &self.value {
             Value::Text(t) => Some(t),
+            _ => None,
+        }
+    }
+    /// The field of this name, of a map.
+    pub fn field(&self, name: &str) -> Option<&Self> {
+        match &self.value {
+            Value::Map(fields) => fields.iter().find(|(k, _)| k.text() == Some(name)).map(|(_, v)| v),
             _ => None,
         }
     }
@@ -127,61 +135,105 @@ impl Faults {
 pub struct Fields<'n> {
     /// The map.
     pub node: &'n Node,
-    entries: &'n [(Node, Node)],
+    faults: &'n Faults,
     asked: Vec<&'static str>,
 }
 
 impl<'n> Fields<'n> {
     /// Opens a map; anything else is a finding.
-    pub fn open(node: &'n Node, what: &str, faults: &Faults) -> Option<Self> {
-        match &node.value {
-            Value::Map(entries) => {
-                for (i, (key, _)) in entries.iter().enumerate() {
-                    if let Some(text) = key.text()
-                        && entries[..i].iter().any(|(k, _)| k.text() == Some(text))
-                    {
-                        faults.hint(key, format!("`{}` stands twice", shorten(text)), "remove one of them");
-                    }
-                }
-                Some(Self { node, entries, asked: Vec::new() })
-            }
-            _ => {
-                faults.at(node, format!("expected {what}, found {}", node.kind()));
-                None
+    pub fn open(node: &'n Node, what: &str, faults: &'n Faults) -> Option<Self> {
+        let Value::Map(entries) = &node.value else {
+            faults.at(node, format!("expected {what}, found {}", node.kind()));
+            return None;
+        };
+        for (i, (key, _)) in entries.iter().enumerate() {
+            if let Some(text) = key.text()
+                && entries[..i].iter().any(|(k, _)| k.text() == Some(text))
+            {
+                faults.hint(key, format!("`{}` stands twice", shorten(text)), "remove one of them");
             }
         }
+        Some(Self { node, faults, asked: Vec::new() })
     }
     /// A field that may be absent.
     pub fn get(&mut self, name: &'static str) -> Option<&'n Node> {
         self.asked.push(name);
-        self.entries.iter().find(|(k, _)| k.text() == Some(name)).map(|(_, v)| v)
+        self.node.field(name)
+    }
+    /// Several fields that may be absent.
+    pub fn each<const N: usize>(&mut self, names: [&'static str; N]) -> [Option<&'n Node>; N] {
+        names.map(|name| self.get(name))
     }
     /// A field that must be there.
-    pub fn need(&mut self, name: &'static str, example: &str, faults: &Faults) -> Option<&'n Node> {
+    pub fn need(&mut self, name: &'static str, example: &str) -> Option<&'n Node> {
         let found = self.get(name);
         if found.is_none() {
-            faults.hint(
-                self.node,
-                format!("`{name}` is missing"),
-                format!("for example `{name}: {example}`"),
-            );
+            let hint = format!("for example `{name}: {example}`");
+            self.faults.hint(self.node, format!("`{name}` is missing"), hint);
         }
         found
     }
+    /// The value of a field that may be absent, as `read` reads it.
+    pub fn read<T>(
+        &mut self,
+        name: &'static str,
+        read: impl FnOnce(&'n Node, &Faults) -> Option<T>,
+    ) -> Option<T> {
+        self.get(name).and_then(|node| read(node, self.faults))
+    }
+    /// Sets what a field stands for, where it is there and `read` finds it sound.
+    pub fn set<T>(
+        &mut self,
+        name: &'static str,
+        to: &mut T,
+        read: impl FnOnce(&'n Node, &Faults) -> Option<T>,
+    ) {
+        if let Some(value) = self.read(name, read) {
+            *to = value;
+        }
+    }
     /// Whatever was not asked for is unknown.
-    pub fn close(self, faults: &Faults) {
-        for (key, _) in self.entries {
+    pub fn close(self) {
+        let Value::Map(entries) = &self.node.value else { return };
+        for (key, _) in entries {
             match key.text() {
                 Some(text) if self.asked.contains(&text) => {}
                 Some(text) => {
-                    let hint = close_name(text, self.asked.iter().copied())
-                        .unwrap_or_else(|| format!("fields known here: {}", self.asked.join(", ")));
-                    faults.hint(key, format!("unknown field `{}`", shorten(text)), hint);
+                    let hint = suggestion(text, "fields known here", self.asked.iter().copied());
+                    self.faults.hint(key, format!("unknown field `{}`", shorten(text)), hint);
                 }
-                None => faults.at(key, "a field name must be a text"),
+                None => self.faults.at(key, "a field name must be a text"),
             }
         }
     }
+}
+
+/// A text that is not blank, without the blanks around it; `what` is told where there is none.
+pub fn text(node: &Node, what: &str, faults: &Faults) -> Option<String> {
+    let found = node.text().map(str::trim).filter(|t| !t.is_empty());
+    if found.is_none() {
+        faults.at(node, format!("expected {what}, found {}", node.kind()));
+    }
+    found.map(str::to_owned)
+}
+
+/// What one of some words means.
+pub fn choice<T: Copy>(node: &Node, words: &[(&str, T)], faults: &Faults) -> Option<T> {
+    let found = node.text().and_then(|t| words.iter().find(|(w, _)| *w == t.trim()));
+    if found.is_none() {
+        let known: Vec<String> = words.iter().map(|(w, _)| format!("`{w}`")).collect();
+        faults.at(node, format!("expected {}, found {}", known.join(" or "), node.kind()));
+    }
+    found.map(|(_, meaning)| *meaning)
+}
+
+/// A whole number within limits.
+pub fn whole(node: &Node, least: u32, most: u32, faults: &Faults) -> Option<u32> {
+    let found = node.text().and_then(|t| t.trim().parse::<u32>().ok()).filter(|n| (least..=most).contains(n));
+    if found.is_none() {
+        faults.at(node, format!("expected a whole number from {least} to {most}, found {}", node.kind()));
+    }
+    found
 }
 
 /// All entries of a map whose names are free (ids, symbols), each name once.
@@ -207,48 +259,12 @@ pub fn named<'n>(node: &'n Node, what: &str, faults: &Faults) -> Vec<(&'n str, &
 
 /// "did you mean" for a close name, never for very short words; ties broken by name.
 pub fn close_name<'a>(text: &str, known: impl Iterator<Item = &'a str>) -> Option<String> {
-    let n = text.chars().count();
-    if !(3..=40).contains(&n) {
-        return None;
-    }
-    let allowed = if n <= 5 { 1 } else { 2 };
-    let mut best: Option<(usize, &str)> = None;
-    for name in known {
-        if name == text {
-            continue;
-        }
-        let d = if name.eq_ignore_ascii_case(text) { 0 } else { distance(text, name) };
-        if d <= allowed && best.is_none_or(|(bd, bn)| (d, name) < (bd, bn)) {
-            best = Some((d, name));
-        }
-    }
-    best.map(|(_, name)| format!("did you mean `{name}`?"))
+    let known = known.filter(|name| *name != text);
+    spell::closest(text, known).map(|name| format!("did you mean `{name}`?"))
 }
 
-/// Edits between two words: insertions, removals, replacements, swaps of neighbours.
-fn distance(a: &str, b: &str) -> usize {
-    let (a, b): (Vec<char>, Vec<char>) = (a.chars().collect(), b.chars().collect());
-    if a.len().abs_diff(b.len()) > 2 {
-        return usize::MAX;
-    }
-    let width = b.len() + 1;
-    let mut d = vec![0usize; (a.len() + 1) * width];
-    for i in 0..=a.len() {
-        for j in 0..=b.len() {
-            let best = if i == 0 || j == 0 {
-                i + j
-            } else {
-                let cost = usize::from(a[i - 1] != b[j - 1]);
-                let mut best = (d[(i - 1) * width + j - 1] + cost)
-                    .min(d[(i - 1) * width + j] + 1)
-                    .min(d[i * width + j - 1] + 1);
-                if i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1] {
-                    best = best.min(d[(i - 2) * width + j - 2] + 1);
-                }
-                best
-            };
-            d[i * width + j] = best;
-        }
-    }
-    d[d.len() - 1]
+/// "did you mean", or all that is known, after the word for it.
+pub fn suggestion<'a>(text: &str, what: &str, known: impl Iterator<Item = &'a str> + Clone) -> String {
+    close_name(text, known.clone())
+        .unwrap_or_else(|| format!("{what}: {}", known.collect::<Vec<_>>().join(", ")))
 }

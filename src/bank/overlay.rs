@@ -6,10 +6,12 @@ use crate::bank::load;
 use crate::bank::node::Faults;
 use crate::bank::node::Fields;
 use crate::bank::node::Node;
-use crate::bank::node::close_name;
 use crate::bank::node::named;
 use crate::bank::node::shorten;
+use crate::bank::node::suggestion;
+use crate::bank::node::text;
 use crate::bank::review;
+use crate::bank::yaml;
 use crate::finding::Findings;
 
 /// Puts the texts of an overlay over those of a bank. With a `reference`, the bank that the overlay was written for, only
@@ -25,11 +27,11 @@ pub fn put_over(
     variables: Variables,
     reference: Option<&Bank>,
 ) -> Result<(), Findings> {
-    let tree = load::tree(text).map_err(|f| f.in_file(file))?;
+    let tree = yaml::tree(text).map_err(|f| f.in_file(file))?;
     let faults = Faults::default();
     if let Some(mut fields) = Fields::open(&tree, "texts of a bank (title, problems)", &faults) {
         let (title, problems) = (fields.get("title"), fields.get("problems"));
-        fields.close(&faults);
+        fields.close();
         if let Some(title) = title.and_then(|n| words(n, &faults))
             && reference.is_none_or(|r| r.title == bank.title)
         {
@@ -65,7 +67,7 @@ fn problem(this: &mut Problem, node: &Node, variables: Variables, was: Option<&P
     };
     let (title, data) = (fields.get("title"), fields.get("data"));
     let (ask, statement) = (fields.get("ask"), fields.get("statement"));
-    fields.close(faults);
+    fields.close();
     let symbols: Vec<String> = this.data.iter().map(|d| d.symbol.clone()).collect();
     let symbols: Vec<&str> = symbols.iter().map(String::as_str).collect();
     if let Some(title) = title.and_then(|n| words(n, faults))
@@ -118,17 +120,10 @@ fn problem(this: &mut Problem, node: &Node, variables: Variables, was: Option<&P
 }
 
 fn words(node: &Node, faults: &Faults) -> Option<String> {
-    match node.text() {
-        Some(text) if !text.trim().is_empty() => Some(text.trim().to_owned()),
-        _ => {
-            faults.at(node, format!("expected a text, found {}", node.kind()));
-            None
-        }
-    }
+    text(node, "a text", faults)
 }
 
 fn unknown(key: &Node, what: &str, id: &str, known: &[&str], faults: &Faults) {
-    let hint =
-        close_name(id, known.iter().copied()).unwrap_or_else(|| format!("known here: {}", known.join(", ")));
+    let hint = suggestion(id, "known here", known.iter().copied());
     faults.hint(key, format!("{what} `{}`", shorten(id)), hint);
 }

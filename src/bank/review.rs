@@ -1,8 +1,8 @@
 //! Sense of ids, ranges and names: is every datum used and admissible, does a quantity exist, are templates' names known.
 use crate::bank::TEMPLATE_NAMES;
 use crate::bank::Variables;
-use crate::bank::node::{Faults, Node, Value, close_name, shorten};
-use crate::bank::scene::{Need, admissible};
+use crate::bank::need::Need;
+use crate::bank::node::{Faults, Node, Value, close_name, shorten, suggestion};
 use crate::bank::{Datum, Draw};
 use crate::finding::Finding;
 use crate::scene::{Attach, Coordinate, Cord, CordEnd, Degree, End, Far, Label};
@@ -28,7 +28,7 @@ pub fn datum(
         ),
         (None, Some(need)) => faults.hint(
             if case.is_empty() { node } else { case_node },
-            format!("`{symbol}` is used as {}, but it is not drawn", need.words()),
+            format!("`{symbol}` is used as {}, but it is not drawn", need.words),
             format!(
                 "for example `draw: 20 to 40 step 1`{}",
                 if case.is_empty() { "" } else { ", here or in the data" }
@@ -43,7 +43,7 @@ pub fn datum(
                     } else {
                         datum.unit.decimal_to_si(end.value, end.decimals)
                     };
-                    if let Err(message) = admissible(value, *need) {
+                    if let Err(message) = need.admits(value) {
                         faults.hint(
                             if case.is_empty() { node } else { case_node },
                             format!(
@@ -202,7 +202,8 @@ pub fn instant(scene: &Scene, draws: &[(String, Option<Draw>)], node: &Node, fau
         rows.push(place(c.body, c.degree).into_iter().collect());
         numbers.push(number);
     }
-    // Each condition takes a coordinate of its own, others making way for it where they can (Kuhn's matching).
+    // A maximum matching of conditions to coordinates (Kuhn): a condition that finds no coordinate of its own says nothing
+    // new, a coordinate without a condition is left open.
     fn take(row: usize, rows: &[Vec<usize>], taken: &mut [Option<usize>], tried: &mut [bool]) -> bool {
         for j in rows[row].iter().copied() {
             if std::mem::replace(&mut tried[j], true) {
@@ -253,12 +254,7 @@ pub fn instant(scene: &Scene, draws: &[(String, Option<Draw>)], node: &Node, fau
 
 /// The field of this name, or the whole where it is not written.
 fn part<'n>(node: &'n Node, name: &str) -> &'n Node {
-    match &node.value {
-        Value::Map(fields) => {
-            fields.iter().find(|(k, _)| k.text() == Some(name)).map_or(node, |(_, value)| value)
-        }
-        _ => node,
-    }
+    node.field(name).unwrap_or(node)
 }
 
 /// A body thrown with slip: alone on its surface, until it rolls or for a time.
@@ -577,8 +573,7 @@ pub fn template(node: &Node, is_statement: bool, symbols: &[&str], variables: Va
                     continue;
                 }
                 let known = || symbols.iter().copied().chain(TEMPLATE_NAMES.iter().copied());
-                let hint = close_name(name, known())
-                    .unwrap_or_else(|| format!("known names: {}", known().collect::<Vec<_>>().join(", ")));
+                let hint = suggestion(name, "known names", known());
                 faults.hint(node, format!("`{{{{ {} }}}}` is not known", shorten(name)), hint);
             }
             // A statement that lists values or particles may give any of them.

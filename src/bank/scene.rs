@@ -1,6 +1,7 @@
 //! The `scene` part of a problem: bodies, ties, forces, start and end, read into pure data.
 use crate::bank::measure;
-use crate::bank::node::{Faults, Fields, Node, Value, close_name, named, shorten};
+use crate::bank::need::Need;
+use crate::bank::node::{Faults, Fields, Node, Value, close_name, named, shorten, suggestion};
 use crate::scene::{
     Arm, Attach, Body, Coordinate, Cord, CordEnd, Couple, Degree, End, Far, Heading, Line, Mass, Num, Part,
     Particle, Pin, PinSpring, Rest, RotaryInertia, Scene, Shape, Side, Slope, Span, Start, Tie, Zero,
@@ -9,146 +10,10 @@ use crate::units::Unit;
 use std::cell::Cell;
 use std::cell::RefCell;
 
-/// What a number is used for: it decides unit and admissible range.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Need {
-    /// Mass, kg, > 0.
-    Mass,
-    /// Weight, N, > 0.
-    Weight,
-    /// Radius, m, > 0.
-    Radius,
-    /// Radius of gyration, m, >= 0 (> 0 where something slips).
-    Gyration,
-    /// Moment of inertia, kg m^2, >= 0.
-    Inertia,
-    /// Slope, degrees, 0 to 90.
-    Slope,
-    /// Friction coefficient, >= 0.
-    Friction,
-    /// Force, N, >= 0.
-    Force,
-    /// Moment, N m, >= 0.
-    Moment,
-    /// Stiffness, N/m, > 0.
-    Stiffness,
-    /// Stretch or travel, m, >= 0.
-    Length,
-    /// Angle turned, rad, >= 0.
-    Turn,
-    /// Coordinate, m, any sign.
-    Place,
-    /// Time, s, >= 0.
-    Time,
-    /// Angle of a pinned body, degrees, -360 to 360.
-    Angle,
-    /// Distance from a pin to the mass centre, m, >= 0.
-    Arm,
-    /// Length of a rod, m, > 0.
-    Rod,
-    /// Speed with sign, m/s.
-    Velocity,
-    /// Spin with sign, rad/s.
-    Spin,
-    /// Speed to be reached, m/s, >= 0.
-    Speed,
-    /// Spin to be reached, rad/s, >= 0.
-    SpinReached,
-}
-
-/// Range of admissible values.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Range {
-    /// Any finite value.
-    Any,
-    /// >= 0.
-    NotNegative,
-    /// > 0.
-    Positive,
-    /// 0 to 90 degrees.
-    Slope,
-    /// -360 to 360 degrees.
-    Angle,
-}
-
-impl Need {
-    /// Does the scene take it in degrees?
-    pub const fn in_degrees(self) -> bool {
-        matches!(self, Self::Slope | Self::Angle)
-    }
-    /// SI unit (ASCII) of this use.
-    pub const fn unit(self) -> &'static str {
-        match self {
-            Self::Mass => "kg",
-            Self::Weight | Self::Force => "N",
-            Self::Radius | Self::Gyration | Self::Length | Self::Place | Self::Arm | Self::Rod => "m",
-            Self::Inertia => "kg*m^2",
-            Self::Slope | Self::Angle => "deg",
-            Self::Friction => "1",
-            Self::Moment => "N*m",
-            Self::Stiffness => "N/m",
-            Self::Turn => "rad",
-            Self::Time => "s",
-            Self::Velocity | Self::Speed => "m/s",
-            Self::Spin | Self::SpinReached => "rad/s",
-        }
-    }
-    /// What it is, in words.
-    pub const fn words(self) -> &'static str {
-        match self {
-            Self::Mass => "a mass",
-            Self::Weight => "a weight",
-            Self::Radius => "a radius",
-            Self::Gyration => "a radius of gyration",
-            Self::Inertia => "a moment of inertia",
-            Self::Slope => "a slope",
-            Self::Friction => "a friction coefficient",
-            Self::Force => "a force",
-            Self::Moment => "a moment",
-            Self::Stiffness => "a stiffness",
-            Self::Length => "a length",
-            Self::Turn | Self::Angle => "an angle",
-            Self::Arm => "a distance from the pin",
-            Self::Rod => "a length of a rod",
-            Self::Place => "a place",
-            Self::Time => "a time",
-            Self::Velocity | Self::Speed => "a speed",
-            Self::Spin | Self::SpinReached => "a spin",
-        }
-    }
-    /// Which values are admissible.
-    pub const fn range(self) -> Range {
-        match self {
-            Self::Mass | Self::Weight | Self::Radius | Self::Stiffness | Self::Rod => Range::Positive,
-            Self::Slope => Range::Slope,
-            Self::Angle => Range::Angle,
-            Self::Place | Self::Velocity | Self::Spin => Range::Any,
-            _ => Range::NotNegative,
-        }
-    }
-    /// An example, for hints.
-    const fn example(self) -> &'static str {
-        match self {
-            Self::Mass => "20 kg",
-            Self::Weight | Self::Force => "100 N",
-            Self::Radius | Self::Gyration | Self::Length | Self::Place | Self::Arm | Self::Rod => "0.25 m",
-            Self::Inertia => "4 kg*m^2",
-            Self::Slope | Self::Angle => "30 deg",
-            Self::Friction => "0.4",
-            Self::Moment => "75 N*m",
-            Self::Stiffness => "400 N/m",
-            Self::Turn => "3 rad",
-            Self::Time => "2 s",
-            Self::Velocity | Self::Speed => "1.5 m/s",
-            Self::Spin | Self::SpinReached => "8 rad/s",
-        }
-    }
-}
-
 /// A datum as the scene sees it.
 #[derive(Debug, Clone)]
-pub struct Symbol {
-    /// Symbol, such as `mu_s`.
+pub struct DatumSymbol {
+    /// DatumSymbol, such as `mu_s`.
     pub name: String,
     /// Its unit; `None` if the bank's own is wrong (said elsewhere).
     pub unit: Option<Unit>,
@@ -168,7 +33,7 @@ pub enum Touching {
 
 /// One use of a datum.
 #[derive(Debug, Clone)]
-pub struct Use {
+pub struct DatumUse {
     /// Index of the datum.
     pub datum: usize,
     /// What for.
@@ -177,11 +42,11 @@ pub struct Use {
 
 /// What was read of a scene, with the uses of the data.
 #[derive(Debug, Clone, Default)]
-pub struct Read {
+pub struct SceneRead {
     /// The scene; `None` if anything is wrong with it.
     pub scene: Option<Scene>,
     /// Every use of a datum.
-    pub uses: Vec<Use>,
+    pub uses: Vec<DatumUse>,
     /// Cords, by name, that leave a fixed axle upward (`true`) or downward. To mechanics `front down` is what `top forward` is:
     /// only a picture needs to know.
     pub upright: Vec<(String, bool)>,
@@ -189,26 +54,32 @@ pub struct Read {
     pub touches: Vec<(usize, Num)>,
 }
 
-struct Reader<'a> {
-    symbols: &'a [Symbol],
+struct SceneReader<'a> {
+    symbols: &'a [DatumSymbol],
     touching: Touching,
     faults: &'a Faults,
     touches: RefCell<Vec<(usize, Num)>>,
-    uses: RefCell<Vec<Use>>,
+    uses: RefCell<Vec<DatumUse>>,
     /// The line of some body could not be read, so nothing is said of surfaces that are not used.
     lost: Cell<bool>,
     /// The start gives the angle of a pinned body.
     angled: Cell<bool>,
     /// Does the end of a cord that was read last leave a fixed axle upward, or downward?
     upward: Cell<Option<bool>>,
-    /// As in [`Read`].
+    /// As in [`SceneRead`].
     upright: RefCell<Vec<(String, bool)>>,
 }
 
 /// Reads a scene. `gravity` is the index of g among the data.
-pub fn read(node: &Node, symbols: &[Symbol], touching: Touching, gravity: usize, faults: &Faults) -> Read {
+pub fn read(
+    node: &Node,
+    symbols: &[DatumSymbol],
+    touching: Touching,
+    gravity: usize,
+    faults: &Faults,
+) -> SceneRead {
     let before = faults.count();
-    let reader = Reader {
+    let reader = SceneReader {
         symbols,
         touching,
         faults,
@@ -220,7 +91,7 @@ pub fn read(node: &Node, symbols: &[Symbol], touching: Touching, gravity: usize,
         upright: RefCell::new(Vec::new()),
     };
     let scene = reader.scene(node, gravity).filter(|_| faults.count() == before);
-    Read {
+    SceneRead {
         scene,
         uses: reader.uses.into_inner(),
         upright: reader.upright.into_inner(),
@@ -228,17 +99,80 @@ pub fn read(node: &Node, symbols: &[Symbol], touching: Touching, gravity: usize,
     }
 }
 
+/// The fields that give a body its inertia, of which it has one.
+const INERTIA: [&str; 4] = ["shape", "radius of gyration", "moment of inertia", "parts"];
+/// How a body on a fixed axle is written.
+const FIXED: &str = "moves: about a fixed axle";
+
+/// What does not go together in a body: the field that is too much, beside which others (with their text, if it matters),
+/// where which others are not written; what is said of the body, and the hint.
+const EXCLUDED: [(&str, &[&str], &[&str], &str, &str); 12] = [
+    ("angle", &["moves"], &["pinned"], "`{}` moves along a line, so it has no angle", REMOVE),
+    (
+        "angle",
+        &[],
+        &["pinned", "moves"],
+        "`{}` has an angle, but `pinned` is missing",
+        "write `pinned: at its end` (a rod) or `pinned: {distance: h}`",
+    ),
+    ("weight", &["mass"], &[], "`{}` has a mass and a weight", "keep one of them"),
+    ("mass", &[FIXED, "moment of inertia"], &[], NO_MASS, REMOVE),
+    ("weight", &[FIXED, "moment of inertia"], &["mass"], NO_MASS, REMOVE),
+    ("mass", &["parts"], &[], SUM_OF_PARTS, REMOVE),
+    ("weight", &["parts"], &["mass"], SUM_OF_PARTS, REMOVE),
+    ("moves", &["pinned"], &[], NO_LINE, REMOVE),
+    ("positive", &["pinned"], &[], NO_LINE, REMOVE),
+    ("positive", &["angle"], &["moves"], NO_LINE, REMOVE),
+    ("radii", &["pinned"], &[], NO_TIES, REMOVE),
+    ("radii", &["angle"], &["moves"], NO_TIES, REMOVE),
+];
+const REMOVE: &str = "remove this field";
+const NO_MASS: &str = "on a fixed axle the mass enters nothing once the moment of inertia is given";
+const SUM_OF_PARTS: &str = "the mass of a body made of parts is the sum of its parts";
+const NO_LINE: &str = "a pinned body moves about its pin, not along a line";
+const NO_TIES: &str = "nothing rolls on a pinned body and no cord is wound on it";
+
+/// Is this field there, with this text if one is written after a colon?
+fn holds(body: &Node, field: &str) -> bool {
+    match field.split_once(": ") {
+        Some((name, text)) => body.field(name).and_then(Node::text).is_some_and(|t| t.trim() == text),
+        None => body.field(field).is_some(),
+    }
+}
+
+/// Tells what does not go together in a body.
+fn excluded(name: &str, body: &Node, faults: &Faults) {
+    for (field, beside, without, message, hint) in EXCLUDED {
+        let too_much = beside.iter().all(|f| holds(body, f)) && !without.iter().any(|f| holds(body, f));
+        if let Some(node) = body.field(field).filter(|_| too_much) {
+            faults.hint(node, message.replace("{}", name), hint);
+        }
+    }
+}
+
+/// An end with a value: its word, the field of the value, an example of it, what it is along a line and in turning, and
+/// what is made of it.
+type EndRow = (&'static str, &'static str, &'static str, Need, Need, fn(Coordinate, Num) -> End);
+const ENDS: [EndRow; 6] = [
+    ("travel", "by", "d", Need::LENGTH, Need::TURN, End::Travel),
+    ("turn", "by", "phi", Need::TURN, Need::TURN, End::Travel),
+    ("position", "at", "s", Need::PLACE, Need::PLACE, End::Position),
+    ("time", "is", "t1", Need::TIME, Need::TIME, End::Time),
+    ("speed", "reaches", "v1", Need::SPEED_REACHED, Need::SPIN_REACHED, End::Speed),
+    ("angle", "reaches", "phi1", Need::ANGLE, Need::ANGLE, End::Angle),
+];
+
 struct Surface<'n> {
     name: &'n str,
     slope: Slope,
 }
 
-impl Reader<'_> {
+impl SceneReader<'_> {
     fn scene(&self, node: &Node, gravity: usize) -> Option<Scene> {
         let f = self.faults;
         let mut fields = Fields::open(node, "a scene (bodies, ties, start, end)", f)?;
         let surfaces = fields.get("surfaces").map_or_else(Vec::new, |n| self.surfaces(n));
-        let bodies_node = fields.need("bodies", "{wheel: {mass: m, moves: vertically}}", f);
+        let bodies_node = fields.need("bodies", "{wheel: {mass: m, moves: vertically}}");
         let mut bodies = bodies_node.map_or_else(Vec::new, |n| self.bodies(n, &surfaces));
         if let Some(n) = bodies_node
             && bodies.is_empty()
@@ -250,8 +184,8 @@ impl Reader<'_> {
         let couples = fields.get("forces").map_or_else(Vec::new, |n| self.forces(n, &mut bodies));
         let start_node = fields.get("start");
         let start = start_node.map_or_else(Vec::new, |n| self.start(n, &mut bodies));
-        let end = fields.need("end", "{travel: {of: wheel, by: d}}", f).and_then(|n| self.end(n, &bodies));
-        fields.close(f);
+        let end = fields.need("end", "{travel: {of: wheel, by: d}}").and_then(|n| self.end(n, &bodies));
+        fields.close();
         let (end, heading) = end?;
         if let Some(body) = bodies.iter().find(|b| b.pin.is_some())
             && !self.angled.get()
@@ -296,61 +230,58 @@ impl Reader<'_> {
     }
 
     fn number(&self, node: &Node, need: Need) -> Option<Num> {
-        let Some(text) = node.text() else {
-            self.faults.hint(
-                node,
-                format!("expected {}, found {}", need.words(), node.kind()),
-                format!("a symbol of the data, or a constant such as `{}`", need.example()),
-            );
+        let f = self.faults;
+        let Some(text) = node.text().map(str::trim) else {
+            let hint = format!("a symbol of the data, or a constant such as `{}`", need.example);
+            f.hint(node, format!("expected {}, found {}", need.words, node.kind()), hint);
             return None;
         };
-        let text = text.trim();
         if let Some(datum) = self.symbols.iter().position(|s| s.name == text) {
-            let Some(unit) = self.symbols[datum].unit.as_ref() else {
-                // Its unit is wrong, which has been told; it is used all the same.
-                self.uses.borrow_mut().push(Use { datum, need });
-                return Some(Num::Datum(datum));
-            };
-            if !measure::fits(unit, need.unit()) {
-                self.faults.hint(
+            // A unit that is wrong is a finding already; the datum counts as used all the same.
+            if let Some(unit) = self.symbols[datum].unit.as_ref().filter(|u| !measure::fits(u, need.unit)) {
+                f.hint(
                     node,
-                    format!("`{text}` has the unit {}, but it is used as {}", unit.ascii(), need.words()),
-                    format!("{} has a unit such as {}", need.words(), need.unit()),
+                    format!("`{text}` has the unit {}, but it is used as {}", unit.ascii(), need.words),
+                    format!("{} has a unit such as {}", need.words, need.unit),
                 );
                 return None;
             }
-            self.uses.borrow_mut().push(Use { datum, need });
+            self.uses.borrow_mut().push(DatumUse { datum, need });
             return Some(Num::Datum(datum));
         }
-        let looks_like_symbol = text.starts_with(|c: char| c.is_alphabetic() || c == '_');
-        if looks_like_symbol || text.is_empty() {
-            let hint = close_name(text, self.symbols.iter().map(|s| s.name.as_str()));
-            let known: Vec<&str> = self.symbols.iter().map(|s| s.name.as_str()).collect();
-            self.faults.hint(
-                node,
-                format!("`{}` is no symbol of the data", shorten(text)),
-                hint.unwrap_or_else(|| {
-                    format!("symbols: {}; or a constant such as `{}`", known.join(", "), need.example())
-                }),
-            );
+        if text.is_empty() || text.starts_with(|c: char| c.is_alphabetic() || c == '_') {
+            let known = self.symbols.iter().map(|s| s.name.as_str());
+            let hint = close_name(text, known.clone()).unwrap_or_else(|| {
+                let known: Vec<&str> = known.collect();
+                format!("symbols: {}; or a constant such as `{}`", known.join(", "), need.example)
+            });
+            f.hint(node, format!("`{}` is no symbol of the data", shorten(text)), hint);
             return None;
         }
-        let value = match measure::constant(text, need.unit()) {
-            Ok(value) => value,
+        match measure::constant(text, need.unit) {
+            Ok(value) => match need.admits(value) {
+                Ok(()) => return Some(Num::Fixed(value)),
+                Err(message) => f.at(node, format!("`{}`: {message}", shorten(text))),
+            },
             Err(message) => {
-                self.faults.hint(
-                    node,
-                    message,
-                    format!("{} is written like `{}`", need.words(), need.example()),
-                );
-                return None;
+                f.hint(node, message, format!("{} is written like `{}`", need.words, need.example));
             }
-        };
-        if let Err(message) = admissible(value, need) {
-            self.faults.at(node, format!("`{}`: {message}", shorten(text)));
-            return None;
         }
-        Some(Num::Fixed(value))
+        None
+    }
+
+    /// A point, `[x, y]`.
+    fn place(&self, node: &Node) -> Option<(Num, Num)> {
+        match &node.value {
+            Value::List(xy) if xy.len() == 2 => {
+                self.number(&xy[0], Need::PLACE).zip(self.number(&xy[1], Need::PLACE))
+            }
+            _ => {
+                let message = format!("expected a place such as `[x_A, y_A]`, found {}", node.kind());
+                self.faults.at(node, message);
+                None
+            }
+        }
     }
 
     fn need_number(
@@ -360,7 +291,7 @@ impl Reader<'_> {
         example: &'static str,
         need: Need,
     ) -> Option<Num> {
-        fields.need(name, example, self.faults).and_then(|n| self.number(n, need))
+        fields.need(name, example).and_then(|n| self.number(n, need))
     }
 
     /// One word out of a list, said in one of its spellings.
@@ -369,9 +300,7 @@ impl Reader<'_> {
         if let Some((_, meaning)) = words.iter().find(|(w, _)| *w == text) {
             return Some(*meaning);
         }
-        let known: Vec<&str> = words.iter().map(|(w, _)| *w).collect();
-        let hint = close_name(&text, known.iter().copied())
-            .unwrap_or_else(|| format!("words known here: {}", known.join(", ")));
+        let hint = suggestion(&text, "words known here", words.iter().map(|(w, _)| *w));
         self.faults.hint(node, format!("expected {what}, found {}", node.kind()), hint);
         None
     }
@@ -391,8 +320,7 @@ impl Reader<'_> {
 
     fn unknown(&self, key: &Node, what: &str, known: &[&str]) {
         let text = key.text().unwrap_or("");
-        let hint =
-            close_name(text, known.iter().copied()).unwrap_or_else(|| format!("known: {}", known.join(", ")));
+        let hint = suggestion(text, "known", known.iter().copied());
         self.faults.hint(key, format!("`{}` is no {what}", shorten(text)), hint);
     }
 
@@ -401,11 +329,11 @@ impl Reader<'_> {
         for (name, _, value) in named(node, "surfaces by name", self.faults) {
             let slope = match &value.value {
                 Value::Map(_) => Fields::open(value, "a slope", self.faults).and_then(|mut fields| {
-                    let slope = fields.need("slope", "theta", self.faults);
-                    fields.close(self.faults);
+                    let slope = fields.need("slope", "theta");
+                    fields.close();
                     slope
                         .filter(|n| !self.absent(n))
-                        .and_then(|n| self.number(n, Need::Slope))
+                        .and_then(|n| self.number(n, Need::SLOPE))
                         .map(Slope::Degrees)
                 }),
                 _ => self.word(
@@ -414,7 +342,7 @@ impl Reader<'_> {
                     &[("level", Slope::Level), ("horizontal", Slope::Level), ("vertical", Slope::Vertical)],
                 ),
             };
-            // A slope that is wrong has been told; the name stays known, so that nothing else is blamed.
+            // A slope that is wrong is a finding already; the name stays known, so that no other finding follows from it.
             list.push(Surface { name, slope: slope.unwrap_or(Slope::Level) });
         }
         list
@@ -432,29 +360,17 @@ impl Reader<'_> {
             }
             bodies.push(self.body(name, value, surfaces));
         }
-        let mut used: Vec<bool> = vec![false; surfaces.len()];
-        if let Value::Map(entries) = &node.value {
-            for (_, body) in entries {
-                if let Value::Map(fields) = &body.value {
-                    for (k, v) in fields {
-                        if k.text() == Some("moves")
-                            && let Some(on) = v.text().and_then(|t| t.trim().strip_prefix("along"))
-                            && let Some(i) = surfaces.iter().position(|s| s.name == on.trim())
-                        {
-                            used[i] = true;
-                        }
-                    }
-                }
-            }
-        }
-        for (surface, used) in surfaces.iter().zip(used) {
-            if !used && !self.lost.get() {
-                self.faults.hint(
-                    node,
-                    format!("nothing moves along the surface `{}`", surface.name),
-                    "remove the surface, or write `moves: along ...`",
-                );
-            }
+        let used = |surface: &Surface| {
+            let Value::Map(entries) = &node.value else { return false };
+            let moves = entries.iter().filter_map(|(_, body)| body.field("moves")?.text());
+            moves.filter_map(|text| text.trim().strip_prefix("along")).any(|on| on.trim() == surface.name)
+        };
+        for surface in surfaces.iter().filter(|s| !self.lost.get() && !used(s)) {
+            self.faults.hint(
+                node,
+                format!("nothing moves along the surface `{}`", surface.name),
+                "remove the surface, or write `moves: along ...`",
+            );
         }
         bodies
     }
@@ -475,100 +391,31 @@ impl Reader<'_> {
         if let Some(particles) = fields.get("particles") {
             body.turns = true;
             body.particles = self.particles(particles);
-            fields.close(f);
+            fields.close();
             return body;
         }
-        let mass = fields.get("mass");
-        let weight = fields.get("weight");
-        let shape = fields.get("shape");
-        let gyration = fields.get("radius of gyration");
-        let moment = fields.get("moment of inertia");
-        let parts = fields.get("parts");
-        let given: Vec<&Node> = [shape, gyration, moment, parts].into_iter().flatten().collect();
-        if given.len() > 1 {
+        let [mass, weight] = fields.each(["mass", "weight"]);
+        let inertia = fields.each(INERTIA);
+        let [pinned, angle, moves, positive] = fields.each(["pinned", "angle", "moves", "positive"]);
+        let given = inertia.iter().flatten().count();
+        if given > 1 {
             f.hint(
                 node,
-                format!("`{name}` has its inertia given {} times", given.len()),
+                format!("`{name}` has its inertia given {given} times"),
                 "keep one of `shape`, `radius of gyration`, `moment of inertia`, `parts`",
             );
         }
-        let mut shape_radius = None;
-        if let Some(n) = gyration {
-            body.inertia = self.number(n, Need::Gyration).map(RotaryInertia::Gyration);
-        } else if let Some(n) = moment {
-            body.inertia = self.number(n, Need::Inertia).map(RotaryInertia::Moment);
-        } else if let Some(n) = shape {
-            if let Some((word, key, radius)) = self.one(n, "a shape such as `{disc: R}`") {
-                let known = shape_of(word);
-                if known.is_none() {
-                    self.unknown(key, "shape", SHAPES);
-                }
-                let rod = known == Some(Shape::Rod);
-                let radius = self.number(radius, if rod { Need::Rod } else { Need::Radius });
-                // A rod has a length where the others have a rim.
-                shape_radius = radius.filter(|_| !rod);
-                body.inertia = known.zip(radius).map(|(s, r)| RotaryInertia::Shape(s, r));
-            }
-        } else if let Some(n) = parts {
-            body.inertia = Some(RotaryInertia::Parts(self.parts(n)));
-        }
-        body.turns = !given.is_empty();
-        let pinned = fields.get("pinned");
-        let angle = fields.get("angle");
-        let moves = fields.get("moves");
-        let positive = fields.get("positive");
+        let rim = self.inertia(inertia, &mut body);
+        body.turns = given > 0;
         let swings = pinned.or(angle.filter(|_| moves.is_none()));
         if swings.is_none() && moves.is_none() {
             // Said with its example.
-            fields.need("moves", "along incline", f);
+            fields.need("moves", "along incline");
         }
-        if let Some(n) = angle.filter(|_| pinned.is_none()) {
-            if moves.is_some() {
-                f.hint(n, format!("`{name}` moves along a line, so it has no angle"), "remove this field");
-            } else {
-                f.hint(
-                    n,
-                    format!("`{name}` has an angle, but `pinned` is missing"),
-                    "write `pinned: at its end` (a rod) or `pinned: {distance: h}`",
-                );
-            }
-        }
-        let fixed = moves.and_then(Node::text).is_some_and(|t| t.trim() == "about a fixed axle");
-        body.mass = match (mass, weight) {
-            (Some(_), Some(w)) => {
-                f.hint(w, format!("`{name}` has a mass and a weight"), "keep one of them");
-                Mass::OfParts
-            }
-            (Some(n), None) => self.number(n, Need::Mass).map_or(Mass::OfParts, Mass::Kilograms),
-            (None, Some(n)) => self.number(n, Need::Weight).map_or(Mass::OfParts, Mass::Weight),
-            (None, None) if parts.is_some() => Mass::OfParts,
-            // The mass of a body on a fixed axle whose moment of inertia is given enters no equation.
-            (None, None) if fixed && moment.is_some() => Mass::Kilograms(Num::Fixed(1.0)),
-            (None, None) => {
-                f.hint(node, "`mass` is missing", "write `mass: m`, or `weight: W`");
-                Mass::OfParts
-            }
-        };
-        if fixed
-            && moment.is_some()
-            && let Some(n) = mass.or(weight)
-        {
-            f.hint(
-                n,
-                "on a fixed axle the mass enters nothing once the moment of inertia is given",
-                "remove this field",
-            );
-        }
-        if parts.is_some()
-            && let Some(n) = mass.or(weight)
-        {
-            f.hint(n, "the mass of a body made of parts is the sum of its parts", "remove this field");
-        }
+        body.mass = self.mass(node, mass, weight);
+        excluded(name, node, f);
         if let Some(swings) = swings {
-            for n in [moves, positive].into_iter().flatten() {
-                f.hint(n, "a pinned body moves about its pin, not along a line", "remove this field");
-            }
-            if given.is_empty() {
+            if given == 0 {
                 f.hint(
                     node,
                     format!("`{name}` has no inertia, so it cannot swing"),
@@ -577,45 +424,89 @@ impl Reader<'_> {
             }
             body.turns = true;
             body.pin = Some(self.pin(pinned, swings, angle, &body));
-            if let Some(n) = fields.get("radii") {
-                f.hint(n, "nothing rolls on a pinned body and no cord is wound on it", "remove this field");
-            }
-            fields.close(f);
+            fields.get("radii");
+            fields.close();
             return body;
         }
         body.line = match moves.map(|n| self.line(n, positive, surfaces)) {
             Some(Ok(line)) => line,
             Some(Err(())) | None => {
-                // Told already; with some line nothing else is blamed.
+                // It is a finding already; a line is assumed, so that no other finding follows from it.
                 self.lost.set(true);
                 let slope = surfaces.first().map_or(Slope::Vertical, |s| s.slope);
                 Some(Line { slope, forward_up: true, surface: !surfaces.is_empty() })
             }
         };
         if let Some(n) = fields.get("radii") {
-            for (radius, key, value) in named(n, "radii by name", f) {
-                if !plain_name(radius) {
-                    f.hint(
-                        key,
-                        format!("`{}` is no name for a radius", shorten(radius)),
-                        "a name such as `rim`",
-                    );
-                }
-                // The use is recorded when a tie acts at this radius.
-                let before = self.uses.borrow().len();
-                if let Some(num) = self.number(value, Need::Radius) {
-                    self.uses.borrow_mut().truncate(before);
-                    body.radii_m.push((radius.to_owned(), num));
-                }
-            }
+            body.radii_m = self.radii(n);
         }
-        if let Some(radius) = shape_radius
+        if let Some(radius) = rim
             && !body.radii_m.iter().any(|(n, _)| n == "rim")
         {
             body.radii_m.push(("rim".to_owned(), radius));
         }
-        fields.close(f);
+        fields.close();
         body
+    }
+
+    /// Sets the inertia by the fields of [`INERTIA`]; gives the radius of the rim, where a shape has one.
+    fn inertia(&self, [shape, gyration, moment, parts]: [Option<&Node>; 4], body: &mut Body) -> Option<Num> {
+        if let Some(n) = gyration {
+            body.inertia = self.number(n, Need::GYRATION).map(RotaryInertia::Gyration);
+        } else if let Some(n) = moment {
+            body.inertia = self.number(n, Need::INERTIA).map(RotaryInertia::Moment);
+        } else if let Some(n) = shape {
+            let (word, key, radius) = self.one(n, "a shape such as `{disc: R}`")?;
+            let known = shape_of(word);
+            if known.is_none() {
+                self.unknown(key, "shape", SHAPES);
+            }
+            let rod = known == Some(Shape::Rod);
+            let radius = self.number(radius, if rod { Need::ROD } else { Need::RADIUS });
+            body.inertia = known.zip(radius).map(|(s, r)| RotaryInertia::Shape(s, r));
+            // A rod has a length where the others have a rim.
+            return radius.filter(|_| !rod);
+        } else if let Some(n) = parts {
+            body.inertia = Some(RotaryInertia::Parts(self.parts(n)));
+        }
+        None
+    }
+
+    /// The mass of a body, by its mass or its weight.
+    fn mass(&self, node: &Node, mass: Option<&Node>, weight: Option<&Node>) -> Mass {
+        let given = match (mass, weight) {
+            (Some(n), None) => self.number(n, Need::MASS).map(Mass::Kilograms),
+            (None, Some(n)) => self.number(n, Need::WEIGHT).map(Mass::Weight),
+            // That there are both is told elsewhere.
+            (Some(_), Some(_)) => None,
+            (None, None) if node.field("parts").is_some() => None,
+            // The mass of a body on a fixed axle whose moment of inertia is given enters no equation.
+            (None, None) if holds(node, FIXED) && holds(node, "moment of inertia") => {
+                Some(Mass::Kilograms(Num::Fixed(1.0)))
+            }
+            (None, None) => {
+                self.faults.hint(node, "`mass` is missing", "write `mass: m`, or `weight: W`");
+                None
+            }
+        };
+        given.unwrap_or(Mass::OfParts)
+    }
+
+    fn radii(&self, node: &Node) -> Vec<(String, Num)> {
+        let mut radii = Vec::new();
+        for (radius, key, value) in named(node, "radii by name", self.faults) {
+            if !plain_name(radius) {
+                let message = format!("`{}` is no name for a radius", shorten(radius));
+                self.faults.hint(key, message, "a name such as `rim`");
+            }
+            // The use is recorded when a tie acts at this radius.
+            let before = self.uses.borrow().len();
+            if let Some(num) = self.number(value, Need::RADIUS) {
+                self.uses.borrow_mut().truncate(before);
+                radii.push((radius.to_owned(), num));
+            }
+        }
+        radii
     }
 
     /// The pin of a body; the start gives the angle, forces the spring.
@@ -640,8 +531,8 @@ impl Reader<'_> {
         };
         let arm = pinned.and_then(|node| match &node.value {
             Value::Map(_) => Fields::open(node, "where it is pinned", f).and_then(|mut fields| {
-                let distance = self.need_number(&mut fields, "distance", "h", Need::Arm);
-                fields.close(f);
+                let distance = self.need_number(&mut fields, "distance", "h", Need::ARM);
+                fields.close();
                 distance.map(Arm::Distance)
             }),
             _ => match (
@@ -664,7 +555,7 @@ impl Reader<'_> {
                 _ => None,
             },
         });
-        // What is wrong has been told; the body stays pinned, so that nothing else is blamed.
+        // What is wrong is a finding already; the body stays pinned, so that no other finding follows from it.
         Pin {
             arm: arm.unwrap_or(Arm::Distance(Num::Fixed(1.0))),
             from: from.unwrap_or(Zero::Hanging),
@@ -687,15 +578,12 @@ impl Reader<'_> {
             match surfaces.iter().find(|s| s.name == on) {
                 Some(s) => (s.slope, true),
                 None => {
-                    let names: Vec<&str> = surfaces.iter().map(|s| s.name).collect();
-                    let hint = close_name(on, names.iter().copied()).unwrap_or_else(|| {
-                        if names.is_empty() {
-                            "name it under `surfaces`, for example `surfaces: {incline: {slope: theta}}`"
-                                .to_owned()
-                        } else {
-                            format!("surfaces: {}", names.join(", "))
-                        }
-                    });
+                    let hint = if surfaces.is_empty() {
+                        "name it under `surfaces`, for example `surfaces: {incline: {slope: theta}}`"
+                            .to_owned()
+                    } else {
+                        suggestion(on, "surfaces", surfaces.iter().map(|s| s.name))
+                    };
                     self.faults.hint(moves, format!("`{}` is no surface of this scene", shorten(on)), hint);
                     return Err(());
                 }
@@ -728,17 +616,9 @@ impl Reader<'_> {
                 left_out += 1;
                 continue;
             }
-            let mass = self.need_number(&mut fields, "mass", "m_A", Need::Mass);
-            let at = fields.need("at", "[x_A, y_A]", f).and_then(|n| match &n.value {
-                Value::List(xy) if xy.len() == 2 => {
-                    self.number(&xy[0], Need::Place).zip(self.number(&xy[1], Need::Place))
-                }
-                _ => {
-                    f.at(n, format!("expected a place such as `[x_A, y_A]`, found {}", n.kind()));
-                    None
-                }
-            });
-            fields.close(f);
+            let mass = self.need_number(&mut fields, "mass", "m_A", Need::MASS);
+            let at = fields.need("at", "[x_A, y_A]").and_then(|n| self.place(n));
+            fields.close();
             if let Some((mass_kg, (x_m, y_m))) = mass.zip(at) {
                 list.push(Particle { name: name.to_owned(), mass_kg, x_m, y_m });
             }
@@ -778,15 +658,15 @@ impl Reader<'_> {
             }
             let Some(mut fields) = Fields::open(value, "mass and radius of the part", f) else { continue };
             let mass = match (fields.get("mass"), fields.get("weight")) {
-                (Some(n), None) => self.number(n, Need::Mass).map(Mass::Kilograms),
-                (None, Some(n)) => self.number(n, Need::Weight).map(Mass::Weight),
+                (Some(n), None) => self.number(n, Need::MASS).map(Mass::Kilograms),
+                (None, Some(n)) => self.number(n, Need::WEIGHT).map(Mass::Weight),
                 _ => {
                     f.hint(value, "a part has a mass or a weight", "write `mass: m1`");
                     None
                 }
             };
-            let radius = self.need_number(&mut fields, "radius", "R", Need::Radius);
-            fields.close(f);
+            let radius = self.need_number(&mut fields, "radius", "R", Need::RADIUS);
+            fields.close();
             if let (Some(mass), Some(shape), Some(radius_m)) = (mass, shape, radius) {
                 list.push(Part { mass, shape, radius_m });
             }
@@ -798,9 +678,7 @@ impl Reader<'_> {
         let text = node.text().unwrap_or("").trim();
         let found = bodies.iter().position(|b| b.name == text);
         if found.is_none() {
-            let names = bodies.iter().map(|b| b.name.as_str());
-            let hint = close_name(text, names.clone())
-                .unwrap_or_else(|| format!("bodies: {}", names.collect::<Vec<_>>().join(", ")));
+            let hint = suggestion(text, "bodies", bodies.iter().map(|b| b.name.as_str()));
             self.faults.hint(node, format!("expected a body of this scene, found {}", node.kind()), hint);
         }
         found
@@ -808,21 +686,19 @@ impl Reader<'_> {
 
     fn need_body(&self, fields: &mut Fields, name: &'static str, bodies: &[Body]) -> Option<usize> {
         let example = bodies.first().map_or("wheel", |b| b.name.as_str());
-        fields.need(name, example, self.faults).and_then(|n| self.body_named(n, bodies))
+        fields.need(name, example).and_then(|n| self.body_named(n, bodies))
     }
 
     /// The radius of a body at which a tie acts; this is what makes a radius used.
     fn radius(&self, node: &Node, body: &Body) -> Option<Num> {
         let text = node.text().unwrap_or("").trim();
         let Some((_, num)) = body.radii_m.iter().find(|(n, _)| n == text) else {
-            let names = body.radii_m.iter().map(|(n, _)| n.as_str());
-            let hint = close_name(text, names.clone()).unwrap_or_else(|| {
-                if body.radii_m.is_empty() {
-                    format!("give `{}` a field `radii`, for example `radii: {{rim: R}}`", body.name)
-                } else {
-                    format!("radii of `{}`: {}", body.name, names.collect::<Vec<_>>().join(", "))
-                }
-            });
+            let hint = if body.radii_m.is_empty() {
+                format!("give `{}` a field `radii`, for example `radii: {{rim: R}}`", body.name)
+            } else {
+                let names = body.radii_m.iter().map(|(n, _)| n.as_str());
+                suggestion(text, &format!("radii of `{}`", body.name), names)
+            };
             self.faults.hint(
                 node,
                 format!("expected a radius of `{}`, found {}", body.name, node.kind()),
@@ -831,7 +707,7 @@ impl Reader<'_> {
             return None;
         };
         if let Num::Datum(datum) = num {
-            self.uses.borrow_mut().push(Use { datum: *datum, need: Need::Radius });
+            self.uses.borrow_mut().push(DatumUse { datum: *datum, need: Need::RADIUS });
         }
         Some(*num)
     }
@@ -904,9 +780,9 @@ impl Reader<'_> {
             );
         }
         if word == "slides" {
-            let mu_k = self.need_number(&mut fields, "mu_k", "mu_k", Need::Friction);
-            let mu_s = fields.get("mu_s").map(|n| self.number(n, Need::Friction));
-            fields.close(f);
+            let mu_k = self.need_number(&mut fields, "mu_k", "mu_k", Need::FRICTION);
+            let mu_s = fields.get("mu_s").map(|n| self.number(n, Need::FRICTION));
+            fields.close();
             if let Some(b) = body
                 && bodies[b].turns
             {
@@ -919,7 +795,7 @@ impl Reader<'_> {
             }
             return Some(Tie::Slide { body: body?, mu_s: settle(mu_s)?, mu_k: mu_k? });
         }
-        let on = fields.need("on its", "rim", f);
+        let on = fields.need("on its", "rim");
         let radius = body.zip(on).and_then(|(b, n)| self.radius(n, &bodies[b]));
         if let Some(b) = body
             && !bodies[b].turns
@@ -931,13 +807,13 @@ impl Reader<'_> {
             );
         }
         if word == "rolls" {
-            let mu_s = fields.get("mu_s").map(|n| self.number(n, Need::Friction));
-            fields.close(f);
+            let mu_s = fields.get("mu_s").map(|n| self.number(n, Need::FRICTION));
+            fields.close();
             return Some(Tie::Roll { body: body?, radius_m: radius?, mu_s: settle(mu_s)? });
         }
-        let mu_s = self.need_number(&mut fields, "mu_s", "mu_s", Need::Friction);
-        let mu_k = self.need_number(&mut fields, "mu_k", "mu_k", Need::Friction);
-        fields.close(f);
+        let mu_s = self.need_number(&mut fields, "mu_s", "mu_s", Need::FRICTION);
+        let mu_k = self.need_number(&mut fields, "mu_k", "mu_k", Need::FRICTION);
+        fields.close();
         if word == "touches" {
             self.touches.borrow_mut().push((tie, mu_k?));
             if self.touching == Touching::Rolls {
@@ -961,7 +837,7 @@ impl Reader<'_> {
             },
         };
         let from = fields
-            .need("from", "{body: wheel, wound on: rim, leaves: top forward}", f)
+            .need("from", "{body: wheel, wound on: rim, leaves: top forward}")
             .and_then(|n| self.cord_end(n, bodies));
         if let Some(up) = self.upward.take() {
             self.upright.borrow_mut().push((name.clone(), up));
@@ -975,9 +851,9 @@ impl Reader<'_> {
             );
         }
         let [pulled, to, spring, held] = ends;
-        fields.close(f);
+        fields.close();
         let far = if let Some(n) = pulled {
-            self.number(n, Need::Force).map(Far::Pull)
+            self.number(n, Need::FORCE).map(Far::Pull)
         } else if let Some(n) = to {
             self.cord_end(n, bodies).map(Far::Body)
         } else if let Some(n) = spring {
@@ -996,8 +872,8 @@ impl Reader<'_> {
 
     fn spring(&self, node: &Node) -> Option<Far> {
         let mut fields = Fields::open(node, "a spring (stiffness, stretch)", self.faults)?;
-        let stiffness = self.need_number(&mut fields, "stiffness", "ks", Need::Stiffness);
-        let stretch = self.need_number(&mut fields, "stretch", "x0", Need::Length);
+        let stiffness = self.need_number(&mut fields, "stiffness", "ks", Need::STIFFNESS);
+        let stretch = self.need_number(&mut fields, "stretch", "x0", Need::LENGTH);
         let rigid = fields.get("attached").map_or(Some(false), |n| {
             self.word(
                 n,
@@ -1005,7 +881,7 @@ impl Reader<'_> {
                 &[("by the cord", false), ("cord", false), ("rigidly", true), ("rigid", true)],
             )
         });
-        fields.close(self.faults);
+        fields.close();
         Some(Far::Spring { stiffness_n_m: stiffness?, stretch_m: stretch?, rigid: rigid? })
     }
 
@@ -1015,8 +891,8 @@ impl Reader<'_> {
         let body = self.need_body(&mut fields, "body", bodies);
         let wound = fields.get("wound on");
         let tied = fields.get("tied at");
-        let leaves = fields.need("leaves", if tied.is_some() { "forward" } else { "top forward" }, f);
-        fields.close(f);
+        let leaves = fields.need("leaves", if tied.is_some() { "forward" } else { "top forward" });
+        fields.close();
         let index = body?;
         let body = &bodies[index];
         if !body.particles.is_empty() {
@@ -1147,11 +1023,11 @@ impl Reader<'_> {
             }
             let Some(mut fields) = Fields::open(value, "a couple (on, moment, sense)", f) else { continue };
             let body = self.need_body(&mut fields, "on", bodies);
-            let moment = self.need_number(&mut fields, "moment", "M", Need::Moment);
+            let moment = self.need_number(&mut fields, "moment", "M", Need::MOMENT);
             let forward = fields.get("sense").map_or(Some(true), |n| {
                 self.word(n, "the sense of the couple", &[("forward", true), ("back", false)])
             });
-            fields.close(f);
+            fields.close();
             if let Some(b) = body
                 && !bodies[b].turns
             {
@@ -1173,20 +1049,12 @@ impl Reader<'_> {
             return;
         };
         let body = self.need_body(&mut fields, "on", bodies);
-        let at = self.need_number(&mut fields, "at", "b", Need::Radius);
-        let anchor = fields.need("anchor", "[x_A, y_A]", f).and_then(|n| match &n.value {
-            Value::List(xy) if xy.len() == 2 => {
-                self.number(&xy[0], Need::Place).zip(self.number(&xy[1], Need::Place))
-            }
-            _ => {
-                f.at(n, format!("expected a place such as `[x_A, y_A]`, found {}", n.kind()));
-                None
-            }
-        });
-        let stiffness = self.need_number(&mut fields, "stiffness", "ks", Need::Stiffness);
+        let at = self.need_number(&mut fields, "at", "b", Need::RADIUS);
+        let anchor = fields.need("anchor", "[x_A, y_A]").and_then(|n| self.place(n));
+        let stiffness = self.need_number(&mut fields, "stiffness", "ks", Need::STIFFNESS);
         let rest = match (fields.get("natural length"), fields.get("stretch")) {
-            (Some(n), None) => self.number(n, Need::Length).map(Rest::Length),
-            (None, Some(n)) => self.number(n, Need::Length).map(Rest::Stretch),
+            (Some(n), None) => self.number(n, Need::LENGTH).map(Rest::Length),
+            (None, Some(n)) => self.number(n, Need::LENGTH).map(Rest::Stretch),
             _ => {
                 f.hint(
                     node,
@@ -1196,7 +1064,7 @@ impl Reader<'_> {
                 None
             }
         };
-        fields.close(f);
+        fields.close();
         let Some(body) = body else { return };
         let name = bodies[body].name.clone();
         let Some(pin) = &mut bodies[body].pin else {
@@ -1241,10 +1109,10 @@ impl Reader<'_> {
                 let angle = if bodies[body].pin.is_some() { fields.get("angle") } else { None };
                 let speed = fields.get("speed");
                 let spin = fields.get("spin");
-                fields.close(f);
+                fields.close();
                 if let Some(n) = angle {
                     self.angled.set(true);
-                    if let (Some(angle), Some(pin)) = (self.number(n, Need::Angle), &mut bodies[body].pin) {
+                    if let (Some(angle), Some(pin)) = (self.number(n, Need::ANGLE), &mut bodies[body].pin) {
                         pin.start_deg = angle;
                     }
                 }
@@ -1254,20 +1122,20 @@ impl Reader<'_> {
                 if let Some(n) = speed {
                     if bodies[body].line.is_none() {
                         f.hint(n, format!("`{name}` does not move along a line"), "write `spin:`");
-                    } else if let Some(v) = self.at_start(n, Need::Velocity) {
+                    } else if let Some(v) = self.at_start(n, Need::VELOCITY) {
                         list.push(Start::Speed(Coordinate { body, degree: Degree::Along }, v));
                     }
                 }
                 if let Some(n) = spin {
                     if !bodies[body].turns {
                         f.hint(n, format!("`{name}` does not turn"), "write `speed:`");
-                    } else if let Some(w) = self.at_start(n, Need::Spin) {
+                    } else if let Some(w) = self.at_start(n, Need::SPIN) {
                         list.push(Start::Speed(Coordinate { body, degree: Degree::Turn }, w));
                     }
                 }
                 continue;
             }
-            let particle = fields.need("velocity of", "A", f).and_then(|n| {
+            let particle = fields.need("velocity of", "A").and_then(|n| {
                 let text = n.text().unwrap_or("").trim();
                 let found = bodies[body].particles.iter().position(|p| p.name == text);
                 if found.is_none() {
@@ -1280,10 +1148,10 @@ impl Reader<'_> {
                 }
                 found
             });
-            let vx = self.need_number(&mut fields, "x", "vx", Need::Velocity);
-            let vy = self.need_number(&mut fields, "y", "vy", Need::Velocity);
-            let spin = self.need_number(&mut fields, "spin", "omega", Need::Spin);
-            fields.close(f);
+            let vx = self.need_number(&mut fields, "x", "vx", Need::VELOCITY);
+            let vy = self.need_number(&mut fields, "y", "vy", Need::VELOCITY);
+            let spin = self.need_number(&mut fields, "spin", "omega", Need::SPIN);
+            fields.close();
             if let (Some(particle), Some(vx_m_s), Some(vy_m_s), Some(spin_rad_s)) = (particle, vx, vy, spin) {
                 list.push(Start::Lamina { body, particle, vx_m_s, vy_m_s, spin_rad_s });
             }
@@ -1307,31 +1175,19 @@ impl Reader<'_> {
             let body = self.body_named(value, bodies)?;
             return Some((End::Rolling(Coordinate { body, degree: Degree::Along }), None));
         }
-        let names = ["travel", "turn", "position", "time", "speed", "turning point", "rolling", "angle"];
-        if !names.contains(&word) {
+        let Some((_, by, example, along, in_turning, end)) = ENDS.into_iter().find(|row| row.0 == word)
+        else {
+            let names = ["travel", "turn", "position", "time", "speed", "turning point", "rolling", "angle"];
             self.unknown(key, "end", &names);
             return None;
-        }
+        };
         let mut fields = Fields::open(value, "the body and the value", f)?;
         let body = self.need_body(&mut fields, "of", bodies);
         let line = body.and_then(|b| bodies[b].line);
         let turning = word == "turn" || (body.is_some() && line.is_none());
         let degree = if turning { Degree::Turn } else { Degree::Along };
-        let number = match word {
-            "travel" => {
-                self.need_number(&mut fields, "by", "d", if turning { Need::Turn } else { Need::Length })
-            }
-            "turn" => self.need_number(&mut fields, "by", "phi", Need::Turn),
-            "position" => self.need_number(&mut fields, "at", "s", Need::Place),
-            "time" => self.need_number(&mut fields, "is", "t1", Need::Time),
-            "angle" => self.need_number(&mut fields, "reaches", "phi1", Need::Angle),
-            _ => self.need_number(
-                &mut fields,
-                "reaches",
-                "v1",
-                if turning { Need::SpinReached } else { Need::Speed },
-            ),
-        };
+        let need = if turning { in_turning } else { along };
+        let number = self.need_number(&mut fields, by, example, need);
         let heading_node = fields.get("heading");
         let heading = heading_node.map_or(Some(None), |n| {
             let mut words = vec![("forward", Heading::Forward), ("back", Heading::Back)];
@@ -1349,7 +1205,7 @@ impl Reader<'_> {
             }
             self.word(n, "the direction of motion", &words).map(Some)
         });
-        fields.close(f);
+        fields.close();
         let body = body?;
         if word == "turn" && !bodies[body].turns {
             f.at(value, format!("`{}` does not turn", bodies[body].name));
@@ -1371,15 +1227,7 @@ impl Reader<'_> {
             f.hint(n, "a pinned body goes where its forces or its start take it", "remove this field");
         }
         let coordinate = Coordinate { body, degree };
-        let number = number?;
-        let end = match word {
-            "travel" | "turn" => End::Travel(coordinate, number),
-            "position" => End::Position(coordinate, number),
-            "time" => End::Time(coordinate, number),
-            "angle" => End::Angle(coordinate, number),
-            _ => End::Speed(coordinate, number),
-        };
-        Some((end, heading?))
+        Some((end(coordinate, number?), heading?))
     }
 }
 
@@ -1398,28 +1246,6 @@ fn contact_body(tie: &Tie) -> Option<usize> {
         Tie::Roll { body, .. } | Tie::Slip { body, .. } | Tie::Slide { body, .. } => Some(*body),
         Tie::Cord(_) => None,
     }
-}
-
-/// Does a value fit a use? (PHYSICS: admissible data.)
-pub fn admissible(value: f64, need: Need) -> Result<(), String> {
-    let fault = match need.range() {
-        Range::Any => !value.is_finite(),
-        Range::NotNegative => !(value.is_finite() && value >= 0.0),
-        Range::Positive => !(value.is_finite() && value > 0.0),
-        Range::Slope => !(0.0..=90.0).contains(&value),
-        Range::Angle => !(-360.0..=360.0).contains(&value),
-    };
-    if !fault {
-        return Ok(());
-    }
-    let rule = match need.range() {
-        Range::Any => "finite",
-        Range::NotNegative => "not negative",
-        Range::Positive => "above 0",
-        Range::Slope => "from 0 to 90 degrees",
-        Range::Angle => "from -360 to 360 degrees",
-    };
-    Err(format!("{} is {rule}", need.words()))
 }
 
 const SHAPES: &[&str] = &[

@@ -3,12 +3,14 @@ use crate::bank::TEMPLATE_NAMES;
 use crate::bank::Variables;
 use crate::bank::course;
 use crate::bank::decimal::{self, Decimal};
-use crate::bank::expression::{Expression, Name, Powers};
+use crate::bank::expression::{Exponents, Expression, Name};
 use crate::bank::measure;
 use crate::bank::mistake;
-use crate::bank::node::{Faults, Fields, Node, Value, close_name, named, shorten};
+use crate::bank::need::Need;
+use crate::bank::node::{Faults, Fields, Node, Value};
+use crate::bank::node::{choice, close_name, named, shorten, suggestion, text, whole};
 use crate::bank::review;
-use crate::bank::scene::{self, Need, Read, Symbol, Touching};
+use crate::bank::scene::{self, DatumSymbol, SceneRead, Touching};
 use crate::bank::{Bank, Bound, Case, Datum, Draw, FigureLabels, Problem, Question, Relative};
 use crate::policy::Policy;
 use crate::scene::{Label, Owner, Quantity, Scene, Span, Tie};
@@ -23,8 +25,8 @@ const RELATIVE: f64 = 0.01;
 /// Greatest condition number where the bank does not say it. A rounding to three figures on the way is off by some 0.13 % on
 /// average, so that about 10 of them fit into 1 %.
 const COND_LIMIT: f64 = 10.0;
-/// Greatest input energy of a spring problem, in kinetic energies, where the bank does not say it: with more, the speed is what
-/// two large energies leave.
+/// Greatest input energy of a spring problem, in kinetic energies, where the bank does not say it: with more, the
+/// speed comes from a small difference of two large energies.
 const ENERGY_LIMIT: f64 = 4.0;
 /// Significant figures asked for where the bank does not say it.
 const FIGURES: u8 = 3;
@@ -46,7 +48,7 @@ const MARGINS: [(CheckKind, f64); 11] = [
     (CheckKind::StaticLimit, 0.05),
 ];
 /// What holds for all problems of a bank.
-struct Common {
+struct BankWide {
     gravity: (Decimal, Unit),
     relative: Relative,
     unit_required: bool,
@@ -72,24 +74,24 @@ struct DatumRead<'n> {
 /// Reads a bank; findings go to `faults`.
 pub fn bank(node: &Node, variables: Option<Variables>, faults: &Faults) -> Option<Bank> {
     let mut fields = Fields::open(node, "a bank (bank, title, problems)", faults)?;
-    let id = fields.need("bank", "wheels-on-inclines", faults).and_then(|n| id(n, "a bank", faults));
-    let title = fields.need("title", "Wheels on inclines", faults).and_then(|n| text(n, "a title", faults));
-    let gravity = fields.get("gravity").and_then(|n| gravity(n, faults));
+    let id = fields.need("bank", "wheels-on-inclines").and_then(|n| id(n, "a bank", faults));
+    let title = fields.need("title", "Wheels on inclines").and_then(|n| text(n, "a title", faults));
+    let gravity = fields.read("gravity", gravity);
     let on_off = [("on", true), ("off", false)];
-    let self_check = fields.get("self check").and_then(|n| choice(n, &on_off, faults)).unwrap_or(true);
-    let reveal = fields.get("reveal").and_then(|n| choice(n, &on_off, faults)).unwrap_or(false);
+    let self_check = fields.read("self check", |n, f| choice(n, &on_off, f)).unwrap_or(true);
+    let reveal = fields.read("reveal", |n, f| choice(n, &on_off, f)).unwrap_or(false);
     let (relative, _) = fields.get("tolerance").map_or((None, None), |n| tolerance(n, None, faults));
-    let unit_required = fields.get("units").and_then(|n| choice(n, &UNITS, faults)).unwrap_or(false);
-    let cond_limit = fields.get("cond limit").and_then(|n| limit(n, COND_LIMITS, faults));
-    let energy_limit = fields.get("input energy limit").and_then(|n| limit(n, ENERGY_LIMITS, faults));
-    let figure = fields.get("figure").and_then(|n| choice(n, &FIGURE_LABELS, faults));
+    let unit_required = fields.read("units", |n, f| choice(n, &UNITS, f)).unwrap_or(false);
+    let cond_limit = fields.read("cond limit", |n, f| limit(n, COND_LIMITS, f));
+    let energy_limit = fields.read("input energy limit", |n, f| limit(n, ENERGY_LIMITS, f));
+    let figure = fields.read("figure", |n, f| choice(n, &FIGURE_LABELS, f));
     let grading = Policy::default();
     let grading =
         fields.get("grading").map_or_else(|| grading.clone(), |n| course::read(n, &grading, faults));
-    let problems_node = fields.need("problems", "{pulled-rolling: {...}}", faults);
-    fields.close(faults);
+    let problems_node = fields.need("problems", "{pulled-rolling: {...}}");
+    fields.close();
     let default_gravity = || measure::decimal_constant(GRAVITY).ok();
-    let common = Common {
+    let common = BankWide {
         gravity: gravity.or_else(default_gravity)?,
         relative: relative.unwrap_or(Relative::Fixed(RELATIVE)),
         unit_required,
@@ -143,25 +145,6 @@ fn id(node: &Node, what: &str, faults: &Faults) -> Option<String> {
             None
         }
     }
-}
-
-fn text(node: &Node, what: &str, faults: &Faults) -> Option<String> {
-    match node.text() {
-        Some(t) if !t.trim().is_empty() => Some(t.trim().to_owned()),
-        _ => {
-            faults.at(node, format!("expected {what}, found {}", node.kind()));
-            None
-        }
-    }
-}
-
-fn choice<T: Copy>(node: &Node, words: &[(&str, T)], faults: &Faults) -> Option<T> {
-    let found = node.text().and_then(|t| words.iter().find(|(w, _)| *w == t.trim()));
-    if found.is_none() {
-        let known: Vec<String> = words.iter().map(|(w, _)| format!("`{w}`")).collect();
-        faults.at(node, format!("expected {}, found {}", known.join(" or "), node.kind()));
-    }
-    found.map(|(_, t)| *t)
 }
 
 fn gravity(node: &Node, faults: &Faults) -> Option<(Decimal, Unit)> {
@@ -254,10 +237,10 @@ fn relative(node: &Node, faults: &Faults) -> Option<Relative> {
         return sound(node).map(Relative::Fixed);
     }
     let mut fields = Fields::open(node, "a tolerance that widens (least, per cond, most)", faults)?;
-    let least = fields.need("least", "1 %", faults).and_then(sound);
-    let per_cond = fields.need("per cond", "0.3 %", faults).and_then(sound);
-    let most = fields.need("most", "5 %", faults).and_then(sound);
-    fields.close(faults);
+    let least = fields.need("least", "1 %").and_then(sound);
+    let per_cond = fields.need("per cond", "0.3 %").and_then(sound);
+    let most = fields.need("most", "5 %").and_then(sound);
+    fields.close();
     let (least, per_cond, most) = (least?, per_cond?, most?);
     if least > most {
         faults.at(node, "the least tolerance is above the most");
@@ -292,236 +275,80 @@ fn tolerance(node: &Node, unit: Option<&Unit>, faults: &Faults) -> (Option<Relat
             }
         }
     });
-    fields.close(faults);
+    fields.close();
     (relative, absolute)
 }
 
-#[expect(clippy::too_many_lines, reason = "one line or two for each field of a problem")]
 fn problem(
     name: &str,
     node: &Node,
-    common: &Common,
+    common: &BankWide,
     variables: Option<Variables>,
     faults: &Faults,
 ) -> Option<Problem> {
     let before = faults.count();
     let mut fields = Fields::open(node, "a problem (title, data, scene, questions)", faults)?;
-    let title =
-        fields.need("title", "A wheel pulled up an incline", faults).and_then(|n| text(n, "a title", faults));
-    let data_node = fields.need("data", "{m: {name: mass, unit: kg, draw: 20 to 40 step 1}}", faults);
-    let mut data = data_node.map_or_else(Vec::new, |n| data_of(n, faults));
-    let symbols: Vec<Symbol> = data
-        .iter()
-        .map(|d| Symbol {
-            name: d.datum.symbol.clone(),
-            unit: d.unit_known.then(|| d.datum.unit.clone()),
-            absent: d.absent,
-        })
-        .collect();
+    let title = fields.need("title", "A wheel pulled up an incline").and_then(|n| text(n, "a title", faults));
+    let data_node = fields.need("data", "{m: {name: mass, unit: kg, draw: 20 to 40 step 1}}");
+    let data = data_node.map_or_else(Vec::new, |n| data_of(n, faults));
     if let Some(n) = data_node.filter(|_| data.len() > MAX_DATA) {
         faults.at(n, format!("a problem has at most {MAX_DATA} data, this one {}", data.len()));
     }
-    let gravity_index = data.len();
     let scene_node = fields.get("scene");
-    let read =
-        |n: &Node, symbols: &[Symbol], touching| scene::read(n, symbols, touching, gravity_index, faults);
-    let base = scene_node.map(|n| read(n, &symbols, Touching::Rolls));
-    let regimes = fields.get("regimes").map_or_else(Vec::new, |n| regimes(n, faults));
-    let margins = fields.get("margins").map_or_else(Vec::new, |n| margins(n, faults));
-    let cond_limit = fields.get("cond limit").and_then(|n| limit(n, COND_LIMITS, faults));
-    let energy_limit = fields.get("input energy limit").and_then(|n| limit(n, ENERGY_LIMITS, faults));
-    let figure = fields.get("figure").and_then(|n| choice(n, &FIGURE_LABELS, faults));
-    let common = &Common {
+    let regimes = fields.read("regimes", |n, f| Some(regimes(n, f))).unwrap_or_default();
+    let read = ProblemRead::new(node, data, scene_node, regimes, faults);
+    let margins = fields.read("margins", |n, f| Some(margins(n, f))).unwrap_or_default();
+    let cond_limit = fields.read("cond limit", |n, f| limit(n, COND_LIMITS, f));
+    let energy_limit = fields.read("input energy limit", |n, f| limit(n, ENERGY_LIMITS, f));
+    let figure = fields.read("figure", |n, f| choice(n, &FIGURE_LABELS, f));
+    let [bounds_node, cases_node] = fields.each(["bounds", "cases"]);
+    let questions_node = fields.need("questions", "{v: {ask: the speed of the wheel, unit: m/s}}");
+    let [asks_node, mistakes_node, follows_node] = fields.each(["asks", "mistakes", "follows"]);
+    let statement_node = fields.get("statement");
+    fields.close();
+    let statement = statement_node.and_then(|n| text(n, "the text of the statement", faults));
+    let common = &BankWide {
         gravity: common.gravity.clone(),
         figure: figure.unwrap_or(common.figure),
         cond_limit: cond_limit.or(common.cond_limit),
         energy_limit: energy_limit.unwrap_or(common.energy_limit),
         ..*common
     };
-    let bounds_node = fields.get("bounds");
-    let cases_node = fields.get("cases");
-    let questions_node = fields.need("questions", "{v: {ask: the speed of the wheel, unit: m/s}}", faults);
-    let asks_node = fields.get("asks");
-    let mistakes_node = fields.get("mistakes");
-    let follows_node = fields.get("follows");
-    let statement_node = fields.get("statement");
-    fields.close(faults);
-    let statement = statement_node.and_then(|n| text(n, "the text of the statement", faults));
-
-    // Cases: draws, scenes, regimes.
-    let mut cases: Vec<CaseRead> = Vec::new();
-    match cases_node {
-        None => {
-            if scene_node.is_none() {
-                faults.hint(node, "`scene` is missing", "say what bodies, ties, start and end there are");
-            }
-            cases.push(CaseRead {
-                name: String::new(),
-                written: String::new(),
-                node,
-                share: 1,
-                draws: data.iter().map(|d| d.draw.clone()).collect(),
-                wrong: data.iter().map(|d| d.draw_wrong).collect(),
-                symbols: symbols.clone(),
-                read: base.clone(),
-                scene_node,
-                regimes: regimes.clone(),
-                bounds: None,
-            });
-        }
-        Some(n) => {
-            let list = named(n, "cases by name", faults);
-            if list.is_empty() && matches!(n.value, Value::Map(_)) {
-                faults.hint(n, "there are no cases", "remove this field");
-            }
-            for (case_name, key, value) in list {
-                if case_name.trim().is_empty() || case_name.chars().count() > 64 {
-                    faults.at(key, format!("`{}` is no name for a case", shorten(case_name)));
-                }
-                let Some(mut f) = Fields::open(value, "a case (share, draws, ...)", faults) else { continue };
-                let share = f.get("share").map_or(Some(1), |n| whole(n, 1, 1_000_000, faults)).unwrap_or(1);
-                let mut draws: Vec<Option<Draw>> = data.iter().map(|d| d.draw.clone()).collect();
-                let mut wrong: Vec<bool> = data.iter().map(|d| d.draw_wrong).collect();
-                let mut symbols = symbols.clone();
-                if let Some(n) = f.get("draws") {
-                    for (symbol, key, value) in named(n, "draws by symbol", faults) {
-                        match data.iter().position(|d| d.datum.symbol == symbol) {
-                            Some(i) => {
-                                symbols[i].absent = is_none(value);
-                                draws[i] = if symbols[i].absent { None } else { draw(value, faults) };
-                                wrong[i] = draws[i].is_none() && !symbols[i].absent;
-                            }
-                            None => unknown_symbol(key, symbol, &symbols, faults),
-                        }
-                    }
-                }
-                let own_node = f.get("scene");
-                // With other data there, the scene of the problem is another one, too.
-                let same = symbols.iter().zip(&data).all(|(s, d)| s.absent == d.absent);
-                let again = scene_node.filter(|_| !same && base.as_ref().is_some_and(|b| b.scene.is_some()));
-                let own = own_node.or(again).map(|n| read(n, &symbols, Touching::Rolls));
-                let replaced = own.is_some();
-                let own_regimes = f.get("regimes").map(|n| self::regimes(n, faults));
-                let bounds = f.get("bounds");
-                f.close(faults);
-                if !replaced && scene_node.is_none() {
-                    faults.hint(value, "this case has no scene", "give the problem or the case a `scene`");
-                }
-                cases.push(CaseRead {
-                    name: case_name.trim().to_owned(),
-                    written: case_name.to_owned(),
-                    node: value,
-                    share,
-                    draws,
-                    wrong,
-                    symbols,
-                    read: if replaced { own } else { base.clone() },
-                    scene_node: own_node.or(scene_node),
-                    regimes: own_regimes.unwrap_or_else(|| regimes.clone()),
-                    bounds,
-                });
-            }
-        }
-    }
-
-    let cases: Vec<CaseRead> = cases.into_iter().flat_map(|case| by_contact(case, &read)).collect();
-
-    // Every datum that a case draws is used by its scene; what the scene uses is drawn; ranges are admissible.
-    for case in &cases {
-        let Some(read) = &case.read else { continue };
-        for (i, d) in data.iter().enumerate() {
-            if case.wrong[i] {
-                continue;
-            }
-            let uses: Vec<Need> = read.uses.iter().filter(|u| u.datum == i).map(|u| u.need).collect();
-            if read.scene.is_none() && uses.is_empty() {
-                // Perhaps it is used where the scene could not be read.
-                continue;
-            }
-            review::datum(&d.datum, d.node, case.draws[i].as_ref(), &uses, &case.name, case.node, faults);
-        }
-        if let Some(scene) = &read.scene {
-            review::structure(scene, case.scene_node.unwrap_or(case.node), faults);
-            review::instant(scene, &data_draws(&data, case), case.scene_node.unwrap_or(case.node), faults);
-            review::inertia_where_slipping(scene, &data_draws(&data, case), case.node, faults);
-        }
-    }
-    // Slopes go to the scene in degrees, all else in SI.
-    let mut degrees = vec![false; data.len()];
-    for read in cases.iter().filter_map(|c| c.read.as_ref()) {
-        for u in read.uses.iter().filter(|u| u.need.in_degrees()) {
-            degrees[u.datum] = true;
-        }
-    }
-    for (d, degrees) in data.iter_mut().zip(degrees) {
-        d.datum.degrees = degrees;
-    }
-
-    let (value, unit) = common.gravity.clone();
-    let g_draw = Draw::Always { value: value.value, decimals: value.decimals };
-    let plain: Vec<Datum> = data
-        .iter()
-        .map(|d| d.datum.clone())
-        .chain([Datum {
-            symbol: "g".to_owned(),
-            tex: "g".to_owned(),
-            name: "acceleration of free fall".to_owned(),
-            unit,
-            degrees: false,
-        }])
-        .collect();
+    let cases = read.cases(cases_node);
+    read.review(&cases);
+    let data = read.with_gravity(&cases, common.gravity.1.clone());
 
     // Questions and bounds are read against each scene, since labels hold the index of a body.
     let scenes: Vec<(&str, &Scene)> =
         cases.iter().filter_map(|c| Some((c.name.as_str(), c.read.as_ref()?.scene.as_ref()?))).collect();
     let questions = questions_node.map_or_else(Vec::new, |n| questions(n, common, &scenes, faults));
-    let read_cases: Vec<mistake::OfCase> = cases
+    let read_cases: Vec<mistake::CaseContext> = cases
         .iter()
         .filter_map(|c| {
             let scene = c.read.as_ref()?.scene.as_ref()?;
             let (name, node, touching) = (c.name.as_str(), c.scene_node?, c.touching());
-            Some(mistake::OfCase { name, scene, node, symbols: &c.symbols, touching })
+            Some(mistake::CaseContext { name, scene, node, symbols: &c.symbols, touching })
         })
         .collect();
-    let context = mistake::Context { data: &plain, gravity: gravity_index, cases: &read_cases };
+    let context = mistake::Context { data: &data, gravity: data.len() - 1, cases: &read_cases };
     let mut mistakes = mistakes_node.map_or_else(Vec::new, |n| mistake::mistakes(n, &context, faults));
-    let asks = asks_node.map(|n| asks(n, &questions, faults));
-    let asked: Vec<Question> = match asks {
+    let asked: Vec<Question> = match asks_node.map(|n| asks(n, &questions, faults)) {
         None => questions.into_iter().filter_map(|(_, q)| q).collect(),
         Some(ids) => ids.iter().filter_map(|id| questions.iter().find(|(n, _)| n == id)?.1.clone()).collect(),
     };
     let follows = follows_node.map_or_else(Vec::new, |n| mistake::follows(n, &asked, &context, faults));
     if let Some(variables) = variables {
-        let names: Vec<&str> = plain.iter().map(|d| d.symbol.as_str()).collect();
+        let names: Vec<&str> = data.iter().map(|d| d.symbol.as_str()).collect();
         review::templates(statement_node, questions_node, &names, variables, faults);
     }
-    // What is asked says how far the conditions look: the key is the same wherever these questions are answered.
+    // Some quantities lie beyond the end of the motion, at the turning point: where one is asked, the conditions of validity
+    // are checked up to there.
     let span = Span::of(asked.iter().map(|q| q.label.quantity));
     mistakes.iter_mut().flat_map(|m| &mut m.scenes).flatten().for_each(|s| s.span = span);
-    let mut ready = Vec::new();
-    for case in cases {
-        let mut bounds = Vec::new();
-        for n in [bounds_node, case.bounds].into_iter().flatten() {
-            let scene = case.read.as_ref().and_then(|r| r.scene.as_ref());
-            bounds.extend(bounds_of(n, &plain, scene, faults));
-        }
-        if let Some(Read { scene: Some(mut scene), upright, touches, .. }) = case.read {
-            scene.span = span;
-            let mut draws = case.draws;
-            draws.push(Some(g_draw.clone()));
-            ready.push(Case {
-                name: case.name,
-                written: case.written,
-                share: case.share,
-                draws,
-                scene,
-                upright,
-                touches,
-                regimes: case.regimes,
-                bounds,
-            });
-        }
-    }
+    let cases: Vec<Case> = cases
+        .into_iter()
+        .filter_map(|case| case.finished(bounds_node, &data, common.gravity.0, span, faults))
+        .collect();
     let mut all_margins: Vec<(CheckKind, f64)> = MARGINS.to_vec();
     for (kind, share) in margins {
         match all_margins.iter_mut().find(|(k, _)| *k == kind) {
@@ -530,11 +357,11 @@ fn problem(
         }
     }
     let title = title?;
-    (faults.count() == before && !ready.is_empty()).then(|| Problem {
+    (faults.count() == before && !cases.is_empty()).then(|| Problem {
         id: name.to_owned(),
         title,
-        data: plain,
-        cases: ready,
+        data,
+        cases,
         questions: asked,
         statement,
         figure: common.figure,
@@ -546,36 +373,183 @@ fn problem(
     })
 }
 
-/// A case whose contact does not say whether it rolls or slips is two: one in which it rolls, and one in which it slips, so far
-/// as its regimes let it. A draw belongs to that in which what happens is what was assumed.
-fn by_contact<'n>(
-    case: CaseRead<'n>,
-    read: &dyn Fn(&Node, &[Symbol], Touching) -> scene::Read,
-) -> Vec<CaseRead<'n>> {
-    let touches = case.read.as_ref().is_some_and(|r| r.scene.is_some() && !r.touches.is_empty());
-    let Some(node) = case.scene_node.filter(|_| touches) else { return vec![case] };
-    let slips = |regime: &&String| regime.starts_with("slips") || regime.starts_with("spins");
-    let mut kept = Vec::new();
-    for (touching, word) in [(Touching::Rolls, "rolls"), (Touching::Slips, "slips")] {
-        let fits = |r: &&String| slips(r) == (touching == Touching::Slips);
-        let regimes: Vec<String> = case.regimes.iter().filter(fits).cloned().collect();
-        if !regimes.is_empty() || case.regimes.is_empty() {
-            kept.push((touching, word, regimes));
+/// What the cases of a problem start from.
+struct ProblemRead<'n> {
+    node: &'n Node,
+    data: Vec<DatumRead<'n>>,
+    symbols: Vec<DatumSymbol>,
+    scene_node: Option<&'n Node>,
+    scene: Option<SceneRead>,
+    regimes: Vec<String>,
+    faults: &'n Faults,
+}
+
+impl<'n> ProblemRead<'n> {
+    fn new(
+        node: &'n Node,
+        data: Vec<DatumRead<'n>>,
+        scene_node: Option<&'n Node>,
+        regimes: Vec<String>,
+        faults: &'n Faults,
+    ) -> Self {
+        let symbol = |d: &DatumRead| DatumSymbol {
+            name: d.datum.symbol.clone(),
+            unit: d.unit_known.then(|| d.datum.unit.clone()),
+            absent: d.absent,
+        };
+        let symbols = data.iter().map(symbol).collect();
+        let mut read = Self { node, data, symbols, scene_node, scene: None, regimes, faults };
+        read.scene = scene_node.map(|n| read.read(n, &read.symbols, Touching::Rolls));
+        read
+    }
+
+    /// Reads a scene; g comes after the data.
+    fn read(&self, node: &Node, symbols: &[DatumSymbol], touching: Touching) -> SceneRead {
+        scene::read(node, symbols, touching, self.data.len(), self.faults)
+    }
+
+    /// A case that is as the problem says.
+    fn case(&self, name: &str, node: &'n Node) -> CaseRead<'n> {
+        CaseRead {
+            name: name.trim().to_owned(),
+            written: name.to_owned(),
+            node,
+            share: 1,
+            draws: self.data.iter().map(|d| d.draw.clone()).collect(),
+            wrong: self.data.iter().map(|d| d.draw_wrong).collect(),
+            symbols: self.symbols.clone(),
+            read: self.scene.clone(),
+            scene_node: self.scene_node,
+            regimes: self.regimes.clone(),
+            bounds: None,
         }
     }
-    let both = kept.len() > 1;
-    let one = |(touching, word, regimes): (Touching, &str, Vec<String>)| {
-        let mut one = case.clone();
-        one.regimes = regimes;
-        if touching == Touching::Slips {
-            one.read = Some(read(node, &case.symbols, touching));
+
+    /// The cases of the field `cases`, or the one that the problem is.
+    fn cases(&self, node: Option<&'n Node>) -> Vec<CaseRead<'n>> {
+        let Some(node) = node else {
+            if self.scene_node.is_none() {
+                let hint = "say what bodies, ties, start and end there are";
+                self.faults.hint(self.node, "`scene` is missing", hint);
+            }
+            return self.by_contact(self.case("", self.node));
+        };
+        let list = named(node, "cases by name", self.faults);
+        if list.is_empty() && matches!(node.value, Value::Map(_)) {
+            self.faults.hint(node, "there are no cases", "remove this field");
         }
-        if both {
-            one.name = if case.name.is_empty() { word.to_owned() } else { format!("{}, {word}", case.name) };
+        let own = list.into_iter().filter_map(|(name, key, value)| self.own_case(name, key, value));
+        own.collect::<Vec<_>>().into_iter().flat_map(|case| self.by_contact(case)).collect()
+    }
+
+    /// A case with its own share, draws, scene, regimes and bounds.
+    fn own_case(&self, name: &str, key: &Node, node: &'n Node) -> Option<CaseRead<'n>> {
+        let faults = self.faults;
+        if name.trim().is_empty() || name.chars().count() > 64 {
+            faults.at(key, format!("`{}` is no name for a case", shorten(name)));
         }
-        one
-    };
-    kept.into_iter().map(one).collect()
+        let mut fields = Fields::open(node, "a case (share, draws, ...)", faults)?;
+        let mut case = self.case(name, node);
+        fields.set("share", &mut case.share, |n, f| whole(n, 1, 1_000_000, f));
+        for (symbol, key, value) in
+            fields.get("draws").map_or_else(Vec::new, |n| named(n, "draws by symbol", faults))
+        {
+            let Some(i) = self.data.iter().position(|d| d.datum.symbol == symbol) else {
+                let hint = suggestion(symbol, "symbols", self.symbols.iter().map(|s| s.name.as_str()));
+                faults.hint(key, format!("`{}` is no symbol of the data", shorten(symbol)), hint);
+                continue;
+            };
+            let absent = is_none(value);
+            case.symbols[i].absent = absent;
+            case.draws[i] = if absent { None } else { draw(value, faults) };
+            case.wrong[i] = case.draws[i].is_none() && !absent;
+        }
+        let own = fields.get("scene");
+        // With other data there, the scene of the problem is another one, too.
+        let same = case.symbols.iter().zip(&self.data).all(|(s, d)| s.absent == d.absent);
+        let sound = self.scene.as_ref().is_some_and(|read| read.scene.is_some());
+        if let Some(n) = own.or(self.scene_node.filter(|_| !same && sound)) {
+            case.read = Some(self.read(n, &case.symbols, Touching::Rolls));
+        }
+        case.scene_node = own.or(self.scene_node);
+        fields.set("regimes", &mut case.regimes, |n, f| Some(regimes(n, f)));
+        case.bounds = fields.get("bounds");
+        fields.close();
+        if case.scene_node.is_none() {
+            faults.hint(node, "this case has no scene", "give the problem or the case a `scene`");
+        }
+        Some(case)
+    }
+
+    /// Every datum that a case draws is used by its scene; what the scene uses is drawn; ranges are admissible.
+    fn review(&self, cases: &[CaseRead]) {
+        for case in cases {
+            let Some(read) = &case.read else { continue };
+            for (i, d) in self.data.iter().enumerate().filter(|(i, _)| !case.wrong[*i]) {
+                let uses: Vec<Need> = read.uses.iter().filter(|u| u.datum == i).map(|u| u.need).collect();
+                if read.scene.is_none() && uses.is_empty() {
+                    // Perhaps it is used where the scene could not be read.
+                    continue;
+                }
+                let draw = case.draws[i].as_ref();
+                review::datum(&d.datum, d.node, draw, &uses, &case.name, case.node, self.faults);
+            }
+            if let Some(scene) = &read.scene {
+                let node = case.scene_node.unwrap_or(case.node);
+                let symbols = self.data.iter().map(|d| d.datum.symbol.clone());
+                let draws: Vec<_> = symbols.zip(case.draws.iter().cloned()).collect();
+                review::structure(scene, node, self.faults);
+                review::instant(scene, &draws, node, self.faults);
+                review::inertia_where_slipping(scene, &draws, case.node, self.faults);
+            }
+        }
+    }
+
+    /// The data, g last. What some scene takes in degrees goes to it so, all else in SI.
+    fn with_gravity(&self, cases: &[CaseRead], unit: Unit) -> Vec<Datum> {
+        let mut data: Vec<Datum> = self.data.iter().map(|d| d.datum.clone()).collect();
+        for used in cases.iter().filter_map(|c| c.read.as_ref()).flat_map(|read| &read.uses) {
+            data[used.datum].degrees |= used.need.in_degrees();
+        }
+        data.push(Datum {
+            symbol: "g".to_owned(),
+            tex: "g".to_owned(),
+            name: "acceleration of free fall".to_owned(),
+            unit,
+            degrees: false,
+        });
+        data
+    }
+
+    /// A case whose contact does not say whether it rolls or slips is two: one in which it rolls, and one in which it slips, so far
+    /// as its regimes let it. A draw belongs to that in which what happens is what was assumed.
+    fn by_contact(&self, case: CaseRead<'n>) -> Vec<CaseRead<'n>> {
+        let touches = case.read.as_ref().is_some_and(|r| r.scene.is_some() && !r.touches.is_empty());
+        let Some(node) = case.scene_node.filter(|_| touches) else { return vec![case] };
+        let slips = |regime: &&String| regime.starts_with("slips") || regime.starts_with("spins");
+        let mut kept = Vec::new();
+        for (touching, word) in [(Touching::Rolls, "rolls"), (Touching::Slips, "slips")] {
+            let fits = |r: &&String| slips(r) == (touching == Touching::Slips);
+            let regimes: Vec<String> = case.regimes.iter().filter(fits).cloned().collect();
+            if !regimes.is_empty() || case.regimes.is_empty() {
+                kept.push((touching, word, regimes));
+            }
+        }
+        let both = kept.len() > 1;
+        let one = |(touching, word, regimes): (Touching, &str, Vec<String>)| {
+            let mut one = case.clone();
+            one.regimes = regimes;
+            if touching == Touching::Slips {
+                one.read = Some(self.read(node, &case.symbols, touching));
+            }
+            if both {
+                one.name =
+                    if case.name.is_empty() { word.to_owned() } else { format!("{}, {word}", case.name) };
+            }
+            one
+        };
+        kept.into_iter().map(one).collect()
+    }
 }
 
 /// `none`: the datum is not there.
@@ -594,9 +568,9 @@ struct CaseRead<'n> {
     /// Draws that are given but wrong.
     wrong: Vec<bool>,
     /// The symbols, as far as their data are there.
-    symbols: Vec<Symbol>,
+    symbols: Vec<DatumSymbol>,
     /// What was read of its scene, if it has one.
-    read: Option<scene::Read>,
+    read: Option<SceneRead>,
     scene_node: Option<&'n Node>,
     regimes: Vec<String>,
     bounds: Option<&'n Node>,
@@ -611,25 +585,33 @@ impl CaseRead<'_> {
             .is_some_and(|s| s.ties.iter().any(|t| matches!(t, Tie::Slip { .. })));
         if slips { Touching::Slips } else { Touching::Rolls }
     }
-}
 
-fn data_draws(data: &[DatumRead], case: &CaseRead) -> Vec<(String, Option<Draw>)> {
-    data.iter().zip(&case.draws).map(|(d, draw)| (d.datum.symbol.clone(), draw.clone())).collect()
-}
-
-fn unknown_symbol(key: &Node, symbol: &str, symbols: &[Symbol], faults: &Faults) {
-    let names = symbols.iter().map(|s| s.name.as_str());
-    let hint = close_name(symbol, names.clone())
-        .unwrap_or_else(|| format!("symbols: {}", names.collect::<Vec<_>>().join(", ")));
-    faults.hint(key, format!("`{}` is no symbol of the data", shorten(symbol)), hint);
-}
-
-fn whole(node: &Node, min: u32, max: u32, faults: &Faults) -> Option<u32> {
-    let read = node.text().and_then(|t| t.trim().parse::<u32>().ok()).filter(|n| (min..=max).contains(n));
-    if read.is_none() {
-        faults.at(node, format!("expected a whole number from {min} to {max}, found {}", node.kind()));
+    /// The case, with the bounds of the problem and its own; `None` where its scene could not be read.
+    fn finished(
+        self,
+        bounds: Option<&Node>,
+        data: &[Datum],
+        gravity: Decimal,
+        span: Span,
+        faults: &Faults,
+    ) -> Option<Case> {
+        let scene = self.read.as_ref().and_then(|r| r.scene.as_ref());
+        let bounds = [bounds, self.bounds].into_iter().flatten();
+        let bounds = bounds.flat_map(|n| bounds_of(n, data, scene, faults)).collect();
+        let SceneRead { scene, upright, touches, .. } = self.read?;
+        let gravity = Draw::Always { value: gravity.value, decimals: gravity.decimals };
+        Some(Case {
+            name: self.name,
+            written: self.written,
+            share: self.share,
+            draws: self.draws.into_iter().chain([Some(gravity)]).collect(),
+            scene: Scene { span, ..scene? },
+            upright,
+            touches,
+            regimes: self.regimes,
+            bounds,
+        })
     }
-    read
 }
 
 fn draw(node: &Node, faults: &Faults) -> Option<Draw> {
@@ -681,11 +663,11 @@ fn data_of<'n>(node: &'n Node, faults: &Faults) -> Vec<DatumRead<'n>> {
         let mut draw_wrong = false;
         if let Some(mut fields) = Fields::open(value, "a datum (name, unit, draw)", faults) {
             if let Some(name) =
-                fields.need("name", "mass of the wheel", faults).and_then(|n| text(n, "a name", faults))
+                fields.need("name", "mass of the wheel").and_then(|n| text(n, "a name", faults))
             {
                 datum.name = name;
             }
-            if let Some(n) = fields.need("unit", "kg", faults) {
+            if let Some(n) = fields.need("unit", "kg") {
                 match measure::unit(n.text().unwrap_or("")) {
                     Ok(unit) => {
                         datum.unit = unit;
@@ -703,7 +685,7 @@ fn data_of<'n>(node: &'n Node, faults: &Faults) -> Vec<DatumRead<'n>> {
             absent = given.is_some_and(is_none);
             own = given.filter(|_| !absent).and_then(|n| draw(n, faults));
             draw_wrong = given.is_some() && !absent && own.is_none();
-            fields.close(faults);
+            fields.close();
         }
         list.push(DatumRead { node: value, draw: own, absent, datum, unit_known, draw_wrong });
     }
@@ -754,9 +736,7 @@ fn regimes(node: &Node, faults: &Faults) -> Vec<String> {
         if Motion::ALL.iter().any(|m| m.is_called(text)) {
             list.push(text.to_owned());
         } else {
-            let words: Vec<&str> = Motion::ALL.iter().map(|m| m.word()).collect();
-            let hint = close_name(text, words.iter().copied())
-                .unwrap_or_else(|| format!("regimes: {}", words.join(", ")));
+            let hint = suggestion(text, "regimes", Motion::ALL.iter().map(|m| m.word()));
             faults.hint(item, format!("expected a regime, found {}", item.kind()), hint);
         }
     }
@@ -767,9 +747,7 @@ fn margins(node: &Node, faults: &Faults) -> Vec<(CheckKind, f64)> {
     let mut list = Vec::new();
     for (name, key, value) in named(node, "margins by check", faults) {
         let Some(kind) = CheckKind::ALL.iter().copied().find(|k| k.name() == name) else {
-            let names: Vec<&str> = CheckKind::ALL.iter().map(|k| k.name()).collect();
-            let hint = close_name(name, names.iter().copied())
-                .unwrap_or_else(|| format!("checks: {}", names.join(", ")));
+            let hint = suggestion(name, "checks", CheckKind::ALL.iter().map(|k| k.name()));
             faults.hint(key, format!("`{}` is no check", shorten(name)), hint);
             continue;
         };
@@ -788,7 +766,7 @@ fn margins(node: &Node, faults: &Faults) -> Vec<(CheckKind, f64)> {
 
 fn questions(
     node: &Node,
-    common: &Common,
+    common: &BankWide,
     scenes: &[(&str, &Scene)],
     faults: &Faults,
 ) -> Vec<(String, Option<Question>)> {
@@ -814,12 +792,12 @@ fn question(
     id: &str,
     key: &Node,
     node: &Node,
-    common: &Common,
+    common: &BankWide,
     scenes: &[(&str, &Scene)],
     faults: &Faults,
 ) -> Option<Question> {
     let mut fields = Fields::open(node, "a question (ask, unit)", faults)?;
-    let ask = fields.need("ask", "the speed of the wheel", faults).and_then(|n| text(n, "a text", faults));
+    let ask = fields.need("ask", "the speed of the wheel").and_then(|n| text(n, "a text", faults));
     let quantity_node = fields.get("quantity");
     let name = match quantity_node {
         Some(n) => text(n, "a quantity", faults)?,
@@ -834,7 +812,7 @@ fn question(
         .get("figures")
         .map_or(Some(FIGURES), |n| whole(n, 1, 12, faults).and_then(|f| u8::try_from(f).ok()));
     let unit_required = fields.get("units").map_or(Some(common.unit_required), |n| choice(n, &UNITS, faults));
-    fields.close(faults);
+    fields.close();
     let place = quantity_node.unwrap_or(key);
     let mut label: Option<Label> = None;
     for (case, scene) in scenes {
@@ -971,9 +949,7 @@ fn asks(node: &Node, questions: &[(String, Option<Question>)], faults: &Faults) 
     for item in items {
         let text = item.text().unwrap_or("").trim();
         if !questions.iter().any(|(id, _)| id == text) {
-            let ids = questions.iter().map(|(id, _)| id.as_str());
-            let hint = close_name(text, ids.clone())
-                .unwrap_or_else(|| format!("questions: {}", ids.collect::<Vec<_>>().join(", ")));
+            let hint = suggestion(text, "questions", questions.iter().map(|(id, _)| id.as_str()));
             faults.hint(item, format!("expected the id of a question, found {}", item.kind()), hint);
         } else if list.iter().any(|l| l == text) {
             faults.at(item, format!("`{text}` is asked twice"));
@@ -987,10 +963,9 @@ fn asks(node: &Node, questions: &[(String, Option<Question>)], faults: &Faults) 
 fn bounds_of(node: &Node, data: &[Datum], scene: Option<&Scene>, faults: &Faults) -> Vec<Bound> {
     let mut list = Vec::new();
     for (written, key, value) in named(node, "bounds by expression", faults) {
-        let lookup = |name: &str| -> Result<(Name, Powers), (String, Option<String>)> {
-            if let Some(i) = data.iter().position(|d| d.symbol == name) {
-                let factor = if data[i].degrees { std::f64::consts::PI / 180.0 } else { 1.0 };
-                return Ok((Name::Datum(i, factor), measure::powers(&data[i].unit)));
+        let lookup = |name: &str| -> Result<(Name, Exponents), (String, Option<String>)> {
+            if let Some(found) = measure::datum(data, name) {
+                return Ok(found);
             }
             let label = scene.map_or_else(|| unowned(name), |s| review::label(s, name)).map_err(
                 |(message, hint)| {
@@ -998,20 +973,12 @@ fn bounds_of(node: &Node, data: &[Datum], scene: Option<&Scene>, faults: &Faults
                     (message, close.or(hint))
                 },
             )?;
-            if label.quantity.is_word() {
-                return Err((format!("`{name}` is a word, not a number"), None));
-            }
-            let unit = measure::unit(label.quantity.unit()).map_err(|m| (m, None))?;
-            Ok((Name::Quantity(label), measure::powers(&unit)))
+            measure::quantity(label, name)
         };
         let expression = match Expression::parse(written, &lookup) {
             Ok(e) => Some(e),
-            Err(t) => {
-                faults.maybe(
-                    key,
-                    format!("`{}`, character {}: {}", shorten(written), t.column, t.message),
-                    t.hint,
-                );
+            Err(fault) => {
+                fault.tell(key, written, faults);
                 None
             }
         };
@@ -1019,7 +986,7 @@ fn bounds_of(node: &Node, data: &[Datum], scene: Option<&Scene>, faults: &Faults
             continue;
         };
         let (low, high) = (fields.get("min"), fields.get("max"));
-        fields.close(faults);
+        fields.close();
         if low.is_none() && high.is_none() {
             faults.hint(value, "this bound bounds nothing", "give `min`, `max` or both");
         }

@@ -2,10 +2,10 @@
 //! built where a phrase will do. Verdicts are not translated: scripts read them.
 use crate::answer::read::Why;
 use crate::grade::verdict::Verdict;
-use crate::units::Kind;
-use crate::units::Slip;
 use crate::units::Unit;
 use crate::units::UnitFault;
+use crate::units::UnitKind;
+use crate::units::UnitSlip;
 use crate::words::Words;
 use std::borrow::Cow;
 use std::sync::LazyLock;
@@ -181,21 +181,21 @@ impl<'w> Feedback<'w> {
     /// What is wrong with a unit of another kind.
     pub fn mismatch(&self, expected: &Unit, found: &Unit) -> Cow<'w, str> {
         let named = |unit: &Unit| match unit.kind() {
-            Kind::Named(kind) => {
+            UnitKind::Named(kind) => {
                 format!(
                     "{} ({})",
                     unit.ascii(),
                     self.get(&format!("feedback.kind.{}", kind.replace(' ', "_")))
                 )
             }
-            Kind::Dimension(dimension) => format!("{} ({dimension})", unit.ascii()),
-            Kind::Itself => unit.ascii().to_owned(),
+            UnitKind::Dimension(dimension) => format!("{} ({dimension})", unit.ascii()),
+            UnitKind::Itself => unit.ascii().to_owned(),
         };
         let hint = match expected.slip(found) {
-            Some(Slip::PoundIsMass) => Cow::Borrowed(self.get("feedback.pound_mass")),
-            Some(Slip::Millisecond) => Cow::Borrowed(self.get("feedback.millisecond")),
-            Some(Slip::Missing(factor)) => self.fill("feedback.factor_missing", &[("factor", factor)]),
-            Some(Slip::TooMany(factor)) => self.fill("feedback.factor_many", &[("factor", factor)]),
+            Some(UnitSlip::PoundIsMass) => Cow::Borrowed(self.get("feedback.pound_mass")),
+            Some(UnitSlip::Millisecond) => Cow::Borrowed(self.get("feedback.millisecond")),
+            Some(UnitSlip::Missing(factor)) => self.fill("feedback.factor_missing", &[("factor", factor)]),
+            Some(UnitSlip::TooMany(factor)) => self.fill("feedback.factor_many", &[("factor", factor)]),
             None => {
                 return self
                     .fill("feedback.dimension", &[("expected", &named(expected)), ("found", &named(found))]);

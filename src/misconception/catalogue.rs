@@ -1,10 +1,10 @@
 //! What is said about wrong methods: words by id, data in `banks/misconceptions.yaml` (other languages:
 //! `templates/LANGUAGE/misconceptions.yaml`, with the same ids).
-use crate::bank::load;
 use crate::bank::node::Faults;
 use crate::bank::node::Fields;
 use crate::bank::node::Node;
 use crate::bank::node::named;
+use crate::bank::yaml;
 use crate::finding::Findings;
 
 /// The words of one wrong method.
@@ -62,7 +62,7 @@ impl Catalogue {
     /// # Errors
     /// All that is wrong with it.
     pub fn read(text: &str, file: &str) -> Result<Self, Findings> {
-        let tree = load::tree(text).map_err(|f| f.in_file(file))?;
+        let tree = yaml::tree(text).map_err(|f| f.in_file(file))?;
         let faults = Faults::default();
         let entries = named(&tree, "wrong methods by id", &faults)
             .into_iter()
@@ -97,7 +97,7 @@ impl Catalogue {
 fn entry(id: &str, node: &Node, faults: &Faults) -> Option<Entry> {
     let mut fields = Fields::open(node, "words (did, tempts, see, hint, note)", faults)?;
     let mut word = |name: &'static str, example: &str| {
-        let text = fields.need(name, example, faults).and_then(|n| n.text().map(|t| t.trim().to_owned()));
+        let text = fields.need(name, example).and_then(|n| n.text().map(|t| t.trim().to_owned()));
         text.filter(|t| !t.is_empty())
     };
     let entry = Entry {
@@ -108,6 +108,6 @@ fn entry(id: &str, node: &Node, faults: &Faults) -> Option<Entry> {
         hint: word("hint", "What does the radius of gyration tell you?")?,
         note: word("note", "use the given k, not a table")?,
     };
-    fields.close(faults);
+    fields.close();
     Some(entry)
 }

@@ -7,9 +7,9 @@
 use crate::bank::Bank;
 use crate::bank::Case;
 use crate::bank::Problem;
-use crate::bank::load;
 use crate::bank::node;
 use crate::bank::node::Node;
+use crate::bank::yaml;
 use crate::finding::Finding;
 use crate::finding::Findings;
 use crate::problem::make::Variant;
@@ -48,7 +48,7 @@ impl<'b> Writer<'b> {
         set: &'b str,
         language: &'b str,
     ) -> Result<Self, Finding> {
-        let tree = load::tree(text)?;
+        let tree = yaml::tree(text)?;
         let mut scenes = Vec::new();
         for problem in problems.iter().filter_map(|p| bank.problems.get(*p)) {
             let text = |case| match bank.self_check {

@@ -1,6 +1,5 @@
 //! Habits of a class, as a YAML file declares them: what becomes of an answer, how numbers are written, who copies, when it is
 //! handed in.
-use crate::bank::load;
 use crate::bank::node::Faults;
 use crate::bank::node::Fields;
 use crate::bank::node::Node;
@@ -8,6 +7,7 @@ use crate::bank::node::Value;
 use crate::bank::node::close_name;
 use crate::bank::node::named;
 use crate::bank::node::shorten;
+use crate::bank::yaml;
 use crate::finding::Findings;
 use crate::simulate::moment;
 use crate::simulate::truth::Kind;
@@ -148,7 +148,7 @@ impl Habits {
     /// # Errors
     /// All that is wrong with it, in the order of the file.
     pub fn read(text: &str, file: &str) -> Result<Self, Findings> {
-        let tree = load::tree(text).map_err(|f| f.in_file(file))?;
+        let tree = yaml::tree(text).map_err(|f| f.in_file(file))?;
         let faults = Faults::default();
         match habits(&tree, &faults) {
             Some(habits) if faults.is_empty() => Ok(habits),
@@ -183,7 +183,7 @@ fn habits(tree: &Node, faults: &Faults) -> Option<Habits> {
     let absent = part(fields.get("absent"));
     let attempts = fields.get("attempts").map(|n| counts(n, "attempts", MOST_ATTEMPTS, faults));
     let improves = part(fields.get("improves"));
-    let answers = fields.need("answers", "{right: 70, wrong method: 30}", faults);
+    let answers = fields.need("answers", "{right: 70, wrong method: 30}");
     let answers = answers.and_then(|n| {
         mix(n, "kinds of answers", faults, &|name| {
             Kind::DECLARED.iter().copied().find(|k| k.name() == name).ok_or_else(|| {
@@ -209,7 +209,7 @@ fn habits(tree: &Node, faults: &Faults) -> Option<Habits> {
     let commas = part(fields.get("decimal commas"));
     let spreadsheet = fields.get("spreadsheet").is_some_and(|n| yes(n, faults));
     let times = fields.get("handed in").and_then(|n| times(n, faults));
-    fields.close(faults);
+    fields.close();
     // A field that is there and cannot be read is a finding already.
     Some(Habits {
         absent,
@@ -336,11 +336,11 @@ fn copying(node: &Node, faults: &Faults) -> Option<Copying> {
             }
         }
     };
-    let groups = whole(fields.need("groups", "2", faults), 0, 0);
+    let groups = whole(fields.need("groups", "2"), 0, 0);
     let size = whole(fields.get("size"), 2, 2);
-    let part = fields.need("share", "60 %", faults).map_or(0.0, |n| share(n, faults));
+    let part = fields.need("share", "60 %").map_or(0.0, |n| share(n, faults));
     let disguise = fields.get("disguise").map_or(0.0, |n| share(n, faults));
-    fields.close(faults);
+    fields.close();
     Some(Copying { groups, size, share: part, disguise })
 }
 
@@ -354,8 +354,8 @@ fn times(node: &Node, faults: &Faults) -> Option<Times> {
         }
         found
     };
-    let opens = minute(fields.need("opens", "2026-03-02 08:00", faults));
-    let due_node = fields.need("due", "2026-03-06 18:00", faults);
+    let opens = minute(fields.need("opens", "2026-03-02 08:00"));
+    let due_node = fields.need("due", "2026-03-06 18:00");
     let due = minute(due_node);
     let late = fields.get("late").map_or(0.0, |n| share(n, faults));
     let by = match fields.get("by at most") {
@@ -379,7 +379,7 @@ fn times(node: &Node, faults: &Faults) -> Option<Times> {
         }
         text.to_owned()
     });
-    fields.close(faults);
+    fields.close();
     let (opens, due) = (opens?, due?);
     if let Some(node) = due_node
         && due <= opens

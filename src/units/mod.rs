@@ -11,8 +11,8 @@ mod table;
 
 pub use parse::UnitFault;
 pub use parse::names;
-pub use quantity::Quantity;
 pub use quantity::QuantityFault;
+pub use quantity::WrittenQuantity;
 pub use quantity::parse_decimal;
 pub use quantity::parse_quantity;
 
@@ -53,16 +53,16 @@ impl fmt::Display for Dimension {
 
 /// An exact size in SI: `num / den * 10^ten * pi^pi`, in lowest terms, no factor ten left in `num` or `den`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) struct Scale {
+pub(crate) struct UnitScale {
     pub num: u128,
     pub den: u128,
     pub ten: i16,
     pub pi: i8,
 }
 
-impl Scale {
-    pub(crate) const ONE: Scale = Scale { num: 1, den: 1, ten: 0, pi: 0 };
-    pub(crate) fn times(self, other: Scale) -> Option<Scale> {
+impl UnitScale {
+    pub(crate) const ONE: UnitScale = UnitScale { num: 1, den: 1, ten: 0, pi: 0 };
+    pub(crate) fn times(self, other: UnitScale) -> Option<UnitScale> {
         let (mut num, mut den) = (self.num.checked_mul(other.num)?, self.den.checked_mul(other.den)?);
         let (mut a, mut b) = (num, den);
         while b != 0 {
@@ -82,11 +82,11 @@ impl Scale {
                 ten -= 1;
             }
         }
-        (ten.abs() <= 300).then_some(Scale { num, den, ten, pi: self.pi.checked_add(other.pi)? })
+        (ten.abs() <= 300).then_some(UnitScale { num, den, ten, pi: self.pi.checked_add(other.pi)? })
     }
-    pub(crate) fn inverse(self) -> Option<Scale> {
-        Scale { num: self.den, den: self.num, ten: self.ten.checked_neg()?, pi: self.pi.checked_neg()? }
-            .times(Scale::ONE)
+    pub(crate) fn inverse(self) -> Option<UnitScale> {
+        UnitScale { num: self.den, den: self.num, ten: self.ten.checked_neg()?, pi: self.pi.checked_neg()? }
+            .times(UnitScale::ONE)
     }
     /// Nearest double of `digits * 10^exponent * self`; for factors of pi or a denominator such as 3600 to within an ulp or two.
     pub(crate) fn apply(self, negative: bool, digits: u128, exponent: i32) -> f64 {
@@ -131,7 +131,7 @@ pub struct Unit {
     ascii: Box<str>,
     factors: Vec<(Box<str>, i8)>,
     dimension: Dimension,
-    scale: Scale,
+    scale: UnitScale,
     factor: f64,
 }
 
@@ -158,9 +158,9 @@ impl Unit {
     }
     /// The pure number, `1`.
     pub fn one() -> Unit {
-        Unit::build(Vec::new(), Dimension([0; 4]), Scale::ONE)
+        Unit::build(Vec::new(), Dimension([0; 4]), UnitScale::ONE)
     }
-    pub(crate) fn build(factors: Vec<(Box<str>, i8)>, dimension: Dimension, scale: Scale) -> Unit {
+    pub(crate) fn build(factors: Vec<(Box<str>, i8)>, dimension: Dimension, scale: UnitScale) -> Unit {
         let ascii = spelled(&factors, "1", " ", |name, exponent| match exponent {
             1 => name.to_owned(),
             e => format!("{name}^{e}"),
@@ -209,14 +209,14 @@ impl Unit {
         self.scene_scale().apply(int < 0, u128::from(int.unsigned_abs()), -i32::from(decimals))
     }
     /// SI, but degrees for an angle.
-    pub(crate) fn scene_scale(&self) -> Scale {
+    pub(crate) fn scene_scale(&self) -> UnitScale {
         if self.is_angle() {
-            let degrees = Scale { num: 18, den: 1, ten: 1, pi: -1 };
+            let degrees = UnitScale { num: 18, den: 1, ten: 1, pi: -1 };
             return self.scale.times(degrees).unwrap_or(self.scale);
         }
         self.scale
     }
-    pub(crate) fn scale(&self) -> Scale {
+    pub(crate) fn scale(&self) -> UnitScale {
         self.scale
     }
     /// From what a scene holds (degrees for an angle, else SI) into this unit.
@@ -311,33 +311,35 @@ impl Unit {
     /// `expected N m (energy or moment), found N (force): a factor m is missing`.
     pub fn mismatch(&self, found: &Unit) -> String {
         let named = |u: &Unit| match u.kind() {
-            Kind::Named(kind) => format!("{} ({kind})", u.ascii),
-            Kind::Dimension(dimension) => format!("{} ({dimension})", u.ascii),
-            Kind::Itself => u.ascii.to_string(),
+            UnitKind::Named(kind) => format!("{} ({kind})", u.ascii),
+            UnitKind::Dimension(dimension) => format!("{} ({dimension})", u.ascii),
+            UnitKind::Itself => u.ascii.to_string(),
         };
         let mut text = format!("expected {}, found {}", named(self), named(found));
         match self.slip(found) {
-            Some(Slip::PoundIsMass) => text.push_str(": lb is a mass here; write lbf"),
-            Some(Slip::Millisecond) => text.push_str(": ms is a millisecond; write m/s or m s^-1"),
-            Some(Slip::Missing(name)) => text.push_str(&format!(": a factor {name} is missing")),
-            Some(Slip::TooMany(name)) => text.push_str(&format!(": a factor {name} too many")),
+            Some(UnitSlip::PoundIsMass) => text.push_str(": lb is a mass here; write lbf"),
+            Some(UnitSlip::Millisecond) => text.push_str(": ms is a millisecond; write m/s or m s^-1"),
+            Some(UnitSlip::Missing(name)) => text.push_str(&format!(": a factor {name} is missing")),
+            Some(UnitSlip::TooMany(name)) => text.push_str(&format!(": a factor {name} too many")),
             None => {}
         }
         text
     }
     /// What kind of unit it is.
-    pub fn kind(&self) -> Kind {
+    pub fn kind(&self) -> UnitKind {
         match self.dimension.kind() {
-            Some(kind) => Kind::Named(kind),
-            None if self.dimension.to_string() == *self.ascii => Kind::Itself,
-            None => Kind::Dimension(self.dimension),
+            Some(kind) => UnitKind::Named(kind),
+            None if self.dimension.to_string() == *self.ascii => UnitKind::Itself,
+            None => UnitKind::Dimension(self.dimension),
         }
     }
     /// What may have gone wrong where `found` stands and this unit is expected.
-    pub fn slip(&self, found: &Unit) -> Option<Slip> {
+    pub fn slip(&self, found: &Unit) -> Option<UnitSlip> {
         match (self.dimension.kind(), found.ascii()) {
-            (Some("force"), "lb") => return Some(Slip::PoundIsMass),
-            _ if found.ascii.contains("ms") && self.ascii.contains('m') => return Some(Slip::Millisecond),
+            (Some("force"), "lb") => return Some(UnitSlip::PoundIsMass),
+            _ if found.ascii.contains("ms") && self.ascii.contains('m') => {
+                return Some(UnitSlip::Millisecond);
+            }
             _ => {}
         }
         let ratio = self.dimension.over(found.dimension)?;
@@ -345,9 +347,9 @@ impl Unit {
         table::SINGLE.iter().find_map(|name| {
             let d = Unit::parse(name).ok()?.dimension;
             if d == ratio {
-                Some(Slip::Missing(name))
+                Some(UnitSlip::Missing(name))
             } else if d == back {
-                Some(Slip::TooMany(name))
+                Some(UnitSlip::TooMany(name))
             } else {
                 None
             }
@@ -357,7 +359,7 @@ impl Unit {
 
 /// What kind of quantity a unit belongs to.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Kind {
+pub enum UnitKind {
     /// One that mechanics has a word for, such as `force`.
     Named(&'static str),
     /// One that has none, told by its dimension.
@@ -368,7 +370,7 @@ pub enum Kind {
 
 /// What may have gone wrong with a unit of another kind.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Slip {
+pub enum UnitSlip {
     /// `lb` where a force is expected.
     PoundIsMass,
     /// `ms` where metres per second may be meant.

@@ -1,11 +1,11 @@
 //! Text to unit, or the column of the trouble.
 use crate::units::Dimension;
-use crate::units::Scale;
 use crate::units::Unit;
+use crate::units::UnitScale;
 use crate::units::spell;
 use crate::units::table::PREFIXES;
 use crate::units::table::ROWS;
-use crate::units::table::Row;
+use crate::units::table::UnitRow;
 use std::fmt;
 
 /// Why a text is no unit. Columns count characters from 1.
@@ -88,14 +88,14 @@ impl fmt::Display for UnitFault {
 
 impl std::error::Error for UnitFault {}
 
-struct Reader<'a> {
+struct UnitReader<'a> {
     text: &'a [char],
     at: usize,
     any_case: bool,
     forgiven: bool,
     factors: Vec<(Box<str>, i8)>,
     dimension: [i8; 4],
-    scale: Scale,
+    scale: UnitScale,
 }
 
 /// Reads a whole unit; `true`: upper and lower case were forgiven.
@@ -107,14 +107,14 @@ pub(crate) fn unit(text: &str, any_case: bool) -> Result<(Unit, bool), UnitFault
     if chars.iter().all(|c| c.is_whitespace()) {
         return Err(UnitFault::Empty);
     }
-    let mut reader = Reader {
+    let mut reader = UnitReader {
         text: &chars,
         at: 0,
         any_case,
         forgiven: false,
         factors: Vec::new(),
         dimension: [0; 4],
-        scale: Scale::ONE,
+        scale: UnitScale::ONE,
     };
     reader.product(1, 0)?;
     if let Some(&found) = chars.get(reader.at) {
@@ -131,7 +131,7 @@ fn is_minus(c: char) -> bool {
     matches!(c, '-' | '\u{2212}' | '\u{2013}' | '\u{2010}' | '\u{2011}')
 }
 
-impl Reader<'_> {
+impl UnitReader<'_> {
     fn peek(&self) -> Option<char> {
         self.text.get(self.at).copied()
     }
@@ -301,11 +301,11 @@ impl Reader<'_> {
         Ok(if negative { -n } else { n })
     }
 
-    fn push(&mut self, row: &Row, prefix: &'static str, ten: i16, exponent: i8) -> Result<(), UnitFault> {
+    fn push(&mut self, row: &UnitRow, prefix: &'static str, ten: i16, exponent: i8) -> Result<(), UnitFault> {
         if self.factors.len() >= 8 {
             return Err(UnitFault::TooLarge);
         }
-        let one = Scale { num: 1, den: 1, ten, pi: 0 }.times(row.scale).ok_or(UnitFault::TooLarge)?;
+        let one = UnitScale { num: 1, den: 1, ten, pi: 0 }.times(row.scale).ok_or(UnitFault::TooLarge)?;
         let one = if exponent < 0 { one.inverse().ok_or(UnitFault::TooLarge)? } else { one };
         for _ in 0..exponent.unsigned_abs() {
             self.scale = self.scale.times(one).ok_or(UnitFault::TooLarge)?;
@@ -332,9 +332,9 @@ impl Reader<'_> {
     }
 }
 
-type Found = (&'static Row, &'static str, i16);
+type KnownUnit = (&'static UnitRow, &'static str, i16);
 
-fn look_up(name: &str) -> Option<Found> {
+fn look_up(name: &str) -> Option<KnownUnit> {
     if let Some(row) = ROWS.iter().find(|r| r.name == name) {
         return Some((row, "", 0));
     }
@@ -363,10 +363,10 @@ fn unknown(name: &str, column: usize) -> UnitFault {
 }
 
 /// A name read without regard to case, if all readings are the same unit.
-fn any_case(name: &str, column: usize) -> Result<(Found, bool), UnitFault> {
-    let mut found: Vec<(String, Found)> = Vec::new();
+fn any_case(name: &str, column: usize) -> Result<(KnownUnit, bool), UnitFault> {
+    let mut found: Vec<(String, KnownUnit)> = Vec::new();
     let lower = name.to_lowercase();
-    let mut add = |spelling: String, row: &'static Row, prefix: &'static str, ten: i16| {
+    let mut add = |spelling: String, row: &'static UnitRow, prefix: &'static str, ten: i16| {
         if spelling.to_lowercase() == lower
             && !found.iter().any(|(_, (r, _, t))| {
                 r.dimension == row.dimension

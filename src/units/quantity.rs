@@ -5,7 +5,7 @@ use std::fmt;
 
 /// A value and the unit in which it was written.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Quantity {
+pub struct WrittenQuantity {
     /// Number as written, in `unit`.
     pub number: f64,
     /// The unit as written, or the one that a plain number takes.
@@ -42,7 +42,7 @@ impl fmt::Display for QuantityFault {
 impl std::error::Error for QuantityFault {}
 
 /// A decimal number at the start of a text.
-struct Decimal {
+struct LeadingDecimal {
     negative: bool,
     digits: Option<u128>,
     exponent: i32,
@@ -52,7 +52,7 @@ struct Decimal {
 }
 
 /// Sign (`-`, `+` or U+2212), digits with at most one point, `e` and a whole exponent.
-fn leading_decimal(text: &str) -> Option<Decimal> {
+fn leading_decimal(text: &str) -> Option<LeadingDecimal> {
     let unsigned = text.strip_prefix(['-', '\u{2212}']);
     let negative = unsigned.is_some();
     let body = unsigned.or_else(|| text.strip_prefix('+')).unwrap_or(text);
@@ -86,7 +86,13 @@ fn leading_decimal(text: &str) -> Option<Decimal> {
         }
     }
     let length = text.len() - body.len() + at;
-    Some(Decimal { negative, digits, exponent: exponent - i32::try_from(decimals).ok()?, decimals, length })
+    Some(LeadingDecimal {
+        negative,
+        digits,
+        exponent: exponent - i32::try_from(decimals).ok()?,
+        decimals,
+        length,
+    })
 }
 
 /// A plain decimal such as `0.30` as an integer and its decimals: (30, 2). No exponent, at most 15 digits.
@@ -109,7 +115,7 @@ pub fn parse_decimal(text: &str) -> Option<(i64, u8)> {
 ///
 /// # Errors
 /// Says why the text is no quantity.
-pub fn parse_quantity(text: &str, plain: &Unit) -> Result<Quantity, QuantityFault> {
+pub fn parse_quantity(text: &str, plain: &Unit) -> Result<WrittenQuantity, QuantityFault> {
     let text = text.trim();
     let decimal = leading_decimal(text).ok_or(QuantityFault::NoNumber)?;
     let rest = text[decimal.length..].trim();
@@ -127,7 +133,7 @@ pub fn parse_quantity(text: &str, plain: &Unit) -> Result<Quantity, QuantityFaul
     if !(number.is_finite() && value_si.is_finite() && value_scene.is_finite()) {
         return Err(QuantityFault::TooLarge);
     }
-    Ok(Quantity { number, unit, plain: rest.is_empty(), value_si, value_scene })
+    Ok(WrittenQuantity { number, unit, plain: rest.is_empty(), value_si, value_scene })
 }
 
 #[cfg(test)]

@@ -1,36 +1,17 @@
 //! "Did you mean": the closest of some words, only when it is close.
 
-/// The closest of `known` to `word`: one slip for words of three to five letters, two for longer ones, none for shorter
-/// ones; letters' case does not count. Ties are broken by name.
+/// The closest of `known` to `word`: one slip (a letter inserted, left out or changed, or two neighbours swapped) for words
+/// of three to five letters, two for longer ones, none for shorter ones; letters' case does not count. Ties are
+/// broken by name.
 pub fn closest<'a>(word: &str, known: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
-    let word: Vec<char> = word.chars().take(64).flat_map(char::to_lowercase).collect();
-    let allowed = match word.len() {
-        0..=2 => return None,
+    let word = word.to_lowercase();
+    let allowed = match word.chars().count() {
         3..=5 => 1,
-        _ => 2,
+        6..=64 => 2,
+        _ => return None,
     };
-    known.into_iter().map(|k| (slips(&word, k), k)).filter(|(d, _)| *d <= allowed).min().map(|(_, k)| k)
-}
-
-/// Letters inserted, left out, changed, or two neighbours swapped.
-fn slips(a: &[char], b: &str) -> usize {
-    let b: Vec<char> = b.chars().take(64).flat_map(char::to_lowercase).collect();
-    let mut rows = vec![vec![0usize; b.len() + 1]; a.len() + 1];
-    for i in 0..=a.len() {
-        for j in 0..=b.len() {
-            rows[i][j] = if i == 0 || j == 0 {
-                i + j
-            } else {
-                let change = rows[i - 1][j - 1] + usize::from(a[i - 1] != b[j - 1]);
-                let mut best = change.min(rows[i - 1][j] + 1).min(rows[i][j - 1] + 1);
-                if i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1] {
-                    best = best.min(rows[i - 2][j - 2] + 1);
-                }
-                best
-            };
-        }
-    }
-    rows[a.len()][b.len()]
+    let slips = |k: &str| strsim::osa_distance(&word, &k.to_lowercase());
+    known.into_iter().map(|k| (slips(k), k)).filter(|(d, _)| *d <= allowed).min().map(|(_, k)| k)
 }
 
 #[cfg(test)]

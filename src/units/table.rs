@@ -1,16 +1,16 @@
 //! The units that are known: their names, prefixes and exact sizes in SI. Sources: SI Brochure, 9th edition, tables 2 to 8;
 //! NIST SP 811 (2008), appendix B for the foot (0.3048 m), the pound (0.453 592 37 kg) and g_n = 9.806 65 m/s^2.
 use crate::units::Dimension;
-use crate::units::Scale;
+use crate::units::UnitScale;
 
 /// One name of a unit.
-pub(crate) struct Row {
+pub(crate) struct UnitRow {
     /// As it is written.
     pub name: &'static str,
     /// As it is written in ASCII by this program (`deg` for `°`, `N m` for `Nm`).
     pub ascii: &'static str,
     pub dimension: Dimension,
-    pub scale: Scale,
+    pub scale: UnitScale,
     /// Letters of the prefixes that it takes.
     pub prefixes: &'static str,
 }
@@ -25,8 +25,8 @@ const fn row(
     ten: i16,
     pi: i8,
     prefixes: &'static str,
-) -> Row {
-    Row { name, ascii, dimension: Dimension(d), scale: Scale { num, den, ten, pi }, prefixes }
+) -> UnitRow {
+    UnitRow { name, ascii, dimension: Dimension(d), scale: UnitScale { num, den, ten, pi }, prefixes }
 }
 
 const MASS: [i8; 4] = [1, 0, 0, 0];
@@ -58,7 +58,7 @@ pub(crate) const PREFIXES: &[(char, &str, i16)] = &[
 const LBF: u128 = 44_482_216_152_605; // 0.45359237 * 9.80665 N, times 10^13
 
 /// All names. The first row of equal size is the one shown.
-pub(crate) const ROWS: &[Row] = &[
+pub(crate) const ROWS: &[UnitRow] = &[
     row("g", "g", MASS, 1, 1, -3, 0, "kmMu\u{b5}\u{3bc}"),
     row("t", "t", MASS, 1, 1, 3, 0, ""),
     row("lb", "lb", MASS, 45_359_237, 1, -8, 0, ""),

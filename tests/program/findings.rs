@@ -843,7 +843,7 @@ fn bombs_are_refused() {
         writeln!(text, "{}a:", " ".repeat(i)).unwrap();
         text
     });
-    let long = "a: b\n".repeat(load::MAX_BYTES / 4);
+    let long = "a: b\n".repeat(slipstick::bank::yaml::MAX_BYTES / 4);
     for bomb in [
         laughs.clone(),
         deep,

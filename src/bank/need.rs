@@ -1,0 +1,68 @@
+//! What the numbers of a scene are used for: words, unit, admissible values and an example of each use, in one table.
+
+/// What a number is used for: it decides unit and admissible values.
+#[derive(Debug, Clone, Copy)]
+pub struct Need {
+    /// What it is, in words.
+    pub words: &'static str,
+    /// SI unit (ASCII) of this use.
+    pub unit: &'static str,
+    /// Which values are admissible.
+    range: Range,
+    /// An example, for hints.
+    pub example: &'static str,
+}
+
+/// Admissible values: whether one is among them, and the rule in words.
+type Range = (fn(f64) -> bool, &'static str);
+
+const ANY: Range = (f64::is_finite, "finite");
+const NOT_NEGATIVE: Range = (|x| x.is_finite() && x >= 0.0, "not negative");
+const POSITIVE: Range = (|x| x.is_finite() && x > 0.0, "above 0");
+const UP_TO_VERTICAL: Range = (|x| (0.0..=90.0).contains(&x), "from 0 to 90 degrees");
+const A_TURN: Range = (|x| (-360.0..=360.0).contains(&x), "from -360 to 360 degrees");
+
+const fn need(words: &'static str, unit: &'static str, range: Range, example: &'static str) -> Need {
+    Need { words, unit, range, example }
+}
+
+#[rustfmt::skip] // a table
+#[allow(missing_docs, reason = "each row says what it is")]
+impl Need {
+    pub const MASS: Self = need("a mass", "kg", POSITIVE, "20 kg");
+    pub const WEIGHT: Self = need("a weight", "N", POSITIVE, "100 N");
+    pub const RADIUS: Self = need("a radius", "m", POSITIVE, "0.25 m");
+    pub const GYRATION: Self = need("a radius of gyration", "m", NOT_NEGATIVE, "0.25 m");
+    pub const INERTIA: Self = need("a moment of inertia", "kg*m^2", NOT_NEGATIVE, "4 kg*m^2");
+    pub const SLOPE: Self = need("a slope", "deg", UP_TO_VERTICAL, "30 deg");
+    pub const FRICTION: Self = need("a friction coefficient", "1", NOT_NEGATIVE, "0.4");
+    pub const FORCE: Self = need("a force", "N", NOT_NEGATIVE, "100 N");
+    pub const MOMENT: Self = need("a moment", "N*m", NOT_NEGATIVE, "75 N*m");
+    pub const STIFFNESS: Self = need("a stiffness", "N/m", POSITIVE, "400 N/m");
+    pub const LENGTH: Self = need("a length", "m", NOT_NEGATIVE, "0.25 m");
+    pub const TURN: Self = need("an angle", "rad", NOT_NEGATIVE, "3 rad");
+    pub const PLACE: Self = need("a place", "m", ANY, "0.25 m");
+    pub const TIME: Self = need("a time", "s", NOT_NEGATIVE, "2 s");
+    pub const ANGLE: Self = need("an angle", "deg", A_TURN, "30 deg");
+    pub const ARM: Self = need("a distance from the pin", "m", NOT_NEGATIVE, "0.25 m");
+    pub const ROD: Self = need("a length of a rod", "m", POSITIVE, "0.25 m");
+    pub const VELOCITY: Self = need("a speed", "m/s", ANY, "1.5 m/s");
+    pub const SPIN: Self = need("a spin", "rad/s", ANY, "8 rad/s");
+    pub const SPEED_REACHED: Self = need("a speed", "m/s", NOT_NEGATIVE, "1.5 m/s");
+    pub const SPIN_REACHED: Self = need("a spin", "rad/s", NOT_NEGATIVE, "8 rad/s");
+}
+
+impl Need {
+    /// Does the scene take it in degrees?
+    pub fn in_degrees(self) -> bool {
+        self.unit == "deg"
+    }
+    /// Does a value fit this use?
+    ///
+    /// # Errors
+    /// The rule that it breaks, in words.
+    pub fn admits(self, value: f64) -> Result<(), String> {
+        let (admits, rule) = self.range;
+        if admits(value) { Ok(()) } else { Err(format!("{} is {rule}", self.words)) }
+    }
+}
