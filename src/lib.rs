@@ -63,6 +63,7 @@ pub mod key;
 pub mod matches;
 pub mod misconception;
 pub mod num;
+pub mod picture;
 pub mod plot;
 pub mod policy;
 pub mod problem;

@@ -344,7 +344,7 @@ fn each_file_says_what_is_in_it() {
 #[test]
 fn nobody_else_rounds_decimals_for_people() {
     // Places in a drawing are nobody's answer, and a Typst length is for a machine.
-    const DRAWN: [&str; 4] = ["figure::svg", "figure::tikz", "plot::svg", "sheet::typst"];
+    const DRAWN: [&str; 4] = ["picture::svg", "picture::tikz", "plot::svg", "sheet::typst"];
     let precise = |text: &str| {
         let mut found = Vec::new();
         for (i, _) in text.match_indices('{') {

@@ -5,11 +5,11 @@ use slipstick::bank::Bank;
 use slipstick::bank::FigureLabels;
 use slipstick::bank::load;
 use slipstick::figure;
-use slipstick::figure::picture::Outline;
-use slipstick::figure::picture::Picture;
-use slipstick::figure::picture::Role;
-use slipstick::figure::symbol;
-use slipstick::figure::vector;
+use slipstick::picture::Outline;
+use slipstick::picture::Picture;
+use slipstick::picture::Role;
+use slipstick::picture::symbol;
+use slipstick::picture::vector;
 use slipstick::problem::make::Maker;
 use slipstick::problem::make::Variant;
 use slipstick::scene::End;
@@ -386,16 +386,16 @@ fn files_parse_and_repeat() {
             let variant = Maker::new(problem, 8, "figures").variant("0").expect("satisfiable");
             for (name, picture) in figure::all(problem, &variant, &words) {
                 let what = format!("{} {name}", problem.id);
-                let screen = figure::svg::Screen::new(&picture);
+                let screen = picture::svg::Screen::new(&picture);
                 let inline = screen.inline("p1");
-                assert_eq!(inline, figure::svg::Screen::new(&picture).inline("p1"), "{what}");
+                assert_eq!(inline, picture::svg::Screen::new(&picture).inline("p1"), "{what}");
                 let elements = parse(&inline);
                 let ids: Vec<&String> =
                     elements.iter().flat_map(|(_, a)| a).filter(|(k, _)| k == "id").map(|(_, v)| v).collect();
                 assert_eq!(ids, ["p1-t", "p1-d"], "{what}");
                 let svg = &elements[0];
                 assert!(svg.0 == "svg" && svg.1.contains(&("role".to_owned(), "img".to_owned())), "{what}");
-                let print = figure::svg::print(&picture);
+                let print = picture::svg::print(&picture);
                 for word in ["<style", "class=", "var(", "@media", "NaN", "inf\""] {
                     assert!(!print.contains(word), "{what}: {word}");
                 }
@@ -414,7 +414,7 @@ fn files_parse_and_repeat() {
                         }
                     }
                 }
-                let tikz = figure::tikz::picture(&picture);
+                let tikz = picture::tikz::picture(&picture);
                 let deep = tikz.lines().filter(|l| !l.starts_with('%')).collect::<String>();
                 assert_eq!(deep.matches('{').count(), deep.matches('}').count(), "{what}");
                 assert_eq!(deep.matches('$').count() % 2, 0, "{what}");
@@ -446,7 +446,7 @@ fn goldens_are_as_they_were() {
         let variant = Maker::new(&problem, 1, "goldens").variant("0").expect("satisfiable");
         let pictures = figure::all(&problem, &variant, &words);
         let (_, picture) = pictures.into_iter().find(|(n, _)| n == name).expect("a picture of this name");
-        let text = figure::svg::Screen::new(&picture).file();
+        let text = picture::svg::Screen::new(&picture).file();
         let path = format!("{folder}/{id}-{name}.svg");
         if renew {
             std::fs::write(&path, text).expect("a golden is written");

@@ -1,7 +1,7 @@
 //! What goes to print, as text: formulas in Typst's way and in words, Markdown in Typst's way, foreign text. No program is
 //! needed; `tests/pdf.rs` compiles what comes out here.
 mod support;
-use slipstick::figure::picture::Picture;
+use slipstick::picture::Picture;
 use slipstick::problem::make::Maker;
 use slipstick::sheet::document::Document;
 use slipstick::sheet::document::Head;

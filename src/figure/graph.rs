@@ -6,20 +6,21 @@
 use crate::bank::FigureLabels;
 use crate::bank::Problem;
 use crate::figure::bars::figures;
-use crate::figure::board::Board;
-use crate::figure::board::TEXT;
-use crate::figure::board::Tied;
-use crate::figure::board::Wish;
 use crate::figure::names;
-use crate::figure::picture::Picture;
-use crate::figure::picture::Role;
-use crate::figure::picture::Run;
-use crate::figure::picture::RunStyle;
-use crate::figure::symbol;
-use crate::figure::vector::V;
-use crate::figure::view::View;
+use crate::figure::view::SceneView;
+use crate::picture::Picture;
+use crate::picture::Role;
+use crate::picture::RunStyle;
+use crate::picture::TextRun;
+use crate::picture::board::Board;
+use crate::picture::board::LabelTie;
+use crate::picture::board::LabelWish;
+use crate::picture::board::TEXT;
+use crate::picture::symbol;
+use crate::picture::vector::Vec2;
+use crate::picture::vector::vec2;
 use crate::plot::Axis;
-use crate::plot::Scale;
+use crate::plot::AxisScale;
 use crate::problem::make;
 use crate::problem::make::Variant;
 use crate::scene::Coordinate;
@@ -50,7 +51,7 @@ pub struct Curve {
     /// Which line.
     pub look: u8,
     /// What it is.
-    pub label: Vec<Run>,
+    pub label: Vec<TextRun>,
 }
 
 /// A marked place on the first axis.
@@ -155,7 +156,7 @@ pub struct SpringCurves {
 /// All graphs of a variant, by name; none where nothing teaches.
 pub fn all(problem: &Problem, variant: &Variant, words: &Words) -> Vec<(String, Picture)> {
     let mut list = Vec::new();
-    let Some(view) = View::new(problem, variant, words, FigureLabels::Values) else { return list };
+    let Some(view) = SceneView::new(problem, variant, words, FigureLabels::Values) else { return list };
     if let Some(curves) = spring_curves(problem, variant) {
         list.push(("graph-speed".to_owned(), speed(&view, &curves)));
         if curves.friction.len() > 1 {
@@ -171,7 +172,7 @@ pub fn all(problem: &Problem, variant: &Variant, words: &Words) -> Vec<(String, 
     list
 }
 
-fn speed(view: &View, c: &SpringCurves) -> Picture {
+fn speed(view: &SceneView, c: &SpringCurves) -> Picture {
     let words = view.words;
     let word = |name: &str| words.get(&format!("figure.graph.{name}")).to_owned();
     let v = |q: Quantity| value(view.variant, q, c.body);
@@ -190,7 +191,7 @@ fn speed(view: &View, c: &SpringCurves) -> Picture {
     draw(view, &word("distance"), "m", &word("speed"), "m/s", &[line], &[], &marks)
 }
 
-fn friction(view: &View, c: &SpringCurves) -> Picture {
+fn friction(view: &SceneView, c: &SpringCurves) -> Picture {
     let words = view.words;
     let word = |name: &str| words.get(&format!("figure.graph.{name}")).to_owned();
     let v = |q: Quantity| value(view.variant, q, c.body);
@@ -219,7 +220,7 @@ fn friction(view: &View, c: &SpringCurves) -> Picture {
 }
 
 /// Angular speed over the angle of a pinned body.
-fn swing(view: &View) -> Option<Picture> {
+fn swing(view: &SceneView) -> Option<Picture> {
     let (body, pin) = view.scene.pinned()?;
     let End::Angle(at, asked) = view.scene.end else { return None };
     let (from, asked) = (view.of(pin.start_deg), view.of(asked));
@@ -246,7 +247,7 @@ fn swing(view: &View) -> Option<Picture> {
 }
 
 /// The speed of the centre and that of the turning rim over time, until they meet and a little on.
-fn slip(view: &View) -> Option<Picture> {
+fn slip(view: &SceneView) -> Option<Picture> {
     let thrown = view.scene.thrown()?;
     let (body, radius) = (thrown.body, view.of(thrown.radius_m));
     let at = Coordinate { body, degree: Degree::Along };
@@ -306,7 +307,7 @@ fn settled(value: f64, range: f64) -> f64 {
 /// A graph.
 #[expect(clippy::too_many_arguments, reason = "two axes with names and units, and what stands between them")]
 fn draw(
-    view: &View,
+    view: &SceneView,
     x_name: &str,
     x_unit: &str,
     y_name: &str,
@@ -325,28 +326,28 @@ fn draw(
     let low = if low > 0.0 && low < 1e-3 * high { 0.0 } else { low };
     let x_axis = Axis {
         label: String::new(),
-        scale: Scale::Linear,
+        scale: AxisScale::Linear,
         low,
         high: if high > low { high } else { low + 1.0 },
     };
-    let round = Axis::around("", Scale::Linear, [low, high].into_iter());
-    let y_axis = Axis::around("", Scale::Linear, ys.chain([0.0]));
-    let at = |p: (f64, f64)| -> V { (x_axis.at(p.0) * WIDE, y_axis.at(p.1) * HIGH) };
+    let round = Axis::around("", AxisScale::Linear, [low, high].into_iter());
+    let y_axis = Axis::around("", AxisScale::Linear, ys.chain([0.0]));
+    let at = |p: (f64, f64)| -> Vec2 { vec2(x_axis.at(p.0) * WIDE, y_axis.at(p.1) * HIGH) };
     let mut board = Board::new();
     let zero = y_axis.at(0.0) * HIGH;
-    let tick = |text: &str, at: V, towards: V, size: f64| Wish {
+    let tick = |text: &str, at: Vec2, towards: Vec2, size: f64| LabelWish {
         rows: vec![symbol::upright(words.number(text).replace('-', "−"))],
         size,
         role: Role::Dot,
         spots: vec![(at, towards)],
         gap: 4.0,
-        tie: Tied::Fixed,
+        tie: LabelTie::Fixed,
     };
     for t in y_axis.ticks() {
         let y = t.at * HIGH;
-        board.line((0.0, y), (WIDE, y), Role::Grid);
+        board.line(vec2(0.0, y), vec2(WIDE, y), Role::Grid);
         if !t.label.is_empty() {
-            board.wish_for(tick(&t.label, (-2.0, y), (-1.0, 0.0), TICKS));
+            board.wish_for(tick(&t.label, vec2(-2.0, y), Vec2::LEFT, TICKS));
         }
     }
     for t in round.ticks() {
@@ -355,53 +356,54 @@ fn draw(
             continue;
         }
         let x = x_axis.at(value) * WIDE;
-        board.line((x, 0.0), (x, HIGH), Role::Grid);
+        board.line(vec2(x, 0.0), vec2(x, HIGH), Role::Grid);
         if !t.label.is_empty() {
-            board.wish_for(tick(&t.label, (x, -4.0), (0.0, -1.0), TICKS));
+            board.wish_for(tick(&t.label, vec2(x, -4.0), Vec2::DOWN, TICKS));
         }
     }
-    board.line((0.0, zero), (WIDE, zero), Role::Axis);
-    board.line((0.0, 0.0), (0.0, HIGH), Role::Axis);
+    board.line(vec2(0.0, zero), vec2(WIDE, zero), Role::Axis);
+    board.line(Vec2::ZERO, vec2(0.0, HIGH), Role::Axis);
     for limit in limits {
         // The band in which it does not slip is between the limits: outside is hatched.
         let y = y_axis.at(*limit) * HIGH;
-        board.hatch((0.0, y), (WIDE, y), (0.0, limit.signum()));
+        board.hatch(vec2(0.0, y), vec2(WIDE, y), vec2(0.0, limit.signum()));
     }
     for c in curves {
-        let points: Vec<V> = c.points.iter().map(|p| at(*p)).collect();
+        let points: Vec<Vec2> = c.points.iter().map(|p| at(*p)).collect();
         board.lines(&points, false, Role::Curve(c.look));
     }
     for m in marks {
         let p = at((m.x, m.y));
-        board.line((p.0, zero), p, Role::Ghost);
+        board.line(vec2(p.x, zero), p, Role::Ghost);
         board.circle(p, 3.6, Role::Dot);
     }
     let name = |text: &str, unit: &str| format!("{text} ({unit})").replace(' ', "\u{a0}");
-    board.wish_for(Wish { gap: 26.0, ..tick(&name(x_name, x_unit), (WIDE / 2.0, 0.0), (0.0, -1.0), TEXT) });
+    board.wish_for(LabelWish {
+        gap: 26.0,
+        ..tick(&name(x_name, x_unit), vec2(WIDE / 2.0, 0.0), Vec2::DOWN, TEXT)
+    });
     let title = name(y_name, y_unit);
     let half = symbol::width(&symbol::upright(title.clone()), TEXT) / 2.0;
-    board.wish_for(tick(&title, (half - 30.0, HIGH + 6.0), (0.0, 1.0), TEXT));
+    board.wish_for(tick(&title, vec2(half - 30.0, HIGH + 6.0), Vec2::UP, TEXT));
     let x_text = |x: f64| figures(words, settled(x, x_axis.high - x_axis.low));
     let y_text = |y: f64| figures(words, settled(y, y_axis.high - y_axis.low));
     let mut told = Vec::new();
     for m in marks {
         let p = at((m.x, m.y));
         let up = if m.y >= 0.0 { 1.0 } else { -1.0 };
-        board.wish_for(Wish {
-            rows: vec![symbol::upright(m.label.replace(' ', "\u{a0}"))],
-            size: TEXT,
-            role: Role::Dot,
-            spots: vec![
-                (p, (0.0, up)),
-                (p, (-0.8, 0.6)),
-                (p, (0.8, 0.6)),
-                (p, (0.8, -0.6)),
-                (p, (-0.8, -0.6)),
-                (p, (0.0, -up)),
+        board.label(
+            vec![symbol::upright(m.label.replace(' ', "\u{a0}"))],
+            Role::Dot,
+            (LabelTie::Leader, 6.0),
+            vec![
+                (p, vec2(0.0, up)),
+                (p, vec2(-0.8, 0.6)),
+                (p, vec2(0.8, 0.6)),
+                (p, vec2(0.8, -0.6)),
+                (p, vec2(-0.8, -0.6)),
+                (p, vec2(0.0, -up)),
             ],
-            gap: 6.0,
-            tie: Tied::Leader,
-        });
+        );
         told.push(
             words.say("figure.graph.mark", &[("mark", &m.label), ("x", &x_text(m.x)), ("y", &y_text(m.y))]),
         );
@@ -419,15 +421,8 @@ fn draw(
         };
         let spots = [0.12, 0.25, 0.8, 0.6, 0.4]
             .into_iter()
-            .flat_map(|s| [(spot(s), (-0.5, 0.85)), (spot(s), (0.5, -0.85))]);
-        board.wish_for(Wish {
-            rows: vec![c.label.clone()],
-            size: TEXT,
-            role,
-            spots: spots.collect(),
-            gap: 5.0,
-            tie: Tied::Leader,
-        });
+            .flat_map(|s| [(spot(s), vec2(-0.5, 0.85)), (spot(s), vec2(0.5, -0.85))]);
+        board.label(vec![c.label.clone()], role, (LabelTie::Leader, 5.0), spots.collect());
     }
     let ends = |c: &Curve| {
         let show =

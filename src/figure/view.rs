@@ -2,9 +2,9 @@
 use crate::bank::FigureLabels;
 use crate::bank::Problem;
 use crate::figure::names;
-use crate::figure::picture::Run;
-use crate::figure::picture::RunStyle;
-use crate::figure::symbol;
+use crate::picture::RunStyle;
+use crate::picture::TextRun;
+use crate::picture::symbol;
 use crate::problem::make::Variant;
 use crate::scene::Body;
 use crate::scene::Label;
@@ -20,7 +20,7 @@ use crate::words::Words;
 
 /// A variant with what is needed to label its picture.
 #[derive(Clone, Copy)]
-pub struct View<'a> {
+pub struct SceneView<'a> {
     /// The problem.
     pub problem: &'a Problem,
     /// One draw of it.
@@ -35,7 +35,7 @@ pub struct View<'a> {
     pub worked: bool,
 }
 
-impl<'a> View<'a> {
+impl<'a> SceneView<'a> {
     /// A view; `None` if the variant has no scene.
     pub fn new(
         problem: &'a Problem,
@@ -81,7 +81,7 @@ impl<'a> View<'a> {
     }
 
     /// Symbol of a datum; nothing for a constant.
-    pub fn symbol(&self, num: Num) -> Vec<Run> {
+    pub fn symbol(&self, num: Num) -> Vec<TextRun> {
         match num {
             Num::Datum(i) => self.problem.data.get(i).map_or_else(Vec::new, |d| symbol::symbol(&d.tex)),
             Num::Fixed(_) => Vec::new(),
@@ -89,7 +89,7 @@ impl<'a> View<'a> {
     }
 
     /// The number as drawn, with its unit; a constant in `unit` (as HTML, SI).
-    pub fn value(&self, num: Num, unit: &str) -> Vec<Run> {
+    pub fn value(&self, num: Num, unit: &str) -> Vec<TextRun> {
         match num {
             Num::Datum(i) => {
                 let drawn = self.variant.values.get(i).copied().flatten();
@@ -106,7 +106,7 @@ impl<'a> View<'a> {
     }
 
     /// Label of a number: `R = 0.40 m`, or `R` alone; a constant is always its value.
-    pub fn label(&self, num: Num, unit: &str) -> Vec<Run> {
+    pub fn label(&self, num: Num, unit: &str) -> Vec<TextRun> {
         let symbol = self.symbol(num);
         if symbol.is_empty() {
             return self.value(num, unit);
@@ -118,7 +118,7 @@ impl<'a> View<'a> {
     }
 
     /// Label of the size of a number whose sense an arrow shows: `|ω_0| = 11 rad/s` of -11 rad/s.
-    pub fn size_label(&self, num: Num, unit: &str) -> Vec<Run> {
+    pub fn size_label(&self, num: Num, unit: &str) -> Vec<TextRun> {
         if self.labels == FigureLabels::Symbols && !self.symbol(num).is_empty() {
             return names::magnitude(self.symbol(num), self.of(num) < 0.0);
         }
@@ -130,7 +130,7 @@ impl<'a> View<'a> {
         symbol::plain(&self.size_runs(num, unit))
     }
 
-    fn size_runs(&self, num: Num, unit: &str) -> Vec<Run> {
+    fn size_runs(&self, num: Num, unit: &str) -> Vec<TextRun> {
         let mut value = self.value(num, unit);
         if let Some(first) = value.first_mut() {
             first.text = first.text.trim_start_matches('−').to_owned();
@@ -216,7 +216,7 @@ impl<'a> View<'a> {
 }
 
 /// `left = right`.
-pub fn joined(mut left: Vec<Run>, right: Vec<Run>) -> Vec<Run> {
+pub fn joined(mut left: Vec<TextRun>, right: Vec<TextRun>) -> Vec<TextRun> {
     if right.is_empty() {
         return left;
     }
@@ -226,6 +226,6 @@ pub fn joined(mut left: Vec<Run>, right: Vec<Run>) -> Vec<Run> {
 }
 
 /// A symbol of the program's own, from LaTeX.
-pub fn own(tex: &str) -> Vec<Run> {
+pub fn own(tex: &str) -> Vec<TextRun> {
     symbol::symbol(tex)
 }

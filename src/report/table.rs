@@ -1,7 +1,7 @@
 //! Tables of the class report: as HTML with a caption, and as CSV with the numbers unrounded.
 use crate::guard::push_text;
 use crate::num::shown;
-use crate::plot::svg::escaped;
+use crate::picture::svg::escaped;
 
 /// A cell: what is shown, and what stands in the CSV file.
 #[derive(Debug, Clone, PartialEq, Default)]

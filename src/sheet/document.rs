@@ -1,7 +1,7 @@
 //! A text with its pictures: Markdown with `$...$` formulas is the single source of every format. What could act or fetch
 //! something in a reader's browser is taken out here, once for all formats.
-use crate::figure::picture::Picture;
-use crate::figure::svg::Screen;
+use crate::picture::Picture;
+use crate::picture::svg::Screen;
 use pulldown_cmark::Event;
 use pulldown_cmark::LinkType;
 use pulldown_cmark::Options;

@@ -1,6 +1,6 @@
 //! Markdown with math and pictures to HTML with MathML and inline SVG. The Markdown text is the only source.
-use crate::figure::svg::Screen;
 use crate::finding::Finding;
+use crate::picture::svg::Screen;
 use crate::sheet::document::ANSWER;
 use crate::sheet::document::Document;
 use crate::sheet::document::Head;

@@ -1,6 +1,6 @@
 //! Markdown with math and pictures to LaTeX with TikZ, for those who paste into documents of their own.
-use crate::figure::tikz;
 use crate::finding::Finding;
+use crate::picture::tikz;
 use crate::sheet::document::ANSWER;
 use crate::sheet::document::Document;
 use crate::sheet::document::Head;

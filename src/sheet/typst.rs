@@ -2,8 +2,8 @@
 //!
 //! Everything is written as calls with texts in quotes (`#strong[..];`, `"kg"`), so that no text of anybody can become
 //! markup. A formula or an element that has no translation is a finding, never a gap.
-use crate::figure::svg;
 use crate::finding::Finding;
+use crate::picture::svg;
 use crate::sheet::document::ANSWER;
 use crate::sheet::document::Document;
 use crate::sheet::document::Head;

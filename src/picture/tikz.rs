@@ -1,12 +1,17 @@
 //! Pictures as TikZ: needs `\usepackage{tikz}` and nothing else.
-use crate::figure::picture::Outline;
-use crate::figure::picture::Picture;
-use crate::figure::picture::Point;
-use crate::figure::picture::Role;
-use crate::figure::picture::Run;
-use crate::figure::picture::RunStyle;
-use crate::figure::svg;
-use crate::figure::svg::Coordinate;
+use crate::picture::Outline;
+use crate::picture::Picture;
+use crate::picture::Role;
+use crate::picture::RunStyle;
+use crate::picture::TextRun;
+use crate::picture::look::INKS;
+use crate::picture::look::letters;
+use crate::picture::look::look;
+use crate::picture::look::used;
+use crate::picture::svg::Px;
+use crate::picture::svg::on_arc;
+use crate::picture::vector::Vec2;
+use crate::picture::vector::vec2;
 use std::fmt::Write as _;
 
 /// Greek letters and signs that TeX fonts have under a name.
@@ -69,27 +74,17 @@ pub fn picture(picture: &Picture) -> String {
         let _ = writeln!(out, "% {}", line.replace(char::is_control, " "));
     }
     out.push_str("\\begin{tikzpicture}[x=0.75pt,y=-0.75pt,line cap=round,line join=round]\n");
-    let mut used: Vec<&str> = Vec::new();
-    for role in picture.shapes.iter().map(|s| s.role) {
-        let (_, look) = svg::look(role);
-        used.extend(look.fill);
-        used.extend(look.stroke.map(|(ink, _)| ink));
-    }
-    used.extend(picture.labels.iter().map(|l| svg::letters(l.role)));
-    for ink in svg::INKS.iter().filter(|i| used.contains(&i.name)) {
+    let (_, inks) = used(picture);
+    for ink in INKS.iter().filter(|i| inks.contains(i.name)) {
         let hex = ink.light.trim_start_matches('#').to_uppercase();
         let _ = writeln!(out, "\\definecolor{{fig{}}}{{HTML}}{{{hex}}}", ink.name);
     }
     // The box is the picture's own, so that pictures line up.
-    let _ = writeln!(
-        out,
-        "\\useasboundingbox (0,0) rectangle ({},{});",
-        Coordinate(picture.width),
-        Coordinate(picture.height)
-    );
-    for shape in &picture.shapes {
-        let _ = write!(out, "\\path[{}] ", options(shape.role));
-        match &shape.outline {
+    let _ =
+        writeln!(out, "\\useasboundingbox (0,0) rectangle ({},{});", Px(picture.width), Px(picture.height));
+    for element in &picture.elements {
+        let _ = write!(out, "\\path[{}] ", options(element.role));
+        match &element.outline {
             Outline::Lines { points, closed } => {
                 let list: Vec<String> = points.iter().map(|p| place(*p)).collect();
                 out.push_str(&list.join(" -- "));
@@ -98,31 +93,30 @@ pub fn picture(picture: &Picture) -> String {
                 }
             }
             Outline::Circle { centre, radius } => {
-                let _ = write!(out, "{} circle[radius={}pt]", place(*centre), Coordinate(radius * 0.75));
+                let _ = write!(out, "{} circle[radius={}pt]", place(*centre), Px(radius * 0.75));
             }
             Outline::Arc { centre, radius, from, to } => {
                 // The y axis points down, radii in points do not follow it: angles stay as seen.
-                let (c, s) = crate::figure::vector::polar(*from);
-                let start = place((centre.0 + radius * c, centre.1 - radius * s));
+                let start = place(on_arc(*centre, *radius, *from));
                 let _ = write!(
                     out,
                     "{start} arc[start angle={},end angle={},radius={}pt]",
-                    Coordinate(from.to_degrees()),
-                    Coordinate(to.to_degrees()),
-                    Coordinate(radius * 0.75)
+                    Px(from.to_degrees()),
+                    Px(to.to_degrees()),
+                    Px(radius * 0.75)
                 );
             }
         }
         out.push_str(";\n");
     }
     for label in &picture.labels {
-        let centre = (label.bounds.0 + label.bounds.2) / 2.0;
-        let size = Coordinate(label.size * 0.75);
+        let centre = (label.bounds.low.x + label.bounds.high.x) / 2.0;
+        let size = Px(label.size * 0.75);
         let _ = writeln!(
             out,
             "\\node[anchor=base,inner sep=0pt,fig{},font=\\fontsize{{{size}}}{{{size}}}\\selectfont] at {} {{{}}};",
-            svg::letters(label.role),
-            place((centre, label.at.1)),
+            letters(label.role),
+            place(vec2(centre, label.at.y)),
             text(&label.runs)
         );
     }
@@ -130,12 +124,12 @@ pub fn picture(picture: &Picture) -> String {
     out
 }
 
-fn place(p: Point) -> String {
-    format!("({},{})", Coordinate(p.0), Coordinate(p.1))
+fn place(p: Vec2) -> String {
+    format!("({},{})", Px(p.x), Px(p.y))
 }
 
 fn options(role: Role) -> String {
-    let (_, look) = svg::look(role);
+    let (_, look) = look(role);
     let mut out = Vec::new();
     if let Some((ink, width)) = look.stroke {
         out.push(format!("draw=fig{ink}"));
@@ -158,9 +152,9 @@ fn options(role: Role) -> String {
 }
 
 /// Runs as TeX text with formulas.
-fn text(runs: &[Run]) -> String {
+fn text(runs: &[TextRun]) -> String {
     let mut out = String::new();
-    for Run { text, style } in runs {
+    for TextRun { text, style } in runs {
         match style {
             RunStyle::Upright => {
                 for c in text.chars() {
