@@ -44,9 +44,10 @@ const DOORS: &[(&str, &[&str])] = &[
     ("misconception::catalogue", &["bank", "finding"]),
     ("misconception", &["bank", "scene", "solve::agree", "solve::outcome", "finding", "num"]),
     ("template", &["finding"]),
+    ("picture", &["num"]),
     (
         "figure",
-        &["problem", "bank", "scene", "solve::outcome", "key", "units", "num", "plot", "words", "finding"],
+        &["problem", "bank", "scene", "solve::outcome", "key", "units", "num", "picture", "plot", "words"],
     ),
     (
         "solution",
@@ -59,6 +60,7 @@ const DOORS: &[(&str, &[&str])] = &[
             "units",
             "num",
             "figure",
+            "picture",
             "sheet::document",
             "sheet::number",
             "words",
@@ -80,6 +82,7 @@ const DOORS: &[(&str, &[&str])] = &[
             "sheet::document",
             "sheet::number",
             "figure",
+            "picture",
             "words",
             "template",
             "finding",
@@ -114,6 +117,7 @@ const DOORS: &[(&str, &[&str])] = &[
             "key",
             "units",
             "num",
+            "picture",
             "plot",
             "misconception::catalogue",
             "sheet::document",
@@ -142,10 +146,10 @@ const DOORS: &[(&str, &[&str])] = &[
             "finding",
         ],
     ),
-    ("sheet::document", &["figure"]),
+    ("sheet::document", &["picture"]),
     ("sheet::number", &["num"]),
     ("sheet::terminal", &[]),
-    ("plot", &["num"]),
+    ("plot", &["picture", "num"]),
     ("matches", &["num"]),
     ("regrade", &["guard", "grade", "answer", "key", "policy"]),
     ("cli", &["*"]),
@@ -344,7 +348,7 @@ fn each_file_says_what_is_in_it() {
 #[test]
 fn nobody_else_rounds_decimals_for_people() {
     // Places in a drawing are nobody's answer, and a Typst length is for a machine.
-    const DRAWN: [&str; 4] = ["picture::svg", "picture::tikz", "plot::svg", "sheet::typst"];
+    const DRAWN: [&str; 3] = ["picture::svg", "picture::tikz", "sheet::typst"];
     let precise = |text: &str| {
         let mut found = Vec::new();
         for (i, _) in text.match_indices('{') {

@@ -18,6 +18,8 @@ use crate::problem::make::Variant;
 use crate::scene::Degree;
 use crate::scene::End;
 use crate::scene::Owner;
+use crate::scene::Pin;
+use crate::scene::PinSpring;
 use crate::scene::Quantity;
 use crate::scene::Rest;
 use crate::scene::Start;
@@ -88,28 +90,11 @@ pub fn energies(problem: &Problem, variant: &Variant, words: &Words) -> Option<E
     end[5] = sum_of(Quantity::Heat);
     let mut work = sum_of(Quantity::WorkPull);
     if let Some((index, pin)) = scene.pinned() {
-        let from = view.of(pin.start_deg);
-        let to = match scene.end {
-            End::Angle(_, n) => view.of(n),
-            _ => return None,
-        };
+        let End::Angle(_, to) = scene.end else { return None };
         if let Some(spring) = &pin.spring {
-            let k = view.of(spring.stiffness_n_m);
-            let force = view
-                .solved(Quantity::SpringForce, Owner::Body(index))
-                .or_else(|| view.solved(Quantity::SpringForce, Owner::Scene))?;
-            let stretch = match spring.rest {
-                Rest::Stretch(x) => view.of(x),
-                Rest::Length(l) => {
-                    let (s, c) = trig::sin_cos_degrees(from);
-                    let up = if pin.from == Zero::Upright { c.hi } else { -c.hi };
-                    let at = view.of(spring.at_m);
-                    vec2(view.of(spring.x_m) - at * s.hi, view.of(spring.y_m) - at * up).length() - view.of(l)
-                }
-            };
-            (start[2], end[2]) = (0.5 * k * stretch * stretch, 0.5 * force * force / k);
+            (start[2], end[2]) = spring_of(&view, index, pin, spring)?;
         }
-        let turned = (to - from).to_radians();
+        let turned = (view.of(to) - view.of(pin.start_deg)).to_radians();
         for couple in scene.couples.iter().filter(|c| c.body == index) {
             work += view.of(couple.moment_n_m) * if couple.forward { turned } else { -turned };
         }
@@ -122,15 +107,6 @@ pub fn energies(problem: &Problem, variant: &Variant, words: &Words) -> Option<E
             Start::Lamina { .. } => None,
         })
         .collect();
-    let settle = |start: [f64; 6], mut end: [f64; 6], work: f64| {
-        let mut start = start;
-        if work >= 0.0 {
-            start[4] = work
-        } else {
-            end[4] = -work
-        }
-        Energies { start, end }
-    };
     // Couples on bodies that also move: their work has the sign that makes the bars equal.
     let turning: f64 = scene
         .couples
@@ -148,7 +124,9 @@ pub fn energies(problem: &Problem, variant: &Variant, words: &Words) -> Option<E
     let thrown = scene.thrown().is_some();
     let mut tries = Vec::new();
     for sign in [1.0, -1.0] {
-        let mut first = settle(start, end, work + sign * turning);
+        let work = work + sign * turning;
+        let mut first = Energies { start, end };
+        *(if work >= 0.0 { &mut first.start[4] } else { &mut first.end[4] }) = work.abs();
         if thrown {
             for (b, degree, v) in &given {
                 let body = &scene.bodies[*b];
@@ -176,6 +154,23 @@ pub fn energies(problem: &Problem, variant: &Variant, words: &Words) -> Option<E
         a > 0.0 && (a - b).abs() <= EQUAL * a.max(b)
     };
     tries.into_iter().find(|e| whole(e) && equal(e))
+}
+
+/// Energies of the spring of a pinned body at the start and at the end; `None` where its force was not found.
+fn spring_of(view: &SceneView, body: usize, pin: &Pin, spring: &PinSpring) -> Option<(f64, f64)> {
+    let k = view.of(spring.stiffness_n_m);
+    let found = |of: Owner| view.solved(Quantity::SpringForce, of);
+    let force = found(Owner::Body(body)).or_else(|| found(Owner::Scene))?;
+    let stretch = match spring.rest {
+        Rest::Stretch(x) => view.of(x),
+        Rest::Length(l) => {
+            let (s, c) = trig::sin_cos_degrees(view.of(pin.start_deg));
+            let up = if pin.from == Zero::Upright { c.hi } else { -c.hi };
+            let held = vec2(s.hi, up) * view.of(spring.at_m);
+            (vec2(view.of(spring.x_m), view.of(spring.y_m)) - held).length() - view.of(l)
+        }
+    };
+    Some((0.5 * k * stretch * stretch, 0.5 * force * force / k))
 }
 
 /// The bars; `None` where [`energies`] has none.

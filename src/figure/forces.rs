@@ -9,9 +9,9 @@ use crate::figure::layout;
 use crate::figure::layout::BodyLook;
 use crate::figure::layout::Placed;
 use crate::figure::names;
+use crate::figure::parts;
 use crate::figure::pinned::Hung;
 use crate::figure::say;
-use crate::figure::scene;
 use crate::figure::view::SceneView;
 use crate::num::shown;
 use crate::num::trig;
@@ -70,6 +70,13 @@ struct ForceArrow {
     most: f64,
     /// How far its arrow is drawn from its line of action, to be seen.
     aside: Vec2,
+}
+
+impl ForceArrow {
+    /// A pull, as long as the others.
+    fn new(at: Vec2, towards: Vec2, value: f64, label: Vec<TextRun>) -> Self {
+        Self { at, value, towards, label, role: Role::Force, push: false, most: LONGEST, aside: Vec2::ZERO }
+    }
 }
 
 /// A couple on the body: counter-clockwise positive.
@@ -199,16 +206,7 @@ fn moving<'a>(view: &'a SceneView<'a>, body: usize) -> Option<Diagram<'a>> {
     let this = &view.scene.bodies[body];
     let mass = view.kilograms(this);
     let weight = mass * view.of(view.scene.gravity_m_s2);
-    let mut forces = vec![ForceArrow {
-        at: p.centre,
-        value: weight,
-        towards: Vec2::DOWN,
-        label: names::weight(view, body),
-        role: Role::Force,
-        push: false,
-        most: LONGEST,
-        aside: Vec2::ZERO,
-    }];
+    let mut forces = vec![ForceArrow::new(p.centre, Vec2::DOWN, weight, names::weight(view, body))];
     let (mut a, mut alpha) = (found(view, Quantity::A, body), found(view, Quantity::Alpha, body));
     if p.on.is_some() {
         if p.top.y > 0.97 && p.contact > 40.0 {
@@ -231,16 +229,12 @@ fn moving<'a>(view: &'a SceneView<'a>, body: usize) -> Option<Diagram<'a>> {
     if this.line.is_none() {
         // The axle holds the sum of all others.
         let sum = forces.iter().fold(Vec2::ZERO, |s, f| s + f.towards * f.value);
-        let axle = ForceArrow {
-            at: p.centre,
-            value: sum.length(),
-            towards: (-sum).unit(),
-            label: symbol::symbol(&names::of_body(view, body, &["O", "O_A"], |b| b.line.is_none())),
-            role: Role::Force,
-            push: false,
-            most: LONGEST,
-            aside: Vec2::ZERO,
-        };
+        let axle = ForceArrow::new(
+            p.centre,
+            (-sum).unit(),
+            sum.length(),
+            symbol::symbol(&names::of_body(view, body, &["O", "O_A"], |b| b.line.is_none())),
+        );
         if this.massless() {
             unknown = Some(axle);
         } else {
@@ -251,22 +245,14 @@ fn moving<'a>(view: &'a SceneView<'a>, body: usize) -> Option<Diagram<'a>> {
     if this.line.is_some() {
         let mut label = names::mass(view, body);
         let symbol = symbol::symbol(&names::of_body(view, body, &["a", "a_G"], |b| b.line.is_some()));
-        label.extend(names::magnitude(symbol, a < 0.0));
-        parts.push(ForceArrow {
-            at: p.centre,
-            value: a * mass,
-            towards: p.forward,
-            label,
-            role: Role::Motion,
-            push: false,
-            most: LONGEST,
-            aside: Vec2::ZERO,
-        });
+        label.extend(symbol::magnitude(symbol, a < 0.0));
+        parts
+            .push(ForceArrow { role: Role::Motion, ..ForceArrow::new(p.centre, p.forward, a * mass, label) });
     }
     let turn = this.turns.then(|| {
         let mut label = symbol::symbol(&names::of_body(view, body, &["I_G", "J_G"], |_| false));
         let symbol = names::of_body(view, body, &[r"\alpha", r"\dot{\omega}"], |b| b.turns);
-        label.extend(names::magnitude(symbol::symbol(&symbol), alpha < 0.0));
+        label.extend(symbol::magnitude(symbol::symbol(&symbol), alpha < 0.0));
         Turning { value: alpha * view.inertia(this) * if p.clockwise { -1.0 } else { 1.0 }, label }
     });
     let kinetic = Kinetic { parts, turn, round: p.reach(Vec2::RIGHT) + 10.0 };
@@ -278,8 +264,8 @@ fn moving<'a>(view: &'a SceneView<'a>, body: usize) -> Option<Diagram<'a>> {
             let long = p.reach(p.forward) + 22.0;
             board.line(at - p.forward * long, at + p.forward * long, Role::Ghost);
         }
-        scene::outline(board, &p);
-        scene::inside(board, &p);
+        parts::outline(board, &p);
+        parts::inside(board, &p);
         if matches!(p.look, BodyLook::Block { .. }) {
             board.dot(p.centre);
         }
@@ -307,7 +293,7 @@ fn couples_on<'v>(view: &SceneView<'v>, body: usize) -> impl Iterator<Item = &'v
 fn moment(view: &SceneView, couple: &Couple) -> Vec<TextRun> {
     let given = view.symbol(couple.moment_n_m);
     let symbol = if given.is_empty() { symbol::symbol("M") } else { given };
-    names::magnitude(symbol, view.of(couple.moment_n_m) < 0.0)
+    symbol::magnitude(symbol, view.of(couple.moment_n_m) < 0.0)
 }
 
 /// Normal force and friction.
@@ -347,28 +333,24 @@ fn contact(
         friction = -friction;
     }
     forces.push(ForceArrow {
-        at,
-        value: normal,
-        towards: p.top,
-        label: symbol::symbol(&names::of_body(view, body, &["N", "N_s"], |b| {
-            b.line.is_some_and(|l| l.surface)
-        })),
-        role: Role::Force,
         push: true,
-        most: LONGEST,
-        aside: Vec2::ZERO,
+        ..ForceArrow::new(
+            at,
+            p.top,
+            normal,
+            symbol::symbol(&names::of_body(view, body, &["N", "N_s"], |b| b.line.is_some_and(|l| l.surface))),
+        )
     });
     let signed = whose(Quantity::Friction).unwrap_or(friction);
     let negative = if view.scene.thrown().is_some() { friction < 0.0 } else { signed < 0.0 };
     forces.push(ForceArrow {
-        at,
-        value: friction,
-        towards: p.forward,
-        label: names::magnitude(symbol::symbol(&names::friction(view, body)), negative),
         role: Role::Friction,
-        push: false,
-        most: LONGEST,
-        aside: Vec2::ZERO,
+        ..ForceArrow::new(
+            at,
+            p.forward,
+            friction,
+            symbol::magnitude(symbol::symbol(&names::friction(view, body)), negative),
+        )
     });
 }
 
@@ -421,16 +403,7 @@ fn cords(
                     symbol::symbol(&names::tension(view, run.tie)),
                 ),
             };
-            forces.push(ForceArrow {
-                at,
-                value,
-                towards: *towards,
-                label: names::magnitude(label, value < 0.0),
-                role: Role::Force,
-                push: false,
-                most: LONGEST,
-                aside: Vec2::ZERO,
-            });
+            forces.push(ForceArrow::new(at, *towards, value, symbol::magnitude(label, value < 0.0)));
         }
     }
 }
@@ -456,15 +429,8 @@ fn swinging<'a>(view: &'a SceneView<'a>, body: usize, pin: &Pin) -> Diagram<'a> 
     };
     let (radial, tangential) =
         (found(view, Quantity::PinRadial, body), found(view, Quantity::PinTangential, body));
-    let force = |at: Vec2, value: f64, towards: Vec2, label: Vec<TextRun>| ForceArrow {
-        at,
-        value,
-        towards,
-        label: names::magnitude(label, value < 0.0),
-        role: Role::Force,
-        push: false,
-        most: LONGEST,
-        aside: Vec2::ZERO,
+    let force = |at: Vec2, value: f64, towards: Vec2, label: Vec<TextRun>| {
+        ForceArrow::new(at, towards, value, symbol::magnitude(label, value < 0.0))
     };
     let weight = mass * view.of(view.scene.gravity_m_s2);
     let mut forces = vec![
@@ -501,28 +467,22 @@ fn swinging<'a>(view: &'a SceneView<'a>, body: usize, pin: &Pin) -> Diagram<'a> 
     }
     let parts = vec![
         ForceArrow {
-            at: g,
-            value: mass * metres * omega * omega,
-            towards: -d,
-            label: with_mass(symbol::symbol("a_n")),
             role: Role::Motion,
-            push: false,
-            most: LONGEST,
             aside: beside(alpha),
+            ..ForceArrow::new(g, -d, mass * metres * omega * omega, with_mass(symbol::symbol("a_n")))
         },
         ForceArrow {
-            at: g,
-            value: mass * metres * alpha,
-            towards: across,
-            label: with_mass(names::magnitude(symbol::symbol("a_t"), alpha < 0.0)),
             role: Role::Motion,
-            push: false,
-            most: LONGEST,
-            aside: Vec2::ZERO,
+            ..ForceArrow::new(
+                g,
+                across,
+                mass * metres * alpha,
+                with_mass(symbol::magnitude(symbol::symbol("a_t"), alpha < 0.0)),
+            )
         },
     ];
     let mut label = name(&["I_G", "J_G"]);
-    label.extend(names::magnitude(name(&[r"\alpha", r"\alpha_1"]), alpha < 0.0));
+    label.extend(symbol::magnitude(name(&[r"\alpha", r"\alpha_1"]), alpha < 0.0));
     let sense = if hung.clockwise() { -1.0 } else { 1.0 };
     let turn = Some(Turning { value: alpha * view.inertia(this) * sense, label });
     let draw = move |board: &mut Board| {

@@ -185,6 +185,24 @@ struct Builder<'a> {
     limits: Vec<Option<f64>>,
 }
 
+/// Two bodies that a cord joins.
+struct Joint {
+    near: CordEnd,
+    far: CordEnd,
+    from: Placed,
+    to: Placed,
+    /// Did the second one stand before?
+    placed: bool,
+    /// Surfaces that were there before.
+    grounds: usize,
+    /// Directions in which the cord leaves both.
+    away: Vec2,
+    back: Vec2,
+    /// Where it leaves the first one, and where it is seen to.
+    at: Vec2,
+    start: Vec2,
+}
+
 /// Outermost radius of a body that turns, m: the largest that is given, or as for a disc where the given ones lie within
 /// its radius of gyration.
 pub fn outer_m(view: &SceneView, body: usize) -> f64 {
@@ -552,150 +570,144 @@ impl Builder<'_> {
         let from = self.bodies[near.body].clone().expect("a placed body");
         let known = self.bodies[far.body].clone();
         let grounds = self.grounds.len();
-        let mirrored = from.on.is_some();
-        let mut to = match &known {
-            Some(p) => p.clone(),
-            None => self.loose(far.body, mirrored),
-        };
-        let leaves = self.leaves(&from, near);
+        let placed = known.is_some();
+        let to = known.unwrap_or_else(|| self.loose(far.body, from.on.is_some()));
         let arrives = self.leaves(&to, far);
-        let away = match (leaves, arrives) {
+        let away = match (self.leaves(&from, near), arrives) {
             (Some(e), _) => e,
             (None, Some(e)) => -e,
-            (None, None) => match &known {
-                Some(p) => (p.centre - from.centre).unit(),
-                // From axle to axle: to the left and a little down, clear of what hangs.
-                None => vec2(-1.0, -0.25).unit(),
-            },
+            (None, None) if placed => (to.centre - from.centre).unit(),
+            // From axle to axle: to the left and a little down, clear of what hangs.
+            (None, None) => vec2(-1.0, -0.25).unit(),
         };
         let back = arrives.unwrap_or_else(|| -away);
         let (at, _) = self.attach(&from, near, away);
-        let straight = away.dot(back) < -0.999;
         let mut pieces: Vec<CordPiece> = self.wound(&from, near, away).into_iter().collect();
         let start = Self::visible(&from, near, at, away);
-        let mut guide = None;
-        let end;
-        if straight {
-            if known.is_none() {
-                let hangs = away.y < -0.7 && from.on.is_none();
-                let stagger = if hangs { self.hanging[near.body] as f64 * 30.0 } else { 0.0 };
-                let far_axle = self.view.scene.bodies[far.body].line.is_none();
-                let long = from.reach(away)
-                    + to.reach(away)
-                    + if hangs {
-                        40.0 + stagger
-                    } else if far_axle {
-                        74.0
-                    } else {
-                        58.0
-                    };
-                let target = at + away * long;
-                // Where the cord meets a body standing at the origin.
-                let (own, _) = self.attach(&to, far, back);
-                to.centre = target - (own - to.centre);
-                if let Some(ground) = to.on {
-                    let g = &mut self.grounds[ground];
-                    if ground >= grounds {
-                        g.origin = to.centre - g.out * to.contact;
-                    } else {
-                        // On the same surface: a block is as high as the cord wants.
-                        let s = (to.centre - g.origin).dot(g.up);
-                        let high = (target - g.origin).dot(g.out);
-                        if let (BodyLook::Block { along, across }, Attach::Centre) =
-                            (&mut to.look, far.attach)
-                            && (12.0..50.0).contains(&high)
-                        {
-                            *across = high;
-                            *along = along.max(high * 1.15);
-                            to.contact = high;
-                        }
-                        to.centre = g.origin + g.up * s + g.out * to.contact;
-                    }
-                }
-                if hangs {
-                    self.hanging[near.body] += 1;
-                }
-                // An axle at the end of a surface: the surface stops before it.
-                if let (Some(ground), true) = (from.on, far_axle) {
-                    let g = &self.grounds[ground];
-                    let s = (to.centre - g.origin).dot(g.up);
-                    let toward_up = away.dot(g.up) > 0.0;
-                    if toward_up {
-                        self.limits[ground] = Some(s - to.reach(g.up) - 7.0);
-                    }
-                }
-            }
-            let (own, _) = self.attach(&to, far, back);
-            let seen = Self::visible(&to, far, own, back);
-            // Parallel to the line that both share: where the block is too low, a post holds the cord.
-            let high = (start - seen).dot(away.left());
-            end = if let (Some(_), BodyLook::Block { across, .. }) = (to.on, &to.look)
-                && to.on == from.on
-                && high.abs() > across + 2.0
-            {
-                let top = to.centre + away.left() * high;
-                let foot = to.centre + away.left() * (across * high.signum());
-                pieces.push(CordPiece::Post(foot, top));
-                top
-            } else {
-                seen
-            };
-            pieces.push(CordPiece::Straight(start, end));
+        let mut joint = Joint { near, far, from, to, placed, grounds, away, back, at, start };
+        let guide = if away.dot(back) < -0.999 {
+            self.straight(&mut joint, &mut pieces);
+            None
         } else {
-            // Over a guide pulley: the cord turns the short way.
-            let travel = -back;
-            let turn = away.cross(travel);
-            let clockwise = turn < 1e-9;
-            let inward = |d: Vec2| if clockwise { d.right() } else { d.left() };
-            let both_hang = away.dot(back) > 0.9;
-            let half = |p: &Placed| p.reach(away.right());
-            let radius = if both_hang { ((half(&from) + half(&to)) / 2.0 + 12.0).max(GUIDE) } else { GUIDE };
-            let long = from.reach(away) + radius + if both_hang { 70.0 } else { 52.0 };
-            let first = at + away * long;
-            let centre = first + inward(away) * radius;
-            let second = centre - inward(travel) * radius;
-            guide = Some((centre, radius));
-            let (a, b) = ((first - centre).angle(), (second - centre).angle());
-            let mut b = b;
-            while clockwise && b > a {
-                b -= 2.0 * PI;
-            }
-            while !clockwise && b < a {
-                b += 2.0 * PI;
-            }
-            pieces.push(CordPiece::Straight(start, first));
-            pieces.push(CordPiece::Round(centre, radius, a, b));
-            if known.is_none() {
-                let drop = to.reach(travel) + radius + if both_hang { 96.0 } else { 50.0 };
-                let target = second + travel * drop;
-                let (own, _) = self.attach(&to, far, back);
-                to.centre = target - (own - to.centre);
-                if let Some(ground) = to.on
-                    && ground >= grounds
-                {
-                    let g = &mut self.grounds[ground];
-                    g.origin = to.centre - g.out * to.contact;
-                    let s = (centre - g.origin).dot(g.up);
-                    self.limits[ground] = Some(s - radius - 5.0);
-                }
-                if let Some(ground) = from.on {
-                    let g = &self.grounds[ground];
-                    let s = (centre - g.origin).dot(g.up);
-                    if away.dot(g.up) > 0.0 {
-                        self.limits[ground] = Some(s - radius - 5.0);
-                    }
-                }
-            }
-            let (own, _) = self.attach(&to, far, back);
-            end = Self::visible(&to, far, own, back);
-            pieces.push(CordPiece::Straight(second, end));
-        }
-        pieces.extend(self.wound(&to, far, back));
-        if known.is_none() {
-            self.bodies[far.body] = Some(to);
-        }
+            Some(self.guided(&mut joint, &mut pieces))
+        };
+        pieces.extend(self.wound(&joint.to, far, back));
+        self.bodies[far.body] = Some(joint.to);
         let ends = vec![(near.body, away), (far.body, back)];
         CordRun { tie, pieces, stop: CordStop::Body, guide, leaves: (at, away), at: ends }
+    }
+
+    /// Moves the second body to where the cord meets it at this point; a surface that came with it comes along.
+    fn meet(&mut self, joint: &mut Joint, target: Vec2) {
+        let (own, _) = self.attach(&joint.to, joint.far, joint.back);
+        joint.to.centre = target - (own - joint.to.centre);
+        if let Some(ground) = joint.to.on.filter(|g| *g >= joint.grounds) {
+            let g = &mut self.grounds[ground];
+            g.origin = joint.to.centre - g.out * joint.to.contact;
+        }
+    }
+
+    /// The point at which the cord is seen to meet the second body.
+    fn met(&self, joint: &Joint) -> Vec2 {
+        let (own, _) = self.attach(&joint.to, joint.far, joint.back);
+        Self::visible(&joint.to, joint.far, own, joint.back)
+    }
+
+    /// A cord whose ends point at each other.
+    fn straight(&mut self, joint: &mut Joint, pieces: &mut Vec<CordPiece>) {
+        if !joint.placed {
+            self.place_along(joint);
+        }
+        let Joint { from, to, away, start, .. } = &*joint;
+        let seen = self.met(joint);
+        // Parallel to the line that both share: where the block is too low, a post holds the cord.
+        let high = (*start - seen).dot(away.left());
+        let end = if let (Some(_), BodyLook::Block { across, .. }) = (to.on, &to.look)
+            && to.on == from.on
+            && high.abs() > across + 2.0
+        {
+            let top = to.centre + away.left() * high;
+            let foot = to.centre + away.left() * (across * high.signum());
+            pieces.push(CordPiece::Post(foot, top));
+            top
+        } else {
+            seen
+        };
+        pieces.push(CordPiece::Straight(*start, end));
+    }
+
+    /// Places the second body of a straight cord.
+    fn place_along(&mut self, joint: &mut Joint) {
+        let Joint { from, to, away, .. } = &*joint;
+        let hangs = away.y < -0.7 && from.on.is_none();
+        let far_axle = self.view.scene.bodies[joint.far.body].line.is_none();
+        let free = match (hangs, far_axle) {
+            (true, _) => 40.0 + self.hanging[joint.near.body] as f64 * 30.0,
+            (false, true) => 74.0,
+            (false, false) => 58.0,
+        };
+        let target = joint.at + *away * (from.reach(*away) + to.reach(*away) + free);
+        self.meet(joint, target);
+        let Joint { near, far, from, to, away, grounds, .. } = joint;
+        if let Some(g) = to.on.filter(|g| *g < *grounds).map(|g| &self.grounds[g]) {
+            // On the same surface: a block is as high as the cord wants.
+            let s = (to.centre - g.origin).dot(g.up);
+            let high = (target - g.origin).dot(g.out);
+            if let (BodyLook::Block { along, across }, Attach::Centre) = (&mut to.look, far.attach)
+                && (12.0..50.0).contains(&high)
+            {
+                *across = high;
+                *along = along.max(high * 1.15);
+                to.contact = high;
+            }
+            to.centre = g.origin + g.up * s + g.out * to.contact;
+        }
+        if hangs {
+            self.hanging[near.body] += 1;
+        }
+        // An axle at the end of a surface: the surface stops before it.
+        if let Some(ground) = from.on.filter(|_| far_axle) {
+            let g = &self.grounds[ground];
+            if away.dot(g.up) > 0.0 {
+                self.limits[ground] = Some((to.centre - g.origin).dot(g.up) - to.reach(g.up) - 7.0);
+            }
+        }
+    }
+
+    /// A cord over a guide pulley, which is told: it turns the short way.
+    fn guided(&mut self, joint: &mut Joint, pieces: &mut Vec<CordPiece>) -> (Vec2, f64) {
+        let Joint { from, to, away, back, at, start, .. } = &*joint;
+        let (away, travel) = (*away, -*back);
+        let clockwise = away.cross(travel) < 1e-9;
+        let inward = |d: Vec2| if clockwise { d.right() } else { d.left() };
+        let both_hang = away.dot(*back) > 0.9;
+        let half = |p: &Placed| p.reach(away.right());
+        let radius = if both_hang { ((half(from) + half(to)) / 2.0 + 12.0).max(GUIDE) } else { GUIDE };
+        let first = *at + away * (from.reach(away) + radius + if both_hang { 70.0 } else { 52.0 });
+        let centre = first + inward(away) * radius;
+        let second = centre - inward(travel) * radius;
+        let (a, mut b) = ((first - centre).angle(), (second - centre).angle());
+        while clockwise && b > a {
+            b -= 2.0 * PI;
+        }
+        while !clockwise && b < a {
+            b += 2.0 * PI;
+        }
+        pieces.push(CordPiece::Straight(*start, first));
+        pieces.push(CordPiece::Round(centre, radius, a, b));
+        if !joint.placed {
+            let drop = to.reach(travel) + radius + if both_hang { 96.0 } else { 50.0 };
+            self.meet(joint, second + travel * drop);
+            // Surfaces end before the pulley.
+            let fresh = joint.to.on.filter(|g| *g >= joint.grounds);
+            let below = joint.from.on.filter(|g| away.dot(self.grounds[*g].up) > 0.0);
+            for ground in [fresh, below].into_iter().flatten() {
+                let g = &self.grounds[ground];
+                self.limits[ground] = Some((centre - g.origin).dot(g.up) - radius - 5.0);
+            }
+        }
+        pieces.push(CordPiece::Straight(second, self.met(joint)));
+        (centre, radius)
     }
 
     /// How far each surface goes.

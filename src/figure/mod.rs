@@ -14,6 +14,7 @@ pub mod graph;
 pub mod lamina;
 pub mod layout;
 pub mod names;
+pub mod parts;
 pub mod pinned;
 pub mod say;
 pub mod scene;

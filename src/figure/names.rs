@@ -160,14 +160,3 @@ pub fn weight(view: &SceneView, body: usize) -> Vec<TextRun> {
     runs.extend(if g.is_empty() { symbol::symbol("g") } else { g });
     runs
 }
-
-/// A symbol between bars where the value is negative: its arrow shows the actual sense.
-pub fn magnitude(runs: Vec<TextRun>, negative: bool) -> Vec<TextRun> {
-    if !negative {
-        return runs;
-    }
-    let mut out = symbol::upright("|");
-    out.extend(runs);
-    out.extend(symbol::upright("|"));
-    out
-}

@@ -1,11 +1,10 @@
 //! The picture of a pinned body: at its start, with the position considered as a ghost.
+use crate::figure::parts;
 use crate::figure::view::SceneView;
 use crate::picture::Role;
 use crate::picture::RunStyle;
 use crate::picture::board::Board;
 use crate::picture::board::LabelTie;
-use crate::picture::board::LabelWish;
-use crate::picture::board::TEXT;
 use crate::picture::symbol;
 use crate::picture::vector::Vec2;
 use crate::picture::vector::vec2;
@@ -15,6 +14,7 @@ use crate::scene::Degree;
 use crate::scene::End;
 use crate::scene::Num;
 use crate::scene::Pin;
+use crate::scene::PinSpring;
 use crate::scene::Rest;
 use crate::scene::RotaryInertia;
 use crate::scene::Shape;
@@ -72,6 +72,11 @@ impl Hung {
             round: round * scale,
             upright: pin.from == Zero::Upright,
         }
+    }
+
+    /// How far it reaches from the pin beyond its mass centre.
+    fn far(&self) -> f64 {
+        self.rod.map_or(self.arm + self.round, |(_, to)| to)
     }
 
     /// Direction from the pin to the mass centre at an angle in degrees.
@@ -158,14 +163,14 @@ pub fn draw(board: &mut Board, view: &SceneView, index: usize) {
         _ => None,
     };
     let d = hung.direction(start);
-    let far = hung.rod.map_or(hung.arm + hung.round, |(_, to)| to);
+    let far = hung.far();
     let zero = hung.direction(0.0);
     let bearing = free_side(&hung, start, end.map(|e| e.1));
     if hung.rod.is_some() {
         support(board, bearing);
     }
     // The direction from which angles count, unless the body covers it.
-    board.line(Vec2::ZERO + zero * 8.0, Vec2::ZERO + zero * (far * 0.72 + 14.0), Role::Ghost);
+    board.line(zero * 8.0, zero * (far * 0.72 + 14.0), Role::Ghost);
     if let Some((_, degrees)) = end
         && (degrees - start).abs() > 1.0
     {
@@ -175,12 +180,12 @@ pub fn draw(board: &mut Board, view: &SceneView, index: usize) {
     if hung.rod.is_none() {
         // The lines between which the angles are, and the support, in front.
         for degrees in end.map(|e| e.1).into_iter().chain([start]) {
-            board.line(Vec2::ZERO, Vec2::ZERO + hung.direction(degrees) * hung.arm, Role::Ghost);
+            board.line(Vec2::ZERO, hung.direction(degrees) * hung.arm, Role::Ghost);
         }
-        board.line(Vec2::ZERO, Vec2::ZERO + zero * (far * 0.72 + 14.0), Role::Ghost);
+        board.line(Vec2::ZERO, zero * (far * 0.72 + 14.0), Role::Ghost);
         support(board, bearing);
     }
-    let g = Vec2::ZERO + d * hung.arm;
+    let g = d * hung.arm;
     let mut angles = vec![(pin.start_deg, start, 0.0)];
     if let Some((n, degrees)) = end {
         angles.push((n, degrees, 24.0));
@@ -202,46 +207,55 @@ pub fn draw(board: &mut Board, view: &SceneView, index: usize) {
     }
     sizes(board, view, body, pin, &hung, end.map(|e| e.1));
     if let Some(spring) = &pin.spring {
-        let anchor = vec2(view.of(spring.x_m) * hung.scale, view.of(spring.y_m) * hung.scale);
-        let held = Vec2::ZERO + d * (view.of(spring.at_m) * hung.scale);
-        let long = (held - anchor).length();
-        if long > 12.0 {
-            board.spring(anchor, held, 9, 7.5);
-        } else {
-            board.line(anchor, held, Role::Spring);
-        }
-        let pull = (held - anchor).unit();
-        let side = pull.left() * 15.0;
-        board.hatch(anchor - side, anchor + side, -pull);
-        board.line(anchor - side, anchor + side, Role::Ground);
-        board.dot(held);
-        board.label(
-            vec![vec![symbol::run("A", RunStyle::Italic)]],
-            Role::Dot,
-            (LabelTie::Near, 4.0),
-            vec![(anchor - pull * 9.0, -pull), (anchor + Vec2::UP * 14.0, Vec2::UP)],
-        );
-        let rest = match spring.rest {
-            Rest::Length(n) | Rest::Stretch(n) => view.label(n, "m"),
-        };
-        let mid = anchor.middle(held);
-        let out = if pull.left().dot(vec2(1.0, 0.6)) > 0.0 { pull.left() } else { pull.right() };
-        board.label(
-            vec![view.label(spring.stiffness_n_m, "N/m"), rest],
-            Role::Spring,
-            (LabelTie::Leader, 4.0),
-            vec![(mid + out * 10.0, out), (mid - out * 10.0, -out)],
-        );
-        for (num, from, to, out) in [
-            (spring.y_m, Vec2::ZERO, vec2(0.0, anchor.y), Vec2::LEFT),
-            (spring.x_m, vec2(0.0, anchor.y), anchor, vec2(0.0, anchor.y.signum())),
-        ] {
-            if (to - from).length() > 2.0 {
-                let off = if out.x < 0.0 { 78.0 } else { 40.0 };
-                dimension(board, from, to, out, off, view.label(num, "m"));
-            }
+        spring_of(board, view, &hung, spring, d);
+    }
+    turns(board, view, index, &hung, d);
+}
+
+/// The spring of a body that points in this direction, with its anchor and its dimensions.
+fn spring_of(board: &mut Board, view: &SceneView, hung: &Hung, spring: &PinSpring, d: Vec2) {
+    let anchor = vec2(view.of(spring.x_m) * hung.scale, view.of(spring.y_m) * hung.scale);
+    let held = d * (view.of(spring.at_m) * hung.scale);
+    let long = (held - anchor).length();
+    if long > 12.0 {
+        board.spring(anchor, held, 9, 7.5);
+    } else {
+        board.line(anchor, held, Role::Spring);
+    }
+    let pull = (held - anchor).unit();
+    parts::wall(board, anchor, -pull, 15.0, -15.0);
+    board.dot(held);
+    board.label(
+        vec![vec![symbol::run("A", RunStyle::Italic)]],
+        Role::Dot,
+        (LabelTie::Near, 4.0),
+        vec![(anchor - pull * 9.0, -pull), (anchor + Vec2::UP * 14.0, Vec2::UP)],
+    );
+    let rest = match spring.rest {
+        Rest::Length(n) | Rest::Stretch(n) => view.label(n, "m"),
+    };
+    let mid = anchor.middle(held);
+    let out = if pull.left().dot(vec2(1.0, 0.6)) > 0.0 { pull.left() } else { pull.right() };
+    board.label(
+        vec![view.label(spring.stiffness_n_m, "N/m"), rest],
+        Role::Spring,
+        (LabelTie::Leader, 4.0),
+        vec![(mid + out * 10.0, out), (mid - out * 10.0, -out)],
+    );
+    for (num, from, to, out) in [
+        (spring.y_m, Vec2::ZERO, vec2(0.0, anchor.y), Vec2::LEFT),
+        (spring.x_m, vec2(0.0, anchor.y), anchor, vec2(0.0, anchor.y.signum())),
+    ] {
+        if (to - from).length() > 2.0 {
+            let off = if out.x < 0.0 { 78.0 } else { 40.0 };
+            dimension(board, from, to, out, off, view.label(num, "m"));
         }
     }
+}
+
+/// Couples and the spin at the start of a body that points in this direction, in the sense that they have.
+fn turns(board: &mut Board, view: &SceneView, index: usize, hung: &Hung, d: Vec2) {
+    let far = hung.far();
     for couple in view.scene.couples.iter().filter(|c| c.body == index) {
         let forward = couple.forward == (view.of(couple.moment_n_m) >= 0.0);
         let clockwise = hung.clockwise() == forward;
@@ -251,7 +265,7 @@ pub fn draw(board: &mut Board, view: &SceneView, index: usize) {
         let spot = Vec2::polar(from + (to - from) * 0.15);
         board.wish(
             view.size_label(couple.moment_n_m, "N·m"),
-            vec![(Vec2::ZERO + spot * 26.0, spot), (Vec2::ZERO + Vec2::polar(to) * 26.0, Vec2::polar(to))],
+            vec![(spot * 26.0, spot), (Vec2::polar(to) * 26.0, Vec2::polar(to))],
             Role::Force,
         );
     }
@@ -266,7 +280,7 @@ pub fn draw(board: &mut Board, view: &SceneView, index: usize) {
         let mid = d.angle();
         board.curved_arrow(Vec2::ZERO, radius, mid - sense * 0.02, mid + sense * 0.3, Role::Motion);
         let at = Vec2::polar(mid + sense * 0.16);
-        board.wish(view.size_label(num, "rad/s"), vec![(Vec2::ZERO + at * radius, at)], Role::Motion);
+        board.wish(view.size_label(num, "rad/s"), vec![(at * radius, at)], Role::Motion);
     }
 }
 
@@ -288,16 +302,13 @@ fn arc(board: &mut Board, view: &SceneView, hung: &Hung, num: Num, degrees: f64,
     }
     let at = |share: f64| {
         let d = Vec2::polar(zero + (to - zero) * share);
-        (Vec2::ZERO + d * radius, d)
+        (d * radius, d)
     };
     let mut spots = vec![at(0.5), at(0.35), at(0.65), at(0.2), at(0.8), at(1.0)];
     if degrees.abs() < 25.0 {
         // No room between the lines: before them.
         let d = Vec2::polar(zero - (to - zero).signum() * 0.12);
-        spots.insert(
-            0,
-            (Vec2::ZERO + d * radius, hung.across(0.0) * (if degrees < 0.0 { 1.0 } else { -1.0 })),
-        );
+        spots.insert(0, (d * radius, hung.across(0.0) * (if degrees < 0.0 { 1.0 } else { -1.0 })));
     }
     board.wish(label, spots, Role::Dimension);
 }
@@ -311,7 +322,7 @@ fn sizes(board: &mut Board, view: &SceneView, body: &Body, pin: &Pin, hung: &Hun
     let full = pin.spring.is_some() || (1.0..35.0).contains(&start.abs());
     let out = if full && hung.rod.is_some() { -away } else { away };
     let off = if pin.spring.is_some() { 20.0 } else { 28.0 };
-    let at = |far: f64| Vec2::ZERO + d * far;
+    let at = |far: f64| d * far;
     let mut rows = Vec::new();
     match (&body.inertia, pin.arm, hung.rod) {
         (Some(RotaryInertia::Shape(Shape::Rod, l)), arm, Some((from, to))) => {
@@ -343,7 +354,7 @@ fn sizes(board: &mut Board, view: &SceneView, body: &Body, pin: &Pin, hung: &Hun
     if let Some((n, weight)) = view.mass(body) {
         rows.insert(0, view.label(n, if weight { "N" } else { "kg" }));
     }
-    let far = hung.rod.map_or(hung.arm + hung.round, |(_, to)| to);
+    let far = hung.far();
     let spots = match hung.rod {
         Some(_) => {
             vec![(at(far), d), (at(far * 0.8), -out), (at(far), (d + -out).unit())]

@@ -2,11 +2,10 @@
 use crate::figure::layout::Placed;
 use crate::figure::layout::SceneLayout;
 use crate::figure::names;
-use crate::figure::scene;
+use crate::figure::parts;
 use crate::figure::view::SceneView;
 use crate::picture::symbol;
 use crate::picture::vector::Vec2;
-use crate::picture::vector::vec2;
 use crate::scene::Arm;
 use crate::scene::Attach;
 use crate::scene::Body;
@@ -161,7 +160,7 @@ pub fn mechanism(view: &SceneView, plan: &SceneLayout, told: bool, out: &mut Vec
         if view.scene.start.iter().any(given) {
             continue;
         }
-        if body.turns && p.reach(Vec2::RIGHT) > scene::SMALL {
+        if body.turns && p.reach(Vec2::RIGHT) > parts::SMALL {
             let name = if p.clockwise { "clockwise" } else { "counter" };
             list.push(view.words.get(&format!("figure.turn.{name}")).to_owned());
         }

@@ -1,7 +1,6 @@
 //! A variant as a picture sees it: numbers of the scene, their symbols and drawn values as label text, words.
 use crate::bank::FigureLabels;
 use crate::bank::Problem;
-use crate::figure::names;
 use crate::picture::RunStyle;
 use crate::picture::TextRun;
 use crate::picture::symbol;
@@ -120,7 +119,7 @@ impl<'a> SceneView<'a> {
     /// Label of the size of a number whose sense an arrow shows: `|ω_0| = 11 rad/s` of -11 rad/s.
     pub fn size_label(&self, num: Num, unit: &str) -> Vec<TextRun> {
         if self.labels == FigureLabels::Symbols && !self.symbol(num).is_empty() {
-            return names::magnitude(self.symbol(num), self.of(num) < 0.0);
+            return symbol::magnitude(self.symbol(num), self.of(num) < 0.0);
         }
         self.size_runs(num, unit)
     }
@@ -137,7 +136,7 @@ impl<'a> SceneView<'a> {
         }
         match self.symbol(num) {
             symbol if symbol.is_empty() => value,
-            symbol => joined(names::magnitude(symbol, self.of(num) < 0.0), value),
+            symbol => joined(symbol::magnitude(symbol, self.of(num) < 0.0), value),
         }
     }
 

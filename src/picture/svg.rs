@@ -85,13 +85,13 @@ pub fn escaped(text: &str) -> String {
     out
 }
 
-/// The begin of a picture for the screen: size, what it shows for those who do not see it, style. `id` tells the pictures of one
-/// page apart.
+/// The begin of a picture for the screen: size, what it shows for those who do not see it, the element with its style. `id` tells
+/// the pictures of one page apart.
 pub fn opening(class: &str, id: &str, size: Vec2, (title, desc): (&str, &str), style: &str) -> String {
     let (id, title, desc) = (escaped(id), escaped(title), escaped(desc));
     let (w, h) = (Px(size.x), Px(size.y));
     format!(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"{class}\" viewBox=\"0 0 {w} {h}\" width=\"{w}\" height=\"{h}\" role=\"img\" aria-labelledby=\"{id}-t {id}-d\"><title id=\"{id}-t\">{title}</title><desc id=\"{id}-d\">{desc}</desc><style>{style}</style>\n"
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"{class}\" viewBox=\"0 0 {w} {h}\" width=\"{w}\" height=\"{h}\" role=\"img\" aria-labelledby=\"{id}-t {id}-d\"><title id=\"{id}-t\">{title}</title><desc id=\"{id}-d\">{desc}</desc>{style}\n"
     )
 }
 
@@ -338,13 +338,32 @@ impl<'p> Screen<'p> {
     pub fn new(picture: &'p Picture) -> Self {
         let mut svg = Svg::after(String::with_capacity(8192));
         svg.picture(picture, Manner::Classes);
-        Self { picture, style: style(picture), content: svg.into_text() }
+        Self { picture, style: format!("<style>{}</style>", style(picture)), content: svg.into_text() }
+    }
+
+    /// How long it is, about, in bytes.
+    pub fn len(&self) -> usize {
+        self.content.len() + self.style.len() + self.picture.desc.len()
+    }
+
+    /// The element with the style, which counts for all pictures of a page.
+    pub fn style(&self) -> &str {
+        &self.style
     }
 
     /// Within a page; `id` tells the pictures of one page apart.
     pub fn inline(&self, id: &str) -> String {
+        self.written(id, &self.style)
+    }
+
+    /// Within a page that has its style already.
+    pub fn inline_without_style(&self, id: &str) -> String {
+        self.written(id, "")
+    }
+
+    fn written(&self, id: &str, style: &str) -> String {
         let Picture { width, height, title, desc, .. } = self.picture;
-        opening("fig", id, vec2(*width, *height), (title, desc), &self.style) + &self.content + "</svg>\n"
+        opening("fig", id, vec2(*width, *height), (title, desc), style) + &self.content + "</svg>\n"
     }
 
     /// As a file of its own, with the same looks and paper of its own below it.

@@ -119,6 +119,17 @@ pub fn upright(text: impl Into<String>) -> Vec<TextRun> {
     vec![run(text, RunStyle::Upright)]
 }
 
+/// A symbol between bars where the value is negative: its arrow shows the actual sense.
+pub fn magnitude(runs: Vec<TextRun>, negative: bool) -> Vec<TextRun> {
+    if !negative {
+        return runs;
+    }
+    let mut out = upright("|");
+    out.extend(runs);
+    out.extend(upright("|"));
+    out
+}
+
 /// Text as people read it: `R = 0.40 m`, lowered letters after `_`.
 pub fn plain(runs: &[TextRun]) -> String {
     let mut out = String::new();

@@ -31,7 +31,13 @@ impl Chart {
     /// Begins a chart of this size with a title and a description for those who do not see it. `id` tells the pictures of one
     /// page apart.
     pub fn new(id: &str, size: Vec2, title: &str, description: &str) -> Self {
-        let mut svg = Svg::after(svg::opening("plot", id, size, (title, description), STYLE));
+        let mut svg = Svg::after(svg::opening(
+            "plot",
+            id,
+            size,
+            (title, description),
+            &format!("<style>{STYLE}</style>"),
+        ));
         svg.rect("class=\"paper\"", Vec2::ZERO, size);
         Self(svg)
     }

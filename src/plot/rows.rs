@@ -106,7 +106,7 @@ impl RowChart {
 
     fn tick(&self, label: &str) -> String {
         match label.parse::<f64>() {
-            Ok(value) if self.percent => format!("{} %", shown::decimals(value * 100.0, 0)),
+            Ok(value) if self.percent => format!("{} %", shown::per_cent(value, 0)),
             _ => label.replace('-', "\u{2212}"),
         }
     }

@@ -64,7 +64,7 @@ impl ScatterChart {
             let label = tick
                 .label
                 .parse::<f64>()
-                .map_or(tick.label.clone(), |v| format!("{} %", shown::decimals(v * 100.0, 0)));
+                .map_or(tick.label.clone(), |v| format!("{} %", shown::per_cent(v, 0)));
             chart.text("soft tiny", "middle", vec2(x, BOTTOM + 16.0), &label);
         }
         for tick in self.y.ticks() {

@@ -54,7 +54,7 @@ pub fn fixed(value: f64, decimals: usize) -> String {
 
 /// A share in per cent; the blank does not break.
 pub fn percent(share: f64) -> String {
-    format!("{}\u{a0}%", fixed(share * 100.0, 0))
+    format!("{}\u{a0}%", shown::per_cent(share, 0).replace('-', "\u{2212}"))
 }
 
 /// Points with at most two decimals.

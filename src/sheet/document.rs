@@ -41,6 +41,18 @@ pub struct Head {
     pub code: String,
 }
 
+impl Head {
+    /// The student: by name, or by id where there is none.
+    pub fn who(&self) -> &str {
+        if self.name.is_empty() { &self.student } else { &self.name }
+    }
+
+    /// What stands at the head of a printed page: student, set, code, as far as they are there.
+    pub fn running(&self) -> impl Iterator<Item = &str> {
+        [self.who(), &self.set, &self.code].into_iter().filter(|text| !text.is_empty())
+    }
+}
+
 impl Document {
     /// A text with its pictures, without what could act or fetch something ([`Dropped`]).
     pub fn new(markdown: String, pictures: Vec<(String, Picture)>) -> Self {
