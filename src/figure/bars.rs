@@ -178,29 +178,26 @@ pub fn picture(problem: &Problem, variant: &Variant, words: &Words) -> Option<Pi
     let energies = energies(problem, variant, words)?;
     let total = energies.sums().0;
     let mut board = Board::new();
-    let x = [0.0, WIDE + APART];
     let mut desc = Vec::new();
-    for (bar, (values, name)) in [(&energies.start, "start"), (&energies.end, "end")].into_iter().enumerate()
-    {
-        let left = x[bar];
+    let bars = [
+        (&energies.start, "start", 0.0, 0.0, Vec2::LEFT),
+        (&energies.end, "end", WIDE + APART, WIDE + APART + WIDE, Vec2::RIGHT),
+    ];
+    for (values, name, left, edge, out) in bars {
         let mut y = 0.0;
-        let mut told: Vec<(f64, usize, f64)> = Vec::new();
+        // The middle of each part, and what it is.
+        let mut told: Vec<(f64, String)> = Vec::new();
         for (kind, value) in values.iter().enumerate() {
             if *value < SMALL * total {
                 continue;
             }
             let high = HIGH * value / total;
             area(&mut board, vec2(left, y), vec2(WIDE, high), kind);
-            told.push((y + high / 2.0, kind, *value));
+            let name = words.get(&format!("figure.energy.{}", KINDS[kind]));
+            told.push((y + high / 2.0, format!("{name} {} J", figures(words, *value))));
             y += high;
         }
-        let list: Vec<String> = told
-            .iter()
-            .map(|(_, kind, value)| {
-                let name = words.get(&format!("figure.energy.{}", KINDS[*kind]));
-                format!("{name} {} J", figures(words, *value))
-            })
-            .collect();
+        let list: Vec<&str> = told.iter().map(|(_, text)| text.as_str()).collect();
         let separator = if words.number("0.1").contains(',') { "; " } else { ", " };
         desc.push(words.say(&format!("figure.energy.text_{name}"), &[("list", &list.join(separator))]));
         // Labels apart from each other, in the order of the parts.
@@ -215,17 +212,11 @@ pub fn picture(problem: &Problem, variant: &Variant, words: &Words) -> Option<Pi
                 }
             }
         }
-        let (edge, out): (f64, Vec2) = if bar == 0 { (left, Vec2::LEFT) } else { (left + WIDE, Vec2::RIGHT) };
-        for ((y, kind, value), place) in told.iter().zip(&places) {
-            let from = vec2(edge, *y);
-            let knee = vec2(edge + out.x * 22.0, *place);
-            board.lines(&[from, vec2(edge + out.x * 6.0, *y), knee], false, Role::Dimension);
-            let text = format!(
-                "{}\u{a0}{}\u{a0}J",
-                words.get(&format!("figure.energy.{}", KINDS[*kind])),
-                figures(words, *value)
-            );
-            board.wish_for(note(&text, knee, out));
+        for ((y, text), place) in told.iter().zip(&places) {
+            let at = |x: f64, y: f64| vec2(edge + out.x * x, y);
+            let knee = at(22.0, *place);
+            board.lines(&[at(0.0, *y), at(6.0, *y), knee], false, Role::Dimension);
+            board.wish_for(note(text, knee, out));
         }
         board.wish_for(note(
             words.get(&format!("figure.energy.{name}")),

@@ -17,7 +17,6 @@ use crate::num::shown;
 use crate::num::trig;
 use crate::picture::Picture;
 use crate::picture::Role;
-use crate::picture::RunStyle;
 use crate::picture::TextRun;
 use crate::picture::board::Board;
 use crate::picture::board::LabelTie;
@@ -216,12 +215,7 @@ fn moving<'a>(view: &'a SceneView<'a>, body: usize) -> Option<Diagram<'a>> {
         contact(view, body, &p, weight, &mut forces, &mut a, &mut alpha);
     }
     cords(view, body, &p, &plan, ratio, &mut forces);
-    let couples: Vec<Turning> = couples_on(view, body)
-        .map(|c| Turning {
-            value: view.of(c.moment_n_m) * if p.clockwise == c.forward { -1.0 } else { 1.0 },
-            label: moment(view, c),
-        })
-        .collect();
+    let couples = couples_on(view, body, p.clockwise);
     let mut unknown = None;
     if this.massless() {
         forces.remove(0);
@@ -286,14 +280,14 @@ fn found(view: &SceneView, quantity: Quantity, body: usize) -> f64 {
     view.solved(quantity, Owner::Body(body)).unwrap_or(0.0)
 }
 
-fn couples_on<'v>(view: &SceneView<'v>, body: usize) -> impl Iterator<Item = &'v Couple> {
-    view.scene.couples.iter().filter(move |c| c.body == body)
-}
-
-fn moment(view: &SceneView, couple: &Couple) -> Vec<TextRun> {
-    let given = view.symbol(couple.moment_n_m);
-    let symbol = if given.is_empty() { symbol::symbol("M") } else { given };
-    symbol::magnitude(symbol, view.of(couple.moment_n_m) < 0.0)
+fn couples_on(view: &SceneView, body: usize, clockwise: bool) -> Vec<Turning> {
+    let turning = |c: &Couple| {
+        let (given, value) = (view.symbol(c.moment_n_m), view.of(c.moment_n_m));
+        let symbol = if given.is_empty() { symbol::symbol("M") } else { given };
+        let value_left = if clockwise == c.forward { -value } else { value };
+        Turning { value: value_left, label: symbol::magnitude(symbol, value < 0.0) }
+    };
+    view.scene.couples.iter().filter(|c| c.body == body).map(turning).collect()
 }
 
 /// Normal force and friction.
@@ -444,12 +438,7 @@ fn swinging<'a>(view: &'a SceneView<'a>, body: usize, pin: &Pin) -> Diagram<'a> 
         let value = found(view, Quantity::SpringForce, body);
         forces.push(force(held, value, (anchor - held).unit(), name(&["F_s", r"F_{\mathrm{s}}"])));
     }
-    let couples: Vec<Turning> = couples_on(view, body)
-        .map(|c| Turning {
-            value: view.of(c.moment_n_m) * if hung.clockwise() == c.forward { -1.0 } else { 1.0 },
-            label: moment(view, c),
-        })
-        .collect();
+    let couples = couples_on(view, body, hung.clockwise());
     let (omega, alpha) = (found(view, Quantity::Omega, body), found(view, Quantity::Alpha, body));
     let with_mass = |symbol: Vec<TextRun>| {
         let mut label = names::mass(view, body);
@@ -494,7 +483,7 @@ fn swinging<'a>(view: &'a SceneView<'a>, body: usize, pin: &Pin) -> Diagram<'a> 
         let aside = if hung.rod.is_some() { 5.0 } else { 2.0 };
         let mut letter = |text: &str, at: Vec2| {
             board.label(
-                vec![vec![symbol::run(text, RunStyle::Italic)]],
+                vec![symbol::italic(text)],
                 Role::Dot,
                 (LabelTie::Near, 4.0),
                 vec![(at + across * aside, across), (at + across * -aside, -across), (at, -d), (at, d)],
@@ -571,7 +560,7 @@ fn equation(view: &SceneView, diagram: &Diagram, desc: &mut Vec<String>) -> Boar
 
 fn sign(text: &str, at: Vec2, size: f64) -> LabelWish {
     LabelWish {
-        rows: vec![vec![symbol::run(text, RunStyle::Upright)]],
+        rows: vec![symbol::upright(text)],
         size,
         role: Role::Dot,
         spots: vec![(at, Vec2::UP)],

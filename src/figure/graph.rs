@@ -185,7 +185,7 @@ pub fn all(problem: &Problem, variant: &Variant, words: &Words) -> Vec<(String, 
 
 fn speed(view: &SceneView, c: &SpringCurves) -> Picture {
     let words = view.words;
-    let word = |name: &str| words.get(&format!("figure.graph.{name}")).to_owned();
+    let word = |name: &str| word(view, name);
     let v = |q: Quantity| value(view.variant, q, c.body);
     let mut marks = Vec::new();
     if let Some(y) = v(Quantity::V) {
@@ -205,7 +205,7 @@ fn speed(view: &SceneView, c: &SpringCurves) -> Picture {
 
 fn friction(view: &SceneView, c: &SpringCurves) -> Picture {
     let words = view.words;
-    let word = |name: &str| words.get(&format!("figure.graph.{name}")).to_owned();
+    let word = |name: &str| word(view, name);
     let v = |q: Quantity| value(view.variant, q, c.body);
     let mut marks = Vec::new();
     if let Some(y) = v(Quantity::Friction) {
@@ -251,7 +251,7 @@ fn swing(view: &SceneView) -> Option<Picture> {
         return None;
     }
     points.sort_by(|a, b| a.0.total_cmp(&b.0));
-    let word = |name: &str| view.words.get(&format!("figure.graph.{name}")).to_owned();
+    let word = |name: &str| word(view, name);
     let y = value(view.variant, Quantity::Omega, body)?;
     let marks = vec![Mark { x: asked, y, label: word("asked") }];
     let line = Curve { points, look: 0, label: symbol::symbol(r"\omega") };
@@ -294,7 +294,7 @@ fn slip(view: &SceneView) -> Option<Picture> {
         let (v, _) = signed(far)?;
         if (v - common).abs() <= (-v - common).abs() { v } else { -v }
     };
-    let word = |name: &str| view.words.get(&format!("figure.graph.{name}")).to_owned();
+    let word = |name: &str| word(view, name);
     let mut rim = view.symbol(thrown.radius_m);
     if rim.is_empty() {
         rim = symbol::symbol("R");
@@ -311,6 +311,10 @@ fn slip(view: &SceneView) -> Option<Picture> {
     }
     let (x, y) = ((word("time"), "s"), (word("speeds"), "m/s"));
     Some(Graph { words: view.words, x, y, curves, limits: Vec::new(), marks }.picture())
+}
+
+fn word(view: &SceneView, name: &str) -> String {
+    view.words.get(&format!("figure.graph.{name}")).to_owned()
 }
 
 /// A value as words tell it: 0 where nobody sees it on an axis of this range.

@@ -88,7 +88,7 @@ pub fn draw(board: &mut Board, view: &SceneView, index: usize) {
     }
     for (p, place) in body.particles.iter().zip(&places) {
         let out = (*place - middle).unit();
-        let mut name = vec![symbol::run(p.name.clone(), RunStyle::Italic)];
+        let mut name = symbol::italic(p.name.clone());
         if view.labels == FigureLabels::Symbols {
             name.push(symbol::run(",\u{a0}", RunStyle::Upright));
             name.extend(view.label(p.mass_kg, "kg"));
@@ -148,7 +148,6 @@ fn axes(board: &mut Board, view: &SceneView, low: Vec2, high: Vec2, scale: f64) 
         board.line(from, to - towards * 7.0, Role::Axis);
         board.head(to, towards, Role::DimensionHead);
     }
-    let italic = |t: &str| vec![symbol::run(t, RunStyle::Italic)];
     let near = |rows, at: Vec2, towards: Vec2, size: f64| LabelWish {
         rows: vec![rows],
         size,
@@ -157,8 +156,8 @@ fn axes(board: &mut Board, view: &SceneView, low: Vec2, high: Vec2, scale: f64) 
         gap: 4.0,
         tie: LabelTie::Near,
     };
-    board.wish_for(near(italic("x"), vec2(east, 0.0), Vec2::RIGHT, TEXT));
-    board.wish_for(near(italic("y"), vec2(0.0, top), Vec2::UP, TEXT));
+    board.wish_for(near(symbol::italic("x"), vec2(east, 0.0), Vec2::RIGHT, TEXT));
+    board.wish_for(near(symbol::italic("y"), vec2(0.0, top), Vec2::UP, TEXT));
     // Marks at round numbers, 48 pixels apart or more, with as many decimals as their step has.
     let steps = [(0.01, 2), (0.02, 2), (0.05, 2), (0.1, 1), (0.2, 1), (0.5, 1), (1.0, 0), (2.0, 0), (5.0, 0)];
     let wide = |(step, _): &&(f64, usize)| step * scale >= 48.0;

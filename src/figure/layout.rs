@@ -234,8 +234,7 @@ pub fn look(view: &SceneView, index: usize, scale: f64) -> BodyLook {
         let share = if most > 0.0 { view.kilograms(body) / most } else { 1.0 };
         // The edge goes with the cube root of the mass.
         let edge = 25.0 * crate::num::trig::power(share.clamp(0.1, 1.0), 1.0 / 3.0);
-        let across = if body.line.is_some_and(|l| l.surface) { 0.72 } else { 1.0 };
-        let along = if body.line.is_some_and(|l| l.surface) { 1.15 } else { 0.86 };
+        let (along, across) = if body.line.is_some_and(|l| l.surface) { (1.15, 0.72) } else { (0.86, 1.0) };
         BodyLook::Block { along: edge * along, across: edge * across }
     }
 }
@@ -243,12 +242,9 @@ pub fn look(view: &SceneView, index: usize, scale: f64) -> BodyLook {
 /// Works out where everything stands.
 pub fn layout(view: &SceneView) -> SceneLayout {
     let scene = view.scene;
-    let round: Vec<usize> = (0..scene.bodies.len())
-        .filter(|b| {
-            scene.bodies[*b].turns && scene.bodies[*b].pin.is_none() && scene.bodies[*b].particles.is_empty()
-        })
-        .collect();
-    let largest = round.iter().map(|b| outer_m(view, *b)).fold(0.0, f64::max);
+    let bodies = scene.bodies.iter().enumerate();
+    let round = bodies.filter(|(_, b)| b.turns && b.pin.is_none() && b.particles.is_empty());
+    let largest = round.map(|(b, _)| outer_m(view, b)).fold(0.0, f64::max);
     let target = match scene.bodies.len() {
         1 => 80.0,
         2 => 66.0,
@@ -276,7 +272,9 @@ impl Builder<'_> {
             body.pin.is_none() && body.particles.is_empty()
         };
         let mut order: Vec<usize> = (0..scene.bodies.len()).filter(|b| drawn(*b)).collect();
-        let tied = |b: usize| self.cords_of(b).next().is_some();
+        let at =
+            |cord: &Cord, b: usize| cord.from.body == b || matches!(cord.to, Far::Body(end) if end.body == b);
+        let tied = |b: usize| scene.ties.iter().any(|t| matches!(t, Tie::Cord(cord) if at(cord, b)));
         // Surfaces first, then axles, then what hangs.
         order.sort_by_key(|b| {
             let body = &scene.bodies[*b];
@@ -336,23 +334,6 @@ impl Builder<'_> {
             right_end = Some(right_end.map_or(high, |_| high + by.x));
         }
         self.ends();
-    }
-
-    /// Cords at a body: index of the tie, the end at the body, is it the first end?
-    fn cords_of(&self, body: usize) -> impl Iterator<Item = (usize, &Cord, CordEnd, bool)> {
-        self.view.scene.ties.iter().enumerate().flat_map(move |(i, tie)| {
-            let Tie::Cord(cord) = tie else { return Vec::new() };
-            let mut ends = Vec::new();
-            if cord.from.body == body {
-                ends.push((i, cord, cord.from, true));
-            }
-            if let Far::Body(end) = cord.to
-                && end.body == body
-            {
-                ends.push((i, cord, end, false));
-            }
-            ends
-        })
     }
 
     /// Distance of a body's centre from its surface.
@@ -773,20 +754,21 @@ impl Builder<'_> {
 
 fn shift(run: &mut CordRun, by: Vec2) {
     for piece in &mut run.pieces {
-        *piece = match *piece {
-            CordPiece::Straight(a, b) => CordPiece::Straight(a + by, b + by),
-            CordPiece::Post(a, b) => CordPiece::Post(a + by, b + by),
-            CordPiece::Round(c, r, a, b) => CordPiece::Round(c + by, r, a, b),
-        };
+        match piece {
+            CordPiece::Straight(a, b) | CordPiece::Post(a, b) => {
+                *a += by;
+                *b += by;
+            }
+            CordPiece::Round(c, ..) => *c += by,
+        }
     }
-    run.stop = match run.stop {
-        CordStop::Pull(a, b) => CordStop::Pull(a + by, b + by),
-        CordStop::Spring(a, b, c) => CordStop::Spring(a + by, b + by, c + by),
-        CordStop::Fixed(a, towards) => CordStop::Fixed(a + by, towards),
-        CordStop::Body => CordStop::Body,
+    let (stop, guide) = (&mut run.stop, &mut run.guide);
+    let ends: Vec<&mut Vec2> = match stop {
+        CordStop::Pull(a, b) => vec![a, b],
+        CordStop::Spring(a, b, c) => vec![a, b, c],
+        CordStop::Fixed(a, _) => vec![a],
+        CordStop::Body => Vec::new(),
     };
-    if let Some((c, _)) = &mut run.guide {
-        *c = *c + by;
-    }
-    run.leaves.0 = run.leaves.0 + by;
+    let guide = guide.iter_mut().map(|(centre, _)| centre);
+    ends.into_iter().chain(guide).chain([&mut run.leaves.0]).for_each(|p| *p += by);
 }

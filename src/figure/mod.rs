@@ -1,4 +1,4 @@
-//! Pictures of scenes: layout first, looks and formats second ([`svg`], [`tikz`]).
+//! Pictures of scenes: what stands where; looks and formats are those of every picture ([`crate::picture`]).
 //!
 //! [`scene::picture`] is the figure of a statement. It shows what is given and what a student may assume, never what the
 //! solver found: no direction that is asked, no friction.

@@ -2,7 +2,6 @@
 use crate::figure::parts;
 use crate::figure::view::SceneView;
 use crate::picture::Role;
-use crate::picture::RunStyle;
 use crate::picture::board::Board;
 use crate::picture::board::LabelTie;
 use crate::picture::symbol;
@@ -18,7 +17,6 @@ use crate::scene::PinSpring;
 use crate::scene::Rest;
 use crate::scene::RotaryInertia;
 use crate::scene::Shape;
-use crate::scene::Start;
 use crate::scene::Zero;
 
 /// Pixels of the farthest point from the pin.
@@ -199,7 +197,7 @@ pub fn draw(board: &mut Board, view: &SceneView, index: usize) {
         board.dot(g);
         let side = hung.across(start) * (if end.is_some_and(|(_, e)| e > start) { -1.0 } else { 1.0 });
         board.label(
-            vec![vec![symbol::run("G", RunStyle::Italic)]],
+            vec![symbol::italic("G")],
             Role::Dot,
             (LabelTie::Near, 4.0),
             vec![(g + side * 5.0, side), (g - side * 5.0, -side)],
@@ -226,7 +224,7 @@ fn spring_of(board: &mut Board, view: &SceneView, hung: &Hung, spring: &PinSprin
     parts::wall(board, anchor, -pull, 15.0, -15.0);
     board.dot(held);
     board.label(
-        vec![vec![symbol::run("A", RunStyle::Italic)]],
+        vec![symbol::italic("A")],
         Role::Dot,
         (LabelTie::Near, 4.0),
         vec![(anchor - pull * 9.0, -pull), (anchor + Vec2::UP * 14.0, Vec2::UP)],
@@ -269,11 +267,7 @@ fn turns(board: &mut Board, view: &SceneView, index: usize, hung: &Hung, d: Vec2
             Role::Force,
         );
     }
-    for s in &view.scene.start {
-        let Start::Speed(c, num) = *s else { continue };
-        if c.body != index || c.degree != Degree::Turn || view.of(num).abs() < 1e-12 {
-            continue;
-        }
+    for (_, num) in view.started(index).filter(|(degree, _)| *degree == Degree::Turn) {
         let actual = if view.of(num) < 0.0 { -1.0 } else { 1.0 };
         let sense = if hung.clockwise() { -actual } else { actual };
         let radius = far + 12.0;

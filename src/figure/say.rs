@@ -156,8 +156,7 @@ pub fn mechanism(view: &SceneView, plan: &SceneLayout, told: bool, out: &mut Vec
         if body.line.is_some() {
             list.push(way(view, p.forward, incline));
         }
-        let given = |s: &Start| matches!(s, Start::Speed(c, n) if c.body == b && view.of(*n).abs() > 1e-12);
-        if view.scene.start.iter().any(given) {
+        if view.started(b).next().is_some() {
             continue;
         }
         if body.turns && p.reach(Vec2::RIGHT) > parts::SMALL {
@@ -232,24 +231,19 @@ fn body(view: &SceneView, plan: &SceneLayout, index: usize, p: &Placed, out: &mu
     }
     couples(view, index, out);
     let mut list = Vec::new();
-    for start in &view.scene.start {
-        if let Start::Speed(c, num) = *start
-            && c.body == index
-            && view.of(num).abs() > 1e-12
-        {
-            let (unit, sense) = if c.degree == Degree::Along { ("m/s", 1.0) } else { ("rad/s", -1.0) };
-            let sense = if view.of(num) < 0.0 { -sense } else { sense };
-            let way = if c.degree == Degree::Along {
+    for (degree, num) in view.started(index) {
+        let back = view.of(num) < 0.0;
+        let (unit, way) = match degree {
+            Degree::Along => {
                 let incline = p.on.is_some_and(|g| matches!(plan.grounds[g].slope, Slope::Degrees(_)));
-                way(view, p.forward * sense, incline)
-            } else {
-                let clockwise = p.clockwise == (sense < 0.0);
-                view.words
-                    .get(if clockwise { "figure.turn.clockwise" } else { "figure.turn.counter" })
-                    .to_owned()
-            };
-            list.push(format!("{} {way}", view.size_text(num, unit).replace('\u{a0}', " ")));
-        }
+                ("m/s", way(view, if back { -p.forward } else { p.forward }, incline))
+            }
+            Degree::Turn => {
+                let name = if p.clockwise != back { "clockwise" } else { "counter" };
+                ("rad/s", view.words.get(&format!("figure.turn.{name}")).to_owned())
+            }
+        };
+        list.push(format!("{} {way}", view.size_text(num, unit).replace('\u{a0}', " ")));
     }
     if !list.is_empty() {
         out.push(say("start", &[("list", &list.join(separator(view)))]));
@@ -292,13 +286,8 @@ pub fn pinned(view: &SceneView, index: usize, out: &mut Vec<String>) {
         ));
     }
     couples(view, index, out);
-    for start in &view.scene.start {
-        if let Start::Speed(c, num) = *start
-            && c.body == index
-            && view.of(num).abs() > 1e-12
-        {
-            out.push(say("spin", &[("spin", &text(view, num, "rad/s"))]));
-        }
+    for (_, num) in view.started(index) {
+        out.push(say("spin", &[("spin", &text(view, num, "rad/s"))]));
     }
 }
 

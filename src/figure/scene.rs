@@ -12,10 +12,8 @@ use crate::figure::pinned;
 use crate::figure::say;
 use crate::figure::view::SceneView;
 use crate::figure::view::joined;
-use crate::figure::view::own;
 use crate::picture::Picture;
 use crate::picture::Role;
-use crate::picture::RunStyle;
 use crate::picture::TextRun;
 use crate::picture::board::Board;
 use crate::picture::board::LabelTie;
@@ -215,12 +213,7 @@ fn body_labels(board: &mut Board, view: &SceneView, plan: &SceneLayout, index: u
                     [300.0, 250.0, 60.0, 120.0, 20.0]
                 };
                 let around = angles.map(|degrees| p.spot(degrees, off));
-                board.label(
-                    vec![vec![symbol::run("G", RunStyle::Italic)]],
-                    Role::Dot,
-                    (LabelTie::Near, 4.0),
-                    around.to_vec(),
-                );
+                board.label(vec![symbol::italic("G")], Role::Dot, (LabelTie::Near, 4.0), around.to_vec());
             }
             let mut list: Vec<Vec<TextRun>> = Vec::new();
             if let Some((n, weight)) = view.mass(body)
@@ -261,7 +254,7 @@ fn ties(board: &mut Board, view: &SceneView, plan: &SceneLayout) {
         let coefficient = |(tex, num): (&str, Num)| match num {
             Num::Datum(_) => view.label(num, ""),
             // A bare number would say nothing.
-            Num::Fixed(_) => joined(own(tex), view.value(num, "")),
+            Num::Fixed(_) => joined(symbol::symbol(tex), view.value(num, "")),
         };
         let rows = view.coefficients(index).into_iter().map(coefficient).collect();
         board.label(rows, Role::Dot, (LabelTie::Loose, 3.0), spots);
@@ -389,18 +382,12 @@ fn travel(board: &mut Board, view: &SceneView, plan: &SceneLayout) {
 /// Positive senses.
 fn senses(board: &mut Board, view: &SceneView, plan: &SceneLayout) {
     let plus = |board: &mut Board, spots: Vec<(Vec2, Vec2)>| {
-        board.label(
-            vec![vec![symbol::run("+", RunStyle::Upright)]],
-            Role::Motion,
-            (LabelTie::Near, 3.0),
-            spots,
-        );
+        board.label(vec![symbol::upright("+")], Role::Motion, (LabelTie::Near, 3.0), spots);
     };
     for (b, p) in plan.bodies.iter().enumerate() {
         let Some(p) = p else { continue };
         let body = &view.scene.bodies[b];
-        let given = |s: &Start| matches!(s, Start::Speed(c, n) if c.body == b && view.of(*n).abs() > 1e-12);
-        if view.scene.start.iter().any(given) {
+        if view.started(b).next().is_some() {
             continue;
         }
         // Bodies that stand on one surface share their arrow.

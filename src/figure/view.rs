@@ -6,6 +6,7 @@ use crate::picture::TextRun;
 use crate::picture::symbol;
 use crate::problem::make::Variant;
 use crate::scene::Body;
+use crate::scene::Degree;
 use crate::scene::Label;
 use crate::scene::Mass;
 use crate::scene::Num;
@@ -14,6 +15,7 @@ use crate::scene::Quantity;
 use crate::scene::RotaryInertia;
 use crate::scene::Scene;
 use crate::scene::Shape;
+use crate::scene::Start;
 use crate::scene::Tie;
 use crate::words::Words;
 
@@ -77,6 +79,14 @@ impl<'a> SceneView<'a> {
             .into_iter()
             .filter_map(|(tex, num)| Some((tex, num?)))
             .collect()
+    }
+
+    /// Speeds and spins that a body has at the start, without those that are 0.
+    pub fn started(&self, body: usize) -> impl Iterator<Item = (Degree, Num)> {
+        self.scene.start.iter().filter_map(move |start| match *start {
+            Start::Speed(c, num) if c.body == body && self.of(num).abs() > 1e-12 => Some((c.degree, num)),
+            _ => None,
+        })
     }
 
     /// Symbol of a datum; nothing for a constant.
@@ -163,15 +173,20 @@ impl<'a> SceneView<'a> {
 
     /// Mass of a body, kg.
     pub fn kilograms(&self, body: &Body) -> f64 {
-        let one = |mass: &Mass| match mass {
+        match (&body.mass, &body.inertia) {
+            (Mass::OfParts, Some(RotaryInertia::Parts(parts))) => {
+                parts.iter().map(|p| self.given_kilograms(&p.mass)).sum()
+            }
+            (Mass::OfParts, _) => body.particles.iter().map(|p| self.of(p.mass_kg)).sum(),
+            (mass, _) => self.given_kilograms(mass),
+        }
+    }
+
+    fn given_kilograms(&self, mass: &Mass) -> f64 {
+        match mass {
             Mass::Kilograms(n) => self.of(*n),
             Mass::Weight(n) => self.of(*n) / self.of(self.scene.gravity_m_s2),
             Mass::OfParts => 0.0,
-        };
-        match (&body.mass, &body.inertia) {
-            (Mass::OfParts, Some(RotaryInertia::Parts(parts))) => parts.iter().map(|p| one(&p.mass)).sum(),
-            (Mass::OfParts, _) => body.particles.iter().map(|p| self.of(p.mass_kg)).sum(),
-            (mass, _) => one(mass),
         }
     }
 
@@ -187,12 +202,8 @@ impl<'a> SceneView<'a> {
             Some(RotaryInertia::Parts(parts)) => parts
                 .iter()
                 .map(|p| {
-                    let m = match p.mass {
-                        Mass::Kilograms(n) => self.of(n),
-                        Mass::Weight(n) => self.of(n) / self.of(self.scene.gravity_m_s2),
-                        Mass::OfParts => 0.0,
-                    };
-                    m * beta(p.shape) * self.of(p.radius_m) * self.of(p.radius_m)
+                    let r = self.of(p.radius_m);
+                    self.given_kilograms(&p.mass) * beta(p.shape) * r * r
                 })
                 .sum(),
         }
@@ -222,9 +233,4 @@ pub fn joined(mut left: Vec<TextRun>, right: Vec<TextRun>) -> Vec<TextRun> {
     left.push(symbol::run("\u{a0}=\u{a0}", RunStyle::Upright));
     left.extend(right);
     left
-}
-
-/// A symbol of the program's own, from LaTeX.
-pub fn own(tex: &str) -> Vec<TextRun> {
-    symbol::symbol(tex)
 }

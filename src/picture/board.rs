@@ -243,18 +243,8 @@ impl Board {
         let (x0, y1) = (low.x.floor() - MARGIN, high.y.ceil() + MARGIN);
         let (width, height) = (high.x.ceil() + MARGIN - x0, y1 - (low.y.floor() - MARGIN));
         let flip = |p: Vec2| vec2(p.x - x0, y1 - p.y);
-        let elements = self.elements.into_iter().map(|s| Element {
-            role: s.role,
-            outline: match s.outline {
-                Outline::Lines { points, closed } => {
-                    Outline::Lines { points: points.into_iter().map(flip).collect(), closed }
-                }
-                Outline::Circle { centre, radius } => Outline::Circle { centre: flip(centre), radius },
-                Outline::Arc { centre, radius, from, to } => {
-                    Outline::Arc { centre: flip(centre), radius, from, to }
-                }
-            },
-        });
+        let flipped = |e: Element| Element { outline: e.outline.map(flip), ..e };
+        let elements = self.elements.into_iter().map(flipped).collect();
         let mut labels = Vec::with_capacity(placed.len());
         for (wish, f) in placed {
             let (middle, mut top) = ((f.low.x + f.high.x) / 2.0, f.high.y);
@@ -272,7 +262,7 @@ impl Board {
                 });
             }
         }
-        Picture { width, height, title, desc, elements: elements.collect(), labels }
+        Picture { width, height, title, desc, elements, labels }
     }
 
     /// The labels with their boxes; leaders become elements.

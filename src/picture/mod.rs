@@ -70,6 +70,19 @@ pub enum Outline {
     },
 }
 
+impl Outline {
+    /// The same with its points elsewhere.
+    pub fn map(self, place: impl Fn(Vec2) -> Vec2) -> Self {
+        match self {
+            Self::Lines { points, closed } => {
+                Self::Lines { points: points.into_iter().map(place).collect(), closed }
+            }
+            Self::Circle { centre, radius } => Self::Circle { centre: place(centre), radius },
+            Self::Arc { centre, radius, from, to } => Self::Arc { centre: place(centre), radius, from, to },
+        }
+    }
+}
+
 /// What an element stands for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Role {

@@ -6,7 +6,7 @@ use crate::picture::TextRun;
 pub const SMALL: f64 = 0.75;
 
 /// Letters of LaTeX by name.
-const LETTERS: &[(&str, &str)] = &[
+pub const LETTERS: &[(&str, &str)] = &[
     ("alpha", "α"),
     ("beta", "β"),
     ("gamma", "γ"),
@@ -112,6 +112,11 @@ pub fn height(runs: &[TextRun]) -> f64 {
 /// A run.
 pub fn run(text: impl Into<String>, style: RunStyle) -> TextRun {
     TextRun { text: text.into(), style }
+}
+
+/// A symbol of one's own: `G`.
+pub fn italic(text: impl Into<String>) -> Vec<TextRun> {
+    vec![run(text, RunStyle::Italic)]
 }
 
 /// Upright text.

@@ -10,55 +10,20 @@ use crate::picture::look::look;
 use crate::picture::look::used;
 use crate::picture::svg::Px;
 use crate::picture::svg::on_arc;
+use crate::picture::symbol;
 use crate::picture::vector::Vec2;
 use crate::picture::vector::vec2;
+use std::borrow::Cow;
 use std::fmt::Write as _;
 
-/// Greek letters and signs that TeX fonts have under a name.
-const NAMES: &[(char, &str)] = &[
-    ('α', r"\alpha"),
-    ('β', r"\beta"),
-    ('γ', r"\gamma"),
-    ('δ', r"\delta"),
-    ('ε', r"\varepsilon"),
-    ('ζ', r"\zeta"),
-    ('η', r"\eta"),
-    ('θ', r"\theta"),
-    ('ϑ', r"\vartheta"),
-    ('ι', r"\iota"),
-    ('κ', r"\kappa"),
-    ('λ', r"\lambda"),
-    ('μ', r"\mu"),
+/// Signs that TeX fonts have under another name than [`symbol::LETTERS`] says, or under none.
+const SIGNS: &[(char, &str)] = &[
     ('µ', r"\mu"),
-    ('ν', r"\nu"),
-    ('ξ', r"\xi"),
-    ('π', r"\pi"),
-    ('ρ', r"\rho"),
-    ('σ', r"\sigma"),
-    ('τ', r"\tau"),
-    ('υ', r"\upsilon"),
-    ('φ', r"\varphi"),
-    ('ϕ', r"\phi"),
-    ('χ', r"\chi"),
-    ('ψ', r"\psi"),
-    ('ω', r"\omega"),
-    ('Γ', r"\Gamma"),
-    ('Δ', r"\Delta"),
-    ('Θ', r"\Theta"),
-    ('Λ', r"\Lambda"),
-    ('Ξ', r"\Xi"),
-    ('Π', r"\Pi"),
-    ('Σ', r"\Sigma"),
-    ('Φ', r"\Phi"),
-    ('Ψ', r"\Psi"),
-    ('Ω', r"\Omega"),
-    ('ℓ', r"\ell"),
     ('−', "-"),
     ('=', "="),
     ('<', "<"),
     ('>', ">"),
     ('|', r"\vert"),
-    ('·', r"\cdot"),
     ('×', r"\times"),
     ('±', r"\pm"),
     ('≤', r"\leq"),
@@ -160,7 +125,7 @@ fn text(runs: &[TextRun]) -> String {
                 for c in text.chars() {
                     match named(c) {
                         Some(name) => {
-                            let _ = write!(out, "${name}{}$", after(name));
+                            let _ = write!(out, "${name}{}$", after(&name));
                         }
                         None => out.push_str(&letter(c)),
                     }
@@ -184,8 +149,15 @@ fn text(runs: &[TextRun]) -> String {
     out.replace("$$", "")
 }
 
-fn named(c: char) -> Option<&'static str> {
-    NAMES.iter().find(|(n, _)| *n == c).map(|(_, name)| *name)
+/// A Greek letter or a sign as a command of formulas.
+fn named(c: char) -> Option<Cow<'static, str>> {
+    if let Some((_, name)) = SIGNS.iter().find(|(sign, _)| *sign == c) {
+        return Some(Cow::Borrowed(name));
+    }
+    // The last name is that of the shape: `\varepsilon`.
+    let is_it = |letter: &str| letter.chars().eq([c]);
+    let (name, _) = symbol::LETTERS.iter().rev().find(|(_, letter)| is_it(letter))?;
+    Some(Cow::Owned(format!("\\{name}")))
 }
 
 fn letter(c: char) -> String {
@@ -206,7 +178,7 @@ fn formula(text: &str) -> String {
     for c in text.chars() {
         match named(c) {
             Some(name) => {
-                let _ = write!(out, "{name}{}", after(name));
+                let _ = write!(out, "{name}{}", after(&name));
             }
             None => out.push_str(&letter(c)),
         }

@@ -33,6 +33,19 @@ pub struct Tick {
     pub label: String,
 }
 
+impl Tick {
+    /// Its label with a true minus sign.
+    pub fn signed(&self) -> String {
+        self.label.replace('-', "\u{2212}")
+    }
+
+    /// Its label as per cent, if it is a number.
+    pub fn percent(&self) -> String {
+        let number = self.label.parse::<f64>();
+        number.map_or_else(|_| self.label.clone(), |share| format!("{} %", shown::per_cent(share, 0)))
+    }
+}
+
 /// Most labelled ticks on an axis.
 const MOST_LABELS: i32 = 9;
 

@@ -1,4 +1,5 @@
-//! Pictures of data as SVG text: axes, ticks, lines with marks. No files, no mechanics; numbers in, text out.
+//! Charts of data as SVG text: axes, ticks, lines with marks, drawn with the elements of [`crate::picture`]. No files, no
+//! mechanics; numbers in, text out.
 //!
 //! A figure reads without colour: each series has a mark and a dash of its own. Colours are those of Okabe and Ito, which the
 //! colour-blind can tell apart; light and dark follow the reader's setting by CSS. All coordinates have one decimal, so that

@@ -1,5 +1,4 @@
 //! One row for each thing: a bar or a mark, with its interval.
-use crate::num::shown;
 use crate::picture::vector::vec2;
 use crate::plot::axis::Axis;
 use crate::plot::chart::Chart;
@@ -67,7 +66,8 @@ impl RowChart {
         for tick in self.axis.ticks() {
             let x = left + tick.at * (right - left);
             chart.line("grid", vec2(x, TOP), vec2(x, bottom));
-            chart.text("soft tiny", "middle", vec2(x, bottom + 16.0), &self.tick(&tick.label));
+            let label = if self.percent { tick.percent() } else { tick.signed() };
+            chart.text("soft tiny", "middle", vec2(x, bottom + 16.0), &label);
         }
         chart.text("soft tiny", "middle", vec2((left + right) / 2.0, bottom + 34.0), &self.axis.label);
         let base = if self.bars { place(self.axis.low) } else { place(0.0) };
@@ -102,13 +102,6 @@ impl RowChart {
             }
         }
         chart.finish()
-    }
-
-    fn tick(&self, label: &str) -> String {
-        match label.parse::<f64>() {
-            Ok(value) if self.percent => format!("{} %", shown::per_cent(value, 0)),
-            _ => label.replace('-', "\u{2212}"),
-        }
     }
 }
 

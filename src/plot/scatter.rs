@@ -1,5 +1,4 @@
 //! Single points over two axes, each with its name where there is room.
-use crate::num::shown;
 use crate::picture::frame::Frame;
 use crate::picture::vector::Vec2;
 use crate::picture::vector::vec2;
@@ -61,16 +60,12 @@ impl ScatterChart {
         for tick in self.x.ticks() {
             let x = LEFT + 8.0 + tick.at * (RIGHT - LEFT - 16.0);
             chart.line("grid", vec2(x, TOP), vec2(x, BOTTOM));
-            let label = tick
-                .label
-                .parse::<f64>()
-                .map_or(tick.label.clone(), |v| format!("{} %", shown::per_cent(v, 0)));
-            chart.text("soft tiny", "middle", vec2(x, BOTTOM + 16.0), &label);
+            chart.text("soft tiny", "middle", vec2(x, BOTTOM + 16.0), &tick.percent());
         }
         for tick in self.y.ticks() {
             let y = BOTTOM - 8.0 - tick.at * (BOTTOM - TOP - 16.0);
             chart.line("grid", vec2(LEFT, y), vec2(RIGHT, y));
-            chart.text("soft tiny", "end", vec2(LEFT - 7.0, y + 4.0), &tick.label.replace('-', "\u{2212}"));
+            chart.text("soft tiny", "end", vec2(LEFT - 7.0, y + 4.0), &tick.signed());
         }
         chart.rect("frame", vec2(LEFT, TOP), vec2(RIGHT - LEFT, BOTTOM - TOP));
         chart.text("soft tiny", "middle", vec2((LEFT + RIGHT) / 2.0, BOTTOM + 36.0), &self.x.label);

@@ -111,11 +111,7 @@ impl<'w> Converter<'w> {
                 && let Some(name) = dest_url.strip_suffix(".svg").map(str::to_owned)
                 && let Some((_, screen)) = screens.iter().find(|(n, _)| *n == name)
             {
-                for skipped in events.by_ref() {
-                    if skipped == Event::End(TagEnd::Paragraph) {
-                        break;
-                    }
-                }
+                while events.next().is_some_and(|skipped| skipped != Event::End(TagEnd::Paragraph)) {}
                 ready.push(Event::Html("<figure>".into()));
                 ready.push(Event::Html(picture(&name, screen).into()));
                 ready.push(Event::Html("</figure>\n".into()));
