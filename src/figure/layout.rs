@@ -322,14 +322,14 @@ impl Builder<'_> {
             let by = vec2(by, 0.0);
             for b in fresh {
                 if let Some(p) = &mut self.bodies[b] {
-                    p.centre = p.centre + by;
+                    p.centre += by;
                 }
             }
             for run in &mut self.cords[cords..] {
                 shift(run, by);
             }
             for ground in &mut self.grounds[grounds..] {
-                ground.origin = ground.origin + by;
+                ground.origin += by;
             }
             right_end = Some(right_end.map_or(high, |_| high + by.x));
         }

@@ -341,8 +341,8 @@ impl<'p> Screen<'p> {
         Self { picture, style: format!("<style>{}</style>", style(picture)), content: svg.into_text() }
     }
 
-    /// How long it is, about, in bytes.
-    pub fn len(&self) -> usize {
+    /// About how many bytes it takes within a page.
+    pub fn bytes(&self) -> usize {
         self.content.len() + self.style.len() + self.picture.desc.len()
     }
 

@@ -62,7 +62,7 @@ impl<'w> Converter<'w> {
         screens: &'d [(&str, Screen)],
         place: Place,
     ) -> String {
-        let drawn: usize = screens.iter().map(|(_, screen)| screen.len()).sum();
+        let drawn: usize = screens.iter().map(|(_, screen)| screen.bytes()).sum();
         let mut out = String::with_capacity(document.markdown.len() * 6 + drawn);
         let mut walk =
             HtmlWalk { tables: 0, formulas: 0, columns: Vec::new(), cell: 0, in_head: false, in_code: false };
