@@ -82,7 +82,8 @@
 //!
 //! # Where the next feature goes
 //! A new method: a word in [`solve::method`], its steps in [`num::ode`] or its sum in `solve/energy/quadrature.rs`; [`solve::ladder`]
-//! judges it and measures it. A new picture: numbers into [`plot`].
+//! judges it and measures it. A new chart: numbers into [`plot`]; a new kind of element for all pictures:
+//! [`picture`].
 //! A new tie: a variant in [`scene::link`], its rows in `solve/eom/equations.rs`, its mode and its work in `solve/energy`, its
 //! words in `bank/scene.rs`. A new language: its folder in `templates/`, a line in [`words`], its texts in [`template`] and `cli/banks.rs`.
 //! A new format: a walk over the events of a [`sheet::document`], as in [`sheet::tex`]. A new family: no Rust, a file in `banks/`.
@@ -104,6 +105,7 @@ pub mod key;
 pub mod matches;
 pub mod misconception;
 pub mod num;
+pub mod picture;
 pub mod plot;
 pub mod policy;
 pub mod problem;

@@ -48,9 +48,10 @@ const DOORS: &[(&str, &[&str])] = &[
     ("misconception::catalogue", &["bank", "finding"]),
     ("misconception", &["bank", "scene", "solve::agree", "solve::outcome", "finding", "num"]),
     ("template", &["finding"]),
+    ("picture", &["num"]),
     (
         "figure",
-        &["problem", "bank", "scene", "solve::outcome", "key", "units", "num", "plot", "words", "finding"],
+        &["problem", "bank", "scene", "solve::outcome", "key", "units", "num", "picture", "plot", "words"],
     ),
     (
         "solution",
@@ -63,6 +64,7 @@ const DOORS: &[(&str, &[&str])] = &[
             "units",
             "num",
             "figure",
+            "picture",
             "sheet::document",
             "sheet::number",
             "words",
@@ -84,6 +86,7 @@ const DOORS: &[(&str, &[&str])] = &[
             "sheet::document",
             "sheet::number",
             "figure",
+            "picture",
             "words",
             "template",
             "finding",
@@ -118,6 +121,7 @@ const DOORS: &[(&str, &[&str])] = &[
             "key",
             "units",
             "num",
+            "picture",
             "plot",
             "misconception::catalogue",
             "sheet::document",
@@ -146,10 +150,10 @@ const DOORS: &[(&str, &[&str])] = &[
             "finding",
         ],
     ),
-    ("sheet::document", &["figure"]),
+    ("sheet::document", &["picture"]),
     ("sheet::number", &["num"]),
     ("sheet::terminal", &[]),
-    ("plot", &["num"]),
+    ("plot", &["picture", "num"]),
     ("matches", &["num"]),
     ("regrade", &["guard", "grade", "answer", "key", "policy"]),
     ("cli", &["*"]),
@@ -348,7 +352,7 @@ fn each_file_says_what_is_in_it() {
 #[test]
 fn nobody_else_rounds_decimals_for_people() {
     // Places in a drawing are nobody's answer, and a Typst length is for a machine.
-    const DRAWN: [&str; 4] = ["figure::svg", "figure::tikz", "plot::svg", "sheet::typst"];
+    const DRAWN: [&str; 3] = ["picture::svg", "picture::tikz", "sheet::typst"];
     let precise = |text: &str| {
         let mut found = Vec::new();
         for (i, _) in text.match_indices('{') {

@@ -11,9 +11,10 @@ use crate::cli::tell::Exit;
 use crate::cli::tell::Io;
 use crate::cli::words;
 use crate::figure::scene;
-use crate::figure::svg;
 use crate::finding::Finding;
 use crate::finding::Findings;
+use crate::picture::svg::Screen;
+use crate::picture::svg::escaped;
 use crate::problem::make::Maker;
 use crate::problem::make::Variant;
 use crate::problem::make_key;
@@ -130,7 +131,7 @@ fn card(problem: &Problem, variant: &Variant, n: usize, texts: &Texts, converter
     let phrases = &texts.words;
     let picture = scene::picture(problem, variant, phrases, problem.figure);
     let id = format!("{}-{n}", problem.id);
-    let figure = format!("<figure>{}</figure>\n", svg::Screen::new(&picture).inline(&id).trim_end());
+    let figure = format!("<figure>{}</figure>\n", Screen::new(&picture).inline(&id).trim_end());
     let formulas: Vec<String> = problem
         .data
         .iter()
@@ -228,11 +229,6 @@ fn notes(problem: &Problem, sweep: &Sweep, fit: &[String]) -> Vec<Value> {
     }
     notes.extend_from_slice(fit);
     notes.iter().map(|note| template::finished(&escaped(note))).collect()
-}
-
-/// A text as HTML.
-fn escaped(text: &str) -> String {
-    svg::escaped(text)
 }
 
 /// Names of commands between backticks, as code.

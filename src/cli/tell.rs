@@ -134,7 +134,7 @@ pub fn table(rows: &[Vec<String>], left: &[usize]) -> String {
 
 /// A share in whole per cent: `40 %`.
 pub fn percent(share: f64) -> String {
-    format!("{} %", shown::decimals(share * 100.0, 0))
+    format!("{} %", shown::per_cent(share, 0))
 }
 
 /// `1 sheet`, `2 sheets`

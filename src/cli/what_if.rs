@@ -66,8 +66,7 @@ fn shares(typed: &[String]) -> Result<Vec<f64>, Findings> {
 
 /// A share in per cent, without zeros at the end.
 pub fn per_cent(share: f64) -> String {
-    let text = shown::decimals(share * 100.0, 3);
-    text.trim_end_matches('0').trim_end_matches('.').to_owned()
+    shown::per_cent(share, 3)
 }
 
 /// One of the tolerances that are tried.

@@ -2,22 +2,24 @@
 //! bars are equally high; where they are not, nothing is drawn.
 use crate::bank::FigureLabels;
 use crate::bank::Problem;
-use crate::figure::board::Board;
-use crate::figure::board::TEXT;
-use crate::figure::board::Tied;
-use crate::figure::board::Wish;
-use crate::figure::picture::Picture;
-use crate::figure::picture::Role;
-use crate::figure::symbol;
-use crate::figure::vector::V;
-use crate::figure::vector::size;
-use crate::figure::view::View;
+use crate::figure::view::SceneView;
 use crate::num::shown;
 use crate::num::trig;
+use crate::picture::Picture;
+use crate::picture::Role;
+use crate::picture::board::Board;
+use crate::picture::board::LabelTie;
+use crate::picture::board::LabelWish;
+use crate::picture::board::TEXT;
+use crate::picture::symbol;
+use crate::picture::vector::Vec2;
+use crate::picture::vector::vec2;
 use crate::problem::make::Variant;
 use crate::scene::Degree;
 use crate::scene::End;
 use crate::scene::Owner;
+use crate::scene::Pin;
+use crate::scene::PinSpring;
 use crate::scene::Quantity;
 use crate::scene::Rest;
 use crate::scene::Start;
@@ -32,6 +34,8 @@ const HIGH: f64 = 210.0;
 const WIDE: f64 = 74.0;
 /// Space between the bars.
 const APART: f64 = 74.0;
+/// Distance of the lines of a pattern.
+const STEP: f64 = 8.0;
 /// Shares of the sum below this are not drawn.
 const SMALL: f64 = 2e-4;
 /// What doubles may leave between the two sums.
@@ -55,7 +59,7 @@ impl Energies {
 
 /// The energies of a variant; `None` where the solver does not say enough of them, or where there is no motion.
 pub fn energies(problem: &Problem, variant: &Variant, words: &Words) -> Option<Energies> {
-    let view = View::new(problem, variant, words, FigureLabels::Values)?;
+    let view = SceneView::new(problem, variant, words, FigureLabels::Values)?;
     let scene = view.scene;
     if scene.end == End::AtOnce {
         return None;
@@ -86,28 +90,11 @@ pub fn energies(problem: &Problem, variant: &Variant, words: &Words) -> Option<E
     end[5] = sum_of(Quantity::Heat);
     let mut work = sum_of(Quantity::WorkPull);
     if let Some((index, pin)) = scene.pinned() {
-        let from = view.of(pin.start_deg);
-        let to = match scene.end {
-            End::Angle(_, n) => view.of(n),
-            _ => return None,
-        };
+        let End::Angle(_, to) = scene.end else { return None };
         if let Some(spring) = &pin.spring {
-            let k = view.of(spring.stiffness_n_m);
-            let force = view
-                .solved(Quantity::SpringForce, Owner::Body(index))
-                .or_else(|| view.solved(Quantity::SpringForce, Owner::Scene))?;
-            let stretch = match spring.rest {
-                Rest::Stretch(x) => view.of(x),
-                Rest::Length(l) => {
-                    let (s, c) = trig::sin_cos_degrees(from);
-                    let up = if pin.from == Zero::Upright { c.hi } else { -c.hi };
-                    let at = view.of(spring.at_m);
-                    size((view.of(spring.x_m) - at * s.hi, view.of(spring.y_m) - at * up)) - view.of(l)
-                }
-            };
-            (start[2], end[2]) = (0.5 * k * stretch * stretch, 0.5 * force * force / k);
+            (start[2], end[2]) = spring_of(&view, index, pin, spring)?;
         }
-        let turned = (to - from).to_radians();
+        let turned = (view.of(to) - view.of(pin.start_deg)).to_radians();
         for couple in scene.couples.iter().filter(|c| c.body == index) {
             work += view.of(couple.moment_n_m) * if couple.forward { turned } else { -turned };
         }
@@ -120,15 +107,6 @@ pub fn energies(problem: &Problem, variant: &Variant, words: &Words) -> Option<E
             Start::Lamina { .. } => None,
         })
         .collect();
-    let settle = |start: [f64; 6], mut end: [f64; 6], work: f64| {
-        let mut start = start;
-        if work >= 0.0 {
-            start[4] = work
-        } else {
-            end[4] = -work
-        }
-        Energies { start, end }
-    };
     // Couples on bodies that also move: their work has the sign that makes the bars equal.
     let turning: f64 = scene
         .couples
@@ -146,7 +124,9 @@ pub fn energies(problem: &Problem, variant: &Variant, words: &Words) -> Option<E
     let thrown = scene.thrown().is_some();
     let mut tries = Vec::new();
     for sign in [1.0, -1.0] {
-        let mut first = settle(start, end, work + sign * turning);
+        let work = work + sign * turning;
+        let mut first = Energies { start, end };
+        *(if work >= 0.0 { &mut first.start[4] } else { &mut first.end[4] }) = work.abs();
         if thrown {
             for (b, degree, v) in &given {
                 let body = &scene.bodies[*b];
@@ -176,34 +156,48 @@ pub fn energies(problem: &Problem, variant: &Variant, words: &Words) -> Option<E
     tries.into_iter().find(|e| whole(e) && equal(e))
 }
 
+/// Energies of the spring of a pinned body at the start and at the end; `None` where its force was not found.
+fn spring_of(view: &SceneView, body: usize, pin: &Pin, spring: &PinSpring) -> Option<(f64, f64)> {
+    let k = view.of(spring.stiffness_n_m);
+    let found = |of: Owner| view.solved(Quantity::SpringForce, of);
+    let force = found(Owner::Body(body)).or_else(|| found(Owner::Scene))?;
+    let stretch = match spring.rest {
+        Rest::Stretch(x) => view.of(x),
+        Rest::Length(l) => {
+            let (s, c) = trig::sin_cos_degrees(view.of(pin.start_deg));
+            let up = if pin.from == Zero::Upright { c.hi } else { -c.hi };
+            let held = vec2(s.hi, up) * view.of(spring.at_m);
+            (vec2(view.of(spring.x_m), view.of(spring.y_m)) - held).length() - view.of(l)
+        }
+    };
+    Some((0.5 * k * stretch * stretch, 0.5 * force * force / k))
+}
+
 /// The bars; `None` where [`energies`] has none.
 pub fn picture(problem: &Problem, variant: &Variant, words: &Words) -> Option<Picture> {
     let energies = energies(problem, variant, words)?;
     let total = energies.sums().0;
     let mut board = Board::new();
-    let x = [0.0, WIDE + APART];
     let mut desc = Vec::new();
-    for (bar, (values, name)) in [(&energies.start, "start"), (&energies.end, "end")].into_iter().enumerate()
-    {
-        let left = x[bar];
+    let bars = [
+        (&energies.start, "start", 0.0, 0.0, Vec2::LEFT),
+        (&energies.end, "end", WIDE + APART, WIDE + APART + WIDE, Vec2::RIGHT),
+    ];
+    for (values, name, left, edge, out) in bars {
         let mut y = 0.0;
-        let mut told: Vec<(f64, usize, f64)> = Vec::new();
+        // The middle of each part, and what it is.
+        let mut told: Vec<(f64, String)> = Vec::new();
         for (kind, value) in values.iter().enumerate() {
             if *value < SMALL * total {
                 continue;
             }
             let high = HIGH * value / total;
-            area(&mut board, (left, y), (left + WIDE, y + high), kind);
-            told.push((y + high / 2.0, kind, *value));
+            area(&mut board, vec2(left, y), vec2(WIDE, high), kind);
+            let name = words.get(&format!("figure.energy.{}", KINDS[kind]));
+            told.push((y + high / 2.0, format!("{name} {} J", figures(words, *value))));
             y += high;
         }
-        let list: Vec<String> = told
-            .iter()
-            .map(|(_, kind, value)| {
-                let name = words.get(&format!("figure.energy.{}", KINDS[*kind]));
-                format!("{name} {} J", figures(words, *value))
-            })
-            .collect();
+        let list: Vec<&str> = told.iter().map(|(_, text)| text.as_str()).collect();
         let separator = if words.number("0.1").contains(',') { "; " } else { ", " };
         desc.push(words.say(&format!("figure.energy.text_{name}"), &[("list", &list.join(separator))]));
         // Labels apart from each other, in the order of the parts.
@@ -218,83 +212,58 @@ pub fn picture(problem: &Problem, variant: &Variant, words: &Words) -> Option<Pi
                 }
             }
         }
-        let (edge, out): (f64, V) = if bar == 0 { (left, (-1.0, 0.0)) } else { (left + WIDE, (1.0, 0.0)) };
-        for ((y, kind, value), place) in told.iter().zip(&places) {
-            let from = (edge, *y);
-            let knee = (edge + out.0 * 22.0, *place);
-            board.lines(&[from, (edge + out.0 * 6.0, *y), knee], false, Role::Dimension);
-            let text = format!(
-                "{}\u{a0}{}\u{a0}J",
-                words.get(&format!("figure.energy.{}", KINDS[*kind])),
-                figures(words, *value)
-            );
-            board.wish_for(note(&text, knee, out));
+        for ((y, text), place) in told.iter().zip(&places) {
+            let at = |x: f64, y: f64| vec2(edge + out.x * x, y);
+            let knee = at(22.0, *place);
+            board.lines(&[at(0.0, *y), at(6.0, *y), knee], false, Role::Dimension);
+            board.wish_for(note(text, knee, out));
         }
         board.wish_for(note(
             words.get(&format!("figure.energy.{name}")),
-            (left + WIDE / 2.0, -2.0),
-            (0.0, -1.0),
+            vec2(left + WIDE / 2.0, -2.0),
+            Vec2::DOWN,
         ));
     }
-    board.line((-14.0, 0.0), (2.0 * WIDE + APART + 14.0, 0.0), Role::Axis);
-    board.line((WIDE, HIGH), (WIDE + APART, HIGH), Role::Ghost);
+    board.line(vec2(-14.0, 0.0), vec2(2.0 * WIDE + APART + 14.0, 0.0), Role::Axis);
+    board.line(vec2(WIDE, HIGH), vec2(WIDE + APART, HIGH), Role::Ghost);
     let sum = format!("{}\u{a0}J", figures(words, total));
-    board.wish_for(note(&sum, (WIDE + APART / 2.0, HIGH), (0.0, 1.0)));
+    board.wish_for(note(&sum, vec2(WIDE + APART / 2.0, HIGH), Vec2::UP));
     Some(board.finish(words.get("figure.energy.title").to_owned(), desc.join(" ")))
 }
 
-fn note(text: &str, at: V, towards: V) -> Wish {
-    Wish {
+fn note(text: &str, at: Vec2, towards: Vec2) -> LabelWish {
+    LabelWish {
         rows: vec![symbol::upright(text.replace(' ', "\u{a0}"))],
         size: TEXT,
         role: Role::Dot,
         spots: vec![(at, towards)],
         gap: 4.0,
-        tie: Tied::Fixed,
+        tie: LabelTie::Fixed,
     }
 }
 
 /// A part of a bar, with a pattern of its own.
-fn area(board: &mut Board, low: V, high: V, kind: usize) {
-    let corners = [low, (high.0, low.1), high, (low.0, high.1)];
+fn area(board: &mut Board, low: Vec2, size: Vec2, kind: usize) {
+    let at = |x: f64, y: f64| low + vec2(x, y);
+    let corners = [low, at(size.x, 0.0), low + size, at(0.0, size.y)];
     board.lines(&corners, true, Role::Area(u8::try_from(kind).unwrap_or(0)));
-    let (wide, tall) = (high.0 - low.0, high.1 - low.1);
-    let mut line = |a: V, b: V| board.line(a, b, Role::Hatch);
-    let step = 8.0;
-    // Slanted lines y = x - s, cut by the box; mirrored for the other slant.
-    let slanted = |line: &mut dyn FnMut(V, V), mirrored: bool| {
-        let mut s = -tall + step;
-        while s < wide {
-            let (a, b) = (s.max(0.0), (s + tall).min(wide));
+    let steps = |most: f64| (1..).map(|i| f64::from(i) * STEP).take_while(move |s| *s < most);
+    let (slanted, mirrored) = (matches!(kind, 1 | 5), matches!(kind, 3 | 5));
+    for (drawn, mirrored) in [(slanted, false), (mirrored, true)] {
+        // Slanted lines y = x - s, cut by the box; mirrored for the other slant.
+        for s in steps(size.x + size.y).map(|s| s - size.y).filter(|_| drawn) {
+            let (a, b) = (s.max(0.0), (s + size.y).min(size.x));
+            let x = |t: f64| if mirrored { size.x - t } else { t };
             if b - a > 1.0 {
-                let x = |t: f64| if mirrored { high.0 - t } else { low.0 + t };
-                line((x(a), low.1 + a - s), (x(b), low.1 + b - s));
-            }
-            s += step;
-        }
-    };
-    match kind {
-        1 => slanted(&mut line, false),
-        2 => {
-            let mut y = step;
-            while y < tall - 1.0 {
-                line((low.0, low.1 + y), (high.0, low.1 + y));
-                y += step;
+                board.line(at(x(a), a - s), at(x(b), b - s), Role::Hatch);
             }
         }
-        3 => slanted(&mut line, true),
-        4 => {
-            let mut x = step;
-            while x < wide - 1.0 {
-                line((low.0 + x, low.1), (low.0 + x, high.1));
-                x += step;
-            }
-        }
-        5 => {
-            slanted(&mut line, false);
-            slanted(&mut line, true);
-        }
-        _ => {}
+    }
+    for y in steps(size.y - 1.0).filter(|_| kind == 2) {
+        board.line(at(0.0, y), at(size.x, y), Role::Hatch);
+    }
+    for x in steps(size.x - 1.0).filter(|_| kind == 4) {
+        board.line(at(x, 0.0), at(x, size.y), Role::Hatch);
     }
 }
 

@@ -5,35 +5,26 @@
 //! bars is negative in the signs of the scene.
 use crate::bank::FigureLabels;
 use crate::bank::Problem;
-use crate::figure::board::Board;
-use crate::figure::board::TEXT;
-use crate::figure::board::Tied;
-use crate::figure::board::Wish;
 use crate::figure::layout;
-use crate::figure::layout::Look;
+use crate::figure::layout::BodyLook;
 use crate::figure::layout::Placed;
 use crate::figure::names;
-use crate::figure::picture::Picture;
-use crate::figure::picture::Role;
-use crate::figure::picture::Run;
-use crate::figure::picture::RunStyle;
+use crate::figure::parts;
 use crate::figure::pinned::Hung;
 use crate::figure::say;
-use crate::figure::scene;
-use crate::figure::symbol;
-use crate::figure::vector::V;
-use crate::figure::vector::add;
-use crate::figure::vector::along;
-use crate::figure::vector::angle;
-use crate::figure::vector::cross;
-use crate::figure::vector::left;
-use crate::figure::vector::mul;
-use crate::figure::vector::size;
-use crate::figure::vector::sub;
-use crate::figure::vector::unit;
-use crate::figure::view::View;
+use crate::figure::view::SceneView;
 use crate::num::shown;
 use crate::num::trig;
+use crate::picture::Picture;
+use crate::picture::Role;
+use crate::picture::TextRun;
+use crate::picture::board::Board;
+use crate::picture::board::LabelTie;
+use crate::picture::board::LabelWish;
+use crate::picture::board::TEXT;
+use crate::picture::symbol;
+use crate::picture::vector::Vec2;
+use crate::picture::vector::vec2;
 use crate::problem::make::Variant;
 use crate::scene::Arm;
 use crate::scene::Attach;
@@ -65,30 +56,37 @@ const CAPTION: f64 = 13.0;
 const NOTHING: f64 = 1e-9;
 
 /// A force on the body.
-struct Force {
-    at: V,
+struct ForceArrow {
+    at: Vec2,
     /// Its value along `towards`; negative: it acts the other way.
     value: f64,
-    towards: V,
-    label: Vec<Run>,
+    towards: Vec2,
+    label: Vec<TextRun>,
     role: Role,
     /// Does its arrow end at its point (a push) or begin there (a pull)?
     push: bool,
     /// Its arrow is no longer than this.
     most: f64,
     /// How far its arrow is drawn from its line of action, to be seen.
-    aside: V,
+    aside: Vec2,
+}
+
+impl ForceArrow {
+    /// A pull, as long as the others.
+    fn new(at: Vec2, towards: Vec2, value: f64, label: Vec<TextRun>) -> Self {
+        Self { at, value, towards, label, role: Role::Force, push: false, most: LONGEST, aside: Vec2::ZERO }
+    }
 }
 
 /// A couple on the body: counter-clockwise positive.
 struct Turning {
     value: f64,
-    label: Vec<Run>,
+    label: Vec<TextRun>,
 }
 
 /// What a body makes of it: `m a` in one or two components, `I alpha`.
 struct Kinetic {
-    parts: Vec<Force>,
+    parts: Vec<ForceArrow>,
     turn: Option<Turning>,
     /// Radius of the arrow of `I alpha`.
     round: f64,
@@ -96,12 +94,12 @@ struct Kinetic {
 
 /// Both diagrams of a body, not drawn yet.
 struct Diagram<'a> {
-    forces: Vec<Force>,
+    forces: Vec<ForceArrow>,
     couples: Vec<Turning>,
     /// What acts at the axle of a body without a mass, its own weight included: not known, so not drawn.
-    unknown: Option<Force>,
+    unknown: Option<ForceArrow>,
     kinetic: Kinetic,
-    centre: V,
+    centre: Vec2,
     /// Pixels per metre.
     scale: f64,
     /// Draws the body.
@@ -112,7 +110,7 @@ struct Diagram<'a> {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Resultant {
     /// Sum of the forces.
-    pub force: (f64, f64),
+    pub force: Vec2,
     /// Sum of the moments about the mass centre.
     pub moment: f64,
     /// Sum of the magnitudes of the forces.
@@ -126,14 +124,14 @@ pub fn resultants(
     words: &Words,
     body: usize,
 ) -> Option<(Resultant, Resultant)> {
-    let view = View::new(problem, variant, words, FigureLabels::Symbols)?;
+    let view = SceneView::new(problem, variant, words, FigureLabels::Symbols)?;
     let diagram = diagram(&view, body)?;
-    let sum = |forces: &[Force], turns: &mut dyn Iterator<Item = &Turning>| {
-        let mut all = Resultant { force: (0.0, 0.0), moment: 0.0, size: 0.0 };
+    let sum = |forces: &[ForceArrow], turns: &mut dyn Iterator<Item = &Turning>| {
+        let mut all = Resultant { force: Vec2::ZERO, moment: 0.0, size: 0.0 };
         for f in forces {
-            let arm = mul(sub(f.at, diagram.centre), 1.0 / diagram.scale);
-            all.force = add(all.force, mul(f.towards, f.value));
-            all.moment += cross(arm, f.towards) * f.value;
+            let arm = (f.at - diagram.centre) * (1.0 / diagram.scale);
+            all.force += f.towards * f.value;
+            all.moment += arm.cross(f.towards) * f.value;
             all.size += f.value.abs();
         }
         all.moment += turns.map(|t| t.value).sum::<f64>();
@@ -142,12 +140,12 @@ pub fn resultants(
     let kinetic = &diagram.kinetic;
     let mut left = sum(&diagram.forces, &mut diagram.couples.iter());
     if let Some(f) = &diagram.unknown {
-        left.force = add(left.force, mul(f.towards, f.value));
+        left.force += f.towards * f.value;
     }
     Some((left, sum(&kinetic.parts, &mut kinetic.turn.iter())))
 }
 
-fn diagram<'a>(view: &'a View<'a>, body: usize) -> Option<Diagram<'a>> {
+fn diagram<'a>(view: &'a SceneView<'a>, body: usize) -> Option<Diagram<'a>> {
     let this = view.scene.bodies.get(body).filter(|b| b.particles.is_empty())?;
     match &this.pin {
         Some(pin) => Some(swinging(view, body, pin)),
@@ -174,7 +172,7 @@ pub fn known(problem: &Problem, variant: &Variant, body: usize) -> bool {
 /// slips.
 pub fn free_body(problem: &Problem, variant: &Variant, words: &Words, body: usize) -> Picture {
     let title = |name: &str| words.say("figure.forces.title", &[("body", name)]);
-    let view = View::new(problem, variant, words, FigureLabels::Symbols);
+    let view = SceneView::new(problem, variant, words, FigureLabels::Symbols);
     let drawn = view.as_ref().and_then(|view| Some((view, diagram(view, body)?)));
     let Some((view, diagram)) = drawn else {
         return Board::new().finish(title(""), String::new());
@@ -186,69 +184,51 @@ pub fn free_body(problem: &Problem, variant: &Variant, words: &Words, body: usiz
 }
 
 /// The diagrams of a body on a line or an axle.
-fn moving<'a>(view: &'a View<'a>, body: usize) -> Option<Diagram<'a>> {
+fn moving<'a>(view: &'a SceneView<'a>, body: usize) -> Option<Diagram<'a>> {
     let plan = layout::layout(view);
     let mut p = plan.bodies.get(body).cloned().flatten()?;
     let radius = if p.on_rail() { ON_RAIL } else { RADIUS };
     let scale = radius / layout::outer_m(view, body);
-    p.centre = (0.0, 0.0);
+    p.centre = Vec2::ZERO;
     let ratio = match &p.look {
-        Look::Wheel { outer, .. } => radius / outer,
-        Look::Block { .. } => 1.25,
+        BodyLook::Wheel { outer, .. } => radius / outer,
+        BodyLook::Block { .. } => 1.25,
     };
     p.look = match p.look {
-        Look::Wheel { open, .. } => match layout::look(view, body, scale) {
-            Look::Wheel { outer, rings, .. } => Look::Wheel { outer, rings, open },
-            block @ Look::Block { .. } => block,
+        BodyLook::Wheel { open, .. } => match layout::look(view, body, scale) {
+            BodyLook::Wheel { outer, rings, .. } => BodyLook::Wheel { outer, rings, open },
+            block @ BodyLook::Block { .. } => block,
         },
-        Look::Block { along, across } => Look::Block { along: along * ratio, across: across * ratio },
+        BodyLook::Block { along, across } => BodyLook::Block { along: along * ratio, across: across * ratio },
     };
     p.contact *= ratio;
     let this = &view.scene.bodies[body];
     let mass = view.kilograms(this);
     let weight = mass * view.of(view.scene.gravity_m_s2);
-    let mut forces = vec![Force {
-        at: p.centre,
-        value: weight,
-        towards: (0.0, -1.0),
-        label: names::weight(view, body),
-        role: Role::Force,
-        push: false,
-        most: LONGEST,
-        aside: (0.0, 0.0),
-    }];
+    let mut forces = vec![ForceArrow::new(p.centre, Vec2::DOWN, weight, names::weight(view, body))];
     let (mut a, mut alpha) = (found(view, Quantity::A, body), found(view, Quantity::Alpha, body));
     if p.on.is_some() {
-        if p.top.1 > 0.97 && p.contact > 40.0 {
+        if p.top.y > 0.97 && p.contact > 40.0 {
             // On a level the normal force comes from right below: the weight ends before it.
             forces[0].most = p.contact * 0.74;
         }
         contact(view, body, &p, weight, &mut forces, &mut a, &mut alpha);
     }
     cords(view, body, &p, &plan, ratio, &mut forces);
-    let couples: Vec<Turning> = couples_on(view, body)
-        .map(|c| Turning {
-            value: view.of(c.moment_n_m) * if p.clockwise == c.forward { -1.0 } else { 1.0 },
-            label: moment(view, c),
-        })
-        .collect();
+    let couples = couples_on(view, body, p.clockwise);
     let mut unknown = None;
     if this.massless() {
         forces.remove(0);
     }
     if this.line.is_none() {
         // The axle holds the sum of all others.
-        let sum = forces.iter().fold((0.0, 0.0), |s, f| add(s, mul(f.towards, f.value)));
-        let axle = Force {
-            at: p.centre,
-            value: size(sum),
-            towards: unit(mul(sum, -1.0)),
-            label: symbol::symbol(&names::of_body(view, body, &["O", "O_A"], |b| b.line.is_none())),
-            role: Role::Force,
-            push: false,
-            most: LONGEST,
-            aside: (0.0, 0.0),
-        };
+        let sum = forces.iter().fold(Vec2::ZERO, |s, f| s + f.towards * f.value);
+        let axle = ForceArrow::new(
+            p.centre,
+            (-sum).unit(),
+            sum.length(),
+            symbol::symbol(&names::of_body(view, body, &["O", "O_A"], |b| b.line.is_none())),
+        );
         if this.massless() {
             unknown = Some(axle);
         } else {
@@ -259,36 +239,28 @@ fn moving<'a>(view: &'a View<'a>, body: usize) -> Option<Diagram<'a>> {
     if this.line.is_some() {
         let mut label = names::mass(view, body);
         let symbol = symbol::symbol(&names::of_body(view, body, &["a", "a_G"], |b| b.line.is_some()));
-        label.extend(names::magnitude(symbol, a < 0.0));
-        parts.push(Force {
-            at: p.centre,
-            value: a * mass,
-            towards: p.forward,
-            label,
-            role: Role::Motion,
-            push: false,
-            most: LONGEST,
-            aside: (0.0, 0.0),
-        });
+        label.extend(symbol::magnitude(symbol, a < 0.0));
+        parts
+            .push(ForceArrow { role: Role::Motion, ..ForceArrow::new(p.centre, p.forward, a * mass, label) });
     }
     let turn = this.turns.then(|| {
         let mut label = symbol::symbol(&names::of_body(view, body, &["I_G", "J_G"], |_| false));
         let symbol = names::of_body(view, body, &[r"\alpha", r"\dot{\omega}"], |b| b.turns);
-        label.extend(names::magnitude(symbol::symbol(&symbol), alpha < 0.0));
+        label.extend(symbol::magnitude(symbol::symbol(&symbol), alpha < 0.0));
         Turning { value: alpha * view.inertia(this) * if p.clockwise { -1.0 } else { 1.0 }, label }
     });
-    let kinetic = Kinetic { parts, turn, round: p.reach((1.0, 0.0)) + 10.0 };
+    let kinetic = Kinetic { parts, turn, round: p.reach(Vec2::RIGHT) + 10.0 };
     let centre = p.centre;
     let draw = move |board: &mut Board| {
         if p.on.is_some() {
             // The surface, cut away, as a reference.
-            let at = along(p.centre, p.top, -p.contact);
+            let at = p.centre - p.top * p.contact;
             let long = p.reach(p.forward) + 22.0;
-            board.line(along(at, p.forward, -long), along(at, p.forward, long), Role::Ghost);
+            board.line(at - p.forward * long, at + p.forward * long, Role::Ghost);
         }
-        scene::outline(board, &p);
-        scene::inside(board, &p);
-        if matches!(p.look, Look::Block { .. }) {
+        parts::outline(board, &p);
+        parts::inside(board, &p);
+        if matches!(p.look, BodyLook::Block { .. }) {
             board.dot(p.centre);
         }
     };
@@ -304,32 +276,32 @@ fn moving<'a>(view: &'a View<'a>, body: usize) -> Option<Diagram<'a>> {
 }
 
 /// What the solver found of a body; 0 where it found nothing.
-fn found(view: &View, quantity: Quantity, body: usize) -> f64 {
+fn found(view: &SceneView, quantity: Quantity, body: usize) -> f64 {
     view.solved(quantity, Owner::Body(body)).unwrap_or(0.0)
 }
 
-fn couples_on<'v>(view: &View<'v>, body: usize) -> impl Iterator<Item = &'v Couple> {
-    view.scene.couples.iter().filter(move |c| c.body == body)
-}
-
-fn moment(view: &View, couple: &Couple) -> Vec<Run> {
-    let given = view.symbol(couple.moment_n_m);
-    let symbol = if given.is_empty() { symbol::symbol("M") } else { given };
-    names::magnitude(symbol, view.of(couple.moment_n_m) < 0.0)
+fn couples_on(view: &SceneView, body: usize, clockwise: bool) -> Vec<Turning> {
+    let turning = |c: &Couple| {
+        let (given, value) = (view.symbol(c.moment_n_m), view.of(c.moment_n_m));
+        let symbol = if given.is_empty() { symbol::symbol("M") } else { given };
+        let value_left = if clockwise == c.forward { -value } else { value };
+        Turning { value: value_left, label: symbol::magnitude(symbol, value < 0.0) }
+    };
+    view.scene.couples.iter().filter(|c| c.body == body).map(turning).collect()
 }
 
 /// Normal force and friction.
 fn contact(
-    view: &View,
+    view: &SceneView,
     body: usize,
     p: &Placed,
     weight: f64,
-    forces: &mut Vec<Force>,
+    forces: &mut Vec<ForceArrow>,
     a: &mut f64,
     alpha: &mut f64,
 ) {
     let this = &view.scene.bodies[body];
-    let at = along(p.centre, p.top, -p.contact);
+    let at = p.centre - p.top * p.contact;
     let tie = view.scene.ties.iter().position(|t| match t {
         Tie::Roll { body: b, .. } | Tie::Slip { body: b, .. } | Tie::Slide { body: b, .. } => *b == body,
         Tie::Cord(_) => false,
@@ -354,34 +326,30 @@ fn contact(
         // Found positive up the incline, drawn along the body's own forward direction.
         friction = -friction;
     }
-    forces.push(Force {
-        at,
-        value: normal,
-        towards: p.top,
-        label: symbol::symbol(&names::of_body(view, body, &["N", "N_s"], |b| {
-            b.line.is_some_and(|l| l.surface)
-        })),
-        role: Role::Force,
+    forces.push(ForceArrow {
         push: true,
-        most: LONGEST,
-        aside: (0.0, 0.0),
+        ..ForceArrow::new(
+            at,
+            p.top,
+            normal,
+            symbol::symbol(&names::of_body(view, body, &["N", "N_s"], |b| b.line.is_some_and(|l| l.surface))),
+        )
     });
     let signed = whose(Quantity::Friction).unwrap_or(friction);
     let negative = if view.scene.thrown().is_some() { friction < 0.0 } else { signed < 0.0 };
-    forces.push(Force {
-        at,
-        value: friction,
-        towards: p.forward,
-        label: names::magnitude(symbol::symbol(&names::friction(view, body)), negative),
+    forces.push(ForceArrow {
         role: Role::Friction,
-        push: false,
-        most: LONGEST,
-        aside: (0.0, 0.0),
+        ..ForceArrow::new(
+            at,
+            p.forward,
+            friction,
+            symbol::magnitude(symbol::symbol(&names::friction(view, body)), negative),
+        )
     });
 }
 
 /// Sine and cosine of the slope of a body's line.
-fn slope(view: &View, body: usize) -> (f64, f64) {
+fn slope(view: &SceneView, body: usize) -> (f64, f64) {
     match view.scene.bodies[body].line.map(|l| l.slope) {
         None | Some(Slope::Level) => (0.0, 1.0),
         Some(Slope::Vertical) => (1.0, 0.0),
@@ -393,7 +361,14 @@ fn slope(view: &View, body: usize) -> (f64, f64) {
 }
 
 /// Pulls and tensions.
-fn cords(view: &View, body: usize, p: &Placed, plan: &layout::Layout, ratio: f64, forces: &mut Vec<Force>) {
+fn cords(
+    view: &SceneView,
+    body: usize,
+    p: &Placed,
+    plan: &layout::SceneLayout,
+    ratio: f64,
+    forces: &mut Vec<ForceArrow>,
+) {
     for run in &plan.cords {
         let Some(Tie::Cord(cord)) = view.scene.ties.get(run.tie) else { continue };
         let far = match cord.to {
@@ -404,12 +379,12 @@ fn cords(view: &View, body: usize, p: &Placed, plan: &layout::Layout, ratio: f64
             let Some((_, towards)) = run.at.iter().find(|(b, _)| *b == body) else { continue };
             let at = match end.attach {
                 Attach::Centre => match &p.look {
-                    Look::Block { .. } => along(p.centre, *towards, p.reach(*towards)),
-                    Look::Wheel { .. } => p.centre,
+                    BodyLook::Block { .. } => p.centre + *towards * p.reach(*towards),
+                    BodyLook::Wheel { .. } => p.centre,
                 },
                 Attach::Wound(radius, side) => {
                     let out = p.winds(side, end.forward, *towards);
-                    along(p.centre, out, (view.of(radius) * plan.scale * ratio).max(2.0))
+                    p.centre + out * (view.of(radius) * plan.scale * ratio).max(2.0)
                 }
             };
             let (value, label) = match cord.to {
@@ -422,22 +397,13 @@ fn cords(view: &View, body: usize, p: &Placed, plan: &layout::Layout, ratio: f64
                     symbol::symbol(&names::tension(view, run.tie)),
                 ),
             };
-            forces.push(Force {
-                at,
-                value,
-                towards: *towards,
-                label: names::magnitude(label, value < 0.0),
-                role: Role::Force,
-                push: false,
-                most: LONGEST,
-                aside: (0.0, 0.0),
-            });
+            forces.push(ForceArrow::new(at, *towards, value, symbol::magnitude(label, value < 0.0)));
         }
     }
 }
 
 /// The diagrams of a pinned body, at the angle that is asked.
-fn swinging<'a>(view: &'a View<'a>, body: usize, pin: &Pin) -> Diagram<'a> {
+fn swinging<'a>(view: &'a SceneView<'a>, body: usize, pin: &Pin) -> Diagram<'a> {
     let this = &view.scene.bodies[body];
     let hung = Hung::new(view, this, pin);
     let degrees = match view.scene.end {
@@ -445,7 +411,7 @@ fn swinging<'a>(view: &'a View<'a>, body: usize, pin: &Pin) -> Diagram<'a> {
         _ => view.of(pin.start_deg),
     };
     let (d, across) = (hung.direction(degrees), hung.across(degrees));
-    let g = mul(d, hung.arm);
+    let g = d * hung.arm;
     let mass = view.kilograms(this);
     let metres = match pin.arm {
         Arm::Distance(h) => view.of(h),
@@ -457,98 +423,73 @@ fn swinging<'a>(view: &'a View<'a>, body: usize, pin: &Pin) -> Diagram<'a> {
     };
     let (radial, tangential) =
         (found(view, Quantity::PinRadial, body), found(view, Quantity::PinTangential, body));
-    let force = |at: V, value: f64, towards: V, label: Vec<Run>| Force {
-        at,
-        value,
-        towards,
-        label: names::magnitude(label, value < 0.0),
-        role: Role::Force,
-        push: false,
-        most: LONGEST,
-        aside: (0.0, 0.0),
+    let force = |at: Vec2, value: f64, towards: Vec2, label: Vec<TextRun>| {
+        ForceArrow::new(at, towards, value, symbol::magnitude(label, value < 0.0))
     };
     let weight = mass * view.of(view.scene.gravity_m_s2);
     let mut forces = vec![
-        force(g, weight, (0.0, -1.0), names::weight(view, body)),
-        force((0.0, 0.0), radial, mul(d, -1.0), name(&["R", "O_r"])),
-        force((0.0, 0.0), tangential, across, name(&["S", "O_t"])),
+        force(g, weight, Vec2::DOWN, names::weight(view, body)),
+        force(Vec2::ZERO, radial, -d, name(&["R", "O_r"])),
+        force(Vec2::ZERO, tangential, across, name(&["S", "O_t"])),
     ];
     if let Some(spring) = &pin.spring {
-        let held = mul(d, view.of(spring.at_m) * hung.scale);
-        let anchor = (view.of(spring.x_m) * hung.scale, view.of(spring.y_m) * hung.scale);
+        let held = d * (view.of(spring.at_m) * hung.scale);
+        let anchor = vec2(view.of(spring.x_m) * hung.scale, view.of(spring.y_m) * hung.scale);
         let value = found(view, Quantity::SpringForce, body);
-        forces.push(force(held, value, unit(sub(anchor, held)), name(&["F_s", r"F_{\mathrm{s}}"])));
+        forces.push(force(held, value, (anchor - held).unit(), name(&["F_s", r"F_{\mathrm{s}}"])));
     }
-    let couples: Vec<Turning> = couples_on(view, body)
-        .map(|c| Turning {
-            value: view.of(c.moment_n_m) * if hung.clockwise() == c.forward { -1.0 } else { 1.0 },
-            label: moment(view, c),
-        })
-        .collect();
+    let couples = couples_on(view, body, hung.clockwise());
     let (omega, alpha) = (found(view, Quantity::Omega, body), found(view, Quantity::Alpha, body));
-    let with_mass = |symbol: Vec<Run>| {
+    let with_mass = |symbol: Vec<TextRun>| {
         let mut label = names::mass(view, body);
         label.extend(symbol);
         label
     };
     // Along a thin rod they stand beside it, where the tangential ones do not.
     let beside = |tangential: f64| match hung.rod {
-        Some(_) => mul(across, if tangential < 0.0 { BESIDE } else { -BESIDE }),
-        None => (0.0, 0.0),
+        Some(_) => across * (if tangential < 0.0 { BESIDE } else { -BESIDE }),
+        None => Vec2::ZERO,
     };
     let into = hung.rod.is_some_and(|(from, to)| if radial < 0.0 { to > 30.0 } else { from < -30.0 });
     if into {
         forces[1].aside = beside(tangential);
     }
     let parts = vec![
-        Force {
-            at: g,
-            value: mass * metres * omega * omega,
-            towards: mul(d, -1.0),
-            label: with_mass(symbol::symbol("a_n")),
+        ForceArrow {
             role: Role::Motion,
-            push: false,
-            most: LONGEST,
             aside: beside(alpha),
+            ..ForceArrow::new(g, -d, mass * metres * omega * omega, with_mass(symbol::symbol("a_n")))
         },
-        Force {
-            at: g,
-            value: mass * metres * alpha,
-            towards: across,
-            label: with_mass(names::magnitude(symbol::symbol("a_t"), alpha < 0.0)),
+        ForceArrow {
             role: Role::Motion,
-            push: false,
-            most: LONGEST,
-            aside: (0.0, 0.0),
+            ..ForceArrow::new(
+                g,
+                across,
+                mass * metres * alpha,
+                with_mass(symbol::magnitude(symbol::symbol("a_t"), alpha < 0.0)),
+            )
         },
     ];
     let mut label = name(&["I_G", "J_G"]);
-    label.extend(names::magnitude(name(&[r"\alpha", r"\alpha_1"]), alpha < 0.0));
+    label.extend(symbol::magnitude(name(&[r"\alpha", r"\alpha_1"]), alpha < 0.0));
     let sense = if hung.clockwise() { -1.0 } else { 1.0 };
     let turn = Some(Turning { value: alpha * view.inertia(this) * sense, label });
     let draw = move |board: &mut Board| {
         let zero = hung.direction(0.0);
-        board.line((0.0, 0.0), mul(zero, 62.0), Role::Ghost);
-        hung.outline(board, (0.0, 0.0), degrees, Role::Body);
-        board.circle((0.0, 0.0), 3.2, Role::Inner);
+        board.line(Vec2::ZERO, zero * 62.0, Role::Ghost);
+        hung.outline(board, Vec2::ZERO, degrees, Role::Body);
+        board.circle(Vec2::ZERO, 3.2, Role::Inner);
         board.dot(g);
         let aside = if hung.rod.is_some() { 5.0 } else { 2.0 };
-        let mut letter = |text: &str, at: V| {
-            board.wish_for(Wish {
-                rows: vec![vec![symbol::run(text, RunStyle::Italic)]],
-                size: TEXT,
-                role: Role::Dot,
-                spots: vec![
-                    (add(at, mul(across, aside)), across),
-                    (add(at, mul(across, -aside)), mul(across, -1.0)),
-                    (at, mul(d, -1.0)),
-                    (at, d),
-                ],
-                gap: 4.0,
-                tie: Tied::Near,
-            });
+        let mut letter = |text: &str, at: Vec2| {
+            board.label(
+                vec![symbol::italic(text)],
+                Role::Dot,
+                (LabelTie::Near, 4.0),
+                vec![(at + across * aside, across), (at + across * -aside, -across), (at, -d), (at, d)],
+            );
         };
-        letter("O", (0.0, 0.0));
+        letter("O", Vec2::ZERO);
         if hung.arm > 4.0 {
             letter("G", g);
         }
@@ -558,7 +499,7 @@ fn swinging<'a>(view: &'a View<'a>, body: usize, pin: &Pin) -> Diagram<'a> {
 }
 
 /// Both diagrams with the sign between them.
-fn equation(view: &View, diagram: &Diagram, desc: &mut Vec<String>) -> Board {
+fn equation(view: &SceneView, diagram: &Diagram, desc: &mut Vec<String>) -> Board {
     let Diagram { forces, couples, kinetic, centre, body, .. } = diagram;
     let centre = *centre;
     let scale = common(forces, &kinetic.parts);
@@ -595,21 +536,21 @@ fn equation(view: &View, diagram: &Diagram, desc: &mut Vec<String>) -> Board {
     let (mine, theirs) = (one.frame(), two.frame());
     if let (Some(f), Some(h)) = (mine, theirs) {
         let wide = 58.0;
-        let middle = (f.2 + wide, centre.1);
+        let middle = f.high.x + wide;
         let mut equals = Board::new();
-        equals.wish_for(sign("=", (middle.0, 0.0), 26.0));
-        two.shift((f.2 + 2.0 * wide - h.0, 0.0));
+        equals.wish_for(sign("=", vec2(middle, 0.0), 26.0));
+        two.shift(vec2(f.high.x + 2.0 * wide - h.low.x, 0.0));
         // The sign comes first: all other labels make room for it.
         equals.put(one);
         equals.put(two);
         if let (false, Some(all)) = (captions.is_empty(), equals.frame()) {
-            equals.wish_for(Wish {
+            equals.wish_for(LabelWish {
                 rows: captions,
                 size: CAPTION,
                 role: Role::Dot,
-                spots: vec![((middle.0, all.1), (0.0, -1.0))],
+                spots: vec![(vec2(middle, all.low.y), Vec2::DOWN)],
                 gap: 12.0,
-                tie: Tied::Loose,
+                tie: LabelTie::Loose,
             });
         }
         return equals;
@@ -617,22 +558,22 @@ fn equation(view: &View, diagram: &Diagram, desc: &mut Vec<String>) -> Board {
     one
 }
 
-fn sign(text: &str, at: V, size: f64) -> Wish {
-    Wish {
-        rows: vec![vec![symbol::run(text, RunStyle::Upright)]],
+fn sign(text: &str, at: Vec2, size: f64) -> LabelWish {
+    LabelWish {
+        rows: vec![symbol::upright(text)],
         size,
         role: Role::Dot,
-        spots: vec![(at, (0.0, 1.0))],
+        spots: vec![(at, Vec2::UP)],
         gap: -size * 0.4,
-        tie: Tied::Near,
+        tie: LabelTie::Near,
     }
 }
 
 /// Pixels per newton in both diagrams, `None` where the smallest arrow would be too short to be seen.
-fn common(forces: &[Force], parts: &[Force]) -> Option<f64> {
-    let seen = |list: &[Force]| {
+fn common(forces: &[ForceArrow], parts: &[ForceArrow]) -> Option<f64> {
+    let seen = |list: &[ForceArrow]| {
         let most = list.iter().map(|f| f.value.abs()).fold(0.0, f64::max);
-        let drawn = |f: &&Force| f.value.is_finite() && f.value.abs() > NOTHING * most;
+        let drawn = |f: &&ForceArrow| f.value.is_finite() && f.value.abs() > NOTHING * most;
         list.iter().filter(drawn).map(|f| (f.value.abs(), f.most)).collect::<Vec<_>>()
     };
     let all = [seen(forces), seen(parts)].concat();
@@ -642,11 +583,12 @@ fn common(forces: &[Force], parts: &[Force]) -> Option<f64> {
 }
 
 /// Draws arrows, to the given scale if there is one; false if there is nothing to draw.
-fn arrows(board: &mut Board, forces: &[Force], pixels: Option<f64>) -> bool {
+fn arrows(board: &mut Board, forces: &[ForceArrow], pixels: Option<f64>) -> bool {
     let most = forces.iter().map(|f| f.value.abs()).fold(0.0, f64::max);
     let mut any = false;
     // One scale for all of them, such that none is longer than it may be.
-    let room = |f: &Force| if f.value.abs() > 0.0 { f.most * most / (LONGEST * f.value.abs()) } else { 1.0 };
+    let room =
+        |f: &ForceArrow| if f.value.abs() > 0.0 { f.most * most / (LONGEST * f.value.abs()) } else { 1.0 };
     let scale = forces.iter().map(room).fold(1.0, f64::min).max(0.5) * LONGEST;
     for f in forces.iter().filter(|f| f.value.is_finite() && f.value.abs() > NOTHING * most) {
         any = true;
@@ -654,53 +596,52 @@ fn arrows(board: &mut Board, forces: &[Force], pixels: Option<f64>) -> bool {
             Some(pixels) => pixels * f.value.abs(),
             None => (scale * f.value.abs() / most).max(SHORTEST),
         };
-        let towards = mul(f.towards, f.value.signum());
-        let at = add(f.at, f.aside);
-        let (from, to) =
-            if f.push { (along(at, towards, -long), at) } else { (at, along(at, towards, long)) };
+        let towards = f.towards * f.value.signum();
+        let at = f.at + f.aside;
+        let (from, to) = if f.push { (at - towards * long, at) } else { (at, at + towards * long) };
         board.arrow(from, to, f.role);
-        let (end, out) = if f.push { (from, mul(towards, -1.0)) } else { (to, towards) };
-        let side = left(towards);
-        let near = along(end, out, -8.0);
-        let far = along(end, out, -22.0);
-        let beside = [(near, side), (near, mul(side, -1.0)), (far, side), (far, mul(side, -1.0))];
+        let (end, out) = if f.push { (from, -towards) } else { (to, towards) };
+        let side = towards.left();
+        let near = end - out * 8.0;
+        let far = end - out * 22.0;
+        let beside = [(near, side), (near, -side), (far, side), (far, -side)];
         // Friction lies on a line of the surface, which goes on beyond its head.
         let first = usize::from(f.role == Role::Friction) * 2;
         let mut spots = beside.to_vec();
         spots.insert(first, (end, out));
-        board.wish_for(Wish {
-            rows: vec![f.label.clone()],
-            size: TEXT,
-            role: f.role,
-            spots,
-            gap: 4.0,
-            tie: Tied::Near,
-        });
+        board.label(vec![f.label.clone()], f.role, (LabelTie::Near, 4.0), spots);
     }
     any
 }
 
 /// A curved arrow about a point.
-fn turning(board: &mut Board, centre: V, radius: f64, turn: &Turning, role: Role) {
+fn turning(board: &mut Board, centre: Vec2, radius: f64, turn: &Turning, role: Role) {
     if turn.value.abs() < 1e-300 || !turn.value.is_finite() {
         return;
     }
     let sense = turn.value.signum();
     // A wide one goes round a part of the body, a narrow one nearly all round its point.
-    let (mid, half) = if radius > 45.0 { (angle((-0.8, 1.0)), 0.5) } else { (angle((-0.35, 1.0)), 1.9) };
+    let (mid, half) =
+        if radius > 45.0 { (vec2(-0.8, 1.0).angle(), 0.5) } else { (vec2(-0.35, 1.0).angle(), 1.9) };
     board.curved_arrow(centre, radius, mid - sense * half, mid + sense * half, role);
-    let spot = |d: V| (along(centre, d, radius), d);
+    let spot = |d: Vec2| (centre + d * radius, d);
     board.wish(
         turn.label.clone(),
-        vec![spot(unit((-0.6, 1.0))), spot(unit((0.6, 1.0))), spot((-1.0, 0.0)), spot((1.0, 0.0))],
+        vec![spot(vec2(-0.6, 1.0).unit()), spot(vec2(0.6, 1.0).unit()), spot(Vec2::LEFT), spot(Vec2::RIGHT)],
         role,
     );
 }
 
 /// What the diagrams show, in words.
-fn tell(view: &View, forces: &[Force], couples: &[Turning], kinetic: &Kinetic, desc: &mut Vec<String>) {
-    let way = |towards: V| {
-        let degrees = angle(towards) * 180.0 / std::f64::consts::PI;
+fn tell(
+    view: &SceneView,
+    forces: &[ForceArrow],
+    couples: &[Turning],
+    kinetic: &Kinetic,
+    desc: &mut Vec<String>,
+) {
+    let way = |towards: Vec2| {
+        let degrees = towards.angle() * 180.0 / std::f64::consts::PI;
         let rounded = shown::decimals(if degrees < -0.5 { degrees + 360.0 } else { degrees.abs() }, 0);
         view.words.say("figure.forces.way", &[("angle", &rounded)])
     };
@@ -708,12 +649,12 @@ fn tell(view: &View, forces: &[Force], couples: &[Turning], kinetic: &Kinetic, d
         let name = if t.value < 0.0 { "figure.turn.clockwise" } else { "figure.turn.counter" };
         format!("{} {}", symbol::plain(&t.label), view.words.get(name))
     };
-    let list = |forces: &[Force], turns: &mut dyn Iterator<Item = &Turning>| {
+    let list = |forces: &[ForceArrow], turns: &mut dyn Iterator<Item = &Turning>| {
         let most = forces.iter().map(|f| f.value.abs()).fold(0.0, f64::max);
         let mut items: Vec<String> = forces
             .iter()
             .filter(|f| f.value.is_finite() && f.value.abs() > NOTHING * most)
-            .map(|f| format!("{} {}", symbol::plain(&f.label), way(mul(f.towards, f.value.signum()))))
+            .map(|f| format!("{} {}", symbol::plain(&f.label), way(f.towards * f.value.signum())))
             .collect();
         items.extend(turns.filter(|t| t.value.abs() > 1e-12).map(turn));
         if items.is_empty() { "0".to_owned() } else { items.join("; ") }

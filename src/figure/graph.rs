@@ -6,20 +6,21 @@
 use crate::bank::FigureLabels;
 use crate::bank::Problem;
 use crate::figure::bars::figures;
-use crate::figure::board::Board;
-use crate::figure::board::TEXT;
-use crate::figure::board::Tied;
-use crate::figure::board::Wish;
 use crate::figure::names;
-use crate::figure::picture::Picture;
-use crate::figure::picture::Role;
-use crate::figure::picture::Run;
-use crate::figure::picture::RunStyle;
-use crate::figure::symbol;
-use crate::figure::vector::V;
-use crate::figure::view::View;
+use crate::figure::view::SceneView;
+use crate::picture::Picture;
+use crate::picture::Role;
+use crate::picture::RunStyle;
+use crate::picture::TextRun;
+use crate::picture::board::Board;
+use crate::picture::board::LabelTie;
+use crate::picture::board::LabelWish;
+use crate::picture::board::TEXT;
+use crate::picture::symbol;
+use crate::picture::vector::Vec2;
+use crate::picture::vector::vec2;
 use crate::plot::Axis;
-use crate::plot::Scale;
+use crate::plot::AxisScale;
 use crate::problem::make;
 use crate::problem::make::Variant;
 use crate::scene::Coordinate;
@@ -50,7 +51,18 @@ pub struct Curve {
     /// Which line.
     pub look: u8,
     /// What it is.
-    pub label: Vec<Run>,
+    pub label: Vec<TextRun>,
+}
+
+impl Curve {
+    /// Its height between its points; 0 outside.
+    fn value(&self, x: f64) -> f64 {
+        let pair = self.points.windows(2).find(|w| w[0].0 <= x && x <= w[1].0);
+        pair.map_or(0.0, |w| {
+            let span = w[1].0 - w[0].0;
+            if span > 0.0 { w[0].1 + (w[1].1 - w[0].1) * (x - w[0].0) / span } else { w[0].1 }
+        })
+    }
 }
 
 /// A marked place on the first axis.
@@ -155,7 +167,7 @@ pub struct SpringCurves {
 /// All graphs of a variant, by name; none where nothing teaches.
 pub fn all(problem: &Problem, variant: &Variant, words: &Words) -> Vec<(String, Picture)> {
     let mut list = Vec::new();
-    let Some(view) = View::new(problem, variant, words, FigureLabels::Values) else { return list };
+    let Some(view) = SceneView::new(problem, variant, words, FigureLabels::Values) else { return list };
     if let Some(curves) = spring_curves(problem, variant) {
         list.push(("graph-speed".to_owned(), speed(&view, &curves)));
         if curves.friction.len() > 1 {
@@ -171,9 +183,9 @@ pub fn all(problem: &Problem, variant: &Variant, words: &Words) -> Vec<(String, 
     list
 }
 
-fn speed(view: &View, c: &SpringCurves) -> Picture {
+fn speed(view: &SceneView, c: &SpringCurves) -> Picture {
     let words = view.words;
-    let word = |name: &str| words.get(&format!("figure.graph.{name}")).to_owned();
+    let word = |name: &str| word(view, name);
     let v = |q: Quantity| value(view.variant, q, c.body);
     let mut marks = Vec::new();
     if let Some(y) = v(Quantity::V) {
@@ -187,12 +199,13 @@ fn speed(view: &View, c: &SpringCurves) -> Picture {
         marks.push(Mark { x, y: 0.0, label: word("turning") });
     }
     let line = Curve { points: c.speed.clone(), look: 0, label: symbol::symbol("v") };
-    draw(view, &word("distance"), "m", &word("speed"), "m/s", &[line], &[], &marks)
+    let (x, y) = ((word("distance"), "m"), (word("speed"), "m/s"));
+    Graph { words, x, y, curves: vec![line], limits: Vec::new(), marks }.picture()
 }
 
-fn friction(view: &View, c: &SpringCurves) -> Picture {
+fn friction(view: &SceneView, c: &SpringCurves) -> Picture {
     let words = view.words;
-    let word = |name: &str| words.get(&format!("figure.graph.{name}")).to_owned();
+    let word = |name: &str| word(view, name);
     let v = |q: Quantity| value(view.variant, q, c.body);
     let mut marks = Vec::new();
     if let Some(y) = v(Quantity::Friction) {
@@ -215,11 +228,11 @@ fn friction(view: &View, c: &SpringCurves) -> Picture {
     }
     let level = view.scene.bodies[c.body].line.is_some_and(|l| l.slope == Slope::Level);
     let name = word(if level { "friction_level" } else { "friction" });
-    draw(view, &word("distance"), "m", &name, "N", &curves, &limits, &marks)
+    Graph { words, x: (word("distance"), "m"), y: (name, "N"), curves, limits, marks }.picture()
 }
 
 /// Angular speed over the angle of a pinned body.
-fn swing(view: &View) -> Option<Picture> {
+fn swing(view: &SceneView) -> Option<Picture> {
     let (body, pin) = view.scene.pinned()?;
     let End::Angle(at, asked) = view.scene.end else { return None };
     let (from, asked) = (view.of(pin.start_deg), view.of(asked));
@@ -238,15 +251,16 @@ fn swing(view: &View) -> Option<Picture> {
         return None;
     }
     points.sort_by(|a, b| a.0.total_cmp(&b.0));
-    let word = |name: &str| view.words.get(&format!("figure.graph.{name}")).to_owned();
+    let word = |name: &str| word(view, name);
     let y = value(view.variant, Quantity::Omega, body)?;
-    let marks = [Mark { x: asked, y, label: word("asked") }];
+    let marks = vec![Mark { x: asked, y, label: word("asked") }];
     let line = Curve { points, look: 0, label: symbol::symbol(r"\omega") };
-    Some(draw(view, &word("angle"), "°", &word("spin"), "rad/s", &[line], &[], &marks))
+    let (x, y) = ((word("angle"), "°"), (word("spin"), "rad/s"));
+    Some(Graph { words: view.words, x, y, curves: vec![line], limits: Vec::new(), marks }.picture())
 }
 
 /// The speed of the centre and that of the turning rim over time, until they meet and a little on.
-fn slip(view: &View) -> Option<Picture> {
+fn slip(view: &SceneView) -> Option<Picture> {
     let thrown = view.scene.thrown()?;
     let (body, radius) = (thrown.body, view.of(thrown.radius_m));
     let at = Coordinate { body, degree: Degree::Along };
@@ -280,13 +294,13 @@ fn slip(view: &View) -> Option<Picture> {
         let (v, _) = signed(far)?;
         if (v - common).abs() <= (-v - common).abs() { v } else { -v }
     };
-    let word = |name: &str| view.words.get(&format!("figure.graph.{name}")).to_owned();
+    let word = |name: &str| word(view, name);
     let mut rim = view.symbol(thrown.radius_m);
     if rim.is_empty() {
         rim = symbol::symbol("R");
     }
     rim.extend(symbol::symbol(r"\omega"));
-    let curves = [
+    let curves = vec![
         Curve { points: vec![(0.0, v0), (when, common), (far, after)], look: 0, label: symbol::symbol("v") },
         Curve { points: vec![(0.0, radius * w0), (when, common), (far, after)], look: 1, label: rim },
     ];
@@ -295,7 +309,12 @@ fn slip(view: &View) -> Option<Picture> {
         let y = if t < when { v0 + (common - v0) * t / when } else { after };
         marks.push(Mark { x: t, y, label: word("asked") });
     }
-    Some(draw(view, &word("time"), "s", &word("speeds"), "m/s", &curves, &[], &marks))
+    let (x, y) = ((word("time"), "s"), (word("speeds"), "m/s"));
+    Some(Graph { words: view.words, x, y, curves, limits: Vec::new(), marks }.picture())
+}
+
+fn word(view: &SceneView, name: &str) -> String {
+    view.words.get(&format!("figure.graph.{name}")).to_owned()
 }
 
 /// A value as words tell it: 0 where nobody sees it on an axis of this range.
@@ -303,144 +322,150 @@ fn settled(value: f64, range: f64) -> f64 {
     if value.abs() < 1e-3 * range { 0.0 } else { value }
 }
 
-/// A graph.
-#[expect(clippy::too_many_arguments, reason = "two axes with names and units, and what stands between them")]
-fn draw(
-    view: &View,
-    x_name: &str,
-    x_unit: &str,
-    y_name: &str,
-    y_unit: &str,
-    curves: &[Curve],
-    limits: &[f64],
-    marks: &[Mark],
-) -> Picture {
-    let words = view.words;
-    let xs = curves.iter().flat_map(|c| c.points.iter().map(|p| p.0));
-    let ys = curves.iter().flat_map(|c| c.points.iter().map(|p| p.1));
-    let (low, high) = (
-        curves.iter().flat_map(|c| c.points.iter().map(|p| p.0)).fold(f64::INFINITY, f64::min),
-        xs.fold(f64::NEG_INFINITY, f64::max),
-    );
-    let low = if low > 0.0 && low < 1e-3 * high { 0.0 } else { low };
-    let x_axis = Axis {
-        label: String::new(),
-        scale: Scale::Linear,
-        low,
-        high: if high > low { high } else { low + 1.0 },
-    };
-    let round = Axis::around("", Scale::Linear, [low, high].into_iter());
-    let y_axis = Axis::around("", Scale::Linear, ys.chain([0.0]));
-    let at = |p: (f64, f64)| -> V { (x_axis.at(p.0) * WIDE, y_axis.at(p.1) * HIGH) };
-    let mut board = Board::new();
-    let zero = y_axis.at(0.0) * HIGH;
-    let tick = |text: &str, at: V, towards: V, size: f64| Wish {
-        rows: vec![symbol::upright(words.number(text).replace('-', "−"))],
-        size,
-        role: Role::Dot,
-        spots: vec![(at, towards)],
-        gap: 4.0,
-        tie: Tied::Fixed,
-    };
-    for t in y_axis.ticks() {
-        let y = t.at * HIGH;
-        board.line((0.0, y), (WIDE, y), Role::Grid);
-        if !t.label.is_empty() {
-            board.wish_for(tick(&t.label, (-2.0, y), (-1.0, 0.0), TICKS));
+/// A graph: names and units of its axes, and what stands between them.
+struct Graph<'a> {
+    words: &'a Words,
+    x: (String, &'static str),
+    y: (String, &'static str),
+    curves: Vec<Curve>,
+    /// Levels beyond which the field is hatched.
+    limits: Vec<f64>,
+    marks: Vec<Mark>,
+}
+
+/// Where values stand in the field of a graph.
+struct Field {
+    x: Axis,
+    y: Axis,
+}
+
+impl Field {
+    fn of(curves: &[Curve]) -> Self {
+        let points = || curves.iter().flat_map(|c| &c.points);
+        let low = points().map(|p| p.0).fold(f64::INFINITY, f64::min);
+        let high = points().map(|p| p.0).fold(f64::NEG_INFINITY, f64::max);
+        let low = if low > 0.0 && low < 1e-3 * high { 0.0 } else { low };
+        let high = if high > low { high } else { low + 1.0 };
+        let x = Axis { label: String::new(), scale: AxisScale::Linear, low, high };
+        Self { x, y: Axis::around("", AxisScale::Linear, points().map(|p| p.1).chain([0.0])) }
+    }
+
+    fn at(&self, x: f64, y: f64) -> Vec2 {
+        vec2(self.x.at(x) * WIDE, self.y.at(y) * HIGH)
+    }
+}
+
+impl Graph<'_> {
+    fn picture(self) -> Picture {
+        let field = Field::of(&self.curves);
+        let mut board = Board::new();
+        self.axes(&mut board, &field);
+        for c in &self.curves {
+            let points: Vec<Vec2> = c.points.iter().map(|p| field.at(p.0, p.1)).collect();
+            board.lines(&points, false, Role::Curve(c.look));
         }
-    }
-    for t in round.ticks() {
-        let value = round.low + (round.high - round.low) * t.at;
-        if value < low - 1e-9 * (high - low) || value > high + 1e-9 * (high - low) {
-            continue;
+        for m in &self.marks {
+            let p = field.at(m.x, m.y);
+            board.line(vec2(p.x, field.at(m.x, 0.0).y), p, Role::Ghost);
+            board.circle(p, 3.6, Role::Dot);
         }
-        let x = x_axis.at(value) * WIDE;
-        board.line((x, 0.0), (x, HIGH), Role::Grid);
-        if !t.label.is_empty() {
-            board.wish_for(tick(&t.label, (x, -4.0), (0.0, -1.0), TICKS));
+        self.names(&mut board);
+        for m in &self.marks {
+            let p = field.at(m.x, m.y);
+            let up = if m.y >= 0.0 { 1.0 } else { -1.0 };
+            let around = [(0.0, up), (-0.8, 0.6), (0.8, 0.6), (0.8, -0.6), (-0.8, -0.6), (0.0, -up)];
+            let spots = around.map(|(x, y)| (p, vec2(x, y))).to_vec();
+            let name = symbol::upright(m.label.replace(' ', "\u{a0}"));
+            board.label(vec![name], Role::Dot, (LabelTie::Leader, 6.0), spots);
         }
+        for c in &self.curves {
+            let spot = |share: f64| {
+                let x = field.x.low + (field.x.high - field.x.low) * share;
+                field.at(x, c.value(x))
+            };
+            let sides = |s: f64| [(spot(s), vec2(-0.5, 0.85)), (spot(s), vec2(0.5, -0.85))];
+            let spots = [0.12, 0.25, 0.8, 0.6, 0.4].into_iter().flat_map(sides).collect();
+            board.label(vec![c.label.clone()], Role::Curve(c.look), (LabelTie::Leader, 5.0), spots);
+        }
+        let title = self.words.say("figure.graph.title", &[("y", &self.y.0), ("x", &self.x.0)]);
+        board.finish(title, self.told(&field).replace('\u{a0}', " "))
     }
-    board.line((0.0, zero), (WIDE, zero), Role::Axis);
-    board.line((0.0, 0.0), (0.0, HIGH), Role::Axis);
-    for limit in limits {
-        // The band in which it does not slip is between the limits: outside is hatched.
-        let y = y_axis.at(*limit) * HIGH;
-        board.hatch((0.0, y), (WIDE, y), (0.0, limit.signum()));
-    }
-    for c in curves {
-        let points: Vec<V> = c.points.iter().map(|p| at(*p)).collect();
-        board.lines(&points, false, Role::Curve(c.look));
-    }
-    for m in marks {
-        let p = at((m.x, m.y));
-        board.line((p.0, zero), p, Role::Ghost);
-        board.circle(p, 3.6, Role::Dot);
-    }
-    let name = |text: &str, unit: &str| format!("{text} ({unit})").replace(' ', "\u{a0}");
-    board.wish_for(Wish { gap: 26.0, ..tick(&name(x_name, x_unit), (WIDE / 2.0, 0.0), (0.0, -1.0), TEXT) });
-    let title = name(y_name, y_unit);
-    let half = symbol::width(&symbol::upright(title.clone()), TEXT) / 2.0;
-    board.wish_for(tick(&title, (half - 30.0, HIGH + 6.0), (0.0, 1.0), TEXT));
-    let x_text = |x: f64| figures(words, settled(x, x_axis.high - x_axis.low));
-    let y_text = |y: f64| figures(words, settled(y, y_axis.high - y_axis.low));
-    let mut told = Vec::new();
-    for m in marks {
-        let p = at((m.x, m.y));
-        let up = if m.y >= 0.0 { 1.0 } else { -1.0 };
-        board.wish_for(Wish {
-            rows: vec![symbol::upright(m.label.replace(' ', "\u{a0}"))],
-            size: TEXT,
+
+    fn text_at(&self, text: &str, at: Vec2, towards: Vec2, size: f64) -> LabelWish {
+        LabelWish {
+            rows: vec![symbol::upright(self.words.number(text).replace('-', "−"))],
+            size,
             role: Role::Dot,
-            spots: vec![
-                (p, (0.0, up)),
-                (p, (-0.8, 0.6)),
-                (p, (0.8, 0.6)),
-                (p, (0.8, -0.6)),
-                (p, (-0.8, -0.6)),
-                (p, (0.0, -up)),
-            ],
-            gap: 6.0,
-            tie: Tied::Leader,
-        });
-        told.push(
-            words.say("figure.graph.mark", &[("mark", &m.label), ("x", &x_text(m.x)), ("y", &y_text(m.y))]),
-        );
+            spots: vec![(at, towards)],
+            gap: 4.0,
+            tie: LabelTie::Fixed,
+        }
     }
-    for c in curves {
-        let role = Role::Curve(c.look);
-        let spot = |share: f64| {
-            let x = low + (high - low) * share;
-            let pair = c.points.windows(2).find(|w| w[0].0 <= x && x <= w[1].0);
-            let y = pair.map_or(0.0, |w| {
-                let span = w[1].0 - w[0].0;
-                if span > 0.0 { w[0].1 + (w[1].1 - w[0].1) * (x - w[0].0) / span } else { w[0].1 }
-            });
-            at((x, y))
+
+    /// Grid, axes, numbers at the ticks, hatched bands.
+    fn axes(&self, board: &mut Board, field: &Field) {
+        for t in field.y.ticks() {
+            let y = t.at * HIGH;
+            board.line(vec2(0.0, y), vec2(WIDE, y), Role::Grid);
+            if !t.label.is_empty() {
+                board.wish_for(self.text_at(&t.label, vec2(-2.0, y), Vec2::LEFT, TICKS));
+            }
+        }
+        let (low, high) = (field.x.low, field.x.high);
+        let round = Axis::around("", AxisScale::Linear, [low, high].into_iter());
+        let slack = 1e-9 * (high - low);
+        for t in round.ticks() {
+            let value = round.low + (round.high - round.low) * t.at;
+            if value < low - slack || value > high + slack {
+                continue;
+            }
+            let x = field.x.at(value) * WIDE;
+            board.line(vec2(x, 0.0), vec2(x, HIGH), Role::Grid);
+            if !t.label.is_empty() {
+                board.wish_for(self.text_at(&t.label, vec2(x, -4.0), Vec2::DOWN, TICKS));
+            }
+        }
+        let level = |value: f64| field.y.at(value) * HIGH;
+        board.line(vec2(0.0, level(0.0)), vec2(WIDE, level(0.0)), Role::Axis);
+        board.line(Vec2::ZERO, vec2(0.0, HIGH), Role::Axis);
+        for limit in &self.limits {
+            // The band in which it does not slip is between the limits: outside is hatched.
+            let y = level(*limit);
+            board.hatch(vec2(0.0, y), vec2(WIDE, y), vec2(0.0, limit.signum()));
+        }
+    }
+
+    /// The names of the axes.
+    fn names(&self, board: &mut Board) {
+        let name = self.text_at(&named(&self.x), vec2(WIDE / 2.0, 0.0), Vec2::DOWN, TEXT);
+        board.wish_for(LabelWish { gap: 26.0, ..name });
+        let title = named(&self.y);
+        let half = symbol::width(&symbol::upright(title.clone()), TEXT) / 2.0;
+        board.wish_for(self.text_at(&title, vec2(half - 30.0, HIGH + 6.0), Vec2::UP, TEXT));
+    }
+
+    /// What it shows, in words.
+    fn told(&self, field: &Field) -> String {
+        let words = self.words;
+        let x = |x: f64| figures(words, settled(x, field.x.high - field.x.low));
+        let y = |y: f64| figures(words, settled(y, field.y.high - field.y.low));
+        let curve = |c: &Curve| {
+            let show = |p: Option<&(f64, f64)>| p.map_or_else(Default::default, |p| (x(p.0), y(p.1)));
+            let ((x0, y0), (x1, y1)) = (show(c.points.first()), show(c.points.last()));
+            let label = symbol::plain(&c.label);
+            let ends = [("curve", label.as_str()), ("x0", &x0), ("y0", &y0), ("x1", &x1), ("y1", &y1)];
+            words.say("figure.graph.curve", &ends)
         };
-        let spots = [0.12, 0.25, 0.8, 0.6, 0.4]
-            .into_iter()
-            .flat_map(|s| [(spot(s), (-0.5, 0.85)), (spot(s), (0.5, -0.85))]);
-        board.wish_for(Wish {
-            rows: vec![c.label.clone()],
-            size: TEXT,
-            role,
-            spots: spots.collect(),
-            gap: 5.0,
-            tie: Tied::Leader,
-        });
+        let mark =
+            |m: &Mark| words.say("figure.graph.mark", &[("mark", &m.label), ("x", &x(m.x)), ("y", &y(m.y))]);
+        let text = words.say("figure.graph.text", &[("y", &named(&self.y)), ("x", &named(&self.x))]);
+        let told =
+            std::iter::once(text).chain(self.curves.iter().map(curve)).chain(self.marks.iter().map(mark));
+        told.collect::<Vec<_>>().join(" ")
     }
-    let ends = |c: &Curve| {
-        let show =
-            |p: Option<&(f64, f64)>| p.map_or((String::new(), String::new()), |p| (x_text(p.0), y_text(p.1)));
-        let ((x0, y0), (x1, y1)) = (show(c.points.first()), show(c.points.last()));
-        let label = symbol::plain(&c.label);
-        words.say(
-            "figure.graph.curve",
-            &[("curve", &label), ("x0", &x0), ("y0", &y0), ("x1", &x1), ("y1", &y1)],
-        )
-    };
-    let text = words.say("figure.graph.text", &[("y", &name(y_name, y_unit)), ("x", &name(x_name, x_unit))]);
-    let desc: Vec<String> = std::iter::once(text).chain(curves.iter().map(ends)).chain(told).collect();
-    let title = words.say("figure.graph.title", &[("y", y_name), ("x", x_name)]);
-    board.finish(title, desc.join(" ").replace('\u{a0}', " "))
+}
+
+/// `speed (m/s)`, on one line.
+fn named((text, unit): &(String, &str)) -> String {
+    format!("{text} ({unit})").replace(' ', "\u{a0}")
 }

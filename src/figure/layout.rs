@@ -3,18 +3,9 @@
 //! A body on a surface fixes its surface; cords lead from a placed body to the next one, straight where both ends point at
 //! each other, else over a guide pulley. What hangs together is one group; groups stand side by side. Radii are to scale,
 //! lengths of cords are as long as the picture needs.
-use crate::figure::vector::V;
-use crate::figure::vector::add;
-use crate::figure::vector::along;
-use crate::figure::vector::angle;
-use crate::figure::vector::cross;
-use crate::figure::vector::dot;
-use crate::figure::vector::left;
-use crate::figure::vector::mul;
-use crate::figure::vector::polar_degrees;
-use crate::figure::vector::right;
-use crate::figure::vector::sub;
-use crate::figure::view::View;
+use crate::figure::view::SceneView;
+use crate::picture::vector::Vec2;
+use crate::picture::vector::vec2;
 use crate::scene::Attach;
 use crate::scene::Cord;
 use crate::scene::CordEnd;
@@ -38,7 +29,7 @@ const SPRING: f64 = 62.0;
 
 /// What a body looks like.
 #[derive(Debug, Clone, PartialEq)]
-pub enum Look {
+pub enum BodyLook {
     /// Turns: circles, the outermost first. `open` for what is mostly a ring.
     Wheel {
         /// Outermost radius.
@@ -61,15 +52,15 @@ pub enum Look {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Placed {
     /// Its mass centre.
-    pub centre: V,
+    pub centre: Vec2,
     /// Its forward direction.
-    pub forward: V,
+    pub forward: Vec2,
     /// Its top side: away from the surface.
-    pub top: V,
+    pub top: Vec2,
     /// Is a positive turn clockwise?
     pub clockwise: bool,
     /// What it looks like.
-    pub look: Look,
+    pub look: BodyLook,
     /// Distance of the centre from the surface.
     pub contact: f64,
     /// Its surface.
@@ -78,23 +69,32 @@ pub struct Placed {
 
 impl Placed {
     /// How far it reaches in a direction.
-    pub fn reach(&self, towards: V) -> f64 {
+    pub fn reach(&self, towards: Vec2) -> f64 {
         match &self.look {
-            Look::Wheel { outer, .. } => *outer,
-            Look::Block { along, across } => {
-                along * dot(self.forward, towards).abs() + across * dot(self.top, towards).abs()
+            BodyLook::Wheel { outer, .. } => *outer,
+            BodyLook::Block { along, across } => {
+                along * self.forward.dot(towards).abs() + across * self.top.dot(towards).abs()
             }
         }
     }
     /// Direction from the centre to where a wound cord leaves it in a direction.
-    pub fn winds(&self, side: Side, forward: bool, towards: V) -> V {
+    pub fn winds(&self, side: Side, forward: bool, towards: Vec2) -> Vec2 {
         let pays_out = (side == Side::Top) == forward;
-        let out = if self.clockwise == pays_out { left(towards) } else { right(towards) };
-        (out.0, out.1)
+        if self.clockwise == pays_out { towards.left() } else { towards.right() }
+    }
+    /// Direction at an angle in degrees, counted from forward toward the top.
+    pub fn direction(&self, degrees: f64) -> Vec2 {
+        let Vec2 { x, y } = Vec2::polar_degrees(degrees);
+        self.forward * x + self.top * y
+    }
+    /// The point so far from the centre in that direction, and the direction.
+    pub fn spot(&self, degrees: f64, far: f64) -> (Vec2, Vec2) {
+        let towards = self.direction(degrees);
+        (self.centre + towards * far, towards)
     }
     /// Does it roll or slip on a radius within its outline, so that its surface is a rail?
     pub fn on_rail(&self) -> bool {
-        self.on.is_some() && matches!(&self.look, Look::Wheel { outer, .. } if self.contact < outer - 1.0)
+        self.on.is_some() && matches!(&self.look, BodyLook::Wheel { outer, .. } if self.contact < outer - 1.0)
     }
 }
 
@@ -104,11 +104,11 @@ pub struct Ground {
     /// As the scene has it.
     pub slope: Slope,
     /// A point of it.
-    pub origin: V,
+    pub origin: Vec2,
     /// Up the slope (on a level: forward).
-    pub up: V,
+    pub up: Vec2,
     /// Out of the surface.
-    pub out: V,
+    pub out: Vec2,
     /// Its ends, counted from the origin along `up`.
     pub from: f64,
     /// Upper end.
@@ -121,48 +121,48 @@ pub struct Ground {
 
 /// A piece of a cord.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Piece {
+pub enum CordPiece {
     /// Straight.
-    Straight(V, V),
+    Straight(Vec2, Vec2),
     /// Round a body or pulley: centre, radius, angles.
-    Round(V, f64, f64, f64),
+    Round(Vec2, f64, f64, f64),
     /// A post on a block that is lower than the cord.
-    Post(V, V),
+    Post(Vec2, Vec2),
 }
 
 /// What a cord ends at.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Stop {
+pub enum CordStop {
     /// A pull: from, to.
-    Pull(V, V),
+    Pull(Vec2, Vec2),
     /// A spring: from, to; the wall stands at its end. The third is where the cord would end without stretch.
-    Spring(V, V, V),
+    Spring(Vec2, Vec2, Vec2),
     /// A fixed point, with the direction in which the cord arrives.
-    Fixed(V, V),
+    Fixed(Vec2, Vec2),
     /// Another body.
     Body,
 }
 
 /// A cord on the board.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Run {
+pub struct CordRun {
     /// Index of its tie.
     pub tie: usize,
     /// Its pieces.
-    pub pieces: Vec<Piece>,
+    pub pieces: Vec<CordPiece>,
     /// What it ends at.
-    pub stop: Stop,
+    pub stop: CordStop,
     /// Guide pulley: centre, radius.
-    pub guide: Option<(V, f64)>,
+    pub guide: Option<(Vec2, f64)>,
     /// Where and in which direction it leaves the body from which it was drawn.
-    pub leaves: (V, V),
+    pub leaves: (Vec2, Vec2),
     /// Each body that it is at, with the direction in which it leaves it.
-    pub at: Vec<(usize, V)>,
+    pub at: Vec<(usize, Vec2)>,
 }
 
 /// A scene on the board.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Layout {
+pub struct SceneLayout {
     /// Pixels per metre.
     pub scale: f64,
     /// Bodies that move along lines or turn about fixed axles; `None` for the others.
@@ -170,24 +170,42 @@ pub struct Layout {
     /// Surfaces.
     pub grounds: Vec<Ground>,
     /// Cords.
-    pub cords: Vec<Run>,
+    pub cords: Vec<CordRun>,
 }
 
 struct Builder<'a> {
-    view: View<'a>,
+    view: SceneView<'a>,
     scale: f64,
     bodies: Vec<Option<Placed>>,
     grounds: Vec<Ground>,
-    cords: Vec<Run>,
+    cords: Vec<CordRun>,
     /// Cords that hang from each body, so that they hang at different heights.
     hanging: Vec<usize>,
     /// Limits of surfaces at their upper ends.
     limits: Vec<Option<f64>>,
 }
 
+/// Two bodies that a cord joins.
+struct Joint {
+    near: CordEnd,
+    far: CordEnd,
+    from: Placed,
+    to: Placed,
+    /// Did the second one stand before?
+    placed: bool,
+    /// Surfaces that were there before.
+    grounds: usize,
+    /// Directions in which the cord leaves both.
+    away: Vec2,
+    back: Vec2,
+    /// Where it leaves the first one, and where it is seen to.
+    at: Vec2,
+    start: Vec2,
+}
+
 /// Outermost radius of a body that turns, m: the largest that is given, or as for a disc where the given ones lie within
 /// its radius of gyration.
-pub fn outer_m(view: &View, body: usize) -> f64 {
+pub fn outer_m(view: &SceneView, body: usize) -> f64 {
     let body = &view.scene.bodies[body];
     let given = view.radii(body).first().map_or(0.0, |(_, r)| *r);
     let gyration = match &body.inertia {
@@ -199,7 +217,7 @@ pub fn outer_m(view: &View, body: usize) -> f64 {
 }
 
 /// What a body looks like at a scale.
-pub fn look(view: &View, index: usize, scale: f64) -> Look {
+pub fn look(view: &SceneView, index: usize, scale: f64) -> BodyLook {
     let body = &view.scene.bodies[index];
     if body.turns {
         let outer = outer_m(view, index) * scale;
@@ -209,28 +227,24 @@ pub fn look(view: &View, index: usize, scale: f64) -> Look {
             &body.inertia,
             Some(RotaryInertia::Shape(crate::scene::Shape::Hoop | crate::scene::Shape::Shell, _))
         );
-        Look::Wheel { outer, rings: rings.collect(), open }
+        BodyLook::Wheel { outer, rings: rings.collect(), open }
     } else {
         let blocks = view.scene.bodies.iter().filter(|b| !b.turns);
         let most = blocks.map(|b| view.kilograms(b)).fold(0.0, f64::max);
         let share = if most > 0.0 { view.kilograms(body) / most } else { 1.0 };
         // The edge goes with the cube root of the mass.
         let edge = 25.0 * crate::num::trig::power(share.clamp(0.1, 1.0), 1.0 / 3.0);
-        let across = if body.line.is_some_and(|l| l.surface) { 0.72 } else { 1.0 };
-        let along = if body.line.is_some_and(|l| l.surface) { 1.15 } else { 0.86 };
-        Look::Block { along: edge * along, across: edge * across }
+        let (along, across) = if body.line.is_some_and(|l| l.surface) { (1.15, 0.72) } else { (0.86, 1.0) };
+        BodyLook::Block { along: edge * along, across: edge * across }
     }
 }
 
 /// Works out where everything stands.
-pub fn layout(view: &View) -> Layout {
+pub fn layout(view: &SceneView) -> SceneLayout {
     let scene = view.scene;
-    let round: Vec<usize> = (0..scene.bodies.len())
-        .filter(|b| {
-            scene.bodies[*b].turns && scene.bodies[*b].pin.is_none() && scene.bodies[*b].particles.is_empty()
-        })
-        .collect();
-    let largest = round.iter().map(|b| outer_m(view, *b)).fold(0.0, f64::max);
+    let bodies = scene.bodies.iter().enumerate();
+    let round = bodies.filter(|(_, b)| b.turns && b.pin.is_none() && b.particles.is_empty());
+    let largest = round.map(|(b, _)| outer_m(view, b)).fold(0.0, f64::max);
     let target = match scene.bodies.len() {
         1 => 80.0,
         2 => 66.0,
@@ -247,7 +261,7 @@ pub fn layout(view: &View) -> Layout {
         limits: Vec::new(),
     };
     builder.all();
-    Layout { scale, bodies: builder.bodies, grounds: builder.grounds, cords: builder.cords }
+    SceneLayout { scale, bodies: builder.bodies, grounds: builder.grounds, cords: builder.cords }
 }
 
 impl Builder<'_> {
@@ -258,7 +272,9 @@ impl Builder<'_> {
             body.pin.is_none() && body.particles.is_empty()
         };
         let mut order: Vec<usize> = (0..scene.bodies.len()).filter(|b| drawn(*b)).collect();
-        let tied = |b: usize| self.cords_of(b).next().is_some();
+        let at =
+            |cord: &Cord, b: usize| cord.from.body == b || matches!(cord.to, Far::Body(end) if end.body == b);
+        let tied = |b: usize| scene.ties.iter().any(|t| matches!(t, Tie::Cord(cord) if at(cord, b)));
         // Surfaces first, then axles, then what hangs.
         order.sort_by_key(|b| {
             let body = &scene.bodies[*b];
@@ -287,58 +303,41 @@ impl Builder<'_> {
             };
             for b in &fresh {
                 if let Some(p) = &self.bodies[*b] {
-                    see(p.centre.0 - p.reach((1.0, 0.0)) - 34.0);
-                    see(p.centre.0 + p.reach((1.0, 0.0)) + 34.0);
+                    see(p.centre.x - p.reach(Vec2::RIGHT) - 34.0);
+                    see(p.centre.x + p.reach(Vec2::RIGHT) + 34.0);
                 }
             }
             for run in &self.cords[cords..] {
                 let end = match run.stop {
-                    Stop::Pull(_, to) | Stop::Spring(_, to, _) | Stop::Fixed(to, _) => to,
-                    Stop::Body => run.leaves.1,
+                    CordStop::Pull(_, to) | CordStop::Spring(_, to, _) | CordStop::Fixed(to, _) => to,
+                    CordStop::Body => run.leaves.1,
                 };
-                see(end.0);
+                see(end.x);
                 if let Some((c, r)) = run.guide {
-                    see(c.0 - r);
-                    see(c.0 + r);
+                    see(c.x - r);
+                    see(c.x + r);
                 }
             }
             let by = right_end.map_or(0.0, |x| x + 60.0 - low);
-            let by = (by, 0.0);
+            let by = vec2(by, 0.0);
             for b in fresh {
                 if let Some(p) = &mut self.bodies[b] {
-                    p.centre = add(p.centre, by);
+                    p.centre += by;
                 }
             }
             for run in &mut self.cords[cords..] {
                 shift(run, by);
             }
             for ground in &mut self.grounds[grounds..] {
-                ground.origin = add(ground.origin, by);
+                ground.origin += by;
             }
-            right_end = Some(right_end.map_or(high, |_| high + by.0));
+            right_end = Some(right_end.map_or(high, |_| high + by.x));
         }
         self.ends();
     }
 
-    /// Cords at a body: index of the tie, the end at the body, is it the first end?
-    fn cords_of(&self, body: usize) -> impl Iterator<Item = (usize, &Cord, CordEnd, bool)> {
-        self.view.scene.ties.iter().enumerate().flat_map(move |(i, tie)| {
-            let Tie::Cord(cord) = tie else { return Vec::new() };
-            let mut ends = Vec::new();
-            if cord.from.body == body {
-                ends.push((i, cord, cord.from, true));
-            }
-            if let Far::Body(end) = cord.to
-                && end.body == body
-            {
-                ends.push((i, cord, end, false));
-            }
-            ends
-        })
-    }
-
     /// Distance of a body's centre from its surface.
-    fn contact(&self, body: usize, look: &Look) -> f64 {
+    fn contact(&self, body: usize, look: &BodyLook) -> f64 {
         let radius = self.view.scene.ties.iter().find_map(|t| match t {
             Tie::Roll { body: b, radius_m, .. } | Tie::Slip { body: b, radius_m, .. } if *b == body => {
                 Some(self.view.of(*radius_m) * self.scale)
@@ -346,14 +345,14 @@ impl Builder<'_> {
             _ => None,
         });
         match look {
-            Look::Wheel { outer, .. } => radius.unwrap_or(*outer).max(LEAST),
-            Look::Block { across, .. } => *across,
+            BodyLook::Wheel { outer, .. } => radius.unwrap_or(*outer).max(LEAST),
+            BodyLook::Block { across, .. } => *across,
         }
     }
 
-    fn directions(slope: f64, mirrored: bool) -> (V, V) {
-        let (c, s) = polar_degrees(slope);
-        if mirrored { ((-c, s), (s, c)) } else { ((c, s), (-s, c)) }
+    fn directions(slope: f64, mirrored: bool) -> (Vec2, Vec2) {
+        let up = Vec2::polar_degrees(slope);
+        if mirrored { (vec2(-up.x, up.y), vec2(up.y, up.x)) } else { (up, up.left()) }
     }
 
     fn slope_degrees(&self, slope: Slope) -> f64 {
@@ -372,7 +371,7 @@ impl Builder<'_> {
         let (up, out) = Self::directions(self.slope_degrees(slope), mirrored);
         self.grounds.push(Ground {
             slope,
-            origin: (0.0, 0.0),
+            origin: Vec2::ZERO,
             up,
             out,
             from: 0.0,
@@ -390,9 +389,9 @@ impl Builder<'_> {
         let line = self.view.scene.bodies[body].line;
         let contact = self.contact(body, &look);
         let mut placed = Placed {
-            centre: (0.0, 0.0),
-            forward: (1.0, 0.0),
-            top: (0.0, 1.0),
+            centre: Vec2::ZERO,
+            forward: Vec2::RIGHT,
+            top: Vec2::UP,
             clockwise: true,
             look,
             contact: 0.0,
@@ -403,18 +402,18 @@ impl Builder<'_> {
             Some(Line { surface: true, slope, forward_up }) => {
                 let ground = self.ground(slope, mirrored);
                 let g = &self.grounds[ground];
-                placed.forward = if forward_up { g.up } else { mul(g.up, -1.0) };
+                placed.forward = if forward_up { g.up } else { -g.up };
                 placed.top = g.out;
                 placed.contact = contact;
                 placed.on = Some(ground);
             }
             Some(Line { slope, forward_up, .. }) => {
                 let (up, _) = Self::directions(self.slope_degrees(slope), false);
-                placed.forward = if forward_up { up } else { mul(up, -1.0) };
-                placed.top = left(placed.forward);
+                placed.forward = if forward_up { up } else { -up };
+                placed.top = placed.forward.left();
             }
         }
-        placed.clockwise = cross(placed.forward, placed.top) > 0.0;
+        placed.clockwise = placed.forward.cross(placed.top) > 0.0;
         placed
     }
 
@@ -431,11 +430,11 @@ impl Builder<'_> {
                 let g = &self.grounds[ground];
                 let least = self.bodies.iter().flatten().filter(|p| p.on == Some(ground));
                 let least =
-                    least.map(|p| dot(sub(p.centre, g.origin), g.up) - p.reach(g.up)).fold(0.0, f64::min);
+                    least.map(|p| (p.centre - g.origin).dot(g.up) - p.reach(g.up)).fold(0.0, f64::min);
                 s = least - placed.reach(g.up) - 70.0;
             }
             let g = &self.grounds[ground];
-            placed.centre = add(along(g.origin, g.up, s), mul(g.out, placed.contact));
+            placed.centre = g.origin + g.up * s + g.out * placed.contact;
         }
         self.bodies[body] = Some(placed);
         shared
@@ -475,18 +474,18 @@ impl Builder<'_> {
     }
 
     /// Direction in which a cord leaves a placed body; `None` where the body does not say (a fixed axle).
-    fn leaves(&self, placed: &Placed, end: CordEnd) -> Option<V> {
+    fn leaves(&self, placed: &Placed, end: CordEnd) -> Option<Vec2> {
         self.view.scene.bodies[end.body].line?;
-        Some(if end.forward { placed.forward } else { mul(placed.forward, -1.0) })
+        Some(if end.forward { placed.forward } else { -placed.forward })
     }
 
     /// Where a cord leaves a body in a direction.
-    fn attach(&self, placed: &Placed, end: CordEnd, towards: V) -> (V, V) {
+    fn attach(&self, placed: &Placed, end: CordEnd, towards: Vec2) -> (Vec2, Vec2) {
         match end.attach {
             Attach::Centre => (placed.centre, placed.centre),
             Attach::Wound(radius, side) => {
                 let out = placed.winds(side, end.forward, towards);
-                (along(placed.centre, out, self.radius(radius)), out)
+                (placed.centre + out * self.radius(radius), out)
             }
         }
     }
@@ -496,35 +495,35 @@ impl Builder<'_> {
     }
 
     /// Where the visible part of a cord begins: a block hides what is within it.
-    fn visible(placed: &Placed, end: CordEnd, at: V, towards: V) -> V {
+    fn visible(placed: &Placed, end: CordEnd, at: Vec2, towards: Vec2) -> Vec2 {
         match (&placed.look, end.attach) {
-            (Look::Block { .. }, Attach::Centre) => along(at, towards, placed.reach(towards)),
+            (BodyLook::Block { .. }, Attach::Centre) => at + towards * placed.reach(towards),
             _ => at,
         }
     }
 
     /// The turns of a cord that are wound on a body, as an arc behind where it leaves.
-    fn wound(&self, placed: &Placed, end: CordEnd, towards: V) -> Option<Piece> {
+    fn wound(&self, placed: &Placed, end: CordEnd, towards: Vec2) -> Option<CordPiece> {
         let Attach::Wound(radius, side) = end.attach else { return None };
         let out = placed.winds(side, end.forward, towards);
-        let start = angle(out);
+        let start = out.angle();
         // Back from where it leaves, away from the straight part.
-        let sense = if cross(out, towards) > 0.0 { -1.0 } else { 1.0 };
-        Some(Piece::Round(placed.centre, self.radius(radius), start, start + sense * PI * 0.75))
+        let sense = if out.cross(towards) > 0.0 { -1.0 } else { 1.0 };
+        Some(CordPiece::Round(placed.centre, self.radius(radius), start, start + sense * PI * 0.75))
     }
 
     /// A cord that ends at no body.
-    fn ending(&mut self, tie: usize, cord: &Cord) -> Run {
+    fn ending(&mut self, tie: usize, cord: &Cord) -> CordRun {
         let end = cord.from;
         let placed = self.bodies[end.body].clone().expect("a placed body");
         let towards = self.leaves(&placed, end).unwrap_or_else(|| match self.view.upward(&cord.name) {
-            Some(true) => (0.0, 1.0),
-            Some(false) => (0.0, -1.0),
+            Some(true) => Vec2::UP,
+            Some(false) => Vec2::DOWN,
             None if end.forward => placed.forward,
-            None => mul(placed.forward, -1.0),
+            None => -placed.forward,
         });
         let (at, _) = self.attach(&placed, end, towards);
-        let mut pieces: Vec<Piece> = self.wound(&placed, end, towards).into_iter().collect();
+        let mut pieces: Vec<CordPiece> = self.wound(&placed, end, towards).into_iter().collect();
         let from = Self::visible(&placed, end, at, towards);
         let clear = placed.reach(towards)
             + match cord.to {
@@ -532,177 +531,171 @@ impl Builder<'_> {
                 Far::Spring { .. } => 40.0,
                 _ => 66.0,
             };
-        let to = along(at, towards, clear);
-        pieces.push(Piece::Straight(from, to));
+        let to = at + towards * clear;
+        pieces.push(CordPiece::Straight(from, to));
         let stop = match cord.to {
-            Far::Pull(_) => Stop::Pull(to, along(to, towards, PULL)),
+            Far::Pull(_) => CordStop::Pull(to, to + towards * PULL),
             Far::Spring { stretch_m, .. } => {
                 // The stretch is to scale where it fits; it always shows.
                 let stretch = (self.view.of(stretch_m) * self.scale).clamp(0.0, 130.0);
                 let (to, by) = (to, SPRING + stretch);
-                Stop::Spring(to, along(to, towards, by), along(to, towards, stretch))
+                CordStop::Spring(to, to + towards * by, to + towards * stretch)
             }
-            Far::Fixed | Far::Body(_) => Stop::Fixed(to, towards),
+            Far::Fixed | Far::Body(_) => CordStop::Fixed(to, towards),
         };
-        Run { tie, pieces, stop, guide: None, leaves: (at, towards), at: vec![(end.body, towards)] }
+        CordRun { tie, pieces, stop, guide: None, leaves: (at, towards), at: vec![(end.body, towards)] }
     }
 
     /// A cord from a placed body to another one, which is placed if it is not yet.
-    fn join(&mut self, tie: usize, near: CordEnd, far: CordEnd) -> Run {
+    fn join(&mut self, tie: usize, near: CordEnd, far: CordEnd) -> CordRun {
         let from = self.bodies[near.body].clone().expect("a placed body");
         let known = self.bodies[far.body].clone();
         let grounds = self.grounds.len();
-        let mirrored = from.on.is_some();
-        let mut to = match &known {
-            Some(p) => p.clone(),
-            None => self.loose(far.body, mirrored),
-        };
-        let leaves = self.leaves(&from, near);
+        let placed = known.is_some();
+        let to = known.unwrap_or_else(|| self.loose(far.body, from.on.is_some()));
         let arrives = self.leaves(&to, far);
-        let away = match (leaves, arrives) {
+        let away = match (self.leaves(&from, near), arrives) {
             (Some(e), _) => e,
-            (None, Some(e)) => mul(e, -1.0),
-            (None, None) => match &known {
-                Some(p) => crate::figure::vector::unit(sub(p.centre, from.centre)),
-                // From axle to axle: to the left and a little down, clear of what hangs.
-                None => crate::figure::vector::unit((-1.0, -0.25)),
-            },
+            (None, Some(e)) => -e,
+            (None, None) if placed => (to.centre - from.centre).unit(),
+            // From axle to axle: to the left and a little down, clear of what hangs.
+            (None, None) => vec2(-1.0, -0.25).unit(),
         };
-        let back = arrives.unwrap_or_else(|| mul(away, -1.0));
+        let back = arrives.unwrap_or_else(|| -away);
         let (at, _) = self.attach(&from, near, away);
-        let straight = dot(away, back) < -0.999;
-        let mut pieces: Vec<Piece> = self.wound(&from, near, away).into_iter().collect();
+        let mut pieces: Vec<CordPiece> = self.wound(&from, near, away).into_iter().collect();
         let start = Self::visible(&from, near, at, away);
-        let mut guide = None;
-        let end;
-        if straight {
-            if known.is_none() {
-                let hangs = away.1 < -0.7 && from.on.is_none();
-                let stagger = if hangs { self.hanging[near.body] as f64 * 30.0 } else { 0.0 };
-                let far_axle = self.view.scene.bodies[far.body].line.is_none();
-                let long = from.reach(away)
-                    + to.reach(away)
-                    + if hangs {
-                        40.0 + stagger
-                    } else if far_axle {
-                        74.0
-                    } else {
-                        58.0
-                    };
-                let target = along(at, away, long);
-                // Where the cord meets a body standing at the origin.
-                let (own, _) = self.attach(&to, far, back);
-                to.centre = sub(target, sub(own, to.centre));
-                if let Some(ground) = to.on {
-                    let g = &mut self.grounds[ground];
-                    if ground >= grounds {
-                        g.origin = sub(to.centre, mul(g.out, to.contact));
-                    } else {
-                        // On the same surface: a block is as high as the cord wants.
-                        let s = dot(sub(to.centre, g.origin), g.up);
-                        let high = dot(sub(target, g.origin), g.out);
-                        if let (Look::Block { along, across }, Attach::Centre) = (&mut to.look, far.attach)
-                            && (12.0..50.0).contains(&high)
-                        {
-                            *across = high;
-                            *along = along.max(high * 1.15);
-                            to.contact = high;
-                        }
-                        to.centre =
-                            add(crate::figure::vector::along(g.origin, g.up, s), mul(g.out, to.contact));
-                    }
-                }
-                if hangs {
-                    self.hanging[near.body] += 1;
-                }
-                // An axle at the end of a surface: the surface stops before it.
-                if let (Some(ground), true) = (from.on, far_axle) {
-                    let g = &self.grounds[ground];
-                    let s = dot(sub(to.centre, g.origin), g.up);
-                    let toward_up = dot(away, g.up) > 0.0;
-                    if toward_up {
-                        self.limits[ground] = Some(s - to.reach(g.up) - 7.0);
-                    }
-                }
-            }
-            let (own, _) = self.attach(&to, far, back);
-            let seen = Self::visible(&to, far, own, back);
-            // Parallel to the line that both share: where the block is too low, a post holds the cord.
-            let high = dot(sub(start, seen), left(away));
-            end = if let (Some(_), Look::Block { across, .. }) = (to.on, &to.look)
-                && to.on == from.on
-                && high.abs() > across + 2.0
-            {
-                let top = along(to.centre, left(away), high);
-                let foot = along(to.centre, left(away), across * high.signum());
-                pieces.push(Piece::Post(foot, top));
-                top
-            } else {
-                seen
-            };
-            pieces.push(Piece::Straight(start, end));
+        let mut joint = Joint { near, far, from, to, placed, grounds, away, back, at, start };
+        let guide = if away.dot(back) < -0.999 {
+            self.straight(&mut joint, &mut pieces);
+            None
         } else {
-            // Over a guide pulley: the cord turns the short way.
-            let travel = mul(back, -1.0);
-            let turn = cross(away, travel);
-            let clockwise = turn < 1e-9;
-            let inward = |d: V| if clockwise { right(d) } else { left(d) };
-            let both_hang = dot(away, back) > 0.9;
-            let half = |p: &Placed| p.reach(right(away));
-            let radius = if both_hang { ((half(&from) + half(&to)) / 2.0 + 12.0).max(GUIDE) } else { GUIDE };
-            let long = from.reach(away) + radius + if both_hang { 70.0 } else { 52.0 };
-            let first = along(at, away, long);
-            let centre = along(first, inward(away), radius);
-            let second = sub(centre, mul(inward(travel), radius));
-            guide = Some((centre, radius));
-            let (a, b) = (angle(sub(first, centre)), angle(sub(second, centre)));
-            let mut b = b;
-            while clockwise && b > a {
-                b -= 2.0 * PI;
-            }
-            while !clockwise && b < a {
-                b += 2.0 * PI;
-            }
-            pieces.push(Piece::Straight(start, first));
-            pieces.push(Piece::Round(centre, radius, a, b));
-            if known.is_none() {
-                let drop = to.reach(travel) + radius + if both_hang { 96.0 } else { 50.0 };
-                let target = along(second, travel, drop);
-                let (own, _) = self.attach(&to, far, back);
-                to.centre = sub(target, sub(own, to.centre));
-                if let Some(ground) = to.on
-                    && ground >= grounds
-                {
-                    let g = &mut self.grounds[ground];
-                    g.origin = sub(to.centre, mul(g.out, to.contact));
-                    let s = dot(sub(centre, g.origin), g.up);
-                    self.limits[ground] = Some(s - radius - 5.0);
-                }
-                if let Some(ground) = from.on {
-                    let g = &self.grounds[ground];
-                    let s = dot(sub(centre, g.origin), g.up);
-                    if dot(away, g.up) > 0.0 {
-                        self.limits[ground] = Some(s - radius - 5.0);
-                    }
-                }
-            }
-            let (own, _) = self.attach(&to, far, back);
-            end = Self::visible(&to, far, own, back);
-            pieces.push(Piece::Straight(second, end));
-        }
-        pieces.extend(self.wound(&to, far, back));
-        if known.is_none() {
-            self.bodies[far.body] = Some(to);
-        }
+            Some(self.guided(&mut joint, &mut pieces))
+        };
+        pieces.extend(self.wound(&joint.to, far, back));
+        self.bodies[far.body] = Some(joint.to);
         let ends = vec![(near.body, away), (far.body, back)];
-        Run { tie, pieces, stop: Stop::Body, guide, leaves: (at, away), at: ends }
+        CordRun { tie, pieces, stop: CordStop::Body, guide, leaves: (at, away), at: ends }
+    }
+
+    /// Moves the second body to where the cord meets it at this point; a surface that came with it comes along.
+    fn meet(&mut self, joint: &mut Joint, target: Vec2) {
+        let (own, _) = self.attach(&joint.to, joint.far, joint.back);
+        joint.to.centre = target - (own - joint.to.centre);
+        if let Some(ground) = joint.to.on.filter(|g| *g >= joint.grounds) {
+            let g = &mut self.grounds[ground];
+            g.origin = joint.to.centre - g.out * joint.to.contact;
+        }
+    }
+
+    /// The point at which the cord is seen to meet the second body.
+    fn met(&self, joint: &Joint) -> Vec2 {
+        let (own, _) = self.attach(&joint.to, joint.far, joint.back);
+        Self::visible(&joint.to, joint.far, own, joint.back)
+    }
+
+    /// A cord whose ends point at each other.
+    fn straight(&mut self, joint: &mut Joint, pieces: &mut Vec<CordPiece>) {
+        if !joint.placed {
+            self.place_along(joint);
+        }
+        let Joint { from, to, away, start, .. } = &*joint;
+        let seen = self.met(joint);
+        // Parallel to the line that both share: where the block is too low, a post holds the cord.
+        let high = (*start - seen).dot(away.left());
+        let end = if let (Some(_), BodyLook::Block { across, .. }) = (to.on, &to.look)
+            && to.on == from.on
+            && high.abs() > across + 2.0
+        {
+            let top = to.centre + away.left() * high;
+            let foot = to.centre + away.left() * (across * high.signum());
+            pieces.push(CordPiece::Post(foot, top));
+            top
+        } else {
+            seen
+        };
+        pieces.push(CordPiece::Straight(*start, end));
+    }
+
+    /// Places the second body of a straight cord.
+    fn place_along(&mut self, joint: &mut Joint) {
+        let Joint { from, to, away, .. } = &*joint;
+        let hangs = away.y < -0.7 && from.on.is_none();
+        let far_axle = self.view.scene.bodies[joint.far.body].line.is_none();
+        let free = match (hangs, far_axle) {
+            (true, _) => 40.0 + self.hanging[joint.near.body] as f64 * 30.0,
+            (false, true) => 74.0,
+            (false, false) => 58.0,
+        };
+        let target = joint.at + *away * (from.reach(*away) + to.reach(*away) + free);
+        self.meet(joint, target);
+        let Joint { near, far, from, to, away, grounds, .. } = joint;
+        if let Some(g) = to.on.filter(|g| *g < *grounds).map(|g| &self.grounds[g]) {
+            // On the same surface: a block is as high as the cord wants.
+            let s = (to.centre - g.origin).dot(g.up);
+            let high = (target - g.origin).dot(g.out);
+            if let (BodyLook::Block { along, across }, Attach::Centre) = (&mut to.look, far.attach)
+                && (12.0..50.0).contains(&high)
+            {
+                *across = high;
+                *along = along.max(high * 1.15);
+                to.contact = high;
+            }
+            to.centre = g.origin + g.up * s + g.out * to.contact;
+        }
+        if hangs {
+            self.hanging[near.body] += 1;
+        }
+        // An axle at the end of a surface: the surface stops before it.
+        if let Some(ground) = from.on.filter(|_| far_axle) {
+            let g = &self.grounds[ground];
+            if away.dot(g.up) > 0.0 {
+                self.limits[ground] = Some((to.centre - g.origin).dot(g.up) - to.reach(g.up) - 7.0);
+            }
+        }
+    }
+
+    /// A cord over a guide pulley, which is told: it turns the short way.
+    fn guided(&mut self, joint: &mut Joint, pieces: &mut Vec<CordPiece>) -> (Vec2, f64) {
+        let Joint { from, to, away, back, at, start, .. } = &*joint;
+        let (away, travel) = (*away, -*back);
+        let clockwise = away.cross(travel) < 1e-9;
+        let inward = |d: Vec2| if clockwise { d.right() } else { d.left() };
+        let both_hang = away.dot(*back) > 0.9;
+        let half = |p: &Placed| p.reach(away.right());
+        let radius = if both_hang { ((half(from) + half(to)) / 2.0 + 12.0).max(GUIDE) } else { GUIDE };
+        let first = *at + away * (from.reach(away) + radius + if both_hang { 70.0 } else { 52.0 });
+        let centre = first + inward(away) * radius;
+        let second = centre - inward(travel) * radius;
+        let (a, mut b) = ((first - centre).angle(), (second - centre).angle());
+        while clockwise && b > a {
+            b -= 2.0 * PI;
+        }
+        while !clockwise && b < a {
+            b += 2.0 * PI;
+        }
+        pieces.push(CordPiece::Straight(*start, first));
+        pieces.push(CordPiece::Round(centre, radius, a, b));
+        if !joint.placed {
+            let drop = to.reach(travel) + radius + if both_hang { 96.0 } else { 50.0 };
+            self.meet(joint, second + travel * drop);
+            // Surfaces end before the pulley.
+            let fresh = joint.to.on.filter(|g| *g >= joint.grounds);
+            let below = joint.from.on.filter(|g| away.dot(self.grounds[*g].up) > 0.0);
+            for ground in [fresh, below].into_iter().flatten() {
+                let g = &self.grounds[ground];
+                self.limits[ground] = Some((centre - g.origin).dot(g.up) - radius - 5.0);
+            }
+        }
+        pieces.push(CordPiece::Straight(second, self.met(joint)));
+        (centre, radius)
     }
 
     /// How far each surface goes.
     fn ends(&mut self) {
         for i in 0..self.grounds.len() {
             let g = self.grounds[i].clone();
-            let at = |p: V| dot(sub(p, g.origin), g.up);
+            let at = |p: Vec2| (p - g.origin).dot(g.up);
             let (mut from, mut to) = (f64::INFINITY, f64::NEG_INFINITY);
             let mut rail = false;
             for p in self.bodies.iter().flatten().filter(|p| p.on == Some(i)) {
@@ -719,16 +712,16 @@ impl Builder<'_> {
                     continue;
                 }
                 match run.stop {
-                    Stop::Pull(a, b) => {
-                        let s = at(crate::figure::vector::middle(a, b));
+                    CordStop::Pull(a, b) => {
+                        let s = at(a.middle(b));
                         low = low.min(s);
                         high = high.max(s);
                     }
-                    Stop::Spring(_, b, _) | Stop::Fixed(b, _) => {
+                    CordStop::Spring(_, b, _) | CordStop::Fixed(b, _) => {
                         low = low.min(at(b));
                         high = high.max(at(b));
                     }
-                    Stop::Body => {}
+                    CordStop::Body => {}
                 }
             }
             // Room for the angle at the foot.
@@ -743,13 +736,13 @@ impl Builder<'_> {
             if let Some(limit) = self.limits[i] {
                 // What hangs at the end hangs free.
                 let free = |p: &Placed| {
-                    let side = g.up.0.signum();
-                    (p.centre.0 - side * (p.reach((1.0, 0.0)) + 12.0) - g.origin.0) / g.up.0
+                    let side = g.up.x.signum();
+                    (p.centre.x - side * (p.reach(Vec2::RIGHT) + 12.0) - g.origin.x) / g.up.x
                 };
                 let hanging = self.bodies.iter().flatten().filter(|p| {
-                    p.on.is_none() && at(p.centre) > to && p.centre.1 < g.origin.1 + g.up.1 * limit
+                    p.on.is_none() && at(p.centre) > to && p.centre.y < g.origin.y + g.up.y * limit
                 });
-                let limit = if g.up.0.abs() > 0.1 { hanging.map(free).fold(limit, f64::min) } else { limit };
+                let limit = if g.up.x.abs() > 0.1 { hanging.map(free).fold(limit, f64::min) } else { limit };
                 let stands = self.bodies.iter().flatten().filter(|p| p.on == Some(i));
                 let least = stands.map(|p| at(p.centre) + 14.0).fold(f64::NEG_INFINITY, f64::max);
                 ground.to = limit.max(least);
@@ -759,22 +752,23 @@ impl Builder<'_> {
     }
 }
 
-fn shift(run: &mut Run, by: V) {
+fn shift(run: &mut CordRun, by: Vec2) {
     for piece in &mut run.pieces {
-        *piece = match *piece {
-            Piece::Straight(a, b) => Piece::Straight(add(a, by), add(b, by)),
-            Piece::Post(a, b) => Piece::Post(add(a, by), add(b, by)),
-            Piece::Round(c, r, a, b) => Piece::Round(add(c, by), r, a, b),
-        };
+        match piece {
+            CordPiece::Straight(a, b) | CordPiece::Post(a, b) => {
+                *a += by;
+                *b += by;
+            }
+            CordPiece::Round(c, ..) => *c += by,
+        }
     }
-    run.stop = match run.stop {
-        Stop::Pull(a, b) => Stop::Pull(add(a, by), add(b, by)),
-        Stop::Spring(a, b, c) => Stop::Spring(add(a, by), add(b, by), add(c, by)),
-        Stop::Fixed(a, towards) => Stop::Fixed(add(a, by), towards),
-        Stop::Body => Stop::Body,
+    let (stop, guide) = (&mut run.stop, &mut run.guide);
+    let ends: Vec<&mut Vec2> = match stop {
+        CordStop::Pull(a, b) => vec![a, b],
+        CordStop::Spring(a, b, c) => vec![a, b, c],
+        CordStop::Fixed(a, _) => vec![a],
+        CordStop::Body => Vec::new(),
     };
-    if let Some((c, _)) = &mut run.guide {
-        *c = add(*c, by);
-    }
-    run.leaves.0 = add(run.leaves.0, by);
+    let guide = guide.iter_mut().map(|(centre, _)| centre);
+    ends.into_iter().chain(guide).chain([&mut run.leaves.0]).for_each(|p| *p += by);
 }

@@ -1,28 +1,23 @@
-//! Pictures of scenes: layout first, looks and formats second ([`svg`], [`tikz`]).
+//! Pictures of scenes: what stands where; looks and formats are those of every picture ([`crate::picture`]).
 //!
 //! [`scene::picture`] is the figure of a statement. It shows what is given and what a student may assume, never what the
 //! solver found: no direction that is asked, no friction.
 use crate::bank::FigureLabels;
 use crate::bank::Problem;
-use crate::figure::picture::Picture;
+use crate::picture::Picture;
 use crate::problem::make::Variant;
 use crate::words::Words;
 
 pub mod bars;
-pub mod board;
 pub mod forces;
 pub mod graph;
 pub mod lamina;
 pub mod layout;
 pub mod names;
-pub mod picture;
+pub mod parts;
 pub mod pinned;
 pub mod say;
 pub mod scene;
-pub mod svg;
-pub mod symbol;
-pub mod tikz;
-pub mod vector;
 pub mod view;
 
 /// All pictures for a worked solution, by name: `scene`, `forces-BODY` for each body, `graph-...`, `energy`.

@@ -1,9 +1,9 @@
 //! Names of bodies and cords in words, and symbols of unknown quantities in pictures of solutions, the same that the worked
 //! solutions use. Ids of a bank are for who writes it: people read words.
 use crate::bank::Problem;
-use crate::figure::picture::Run;
-use crate::figure::symbol;
-use crate::figure::view::View;
+use crate::figure::view::SceneView;
+use crate::picture::TextRun;
+use crate::picture::symbol;
 use crate::scene::Body;
 use crate::scene::Cord;
 use crate::scene::Far;
@@ -113,7 +113,7 @@ fn tags(scene: &Scene) -> Vec<String> {
 }
 
 /// A quantity of a body: the first free of these symbols, with the body's tag where several bodies have one.
-pub fn of_body(view: &View, body: usize, candidates: &[&str], has: impl Fn(&Body) -> bool) -> String {
+pub fn of_body(view: &SceneView, body: usize, candidates: &[&str], has: impl Fn(&Body) -> bool) -> String {
     let several = view.scene.bodies.iter().filter(|b| has(b)).count() > 1;
     let tag = if several { tags(view.scene).get(body).cloned().unwrap_or_default() } else { String::new() };
     let names: Vec<String> = candidates.iter().map(|c| tagged(c, &tag)).collect();
@@ -121,7 +121,7 @@ pub fn of_body(view: &View, body: usize, candidates: &[&str], has: impl Fn(&Body
 }
 
 /// Friction on a body.
-pub fn friction(view: &View, body: usize) -> String {
+pub fn friction(view: &SceneView, body: usize) -> String {
     let contacts = view.scene.ties.iter().filter(|t| !matches!(t, Tie::Cord(_))).count();
     let tag =
         if contacts > 1 { tags(view.scene).get(body).cloned().unwrap_or_default() } else { String::new() };
@@ -129,7 +129,7 @@ pub fn friction(view: &View, body: usize) -> String {
 }
 
 /// Tension of a cord that is not pulled by a given force.
-pub fn tension(view: &View, tie: usize) -> String {
+pub fn tension(view: &SceneView, tie: usize) -> String {
     let unknown = |t: &Tie| matches!(t, Tie::Cord(c) if !matches!(c.to, Far::Pull(_)));
     let several = view.scene.ties.iter().filter(|t| unknown(t)).count() > 1;
     let number = view.scene.ties.iter().take(tie + 1).filter(|t| unknown(t)).count();
@@ -138,7 +138,7 @@ pub fn tension(view: &View, tie: usize) -> String {
 }
 
 /// Mass of a body.
-pub fn mass(view: &View, body: usize) -> Vec<Run> {
+pub fn mass(view: &SceneView, body: usize) -> Vec<TextRun> {
     let this = &view.scene.bodies[body];
     let given = match &this.mass {
         Mass::Kilograms(n) => view.symbol(*n),
@@ -148,7 +148,7 @@ pub fn mass(view: &View, body: usize) -> Vec<Run> {
 }
 
 /// Weight of a body: `mg`, or the symbol of a given weight.
-pub fn weight(view: &View, body: usize) -> Vec<Run> {
+pub fn weight(view: &SceneView, body: usize) -> Vec<TextRun> {
     if let Mass::Weight(n) = &view.scene.bodies[body].mass {
         let symbol = view.symbol(*n);
         if !symbol.is_empty() {
@@ -159,15 +159,4 @@ pub fn weight(view: &View, body: usize) -> Vec<Run> {
     let g = view.symbol(view.scene.gravity_m_s2);
     runs.extend(if g.is_empty() { symbol::symbol("g") } else { g });
     runs
-}
-
-/// A symbol between bars where the value is negative: its arrow shows the actual sense.
-pub fn magnitude(runs: Vec<Run>, negative: bool) -> Vec<Run> {
-    if !negative {
-        return runs;
-    }
-    let mut out = symbol::upright("|");
-    out.extend(runs);
-    out.extend(symbol::upright("|"));
-    out
 }

@@ -1,36 +1,22 @@
 //! The picture of a pinned body: at its start, with the position considered as a ghost.
-use crate::figure::board::Board;
-use crate::figure::board::TEXT;
-use crate::figure::board::Tied;
-use crate::figure::board::Wish;
-use crate::figure::picture::Role;
-use crate::figure::picture::RunStyle;
-use crate::figure::symbol;
-use crate::figure::vector::V;
-use crate::figure::vector::add;
-use crate::figure::vector::along;
-use crate::figure::vector::angle;
-use crate::figure::vector::dot;
-use crate::figure::vector::left;
-use crate::figure::vector::middle;
-use crate::figure::vector::mul;
-use crate::figure::vector::polar;
-use crate::figure::vector::polar_degrees;
-use crate::figure::vector::right;
-use crate::figure::vector::size;
-use crate::figure::vector::sub;
-use crate::figure::vector::unit;
-use crate::figure::view::View;
+use crate::figure::parts;
+use crate::figure::view::SceneView;
+use crate::picture::Role;
+use crate::picture::board::Board;
+use crate::picture::board::LabelTie;
+use crate::picture::symbol;
+use crate::picture::vector::Vec2;
+use crate::picture::vector::vec2;
 use crate::scene::Arm;
 use crate::scene::Body;
 use crate::scene::Degree;
 use crate::scene::End;
 use crate::scene::Num;
 use crate::scene::Pin;
+use crate::scene::PinSpring;
 use crate::scene::Rest;
 use crate::scene::RotaryInertia;
 use crate::scene::Shape;
-use crate::scene::Start;
 use crate::scene::Zero;
 
 /// Pixels of the farthest point from the pin.
@@ -53,7 +39,7 @@ pub struct Hung {
 
 impl Hung {
     /// How the body of a view is drawn.
-    pub fn new(view: &View, body: &Body, pin: &Pin) -> Self {
+    pub fn new(view: &SceneView, body: &Body, pin: &Pin) -> Self {
         let arm = match pin.arm {
             Arm::Distance(h) => view.of(h),
             Arm::HalfOf(l) => view.of(l) / 2.0,
@@ -86,16 +72,21 @@ impl Hung {
         }
     }
 
+    /// How far it reaches from the pin beyond its mass centre.
+    fn far(&self) -> f64 {
+        self.rod.map_or(self.arm + self.round, |(_, to)| to)
+    }
+
     /// Direction from the pin to the mass centre at an angle in degrees.
-    pub fn direction(&self, degrees: f64) -> V {
-        let (c, s) = polar_degrees(degrees);
-        (s, if self.upright { c } else { -c })
+    pub fn direction(&self, degrees: f64) -> Vec2 {
+        let Vec2 { x, y } = Vec2::polar_degrees(degrees);
+        vec2(y, if self.upright { x } else { -x })
     }
 
     /// Direction in which the body moves where its angle grows.
-    pub fn across(&self, degrees: f64) -> V {
+    pub fn across(&self, degrees: f64) -> Vec2 {
         let d = self.direction(degrees);
-        if self.upright { right(d) } else { left(d) }
+        if self.upright { d.right() } else { d.left() }
     }
 
     /// Is a growing angle a clockwise turn?
@@ -104,17 +95,17 @@ impl Hung {
     }
 
     /// Does the body at an angle cover this point?
-    pub fn covers(&self, point: V, degrees: f64) -> bool {
+    pub fn covers(&self, point: Vec2, degrees: f64) -> bool {
         let d = self.direction(degrees);
-        let far = dot(point, d);
+        let far = point.dot(d);
         if let Some((from, to)) = self.rod {
-            return far > from - 7.0 && far < to + 2.0 && dot(point, left(d)).abs() < 7.0;
+            return far > from - 7.0 && far < to + 2.0 && point.dot(d.left()).abs() < 7.0;
         }
         let small = self.small();
         (0..=20).any(|i| {
             let share = f64::from(i) / 20.0;
             let reach = small + (self.round - small) * share;
-            size(sub(point, mul(d, self.arm * share))) < reach + 2.0
+            (point - d * (self.arm * share)).length() < reach + 2.0
         })
     }
 
@@ -124,34 +115,34 @@ impl Hung {
     }
 
     /// Outline of the body at an angle, moved by `at`.
-    pub fn outline(&self, board: &mut Board, at: V, degrees: f64, role: Role) {
+    pub fn outline(&self, board: &mut Board, at: Vec2, degrees: f64, role: Role) {
         let d = self.direction(degrees);
         match self.rod {
             Some((from, to)) => {
-                let side = mul(left(d), 5.0);
-                let (a, b) = (along(at, d, from - 5.0), along(at, d, to));
-                board.lines(&[add(a, side), add(b, side), sub(b, side), sub(a, side)], true, role);
+                let side = d.left() * 5.0;
+                let (a, b) = (at + d * (from - 5.0), at + d * to);
+                board.lines(&[a + side, b + side, b - side, a - side], true, role);
             }
             None => {
                 // The hull of a circle round the mass centre and a small one round the pin.
                 let (big, small) = (self.round, self.small());
-                let centre = along(at, d, self.arm);
+                let centre = at + d * self.arm;
                 if self.arm + small <= big + 1.0 {
                     board.circle(centre, big, role);
                     return;
                 }
                 // Tangents touch both circles at this angle from the line.
                 let cosine = ((big - small) / self.arm).clamp(-1.0, 1.0);
-                let open = angle((cosine, (1.0 - cosine * cosine).sqrt()));
-                let back = angle(mul(d, -1.0));
+                let open = vec2(cosine, (1.0 - cosine * cosine).sqrt()).angle();
+                let back = (-d).angle();
                 let mut points = Vec::with_capacity(42);
                 for i in 0..=24 {
                     let a = back + open + (2.0 * std::f64::consts::PI - 2.0 * open) * f64::from(i) / 24.0;
-                    points.push(along(centre, polar(a), big));
+                    points.push(centre + Vec2::polar(a) * big);
                 }
                 for i in 0..=10 {
                     let a = back - open + 2.0 * open * f64::from(i) / 10.0;
-                    points.push(along(at, polar(a), small));
+                    points.push(at + Vec2::polar(a) * small);
                 }
                 board.lines(&points, true, role);
             }
@@ -160,7 +151,7 @@ impl Hung {
 }
 
 /// Draws a pinned body with all that belongs to it.
-pub fn draw(board: &mut Board, view: &View, index: usize) {
+pub fn draw(board: &mut Board, view: &SceneView, index: usize) {
     let body = &view.scene.bodies[index];
     let Some(pin) = &body.pin else { return };
     let hung = Hung::new(view, body, pin);
@@ -170,29 +161,29 @@ pub fn draw(board: &mut Board, view: &View, index: usize) {
         _ => None,
     };
     let d = hung.direction(start);
-    let far = hung.rod.map_or(hung.arm + hung.round, |(_, to)| to);
+    let far = hung.far();
     let zero = hung.direction(0.0);
     let bearing = free_side(&hung, start, end.map(|e| e.1));
     if hung.rod.is_some() {
         support(board, bearing);
     }
     // The direction from which angles count, unless the body covers it.
-    board.line(along((0.0, 0.0), zero, 8.0), along((0.0, 0.0), zero, far * 0.72 + 14.0), Role::Ghost);
+    board.line(zero * 8.0, zero * (far * 0.72 + 14.0), Role::Ghost);
     if let Some((_, degrees)) = end
         && (degrees - start).abs() > 1.0
     {
-        hung.outline(board, (0.0, 0.0), degrees, Role::Ghost);
+        hung.outline(board, Vec2::ZERO, degrees, Role::Ghost);
     }
-    hung.outline(board, (0.0, 0.0), start, Role::Body);
+    hung.outline(board, Vec2::ZERO, start, Role::Body);
     if hung.rod.is_none() {
         // The lines between which the angles are, and the support, in front.
         for degrees in end.map(|e| e.1).into_iter().chain([start]) {
-            board.line((0.0, 0.0), along((0.0, 0.0), hung.direction(degrees), hung.arm), Role::Ghost);
+            board.line(Vec2::ZERO, hung.direction(degrees) * hung.arm, Role::Ghost);
         }
-        board.line((0.0, 0.0), along((0.0, 0.0), zero, far * 0.72 + 14.0), Role::Ghost);
+        board.line(Vec2::ZERO, zero * (far * 0.72 + 14.0), Role::Ghost);
         support(board, bearing);
     }
-    let g = along((0.0, 0.0), d, hung.arm);
+    let g = d * hung.arm;
     let mut angles = vec![(pin.start_deg, start, 0.0)];
     if let Some((n, degrees)) = end {
         angles.push((n, degrees, 24.0));
@@ -201,138 +192,131 @@ pub fn draw(board: &mut Board, view: &View, index: usize) {
     for (num, degrees, more) in angles {
         arc(board, view, &hung, num, degrees, base + more);
     }
-    board.circle((0.0, 0.0), 3.6, Role::Inner);
+    board.circle(Vec2::ZERO, 3.6, Role::Inner);
     if hung.arm > 4.0 {
         board.dot(g);
-        let side = mul(hung.across(start), if end.is_some_and(|(_, e)| e > start) { -1.0 } else { 1.0 });
-        board.wish_for(Wish {
-            rows: vec![vec![symbol::run("G", RunStyle::Italic)]],
-            size: TEXT,
-            role: Role::Dot,
-            spots: vec![(along(g, side, 5.0), side), (along(g, side, -5.0), mul(side, -1.0))],
-            gap: 4.0,
-            tie: Tied::Near,
-        });
+        let side = hung.across(start) * (if end.is_some_and(|(_, e)| e > start) { -1.0 } else { 1.0 });
+        board.label(
+            vec![symbol::italic("G")],
+            Role::Dot,
+            (LabelTie::Near, 4.0),
+            vec![(g + side * 5.0, side), (g - side * 5.0, -side)],
+        );
     }
     sizes(board, view, body, pin, &hung, end.map(|e| e.1));
     if let Some(spring) = &pin.spring {
-        let anchor = (view.of(spring.x_m) * hung.scale, view.of(spring.y_m) * hung.scale);
-        let held = along((0.0, 0.0), d, view.of(spring.at_m) * hung.scale);
-        let long = size(sub(held, anchor));
-        if long > 12.0 {
-            board.spring(anchor, held, 9, 7.5);
-        } else {
-            board.line(anchor, held, Role::Spring);
-        }
-        let pull = unit(sub(held, anchor));
-        let side = mul(left(pull), 15.0);
-        board.hatch(sub(anchor, side), add(anchor, side), mul(pull, -1.0));
-        board.line(sub(anchor, side), add(anchor, side), Role::Ground);
-        board.dot(held);
-        board.wish_for(Wish {
-            rows: vec![vec![symbol::run("A", RunStyle::Italic)]],
-            size: TEXT,
-            role: Role::Dot,
-            spots: vec![
-                (along(anchor, pull, -9.0), mul(pull, -1.0)),
-                (along(anchor, (0.0, 1.0), 14.0), (0.0, 1.0)),
-            ],
-            gap: 4.0,
-            tie: Tied::Near,
-        });
-        let rest = match spring.rest {
-            Rest::Length(n) | Rest::Stretch(n) => view.label(n, "m"),
-        };
-        let mid = middle(anchor, held);
-        let out = if dot(left(pull), (1.0, 0.6)) > 0.0 { left(pull) } else { right(pull) };
-        board.wish_for(Wish {
-            rows: vec![view.label(spring.stiffness_n_m, "N/m"), rest],
-            size: TEXT,
-            role: Role::Spring,
-            spots: vec![(along(mid, out, 10.0), out), (along(mid, out, -10.0), mul(out, -1.0))],
-            gap: 4.0,
-            tie: Tied::Leader,
-        });
-        for (num, from, to, out) in [
-            (spring.y_m, (0.0, 0.0), (0.0, anchor.1), (-1.0, 0.0)),
-            (spring.x_m, (0.0, anchor.1), anchor, (0.0, anchor.1.signum())),
-        ] {
-            if size(sub(to, from)) > 2.0 {
-                let off = if out.0 < 0.0 { 78.0 } else { 40.0 };
-                dimension(board, from, to, out, off, view.label(num, "m"));
-            }
+        spring_of(board, view, &hung, spring, d);
+    }
+    turns(board, view, index, &hung, d);
+}
+
+/// The spring of a body that points in this direction, with its anchor and its dimensions.
+fn spring_of(board: &mut Board, view: &SceneView, hung: &Hung, spring: &PinSpring, d: Vec2) {
+    let anchor = vec2(view.of(spring.x_m) * hung.scale, view.of(spring.y_m) * hung.scale);
+    let held = d * (view.of(spring.at_m) * hung.scale);
+    let long = (held - anchor).length();
+    if long > 12.0 {
+        board.spring(anchor, held, 9, 7.5);
+    } else {
+        board.line(anchor, held, Role::Spring);
+    }
+    let pull = (held - anchor).unit();
+    parts::wall(board, anchor, -pull, 15.0, -15.0);
+    board.dot(held);
+    board.label(
+        vec![symbol::italic("A")],
+        Role::Dot,
+        (LabelTie::Near, 4.0),
+        vec![(anchor - pull * 9.0, -pull), (anchor + Vec2::UP * 14.0, Vec2::UP)],
+    );
+    let rest = match spring.rest {
+        Rest::Length(n) | Rest::Stretch(n) => view.label(n, "m"),
+    };
+    let mid = anchor.middle(held);
+    let out = if pull.left().dot(vec2(1.0, 0.6)) > 0.0 { pull.left() } else { pull.right() };
+    board.label(
+        vec![view.label(spring.stiffness_n_m, "N/m"), rest],
+        Role::Spring,
+        (LabelTie::Leader, 4.0),
+        vec![(mid + out * 10.0, out), (mid - out * 10.0, -out)],
+    );
+    for (num, from, to, out) in [
+        (spring.y_m, Vec2::ZERO, vec2(0.0, anchor.y), Vec2::LEFT),
+        (spring.x_m, vec2(0.0, anchor.y), anchor, vec2(0.0, anchor.y.signum())),
+    ] {
+        if (to - from).length() > 2.0 {
+            let off = if out.x < 0.0 { 78.0 } else { 40.0 };
+            dimension(board, from, to, out, off, view.label(num, "m"));
         }
     }
+}
+
+/// Couples and the spin at the start of a body that points in this direction, in the sense that they have.
+fn turns(board: &mut Board, view: &SceneView, index: usize, hung: &Hung, d: Vec2) {
+    let far = hung.far();
     for couple in view.scene.couples.iter().filter(|c| c.body == index) {
         let forward = couple.forward == (view.of(couple.moment_n_m) >= 0.0);
         let clockwise = hung.clockwise() == forward;
-        let mid = angle(d);
+        let mid = d.angle();
         let (from, to) = if clockwise { (mid + 2.4, mid - 1.6) } else { (mid - 2.4, mid + 1.6) };
-        board.curved_arrow((0.0, 0.0), 26.0, from, to, Role::Force);
-        let spot = polar(from + (to - from) * 0.15);
+        board.curved_arrow(Vec2::ZERO, 26.0, from, to, Role::Force);
+        let spot = Vec2::polar(from + (to - from) * 0.15);
         board.wish(
             view.size_label(couple.moment_n_m, "N·m"),
-            vec![(along((0.0, 0.0), spot, 26.0), spot), (along((0.0, 0.0), polar(to), 26.0), polar(to))],
+            vec![(spot * 26.0, spot), (Vec2::polar(to) * 26.0, Vec2::polar(to))],
             Role::Force,
         );
     }
-    for s in &view.scene.start {
-        let Start::Speed(c, num) = *s else { continue };
-        if c.body != index || c.degree != Degree::Turn || view.of(num).abs() < 1e-12 {
-            continue;
-        }
+    for (_, num) in view.started(index).filter(|(degree, _)| *degree == Degree::Turn) {
         let actual = if view.of(num) < 0.0 { -1.0 } else { 1.0 };
         let sense = if hung.clockwise() { -actual } else { actual };
         let radius = far + 12.0;
-        let mid = angle(d);
-        board.curved_arrow((0.0, 0.0), radius, mid - sense * 0.02, mid + sense * 0.3, Role::Motion);
-        let at = polar(mid + sense * 0.16);
-        board.wish(view.size_label(num, "rad/s"), vec![(along((0.0, 0.0), at, radius), at)], Role::Motion);
+        let mid = d.angle();
+        board.curved_arrow(Vec2::ZERO, radius, mid - sense * 0.02, mid + sense * 0.3, Role::Motion);
+        let at = Vec2::polar(mid + sense * 0.16);
+        board.wish(view.size_label(num, "rad/s"), vec![(at * radius, at)], Role::Motion);
     }
 }
 
 /// The angle from the zero direction, with its label.
-fn arc(board: &mut Board, view: &View, hung: &Hung, num: Num, degrees: f64, radius: f64) {
+fn arc(board: &mut Board, view: &SceneView, hung: &Hung, num: Num, degrees: f64, radius: f64) {
     let fixed_zero = matches!(num, Num::Fixed(x) if x.abs() < 1e-9);
     if fixed_zero {
         return;
     }
-    let zero = angle(hung.direction(0.0));
+    let zero = hung.direction(0.0).angle();
     let sense = if hung.clockwise() { -1.0 } else { 1.0 };
     let to = zero + sense * degrees * std::f64::consts::PI / 180.0;
     let label = view.label(num, "°");
     if degrees.abs() * radius < 400.0 {
         // Too small for a head: it points from outside.
-        board.arc((0.0, 0.0), radius, zero, to, Role::Dimension);
+        board.arc(Vec2::ZERO, radius, zero, to, Role::Dimension);
     } else {
-        board.curved_arrow((0.0, 0.0), radius, zero, to, Role::Dimension);
+        board.curved_arrow(Vec2::ZERO, radius, zero, to, Role::Dimension);
     }
     let at = |share: f64| {
-        let d = polar(zero + (to - zero) * share);
-        (along((0.0, 0.0), d, radius), d)
+        let d = Vec2::polar(zero + (to - zero) * share);
+        (d * radius, d)
     };
     let mut spots = vec![at(0.5), at(0.35), at(0.65), at(0.2), at(0.8), at(1.0)];
     if degrees.abs() < 25.0 {
         // No room between the lines: before them.
-        let d = polar(zero - (to - zero).signum() * 0.12);
-        spots.insert(
-            0,
-            (along((0.0, 0.0), d, radius), mul(hung.across(0.0), if degrees < 0.0 { 1.0 } else { -1.0 })),
-        );
+        let d = Vec2::polar(zero - (to - zero).signum() * 0.12);
+        spots.insert(0, (d * radius, hung.across(0.0) * (if degrees < 0.0 { 1.0 } else { -1.0 })));
     }
     board.wish(label, spots, Role::Dimension);
 }
 
 /// Lengths along the body, its mass and radius of gyration.
-fn sizes(board: &mut Board, view: &View, body: &Body, pin: &Pin, hung: &Hung, end: Option<f64>) {
+fn sizes(board: &mut Board, view: &SceneView, body: &Body, pin: &Pin, hung: &Hung, end: Option<f64>) {
     let start = view.of(pin.start_deg);
     let d = hung.direction(start);
     // On the side that the body does not sweep, unless a small angle or a spring is there.
-    let away = mul(hung.across(start), if end.is_some_and(|e| e < start) { 1.0 } else { -1.0 });
+    let away = hung.across(start) * (if end.is_some_and(|e| e < start) { 1.0 } else { -1.0 });
     let full = pin.spring.is_some() || (1.0..35.0).contains(&start.abs());
-    let out = if full && hung.rod.is_some() { mul(away, -1.0) } else { away };
+    let out = if full && hung.rod.is_some() { -away } else { away };
     let off = if pin.spring.is_some() { 20.0 } else { 28.0 };
-    let at = |far: f64| along((0.0, 0.0), d, far);
+    let at = |far: f64| d * far;
     let mut rows = Vec::new();
     match (&body.inertia, pin.arm, hung.rod) {
         (Some(RotaryInertia::Shape(Shape::Rod, l)), arm, Some((from, to))) => {
@@ -340,7 +324,7 @@ fn sizes(board: &mut Board, view: &View, body: &Body, pin: &Pin, hung: &Hung, en
             if let Arm::Distance(h) = arm
                 && hung.arm > 4.0
             {
-                dimension(board, at(0.0), at(hung.arm), mul(out, -1.0), 24.0, view.label(h, "m"));
+                dimension(board, at(0.0), at(hung.arm), -out, 24.0, view.label(h, "m"));
             }
         }
         (inertia, Arm::Distance(h), _) => {
@@ -364,38 +348,38 @@ fn sizes(board: &mut Board, view: &View, body: &Body, pin: &Pin, hung: &Hung, en
     if let Some((n, weight)) = view.mass(body) {
         rows.insert(0, view.label(n, if weight { "N" } else { "kg" }));
     }
-    let far = hung.rod.map_or(hung.arm + hung.round, |(_, to)| to);
+    let far = hung.far();
     let spots = match hung.rod {
         Some(_) => {
-            vec![(at(far), d), (at(far * 0.8), mul(out, -1.0)), (at(far), unit(add(d, mul(out, -1.0))))]
+            vec![(at(far), d), (at(far * 0.8), -out), (at(far), (d + -out).unit())]
         }
-        None => vec![(at(far), d), (along(at(hung.arm), away, -hung.round), mul(away, -1.0))],
+        None => vec![(at(far), d), (at(hung.arm) - away * hung.round, -away)],
     };
-    board.wish_for(Wish { rows, size: TEXT, role: Role::Dot, spots, gap: 6.0, tie: Tied::Loose });
+    board.label(rows, Role::Dot, (LabelTie::Loose, 6.0), spots);
 }
 
 /// A dimension line beside a length.
 pub fn dimension(
     board: &mut Board,
-    from: V,
-    to: V,
-    out: V,
+    from: Vec2,
+    to: Vec2,
+    out: Vec2,
     off: f64,
-    label: Vec<crate::figure::picture::Run>,
+    label: Vec<crate::picture::TextRun>,
 ) {
     for p in [from, to] {
-        board.line(along(p, out, (off - 16.0).clamp(8.0, 30.0)), along(p, out, off + 5.0), Role::Dimension);
+        board.line(p + out * (off - 16.0).clamp(8.0, 30.0), p + out * (off + 5.0), Role::Dimension);
     }
-    let (a, b) = (along(from, out, off), along(to, out, off));
+    let (a, b) = (from + out * off, to + out * off);
     board.double_arrow(a, b, Role::Dimension);
-    let mid = middle(a, b);
+    let mid = a.middle(b);
     board.wish(
         label,
         vec![
             (mid, out),
-            (along(mid, unit(sub(b, a)), 34.0), out),
-            (along(mid, unit(sub(b, a)), 60.0), out),
-            (b, unit(sub(b, a))),
+            (mid + (b - a).unit() * 34.0, out),
+            (mid + (b - a).unit() * 60.0, out),
+            (b, (b - a).unit()),
         ],
         Role::Dimension,
     );
@@ -408,33 +392,33 @@ const HALF_WALL: f64 = 28.0;
 
 /// The direction from the pin to a wall that holds it without lying in the body; `None` where the body is all round the pin.
 /// The wall is above what hangs and below what stands wherever that is free.
-fn free_side(hung: &Hung, start: f64, end: Option<f64>) -> Option<V> {
-    let usual = mul(hung.direction(0.0), -1.0);
-    let sides = [usual, left(usual), right(usual), mul(usual, -1.0)];
-    let covered = |side: V, degrees: f64| {
-        let across = left(side);
+fn free_side(hung: &Hung, start: f64, end: Option<f64>) -> Option<Vec2> {
+    let usual = -hung.direction(0.0);
+    let sides = [usual, usual.left(), usual.right(), -usual];
+    let covered = |side: Vec2, degrees: f64| {
+        let across = side.left();
         (-4..=4).any(|i| {
-            let foot = along(mul(side, WALL), across, HALF_WALL * f64::from(i) / 4.0);
-            [0.0, 9.0].into_iter().any(|deep| hung.covers(along(foot, side, deep), degrees))
+            let foot = side * WALL + across * (HALF_WALL * f64::from(i) / 4.0);
+            [0.0, 9.0].into_iter().any(|deep| hung.covers(foot + side * deep, degrees))
         })
     };
-    let free: Vec<V> = sides.into_iter().filter(|s| !covered(*s, start)).collect();
+    let free: Vec<Vec2> = sides.into_iter().filter(|s| !covered(*s, start)).collect();
     // The other position is only dashed: its side is the second best.
     let best = free.iter().find(|s| end.is_none_or(|e| !covered(**s, e)));
     best.or(free.first()).copied()
 }
 
 /// The support of a pin: a bracket with a wall on one side, or the bearing alone.
-fn support(board: &mut Board, side: Option<V>) {
-    let pin = (0.0, 0.0);
+fn support(board: &mut Board, side: Option<Vec2>) {
+    let pin = Vec2::ZERO;
     let Some(side) = side else {
         board.circle(pin, 7.5, Role::Inner);
         return;
     };
-    let (wall, across) = (mul(side, WALL), left(side));
-    board.lines(&[along(wall, across, -13.0), pin, along(wall, across, 13.0)], true, Role::Inner);
-    let (a, b) = (along(wall, across, HALF_WALL), along(wall, across, -HALF_WALL));
-    let (a, b) = if side.1 < -0.5 || side.0 < -0.5 { (b, a) } else { (a, b) };
+    let (wall, across) = (side * WALL, side.left());
+    board.lines(&[wall - across * 13.0, pin, wall + across * 13.0], true, Role::Inner);
+    let (a, b) = (wall + across * HALF_WALL, wall - across * HALF_WALL);
+    let (a, b) = if side.y < -0.5 || side.x < -0.5 { (b, a) } else { (a, b) };
     board.hatch(a, b, side);
     board.line(a, b, Role::Ground);
 }

@@ -1,12 +1,11 @@
 //! What the picture of a scene shows, in words: the text beside it for those who do not see it.
-use crate::figure::layout::Layout;
 use crate::figure::layout::Placed;
+use crate::figure::layout::SceneLayout;
 use crate::figure::names;
-use crate::figure::scene;
-use crate::figure::symbol;
-use crate::figure::vector::V;
-use crate::figure::vector::mul;
-use crate::figure::view::View;
+use crate::figure::parts;
+use crate::figure::view::SceneView;
+use crate::picture::symbol;
+use crate::picture::vector::Vec2;
 use crate::scene::Arm;
 use crate::scene::Attach;
 use crate::scene::Body;
@@ -27,23 +26,23 @@ use crate::scene::Tie;
 use crate::scene::Zero;
 
 /// A number with its symbol, as text in one line: `R = 0.40 m`.
-pub fn text(view: &View, num: Num, unit: &str) -> String {
+pub fn text(view: &SceneView, num: Num, unit: &str) -> String {
     view.text(num, unit).replace('\u{a0}', " ")
 }
 
 /// A number without its symbol.
-fn bare(view: &View, num: Num, unit: &str) -> String {
+fn bare(view: &SceneView, num: Num, unit: &str) -> String {
     symbol::plain(&view.value(num, unit)).replace('\u{a0}', " ")
 }
 
 /// The body in words: `Load 2`.
-pub fn called(view: &View, body: &Body) -> String {
+pub fn called(view: &SceneView, body: &Body) -> String {
     let index = view.scene.bodies.iter().position(|b| b.name == body.name);
     index.map_or_else(String::new, |i| names::body(view.words, view.scene, i))
 }
 
 /// The body with its data: `Wheel (m = 40 kg, k = 0.25 m)`.
-pub fn named(view: &View, body: &Body) -> String {
+pub fn named(view: &SceneView, body: &Body) -> String {
     let mut data = Vec::new();
     let mut tell = |num: Num, unit: &str| {
         if matches!(num, Num::Datum(_)) {
@@ -73,17 +72,17 @@ pub fn named(view: &View, body: &Body) -> String {
 }
 
 /// What stands between the items of a list: no comma where numbers have one.
-pub fn separator(view: &View) -> &'static str {
+pub fn separator(view: &SceneView) -> &'static str {
     if view.words.number("0.1").contains(',') { "; " } else { ", " }
 }
 
 /// A direction on the board, in words.
-fn way(view: &View, towards: V, incline: bool) -> String {
+fn way(view: &SceneView, towards: Vec2, incline: bool) -> String {
     let name = if incline {
-        if towards.1 > 0.0 { "up_incline" } else { "down_incline" }
-    } else if towards.0.abs() > towards.1.abs() {
-        if towards.0 > 0.0 { "right" } else { "left" }
-    } else if towards.1 > 0.0 {
+        if towards.y > 0.0 { "up_incline" } else { "down_incline" }
+    } else if towards.x.abs() > towards.y.abs() {
+        if towards.x > 0.0 { "right" } else { "left" }
+    } else if towards.y > 0.0 {
         "up"
     } else {
         "down"
@@ -92,13 +91,13 @@ fn way(view: &View, towards: V, incline: bool) -> String {
 }
 
 /// Where a cord leaves a body, and which way as it is drawn of what hangs and of a fixed axle.
-fn place(view: &View, end: CordEnd, drawn: Option<V>) -> String {
+fn place(view: &SceneView, end: CordEnd, drawn: Option<Vec2>) -> String {
     let axle = view.scene.bodies.get(end.body).is_none_or(|b| b.line.is_none());
     if let Some(towards) = drawn {
         let way = match towards {
-            (x, _) if axle && x > 0.5 => "right",
-            (x, _) if axle && x < -0.5 => "left",
-            (_, y) if y > 0.0 => "up",
+            Vec2 { x, .. } if axle && x > 0.5 => "right",
+            Vec2 { x, .. } if axle && x < -0.5 => "left",
+            Vec2 { y, .. } if y > 0.0 => "up",
             _ => "down",
         };
         return match end.attach {
@@ -120,14 +119,14 @@ fn place(view: &View, end: CordEnd, drawn: Option<V>) -> String {
 }
 
 /// The sentences about bodies on lines and axles.
-pub fn mechanism(view: &View, plan: &Layout, told: bool, out: &mut Vec<String>) {
+pub fn mechanism(view: &SceneView, plan: &SceneLayout, told: bool, out: &mut Vec<String>) {
     let say = |name: &str, pieces: &[(&str, &str)]| view.words.say(&format!("figure.scene.{name}"), pieces);
     for (i, ground) in plan.grounds.iter().enumerate() {
         let angle = match ground.slope {
             Slope::Degrees(n) => text(view, n, "°"),
             Slope::Level | Slope::Vertical => String::new(),
         };
-        let side = if ground.up.0 < 0.0 { "left" } else { "right" };
+        let side = if ground.up.x < 0.0 { "left" } else { "right" };
         let what = if ground.rail { "rail" } else { "incline" };
         out.push(match ground.slope {
             Slope::Level => say("level", &[]),
@@ -157,11 +156,10 @@ pub fn mechanism(view: &View, plan: &Layout, told: bool, out: &mut Vec<String>) 
         if body.line.is_some() {
             list.push(way(view, p.forward, incline));
         }
-        let given = |s: &Start| matches!(s, Start::Speed(c, n) if c.body == b && view.of(*n).abs() > 1e-12);
-        if view.scene.start.iter().any(given) {
+        if view.started(b).next().is_some() {
             continue;
         }
-        if body.turns && p.reach((1.0, 0.0)) > scene::SMALL {
+        if body.turns && p.reach(Vec2::RIGHT) > parts::SMALL {
             let name = if p.clockwise { "clockwise" } else { "counter" };
             list.push(view.words.get(&format!("figure.turn.{name}")).to_owned());
         }
@@ -175,7 +173,7 @@ pub fn mechanism(view: &View, plan: &Layout, told: bool, out: &mut Vec<String>) 
     }
 }
 
-fn body(view: &View, plan: &Layout, index: usize, p: &Placed, out: &mut Vec<String>) {
+fn body(view: &SceneView, plan: &SceneLayout, index: usize, p: &Placed, out: &mut Vec<String>) {
     let body = &view.scene.bodies[index];
     let name = named(view, body);
     let say = |name: &str, pieces: &[(&str, &str)]| view.words.say(&format!("figure.scene.{name}"), pieces);
@@ -233,31 +231,26 @@ fn body(view: &View, plan: &Layout, index: usize, p: &Placed, out: &mut Vec<Stri
     }
     couples(view, index, out);
     let mut list = Vec::new();
-    for start in &view.scene.start {
-        if let Start::Speed(c, num) = *start
-            && c.body == index
-            && view.of(num).abs() > 1e-12
-        {
-            let (unit, sense) = if c.degree == Degree::Along { ("m/s", 1.0) } else { ("rad/s", -1.0) };
-            let sense = if view.of(num) < 0.0 { -sense } else { sense };
-            let way = if c.degree == Degree::Along {
+    for (degree, num) in view.started(index) {
+        let back = view.of(num) < 0.0;
+        let (unit, way) = match degree {
+            Degree::Along => {
                 let incline = p.on.is_some_and(|g| matches!(plan.grounds[g].slope, Slope::Degrees(_)));
-                way(view, mul(p.forward, sense), incline)
-            } else {
-                let clockwise = p.clockwise == (sense < 0.0);
-                view.words
-                    .get(if clockwise { "figure.turn.clockwise" } else { "figure.turn.counter" })
-                    .to_owned()
-            };
-            list.push(format!("{} {way}", view.size_text(num, unit).replace('\u{a0}', " ")));
-        }
+                ("m/s", way(view, if back { -p.forward } else { p.forward }, incline))
+            }
+            Degree::Turn => {
+                let name = if p.clockwise != back { "clockwise" } else { "counter" };
+                ("rad/s", view.words.get(&format!("figure.turn.{name}")).to_owned())
+            }
+        };
+        list.push(format!("{} {way}", view.size_text(num, unit).replace('\u{a0}', " ")));
     }
     if !list.is_empty() {
         out.push(say("start", &[("list", &list.join(separator(view)))]));
     }
 }
 
-fn couples(view: &View, index: usize, out: &mut Vec<String>) {
+fn couples(view: &SceneView, index: usize, out: &mut Vec<String>) {
     for couple in view.scene.couples.iter().filter(|c| c.body == index) {
         let forward = couple.forward == (view.of(couple.moment_n_m) >= 0.0);
         let name = if forward { "figure.scene.couple" } else { "figure.scene.couple_back" };
@@ -267,7 +260,7 @@ fn couples(view: &View, index: usize, out: &mut Vec<String>) {
 }
 
 /// The sentences about a pinned body.
-pub fn pinned(view: &View, index: usize, out: &mut Vec<String>) {
+pub fn pinned(view: &SceneView, index: usize, out: &mut Vec<String>) {
     let body = &view.scene.bodies[index];
     let Some(pin) = &body.pin else { return };
     let say = |name: &str, pieces: &[(&str, &str)]| view.words.say(&format!("figure.pinned.{name}"), pieces);
@@ -293,18 +286,13 @@ pub fn pinned(view: &View, index: usize, out: &mut Vec<String>) {
         ));
     }
     couples(view, index, out);
-    for start in &view.scene.start {
-        if let Start::Speed(c, num) = *start
-            && c.body == index
-            && view.of(num).abs() > 1e-12
-        {
-            out.push(say("spin", &[("spin", &text(view, num, "rad/s"))]));
-        }
+    for (_, num) in view.started(index) {
+        out.push(say("spin", &[("spin", &text(view, num, "rad/s"))]));
     }
 }
 
 /// The sentences about a lamina.
-pub fn lamina(view: &View, index: usize, out: &mut Vec<String>) {
+pub fn lamina(view: &SceneView, index: usize, out: &mut Vec<String>) {
     let body = &view.scene.bodies[index];
     let say = |name: &str, pieces: &[(&str, &str)]| view.words.say(&format!("figure.lamina.{name}"), pieces);
     let list: Vec<String> = body

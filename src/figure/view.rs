@@ -1,12 +1,12 @@
 //! A variant as a picture sees it: numbers of the scene, their symbols and drawn values as label text, words.
 use crate::bank::FigureLabels;
 use crate::bank::Problem;
-use crate::figure::names;
-use crate::figure::picture::Run;
-use crate::figure::picture::RunStyle;
-use crate::figure::symbol;
+use crate::picture::RunStyle;
+use crate::picture::TextRun;
+use crate::picture::symbol;
 use crate::problem::make::Variant;
 use crate::scene::Body;
+use crate::scene::Degree;
 use crate::scene::Label;
 use crate::scene::Mass;
 use crate::scene::Num;
@@ -15,12 +15,13 @@ use crate::scene::Quantity;
 use crate::scene::RotaryInertia;
 use crate::scene::Scene;
 use crate::scene::Shape;
+use crate::scene::Start;
 use crate::scene::Tie;
 use crate::words::Words;
 
 /// A variant with what is needed to label its picture.
 #[derive(Clone, Copy)]
-pub struct View<'a> {
+pub struct SceneView<'a> {
     /// The problem.
     pub problem: &'a Problem,
     /// One draw of it.
@@ -35,7 +36,7 @@ pub struct View<'a> {
     pub worked: bool,
 }
 
-impl<'a> View<'a> {
+impl<'a> SceneView<'a> {
     /// A view; `None` if the variant has no scene.
     pub fn new(
         problem: &'a Problem,
@@ -80,8 +81,16 @@ impl<'a> View<'a> {
             .collect()
     }
 
+    /// Speeds and spins that a body has at the start, without those that are 0.
+    pub fn started(&self, body: usize) -> impl Iterator<Item = (Degree, Num)> {
+        self.scene.start.iter().filter_map(move |start| match *start {
+            Start::Speed(c, num) if c.body == body && self.of(num).abs() > 1e-12 => Some((c.degree, num)),
+            _ => None,
+        })
+    }
+
     /// Symbol of a datum; nothing for a constant.
-    pub fn symbol(&self, num: Num) -> Vec<Run> {
+    pub fn symbol(&self, num: Num) -> Vec<TextRun> {
         match num {
             Num::Datum(i) => self.problem.data.get(i).map_or_else(Vec::new, |d| symbol::symbol(&d.tex)),
             Num::Fixed(_) => Vec::new(),
@@ -89,7 +98,7 @@ impl<'a> View<'a> {
     }
 
     /// The number as drawn, with its unit; a constant in `unit` (as HTML, SI).
-    pub fn value(&self, num: Num, unit: &str) -> Vec<Run> {
+    pub fn value(&self, num: Num, unit: &str) -> Vec<TextRun> {
         match num {
             Num::Datum(i) => {
                 let drawn = self.variant.values.get(i).copied().flatten();
@@ -106,7 +115,7 @@ impl<'a> View<'a> {
     }
 
     /// Label of a number: `R = 0.40 m`, or `R` alone; a constant is always its value.
-    pub fn label(&self, num: Num, unit: &str) -> Vec<Run> {
+    pub fn label(&self, num: Num, unit: &str) -> Vec<TextRun> {
         let symbol = self.symbol(num);
         if symbol.is_empty() {
             return self.value(num, unit);
@@ -118,9 +127,9 @@ impl<'a> View<'a> {
     }
 
     /// Label of the size of a number whose sense an arrow shows: `|ω_0| = 11 rad/s` of -11 rad/s.
-    pub fn size_label(&self, num: Num, unit: &str) -> Vec<Run> {
+    pub fn size_label(&self, num: Num, unit: &str) -> Vec<TextRun> {
         if self.labels == FigureLabels::Symbols && !self.symbol(num).is_empty() {
-            return names::magnitude(self.symbol(num), self.of(num) < 0.0);
+            return symbol::magnitude(self.symbol(num), self.of(num) < 0.0);
         }
         self.size_runs(num, unit)
     }
@@ -130,14 +139,14 @@ impl<'a> View<'a> {
         symbol::plain(&self.size_runs(num, unit))
     }
 
-    fn size_runs(&self, num: Num, unit: &str) -> Vec<Run> {
+    fn size_runs(&self, num: Num, unit: &str) -> Vec<TextRun> {
         let mut value = self.value(num, unit);
         if let Some(first) = value.first_mut() {
             first.text = first.text.trim_start_matches('−').to_owned();
         }
         match self.symbol(num) {
             symbol if symbol.is_empty() => value,
-            symbol => joined(names::magnitude(symbol, self.of(num) < 0.0), value),
+            symbol => joined(symbol::magnitude(symbol, self.of(num) < 0.0), value),
         }
     }
 
@@ -164,15 +173,20 @@ impl<'a> View<'a> {
 
     /// Mass of a body, kg.
     pub fn kilograms(&self, body: &Body) -> f64 {
-        let one = |mass: &Mass| match mass {
+        match (&body.mass, &body.inertia) {
+            (Mass::OfParts, Some(RotaryInertia::Parts(parts))) => {
+                parts.iter().map(|p| self.given_kilograms(&p.mass)).sum()
+            }
+            (Mass::OfParts, _) => body.particles.iter().map(|p| self.of(p.mass_kg)).sum(),
+            (mass, _) => self.given_kilograms(mass),
+        }
+    }
+
+    fn given_kilograms(&self, mass: &Mass) -> f64 {
+        match mass {
             Mass::Kilograms(n) => self.of(*n),
             Mass::Weight(n) => self.of(*n) / self.of(self.scene.gravity_m_s2),
             Mass::OfParts => 0.0,
-        };
-        match (&body.mass, &body.inertia) {
-            (Mass::OfParts, Some(RotaryInertia::Parts(parts))) => parts.iter().map(|p| one(&p.mass)).sum(),
-            (Mass::OfParts, _) => body.particles.iter().map(|p| self.of(p.mass_kg)).sum(),
-            (mass, _) => one(mass),
         }
     }
 
@@ -188,12 +202,8 @@ impl<'a> View<'a> {
             Some(RotaryInertia::Parts(parts)) => parts
                 .iter()
                 .map(|p| {
-                    let m = match p.mass {
-                        Mass::Kilograms(n) => self.of(n),
-                        Mass::Weight(n) => self.of(n) / self.of(self.scene.gravity_m_s2),
-                        Mass::OfParts => 0.0,
-                    };
-                    m * beta(p.shape) * self.of(p.radius_m) * self.of(p.radius_m)
+                    let r = self.of(p.radius_m);
+                    self.given_kilograms(&p.mass) * beta(p.shape) * r * r
                 })
                 .sum(),
         }
@@ -216,16 +226,11 @@ impl<'a> View<'a> {
 }
 
 /// `left = right`.
-pub fn joined(mut left: Vec<Run>, right: Vec<Run>) -> Vec<Run> {
+pub fn joined(mut left: Vec<TextRun>, right: Vec<TextRun>) -> Vec<TextRun> {
     if right.is_empty() {
         return left;
     }
     left.push(symbol::run("\u{a0}=\u{a0}", RunStyle::Upright));
     left.extend(right);
     left
-}
-
-/// A symbol of the program's own, from LaTeX.
-pub fn own(tex: &str) -> Vec<Run> {
-    symbol::symbol(tex)
 }

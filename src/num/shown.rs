@@ -68,6 +68,12 @@ pub fn rounded(value: f64, to_figures: usize) -> f64 {
     figures(value, to_figures).parse().unwrap_or(value)
 }
 
+/// A share in per cent with at most so many decimals, without zeros at their end and without the sign: `12.5`.
+pub fn per_cent(share: f64, most: usize) -> String {
+    let text = decimals(share * 100.0, most);
+    if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

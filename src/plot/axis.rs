@@ -4,7 +4,7 @@ use crate::num::trig;
 
 /// How values are spread.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Scale {
+pub enum AxisScale {
     /// Evenly.
     Linear,
     /// By powers of ten; values must be > 0.
@@ -17,7 +17,7 @@ pub struct Axis {
     /// What it measures, with the unit.
     pub label: String,
     /// How.
-    pub scale: Scale,
+    pub scale: AxisScale,
     /// Least value shown.
     pub low: f64,
     /// Greatest value shown.
@@ -31,6 +31,19 @@ pub struct Tick {
     pub at: f64,
     /// `10^{-3}`, `0.25`, or nothing.
     pub label: String,
+}
+
+impl Tick {
+    /// Its label with a true minus sign.
+    pub fn signed(&self) -> String {
+        self.label.replace('-', "\u{2212}")
+    }
+
+    /// Its label as per cent, if it is a number.
+    pub fn percent(&self) -> String {
+        let number = self.label.parse::<f64>();
+        number.map_or_else(|_| self.label.clone(), |share| format!("{} %", shown::per_cent(share, 0)))
+    }
 }
 
 /// Most labelled ticks on an axis.
@@ -52,9 +65,9 @@ fn whole(x: f64) -> i32 {
 impl Axis {
     /// An axis that holds these values, widened to whole powers of ten or to round numbers. Values that are not finite, or not
     /// above 0 on a log axis, are passed over; with none left the axis goes from 0.1 to 1.
-    pub fn around(label: &str, scale: Scale, values: impl Iterator<Item = f64>) -> Self {
+    pub fn around(label: &str, scale: AxisScale, values: impl Iterator<Item = f64>) -> Self {
         let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
-        for v in values.filter(|v| v.is_finite() && (scale == Scale::Linear || *v > 0.0)) {
+        for v in values.filter(|v| v.is_finite() && (scale == AxisScale::Linear || *v > 0.0)) {
             low = low.min(v);
             high = high.max(v);
         }
@@ -62,14 +75,14 @@ impl Axis {
             (low, high) = (0.1, 1.0);
         }
         match scale {
-            Scale::Log => {
+            AxisScale::Log => {
                 let (a, mut b) = (whole(trig::log10(low).floor()), whole(trig::log10(high).ceil()));
                 if a == b {
                     b += 1;
                 }
                 (low, high) = (power_of_ten(a), power_of_ten(b));
             }
-            Scale::Linear => {
+            AxisScale::Linear => {
                 // Ends on ticks; a wider axis may take wider steps.
                 for _ in 0..3 {
                     let step = step(high - low);
@@ -86,8 +99,8 @@ impl Axis {
     /// Place of a value as a share of the axis; what lies outside is drawn at its end.
     pub fn at(&self, value: f64) -> f64 {
         let share = match self.scale {
-            Scale::Linear => (value - self.low) / (self.high - self.low),
-            Scale::Log => {
+            AxisScale::Linear => (value - self.low) / (self.high - self.low),
+            AxisScale::Log => {
                 let (a, b) = (trig::log10(self.low), trig::log10(self.high));
                 (trig::log10(value.max(self.low)) - a) / (b - a)
             }
@@ -99,7 +112,7 @@ impl Axis {
     pub fn ticks(&self) -> Vec<Tick> {
         let mut ticks = Vec::new();
         match self.scale {
-            Scale::Log => {
+            AxisScale::Log => {
                 let (a, b) = (whole(trig::log10(self.low).round()), whole(trig::log10(self.high).round()));
                 let every = ((b - a) + MOST_LABELS - 1) / MOST_LABELS;
                 for e in a..=b {
@@ -119,7 +132,7 @@ impl Axis {
                     }
                 }
             }
-            Scale::Linear => {
+            AxisScale::Linear => {
                 let step = step(self.high - self.low);
                 let decimals = (0..9).find(|d| {
                     let scaled = step * power_of_ten(*d);
@@ -153,7 +166,7 @@ mod tests {
 
     #[test]
     fn log_axes_take_whole_decades() {
-        let axis = Axis::around("x", Scale::Log, [3e-5, f64::NAN, 0.0, 20.0].into_iter());
+        let axis = Axis::around("x", AxisScale::Log, [3e-5, f64::NAN, 0.0, 20.0].into_iter());
         assert!((axis.low - 1e-5).abs() < 1e-18 && (axis.high - 100.0).abs() < 1e-9, "{axis:?}");
         let labels: Vec<String> = axis.ticks().into_iter().map(|t| t.label).collect();
         assert_eq!(labels.first().map(String::as_str), Some("10^{\u{2212}5}"));
@@ -161,20 +174,20 @@ mod tests {
         assert!(axis.at(1e-5).abs() < 1e-12 && (axis.at(100.0) - 1.0).abs() < 1e-12);
         assert!(axis.at(0.0).abs() < 1e-12 && (axis.at(1e9) - 1.0).abs() < 1e-12);
         // Many decades: not every one has a label, the ends do.
-        let wide = Axis::around("x", Scale::Log, [1e-17, 1.0].into_iter());
+        let wide = Axis::around("x", AxisScale::Log, [1e-17, 1.0].into_iter());
         assert!(wide.ticks().iter().filter(|t| !t.label.is_empty()).count() <= 10);
     }
     #[test]
     fn linear_axes_take_round_numbers() {
-        let axis = Axis::around("x", Scale::Linear, [0.13, 0.87].into_iter());
+        let axis = Axis::around("x", AxisScale::Linear, [0.13, 0.87].into_iter());
         let labels: Vec<String> = axis.ticks().into_iter().map(|t| t.label).collect();
         assert_eq!(labels, ["0.0", "0.2", "0.4", "0.6", "0.8", "1.0"]);
-        let odd = Axis { label: String::new(), scale: Scale::Linear, low: -0.5, high: 14.5 };
+        let odd = Axis { label: String::new(), scale: AxisScale::Linear, low: -0.5, high: 14.5 };
         let labels: Vec<String> = odd.ticks().into_iter().map(|t| t.label).collect();
         assert_eq!(labels, ["0", "2", "4", "6", "8", "10", "12", "14"]);
-        let one = Axis::around("x", Scale::Linear, [2.0].into_iter());
+        let one = Axis::around("x", AxisScale::Linear, [2.0].into_iter());
         assert!(one.high > one.low);
-        let none = Axis::around("x", Scale::Log, std::iter::empty());
+        let none = Axis::around("x", AxisScale::Log, std::iter::empty());
         assert!(none.high > none.low);
     }
 }

@@ -1,10 +1,12 @@
 //! Lines with marks over two axes.
+use crate::picture::vector::Vec2;
+use crate::picture::vector::vec2;
 use crate::plot::axis::Axis;
-use crate::plot::svg::Svg;
+use crate::plot::chart::Chart;
 
 /// A point of a series.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Point {
+pub struct DataPoint {
     /// Along the first axis.
     pub x: f64,
     /// Along the second.
@@ -23,12 +25,12 @@ pub struct Series {
     /// Which colour, mark and dash, so that a series looks the same on every figure.
     pub style: usize,
     /// The points, in the order in which they are joined.
-    pub points: Vec<Point>,
+    pub points: Vec<DataPoint>,
 }
 
 /// A figure.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Figure {
+pub struct LineChart {
     /// Tells the figures of a page apart.
     pub id: String,
     /// Title.
@@ -54,9 +56,9 @@ const BOTTOM: f64 = 400.0;
 /// Room between the frame and the points at the ends of an axis.
 const INSET: f64 = 14.0;
 
-impl Figure {
-    fn place(&self, x: f64, y: f64) -> (f64, f64) {
-        (
+impl LineChart {
+    fn place(&self, x: f64, y: f64) -> Vec2 {
+        vec2(
             LEFT + INSET + self.x.at(x) * (RIGHT - LEFT - 2.0 * INSET),
             BOTTOM - INSET - self.y.at(y) * (BOTTOM - TOP - 2.0 * INSET),
         )
@@ -64,82 +66,82 @@ impl Figure {
 
     /// The figure as SVG text: the same bytes for the same data.
     pub fn svg(&self) -> String {
-        let mut svg = Svg::new(&self.id, WIDTH, HEIGHT, &self.title, &self.description);
-        svg.text("head", "start", (LEFT, 28.0), &self.title);
+        let mut chart = Chart::new(&self.id, vec2(WIDTH, HEIGHT), &self.title, &self.description);
+        chart.text("head", "start", vec2(LEFT, 28.0), &self.title);
         for tick in self.x.ticks() {
             let x = LEFT + INSET + tick.at * (RIGHT - LEFT - 2.0 * INSET);
             if tick.label.is_empty() {
-                svg.line("frame", (x, BOTTOM), (x, BOTTOM + 3.0));
+                chart.line("frame", vec2(x, BOTTOM), vec2(x, BOTTOM + 3.0));
             } else {
-                svg.line("grid", (x, TOP), (x, BOTTOM));
-                svg.line("frame", (x, BOTTOM), (x, BOTTOM + 6.0));
-                svg.text("", "middle", (x, BOTTOM + 22.0), &tick.label);
+                chart.line("grid", vec2(x, TOP), vec2(x, BOTTOM));
+                chart.line("frame", vec2(x, BOTTOM), vec2(x, BOTTOM + 6.0));
+                chart.text("", "middle", vec2(x, BOTTOM + 22.0), &tick.label);
             }
         }
         for tick in self.y.ticks() {
             let y = BOTTOM - INSET - tick.at * (BOTTOM - TOP - 2.0 * INSET);
             if tick.label.is_empty() {
-                svg.line("frame", (LEFT - 3.0, y), (LEFT, y));
+                chart.line("frame", vec2(LEFT - 3.0, y), vec2(LEFT, y));
             } else {
-                svg.line("grid", (LEFT, y), (RIGHT, y));
-                svg.line("frame", (LEFT - 6.0, y), (LEFT, y));
-                svg.text("", "end", (LEFT - 9.0, y + 4.5), &tick.label);
+                chart.line("grid", vec2(LEFT, y), vec2(RIGHT, y));
+                chart.line("frame", vec2(LEFT - 6.0, y), vec2(LEFT, y));
+                chart.text("", "end", vec2(LEFT - 9.0, y + 4.5), &tick.label);
             }
         }
-        svg.rect("frame", (LEFT, TOP), (RIGHT - LEFT, BOTTOM - TOP));
-        svg.text("soft", "middle", ((LEFT + RIGHT) / 2.0, BOTTOM + 46.0), &self.x.label);
-        svg.upright("soft", (20.0, (TOP + BOTTOM) / 2.0), &self.y.label);
+        chart.rect("frame", vec2(LEFT, TOP), vec2(RIGHT - LEFT, BOTTOM - TOP));
+        chart.text("soft", "middle", vec2((LEFT + RIGHT) / 2.0, BOTTOM + 46.0), &self.x.label);
+        chart.upright("soft", vec2(20.0, (TOP + BOTTOM) / 2.0), &self.y.label);
         for series in &self.series {
-            let places: Vec<(f64, f64)> = series.points.iter().map(|p| self.place(p.x, p.y)).collect();
+            let places: Vec<Vec2> = series.points.iter().map(|p| self.place(p.x, p.y)).collect();
             if places.len() > 1 {
-                svg.polyline(series.style, &places);
+                chart.polyline(series.style, &places);
             }
         }
         for series in &self.series {
             for point in &series.points {
                 let at = self.place(point.x, point.y);
-                svg.mark(series.style, at, point.filled);
+                chart.mark(series.style, at, point.filled);
                 if point.ringed {
-                    svg.ring(at, 10.0);
+                    chart.circle("ring", at, 10.0);
                 }
             }
         }
         let (x, mut y) = (RIGHT + 18.0, TOP + 12.0);
         for series in &self.series {
-            svg.polyline(series.style, &[(x, y), (x + 34.0, y)]);
-            svg.mark(series.style, (x + 17.0, y), true);
-            svg.text("", "start", (x + 43.0, y + 4.5), &series.name);
+            chart.polyline(series.style, &[vec2(x, y), vec2(x + 34.0, y)]);
+            chart.mark(series.style, vec2(x + 17.0, y), true);
+            chart.text("", "start", vec2(x + 43.0, y + 4.5), &series.name);
             y += 23.0;
         }
         y += 10.0;
         for note in &self.notes {
-            svg.text("soft", "start", (x, y), note);
+            chart.text("soft", "start", vec2(x, y), note);
             y += 17.0;
         }
-        svg.finish()
+        chart.finish()
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::plot::Scale;
+    use crate::plot::AxisScale;
 
     #[test]
     fn a_figure_is_well_formed_escaped_and_the_same_every_time() {
-        let figure = Figure {
+        let figure = LineChart {
             id: "f".to_owned(),
             title: "a < b & c".to_owned(),
             description: "two points".to_owned(),
-            x: Axis::around("cost", Scale::Log, [1.0, 100.0].into_iter()),
-            y: Axis::around("error", Scale::Log, [1e-3, 1.0].into_iter()),
+            x: Axis::around("cost", AxisScale::Log, [1.0, 100.0].into_iter()),
+            y: Axis::around("error", AxisScale::Log, [1e-3, 1.0].into_iter()),
             series: (0..8)
                 .map(|style| Series {
                     name: format!("series {style}"),
                     style,
                     points: vec![
-                        Point { x: 1.0, y: 1e-3, filled: true, ringed: true },
-                        Point { x: 100.0, y: 0.0, filled: false, ringed: false },
+                        DataPoint { x: 1.0, y: 1e-3, filled: true, ringed: true },
+                        DataPoint { x: 100.0, y: 0.0, filled: false, ringed: false },
                     ],
                 })
                 .collect(),
@@ -147,9 +149,9 @@ mod tests {
         };
         let svg = figure.svg();
         assert_eq!(svg, figure.svg());
-        assert!(svg.contains("<title id=\"f-t\">a &lt; b &amp; c</title>") && svg.ends_with("</svg>\n"));
-        assert!(!svg.contains("NaN") && !svg.contains("inf") && !svg.contains("-0.0\""), "{svg}");
-        let count = |word: &str| svg.matches(word).count();
+        assert!(chart.contains("<title id=\"f-t\">a &lt; b &amp; c</title>") && chart.ends_with("</svg>\n"));
+        assert!(!chart.contains("NaN") && !chart.contains("inf") && !chart.contains("-0.0\""), "{svg}");
+        let count = |word: &str| chart.matches(word).count();
         assert_eq!(count("class=\"line\""), 16, "a line for each series, and in the legend");
         assert_eq!(count("class=\"mark\""), 24);
         assert_eq!(count("class=\"ring\""), 8);

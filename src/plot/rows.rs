@@ -1,11 +1,11 @@
 //! One row for each thing: a bar or a mark, with its interval.
-use crate::num::shown;
+use crate::picture::vector::vec2;
 use crate::plot::axis::Axis;
-use crate::plot::svg::Svg;
+use crate::plot::chart::Chart;
 
 /// A row.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Row {
+pub struct ChartRow {
     /// Name, to the left.
     pub label: String,
     /// A line of words above the bar, cut where the chart ends; empty for none.
@@ -22,7 +22,7 @@ pub struct Row {
 
 /// A chart of rows.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Rows {
+pub struct RowChart {
     /// Tells the figures of a page apart.
     pub id: String,
     /// Title.
@@ -36,7 +36,7 @@ pub struct Rows {
     /// Bars from the low end of the axis, else marks and a line at 0.
     pub bars: bool,
     /// The rows, from above.
-    pub rows: Vec<Row>,
+    pub rows: Vec<ChartRow>,
 }
 
 /// Width of charts: on a phone their letters are still read.
@@ -50,64 +50,58 @@ const WIDEST: f64 = 220.0;
 const WORDS: f64 = 16.0;
 const SMALL: f64 = 6.2;
 
-impl Rows {
+impl RowChart {
     /// The chart as SVG text: the same bytes for the same data.
     pub fn svg(&self) -> String {
         let longest =
-            |text: &dyn Fn(&Row) -> usize| self.rows.iter().map(text).max().unwrap_or(0) as f64 * LETTER;
+            |text: &dyn Fn(&ChartRow) -> usize| self.rows.iter().map(text).max().unwrap_or(0) as f64 * LETTER;
         let left = (longest(&|r| r.label.chars().count()) + 14.0).clamp(40.0, WIDEST);
         let right = WIDTH - (longest(&|r| r.note.chars().count()) + 12.0).clamp(16.0, 120.0);
         let worded = self.rows.iter().any(|r| !r.words.is_empty());
         let step = if worded { STEP + WORDS } else { STEP };
         let bottom = TOP + self.rows.len() as f64 * step + 4.0;
-        let mut svg = Svg::chart(&self.id, (WIDTH, bottom + 44.0), &self.title, &self.description);
-        svg.text("head", "start", (8.0, 22.0), &self.title);
+        let mut chart = Chart::new(&self.id, vec2(WIDTH, bottom + 44.0), &self.title, &self.description);
+        chart.text("head", "start", vec2(8.0, 22.0), &self.title);
         let place = |value: f64| left + self.axis.at(value) * (right - left);
         for tick in self.axis.ticks() {
             let x = left + tick.at * (right - left);
-            svg.line("grid", (x, TOP), (x, bottom));
-            svg.text("soft tiny", "middle", (x, bottom + 16.0), &self.tick(&tick.label));
+            chart.line("grid", vec2(x, TOP), vec2(x, bottom));
+            let label = if self.percent { tick.percent() } else { tick.signed() };
+            chart.text("soft tiny", "middle", vec2(x, bottom + 16.0), &label);
         }
-        svg.text("soft tiny", "middle", ((left + right) / 2.0, bottom + 34.0), &self.axis.label);
+        chart.text("soft tiny", "middle", vec2((left + right) / 2.0, bottom + 34.0), &self.axis.label);
         let base = if self.bars { place(self.axis.low) } else { place(0.0) };
-        svg.line("frame", (base, TOP), (base, bottom));
+        chart.line("frame", vec2(base, TOP), vec2(base, bottom));
         for (i, row) in self.rows.iter().enumerate() {
             let y = TOP + (i as f64 + 1.0) * step - 0.5 * STEP + 2.0;
             if !row.words.is_empty() {
                 let most = ((WIDTH - left) / SMALL) as usize;
-                svg.text("soft tiny", "start", (left + 2.0, y - 12.0), &shortened(&row.words, most));
+                chart.text("soft tiny", "start", vec2(left + 2.0, y - 12.0), &shortened(&row.words, most));
             }
-            svg.text(
+            chart.text(
                 "",
                 "end",
-                (left - 8.0, y + 4.5),
+                vec2(left - 8.0, y + 4.5),
                 &shortened(&row.label, ((WIDEST - 14.0) / LETTER) as usize),
             );
-            svg.text("soft tiny", "start", (right + 8.0, y + 4.0), &row.note);
+            chart.text("soft tiny", "start", vec2(right + 8.0, y + 4.0), &row.note);
             let Some(value) = row.value else { continue };
             if self.bars {
                 let class = if row.marked { "warn" } else { "bar" };
-                svg.rect(class, (base, y - 7.5), ((place(value) - base).max(0.0), 15.0));
+                chart.rect(class, vec2(base, y - 7.5), vec2((place(value) - base).max(0.0), 15.0));
             }
             if let Some((low, high)) = row.interval {
                 let (a, b) = (place(low), place(high));
-                svg.line("whisker", (a, y), (b, y));
+                chart.line("whisker", vec2(a, y), vec2(b, y));
                 for end in [a, b] {
-                    svg.line("whisker", (end, y - 3.5), (end, y + 3.5));
+                    chart.line("whisker", vec2(end, y - 3.5), vec2(end, y + 3.5));
                 }
             }
             if !self.bars {
-                svg.disc(if row.marked { "warn" } else { "dot" }, (place(value), y), 5.0);
+                chart.circle(if row.marked { "warn" } else { "dot" }, vec2(place(value), y), 5.0);
             }
         }
-        svg.finish()
-    }
-
-    fn tick(&self, label: &str) -> String {
-        match label.parse::<f64>() {
-            Ok(value) if self.percent => format!("{} %", shown::decimals(value * 100.0, 0)),
-            _ => label.replace('-', "\u{2212}"),
-        }
+        chart.finish()
     }
 }
 
@@ -122,11 +116,11 @@ fn shortened(text: &str, most: usize) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::plot::Scale;
+    use crate::plot::AxisScale;
 
     #[test]
     fn bars_are_as_long_as_their_values() {
-        let row = |label: &str, value| Row {
+        let row = |label: &str, value| ChartRow {
             label: label.to_owned(),
             words: String::new(),
             value,
@@ -134,11 +128,11 @@ mod tests {
             note: "n".to_owned(),
             marked: false,
         };
-        let chart = Rows {
+        let chart = RowChart {
             id: "r".to_owned(),
             title: "a & b".to_owned(),
             description: "three rows".to_owned(),
-            axis: Axis { label: "share".to_owned(), scale: Scale::Linear, low: 0.0, high: 1.0 },
+            axis: Axis { label: "share".to_owned(), scale: AxisScale::Linear, low: 0.0, high: 1.0 },
             percent: true,
             bars: true,
             rows: vec![
@@ -156,7 +150,7 @@ mod tests {
             .collect();
         assert_eq!(widths.len(), 2);
         assert!((widths[1] / widths[0] - 3.0).abs() < 0.01, "{widths:?}");
-        assert!(svg.contains("a &amp; b") && svg.contains("100 %") && svg.contains("…</text>"));
-        assert!(!svg.contains("NaN"));
+        assert!(chart.contains("a &amp; b") && chart.contains("100 %") && chart.contains("…</text>"));
+        assert!(!chart.contains("NaN"));
     }
 }

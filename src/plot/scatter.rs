@@ -1,8 +1,10 @@
 //! Single points over two axes, each with its name where there is room.
-use crate::num::shown;
+use crate::picture::frame::Frame;
+use crate::picture::vector::Vec2;
+use crate::picture::vector::vec2;
 use crate::plot::axis::Axis;
+use crate::plot::chart::Chart;
 use crate::plot::rows::WIDTH;
-use crate::plot::svg::Svg;
 
 /// A point.
 #[derive(Debug, Clone, PartialEq)]
@@ -19,7 +21,7 @@ pub struct Spot {
 
 /// A chart of points.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Scatter {
+pub struct ScatterChart {
     /// Tells the figures of a page apart.
     pub id: String,
     /// Title.
@@ -44,58 +46,45 @@ const HEIGHT: f64 = 358.0;
 /// About how large letters are.
 const LETTER: (f64, f64) = (6.3, 13.0);
 
-type Box = (f64, f64, f64, f64);
-
-impl Scatter {
+impl ScatterChart {
     /// The chart as SVG text: the same bytes for the same data.
     pub fn svg(&self) -> String {
-        let mut svg = Svg::chart(&self.id, (WIDTH, HEIGHT), &self.title, &self.description);
-        svg.text("head", "start", (8.0, 22.0), &self.title);
+        let mut chart = Chart::new(&self.id, vec2(WIDTH, HEIGHT), &self.title, &self.description);
+        chart.text("head", "start", vec2(8.0, 22.0), &self.title);
         let at = |x: f64, y: f64| {
-            (
+            vec2(
                 LEFT + 8.0 + self.x.at(x) * (RIGHT - LEFT - 16.0),
                 BOTTOM - 8.0 - self.y.at(y) * (BOTTOM - TOP - 16.0),
             )
         };
         for tick in self.x.ticks() {
             let x = LEFT + 8.0 + tick.at * (RIGHT - LEFT - 16.0);
-            svg.line("grid", (x, TOP), (x, BOTTOM));
-            let label = tick
-                .label
-                .parse::<f64>()
-                .map_or(tick.label.clone(), |v| format!("{} %", shown::decimals(v * 100.0, 0)));
-            svg.text("soft tiny", "middle", (x, BOTTOM + 16.0), &label);
+            chart.line("grid", vec2(x, TOP), vec2(x, BOTTOM));
+            chart.text("soft tiny", "middle", vec2(x, BOTTOM + 16.0), &tick.percent());
         }
         for tick in self.y.ticks() {
             let y = BOTTOM - 8.0 - tick.at * (BOTTOM - TOP - 16.0);
-            svg.line("grid", (LEFT, y), (RIGHT, y));
-            svg.text("soft tiny", "end", (LEFT - 7.0, y + 4.0), &tick.label.replace('-', "\u{2212}"));
+            chart.line("grid", vec2(LEFT, y), vec2(RIGHT, y));
+            chart.text("soft tiny", "end", vec2(LEFT - 7.0, y + 4.0), &tick.signed());
         }
-        svg.rect("frame", (LEFT, TOP), (RIGHT - LEFT, BOTTOM - TOP));
-        svg.text("soft tiny", "middle", ((LEFT + RIGHT) / 2.0, BOTTOM + 36.0), &self.x.label);
-        svg.upright("soft tiny", (14.0, (TOP + BOTTOM) / 2.0), &self.y.label);
+        chart.rect("frame", vec2(LEFT, TOP), vec2(RIGHT - LEFT, BOTTOM - TOP));
+        chart.text("soft tiny", "middle", vec2((LEFT + RIGHT) / 2.0, BOTTOM + 36.0), &self.x.label);
+        chart.upright("soft tiny", vec2(14.0, (TOP + BOTTOM) / 2.0), &self.y.label);
         let mut level = None;
         if let Some((value, says)) = &self.level {
-            let (_, y) = at(self.x.low, *value);
-            svg.line("mid", (LEFT, y), (RIGHT, y));
-            svg.text("soft tiny", "start", (8.0, TOP - 8.0), says);
-            level = Some((LEFT, y - 1.0, RIGHT, y + 1.0));
+            let y = at(self.x.low, *value).y;
+            chart.line("mid", vec2(LEFT, y), vec2(RIGHT, y));
+            chart.text("soft tiny", "start", vec2(8.0, TOP - 8.0), says);
+            level = Some(Frame { low: vec2(LEFT, y - 1.0), high: vec2(RIGHT, y + 1.0) });
         }
-        let mut taken: Vec<Box> = self
-            .spots
-            .iter()
-            .map(|s| {
-                let (x, y) = at(s.x, s.y);
-                (x - 5.0, y - 5.0, x + 5.0, y + 5.0)
-            })
-            .chain(level)
-            .collect();
+        let mut taken: Vec<Frame> =
+            self.spots.iter().map(|s| Frame::about(at(s.x, s.y), vec2(5.0, 5.0))).chain(level).collect();
         for spot in &self.spots {
-            svg.disc(if spot.marked { "warn" } else { "dot" }, at(spot.x, spot.y), 5.0);
+            chart.circle(if spot.marked { "warn" } else { "dot" }, at(spot.x, spot.y), 5.0);
         }
         for spot in &self.spots {
             // To the right, to the left, above, below: where nothing stands yet.
-            let (x, y) = at(spot.x, spot.y);
+            let Vec2 { x, y } = at(spot.x, spot.y);
             let wide = spot.label.chars().count() as f64 * LETTER.0;
             let places = [
                 ("start", x + 8.0, y + 4.0, x + 7.0),
@@ -112,34 +101,37 @@ impl Scatter {
                 ]
             });
             for (i, (anchor, tx, ty, from)) in places.into_iter().chain(far).enumerate() {
-                let mine = (from, ty - LETTER.1 + 3.0, from + wide, ty + 2.0);
-                let inside = mine.0 > LEFT && mine.2 < RIGHT && mine.1 > TOP && mine.3 < BOTTOM;
-                let free = taken.iter().all(|o| mine.2 < o.0 || mine.0 > o.2 || mine.3 < o.1 || mine.1 > o.3);
+                let mine = Frame { low: vec2(from, ty - LETTER.1 + 3.0), high: vec2(from + wide, ty + 2.0) };
+                let Frame { low, high } = mine;
+                let inside = low.x > LEFT && high.x < RIGHT && low.y > TOP && high.y < BOTTOM;
+                let free = taken
+                    .iter()
+                    .all(|o| high.x < o.low.x || low.x > o.high.x || high.y < o.low.y || low.y > o.high.y);
                 if inside && free {
                     if i >= 4 {
                         let near = if anchor == "start" { tx - 2.0 } else { tx + 2.0 };
-                        svg.line("frame", (x, y), (near, ty - 4.0));
+                        chart.line("frame", vec2(x, y), vec2(near, ty - 4.0));
                     }
-                    svg.text("tiny halo", anchor, (tx, ty), &spot.label);
+                    chart.text("tiny halo", anchor, vec2(tx, ty), &spot.label);
                     taken.push(mine);
                     break;
                 }
             }
         }
-        svg.finish()
+        chart.finish()
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::plot::Scale;
+    use crate::plot::AxisScale;
 
     #[test]
     fn names_do_not_stand_on_each_other() {
-        let axis = |low: f64| Axis { label: "x".to_owned(), scale: Scale::Linear, low, high: 1.0 };
+        let axis = |low: f64| Axis { label: "x".to_owned(), scale: AxisScale::Linear, low, high: 1.0 };
         let spot = |x: f64| Spot { x, y: 0.5, label: "1.name".to_owned(), marked: x > 0.9 };
-        let chart = Scatter {
+        let chart = ScatterChart {
             id: "s".to_owned(),
             title: "t".to_owned(),
             description: "d".to_owned(),
@@ -149,9 +141,9 @@ mod tests {
             spots: [0.5; 9].into_iter().chain([0.1, 0.95]).map(spot).collect(),
         };
         let svg = chart.svg();
-        assert_eq!(svg.matches("class=\"dot\"").count() + svg.matches("class=\"warn\"").count(), 11);
+        assert_eq!(chart.matches("class=\"dot\"").count() + chart.matches("class=\"warn\"").count(), 11);
         // Those that fall together are named at the ends of lines.
-        assert_eq!(svg.matches(">1.name</text>").count(), 11);
+        assert_eq!(chart.matches(">1.name</text>").count(), 11);
         assert_eq!(svg, chart.svg());
     }
 }

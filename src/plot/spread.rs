@@ -1,12 +1,13 @@
 //! How numbers are spread: columns of a histogram, or a dot for each of a few.
+use crate::picture::vector::vec2;
 use crate::plot::axis::Axis;
-use crate::plot::axis::Scale;
+use crate::plot::axis::AxisScale;
+use crate::plot::chart::Chart;
 use crate::plot::rows::WIDTH;
-use crate::plot::svg::Svg;
 
 /// A chart of a list of numbers.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Spread {
+pub struct SpreadChart {
     /// Tells the figures of a page apart.
     pub id: String,
     /// Title.
@@ -32,31 +33,31 @@ const BOTTOM: f64 = 246.0;
 const HEIGHT: f64 = 292.0;
 const DOT: f64 = 5.5;
 
-impl Spread {
+impl SpreadChart {
     /// The chart as SVG text: the same bytes for the same data.
     pub fn svg(&self) -> String {
         let (top, bottom) = (TOP, if self.dots.is_empty() { BOTTOM } else { self.dots_bottom() });
-        let size = (WIDTH, HEIGHT - BOTTOM + bottom);
-        let mut svg = Svg::chart(&self.id, size, &self.title, &self.description);
-        svg.text("head", "start", (8.0, 22.0), &self.title);
+        let size = vec2(WIDTH, HEIGHT - BOTTOM + bottom);
+        let mut chart = Chart::new(&self.id, size, &self.title, &self.description);
+        chart.text("head", "start", vec2(8.0, 22.0), &self.title);
         let place = |v: f64| LEFT + self.axis.at(v) * (RIGHT - LEFT);
         if self.dots.is_empty() {
             let most = self.classes.iter().map(|c| c.2).max().unwrap_or(1).max(1) as f64;
-            let mut upright = Axis::around(&self.what, Scale::Linear, [0.0, most].into_iter());
+            let mut upright = Axis::around(&self.what, AxisScale::Linear, [0.0, most].into_iter());
             // Halves of a student do not exist.
             upright.high = upright.high.max(4.0);
             for tick in upright.ticks().into_iter().filter(|t| !t.label.contains('.')) {
                 let y = bottom - tick.at * (bottom - top);
-                svg.line("grid", (LEFT, y), (RIGHT, y));
-                svg.text("soft tiny", "end", (LEFT - 7.0, y + 4.0), &tick.label);
+                chart.line("grid", vec2(LEFT, y), vec2(RIGHT, y));
+                chart.text("soft tiny", "end", vec2(LEFT - 7.0, y + 4.0), &tick.label);
             }
             for (from, to, count) in self.classes.iter().filter(|(.., c)| *c > 0) {
                 let high = *count as f64 / upright.high * (bottom - top);
                 let (from, to) = (place(*from), place(*to));
                 let gap = if to - from > 8.0 { 1.0 } else { 0.3 };
-                svg.rect("bar", (from + gap, bottom - high), (to - from - 2.0 * gap, high));
+                chart.rect("bar", vec2(from + gap, bottom - high), vec2(to - from - 2.0 * gap, high));
             }
-            svg.upright("soft tiny", (14.0, (top + bottom) / 2.0), &self.what);
+            chart.upright("soft tiny", vec2(14.0, (top + bottom) / 2.0), &self.what);
         } else {
             // Dots are stacked where they would touch.
             let mut sorted = self.dots.clone();
@@ -67,29 +68,29 @@ impl Spread {
                 let touching = placed.iter().filter(|(other, _)| (x - other).abs() < 2.0 * DOT);
                 let used: Vec<usize> = touching.map(|(_, level)| *level).collect();
                 let level = (0..).find(|l| !used.contains(l)).unwrap_or(0);
-                svg.disc("dot", (x, bottom - DOT - 2.0 - level as f64 * 2.0 * DOT), DOT);
+                chart.circle("dot", vec2(x, bottom - DOT - 2.0 - level as f64 * 2.0 * DOT), DOT);
                 placed.push((x, level));
             }
         }
-        svg.line("frame", (LEFT, bottom), (RIGHT, bottom));
+        chart.line("frame", vec2(LEFT, bottom), vec2(RIGHT, bottom));
         for tick in self.axis.ticks() {
             let x = LEFT + tick.at * (RIGHT - LEFT);
-            svg.line("frame", (x, bottom), (x, bottom + 4.0));
-            svg.text("soft tiny", "middle", (x, bottom + 18.0), &tick.label);
+            chart.line("frame", vec2(x, bottom), vec2(x, bottom + 4.0));
+            chart.text("soft tiny", "middle", vec2(x, bottom + 18.0), &tick.label);
         }
-        svg.text("soft tiny", "middle", ((LEFT + RIGHT) / 2.0, bottom + 38.0), &self.axis.label);
+        chart.text("soft tiny", "middle", vec2((LEFT + RIGHT) / 2.0, bottom + 38.0), &self.axis.label);
         if let Some((value, says)) = &self.line {
             let x = place(*value);
-            svg.line("mid", (x, top - 6.0), (x, bottom));
+            chart.line("mid", vec2(x, top - 6.0), vec2(x, bottom));
             // Above the columns, within the chart.
             let anchor = match x {
                 x if x > RIGHT - 60.0 => "end",
                 x if x < LEFT + 60.0 => "start",
                 _ => "middle",
             };
-            svg.text("tiny halo", anchor, (x, top - 10.0), says);
+            chart.text("tiny halo", anchor, vec2(x, top - 10.0), says);
         }
-        svg.finish()
+        chart.finish()
     }
 
     /// As many dots as could stand on each other find room.
@@ -105,12 +106,12 @@ impl Spread {
 mod tests {
     use super::*;
 
-    fn chart(dots: Vec<f64>) -> Spread {
-        Spread {
+    fn chart(dots: Vec<f64>) -> SpreadChart {
+        SpreadChart {
             id: "h".to_owned(),
             title: "totals".to_owned(),
             description: "d".to_owned(),
-            axis: Axis { label: "points".to_owned(), scale: Scale::Linear, low: 0.0, high: 10.0 },
+            axis: Axis { label: "points".to_owned(), scale: AxisScale::Linear, low: 0.0, high: 10.0 },
             classes: vec![(0.0, 2.5, 1), (2.5, 5.0, 0), (5.0, 7.5, 3), (7.5, 10.0, 2)],
             dots,
             line: Some((7.0, "median 7".to_owned())),

@@ -2,12 +2,12 @@
 use crate::num::chance;
 use crate::num::trig;
 use crate::plot::Axis;
-use crate::plot::Row;
-use crate::plot::Rows;
-use crate::plot::Scale;
-use crate::plot::Scatter;
+use crate::plot::AxisScale;
+use crate::plot::ChartRow;
+use crate::plot::RowChart;
+use crate::plot::ScatterChart;
 use crate::plot::Spot;
-use crate::plot::Spread;
+use crate::plot::SpreadChart;
 use crate::report::marks::Marks;
 use crate::report::stats::LEAST_FOR_SHARE;
 use crate::report::stats::spread;
@@ -26,7 +26,7 @@ const FEW: usize = 30;
 const POOR: f64 = 0.2;
 
 fn axis(label: &str, low: f64, high: f64) -> Axis {
-    Axis { label: label.to_owned(), scale: Scale::Linear, low, high }
+    Axis { label: label.to_owned(), scale: AxisScale::Linear, low, high }
 }
 
 /// Distribution of the totals.
@@ -49,7 +49,7 @@ pub fn totals(study: &Study, summary: &Summary) -> String {
         points(study.most),
         if few { "A dot for each student." } else { "Columns count the students." }
     );
-    Spread {
+    SpreadChart {
         id: "plot-totals".to_owned(),
         title: "Distribution of the totals".to_owned(),
         description,
@@ -68,13 +68,13 @@ pub fn totals(study: &Study, summary: &Summary) -> String {
 
 /// Success of each part.
 pub fn success(marks: &Marks, study: &Study) -> String {
-    let rows: Vec<Row> = study
+    let rows: Vec<ChartRow> = study
         .parts
         .iter()
         .enumerate()
         .map(|(p, part)| {
             let success = part.success.filter(|_| part.answered >= LEAST_FOR_SHARE);
-            Row {
+            ChartRow {
                 label: marks.class.parts[p].label(),
                 words: String::new(),
                 value: success.map(|s| s.value),
@@ -85,7 +85,7 @@ pub fn success(marks: &Marks, study: &Study) -> String {
         })
         .collect();
     let told: Vec<String> = rows.iter().map(|r| format!("{}: {}", r.label, r.note)).collect();
-    Rows {
+    RowChart {
         id: "plot-parts".to_owned(),
         title: "Right answers".to_owned(),
         description: format!("Right answers of those that count, part by part. {}.", told.join("; ")),
@@ -113,9 +113,9 @@ pub fn items(marks: &Marks, study: &Study) -> Option<String> {
     }
     let told: Vec<String> =
         spots.iter().map(|s| format!("{} {} and {}", s.label, percent(s.x), fixed(s.y, 2))).collect();
-    let y = Axis::around("discrimination", Scale::Linear, spots.iter().map(|s| s.y).chain([0.0, 0.4]));
+    let y = Axis::around("discrimination", AxisScale::Linear, spots.iter().map(|s| s.y).chain([0.0, 0.4]));
     Some(
-        Scatter {
+        ScatterChart {
             id: "plot-items".to_owned(),
             title: "Ease and discrimination of the parts".to_owned(),
             description: format!("Ease of each part, then its discrimination: {}.", told.join("; ")),
@@ -132,8 +132,8 @@ pub fn items(marks: &Marks, study: &Study) -> Option<String> {
 pub fn mistakes(marks: &Marks, methods: &[(String, String, usize)]) -> String {
     const MOST: usize = 12;
     let most = methods.iter().map(|m| m.2).max().unwrap_or(1);
-    let rows: Vec<Row> = (methods.iter().take(MOST))
-        .map(|(ids, words, students)| Row {
+    let rows: Vec<ChartRow> = (methods.iter().take(MOST))
+        .map(|(ids, words, students)| ChartRow {
             label: ids.clone(),
             words: words.clone(),
             value: Some(*students as f64),
@@ -143,10 +143,10 @@ pub fn mistakes(marks: &Marks, methods: &[(String, String, usize)]) -> String {
         })
         .collect();
     let told: Vec<String> = rows.iter().map(|r| format!("{}: {}", r.label, r.note)).collect();
-    let mut axis = Axis::around("students", Scale::Linear, [0.0, most as f64].into_iter());
+    let mut axis = Axis::around("students", AxisScale::Linear, [0.0, most as f64].into_iter());
     axis.high = axis.high.max(4.0);
     let all = marks.class.students.len();
-    Rows {
+    RowChart {
         id: "plot-mistakes".to_owned(),
         title: "Students with each wrong method".to_owned(),
         description: format!(
@@ -163,13 +163,13 @@ pub fn mistakes(marks: &Marks, methods: &[(String, String, usize)]) -> String {
 
 /// Correlations of the marks of a problem with its data; `None` if there are none.
 pub fn fairness(title: &str, study: &Study, problem: usize) -> Option<String> {
-    let rows: Vec<Row> = study
+    let rows: Vec<ChartRow> = study
         .fairness
         .iter()
         .filter(|c| c.problem == problem)
         .filter_map(|c| {
             let rho = c.rho?;
-            Some(Row {
+            Some(ChartRow {
                 label: c.datum.clone(),
                 words: String::new(),
                 value: Some(rho.value),
@@ -187,7 +187,7 @@ pub fn fairness(title: &str, study: &Study, problem: usize) -> Option<String> {
         rows.iter().filter_map(|r| r.interval).fold(0.0, |w: f64, (a, b)| w.max(a.abs()).max(b.abs()));
     let reach = [0.25, 0.5, 1.0].into_iter().find(|r| widest <= *r).unwrap_or(1.0);
     Some(
-        Rows {
+        RowChart {
             id: format!("plot-fairness-{}", problem + 1),
             title: title.to_owned(),
             description: format!("Correlation of the marks with each datum. {}.", told.join("; ")),

@@ -1,7 +1,7 @@
 //! Tables of the class report: as HTML with a caption, and as CSV with the numbers unrounded.
 use crate::guard::push_text;
 use crate::num::shown;
-use crate::plot::svg::escaped;
+use crate::picture::svg::escaped;
 
 /// A cell: what is shown, and what stands in the CSV file.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -54,7 +54,7 @@ pub fn fixed(value: f64, decimals: usize) -> String {
 
 /// A share in per cent; the blank does not break.
 pub fn percent(share: f64) -> String {
-    format!("{}\u{a0}%", fixed(share * 100.0, 0))
+    format!("{}\u{a0}%", shown::per_cent(share, 0).replace('-', "\u{2212}"))
 }
 
 /// Points with at most two decimals.

@@ -1,7 +1,7 @@
 //! A text with its pictures: Markdown with `$...$` formulas is the single source of every format. What could act or fetch
 //! something in a reader's browser is taken out here, once for all formats.
-use crate::figure::picture::Picture;
-use crate::figure::svg::Screen;
+use crate::picture::Picture;
+use crate::picture::svg::Screen;
 use pulldown_cmark::Event;
 use pulldown_cmark::LinkType;
 use pulldown_cmark::Options;
@@ -39,6 +39,18 @@ pub struct Head {
     pub set: String,
     /// Code of the drawn data, so that a sheet on paper can be told from every other.
     pub code: String,
+}
+
+impl Head {
+    /// The student: by name, or by id where there is none.
+    pub fn who(&self) -> &str {
+        if self.name.is_empty() { &self.student } else { &self.name }
+    }
+
+    /// What stands at the head of a printed page: student, set, code, as far as they are there.
+    pub fn running(&self) -> impl Iterator<Item = &str> {
+        [self.who(), &self.set, &self.code].into_iter().filter(|text| !text.is_empty())
+    }
 }
 
 impl Document {

@@ -1,6 +1,6 @@
 //! Markdown with math and pictures to HTML with MathML and inline SVG. The Markdown text is the only source.
-use crate::figure::svg::Screen;
 use crate::finding::Finding;
+use crate::picture::svg::Screen;
 use crate::sheet::document::ANSWER;
 use crate::sheet::document::Document;
 use crate::sheet::document::Head;
@@ -56,20 +56,38 @@ impl<'w> Converter<'w> {
     }
 
     /// The body of a page.
-    pub fn body(&mut self, document: &Document, screens: &[(&str, Screen)], place: Place) -> String {
-        let mut out = String::with_capacity(document.markdown.len() * 6);
+    pub fn body<'d>(
+        &mut self,
+        document: &'d Document,
+        screens: &'d [(&str, Screen)],
+        place: Place,
+    ) -> String {
+        let drawn: usize = screens.iter().map(|(_, screen)| screen.bytes()).sum();
+        let mut out = String::with_capacity(document.markdown.len() * 6 + drawn);
         let mut walk =
-            Walk { tables: 0, formulas: 0, columns: Vec::new(), cell: 0, in_head: false, in_code: false };
+            HtmlWalk { tables: 0, formulas: 0, columns: Vec::new(), cell: 0, in_head: false, in_code: false };
         let mut events = Parser::new_ext(&document.markdown, MARKDOWN).peekable();
         let mut ready: Vec<Event> = Vec::new();
+        // Pictures bring their style along; in one page each style is needed once.
+        let mut styles: Vec<&str> = Vec::new();
+        let mut picture = |name: &str, screen: &'d Screen| {
+            let id = format!("{}{name}", place.prefix);
+            let mut svg = if styles.contains(&screen.style()) {
+                screen.inline_without_style(&id)
+            } else {
+                styles.push(screen.style());
+                screen.inline(&id)
+            };
+            svg.truncate(svg.trim_end().len());
+            svg
+        };
         while let Some(event) = events.next() {
             // A picture within a text; one that is not there leaves its words.
             if let Event::Start(Tag::Image { dest_url, .. }) = &event {
                 if let Some(name) = dest_url.strip_suffix(".svg")
                     && let Some((_, screen)) = screens.iter().find(|(n, _)| *n == name)
                 {
-                    let svg = screen.inline(&format!("{}{name}", place.prefix));
-                    ready.push(Event::InlineHtml(svg.trim_end().to_owned().into()));
+                    ready.push(Event::InlineHtml(picture(name, screen).into()));
                     let mut depth = 1;
                     for inner in events.by_ref() {
                         match inner {
@@ -93,24 +111,20 @@ impl<'w> Converter<'w> {
                 && let Some(name) = dest_url.strip_suffix(".svg").map(str::to_owned)
                 && let Some((_, screen)) = screens.iter().find(|(n, _)| *n == name)
             {
-                for skipped in events.by_ref() {
-                    if skipped == Event::End(TagEnd::Paragraph) {
-                        break;
-                    }
-                }
-                let id = format!("{}{name}", place.prefix);
-                let figure = format!("<figure>{}</figure>\n", screen.inline(&id).trim_end());
-                ready.push(Event::Html(figure.into()));
+                while events.next().is_some_and(|skipped| skipped != Event::End(TagEnd::Paragraph)) {}
+                ready.push(Event::Html("<figure>".into()));
+                ready.push(Event::Html(picture(&name, screen).into()));
+                ready.push(Event::Html("</figure>\n".into()));
                 continue;
             }
             self.event(event, place, &mut walk, &mut ready);
         }
         pulldown_cmark::html::push_html(&mut out, ready.into_iter());
-        styles_once(&out, &mut Vec::new())
+        out
     }
 
     /// One event of Markdown to events that the writer of HTML knows.
-    fn event<'e>(&mut self, event: Event<'e>, place: Place, walk: &mut Walk, out: &mut Vec<Event<'e>>) {
+    fn event<'e>(&mut self, event: Event<'e>, place: Place, walk: &mut HtmlWalk, out: &mut Vec<Event<'e>>) {
         let html = |text: String| Event::InlineHtml(text.into());
         match event {
             Event::InlineMath(tex) => out.push(Event::InlineHtml(self.formula(&tex, DisplayMode::Inline))),
@@ -215,7 +229,7 @@ impl<'w> Converter<'w> {
 }
 
 /// What is known on the way through a document.
-struct Walk {
+struct HtmlWalk {
     tables: usize,
     formulas: usize,
     columns: Vec<Alignment>,
@@ -285,8 +299,7 @@ fn group(text: &str) -> (&str, &str) {
 /// The text at the head of a printed page, as a string of CSS: `"Amina Yusuf · week-3 · 7K3QF2"`.
 pub fn running_head(head: &Head) -> String {
     let mut text = String::from("\"");
-    let who = if head.name.is_empty() { &head.student } else { &head.name };
-    for (i, part) in [who, &head.set, &head.code].into_iter().filter(|p| !p.is_empty()).enumerate() {
+    for (i, part) in head.running().enumerate() {
         if i > 0 {
             text.push_str(" \u{b7} ");
         }

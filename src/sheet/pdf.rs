@@ -159,7 +159,7 @@ mod machine {
 
         pub fn press(&self, documents: &[(&Head, &Document)]) -> Result<Vec<u8>, Finding> {
             let text = source(documents, &self.words)?;
-            let job = Job { prelude: &self.prelude, main: Source::new(FIXED.main, text) };
+            let job = Compilation { prelude: &self.prelude, main: Source::new(FIXED.main, text) };
             let pool = POOL.as_ref().map_err(|e| Finding::new("", format!("PDF: no threads: {e}")))?;
             let compile = || {
                 let pages = typst::compile::<PagedDocument>(&job).output;
@@ -178,7 +178,7 @@ mod machine {
         }
 
         /// The compiler's first error: in the prelude with its place, else with what stands there.
-        fn finding(&self, job: &Job, error: Option<&SourceDiagnostic>) -> Finding {
+        fn finding(&self, job: &Compilation, error: Option<&SourceDiagnostic>) -> Finding {
             let Some(error) = error else {
                 return Finding::new("", "the PDF cannot be made, and the compiler does not say why");
             };
@@ -209,12 +209,12 @@ mod machine {
     }
 
     /// One run of the compiler.
-    struct Job<'m> {
+    struct Compilation<'m> {
         prelude: &'m Source,
         main: Source,
     }
 
-    impl World for Job<'_> {
+    impl World for Compilation<'_> {
         fn library(&self) -> &LazyHash<Library> {
             &FIXED.library
         }

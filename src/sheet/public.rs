@@ -1,6 +1,6 @@
 //! sheet.json: what a student needs to check answers alone. It holds the drawn data and the scene, never the key.
 //!
-//! The scene is a question (`Question`): what is asked of which bodies, without what happens to them. It has no regimes, no
+//! The scene is a question (`PublicProblem`): what is asked of which bodies, without what happens to them. It has no regimes, no
 //! bounds, no cases and no ranges, and is the same for every student of the problem; what is drawn stands beside it. With the
 //! drawn data put in their place it is read by the ordinary reader of banks and solved anew. A case with a scene of its own
 //! gives that one, as its statement does. A bank with `self check: off` gives sheets without scenes.
@@ -52,7 +52,7 @@ impl<'b> Writer<'b> {
         let mut scenes = Vec::new();
         for problem in problems.iter().filter_map(|p| bank.problems.get(*p)) {
             let text = |case| match bank.self_check {
-                true => Question::new(bank, &tree, problem, case).text(),
+                true => PublicProblem::new(bank, &tree, problem, case).text(),
                 false => "null".to_owned(),
             };
             scenes.push(problem.cases.iter().map(text).collect());
@@ -140,7 +140,7 @@ fn put(fields: &mut Map<String, Value>, name: &str, text: &str) {
 /// Its fields are all that a sheet says of a problem besides the drawn data, so that nothing of how a draw came about can get
 /// into it.
 #[derive(Debug, Serialize)]
-struct Question {
+struct PublicProblem {
     /// Id of the bank.
     bank: Value,
     /// Its title.
@@ -152,7 +152,7 @@ struct Question {
     problems: BTreeMap<String, Asked>,
 }
 
-/// The problem of a [`Question`].
+/// The problem of a [`PublicProblem`].
 #[derive(Debug, Serialize)]
 struct Asked {
     title: String,
@@ -164,7 +164,7 @@ struct Asked {
     questions: Map<String, Value>,
 }
 
-impl Question {
+impl PublicProblem {
     /// The question of a problem whose text stands in the tree of its bank.
     fn new(bank: &Bank, tree: &Node, problem: &Problem, case: &Case) -> Self {
         let common = ["reveal", "tolerance", "units"];

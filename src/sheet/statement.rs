@@ -499,9 +499,7 @@ fn range(scene: &Scene, q: &Question) -> Option<&'static str> {
 
 /// `1 %`
 pub fn percent(share: f64) -> String {
-    let text = shown::decimals(share * 100.0, 4);
-    let text = text.trim_end_matches('0').trim_end_matches('.');
-    format!("{text} %")
+    format!("{} %", shown::per_cent(share, 4))
 }
 
 /// Appends `int * 10^-decimals` exactly.

@@ -1,6 +1,6 @@
 //! Markdown with math and pictures to LaTeX with TikZ, for those who paste into documents of their own.
-use crate::figure::tikz;
 use crate::finding::Finding;
+use crate::picture::tikz;
 use crate::sheet::document::ANSWER;
 use crate::sheet::document::Document;
 use crate::sheet::document::Head;
@@ -73,9 +73,7 @@ fn babel(words: &Words) -> &'static str {
 
 /// The text at the head of a printed page.
 fn running_head(head: &Head) -> String {
-    let who = if head.name.is_empty() { &head.student } else { &head.name };
-    let parts = [who, &head.set, &head.code].into_iter().filter(|p| !p.is_empty());
-    parts.map(|p| template::in_tex(p)).collect::<Vec<_>>().join(r" \textperiodcentered{} ")
+    head.running().map(template::in_tex).collect::<Vec<_>>().join(r" \textperiodcentered{} ")
 }
 
 /// The body of a document.
@@ -85,35 +83,6 @@ pub fn body(document: &Document) -> String {
     let mut events = Parser::new_ext(&document.markdown, MARKDOWN);
     while let Some(event) = events.next() {
         match event {
-            Event::Start(Tag::Paragraph) => out.push('\n'),
-            Event::End(TagEnd::Paragraph) => out.push('\n'),
-            Event::Start(Tag::Heading { level, .. }) => {
-                out.push_str(match level {
-                    HeadingLevel::H1 => "\n\\sheetsection{",
-                    HeadingLevel::H2 => "\n\\problemsection{",
-                    HeadingLevel::H3 => "\n\\stepsection{",
-                    _ => "\n\\lowersection{",
-                });
-            }
-            Event::End(TagEnd::Heading(_)) => out.push_str("}\n"),
-            Event::Start(Tag::BlockQuote(_)) => out.push_str("\n\\begin{quote}"),
-            Event::End(TagEnd::BlockQuote(_)) => out.push_str("\\end{quote}\n"),
-            Event::Start(Tag::CodeBlock(_)) => {
-                in_code = true;
-                out.push_str("\n\\begin{quote}\\ttfamily\\small\n");
-            }
-            Event::End(TagEnd::CodeBlock) => {
-                in_code = false;
-                out.push_str("\\end{quote}\n");
-            }
-            Event::Start(Tag::List(first)) => {
-                out.push_str(if first.is_some() { "\n\\begin{enumerate}\n" } else { "\n\\begin{itemize}\n" });
-            }
-            Event::End(TagEnd::List(ordered)) => {
-                out.push_str(if ordered { "\\end{enumerate}\n" } else { "\\end{itemize}\n" });
-            }
-            Event::Start(Tag::Item) => out.push_str("\\item "),
-            Event::End(TagEnd::Item) => out.push('\n'),
             Event::Start(Tag::Table(alignments)) => {
                 out.push_str("\n\\begin{center}\\begin{tabular}{");
                 for a in &alignments {
@@ -126,20 +95,13 @@ pub fn body(document: &Document) -> String {
                 out.push_str("}\n");
                 columns = alignments;
             }
-            Event::End(TagEnd::Table) => out.push_str("\\hline\n\\end{tabular}\\end{center}\n"),
             Event::Start(Tag::TableHead | Tag::TableRow) => cell = 0,
-            Event::End(TagEnd::TableHead) => out.push_str(" \\\\ \\hline\n"),
-            Event::End(TagEnd::TableRow) => out.push_str(" \\\\\n"),
             Event::Start(Tag::TableCell) => {
                 if cell > 0 && cell < columns.len() {
                     out.push_str(" & ");
                 }
                 cell += 1;
             }
-            Event::End(TagEnd::TableCell) => {}
-            Event::Start(Tag::Emphasis) => out.push_str("\\emph{"),
-            Event::Start(Tag::Strong) => out.push_str("\\textbf{"),
-            Event::End(TagEnd::Emphasis | TagEnd::Strong) => out.push('}'),
             Event::Start(Tag::Image { dest_url, .. }) => {
                 // What it shows stands beside it only where it cannot be shown.
                 let name = dest_url.strip_suffix(".svg").unwrap_or(&dest_url).to_owned();
@@ -201,11 +163,41 @@ pub fn body(document: &Document) -> String {
             }
             Event::SoftBreak => out.push('\n'),
             Event::HardBreak => out.push_str("\\\\\n"),
+            Event::Start(tag) => {
+                in_code |= matches!(tag, Tag::CodeBlock(_));
+                out.push_str(around(tag.to_end()).0);
+            }
+            Event::End(tag) => {
+                in_code &= tag != TagEnd::CodeBlock;
+                out.push_str(around(tag).1);
+            }
             Event::Rule => out.push_str("\n\\medskip\\hrule\\medskip\n"),
             _ => {}
         }
     }
     out
+}
+
+/// What stands before and after an element.
+fn around(element: TagEnd) -> (&'static str, &'static str) {
+    match element {
+        TagEnd::Paragraph => ("\n", "\n"),
+        TagEnd::Heading(HeadingLevel::H1) => ("\n\\sheetsection{", "}\n"),
+        TagEnd::Heading(HeadingLevel::H2) => ("\n\\problemsection{", "}\n"),
+        TagEnd::Heading(HeadingLevel::H3) => ("\n\\stepsection{", "}\n"),
+        TagEnd::Heading(_) => ("\n\\lowersection{", "}\n"),
+        TagEnd::BlockQuote(_) => ("\n\\begin{quote}", "\\end{quote}\n"),
+        TagEnd::CodeBlock => ("\n\\begin{quote}\\ttfamily\\small\n", "\\end{quote}\n"),
+        TagEnd::List(true) => ("\n\\begin{enumerate}\n", "\\end{enumerate}\n"),
+        TagEnd::List(false) => ("\n\\begin{itemize}\n", "\\end{itemize}\n"),
+        TagEnd::Item => ("\\item ", "\n"),
+        TagEnd::Table => ("", "\\hline\n\\end{tabular}\\end{center}\n"),
+        TagEnd::TableHead => ("", " \\\\ \\hline\n"),
+        TagEnd::TableRow => ("", " \\\\\n"),
+        TagEnd::Emphasis => ("\\emph{", "}"),
+        TagEnd::Strong => ("\\textbf{", "}"),
+        _ => ("", ""),
+    }
 }
 
 /// A text in typewriter letters: its quotation marks are straight, its blanks stay.

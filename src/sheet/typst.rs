@@ -2,8 +2,8 @@
 //!
 //! Everything is written as calls with texts in quotes (`#strong[..];`, `"kg"`), so that no text of anybody can become
 //! markup. A formula or an element that has no translation is a finding, never a gap.
-use crate::figure::svg;
 use crate::finding::Finding;
+use crate::picture::svg;
 use crate::sheet::document::ANSWER;
 use crate::sheet::document::Document;
 use crate::sheet::document::Head;
@@ -57,7 +57,7 @@ pub fn source(documents: &[(&Head, &Document)], words: &Words) -> Result<String,
     let (title, authors) = match documents {
         [] => (String::new(), String::new()),
         [(head, _)] => {
-            let who = if head.name.is_empty() { &head.student } else { &head.name };
+            let who = head.who();
             let title = joined(&[&head.title, &head.set, who]);
             (title, if who.is_empty() { String::new() } else { format!("{},", quoted(who)) })
         }
@@ -367,7 +367,7 @@ const CODE_END: &str = "\");\n\n";
 
 /// A formula in Typst's way, and in words.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
-pub struct Formula {
+pub struct TypstFormula {
     /// What stands between dollars.
     pub typst: String,
     /// What it says, for those who do not see it.
@@ -378,7 +378,7 @@ pub struct Formula {
 ///
 /// # Errors
 /// What cannot be read, and what has no translation.
-pub fn formula(tex: &str, block: bool, words: &Words) -> Result<Formula, Finding> {
+pub fn formula(tex: &str, block: bool, words: &Words) -> Result<TypstFormula, Finding> {
     let storage = Storage::new();
     let fault = |what: &str| Finding::new("", format!("formula `${tex}$`: {what}"));
     if let Some(what) = unfit(tex) {
@@ -386,7 +386,7 @@ pub fn formula(tex: &str, block: bool, words: &Words) -> Result<Formula, Finding
     }
     let events: Result<Vec<Event>, _> = Parser::new(tex, &storage).collect();
     let events = events.map_err(|e| fault(e.to_string().lines().next().unwrap_or("cannot be read")))?;
-    let mut reader = Reader { events: &events, next: 0, words, block };
+    let mut reader = FormulaReader { events: &events, next: 0, words, block };
     let pieces = reader.row(Upright::No, false).map_err(|what| fault(&what))?;
     if reader.next < events.len() {
         return Err(fault("ends before its end"));
@@ -403,24 +403,26 @@ enum Upright {
 
 /// A piece of a formula.
 #[derive(Debug, Clone, PartialEq, Eq)]
-enum Piece {
+enum FormulaPiece {
     /// Upright text or a number: neighbours grow together into one word.
     Word(String),
     /// A comma or point in braces, that is, within a number.
     Mark(char),
     /// Anything else.
-    Other(Formula),
+    Other(TypstFormula),
 }
 
 /// Pieces in a row.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
-struct Row(Vec<Piece>);
+struct FormulaRow(Vec<FormulaPiece>);
 
-impl Row {
-    fn push(&mut self, piece: Piece) {
+impl FormulaRow {
+    fn push(&mut self, piece: FormulaPiece) {
         match (self.0.last_mut(), piece) {
-            (Some(Piece::Word(word)), Piece::Word(more)) => word.push_str(&more),
-            (Some(Piece::Word(word)), Piece::Mark(mark)) if word.ends_with(|c: char| c.is_ascii_digit()) => {
+            (Some(FormulaPiece::Word(word)), FormulaPiece::Word(more)) => word.push_str(&more),
+            (Some(FormulaPiece::Word(word)), FormulaPiece::Mark(mark))
+                if word.ends_with(|c: char| c.is_ascii_digit()) =>
+            {
                 word.push(mark);
             }
             (_, piece) => self.0.push(piece),
@@ -428,16 +430,16 @@ impl Row {
     }
 
     fn other(&mut self, typst: impl Into<String>, alt: impl Into<String>) {
-        self.push(Piece::Other(Formula { typst: typst.into(), alt: alt.into() }));
+        self.push(FormulaPiece::Other(TypstFormula { typst: typst.into(), alt: alt.into() }));
     }
 
-    fn joined(&self) -> Formula {
-        let mut all = Formula::default();
+    fn joined(&self) -> TypstFormula {
+        let mut all = TypstFormula::default();
         for piece in &self.0 {
             let (typst, alt) = match piece {
-                Piece::Word(word) => (quoted(word), word.clone()),
-                Piece::Mark(mark) => (quoted(&mark.to_string()), mark.to_string()),
-                Piece::Other(formula) => (formula.typst.clone(), formula.alt.clone()),
+                FormulaPiece::Word(word) => (quoted(word), word.clone()),
+                FormulaPiece::Mark(mark) => (quoted(&mark.to_string()), mark.to_string()),
+                FormulaPiece::Other(formula) => (formula.typst.clone(), formula.alt.clone()),
             };
             // Typst shows a space beside a text in quotes, and none elsewhere.
             if !(all.typst.is_empty() || all.typst.ends_with('"') || typst.starts_with('"')) {
@@ -453,14 +455,14 @@ impl Row {
 }
 
 /// Walks the events of a formula.
-struct Reader<'e> {
+struct FormulaReader<'e> {
     events: &'e [Event<'e>],
     next: usize,
     words: &'e Words,
     block: bool,
 }
 
-impl<'e> Reader<'e> {
+impl<'e> FormulaReader<'e> {
     fn take(&mut self) -> Option<&'e Event<'e>> {
         let event = self.events.get(self.next)?;
         self.next += 1;
@@ -472,8 +474,8 @@ impl<'e> Reader<'e> {
     }
 
     /// Elements up to the end of their group, or to a mark of flow if they stand in an environment.
-    fn row(&mut self, font: Upright, flows: bool) -> Result<Row, String> {
-        let mut row = Row::default();
+    fn row(&mut self, font: Upright, flows: bool) -> Result<FormulaRow, String> {
+        let mut row = FormulaRow::default();
         let mut font = font;
         while let Some(event) = self.peek() {
             match event {
@@ -508,13 +510,13 @@ impl<'e> Reader<'e> {
     }
 
     /// The next element by itself.
-    fn one(&mut self, font: Upright) -> Result<Formula, String> {
-        let mut row = Row::default();
+    fn one(&mut self, font: Upright) -> Result<TypstFormula, String> {
+        let mut row = FormulaRow::default();
         self.element(font, &mut row)?;
         Ok(row.joined())
     }
 
-    fn element(&mut self, font: Upright, row: &mut Row) -> Result<(), String> {
+    fn element(&mut self, font: Upright, row: &mut FormulaRow) -> Result<(), String> {
         let Some(event) = self.take() else { return Err("an element is missing".into()) };
         match event {
             Event::Content(content) => self.content(*content, font, row)?,
@@ -539,14 +541,14 @@ impl<'e> Reader<'e> {
         Ok(())
     }
 
-    fn content(&mut self, content: Content, font: Upright, row: &mut Row) -> Result<(), String> {
+    fn content(&mut self, content: Content, font: Upright, row: &mut FormulaRow) -> Result<(), String> {
         match content {
             Content::Text("&nbsp;") => row.other("#h(0.25em)", " "),
             Content::Text(text) => {
                 let word = text.replace("&nbsp;", "\u{a0}");
                 row.other(quoted(&word), word);
             }
-            Content::Number(number) => row.push(Piece::Word(number.to_owned())),
+            Content::Number(number) => row.push(FormulaPiece::Word(number.to_owned())),
             Content::Function(name) => {
                 let limits = matches!(name, "lim" | "max" | "min" | "sup" | "inf" | "lim inf" | "lim sup");
                 let limits = if limits { ", limits: #true" } else { "" };
@@ -557,7 +559,7 @@ impl<'e> Reader<'e> {
                 let c = if content == '\u{b5}' { '\u{3bc}' } else { content };
                 match (font, c) {
                     (Upright::Yes, c) if c.is_alphanumeric() || matches!(c, '°' | '%' | '/') => {
-                        row.push(Piece::Word(c.to_string()));
+                        row.push(FormulaPiece::Word(c.to_string()));
                     }
                     (Upright::No, c) if c.is_alphabetic() && !is_upright(c) => row.other(c, c),
                     (_, c) if c.is_alphabetic() => row.other(format!("upright({c})"), c),
@@ -568,7 +570,7 @@ impl<'e> Reader<'e> {
             Content::LargeOp { content, small: _ } => row.other(symbol(content), format!(" {content} ")),
             Content::BinaryOp { content, small: _ } => {
                 if font == Upright::Yes && content == '/' {
-                    row.push(Piece::Word("/".to_owned()));
+                    row.push(FormulaPiece::Word("/".to_owned()));
                 } else if content == '/' {
                     // As in TeX, tight.
                     row.other("class(\"normal\", \\/)", "/");
@@ -599,14 +601,14 @@ impl<'e> Reader<'e> {
                 row.other(format!("class(\"{class}\", {sized})"), content);
             }
             Content::Punctuation(c) => match (font, c) {
-                (Upright::Yes, '.') => row.push(Piece::Word(".".to_owned())),
+                (Upright::Yes, '.') => row.push(FormulaPiece::Word(".".to_owned())),
                 (_, c) => row.other(symbol(c), format!("{c} ")),
             },
         }
         Ok(())
     }
 
-    fn visual(&mut self, visual: Visual, font: Upright, row: &mut Row) -> Result<(), String> {
+    fn visual(&mut self, visual: Visual, font: Upright, row: &mut FormulaRow) -> Result<(), String> {
         match visual {
             Visual::SquareRoot => {
                 let inner = self.one(font)?;
@@ -640,7 +642,7 @@ impl<'e> Reader<'e> {
         ty: ScriptType,
         position: ScriptPosition,
         font: Upright,
-        row: &mut Row,
+        row: &mut FormulaRow,
     ) -> Result<(), String> {
         let base = self.one(font)?;
         let over_or_under = position == ScriptPosition::AboveBelow;
@@ -692,16 +694,18 @@ impl<'e> Reader<'e> {
         Ok(())
     }
 
-    fn group(&mut self, grouping: &Grouping, font: Upright, row: &mut Row) -> Result<(), String> {
+    fn group(&mut self, grouping: &Grouping, font: Upright, row: &mut FormulaRow) -> Result<(), String> {
         match grouping {
             Grouping::Normal => {
                 let inner = self.row(font, false)?;
                 self.end()?;
                 match inner.0.as_slice() {
                     // `{,}`: the decimal mark of a number.
-                    [Piece::Other(one)] if one.typst == symbol(',') => row.push(Piece::Mark(',')),
+                    [FormulaPiece::Other(one)] if one.typst == symbol(',') => {
+                        row.push(FormulaPiece::Mark(','))
+                    }
                     // Words grow together with their neighbours: `\mathrm{kg}`.
-                    [Piece::Word(word)] => row.push(Piece::Word(word.clone())),
+                    [FormulaPiece::Word(word)] => row.push(FormulaPiece::Word(word.clone())),
                     [] => row.other("\"\"", ""),
                     _ => {
                         let inner = inner.joined();
@@ -774,7 +778,7 @@ impl<'e> Reader<'e> {
 
     /// Rows of an environment, cells joined; its end is taken too. An empty row at the end is none.
     fn rows(&mut self, between: &[&str; 1]) -> Result<(Vec<String>, String), String> {
-        let mut rows: Vec<Vec<Formula>> = vec![Vec::new()];
+        let mut rows: Vec<Vec<TypstFormula>> = vec![Vec::new()];
         loop {
             let cell = self.row(Upright::No, true)?.joined();
             if let Some(row) = rows.last_mut() {

@@ -5,11 +5,14 @@ use slipstick::bank::Bank;
 use slipstick::bank::FigureLabels;
 use slipstick::bank::load;
 use slipstick::figure;
-use slipstick::figure::picture::Outline;
-use slipstick::figure::picture::Picture;
-use slipstick::figure::picture::Role;
-use slipstick::figure::symbol;
-use slipstick::figure::vector;
+use slipstick::picture::Outline;
+use slipstick::picture::Picture;
+use slipstick::picture::Role;
+use slipstick::picture::frame::Frame;
+use slipstick::picture::svg;
+use slipstick::picture::symbol;
+use slipstick::picture::vector::Vec2;
+use slipstick::picture::vector::vec2;
 use slipstick::problem::make::Maker;
 use slipstick::problem::make::Variant;
 use slipstick::scene::End;
@@ -41,15 +44,12 @@ fn all_text(picture: &Picture) -> String {
 }
 
 /// Corners of an outline, enough of them to know where it is.
-fn corners(outline: &Outline) -> Vec<(f64, f64)> {
+fn corners(outline: &Outline) -> Vec<Vec2> {
     match outline {
         Outline::Lines { points, .. } => points.clone(),
-        Outline::Circle { centre: (x, y), radius: r } => vec![(x - r, y - r), (x + r, y + r)],
+        Outline::Circle { centre, radius: r } => vec![*centre - vec2(*r, *r), *centre + vec2(*r, *r)],
         Outline::Arc { centre, radius, from, to } => (0..=12)
-            .map(|i| {
-                let (c, s) = vector::polar(from + (to - from) * f64::from(i) / 12.0);
-                (centre.0 + radius * c, centre.1 - radius * s)
-            })
+            .map(|i| svg::on_arc(*centre, *radius, from + (to - from) * f64::from(i) / 12.0))
             .collect(),
     }
 }
@@ -69,20 +69,21 @@ fn check(picture: &Picture, what: &str) {
     for place in ["{", "NaN", "inf"] {
         assert!(!picture.desc.contains(place), "{what}: {}", picture.desc);
     }
-    for shape in &picture.shapes {
-        for (x, y) in corners(&shape.outline) {
-            assert!(inside(x, y), "{what}: {shape:?} leaves the picture");
+    for element in &picture.elements {
+        for p in corners(&element.outline) {
+            assert!(inside(p.x, p.y), "{what}: {element:?} leaves the picture");
         }
     }
     for (i, a) in picture.labels.iter().enumerate() {
-        let f = a.bounds;
+        let Frame { low, high } = a.bounds;
         let text = symbol::plain(&a.runs);
-        assert!(inside(f.0, f.1) && inside(f.2, f.3) && f.0 < f.2 && f.1 < f.3, "{what}: {text} is outside");
+        let within = inside(low.x, low.y) && inside(high.x, high.y) && low.x < high.x && low.y < high.y;
+        assert!(within, "{what}: {text} is outside");
         assert!(a.size >= 12.0, "{what}: {text} is small");
-        assert!((f.2 - f.0) + 1e-9 >= symbol::width(&a.runs, a.size), "{what}: {text} leaves its box");
+        assert!((high.x - low.x) + 1e-9 >= symbol::width(&a.runs, a.size), "{what}: {text} leaves its box");
         for b in &picture.labels[i + 1..] {
             let g = b.bounds;
-            let apart = f.2 <= g.0 || g.2 <= f.0 || f.3 <= g.1 || g.3 <= f.1;
+            let apart = high.x <= g.low.x || g.high.x <= low.x || high.y <= g.low.y || g.high.y <= low.y;
             assert!(apart, "{what}: {text} covers {}", symbol::plain(&b.runs));
         }
     }
@@ -93,17 +94,12 @@ fn covering(picture: &Picture) -> usize {
     let strong = |r: Role| {
         matches!(r, Role::Cord | Role::Spring | Role::Force | Role::Friction | Role::Motion | Role::Curve(_))
     };
-    let lines = picture.shapes.iter().filter(|s| strong(s.role));
-    let points: Vec<(f64, f64)> = lines
+    let lines = picture.elements.iter().filter(|s| strong(s.role));
+    let points: Vec<Vec2> = lines
         .flat_map(|s| {
             let ends = corners(&s.outline);
-            let between = |w: &[(f64, f64)]| -> Vec<(f64, f64)> {
-                (0..=20)
-                    .map(|i| {
-                        let t = f64::from(i) / 20.0;
-                        (w[0].0 + (w[1].0 - w[0].0) * t, w[0].1 + (w[1].1 - w[0].1) * t)
-                    })
-                    .collect()
+            let between = |w: &[Vec2]| -> Vec<Vec2> {
+                (0..=20).map(|i| w[0] + (w[1] - w[0]) * (f64::from(i) / 20.0)).collect()
             };
             if matches!(s.outline, Outline::Circle { .. }) {
                 Vec::new()
@@ -113,7 +109,7 @@ fn covering(picture: &Picture) -> usize {
         })
         .collect();
     let covers =
-        |f: (f64, f64, f64, f64)| points.iter().any(|p| p.0 > f.0 && p.0 < f.2 && p.1 > f.1 && p.1 < f.3);
+        |f: Frame| points.iter().any(|p| p.x > f.low.x && p.x < f.high.x && p.y > f.low.y && p.y < f.high.y);
     picture.labels.iter().filter(|l| covers(l.bounds)).count()
 }
 
@@ -268,7 +264,7 @@ fn forces_add_up_to_mass_times_acceleration() {
                 bodies += 1;
                 let near = |a: f64, b: f64| (a - b).abs() <= 1e-6 * acting.size;
                 let what = format!("{} {student} {}: {acting:?} {made:?}", problem.id, body.name);
-                assert!(near(acting.force.0, made.force.0) && near(acting.force.1, made.force.1), "{what}");
+                assert!(near(acting.force.x, made.force.x) && near(acting.force.y, made.force.y), "{what}");
                 if body.turns {
                     assert!(near(acting.moment, made.moment), "{what}");
                 }
@@ -386,16 +382,16 @@ fn files_parse_and_repeat() {
             let variant = Maker::new(problem, 8, "figures").variant("0").expect("satisfiable");
             for (name, picture) in figure::all(problem, &variant, &words) {
                 let what = format!("{} {name}", problem.id);
-                let screen = figure::svg::Screen::new(&picture);
+                let screen = slipstick::picture::svg::Screen::new(&picture);
                 let inline = screen.inline("p1");
-                assert_eq!(inline, figure::svg::Screen::new(&picture).inline("p1"), "{what}");
+                assert_eq!(inline, slipstick::picture::svg::Screen::new(&picture).inline("p1"), "{what}");
                 let elements = parse(&inline);
                 let ids: Vec<&String> =
                     elements.iter().flat_map(|(_, a)| a).filter(|(k, _)| k == "id").map(|(_, v)| v).collect();
                 assert_eq!(ids, ["p1-t", "p1-d"], "{what}");
                 let svg = &elements[0];
                 assert!(svg.0 == "svg" && svg.1.contains(&("role".to_owned(), "img".to_owned())), "{what}");
-                let print = figure::svg::print(&picture);
+                let print = slipstick::picture::svg::print(&picture);
                 for word in ["<style", "class=", "var(", "@media", "NaN", "inf\""] {
                     assert!(!print.contains(word), "{what}: {word}");
                 }
@@ -414,7 +410,7 @@ fn files_parse_and_repeat() {
                         }
                     }
                 }
-                let tikz = figure::tikz::picture(&picture);
+                let tikz = slipstick::picture::tikz::picture(&picture);
                 let deep = tikz.lines().filter(|l| !l.starts_with('%')).collect::<String>();
                 assert_eq!(deep.matches('{').count(), deep.matches('}').count(), "{what}");
                 assert_eq!(deep.matches('$').count() % 2, 0, "{what}");
@@ -446,7 +442,7 @@ fn goldens_are_as_they_were() {
         let variant = Maker::new(&problem, 1, "goldens").variant("0").expect("satisfiable");
         let pictures = figure::all(&problem, &variant, &words);
         let (_, picture) = pictures.into_iter().find(|(n, _)| n == name).expect("a picture of this name");
-        let text = figure::svg::Screen::new(&picture).file();
+        let text = slipstick::picture::svg::Screen::new(&picture).file();
         let path = format!("{folder}/{id}-{name}.svg");
         if renew {
             std::fs::write(&path, text).expect("a golden is written");

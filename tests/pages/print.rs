@@ -1,19 +1,19 @@
 //! What goes to print, as text: formulas in Typst's way and in words, Markdown in Typst's way, foreign text. No program is
 //! needed; `pdf.rs` beside this file compiles what comes out here.
 use crate::support;
-use slipstick::figure::picture::Picture;
+use slipstick::picture::Picture;
 use slipstick::problem::make::Maker;
 use slipstick::sheet::document::Document;
 use slipstick::sheet::document::Head;
 use slipstick::sheet::page::Room;
 use slipstick::sheet::page::Sheets;
-use slipstick::sheet::typst::Formula;
+use slipstick::sheet::typst::TypstFormula;
 use slipstick::sheet::typst::formula;
 use slipstick::sheet::typst::source;
 use slipstick::solution;
 use slipstick::words::Words;
 
-fn translated(tex: &str) -> Formula {
+fn translated(tex: &str) -> TypstFormula {
     formula(tex, true, &Words::english()).unwrap_or_else(|fault| panic!("{fault}"))
 }
 
@@ -146,7 +146,7 @@ fn a_picture_brings_its_words() {
         height: 100.0,
         title: "t".to_owned(),
         desc: "A \"wheel\".".to_owned(),
-        shapes: Vec::new(),
+        elements: Vec::new(),
         labels: Vec::new(),
     };
     let document =

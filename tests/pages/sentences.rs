@@ -7,12 +7,12 @@ use slipstick::bank::FigureLabels;
 use slipstick::bank::Problem;
 use slipstick::bank::load;
 use slipstick::figure;
-use slipstick::figure::picture::Outline;
-use slipstick::figure::picture::Picture;
-use slipstick::figure::picture::Role;
-use slipstick::figure::symbol;
 use slipstick::grade::judge::judge;
 use slipstick::grade::verdict::Verdict;
+use slipstick::picture::Outline;
+use slipstick::picture::Picture;
+use slipstick::picture::Role;
+use slipstick::picture::symbol;
 use slipstick::problem::make::Maker;
 use slipstick::problem::make::Variant;
 use slipstick::problem::make_key;
@@ -408,10 +408,10 @@ problems:
 
 /// From where to where the arrows of given forces go, y up.
 fn arrows(picture: &Picture, role: Role) -> Vec<((f64, f64), (f64, f64))> {
-    let lines = picture.shapes.iter().filter(|s| s.role == role);
+    let lines = picture.elements.iter().filter(|s| s.role == role);
     let ends = lines.filter_map(|s| match &s.outline {
         Outline::Lines { points, closed: false } if points.len() == 2 => {
-            Some(((points[0].0, -points[0].1), (points[1].0, -points[1].1)))
+            Some(((points[0].x, -points[0].y), (points[1].x, -points[1].y)))
         }
         _ => None,
     });
@@ -419,8 +419,8 @@ fn arrows(picture: &Picture, role: Role) -> Vec<((f64, f64), (f64, f64))> {
 }
 
 fn centre_of(picture: &Picture) -> (f64, f64) {
-    let body = picture.shapes.iter().find_map(|s| match s.outline {
-        Outline::Circle { centre, .. } if s.role == Role::Body => Some((centre.0, -centre.1)),
+    let body = picture.elements.iter().find_map(|s| match s.outline {
+        Outline::Circle { centre, .. } if s.role == Role::Body => Some((centre.x, -centre.y)),
         _ => None,
     });
     body.expect("a drum")
@@ -544,7 +544,7 @@ fn start_speeds_and_spins_are_drawn_in_the_sense_that_they_have() {
                 == (arrows(&picture, Role::Motion)[0].1.0 < arrows(&picture, Role::Motion)[0].0.0);
             assert!(right, "{speed}");
             let turns: Vec<bool> = picture
-                .shapes
+                .elements
                 .iter()
                 .filter_map(|s| match s.outline {
                     Outline::Arc { from, to, .. } if s.role == Role::Motion => Some(to > from),
@@ -572,7 +572,7 @@ fn the_spin_of_a_rigid_body_of_particles_is_drawn_in_its_sense() {
         let at = problem.data.iter().position(|d| d.tex == "\\omega").expect("a spin");
         let negative = variant.data[at] < 0.0;
         let picture = figure::scene::picture(problem, &variant, &words, FigureLabels::Values);
-        let turns = picture.shapes.iter().filter_map(|s| match s.outline {
+        let turns = picture.elements.iter().filter_map(|s| match s.outline {
             Outline::Arc { from, to, .. } if s.role == Role::Motion => Some(to < from),
             _ => None,
         });

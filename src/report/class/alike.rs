@@ -1,7 +1,7 @@
 //! The section on answers that are those of classmates.
 use crate::matches::FLAGGED;
 use crate::num::shown;
-use crate::plot::svg::escaped;
+use crate::picture::svg::escaped;
 use crate::report::alike::Matches;
 use crate::report::class::Pen;
 use crate::report::class::SHOWN;

@@ -1,6 +1,6 @@
 //! Sections on what went wrong: favourite mistakes in words, wrong methods and slips, what could not be read.
 use crate::grade::verdict::Verdict;
-use crate::plot::svg::escaped;
+use crate::picture::svg::escaped;
 use crate::report::charts;
 use crate::report::class::Pen;
 use crate::report::class::Rich;

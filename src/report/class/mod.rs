@@ -7,7 +7,7 @@ mod parts;
 use crate::finding::Finding;
 use crate::grade::verdict::Verdict;
 use crate::misconception::catalogue::Catalogue;
-use crate::plot::svg::escaped;
+use crate::picture::svg::escaped;
 use crate::report::alike::Matches;
 use crate::report::marks::Marks;
 use crate::report::stats::LEAST_FOR_SHARE;

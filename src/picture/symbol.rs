@@ -1,12 +1,12 @@
 //! Text of labels: symbols from LaTeX, numbers, units, as runs of letters with their widths.
-use crate::figure::picture::Run;
-use crate::figure::picture::RunStyle;
+use crate::picture::RunStyle;
+use crate::picture::TextRun;
 
 /// Size of small letters (lowered, raised) as a share of the others.
 pub const SMALL: f64 = 0.75;
 
 /// Letters of LaTeX by name.
-const LETTERS: &[(&str, &str)] = &[
+pub const LETTERS: &[(&str, &str)] = &[
     ("alpha", "α"),
     ("beta", "β"),
     ("gamma", "γ"),
@@ -87,7 +87,7 @@ fn glyph(c: char) -> f64 {
 }
 
 /// Width of runs at a size.
-pub fn width(runs: &[Run], size: f64) -> f64 {
+pub fn width(runs: &[TextRun], size: f64) -> f64 {
     runs.iter()
         .map(|r| {
             let share = match r.style {
@@ -100,27 +100,43 @@ pub fn width(runs: &[Run], size: f64) -> f64 {
 }
 
 /// How far runs reach below their base line, in sizes.
-pub fn depth(runs: &[Run]) -> f64 {
+pub fn depth(runs: &[TextRun]) -> f64 {
     if runs.iter().any(|r| matches!(r.style, RunStyle::Sub | RunStyle::SubItalic)) { 0.40 } else { 0.24 }
 }
 
 /// How far runs reach above their base line, in sizes.
-pub fn height(runs: &[Run]) -> f64 {
+pub fn height(runs: &[TextRun]) -> f64 {
     if runs.iter().any(|r| r.style == RunStyle::Super) { 0.92 } else { 0.76 }
 }
 
 /// A run.
-pub fn run(text: impl Into<String>, style: RunStyle) -> Run {
-    Run { text: text.into(), style }
+pub fn run(text: impl Into<String>, style: RunStyle) -> TextRun {
+    TextRun { text: text.into(), style }
+}
+
+/// A symbol of one's own: `G`.
+pub fn italic(text: impl Into<String>) -> Vec<TextRun> {
+    vec![run(text, RunStyle::Italic)]
 }
 
 /// Upright text.
-pub fn upright(text: impl Into<String>) -> Vec<Run> {
+pub fn upright(text: impl Into<String>) -> Vec<TextRun> {
     vec![run(text, RunStyle::Upright)]
 }
 
+/// A symbol between bars where the value is negative: its arrow shows the actual sense.
+pub fn magnitude(runs: Vec<TextRun>, negative: bool) -> Vec<TextRun> {
+    if !negative {
+        return runs;
+    }
+    let mut out = upright("|");
+    out.extend(runs);
+    out.extend(upright("|"));
+    out
+}
+
 /// Text as people read it: `R = 0.40 m`, lowered letters after `_`.
-pub fn plain(runs: &[Run]) -> String {
+pub fn plain(runs: &[TextRun]) -> String {
     let mut out = String::new();
     let mut before = RunStyle::Upright;
     for r in runs {
@@ -138,11 +154,11 @@ pub fn plain(runs: &[Run]) -> String {
 }
 
 /// A symbol in LaTeX as runs: `\mu_s`, `\omega_0`, `v_x`, `m_{\mathrm{max}}`. What it does not know, it writes as it stands.
-pub fn symbol(tex: &str) -> Vec<Run> {
+pub fn symbol(tex: &str) -> Vec<TextRun> {
     let chars: Vec<char> = tex.chars().collect();
-    let mut reader = Reader { chars: &chars, at: 0, runs: Vec::new() };
+    let mut reader = SymbolReader { chars: &chars, at: 0, runs: Vec::new() };
     reader.group(Level::Base, false, 0);
-    let mut runs: Vec<Run> = Vec::new();
+    let mut runs: Vec<TextRun> = Vec::new();
     for r in reader.runs {
         match runs.last_mut() {
             Some(last) if last.style == r.style => last.text.push_str(&r.text),
@@ -160,13 +176,13 @@ enum Level {
     High,
 }
 
-struct Reader<'a> {
+struct SymbolReader<'a> {
     chars: &'a [char],
     at: usize,
-    runs: Vec<Run>,
+    runs: Vec<TextRun>,
 }
 
-impl Reader<'_> {
+impl SymbolReader<'_> {
     fn push(&mut self, text: &str, level: Level, upright: bool) {
         let slanted = !upright
             && text.chars().all(|c| c.is_alphabetic() && !c.is_uppercase() || c.is_ascii_uppercase());
@@ -243,7 +259,7 @@ impl Reader<'_> {
 }
 
 /// A number and its unit, as the unit is written in HTML (`m/s<sup>2</sup>`): `0.40 m`, `30°`.
-pub fn quantity(number: &str, unit_html: &str) -> Vec<Run> {
+pub fn quantity(number: &str, unit_html: &str) -> Vec<TextRun> {
     let mut runs = vec![run(number.replace('-', "−"), RunStyle::Upright)];
     if unit_html.is_empty() || unit_html == "1" {
         return runs;

@@ -1,59 +1,29 @@
 //! Pictures as TikZ: needs `\usepackage{tikz}` and nothing else.
-use crate::figure::picture::Outline;
-use crate::figure::picture::Picture;
-use crate::figure::picture::Point;
-use crate::figure::picture::Role;
-use crate::figure::picture::Run;
-use crate::figure::picture::RunStyle;
-use crate::figure::svg;
-use crate::figure::svg::Coordinate;
+use crate::picture::Outline;
+use crate::picture::Picture;
+use crate::picture::Role;
+use crate::picture::RunStyle;
+use crate::picture::TextRun;
+use crate::picture::look::INKS;
+use crate::picture::look::letters;
+use crate::picture::look::look;
+use crate::picture::look::used;
+use crate::picture::svg::Px;
+use crate::picture::svg::on_arc;
+use crate::picture::symbol;
+use crate::picture::vector::Vec2;
+use crate::picture::vector::vec2;
+use std::borrow::Cow;
 use std::fmt::Write as _;
 
-/// Greek letters and signs that TeX fonts have under a name.
-const NAMES: &[(char, &str)] = &[
-    ('α', r"\alpha"),
-    ('β', r"\beta"),
-    ('γ', r"\gamma"),
-    ('δ', r"\delta"),
-    ('ε', r"\varepsilon"),
-    ('ζ', r"\zeta"),
-    ('η', r"\eta"),
-    ('θ', r"\theta"),
-    ('ϑ', r"\vartheta"),
-    ('ι', r"\iota"),
-    ('κ', r"\kappa"),
-    ('λ', r"\lambda"),
-    ('μ', r"\mu"),
+/// Signs that TeX fonts have under another name than [`symbol::LETTERS`] says, or under none.
+const SIGNS: &[(char, &str)] = &[
     ('µ', r"\mu"),
-    ('ν', r"\nu"),
-    ('ξ', r"\xi"),
-    ('π', r"\pi"),
-    ('ρ', r"\rho"),
-    ('σ', r"\sigma"),
-    ('τ', r"\tau"),
-    ('υ', r"\upsilon"),
-    ('φ', r"\varphi"),
-    ('ϕ', r"\phi"),
-    ('χ', r"\chi"),
-    ('ψ', r"\psi"),
-    ('ω', r"\omega"),
-    ('Γ', r"\Gamma"),
-    ('Δ', r"\Delta"),
-    ('Θ', r"\Theta"),
-    ('Λ', r"\Lambda"),
-    ('Ξ', r"\Xi"),
-    ('Π', r"\Pi"),
-    ('Σ', r"\Sigma"),
-    ('Φ', r"\Phi"),
-    ('Ψ', r"\Psi"),
-    ('Ω', r"\Omega"),
-    ('ℓ', r"\ell"),
     ('−', "-"),
     ('=', "="),
     ('<', "<"),
     ('>', ">"),
     ('|', r"\vert"),
-    ('·', r"\cdot"),
     ('×', r"\times"),
     ('±', r"\pm"),
     ('≤', r"\leq"),
@@ -69,27 +39,17 @@ pub fn picture(picture: &Picture) -> String {
         let _ = writeln!(out, "% {}", line.replace(char::is_control, " "));
     }
     out.push_str("\\begin{tikzpicture}[x=0.75pt,y=-0.75pt,line cap=round,line join=round]\n");
-    let mut used: Vec<&str> = Vec::new();
-    for role in picture.shapes.iter().map(|s| s.role) {
-        let (_, look) = svg::look(role);
-        used.extend(look.fill);
-        used.extend(look.stroke.map(|(ink, _)| ink));
-    }
-    used.extend(picture.labels.iter().map(|l| svg::letters(l.role)));
-    for ink in svg::INKS.iter().filter(|i| used.contains(&i.name)) {
+    let (_, inks) = used(picture);
+    for ink in INKS.iter().filter(|i| inks.contains(i.name)) {
         let hex = ink.light.trim_start_matches('#').to_uppercase();
         let _ = writeln!(out, "\\definecolor{{fig{}}}{{HTML}}{{{hex}}}", ink.name);
     }
     // The box is the picture's own, so that pictures line up.
-    let _ = writeln!(
-        out,
-        "\\useasboundingbox (0,0) rectangle ({},{});",
-        Coordinate(picture.width),
-        Coordinate(picture.height)
-    );
-    for shape in &picture.shapes {
-        let _ = write!(out, "\\path[{}] ", options(shape.role));
-        match &shape.outline {
+    let _ =
+        writeln!(out, "\\useasboundingbox (0,0) rectangle ({},{});", Px(picture.width), Px(picture.height));
+    for element in &picture.elements {
+        let _ = write!(out, "\\path[{}] ", options(element.role));
+        match &element.outline {
             Outline::Lines { points, closed } => {
                 let list: Vec<String> = points.iter().map(|p| place(*p)).collect();
                 out.push_str(&list.join(" -- "));
@@ -98,31 +58,30 @@ pub fn picture(picture: &Picture) -> String {
                 }
             }
             Outline::Circle { centre, radius } => {
-                let _ = write!(out, "{} circle[radius={}pt]", place(*centre), Coordinate(radius * 0.75));
+                let _ = write!(out, "{} circle[radius={}pt]", place(*centre), Px(radius * 0.75));
             }
             Outline::Arc { centre, radius, from, to } => {
                 // The y axis points down, radii in points do not follow it: angles stay as seen.
-                let (c, s) = crate::figure::vector::polar(*from);
-                let start = place((centre.0 + radius * c, centre.1 - radius * s));
+                let start = place(on_arc(*centre, *radius, *from));
                 let _ = write!(
                     out,
                     "{start} arc[start angle={},end angle={},radius={}pt]",
-                    Coordinate(from.to_degrees()),
-                    Coordinate(to.to_degrees()),
-                    Coordinate(radius * 0.75)
+                    Px(from.to_degrees()),
+                    Px(to.to_degrees()),
+                    Px(radius * 0.75)
                 );
             }
         }
         out.push_str(";\n");
     }
     for label in &picture.labels {
-        let centre = (label.bounds.0 + label.bounds.2) / 2.0;
-        let size = Coordinate(label.size * 0.75);
+        let centre = (label.bounds.low.x + label.bounds.high.x) / 2.0;
+        let size = Px(label.size * 0.75);
         let _ = writeln!(
             out,
             "\\node[anchor=base,inner sep=0pt,fig{},font=\\fontsize{{{size}}}{{{size}}}\\selectfont] at {} {{{}}};",
-            svg::letters(label.role),
-            place((centre, label.at.1)),
+            letters(label.role),
+            place(vec2(centre, label.at.y)),
             text(&label.runs)
         );
     }
@@ -130,12 +89,12 @@ pub fn picture(picture: &Picture) -> String {
     out
 }
 
-fn place(p: Point) -> String {
-    format!("({},{})", Coordinate(p.0), Coordinate(p.1))
+fn place(p: Vec2) -> String {
+    format!("({},{})", Px(p.x), Px(p.y))
 }
 
 fn options(role: Role) -> String {
-    let (_, look) = svg::look(role);
+    let (_, look) = look(role);
     let mut out = Vec::new();
     if let Some((ink, width)) = look.stroke {
         out.push(format!("draw=fig{ink}"));
@@ -158,15 +117,15 @@ fn options(role: Role) -> String {
 }
 
 /// Runs as TeX text with formulas.
-fn text(runs: &[Run]) -> String {
+fn text(runs: &[TextRun]) -> String {
     let mut out = String::new();
-    for Run { text, style } in runs {
+    for TextRun { text, style } in runs {
         match style {
             RunStyle::Upright => {
                 for c in text.chars() {
                     match named(c) {
                         Some(name) => {
-                            let _ = write!(out, "${name}{}$", after(name));
+                            let _ = write!(out, "${name}{}$", after(&name));
                         }
                         None => out.push_str(&letter(c)),
                     }
@@ -190,8 +149,15 @@ fn text(runs: &[Run]) -> String {
     out.replace("$$", "")
 }
 
-fn named(c: char) -> Option<&'static str> {
-    NAMES.iter().find(|(n, _)| *n == c).map(|(_, name)| *name)
+/// A Greek letter or a sign as a command of formulas.
+fn named(c: char) -> Option<Cow<'static, str>> {
+    if let Some((_, name)) = SIGNS.iter().find(|(sign, _)| *sign == c) {
+        return Some(Cow::Borrowed(name));
+    }
+    // The last name is that of the shape: `\varepsilon`.
+    let is_it = |letter: &str| letter.chars().eq([c]);
+    let (name, _) = symbol::LETTERS.iter().rev().find(|(_, letter)| is_it(letter))?;
+    Some(Cow::Owned(format!("\\{name}")))
 }
 
 fn letter(c: char) -> String {
@@ -212,7 +178,7 @@ fn formula(text: &str) -> String {
     for c in text.chars() {
         match named(c) {
             Some(name) => {
-                let _ = write!(out, "{name}{}", after(name));
+                let _ = write!(out, "{name}{}", after(&name));
             }
             None => out.push_str(&letter(c)),
         }

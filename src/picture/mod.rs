@@ -1,5 +1,18 @@
 //! Placed shapes and labels: what a picture is before anybody decides how it looks. Coordinates are CSS pixels (1/96 inch),
 //! x to the right, y down; the picture is the box from (0, 0) to (width, height).
+//!
+//! Figures of scenes and charts of numbers are made of the same elements, by the same writer of SVG ([`svg`]).
+use crate::picture::frame::Frame;
+use crate::picture::vector::Vec2;
+
+pub mod board;
+pub mod frame;
+pub mod look;
+pub mod place;
+pub mod svg;
+pub mod symbol;
+pub mod tikz;
+pub mod vector;
 
 /// A picture, laid out.
 #[derive(Debug, Clone, PartialEq)]
@@ -12,45 +25,42 @@ pub struct Picture {
     pub title: String,
     /// What it shows, in sentences, for those who do not see it.
     pub desc: String,
-    /// Shapes, from back to front.
-    pub shapes: Vec<Shape>,
-    /// Labels, in front of all shapes.
-    pub labels: Vec<Label>,
+    /// Elements, from back to front.
+    pub elements: Vec<Element>,
+    /// Labels, in front of all elements.
+    pub labels: Vec<PlacedLabel>,
 }
 
-/// A point.
-pub type Point = (f64, f64);
-
-/// A placed shape.
+/// A placed element.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Shape {
+pub struct Element {
     /// Its outline.
     pub outline: Outline,
     /// What it stands for; decides line, fill and colour.
     pub role: Role,
 }
 
-/// The outline of a shape.
+/// The outline of an element.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Outline {
     /// Straight lines from point to point.
     Lines {
         /// The points.
-        points: Vec<Point>,
+        points: Vec<Vec2>,
         /// Back to the first one?
         closed: bool,
     },
     /// A full circle.
     Circle {
         /// Its centre.
-        centre: Point,
+        centre: Vec2,
         /// Its radius.
         radius: f64,
     },
     /// Part of a circle.
     Arc {
         /// Its centre.
-        centre: Point,
+        centre: Vec2,
         /// Its radius.
         radius: f64,
         /// Where it begins, radians, counter-clockwise from the right as seen.
@@ -60,8 +70,21 @@ pub enum Outline {
     },
 }
 
-/// What a shape stands for.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+impl Outline {
+    /// The same with its points elsewhere.
+    pub fn map(self, place: impl Fn(Vec2) -> Vec2) -> Self {
+        match self {
+            Self::Lines { points, closed } => {
+                Self::Lines { points: points.into_iter().map(place).collect(), closed }
+            }
+            Self::Circle { centre, radius } => Self::Circle { centre: place(centre), radius },
+            Self::Arc { centre, radius, from, to } => Self::Arc { centre: place(centre), radius, from, to },
+        }
+    }
+}
+
+/// What an element stands for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Role {
     /// Edge of a body, filled with the body's tint.
     Body,
@@ -109,22 +132,22 @@ pub enum Role {
 
 /// A label: runs of text, placed.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Label {
+pub struct PlacedLabel {
     /// What it says.
-    pub runs: Vec<Run>,
+    pub runs: Vec<TextRun>,
     /// Left end of its base line.
-    pub at: Point,
+    pub at: Vec2,
     /// Size of its letters.
     pub size: f64,
-    /// Its box: left, top, right, bottom. Boxes of labels do not overlap and do not leave the picture.
-    pub bounds: (f64, f64, f64, f64),
+    /// Its box. Boxes of labels do not overlap and do not leave the picture.
+    pub bounds: Frame,
     /// What it stands for; decides its colour.
     pub role: Role,
 }
 
 /// A piece of a label.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Run {
+pub struct TextRun {
     /// The letters.
     pub text: String,
     /// How they stand.

@@ -1,0 +1,228 @@
+//! What the pictures of a scene are made of: the outline of a body, surfaces, supports, cords and springs.
+use crate::figure::layout;
+use crate::figure::layout::BodyLook;
+use crate::figure::layout::CordPiece;
+use crate::figure::layout::CordStop;
+use crate::figure::layout::Ground;
+use crate::figure::layout::Placed;
+use crate::figure::layout::SceneLayout;
+use crate::figure::view::SceneView;
+use crate::picture::Role;
+use crate::picture::board::Board;
+use crate::picture::vector::Vec2;
+use crate::picture::vector::vec2;
+use crate::scene::Far;
+use crate::scene::Num;
+use crate::scene::Slope;
+use crate::scene::Tie;
+use std::f64::consts::PI;
+
+/// A body that turns and is no larger has no arrow for its positive sense.
+pub const SMALL: f64 = 30.0;
+
+/// The body's outer edge.
+pub fn outline(board: &mut Board, p: &Placed) {
+    match &p.look {
+        BodyLook::Wheel { outer, open, .. } => {
+            board.circle(p.centre, *outer, Role::Body);
+            if *open {
+                board.circle(p.centre, outer - 7.0, Role::Paper);
+                board.circle(p.centre, outer - 7.0, Role::Inner);
+            }
+        }
+        BodyLook::Block { along: a, across: b } => {
+            let (f, t) = (p.forward * *a, p.top * *b);
+            let corners = [p.centre + (f + t), p.centre + (t - f), p.centre - (f + t), p.centre + (f - t)];
+            board.lines(&corners, true, Role::Body);
+        }
+    }
+}
+
+/// What is drawn within a body: hubs, centre.
+pub fn inside(board: &mut Board, p: &Placed) {
+    if let BodyLook::Wheel { rings, .. } = &p.look {
+        for r in rings {
+            board.circle(p.centre, *r, Role::Inner);
+        }
+        board.dot(p.centre);
+    }
+}
+
+/// A surface with its hatching and, if it slopes, its angle.
+pub fn surface(board: &mut Board, view: &SceneView, g: &Ground) {
+    let at = |s: f64| g.origin + g.up * s;
+    let (foot, top) = (at(g.from), at(g.to));
+    let into = -g.out;
+    let slope = match g.slope {
+        Slope::Degrees(n) => Some(n),
+        Slope::Level | Slope::Vertical => None,
+    };
+    let degrees = slope.map_or(0.0, |n| view.of(n));
+    let flat = slope.is_none() || degrees.abs() < 1e-9;
+    // Where the angle is drawn there is no hatching.
+    let (arm, clear): (f64, f64) = if flat { (0.0, 0.0) } else { (64.0, 70.0) };
+    if g.rail {
+        let thick = 9.0;
+        let low = |p: Vec2| p + into * thick;
+        board.lines(&[foot, top, low(top), low(foot)], true, Role::Paper);
+        board.line(low(foot), low(top), Role::Hatch);
+        board.hatch(foot, top, into);
+        board.line(foot, top, Role::Ground);
+    } else {
+        board.hatch(at(g.from + clear), top, into);
+        if g.drop {
+            let floor = if flat { top.y - 92.0 } else { foot.y };
+            let low = vec2(top.x, floor);
+            board.hatch(top, low, vec2(-g.up.x.signum(), 0.0));
+            board.lines(&[foot, top, low], false, Role::Ground);
+        } else {
+            board.line(foot, top, Role::Ground);
+        }
+    }
+    if let (Some(num), false) = (slope, flat) {
+        // The level through the foot, the arc, its label.
+        let start = foot;
+        let level = if g.up.x < 0.0 { Vec2::LEFT } else { Vec2::RIGHT };
+        let long = if g.drop { (top.x - foot.x).abs() } else { arm + 46.0 };
+        board.line(start, start + level * long, Role::Dimension);
+        let (a, b) = (level.angle(), g.up.angle());
+        let a = if g.up.x < 0.0 { PI } else { a };
+        board.curved_arrow(start, arm, a, b, Role::Dimension);
+        let mid = (a + b) / 2.0;
+        let out = start + Vec2::polar(mid) * arm;
+        let label = view.label(num, "°");
+        board.wish(
+            label,
+            vec![
+                (out, Vec2::polar(mid)),
+                (start + level * arm, (level + vec2(0.0, -0.7)).unit()),
+                (start + level * arm, Vec2::DOWN),
+            ],
+            Role::Dimension,
+        );
+    }
+}
+
+/// Axles, guide pulleys, walls.
+pub fn supports(board: &mut Board, view: &SceneView, plan: &SceneLayout) {
+    for (b, p) in plan.bodies.iter().enumerate() {
+        let Some(p) = p else { continue };
+        if view.scene.bodies[b].line.is_some() {
+            continue;
+        }
+        // The end of a surface that carries the axle, else a ceiling, or a floor where cords come from above.
+        let carrier = plan.grounds.iter().find(|g| {
+            let top = g.origin + g.up * g.to;
+            g.drop && (p.centre - top).length() < p.reach(Vec2::RIGHT) * 2.2 + 30.0
+        });
+        let down = plan.cords.iter().flat_map(|r| &r.at).any(|(body, d)| *body == b && d.y < -0.5);
+        match carrier {
+            Some(g) => bar(board, g.origin + g.up * g.to - g.out * 3.0, p.centre),
+            None => axle(board, p.centre, p.reach(Vec2::UP), if down { 1.0 } else { -1.0 }),
+        }
+    }
+    for run in &plan.cords {
+        let Some((centre, radius)) = run.guide else { continue };
+        let carrier = plan.grounds.iter().find(|g| g.drop);
+        match carrier {
+            Some(g) => bar(board, g.origin + g.up * g.to - g.out * 3.0, centre),
+            None => axle(board, centre, radius, 1.0),
+        }
+        board.circle(centre, radius, Role::Body);
+        board.dot(centre);
+    }
+}
+
+/// A narrow bar from a support to an axle.
+fn bar(board: &mut Board, from: Vec2, to: Vec2) {
+    let side = (to - from).unit().left() * 3.2;
+    board.lines(&[from + side, to + side, to - side, from - side], true, Role::Inner);
+}
+
+/// A bracket from a ceiling (`up` = 1) or a floor (-1).
+fn axle(board: &mut Board, centre: Vec2, outer: f64, up: f64) {
+    let wall = centre.y + up * (outer + 26.0);
+    let at = |x: f64| vec2(centre.x + x, wall);
+    board.lines(&[at(-15.0), centre, at(15.0)], true, Role::Inner);
+    board.hatch(at(-38.0), at(38.0), vec2(0.0, up));
+    board.line(at(-38.0), at(38.0), Role::Ground);
+}
+
+/// A wall across a direction, at the end of a spring or cord.
+pub fn wall(board: &mut Board, at: Vec2, towards: Vec2, from: f64, to: f64) {
+    let side = towards.left();
+    let (a, b) = (at + side * from, at + side * to);
+    board.hatch(a, b, towards);
+    board.line(a, b, Role::Ground);
+}
+
+/// A cord with what it ends at.
+pub fn cord(board: &mut Board, view: &SceneView, plan: &SceneLayout, run: &layout::CordRun) {
+    for piece in &run.pieces {
+        match *piece {
+            CordPiece::Straight(a, b) => board.line(a, b, Role::Cord),
+            CordPiece::Round(c, r, a, b) => board.arc(c, r, a, b, Role::Cord),
+            CordPiece::Post(a, b) => board.line(a, b, Role::Ground),
+        }
+    }
+    let Some(Tie::Cord(tie)) = view.scene.ties.get(run.tie) else { return };
+    let standing = plan.bodies.get(tie.from.body).and_then(Option::as_ref);
+    match run.stop {
+        CordStop::Pull(a, b) => {
+            board.arrow(a, b, Role::Force);
+            if let Far::Pull(n) = tie.to {
+                let towards = run.leaves.1;
+                let over = standing.map_or(towards.left(), |p| p.top);
+                board.wish(
+                    view.label(n, "N"),
+                    vec![(b, towards), (a.middle(b), over), (a.middle(b), -over)],
+                    Role::Force,
+                );
+            }
+        }
+        CordStop::Spring(a, b, _) => {
+            let towards = run.leaves.1;
+            board.spring(a, b, 8, 8.5);
+            // The wall reaches down to the surface of the body.
+            let depth = match standing {
+                Some(p) if p.on.is_some() => (run.leaves.0 - p.centre).dot(p.top) + p.contact,
+                _ => 20.0,
+            };
+            let over = standing.map_or(towards.left(), |p| p.top);
+            let (down, up) = if towards.left().dot(over) > 0.0 { (-depth, 22.0) } else { (-22.0, depth) };
+            wall(board, b, towards, down, up);
+            if let Far::Spring { stiffness_n_m, stretch_m, .. } = tie.to {
+                let mid = a.middle(b);
+                board.wish(
+                    view.label(stiffness_n_m, "N/m"),
+                    vec![(mid + over * 10.0, over), (mid - over * 10.0, -over)],
+                    Role::Spring,
+                );
+                stretch(board, view, run, over, stretch_m);
+            }
+        }
+        CordStop::Fixed(at, towards) => wall(board, at, towards, -26.0, 26.0),
+        CordStop::Body => {}
+    }
+}
+
+/// The stretch of a spring as a dimension: from where its end is to where it would be without.
+fn stretch(board: &mut Board, view: &SceneView, run: &layout::CordRun, over: Vec2, num: Num) {
+    let CordStop::Spring(a, _, rest) = run.stop else { return };
+    let under = -over;
+    let long = (rest - a).length();
+    if long < 1.0 {
+        return;
+    }
+    let off = 22.0;
+    for p in [a, rest] {
+        board.line(p + under * 11.0, p + under * (off + 5.0), Role::Dimension);
+    }
+    let (p, q) = (a + under * off, rest + under * off);
+    board.double_arrow(p, q, Role::Dimension);
+    board.wish(
+        view.label(num, "m"),
+        vec![(p.middle(q), under), (q, run.leaves.1), (p, -run.leaves.1)],
+        Role::Dimension,
+    );
+}

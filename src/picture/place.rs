@@ -1,0 +1,245 @@
+//! Places for labels: which of the wished spots, or what place round the first one, covers least of what is drawn.
+//!
+//! Labels are placed one after the other, in the order of the wishes. Each tries its wished spots, then rings round the first
+//! one; a label far from its spot gets a thin leader. Other labels are never covered, lines only where all is crowded.
+use crate::picture::Element;
+use crate::picture::Outline;
+use crate::picture::Role;
+use crate::picture::board::LabelTie;
+use crate::picture::board::LabelWish;
+use crate::picture::frame::Frame;
+use crate::picture::vector::Vec2;
+use crate::picture::vector::vec2;
+use std::f64::consts::PI;
+
+/// Least distance between a label and what is not its own.
+const CLEAR: f64 = 3.0;
+/// From this distance on a label gets a leader.
+const LEADER_FROM: f64 = 16.0;
+/// Distances of the rings on which places are looked for.
+const RINGS: [f64; 10] = [0.0, 5.0, 10.0, 16.0, 26.0, 38.0, 54.0, 74.0, 100.0, 135.0];
+/// Places on a ring.
+const TURNS: u32 = 24;
+
+/// The best place so far: what it costs, the box, the leader.
+type Best = Option<(f64, Frame, Option<(Vec2, Vec2)>)>;
+
+/// What stands where, while labels are placed.
+pub struct Places {
+    obstacles: Obstacles,
+    whole: Frame,
+    taken: Vec<Frame>,
+}
+
+impl Places {
+    /// Free places round these elements, which lie in this box.
+    pub fn new(elements: &[Element], whole: Frame) -> Self {
+        Self { obstacles: Obstacles::new(elements), whole, taken: Vec::new() }
+    }
+
+    /// The box for a label of half this size, and its leader.
+    pub fn place(&mut self, wish: &LabelWish, half: Vec2) -> (Frame, Option<Element>) {
+        let mut best: Best = None;
+        if wish.tie == LabelTie::Fixed {
+            let (point, towards) = wish.spots[0];
+            let frame = beside(point, towards, wish.gap, half);
+            if !self.covers_label(frame.grown(1.0)) {
+                best = Some((-1.0, frame, None));
+            }
+        }
+        for (i, (point, towards)) in wish.spots.iter().enumerate() {
+            for (ring, gap) in [0.0, 5.0, 10.0].into_iter().enumerate() {
+                if wish.gap + gap < LEADER_FROM || ring == 0 {
+                    let gap = (wish.gap + gap).min(LEADER_FROM.max(wish.gap + 1.0) - 1.0);
+                    let base = i as f64 * 1.5 + ring as f64 * 1.2;
+                    self.consider(&mut best, wish.tie, base, (*point, || *towards, gap), half);
+                }
+            }
+        }
+        let (point, towards) = wish.spots[0];
+        let start = towards.angle();
+        let rings = if matches!(wish.tie, LabelTie::Near | LabelTie::Fixed) { &RINGS[..3] } else { &RINGS };
+        for (ring, gap) in rings.iter().enumerate() {
+            for turn in 0..TURNS {
+                let off = f64::from(turn.div_ceil(2)) * if turn % 2 == 0 { 1.0 } else { -1.0 };
+                let base = 5.0 + 2.0 * ring as f64 + 0.45 * off.abs();
+                let towards = || Vec2::polar(start + off * PI / 12.0);
+                self.consider(&mut best, wish.tie, base, (point, towards, wish.gap + gap), half);
+            }
+        }
+        // Room is always found farther out.
+        let size = self.whole.high - self.whole.low;
+        let mut far = size.x + size.y;
+        while best.is_none() {
+            for turn in 0..TURNS {
+                let towards = || Vec2::polar(f64::from(turn) * PI / 12.0);
+                self.consider(&mut best, wish.tie, 1e6 + far, (point, towards, far), half);
+            }
+            far *= 1.3;
+            if !far.is_finite() || far > 1e9 {
+                // Even leaders may cross there.
+                let y = self.taken.iter().map(|t| t.high.y).fold(self.whole.high.y, f64::max) + 8.0;
+                let low = vec2(point.x, y);
+                best = Some((0.0, Frame { low, high: low + half * 2.0 }, None));
+            }
+        }
+        let (frame, leader) =
+            best.map_or((Frame::about(point, half), None), |(_, frame, leader)| (frame, leader));
+        self.taken.push(frame);
+        (frame, leader.map(|leader| self.obstacles.leader(leader)))
+    }
+
+    /// Is a label at this distance in this direction from a point better than the best one so far? `base` is what it costs even
+    /// where it covers nothing.
+    fn consider(
+        &self,
+        best: &mut Best,
+        tie: LabelTie,
+        base: f64,
+        (point, towards, gap): (Vec2, impl Fn() -> Vec2, f64),
+        half: Vec2,
+    ) {
+        let limit = best.as_ref().map_or(f64::INFINITY, |b| b.0);
+        if limit <= base {
+            return;
+        }
+        let frame = beside(point, towards(), gap, half);
+        let wide = frame.grown(CLEAR);
+        if self.covers_label(wide) || self.obstacles.leaders.iter().any(|(a, b)| wide.meets(*a, *b)) {
+            return;
+        }
+        // What covers more than the best one is not looked at to its end.
+        let Some(covered) = self.obstacles.cost(wide, |covered| base + covered >= limit) else { return };
+        let mut cost = base + covered;
+        let leader =
+            (gap >= LEADER_FROM && tie == LabelTie::Leader).then(|| (frame.grown(1.5).nearest(point), point));
+        if let Some((a, b)) = leader {
+            if self.taken.iter().any(|t| t.meets(a, b)) {
+                return;
+            }
+            cost += 0.3 * self.obstacles.crossings(a, b);
+        }
+        // Beyond what is drawn the picture has to grow.
+        let whole = self.whole;
+        let outside = (whole.low.x - frame.low.x).max(frame.high.x - whole.high.x).max(0.0)
+            + (whole.low.y - frame.low.y).max(frame.high.y - whole.high.y).max(0.0);
+        cost += outside * 0.02;
+        if cost < limit {
+            *best = Some((cost, frame, leader));
+        }
+    }
+
+    fn covers_label(&self, frame: Frame) -> bool {
+        self.taken.iter().any(|t| frame.overlaps(*t))
+    }
+}
+
+/// The box of half this size beside a point.
+fn beside(point: Vec2, towards: Vec2, gap: f64, half: Vec2) -> Frame {
+    let reach = half.x * towards.x.abs() + half.y * towards.y.abs();
+    Frame::about(point + towards * (gap + reach), half)
+}
+
+/// How much a label on such a line disturbs; 0: not at all.
+fn weight(role: Role) -> f64 {
+    match role {
+        Role::Force | Role::Friction | Role::Motion => 30.0,
+        Role::ForceHead | Role::FrictionHead | Role::MotionHead | Role::Dot => 30.0,
+        Role::Cord | Role::Spring | Role::Body | Role::Ground => 28.0,
+        Role::Inner => 14.0,
+        Role::Curve(_) | Role::Axis | Role::Area(_) => 16.0,
+        Role::DimensionHead => 7.0,
+        Role::Dimension => 6.0,
+        Role::Hatch => 3.0,
+        Role::Ghost => 12.0,
+        Role::Grid => 0.8,
+        Role::Paper => 0.0,
+    }
+}
+
+/// What labels should not cover.
+struct Obstacles {
+    segments: Vec<(Vec2, Vec2, Frame, f64)>,
+    circles: Vec<(Vec2, f64, f64)>,
+    leaders: Vec<(Vec2, Vec2)>,
+}
+
+impl Obstacles {
+    fn new(elements: &[Element]) -> Self {
+        let mut all = Self { segments: Vec::new(), circles: Vec::new(), leaders: Vec::new() };
+        for element in elements {
+            all.add(element);
+        }
+        all
+    }
+    /// A leader that is drawn from now on.
+    fn leader(&mut self, (from, to): (Vec2, Vec2)) -> Element {
+        let outline = Outline::Lines { points: vec![from, to], closed: false };
+        let element = Element { outline, role: Role::Dimension };
+        self.add(&element);
+        self.leaders.push((from, to));
+        element
+    }
+    fn add(&mut self, element: &Element) {
+        let weight = weight(element.role);
+        if weight <= 0.0 {
+            return;
+        }
+        let mut segment = |a: Vec2, b: Vec2| {
+            self.segments.push((a, b, Frame { low: a.min(b), high: a.max(b) }, weight));
+        };
+        match &element.outline {
+            Outline::Lines { points, closed } => {
+                for pair in points.windows(2) {
+                    segment(pair[0], pair[1]);
+                }
+                if let (true, Some(first), Some(last)) = (*closed, points.first(), points.last()) {
+                    segment(*last, *first);
+                }
+            }
+            Outline::Circle { centre, radius } => self.circles.push((*centre, *radius, weight)),
+            Outline::Arc { centre, radius, from, to } => {
+                let points: Vec<Vec2> = Vec2::on_arc(*centre, *radius, (*from, *to), 12).collect();
+                for pair in points.windows(2) {
+                    segment(pair[0], pair[1]);
+                }
+            }
+        }
+    }
+    /// What a label in this box would cover; `None` once it is too much.
+    fn cost(&self, frame: Frame, too_much: impl Fn(f64) -> bool) -> Option<f64> {
+        let mut cost = 0.0;
+        for (a, b, f, weight) in &self.segments {
+            if frame.overlaps(*f) && frame.meets(*a, *b) {
+                cost += weight;
+                if too_much(cost) {
+                    return None;
+                }
+            }
+        }
+        for (centre, radius, weight) in &self.circles {
+            let near = (frame.nearest(*centre) - *centre).length();
+            if near <= *radius && frame.farthest(*centre) >= *radius {
+                cost += weight;
+            }
+        }
+        Some(cost)
+    }
+    /// What a leader would cross.
+    fn crossings(&self, a: Vec2, b: Vec2) -> f64 {
+        let mut cost = 0.0;
+        let along = b - a;
+        // Its own end may touch what it points at.
+        let end = a + along.unit() * (along.length() - 3.0).max(0.0);
+        let side = |p: Vec2, q: Vec2, r: Vec2| (q - p).cross(r - p);
+        for (c, d, _, weight) in &self.segments {
+            if side(a, end, *c) * side(a, end, *d) < 0.0
+                && side(*c, *d, a) * side(*c, *d, end) < 0.0
+                && (*d - *c).length() > 0.0
+            {
+                cost += weight;
+            }
+        }
+        cost
+    }
+}
