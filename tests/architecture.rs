@@ -162,7 +162,7 @@ const KEEPERS: &[(&str, &[&str])] = &[
     ("rand_chacha", &["draw", "simulate"]),
     ("libm", &["num::trig"]),
     ("nalgebra", &["num"]),
-    ("csv", &["answer", "cli", "set", "report", "regrade", "simulate"]),
+    ("csv", &["answer", "cli", "grade", "set", "report", "regrade", "simulate"]),
     ("encoding_rs", &["answer"]),
     ("indicatif", &["cli"]),
     ("rayon", &["cli", "set", "sheet::pdf"]),

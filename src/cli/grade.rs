@@ -18,6 +18,7 @@ use crate::cli::tell::Io;
 use crate::draw::stream;
 use crate::finding::Finding;
 use crate::grade::feedback::Feedback;
+use crate::grade::row;
 use crate::grade::rules::Rules;
 use crate::grade::run;
 use crate::grade::run::GradeFault;
@@ -563,7 +564,7 @@ fn may_write(out: &Path, set: &Path, force: bool) -> Result<(), Finding> {
         return Err(finding("is there already").hint(hint));
     }
     // What every version of answers.csv begins with.
-    let header = "line,column,student,problem,part,answer,verdict,";
+    let header = row::COLUMNS[..7].join(",");
     let mut start = vec![0; header.len()];
     let ours = fs::File::open(out.join(ANSWERS)).and_then(|mut f| f.read_exact(&mut start)).is_ok()
         && start == header.as_bytes();

@@ -10,14 +10,6 @@ use crate::words::Words;
 use std::borrow::Cow;
 use std::sync::LazyLock;
 
-/// A piece of the phrase about superseded attempts.
-#[derive(Debug, Clone, Copy)]
-enum Piece<'w> {
-    Text(&'w str),
-    Line,
-    Verdict,
-}
-
 /// The phrases of the topic `feedback`, ready for many rows.
 #[derive(Debug, Clone)]
 pub struct Feedback<'w> {
@@ -26,7 +18,6 @@ pub struct Feedback<'w> {
     pub(crate) outside: &'w str,
     pub(crate) other_sign: &'w str,
     pub(crate) no_sign: &'w str,
-    superseded: Vec<Piece<'w>>,
 }
 
 static ENGLISH: LazyLock<Feedback<'static>> =
@@ -35,26 +26,12 @@ static ENGLISH: LazyLock<Feedback<'static>> =
 impl<'w> Feedback<'w> {
     /// Looks up what is needed often.
     pub fn new(words: &'w Words) -> Self {
-        let mut superseded = Vec::new();
-        let mut rest = words.get("feedback.superseded");
-        while let Some((before, after)) = rest.split_once('{') {
-            superseded.push(Piece::Text(before));
-            let (place, after) = after.split_once('}').unwrap_or((after, ""));
-            superseded.push(match place {
-                "line" => Piece::Line,
-                "verdict" => Piece::Verdict,
-                other => Piece::Text(other),
-            });
-            rest = after;
-        }
-        superseded.push(Piece::Text(rest));
         Self {
             words,
             within: words.get("feedback.within"),
             outside: words.get("feedback.outside"),
             other_sign: words.get("feedback.other_sign"),
             no_sign: words.get("feedback.no_sign"),
-            superseded,
         }
     }
 
@@ -205,21 +182,9 @@ impl<'w> Feedback<'w> {
         self.fill("feedback.dimension_and", &pieces)
     }
 
-    /// Appends that another attempt counts.
-    pub(crate) fn superseded(
-        &self,
-        line: u64,
-        verdict: Verdict,
-        number: impl Fn(&mut Vec<u8>, u64),
-        out: &mut Vec<u8>,
-    ) {
-        for piece in &self.superseded {
-            match piece {
-                Piece::Text(text) => out.extend_from_slice(text.as_bytes()),
-                Piece::Line => number(out, line),
-                Piece::Verdict => out.extend_from_slice(verdict.as_str().as_bytes()),
-            }
-        }
+    /// That another attempt counts, and what this one would have been.
+    pub(crate) fn superseded(&self, line: &str, verdict: Verdict) -> String {
+        self.words.say("feedback.superseded", &[("line", line), ("verdict", verdict.as_str())])
     }
 }
 

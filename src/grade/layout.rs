@@ -24,13 +24,13 @@ pub(crate) struct WideColumn {
     loose: bool,
 }
 
-pub(crate) enum Form {
+pub(crate) enum FileForm {
     Long { problem: usize, part: usize, answer: usize },
     Wide(Vec<WideColumn>),
 }
 
 /// What stands where.
-pub(crate) struct Layout {
+pub(crate) struct FileLayout {
     /// Fields of a record.
     pub width: usize,
     /// A record with fewer fields lacks one that is needed.
@@ -42,7 +42,7 @@ pub(crate) struct Layout {
     /// Field of the time.
     pub submitted: Option<usize>,
     /// Where the answers stand.
-    pub form: Form,
+    pub form: FileForm,
     /// Headers of fields that are not used.
     pub unused: Vec<String>,
 }
@@ -94,7 +94,7 @@ pub(crate) fn layout(
     header: Option<Header>,
     table: &KeyTable,
     columns: &[(String, String)],
-) -> Result<Layout, Vec<Finding>> {
+) -> Result<FileLayout, Vec<Finding>> {
     let Some(header) = header else {
         return Err(vec![
             Finding::new("header", "the file is empty")
@@ -252,10 +252,10 @@ pub(crate) fn layout(
                 );
             }
         }
-        Some(Form::Wide(wide))
+        Some(FileForm::Wide(wide))
     } else {
         match (find("problem", true), find("part", true), find("answer", true)) {
-            (Some(problem), Some(part), Some(answer)) => Some(Form::Long { problem, part, answer }),
+            (Some(problem), Some(part), Some(answer)) => Some(FileForm::Long { problem, part, answer }),
             _ => None,
         }
     };
@@ -265,17 +265,17 @@ pub(crate) fn layout(
                 i == student
                     || submitted == Some(i)
                     || match &form {
-                        Form::Long { problem, part, answer } => [*problem, *part, *answer].contains(&i),
-                        Form::Wide(all) => all.iter().any(|w| w.field == i),
+                        FileForm::Long { problem, part, answer } => [*problem, *part, *answer].contains(&i),
+                        FileForm::Wide(all) => all.iter().any(|w| w.field == i),
                     }
             };
             let unused =
                 (0..header.fields.len()).filter(|i| !used(*i)).map(|i| header.fields[i].clone()).collect();
             let least = match &form {
-                Form::Long { problem, part, answer } => *problem.max(part).max(answer),
-                Form::Wide(all) => all.iter().map(|w| w.field).max().unwrap_or(0),
+                FileForm::Long { problem, part, answer } => *problem.max(part).max(answer),
+                FileForm::Wide(all) => all.iter().map(|w| w.field).max().unwrap_or(0),
             };
-            Ok(Layout {
+            Ok(FileLayout {
                 width: header.fields.len(),
                 least: least.max(student) + 1,
                 delimiter: header.delimiter,
@@ -290,23 +290,25 @@ pub(crate) fn layout(
 }
 
 /// Why a record is one unreadable line, or that nothing stands in it.
-pub(crate) enum Row {
+pub(crate) enum RecordKind {
     Cells,
     Empty,
     Unreadable(String),
 }
 
-pub(crate) fn sort_of_row(record: &Record, layout: &Layout, say: &Feedback) -> Row {
+pub(crate) fn kind_of_record(record: &Record, layout: &FileLayout, say: &Feedback) -> RecordKind {
     match record.fault() {
-        Some(RecordFault::Bytes) => return Row::Unreadable(say.get("feedback.bytes").to_owned()),
-        Some(RecordFault::TooLong) => return Row::Unreadable(say.get("feedback.long_field").to_owned()),
+        Some(RecordFault::Bytes) => return RecordKind::Unreadable(say.get("feedback.bytes").to_owned()),
+        Some(RecordFault::TooLong) => {
+            return RecordKind::Unreadable(say.get("feedback.long_field").to_owned());
+        }
         None => {}
     }
     let n = record.len();
     // a short record may hold the halves of a split answer in place of the last columns
     let odd = n != layout.width && layout.delimiter == b',';
     // `1,25 m/s` may also have pushed its second half into the column of the time
-    let pushed = matches!(layout.form, Form::Long { answer, .. } if layout.submitted == Some(answer + 1));
+    let pushed = matches!(layout.form, FileForm::Long { answer, .. } if layout.submitted == Some(answer + 1));
     let fits = n >= layout.least;
     let spare = fits && (layout.width..n).all(|i| blank(record.get(i).unwrap_or_default()));
     let split = if odd || (pushed && layout.delimiter == b',') {
@@ -316,17 +318,17 @@ pub(crate) fn sort_of_row(record: &Record, layout: &Layout, say: &Feedback) -> R
     };
     if n == layout.width {
         if let Some(said) = split {
-            return Row::Unreadable(said);
+            return RecordKind::Unreadable(said);
         }
         let all_empty = || (0..n).all(|i| blank(record.get(i).unwrap_or_default()));
         let student = record.get(layout.student).unwrap_or_default();
-        return if student.is_empty() && all_empty() { Row::Empty } else { Row::Cells };
+        return if student.is_empty() && all_empty() { RecordKind::Empty } else { RecordKind::Cells };
     }
     if (0..n).all(|i| blank(record.get(i).unwrap_or_default())) {
-        return Row::Empty;
+        return RecordKind::Empty;
     }
     if split.is_none() && spare {
-        return Row::Cells;
+        return RecordKind::Cells;
     }
     let pieces = [("n", &*n.to_string()), ("width", &*layout.width.to_string())];
     let mut count = say.fill("feedback.fields", &pieces).into_owned();
@@ -334,9 +336,9 @@ pub(crate) fn sort_of_row(record: &Record, layout: &Layout, say: &Feedback) -> R
         count.push_str(&format!(": {}", open_quote(record.line(), say)));
     }
     if let Some(said) = split {
-        return Row::Unreadable(format!("{count}: {said}"));
+        return RecordKind::Unreadable(format!("{count}: {said}"));
     }
-    Row::Unreadable(count)
+    RecordKind::Unreadable(count)
 }
 
 /// What is said of a quote that is an ordinary character.
@@ -346,10 +348,10 @@ pub(crate) fn open_quote<'w>(line: u64, say: &Feedback<'w>) -> Cow<'w, str> {
 
 /// Explains an answer such as `1,25 m/s` that stands in a comma file without quotes. Where the record would also fit
 /// the header without it (`fits`), only a unit after the second half gives it away.
-fn comma_split(record: &Record, layout: &Layout, n: usize, fits: bool, say: &Feedback) -> Option<String> {
+fn comma_split(record: &Record, layout: &FileLayout, n: usize, fits: bool, say: &Feedback) -> Option<String> {
     let (from, to) = match layout.form {
-        Form::Long { answer, .. } => (answer, answer + 1),
-        Form::Wide(_) => (0, if fits { 0 } else { n.saturating_sub(1) }),
+        FileForm::Long { answer, .. } => (answer, answer + 1),
+        FileForm::Wide(_) => (0, if fits { 0 } else { n.saturating_sub(1) }),
     };
     (from..to).find_map(|i| {
         let (a, b) = (record.get(i)?.trim_ascii(), record.get(i + 1)?);

@@ -1,4 +1,7 @@
 //! Key and answer give a verdict; a file of submissions gives one for every cell.
+mod attempts;
+mod award;
+mod cells;
 pub mod choose;
 pub mod credit;
 pub mod diagnose;
@@ -6,12 +9,11 @@ pub mod feedback;
 mod ids;
 pub mod judge;
 mod layout;
-mod lean;
 mod quick;
+pub mod row;
 pub mod rules;
 pub mod run;
 pub mod table;
-mod tails;
 mod threads;
 pub mod verdict;
-pub(crate) mod write;
+mod write;
