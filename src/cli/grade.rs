@@ -38,6 +38,7 @@ use crate::set::replay;
 use crate::set::store;
 use crate::set::store::StoredSet;
 use crate::words::Words;
+use std::collections::BTreeSet;
 use std::fs;
 use std::io;
 use std::io::BufRead;
@@ -159,9 +160,11 @@ pub fn replayed(folder: &Path) -> Result<Replayed, Vec<Finding>> {
     let stored = files::read(&path).map_err(|f| vec![f])?;
     let file = path.display().to_string();
     let earlier = replay::is_earlier(&set);
-    let seal =
-        store::seal(&files::read_text(&folder.join("set.json")).map_err(|f| vec![f])?).filter(|_| earlier);
+    let sealed = store::seal(&files::read_text(&folder.join("set.json")).map_err(|f| vec![f])?);
     let hash = load::hash(&String::from_utf8_lossy(&stored));
+    // What this very version wrote needs no second look.
+    let as_written = sealed.as_ref() == Some(&hash) && set.program == tell::program();
+    let seal = sealed.filter(|_| earlier);
     if let Some(seal) = seal.as_ref().filter(|seal| **seal != hash) {
         let short = |hash: &str| hash.chars().take(12).collect::<String>();
         let what = format!(
@@ -178,6 +181,7 @@ pub fn replayed(folder: &Path) -> Result<Replayed, Vec<Finding>> {
             Ok(other) => (other, Vec::new()),
             Err(faults) => (0, faults),
         },
+        false if as_written => (0, Vec::new()),
         false => (0, key_file::compare(&stored, &keys)),
     };
     let mut faults: Vec<Finding> = faults.into_iter().map(|f| f.in_file(&file)).collect();
@@ -501,7 +505,11 @@ fn counts(typed: Attempts) -> Counts {
 
 /// The whole folder is exchanged at once: nothing may be in it that is not a grading's, such as notes of somebody else.
 fn only_ours(out: &Path) -> Result<(), Finding> {
-    let students = report::folders(out);
+    // Only reports have files for students.
+    let students = match out.join("feedback").exists() {
+        true => report::folders(out),
+        false => BTreeSet::new(),
+    };
     let courses: Vec<String> =
         (0..courses(out).len()).map(|i| format!("{BASIS}/{}", course_name(i))).collect();
     let ours = |name: &str| {
