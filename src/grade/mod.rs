@@ -6,6 +6,7 @@ pub mod choose;
 pub mod credit;
 pub mod diagnose;
 pub mod feedback;
+mod header;
 mod ids;
 pub mod judge;
 mod layout;

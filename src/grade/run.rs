@@ -9,13 +9,14 @@ use crate::answer::submissions::Batch;
 use crate::answer::submissions::Scratch;
 use crate::answer::submissions::Source;
 use crate::finding::Finding;
+use crate::finding::Findings;
 use crate::grade::attempts::choose_winners;
 use crate::grade::cells::GradingJob;
 use crate::grade::choose::Winner;
 use crate::grade::choose::line_of;
 use crate::grade::feedback::Feedback;
+use crate::grade::header::layout;
 use crate::grade::layout::FileForm;
-use crate::grade::layout::layout;
 use crate::grade::row;
 use crate::grade::rules::Rules;
 use crate::grade::table::KeyTable;
@@ -55,7 +56,7 @@ pub enum GradeFault {
     /// Writing failed.
     Write(io::Error),
     /// The header does not do; all that is wrong with it.
-    Header(Vec<Finding>),
+    Header(Findings),
 }
 
 impl fmt::Display for GradeFault {
@@ -147,7 +148,7 @@ fn said_of_unread(open: Open<'_>, job: &GradingJob, winners: &[Winner]) -> Resul
     let Some(field) = layout.submitted else {
         let what = "no column `submitted_at`, and lateness bears on marks";
         let hint = format!("map one with --columns submitted_at=\"Its header\", or {says}");
-        return Err(GradeFault::Header(vec![Finding::new("header", what).at(1, 1).hint(hint)]));
+        return Err(GradeFault::Header(Finding::new("header", what).at(1, 1).hint(hint).into()));
     };
     let mut first = lines.clone();
     first.sort_unstable();
@@ -182,7 +183,7 @@ fn said_of_unread(open: Open<'_>, job: &GradingJob, winners: &[Winner]) -> Resul
         format!("; of `{text}` it says which comes first: `dates: day first` or `dates: month first`")
     });
     let fault = Finding::new("submitted_at", what).hint(format!("mend the times, or {says}{order}"));
-    Err(GradeFault::Header(vec![fault]))
+    Err(GradeFault::Header(fault.into()))
 }
 
 /// Grades a file of submissions. `open` is called for each walk and must give the same bytes; `out` receives answers.csv;
