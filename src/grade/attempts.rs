@@ -4,8 +4,8 @@
 //! an attempt bears on marks, one more comes before, so that times are understood; where the best attempt counts, one for each
 //! step of follow-through. What is held grows with students times parts, and up to a limit with rows ([`Notes`]).
 use crate::answer::submissions::Batch;
-use crate::answer::submissions::Scratch;
-use crate::answer::submissions::Source;
+use crate::answer::submissions::RecordScratch;
+use crate::answer::submissions::RecordSource;
 use crate::grade::cells::AnswerCell;
 use crate::grade::cells::GradingJob;
 use crate::grade::cells::cells;
@@ -99,7 +99,7 @@ struct Worth {
 
 /// What a worker collects.
 struct Collector {
-    scratch: Scratch,
+    scratch: RecordScratch,
     quick: Quick,
     tally: Tally,
     evidence: Evidence,
@@ -245,9 +245,9 @@ impl Walk<'_> {
         threads: usize,
         heard: &mut (dyn FnMut(u64) + Send),
     ) -> Result<(Tally, Evidence, Notes), GradeFault> {
-        let (source, _) = Source::open(open()?)?;
+        let (source, _) = RecordSource::open(open()?)?;
         let collector = || Collector {
-            scratch: Scratch::default(),
+            scratch: RecordScratch::default(),
             quick: Quick::default(),
             tally: empty.clone(),
             evidence: Evidence::default(),

@@ -1,10 +1,10 @@
 //! What an answer that counts earns, and how the reason tells it: slips, credit, attempts, lateness, corrections.
 use crate::grade::cells::GradingJob;
 use crate::grade::choose::Winner;
-use crate::grade::credit::Why;
+use crate::grade::credit::CreditFor;
 use crate::grade::credit::credit;
+use crate::grade::diagnose::AnswerSlip;
 use crate::grade::diagnose::Diagnosis;
-use crate::grade::diagnose::Slip;
 use crate::grade::feedback::Feedback;
 use crate::grade::table::KeyTable;
 use crate::grade::verdict::Judgement;
@@ -22,19 +22,24 @@ pub(crate) struct Fits {
 }
 
 /// A slip as a word for machines, and as students are told.
-fn slip_in_words<'w>(slip: Slip, table: &KeyTable, what: u32, say: &Feedback<'w>) -> (String, Cow<'w, str>) {
+fn slip_in_words<'w>(
+    slip: AnswerSlip,
+    table: &KeyTable,
+    what: u32,
+    say: &Feedback<'w>,
+) -> (String, Cow<'w, str>) {
     match slip {
-        Slip::PowerOfTen(n) => {
+        AnswerSlip::PowerOfTen(n) => {
             (format!("power_of_ten:{n}"), say.fill("feedback.slip.power_of_ten", &[("n", &n.to_string())]))
         }
-        Slip::Unit(from, to) => {
+        AnswerSlip::Unit(from, to) => {
             (format!("unit:{from}"), say.fill("feedback.slip.unit", &[("from", from), ("to", to)]))
         }
-        Slip::FewerFigures(n) => {
+        AnswerSlip::FewerFigures(n) => {
             (format!("figures:{n}"), say.fill("feedback.slip.figures", &[("n", &n.to_string())]))
         }
-        Slip::Drift => ("drift".to_owned(), Cow::Borrowed(say.get("feedback.slip.drift"))),
-        Slip::OtherPart(i) => {
+        AnswerSlip::Drift => ("drift".to_owned(), Cow::Borrowed(say.get("feedback.slip.drift"))),
+        AnswerSlip::OtherPart(i) => {
             let other = table.columns.get(table.first_of(what as usize) + i).map_or("", |c| c.part.as_str());
             (format!("part:{other}"), say.fill("feedback.slip.other_part", &[("part", other)]))
         }
@@ -99,12 +104,12 @@ pub(crate) fn awarded(
                 credit(judgement.number, at, table, job.rules, winners, fits.map(|f| f.found.as_slice()));
             let share = percent(earned.share);
             match earned.why {
-                Why::Nothing => {}
-                Why::Method => {
+                CreditFor::Nothing => {}
+                CreditFor::Method => {
                     word("methods");
                     told.push(say.fill("feedback.credit.method", &[("share", &share)]));
                 }
-                Why::Follows(column) => {
+                CreditFor::Follows(column) => {
                     let part = &table.columns[column].part;
                     word(&format!("follow:{part}"));
                     told.push(say.fill("feedback.credit.follows", &[("part", part), ("share", &share)]));

@@ -1,6 +1,6 @@
 //! What is said of an answer, in one language: phrases that every other row needs are looked up once, and no reason is
 //! built where a phrase will do. Verdicts are not translated: scripts read them.
-use crate::answer::read::Why;
+use crate::answer::read::WhyUnreadable;
 use crate::grade::verdict::Verdict;
 use crate::units::Kind;
 use crate::units::Slip;
@@ -94,17 +94,17 @@ impl<'w> Feedback<'w> {
         self.words.decimal() != ','
     }
 
-    /// Why a cell cannot be read.
-    pub fn why(&self, why: &Why) -> Cow<'w, str> {
+    /// WhyUnreadable a cell cannot be read.
+    pub fn why(&self, why: &WhyUnreadable) -> Cow<'w, str> {
         Cow::Borrowed(self.get(match why {
-            Why::TooLong => "feedback.too_long",
-            Why::NoNumber => "feedback.no_number",
-            Why::NotFinite => "feedback.not_finite",
-            Why::Marks => "feedback.marks",
-            Why::TwoNumbers => "feedback.two_numbers",
-            Why::Formula => "feedback.formula",
-            Why::OddWord => "feedback.odd_word",
-            Why::SignAndWord { size, unit, word } => {
+            WhyUnreadable::TooLong => "feedback.too_long",
+            WhyUnreadable::NoNumber => "feedback.no_number",
+            WhyUnreadable::NotFinite => "feedback.not_finite",
+            WhyUnreadable::Marks => "feedback.marks",
+            WhyUnreadable::TwoNumbers => "feedback.two_numbers",
+            WhyUnreadable::Formula => "feedback.formula",
+            WhyUnreadable::OddWord => "feedback.odd_word",
+            WhyUnreadable::SignAndWord { size, unit, word } => {
                 let mut size = self.words.number(size);
                 if !unit.is_empty() {
                     size.push_str(&format!(" {unit}"));
@@ -113,15 +113,17 @@ impl<'w> Feedback<'w> {
                 return self
                     .fill("feedback.sign_and_word", &[("size", &size), ("way", &way), ("other", &other)]);
             }
-            Why::Lacking(sign) => return self.fill("feedback.lacking", &[("sign", &sign.to_string())]),
-            Why::Bound => "feedback.bound",
-            Why::Dot => "feedback.dot",
-            Why::Hex => "feedback.hex",
-            Why::Prime => "feedback.prime",
-            Why::Full { part, whole } => {
+            WhyUnreadable::Lacking(sign) => {
+                return self.fill("feedback.lacking", &[("sign", &sign.to_string())]);
+            }
+            WhyUnreadable::Bound => "feedback.bound",
+            WhyUnreadable::Dot => "feedback.dot",
+            WhyUnreadable::Hex => "feedback.hex",
+            WhyUnreadable::Prime => "feedback.prime",
+            WhyUnreadable::Full { part, whole } => {
                 return self.fill("feedback.full", &[("part", part), ("whole", whole)]);
             }
-            Why::Unit(fault) => return self.unit(fault),
+            WhyUnreadable::Unit(fault) => return self.unit(fault),
         }))
     }
 

@@ -1,6 +1,7 @@
 //! Key and answer give a verdict; a file of submissions gives one for every cell.
 mod attempts;
 mod award;
+pub mod book;
 mod cells;
 pub mod choose;
 pub mod credit;

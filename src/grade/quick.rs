@@ -4,7 +4,6 @@ use crate::answer::quick::Behind;
 use crate::answer::quick::Spellings;
 use crate::answer::read::UnitCache;
 use crate::grade::cells::AnswerCell;
-use crate::grade::ids::mixed;
 use crate::grade::table::Asked;
 use crate::grade::table::KeyTable;
 use crate::grade::table::WORD;
@@ -31,22 +30,8 @@ pub(crate) struct Quick {
     /// For each spelling and asked unit, where it is known.
     pairs: Vec<Option<Conversion>>,
     student: Option<(Vec<u8>, (u32, bool))>,
-    parts: Vec<Option<KnownPart>>,
     key: Vec<u8>,
 }
-
-/// Problem and part as they were written, and their column.
-#[derive(Debug)]
-struct KnownPart {
-    problem: Vec<u8>,
-    part: Vec<u8>,
-    column: u32,
-}
-
-/// Places for parts, a power of two.
-const PARTS: usize = 256;
-/// Longer texts are not remembered.
-const LONGEST: usize = 64;
 
 impl Quick {
     /// The number of a cell in SI, if its verdict depends on nothing else.
@@ -99,7 +84,10 @@ impl Quick {
         let student = self.student(table, cell.student);
         let what = match cell.wide {
             Some((_, column)) => column.column,
-            None => self.column(table, cell.problem, cell.part),
+            None => {
+                joined(cell.problem, cell.part, &mut self.key);
+                table.column(&self.key)
+            }
         };
         let respelled = student.is_some_and(|(_, respelled)| respelled);
         Belongs { who: student.map(|(who, _)| who), what, respelled }
@@ -119,26 +107,5 @@ impl Quick {
         last.0.extend_from_slice(id);
         last.1 = number;
         Some(number)
-    }
-
-    /// The column of a part.
-    #[inline]
-    fn column(&mut self, table: &KeyTable, problem: &[u8], part: &[u8]) -> Option<u32> {
-        let at = (mixed(problem).rotate_left(5) ^ mixed(part)) as usize % PARTS;
-        if let Some(Some(known)) = self.parts.get(at)
-            && known.part == part
-            && known.problem == problem
-        {
-            return Some(known.column);
-        }
-        joined(problem, part, &mut self.key);
-        let column = table.column(&self.key)?;
-        if self.key.len() <= LONGEST {
-            if self.parts.is_empty() {
-                self.parts.resize_with(PARTS, || None);
-            }
-            self.parts[at] = Some(KnownPart { problem: problem.to_vec(), part: part.to_vec(), column });
-        }
-        Some(column)
     }
 }

@@ -62,6 +62,23 @@ pub struct AnswerRow<'r> {
 }
 
 impl AnswerRow<'_> {
+    /// Without anything in it.
+    pub const EMPTY: AnswerRow<'static> = AnswerRow {
+        line: 0,
+        column: Cow::Borrowed(""),
+        student: Cow::Borrowed(""),
+        problem: Cow::Borrowed(""),
+        part: Cow::Borrowed(""),
+        answer: Cow::Borrowed(""),
+        verdict: Verdict::Blank,
+        points: 0.0,
+        max_points: 0.0,
+        reason: Cow::Borrowed(""),
+        methods: Cow::Borrowed(""),
+        slip: Cow::Borrowed(""),
+        credit: Cow::Borrowed(""),
+        submitted_at: Cow::Borrowed(""),
+    };
     /// Does it belong to a student and a part of the set?
     pub fn is_known(&self) -> bool {
         !matches!(self.verdict, Verdict::UnknownStudent | Verdict::UnknownPart)
@@ -299,13 +316,10 @@ mod tests {
             part: "v".into(),
             answer,
             verdict: Verdict::Superseded,
-            points: 0.0,
             max_points: 2.5,
             reason,
-            methods: "".into(),
-            slip: "".into(),
-            credit: "".into(),
             submitted_at,
+            ..AnswerRow::EMPTY
         };
         let hole = || Cow::Borrowed(HOLE);
         let pattern =

@@ -6,8 +6,8 @@
 //!
 //! [`attempts`]: crate::grade::attempts
 use crate::answer::submissions::Batch;
-use crate::answer::submissions::Scratch;
-use crate::answer::submissions::Source;
+use crate::answer::submissions::RecordScratch;
+use crate::answer::submissions::RecordSource;
 use crate::finding::Finding;
 use crate::finding::Findings;
 use crate::grade::attempts::choose_winners;
@@ -155,8 +155,8 @@ fn said_of_unread(open: Open<'_>, job: &GradingJob, winners: &[Winner]) -> Resul
     first.dedup();
     first.truncate(SHOWN);
     let (mut shown, mut uncertain) = (Vec::new(), None);
-    let (mut source, _) = Source::open(open()?)?;
-    let (mut batch, mut scratch) = (Batch::default(), Scratch::default());
+    let (mut source, _) = RecordSource::open(open()?)?;
+    let (mut batch, mut scratch) = (Batch::default(), RecordScratch::default());
     while shown.len() < first.len() && source.next_batch(&mut batch)? {
         batch.records(&mut scratch, |record| {
             if !first.contains(&record.line()) {
@@ -200,7 +200,7 @@ pub fn grade(
     progress: &mut (dyn FnMut(u64) + Send),
 ) -> Result<Graded, GradeFault> {
     let threads = options.threads.max(1);
-    let (_, header) = Source::open(open()?)?;
+    let (_, header) = RecordSource::open(open()?)?;
     let layout = layout(header, table, &options.columns).map_err(GradeFault::Header)?;
     let job = GradingJob { table, layout: &layout, rules, say: &options.feedback };
     // Walks one after the other: what each has read is added up.
@@ -223,7 +223,7 @@ pub fn grade(
             (winner.late, winner.closed) = (left.unwrap_or(0.0), left.is_none());
         }
     }
-    let (source, _) = Source::open(open()?)?;
+    let (source, _) = RecordSource::open(open()?)?;
     out.write_all((row::COLUMNS.join(",") + "\n").as_bytes()).map_err(GradeFault::Write)?;
     let writer = RowWriter::new(&job, &chosen);
     let workers = (0..threads).map(|_| WriterCounts::new(table)).collect();

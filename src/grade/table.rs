@@ -1,6 +1,6 @@
 //! The keys of a whole set, laid out for looking up by bytes.
+use crate::grade::diagnose::Comparison;
 use crate::grade::diagnose::Diagnosis;
-use crate::grade::diagnose::Known;
 use crate::grade::feedback::Feedback;
 use crate::grade::ids::Ids;
 use crate::guard::unguarded;
@@ -17,7 +17,7 @@ use std::sync::Arc;
 
 /// A student of the set.
 #[derive(Debug, Clone)]
-pub struct Student {
+pub struct TableStudent {
     /// Id, as on the roster.
     pub id: String,
     /// Name, empty if none is known.
@@ -71,7 +71,7 @@ impl PartialEq for Asked {
 
 /// What relations between parts and the guards of follow-through need.
 #[derive(Debug, Clone)]
-pub(crate) struct Numbers {
+pub(crate) struct ProblemNumbers {
     /// See [`crate::key::ProblemKey::known`].
     pub known: Box<[f64]>,
     /// See [`crate::key::ProblemKey::given`].
@@ -85,12 +85,12 @@ pub(crate) const WORD: u16 = u16::MAX;
 #[derive(Debug)]
 pub struct KeyTable {
     /// In the order of the sheets given.
-    pub students: Vec<Student>,
+    pub students: Vec<TableStudent>,
     /// In the order of the sheets.
     pub columns: Vec<Column>,
     entries: Vec<Option<KeyEntry>>,
     /// For each entry what a wrong answer is compared with.
-    known: Vec<Option<Known>>,
+    known: Vec<Option<Comparison>>,
     /// The wrong values of all entries, one behind the other.
     wrong: Vec<WrongValue>,
     /// For each column the ids of the wrong methods of its problem.
@@ -98,7 +98,7 @@ pub struct KeyTable {
     /// For each column the relations between the parts of its problem.
     follows: Vec<Arc<[Follow]>>,
     /// For each student and column what relations and guards need; where a problem has several columns, at its first.
-    numbers: Vec<Option<Numbers>>,
+    numbers: Vec<Option<ProblemNumbers>>,
     quick: Vec<QuickKey>,
     /// How parts are asked, column after column.
     asked: Vec<(usize, Asked)>,
@@ -176,7 +176,7 @@ impl KeyTable {
             units: Vec::new(),
             problems: Vec::new(),
             columns,
-            by_id: Ids::with_room(sheets.len()),
+            by_id: Ids::default(),
             by_small_id: FxHashMap::default(),
             by_loose_id: FxHashMap::default(),
             by_part: FxHashMap::default(),
@@ -202,11 +202,11 @@ impl KeyTable {
         for sheet in sheets {
             let s = table.students.len() as u32;
             let mut found: Vec<Option<KeyEntry>> = vec![None; table.columns.len()];
-            let mut numbers: Vec<Option<Numbers>> = vec![None; table.columns.len()];
+            let mut numbers: Vec<Option<ProblemNumbers>> = vec![None; table.columns.len()];
             for (i, problem) in sheet.problems.into_iter().enumerate() {
                 let first = table.columns.partition_point(|c| c.number < i + 1);
                 if let Some(at) = numbers.get_mut(first) {
-                    *at = Some(Numbers { known: problem.known, given: problem.given });
+                    *at = Some(ProblemNumbers { known: problem.known, given: problem.given });
                 }
                 for entry in problem.parts {
                     let at = table
@@ -227,7 +227,7 @@ impl KeyTable {
                 table.quick.push(quick);
             }
             for (at, (first, end)) in table.problems.iter().enumerate() {
-                let mut known = Known::of(at - first, &found[*first..*end]);
+                let mut known = Comparison::of(at - first, &found[*first..*end]);
                 if let (Some(known), Some(entry)) = (&mut known, &found[at]) {
                     known.wrong = (table.wrong.len() as u32, entry.wrong.len() as u32);
                     table.wrong.extend_from_slice(&entry.wrong);
@@ -244,7 +244,7 @@ impl KeyTable {
                 .or_insert(Some(s));
             table.by_loose_id.entry(loose_id(&sheet.student)).and_modify(|e| *e = None).or_insert(Some(s));
             let name = names.get(sheet.student.as_str()).map_or(String::new(), |n| (*n).to_owned());
-            table.students.push(Student { id: sheet.student, name });
+            table.students.push(TableStudent { id: sheet.student, name });
         }
         table
     }
@@ -315,7 +315,7 @@ impl KeyTable {
         Some((follow, first))
     }
     /// What relations and guards need of a student's problem; `first` is the column of its part 0.
-    pub(crate) fn numbers(&self, student: usize, first: usize) -> Option<&Numbers> {
+    pub(crate) fn numbers(&self, student: usize, first: usize) -> Option<&ProblemNumbers> {
         self.numbers.get(student * self.columns.len() + first)?.as_ref()
     }
     /// Gives parts the points that a course says.

@@ -2,7 +2,7 @@
 use crate::answer::submissions::Batch;
 use crate::answer::submissions::Record;
 use crate::answer::submissions::RecordFault;
-use crate::answer::submissions::Scratch;
+use crate::answer::submissions::RecordScratch;
 use crate::grade::attempts::CellNote;
 use crate::grade::attempts::Chosen;
 use crate::grade::attempts::QUICK_VERDICTS;
@@ -33,7 +33,7 @@ use std::borrow::Cow;
 
 /// What a worker counts while it writes.
 pub(crate) struct WriterCounts {
-    scratch: Scratch,
+    scratch: RecordScratch,
     quick: Quick,
     points: Vec<(u32, f64)>,
     cells: u64,
@@ -47,7 +47,7 @@ impl WriterCounts {
     /// Nothing yet.
     pub fn new(table: &KeyTable) -> WriterCounts {
         WriterCounts {
-            scratch: Scratch::default(),
+            scratch: RecordScratch::default(),
             quick: Quick::default(),
             points: Vec::new(),
             cells: 0,
@@ -114,20 +114,16 @@ impl<'w> RowWriter<'w> {
             };
             let hole = || Cow::Borrowed(HOLE);
             RowPattern::of(&AnswerRow {
-                line: 0,
                 column: header.into(),
                 student: hole(),
                 problem: column.number.to_string().into(),
                 part: column.part.as_str().into(),
                 answer: hole(),
                 verdict: Verdict::Superseded,
-                points: 0.0,
                 max_points,
                 reason: job.say.superseded(HOLE, verdict).into(),
-                methods: "".into(),
-                slip: "".into(),
-                credit: "".into(),
                 submitted_at: hole(),
+                ..AnswerRow::EMPTY
             })
         };
         RowWriter {
@@ -222,19 +218,15 @@ impl<'w> RowWriter<'w> {
         }
         AnswerRow {
             line: record.line(),
-            column: "".into(),
             student: text(student),
             problem: of_problem,
             part: of_part,
             answer: record.shown(layout.delimiter).into(),
             verdict,
-            points: 0.0,
             max_points,
             reason: reason.into(),
-            methods: "".into(),
-            slip: "".into(),
-            credit: "".into(),
             submitted_at: layout.submitted.map_or("".into(), |at| text(field(at))),
+            ..AnswerRow::EMPTY
         }
     }
 
@@ -263,14 +255,8 @@ impl<'w> RowWriter<'w> {
             problem,
             part,
             answer: text(cell.answer),
-            verdict: Verdict::UnknownPart,
-            points: 0.0,
-            max_points: 0.0,
-            reason: "".into(),
-            methods: "".into(),
-            slip: "".into(),
-            credit: "".into(),
             submitted_at: text(submitted),
+            ..AnswerRow::EMPTY
         };
         let (Some(who), Some(what)) = (who, what) else {
             (row.verdict, row.reason) = match who {

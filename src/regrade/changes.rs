@@ -1,4 +1,5 @@
 //! Two gradings of the same answers: who gains and who loses, for which part, and why.
+use crate::grade::book;
 use crate::grade::row::AnswerRow;
 use crate::grade::row::Unreadable;
 use crate::grade::verdict::Verdict;
@@ -100,42 +101,14 @@ impl Grading {
     /// # Errors
     /// It is no gradebook.
     pub fn book(&mut self, who: &Who, gradebook: impl Read) -> Result<(), Unreadable> {
-        let mut reader = csv::ReaderBuilder::new().flexible(true).from_reader(gradebook);
-        let header: Vec<String> = reader
-            .byte_headers()?
-            .iter()
-            .map(|f| unguarded(&String::from_utf8_lossy(f)).to_owned())
-            .collect();
-        let at = |name: &str| {
-            let found = header.iter().position(|h| h == name);
-            found.ok_or_else(|| Unreadable::no_column(name))
-        };
-        let (student, total, of) = (at("student")?, at("total")?, at("max_total")?);
-        let parts: Vec<Option<usize>> =
-            (0..who.parts.len()).map(|p| header.iter().position(|h| *h == who.label(p))).collect();
-        for record in reader.byte_records() {
-            let record = record?;
-            let line = record.position().map_or(0, csv::Position::line);
-            let text = |i: usize| String::from_utf8_lossy(record.get(i).unwrap_or_default()).into_owned();
-            let number = |i: usize| -> Result<Option<f64>, Unreadable> {
-                let text = text(i);
-                if text.is_empty() {
-                    return Ok(None);
-                }
-                let value = text.parse::<f64>().ok().filter(|v| v.is_finite());
-                value
-                    .map(Some)
-                    .ok_or_else(|| Unreadable { line, what: format!("`{text}` is no number of points") })
-            };
-            let Some(s) = who.by_student.get(unguarded(&text(student))) else { continue };
-            for (p, column) in parts.iter().enumerate() {
-                if let Some(column) = column {
-                    self.points[s * self.parts + p] = number(*column)?;
-                }
+        let parts: Vec<String> = (0..who.parts.len()).map(|p| who.label(p)).collect();
+        book::each_row(gradebook, &parts, true, &mut |row| {
+            if let Some(s) = who.by_student.get(&row.student) {
+                self.points[s * self.parts..][..self.parts].copy_from_slice(&row.points);
+                self.totals[*s] = row.total.zip(row.of);
             }
-            self.totals[*s] = number(total)?.zip(number(of)?);
-        }
-        Ok(())
+            Ok(())
+        })
     }
 
     /// The answer that counts.
@@ -430,19 +403,15 @@ mod tests {
                 &who(),
                 AnswerRow {
                     line: *line,
-                    column: "".into(),
                     student: (*student).into(),
                     problem: "1".into(),
                     part: (*part).into(),
                     answer: "3".into(),
                     verdict: *verdict,
-                    points: 0.0,
                     max_points: 2.0,
-                    reason: "".into(),
                     methods: (*methods).into(),
-                    slip: "".into(),
                     credit: (*credit).into(),
-                    submitted_at: "".into(),
+                    ..AnswerRow::EMPTY
                 },
             );
         }

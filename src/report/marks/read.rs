@@ -1,9 +1,9 @@
 //! answers.csv and gradebook.csv to marks, in a stream.
+use crate::grade::book;
 use crate::grade::row::AnswerReader;
 use crate::grade::row::AnswerRow;
 use crate::grade::row::Unreadable;
 use crate::grade::verdict::Verdict;
-use crate::guard::unguarded;
 use crate::policy::time;
 use crate::policy::time::Evidence;
 use crate::report::marks::Cell;
@@ -12,6 +12,7 @@ use crate::report::marks::CountingRow;
 use crate::report::marks::EXAMPLES;
 use crate::report::marks::LONGEST;
 use crate::report::marks::Marks;
+use crate::report::marks::Part;
 use crate::words::Words;
 use rustc_hash::FxHashMap;
 use std::io::Read;
@@ -175,43 +176,24 @@ impl Marks {
     /// # Errors
     /// It is no gradebook, or that of another class.
     pub fn book(&mut self, gradebook: impl Read) -> Result<(), Unreadable> {
-        let mut reader = csv::ReaderBuilder::new().flexible(true).from_reader(gradebook);
-        let header = reader.byte_headers()?.clone();
-        let at = |name: &str| header.iter().position(|f| f == name.as_bytes());
-        let need = |name: &str| at(name).ok_or_else(|| Unreadable::no_column(name));
-        let (student, total, of) = (need("student")?, need("total")?, need("max_total")?);
-        let dropped = at("dropped");
-        let columns: Vec<usize> =
-            self.class.parts.iter().map(|p| need(&p.label())).collect::<Result<_, _>>()?;
+        let parts: Vec<String> = self.class.parts.iter().map(Part::label).collect();
         let whose: FxHashMap<String, usize> =
             self.class.students.iter().enumerate().map(|(i, s)| (s.id.clone(), i)).collect();
         let mut found = 0;
-        for record in reader.byte_records() {
-            let record = record?;
-            let line = record.position().map_or(0, csv::Position::line);
-            let text = |i: usize| String::from_utf8_lossy(record.get(i).unwrap_or_default());
-            let number = |i: usize| -> Result<Option<f64>, Unreadable> {
-                let text = text(i);
-                if text.is_empty() {
-                    return Ok(None);
-                }
-                match text.parse::<f64>() {
-                    Ok(value) if value.is_finite() => Ok(Some(value)),
-                    _ => Err(Unreadable { line, what: format!("`{text}` is no number of points") }),
-                }
-            };
-            let Some(who) = whose.get(unguarded(&text(student))).copied() else {
-                return Err(Unreadable { line, what: format!("`{}` is not in the set", text(student)) });
+        book::each_row(gradebook, &parts, false, &mut |row| {
+            let Some(who) = whose.get(&row.student).copied() else {
+                return Err(Unreadable {
+                    line: row.line,
+                    what: format!("`{}` is not in the set", row.student),
+                });
             };
             found += 1;
-            for (part, column) in columns.iter().enumerate() {
-                self.given[who * columns.len() + part] = number(*column)?;
-            }
-            let numbers = dropped.map_or_else(|| "".into(), text);
-            let numbers = numbers.split(' ').filter_map(|n| n.parse::<usize>().ok()?.checked_sub(1));
+            self.given[who * parts.len()..][..parts.len()].copy_from_slice(&row.points);
+            let numbers = row.dropped.iter().filter_map(|n| n.checked_sub(1));
             self.dropped[who] = numbers.filter(|i| *i < self.class.problems.len()).collect();
-            self.totals[who] = (number(total)?.unwrap_or(0.0), number(of)?.unwrap_or(0.0));
-        }
+            self.totals[who] = (row.total.unwrap_or(0.0), row.of.unwrap_or(0.0));
+            Ok(())
+        })?;
         if found == self.class.students.len() {
             return Ok(());
         }
@@ -300,7 +282,6 @@ fn noncharacter(c: char) -> bool {
 #[allow(clippy::float_cmp, reason = "points and seconds are whole here")]
 mod tests {
     use super::*;
-    use crate::report::marks::Part;
     use crate::report::marks::Problem;
     use crate::report::marks::Student;
 
