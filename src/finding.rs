@@ -2,6 +2,7 @@
 use std::fmt;
 use std::ops::Deref;
 use std::ops::DerefMut;
+use std::slice;
 use std::vec;
 
 /// One fault in a file that a person wrote. Faults are collected, never thrown one by one.
@@ -122,6 +123,14 @@ impl IntoIterator for Findings {
     type IntoIter = vec::IntoIter<Finding>;
     fn into_iter(self) -> Self::IntoIter {
         self.0.into_iter()
+    }
+}
+
+impl<'f> IntoIterator for &'f Findings {
+    type Item = &'f Finding;
+    type IntoIter = slice::Iter<'f, Finding>;
+    fn into_iter(self) -> Self::IntoIter {
+        self.iter()
     }
 }
 

@@ -138,7 +138,7 @@ fn generate(args: &args::Generate, io: &mut Io) -> Result<(), Findings> {
         return Err(tried.faults);
     }
     // What only the worked solutions will lack is told now, as `lint` does, and refuses nothing.
-    for fault in tried.unsolved.iter() {
+    for fault in &tried.unsolved {
         io.note(&format!("note: {fault}"));
     }
     for note in &tried.notes {
