@@ -5,4 +5,6 @@ mod plain;
 pub mod quick;
 pub mod read;
 pub mod roster;
+mod spelling;
 pub mod submissions;
+pub mod word;

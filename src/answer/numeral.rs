@@ -1,5 +1,5 @@
 //! The number at the start of a text: a decimal with its marks and power of ten, or an exact value such as `3/4` or `2*sqrt(3)`.
-use crate::answer::read::Why;
+use crate::answer::read::WhyUnreadable;
 
 /// A number without its sign, and what follows.
 #[derive(Debug, Clone, PartialEq)]
@@ -32,13 +32,13 @@ pub(crate) fn begins(text: &str) -> bool {
 }
 
 /// Reads a number that has no sign.
-pub(crate) fn numeral(text: &str) -> Result<Numeral<'_>, Why> {
+pub(crate) fn numeral(text: &str) -> Result<Numeral<'_>, WhyUnreadable> {
     let mut exact = Exact { rest: text, told: false };
     match exact.product(0)? {
         Some(value) if exact.told && value.is_finite() => {
             Ok(Numeral { value, grouped: None, comma: false, told: true, whole: false, rest: exact.rest })
         }
-        Some(_) if exact.told => Err(Why::NotFinite),
+        Some(_) if exact.told => Err(WhyUnreadable::NotFinite),
         _ => decimal(text),
     }
 }
@@ -92,13 +92,13 @@ impl Factor {
 
 impl<'t> Exact<'t> {
     /// A product with at most one fraction bar. `None`: no exact value stands here.
-    fn product(&mut self, depth: u8) -> Result<Option<f64>, Why> {
+    fn product(&mut self, depth: u8) -> Result<Option<f64>, WhyUnreadable> {
         let Some(first) = self.factor(depth)? else { return Ok(None) };
         if let Factor::Whole(whole) = first
             && let Some(more) = self.mixed()
         {
             self.told = true;
-            return if self.goes_on(depth) { Err(Why::Formula) } else { Ok(Some(whole + more)) };
+            return if self.goes_on(depth) { Err(WhyUnreadable::Formula) } else { Ok(Some(whole + more)) };
         }
         let (mut value, mut last, mut barred) = (first.value(), first, false);
         loop {
@@ -124,7 +124,7 @@ impl<'t> Exact<'t> {
                 None => both.iter().all(|f| f.is_number()),
             };
             if barred || sum {
-                return Err(Why::Formula);
+                return Err(WhyUnreadable::Formula);
             }
             barred = over.is_some();
             value = if barred { value / factor.value() } else { value * factor.value() };
@@ -141,9 +141,9 @@ impl<'t> Exact<'t> {
             && !matches!(ahead.factor(depth), Ok(None))
     }
 
-    fn factor(&mut self, depth: u8) -> Result<Option<Factor>, Why> {
+    fn factor(&mut self, depth: u8) -> Result<Option<Factor>, WhyUnreadable> {
         if depth > 4 {
-            return Err(Why::Formula);
+            return Err(WhyUnreadable::Formula);
         }
         if let Some(behind) = root(self.rest) {
             self.rest = behind.trim_start();
@@ -152,7 +152,7 @@ impl<'t> Exact<'t> {
                 false => self.number().map(Factor::value),
             };
             self.told = true;
-            return under.map(|x| Factor::Exact(x.sqrt())).ok_or(Why::Formula).map(Some);
+            return under.map(|x| Factor::Exact(x.sqrt())).ok_or(WhyUnreadable::Formula).map(Some);
         }
         if let Some(behind) = pi(self.rest) {
             self.rest = behind;
@@ -175,7 +175,7 @@ impl<'t> Exact<'t> {
     }
 
     /// A product in brackets; `None` where something else stands in them.
-    fn brackets(&mut self, depth: u8) -> Result<Option<f64>, Why> {
+    fn brackets(&mut self, depth: u8) -> Result<Option<f64>, WhyUnreadable> {
         let Some(inside) = self.rest.strip_prefix('(') else { return Ok(None) };
         self.rest = inside.trim_start();
         let Some(value) = self.product(depth + 1)? else { return Ok(None) };
@@ -235,7 +235,7 @@ impl<'t> Exact<'t> {
 
 /// Decimal digits with their marks, and a power of ten. A point or a comma is the decimal mark where it stands alone; where
 /// both stand there, the last one is it, and the other groups digits by three, as an apostrophe or a blank does.
-fn decimal(text: &str) -> Result<Numeral<'_>, Why> {
+fn decimal(text: &str) -> Result<Numeral<'_>, WhyUnreadable> {
     let bytes = text.as_bytes();
     let digit_at = |k: usize| bytes.get(k).is_some_and(u8::is_ascii_digit);
     let mut groups: Vec<&str> = Vec::new();
@@ -258,13 +258,13 @@ fn decimal(text: &str) -> Result<Numeral<'_>, Why> {
     }
     groups.push(&text[from..at]);
     if groups.iter().all(|g| g.is_empty()) {
-        return Err(Why::NoNumber);
+        return Err(WhyUnreadable::NoNumber);
     }
     let mut rest = &text[at..];
     let count = |mark: u8| marks.iter().filter(|m| **m == mark).count();
     let (commas, points) = (count(b','), count(b'.'));
     if rest.starts_with([',', '.']) && rest[1..].starts_with([',', '.']) {
-        return Err(Why::Marks);
+        return Err(WhyUnreadable::Marks);
     }
     if commas + points == 0 && at > 0 {
         rest = rest.strip_prefix('.').unwrap_or(rest); // `5. N`
@@ -280,7 +280,11 @@ fn decimal(text: &str) -> Result<Numeral<'_>, Why> {
         // A comma or a point groups only where the other one is the decimal mark.
         let twice = decimal_mark.is_none() && commas + points > 0;
         if !of_one_kind || !by_three || twice {
-            return Err(if grouping.contains(&b' ') { Why::TwoNumbers } else { Why::Marks });
+            return Err(if grouping.contains(&b' ') {
+                WhyUnreadable::TwoNumbers
+            } else {
+                WhyUnreadable::Marks
+            });
         }
     }
     let (whole, decimals) = match decimal_mark {
@@ -305,10 +309,10 @@ fn decimal(text: &str) -> Result<Numeral<'_>, Why> {
         exponent = power;
         rest = tail;
     }
-    let parse = |digits: String| -> Result<f64, Why> {
+    let parse = |digits: String| -> Result<f64, WhyUnreadable> {
         let text = if exponent.is_empty() { digits } else { format!("{digits}e{exponent}") };
-        let value: f64 = text.parse().map_err(|_| Why::NoNumber)?;
-        if value.is_finite() { Ok(value) } else { Err(Why::NotFinite) }
+        let value: f64 = text.parse().map_err(|_| WhyUnreadable::NoNumber)?;
+        if value.is_finite() { Ok(value) } else { Err(WhyUnreadable::NotFinite) }
     };
     Ok(Numeral {
         value: parse(format!("{whole}.{decimals}"))?,
@@ -330,14 +334,14 @@ fn superscript(c: char) -> Option<char> {
 }
 
 /// `×10^n`, `x 10^-3`, `·10ⁿ`, `*10**n`: the exponent and what follows.
-fn times_ten(text: &str) -> Result<Option<(String, &str)>, Why> {
+fn times_ten(text: &str) -> Result<Option<(String, &str)>, WhyUnreadable> {
     let Some(tail) = text.trim_start().strip_prefix(['\u{d7}', 'x', 'X', '*', '·', '\u{22c5}', '\u{2219}'])
     else {
         return Ok(None);
     };
     let Some(tail) = tail.trim_start().strip_prefix("10") else {
         return if tail.trim_start().starts_with(|c: char| c.is_ascii_digit()) {
-            Err(Why::Formula)
+            Err(WhyUnreadable::Formula)
         } else {
             Ok(None)
         };
@@ -349,7 +353,7 @@ fn times_ten(text: &str) -> Result<Option<(String, &str)>, Why> {
     }
     let tail = tail.trim_start();
     let Some(tail) = tail.strip_prefix("**").or_else(|| tail.strip_prefix('^')) else {
-        return Err(Why::Formula);
+        return Err(WhyUnreadable::Formula);
     };
     let tail = tail.trim_start();
     let (closing, tail) = match tail.chars().next() {
@@ -361,11 +365,11 @@ fn times_ten(text: &str) -> Result<Option<(String, &str)>, Why> {
     let number = tail.strip_prefix(['-', '+']).unwrap_or(tail);
     let length = number.bytes().take_while(u8::is_ascii_digit).count();
     if length == 0 {
-        return Err(Why::Formula);
+        return Err(WhyUnreadable::Formula);
     }
     let mut rest = &number[length..];
     if let Some(closing) = closing {
-        rest = rest.strip_prefix(closing).ok_or(Why::Formula)?;
+        rest = rest.strip_prefix(closing).ok_or(WhyUnreadable::Formula)?;
     }
     Ok(Some((format!("{}{}", if sign { "-" } else { "" }, &number[..length]), rest)))
 }

@@ -3,7 +3,7 @@
 
 /// A cell in plain text.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub(crate) struct Plain {
+pub(crate) struct PlainText {
     /// The text.
     pub text: String,
     /// It had digits of another script.
@@ -11,7 +11,7 @@ pub(crate) struct Plain {
 }
 
 /// A cell in plain text.
-pub(crate) fn plain(cell: &str) -> Plain {
+pub(crate) fn plain(cell: &str) -> PlainText {
     let mut written = std::borrow::Cow::Borrowed(cell);
     if written.contains(['&', '<']) {
         // Twice: what a page escaped, a second page escapes again.
@@ -54,7 +54,7 @@ pub(crate) fn plain(cell: &str) -> Plain {
             },
         }
     }
-    Plain { text: unwrapped(text.trim()).to_owned(), foreign }
+    PlainText { text: unwrapped(text.trim()).to_owned(), foreign }
 }
 
 /// Without quotes and what else spreadsheets and sentences put around a value.

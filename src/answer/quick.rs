@@ -15,7 +15,7 @@ const MOST: usize = 256;
 
 /// A unit as it was spelled.
 #[derive(Debug, Clone)]
-pub struct Spelled {
+pub struct KnownSpelling {
     /// The unit.
     pub unit: Arc<Unit>,
     /// Upper and lower case were forgiven.
@@ -37,7 +37,7 @@ pub struct Spellings {
     /// Text and its length, and the number of the spelling; `None` where the text is no unit alone.
     places: Vec<(u128, Option<u16>)>,
     taken: usize,
-    known: Vec<Spelled>,
+    known: Vec<KnownSpelling>,
     /// For the long way.
     pub units: UnitCache,
 }
@@ -66,7 +66,7 @@ impl Spellings {
     }
 
     /// The unit of a spelling.
-    pub fn unit(&self, spelling: u16) -> Option<&Spelled> {
+    pub fn unit(&self, spelling: u16) -> Option<&KnownSpelling> {
         self.known.get(usize::from(spelling))
     }
 
@@ -110,7 +110,7 @@ impl Spellings {
         if !one || number.is_interpreted() {
             return None;
         }
-        let spelled = Spelled { unit: number.unit?, case_forgiven: number.case_forgiven };
+        let spelled = KnownSpelling { unit: number.unit?, case_forgiven: number.case_forgiven };
         self.known.push(spelled);
         u16::try_from(self.known.len() - 1).ok()
     }

@@ -3,78 +3,19 @@ use crate::answer::numeral::Numeral;
 use crate::answer::numeral::begins;
 use crate::answer::numeral::numeral;
 use crate::answer::numeral::unsigned;
-use crate::answer::plain::Plain;
+use crate::answer::plain::PlainText;
 use crate::answer::plain::plain;
+use crate::answer::spelling::SpelledUnit;
+pub use crate::answer::spelling::UnitCache;
+use crate::answer::word::AnswerWord;
+use crate::answer::word::phrase;
 use crate::units::Unit;
 use crate::units::UnitFault;
-use rustc_hash::FxHashMap;
 use std::sync::Arc;
-
-/// A word that answers a question or gives a number its sign.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Word {
-    /// Up, positive.
-    Up,
-    /// Down, negative.
-    Down,
-    /// Forward, positive.
-    Forward,
-    /// Back, negative.
-    Back,
-    /// To the right: a direction on a level only.
-    Right,
-    /// To the left.
-    Left,
-    /// Does not move.
-    Stays,
-    /// Yes.
-    Yes,
-    /// No.
-    No,
-}
-
-impl Word {
-    /// As keys write it.
-    pub const fn as_str(self) -> &'static str {
-        match self {
-            Word::Up => "up",
-            Word::Down => "down",
-            Word::Forward => "forward",
-            Word::Back => "back",
-            Word::Right => "right",
-            Word::Left => "left",
-            Word::Stays => "stays",
-            Word::Yes => "yes",
-            Word::No => "no",
-        }
-    }
-    /// 1 or -1 for a direction.
-    pub const fn sign(self) -> Option<f64> {
-        match self {
-            Word::Up | Word::Forward => Some(1.0),
-            Word::Down | Word::Back => Some(-1.0),
-            _ => None,
-        }
-    }
-    /// The other way.
-    pub const fn opposite(self) -> Word {
-        match self {
-            Word::Up => Word::Down,
-            Word::Down => Word::Up,
-            Word::Forward => Word::Back,
-            Word::Back => Word::Forward,
-            Word::Right => Word::Left,
-            Word::Left => Word::Right,
-            Word::Yes => Word::No,
-            Word::No => Word::Yes,
-            Word::Stays => Word::Stays,
-        }
-    }
-}
 
 /// How a number was read, where it could not simply be read.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Note {
+pub enum ReadingNote {
     /// A lone comma is the decimal mark.
     Comma,
     /// Marks, brackets, a fraction, a root, several units or digits of another script: the value is told.
@@ -103,9 +44,9 @@ pub struct Number {
     /// Upper and lower case of the unit were forgiven.
     pub case_forgiven: bool,
     /// The direction, if one was written.
-    pub word: Option<Word>,
+    pub word: Option<AnswerWord>,
     /// How it was read.
-    pub notes: Vec<Note>,
+    pub notes: Vec<ReadingNote>,
 }
 
 impl Number {
@@ -143,14 +84,14 @@ pub enum Reading {
     /// A number.
     Number(Number),
     /// A word alone.
-    Word(Word),
+    Word(AnswerWord),
     /// Not to be read, and why.
-    Unreadable(Why),
+    Unreadable(WhyUnreadable),
 }
 
-/// Why a cell cannot be read.
+/// WhyUnreadable a cell cannot be read.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub enum Why {
+pub enum WhyUnreadable {
     /// Longer than 200 characters.
     TooLong,
     /// Neither a number nor a known word.
@@ -170,7 +111,7 @@ pub enum Why {
         /// In ASCII; empty if there is none.
         unit: String,
         /// The direction.
-        word: Word,
+        word: AnswerWord,
     },
     /// `yes`, `no` or `stays` after a number, or two directions.
     OddWord,
@@ -195,115 +136,20 @@ pub enum Why {
     Unit(UnitFault),
 }
 
-/// A unit as it was spelled.
-#[derive(Debug, Clone)]
-struct Spelled {
-    unit: Arc<Unit>,
-    case_forgiven: bool,
-    /// See [`Number::otherwise`].
-    otherwise: Option<Arc<Unit>>,
-}
-
-/// Unit texts already read, so that a class of answers parses each spelling once.
-#[derive(Debug, Default)]
-pub struct UnitCache {
-    known: FxHashMap<Box<str>, Result<Spelled, UnitFault>>,
-}
-
-impl UnitCache {
-    fn unit(&mut self, text: &str) -> Result<Spelled, UnitFault> {
-        if let Some(found) = self.known.get(text) {
-            return found.clone();
-        }
-        let said = spoken(text);
-        let said = said.as_deref().unwrap_or(text);
-        let found = match Unit::parse(said) {
-            Ok(unit) => Ok((unit, false)),
-            Err(_) => Unit::parse_any_case(said),
-        };
-        let found = found.map(|(unit, case_forgiven)| Spelled {
-            unit: Arc::new(unit),
-            case_forgiven,
-            otherwise: otherwise(said).map(Arc::new),
-        });
-        if self.known.len() < 512 && text.len() <= 64 {
-            self.known.insert(text.into(), found.clone());
-        }
-        found
-    }
-}
-
-/// The other meaning of a unit that has two: pounds are a mass or a force; `kn` is a knot, or kN by a slip of the shift key.
-fn otherwise(text: &str) -> Option<Unit> {
-    let mut other = String::with_capacity(text.len() + 4);
-    let mut changed = false;
-    for piece in text.split_inclusive(|c: char| !c.is_alphabetic()) {
-        let name = piece.trim_end_matches(|c: char| !c.is_alphabetic());
-        let meant = match name {
-            "kn" => Some("knot"),
-            name if ["lb", "lbs", "pound", "pounds"].iter().any(|p| p.eq_ignore_ascii_case(name)) => {
-                Some("lbf")
-            }
-            _ => None,
-        };
-        changed |= meant.is_some();
-        other.push_str(meant.unwrap_or(name));
-        other.push_str(&piece[name.len()..]);
-    }
-    if changed { Unit::parse(&other).ok() } else { None }
-}
-
-/// `radians per second squared` as `radians/second^2`; `None` where nothing is spoken.
-fn spoken(text: &str) -> Option<String> {
-    let plain = text
-        .replace(" per ", "/")
-        .replace(" squared", "^2")
-        .replace("Umdr./", "Umdr/")
-        .replace("Umdr. /", "Umdr/");
-    (plain != text).then_some(plain)
-}
-
-/// A plain decimal number such as `30.3` or `-0.05`, with blanks around it; nothing else. The way for the most of cells.
-#[inline]
-pub fn plain_number(cell: &[u8]) -> Option<f64> {
-    let cell = cell.trim_ascii();
-    let digits = cell.strip_prefix(b"-").unwrap_or(cell);
-    if digits.is_empty() || digits.len() > 17 {
-        return None;
-    }
-    let (mut mantissa, mut decimals, mut seen, mut point) = (0u64, 0usize, 0usize, 0usize);
-    for &b in digits {
-        let digit = b.wrapping_sub(b'0');
-        if digit < 10 {
-            mantissa = mantissa * 10 + u64::from(digit);
-            seen += 1;
-            decimals += point;
-        } else if b == b'.' && point == 0 {
-            point = 1;
-        } else {
-            return None;
-        }
-    }
-    if seen == 0 || mantissa >= 1 << 53 {
-        return None;
-    }
-    let value = mantissa as f64 / crate::units::TENS[decimals]; // both exact: one rounding
-    Some(if digits.len() < cell.len() { -value } else { value })
-}
-
 /// Reads a cell.
 ///
 /// ```
-/// use slipstick::answer::read::{Note, Reading, UnitCache, read};
+/// use slipstick::answer::read::{ReadingNote, Reading, UnitCache, read};
 /// let Reading::Number(n) = read("1,25 m/s", &mut UnitCache::default()) else { panic!("a number") };
-/// assert_eq!((n.value, n.notes), (1.25, vec![Note::Comma]));
+/// assert_eq!((n.value, n.notes), (1.25, vec![ReadingNote::Comma]));
 /// ```
 pub fn read(cell: &str, units: &mut UnitCache) -> Reading {
-    if let Some(value) = plain_number(cell.as_bytes()) {
-        return Reading::Number(Number::plain(value));
-    }
     if cell.len() > 800 || cell.chars().count() > 200 {
-        return if cell.trim().is_empty() { Reading::Blank } else { Reading::Unreadable(Why::TooLong) };
+        return if cell.trim().is_empty() {
+            Reading::Blank
+        } else {
+            Reading::Unreadable(WhyUnreadable::TooLong)
+        };
     }
     match general(&plain(cell), units) {
         Ok(reading) => reading,
@@ -351,12 +197,12 @@ fn without_turning(text: &str) -> (&str, bool) {
     (text, false)
 }
 
-fn general(plain: &Plain, units: &mut UnitCache) -> Result<Reading, Why> {
+fn general(plain: &PlainText, units: &mut UnitCache) -> Result<Reading, WhyUnreadable> {
     if plain.text.is_empty() {
         return Ok(Reading::Blank);
     }
     if plain.text.contains(['<', '>', '≥', '≤', '⩾', '⩽']) {
-        return Err(Why::Bound);
+        return Err(WhyUnreadable::Bound);
     }
     let text = after_symbol(&plain.text)?.replace("+/-", "±").replace("+-", "±");
     let (text, bracketed) = without_brackets(&text);
@@ -373,14 +219,14 @@ fn general(plain: &Plain, units: &mut UnitCache) -> Result<Reading, Why> {
             .iter()
             .any(|w| lower == *w || lower.starts_with(&format!("{w} ")))
         {
-            return Err(Why::NotFinite);
+            return Err(WhyUnreadable::NotFinite);
         }
-        let digit = text.find(|c: char| c.is_ascii_digit()).ok_or(Why::NoNumber)?;
+        let digit = text.find(|c: char| c.is_ascii_digit()).ok_or(WhyUnreadable::NoNumber)?;
         let before = text[..digit].trim_end_matches(['.', ',', '-', '+', '(']);
-        word = Some(phrase(before.trim_end_matches([':', ' '])).ok_or(Why::NoNumber)??);
+        word = Some(phrase(before.trim_end_matches([':', ' '])).ok_or(WhyUnreadable::NoNumber)??);
         text = without_brackets(&text[before.len()..]).0;
         if !begins(text) {
-            return Err(Why::NoNumber);
+            return Err(WhyUnreadable::NoNumber);
         }
     }
     if let Some(why) = looks_like(text) {
@@ -389,28 +235,32 @@ fn general(plain: &Plain, units: &mut UnitCache) -> Result<Reading, Why> {
     let read = quantity(text, units)?;
     if let Some(after) = read.word {
         if word.is_some_and(|w| w != after) {
-            return Err(Why::OddWord);
+            return Err(WhyUnreadable::OddWord);
         }
         word = Some(after);
     }
     if let Some(w) = word {
-        if w.sign().is_none() && !matches!(w, Word::Left | Word::Right) {
-            return Err(Why::OddWord);
+        if w.sign().is_none() && !matches!(w, AnswerWord::Left | AnswerWord::Right) {
+            return Err(WhyUnreadable::OddWord);
         }
         if read.negative {
             let unit = read.unit.as_ref().map_or("", |u| u.unit.ascii());
-            return Err(Why::SignAndWord { size: read.value.to_string(), unit: unit.to_owned(), word: w });
+            return Err(WhyUnreadable::SignAndWord {
+                size: read.value.to_string(),
+                unit: unit.to_owned(),
+                word: w,
+            });
         }
     }
     let sign = if read.negative { -1.0 } else { 1.0 };
     let told = read.told || bracketed || plain.foreign;
     let notes = [
-        (read.comma, Note::Comma),
-        (told, Note::ReadAs),
-        (read.uncertain, Note::Uncertainty),
-        (about, Note::About),
-        (turning, Note::Turning),
-        (read.per_cent, Note::PerCent),
+        (read.comma, ReadingNote::Comma),
+        (told, ReadingNote::ReadAs),
+        (read.uncertain, ReadingNote::Uncertainty),
+        (about, ReadingNote::About),
+        (turning, ReadingNote::Turning),
+        (read.per_cent, ReadingNote::PerCent),
     ];
     let mut number = Number {
         grouped: read.grouped.map(|g| sign * g),
@@ -427,13 +277,13 @@ fn general(plain: &Plain, units: &mut UnitCache) -> Result<Reading, Why> {
 }
 
 /// What looks like a number and is none, or may be another one.
-fn looks_like(text: &str) -> Option<Why> {
+fn looks_like(text: &str) -> Option<WhyUnreadable> {
     let body = unsigned(text).1;
     let digits = |t: &str| t.bytes().take_while(u8::is_ascii_digit).count();
     if let Some(hex) = body.strip_prefix("0x").or_else(|| body.strip_prefix("0X")) {
         let power = hex.strip_prefix("10").is_some_and(|t| t.starts_with(['^', '*']) || digits(t) < t.len());
         if hex.starts_with(|c: char| c.is_ascii_hexdigit()) && !power {
-            return Some(Why::Hex);
+            return Some(WhyUnreadable::Hex);
         }
     }
     let whole = digits(body);
@@ -443,12 +293,12 @@ fn looks_like(text: &str) -> Option<Why> {
         let more = digits(behind);
         let power = more == 2 && behind.starts_with("10");
         if more > 0 && !power && !behind[more..].starts_with(['.', ',', '/', '^', '*', '·']) {
-            return Some(Why::Dot);
+            return Some(WhyUnreadable::Dot);
         }
     }
     let last = text.chars().last().filter(|c| matches!(c, '-' | '+' | '±'))?;
     let raised = text.ends_with("^-") || text.ends_with("^+");
-    (text.contains(|c: char| c.is_ascii_digit()) && !raised).then_some(Why::Lacking(last))
+    (text.contains(|c: char| c.is_ascii_digit()) && !raised).then_some(WhyUnreadable::Lacking(last))
 }
 
 /// Where the bracket closes that opens at the start.
@@ -478,7 +328,7 @@ fn without_brackets(text: &str) -> (&str, bool) {
 }
 
 /// A number with what belongs to it.
-struct Quantity {
+struct WrittenQuantity {
     negative: bool,
     /// Without its sign, in the unit.
     value: f64,
@@ -486,30 +336,30 @@ struct Quantity {
     comma: bool,
     told: bool,
     uncertain: bool,
-    /// See [`Note::PerCent`].
+    /// See [`ReadingNote::PerCent`].
     per_cent: bool,
-    unit: Option<Spelled>,
-    word: Option<Word>,
+    unit: Option<SpelledUnit>,
+    word: Option<AnswerWord>,
 }
 
 /// Reads `-12,876.9 mm`, `3/4 m`, `42 ft 3 in`, `34.65 ± 0.1 N`, `(34.65 ± 0.1) N`, `62.6 N up`.
-fn quantity(text: &str, units: &mut UnitCache) -> Result<Quantity, Why> {
+fn quantity(text: &str, units: &mut UnitCache) -> Result<WrittenQuantity, WhyUnreadable> {
     let (negative, body) = unsigned(text);
     let (mut sign, mut told, mut spread_inside, mut per_cent) = (negative, false, false, false);
     let (number, behind) = match numeral(body) {
-        Err(Why::NoNumber) if body.starts_with('(') => {
+        Err(WhyUnreadable::NoNumber) if body.starts_with('(') => {
             // The number in brackets, its unit behind them.
-            let end = closing(body).ok_or(Why::NoNumber)?;
+            let end = closing(body).ok_or(WhyUnreadable::NoNumber)?;
             let (minus, inside) = unsigned(body[1..end].trim());
             let inner = numeral(inside)?;
             let left = inner.rest.trim();
             if let Some(spread) = left.strip_prefix('±') {
                 if !numeral(spread.trim())?.rest.trim().is_empty() {
-                    return Err(Why::TwoNumbers);
+                    return Err(WhyUnreadable::TwoNumbers);
                 }
                 spread_inside = true;
             } else if !left.is_empty() || (negative && minus) {
-                return Err(Why::Formula);
+                return Err(WhyUnreadable::Formula);
             }
             sign = negative || minus;
             told = true;
@@ -536,7 +386,7 @@ fn quantity(text: &str, units: &mut UnitCache) -> Result<Quantity, Why> {
             (value, unit) = (all, Some(first));
             word = match rest.trim() {
                 "" => None,
-                rest => Some(phrase(rest).ok_or(Why::TwoNumbers)??),
+                rest => Some(phrase(rest).ok_or(WhyUnreadable::TwoNumbers)??),
             };
             told = true;
         }
@@ -547,7 +397,7 @@ fn quantity(text: &str, units: &mut UnitCache) -> Result<Quantity, Why> {
     }
     if let Some(spread) = spread {
         if spread_inside || spread.contains('±') || !begins(spread) || spread.starts_with(['-', '+', '(']) {
-            return Err(Why::TwoNumbers);
+            return Err(WhyUnreadable::TwoNumbers);
         }
         let spread = numeral(spread)?;
         let (its, way) = split_unit(spread.rest, units)?;
@@ -557,19 +407,19 @@ fn quantity(text: &str, units: &mut UnitCache) -> Result<Quantity, Why> {
             (None, Some(its)) if its.unit.ascii() == "%" => per_cent = true,
             (None, Some(its)) => unit = Some(its),
             (Some(unit), Some(its)) if unit.unit.agrees(&its.unit) || its.unit.ascii() == "%" => {}
-            (Some(_), Some(_)) => return Err(Why::TwoNumbers),
+            (Some(_), Some(_)) => return Err(WhyUnreadable::TwoNumbers),
         }
         if let (Some(one), Some(other)) = (word, way)
             && one != other
         {
-            return Err(Why::OddWord);
+            return Err(WhyUnreadable::OddWord);
         }
         word = word.or(way);
     }
     if !value.is_finite() {
-        return Err(Why::NotFinite);
+        return Err(WhyUnreadable::NotFinite);
     }
-    Ok(Quantity {
+    Ok(WrittenQuantity {
         negative: sign,
         value,
         grouped: number.grouped,
@@ -589,7 +439,7 @@ fn sum<'t>(
     first: &Numeral<'t>,
     behind: &'t str,
     units: &mut UnitCache,
-) -> Result<Option<(f64, Spelled, &'t str)>, Why> {
+) -> Result<Option<(f64, SpelledUnit, &'t str)>, WhyUnreadable> {
     let (first_name, mut rest) = unit_name(behind);
     let Some(whole) = unit_of(first_name, units) else { return Ok(None) };
     let (mut value, mut larger, mut more) = (first.value, (whole.clone(), first.whole), false);
@@ -615,12 +465,12 @@ fn sum<'t>(
         let customary =
             matches!(whole.unit.dimension().0, [1, 0, 0, 0] | [0, 1, 0, 0] | [0, 0, 1, 0] | [0, 0, 0, 1]);
         if !larger.1 || less >= one || list || !customary {
-            return Err(Why::TwoNumbers);
+            return Err(WhyUnreadable::TwoNumbers);
         }
         if share >= 1.0 {
             let end = text.len() - behind.len();
             let whole = larger.0.unit.ascii().to_owned();
-            return Err(Why::Full { part: text[..end].trim().to_owned(), whole });
+            return Err(WhyUnreadable::Full { part: text[..end].trim().to_owned(), whole });
         }
         value += unit.unit.to_si(next.value) / whole.unit.to_si(1.0);
         larger = (unit, next.whole);
@@ -639,7 +489,7 @@ fn unit_name(text: &str) -> (&str, &str) {
     text.split_at(end.unwrap_or(text.len()))
 }
 
-fn unit_of(name: &str, units: &mut UnitCache) -> Option<Spelled> {
+fn unit_of(name: &str, units: &mut UnitCache) -> Option<SpelledUnit> {
     let name = match name {
         "" => return None,
         "'" | "′" => "ft",
@@ -650,28 +500,28 @@ fn unit_of(name: &str, units: &mut UnitCache) -> Option<Spelled> {
 }
 
 /// What stands after `omega =` or `=`.
-fn after_symbol(text: &str) -> Result<&str, Why> {
+fn after_symbol(text: &str) -> Result<&str, WhyUnreadable> {
     let Some(at) = text.find(['=', '\u{2248}']) else { return Ok(text) };
     let (name, rest) = (text[..at].trim(), text[at..].trim_start_matches(['=', '\u{2248}']).trim_start());
     let symbol = name.chars().count() <= 24
         && name.chars().next().is_none_or(|c| c.is_alphabetic() || c == '\\' || c == '|')
         && name.chars().all(|c| c.is_alphanumeric() || " _\\|()'".contains(c));
     if !symbol || rest.contains(['=', '\u{2248}']) {
-        return Err(Why::Formula);
+        return Err(WhyUnreadable::Formula);
     }
     Ok(rest)
 }
 
-type UnitAndWord = (Option<Spelled>, Option<Word>);
+type UnitAndWord = (Option<SpelledUnit>, Option<AnswerWord>);
 
 /// What follows a number: a unit, then perhaps a direction.
-fn split_unit(rest: &str, units: &mut UnitCache) -> Result<UnitAndWord, Why> {
+fn split_unit(rest: &str, units: &mut UnitCache) -> Result<UnitAndWord, WhyUnreadable> {
     let rest = rest.trim();
     if rest.is_empty() {
         return Ok((None, None));
     }
     if rest.starts_with(['\'', '′', '"', '″']) {
-        return Err(Why::Prime);
+        return Err(WhyUnreadable::Prime);
     }
     // 12 /s
     if rest.starts_with('/')
@@ -695,7 +545,7 @@ fn split_unit(rest: &str, units: &mut UnitCache) -> Result<UnitAndWord, Why> {
             .strip_prefix('-')
             .is_some_and(|t| !t.starts_with(' '))
         {
-            return Err(Why::OddWord);
+            return Err(WhyUnreadable::OddWord);
         }
         let before = rest[..cut].trim_end_matches([',', ' ', ';']);
         if before.is_empty() {
@@ -710,156 +560,13 @@ fn split_unit(rest: &str, units: &mut UnitCache) -> Result<UnitAndWord, Why> {
         }
     }
     if let Some(fault) = fault_before_word {
-        return Err(Why::Unit(fault));
+        return Err(WhyUnreadable::Unit(fault));
     }
     if rest.starts_with(['+', '-']) {
-        return Err(Why::TwoNumbers);
+        return Err(WhyUnreadable::TwoNumbers);
     }
     if rest.starts_with(['/', '^', '*', '\u{d7}', '·']) {
-        return Err(Why::Formula);
+        return Err(WhyUnreadable::Formula);
     }
-    Err(Why::Unit(first_fault))
-}
-
-const WORDS: &[(Word, &[&str])] = &[
-    (
-        Word::Up,
-        &[
-            "up",
-            "upward",
-            "upwards",
-            "uphill",
-            "upslope",
-            "auf",
-            "aufwärts",
-            "hinauf",
-            "herauf",
-            "rauf",
-            "bergauf",
-            "oben",
-            "hangaufwärts",
-        ],
-    ),
-    (
-        Word::Down,
-        &[
-            "down",
-            "downward",
-            "downwards",
-            "downhill",
-            "downslope",
-            "ab",
-            "abwärts",
-            "hinab",
-            "herab",
-            "hinunter",
-            "herunter",
-            "runter",
-            "bergab",
-            "unten",
-            "hangabwärts",
-        ],
-    ),
-    (Word::Forward, &["forward", "forwards", "vorwärts", "vor", "vorn", "vorne", "voran"]),
-    (Word::Back, &["back", "backward", "backwards", "rückwärts", "zurück", "hinten"]),
-    (Word::Right, &["right", "rightward", "rightwards", "rechts"]),
-    (Word::Left, &["left", "leftward", "leftwards", "links"]),
-    (
-        Word::Stays,
-        &["stays", "stay", "rest", "stationary", "still", "bleibt", "ruht", "ruhe", "unbewegt", "unmoved"],
-    ),
-    (Word::Yes, &["yes", "y", "ja", "j", "true", "wahr"]),
-    (Word::No, &["no", "n", "nein", "false", "falsch"]),
-];
-const FILLERS: &[&str] = &[
-    "the",
-    "a",
-    "an",
-    "incline",
-    "inclined",
-    "plane",
-    "slope",
-    "ramp",
-    "along",
-    "to",
-    "at",
-    "acting",
-    "acts",
-    "directed",
-    "pointing",
-    "points",
-    "moves",
-    "it",
-    "is",
-    "in",
-    "direction",
-    "nach",
-    "die",
-    "der",
-    "schiefe",
-    "schiefen",
-    "ebene",
-    "es",
-    "das",
-    "rad",
-    "kraft",
-    "wirkt",
-    "zeigt",
-    "gerichtet",
-    "entlang",
-    "längs",
-    "richtung",
-    "stehen",
-    "könnte",
-    "kann",
-    "würde",
-    "sich",
-    "bewegt",
-    "could",
-    "have",
-    "would",
-    "will",
-    "does",
-    "put",
-    "remains",
-    "wheel",
-];
-
-/// A phrase made of one direction or word and fillers only. `None`: other words; `Some(Err)`: two that differ.
-fn phrase(text: &str) -> Option<Result<Word, Why>> {
-    if text.len() > 80 || !text.contains(|c: char| c.is_alphabetic()) {
-        return None;
-    }
-    let mut found: Option<Word> = None;
-    let mut two = false;
-    let (mut rolls, mut denied) = (None, false); // what `it rolls`, `it slips` and `not` add to a yes or no
-    let lower = text.to_lowercase();
-    let lower = ["does not move", "doesn't move", "not moving", "no motion", "bewegt sich nicht"]
-        .iter()
-        .fold(lower, |t, said| t.replace(said, "stays"));
-    let plain =
-        lower.split(|c: char| c.is_whitespace() || "(),.;:!-\"'".contains(c)).filter(|t| !t.is_empty());
-    for token in plain {
-        if let Some((word, _)) = WORDS.iter().find(|(_, all)| all.contains(&token)) {
-            two |= found.is_some_and(|f| f != *word);
-            found = Some(*word);
-        } else if ["roll", "rolls", "rolling", "rolled", "rollt", "rollen", "rollte"].contains(&token) {
-            two |= rolls == Some(false);
-            rolls = Some(true);
-        } else if ["slip", "slips", "slipping", "slides", "rutscht", "gleitet", "gleiten"].contains(&token) {
-            two |= rolls == Some(true);
-            rolls = Some(false);
-        } else if ["not", "nicht"].contains(&token) {
-            denied = true;
-        } else if !FILLERS.contains(&token) {
-            return None;
-        }
-    }
-    let word = found?;
-    let contradicts = match word {
-        Word::Yes => denied != (rolls == Some(false)),
-        Word::No => rolls.is_some_and(|r| r != denied),
-        _ => denied,
-    };
-    Some(if two || contradicts { Err(Why::OddWord) } else { Ok(word) })
+    Err(WhyUnreadable::Unit(first_fault))
 }

@@ -1,7 +1,7 @@
 //! Rosters, and student ids as names of folders.
 use crate::answer::submissions::Batch;
-use crate::answer::submissions::Scratch;
-use crate::answer::submissions::Source;
+use crate::answer::submissions::RecordScratch;
+use crate::answer::submissions::RecordSource;
 use crate::finding::Finding;
 use crate::finding::Findings;
 use crate::guard::unguarded;
@@ -15,7 +15,7 @@ use std::io::Cursor;
 /// All faults at once: missing columns, blank and duplicate ids, records that do not fit the header.
 pub fn roster(bytes: &[u8]) -> Result<Vec<(String, String)>, Findings> {
     let unread = |fault: std::io::Error| Finding::new("roster", fault.to_string());
-    let (mut source, header) = Source::open(Box::new(Cursor::new(bytes.to_vec()))).map_err(unread)?;
+    let (mut source, header) = RecordSource::open(Box::new(Cursor::new(bytes.to_vec()))).map_err(unread)?;
     let Some(header) = header else {
         return Err(Finding::new("header", "the roster is empty")
             .hint("the first line is `student,name`")
@@ -40,7 +40,7 @@ pub fn roster(bytes: &[u8]) -> Result<Vec<(String, String)>, Findings> {
     };
     let mut all: Vec<(String, String)> = Vec::new();
     let mut seen: FxHashMap<String, u64> = FxHashMap::default();
-    let (mut batch, mut scratch) = (Batch::default(), Scratch::default());
+    let (mut batch, mut scratch) = (Batch::default(), RecordScratch::default());
     while source.next_batch(&mut batch).map_err(unread)? {
         batch.records(&mut scratch, |r| {
             let line = r.line();

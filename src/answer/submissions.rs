@@ -25,7 +25,7 @@ const SHOWN: usize = 120;
 
 /// Where a field stands; quotes are not yet taken off.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-struct Span {
+struct FieldSpan {
     start: usize,
     end: usize,
     quoted: bool,
@@ -35,7 +35,7 @@ struct Span {
 
 /// How fields are told apart.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-struct Shape {
+struct FileShape {
     delimiter: u8,
     /// Fields of the header; 0 where they are not known.
     width: usize,
@@ -85,7 +85,13 @@ fn line_end(data: &[u8], at: usize, whole: bool) -> Option<usize> {
 }
 
 /// Walks over one record. `None`: more bytes are needed to decide; never where `whole` says that nothing follows.
-fn walk(data: &[u8], from: usize, shape: Shape, whole: bool, field: &mut dyn FnMut(Span)) -> Option<Walked> {
+fn walk(
+    data: &[u8],
+    from: usize,
+    shape: FileShape,
+    whole: bool,
+    field: &mut dyn FnMut(FieldSpan),
+) -> Option<Walked> {
     let delimiter = shape.delimiter;
     let (mut at, mut lines) = (from, 0);
     loop {
@@ -96,7 +102,7 @@ fn walk(data: &[u8], from: usize, shape: Shape, whole: bool, field: &mut dyn FnM
         let (mut end, mut open) = (None, false);
         if data.get(quote) == Some(&b'"') {
             if let Some((close, inner)) = closing(data, quote + 1, shape, whole)? {
-                field(Span { start: quote, end: close, quoted: true, open });
+                field(FieldSpan { start: quote, end: close, quoted: true, open });
                 lines += inner;
                 end = Some(close);
             } else {
@@ -112,7 +118,7 @@ fn walk(data: &[u8], from: usize, shape: Shape, whole: bool, field: &mut dyn FnM
                     return None;
                 }
                 let end = at + stop.unwrap_or(rest.len());
-                field(Span { start: at, end, quoted: false, open });
+                field(FieldSpan { start: at, end, quoted: false, open });
                 end
             }
         };
@@ -130,7 +136,7 @@ fn walk(data: &[u8], from: usize, shape: Shape, whole: bool, field: &mut dyn FnM
 
 /// The end of a quoted field that begins at `from` (after its quote), and the line ends inside. `None`: undecided;
 /// `Some(None)`: the quote is an ordinary character.
-fn closing(data: &[u8], from: usize, shape: Shape, whole: bool) -> Option<Option<(usize, u64)>> {
+fn closing(data: &[u8], from: usize, shape: FileShape, whole: bool) -> Option<Option<(usize, u64)>> {
     let delimiter = shape.delimiter;
     let (mut at, mut lines) = (from, 0);
     let mut second = from; // where the line after the quote's begins
@@ -178,7 +184,7 @@ fn closing(data: &[u8], from: usize, shape: Shape, whole: bool) -> Option<Option
 
 /// Has each line from `from` to the one in which `close` stands as many fields as the header? Then a quote before them
 /// was left open, and the quote at `close` is another's. `None`: undecided.
-fn all_records_look(data: &[u8], from: usize, close: usize, shape: Shape, whole: bool) -> Option<bool> {
+fn all_records_look(data: &[u8], from: usize, close: usize, shape: FileShape, whole: bool) -> Option<bool> {
     if shape.width < 2 {
         return Some(false);
     }
@@ -195,7 +201,7 @@ fn all_records_look(data: &[u8], from: usize, close: usize, shape: Shape, whole:
 }
 
 /// A field's text without its quotes, blanks around it kept.
-fn unquoted<'a>(data: &'a [u8], span: Span) -> Cow<'a, [u8]> {
+fn unquoted<'a>(data: &'a [u8], span: FieldSpan) -> Cow<'a, [u8]> {
     let text = &data[span.start..span.end];
     if !span.quoted {
         return Cow::Borrowed(text);
@@ -234,7 +240,7 @@ fn unquoted<'a>(data: &'a [u8], span: Span) -> Cow<'a, [u8]> {
 pub struct Batch {
     bytes: Vec<u8>,
     line: u64,
-    shape: Shape,
+    shape: FileShape,
     /// No quote and no lone CR inside.
     simple: bool,
     /// A record that was too long to hold: its first bytes.
@@ -260,7 +266,7 @@ pub struct Record<'b> {
 
 /// What reading records needs, kept from batch to batch.
 #[derive(Debug, Default)]
-pub struct Scratch {
+pub struct RecordScratch {
     text: Vec<u8>,
     ends: Vec<(usize, usize)>,
     /// Delimiters and line ends of a simple batch.
@@ -326,10 +332,10 @@ impl<'b> Record<'b> {
 
 impl Batch {
     /// Calls `each` for every record; blank lines are passed over.
-    pub fn records(&self, scratch: &mut Scratch, mut each: impl FnMut(&Record)) {
+    pub fn records(&self, scratch: &mut RecordScratch, mut each: impl FnMut(&Record)) {
         let utf8 = std::str::from_utf8(&self.bytes).is_ok();
         let nul = memchr::memchr(0, &self.bytes).is_some();
-        let Scratch { text, ends, marks } = scratch;
+        let RecordScratch { text, ends, marks } = scratch;
         let mut line = self.line;
         if self.overlong {
             text.clear();
@@ -466,7 +472,7 @@ fn decoded(raw: &[u8]) -> Cow<'_, [u8]> {
 }
 
 /// The stream: finds the encoding and the delimiter, gives the header, then batches.
-pub struct Source {
+pub struct RecordSource {
     inner: Box<dyn Read + Send>,
     decoder: Option<encoding_rs::Decoder>,
     decoded: bool,
@@ -474,7 +480,7 @@ pub struct Source {
     start: usize,
     finished: bool,
     line: u64,
-    shape: Shape,
+    shape: FileShape,
     read_so_far: u64,
     batches: u64,
     skipping: bool,
@@ -492,21 +498,21 @@ pub struct Header {
     pub delimiter: u8,
 }
 
-impl Source {
+impl RecordSource {
     /// Begins to read; the header is `None` in a file without any record.
     ///
     /// # Errors
     /// Those of the reader.
-    pub fn open(inner: Box<dyn Read + Send>) -> io::Result<(Source, Option<Header>)> {
-        Source::with_block(inner, 192 * 1024)
+    pub fn open(inner: Box<dyn Read + Send>) -> io::Result<(RecordSource, Option<Header>)> {
+        RecordSource::with_block(inner, 192 * 1024)
     }
 
     /// As `open`, reading blocks of at least this many bytes.
     pub(crate) fn with_block(
         inner: Box<dyn Read + Send>,
         block: usize,
-    ) -> io::Result<(Source, Option<Header>)> {
-        let mut source = Source {
+    ) -> io::Result<(RecordSource, Option<Header>)> {
+        let mut source = RecordSource {
             inner,
             decoder: None,
             decoded: false,
@@ -514,7 +520,7 @@ impl Source {
             start: 0,
             finished: false,
             line: 1,
-            shape: Shape { delimiter: b',', width: 0 },
+            shape: FileShape { delimiter: b',', width: 0 },
             read_so_far: 0,
             batches: 0,
             skipping: false,
@@ -548,8 +554,8 @@ impl Source {
         }
         let delimiter = sep.unwrap_or_else(|| sniff(head));
         let mut spans = Vec::new();
-        let walked = walk(head, 0, Shape { delimiter, width: 0 }, true, &mut |span| spans.push(span));
-        let text = |span: &Span| {
+        let walked = walk(head, 0, FileShape { delimiter, width: 0 }, true, &mut |span| spans.push(span));
+        let text = |span: &FieldSpan| {
             let raw = unquoted(head, *span);
             String::from_utf8_lossy(&decoded(&raw)).trim().to_owned()
         };
@@ -558,7 +564,7 @@ impl Source {
             fields.pop();
         }
         let header = Header { fields, line: source.line, delimiter };
-        source.shape = Shape { delimiter, width: header.fields.len() };
+        source.shape = FileShape { delimiter, width: header.fields.len() };
         if let Some(walked) = walked {
             source.start += walked.next;
             source.line += walked.lines;
@@ -845,12 +851,12 @@ pub type Lines = Vec<(u64, Vec<String>)>;
 /// # Errors
 /// Those of the reader.
 pub fn all_records(inner: Box<dyn Read + Send>) -> io::Result<(Option<Header>, Lines)> {
-    let (mut source, header) = Source::open(inner)?;
+    let (mut source, header) = RecordSource::open(inner)?;
     Ok((header, collect(&mut source)?))
 }
 
-fn collect(source: &mut Source) -> io::Result<Lines> {
-    let (mut batch, mut scratch, mut all) = (Batch::default(), Scratch::default(), Vec::new());
+fn collect(source: &mut RecordSource) -> io::Result<Lines> {
+    let (mut batch, mut scratch, mut all) = (Batch::default(), RecordScratch::default(), Vec::new());
     while source.next_batch(&mut batch)? {
         batch.records(&mut scratch, |r| {
             let fields =
@@ -961,7 +967,7 @@ mod tests {
         ) {
             let bytes = [b"a,b\n".as_slice(), &bytes].concat();
             let (_, want) = read_all(&bytes);
-            let (mut source, _) = Source::with_block(Box::new(Cursor::new(bytes.clone())), block).unwrap();
+            let (mut source, _) = RecordSource::with_block(Box::new(Cursor::new(bytes.clone())), block).unwrap();
             prop_assert_eq!(collect(&mut source).unwrap(), want);
         }
     }

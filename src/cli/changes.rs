@@ -6,12 +6,14 @@ use crate::cli::tell;
 use crate::cli::what_if;
 use crate::cli::what_if::per_cent;
 use crate::grade::table::KeyTable;
-use crate::guard::push_line;
+use crate::grade::verdict::Verdict;
+
 use crate::key::Answer;
 use crate::num::shown;
 use crate::policy::Policy;
 use crate::regrade::changes;
 use crate::regrade::changes::Change;
+use crate::regrade::changes::ChangeRow;
 use crate::regrade::changes::DUST;
 use crate::regrade::changes::Grading;
 use crate::regrade::changes::Who;
@@ -238,8 +240,7 @@ impl Desk<'_> {
 
     /// changes.csv.
     pub fn csv(&self, policy: &Policy) -> Vec<u8> {
-        let mut out =
-            b"student,problem,part,points_before,points_after,verdict_before,verdict_after,why\n".to_vec();
+        let mut rows = Vec::new();
         for change in self.changes {
             let (number, part) = &self.who.parts[change.part];
             let column = &self.tables.new.columns[change.part];
@@ -252,22 +253,19 @@ impl Desk<'_> {
                 })
                 .collect();
             let shown = |p: Option<f64>| p.map_or_else(String::new, points);
-            let verdict = |v: Option<crate::grade::verdict::Verdict>| v.map_or("", |v| v.as_str());
-            push_line(
-                &mut out,
-                [
-                    &self.who.students[change.student],
-                    &number.to_string(),
-                    part,
-                    &shown(change.before),
-                    &shown(change.after),
-                    verdict(change.was),
-                    verdict(change.is),
-                    &why.join("; "),
-                ],
-            );
+            let verdict = |v: Option<Verdict>| v.map_or("", |v| v.as_str()).to_owned();
+            rows.push(ChangeRow {
+                student: self.who.students[change.student].clone(),
+                problem: number.to_string(),
+                part: part.clone(),
+                points_before: shown(change.before),
+                points_after: shown(change.after),
+                verdict_before: verdict(change.was),
+                verdict_after: verdict(change.is),
+                why: why.join("; "),
+            });
         }
-        out
+        ChangeRow::csv(&rows)
     }
 }
 

@@ -17,6 +17,7 @@ use crate::finding::Finding;
 use crate::finding::Findings;
 use crate::grade::feedback::Feedback;
 use crate::grade::judge;
+use crate::grade::row::AnswerRow;
 use crate::grade::verdict::Verdict;
 use crate::guard::unguarded;
 use crate::key::Answer;
@@ -35,7 +36,7 @@ use crate::policy::time;
 use crate::policy::time::Evidence;
 use crate::policy::time::Moment;
 use crate::problem::make::Variant;
-use crate::regrade::rows::Row;
+use crate::regrade::changes::ChangeRow;
 use crate::set::grading::BASIS;
 use crate::sheet::terminal::plain;
 use crate::units::spell;
@@ -128,7 +129,7 @@ fn text(graded: &Graded, index: usize, part: Option<String>) -> Result<String, F
             evidence.join(moment.evidence);
         }
         if row.student == student.student && row.problem == number && row.is_known() {
-            rows.push(row);
+            rows.push(row.into_owned());
         }
     })?;
     let evidence = graded.policy.day_first.map_or(evidence, Evidence::said);
@@ -155,7 +156,7 @@ fn text(graded: &Graded, index: usize, part: Option<String>) -> Result<String, F
     }
     for (i, entry) in key.parts.iter().enumerate() {
         if part.as_ref().is_none_or(|p| *p == entry.part) {
-            let of_part: Vec<&Row> = rows.iter().filter(|r| r.part == entry.part).collect();
+            let of_part: Vec<&AnswerRow> = rows.iter().filter(|r| r.part == entry.part).collect();
             let desk = Desk {
                 graded,
                 problem,
@@ -187,23 +188,15 @@ fn changes(graded: &Graded, student: &str, number: &str) -> Result<Vec<(String, 
         return Ok(Vec::new());
     }
     let bytes = files::read(&path)?;
-    let mut reader = csv::ReaderBuilder::new().flexible(true).from_reader(bytes.as_slice());
-    let mut found = Vec::new();
-    for record in reader.records() {
-        let record =
-            record.map_err(|e| Finding::new("", e.to_string()).in_file(path.display().to_string()))?;
-        let field = |i: usize| record.get(i).unwrap_or_default();
-        if field(0) == student && field(1) == number {
-            let text = format!(
-                "before {}, now {}: {}",
-                told(field(3), field(5)),
-                told(field(4), field(6)),
-                field(7)
-            );
-            found.push((field(2).to_owned(), text));
-        }
-    }
-    Ok(found)
+    let rows =
+        ChangeRow::read(&bytes).map_err(|e| Finding::new("", e.what).in_file(path.display().to_string()))?;
+    let of_problem = rows.into_iter().filter(|row| row.student == student && row.problem == number);
+    let in_words = |row: ChangeRow| {
+        let before = told(&row.points_before, &row.verdict_before);
+        let now = told(&row.points_after, &row.verdict_after);
+        (row.part, format!("before {before}, now {now}: {}", row.why))
+    };
+    Ok(of_problem.map(in_words).collect())
 }
 
 /// Points and verdict of one version.
@@ -227,7 +220,7 @@ struct Desk<'g> {
 }
 
 impl Desk<'_> {
-    fn part(&self, page: &mut Pages, index: usize, rows: &[&Row], all: &[Row]) {
+    fn part(&self, page: &mut Pages, index: usize, rows: &[&AnswerRow], all: &[AnswerRow]) {
         let entry = &self.key.parts[index];
         let counting = rows.iter().find(|r| r.counts());
         let policy = &self.graded.policy;
@@ -342,7 +335,7 @@ impl Desk<'_> {
     }
 
     /// One attempt: what was written, how it was read, what it is.
-    fn attempt(&self, page: &mut Pages, index: usize, row: &Row) {
+    fn attempt(&self, page: &mut Pages, index: usize, row: &AnswerRow) {
         let entry = &self.key.parts[index];
         let mut units = UnitCache::default();
         let judged = judge::judge_with(&row.answer, entry, &mut units, Feedback::english());
@@ -391,7 +384,7 @@ impl Desk<'_> {
     }
 
     /// Methods, slip and how the points of the attempt that counts add up.
-    fn why(&self, page: &mut Pages, index: usize, row: &Row, all: &[Row]) {
+    fn why(&self, page: &mut Pages, index: usize, row: &AnswerRow, all: &[AnswerRow]) {
         let entry = &self.key.parts[index];
         let catalogue = Catalogue::built_in();
         for id in row.methods.split_whitespace() {
@@ -420,7 +413,7 @@ impl Desk<'_> {
     }
 
     /// When it was due, when it came, how late that is.
-    fn late(&self, row: &Row) -> String {
+    fn late(&self, row: &AnswerRow) -> String {
         let policy = &self.graded.policy;
         let zone = &policy.zone;
         let extended = policy.extensions.iter().any(|(id, _)| id == self.student);
@@ -477,7 +470,7 @@ impl Desk<'_> {
     }
 
     /// What the relation comes to with the student's own answers.
-    fn follows(&self, page: &mut Pages, index: usize, row: &Row, all: &[Row]) {
+    fn follows(&self, page: &mut Pages, index: usize, row: &AnswerRow, all: &[AnswerRow]) {
         let written = self.problem.follows.iter().find(|f| {
             self.problem.questions.get(f.question).is_some_and(|q| q.id == self.key.parts[index].part)
         });
@@ -485,13 +478,13 @@ impl Desk<'_> {
         else {
             return;
         };
-        let number = |part: usize, row: &Row| {
+        let number = |part: usize, row: &AnswerRow| {
             let entry = self.key.parts.get(part)?;
             Some(judge::judge_with(&row.answer, entry, &mut UnitCache::default(), Feedback::english()).number)
         };
         let own = |part: usize| {
             let id = self.key.parts.get(part).map(|e| e.part.as_str());
-            let row = all.iter().find(|r| r.counts() && Some(r.part.as_str()) == id);
+            let row = all.iter().find(|r| r.counts() && Some(&*r.part) == id);
             row.and_then(|r| Some((number(part, r)?, r.verdict == Verdict::Right)))
                 .unwrap_or((f64::NAN, false))
         };
@@ -584,7 +577,7 @@ fn slip(text: &str) -> Option<String> {
 }
 
 /// How the points of a row come about.
-fn points(row: &Row, policy: &Policy) -> String {
+fn points(row: &AnswerRow, policy: &Policy) -> String {
     let mut steps = vec![match row.verdict {
         Verdict::Right => format!("{} for a right answer", row.max_points),
         _ => format!("0 of {}, the answer is not right", row.max_points),

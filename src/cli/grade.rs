@@ -19,6 +19,7 @@ use crate::draw::stream;
 use crate::finding::Finding;
 use crate::finding::Findings;
 use crate::grade::feedback::Feedback;
+use crate::grade::row;
 use crate::grade::rules::Rules;
 use crate::grade::run;
 use crate::grade::run::GradeFault;
@@ -38,6 +39,7 @@ use crate::set::replay;
 use crate::set::store;
 use crate::set::store::StoredSet;
 use crate::words::Words;
+use std::collections::BTreeSet;
 use std::fs;
 use std::io;
 use std::io::BufRead;
@@ -159,8 +161,11 @@ pub fn replayed(folder: &Path) -> Result<Replayed, Findings> {
     let stored = files::read(&path)?;
     let file = path.display().to_string();
     let earlier = replay::is_earlier(&set);
-    let seal = store::seal(&files::read_text(&folder.join("set.json"))?).filter(|_| earlier);
+    let sealed = store::seal(&files::read_text(&folder.join("set.json"))?);
     let hash = load::hash(&String::from_utf8_lossy(&stored));
+    // What this very version wrote needs no second look.
+    let as_written = sealed.as_ref() == Some(&hash) && set.program == tell::program();
+    let seal = sealed.filter(|_| earlier);
     if let Some(seal) = seal.as_ref().filter(|seal| **seal != hash) {
         let short = |hash: &str| hash.chars().take(12).collect::<String>();
         let what = format!(
@@ -178,6 +183,7 @@ pub fn replayed(folder: &Path) -> Result<Replayed, Findings> {
             Ok(other) => (other, Findings::default()),
             Err(faults) => (0, faults),
         },
+        false if as_written => (0, Findings::default()),
         false => (0, key_file::compare(&stored, &keys)),
     };
     let mut faults: Findings = faults.in_file(&file);
@@ -499,7 +505,11 @@ fn counts(typed: Attempts) -> Counts {
 
 /// The whole folder is exchanged at once: nothing may be in it that is not a grading's, such as notes of somebody else.
 fn only_ours(out: &Path) -> Result<(), Finding> {
-    let students = report::folders(out);
+    // Only reports have files for students.
+    let students = match out.join("feedback").exists() {
+        true => report::folders(out),
+        false => BTreeSet::new(),
+    };
     let courses: Vec<String> =
         (0..courses(out).len()).map(|i| format!("{BASIS}/{}", course_name(i))).collect();
     let ours = |name: &str| {
@@ -562,7 +572,7 @@ fn may_write(out: &Path, set: &Path, force: bool) -> Result<(), Finding> {
         return Err(finding("is there already").hint(hint));
     }
     // What every version of answers.csv begins with.
-    let header = "line,column,student,problem,part,answer,verdict,";
+    let header = row::COLUMNS[..7].join(",");
     let mut start = vec![0; header.len()];
     let ours = fs::File::open(out.join(ANSWERS)).and_then(|mut f| f.read_exact(&mut start)).is_ok()
         && start == header.as_bytes();

@@ -12,11 +12,11 @@ use crate::cli::grade::GRADING;
 use crate::cli::words;
 use crate::finding::Finding;
 use crate::finding::Findings;
+use crate::grade::row::AnswerReader;
+use crate::grade::row::AnswerRow;
+use crate::grade::row::Unreadable;
 use crate::key::SheetKey;
 use crate::policy::Policy;
-use crate::regrade::rows::Fault;
-use crate::regrade::rows::Row;
-use crate::regrade::rows::Rows;
 use crate::set::given;
 use crate::set::given::Given;
 use crate::set::given::Why;
@@ -167,7 +167,7 @@ impl Graded {
     ///
     /// # Errors
     /// It cannot be read.
-    pub fn each_row(&self, see: &mut dyn FnMut(Row)) -> Result<(), Findings> {
+    pub fn each_row(&self, see: &mut dyn FnMut(AnswerRow)) -> Result<(), Findings> {
         each_row(&self.folder.join(ANSWERS), see)
     }
 }
@@ -176,14 +176,15 @@ impl Graded {
 ///
 /// # Errors
 /// It cannot be read.
-pub fn each_row(path: &Path, see: &mut dyn FnMut(Row)) -> Result<(), Findings> {
-    let in_words = |fault: Fault| {
+pub fn each_row(path: &Path, see: &mut dyn FnMut(AnswerRow)) -> Result<(), Findings> {
+    let in_words = |fault: Unreadable| {
         let found = Finding::new("", fault.what).at(usize::try_from(fault.line).unwrap_or(0).max(1), 1);
         found.in_file(path.display().to_string())
     };
     let file = File::open(path).map_err(|e| files::trouble(path, "cannot be read", &e))?;
-    for row in Rows::new(file).map_err(in_words)? {
-        see(row.map_err(in_words)?);
+    let mut reader = AnswerReader::new(file).map_err(in_words)?;
+    while let Some(row) = reader.next_row().map_err(in_words)? {
+        see(row);
     }
     Ok(())
 }

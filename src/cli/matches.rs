@@ -11,6 +11,7 @@ use crate::cli::tell::Io;
 use crate::finding::Findings;
 use crate::grade::feedback::Feedback;
 use crate::grade::judge;
+use crate::grade::row::AnswerRow;
 use crate::grade::table::Column;
 use crate::grade::table::KeyTable;
 use crate::grade::verdict::Verdict;
@@ -20,7 +21,6 @@ use crate::matches;
 use crate::matches::Question;
 use crate::matches::Wrong;
 use crate::num::shown;
-use crate::regrade::rows::Row;
 use crate::report::alike::Matches;
 use crate::report::alike::Told;
 use crate::set::replay::Dealer;
@@ -50,12 +50,12 @@ pub fn find(graded: &Graded) -> Result<Matches, Findings> {
     let mut wrong = Vec::new();
     let mut texts = Vec::new();
     let (mut units, say) = (UnitCache::default(), Feedback::english());
-    graded.each_row(&mut |row: Row| {
+    graded.each_row(&mut |row: AnswerRow| {
         if row.verdict != Verdict::Wrong {
             return;
         }
-        let student = whose.get(row.student.as_str()).copied();
-        let question = place.get(&(row.problem.clone(), row.part.as_str())).copied();
+        let student = whose.get(&*row.student).copied();
+        let question = place.get(&(row.problem.to_string(), &*row.part)).copied();
         let (Some(student), Some(question)) = (student, question) else { return };
         let Some(entry) = table.entry(student, question) else { return };
         let Answer::Number { magnitude, .. } = entry.answer else { return };
@@ -64,7 +64,7 @@ pub fn find(graded: &Graded) -> Result<Matches, Findings> {
         let Some(share) = figures::rounding(&row.answer).filter(|_| value.is_finite()) else { return };
         let explained = row.explained();
         wrong.push(Wrong { student, question, value, half: share * value.abs(), explained });
-        texts.push(row.answer);
+        texts.push(row.answer.into_owned());
     })?;
     if wrong.is_empty() {
         return Ok(Matches::default());

@@ -120,9 +120,9 @@ impl Attempt {
         unread || (slashed && !evidence.decides(false)) || (dotted && !evidence.decides(true))
     }
     /// What the whole column of times makes of it.
-    pub fn decide(&self, counts: Counts, evidence: Evidence) -> Winner {
+    pub fn decide(&self, counts: Counts, evidence: Evidence) -> Option<Winner> {
         if self.class == 0 {
-            return Winner::NONE;
+            return None;
         }
         let untimed = self.is_untimed(evidence);
         let (at, number) = match counts {
@@ -133,7 +133,8 @@ impl Attempt {
                 (at, number)
             }
         };
-        Winner { at, by_row: untimed && self.several && counts != Counts::Best, number, ..Winner::NONE }
+        let by_row = untimed && self.several && counts != Counts::Best;
+        Some(Winner { at, by_row, number, ..Winner::NONE })
     }
 }
 
@@ -155,10 +156,6 @@ impl ByRow {
     pub fn new(class: u8, at: u64, number: f64) -> ByRow {
         ByRow { rank: u64::from(class) << CLASS | at, number }
     }
-    /// Is there any?
-    pub fn is_some(&self) -> bool {
-        self.rank != 0
-    }
     /// Of two, what counts; the order in which they are joined does not matter.
     pub fn join(&mut self, other: &ByRow, counts: Counts) {
         let later = other.rank > self.rank;
@@ -168,8 +165,9 @@ impl ByRow {
         }
     }
     /// What counts.
-    pub fn winner(&self) -> Winner {
-        Winner { at: self.rank & ((1 << CLASS) - 1), number: self.number, ..Winner::NONE }
+    pub fn winner(&self) -> Option<Winner> {
+        let winner = Winner { at: self.rank & ((1 << CLASS) - 1), number: self.number, ..Winner::NONE };
+        (self.rank != 0).then_some(winner)
     }
 }
 
@@ -285,9 +283,9 @@ impl Ordered {
         }
     }
     /// Which one counts, and what it keeps of its points.
-    pub fn decide(&self, attempts: &Attempts, untimed: bool) -> Winner {
+    pub fn decide(&self, attempts: &Attempts, untimed: bool) -> Option<Winner> {
         if self.class == 0 {
-            return Winner::NONE;
+            return None;
         }
         let by_row = untimed && self.count > 1;
         let winner = |one: &Try, nth: usize| Winner {
@@ -313,7 +311,7 @@ impl Ordered {
             tries.truncate(most as usize);
         }
         let full = attempts.at_most.is_some_and(|most| tries.len() == most as usize);
-        match attempts.counts {
+        Some(match attempts.counts {
             Counts::First => tries.first().map_or(winner(&self.last, 1), |one| winner(one, 1)),
             Counts::Last => match tries.last() {
                 Some(one) if all_kept || full || same(one, &self.last) => winner(one, tries.len()),
@@ -336,7 +334,7 @@ impl Ordered {
                 }
                 best.map_or(winner(&self.last, self.count as usize), |(_, _, w)| w)
             }
-        }
+        })
     }
 }
 
@@ -398,7 +396,7 @@ mod tests {
             a.join(&b, deep);
             let winner = a.decide(&attempts, false);
             // Equal worth may be reached by another attempt only where rounding of factors says so.
-            prop_assert_eq!(winner.at, want);
+            prop_assert_eq!(winner.map(|w| w.at), Some(want));
         }
     }
 }

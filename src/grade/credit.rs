@@ -10,16 +10,16 @@ use crate::key::Given;
 
 /// Share of the points, and what it is for.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Credit {
+pub(crate) struct EarnedShare {
     /// 0 to 1.
     pub share: f64,
-    /// Why.
-    pub why: Why,
+    /// CreditFor.
+    pub why: CreditFor,
 }
 
 /// What a share of the points is for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Why {
+pub(crate) enum CreditFor {
     /// It is none.
     Nothing,
     /// A known wrong method.
@@ -28,8 +28,8 @@ pub(crate) enum Why {
     Follows(usize),
 }
 
-impl Credit {
-    const NONE: Credit = Credit { share: 0.0, why: Why::Nothing };
+impl EarnedShare {
+    const NONE: EarnedShare = EarnedShare { share: 0.0, why: CreditFor::Nothing };
 }
 
 /// Values from which something may follow, and what follows, lie within this factor of the right ones: what is farther off
@@ -47,8 +47,8 @@ pub(crate) fn credit(
     rules: &Rules,
     winners: &[Winner],
     methods: Option<&[u16]>,
-) -> Credit {
-    let mut best = Credit::NONE;
+) -> EarnedShare {
+    let mut best = EarnedShare::NONE;
     if !x.is_finite() || !rules.may_earn(what) {
         return best;
     }
@@ -62,14 +62,14 @@ pub(crate) fn credit(
             }
         };
         if found > best.share {
-            best = Credit { share: found, why: Why::Method };
+            best = EarnedShare { share: found, why: CreditFor::Method };
         }
     }
     let follow = rules.policy.credit.follow;
     if follow > best.share
         && let Some(source) = follows(x, (who, what), table, winners)
     {
-        best = Credit { share: follow, why: Why::Follows(source) };
+        best = EarnedShare { share: follow, why: CreditFor::Follows(source) };
     }
     best
 }
@@ -88,9 +88,9 @@ fn follows(x: f64, (who, what): (usize, usize), table: &KeyTable, winners: &[Win
         n.abs() <= 0.0 || round(n) || same(1.0) || numbers.given.iter().any(|g| same(*g))
     };
     // Of its size, and of its sign where the other one cannot be.
-    let possible = |n: f64, key: f64, kind: Kind| {
+    let possible = |n: f64, key: f64, kind: Signs| {
         let ratio = n / key;
-        let ratio = if kind == Kind::Directed { ratio.abs() } else { ratio };
+        let ratio = if kind == Signs::Directed { ratio.abs() } else { ratio };
         ratio.is_finite() && (1.0 / REACH..=REACH).contains(&ratio)
     };
     if trivial(x) || !possible(x, key, kind) {
@@ -128,7 +128,7 @@ fn follows(x: f64, (who, what): (usize, usize), table: &KeyTable, winners: &[Win
     // The relative tolerance of the part, around what follows.
     let share = half_width / key.abs();
     let meets = |y: f64| {
-        let y = if kind == Kind::Magnitude { y.abs() } else { y };
+        let y = if kind == Signs::Magnitude { y.abs() } else { y };
         y.is_finite() && possible(y, key, kind) && (x - y).abs() <= share * y.abs()
     };
     (meets(by(true)) || meets(by(false))).then_some(source)
@@ -136,7 +136,7 @@ fn follows(x: f64, (who, what): (usize, usize), table: &KeyTable, winners: &[Win
 
 /// Which signs a number may have.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Kind {
+enum Signs {
     /// Never negative.
     Magnitude,
     /// Along a line, so that a wrong one may well have the other sign.
@@ -152,13 +152,13 @@ fn round(n: f64) -> bool {
 }
 
 /// Key, accepted half-width, and which signs it may have.
-fn number(table: &KeyTable, who: usize, what: usize) -> Option<(f64, f64, Kind)> {
+fn number(table: &KeyTable, who: usize, what: usize) -> Option<(f64, f64, Signs)> {
     match table.entry(who, what)?.answer {
         Answer::Number { value, half_width, magnitude, directed } => {
             let kind = match (magnitude, directed) {
-                (_, true) => Kind::Directed,
-                (true, false) => Kind::Magnitude,
-                (false, false) => Kind::Signed,
+                (_, true) => Signs::Directed,
+                (true, false) => Signs::Magnitude,
+                (false, false) => Signs::Signed,
             };
             Some((value, half_width, kind))
         }

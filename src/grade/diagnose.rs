@@ -19,12 +19,12 @@ pub struct Diagnosis {
     /// Wrong methods, indices into the methods of the problem, the nearest first.
     pub methods: Vec<u16>,
     /// A slip of the pen.
-    pub slip: Option<Slip>,
+    pub slip: Option<AnswerSlip>,
 }
 
 /// A slip that is no wrong method.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Slip {
+pub enum AnswerSlip {
     /// The right number times ten to this power.
     PowerOfTen(i32),
     /// The right number in the first unit, given in the second.
@@ -62,7 +62,7 @@ const DRIFT_ENDS: f64 = 3.0;
 
 /// What an answer to one part of one student is compared with, made once for many answers.
 #[derive(Debug, Clone, Copy)]
-pub struct Known {
+pub struct Comparison {
     key: f64,
     magnitude: bool,
     /// Half-width over key; a wrong value has the relative tolerance of the right one.
@@ -86,9 +86,9 @@ fn width(value: f64, share: f64) -> f64 {
     (share * value.abs()).max(f64::MIN_POSITIVE)
 }
 
-impl Known {
+impl Comparison {
     /// Of `parts[part]`; `None` where no number is asked.
-    pub fn of(part: usize, parts: &[Option<KeyEntry>]) -> Option<Known> {
+    pub fn of(part: usize, parts: &[Option<KeyEntry>]) -> Option<Comparison> {
         let entry = parts.get(part)?.as_ref()?;
         let Answer::Number { value: key, half_width, magnitude, .. } = entry.answer else { return None };
         let share = if key == 0.0 { 0.0 } else { half_width / key.abs() };
@@ -103,7 +103,7 @@ impl Known {
         let others = parts.iter().enumerate().filter(|(i, _)| *i != part).filter_map(|(_, p)| p.as_ref());
         let alike = others.into_iter().any(|other| other.unit.dimension() == dimension);
         let reach = (DRIFT_PER_COND * entry.cond.unwrap_or(0.0) * key.abs()).min(DRIFT_ENDS * half_width);
-        Some(Known { key, magnitude, share, reach, confused, alike, wrong: (0, 0) })
+        Some(Comparison { key, magnitude, share, reach, confused, alike, wrong: (0, 0) })
     }
 
     /// What the number `x`, SI, written as `cell` and judged wrong for `parts[part]`, has in common with what is known of its
@@ -140,29 +140,29 @@ impl Known {
         Vec::new()
     }
 
-    fn slip(&self, x: f64, cell: &[u8], part: usize, parts: &[Option<KeyEntry>]) -> Option<Slip> {
-        let Known { key, share, .. } = *self;
+    fn slip(&self, x: f64, cell: &[u8], part: usize, parts: &[Option<KeyEntry>]) -> Option<AnswerSlip> {
+        let Comparison { key, share, .. } = *self;
         // Between these ratios no power of ten fits a tolerance below a half.
         let ratio = x / key;
         let near = share < 0.5 && (ratio <= 0.0 || (0.16..4.9).contains(&ratio));
         if !near {
             for n in (-TENS..=TENS).filter(|n| *n != 0) {
                 if fits(x, key * ten_to(n), share) {
-                    return Some(Slip::PowerOfTen(n));
+                    return Some(AnswerSlip::PowerOfTen(n));
                 }
             }
         }
         let (first, end) = self.confused;
         for (from, to, factor) in &CONFUSED[usize::from(first)..usize::from(end)] {
             if fits(x, key * factor, share) {
-                return Some(Slip::Unit(from, to));
+                return Some(AnswerSlip::Unit(from, to));
             }
         }
         if let Some(figures) = self.rounded_to(x, cell) {
-            return Some(Slip::FewerFigures(figures));
+            return Some(AnswerSlip::FewerFigures(figures));
         }
         if (x - key).abs() <= self.reach {
-            return Some(Slip::Drift);
+            return Some(AnswerSlip::Drift);
         }
         if !self.alike {
             return None;
@@ -179,7 +179,7 @@ impl Known {
                 }
                 Answer::Word { .. } => false,
             })
-            .map(|(i, _)| Slip::OtherPart(i))
+            .map(|(i, _)| AnswerSlip::OtherPart(i))
     }
 
     /// How many figures were written, if they are those of the right number rounded to that many, in the unit of the answer.
@@ -204,10 +204,10 @@ impl Known {
     }
 }
 
-/// The wrong methods that the number `x`, SI, judged wrong for `parts[part]`, fits: those of [`Known::diagnose`].
+/// The wrong methods that the number `x`, SI, judged wrong for `parts[part]`, fits: those of [`Comparison::diagnose`].
 pub fn methods(x: f64, part: usize, parts: &[Option<KeyEntry>]) -> Vec<u16> {
     let entry = parts.get(part).and_then(Option::as_ref);
-    let Some((known, entry)) = Known::of(part, parts).zip(entry) else { return Vec::new() };
+    let Some((known, entry)) = Comparison::of(part, parts).zip(entry) else { return Vec::new() };
     known.compared(x).map_or_else(Vec::new, |x| known.methods(x, &entry.wrong))
 }
 

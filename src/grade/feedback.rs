@@ -1,6 +1,6 @@
 //! What is said of an answer, in one language: phrases that every other row needs are looked up once, and no reason is
 //! built where a phrase will do. Verdicts are not translated: scripts read them.
-use crate::answer::read::Why;
+use crate::answer::read::WhyUnreadable;
 use crate::grade::verdict::Verdict;
 use crate::units::Unit;
 use crate::units::UnitFault;
@@ -10,14 +10,6 @@ use crate::words::Words;
 use std::borrow::Cow;
 use std::sync::LazyLock;
 
-/// A piece of the phrase about superseded attempts.
-#[derive(Debug, Clone, Copy)]
-enum Piece<'w> {
-    Text(&'w str),
-    Line,
-    Verdict,
-}
-
 /// The phrases of the topic `feedback`, ready for many rows.
 #[derive(Debug, Clone)]
 pub struct Feedback<'w> {
@@ -26,7 +18,6 @@ pub struct Feedback<'w> {
     pub(crate) outside: &'w str,
     pub(crate) other_sign: &'w str,
     pub(crate) no_sign: &'w str,
-    superseded: Vec<Piece<'w>>,
 }
 
 static ENGLISH: LazyLock<Feedback<'static>> =
@@ -35,26 +26,12 @@ static ENGLISH: LazyLock<Feedback<'static>> =
 impl<'w> Feedback<'w> {
     /// Looks up what is needed often.
     pub fn new(words: &'w Words) -> Self {
-        let mut superseded = Vec::new();
-        let mut rest = words.get("feedback.superseded");
-        while let Some((before, after)) = rest.split_once('{') {
-            superseded.push(Piece::Text(before));
-            let (place, after) = after.split_once('}').unwrap_or((after, ""));
-            superseded.push(match place {
-                "line" => Piece::Line,
-                "verdict" => Piece::Verdict,
-                other => Piece::Text(other),
-            });
-            rest = after;
-        }
-        superseded.push(Piece::Text(rest));
         Self {
             words,
             within: words.get("feedback.within"),
             outside: words.get("feedback.outside"),
             other_sign: words.get("feedback.other_sign"),
             no_sign: words.get("feedback.no_sign"),
-            superseded,
         }
     }
 
@@ -117,17 +94,17 @@ impl<'w> Feedback<'w> {
         self.words.decimal() != ','
     }
 
-    /// Why a cell cannot be read.
-    pub fn why(&self, why: &Why) -> Cow<'w, str> {
+    /// WhyUnreadable a cell cannot be read.
+    pub fn why(&self, why: &WhyUnreadable) -> Cow<'w, str> {
         Cow::Borrowed(self.get(match why {
-            Why::TooLong => "feedback.too_long",
-            Why::NoNumber => "feedback.no_number",
-            Why::NotFinite => "feedback.not_finite",
-            Why::Marks => "feedback.marks",
-            Why::TwoNumbers => "feedback.two_numbers",
-            Why::Formula => "feedback.formula",
-            Why::OddWord => "feedback.odd_word",
-            Why::SignAndWord { size, unit, word } => {
+            WhyUnreadable::TooLong => "feedback.too_long",
+            WhyUnreadable::NoNumber => "feedback.no_number",
+            WhyUnreadable::NotFinite => "feedback.not_finite",
+            WhyUnreadable::Marks => "feedback.marks",
+            WhyUnreadable::TwoNumbers => "feedback.two_numbers",
+            WhyUnreadable::Formula => "feedback.formula",
+            WhyUnreadable::OddWord => "feedback.odd_word",
+            WhyUnreadable::SignAndWord { size, unit, word } => {
                 let mut size = self.words.number(size);
                 if !unit.is_empty() {
                     size.push_str(&format!(" {unit}"));
@@ -136,15 +113,17 @@ impl<'w> Feedback<'w> {
                 return self
                     .fill("feedback.sign_and_word", &[("size", &size), ("way", &way), ("other", &other)]);
             }
-            Why::Lacking(sign) => return self.fill("feedback.lacking", &[("sign", &sign.to_string())]),
-            Why::Bound => "feedback.bound",
-            Why::Dot => "feedback.dot",
-            Why::Hex => "feedback.hex",
-            Why::Prime => "feedback.prime",
-            Why::Full { part, whole } => {
+            WhyUnreadable::Lacking(sign) => {
+                return self.fill("feedback.lacking", &[("sign", &sign.to_string())]);
+            }
+            WhyUnreadable::Bound => "feedback.bound",
+            WhyUnreadable::Dot => "feedback.dot",
+            WhyUnreadable::Hex => "feedback.hex",
+            WhyUnreadable::Prime => "feedback.prime",
+            WhyUnreadable::Full { part, whole } => {
                 return self.fill("feedback.full", &[("part", part), ("whole", whole)]);
             }
-            Why::Unit(fault) => return self.unit(fault),
+            WhyUnreadable::Unit(fault) => return self.unit(fault),
         }))
     }
 
@@ -205,21 +184,9 @@ impl<'w> Feedback<'w> {
         self.fill("feedback.dimension_and", &pieces)
     }
 
-    /// Appends that another attempt counts.
-    pub(crate) fn superseded(
-        &self,
-        line: u64,
-        verdict: Verdict,
-        number: impl Fn(&mut Vec<u8>, u64),
-        out: &mut Vec<u8>,
-    ) {
-        for piece in &self.superseded {
-            match piece {
-                Piece::Text(text) => out.extend_from_slice(text.as_bytes()),
-                Piece::Line => number(out, line),
-                Piece::Verdict => out.extend_from_slice(verdict.as_str().as_bytes()),
-            }
-        }
+    /// That another attempt counts, and what this one would have been.
+    pub(crate) fn superseded(&self, line: &str, verdict: Verdict) -> String {
+        self.words.say("feedback.superseded", &[("line", line), ("verdict", verdict.as_str())])
     }
 }
 

@@ -1,11 +1,11 @@
 //! The comparison of one cell with its key: readable, dimension, value, direction.
-use crate::answer::read::Note;
 use crate::answer::read::Number;
 use crate::answer::read::Reading;
+use crate::answer::read::ReadingNote;
 use crate::answer::read::UnitCache;
-use crate::answer::read::Why;
-use crate::answer::read::Word;
+use crate::answer::read::WhyUnreadable;
 use crate::answer::read::read;
+use crate::answer::word::AnswerWord;
 use crate::grade::feedback::Feedback;
 use crate::grade::verdict::Judgement;
 use crate::grade::verdict::Verdict;
@@ -41,7 +41,7 @@ pub fn judge_with<'w>(
         (Reading::Blank, _) => (Verdict::Blank, Cow::Borrowed(say.get("feedback.blank"))),
         (Reading::Unreadable(why), Answer::Word { offered, .. }) => {
             let why = match why {
-                Why::NoNumber => Cow::Borrowed(say.get("feedback.no_word")),
+                WhyUnreadable::NoNumber => Cow::Borrowed(say.get("feedback.no_word")),
                 why => say.why(&why),
             };
             let pieces = [("why", &*why), ("words", &*say.offered(offered))];
@@ -67,16 +67,21 @@ pub fn judge_with<'w>(
     Judgement { verdict, points, reason, number: compared }
 }
 
-fn judge_word<'w>(word: Word, right: &str, offered: &[&str], say: &Feedback<'w>) -> (Verdict, Cow<'w, str>) {
-    let either = |a: Word, b: Word| offered.contains(&a.as_str()) || offered.contains(&b.as_str());
-    let level = either(Word::Forward, Word::Back);
+fn judge_word<'w>(
+    word: AnswerWord,
+    right: &str,
+    offered: &[&str],
+    say: &Feedback<'w>,
+) -> (Verdict, Cow<'w, str>) {
+    let either = |a: AnswerWord, b: AnswerWord| offered.contains(&a.as_str()) || offered.contains(&b.as_str());
+    let level = either(AnswerWord::Forward, AnswerWord::Back);
     let word = match word {
-        Word::Right if level => Word::Forward,
-        Word::Left if level => Word::Back,
+        AnswerWord::Right if level => AnswerWord::Forward,
+        AnswerWord::Left if level => AnswerWord::Back,
         other => other,
     };
     // To stay is on few lists of directions (on sheets of earlier versions it was on all), and an answer all the same.
-    let stays = word == Word::Stays && (level || either(Word::Up, Word::Down));
+    let stays = word == AnswerWord::Stays && (level || either(AnswerWord::Up, AnswerWord::Down));
     if word.as_str() == right {
         (Verdict::Right, Cow::Borrowed(say.get("feedback.right_word")))
     } else if stays || offered.contains(&word.as_str()) {
@@ -112,24 +117,24 @@ fn judge_number<'w>(
         }
         None => &entry.unit,
     };
-    if number.notes.contains(&Note::PerCent) && entry.unit.is_number() {
-        return (Verdict::Unreadable, say.why(&Why::TwoNumbers));
+    if number.notes.contains(&ReadingNote::PerCent) && entry.unit.is_number() {
+        return (Verdict::Unreadable, say.why(&WhyUnreadable::TwoNumbers));
     }
     let angular = entry.unit.dimension().0[3] != 0 || entry.unit.dimension().0 == [0, 0, -1, 0];
-    if number.notes.contains(&Note::Turning) && !angular {
-        return (Verdict::Unreadable, say.why(&Why::OddWord));
+    if number.notes.contains(&ReadingNote::Turning) && !angular {
+        return (Verdict::Unreadable, say.why(&WhyUnreadable::OddWord));
     }
     let word_counts = key.directed || !key.magnitude;
-    if word_counts && matches!(number.word, Some(Word::Left | Word::Right)) {
+    if word_counts && matches!(number.word, Some(AnswerWord::Left | AnswerWord::Right)) {
         return (Verdict::Unreadable, Cow::Borrowed(say.get("feedback.left_right")));
     }
-    let sign = number.word.and_then(Word::sign).filter(|_| word_counts).unwrap_or(1.0);
+    let sign = number.word.and_then(AnswerWord::sign).filter(|_| word_counts).unwrap_or(1.0);
     let turns = unit.counts_turns(&entry.unit);
     let literal = unit.to_si(number.value) * sign;
     let per_turn = if turns { std::f64::consts::TAU } else { 1.0 };
     let x = literal * per_turn;
     if !x.is_finite() {
-        return (Verdict::Unreadable, say.why(&Why::NotFinite));
+        return (Verdict::Unreadable, say.why(&WhyUnreadable::NotFinite));
     }
     let decide = |x: f64| {
         if accepts(x, key.value, key.half_width) {
@@ -159,25 +164,25 @@ fn judge_number<'w>(
         _ => say.outside,
     };
     let mut notes: Vec<Cow<str>> = Vec::new();
-    if number.notes.contains(&Note::Comma) && say.comma_is_odd() {
+    if number.notes.contains(&ReadingNote::Comma) && say.comma_is_odd() {
         notes.push(Cow::Borrowed(say.get("feedback.decimal_comma")));
     }
-    if number.notes.contains(&Note::ReadAs) {
+    if number.notes.contains(&ReadingNote::ReadAs) {
         let unit = number.unit.as_ref().map_or("1", |_| unit.ascii());
         let value = say.read_as(number.value, unit);
         notes.push(say.fill("feedback.read_as", &[("value", &value)]));
     }
-    if number.notes.contains(&Note::Uncertainty) {
+    if number.notes.contains(&ReadingNote::Uncertainty) {
         notes.push(Cow::Borrowed(say.get("feedback.uncertainty")));
     }
     if turns {
         let time = unit.ascii().strip_prefix("1/").unwrap_or(unit.ascii());
         notes.push(say.fill("feedback.revolutions", &[("unit", unit.ascii()), ("time", time)]));
     }
-    if number.notes.contains(&Note::About) {
+    if number.notes.contains(&ReadingNote::About) {
         notes.push(Cow::Borrowed(say.get("feedback.about")));
     }
-    if number.notes.contains(&Note::Turning) {
+    if number.notes.contains(&ReadingNote::Turning) {
         notes.push(Cow::Borrowed(say.get("feedback.turning")));
     }
     if number.case_forgiven || number.unit.as_deref().is_some_and(|u| u != unit) {

@@ -1,17 +1,21 @@
 //! Key and answer give a verdict; a file of submissions gives one for every cell.
+mod attempts;
+mod award;
+pub mod book;
+mod cells;
 pub mod choose;
 pub mod credit;
 pub mod diagnose;
 pub mod feedback;
+mod header;
 mod ids;
 pub mod judge;
 mod layout;
-mod lean;
 mod quick;
+pub mod row;
 pub mod rules;
 pub mod run;
 pub mod table;
-mod tails;
 mod threads;
 pub mod verdict;
-pub(crate) mod write;
+mod write;

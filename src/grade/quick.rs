@@ -3,48 +3,45 @@
 use crate::answer::quick::Behind;
 use crate::answer::quick::Spellings;
 use crate::answer::read::UnitCache;
-use crate::grade::ids::mixed;
-use crate::grade::table::Hot;
+use crate::grade::cells::AnswerCell;
+use crate::grade::table::Asked;
 use crate::grade::table::KeyTable;
 use crate::grade::table::WORD;
 use crate::grade::table::joined;
 
 /// A spelling where a unit is asked: SI value = number * times / over; `None`: the long way.
-type Pair = Option<(f64, f64)>;
+type Conversion = Option<(f64, f64)>;
+
+/// To whom and what a cell belongs.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Belongs {
+    /// The student, if known.
+    pub who: Option<u32>,
+    /// The column of the table, if known.
+    pub what: Option<u32>,
+    /// The id differs in upper and lower case from that of the roster.
+    pub respelled: bool,
+}
 
 /// What is remembered from row to row.
 #[derive(Debug, Default)]
 pub(crate) struct Quick {
     spellings: Spellings,
     /// For each spelling and asked unit, where it is known.
-    pairs: Vec<Option<Pair>>,
+    pairs: Vec<Option<Conversion>>,
     student: Option<(Vec<u8>, (u32, bool))>,
-    parts: Vec<Option<Part>>,
     key: Vec<u8>,
 }
-
-/// Problem and part as they were written, and their column.
-#[derive(Debug)]
-struct Part {
-    problem: Vec<u8>,
-    part: Vec<u8>,
-    column: u32,
-}
-
-/// Places for parts, a power of two.
-const PARTS: usize = 256;
-/// Longer texts are not remembered.
-const LONGEST: usize = 64;
 
 impl Quick {
     /// The number of a cell in SI, if its verdict depends on nothing else.
     #[inline]
-    pub fn si(&mut self, table: &KeyTable, hot: &Hot, answer: &[u8]) -> Option<f64> {
+    pub fn si(&mut self, table: &KeyTable, asked: &Asked, answer: &[u8]) -> Option<f64> {
         let (number, behind) = self.spellings.number(answer)?;
         let (times, over) = match behind {
-            Behind::Nothing if hot.fast => (hot.times, hot.over),
+            Behind::Nothing if asked.bare => (asked.times, asked.over),
             Behind::Nothing => return None,
-            Behind::Unit(spelling) => self.pair(table, spelling, hot.unit)?,
+            Behind::Unit(spelling) => self.pair(table, spelling, asked.unit)?,
         };
         let x = number * times / over;
         x.is_finite().then_some(x)
@@ -56,7 +53,7 @@ impl Quick {
     }
 
     #[inline]
-    fn pair(&mut self, table: &KeyTable, spelling: u16, asked: u16) -> Pair {
+    fn pair(&mut self, table: &KeyTable, spelling: u16, asked: u16) -> Conversion {
         if asked == WORD {
             return None;
         }
@@ -68,7 +65,7 @@ impl Quick {
     }
 
     #[cold]
-    fn new_pair(&mut self, table: &KeyTable, at: usize, spelling: u16, asked: u16) -> Pair {
+    fn new_pair(&mut self, table: &KeyTable, at: usize, spelling: u16, asked: u16) -> Conversion {
         let spelled = self.spellings.unit(spelling)?;
         let asked = table.units.get(usize::from(asked))?;
         let silent =
@@ -81,9 +78,24 @@ impl Quick {
         pair
     }
 
+    /// Whose cell it is, and of which column.
+    #[inline]
+    pub fn find(&mut self, table: &KeyTable, cell: &AnswerCell) -> Belongs {
+        let student = self.student(table, cell.student);
+        let what = match cell.wide {
+            Some((_, column)) => column.column,
+            None => {
+                joined(cell.problem, cell.part, &mut self.key);
+                table.column(&self.key)
+            }
+        };
+        let respelled = student.is_some_and(|(_, respelled)| respelled);
+        Belongs { who: student.map(|(who, _)| who), what, respelled }
+    }
+
     /// The number of a student, and whether upper and lower case had to be forgiven.
     #[inline]
-    pub fn student(&mut self, table: &KeyTable, id: &[u8]) -> Option<(u32, bool)> {
+    fn student(&mut self, table: &KeyTable, id: &[u8]) -> Option<(u32, bool)> {
         if let Some((last, number)) = &self.student
             && last == id
         {
@@ -95,26 +107,5 @@ impl Quick {
         last.0.extend_from_slice(id);
         last.1 = number;
         Some(number)
-    }
-
-    /// The column of a part.
-    #[inline]
-    pub fn column(&mut self, table: &KeyTable, problem: &[u8], part: &[u8]) -> Option<u32> {
-        let at = (mixed(problem).rotate_left(5) ^ mixed(part)) as usize % PARTS;
-        if let Some(Some(known)) = self.parts.get(at)
-            && known.part == part
-            && known.problem == problem
-        {
-            return Some(known.column);
-        }
-        joined(problem, part, &mut self.key);
-        let column = table.column(&self.key)?;
-        if self.key.len() <= LONGEST {
-            if self.parts.is_empty() {
-                self.parts.resize_with(PARTS, || None);
-            }
-            self.parts[at] = Some(Part { problem: problem.to_vec(), part: part.to_vec(), column });
-        }
-        Some(column)
     }
 }

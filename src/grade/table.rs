@@ -1,9 +1,8 @@
 //! The keys of a whole set, laid out for looking up by bytes.
+use crate::grade::diagnose::Comparison;
 use crate::grade::diagnose::Diagnosis;
-use crate::grade::diagnose::Known;
 use crate::grade::feedback::Feedback;
 use crate::grade::ids::Ids;
-use crate::guard::push_text;
 use crate::guard::unguarded;
 use crate::key::Answer;
 use crate::key::Follow;
@@ -18,13 +17,11 @@ use std::sync::Arc;
 
 /// A student of the set.
 #[derive(Debug, Clone)]
-pub struct Student {
+pub struct TableStudent {
     /// Id, as on the roster.
     pub id: String,
     /// Name, empty if none is known.
     pub name: String,
-    /// Id as a CSV field.
-    pub(crate) field: Vec<u8>,
 }
 
 /// One part of the set: a column of the gradebook.
@@ -38,29 +35,43 @@ pub struct Column {
     pub part: String,
     /// Points for a right answer (those of the first student who has the part).
     pub points: f64,
-    /// `number,part` as CSV fields.
-    pub(crate) fields: Vec<u8>,
 }
 
-/// What the fast way needs to know of an entry.
+/// What the quick way needs to know of an entry: little, because rows stand in any order and the time goes into waiting for
+/// memory.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Hot {
+pub(crate) struct QuickKey {
     pub value: f64,
     pub half_width: f64,
+    /// How it is asked, by its place in [`KeyTable::asked`].
+    asked: u32,
+}
+
+/// How a part is asked: the same for nearly all students.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Asked {
     /// SI value = cell * times / over
     pub times: f64,
     pub over: f64,
     pub points: f64,
     pub magnitude: bool,
-    /// A plain number can be judged here.
-    pub fast: bool,
+    /// A number without a unit will do.
+    pub bare: bool,
     /// The unit that is asked, by its place in [`KeyTable::units`]; `WORD` where no number is asked.
     pub unit: u16,
 }
 
+impl PartialEq for Asked {
+    fn eq(&self, other: &Self) -> bool {
+        let bits = |a: &Asked| [a.times, a.over, a.points].map(f64::to_bits);
+        bits(self) == bits(other)
+            && (self.magnitude, self.bare, self.unit) == (other.magnitude, other.bare, other.unit)
+    }
+}
+
 /// What relations between parts and the guards of follow-through need.
 #[derive(Debug, Clone)]
-pub(crate) struct Numbers {
+pub(crate) struct ProblemNumbers {
     /// See [`crate::key::ProblemKey::known`].
     pub known: Box<[f64]>,
     /// See [`crate::key::ProblemKey::given`].
@@ -74,12 +85,12 @@ pub(crate) const WORD: u16 = u16::MAX;
 #[derive(Debug)]
 pub struct KeyTable {
     /// In the order of the sheets given.
-    pub students: Vec<Student>,
+    pub students: Vec<TableStudent>,
     /// In the order of the sheets.
     pub columns: Vec<Column>,
     entries: Vec<Option<KeyEntry>>,
     /// For each entry what a wrong answer is compared with.
-    known: Vec<Option<Known>>,
+    known: Vec<Option<Comparison>>,
     /// The wrong values of all entries, one behind the other.
     wrong: Vec<WrongValue>,
     /// For each column the ids of the wrong methods of its problem.
@@ -87,8 +98,10 @@ pub struct KeyTable {
     /// For each column the relations between the parts of its problem.
     follows: Vec<Arc<[Follow]>>,
     /// For each student and column what relations and guards need; where a problem has several columns, at its first.
-    numbers: Vec<Option<Numbers>>,
-    pub(crate) hot: Vec<Hot>,
+    numbers: Vec<Option<ProblemNumbers>>,
+    quick: Vec<QuickKey>,
+    /// How parts are asked, column after column.
+    asked: Vec<(usize, Asked)>,
     /// The units that are asked.
     pub(crate) units: Vec<Unit>,
     /// For each column the first one of its problem and the one behind its last.
@@ -139,15 +152,11 @@ impl KeyTable {
                         .iter()
                         .any(|c| c.number == i + 1 && c.problem == problem.id && c.part == entry.part);
                     if !known {
-                        let mut fields = (i + 1).to_string().into_bytes();
-                        fields.push(b',');
-                        push_text(&mut fields, entry.part.as_bytes());
                         columns.push(Column {
                             number: i + 1,
                             problem: problem.id.clone(),
                             part: entry.part.clone(),
                             points: entry.points,
-                            fields,
                         });
                     }
                 }
@@ -162,11 +171,12 @@ impl KeyTable {
             methods: vec![Arc::from([]); columns.len()],
             follows: vec![Arc::from([]); columns.len()],
             numbers: Vec::with_capacity(sheets.len() * columns.len()),
-            hot: Vec::with_capacity(sheets.len() * columns.len()),
+            quick: Vec::with_capacity(sheets.len() * columns.len()),
+            asked: Vec::new(),
             units: Vec::new(),
             problems: Vec::new(),
             columns,
-            by_id: Ids::with_room(sheets.len()),
+            by_id: Ids::default(),
             by_small_id: FxHashMap::default(),
             by_loose_id: FxHashMap::default(),
             by_part: FxHashMap::default(),
@@ -192,11 +202,11 @@ impl KeyTable {
         for sheet in sheets {
             let s = table.students.len() as u32;
             let mut found: Vec<Option<KeyEntry>> = vec![None; table.columns.len()];
-            let mut numbers: Vec<Option<Numbers>> = vec![None; table.columns.len()];
+            let mut numbers: Vec<Option<ProblemNumbers>> = vec![None; table.columns.len()];
             for (i, problem) in sheet.problems.into_iter().enumerate() {
                 let first = table.columns.partition_point(|c| c.number < i + 1);
                 if let Some(at) = numbers.get_mut(first) {
-                    *at = Some(Numbers { known: problem.known, given: problem.given });
+                    *at = Some(ProblemNumbers { known: problem.known, given: problem.given });
                 }
                 for entry in problem.parts {
                     let at = table
@@ -212,9 +222,12 @@ impl KeyTable {
                     }
                 }
             }
-            table.hot.extend(found.iter().map(|entry| hot(entry, &mut table.units)));
+            for (column, entry) in found.iter().enumerate() {
+                let quick = table.quick_key(column, entry.as_ref());
+                table.quick.push(quick);
+            }
             for (at, (first, end)) in table.problems.iter().enumerate() {
-                let mut known = Known::of(at - first, &found[*first..*end]);
+                let mut known = Comparison::of(at - first, &found[*first..*end]);
                 if let (Some(known), Some(entry)) = (&mut known, &found[at]) {
                     known.wrong = (table.wrong.len() as u32, entry.wrong.len() as u32);
                     table.wrong.extend_from_slice(&entry.wrong);
@@ -230,10 +243,8 @@ impl KeyTable {
                 .and_modify(|e| *e = None)
                 .or_insert(Some(s));
             table.by_loose_id.entry(loose_id(&sheet.student)).and_modify(|e| *e = None).or_insert(Some(s));
-            let mut field = Vec::new();
-            push_text(&mut field, sheet.student.as_bytes());
             let name = names.get(sheet.student.as_str()).map_or(String::new(), |n| (*n).to_owned());
-            table.students.push(Student { id: sheet.student, name, field });
+            table.students.push(TableStudent { id: sheet.student, name });
         }
         table
     }
@@ -304,7 +315,7 @@ impl KeyTable {
         Some((follow, first))
     }
     /// What relations and guards need of a student's problem; `first` is the column of its part 0.
-    pub(crate) fn numbers(&self, student: usize, first: usize) -> Option<&Numbers> {
+    pub(crate) fn numbers(&self, student: usize, first: usize) -> Option<&ProblemNumbers> {
         self.numbers.get(student * self.columns.len() + first)?.as_ref()
     }
     /// Gives parts the points that a course says.
@@ -313,11 +324,11 @@ impl KeyTable {
         for (column, c) in self.columns.iter_mut().enumerate() {
             let Some(points) = policy.points_given(c.number, &c.problem, &c.part) else { continue };
             c.points = points;
-            for at in (column..self.entries.len()).step_by(width) {
-                self.hot[at].points = points;
-                if let Some(entry) = &mut self.entries[at] {
-                    entry.points = points;
-                }
+            for (_, asked) in self.asked.iter_mut().filter(|(of, _)| *of == column) {
+                asked.points = points;
+            }
+            for entry in self.entries.iter_mut().skip(column).step_by(width).flatten() {
+                entry.points = points;
             }
         }
     }
@@ -334,6 +345,44 @@ impl KeyTable {
             }
             _ => Diagnosis::default(),
         }
+    }
+    /// What the quick way needs of an entry, and how it is asked.
+    #[inline]
+    pub(crate) fn quick(&self, index: usize) -> (&QuickKey, &Asked) {
+        let key = &self.quick[index];
+        (key, &self.asked[key.asked as usize].1)
+    }
+    /// The points of a column, if they are the same for all of whom a number is asked there.
+    pub(crate) fn points_of_all(&self, column: usize) -> Option<f64> {
+        let asked = self.asked.iter().filter(|(of, asked)| *of == column && asked.unit != WORD);
+        let mut points = asked.map(|(_, asked)| asked.points);
+        let first = points.next()?;
+        points.all(|other| other.to_bits() == first.to_bits()).then_some(first)
+    }
+    fn quick_key(&mut self, column: usize, entry: Option<&KeyEntry>) -> QuickKey {
+        let mut asked =
+            Asked { times: 1.0, over: 1.0, points: 0.0, magnitude: false, bare: false, unit: WORD };
+        let (mut value, mut half_width) = (0.0, 0.0);
+        if let Some(entry) = entry {
+            asked.points = entry.points;
+            if let Answer::Number { value: key, half_width: half, magnitude, .. } = entry.answer {
+                (value, half_width) = (key, half);
+                (asked.times, asked.over) = entry.unit.times_over();
+                asked.magnitude = magnitude;
+                asked.bare = !entry.unit_required || entry.unit.is_number();
+                let unit = self.units.iter().position(|u| *u == entry.unit).unwrap_or_else(|| {
+                    self.units.push(entry.unit.clone());
+                    self.units.len() - 1
+                });
+                asked.unit = u16::try_from(unit).unwrap_or(WORD);
+            }
+        }
+        let known = self.asked.iter().position(|known| *known == (column, asked));
+        let asked = known.unwrap_or_else(|| {
+            self.asked.push((column, asked));
+            self.asked.len() - 1
+        });
+        QuickKey { value, half_width, asked: asked as u32 }
     }
     /// The first column of a column's problem.
     pub(crate) fn first_of(&self, column: usize) -> usize {
@@ -376,29 +425,4 @@ impl KeyTable {
             None => say.fill("feedback.no_part", &[("part", &part_shown), ("parts", &all)]).into_owned(),
         }
     }
-}
-
-fn hot(entry: &Option<KeyEntry>, units: &mut Vec<Unit>) -> Hot {
-    let none = Hot {
-        value: 0.0,
-        half_width: 0.0,
-        times: 1.0,
-        over: 1.0,
-        points: 0.0,
-        magnitude: false,
-        fast: false,
-        unit: WORD,
-    };
-    let Some(entry) = entry else { return none };
-    let Answer::Number { value, half_width, magnitude, .. } = entry.answer else {
-        return Hot { points: entry.points, ..none };
-    };
-    let (times, over) = entry.unit.times_over();
-    let fast = !entry.unit_required || entry.unit.is_number();
-    let unit = units.iter().position(|u| *u == entry.unit).unwrap_or_else(|| {
-        units.push(entry.unit.clone());
-        units.len() - 1
-    });
-    let unit = u16::try_from(unit).unwrap_or(WORD);
-    Hot { value, half_width, times, over, points: entry.points, magnitude, fast, unit }
 }

@@ -1,6 +1,6 @@
 //! Batches of records on several threads; what they write comes out in the order of the batches.
 use crate::answer::submissions::Batch;
-use crate::answer::submissions::Source;
+use crate::answer::submissions::RecordSource;
 use std::collections::BTreeMap;
 use std::io;
 use std::io::Write;
@@ -41,7 +41,7 @@ pub type Process<'a, W> = &'a (dyn Fn(&mut W, &Batch, &mut Vec<u8>) + Sync);
 /// # Errors
 /// Reading or writing failed.
 pub fn sweep<'b, W: Send>(
-    source: Source,
+    source: RecordSource,
     workers: Vec<W>,
     process: Process<'_, W>,
     out: Option<&'b mut (dyn Write + Send + 'b)>,

@@ -1,16 +1,19 @@
 //! Two gradings of the same answers: who gains and who loses, for which part, and why.
+use crate::grade::book;
+use crate::grade::row::AnswerRow;
+use crate::grade::row::Unreadable;
 use crate::grade::verdict::Verdict;
+use crate::guard::push_line;
 use crate::guard::unguarded;
 use crate::key::Answer;
 use crate::key::KeyEntry;
-use crate::regrade::rows::Fault;
-use crate::regrade::rows::Row;
+use serde::Deserialize;
 use std::collections::BTreeMap;
 use std::io::Read;
 
 /// The answer that counts for one student and part.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Cell {
+pub struct CountedAnswer {
     /// Line of the submissions.
     pub line: u64,
     /// Column, where a record has several answers.
@@ -30,7 +33,7 @@ pub struct Cell {
 pub struct Grading {
     parts: usize,
     /// The answers that count, a row of parts for each student.
-    cells: Vec<Option<Cell>>,
+    cells: Vec<Option<CountedAnswer>>,
     /// Points in the gradebook, likewise.
     points: Vec<Option<f64>>,
     /// Total and of how many, for each student.
@@ -75,20 +78,20 @@ impl Grading {
     }
 
     /// Takes a row of answers.csv.
-    pub fn take(&mut self, who: &Who, row: Row) {
+    pub fn take(&mut self, who: &Who, row: AnswerRow) {
         if !row.counts() {
             return;
         }
-        let student = who.by_student.get(&row.student);
-        let part = who.by_part.get(&(row.problem, row.part));
+        let student = who.by_student.get(&*row.student);
+        let part = who.by_part.get(&(row.problem.into_owned(), row.part.into_owned()));
         if let (Some(s), Some(p)) = (student, part) {
-            self.cells[s * self.parts + p] = Some(Cell {
+            self.cells[s * self.parts + p] = Some(CountedAnswer {
                 line: row.line,
-                column: row.column,
+                column: row.column.into_owned(),
                 verdict: row.verdict,
                 max_points: row.max_points,
-                methods: row.methods,
-                credit: row.credit,
+                methods: row.methods.into_owned(),
+                credit: row.credit.into_owned(),
             });
         }
     }
@@ -97,50 +100,19 @@ impl Grading {
     ///
     /// # Errors
     /// It is no gradebook.
-    pub fn book(&mut self, who: &Who, gradebook: impl Read) -> Result<(), Fault> {
-        let fault =
-            |e: &csv::Error| Fault { line: e.position().map_or(0, csv::Position::line), what: e.to_string() };
-        let mut reader = csv::ReaderBuilder::new().flexible(true).from_reader(gradebook);
-        let header: Vec<String> = reader
-            .byte_headers()
-            .map_err(|e| fault(&e))?
-            .iter()
-            .map(|f| unguarded(&String::from_utf8_lossy(f)).to_owned())
-            .collect();
-        let at = |name: &str| {
-            let found = header.iter().position(|h| h == name);
-            found.ok_or_else(|| Fault { line: 1, what: format!("there is no column `{name}`") })
-        };
-        let (student, total, of) = (at("student")?, at("total")?, at("max_total")?);
-        let parts: Vec<Option<usize>> =
-            (0..who.parts.len()).map(|p| header.iter().position(|h| *h == who.label(p))).collect();
-        for record in reader.byte_records() {
-            let record = record.map_err(|e| fault(&e))?;
-            let line = record.position().map_or(0, csv::Position::line);
-            let text = |i: usize| String::from_utf8_lossy(record.get(i).unwrap_or_default()).into_owned();
-            let number = |i: usize| -> Result<Option<f64>, Fault> {
-                let text = text(i);
-                if text.is_empty() {
-                    return Ok(None);
-                }
-                let value = text.parse::<f64>().ok().filter(|v| v.is_finite());
-                value
-                    .map(Some)
-                    .ok_or_else(|| Fault { line, what: format!("`{text}` is no number of points") })
-            };
-            let Some(s) = who.by_student.get(unguarded(&text(student))) else { continue };
-            for (p, column) in parts.iter().enumerate() {
-                if let Some(column) = column {
-                    self.points[s * self.parts + p] = number(*column)?;
-                }
+    pub fn book(&mut self, who: &Who, gradebook: impl Read) -> Result<(), Unreadable> {
+        let parts: Vec<String> = (0..who.parts.len()).map(|p| who.label(p)).collect();
+        book::each_row(gradebook, &parts, true, &mut |row| {
+            if let Some(s) = who.by_student.get(&row.student) {
+                self.points[s * self.parts..][..self.parts].copy_from_slice(&row.points);
+                self.totals[*s] = row.total.zip(row.of);
             }
-            self.totals[*s] = number(total)?.zip(number(of)?);
-        }
-        Ok(())
+            Ok(())
+        })
     }
 
     /// The answer that counts.
-    pub fn cell(&self, student: usize, part: usize) -> Option<&Cell> {
+    pub fn cell(&self, student: usize, part: usize) -> Option<&CountedAnswer> {
         self.cells[student * self.parts + part].as_ref()
     }
     /// Points as the gradebook has them.
@@ -236,6 +208,63 @@ impl Change {
     }
 }
 
+/// A row of changes.csv.
+#[derive(Debug, Clone, PartialEq, Eq, Deserialize)]
+pub struct ChangeRow {
+    /// Id of the student.
+    pub student: String,
+    /// Number of the problem.
+    pub problem: String,
+    /// Id of the part.
+    pub part: String,
+    /// Points before, nothing where there were none; likewise the next three.
+    pub points_before: String,
+    /// Points after.
+    pub points_after: String,
+    /// Verdict before.
+    pub verdict_before: String,
+    /// Verdict after.
+    pub verdict_after: String,
+    /// Why, reasons separated by semicolons.
+    pub why: String,
+}
+
+impl ChangeRow {
+    const COLUMNS: [&str; 8] = [
+        "student",
+        "problem",
+        "part",
+        "points_before",
+        "points_after",
+        "verdict_before",
+        "verdict_after",
+        "why",
+    ];
+    /// changes.csv of these rows.
+    pub fn csv(rows: &[ChangeRow]) -> Vec<u8> {
+        let mut out = Vec::new();
+        push_line(&mut out, ChangeRow::COLUMNS);
+        for row in rows {
+            let ChangeRow { student, problem, part, .. } = row;
+            let marks = [&row.points_before, &row.points_after, &row.verdict_before, &row.verdict_after];
+            push_line(&mut out, [student, problem, part].into_iter().chain(marks).chain([&row.why]));
+        }
+        out
+    }
+    /// The rows of changes.csv.
+    ///
+    /// # Errors
+    /// It is none.
+    pub fn read(csv: &[u8]) -> Result<Vec<ChangeRow>, Unreadable> {
+        let mut reader = csv::ReaderBuilder::new().flexible(true).from_reader(csv);
+        let mut rows: Vec<ChangeRow> = reader.deserialize().collect::<Result<_, _>>()?;
+        for text in rows.iter_mut().flat_map(|row| [&mut row.student, &mut row.part, &mut row.why]) {
+            *text = unguarded(text).to_owned();
+        }
+        Ok(rows)
+    }
+}
+
 /// Points nearer to each other than this are equal.
 pub const DUST: f64 = 1e-9;
 /// Keys that differ by no more than this share are equal.
@@ -275,8 +304,8 @@ fn of_kind<'c>(credit: &'c str, kinds: &[&str]) -> Vec<&'c str> {
 }
 
 fn why(
-    a: Option<&Cell>,
-    b: Option<&Cell>,
+    a: Option<&CountedAnswer>,
+    b: Option<&CountedAnswer>,
     settings: Settings,
     keys: [Option<&KeyEntry>; 2],
     moved: bool,
@@ -372,21 +401,17 @@ mod tests {
         for (student, part, line, verdict, methods, credit) in rows {
             found.take(
                 &who(),
-                Row {
+                AnswerRow {
                     line: *line,
-                    column: String::new(),
-                    student: (*student).to_owned(),
-                    problem: "1".to_owned(),
-                    part: (*part).to_owned(),
-                    answer: "3".to_owned(),
+                    student: (*student).into(),
+                    problem: "1".into(),
+                    part: (*part).into(),
+                    answer: "3".into(),
                     verdict: *verdict,
-                    points: 0.0,
                     max_points: 2.0,
-                    reason: String::new(),
-                    methods: (*methods).to_owned(),
-                    slip: String::new(),
-                    credit: (*credit).to_owned(),
-                    submitted_at: String::new(),
+                    methods: (*methods).into(),
+                    credit: (*credit).into(),
+                    ..AnswerRow::EMPTY
                 },
             );
         }

@@ -1,4 +1,3 @@
 //! Gradings that are there already: their rows, what other tolerances would make of them, what a new grading changes.
 pub mod changes;
-pub mod rows;
 pub mod tolerance;

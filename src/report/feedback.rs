@@ -8,8 +8,8 @@ use crate::finding::Finding;
 use crate::grade::verdict::Verdict;
 use crate::misconception::catalogue::Catalogue;
 use crate::policy::Hints;
+use crate::report::marks::CountingRow;
 use crate::report::marks::Marks;
-use crate::report::marks::Row;
 use crate::report::table;
 use crate::sheet::document::Document;
 use crate::sheet::document::Head;
@@ -159,7 +159,7 @@ impl Desk<'_> {
 
     /// What the student is told of the reading of an answer. Of a wrong number only phrases that are known to say nothing of slips;
     /// of what could not be read the whole reason, up to what it says of credit.
-    fn reason(&self, row: &Row) -> String {
+    fn reason(&self, row: &CountingRow) -> String {
         // What it says of credit comes last, and may hold anything.
         let pieces = row.reason.split("; ").take_while(|piece| !is_one_of(CREDIT, piece));
         let told: Vec<&str> = match row.verdict {
@@ -194,7 +194,7 @@ impl Desk<'_> {
         })
     }
 
-    fn hints(&self, row: &Row, student: usize, part: usize) -> Vec<String> {
+    fn hints(&self, row: &CountingRow, student: usize, part: usize) -> Vec<String> {
         if self.hints == Hints::None {
             return Vec::new();
         }
@@ -224,7 +224,7 @@ impl Desk<'_> {
         lines
     }
 
-    fn slip(&self, row: &Row, student: usize, part: usize, explains: bool) -> Option<String> {
+    fn slip(&self, row: &CountingRow, student: usize, part: usize, explains: bool) -> Option<String> {
         let (name, value) = row.slip.split_once(':').unwrap_or((&row.slip, ""));
         if !["power_of_ten", "unit", "figures", "drift", "part"].contains(&name) {
             return None;

@@ -1,7 +1,7 @@
 //! Marks as CSV: a row for each student of the set, those who handed in nothing too.
+use crate::grade::row::push_points;
 use crate::grade::run::Graded;
 use crate::grade::table::KeyTable;
-use crate::grade::write::push_float;
 use crate::guard::push_text;
 use crate::policy::Policy;
 use crate::policy::Total;
@@ -48,13 +48,13 @@ pub fn gradebook(table: &KeyTable, graded: &Graded, policy: &Policy) -> Vec<u8> 
         for c in 0..table.columns.len() {
             out.push(b',');
             if let Some(points) = graded.points.get(s * table.columns.len() + c).copied().flatten() {
-                push_float(&mut out, plain(points));
+                push_points(&mut out, plain(points));
             }
         }
         let total = total(table, &graded.points, s, policy);
         for sum in [total.points, total.of] {
             out.push(b',');
-            push_float(&mut out, sum);
+            push_points(&mut out, sum);
         }
         if drops {
             out.push(b',');

@@ -1,5 +1,5 @@
 //! Gradebooks as Canvas and Moodle import them: one total for each student of the set.
-use crate::grade::write::push_float;
+use crate::grade::row::push_points;
 use crate::guard::push_text;
 
 /// A student's line of a gradebook.
@@ -25,7 +25,7 @@ pub fn canvas(assignment: &str, most: f64, lines: &[Line]) -> Vec<u8> {
     let mut out = b"Student,ID,SIS User ID,SIS Login ID,Section,".to_vec();
     push_text(&mut out, canvas_name(assignment).as_bytes());
     out.extend_from_slice(b"\nPoints Possible,,,,,");
-    push_float(&mut out, most);
+    push_points(&mut out, most);
     out.push(b'\n');
     for line in lines {
         push_text(&mut out, if line.name.is_empty() { line.id } else { line.name }.as_bytes());
@@ -36,7 +36,7 @@ pub fn canvas(assignment: &str, most: f64, lines: &[Line]) -> Vec<u8> {
         }
         out.extend_from_slice(b",,");
         if let Some(points) = line.points {
-            push_float(&mut out, points);
+            push_points(&mut out, points);
         }
         out.push(b'\n');
     }
@@ -77,7 +77,7 @@ pub fn moodle(item: &str, lines: &[Line]) -> Vec<u8> {
         push_text(&mut out, line.name.as_bytes());
         out.push(b',');
         match line.points {
-            Some(points) => push_float(&mut out, points),
+            Some(points) => push_points(&mut out, points),
             None => out.push(b'-'),
         }
         out.push(b',');

@@ -187,7 +187,10 @@ fn slip_kind(slip: &str) -> String {
 }
 
 /// How often each word stands in the rows that count, most first.
-fn words(marks: &Marks, of: &dyn Fn(&crate::report::marks::Row) -> Vec<String>) -> Vec<(String, usize)> {
+fn words(
+    marks: &Marks,
+    of: &dyn Fn(&crate::report::marks::CountingRow) -> Vec<String>,
+) -> Vec<(String, usize)> {
     let mut counts: BTreeMap<String, usize> = BTreeMap::new();
     for row in marks.cells.iter().filter_map(|c| c.row.as_ref()) {
         for word in of(row).into_iter().filter(|w| !w.is_empty()) {

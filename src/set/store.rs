@@ -154,8 +154,11 @@ impl StoredSet {
 
 /// The SHA-256 of key.csv that stands in the text of a set.json; sets of versions before 4 of the drawing have none.
 pub fn seal(text: &str) -> Option<String> {
-    let value: Value = serde_json::from_str(text).ok()?;
-    Some(value.get("key_sha256")?.as_str()?.to_owned())
+    #[derive(Deserialize)]
+    struct Seal {
+        key_sha256: Option<String>,
+    }
+    serde_json::from_str::<Seal>(text).ok()?.key_sha256
 }
 
 fn lines(out: &mut String, name: &str, items: impl Iterator<Item = String>) {

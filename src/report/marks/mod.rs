@@ -71,7 +71,7 @@ pub struct Class {
     pub problems: Vec<Problem>,
     /// In the order of the sheet.
     pub parts: Vec<Part>,
-    /// Does the sheet of a student have a part? Row after row, a row for each student.
+    /// Does the sheet of a student have a part? CountingRow after row, a row for each student.
     pub asked: Vec<bool>,
     /// Does the day come first in dates? `None`: they must say themselves.
     pub day_first: Option<bool>,
@@ -79,7 +79,7 @@ pub struct Class {
 
 /// The row that counts.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Row {
+pub struct CountingRow {
     /// Line of the file of submissions.
     pub line: u64,
     /// What became of it.
@@ -105,7 +105,7 @@ pub const LONGEST: usize = 240;
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Cell {
     /// The row that counts; none where nothing but blanks was handed in.
-    pub row: Option<Row>,
+    pub row: Option<CountingRow>,
     /// Rows that are not blank.
     pub attempts: u32,
     /// Which of them was right first, from 1; in the order of time, where times are known.
@@ -134,7 +134,7 @@ pub type TroubleKey = (Option<usize>, Verdict, String);
 pub struct Marks {
     /// Who and what.
     pub class: Class,
-    /// Row after row, a row for each student.
+    /// CountingRow after row, a row for each student.
     pub cells: Vec<Cell>,
     /// Points of each cell as the gradebook has them, corrections included; `None` where it has none.
     pub given: Vec<Option<f64>>,
@@ -152,15 +152,6 @@ pub struct Marks {
     pub timed: bool,
     /// Cells that could not be read, or have a unit of another kind or none where one is demanded.
     pub troubles: BTreeMap<TroubleKey, Trouble>,
-}
-
-/// Why answers.csv cannot be read.
-#[derive(Debug)]
-pub struct Unreadable {
-    /// Line of answers.csv, 0 if unknown.
-    pub line: u64,
-    /// What is wrong.
-    pub what: String,
 }
 
 impl Marks {

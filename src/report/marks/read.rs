@@ -1,34 +1,21 @@
 //! answers.csv and gradebook.csv to marks, in a stream.
+use crate::grade::book;
+use crate::grade::row::AnswerReader;
+use crate::grade::row::AnswerRow;
+use crate::grade::row::Unreadable;
 use crate::grade::verdict::Verdict;
-use crate::guard::unguarded;
 use crate::policy::time;
 use crate::policy::time::Evidence;
 use crate::report::marks::Cell;
 use crate::report::marks::Class;
+use crate::report::marks::CountingRow;
 use crate::report::marks::EXAMPLES;
 use crate::report::marks::LONGEST;
 use crate::report::marks::Marks;
-use crate::report::marks::Row;
-use crate::report::marks::Unreadable;
+use crate::report::marks::Part;
 use crate::words::Words;
 use rustc_hash::FxHashMap;
 use std::io::Read;
-
-struct Columns {
-    line: Option<usize>,
-    student: usize,
-    problem: usize,
-    part: usize,
-    answer: usize,
-    verdict: usize,
-    points: usize,
-    max_points: usize,
-    reason: usize,
-    methods: Option<usize>,
-    slip: Option<usize>,
-    credit: Option<usize>,
-    submitted: Option<usize>,
-}
 
 /// What is remembered of a cell while rows pass by: moments with the day first, with the month first; places in the file.
 #[derive(Debug, Clone, Copy, Default)]
@@ -55,8 +42,10 @@ impl Marks {
         class.asked.resize(size, false);
         let whose: FxHashMap<String, usize> =
             class.students.iter().enumerate().map(|(i, s)| (s.id.clone(), i)).collect();
-        let which: FxHashMap<(String, String), usize> =
-            class.parts.iter().enumerate().map(|(i, p)| ((p.number.to_string(), p.id.clone()), i)).collect();
+        let mut which: FxHashMap<String, FxHashMap<String, usize>> = FxHashMap::default();
+        for (i, part) in class.parts.iter().enumerate() {
+            which.entry(part.number.to_string()).or_default().insert(part.id.clone(), i);
+        }
         let mut marks = Self {
             cells: vec![Cell::default(); size],
             by_part: vec![[0; Verdict::ALL.len()]; class.parts.len()],
@@ -65,19 +54,19 @@ impl Marks {
         };
         let mut seen = vec![Seen::default(); size];
         let mut evidence = Evidence::default();
-        let mut pass = |marks: &mut Self, see: &mut dyn FnMut(&mut Self, &Found)| -> Result<(), Unreadable> {
-            let source = open().map_err(|e| Unreadable { line: 0, what: e.to_string() })?;
-            let mut reader = csv::ReaderBuilder::new().flexible(true).from_reader(source);
-            let columns = columns(reader.byte_headers().map_err(fault)?)?;
-            let mut record = csv::ByteRecord::new();
-            let mut number = 0;
-            while reader.read_byte_record(&mut record).map_err(fault)? {
-                number += 1;
-                let found = Found::of(&record, &columns, number, &whose, &which)?;
-                see(marks, &found);
-            }
-            Ok(())
-        };
+        let mut pass =
+            |marks: &mut Self, see: &mut dyn FnMut(&mut Self, &PlacedRow)| -> Result<(), Unreadable> {
+                let source = open().map_err(|e| Unreadable { line: 0, what: e.to_string() })?;
+                let mut reader = AnswerReader::new(source)?;
+                let mut number = 0;
+                while let Some(row) = reader.next_row()? {
+                    number += 1;
+                    let who = whose.get(&*row.student).copied();
+                    let what = which.get(&*row.problem).and_then(|parts| parts.get(&*row.part)).copied();
+                    see(marks, &PlacedRow { row, number, who, what });
+                }
+                Ok(())
+            };
         pass(&mut marks, &mut |marks, found| marks.take(found, &mut seen, &mut evidence))?;
         let order = marks.class.day_first.map_or(evidence, Evidence::said).choice();
         if seen.iter().any(|s| s.disordered && !s.untimed) {
@@ -111,36 +100,38 @@ impl Marks {
         Ok(marks)
     }
 
-    fn place(&self, found: &Found) -> Option<usize> {
+    fn place(&self, found: &PlacedRow) -> Option<usize> {
         Some(found.who? * self.class.parts.len() + found.what?)
     }
 
-    fn take(&mut self, found: &Found, seen: &mut [Seen], evidence: &mut Evidence) {
+    fn take(&mut self, found: &PlacedRow, seen: &mut [Seen], evidence: &mut Evidence) {
         self.rows += 1;
-        self.verdicts[found.verdict as usize] += 1;
+        self.verdicts[found.row.verdict as usize] += 1;
         if let (Some(_), Some(part)) = (found.who, found.what) {
-            self.by_part[part][found.verdict as usize] += 1;
+            self.by_part[part][found.row.verdict as usize] += 1;
         }
         let counted = found.counted();
         let odd = [Verdict::Unreadable, Verdict::WrongDimension, Verdict::MissingUnit];
         if let Some(verdict) = counted.filter(|v| odd.contains(v)) {
-            let reason = match found.verdict {
-                Verdict::Superseded => superseded(&found.reason()).map_or_else(String::new, |(_, why)| why),
-                _ => found.reason(),
+            let reason = match found.row.verdict {
+                Verdict::Superseded => {
+                    superseded(&shortened(&found.row.reason)).map_or_else(String::new, |(_, why)| why)
+                }
+                _ => shortened(&found.row.reason),
             };
             let key = (found.who.and(found.what), verdict, reason);
             let trouble = self.troubles.entry(key).or_default();
             trouble.cells += 1;
-            let example = found.answer();
+            let example = shortened(&found.row.answer);
             if trouble.examples.len() < EXAMPLES && !trouble.examples.contains(&example) {
                 trouble.examples.push(example);
             }
         }
         let Some(i) = self.place(found) else { return };
-        self.class.asked[i] = found.verdict != Verdict::UnknownPart;
-        if let (Some(part), true) = (found.what, found.max_points > 0.0) {
+        self.class.asked[i] = found.row.verdict != Verdict::UnknownPart;
+        if let (Some(part), true) = (found.what, found.row.max_points > 0.0) {
             // What a course makes of the points of the bank is seen here.
-            self.class.parts[part].points = found.max_points;
+            self.class.parts[part].points = found.row.max_points;
         }
         let Some(verdict) = counted else { return };
         let moment = found.moment();
@@ -174,8 +165,8 @@ impl Marks {
                 cell.first_right = Some(cell.attempts);
             }
         }
-        if found.verdict != Verdict::Superseded {
-            cell.row = Some(found.row());
+        if found.row.verdict != Verdict::Superseded {
+            cell.row = Some(found.counting());
         }
     }
 
@@ -185,45 +176,24 @@ impl Marks {
     /// # Errors
     /// It is no gradebook, or that of another class.
     pub fn book(&mut self, gradebook: impl Read) -> Result<(), Unreadable> {
-        let mut reader = csv::ReaderBuilder::new().flexible(true).from_reader(gradebook);
-        let header = reader.byte_headers().map_err(fault)?.clone();
-        let at = |name: &str| header.iter().position(|f| f == name.as_bytes());
-        let need = |name: &str| {
-            at(name).ok_or_else(|| Unreadable { line: 1, what: format!("there is no column `{name}`") })
-        };
-        let (student, total, of) = (need("student")?, need("total")?, need("max_total")?);
-        let dropped = at("dropped");
-        let columns: Vec<usize> =
-            self.class.parts.iter().map(|p| need(&p.label())).collect::<Result<_, _>>()?;
+        let parts: Vec<String> = self.class.parts.iter().map(Part::label).collect();
         let whose: FxHashMap<String, usize> =
             self.class.students.iter().enumerate().map(|(i, s)| (s.id.clone(), i)).collect();
         let mut found = 0;
-        for record in reader.byte_records() {
-            let record = record.map_err(fault)?;
-            let line = record.position().map_or(0, csv::Position::line);
-            let text = |i: usize| String::from_utf8_lossy(record.get(i).unwrap_or_default());
-            let number = |i: usize| -> Result<Option<f64>, Unreadable> {
-                let text = text(i);
-                if text.is_empty() {
-                    return Ok(None);
-                }
-                match text.parse::<f64>() {
-                    Ok(value) if value.is_finite() => Ok(Some(value)),
-                    _ => Err(Unreadable { line, what: format!("`{text}` is no number of points") }),
-                }
-            };
-            let Some(who) = whose.get(unguarded(&text(student))).copied() else {
-                return Err(Unreadable { line, what: format!("`{}` is not in the set", text(student)) });
+        book::each_row(gradebook, &parts, false, &mut |row| {
+            let Some(who) = whose.get(&row.student).copied() else {
+                return Err(Unreadable {
+                    line: row.line,
+                    what: format!("`{}` is not in the set", row.student),
+                });
             };
             found += 1;
-            for (part, column) in columns.iter().enumerate() {
-                self.given[who * columns.len() + part] = number(*column)?;
-            }
-            let numbers = dropped.map_or_else(|| "".into(), text);
-            let numbers = numbers.split(' ').filter_map(|n| n.parse::<usize>().ok()?.checked_sub(1));
+            self.given[who * parts.len()..][..parts.len()].copy_from_slice(&row.points);
+            let numbers = row.dropped.iter().filter_map(|n| n.checked_sub(1));
             self.dropped[who] = numbers.filter(|i| *i < self.class.problems.len()).collect();
-            self.totals[who] = (number(total)?.unwrap_or(0.0), number(of)?.unwrap_or(0.0));
-        }
+            self.totals[who] = (row.total.unwrap_or(0.0), row.of.unwrap_or(0.0));
+            Ok(())
+        })?;
         if found == self.class.students.len() {
             return Ok(());
         }
@@ -232,91 +202,40 @@ impl Marks {
     }
 }
 
-/// A row of answers.csv.
-struct Found<'r> {
-    record: &'r csv::ByteRecord,
-    columns: &'r Columns,
+/// A row of answers.csv, its number, and the student and the part to which it belongs, if it does.
+struct PlacedRow<'r> {
+    row: AnswerRow<'r>,
     number: u64,
     who: Option<usize>,
     what: Option<usize>,
-    verdict: Verdict,
-    points: f64,
-    max_points: f64,
 }
 
-impl<'r> Found<'r> {
-    fn of(
-        record: &'r csv::ByteRecord,
-        columns: &'r Columns,
-        number: u64,
-        whose: &FxHashMap<String, usize>,
-        which: &FxHashMap<(String, String), usize>,
-    ) -> Result<Self, Unreadable> {
-        let line = record.position().map_or(0, csv::Position::line);
-        let text = |i: usize| String::from_utf8_lossy(record.get(i).unwrap_or_default());
-        let verdict = text(columns.verdict);
-        let Some(verdict) = Verdict::ALL.iter().copied().find(|v| v.as_str() == verdict) else {
-            return Err(Unreadable { line, what: format!("`{verdict}` is no verdict") });
-        };
-        let number_at = |i: usize| -> Result<f64, Unreadable> {
-            let text = text(i);
-            let value = if text.is_empty() { Ok(0.0) } else { text.parse::<f64>() };
-            value
-                .ok()
-                .filter(|v| v.is_finite())
-                .ok_or_else(|| Unreadable { line, what: format!("`{text}` is no number of points") })
-        };
-        Ok(Self {
-            record,
-            columns,
-            number,
-            who: whose.get(unguarded(&text(columns.student))).copied(),
-            what: which
-                .get(&(text(columns.problem).into_owned(), unguarded(&text(columns.part)).to_owned()))
-                .copied(),
-            verdict,
-            points: number_at(columns.points)?,
-            max_points: number_at(columns.max_points)?,
-        })
-    }
-
-    fn text(&self, column: Option<usize>) -> std::borrow::Cow<'_, str> {
-        String::from_utf8_lossy(column.and_then(|c| self.record.get(c)).unwrap_or_default())
-    }
-    fn reason(&self) -> String {
-        shortened(&self.text(Some(self.columns.reason)))
-    }
-    fn answer(&self) -> String {
-        shortened(unguarded(&self.text(Some(self.columns.answer))))
-    }
-    fn words(&self, column: Option<usize>) -> Vec<String> {
-        self.text(column).split_whitespace().map(str::to_owned).collect()
-    }
+impl PlacedRow<'_> {
     fn moment(&self) -> Option<time::Moment> {
-        time::parse(&self.text(self.columns.submitted))
+        time::parse(&self.row.submitted_at)
     }
 
     /// The verdict of an attempt, that which a superseded one would have had; `None` for what is no attempt.
     fn counted(&self) -> Option<Verdict> {
-        match self.verdict {
+        match self.row.verdict {
             Verdict::Blank | Verdict::UnknownPart | Verdict::UnknownStudent => None,
-            Verdict::Superseded => {
-                superseded(&self.text(Some(self.columns.reason))).map(|(verdict, _)| verdict)
-            }
+            Verdict::Superseded => superseded(&self.row.reason).map(|(verdict, _)| verdict),
             verdict => Some(verdict),
         }
     }
 
-    fn row(&self) -> Row {
-        Row {
-            line: self.text(self.columns.line).parse().unwrap_or(0),
-            verdict: self.verdict,
-            points: self.points,
-            answer: self.answer(),
-            reason: self.reason(),
-            methods: self.words(self.columns.methods),
-            slip: self.text(self.columns.slip).into_owned(),
-            credit: self.words(self.columns.credit),
+    fn counting(&self) -> CountingRow {
+        let row = &self.row;
+        let words = |text: &str| text.split_whitespace().map(str::to_owned).collect();
+        CountingRow {
+            line: row.line,
+            verdict: row.verdict,
+            points: row.points,
+            answer: shortened(&row.answer),
+            reason: shortened(&row.reason),
+            methods: words(&row.methods),
+            slip: row.slip.clone().into_owned(),
+            credit: words(&row.credit),
         }
     }
 }
@@ -359,38 +278,10 @@ fn noncharacter(c: char) -> bool {
     (0xfdd0..=0xfdef).contains(&code) || code & 0xfffe == 0xfffe
 }
 
-fn columns(header: &csv::ByteRecord) -> Result<Columns, Unreadable> {
-    let at = |name: &str| header.iter().position(|f| f == name.as_bytes());
-    let need = |name: &str| {
-        at(name).ok_or_else(|| Unreadable { line: 1, what: format!("there is no column `{name}`") })
-    };
-    Ok(Columns {
-        line: at("line"),
-        student: need("student")?,
-        problem: need("problem")?,
-        part: need("part")?,
-        answer: need("answer")?,
-        verdict: need("verdict")?,
-        points: need("points")?,
-        max_points: need("max_points")?,
-        reason: need("reason")?,
-        methods: at("methods"),
-        slip: at("slip"),
-        credit: at("credit"),
-        submitted: at("submitted_at"),
-    })
-}
-
-fn fault(error: csv::Error) -> Unreadable {
-    let line = error.position().map_or(0, csv::Position::line);
-    Unreadable { line, what: error.to_string() }
-}
-
 #[cfg(test)]
 #[allow(clippy::float_cmp, reason = "points and seconds are whole here")]
 mod tests {
     use super::*;
-    use crate::report::marks::Part;
     use crate::report::marks::Problem;
     use crate::report::marks::Student;
 
@@ -457,7 +348,7 @@ mod tests {
         assert_eq!(read("2,,a,1,v,3,great,0,2,x,,,,\n").unwrap_err().line, 2);
         assert_eq!(read("2,,a,1,v,3,right,many,2,x,,,,\n").unwrap_err().line, 2);
         let none = Marks::read(class(), &mut || Ok("student,verdict\n".as_bytes())).unwrap_err();
-        assert!(none.what.contains("problem"), "{none:?}");
+        assert!(none.what.contains("line"), "{none:?}");
     }
 
     #[test]

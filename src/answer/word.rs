@@ -1,0 +1,132 @@
+//! The words that answer a question, or give a number its sign, in both languages.
+use crate::answer::read::WhyUnreadable;
+
+/// A word that answers a question or gives a number its sign.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum AnswerWord {
+    /// Up, positive.
+    Up,
+    /// Down, negative.
+    Down,
+    /// Forward, positive.
+    Forward,
+    /// Back, negative.
+    Back,
+    /// To the right: a direction on a level only.
+    Right,
+    /// To the left.
+    Left,
+    /// Does not move.
+    Stays,
+    /// Yes.
+    Yes,
+    /// No.
+    No,
+}
+
+impl AnswerWord {
+    /// As keys write it.
+    pub const fn as_str(self) -> &'static str {
+        match self {
+            AnswerWord::Up => "up",
+            AnswerWord::Down => "down",
+            AnswerWord::Forward => "forward",
+            AnswerWord::Back => "back",
+            AnswerWord::Right => "right",
+            AnswerWord::Left => "left",
+            AnswerWord::Stays => "stays",
+            AnswerWord::Yes => "yes",
+            AnswerWord::No => "no",
+        }
+    }
+    /// 1 or -1 for a direction.
+    pub const fn sign(self) -> Option<f64> {
+        match self {
+            AnswerWord::Up | AnswerWord::Forward => Some(1.0),
+            AnswerWord::Down | AnswerWord::Back => Some(-1.0),
+            _ => None,
+        }
+    }
+    /// The other way.
+    pub const fn opposite(self) -> AnswerWord {
+        match self {
+            AnswerWord::Up => AnswerWord::Down,
+            AnswerWord::Down => AnswerWord::Up,
+            AnswerWord::Forward => AnswerWord::Back,
+            AnswerWord::Back => AnswerWord::Forward,
+            AnswerWord::Right => AnswerWord::Left,
+            AnswerWord::Left => AnswerWord::Right,
+            AnswerWord::Yes => AnswerWord::No,
+            AnswerWord::No => AnswerWord::Yes,
+            AnswerWord::Stays => AnswerWord::Stays,
+        }
+    }
+}
+
+/// The words of both languages.
+const WORDS: [(AnswerWord, &str); 9] = [
+    (
+        AnswerWord::Up,
+        "up upward upwards uphill upslope auf aufwärts hinauf herauf rauf bergauf oben hangaufwärts",
+    ),
+    (
+        AnswerWord::Down,
+        "down downward downwards downhill downslope ab abwärts hinab herab hinunter herunter runter bergab unten hangabwärts",
+    ),
+    (AnswerWord::Forward, "forward forwards vorwärts vor vorn vorne voran"),
+    (AnswerWord::Back, "back backward backwards rückwärts zurück hinten"),
+    (AnswerWord::Right, "right rightward rightwards rechts"),
+    (AnswerWord::Left, "left leftward leftwards links"),
+    (AnswerWord::Stays, "stays stay rest stationary still bleibt ruht ruhe unbewegt unmoved"),
+    (AnswerWord::Yes, "yes y ja j true wahr"),
+    (AnswerWord::No, "no n nein false falsch"),
+];
+/// Words that say nothing more beside them.
+const FILLERS: &str = "the a an incline inclined plane slope ramp along to at acting acts directed pointing points \
+    moves it is in direction nach die der schiefe schiefen ebene es das rad kraft wirkt zeigt \
+    gerichtet entlang längs richtung stehen könnte kann würde sich bewegt could have would will does \
+    put remains wheel";
+
+/// Is it one of these words?
+fn one_of(words: &str, token: &str) -> bool {
+    words.split_ascii_whitespace().any(|word| word == token)
+}
+
+/// A phrase made of one direction or word and fillers only. `None`: other words; `Some(Err)`: two that differ.
+pub(crate) fn phrase(text: &str) -> Option<Result<AnswerWord, WhyUnreadable>> {
+    if text.len() > 80 || !text.contains(|c: char| c.is_alphabetic()) {
+        return None;
+    }
+    let mut found: Option<AnswerWord> = None;
+    let mut two = false;
+    let (mut rolls, mut denied) = (None, false); // what `it rolls`, `it slips` and `not` add to a yes or no
+    let lower = text.to_lowercase();
+    let lower = ["does not move", "doesn't move", "not moving", "no motion", "bewegt sich nicht"]
+        .iter()
+        .fold(lower, |t, said| t.replace(said, "stays"));
+    let plain =
+        lower.split(|c: char| c.is_whitespace() || "(),.;:!-\"'".contains(c)).filter(|t| !t.is_empty());
+    for token in plain {
+        if let Some((word, _)) = WORDS.iter().find(|(_, all)| one_of(all, token)) {
+            two |= found.is_some_and(|f| f != *word);
+            found = Some(*word);
+        } else if one_of("roll rolls rolling rolled rollt rollen rollte", token) {
+            two |= rolls == Some(false);
+            rolls = Some(true);
+        } else if one_of("slip slips slipping slides rutscht gleitet gleiten", token) {
+            two |= rolls == Some(true);
+            rolls = Some(false);
+        } else if ["not", "nicht"].contains(&token) {
+            denied = true;
+        } else if !one_of(FILLERS, token) {
+            return None;
+        }
+    }
+    let word = found?;
+    let contradicts = match word {
+        AnswerWord::Yes => denied != (rolls == Some(false)),
+        AnswerWord::No => rolls.is_some_and(|r| r != denied),
+        _ => denied,
+    };
+    Some(if two || contradicts { Err(WhyUnreadable::OddWord) } else { Ok(word) })
+}

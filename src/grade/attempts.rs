@@ -1,0 +1,334 @@
+//! Which attempt of each student at each part counts: the walks over a file of submissions that come before the writing one.
+//!
+//! One walk is enough where attempts are ordered by row, or by times that bear on nothing else. Where lateness or the number of
+//! an attempt bears on marks, one more comes before, so that times are understood; where the best attempt counts, one for each
+//! step of follow-through. What is held grows with students times parts, and up to a limit with rows ([`Notes`]).
+use crate::answer::submissions::Batch;
+use crate::answer::submissions::RecordScratch;
+use crate::answer::submissions::RecordSource;
+use crate::grade::cells::AnswerCell;
+use crate::grade::cells::GradingJob;
+use crate::grade::cells::cells;
+use crate::grade::choose;
+use crate::grade::choose::Attempt;
+use crate::grade::choose::ByRow;
+use crate::grade::choose::Ordered;
+use crate::grade::choose::Try;
+use crate::grade::choose::Winner;
+use crate::grade::credit::credit;
+use crate::grade::layout::RecordKind;
+use crate::grade::layout::kind_of_record;
+use crate::grade::quick::Quick;
+use crate::grade::run::GradeFault;
+use crate::grade::run::Open;
+use crate::grade::threads::sweep;
+use crate::grade::verdict::Verdict;
+use crate::policy::Counts;
+use crate::policy::time::Evidence;
+use crate::policy::time::Moment;
+use std::collections::BTreeMap;
+
+/// What a walk found out about a cell, for the walk that writes: which entry it belongs to and its verdict, where both could be
+/// had the quick way. 0: the cell must be looked at again.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) struct CellNote(u32);
+
+/// The verdicts of the quick way.
+pub(crate) const QUICK_VERDICTS: [Verdict; 3] = [Verdict::Right, Verdict::Wrong, Verdict::WrongDirection];
+
+impl CellNote {
+    /// To be looked at again.
+    pub const NONE: CellNote = CellNote(0);
+
+    fn new(index: usize, verdict: Verdict) -> CellNote {
+        let code = QUICK_VERDICTS.iter().position(|v| *v == verdict).map_or(0, |code| code as u32 + 1);
+        match u32::try_from(index) {
+            Ok(index) if index < 1 << 30 && code > 0 => CellNote(index << 2 | code),
+            _ => CellNote::NONE,
+        }
+    }
+    /// The number of the entry, and that of the verdict among [`QUICK_VERDICTS`].
+    #[inline]
+    pub fn read(self) -> Option<(usize, usize)> {
+        let verdict = (self.0 & 3).checked_sub(1)?;
+        Some(((self.0 >> 2) as usize, verdict as usize))
+    }
+}
+
+/// Notes of the cells of a file, batch by batch.
+pub(crate) type Notes = BTreeMap<u64, Box<[CellNote]>>;
+
+/// So many cells are noted at most: 64 MiB. Later ones are looked at again.
+const MOST_NOTES: usize = 1 << 24;
+
+/// What counts.
+pub(crate) struct Chosen {
+    /// A row of parts for each student.
+    pub winners: Vec<Winner>,
+    /// Of the cells that were walked over.
+    pub notes: Notes,
+}
+
+/// What a walk collects of the attempts.
+#[derive(Clone)]
+enum Tally {
+    /// Where nothing but the order of rows matters.
+    ByRow(Vec<ByRow>),
+    /// Where neither lateness nor the number of an attempt matters: times are collected before they are understood.
+    Timed(Vec<Attempt>),
+    /// Where times are understood.
+    Ordered(Vec<Ordered>),
+}
+
+/// What is known of the times.
+struct Times {
+    evidence: Evidence,
+    /// Students and parts whose attempts are ordered by row.
+    untimed: Vec<bool>,
+}
+
+/// What a cell is worth to the choice among attempts.
+struct Worth {
+    class: u8,
+    number: f64,
+    /// Share of the points; known only where the best attempt counts.
+    share: f64,
+    /// The verdict if it came the quick way.
+    quickly: Option<Verdict>,
+}
+
+/// What a worker collects.
+struct Collector {
+    scratch: RecordScratch,
+    quick: Quick,
+    tally: Tally,
+    evidence: Evidence,
+    noted: Vec<CellNote>,
+    notes: Vec<(u64, Box<[CellNote]>)>,
+    room: usize,
+}
+
+/// What a walk goes by: which columns it looks at (those of one level of follow-through, or all), and what walks before it found.
+struct Walk<'w> {
+    job: &'w GradingJob<'w>,
+    level: Option<u8>,
+    winners: &'w [Winner],
+    times: &'w Times,
+}
+
+impl Walk<'_> {
+    /// Worth of a cell; blank ones have none.
+    #[inline]
+    fn worth(&self, (who, what): (u32, u32), answer: &[u8], quick: &mut Quick) -> Option<Worth> {
+        let GradingJob { table, rules, .. } = *self.job;
+        let quickly = self.job.quickly(self.job.index(who, what), answer, quick);
+        let (verdict, number) = quickly.unwrap_or_else(|| {
+            let judgement = self.job.judged((who, what), answer, quick);
+            (judgement.verdict, judgement.number)
+        });
+        let (class, share) = match verdict {
+            Verdict::Blank | Verdict::UnknownPart => return None,
+            Verdict::Unreadable => (choose::UNREADABLE, 0.0),
+            Verdict::Right => (choose::READABLE, 1.0),
+            _ if rules.policy.attempts.counts == Counts::Best => {
+                let at = (who as usize, what as usize);
+                (choose::READABLE, credit(number, at, table, rules, self.winners, None).share)
+            }
+            _ => (choose::READABLE, 0.0),
+        };
+        Some(Worth { class, number, share, quickly: quickly.map(|(verdict, _)| verdict) })
+    }
+
+    /// Walks over a batch.
+    fn batch(&self, collector: &mut Collector, batch: &Batch) {
+        let Collector { scratch, quick, tally, evidence, noted, notes, room } = collector;
+        let job = self.job;
+        noted.clear();
+        batch.records(scratch, |record| {
+            if !matches!(kind_of_record(record, job.layout, job.say), RecordKind::Cells) {
+                return;
+            }
+            let time = job.moment(record);
+            if let Some(moment) = time {
+                evidence.join(moment.evidence);
+            }
+            cells(record, job.layout, |cell| noted.push(self.cell(cell, time, quick, tally)));
+        });
+        if self.level.is_none() && noted.len() <= *room {
+            *room -= noted.len();
+            notes.push((batch.number, noted.as_slice().into()));
+        }
+    }
+
+    /// Takes a cell into the tally.
+    #[inline]
+    fn cell(
+        &self,
+        cell: &AnswerCell,
+        time: Option<Moment>,
+        quick: &mut Quick,
+        tally: &mut Tally,
+    ) -> CellNote {
+        let job = self.job;
+        let belongs = quick.find(job.table, cell);
+        let (Some(who), Some(what)) = (belongs.who, belongs.what) else { return CellNote::NONE };
+        if self.level.is_some_and(|level| job.rules.level(what as usize) != level) {
+            return CellNote::NONE;
+        }
+        let Some(worth) = self.worth((who, what), cell.answer, quick) else { return CellNote::NONE };
+        let (index, at) = (job.index(who, what), cell.place());
+        let attempts = &job.rules.policy.attempts;
+        match tally {
+            Tally::ByRow(all) => {
+                all[index].join(&ByRow::new(worth.class, at, worth.number), attempts.counts);
+            }
+            Tally::Timed(all) => all[index].join(&self.timed(&worth, at, time), attempts.counts),
+            Tally::Ordered(all) => {
+                let (class, one) = self.ordered(&worth, at, time, (who, index));
+                all[index].add(class, one, choose::depth(attempts));
+            }
+        }
+        // An id with an apostrophe in front may be one that was guarded against spreadsheets.
+        let as_on_the_roster = !belongs.respelled && cell.student.first() != Some(&b'\'');
+        match worth.quickly {
+            Some(verdict) if as_on_the_roster => CellNote::new(index, verdict),
+            _ => CellNote::NONE,
+        }
+    }
+
+    fn timed(&self, worth: &Worth, at: u64, time: Option<Moment>) -> Attempt {
+        let uncertain = time.and_then(|t| t.uncertain);
+        Attempt {
+            class: worth.class,
+            several: false,
+            untimed: [
+                self.job.layout.submitted.is_some() && time.is_none(),
+                uncertain == Some(false),
+                uncertain == Some(true),
+            ],
+            by_time: time.map_or([0; 2], |t| t.micros).map(|t| (t, at, worth.number)),
+            by_row: (at, worth.number),
+            best: (worth.share, at, worth.number),
+        }
+    }
+
+    /// The attempt with what its time costs, and its class.
+    fn ordered(&self, worth: &Worth, at: u64, time: Option<Moment>, (who, index): (u32, usize)) -> (u8, Try) {
+        let Times { evidence, untimed } = self.times;
+        let (rules, who) = (self.job.rules, who as usize);
+        let read = time.filter(|m| m.uncertain.is_none_or(|dotted| evidence.decides(dotted)));
+        let time = read.map(|m| m.micros[evidence.choice()]);
+        let whole_day = read.is_some_and(|m| m.whole_day);
+        // A date alone is enough where every hour of the day costs the same.
+        let known = time.filter(|time| !(whole_day && rules.hour_matters(who, *time)));
+        let late = match known {
+            Some(time) => rules.late(who, time),
+            None => rules.undated(who),
+        };
+        let closed = late.is_none() && worth.class == choose::READABLE;
+        let one = Try {
+            key: (if untimed[index] { 0 } else { time.unwrap_or(0) }, at),
+            number: worth.number,
+            share: worth.share,
+            late: late.unwrap_or(0.0),
+            undated: known.is_none(),
+            whole_day,
+        };
+        (if closed { choose::CLOSED } else { worth.class }, one)
+    }
+
+    /// Walks over all batches on several threads.
+    fn all(
+        &self,
+        open: Open<'_>,
+        empty: &Tally,
+        threads: usize,
+        heard: &mut (dyn FnMut(u64) + Send),
+    ) -> Result<(Tally, Evidence, Notes), GradeFault> {
+        let (source, _) = RecordSource::open(open()?)?;
+        let collector = || Collector {
+            scratch: RecordScratch::default(),
+            quick: Quick::default(),
+            tally: empty.clone(),
+            evidence: Evidence::default(),
+            noted: Vec::new(),
+            notes: Vec::new(),
+            room: MOST_NOTES / threads,
+        };
+        let workers = (0..threads).map(|_| collector()).collect();
+        let process = |w: &mut Collector, b: &Batch, _: &mut Vec<u8>| self.batch(w, b);
+        let (mut tally, mut evidence, mut notes) = (None, Evidence::default(), Notes::new());
+        let attempts = self.job.rules.policy.attempts;
+        for worker in sweep(source, workers, &process, None, heard)? {
+            evidence.join(worker.evidence);
+            notes.extend(worker.notes);
+            match (&mut tally, worker.tally) {
+                (Some(Tally::ByRow(all)), Tally::ByRow(more)) => {
+                    all.iter_mut().zip(&more).for_each(|(a, b)| a.join(b, attempts.counts));
+                }
+                (Some(Tally::Timed(all)), Tally::Timed(more)) => {
+                    all.iter_mut().zip(&more).for_each(|(a, b)| a.join(b, attempts.counts));
+                }
+                (Some(Tally::Ordered(all)), Tally::Ordered(more)) => {
+                    let depth = choose::depth(&attempts);
+                    all.iter_mut().zip(&more).for_each(|(a, b)| a.join(b, depth));
+                }
+                (_, first) => tally = Some(first),
+            }
+        }
+        let evidence = self.job.rules.policy.day_first.map_or(evidence, Evidence::said);
+        Ok((tally.unwrap_or_else(|| empty.clone()), evidence, notes))
+    }
+}
+
+/// Finds which attempts count.
+pub(crate) fn choose_winners(
+    open: Open<'_>,
+    job: &GradingJob,
+    threads: usize,
+    heard: &mut (dyn FnMut(u64) + Send),
+) -> Result<Chosen, GradeFault> {
+    let (rules, timed) = (job.rules, job.layout.submitted.is_some());
+    let attempts = rules.policy.attempts;
+    let size = job.table.students.len() * job.table.columns.len();
+    let mut chosen = Chosen { winners: vec![Winner::NONE; size], notes: Notes::new() };
+    let mut times = Times { evidence: Evidence::default(), untimed: vec![false; size] };
+    let timed_tally = || Tally::Timed(vec![Attempt::NONE; size]);
+    let careful = rules.careful() && timed;
+    if careful {
+        let walk = Walk { job, level: None, winners: &chosen.winners, times: &times };
+        let (tally, evidence, _) = walk.all(open, &timed_tally(), threads, heard)?;
+        times.evidence = evidence;
+        if let Tally::Timed(all) = tally {
+            times.untimed = all.iter().map(|one| one.class > 0 && one.is_untimed(evidence)).collect();
+        }
+    }
+    let empty = if careful || attempts.ordered() {
+        Tally::Ordered(vec![Ordered::NONE; size])
+    } else if timed || attempts.counts == Counts::Best {
+        timed_tally()
+    } else {
+        Tally::ByRow(vec![ByRow::NONE; size])
+    };
+    // What follows from another part is worth what it is only when the winner there is known.
+    let levels: Vec<Option<u8>> = match rules.walks() {
+        1 => vec![None],
+        n => (0..n).map(Some).collect(),
+    };
+    for level in levels {
+        let walk = Walk { job, level, winners: &chosen.winners, times: &times };
+        let (tally, evidence, notes) = walk.all(open, &empty, threads, heard)?;
+        let decided: Vec<Option<Winner>> = match tally {
+            Tally::ByRow(all) => all.iter().map(ByRow::winner).collect(),
+            Tally::Timed(all) => all.iter().map(|one| one.decide(attempts.counts, evidence)).collect(),
+            Tally::Ordered(all) => {
+                all.iter().zip(&times.untimed).map(|(one, untimed)| one.decide(&attempts, *untimed)).collect()
+            }
+        };
+        for (winner, decided) in chosen.winners.iter_mut().zip(decided) {
+            *winner = decided.unwrap_or(*winner);
+        }
+        chosen.notes = notes;
+    }
+    Ok(chosen)
+}

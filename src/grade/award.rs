@@ -1,0 +1,160 @@
+//! What an answer that counts earns, and how the reason tells it: slips, credit, attempts, lateness, corrections.
+use crate::grade::cells::GradingJob;
+use crate::grade::choose::Winner;
+use crate::grade::credit::CreditFor;
+use crate::grade::credit::credit;
+use crate::grade::diagnose::AnswerSlip;
+use crate::grade::diagnose::Diagnosis;
+use crate::grade::feedback::Feedback;
+use crate::grade::table::KeyTable;
+use crate::grade::verdict::Judgement;
+use crate::grade::verdict::Verdict;
+use crate::policy;
+use crate::policy::Unread;
+use crate::policy::time::Doubt;
+use std::borrow::Cow;
+
+/// What a wrong answer fits, as words for machines: ids of wrong methods, and a slip.
+pub(crate) struct Fits {
+    pub methods: String,
+    pub slip: String,
+    found: Vec<u16>,
+}
+
+/// A slip as a word for machines, and as students are told.
+fn slip_in_words<'w>(
+    slip: AnswerSlip,
+    table: &KeyTable,
+    what: u32,
+    say: &Feedback<'w>,
+) -> (String, Cow<'w, str>) {
+    match slip {
+        AnswerSlip::PowerOfTen(n) => {
+            (format!("power_of_ten:{n}"), say.fill("feedback.slip.power_of_ten", &[("n", &n.to_string())]))
+        }
+        AnswerSlip::Unit(from, to) => {
+            (format!("unit:{from}"), say.fill("feedback.slip.unit", &[("from", from), ("to", to)]))
+        }
+        AnswerSlip::FewerFigures(n) => {
+            (format!("figures:{n}"), say.fill("feedback.slip.figures", &[("n", &n.to_string())]))
+        }
+        AnswerSlip::Drift => ("drift".to_owned(), Cow::Borrowed(say.get("feedback.slip.drift"))),
+        AnswerSlip::OtherPart(i) => {
+            let other = table.columns.get(table.first_of(what as usize) + i).map_or("", |c| c.part.as_str());
+            (format!("part:{other}"), say.fill("feedback.slip.other_part", &[("part", other)]))
+        }
+    }
+}
+
+/// Tells a slip in the reason; ids of methods have a column of their own.
+pub(crate) fn diagnosed(
+    table: &KeyTable,
+    (who, what): (u32, u32),
+    cell: &[u8],
+    judgement: &mut Judgement,
+    say: &Feedback,
+) -> Fits {
+    let methods = table.methods(what as usize);
+    let Diagnosis { methods: found, slip } =
+        table.diagnose(judgement.number, cell, who as usize, what as usize);
+    let mut fits = Fits { methods: String::new(), slip: String::new(), found };
+    let told = slip.map(|slip| slip_in_words(slip, table, what, say));
+    if let Some((word, told)) = told {
+        judgement.reason = Cow::Owned(format!("{}; {told}", judgement.reason));
+        fits.slip = word;
+    }
+    for id in fits.found.iter().filter_map(|m| methods.get(usize::from(*m))) {
+        if !fits.methods.is_empty() {
+            fits.methods.push(' ');
+        }
+        fits.methods.push_str(id);
+    }
+    fits
+}
+
+/// A share as students read it: `50 %`.
+fn percent(share: f64) -> String {
+    format!("{} %", policy::plain(share * 100.0))
+}
+
+/// Points of a cell that counts, why they are not simply all or nothing (in words for machines), and the same in the reason.
+pub(crate) fn awarded(
+    job: &GradingJob,
+    (who, what): (u32, u32),
+    judgement: &mut Judgement,
+    fits: Option<&Fits>,
+    (winner, submitted): (&Winner, &[u8]),
+    winners: &[Winner],
+) -> (f64, String) {
+    let (table, say) = (job.table, job.say);
+    let points = table.quick(job.index(who, what)).1.points;
+    let mut words = String::new();
+    let mut told: Vec<Cow<str>> = Vec::new();
+    let mut word = |text: &str| {
+        if !words.is_empty() {
+            words.push(' ');
+        }
+        words.push_str(text);
+    };
+    let mut share = match judgement.verdict {
+        Verdict::Right => 1.0,
+        Verdict::Wrong | Verdict::WrongDirection => {
+            let at = (who as usize, what as usize);
+            let earned =
+                credit(judgement.number, at, table, job.rules, winners, fits.map(|f| f.found.as_slice()));
+            let share = percent(earned.share);
+            match earned.why {
+                CreditFor::Nothing => {}
+                CreditFor::Method => {
+                    word("methods");
+                    told.push(say.fill("feedback.credit.method", &[("share", &share)]));
+                }
+                CreditFor::Follows(column) => {
+                    let part = &table.columns[column].part;
+                    word(&format!("follow:{part}"));
+                    told.push(say.fill("feedback.credit.follows", &[("part", part), ("share", &share)]));
+                }
+            }
+            earned.share
+        }
+        _ => 0.0,
+    };
+    if share > 0.0 && winner.attempt < 1.0 {
+        word(&format!("attempt:{}", policy::plain(winner.attempt)));
+        told.push(say.fill("feedback.credit.attempt", &[("share", &percent(winner.attempt))]));
+    }
+    if winner.closed {
+        word("closed");
+        told.push(Cow::Borrowed(say.get("feedback.credit.closed")));
+    } else if share > 0.0 && winner.late < 1.0 {
+        word(&format!("late:{}", policy::plain(winner.late)));
+        told.push(say.fill("feedback.credit.late", &[("share", &percent(winner.late))]));
+    }
+    share *= winner.attempt * winner.late;
+    if job.rules.policy.timed() && (winner.undated || job.layout.submitted.is_none()) {
+        let taken = say.get(match job.rules.policy.late.unread {
+            Some(Unread::Late) => "feedback.credit.undated_late",
+            _ => "feedback.credit.undated",
+        });
+        let why = match job.rules.policy.zone.doubt(&String::from_utf8_lossy(submitted)) {
+            None => None,
+            Some(Doubt::WholeDay) => Some(Cow::Borrowed(say.get("feedback.credit.no_hour"))),
+            Some(Doubt::Weekday) => Some(Cow::Borrowed(say.get("feedback.credit.weekday"))),
+            Some(Doubt::Zone(word)) => Some(say.fill("feedback.credit.zones", &[("zone", word.name())])),
+        };
+        told.push(why.map_or(Cow::Borrowed(taken), |why| Cow::Owned(format!("{taken} ({why})"))));
+    } else if job.rules.policy.timed() && winner.whole_day {
+        told.push(Cow::Borrowed(say.get("feedback.credit.midnight")));
+    }
+    if let Some((given, why)) = job.rules.correction(what as usize, true)
+        && given > share
+    {
+        share = given;
+        word("correction");
+        told.push(say.fill("feedback.credit.correction", &[("share", &percent(given)), ("why", why)]));
+    }
+    if !told.is_empty() {
+        judgement.reason = Cow::Owned(format!("{}; {}", judgement.reason, told.join("; ")));
+    }
+    (if share >= 1.0 { points } else { policy::plain(points * share) }, words)
+}

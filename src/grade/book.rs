@@ -1,0 +1,65 @@
+//! gradebook.csv of a grading, read back: points of each student as they were given, and totals.
+use crate::grade::row::Unreadable;
+use crate::guard::unguarded;
+use std::io::Read;
+
+/// A row of gradebook.csv.
+#[derive(Debug, Clone, PartialEq)]
+pub struct BookRow {
+    /// Line of the file.
+    pub line: u64,
+    /// Id of the student.
+    pub student: String,
+    /// Points of the parts that were asked for; `None` where nothing was given or there is no such part.
+    pub points: Vec<Option<f64>>,
+    /// The total.
+    pub total: Option<f64>,
+    /// Of how many.
+    pub of: Option<f64>,
+    /// Numbers of the problems that do not count.
+    pub dropped: Vec<usize>,
+}
+
+/// Reads the points of parts (`1.omega`), row after row. May a part be missing?
+///
+/// # Errors
+/// It is no gradebook, or `see` finds a fault.
+pub fn each_row(
+    source: impl Read,
+    parts: &[String],
+    may_lack: bool,
+    see: &mut dyn FnMut(BookRow) -> Result<(), Unreadable>,
+) -> Result<(), Unreadable> {
+    let mut reader = csv::ReaderBuilder::new().flexible(true).from_reader(source);
+    let header = reader.byte_headers()?.clone();
+    let at = |name: &str| {
+        let named = |field: &[u8]| unguarded(&String::from_utf8_lossy(field)) == name;
+        header.iter().position(named)
+    };
+    let need = |name: &str| at(name).ok_or_else(|| Unreadable::no_column(name));
+    let (student, total, of, dropped) = (need("student")?, need("total")?, need("max_total")?, at("dropped"));
+    let column = |part: &String| if may_lack { Ok(at(part)) } else { need(part).map(Some) };
+    let columns = parts.iter().map(column).collect::<Result<Vec<_>, _>>()?;
+    for record in reader.byte_records() {
+        let record = record?;
+        let line = record.position().map_or(0, csv::Position::line);
+        let text = |i: usize| String::from_utf8_lossy(record.get(i).unwrap_or_default());
+        let number = |i: usize| match &*text(i) {
+            "" => Ok(None),
+            text => match text.parse::<f64>() {
+                Ok(value) if value.is_finite() => Ok(Some(value)),
+                _ => Err(Unreadable { line, what: format!("`{text}` is no number of points") }),
+            },
+        };
+        let dropped = dropped.map(text).unwrap_or_default();
+        see(BookRow {
+            line,
+            student: unguarded(&text(student)).to_owned(),
+            points: columns.iter().map(|c| c.map_or(Ok(None), number)).collect::<Result<_, _>>()?,
+            total: number(total)?,
+            of: number(of)?,
+            dropped: dropped.split(' ').filter_map(|n| n.parse().ok()).collect(),
+        })?;
+    }
+    Ok(())
+}
