@@ -19,6 +19,8 @@ use slipstick::solution::pen;
 use slipstick::template::Templates;
 use slipstick::words::Words;
 
+#[path = "support/beware.rs"]
+mod beware;
 #[path = "support/particles.rs"]
 mod particles;
 mod support;
@@ -124,15 +126,17 @@ fn faults(text: &str) -> Vec<String> {
 fn every_printed_equation_holds() {
     let texts = texts();
     let mut counts = tex::Counts::default();
-    let mut made = 0;
+    let (mut made, mut told) = (0, 0);
     sweep(DRAWS, |problem, variant| {
         let text = markdown(problem, variant, &texts[0]);
         let mut wrong = faults(&text);
+        wrong.extend(beware::check(&text, problem, variant, &texts[0].0, &mut told));
         wrong.extend(tex::check(&particles::plain(&text), &mut counts));
         assert!(wrong.is_empty(), "{}: {}\n\n{text}", problem.id, wrong.join("\n"));
         made += 1;
     });
-    println!("{made} solutions: {counts:?}");
+    println!("{made} solutions: {counts:?}, {told} mistakes");
+    assert!(told > made, "{told} mistakes told in {made} solutions");
     // So that a change of the text's form cannot switch the check off.
     assert!(
         counts.numbers > 15 * made && counts.symbols > 15 * made && counts.relations > 5 * made,

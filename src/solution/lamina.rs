@@ -23,9 +23,6 @@ use crate::solution::pen::Pen;
 use crate::solution::stop::Beyond;
 use crate::solution::stop::Stop;
 
-/// A wrong value is told only if it differs by this share from the right one: else it would teach nothing.
-const TOLD: f64 = 0.02;
-
 /// The lamina in symbols.
 struct Lamina {
     body: usize,
@@ -41,24 +38,14 @@ struct Lamina {
     kinetic: String,
 }
 
-/// What both roads share, and what the first has found.
-struct Worked {
-    mass: Symbol,
-    x: Symbol,
-    y: Symbol,
-    own: Symbol,
-    energy: Symbol,
-}
-
 /// Writes the sections of a lamina.
 ///
 /// # Errors
 /// What this derivation does not cover.
 pub fn work(desk: &mut Desk) -> Result<(), Stop> {
     let lamina = read(desk)?;
-    let worked = lamina.particles(desk);
-    lamina.decomposition(desk, &worked);
-    lamina.beware(desk, &worked);
+    let mass = lamina.particles(desk);
+    lamina.decomposition(desk, mass);
     Ok(())
 }
 
@@ -140,7 +127,8 @@ impl Lamina {
 
     // -- the sum over the particles ---------------------------------------------------------------------------------------
 
-    fn particles(&self, desk: &mut Desk) -> Worked {
+    /// Returns the whole mass, which the other method needs too.
+    fn particles(&self, desk: &mut Desk) -> Symbol {
         let mut pen = Pen::new(desk, "eom", "lamina.title_sum");
         pen.picture("scene");
         let value = |pen: &Pen, e: &Expr| pen.value(e);
@@ -250,17 +238,16 @@ impl Lamina {
         let energy = pen.find(&self.kinetic, "J", &energy.into());
         pen.motion(Self::energy_label(), energy);
         pen.done();
-        Worked { mass, x, y, own, energy }
+        mass
     }
 
     // -- the mass centre and the rotation about it ------------------------------------------------------------------------
 
-    fn decomposition(&self, desk: &mut Desk, worked: &Worked) {
+    fn decomposition(&self, desk: &mut Desk, mass: Symbol) {
         let mut pen = Pen::new(desk, "energy", "lamina.title_split");
         let k = self.known;
         let known = format!("${}$", self.names[k]);
         let name = &self.names[k];
-        let mass = worked.mass;
         // The mass centre as seen from the known particle.
         pen.say("lamina.seen", &[("known", &known)]);
         let seen = |pen: &mut Pen, letter: &str, c: &[Expr]| {
@@ -326,71 +313,6 @@ impl Lamina {
         let last = product([ratio(1, 2), about.into(), square(self.spin.clone())]);
         pen.find(&self.kinetic, "J", &sum([first, cross.into(), last]));
         pen.say("lamina.same", &[]);
-        pen.done();
-    }
-
-    /// Mistakes that suggest themselves, with what they would give here.
-    fn beware(&self, desk: &mut Desk, worked: &Worked) {
-        let mut pen = Pen::new(desk, "beware", "lamina.title_beware");
-        let of = |e: &Expr| pen.value(e);
-        let found = |s: Symbol| pen.desk.ledger.value(s);
-        let (mass, own, right) = (found(worked.mass), found(worked.own), found(worked.energy));
-        let spin = of(&self.spin);
-        let (x, y) = (found(worked.x), found(worked.y));
-        let k = self.known;
-        let tells = |wrong: f64, right: f64| {
-            wrong.is_finite() && (wrong - right).abs() > TOLD * right.abs().max(wrong.abs())
-        };
-        let value = |tex: &str, x: f64, unit: &str| pen.instead(tex, x, unit);
-        let known = format!("${}$", self.names[k]);
-        let (vx, vy) = (of(&self.vx), of(&self.vy));
-        let mut items = Vec::new();
-        if pen.desk.asks(Quantity::KineticEnergy) {
-            let square =
-                (x - of(&self.x[k])) * (x - of(&self.x[k])) + (y - of(&self.y[k])) * (y - of(&self.y[k]));
-            let about = own + mass * square;
-            let no_cross = 0.5 * mass * (vx * vx + vy * vy) + 0.5 * about * spin * spin;
-            if tells(no_cross, right) {
-                let wrong = value(&self.kinetic, no_cross, "J");
-                items.push(pen.desk.say("lamina.beware_cross", &[("known", &known), ("wrong", &wrong)]));
-            }
-            let mixed = 0.5 * mass * (vx * vx + vy * vy) + 0.5 * own * spin * spin;
-            if tells(mixed, right) {
-                let wrong = value(&self.kinetic, mixed, "J");
-                items.push(pen.desk.say("lamina.beware_mixed", &[("known", &known), ("wrong", &wrong)]));
-            }
-            // The other sense of the spin.
-            let (dx, dy) = (x - of(&self.x[k]), y - of(&self.y[k]));
-            let (ux, uy) = (vx + spin * dy, vy - spin * dx);
-            let other = 0.5 * mass * (ux * ux + uy * uy) + 0.5 * own * spin * spin;
-            if tells(other, right) {
-                let wrong = value(&self.kinetic, other, "J");
-                items.push(pen.desk.say("lamina.beware_sense", &[("wrong", &wrong)]));
-            }
-        }
-        if pen.desk.asks(Quantity::IG) {
-            let wrong = own + mass * (x * x + y * y);
-            if tells(wrong, own) {
-                let wrong = value("I_G", wrong, "kg m^2");
-                items.push(pen.desk.say("lamina.beware_origin", &[("wrong", &wrong)]));
-            }
-        }
-        if pen.desk.asks(Quantity::XG) || pen.desk.asks(Quantity::YG) {
-            #[expect(clippy::cast_precision_loss, reason = "a few particles")]
-            let count = self.count() as f64;
-            let middle = |c: &[Expr]| {
-                let (all, sizes) =
-                    c.iter().map(&of).fold((0.0, 0.0), |(sum, size), x: f64| (sum + x, size + x.abs()));
-                // What rounding leaves of nothing is nothing.
-                if all.abs() <= 1e-12 * sizes { 0.0 } else { all / count }
-            };
-            let (mx, my) = (middle(&self.x), middle(&self.y));
-            if tells(mx, x) || tells(my, y) {
-                let (mx, my) = (value("x_G", mx, "m"), value("y_G", my, "m"));
-                items.push(pen.desk.say("lamina.beware_middle", &[("x", &mx), ("y", &my)]));
-            }
-        }
-        pen.list(items);
         pen.done();
     }
 }

@@ -128,11 +128,6 @@ impl<'d, 'a> Pen<'d, 'a> {
         self.desk.from_energy(label, Answer::Value(symbol));
     }
 
-    /// What a mistake would give: `$5\ \mathrm{N}$ for $F$`.
-    pub fn instead(&self, tex: &str, value: f64, unit: &str) -> String {
-        self.desk.say("pinned.instead", &[("value", &self.rough(value, unit)), ("symbol", tex)])
-    }
-
     /// A number with four figures and a unit (ASCII), for remarks: LaTeX without dollars.
     pub fn rough(&self, value: f64, unit: &str) -> String {
         let digits = tex_digits(&number::rounded(value, 4), self.desk.words);

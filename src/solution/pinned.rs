@@ -38,8 +38,6 @@ use crate::solution::stop::Beyond;
 use crate::solution::stop::Stop;
 use crate::solve::outcome::Word;
 
-/// A wrong value is told only if it differs by this share from the right one: else it would teach nothing.
-const TOLD: f64 = 0.02;
 /// Step in degrees in which an angle is looked for at which something happens.
 const LOOK: f64 = 0.25;
 /// The farthest way that is looked over, degrees.
@@ -145,7 +143,6 @@ pub fn work(desk: &mut Desk) -> Result<(), Stop> {
         swing.swings_by_energy(desk);
     }
     swing.regime(desk, &solved);
-    swing.beware(desk, &solved);
     Ok(())
 }
 
@@ -339,7 +336,6 @@ fn signed(e: Expr, positive: bool) -> Expr {
 /// What the road of the equations of motion has found, for what comes after it.
 struct Worked {
     pendulum: bool,
-    alpha: Symbol,
     omega: Symbol,
     /// Force of the spring, and its direction, at the end.
     place: Place,
@@ -613,7 +609,7 @@ impl Swing {
         pen.motion(self.label(Quantity::Alpha), alpha);
 
         let mut worked =
-            Worked { pendulum, alpha, omega: alpha, place, turned: None, stretches: None, radial: None };
+            Worked { pendulum, omega: alpha, place, turned: None, stretches: None, radial: None };
         worked.omega = self.integral(&mut pen, &mut worked);
         let omega = worked.omega;
         pen.motion(self.label(Quantity::Omega), omega);
@@ -1331,104 +1327,5 @@ impl Swing {
         let label = self.label(Quantity::Direction);
         pen.desk.from_motion(label, Answer::Word(word));
         pen.desk.from_energy(label, Answer::Word(word));
-    }
-
-    /// Mistakes that suggest themselves, with what they would give here.
-    fn beware(&self, desk: &mut Desk, worked: &Worked) {
-        let mut pen = Pen::new(desk, "beware", "pinned.title_beware");
-        let ledger = &pen.desk.ledger;
-        let of = |e: &Expr| e.value(ledger);
-        let (m, g, h, own, about) =
-            (of(&self.m), of(&self.g), of(&self.h), of(&self.own), ledger.value(self.about));
-        let (alpha, omega) = (ledger.value(worked.alpha), ledger.value(worked.omega));
-        let spin0 = of(&self.w0);
-        let turning_point = matches!(pen.desk.scene.end, End::TurningPoint(_));
-        let asks = |q| pen.desk.asks(q);
-        let tells = |wrong: f64, right: f64| {
-            wrong.is_finite()
-                && right.is_finite()
-                && (wrong - right).abs() > TOLD * right.abs().max(wrong.abs())
-        };
-        let mut items = Vec::new();
-        let names = &self.names;
-        let value = |tex: &str, x: f64, unit: &str| pen.instead(tex, x, unit);
-        // The inertia about the mass centre in the moments about the pin.
-        if own > 0.0 && asks(Quantity::Alpha) && tells(alpha * about / own, alpha) {
-            let wrong = value(&names.alpha, alpha * about / own, "rad/s^2");
-            items.push(pen.desk.say("pinned.beware_own", &[("wrong", &wrong)]));
-        } else if own > 0.0 && asks(Quantity::Omega) && spin0 == 0.0 && !turning_point && omega != 0.0 {
-            let wrong = value(&names.omega, omega * (about / own).sqrt(), "rad/s");
-            items.push(pen.desk.say("pinned.beware_own", &[("wrong", &wrong)]));
-        }
-        // The angular acceleration of the end, as if it were constant.
-        let (first, last) = (of(&self.phi0), of(&self.phi1));
-        let turned = (last - first) * std::f64::consts::PI / 180.0;
-        if asks(Quantity::Omega) && !self.instant && !turning_point {
-            let wrong = (spin0 * spin0 + 2.0 * alpha * turned).sqrt();
-            if tells(wrong, omega) {
-                let wrong = value(&names.omega, wrong, "rad/s");
-                let text = [("wrong", wrong.as_str()), ("alpha", names.alpha.as_str())];
-                items.push(pen.desk.say("pinned.beware_constant", &text));
-            }
-        }
-        // The couple over degrees.
-        let couple = of(&self.couple());
-        if couple != 0.0 && asks(Quantity::Omega) && !self.instant && !turning_point {
-            let added = 2.0 * couple * ((last - first) - turned) / about;
-            let wrong = (omega * omega + added).sqrt();
-            if tells(wrong, omega) {
-                let wrong = value(&names.omega, wrong, "rad/s");
-                items.push(pen.desk.say("pinned.beware_degrees", &[("wrong", &wrong)]));
-            }
-        }
-        // The stretch counted from the start, not from the natural length.
-        if let (Some((a, b)), Some(s)) = (worked.stretches, &self.spring) {
-            let (a, b) = (ledger.value(a), ledger.value(b));
-            let stored = 0.5 * of(&s.k);
-            let gained = stored * (-(b - a) * (b - a) - (a * a - b * b));
-            let wrong = (omega * omega + 2.0 * gained / about).sqrt();
-            if asks(Quantity::Omega) && !turning_point && tells(wrong, omega) {
-                let wrong = value(&names.omega, wrong, "rad/s");
-                items.push(pen.desk.say("pinned.beware_stretch", &[("wrong", &wrong)]));
-            }
-        }
-        // No central acceleration in the pin's force.
-        if let Some(radial) = worked.radial {
-            let right = ledger.value(radial);
-            let wrong = right - m * h * omega * omega;
-            // What rounding leaves of a difference of equals is nothing.
-            let wrong = if wrong.abs() < 1e-9 * m * g { 0.0 } else { wrong };
-            if tells(wrong, right) {
-                let wrong = value(&names.radial, wrong, "N");
-                let text = [("wrong", wrong.as_str()), ("omega", names.omega.as_str())];
-                items.push(pen.desk.say("pinned.beware_central", &text));
-            }
-        }
-        if worked.pendulum {
-            let small = 2.0 * std::f64::consts::PI * (about / (m * g * h)).sqrt();
-            let found =
-                |q| pen.desk.variant.solved.get(self.label(q)).map(crate::solve::outcome::Entry::value);
-            if asks(Quantity::PeriodSmall) && own > 0.0 {
-                let wrong = 2.0 * std::f64::consts::PI * (h / g).sqrt();
-                if tells(wrong, small) {
-                    let tau = pen.desk.free(&[r"\tau_0", r"\tau_s"]);
-                    let wrong = value(&tau, wrong, "s");
-                    items.push(pen.desk.say("pinned.beware_simple", &[("wrong", &wrong)]));
-                }
-            }
-            if asks(Quantity::Period)
-                && let Some(right) = found(Quantity::Period)
-            {
-                let share = (right / small - 1.0) * 100.0;
-                if share.is_finite() && share > 0.1 && spin0 == 0.0 {
-                    let share = pen.desk.words.number(&number::rounded(share, 2));
-                    let small = format!("${}$", pen.rough(small, "s"));
-                    let text = [("small", small.as_str()), ("share", share.as_str())];
-                    items.push(pen.desk.say("pinned.beware_small", &text));
-                }
-            }
-        }
-        pen.list(items);
-        pen.done();
     }
 }

@@ -29,11 +29,7 @@ use crate::solution::mass;
 use crate::solution::pen::Pen;
 use crate::solution::stop::Beyond;
 use crate::solution::stop::Stop;
-use crate::solve::outcome::Entry;
 use crate::solve::outcome::Word;
-
-/// A wrong value is told only if it differs by this share from the right one: else it would teach nothing.
-const TOLD: f64 = 0.02;
 
 /// The body in symbols.
 struct Throw {
@@ -94,17 +90,10 @@ struct Worked {
     /// Sense of the slip: 1 forward.
     sense: f64,
     normal: Symbol,
-    /// Acceleration and angular acceleration while it slips.
-    a: Symbol,
     /// Time of the event, if it comes.
     event: Option<Symbol>,
-    /// Velocity of the centre at the end, and its displacement.
+    /// Velocity of the centre at the end.
     v: Symbol,
-    x: Symbol,
-    /// Acceleration and friction once it rolls, positive forward.
-    rolling: (f64, f64),
-    heat: Symbol,
-    way: Symbol,
 }
 
 fn signed(e: Expr, positive: bool) -> Expr {
@@ -132,7 +121,6 @@ pub fn work(desk: &mut Desk) -> Result<(), Stop> {
     let worked = throw.motion(desk)?;
     throw.balance(desk, &worked);
     throw.regime(desk, &worked);
-    throw.beware(desk, &worked);
     Ok(())
 }
 
@@ -418,7 +406,6 @@ impl Throw {
         let (mut now_a, mut now_alpha, mut now_friction) = (a, alpha, force);
 
         // Rolling: from the event on, or to be checked.
-        let rolling_value = self.rolling(pen.desk);
         let asks = |pen: &Pen, q| pen.desk.asks(q);
         let rolling_asked =
             [Quantity::ARolling, Quantity::FrictionIfRolled, Quantity::MuRequired, Quantity::Rolls];
@@ -501,7 +488,7 @@ impl Throw {
         let rolls = if holds { Word::Yes } else { Word::No };
         let label = self.label(Quantity::Rolls);
         desk.from_motion(label, Answer::Word(rolls));
-        Ok(Worked { phase, slip, sense, normal, a, event, v, x, rolling: rolling_value, heat, way })
+        Ok(Worked { phase, slip, sense, normal, event, v })
     }
 
     /// Does the centre come to rest before the end of a leg that it leaves with this velocity?
@@ -897,98 +884,6 @@ impl Throw {
         } else if value < 0.0 {
             pen.say("thrown.moves_back", &[("v", &v), ("way", &way)]);
         }
-        pen.done();
-    }
-
-    /// Mistakes that suggest themselves, with what they would give here.
-    fn beware(&self, desk: &mut Desk, worked: &Worked) {
-        let names = &self.names;
-        let mut pen = Pen::new(desk, "beware", "thrown.title_beware");
-        let ledger = &pen.desk.ledger;
-        let of = |e: &Expr| e.value(ledger);
-        let found = |s: Symbol| ledger.value(s);
-        let (m, own, c) = (of(&self.m), of(&self.own), of(&self.c));
-        let normal = found(worked.normal);
-        let asks = |q| pen.desk.asks(q);
-        let tells = |wrong: f64, right: f64| {
-            wrong.is_finite()
-                && right.is_finite()
-                && (wrong - right).abs() > TOLD * right.abs().max(wrong.abs())
-        };
-        let value = |tex: &str, x: f64, unit: &str| pen.instead(tex, x, unit);
-        let up = if self.up { 1.0 } else { -1.0 };
-        let slipping = -worked.sense * of(&self.mu_k) * normal * up;
-        let v = found(worked.v);
-        let mut items = Vec::new();
-        if asks(Quantity::Friction) {
-            let (text, right) = match worked.phase {
-                Phase::Rolls => ("thrown.beware_rolling", worked.rolling.1 * up),
-                _ => ("thrown.beware_static", slipping),
-            };
-            let wrong = match worked.phase {
-                Phase::Rolls => slipping,
-                _ => -worked.sense * of(&self.mu_s) * normal * up,
-            };
-            if tells(wrong, right) {
-                let wrong = value(&names.friction, wrong, "N");
-                items.push(pen.desk.say(text, &[("wrong", &wrong)]));
-            }
-        }
-        if of(&self.v0) * worked.sense < 0.0 {
-            items.push(pen.desk.say("thrown.beware_sense", &[]));
-        }
-        if !self.level {
-            let wrong = m * of(&self.g);
-            if wrong > 1.005 * normal {
-                let text = [
-                    ("wrong", value(&names.normal, wrong, "N")),
-                    ("right", format!("${}$", pen.rough(normal, "N"))),
-                ];
-                let text: Vec<(&str, &str)> = text.iter().map(|(n, t)| (*n, t.as_str())).collect();
-                items.push(pen.desk.say("thrown.beware_normal", &text));
-            }
-        }
-        if worked.phase == Phase::Slips && asks(Quantity::Omega) {
-            let right = pen.desk.variant.solved.get(self.label(Quantity::Omega)).map(Entry::value);
-            if let Some(right) = right
-                && tells(v.abs() / c, right)
-            {
-                let wrong = value(&format!("{}_1", names.omega), v / c, "rad/s");
-                items.push(pen.desk.say("thrown.beware_no_slip", &[("wrong", &wrong)]));
-            }
-        }
-        if let (Phase::Rolls, Some(t1)) = (worked.phase, &self.t1)
-            && asks(Quantity::V)
-        {
-            let wrong = of(&self.v0) + found(worked.a) * of(t1);
-            if tells(wrong, v) {
-                let wrong = value(&format!("{}_1", names.v), wrong, "m/s");
-                items.push(pen.desk.say("thrown.beware_on", &[("wrong", &wrong)]));
-            }
-        }
-        if worked.phase == Phase::Event && asks(Quantity::V) {
-            let start = 0.5 * m * of(&self.v0) * of(&self.v0) + 0.5 * own * of(&self.w0) * of(&self.w0);
-            let kept = start - of(&self.weight()) * found(worked.x);
-            let wrong = (2.0 * kept / (m + own / (c * c))).sqrt();
-            if tells(wrong, v.abs()) {
-                let wrong = value(&format!("{}_1", names.v), wrong, "m/s");
-                let phrase = if self.level { "thrown.beware_energy_level" } else { "thrown.beware_energy" };
-                items.push(pen.desk.say(phrase, &[("wrong", &wrong)]));
-            }
-        }
-        if asks(Quantity::Heat) || asks(Quantity::SlipDistance) {
-            let wrong = of(&self.mu_k) * normal * found(worked.x).abs();
-            if tells(wrong, found(worked.heat)) {
-                let text = [
-                    ("wrong", value(&names.heat, wrong, "J")),
-                    ("way", format!("${}$", pen.rough(found(worked.way), "m"))),
-                    ("x", format!("${}$", pen.rough(found(worked.x).abs(), "m"))),
-                ];
-                let text: Vec<(&str, &str)> = text.iter().map(|(n, t)| (*n, t.as_str())).collect();
-                items.push(pen.desk.say("thrown.beware_way", &text));
-            }
-        }
-        pen.list(items);
         pen.done();
     }
 }

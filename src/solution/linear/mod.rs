@@ -1,5 +1,4 @@
 //! Scenes of bodies on lines and about axles: rolling, slipping, sliding, cords, couples, one spring.
-pub mod beware;
 pub mod energy;
 pub mod instant;
 pub mod mechanism;
@@ -56,10 +55,7 @@ pub fn sections(desk: &mut Desk) -> Result<(), Stop> {
     let heading = Section::new("regime", &title(walk.desk, "regime"));
     let eom = std::mem::replace(&mut walk.out, heading);
     regime::write(&mut walk)?;
-    let heading = Section::new("beware", &title(walk.desk, "beware"));
-    let regime = std::mem::replace(&mut walk.out, heading);
-    beware::write(&mut walk);
-    let beware = walk.out;
+    let regime = walk.out;
     desk.sections.push(eom);
 
     let out = Section::new("energy", &title(desk, "energy"));
@@ -68,9 +64,6 @@ pub fn sections(desk: &mut Desk) -> Result<(), Stop> {
     let energy = walk.out;
     desk.sections.push(energy);
     desk.sections.push(regime);
-    if !beware.blocks.is_empty() {
-        desk.sections.push(beware);
-    }
     Ok(())
 }
 

@@ -126,6 +126,8 @@ pub struct Walk<'d, 'a> {
     pub spring: Option<Spring>,
     /// It is the walk of a slipping wheel as if it rolled.
     pub rolled: bool,
+    /// The ties whose reactions are being solved for, each for the one before it.
+    solving: Vec<usize>,
 }
 
 /// A body's label.
@@ -184,6 +186,7 @@ impl<'d, 'a> Walk<'d, 'a> {
             drive: ZERO,
             spring,
             rolled,
+            solving: Vec::new(),
         };
         walk.effective = walk.m.effective(walk.desk);
         walk.set_out(slips)?;
@@ -649,8 +652,7 @@ impl<'d, 'a> Walk<'d, 'a> {
         if let Some(known) = self.found(label) {
             return Ok(known);
         }
-        let mut path = Vec::new();
-        self.solve_reaction(tie, &mut path)?;
+        self.solve_reaction(tie)?;
         match self.found(label) {
             Some(symbol) => Ok(symbol),
             None => self.beyond(Beyond::Arrangement),
@@ -666,8 +668,12 @@ impl<'d, 'a> Walk<'d, 'a> {
         }
     }
 
-    fn solve_reaction(&mut self, tie: usize, path: &mut Vec<usize>) -> Result<(), Stop> {
-        path.push(tie);
+    fn solve_reaction(&mut self, tie: usize) -> Result<(), Stop> {
+        // Each would need the other first.
+        if self.solving.contains(&tie) {
+            return self.beyond(Beyond::SeveralEquations);
+        }
+        self.solving.push(tie);
         let coordinates: Vec<Coordinate> = self.desk.scene.coordinates().collect();
         // The row that asks for the fewest other reactions; lines before turns.
         let mut best: Option<(usize, Coordinate, Vec<usize>)> = None;
@@ -684,7 +690,7 @@ impl<'d, 'a> Walk<'d, 'a> {
                 })
                 .filter(|t| self.found(self.label_of_tie(*t)).is_none())
                 .collect();
-            if others.iter().any(|t| path.contains(t)) {
+            if others.iter().any(|t| self.solving.contains(t)) {
                 continue;
             }
             let price = 2 * others.len() + usize::from(c.degree == Degree::Turn);
@@ -697,7 +703,7 @@ impl<'d, 'a> Walk<'d, 'a> {
         };
         for other in others {
             if self.found(self.label_of_tie(other)).is_none() {
-                self.solve_reaction(other, path)?;
+                self.solve_reaction(other)?;
             }
         }
         // Whatever else the row needs.
@@ -741,7 +747,7 @@ impl<'d, 'a> Walk<'d, 'a> {
             (Road::Energy, Degree::Turn) => self.tell("energy.reaction_turn", &[("body", &body)]),
         }
         self.found_now(label, symbol, &from);
-        path.pop();
+        self.solving.pop();
         Ok(())
     }
 
