@@ -15,7 +15,7 @@ use slipstick::problem::make::Variant;
 use slipstick::sheet::html;
 use slipstick::sheet::number;
 use slipstick::solution;
-use slipstick::solution::expr::width;
+use slipstick::solution::written::width;
 use slipstick::template::Templates;
 use slipstick::words::Words;
 

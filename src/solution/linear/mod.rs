@@ -15,7 +15,6 @@ use crate::solution::desk::Answer;
 use crate::solution::desk::Desk;
 use crate::solution::expr::Expr;
 use crate::solution::expr::magnitude;
-use crate::solution::expr::product;
 use crate::solution::linear::walk::Road;
 use crate::solution::linear::walk::Walk;
 use crate::solution::linear::walk::of_body;
@@ -128,7 +127,7 @@ fn rolled(desk: &mut Desk, tie: usize) -> Result<f64, Stop> {
 
     let mu = desk.number(mu_s, r"\mu_s", "1");
     let limit = desk.unknown(&desk.free(&[r"F_{\mathrm{max}}"]), "N");
-    section.find(&mut desk.ledger, limit, &product([mu, normal.into()]));
+    section.find(&mut desk.ledger, limit, &(mu * normal));
     let size = magnitude(Expr::from(needed)).symbols(&desk.ledger);
     let size = format!("{size} = {}", desk.ledger.shown(needed).trim_start_matches('-'));
     let most = desk.ledger.tex(limit).to_owned();
