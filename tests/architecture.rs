@@ -57,6 +57,7 @@ const DOORS: &[(&str, &[&str])] = &[
         "solution",
         &[
             "problem",
+            "misconception::catalogue",
             "bank",
             "scene",
             "solve::outcome",

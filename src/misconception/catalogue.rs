@@ -5,7 +5,9 @@ use crate::bank::node::Fields;
 use crate::bank::node::Node;
 use crate::bank::node::named;
 use crate::bank::yaml;
+use crate::finding::Finding;
 use crate::finding::Findings;
+use std::sync::LazyLock;
 
 /// The words of one wrong method.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -36,7 +38,17 @@ const LANGUAGES: &[(&str, &str, &str)] = &[
     ("de", "templates/de/misconceptions.yaml", include_str!("../../templates/de/misconceptions.yaml")),
 ];
 
+/// The built-in ones, read once: the language, and its catalogue.
+static READ: LazyLock<Vec<(&str, Catalogue)>> =
+    LazyLock::new(|| LANGUAGES.iter().filter_map(|(code, ..)| Some((*code, Catalogue::of(code)?))).collect());
+
 impl Catalogue {
+    /// The built-in one of a language for good; in English if there is none of this code.
+    pub fn shared(language: &str) -> &'static Self {
+        let (_, catalogue) = READ.iter().find(|(code, _)| *code == language).unwrap_or(&READ[0]);
+        catalogue
+    }
+
     /// The built-in one, in English.
     ///
     /// # Panics

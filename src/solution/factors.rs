@@ -1,13 +1,10 @@
 //! Products and ratios of symbols that cancel what they can: velocity ratios, masses, moments of inertia.
 use crate::solution::expr::Expr;
 use crate::solution::expr::ZERO;
-use crate::solution::expr::difference;
 use crate::solution::expr::minus;
 use crate::solution::expr::power;
 use crate::solution::expr::product;
-use crate::solution::expr::quotient;
-use crate::solution::expr::sum;
-use crate::solution::ledger::Ledger;
+use crate::solution::quantities::Ledger;
 
 /// `constant * over / under`; factors that occur above and below are gone.
 #[derive(Debug, Clone, PartialEq)]
@@ -159,12 +156,12 @@ impl Factors {
         }
         let both = if first.constant.0 < 0 && second.constant.0 < 0 {
             return outside
-                .times(&Self::of(&sum([first.opposite().expr(), second.opposite().expr()])))
+                .times(&Self::of(&(first.opposite().expr() + second.opposite().expr())))
                 .opposite();
         } else if first.constant.0 < 0 {
-            difference(second.expr(), first.opposite().expr())
+            second.expr() - first.opposite().expr()
         } else {
-            sum([first.expr(), second.expr()])
+            first.expr() + second.expr()
         };
         outside.times(&Self::of(&both))
     }
@@ -187,12 +184,12 @@ impl Factors {
         let size = match (positive, self.constant.1) {
             // A whole denominator goes below: c/2 and not 1/2 c.
             (over, under) if !self.under.is_empty() || self.over.is_empty() => {
-                let below = product([Expr::Number(under, 1), collected(&self.under)]);
-                quotient(product([Expr::Number(over, 1), collected(&self.over)]), below)
+                let below = Expr::Number(under, 1) * collected(&self.under);
+                Expr::Number(over, 1) * collected(&self.over) / below
             }
-            (over, under) => product([Expr::Number(over, under), collected(&self.over)]),
+            (over, under) => Expr::Number(over, under) * collected(&self.over),
         };
-        if self.constant.0 < 0 { minus(size) } else { size }
+        if self.constant.0 < 0 { -size } else { size }
     }
 }
 

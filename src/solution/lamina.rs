@@ -8,23 +8,16 @@ use crate::scene::Start;
 use crate::sheet::number;
 use crate::solution::desk::Desk;
 use crate::solution::expr::Expr;
-use crate::solution::expr::ZERO;
-use crate::solution::expr::difference;
-use crate::solution::expr::product;
-use crate::solution::expr::quotient;
+use crate::solution::expr::Symbol;
 use crate::solution::expr::ratio;
 use crate::solution::expr::root;
 use crate::solution::expr::square;
 use crate::solution::expr::sum;
-use crate::solution::ledger::FIGURES;
-use crate::solution::ledger::Symbol;
-use crate::solution::ledger::tex_digits;
 use crate::solution::pen::Pen;
+use crate::solution::quantities::FIGURES;
+use crate::solution::quantities::tex_digits;
 use crate::solution::stop::Beyond;
 use crate::solution::stop::Stop;
-
-/// A wrong value is told only if it differs by this share from the right one: else it would teach nothing.
-const TOLD: f64 = 0.02;
 
 /// The lamina in symbols.
 struct Lamina {
@@ -41,24 +34,14 @@ struct Lamina {
     kinetic: String,
 }
 
-/// What both roads share, and what the first has found.
-struct Worked {
-    mass: Symbol,
-    x: Symbol,
-    y: Symbol,
-    own: Symbol,
-    energy: Symbol,
-}
-
 /// Writes the sections of a lamina.
 ///
 /// # Errors
 /// What this derivation does not cover.
 pub fn work(desk: &mut Desk) -> Result<(), Stop> {
     let lamina = read(desk)?;
-    let worked = lamina.particles(desk);
-    lamina.decomposition(desk, &worked);
-    lamina.beware(desk, &worked);
+    let mass = lamina.particles(desk);
+    lamina.decomposition(desk, mass);
     Ok(())
 }
 
@@ -123,102 +106,81 @@ impl Lamina {
     /// Velocity of a particle.
     fn velocity(&self, i: usize) -> (Expr, Expr) {
         let k = self.known;
-        let (dx, dy) = (
-            difference(self.x[i].clone(), self.x[k].clone()),
-            difference(self.y[i].clone(), self.y[k].clone()),
-        );
-        (
-            difference(self.vx.clone(), product([self.spin.clone(), dy])),
-            sum([self.vy.clone(), product([self.spin.clone(), dx])]),
-        )
+        let (dx, dy) = (&self.x[i] - &self.x[k], &self.y[i] - &self.y[k]);
+        (&self.vx - &self.spin * dy, &self.vy + &self.spin * dx)
     }
 
-    /// A row of the head of a table: LaTeX cells.
-    fn head(cells: &[&str]) -> Vec<String> {
-        cells.iter().map(|c| format!("${c}$")).collect()
+    /// A table with a row for each particle: its name, and these cells, of which the first are data.
+    fn table(&self, pen: &mut Pen, head: &[&str], given: usize, cells: &dyn Fn(usize) -> Vec<Expr>) {
+        let mut rows = vec![head.iter().map(|c| format!("${c}$")).collect()];
+        for (i, name) in self.names.iter().enumerate() {
+            let cells = cells(i).into_iter().enumerate().map(|(column, e)| match e {
+                Expr::Symbol(s) if column < given => {
+                    let shown = pen.desk.ledger.shown(s);
+                    format!("${}$", shown.split(r"\ ").next().unwrap_or_default())
+                }
+                e => cell(pen.desk, pen.value(&e)),
+            });
+            rows.push(std::iter::once(format!("${name}$")).chain(cells).collect());
+        }
+        pen.table(rows);
     }
 
     // -- the sum over the particles ---------------------------------------------------------------------------------------
 
-    fn particles(&self, desk: &mut Desk) -> Worked {
+    /// Returns the whole mass, which the other method needs too.
+    fn particles(&self, desk: &mut Desk) -> Symbol {
         let mut pen = Pen::new(desk, "eom", "lamina.title_sum");
         pen.picture("scene");
-        let value = |pen: &Pen, e: &Expr| pen.value(e);
         let known = format!("${}$", self.names[self.known]);
 
         pen.say("lamina.centre", &[]);
-        let mut rows = vec![Self::head(&[
+        let head = [
             "i",
             r"m_i\ (\mathrm{kg})",
             r"x_i\ (\mathrm{m})",
             r"y_i\ (\mathrm{m})",
             r"m_i\,x_i\ (\mathrm{kg}\,\mathrm{m})",
             r"m_i\,y_i\ (\mathrm{kg}\,\mathrm{m})",
-        ])];
-        for i in 0..self.count() {
-            let given = |e: &Expr| match e {
-                Expr::Symbol(s) => {
-                    let shown = pen.desk.ledger.shown(*s);
-                    let digits = shown.split(r"\ ").next().unwrap_or_default().to_owned();
-                    format!("${digits}$")
-                }
-                _ => "$0$".to_owned(),
-            };
-            let moment = |c: &Expr| cell(pen.desk, value(&pen, &product([self.m[i].clone(), c.clone()])));
-            rows.push(vec![
-                format!("${}$", self.names[i]),
-                given(&self.m[i]),
-                given(&self.x[i]),
-                given(&self.y[i]),
-                moment(&self.x[i]),
-                moment(&self.y[i]),
-            ]);
-        }
-        pen.table(rows);
+        ];
+        self.table(&mut pen, &head, 3, &|i| {
+            let (m, x, y) = (&self.m[i], &self.x[i], &self.y[i]);
+            vec![m.clone(), x.clone(), y.clone(), m * x, m * y]
+        });
         let mass_name = pen.desk.free(&["m", "M"]);
         let mass = self.total(&mut pen, r"\sum m_i", "kg", &|i| self.m[i].clone());
         let moment = |pen: &mut Pen, letter: &str, c: &[Expr]| {
             let tex = format!(r"\sum m_i\,{letter}_i");
-            self.total(pen, &tex, "kg m", &|i| product([self.m[i].clone(), c[i].clone()]))
+            self.total(pen, &tex, "kg m", &|i| &self.m[i] * &c[i])
         };
         let (mx, my) = (moment(&mut pen, "x", &self.x), moment(&mut pen, "y", &self.y));
-        let mass = pen.find(&mass_name, "kg", &mass.into());
-        let x = pen.find("x_G", "m", &quotient(mx.into(), mass.into()));
-        let y = pen.find("y_G", "m", &quotient(my.into(), mass.into()));
+        let mass = pen.find(&mass_name, "kg", mass);
+        let x = pen.find("x_G", "m", mx / mass);
+        let y = pen.find("y_G", "m", my / mass);
         pen.motion(self.label(Quantity::XG), x);
         pen.motion(self.label(Quantity::YG), y);
 
         // Inertia about the mass centre.
         pen.say("lamina.inertia", &[]);
         pen.formula(r"\rho_i = \sqrt{\left(x_i - x_G\right)^{2} + \left(y_i - y_G\right)^{2}}");
-        let from_centre =
-            |i: usize| (difference(self.x[i].clone(), x.into()), difference(self.y[i].clone(), y.into()));
+        let from_centre = |i: usize| (&self.x[i] - x, &self.y[i] - y);
         let arm = |i: usize| {
             let (dx, dy) = from_centre(i);
-            sum([square(dx), square(dy)])
+            square(dx) + square(dy)
         };
-        let mut rows = vec![Self::head(&[
+        let head = [
             "i",
             r"x_i - x_G\ (\mathrm{m})",
             r"y_i - y_G\ (\mathrm{m})",
             r"\rho_i\ (\mathrm{m})",
             r"m_i\,\rho_i^{2}\ (\mathrm{kg}\,\mathrm{m}^{2})",
-        ])];
-        for i in 0..self.count() {
+        ];
+        self.table(&mut pen, &head, 0, &|i| {
             let (dx, dy) = from_centre(i);
-            let c = |e: &Expr| cell(pen.desk, value(&pen, e));
-            rows.push(vec![
-                format!("${}$", self.names[i]),
-                c(&dx),
-                c(&dy),
-                c(&root(arm(i))),
-                c(&product([self.m[i].clone(), arm(i)])),
-            ]);
-        }
-        pen.table(rows);
-        let own_sum = self
-            .total(&mut pen, r"\sum m_i\,\rho_i^{2}", "kg m^2", &|i| product([self.m[i].clone(), arm(i)]));
-        let own = pen.find("I_G", "kg m^2", &own_sum.into());
+            vec![dx, dy, root(arm(i)), &self.m[i] * arm(i)]
+        });
+        let own_sum = self.total(&mut pen, r"\sum m_i\,\rho_i^{2}", "kg m^2", &|i| &self.m[i] * arm(i));
+        let own = pen.find("I_G", "kg m^2", own_sum);
         pen.motion(self.label(Quantity::IG), own);
 
         // Velocities.
@@ -230,171 +192,88 @@ impl Lamina {
         pen.formula(r"v_i = \sqrt{v_{x,i}^{2} + v_{y,i}^{2}}");
         let speed = |i: usize| {
             let (ux, uy) = self.velocity(i);
-            sum([square(ux), square(uy)])
+            square(ux) + square(uy)
         };
-        let share = |i: usize| product([ratio(1, 2), self.m[i].clone(), speed(i)]);
-        let mut rows = vec![Self::head(&[
+        let share = |i: usize| ratio(1, 2) * &self.m[i] * speed(i);
+        let head = [
             "i",
             r"v_{x,i}\ (\mathrm{m}/\mathrm{s})",
             r"v_{y,i}\ (\mathrm{m}/\mathrm{s})",
             r"v_i\ (\mathrm{m}/\mathrm{s})",
             r"\tfrac{1}{2}\,m_i\,v_i^{2}\ (\mathrm{J})",
-        ])];
-        for i in 0..self.count() {
+        ];
+        self.table(&mut pen, &head, 0, &|i| {
             let (ux, uy) = self.velocity(i);
-            let c = |e: &Expr| cell(pen.desk, value(&pen, e));
-            rows.push(vec![format!("${}$", self.names[i]), c(&ux), c(&uy), c(&root(speed(i))), c(&share(i))]);
-        }
-        pen.table(rows);
+            vec![ux, uy, root(speed(i)), share(i)]
+        });
         let energy = self.total(&mut pen, r"\sum \tfrac{1}{2}\,m_i\,v_i^{2}", "J", &share);
-        let energy = pen.find(&self.kinetic, "J", &energy.into());
+        let energy = pen.find(&self.kinetic, "J", energy);
         pen.motion(Self::energy_label(), energy);
         pen.done();
-        Worked { mass, x, y, own, energy }
+        mass
     }
 
     // -- the mass centre and the rotation about it ------------------------------------------------------------------------
 
-    fn decomposition(&self, desk: &mut Desk, worked: &Worked) {
+    fn decomposition(&self, desk: &mut Desk, mass: Symbol) {
         let mut pen = Pen::new(desk, "energy", "lamina.title_split");
         let k = self.known;
         let known = format!("${}$", self.names[k]);
         let name = &self.names[k];
-        let mass = worked.mass;
         // The mass centre as seen from the known particle.
         pen.say("lamina.seen", &[("known", &known)]);
         let seen = |pen: &mut Pen, letter: &str, c: &[Expr]| {
             let tex = format!(r"\sum m_i\,\left({letter}_i - {}\right)", pen.tex(&c[k]));
-            let moment = self.total(pen, &tex, "kg m", &|i| {
-                product([self.m[i].clone(), difference(c[i].clone(), c[k].clone())])
-            });
+            let moment = self.total(pen, &tex, "kg m", &|i| &self.m[i] * (&c[i] - &c[k]));
             let tex = format!(r"\Delta {letter}");
-            pen.find(&tex, "m", &quotient(moment.into(), mass.into()))
+            pen.find(&tex, "m", moment / mass)
         };
         let dx = seen(&mut pen, "x", &self.x);
         let dy = seen(&mut pen, "y", &self.y);
-        let x = pen.find("x_G", "m", &sum([self.x[k].clone(), dx.into()]));
-        let y = pen.find("y_G", "m", &sum([self.y[k].clone(), dy.into()]));
+        let x = pen.find("x_G", "m", &self.x[k] + dx);
+        let y = pen.find("y_G", "m", &self.y[k] + dy);
         pen.energy(self.label(Quantity::XG), x);
         pen.energy(self.label(Quantity::YG), y);
         pen.say("lamina.velocity", &[]);
-        let vx = difference(self.vx.clone(), product([self.spin.clone(), dy.into()]));
-        let vy = sum([self.vy.clone(), product([self.spin.clone(), dx.into()])]);
+        let vx = &self.vx - &self.spin * dy;
+        let vy = &self.vy + &self.spin * dx;
         let vx = pen.find("v_{Gx}", "m/s", &vx);
         let vy = pen.find("v_{Gy}", "m/s", &vy);
 
         // The inertia by parallel axes from the known particle.
         pen.say("lamina.parallel", &[("known", &known)]);
         let about_tex = format!("I_{{{name}}}");
-        let arm = |i: usize| {
-            sum([
-                square(difference(self.x[i].clone(), self.x[k].clone())),
-                square(difference(self.y[i].clone(), self.y[k].clone())),
-            ])
-        };
+        let arm = |i: usize| square(&self.x[i] - &self.x[k]) + square(&self.y[i] - &self.y[k]);
         let tex = format!(
             r"\sum m_i\,\left(\left(x_i - {}\right)^{{2}} + \left(y_i - {}\right)^{{2}}\right)",
             pen.tex(&self.x[k]),
             pen.tex(&self.y[k])
         );
-        let about = self.total(&mut pen, &tex, "kg m^2", &|i| product([self.m[i].clone(), arm(i)]));
-        let about = pen.find(&about_tex, "kg m^2", &about.into());
-        let distance = sum([square(dx.into()), square(dy.into())]);
-        let moved = product([mass.into(), distance]);
-        let own = pen.find("I_G", "kg m^2", &difference(about.into(), moved));
+        let about = self.total(&mut pen, &tex, "kg m^2", &|i| &self.m[i] * arm(i));
+        let about = pen.find(&about_tex, "kg m^2", about);
+        let distance = square(dx) + square(dy);
+        let moved = mass * distance;
+        let own = pen.find("I_G", "kg m^2", about - moved);
         pen.energy(self.label(Quantity::IG), own);
 
         // The decomposition.
         pen.say("lamina.split", &[]);
-        let centre = product([ratio(1, 2), mass.into(), sum([square(vx.into()), square(vy.into())])]);
-        let turning = product([ratio(1, 2), own.into(), square(self.spin.clone())]);
+        let centre = ratio(1, 2) * mass * (square(vx) + square(vy));
+        let turning = ratio(1, 2) * own * square(&self.spin);
         let centre = pen.find(&format!("{}_v", self.kinetic), "J", &centre);
         let turning = pen.find(&format!(r"{}_{{\omega}}", self.kinetic), "J", &turning);
-        let energy = pen.find(&self.kinetic, "J", &sum([Expr::from(centre), turning.into()]));
+        let energy = pen.find(&self.kinetic, "J", centre + turning);
         pen.energy(Self::energy_label(), energy);
 
         // The cross term about the known particle.
         pen.say("lamina.cross", &[("known", &known)]);
-        let cross = product([
-            mass.into(),
-            self.spin.clone(),
-            difference(product([self.vy.clone(), dx.into()]), product([self.vx.clone(), dy.into()])),
-        ]);
+        let cross = mass * &self.spin * (&self.vy * dx - &self.vx * dy);
         let cross_tex = format!(r"{}_{{\times}}", self.kinetic);
         let cross = pen.find(&cross_tex, "J", &cross);
-        let first = product([ratio(1, 2), mass.into(), sum([square_of(&self.vx), square_of(&self.vy)])]);
-        let last = product([ratio(1, 2), about.into(), square(self.spin.clone())]);
-        pen.find(&self.kinetic, "J", &sum([first, cross.into(), last]));
+        let first = ratio(1, 2) * mass * (square(&self.vx) + square(&self.vy));
+        let last = ratio(1, 2) * about * square(&self.spin);
+        pen.find(&self.kinetic, "J", first + cross + last);
         pen.say("lamina.same", &[]);
         pen.done();
     }
-
-    /// Mistakes that suggest themselves, with what they would give here.
-    fn beware(&self, desk: &mut Desk, worked: &Worked) {
-        let mut pen = Pen::new(desk, "beware", "lamina.title_beware");
-        let of = |e: &Expr| pen.value(e);
-        let found = |s: Symbol| pen.desk.ledger.value(s);
-        let (mass, own, right) = (found(worked.mass), found(worked.own), found(worked.energy));
-        let spin = of(&self.spin);
-        let (x, y) = (found(worked.x), found(worked.y));
-        let k = self.known;
-        let tells = |wrong: f64, right: f64| {
-            wrong.is_finite() && (wrong - right).abs() > TOLD * right.abs().max(wrong.abs())
-        };
-        let value = |tex: &str, x: f64, unit: &str| pen.instead(tex, x, unit);
-        let known = format!("${}$", self.names[k]);
-        let (vx, vy) = (of(&self.vx), of(&self.vy));
-        let mut items = Vec::new();
-        if pen.desk.asks(Quantity::KineticEnergy) {
-            let square =
-                (x - of(&self.x[k])) * (x - of(&self.x[k])) + (y - of(&self.y[k])) * (y - of(&self.y[k]));
-            let about = own + mass * square;
-            let no_cross = 0.5 * mass * (vx * vx + vy * vy) + 0.5 * about * spin * spin;
-            if tells(no_cross, right) {
-                let wrong = value(&self.kinetic, no_cross, "J");
-                items.push(pen.desk.say("lamina.beware_cross", &[("known", &known), ("wrong", &wrong)]));
-            }
-            let mixed = 0.5 * mass * (vx * vx + vy * vy) + 0.5 * own * spin * spin;
-            if tells(mixed, right) {
-                let wrong = value(&self.kinetic, mixed, "J");
-                items.push(pen.desk.say("lamina.beware_mixed", &[("known", &known), ("wrong", &wrong)]));
-            }
-            // The other sense of the spin.
-            let (dx, dy) = (x - of(&self.x[k]), y - of(&self.y[k]));
-            let (ux, uy) = (vx + spin * dy, vy - spin * dx);
-            let other = 0.5 * mass * (ux * ux + uy * uy) + 0.5 * own * spin * spin;
-            if tells(other, right) {
-                let wrong = value(&self.kinetic, other, "J");
-                items.push(pen.desk.say("lamina.beware_sense", &[("wrong", &wrong)]));
-            }
-        }
-        if pen.desk.asks(Quantity::IG) {
-            let wrong = own + mass * (x * x + y * y);
-            if tells(wrong, own) {
-                let wrong = value("I_G", wrong, "kg m^2");
-                items.push(pen.desk.say("lamina.beware_origin", &[("wrong", &wrong)]));
-            }
-        }
-        if pen.desk.asks(Quantity::XG) || pen.desk.asks(Quantity::YG) {
-            #[expect(clippy::cast_precision_loss, reason = "a few particles")]
-            let count = self.count() as f64;
-            let middle = |c: &[Expr]| {
-                let (all, sizes) =
-                    c.iter().map(&of).fold((0.0, 0.0), |(sum, size), x: f64| (sum + x, size + x.abs()));
-                // What rounding leaves of nothing is nothing.
-                if all.abs() <= 1e-12 * sizes { 0.0 } else { all / count }
-            };
-            let (mx, my) = (middle(&self.x), middle(&self.y));
-            if tells(mx, x) || tells(my, y) {
-                let (mx, my) = (value("x_G", mx, "m"), value("y_G", my, "m"));
-                items.push(pen.desk.say("lamina.beware_middle", &[("x", &mx), ("y", &my)]));
-            }
-        }
-        pen.list(items);
-        pen.done();
-    }
-}
-
-fn square_of(e: &Expr) -> Expr {
-    if *e == ZERO { ZERO } else { square(e.clone()) }
 }

@@ -5,15 +5,13 @@ use crate::scene::Shape;
 use crate::solution::expr::Expr;
 use crate::solution::expr::ZERO;
 use crate::solution::expr::number;
-use crate::solution::expr::product;
-use crate::solution::expr::quotient;
 use crate::solution::expr::ratio;
 use crate::solution::expr::square;
 use crate::solution::expr::sum;
 use crate::solution::pen::Pen;
 
 /// `beta` of `I = beta m R^2`.
-fn beta(shape: Shape) -> Expr {
+pub fn beta(shape: Shape) -> Expr {
     match shape {
         Shape::Hoop => number(1),
         Shape::Disc => ratio(1, 2),
@@ -43,7 +41,7 @@ pub fn mass(pen: &mut Pen, body: usize) -> Expr {
             let parts: Vec<Expr> = parts.iter().map(|p| of(pen, &p.mass)).collect();
             let name = pen.desk.free(&["m", "m_G"]);
             pen.say("pinned.mass_parts", &[]);
-            pen.find(&name, "kg", &sum(parts)).into()
+            pen.find(&name, "kg", sum(parts)).into()
         }
         given @ Mass::Weight(_) => {
             let from = of(pen, given);
@@ -61,7 +59,7 @@ fn of(pen: &mut Pen, mass: &Mass) -> Expr {
         Mass::Weight(w) => {
             let gravity = pen.desk.scene.gravity_m_s2;
             let g = pen.desk.number(gravity, "g", "m/s^2");
-            quotient(pen.desk.number(*w, "W", "N"), g)
+            pen.desk.number(*w, "W", "N") / g
         }
         Mass::OfParts => ZERO,
     }
@@ -80,23 +78,23 @@ pub fn inertia(pen: &mut Pen, body: usize, m: &Expr) -> Expr {
                 return ZERO;
             }
             pen.say("pinned.inertia_gyration", &[]);
-            pen.find(&name, "kg m^2", &product([m.clone(), square(k)])).into()
+            pen.find(&name, "kg m^2", m * square(k)).into()
         }
         Some(RotaryInertia::Shape(shape, r)) => {
             let r = pen.desk.number(*r, "R", "m");
             let named = pen.desk.words.get(phrase(*shape)).to_owned();
             pen.say("pinned.inertia_shape", &[("shape", &named)]);
-            pen.find(&name, "kg m^2", &product([beta(*shape), m.clone(), square(r)])).into()
+            pen.find(&name, "kg m^2", beta(*shape) * m * square(r)).into()
         }
         Some(RotaryInertia::Parts(parts)) => {
             let mut terms = Vec::new();
             for p in parts {
                 let mass = of(pen, &p.mass);
                 let r = pen.desk.number(p.radius_m, "R", "m");
-                terms.push(product([beta(p.shape), mass, square(r)]));
+                terms.push(beta(p.shape) * mass * square(r));
             }
             pen.say("pinned.inertia_parts", &[]);
-            pen.find(&name, "kg m^2", &sum(terms)).into()
+            pen.find(&name, "kg m^2", sum(terms)).into()
         }
     }
 }

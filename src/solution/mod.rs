@@ -6,22 +6,25 @@
 //! - `given`: the data in SI, what is asked;
 //! - whatever the derivation writes: `forces`, `eom`, `energy`, ...;
 //! - `agree`: what both roads found; `regime`: the check of what was assumed;
-//! - `answers`: the answers, rounded; `beware`: mistakes that suggest themselves.
+//! - `answers`: the answers, rounded; `beware`: wrong methods of the problem, with what they would give.
 //!
 //! What no derivation covers has a short page: `given`, `beyond` with the reason, `answers`.
+pub mod beware;
 pub mod by_hand;
 pub mod desk;
 pub mod expr;
 pub mod factors;
 pub mod lamina;
-pub mod ledger;
 pub mod linear;
 pub mod mass;
 pub mod pen;
 pub mod pinned;
+pub mod quantities;
 pub mod stop;
 pub mod text;
 pub mod thrown;
+pub mod valued;
+pub mod written;
 
 use crate::bank::Problem;
 use crate::bank::Question;
@@ -42,7 +45,7 @@ use crate::sheet::number;
 use crate::solution::desk::Answer;
 use crate::solution::desk::Desk;
 use crate::solution::desk::Found;
-use crate::solution::ledger::tex_digits;
+use crate::solution::quantities::tex_digits;
 use crate::solution::stop::Beyond;
 use crate::solution::stop::Stop;
 use crate::solution::text::Block;
@@ -124,7 +127,10 @@ fn made(
     let answers = answers(&desk, number);
     sections.push(given(&desk, number));
     match beyond {
-        None => sections.push(agree(&desk, number)),
+        None => {
+            sections.push(agree(&desk, number));
+            sections.extend(beware::section(&desk, number));
+        }
         Some(what) => {
             let mut section = Section::new("beyond", words.get("solution.title.beyond"));
             section.say(words.say("solution.short", &[("what", &what.text(words))]));
@@ -341,24 +347,23 @@ fn answers(desk: &Desk, number: usize) -> Vec<(String, String)> {
             let word = desk.variant.solved.word(q.label);
             return word.map_or_else(String::new, |w| format!("`{}`", said(desk.words, w)));
         };
-        let value = entry.value();
-        let unit = &q.unit;
-        let digits = number::rounded(unit.from_si(value), usize::from(q.figures));
-        let whole = unit.tex_with(&tex_digits(&digits, desk.words));
         let found = desk.found.iter().find(|f| f.label == q.label).and_then(|f| f.eom.or(f.energy));
         let symbol = match found {
-            Some(Answer::Value(symbol)) => format!("{} = ", desk.ledger.tex(symbol)),
-            _ => String::new(),
+            Some(Answer::Value(symbol)) => format!("${} = ", desk.ledger.tex(symbol)),
+            _ => "$".to_owned(),
         };
-        let way = if q.label.quantity.is_directed() && make_key::words_sign(desk.scene, q.label) {
-            let way = way(desk.scene, q.label.of, value);
-            way.map_or_else(String::new, |w| format!(" ({})", desk.words.get(w)))
-        } else {
-            String::new()
-        };
-        format!("${symbol}{whole}${way}")
+        told(desk, q, entry.value()).replacen('$', &symbol, 1)
     };
     desk.problem.questions.iter().map(|q| (id_of(number, q), answer(q))).collect()
+}
+
+/// A value (SI) as an answer to a question: with its unit and the figures asked, and where it points if words tell its sign.
+fn told(desk: &Desk, q: &Question, value: f64) -> String {
+    let digits = number::rounded(q.unit.from_si(value), usize::from(q.figures));
+    let whole = q.unit.tex_with(&tex_digits(&digits, desk.words));
+    let directed = q.label.quantity.is_directed() && make_key::words_sign(desk.scene, q.label);
+    let way = if directed { way(desk.scene, q.label.of, value) } else { None };
+    format!("${whole}${}", way.map_or_else(String::new, |w| format!(" ({})", desk.words.get(w))))
 }
 
 /// A word of an answer as the sheet has it.

@@ -4,9 +4,9 @@ use crate::sheet::number;
 use crate::solution::desk::Answer;
 use crate::solution::desk::Desk;
 use crate::solution::expr::Expr;
-use crate::solution::ledger::Ledger;
-use crate::solution::ledger::Symbol;
-use crate::solution::ledger::tex_digits;
+use crate::solution::expr::Symbol;
+use crate::solution::quantities::Ledger;
+use crate::solution::quantities::tex_digits;
 use crate::solution::text::Block;
 use crate::solution::text::Section;
 
@@ -73,8 +73,9 @@ impl<'d, 'a> Pen<'d, 'a> {
     }
 
     /// `left = right` in symbols.
-    pub fn equation(&mut self, left: &Expr, right: &Expr) {
-        let (left, rows) = (left.symbols(&self.desk.ledger), rows(&self.desk.ledger, right, true));
+    pub fn equation(&mut self, left: impl Into<Expr>, right: impl Into<Expr>) {
+        let ledger = &self.desk.ledger;
+        let (left, rows) = (left.into().symbols(ledger), rows(ledger, &right.into(), true));
         self.formula(match rows.as_slice() {
             [row] => format!("{left} = {row}"),
             rows => {
@@ -83,18 +84,29 @@ impl<'d, 'a> Pen<'d, 'a> {
         });
     }
 
+    /// A quantity that is not known yet. The unit is ASCII.
+    pub fn unknown(&mut self, tex: &str, unit: &str) -> Expr {
+        self.desk.unknown(tex, unit).into()
+    }
+
     /// A new quantity and the steps by which it is found: in symbols, with numbers put in, its value. The unit is ASCII.
-    pub fn find(&mut self, tex: &str, unit: &str, from: &Expr) -> Symbol {
-        let symbol = self.quiet(tex, unit, from);
-        self.steps(symbol, from);
+    pub fn find(&mut self, tex: &str, unit: &str, from: impl Into<Expr>) -> Symbol {
+        let from = from.into();
+        let symbol = self.quiet(tex, unit, &from);
+        self.steps(symbol, &from);
         symbol
     }
 
     /// A new quantity with its value, told nowhere.
-    pub fn quiet(&mut self, tex: &str, unit: &str, from: &Expr) -> Symbol {
+    pub fn quiet(&mut self, tex: &str, unit: &str, from: impl Into<Expr>) -> Symbol {
         let symbol = self.desk.unknown(tex, unit);
-        self.desk.ledger.settle_by(symbol, from);
+        self.desk.ledger.settle_by(symbol, &from.into());
         symbol
+    }
+
+    /// A new quantity with its value, and the steps if they are to be told.
+    pub fn find_if(&mut self, told: bool, tex: &str, unit: &str, from: impl Into<Expr>) -> Symbol {
+        if told { self.find(tex, unit, from) } else { self.quiet(tex, unit, from) }
     }
 
     /// The steps by which a quantity is found.
@@ -123,14 +135,15 @@ impl<'d, 'a> Pen<'d, 'a> {
         self.desk.from_motion(label, Answer::Value(symbol));
     }
 
+    /// What is found for a label by one method only; the phrase says why.
+    pub fn only(&mut self, label: Label, symbol: Symbol, why: &str) {
+        let why = self.desk.words.get(why);
+        self.desk.from_one_road(label, Answer::Value(symbol), why);
+    }
+
     /// What is found for a label, on the road of work and energy.
     pub fn energy(&mut self, label: Label, symbol: Symbol) {
         self.desk.from_energy(label, Answer::Value(symbol));
-    }
-
-    /// What a mistake would give: `$5\ \mathrm{N}$ for $F$`.
-    pub fn instead(&self, tex: &str, value: f64, unit: &str) -> String {
-        self.desk.say("pinned.instead", &[("value", &self.rough(value, unit)), ("symbol", tex)])
     }
 
     /// A number with four figures and a unit (ASCII), for remarks: LaTeX without dollars.

@@ -16,30 +16,25 @@ use crate::solution::desk::Answer;
 use crate::solution::desk::Desk;
 use crate::solution::expr::Expr;
 use crate::solution::expr::ONE;
+use crate::solution::expr::Symbol;
 use crate::solution::expr::ZERO;
 use crate::solution::expr::cosine;
-use crate::solution::expr::difference;
 use crate::solution::expr::magnitude;
-use crate::solution::expr::minus;
 use crate::solution::expr::number as whole;
-use crate::solution::expr::product;
-use crate::solution::expr::quotient;
 use crate::solution::expr::ratio;
 use crate::solution::expr::root;
+use crate::solution::expr::signed;
 use crate::solution::expr::sine;
 use crate::solution::expr::square;
 use crate::solution::expr::sum;
-use crate::solution::ledger::FIGURES;
-use crate::solution::ledger::Symbol;
-use crate::solution::ledger::tex_digits;
 use crate::solution::mass;
 use crate::solution::pen::Pen;
+use crate::solution::quantities::FIGURES;
+use crate::solution::quantities::tex_digits;
 use crate::solution::stop::Beyond;
 use crate::solution::stop::Stop;
 use crate::solve::outcome::Word;
 
-/// A wrong value is told only if it differs by this share from the right one: else it would teach nothing.
-const TOLD: f64 = 0.02;
 /// Step in degrees in which an angle is looked for at which something happens.
 const LOOK: f64 = 0.25;
 /// The farthest way that is looked over, degrees.
@@ -110,14 +105,6 @@ struct Place {
     spring: Option<(Expr, Expr, Expr)>,
 }
 
-fn sin_of(angle: &Expr) -> Expr {
-    if *angle == ZERO { ZERO } else { sine(angle.clone()) }
-}
-
-fn cos_of(angle: &Expr) -> Expr {
-    if *angle == ZERO { ONE } else { cosine(angle.clone()) }
-}
-
 /// Writes the sections of a pinned body.
 ///
 /// # Errors
@@ -145,29 +132,81 @@ pub fn work(desk: &mut Desk) -> Result<(), Stop> {
         swing.swings_by_energy(desk);
     }
     swing.regime(desk, &solved);
-    swing.beware(desk, &solved);
     Ok(())
+}
+
+impl Names {
+    fn new(desk: &Desk) -> Self {
+        Self {
+            omega: desk.free(&[r"\omega", r"\omega_1"]),
+            alpha: desk.free(&[r"\alpha", r"\alpha_1"]),
+            radial: desk.free(&["R", "O_r"]),
+            across: desk.free(&["S", "O_t"]),
+            pin: desk.free(&["F_O", "O"]),
+            spring: desk.free(&["F_s", r"F_{\mathrm{s}}"]),
+            length: desk.free(&["s", "d"]),
+            out: desk.free(&["n_r", "c_r"]),
+            side: desk.free(&["n_t", "c_t"]),
+            central: desk.free(&["a_n", "a_c"]),
+            aside: desk.free(&["a_t", "a_q"]),
+            stretch: desk.free(&[r"\delta", "e"]),
+            speed: desk.free(&["v_G", "u_G"]),
+        }
+    }
+}
+
+/// The free body, and the senses that count as positive.
+fn free_body(desk: &mut Desk, pin: &Pin, names: &Names, (body, angle): (usize, &str), couples: &[Expr]) {
+    let moments: Vec<String> = couples
+        .iter()
+        .map(|c| {
+            let (phrase, bare) = match c {
+                Expr::Minus(inner) => ("pinned.forces_couple_back", inner.as_ref()),
+                other => ("pinned.forces_couple", other),
+            };
+            desk.say(phrase, &[("moment", &bare.symbols(&desk.ledger))])
+        })
+        .collect();
+    let mut pen = Pen::new(desk, "forces", "pinned.title_forces");
+    pen.picture("scene");
+    let from = if pin.from == Zero::Upright { "pinned.from_upright" } else { "pinned.from_hanging" };
+    let mut text = vec![
+        pen.desk.say("pinned.forces", &[("radial", &names.radial), ("across", &names.across)]),
+        pen.desk.say(from, &[("phi", angle)]),
+    ];
+    text.extend(moments);
+    if pin.spring.is_some() {
+        text.push(pen.desk.say("pinned.forces_spring", &[("spring", &names.spring)]));
+    }
+    text.push(pen.desk.say("pinned.kinetic", &[]));
+    pen.paragraph(&text);
+    let name = format!("forces-{}", pen.desk.scene.bodies[body].name);
+    pen.picture(&name);
+    pen.done();
+}
+
+impl Spring {
+    /// Its data; where the stretch at the start is given, that stands for the natural length.
+    fn new(desk: &mut Desk, pin: &Pin, stretch_name: &str) -> Option<Self> {
+        let s = pin.spring.as_ref()?;
+        Some(Self {
+            b: desk.number(s.at_m, "b", "m"),
+            x: desk.number(s.x_m, "x_A", "m"),
+            y: desk.number(s.y_m, "y_A", "m"),
+            k: desk.number(s.stiffness_n_m, "k_s", "N/m"),
+            l0: match s.rest {
+                Rest::Length(l) => desk.number(l, "l_0", "m"),
+                Rest::Stretch(stretch) => desk.number(stretch, &format!("{stretch_name}_0"), "m"),
+            },
+        })
+    }
 }
 
 /// Free body, and the quantities that everything else needs.
 fn read(desk: &mut Desk, body: usize, pin: &Pin) -> Result<Swing, Stop> {
     let scene = desk.scene;
     let angle = desk.free(&[r"\phi", r"\varphi", r"\theta", r"\beta"]);
-    let names = Names {
-        omega: desk.free(&[r"\omega", r"\omega_1"]),
-        alpha: desk.free(&[r"\alpha", r"\alpha_1"]),
-        radial: desk.free(&["R", "O_r"]),
-        across: desk.free(&["S", "O_t"]),
-        pin: desk.free(&["F_O", "O"]),
-        spring: desk.free(&["F_s", r"F_{\mathrm{s}}"]),
-        length: desk.free(&["s", "d"]),
-        out: desk.free(&["n_r", "c_r"]),
-        side: desk.free(&["n_t", "c_t"]),
-        central: desk.free(&["a_n", "a_c"]),
-        aside: desk.free(&["a_t", "a_q"]),
-        stretch: desk.free(&[r"\delta", "e"]),
-        speed: desk.free(&["v_G", "u_G"]),
-    };
+    let names = Names::new(desk);
     let (zero, one) = (format!("{angle}_0"), format!("{angle}_1"));
     let phi0 = desk.number(pin.start_deg, &zero, "deg");
     let g = desk.number(scene.gravity_m_s2, "g", "m/s^2");
@@ -179,39 +218,11 @@ fn read(desk: &mut Desk, body: usize, pin: &Pin) -> Result<Swing, Stop> {
     let w0 = start.map_or(ZERO, |w| desk.number(w, &w0_name, "rad/s"));
     let couples = scene.couples.iter().filter(|c| c.body == body);
     let couples: Vec<Expr> = couples
-        .map(|c| {
-            let moment = desk.number(c.moment_n_m, "M", "N m");
-            if c.forward { moment } else { minus(moment) }
-        })
+        .map(|c| signed(desk.number(c.moment_n_m, "M", "N m"), c.forward))
         .filter(|moment| *moment != ZERO)
         .collect();
     let phi = Expr::Symbol(desk.unknown(&angle, "1"));
-
-    let moments: Vec<String> = couples
-        .iter()
-        .map(|c| {
-            let (phrase, bare) = match c {
-                Expr::Minus(inner) => ("pinned.forces_couple_back", inner.as_ref().clone()),
-                other => ("pinned.forces_couple", other.clone()),
-            };
-            desk.say(phrase, &[("moment", &bare.symbols(&desk.ledger))])
-        })
-        .collect();
-    let mut pen = Pen::new(desk, "forces", "pinned.title_forces");
-    pen.picture("scene");
-    let from = if pin.from == Zero::Upright { "pinned.from_upright" } else { "pinned.from_hanging" };
-    let mut text = vec![
-        pen.desk.say("pinned.forces", &[("radial", &names.radial), ("across", &names.across)]),
-        pen.desk.say(from, &[("phi", &angle)]),
-    ];
-    text.extend(moments);
-    if pin.spring.is_some() {
-        text.push(pen.desk.say("pinned.forces_spring", &[("spring", &names.spring)]));
-    }
-    text.push(pen.desk.say("pinned.kinetic", &[]));
-    pen.paragraph(&text);
-    pen.picture(&format!("forces-{}", scene.bodies[body].name));
-    pen.done();
+    free_body(desk, pin, &names, (body, &angle), &couples);
 
     let mut pen = Pen::new(desk, "inertia", "pinned.title_inertia");
     let m = mass::mass(&mut pen, body);
@@ -221,7 +232,7 @@ fn read(desk: &mut Desk, body: usize, pin: &Pin) -> Result<Swing, Stop> {
             let l = pen.desk.number(l, "L", "m");
             let name = pen.desk.free(&["h", "r_G"]);
             pen.say("pinned.arm_rod", &[]);
-            pen.find(&name, "m", &quotient(l, whole(2))).into()
+            pen.find(&name, "m", l / whole(2)).into()
         }
     };
     if pen.value(&h) <= 0.0 {
@@ -230,23 +241,9 @@ fn read(desk: &mut Desk, body: usize, pin: &Pin) -> Result<Swing, Stop> {
     let own = mass::inertia(&mut pen, body, &m);
     pen.say(if own == ZERO { "pinned.inertia_point" } else { "pinned.inertia" }, &[]);
     let name = pen.desk.free(&["I_O", "J_O"]);
-    let about = pen.find(&name, "kg m^2", &sum([own.clone(), product([m.clone(), square(h.clone())])]));
+    let about = pen.find(&name, "kg m^2", &own + &m * square(&h));
     pen.motion(Label { quantity: Quantity::IO, of: Owner::Body(body) }, about);
-    let spring = match &pin.spring {
-        None => None,
-        Some(s) => {
-            let b = pen.desk.number(s.at_m, "b", "m");
-            let x = pen.desk.number(s.x_m, "x_A", "m");
-            let y = pen.desk.number(s.y_m, "y_A", "m");
-            let k = pen.desk.number(s.stiffness_n_m, "k_s", "N/m");
-            let l0 = match s.rest {
-                Rest::Length(l) => pen.desk.number(l, "l_0", "m"),
-                // Found below, from the length at the start.
-                Rest::Stretch(stretch) => pen.desk.number(stretch, &format!("{}_0", names.stretch), "m"),
-            };
-            Some(Spring { b, x, y, k, l0 })
-        }
-    };
+    let spring = Spring::new(pen.desk, pin, &names.stretch);
     pen.done();
 
     let mut swing = Swing {
@@ -267,18 +264,8 @@ fn read(desk: &mut Desk, body: usize, pin: &Pin) -> Result<Swing, Stop> {
         sense: 1.0,
         names,
     };
-    if let (Some(s), Some(Rest::Stretch(_))) = (&swing.spring, pin.spring.as_ref().map(|s| s.rest)) {
-        // The natural length is what is left of the length at the start.
-        let mut pen = Pen::new(desk, "spring", "pinned.title_spring");
-        let stretch = s.l0.clone();
-        pen.say("pinned.natural", &[]);
-        let length = pen.find(&format!("{}_0", swing.names.length), "m", &s.length(swing.up, &swing.phi0));
-        let name = pen.desk.free(&["l_0", "l_n"]);
-        let l0 = pen.find(&name, "m", &difference(length.into(), stretch));
-        pen.done();
-        if let Some(s) = &mut swing.spring {
-            s.l0 = l0.into();
-        }
+    if let Some(Rest::Stretch(_)) = pin.spring.as_ref().map(|s| s.rest) {
+        swing.natural_length(desk);
     }
     let spin = swing.w0.value(&desk.ledger);
     let drive = swing.moment_at(desk, swing.phi0.value(&desk.ledger));
@@ -301,53 +288,40 @@ fn read(desk: &mut Desk, body: usize, pin: &Pin) -> Result<Swing, Stop> {
 impl Spring {
     /// Its length at an angle, by the law of cosines.
     fn length(&self, up: bool, phi: &Expr) -> Expr {
-        let along =
-            sum([product([self.x.clone(), sin_of(phi)]), signed(product([self.y.clone(), cos_of(phi)]), up)]);
+        let along = &self.x * sine(phi) + signed(&self.y * cosine(phi), up);
         let twice = match &along {
-            Expr::Sum(terms) => product([whole(2), self.b.clone(), Expr::Sum(terms.clone())]),
-            one => product([whole(2), self.b.clone(), one.clone()]),
+            Expr::Sum(terms) => whole(2) * &self.b * Expr::Sum(terms.clone()),
+            one => whole(2) * &self.b * one,
         };
-        root(sum([square(self.x.clone()), square(self.y.clone()), square(self.b.clone()), minus(twice)]))
+        root(square(&self.x) + square(&self.y) + square(&self.b) - twice)
     }
 
     /// The same by the places of its ends.
     fn length_by_places(&self, up: bool, phi: &Expr) -> Expr {
-        let dx = difference(self.x.clone(), product([self.b.clone(), sin_of(phi)]));
-        let dy = difference(self.y.clone(), signed(product([self.b.clone(), cos_of(phi)]), up));
-        root(sum([square(dx), square(dy)]))
+        let dx = &self.x - &self.b * sine(phi);
+        let dy = &self.y - signed(&self.b * cosine(phi), up);
+        root(square(dx) + square(dy))
     }
 
     /// Anchor as seen from the pin, along the body outward.
     fn along(&self, up: bool, phi: &Expr) -> Expr {
-        sum([product([self.x.clone(), sin_of(phi)]), signed(product([self.y.clone(), cos_of(phi)]), up)])
+        &self.x * sine(phi) + signed(&self.y * cosine(phi), up)
     }
 
     /// Anchor as seen from the pin, across the body, with growing angle.
     fn aside(&self, up: bool, phi: &Expr) -> Expr {
-        sum([
-            product([self.x.clone(), cos_of(phi)]),
-            minus(signed(product([self.y.clone(), sin_of(phi)]), up)),
-        ])
+        &self.x * cosine(phi) - signed(&self.y * sine(phi), up)
     }
-}
-
-/// The expression, or its opposite.
-fn signed(e: Expr, positive: bool) -> Expr {
-    if positive { e } else { minus(e) }
 }
 
 /// What the road of the equations of motion has found, for what comes after it.
 struct Worked {
     pendulum: bool,
-    alpha: Symbol,
     omega: Symbol,
     /// Force of the spring, and its direction, at the end.
     place: Place,
     /// The angle turned, radians, where it was needed.
     turned: Option<Symbol>,
-    /// Stretches at the start and at the end.
-    stretches: Option<(Symbol, Symbol)>,
-    radial: Option<Symbol>,
 }
 
 /// Parts of an integral over the angle, or of a work: name, expression in symbols.
@@ -361,29 +335,40 @@ impl Swing {
         Label { quantity, of: Owner::Body(self.body) }
     }
 
+    /// The natural length is what is left of the length at the start without the stretch there.
+    fn natural_length(&mut self, desk: &mut Desk) {
+        let Some(s) = &mut self.spring else { return };
+        let mut pen = Pen::new(desk, "spring", "pinned.title_spring");
+        pen.say("pinned.natural", &[]);
+        let length = pen.find(&format!("{}_0", self.names.length), "m", s.length(self.up, &self.phi0));
+        let name = pen.desk.free(&["l_0", "l_n"]);
+        s.l0 = pen.find(&name, "m", length - &s.l0).into();
+        pen.done();
+    }
+
     fn asks_pin(&self, desk: &Desk) -> bool {
         [Quantity::PinRadial, Quantity::PinTangential, Quantity::PinForce].iter().any(|q| desk.asks(*q))
     }
 
     /// Moment of the weight about the pin, with growing angle.
     fn weight_moment(&self, phi: &Expr) -> Expr {
-        let size = product([self.m.clone(), self.g.clone(), self.h.clone(), sin_of(phi)]);
+        let size = &self.m * &self.g * &self.h * sine(phi);
         signed(size, self.up)
     }
 
     /// Component of the weight toward the pin.
     fn weight_toward(&self, phi: &Expr) -> Expr {
-        signed(product([self.m.clone(), self.g.clone(), cos_of(phi)]), self.up)
+        signed(&self.m * &self.g * cosine(phi), self.up)
     }
 
     /// Component of the weight across, with growing angle.
     fn weight_across(&self, phi: &Expr) -> Expr {
-        signed(product([self.m.clone(), self.g.clone(), sin_of(phi)]), self.up)
+        signed(&self.m * &self.g * sine(phi), self.up)
     }
 
     /// `cos phi0 - cos phi1` from upright, `cos phi1 - cos phi0` from hanging: what the mass centre sinks by, over `h`.
     fn sinking(&self, from: &Expr, to: &Expr) -> Expr {
-        if self.up { difference(cos_of(from), cos_of(to)) } else { difference(cos_of(to), cos_of(from)) }
+        if self.up { cosine(from) - cosine(to) } else { cosine(to) - cosine(from) }
     }
 
     /// The moments about the pin, one for each force.
@@ -391,7 +376,7 @@ impl Swing {
         let mut terms = vec![self.weight_moment(&place.phi)];
         terms.extend(self.couples.iter().cloned());
         if let (Some(s), Some((force, _, side))) = (&self.spring, &place.spring) {
-            terms.push(product([force.clone(), s.b.clone(), side.clone()]));
+            terms.push(force * &s.b * side);
         }
         terms.retain(|t| *t != ZERO);
         terms
@@ -399,16 +384,16 @@ impl Swing {
 
     /// Force of the pin toward it.
     fn toward(&self, square_of_spin: Expr, place: &Place) -> Expr {
-        let pull = place.spring.as_ref().map_or(ZERO, |(f, out, _)| product([f.clone(), out.clone()]));
-        let kept = product([self.m.clone(), self.h.clone(), square_of_spin]);
-        sum([kept, minus(self.weight_toward(&place.phi)), pull])
+        let pull = place.spring.as_ref().map_or(ZERO, |(f, out, _)| f * out);
+        let kept = &self.m * &self.h * square_of_spin;
+        kept - self.weight_toward(&place.phi) + pull
     }
 
     /// Force of the pin across.
     fn aside(&self, alpha: Expr, place: &Place) -> Expr {
-        let pull = place.spring.as_ref().map_or(ZERO, |(f, _, side)| product([f.clone(), side.clone()]));
-        let kept = product([self.m.clone(), self.h.clone(), alpha]);
-        sum([kept, minus(self.weight_across(&place.phi)), minus(pull)])
+        let pull = place.spring.as_ref().map_or(ZERO, |(f, _, side)| f * side);
+        let kept = &self.m * &self.h * alpha;
+        kept - self.weight_across(&place.phi) - pull
     }
 
     /// What the couples add up to.
@@ -503,18 +488,16 @@ impl Swing {
                 s.length(self.up, &self.phi1)
             };
             let length = Expr::Symbol(pen.find(&format!("{}_1", self.names.length), "m", &length));
-            let force = product([s.k.clone(), difference(length.clone(), s.l0.clone())]);
-            let force = pen.find(&self.names.spring, "N", &force);
+            let force = pen.find(&self.names.spring, "N", &s.k * (&length - &s.l0));
             let label = self.label(Quantity::SpringForce);
             if by_places {
                 pen.energy(label, force)
             } else {
                 pen.motion(label, force)
             }
-            let side = quotient(s.aside(self.up, &self.phi1), length.clone());
-            let side = pen.find(&self.names.side, "1", &side);
+            let side = pen.find(&self.names.side, "1", s.aside(self.up, &self.phi1) / &length);
             let out = if self.asks_pin(pen.desk) {
-                let out = quotient(difference(s.along(self.up, &self.phi1), s.b.clone()), length);
+                let out = (s.along(self.up, &self.phi1) - &s.b) / length;
                 pen.find(&self.names.out, "1", &out).into()
             } else {
                 ZERO
@@ -524,58 +507,48 @@ impl Swing {
         Place { phi: self.phi1.clone(), spring }
     }
 
-    fn equations(&self, desk: &mut Desk) -> Worked {
+    /// The equations of motion at any angle, in symbols.
+    fn rows(&self, pen: &mut Pen, pins: bool) {
         let names = &self.names;
-        let pins = self.asks_pin(desk);
-        let pendulum = desk.scene.is_pendulum();
-        let mut pen = Pen::new(desk, "eom", "pinned.title_eom");
-        let alpha = Expr::Symbol(pen.desk.unknown(&names.alpha, "rad/s^2"));
-        let omega = Expr::Symbol(pen.desk.unknown(&names.omega, "rad/s"));
+        let alpha = pen.unknown(&names.alpha, "rad/s^2");
+        let omega = pen.unknown(&names.omega, "rad/s");
         let generic = Place {
             phi: self.phi.clone(),
             spring: self.spring.as_ref().map(|_| {
-                let mut of = |tex: &str| Expr::Symbol(pen.desk.unknown(tex, "1"));
+                let mut of = |tex: &str| pen.unknown(tex, "1");
                 (of(&names.spring), of(&names.out), of(&names.side))
             }),
         };
         pen.say("pinned.row_moment", &[]);
         let moments = sum(self.moments(&generic));
-        pen.equation(&product([self.about.into(), alpha.clone()]), &moments);
+        pen.equation(self.about * &alpha, &moments);
         let mut circle = None;
         if pins {
-            let unknown = |pen: &mut Pen, tex: &str| Expr::Symbol(pen.desk.unknown(tex, "N"));
-            let (radial, across) = (unknown(&mut pen, &names.radial), unknown(&mut pen, &names.across));
+            let unknown = |pen: &mut Pen, tex: &str| pen.unknown(tex, "N");
+            let (radial, across) = (unknown(pen, &names.radial), unknown(pen, &names.across));
             pen.say("pinned.row_radial", &[("central", &names.central)]);
             let pull = generic.spring.as_ref();
-            let right = sum([
-                radial,
-                self.weight_toward(&self.phi),
-                pull.map_or(ZERO, |(f, out, _)| minus(product([f.clone(), out.clone()]))),
-            ]);
-            let central = Expr::Symbol(pen.desk.unknown(&names.central, "m/s^2"));
-            pen.equation(&product([self.m.clone(), central.clone()]), &right);
+            let right = radial + self.weight_toward(&self.phi) + pull.map_or(ZERO, |(f, out, _)| -(f * out));
+            let central = pen.unknown(&names.central, "m/s^2");
+            pen.equation(&self.m * &central, &right);
             pen.say("pinned.row_across", &[("aside", &names.aside)]);
-            let right = sum([
-                across,
-                self.weight_across(&self.phi),
-                pull.map_or(ZERO, |(f, _, side)| product([f.clone(), side.clone()])),
-            ]);
-            let aside = Expr::Symbol(pen.desk.unknown(&names.aside, "m/s^2"));
-            pen.equation(&product([self.m.clone(), aside.clone()]), &right);
+            let right = across + self.weight_across(&self.phi) + pull.map_or(ZERO, |(f, _, side)| f * side);
+            let aside = pen.unknown(&names.aside, "m/s^2");
+            pen.equation(&self.m * &aside, &right);
             circle = Some((central, aside));
         }
         if let (Some(s), Some((force, out, side))) = (&self.spring, &generic.spring) {
-            let length = Expr::Symbol(pen.desk.unknown(&names.length, "m"));
+            let length = pen.unknown(&names.length, "m");
             pen.say(
                 if pins { "pinned.spring_rows" } else { "pinned.spring_row" },
                 &[("length", &names.length), ("out", &names.out), ("side", &names.side)],
             );
-            pen.equation(&length, &s.length(self.up, &self.phi));
-            pen.equation(force, &product([s.k.clone(), difference(length.clone(), s.l0.clone())]));
-            pen.equation(side, &quotient(s.aside(self.up, &self.phi), length.clone()));
+            pen.equation(&length, s.length(self.up, &self.phi));
+            pen.equation(force, &s.k * (&length - &s.l0));
+            pen.equation(side, s.aside(self.up, &self.phi) / &length);
             if pins {
-                let along = difference(s.along(self.up, &self.phi), s.b.clone());
-                pen.equation(out, &quotient(along, length));
+                let along = s.along(self.up, &self.phi) - &s.b;
+                pen.equation(out, along / length);
             }
         }
         let radius = pen.tex(&self.h);
@@ -583,13 +556,20 @@ impl Swing {
             [("radius", radius.as_str()), ("alpha", names.alpha.as_str()), ("omega", names.omega.as_str())];
         if let Some((central, aside)) = circle {
             pen.say("pinned.closed_pins", &closed[..1]);
-            pen.equation(&central, &product([self.h.clone(), square(omega.clone())]));
-            pen.equation(&aside, &product([self.h.clone(), alpha.clone()]));
+            pen.equation(&central, &self.h * square(&omega));
+            pen.equation(&aside, &self.h * &alpha);
             pen.say("pinned.order", &closed[1..]);
         } else {
             pen.say("pinned.closed", &closed[..2]);
         }
+    }
 
+    fn equations(&self, desk: &mut Desk) -> Worked {
+        let names = &self.names;
+        let pins = self.asks_pin(desk);
+        let pendulum = desk.scene.is_pendulum();
+        let mut pen = Pen::new(desk, "eom", "pinned.title_eom");
+        self.rows(&mut pen, pins);
         let ends = match pen.desk.scene.end {
             End::TurningPoint(_) => Some("pinned.angle_turning"),
             End::Speed(..) => Some("pinned.angle_speed"),
@@ -605,32 +585,29 @@ impl Swing {
         let moments = self.moments(&place);
         let over = if moments.len() > 1 {
             let name = pen.desk.free(&["M_O", r"M_{\mathrm{O}}"]);
-            Expr::Symbol(pen.find(&name, "N m", &sum(moments)))
+            Expr::Symbol(pen.find(&name, "N m", sum(moments)))
         } else {
             sum(moments)
         };
-        let alpha = pen.find(&names.alpha, "rad/s^2", &quotient(over, self.about.into()));
+        let alpha = pen.find(&names.alpha, "rad/s^2", over / self.about);
         pen.motion(self.label(Quantity::Alpha), alpha);
 
-        let mut worked =
-            Worked { pendulum, alpha, omega: alpha, place, turned: None, stretches: None, radial: None };
+        let mut worked = Worked { pendulum, omega: alpha, place, turned: None };
         worked.omega = self.integral(&mut pen, &mut worked);
         let omega = worked.omega;
         pen.motion(self.label(Quantity::Omega), omega);
         if pins {
             pen.say("pinned.reactions", &[("angle", &at)]);
-            let radial = self.toward(square(omega.into()), &worked.place);
-            let radial = pen.find(&names.radial, "N", &radial);
-            let across = pen.find(&names.across, "N", &self.aside(alpha.into(), &worked.place));
+            let radial = pen.find(&names.radial, "N", self.toward(square(omega), &worked.place));
+            let across = pen.find(&names.across, "N", self.aside(alpha.into(), &worked.place));
             self.told_pin(&mut pen, radial, across);
             pen.motion(self.label(Quantity::PinRadial), radial);
             pen.motion(self.label(Quantity::PinTangential), across);
             if pen.desk.asks(Quantity::PinForce) {
-                let whole = root(sum([square(radial.into()), square(across.into())]));
+                let whole = root(square(radial) + square(across));
                 let force = pen.find(&names.pin, "N", &whole);
                 pen.motion(self.label(Quantity::PinForce), force);
             }
-            worked.radial = Some(radial);
         }
         self.others(&mut pen, omega);
         pen.done();
@@ -665,7 +642,7 @@ impl Swing {
         let names = &self.names;
         if self.instant {
             pen.say("pinned.instant", &[]);
-            return pen.find(&names.omega, "rad/s", &magnitude_of(&self.w0, pen.value(&self.w0)));
+            return pen.find(&names.omega, "rad/s", magnitude_of(&self.w0, pen.value(&self.w0)));
         }
         let (phi0, phi1, phi) = (pen.tex(&self.phi0), pen.tex(&self.phi1), pen.tex(&self.phi));
         let (a, w) = (&names.alpha, &names.omega);
@@ -679,49 +656,42 @@ impl Swing {
         ));
         let mut parts = vec![Part {
             name: "J_g",
-            from: product([
-                self.m.clone(),
-                self.g.clone(),
-                self.h.clone(),
-                self.sinking(&self.phi0, &self.phi1),
-            ]),
+            from: &self.m * &self.g * &self.h * self.sinking(&self.phi0, &self.phi1),
         }];
         if !self.couples.is_empty() {
             let turned = self.turned(pen);
             worked.turned = Some(turned);
-            parts.push(Part { name: "J_M", from: product([self.couple(), turned.into()]) });
+            parts.push(Part { name: "J_M", from: self.couple() * turned });
         }
         if let Some(s) = &self.spring {
             let (length, force, side) = (&names.length, &names.spring, &names.side);
             let b = pen.tex(&s.b);
             let chain = format!(r"\mathrm{{d}}{length} = -{b}\,{side}\,\mathrm{{d}}{phi}");
-            let stretch = difference(Expr::Symbol(pen.desk.unknown(length, "m")), s.l0.clone());
-            let law = pen.tex(&product([s.k.clone(), stretch]));
+            let stretch = pen.unknown(length, "m") - &s.l0;
+            let law = pen.tex(&(&s.k * stretch));
             let becomes = format!(r"{force}\,{b}\,{side}\,\mathrm{{d}}{phi} = -{law}\,\mathrm{{d}}{length}");
             pen.say("pinned.spring_integral", &[("chain", &chain), ("becomes", &becomes)]);
-            let first = s.length(self.up, &self.phi0);
-            let first = pen.find(&format!("{length}_0"), "m", &first);
+            let first = pen.find(&format!("{length}_0"), "m", s.length(self.up, &self.phi0));
             let last = self.length(pen);
-            let of = |l: Symbol| difference(l.into(), s.l0.clone());
-            let a = pen.find(&format!("{}_0", names.stretch), "m", &of(first));
-            let b = pen.find(&format!("{}_1", names.stretch), "m", &of(last));
-            worked.stretches = Some((a, b));
-            let squares = difference(square(a.into()), square(b.into()));
-            parts.push(Part { name: "J_s", from: product([ratio(1, 2), s.k.clone(), squares]) });
+            let of = |l: Symbol| l - &s.l0;
+            let a = pen.find(&format!("{}_0", names.stretch), "m", of(first));
+            let b = pen.find(&format!("{}_1", names.stretch), "m", of(last));
+            let squares = square(a) - square(b);
+            parts.push(Part { name: "J_s", from: ratio(1, 2) * &s.k * squares });
         }
         parts.retain(|p| p.from != ZERO);
-        let omega = Expr::Symbol(pen.desk.unknown(w, "rad/s"));
-        let gained = difference(square(omega), square_of(&self.w0));
-        let left = product([ratio(1, 2), self.about.into(), gained]);
+        let omega = pen.unknown(w, "rad/s");
+        let gained = square(omega) - square(&self.w0);
+        let left = ratio(1, 2) * self.about * gained;
         pen.say("pinned.integrated", &[]);
-        pen.equation(&left, &sum(parts.iter().map(|p| p.from.clone())));
+        pen.equation(&left, sum(parts.iter().map(|p| p.from.clone())));
         let twice = self.collected(pen, parts, self.about.into(), "J");
         if matches!(pen.desk.scene.end, End::TurningPoint(_)) {
             pen.say("pinned.at_rest", &[]);
             return pen.quiet(w, "rad/s", &ZERO);
         }
-        let inside = sum([square_of(&self.w0), twice]);
-        let omega = pen.find(w, "rad/s", &root(inside));
+        let inside = square(&self.w0) + twice;
+        let omega = pen.find(w, "rad/s", root(inside));
         if self.sense < 0.0 {
             pen.say("pinned.magnitude", &[("omega", w)]);
         }
@@ -736,17 +706,17 @@ impl Swing {
                 found.push(Expr::Symbol(pen.find(part.name, "J", &part.from)));
             }
             let name = pen.desk.free(&[total, "Z"]);
-            pen.find(&name, "J", &sum(found)).into()
+            pen.find(&name, "J", sum(found)).into()
         } else {
             sum(parts.into_iter().map(|p| p.from))
         };
-        quotient(product([whole(2), sum_of]), inertia)
+        whole(2) * sum_of / inertia
     }
 
     /// The length of the spring at the end, which [`Self::place`] has found.
     fn length(&self, pen: &mut Pen) -> Symbol {
         let Some(s) = &self.spring else { return self.about };
-        pen.quiet(&format!("{}_1", self.names.length), "m", &s.length(self.up, &self.phi1))
+        pen.quiet(&format!("{}_1", self.names.length), "m", s.length(self.up, &self.phi1))
     }
 
     /// The angle turned, in radians with its sign.
@@ -755,8 +725,8 @@ impl Swing {
         pen.say("pinned.radians", &[]);
         let pi = pen.desk.ledger.given(r"\pi", std::f64::consts::PI, r"\pi", "", false);
         let half = pen.desk.ledger.given(r"180^\circ", 180.0, "180", "", true);
-        let angle = difference(self.phi1.clone(), self.phi0.clone());
-        pen.find(&name, "rad", &quotient(product([angle, pi.into()]), half.into()))
+        let angle = &self.phi1 - &self.phi0;
+        pen.find(&name, "rad", angle * pi / half)
     }
 
     /// Quantities that follow at once.
@@ -764,25 +734,22 @@ impl Swing {
         let asked = |pen: &Pen, q| pen.desk.asks(q);
         if asked(pen, Quantity::V) {
             pen.say("pinned.speed", &[]);
-            let v = pen.find(&self.names.speed, "m/s", &product([self.h.clone(), omega.into()]));
+            let v = pen.find(&self.names.speed, "m/s", &self.h * omega);
             pen.motion(self.label(Quantity::V), v);
         }
         if asked(pen, Quantity::KineticEnergy) {
             pen.say("pinned.kinetic_pin", &[]);
             let name = pen.desk.free(&["T", "T_1", "E"]);
-            let t = pen.find(&name, "J", &product([ratio(1, 2), self.about.into(), square(omega.into())]));
+            let t = pen.find(&name, "J", ratio(1, 2) * self.about * square(omega));
             pen.motion(Label { quantity: Quantity::KineticEnergy, of: Owner::Scene }, t);
         }
         if asked(pen, Quantity::RotationalFraction) {
             pen.say("pinned.share", &[]);
             let name = pen.desk.free(&[r"\zeta", r"\zeta_r"]);
-            let share = pen.find(&name, "1", &quotient(self.own.clone(), self.about.into()));
+            let share = pen.find(&name, "1", &self.own / self.about);
             let label = Label { quantity: Quantity::RotationalFraction, of: Owner::Scene };
             pen.motion(label, share);
-            let by_speeds = quotient(
-                self.own.clone(),
-                sum([product([self.m.clone(), square(self.h.clone())]), self.own.clone()]),
-            );
+            let by_speeds = &self.own / (&self.m * square(&self.h) + &self.own);
             let share = pen.quiet(&name, "1", &by_speeds);
             pen.energy(label, share);
         }
@@ -797,8 +764,7 @@ impl Swing {
         }
         if asked(pen, Quantity::Rise) && !self.instant {
             pen.say("pinned.rise", &[]);
-            let rise = minus(product([self.h.clone(), self.sinking(&self.phi0, &self.phi1)]));
-            let rise = pen.find(r"\Delta z", "m", &rise);
+            let rise = pen.find(r"\Delta z", "m", -(&self.h * self.sinking(&self.phi0, &self.phi1)));
             pen.desk.from_one_road(self.label(Quantity::Rise), Answer::Value(rise), &geometry);
         }
     }
@@ -807,10 +773,6 @@ impl Swing {
 /// The magnitude of something whose value is known.
 fn magnitude_of(e: &Expr, value: f64) -> Expr {
     if value < 0.0 { magnitude(e.clone()) } else { e.clone() }
-}
-
-fn square_of(e: &Expr) -> Expr {
-    if *e == ZERO { ZERO } else { square(e.clone()) }
 }
 
 // -- swings under the weight alone ----------------------------------------------------------------------------------------
@@ -831,16 +793,16 @@ impl Swing {
 
     /// `1 - cos` of the angle from hanging: by how much the mass centre is above its lowest place, over `h`.
     fn above_lowest(&self) -> Expr {
-        if self.up { sum([ONE, cos_of(&self.phi0)]) } else { difference(ONE, cos_of(&self.phi0)) }
+        if self.up { ONE + cosine(&self.phi0) } else { ONE - cosine(&self.phi0) }
     }
 
     /// Half the angle from hanging at the start.
     fn half(&self, pen: &mut Pen) -> Expr {
         if !self.up {
-            return quotient(self.phi0.clone(), whole(2));
+            return &self.phi0 / whole(2);
         }
         let turn = pen.desk.ledger.given(r"180^\circ", 180.0, "180", "", true);
-        quotient(difference(turn.into(), self.phi0.clone()), whole(2))
+        (turn - &self.phi0) / whole(2)
     }
 
     /// Periods and the greatest speed, from the first row of the equations.
@@ -854,15 +816,15 @@ impl Swing {
         pen.say(from_lowest, &[("phi", &phi)]);
         let psi = pen.desk.free(&[r"\psi", r"\chi"]);
         let angle = if self.up { psi.clone() } else { phi.clone() };
-        let stiffness = pen.tex(&product([self.m.clone(), self.g.clone(), self.h.clone()]));
+        let stiffness = pen.tex(&(&self.m * &self.g * &self.h));
         let about = pen.desk.ledger.tex(self.about).to_owned();
         pen.formula(format!(
             r"{about}\,\ddot{{{angle}}} = -{stiffness}\,\sin {angle} \quad \Rightarrow \quad {about}\,\ddot{{{angle}}} \approx -{stiffness}\,{angle}"
         ));
         pen.say("pinned.small_law", &[]);
-        let pulled = product([self.m.clone(), self.g.clone(), self.h.clone()]);
+        let pulled = &self.m * &self.g * &self.h;
         let frequency = pen.desk.free(&[r"\Omega", r"\omega_s"]);
-        let frequency = pen.find(&frequency, "rad/s", &root(quotient(pulled, self.about.into())));
+        let frequency = pen.find(&frequency, "rad/s", root(pulled / self.about));
         pen.motion(self.label(Quantity::OmegaSmall), frequency);
         if pen.desk.asks(Quantity::PeriodSmall) {
             let small = self.small_period(&mut pen, frequency);
@@ -870,11 +832,10 @@ impl Swing {
         }
         if pen.desk.asks(Quantity::OmegaMax) {
             pen.say("pinned.fastest", &[("alpha", &self.names.alpha)]);
-            let fall =
-                product([whole(2), self.m.clone(), self.g.clone(), self.h.clone(), self.above_lowest()]);
-            let inside = sum([square_of(&self.w0), quotient(fall, self.about.into())]);
+            let fall = whole(2) * &self.m * &self.g * &self.h * self.above_lowest();
+            let inside = square(&self.w0) + fall / self.about;
             let name = pen.desk.free(&[r"\omega_{\mathrm{max}}", r"\omega_m"]);
-            let fastest = pen.find(&name, "rad/s", &root(inside));
+            let fastest = pen.find(&name, "rad/s", root(inside));
             pen.motion(self.label(Quantity::OmegaMax), fastest);
         }
         if pen.desk.asks(Quantity::Period) {
@@ -887,7 +848,7 @@ impl Swing {
     fn small_period(&self, pen: &mut Pen, frequency: Symbol) -> Symbol {
         let pi = pen.desk.ledger.given(r"\pi", std::f64::consts::PI, r"\pi", "", false);
         let name = pen.desk.free(&[r"\tau_0", r"\tau_s"]);
-        pen.find(&name, "s", &quotient(product([whole(2), pi.into()]), frequency.into()))
+        pen.find(&name, "s", whole(2) * pi / frequency)
     }
 
     /// The sine of half the amplitude; above 1 where the body goes over the top.
@@ -898,8 +859,8 @@ impl Swing {
             let value = pen.value(&sine_half);
             return magnitude_of(&sine_half, value);
         }
-        let share = quotient(self.w0.clone(), product([whole(2), frequency.into()]));
-        root(sum([square_of(&sine_half), square_of(&share)]))
+        let share = &self.w0 / (whole(2) * frequency);
+        root(square(&sine_half) + square(&share))
     }
 
     /// The modulus of the swing, with its steps.
@@ -927,7 +888,7 @@ impl Swing {
         let name = pen.desk.free(&[r"\kappa_c", r"\lambda_c"]);
         if over {
             pen.say("pinned.period_over", &[("kappa", &kappa_tex)]);
-            let complement = pen.find(&name, "1", &root(difference(square(value), ONE)));
+            let complement = pen.find(&name, "1", root(square(value) - ONE));
             return Shape { kappa, complement };
         }
         pen.say(
@@ -944,7 +905,7 @@ impl Swing {
         ));
         let cosine_half = if self.phi0 == ZERO && !self.up { ONE } else { cosine(half.clone()) };
         let from = if started {
-            root(difference(ONE, square(value)))
+            root(ONE - square(value))
         } else {
             let value = pen.value(&cosine_half);
             magnitude_of(&cosine_half, value)
@@ -984,8 +945,8 @@ impl Swing {
         pen.say(if over { "pinned.mean_over" } else { "pinned.mean_quarter" }, &[("mean", &name)]);
         let pi = pen.desk.ledger.given(r"\pi", std::f64::consts::PI, r"\pi", "", false);
         let name = pen.desk.free(&[r"\tau", r"\tau_1"]);
-        let turns = if over { pi.into() } else { product([whole(2), pi.into()]) };
-        let period = pen.find(&name, "s", &quotient(turns, product([frequency.into(), mean.into()])));
+        let turns = if over { pi.into() } else { whole(2) * pi };
+        let period = pen.find(&name, "s", turns / (frequency * mean));
         pen.motion(self.label(Quantity::Period), period);
     }
 
@@ -995,13 +956,12 @@ impl Swing {
             return;
         }
         let mut pen = Pen::new(desk, "swings-energy", "pinned.title_swings_energy");
-        let turning = sum([product([self.m.clone(), square(self.h.clone())]), self.own.clone()]);
+        let turning = &self.m * square(&self.h) + &self.own;
         pen.say("pinned.small_energy", &[]);
         let name = pen.desk.free(&[r"\ell", r"\ell_r"]);
-        let length = quotient(turning.clone(), product([self.m.clone(), self.h.clone()]));
-        let length = pen.find(&name, "m", &length);
+        let length = pen.find(&name, "m", &turning / (&self.m * &self.h));
         let name = pen.desk.free(&[r"\Omega", r"\omega_s"]);
-        let frequency = pen.find(&name, "rad/s", &root(quotient(self.g.clone(), length.into())));
+        let frequency = pen.find(&name, "rad/s", root(&self.g / length));
         pen.energy(self.label(Quantity::OmegaSmall), frequency);
         if pen.desk.asks(Quantity::PeriodSmall) {
             let small = self.small_period(&mut pen, frequency);
@@ -1010,11 +970,11 @@ impl Swing {
         if pen.desk.asks(Quantity::OmegaMax) {
             pen.say("pinned.fastest_energy", &[]);
             let name = pen.desk.free(&["z_0", "z_m"]);
-            let fall = pen.find(&name, "m", &product([self.h.clone(), self.above_lowest()]));
-            let gained = product([whole(2), self.m.clone(), self.g.clone(), fall.into()]);
-            let inside = sum([square_of(&self.w0), quotient(gained, turning)]);
+            let fall = pen.find(&name, "m", &self.h * self.above_lowest());
+            let gained = whole(2) * &self.m * &self.g * fall;
+            let inside = square(&self.w0) + gained / turning;
             let name = pen.desk.free(&[r"\omega_{\mathrm{max}}", r"\omega_m"]);
-            let fastest = pen.find(&name, "rad/s", &root(inside));
+            let fastest = pen.find(&name, "rad/s", root(inside));
             pen.energy(self.label(Quantity::OmegaMax), fastest);
         }
         if pen.desk.asks(Quantity::Period) {
@@ -1032,7 +992,7 @@ impl Swing {
         let psi = pen.desk.free(&[r"\psi", r"\chi"]);
         pen.say(if over { "pinned.mean_value_over" } else { "pinned.mean_value" }, &[("psi", &psi)]);
         // Of a body that goes over the top the amplitude is half the angle, and the modulus 1 / kappa.
-        let q = pen.find(&name, "1", &if over { quotient(ONE, from) } else { from });
+        let q = pen.find(&name, "1", &if over { ONE / from } else { from });
         let modulus = pen.desk.ledger.value(q);
         // The nearest singular place of the integrand is as far from the real axis as this: each point gains its share.
         let away = 1.0 / modulus;
@@ -1063,21 +1023,17 @@ impl Swing {
         let mean = if points <= 12 {
             pen.table(rows);
             let total = pen.desk.free(&["Z", "Z_1"]);
-            let total = pen.find(&total, "1", &sum(values));
-            pen.find(&name, "1", &quotient(total.into(), parts))
+            let total = pen.find(&total, "1", sum(values));
+            pen.find(&name, "1", total / parts)
         } else {
-            let mean = pen.quiet(&name, "1", &quotient(sum(values), parts));
+            let mean = pen.quiet(&name, "1", sum(values) / parts);
             pen.formula(pen.with_value(mean));
             mean
         };
         pen.say("pinned.mean_value_found", &[]);
         let pi = pen.desk.ledger.given(r"\pi", std::f64::consts::PI, r"\pi", "", false);
         let name = pen.desk.free(&[r"\tau", r"\tau_1"]);
-        let from = if over {
-            quotient(product([pi.into(), mean.into(), q.into()]), frequency.into())
-        } else {
-            quotient(product([whole(2), pi.into(), mean.into()]), frequency.into())
-        };
+        let from = if over { pi * mean * q / frequency } else { whole(2) * pi * mean / frequency };
         let period = pen.find(&name, "s", &from);
         pen.energy(self.label(Quantity::Period), period);
     }
@@ -1087,36 +1043,36 @@ impl Swing {
     fn balance(&self, desk: &mut Desk, worked: &Worked) {
         let names = &self.names;
         let mut pen = Pen::new(desk, "energy", "pinned.title_energy");
-        let turning = sum([product([self.m.clone(), square(self.h.clone())]), self.own.clone()]);
+        let turning = &self.m * square(&self.h) + &self.own;
         let (first, last) = (self.told(&pen, &self.phi0), self.told(&pen, &self.phi1));
         let scene = Owner::Scene;
         let omega;
         if self.instant {
             pen.say("pinned.states_instant", &[("angle", &first)]);
-            omega = pen.quiet(&names.omega, "rad/s", &magnitude_of(&self.w0, pen.value(&self.w0)));
+            omega = pen.quiet(&names.omega, "rad/s", magnitude_of(&self.w0, pen.value(&self.w0)));
         } else {
             pen.say("pinned.states", &[("first", &first), ("last", &last)]);
-            let height = minus(product([self.h.clone(), self.sinking(&self.phi0, &self.phi1)]));
+            let height = -(&self.h * self.sinking(&self.phi0, &self.phi1));
             pen.say("pinned.height", &[]);
             let height = pen.find(r"\Delta z", "m", &height);
             let sinks = pen.desk.ledger.value(height) < 0.0;
             let size = pen.rough(pen.desk.ledger.value(height).abs(), "m");
             pen.say(if sinks { "pinned.sinks" } else { "pinned.rises" }, &[("size", &size)]);
-            let weight = minus(product([self.m.clone(), self.g.clone(), height.into()]));
+            let weight = -(&self.m * &self.g * height);
             let mut works = vec![Expr::Symbol(pen.find("W_g", "J", &weight))];
             pen.say("pinned.work_pin", &[]);
             if let Some(turned) = worked.turned {
                 pen.say("pinned.work_couple", &[("angle", &pen.with_value(turned))]);
-                let work = product([self.couple(), turned.into()]);
+                let work = self.couple() * turned;
                 works.push(pen.find("W_M", "J", &work).into());
             }
             if let Some(s) = &self.spring {
                 pen.say("pinned.work_spring", &[]);
                 let length = &names.length;
-                let a = pen.find(&format!("{length}_0"), "m", &s.length_by_places(self.up, &self.phi0));
-                let b = pen.find(&format!("{length}_1"), "m", &s.length_by_places(self.up, &self.phi1));
-                let stored = |l: Symbol| square(difference(l.into(), s.l0.clone()));
-                let work = product([ratio(1, 2), s.k.clone(), difference(stored(a), stored(b))]);
+                let a = pen.find(&format!("{length}_0"), "m", s.length_by_places(self.up, &self.phi0));
+                let b = pen.find(&format!("{length}_1"), "m", s.length_by_places(self.up, &self.phi1));
+                let stored = |l: Symbol| square(l - &s.l0);
+                let work = ratio(1, 2) * &s.k * (stored(a) - stored(b));
                 works.push(pen.find("W_s", "J", &work).into());
             }
             let kinetic = pen.desk.free(&["T", "E"]);
@@ -1126,26 +1082,25 @@ impl Swing {
                 if started { "pinned.kinetic_both_started" } else { "pinned.kinetic_both" },
                 &[("speed", &format!("{} = {}\\,{}", names.speed, pen.tex(&self.h), names.omega))],
             );
-            let w = Expr::Symbol(pen.desk.unknown(&names.omega, "rad/s"));
-            let v = Expr::Symbol(pen.desk.unknown(&names.speed, "m/s"));
-            let halves =
-                |rate: &Expr, inertia: &Expr| product([ratio(1, 2), inertia.clone(), square(rate.clone())]);
+            let w = pen.unknown(&names.omega, "rad/s");
+            let v = pen.unknown(&names.speed, "m/s");
+            let halves = |rate: &Expr, inertia: &Expr| ratio(1, 2) * inertia * square(rate);
             let mut energy = halves(&v, &self.m).symbols(&pen.desk.ledger);
             if self.own != ZERO {
                 energy.push_str(" + ");
                 energy.push_str(&halves(&w, &self.own).symbols(&pen.desk.ledger));
             }
-            let product_form = pen.tex(&product([ratio(1, 2), turning.clone(), square(w)]));
+            let product_form = pen.tex(&(ratio(1, 2) * &turning * square(w)));
             pen.formula(format!("{t1} = {energy} = {product_form}"));
             let mut start = ZERO;
             if started {
-                let from = product([ratio(1, 2), turning.clone(), square(self.w0.clone())]);
+                let from = ratio(1, 2) * &turning * square(&self.w0);
                 start = pen.find(&t0, "J", &from).into();
             }
             let mut left = works.clone();
             left.insert(0, start.clone());
             let total = sum(left);
-            let t1_symbol = Expr::Symbol(pen.desk.unknown(&t1, "J"));
+            let t1_symbol = pen.unknown(&t1, "J");
             pen.say("pinned.balance", &[]);
             pen.equation(&total, &t1_symbol);
             let t1_found = if matches!(total, Expr::Sum(_)) {
@@ -1158,16 +1113,15 @@ impl Swing {
                 pen.say("pinned.at_rest_energy", &[]);
                 pen.quiet(&names.omega, "rad/s", &ZERO)
             } else {
-                pen.find(&names.omega, "rad/s", &root(quotient(product([whole(2), over]), turning.clone())))
+                pen.find(&names.omega, "rad/s", root(whole(2) * over / &turning))
             };
         }
         pen.energy(self.label(Quantity::Omega), omega);
         if pen.desk.asks(Quantity::KineticEnergy) {
             let name = pen.desk.free(&["T", "E"]);
-            let moving =
-                product([ratio(1, 2), self.m.clone(), square(product([self.h.clone(), omega.into()]))]);
-            let spinning = product([ratio(1, 2), self.own.clone(), square(omega.into())]);
-            let energy = pen.find(&name, "J", &sum([moving, spinning]));
+            let moving = ratio(1, 2) * &self.m * square(&self.h * omega);
+            let spinning = ratio(1, 2) * &self.own * square(omega);
+            let energy = pen.find(&name, "J", moving + spinning);
             pen.energy(Label { quantity: Quantity::KineticEnergy, of: scene }, energy);
         }
         self.rate(&mut pen, worked, &turning, omega);
@@ -1188,7 +1142,7 @@ impl Swing {
         let needs =
             pen.desk.asks(Quantity::Alpha) || self.asks_pin(pen.desk) || pen.desk.asks(Quantity::SpringForce);
         if pen.desk.asks(Quantity::V) {
-            let v = pen.find(&names.speed, "m/s", &product([self.h.clone(), omega.into()]));
+            let v = pen.find(&names.speed, "m/s", &self.h * omega);
             pen.energy(self.label(Quantity::V), v);
         }
         if !needs {
@@ -1196,72 +1150,69 @@ impl Swing {
         }
         let phi = pen.tex(&self.phi);
         let last = self.told(pen, &self.phi1);
-        let alpha = Expr::Symbol(pen.desk.unknown(&names.alpha, "rad/s^2"));
+        let alpha = pen.unknown(&names.alpha, "rad/s^2");
         let slope_z = format!("z_{{{phi}}}");
         let slope_s = format!("{}_{{{phi}}}", names.length);
         pen.say("pinned.rate", &[("omega", &names.omega), ("phi", &phi)]);
-        let z = Expr::Symbol(pen.desk.unknown(&slope_z, "m"));
-        let mut powers = vec![minus(product([self.m.clone(), self.g.clone(), z]))];
+        let z = pen.unknown(&slope_z, "m");
+        let mut powers = vec![-(&self.m * &self.g * z)];
         powers.extend(self.couples.iter().cloned());
         if self.spring.is_some() {
-            let force = Expr::Symbol(pen.desk.unknown(&names.spring, "N"));
-            let s = Expr::Symbol(pen.desk.unknown(&slope_s, "m"));
-            powers.push(minus(product([force, s])));
+            let force = pen.unknown(&names.spring, "N");
+            let s = pen.unknown(&slope_s, "m");
+            powers.push(-(force * s));
         }
-        pen.equation(&product([turning.clone(), alpha]), &sum(powers));
+        pen.equation(turning * alpha, sum(powers));
         pen.say("pinned.slopes", &[("angle", &last)]);
-        let sinking = signed(product([self.h.clone(), sin_of(&self.phi1)]), self.up);
-        let z = pen.find(&slope_z, "m", &minus(sinking));
-        let mut powers = vec![minus(product([self.m.clone(), self.g.clone(), z.into()]))];
+        let sinking = signed(&self.h * sine(&self.phi1), self.up);
+        let z = pen.find(&slope_z, "m", -sinking);
+        let mut powers = vec![-(&self.m * &self.g * z)];
         powers.extend(self.couples.iter().cloned());
         let mut place = Place { phi: self.phi1.clone(), spring: None };
         if let (Some(s), Some((_, out, _))) = (&self.spring, &worked.place.spring) {
             let length =
-                pen.quiet(&format!("{}_1", names.length), "m", &s.length_by_places(self.up, &self.phi1));
-            let force = product([s.k.clone(), difference(length.into(), s.l0.clone())]);
-            let force = pen.find(&names.spring, "N", &force);
+                pen.quiet(&format!("{}_1", names.length), "m", s.length_by_places(self.up, &self.phi1));
+            let force = pen.find(&names.spring, "N", &s.k * (length - &s.l0));
             pen.energy(self.label(Quantity::SpringForce), force);
-            let longer = minus(quotient(product([s.b.clone(), s.aside(self.up, &self.phi1)]), length.into()));
+            let longer = -(&s.b * s.aside(self.up, &self.phi1) / length);
             let slope = pen.find(&slope_s, "m", &longer);
-            powers.push(minus(product([force.into(), slope.into()])));
-            let side = pen.quiet(&names.side, "1", &minus(quotient(slope.into(), s.b.clone())));
+            powers.push(-(force * slope));
+            let side = pen.quiet(&names.side, "1", -(slope / &s.b));
             place.spring = Some((force.into(), out.clone(), side.into()));
         }
         let over = if powers.len() > 1 {
             let name = format!("W_{{{phi}}}");
-            Expr::Symbol(pen.find(&name, "J", &sum(powers)))
+            Expr::Symbol(pen.find(&name, "J", sum(powers)))
         } else {
             sum(powers)
         };
-        let alpha = pen.find(&names.alpha, "rad/s^2", &quotient(over, turning.clone()));
+        let alpha = pen.find(&names.alpha, "rad/s^2", over / turning);
         pen.energy(self.label(Quantity::Alpha), alpha);
         if !self.asks_pin(pen.desk) {
             return;
         }
         pen.say("pinned.pin_energy", &[("speed", &names.speed)]);
-        let speed = pen.find(&names.speed, "m/s", &product([self.h.clone(), omega.into()]));
-        let kept = quotient(product([self.m.clone(), square(speed.into())]), self.h.clone());
-        let pull = place.spring.as_ref().map_or(ZERO, |(f, out, _)| product([f.clone(), out.clone()]));
-        let radial = sum([kept, minus(self.weight_toward(&self.phi1)), pull]);
-        let radial = pen.find(&names.radial, "N", &radial);
+        let speed = pen.find(&names.speed, "m/s", &self.h * omega);
+        let kept = &self.m * square(speed) / &self.h;
+        let pull = place.spring.as_ref().map_or(ZERO, |(f, out, _)| f * out);
+        let radial = pen.find(&names.radial, "N", kept - self.weight_toward(&self.phi1) + pull);
         pen.energy(self.label(Quantity::PinRadial), radial);
         // Moments about the mass centre.
         pen.say("pinned.pin_moment", &[("across", &names.across)]);
         let mut about: Vec<Expr> = self.couples.clone();
         if let (Some(s), Some((force, _, side))) = (&self.spring, &place.spring) {
-            let lever = difference(s.b.clone(), self.h.clone());
-            about.push(product([force.clone(), lever, side.clone()]));
+            let lever = &s.b - &self.h;
+            about.push(force * lever * side);
         }
         if about.len() > 1 {
             let name = pen.desk.free(&["M_G", r"M_{\mathrm{G}}"]);
-            about = vec![pen.find(&name, "N m", &sum(about)).into()];
+            about = vec![pen.find(&name, "N m", sum(about)).into()];
         }
-        about.push(minus(product([self.own.clone(), alpha.into()])));
-        let across = pen.find(&names.across, "N", &quotient(sum(about), self.h.clone()));
+        about.push(-(&self.own * alpha));
+        let across = pen.find(&names.across, "N", sum(about) / &self.h);
         pen.energy(self.label(Quantity::PinTangential), across);
         if pen.desk.asks(Quantity::PinForce) {
-            let force = root(sum([square(radial.into()), square(across.into())]));
-            let force = pen.find(&names.pin, "N", &force);
+            let force = pen.find(&names.pin, "N", root(square(radial) + square(across)));
             pen.energy(self.label(Quantity::PinForce), force);
         }
     }
@@ -1331,104 +1282,5 @@ impl Swing {
         let label = self.label(Quantity::Direction);
         pen.desk.from_motion(label, Answer::Word(word));
         pen.desk.from_energy(label, Answer::Word(word));
-    }
-
-    /// Mistakes that suggest themselves, with what they would give here.
-    fn beware(&self, desk: &mut Desk, worked: &Worked) {
-        let mut pen = Pen::new(desk, "beware", "pinned.title_beware");
-        let ledger = &pen.desk.ledger;
-        let of = |e: &Expr| e.value(ledger);
-        let (m, g, h, own, about) =
-            (of(&self.m), of(&self.g), of(&self.h), of(&self.own), ledger.value(self.about));
-        let (alpha, omega) = (ledger.value(worked.alpha), ledger.value(worked.omega));
-        let spin0 = of(&self.w0);
-        let turning_point = matches!(pen.desk.scene.end, End::TurningPoint(_));
-        let asks = |q| pen.desk.asks(q);
-        let tells = |wrong: f64, right: f64| {
-            wrong.is_finite()
-                && right.is_finite()
-                && (wrong - right).abs() > TOLD * right.abs().max(wrong.abs())
-        };
-        let mut items = Vec::new();
-        let names = &self.names;
-        let value = |tex: &str, x: f64, unit: &str| pen.instead(tex, x, unit);
-        // The inertia about the mass centre in the moments about the pin.
-        if own > 0.0 && asks(Quantity::Alpha) && tells(alpha * about / own, alpha) {
-            let wrong = value(&names.alpha, alpha * about / own, "rad/s^2");
-            items.push(pen.desk.say("pinned.beware_own", &[("wrong", &wrong)]));
-        } else if own > 0.0 && asks(Quantity::Omega) && spin0 == 0.0 && !turning_point && omega != 0.0 {
-            let wrong = value(&names.omega, omega * (about / own).sqrt(), "rad/s");
-            items.push(pen.desk.say("pinned.beware_own", &[("wrong", &wrong)]));
-        }
-        // The angular acceleration of the end, as if it were constant.
-        let (first, last) = (of(&self.phi0), of(&self.phi1));
-        let turned = (last - first) * std::f64::consts::PI / 180.0;
-        if asks(Quantity::Omega) && !self.instant && !turning_point {
-            let wrong = (spin0 * spin0 + 2.0 * alpha * turned).sqrt();
-            if tells(wrong, omega) {
-                let wrong = value(&names.omega, wrong, "rad/s");
-                let text = [("wrong", wrong.as_str()), ("alpha", names.alpha.as_str())];
-                items.push(pen.desk.say("pinned.beware_constant", &text));
-            }
-        }
-        // The couple over degrees.
-        let couple = of(&self.couple());
-        if couple != 0.0 && asks(Quantity::Omega) && !self.instant && !turning_point {
-            let added = 2.0 * couple * ((last - first) - turned) / about;
-            let wrong = (omega * omega + added).sqrt();
-            if tells(wrong, omega) {
-                let wrong = value(&names.omega, wrong, "rad/s");
-                items.push(pen.desk.say("pinned.beware_degrees", &[("wrong", &wrong)]));
-            }
-        }
-        // The stretch counted from the start, not from the natural length.
-        if let (Some((a, b)), Some(s)) = (worked.stretches, &self.spring) {
-            let (a, b) = (ledger.value(a), ledger.value(b));
-            let stored = 0.5 * of(&s.k);
-            let gained = stored * (-(b - a) * (b - a) - (a * a - b * b));
-            let wrong = (omega * omega + 2.0 * gained / about).sqrt();
-            if asks(Quantity::Omega) && !turning_point && tells(wrong, omega) {
-                let wrong = value(&names.omega, wrong, "rad/s");
-                items.push(pen.desk.say("pinned.beware_stretch", &[("wrong", &wrong)]));
-            }
-        }
-        // No central acceleration in the pin's force.
-        if let Some(radial) = worked.radial {
-            let right = ledger.value(radial);
-            let wrong = right - m * h * omega * omega;
-            // What rounding leaves of a difference of equals is nothing.
-            let wrong = if wrong.abs() < 1e-9 * m * g { 0.0 } else { wrong };
-            if tells(wrong, right) {
-                let wrong = value(&names.radial, wrong, "N");
-                let text = [("wrong", wrong.as_str()), ("omega", names.omega.as_str())];
-                items.push(pen.desk.say("pinned.beware_central", &text));
-            }
-        }
-        if worked.pendulum {
-            let small = 2.0 * std::f64::consts::PI * (about / (m * g * h)).sqrt();
-            let found =
-                |q| pen.desk.variant.solved.get(self.label(q)).map(crate::solve::outcome::Entry::value);
-            if asks(Quantity::PeriodSmall) && own > 0.0 {
-                let wrong = 2.0 * std::f64::consts::PI * (h / g).sqrt();
-                if tells(wrong, small) {
-                    let tau = pen.desk.free(&[r"\tau_0", r"\tau_s"]);
-                    let wrong = value(&tau, wrong, "s");
-                    items.push(pen.desk.say("pinned.beware_simple", &[("wrong", &wrong)]));
-                }
-            }
-            if asks(Quantity::Period)
-                && let Some(right) = found(Quantity::Period)
-            {
-                let share = (right / small - 1.0) * 100.0;
-                if share.is_finite() && share > 0.1 && spin0 == 0.0 {
-                    let share = pen.desk.words.number(&number::rounded(share, 2));
-                    let small = format!("${}$", pen.rough(small, "s"));
-                    let text = [("small", small.as_str()), ("share", share.as_str())];
-                    items.push(pen.desk.say("pinned.beware_small", &text));
-                }
-            }
-        }
-        pen.list(items);
-        pen.done();
     }
 }

@@ -1,8 +1,8 @@
 //! What a solution says, in order, before a template decides how it stands on the page.
 use crate::solution::expr::Expr;
-use crate::solution::expr::width;
-use crate::solution::ledger::Ledger;
-use crate::solution::ledger::Symbol;
+use crate::solution::expr::Symbol;
+use crate::solution::quantities::Ledger;
+use crate::solution::written::width;
 
 /// A part of a solution.
 #[derive(Debug, Clone, PartialEq)]

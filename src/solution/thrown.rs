@@ -12,28 +12,20 @@ use crate::solution::desk::Answer;
 use crate::solution::desk::Desk;
 use crate::solution::expr::Expr;
 use crate::solution::expr::ONE;
+use crate::solution::expr::Symbol;
 use crate::solution::expr::ZERO;
 use crate::solution::expr::cosine;
-use crate::solution::expr::difference;
 use crate::solution::expr::magnitude;
-use crate::solution::expr::minus;
 use crate::solution::expr::number as whole;
-use crate::solution::expr::product;
-use crate::solution::expr::quotient;
 use crate::solution::expr::ratio;
+use crate::solution::expr::signed;
 use crate::solution::expr::sine;
 use crate::solution::expr::square;
-use crate::solution::expr::sum;
-use crate::solution::ledger::Symbol;
 use crate::solution::mass;
 use crate::solution::pen::Pen;
 use crate::solution::stop::Beyond;
 use crate::solution::stop::Stop;
-use crate::solve::outcome::Entry;
 use crate::solve::outcome::Word;
-
-/// A wrong value is told only if it differs by this share from the right one: else it would teach nothing.
-const TOLD: f64 = 0.02;
 
 /// The body in symbols.
 struct Throw {
@@ -94,30 +86,52 @@ struct Worked {
     /// Sense of the slip: 1 forward.
     sense: f64,
     normal: Symbol,
-    /// Acceleration and angular acceleration while it slips.
-    a: Symbol,
     /// Time of the event, if it comes.
     event: Option<Symbol>,
-    /// Velocity of the centre at the end, and its displacement.
+    /// Velocity of the centre at the end.
     v: Symbol,
-    x: Symbol,
-    /// Acceleration and friction once it rolls, positive forward.
-    rolling: (f64, f64),
-    heat: Symbol,
-    way: Symbol,
 }
 
-fn signed(e: Expr, positive: bool) -> Expr {
-    if positive { e } else { minus(e) }
+/// The slip at the start.
+struct Slip {
+    /// Positive forward.
+    start: Symbol,
+    /// Its size.
+    speed: Symbol,
+    /// 1 forward, -1 back.
+    sense: f64,
+}
+
+/// Velocity, spin, displacement and angle at the end of a leg.
+struct State {
+    v: Symbol,
+    w: Symbol,
+    x: Symbol,
+    phi: Symbol,
+}
+
+/// The slip, from its energy.
+struct SlipByEnergy {
+    /// How far the contact slips.
+    way: Symbol,
+    /// The slip that is left at the end.
+    left: Expr,
+    /// How long it slips.
+    time: Expr,
+    /// The same where the slip ends before the motion does.
+    event: Option<Symbol>,
+}
+
+/// Accelerations and friction on a leg.
+struct Rates {
+    a: Symbol,
+    alpha: Symbol,
+    friction: Symbol,
 }
 
 /// Half of it.
 fn half(e: Expr) -> Expr {
-    product([ratio(1, 2), e])
-}
-
-fn square_of(e: &Expr) -> Expr {
-    if *e == ZERO { ZERO } else { square(e.clone()) }
+    ratio(1, 2) * e
 }
 
 /// Writes the sections of a body thrown with slip.
@@ -132,7 +146,6 @@ pub fn work(desk: &mut Desk) -> Result<(), Stop> {
     let worked = throw.motion(desk)?;
     throw.balance(desk, &worked);
     throw.regime(desk, &worked);
-    throw.beware(desk, &worked);
     Ok(())
 }
 
@@ -232,17 +245,17 @@ impl Throw {
 
     /// Component of the weight against forward, positive where forward is up.
     fn weight(&self) -> Expr {
-        signed(product([self.m.clone(), self.g.clone(), self.sine.clone()]), self.up)
+        signed(&self.m * &self.g * &self.sine, self.up)
     }
 
     /// The same times something; the sine stays last, where nothing can be read into it.
     fn weight_times(&self, factor: Expr) -> Expr {
-        signed(product([self.m.clone(), self.g.clone(), factor, self.sine.clone()]), self.up)
+        signed(&self.m * &self.g * factor * &self.sine, self.up)
     }
 
     /// The same as an acceleration.
     fn fall(&self) -> Expr {
-        signed(product([self.g.clone(), self.sine.clone()]), self.up)
+        signed(&self.g * &self.sine, self.up)
     }
 
     /// The words for where something points that is positive forward.
@@ -253,7 +266,7 @@ impl Throw {
 
     /// `I_G + m c^2`.
     fn about_contact(&self) -> Expr {
-        sum([self.own.clone(), product([self.m.clone(), square(self.c.clone())])])
+        &self.own + &self.m * square(&self.c)
     }
 
     /// A quantity that is a magnitude: itself, or under bars where it is negative.
@@ -262,78 +275,123 @@ impl Throw {
             return symbol;
         }
         let name = format!(r"\left|{}\right|", pen.desk.ledger.tex(symbol));
-        pen.quiet(&name, unit, &magnitude(symbol.into()))
+        pen.quiet(&name, unit, magnitude(symbol))
     }
 
     // -- the road of the equations of motion ------------------------------------------------------------------------------
 
     fn motion(&self, desk: &mut Desk) -> Result<Worked, Stop> {
-        let names = &self.names;
         let mut pen = Pen::new(desk, "eom", "thrown.title_eom");
-        pen.say("thrown.slip", &[("slip", &names.slip)]);
-        let slip = difference(self.v0.clone(), product([self.c.clone(), self.w0.clone()]));
-        let slip = pen.find(&format!("{}_0", names.slip), "m/s", &slip);
-        let slip_value = pen.desk.ledger.value(slip);
-        if slip_value == 0.0 {
+        let slip = self.first_slip(&mut pen)?;
+        let (normal, slipping) = self.rows(&mut pen, slip.sense);
+        let (rate, event, phase) = self.end_of_slip(&mut pen, &slip, &slipping)?;
+        let ways = [Quantity::Displacement, Quantity::Rise, Quantity::Heat, Quantity::SlipDistance];
+        let needs_way = ways.iter().any(|q| pen.desk.asks(*q));
+        let t: Expr = match (phase, event, &self.t1) {
+            (Phase::Slips, _, Some(t1)) => t1.clone(),
+            (_, Some(event), _) => event.into(),
+            (_, None, t1) => t1.clone().unwrap_or(ZERO),
+        };
+        let (mut state, mut rates) = (self.state(&mut pen, phase, &t, &slipping, needs_way), slipping);
+        self.rubbed_way(&mut pen, phase, &slip, rate, normal, &t);
+        if let (Phase::Event, Some(event)) = (phase, event) {
+            pen.motion(Self::scene_label(Quantity::T), event);
+        }
+        // Rolling: from the event on, or to be checked.
+        let of_rolling =
+            [Quantity::ARolling, Quantity::FrictionIfRolled, Quantity::MuRequired, Quantity::Rolls];
+        if phase == Phase::Rolls || of_rolling.iter().any(|q| pen.desk.asks(*q)) {
+            let (a, friction) = self.roll(&mut pen);
+            pen.motion(self.label(Quantity::ARolling), a);
+            pen.motion(self.label(Quantity::FrictionIfRolled), friction);
+            if pen.desk.asks(Quantity::MuRequired) {
+                let name = pen.desk.free(&[r"\mu_{\mathrm{min}}", r"\mu_0"]);
+                let size = Self::magnitude(&mut pen, friction, "N");
+                let mu = pen.find(&name, "1", size / normal);
+                pen.motion(self.label(Quantity::MuRequired), mu);
+            }
+            if let (Phase::Rolls, Some(t1), Some(event)) = (phase, self.t1.clone(), event) {
+                (state, rates) = self.rolling_leg(&mut pen, state, (a, friction), t1 - event, needs_way);
+            }
+        }
+        self.answers(&mut pen, phase, &state, &rates);
+        pen.done();
+        let rolls = if self.holds(desk) { Word::Yes } else { Word::No };
+        desk.from_motion(self.label(Quantity::Rolls), Answer::Word(rolls));
+        Ok(Worked { phase, slip: slip.start, sense: slip.sense, normal, event, v: state.v })
+    }
+
+    /// The slip at the start, its sense, and what friction does against it.
+    fn first_slip(&self, pen: &mut Pen) -> Result<Slip, Stop> {
+        let name = &self.names.slip;
+        pen.say("thrown.slip", &[("slip", name)]);
+        let start = pen.find(&format!("{name}_0"), "m/s", &self.v0 - &self.c * &self.w0);
+        let value = pen.desk.ledger.value(start);
+        if value == 0.0 {
             return Err(Beyond::ThrownWithoutSlip.into());
         }
-        let sense = slip_value.signum();
-        let slip_speed = Self::magnitude(&mut pen, slip, "m/s");
-        let note = pen.desk.words.get("thrown.note_slip").to_owned();
-        let label = self.label(Quantity::SlipSpeed);
-        pen.desk.from_one_road(label, Answer::Value(slip_speed), &note);
+        let sense = value.signum();
+        let speed = Self::magnitude(pen, start, "m/s");
+        pen.only(self.label(Quantity::SlipSpeed), speed, "thrown.note_slip");
         let (slides, points) = (self.way(pen.desk, sense).to_owned(), self.way(pen.desk, -sense).to_owned());
-        let with = pen.value(&self.v0) * sense < 0.0;
-        let text = [("slip", names.slip.as_str()), ("slides", &slides), ("points", &points)];
+        let text = [("slip", name.as_str()), ("slides", &slides), ("points", &points)];
         pen.say(if sense > 0.0 { "thrown.sense_forward" } else { "thrown.sense_back" }, &text);
-        if with {
+        if pen.value(&self.v0) * sense < 0.0 {
             pen.say("thrown.drives", &[]);
         }
+        Ok(Slip { start, speed, sense })
+    }
 
-        // The rows.
-        let force = Expr::Symbol(pen.desk.unknown(&names.friction, "N"));
-        let normal = Expr::Symbol(pen.desk.unknown(&names.normal, "N"));
-        let a = Expr::Symbol(pen.desk.unknown(&names.a, "m/s^2"));
-        let alpha = Expr::Symbol(pen.desk.unknown(&names.alpha, "rad/s^2"));
+    /// The equations of motion while it slips: the normal force, the accelerations and the friction.
+    fn rows(&self, pen: &mut Pen, sense: f64) -> (Symbol, Rates) {
+        let names = &self.names;
+        let points = self.way(pen.desk, -sense).to_owned();
+        let force = pen.unknown(&names.friction, "N");
+        let normal = pen.unknown(&names.normal, "N");
+        let a = pen.unknown(&names.a, "m/s^2");
+        let alpha = pen.unknown(&names.alpha, "rad/s^2");
         pen.say("thrown.rows", &[]);
         let forward = signed(force.clone(), self.up);
-        pen.equation(&product([self.m.clone(), a]), &difference(forward.clone(), self.weight()));
-        let pressing = product([self.m.clone(), self.g.clone(), self.cosine.clone()]);
-        pen.equation(&ZERO, &difference(normal.clone(), pressing.clone()));
-        let turning = minus(product([self.c.clone(), forward]));
-        pen.equation(&product([self.own.clone(), alpha]), &turning);
-        let friction = |normal: Expr| signed(product([self.mu_k.clone(), normal]), (sense < 0.0) == self.up);
+        pen.equation(&self.m * a, &forward - self.weight());
+        let pressing = &self.m * &self.g * &self.cosine;
+        pen.equation(ZERO, &normal - &pressing);
+        pen.equation(&self.own * alpha, -(&self.c * forward));
+        let friction = |normal: Expr| signed(&self.mu_k * normal, (sense < 0.0) == self.up);
         pen.say("thrown.law", &[("points", &points)]);
-        pen.equation(&force, &friction(normal));
+        pen.equation(&force, friction(normal));
         pen.say("thrown.numbers", &[("points", &points)]);
         let normal = pen.find(&names.normal, "N", &pressing);
         pen.motion(self.label(Quantity::Normal), normal);
-        let force = pen.find(&names.friction, "N", &friction(normal.into()));
+        let force = pen.find(&names.friction, "N", friction(normal.into()));
         let forward = signed(force.into(), self.up);
-        let a = difference(quotient(forward.clone(), self.m.clone()), self.fall());
-        let a = pen.find(&names.a, "m/s^2", &a);
-        let alpha = minus(quotient(product([self.c.clone(), forward]), self.own.clone()));
-        let alpha = pen.find(&names.alpha, "rad/s^2", &alpha);
+        let a = pen.find(&names.a, "m/s^2", &forward / &self.m - self.fall());
+        let alpha = pen.find(&names.alpha, "rad/s^2", -(&self.c * forward / &self.own));
+        (normal, Rates { a, alpha, friction: force })
+    }
 
-        // The slip goes evenly.
+    /// The slip goes evenly: its rate, when it ends if it does, and whether that is before the end of the motion.
+    fn end_of_slip(
+        &self,
+        pen: &mut Pen,
+        slip: &Slip,
+        rates: &Rates,
+    ) -> Result<(Symbol, Option<Symbol>, Phase), Stop> {
+        let names = &self.names;
         pen.say("thrown.even", &[("a", &names.a), ("alpha", &names.alpha), ("slip", &names.slip)]);
         let rate_name = format!(r"\dot{{{}}}", names.slip);
-        let rate = difference(a.into(), product([self.c.clone(), alpha.into()]));
-        let rate = pen.find(&rate_name, "m/s^2", &rate);
-        let closes = pen.desk.ledger.value(rate) * sense < 0.0;
-        let holds = self.holds(pen.desk);
+        let rate = pen.find(&rate_name, "m/s^2", rates.a - &self.c * rates.alpha);
         let event_name = match self.t1 {
             None => pen.desk.free(&["t", "t_r"]),
             Some(_) => pen.desk.free(&["t_r", "t_e"]),
         };
-        let event = if closes {
+        let event = if pen.desk.ledger.value(rate) * slip.sense < 0.0 {
             pen.say("thrown.event", &[("slip", &names.slip), ("rate", &rate_name)]);
-            let until = minus(quotient(slip.into(), rate.into()));
-            Some(pen.find(&event_name, "s", &until))
+            Some(pen.find(&event_name, "s", -(slip.start / rate)))
         } else {
             pen.say("thrown.no_event", &[("rate", &rate_name)]);
             None
         };
+        let holds = self.holds(pen.desk);
         let phase = match (&self.t1, event) {
             (None, Some(_)) if holds => Phase::Event,
             (None, _) => return Err(Beyond::NeverRolls.into()),
@@ -354,154 +412,115 @@ impl Throw {
             };
             pen.say(phrase, &[("asked", &t1), ("event", &event_name)]);
         }
+        Ok((rate, event, phase))
+    }
 
-        // The state at the end of the slip, or at the time asked.
+    /// The state at the end of the slip, or at the time asked.
+    fn state(&self, pen: &mut Pen, phase: Phase, t: &Expr, rates: &Rates, needs_way: bool) -> State {
+        let names = &self.names;
         let one = if phase == Phase::Rolls { "r" } else { "1" };
-        let t: Expr = match (phase, event, &self.t1) {
-            (Phase::Slips, _, Some(t1)) => t1.clone(),
-            (_, Some(event), _) => event.into(),
-            (_, None, t1) => t1.clone().unwrap_or(ZERO),
-        };
-        let in_phase = pen.tex(&t);
-        pen.say("thrown.state", &[("t", &in_phase)]);
-        let after = |start: &Expr, rate: Symbol| sum([start.clone(), product([rate.into(), t.clone()])]);
-        let travelled = |start: &Expr, rate: Symbol| {
-            let drift = product([start.clone(), t.clone()]);
-            sum([drift, half(product([rate.into(), square(t.clone())]))])
-        };
-        let v1 = pen.find(&format!("{}_{one}", names.v), "m/s", &after(&self.v0, a));
-        let w1 = if phase == Phase::Slips {
-            pen.find(&format!("{}_{one}", names.omega), "rad/s", &after(&self.w0, alpha))
+        let told = pen.tex(t);
+        pen.say("thrown.state", &[("t", &told)]);
+        let after = |start: &Expr, rate: Symbol| start + rate * t;
+        let travelled = |start: &Expr, rate: Symbol| start * t + half(rate * square(t));
+        let v = pen.find(&format!("{}_{one}", names.v), "m/s", after(&self.v0, rates.a));
+        let spin = format!("{}_{one}", names.omega);
+        let w = if phase == Phase::Slips {
+            pen.find(&spin, "rad/s", after(&self.w0, rates.alpha))
         } else {
             pen.say("thrown.rolls_now", &[]);
-            pen.find(&format!("{}_{one}", names.omega), "rad/s", &quotient(v1.into(), self.c.clone()))
+            pen.find(&spin, "rad/s", v / &self.c)
         };
-        let needs_way = [Quantity::Displacement, Quantity::Rise, Quantity::Heat, Quantity::SlipDistance]
-            .iter()
-            .any(|q| pen.desk.asks(*q));
-        let x1 = if needs_way {
-            pen.find(&format!("{}_{one}", names.x), "m", &travelled(&self.v0, a))
-        } else {
-            pen.quiet(&format!("{}_{one}", names.x), "m", &travelled(&self.v0, a))
-        };
-        let phi1 = if pen.desk.asks(Quantity::Phi) {
-            pen.find(&format!("{}_{one}", names.phi), "rad", &travelled(&self.w0, alpha))
-        } else {
-            pen.quiet(&format!("{}_{one}", names.phi), "rad", &travelled(&self.w0, alpha))
-        };
-        if self.turns_back(pen.desk, v1) && needs_way {
+        let x = pen.find_if(needs_way, &format!("{}_{one}", names.x), "m", travelled(&self.v0, rates.a));
+        let turns = pen.desk.asks(Quantity::Phi);
+        let turned = travelled(&self.w0, rates.alpha);
+        let phi = pen.find_if(turns, &format!("{}_{one}", names.phi), "rad", turned);
+        if self.turns_back(pen.desk, v) && needs_way {
             pen.say("thrown.turns_back", &[]);
         }
-        // The way of the contact: mean slip times time.
+        State { v, w, x, phi }
+    }
+
+    /// The way of the contact, mean slip times time, and the heat that friction makes on it.
+    fn rubbed_way(&self, pen: &mut Pen, phase: Phase, slip: &Slip, rate: Symbol, normal: Symbol, t: &Expr) {
+        let names = &self.names;
         let way = if phase == Phase::Slips {
             pen.say("thrown.way_slipping", &[("slip", &names.slip)]);
-            let left = sum([slip.into(), product([rate.into(), t.clone()])]);
-            let left = pen.find(&format!("{}_1", names.slip), "m/s", &left);
-            let mean = half(sum([slip.into(), left.into()]));
-            let mean = if sense < 0.0 { magnitude(mean) } else { mean };
-            pen.find(&names.way, "m", &product([mean, t.clone()]))
+            let left = pen.find(&format!("{}_1", names.slip), "m/s", slip.start + rate * t);
+            let mean = half(slip.start + left);
+            let mean = if slip.sense < 0.0 { magnitude(mean) } else { mean };
+            pen.find(&names.way, "m", mean * t)
         } else {
             pen.say("thrown.way", &[("slip", &names.slip)]);
-            pen.find(&names.way, "m", &half(product([Expr::from(slip_speed), t.clone()])))
+            pen.find(&names.way, "m", half(slip.speed * t))
         };
         pen.motion(self.label(Quantity::SlipDistance), way);
         pen.say("thrown.heat", &[]);
-        let made = product([self.mu_k.clone(), normal.into(), way.into()]);
-        let heat = pen.find(&names.heat, "J", &made);
+        let heat = pen.find(&names.heat, "J", &self.mu_k * normal * way);
         pen.motion(Self::scene_label(Quantity::Heat), heat);
-        if phase == Phase::Event
-            && let Some(event) = event
-        {
-            pen.motion(Self::scene_label(Quantity::T), event);
-        }
-        let (mut v, mut w, mut x, mut phi) = (v1, w1, x1, phi1);
-        let (mut now_a, mut now_alpha, mut now_friction) = (a, alpha, force);
+    }
 
-        // Rolling: from the event on, or to be checked.
-        let rolling_value = self.rolling(pen.desk);
-        let asks = |pen: &Pen, q| pen.desk.asks(q);
-        let rolling_asked =
-            [Quantity::ARolling, Quantity::FrictionIfRolled, Quantity::MuRequired, Quantity::Rolls];
-        if phase == Phase::Rolls || rolling_asked.iter().any(|q| asks(&pen, *q)) {
-            let (a_r, friction_r) = self.roll(&mut pen);
-            pen.motion(self.label(Quantity::ARolling), a_r);
-            pen.motion(self.label(Quantity::FrictionIfRolled), friction_r);
-            if asks(&pen, Quantity::MuRequired) {
-                let name = pen.desk.free(&[r"\mu_{\mathrm{min}}", r"\mu_0"]);
-                let size = Self::magnitude(&mut pen, friction_r, "N");
-                let mu = pen.find(&name, "1", &quotient(size.into(), normal.into()));
-                pen.motion(self.label(Quantity::MuRequired), mu);
-            }
-            if let (Phase::Rolls, Some(t1), Some(event)) = (phase, self.t1.clone(), event) {
-                pen.say("thrown.leg", &[]);
-                let name = format!(r"\Delta {}", pen.desk.free(&["t", "t_r"]));
-                let left = Expr::Symbol(pen.find(&name, "s", &difference(t1, event.into())));
-                let gained = product([Expr::from(a_r), left.clone()]);
-                v = pen.find(&format!("{}_1", names.v), "m/s", &sum([v1.into(), gained]));
-                w = pen.find(&format!("{}_1", names.omega), "rad/s", &quotient(v.into(), self.c.clone()));
-                let legs = sum([
-                    x1.into(),
-                    product([v1.into(), left.clone()]),
-                    half(product([Expr::from(a_r), square(left)])),
-                ]);
-                let name = format!("{}_1", names.x);
-                x = if needs_way { pen.find(&name, "m", &legs) } else { pen.quiet(&name, "m", &legs) };
-                let turned = sum([phi1.into(), quotient(difference(x.into(), x1.into()), self.c.clone())]);
-                let name = format!("{}_1", names.phi);
-                let told = asks(&pen, Quantity::Phi);
-                phi = if told { pen.find(&name, "rad", &turned) } else { pen.quiet(&name, "rad", &turned) };
-                now_a = a_r;
-                now_friction = friction_r;
-                let turning = quotient(a_r.into(), self.c.clone());
-                let name = format!("{}_r", names.alpha);
-                let told = asks(&pen, Quantity::Alpha);
-                now_alpha = if told {
-                    pen.find(&name, "rad/s^2", &turning)
-                } else {
-                    pen.quiet(&name, "rad/s^2", &turning)
-                };
-            }
+    /// Rolling on from the end of the slip up to the time asked.
+    fn rolling_leg(
+        &self,
+        pen: &mut Pen,
+        from: State,
+        (a, friction): (Symbol, Symbol),
+        time: Expr,
+        needs_way: bool,
+    ) -> (State, Rates) {
+        let names = &self.names;
+        pen.say("thrown.leg", &[]);
+        let name = format!(r"\Delta {}", pen.desk.free(&["t", "t_r"]));
+        let left = Expr::Symbol(pen.find(&name, "s", time));
+        let v = pen.find(&format!("{}_1", names.v), "m/s", from.v + a * &left);
+        let w = pen.find(&format!("{}_1", names.omega), "rad/s", v / &self.c);
+        let legs = from.x + from.v * &left + half(a * square(left));
+        let x = pen.find_if(needs_way, &format!("{}_1", names.x), "m", legs);
+        let turned = from.phi + (x - from.x) / &self.c;
+        let turns = pen.desk.asks(Quantity::Phi);
+        let phi = pen.find_if(turns, &format!("{}_1", names.phi), "rad", turned);
+        let told = pen.desk.asks(Quantity::Alpha);
+        let alpha = pen.find_if(told, &format!("{}_r", names.alpha), "rad/s^2", a / &self.c);
+        (State { v, w, x, phi }, Rates { a, alpha, friction })
+    }
+
+    /// What is asked of the end of the motion.
+    fn answers(&self, pen: &mut Pen, phase: Phase, end: &State, rates: &Rates) {
+        for (quantity, symbol, unit) in
+            [(Quantity::Omega, end.w, "rad/s"), (Quantity::V, end.v, "m/s"), (Quantity::Phi, end.phi, "rad")]
+        {
+            let size = Self::magnitude(pen, symbol, unit);
+            pen.motion(self.label(quantity), size);
         }
-        let spin = Self::magnitude(&mut pen, w, "rad/s");
-        pen.motion(self.label(Quantity::Omega), spin);
-        let speed = Self::magnitude(&mut pen, v, "m/s");
-        pen.motion(self.label(Quantity::V), speed);
-        pen.motion(self.label(Quantity::Displacement), x);
-        let turned = Self::magnitude(&mut pen, phi, "rad");
-        pen.motion(self.label(Quantity::Phi), turned);
-        pen.motion(self.label(Quantity::A), now_a);
-        pen.motion(self.label(Quantity::Alpha), now_alpha);
-        pen.motion(self.label(Quantity::Friction), now_friction);
+        for (quantity, symbol) in [
+            (Quantity::Displacement, end.x),
+            (Quantity::A, rates.a),
+            (Quantity::Alpha, rates.alpha),
+            (Quantity::Friction, rates.friction),
+        ] {
+            pen.motion(self.label(quantity), symbol);
+        }
         if let (Phase::Slips | Phase::Rolls, Some(Expr::Symbol(t1))) = (phase, &self.t1) {
-            let note = pen.desk.words.get("thrown.note_time").to_owned();
-            pen.desk.from_one_road(Self::scene_label(Quantity::T), Answer::Value(*t1), &note);
+            pen.only(Self::scene_label(Quantity::T), *t1, "thrown.note_time");
         }
         if pen.desk.asks(Quantity::Rise) {
             pen.say("thrown.rise", &[]);
-            let rise = signed(product([Expr::from(x), self.sine.clone()]), self.up);
-            let rise = pen.find("h", "m", &rise);
-            let note = pen.desk.words.get("thrown.note_rise").to_owned();
-            pen.desk.from_one_road(self.label(Quantity::Rise), Answer::Value(rise), &note);
+            let rise = pen.find("h", "m", signed(end.x * &self.sine, self.up));
+            pen.only(self.label(Quantity::Rise), rise, "thrown.note_rise");
         }
         if pen.desk.asks(Quantity::KineticEnergy) || pen.desk.asks(Quantity::RotationalFraction) {
             pen.say("thrown.kinetic", &[]);
-            let spinning = half(product([self.own.clone(), square(w.into())]));
-            let energy = sum([half(product([self.m.clone(), square(v.into())])), spinning.clone()]);
-            let energy = pen.find(&format!("{}_1", names.kinetic), "J", &energy);
+            let spinning = half(&self.own * square(end.w));
+            let energy = half(&self.m * square(end.v)) + &spinning;
+            let energy = pen.find(&format!("{}_1", self.names.kinetic), "J", energy);
             pen.motion(Self::scene_label(Quantity::KineticEnergy), energy);
             if pen.desk.asks(Quantity::RotationalFraction) {
                 let name = pen.desk.free(&[r"\zeta", r"\zeta_r"]);
-                let share = pen.find(&name, "1", &quotient(spinning, energy.into()));
-                let note = pen.desk.words.get("thrown.note_share").to_owned();
-                let label = Self::scene_label(Quantity::RotationalFraction);
-                pen.desk.from_one_road(label, Answer::Value(share), &note);
+                let share = pen.find(&name, "1", spinning / energy);
+                pen.only(Self::scene_label(Quantity::RotationalFraction), share, "thrown.note_share");
             }
         }
-        pen.done();
-        let rolls = if holds { Word::Yes } else { Word::No };
-        let label = self.label(Quantity::Rolls);
-        desk.from_motion(label, Answer::Word(rolls));
-        Ok(Worked { phase, slip, sense, normal, a, event, v, x, rolling: rolling_value, heat, way })
     }
 
     /// Does the centre come to rest before the end of a leg that it leaves with this velocity?
@@ -534,216 +553,179 @@ impl Throw {
             return (pen.find(&a_name, "m/s^2", &ZERO), pen.find(&f_name, "N", &ZERO));
         }
         pen.say("thrown.roll", &[("friction", &f_name), ("a", &a_name), ("alpha", &names.alpha)]);
-        let a = Expr::Symbol(pen.desk.unknown(&a_name, "m/s^2"));
-        let friction = Expr::Symbol(pen.desk.unknown(&f_name, "N"));
+        let a = pen.unknown(&a_name, "m/s^2");
+        let friction = pen.unknown(&f_name, "N");
         let forward = signed(friction, self.up);
-        pen.equation(&product([self.m.clone(), a.clone()]), &difference(forward.clone(), self.weight()));
-        let turning = product([self.own.clone(), quotient(a, self.c.clone())]);
-        pen.equation(&turning, &minus(product([self.c.clone(), forward])));
+        pen.equation(&self.m * &a, &forward - self.weight());
+        let turning = &self.own * (a / &self.c);
+        pen.equation(&turning, -(&self.c * forward));
         pen.say("thrown.roll_eliminate", &[("friction", &f_name)]);
-        let carried = sum([self.m.clone(), quotient(self.own.clone(), square(self.c.clone()))]);
-        let a = pen.find(&a_name, "m/s^2", &quotient(minus(self.weight()), carried));
-        let friction = quotient(product([self.own.clone(), a.into()]), square(self.c.clone()));
-        let friction = pen.find(&f_name, "N", &signed(friction, !self.up));
+        let carried = &self.m + &self.own / square(&self.c);
+        let a = pen.find(&a_name, "m/s^2", -self.weight() / carried);
+        let friction = &self.own * a / square(&self.c);
+        let friction = pen.find(&f_name, "N", signed(friction, !self.up));
         (a, friction)
     }
 
     // -- the road of momentum, work and energy ----------------------------------------------------------------------------
 
     fn balance(&self, desk: &mut Desk, worked: &Worked) {
-        let names = &self.names;
         let mut pen = Pen::new(desk, "energy", "thrown.title_energy");
-        let slips = worked.phase == Phase::Slips;
-        let (h, v, w) = (&names.momentum, &names.v, &names.omega);
-
-        // The energy of the slip.
-        pen.say("thrown.split", &[]);
-        let (vs, ws) = (Expr::Symbol(pen.desk.unknown(v, "m/s")), Expr::Symbol(pen.desk.unknown(w, "rad/s")));
-        let us = Expr::Symbol(pen.desk.unknown(&names.slip, "m/s"));
-        let hs = Expr::Symbol(pen.desk.unknown(h, "kg m^2/s"));
-        let reduced_name = pen.desk.free(&["m_u", "m_s"]);
-        let ms = Expr::Symbol(pen.desk.unknown(&reduced_name, "kg"));
-        let plain = sum([
-            half(product([self.m.clone(), square(vs.clone())])),
-            half(product([self.own.clone(), square(ws.clone())])),
-        ]);
-        let split = sum([
-            quotient(square(hs.clone()), product([whole(2), self.about_contact()])),
-            half(product([ms, square(us.clone())])),
-        ]);
-        let (left, right) = (pen.tex(&plain), pen.tex(&split));
-        pen.formula(format!("{} = {left} = {right}", names.kinetic));
-        let momentum = sum([product([self.own.clone(), ws]), product([self.m.clone(), self.c.clone(), vs])]);
-        pen.equation(&hs, &momentum);
-        let reduced = quotient(product([self.m.clone(), self.own.clone()]), self.about_contact());
-        let reduced = pen.find(&reduced_name, "kg", &reduced);
-        let phrase = if self.level { "thrown.slip_energy_level" } else { "thrown.slip_energy" };
-        pen.say(phrase, &[("reduced", &reduced_name)]);
-        // Loss of the slip's energy per metre of its way.
-        let rubbing = product([self.mu_k.clone(), worked.normal.into()]);
-        let pulled = product([Expr::from(reduced), self.g.clone(), self.sine.clone()]);
-        let loss = sum([rubbing, signed(pulled, self.up == (worked.sense > 0.0))]);
-        let loss_name = pen.desk.free(&["D", "F_u"]);
-        if !self.level {
-            pen.say("thrown.loss_incline", &[("loss", &loss_name)]);
+        let by_energy = self.slip_by_energy(&mut pen, worked);
+        let (v1, w1, x1, phi1) = self.momentum(&mut pen, worked, &by_energy);
+        for (quantity, symbol, unit) in [(Quantity::V, v1, "m/s"), (Quantity::Omega, w1, "rad/s")] {
+            let size = Self::magnitude(&mut pen, symbol, unit);
+            pen.energy(self.label(quantity), size);
         }
-        let loss = pen.find(&loss_name, "N", &loss);
-        let slip_speed = Self::magnitude(&mut pen, worked.slip, "m/s");
-        let stored = product([Expr::from(reduced), square(worked.slip.into())]);
-        let twice = |e: Expr| product([whole(2), e]);
-        let way;
-        let mut slip_left = ZERO;
-        let mut event: Option<Symbol> = None;
-        let t_name = match (worked.phase, worked.event) {
-            (Phase::Slips, _) | (_, None) => String::new(),
-            (_, Some(event)) => pen.desk.ledger.tex(event).to_owned(),
-        };
-        let slid: Expr;
-        if let (true, Some(t1)) = (slips, self.t1.clone()) {
-            pen.say("thrown.slip_impulse", &[("slip", &names.slip)]);
-            let spent = quotient(product([Expr::from(loss), t1.clone()]), reduced.into());
-            let left = sum([worked.slip.into(), signed(spent, worked.sense < 0.0)]);
-            let left = pen.find(&format!("{}_1", names.slip), "m/s", &left);
-            let squares = difference(square(worked.slip.into()), square(left.into()));
-            let lost = product([Expr::from(reduced), squares]);
-            pen.say("thrown.slip_way_part", &[]);
-            way = pen.find(&names.way, "m", &quotient(lost, twice(loss.into())));
-            slip_left = left.into();
-            slid = t1;
-        } else {
-            pen.say("thrown.slip_way", &[]);
-            way = pen.find(&names.way, "m", &quotient(stored, twice(loss.into())));
-            pen.say("thrown.slip_time", &[]);
-            let until = pen.find(&t_name, "s", &quotient(twice(way.into()), slip_speed.into()));
-            event = Some(until);
-            slid = until.into();
-        }
-        pen.energy(self.label(Quantity::SlipDistance), way);
-        if let (Phase::Event, Some(event)) = (worked.phase, event) {
-            pen.energy(Self::scene_label(Quantity::T), event);
-        }
-
-        // The angular momentum about the surface.
-        pen.say(if self.level { "thrown.momentum_level" } else { "thrown.momentum" }, &[("momentum", h)]);
-        let momentum = sum([
-            product([self.own.clone(), self.w0.clone()]),
-            product([self.m.clone(), self.c.clone(), self.v0.clone()]),
-        ]);
-        let h0 = pen.find(&format!("{h}_0"), "kg m^2/s", &momentum);
-        let momentum_after = |t: &Expr| {
-            let lost = self.weight_times(product([self.c.clone(), t.clone()]));
-            difference(h0.into(), lost)
-        };
-        let one = if worked.phase == Phase::Rolls { "r" } else { "1" };
-        let h1 =
-            if self.level { h0 } else { pen.find(&format!("{h}_{one}"), "kg m^2/s", &momentum_after(&slid)) };
-        let about = self.about_contact();
-        pen.say(if slips { "thrown.speeds_slipping" } else { "thrown.speeds" }, &[]);
-        let centre = |h: Symbol, left: &Expr| {
-            let over = sum([product([self.c.clone(), h.into()]), product([self.own.clone(), left.clone()])]);
-            quotient(over, about.clone())
-        };
-        let mut v1 = pen.find(&format!("{v}_{one}"), "m/s", &centre(h1, &slip_left));
-        if self.level && !slips {
-            pen.say("thrown.any_friction", &[]);
-        }
-        let spin = |v: Symbol, left: &Expr| quotient(difference(v.into(), left.clone()), self.c.clone());
-        let mut w1 = pen.find(&format!("{w}_{one}"), "rad/s", &spin(v1, &slip_left));
-        let asks = |pen: &Pen, q| pen.desk.asks(q);
-        let mean = |from: Expr, to: Symbol, t: &Expr| product([half(sum([from, to.into()])), t.clone()]);
-        pen.say("thrown.mean", &[]);
-        let mut x1 = pen.find(&format!("{}_{one}", names.x), "m", &mean(self.v0.clone(), v1, &slid));
-        let (v_slip, x_slip, w_slip) = (v1, x1, w1);
-        let mut phi1 = None;
-        if asks(&pen, Quantity::Phi) {
-            let turned = mean(self.w0.clone(), w1, &slid);
-            phi1 = Some(pen.find(&format!("{}_{one}", names.phi), "rad", &turned));
-        }
-        if let (Phase::Rolls, Some(t1), Some(event)) = (worked.phase, self.t1.clone(), event) {
-            pen.say("thrown.momentum_on", &[]);
-            let h_end =
-                if self.level { h0 } else { pen.find(&format!("{h}_1"), "kg m^2/s", &momentum_after(&t1)) };
-            v1 = pen.find(&format!("{v}_1"), "m/s", &centre(h_end, &ZERO));
-            w1 = pen.find(&format!("{w}_1"), "rad/s", &spin(v1, &ZERO));
-            let left = difference(t1, event.into());
-            let legs = sum([x_slip.into(), mean(v_slip.into(), v1, &left)]);
-            x1 = pen.find(&format!("{}_1", names.x), "m", &legs);
-            if let Some(phi) = phi1 {
-                let legs = sum([phi.into(), mean(w_slip.into(), w1, &left)]);
-                phi1 = Some(pen.find(&format!("{}_1", names.phi), "rad", &legs));
-            }
-        }
-        let speed = Self::magnitude(&mut pen, v1, "m/s");
-        pen.energy(self.label(Quantity::V), speed);
-        let spin = Self::magnitude(&mut pen, w1, "rad/s");
-        pen.energy(self.label(Quantity::Omega), spin);
         pen.energy(self.label(Quantity::Displacement), x1);
         if let Some(phi) = phi1 {
             let turned = Self::magnitude(&mut pen, phi, "rad");
             pen.energy(self.label(Quantity::Phi), turned);
         }
-        self.heat(&mut pen, worked, (v1, w1, x1, way));
+        self.heat(&mut pen, worked, (v1, w1, x1, by_energy.way));
         if worked.phase == Phase::Rolls {
             self.rolling_rate(&mut pen, true);
         } else {
-            self.friction_by_work(&mut pen, (v1, w1, x1, phi1), &slid);
+            self.friction_by_work(&mut pen, (v1, w1, x1, phi1), &by_energy.time);
+        }
+        if pen.desk.asks(Quantity::Normal) {
+            pen.only(self.label(Quantity::Normal), worked.normal, "thrown.note_normal");
         }
         pen.done();
         let value = desk.ledger.value(worked.v);
         let sloped = desk.scene.bodies[self.body].line.is_some_and(|l| l.slope != Slope::Level);
-        let upward = if self.up { value } else { -value };
-        let word = match (sloped, value == 0.0) {
-            (_, true) => Word::Stays,
-            (true, _) => {
-                if upward > 0.0 {
-                    Word::Up
-                } else {
-                    Word::Down
-                }
-            }
-            (false, _) => {
-                if value > 0.0 {
-                    Word::Forward
-                } else {
-                    Word::Back
-                }
-            }
+        let word = match (sloped, (value > 0.0) == self.up) {
+            _ if value == 0.0 => Word::Stays,
+            (true, true) => Word::Up,
+            (true, false) => Word::Down,
+            (false, _) if value > 0.0 => Word::Forward,
+            (false, _) => Word::Back,
         };
         let label = self.label(Quantity::Direction);
         desk.from_motion(label, Answer::Word(word));
         desk.from_energy(label, Answer::Word(word));
-        let label = self.label(Quantity::Normal);
-        if desk.asks(Quantity::Normal) {
-            let note = desk.words.get("thrown.note_normal").to_owned();
-            desk.from_one_road(label, Answer::Value(worked.normal), &note);
+    }
+
+    /// The energy of the slip, which friction takes: how far the contact slips, and how long.
+    fn slip_by_energy(&self, pen: &mut Pen, worked: &Worked) -> SlipByEnergy {
+        let names = &self.names;
+        let (h, v, w) = (&names.momentum, &names.v, &names.omega);
+        pen.say("thrown.split", &[]);
+        let (vs, ws) = (pen.unknown(v, "m/s"), pen.unknown(w, "rad/s"));
+        let us = pen.unknown(&names.slip, "m/s");
+        let hs = pen.unknown(h, "kg m^2/s");
+        let reduced_name = pen.desk.free(&["m_u", "m_s"]);
+        let ms = pen.unknown(&reduced_name, "kg");
+        let plain = half(&self.m * square(&vs)) + half(&self.own * square(&ws));
+        let split = square(&hs) / (whole(2) * self.about_contact()) + half(ms * square(&us));
+        let (left, right) = (pen.tex(&plain), pen.tex(&split));
+        pen.formula(format!("{} = {left} = {right}", names.kinetic));
+        pen.equation(&hs, &self.own * ws + &self.m * &self.c * vs);
+        let reduced = pen.find(&reduced_name, "kg", &self.m * &self.own / self.about_contact());
+        let phrase = if self.level { "thrown.slip_energy_level" } else { "thrown.slip_energy" };
+        pen.say(phrase, &[("reduced", &reduced_name)]);
+        // Loss of the slip's energy per metre of its way.
+        let pulled = signed(reduced * &self.g * &self.sine, self.up == (worked.sense > 0.0));
+        let loss_name = pen.desk.free(&["D", "F_u"]);
+        if !self.level {
+            pen.say("thrown.loss_incline", &[("loss", &loss_name)]);
         }
+        let loss = pen.find(&loss_name, "N", &self.mu_k * worked.normal + pulled);
+        let slip_speed = Self::magnitude(pen, worked.slip, "m/s");
+        let by_energy = if let (Phase::Slips, Some(t1)) = (worked.phase, self.t1.clone()) {
+            pen.say("thrown.slip_impulse", &[("slip", &names.slip)]);
+            let left = worked.slip + signed(loss * &t1 / reduced, worked.sense < 0.0);
+            let left = pen.find(&format!("{}_1", names.slip), "m/s", left);
+            let lost = reduced * (square(worked.slip) - square(left));
+            pen.say("thrown.slip_way_part", &[]);
+            let way = pen.find(&names.way, "m", lost / (whole(2) * loss));
+            SlipByEnergy { way, left: left.into(), time: t1, event: None }
+        } else {
+            pen.say("thrown.slip_way", &[]);
+            let stored = reduced * square(worked.slip);
+            let way = pen.find(&names.way, "m", stored / (whole(2) * loss));
+            pen.say("thrown.slip_time", &[]);
+            let name = worked.event.map_or_else(String::new, |e| pen.desk.ledger.tex(e).to_owned());
+            let until = pen.find(&name, "s", whole(2) * way / slip_speed);
+            SlipByEnergy { way, left: ZERO, time: until.into(), event: Some(until) }
+        };
+        pen.energy(self.label(Quantity::SlipDistance), by_energy.way);
+        if let (Phase::Event, Some(event)) = (worked.phase, by_energy.event) {
+            pen.energy(Self::scene_label(Quantity::T), event);
+        }
+        by_energy
+    }
+
+    /// Velocity, spin, displacement and, if it is asked, angle at the end, from the angular momentum about the surface.
+    fn momentum(
+        &self,
+        pen: &mut Pen,
+        worked: &Worked,
+        by_energy: &SlipByEnergy,
+    ) -> (Symbol, Symbol, Symbol, Option<Symbol>) {
+        let names = &self.names;
+        let (h, v, w) = (&names.momentum, &names.v, &names.omega);
+        let (slips, slid, slip_left) = (worked.phase == Phase::Slips, &by_energy.time, &by_energy.left);
+        pen.say(if self.level { "thrown.momentum_level" } else { "thrown.momentum" }, &[("momentum", h)]);
+        let momentum = &self.own * &self.w0 + &self.m * &self.c * &self.v0;
+        let h0 = pen.find(&format!("{h}_0"), "kg m^2/s", momentum);
+        let one = if worked.phase == Phase::Rolls { "r" } else { "1" };
+        let momentum_after = |pen: &mut Pen, t: &Expr, one: &str| match self.level {
+            true => h0,
+            false => pen.find(&format!("{h}_{one}"), "kg m^2/s", h0 - self.weight_times(&self.c * t)),
+        };
+        let h1 = momentum_after(pen, slid, one);
+        let about = self.about_contact();
+        pen.say(if slips { "thrown.speeds_slipping" } else { "thrown.speeds" }, &[]);
+        let centre = |h: Symbol, left: &Expr| (&self.c * h + &self.own * left) / &about;
+        let mut v1 = pen.find(&format!("{v}_{one}"), "m/s", centre(h1, slip_left));
+        if self.level && !slips {
+            pen.say("thrown.any_friction", &[]);
+        }
+        let spin = |v: Symbol, left: &Expr| (v - left) / &self.c;
+        let mut w1 = pen.find(&format!("{w}_{one}"), "rad/s", spin(v1, slip_left));
+        let mean = |from: Expr, to: Symbol, t: &Expr| half(from + to) * t;
+        pen.say("thrown.mean", &[]);
+        let mut x1 = pen.find(&format!("{}_{one}", names.x), "m", mean(self.v0.clone(), v1, slid));
+        let mut phi1 = None;
+        if pen.desk.asks(Quantity::Phi) {
+            let turned = mean(self.w0.clone(), w1, slid);
+            phi1 = Some(pen.find(&format!("{}_{one}", names.phi), "rad", turned));
+        }
+        if let (Phase::Rolls, Some(t1), Some(event)) = (worked.phase, self.t1.clone(), by_energy.event) {
+            let (v_slip, x_slip, w_slip) = (v1, x1, w1);
+            pen.say("thrown.momentum_on", &[]);
+            let h_end = momentum_after(pen, &t1, "1");
+            v1 = pen.find(&format!("{v}_1"), "m/s", centre(h_end, &ZERO));
+            w1 = pen.find(&format!("{w}_1"), "rad/s", spin(v1, &ZERO));
+            let left = t1 - event;
+            x1 = pen.find(&format!("{}_1", names.x), "m", x_slip + mean(v_slip.into(), v1, &left));
+            if let Some(phi) = phi1 {
+                let legs = phi + mean(w_slip.into(), w1, &left);
+                phi1 = Some(pen.find(&format!("{}_1", names.phi), "rad", legs));
+            }
+        }
+        (v1, w1, x1, phi1)
     }
 
     /// The whole balance: what is missing is heat.
     fn heat(&self, pen: &mut Pen, worked: &Worked, (v1, w1, x1, way): (Symbol, Symbol, Symbol, Symbol)) {
         let names = &self.names;
-        let kinetic = |v: Expr, w: Expr| {
-            sum([
-                half(product([self.m.clone(), square_of(&v)])),
-                half(product([self.own.clone(), square_of(&w)])),
-            ])
-        };
+        let kinetic = |v: Expr, w: Expr| half(&self.m * square(&v)) + half(&self.own * square(&w));
         pen.say("thrown.balance", &[]);
-        let t0 = kinetic(self.v0.clone(), self.w0.clone());
-        let t0 = pen.find(&format!("{}_0", names.kinetic), "J", &t0);
-        let t1 = pen.find(&format!("{}_1", names.kinetic), "J", &kinetic(v1.into(), w1.into()));
+        let t0 = pen.find(&format!("{}_0", names.kinetic), "J", kinetic(self.v0.clone(), self.w0.clone()));
+        let t1 = pen.find(&format!("{}_1", names.kinetic), "J", kinetic(v1.into(), w1.into()));
         pen.energy(Self::scene_label(Quantity::KineticEnergy), t1);
-        let mut left = sum([Expr::from(t0), minus(t1.into())]);
+        let mut left = t0 - t1;
         if !self.level {
             pen.say("thrown.weight_work", &[]);
-            let work = minus(self.weight_times(x1.into()));
-            let work = pen.find("W_g", "J", &work);
-            left = sum([Expr::from(t0), work.into(), minus(t1.into())]);
+            let work = pen.find("W_g", "J", -self.weight_times(x1.into()));
+            left = t0 + work - t1;
         }
         pen.say("thrown.heat_energy", &[]);
         let heat = pen.find(&names.heat, "J", &left);
         pen.energy(Self::scene_label(Quantity::Heat), heat);
-        let rubbed = product([self.mu_k.clone(), worked.normal.into(), way.into()]);
+        let rubbed = &self.mu_k * worked.normal * way;
         let text = pen.tex(&rubbed);
         let again = pen.quiet(&text, "J", &rubbed);
         let same = format!("{text} = {}", pen.desk.ledger.shown(again));
@@ -769,25 +751,25 @@ impl Throw {
             let share_x = value(pen, x1).abs() / most(pen, &self.v0, v1);
             if share_x > 0.02 {
                 pen.say("thrown.work_centre", &[("friction", &names.friction)]);
-                let gained = product([self.m.clone(), difference(square(v1.into()), square_of(&self.v0))]);
-                let over = product([whole(2), x1.into()]);
-                let forward = sum([quotient(gained, over), self.weight()]);
-                let force = pen.find(&names.friction, "N", &signed(forward, self.up));
+                let gained = &self.m * (square(v1) - square(&self.v0));
+                let over = whole(2) * x1;
+                let forward = gained / over + self.weight();
+                let force = pen.find(&names.friction, "N", signed(forward, self.up));
                 pen.energy(self.label(Quantity::Friction), force);
             } else {
                 let turned = match phi1 {
                     Some(phi) => phi,
                     None => {
-                        let angle = product([half(sum([self.w0.clone(), w1.into()])), t.clone()]);
+                        let angle = half(&self.w0 + w1) * t;
                         pen.find(&format!("{}_1", names.phi), "rad", &angle)
                     }
                 };
                 pen.say("thrown.work_turn", &[("friction", &names.friction)]);
-                let squares = difference(square(w1.into()), square_of(&self.w0));
-                let gained = product([self.own.clone(), squares]);
-                let over = product([whole(2), self.c.clone(), turned.into()]);
-                let forward = minus(quotient(gained, over));
-                let force = pen.find(&names.friction, "N", &signed(forward, self.up));
+                let squares = square(w1) - square(&self.w0);
+                let gained = &self.own * squares;
+                let over = whole(2) * &self.c * turned;
+                let forward = -(gained / over);
+                let force = pen.find(&names.friction, "N", signed(forward, self.up));
                 pen.energy(self.label(Quantity::Friction), force);
             }
         }
@@ -795,12 +777,12 @@ impl Throw {
             pen.say("thrown.gain", &[]);
         }
         if asks(pen, Quantity::A) {
-            let gain = quotient(difference(v1.into(), self.v0.clone()), t.clone());
+            let gain = (v1 - &self.v0) / t;
             let a = pen.find(&names.a, "m/s^2", &gain);
             pen.energy(self.label(Quantity::A), a);
         }
         if asks(pen, Quantity::Alpha) {
-            let gain = quotient(difference(w1.into(), self.w0.clone()), t.clone());
+            let gain = (w1 - &self.w0) / t;
             let alpha = pen.find(&names.alpha, "rad/s^2", &gain);
             pen.energy(self.label(Quantity::Alpha), alpha);
         }
@@ -818,11 +800,11 @@ impl Throw {
         let (a, friction) = if self.level {
             (pen.find(&a_name, "m/s^2", &ZERO), pen.find(&f_name, "N", &ZERO))
         } else {
-            let over = minus(self.weight_times(square(self.c.clone())));
-            let a = pen.find(&a_name, "m/s^2", &quotient(over, self.about_contact()));
+            let over = -self.weight_times(square(self.c.clone()));
+            let a = pen.find(&a_name, "m/s^2", over / self.about_contact());
             pen.say("thrown.rate_friction", &[("friction", &f_name)]);
-            let forward = sum([product([self.m.clone(), a.into()]), self.weight()]);
-            (a, pen.find(&f_name, "N", &signed(forward, self.up)))
+            let forward = &self.m * a + self.weight();
+            (a, pen.find(&f_name, "N", signed(forward, self.up)))
         };
         pen.energy(self.label(Quantity::ARolling), a);
         pen.energy(self.label(Quantity::FrictionIfRolled), friction);
@@ -830,7 +812,7 @@ impl Throw {
             pen.energy(self.label(Quantity::A), a);
             pen.energy(self.label(Quantity::Friction), friction);
             if pen.desk.asks(Quantity::Alpha) {
-                let turning = quotient(a.into(), self.c.clone());
+                let turning = a / &self.c;
                 let alpha = pen.find(&format!("{}_r", names.alpha), "rad/s^2", &turning);
                 pen.energy(self.label(Quantity::Alpha), alpha);
             }
@@ -838,9 +820,9 @@ impl Throw {
         if pen.desk.asks(Quantity::MuRequired) {
             let label = self.label(Quantity::MuRequired);
             let size = Self::magnitude(pen, friction, "N");
-            let normal = product([self.m.clone(), self.g.clone(), self.cosine.clone()]);
+            let normal = &self.m * &self.g * &self.cosine;
             let name = pen.desk.free(&[r"\mu_{\mathrm{min}}", r"\mu_0"]);
-            let mu = pen.quiet(&name, "1", &quotient(size.into(), normal));
+            let mu = pen.quiet(&name, "1", size / normal);
             pen.energy(label, mu);
         }
     }
@@ -880,7 +862,7 @@ impl Throw {
                     None => self.roll(&mut pen).1,
                 };
                 let size = Self::magnitude(&mut pen, friction, "N");
-                let limit = product([self.mu_s.clone(), worked.normal.into()]);
+                let limit = &self.mu_s * worked.normal;
                 let needed = pen.with_value(size);
                 pen.say("thrown.check_grip", &[("needed", &needed)]);
                 let name = pen.desk.free(&[r"F_{\mathrm{max}}", "F_m"]);
@@ -897,98 +879,6 @@ impl Throw {
         } else if value < 0.0 {
             pen.say("thrown.moves_back", &[("v", &v), ("way", &way)]);
         }
-        pen.done();
-    }
-
-    /// Mistakes that suggest themselves, with what they would give here.
-    fn beware(&self, desk: &mut Desk, worked: &Worked) {
-        let names = &self.names;
-        let mut pen = Pen::new(desk, "beware", "thrown.title_beware");
-        let ledger = &pen.desk.ledger;
-        let of = |e: &Expr| e.value(ledger);
-        let found = |s: Symbol| ledger.value(s);
-        let (m, own, c) = (of(&self.m), of(&self.own), of(&self.c));
-        let normal = found(worked.normal);
-        let asks = |q| pen.desk.asks(q);
-        let tells = |wrong: f64, right: f64| {
-            wrong.is_finite()
-                && right.is_finite()
-                && (wrong - right).abs() > TOLD * right.abs().max(wrong.abs())
-        };
-        let value = |tex: &str, x: f64, unit: &str| pen.instead(tex, x, unit);
-        let up = if self.up { 1.0 } else { -1.0 };
-        let slipping = -worked.sense * of(&self.mu_k) * normal * up;
-        let v = found(worked.v);
-        let mut items = Vec::new();
-        if asks(Quantity::Friction) {
-            let (text, right) = match worked.phase {
-                Phase::Rolls => ("thrown.beware_rolling", worked.rolling.1 * up),
-                _ => ("thrown.beware_static", slipping),
-            };
-            let wrong = match worked.phase {
-                Phase::Rolls => slipping,
-                _ => -worked.sense * of(&self.mu_s) * normal * up,
-            };
-            if tells(wrong, right) {
-                let wrong = value(&names.friction, wrong, "N");
-                items.push(pen.desk.say(text, &[("wrong", &wrong)]));
-            }
-        }
-        if of(&self.v0) * worked.sense < 0.0 {
-            items.push(pen.desk.say("thrown.beware_sense", &[]));
-        }
-        if !self.level {
-            let wrong = m * of(&self.g);
-            if wrong > 1.005 * normal {
-                let text = [
-                    ("wrong", value(&names.normal, wrong, "N")),
-                    ("right", format!("${}$", pen.rough(normal, "N"))),
-                ];
-                let text: Vec<(&str, &str)> = text.iter().map(|(n, t)| (*n, t.as_str())).collect();
-                items.push(pen.desk.say("thrown.beware_normal", &text));
-            }
-        }
-        if worked.phase == Phase::Slips && asks(Quantity::Omega) {
-            let right = pen.desk.variant.solved.get(self.label(Quantity::Omega)).map(Entry::value);
-            if let Some(right) = right
-                && tells(v.abs() / c, right)
-            {
-                let wrong = value(&format!("{}_1", names.omega), v / c, "rad/s");
-                items.push(pen.desk.say("thrown.beware_no_slip", &[("wrong", &wrong)]));
-            }
-        }
-        if let (Phase::Rolls, Some(t1)) = (worked.phase, &self.t1)
-            && asks(Quantity::V)
-        {
-            let wrong = of(&self.v0) + found(worked.a) * of(t1);
-            if tells(wrong, v) {
-                let wrong = value(&format!("{}_1", names.v), wrong, "m/s");
-                items.push(pen.desk.say("thrown.beware_on", &[("wrong", &wrong)]));
-            }
-        }
-        if worked.phase == Phase::Event && asks(Quantity::V) {
-            let start = 0.5 * m * of(&self.v0) * of(&self.v0) + 0.5 * own * of(&self.w0) * of(&self.w0);
-            let kept = start - of(&self.weight()) * found(worked.x);
-            let wrong = (2.0 * kept / (m + own / (c * c))).sqrt();
-            if tells(wrong, v.abs()) {
-                let wrong = value(&format!("{}_1", names.v), wrong, "m/s");
-                let phrase = if self.level { "thrown.beware_energy_level" } else { "thrown.beware_energy" };
-                items.push(pen.desk.say(phrase, &[("wrong", &wrong)]));
-            }
-        }
-        if asks(Quantity::Heat) || asks(Quantity::SlipDistance) {
-            let wrong = of(&self.mu_k) * normal * found(worked.x).abs();
-            if tells(wrong, found(worked.heat)) {
-                let text = [
-                    ("wrong", value(&names.heat, wrong, "J")),
-                    ("way", format!("${}$", pen.rough(found(worked.way), "m"))),
-                    ("x", format!("${}$", pen.rough(found(worked.x).abs(), "m"))),
-                ];
-                let text: Vec<(&str, &str)> = text.iter().map(|(n, t)| (*n, t.as_str())).collect();
-                items.push(pen.desk.say("thrown.beware_way", &text));
-            }
-        }
-        pen.list(items);
         pen.done();
     }
 }

@@ -11,6 +11,7 @@
 #[path = "../support/mod.rs"]
 mod support;
 
+mod beware;
 mod english;
 mod figures;
 mod gallery;

@@ -14,10 +14,11 @@ use slipstick::problem::make::Variant;
 use slipstick::sheet::html;
 use slipstick::sheet::number;
 use slipstick::solution;
-use slipstick::solution::expr::width;
+use slipstick::solution::written::width;
 use slipstick::template::Templates;
 use slipstick::words::Words;
 
+use crate::beware;
 use crate::support;
 use crate::tex;
 
@@ -70,10 +71,14 @@ fn faults(markdown: &str, problem: &Problem, variant: &Variant, words: &Words) -
             }
         }
     }
-    for word in ["NaN", "none}", "infinite", "solution."] {
+    for word in ["NaN", "none}", "infinite"] {
         if markdown.contains(word) {
             faults.push(format!("says {word}"));
         }
+    }
+    // The name of a phrase that is missing; a sentence may end with this word.
+    if markdown.split("solution.").skip(1).any(|rest| rest.starts_with(|c: char| c.is_ascii_lowercase())) {
+        faults.push("says the name of a phrase".to_owned());
     }
     for formula in tex::displayed(markdown) {
         for line in tex::lines(&formula) {
@@ -108,15 +113,17 @@ fn faults(markdown: &str, problem: &Problem, variant: &Variant, words: &Words) -
 fn every_draw(draws: u32) {
     let (templates, words) = (templates("en"), Words::english());
     let mut counts = tex::Counts::default();
-    let mut made = 0u32;
+    let (mut made, mut told) = (0u32, 0u32);
     sweep(draws, |problem, variant| {
         let text = markdown(problem, variant, &words, &templates);
         let mut wrong = faults(&text, problem, variant, &words);
+        wrong.extend(beware::check(&text, problem, variant, &words, &mut told));
         wrong.extend(tex::check(&text, &mut counts));
         assert!(wrong.is_empty(), "{}: {}\n\n{text}", problem.id, wrong.join("\n"));
         made += 1;
     });
-    println!("{made} solutions: {counts:?}");
+    println!("{made} solutions: {counts:?}, {told} mistakes");
+    assert!(told > 3 * made, "{told} mistakes told in {made} solutions");
     // So that a change of the text's form cannot switch the check off.
     assert!(
         counts.numbers > 20 * made && counts.symbols > 20 * made && counts.relations > 2 * made,
@@ -163,7 +170,8 @@ fn both_languages_have_the_same_formulas() {
     let german = (Words::of("de").expect("German"), templates("de"));
     sweep(12, |problem, variant| {
         let texts = [&english, &german].map(|(w, t)| markdown(problem, variant, w, t));
-        let wrong = faults(&texts[1], problem, variant, &german.0);
+        let mut wrong = faults(&texts[1], problem, variant, &german.0);
+        wrong.extend(beware::check(&texts[1], problem, variant, &german.0, &mut 0));
         assert!(wrong.is_empty(), "{}: {}\n\n{}", problem.id, wrong.join("\n"), texts[1]);
         let [en, de] = texts.map(|t| tex::displayed(&t));
         let de: Vec<String> = de.iter().map(|f| f.replace("{,}", ".")).collect();

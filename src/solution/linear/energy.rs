@@ -6,22 +6,18 @@ use crate::scene::Far;
 use crate::scene::Quantity;
 use crate::scene::Tie;
 use crate::solution::expr::Expr;
+use crate::solution::expr::Symbol;
 use crate::solution::expr::ZERO;
-use crate::solution::expr::difference;
-use crate::solution::expr::minus;
+use crate::solution::expr::in_sense;
 use crate::solution::expr::number;
-use crate::solution::expr::product;
-use crate::solution::expr::quotient;
 use crate::solution::expr::ratio;
 use crate::solution::expr::root;
 use crate::solution::expr::square;
 use crate::solution::expr::sum;
 use crate::solution::factors::Factors;
-use crate::solution::ledger::Symbol;
 use crate::solution::linear::mechanism::Action;
 use crate::solution::linear::mechanism::Kind;
 use crate::solution::linear::mechanism::Source;
-use crate::solution::linear::mechanism::in_sense;
 use crate::solution::linear::mechanism::tagged;
 use crate::solution::linear::motion::aligned;
 use crate::solution::linear::motion::constant_forces;
@@ -120,11 +116,11 @@ fn kinetic(walk: &mut Walk) {
             continue;
         }
         for i in walk.m.inertia(*c) {
-            parts.push(product([ratio(1, 2), i.expr(), square(v.into())]));
+            parts.push(ratio(1, 2) * i.expr() * square(v));
         }
     }
     let Some(v) = walk.m.speed(lead) else { return };
-    let whole = product([ratio(1, 2), walk.effective.clone(), square(v.into())]);
+    let whole = ratio(1, 2) * &walk.effective * square(v);
     let first = sum(parts);
     walk.tell("energy.kinetic_sum", &[]);
     let ledger = &walk.desk.ledger;
@@ -159,8 +155,8 @@ fn works(walk: &mut Walk) -> Result<(), Stop> {
                 walk.tell(if gives { "energy.spring_gives" } else { "energy.spring_takes" }, &[]);
                 walk.find(x1, &stretch);
                 let w = walk.new_symbol(&["W_{s}", r"W_{\mathrm{s}}"], "J");
-                let squares = difference(square(spring.stretch.clone()), square(x1.into()));
-                walk.find(w, &product([ratio(1, 2), spring.stiffness.clone(), squares]));
+                let squares = square(&spring.stretch) - square(x1);
+                walk.find(w, &(ratio(1, 2) * &spring.stiffness * squares));
                 w
             }
             Source::Tie(_) => {
@@ -178,7 +174,7 @@ fn works(walk: &mut Walk) -> Result<(), Stop> {
                 let w = walk.new_symbol(&[&tagged("W", &tag)], "J");
                 let mass = walk.m.parts[body].mass.clone();
                 let weight = mass.times(&Factors::of(&walk.m.g)).times(&Factors::of(&h.into()));
-                walk.find(w, &minus(weight.expr()));
+                walk.find(w, &(-weight.expr()));
                 w
             }
             Source::Couple(i) => {
@@ -188,7 +184,7 @@ fn works(walk: &mut Walk) -> Result<(), Stop> {
                 let phi = walk.get(of_body(Quantity::Phi, action.body))?;
                 let helps = walk.value(&share) * walk.sense;
                 walk.tell("energy.couple", &[]);
-                walk.find(w, &in_sense(product([action.force.clone(), phi.into()]), helps));
+                walk.find(w, &in_sense(&action.force * phi, helps));
                 w
             }
         };
@@ -205,24 +201,20 @@ fn one_freedom(walk: &mut Walk) -> Result<(), Stop> {
     walk.tell(if walk.v0 == ZERO { "energy.states_rest" } else { "energy.states_moving" }, &[]);
     idle(walk);
     let start = |walk: &Walk| {
-        if walk.v0 == ZERO {
-            ZERO
-        } else {
-            product([ratio(1, 2), walk.effective.clone(), square(walk.v0.clone())])
-        }
+        if walk.v0 == ZERO { ZERO } else { ratio(1, 2) * &walk.effective * square(&walk.v0) }
     };
     if placed {
         walk.tell("energy.works", &[]);
         works(walk)?;
         kinetic(walk);
         let works = walk.works().unwrap_or(ZERO);
-        let end = product([ratio(1, 2), walk.effective.clone(), square(v.into())]);
+        let end = ratio(1, 2) * &walk.effective * square(v);
         walk.tell("energy.balance", &[]);
-        let right = difference(end, start(walk));
+        let right = end - start(walk);
         walk.out.equation(&walk.desk.ledger, &works, &right);
-        let gained = quotient(product([number(2), works]), walk.effective.clone());
+        let gained = number(2) * works / &walk.effective;
         let square0 = if walk.v0 == ZERO { ZERO } else { square(walk.v0.clone()) };
-        walk.find(v, &root(sum([square0, gained])));
+        walk.find(v, &root(square0 + gained));
         walk.note(label, v);
         walk.v = v.into();
         if let Some(spring) = walk.spring.clone().filter(|s| s.stretch != ZERO) {
@@ -247,7 +239,7 @@ fn one_freedom(walk: &mut Walk) -> Result<(), Stop> {
     let (_, f_e) = effective_symbols(walk);
     walk.find(f_e, &sum(terms));
     walk.drive = f_e.into();
-    let per = quotient(walk.drive.clone(), walk.effective.clone());
+    let per = &walk.drive / &walk.effective;
     match walk.desk.scene.end {
         End::Speed(_, u) => {
             let along = lead.degree == Degree::Along;
@@ -262,14 +254,14 @@ fn one_freedom(walk: &mut Walk) -> Result<(), Stop> {
         End::Time(_, t) => {
             let t = walk.desk.number(t, "t", "s");
             walk.tell("energy.rate_time", &[]);
-            let end = sum([walk.v0.clone(), product([per, t.clone()])]);
+            let end = &walk.v0 + per * &t;
             walk.find(v, &in_sense(end, walk.sense));
             walk.note(label, v);
             walk.v = v.into();
             let s = new_way(walk);
             walk.tell("energy.mean_speed", &[]);
-            let both = sum([walk.v0.clone(), in_sense(v.into(), walk.sense)]);
-            walk.find(s, &product([ratio(1, 2), both, t]));
+            let both = &walk.v0 + in_sense(v.into(), walk.sense);
+            walk.find(s, &(ratio(1, 2) * both * t));
             walk.s = s.into();
             return works_if_asked(walk);
         }
@@ -277,8 +269,8 @@ fn one_freedom(walk: &mut Walk) -> Result<(), Stop> {
     }
     let s = new_way(walk);
     walk.tell("energy.balance", &[]);
-    let squares = difference(square(walk.v.clone()), square(walk.v0.clone()));
-    let from = quotient(product([walk.effective.clone(), squares]), product([number(2), walk.drive.clone()]));
+    let squares = square(&walk.v) - square(&walk.v0);
+    let from = &walk.effective * squares / (number(2) * &walk.drive);
     walk.find(s, &from);
     walk.s = s.into();
     works_if_asked(walk)
@@ -311,19 +303,19 @@ fn other_origin(walk: &mut Walk, spring: &Spring, v: Symbol) -> Result<(), Stop>
     walk.drive = sum(rest.clone());
     let stiffness: Expr = kappa.into();
     let energy = |z: &Expr| {
-        let stored = product([ratio(1, 2), stiffness.clone(), square(z.clone())]);
-        let others = rest.iter().map(|r| minus(product([r.clone(), z.clone()])));
+        let stored = ratio(1, 2) * &stiffness * square(z);
+        let others = rest.iter().map(|r| -(r * z));
         sum([stored].into_iter().chain(others).collect::<Vec<_>>())
     };
-    let moving = product([ratio(1, 2), walk.effective.clone(), square(v.into())]);
-    let (before, after) = (energy(&z0), sum([energy(&z1), moving]));
+    let moving = ratio(1, 2) * &walk.effective * square(v);
+    let (before, after) = (energy(&z0), energy(&z1) + moving);
     walk.out.equation(&walk.desk.ledger, &before, &after);
     let tex = walk.desk.ledger.tex(v).to_owned();
     let again = walk.desk.ledger.unknown_like(&tex, v);
-    let squares = product([stiffness, difference(square(z0.clone()), square(z1.clone()))]);
-    let linear: Vec<Expr> = rest.iter().map(|r| product([number(2), r.clone(), walk.s.clone()])).collect();
+    let squares = stiffness * (square(&z0) - square(&z1));
+    let linear: Vec<Expr> = rest.iter().map(|r| number(2) * r * &walk.s).collect();
     let over = positive_first([vec![squares], linear].concat());
-    walk.find(again, &root(quotient(over, walk.effective.clone())));
+    walk.find(again, &root(over / &walk.effective));
     Ok(())
 }
 
@@ -341,11 +333,11 @@ fn slipping_body(walk: &mut Walk, body: usize) -> Result<(), Stop> {
     let (Some(_), Some(omega)) = (c_v, omega) else { return walk.beyond(Beyond::Arrangement) };
     // The mass centre.
     walk.tell("energy.centre", &[]);
-    let half = product([ratio(1, 2), walk.effective.clone(), square(v.into())]);
-    let left = product([share.clone(), walk.s.clone()]);
+    let half = ratio(1, 2) * &walk.effective * square(v);
+    let left = &share * &walk.s;
     walk.out.equation(&walk.desk.ledger, &left, &half);
-    let over = product([number(2), share, walk.s.clone()]);
-    walk.find(v, &root(quotient(over, walk.effective.clone())));
+    let over = number(2) * share * &walk.s;
+    walk.find(v, &root(over / &walk.effective));
     walk.note(of_body(Quantity::V, body), v);
     walk.v = v.into();
     // The whole.
@@ -359,12 +351,12 @@ fn slipping_body(walk: &mut Walk, body: usize) -> Result<(), Stop> {
         let way = walk.s.clone();
         let arm = moments.iter().find(|(a, _)| a.source == action.source);
         let both = match arm {
-            None => product([e, way]),
+            None => e * way,
             Some((a, _)) => {
                 let centre = Factors::of(&way).times(&a.along);
                 let turned = Factors::of(&phi.into()).times(&a.arm).expr();
                 let turned = in_sense(turned, spin);
-                product([a.force.clone(), positive_first(vec![centre.expr(), turned])])
+                &a.force * positive_first(vec![centre.expr(), turned])
             }
         };
         total.push(both);
@@ -372,27 +364,27 @@ fn slipping_body(walk: &mut Walk, body: usize) -> Result<(), Stop> {
     // Couples turn the body without moving it.
     for (action, e) in &moments {
         if action.along.is_zero() {
-            total.push(in_sense(product([e.clone(), phi.into()]), spin));
+            total.push(in_sense(e * phi, spin));
         }
     }
     let inertia = walk.m.inertia_expr(turn);
-    let turning = product([ratio(1, 2), inertia.clone(), square(omega.into())]);
+    let turning = ratio(1, 2) * &inertia * square(omega);
     walk.tell("energy.total", &[]);
-    let right = sum([half, turning]);
+    let right = half + turning;
     let ledger = &walk.desk.ledger;
     let (total, right) = (positive_first(total).symbols(ledger), right.symbols(ledger));
     walk.out.blocks.push(Block::Formula(format!("{total} = {right}")));
-    let law = quotient(omega.into(), v.into());
+    let law = omega / v;
     let way = walk.distance();
     walk.tell("energy.uniform", &[]);
-    walk.out.equation(&walk.desk.ledger, &phi.into(), &product([law, way.clone()]));
+    walk.out.equation(&walk.desk.ledger, &phi.into(), &(law * &way));
     walk.tell("energy.root", &[]);
     let moment = in_sense(sum(moments.into_iter().map(|(_, e)| e).collect::<Vec<_>>()), spin);
     let moment = match moment {
         Expr::Sum(terms) => positive_first(terms),
         other => other,
     };
-    let from = quotient(product([number(2), moment, way]), product([inertia, v.into()]));
+    let from = number(2) * moment * way / (inertia * v);
     walk.find(omega, &from);
     walk.note(of_body(Quantity::Omega, body), omega);
     walk.get(of_body(Quantity::Phi, body))?;
@@ -414,7 +406,7 @@ fn slip_works(walk: &mut Walk, body: usize) -> Result<(), Stop> {
                 let w = walk.new_symbol(&["W_{g}"], "J");
                 let mass = walk.m.parts[b].mass.clone();
                 let weight = mass.times(&Factors::of(&walk.m.g)).times(&Factors::of(&h.into()));
-                walk.find(w, &minus(weight.expr()));
+                walk.find(w, &(-weight.expr()));
                 w
             }
             Source::Couple(i) => {
@@ -422,7 +414,7 @@ fn slip_works(walk: &mut Walk, body: usize) -> Result<(), Stop> {
                 let turn = Coordinate { body, degree: Degree::Turn };
                 let spin = walk.value(&sum(walk.row(turn).into_iter().map(|(_, e)| e).collect::<Vec<_>>()));
                 let helps = spin * walk.value(&action.arm.expr());
-                walk.find(w, &in_sense(product([action.force.clone(), phi.into()]), helps));
+                walk.find(w, &in_sense(&action.force * phi, helps));
                 w
             }
             Source::Tie(_) => continue,

@@ -9,15 +9,13 @@ use crate::scene::Tie;
 use crate::solution::desk::Answer;
 use crate::solution::desk::Desk;
 use crate::solution::expr::Expr;
+use crate::solution::expr::Symbol;
 use crate::solution::expr::ZERO;
 use crate::solution::expr::magnitude;
-use crate::solution::expr::product;
-use crate::solution::expr::quotient;
 use crate::solution::expr::ratio;
 use crate::solution::expr::square;
 use crate::solution::expr::sum;
 use crate::solution::factors::Factors;
-use crate::solution::ledger::Symbol;
 use crate::solution::linear::mechanism;
 use crate::solution::linear::mechanism::Part;
 use crate::solution::linear::mechanism::tagged;
@@ -100,9 +98,7 @@ impl Speeds<'_, '_> {
         let (along, arm) = mechanism::lever(self.desk, end);
         let (v, w) = (self.known[end.body].along.clone(), self.known[end.body].turn.clone());
         let body = end.body;
-        let rest = |known: &Expr, share: &Factors| {
-            sum([out.clone(), Factors::of(known).times(&share.opposite()).expr()])
-        };
+        let rest = |known: &Expr, share: &Factors| out + Factors::of(known).times(&share.opposite()).expr();
         let (degree, from) = match (v, w, &self.inner[body]) {
             (None, None, Some((inner, _))) => {
                 let share = along.plus(&arm.times(inner));
@@ -143,7 +139,7 @@ pub fn write(desk: &mut Desk) -> Result<(), Stop> {
     let mut turning = Vec::new();
     let mut terms = Vec::new();
     for (part, known) in parts.iter().zip(&known) {
-        let half = |i: &Factors, v: &Expr| product([ratio(1, 2), i.expr(), square(v.clone())]);
+        let half = |i: &Factors, v: &Expr| ratio(1, 2) * i.expr() * square(v);
         if let Some(v) = known.along.as_ref().filter(|v| **v != ZERO) {
             terms.push(half(&part.mass, v));
         }
@@ -160,7 +156,7 @@ pub fn write(desk: &mut Desk) -> Result<(), Stop> {
     if desk.asks(Quantity::RotationalFraction) {
         let tex = desk.free(&[r"\eta", r"\beta"]);
         let share = desk.unknown(&tex, "1");
-        section.find(&mut desk.ledger, share, &quotient(sum(turning), energy.into()));
+        section.find(&mut desk.ledger, share, &(sum(turning) / energy));
         desk.from_one_road(of_scene(Quantity::RotationalFraction), Answer::Value(share), &note);
     }
     for c in desk.scene.coordinates() {

@@ -20,16 +20,13 @@ use crate::scene::Tie;
 use crate::solution::desk::Desk;
 use crate::solution::expr::Expr;
 use crate::solution::expr::ONE;
+use crate::solution::expr::Symbol;
 use crate::solution::expr::ZERO;
 use crate::solution::expr::cosine;
-use crate::solution::expr::minus;
-use crate::solution::expr::number;
-use crate::solution::expr::product;
-use crate::solution::expr::quotient;
 use crate::solution::expr::sine;
 use crate::solution::expr::sum;
 use crate::solution::factors::Factors;
-use crate::solution::ledger::Symbol;
+use crate::solution::mass::beta;
 use crate::solution::stop::Beyond;
 use crate::solution::stop::Stop;
 
@@ -231,13 +228,19 @@ impl Mechanism {
                 arm: Factors::one().signed(if c.forward { 1 } else { -1 }),
             });
         }
+        self.weigh(desk);
+    }
+
+    /// The weights of the bodies on slopes.
+    fn weigh(&mut self, desk: &mut Desk) {
+        let scene = desk.scene;
         for (i, body) in scene.bodies.iter().enumerate() {
             let climb = match body.line.map(|l| l.slope) {
                 None | Some(Slope::Level) => continue,
                 Some(Slope::Vertical) => ONE,
                 Some(Slope::Degrees(angle)) => sine(desk.number(angle, r"\theta", "deg")),
             };
-            if climb == sine(ZERO) {
+            if climb == ZERO {
                 continue;
             }
             self.weighty = true;
@@ -247,7 +250,7 @@ impl Mechanism {
                 source: Source::Weight(i),
                 kind: Kind::Given,
                 body: i,
-                force: product([part.mass.expr(), self.g.clone()]),
+                force: part.mass.expr() * &self.g,
                 along: Factors::of(&climb).signed(-part.up),
                 arm: Factors::zero(),
             });
@@ -349,8 +352,11 @@ impl Mechanism {
         if known.contains(&false) {
             return Err(Beyond::Untied.into());
         }
-        // Every cord keeps its length.
-        for tie in &scene.ties {
+        self.cords_keep_their_length(desk)
+    }
+
+    fn cords_keep_their_length(&self, desk: &mut Desk) -> Result<(), Stop> {
+        for tie in &desk.scene.ties {
             if let Tie::Cord(cord) = tie
                 && let Far::Body(other) = &cord.to
             {
@@ -477,7 +483,7 @@ pub fn parts(desk: &mut Desk, rolled: bool) -> Vec<Part> {
             let tex = tagged("N", if surfaces > 1 { &tag } else { "" });
             let tex = desk.free(&[&tex, "N_s"]);
             let n = desk.unknown(&tex, "N");
-            (n, product([mass.expr(), g.clone(), level]))
+            (n, mass.expr() * &g * level)
         });
         let path = match body.line.map(|l| l.slope) {
             None => "axle",
@@ -536,17 +542,14 @@ fn level(desk: &mut Desk, body: &Body) -> Expr {
     match body.line.map(|l| l.slope) {
         None | Some(Slope::Vertical) => ZERO,
         Some(Slope::Level) => ONE,
-        Some(Slope::Degrees(angle)) => match desk.number(angle, r"\theta", "deg") {
-            Expr::Number(0, _) => ONE,
-            angle => cosine(angle),
-        },
+        Some(Slope::Degrees(angle)) => cosine(desk.number(angle, r"\theta", "deg")),
     }
 }
 
 fn mass_of(desk: &mut Desk, mass: &Mass, g: &Expr, tag: &str) -> Expr {
     match mass {
         Mass::Kilograms(m) => desk.number(*m, &tagged("m", tag), "kg"),
-        Mass::Weight(w) => quotient(desk.number(*w, &tagged("W", tag), "N"), g.clone()),
+        Mass::Weight(w) => desk.number(*w, &tagged("W", tag), "N") / g,
         Mass::OfParts => ZERO,
     }
 }
@@ -569,17 +572,6 @@ fn mass(desk: &mut Desk, body: &Body, g: &Expr, tag: &str) -> Factors {
         }
         (mass, _) => mass_of(desk, mass, g, tag),
     })
-}
-
-/// beta of a shape.
-fn beta(shape: Shape) -> Expr {
-    match shape {
-        Shape::Hoop => ONE,
-        Shape::Disc => Expr::Number(1, 2),
-        Shape::Sphere => Expr::Number(2, 5),
-        Shape::Shell => Expr::Number(2, 3),
-        Shape::Rod => Expr::Number(1, 12),
-    }
 }
 
 fn inertia(desk: &mut Desk, body: &Body, mass: &Factors, g: &Expr, tag: &str) -> Vec<Factors> {
@@ -639,14 +631,4 @@ fn tags(scene: &Scene) -> Vec<String> {
             }
         })
         .collect()
-}
-
-/// A whole number as an expression; used where a formula counts.
-pub fn whole(n: i64) -> Expr {
-    number(n)
-}
-
-/// The opposite of an expression if `sense` is negative.
-pub fn in_sense(of: Expr, sense: f64) -> Expr {
-    if sense < 0.0 { minus(of) } else { of }
 }

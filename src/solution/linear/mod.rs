@@ -1,5 +1,4 @@
 //! Scenes of bodies on lines and about axles: rolling, slipping, sliding, cords, couples, one spring.
-pub mod beware;
 pub mod energy;
 pub mod instant;
 pub mod mechanism;
@@ -16,7 +15,6 @@ use crate::solution::desk::Answer;
 use crate::solution::desk::Desk;
 use crate::solution::expr::Expr;
 use crate::solution::expr::magnitude;
-use crate::solution::expr::product;
 use crate::solution::linear::walk::Road;
 use crate::solution::linear::walk::Walk;
 use crate::solution::linear::walk::of_body;
@@ -56,10 +54,7 @@ pub fn sections(desk: &mut Desk) -> Result<(), Stop> {
     let heading = Section::new("regime", &title(walk.desk, "regime"));
     let eom = std::mem::replace(&mut walk.out, heading);
     regime::write(&mut walk)?;
-    let heading = Section::new("beware", &title(walk.desk, "beware"));
-    let regime = std::mem::replace(&mut walk.out, heading);
-    beware::write(&mut walk);
-    let beware = walk.out;
+    let regime = walk.out;
     desk.sections.push(eom);
 
     let out = Section::new("energy", &title(desk, "energy"));
@@ -68,9 +63,6 @@ pub fn sections(desk: &mut Desk) -> Result<(), Stop> {
     let energy = walk.out;
     desk.sections.push(energy);
     desk.sections.push(regime);
-    if !beware.blocks.is_empty() {
-        desk.sections.push(beware);
-    }
     Ok(())
 }
 
@@ -135,7 +127,7 @@ fn rolled(desk: &mut Desk, tie: usize) -> Result<f64, Stop> {
 
     let mu = desk.number(mu_s, r"\mu_s", "1");
     let limit = desk.unknown(&desk.free(&[r"F_{\mathrm{max}}"]), "N");
-    section.find(&mut desk.ledger, limit, &product([mu, normal.into()]));
+    section.find(&mut desk.ledger, limit, &(mu * normal));
     let size = magnitude(Expr::from(needed)).symbols(&desk.ledger);
     let size = format!("{size} = {}", desk.ledger.shown(needed).trim_start_matches('-'));
     let most = desk.ledger.tex(limit).to_owned();

@@ -8,21 +8,17 @@ use crate::scene::Owner;
 use crate::scene::Quantity;
 use crate::scene::Tie;
 use crate::solution::expr::Expr;
+use crate::solution::expr::Symbol;
 use crate::solution::expr::ZERO;
-use crate::solution::expr::difference;
-use crate::solution::expr::minus;
+use crate::solution::expr::in_sense;
 use crate::solution::expr::number;
-use crate::solution::expr::product;
-use crate::solution::expr::quotient;
 use crate::solution::expr::ratio;
 use crate::solution::expr::root;
 use crate::solution::expr::square;
 use crate::solution::expr::sum;
 use crate::solution::factors::Factors;
-use crate::solution::ledger::Symbol;
 use crate::solution::linear::mechanism::Kind;
 use crate::solution::linear::mechanism::Source;
-use crate::solution::linear::mechanism::in_sense;
 use crate::solution::linear::mechanism::lever;
 use crate::solution::linear::walk::Spring;
 use crate::solution::linear::walk::Walk;
@@ -75,7 +71,7 @@ fn equations(walk: &mut Walk, slip_sense: &dyn Fn(usize) -> f64) -> Result<(), S
                 let right = match walk.m.inertia(c).as_slice() {
                     [] => ZERO,
                     [one] => one.times(&Factors::of(&a.into())).expr(),
-                    _ => product([walk.m.inertia_expr(c), a.into()]),
+                    _ => walk.m.inertia_expr(c) * a,
                 };
                 let at = line(walk, &left, &right);
                 walk.rows.push((c, at));
@@ -96,7 +92,7 @@ fn equations(walk: &mut Walk, slip_sense: &dyn Fn(usize) -> f64) -> Result<(), S
                 which.push(name);
             }
             if let (Degree::Along, Some((normal, size))) = (degree, &part.normal) {
-                line(walk, &difference((*normal).into(), size.clone()), &ZERO);
+                line(walk, &(*normal - size), &ZERO);
                 which.push(walk.phrase("rows.across", &[]));
             }
         }
@@ -145,7 +141,7 @@ fn closing(walk: &mut Walk, n: &mut usize) {
             (
                 if walk.rolled { "close.roll_if" } else { "close.roll" },
                 Expr::from(a),
-                product([c, alpha.into()]),
+                c * alpha,
                 walk.m.force_of(t),
             )
         } else if let Tie::Cord(cord) = tie {
@@ -161,18 +157,18 @@ fn closing(walk: &mut Walk, n: &mut usize) {
                     let (centre, spin) = end(walk, &cord.from);
                     let (left, right) = match centre {
                         Expr::Minus(inner) => (*inner, spin),
-                        other => (other, minus(spin)),
+                        other => (other, -spin),
                     };
                     ("close.fixed", left, right, walk.m.force_of(t))
                 }
                 Far::Body(other) => {
                     let (centre, spin) = end(walk, &cord.from);
-                    let one = sum([centre, spin]);
+                    let one = centre + spin;
                     let (centre, spin) = end(walk, other);
-                    let two = sum([centre, spin]);
+                    let two = centre + spin;
                     let (left, right) = match one {
                         Expr::Minus(inner) => (*inner, two),
-                        one => (one, minus(two)),
+                        one => (one, -two),
                     };
                     ("close.cord", left, right, walk.m.force_of(t))
                 }
@@ -249,7 +245,7 @@ fn added(walk: &mut Walk) {
         walk.out.say(text.join(" "));
     }
     let right = match &walk.effective {
-        Expr::Sum(_) => product([walk.effective.clone(), a.into()]),
+        Expr::Sum(_) => &walk.effective * a,
         one => Factors::of(one).times(&Factors::of(&a.into())).expr(),
     };
     walk.out.equation(&walk.desk.ledger, &sum(left), &right);
@@ -296,7 +292,7 @@ fn eliminate(walk: &mut Walk) -> Result<(), Stop> {
         walk.effective = m_e.into();
         walk.drive = f_e.into();
     }
-    let from = quotient(walk.drive.clone(), walk.effective.clone());
+    let from = &walk.drive / &walk.effective;
     walk.find(a, &from);
     walk.note(walk.label_of_lead(Quantity::A, Quantity::Alpha), a);
     if walk.desk.asks(Quantity::Direction) && !walk.rolled {
@@ -337,22 +333,22 @@ fn integrate(walk: &mut Walk) -> Result<(), Stop> {
                 walk.tell("motion.against", &[("s", &s), ("way", &way)]);
             }
             integral(walk, v, &a.symbols(&walk.desk.ledger), along);
-            let gained = product([number(2), a, walk.s.clone()]);
+            let gained = number(2) * a * &walk.s;
             let square0 = if walk.v0 == ZERO { ZERO } else { square(walk.v0.clone()) };
-            walk.find(v, &root(sum([square0, gained])));
+            walk.find(v, &root(square0 + gained));
             walk.note(label, v);
             walk.v = v.into();
         }
         End::Time(_, t) => {
             let t = walk.desk.number(t, "t", "s");
             walk.tell("motion.over_time", &[("v0", &start)]);
-            let end = sum([walk.v0.clone(), product([a.clone(), t.clone()])]);
+            let end = &walk.v0 + &a * &t;
             walk.find(v, &in_sense(end, walk.sense));
             walk.note(label, v);
             walk.v = v.into();
             let s = new_way(walk);
-            let half = product([ratio(1, 2), a, square(t.clone())]);
-            walk.find(s, &sum([product([walk.v0.clone(), t]), half]));
+            let half = ratio(1, 2) * a * square(&t);
+            walk.find(s, &(&walk.v0 * t + half));
             walk.s = s.into();
         }
         End::Speed(_, u) => {
@@ -364,15 +360,15 @@ fn integrate(walk: &mut Walk) -> Result<(), Stop> {
             walk.tell("motion.to_speed", &[]);
             walk.v = u.clone();
             let s = new_way(walk);
-            let squares = difference(square(u), square(walk.v0.clone()));
-            walk.find(s, &quotient(squares, product([number(2), a])));
+            let squares = square(u) - square(&walk.v0);
+            walk.find(s, &(squares / (number(2) * a)));
             walk.s = s.into();
         }
         End::TurningPoint(_) => {
             walk.tell("motion.to_rest", &[]);
             walk.v = ZERO;
             let s = new_way(walk);
-            walk.find(s, &minus(quotient(square(walk.v0.clone()), product([number(2), a]))));
+            walk.find(s, &(-(square(&walk.v0) / (number(2) * a))));
             walk.s = s.into();
         }
         End::AtOnce | End::Angle(..) | End::Rolling(_) => return walk.beyond(Beyond::OtherEnd),
@@ -424,8 +420,8 @@ fn on_spring(walk: &mut Walk) -> Result<(), Stop> {
     let moved = walk.magnitude(&spring.gamma).times(&Factors::of(&s.into())).expr();
     let moved = walk.tex(&moved);
     walk.tell(if gives { "spring.law_falls" } else { "spring.law_grows" }, &[("moved", &moved)]);
-    let stretch = difference(spring.stretch.clone(), spring.gamma.times(&Factors::of(&s.into())).expr());
-    let law = product([spring.stiffness.clone(), stretch]);
+    let stretch = &spring.stretch - spring.gamma.times(&Factors::of(&s.into())).expr();
+    let law = &spring.stiffness * stretch;
     walk.out.equation(&walk.desk.ledger, &spring.tension.into(), &law);
     walk.tell("spring.effective", &[("m", &m)]);
     let rest: Vec<Expr> =
@@ -438,8 +434,8 @@ fn on_spring(walk: &mut Walk) -> Result<(), Stop> {
     walk.find(kappa, &Factors::of(&spring.stiffness).times(&spring.gamma.squared()).expr());
     walk.effective = m_e.into();
     walk.drive = sum(rest.clone());
-    let force = difference(first.into(), product([kappa.into(), s.into()]));
-    walk.out.equation(&walk.desk.ledger, &product([m_e.into(), a.into()]), &force);
+    let force = first - kappa * s;
+    walk.out.equation(&walk.desk.ledger, &(m_e * a), &force);
     walk.spring = Some(Spring { first: first.into(), kappa: kappa.into(), ..spring.clone() });
     let way = lead_way(walk);
     let symbol = format!("${}$", walk.desk.ledger.tex(first));
@@ -452,9 +448,9 @@ fn on_spring(walk: &mut Walk) -> Result<(), Stop> {
     }
     integral_of(walk, v, &force, &ZERO, &walk.s.clone(), "s");
     let end = walk.s.clone();
-    let twice = product([number(2), first.into(), end.clone()]);
-    let back = product([kappa.into(), square(end.clone())]);
-    walk.find(v, &root(quotient(difference(twice, back), m_e.into())));
+    let twice = number(2) * first * &end;
+    let back = kappa * square(&end);
+    walk.find(v, &root((twice - back) / m_e));
     walk.note(walk.label_of_lead(Quantity::V, Quantity::Omega), v);
     walk.v = v.into();
     if spring.stretch != ZERO {
@@ -463,8 +459,8 @@ fn on_spring(walk: &mut Walk) -> Result<(), Stop> {
     walk.tell("spring.at_end", &[]);
     let tension = walk.get(of_tie(Quantity::Tension, spring.tie))?;
     let _ = tension;
-    let force = difference(first.into(), product([kappa.into(), end]));
-    walk.find(a, &quotient(force, m_e.into()));
+    let force = first - kappa * end;
+    walk.find(a, &(force / m_e));
     walk.note(walk.label_of_lead(Quantity::A, Quantity::Alpha), a);
     if walk.desk.asks(Quantity::XEq) {
         walk.get(of_scene(Quantity::XEq))?;
@@ -507,15 +503,15 @@ fn other_origin(
     walk.find(z0.0, &z0.1);
     walk.find(z1.0, &z1.1);
     let (z0, z1) = (z0.0, z1.0);
-    let force = difference(sum(rest.to_vec()), product([kappa.into(), z.into()]));
+    let force = sum(rest.to_vec()) - kappa * z;
     integral_of(walk, v, &force, &z0.into(), &z1.into(), "z");
     let tex = walk.desk.ledger.tex(v).to_owned();
     let again = walk.desk.ledger.unknown_like(&tex, v);
     let way = walk.s.clone();
-    let linear: Vec<Expr> = rest.iter().map(|r| product([number(2), r.clone(), way.clone()])).collect();
-    let squares = product([kappa.into(), difference(square(z0.into()), square(z1.into()))]);
+    let linear: Vec<Expr> = rest.iter().map(|r| number(2) * r * &way).collect();
+    let squares = kappa * (square(z0) - square(z1));
     let over = positive_first([vec![squares], linear].concat());
-    walk.find(again, &root(quotient(over, m_e.into())));
+    walk.find(again, &root(over / m_e));
     Ok(())
 }
 
@@ -523,7 +519,7 @@ fn other_origin(
 pub fn places(walk: &mut Walk, spring: &Spring) -> ((Symbol, Expr), (Symbol, Expr)) {
     let z0 = walk.new_symbol(&["z_{0}", "u_{0}"], "m");
     let z1 = walk.new_symbol(&["z_{1}", "u_{1}"], "m");
-    let first = minus(Factors::of(&spring.stretch).per(&spring.gamma).expr());
-    let second = sum([z0.into(), walk.s.clone()]);
+    let first = -Factors::of(&spring.stretch).per(&spring.gamma).expr();
+    let second = z0 + &walk.s;
     ((z0, first), (z1, second))
 }

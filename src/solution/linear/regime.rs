@@ -10,14 +10,11 @@ use crate::scene::Span;
 use crate::scene::Tie;
 use crate::solution::desk::Answer;
 use crate::solution::expr::Expr;
+use crate::solution::expr::Symbol;
 use crate::solution::expr::ZERO;
-use crate::solution::expr::difference;
-use crate::solution::expr::product;
-use crate::solution::expr::quotient;
+use crate::solution::expr::in_sense;
 use crate::solution::expr::sum;
-use crate::solution::ledger::Symbol;
 use crate::solution::linear::mechanism::Kind;
-use crate::solution::linear::mechanism::in_sense;
 use crate::solution::linear::motion::lead_way;
 use crate::solution::linear::walk::Walk;
 use crate::solution::linear::walk::larger;
@@ -115,7 +112,7 @@ fn moves(walk: &mut Walk) -> Result<(), Stop> {
         walk.tell("regime.torn", &[]);
         walk.find(push, &in_sense(sum(others), walk.sense));
         let ratio = walk.magnitude(walk.m.ratio(along));
-        walk.find(hold, &product([mu, n.into(), ratio.expr()]));
+        walk.find(hold, &(mu * n * ratio.expr()));
         let (push, hold) = (valued(walk, push), valued(walk, hold));
         walk.tell("regime.torn_loose", &[("push", &push), ("hold", &hold), ("way", &way)]);
     }
@@ -132,7 +129,7 @@ fn grip(walk: &mut Walk, body: usize, mu: &Expr) -> Result<(), Stop> {
     let n = walk.get(of_body(Quantity::Normal, body))?;
     let limit = walk.new_symbol(&[r"F_{\mathrm{max}}"], "N");
     walk.tell("regime.limit", &[]);
-    walk.find(limit, &product([mu.clone(), n.into()]));
+    walk.find(limit, &(mu * n));
     let most = walk.desk.ledger.value(limit);
     let limit = valued(walk, limit);
     let size = |walk: &Walk, f: &Expr| {
@@ -202,8 +199,8 @@ fn why_that_way(walk: &mut Walk, body: usize, direction: &str) {
     let (force, moment) = (share(walk, Degree::Along), share(walk, Degree::Turn));
     let contact = walk.new_symbol(&["a_{C0}"], "m/s^2");
     walk.tell("regime.why_that_way", &[]);
-    let spin = product([c, quotient(moment, turn)]);
-    walk.find(contact, &difference(quotient(force, along), spin));
+    let spin = c * (moment / turn);
+    walk.find(contact, &(force / along - spin));
     let value = walk.desk.ledger.value(contact) * f64::from(walk.m.parts[body].up);
     let against = way(walk.desk.scene, Owner::Body(body), value);
     let against = against.map_or_else(String::new, |w| walk.desk.words.get(w).to_owned());
@@ -217,7 +214,7 @@ fn slip(walk: &mut Walk, body: usize) -> Result<(), Stop> {
     let alpha = walk.get(of_body(Quantity::Alpha, body))?;
     let contact = walk.new_symbol(&["a_{C}"], "m/s^2");
     walk.tell("regime.slip", &[]);
-    walk.find(contact, &difference(a.into(), product([c, alpha.into()])));
+    walk.find(contact, &(a - c * alpha));
     let up = f64::from(walk.m.parts[body].up);
     let value = walk.desk.ledger.value(contact) * up;
     let friction = walk.get(of_body(Quantity::Friction, body))?;

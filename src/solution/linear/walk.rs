@@ -14,24 +14,21 @@ use crate::scene::Tie;
 use crate::solution::desk::Answer;
 use crate::solution::desk::Desk;
 use crate::solution::expr::Expr;
+use crate::solution::expr::Symbol;
 use crate::solution::expr::ZERO;
-use crate::solution::expr::difference;
+use crate::solution::expr::in_sense;
 use crate::solution::expr::magnitude;
 use crate::solution::expr::minus;
 use crate::solution::expr::number;
-use crate::solution::expr::product;
-use crate::solution::expr::quotient;
 use crate::solution::expr::ratio;
 use crate::solution::expr::root;
 use crate::solution::expr::square;
 use crate::solution::expr::sum;
 use crate::solution::factors::Factors;
-use crate::solution::ledger::Symbol;
 use crate::solution::linear::mechanism::Action;
 use crate::solution::linear::mechanism::Kind;
 use crate::solution::linear::mechanism::Mechanism;
 use crate::solution::linear::mechanism::Source;
-use crate::solution::linear::mechanism::in_sense;
 use crate::solution::linear::mechanism::tagged;
 use crate::solution::stop::Beyond;
 use crate::solution::stop::Stop;
@@ -126,6 +123,8 @@ pub struct Walk<'d, 'a> {
     pub spring: Option<Spring>,
     /// It is the walk of a slipping wheel as if it rolled.
     pub rolled: bool,
+    /// The ties whose reactions are being solved for, each for the one before it.
+    solving: Vec<usize>,
 }
 
 /// A body's label.
@@ -184,6 +183,7 @@ impl<'d, 'a> Walk<'d, 'a> {
             drive: ZERO,
             spring,
             rolled,
+            solving: Vec::new(),
         };
         walk.effective = walk.m.effective(walk.desk);
         walk.set_out(slips)?;
@@ -346,7 +346,7 @@ impl<'d, 'a> Walk<'d, 'a> {
             };
             let mu = self.desk.number(mu, r"\mu_k", "1");
             if let (Some(f), Some((n, _))) = (self.m.force_of(t), self.m.parts[body].normal.clone()) {
-                all.push((t, f, in_sense(product([mu, n.into()]), sense), sense));
+                all.push((t, f, in_sense(mu * n, sense), sense));
             }
         }
         all
@@ -475,14 +475,14 @@ impl<'d, 'a> Walk<'d, 'a> {
             if self.road == Road::Motion {
                 let n = self.number_of(c);
                 self.tell("motion.spin_apart", &[("n", &n)]);
-                let from = quotient(over, self.m.inertia_expr(c));
+                let from = over / self.m.inertia_expr(c);
                 return Ok(self.found_now(label, symbol, &from));
             }
             // The square of the spin grows with the angle as that of the speed with the way.
             let omega = self.get(of_body(Quantity::Omega, c.body))?;
             let phi = self.get(of_body(Quantity::Phi, c.body))?;
             let sense = self.spin_sense(c.body);
-            let from = in_sense(quotient(square(omega.into()), product([number(2), phi.into()])), sense);
+            let from = in_sense(square(omega) / (number(2) * phi), sense);
             self.tell("energy.rate_spin", &[]);
             return Ok(self.found_now(label, symbol, &from));
         }
@@ -508,18 +508,18 @@ impl<'d, 'a> Walk<'d, 'a> {
         let from = match self.spring.clone() {
             None if self.value(&self.s) != 0.0 => {
                 self.tell("energy.rate_constant", &[]);
-                let gained = difference(square(self.v.clone()), square(self.v0.clone()));
-                quotient(gained, product([number(2), self.s.clone()]))
+                let gained = square(&self.v) - square(&self.v0);
+                gained / (number(2) * &self.s)
             }
             None => {
                 self.tell("energy.rate", &[]);
-                quotient(self.drive.clone(), self.effective.clone())
+                &self.drive / &self.effective
             }
             Some(spring) => {
                 self.tell("energy.rate_spring", &[]);
                 self.tension(spring.tie, of_tie(Quantity::Tension, spring.tie))?;
                 let terms = self.terms().into_iter().map(|(_, e)| e);
-                quotient(sum(terms.collect::<Vec<_>>()), self.effective.clone())
+                sum(terms.collect::<Vec<_>>()) / &self.effective
             }
         };
         Ok(self.found_now(label, symbol, &from))
@@ -553,7 +553,7 @@ impl<'d, 'a> Walk<'d, 'a> {
                 let a = self.get(of_body(Quantity::A, c.body))?;
                 self.tell("motion.spin_ratio", &[]);
                 let turned = self.value(&alpha.into()) * self.value(&a.into());
-                let from = in_sense(product([quotient(alpha.into(), a.into()), v.into()]), turned);
+                let from = in_sense(alpha / a * v, turned);
                 Ok(self.found_now(label, symbol, &from))
             }
             Road::Energy => self.beyond(Beyond::Arrangement),
@@ -574,16 +574,16 @@ impl<'d, 'a> Walk<'d, 'a> {
                     let alpha = self.get(of_body(Quantity::Alpha, body))?;
                     let a = self.get(of_body(Quantity::A, body))?;
                     let sense = self.value(&alpha.into()) * self.value(&a.into());
-                    in_sense(quotient(alpha.into(), a.into()), sense)
+                    in_sense(alpha / a, sense)
                 }
                 Road::Energy => {
                     let omega = self.get(of_body(Quantity::Omega, body))?;
                     let v = self.get(of_body(Quantity::V, body))?;
-                    quotient(omega.into(), v.into())
+                    omega / v
                 }
             };
             let way = Factors::of(&self.distance()).times(&self.magnitude(&self.m.parts[body].along)).expr();
-            return Ok(self.found_now(label, symbol, &product([ratio, way])));
+            return Ok(self.found_now(label, symbol, &(ratio * way)));
         }
         let ratio = self.magnitude(&self.m.parts[body].turn);
         let from = Factors::of(&self.distance()).times(&ratio).expr();
@@ -633,7 +633,7 @@ impl<'d, 'a> Walk<'d, 'a> {
                 return Ok(known);
             }
             let stretch = self.stretch_at(&spring, &self.s.clone());
-            let from = product([spring.stiffness.clone(), stretch]);
+            let from = &spring.stiffness * stretch;
             return Ok(self.found_now(label, spring.tension, &from));
         }
         self.reaction(tie, label)
@@ -641,7 +641,7 @@ impl<'d, 'a> Walk<'d, 'a> {
 
     /// Stretch of the spring after this displacement of the lead.
     pub fn stretch_at(&self, spring: &Spring, s: &Expr) -> Expr {
-        difference(spring.stretch.clone(), spring.gamma.times(&Factors::of(s)).expr())
+        &spring.stretch - spring.gamma.times(&Factors::of(s)).expr()
     }
 
     /// A reaction: from the row in which it is the only unknown left, others first where need be.
@@ -649,8 +649,7 @@ impl<'d, 'a> Walk<'d, 'a> {
         if let Some(known) = self.found(label) {
             return Ok(known);
         }
-        let mut path = Vec::new();
-        self.solve_reaction(tie, &mut path)?;
+        self.solve_reaction(tie)?;
         match self.found(label) {
             Some(symbol) => Ok(symbol),
             None => self.beyond(Beyond::Arrangement),
@@ -666,8 +665,12 @@ impl<'d, 'a> Walk<'d, 'a> {
         }
     }
 
-    fn solve_reaction(&mut self, tie: usize, path: &mut Vec<usize>) -> Result<(), Stop> {
-        path.push(tie);
+    fn solve_reaction(&mut self, tie: usize) -> Result<(), Stop> {
+        // Each would need the other first.
+        if self.solving.contains(&tie) {
+            return self.beyond(Beyond::SeveralEquations);
+        }
+        self.solving.push(tie);
         let coordinates: Vec<Coordinate> = self.desk.scene.coordinates().collect();
         // The row that asks for the fewest other reactions; lines before turns.
         let mut best: Option<(usize, Coordinate, Vec<usize>)> = None;
@@ -684,7 +687,7 @@ impl<'d, 'a> Walk<'d, 'a> {
                 })
                 .filter(|t| self.found(self.label_of_tie(*t)).is_none())
                 .collect();
-            if others.iter().any(|t| path.contains(t)) {
+            if others.iter().any(|t| self.solving.contains(t)) {
                 continue;
             }
             let price = 2 * others.len() + usize::from(c.degree == Degree::Turn);
@@ -697,7 +700,7 @@ impl<'d, 'a> Walk<'d, 'a> {
         };
         for other in others {
             if self.found(self.label_of_tie(other)).is_none() {
-                self.solve_reaction(other, path)?;
+                self.solve_reaction(other)?;
             }
         }
         // Whatever else the row needs.
@@ -715,7 +718,7 @@ impl<'d, 'a> Walk<'d, 'a> {
             if action.source == Source::Tie(tie) {
                 lever = self.m.lever(&action, c).clone();
             } else {
-                rest.push(minus(share));
+                rest.push(-share);
             }
         }
         let negative = self.value(&lever.expr()) < 0.0;
@@ -741,7 +744,7 @@ impl<'d, 'a> Walk<'d, 'a> {
             (Road::Energy, Degree::Turn) => self.tell("energy.reaction_turn", &[("body", &body)]),
         }
         self.found_now(label, symbol, &from);
-        path.pop();
+        self.solving.pop();
         Ok(())
     }
 
@@ -771,7 +774,7 @@ impl<'d, 'a> Walk<'d, 'a> {
             let v = self.get(quantity(Quantity::V, Quantity::Omega))?;
             return Ok(weighted(&inertia, &Factors::of(&v.into()).squared().per(&twice)));
         }
-        let squares = difference(square(self.v.clone()), square(self.v0.clone()));
+        let squares = square(&self.v) - square(&self.v0);
         let per = Factors::of(&squares).times(&ratio.squared()).per(&twice);
         Ok(weighted(&inertia, &per))
     }
@@ -785,7 +788,7 @@ impl<'d, 'a> Walk<'d, 'a> {
             let at = self.phrase(&format!("extremes.at.{}", most.place), &[]);
             self.tell("grip.least_spring", &[("at", &at)]);
             let size = self.size(most.friction);
-            return Ok(self.found_now(label, symbol, &quotient(size, n.into())));
+            return Ok(self.found_now(label, symbol, &(size / n)));
         }
         // Kinetic friction says nothing of the grip that rolling needs.
         let rolling = if self.m.parts[body].slips { self.if_rolled(body) } else { None };
@@ -795,7 +798,7 @@ impl<'d, 'a> Walk<'d, 'a> {
         };
         self.tell(name, &[]);
         let size = self.size(f.into());
-        Ok(self.found_now(label, symbol, &quotient(size, n.into())))
+        Ok(self.found_now(label, symbol, &(size / n)))
     }
 
     /// The friction that rolling would need, as this road found it before.
@@ -842,7 +845,7 @@ impl<'d, 'a> Walk<'d, 'a> {
     fn turning_or_slack(&mut self) -> Result<Expr, Stop> {
         let Some(spring) = self.spring.clone() else { return self.beyond(Beyond::Arrangement) };
         let (first, kappa) = (spring.first.clone(), spring.kappa.clone());
-        let turn = quotient(product([number(2), first.clone()]), kappa.clone());
+        let turn = number(2) * &first / &kappa;
         let slack = Factors::of(&spring.stretch).per(&spring.gamma).expr();
         let (t, s) = (self.value(&turn), self.value(&slack));
         let goes_slack = !spring.rigid && s * t > 0.0 && s.abs() < t.abs();
@@ -887,12 +890,12 @@ impl<'d, 'a> Walk<'d, 'a> {
             }
             self.note(label, tension);
         } else {
-            self.found_now(label, tension, &product([spring.stiffness.clone(), stretch]));
+            self.found_now(label, tension, &(&spring.stiffness * stretch));
         }
         let terms: Vec<Expr> = self.terms().into_iter().map(|(_, e)| e).collect();
         let lead = self.lead();
         let Some(a) = self.m.acceleration(lead) else { return self.beyond(Beyond::Arrangement) };
-        let from = quotient(sum(terms), self.effective.clone());
+        let from = sum(terms) / &self.effective;
         self.found_now(self.label_of_lead(Quantity::A, Quantity::Alpha), a, &from);
         Ok(self.friction(body, of_body(Quantity::Friction, body))?.into())
     }
@@ -911,20 +914,20 @@ impl<'d, 'a> Walk<'d, 'a> {
                 let a = self.get(self.label_of_lead(Quantity::A, Quantity::Alpha))?;
                 if self.value(&a.into()) == 0.0 {
                     self.tell("motion.time_uniform", &[]);
-                    let from = quotient(self.s.clone(), self.v0.clone());
+                    let from = &self.s / &self.v0;
                     return Ok(self.found_now(label, symbol, &from));
                 }
                 self.tell("motion.time", &[]);
                 let end = in_sense(self.v.clone(), self.sense);
-                quotient(difference(end, self.v0.clone()), a.into())
+                (end - &self.v0) / a
             }
             Road::Energy => {
                 self.tell("energy.time", &[]);
-                let both = sum([in_sense(self.v.clone(), self.sense), self.v0.clone()]);
+                let both = in_sense(self.v.clone(), self.sense) + &self.v0;
                 if self.sense < 0.0 {
-                    quotient(product([number(2), self.distance()]), minus(both))
+                    number(2) * self.distance() / (-both)
                 } else {
-                    quotient(product([number(2), self.s.clone()]), both)
+                    number(2) * &self.s / both
                 }
             }
         };
@@ -999,9 +1002,9 @@ impl<'d, 'a> Walk<'d, 'a> {
                 // From the point of contact: c to the centre, c + p to a point on the far side.
                 let far = self.value(&action.arm.expr()) * self.value(&action.along.expr()) > 0.0;
                 let point = match (far, self.value(&c) >= self.value(&arm)) {
-                    (true, _) => sum([c.clone(), arm]),
-                    (false, true) => difference(c.clone(), arm),
-                    (false, false) => difference(arm, c.clone()),
+                    (true, _) => &c + arm,
+                    (false, true) => &c - arm,
+                    (false, false) => arm - &c,
                 };
                 let (near, away) = (self.value(&c), self.value(&point));
                 let beyond = !far && self.value(&action.arm.expr()).abs() > near;
@@ -1046,7 +1049,7 @@ impl<'d, 'a> Walk<'d, 'a> {
         let helps = self.pull_helps(&action);
         let tag = if self.several_pulls() { (t + 1).to_string() } else { "P".to_owned() };
         let symbol = self.new_symbol(&[&tagged("W", &tag)], "J");
-        let from = in_sense(product([action.force.clone(), travel.into()]), helps);
+        let from = in_sense(&action.force * travel, helps);
         Ok(self.found_now(label, symbol, &from))
     }
 
@@ -1073,7 +1076,7 @@ impl<'d, 'a> Walk<'d, 'a> {
             let centre = Factors::of(&v.into()).times(&action.along.signed(sign(self.sense)));
             let turned =
                 Factors::of(&omega.into()).times(&action.arm.signed(sign(self.spin_sense(action.body))));
-            product([action.force.clone(), positive_first(vec![centre.expr(), turned.expr()])])
+            &action.force * positive_first(vec![centre.expr(), turned.expr()])
         } else {
             let point = self.m.point(&action).signed(sign(self.sense)).upright(&self.desk.ledger);
             Factors::of(&action.force).times(&point).times(&Factors::of(&self.v)).expr()
@@ -1096,7 +1099,7 @@ impl<'d, 'a> Walk<'d, 'a> {
             }
             let v = self.get(of_body(quantity, c.body))?;
             for i in inertia {
-                all.push(product([ratio(1, 2), i.expr(), square(v.into())]));
+                all.push(ratio(1, 2) * i.expr() * square(v));
             }
         }
         Ok(sum(all))
@@ -1109,7 +1112,7 @@ impl<'d, 'a> Walk<'d, 'a> {
         let from = match (self.road, self.works()) {
             (Road::Energy, Some(works)) if !slips => {
                 self.tell("energy.kinetic", &[]);
-                let start = product([ratio(1, 2), self.effective.clone(), square(self.v0.clone())]);
+                let start = ratio(1, 2) * &self.effective * square(&self.v0);
                 sum([if self.v0 == ZERO { ZERO } else { start }, works])
             }
             _ => self.kinetic_sum()?,
@@ -1132,7 +1135,7 @@ impl<'d, 'a> Walk<'d, 'a> {
                 let c = Coordinate { body, degree: Degree::Turn };
                 for i in self.m.inertia(c) {
                     let omega = self.get(of_body(Quantity::Omega, body))?;
-                    turning.push(product([ratio(1, 2), i.expr(), square(omega.into())]));
+                    turning.push(ratio(1, 2) * i.expr() * square(omega));
                 }
             }
             let whole = self.get(of_scene(Quantity::KineticEnergy))?;
@@ -1141,7 +1144,7 @@ impl<'d, 'a> Walk<'d, 'a> {
                 self.find(spin, &sum(turning));
                 turning = vec![spin.into()];
             }
-            return Ok(self.found_now(label, symbol, &quotient(sum(turning), whole.into())));
+            return Ok(self.found_now(label, symbol, &(sum(turning) / whole)));
         }
         self.tell("energy.share", &[]);
         let mut turning = Vec::new();
@@ -1150,7 +1153,7 @@ impl<'d, 'a> Walk<'d, 'a> {
             let square = self.m.ratio(c).squared();
             turning.extend(self.m.inertia(c).into_iter().map(|i| i.times(&square).expr()));
         }
-        Ok(self.found_now(label, symbol, &quotient(sum(turning), self.effective.clone())))
+        Ok(self.found_now(label, symbol, &(sum(turning) / &self.effective)))
     }
 
     fn slip_distance(&mut self, body: usize, label: Label) -> Result<Symbol, Stop> {
@@ -1159,9 +1162,9 @@ impl<'d, 'a> Walk<'d, 'a> {
         let symbol = self.new_symbol(&[r"\delta", r"\Delta"], "m");
         self.tell("slip_distance", &[]);
         let way = Factors::of(&self.s).times(&self.m.parts[body].along).expr();
-        let turned = in_sense(product([c, phi.into()]), self.spin_sense(body));
-        let from = difference(way, turned);
-        let from = if self.value(&from) < 0.0 { minus(from) } else { from };
+        let turned = in_sense(c * phi, self.spin_sense(body));
+        let from = way - turned;
+        let from = if self.value(&from) < 0.0 { -from } else { from };
         let from = match from {
             Expr::Sum(terms) => positive_first(terms),
             other => other,
@@ -1197,7 +1200,7 @@ impl<'d, 'a> Walk<'d, 'a> {
             let f = self.get(of_body(Quantity::Friction, body))?;
             debug_assert_eq!(self.m.force_of(t), Some(f), "the friction of this tie");
             let size = self.size(f.into());
-            all.push(product([size, way]));
+            all.push(size * way);
         }
         self.tell("motion.heat", &[]);
         Ok(self.found_now(label, symbol, &sum(all)))
@@ -1210,10 +1213,10 @@ impl<'d, 'a> Walk<'d, 'a> {
         let others = self.works.iter().filter(|(_, kind, _)| *kind != Kind::Kinetic);
         let mut terms: Vec<Expr> = others.map(|(_, _, s)| (*s).into()).collect();
         if self.v0 != ZERO {
-            terms.push(product([ratio(1, 2), self.effective.clone(), square(self.v0.clone())]));
+            terms.push(ratio(1, 2) * &self.effective * square(&self.v0));
         }
         self.tell("energy.heat", &[]);
-        let from = difference(sum(terms), kinetic);
+        let from = sum(terms) - kinetic;
         Ok(self.found_now(label, symbol, &from))
     }
 
@@ -1250,19 +1253,18 @@ impl<'d, 'a> Walk<'d, 'a> {
             }
             Road::Energy => {
                 let v = self.new_symbol(&["u_{0}"], "m/s");
-                let half =
-                    |i: &Factors| i.times(&Factors::of(&square(v.into()))).times(&Factors::of(&ratio(1, 2)));
+                let half = |i: &Factors| i.times(&Factors::of(&square(v))).times(&Factors::of(&ratio(1, 2)));
                 let way = self.distance();
                 let turned = Factors::of(&moment).times(&Factors::of(&way)).per(&Factors::of(&c)).expr();
                 let spin = half(&inertia).per(&Factors::of(&c).squared()).expr();
-                vec![(product([force.clone(), way]), half(&part.mass).expr()), (turned, spin)]
+                vec![(&force * way, half(&part.mass).expr()), (turned, spin)]
             }
         };
         for (left, right) in lines {
             self.out.equation(&self.desk.ledger, &left, &right);
         }
         self.tell("bound_found", &[]);
-        Ok(self.found_now(label, symbol, &root(quotient(product([c, moment]), force))))
+        Ok(self.found_now(label, symbol, &root(c * moment / force)))
     }
 
     fn equilibrium(&mut self, label: Label) -> Result<Symbol, Stop> {
@@ -1270,7 +1272,7 @@ impl<'d, 'a> Walk<'d, 'a> {
         let symbol = self.new_symbol(&[r"x_{\mathrm{eq}}"], "m");
         self.tell_road("equilibrium", &[]);
         let per = Factors::of(&spring.stiffness).times(&spring.gamma);
-        let from = Factors::of(&minus(self.drive.clone())).per(&per).expr();
+        let from = Factors::of(&(-&self.drive)).per(&per).expr();
         Ok(self.found_now(label, symbol, &from))
     }
 
@@ -1294,29 +1296,26 @@ impl<'d, 'a> Walk<'d, 'a> {
         match self.road {
             Road::Motion => {
                 self.tell("motion.fastest", &[]);
-                self.find(way, &quotient(first.clone(), kappa.clone()));
-                let under = root(product([kappa, self.effective.clone()]));
-                self.find(top, &quotient(first, under));
+                self.find(way, &(&first / &kappa));
+                let under = root(kappa * &self.effective);
+                self.find(top, &(first / under));
             }
             Road::Energy => {
                 let x_eq = self.get(of_scene(Quantity::XEq))?;
                 self.tell("energy.fastest", &[]);
-                let gap = difference(spring.stretch.clone(), x_eq.into());
+                let gap = &spring.stretch - x_eq;
                 let from = Factors::of(&gap).per(&spring.gamma).expr();
-                let from = if self.value(&from) < 0.0 { minus(from) } else { from };
+                let from = if self.value(&from) < 0.0 { -from } else { from };
                 let from = match from {
                     Expr::Sum(terms) => positive_first(terms),
                     other => other,
                 };
                 self.find(way, &from);
                 let signed = in_sense(way.into(), level);
-                let stored = product([
-                    spring.stiffness.clone(),
-                    difference(square(spring.stretch.clone()), square(x_eq.into())),
-                ]);
-                let others = product([number(2), self.drive.clone(), signed]);
+                let stored = &spring.stiffness * (square(&spring.stretch) - square(x_eq));
+                let others = number(2) * &self.drive * signed;
                 let over = positive_first(vec![stored, others]);
-                self.find(top, &root(quotient(over, self.effective.clone())));
+                self.find(top, &root(over / &self.effective));
             }
         }
         self.note(of_body(Quantity::DAtVMax, body), way);
@@ -1350,15 +1349,15 @@ impl<'d, 'a> Walk<'d, 'a> {
             }
             self.tell("turning_constant", &[]);
             let size = in_sense(self.drive.clone(), self.value(&self.drive));
-            let over = product([self.effective.clone(), square(self.v0.clone())]);
-            return Ok(self.found_now(label, symbol, &quotient(over, product([number(2), size]))));
+            let over = &self.effective * square(&self.v0);
+            return Ok(self.found_now(label, symbol, &(over / (number(2) * size))));
         };
         let (first, kappa) = (spring.first.clone(), spring.kappa.clone());
         if self.v0 != ZERO {
             return self.beyond(Beyond::SpringWithSpeed);
         }
         let far = self.turning_or_slack()?;
-        let turn = quotient(product([number(2), first.clone()]), kappa.clone());
+        let turn = number(2) * &first / &kappa;
         let level = self.value(&turn);
         if far == turn {
             self.tell(if spring.rigid { "turning_rigid" } else { "turning_taut" }, &[]);
@@ -1370,9 +1369,9 @@ impl<'d, 'a> Walk<'d, 'a> {
             return self.beyond(Beyond::NeverTurns);
         }
         self.tell("turning_slack", &[]);
-        let over = product([spring.stiffness.clone(), square(spring.stretch.clone())]);
+        let over = &spring.stiffness * square(&spring.stretch);
         let size = in_sense(rest.clone(), self.value(&rest));
-        Ok(self.found_now(label, symbol, &quotient(over, product([number(2), size]))))
+        Ok(self.found_now(label, symbol, &(over / (number(2) * size))))
     }
 
     /// Answers the questions of the problem along this road, behind a sentence that announces what is still to be found.
@@ -1447,6 +1446,6 @@ fn weighted(inertia: &[Factors], by: &Factors) -> Expr {
     match inertia {
         [] => ZERO,
         [only] => only.times(by).expr(),
-        several => product([sum(several.iter().map(Factors::expr)), by.expr()]),
+        several => sum(several.iter().map(Factors::expr)) * by.expr(),
     }
 }

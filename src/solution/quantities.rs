@@ -2,15 +2,11 @@
 use crate::num::shown;
 use crate::num::trig::power;
 use crate::sheet::number;
-use crate::solution::expr::Expr;
+use crate::solution::expr::Symbol;
 use crate::words::Words;
 
 /// Significant figures of values on the way; answers have those that their question asks.
 pub const FIGURES: usize = 6;
-
-/// A quantity of a ledger.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Symbol(usize);
 
 #[derive(Debug, Clone)]
 struct Line {
@@ -59,15 +55,6 @@ impl<'w> Ledger<'w> {
         self.lines.get(symbol.0).map_or(0.0, |l| l.doubt)
     }
 
-    /// Gives an unknown the value of an expression.
-    pub fn settle_by(&mut self, symbol: Symbol, from: &Expr) {
-        let (value, doubt) = (from.value(self), from.doubt(self));
-        self.settle(symbol, value);
-        if let Some(line) = self.lines.get_mut(symbol.0) {
-            line.doubt += doubt;
-        }
-    }
-
     /// A datum: its digits are those printed. `unit` is LaTeX, empty for a pure number; an angle in degrees has none.
     pub fn given(&mut self, tex: &str, value: f64, digits: &str, unit: &str, degrees: bool) -> Symbol {
         let (tex, digits, unit) = (tex.to_owned(), digits.to_owned(), unit.to_owned());
@@ -78,7 +65,7 @@ impl<'w> Ledger<'w> {
     /// A quantity that is found: its full value is kept, [`FIGURES`] figures of it are shown.
     pub fn found(&mut self, tex: &str, value: f64, unit: &str) -> Symbol {
         let symbol = self.unknown(tex, unit);
-        self.settle(symbol, value);
+        self.settle(symbol, value, 0.0);
         symbol
     }
 
@@ -93,12 +80,12 @@ impl<'w> Ledger<'w> {
         self.unknown(tex, &unit)
     }
 
-    /// Gives an unknown its value.
-    pub fn settle(&mut self, symbol: Symbol, value: f64) {
-        let (value, doubt) = self.kept(value);
+    /// Gives an unknown its value, which may be off by `doubt` before it is written down.
+    pub fn settle(&mut self, symbol: Symbol, value: f64, doubt: f64) {
+        let (value, rounding) = self.kept(value);
         if let Some(line) = self.lines.get_mut(symbol.0) {
             line.value = value;
-            line.doubt = doubt;
+            line.doubt = doubt + rounding;
             line.digits = number::rounded(value, FIGURES);
         }
     }
@@ -191,8 +178,7 @@ const fn float(figures: usize) -> f64 {
 #[allow(clippy::float_cmp, reason = "digits on paper are exact")]
 mod tests {
     use super::*;
-    use crate::solution::expr::difference;
-    use crate::solution::expr::product;
+    use crate::solution::expr::Expr;
     use crate::solution::expr::root;
 
     #[test]
@@ -205,18 +191,18 @@ mod tests {
             l.settle_by(symbol, from);
             symbol
         };
-        let square = found(&mut l, &product([g.into(), g.into()]));
+        let square = found(&mut l, &(g * g));
         // 96.2361 is 96.2 on the paper, off by at most 0.05.
         assert_eq!(l.value(square), 96.2);
         assert!((l.doubt(square) - 0.05).abs() < 1e-12, "{}", l.doubt(square));
         // sqrt(96.2) = 9.80816: what is written decides, not 9.81.
-        let root = found(&mut l, &root(square.into()));
+        let root = found(&mut l, &root(square));
         assert_eq!(l.value(root), 9.81);
         assert!((l.doubt(root) - (0.005 + 0.05 / (2.0 * 96.2f64.sqrt()))).abs() < 1e-9, "{}", l.doubt(root));
         // 1165 is 1160 or 1170 on the paper: of 1200 less it two figures are left, and the doubt says so.
         let large = l.found("W", 1204.0, "");
         let less = l.found("T", 1163.0, "");
-        let rest = found(&mut l, &difference(large.into(), less.into()));
+        let rest = found(&mut l, &(large - less));
         assert_eq!((l.value(large), l.value(less), l.value(rest)), (1200.0, 1160.0, 40.0));
         assert!((l.doubt(rest) - 10.05).abs() < 1e-9, "{}", l.doubt(rest));
         assert_eq!(l.doubt(g), 0.0);
@@ -229,7 +215,7 @@ mod tests {
         let x = l.found("x", 1.0 / 3.0, "");
         assert_eq!((l.value(x), l.doubt(x)), (1.0 / 3.0, 0.0));
         let y = l.unknown("y", "");
-        l.settle_by(y, &product([x.into(), x.into()]));
+        l.settle_by(y, &(x * x));
         assert_eq!((l.value(y), l.doubt(y)), ((1.0 / 3.0) * (1.0 / 3.0), 0.0));
     }
 }

@@ -1,0 +1,71 @@
+//! Mistakes to beware of: wrong methods of the problem and what each comes to with this student's data. Both are the grader's,
+//! the values those that are stored with the draw, the words those of its feedback.
+use crate::misconception::catalogue::Catalogue;
+use crate::misconception::catalogue::Entry;
+use crate::problem::make_key;
+use crate::solution::desk::Desk;
+use crate::solution::text::Block;
+use crate::solution::text::Section;
+use crate::solution::told;
+
+/// So many are told at most: nobody reads a list of all.
+const MOST: usize = 5;
+
+/// The section; `None` if the problem lists no wrong method that can be told.
+pub fn section(desk: &Desk, number: usize) -> Option<Section> {
+    let items: Vec<String> = chosen(desk, Catalogue::shared(desk.words.language()))
+        .into_iter()
+        .map(|(question, words, wrong)| {
+            let part = format!("`{number}.{}`", desk.problem.questions[question].id);
+            let pieces =
+                [("did", words.did.as_str()), ("part", &part), ("wrong", &wrong), ("see", &words.see)];
+            desk.say("solution.beware.item", &pieces)
+        })
+        .collect();
+    if items.is_empty() {
+        return None;
+    }
+    let mut section = Section::new("beware", desk.words.get("solution.title.beware"));
+    section.say(desk.words.get("solution.beware.intro"));
+    section.blocks.push(Block::List(items));
+    Some(section)
+}
+
+/// The wrong methods that are told: the question (its index), the words, and the value as an answer is printed.
+///
+/// A method belongs to the first question whose answer it spoils. Of each question in turn the next method is taken, in the order of
+/// the bank, until there are [`MOST`]: so the bank's first mistake about each question comes before a second one about any. Left out are
+/// methods from which draws are not kept away (`unguarded`: slips, and what often comes near the right answer), those without
+/// words, and values that look, with the figures of the answer, like the right one or like one that the question has already.
+fn chosen<'c>(desk: &Desk, catalogue: &'c Catalogue) -> Vec<(usize, &'c Entry, String)> {
+    let questions = &desk.problem.questions;
+    let right: Vec<Option<String>> = questions
+        .iter()
+        .map(|q| desk.variant.solved.get(q.label).map(|entry| told(desk, q, entry.value())))
+        .collect();
+    let mut of_question: Vec<Vec<(&Entry, String)>> = vec![Vec::new(); questions.len()];
+    for (index, mistake) in desk.problem.mistakes.iter().enumerate() {
+        let Some(words) = catalogue.get(&mistake.id).filter(|_| mistake.unguarded.is_none()) else {
+            continue;
+        };
+        let spoilt = questions.iter().enumerate().find_map(|(at, q)| {
+            let wrong = desk.variant.wrong.iter().find(|w| w.mistake == index && w.label == q.label)?;
+            let magnitude = make_key::is_magnitude(q.label.quantity);
+            let wrong = told(desk, q, if magnitude { wrong.value.abs() } else { wrong.value });
+            let known =
+                right[at].as_ref() == Some(&wrong) || of_question[at].iter().any(|(_, w)| *w == wrong);
+            (!known).then_some((at, wrong))
+        });
+        if let Some((at, wrong)) = spoilt {
+            of_question[at].push((words, wrong));
+        }
+    }
+    let rounds = of_question.iter().map(Vec::len).max().unwrap_or(0);
+    let each = |round: usize| {
+        let next = of_question.iter().enumerate().filter_map(move |(at, all)| Some((at, all.get(round)?)));
+        next.map(|(at, (words, wrong))| (at, *words, wrong.clone()))
+    };
+    let mut chosen: Vec<_> = (0..rounds).flat_map(each).take(MOST).collect();
+    chosen.sort_by_key(|(at, ..)| *at);
+    chosen
+}

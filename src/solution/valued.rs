@@ -1,0 +1,94 @@
+//! Values of expressions, and how far rounding on the way may have moved them.
+use crate::num::trig;
+use crate::solution::expr::Expr;
+use crate::solution::expr::Function;
+use crate::solution::expr::Symbol;
+use crate::solution::quantities::Ledger;
+
+impl Ledger<'_> {
+    /// Gives an unknown the value of an expression.
+    pub fn settle_by(&mut self, symbol: Symbol, from: &Expr) {
+        let (value, doubt) = (from.value(self), from.doubt(self));
+        self.settle(symbol, value, doubt);
+    }
+}
+
+impl Expr {
+    /// Its value, from the full values of the ledger; angles in degrees where the ledger has them so.
+    pub fn value(&self, ledger: &Ledger) -> f64 {
+        match self {
+            #[expect(clippy::cast_precision_loss, reason = "numbers of formulas are small")]
+            Self::Number(over, under) => *over as f64 / *under as f64,
+            Self::Symbol(s) => ledger.value(*s),
+            Self::Minus(inner) => -inner.value(ledger),
+            Self::Sum(terms) => terms.iter().map(|t| t.value(ledger)).sum(),
+            Self::Product(factors) => factors.iter().map(|f| f.value(ledger)).product(),
+            Self::Quotient(over, under) => over.value(ledger) / under.value(ledger),
+            Self::Power(base, n) => {
+                let base = base.value(ledger);
+                (0..*n).map(|_| base).product()
+            }
+            Self::Root(inner) => inner.value(ledger).sqrt(),
+            Self::Of(function, inner) => {
+                let x = inner.value(ledger);
+                let angle = |x: f64| match inner.in_degrees(ledger) {
+                    true => trig::sin_cos_of_degrees(x),
+                    false => trig::sin_cos(x),
+                };
+                match function {
+                    Function::Sine => angle(x).0,
+                    Function::Cosine => angle(x).1,
+                    Function::Magnitude => x.abs(),
+                }
+            }
+        }
+    }
+
+    /// How far its value may be off because the quantities in it were rounded, to first order.
+    pub fn doubt(&self, ledger: &Ledger) -> f64 {
+        let of = |e: &Self| (e.value(ledger), e.doubt(ledger));
+        match self {
+            Self::Number(..) => 0.0,
+            Self::Symbol(s) => ledger.doubt(*s),
+            Self::Minus(inner) | Self::Of(Function::Magnitude, inner) => inner.doubt(ledger),
+            Self::Sum(terms) => terms.iter().map(|t| t.doubt(ledger)).sum(),
+            Self::Product(factors) => {
+                let share = |(x, doubt): (f64, f64)| if doubt == 0.0 { 0.0 } else { (doubt / x).abs() };
+                let size = self.value(ledger).abs();
+                let off = size * factors.iter().map(|f| share(of(f))).sum::<f64>();
+                // A factor 0: what the others make of its doubt is not worth a line.
+                if off.is_finite() { off } else { 0.0 }
+            }
+            Self::Quotient(over, under) => {
+                let ((x, dx), (y, dy)) = (of(over), of(under));
+                (dx + (x / y).abs() * dy) / y.abs()
+            }
+            Self::Power(base, n) => {
+                let (x, doubt) = of(base);
+                f64::from(*n) * (1..*n).map(|_| x.abs()).product::<f64>() * doubt
+            }
+            Self::Root(inner) => {
+                let (x, doubt) = of(inner);
+                if doubt == 0.0 { 0.0 } else { doubt / (2.0 * x.abs().sqrt()) }
+            }
+            // The sine and the cosine move at most as much as the angle.
+            Self::Of(Function::Sine | Function::Cosine, inner) => {
+                let per = if inner.in_degrees(ledger) { std::f64::consts::PI / 180.0 } else { 1.0 };
+                inner.doubt(ledger) * per
+            }
+        }
+    }
+
+    /// Does it hold an angle that the ledger keeps in degrees?
+    fn in_degrees(&self, ledger: &Ledger) -> bool {
+        match self {
+            Self::Number(..) => false,
+            Self::Symbol(s) => ledger.is_degrees(*s),
+            Self::Minus(inner) | Self::Power(inner, _) | Self::Root(inner) | Self::Of(_, inner) => {
+                inner.in_degrees(ledger)
+            }
+            Self::Sum(terms) | Self::Product(terms) => terms.iter().any(|t| t.in_degrees(ledger)),
+            Self::Quotient(over, under) => over.in_degrees(ledger) || under.in_degrees(ledger),
+        }
+    }
+}
