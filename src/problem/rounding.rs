@@ -10,7 +10,7 @@ use crate::bank::Problem;
 use crate::draw::stream::Words;
 use crate::num::shown;
 use crate::num::trig::power;
-use crate::problem::make::Variant;
+use crate::problem::variant::Variant;
 use crate::problem::make_key;
 use crate::solve::agree;
 

@@ -205,29 +205,36 @@ pub fn all_numbers(scene: &Scene, data: &[f64], test: impl Fn(f64) -> bool) -> b
     all
 }
 
-/// The data that are no part of this scene; empty if it can be solved.
-pub fn faults(scene: &Scene, data: &[f64]) -> Vec<Inadmissible> {
+/// Does a number of the scene keep its rule?
+pub fn holds(scene: &Scene, data: &[f64], datum: Num, rule: Rule) -> bool {
     let of = |n: Num| match n {
         Num::Datum(i) => data.get(i).copied().unwrap_or(f64::NAN),
         Num::Fixed(x) => x,
     };
+    let value = of(datum);
+    match rule {
+        Rule::Finite => value.is_finite(),
+        Rule::Positive => value.is_finite() && value > 0.0,
+        Rule::NotNegative => value.is_finite() && value >= 0.0,
+        Rule::Slope => (0.0..=90.0).contains(&value),
+        Rule::Angle => (-360.0..=360.0).contains(&value),
+        Rule::Stretch => fits(scene, &of, value),
+        // A value that is not even finite has its own finding.
+        Rule::NotAbove(other) => !value.is_finite() || !of(other).is_finite() || value <= of(other),
+    }
+}
+
+/// The data that are no part of this scene; empty if it can be solved.
+pub fn faults(scene: &Scene, data: &[f64]) -> Vec<Inadmissible> {
     let mut found: Vec<Inadmissible> = Vec::new();
     rules(scene, |datum, rule| {
-        let value = of(datum);
-        let holds = match rule {
-            Rule::Finite => value.is_finite(),
-            Rule::Positive => value.is_finite() && value > 0.0,
-            Rule::NotNegative => value.is_finite() && value >= 0.0,
-            Rule::Slope => (0.0..=90.0).contains(&value),
-            Rule::Angle => (-360.0..=360.0).contains(&value),
-            Rule::Stretch => fits(scene, &of, value),
-            // A value that is not even finite has its own finding.
-            Rule::NotAbove(other) => !value.is_finite() || !of(other).is_finite() || value <= of(other),
-        };
-        let fault = Inadmissible { datum, value, rule };
         let same = |f: &Inadmissible| f.datum == datum && f.rule == rule;
-        if !holds && !found.iter().any(same) {
-            found.push(fault);
+        if !holds(scene, data, datum, rule) && !found.iter().any(same) {
+            let value = match datum {
+                Num::Datum(i) => data.get(i).copied().unwrap_or(f64::NAN),
+                Num::Fixed(x) => x,
+            };
+            found.push(Inadmissible { datum, value, rule });
         }
     });
     found
