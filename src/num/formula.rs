@@ -84,7 +84,11 @@ impl<V: Copy> Formula<V> {
     }
     /// Its value; NaN where it has no real one, or where a value is NaN.
     pub fn eval(&self, value: &dyn Fn(V) -> f64) -> f64 {
-        if self.depth <= USUAL { self.on(&mut [0.0; USUAL], value) } else { self.on(&mut [0.0; STACK], value) }
+        if self.depth <= USUAL {
+            self.on(&mut [0.0; USUAL], value)
+        } else {
+            self.on(&mut [0.0; STACK], value)
+        }
     }
     #[inline(always)]
     fn on<const N: usize>(&self, stack: &mut [f64; N], value: &dyn Fn(V) -> f64) -> f64 {

@@ -239,16 +239,17 @@ impl<'p> Maker<'p> {
         let half = agree::first(&case.scene, data).map_err(|refusal| unsolved(refusals, refusal))?;
         self.rules(case, half.preview(), data)?;
         self.energies(case, half.preview(), data)?;
+        // Wrong methods refuse more draws than all rules below, and some at any tolerance. Who counts what each rule refuses
+        // hears of them last: of the draws that hold all others.
+        let wrong = if self.watching { None } else { Some(self.far(index, data, half.preview())?) };
         if self.watching {
             refusals.conds.extend(self.problem.questions.iter().map(|q| cond(half.preview(), q.label)));
         }
         self.conditioned(half.preview())?;
-        // Wrong methods refuse more draws than all that follows, and what they are held against is known by now. Who counts what
-        // each rule refuses hears of them last: of the draws that hold all other rules.
-        let told = match self.watching {
-            true => None,
-            false => Some(self.told_apart(index, data, half.preview(), refusals)?),
-        };
+        let mut near = wrong.iter().flatten().filter(|w| self.refuses(w, half.preview(), false));
+        if let Some(wrong) = near.next() {
+            return Err(Rule::Mistake(wrong.mistake).into());
+        }
         let mut solved = half.confirm(&case.scene, data).map_err(|refusal| unsolved(refusals, refusal))?;
         self.moves(case, &solved)?;
         if !agree::prove(&case.scene, data, &mut solved) {
@@ -260,14 +261,61 @@ impl<'p> Maker<'p> {
         if let Some(question) = broken_relation(self.problem, data, &solved) {
             return Err(Rule::Follows(question).into());
         }
-        let wrong = match told {
+        let wrong = match wrong {
             Some(wrong) => wrong,
             None => self.told_apart(index, data, &solved, refusals)?,
         };
         Ok((solved, wrong))
     }
 
-    /// Where the wrong methods come to, if none comes near a right answer.
+    /// The wrong methods of a case.
+    fn methods(&self, case: usize) -> &Methods<'p> {
+        self.methods[case].get_or_init(|| {
+            let labels: Vec<Label> = self.problem.questions.iter().map(|q| q.label).collect();
+            Methods::new(self.problem, case, &labels)
+        })
+    }
+
+    /// The questions near whose right answers a wrong method comes: within their tolerances, or within the least that they may
+    /// have, which needs no condition number.
+    fn near<'a>(
+        &'a self,
+        wrong: &'a Wrong,
+        solved: &'a Solved,
+        least: bool,
+    ) -> impl Iterator<Item = usize> + 'a {
+        let near = move |q: &Question| {
+            let Some(entry) = solved.get(q.label).filter(|_| q.label == wrong.label) else { return false };
+            let cond = if least { 0.0 } else { entry.cond };
+            let half = make_key::half_width(q, entry.value(), entry.scale, cond);
+            // Where a magnitude is asked, a sign is no answer.
+            let value =
+                if make_key::is_magnitude(q.label.quantity) { wrong.value.abs() } else { wrong.value };
+            (value - entry.value()).abs() < APART * half
+        };
+        self.problem.questions.iter().enumerate().filter(move |(_, q)| near(q)).map(|(i, _)| i)
+    }
+
+    /// Does a wrong method refuse a draw?
+    fn refuses(&self, wrong: &Wrong, solved: &Solved, least: bool) -> bool {
+        let mistake = &self.problem.mistakes[wrong.mistake];
+        let guards = |i: usize| !self.problem.questions[i].unguarded.iter().any(|(id, _)| *id == mistake.id);
+        mistake.unguarded.is_none() && self.near(wrong, solved, least).any(guards)
+    }
+
+    /// Where the wrong methods come to, if none comes near a right answer whatever its tolerance.
+    fn far(&self, index: usize, data: &[f64], solved: &Solved) -> Result<Vec<Wrong>, Refused> {
+        let mut near = None;
+        let all = self.methods(index).values_while(data, solved, &mut |wrong| {
+            if near.is_none() && self.refuses(wrong, solved, true) {
+                near = Some(wrong.mistake);
+            }
+            near.is_none()
+        });
+        near.map_or(Ok(all), |mistake| Err(Rule::Mistake(mistake).into()))
+    }
+
+    /// Where the wrong methods come to, if none comes near a right answer; counts how often each does.
     fn told_apart(
         &self,
         index: usize,
@@ -278,44 +326,22 @@ impl<'p> Maker<'p> {
         if self.problem.mistakes.is_empty() {
             return Ok(Vec::new());
         }
-        let questions = &self.problem.questions;
-        let methods = self.methods[index].get_or_init(|| {
-            let labels: Vec<Label> = questions.iter().map(|q| q.label).collect();
-            Methods::new(self.problem, index, &labels)
-        });
-        let width = questions.len() + 1;
-        let mut near = vec![false; if self.watching { self.problem.mistakes.len() * width } else { 0 }];
-        let mut guarded: Option<usize> = None;
-        // The first guarded one refuses the draw; the others are of interest only to who counts them.
-        let all = methods.values_while(data, solved, &mut |wrong| {
-            let mistake = &self.problem.mistakes[wrong.mistake];
-            for (i, q) in questions.iter().enumerate().filter(|(_, q)| q.label == wrong.label) {
-                let Some(entry) = solved.get(q.label) else { continue };
-                let half = make_key::half_width(q, entry.value(), entry.scale, entry.cond);
-                // Where a magnitude is asked, a sign is no answer.
-                let value =
-                    if make_key::is_magnitude(q.label.quantity) { wrong.value.abs() } else { wrong.value };
-                if (value - entry.value()).abs() < APART * half {
-                    if self.watching {
-                        near[wrong.mistake * width + i] = true;
-                        near[(wrong.mistake + 1) * width - 1] = true;
-                    }
-                    if mistake.unguarded.is_none() && !q.unguarded.iter().any(|(id, _)| *id == mistake.id) {
-                        guarded = Some(guarded.map_or(wrong.mistake, |first| first.min(wrong.mistake)));
-                    }
-                }
-            }
-            self.watching || guarded.is_none()
-        });
-        if self.watching {
-            refusals.told += 1;
-            refusals.near.resize(near.len(), 0);
-            for (count, any) in refusals.near.iter_mut().zip(&near) {
-                *count += u32::from(*any);
+        let all = self.methods(index).values_while(data, solved, &mut |_| true);
+        let width = self.problem.questions.len() + 1;
+        let mut near = vec![false; self.problem.mistakes.len() * width];
+        for wrong in &all {
+            for i in self.near(wrong, solved, false) {
+                near[wrong.mistake * width + i] = true;
+                near[(wrong.mistake + 1) * width - 1] = true;
             }
         }
-        match guarded {
-            Some(mistake) => Err(Rule::Mistake(mistake).into()),
+        refusals.told += 1;
+        refusals.near.resize(near.len(), 0);
+        for (count, any) in refusals.near.iter_mut().zip(&near) {
+            *count += u32::from(*any);
+        }
+        match all.iter().find(|w| self.refuses(w, solved, false)) {
+            Some(wrong) => Err(Rule::Mistake(wrong.mistake).into()),
             None => Ok(all),
         }
     }

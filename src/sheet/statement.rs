@@ -207,7 +207,20 @@ impl<'b> Statement<'b> {
         // Questions that name no datum are the same in all variants of a case that have the same tolerances.
         let alike = asks.is_empty() && templates.variables("questions.md")?.iter().all(|v| v == "questions");
         let common = common.clone();
-        Ok(Self { problem, templates, words, name, values, series, listed, common, around, cases, asks, alike })
+        Ok(Self {
+            problem,
+            templates,
+            words,
+            name,
+            values,
+            series,
+            listed,
+            common,
+            around,
+            cases,
+            asks,
+            alike,
+        })
     }
 
     /// Appends the statement of a variant, with its figure (a line of Markdown) and its questions.

@@ -269,10 +269,8 @@ fn supported(scene: &Scene, data: &[f64]) -> Result<(), Refusal> {
     if lamina || scene.start.iter().any(|s| matches!(s, Start::Lamina { .. })) {
         return refuse(Unsupported::MovingLamina);
     }
-    let springs = scene
-        .ties
-        .iter()
-        .filter(|t| matches!(t, Tie::Cord(c) if matches!(c.to, Far::Spring { .. })));
+    let springs =
+        scene.ties.iter().filter(|t| matches!(t, Tie::Cord(c) if matches!(c.to, Far::Spring { .. })));
     let springs = springs.count();
     if springs > 1 {
         return refuse(Unsupported::TwoSprings);
