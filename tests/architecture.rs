@@ -16,7 +16,19 @@ const DOORS: &[(&str, &[&str])] = &[
     ("solve::eom", &["solve::outcome", "solve::method", "scene", "num"]),
     ("solve::energy", &["solve::outcome", "solve::method", "scene", "num"]),
     ("solve::physical", &["solve::outcome", "scene", "num"]),
-    ("solve::agree", &["solve::eom", "solve::energy", "solve::physical", "solve::outcome", "scene", "num"]),
+    ("solve::condition", &["solve::eom", "solve::outcome", "scene", "num"]),
+    (
+        "solve::agree",
+        &[
+            "solve::condition",
+            "solve::eom",
+            "solve::energy",
+            "solve::physical",
+            "solve::outcome",
+            "scene",
+            "num",
+        ],
+    ),
     (
         "solve::ladder",
         &["solve::agree", "solve::eom", "solve::energy", "solve::outcome", "solve::method", "scene", "num"],
@@ -161,7 +173,6 @@ const KEEPERS: &[(&str, &[&str])] = &[
     ("rand", &["simulate"]),
     ("rand_chacha", &["draw", "simulate"]),
     ("libm", &["num::trig"]),
-    ("nalgebra", &["num"]),
     ("csv", &["answer", "cli", "set", "report", "regrade", "simulate"]),
     ("encoding_rs", &["answer"]),
     ("indicatif", &["cli"]),
@@ -288,7 +299,7 @@ fn planted_imports_are_caught() {
         ("grade::judge", "use crate::scene::Scene;"),
         ("grade::judge", "let x = crate::solve::agree::solve(s, d);"),
         ("num::dd", "use crate::scene::Num;"),
-        ("scene::mod", "use nalgebra::DMatrix;"),
+        ("scene::mod", "use libm::sin;"),
         ("sheet::page", "let r = rand::rng();"),
         ("solve::eom", "use super::energy;"),
     ] {

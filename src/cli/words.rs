@@ -440,7 +440,6 @@ pub fn refusal(problem: &Problem, scene: &Scene, refusal: &Refusal) -> Vec<Strin
                 "a pinned body is alone in its scene, without ties; it ends at an angle, a time, a speed or a turning point"
                     .to_owned()
             }
-            Unsupported::TooManyData => "there are more than 64 data".to_owned(),
         }),
         Refusal::Trouble { method, trouble: why } => one(format!("{}: {}", method.name(), trouble(why))),
         Refusal::Unsteady { method, label, value, finer } => one(format!(

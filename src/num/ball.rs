@@ -141,36 +141,15 @@ impl Div for Ball {
 }
 
 impl Real for Ball {
-    type Plain = Self;
-    type Rough = f64;
-    const SLOPES: usize = 0;
-    fn datum(_: usize, value: f64) -> Self {
+    fn datum(value: f64) -> Self {
         Self { mid: Dd::new(value), radius: value.abs() * DATUM }
-    }
-    fn fixed(value: f64) -> Self {
-        Self::datum(0, value)
     }
     fn constant(value: Dd) -> Self {
         // One double is exact; two are the rounding of something.
         Self { mid: value, radius: if value.lo == 0.0 { 0.0 } else { value.hi.abs() * STEP } }
     }
-    fn with_slopes(value: Self, _: impl Fn(usize) -> f64) -> Self {
-        value
-    }
-    fn with_rough(value: f64) -> Self {
-        Self { mid: Dd::new(value), radius: 0.0 }
-    }
-    fn plain(self) -> Self {
-        self
-    }
     fn value(self) -> Dd {
         self.mid
-    }
-    fn rough(self) -> f64 {
-        self.mid.hi
-    }
-    fn slope(&self, _: usize) -> f64 {
-        0.0
     }
     fn radius(self) -> f64 {
         self.radius
@@ -298,10 +277,10 @@ mod tests {
 
     #[test]
     fn an_open_comparison_is_a_doubt() {
-        let x = Ball::datum(0, 0.1);
+        let x = Ball::datum(0.1);
         assert!(!watch(|| x.sign()).1);
-        assert!(watch(|| (x - Ball::datum(0, 0.1)).sign()).1);
-        assert!(watch(|| x.below(Ball::datum(1, 0.1))).1);
+        assert!(watch(|| (x - Ball::datum(0.1)).sign()).1);
+        assert!(watch(|| x.below(Ball::datum(0.1))).1);
         assert!(!watch(|| Ball::zero().sign()).1);
         assert!(watch(|| Ball::new(Dd::ZERO, f64::NAN).sign()).1);
     }

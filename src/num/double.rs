@@ -4,14 +4,11 @@ use crate::num::Real;
 use crate::num::dd::pow2;
 
 impl Real for f64 {
-    type Plain = Self;
-    type Rough = Self;
-    const SLOPES: usize = 0;
     // A few units in the last place: what rounding of doubles leaves of a difference of equals.
     const NOISE: f64 = 4.0 * f64::EPSILON;
     const SETTLED: f64 = 4.0 * f64::EPSILON;
     #[inline(always)]
-    fn datum(_: usize, value: f64) -> Self {
+    fn datum(value: f64) -> Self {
         value
     }
     #[inline(always)]
@@ -19,28 +16,8 @@ impl Real for f64 {
         value.hi
     }
     #[inline(always)]
-    fn with_slopes(value: Self, _: impl Fn(usize) -> f64) -> Self {
-        value
-    }
-    #[inline(always)]
-    fn with_rough(value: f64) -> Self {
-        value
-    }
-    #[inline(always)]
-    fn plain(self) -> Self {
-        self
-    }
-    #[inline(always)]
     fn value(self) -> Dd {
         Dd::new(self)
-    }
-    #[inline(always)]
-    fn rough(self) -> f64 {
-        self
-    }
-    #[inline(always)]
-    fn slope(&self, _: usize) -> f64 {
-        0.0
     }
     #[inline(always)]
     fn sign(self) -> f64 {

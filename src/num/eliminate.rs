@@ -1,6 +1,5 @@
 //! Gauss-Jordan elimination on a few equations, any shape, in any number type.
 use crate::num::Real;
-use crate::num::Rough;
 use crate::num::ball;
 use smallvec::SmallVec;
 use smallvec::smallvec;
@@ -13,7 +12,7 @@ pub struct Equations<T: Real> {
     /// Are the coefficients made of few printed decimals? See [`Equations::of_decimals`].
     decimal: bool,
     /// For each row: sum of the magnitudes of the terms of its right-hand side, where it was told.
-    sizes: SmallVec<[Option<T::Rough>; 8]>,
+    sizes: SmallVec<[Option<f64>; 8]>,
 }
 
 /// Equations in reduced form.
@@ -44,7 +43,7 @@ impl<T: Real> Equations<T> {
 
     /// Tells the sum of the magnitudes of the terms that made the right-hand side of the last row. Of two equations for one
     /// unknown the one is then taken whose terms leave it the smaller error: a small difference of large terms waits.
-    pub fn sized(&mut self, size: T::Rough) {
+    pub fn sized(&mut self, size: f64) {
         if let Some(last) = self.sizes.last_mut() {
             *last = Some(size);
         }
@@ -62,11 +61,11 @@ impl<T: Real> Equations<T> {
             loop {
                 // The pivot that is largest within its own row loses least; of rows with sizes, that of least error. Of equal
                 // ones the shortest row: what holds one unknown fast does so before its value is mixed with others.
-                let mut best: Option<(usize, usize, T::Rough, usize)> = None;
+                let mut best: Option<(usize, usize, f64, usize)> = None;
                 for i in (0..rows).filter(|i| !used[*i]) {
                     let row = &self.cells[i * width..i * width + cols];
-                    let size = row.iter().fold(T::Rough::zero(), |s, v| s.max(v.size()));
-                    let mut lead: Option<(usize, T::Rough, T::Rough)> = None;
+                    let size = row.iter().fold(0.0, |s: f64, v| s.max(v.size()));
+                    let mut lead: Option<(usize, f64, f64)> = None;
                     let mut length = 0;
                     for (j, v) in row.iter().enumerate() {
                         if pivot[j].is_some() || v.is_zero() {

@@ -1,4 +1,4 @@
-//! Arithmetic that gives the same digits everywhere: double-double numbers, first derivatives, portable functions,
+//! Arithmetic that gives the same digits everywhere: double-double numbers, enclosures, portable functions,
 //! small linear systems. No mechanics.
 pub mod ball;
 pub mod chance;
@@ -9,25 +9,18 @@ pub mod elliptic;
 pub mod formula;
 pub mod gauss;
 pub mod half;
-pub mod jet;
 pub mod legendre;
 pub mod linear;
 pub mod ode;
 pub mod plant;
 pub mod real;
 pub mod root;
-pub mod rough;
 pub mod shown;
 pub mod trig;
-pub mod wide;
 
 pub use ball::Ball;
 pub use dd::Dd;
-pub use jet::Jet;
-pub use jet::JetOf;
 pub use real::Real;
-pub use rough::Rough;
-pub use wide::Wide;
 
 /// Unit roundoff of a double, 2^-53.
 pub const U: f64 = f64::EPSILON / 2.0;

@@ -1,7 +1,6 @@
-//! What the solvers need of a number, so that the same equations give values, and values with their sensitivities.
+//! What the solvers need of a number, so that the same equations run in doubles, in double-doubles and in enclosures.
 use crate::num::Dd;
 use crate::num::U;
-use crate::num::rough::Rough;
 use std::ops::Add;
 use std::ops::Div;
 use std::ops::Mul;
@@ -11,7 +10,9 @@ use std::ops::Sub;
 /// As near to a boundary of regimes is *at* it, 8 u.
 const AT: f64 = 8.0 * U;
 
-/// A number of the solvers: [`Dd`] or [`crate::num::Wide`] alone, or [`crate::num::Jet`] of one of them with derivatives.
+/// A number of the solvers: `f64`, [`Dd`], or [`crate::num::Ball`], which keeps account of its errors.
+///
+/// A type brings the first seven methods; the others follow from them, and an enclosure has some of its own.
 pub trait Real:
     Copy
     + Add<Output = Self>
@@ -21,37 +22,16 @@ pub trait Real:
     + Neg<Output = Self>
     + std::fmt::Debug
 {
-    /// The same number without its derivatives.
-    type Plain: Real<Plain = Self::Plain, Rough = Self::Rough>;
-    /// Sizes and derivatives.
-    type Rough: Rough;
-    /// How many derivatives it carries.
-    const SLOPES: usize;
     /// A sum below this share of its terms is rounding of this kind of number.
     const NOISE: f64 = crate::num::NOISE;
     /// A residual of equations below this share of the terms of its row is rounding: 2^-98 for double-doubles.
     const SETTLED: f64 = U * U * 256.0;
-    /// The datum of this index, with this value; its derivative is taken with respect to its own logarithm.
-    fn datum(index: usize, value: f64) -> Self;
-    /// A number of the bank that no datum bears, such as a mass of 20 kg.
-    #[inline(always)]
-    fn fixed(value: f64) -> Self {
-        Self::of(value)
-    }
+    /// A number that is given: a datum, or a number of the bank such as a mass of 20 kg.
+    fn datum(value: f64) -> Self;
     /// A constant.
     fn constant(value: Dd) -> Self;
-    /// A value with given derivatives.
-    fn with_slopes(value: Self::Plain, slope: impl Fn(usize) -> Self::Rough) -> Self;
-    /// A rough number, taken as exact.
-    fn with_rough(value: Self::Rough) -> Self;
-    /// The value alone.
-    fn plain(self) -> Self::Plain;
-    /// The value as a double-double: infinite or 0 where no double is so large or small. For output only.
+    /// The value as a double-double.
     fn value(self) -> Dd;
-    /// The value, roughly.
-    fn rough(self) -> Self::Rough;
-    /// Derivative number `i` with respect to the logarithm of datum `i`.
-    fn slope(&self, i: usize) -> Self::Rough;
     /// -1, 0 or 1; 0 for NaN.
     fn sign(self) -> f64;
     /// Square root; 0 where the value is not above 0 (a radicand that rounding made negative at a turning point).
@@ -60,21 +40,14 @@ pub trait Real:
     fn scale2(self, e: i32) -> Self;
     /// Is it less? NaN is not.
     fn below(self, other: Self) -> bool;
+
     /// Bound of its error, where the number keeps account of its errors.
-    #[inline(always)]
     fn radius(self) -> f64 {
         0.0
     }
     /// Encloses an error of at most `bound` too, where the number keeps account of its errors.
-    #[inline(always)]
     fn widened(self, _bound: impl Fn() -> f64) -> Self {
         self
-    }
-
-    /// A value that no datum moves.
-    #[inline(always)]
-    fn exactly(value: Self::Plain) -> Self {
-        Self::with_slopes(value, |_| Self::Rough::zero())
     }
     /// An exact double.
     #[inline(always)]
@@ -94,7 +67,7 @@ pub trait Real:
     /// Is the value exactly zero?
     #[inline(always)]
     fn is_zero(self) -> bool {
-        self.rough().is_zero()
+        self.f64() == 0.0
     }
     /// Is it the same number, so that what was computed from the one holds for the other? No question of what is true: two
     /// enclosures are the same if their ends are.
@@ -104,24 +77,23 @@ pub trait Real:
     }
     /// Its magnitude.
     #[inline(always)]
-    fn size(self) -> Self::Rough {
-        self.rough().abs()
+    fn size(self) -> f64 {
+        self.f64().abs()
     }
     /// Is it infinite or NaN?
     #[inline(always)]
     fn is_finite(self) -> bool {
-        self.rough().is_finite()
+        self.f64().is_finite()
     }
     /// Is it nothing beside `scale`, but rounding of double-doubles?
     #[inline(always)]
-    fn negligible(self, scale: Self::Rough) -> bool {
-        self.size() <= Self::Rough::of(Self::NOISE) * scale
+    fn negligible(self, scale: f64) -> bool {
+        self.size() <= Self::NOISE * scale
     }
     /// At most `limit`, up to what double-doubles leave of a difference of equals; NaN is not.
     #[inline(always)]
     fn at_most(self, limit: Self) -> bool {
-        let nan = |x: Self::Rough| x.partial_cmp(&x).is_none();
-        !nan(self.rough()) && !nan(limit.rough()) && self.side(limit) <= 0.0
+        !self.f64().is_nan() && !limit.f64().is_nan() && self.side(limit) <= 0.0
     }
     /// -1 below, 0 at, 1 above the other, up to what double-doubles leave of a difference of equals; 0 beside NaN.
     #[inline(always)]
@@ -158,27 +130,19 @@ pub trait Real:
     #[inline(always)]
     fn status(self, boundary: Self) -> f64 {
         let larger = self.size().max(boundary.size());
-        if larger.is_finite() && (self - boundary).size() <= Self::Rough::of(AT) * larger {
-            0.0
-        } else {
-            self.side(boundary)
-        }
+        if larger.is_finite() && (self - boundary).size() <= AT * larger { 0.0 } else { self.side(boundary) }
     }
-    /// Difference of two numbers that are equal at a boundary of regimes: exactly zero within 8 u, its derivatives stay.
+    /// Difference of two numbers that are equal at a boundary of regimes: exactly zero within 8 u.
     #[inline(always)]
     fn apart(self, other: Self) -> Self {
         let apart = self - other;
-        if apart.size() <= Self::Rough::of(AT) * self.size().max(other.size()) {
-            Self::with_slopes(Self::Plain::zero(), |i| apart.slope(i))
-        } else {
-            apart
-        }
+        if apart.size() <= AT * self.size().max(other.size()) { Self::zero() } else { apart }
     }
     /// The same, or exactly zero where it is nothing beside `scale`, the sum of the magnitudes of the terms that made it:
-    /// what then is left is the rounding of double-doubles. Its derivatives stay.
+    /// what then is left is the rounding of double-doubles.
     #[inline(always)]
-    fn cleared(self, scale: Self::Rough) -> Self {
-        if self.negligible(scale) { Self::with_slopes(Self::Plain::zero(), |i| self.slope(i)) } else { self }
+    fn cleared(self, scale: f64) -> Self {
+        if self.negligible(scale) { Self::zero() } else { self }
     }
     /// Sum of two terms, [`Real::cleared`].
     #[inline(always)]
@@ -216,22 +180,11 @@ pub trait Real:
     fn square(self) -> Self {
         self * self
     }
-    /// `sum |d y / d ln x_i| / |y|`: 0 if no datum moves it, infinite for a zero that some datum moves.
-    fn cond(&self) -> f64 {
-        let mut sum = Self::Rough::zero();
-        for i in 0..Self::SLOPES {
-            sum += self.slope(i).abs();
-        }
-        if sum.is_zero() { 0.0 } else { (sum / self.size()).f64() }
-    }
 }
 
 impl Real for Dd {
-    type Plain = Self;
-    type Rough = f64;
-    const SLOPES: usize = 0;
     #[inline(always)]
-    fn datum(_: usize, value: f64) -> Self {
+    fn datum(value: f64) -> Self {
         Dd::new(value)
     }
     #[inline(always)]
@@ -239,28 +192,8 @@ impl Real for Dd {
         value
     }
     #[inline(always)]
-    fn with_slopes(value: Dd, _: impl Fn(usize) -> f64) -> Self {
-        value
-    }
-    #[inline(always)]
-    fn with_rough(value: f64) -> Self {
-        Dd::new(value)
-    }
-    #[inline(always)]
-    fn plain(self) -> Dd {
-        self
-    }
-    #[inline(always)]
     fn value(self) -> Dd {
         self
-    }
-    #[inline(always)]
-    fn rough(self) -> f64 {
-        self.hi
-    }
-    #[inline(always)]
-    fn slope(&self, _: usize) -> f64 {
-        0.0
     }
     #[inline(always)]
     fn sign(self) -> f64 {

@@ -1,9 +1,6 @@
 //! A root between two places, by Newton's method that is never let out of its bracket.
 use crate::num::Real;
-use crate::num::Rough;
 
-/// Relative step at which the root is found, 2^-98.
-const FOUND: f64 = 1.0 / (1u128 << 98) as f64;
 /// Steps after which the bracket has been halved beyond any double-double.
 const STEPS: u32 = 400;
 
@@ -11,12 +8,12 @@ const STEPS: u32 = 400;
 /// the other way. `f` gives value and slope.
 ///
 /// Errors: those of `f`.
-pub fn between<P: Real, E>(
-    low: P,
-    high: P,
+pub fn between<T: Real, E>(
+    low: T,
+    high: T,
     rising: bool,
-    mut f: impl FnMut(P) -> Result<(P, P), E>,
-) -> Result<P, E> {
+    mut f: impl FnMut(T) -> Result<(T, T), E>,
+) -> Result<T, E> {
     let (mut low, mut high) = (low, high);
     let mut x = (low + high).scale2(-1);
     let mut last = (high - low).size();
@@ -37,7 +34,7 @@ pub fn between<P: Real, E>(
         let next = if inside && step + step <= last { newton } else { (low + high).scale2(-1) };
         last = (next - x).size();
         x = next;
-        if last <= P::Rough::of(FOUND) * x.size() {
+        if last <= T::SETTLED * x.size() {
             break;
         }
     }

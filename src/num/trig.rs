@@ -4,8 +4,8 @@
 //! degrees and accurate to double-double everywhere, also near 90 degrees.
 use crate::num::Dd;
 use crate::num::Real;
-use crate::num::Rough;
 use crate::num::ball::STEP;
+use crate::num::dd::exponent;
 use std::sync::LazyLock;
 
 /// Pi / 180 as a double-double.
@@ -153,7 +153,7 @@ fn turned<T: Real>(x: T) -> (T, T) {
 /// Below this share a sine is its angle, and a tangent too: the next term is below 2^-112.
 const STRAIGHT: f64 = 1.0 / (1u64 << 56) as f64;
 
-/// [`sin_cos_radians`] with derivatives.
+/// [`sin_cos_radians`] in any number type.
 pub fn turn<T: Real>(x: T) -> (T, T) {
     if x.f64().abs() < STRAIGHT {
         let sine = x.widened(|| x.f64().abs() * STEP);
@@ -163,14 +163,11 @@ pub fn turn<T: Real>(x: T) -> (T, T) {
         return turned(x);
     }
     let (s, c) = sin_cos_radians(x.value());
-    let with = |value: Dd, rate: f64| {
-        let rate = T::Rough::of(rate);
-        T::with_slopes(T::Plain::constant(value), |i| rate * x.slope(i)).widened(|| x.radius() + 64.0 * STEP)
-    };
-    (with(s, c.hi), with(c, -s.hi))
+    let with = |value: Dd| T::constant(value).widened(|| x.radius() + 64.0 * STEP);
+    (with(s), with(c))
 }
 
-/// Angle of the point (x, y), radians, to double-double, with derivatives.
+/// Angle of the point (x, y), radians, to double-double.
 pub fn angle<T: Real>(y: T, x: T) -> T {
     let slope = y / x;
     if x.value().hi > 0.0 && slope.f64().abs() < STRAIGHT {
@@ -182,53 +179,40 @@ pub fn angle<T: Real>(y: T, x: T) -> T {
     }
     // What is left after turning back is so small that it is its own tangent.
     let (s, c) = sin_cos_radians(rough.value());
-    let (s, c) = (T::Plain::constant(s), T::Plain::constant(c));
-    let (y, x) = (y.plain(), x.plain());
-    let rest = (y * c - x * s) / (x * c + y * s);
-    T::with_slopes(rough.plain() + rest, |i| rough.slope(i)).widened(|| 64.0 * STEP)
+    let (s, c) = (T::constant(s), T::constant(c));
+    (rough + (y * c - x * s) / (x * c + y * s)).widened(|| 64.0 * STEP)
 }
 
-/// [`sin_cos_degrees`] with derivatives.
+/// [`sin_cos_degrees`] in any number type.
 pub fn sin_cos_of_degrees<T: Real>(degrees: T) -> (T, T) {
     if is_double::<T>() {
         return reduced(degrees.f64());
     }
     let (s, c) = sin_cos_degrees(degrees.f64());
-    let with = |value: Dd, rate: f64| {
-        let per = T::Rough::of(rate * RADIANS_PER_DEGREE.hi);
-        // Sine and cosine change no faster than the angle in radians.
-        T::with_slopes(T::Plain::constant(value), |i| per * degrees.slope(i))
-            .widened(|| degrees.radius() * 0.018 + value.hi.abs() * STEP)
-    };
-    (with(s, c.hi), with(c, -s.hi))
+    // Sine and cosine change no faster than the angle in radians.
+    let with = |value: Dd| T::constant(value).widened(|| degrees.radius() * 0.018 + value.hi.abs() * STEP);
+    (with(s), with(c))
 }
 
-/// Angle of the point (x, y), radians, within one ulp, with derivatives.
+/// Angle of the point (x, y), radians, within one ulp.
 pub fn atan2<T: Real>(y: T, x: T) -> T {
     // Only their ratio counts: near 1 no square overflows.
-    let e = y.size().max(x.size()).exponent().clamp(-1000, 1000);
+    let e = exponent(y.size().max(x.size())).clamp(-1000, 1000);
     let (y, x) = (y.scale2(-e), x.scale2(-e));
     let (yv, xv) = (y.f64(), x.f64());
-    let r2 = xv * xv + yv * yv;
-    let (to_y, to_x) = if r2 > 0.0 { (xv / r2, yv / r2) } else { (0.0, 0.0) };
-    let (to_y, to_x) = (T::Rough::of(to_y), T::Rough::of(to_x));
-    let value = T::Plain::constant(Dd::new(libm::atan2(yv, xv)));
-    T::with_slopes(value, |i| y.slope(i) * to_y - x.slope(i) * to_x).widened(|| {
+    T::of(libm::atan2(yv, xv)).widened(|| {
         // A point moved by d, seen from the distance h, turns by at most asin(d/h) <= pi/2 d/h.
         let (moved, distance) = (y.radius() + x.radius(), yv.abs().max(xv.abs()));
         if moved < 0.5 * distance { 1.6 * moved / (distance - moved) + 4.0 * LAST } else { f64::INFINITY }
     })
 }
 
-/// Sine and cosine of an angle in radians, with derivatives.
+/// Sine and cosine of an angle in radians, within an ulp.
 pub fn sin_cos<T: Real>(x: T) -> (T, T) {
     let v = x.value();
     let (s, c) = (libm::sin(v.hi), libm::cos(v.hi));
-    let with = |value: Dd, rate: f64| {
-        let rate = T::Rough::of(rate);
-        T::with_slopes(T::Plain::constant(value), |i| rate * x.slope(i)).widened(|| x.radius() + LAST)
-    };
-    (with(Dd::sum(s, c * v.lo), c), with(Dd::sum(c, -s * v.lo), -s))
+    let with = |value: Dd| T::constant(value).widened(|| x.radius() + LAST);
+    (with(Dd::sum(s, c * v.lo)), with(Dd::sum(c, -s * v.lo)))
 }
 
 /// Sine and cosine of a double in radians, within an ulp.

@@ -236,12 +236,14 @@ impl<'p> Maker<'p> {
         // Bounds on the data alone cost nothing: they go first.
         bounds(case, false, data, &|_| f64::NAN)?;
         // A draw that breaks a rule on the first road needs no second one.
-        let half = agree::first(&case.scene, data).map_err(|refusal| unsolved(refusals, refusal))?;
+        let mut half = agree::first(&case.scene, data).map_err(|refusal| unsolved(refusals, refusal))?;
         self.rules(case, half.preview(), data)?;
         self.energies(case, half.preview(), data)?;
         // Wrong methods refuse more draws than all rules below, and some at any tolerance. Who counts what each rule refuses
         // hears of them last: of the draws that hold all others.
         let wrong = if self.watching { None } else { Some(self.far(index, data, half.preview())?) };
+        // Condition numbers cost more than all the rest of the first road: only for what holds the other rules.
+        half.weigh(&case.scene, data);
         if self.watching {
             refusals.conds.extend(self.problem.questions.iter().map(|q| cond(half.preview(), q.label)));
         }

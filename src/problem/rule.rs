@@ -280,6 +280,11 @@ pub fn inadmissible(problem: &Problem, fault: &Inadmissible) -> String {
         R::Finite => format!("{name} = {value}: must be a finite number"),
         R::Positive => format!("{name} = {value}: must be above 0"),
         R::NotNegative => format!("{name} = {value}: must not be below 0"),
+        R::Range => format!(
+            "{name} = {value:e}: must be 0 or from {:e} to {:e} in SI units; beyond, products leave the doubles",
+            admissible::LEAST,
+            admissible::MOST
+        ),
         R::Angle => format!("{name} = {value}: an angle is from -360 to 360 degrees"),
         R::Stretch => format!("{name} = {value}: must not be above the length of the spring at the start"),
         R::Slope => format!("{name} = {value}: a slope is from 0 to 90 degrees"),

@@ -32,9 +32,16 @@ pub enum Rule {
     Angle,
     /// A stretch that is not above the length of the spring at the start.
     Stretch,
+    /// 0, or of a magnitude from [`LEAST`] to [`MOST`]: beyond, products of a few data leave the doubles.
+    Range,
     /// Not above another datum (hub <= rim, mu_k <= mu_s).
     NotAbove(Num),
 }
+
+/// The least magnitude of a datum that is not 0, SI.
+pub const LEAST: f64 = 1e-150;
+/// The greatest magnitude of a datum, SI.
+pub const MOST: f64 = 1e150;
 
 /// One datum that is no part of a scene.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -192,19 +199,6 @@ fn fits(scene: &Scene, of: &impl Fn(Num) -> f64, stretch: f64) -> bool {
     !long.is_finite() || !Real::is_finite(stretch) || stretch.at_most(long)
 }
 
-/// Do all numbers of the scene pass a test?
-pub fn all_numbers(scene: &Scene, data: &[f64], test: impl Fn(f64) -> bool) -> bool {
-    let mut all = data.iter().all(|x| test(*x));
-    if all {
-        rules(scene, |number, _| {
-            if let Num::Fixed(x) = number {
-                all &= test(x);
-            }
-        });
-    }
-    all
-}
-
 /// Does a number of the scene keep its rule?
 pub fn holds(scene: &Scene, data: &[f64], datum: Num, rule: Rule) -> bool {
     let of = |n: Num| match n {
@@ -213,6 +207,7 @@ pub fn holds(scene: &Scene, data: &[f64], datum: Num, rule: Rule) -> bool {
     };
     let value = of(datum);
     match rule {
+        Rule::Range => value == 0.0 || !value.is_finite() || (LEAST..=MOST).contains(&value.abs()),
         Rule::Finite => value.is_finite(),
         Rule::Positive => value.is_finite() && value > 0.0,
         Rule::NotNegative => value.is_finite() && value >= 0.0,
@@ -227,7 +222,7 @@ pub fn holds(scene: &Scene, data: &[f64], datum: Num, rule: Rule) -> bool {
 /// The data that are no part of this scene; empty if it can be solved.
 pub fn faults(scene: &Scene, data: &[f64]) -> Vec<Inadmissible> {
     let mut found: Vec<Inadmissible> = Vec::new();
-    rules(scene, |datum, rule| {
+    let mut judge = |datum, rule| {
         let same = |f: &Inadmissible| f.datum == datum && f.rule == rule;
         if !holds(scene, data, datum, rule) && !found.iter().any(same) {
             let value = match datum {
@@ -236,6 +231,10 @@ pub fn faults(scene: &Scene, data: &[f64]) -> Vec<Inadmissible> {
             };
             found.push(Inadmissible { datum, value, rule });
         }
+    };
+    rules(scene, |datum, rule| {
+        judge(datum, rule);
+        judge(datum, Rule::Range);
     });
     found
 }

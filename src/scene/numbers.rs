@@ -3,7 +3,7 @@
 //! Everything with the dimension of mass is divided by a power of two near the first mass, so that a wheel of 1e-300 kg
 //! is as good as one of 1 kg; [`Numbers::publish`] undoes it.
 use crate::num::Real;
-use crate::num::Rough;
+use crate::num::dd::exponent;
 use crate::num::trig;
 use crate::scene::Body;
 use crate::scene::Mass;
@@ -45,9 +45,8 @@ impl<'a, T: Real> Numbers<'a, T> {
     pub fn new(scene: &Scene, data: &'a [f64]) -> Self {
         let mut n = Self { data, mass_exponent: 0, gravity: T::zero(), bodies: SmallVec::new() };
         n.gravity = n.get(scene.gravity_m_s2);
-        let first =
-            scene.bodies.iter().map(|b| n.mass_of(b, &b.mass).rough()).find(|m| *m > T::Rough::zero());
-        n.mass_exponent = first.map_or(0, Rough::exponent);
+        let first = scene.bodies.iter().map(|b| n.mass_of(b, &b.mass).f64()).find(|m| *m > 0.0);
+        n.mass_exponent = first.map_or(0, exponent);
         // Bodies on one incline share its sine and cosine.
         let mut known: Option<(Num, T, T)> = None;
         for b in &scene.bodies {
@@ -76,8 +75,8 @@ impl<'a, T: Real> Numbers<'a, T> {
     #[inline]
     pub fn get(&self, num: Num) -> T {
         match num {
-            Num::Datum(i) => T::datum(i, self.data.get(i).copied().unwrap_or(f64::NAN)),
-            Num::Fixed(x) => T::fixed(x),
+            Num::Datum(i) => T::datum(self.data.get(i).copied().unwrap_or(f64::NAN)),
+            Num::Fixed(x) => T::datum(x),
         }
     }
 

@@ -1,15 +1,10 @@
 //! Runs both roads and compares; the only file beside the ladder that sees both.
 use crate::num::Ball;
 use crate::num::Dd;
-use crate::num::Jet;
-use crate::num::JetOf;
 use crate::num::NOISE;
 use crate::num::Real;
-use crate::num::Rough;
 use crate::num::U;
-use crate::num::Wide;
 use crate::num::ball;
-use crate::num::wide::ordinary;
 use crate::scene::End;
 use crate::scene::Far;
 use crate::scene::Label;
@@ -21,6 +16,8 @@ use crate::scene::Start;
 use crate::scene::Tie;
 use crate::scene::admissible;
 use crate::scene::admissible::Rule;
+use crate::solve::condition;
+use crate::solve::condition::vanishes;
 use crate::solve::energy;
 use crate::solve::eom;
 use crate::solve::outcome::Entry;
@@ -28,7 +25,6 @@ use crate::solve::outcome::Motion;
 use crate::solve::outcome::Refusal;
 use crate::solve::outcome::Regime;
 use crate::solve::outcome::Road;
-use crate::solve::outcome::Said;
 use crate::solve::outcome::Solved;
 use crate::solve::outcome::Unsupported;
 use crate::solve::physical;
@@ -44,9 +40,7 @@ const NO_DIGITS: f64 = 1e-2;
 pub struct Half {
     solved: Solved,
     /// Sense of the motion, and whether its end is reached.
-    course: Option<(f64, bool)>,
-    /// Do the data need exponents beyond those of doubles?
-    wide: bool,
+    course: condition::Kind,
 }
 
 /// Solves a scene by both roads and publishes only what agrees.
@@ -55,7 +49,9 @@ pub struct Half {
 /// values and its condition number. Errors: data that are no scene, a combination that the assembly does not have,
 /// equations that do not determine the motion, two roads that differ by more than `16 u max(1, cond)`.
 pub fn solve(scene: &Scene, data: &[f64]) -> Result<Solved, Refusal> {
-    first(scene, data)?.confirm(scene, data)
+    let mut half = first(scene, data)?;
+    half.weigh(scene, data);
+    half.confirm(scene, data)
 }
 
 /// The first road alone, so that a draw that breaks a rule is refused at half the cost. Errors: as for [`solve`], save
@@ -66,14 +62,29 @@ pub fn first(scene: &Scene, data: &[f64]) -> Result<Half, Refusal> {
         return Err(Refusal::Inadmissible(faults));
     }
     supported(scene, data)?;
-    // Few kinds of numbers: each is compiled through both roads. What is rare goes through the widest.
-    match data.len() {
-        65.. => Err(Refusal::Unsupported(Unsupported::TooManyData)),
-        25.. => half::<JetOf<Wide, 64>>(scene, data, true),
-        _ if !admissible::all_numbers(scene, data, ordinary) => half::<JetOf<Wide, 24>>(scene, data, true),
-        11.. => half::<Jet<24>>(scene, data, false),
-        _ => half::<Jet<10>>(scene, data, false),
+    let road: Road<Dd> = eom::road(scene, data)?;
+    let mut beyond = Vec::new();
+    let mut entries = Vec::with_capacity(road.said.len());
+    for said in &road.said {
+        // A zero has no sign.
+        let gone = vanishes(said.value.f64(), NOISE, said.scale);
+        let value = if gone { 0.0 } else { said.value.f64() + 0.0 };
+        // A finite number that no double holds, or only with fewer digits.
+        let lost = !gone && (!value.is_finite() || value.abs() < f64::MIN_POSITIVE);
+        if lost && said.value.is_finite() && !said.value.is_zero() {
+            beyond.push(said.label);
+            continue;
+        }
+        let (label, scale) = (said.label, said.scale);
+        entries.push(Entry { label, eom: Some(value), energy: None, bound: None, cond: f64::NAN, scale });
     }
+    let instant = Regime { motion: Motion::Instant, slips: false };
+    let (regime, checks, words) = road
+        .course
+        .map_or((instant, Vec::new(), Vec::new()), |course| physical::judge(scene, &course, &road.held));
+    let course = road.course.map(|c| (c.sense, c.reached));
+    let open = road.open;
+    Ok(Half { solved: Solved { regime, checks, entries, words, open, beyond }, course })
 }
 
 /// A scene that is solved again and again on the first road in doubles, for what is never published: where a wrong method would
@@ -106,7 +117,7 @@ impl<'s> Quick<'s> {
         let mut rules = Vec::new();
         admissible::rules(scene, |number, rule| {
             if !kept.contains(&(number, rule)) {
-                rules.push((number, rule));
+                rules.extend([(number, rule), (number, Rule::Range)]);
             }
         });
         let supported = (!scene.ties.iter().any(is_held)).then(|| supported(scene, &[]).is_ok());
@@ -126,54 +137,26 @@ impl<'s> Quick<'s> {
     }
 }
 
-fn half<T: Real>(scene: &Scene, data: &[f64], wide: bool) -> Result<Half, Refusal> {
-    let road: Road<T> = eom::road(scene, data)?;
-    let mut beyond = Vec::new();
-    let mut entries = Vec::with_capacity(road.said.len());
-    for said in &road.said {
-        // A zero has no sign.
-        let gone = vanishes(said.value.f64(), NOISE, said.scale);
-        let value = if gone { 0.0 } else { said.value.f64() + 0.0 };
-        // A finite number that no double holds, or only with fewer digits.
-        let lost = !gone && (!value.is_finite() || value.abs() < f64::MIN_POSITIVE);
-        if lost && said.value.is_finite() && !said.value.is_zero() {
-            beyond.push(said.label);
-            continue;
-        }
-        entries.push(Entry {
-            label: said.label,
-            eom: Some(value),
-            energy: None,
-            bound: None,
-            // What is endless stays so, whatever small change of the data.
-            cond: if value.is_infinite() { 0.0 } else { cond(said) },
-            scale: said.scale,
-        });
-    }
-    let instant = Regime { motion: Motion::Instant, slips: false };
-    let (regime, checks, words) = road
-        .course
-        .map_or((instant, Vec::new(), Vec::new()), |course| physical::judge(scene, &course, &road.held));
-    let course = road.course.map(|c| (c.sense, c.reached));
-    let open = road.open;
-    Ok(Half { solved: Solved { regime, checks, entries, words, open, beyond }, course, wide })
-}
-
 impl Half {
-    /// The first road's values, regime and checks; the margin of [`crate::solve::outcome::CheckKind::Moves`] is not known yet.
+    /// The first road's values, regime and checks; the margin of [`crate::solve::outcome::CheckKind::Moves`] is not known yet,
+    /// nor are the condition numbers before [`Half::weigh`].
     pub fn preview(&self) -> &Solved {
         &self.solved
     }
 
-    /// Runs the second road and publishes what agrees. Errors: a disagreement, or a quantity that only one road reaches.
-    pub fn confirm(self, scene: &Scene, data: &[f64]) -> Result<Solved, Refusal> {
-        if self.wide { self.judged_by::<Wide>(scene, data) } else { self.judged_by::<Dd>(scene, data) }
+    /// Computes the condition numbers, at the cost of a few roads in doubles for each datum.
+    pub fn weigh(&mut self, scene: &Scene, data: &[f64]) {
+        let conds = condition::numbers(scene, data, self.course, &self.solved.entries);
+        for (entry, cond) in self.solved.entries.iter_mut().zip(conds) {
+            entry.cond = cond;
+        }
     }
 
+    /// Runs the second road and publishes what agrees. Errors: a disagreement, or a quantity that only one road reaches.
     #[expect(clippy::float_cmp, reason = "senses are exactly -1, 0 or 1")]
-    fn judged_by<P: Real<Plain = P>>(self, scene: &Scene, data: &[f64]) -> Result<Solved, Refusal> {
-        let Half { mut solved, course, .. } = self;
-        let second: Road<P> = energy::road(scene, data)?;
+    pub fn confirm(self, scene: &Scene, data: &[f64]) -> Result<Solved, Refusal> {
+        let Half { mut solved, course } = self;
+        let second: Road<Dd> = energy::road(scene, data)?;
         for (i, entry) in solved.entries.iter_mut().enumerate() {
             // The roads mostly speak in the same order.
             let said =
@@ -311,21 +294,6 @@ fn supported(scene: &Scene, data: &[f64]) -> Result<(), Refusal> {
         return refuse(Unsupported::SpeedWithTwoFreedoms);
     }
     Ok(())
-}
-
-/// Is a value this share of the terms that make it up, or less? A scale near the least of doubles judges nothing.
-fn vanishes(value: f64, share: f64, scale: f64) -> bool {
-    scale.is_finite() && share * scale > f64::MIN_POSITIVE && value.abs() <= share * scale
-}
-
-/// Condition number of what a road says. A place that is 0 is told by the scale of its terms: where the origin lies says nothing
-/// of how well it is known.
-fn cond<T: Real>(said: &Said<T>) -> f64 {
-    if said.label.quantity.is_place() && vanishes(said.value.f64(), NOISE, said.scale) {
-        (0..T::SLOPES).fold(0.0, |sum, i| sum + said.value.slope(i).abs().f64()) / said.scale
-    } else {
-        said.value.cond()
-    }
 }
 
 /// Within `16 u max(1, cond)` of the larger; NaN agrees with nothing, equal infinities agree.

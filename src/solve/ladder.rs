@@ -5,18 +5,15 @@
 use crate::num::Dd;
 use crate::num::Real;
 use crate::num::U;
-use crate::num::Wide;
 use crate::num::ode::Count;
 use crate::num::ode::FINEST;
 use crate::num::ode::MOST_STEPS;
 use crate::num::ode::Trouble;
-use crate::num::wide::ordinary;
 use crate::scene::End;
 use crate::scene::Label;
 use crate::scene::Owner;
 use crate::scene::Quantity;
 use crate::scene::Scene;
-use crate::scene::admissible;
 use crate::solve::agree;
 use crate::solve::energy;
 use crate::solve::eom;
@@ -113,7 +110,7 @@ pub fn force(scene: &Scene) -> Force {
 /// One road by one rung, with its cost. `asked` says which quantities are wanted besides the state at the end.
 ///
 /// Errors: those of the road, and of the method.
-pub fn road<P: Real<Plain = P>>(
+pub fn road<P: Real>(
     scene: &Scene,
     data: &[f64],
     rung: Rung,
@@ -129,18 +126,15 @@ pub fn road<P: Real<Plain = P>>(
 
 /// Values of some labels on one road by one rung, rounded to doubles; NaN where it does not give them.
 fn values(scene: &Scene, data: &[f64], rung: Rung, labels: &[Label]) -> Result<(Vec<f64>, Count), Refusal> {
-    fn of<P: Real<Plain = P>>(road: &Road<P>, labels: &[Label]) -> Vec<f64> {
+    fn of<P: Real>(road: &Road<P>, labels: &[Label]) -> Vec<f64> {
         labels.iter().map(|l| road.get(*l).map_or(f64::NAN, |s| s.value.f64())).collect()
     }
     let asked = |q: Quantity| labels.iter().any(|l| l.quantity == q);
     if rung == Rung::Doubles {
         let (road, count) = road::<f64>(scene, data, rung, &asked)?;
         Ok((of(&road, labels), count))
-    } else if admissible::all_numbers(scene, data, ordinary) {
-        let (road, count) = road::<Dd>(scene, data, rung, &asked)?;
-        Ok((of(&road, labels), count))
     } else {
-        let (road, count) = road::<Wide>(scene, data, rung, &asked)?;
+        let (road, count) = road::<Dd>(scene, data, rung, &asked)?;
         Ok((of(&road, labels), count))
     }
 }
@@ -426,13 +420,9 @@ pub fn study(scene: &Scene, data: &[f64], labels: &[Label]) -> Result<Study, Ref
         return Err(Refusal::NoMethod { method: Method::Dop853 });
     }
     let labels: Vec<Label> = labels.iter().copied().filter(|l| solved.get(*l).is_some()).collect();
-    let reference: Vec<Dd> = if admissible::all_numbers(scene, data, ordinary) {
-        let road: Road<Dd> = eom::road(scene, data)?;
-        labels.iter().map(|l| road.get(*l).map_or(Dd::new(f64::NAN), |s| s.value.value())).collect()
-    } else {
-        let road: Road<Wide> = eom::road(scene, data)?;
-        labels.iter().map(|l| road.get(*l).map_or(Dd::new(f64::NAN), |s| s.value.value())).collect()
-    };
+    let road: Road<Dd> = eom::road(scene, data)?;
+    let reference: Vec<Dd> =
+        labels.iter().map(|l| road.get(*l).map_or(Dd::new(f64::NAN), |s| s.value)).collect();
     let time = solved.get(TIME).map(Entry::value);
     let rows = rungs(force, time.filter(|t| t.is_finite() && *t > 0.0)).into_iter().map(|rung| {
         let found = values(scene, data, rung, &labels).map(|(values, count)| {

@@ -471,8 +471,6 @@ pub enum Unsupported {
     MovingLamina,
     /// A pinned body with another body, with ties, or with an end that belongs to a line.
     PinnedInCompany,
-    /// More data than the derivatives hold.
-    TooManyData,
 }
 
 /// What one road says of one quantity.
@@ -583,12 +581,12 @@ pub struct Road<T: Real> {
     /// Reactions, and what hangs on them, that the ties leave open.
     pub open: Vec<Label>,
     /// Where the motion goes; `None` where only an instant is asked.
-    pub course: Option<Course<T::Plain>>,
+    pub course: Option<Course<T>>,
     /// Contacts and cords over the motion, from the road that has the reactions as unknowns; the other leaves it empty.
-    pub held: Vec<Held<T::Plain>>,
+    pub held: Vec<Held<T>>,
 }
 
-impl<P: Real<Plain = P>> Course<P> {
+impl<P: Real> Course<P> {
     /// Nothing moves.
     pub fn at_rest() -> Self {
         let zero = P::zero();

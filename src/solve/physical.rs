@@ -1,7 +1,6 @@
 //! What really happens: the word of the regime, and the conditions under which the declared ties hold.
 use crate::num::Dd;
 use crate::num::Real;
-use crate::num::Rough;
 use crate::scene::End;
 use crate::scene::Heading;
 use crate::scene::Label;
@@ -21,12 +20,12 @@ use crate::solve::outcome::Word;
 
 fn margin<P: Real>(available: P, required: P) -> f64 {
     let larger = available.size().max(required.size());
-    if larger.is_zero() {
+    if larger == 0.0 {
         0.0
     } else if !available.is_finite() {
         1.0
     } else {
-        ((available - required).rough() / larger).f64()
+        (available - required).f64() / larger
     }
 }
 
@@ -69,7 +68,7 @@ pub fn fill_drive<P: Real>(
 
 /// Regime, checks and words of a scene that moves, from the course and the contacts of one road.
 #[expect(clippy::float_cmp, reason = "senses are exactly -1, 0 or 1")]
-pub fn judge<P: Real<Plain = P>>(
+pub fn judge<P: Real>(
     scene: &Scene,
     course: &Course<P>,
     held: &[Held<P>],

@@ -1,5 +1,5 @@
 //! Times of the solver alone; run with `cargo bench --bench solve`.
-use slipstick::num::{Dd, Jet};
+use slipstick::num::Dd;
 use slipstick::scene::*;
 
 fn main() {
@@ -50,9 +50,10 @@ fn both_roads_and_checks(b: divan::Bencher, slip: bool) {
     b.bench(|| slipstick::solve::agree::solve(divan::black_box(&scene), divan::black_box(&data)));
 }
 #[divan::bench(args = [false, true])]
-fn eom_with_derivatives(b: divan::Bencher, slip: bool) {
+fn condition_numbers(b: divan::Bencher, slip: bool) {
     let (scene, data) = pulled(slip);
-    b.bench(|| slipstick::solve::eom::road::<Jet<10>>(divan::black_box(&scene), divan::black_box(&data)));
+    let half = slipstick::solve::agree::first(&scene, &data).expect("a wheel that is pulled");
+    b.with_inputs(|| half.clone()).bench_values(|mut half| half.weigh(divan::black_box(&scene), &data));
 }
 #[divan::bench(args = [false, true])]
 fn eom_values(b: divan::Bencher, slip: bool) {

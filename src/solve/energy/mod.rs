@@ -13,7 +13,6 @@ pub mod swing;
 pub mod thrown;
 
 use crate::num::Real;
-use crate::num::Rough;
 use crate::num::ball;
 use crate::num::eliminate::Equations;
 use crate::num::ode::Count;
@@ -142,7 +141,7 @@ fn drive<T: Real>(
         for (cell, b) in row.iter_mut().zip(modes) {
             *cell = balance::inertia(n, a, b);
         }
-        let (mut power, mut size) = (T::zero(), T::Rough::zero());
+        let (mut power, mut size) = (T::zero(), 0.0);
         let mut add = |p: T| {
             power = power + p;
             size += p.size();
@@ -355,7 +354,7 @@ impl<'a, T: Real> Ledger<'a, T> {
         });
         let frictions: PerTie<T> = frictions(&self.kinetic);
         let powers = balance::powers(self.scene, &self.n, &self.mode, &frictions);
-        let size = powers.iter().fold(T::Rough::zero(), |sum, p| sum + p.power.size());
+        let size = powers.iter().fold(0.0, |sum, p| sum + p.power.size());
         let constant = powers.iter().fold(T::zero(), |sum, p| sum + p.power).cleared(size);
         let start_powers = balance::powers(self.scene, &self.n, &self.loose, &self.at_start);
         let loosely = store.map(|s| {
@@ -377,7 +376,7 @@ impl<'a, T: Real> Ledger<'a, T> {
             let given =
                 |p: &&Power<T>| !p.tie.is_some_and(|t| matches!(self.scene.ties[t], Tie::Slide { .. }));
             let others = start_powers.iter().filter(given);
-            let size = others.clone().fold(T::Rough::zero(), |sum, p| sum + p.power.size());
+            let size = others.clone().fold(0.0, |sum, p| sum + p.power.size());
             let others = others.fold(T::zero(), |sum, p| sum + p.power).cleared(size);
             let x_eq = -others / (s.stiffness * s.lost);
             if !s.lost.is_zero() && (x_eq.sign() >= 0.0 || s.rigid) {
@@ -417,18 +416,18 @@ impl<'a, T: Real> Ledger<'a, T> {
         let account = Account { constant, doubled, energy0, u0, store: acting };
 
         let turning = account.turning();
-        let limit = turning.unwrap_or_else(|| T::of(f64::INFINITY)).plain();
+        let limit = turning.unwrap_or_else(|| T::of(f64::INFINITY));
         let wrong_way = match self.scene.heading {
             Some(Heading::Forward) => sense < 0.0,
             Some(Heading::Back) => sense > 0.0,
             None => false,
         };
         let s = self.asked(&account, turning, sense);
-        let arrives = |s: T::Plain| s.not_negative() && s.at_most(limit);
+        let arrives = |s: T| s.not_negative() && s.at_most(limit);
         // The turning point is where it is: no comparison with itself.
         let turns = matches!(self.scene.end, End::TurningPoint(_));
-        let reached = !wrong_way && s.is_some_and(|s| turns || arrives(s.plain()));
-        self.road.course = Some(Course { sense, drive, asked: s.map(T::plain), farthest: limit, reached });
+        let reached = !wrong_way && s.is_some_and(|s| turns || arrives(s));
+        self.road.course = Some(Course { sense, drive, asked: s, farthest: limit, reached });
         let tension_at = |s: T| store.map_or_else(T::zero, |k| k.stiffness * k.stretch_at(s));
         // The extremes of the tension are where the account of the way opens and where it is closed.
         let closing = if reached && self.scene.span == Span::ToEnd { s } else { turning };
@@ -457,15 +456,9 @@ impl<'a, T: Real> Ledger<'a, T> {
     }
 
     /// Driving and resisting power at the start, per unit rate.
-    fn driving(
-        &self,
-        powers: &[Power<T>],
-        tension0: T,
-        store: Option<&Store<T>>,
-        sense: f64,
-    ) -> (T::Plain, T::Plain) {
-        let (mut plus, mut minus) = (T::Plain::zero(), T::Plain::zero());
-        let mut add = |power: T::Plain| {
+    fn driving(&self, powers: &[Power<T>], tension0: T, store: Option<&Store<T>>, sense: f64) -> (T, T) {
+        let (mut plus, mut minus) = (T::zero(), T::zero());
+        let mut add = |power: T| {
             if power.sign() * sense > 0.0 {
                 plus = plus + power.abs();
             } else {
@@ -473,10 +466,10 @@ impl<'a, T: Real> Ledger<'a, T> {
             }
         };
         for p in powers {
-            add(p.power.plain());
+            add(p.power);
         }
         if let Some(s) = store {
-            add((tension0 * s.lost).plain());
+            add(tension0 * s.lost);
         }
         let size = self.n.exponent(Quantity::Friction);
         (plus.scale2(size), minus.scale2(size))

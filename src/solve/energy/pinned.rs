@@ -4,7 +4,6 @@
 //! as differences in factors: the weight's height as a product of sines, the spring's as `1/2 k (x0 - x1)(x0 + x1)`, where
 //! the difference of the stretches is that of the squares of the lengths over their sum.
 use crate::num::Real;
-use crate::num::Rough;
 use crate::num::half::Half;
 use crate::num::plant::plant;
 use crate::scene::Arm;
@@ -53,7 +52,7 @@ pub type Terms<T> = SmallVec<[T; 4]>;
 
 /// Sum of terms, exactly 0 where they cancel.
 pub fn sum<T: Real>(terms: &[T]) -> T {
-    let size = terms.iter().fold(T::Rough::zero(), |sum, t| sum + t.size());
+    let size = terms.iter().fold(0.0, |sum, t| sum + t.size());
     terms.iter().fold(T::zero(), |sum, t| sum + *t).cleared(size)
 }
 
@@ -92,29 +91,6 @@ impl<T: Real> Store<T> {
         Self { start, doubled: carried + own, arm, mass: numbers.mass, weight, couple, own, spring, up }
     }
 
-    /// The same without derivatives.
-    pub fn plain(&self) -> Store<T::Plain> {
-        let half = |h: Half<T>| Half { sine: h.sine.plain(), cosine: h.cosine.plain() };
-        let spring = self.spring.map(|s| Tied {
-            at: s.at.plain(),
-            anchor: s.anchor.plain(),
-            direction: half(s.direction),
-            stiffness: s.stiffness.plain(),
-            natural: s.natural.plain(),
-        });
-        Store {
-            start: half(self.start),
-            doubled: self.doubled.plain(),
-            arm: self.arm.plain(),
-            mass: self.mass.plain(),
-            weight: self.weight.plain(),
-            couple: self.couple.plain(),
-            own: self.own.plain(),
-            spring,
-            up: self.up,
-        }
-    }
-
     /// Does the angle count from upright?
     pub fn is_upright(&self) -> bool {
         self.up > 0.0
@@ -138,11 +114,11 @@ impl<T: Real> Store<T> {
     ///
     /// With the length `l` of the spring, `a` and `b` the distances of its ends from the pin: `l' = a b sin / l` is at most the
     /// smaller of the two, and `sin` at most `l` over the larger, so that `k a b (1 + l0/l (1 + 6 min(a, b)/l))` bounds it.
-    pub fn bend(&self, from: &Half<T>, to: &Half<T>) -> T::Rough {
+    pub fn bend(&self, from: &Half<T>, to: &Half<T>) -> f64 {
         let mut bend = self.weight.size() * self.arm.size();
         if let Some(s) = &self.spring {
             let (at, anchor) = (s.at.size(), s.anchor.size());
-            let mut share = T::Rough::of(1.0);
+            let mut share = 1.0;
             if !s.natural.is_zero() {
                 // The length falls toward the direction of the anchor and grows from there.
                 let (first, last) = (from.minus(s.direction).sine, to.minus(s.direction).sine);
@@ -151,7 +127,7 @@ impl<T: Real> Store<T> {
                 let shortest = if through { (s.anchor - s.at).size() } else { s.length(near).size() };
                 let smaller = if at < anchor { at } else { anchor };
                 let by = s.natural.size() / shortest;
-                share += by * (T::Rough::of(1.0) + T::Rough::of(6.0) * smaller / shortest);
+                share += by * (1.0 + 6.0 * smaller / shortest);
             }
             bend += s.stiffness.size() * at * anchor * share;
         }
@@ -231,7 +207,7 @@ impl<T: Real> Store<T> {
                 let slope = plant!("energy: spring in a turn about the mass centre", s.slope(place));
                 turned.push(-(slope * sideways * lever));
             }
-            let size = |terms: &Terms<T>| terms.iter().fold(T::Rough::zero(), |sum, t| sum + t.size());
+            let size = |terms: &Terms<T>| terms.iter().fold(0.0, |sum, t| sum + t.size());
             if size(&turned) < size(&across) {
                 across = turned;
             }

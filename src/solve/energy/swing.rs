@@ -6,7 +6,6 @@
 //! energy is the work on the way back from there.
 use crate::num::Dd;
 use crate::num::Real;
-use crate::num::Rough;
 use crate::num::ball;
 use crate::num::elliptic;
 use crate::num::gauss;
@@ -111,22 +110,17 @@ pub fn road_by<T: Real>(
     // The turning point is where it is: no comparison with itself.
     let turns = matches!(scene.end, End::TurningPoint(_));
     let reached = asked.filter(|q| turns || q.not_negative() && q.at_most(limit));
-    let (mut push, mut hold) = (T::Plain::zero(), T::Plain::zero());
+    let (mut push, mut hold) = (T::zero(), T::zero());
     for power in &powers {
-        let power = power.signed(sense).plain();
+        let power = power.signed(sense);
         if power.sign() > 0.0 {
             push = push + power;
         } else {
             hold = hold - power;
         }
     }
-    book.road.course = Some(Course {
-        sense,
-        drive: (push, hold),
-        asked: asked.map(Real::plain),
-        farthest: limit.plain(),
-        reached: reached.is_some(),
-    });
+    book.road.course =
+        Some(Course { sense, drive: (push, hold), asked, farthest: limit, reached: reached.is_some() });
     let Some(way) = reached else {
         book.forces(&store, &store.start, spin.square());
         return Ok((book.road, Count::default()));
@@ -198,15 +192,6 @@ impl<T: Real> Book<'_, T> {
 }
 
 impl<'c, T: Real> Motion<'c, T> {
-    fn plain(&self) -> Motion<'c, T::Plain> {
-        Motion {
-            store: self.store.plain(),
-            from: Half { sine: self.from.sine.plain(), cosine: self.from.cosine.plain() },
-            sense: self.sense,
-            energy0: self.energy0.plain(),
-            balances: self.balances,
-        }
-    }
     fn place(&self, way: T) -> Half<T> {
         self.from.plus(Half::of_radians(way.signed(self.sense)))
     }
@@ -281,15 +266,13 @@ impl<'c, T: Real> Motion<'c, T> {
     }
 
     fn way_after(&self, time: T, last: T, free: bool) -> Result<T, Refusal> {
-        let plain = self.plain();
         let way = ball::unwatched(|| {
-            root::between(T::Plain::zero(), last.plain(), true, |way| {
-                let slowness = T::Plain::of(1.0) / plain.speed(way, &plain.place(way));
-                Ok::<_, Refusal>((plain.duration(way, free, false)? - time.plain(), slowness))
+            root::between(T::zero(), last, true, |way| {
+                let slowness = T::of(1.0) / self.speed(way, &self.place(way));
+                Ok::<_, Refusal>((self.duration(way, free, false)? - time, slowness))
             })
         })?;
         // The data take part in the last step.
-        let way = T::exactly(way);
         Ok(way + (time - self.duration(way, free, false)?) * self.speed(way, &self.place(way)))
     }
 
@@ -297,9 +280,8 @@ impl<'c, T: Real> Motion<'c, T> {
         if energy.side(self.energy0) == 0.0 {
             return Ok(Some(T::zero()));
         }
-        let found = ball::unwatched(|| self.plain().first_at(energy.plain(), last.plain()))?;
+        let found = ball::unwatched(|| self.first_at(energy, last))?;
         Ok(found.map(|way| {
-            let way = T::exactly(way);
             let place = self.place(way);
             way - (self.energy(way, &place) - energy) / self.power(&place)
         }))
@@ -308,12 +290,11 @@ impl<'c, T: Real> Motion<'c, T> {
     /// Where all energy is stored or spent; `None` if not within two turns, nor within twice the way that is asked.
     fn turning(&self, scene: &Scene, n: &Numbers<T>) -> Result<Option<T>, Refusal> {
         let last = match scene.end {
-            End::Angle(_, angle) => self.way_to(scene, n.get(angle), n).plain().scale2(1),
-            _ => T::Plain::constant(Dd::PI * Dd::new(2.0 * TURNS)),
+            End::Angle(_, angle) => self.way_to(scene, n.get(angle), n).scale2(1),
+            _ => T::constant(Dd::PI * Dd::new(2.0 * TURNS)),
         };
-        let found = ball::unwatched(|| self.plain().first_at(T::Plain::zero(), last))?;
+        let found = ball::unwatched(|| self.first_at(T::zero(), last))?;
         Ok(found.map(|way| {
-            let way = T::exactly(way);
             let place = self.place(way);
             let power = self.power(&place);
             if power.is_zero() { way } else { way - self.energy(way, &place) / power }
@@ -496,20 +477,20 @@ impl<'c, T: Real> Motion<'c, T> {
     }
 }
 
-impl<P: Real<Plain = P>> Motion<'_, P> {
+impl<T: Real> Motion<'_, T> {
     /// The first way, up to `last`, at which the kinetic energy is at this level, coming from where it is now.
-    fn first_at(&self, level: P, last: P) -> Result<Option<P>, Refusal> {
+    fn first_at(&self, level: T, last: T) -> Result<Option<T>, Refusal> {
         let falling = level.is_zero() || level.below(self.energy0);
-        let over = |energy: P| {
+        let over = |energy: T| {
             let side = (energy - level).sign();
             if falling { side <= 0.0 } else { side >= 0.0 }
         };
-        let mut low = P::zero();
+        let mut low = T::zero();
         let (mut start, mut drive) = (self.from, self.power(&self.from));
         let (mut width, mut refined) = (STEP, 0);
         while low.below(last) {
             let ahead = |width: f64| {
-                let step = low + P::of(width);
+                let step = low + T::of(width);
                 let high = if step.below(last) { step } else { last };
                 let place = self.place(high);
                 (high, place, self.power(&place))
@@ -527,7 +508,7 @@ impl<P: Real<Plain = P>> Motion<'_, P> {
             if drive.sign() * next.sign() < 0.0 {
                 // The energy has a peak or a dip within the step.
                 let turn = root::between(low, high, next.sign() > 0.0, |way| {
-                    Ok::<_, Refusal>((self.power(&self.place(way)), P::zero()))
+                    Ok::<_, Refusal>((self.power(&self.place(way)), T::zero()))
                 })?;
                 marks[0] = Some(turn);
             }
@@ -549,11 +530,11 @@ impl<P: Real<Plain = P>> Motion<'_, P> {
 
     /// Is it certain that the power changes its sign at most once between two places? It is off the chord by at most an
     /// eighth of its second derivative times the square of the width: too little to reach 0, or to bend back.
-    fn turns_once(&self, (start, first): (&Half<P>, P), (end, last): (&Half<P>, P), width: f64) -> bool {
-        let sag = self.store.bend(start, end) * P::Rough::of(width * width);
+    fn turns_once(&self, (start, first): (&Half<T>, T), (end, last): (&Half<T>, T), width: f64) -> bool {
+        let sag = self.store.bend(start, end) * (width * width);
         if first.sign() * last.sign() > 0.0 {
             let (a, b) = (first.size(), last.size());
-            return sag * P::Rough::of(0.125) <= if a < b { a } else { b };
+            return sag * 0.125 <= if a < b { a } else { b };
         }
         sag <= (last - first).size()
     }

@@ -11,7 +11,6 @@
 //! so that the way comes first, then the time (twice the way over the slip at the start), then the speeds. The friction that
 //! rolling needs is what keeps the slip at rest, `-Q_s`.
 use crate::num::Real;
-use crate::num::Rough;
 use crate::num::plant::plant;
 use crate::scene::End;
 use crate::scene::Label;
@@ -42,7 +41,7 @@ struct Weighed<T> {
 impl<T: Real> Weighed<T> {
     fn new(scene: &Scene, n: &Numbers<T>, mode: &Mode<T>, body: usize) -> Self {
         let none: PerTie<T> = smallvec![T::zero(); scene.ties.len()];
-        let (mut power, mut size) = (T::zero(), T::Rough::zero());
+        let (mut power, mut size) = (T::zero(), 0.0);
         for p in balance::powers(scene, n, mode, &none) {
             power = power + p.power;
             size += p.power.size();
@@ -198,9 +197,9 @@ pub fn road<T: Real>(scene: &Scene, n: &Numbers<T>, thrown: &Thrown) -> Result<R
     }
     road.course = Some(Course {
         sense: ended.as_ref().map_or(v0, |(s, ..)| s.v).sign(),
-        drive: (T::Plain::zero(), T::Plain::zero()),
+        drive: (T::zero(), T::zero()),
         asked: None,
-        farthest: T::Plain::of(f64::INFINITY),
+        farthest: T::of(f64::INFINITY),
         reached: ended.is_some(),
     });
     Ok(road)

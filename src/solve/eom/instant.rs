@@ -2,7 +2,6 @@
 //! would set them going from rest. A force that grows from 0 and gives a body a velocity does half the work of its impulse
 //! over that velocity; no velocity ratio of the ties and no kinetic energy of a single body comes in.
 use crate::num::Real;
-use crate::num::Rough;
 use crate::num::dd::pow2;
 use crate::num::plant::plant;
 use crate::scene::Coordinate;
@@ -152,7 +151,7 @@ fn struck<T: Real>(scene: &Scene, n: &Numbers<T>) -> Result<Struck<T>, Refusal> 
                 *v = v.balance(-(share * *o));
             }
         }
-        let stirs = !velocities[at].negligible(alone * T::Rough::of(LEFT));
+        let stirs = !velocities[at].negligible(alone * LEFT);
         Ok(stirs.then_some(Blow { at, velocities }))
     };
     let place = |c: Coordinate| out.coordinates.iter().position(|own| *own == c);

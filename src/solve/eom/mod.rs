@@ -96,7 +96,8 @@ pub fn road_by<T: Real>(
     walk.walk()
 }
 
-/// From this condition number on the velocity ratios come from a unit force, not from the forces that nearly balance.
+/// Where an acceleration is so many times smaller than that of the weight, the velocity ratios come from a unit force, not from
+/// the forces that nearly balance.
 const NEAR_BALANCE: f64 = 1e6;
 
 /// The spring of a scene in numbers.
@@ -300,9 +301,15 @@ impl<'a, T: Real> Walk<'a, T> {
         };
         let lead = response.acceleration(end, ratio_column);
         let idle_spring = ratio_column == SPRING && lead.is_zero();
-        let near_balance = ratio_column == CONSTANT && slipping.is_empty() && lead.cond() > NEAR_BALANCE;
+        // What drives it along the slope is all but taken up.
+        let body = &n.bodies[end.body];
+        let a = response.acceleration(Coordinate { body: end.body, degree: Degree::Along }, CONSTANT);
+        let near_balance = ratio_column == CONSTANT
+            && slipping.is_empty()
+            && !a.is_zero()
+            && a.size() * NEAR_BALANCE < (body.climb * n.gravity).size();
         if idle_spring || near_balance {
-            // Ratios of accelerations that nearly vanish would lose the digits of their derivatives.
+            // Ratios of accelerations that nearly vanish would lose digits.
             setting.probe = Some(end);
             response = respond(scene, &n, &setting)?;
             ratio_column = response.last();
@@ -423,12 +430,12 @@ impl<'a, T: Real> Walk<'a, T> {
             }
         }
         let turning = travel.turning();
-        let limit = turning.unwrap_or_else(|| T::of(f64::INFINITY)).plain();
+        let limit = turning.unwrap_or_else(|| T::of(f64::INFINITY));
         let (asked, s) = self.asked(&travel, turning, sense);
-        let reached = !wrong_way && s.is_some_and(|s| s.plain().at_most(limit) && s.not_negative());
+        let reached = !wrong_way && s.is_some_and(|s| s.at_most(limit) && s.not_negative());
         self.road.course = Some(Course {
             sense,
-            drive: (T::Plain::zero(), T::Plain::zero()),
+            drive: (T::zero(), T::zero()),
             asked,
             farthest: self.farthest(&travel, limit),
             reached,
@@ -451,7 +458,7 @@ impl<'a, T: Real> Walk<'a, T> {
         if let (true, Some(s), Some((slack, _)), Some((tie, ..))) =
             (reached, s, travel.slack, self.scene.spring())
         {
-            self.road.held.push(Held::Slack(tie, s.plain(), slack.plain()));
+            self.road.held.push(Held::Slack(tie, s, slack));
         }
         let path = self.stepped(&travel, if reached { s } else { None })?;
         let (met, peak, rest) = path.map_or((None, None, None), |p| (p.end, p.fastest, p.turning));
@@ -501,21 +508,21 @@ impl<'a, T: Real> Walk<'a, T> {
     }
 
     /// What the event asks for, in its own measure, and the distance at which it comes.
-    fn asked(&self, travel: &Travel<T>, turning: Option<T>, sense: f64) -> (Option<T::Plain>, Option<T>) {
+    fn asked(&self, travel: &Travel<T>, turning: Option<T>, sense: f64) -> (Option<T>, Option<T>) {
         match self.scene.end {
-            End::Travel(_, d) => (Some(self.n.get(d).plain()), Some(self.n.get(d))),
+            End::Travel(_, d) => (Some(self.n.get(d)), Some(self.n.get(d))),
             End::Position(_, x) => {
                 let s = self.n.get(x).signed(sense);
-                (Some(s.plain()), Some(s))
+                (Some(s), Some(s))
             }
             End::Time(_, t) => {
                 let t = self.n.get(t);
                 let in_time = turning.is_none_or(|s| travel.at(s).time.reaches(t));
-                (Some(t.plain()), in_time.then(|| travel.after(t)))
+                (Some(t), in_time.then(|| travel.after(t)))
             }
             End::Speed(_, u) => {
                 let u = self.n.get(u).abs();
-                (Some(u.plain()), travel.reaching(u))
+                (Some(u), travel.reaching(u))
             }
             End::TurningPoint(_) => (None, turning),
             End::AtOnce | End::Angle(..) | End::Rolling(_) => (None, None),
@@ -523,13 +530,13 @@ impl<'a, T: Real> Walk<'a, T> {
     }
 
     /// The farthest that the motion goes, in the measure of the event.
-    fn farthest(&self, travel: &Travel<T>, limit: T::Plain) -> T::Plain {
+    fn farthest(&self, travel: &Travel<T>, limit: T) -> T {
         match self.scene.end {
-            End::Time(..) if limit.is_finite() => travel.at(T::exactly(limit)).time.plain(),
+            End::Time(..) if limit.is_finite() => travel.at(limit).time,
             End::Speed(..) => match (travel.fastest(), travel.f0.sign() > 0.0) {
-                (Some((_, v)), _) => v.plain(),
-                (None, true) => T::Plain::of(f64::INFINITY),
-                (None, false) => travel.u0.plain(),
+                (Some((_, v)), _) => v,
+                (None, true) => T::of(f64::INFINITY),
+                (None, false) => travel.u0,
             },
             _ => limit,
         }
@@ -554,14 +561,8 @@ impl<'a, T: Real> Walk<'a, T> {
             let slip = along - self.n.get(*radius_m) * turn;
             let against = slip.signed(-friction.sign());
             let available = self.n.get(*mu_s) * normal;
-            let force = |f: T| self.n.publish(Quantity::Friction, f).plain();
-            self.road.held.push(Held::Slipping(
-                t,
-                force(friction),
-                force(available),
-                against.plain(),
-                along.sign(),
-            ));
+            let force = |f: T| self.n.publish(Quantity::Friction, f);
+            self.road.held.push(Held::Slipping(t, force(friction), force(available), against, along.sign()));
         }
     }
 
@@ -607,7 +608,7 @@ impl<'a, T: Real> Walk<'a, T> {
                     if surface {
                         self.say(Quantity::MuRequired, Owner::Body(*body), most.over(normal));
                     }
-                    let force = |f: T| self.n.publish(Quantity::Friction, f).plain();
+                    let force = |f: T| self.n.publish(Quantity::Friction, f);
                     let available = mu_s.map(|mu| force(self.n.get(mu) * normal));
                     self.road.held.push(Held::Rolling(t, force(most), available));
                 }

@@ -11,7 +11,6 @@
 //! In these directions nothing on the left depends on the angle, so the system is solved once, for a unit of each load.
 //! Source: Meriam & Kraige, *Engineering Mechanics: Dynamics*, article 6/4 (fixed-axis rotation); Hibbeler, *Dynamics*, 17.4.
 use crate::num::Real;
-use crate::num::Rough;
 use crate::num::half::Half;
 use crate::num::linear::Linear;
 use crate::num::plant::plant;
@@ -252,34 +251,6 @@ impl<T: Real> Pinned<T> {
         })
     }
 
-    /// The same without derivatives.
-    pub fn plain(&self) -> Pinned<T::Plain> {
-        let u = &self.unit;
-        let spring = self.spring.map(|s| Spring {
-            at: s.at.plain(),
-            lever: s.lever.plain(),
-            x: s.x.plain(),
-            y: s.y.plain(),
-            stiffness: s.stiffness.plain(),
-            natural: s.natural.plain(),
-        });
-        Pinned {
-            start: Half { sine: self.start.sine.plain(), cosine: self.start.cosine.plain() },
-            weight: self.weight.plain(),
-            couple: self.couple.plain(),
-            spring,
-            up: self.up,
-            unit: Units {
-                turn_by_force: u.turn_by_force.plain(),
-                turn_by_moment: u.turn_by_moment.plain(),
-                radial_by_force: u.radial_by_force.plain(),
-                radial_by_spin: u.radial_by_spin.plain(),
-                across_by_force: u.across_by_force.plain(),
-                across_by_moment: u.across_by_moment.plain(),
-            },
-        }
-    }
-
     /// Moment of inertia about the pin: what a moment of 1 accelerates by its inverse.
     pub fn inertia(&self) -> T {
         T::of(1.0) / self.unit.turn_by_moment
@@ -390,7 +361,7 @@ impl<T: Real> Pinned<T> {
 
 /// Sum of terms, exactly 0 where they cancel, and the sum of their magnitudes.
 fn total<T: Real>(terms: &[T]) -> (T, f64) {
-    let size = terms.iter().fold(T::Rough::zero(), |sum, t| sum + t.size());
+    let size = terms.iter().fold(0.0, |sum, t| sum + t.size());
     let sum = terms.iter().fold(T::zero(), |sum, t| sum + *t);
     (sum.cleared(size), size.f64())
 }

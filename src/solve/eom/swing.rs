@@ -139,13 +139,8 @@ pub fn road_by<T: Real>(
     // What is asked at the turning point is at rest there; NaN is not reached.
     let end = end.filter(|e| e.place.way.not_negative() && e.place.way.at_most(limit));
     let end = end.map(|e| Arrival { rest: e.rest || e.place.way.side(limit) == 0.0, ..e });
-    teller.road.course = Some(Course {
-        sense,
-        drive: (T::Plain::zero(), T::Plain::zero()),
-        asked: asked.map(Real::plain),
-        farthest: farthest.plain(),
-        reached: end.is_some(),
-    });
+    teller.road.course =
+        Some(Course { sense, drive: (T::zero(), T::zero()), asked, farthest, reached: end.is_some() });
     let Some(Arrival { place, rest }) = end else {
         teller.forces(&swing, &start, swing.half_square.scale2(1));
         return Ok((teller.road, Count::default()));
@@ -267,15 +262,6 @@ impl<T: Real> Teller<'_, T> {
 }
 
 impl<T: Real> Swing<T> {
-    fn plain(&self) -> Swing<T::Plain> {
-        Swing {
-            body: self.body.plain(),
-            start: Half { sine: self.start.sine.plain(), cosine: self.start.cosine.plain() },
-            sense: self.sense,
-            half_square: self.half_square.plain(),
-        }
-    }
-
     fn place(&self, way: T) -> Place<T> {
         Place { way, half: self.start.plus(Half::of_radians(way.signed(self.sense))) }
     }
@@ -421,60 +407,42 @@ impl<T: Real> Swing<T> {
 
     /// The place after a time that is less than that of `last`.
     fn after(&self, time: T, last: T, pendulum: bool) -> Result<Place<T>, Refusal> {
-        let plain = self.plain();
-        let wanted = time.plain();
-        let pace = |way: T::Plain| -> Result<(T::Plain, T::Plain), Refusal> {
-            let place = plain.place(way);
-            let speed = plain.gained(&place)?.scale2(1).root();
-            Ok((plain.time(&place, false, speed, pendulum)? - wanted, T::Plain::of(1.0) / speed))
+        let pace = |way: T| -> Result<(T, T), Refusal> {
+            let place = self.place(way);
+            let speed = self.gained(&place)?.scale2(1).root();
+            Ok((self.time(&place, false, speed, pendulum)? - time, T::of(1.0) / speed))
         };
-        let way = T::exactly(root::between(T::Plain::zero(), last.plain(), true, pace)?);
-        // One more step in which the data take part.
-        let place = self.place(way);
-        let speed = self.gained(&place)?.scale2(1).root();
-        let late = time - self.time(&place, false, speed, pendulum)?;
-        Ok(self.place(way + late * speed))
+        Ok(self.place(root::between(T::zero(), last, true, pace)?))
     }
 
     /// The first place at which the angular speed is `w`, and the greatest that is reached before the turning point.
     fn reaching(&self, w: T, turning: Option<Place<T>>) -> Result<(Option<Place<T>>, T), Refusal> {
         let level = w.square().scale2(-1);
-        let plain = self.plain();
-        let far =
-            turning.map_or_else(|| T::Plain::constant(Dd::PI * Dd::new(2.0 * TURNS)), |t| t.way.plain());
+        let far = turning.map_or_else(|| T::constant(Dd::PI * Dd::new(2.0 * TURNS)), |t| t.way);
         if level.side(self.half_square) == 0.0 {
-            return Ok((Some(self.place(T::zero())), plain.fastest(far, w)));
+            return Ok((Some(self.place(T::zero())), self.fastest(far, w)));
         }
-        let (found, greatest) = plain.crossing(level.plain(), far)?;
-        let Some(way) = found else { return Ok((None, T::exactly(greatest.scale2(1).root()))) };
-        let place = self.place(T::exactly(way));
-        let way = place.way - (self.gained(&place)? - level) / self.drive(&place);
-        Ok((Some(self.place(way)), plain.fastest(far, w)))
+        let (found, greatest) = self.crossing(level, far)?;
+        Ok(match found {
+            Some(way) => (Some(self.place(way)), self.fastest(far, w)),
+            None => (None, greatest.scale2(1).root()),
+        })
     }
 
     /// Where it comes to rest; `None` if not within two turns, nor within twice the way to an angle that is asked.
     fn turning(&self, scene: &Scene, n: &Numbers<T>) -> Result<Option<Place<T>>, Refusal> {
-        let far = T::Plain::constant(Dd::PI * Dd::new(2.0 * TURNS));
-        let zero = T::Plain::zero();
-        let plain = self.plain();
+        let far = T::constant(Dd::PI * Dd::new(2.0 * TURNS));
+        let zero = T::zero();
         let (found, _) = match self.apart(scene, n) {
             Some(apart) => {
-                let asked = radians(apart).plain();
+                let asked = radians(apart);
                 // What spoils the motion further on does not matter.
-                let beyond = plain.crossing(zero, asked.scale2(1)).or_else(|_| plain.crossing(zero, asked));
+                let beyond = self.crossing(zero, asked.scale2(1)).or_else(|_| self.crossing(zero, asked));
                 beyond?
             }
-            None => plain.crossing(zero, far)?,
+            None => self.crossing(zero, far)?,
         };
-        let Some(way) = found else { return Ok(None) };
-        let place = self.place(T::exactly(way));
-        let drive = self.drive(&place);
-        // An angle that is asked is only compared with it.
-        if drive.is_zero() || matches!(scene.end, End::Angle(..)) {
-            return Ok(Some(place));
-        }
-        // One more step in which the data take part.
-        Ok(Some(self.place(place.way - self.gained(&place)? / drive)))
+        Ok(found.map(|way| self.place(way)))
     }
 
     // -- the time -------------------------------------------------------------------------------------------------------
@@ -519,7 +487,7 @@ impl<T: Real> Swing<T> {
         let end = self.place(way);
         let start = Place { way: T::zero(), half: self.start };
         let square = self.half_square.size() + self.closed(&start, &end).size() + whole.end.size();
-        let scales = (whole.time.size().f64(), square.f64());
+        let scales = (whole.time.size(), square);
         self.halves(way, (0.0, 1.0), T::zero(), whole, scales, gauss::halvings())
     }
 
@@ -726,38 +694,38 @@ fn radians<T: Real>(degrees: T) -> T {
     degrees * T::constant(Dd::PI / Dd::new(180.0))
 }
 
-impl<P: Real<Plain = P>> Swing<P> {
+impl<T: Real> Swing<T> {
     /// The greatest angular speed on the way to `far`, at least `known`; infinite where what comes after the event, such as
     /// a spring through its anchor, has no speed.
-    fn fastest<T: Real<Plain = P>>(&self, far: P, known: T) -> T {
+    fn fastest(&self, far: T, known: T) -> T {
         // No square is at a level below 0: the search goes on to the end.
-        match self.crossing(P::of(-1.0), far) {
-            Ok((_, greatest)) => known.larger(T::exactly(greatest.scale2(1).root())),
+        match self.crossing(T::of(-1.0), far) {
+            Ok((_, greatest)) => known.larger(greatest.scale2(1).root()),
             Err(_) => T::of(f64::INFINITY),
         }
     }
 
     /// The first way at which half the square of the angular speed is at `level` (from above if the level is 0), and the
     /// greatest that was met on the way to it or to `far`.
-    fn crossing(&self, level: P, far: P) -> Result<(Option<P>, P), Refusal> {
-        let stride = P::of(STRIDE);
-        let above = |square: P| (square - level).sign();
+    fn crossing(&self, level: T, far: T) -> Result<(Option<T>, T), Refusal> {
+        let stride = T::of(STRIDE);
+        let above = |square: T| (square - level).sign();
         let from_above = level.is_zero() || level.below(self.half_square);
-        let crossed = |square: P| if from_above { above(square) <= 0.0 } else { above(square) >= 0.0 };
+        let crossed = |square: T| if from_above { above(square) <= 0.0 } else { above(square) >= 0.0 };
         // The last place whose speed is known, and the last whose drive is.
-        let mut here = self.place(P::zero());
+        let mut here = self.place(T::zero());
         let mut before = (here.way, self.drive(&here));
         let (mut square, mut greatest) = (self.half_square, self.half_square);
         let mut strides = 0;
         // Shorter strides where the drive may change its sign twice within one.
         let law = self.body.law();
-        let once = |a: P, b: P| law.changes_once(self.sense * a.f64(), self.sense * b.f64());
+        let once = |a: T, b: T| law.changes_once(self.sense * a.f64(), self.sense * b.f64());
         let (mut share, mut halved) = (1.0, 0);
         while before.0.below(far) {
-            let mut next = before.0 + P::of(share) * stride;
+            let mut next = before.0 + T::of(share) * stride;
             while share > LEAST && halved < HALVED && !once(before.0, next) {
                 (share, halved) = (0.5 * share, halved + 1);
-                next = before.0 + P::of(share) * stride;
+                next = before.0 + T::of(share) * stride;
             }
             share = f64::min(2.0 * share, 1.0);
             let next = if next.below(far) { next } else { far };
@@ -769,14 +737,14 @@ impl<P: Real<Plain = P>> Swing<P> {
             let mut stop = None;
             if turns {
                 stop = Some(root::between(before.0, next, drive.sign() > 0.0, |way| {
-                    Ok::<_, Refusal>((self.drive(&self.place(way)), P::zero()))
+                    Ok::<_, Refusal>((self.drive(&self.place(way)), T::zero()))
                 })?);
             } else if strides % LOOK == 0 || drive.is_zero() || !next.below(far) {
                 stop = Some(next);
             }
             before = (next, drive);
             while let Some(way) = stop.take() {
-                let at = |way: P| -> Result<(P, P), Refusal> {
+                let at = |way: T| -> Result<(T, T), Refusal> {
                     let place = self.place(way);
                     let parts = [square, self.closed(&here, &place), self.sprung(here.way, way)?];
                     let size = parts[0].size() + parts[1].size() + parts[2].size();

@@ -246,14 +246,14 @@ pub fn road_by<T: Real>(
     }));
     road.course = Some(Course {
         sense: state.map_or(v0, |s| s.v).sign(),
-        drive: (T::Plain::zero(), T::Plain::zero()),
+        drive: (T::zero(), T::zero()),
         asked: match scene.end {
-            End::Time(_, t) => Some(n.get(t).plain()),
+            End::Time(_, t) => Some(n.get(t)),
             _ => None,
         },
         farthest: match until {
-            Some(until) if !holds => until.plain(),
-            _ => T::Plain::of(f64::INFINITY),
+            Some(until) if !holds => until,
+            _ => T::of(f64::INFINITY),
         },
         reached: state.is_some(),
     });
