@@ -1,5 +1,6 @@
 //! Decimal numbers as integers, and how a datum is drawn: no float, so that the printed value is the value used.
 use crate::bank::Draw;
+use crate::units::TENS;
 
 /// Most decimals of a datum.
 pub const MAX_DECIMALS: u8 = 12;
@@ -62,6 +63,11 @@ impl Decimal {
             out = Self { value: out.value / 10, decimals: out.decimals - 1 };
         }
         out
+    }
+    /// The nearest double: digits and power of ten are doubles themselves, so that one quotient is all rounding there is.
+    #[expect(clippy::cast_precision_loss, reason = "at most 15 digits")]
+    pub fn f64(self) -> f64 {
+        self.value as f64 / TENS[usize::from(self.decimals.min(MAX_DECIMALS))]
     }
     /// As it is printed: `-0.30`.
     pub fn text(self) -> String {

@@ -4,12 +4,13 @@ pub mod catalogue;
 
 use crate::bank::Mistake;
 use crate::bank::Problem;
-use crate::num::Real;
+use crate::bank::expression::Expression;
 use crate::scene::Label;
-use crate::scene::Scene;
-use crate::solve::agree;
+use crate::solve::agree::Quick;
 use crate::solve::outcome::Entry;
+use crate::solve::outcome::Road;
 use crate::solve::outcome::Solved;
+use smallvec::SmallVec;
 
 /// Where a wrong method comes to for one quantity.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -28,95 +29,119 @@ const SAME: f64 = 1e-9;
 /// Where the wrong methods of a problem come to for these quantities, in the order of the methods, then of the quantities. A
 /// method without a real answer (a wheel that would not move) has no value.
 pub fn values(problem: &Problem, case: usize, data: &[f64], solved: &Solved, labels: &[Label]) -> Vec<Wrong> {
-    values_while(problem, case, data, solved, labels, &mut |_| true)
+    Methods::new(problem, case, labels).values_while(data, solved, &mut |_| true)
 }
 
-/// The same, as long as each value that is found is to be followed by others: a method is finished, the next one not begun.
-pub fn values_while(
-    problem: &Problem,
-    case: usize,
-    data: &[f64],
-    solved: &Solved,
-    labels: &[Label],
-    go_on: &mut dyn FnMut(&Wrong) -> bool,
-) -> Vec<Wrong> {
-    let mut found = Vec::new();
-    let Some(scene) = problem.cases.get(case).map(|c| &c.scene) else { return found };
-    for (index, mistake) in problem.mistakes.iter().enumerate() {
-        if !mistake.cases.is_empty() && !mistake.cases.contains(&case) {
-            continue;
-        }
-        let mut more = true;
-        one(problem, mistake, (case, scene), data, solved, labels, &mut |label, value| {
-            let wrong = Wrong { mistake: index, label, value };
-            more &= go_on(&wrong);
-            found.push(wrong);
-        });
-        if !more {
-            break;
-        }
-    }
-    found
+/// The wrong methods of one case of a problem and the quantities that they are asked for, ready for many draws.
+#[derive(Debug)]
+pub struct Methods<'p> {
+    problem: &'p Problem,
+    /// Those that need no other solution first: they cost least.
+    methods: Vec<Method<'p>>,
 }
 
-fn one(
-    problem: &Problem,
-    mistake: &Mistake,
-    (case, scene): (usize, &Scene),
-    data: &[f64],
-    solved: &Solved,
-    labels: &[Label],
-    tell: &mut dyn FnMut(Label, f64),
-) {
-    let right = |label: Label| solved.get(label).map_or(f64::NAN, Entry::value);
-    let changes = !mistake.data.is_empty() || !mistake.scenes.is_empty();
-    let spoilt = |label: Label| mistake.of.is_empty() || mistake.of.contains(&label);
-    // Most methods come to a value by an expression alone.
-    let changed = if changes { self::changed(problem, mistake, (case, scene), data, &right) } else { None };
-    let other = |label: Label| match &changed {
-        Some(road) => road.iter().find(|(l, _)| *l == label).map_or(f64::NAN, |(_, v)| *v),
-        // Without such a motion only what follows from the data alone has a value.
-        None if changes => f64::NAN,
-        None => right(label),
-    };
-    for label in labels {
-        let expression = mistake.values.iter().find(|(l, _)| l == label).map(|(_, e)| e);
-        let value = match expression {
-            Some(e) => e.eval(data, &other),
-            None if changes && spoilt(*label) => other(*label),
-            None => continue,
+/// One wrong method in one case.
+#[derive(Debug)]
+struct Method<'p> {
+    /// Its index in the problem.
+    index: usize,
+    mistake: &'p Mistake,
+    /// The scene that it solves, if it changes scene or data.
+    solves: Option<Quick<'p>>,
+    /// What it spoils: a quantity, and the expression for it where there is one.
+    spoils: Vec<(Label, Option<&'p Expression>)>,
+}
+
+impl<'p> Methods<'p> {
+    /// Prepares the methods that are taken in this case.
+    pub fn new(problem: &'p Problem, case: usize, labels: &[Label]) -> Self {
+        let right = problem.cases.get(case).map(|c| &c.scene);
+        let taken = |m: &Mistake| m.cases.is_empty() || m.cases.contains(&case);
+        let mistakes = problem.mistakes.iter().enumerate().filter(|(_, m)| taken(m));
+        let method = |(index, mistake): (usize, &'p Mistake)| {
+            let changes = !mistake.data.is_empty() || !mistake.scenes.is_empty();
+            let changed: Vec<usize> = mistake.data.iter().map(|(i, _)| *i).collect();
+            let scene = match mistake.scenes.is_empty() {
+                true => right,
+                false => mistake.scenes.get(case).and_then(Option::as_ref),
+            };
+            let solves = scene.zip(right).filter(|_| changes);
+            let spoils = labels.iter().filter_map(|label| {
+                let expression = mistake.values.iter().find(|(l, _)| l == label).map(|(_, e)| e);
+                let spoilt = changes && (mistake.of.is_empty() || mistake.of.contains(label));
+                (spoilt || expression.is_some()).then_some((*label, expression))
+            });
+            Method {
+                index,
+                mistake,
+                solves: solves.map(|(scene, right)| Quick::new(scene, right, &changed)),
+                spoils: spoils.collect(),
+            }
         };
-        let truth = right(*label);
-        let same = (value - truth).abs() <= SAME * value.abs().max(truth.abs());
-        if value.is_finite() && truth.is_finite() && !(same && expression.is_none() && mistake.of.is_empty())
-        {
-            tell(*label, value);
+        let mut methods: Vec<Method> = mistakes.map(method).filter(|m| !m.spoils.is_empty()).collect();
+        methods.sort_by_key(|m| m.solves.is_some());
+        Self { problem, methods }
+    }
+
+    /// Where they come to, in the order of the problem. After a value of which `go_on` says no, no other method is begun; it is
+    /// asked about the cheap methods first.
+    pub fn values_while(
+        &self,
+        data: &[f64],
+        solved: &Solved,
+        go_on: &mut dyn FnMut(&Wrong) -> bool,
+    ) -> Vec<Wrong> {
+        let mut found = Vec::new();
+        for method in &self.methods {
+            let mut more = true;
+            method.values(self.problem, data, solved, &mut |wrong| {
+                more &= go_on(&wrong);
+                found.push(wrong);
+            });
+            if !more {
+                break;
+            }
         }
+        found.sort_by_key(|w| w.mistake);
+        found
     }
 }
 
-/// The solution of the scene that the method takes for the right one.
-fn changed(
-    problem: &Problem,
-    mistake: &Mistake,
-    (case, scene): (usize, &Scene),
-    data: &[f64],
-    right: &dyn Fn(Label) -> f64,
-) -> Option<Vec<(Label, f64)>> {
-    let scene = match mistake.scenes.is_empty() {
-        true => scene,
-        false => mistake.scenes.get(case)?.as_ref()?,
-    };
-    let mut taken = data.to_vec();
-    for (index, expression) in &mistake.data {
-        let value = expression.eval(data, right);
-        let degrees = problem.data.get(*index).is_some_and(|d| d.degrees);
-        *taken.get_mut(*index)? = if degrees { value.to_degrees() } else { value };
+impl Method<'_> {
+    fn values(&self, problem: &Problem, data: &[f64], solved: &Solved, tell: &mut dyn FnMut(Wrong)) {
+        let right = |label: Label| solved.get(label).map_or(f64::NAN, Entry::value);
+        let changes = !self.mistake.data.is_empty() || !self.mistake.scenes.is_empty();
+        // Most methods come to a value by an expression alone.
+        let changed = if changes { self.changed(problem, data, &right) } else { None };
+        let other = |label: Label| match &changed {
+            Some(road) => road.get(label).map_or(f64::NAN, |said| said.value),
+            // Without such a motion only what follows from the data alone has a value.
+            None if changes => f64::NAN,
+            None => right(label),
+        };
+        for (label, expression) in &self.spoils {
+            let (label, truth) = (*label, right(*label));
+            let value = expression.map_or_else(|| other(label), |e| e.eval(data, &other));
+            let same = (value - truth).abs() <= SAME * value.abs().max(truth.abs());
+            let all = expression.is_none() && self.mistake.of.is_empty();
+            if value.is_finite() && truth.is_finite() && !(same && all) {
+                tell(Wrong { mistake: self.index, label, value });
+            }
+        }
     }
-    let road = agree::quick(scene, &taken).ok()?;
-    // A swing that does not come to its end tells what holds at the start: nobody's answer to what is asked at the end.
-    if scene.pinned().is_some() && road.course.as_ref().is_some_and(|c| c.asked.is_some() && !c.reached) {
-        return None;
+
+    /// The solution of the scene that the method takes for the right one.
+    fn changed(&self, problem: &Problem, data: &[f64], right: &dyn Fn(Label) -> f64) -> Option<Road<f64>> {
+        let quick = self.solves.as_ref()?;
+        let mut taken: SmallVec<[f64; 16]> = data.into();
+        for (index, expression) in &self.mistake.data {
+            let value = expression.eval(data, right);
+            let degrees = problem.data.get(*index).is_some_and(|d| d.degrees);
+            *taken.get_mut(*index)? = if degrees { value.to_degrees() } else { value };
+        }
+        let road = quick.road(&taken)?;
+        // A swing that does not come to its end tells what holds at the start: nobody's answer to what is asked at the end.
+        let stops = road.course.as_ref().is_some_and(|c| c.asked.is_some() && !c.reached);
+        (!(stops && quick.is_pinned())).then_some(road)
     }
-    Some(road.said.iter().map(|s| (s.label, s.value.f64())).collect())
 }

@@ -6,6 +6,8 @@ const DEGREES: f64 = 180.0 / std::f64::consts::PI;
 
 /// Values that a formula may hold at once; a reader keeps its formulas below that.
 pub const STACK: usize = 56;
+/// Values that most formulas need at once: clearing room for more would take longer than working them out.
+const USUAL: usize = 8;
 
 /// One step: a value is put on the stack, or what lies there is worked on.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -40,12 +42,23 @@ pub enum Step<V> {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Formula<V> {
     steps: Vec<Step<V>>,
+    /// Values that it holds at once.
+    depth: usize,
 }
 
 impl<V: Copy> Formula<V> {
     /// From its steps.
     pub fn new(steps: Vec<Step<V>>) -> Self {
-        Self { steps }
+        let (mut now, mut depth) = (0usize, 0);
+        for step in &steps {
+            match step {
+                Step::Number(_) | Step::Name(_) => now += 1,
+                Step::Add | Step::Subtract | Step::Multiply | Step::Divide => now = now.saturating_sub(1),
+                _ => {}
+            }
+            depth = now.max(depth);
+        }
+        Self { steps, depth }
     }
     /// The values that it looks up, in order, repeated ones repeatedly.
     pub fn names(&self) -> impl Iterator<Item = V> {
@@ -67,16 +80,23 @@ impl<V: Copy> Formula<V> {
             Step::Sin => Step::Sin,
             Step::Cos => Step::Cos,
         });
-        Formula { steps: steps.collect() }
+        Formula { steps: steps.collect(), depth: self.depth }
     }
     /// Its value; NaN where it has no real one, or where a value is NaN.
     pub fn eval(&self, value: &dyn Fn(V) -> f64) -> f64 {
-        let mut stack = [0.0f64; STACK];
+        if self.depth <= USUAL {
+            self.on(&mut [0.0; USUAL], value)
+        } else {
+            self.on(&mut [0.0; STACK], value)
+        }
+    }
+    #[inline(always)]
+    fn on<const N: usize>(&self, stack: &mut [f64; N], value: &dyn Fn(V) -> f64) -> f64 {
         let mut top = 0usize;
         for step in &self.steps {
             match *step {
-                Step::Number(x) => top = push(&mut stack, top, x),
-                Step::Name(name) => top = push(&mut stack, top, value(name)),
+                Step::Number(x) => top = push(stack, top, x),
+                Step::Name(name) => top = push(stack, top, value(name)),
                 Step::Negate => stack[top - 1] = -stack[top - 1],
                 Step::Sqrt => stack[top - 1] = stack[top - 1].sqrt(),
                 Step::Abs => stack[top - 1] = stack[top - 1].abs(),

@@ -1,4 +1,5 @@
-//! Gauss-Legendre quadrature in any number type: a panel of 24 nodes, halved until the halves say the same as the whole.
+//! Gauss-Legendre quadrature in any number type: a panel of 24 nodes, taken as it is where the function is seen to be smooth, else
+//! halved until the halves say the same as the whole.
 //!
 //! Source: Press, Teukolsky, Vetterling, Flannery, *Numerical Recipes*, 3rd ed., 4.6 (nodes by Newton's method); here in
 //! double-double.
@@ -10,6 +11,11 @@ use std::sync::LazyLock;
 pub const NODES: usize = 24;
 /// Whole and halves agree if they differ by less than this share, 2^-62, or by rounding: the halves are then far better.
 const SETTLED: f64 = 1.0 / (1u64 << 62) as f64;
+/// Legendre coefficients that are looked at for smoothness, the last ones of a panel.
+const LAST: usize = 3;
+/// A function is smooth on a panel if the last coefficients are below this share of its mean magnitude. They fall geometrically,
+/// and the rule is exact up to twice their degree: its error is about the square of this.
+const SMOOTH: f64 = 1e-12;
 /// Times that a panel may be halved: a singularity 2^-40 of the interval away is still seen.
 const HALVINGS: u32 = 40;
 
@@ -31,6 +37,8 @@ struct Panel {
     weights: [Dd; NODES],
     /// Integral from 0 to node `j` of the polynomial that is 1 at node `k` and 0 at the others, row by row.
     running: Vec<Dd>,
+    /// What makes the last Legendre coefficients of the values at the nodes.
+    last: [[f64; NODES]; LAST],
 }
 
 /// Legendre polynomials of degree 0 to `NODES + 1` at a place from -1 to 1.
@@ -48,7 +56,12 @@ static PANEL: LazyLock<Panel> = LazyLock::new(|| {
     let n = NODES as f64;
     let half = Dd::new(0.5);
     let mut places = [Dd::ZERO; NODES];
-    let mut panel = Panel { nodes: [Dd::ZERO; NODES], weights: [Dd::ZERO; NODES], running: Vec::new() };
+    let mut panel = Panel {
+        nodes: [Dd::ZERO; NODES],
+        weights: [Dd::ZERO; NODES],
+        running: Vec::new(),
+        last: [[0.0; NODES]; LAST],
+    };
     for (j, place) in places.iter_mut().enumerate() {
         let mut x = Dd::new(-crate::num::trig::sin_cos_degrees(180.0 * (j as f64 + 0.75) / (n + 0.5)).1.hi);
         let mut slope = Dd::ONE;
@@ -62,6 +75,11 @@ static PANEL: LazyLock<Panel> = LazyLock::new(|| {
         panel.weights[j] = Dd::ONE / ((Dd::ONE - x * x) * slope * slope);
     }
     let values = places.map(legendre);
+    for (row, m) in panel.last.iter_mut().zip(NODES - LAST..) {
+        for (k, x) in row.iter_mut().enumerate() {
+            *x = (2.0 * m as f64 + 1.0) * (panel.weights[k] * values[k][m]).hi;
+        }
+    }
     for at in &values {
         for (k, other) in values.iter().enumerate() {
             // w_k sum over m of (2m + 1) P_m(x_k) int P_m, with int P_m = (P_(m+1) - P_(m-1)) / (2m + 1); half for the panel.
@@ -85,6 +103,18 @@ pub fn mean<T: Real>(values: &[T]) -> T {
     values.iter().zip(&PANEL.weights).fold(T::zero(), |sum, (v, w)| sum + *v * T::constant(*w))
 }
 
+/// Is what has these values at the nodes of a panel so smooth that [`mean`] is its mean to more than 70 bits?
+pub fn smooth<T: Real>(values: &[T]) -> bool {
+    let mut doubles = [0.0; NODES];
+    for (x, v) in doubles.iter_mut().zip(values) {
+        *x = v.f64();
+    }
+    let size: f64 = doubles.iter().zip(&PANEL.weights).map(|(x, w)| x.abs() * w.hi).sum();
+    let part = |row: &[f64; NODES]| row.iter().zip(&doubles).map(|(r, x)| r * x).sum::<f64>().abs();
+    // NaN is not smooth.
+    size.is_finite() && PANEL.last.iter().all(|row| part(row) <= SMOOTH * size)
+}
+
 /// The integral from the start of a panel of length 1 to each node.
 pub fn running<T: Real>(values: &[T]) -> PerNode<T> {
     let row =
@@ -101,41 +131,50 @@ pub fn integral<T: Real, E: From<Unsettled>>(
     b: T,
 ) -> Result<T, E> {
     let whole = panel(&mut f, a, b)?;
-    let scale = whole.1;
-    halves(&mut f, a, b, whole.0, scale, HALVINGS)
+    let scale = whole.size;
+    halves(&mut f, (a, b), whole, scale, HALVINGS)
 }
 
-/// Integral over one panel, and that of the magnitude.
-fn panel<T: Real, E>(f: &mut impl FnMut(T) -> Result<T, E>, a: T, b: T) -> Result<(T, f64), E> {
+/// One panel.
+struct Over<T> {
+    integral: T,
+    /// Integral of the magnitude.
+    size: f64,
+    smooth: bool,
+}
+
+fn panel<T: Real, E>(f: &mut impl FnMut(T) -> Result<T, E>, a: T, b: T) -> Result<Over<T>, E> {
     let width = b - a;
-    let (mut sum, mut size) = (T::zero(), 0.0);
-    for (x, w) in PANEL.nodes.iter().zip(&PANEL.weights) {
-        let part = f(a + width * T::constant(*x))? * T::constant(*w);
-        sum = sum + part;
-        size += part.size();
+    let mut values = [T::zero(); NODES];
+    for (value, x) in values.iter_mut().zip(&PANEL.nodes) {
+        *value = f(a + width * T::constant(*x))?;
     }
-    Ok((sum * width, size * width.size()))
+    let size = values.iter().zip(&PANEL.weights).map(|(v, w)| v.f64().abs() * w.hi).sum::<f64>();
+    let size = size * width.f64().abs();
+    Ok(Over { integral: mean(&values) * width, size, smooth: smooth(&values) })
 }
 
 fn halves<T: Real, E: From<Unsettled>>(
     f: &mut impl FnMut(T) -> Result<T, E>,
-    a: T,
-    b: T,
-    whole: T,
+    (a, b): (T, T),
+    whole: Over<T>,
     scale: f64,
     left: u32,
 ) -> Result<T, E> {
+    if whole.smooth {
+        return Ok(whole.integral);
+    }
     let middle = (a + b).scale2(-1);
-    let (first, second) = (panel(f, a, middle)?.0, panel(f, middle, b)?.0);
-    let sum = first + second;
+    let (first, second) = (panel(f, a, middle)?, panel(f, middle, b)?);
+    let sum = first.integral + second.integral;
     let scale = sized(scale, sum);
-    if settled(sum, whole, scale) {
+    if settled(sum, whole.integral, scale) {
         return Ok(sum);
     }
     if left == 0 {
-        return Err(Unsettled { value: sum.f64(), gap: (sum - whole).f64().abs() }.into());
+        return Err(Unsettled { value: sum.f64(), gap: (sum - whole.integral).f64().abs() }.into());
     }
-    Ok(halves(f, a, middle, first, scale, left - 1)? + halves(f, middle, b, second, scale, left - 1)?)
+    Ok(halves(f, (a, middle), first, scale, left - 1)? + halves(f, (middle, b), second, scale, left - 1)?)
 }
 
 /// Do halves and whole say the same, for an integral of this size? Halving goes on for more than 60 bits.

@@ -61,12 +61,16 @@ static INVERSE_FACTORIAL: LazyLock<[Dd; 13]> = LazyLock::new(|| {
 ///
 /// Not finite: NaN. The relative error is below 2^-100 wherever the result is not zero.
 pub fn sin_cos_degrees(degrees: f64) -> (Dd, Dd) {
+    reduced(degrees)
+}
+
+fn reduced<T: Real>(degrees: f64) -> (T, T) {
     if !degrees.is_finite() {
-        return (Dd::new(f64::NAN), Dd::new(f64::NAN));
+        return (T::of(f64::NAN), T::of(f64::NAN));
     }
     // A negative angle would lose its last bits beside 360.
     if degrees < 0.0 {
-        let (s, c) = sin_cos_degrees(-degrees);
+        let (s, c) = reduced::<T>(-degrees);
         return (-s, c);
     }
     // The remainder is exact, and so is each quadrant taken from it.
@@ -78,7 +82,7 @@ pub fn sin_cos_degrees(degrees: f64) -> (Dd, Dd) {
     }
     let nearest = libm::rint(x);
     let rest = x - nearest;
-    let (s, c) = beside(nearest as usize, Dd::new(rest) * RADIANS_PER_DEGREE);
+    let (s, c) = beside(nearest as usize, T::of(rest) * T::constant(RADIANS_PER_DEGREE));
     match quadrant {
         0 => (s, c),
         1 => (c, -s),
@@ -88,36 +92,53 @@ pub fn sin_cos_degrees(degrees: f64) -> (Dd, Dd) {
 }
 
 /// Sine and cosine beside a whole number of degrees from 0 to 90, at most 0.0088 radians away.
-fn beside(whole: usize, d: Dd) -> (Dd, Dd) {
+fn beside<T: Real>(whole: usize, d: T) -> (T, T) {
     let (sn, cn) = WHOLE[whole];
-    if d == Dd::ZERO {
+    let (sn, cn) = (T::constant(sn), T::constant(cn));
+    if d.is_zero() {
         return (sn, cn);
     }
-    let f = &*INVERSE_FACTORIAL;
+    let f = |n: usize| T::constant(INVERSE_FACTORIAL[n]);
     let q = d * d;
-    // sin d / d - 1 and 1 - cos d: the last terms kept are below 1e-33 of the sum.
-    let sine = d - d * q * (f[3] - q * (f[5] - q * (f[7] - q * (f[9] - q * f[11]))));
-    let one_minus_cosine = q * (f[2] - q * (f[4] - q * (f[6] - q * (f[8] - q * (f[10] - q * f[12])))));
+    // sin d / d - 1 and 1 - cos d: the last terms kept are below 1e-33 of the sum, or below 1e-18 of it in doubles.
+    let (sine, one_minus_cosine) = if is_double::<T>() {
+        (d - d * q * (f(3) - q * (f(5) - q * f(7))), q * (f(2) - q * (f(4) - q * (f(6) - q * f(8)))))
+    } else {
+        (
+            d - d * q * (f(3) - q * (f(5) - q * (f(7) - q * (f(9) - q * f(11))))),
+            q * (f(2) - q * (f(4) - q * (f(6) - q * (f(8) - q * (f(10) - q * f(12)))))),
+        )
+    };
+    let one = T::of(1.0);
     match whole {
-        0 => (sine, Dd::ONE - one_minus_cosine),
-        90 => (Dd::ONE - one_minus_cosine, -sine),
+        0 => (sine, one - one_minus_cosine),
+        90 => (one - one_minus_cosine, -sine),
         _ => (sn - sn * one_minus_cosine + cn * sine, cn - cn * one_minus_cosine - sn * sine),
     }
+}
+
+/// Does this kind of number hold no more digits than a double? Then no more are worked out.
+fn is_double<T: Real>() -> bool {
+    T::NOISE > f64::EPSILON
 }
 
 /// Sine and cosine of an angle in radians, as double-doubles.
 ///
 /// Not finite: NaN. The error is below 2^-95 for angles of a few turns; near 0 it is relative.
 pub fn sin_cos_radians(x: Dd) -> (Dd, Dd) {
+    turned(x)
+}
+
+fn turned<T: Real>(x: T) -> (T, T) {
     if !x.is_finite() {
-        return (Dd::new(f64::NAN), Dd::new(f64::NAN));
+        return (T::of(f64::NAN), T::of(f64::NAN));
     }
-    if x.hi < 0.0 {
-        let (s, c) = sin_cos_radians(-x);
+    if x.f64() < 0.0 {
+        let (s, c) = turned(-x);
         return (-s, c);
     }
-    let whole = libm::rint(x.hi / RADIANS_PER_DEGREE.hi);
-    let rest = x - Dd::new(whole) * RADIANS_PER_DEGREE;
+    let whole = libm::rint(x.f64() / RADIANS_PER_DEGREE.hi);
+    let rest = x - T::of(whole) * T::constant(RADIANS_PER_DEGREE);
     let turned = libm::fmod(whole, 360.0);
     let quadrant = libm::floor(turned / 90.0);
     let (s, c) = beside((turned - 90.0 * quadrant) as usize, rest);
@@ -137,6 +158,9 @@ pub fn turn<T: Real>(x: T) -> (T, T) {
     if x.f64().abs() < STRAIGHT {
         let sine = x.widened(|| x.f64().abs() * STEP);
         return (sine, (T::of(1.0) - x.square().scale2(-1)).widened(|| STEP));
+    }
+    if is_double::<T>() {
+        return turned(x);
     }
     let (s, c) = sin_cos_radians(x.value());
     let with = |value: Dd| T::constant(value).widened(|| x.radius() + 64.0 * STEP);
@@ -161,10 +185,12 @@ pub fn angle<T: Real>(y: T, x: T) -> T {
 
 /// [`sin_cos_degrees`] in any number type.
 pub fn sin_cos_of_degrees<T: Real>(degrees: T) -> (T, T) {
+    if is_double::<T>() {
+        return reduced(degrees.f64());
+    }
     let (s, c) = sin_cos_degrees(degrees.f64());
     // Sine and cosine change no faster than the angle in radians.
-    let with =
-        |value: Dd| T::constant(value).widened(|| degrees.radius() * 0.018 + value.hi.abs() * STEP);
+    let with = |value: Dd| T::constant(value).widened(|| degrees.radius() * 0.018 + value.hi.abs() * STEP);
     (with(s), with(c))
 }
 

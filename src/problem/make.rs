@@ -8,13 +8,17 @@ use crate::draw::fill;
 use crate::draw::sample;
 use crate::draw::stream::Source;
 use crate::draw::stream::Words;
+use crate::key::ProblemKey;
 use crate::misconception;
+use crate::misconception::Methods;
 use crate::misconception::Wrong;
 use crate::num::Dd;
 use crate::problem::make_key;
+use crate::problem::make_key::Frame;
 pub use crate::problem::rule::Refusals;
 use crate::problem::rule::Refused;
 use crate::problem::rule::Rule;
+pub use crate::problem::variant::Variant;
 use crate::scene::End;
 use crate::scene::Label;
 use crate::scene::Numbers;
@@ -24,30 +28,10 @@ use crate::scene::Scene;
 use crate::solve::agree;
 use crate::solve::outcome::{Check, CheckKind, Entry, Refusal, Solved};
 use std::fmt;
+use std::sync::OnceLock;
 
 /// Tries after which a bank counts as unsatisfiable.
 pub const MAX_TRIES: u32 = 10_000;
-
-/// One student's version of a problem, solved.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Variant {
-    /// Index of the case.
-    pub case: usize,
-    /// One for each datum of the problem, as printed; `None` where the case does not use it.
-    pub values: Vec<Option<Decimal>>,
-    /// The same as the scene takes them: SI, slopes in degrees; 0 where the case does not use it.
-    pub data: Vec<f64>,
-    /// The solution.
-    pub solved: Solved,
-    /// Tries that it took, from 1.
-    pub tries: u32,
-    /// How often each rule refused.
-    pub refusals: Refusals,
-    /// Relative tolerance of each question.
-    pub within: Vec<f64>,
-    /// Where the wrong methods come to, for all questions.
-    pub wrong: Vec<Wrong>,
-}
 
 /// A relation between parts holds if it gives the right answer within this share: it is computed in doubles.
 const RELATION: f64 = 1e-9;
@@ -105,6 +89,10 @@ pub struct Maker<'p> {
     margins: Vec<f64>,
     max_tries: u32,
     watching: bool,
+    /// The wrong methods of each case that was drawn.
+    methods: Vec<OnceLock<Methods<'p>>>,
+    /// What all keys have in common.
+    frame: OnceLock<Frame<'p>>,
 }
 
 impl<'p> Maker<'p> {
@@ -118,6 +106,8 @@ impl<'p> Maker<'p> {
             margins: CheckKind::ALL.iter().map(margin).collect(),
             max_tries: MAX_TRIES,
             watching: false,
+            methods: problem.cases.iter().map(|_| OnceLock::new()).collect(),
+            frame: OnceLock::new(),
         }
     }
     /// Keeps the condition numbers of draws that hold all other rules ([`Refusals::conds`]).
@@ -135,6 +125,10 @@ impl<'p> Maker<'p> {
     /// The problem.
     pub fn problem(&self) -> &'p Problem {
         self.problem
+    }
+    /// The key of a variant of the problem.
+    pub fn key(&self, variant: &Variant) -> ProblemKey {
+        self.frame.get_or_init(|| Frame::new(self.problem)).key(variant)
     }
     /// The variant of a student: the case by share, then draws until one holds all rules of this case.
     ///
@@ -241,35 +235,24 @@ impl<'p> Maker<'p> {
         let case = &self.problem.cases[index];
         // Bounds on the data alone cost nothing: they go first.
         bounds(case, false, data, &|_| f64::NAN)?;
-        let mut unsolved = |refusal| match refusal {
-            Refusal::Inadmissible(faults) => {
-                refusals.inadmissible = faults;
-                Rule::Admissible
-            }
-            Refusal::Disagree { .. } => {
-                refusals.unsolved = Some(refusal);
-                Rule::Agree
-            }
-            Refusal::Open(_) | Refusal::Contradiction { .. } => {
-                refusals.unsolved = Some(refusal);
-                Rule::Start
-            }
-            other => {
-                refusals.unsolved = Some(other);
-                Rule::Solvable
-            }
-        };
         // A draw that breaks a rule on the first road needs no second one.
-        let mut half = agree::first(&case.scene, data).map_err(&mut unsolved)?;
+        let mut half = agree::first(&case.scene, data).map_err(|refusal| unsolved(refusals, refusal))?;
         self.rules(case, half.preview(), data)?;
         self.energies(case, half.preview(), data)?;
+        // Wrong methods refuse more draws than all rules below, and some at any tolerance. Who counts what each rule refuses
+        // hears of them last: of the draws that hold all others.
+        let wrong = if self.watching { None } else { Some(self.far(index, data, half.preview())?) };
         // Condition numbers cost more than all the rest of the first road: only for what holds the other rules.
         half.weigh(&case.scene, data);
         if self.watching {
             refusals.conds.extend(self.problem.questions.iter().map(|q| cond(half.preview(), q.label)));
         }
         self.conditioned(half.preview())?;
-        let mut solved = half.confirm(&case.scene, data).map_err(unsolved)?;
+        let mut near = wrong.iter().flatten().filter(|w| self.refuses(w, half.preview(), false));
+        if let Some(wrong) = near.next() {
+            return Err(Rule::Mistake(wrong.mistake).into());
+        }
+        let mut solved = half.confirm(&case.scene, data).map_err(|refusal| unsolved(refusals, refusal))?;
         self.moves(case, &solved)?;
         if !agree::prove(&case.scene, data, &mut solved) {
             return Err(Rule::Certain.into());
@@ -280,11 +263,61 @@ impl<'p> Maker<'p> {
         if let Some(question) = broken_relation(self.problem, data, &solved) {
             return Err(Rule::Follows(question).into());
         }
-        let wrong = self.told_apart(index, data, &solved, refusals)?;
+        let wrong = match wrong {
+            Some(wrong) => wrong,
+            None => self.told_apart(index, data, &solved, refusals)?,
+        };
         Ok((solved, wrong))
     }
 
-    /// Where the wrong methods come to, if none comes near a right answer.
+    /// The wrong methods of a case.
+    fn methods(&self, case: usize) -> &Methods<'p> {
+        self.methods[case].get_or_init(|| {
+            let labels: Vec<Label> = self.problem.questions.iter().map(|q| q.label).collect();
+            Methods::new(self.problem, case, &labels)
+        })
+    }
+
+    /// The questions near whose right answers a wrong method comes: within their tolerances, or within the least that they may
+    /// have, which needs no condition number.
+    fn near<'a>(
+        &'a self,
+        wrong: &'a Wrong,
+        solved: &'a Solved,
+        least: bool,
+    ) -> impl Iterator<Item = usize> + 'a {
+        let near = move |q: &Question| {
+            let Some(entry) = solved.get(q.label).filter(|_| q.label == wrong.label) else { return false };
+            let cond = if least { 0.0 } else { entry.cond };
+            let half = make_key::half_width(q, entry.value(), entry.scale, cond);
+            // Where a magnitude is asked, a sign is no answer.
+            let value =
+                if make_key::is_magnitude(q.label.quantity) { wrong.value.abs() } else { wrong.value };
+            (value - entry.value()).abs() < APART * half
+        };
+        self.problem.questions.iter().enumerate().filter(move |(_, q)| near(q)).map(|(i, _)| i)
+    }
+
+    /// Does a wrong method refuse a draw?
+    fn refuses(&self, wrong: &Wrong, solved: &Solved, least: bool) -> bool {
+        let mistake = &self.problem.mistakes[wrong.mistake];
+        let guards = |i: usize| !self.problem.questions[i].unguarded.iter().any(|(id, _)| *id == mistake.id);
+        mistake.unguarded.is_none() && self.near(wrong, solved, least).any(guards)
+    }
+
+    /// Where the wrong methods come to, if none comes near a right answer whatever its tolerance.
+    fn far(&self, index: usize, data: &[f64], solved: &Solved) -> Result<Vec<Wrong>, Refused> {
+        let mut near = None;
+        let all = self.methods(index).values_while(data, solved, &mut |wrong| {
+            if near.is_none() && self.refuses(wrong, solved, true) {
+                near = Some(wrong.mistake);
+            }
+            near.is_none()
+        });
+        near.map_or(Ok(all), |mistake| Err(Rule::Mistake(mistake).into()))
+    }
+
+    /// Where the wrong methods come to, if none comes near a right answer; counts how often each does.
     fn told_apart(
         &self,
         index: usize,
@@ -295,39 +328,22 @@ impl<'p> Maker<'p> {
         if self.problem.mistakes.is_empty() {
             return Ok(Vec::new());
         }
-        let questions = &self.problem.questions;
-        let labels: Vec<Label> = questions.iter().map(|q| q.label).collect();
-        let width = questions.len() + 1;
+        let all = self.methods(index).values_while(data, solved, &mut |_| true);
+        let width = self.problem.questions.len() + 1;
         let mut near = vec![false; self.problem.mistakes.len() * width];
-        let mut guarded = None;
-        // The first guarded one refuses the draw; the others are of interest only to who counts them.
-        let all = misconception::values_while(self.problem, index, data, solved, &labels, &mut |wrong| {
-            let mistake = &self.problem.mistakes[wrong.mistake];
-            for (i, q) in questions.iter().enumerate().filter(|(_, q)| q.label == wrong.label) {
-                let Some(entry) = solved.get(q.label) else { continue };
-                let half = make_key::half_width(q, entry.value(), entry.scale, entry.cond);
-                // Where a magnitude is asked, a sign is no answer.
-                let value =
-                    if make_key::is_magnitude(q.label.quantity) { wrong.value.abs() } else { wrong.value };
-                if (value - entry.value()).abs() < APART * half {
-                    near[wrong.mistake * width + i] = true;
-                    near[(wrong.mistake + 1) * width - 1] = true;
-                    if mistake.unguarded.is_none() && !q.unguarded.iter().any(|(id, _)| *id == mistake.id) {
-                        guarded = guarded.or(Some(wrong.mistake));
-                    }
-                }
-            }
-            self.watching || guarded.is_none()
-        });
-        if self.watching {
-            refusals.told += 1;
-            refusals.near.resize(near.len(), 0);
-            for (count, any) in refusals.near.iter_mut().zip(&near) {
-                *count += u32::from(*any);
+        for wrong in &all {
+            for i in self.near(wrong, solved, false) {
+                near[wrong.mistake * width + i] = true;
+                near[(wrong.mistake + 1) * width - 1] = true;
             }
         }
-        match guarded {
-            Some(mistake) => Err(Rule::Mistake(mistake).into()),
+        refusals.told += 1;
+        refusals.near.resize(near.len(), 0);
+        for (count, any) in refusals.near.iter_mut().zip(&near) {
+            *count += u32::from(*any);
+        }
+        match all.iter().find(|w| self.refuses(w, solved, false)) {
+            Some(wrong) => Err(Rule::Mistake(wrong.mistake).into()),
             None => Ok(all),
         }
     }
@@ -406,6 +422,21 @@ impl<'p> Maker<'p> {
         }
         bounds(case, true, data, &|label| solved.get(label).map_or(f64::NAN, Entry::value))
     }
+}
+
+/// The rule by which a draw is refused that was not solved; what is to be told of it is kept.
+fn unsolved(refusals: &mut Refusals, refusal: Refusal) -> Rule {
+    let rule = match refusal {
+        Refusal::Inadmissible(faults) => {
+            refusals.inadmissible = faults;
+            return Rule::Admissible;
+        }
+        Refusal::Disagree { .. } => Rule::Agree,
+        Refusal::Open(_) | Refusal::Contradiction { .. } => Rule::Start,
+        _ => Rule::Solvable,
+    };
+    refusals.unsolved = Some(refusal);
+    rule
 }
 
 /// Condition number of an answer; 0 for a word.

@@ -2,9 +2,10 @@
 use crate::bank::expression::Name;
 use crate::bank::{Problem, Question};
 use crate::key::{Answer, Follow, Given, KeyEntry, ProblemKey, WrongValue};
-use crate::problem::make::Variant;
+use crate::problem::variant::Variant;
 use crate::scene::{Label, Owner, Quantity, Scene, Slope, Tie};
 use crate::solve::outcome::{Entry, Motion, Solved};
+use std::sync::Arc;
 
 /// Absolute tolerance of quantities that may vanish, as a share of the scale of their terms: a thousandth of the
 /// largest force is below what three figures of the terms can tell.
@@ -28,11 +29,49 @@ pub const WORDS: [&str; 7] = ["up", "down", "forward", "back", "stays", "yes", "
 /// Every question of a drawn variant has an answer; in a replayed one, a question without an answer has a key of NaN,
 /// which no answer meets.
 pub fn key(problem: &Problem, variant: &Variant) -> ProblemKey {
-    let scene = &problem.cases[variant.case].scene;
-    let parts = problem
-        .questions
-        .iter()
-        .map(|question| {
+    Frame::new(problem).key(variant)
+}
+
+/// What the keys of all variants of a problem have in common.
+#[derive(Debug)]
+pub struct Frame<'p> {
+    problem: &'p Problem,
+    follows: Arc<[Follow]>,
+    /// The quantities that the relations need besides the data and the parts.
+    extras: Vec<Label>,
+}
+
+impl<'p> Frame<'p> {
+    /// Prepares the keys of a problem: its relations between parts, with parts for their quantities.
+    pub fn new(problem: &'p Problem) -> Self {
+        let mut extras: Vec<Label> = Vec::new();
+        let follows = problem.follows.iter().map(|follow| {
+            let by = follow.by.formula().map(&mut |name| match name {
+                Name::Datum(i, factor) => Given::Known(i, factor),
+                Name::Quantity(label) => {
+                    let part = follow.from.iter().find(|q| problem.questions[**q].label == label);
+                    match part {
+                        Some(part) => Given::Part(*part),
+                        None => {
+                            let at = extras.iter().position(|l| *l == label).unwrap_or_else(|| {
+                                extras.push(label);
+                                extras.len() - 1
+                            });
+                            Given::Known(problem.data.len() + at, 1.0)
+                        }
+                    }
+                }
+            });
+            Follow { part: follow.question, from: follow.from.clone(), by }
+        });
+        Self { problem, follows: follows.collect(), extras }
+    }
+
+    /// The key of a variant, as [`key`] gives it.
+    pub fn key(&self, variant: &Variant) -> ProblemKey {
+        let problem = self.problem;
+        let scene = &problem.cases[variant.case].scene;
+        let parts = problem.questions.iter().map(|question| {
             let mut entry = entry(problem, question, scene, variant);
             let magnitude = is_magnitude(question.label.quantity);
             entry.wrong.extend(variant.wrong.iter().filter(|w| w.label == question.label).map(|w| {
@@ -42,47 +81,21 @@ pub fn key(problem: &Problem, variant: &Variant) -> ProblemKey {
                 }
             }));
             entry
-        })
-        .collect();
-    let (follows, extras) = follows(problem);
-    let quantity = |label: &Label| variant.solved.get(*label).map_or(f64::NAN, Entry::value);
-    let known = variant.data.iter().copied().chain(extras.iter().map(quantity)).collect();
-    let printed = variant.values.iter().flatten().filter_map(|v| v.text().parse::<f64>().ok());
-    let given = variant.data.iter().copied().chain(printed).collect();
-    let methods = problem.methods.clone();
-    ProblemKey { id: problem.id.clone(), parts, methods, follows: follows.into(), known, given }
-}
-
-/// The relations between parts, with parts for their quantities, and the quantities that they need besides.
-fn follows(problem: &Problem) -> (Vec<Follow>, Vec<Label>) {
-    let mut extras: Vec<Label> = Vec::new();
-    let follows = problem.follows.iter().map(|follow| {
-        let by = follow.by.formula().map(&mut |name| match name {
-            Name::Datum(i, factor) => Given::Known(i, factor),
-            Name::Quantity(label) => {
-                let part = follow.from.iter().find(|q| problem.questions[**q].label == label);
-                match part {
-                    Some(part) => Given::Part(*part),
-                    None => {
-                        let at = extras.iter().position(|l| *l == label).unwrap_or_else(|| {
-                            extras.push(label);
-                            extras.len() - 1
-                        });
-                        Given::Known(problem.data.len() + at, 1.0)
-                    }
-                }
-            }
         });
-        Follow { part: follow.question, from: follow.from.clone(), by }
-    });
-    (follows.collect(), extras)
+        let quantity = |label: &Label| variant.solved.get(*label).map_or(f64::NAN, Entry::value);
+        let known = variant.data.iter().copied().chain(self.extras.iter().map(quantity)).collect();
+        let printed = variant.values.iter().flatten().map(|v| v.f64());
+        let given = variant.data.iter().copied().chain(printed).collect();
+        let (methods, follows) = (problem.methods.clone(), self.follows.clone());
+        ProblemKey { id: problem.id.clone(), parts: parts.collect(), methods, follows, known, given }
+    }
 }
 
 fn entry(problem: &Problem, question: &Question, scene: &Scene, variant: &Variant) -> KeyEntry {
     let quantity = question.label.quantity;
     let mut key = KeyEntry {
         part: question.id.clone(),
-        answer: Answer::Word { right: "", offered: offered(problem, quantity, scene) },
+        answer: Answer::Word { right: "", offered: &[] },
         unit: question.unit.clone(),
         unit_required: question.unit_required,
         points: question.points,

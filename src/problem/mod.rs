@@ -4,3 +4,4 @@ pub mod make_key;
 pub mod rounding;
 pub mod rule;
 pub mod sweep;
+pub mod variant;

@@ -10,8 +10,8 @@ use crate::bank::Problem;
 use crate::draw::stream::Words;
 use crate::num::shown;
 use crate::num::trig::power;
-use crate::problem::make::Variant;
 use crate::problem::make_key;
+use crate::problem::variant::Variant;
 use crate::solve::agree;
 
 /// Roundings that a datum goes through on its way to the answer.

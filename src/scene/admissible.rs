@@ -199,30 +199,37 @@ fn fits(scene: &Scene, of: &impl Fn(Num) -> f64, stretch: f64) -> bool {
     !long.is_finite() || !Real::is_finite(stretch) || stretch.at_most(long)
 }
 
-/// The data that are no part of this scene; empty if it can be solved.
-pub fn faults(scene: &Scene, data: &[f64]) -> Vec<Inadmissible> {
+/// Does a number of the scene keep its rule?
+pub fn holds(scene: &Scene, data: &[f64], datum: Num, rule: Rule) -> bool {
     let of = |n: Num| match n {
         Num::Datum(i) => data.get(i).copied().unwrap_or(f64::NAN),
         Num::Fixed(x) => x,
     };
+    let value = of(datum);
+    match rule {
+        Rule::Range => value == 0.0 || !value.is_finite() || (LEAST..=MOST).contains(&value.abs()),
+        Rule::Finite => value.is_finite(),
+        Rule::Positive => value.is_finite() && value > 0.0,
+        Rule::NotNegative => value.is_finite() && value >= 0.0,
+        Rule::Slope => (0.0..=90.0).contains(&value),
+        Rule::Angle => (-360.0..=360.0).contains(&value),
+        Rule::Stretch => fits(scene, &of, value),
+        // A value that is not even finite has its own finding.
+        Rule::NotAbove(other) => !value.is_finite() || !of(other).is_finite() || value <= of(other),
+    }
+}
+
+/// The data that are no part of this scene; empty if it can be solved.
+pub fn faults(scene: &Scene, data: &[f64]) -> Vec<Inadmissible> {
     let mut found: Vec<Inadmissible> = Vec::new();
     let mut judge = |datum, rule| {
-        let value = of(datum);
-        let holds = match rule {
-            Rule::Range => value == 0.0 || !value.is_finite() || (LEAST..=MOST).contains(&value.abs()),
-            Rule::Finite => value.is_finite(),
-            Rule::Positive => value.is_finite() && value > 0.0,
-            Rule::NotNegative => value.is_finite() && value >= 0.0,
-            Rule::Slope => (0.0..=90.0).contains(&value),
-            Rule::Angle => (-360.0..=360.0).contains(&value),
-            Rule::Stretch => fits(scene, &of, value),
-            // A value that is not even finite has its own finding.
-            Rule::NotAbove(other) => !value.is_finite() || !of(other).is_finite() || value <= of(other),
-        };
-        let fault = Inadmissible { datum, value, rule };
         let same = |f: &Inadmissible| f.datum == datum && f.rule == rule;
-        if !holds && !found.iter().any(same) {
-            found.push(fault);
+        if !holds(scene, data, datum, rule) && !found.iter().any(same) {
+            let value = match datum {
+                Num::Datum(i) => data.get(i).copied().unwrap_or(f64::NAN),
+                Num::Fixed(x) => x,
+            };
+            found.push(Inadmissible { datum, value, rule });
         }
     };
     rules(scene, |datum, rule| {

@@ -31,6 +31,8 @@ use crate::template;
 use crate::template::Templates;
 use crate::template::View;
 use crate::words::Words;
+use std::collections::BTreeMap;
+use std::collections::btree_map::Entry;
 use std::fmt::Write as _;
 
 /// Names that a statement may use besides the symbols of its problem.
@@ -81,29 +83,36 @@ pub struct Statement<'b> {
     name: String,
     values: bool,
     series: bool,
+    /// Does the statement itself go through the questions?
+    listed: bool,
     common: Common,
     /// Text before and after the digits of each datum.
     around: Vec<(String, String)>,
     /// What does not change between variants, for each case.
     cases: Vec<OfCase>,
+    /// Questions that are templates, and their names.
+    asks: Vec<(usize, String)>,
+    /// Do the questions of a case differ in nothing but the tolerances?
+    alike: bool,
 }
 
 struct OfCase {
     base: View,
     particles: bool,
-    /// The questions below the statement, if no question depends on the data.
-    questions: Option<Vec<u8>>,
-    /// Templates of questions that do.
-    asks: Vec<(usize, String)>,
 }
 
 /// Room for writing, reused from one variant to the next; one for each thread and problem.
 #[derive(Default)]
 pub struct Scratch {
-    case: Option<usize>,
-    view: View,
+    /// For each case what its template sees.
+    views: Vec<Option<View>>,
+    /// Questions that were written before, by case and tolerances: all that their text hangs on.
+    questions: BTreeMap<(usize, Vec<u64>), Vec<u8>>,
     text: String,
 }
+
+/// So many questions are kept at most.
+const KEPT: usize = 512;
 
 /// Name of the template of a problem: the bank's own, or the file named after the problem.
 pub fn template_name(problem: &Problem) -> String {
@@ -175,7 +184,7 @@ impl<'b> Statement<'b> {
             used.extend(templates.variables(ask)?);
         }
         let uses = |name: &str| used.iter().any(|v| v == name);
-        let (values, series) = (uses("value"), uses("series"));
+        let (values, series, listed) = (uses("value"), uses("series"), uses("questions"));
         let around = problem
             .data
             .iter()
@@ -194,29 +203,25 @@ impl<'b> Statement<'b> {
             let tex = problem.data.iter().map(|d| (d.symbol.as_str(), template::finished(&d.tex)));
             base.value("tex", template::map(tex));
             let particles = case.scene.bodies.iter().any(|b| !b.particles.is_empty());
-            let mut this = OfCase { base, particles, questions: None, asks: asks.clone() };
-            let fixed: Option<Vec<f64>> = problem.questions.iter().map(|q| q.relative.fixed()).collect();
-            if let (true, Some(within)) = (asks.is_empty(), fixed) {
-                let mut view = this.base.clone();
-                let texts: Vec<&str> = problem.questions.iter().map(|q| q.ask.as_str()).collect();
-                view.value(
-                    "questions",
-                    question_list(
-                        words,
-                        problem,
-                        number,
-                        &forms(words, problem, &case.scene, common, &within),
-                        &texts,
-                    ),
-                );
-                let mut text = Vec::new();
-                templates.render("questions.md", &view, &mut text)?;
-                this.questions = Some(text);
-                this.base = view;
-            }
-            cases.push(this);
+            cases.push(OfCase { base, particles });
         }
-        Ok(Self { problem, templates, words, name, values, series, common: common.clone(), around, cases })
+        // Questions that name no datum are the same in all variants of a case that have the same tolerances.
+        let alike = asks.is_empty() && templates.variables("questions.md")?.iter().all(|v| v == "questions");
+        let common = common.clone();
+        Ok(Self {
+            problem,
+            templates,
+            words,
+            name,
+            values,
+            series,
+            listed,
+            common,
+            around,
+            cases,
+            asks,
+            alike,
+        })
     }
 
     /// Appends the statement of a variant, with its figure (a line of Markdown) and its questions.
@@ -235,24 +240,23 @@ impl<'b> Statement<'b> {
         let Some(of_case) = self.cases.get(case) else {
             return Err(Finding::new(&self.problem.id, format!("has no case {case}")));
         };
-        if scratch.case != Some(case) {
-            scratch.view = of_case.base.clone();
-            scratch.case = Some(case);
-        }
+        let Scratch { views, questions, text } = scratch;
+        views.resize_with(self.cases.len().max(views.len()), || None);
+        let view = views[case].get_or_insert_with(|| of_case.base.clone());
         for (i, datum) in self.problem.data.iter().enumerate() {
             if let Some(Decimal { value, decimals }) = drawn.get(i).copied().flatten() {
                 let (before, after) = &self.around[i];
-                scratch.text.clear();
-                scratch.text.push_str(before);
-                let digits = scratch.text.len();
-                push_decimal(&mut scratch.text, value, decimals);
+                text.clear();
+                text.push_str(before);
+                let digits = text.len();
+                push_decimal(text, value, decimals);
                 if self.words.decimal() != '.' {
-                    let number = self.words.tex_number(&scratch.text[digits..]);
-                    scratch.text.truncate(digits);
-                    scratch.text.push_str(&number);
+                    let number = self.words.tex_number(&text[digits..]);
+                    text.truncate(digits);
+                    text.push_str(&number);
                 }
-                scratch.text.push_str(after);
-                scratch.view.text(datum.symbol.as_str(), &scratch.text);
+                text.push_str(after);
+                view.text(datum.symbol.as_str(), text);
             }
         }
         if self.values {
@@ -261,15 +265,19 @@ impl<'b> Statement<'b> {
                 .collect();
             let pairs =
                 texts.iter().map(|(i, t)| (self.problem.data[*i].symbol.as_str(), template::finished(t)));
-            scratch.view.value("value", template::map(pairs));
+            view.value("value", template::map(pairs));
         }
         if of_case.particles {
-            self.particles(&self.problem.cases[case].scene, drawn, &mut scratch.view);
+            self.particles(&self.problem.cases[case].scene, drawn, view);
         }
         if self.series {
-            scratch.view.text("series", &self.series(variant));
+            view.text("series", &self.series(variant));
         }
-        self.templates.render(&self.name, &scratch.view, out)?;
+        if self.listed {
+            let list = self.list(variant, number, view)?;
+            view.value("questions", list);
+        }
+        self.templates.render(&self.name, view, out)?;
         while out.last().is_some_and(u8::is_ascii_whitespace) {
             out.pop();
         }
@@ -278,27 +286,55 @@ impl<'b> Statement<'b> {
             out.extend_from_slice(line.as_bytes());
             out.extend_from_slice(b"\n\n");
         }
-        if let Some(text) = &of_case.questions {
+        if self.alike {
+            // Only the tolerances tell one text from another.
+            let key = (case, variant.within.iter().map(|share| share.to_bits()).collect());
+            if questions.len() >= KEPT {
+                questions.clear();
+            }
+            let text = match questions.entry(key) {
+                Entry::Occupied(known) => known.into_mut(),
+                Entry::Vacant(free) => {
+                    let mut text = Vec::new();
+                    self.questions(variant, number, view, &mut text)?;
+                    free.insert(text)
+                }
+            };
             out.extend_from_slice(text);
         } else {
-            let mut texts: Vec<String> = self.problem.questions.iter().map(|q| q.ask.clone()).collect();
-            for (i, ask) in &of_case.asks {
-                let mut text = Vec::new();
-                self.templates.render(ask, &scratch.view, &mut text)?;
-                texts[*i] = String::from_utf8_lossy(&text).trim().to_owned();
-            }
-            let texts: Vec<&str> = texts.iter().map(String::as_str).collect();
-            let scene = &self.problem.cases[case].scene;
-            let forms = forms(self.words, self.problem, scene, &self.common, &variant.within);
-            let questions = question_list(self.words, self.problem, number, &forms, &texts);
-            scratch.view.value("questions", questions);
-            self.templates.render("questions.md", &scratch.view, out)?;
+            self.questions(variant, number, view, out)?;
         }
         while out.last().is_some_and(u8::is_ascii_whitespace) {
             out.pop();
         }
         out.push(b'\n');
         Ok(())
+    }
+
+    /// Appends the questions of a variant.
+    fn questions(
+        &self,
+        variant: &Variant,
+        number: usize,
+        view: &mut View,
+        out: &mut Vec<u8>,
+    ) -> Result<(), Finding> {
+        let list = self.list(variant, number, view)?;
+        view.value("questions", list);
+        self.templates.render("questions.md", view, out)
+    }
+
+    /// The questions of a variant, as templates see them.
+    fn list(&self, variant: &Variant, number: usize, view: &View) -> Result<template::Value, Finding> {
+        let mut texts: Vec<String> = self.problem.questions.iter().map(|q| q.ask.clone()).collect();
+        for (i, ask) in &self.asks {
+            let mut text = Vec::new();
+            self.templates.render(ask, view, &mut text)?;
+            texts[*i] = String::from_utf8_lossy(&text).trim().to_owned();
+        }
+        let scene = &self.problem.cases[variant.case].scene;
+        let forms = forms(self.words, self.problem, scene, &self.common, &variant.within);
+        Ok(question_list(self.words, self.problem, number, &forms, &texts))
     }
 
     /// The series of the period and how many of its terms this swing takes to be within the tolerance, for a student who sums it.
@@ -381,7 +417,7 @@ fn question_list(
     problem: &Problem,
     number: usize,
     forms: &[String],
-    asks: &[&str],
+    asks: &[String],
 ) -> template::Value {
     let rows = problem.questions.iter().zip(forms).zip(asks).map(|((q, form), ask)| {
         let points = if (q.points - 1.0).abs() <= f64::EPSILON {

@@ -6,6 +6,7 @@ use crate::num::Real;
 use crate::num::U;
 use crate::num::ball;
 use crate::scene::End;
+use crate::scene::Far;
 use crate::scene::Label;
 use crate::scene::Num;
 use crate::scene::Owner;
@@ -14,6 +15,7 @@ use crate::scene::Scene;
 use crate::scene::Start;
 use crate::scene::Tie;
 use crate::scene::admissible;
+use crate::scene::admissible::Rule;
 use crate::solve::condition;
 use crate::solve::condition::vanishes;
 use crate::solve::energy;
@@ -85,14 +87,54 @@ pub fn first(scene: &Scene, data: &[f64]) -> Result<Half, Refusal> {
     Ok(Half { solved: Solved { regime, checks, entries, words, open, beyond }, course })
 }
 
-/// The first road in doubles, for what is never published: where a wrong method would come to. Errors: as for [`first`].
-pub fn quick(scene: &Scene, data: &[f64]) -> Result<Road<f64>, Refusal> {
-    let faults = admissible::faults(scene, data);
-    if !faults.is_empty() {
-        return Err(Refusal::Inadmissible(faults));
+/// A scene that is solved again and again on the first road in doubles, for what is never published: where a wrong method would
+/// come to. What the right scene shares with it was admissible there and is not looked at again.
+#[derive(Debug)]
+pub struct Quick<'s> {
+    scene: &'s Scene,
+    /// Rules that the other data or the other scene may break.
+    rules: Vec<(Num, Rule)>,
+    /// Is the combination one that the assembly has? `None` where that hangs on the data.
+    supported: Option<bool>,
+}
+
+impl<'s> Quick<'s> {
+    /// Prepares `scene`, which stands for `right` with other values of these data.
+    pub fn new(scene: &'s Scene, right: &Scene, changed: &[usize]) -> Self {
+        let other = |n: Num| matches!(n, Num::Datum(i) if changed.contains(&i));
+        let mut kept = Vec::new();
+        admissible::rules(right, |number, rule| {
+            let touched = match rule {
+                Rule::NotAbove(bound) => other(number) || other(bound),
+                // The length of a spring hangs on several data.
+                Rule::Stretch => true,
+                _ => other(number),
+            };
+            if !touched {
+                kept.push((number, rule));
+            }
+        });
+        let mut rules = Vec::new();
+        admissible::rules(scene, |number, rule| {
+            if !kept.contains(&(number, rule)) {
+                rules.extend([(number, rule), (number, Rule::Range)]);
+            }
+        });
+        let supported = (!scene.ties.iter().any(is_held)).then(|| supported(scene, &[]).is_ok());
+        Self { scene, rules, supported }
     }
-    supported(scene, data)?;
-    eom::road(scene, data)
+
+    /// Does a pinned body swing in it?
+    pub fn is_pinned(&self) -> bool {
+        self.scene.pinned().is_some()
+    }
+
+    /// What the equations of motion say with these data; `None` where the data are no such scene or have no motion.
+    pub fn road(&self, data: &[f64]) -> Option<Road<f64>> {
+        let admissible = self.rules.iter().all(|(n, rule)| admissible::holds(self.scene, data, *n, *rule));
+        let supported = || self.supported.unwrap_or_else(|| supported(self.scene, data).is_ok());
+        if admissible && supported() { eom::road(self.scene, data).ok() } else { None }
+    }
 }
 
 impl Half {
@@ -187,6 +229,11 @@ pub fn prove(scene: &Scene, data: &[f64], solved: &mut Solved) -> bool {
     true
 }
 
+/// Is it a cord that holds bodies together, or one to the ground?
+fn is_held(tie: &Tie) -> bool {
+    matches!(tie, Tie::Cord(c) if matches!(c.to, Far::Body(_) | Far::Fixed))
+}
+
 /// Is the combination one that the assembly has?
 fn supported(scene: &Scene, data: &[f64]) -> Result<(), Refusal> {
     let lamina = scene.bodies.iter().any(|b| !b.particles.is_empty());
@@ -205,10 +252,8 @@ fn supported(scene: &Scene, data: &[f64]) -> Result<(), Refusal> {
     if lamina || scene.start.iter().any(|s| matches!(s, Start::Lamina { .. })) {
         return refuse(Unsupported::MovingLamina);
     }
-    let springs = scene
-        .ties
-        .iter()
-        .filter(|t| matches!(t, Tie::Cord(c) if matches!(c.to, crate::scene::Far::Spring { .. })));
+    let springs =
+        scene.ties.iter().filter(|t| matches!(t, Tie::Cord(c) if matches!(c.to, Far::Spring { .. })));
     let springs = springs.count();
     if springs > 1 {
         return refuse(Unsupported::TwoSprings);
@@ -223,8 +268,7 @@ fn supported(scene: &Scene, data: &[f64]) -> Result<(), Refusal> {
         Num::Fixed(x) => x,
     };
     // Cords alone can say what other ties say.
-    let held = |t: &Tie| matches!(t, Tie::Cord(c) if matches!(c.to, crate::scene::Far::Body(_) | crate::scene::Far::Fixed));
-    if scene.ties.iter().any(held) && scene.freedoms_with(&number) != freedoms {
+    if scene.ties.iter().any(is_held) && scene.freedoms_with(&number) != freedoms {
         return refuse(Unsupported::EqualByChance);
     }
     if freedoms > 1 && springs > 0 {

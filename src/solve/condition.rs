@@ -92,7 +92,11 @@ fn slope(entry: &Entry, sides: [(Option<f64>, f64); 2]) -> f64 {
         let change = (value? - y).abs();
         Some(if y == 0.0 && change <= rounding { 0.0 } else { (change / by).abs() })
     };
-    sides.into_iter().filter_map(alone).fold(None, |most: Option<f64>, s| Some(most.map_or(s, |m| m.max(s)))).unwrap_or(f64::INFINITY)
+    sides
+        .into_iter()
+        .filter_map(alone)
+        .fold(None, |most: Option<f64>, s| Some(most.map_or(s, |m| m.max(s))))
+        .unwrap_or(f64::INFINITY)
 }
 
 /// The sum of the changes as a share of the answer. A place that is 0 is told by the scale of its terms: where the origin lies

@@ -119,13 +119,8 @@ pub fn road_by<T: Real>(
             hold = hold - power;
         }
     }
-    book.road.course = Some(Course {
-        sense,
-        drive: (push, hold),
-        asked,
-        farthest: limit,
-        reached: reached.is_some(),
-    });
+    book.road.course =
+        Some(Course { sense, drive: (push, hold), asked, farthest: limit, reached: reached.is_some() });
     let Some(way) = reached else {
         book.forces(&store, &store.start, spin.square());
         return Ok((book.road, Count::default()));
@@ -334,6 +329,11 @@ impl<'c, T: Real> Motion<'c, T> {
         if way.is_zero() {
             return Ok(T::zero());
         }
+        // A quadrature settles, it proves nothing: where only what is proved counts, there is nothing to sum.
+        let open = T::of(1.0).widened(|| f64::INFINITY);
+        if open.radius() > 0.0 {
+            return Ok(open);
+        }
         let quarter = T::constant(Dd::PI.scale2(-2));
         let started = !self.energy0.is_zero();
         // The way back from an end at rest.
@@ -369,8 +369,6 @@ impl<'c, T: Real> Motion<'c, T> {
             T::zero(),
             T::of(1.0),
         )
-        // A quadrature settles, it proves nothing.
-        .map(|time| time.widened(|| f64::INFINITY))
     }
 
     // -- under the weight alone -----------------------------------------------------------------------------------------

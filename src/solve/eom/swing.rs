@@ -72,6 +72,16 @@ struct Swing<T> {
     half_square: T,
 }
 
+/// A part of the way, summed on one panel.
+struct Stretch<T> {
+    time: T,
+    /// What the spring has added to half the square of the angular speed at its start and at its end.
+    from: T,
+    end: T,
+    /// Is the sum good as it is?
+    smooth: bool,
+}
+
 /// A pendulum's way as an elliptic integral sees it: halves of the angle from hanging, growing on the way.
 #[derive(Debug, Clone, Copy)]
 struct Arc<T> {
@@ -129,13 +139,8 @@ pub fn road_by<T: Real>(
     // What is asked at the turning point is at rest there; NaN is not reached.
     let end = end.filter(|e| e.place.way.not_negative() && e.place.way.at_most(limit));
     let end = end.map(|e| Arrival { rest: e.rest || e.place.way.side(limit) == 0.0, ..e });
-    teller.road.course = Some(Course {
-        sense,
-        drive: (T::zero(), T::zero()),
-        asked,
-        farthest,
-        reached: end.is_some(),
-    });
+    teller.road.course =
+        Some(Course { sense, drive: (T::zero(), T::zero()), asked, farthest, reached: end.is_some() });
     let Some(Arrival { place, rest }) = end else {
         teller.forces(&swing, &start, swing.half_square.scale2(1));
         return Ok((teller.road, Count::default()));
@@ -159,8 +164,8 @@ pub fn road_by<T: Real>(
         let speed = if rest { T::zero() } else { T::of(run.end.u) };
         (swing.place(T::of(run.end.s)), speed, T::of(run.end.time))
     } else {
-        let speed = if rest { T::zero() } else { swing.gained(&place)?.scale2(1).root() };
-        (place, speed, swing.time(&place, rest, speed, pendulum)?)
+        let (speed, time) = swing.arrived(&place, rest, pendulum)?;
+        (place, speed, time)
     };
     teller.say(Quantity::T, Owner::Scene, time);
     teller.say(Quantity::Phi, Owner::Body(owner), place.way);
@@ -337,10 +342,14 @@ impl<T: Real> Swing<T> {
 
     /// Half the square of the angular speed at a place.
     fn gained(&self, to: &Place<T>) -> Result<T, Refusal> {
-        let start = Place { way: T::zero(), half: self.start };
-        let (closed, sprung) = (self.closed(&start, to), self.sprung(T::zero(), to.way)?);
+        Ok(self.square(to, self.sprung(T::zero(), to.way)?))
+    }
+
+    /// The same, with what the spring adds on the way there.
+    fn square(&self, to: &Place<T>, sprung: T) -> T {
+        let closed = self.closed(&Place { way: T::zero(), half: self.start }, to);
         let size = self.half_square.size() + closed.size() + sprung.size();
-        Ok((self.half_square + closed + sprung).cleared(size))
+        (self.half_square + closed + sprung).cleared(size)
     }
 
     // -- where it ends --------------------------------------------------------------------------------------------------
@@ -443,6 +452,17 @@ impl<T: Real> Swing<T> {
         self.time(place, rest, speed, pendulum)
     }
 
+    /// Angular speed and time at a place, at which it rests or not.
+    fn arrived(&self, place: &Place<T>, rest: bool, pendulum: bool) -> Result<(T, T), Refusal> {
+        if rest || pendulum || place.way.is_zero() {
+            let speed = if rest { T::zero() } else { self.gained(place)?.scale2(1).root() };
+            return Ok((speed, self.time(place, rest, speed, pendulum)?));
+        }
+        // The quadrature for the time sums up the work of the spring.
+        let (time, sprung) = self.quadrature(place.way)?;
+        Ok((self.square(place, sprung).scale2(1).root(), time))
+    }
+
     /// Time to a place at which the angular speed is known.
     fn time(&self, place: &Place<T>, rest: bool, speed: T, pendulum: bool) -> Result<T, Refusal> {
         if place.way.is_zero() {
@@ -452,19 +472,23 @@ impl<T: Real> Swing<T> {
             return Ok(self.pendulum_time(place, speed));
         }
         if !rest {
-            return self.quadrature(place.way);
+            return Ok(self.quadrature(place.way)?.0);
         }
         // The last half is the way back from the turning point.
         let half = place.way.scale2(-1);
         let back = Swing { body: self.body, start: place.half, sense: -self.sense, half_square: T::zero() };
-        Ok(self.quadrature(half)? + back.quadrature(half)?)
+        Ok(self.quadrature(half)?.0 + back.quadrature(half)?.0)
     }
 
-    /// `int d phi / omega` over the way, panel by panel; the square of omega is summed up along with it.
-    fn quadrature(&self, way: T) -> Result<T, Refusal> {
+    /// `int d phi / omega` over the way, panel by panel, and what the spring adds to half the square of omega, which is summed up
+    /// along with it.
+    fn quadrature(&self, way: T) -> Result<(T, T), Refusal> {
         let whole = self.panel(way, 0.0, 1.0, T::zero());
-        let scale = whole.0.size();
-        Ok(self.halves(way, (0.0, 1.0), T::zero(), whole.0, scale, gauss::halvings())?.0)
+        let end = self.place(way);
+        let start = Place { way: T::zero(), half: self.start };
+        let square = self.half_square.size() + self.closed(&start, &end).size() + whole.end.size();
+        let scales = (whole.time.size(), square);
+        self.halves(way, (0.0, 1.0), T::zero(), whole, scales, gauss::halvings())
     }
 
     /// Time over a part of the way, and what the spring has added at its end.
@@ -473,31 +497,36 @@ impl<T: Real> Swing<T> {
         way: T,
         (a, b): (f64, f64),
         sprung: T,
-        whole: T,
-        scale: f64,
+        whole: Stretch<T>,
+        scales: (f64, f64),
         left: u32,
     ) -> Result<(T, T), Refusal> {
+        if whole.smooth {
+            return Ok((whole.time, whole.end));
+        }
         let middle = 0.5 * (a + b);
-        let (first, half) = self.panel(way, a, middle, sprung);
-        let (second, end) = self.panel(way, middle, b, half);
-        let sum = first + second;
-        let scale = gauss::sized(scale, sum);
-        if gauss::settled(sum, whole, scale) {
-            return Ok((sum, end));
+        let first = self.panel(way, a, middle, sprung);
+        let second = self.panel(way, middle, b, first.end);
+        let sum = first.time + second.time;
+        let scales = (gauss::sized(scales.0, sum), gauss::sized(scales.1, second.end));
+        if gauss::settled(sum, whole.time, scales.0) && gauss::settled(second.end, whole.end, scales.1) {
+            return Ok((sum, second.end));
         }
         if left == 0 {
-            let gap = (sum - whole).f64().abs();
+            let gap = (sum - whole.time).f64().abs();
             return Err(Refusal::Unsettled(Unsettled { value: sum.f64(), gap }));
         }
-        let (first, half) = self.halves(way, (a, middle), sprung, first, scale, left - 1)?;
-        let (second, end) = self.halves(way, (middle, b), half, second, scale, left - 1)?;
+        let (first, half) = self.halves(way, (a, middle), sprung, first, scales, left - 1)?;
+        // What the spring has added by then is known better now, unless the first half was taken as it was.
+        let second = if half.same(second.from) { second } else { self.panel(way, middle, b, half) };
+        let (second, end) = self.halves(way, (middle, b), half, second, scales, left - 1)?;
         Ok((first + second, end))
     }
 
     /// One panel of the variable s from `a` to `b`: from rest the angle is `way s^2`, else `way s`.
     // Its many numbers must not lie in every frame of the halving.
     #[inline(never)]
-    fn panel(&self, way: T, a: f64, b: f64, sprung: T) -> (T, T) {
+    fn panel(&self, way: T, a: f64, b: f64, sprung: T) -> Stretch<T> {
         let rest = self.half_square.is_zero();
         let width = T::of(b) - T::of(a);
         let start = Place { way: T::zero(), half: self.start };
@@ -524,7 +553,8 @@ impl<T: Real> Swing<T> {
             })
             .collect();
         let end = if pulls.is_empty() { sprung } else { sprung + gauss::mean(&pulls) };
-        (gauss::mean(&times), end)
+        let smooth = gauss::smooth(&times) && (pulls.is_empty() || gauss::smooth(&pulls));
+        Stretch { time: gauss::mean(&times), from: sprung, end, smooth }
     }
 
     // -- under the weight alone -----------------------------------------------------------------------------------------
