@@ -19,7 +19,15 @@ const DOORS: &[(&str, &[&str])] = &[
     ("solve::condition", &["solve::eom", "solve::outcome", "scene", "num"]),
     (
         "solve::agree",
-        &["solve::condition", "solve::eom", "solve::energy", "solve::physical", "solve::outcome", "scene", "num"],
+        &[
+            "solve::condition",
+            "solve::eom",
+            "solve::energy",
+            "solve::physical",
+            "solve::outcome",
+            "scene",
+            "num",
+        ],
     ),
     (
         "solve::ladder",

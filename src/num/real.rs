@@ -130,21 +130,13 @@ pub trait Real:
     #[inline(always)]
     fn status(self, boundary: Self) -> f64 {
         let larger = self.size().max(boundary.size());
-        if larger.is_finite() && (self - boundary).size() <= AT * larger {
-            0.0
-        } else {
-            self.side(boundary)
-        }
+        if larger.is_finite() && (self - boundary).size() <= AT * larger { 0.0 } else { self.side(boundary) }
     }
     /// Difference of two numbers that are equal at a boundary of regimes: exactly zero within 8 u.
     #[inline(always)]
     fn apart(self, other: Self) -> Self {
         let apart = self - other;
-        if apart.size() <= AT * self.size().max(other.size()) {
-            Self::zero()
-        } else {
-            apart
-        }
+        if apart.size() <= AT * self.size().max(other.size()) { Self::zero() } else { apart }
     }
     /// The same, or exactly zero where it is nothing beside `scale`, the sum of the magnitudes of the terms that made it:
     /// what then is left is the rounding of double-doubles.

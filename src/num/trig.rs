@@ -163,8 +163,7 @@ pub fn angle<T: Real>(y: T, x: T) -> T {
 pub fn sin_cos_of_degrees<T: Real>(degrees: T) -> (T, T) {
     let (s, c) = sin_cos_degrees(degrees.f64());
     // Sine and cosine change no faster than the angle in radians.
-    let with =
-        |value: Dd| T::constant(value).widened(|| degrees.radius() * 0.018 + value.hi.abs() * STEP);
+    let with = |value: Dd| T::constant(value).widened(|| degrees.radius() * 0.018 + value.hi.abs() * STEP);
     (with(s), with(c))
 }
 

@@ -199,12 +199,17 @@ fn fits(scene: &Scene, of: &impl Fn(Num) -> f64, stretch: f64) -> bool {
     !long.is_finite() || !Real::is_finite(stretch) || stretch.at_most(long)
 }
 
-/// The data that are no part of this scene; empty if it can be solved.
-pub fn faults(scene: &Scene, data: &[f64]) -> Vec<Inadmissible> {
-    let of = |n: Num| match n {
+/// A number of a scene, NaN where there is no such datum.
+pub fn value(number: Num, data: &[f64]) -> f64 {
+    match number {
         Num::Datum(i) => data.get(i).copied().unwrap_or(f64::NAN),
         Num::Fixed(x) => x,
-    };
+    }
+}
+
+/// The data that are no part of this scene; empty if it can be solved.
+pub fn faults(scene: &Scene, data: &[f64]) -> Vec<Inadmissible> {
+    let of = |n: Num| value(n, data);
     let mut found: Vec<Inadmissible> = Vec::new();
     let mut judge = |datum, rule| {
         let value = of(datum);

@@ -45,8 +45,7 @@ impl<'a, T: Real> Numbers<'a, T> {
     pub fn new(scene: &Scene, data: &'a [f64]) -> Self {
         let mut n = Self { data, mass_exponent: 0, gravity: T::zero(), bodies: SmallVec::new() };
         n.gravity = n.get(scene.gravity_m_s2);
-        let first =
-            scene.bodies.iter().map(|b| n.mass_of(b, &b.mass).f64()).find(|m| *m > 0.0);
+        let first = scene.bodies.iter().map(|b| n.mass_of(b, &b.mass).f64()).find(|m| *m > 0.0);
         n.mass_exponent = first.map_or(0, exponent);
         // Bodies on one incline share its sine and cosine.
         let mut known: Option<(Num, T, T)> = None;

@@ -456,13 +456,7 @@ impl<'a, T: Real> Ledger<'a, T> {
     }
 
     /// Driving and resisting power at the start, per unit rate.
-    fn driving(
-        &self,
-        powers: &[Power<T>],
-        tension0: T,
-        store: Option<&Store<T>>,
-        sense: f64,
-    ) -> (T, T) {
+    fn driving(&self, powers: &[Power<T>], tension0: T, store: Option<&Store<T>>, sense: f64) -> (T, T) {
         let (mut plus, mut minus) = (T::zero(), T::zero());
         let mut add = |power: T| {
             if power.sign() * sense > 0.0 {

@@ -119,13 +119,8 @@ pub fn road_by<T: Real>(
             hold = hold - power;
         }
     }
-    book.road.course = Some(Course {
-        sense,
-        drive: (push, hold),
-        asked,
-        farthest: limit,
-        reached: reached.is_some(),
-    });
+    book.road.course =
+        Some(Course { sense, drive: (push, hold), asked, farthest: limit, reached: reached.is_some() });
     let Some(way) = reached else {
         book.forces(&store, &store.start, spin.square());
         return Ok((book.road, Count::default()));

@@ -562,13 +562,7 @@ impl<'a, T: Real> Walk<'a, T> {
             let against = slip.signed(-friction.sign());
             let available = self.n.get(*mu_s) * normal;
             let force = |f: T| self.n.publish(Quantity::Friction, f);
-            self.road.held.push(Held::Slipping(
-                t,
-                force(friction),
-                force(available),
-                against,
-                along.sign(),
-            ));
+            self.road.held.push(Held::Slipping(t, force(friction), force(available), against, along.sign()));
         }
     }
 

@@ -129,13 +129,8 @@ pub fn road_by<T: Real>(
     // What is asked at the turning point is at rest there; NaN is not reached.
     let end = end.filter(|e| e.place.way.not_negative() && e.place.way.at_most(limit));
     let end = end.map(|e| Arrival { rest: e.rest || e.place.way.side(limit) == 0.0, ..e });
-    teller.road.course = Some(Course {
-        sense,
-        drive: (T::zero(), T::zero()),
-        asked,
-        farthest,
-        reached: end.is_some(),
-    });
+    teller.road.course =
+        Some(Course { sense, drive: (T::zero(), T::zero()), asked, farthest, reached: end.is_some() });
     let Some(Arrival { place, rest }) = end else {
         teller.forces(&swing, &start, swing.half_square.scale2(1));
         return Ok((teller.road, Count::default()));
