@@ -61,7 +61,7 @@ fn gallery(args: &args::Gallery, io: &mut Io) -> Result<(), Findings> {
         None => (0..bank.problems.len()).collect(),
     };
     let problems: Vec<&Problem> = chosen.iter().filter_map(|i| bank.problems.get(*i)).collect();
-    let sweeps = lint::sweeps(&problems, args.seeds, &bank.id);
+    let sweeps = lint::sweeps(&problems, args.seeds, &bank.id, io.watched);
     let sheets = Sheets::new(&texts.templates, &texts.words, bank, &bank.id, &chosen)?;
     let mut converter = Converter::new(&texts.words);
     let mut room = Room::default();

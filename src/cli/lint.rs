@@ -7,6 +7,7 @@ use crate::cli::args;
 use crate::cli::args::Format;
 use crate::cli::banks;
 use crate::cli::banks::Texts;
+use crate::cli::files;
 use crate::cli::output::Output;
 use crate::cli::solve;
 use crate::cli::tell;
@@ -61,7 +62,7 @@ fn lint(args: &args::Lint, io: &mut Io) -> Result<Findings, Findings> {
     let mut findings = banks::unknown_names(bank, &texts.templates);
     findings.extend(banks::never_given(bank, &texts.templates));
     let all: Vec<&Problem> = bank.problems.iter().collect();
-    let sweeps = sweeps(&all, args.seeds, &bank.id);
+    let sweeps = sweeps(&all, args.seeds, &bank.id, io.watched);
     for (problem, sweep) in bank.problems.iter().zip(&sweeps) {
         if let Some((seed, none)) = &sweep.unsatisfiable {
             let mut fault = solve::unsatisfiable(bank, none);
@@ -120,10 +121,13 @@ fn lint(args: &args::Lint, io: &mut Io) -> Result<Findings, Findings> {
     Ok(findings)
 }
 
-/// Tries problems of a bank over so many seeds.
-pub fn sweeps(problems: &[&Problem], seeds: u64, bank: &str) -> Vec<Sweep> {
+/// Tries problems of a bank over so many seeds, with a bar where a person watches.
+pub fn sweeps(problems: &[&Problem], seeds: u64, bank: &str, watched: bool) -> Vec<Sweep> {
     let seeds = u32::try_from(seeds.clamp(1, 1_000_000)).unwrap_or(1_000_000);
-    problems.par_iter().map(|p| sweep::sweep(p, 1, seeds, bank)).collect()
+    let bar = files::progress(watched, u64::from(seeds) * problems.len() as u64, "draws");
+    let sweeps = problems.par_iter().map(|p| sweep::sweep(p, 1, seeds, bank, &|| bar.inc(1))).collect();
+    bar.finish_and_clear();
+    sweeps
 }
 
 /// What a sweep over one problem says, row by row, heads first.

@@ -13,9 +13,11 @@ pub const NODES: usize = 24;
 const SETTLED: f64 = 1.0 / (1u64 << 62) as f64;
 /// Legendre coefficients that are looked at for smoothness, the last ones of a panel.
 const LAST: usize = 3;
-/// A function is smooth on a panel if the last coefficients are below this share of its mean magnitude. They fall geometrically,
-/// and the rule is exact up to twice their degree: its error is about the square of this.
-const SMOOTH: f64 = 1e-12;
+/// A function is smooth on a panel if its last coefficients are below this share of its mean magnitude. They fall geometrically,
+/// and the mean is exact up to twice their degree: its error is about the square of this.
+pub const SMOOTH: f64 = 1e-12;
+/// The same for [`running`], which is exact up to their degree alone: its error is about this.
+pub const SMOOTH_RUNNING: f64 = 1e-23;
 /// Times that a panel may be halved: a singularity 2^-40 of the interval away is still seen.
 const HALVINGS: u32 = 40;
 
@@ -38,7 +40,7 @@ struct Panel {
     /// Integral from 0 to node `j` of the polynomial that is 1 at node `k` and 0 at the others, row by row.
     running: Vec<Dd>,
     /// What makes the last Legendre coefficients of the values at the nodes.
-    last: [[f64; NODES]; LAST],
+    last: [[Dd; NODES]; LAST],
 }
 
 /// Legendre polynomials of degree 0 to `NODES + 1` at a place from -1 to 1.
@@ -60,7 +62,7 @@ static PANEL: LazyLock<Panel> = LazyLock::new(|| {
         nodes: [Dd::ZERO; NODES],
         weights: [Dd::ZERO; NODES],
         running: Vec::new(),
-        last: [[0.0; NODES]; LAST],
+        last: [[Dd::ZERO; NODES]; LAST],
     };
     for (j, place) in places.iter_mut().enumerate() {
         let mut x = Dd::new(-crate::num::trig::sin_cos_degrees(180.0 * (j as f64 + 0.75) / (n + 0.5)).1.hi);
@@ -77,7 +79,7 @@ static PANEL: LazyLock<Panel> = LazyLock::new(|| {
     let values = places.map(legendre);
     for (row, m) in panel.last.iter_mut().zip(NODES - LAST..) {
         for (k, x) in row.iter_mut().enumerate() {
-            *x = (2.0 * m as f64 + 1.0) * (panel.weights[k] * values[k][m]).hi;
+            *x = Dd::new(2.0 * m as f64 + 1.0) * panel.weights[k] * values[k][m];
         }
     }
     for at in &values {
@@ -103,16 +105,15 @@ pub fn mean<T: Real>(values: &[T]) -> T {
     values.iter().zip(&PANEL.weights).fold(T::zero(), |sum, (v, w)| sum + *v * T::constant(*w))
 }
 
-/// Is what has these values at the nodes of a panel so smooth that [`mean`] is its mean to more than 70 bits?
-pub fn smooth<T: Real>(values: &[T]) -> bool {
-    let mut doubles = [0.0; NODES];
-    for (x, v) in doubles.iter_mut().zip(values) {
-        *x = v.f64();
-    }
-    let size: f64 = doubles.iter().zip(&PANEL.weights).map(|(x, w)| x.abs() * w.hi).sum();
-    let part = |row: &[f64; NODES]| row.iter().zip(&doubles).map(|(r, x)| r * x).sum::<f64>().abs();
+/// Are the last Legendre coefficients of what has these values at the nodes of a panel below this share of its mean magnitude, or
+/// rounding?
+pub fn smooth<T: Real>(values: &[T], share: f64) -> bool {
+    let size: f64 = values.iter().zip(&PANEL.weights).map(|(v, w)| v.size() * w.hi).sum();
+    let of = |row: &[Dd; NODES]| {
+        values.iter().zip(row).fold(T::zero(), |sum, (v, r)| sum + *v * T::constant(*r)).size()
+    };
     // NaN is not smooth.
-    size.is_finite() && PANEL.last.iter().all(|row| part(row) <= SMOOTH * size)
+    size.is_finite() && PANEL.last.iter().all(|row| of(row) <= share.max(16.0 * T::SETTLED) * size)
 }
 
 /// The integral from the start of a panel of length 1 to each node.
@@ -149,9 +150,9 @@ fn panel<T: Real, E>(f: &mut impl FnMut(T) -> Result<T, E>, a: T, b: T) -> Resul
     for (value, x) in values.iter_mut().zip(&PANEL.nodes) {
         *value = f(a + width * T::constant(*x))?;
     }
-    let size = values.iter().zip(&PANEL.weights).map(|(v, w)| v.f64().abs() * w.hi).sum::<f64>();
-    let size = size * width.f64().abs();
-    Ok(Over { integral: mean(&values) * width, size, smooth: smooth(&values) })
+    let size = values.iter().zip(&PANEL.weights).map(|(v, w)| v.size() * w.hi).sum::<f64>();
+    let size = size * width.size();
+    Ok(Over { integral: mean(&values) * width, size, smooth: smooth(&values, SMOOTH) })
 }
 
 fn halves<T: Real, E: From<Unsettled>>(

@@ -49,6 +49,10 @@ pub trait Real:
     fn widened(self, _bound: impl Fn() -> f64) -> Self {
         self
     }
+    /// Does this kind of number hold no more digits than a double? Then no more need be worked out.
+    fn is_double() -> bool {
+        Self::NOISE > f64::EPSILON
+    }
     /// An exact double.
     #[inline(always)]
     fn of(value: f64) -> Self {

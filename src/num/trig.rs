@@ -101,7 +101,7 @@ fn beside<T: Real>(whole: usize, d: T) -> (T, T) {
     let f = |n: usize| T::constant(INVERSE_FACTORIAL[n]);
     let q = d * d;
     // sin d / d - 1 and 1 - cos d: the last terms kept are below 1e-33 of the sum, or below 1e-18 of it in doubles.
-    let (sine, one_minus_cosine) = if is_double::<T>() {
+    let (sine, one_minus_cosine) = if T::is_double() {
         (d - d * q * (f(3) - q * (f(5) - q * f(7))), q * (f(2) - q * (f(4) - q * (f(6) - q * f(8)))))
     } else {
         (
@@ -115,11 +115,6 @@ fn beside<T: Real>(whole: usize, d: T) -> (T, T) {
         90 => (one - one_minus_cosine, -sine),
         _ => (sn - sn * one_minus_cosine + cn * sine, cn - cn * one_minus_cosine - sn * sine),
     }
-}
-
-/// Does this kind of number hold no more digits than a double? Then no more are worked out.
-fn is_double<T: Real>() -> bool {
-    T::NOISE > f64::EPSILON
 }
 
 /// Sine and cosine of an angle in radians, as double-doubles.
@@ -159,7 +154,7 @@ pub fn turn<T: Real>(x: T) -> (T, T) {
         let sine = x.widened(|| x.f64().abs() * STEP);
         return (sine, (T::of(1.0) - x.square().scale2(-1)).widened(|| STEP));
     }
-    if is_double::<T>() {
+    if T::is_double() {
         return turned(x);
     }
     let (s, c) = sin_cos_radians(x.value());
@@ -185,7 +180,7 @@ pub fn angle<T: Real>(y: T, x: T) -> T {
 
 /// [`sin_cos_degrees`] in any number type.
 pub fn sin_cos_of_degrees<T: Real>(degrees: T) -> (T, T) {
-    if is_double::<T>() {
+    if T::is_double() {
         return reduced(degrees.f64());
     }
     let (s, c) = sin_cos_degrees(degrees.f64());

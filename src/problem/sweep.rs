@@ -204,8 +204,8 @@ impl QuestionSweep {
 /// Honest answers that are tried for each variant.
 const HONEST: u32 = 2;
 
-/// Makes a variant for each of `seeds` seeds, from `first` on.
-pub fn sweep(problem: &Problem, first: u64, seeds: u32, set: &str) -> Sweep {
+/// Makes a variant for each of `seeds` seeds, from `first` on; `made` hears of each.
+pub fn sweep(problem: &Problem, first: u64, seeds: u32, set: &str, made: &dyn Fn()) -> Sweep {
     let total: u32 = problem.cases.iter().map(|c| c.share).sum();
     let mut refusals: Vec<Refusals> = vec![Refusals::default(); problem.cases.len()];
     let mut out = Sweep {
@@ -251,6 +251,7 @@ pub fn sweep(problem: &Problem, first: u64, seeds: u32, set: &str) -> Sweep {
                 break;
             }
         };
+        made();
         let case = &mut out.cases[variant.case];
         case.variants += 1;
         case.tries += u64::from(variant.tries);

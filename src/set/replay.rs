@@ -8,7 +8,6 @@ use crate::key::SheetKey;
 use crate::problem::make::Maker;
 use crate::problem::make::Unsatisfiable;
 use crate::problem::make::Variant;
-use crate::problem::make_key;
 use crate::set::given;
 use crate::set::given::Given;
 use crate::set::store::StoredSet;
@@ -50,7 +49,7 @@ impl<'b> Dealer<'b> {
         let mut keys = Vec::with_capacity(self.makers.len());
         for maker in &self.makers {
             let variant = maker.variant(student)?;
-            keys.push(make_key::key(maker.problem(), &variant));
+            keys.push(maker.key(&variant));
             variants.push(variant);
         }
         Ok(Dealt { variants, key: SheetKey { student: student.to_owned(), problems: keys } })
@@ -69,7 +68,7 @@ impl<'b> Dealer<'b> {
             if difference(old_variant, &stored(bank.problems.get(*index)?, &variant)).is_some() {
                 return None;
             }
-            keys.push(make_key::key(maker.problem(), &variant));
+            keys.push(maker.key(&variant));
             variants.push(variant);
         }
         Some(Dealt { variants, key: SheetKey { student: old.student.clone(), problems: keys } })

@@ -3,7 +3,6 @@
 //! `cargo bench --bench one_file -- N THREADS FOLDER`
 #![allow(clippy::print_stdout, reason = "it prints its figures")]
 use slipstick::problem::make::Maker;
-use slipstick::problem::make_key;
 use slipstick::set::key_file::shortest;
 use slipstick::sheet::page::Room;
 use slipstick::sheet::page::Sheets;
@@ -43,7 +42,7 @@ fn main() {
                         for x in &variant.data {
                             let _ = write!(key, ",{x}");
                         }
-                        for part in make_key::key(problem, &variant).parts {
+                        for part in maker.key(&variant).parts {
                             let _ = write!(key, ",{}", part.eom.map_or_else(String::new, shortest));
                         }
                         key.push('\n');

@@ -3,7 +3,6 @@ use divan::Bencher;
 use divan::counter::ItemsCount;
 use slipstick::bank::Bank;
 use slipstick::problem::make::Maker;
-use slipstick::problem::make_key;
 use slipstick::sheet::page::Room;
 use slipstick::sheet::page::Sheets;
 use slipstick::template::Templates;
@@ -29,7 +28,7 @@ fn draw_solve_twice_key(bencher: Bencher, id: &str) {
     bencher.counter(ItemsCount::new(EACH)).bench(|| {
         for student in 0..EACH {
             let variant = maker.variant(&student.to_string()).expect("satisfiable");
-            divan::black_box(make_key::key(problem, &variant));
+            divan::black_box(maker.key(&variant));
         }
     });
 }

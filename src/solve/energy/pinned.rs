@@ -91,6 +91,29 @@ impl<T: Real> Store<T> {
         Self { start, doubled: carried + own, arm, mass: numbers.mass, weight, couple, own, spring, up }
     }
 
+    /// The same body in doubles.
+    pub fn doubles(&self) -> Store<f64> {
+        let half = |h: Half<T>| Half { sine: h.sine.f64(), cosine: h.cosine.f64() };
+        let spring = self.spring.map(|s| Tied {
+            at: s.at.f64(),
+            anchor: s.anchor.f64(),
+            direction: half(s.direction),
+            stiffness: s.stiffness.f64(),
+            natural: s.natural.f64(),
+        });
+        Store {
+            start: half(self.start),
+            doubled: self.doubled.f64(),
+            arm: self.arm.f64(),
+            mass: self.mass.f64(),
+            weight: self.weight.f64(),
+            couple: self.couple.f64(),
+            own: self.own.f64(),
+            spring,
+            up: self.up,
+        }
+    }
+
     /// Does the angle count from upright?
     pub fn is_upright(&self) -> bool {
         self.up > 0.0

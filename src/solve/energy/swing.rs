@@ -23,6 +23,7 @@ use crate::scene::Quantity;
 use crate::scene::Scene;
 use crate::scene::Start;
 use crate::solve::energy::pinned::Store;
+use crate::solve::energy::pinned::Terms;
 use crate::solve::energy::pinned::sum;
 use crate::solve::energy::quadrature::Leg;
 use crate::solve::outcome::Course;
@@ -39,6 +40,12 @@ const STEP: f64 = 0.125;
 const LEAST: f64 = 1.0 / (1u64 << 33) as f64;
 /// Refinements in one search: a power that is 0 over a whole way needs none.
 const REFINED: u32 = 500;
+
+/// Doubles decide whether an energy is reached where none that was looked at is nearer to it than this share of its terms.
+const CLEAR: f64 = 1e-9;
+/// A place that doubles found is good if its first correction is below this share of the way, 2^-40: the second one then leaves
+/// nothing.
+const CORRECTED: f64 = 1.0 / (1u64 << 40) as f64;
 
 /// The motion: from where, which way, with what kinetic energy.
 #[derive(Debug, Clone, Copy)]
@@ -197,11 +204,15 @@ impl<'c, T: Real> Motion<'c, T> {
     }
     /// Kinetic energy at a place.
     fn energy(&self, way: T, place: &Half<T>) -> T {
+        sum(&self.balance(way, place))
+    }
+    /// Its terms.
+    fn balance(&self, way: T, place: &Half<T>) -> Terms<T> {
         self.balances.set(self.balances.get() + 1);
         let turned = way.signed(self.sense);
         let mut terms = self.store.work(&self.from, place, &Half::of_radians(turned), turned);
         terms.push(self.energy0);
-        sum(&terms)
+        terms
     }
     fn speed_of(&self, energy: T) -> T {
         (energy.scale2(1) / self.store.doubled).root()
@@ -280,7 +291,7 @@ impl<'c, T: Real> Motion<'c, T> {
         if energy.side(self.energy0) == 0.0 {
             return Ok(Some(T::zero()));
         }
-        let found = ball::unwatched(|| self.first_at(energy, last))?;
+        let found = self.located(energy, last)?;
         Ok(found.map(|way| {
             let place = self.place(way);
             way - (self.energy(way, &place) - energy) / self.power(&place)
@@ -293,7 +304,7 @@ impl<'c, T: Real> Motion<'c, T> {
             End::Angle(_, angle) => self.way_to(scene, n.get(angle), n).scale2(1),
             _ => T::constant(Dd::PI * Dd::new(2.0 * TURNS)),
         };
-        let found = ball::unwatched(|| self.first_at(T::zero(), last))?;
+        let found = self.located(T::zero(), last)?;
         Ok(found.map(|way| {
             let place = self.place(way);
             let power = self.power(&place);
@@ -478,8 +489,31 @@ impl<'c, T: Real> Motion<'c, T> {
 }
 
 impl<T: Real> Motion<'_, T> {
-    /// The first way, up to `last`, at which the kinetic energy is at this level, coming from where it is now.
-    fn first_at(&self, level: T, last: T) -> Result<Option<T>, Refusal> {
+    /// The first way, up to `last`, at which the kinetic energy is at this level, coming from where it is now: to a correction by
+    /// Newton's method, in which the data take part. It is searched in doubles where they can tell.
+    fn located(&self, level: T, last: T) -> Result<Option<T>, Refusal> {
+        if !T::is_double() {
+            let doubles = Motion {
+                store: self.store.doubles(),
+                from: Half { sine: self.from.sine.f64(), cosine: self.from.cosine.f64() },
+                sense: self.sense,
+                energy0: self.energy0.f64(),
+                balances: self.balances,
+            };
+            if let Ok((found, true)) = doubles.first_at(level.f64(), last.f64()) {
+                let Some(way) = found.map(T::of) else { return Ok(None) };
+                let place = self.place(way);
+                let step = ((self.energy(way, &place) - level) / self.power(&place)).value();
+                if step.hi.abs() <= CORRECTED * way.size() {
+                    return Ok(Some(way - T::constant(step)));
+                }
+            }
+        }
+        ball::unwatched(|| self.first_at(level, last)).map(|(found, _)| found)
+    }
+
+    /// The same by a search in this number type, and whether no comparison in it was close.
+    fn first_at(&self, level: T, last: T) -> Result<(Option<T>, bool), Refusal> {
         let falling = level.is_zero() || level.below(self.energy0);
         let over = |energy: T| {
             let side = (energy - level).sign();
@@ -488,6 +522,7 @@ impl<T: Real> Motion<'_, T> {
         let mut low = T::zero();
         let (mut start, mut drive) = (self.from, self.power(&self.from));
         let (mut width, mut refined) = (STEP, 0);
+        let (mut clear, mut most) = (true, 0.0);
         while low.below(last) {
             let ahead = |width: f64| {
                 let step = low + T::of(width);
@@ -514,18 +549,23 @@ impl<T: Real> Motion<'_, T> {
             }
             let mut from = low;
             for mark in marks.into_iter().flatten() {
-                if over(self.energy(mark, &self.place(mark))) {
+                let terms = self.balance(mark, &self.place(mark));
+                let energy = sum(&terms);
+                most = terms.iter().fold(most, |most: f64, t| most.max(t.size()));
+                // NaN is not clear.
+                clear &= (energy - level).size() > CLEAR * (most + level.size());
+                if over(energy) {
                     return root::between(from, mark, !falling, |way| {
                         let place = self.place(way);
                         Ok((self.energy(way, &place) - level, self.power(&place)))
                     })
-                    .map(Some);
+                    .map(|found| (Some(found), clear));
                 }
                 from = mark;
             }
             (low, start, drive) = (high, place, next);
         }
-        Ok(None)
+        Ok((None, clear))
     }
 
     /// Is it certain that the power changes its sign at most once between two places? It is off the chord by at most an

@@ -156,24 +156,49 @@ impl Law {
     }
 }
 
+impl<T: Real> Spring<T> {
+    fn doubles(&self) -> Spring<f64> {
+        Spring {
+            at: self.at.f64(),
+            lever: self.lever.f64(),
+            x: self.x.f64(),
+            y: self.y.f64(),
+            stiffness: self.stiffness.f64(),
+            natural: self.natural.f64(),
+        }
+    }
+}
+
 impl<T: Real> Pinned<T> {
+    /// The same body in doubles.
+    pub fn doubles(&self) -> Pinned<f64> {
+        let u = &self.unit;
+        Pinned {
+            start: Half { sine: self.start.sine.f64(), cosine: self.start.cosine.f64() },
+            weight: self.weight.f64(),
+            couple: self.couple.f64(),
+            spring: self.spring.map(|s| s.doubles()),
+            up: self.up,
+            unit: Units {
+                turn_by_force: u.turn_by_force.f64(),
+                turn_by_moment: u.turn_by_moment.f64(),
+                radial_by_force: u.radial_by_force.f64(),
+                radial_by_spin: u.radial_by_spin.f64(),
+                across_by_force: u.across_by_force.f64(),
+                across_by_moment: u.across_by_moment.f64(),
+            },
+        }
+    }
+
     /// The angular acceleration in doubles.
     pub fn law(&self) -> Law {
-        let spring = self.spring.map(|s| Spring {
-            at: s.at.f64(),
-            lever: s.lever.f64(),
-            x: s.x.f64(),
-            y: s.y.f64(),
-            stiffness: s.stiffness.f64(),
-            natural: s.natural.f64(),
-        });
         Law {
             sine: self.start.sine.f64(),
             cosine: self.start.cosine.f64(),
             up: self.up,
             weight: (self.weight * self.unit.turn_by_force).f64(),
             couple: (self.couple * self.unit.turn_by_moment).f64(),
-            spring,
+            spring: self.spring.map(|s| s.doubles()),
             by_force: self.unit.turn_by_force.f64(),
             by_moment: self.unit.turn_by_moment.f64(),
         }

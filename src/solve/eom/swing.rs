@@ -44,6 +44,12 @@ const LEAST: f64 = 1.0 / (1u64 << 30) as f64;
 /// How often strides are halved in one search: where a spring balances the weight everywhere, the drive is 0 everywhere.
 const HALVED: u32 = 600;
 
+/// Doubles decide whether a speed is reached where none that was looked at is nearer to it than this share of its terms.
+const CLEAR: f64 = 1e-9;
+/// A place that doubles found is good if the second of two corrections is below this share of the way, 2^-40: the next one would
+/// be below the last digit.
+const CORRECTED: f64 = 1.0 / (1u64 << 40) as f64;
+
 /// A place on the way.
 #[derive(Debug, Clone, Copy)]
 struct Place<T> {
@@ -422,7 +428,7 @@ impl<T: Real> Swing<T> {
         if level.side(self.half_square) == 0.0 {
             return Ok((Some(self.place(T::zero())), self.fastest(far, w)));
         }
-        let (found, greatest) = self.crossing(level, far)?;
+        let (found, greatest) = self.located(level, far, T::zero())?;
         Ok(match found {
             Some(way) => (Some(self.place(way)), self.fastest(far, w)),
             None => (None, greatest.scale2(1).root()),
@@ -437,10 +443,10 @@ impl<T: Real> Swing<T> {
             Some(apart) => {
                 let asked = radians(apart);
                 // What spoils the motion further on does not matter.
-                let beyond = self.crossing(zero, asked.scale2(1)).or_else(|_| self.crossing(zero, asked));
-                beyond?
+                let beyond = self.located(zero, asked.scale2(1), asked);
+                beyond.or_else(|_| self.located(zero, asked, asked))?
             }
-            None => self.crossing(zero, far)?,
+            None => self.located(zero, far, zero)?,
         };
         Ok(found.map(|way| self.place(way)))
     }
@@ -553,7 +559,8 @@ impl<T: Real> Swing<T> {
             })
             .collect();
         let end = if pulls.is_empty() { sprung } else { sprung + gauss::mean(&pulls) };
-        let smooth = gauss::smooth(&times) && (pulls.is_empty() || gauss::smooth(&pulls));
+        let even = pulls.is_empty() || gauss::smooth(&pulls, gauss::SMOOTH_RUNNING);
+        let smooth = even && gauss::smooth(&times, gauss::SMOOTH);
         Stretch { time: gauss::mean(&times), from: sprung, end, smooth }
     }
 
@@ -699,15 +706,48 @@ impl<T: Real> Swing<T> {
     /// a spring through its anchor, has no speed.
     fn fastest(&self, far: T, known: T) -> T {
         // No square is at a level below 0: the search goes on to the end.
-        match self.crossing(T::of(-1.0), far) {
+        match self.located(T::of(-1.0), far, T::zero()) {
             Ok((_, greatest)) => known.larger(greatest.scale2(1).root()),
             Err(_) => T::of(f64::INFINITY),
         }
     }
 
     /// The first way at which half the square of the angular speed is at `level` (from above if the level is 0), and the
-    /// greatest that was met on the way to it or to `far`.
-    fn crossing(&self, level: T, far: T) -> Result<(Option<T>, T), Refusal> {
+    /// greatest that was met on the way to it or to `far`. It is searched in doubles and then corrected; if another way is given,
+    /// it need be no better than what tells it from that one.
+    fn located(&self, level: T, far: T, other: T) -> Result<(Option<T>, T), Refusal> {
+        if !T::is_double() {
+            let doubles = Swing {
+                body: self.body.doubles(),
+                start: Half { sine: self.start.sine.f64(), cosine: self.start.cosine.f64() },
+                sense: self.sense,
+                half_square: self.half_square.f64(),
+            };
+            if let Ok((found, greatest, true)) = doubles.crossing(level.f64(), far.f64()) {
+                let Some(way) = found else { return Ok((None, T::of(greatest))) };
+                let apart = !other.is_zero() && (way - other.f64()).abs() > CLEAR * way;
+                let way = if apart { Some(T::of(way)) } else { self.corrected(T::of(way), level)? };
+                if way.is_some() {
+                    return Ok((way, T::of(greatest)));
+                }
+            }
+        }
+        self.crossing(level, far).map(|(found, greatest, _)| (found, greatest))
+    }
+
+    /// The way that two steps of Newton's method lead to, if they settle.
+    fn corrected(&self, near: T, level: T) -> Result<Option<T>, Refusal> {
+        let (mut way, mut step) = (near, near);
+        for _ in 0..2 {
+            let place = self.place(way);
+            step = (self.gained(&place)? - level) / self.drive(&place);
+            way = way - step;
+        }
+        Ok((step.size() <= CORRECTED * way.size()).then_some(way))
+    }
+
+    /// The same by a search in this number type, and whether no comparison in it was close.
+    fn crossing(&self, level: T, far: T) -> Result<(Option<T>, T, bool), Refusal> {
         let stride = T::of(STRIDE);
         let above = |square: T| (square - level).sign();
         let from_above = level.is_zero() || level.below(self.half_square);
@@ -716,7 +756,7 @@ impl<T: Real> Swing<T> {
         let mut here = self.place(T::zero());
         let mut before = (here.way, self.drive(&here));
         let (mut square, mut greatest) = (self.half_square, self.half_square);
-        let mut strides = 0;
+        let (mut strides, mut clear) = (0, true);
         // Shorter strides where the drive may change its sign twice within one.
         let law = self.body.law();
         let once = |a: T, b: T| law.changes_once(self.sense * a.f64(), self.sense * b.f64());
@@ -744,22 +784,24 @@ impl<T: Real> Swing<T> {
             }
             before = (next, drive);
             while let Some(way) = stop.take() {
-                let at = |way: T| -> Result<(T, T), Refusal> {
+                let at = |way: T| -> Result<(T, T, f64), Refusal> {
                     let place = self.place(way);
                     let parts = [square, self.closed(&here, &place), self.sprung(here.way, way)?];
                     let size = parts[0].size() + parts[1].size() + parts[2].size();
-                    Ok(((parts[0] + parts[1] + parts[2]).cleared(size), self.drive(&place)))
+                    Ok(((parts[0] + parts[1] + parts[2]).cleared(size), self.drive(&place), size))
                 };
-                let (value, _) = at(way)?;
+                let (value, _, size) = at(way)?;
+                // NaN is not clear.
+                clear &= (value - level).size() > CLEAR * (size + greatest.size() + level.size());
                 if greatest.below(value) {
                     greatest = value;
                 }
                 if crossed(value) {
                     let found = root::between(here.way, way, !from_above, |x| {
-                        let (value, slope) = at(x)?;
+                        let (value, slope, _) = at(x)?;
                         Ok::<_, Refusal>((value - level, slope))
                     })?;
-                    return Ok((Some(found), greatest));
+                    return Ok((Some(found), greatest, clear));
                 }
                 (here, square) = (self.place(way), value);
                 if turns && !next.below(far) && way.below(next) {
@@ -767,6 +809,6 @@ impl<T: Real> Swing<T> {
                 }
             }
         }
-        Ok((None, greatest))
+        Ok((None, greatest, clear))
     }
 }
