@@ -259,6 +259,16 @@ pub fn width(tex: &str) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::solution::expr::ONE;
+    use crate::solution::expr::ZERO;
+    use crate::solution::expr::minus;
+    use crate::solution::expr::number;
+    use crate::solution::expr::power;
+    use crate::solution::expr::product;
+    use crate::solution::expr::ratio;
+    use crate::solution::expr::sine;
+    use crate::solution::expr::square;
+    use crate::solution::expr::sum;
     use crate::words::Words;
 
     fn symbols(words: &Words) -> (Symbols<'_>, [SymbolId; 4]) {
@@ -274,21 +284,21 @@ mod tests {
     fn written_in_symbols_and_in_numbers() {
         let words = Words::english();
         let (l, [m, g, theta, f]) = symbols(&words);
-        let weight = product([m.into(), g.into(), sine(theta.into())]);
+        let weight = m * g * sine(theta);
         assert_eq!(weight.symbols(&l), r"m\,g\,\sin \theta");
         assert_eq!(
             weight.numbers(&l),
             r"(40\ \mathrm{kg})\,(9.81\ \mathrm{m}/\mathrm{s}^{2})\,\sin 30^\circ"
         );
-        let e = difference(f.into(), weight);
+        let e = f - weight;
         assert_eq!(e.symbols(&l), r"F - m\,g\,\sin \theta");
         assert!((e.value(&l) + 2.5 + 196.2).abs() < 1e-12);
-        let e = product([ratio(1, 2), m.into(), square(f.into())]);
+        let e = ratio(1, 2) * m * square(f);
         assert_eq!(e.symbols(&l), r"\tfrac{1}{2}\,m\,F^{2}");
         assert_eq!(e.numbers(&l), r"\tfrac{1}{2}\,(40\ \mathrm{kg})\,(-2.5\ \mathrm{N})^{2}");
-        let e = product([sum([ONE, square(quotient(m.into(), g.into()))]), minus(f.into())]);
+        let e = (ONE + square(m / g)) * -f;
         assert_eq!(e.symbols(&l), r"-\left(1 + \left(\frac{m}{g}\right)^{2}\right)\,F");
-        assert_eq!(sum([m.into(), minus(sum([g.into(), f.into()]))]).symbols(&l), "m - g - F");
+        assert_eq!((m - (g + f)).symbols(&l), "m - g - F");
     }
 
     #[test]
@@ -296,11 +306,12 @@ mod tests {
         let words = Words::english();
         let (_, [m, g, ..]) = symbols(&words);
         assert_eq!(sum([ZERO, m.into(), ZERO]), m.into());
-        assert_eq!(product([ONE, m.into(), number(-1)]), minus(m.into()));
-        assert_eq!(product([ZERO, m.into()]), ZERO);
-        assert_eq!(quotient(m.into(), m.into()), ONE);
-        assert_eq!(quotient(minus(m.into()), minus(g.into())), quotient(m.into(), g.into()));
-        assert_eq!(product([ratio(1, 2), number(2), m.into()]), m.into());
-        assert_eq!(power(minus(m.into()), 2), square(m.into()));
+        assert_eq!(product([ONE, m.into(), number(-1)]), -m);
+        assert_eq!(ZERO * m, ZERO);
+        assert_eq!(m / m, ONE);
+        assert_eq!(-m / -g, m / g);
+        assert_eq!(ratio(1, 2) * 2 * m, m.into());
+        assert_eq!(power(minus(m.into()), 2), square(m));
+        assert_eq!((sine(ZERO), square(ZERO)), (ZERO, ZERO));
     }
 }
