@@ -5,7 +5,6 @@ use crate::bank::node::Fields;
 use crate::bank::node::Node;
 use crate::bank::node::named;
 use crate::bank::yaml;
-use crate::finding::Finding;
 use crate::finding::Findings;
 use std::sync::LazyLock;
 

@@ -63,6 +63,36 @@ pub fn figures(value: f64, figures: usize) -> String {
     }
 }
 
+/// As many significant figures as asked, with the zeros at the end that belong to them.
+pub fn significant(value: f64, figures: usize) -> String {
+    if value == 0.0 {
+        return "0".to_owned();
+    }
+    if !value.is_finite() {
+        let word = if value.is_nan() {
+            "none"
+        } else if value > 0.0 {
+            "infinite"
+        } else {
+            "-infinite"
+        };
+        return word.to_owned();
+    }
+    let figures = figures.max(1);
+    let short = self::figures(value, figures);
+    let exponent: i32 = short.split_once('e').and_then(|(_, e)| e.parse().ok()).unwrap_or(0);
+    let decimals = i32::try_from(figures).unwrap_or(17) - 1 - exponent;
+    if (-5..6).contains(&exponent) && decimals >= 0 {
+        self::decimals(value, usize::try_from(decimals).unwrap_or(0))
+    } else if (0..6).contains(&exponent) {
+        // More digits before the point than figures: round them there.
+        let whole: f64 = short.parse().unwrap_or(value);
+        self::decimals(whole, 0)
+    } else {
+        short
+    }
+}
+
 /// The number that is meant by so many significant figures of this one.
 pub fn rounded(value: f64, to_figures: usize) -> f64 {
     figures(value, to_figures).parse().unwrap_or(value)
@@ -111,6 +141,21 @@ mod tests {
             let whole = (meant.with_precision(60).value() * &ten).round();
             prop_assert_eq!(exact(&told) * ten, whole, "{} to {} decimals: {}", text, places, told);
             prop_assert_eq!(told.split_once('.').map_or(0, |(_, part)| part.len()), places, "{}", told);
+        }
+    }
+
+    #[test]
+    fn figures_are_kept() {
+        for (value, figures, text) in [
+            (30.2634, 3, "30.3"),
+            (0.05, 3, "0.0500"),
+            (1234.6, 3, "1230"),
+            (9.999, 3, "10.0"),
+            (-62.6, 4, "-62.60"),
+            (1e-9, 2, "1.0e-9"),
+            (0.0, 3, "0"),
+        ] {
+            assert_eq!(significant(value, figures), text);
         }
     }
 

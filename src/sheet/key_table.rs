@@ -5,10 +5,10 @@ use crate::finding::Finding;
 use crate::key::Answer;
 use crate::key::KeyEntry;
 use crate::key::SheetKey;
+use crate::num::shown::significant;
 use crate::problem::make::Variant;
 use crate::sheet::document::Document;
 use crate::sheet::document::Head;
-use crate::sheet::number::rounded;
 use crate::sheet::statement;
 use crate::solve::outcome::Motion;
 use crate::template;
@@ -108,7 +108,7 @@ pub fn shown(words: &Words, problem: &Problem, entry: &KeyEntry) -> String {
     match &entry.answer {
         Answer::Word { right, .. } => statement::said(words, right).to_owned(),
         Answer::Number { value, .. } => {
-            let number = words.number(&rounded(entry.unit.from_si(*value), FIGURES));
+            let number = words.number(&significant(entry.unit.from_si(*value), FIGURES));
             // A sign that means a direction is shown in both cases.
             if directed && *value > 0.0 { format!("+{number}") } else { number }
         }

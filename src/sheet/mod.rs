@@ -2,7 +2,6 @@
 pub mod document;
 pub mod html;
 pub mod key_table;
-pub mod number;
 pub mod page;
 pub mod pdf;
 pub mod public;

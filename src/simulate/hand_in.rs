@@ -4,8 +4,8 @@ use crate::guard::push_field;
 use crate::key::Answer;
 use crate::key::KeyEntry;
 use crate::key::ProblemKey;
+use crate::num::shown::significant;
 use crate::problem::make::Variant;
-use crate::sheet::number::rounded;
 use crate::solve::agree;
 use rand::RngExt as _;
 use rand::SeedableRng as _;
@@ -124,7 +124,7 @@ fn with_unit(entry: &KeyEntry, number: &str) -> String {
 fn right(entry: &KeyEntry) -> String {
     match &entry.answer {
         Answer::Word { right, .. } => (*right).to_owned(),
-        Answer::Number { value, .. } => with_unit(entry, &rounded(entry.unit.from_si(*value), 4)),
+        Answer::Number { value, .. } => with_unit(entry, &significant(entry.unit.from_si(*value), 4)),
     }
 }
 
@@ -175,7 +175,7 @@ fn wrong_method(
     let wrong = case.and_then(|c| agree::solve(&c.scene, &data).ok());
     let wrong = wrong.zip(question).and_then(|(solved, q)| solved.get(q.label).map(|e| e.value()));
     let wrong = wrong.filter(|w| w.is_finite() && (w - value).abs() > 0.03 * value.abs());
-    with_unit(entry, &rounded(entry.unit.from_si(wrong.unwrap_or(value * std::f64::consts::SQRT_2)), 4))
+    with_unit(entry, &significant(entry.unit.from_si(wrong.unwrap_or(value * std::f64::consts::SQRT_2)), 4))
 }
 
 /// The right number with a unit of another kind.
@@ -191,7 +191,7 @@ fn wrong_unit(entry: &KeyEntry) -> String {
     };
     match &entry.answer {
         Answer::Word { right, .. } => format!("{right} m"),
-        Answer::Number { value, .. } => format!("{} {other}", rounded(entry.unit.from_si(*value), 4)),
+        Answer::Number { value, .. } => format!("{} {other}", significant(entry.unit.from_si(*value), 4)),
     }
 }
 
@@ -201,7 +201,7 @@ fn messy(entry: &KeyEntry, rng: &mut ChaCha20Rng) -> String {
         Answer::Word { right, .. } => return format!(" {} ", right.to_uppercase()),
         Answer::Number { value, .. } => entry.unit.from_si(*value),
     };
-    let text = rounded(value, 4);
+    let text = significant(value, 4);
     match rng.random_range(0..6u32) {
         0 => with_unit(entry, &text.replace('.', ",")),
         1 => with_unit(entry, &text.replace('-', "\u{2212}")).replace(' ', "\u{2009}"),

@@ -2,7 +2,7 @@
 use crate::key::Answer;
 use crate::key::KeyEntry;
 use crate::num::U;
-use crate::sheet::number::rounded;
+use crate::num::shown::significant;
 use crate::simulate::chance::Chance;
 use crate::simulate::habits::Written;
 use crate::units::Unit;
@@ -45,7 +45,7 @@ const WAYS: [(&str, f64); 4] = [("up", 1.0), ("down", -1.0), ("forward", 1.0), (
 impl Cell {
     /// A number of this value, SI, in this unit with so many figures.
     pub fn number(si: f64, unit: &Unit, figures: u32) -> Self {
-        let digits = rounded(unit.from_si(si), usize::try_from(figures).unwrap_or(4));
+        let digits = significant(unit.from_si(si), usize::try_from(figures).unwrap_or(4));
         // Nobody writes the unit of a pure number.
         let unit = (unit.ascii() != "1").then(|| unit.clone());
         Self::Number { digits, unit, way: None }

@@ -3,30 +3,30 @@
 use crate::misconception::catalogue::Catalogue;
 use crate::misconception::catalogue::Entry;
 use crate::problem::make_key;
-use crate::solution::desk::Desk;
+use crate::solution::draft::Draft;
 use crate::solution::text::Block;
-use crate::solution::text::Section;
+use crate::solution::text::SolutionSection;
 use crate::solution::told;
 
 /// So many are told at most: nobody reads a list of all.
 const MOST: usize = 5;
 
 /// The section; `None` if the problem lists no wrong method that can be told.
-pub fn section(desk: &Desk, number: usize) -> Option<Section> {
-    let items: Vec<String> = chosen(desk, Catalogue::shared(desk.words.language()))
+pub fn section(draft: &Draft, number: usize) -> Option<SolutionSection> {
+    let items: Vec<String> = chosen(draft, Catalogue::shared(draft.words.language()))
         .into_iter()
         .map(|(question, words, wrong)| {
-            let part = format!("`{number}.{}`", desk.problem.questions[question].id);
+            let part = format!("`{number}.{}`", draft.problem.questions[question].id);
             let pieces =
                 [("did", words.did.as_str()), ("part", &part), ("wrong", &wrong), ("see", &words.see)];
-            desk.say("solution.beware.item", &pieces)
+            draft.say("solution.beware.item", &pieces)
         })
         .collect();
     if items.is_empty() {
         return None;
     }
-    let mut section = Section::new("beware", desk.words.get("solution.title.beware"));
-    section.say(desk.words.get("solution.beware.intro"));
+    let mut section = SolutionSection::new("beware", draft.words.get("solution.title.beware"));
+    section.say(draft.words.get("solution.beware.intro"));
     section.blocks.push(Block::List(items));
     Some(section)
 }
@@ -37,21 +37,21 @@ pub fn section(desk: &Desk, number: usize) -> Option<Section> {
 /// the bank, until there are [`MOST`]: so the bank's first mistake about each question comes before a second one about any. Left out are
 /// methods from which draws are not kept away (`unguarded`: slips, and what often comes near the right answer), those without
 /// words, and values that look, with the figures of the answer, like the right one or like one that the question has already.
-fn chosen<'c>(desk: &Desk, catalogue: &'c Catalogue) -> Vec<(usize, &'c Entry, String)> {
-    let questions = &desk.problem.questions;
+fn chosen<'c>(draft: &Draft, catalogue: &'c Catalogue) -> Vec<(usize, &'c Entry, String)> {
+    let questions = &draft.problem.questions;
     let right: Vec<Option<String>> = questions
         .iter()
-        .map(|q| desk.variant.solved.get(q.label).map(|entry| told(desk, q, entry.value())))
+        .map(|q| draft.variant.solved.get(q.label).map(|entry| told(draft, q, entry.value())))
         .collect();
     let mut of_question: Vec<Vec<(&Entry, String)>> = vec![Vec::new(); questions.len()];
-    for (index, mistake) in desk.problem.mistakes.iter().enumerate() {
+    for (index, mistake) in draft.problem.mistakes.iter().enumerate() {
         let Some(words) = catalogue.get(&mistake.id).filter(|_| mistake.unguarded.is_none()) else {
             continue;
         };
         let spoilt = questions.iter().enumerate().find_map(|(at, q)| {
-            let wrong = desk.variant.wrong.iter().find(|w| w.mistake == index && w.label == q.label)?;
+            let wrong = draft.variant.wrong.iter().find(|w| w.mistake == index && w.label == q.label)?;
             let magnitude = make_key::is_magnitude(q.label.quantity);
-            let wrong = told(desk, q, if magnitude { wrong.value.abs() } else { wrong.value });
+            let wrong = told(draft, q, if magnitude { wrong.value.abs() } else { wrong.value });
             let known =
                 right[at].as_ref() == Some(&wrong) || of_question[at].iter().any(|(_, w)| *w == wrong);
             (!known).then_some((at, wrong))

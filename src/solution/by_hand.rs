@@ -3,7 +3,7 @@
 //! Whom this stands for: somebody who follows the worked solution with a pocket calculator. Each
 //! quantity that the solution names (a work, an effective mass, an acceleration, a tension) is computed in one go from what stands
 //! on the paper, written down with so many figures, and used as it is written from there on. Data and g are exact as
-//! printed; what the calculator does between two lines of the paper is exact too. Of the two roads of the solution such a student
+//! printed; what the calculator does between two lines of the paper is exact too. Of the two methods of the solution such a student
 //! takes, for each question, the one that keeps more figures, as can be seen on the paper: 1200 J less 1165 J leaves two, the
 //! product of two written numbers nearly all.
 //!
@@ -14,33 +14,33 @@ use crate::bank::Problem;
 use crate::problem::make::Variant;
 use crate::scene::Label;
 use crate::solution::derive;
-use crate::solution::desk::Answer;
-use crate::solution::desk::Desk;
-use crate::solution::stop::Stop;
+use crate::solution::draft::DerivedAnswer;
+use crate::solution::draft::Draft;
+use crate::solution::stop::DerivationStop;
 use crate::words::Words;
 
 /// A number that came about with rounding on the way, SI.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Rough {
+pub struct RoundedValue {
     /// The value.
     pub value: f64,
     /// How far the figures that were left out may have moved it, to first order, >= 0.
     pub doubt: f64,
 }
 
-/// What such a student comes to for one question, on either road.
+/// What such a student comes to for one question, by either method.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ByHand {
     /// The quantity.
     pub label: Label,
     /// From the equations of motion; `None` if the solution does not find it there.
-    pub eom: Option<Rough>,
+    pub eom: Option<RoundedValue>,
     /// From work and energy; likewise.
-    pub energy: Option<Rough>,
+    pub energy: Option<RoundedValue>,
 }
 
 impl ByHand {
-    /// The number on the road that keeps more figures; of equal ones, that of the equations of motion. SI.
+    /// The number on the method that keeps more figures; of equal ones, that of the equations of motion. SI.
     pub fn value(&self) -> Option<f64> {
         let (first, second) = match (self.eom, self.energy) {
             (Some(a), Some(b)) if b.doubt < a.doubt => (Some(b), Some(a)),
@@ -59,17 +59,17 @@ pub fn answers(
     variant: &Variant,
     words: &Words,
     figures: usize,
-) -> Result<Vec<ByHand>, Stop> {
-    let mut desk = Desk::by_hand(problem, variant, words, figures)?;
-    derive(&mut desk)?;
-    let rough = |answer: Option<Answer>| match answer? {
-        Answer::Value(symbol) => {
-            let (value, doubt) = (desk.ledger.value(symbol), desk.ledger.doubt(symbol));
-            value.is_finite().then_some(Rough { value, doubt })
+) -> Result<Vec<ByHand>, DerivationStop> {
+    let mut draft = Draft::by_hand(problem, variant, words, figures)?;
+    derive(&mut draft)?;
+    let rough = |answer: Option<DerivedAnswer>| match answer? {
+        DerivedAnswer::Value(symbol) => {
+            let (value, doubt) = (draft.symbols.value(symbol), draft.symbols.doubt(symbol));
+            value.is_finite().then_some(RoundedValue { value, doubt })
         }
-        Answer::Word(_) => None,
+        DerivedAnswer::Word(_) => None,
     };
     let numbers = problem.questions.iter().filter(|q| !q.label.quantity.is_word());
-    let found = numbers.filter_map(|q| desk.found.iter().find(|f| f.label == q.label));
+    let found = numbers.filter_map(|q| draft.found.iter().find(|f| f.label == q.label));
     Ok(found.map(|f| ByHand { label: f.label, eom: rough(f.eom), energy: rough(f.energy) }).collect())
 }

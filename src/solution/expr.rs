@@ -4,7 +4,7 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// A quantity of a solution: its place among them.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Symbol(pub(super) usize);
+pub struct SymbolId(pub(super) usize);
 
 /// An expression.
 #[derive(Debug, Clone, PartialEq)]
@@ -12,7 +12,7 @@ pub enum Expr {
     /// A number that belongs to the formula and not to the data: `1/2`, `2`, `-1`; the denominator is > 0.
     Number(i64, i64),
     /// A quantity.
-    Symbol(Symbol),
+    Symbol(SymbolId),
     /// The opposite.
     Minus(Box<Expr>),
     /// A sum; terms that are [`Expr::Minus`] are subtracted.
@@ -194,8 +194,8 @@ pub fn magnitude(of: impl Into<Expr>) -> Expr {
     Expr::Of(Function::Magnitude, Box::new(of.into()))
 }
 
-impl From<Symbol> for Expr {
-    fn from(symbol: Symbol) -> Self {
+impl From<SymbolId> for Expr {
+    fn from(symbol: SymbolId) -> Self {
         Self::Symbol(symbol)
     }
 }
@@ -247,12 +247,12 @@ macro_rules! operators {
         }
     )*};
 }
-operators! { Expr &Expr Symbol }
+operators! { Expr &Expr SymbolId }
 
 impl Expr {
     /// The symbols in it, each once, in order.
-    pub fn uses(&self) -> Vec<Symbol> {
-        fn walk(expr: &Expr, found: &mut Vec<Symbol>) {
+    pub fn uses(&self) -> Vec<SymbolId> {
+        fn collect(expr: &Expr, found: &mut Vec<SymbolId>) {
             match expr {
                 Expr::Number(..) => {}
                 Expr::Symbol(s) => {
@@ -261,17 +261,17 @@ impl Expr {
                     }
                 }
                 Expr::Minus(inner) | Expr::Power(inner, _) | Expr::Root(inner) | Expr::Of(_, inner) => {
-                    walk(inner, found);
+                    collect(inner, found);
                 }
-                Expr::Sum(parts) | Expr::Product(parts) => parts.iter().for_each(|p| walk(p, found)),
+                Expr::Sum(parts) | Expr::Product(parts) => parts.iter().for_each(|p| collect(p, found)),
                 Expr::Quotient(over, under) => {
-                    walk(over, found);
-                    walk(under, found);
+                    collect(over, found);
+                    collect(under, found);
                 }
             }
         }
         let mut found = Vec::new();
-        walk(self, &mut found);
+        collect(self, &mut found);
         found
     }
 }

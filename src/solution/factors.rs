@@ -4,7 +4,7 @@ use crate::solution::expr::ZERO;
 use crate::solution::expr::minus;
 use crate::solution::expr::power;
 use crate::solution::expr::product;
-use crate::solution::quantities::Ledger;
+use crate::solution::symbols::Symbols;
 
 /// `constant * over / under`; factors that occur above and below are gone.
 #[derive(Debug, Clone, PartialEq)]
@@ -82,8 +82,8 @@ impl Factors {
     }
     /// The same without a minus in front where a difference that is negative takes it: `(R - r)/r` for `-(r - R)/r`.
     #[must_use]
-    pub fn upright(&self, ledger: &Ledger) -> Self {
-        let negative = |f: &Expr| matches!(f, Expr::Sum(_)) && f.value(ledger) < 0.0;
+    pub fn upright(&self, symbols: &Symbols) -> Self {
+        let negative = |f: &Expr| matches!(f, Expr::Sum(_)) && f.value(symbols) < 0.0;
         let mut turned = self.opposite();
         let factor = turned.over.iter_mut().find(|f| negative(f));
         match factor {
@@ -201,7 +201,7 @@ mod tests {
     #[test]
     fn ratios_cancel_and_add() {
         let words = Words::english();
-        let mut l = Ledger::new(&words);
+        let mut l = Symbols::new(&words);
         let mut symbol = |tex: &str| {
             let s = l.given(tex, 2.0, "2", "", false);
             Factors::of(&s.into())
@@ -219,7 +219,7 @@ mod tests {
         assert_eq!(text(&half.times(&m).times(&c.squared()).times(&turn.squared())), r"\tfrac{1}{2}\,m");
         assert_eq!(text(&half.times(&m).times(&turn).opposite()), r"-\frac{m}{2\,c}");
         assert!(c.per(&p).times(&p).per(&c).is_one());
-        let mut l = Ledger::new(&words);
+        let mut l = Symbols::new(&words);
         let [small, large] = [("r", 2.0), ("R", 3.0)].map(|(tex, x)| {
             let s = l.given(tex, x, "", "", false);
             Factors::of(&s.into())

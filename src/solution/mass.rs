@@ -8,7 +8,7 @@ use crate::solution::expr::number;
 use crate::solution::expr::ratio;
 use crate::solution::expr::square;
 use crate::solution::expr::sum;
-use crate::solution::pen::Pen;
+use crate::solution::section_writer::SectionWriter;
 
 /// `beta` of `I = beta m R^2`.
 pub fn beta(shape: Shape) -> Expr {
@@ -33,68 +33,68 @@ fn phrase(shape: Shape) -> &'static str {
 }
 
 /// The mass of a body: a datum, or found from its weight or its parts.
-pub fn mass(pen: &mut Pen, body: usize) -> Expr {
-    let this = &pen.desk.scene.bodies[body];
+pub fn mass(page: &mut SectionWriter, body: usize) -> Expr {
+    let this = &page.draft.scene.bodies[body];
     match &this.mass {
         Mass::OfParts => {
             let Some(RotaryInertia::Parts(parts)) = &this.inertia else { return ZERO };
-            let parts: Vec<Expr> = parts.iter().map(|p| of(pen, &p.mass)).collect();
-            let name = pen.desk.free(&["m", "m_G"]);
-            pen.say("pinned.mass_parts", &[]);
-            pen.find(&name, "kg", sum(parts)).into()
+            let parts: Vec<Expr> = parts.iter().map(|p| of(page, &p.mass)).collect();
+            let name = page.free(&["m", "m_G"]);
+            page.say("pinned.mass_parts", &[]);
+            page.find(&name, "kg", sum(parts)).into()
         }
         given @ Mass::Weight(_) => {
-            let from = of(pen, given);
-            let name = pen.desk.free(&["m", "m_G"]);
-            pen.say("pinned.mass_weight", &[]);
-            pen.find(&name, "kg", &from).into()
+            let from = of(page, given);
+            let name = page.free(&["m", "m_G"]);
+            page.say("pinned.mass_weight", &[]);
+            page.find(&name, "kg", &from).into()
         }
-        given @ Mass::Kilograms(_) => of(pen, given),
+        given @ Mass::Kilograms(_) => of(page, given),
     }
 }
 
-fn of(pen: &mut Pen, mass: &Mass) -> Expr {
+fn of(page: &mut SectionWriter, mass: &Mass) -> Expr {
     match mass {
-        Mass::Kilograms(m) => pen.desk.number(*m, "m", "kg"),
+        Mass::Kilograms(m) => page.number(*m, "m", "kg"),
         Mass::Weight(w) => {
-            let gravity = pen.desk.scene.gravity_m_s2;
-            let g = pen.desk.number(gravity, "g", "m/s^2");
-            pen.desk.number(*w, "W", "N") / g
+            let gravity = page.draft.scene.gravity_m_s2;
+            let g = page.number(gravity, "g", "m/s^2");
+            page.number(*w, "W", "N") / g
         }
         Mass::OfParts => ZERO,
     }
 }
 
 /// The moment of inertia about the mass centre; [`ZERO`] for a body that has none.
-pub fn inertia(pen: &mut Pen, body: usize, m: &Expr) -> Expr {
-    let name = pen.desk.free(&["I_G", "J_G"]);
-    let scene = pen.desk.scene;
+pub fn inertia(page: &mut SectionWriter, body: usize, m: &Expr) -> Expr {
+    let name = page.free(&["I_G", "J_G"]);
+    let scene = page.draft.scene;
     match &scene.bodies[body].inertia {
         None => ZERO,
-        Some(RotaryInertia::Moment(i)) => pen.desk.number(*i, &name, "kg m^2"),
+        Some(RotaryInertia::Moment(i)) => page.number(*i, &name, "kg m^2"),
         Some(RotaryInertia::Gyration(k)) => {
-            let k = pen.desk.number(*k, "k", "m");
+            let k = page.number(*k, "k", "m");
             if k == ZERO {
                 return ZERO;
             }
-            pen.say("pinned.inertia_gyration", &[]);
-            pen.find(&name, "kg m^2", m * square(k)).into()
+            page.say("pinned.inertia_gyration", &[]);
+            page.find(&name, "kg m^2", m * square(k)).into()
         }
         Some(RotaryInertia::Shape(shape, r)) => {
-            let r = pen.desk.number(*r, "R", "m");
-            let named = pen.desk.words.get(phrase(*shape)).to_owned();
-            pen.say("pinned.inertia_shape", &[("shape", &named)]);
-            pen.find(&name, "kg m^2", beta(*shape) * m * square(r)).into()
+            let r = page.number(*r, "R", "m");
+            let named = page.draft.words.get(phrase(*shape)).to_owned();
+            page.say("pinned.inertia_shape", &[("shape", &named)]);
+            page.find(&name, "kg m^2", beta(*shape) * m * square(r)).into()
         }
         Some(RotaryInertia::Parts(parts)) => {
             let mut terms = Vec::new();
             for p in parts {
-                let mass = of(pen, &p.mass);
-                let r = pen.desk.number(p.radius_m, "R", "m");
+                let mass = of(page, &p.mass);
+                let r = page.number(p.radius_m, "R", "m");
                 terms.push(beta(p.shape) * mass * square(r));
             }
-            pen.say("pinned.inertia_parts", &[]);
-            pen.find(&name, "kg m^2", sum(terms)).into()
+            page.say("pinned.inertia_parts", &[]);
+            page.find(&name, "kg m^2", sum(terms)).into()
         }
     }
 }

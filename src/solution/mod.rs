@@ -1,26 +1,26 @@
-//! Worked solutions: both roads in symbols and numbers, from the scene's own terms. A third derivation beside the two that
+//! Worked solutions: both methods in symbols and numbers, from the scene's own terms. A third derivation beside the two that
 //! make the key: a solution whose numbers are not those of the key is never printed, a short page stands in its place.
 //!
-//! A derivation works on a [`desk::Desk`]: it writes its sections and says what it has found on which road. The sections, by
+//! A derivation works on a [`draft::Draft`]: it writes its sections and says what it has found by which method. The sections, by
 //! id, in the order of the text:
 //! - `given`: the data in SI, what is asked;
 //! - whatever the derivation writes: `forces`, `eom`, `energy`, ...;
-//! - `agree`: what both roads found; `regime`: the check of what was assumed;
+//! - `agree`: what both methods found; `regime`: the check of what was assumed;
 //! - `answers`: the answers, rounded; `beware`: wrong methods of the problem, with what they would give.
 //!
 //! What no derivation covers has a short page: `given`, `beyond` with the reason, `answers`.
 pub mod beware;
 pub mod by_hand;
-pub mod desk;
+pub mod draft;
 pub mod expr;
 pub mod factors;
 pub mod lamina;
 pub mod linear;
 pub mod mass;
-pub mod pen;
 pub mod pinned;
-pub mod quantities;
+pub mod section_writer;
 pub mod stop;
+pub mod symbols;
 pub mod text;
 pub mod thrown;
 pub mod valued;
@@ -31,6 +31,7 @@ use crate::bank::Question;
 use crate::figure;
 use crate::figure::names;
 use crate::finding::Finding;
+use crate::num::shown;
 use crate::picture::Picture;
 use crate::problem::make::Variant;
 use crate::problem::make_key;
@@ -41,15 +42,14 @@ use crate::scene::Scene;
 use crate::scene::Slope;
 use crate::scene::Tie;
 use crate::sheet::document::Document;
-use crate::sheet::number;
-use crate::solution::desk::Answer;
-use crate::solution::desk::Desk;
-use crate::solution::desk::Found;
-use crate::solution::quantities::tex_digits;
+use crate::solution::draft::DerivedAnswer;
+use crate::solution::draft::Draft;
+use crate::solution::draft::FoundAnswer;
 use crate::solution::stop::Beyond;
-use crate::solution::stop::Stop;
+use crate::solution::stop::DerivationStop;
+use crate::solution::symbols::tex_digits;
 use crate::solution::text::Block;
-use crate::solution::text::Section;
+use crate::solution::text::SolutionSection;
 use crate::solve::outcome::Word;
 use crate::template;
 use crate::template::Templates;
@@ -84,8 +84,8 @@ pub fn worked(
     words: &Words,
     templates: &Templates,
 ) -> Result<(Document, Option<Beyond>), Finding> {
-    made(problem, variant, number, (words, templates), &|desk| {
-        figure::all(desk.problem, desk.variant, desk.words)
+    made(problem, variant, number, (words, templates), &|draft| {
+        figure::all(draft.problem, draft.variant, draft.words)
     })
 }
 
@@ -104,7 +104,7 @@ pub fn text(
 }
 
 /// The pictures that a solution may show, by name.
-type Pictures<'p> = &'p dyn Fn(&Desk) -> Vec<(String, Picture)>;
+type Pictures<'p> = &'p dyn Fn(&Draft) -> Vec<(String, Picture)>;
 
 fn made(
     problem: &Problem,
@@ -113,31 +113,31 @@ fn made(
     (words, templates): (&Words, &Templates),
     pictures: Pictures,
 ) -> Result<(Document, Option<Beyond>), Finding> {
-    let mut desk = Desk::new(problem, variant, words)?;
-    let beyond = match derive(&mut desk).and_then(|()| check(&desk)) {
+    let mut draft = Draft::new(problem, variant, words)?;
+    let beyond = match derive(&mut draft).and_then(|()| check(&draft)) {
         Ok(()) => None,
-        Err(Stop::Fault(fault)) => return Err(fault),
-        Err(Stop::Beyond(what)) => {
+        Err(DerivationStop::Fault(fault)) => return Err(fault),
+        Err(DerivationStop::Beyond(what)) => {
             // What was written down up to here leads nowhere.
-            desk = Desk::new(problem, variant, words)?;
+            draft = Draft::new(problem, variant, words)?;
             Some(what)
         }
     };
-    let mut sections = std::mem::take(&mut desk.sections);
-    let answers = answers(&desk, number);
-    sections.push(given(&desk, number));
+    let mut sections = std::mem::take(&mut draft.sections);
+    let answers = answers(&draft, number);
+    sections.push(given(&draft, number));
     match beyond {
         None => {
-            sections.push(agree(&desk, number));
-            sections.extend(beware::section(&desk, number));
+            sections.push(agree(&draft, number));
+            sections.extend(beware::section(&draft, number));
         }
         Some(what) => {
-            let mut section = Section::new("beyond", words.get("solution.title.beyond"));
+            let mut section = SolutionSection::new("beyond", words.get("solution.title.beyond"));
             section.say(words.say("solution.short", &[("what", &what.text(words))]));
             sections.push(section);
         }
     }
-    let mut last = Section::new("answers", words.get("solution.title.answers"));
+    let mut last = SolutionSection::new("answers", words.get("solution.title.answers"));
     if beyond.is_none() {
         last.say(words.get("solution.answers"));
     }
@@ -145,7 +145,7 @@ fn made(
     sections.push(last);
     sections.sort_by_key(|s| rank(s.id));
 
-    let pictures = if beyond.is_none() { pictures(&desk) } else { Vec::new() };
+    let pictures = if beyond.is_none() { pictures(&draft) } else { Vec::new() };
     for section in &mut sections {
         section.blocks.retain(|b| match b {
             Block::Picture(name) => pictures.iter().any(|(n, _)| n == name),
@@ -160,7 +160,7 @@ fn made(
     view.text("number", &number.to_string());
     view.text("title", &problem.title);
     view.text("case", &problem.cases[variant.case].name);
-    for (symbol, whole) in desk.whole() {
+    for (symbol, whole) in draft.whole() {
         view.text(symbol, &whole);
     }
     let bodies: Vec<String> = sections.iter().map(|s| s.markdown(&alt)).collect();
@@ -194,17 +194,17 @@ fn made(
 }
 
 /// The derivation that the scene needs.
-fn derive(desk: &mut Desk) -> Result<(), Stop> {
-    if desk.scene.bodies.iter().any(|b| !b.particles.is_empty()) {
-        return lamina::work(desk);
+fn derive(draft: &mut Draft) -> Result<(), DerivationStop> {
+    if draft.scene.bodies.iter().any(|b| !b.particles.is_empty()) {
+        return lamina::work(draft);
     }
-    if desk.scene.pinned().is_some() {
-        return pinned::work(desk);
+    if draft.scene.pinned().is_some() {
+        return pinned::work(draft);
     }
-    if desk.scene.thrown().is_some() && desk.scene.end != End::AtOnce {
-        return thrown::work(desk);
+    if draft.scene.thrown().is_some() && draft.scene.end != End::AtOnce {
+        return thrown::work(draft);
     }
-    linear::sections(desk)
+    linear::sections(draft)
 }
 
 /// Place of a section in the text.
@@ -220,18 +220,18 @@ fn rank(id: &str) -> u8 {
 }
 
 /// Is every question answered, and every number that of the key?
-fn check(desk: &Desk) -> Result<(), Stop> {
-    for q in &desk.problem.questions {
-        if !desk.found.iter().any(|f| f.label == q.label && (f.eom.is_some() || f.energy.is_some())) {
+fn check(draft: &Draft) -> Result<(), DerivationStop> {
+    for q in &draft.problem.questions {
+        if !draft.found.iter().any(|f| f.label == q.label && (f.eom.is_some() || f.energy.is_some())) {
             return Err(Beyond::Quantity(q.label.quantity).into());
         }
     }
-    for found in &desk.found {
+    for found in &draft.found {
         for answer in [found.eom, found.energy].into_iter().flatten() {
             match answer {
-                Answer::Value(symbol) => {
-                    let Some(entry) = desk.variant.solved.get(found.label) else { continue };
-                    let (here, key) = (desk.ledger.value(symbol), entry.value());
+                DerivedAnswer::Value(symbol) => {
+                    let Some(entry) = draft.variant.solved.get(found.label) else { continue };
+                    let (here, key) = (draft.symbols.value(symbol), entry.value());
                     // What is the small rest of large terms is judged by their size.
                     let scale = here.abs().max(key.abs()) * entry.cond.max(1.0);
                     let scale = if scale.is_nan() { entry.scale } else { scale.max(entry.scale) };
@@ -243,8 +243,8 @@ fn check(desk: &Desk) -> Result<(), Stop> {
                         return Err(Beyond::Differs(found.label.quantity).into());
                     }
                 }
-                Answer::Word(word) => {
-                    if let Some(key) = desk.variant.solved.word(found.label)
+                DerivedAnswer::Word(word) => {
+                    if let Some(key) = draft.variant.solved.word(found.label)
                         && key != word
                     {
                         return Err(Beyond::Differs(found.label.quantity).into());
@@ -257,23 +257,23 @@ fn check(desk: &Desk) -> Result<(), Stop> {
 }
 
 /// Name of a quantity in words, with the symbol that it was found under: `angular speed $\omega$`.
-fn named(desk: &Desk, label: Label) -> String {
-    let forward = way(desk.scene, label.of, 1.0).map_or("", |w| desk.words.get(w));
-    let name = desk.say(&format!("solution.name.{}", label.quantity.name()), &[("way", forward)]);
-    let mut questions = desk.problem.questions.iter();
+fn named(draft: &Draft, label: Label) -> String {
+    let forward = way(draft.scene, label.of, 1.0).map_or("", |w| draft.words.get(w));
+    let name = draft.say(&format!("solution.name.{}", label.quantity.name()), &[("way", forward)]);
+    let mut questions = draft.problem.questions.iter();
     let several = questions.any(|q| q.label.quantity == label.quantity && q.label.of != label.of);
     let owner = match label.of {
-        Owner::Body(b) => names::body_within(desk.words, desk.scene, b),
-        Owner::Tie(t) => match &desk.scene.ties[t] {
-            Tie::Cord(cord) => names::cord(desk.words, desk.scene, cord),
+        Owner::Body(b) => names::body_within(draft.words, draft.scene, b),
+        Owner::Tie(t) => match &draft.scene.ties[t] {
+            Tie::Cord(cord) => names::cord(draft.words, draft.scene, cord),
             Tie::Roll { .. } | Tie::Slip { .. } | Tie::Slide { .. } => String::new(),
         },
         Owner::Scene => String::new(),
     };
     let of = if several && !owner.is_empty() { format!(" ({owner})") } else { String::new() };
-    let symbol = desk.found.iter().find(|f| f.label == label).and_then(|f| match f.eom.or(f.energy)? {
-        Answer::Value(symbol) => Some(desk.ledger.tex(symbol)),
-        Answer::Word(_) => None,
+    let symbol = draft.found.iter().find(|f| f.label == label).and_then(|f| match f.eom.or(f.energy)? {
+        DerivedAnswer::Value(symbol) => Some(draft.symbols.tex(symbol)),
+        DerivedAnswer::Word(_) => None,
     });
     match symbol {
         Some(tex) => format!("{name}{of} ${tex}$"),
@@ -286,42 +286,43 @@ fn id_of(number: usize, q: &Question) -> String {
     format!("{number}.{}", q.id)
 }
 
-fn given(desk: &Desk, number: usize) -> Section {
-    let mut section = Section::new("given", desk.words.get("solution.title.given"));
-    let data: Vec<String> = desk.told().iter().map(|d| format!("${d}$")).collect();
-    let phrase = if desk.degrees_told() { "solution.given_angles" } else { "solution.given" };
-    section.say(desk.say(phrase, &[("data", &data.join(", "))]));
-    let asked = desk.problem.questions.iter();
+fn given(draft: &Draft, number: usize) -> SolutionSection {
+    let mut section = SolutionSection::new("given", draft.words.get("solution.title.given"));
+    let data: Vec<String> = draft.told().iter().map(|d| format!("${d}$")).collect();
+    let phrase = if draft.degrees_told() { "solution.given_angles" } else { "solution.given" };
+    section.say(draft.say(phrase, &[("data", &data.join(", "))]));
+    let asked = draft.problem.questions.iter();
     let asked: Vec<String> =
-        asked.map(|q| format!("{} (`{}`)", named(desk, q.label), id_of(number, q))).collect();
-    section.say(desk.say("solution.asked", &[("list", &asked.join(", "))]));
+        asked.map(|q| format!("{} (`{}`)", named(draft, q.label), id_of(number, q))).collect();
+    section.say(draft.say("solution.asked", &[("list", &asked.join(", "))]));
     section
 }
 
-/// What both roads found, question by question.
-fn agree(desk: &Desk, number: usize) -> Section {
-    let w = desk.words;
-    let mut section = Section::new("agree", w.get("solution.title.agree"));
+/// What both methods found, question by question.
+fn agree(draft: &Draft, number: usize) -> SolutionSection {
+    let w = draft.words;
+    let mut section = SolutionSection::new("agree", w.get("solution.title.agree"));
     // What is summed over particles has no motion and no work.
-    let roads = match desk.scene.bodies.iter().any(|b| !b.particles.is_empty()) {
+    let methods = match draft.scene.bodies.iter().any(|b| !b.particles.is_empty()) {
         true => ["particles", "decomposed"],
         false => ["eom", "energy"],
     };
-    let head = ["question", roads[0], roads[1], "difference"];
+    let head = ["question", methods[0], methods[1], "difference"];
     let mut rows = vec![head.map(|h| w.get(&format!("solution.agree.{h}")).to_owned()).to_vec()];
     let mut notes: Vec<String> = Vec::new();
-    let shown = |answer: Option<Answer>| match answer {
+    let shown = |answer: Option<DerivedAnswer>| match answer {
         None => "–".to_owned(),
-        Some(Answer::Value(symbol)) => format!("${}$", desk.ledger.shown(symbol)),
-        Some(Answer::Word(word)) => format!("`{}`", said(w, word)),
+        Some(DerivedAnswer::Value(symbol)) => format!("${}$", draft.symbols.shown(symbol)),
+        Some(DerivedAnswer::Word(word)) => format!("`{}`", said(w, word)),
     };
-    for q in &desk.problem.questions {
-        let Some(Found { eom, energy, note, .. }) = desk.found.iter().find(|f| f.label == q.label) else {
+    for q in &draft.problem.questions {
+        let Some(FoundAnswer { eom, energy, note, .. }) = draft.found.iter().find(|f| f.label == q.label)
+        else {
             continue;
         };
         let difference = match (eom, energy) {
-            (Some(Answer::Value(a)), Some(Answer::Value(b))) => {
-                format!("${}$", desk.ledger.difference(*a, *b))
+            (Some(DerivedAnswer::Value(a)), Some(DerivedAnswer::Value(b))) => {
+                format!("${}$", draft.symbols.difference(*a, *b))
             }
             (Some(_), Some(_)) => w.get("solution.agree.same").to_owned(),
             _ => "–".to_owned(),
@@ -341,29 +342,29 @@ fn agree(desk: &Desk, number: usize) -> Section {
 }
 
 /// The answers as they are to be handed in: id and text.
-fn answers(desk: &Desk, number: usize) -> Vec<(String, String)> {
+fn answers(draft: &Draft, number: usize) -> Vec<(String, String)> {
     let answer = |q: &Question| {
-        let Some(entry) = desk.variant.solved.get(q.label) else {
-            let word = desk.variant.solved.word(q.label);
-            return word.map_or_else(String::new, |w| format!("`{}`", said(desk.words, w)));
+        let Some(entry) = draft.variant.solved.get(q.label) else {
+            let word = draft.variant.solved.word(q.label);
+            return word.map_or_else(String::new, |w| format!("`{}`", said(draft.words, w)));
         };
-        let found = desk.found.iter().find(|f| f.label == q.label).and_then(|f| f.eom.or(f.energy));
+        let found = draft.found.iter().find(|f| f.label == q.label).and_then(|f| f.eom.or(f.energy));
         let symbol = match found {
-            Some(Answer::Value(symbol)) => format!("${} = ", desk.ledger.tex(symbol)),
+            Some(DerivedAnswer::Value(symbol)) => format!("${} = ", draft.symbols.tex(symbol)),
             _ => "$".to_owned(),
         };
-        told(desk, q, entry.value()).replacen('$', &symbol, 1)
+        told(draft, q, entry.value()).replacen('$', &symbol, 1)
     };
-    desk.problem.questions.iter().map(|q| (id_of(number, q), answer(q))).collect()
+    draft.problem.questions.iter().map(|q| (id_of(number, q), answer(q))).collect()
 }
 
 /// A value (SI) as an answer to a question: with its unit and the figures asked, and where it points if words tell its sign.
-fn told(desk: &Desk, q: &Question, value: f64) -> String {
-    let digits = number::rounded(q.unit.from_si(value), usize::from(q.figures));
-    let whole = q.unit.tex_with(&tex_digits(&digits, desk.words));
-    let directed = q.label.quantity.is_directed() && make_key::words_sign(desk.scene, q.label);
-    let way = if directed { way(desk.scene, q.label.of, value) } else { None };
-    format!("${whole}${}", way.map_or_else(String::new, |w| format!(" ({})", desk.words.get(w))))
+fn told(draft: &Draft, q: &Question, value: f64) -> String {
+    let digits = shown::significant(q.unit.from_si(value), usize::from(q.figures));
+    let whole = q.unit.tex_with(&tex_digits(&digits, draft.words));
+    let directed = q.label.quantity.is_directed() && make_key::words_sign(draft.scene, q.label);
+    let way = if directed { way(draft.scene, q.label.of, value) } else { None };
+    format!("${whole}${}", way.map_or_else(String::new, |w| format!(" ({})", draft.words.get(w))))
 }
 
 /// A word of an answer as the sheet has it.

@@ -6,14 +6,14 @@ use std::fmt;
 
 /// Why a derivation stops.
 #[derive(Debug, Clone, PartialEq)]
-pub enum Stop {
+pub enum DerivationStop {
     /// It does not cover this: the key stands, and the page says so.
     Beyond(Beyond),
     /// Something is wrong: nothing is printed.
     Fault(Finding),
 }
 
-impl fmt::Display for Stop {
+impl fmt::Display for DerivationStop {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Beyond(what) => {
@@ -24,13 +24,13 @@ impl fmt::Display for Stop {
     }
 }
 
-impl From<Finding> for Stop {
+impl From<Finding> for DerivationStop {
     fn from(fault: Finding) -> Self {
         Self::Fault(fault)
     }
 }
 
-impl From<Beyond> for Stop {
+impl From<Beyond> for DerivationStop {
     fn from(what: Beyond) -> Self {
         Self::Beyond(what)
     }

@@ -1,12 +1,12 @@
 //! What a solution says, in order, before a template decides how it stands on the page.
 use crate::solution::expr::Expr;
-use crate::solution::expr::Symbol;
-use crate::solution::quantities::Ledger;
+use crate::solution::expr::SymbolId;
+use crate::solution::symbols::Symbols;
 use crate::solution::written::width;
 
 /// A part of a solution.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Section {
+pub struct SolutionSection {
     /// Its name for templates: `eom`, `energy`, ...
     pub id: &'static str,
     /// Its heading.
@@ -30,7 +30,7 @@ pub enum Block {
     Table(Vec<Vec<String>>),
 }
 
-impl Section {
+impl SolutionSection {
     /// An empty one.
     pub fn new(id: &'static str, title: &str) -> Self {
         Self { id, title: title.to_owned(), blocks: Vec::new() }
@@ -40,20 +40,20 @@ impl Section {
         self.blocks.push(Block::Words(words.into()));
     }
     /// Adds an equation in symbols: `left = right`.
-    pub fn equation(&mut self, ledger: &Ledger, left: &Expr, right: &Expr) {
-        self.blocks.push(Block::Formula(format!("{} = {}", left.symbols(ledger), right.symbols(ledger))));
+    pub fn equation(&mut self, symbols: &Symbols, left: &Expr, right: &Expr) {
+        self.blocks.push(Block::Formula(format!("{} = {}", left.symbols(symbols), right.symbols(symbols))));
     }
     /// Adds the steps by which a quantity is found: in symbols, with numbers put in, the value.
-    pub fn find(&mut self, ledger: &mut Ledger, symbol: Symbol, from: &Expr) {
+    pub fn find(&mut self, symbols: &mut Symbols, symbol: SymbolId, from: &Expr) {
         match from {
-            Expr::Symbol(same) => ledger.settle_as(symbol, *same, false),
+            Expr::Symbol(same) => symbols.settle_as(symbol, *same, false),
             Expr::Minus(inner) if matches!(**inner, Expr::Symbol(_)) => {
                 let Expr::Symbol(same) = **inner else { return };
-                ledger.settle_as(symbol, same, true);
+                symbols.settle_as(symbol, same, true);
             }
-            from => ledger.settle_by(symbol, from),
+            from => symbols.settle_by(symbol, from),
         }
-        self.blocks.push(Block::Formula(worked(ledger, symbol, from)));
+        self.blocks.push(Block::Formula(worked(symbols, symbol, from)));
     }
     /// Its blocks as Markdown; `alt` tells what a picture shows.
     pub fn markdown(&self, alt: &dyn Fn(&str) -> String) -> String {
@@ -94,18 +94,18 @@ pub const SHORT: f64 = 44.0;
 
 /// `a = symbols = numbers = value`, where it is not short on lines of their own, so that a narrow page need not scroll more than one of them; what
 /// says the same twice stands once. The symbol must have its value.
-pub fn worked(ledger: &Ledger, symbol: Symbol, from: &Expr) -> String {
-    let (name, symbols, value) = (ledger.tex(symbol), from.symbols(ledger), ledger.shown(symbol));
+pub fn worked(symbols: &Symbols, symbol: SymbolId, from: &Expr) -> String {
+    let (name, letters, value) = (symbols.tex(symbol), from.symbols(symbols), symbols.shown(symbol));
     if from.uses().is_empty() {
         return format!("{name} = {value}");
     }
-    if from.numbers(ledger) == value {
-        return format!("{name} = {symbols} = {value}");
+    if from.numbers(symbols) == value {
+        return format!("{name} = {letters} = {value}");
     }
-    let line = format!("{name} = {symbols} = {} = {value}", from.numbers(ledger));
+    let line = format!("{name} = {letters} = {} = {value}", from.numbers(symbols));
     if width(&line) <= SHORT {
         return line;
     }
-    let numbers = from.numbers_in_lines(ledger, LINE).join(r" \\ &\quad ");
-    format!(r"\begin{{aligned}} {name} &= {symbols} \\ &= {numbers} \\ &= {value} \end{{aligned}}")
+    let numbers = from.numbers_in_lines(symbols, LINE).join(r" \\ &\quad ");
+    format!(r"\begin{{aligned}} {name} &= {letters} \\ &= {numbers} \\ &= {value} \end{{aligned}}")
 }

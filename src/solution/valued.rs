@@ -2,36 +2,36 @@
 use crate::num::trig;
 use crate::solution::expr::Expr;
 use crate::solution::expr::Function;
-use crate::solution::expr::Symbol;
-use crate::solution::quantities::Ledger;
+use crate::solution::expr::SymbolId;
+use crate::solution::symbols::Symbols;
 
-impl Ledger<'_> {
+impl Symbols<'_> {
     /// Gives an unknown the value of an expression.
-    pub fn settle_by(&mut self, symbol: Symbol, from: &Expr) {
+    pub fn settle_by(&mut self, symbol: SymbolId, from: &Expr) {
         let (value, doubt) = (from.value(self), from.doubt(self));
         self.settle(symbol, value, doubt);
     }
 }
 
 impl Expr {
-    /// Its value, from the full values of the ledger; angles in degrees where the ledger has them so.
-    pub fn value(&self, ledger: &Ledger) -> f64 {
+    /// Its value, from the full values of the quantities; angles in degrees where the quantities has them so.
+    pub fn value(&self, symbols: &Symbols) -> f64 {
         match self {
             #[expect(clippy::cast_precision_loss, reason = "numbers of formulas are small")]
             Self::Number(over, under) => *over as f64 / *under as f64,
-            Self::Symbol(s) => ledger.value(*s),
-            Self::Minus(inner) => -inner.value(ledger),
-            Self::Sum(terms) => terms.iter().map(|t| t.value(ledger)).sum(),
-            Self::Product(factors) => factors.iter().map(|f| f.value(ledger)).product(),
-            Self::Quotient(over, under) => over.value(ledger) / under.value(ledger),
+            Self::Symbol(s) => symbols.value(*s),
+            Self::Minus(inner) => -inner.value(symbols),
+            Self::Sum(terms) => terms.iter().map(|t| t.value(symbols)).sum(),
+            Self::Product(factors) => factors.iter().map(|f| f.value(symbols)).product(),
+            Self::Quotient(over, under) => over.value(symbols) / under.value(symbols),
             Self::Power(base, n) => {
-                let base = base.value(ledger);
+                let base = base.value(symbols);
                 (0..*n).map(|_| base).product()
             }
-            Self::Root(inner) => inner.value(ledger).sqrt(),
+            Self::Root(inner) => inner.value(symbols).sqrt(),
             Self::Of(function, inner) => {
-                let x = inner.value(ledger);
-                let angle = |x: f64| match inner.in_degrees(ledger) {
+                let x = inner.value(symbols);
+                let angle = |x: f64| match inner.in_degrees(symbols) {
                     true => trig::sin_cos_of_degrees(x),
                     false => trig::sin_cos(x),
                 };
@@ -45,16 +45,16 @@ impl Expr {
     }
 
     /// How far its value may be off because the quantities in it were rounded, to first order.
-    pub fn doubt(&self, ledger: &Ledger) -> f64 {
-        let of = |e: &Self| (e.value(ledger), e.doubt(ledger));
+    pub fn doubt(&self, symbols: &Symbols) -> f64 {
+        let of = |e: &Self| (e.value(symbols), e.doubt(symbols));
         match self {
             Self::Number(..) => 0.0,
-            Self::Symbol(s) => ledger.doubt(*s),
-            Self::Minus(inner) | Self::Of(Function::Magnitude, inner) => inner.doubt(ledger),
-            Self::Sum(terms) => terms.iter().map(|t| t.doubt(ledger)).sum(),
+            Self::Symbol(s) => symbols.doubt(*s),
+            Self::Minus(inner) | Self::Of(Function::Magnitude, inner) => inner.doubt(symbols),
+            Self::Sum(terms) => terms.iter().map(|t| t.doubt(symbols)).sum(),
             Self::Product(factors) => {
                 let share = |(x, doubt): (f64, f64)| if doubt == 0.0 { 0.0 } else { (doubt / x).abs() };
-                let size = self.value(ledger).abs();
+                let size = self.value(symbols).abs();
                 let off = size * factors.iter().map(|f| share(of(f))).sum::<f64>();
                 // A factor 0: what the others make of its doubt is not worth a line.
                 if off.is_finite() { off } else { 0.0 }
@@ -73,22 +73,22 @@ impl Expr {
             }
             // The sine and the cosine move at most as much as the angle.
             Self::Of(Function::Sine | Function::Cosine, inner) => {
-                let per = if inner.in_degrees(ledger) { std::f64::consts::PI / 180.0 } else { 1.0 };
-                inner.doubt(ledger) * per
+                let per = if inner.in_degrees(symbols) { std::f64::consts::PI / 180.0 } else { 1.0 };
+                inner.doubt(symbols) * per
             }
         }
     }
 
-    /// Does it hold an angle that the ledger keeps in degrees?
-    fn in_degrees(&self, ledger: &Ledger) -> bool {
+    /// Does it hold an angle that the quantities keeps in degrees?
+    fn in_degrees(&self, symbols: &Symbols) -> bool {
         match self {
             Self::Number(..) => false,
-            Self::Symbol(s) => ledger.is_degrees(*s),
+            Self::Symbol(s) => symbols.is_degrees(*s),
             Self::Minus(inner) | Self::Power(inner, _) | Self::Root(inner) | Self::Of(_, inner) => {
-                inner.in_degrees(ledger)
+                inner.in_degrees(symbols)
             }
-            Self::Sum(terms) | Self::Product(terms) => terms.iter().any(|t| t.in_degrees(ledger)),
-            Self::Quotient(over, under) => over.in_degrees(ledger) || under.in_degrees(ledger),
+            Self::Sum(terms) | Self::Product(terms) => terms.iter().any(|t| t.in_degrees(symbols)),
+            Self::Quotient(over, under) => over.in_degrees(symbols) || under.in_degrees(symbols),
         }
     }
 }

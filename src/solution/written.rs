@@ -1,12 +1,12 @@
 //! Expressions in LaTeX, in symbols or with the numbers put in, and how wide that is in print.
 use crate::solution::expr::Expr;
 use crate::solution::expr::Function;
-use crate::solution::expr::Symbol;
-use crate::solution::quantities::Ledger;
+use crate::solution::expr::SymbolId;
+use crate::solution::symbols::Symbols;
 
 /// How an expression is written.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Form {
+enum Notation {
     /// Symbols.
     Symbols,
     /// Numbers with units.
@@ -15,7 +15,7 @@ enum Form {
 
 /// What may stand around a piece without parentheses.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-enum Place {
+enum Surroundings {
     /// Alone, or the first term.
     Term,
     /// A term after a sign.
@@ -28,22 +28,22 @@ enum Place {
 
 impl Expr {
     /// In LaTeX, in symbols.
-    pub fn symbols(&self, ledger: &Ledger) -> String {
+    pub fn symbols(&self, symbols: &Symbols) -> String {
         let mut out = String::new();
-        self.write(ledger, Form::Symbols, Place::Term, &mut out);
+        self.write(symbols, Notation::Symbols, Surroundings::Term, &mut out);
         out
     }
 
     /// In LaTeX, with the printed numbers and their units put in.
-    pub fn numbers(&self, ledger: &Ledger) -> String {
+    pub fn numbers(&self, symbols: &Symbols) -> String {
         let mut out = String::new();
-        self.write(ledger, Form::Numbers, Place::Term, &mut out);
+        self.write(symbols, Notation::Numbers, Surroundings::Term, &mut out);
         out
     }
 
     /// As [`Expr::numbers`], a sum that is wider than `limit` on several lines, the later ones with their sign in front.
-    pub fn numbers_in_lines(&self, ledger: &Ledger, limit: f64) -> Vec<String> {
-        let whole = self.numbers(ledger);
+    pub fn numbers_in_lines(&self, symbols: &Symbols, limit: f64) -> Vec<String> {
+        let whole = self.numbers(symbols);
         let Self::Sum(terms) = self else { return vec![whole] };
         if width(&whole) <= limit {
             return vec![whole];
@@ -52,14 +52,14 @@ impl Expr {
         for (i, term) in terms.iter().enumerate() {
             let mut piece = String::new();
             match term {
-                term if i == 0 => term.write(ledger, Form::Numbers, Place::Term, &mut piece),
+                term if i == 0 => term.write(symbols, Notation::Numbers, Surroundings::Term, &mut piece),
                 Self::Minus(inner) => {
                     piece.push_str("- ");
-                    inner.write(ledger, Form::Numbers, Place::Later, &mut piece);
+                    inner.write(symbols, Notation::Numbers, Surroundings::Later, &mut piece);
                 }
                 term => {
                     piece.push_str("+ ");
-                    term.write(ledger, Form::Numbers, Place::Later, &mut piece);
+                    term.write(symbols, Notation::Numbers, Surroundings::Later, &mut piece);
                 }
             }
             match lines.last_mut() {
@@ -73,7 +73,7 @@ impl Expr {
         lines
     }
 
-    fn write(&self, ledger: &Ledger, form: Form, place: Place, out: &mut String) {
+    fn write(&self, symbols: &Symbols, form: Notation, place: Surroundings, out: &mut String) {
         let wrap = |needed: bool, out: &mut String, inner: &dyn Fn(&mut String)| {
             if needed {
                 let mut within = String::new();
@@ -91,7 +91,7 @@ impl Expr {
         match self {
             Self::Number(over, under) => {
                 let negative = *over < 0;
-                wrap(negative && place > Place::Term, out, &|out| {
+                wrap(negative && place > Surroundings::Term, out, &|out| {
                     if negative {
                         out.push('-');
                     }
@@ -102,67 +102,69 @@ impl Expr {
                     }
                 });
             }
-            Self::Symbol(s) => write_symbol(*s, ledger, form, place, out),
-            Self::Minus(inner) => wrap(place > Place::Term, out, &|out| {
+            Self::Symbol(s) => write_symbol(*s, symbols, form, place, out),
+            Self::Minus(inner) => wrap(place > Surroundings::Term, out, &|out| {
                 out.push('-');
-                inner.write(ledger, form, Place::Later, out);
+                inner.write(symbols, form, Surroundings::Later, out);
             }),
-            Self::Sum(terms) => wrap(place > Place::Term, out, &|out| write_sum(terms, ledger, form, out)),
-            Self::Product(factors) => wrap(place > Place::Factor, out, &|out| {
-                write_product(factors, ledger, form, out);
+            Self::Sum(terms) => {
+                wrap(place > Surroundings::Term, out, &|out| write_sum(terms, symbols, form, out))
+            }
+            Self::Product(factors) => wrap(place > Surroundings::Factor, out, &|out| {
+                write_product(factors, symbols, form, out);
             }),
-            Self::Quotient(over, under) => wrap(place >= Place::Tight, out, &|out| {
+            Self::Quotient(over, under) => wrap(place >= Surroundings::Tight, out, &|out| {
                 out.push_str(r"\frac{");
-                over.write(ledger, form, Place::Term, out);
+                over.write(symbols, form, Surroundings::Term, out);
                 out.push_str("}{");
-                under.write(ledger, form, Place::Term, out);
+                under.write(symbols, form, Surroundings::Term, out);
                 out.push('}');
             }),
             Self::Power(base, n) => {
-                base.write(ledger, form, Place::Tight, out);
+                base.write(symbols, form, Surroundings::Tight, out);
                 out.push_str(&format!("^{{{n}}}"));
             }
             Self::Root(inner) => {
                 out.push_str(r"\sqrt{");
-                inner.write(ledger, form, Place::Term, out);
+                inner.write(symbols, form, Surroundings::Term, out);
                 out.push('}');
             }
             Self::Of(Function::Magnitude, inner) => {
                 out.push_str(r"\left|");
-                inner.write(ledger, form, Place::Term, out);
+                inner.write(symbols, form, Surroundings::Term, out);
                 out.push_str(r"\right|");
             }
             Self::Of(function, inner) => {
                 // The power of a function's value needs parentheses around the whole.
-                wrap(place >= Place::Tight, out, &|out| {
+                wrap(place >= Surroundings::Tight, out, &|out| {
                     out.push_str(if *function == Function::Sine { r"\sin " } else { r"\cos " });
-                    inner.write(ledger, form, Place::Tight, out);
+                    inner.write(symbols, form, Surroundings::Tight, out);
                 });
             }
         }
     }
 }
 
-fn write_symbol(s: Symbol, ledger: &Ledger, form: Form, place: Place, out: &mut String) {
-    if form == Form::Symbols {
-        out.push_str(ledger.tex(s));
+fn write_symbol(s: SymbolId, symbols: &Symbols, form: Notation, place: Surroundings, out: &mut String) {
+    if form == Notation::Symbols {
+        out.push_str(symbols.tex(s));
         return;
     }
-    let plain = ledger.is_pure(s) || ledger.is_degrees(s);
-    let negative = ledger.value(s) < 0.0;
+    let plain = symbols.is_pure(s) || symbols.is_degrees(s);
+    let negative = symbols.value(s) < 0.0;
     let parentheses = match place {
         // What is its own number: pi.
-        _ if ledger.shown(s) == ledger.tex(s) => false,
-        Place::Term => false,
-        Place::Later => negative,
-        Place::Factor => true,
-        Place::Tight => !plain || negative,
+        _ if symbols.shown(s) == symbols.tex(s) => false,
+        Surroundings::Term => false,
+        Surroundings::Later => negative,
+        Surroundings::Factor => true,
+        Surroundings::Tight => !plain || negative,
     };
     let (open, close) = if parentheses { ("(", ")") } else { ("", "") };
-    out.push_str(&format!("{open}{}{close}", ledger.shown(s)));
+    out.push_str(&format!("{open}{}{close}", symbols.shown(s)));
 }
 
-fn write_sum(terms: &[Expr], ledger: &Ledger, form: Form, out: &mut String) {
+fn write_sum(terms: &[Expr], symbols: &Symbols, form: Notation, out: &mut String) {
     for (i, term) in terms.iter().enumerate() {
         let opposite;
         let (sign, term) = match term {
@@ -175,11 +177,11 @@ fn write_sum(terms: &[Expr], ledger: &Ledger, form: Form, out: &mut String) {
             term => (" + ", term),
         };
         out.push_str(sign);
-        term.write(ledger, form, if i == 0 { Place::Term } else { Place::Later }, out);
+        term.write(symbols, form, if i == 0 { Surroundings::Term } else { Surroundings::Later }, out);
     }
 }
 
-fn write_product(factors: &[Expr], ledger: &Ledger, form: Form, out: &mut String) {
+fn write_product(factors: &[Expr], symbols: &Symbols, form: Notation, out: &mut String) {
     // Sines last: what follows one could be read as part of its argument.
     let is_wave = |e: &&Expr| matches!(e, Expr::Of(Function::Sine | Function::Cosine, _));
     let ordered = factors.iter().filter(|f| !is_wave(f)).chain(factors.iter().filter(is_wave));
@@ -189,7 +191,7 @@ fn write_product(factors: &[Expr], ledger: &Ledger, form: Form, out: &mut String
             let digit = matches!(factor, Expr::Number(..) | Expr::Power(..)) && factor.uses().is_empty();
             out.push_str(if digit { r" \cdot " } else { r"\," });
         }
-        factor.write(ledger, form, Place::Factor, out);
+        factor.write(symbols, form, Surroundings::Factor, out);
     }
 }
 
@@ -257,10 +259,20 @@ pub fn width(tex: &str) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::solution::expr::ONE;
+    use crate::solution::expr::ZERO;
+    use crate::solution::expr::minus;
+    use crate::solution::expr::number;
+    use crate::solution::expr::power;
+    use crate::solution::expr::product;
+    use crate::solution::expr::ratio;
+    use crate::solution::expr::sine;
+    use crate::solution::expr::square;
+    use crate::solution::expr::sum;
     use crate::words::Words;
 
-    fn ledger(words: &Words) -> (Ledger<'_>, [Symbol; 4]) {
-        let mut l = Ledger::new(words);
+    fn symbols(words: &Words) -> (Symbols<'_>, [SymbolId; 4]) {
+        let mut l = Symbols::new(words);
         let m = l.given("m", 40.0, "40", r"\mathrm{kg}", false);
         let g = l.given("g", 9.81, "9.81", r"\mathrm{m}/\mathrm{s}^{2}", false);
         let theta = l.given(r"\theta", 30.0, "30", "", true);
@@ -271,34 +283,35 @@ mod tests {
     #[test]
     fn written_in_symbols_and_in_numbers() {
         let words = Words::english();
-        let (l, [m, g, theta, f]) = ledger(&words);
-        let weight = product([m.into(), g.into(), sine(theta.into())]);
+        let (l, [m, g, theta, f]) = symbols(&words);
+        let weight = m * g * sine(theta);
         assert_eq!(weight.symbols(&l), r"m\,g\,\sin \theta");
         assert_eq!(
             weight.numbers(&l),
             r"(40\ \mathrm{kg})\,(9.81\ \mathrm{m}/\mathrm{s}^{2})\,\sin 30^\circ"
         );
-        let e = difference(f.into(), weight);
+        let e = f - weight;
         assert_eq!(e.symbols(&l), r"F - m\,g\,\sin \theta");
         assert!((e.value(&l) + 2.5 + 196.2).abs() < 1e-12);
-        let e = product([ratio(1, 2), m.into(), square(f.into())]);
+        let e = ratio(1, 2) * m * square(f);
         assert_eq!(e.symbols(&l), r"\tfrac{1}{2}\,m\,F^{2}");
         assert_eq!(e.numbers(&l), r"\tfrac{1}{2}\,(40\ \mathrm{kg})\,(-2.5\ \mathrm{N})^{2}");
-        let e = product([sum([ONE, square(quotient(m.into(), g.into()))]), minus(f.into())]);
+        let e = (ONE + square(m / g)) * -f;
         assert_eq!(e.symbols(&l), r"-\left(1 + \left(\frac{m}{g}\right)^{2}\right)\,F");
-        assert_eq!(sum([m.into(), minus(sum([g.into(), f.into()]))]).symbols(&l), "m - g - F");
+        assert_eq!((m - (g + f)).symbols(&l), "m - g - F");
     }
 
     #[test]
     fn what_says_nothing_falls_out() {
         let words = Words::english();
-        let (_, [m, g, ..]) = ledger(&words);
+        let (_, [m, g, ..]) = symbols(&words);
         assert_eq!(sum([ZERO, m.into(), ZERO]), m.into());
-        assert_eq!(product([ONE, m.into(), number(-1)]), minus(m.into()));
-        assert_eq!(product([ZERO, m.into()]), ZERO);
-        assert_eq!(quotient(m.into(), m.into()), ONE);
-        assert_eq!(quotient(minus(m.into()), minus(g.into())), quotient(m.into(), g.into()));
-        assert_eq!(product([ratio(1, 2), number(2), m.into()]), m.into());
-        assert_eq!(power(minus(m.into()), 2), square(m.into()));
+        assert_eq!(product([ONE, m.into(), number(-1)]), -m);
+        assert_eq!(ZERO * m, ZERO);
+        assert_eq!(m / m, ONE);
+        assert_eq!(-m / -g, m / g);
+        assert_eq!(ratio(1, 2) * 2 * m, m.into());
+        assert_eq!(power(minus(m.into()), 2), square(m));
+        assert_eq!((sine(ZERO), square(ZERO)), (ZERO, ZERO));
     }
 }

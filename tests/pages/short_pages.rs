@@ -163,7 +163,7 @@ fn what_is_not_covered_has_a_short_page_and_refuses_nothing() {
             for row in key.lines().filter(|r| r.starts_with("1,")) {
                 let cells: Vec<&str> = row.split(',').collect();
                 let value =
-                    slipstick::sheet::number::rounded(cells[3].trim_start_matches('-').parse().unwrap(), 3);
+                    slipstick::num::shown::significant(cells[3].trim_start_matches('-').parse().unwrap(), 3);
                 assert!(text.contains(&value), "{format}: {value} of {row}");
             }
         }
@@ -323,7 +323,7 @@ fn a_value_that_is_not_the_keys_is_never_printed() {
     let beyond = beyond.unwrap();
     assert!(beyond.is_fault(), "{beyond:?}");
     assert!(page.markdown.contains(words.get("solution.title.beyond")), "{}", page.markdown);
-    let wrong = slipstick::sheet::number::rounded(true_value.abs(), 3);
+    let wrong = slipstick::num::shown::significant(true_value.abs(), 3);
     assert!(!page.markdown.contains(&wrong), "{wrong}: {}", page.markdown);
     let why = beyond.text(&words);
     assert!(page.markdown.contains(&why) && !why.chars().any(|c| c.is_ascii_digit()), "{why}");

@@ -8,11 +8,11 @@ use slipstick::bank::Draw;
 use slipstick::bank::Problem;
 use slipstick::bank::decimal::Decimal;
 use slipstick::bank::load;
+use slipstick::num::shown;
 use slipstick::problem::make;
 use slipstick::problem::make::Maker;
 use slipstick::problem::make::Variant;
 use slipstick::sheet::html;
-use slipstick::sheet::number;
 use slipstick::solution;
 use slipstick::solution::written::width;
 use slipstick::template::Templates;
@@ -95,7 +95,7 @@ fn faults(markdown: &str, problem: &Problem, variant: &Variant, words: &Words) -
         };
         let right = match variant.solved.get(q.label) {
             Some(entry) => {
-                let digits = number::rounded(q.unit.from_si(entry.value()), usize::from(q.figures));
+                let digits = shown::significant(q.unit.from_si(entry.value()), usize::from(q.figures));
                 q.unit.tex_with(&words.tex_number(&digits))
             }
             None => {

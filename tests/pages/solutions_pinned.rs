@@ -9,7 +9,7 @@ use slipstick::problem::make::Maker;
 use slipstick::problem::make::Variant;
 use slipstick::sheet::html;
 use slipstick::solution;
-use slipstick::solution::pen;
+use slipstick::solution::section_writer;
 use slipstick::template::Templates;
 use slipstick::words::Words;
 
@@ -102,7 +102,7 @@ fn faults(text: &str) -> Vec<String> {
             faults.push(format!("no number: {formula}"));
         }
         for line in tex::lines(&formula) {
-            let width = pen::width(&line);
+            let width = section_writer::width(&line);
             if width > PAGE {
                 faults.push(format!("{width} wide: {line}"));
             }

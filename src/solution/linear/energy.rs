@@ -1,4 +1,4 @@
-//! The second road of a scene of lines and axles: states, the work of each force over its own displacement, kinetic energy.
+//! The second method of a scene of lines and axles: states, the work of each force over its own displacement, kinetic energy.
 use crate::scene::Coordinate;
 use crate::scene::Degree;
 use crate::scene::End;
@@ -6,7 +6,7 @@ use crate::scene::Far;
 use crate::scene::Quantity;
 use crate::scene::Tie;
 use crate::solution::expr::Expr;
-use crate::solution::expr::Symbol;
+use crate::solution::expr::SymbolId;
 use crate::solution::expr::ZERO;
 use crate::solution::expr::in_sense;
 use crate::solution::expr::number;
@@ -15,9 +15,14 @@ use crate::solution::expr::root;
 use crate::solution::expr::square;
 use crate::solution::expr::sum;
 use crate::solution::factors::Factors;
+use crate::solution::linear::derivation::CordSpring;
+use crate::solution::linear::derivation::LinearDerivation;
+use crate::solution::linear::derivation::of_body;
+use crate::solution::linear::derivation::of_tie;
+use crate::solution::linear::derivation::positive_first;
 use crate::solution::linear::mechanism::Action;
-use crate::solution::linear::mechanism::Kind;
-use crate::solution::linear::mechanism::Source;
+use crate::solution::linear::mechanism::ForceKind;
+use crate::solution::linear::mechanism::ForceSource;
 use crate::solution::linear::mechanism::tagged;
 use crate::solution::linear::motion::aligned;
 use crate::solution::linear::motion::constant_forces;
@@ -25,330 +30,330 @@ use crate::solution::linear::motion::effective_symbols;
 use crate::solution::linear::motion::lead_way;
 use crate::solution::linear::motion::new_way;
 use crate::solution::linear::motion::places;
-use crate::solution::linear::walk::Spring;
-use crate::solution::linear::walk::Walk;
-use crate::solution::linear::walk::of_body;
-use crate::solution::linear::walk::of_tie;
-use crate::solution::linear::walk::positive_first;
 use crate::solution::stop::Beyond;
-use crate::solution::stop::Stop;
+use crate::solution::stop::DerivationStop;
 use crate::solution::text::Block;
 
-/// Writes the road and answers the questions along it.
+/// Writes the derivation and answers the questions by it.
 ///
 /// # Errors
 /// What the derivation does not cover.
-pub fn write(walk: &mut Walk, slip_sense: &dyn Fn(usize) -> f64) -> Result<(), Stop> {
-    let slipping = walk.m.parts.iter().position(|p| p.slips);
-    friction(walk, slip_sense)?;
-    walk.drive = sum(walk
+pub fn write(task: &mut LinearDerivation, slip_sense: &dyn Fn(usize) -> f64) -> Result<(), DerivationStop> {
+    let slipping = task.m.parts.iter().position(|p| p.slips);
+    friction(task, slip_sense)?;
+    task.drive = sum(task
         .terms()
         .into_iter()
-        .filter(|(a, _)| a.kind != Kind::Spring)
+        .filter(|(a, _)| a.kind != ForceKind::Spring)
         .map(|(_, e)| e)
         .collect::<Vec<_>>());
     match slipping {
-        Some(body) => slipping_body(walk, body)?,
-        None => one_freedom(walk)?,
+        Some(body) => slipping_body(task, body)?,
+        None => one_freedom(task)?,
     }
-    if !walk.rolled {
-        walk.out.blocks.push(Block::Picture("energy".to_owned()));
-        walk.answer()?;
+    if !task.rolled {
+        task.out.blocks.push(Block::Picture("energy".to_owned()));
+        task.answer()?;
     }
     Ok(())
 }
 
-/// Kinetic friction: its size is a law of its own on both roads.
-fn friction(walk: &mut Walk, slip_sense: &dyn Fn(usize) -> f64) -> Result<(), Stop> {
-    for (tie, f, from, _) in walk.kinetic(slip_sense) {
-        let body = match &walk.desk.scene.ties[tie] {
+/// Kinetic friction: its size is a law of its own by both methods.
+fn friction(task: &mut LinearDerivation, slip_sense: &dyn Fn(usize) -> f64) -> Result<(), DerivationStop> {
+    for (tie, f, from, _) in task.kinetic(slip_sense) {
+        let body = match &task.draft.scene.ties[tie] {
             Tie::Slip { body, .. } | Tie::Slide { body, .. } | Tie::Roll { body, .. } => *body,
             Tie::Cord(_) => continue,
         };
-        walk.get(of_body(Quantity::Normal, body))?;
-        walk.tell("energy.friction", &[]);
-        walk.find(f, &from);
-        walk.note(of_body(Quantity::Friction, body), f);
+        task.get(of_body(Quantity::Normal, body))?;
+        task.tell("energy.friction", &[]);
+        task.find(f, &from);
+        task.note(of_body(Quantity::Friction, body), f);
     }
     Ok(())
 }
 
 /// What does no work, and why.
-fn idle(walk: &mut Walk) {
-    let scene = walk.desk.scene;
+fn idle(task: &mut LinearDerivation) {
+    let scene = task.draft.scene;
     let mut reasons = Vec::new();
-    let symbols = |walk: &Walk, list: Vec<Symbol>| {
-        let list: Vec<String> = list.iter().map(|s| format!("${}$", walk.desk.ledger.tex(*s))).collect();
+    let symbols = |task: &LinearDerivation, list: Vec<SymbolId>| {
+        let list: Vec<String> = list.iter().map(|s| format!("${}$", task.draft.symbols.tex(*s))).collect();
         list.join(", ")
     };
-    let normals: Vec<Symbol> =
-        walk.m.parts.iter().filter_map(|p| p.normal.as_ref().map(|(n, _)| *n)).collect();
+    let normals: Vec<SymbolId> =
+        task.m.parts.iter().filter_map(|p| p.normal.as_ref().map(|(n, _)| *n)).collect();
     if !normals.is_empty() {
-        reasons.push(walk.phrase("energy.idle_normal", &[("forces", &symbols(walk, normals))]));
+        reasons.push(task.phrase("energy.idle_normal", &[("forces", &symbols(task, normals))]));
     }
-    let of = |walk: &Walk, test: &dyn Fn(&Tie) -> bool| -> Vec<Symbol> {
+    let of = |task: &LinearDerivation, test: &dyn Fn(&Tie) -> bool| -> Vec<SymbolId> {
         let ties = scene.ties.iter().enumerate().filter(|(_, t)| test(t));
-        ties.filter_map(|(t, _)| walk.m.force_of(t)).collect()
+        ties.filter_map(|(t, _)| task.m.force_of(t)).collect()
     };
-    let rolled = walk.rolled;
-    let rolls = of(walk, &|t| matches!(t, Tie::Roll { .. }) || (rolled && matches!(t, Tie::Slip { .. })));
-    let cords = of(walk, &|t| matches!(t, Tie::Cord(c) if matches!(c.to, Far::Body(_))));
-    let fixed = of(walk, &|t| matches!(t, Tie::Cord(c) if c.to == Far::Fixed));
+    let rolled = task.rolled;
+    let rolls = of(task, &|t| matches!(t, Tie::Roll { .. }) || (rolled && matches!(t, Tie::Slip { .. })));
+    let cords = of(task, &|t| matches!(t, Tie::Cord(c) if matches!(c.to, Far::Body(_))));
+    let fixed = of(task, &|t| matches!(t, Tie::Cord(c) if c.to == Far::Fixed));
     for (name, list) in [("roll", rolls), ("cord", cords), ("fixed", fixed)] {
         if !list.is_empty() {
-            reasons.push(walk.phrase(&format!("energy.idle_{name}"), &[("forces", &symbols(walk, list))]));
+            reasons.push(task.phrase(&format!("energy.idle_{name}"), &[("forces", &symbols(task, list))]));
         }
     }
     if !reasons.is_empty() {
-        walk.tell("energy.idle", &[]);
-        walk.out.blocks.push(Block::List(reasons));
+        task.tell("energy.idle", &[]);
+        task.out.blocks.push(Block::List(reasons));
     }
 }
 
 /// The kinetic energy in symbols, reckoned to the lead.
-fn kinetic(walk: &mut Walk) {
-    let lead = walk.lead();
-    let coordinates: Vec<Coordinate> = walk.desk.scene.coordinates().collect();
+fn kinetic(task: &mut LinearDerivation) {
+    let lead = task.lead();
+    let coordinates: Vec<Coordinate> = task.draft.scene.coordinates().collect();
     let mut parts = Vec::new();
     for c in &coordinates {
-        let Some(v) = walk.m.speed(*c) else { continue };
-        if walk.own(*c) || walk.m.ratio(*c).is_zero() {
+        let Some(v) = task.m.speed(*c) else { continue };
+        if task.own(*c) || task.m.ratio(*c).is_zero() {
             continue;
         }
-        for i in walk.m.inertia(*c) {
+        for i in task.m.inertia(*c) {
             parts.push(ratio(1, 2) * i.expr() * square(v));
         }
     }
-    let Some(v) = walk.m.speed(lead) else { return };
-    let whole = ratio(1, 2) * &walk.effective * square(v);
+    let Some(v) = task.m.speed(lead) else { return };
+    let whole = ratio(1, 2) * &task.effective * square(v);
     let first = sum(parts);
-    walk.tell("energy.kinetic_sum", &[]);
-    let ledger = &walk.desk.ledger;
-    let e = walk.desk.free(&["E_{k}"]);
+    task.tell("energy.kinetic_sum", &[]);
+    let symbols = &task.draft.symbols;
+    let e = task.draft.free(&["E_{k}"]);
     let formula = if first == whole {
-        format!("{e} = {}", whole.symbols(ledger))
+        format!("{e} = {}", whole.symbols(symbols))
     } else {
-        aligned(&[format!("{e} &= {}", first.symbols(ledger)), format!("&= {}", whole.symbols(ledger))])
+        aligned(&[format!("{e} &= {}", first.symbols(symbols)), format!("&= {}", whole.symbols(symbols))])
     };
-    walk.out.blocks.push(Block::Formula(formula));
-    if walk.spring.is_some() || matches!(&walk.effective, Expr::Sum(t) if t.len() > 2) {
-        let (m_e, _) = effective_symbols(walk);
-        walk.tell("energy.effective", &[]);
-        walk.find(m_e, &walk.effective.clone());
-        walk.effective = m_e.into();
+    task.out.blocks.push(Block::Formula(formula));
+    if task.spring.is_some() || matches!(&task.effective, Expr::Sum(t) if t.len() > 2) {
+        let (m_e, _) = effective_symbols(task);
+        task.tell("energy.effective", &[]);
+        task.find(m_e, &task.effective.clone());
+        task.effective = m_e.into();
     }
 }
 
 /// The work of each force up to the end.
-fn works(walk: &mut Walk) -> Result<(), Stop> {
-    for (action, share) in walk.terms() {
-        if walk.works.iter().any(|(s, ..)| *s == action.source) {
+fn works(task: &mut LinearDerivation) -> Result<(), DerivationStop> {
+    for (action, share) in task.terms() {
+        if task.works.iter().any(|(s, ..)| *s == action.source) {
             continue;
         }
         let symbol = match action.source {
-            Source::Tie(t) if action.kind == Kind::Given => walk.get(of_tie(Quantity::WorkPull, t))?,
-            Source::Tie(_) if action.kind == Kind::Spring => {
-                let Some(spring) = walk.spring.clone() else { return walk.beyond(Beyond::Arrangement) };
-                let x1 = walk.new_symbol(&["x_{1}", r"\xi_{1}"], "m");
-                let stretch = walk.stretch_at(&spring, &walk.s.clone());
-                let gives = walk.value(&stretch).abs() < walk.value(&spring.stretch).abs();
-                walk.tell(if gives { "energy.spring_gives" } else { "energy.spring_takes" }, &[]);
-                walk.find(x1, &stretch);
-                let w = walk.new_symbol(&["W_{s}", r"W_{\mathrm{s}}"], "J");
+            ForceSource::Tie(t) if action.kind == ForceKind::Given => {
+                task.get(of_tie(Quantity::WorkPull, t))?
+            }
+            ForceSource::Tie(_) if action.kind == ForceKind::Spring => {
+                let Some(spring) = task.spring.clone() else {
+                    return task.beyond(Beyond::Arrangement);
+                };
+                let x1 = task.new_symbol(&["x_{1}", r"\xi_{1}"], "m");
+                let stretch = task.stretch_at(&spring, &task.s.clone());
+                let gives = task.value(&stretch).abs() < task.value(&spring.stretch).abs();
+                task.tell(if gives { "energy.spring_gives" } else { "energy.spring_takes" }, &[]);
+                task.find(x1, &stretch);
+                let w = task.new_symbol(&["W_{s}", r"W_{\mathrm{s}}"], "J");
                 let squares = square(&spring.stretch) - square(x1);
-                walk.find(w, &(ratio(1, 2) * &spring.stiffness * squares));
+                task.find(w, &(ratio(1, 2) * &spring.stiffness * squares));
                 w
             }
-            Source::Tie(_) => {
+            ForceSource::Tie(_) => {
                 // A slide; of a slip, the caller knows the way.
-                let w = walk.new_symbol(&[&tagged("W", "F"), &tagged("W", "R")], "J");
-                walk.tell("energy.slide", &[]);
-                walk.find(w, &Factors::of(&share).times(&Factors::of(&walk.s)).expr());
+                let w = task.new_symbol(&[&tagged("W", "F"), &tagged("W", "R")], "J");
+                task.tell("energy.slide", &[]);
+                task.find(w, &Factors::of(&share).times(&Factors::of(&task.s)).expr());
                 w
             }
-            Source::Weight(body) => {
-                let h = walk.get(of_body(Quantity::Rise, body))?;
+            ForceSource::Weight(body) => {
+                let h = task.get(of_body(Quantity::Rise, body))?;
                 let several =
-                    walk.terms().iter().filter(|(a, _)| matches!(a.source, Source::Weight(_))).count() > 1;
-                let tag = if several { format!("g{}", walk.m.parts[body].tag) } else { "g".to_owned() };
-                let w = walk.new_symbol(&[&tagged("W", &tag)], "J");
-                let mass = walk.m.parts[body].mass.clone();
-                let weight = mass.times(&Factors::of(&walk.m.g)).times(&Factors::of(&h.into()));
-                walk.find(w, &(-weight.expr()));
+                    task.terms().iter().filter(|(a, _)| matches!(a.source, ForceSource::Weight(_))).count()
+                        > 1;
+                let tag = if several { format!("g{}", task.m.parts[body].tag) } else { "g".to_owned() };
+                let w = task.new_symbol(&[&tagged("W", &tag)], "J");
+                let mass = task.m.parts[body].mass.clone();
+                let weight = mass.times(&Factors::of(&task.m.g)).times(&Factors::of(&h.into()));
+                task.find(w, &(-weight.expr()));
                 w
             }
-            Source::Couple(i) => {
+            ForceSource::Couple(i) => {
                 let tag =
-                    if walk.desk.scene.couples.len() > 1 { format!("M{}", i + 1) } else { "M".to_owned() };
-                let w = walk.new_symbol(&[&tagged("W", &tag)], "J");
-                let phi = walk.get(of_body(Quantity::Phi, action.body))?;
-                let helps = walk.value(&share) * walk.sense;
-                walk.tell("energy.couple", &[]);
-                walk.find(w, &in_sense(&action.force * phi, helps));
+                    if task.draft.scene.couples.len() > 1 { format!("M{}", i + 1) } else { "M".to_owned() };
+                let w = task.new_symbol(&[&tagged("W", &tag)], "J");
+                let phi = task.get(of_body(Quantity::Phi, action.body))?;
+                let helps = task.value(&share) * task.sense;
+                task.tell("energy.couple", &[]);
+                task.find(w, &in_sense(&action.force * phi, helps));
                 w
             }
         };
-        walk.works.push((action.source, action.kind, symbol));
+        task.works.push((action.source, action.kind, symbol));
     }
     Ok(())
 }
 
-fn one_freedom(walk: &mut Walk) -> Result<(), Stop> {
-    let lead = walk.lead();
-    let Some(v) = walk.m.speed(lead) else { return walk.beyond(Beyond::Arrangement) };
-    let label = walk.label_of_lead(Quantity::V, Quantity::Omega);
-    let placed = matches!(walk.desk.scene.end, End::Travel(..) | End::Position(..));
-    walk.tell(if walk.v0 == ZERO { "energy.states_rest" } else { "energy.states_moving" }, &[]);
-    idle(walk);
-    let start = |walk: &Walk| {
-        if walk.v0 == ZERO { ZERO } else { ratio(1, 2) * &walk.effective * square(&walk.v0) }
+fn one_freedom(task: &mut LinearDerivation) -> Result<(), DerivationStop> {
+    let lead = task.lead();
+    let Some(v) = task.m.speed(lead) else { return task.beyond(Beyond::Arrangement) };
+    let label = task.label_of_lead(Quantity::V, Quantity::Omega);
+    let placed = matches!(task.draft.scene.end, End::Travel(..) | End::Position(..));
+    task.tell(if task.v0 == ZERO { "energy.states_rest" } else { "energy.states_moving" }, &[]);
+    idle(task);
+    let start = |task: &LinearDerivation| {
+        if task.v0 == ZERO { ZERO } else { ratio(1, 2) * &task.effective * square(&task.v0) }
     };
     if placed {
-        walk.tell("energy.works", &[]);
-        works(walk)?;
-        kinetic(walk);
-        let works = walk.works().unwrap_or(ZERO);
-        let end = ratio(1, 2) * &walk.effective * square(v);
-        walk.tell("energy.balance", &[]);
-        let right = end - start(walk);
-        walk.out.equation(&walk.desk.ledger, &works, &right);
-        let gained = number(2) * works / &walk.effective;
-        let square0 = if walk.v0 == ZERO { ZERO } else { square(walk.v0.clone()) };
-        walk.find(v, &root(square0 + gained));
-        walk.note(label, v);
-        walk.v = v.into();
-        if let Some(spring) = walk.spring.clone().filter(|s| s.stretch != ZERO) {
-            other_origin(walk, &spring, v)?;
+        task.tell("energy.works", &[]);
+        works(task)?;
+        kinetic(task);
+        let works = task.works().unwrap_or(ZERO);
+        let end = ratio(1, 2) * &task.effective * square(v);
+        task.tell("energy.balance", &[]);
+        let right = end - start(task);
+        task.out.equation(&task.draft.symbols, &works, &right);
+        let gained = number(2) * works / &task.effective;
+        let square0 = if task.v0 == ZERO { ZERO } else { square(task.v0.clone()) };
+        task.find(v, &root(square0 + gained));
+        task.note(label, v);
+        task.v = v.into();
+        if let Some(spring) = task.spring.clone().filter(|s| s.stretch != ZERO) {
+            other_origin(task, &spring, v)?;
         }
-        if walk.desk.asks(Quantity::Direction) && !walk.rolled {
-            let way = lead_way(walk);
-            walk.tell(
-                if walk.spring.is_some() { "energy.direction_spring" } else { "energy.direction" },
+        if task.draft.asks(Quantity::Direction) && !task.rolled {
+            let way = lead_way(task);
+            task.tell(
+                if task.spring.is_some() { "energy.direction_spring" } else { "energy.direction" },
                 &[("way", &way)],
             );
         }
         return Ok(());
     }
-    if walk.spring.is_some() {
-        return walk.beyond(Beyond::SpringWithoutPlace);
+    if task.spring.is_some() {
+        return task.beyond(Beyond::SpringWithoutPlace);
     }
     // The place is not known: work per displacement first.
-    kinetic(walk);
-    walk.tell("energy.per_way", &[]);
-    let terms: Vec<Expr> = walk.terms().into_iter().map(|(_, e)| e).collect();
-    let (_, f_e) = effective_symbols(walk);
-    walk.find(f_e, &sum(terms));
-    walk.drive = f_e.into();
-    let per = &walk.drive / &walk.effective;
-    match walk.desk.scene.end {
+    kinetic(task);
+    task.tell("energy.per_way", &[]);
+    let terms: Vec<Expr> = task.terms().into_iter().map(|(_, e)| e).collect();
+    let (_, f_e) = effective_symbols(task);
+    task.find(f_e, &sum(terms));
+    task.drive = f_e.into();
+    let per = &task.drive / &task.effective;
+    match task.draft.scene.end {
         End::Speed(_, u) => {
             let along = lead.degree == Degree::Along;
-            let u = walk.desk.number(
+            let u = task.draft.number(
                 u,
                 if along { "v_1" } else { r"\omega_1" },
                 if along { "m/s" } else { "rad/s" },
             );
-            walk.v = u;
+            task.v = u;
         }
-        End::TurningPoint(_) => walk.v = ZERO,
+        End::TurningPoint(_) => task.v = ZERO,
         End::Time(_, t) => {
-            let t = walk.desk.number(t, "t", "s");
-            walk.tell("energy.rate_time", &[]);
-            let end = &walk.v0 + per * &t;
-            walk.find(v, &in_sense(end, walk.sense));
-            walk.note(label, v);
-            walk.v = v.into();
-            let s = new_way(walk);
-            walk.tell("energy.mean_speed", &[]);
-            let both = &walk.v0 + in_sense(v.into(), walk.sense);
-            walk.find(s, &(ratio(1, 2) * both * t));
-            walk.s = s.into();
-            return works_if_asked(walk);
+            let t = task.draft.number(t, "t", "s");
+            task.tell("energy.rate_time", &[]);
+            let end = &task.v0 + per * &t;
+            task.find(v, &in_sense(end, task.sense));
+            task.note(label, v);
+            task.v = v.into();
+            let s = new_way(task);
+            task.tell("energy.mean_speed", &[]);
+            let both = &task.v0 + in_sense(v.into(), task.sense);
+            task.find(s, &(ratio(1, 2) * both * t));
+            task.s = s.into();
+            return works_if_asked(task);
         }
-        _ => return walk.beyond(Beyond::OtherEnd),
+        _ => return task.beyond(Beyond::OtherEnd),
     }
-    let s = new_way(walk);
-    walk.tell("energy.balance", &[]);
-    let squares = square(&walk.v) - square(&walk.v0);
-    let from = &walk.effective * squares / (number(2) * &walk.drive);
-    walk.find(s, &from);
-    walk.s = s.into();
-    works_if_asked(walk)
+    let s = new_way(task);
+    task.tell("energy.balance", &[]);
+    let squares = square(&task.v) - square(&task.v0);
+    let from = &task.effective * squares / (number(2) * &task.drive);
+    task.find(s, &from);
+    task.s = s.into();
+    works_if_asked(task)
 }
 
 /// The works of the forces, where heat or kinetic energy is asked and the displacement had to be found first.
-fn works_if_asked(walk: &mut Walk) -> Result<(), Stop> {
-    if !walk.desk.asks(Quantity::Heat) && !walk.desk.asks(Quantity::KineticEnergy) {
+fn works_if_asked(task: &mut LinearDerivation) -> Result<(), DerivationStop> {
+    if !task.draft.asks(Quantity::Heat) && !task.draft.asks(Quantity::KineticEnergy) {
         return Ok(());
     }
-    walk.tell("energy.works", &[]);
-    works(walk)
+    task.tell("energy.works", &[]);
+    works(task)
 }
 
 /// Conservation of energy with heights and the spring counted from where the spring is not stretched.
-fn other_origin(walk: &mut Walk, spring: &Spring, v: Symbol) -> Result<(), Stop> {
-    let (z0, z1) = places(walk, spring);
-    let z = walk.new_symbol(&["z", "u"], "m");
+fn other_origin(task: &mut LinearDerivation, spring: &CordSpring, v: SymbolId) -> Result<(), DerivationStop> {
+    let (z0, z1) = places(task, spring);
+    let z = task.new_symbol(&["z", "u"], "m");
     let stretch = spring.gamma.times(&Factors::of(&z.into())).opposite().expr();
-    let stretch = walk.tex(&stretch);
-    walk.tell("energy.other_origin", &[("stretch", &stretch)]);
-    walk.find(z0.0, &z0.1);
-    walk.find(z1.0, &z1.1);
+    let stretch = task.tex(&stretch);
+    task.tell("energy.other_origin", &[("stretch", &stretch)]);
+    task.find(z0.0, &z0.1);
+    task.find(z1.0, &z1.1);
     let (z0, z1): (Expr, Expr) = (z0.0.into(), z1.0.into());
     let rest: Vec<Expr> =
-        walk.terms().into_iter().filter(|(a, _)| a.kind != Kind::Spring).map(|(_, e)| e).collect();
-    let rest = constant_forces(walk, rest);
-    let kappa = walk.new_symbol(&[r"\kappa", r"\kappa_e"], "N/m");
-    walk.find(kappa, &spring.kappa);
-    walk.drive = sum(rest.clone());
+        task.terms().into_iter().filter(|(a, _)| a.kind != ForceKind::Spring).map(|(_, e)| e).collect();
+    let rest = constant_forces(task, rest);
+    let kappa = task.new_symbol(&[r"\kappa", r"\kappa_e"], "N/m");
+    task.find(kappa, &spring.kappa);
+    task.drive = sum(rest.clone());
     let stiffness: Expr = kappa.into();
     let energy = |z: &Expr| {
         let stored = ratio(1, 2) * &stiffness * square(z);
         let others = rest.iter().map(|r| -(r * z));
         sum([stored].into_iter().chain(others).collect::<Vec<_>>())
     };
-    let moving = ratio(1, 2) * &walk.effective * square(v);
+    let moving = ratio(1, 2) * &task.effective * square(v);
     let (before, after) = (energy(&z0), energy(&z1) + moving);
-    walk.out.equation(&walk.desk.ledger, &before, &after);
-    let tex = walk.desk.ledger.tex(v).to_owned();
-    let again = walk.desk.ledger.unknown_like(&tex, v);
+    task.out.equation(&task.draft.symbols, &before, &after);
+    let tex = task.draft.symbols.tex(v).to_owned();
+    let again = task.draft.symbols.unknown_like(&tex, v);
     let squares = stiffness * (square(&z0) - square(&z1));
-    let linear: Vec<Expr> = rest.iter().map(|r| number(2) * r * &walk.s).collect();
+    let linear: Vec<Expr> = rest.iter().map(|r| number(2) * r * &task.s).collect();
     let over = positive_first([vec![squares], linear].concat());
-    walk.find(again, &root(over / &walk.effective));
+    task.find(again, &root(over / &task.effective));
     Ok(())
 }
 
 /// A slipping body: the work theorem of the mass centre gives its speed, the total balance its spin.
-fn slipping_body(walk: &mut Walk, body: usize) -> Result<(), Stop> {
-    let placed = matches!(walk.desk.scene.end, End::Travel(..) | End::Position(..));
-    let lead = walk.lead();
-    let Some(v) = walk.m.speed(lead) else { return walk.beyond(Beyond::Arrangement) };
-    if !placed || walk.m.parts.len() > 1 || lead.degree == Degree::Turn {
-        return walk.beyond(Beyond::SlipInCompany);
+fn slipping_body(task: &mut LinearDerivation, body: usize) -> Result<(), DerivationStop> {
+    let placed = matches!(task.draft.scene.end, End::Travel(..) | End::Position(..));
+    let lead = task.lead();
+    let Some(v) = task.m.speed(lead) else { return task.beyond(Beyond::Arrangement) };
+    if !placed || task.m.parts.len() > 1 || lead.degree == Degree::Turn {
+        return task.beyond(Beyond::SlipInCompany);
     }
-    walk.tell("energy.slip_two", &[]);
-    let share = walk.drive.clone();
-    let (c_v, omega) = (walk.m.parts[body].v, walk.m.parts[body].omega);
-    let (Some(_), Some(omega)) = (c_v, omega) else { return walk.beyond(Beyond::Arrangement) };
+    task.tell("energy.slip_two", &[]);
+    let share = task.drive.clone();
+    let (c_v, omega) = (task.m.parts[body].v, task.m.parts[body].omega);
+    let (Some(_), Some(omega)) = (c_v, omega) else { return task.beyond(Beyond::Arrangement) };
     // The mass centre.
-    walk.tell("energy.centre", &[]);
-    let half = ratio(1, 2) * &walk.effective * square(v);
-    let left = &share * &walk.s;
-    walk.out.equation(&walk.desk.ledger, &left, &half);
-    let over = number(2) * share * &walk.s;
-    walk.find(v, &root(over / &walk.effective));
-    walk.note(of_body(Quantity::V, body), v);
-    walk.v = v.into();
+    task.tell("energy.centre", &[]);
+    let half = ratio(1, 2) * &task.effective * square(v);
+    let left = &share * &task.s;
+    task.out.equation(&task.draft.symbols, &left, &half);
+    let over = number(2) * share * &task.s;
+    task.find(v, &root(over / &task.effective));
+    task.note(of_body(Quantity::V, body), v);
+    task.v = v.into();
     // The whole.
     let turn = Coordinate { body, degree: Degree::Turn };
-    let phi = walk.desk.free(&[r"\varphi", r"\psi"]);
-    let phi = walk.desk.ledger.unknown_like(&phi, omega);
-    let moments: Vec<(Action, Expr)> = walk.row(turn);
-    let spin = walk.value(&sum(moments.iter().map(|(_, e)| e.clone()).collect::<Vec<_>>()));
+    let phi = task.draft.free(&[r"\varphi", r"\psi"]);
+    let phi = task.draft.symbols.unknown_like(&phi, omega);
+    let moments: Vec<(Action, Expr)> = task.row(turn);
+    let spin = task.value(&sum(moments.iter().map(|(_, e)| e.clone()).collect::<Vec<_>>()));
     let mut total = Vec::new();
-    for (action, e) in walk.terms() {
-        let way = walk.s.clone();
+    for (action, e) in task.terms() {
+        let way = task.s.clone();
         let arm = moments.iter().find(|(a, _)| a.source == action.source);
         let both = match arm {
             None => e * way,
@@ -367,59 +372,61 @@ fn slipping_body(walk: &mut Walk, body: usize) -> Result<(), Stop> {
             total.push(in_sense(e * phi, spin));
         }
     }
-    let inertia = walk.m.inertia_expr(turn);
+    let inertia = task.m.inertia_expr(turn);
     let turning = ratio(1, 2) * &inertia * square(omega);
-    walk.tell("energy.total", &[]);
+    task.tell("energy.total", &[]);
     let right = half + turning;
-    let ledger = &walk.desk.ledger;
-    let (total, right) = (positive_first(total).symbols(ledger), right.symbols(ledger));
-    walk.out.blocks.push(Block::Formula(format!("{total} = {right}")));
+    let symbols = &task.draft.symbols;
+    let (total, right) = (positive_first(total).symbols(symbols), right.symbols(symbols));
+    task.out.blocks.push(Block::Formula(format!("{total} = {right}")));
     let law = omega / v;
-    let way = walk.distance();
-    walk.tell("energy.uniform", &[]);
-    walk.out.equation(&walk.desk.ledger, &phi.into(), &(law * &way));
-    walk.tell("energy.root", &[]);
+    let way = task.distance();
+    task.tell("energy.uniform", &[]);
+    task.out.equation(&task.draft.symbols, &phi.into(), &(law * &way));
+    task.tell("energy.root", &[]);
     let moment = in_sense(sum(moments.into_iter().map(|(_, e)| e).collect::<Vec<_>>()), spin);
     let moment = match moment {
         Expr::Sum(terms) => positive_first(terms),
         other => other,
     };
     let from = number(2) * moment * way / (inertia * v);
-    walk.find(omega, &from);
-    walk.note(of_body(Quantity::Omega, body), omega);
-    walk.get(of_body(Quantity::Phi, body))?;
-    if walk.desk.asks(Quantity::Heat) || walk.desk.asks(Quantity::KineticEnergy) {
-        walk.tell("energy.slip_works", &[]);
-        slip_works(walk, body)?;
+    task.find(omega, &from);
+    task.note(of_body(Quantity::Omega, body), omega);
+    task.get(of_body(Quantity::Phi, body))?;
+    if task.draft.asks(Quantity::Heat) || task.draft.asks(Quantity::KineticEnergy) {
+        task.tell("energy.slip_works", &[]);
+        slip_works(task, body)?;
     }
     Ok(())
 }
 
 /// Works of all forces on a slipping body but that of friction, which is the heat lost.
-fn slip_works(walk: &mut Walk, body: usize) -> Result<(), Stop> {
-    let phi = walk.get(of_body(Quantity::Phi, body))?;
-    for action in walk.m.actions.clone() {
+fn slip_works(task: &mut LinearDerivation, body: usize) -> Result<(), DerivationStop> {
+    let phi = task.get(of_body(Quantity::Phi, body))?;
+    for action in task.m.actions.clone() {
         let symbol = match action.source {
-            Source::Tie(t) if action.kind == Kind::Given => walk.get(of_tie(Quantity::WorkPull, t))?,
-            Source::Weight(b) => {
-                let h = walk.get(of_body(Quantity::Rise, b))?;
-                let w = walk.new_symbol(&["W_{g}"], "J");
-                let mass = walk.m.parts[b].mass.clone();
-                let weight = mass.times(&Factors::of(&walk.m.g)).times(&Factors::of(&h.into()));
-                walk.find(w, &(-weight.expr()));
+            ForceSource::Tie(t) if action.kind == ForceKind::Given => {
+                task.get(of_tie(Quantity::WorkPull, t))?
+            }
+            ForceSource::Weight(b) => {
+                let h = task.get(of_body(Quantity::Rise, b))?;
+                let w = task.new_symbol(&["W_{g}"], "J");
+                let mass = task.m.parts[b].mass.clone();
+                let weight = mass.times(&Factors::of(&task.m.g)).times(&Factors::of(&h.into()));
+                task.find(w, &(-weight.expr()));
                 w
             }
-            Source::Couple(i) => {
-                let w = walk.new_symbol(&[&tagged("W", &format!("M{}", i + 1))], "J");
+            ForceSource::Couple(i) => {
+                let w = task.new_symbol(&[&tagged("W", &format!("M{}", i + 1))], "J");
                 let turn = Coordinate { body, degree: Degree::Turn };
-                let spin = walk.value(&sum(walk.row(turn).into_iter().map(|(_, e)| e).collect::<Vec<_>>()));
-                let helps = spin * walk.value(&action.arm.expr());
-                walk.find(w, &in_sense(&action.force * phi, helps));
+                let spin = task.value(&sum(task.row(turn).into_iter().map(|(_, e)| e).collect::<Vec<_>>()));
+                let helps = spin * task.value(&action.arm.expr());
+                task.find(w, &in_sense(&action.force * phi, helps));
                 w
             }
-            Source::Tie(_) => continue,
+            ForceSource::Tie(_) => continue,
         };
-        walk.works.push((action.source, action.kind, symbol));
+        task.works.push((action.source, action.kind, symbol));
     }
     Ok(())
 }

@@ -6,45 +6,45 @@ use crate::scene::Degree;
 use crate::scene::Far;
 use crate::scene::Quantity;
 use crate::scene::Tie;
-use crate::solution::desk::Answer;
-use crate::solution::desk::Desk;
+use crate::solution::draft::DerivedAnswer;
+use crate::solution::draft::Draft;
 use crate::solution::expr::Expr;
-use crate::solution::expr::Symbol;
+use crate::solution::expr::SymbolId;
 use crate::solution::expr::ZERO;
 use crate::solution::expr::magnitude;
 use crate::solution::expr::ratio;
 use crate::solution::expr::square;
 use crate::solution::expr::sum;
 use crate::solution::factors::Factors;
+use crate::solution::linear::derivation::of_body;
+use crate::solution::linear::derivation::of_scene;
 use crate::solution::linear::mechanism;
-use crate::solution::linear::mechanism::Part;
+use crate::solution::linear::mechanism::BodyInSymbols;
 use crate::solution::linear::mechanism::tagged;
-use crate::solution::linear::walk::of_body;
-use crate::solution::linear::walk::of_scene;
 use crate::solution::stop::Beyond;
-use crate::solution::stop::Stop;
+use crate::solution::stop::DerivationStop;
 use crate::solution::text::Block;
-use crate::solution::text::Section;
+use crate::solution::text::SolutionSection;
 
 /// The velocities of one body, as far as they are known, positive forward.
 #[derive(Debug, Clone, Default)]
-struct Known {
+struct KnownVelocities {
     along: Option<Expr>,
     turn: Option<Expr>,
 }
 
 /// The velocities of the bodies, found one after the other.
-struct Speeds<'d, 'a> {
-    desk: &'d mut Desk<'a>,
-    parts: Vec<Part>,
-    known: Vec<Known>,
+struct InstantSpeeds<'d, 'a> {
+    draft: &'d mut Draft<'a>,
+    parts: Vec<BodyInSymbols>,
+    known: Vec<KnownVelocities>,
     /// Spin per unit velocity of the centre, where a tie of the body alone gives it, and the phrase for that.
     inner: Vec<Option<(Factors, &'static str)>>,
-    section: Section,
+    section: SolutionSection,
     derived: bool,
 }
 
-impl Speeds<'_, '_> {
+impl InstantSpeeds<'_, '_> {
     fn get(&self, c: Coordinate) -> Option<&Expr> {
         let known = &self.known[c.body];
         if c.degree == Degree::Along { known.along.as_ref() } else { known.turn.as_ref() }
@@ -63,10 +63,10 @@ impl Speeds<'_, '_> {
         };
         if !self.derived {
             self.derived = true;
-            self.section.say(self.desk.words.get("solution.instant_ties"));
+            self.section.say(self.draft.words.get("solution.instant_ties"));
         }
-        self.section.say(self.desk.words.get(why));
-        self.section.find(&mut self.desk.ledger, symbol, from);
+        self.section.say(self.draft.words.get(why));
+        self.section.find(&mut self.draft.symbols, symbol, from);
         self.set(c, symbol.into());
     }
     /// The velocities of a body that its own tie gives once one of them is known. Did that add one?
@@ -83,7 +83,7 @@ impl Speeds<'_, '_> {
     }
     /// Velocity of the point at which a cord leaves, along the cord and away from the body; `None` if it is not known.
     fn point(&mut self, end: &CordEnd) -> Option<Expr> {
-        let (along, arm) = mechanism::lever(self.desk, end);
+        let (along, arm) = mechanism::lever(self.draft, end);
         let known = &self.known[end.body];
         let mut terms = Vec::new();
         for (velocity, share) in [(&known.along, along), (&known.turn, arm)] {
@@ -95,7 +95,7 @@ impl Speeds<'_, '_> {
     }
     /// The velocity that a cord adds to the body at this end, whose point goes out with `out`. Did it add one?
     fn pulled(&mut self, end: &CordEnd, out: &Expr) -> bool {
-        let (along, arm) = mechanism::lever(self.desk, end);
+        let (along, arm) = mechanism::lever(self.draft, end);
         let (v, w) = (self.known[end.body].along.clone(), self.known[end.body].turn.clone());
         let body = end.body;
         let rest = |known: &Expr, share: &Factors| out + Factors::of(known).times(&share.opposite()).expr();
@@ -125,16 +125,16 @@ impl Speeds<'_, '_> {
 ///
 /// # Errors
 /// What the derivation does not cover.
-pub fn write(desk: &mut Desk) -> Result<(), Stop> {
-    let parts = mechanism::parts(desk, false);
-    let mut section = Section::new("energy", desk.words.get("solution.title.energy"));
+pub fn write(draft: &mut Draft) -> Result<(), DerivationStop> {
+    let parts = mechanism::parts(draft, false);
+    let mut section = SolutionSection::new("energy", draft.words.get("solution.title.energy"));
     section.blocks.push(Block::Picture("scene".to_owned()));
-    section.say(desk.words.get("solution.signs_drawn"));
-    section.say(desk.words.get("solution.instant"));
-    let speeds = speeds(desk, parts, section)?;
-    let Speeds { desk, parts, known, mut section, .. } = speeds;
+    section.say(draft.words.get("solution.signs_drawn"));
+    section.say(draft.words.get("solution.instant"));
+    let speeds = speeds(draft, parts, section)?;
+    let InstantSpeeds { draft, parts, known, mut section, .. } = speeds;
     if known.iter().any(|k| [&k.along, &k.turn].into_iter().flatten().any(|v| matches!(v, Expr::Symbol(_)))) {
-        section.say(desk.words.get("solution.instant_sum"));
+        section.say(draft.words.get("solution.instant_sum"));
     }
     let mut turning = Vec::new();
     let mut terms = Vec::new();
@@ -148,18 +148,18 @@ pub fn write(desk: &mut Desk) -> Result<(), Stop> {
             terms.extend(part.inertia.iter().map(|i| half(i, w)));
         }
     }
-    let tex = desk.free(&["E_{k}"]);
-    let energy = desk.unknown(&tex, "J");
-    section.find(&mut desk.ledger, energy, &sum(terms));
-    let note = desk.words.get("solution.instant_note").to_owned();
-    desk.from_one_road(of_scene(Quantity::KineticEnergy), Answer::Value(energy), &note);
-    if desk.asks(Quantity::RotationalFraction) {
-        let tex = desk.free(&[r"\eta", r"\beta"]);
-        let share = desk.unknown(&tex, "1");
-        section.find(&mut desk.ledger, share, &(sum(turning) / energy));
-        desk.from_one_road(of_scene(Quantity::RotationalFraction), Answer::Value(share), &note);
+    let tex = draft.free(&["E_{k}"]);
+    let energy = draft.unknown(&tex, "J");
+    section.find(&mut draft.symbols, energy, &sum(terms));
+    let note = draft.words.get("solution.instant_note").to_owned();
+    draft.from_one_method(of_scene(Quantity::KineticEnergy), DerivedAnswer::Value(energy), &note);
+    if draft.asks(Quantity::RotationalFraction) {
+        let tex = draft.free(&[r"\eta", r"\beta"]);
+        let share = draft.unknown(&tex, "1");
+        section.find(&mut draft.symbols, share, &(sum(turning) / energy));
+        draft.from_one_method(of_scene(Quantity::RotationalFraction), DerivedAnswer::Value(share), &note);
     }
-    for c in desk.scene.coordinates() {
+    for c in draft.scene.coordinates() {
         let (quantity, tex, unit) = match c.degree {
             Degree::Along => (Quantity::V, "v", "m/s"),
             Degree::Turn => (Quantity::Omega, r"\omega", "rad/s"),
@@ -168,33 +168,35 @@ pub fn write(desk: &mut Desk) -> Result<(), Stop> {
             Degree::Along => &known[c.body].along,
             Degree::Turn => &known[c.body].turn,
         };
-        let (Some(velocity), true) = (velocity, desk.asks_label(of_body(quantity, c.body))) else { continue };
+        let (Some(velocity), true) = (velocity, draft.asks_label(of_body(quantity, c.body))) else {
+            continue;
+        };
         let symbol = match velocity {
-            Expr::Symbol(symbol) if desk.ledger.value(*symbol) >= 0.0 => *symbol,
+            Expr::Symbol(symbol) if draft.symbols.value(*symbol) >= 0.0 => *symbol,
             other => {
                 let tex = format!(r"\left|{}\right|", tagged(tex, &parts[c.body].tag));
-                let size: Symbol = desk.unknown(&tex, unit);
+                let size: SymbolId = draft.unknown(&tex, unit);
                 let from = if *other == ZERO { ZERO } else { magnitude(other.clone()) };
-                section.find(&mut desk.ledger, size, &from);
+                section.find(&mut draft.symbols, size, &from);
                 size
             }
         };
-        desk.from_one_road(of_body(quantity, c.body), Answer::Value(symbol), &note);
+        draft.from_one_method(of_body(quantity, c.body), DerivedAnswer::Value(symbol), &note);
     }
-    desk.sections.push(section);
+    draft.sections.push(section);
     Ok(())
 }
 
 /// All velocities: those of the start, then tie by tie.
 fn speeds<'d, 'a>(
-    desk: &'d mut Desk<'a>,
-    parts: Vec<Part>,
-    section: Section,
-) -> Result<Speeds<'d, 'a>, Stop> {
-    let scene = desk.scene;
-    let known = vec![Known::default(); parts.len()];
+    draft: &'d mut Draft<'a>,
+    parts: Vec<BodyInSymbols>,
+    section: SolutionSection,
+) -> Result<InstantSpeeds<'d, 'a>, DerivationStop> {
+    let scene = draft.scene;
+    let known = vec![KnownVelocities::default(); parts.len()];
     let inner = vec![None; parts.len()];
-    let mut all = Speeds { desk, parts, known, inner, section, derived: false };
+    let mut all = InstantSpeeds { draft, parts, known, inner, section, derived: false };
     let rest = scene.start_speeds().next().is_none();
     for c in scene.coordinates().filter(|_| rest) {
         all.set(c, ZERO);
@@ -202,17 +204,17 @@ fn speeds<'d, 'a>(
     for (c, num) in scene.start_speeds().filter(|_| !rest) {
         let (tex, unit) = if c.degree == Degree::Along { ("v", "m/s") } else { (r"\omega", "rad/s") };
         let tex = tagged(tex, &all.parts[c.body].tag);
-        let velocity = all.desk.number(num, &tex, unit);
+        let velocity = all.draft.number(num, &tex, unit);
         all.set(c, velocity);
     }
     for tie in &scene.ties {
         match tie {
             Tie::Roll { body, radius_m, .. } => {
-                let c = Factors::of(&all.desk.number(*radius_m, "R", "m"));
+                let c = Factors::of(&all.draft.number(*radius_m, "R", "m"));
                 all.inner[*body] = Some((Factors::one().per(&c), "solution.instant_roll"));
             }
             Tie::Cord(cord) if cord.to == Far::Fixed => {
-                let (along, arm) = mechanism::lever(all.desk, &cord.from);
+                let (along, arm) = mechanism::lever(all.draft, &cord.from);
                 let body = cord.from.body;
                 let both = all.parts[body].v.is_some() && all.parts[body].omega.is_some();
                 if both && !arm.is_zero() && all.inner[body].is_none() {

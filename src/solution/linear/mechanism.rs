@@ -1,6 +1,6 @@
 //! The mechanism of a scene in symbols: velocity ratios, forces with their points, masses and moments of inertia.
 //!
-//! Derived here anew from the scene: neither road's code is used.
+//! Derived here anew from the scene: neither method's code is used.
 use crate::figure::names;
 use crate::scene::Attach;
 use crate::scene::Body;
@@ -17,10 +17,10 @@ use crate::scene::Shape;
 use crate::scene::Side;
 use crate::scene::Slope;
 use crate::scene::Tie;
-use crate::solution::desk::Desk;
+use crate::solution::draft::Draft;
 use crate::solution::expr::Expr;
 use crate::solution::expr::ONE;
-use crate::solution::expr::Symbol;
+use crate::solution::expr::SymbolId;
 use crate::solution::expr::ZERO;
 use crate::solution::expr::cosine;
 use crate::solution::expr::sine;
@@ -28,11 +28,11 @@ use crate::solution::expr::sum;
 use crate::solution::factors::Factors;
 use crate::solution::mass::beta;
 use crate::solution::stop::Beyond;
-use crate::solution::stop::Stop;
+use crate::solution::stop::DerivationStop;
 
 /// What brings a force or couple.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Source {
+pub enum ForceSource {
     /// The weight of this body.
     Weight(usize),
     /// A couple, by index.
@@ -43,7 +43,7 @@ pub enum Source {
 
 /// What is known of a force.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Kind {
+pub enum ForceKind {
     /// Given: weights, pulls, couples.
     Given,
     /// The spring's, which changes on the way.
@@ -58,9 +58,9 @@ pub enum Kind {
 #[derive(Debug, Clone)]
 pub struct Action {
     /// What brings it.
-    pub source: Source,
+    pub source: ForceSource,
     /// What is known of it.
-    pub kind: Kind,
+    pub kind: ForceKind,
     /// Is it the friction of a contact?
     pub contact: bool,
     /// The body.
@@ -75,7 +75,7 @@ pub struct Action {
 
 /// One body.
 #[derive(Debug, Clone)]
-pub struct Part {
+pub struct BodyInSymbols {
     /// Its name for headings.
     pub label: String,
     /// What stands below the symbols that belong to it where several bodies have such a symbol.
@@ -85,15 +85,15 @@ pub struct Part {
     /// Moment of inertia about the mass centre, as a sum.
     pub inertia: Vec<Factors>,
     /// Acceleration along its line.
-    pub a: Option<Symbol>,
+    pub a: Option<SymbolId>,
     /// Angular acceleration.
-    pub alpha: Option<Symbol>,
+    pub alpha: Option<SymbolId>,
     /// Speed at the end.
-    pub v: Option<Symbol>,
+    pub v: Option<SymbolId>,
     /// Angular speed at the end.
-    pub omega: Option<Symbol>,
+    pub omega: Option<SymbolId>,
     /// Normal force of the surface, and what it is.
-    pub normal: Option<(Symbol, Expr)>,
+    pub normal: Option<(SymbolId, Expr)>,
     /// Velocity of the line, per unit velocity of the lead.
     pub along: Factors,
     /// Spin, per unit velocity of the lead.
@@ -110,7 +110,7 @@ pub struct Part {
 #[derive(Debug, Clone)]
 pub struct Mechanism {
     /// The bodies.
-    pub parts: Vec<Part>,
+    pub parts: Vec<BodyInSymbols>,
     /// All forces but normal ones.
     pub actions: Vec<Action>,
     /// Lead: the coordinate to which the velocity ratios refer.
@@ -122,7 +122,7 @@ pub struct Mechanism {
 }
 
 /// Friction or tension of a tie as a symbol.
-fn symbol_of(action: &Action) -> Option<Symbol> {
+fn symbol_of(action: &Action) -> Option<SymbolId> {
     match action.force {
         Expr::Symbol(s) => Some(s),
         _ => None,
@@ -134,34 +134,34 @@ impl Mechanism {
     ///
     /// # Errors
     /// What the derivation does not cover.
-    pub fn new(desk: &mut Desk, rolled: bool) -> Result<Self, Stop> {
-        let lead = desk.scene.ending_coordinate();
-        let g = gravity(desk);
-        let parts = parts(desk, rolled);
+    pub fn new(draft: &mut Draft, rolled: bool) -> Result<Self, DerivationStop> {
+        let lead = draft.scene.ending_coordinate();
+        let g = gravity(draft);
+        let parts = parts(draft, rolled);
         let mut this = Self { parts, actions: Vec::new(), lead, g, weighty: false };
-        this.act(desk, rolled);
-        this.ratios(desk, rolled)?;
+        this.act(draft, rolled);
+        this.ratios(draft, rolled)?;
         Ok(this)
     }
 
     /// All forces at their points.
-    fn act(&mut self, desk: &mut Desk, rolled: bool) {
-        let scene = desk.scene;
+    fn act(&mut self, draft: &mut Draft, rolled: bool) {
+        let scene = draft.scene;
         let contacts = scene.ties.iter().filter(|t| !matches!(t, Tie::Cord(_))).count();
         let tensed = scene.cords_with(Quantity::Tension).count();
         let mut cords = 0;
         for (t, tie) in scene.ties.iter().enumerate() {
             match tie {
                 Tie::Roll { body, radius_m, .. } | Tie::Slip { body, radius_m, .. } => {
-                    let c = Factors::of(&desk.number(*radius_m, "R", "m"));
+                    let c = Factors::of(&draft.number(*radius_m, "R", "m"));
                     let rolls = rolled || matches!(tie, Tie::Roll { .. });
-                    let kind = if rolls { Kind::Reaction } else { Kind::Kinetic };
+                    let kind = if rolls { ForceKind::Reaction } else { ForceKind::Kinetic };
                     let tag = if contacts > 1 { self.parts[*body].tag.as_str() } else { "" };
-                    let force = friction(desk, &below(tag, rolled));
+                    let force = friction(draft, &below(tag, rolled));
                     let up = self.parts[*body].up;
                     self.actions.push(Action {
                         contact: true,
-                        source: Source::Tie(t),
+                        source: ForceSource::Tie(t),
                         kind,
                         body: *body,
                         force: force.into(),
@@ -171,11 +171,11 @@ impl Mechanism {
                 }
                 Tie::Slide { body, .. } => {
                     let tag = if contacts > 1 { self.parts[*body].tag.as_str() } else { "" };
-                    let force = friction(desk, &below(tag, rolled));
+                    let force = friction(draft, &below(tag, rolled));
                     self.actions.push(Action {
                         contact: true,
-                        source: Source::Tie(t),
-                        kind: Kind::Kinetic,
+                        source: ForceSource::Tie(t),
+                        kind: ForceKind::Kinetic,
                         body: *body,
                         force: force.into(),
                         along: Factors::one().signed(self.parts[*body].up),
@@ -184,15 +184,15 @@ impl Mechanism {
                 }
                 Tie::Cord(cord) => {
                     let (kind, force) = match &cord.to {
-                        Far::Pull(p) => (Kind::Given, desk.number(*p, "P", "N")),
+                        Far::Pull(p) => (ForceKind::Given, draft.number(*p, "P", "N")),
                         other => {
                             cords += 1;
                             let tag = if tensed > 1 { cords.to_string() } else { String::new() };
                             let tag = below(&tag, rolled);
-                            let tex = desk.free(&[&tagged("T", &tag), &tagged("S", &tag)]);
+                            let tex = draft.free(&[&tagged("T", &tag), &tagged("S", &tag)]);
                             let spring = matches!(other, Far::Spring { .. });
-                            let kind = if spring { Kind::Spring } else { Kind::Reaction };
-                            (kind, desk.unknown(&tex, "N").into())
+                            let kind = if spring { ForceKind::Spring } else { ForceKind::Reaction };
+                            (kind, draft.unknown(&tex, "N").into())
                         }
                     };
                     let mut ends = vec![cord.from];
@@ -200,12 +200,12 @@ impl Mechanism {
                         ends.push(*other);
                     }
                     for end in ends {
-                        let (along, arm) = lever(desk, &end);
+                        let (along, arm) = lever(draft, &end);
                         let along = if self.parts[end.body].a.is_some() { along } else { Factors::zero() };
                         let arm = if self.parts[end.body].alpha.is_some() { arm } else { Factors::zero() };
                         self.actions.push(Action {
                             contact: false,
-                            source: Source::Tie(t),
+                            source: ForceSource::Tie(t),
                             kind,
                             body: end.body,
                             force: force.clone(),
@@ -217,28 +217,28 @@ impl Mechanism {
             }
         }
         for (i, c) in scene.couples.iter().enumerate() {
-            let force = desk.number(c.moment_n_m, "M", "N m");
+            let force = draft.number(c.moment_n_m, "M", "N m");
             self.actions.push(Action {
                 contact: false,
-                source: Source::Couple(i),
-                kind: Kind::Given,
+                source: ForceSource::Couple(i),
+                kind: ForceKind::Given,
                 body: c.body,
                 force,
                 along: Factors::zero(),
                 arm: Factors::one().signed(if c.forward { 1 } else { -1 }),
             });
         }
-        self.weigh(desk);
+        self.weigh(draft);
     }
 
     /// The weights of the bodies on slopes.
-    fn weigh(&mut self, desk: &mut Desk) {
-        let scene = desk.scene;
+    fn weigh(&mut self, draft: &mut Draft) {
+        let scene = draft.scene;
         for (i, body) in scene.bodies.iter().enumerate() {
             let climb = match body.line.map(|l| l.slope) {
                 None | Some(Slope::Level) => continue,
                 Some(Slope::Vertical) => ONE,
-                Some(Slope::Degrees(angle)) => sine(desk.number(angle, r"\theta", "deg")),
+                Some(Slope::Degrees(angle)) => sine(draft.number(angle, r"\theta", "deg")),
             };
             if climb == ZERO {
                 continue;
@@ -247,8 +247,8 @@ impl Mechanism {
             let part = &self.parts[i];
             self.actions.push(Action {
                 contact: false,
-                source: Source::Weight(i),
-                kind: Kind::Given,
+                source: ForceSource::Weight(i),
+                kind: ForceKind::Given,
                 body: i,
                 force: part.mass.expr() * &self.g,
                 along: Factors::of(&climb).signed(-part.up),
@@ -258,20 +258,20 @@ impl Mechanism {
     }
 
     /// Velocity ratios from the ties: first within each body, then from body to body.
-    fn ratios(&mut self, desk: &mut Desk, rolled: bool) -> Result<(), Stop> {
-        let scene = desk.scene;
+    fn ratios(&mut self, draft: &mut Draft, rolled: bool) -> Result<(), DerivationStop> {
+        let scene = draft.scene;
         // Spin per unit velocity of the centre, where a tie of the body alone gives it.
         let mut inner: Vec<Option<Factors>> = vec![None; self.parts.len()];
         for tie in &scene.ties {
             match tie {
                 Tie::Slip { .. } if !rolled => {}
                 Tie::Roll { body, radius_m, .. } | Tie::Slip { body, radius_m, .. } => {
-                    let c = Factors::of(&desk.number(*radius_m, "R", "m"));
+                    let c = Factors::of(&draft.number(*radius_m, "R", "m"));
                     inner[*body] = Some(Factors::one().per(&c));
                 }
                 Tie::Cord(cord) if cord.to == Far::Fixed => {
                     let part = &self.parts[cord.from.body];
-                    let (along, arm) = lever(desk, &cord.from);
+                    let (along, arm) = lever(draft, &cord.from);
                     // along v + arm omega = 0
                     if part.a.is_none() || part.alpha.is_none() || arm.is_zero() {
                         return Err(Beyond::HeldFast.into());
@@ -283,7 +283,7 @@ impl Mechanism {
         }
         let mut known = vec![false; self.parts.len()];
         // Sets the ratios of a body from one of its coordinates.
-        let settle = |parts: &mut Vec<Part>, body: usize, degree: Degree, ratio: Factors| -> bool {
+        let settle = |parts: &mut Vec<BodyInSymbols>, body: usize, degree: Degree, ratio: Factors| -> bool {
             let part = &mut parts[body];
             match (part.a.is_some(), part.alpha.is_some() && !part.slips, &inner[body], degree) {
                 (true, true, Some(inner), Degree::Along) => {
@@ -318,8 +318,8 @@ impl Mechanism {
                     (false, true) => (other, &cord.from),
                     _ => continue,
                 };
-                let given = self.point_of(desk, one);
-                let (along, arm) = lever(desk, two);
+                let given = self.point_of(draft, one);
+                let (along, arm) = lever(draft, two);
                 let part = &self.parts[two.body];
                 if part.slips && !arm.is_zero() {
                     return Err(Beyond::WoundOnSlipping.into());
@@ -352,15 +352,16 @@ impl Mechanism {
         if known.contains(&false) {
             return Err(Beyond::Untied.into());
         }
-        self.cords_keep_their_length(desk)
+        self.cords_keep_their_length(draft)
     }
 
-    fn cords_keep_their_length(&self, desk: &mut Desk) -> Result<(), Stop> {
-        for tie in &desk.scene.ties {
+    fn cords_keep_their_length(&self, draft: &mut Draft) -> Result<(), DerivationStop> {
+        for tie in &draft.scene.ties {
             if let Tie::Cord(cord) = tie
                 && let Far::Body(other) = &cord.to
             {
-                let ends = [&cord.from, other].map(|end| self.point_of(desk, end).expr().value(&desk.ledger));
+                let ends =
+                    [&cord.from, other].map(|end| self.point_of(draft, end).expr().value(&draft.symbols));
                 if (ends[0] + ends[1]).abs() > 1e-9 * ends[0].abs().max(ends[1].abs()) {
                     return Err(Beyond::CordsLock.into());
                 }
@@ -370,8 +371,8 @@ impl Mechanism {
     }
 
     /// Velocity of a cord's end along the cord, away from the body, per unit velocity of the lead.
-    fn point_of(&self, desk: &mut Desk, end: &CordEnd) -> Factors {
-        let (along, arm) = lever(desk, end);
+    fn point_of(&self, draft: &mut Draft, end: &CordEnd) -> Factors {
+        let (along, arm) = lever(draft, end);
         let part = &self.parts[end.body];
         part.along.times(&along).plus(&part.turn.times(&arm))
     }
@@ -392,7 +393,7 @@ impl Mechanism {
     }
 
     /// Acceleration of a coordinate.
-    pub fn acceleration(&self, c: Coordinate) -> Option<Symbol> {
+    pub fn acceleration(&self, c: Coordinate) -> Option<SymbolId> {
         let part = &self.parts[c.body];
         match c.degree {
             Degree::Along => part.a,
@@ -401,7 +402,7 @@ impl Mechanism {
     }
 
     /// Speed of a coordinate at the end.
-    pub fn speed(&self, c: Coordinate) -> Option<Symbol> {
+    pub fn speed(&self, c: Coordinate) -> Option<SymbolId> {
         let part = &self.parts[c.body];
         match c.degree {
             Degree::Along => part.v,
@@ -427,13 +428,13 @@ impl Mechanism {
     }
 
     /// Friction or tension of a tie.
-    pub fn force_of(&self, tie: usize) -> Option<Symbol> {
-        self.actions.iter().find(|a| a.source == Source::Tie(tie)).and_then(symbol_of)
+    pub fn force_of(&self, tie: usize) -> Option<SymbolId> {
+        self.actions.iter().find(|a| a.source == ForceSource::Tie(tie)).and_then(symbol_of)
     }
 
     /// The action of a contact or of the first end of a cord.
     pub fn action_of(&self, tie: usize) -> Option<&Action> {
-        self.actions.iter().find(|a| a.source == Source::Tie(tie))
+        self.actions.iter().find(|a| a.source == ForceSource::Tie(tie))
     }
 
     /// `m` or `m k^2 + ...` of a coordinate, as one expression.
@@ -443,8 +444,8 @@ impl Mechanism {
 
     /// What the lead has to accelerate: each mass and moment of inertia times the square of its ratio. The spin of a
     /// slipping body is left out.
-    pub fn effective(&self, desk: &Desk) -> Expr {
-        let coordinates = desk.scene.coordinates();
+    pub fn effective(&self, draft: &Draft) -> Expr {
+        let coordinates = draft.scene.coordinates();
         sum(coordinates.filter(|c| !self.ratio(*c).is_zero()).flat_map(|c| {
             let square = self.ratio(c).squared();
             self.inertia(c).into_iter().map(move |i| i.times(&square).expr())
@@ -453,9 +454,9 @@ impl Mechanism {
 }
 
 /// The bodies with their unknowns, before anything ties them.
-pub fn parts(desk: &mut Desk, rolled: bool) -> Vec<Part> {
-    let scene = desk.scene;
-    let g = gravity(desk);
+pub fn parts(draft: &mut Draft, rolled: bool) -> Vec<BodyInSymbols> {
+    let scene = draft.scene;
+    let g = gravity(draft);
     let mut parts = Vec::new();
     let tags = tags(scene);
     let count = |has: &dyn Fn(&Body) -> bool| scene.bodies.iter().filter(|b| has(b)).count();
@@ -464,25 +465,25 @@ pub fn parts(desk: &mut Desk, rolled: bool) -> Vec<Part> {
     let surfaces = count(&|b| b.line.is_some_and(|l| l.surface));
     for (i, body) in scene.bodies.iter().enumerate() {
         let tag = tags[i].clone();
-        let mass = mass(desk, body, &g, &tag);
-        let inertia = inertia(desk, body, &mass, &g, &tag);
-        let named = |desk: &mut Desk, names: &[&str], several: bool, unit: &str| {
+        let mass = mass(draft, body, &g, &tag);
+        let inertia = inertia(draft, body, &mass, &g, &tag);
+        let named = |draft: &mut Draft, names: &[&str], several: bool, unit: &str| {
             let tag = below(if several { &tag } else { "" }, rolled);
             let names: Vec<String> = names.iter().map(|n| tagged(n, &tag)).collect();
             let names: Vec<&str> = names.iter().map(String::as_str).collect();
-            let tex = desk.free(&names);
-            desk.unknown(&tex, unit)
+            let tex = draft.free(&names);
+            draft.unknown(&tex, unit)
         };
         let moves = body.line.is_some();
-        let a = moves.then(|| named(desk, &["a", "a_G"], lines > 1, "m/s^2"));
-        let v = moves.then(|| named(desk, &["v", "v_2"], lines > 1, "m/s"));
-        let alpha = body.turns.then(|| named(desk, &[r"\alpha", r"\dot{\omega}"], turns > 1, "rad/s^2"));
-        let omega = body.turns.then(|| named(desk, &[r"\omega", r"\omega_2"], turns > 1, "rad/s"));
-        let level = level(desk, body);
+        let a = moves.then(|| named(draft, &["a", "a_G"], lines > 1, "m/s^2"));
+        let v = moves.then(|| named(draft, &["v", "v_2"], lines > 1, "m/s"));
+        let alpha = body.turns.then(|| named(draft, &[r"\alpha", r"\dot{\omega}"], turns > 1, "rad/s^2"));
+        let omega = body.turns.then(|| named(draft, &[r"\omega", r"\omega_2"], turns > 1, "rad/s"));
+        let level = level(draft, body);
         let normal = body.line.is_some_and(|l| l.surface).then(|| {
             let tex = tagged("N", if surfaces > 1 { &tag } else { "" });
-            let tex = desk.free(&[&tex, "N_s"]);
-            let n = desk.unknown(&tex, "N");
+            let tex = draft.free(&[&tex, "N_s"]);
+            let n = draft.unknown(&tex, "N");
             (n, mass.expr() * &g * level)
         });
         let path = match body.line.map(|l| l.slope) {
@@ -491,8 +492,8 @@ pub fn parts(desk: &mut Desk, rolled: bool) -> Vec<Part> {
             Some(Slope::Vertical) => "vertical",
             Some(Slope::Degrees(_)) => "incline",
         };
-        parts.push(Part {
-            label: names::body(desk.words, desk.scene, i),
+        parts.push(BodyInSymbols {
+            label: names::body(draft.words, draft.scene, i),
             tag,
             mass,
             inertia,
@@ -512,13 +513,13 @@ pub fn parts(desk: &mut Desk, rolled: bool) -> Vec<Part> {
 }
 
 /// `along` and `arm` of a cord's end: its share along the line, its arm about the mass centre.
-pub fn lever(desk: &mut Desk, end: &CordEnd) -> (Factors, Factors) {
+pub fn lever(draft: &mut Draft, end: &CordEnd) -> (Factors, Factors) {
     let toward = if end.forward { 1 } else { -1 };
     let arm = match end.attach {
         Attach::Centre => Factors::zero(),
         Attach::Wound(p, side) => {
             let side = if side == Side::Top { toward } else { -toward };
-            Factors::of(&desk.number(p, "r", "m")).signed(side)
+            Factors::of(&draft.number(p, "r", "m")).signed(side)
         }
     };
     (Factors::one().signed(toward), arm)
@@ -533,67 +534,67 @@ fn below(tag: &str, rolled: bool) -> String {
     }
 }
 
-fn friction(desk: &mut Desk, tag: &str) -> Symbol {
-    let tex = desk.free(&[&tagged("F", tag), &tagged("R", tag)]);
-    desk.unknown(&tex, "N")
+fn friction(draft: &mut Draft, tag: &str) -> SymbolId {
+    let tex = draft.free(&[&tagged("F", tag), &tagged("R", tag)]);
+    draft.unknown(&tex, "N")
 }
 
-fn level(desk: &mut Desk, body: &Body) -> Expr {
+fn level(draft: &mut Draft, body: &Body) -> Expr {
     match body.line.map(|l| l.slope) {
         None | Some(Slope::Vertical) => ZERO,
         Some(Slope::Level) => ONE,
-        Some(Slope::Degrees(angle)) => cosine(desk.number(angle, r"\theta", "deg")),
+        Some(Slope::Degrees(angle)) => cosine(draft.number(angle, r"\theta", "deg")),
     }
 }
 
-fn mass_of(desk: &mut Desk, mass: &Mass, g: &Expr, tag: &str) -> Expr {
+fn mass_of(draft: &mut Draft, mass: &Mass, g: &Expr, tag: &str) -> Expr {
     match mass {
-        Mass::Kilograms(m) => desk.number(*m, &tagged("m", tag), "kg"),
-        Mass::Weight(w) => desk.number(*w, &tagged("W", tag), "N") / g,
+        Mass::Kilograms(m) => draft.number(*m, &tagged("m", tag), "kg"),
+        Mass::Weight(w) => draft.number(*w, &tagged("W", tag), "N") / g,
         Mass::OfParts => ZERO,
     }
 }
 
 /// g, told only where something has a weight.
-fn gravity(desk: &mut Desk) -> Expr {
-    if desk.scene.bodies.iter().all(Body::massless) {
+fn gravity(draft: &mut Draft) -> Expr {
+    if draft.scene.bodies.iter().all(Body::massless) {
         return ZERO;
     }
-    desk.number(desk.scene.gravity_m_s2, "g", "m/s^2")
+    draft.number(draft.scene.gravity_m_s2, "g", "m/s^2")
 }
 
-fn mass(desk: &mut Desk, body: &Body, g: &Expr, tag: &str) -> Factors {
+fn mass(draft: &mut Draft, body: &Body, g: &Expr, tag: &str) -> Factors {
     if body.massless() {
         return Factors::zero();
     }
     Factors::of(&match (&body.mass, &body.inertia) {
         (Mass::OfParts, Some(RotaryInertia::Parts(parts))) => {
-            sum(parts.iter().map(|p| mass_of(desk, &p.mass, g, tag)).collect::<Vec<_>>())
+            sum(parts.iter().map(|p| mass_of(draft, &p.mass, g, tag)).collect::<Vec<_>>())
         }
-        (mass, _) => mass_of(desk, mass, g, tag),
+        (mass, _) => mass_of(draft, mass, g, tag),
     })
 }
 
-fn inertia(desk: &mut Desk, body: &Body, mass: &Factors, g: &Expr, tag: &str) -> Vec<Factors> {
+fn inertia(draft: &mut Draft, body: &Body, mass: &Factors, g: &Expr, tag: &str) -> Vec<Factors> {
     if !body.turns {
         return Vec::new();
     }
-    let shape = |desk: &mut Desk, mass: Factors, shape: Shape, radius: Num| {
-        let radius = Factors::of(&desk.number(radius, "R", "m"));
+    let shape = |draft: &mut Draft, mass: Factors, shape: Shape, radius: Num| {
+        let radius = Factors::of(&draft.number(radius, "R", "m"));
         Factors::of(&beta(shape)).times(&mass).times(&radius.squared())
     };
     let all = match &body.inertia {
         None => Vec::new(),
         Some(RotaryInertia::Gyration(k)) => {
-            vec![mass.times(&Factors::of(&desk.number(*k, &tagged("k", tag), "m")).squared())]
+            vec![mass.times(&Factors::of(&draft.number(*k, &tagged("k", tag), "m")).squared())]
         }
-        Some(RotaryInertia::Moment(i)) => vec![Factors::of(&desk.number(*i, &tagged("I", tag), "kg m^2"))],
-        Some(RotaryInertia::Shape(s, r)) => vec![shape(desk, mass.clone(), *s, *r)],
+        Some(RotaryInertia::Moment(i)) => vec![Factors::of(&draft.number(*i, &tagged("I", tag), "kg m^2"))],
+        Some(RotaryInertia::Shape(s, r)) => vec![shape(draft, mass.clone(), *s, *r)],
         Some(RotaryInertia::Parts(parts)) => parts
             .iter()
             .map(|p| {
-                let mass = Factors::of(&mass_of(desk, &p.mass, g, tag));
-                shape(desk, mass, p.shape, p.radius_m)
+                let mass = Factors::of(&mass_of(draft, &p.mass, g, tag));
+                shape(draft, mass, p.shape, p.radius_m)
             })
             .collect(),
     };

@@ -1,4 +1,4 @@
-//! One road through a scene of lines and axles: what is known so far, and each further quantity on demand, written down as it
+//! One method for a scene of lines and axles: what is known so far, and each further quantity on demand, written down as it
 //! is found.
 use crate::scene::Coordinate;
 use crate::scene::Degree;
@@ -11,10 +11,10 @@ use crate::scene::Quantity;
 use crate::scene::Span;
 use crate::scene::Start;
 use crate::scene::Tie;
-use crate::solution::desk::Answer;
-use crate::solution::desk::Desk;
+use crate::solution::draft::DerivedAnswer;
+use crate::solution::draft::Draft;
 use crate::solution::expr::Expr;
-use crate::solution::expr::Symbol;
+use crate::solution::expr::SymbolId;
 use crate::solution::expr::ZERO;
 use crate::solution::expr::in_sense;
 use crate::solution::expr::magnitude;
@@ -26,18 +26,18 @@ use crate::solution::expr::square;
 use crate::solution::expr::sum;
 use crate::solution::factors::Factors;
 use crate::solution::linear::mechanism::Action;
-use crate::solution::linear::mechanism::Kind;
+use crate::solution::linear::mechanism::ForceKind;
+use crate::solution::linear::mechanism::ForceSource;
 use crate::solution::linear::mechanism::Mechanism;
-use crate::solution::linear::mechanism::Source;
 use crate::solution::linear::mechanism::tagged;
 use crate::solution::stop::Beyond;
-use crate::solution::stop::Stop;
-use crate::solution::text::Section;
+use crate::solution::stop::DerivationStop;
+use crate::solution::text::SolutionSection;
 use std::cmp::Ordering;
 
-/// Which road.
+/// Which method.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Road {
+pub enum SolvingMethod {
     /// Equations of motion.
     Motion,
     /// Work and energy.
@@ -46,7 +46,7 @@ pub enum Road {
 
 /// The spring of a scene.
 #[derive(Debug, Clone)]
-pub struct Spring {
+pub struct CordSpring {
     /// Index of its tie.
     pub tie: usize,
     /// Stiffness.
@@ -58,7 +58,7 @@ pub struct Spring {
     /// Travel of the cord's end per unit travel of the lead, against the spring's pull counted negative.
     pub gamma: Factors,
     /// Its force at the end.
-    pub tension: Symbol,
+    pub tension: SymbolId,
     /// Force at the start, reckoned to the lead.
     pub first: Expr,
     /// Stiffness, reckoned to the lead.
@@ -77,8 +77,8 @@ pub struct Extreme {
 }
 
 /// The end at which friction is the larger, and whether the spring pulls more there; `None` where it is equally large at both.
-pub fn larger(walk: &Walk, ends: &[Extreme; 2]) -> Option<(Extreme, bool)> {
-    let [a, b] = ends.each_ref().map(|e| walk.value(&e.friction).abs());
+pub fn larger(task: &LinearDerivation, ends: &[Extreme; 2]) -> Option<(Extreme, bool)> {
+    let [a, b] = ends.each_ref().map(|e| task.value(&e.friction).abs());
     let [one, other] = ends;
     let (most, least) = if a > b { (one, other) } else { (other, one) };
     let equal = (a - b).abs() <= EQUAL * a.max(b);
@@ -91,20 +91,20 @@ const EQUAL: f64 = 1e-12;
 /// Stretch, as a share of the first, below which rounding alone keeps a cord from being slack.
 const SLACK: f64 = 1e-12;
 
-/// A walk along one road.
-pub struct Walk<'d, 'a> {
-    /// The desk.
-    pub desk: &'d mut Desk<'a>,
+/// The derivation by one method.
+pub struct LinearDerivation<'d, 'a> {
+    /// The draft.
+    pub draft: &'d mut Draft<'a>,
     /// The mechanism, with unknowns of its own.
     pub m: Mechanism,
-    /// Which road.
-    pub road: Road,
+    /// Which method.
+    pub method: SolvingMethod,
     /// What is being written.
-    pub out: Section,
+    pub out: SolutionSection,
     /// What has been found.
-    pub known: Vec<(Label, Symbol)>,
-    /// The works that the energy road has written down.
-    pub works: Vec<(Source, Kind, Symbol)>,
+    pub known: Vec<(Label, SymbolId)>,
+    /// The works that the energy method has written down.
+    pub works: Vec<(ForceSource, ForceKind, SymbolId)>,
     /// Number of the equation of each coordinate.
     pub rows: Vec<(Coordinate, usize)>,
     /// Sense in which the lead moves: 1 or -1.
@@ -120,8 +120,8 @@ pub struct Walk<'d, 'a> {
     /// Sum of the constant forces, reckoned to the lead.
     pub drive: Expr,
     /// The spring.
-    pub spring: Option<Spring>,
-    /// It is the walk of a slipping wheel as if it rolled.
+    pub spring: Option<CordSpring>,
+    /// Is a slipping wheel taken as if it rolled?
     pub rolled: bool,
     /// The ties whose reactions are being solved for, each for the one before it.
     solving: Vec<usize>,
@@ -142,35 +142,35 @@ pub const fn of_scene(quantity: Quantity) -> Label {
     Label { quantity, of: Owner::Scene }
 }
 
-impl<'d, 'a> Walk<'d, 'a> {
+impl<'d, 'a> LinearDerivation<'d, 'a> {
     /// Sets out: mechanism, senses, start. `slips`: each slipping contact with the sense of its friction, positive up.
     ///
     /// # Errors
     /// What the derivation does not cover.
     pub fn new(
-        desk: &'d mut Desk<'a>,
-        road: Road,
+        draft: &'d mut Draft<'a>,
+        method: SolvingMethod,
         rolled: bool,
         slips: &[(usize, f64)],
-        out: Section,
-    ) -> Result<Self, Stop> {
-        let m = Mechanism::new(desk, rolled)?;
-        let scene = desk.scene;
+        out: SolutionSection,
+    ) -> Result<Self, DerivationStop> {
+        let m = Mechanism::new(draft, rolled)?;
+        let scene = draft.scene;
         let mut spring = None;
         if let Some((tie, ks, x0, rigid)) = scene.spring() {
-            let stiffness = desk.number(ks, "k_s", "N/m");
-            let stretch = desk.number(x0, "x_0", "m");
+            let stiffness = draft.number(ks, "k_s", "N/m");
+            let stretch = draft.number(x0, "x_0", "m");
             let (Some(action), Some(tension)) = (m.action_of(tie), m.force_of(tie)) else {
                 return Err(Beyond::Arrangement.into());
             };
             let gamma = m.point(action);
             let kappa = Factors::of(&stiffness).times(&gamma.squared()).expr();
-            spring = Some(Spring { tie, stiffness, stretch, rigid, gamma, tension, first: ZERO, kappa });
+            spring = Some(CordSpring { tie, stiffness, stretch, rigid, gamma, tension, first: ZERO, kappa });
         }
-        let mut walk = Self {
-            desk,
+        let mut task = Self {
+            draft,
             m,
-            road,
+            method,
             out,
             known: Vec::new(),
             works: Vec::new(),
@@ -185,14 +185,14 @@ impl<'d, 'a> Walk<'d, 'a> {
             rolled,
             solving: Vec::new(),
         };
-        walk.effective = walk.m.effective(walk.desk);
-        walk.set_out(slips)?;
-        Ok(walk)
+        task.effective = task.m.effective(task.draft);
+        task.set_out(slips)?;
+        Ok(task)
     }
 
     /// A phrase of this topic.
     pub fn phrase(&self, name: &str, pieces: &[(&str, &str)]) -> String {
-        self.desk.say(&format!("solution.{name}"), pieces)
+        self.draft.say(&format!("solution.{name}"), pieces)
     }
 
     /// Writes a phrase as a paragraph.
@@ -201,32 +201,32 @@ impl<'d, 'a> Walk<'d, 'a> {
         self.out.say(text);
     }
 
-    /// The phrase that the road has for this.
-    pub fn tell_road(&mut self, name: &str, pieces: &[(&str, &str)]) {
-        let road = if self.road == Road::Motion { "motion" } else { "energy" };
-        self.tell(&format!("{road}.{name}"), pieces);
+    /// The phrase that the method has for this.
+    pub fn tell_method(&mut self, name: &str, pieces: &[(&str, &str)]) {
+        let method = if self.method == SolvingMethod::Motion { "motion" } else { "energy" };
+        self.tell(&format!("{method}.{name}"), pieces);
     }
 
     /// An expression in symbols, with dollars.
     pub fn tex(&self, e: &Expr) -> String {
-        format!("${}$", e.symbols(&self.desk.ledger))
+        format!("${}$", e.symbols(&self.draft.symbols))
     }
 
     /// Value of an expression.
     pub fn value(&self, e: &Expr) -> f64 {
-        e.value(&self.desk.ledger)
+        e.value(&self.draft.symbols)
     }
 
     /// Finds a quantity and writes the steps.
-    pub fn find(&mut self, symbol: Symbol, from: &Expr) {
-        self.out.find(&mut self.desk.ledger, symbol, from);
+    pub fn find(&mut self, symbol: SymbolId, from: &Expr) {
+        self.out.find(&mut self.draft.symbols, symbol, from);
     }
 
     /// Finds several quantities, each with its steps, without words between.
-    pub fn new_symbol(&mut self, names: &[&str], unit: &str) -> Symbol {
-        let tex = self.desk.free(names);
+    pub fn new_symbol(&mut self, names: &[&str], unit: &str) -> SymbolId {
+        let tex = self.draft.free(names);
         let tex = if self.rolled { marked(&tex, r"\mathrm{r}") } else { tex };
-        self.desk.unknown(&tex, unit)
+        self.draft.unknown(&tex, unit)
     }
 
     /// Magnitude of a quantity: itself where it is positive.
@@ -240,16 +240,16 @@ impl<'d, 'a> Walk<'d, 'a> {
     }
 
     /// It stops here: beyond what is covered.
-    pub fn beyond<T>(&self, what: Beyond) -> Result<T, Stop> {
+    pub fn beyond<T>(&self, what: Beyond) -> Result<T, DerivationStop> {
         Err(what.into())
     }
 
-    fn start_velocity(&mut self) -> Result<Expr, Stop> {
+    fn start_velocity(&mut self) -> Result<Expr, DerivationStop> {
         let mut v0 = ZERO;
-        for start in &self.desk.scene.start {
+        for start in &self.draft.scene.start {
             let Start::Speed(c, num) = start else { return self.beyond(Beyond::Arrangement) };
             let given =
-                self.desk.number(*num, if c.degree == Degree::Along { "v_0" } else { r"\omega_0" }, "m/s");
+                self.draft.number(*num, if c.degree == Degree::Along { "v_0" } else { r"\omega_0" }, "m/s");
             if given == ZERO {
                 continue;
             }
@@ -263,15 +263,15 @@ impl<'d, 'a> Walk<'d, 'a> {
     }
 
     /// Sense of the motion, kinetic friction with its sign, displacement at the end as far as it is told.
-    fn set_out(&mut self, slips: &[(usize, f64)]) -> Result<(), Stop> {
+    fn set_out(&mut self, slips: &[(usize, f64)]) -> Result<(), DerivationStop> {
         self.v0 = self.start_velocity()?;
-        let scene = self.desk.scene;
+        let scene = self.draft.scene;
         // Without sliding friction first: it needs the sense.
         let push: f64 = self
             .terms()
             .iter()
             .map(|(a, e)| match a.kind {
-                Kind::Given => self.value(e),
+                ForceKind::Given => self.value(e),
                 _ => 0.0,
             })
             .sum();
@@ -282,7 +282,7 @@ impl<'d, 'a> Walk<'d, 'a> {
             }
             None => push,
         };
-        let given = self.terms().into_iter().filter(|(a, _)| a.kind == Kind::Given).map(|(_, e)| e);
+        let given = self.terms().into_iter().filter(|(a, _)| a.kind == ForceKind::Given).map(|(_, e)| e);
         let given: Vec<Expr> = given.collect();
         if let Some(s) = &mut self.spring {
             let pull = Factors::of(&s.stiffness).times(&s.gamma).times(&Factors::of(&s.stretch)).expr();
@@ -315,9 +315,9 @@ impl<'d, 'a> Walk<'d, 'a> {
 
     /// Share of the friction of a slipping contact in the equation of the lead, N, if it points up.
     fn friction_of_slip(&mut self, tie: usize) -> f64 {
-        let Tie::Slip { body, mu_k, .. } = self.desk.scene.ties[tie] else { return 0.0 };
-        let mu = self.desk.number(mu_k, r"\mu_k", "1");
-        let mut own = self.m.actions.iter().filter(|a| a.contact && a.source == Source::Tie(tie));
+        let Tie::Slip { body, mu_k, .. } = self.draft.scene.ties[tie] else { return 0.0 };
+        let mu = self.draft.number(mu_k, r"\mu_k", "1");
+        let mut own = self.m.actions.iter().filter(|a| a.contact && a.source == ForceSource::Tie(tie));
         match (own.next(), &self.m.parts[body].normal) {
             (Some(action), Some((_, normal))) => {
                 self.value(&self.m.point(action).expr()) * self.value(&mu) * self.value(normal)
@@ -328,12 +328,12 @@ impl<'d, 'a> Walk<'d, 'a> {
 
     fn length(&mut self, num: Num) -> Expr {
         let unit = if self.m.lead.degree == Degree::Along { "m" } else { "rad" };
-        self.desk.number(num, "d", unit)
+        self.draft.number(num, "d", unit)
     }
 
     /// Sets the size and sign of kinetic friction, positive up: of a slide against the motion, of a slip as `slip_sense` says.
-    pub fn kinetic(&mut self, slip_sense: &dyn Fn(usize) -> f64) -> Vec<(usize, Symbol, Expr, f64)> {
-        let scene = self.desk.scene;
+    pub fn kinetic(&mut self, slip_sense: &dyn Fn(usize) -> f64) -> Vec<(usize, SymbolId, Expr, f64)> {
+        let scene = self.draft.scene;
         let mut all = Vec::new();
         for (t, tie) in scene.ties.iter().enumerate() {
             let (body, mu, sense) = match tie {
@@ -344,7 +344,7 @@ impl<'d, 'a> Walk<'d, 'a> {
                 }
                 _ => continue,
             };
-            let mu = self.desk.number(mu, r"\mu_k", "1");
+            let mu = self.draft.number(mu, r"\mu_k", "1");
             if let (Some(f), Some((n, _))) = (self.m.force_of(t), self.m.parts[body].normal.clone()) {
                 all.push((t, f, in_sense(mu * n, sense), sense));
             }
@@ -355,7 +355,7 @@ impl<'d, 'a> Walk<'d, 'a> {
     /// The forces that do not drop out of the sum, each as its share of the lead's equation.
     pub fn terms(&self) -> Vec<(Action, Expr)> {
         let mut list: Vec<(Action, Factors)> = Vec::new();
-        for action in self.m.actions.iter().filter(|a| a.kind != Kind::Reaction) {
+        for action in self.m.actions.iter().filter(|a| a.kind != ForceKind::Reaction) {
             let share = Factors::of(&action.force).times(&self.m.point(action));
             if !share.is_zero() {
                 list.push((action.clone(), share));
@@ -386,7 +386,7 @@ impl<'d, 'a> Walk<'d, 'a> {
     /// Magnitude of a ratio.
     pub fn magnitude(&self, ratio: &Factors) -> Factors {
         let size = if self.value(&ratio.expr()) < 0.0 { ratio.opposite() } else { ratio.clone() };
-        size.upright(&self.desk.ledger)
+        size.upright(&self.draft.symbols)
     }
 
     /// Distance that the lead goes, a magnitude.
@@ -400,18 +400,18 @@ impl<'d, 'a> Walk<'d, 'a> {
     }
 
     /// What was found for a label.
-    pub fn found(&self, label: Label) -> Option<Symbol> {
+    pub fn found(&self, label: Label) -> Option<SymbolId> {
         self.known.iter().find(|(l, _)| *l == label).map(|(_, s)| *s)
     }
 
     /// Notes that a label has been found.
-    pub fn note(&mut self, label: Label, symbol: Symbol) {
+    pub fn note(&mut self, label: Label, symbol: SymbolId) {
         if self.found(label).is_none() {
             self.known.push((label, symbol));
         }
     }
 
-    fn found_now(&mut self, label: Label, symbol: Symbol, from: &Expr) -> Symbol {
+    fn found_now(&mut self, label: Label, symbol: SymbolId, from: &Expr) -> SymbolId {
         self.find(symbol, from);
         self.note(label, symbol);
         symbol
@@ -421,7 +421,7 @@ impl<'d, 'a> Walk<'d, 'a> {
     ///
     /// # Errors
     /// What the derivation does not cover.
-    pub fn get(&mut self, label: Label) -> Result<Symbol, Stop> {
+    pub fn get(&mut self, label: Label) -> Result<SymbolId, DerivationStop> {
         if let Some(symbol) = self.found(label) {
             return Ok(symbol);
         }
@@ -467,12 +467,12 @@ impl<'d, 'a> Walk<'d, 'a> {
     }
 
     /// Another acceleration than the lead's, by its ratio; that of a slipping body's spin from its own equation.
-    fn acceleration(&mut self, c: Coordinate, label: Label) -> Result<Symbol, Stop> {
+    fn acceleration(&mut self, c: Coordinate, label: Label) -> Result<SymbolId, DerivationStop> {
         let Some(symbol) = self.m.acceleration(c) else { return self.beyond(Beyond::Arrangement) };
         if self.own(c) {
             self.friction(c.body, of_body(Quantity::Friction, c.body))?;
             let over = sum(self.row(c).into_iter().map(|(_, e)| e));
-            if self.road == Road::Motion {
+            if self.method == SolvingMethod::Motion {
                 let n = self.number_of(c);
                 self.tell("motion.spin_apart", &[("n", &n)]);
                 let from = over / self.m.inertia_expr(c);
@@ -500,9 +500,9 @@ impl<'d, 'a> Walk<'d, 'a> {
         of_body(if c.degree == Degree::Along { along } else { turn }, c.body)
     }
 
-    /// On the energy road: from the rate of the balance.
-    fn lead_acceleration(&mut self, label: Label, symbol: Symbol) -> Result<Symbol, Stop> {
-        if self.road == Road::Motion {
+    /// By the energy method: from the rate of the balance.
+    fn lead_acceleration(&mut self, label: Label, symbol: SymbolId) -> Result<SymbolId, DerivationStop> {
+        if self.method == SolvingMethod::Motion {
             return self.beyond(Beyond::Arrangement);
         }
         let from = match self.spring.clone() {
@@ -525,7 +525,7 @@ impl<'d, 'a> Walk<'d, 'a> {
         Ok(self.found_now(label, symbol, &from))
     }
 
-    fn speed(&mut self, c: Coordinate, label: Label) -> Result<Symbol, Stop> {
+    fn speed(&mut self, c: Coordinate, label: Label) -> Result<SymbolId, DerivationStop> {
         let Some(symbol) = self.m.speed(c) else { return self.beyond(Beyond::Arrangement) };
         if self.own(c) {
             return self.own_spin(c, label, symbol);
@@ -543,12 +543,17 @@ impl<'d, 'a> Walk<'d, 'a> {
     }
 
     /// Spin of a slipping body.
-    fn own_spin(&mut self, c: Coordinate, label: Label, symbol: Symbol) -> Result<Symbol, Stop> {
+    fn own_spin(
+        &mut self,
+        c: Coordinate,
+        label: Label,
+        symbol: SymbolId,
+    ) -> Result<SymbolId, DerivationStop> {
         let own = self.m.parts[c.body].clone();
         let Some(v) = own.v else { return self.beyond(Beyond::Arrangement) };
         let v = self.found(of_body(Quantity::V, c.body)).unwrap_or(v);
-        match self.road {
-            Road::Motion => {
+        match self.method {
+            SolvingMethod::Motion => {
                 let alpha = self.get(of_body(Quantity::Alpha, c.body))?;
                 let a = self.get(of_body(Quantity::A, c.body))?;
                 self.tell("motion.spin_ratio", &[]);
@@ -556,12 +561,12 @@ impl<'d, 'a> Walk<'d, 'a> {
                 let from = in_sense(alpha / a * v, turned);
                 Ok(self.found_now(label, symbol, &from))
             }
-            Road::Energy => self.beyond(Beyond::Arrangement),
+            SolvingMethod::Energy => self.beyond(Beyond::Arrangement),
         }
     }
 
-    fn angle(&mut self, body: usize, label: Label) -> Result<Symbol, Stop> {
-        let tag = if self.desk.scene.bodies.iter().filter(|b| b.turns).count() > 1 {
+    fn angle(&mut self, body: usize, label: Label) -> Result<SymbolId, DerivationStop> {
+        let tag = if self.draft.scene.bodies.iter().filter(|b| b.turns).count() > 1 {
             self.m.parts[body].tag.clone()
         } else {
             String::new()
@@ -569,14 +574,14 @@ impl<'d, 'a> Walk<'d, 'a> {
         let symbol = self.new_symbol(&[&tagged(r"\varphi", &tag), &tagged(r"\psi", &tag)], "rad");
         let c = Coordinate { body, degree: Degree::Turn };
         if self.own(c) {
-            let ratio = match self.road {
-                Road::Motion => {
+            let ratio = match self.method {
+                SolvingMethod::Motion => {
                     let alpha = self.get(of_body(Quantity::Alpha, body))?;
                     let a = self.get(of_body(Quantity::A, body))?;
                     let sense = self.value(&alpha.into()) * self.value(&a.into());
                     in_sense(alpha / a, sense)
                 }
-                Road::Energy => {
+                SolvingMethod::Energy => {
                     let omega = self.get(of_body(Quantity::Omega, body))?;
                     let v = self.get(of_body(Quantity::V, body))?;
                     omega / v
@@ -590,24 +595,24 @@ impl<'d, 'a> Walk<'d, 'a> {
         Ok(self.found_now(label, symbol, &from))
     }
 
-    fn rise(&mut self, body: usize, label: Label) -> Result<Symbol, Stop> {
+    fn rise(&mut self, body: usize, label: Label) -> Result<SymbolId, DerivationStop> {
         let tag = if self.m.parts.iter().filter(|p| p.a.is_some()).count() > 1 {
             self.m.parts[body].tag.clone()
         } else {
             String::new()
         };
         let symbol = self.new_symbol(&[&tagged("h", &tag), &tagged("y", &tag)], "m");
-        let climb = self.m.actions.iter().find(|a| a.source == Source::Weight(body));
+        let climb = self.m.actions.iter().find(|a| a.source == ForceSource::Weight(body));
         let climb = climb.map_or_else(Factors::zero, |a| a.along.opposite());
         let from = Factors::of(&self.s).times(&self.m.parts[body].along).times(&climb).expr();
         Ok(self.found_now(label, symbol, &from))
     }
 
-    fn normal(&mut self, body: usize, label: Label) -> Result<Symbol, Stop> {
+    fn normal(&mut self, body: usize, label: Label) -> Result<SymbolId, DerivationStop> {
         let Some((symbol, from)) = self.m.parts[body].normal.clone() else {
             return self.beyond(Beyond::Arrangement);
         };
-        if self.road == Road::Energy {
+        if self.method == SolvingMethod::Energy {
             self.tell("energy.normal", &[]);
         }
         Ok(self.found_now(label, symbol, &from))
@@ -618,8 +623,8 @@ impl<'d, 'a> Walk<'d, 'a> {
         self.rows.iter().find(|(r, _)| *r == c).map_or_else(|| "?".to_owned(), |(_, n)| n.to_string())
     }
 
-    fn friction(&mut self, body: usize, label: Label) -> Result<Symbol, Stop> {
-        let tie = self.desk.scene.ties.iter().position(|t| match t {
+    fn friction(&mut self, body: usize, label: Label) -> Result<SymbolId, DerivationStop> {
+        let tie = self.draft.scene.ties.iter().position(|t| match t {
             Tie::Roll { body: b, .. } | Tie::Slip { body: b, .. } | Tie::Slide { body: b, .. } => *b == body,
             Tie::Cord(_) => false,
         });
@@ -627,7 +632,7 @@ impl<'d, 'a> Walk<'d, 'a> {
         self.reaction(tie, label)
     }
 
-    fn tension(&mut self, tie: usize, label: Label) -> Result<Symbol, Stop> {
+    fn tension(&mut self, tie: usize, label: Label) -> Result<SymbolId, DerivationStop> {
         if let Some(spring) = self.spring.clone().filter(|s| s.tie == tie) {
             if let Some(known) = self.found(label) {
                 return Ok(known);
@@ -640,12 +645,12 @@ impl<'d, 'a> Walk<'d, 'a> {
     }
 
     /// Stretch of the spring after this displacement of the lead.
-    pub fn stretch_at(&self, spring: &Spring, s: &Expr) -> Expr {
+    pub fn stretch_at(&self, spring: &CordSpring, s: &Expr) -> Expr {
         &spring.stretch - spring.gamma.times(&Factors::of(s)).expr()
     }
 
     /// A reaction: from the row in which it is the only unknown left, others first where need be.
-    fn reaction(&mut self, tie: usize, label: Label) -> Result<Symbol, Stop> {
+    fn reaction(&mut self, tie: usize, label: Label) -> Result<SymbolId, DerivationStop> {
         if let Some(known) = self.found(label) {
             return Ok(known);
         }
@@ -657,7 +662,7 @@ impl<'d, 'a> Walk<'d, 'a> {
     }
 
     fn label_of_tie(&self, tie: usize) -> Label {
-        match &self.desk.scene.ties[tie] {
+        match &self.draft.scene.ties[tie] {
             Tie::Roll { body, .. } | Tie::Slip { body, .. } | Tie::Slide { body, .. } => {
                 of_body(Quantity::Friction, *body)
             }
@@ -665,24 +670,24 @@ impl<'d, 'a> Walk<'d, 'a> {
         }
     }
 
-    fn solve_reaction(&mut self, tie: usize) -> Result<(), Stop> {
+    fn solve_reaction(&mut self, tie: usize) -> Result<(), DerivationStop> {
         // Each would need the other first.
         if self.solving.contains(&tie) {
             return self.beyond(Beyond::SeveralEquations);
         }
         self.solving.push(tie);
-        let coordinates: Vec<Coordinate> = self.desk.scene.coordinates().collect();
+        let coordinates: Vec<Coordinate> = self.draft.scene.coordinates().collect();
         // The row that asks for the fewest other reactions; lines before turns.
         let mut best: Option<(usize, Coordinate, Vec<usize>)> = None;
         for c in coordinates {
             let row = self.row(c);
-            if !row.iter().any(|(a, _)| a.source == Source::Tie(tie)) {
+            if !row.iter().any(|(a, _)| a.source == ForceSource::Tie(tie)) {
                 continue;
             }
             let others: Vec<usize> = row
                 .iter()
                 .filter_map(|(a, _)| match (a.kind, a.source) {
-                    (Kind::Reaction, Source::Tie(t)) if t != tie => Some(t),
+                    (ForceKind::Reaction, ForceSource::Tie(t)) if t != tie => Some(t),
                     _ => None,
                 })
                 .filter(|t| self.found(self.label_of_tie(*t)).is_none())
@@ -705,7 +710,8 @@ impl<'d, 'a> Walk<'d, 'a> {
         }
         // Whatever else the row needs.
         for (action, _) in self.row(c) {
-            if let (Source::Tie(t), Kind::Spring | Kind::Kinetic) = (action.source, action.kind)
+            if let (ForceSource::Tie(t), ForceKind::Spring | ForceKind::Kinetic) =
+                (action.source, action.kind)
                 && t != tie
             {
                 self.get(self.label_of_tie(t))?;
@@ -715,7 +721,7 @@ impl<'d, 'a> Walk<'d, 'a> {
         let mut lever = Factors::one();
         let mut rest = vec![gain];
         for (action, share) in self.row(c) {
-            if action.source == Source::Tie(tie) {
+            if action.source == ForceSource::Tie(tie) {
                 lever = self.m.lever(&action, c).clone();
             } else {
                 rest.push(-share);
@@ -729,39 +735,39 @@ impl<'d, 'a> Walk<'d, 'a> {
         let Some(symbol) = self.m.force_of(tie) else { return self.beyond(Beyond::Arrangement) };
         let label = self.label_of_tie(tie);
         let body = self.in_brackets(c.body);
-        match (self.road, c.degree) {
-            (Road::Motion, _) => {
+        match (self.method, c.degree) {
+            (SolvingMethod::Motion, _) => {
                 let n = self.number_of(c);
                 self.tell("motion.reaction", &[("n", &n)]);
             }
-            (Road::Energy, Degree::Along) if self.by_rate() => {
+            (SolvingMethod::Energy, Degree::Along) if self.by_rate() => {
                 self.tell("energy.reaction_rate", &[("body", &body)]);
             }
-            (Road::Energy, Degree::Turn) if self.by_rate() => {
+            (SolvingMethod::Energy, Degree::Turn) if self.by_rate() => {
                 self.tell("energy.reaction_rate_turn", &[("body", &body)]);
             }
-            (Road::Energy, Degree::Along) => self.tell("energy.reaction_along", &[("body", &body)]),
-            (Road::Energy, Degree::Turn) => self.tell("energy.reaction_turn", &[("body", &body)]),
+            (SolvingMethod::Energy, Degree::Along) => self.tell("energy.reaction_along", &[("body", &body)]),
+            (SolvingMethod::Energy, Degree::Turn) => self.tell("energy.reaction_turn", &[("body", &body)]),
         }
         self.found_now(label, symbol, &from);
         self.solving.pop();
         Ok(())
     }
 
-    /// Are reactions on the energy road to be had from the rate of the balance only?
+    /// Are reactions by the energy method to be had from the rate of the balance only?
     fn by_rate(&self) -> bool {
         self.spring.is_some() || self.value(&self.s) == 0.0
     }
 
     /// What the forces of a row amount to: inertia times acceleration, or kinetic energy per displacement.
-    fn gain(&mut self, c: Coordinate) -> Result<Expr, Stop> {
+    fn gain(&mut self, c: Coordinate) -> Result<Expr, DerivationStop> {
         let ratio = self.m.ratio(c).clone();
         if ratio.is_zero() && !self.own(c) {
             return Ok(ZERO);
         }
         let quantity = |along, turn| of_body(if c.degree == Degree::Along { along } else { turn }, c.body);
         let inertia = self.m.inertia(c);
-        if self.road == Road::Motion || self.by_rate() {
+        if self.method == SolvingMethod::Motion || self.by_rate() {
             if inertia.is_empty() {
                 return Ok(ZERO);
             }
@@ -779,7 +785,7 @@ impl<'d, 'a> Walk<'d, 'a> {
         Ok(weighted(&inertia, &per))
     }
 
-    fn least_grip(&mut self, body: usize, label: Label) -> Result<Symbol, Stop> {
+    fn least_grip(&mut self, body: usize, label: Label) -> Result<SymbolId, DerivationStop> {
         let n = self.get(of_body(Quantity::Normal, body))?;
         let symbol = self.new_symbol(&[r"\mu_{\mathrm{min}}"], "1");
         if self.spring.is_some() {
@@ -801,18 +807,18 @@ impl<'d, 'a> Walk<'d, 'a> {
         Ok(self.found_now(label, symbol, &(size / n)))
     }
 
-    /// The friction that rolling would need, as this road found it before.
-    fn if_rolled(&self, body: usize) -> Option<Symbol> {
+    /// The friction that rolling would need, as this method found it before.
+    fn if_rolled(&self, body: usize) -> Option<SymbolId> {
         let label = of_body(Quantity::FrictionIfRolled, body);
-        let found = self.desk.found.iter().find(|f| f.label == label)?;
-        match if self.road == Road::Motion { found.eom? } else { found.energy? } {
-            Answer::Value(symbol) => Some(symbol),
-            Answer::Word(_) => None,
+        let found = self.draft.found.iter().find(|f| f.label == label)?;
+        match if self.method == SolvingMethod::Motion { found.eom? } else { found.energy? } {
+            DerivedAnswer::Value(symbol) => Some(symbol),
+            DerivedAnswer::Word(_) => None,
         }
     }
 
     /// Friction at release and at the far end of the motion, for a wheel on a spring.
-    pub fn extremes(&mut self, body: usize) -> Result<[Extreme; 2], Stop> {
+    pub fn extremes(&mut self, body: usize) -> Result<[Extreme; 2], DerivationStop> {
         let Some(spring) = self.spring.clone() else { return self.beyond(Beyond::Arrangement) };
         let far = self.far_end()?;
         let stretch = self.stretch_at(&spring, &far);
@@ -834,15 +840,15 @@ impl<'d, 'a> Walk<'d, 'a> {
 
     /// Displacement at the far end of what the conditions look at: the end that is asked or, where the scene looks beyond it, the
     /// turning point; but no farther than where the cord goes slack, for friction then stays what it is.
-    fn far_end(&mut self) -> Result<Expr, Stop> {
-        if self.desk.scene.span == Span::ToEnd && self.s != ZERO {
+    fn far_end(&mut self) -> Result<Expr, DerivationStop> {
+        if self.draft.scene.span == Span::ToEnd && self.s != ZERO {
             return Ok(self.s.clone());
         }
         self.turning_or_slack()
     }
 
     /// Displacement at which the tension is least in the whole motion: the turning point, or where the cord goes slack.
-    fn turning_or_slack(&mut self) -> Result<Expr, Stop> {
+    fn turning_or_slack(&mut self) -> Result<Expr, DerivationStop> {
         let Some(spring) = self.spring.clone() else { return self.beyond(Beyond::Arrangement) };
         let (first, kappa) = (spring.first.clone(), spring.kappa.clone());
         let turn = number(2) * &first / &kappa;
@@ -852,23 +858,23 @@ impl<'d, 'a> Walk<'d, 'a> {
         Ok(if goes_slack { slack } else { turn })
     }
 
-    fn friction_at(&mut self, body: usize, s: &Expr, mark: &str) -> Result<Expr, Stop> {
+    fn friction_at(&mut self, body: usize, s: &Expr, mark: &str) -> Result<Expr, DerivationStop> {
         let Some(spring) = self.spring.clone() else { return self.beyond(Beyond::Arrangement) };
         let saved = (self.m.clone(), self.known.clone(), self.s.clone());
         // The same equations once more, with unknowns of this place.
-        let mut m = Mechanism::new(self.desk, self.rolled)?;
+        let mut m = Mechanism::new(self.draft, self.rolled)?;
         for part in &mut m.parts {
             for symbol in [&mut part.a, &mut part.alpha].into_iter().flatten() {
-                let tex = marked(self.desk.ledger.tex(*symbol), mark);
-                *symbol = self.desk.ledger.unknown_like(&tex, *symbol);
+                let tex = marked(self.draft.symbols.tex(*symbol), mark);
+                *symbol = self.draft.symbols.unknown_like(&tex, *symbol);
             }
         }
         for action in &mut m.actions {
             if let Expr::Symbol(symbol) = &mut action.force
-                && action.kind != Kind::Given
+                && action.kind != ForceKind::Given
             {
-                let tex = marked(self.desk.ledger.tex(*symbol), mark);
-                *symbol = self.desk.ledger.unknown_like(&tex, *symbol);
+                let tex = marked(self.draft.symbols.tex(*symbol), mark);
+                *symbol = self.draft.symbols.unknown_like(&tex, *symbol);
             }
         }
         self.m = m;
@@ -880,12 +886,12 @@ impl<'d, 'a> Walk<'d, 'a> {
         result
     }
 
-    fn friction_here(&mut self, body: usize, spring: &Spring, s: &Expr) -> Result<Expr, Stop> {
+    fn friction_here(&mut self, body: usize, spring: &CordSpring, s: &Expr) -> Result<Expr, DerivationStop> {
         let Some(tension) = self.m.force_of(spring.tie) else { return self.beyond(Beyond::Arrangement) };
         let stretch = self.stretch_at(spring, s);
         let label = of_tie(Quantity::Tension, spring.tie);
         if self.value(&stretch).abs() < SLACK * self.value(&spring.stretch).abs() {
-            for action in self.m.actions.iter_mut().filter(|a| a.kind == Kind::Spring) {
+            for action in self.m.actions.iter_mut().filter(|a| a.kind == ForceKind::Spring) {
                 action.force = ZERO;
             }
             self.note(label, tension);
@@ -900,17 +906,17 @@ impl<'d, 'a> Walk<'d, 'a> {
         Ok(self.friction(body, of_body(Quantity::Friction, body))?.into())
     }
 
-    fn time(&mut self, label: Label) -> Result<Symbol, Stop> {
+    fn time(&mut self, label: Label) -> Result<SymbolId, DerivationStop> {
         let symbol = self.new_symbol(&["t", "t_2"], "s");
         if self.spring.is_some() {
             return self.beyond(Beyond::SpringTime);
         }
-        if let End::Time(_, t) = self.desk.scene.end {
-            let t = self.desk.number(t, "t", "s");
+        if let End::Time(_, t) = self.draft.scene.end {
+            let t = self.draft.number(t, "t", "s");
             return Ok(self.found_now(label, symbol, &t));
         }
-        let from = match self.road {
-            Road::Motion => {
+        let from = match self.method {
+            SolvingMethod::Motion => {
                 let a = self.get(self.label_of_lead(Quantity::A, Quantity::Alpha))?;
                 if self.value(&a.into()) == 0.0 {
                     self.tell("motion.time_uniform", &[]);
@@ -921,7 +927,7 @@ impl<'d, 'a> Walk<'d, 'a> {
                 let end = in_sense(self.v.clone(), self.sense);
                 (end - &self.v0) / a
             }
-            Road::Energy => {
+            SolvingMethod::Energy => {
                 self.tell("energy.time", &[]);
                 let both = in_sense(self.v.clone(), self.sense) + &self.v0;
                 if self.sense < 0.0 {
@@ -935,7 +941,7 @@ impl<'d, 'a> Walk<'d, 'a> {
     }
 
     /// Index of the tie of a label that belongs to a cord.
-    fn cord_of(&self, label: Label) -> Result<(usize, Action), Stop> {
+    fn cord_of(&self, label: Label) -> Result<(usize, Action), DerivationStop> {
         let Owner::Tie(t) = label.of else { return self.beyond(Beyond::Arrangement) };
         match self.m.action_of(t) {
             Some(action) => Ok((t, action.clone())),
@@ -944,7 +950,7 @@ impl<'d, 'a> Walk<'d, 'a> {
     }
 
     fn several_pulls(&self) -> bool {
-        let ties = &self.desk.scene.ties;
+        let ties = &self.draft.scene.ties;
         let pulls = ties.iter().filter(|t| match t {
             Tie::Cord(c) => matches!(c.to, Far::Pull(_) | Far::Spring { .. }),
             _ => false,
@@ -952,13 +958,14 @@ impl<'d, 'a> Walk<'d, 'a> {
         pulls.count() > 1
     }
 
-    fn cord_travel(&mut self, label: Label) -> Result<Symbol, Stop> {
+    fn cord_travel(&mut self, label: Label) -> Result<SymbolId, DerivationStop> {
         let (t, action) = self.cord_of(label)?;
         let tag = if self.several_pulls() { (t + 1).to_string() } else { String::new() };
         let symbol = self.new_symbol(&[&tagged(r"\ell", &tag), &tagged("L", &tag)], "m");
         let slips = self.m.parts[action.body].slips;
         let way = self.distance();
-        if slips || (self.road == Road::Motion && !action.arm.is_zero() && !action.along.is_zero()) {
+        if slips || (self.method == SolvingMethod::Motion && !action.arm.is_zero() && !action.along.is_zero())
+        {
             let phi = self.get(of_body(Quantity::Phi, action.body))?;
             // Both parts with the sign that they have along the cord.
             let centre = action.along.times(&self.m.parts[action.body].along);
@@ -981,7 +988,7 @@ impl<'d, 'a> Walk<'d, 'a> {
             return Ok(self.found_now(label, symbol, &from));
         }
         let point = self.m.point(&action);
-        if self.road == Road::Energy {
+        if self.method == SolvingMethod::Energy {
             self.why_cord(&action);
         }
         let from = Factors::of(&way).times(&self.magnitude(&point)).expr();
@@ -990,14 +997,14 @@ impl<'d, 'a> Walk<'d, 'a> {
 
     /// Why a cord's end goes another way than the centre.
     fn why_cord(&mut self, action: &Action) {
-        let rolls = self.desk.scene.ties.iter().find_map(|t| match t {
+        let rolls = self.draft.scene.ties.iter().find_map(|t| match t {
             Tie::Roll { body, radius_m, .. } if *body == action.body => Some(*radius_m),
             Tie::Slip { body, radius_m, .. } if *body == action.body && self.rolled => Some(*radius_m),
             _ => None,
         });
         match rolls {
             Some(c) if !action.arm.is_zero() && !action.along.is_zero() => {
-                let c = self.desk.number(c, "R", "m");
+                let c = self.draft.number(c, "R", "m");
                 let arm = self.magnitude(&action.arm).expr();
                 // From the point of contact: c to the centre, c + p to a point on the far side.
                 let far = self.value(&action.arm.expr()) * self.value(&action.along.expr()) > 0.0;
@@ -1043,7 +1050,7 @@ impl<'d, 'a> Walk<'d, 'a> {
         }
     }
 
-    fn work_of_pull(&mut self, label: Label) -> Result<Symbol, Stop> {
+    fn work_of_pull(&mut self, label: Label) -> Result<SymbolId, DerivationStop> {
         let (t, action) = self.cord_of(label)?;
         let travel = self.get(of_tie(Quantity::CordTravel, t))?;
         let helps = self.pull_helps(&action);
@@ -1059,12 +1066,13 @@ impl<'d, 'a> Walk<'d, 'a> {
         if !part.slips {
             return self.value(&self.m.point(action).expr()) * self.sense;
         }
-        let phi = self.found(of_body(Quantity::Phi, action.body)).map_or(0.0, |p| self.desk.ledger.value(p));
+        let phi =
+            self.found(of_body(Quantity::Phi, action.body)).map_or(0.0, |p| self.draft.symbols.value(p));
         let centre = self.value(&part.along.expr()) * self.value(&self.s) * self.value(&action.along.expr());
         centre + phi * self.spin_sense(action.body) * self.value(&action.arm.expr())
     }
 
-    fn power_of_pull(&mut self, label: Label) -> Result<Symbol, Stop> {
+    fn power_of_pull(&mut self, label: Label) -> Result<SymbolId, DerivationStop> {
         let (t, action) = self.cord_of(label)?;
         let tag = if self.several_pulls() { (t + 1).to_string() } else { "P".to_owned() };
         let symbol = self.new_symbol(&[&tagged(r"\dot{W}", &tag)], "W");
@@ -1078,18 +1086,18 @@ impl<'d, 'a> Walk<'d, 'a> {
                 Factors::of(&omega.into()).times(&action.arm.signed(sign(self.spin_sense(action.body))));
             &action.force * positive_first(vec![centre.expr(), turned.expr()])
         } else {
-            let point = self.m.point(&action).signed(sign(self.sense)).upright(&self.desk.ledger);
+            let point = self.m.point(&action).signed(sign(self.sense)).upright(&self.draft.symbols);
             Factors::of(&action.force).times(&point).times(&Factors::of(&self.v)).expr()
         };
         Ok(self.found_now(label, symbol, &from))
     }
 
     /// `1/2 m v^2 + 1/2 I omega^2 + ...` with the speeds of each body.
-    pub fn kinetic_sum(&mut self) -> Result<Expr, Stop> {
+    pub fn kinetic_sum(&mut self) -> Result<Expr, DerivationStop> {
         if self.v == ZERO {
             return Ok(ZERO);
         }
-        let coordinates: Vec<Coordinate> = self.desk.scene.coordinates().collect();
+        let coordinates: Vec<Coordinate> = self.draft.scene.coordinates().collect();
         let mut all = Vec::new();
         for c in coordinates {
             let quantity = if c.degree == Degree::Along { Quantity::V } else { Quantity::Omega };
@@ -1105,12 +1113,12 @@ impl<'d, 'a> Walk<'d, 'a> {
         Ok(sum(all))
     }
 
-    fn kinetic_energy(&mut self, label: Label) -> Result<Symbol, Stop> {
+    fn kinetic_energy(&mut self, label: Label) -> Result<SymbolId, DerivationStop> {
         let symbol = self.new_symbol(&["E_{k}", r"E_{\mathrm{kin}}"], "J");
         // Of a slipping body the works that are written down leave out that of friction.
         let slips = self.m.parts.iter().any(|p| p.slips);
-        let from = match (self.road, self.works()) {
-            (Road::Energy, Some(works)) if !slips => {
+        let from = match (self.method, self.works()) {
+            (SolvingMethod::Energy, Some(works)) if !slips => {
                 self.tell("energy.kinetic", &[]);
                 let start = ratio(1, 2) * &self.effective * square(&self.v0);
                 sum([if self.v0 == ZERO { ZERO } else { start }, works])
@@ -1120,16 +1128,16 @@ impl<'d, 'a> Walk<'d, 'a> {
         Ok(self.found_now(label, symbol, &from))
     }
 
-    /// The sum of all works as the energy road found them.
+    /// The sum of all works as the energy method found them.
     pub fn works(&self) -> Option<Expr> {
         let found: Vec<Expr> = self.works.iter().map(|(_, _, s)| (*s).into()).collect();
         if found.is_empty() { None } else { Some(sum(found)) }
     }
 
-    fn rotational(&mut self, label: Label) -> Result<Symbol, Stop> {
+    fn rotational(&mut self, label: Label) -> Result<SymbolId, DerivationStop> {
         let symbol = self.new_symbol(&[r"\eta", r"\beta"], "1");
         let slips = self.m.parts.iter().any(|p| p.slips);
-        if self.road == Road::Motion || slips {
+        if self.method == SolvingMethod::Motion || slips {
             let mut turning = Vec::new();
             for body in 0..self.m.parts.len() {
                 let c = Coordinate { body, degree: Degree::Turn };
@@ -1156,7 +1164,7 @@ impl<'d, 'a> Walk<'d, 'a> {
         Ok(self.found_now(label, symbol, &(sum(turning) / &self.effective)))
     }
 
-    fn slip_distance(&mut self, body: usize, label: Label) -> Result<Symbol, Stop> {
+    fn slip_distance(&mut self, body: usize, label: Label) -> Result<SymbolId, DerivationStop> {
         let Some((_, c)) = self.slip_of(body) else { return self.beyond(Beyond::Arrangement) };
         let phi = self.get(of_body(Quantity::Phi, body))?;
         let symbol = self.new_symbol(&[r"\delta", r"\Delta"], "m");
@@ -1164,29 +1172,26 @@ impl<'d, 'a> Walk<'d, 'a> {
         let way = Factors::of(&self.s).times(&self.m.parts[body].along).expr();
         let turned = in_sense(c * phi, self.spin_sense(body));
         let from = way - turned;
-        let from = if self.value(&from) < 0.0 { -from } else { from };
-        let from = match from {
-            Expr::Sum(terms) => positive_first(terms),
-            other => other,
-        };
+        let size = in_sense(from.clone(), self.value(&from));
+        let from = positive_first(vec![size]);
         Ok(self.found_now(label, symbol, &from))
     }
 
     /// Tie and radius of a contact that slips.
     pub fn slip_of(&mut self, body: usize) -> Option<(usize, Expr)> {
-        let found = self.desk.scene.ties.iter().enumerate().find_map(|(t, tie)| match tie {
+        let found = self.draft.scene.ties.iter().enumerate().find_map(|(t, tie)| match tie {
             Tie::Slip { body: b, radius_m, .. } if *b == body => Some((t, *radius_m)),
             _ => None,
         });
-        found.map(|(t, r)| (t, self.desk.number(r, "R", "m")))
+        found.map(|(t, r)| (t, self.draft.number(r, "R", "m")))
     }
 
-    fn heat(&mut self, label: Label) -> Result<Symbol, Stop> {
+    fn heat(&mut self, label: Label) -> Result<SymbolId, DerivationStop> {
         let symbol = self.new_symbol(&["Q", r"Q_{\mathrm{th}}"], "J");
-        if self.road == Road::Energy {
+        if self.method == SolvingMethod::Energy {
             return self.heat_by_balance(label, symbol);
         }
-        let ties = self.desk.scene.ties.clone();
+        let ties = self.draft.scene.ties.clone();
         let mut all = Vec::new();
         for (t, tie) in ties.iter().enumerate() {
             let (body, way) = match tie {
@@ -1207,10 +1212,10 @@ impl<'d, 'a> Walk<'d, 'a> {
     }
 
     /// What the forces put in and is not found as kinetic energy.
-    fn heat_by_balance(&mut self, label: Label, symbol: Symbol) -> Result<Symbol, Stop> {
+    fn heat_by_balance(&mut self, label: Label, symbol: SymbolId) -> Result<SymbolId, DerivationStop> {
         let kinetic = self.kinetic_sum()?;
         // Friction's own work is what is asked.
-        let others = self.works.iter().filter(|(_, kind, _)| *kind != Kind::Kinetic);
+        let others = self.works.iter().filter(|(_, kind, _)| *kind != ForceKind::Kinetic);
         let mut terms: Vec<Expr> = others.map(|(_, _, s)| (*s).into()).collect();
         if self.v0 != ZERO {
             terms.push(ratio(1, 2) * &self.effective * square(&self.v0));
@@ -1220,38 +1225,42 @@ impl<'d, 'a> Walk<'d, 'a> {
         Ok(self.found_now(label, symbol, &from))
     }
 
-    fn bound_of_gyration(&mut self, body: usize, label: Label) -> Result<Symbol, Stop> {
-        let c = self.desk.scene.ties.iter().find_map(|t| match t {
+    fn bound_of_gyration(&mut self, body: usize, label: Label) -> Result<SymbolId, DerivationStop> {
+        let c = self.draft.scene.ties.iter().find_map(|t| match t {
             Tie::Roll { radius_m, .. } => Some(*radius_m),
             _ => None,
         });
         let Some(c) = c else { return self.beyond(Beyond::NoBound) };
-        let c = self.desk.number(c, "R", "m");
+        let c = self.draft.number(c, "R", "m");
         let symbol = self.new_symbol(&["k_{0}"], "m");
-        let share = |walk: &Self, degree| {
-            let row = walk.row(Coordinate { body, degree });
-            sum(row.into_iter().filter(|(a, _)| a.kind == Kind::Given).map(|(_, e)| e).collect::<Vec<_>>())
+        let share = |task: &Self, degree| {
+            let row = task.row(Coordinate { body, degree });
+            sum(row
+                .into_iter()
+                .filter(|(a, _)| a.kind == ForceKind::Given)
+                .map(|(_, e)| e)
+                .collect::<Vec<_>>())
         };
         let (force, moment) = (share(self, Degree::Along), share(self, Degree::Turn));
         let up = f64::from(self.m.parts[body].up);
         if self.value(&force) * up <= 0.0 || self.value(&moment) * up <= 0.0 {
             return self.beyond(Beyond::NoBound);
         }
-        let way = crate::solution::way(self.desk.scene, Owner::Body(body), 1.0);
-        let way = way.map_or_else(String::new, |w| self.desk.words.get(w).to_owned());
-        self.tell_road("bound", &[("way", &way)]);
+        let way = crate::solution::way(self.draft.scene, Owner::Body(body), 1.0);
+        let way = way.map_or_else(String::new, |w| self.draft.words.get(w).to_owned());
+        self.tell_method("bound", &[("way", &way)]);
         let (part, k0) = (self.m.parts[body].clone(), Factors::of(&symbol.into()).squared());
         let inertia = part.mass.times(&k0);
-        let lines: Vec<(Expr, Expr)> = match self.road {
-            Road::Motion => {
+        let lines: Vec<(Expr, Expr)> = match self.method {
+            SolvingMethod::Motion => {
                 let Some(a) = part.a else { return self.beyond(Beyond::Arrangement) };
-                let tex = marked(self.desk.ledger.tex(a), "0");
-                let a = self.desk.ledger.unknown_like(&tex, a);
+                let tex = marked(self.draft.symbols.tex(a), "0");
+                let a = self.draft.symbols.unknown_like(&tex, a);
                 let a = Factors::of(&a.into());
                 let spin = inertia.times(&a).per(&Factors::of(&c)).expr();
                 vec![(force.clone(), part.mass.times(&a).expr()), (moment.clone(), spin)]
             }
-            Road::Energy => {
+            SolvingMethod::Energy => {
                 let v = self.new_symbol(&["u_{0}"], "m/s");
                 let half = |i: &Factors| i.times(&Factors::of(&square(v))).times(&Factors::of(&ratio(1, 2)));
                 let way = self.distance();
@@ -1261,23 +1270,23 @@ impl<'d, 'a> Walk<'d, 'a> {
             }
         };
         for (left, right) in lines {
-            self.out.equation(&self.desk.ledger, &left, &right);
+            self.out.equation(&self.draft.symbols, &left, &right);
         }
         self.tell("bound_found", &[]);
         Ok(self.found_now(label, symbol, &root(c * moment / force)))
     }
 
-    fn equilibrium(&mut self, label: Label) -> Result<Symbol, Stop> {
+    fn equilibrium(&mut self, label: Label) -> Result<SymbolId, DerivationStop> {
         let Some(spring) = self.spring.clone() else { return self.beyond(Beyond::Arrangement) };
         let symbol = self.new_symbol(&[r"x_{\mathrm{eq}}"], "m");
-        self.tell_road("equilibrium", &[]);
+        self.tell_method("equilibrium", &[]);
         let per = Factors::of(&spring.stiffness).times(&spring.gamma);
         let from = Factors::of(&(-&self.drive)).per(&per).expr();
         Ok(self.found_now(label, symbol, &from))
     }
 
     /// The greatest speed of a motion on a spring, and where it is.
-    fn fastest(&mut self, label: Label) -> Result<Symbol, Stop> {
+    fn fastest(&mut self, label: Label) -> Result<SymbolId, DerivationStop> {
         let Some(spring) = self.spring.clone() else { return self.fastest_thrown(label) };
         let (first, kappa) = (spring.first.clone(), spring.kappa.clone());
         if self.v0 != ZERO {
@@ -1293,23 +1302,20 @@ impl<'d, 'a> Walk<'d, 'a> {
         let way = self.new_symbol(&["D_{v}"], "m");
         let top = self.new_symbol(&[r"v_{\mathrm{max}}"], "m/s");
         let first = in_sense(first, level);
-        match self.road {
-            Road::Motion => {
+        match self.method {
+            SolvingMethod::Motion => {
                 self.tell("motion.fastest", &[]);
                 self.find(way, &(&first / &kappa));
                 let under = root(kappa * &self.effective);
                 self.find(top, &(first / under));
             }
-            Road::Energy => {
+            SolvingMethod::Energy => {
                 let x_eq = self.get(of_scene(Quantity::XEq))?;
                 self.tell("energy.fastest", &[]);
                 let gap = &spring.stretch - x_eq;
                 let from = Factors::of(&gap).per(&spring.gamma).expr();
-                let from = if self.value(&from) < 0.0 { -from } else { from };
-                let from = match from {
-                    Expr::Sum(terms) => positive_first(terms),
-                    other => other,
-                };
+                let size = in_sense(from.clone(), self.value(&from));
+                let from = positive_first(vec![size]);
                 self.find(way, &from);
                 let signed = in_sense(way.into(), level);
                 let stored = &spring.stiffness * (square(&spring.stretch) - square(x_eq));
@@ -1327,7 +1333,7 @@ impl<'d, 'a> Walk<'d, 'a> {
     }
 
     /// Thrown against a constant force: fastest at the start.
-    fn fastest_thrown(&mut self, label: Label) -> Result<Symbol, Stop> {
+    fn fastest_thrown(&mut self, label: Label) -> Result<SymbolId, DerivationStop> {
         if self.value(&self.drive) * self.sense > 0.0 {
             return self.beyond(Beyond::NeverFastest);
         }
@@ -1341,7 +1347,7 @@ impl<'d, 'a> Walk<'d, 'a> {
         Ok(self.found_now(label, symbol, &from))
     }
 
-    fn turning(&mut self, label: Label) -> Result<Symbol, Stop> {
+    fn turning(&mut self, label: Label) -> Result<SymbolId, DerivationStop> {
         let symbol = self.new_symbol(&[r"D_{\mathrm{t}}"], "m");
         let Some(spring) = self.spring.clone() else {
             if self.value(&self.drive) * self.sense >= 0.0 {
@@ -1374,22 +1380,22 @@ impl<'d, 'a> Walk<'d, 'a> {
         Ok(self.found_now(label, symbol, &(over / (number(2) * size))))
     }
 
-    /// Answers the questions of the problem along this road, behind a sentence that announces what is still to be found.
+    /// Answers the questions of the problem by this method, behind a sentence that announces what is still to be found.
     ///
     /// # Errors
     /// What the derivation does not cover.
-    pub fn answer(&mut self) -> Result<(), Stop> {
+    pub fn answer(&mut self) -> Result<(), DerivationStop> {
         let before = self.out.blocks.len();
-        self.tell_road("rest", &[]);
-        let labels: Vec<Label> = self.desk.problem.questions.iter().map(|q| q.label).collect();
+        self.tell_method("rest", &[]);
+        let labels: Vec<Label> = self.draft.problem.questions.iter().map(|q| q.label).collect();
         for label in labels {
             if label.quantity.is_word() || label.quantity == Quantity::FrictionIfRolled {
                 continue;
             }
             let symbol = self.get(label)?;
-            match self.road {
-                Road::Motion => self.desk.from_motion(label, Answer::Value(symbol)),
-                Road::Energy => self.desk.from_energy(label, Answer::Value(symbol)),
+            match self.method {
+                SolvingMethod::Motion => self.draft.from_motion(label, DerivedAnswer::Value(symbol)),
+                SolvingMethod::Energy => self.draft.from_energy(label, DerivedAnswer::Value(symbol)),
             }
         }
         // Nothing was left to find.
@@ -1420,12 +1426,12 @@ fn negative(of: &Factors) -> bool {
 /// Order of forces in an equation.
 fn rank(action: &Action) -> u8 {
     match (action.source, action.kind) {
-        (Source::Tie(_), Kind::Given) => 0,
-        (Source::Tie(_), Kind::Spring) => 1,
-        (Source::Couple(_), _) => 2,
-        (Source::Tie(_), _) if !action.contact => 3,
-        (Source::Tie(_), _) => 4,
-        (Source::Weight(_), _) => 5,
+        (ForceSource::Tie(_), ForceKind::Given) => 0,
+        (ForceSource::Tie(_), ForceKind::Spring) => 1,
+        (ForceSource::Couple(_), _) => 2,
+        (ForceSource::Tie(_), _) if !action.contact => 3,
+        (ForceSource::Tie(_), _) => 4,
+        (ForceSource::Weight(_), _) => 5,
     }
 }
 

@@ -1,14 +1,16 @@
-//! A pen for one section: phrases, equations, and the steps by which a quantity is found, broken into lines that fit a page.
+//! Writes one section: phrases, equations, and the steps by which a quantity is found, broken into lines that fit a page.
+use crate::num::shown;
 use crate::scene::Label;
-use crate::sheet::number;
-use crate::solution::desk::Answer;
-use crate::solution::desk::Desk;
+use crate::scene::Num;
+use crate::scene::Quantity;
+use crate::solution::draft::DerivedAnswer;
+use crate::solution::draft::Draft;
 use crate::solution::expr::Expr;
-use crate::solution::expr::Symbol;
-use crate::solution::quantities::Ledger;
-use crate::solution::quantities::tex_digits;
+use crate::solution::expr::SymbolId;
+use crate::solution::symbols::Symbols;
+use crate::solution::symbols::tex_digits;
 use crate::solution::text::Block;
-use crate::solution::text::Section;
+use crate::solution::text::SolutionSection;
 
 /// Width of a line that still fits 16 cm of print, in characters of average width.
 const LINE: usize = 68;
@@ -17,29 +19,29 @@ const SHORT: usize = 46;
 
 /// A section that is being written.
 #[derive(Debug)]
-pub struct Pen<'d, 'a> {
-    /// The desk.
-    pub desk: &'d mut Desk<'a>,
-    section: Section,
+pub struct SectionWriter<'d, 'a> {
+    /// The draft.
+    pub draft: &'d mut Draft<'a>,
+    section: SolutionSection,
 }
 
-impl<'d, 'a> Pen<'d, 'a> {
+impl<'d, 'a> SectionWriter<'d, 'a> {
     /// Begins a section with this id; `title` is the name of a phrase.
-    pub fn new(desk: &'d mut Desk<'a>, id: &'static str, title: &str) -> Self {
-        let section = Section::new(id, desk.words.get(title));
-        Self { desk, section }
+    pub fn new(draft: &'d mut Draft<'a>, id: &'static str, title: &str) -> Self {
+        let section = SolutionSection::new(id, draft.words.get(title));
+        Self { draft, section }
     }
 
     /// Ends the section.
     pub fn done(self) {
         if !self.section.blocks.is_empty() {
-            self.desk.sections.push(self.section);
+            self.draft.sections.push(self.section);
         }
     }
 
     /// A paragraph: a phrase with its places filled in.
     pub fn say(&mut self, phrase: &str, pieces: &[(&str, &str)]) {
-        let text = self.desk.say(phrase, pieces);
+        let text = self.draft.say(phrase, pieces);
         self.section.say(text);
     }
 
@@ -74,8 +76,8 @@ impl<'d, 'a> Pen<'d, 'a> {
 
     /// `left = right` in symbols.
     pub fn equation(&mut self, left: impl Into<Expr>, right: impl Into<Expr>) {
-        let ledger = &self.desk.ledger;
-        let (left, rows) = (left.into().symbols(ledger), rows(ledger, &right.into(), true));
+        let symbols = &self.draft.symbols;
+        let (left, rows) = (left.into().symbols(symbols), rows(symbols, &right.into(), true));
         self.formula(match rows.as_slice() {
             [row] => format!("{left} = {row}"),
             rows => {
@@ -84,13 +86,28 @@ impl<'d, 'a> Pen<'d, 'a> {
         });
     }
 
+    /// As [`Draft::number`].
+    pub fn number(&mut self, num: Num, tex: &str, unit: &str) -> Expr {
+        self.draft.number(num, tex, unit)
+    }
+
+    /// As [`Draft::free`].
+    pub fn free(&self, candidates: &[&str]) -> String {
+        self.draft.free(candidates)
+    }
+
+    /// Is this quantity asked, of anything?
+    pub fn asks(&self, quantity: Quantity) -> bool {
+        self.draft.asks(quantity)
+    }
+
     /// A quantity that is not known yet. The unit is ASCII.
     pub fn unknown(&mut self, tex: &str, unit: &str) -> Expr {
-        self.desk.unknown(tex, unit).into()
+        self.draft.unknown(tex, unit).into()
     }
 
     /// A new quantity and the steps by which it is found: in symbols, with numbers put in, its value. The unit is ASCII.
-    pub fn find(&mut self, tex: &str, unit: &str, from: impl Into<Expr>) -> Symbol {
+    pub fn find(&mut self, tex: &str, unit: &str, from: impl Into<Expr>) -> SymbolId {
         let from = from.into();
         let symbol = self.quiet(tex, unit, &from);
         self.steps(symbol, &from);
@@ -98,58 +115,58 @@ impl<'d, 'a> Pen<'d, 'a> {
     }
 
     /// A new quantity with its value, told nowhere.
-    pub fn quiet(&mut self, tex: &str, unit: &str, from: impl Into<Expr>) -> Symbol {
-        let symbol = self.desk.unknown(tex, unit);
-        self.desk.ledger.settle_by(symbol, &from.into());
+    pub fn quiet(&mut self, tex: &str, unit: &str, from: impl Into<Expr>) -> SymbolId {
+        let symbol = self.draft.unknown(tex, unit);
+        self.draft.symbols.settle_by(symbol, &from.into());
         symbol
     }
 
     /// A new quantity with its value, and the steps if they are to be told.
-    pub fn find_if(&mut self, told: bool, tex: &str, unit: &str, from: impl Into<Expr>) -> Symbol {
+    pub fn find_if(&mut self, told: bool, tex: &str, unit: &str, from: impl Into<Expr>) -> SymbolId {
         if told { self.find(tex, unit, from) } else { self.quiet(tex, unit, from) }
     }
 
     /// The steps by which a quantity is found.
-    pub fn steps(&mut self, symbol: Symbol, from: &Expr) {
-        let tex = steps(&self.desk.ledger, symbol, from);
+    pub fn steps(&mut self, symbol: SymbolId, from: &Expr) {
+        let tex = steps(&self.draft.symbols, symbol, from);
         self.formula(tex);
     }
 
     /// An expression in symbols.
     pub fn tex(&self, e: &Expr) -> String {
-        e.symbols(&self.desk.ledger)
+        e.symbols(&self.draft.symbols)
     }
 
     /// The value of an expression.
     pub fn value(&self, e: &Expr) -> f64 {
-        e.value(&self.desk.ledger)
+        e.value(&self.draft.symbols)
     }
 
     /// A symbol and its value, `h = 0.6\ \mathrm{m}`.
-    pub fn with_value(&self, symbol: Symbol) -> String {
-        format!("{} = {}", self.desk.ledger.tex(symbol), self.desk.ledger.shown(symbol))
+    pub fn with_value(&self, symbol: SymbolId) -> String {
+        format!("{} = {}", self.draft.symbols.tex(symbol), self.draft.symbols.shown(symbol))
     }
 
-    /// What is found for a label, on the road of the equations of motion.
-    pub fn motion(&mut self, label: Label, symbol: Symbol) {
-        self.desk.from_motion(label, Answer::Value(symbol));
+    /// What is found for a label, by the method of the equations of motion.
+    pub fn motion(&mut self, label: Label, symbol: SymbolId) {
+        self.draft.from_motion(label, DerivedAnswer::Value(symbol));
     }
 
     /// What is found for a label by one method only; the phrase says why.
-    pub fn only(&mut self, label: Label, symbol: Symbol, why: &str) {
-        let why = self.desk.words.get(why);
-        self.desk.from_one_road(label, Answer::Value(symbol), why);
+    pub fn only(&mut self, label: Label, symbol: SymbolId, why: &str) {
+        let why = self.draft.words.get(why);
+        self.draft.from_one_method(label, DerivedAnswer::Value(symbol), why);
     }
 
-    /// What is found for a label, on the road of work and energy.
-    pub fn energy(&mut self, label: Label, symbol: Symbol) {
-        self.desk.from_energy(label, Answer::Value(symbol));
+    /// What is found for a label, by the method of work and energy.
+    pub fn energy(&mut self, label: Label, symbol: SymbolId) {
+        self.draft.from_energy(label, DerivedAnswer::Value(symbol));
     }
 
     /// A number with four figures and a unit (ASCII), for remarks: LaTeX without dollars.
     pub fn rough(&self, value: f64, unit: &str) -> String {
-        let digits = tex_digits(&number::rounded(value, 4), self.desk.words);
-        match crate::solution::desk::tex_of(unit) {
+        let digits = tex_digits(&shown::significant(value, 4), self.draft.words);
+        match crate::solution::draft::tex_of(unit) {
             unit if unit.is_empty() => digits,
             unit => format!(r"{digits}\ {unit}"),
         }
@@ -157,26 +174,26 @@ impl<'d, 'a> Pen<'d, 'a> {
 }
 
 /// The steps by which a quantity is found: in symbols, with numbers put in, its value, on one line if that is short.
-pub fn steps(ledger: &Ledger, symbol: Symbol, from: &Expr) -> String {
-    let (name, value) = (ledger.tex(symbol), ledger.shown(symbol));
+pub fn steps(symbols: &Symbols, symbol: SymbolId, from: &Expr) -> String {
+    let (name, value) = (symbols.tex(symbol), symbols.shown(symbol));
     if matches!(from, Expr::Number(..)) {
         return format!("{name} = {value}");
     }
-    let (symbols, numbers) = (from.symbols(ledger), from.numbers(ledger));
-    let mut lines = vec![rows(ledger, from, true)];
-    if numbers != value && numbers != symbols {
-        lines.push(rows(ledger, from, false));
+    let (letters, numbers) = (from.symbols(symbols), from.numbers(symbols));
+    let mut lines = vec![rows(symbols, from, true)];
+    if numbers != value && numbers != letters {
+        lines.push(rows(symbols, from, false));
     }
     lines.push(vec![value]);
-    if let (Expr::Root(inner), [symbols, numbers, value]) = (from, lines.as_slice())
+    if let (Expr::Root(inner), [letters, numbers, value]) = (from, lines.as_slice())
         && numbers.iter().any(|row| width(row) > LINE)
         && matches!(**inner, Expr::Sum(_))
     {
         // A root cannot be broken; its square can.
         return format!(
             r"\begin{{aligned}} {name} &= {} \\ {name}^{{2}} &= {} \\ {name} &= {} \end{{aligned}}",
-            symbols.concat(),
-            rows(ledger, inner, false).join(r" \\ &\quad "),
+            letters.concat(),
+            rows(symbols, inner, false).join(r" \\ &\quad "),
             value.concat()
         );
     }
@@ -191,8 +208,8 @@ pub fn steps(ledger: &Ledger, symbol: Symbol, from: &Expr) -> String {
 }
 
 /// An expression in symbols or numbers; a sum that is too wide for a line is broken before its signs.
-fn rows(ledger: &Ledger, e: &Expr, symbols: bool) -> Vec<String> {
-    let write = |e: &Expr| if symbols { e.symbols(ledger) } else { e.numbers(ledger) };
+fn rows(symbols: &Symbols, e: &Expr, in_symbols: bool) -> Vec<String> {
+    let write = |e: &Expr| if in_symbols { e.symbols(symbols) } else { e.numbers(symbols) };
     let whole = write(e);
     let Expr::Sum(terms) = e else { return vec![whole] };
     if width(&whole) <= LINE {
@@ -301,7 +318,7 @@ mod tests {
     #[test]
     fn a_long_sum_is_broken_before_its_signs() {
         let words = Words::english();
-        let mut l = Ledger::new(&words);
+        let mut l = Symbols::new(&words);
         let x = l.given("x", -12.345, "-12.345", r"\mathrm{m}", false);
         let term = || product([x.into(), x.into()]);
         let long = sum([term(), Expr::Minus(Box::new(term())), term(), x.into(), term()]);

@@ -1,15 +1,14 @@
 //! The quantities of one solution: how each is written, its full value and the digits that are shown.
 use crate::num::shown;
 use crate::num::trig::power;
-use crate::sheet::number;
-use crate::solution::expr::Symbol;
+use crate::solution::expr::SymbolId;
 use crate::words::Words;
 
 /// Significant figures of values on the way; answers have those that their question asks.
 pub const FIGURES: usize = 6;
 
 #[derive(Debug, Clone)]
-struct Line {
+struct QuantityLine {
     tex: String,
     value: f64,
     /// How far rounding on the way may have moved the value, to first order.
@@ -22,14 +21,14 @@ struct Line {
 
 /// The quantities of one solution.
 #[derive(Debug, Clone)]
-pub struct Ledger<'w> {
+pub struct Symbols<'w> {
     words: &'w Words,
-    lines: Vec<Line>,
+    lines: Vec<QuantityLine>,
     /// Figures with which a found quantity is kept; `None`: all.
     kept: Option<usize>,
 }
 
-impl<'w> Ledger<'w> {
+impl<'w> Symbols<'w> {
     /// An empty one.
     pub fn new(words: &'w Words) -> Self {
         Self { words, lines: Vec::new(), kept: None }
@@ -51,48 +50,50 @@ impl<'w> Ledger<'w> {
     }
 
     /// How far rounding on the way may have moved a value, to first order; 0 where nothing is rounded.
-    pub fn doubt(&self, symbol: Symbol) -> f64 {
+    pub fn doubt(&self, symbol: SymbolId) -> f64 {
         self.lines.get(symbol.0).map_or(0.0, |l| l.doubt)
     }
 
     /// A datum: its digits are those printed. `unit` is LaTeX, empty for a pure number; an angle in degrees has none.
-    pub fn given(&mut self, tex: &str, value: f64, digits: &str, unit: &str, degrees: bool) -> Symbol {
+    pub fn given(&mut self, tex: &str, value: f64, digits: &str, unit: &str, degrees: bool) -> SymbolId {
         let (tex, digits, unit) = (tex.to_owned(), digits.to_owned(), unit.to_owned());
-        self.lines.push(Line { tex, value, doubt: 0.0, digits, unit, degrees });
-        Symbol(self.lines.len() - 1)
+        self.lines.push(QuantityLine { tex, value, doubt: 0.0, digits, unit, degrees });
+        SymbolId(self.lines.len() - 1)
     }
 
     /// A quantity that is found: its full value is kept, [`FIGURES`] figures of it are shown.
-    pub fn found(&mut self, tex: &str, value: f64, unit: &str) -> Symbol {
+    pub fn found(&mut self, tex: &str, value: f64, unit: &str) -> SymbolId {
         let symbol = self.unknown(tex, unit);
         self.settle(symbol, value, 0.0);
         symbol
     }
 
     /// A quantity that is not known yet: it can be written, not valued.
-    pub fn unknown(&mut self, tex: &str, unit: &str) -> Symbol {
-        self.given(tex, f64::NAN, &number::rounded(f64::NAN, FIGURES), unit, false)
+    pub fn unknown(&mut self, tex: &str, unit: &str) -> SymbolId {
+        self.given(tex, f64::NAN, &shown::significant(f64::NAN, FIGURES), unit, false)
     }
 
     /// A quantity that is not known yet, of the kind of another.
-    pub fn unknown_like(&mut self, tex: &str, other: Symbol) -> Symbol {
+    pub fn unknown_like(&mut self, tex: &str, other: SymbolId) -> SymbolId {
         let unit = self.lines.get(other.0).map_or_else(String::new, |l| l.unit.clone());
         self.unknown(tex, &unit)
     }
 
     /// Gives an unknown its value, which may be off by `doubt` before it is written down.
-    pub fn settle(&mut self, symbol: Symbol, value: f64, doubt: f64) {
+    pub fn settle(&mut self, symbol: SymbolId, value: f64, doubt: f64) {
         let (value, rounding) = self.kept(value);
         if let Some(line) = self.lines.get_mut(symbol.0) {
             line.value = value;
             line.doubt = doubt + rounding;
-            line.digits = number::rounded(value, FIGURES);
+            line.digits = shown::significant(value, FIGURES);
         }
     }
 
     /// Gives an unknown the value of another quantity, or its opposite, with the digits that this one is shown with.
-    pub fn settle_as(&mut self, symbol: Symbol, other: Symbol, opposite: bool) {
-        let Some(Line { value, doubt, digits, .. }) = self.lines.get(other.0).cloned() else { return };
+    pub fn settle_as(&mut self, symbol: SymbolId, other: SymbolId, opposite: bool) {
+        let Some(QuantityLine { value, doubt, digits, .. }) = self.lines.get(other.0).cloned() else {
+            return;
+        };
         if let Some(line) = self.lines.get_mut(symbol.0) {
             line.doubt = doubt;
             (line.value, line.digits) = if opposite {
@@ -104,33 +105,33 @@ impl<'w> Ledger<'w> {
         }
     }
 
-    /// The full value, SI (angles in degrees where [`Ledger::is_degrees`]).
-    pub fn value(&self, symbol: Symbol) -> f64 {
+    /// The full value, SI (angles in degrees where [`Symbols::is_degrees`]).
+    pub fn value(&self, symbol: SymbolId) -> f64 {
         self.lines.get(symbol.0).map_or(f64::NAN, |l| l.value)
     }
 
     /// The symbol in LaTeX.
-    pub fn tex(&self, symbol: Symbol) -> &str {
+    pub fn tex(&self, symbol: SymbolId) -> &str {
         self.lines.get(symbol.0).map_or("?", |l| l.tex.as_str())
     }
 
     /// The unit in LaTeX, empty for a pure number.
-    pub fn unit(&self, symbol: Symbol) -> &str {
+    pub fn unit(&self, symbol: SymbolId) -> &str {
         self.lines.get(symbol.0).map_or("", |l| l.unit.as_str())
     }
 
     /// Is it an angle in degrees?
-    pub fn is_degrees(&self, symbol: Symbol) -> bool {
+    pub fn is_degrees(&self, symbol: SymbolId) -> bool {
         self.lines.get(symbol.0).is_some_and(|l| l.degrees)
     }
 
     /// Is it a number without a unit?
-    pub fn is_pure(&self, symbol: Symbol) -> bool {
+    pub fn is_pure(&self, symbol: SymbolId) -> bool {
         self.lines.get(symbol.0).is_some_and(|l| l.unit.is_empty() && !l.degrees)
     }
 
     /// Number and unit in LaTeX: `40\ \mathrm{kg}`, `30^\circ`, with the decimal mark of the language.
-    pub fn shown(&self, symbol: Symbol) -> String {
+    pub fn shown(&self, symbol: SymbolId) -> String {
         let Some(line) = self.lines.get(symbol.0) else { return String::new() };
         let digits = tex_digits(&line.digits, self.words);
         match (line.degrees, line.unit.as_str()) {
@@ -141,14 +142,14 @@ impl<'w> Ledger<'w> {
     }
 
     /// The difference of two quantities of one kind as they are shown, with the unit.
-    pub fn difference(&self, a: Symbol, b: Symbol) -> String {
+    pub fn difference(&self, a: SymbolId, b: SymbolId) -> String {
         let (Some(first), Some(second)) = (self.lines.get(a.0), self.lines.get(b.0)) else {
             return String::new();
         };
         let read = |digits: &str| digits.parse::<f64>().unwrap_or(f64::NAN);
         let (x, y) = (read(&first.digits), read(&second.digits));
         // One unit of the last digit at most, or there is something to see.
-        let digits = number::rounded(x - y, 1);
+        let digits = shown::significant(x - y, 1);
         let digits = tex_digits(&digits, self.words);
         if first.unit.is_empty() || digits == "0" { digits } else { format!(r"{digits}\ {}", first.unit) }
     }
@@ -184,9 +185,9 @@ mod tests {
     #[test]
     fn by_hand_each_quantity_is_kept_as_it_is_written() {
         let words = Words::english();
-        let mut l = Ledger::by_hand(&words, 3);
+        let mut l = Symbols::by_hand(&words, 3);
         let g = l.given("g", 9.81, "9.81", "", false);
-        let found = |l: &mut Ledger, from: &Expr| {
+        let found = |l: &mut Symbols, from: &Expr| {
             let symbol = l.unknown("x", "");
             l.settle_by(symbol, from);
             symbol
@@ -211,7 +212,7 @@ mod tests {
     #[test]
     fn otherwise_all_digits_are_kept() {
         let words = Words::english();
-        let mut l = Ledger::new(&words);
+        let mut l = Symbols::new(&words);
         let x = l.found("x", 1.0 / 3.0, "");
         assert_eq!((l.value(x), l.doubt(x)), (1.0 / 3.0, 0.0));
         let y = l.unknown("y", "");

@@ -1,8 +1,9 @@
-//! The desk on which one solution is worked: the variant, its data as symbols, the sections written so far, and what has been
-//! found on which road.
+//! One solution as far as it is worked: the variant, its data as symbols, the sections written so far, and what has been
+//! found by which method.
 use crate::bank::Problem;
 use crate::bank::decimal::Decimal;
 use crate::finding::Finding;
+use crate::num::shown;
 use crate::problem::make::Variant;
 use crate::scene::Body;
 use crate::scene::End;
@@ -11,43 +12,42 @@ use crate::scene::Mass;
 use crate::scene::Num;
 use crate::scene::Quantity;
 use crate::scene::Scene;
-use crate::sheet::number;
 use crate::solution::expr::Expr;
-use crate::solution::expr::Symbol;
+use crate::solution::expr::SymbolId;
 use crate::solution::expr::ZERO;
-use crate::solution::quantities::FIGURES;
-use crate::solution::quantities::Ledger;
-use crate::solution::quantities::tex_digits;
-use crate::solution::text::Section;
+use crate::solution::symbols::FIGURES;
+use crate::solution::symbols::Symbols;
+use crate::solution::symbols::tex_digits;
+use crate::solution::text::SolutionSection;
 use crate::solve::outcome::Word;
 use crate::units::Unit;
 use crate::words::Words;
 
-/// An answer, as a road finds it.
+/// An answer, as a method finds it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Answer {
-    /// A quantity of the ledger.
-    Value(Symbol),
+pub enum DerivedAnswer {
+    /// A quantity of the solution.
+    Value(SymbolId),
     /// A word.
     Word(Word),
 }
 
-/// What was found for a label, on each road.
+/// What was found for a label, by each method.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Found {
+pub struct FoundAnswer {
     /// Which quantity.
     pub label: Label,
     /// From the equations of motion.
-    pub eom: Option<Answer>,
+    pub eom: Option<DerivedAnswer>,
     /// From work and energy.
-    pub energy: Option<Answer>,
-    /// Why there is only one road, a sentence; empty where there are two.
+    pub energy: Option<DerivedAnswer>,
+    /// Why there is only one method, a sentence; empty where there are two.
     pub note: String,
 }
 
-/// The desk.
+/// One solution as far as it is worked.
 #[derive(Debug)]
-pub struct Desk<'a> {
+pub struct Draft<'a> {
     /// The problem.
     pub problem: &'a Problem,
     /// The variant.
@@ -57,45 +57,45 @@ pub struct Desk<'a> {
     /// The words of the language.
     pub words: &'a Words,
     /// All quantities: the data first.
-    pub ledger: Ledger<'a>,
+    pub symbols: Symbols<'a>,
     /// The sections between the data and the comparison, in order.
-    pub sections: Vec<Section>,
+    pub sections: Vec<SolutionSection>,
     /// What was found.
-    pub found: Vec<Found>,
+    pub found: Vec<FoundAnswer>,
     /// One for each datum of the problem; `None` where the case does not use it.
-    data: Vec<Option<Symbol>>,
+    data: Vec<Option<SymbolId>>,
     /// Each datum as it is told, `R = 200\ \mathrm{mm} = 0.200\ \mathrm{m}`.
     told: Vec<String>,
     /// Constants of the bank that were given a symbol: value (bits) and symbol.
-    constants: Vec<(u64, String, Symbol)>,
+    constants: Vec<(u64, String, SymbolId)>,
 }
 
-impl<'a> Desk<'a> {
-    /// A desk with the data of a variant on it.
+impl<'a> Draft<'a> {
+    /// A draft that holds the data of a variant.
     ///
     /// # Errors
     /// The variant has a case that the problem has not.
     pub fn new(problem: &'a Problem, variant: &'a Variant, words: &'a Words) -> Result<Self, Finding> {
-        Self::with(problem, variant, Ledger::new(words), words)
+        Self::with(problem, variant, Symbols::new(words), words)
     }
 
-    /// As [`Desk::new`], for somebody who writes each quantity down with so many figures ([`Ledger::by_hand`]).
+    /// As [`Draft::new`], for somebody who writes each quantity down with so many figures ([`Symbols::by_hand`]).
     ///
     /// # Errors
-    /// Those of [`Desk::new`].
+    /// Those of [`Draft::new`].
     pub fn by_hand(
         problem: &'a Problem,
         variant: &'a Variant,
         words: &'a Words,
         figures: usize,
     ) -> Result<Self, Finding> {
-        Self::with(problem, variant, Ledger::by_hand(words, figures), words)
+        Self::with(problem, variant, Symbols::by_hand(words, figures), words)
     }
 
     fn with(
         problem: &'a Problem,
         variant: &'a Variant,
-        ledger: Ledger<'a>,
+        symbols: Symbols<'a>,
         words: &'a Words,
     ) -> Result<Self, Finding> {
         let Some(case) = problem.cases.get(variant.case) else {
@@ -104,12 +104,12 @@ impl<'a> Desk<'a> {
                 format!("has no case {}", variant.case),
             ));
         };
-        let mut desk = Self {
+        let mut draft = Self {
             problem,
             variant,
             scene: &case.scene,
             words,
-            ledger,
+            symbols,
             sections: Vec::new(),
             found: Vec::new(),
             data: vec![None; problem.data.len()],
@@ -123,24 +123,31 @@ impl<'a> Desk<'a> {
             };
             let printed = datum.unit.tex_with(&tex_digits(&drawn.text(), words));
             let (digits, unit) = if datum.degrees {
-                (if datum.unit.ascii() == "deg" { drawn.text() } else { rounded(*value) }, String::new())
+                (
+                    if datum.unit.ascii() == "deg" {
+                        drawn.text()
+                    } else {
+                        shown::significant(*value, FIGURES)
+                    },
+                    String::new(),
+                )
             } else {
                 (si_digits(drawn, &datum.unit, *value), si_unit(&datum.unit).tex())
             };
-            let symbol = desk.ledger.given(&datum.tex, *value, &digits, &unit, datum.degrees);
-            let shown = desk.ledger.shown(symbol);
+            let symbol = draft.symbols.given(&datum.tex, *value, &digits, &unit, datum.degrees);
+            let shown = draft.symbols.shown(symbol);
             let again = if shown == printed { String::new() } else { format!(" = {shown}") };
             // At an instant of bodies on lines nothing falls; a pin carries weight even then, and a weight that is given needs g.
             let weighs = |b: &Body| b.pin.is_some() || matches!(b.mass, Mass::Weight(_));
-            let bodies = &desk.scene.bodies;
-            let falls = desk.scene.end != End::AtOnce && !bodies.iter().all(Body::massless);
-            let idle = desk.scene.gravity_m_s2 == Num::Datum(i) && !falls && !bodies.iter().any(weighs);
+            let bodies = &draft.scene.bodies;
+            let falls = draft.scene.end != End::AtOnce && !bodies.iter().all(Body::massless);
+            let idle = draft.scene.gravity_m_s2 == Num::Datum(i) && !falls && !bodies.iter().any(weighs);
             if !idle {
-                desk.told.push(format!("{} = {printed}{again}", datum.tex));
+                draft.told.push(format!("{} = {printed}{again}", datum.tex));
             }
-            desk.data[i] = Some(symbol);
+            draft.data[i] = Some(symbol);
         }
-        Ok(desk)
+        Ok(draft)
     }
 
     /// A number of the scene as an expression: its datum's symbol, or that of a constant of the bank, for which `tex` and the
@@ -167,8 +174,8 @@ impl<'a> Desk<'a> {
                         name = format!("{tex}_{{{i}}}");
                     }
                 }
-                let symbol = self.ledger.given(&name, x, &shortest(x), &unit, degrees);
-                self.told.push(format!("{name} = {}", self.ledger.shown(symbol)));
+                let symbol = self.symbols.given(&name, x, &shortest(x), &unit, degrees);
+                self.told.push(format!("{name} = {}", self.symbols.shown(symbol)));
                 self.constants.push((x.to_bits(), tex.to_owned(), symbol));
                 symbol.into()
             }
@@ -193,8 +200,8 @@ impl<'a> Desk<'a> {
     }
 
     /// A quantity that is not known yet, in the unit (ASCII) given.
-    pub fn unknown(&mut self, tex: &str, unit: &str) -> Symbol {
-        self.ledger.unknown(tex, &tex_of(unit))
+    pub fn unknown(&mut self, tex: &str, unit: &str) -> SymbolId {
+        self.symbols.unknown(tex, &tex_of(unit))
     }
 
     /// A phrase of the lists, its places filled in.
@@ -212,7 +219,7 @@ impl<'a> Desk<'a> {
         self.told.iter().any(|t| t.contains(r"^\circ"))
     }
 
-    /// Symbol (as the bank has it) and text of each datum for templates, `$R = 200\ \mathrm{mm}$`.
+    /// SymbolId (as the bank has it) and text of each datum for templates, `$R = 200\ \mathrm{mm}$`.
     pub fn whole(&self) -> Vec<(String, String)> {
         let drawn = |i: usize| self.variant.values.get(i).copied().flatten();
         let data = self.problem.data.iter().enumerate();
@@ -224,28 +231,28 @@ impl<'a> Desk<'a> {
     }
 
     /// An answer from the equations of motion.
-    pub fn from_motion(&mut self, label: Label, answer: Answer) {
+    pub fn from_motion(&mut self, label: Label, answer: DerivedAnswer) {
         self.entry(label).eom = Some(answer);
     }
 
     /// An answer from work and energy.
-    pub fn from_energy(&mut self, label: Label, answer: Answer) {
+    pub fn from_energy(&mut self, label: Label, answer: DerivedAnswer) {
         self.entry(label).energy = Some(answer);
     }
 
-    /// An answer to which there is one road only, with the sentence that says why.
-    pub fn from_one_road(&mut self, label: Label, answer: Answer, note: &str) {
+    /// An answer for which there is one method only, with the sentence that says why.
+    pub fn from_one_method(&mut self, label: Label, answer: DerivedAnswer, note: &str) {
         let entry = self.entry(label);
         entry.eom = Some(answer);
         entry.energy = None;
         note.clone_into(&mut entry.note);
     }
 
-    fn entry(&mut self, label: Label) -> &mut Found {
+    fn entry(&mut self, label: Label) -> &mut FoundAnswer {
         if let Some(i) = self.found.iter().position(|f| f.label == label) {
             return &mut self.found[i];
         }
-        self.found.push(Found { label, eom: None, energy: None, note: String::new() });
+        self.found.push(FoundAnswer { label, eom: None, energy: None, note: String::new() });
         let last = self.found.len() - 1;
         &mut self.found[last]
     }
@@ -281,17 +288,13 @@ fn si_digits(drawn: Decimal, unit: &Unit, value: f64) -> String {
             return Decimal { value, decimals: drawn.decimals }.trimmed(ten).text();
         }
     }
-    rounded(value)
-}
-
-fn rounded(value: f64) -> String {
-    number::rounded(value, FIGURES)
+    shown::significant(value, FIGURES)
 }
 
 /// The shortest digits that give the double back.
 fn shortest(x: f64) -> String {
     let plain = format!("{x}");
-    if plain.len() > 12 { rounded(x) } else { plain }
+    if plain.len() > 12 { shown::significant(x, FIGURES) } else { plain }
 }
 
 /// The SI unit of the same kind.
