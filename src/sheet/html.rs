@@ -1,6 +1,7 @@
 //! Markdown with math and pictures to HTML with MathML and inline SVG. The Markdown text is the only source.
 use crate::finding::Finding;
 use crate::picture::svg::Screen;
+use crate::picture::svg::escaped;
 use crate::sheet::document::ANSWER;
 use crate::sheet::document::Document;
 use crate::sheet::document::Head;
@@ -417,19 +418,7 @@ fn mathml(tex: &str, display_mode: DisplayMode) -> String {
     };
     match written {
         Some(()) => tidy(&out),
-        None => {
-            let mut shown = String::from("<code>");
-            for c in tex.chars() {
-                match c {
-                    '<' => shown.push_str("&lt;"),
-                    '>' => shown.push_str("&gt;"),
-                    '&' => shown.push_str("&amp;"),
-                    c => shown.push(c),
-                }
-            }
-            shown.push_str("</code>");
-            shown
-        }
+        None => format!("<code>{}</code>", escaped(tex)),
     }
 }
 

@@ -115,39 +115,21 @@ pub fn body(document: &Document) -> String {
                 }
                 match document.picture(&name) {
                     Some(picture) => {
-                        out.push_str("\\pictureplace{%\n");
-                        out.push_str(tikz::picture(picture).trim_end());
-                        out.push('}');
+                        out.extend(["\\pictureplace{%\n", tikz::picture(picture).trim_end(), "}"]);
                     }
                     None => out.push_str(&template::in_tex(&alt)),
                 }
             }
             // LaTeX carries out whatever stands in a formula: what is none is shown as it was written.
             Event::InlineMath(tex) | Event::DisplayMath(tex) if fault_of(&tex).is_some() => {
-                out.push_str("\\code{");
-                out.push_str(&code(&tex));
-                out.push('}');
+                out.extend(["\\code{", &code(&tex), "}"]);
             }
-            Event::InlineMath(tex) => {
-                out.push('$');
-                out.push_str(&tex);
-                out.push('$');
-            }
+            Event::InlineMath(tex) => out.extend(["$", &tex, "$"]),
             Event::DisplayMath(tex) if signs(&tex) > PAPER => {
-                out.push_str("\\[\\wideformula{");
-                out.push_str(tex.trim());
-                out.push_str("}\\]");
+                out.extend(["\\[\\wideformula{", tex.trim(), "}\\]"]);
             }
-            Event::DisplayMath(tex) => {
-                out.push_str("\\[");
-                out.push_str(tex.trim());
-                out.push_str("\\]");
-            }
-            Event::Code(text) => {
-                out.push_str("\\code{");
-                out.push_str(&code(&text));
-                out.push('}');
-            }
+            Event::DisplayMath(tex) => out.extend(["\\[", tex.trim(), "\\]"]),
+            Event::Code(text) => out.extend(["\\code{", &code(&text), "}"]),
             Event::Text(text) if in_code => {
                 let lines: Vec<String> = text.trim_end().lines().map(code).collect();
                 out.push_str(&lines.join("\\\\\n"));
