@@ -31,7 +31,7 @@ pub fn course(text: &str, file: &str, base: &Policy) -> Result<Policy, Findings>
     let tree = yaml::tree(text).map_err(|f| f.in_file(file))?;
     let faults = Faults::default();
     let policy = read(&tree, base, &faults);
-    if faults.is_empty() { Ok(policy) } else { Err(faults.into_sorted(file)) }
+    faults.into_sorted(file).into_result(policy)
 }
 
 /// Reads the settings of a node over `base`.

@@ -57,7 +57,7 @@ pub fn put_over(
             bank.places.insert(field, (file.to_owned(), node.line, node.column));
         }
     }
-    if faults.is_empty() { Ok(()) } else { Err(faults.into_sorted(file)) }
+    faults.into_sorted(file).into_result(())
 }
 
 fn problem(this: &mut Problem, node: &Node, variables: Variables, was: Option<&Problem>, faults: &Faults) {

@@ -371,169 +371,128 @@ fn reason(scene: &Scene, quantity: Quantity) -> String {
 
 /// What a quantity needs, for hints.
 const fn why(quantity: Quantity) -> &'static str {
+    use Quantity as Q;
     match quantity {
-        Quantity::Omega | Quantity::Alpha | Quantity::Phi => "nothing turns here",
-        Quantity::V | Quantity::A | Quantity::Displacement | Quantity::Rise => {
-            "nothing moves along a line here"
-        }
-        Quantity::Friction | Quantity::Normal => "nothing touches a surface here",
-        Quantity::MuRequired => "nothing rolls or slips here",
-        Quantity::SlipDistance | Quantity::FrictionIfRolled => "it needs a tie `slips`",
-        Quantity::SlipSpeed | Quantity::ARolling => {
-            "it needs a body that `slips` and starts with a speed and a spin"
-        }
-        Quantity::Rolls => "it needs a tie `slips`, or `rolls` with mu_s",
-        Quantity::Heat => "it needs a tie `slips` or `slides`",
-        Quantity::Tension => "it needs a cord whose pull is not given",
-        Quantity::CordTravel => "it needs a cord that is pulled or held by a spring",
-        Quantity::WorkPull | Quantity::PowerPull => "it needs a cord with `pulled with`",
-        Quantity::KBound => "it needs one wheel with a radius of gyration that rolls and is pulled",
-        Quantity::XEq => "it needs a spring",
-        Quantity::VMax | Quantity::DAtVMax | Quantity::DTurn => {
+        Q::Omega | Q::Alpha | Q::Phi => "nothing turns here",
+        Q::V | Q::A | Q::Displacement | Q::Rise => "nothing moves along a line here",
+        Q::Friction | Q::Normal => "nothing touches a surface here",
+        Q::MuRequired => "nothing rolls or slips here",
+        Q::SlipDistance | Q::FrictionIfRolled => "it needs a tie `slips`",
+        Q::SlipSpeed | Q::ARolling => "it needs a body that `slips` and starts with a speed and a spin",
+        Q::Rolls => "it needs a tie `slips`, or `rolls` with mu_s",
+        Q::Heat => "it needs a tie `slips` or `slides`",
+        Q::Tension => "it needs a cord whose pull is not given",
+        Q::CordTravel => "it needs a cord that is pulled or held by a spring",
+        Q::WorkPull | Q::PowerPull => "it needs a cord with `pulled with`",
+        Q::KBound => "it needs one wheel with a radius of gyration that rolls and is pulled",
+        Q::XEq => "it needs a spring",
+        Q::VMax | Q::DAtVMax | Q::DTurn => {
             "it needs an end of a body on a line, and a spring or a speed at the start"
         }
-        Quantity::XG | Quantity::YG | Quantity::IG => "it needs a body of particles",
-        Quantity::IO | Quantity::PinRadial | Quantity::PinTangential | Quantity::PinForce => {
-            "it needs a pinned body"
-        }
-        Quantity::SpringForce => "it needs a spring on a pinned body",
-        Quantity::OmegaMax | Quantity::Period | Quantity::PeriodSmall | Quantity::OmegaSmall => {
+        Q::XG | Q::YG | Q::IG => "it needs a body of particles",
+        Q::IO | Q::PinRadial | Q::PinTangential | Q::PinForce => "it needs a pinned body",
+        Q::SpringForce => "it needs a spring on a pinned body",
+        Q::OmegaMax | Q::Period | Q::PeriodSmall | Q::OmegaSmall => {
             "it needs a pinned body that swings under its weight alone"
         }
-        Quantity::T | Quantity::RotationalFraction | Quantity::KineticEnergy | Quantity::Direction => {
-            "it needs a motion"
-        }
+        Q::T | Q::RotationalFraction | Q::KineticEnergy | Q::Direction => "it needs a motion",
     }
 }
 
 /// All labels that the solvers can give for this structure.
 pub fn labels(scene: &Scene) -> Vec<Label> {
+    use Quantity as Q;
     let mut list = Vec::new();
-    let mut add = |quantity, of| list.push(Label { quantity, of });
-    let moves = !matches!(scene.end, End::AtOnce);
-    add(Quantity::KineticEnergy, Owner::Scene);
-    if let Some((b, pin)) = scene.pinned() {
-        use Quantity as Q;
-        add(Q::RotationalFraction, Owner::Scene);
-        for q in [Q::Omega, Q::V, Q::Alpha, Q::IO, Q::PinRadial, Q::PinTangential, Q::PinForce] {
-            add(q, Owner::Body(b));
-        }
-        if moves {
-            add(Q::T, Owner::Scene);
-            add(Q::Phi, Owner::Body(b));
-            add(Q::Rise, Owner::Body(b));
-        }
-        if scene.is_pendulum() {
-            for q in [Q::OmegaMax, Q::Period, Q::PeriodSmall, Q::OmegaSmall] {
-                add(q, Owner::Body(b));
+    // Each once: several bodies may rub, and there is one heat.
+    let mut add = |of: Owner, quantities: &[Q]| {
+        for label in quantities.iter().map(|q| Label { quantity: *q, of }) {
+            if !list.contains(&label) {
+                list.push(label);
             }
         }
+    };
+    let moves = !matches!(scene.end, End::AtOnce);
+    add(Owner::Scene, &[Q::KineticEnergy]);
+    if let Some((b, pin)) = scene.pinned() {
+        let of = Owner::Body(b);
+        add(Owner::Scene, &[Q::RotationalFraction]);
+        add(of, &[Q::Omega, Q::V, Q::Alpha, Q::IO, Q::PinRadial, Q::PinTangential, Q::PinForce]);
+        if moves {
+            add(Owner::Scene, &[Q::T]);
+            add(of, &[Q::Phi, Q::Rise]);
+        }
+        if scene.is_pendulum() {
+            add(of, &[Q::OmegaMax, Q::Period, Q::PeriodSmall, Q::OmegaSmall]);
+        }
         if pin.spring.is_some() {
-            add(Q::SpringForce, Owner::Body(b));
+            add(of, &[Q::SpringForce]);
         }
         return list;
     }
     for (b, body) in scene.bodies.iter().enumerate() {
         let of = Owner::Body(b);
         if !body.particles.is_empty() {
-            for q in [Quantity::XG, Quantity::YG, Quantity::IG] {
-                add(q, of);
-            }
-        } else {
-            if body.turns {
-                add(Quantity::Omega, of);
-                for q in [Quantity::Alpha, Quantity::Phi].into_iter().filter(|_| moves) {
-                    add(q, of);
-                }
-            }
-            if let Some(line) = body.line {
-                add(Quantity::V, of);
-                for q in [Quantity::A, Quantity::Displacement, Quantity::Rise].into_iter().filter(|_| moves) {
-                    add(q, of);
-                }
-                if line.surface && moves {
-                    add(Quantity::Normal, of);
-                }
-            }
+            add(of, &[Q::XG, Q::YG, Q::IG]);
+            continue;
+        }
+        if body.turns {
+            add(of, if moves { &[Q::Omega, Q::Alpha, Q::Phi] } else { &[Q::Omega] });
+        }
+        if let Some(line) = body.line {
+            add(of, if moves { &[Q::V, Q::A, Q::Displacement, Q::Rise] } else { &[Q::V] });
+            add(of, if line.surface && moves { &[Q::Normal] } else { &[] });
         }
     }
-    if moves {
-        add(Quantity::T, Owner::Scene);
-    }
+    add(Owner::Scene, if moves { &[Q::T] } else { &[] });
     if scene.coordinates().next().is_some() {
-        add(Quantity::RotationalFraction, Owner::Scene);
+        add(Owner::Scene, &[Q::RotationalFraction]);
     }
     if !moves {
         return list;
     }
     let end = scene.ending_coordinate();
-    add(Quantity::Direction, Owner::Body(end.body));
+    add(Owner::Body(end.body), &[Q::Direction]);
     let changes = scene.spring().is_some() || !scene.start.is_empty();
     if changes && end.degree == Degree::Along && scene.thrown().is_none() {
-        for q in [Quantity::VMax, Quantity::DAtVMax, Quantity::DTurn] {
-            add(q, Owner::Body(end.body));
-        }
+        add(Owner::Body(end.body), &[Q::VMax, Q::DAtVMax, Q::DTurn]);
     }
     for (t, tie) in scene.ties.iter().enumerate() {
         match tie {
             Tie::Roll { body, mu_s, .. } => {
-                add(Quantity::Friction, Owner::Body(*body));
-                add(Quantity::MuRequired, Owner::Body(*body));
-                if mu_s.is_some() {
-                    add(Quantity::Rolls, Owner::Body(*body));
-                }
+                add(Owner::Body(*body), &[Q::Friction, Q::MuRequired]);
+                add(Owner::Body(*body), if mu_s.is_some() { &[Q::Rolls] } else { &[] });
             }
             Tie::Slip { body, .. } => {
-                for q in [
-                    Quantity::Friction,
-                    Quantity::MuRequired,
-                    Quantity::SlipDistance,
-                    Quantity::FrictionIfRolled,
-                    Quantity::Rolls,
-                ] {
-                    add(q, Owner::Body(*body));
-                }
+                let of = Owner::Body(*body);
+                add(of, &[Q::Friction, Q::MuRequired, Q::SlipDistance, Q::FrictionIfRolled, Q::Rolls]);
                 if scene.thrown().is_some_and(|t| t.body == *body) {
-                    for q in [Quantity::SlipSpeed, Quantity::ARolling] {
-                        add(q, Owner::Body(*body));
-                    }
+                    add(of, &[Q::SlipSpeed, Q::ARolling]);
                 }
-                add(Quantity::Heat, Owner::Scene);
+                add(Owner::Scene, &[Q::Heat]);
             }
             Tie::Slide { body, .. } => {
-                add(Quantity::Friction, Owner::Body(*body));
-                add(Quantity::Heat, Owner::Scene);
+                add(Owner::Body(*body), &[Q::Friction]);
+                add(Owner::Scene, &[Q::Heat]);
             }
             Tie::Cord(c) => match c.to {
-                Far::Pull(_) => {
-                    for q in [Quantity::CordTravel, Quantity::WorkPull, Quantity::PowerPull] {
-                        add(q, Owner::Tie(t));
-                    }
-                }
+                Far::Pull(_) => add(Owner::Tie(t), &[Q::CordTravel, Q::WorkPull, Q::PowerPull]),
                 Far::Spring { .. } => {
-                    add(Quantity::Tension, Owner::Tie(t));
-                    add(Quantity::CordTravel, Owner::Tie(t));
-                    add(Quantity::XEq, Owner::Scene);
+                    add(Owner::Tie(t), &[Q::Tension, Q::CordTravel]);
+                    add(Owner::Scene, &[Q::XEq]);
                 }
-                Far::Body(_) | Far::Fixed => add(Quantity::Tension, Owner::Tie(t)),
+                Far::Body(_) | Far::Fixed => add(Owner::Tie(t), &[Q::Tension]),
             },
         }
     }
+    let pulled = |c: &Cord| matches!(c.to, Far::Pull(_)) && matches!(c.from.attach, Attach::Wound(..));
     if let [body] = scene.bodies.as_slice()
         && matches!(body.inertia, Some(RotaryInertia::Gyration(_)))
         && scene.couples.is_empty()
         && scene.ties.iter().any(|t| matches!(t, Tie::Roll { .. }))
-        && scene.ties.iter().any(|t| matches!(t, Tie::Cord(c) if matches!(c.to, Far::Pull(_)) && matches!(c.from.attach, Attach::Wound(..))))
+        && scene.ties.iter().any(|t| matches!(t, Tie::Cord(c) if pulled(c)))
     {
-        add(Quantity::KBound, Owner::Body(0));
+        add(Owner::Body(0), &[Q::KBound]);
     }
-    // Heat once, even if several bodies rub.
-    let mut seen: Vec<Label> = Vec::new();
-    list.retain(|l| {
-        let new = !seen.contains(l);
-        seen.push(*l);
-        new
-    });
     list
 }
 

@@ -106,7 +106,8 @@ const FIXED: &str = "moves: about a fixed axle";
 
 /// What does not go together in a body: the field that is too much, beside which others (with their text, if it matters),
 /// where which others are not written; what is said of the body, and the hint.
-const EXCLUDED: [(&str, &[&str], &[&str], &str, &str); 12] = [
+type Exclusion = (&'static str, &'static [&'static str], &'static [&'static str], &'static str, &'static str);
+const EXCLUDED: [Exclusion; 12] = [
     ("angle", &["moves"], &["pinned"], "`{}` moves along a line, so it has no angle", REMOVE),
     (
         "angle",

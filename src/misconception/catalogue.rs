@@ -79,7 +79,7 @@ impl Catalogue {
             .into_iter()
             .filter_map(|(id, _, node)| entry(id, node, &faults))
             .collect();
-        if faults.is_empty() { Ok(Self { entries }) } else { Err(faults.into_sorted(file)) }
+        faults.into_sorted(file).into_result(Self { entries })
     }
 
     /// Puts the entries of another catalogue over these.
