@@ -149,9 +149,9 @@ mod tests {
         };
         let svg = figure.svg();
         assert_eq!(svg, figure.svg());
-        assert!(chart.contains("<title id=\"f-t\">a &lt; b &amp; c</title>") && chart.ends_with("</svg>\n"));
-        assert!(!chart.contains("NaN") && !chart.contains("inf") && !chart.contains("-0.0\""), "{svg}");
-        let count = |word: &str| chart.matches(word).count();
+        assert!(svg.contains("<title id=\"f-t\">a &lt; b &amp; c</title>") && svg.ends_with("</svg>\n"));
+        assert!(!svg.contains("NaN") && !svg.contains("inf") && !svg.contains("-0.0\""), "{svg}");
+        let count = |word: &str| svg.matches(word).count();
         assert_eq!(count("class=\"line\""), 16, "a line for each series, and in the legend");
         assert_eq!(count("class=\"mark\""), 24);
         assert_eq!(count("class=\"ring\""), 8);

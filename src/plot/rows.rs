@@ -150,7 +150,7 @@ mod tests {
             .collect();
         assert_eq!(widths.len(), 2);
         assert!((widths[1] / widths[0] - 3.0).abs() < 0.01, "{widths:?}");
-        assert!(chart.contains("a &amp; b") && chart.contains("100 %") && chart.contains("…</text>"));
-        assert!(!chart.contains("NaN"));
+        assert!(svg.contains("a &amp; b") && svg.contains("100 %") && svg.contains("…</text>"));
+        assert!(!svg.contains("NaN"));
     }
 }

@@ -141,9 +141,9 @@ mod tests {
             spots: [0.5; 9].into_iter().chain([0.1, 0.95]).map(spot).collect(),
         };
         let svg = chart.svg();
-        assert_eq!(chart.matches("class=\"dot\"").count() + chart.matches("class=\"warn\"").count(), 11);
+        assert_eq!(svg.matches("class=\"dot\"").count() + svg.matches("class=\"warn\"").count(), 11);
         // Those that fall together are named at the ends of lines.
-        assert_eq!(chart.matches(">1.name</text>").count(), 11);
+        assert_eq!(svg.matches(">1.name</text>").count(), 11);
         assert_eq!(svg, chart.svg());
     }
 }
