@@ -1,6 +1,6 @@
 //! The numbers of a scene, read once: masses, inertias, slopes. Arithmetic on data, no mechanics.
 //!
-//! Everything with the dimension of mass is divided by a power of two near the first mass, so that a wheel of 1e-300 kg
+//! Everything with the dimension of mass is divided by a power of two near the first mass, so that a wheel of 1e-150 kg
 //! is as good as one of 1 kg; [`Numbers::publish`] undoes it.
 use crate::num::Real;
 use crate::num::dd::exponent;

@@ -176,8 +176,8 @@ impl Half {
                 energy = 0.0;
             }
             entry.energy = Some(energy);
-            let left = !(eom.is_finite() && energy.is_finite());
-            if !agree(eom, energy, entry.cond) && (ordinary || !left) {
+            // Where a number may have left the doubles, such an answer is held back below.
+            if ordinary && !agree(eom, energy, entry.cond) {
                 let allowed = 2.0 * EACH_ROAD * U * entry.cond.max(1.0);
                 return Err(Refusal::Disagree { label: entry.label, eom, energy, allowed });
             }
@@ -223,15 +223,21 @@ impl Half {
 
 /// Answers on whose way a number left the doubles, which both roads may do alike: those whose enclosure is wide, and those that
 /// the roads do not share.
+#[expect(clippy::neg_cmp_op_on_partial_ord, reason = "NaN is wide")]
 fn hold_back(scene: &Scene, data: &[f64], solved: &mut Solved) {
     let (road, doubt) = ball::watch(|| energy::road::<Ball>(scene, data));
     let Solved { entries, beyond, .. } = solved;
     entries.retain(|e| {
         let (eom, size) = (e.value(), e.value().abs().max(e.scale));
         let shared = agree(eom, e.energy.unwrap_or(f64::NAN), e.cond);
-        let said = road.as_ref().ok().filter(|_| !doubt).and_then(|r| r.get(e.label));
-        let wide = said.is_some_and(|s| !(s.value.about(eom) <= KNOWN * e.cond.max(1.0) * size));
-        let holds = shared && (eom.is_infinite() || !wide);
+        let said = road.as_ref().ok().and_then(|r| r.get(e.label)).map(|s| s.value);
+        let wide = |ball: Ball| !(ball.about(eom) <= KNOWN * e.cond.max(1.0) * size);
+        let holds = if eom.is_infinite() {
+            // What is endless is exactly so; what grew beyond the doubles has any radius.
+            shared && said.is_some_and(|s| s.radius() == 0.0)
+        } else {
+            shared && (doubt || !said.is_some_and(wide))
+        };
         if !holds {
             beyond.push(e.label);
         }

@@ -16,9 +16,12 @@ use crate::solve::outcome::Entry;
 use crate::solve::outcome::Road;
 
 /// Relative changes of a datum, as powers of 2; the next one for the answers that are too sensitive for the one before.
-const STEPS: [i32; 3] = [-24, -29, -46];
+const STEPS: [i32; 4] = [-24, -29, -36, -46];
 /// Up to this relative change of an answer its change to one side tells its slope, up to the second its changes to both sides.
 const FINE: [f64; 2] = [6e-7, 2e-4];
+
+/// Slopes to the two sides of a datum that differ by more than this share belong to a kink, or to a singularity between them.
+const UNEVEN: f64 = 0.1;
 
 /// Sense of the motion, and whether its end is reached; `None` where only an instant is asked.
 pub type Kind = Option<(f64, bool)>;
@@ -107,7 +110,10 @@ fn slope(entry: &Entry, at: usize, base: Option<f64>, up: &Changed, down: Option
     let below = down.and_then(|d| d.values[at].filter(|_| d.alike || !up.alike).map(|value| (value, d.by)));
     // At a zero the two sides of a magnitude are alike: each counts by itself.
     if let (Some(a), Some((b, by)), true) = (above, below, y != 0.0) {
-        return ((a - b) / (up.by - by)).abs();
+        let whole = ((a - b) / (up.by - by)).abs();
+        // Where the sides differ, as about a singularity, their mean would hide it.
+        let sides = base.map(|base| (((a - base) / up.by).abs(), ((b - base) / by).abs()));
+        return sides.filter(|(u, d)| (u - d).abs() > UNEVEN * whole).map_or(whole, |(u, d)| u.max(d));
     }
     let rounding = if y == 0.0 { 2.0 * <f64 as Real>::NOISE * entry.scale } else { 0.0 };
     let alone = |(value, by): (f64, f64)| {
