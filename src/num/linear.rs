@@ -207,9 +207,38 @@ impl<T: Real> Linear<T> {
                 }
                 x[col] = if sum.is_zero() { sum } else { sum / cells[row + col] };
             }
+            if far_apart(x) {
+                self.vanish(first + k, x);
+            }
             settled &= self.settled(first + k, x);
         }
         if settled { Ok(out) } else { Err(Hard::Residual(out)) }
+    }
+
+    /// Sets to 0 all unknowns together that no equation would miss: beside the other terms of each of its equations such an
+    /// unknown is rounding, or all other terms of the equation are such unknowns too.
+    fn vanish(&self, k: usize, x: &mut [T]) {
+        let mut noise: SmallVec<[bool; 12]> = x.iter().map(|v| !v.is_zero()).collect();
+        let mut others: SmallVec<[f64; 6]> = smallvec![0.0; self.unknowns];
+        loop {
+            others.fill(0.0);
+            for (r, _, v) in self.right.iter().filter(|(_, column, _)| *column == k) {
+                others[*r] += v.size();
+            }
+            for (r, c, v) in self.terms.iter().filter(|(_, c, _)| !noise[*c]) {
+                others[*r] += (*v * x[*c]).size();
+            }
+            let before = noise.clone();
+            for (r, c, v) in self.terms.iter().filter(|(r, c, _)| before[*c] && others[*r] > 0.0) {
+                noise[*c] &= (*v * x[*c]).negligible(others[*r]);
+            }
+            if noise == before {
+                break;
+            }
+        }
+        for (v, _) in x.iter_mut().zip(&noise).filter(|(_, noise)| **noise) {
+            *v = T::zero();
+        }
     }
 
     /// Does each row hold for these unknowns, up to the rounding of its terms?
@@ -224,6 +253,16 @@ impl<T: Real> Linear<T> {
         }
         rows.iter().all(|(residual, size)| residual.size() <= OPERATIONS * T::SETTLED * size)
     }
+}
+
+/// Share of the largest unknown below which another may be the rounding of it, 2^-24: units differ, so most are not.
+const APART: f64 = 1.0 / (1u64 << 24) as f64;
+
+/// Are the unknowns of very different sizes?
+fn far_apart<T: Real>(x: &[T]) -> bool {
+    let sizes = || x.iter().map(|v| v.size());
+    let largest = sizes().fold(0.0, f64::max);
+    sizes().any(|s| s > 0.0 && s < APART * largest)
 }
 
 #[cfg(test)]

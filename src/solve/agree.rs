@@ -35,12 +35,20 @@ pub const EACH_ROAD: f64 = 8.0;
 /// However ill-conditioned an answer is, the roads compute it from the same data in 32 digits and must share two of its own.
 const NO_DIGITS: f64 = 1e-2;
 
+/// Share of an answer of condition number 1 within which its enclosure lies, far above what the data themselves leave open.
+const KNOWN: f64 = 1e-9;
+
+/// Products of ten numbers up to this magnitude, or of their inverses, stay far from the ends of the doubles.
+const ORDINARY: f64 = (1u128 << 80) as f64;
+
 /// What the equations of motion alone say: nothing of it may be published before [`Half::confirm`].
 #[derive(Debug, Clone)]
 pub struct Half {
     solved: Solved,
     /// Sense of the motion, and whether its end is reached.
     course: condition::Kind,
+    /// Do products of the data stay far from the ends of the doubles?
+    ordinary: bool,
 }
 
 /// Solves a scene by both roads and publishes only what agrees.
@@ -62,6 +70,7 @@ pub fn first(scene: &Scene, data: &[f64]) -> Result<Half, Refusal> {
         return Err(Refusal::Inadmissible(faults));
     }
     supported(scene, data)?;
+    let ordinary = ordinary(scene, data);
     let road: Road<Dd> = eom::road(scene, data)?;
     let mut beyond = Vec::new();
     let mut entries = Vec::with_capacity(road.said.len());
@@ -71,7 +80,7 @@ pub fn first(scene: &Scene, data: &[f64]) -> Result<Half, Refusal> {
         let value = if gone { 0.0 } else { said.value.f64() + 0.0 };
         // A finite number that no double holds, or only with fewer digits.
         let lost = !gone && (!value.is_finite() || value.abs() < f64::MIN_POSITIVE);
-        if lost && said.value.is_finite() && !said.value.is_zero() {
+        if lost && said.value.is_finite() && !said.value.is_zero() || value.is_nan() && !ordinary {
             beyond.push(said.label);
             continue;
         }
@@ -84,7 +93,7 @@ pub fn first(scene: &Scene, data: &[f64]) -> Result<Half, Refusal> {
         .map_or((instant, Vec::new(), Vec::new()), |course| physical::judge(scene, &course, &road.held));
     let course = road.course.map(|c| (c.sense, c.reached));
     let open = road.open;
-    Ok(Half { solved: Solved { regime, checks, entries, words, open, beyond }, course })
+    Ok(Half { solved: Solved { regime, checks, entries, words, open, beyond }, course, ordinary })
 }
 
 /// A scene that is solved again and again on the first road in doubles, for what is never published: where a wrong method would
@@ -155,7 +164,7 @@ impl Half {
     /// Runs the second road and publishes what agrees. Errors: a disagreement, or a quantity that only one road reaches.
     #[expect(clippy::float_cmp, reason = "senses are exactly -1, 0 or 1")]
     pub fn confirm(self, scene: &Scene, data: &[f64]) -> Result<Solved, Refusal> {
-        let Half { mut solved, course } = self;
+        let Half { mut solved, course, ordinary } = self;
         let second: Road<Dd> = energy::road(scene, data)?;
         for (i, entry) in solved.entries.iter_mut().enumerate() {
             // The roads mostly speak in the same order.
@@ -167,7 +176,8 @@ impl Half {
                 energy = 0.0;
             }
             entry.energy = Some(energy);
-            if !agree(eom, energy, entry.cond) {
+            let left = !(eom.is_finite() && energy.is_finite());
+            if !agree(eom, energy, entry.cond) && (ordinary || !left) {
                 let allowed = 2.0 * EACH_ROAD * U * entry.cond.max(1.0);
                 return Err(Refusal::Disagree { label: entry.label, eom, energy, allowed });
             }
@@ -204,8 +214,29 @@ impl Half {
             let Solved { regime, checks, words, .. } = &mut solved;
             physical::fill_drive(scene, sense, other.drive, (regime, checks, words));
         }
+        if !ordinary {
+            hold_back(scene, data, &mut solved);
+        }
         Ok(solved)
     }
+}
+
+/// Answers on whose way a number left the doubles, which both roads may do alike: those whose enclosure is wide, and those that
+/// the roads do not share.
+fn hold_back(scene: &Scene, data: &[f64], solved: &mut Solved) {
+    let (road, doubt) = ball::watch(|| energy::road::<Ball>(scene, data));
+    let Solved { entries, beyond, .. } = solved;
+    entries.retain(|e| {
+        let (eom, size) = (e.value(), e.value().abs().max(e.scale));
+        let shared = agree(eom, e.energy.unwrap_or(f64::NAN), e.cond);
+        let said = road.as_ref().ok().filter(|_| !doubt).and_then(|r| r.get(e.label));
+        let wide = said.is_some_and(|s| !(s.value.about(eom) <= KNOWN * e.cond.max(1.0) * size));
+        let holds = shared && (eom.is_infinite() || !wide);
+        if !holds {
+            beyond.push(e.label);
+        }
+        holds
+    });
 }
 
 /// Encloses the answers: work and energy once more, with numbers that keep account of their errors ([`Ball`]), those of
@@ -232,6 +263,16 @@ pub fn prove(scene: &Scene, data: &[f64], solved: &mut Solved) -> bool {
 /// Is it a cord that holds bodies together, or one to the ground?
 fn is_held(tie: &Tie) -> bool {
     matches!(tie, Tie::Cord(c) if matches!(c.to, Far::Body(_) | Far::Fixed))
+}
+
+/// Are all numbers of the scene 0, or so near 1 that products of ten of them do not leave the doubles?
+fn ordinary(scene: &Scene, data: &[f64]) -> bool {
+    let mut all = true;
+    admissible::rules(scene, |number, _| {
+        let x = admissible::value(number, data).abs();
+        all &= x == 0.0 || (ORDINARY.recip()..ORDINARY).contains(&x);
+    });
+    all
 }
 
 /// Is the combination one that the assembly has?
@@ -263,10 +304,7 @@ fn supported(scene: &Scene, data: &[f64]) -> Result<(), Refusal> {
         return refuse(Unsupported::SpringWithSlip);
     }
     let freedoms = scene.freedoms();
-    let number = |n: Num| match n {
-        Num::Datum(i) => data.get(i).copied().unwrap_or(f64::NAN),
-        Num::Fixed(x) => x,
-    };
+    let number = |n: Num| admissible::value(n, data);
     // Cords alone can say what other ties say.
     if scene.ties.iter().any(is_held) && scene.freedoms_with(&number) != freedoms {
         return refuse(Unsupported::EqualByChance);

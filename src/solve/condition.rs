@@ -1,9 +1,9 @@
 //! How far an answer moves with the data: its condition number `sum |d ln y / d ln x_i|` over the data that the scene uses, by
 //! difference quotients of the first road in doubles.
 //!
-//! A quotient needs a motion of the same kind on both sides: where a changed datum turns the motion or takes its end out of
-//! reach, the other side alone counts. The step is so small that its curvature, of the order of `(step cond)^2`, is below a
-//! millionth, and so large that the rounding of doubles, `2^-53 cond / step`, is so too.
+//! A quotient needs a motion of the same kind at the changed data: where a changed datum turns the motion or takes its end out of
+//! reach, the other side alone counts. The step is so small that what curvature does is below a millionth, of the order of
+//! `step cond` on one side and of `(step cond)^2` between two, and so large that the rounding of doubles, `2^-53 / step`, is so too.
 use crate::num::NOISE;
 use crate::num::Real;
 use crate::num::dd::pow2;
@@ -15,51 +15,69 @@ use crate::solve::eom;
 use crate::solve::outcome::Entry;
 use crate::solve::outcome::Road;
 
-/// Relative changes of a datum, the next one where an answer is too sensitive for the one before.
-const STEPS: [i32; 4] = [-20, -26, -36, -46];
-/// A step is fine enough for an answer whose relative change stays below this.
-const FINE: f64 = 2e-4;
+/// Relative changes of a datum, as powers of 2; the next one for the answers that are too sensitive for the one before.
+const STEPS: [i32; 3] = [-24, -29, -46];
+/// Up to this relative change of an answer its change to one side tells its slope, up to the second its changes to both sides.
+const FINE: [f64; 2] = [6e-7, 2e-4];
 
 /// Sense of the motion, and whether its end is reached; `None` where only an instant is asked.
 pub type Kind = Option<(f64, bool)>;
 
-/// Condition number of each entry: 0 if no datum moves it, infinite for a zero that some datum moves.
+/// The answers where one datum is changed.
+struct Changed {
+    /// By which share of itself the datum is changed.
+    by: f64,
+    /// Is it a motion of the same kind?
+    alike: bool,
+    values: Vec<Option<f64>>,
+}
+
+/// Condition number of each entry: 0 if no datum moves it, infinite for a zero that some datum moves, or where no changed data
+/// have a solution.
+#[expect(clippy::float_cmp, reason = "senses are exactly -1, 0 or 1")]
 pub fn numbers(scene: &Scene, data: &[f64], kind: Kind, entries: &[Entry]) -> Vec<f64> {
     let used = used(scene, data);
-    let mut conds = vec![f64::NAN; entries.len()];
-    for step in STEPS.map(pow2) {
-        let mut sums = vec![0.0; entries.len()];
-        let mut moved = data.to_vec();
-        for &i in &used {
-            let sides = [1.0 + step, 1.0 - step].map(|by| {
-                moved[i] = data[i] * by;
-                let road: Option<Road<f64>> = eom::road(scene, &moved).ok();
-                (road, moved[i] / data[i] - 1.0)
-            });
-            moved[i] = data[i];
-            // Of two sides of which one has another kind of motion, that one does not count.
-            let same = |road: &Road<f64>| road.course.as_ref().map(|c| (c.sense, c.reached)) == kind;
-            let alike = sides.each_ref().map(|(road, _)| road.as_ref().is_some_and(same));
-            for (at, (sum, entry)) in sums.iter_mut().zip(entries).enumerate() {
-                let value = |side: usize| {
-                    let road = sides[side].0.as_ref().filter(|_| alike[side] || !alike[1 - side])?;
-                    value(road, at, entry.label)
-                };
-                *sum += slope(entry, [(value(0), sides[0].1), (value(1), sides[1].1)]);
+    let values =
+        |road: &Road<f64>| entries.iter().enumerate().map(|(at, e)| value(road, at, e.label)).collect();
+    let nothing = vec![None; entries.len()];
+    let base = eom::road(scene, data).map_or_else(|_| nothing.clone(), |road| values(&road));
+    let mut moved = data.to_vec();
+    let mut change = |i: usize, by: f64| {
+        moved[i] = data[i] * (1.0 + by);
+        let road = eom::road(scene, &moved).ok();
+        let by = moved[i] / data[i] - 1.0;
+        moved[i] = data[i];
+        let alike = road.as_ref().is_some_and(|r| r.course.as_ref().map(|c| (c.sense, c.reached)) == kind);
+        Changed { by, alike, values: road.map_or_else(|| nothing.clone(), |r| values(&r)) }
+    };
+    let mut conds: Vec<Option<f64>> = vec![None; entries.len()];
+    for power in STEPS {
+        let step = pow2(power);
+        let up: Vec<Changed> = used.iter().map(|i| change(*i, step)).collect();
+        let mut down: Vec<Changed> = Vec::new();
+        for (both, fine) in [false, true].into_iter().zip(FINE) {
+            if both {
+                down = used.iter().map(|i| change(*i, -step)).collect();
+            } else if !up.iter().all(|c| c.alike) {
+                continue;
+            }
+            for (at, (cond, entry)) in
+                conds.iter_mut().zip(entries).enumerate().filter(|(_, (c, _))| c.is_none())
+            {
+                let sum = (0..used.len()).map(|i| slope(entry, at, base[at], &up[i], down.get(i))).sum();
+                let found = relative(entry, sum);
+                let last = both && (found.is_infinite() || power == STEPS[STEPS.len() - 1]);
+                *cond = (found * step <= fine || last).then_some(found);
+            }
+            if conds.iter().all(Option::is_some) {
+                break;
             }
         }
-        let mut rough = false;
-        for ((cond, sum), entry) in conds.iter_mut().zip(sums).zip(entries).filter(|((c, _), _)| c.is_nan()) {
-            let found = relative(entry, sum);
-            let fine = found * step <= FINE || found.is_infinite() || step <= pow2(STEPS[STEPS.len() - 1]);
-            rough |= !fine;
-            *cond = if fine { found } else { f64::NAN };
-        }
-        if !rough {
+        if conds.iter().all(Option::is_some) {
             break;
         }
     }
-    conds
+    conds.into_iter().map(|c| c.filter(|c| !c.is_nan()).unwrap_or(f64::INFINITY)).collect()
 }
 
 /// The data that the scene uses and that are not 0: a relative change of 0 is none.
@@ -80,23 +98,25 @@ fn value(road: &Road<f64>, at: usize, label: Label) -> Option<f64> {
     road.said.get(at).filter(|s| s.label == label).or_else(|| road.get(label)).map(|s| s.value)
 }
 
-/// Change of an entry per relative change of a datum, from its values at changed data; endless where no changed datum gives one.
-fn slope(entry: &Entry, sides: [(Option<f64>, f64); 2]) -> f64 {
+/// Change of an entry per relative change of a datum, from its values in doubles at the data and at changed data; endless where no
+/// changed datum gives one.
+fn slope(entry: &Entry, at: usize, base: Option<f64>, up: &Changed, down: Option<&Changed>) -> f64 {
     let y = entry.value();
+    // Of two sides of which one has another kind of motion, that one does not count.
+    let above = up.values[at].filter(|_| up.alike || !down.is_some_and(|d| d.alike));
+    let below = down.and_then(|d| d.values[at].filter(|_| d.alike || !up.alike).map(|value| (value, d.by)));
     // At a zero the two sides of a magnitude are alike: each counts by itself.
-    if let ([(Some(a), up), (Some(b), down)], true) = (sides, y != 0.0) {
-        return ((a - b) / (up - down)).abs();
+    if let (Some(a), Some((b, by)), true) = (above, below, y != 0.0) {
+        return ((a - b) / (up.by - by)).abs();
     }
-    let rounding = 2.0 * f64::NOISE * entry.scale;
-    let alone = |(value, by): (Option<f64>, f64)| {
-        let change = (value? - y).abs();
-        Some(if y == 0.0 && change <= rounding { 0.0 } else { (change / by).abs() })
+    let rounding = if y == 0.0 { 2.0 * <f64 as Real>::NOISE * entry.scale } else { 0.0 };
+    let alone = |(value, by): (f64, f64)| {
+        let change = (value - base.unwrap_or(y)).abs();
+        if change <= rounding { 0.0 } else { (change / by).abs() }
     };
-    sides
-        .into_iter()
-        .filter_map(alone)
-        .fold(None, |most: Option<f64>, s| Some(most.map_or(s, |m| m.max(s))))
-        .unwrap_or(f64::INFINITY)
+    let sides = above.map(|value| (value, up.by)).into_iter().chain(below);
+    let larger = |most: Option<f64>, slope: f64| Some(most.map_or(slope, |m| m.max(slope)));
+    sides.map(alone).fold(None, larger).unwrap_or(f64::INFINITY)
 }
 
 /// The sum of the changes as a share of the answer. A place that is 0 is told by the scale of its terms: where the origin lies
