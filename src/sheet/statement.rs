@@ -89,14 +89,14 @@ pub struct Statement<'b> {
     /// Text before and after the digits of each datum.
     around: Vec<(String, String)>,
     /// What does not change between variants, for each case.
-    cases: Vec<OfCase>,
+    cases: Vec<CaseView>,
     /// Questions that are templates, and their names.
     asks: Vec<(usize, String)>,
     /// Do the questions of a case differ in nothing but the tolerances?
     alike: bool,
 }
 
-struct OfCase {
+struct CaseView {
     base: View,
     particles: bool,
 }
@@ -203,7 +203,7 @@ impl<'b> Statement<'b> {
             let tex = problem.data.iter().map(|d| (d.symbol.as_str(), template::finished(&d.tex)));
             base.value("tex", template::map(tex));
             let particles = case.scene.bodies.iter().any(|b| !b.particles.is_empty());
-            cases.push(OfCase { base, particles });
+            cases.push(CaseView { base, particles });
         }
         // Questions that name no datum are the same in all variants of a case that have the same tolerances.
         let alike = asks.is_empty() && templates.variables("questions.md")?.iter().all(|v| v == "questions");
