@@ -73,7 +73,8 @@ fn judge_word<'w>(
     offered: &[&str],
     say: &Feedback<'w>,
 ) -> (Verdict, Cow<'w, str>) {
-    let either = |a: AnswerWord, b: AnswerWord| offered.contains(&a.as_str()) || offered.contains(&b.as_str());
+    let either =
+        |a: AnswerWord, b: AnswerWord| offered.contains(&a.as_str()) || offered.contains(&b.as_str());
     let level = either(AnswerWord::Forward, AnswerWord::Back);
     let word = match word {
         AnswerWord::Right if level => AnswerWord::Forward,

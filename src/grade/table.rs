@@ -140,29 +140,35 @@ pub(crate) fn joined(problem: &[u8], part: &[u8], out: &mut Vec<u8>) {
     out.extend_from_slice(part);
 }
 
+/// The parts of all sheets, problem by problem and in the order of the sheets.
+fn columns(sheets: &[SheetKey]) -> Vec<Column> {
+    let mut columns: Vec<Column> = Vec::new();
+    for sheet in sheets {
+        for (i, problem) in sheet.problems.iter().enumerate() {
+            for entry in &problem.parts {
+                let known = columns
+                    .iter()
+                    .any(|c| c.number == i + 1 && c.problem == problem.id && c.part == entry.part);
+                if !known {
+                    columns.push(Column {
+                        number: i + 1,
+                        problem: problem.id.clone(),
+                        part: entry.part.clone(),
+                        points: entry.points,
+                    });
+                }
+            }
+        }
+    }
+    columns.sort_by_key(|c| c.number); // stable: parts stay in their order
+    columns
+}
+
 impl KeyTable {
     /// Lays out the keys; `names` are (id, name) of the roster.
     pub fn new(sheets: Vec<SheetKey>, names: &[(String, String)]) -> KeyTable {
         let names: FxHashMap<&str, &str> = names.iter().map(|(id, n)| (id.as_str(), n.as_str())).collect();
-        let mut columns: Vec<Column> = Vec::new();
-        for sheet in &sheets {
-            for (i, problem) in sheet.problems.iter().enumerate() {
-                for entry in &problem.parts {
-                    let known = columns
-                        .iter()
-                        .any(|c| c.number == i + 1 && c.problem == problem.id && c.part == entry.part);
-                    if !known {
-                        columns.push(Column {
-                            number: i + 1,
-                            problem: problem.id.clone(),
-                            part: entry.part.clone(),
-                            points: entry.points,
-                        });
-                    }
-                }
-            }
-        }
-        columns.sort_by_key(|c| c.number); // stable: parts stay in their order
+        let columns = columns(&sheets);
         let mut table = KeyTable {
             students: Vec::with_capacity(sheets.len()),
             entries: Vec::with_capacity(sheets.len() * columns.len()),

@@ -28,6 +28,7 @@ use crate::grade::run::Graded;
 use crate::grade::run::VerdictCounts;
 use crate::grade::table::KeyTable;
 use crate::grade::table::joined;
+use crate::grade::verdict::Judgement;
 use crate::grade::verdict::Verdict;
 use std::borrow::Cow;
 
@@ -289,17 +290,7 @@ impl<'w> RowWriter<'w> {
         let by_row = winner.by_row && is_attempt;
         if is_attempt && winner.at != cell.place() {
             row.verdict = Verdict::Superseded;
-            let plain =
-                judgement.verdict != Verdict::Unreadable && matches!(judgement.reason, Cow::Borrowed(_));
-            let mut reason = say.superseded(&line_of(winner.at).to_string(), judgement.verdict);
-            if !plain {
-                reason = format!("{reason}: {}", judgement.reason);
-            }
-            if by_row {
-                let how = if plain { "feedback.by_row_short" } else { "feedback.by_row" };
-                reason = format!("{reason}; {}", say.get(how));
-            }
-            row.reason = reason.into();
+            row.reason = self.superseded_reason(&judgement, &winner).into();
             counts.count(row.verdict, Some(what as usize));
             return row;
         }
@@ -330,5 +321,19 @@ impl<'w> RowWriter<'w> {
         }
         counts.count(row.verdict, Some(what as usize));
         row
+    }
+    /// Why an attempt does not count, what it would have been, and why that where the verdict does not say it.
+    fn superseded_reason(&self, judgement: &Judgement, winner: &Winner) -> String {
+        let say = self.job.say;
+        let plain = judgement.verdict != Verdict::Unreadable && matches!(judgement.reason, Cow::Borrowed(_));
+        let mut reason = say.superseded(&line_of(winner.at).to_string(), judgement.verdict);
+        if !plain {
+            reason = format!("{reason}: {}", judgement.reason);
+        }
+        if winner.by_row {
+            let how = if plain { "feedback.by_row_short" } else { "feedback.by_row" };
+            reason = format!("{reason}; {}", say.get(how));
+        }
+        reason
     }
 }
