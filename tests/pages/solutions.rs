@@ -117,13 +117,16 @@ fn every_draw(draws: u32) {
     sweep(draws, |problem, variant| {
         let text = markdown(problem, variant, &words, &templates);
         let mut wrong = faults(&text, problem, variant, &words);
-        wrong.extend(beware::check(&text, problem, variant, &words, &mut told));
+        // The wrong methods are solved anew for one in ten.
+        if made.is_multiple_of(10) {
+            wrong.extend(beware::check(&text, problem, variant, &words, &mut told));
+        }
         wrong.extend(tex::check(&text, &mut counts));
         assert!(wrong.is_empty(), "{}: {}\n\n{text}", problem.id, wrong.join("\n"));
         made += 1;
     });
     println!("{made} solutions: {counts:?}, {told} mistakes");
-    assert!(told > 3 * made, "{told} mistakes told in {made} solutions");
+    assert!(10 * told > 3 * made, "{told} mistakes told in {made} solutions");
     // So that a change of the text's form cannot switch the check off.
     assert!(
         counts.numbers > 20 * made && counts.symbols > 20 * made && counts.relations > 2 * made,

@@ -119,7 +119,7 @@ fn every_printed_equation_holds() {
     sweep(support::seeds(300), |problem, variant| {
         let text = markdown(problem, variant, &texts[0]);
         let mut wrong = faults(&text);
-        // Wrong methods of a pendulum take a while to solve.
+        // The wrong methods are solved anew for one in ten.
         if made % 10 == 0 {
             wrong.extend(beware::check(&text, problem, variant, &texts[0].0, &mut told));
         }
