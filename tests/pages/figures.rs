@@ -382,16 +382,16 @@ fn files_parse_and_repeat() {
             let variant = Maker::new(problem, 8, "figures").variant("0").expect("satisfiable");
             for (name, picture) in figure::all(problem, &variant, &words) {
                 let what = format!("{} {name}", problem.id);
-                let screen = slipstick::picture::svg::Screen::new(&picture);
+                let screen = svg::Screen::new(&picture);
                 let inline = screen.inline("p1");
-                assert_eq!(inline, slipstick::picture::svg::Screen::new(&picture).inline("p1"), "{what}");
+                assert_eq!(inline, svg::Screen::new(&picture).inline("p1"), "{what}");
                 let elements = parse(&inline);
                 let ids: Vec<&String> =
                     elements.iter().flat_map(|(_, a)| a).filter(|(k, _)| k == "id").map(|(_, v)| v).collect();
                 assert_eq!(ids, ["p1-t", "p1-d"], "{what}");
                 let svg = &elements[0];
                 assert!(svg.0 == "svg" && svg.1.contains(&("role".to_owned(), "img".to_owned())), "{what}");
-                let print = slipstick::picture::svg::print(&picture);
+                let print = svg::print(&picture);
                 for word in ["<style", "class=", "var(", "@media", "NaN", "inf\""] {
                     assert!(!print.contains(word), "{what}: {word}");
                 }
@@ -442,7 +442,7 @@ fn goldens_are_as_they_were() {
         let variant = Maker::new(&problem, 1, "goldens").variant("0").expect("satisfiable");
         let pictures = figure::all(&problem, &variant, &words);
         let (_, picture) = pictures.into_iter().find(|(n, _)| n == name).expect("a picture of this name");
-        let text = slipstick::picture::svg::Screen::new(&picture).file();
+        let text = svg::Screen::new(&picture).file();
         let path = format!("{folder}/{id}-{name}.svg");
         if renew {
             std::fs::write(&path, text).expect("a golden is written");
