@@ -8,6 +8,8 @@ use crate::bank::node::Node;
 use crate::bank::node::Value;
 use crate::finding::Finding;
 use rustc_hash::FxHashMap;
+use serde::Serialize;
+use std::collections::BTreeMap;
 use std::sync::LazyLock;
 
 /// The word lists below a folder, by topic.
@@ -24,6 +26,7 @@ macro_rules! lists {
             ("lamina", include_str!(concat!("../templates/", $folder, "words/lamina.yaml"))),
             ("feedback", include_str!(concat!("../templates/", $folder, "words/feedback.yaml"))),
             ("marks", include_str!(concat!("../templates/", $folder, "words/marks.yaml"))),
+            ("report", include_str!(concat!("../templates/", $folder, "words/report.yaml"))),
         ]
     };
 }
@@ -37,6 +40,29 @@ static READ: LazyLock<Vec<Words>> = LazyLock::new(|| Words::languages().filter_m
 
 /// Word lists: topic, text.
 pub type Lists = &'static [(&'static str, &'static str)];
+
+/// Phrases below a name, as the list nests them: for templates.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[serde(untagged)]
+pub enum PhraseTree<'w> {
+    /// A phrase.
+    Phrase(&'w str),
+    /// Phrases by name.
+    Branch(BTreeMap<&'w str, PhraseTree<'w>>),
+}
+
+impl<'w> PhraseTree<'w> {
+    fn put(&mut self, mut names: std::str::Split<'w, char>, phrase: &'w str) {
+        match (names.next(), self) {
+            (None, leaf) => *leaf = Self::Phrase(phrase),
+            (Some(name), Self::Branch(below)) => {
+                below.entry(name).or_insert_with(|| Self::Branch(BTreeMap::new())).put(names, phrase);
+            }
+            // A list cannot hold a phrase and phrases below it under one name.
+            (Some(_), Self::Phrase(_)) => {}
+        }
+    }
+}
 
 /// The phrases of one language.
 #[derive(Debug, Clone)]
@@ -158,6 +184,18 @@ impl Words {
             Some(phrase) => phrase,
             None => panic!("the word lists of {} have no phrase {name}", self.language),
         }
+    }
+
+    /// The phrases of a topic.
+    pub fn tree(&self, topic: &str) -> PhraseTree<'_> {
+        let mut tree = PhraseTree::Branch(BTreeMap::new());
+        for (name, phrase) in &self.phrases {
+            let mut names = name.split('.');
+            if names.next() == Some(topic) {
+                tree.put(names, phrase);
+            }
+        }
+        tree
     }
 
     /// Is there a phrase of this name?

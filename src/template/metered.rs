@@ -141,6 +141,7 @@ pub fn equip(engine: &mut Tera) {
     engine.register_function("range", range);
     engine.register_filter("replace", replace);
     engine.register_filter("join", join);
+    engine.register_filter("fill", fill);
 }
 
 /// The engine's function of this name, with its arguments; items are counted before there are any.
@@ -208,6 +209,35 @@ fn join(items: &[Value], kwargs: Kwargs, state: &State) -> TeraResult<Value> {
         out.push_str(&piece);
     }
     Ok(if safe { Value::safe_string(&out) } else { Value::from(out) })
+}
+
+/// `{{ words.of | fill(n=3, of=4) }}`: a phrase with its places filled in.
+fn fill(phrase: StringInput, kwargs: Kwargs, state: &State) -> TeraResult<Value> {
+    let is_safe = phrase.is_safe();
+    let piece = |text: &str| match is_safe {
+        true => Ok(text.to_owned()),
+        false => state.escape_if_needed(&Value::normal_string(text)),
+    };
+    let mut out = String::new();
+    let mut rest = phrase.as_str();
+    while let Some((before, behind)) = rest.split_once('{') {
+        let Some((place, after)) = behind.split_once('}') else { break };
+        let is_name = place.chars().all(|c| c.is_ascii_alphanumeric() || c == '_') && !place.is_empty();
+        if !is_name {
+            out.push_str(&piece(&rest[..=before.len()])?);
+            rest = behind;
+            continue;
+        }
+        let value = kwargs.iter().find(|(name, _)| name.as_str() == Some(place)).map(|(_, value)| value);
+        let value = value.ok_or_else(|| Error::message(format!("nothing fills the place {{{place}}}")))?;
+        out.push_str(&piece(before)?);
+        let text = state.escape_if_needed(value)?;
+        spend(text.len())?;
+        out.push_str(&text);
+        rest = after;
+    }
+    out.push_str(&piece(rest)?);
+    Ok(if state.autoescaping_enabled() { Value::safe_string(&out) } else { Value::from(out) })
 }
 
 /// The text of a template with its meter.
