@@ -67,7 +67,9 @@ pub fn is_ours(name: &str, students: &BTreeSet<String>) -> bool {
     match name.split_once('/') {
         None => MADE.contains(&name) && !["tables", "feedback"].contains(&name),
         Some(("tables" | "feedback", "")) => true,
-        Some(("tables", file)) => file.strip_suffix(".csv").is_some_and(|t| class::TABLES.contains(&t)),
+        Some(("tables", file)) => {
+            file.strip_suffix(".csv").is_some_and(|t| class::TABLES.split(' ').any(|name| name == t))
+        }
         Some(("feedback", file)) => {
             let student = file.strip_suffix(".html").or_else(|| file.strip_suffix(".md"));
             student.is_some_and(|s| students.contains(s))

@@ -85,8 +85,8 @@ fn raw(value: f64) -> String {
 pub struct Table {
     /// Name of its file, without `.csv`.
     pub name: &'static str,
-    /// Columns, as the CSV file names them.
-    pub columns: &'static [&'static str],
+    /// Columns, as the CSV file names them, with blanks between.
+    pub columns: &'static str,
     /// How many columns from the left hold text; the others hold numbers.
     pub texts: usize,
     /// Columns on the page; the CSV file may have more.
@@ -109,6 +109,16 @@ pub struct TableView {
 }
 
 impl Table {
+    /// A table that shows all its columns.
+    pub fn new(
+        name: &'static str,
+        columns: &'static str,
+        texts: usize,
+        rows: impl Iterator<Item = Vec<TableCell>>,
+    ) -> Self {
+        Self { name, columns, texts, shown: columns.split(' ').count(), rows: rows.collect() }
+    }
+
     /// The first rows for the page, in the words of a language.
     pub fn view(&self, words: &Words, most: usize) -> TableView {
         let rows = self.rows.iter().take(most).map(|row| {
@@ -118,7 +128,7 @@ impl Table {
             });
             cells.collect()
         });
-        let head = self.columns.iter().take(self.shown);
+        let head = self.columns.split(' ').take(self.shown);
         TableView {
             name: self.name,
             caption: words.get(&format!("report.table.{}", self.name)).to_owned(),
@@ -142,7 +152,7 @@ impl Table {
             }
             out.push(b'\n');
         };
-        line(&mut self.columns.iter().copied());
+        line(&mut self.columns.split(' '));
         for row in &self.rows {
             line(&mut row.iter().map(|c| c.raw.as_str()));
         }
@@ -168,13 +178,8 @@ mod tests {
 
     #[test]
     fn a_formula_is_not_run_and_numbers_have_the_mark_of_the_language() {
-        let table = Table {
-            name: "slips",
-            columns: &["slip", "answers"],
-            texts: 1,
-            shown: 2,
-            rows: vec![vec![TableCell::text("=HYPERLINK(1.5)"), TableCell::fixed(-1.5, 1)]; 3],
-        };
+        let row = || vec![TableCell::text("=HYPERLINK(1.5)"), TableCell::fixed(-1.5, 1)];
+        let table = Table::new("slips", "slip answers", 1, (0..3).map(|_| row()));
         assert!(table.csv().starts_with(b"slip,answers\n'=HYPERLINK(1.5),-1.5\n"));
         let german = Words::of("de").unwrap();
         let view = table.view(&german, 2);

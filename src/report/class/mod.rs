@@ -1,7 +1,7 @@
 //! The class report: numbers and names for the template `report.html`, and its tables. Sections, sentences and heads are the
 //! template's and the phrases' (`report`).
 //!
-//! `report.html` receives what [`Page`] holds and includes `report-table.html` for each table, as `t`. What is finished HTML (plots, formulas) it marks as `safe`; all else is escaped.
+//! `report.html` receives what `page` puts together and includes `report-table.html` for each table, as `t`. What is finished HTML (plots, formulas) it marks as `safe`; all else is escaped.
 mod mistakes;
 mod tables;
 
@@ -21,15 +21,14 @@ use crate::report::stats::LEAST_FOR_SHARE;
 use crate::report::study::ClassStudy;
 use crate::report::study::LEVEL;
 use crate::report::table::Table;
-use crate::report::table::TableView;
 use crate::report::table::fixed;
 use crate::report::table::percent;
 use crate::report::table::points;
 use crate::template::Templates;
 use crate::template::View;
-use crate::words::PhraseTree;
 use crate::words::Words;
-use serde::Serialize;
+use serde_json::Value;
+use serde_json::json;
 use std::collections::BTreeMap;
 
 /// Markdown with formulas to HTML within a line.
@@ -77,102 +76,6 @@ pub struct ClassReporter<'r> {
     pub words: &'r Words,
 }
 
-/// What the template receives. Numbers that are texts are finished, with the mark of the language.
-#[derive(Serialize)]
-struct Page<'p> {
-    language: &'p str,
-    title: &'p str,
-    set: &'p str,
-    /// The phrases `report`.
-    words: PhraseTree<'p>,
-    /// Lists of name and value.
-    graded: Vec<Facts<'p>>,
-    students: usize,
-    took_part: usize,
-    /// Students who handed in nothing.
-    absent: usize,
-    rows: u64,
-    least: Least,
-    totals: Option<Totals>,
-    /// Share of the answers that count.
-    right: Option<String>,
-    alpha: Option<Alpha>,
-    no_alpha: String,
-    /// Why there are no favourite mistakes: the name of a phrase.
-    no_favourites: Option<&'static str>,
-    favourites: Vec<mistakes::Favourite>,
-    /// Wrong answers that count, and of them those that something explains or does not.
-    wrong: usize,
-    explained: usize,
-    unexplained: usize,
-    /// Cells that gave trouble.
-    trouble: u64,
-    several_attempts: bool,
-    timed: bool,
-    /// Problems with too few students for comparisons.
-    too_few: String,
-    comparisons: usize,
-    stand_out: String,
-    /// Most students in a comparison, and the least correlation that would be noticed then.
-    compared: usize,
-    noticed: String,
-    matches: String,
-    flagged: String,
-    charts: Charts,
-    tables: BTreeMap<&'static str, Option<TableView>>,
-}
-
-#[derive(Serialize)]
-struct Facts<'p> {
-    /// A phrase of `graded`.
-    name: &'static str,
-    list: &'p [(String, String)],
-}
-
-/// Sizes below which nothing is told.
-#[derive(Serialize)]
-struct Least {
-    share: usize,
-    median: usize,
-    correlation: usize,
-}
-
-#[derive(Serialize)]
-struct Totals {
-    median: String,
-    most: String,
-    /// Does every sheet give the same number of points?
-    same: bool,
-}
-
-#[derive(Serialize)]
-struct Alpha {
-    value: String,
-    low: String,
-    high: String,
-    parts: usize,
-    /// The phrase that judges it.
-    judged: &'static str,
-}
-
-/// Plots, finished.
-#[derive(Serialize)]
-struct Charts {
-    totals: Option<String>,
-    parts: Option<String>,
-    items: Option<String>,
-    mistakes: Option<String>,
-    fairness: Vec<String>,
-}
-
-/// All that is said of the comparisons of marks with what was drawn.
-struct Fairness {
-    too_few: String,
-    stand_out: String,
-    compared: usize,
-    noticed: String,
-}
-
 impl ClassReporter<'_> {
     /// Writes the report.
     ///
@@ -210,90 +113,93 @@ impl ClassReporter<'_> {
         format!("{}. {}", problem + 1, self.marks.class.problems[problem].title)
     }
 
-    fn page<'p>(&'p self, about: &'p About, tables: &[Table], rich: Rich) -> Page<'p> {
-        let (study, marks) = (self.study, self.marks);
+    /// What the template receives; numbers that are texts are finished, with the mark of the language. `graded` holds lists of
+    /// name and value; `least` the sizes below which nothing is told; `right` the share of the answers that count; `no_favourites`
+    /// the name of the phrase that says why there are no favourite mistakes.
+    fn page(&self, about: &About, tables: &[Table], rich: Rich) -> Value {
+        let (study, marks, words) = (self.study, self.marks, self.words);
         let facts = [("settings", &about.settings), ("provenance", &about.provenance)];
-        let facts = facts.into_iter().filter(|(_, list)| !list.is_empty());
-        let summary = study.summary.filter(|_| study.most > 0.0);
+        let facts: Vec<_> = facts.into_iter().filter(|(_, list)| !list.is_empty()).collect();
         let counting: usize = study.parts.iter().map(|p| p.answered).sum();
         let right: usize = study.parts.iter().map(|p| p.right).sum();
         let (no_favourites, favourites) = self.lecture(rich);
         let (wrong, unexplained) = study.wrong;
-        let fairness = self.fairness();
-        let view = |table: &Table| {
-            table.view(self.words, if LONG.contains(&table.name) { SHOWN } else { usize::MAX })
-        };
-        let mut views: BTreeMap<&'static str, Option<TableView>> =
-            tables::NAMES.iter().map(|name| (*name, None)).collect();
-        views.extend(tables.iter().map(|table| (table.name, Some(view(table)))));
-        Page {
-            language: self.words.language(),
-            title: &about.title,
-            set: &about.set,
-            words: self.words.tree("report"),
-            graded: facts.map(|(name, list)| Facts { name, list }).collect(),
-            students: marks.class.students.len(),
-            took_part: study.took_part.len(),
-            absent: marks.class.students.len() - study.took_part.len(),
-            rows: marks.rows,
-            least: Least {
-                share: LEAST_FOR_SHARE,
-                median: LEAST_FOR_MEDIAN,
-                correlation: LEAST_FOR_CORRELATION,
+        let number = |value: f64| words.number(&points(value));
+        let totals = study.summary.filter(|_| study.most > 0.0).map(
+            |s| json!({"median": number(s.median), "most": number(study.most), "same": study.same_most}),
+        );
+        let alpha = study.alpha.ok().map(|alpha| {
+            let [value, low, high] = [alpha.value, alpha.low, alpha.high].map(|v| self.number(v, 2));
+            let judged = match alpha.value {
+                a if a >= 0.8 => "high",
+                a if a >= 0.6 => "usual",
+                _ => "low",
+            };
+            json!({"value": value, "low": low, "high": high, "parts": study.scale.len(), "judged": judged})
+        });
+        let views = tables.iter().map(|table| {
+            let most = if LONG.contains(&table.name) { SHOWN } else { usize::MAX };
+            (table.name, Some(table.view(words, most)))
+        });
+        let none = tables::NAMES.split(' ').map(|name| (name, None));
+        let (about_fairness, compared) = self.fairness();
+        json!({
+            "language": words.language(),
+            "title": about.title,
+            "set": about.set,
+            "words": words.tree("report"),
+            "graded": facts,
+            "least": {
+                "share": LEAST_FOR_SHARE,
+                "median": LEAST_FOR_MEDIAN,
+                "correlation": LEAST_FOR_CORRELATION,
             },
-            totals: summary.map(|s| Totals {
-                median: self.words.number(&points(s.median)),
-                most: self.words.number(&points(study.most)),
-                same: study.same_most,
-            }),
-            right: (counting >= LEAST_FOR_SHARE).then(|| percent(right as f64 / counting as f64)),
-            alpha: study.alpha.ok().map(|alpha| Alpha {
-                value: self.number(alpha.value, 2),
-                low: self.number(alpha.low, 2),
-                high: self.number(alpha.high, 2),
-                parts: study.scale.len(),
-                judged: match alpha.value {
-                    a if a >= 0.8 => "high",
-                    a if a >= 0.6 => "usual",
-                    _ => "low",
-                },
-            }),
-            no_alpha: study.alpha.err().map_or_else(String::new, |why| why.say(self.words)),
-            no_favourites,
-            favourites,
-            wrong,
-            explained: wrong - unexplained,
-            unexplained,
-            trouble: marks.troubles.values().map(|t| t.cells).sum(),
-            several_attempts: marks.cells.iter().any(|c| c.attempts > 1),
-            timed: marks.timed,
-            too_few: fairness.too_few,
-            comparisons: study.fairness.len(),
-            stand_out: fairness.stand_out,
-            compared: fairness.compared,
-            noticed: fairness.noticed,
-            matches: self.matches.summary(self.words),
-            flagged: self.words.number(&FLAGGED.to_string()),
-            charts: self.charts(),
-            tables: views,
-        }
+            "students": marks.class.students.len(),
+            "took_part": study.took_part.len(),
+            "absent": marks.class.students.len() - study.took_part.len(),
+            "rows": marks.rows,
+            "totals": totals,
+            "right": (counting >= LEAST_FOR_SHARE).then(|| percent(right as f64 / counting as f64)),
+            "alpha": alpha,
+            "no_alpha": study.alpha.err().map(|why| why.say(words)),
+            "no_favourites": no_favourites,
+            "favourites": favourites,
+            "wrong": wrong,
+            "explained": wrong - unexplained,
+            "unexplained": unexplained,
+            "trouble": marks.troubles.values().map(|t| t.cells).sum::<u64>(),
+            "several_attempts": marks.cells.iter().any(|c| c.attempts > 1),
+            "timed": marks.timed,
+            "too_few": about_fairness[0],
+            "stand_out": about_fairness[1],
+            "comparisons": study.fairness.len(),
+            "compared": compared,
+            "noticed": self.number(charts::noticed(compared, study.fairness.len()), 2),
+            "matches": self.matches.summary(words),
+            "flagged": words.number(&FLAGGED.to_string()),
+            "charts": self.charts(),
+            "tables": none.chain(views).collect::<BTreeMap<_, _>>(),
+        })
     }
 
-    fn charts(&self) -> Charts {
+    /// The plots, finished.
+    fn charts(&self) -> Value {
         let charts = ClassCharts { marks: self.marks, study: self.study, words: self.words };
         let bars: Vec<(String, String, usize)> =
             (self.favourites().iter()).map(|m| (m.ids.join(" "), self.in_short(m), m.students())).collect();
-        let problems = 0..self.marks.class.problems.len();
-        Charts {
-            totals: self.study.summary.filter(|_| self.study.most > 0.0).map(|s| charts.totals(&s)),
-            parts: charts.parts(),
-            items: charts.items(),
-            mistakes: (!bars.is_empty()).then(|| charts.mistakes(&bars)),
-            fairness: problems.filter_map(|i| charts.fairness(&self.title(i), i)).collect(),
-        }
+        let fairness =
+            (0..self.marks.class.problems.len()).filter_map(|i| charts.fairness(&self.title(i), i));
+        json!({
+            "totals": self.study.summary.filter(|_| self.study.most > 0.0).map(|s| charts.totals(&s)),
+            "parts": charts.parts(),
+            "items": charts.items(),
+            "mistakes": (!bars.is_empty()).then(|| charts.mistakes(&bars)),
+            "fairness": fairness.collect::<Vec<_>>(),
+        })
     }
 
-    fn fairness(&self) -> Fairness {
+    /// The problems with too few students to compare, what stands out, and the most students in a comparison.
+    fn fairness(&self) -> ([String; 2], usize) {
         let found = &self.study.fairness;
         let few = self.study.too_few.iter().map(|(problem, n)| {
             self.say_of(*n, "fairness.few_problem", &[("problem", &self.title(*problem))])
@@ -303,13 +209,8 @@ impl ClassReporter<'_> {
             let what = if c.datum.is_empty() { case } else { &c.datum };
             self.say("fairness.in_problem", &[("what", what), ("number", &(c.problem + 1).to_string())])
         });
-        let compared = found.iter().map(|c| c.n).max().unwrap_or(0);
-        Fairness {
-            too_few: few.collect::<Vec<_>>().join("; "),
-            stand_out: stand_out.collect::<Vec<_>>().join(", "),
-            compared,
-            noticed: self.number(charts::noticed(compared, found.len()), 2),
-        }
+        let told = [few.collect::<Vec<_>>().join("; "), stand_out.collect::<Vec<_>>().join(", ")];
+        (told, found.iter().map(|c| c.n).max().unwrap_or(0))
     }
 
     /// `1 in 2e14`, and as it is where luck brings one or more.

@@ -14,19 +14,8 @@ use crate::template;
 use std::collections::BTreeMap;
 
 /// Names of all tables.
-pub const NAMES: [&str; 11] = [
-    "asked",
-    "attempts",
-    "credit",
-    "fairness",
-    "matches",
-    "methods",
-    "parts",
-    "slips",
-    "totals",
-    "unreadable",
-    "verdicts",
-];
+pub const NAMES: &str =
+    "asked attempts credit fairness matches methods parts slips totals unreadable verdicts";
 
 /// Cells of one verdict and reason: how many, of which parts, with examples.
 #[derive(Default)]
@@ -68,8 +57,8 @@ impl ClassReporter<'_> {
             let share = TableCell::share(n as f64 / self.marks.rows.max(1) as f64);
             vec![self.word("verdict", verdict.as_str()), TableCell::count(n), share]
         });
-        let columns = &["verdict", "cells", "share"];
-        Table { name: "verdicts", columns, texts: 1, shown: 3, rows: rows.collect() }
+        let columns = "verdict cells share";
+        Table::new("verdicts", columns, 1, rows)
     }
 
     /// Each part in words, with what counts as right.
@@ -94,8 +83,8 @@ impl ClassReporter<'_> {
                 TableCell::points(part.points),
             ]
         });
-        let columns = &["part", "what_is_asked", "unit", "tolerance", "points"];
-        Table { name: "asked", columns, texts: 4, shown: 5, rows: rows.collect() }
+        let columns = "part what_is_asked unit tolerance points";
+        Table::new("asked", columns, 4, rows)
     }
 
     fn totals(&self) -> Table {
@@ -105,18 +94,9 @@ impl ClassReporter<'_> {
             let points = points.into_iter().map(TableCell::points);
             std::iter::once(TableCell::count(s.n)).chain(points).collect()
         });
-        let columns = &[
-            "students",
-            "max_total",
-            "mean",
-            "standard_deviation",
-            "minimum",
-            "lower_quartile",
-            "median",
-            "upper_quartile",
-            "maximum",
-        ];
-        Table { name: "totals", columns, texts: 0, shown: 9, rows: row.into_iter().collect() }
+        let columns =
+            "students max_total mean standard_deviation minimum lower_quartile median upper_quartile maximum";
+        Table::new("totals", columns, 0, row.into_iter())
     }
 
     fn parts(&self) -> Table {
@@ -143,23 +123,8 @@ impl ClassReporter<'_> {
                 TableCell::text(&plain(&of.asked)),
             ]
         });
-        let columns = &[
-            "part",
-            "points",
-            "asked",
-            "answered",
-            "right",
-            "no_answer",
-            "share_right",
-            "interval_low",
-            "interval_high",
-            "ease",
-            "discrimination",
-            "why_no_discrimination",
-            "problem",
-            "what_is_asked",
-        ];
-        Table { name: "parts", columns, texts: 1, shown: 11, rows: rows.collect() }
+        let columns = "part points asked answered right no_answer share_right interval_low interval_high ease discrimination why_no_discrimination problem what_is_asked";
+        Table { shown: 11, ..Table::new("parts", columns, 1, rows) }
     }
 
     fn methods(&self, rich: Rich) -> Table {
@@ -181,8 +146,8 @@ impl ClassReporter<'_> {
                 TableCell::share(mistake.answers as f64 / self.study.wrong.0 as f64),
             ]
         });
-        let columns = &["method", "did", "parts", "fits_as_well", "students", "answers", "share_of_wrong"];
-        Table { name: "methods", columns, texts: 4, shown: 7, rows: rows.collect() }
+        let columns = "method did parts fits_as_well students answers share_of_wrong";
+        Table::new("methods", columns, 4, rows)
     }
 
     fn slips(&self) -> Table {
@@ -193,8 +158,8 @@ impl ClassReporter<'_> {
             };
             vec![TableCell::rich(code(word), word), TableCell::text(&what), TableCell::count(*n)]
         });
-        let columns = &["slip", "what", "answers"];
-        Table { name: "slips", columns, texts: 2, shown: 3, rows: rows.collect() }
+        let columns = "slip what answers";
+        Table::new("slips", columns, 2, rows)
     }
 
     fn credit(&self) -> Table {
@@ -202,8 +167,8 @@ impl ClassReporter<'_> {
             let what = self.word("credit", word).shown;
             vec![TableCell::rich(code(word), word), TableCell::text(&what), TableCell::count(*n)]
         });
-        let columns = &["credit", "what", "answers"];
-        Table { name: "credit", columns, texts: 2, shown: 3, rows: rows.collect() }
+        let columns = "credit what answers";
+        Table::new("credit", columns, 2, rows)
     }
 
     /// What could not be read: one row for each reason, whatever the part.
@@ -234,8 +199,8 @@ impl ClassReporter<'_> {
                 TableCell::count(found.cells),
             ]
         });
-        let columns = &["verdict", "reason", "examples", "parts", "cells"];
-        Table { name: "unreadable", columns, texts: 4, shown: 5, rows: rows.collect() }
+        let columns = "verdict reason examples parts cells";
+        Table::new("unreadable", columns, 4, rows)
     }
 
     fn attempts(&self) -> Table {
@@ -251,22 +216,11 @@ impl ClassReporter<'_> {
             row.push(TableCell::or_none(part.attempts.map(|m| TableCell::fixed(m, 1))));
             row
         });
-        let columns = &[
-            "part",
-            "answered",
-            "right_at_1",
-            "right_at_2",
-            "right_at_3",
-            "right_later",
-            "never_right",
-            "median_seconds",
-            "timed_students",
-            "median_attempt",
-        ];
+        let columns = "part answered right_at_1 right_at_2 right_at_3 right_later never_right median_seconds timed_students median_attempt";
         // Where the median attempt is 1 everywhere it says nothing.
         let several = self.study.parts.iter().any(|p| p.attempts.is_some_and(|m| m > 1.0));
-        let shown = columns.len() - usize::from(!several);
-        Table { name: "attempts", columns, texts: 1, shown, rows: rows.collect() }
+        let shown = if several { 10 } else { 9 };
+        Table { shown, ..Table::new("attempts", columns, 1, rows) }
     }
 
     /// Comparisons of marks with what was drawn, the least likely by chance first.
@@ -292,9 +246,8 @@ impl ClassReporter<'_> {
                 TableCell::fixed(c.corrected, 3),
             ]
         });
-        let columns =
-            &["problem", "datum", "students", "spearman", "interval_low", "interval_high", "p", "p_holm"];
-        Table { name: "fairness", columns, texts: 2, shown: 8, rows: rows.collect() }
+        let columns = "problem datum students spearman interval_low interval_high p p_holm";
+        Table::new("fairness", columns, 2, rows)
     }
 
     /// Answers that are those of classmates; matches.csv has all.
@@ -315,9 +268,8 @@ impl ClassReporter<'_> {
                 TableCell::text(&pair.explained),
             ]
         });
-        let columns =
-            &["student", "classmate", "parts", "answers", "expected_by_luck", "look", "other_explanation"];
-        Table { name: "matches", columns, texts: 4, shown: 7, rows: rows.collect() }
+        let columns = "student classmate parts answers expected_by_luck look other_explanation";
+        Table::new("matches", columns, 4, rows)
     }
 }
 
