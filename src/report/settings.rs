@@ -12,7 +12,7 @@ use crate::words::Words;
 
 /// Name and value of each setting; what does not apply is said so where an instructor would ask.
 pub fn in_words(policy: &Policy, words: &Words) -> Vec<(String, String)> {
-    let teller = Teller { policy, words };
+    let teller = SettingsTeller { policy, words };
     let say = |name: &str, pieces: &[(&str, &str)]| teller.say(name, pieces);
     let share = |share: f64| words.number(&percent(share));
     let number = |value: f64| words.number(&points(value));
@@ -74,12 +74,12 @@ pub fn in_words(policy: &Policy, words: &Words) -> Vec<(String, String)> {
     list
 }
 
-struct Teller<'t> {
+struct SettingsTeller<'t> {
     policy: &'t Policy,
     words: &'t Words,
 }
 
-impl Teller<'_> {
+impl SettingsTeller<'_> {
     fn say(&self, name: &str, pieces: &[(&str, &str)]) -> String {
         self.words.say(&format!("report.setting.{name}"), pieces)
     }

@@ -539,3 +539,38 @@ fn tag<'t>(text: &'t str, start: usize, is_value: bool, tags: &mut Vec<Tag<'t>>)
     tags.push(Tag { start, end: at, is_value, trims, tokens });
     at
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::template::Templates;
+    use crate::template::View;
+
+    fn rendered(text: &str) -> Result<String, String> {
+        let own = ("x.html".to_owned(), "x.html".to_owned(), text.to_owned());
+        let templates = Templates::new("en", &[own]).unwrap();
+        let mut view = View::new();
+        view.foreign("phrase", "{n} <of> {m} {} {a b}");
+        view.foreign("name", "<b>");
+        view.text("code", "<code>1</code>");
+        let mut out = Vec::new();
+        templates.render("x.html", &view, &mut out).map_err(|fault| fault.message)?;
+        Ok(String::from_utf8(out).unwrap())
+    }
+
+    #[test]
+    fn phrases_are_filled_and_escaped() {
+        let page = rendered("{{ phrase | fill(n=name, m=code) }}").unwrap();
+        assert!(page.ends_with("&lt;b&gt; &lt;of&gt; <code>1</code> {} {a b}"), "{page}");
+        let fault = rendered("{{ phrase | fill(n=name) }}").unwrap_err();
+        assert!(fault.contains("nothing fills the place {m}"), "{fault}");
+    }
+
+    #[test]
+    fn what_is_filled_in_is_counted() {
+        let mut text = format!("{{% set x = \"{}\" %}}", "{a}".repeat(20));
+        text.push_str(&"{% set x = x | fill(a=x) %}".repeat(9));
+        let fault = rendered(&text).unwrap_err();
+        assert!(fault.contains(SPENT), "{fault}");
+    }
+}
