@@ -9,6 +9,7 @@ use crate::cli::tell::Exit;
 use crate::cli::tell::Io;
 use crate::cli::words;
 use crate::finding::Finding;
+use crate::finding::Findings;
 use crate::guard::push_line;
 use crate::num::shown;
 use crate::plot::Axis;
@@ -79,10 +80,10 @@ struct Sheet<'s> {
     missing: Vec<String>,
 }
 
-fn measured(args: &args::Accuracy, io: &mut Io) -> Result<Exit, Vec<Finding>> {
+fn measured(args: &args::Accuracy, io: &mut Io) -> Result<Exit, Findings> {
     let outputs = outputs(args)?;
     let loaded = banks::load(&args.bank)?;
-    let problem = banks::problem(&loaded, &args.problem).map_err(|f| vec![f])?;
+    let problem = banks::problem(&loaded, &args.problem)?;
     let (case, data, shown) = solve::data(&loaded, problem, &args.set, args.seed)?;
     let scene = &problem.cases[case].scene;
     let refused = |refusal: &_| solve::refused(problem, scene, refusal);
@@ -90,7 +91,7 @@ fn measured(args: &args::Accuracy, io: &mut Io) -> Result<Exit, Vec<Finding>> {
     if taken.force == Force::Instant {
         let fault =
             Finding::new(&problem.id, "only an instant is asked: nothing moves, there is nothing to compare");
-        return Err(vec![fault.hint("`slipstick solve` gives the answers")]);
+        return Err(fault.hint("`slipstick solve` gives the answers").into());
     }
     let holds = solve::fits(problem, case, &solved);
     let shown = shown.join(", ");
@@ -115,7 +116,7 @@ fn measured(args: &args::Accuracy, io: &mut Io) -> Result<Exit, Vec<Finding>> {
     let study = ladder::study(scene, &data, &labels).map_err(|r| refused(&r))?;
     if study.labels.is_empty() {
         let fault = Finding::new(&problem.id, "none of the asked answers exists with these data");
-        return Err(vec![fault.hint("`slipstick solve` says what really happens")]);
+        return Err(fault.hint("`slipstick solve` says what really happens").into());
     }
     let mut lines = Vec::with_capacity(study.rows.len());
     for row in &study.rows {
@@ -140,7 +141,7 @@ fn measured(args: &args::Accuracy, io: &mut Io) -> Result<Exit, Vec<Finding>> {
         };
         texts.push((path.clone(), text));
     }
-    files::put_all(&texts).map_err(|f| vec![f])?;
+    files::put_all(&texts)?;
     io.piece(&sheet.text());
     for (path, _) in &texts {
         io.line(&format!("written: {}", path.display()));
@@ -189,9 +190,9 @@ enum Kind {
 }
 
 /// The files to write: of each the path and the kind.
-fn outputs(args: &args::Accuracy) -> Result<Vec<(PathBuf, Kind)>, Vec<Finding>> {
+fn outputs(args: &args::Accuracy) -> Result<Vec<(PathBuf, Kind)>, Findings> {
     let mut found: Vec<(PathBuf, Kind)> = Vec::new();
-    let mut faults = Vec::new();
+    let mut faults = Findings::default();
     for path in &args.out {
         let ending = path.extension().map(|e| e.to_string_lossy().to_lowercase());
         match ending.as_deref() {
@@ -215,7 +216,7 @@ fn outputs(args: &args::Accuracy) -> Result<Vec<(PathBuf, Kind)>, Vec<Finding>> 
             faults.push(fault.hint("--force replaces it"));
         }
     }
-    if faults.is_empty() { Ok(found) } else { Err(faults) }
+    faults.into_result(found)
 }
 
 fn all_in(folder: &Path) -> [(PathBuf, Kind); 3] {
@@ -479,7 +480,7 @@ impl Sheet<'_> {
         })
     }
 
-    fn page(&self) -> Result<String, Vec<Finding>> {
+    fn page(&self) -> Result<String, Findings> {
         let mut view = View::new();
         view.foreign("title", &self.problem.title);
         view.foreign("data", &format!("{}: {}", self.problem.id, self.shown));
@@ -520,7 +521,7 @@ impl Sheet<'_> {
         view.value("rows", template::list(rows.collect()));
         view.value("notes", template::list(self.refusals().iter().map(|t| text(t)).collect()));
         let mut out = Vec::new();
-        Templates::english().render("accuracy.html", &view, &mut out).map_err(|f| vec![f])?;
+        Templates::english().render("accuracy.html", &view, &mut out)?;
         Ok(String::from_utf8(out).unwrap_or_default())
     }
 }

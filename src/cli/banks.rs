@@ -8,6 +8,7 @@ use crate::cli::args::Own;
 use crate::cli::files;
 use crate::cli::templates;
 use crate::finding::Finding;
+use crate::finding::Findings;
 use crate::sheet::statement;
 use crate::template;
 use crate::template::Templates;
@@ -76,16 +77,16 @@ pub struct Loaded {
 ///
 /// # Errors
 /// All that is wrong with it.
-pub fn load(name: &str) -> Result<Loaded, Vec<Finding>> {
+pub fn load(name: &str) -> Result<Loaded, Findings> {
     let path = Path::new(name);
     let (file, text) = if path.is_file() {
-        (name.to_owned(), files::read_text(path).map_err(|f| vec![f])?)
+        (name.to_owned(), files::read_text(path)?)
     } else if let Some((_, file, text)) = BUILT_IN.iter().find(|(id, _, _)| *id == name) {
         ((*file).to_owned(), (*text).to_owned())
     } else {
         let known: Vec<&str> = BUILT_IN.iter().map(|(id, _, _)| *id).collect();
         let fault = Finding::new("", "there is no such file and no built-in bank of this name").in_file(name);
-        return Err(vec![fault.hint(format!("built-in banks: {}", known.join(", ")))]);
+        return Err(fault.hint(format!("built-in banks: {}", known.join(", "))).into());
     };
     let bank = parse(&text, &file)?;
     Ok(Loaded { bank, text, file })
@@ -95,7 +96,7 @@ pub fn load(name: &str) -> Result<Loaded, Vec<Finding>> {
 ///
 /// # Errors
 /// All that is wrong with it.
-pub fn parse(text: &str, file: &str) -> Result<Bank, Vec<Finding>> {
+pub fn parse(text: &str, file: &str) -> Result<Bank, Findings> {
     load::bank(text, file, &template::variables_of)
 }
 
@@ -120,11 +121,11 @@ impl Texts {
 ///
 /// # Errors
 /// There is none of this code.
-pub fn words(language: &str) -> Result<Words, Vec<Finding>> {
+pub fn words(language: &str) -> Result<Words, Findings> {
     Words::of(language).ok_or_else(|| {
         let known: Vec<&str> = Words::languages().collect();
         let fault = Finding::new("--language", format!("there is no language `{language}`"));
-        vec![fault.hint(format!("languages: {}", known.join(", ")))]
+        fault.hint(format!("languages: {}", known.join(", "))).into()
     })
 }
 
@@ -133,24 +134,24 @@ pub fn words(language: &str) -> Result<Words, Vec<Finding>> {
 ///
 /// # Errors
 /// All that is wrong with them.
-pub fn texts(own: &Own, language: &str, bank: &mut Bank) -> Result<Texts, Vec<Finding>> {
+pub fn texts(own: &Own, language: &str, bank: &mut Bank) -> Result<Texts, Findings> {
     let mut words = words(language)?;
     let mut files = Vec::new();
     if let Some(folder) = &own.templates {
         if !folder.is_dir() {
             let fault = Finding::new("", "there is no such folder").in_file(folder.display().to_string());
-            return Err(vec![fault]);
+            return Err(fault.into());
         }
         collect(folder, "", &mut files)?;
         if files.is_empty() {
             let fault = Finding::new("", "holds no template").in_file(folder.display().to_string());
-            return Err(vec![
-                fault.hint("templates end in .md or .html, such as statement/pulled-rolling.md"),
-            ]);
+            return Err(fault
+                .hint("templates end in .md or .html, such as statement/pulled-rolling.md")
+                .into());
         }
     }
     let files = of_language(files, language);
-    let mut faults = Vec::new();
+    let mut faults = Findings::default();
     let variables: Variables = &template::variables_of;
     let built_in = TRANSLATED.iter().find(|(code, _)| *code == language).map_or(&[][..], |(_, list)| *list);
     if let Some((_, name, text)) = built_in.iter().find(|(id, ..)| *id == bank.id) {
@@ -212,11 +213,7 @@ fn of_language(files: Vec<(String, String, String)>, language: &str) -> Vec<(Str
     all
 }
 
-fn collect(
-    folder: &Path,
-    prefix: &str,
-    texts: &mut Vec<(String, String, String)>,
-) -> Result<(), Vec<Finding>> {
+fn collect(folder: &Path, prefix: &str, texts: &mut Vec<(String, String, String)>) -> Result<(), Findings> {
     for name in files::names_in(folder) {
         let path = folder.join(&name);
         let full = format!("{prefix}{name}");
@@ -227,7 +224,7 @@ fn collect(
         } else if full != templates::README
             && (template::is_template(&name) || name.ends_with(".yaml") || full.ends_with("print.typ"))
         {
-            let text = files::read_text(&path).map_err(|f| vec![f])?;
+            let text = files::read_text(&path)?;
             texts.push((full, path.display().to_string(), text));
         }
     }
@@ -251,8 +248,8 @@ pub fn problem<'l>(loaded: &'l Loaded, id: &str) -> Result<&'l Problem, Finding>
 
 /// Names in template files that are neither symbols nor known to every statement. (Templates in the bank were reviewed
 /// with it.)
-pub fn unknown_names(bank: &Bank, templates: &Templates) -> Vec<Finding> {
-    let mut findings = Vec::new();
+pub fn unknown_names(bank: &Bank, templates: &Templates) -> Findings {
+    let mut findings = Findings::default();
     for problem in bank.problems.iter().filter(|p| p.statement.is_none()) {
         let name = statement::template_name(problem);
         match templates.variables(&name) {
@@ -275,8 +272,8 @@ pub fn unknown_names(bank: &Bank, templates: &Templates) -> Vec<Finding> {
 }
 
 /// Data that a statement in a file of `--templates` never gives, as the review finds them in a statement in the bank.
-pub fn never_given(bank: &Bank, templates: &Templates) -> Vec<Finding> {
-    let mut findings = Vec::new();
+pub fn never_given(bank: &Bank, templates: &Templates) -> Findings {
+    let mut findings = Findings::default();
     for problem in bank.problems.iter().filter(|p| p.statement.is_none()) {
         let name = statement::template_name(problem);
         let (Some(file), Ok(used)) = (templates.own_file(&name), templates.variables(&name)) else {

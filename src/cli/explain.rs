@@ -14,6 +14,7 @@ use crate::cli::tell::Io;
 use crate::cli::what_if::per_cent;
 use crate::cli::words;
 use crate::finding::Finding;
+use crate::finding::Findings;
 use crate::grade::feedback::Feedback;
 use crate::grade::judge;
 use crate::grade::verdict::Verdict;
@@ -82,15 +83,14 @@ impl Pages {
     }
 }
 
-fn explain(args: &args::Explain) -> Result<String, Vec<Finding>> {
-    let one = |f: Finding| vec![f];
+fn explain(args: &args::Explain) -> Result<String, Findings> {
     let name = args.graded.display().to_string();
     // Who is meant is found before anything is solved.
     let set_folder = args.graded.join(BASIS);
     if args.graded.is_dir() && set_folder.join("set.json").is_file() {
         let set = crate::cli::generate::existing(&set_folder)?;
-        let who = graded::student(&set, &args.student).map_err(|f| one(f.in_file(&name)))?;
-        let (number, in_name) = graded::problem(&set, &args.problem).map_err(|f| one(f.in_file(&name)))?;
+        let who = graded::student(&set, &args.student).map_err(|f| f.in_file(&name))?;
+        let (number, in_name) = graded::problem(&set, &args.problem).map_err(|f| f.in_file(&name))?;
         let graded = graded::open(&args.graded, Some(&set.students[who].student))?;
         return text(&graded, number, args.part.clone().or(in_name));
     }
@@ -98,15 +98,15 @@ fn explain(args: &args::Explain) -> Result<String, Vec<Finding>> {
     graded::open(&args.graded, None).map(|_| String::new())
 }
 
-fn text(graded: &Graded, index: usize, part: Option<String>) -> Result<String, Vec<Finding>> {
+fn text(graded: &Graded, index: usize, part: Option<String>) -> Result<String, Findings> {
     let (Some(student), Some(given)) = (graded.set.students.first(), graded.given.first()) else {
-        return Err(vec![Finding::new("", "the set has no such student")]);
+        return Err(Finding::new("", "the set has no such student").into());
     };
     let problem = graded.bank.problems.iter().find(|p| p.id == graded.set.problems[index]);
     let (Some(problem), Some(key), Some(variant)) =
         (problem, given.key.problems.get(index), given.variants.get(index))
     else {
-        return Err(vec![Finding::new("", "the sheet has no such problem")]);
+        return Err(Finding::new("", "the sheet has no such problem").into());
     };
     if let Some(part) = &part
         && !key.parts.iter().any(|e| e.part == *part)
@@ -114,10 +114,10 @@ fn text(graded: &Graded, index: usize, part: Option<String>) -> Result<String, V
         let known: Vec<&str> = key.parts.iter().map(|e| e.part.as_str()).collect();
         let fault = Finding::new("", format!("problem {} ({}) has no part `{part}`", index + 1, problem.id))
             .in_file(graded.folder.display().to_string());
-        return Err(vec![match spell::closest(part, known.iter().copied()) {
+        return Err(Findings::from(match spell::closest(part, known.iter().copied()) {
             Some(near) => fault.hint(format!("did you mean `{near}`?")),
             None => fault.hint(format!("its parts: {}", known.join(", "))),
-        }]);
+        }));
     }
     let mut rows = Vec::new();
     let number = (index + 1).to_string();
@@ -181,17 +181,17 @@ fn text(graded: &Graded, index: usize, part: Option<String>) -> Result<String, V
 }
 
 /// What a regrading changed for a problem: part and words.
-fn changes(graded: &Graded, student: &str, number: &str) -> Result<Vec<(String, String)>, Vec<Finding>> {
+fn changes(graded: &Graded, student: &str, number: &str) -> Result<Vec<(String, String)>, Findings> {
     let path = graded.folder.join(graded::CHANGES);
     if !path.is_file() {
         return Ok(Vec::new());
     }
-    let bytes = files::read(&path).map_err(|f| vec![f])?;
+    let bytes = files::read(&path)?;
     let mut reader = csv::ReaderBuilder::new().flexible(true).from_reader(bytes.as_slice());
     let mut found = Vec::new();
     for record in reader.records() {
         let record =
-            record.map_err(|e| vec![Finding::new("", e.to_string()).in_file(path.display().to_string())])?;
+            record.map_err(|e| Finding::new("", e.to_string()).in_file(path.display().to_string()))?;
         let field = |i: usize| record.get(i).unwrap_or_default();
         if field(0) == student && field(1) == number {
             let text = format!(
@@ -618,10 +618,10 @@ fn points(row: &Row, policy: &Policy) -> String {
 }
 
 /// How the total of the gradebook is made.
-fn total(graded: &Graded, student: &str, page: &mut Pages) -> Result<(), Vec<Finding>> {
+fn total(graded: &Graded, student: &str, page: &mut Pages) -> Result<(), Findings> {
     let path = graded.folder.join(grade::GRADEBOOK);
-    let bytes = files::read(&path).map_err(|f| vec![f])?;
-    let fault = |e: csv::Error| vec![Finding::new("", e.to_string()).in_file(path.display().to_string())];
+    let bytes = files::read(&path)?;
+    let fault = |e: csv::Error| Finding::new("", e.to_string()).in_file(path.display().to_string());
     let mut reader = csv::ReaderBuilder::new().flexible(true).from_reader(bytes.as_slice());
     let header = reader.headers().map_err(fault)?.clone();
     let policy = &graded.policy;

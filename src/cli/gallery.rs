@@ -13,6 +13,7 @@ use crate::cli::words;
 use crate::figure::scene;
 use crate::figure::svg;
 use crate::finding::Finding;
+use crate::finding::Findings;
 use crate::problem::make::Maker;
 use crate::problem::make::Variant;
 use crate::problem::make_key;
@@ -42,13 +43,13 @@ pub fn run(args: &args::Gallery, io: &mut Io) -> Exit {
     }
 }
 
-fn gallery(args: &args::Gallery, io: &mut Io) -> Result<(), Vec<Finding>> {
+fn gallery(args: &args::Gallery, io: &mut Io) -> Result<(), Findings> {
     if args.out.exists() && !args.force {
         let fault = Finding::new("", "is there already").in_file(args.out.display().to_string());
-        return Err(vec![fault.hint("--force replaces it")]);
+        return Err(fault.hint("--force replaces it").into());
     }
     if args.variants == 0 || args.variants > MOST {
-        return Err(vec![Finding::new("--variants", format!("{} is not from 1 to {MOST}", args.variants))]);
+        return Err(Finding::new("--variants", format!("{} is not from 1 to {MOST}", args.variants)).into());
     }
     let mut loaded = banks::load(&args.bank)?;
     let language = args.own.language.as_deref().unwrap_or("en");
@@ -70,13 +71,13 @@ fn gallery(args: &args::Gallery, io: &mut Io) -> Result<(), Vec<Finding>> {
         for n in 1..=args.variants {
             let variant = maker.variant(&n.to_string()).map_err(|none| {
                 let fault = solve::unsatisfiable(bank, &none);
-                vec![fault.in_file(&loaded.file).hint("`slipstick lint` says more")]
+                fault.in_file(&loaded.file).hint("`slipstick lint` says more")
             })?;
             variants.push(variant);
         }
         let mut statement = Vec::new();
         if let Some(first) = variants.first() {
-            sheets.problem(i, first, &mut room, &mut statement).map_err(|f| vec![f])?;
+            sheets.problem(i, first, &mut room, &mut statement)?;
         }
         let markdown = String::from_utf8_lossy(&statement).into_owned();
         let place = Place { lower: 1, prefix: &problem.id };
@@ -110,10 +111,10 @@ fn gallery(args: &args::Gallery, io: &mut Io) -> Result<(), Vec<Finding>> {
     view.value("problems", template::list(shown));
     view.foreign("chance", &lint::chance(&sweeps));
     let mut page = Vec::new();
-    texts.templates.render("gallery.html", &view, &mut page).map_err(|f| vec![f])?;
+    texts.templates.render("gallery.html", &view, &mut page)?;
     let page = String::from_utf8_lossy(&page).into_owned();
     let bytes = page.len();
-    files::put_all(&[(args.out.clone(), page)]).map_err(|f| vec![f])?;
+    files::put_all(&[(args.out.clone(), page)])?;
     io.line(&format!(
         "{} of {} each, {} kB, in {} (for instructors: it holds keys)",
         tell::count(problems.len(), "problem"),

@@ -18,6 +18,7 @@ use crate::cli::tell::Io;
 use crate::cli::tell::count;
 use crate::draw::stream;
 use crate::finding::Finding;
+use crate::finding::Findings;
 use crate::guard::push_line;
 use crate::key::SheetKey;
 use crate::set::coincide;
@@ -88,8 +89,8 @@ pub fn run(args: &args::Generate, io: &mut Io) -> Exit {
     work(io)
 }
 
-fn generate(args: &args::Generate, io: &mut Io) -> Result<(), Vec<Finding>> {
-    let mut faults = Vec::new();
+fn generate(args: &args::Generate, io: &mut Io) -> Result<(), Findings> {
+    let mut faults = Findings::default();
     // First of all: a set that a killed run had moved aside goes back.
     files::sweep_beside(&args.out);
     let loaded = banks::load(&args.bank).map_err(|f| faults.extend(f)).ok();
@@ -114,8 +115,8 @@ fn generate(args: &args::Generate, io: &mut Io) -> Result<(), Vec<Finding>> {
         }
     }
     if old.is_none() {
-        files::has_a_name(&args.out, "--out week-5").map_err(|f| vec![f])?;
-        files::not_among_students(&args.out).map_err(|f| vec![f])?;
+        files::has_a_name(&args.out, "--out week-5")?;
+        files::not_among_students(&args.out)?;
         may_write(&args.out, args.force)?;
     }
     let name = match (&args.name, &old) {
@@ -124,7 +125,7 @@ fn generate(args: &args::Generate, io: &mut Io) -> Result<(), Vec<Finding>> {
         (None, None) => loaded.bank.id.clone(),
     };
     if name.trim().is_empty() || name.chars().any(char::is_control) {
-        return Err(vec![Finding::new("--name", "the name of a set is a line of text")]);
+        return Err(Finding::new("--name", "the name of a set is a line of text").into());
     }
     let problems = match (&args.problems, &old) {
         (Some(ids), _) => replay::indices(&loaded.bank, ids, "--problems")?,
@@ -180,12 +181,10 @@ fn generate(args: &args::Generate, io: &mut Io) -> Result<(), Vec<Finding>> {
 }
 
 /// The students of a roster file.
-pub fn members(path: &Path) -> Result<Vec<Member>, Vec<Finding>> {
-    let bytes = files::read(path).map_err(|f| vec![f])?;
+pub fn members(path: &Path) -> Result<Vec<Member>, Findings> {
+    let bytes = files::read(path)?;
     let file = path.display().to_string();
-    let named =
-        |faults: Vec<Finding>| -> Vec<Finding> { faults.into_iter().map(|f| f.in_file(&file)).collect() };
-    let students = roster::roster(&bytes).map_err(named)?;
+    let students = roster::roster(&bytes).map_err(|faults| faults.in_file(file))?;
     let member =
         |(student, name): (String, String)| Member { folder: roster::folder(&student), student, name };
     Ok(students.into_iter().map(member).collect())
@@ -204,15 +203,14 @@ pub struct Summary {
 }
 
 /// The folder of a new set, whole or not at all.
-pub fn whole(plan: &Plan, members: &[Member], out: &Path, watched: bool) -> Result<Summary, Vec<Finding>> {
-    let staged = Staged::new(out).map_err(|f| vec![f])?;
-    let one = |f: Finding| vec![f];
+pub fn whole(plan: &Plan, members: &[Member], out: &Path, watched: bool) -> Result<Summary, Findings> {
+    let staged = Staged::new(out)?;
     let (dealt, sheets) = deal(plan, members, staged.path(), watched).map_err(|f| staged.named(f))?;
     let (set, cut) = store(plan, members, &dealt, None);
     let keys: Vec<SheetKey> = dealt.into_iter().map(|d| d.key).collect();
     let write = |name: &str, bytes: &[u8]| {
         fs::write(staged.path().join(name), bytes)
-            .map_err(|e| vec![files::trouble(&out.join(name), "cannot be written", &e)])
+            .map_err(|e| files::trouble(&out.join(name), "cannot be written", &e))
     };
     write("bank.yaml", plan.text.as_bytes())?;
     let key = key_file::text(&keys);
@@ -222,7 +220,7 @@ pub fn whole(plan: &Plan, members: &[Member], out: &Path, watched: bool) -> Resu
         write(name, &bytes)?;
     }
     write("set.json", set.sealed(&key).as_bytes())?;
-    staged.finish().map_err(one)?;
+    staged.finish()?;
     let tries = tries(&set, 0);
     Ok(Summary { written: members.len(), set, tries, cut })
 }
@@ -242,17 +240,17 @@ fn together(
     plan: &Plan,
     sheets: &Written,
     keys: &[SheetKey],
-) -> Result<Vec<(&'static str, Vec<u8>)>, Vec<Finding>> {
+) -> Result<Vec<(&'static str, Vec<u8>)>, Findings> {
     let output = Output::new(plan.texts, plan.formats, "sheet")?;
     let title = format!("{}: {}, {}", plan.texts.words.get("sheet.sheets"), plan.bank.title, plan.name);
-    let mut files = output.booklets(&title, &sheets.made).map_err(|f| vec![f])?;
+    let mut files = output.booklets(&title, &sheets.made)?;
     let table = output.key_table(plan.bank, plan.name, plan.problems, &sheets.rows, keys.iter());
-    files.extend(table.map_err(|f| vec![f])?);
+    files.extend(table?);
     Ok(files)
 }
 
 /// Booklets and the key for people of a stored set, from sheets written anew; nothing is put anywhere.
-fn together_again(plan: &Plan, set: &StoredSet) -> Result<Vec<(&'static str, Vec<u8>)>, Vec<Finding>> {
+fn together_again(plan: &Plan, set: &StoredSet) -> Result<Vec<(&'static str, Vec<u8>)>, Findings> {
     let writer = SheetWriter::new(plan)?;
     let both = replay::each(plan.bank, set, &|i, student, dealt| {
         let mut converter = Converter::new(&plan.texts.words);
@@ -275,9 +273,9 @@ fn add(
     old: &StoredSet,
     out: &Path,
     watched: bool,
-) -> Result<Summary, Vec<Finding>> {
+) -> Result<Summary, Findings> {
     let mut keys = replay::keys(plan.bank, old)?;
-    let taken: Vec<Finding> = members
+    let taken: Findings = members
         .iter()
         .map(|m| out.join("students").join(&m.folder))
         .filter(|p| p.exists())
@@ -289,7 +287,7 @@ fn add(
     if !taken.is_empty() {
         return Err(taken);
     }
-    let staged = Staged::new(out).map_err(|f| vec![f])?;
+    let staged = Staged::new(out)?;
     let (dealt, _) = deal(plan, members, staged.path(), watched).map_err(|f| staged.named(f))?;
     let mut everybody: Vec<Member> = old
         .students
@@ -314,11 +312,11 @@ fn add(
     files.extend(together_again(plan, &set)?);
     for (name, bytes) in &files {
         fs::write(staged.path().join(name), bytes)
-            .map_err(|e| vec![files::trouble(&out.join(name), "cannot be written", &e)])?;
+            .map_err(|e| files::trouble(&out.join(name), "cannot be written", &e))?;
     }
     let sheets = members.iter().map(|m| Path::new("students").join(&m.folder));
     for name in sheets.chain(files.iter().map(|(name, _)| Path::new(name).to_owned())) {
-        staged.place_one(&name).map_err(|f| vec![f])?;
+        staged.place_one(&name)?;
     }
     let tries = tries(&set, before);
     Ok(Summary { written: members.len(), set, tries, cut })
@@ -326,17 +324,17 @@ fn add(
 
 /// Makes good what an `--add` that was killed left in a set: sheets and rows of the key of students whom the set does
 /// not know, and a form and booklets that lack the last ones. Booklets only where no others come (`last`).
-fn repair(plan: &Plan, set: &StoredSet, out: &Path, last: bool) -> Result<(), Vec<Finding>> {
+fn repair(plan: &Plan, set: &StoredSet, out: &Path, last: bool) -> Result<(), Findings> {
     let folders: rustc_hash::FxHashSet<&str> = set.students.iter().map(|s| s.folder.as_str()).collect();
     let students = out.join("students");
     for name in files::names_in(&students) {
         if !folders.contains(name.as_str()) && is_left_over(&students.join(&name), &name, set) {
             let path = students.join(&name);
-            fs::remove_dir_all(&path).map_err(|e| vec![files::trouble(&path, "cannot be removed", &e)])?;
+            fs::remove_dir_all(&path).map_err(|e| files::trouble(&path, "cannot be removed", &e))?;
         }
     }
     let keys = replay::keys(plan.bank, set)?;
-    let stored = files::read(&out.join("key.csv")).map_err(|f| vec![f])?;
+    let stored = files::read(&out.join("key.csv"))?;
     let key = key_file::text(&keys);
     let form = blank_form(plan, set);
     let mut stale = Vec::new();
@@ -356,11 +354,11 @@ fn repair(plan: &Plan, set: &StoredSet, out: &Path, last: bool) -> Result<(), Ve
     if stale.is_empty() {
         return Ok(());
     }
-    let staged = Staged::new(out).map_err(|f| vec![f])?;
+    let staged = Staged::new(out)?;
     for (name, bytes) in &stale {
         fs::write(staged.path().join(name), bytes)
-            .map_err(|e| vec![files::trouble(&out.join(name), "cannot be written", &e)])?;
-        staged.place_one(Path::new(name)).map_err(|f| vec![f])?;
+            .map_err(|e| files::trouble(&out.join(name), "cannot be written", &e))?;
+        staged.place_one(Path::new(name))?;
     }
     Ok(())
 }
@@ -396,7 +394,7 @@ struct SheetWriter<'p> {
 }
 
 impl<'p> SheetWriter<'p> {
-    fn new(plan: &'p Plan<'p>) -> Result<Self, Vec<Finding>> {
+    fn new(plan: &'p Plan<'p>) -> Result<Self, Findings> {
         let Texts { templates, words, .. } = plan.texts;
         let sheets = Sheets::new(templates, words, plan.bank, plan.name, plan.problems)?;
         Ok(Self { plan, sheets, output: Output::new(plan.texts, plan.formats, "sheet")? })
@@ -423,13 +421,12 @@ fn deal(
     members: &[Member],
     folder: &Path,
     watched: bool,
-) -> Result<(Vec<Dealt>, Written), Vec<Finding>> {
-    fs::create_dir(folder.join("students"))
-        .map_err(|e| vec![files::trouble(folder, "cannot be written", &e)])?;
+) -> Result<(Vec<Dealt>, Written), Findings> {
+    fs::create_dir(folder.join("students")).map_err(|e| files::trouble(folder, "cannot be written", &e))?;
     let writer = SheetWriter::new(plan)?;
     let language = plan.texts.words.language();
     let public = public::Writer::new(plan.bank, plan.text, plan.problems, plan.name, language);
-    let public = public.map_err(|f| vec![f])?;
+    let public = public?;
     let dealer = Dealer::new(plan.bank, plan.problems, plan.seed, plan.name);
     let bar = files::progress(watched, members.len() as u64, "sheets");
     let results: Vec<Result<(Dealt, Made, Row), Finding>> = members
@@ -460,7 +457,7 @@ fn deal(
     let mut dealt = Vec::with_capacity(results.len());
     let mut sheets =
         Written { made: Vec::with_capacity(results.len()), rows: Vec::with_capacity(results.len()) };
-    let mut faults = Vec::new();
+    let mut faults = Findings::default();
     for result in results {
         match result {
             Ok((one, made, row)) => {
@@ -472,7 +469,7 @@ fn deal(
             Err(fault) => faults.push(fault),
         }
     }
-    if faults.is_empty() { Ok((dealt, sheets)) } else { Err(faults) }
+    faults.into_result((dealt, sheets))
 }
 
 /// set.json of everybody; `dealt` are the last of `members`, those before them come from the old set.
@@ -559,37 +556,37 @@ fn blank_form(plan: &Plan, set: &StoredSet) -> Vec<u8> {
 }
 
 /// The set that stands in a folder.
-pub fn existing(folder: &Path) -> Result<StoredSet, Vec<Finding>> {
+pub fn existing(folder: &Path) -> Result<StoredSet, Findings> {
     let path = folder.join("set.json");
     if folder.is_file() {
         let fault = Finding::new("", "is a file; a set is a folder").in_file(folder.display().to_string());
-        return Err(vec![fault.hint("give the folder that `slipstick generate` made")]);
+        return Err(fault.hint("give the folder that `slipstick generate` made").into());
     }
     if !path.is_file() {
         let fault = Finding::new("", "holds no set").in_file(folder.display().to_string());
-        return Err(vec![
-            fault.hint("a set is a folder that `slipstick generate` made; it has a file set.json"),
-        ]);
+        return Err(fault
+            .hint("a set is a folder that `slipstick generate` made; it has a file set.json")
+            .into());
     }
-    let text = files::read_text(&path).map_err(|f| vec![f])?;
-    StoredSet::parse(&text).map_err(|f| vec![f.in_file(path.display().to_string())])
+    let text = files::read_text(&path)?;
+    StoredSet::parse(&text).map_err(|f| f.in_file(path.display().to_string()).into())
 }
 
 /// May a set be written here? Nothing, an empty folder, or with `--force` a set and nothing else.
-fn may_write(out: &Path, force: bool) -> Result<(), Vec<Finding>> {
+fn may_write(out: &Path, force: bool) -> Result<(), Findings> {
     let finding = |what: &str| Finding::new("", what.to_owned()).in_file(out.display().to_string());
     if !out.exists() || (out.is_dir() && files::names_in(out).is_empty()) {
         return Ok(());
     }
     if !out.is_dir() {
-        return Err(vec![finding("is a file; a set is a folder")]);
+        return Err(finding("is a file; a set is a folder").into());
     }
     if !force {
         let hint = "give another --out, or --force to replace a set, or --add for late joiners";
-        return Err(vec![finding("is there already").hint(hint)]);
+        return Err(finding("is there already").hint(hint).into());
     }
     if !out.join("set.json").is_file() {
-        return Err(vec![finding("holds no set").hint("--force replaces only what generate made")]);
+        return Err(finding("holds no set").hint("--force replaces only what generate made").into());
     }
     let set = existing(out)?;
     let foreign = foreign(out, &set);
@@ -600,10 +597,9 @@ fn may_write(out: &Path, force: bool) -> Result<(), Vec<Finding>> {
     if foreign.len() > 5 {
         names.push_str(", ...");
     }
-    Err(vec![
-        finding(&format!("holds what generate did not make: {names}"))
-            .hint("move it away; --force replaces only what generate made"),
-    ])
+    Err(finding(&format!("holds what generate did not make: {names}"))
+        .hint("move it away; --force replaces only what generate made")
+        .into())
 }
 
 /// Files in a set's folder that `generate` did not write: unknown names, and a form that somebody has filled in.
@@ -633,10 +629,10 @@ fn foreign(out: &Path, set: &StoredSet) -> Vec<String> {
 }
 
 /// `--add` to a set made otherwise would give sheets that do not belong together.
-fn same_set(plan: &Plan, set: &StoredSet, out: &Path) -> Result<(), Vec<Finding>> {
+fn same_set(plan: &Plan, set: &StoredSet, out: &Path) -> Result<(), Findings> {
     let ids: Vec<&str> =
         plan.problems.iter().filter_map(|p| plan.bank.problems.get(*p)).map(|p| p.id.as_str()).collect();
-    let mut faults = Vec::new();
+    let mut faults = Findings::default();
     let mut differs = |what: &str, here: String, there: String| {
         if here != there {
             let file = out.join("set.json").display().to_string();
@@ -652,7 +648,7 @@ fn same_set(plan: &Plan, set: &StoredSet, out: &Path) -> Result<(), Vec<Finding>
     differs("formats", formats.join(","), set.formats.join(","));
     differs("bank", plan.bank.hash.clone(), set.bank.sha256.clone());
     differs("draw version", stream::DRAW_VERSION.to_string(), set.draw_version.to_string());
-    if faults.is_empty() { Ok(()) } else { Err(faults) }
+    faults.into_result(())
 }
 
 /// What was made, and where to look.

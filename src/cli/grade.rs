@@ -17,6 +17,7 @@ use crate::cli::tell::Exit;
 use crate::cli::tell::Io;
 use crate::draw::stream;
 use crate::finding::Finding;
+use crate::finding::Findings;
 use crate::grade::feedback::Feedback;
 use crate::grade::rules::Rules;
 use crate::grade::run;
@@ -140,13 +141,13 @@ pub struct Replayed {
 ///
 /// # Errors
 /// The set is not what it was made as.
-pub fn replayed(folder: &Path) -> Result<Replayed, Vec<Finding>> {
+pub fn replayed(folder: &Path) -> Result<Replayed, Findings> {
     let set = generate::existing(folder)?;
     let path = folder.join(&set.bank.file);
-    let text = files::read_text(&path).map_err(|f| vec![f])?;
+    let text = files::read_text(&path)?;
     let name = path.display().to_string();
     let bank = banks::parse(&text, &name)?;
-    let in_set = |faults: Vec<Finding>| -> Vec<Finding> {
+    let in_set = |faults: Findings| -> Findings {
         let file = folder.join("set.json").display().to_string();
         faults
             .into_iter()
@@ -155,11 +156,10 @@ pub fn replayed(folder: &Path) -> Result<Replayed, Vec<Finding>> {
     };
     let mut keys = replay::keys(&bank, &set).map_err(in_set)?;
     let path = folder.join("key.csv");
-    let stored = files::read(&path).map_err(|f| vec![f])?;
+    let stored = files::read(&path)?;
     let file = path.display().to_string();
     let earlier = replay::is_earlier(&set);
-    let seal =
-        store::seal(&files::read_text(&folder.join("set.json")).map_err(|f| vec![f])?).filter(|_| earlier);
+    let seal = store::seal(&files::read_text(&folder.join("set.json"))?).filter(|_| earlier);
     let hash = load::hash(&String::from_utf8_lossy(&stored));
     if let Some(seal) = seal.as_ref().filter(|seal| **seal != hash) {
         let short = |hash: &str| hash.chars().take(12).collect::<String>();
@@ -168,18 +168,19 @@ pub fn replayed(folder: &Path) -> Result<Replayed, Vec<Finding>> {
             short(&hash),
             short(seal)
         );
-        return Err(vec![
-            Finding::new("", what).in_file(file).hint("put the original back, or make the set anew"),
-        ]);
+        return Err(Finding::new("", what)
+            .in_file(file)
+            .hint("put the original back, or make the set anew")
+            .into());
     }
     let (other, faults) = match earlier {
         true => match key_file::put_stored(&stored, &mut keys, seal.is_some()) {
-            Ok(other) => (other, Vec::new()),
+            Ok(other) => (other, Findings::default()),
             Err(faults) => (0, faults),
         },
         false => (0, key_file::compare(&stored, &keys)),
     };
-    let mut faults: Vec<Finding> = faults.into_iter().map(|f| f.in_file(&file)).collect();
+    let mut faults: Findings = faults.in_file(&file);
     if let Some(last) = faults.pop() {
         faults.push(last.hint(match earlier {
             true => format!(
@@ -215,8 +216,8 @@ pub fn replayed(folder: &Path) -> Result<Replayed, Vec<Finding>> {
 ///
 /// # Errors
 /// The set was changed, the file of submissions cannot be read, or the folder may not be written.
-pub fn grade(job: &Job, input: &mut dyn BufRead) -> Result<Graded, Vec<Finding>> {
-    let mut faults = Vec::new();
+pub fn grade(job: &Job, input: &mut dyn BufRead) -> Result<Graded, Findings> {
+    let mut faults = Findings::default();
     columns(job.columns).map_err(|f| faults.extend(f)).ok();
     may_write(job.out, job.set, job.force).map_err(|f| faults.push(f)).ok();
     let from_pipe = job.submissions == Path::new("-");
@@ -231,7 +232,7 @@ pub fn grade(job: &Job, input: &mut dyn BufRead) -> Result<Graded, Vec<Finding>>
         return Err(faults);
     }
     let Replayed { set, bank, keys, not_drawn } = replayed(job.set)?;
-    let text = |name: &str| files::read_text(&job.set.join(name)).map_err(|f| vec![f]);
+    let text = |name: &str| files::read_text(&job.set.join(name)).map_err(Findings::from);
     let (set_text, bank_text, key_text) = (text("set.json")?, text(&set.bank.file)?, text("key.csv")?);
     let replayed = not_drawn.is_none();
     let made = make(job, Basis { set, bank, keys, replayed, set_text, bank_text, key_text }, input)?;
@@ -312,7 +313,7 @@ impl Made {
     ///
     /// # Errors
     /// A file cannot be written.
-    pub fn reports(&self) -> Result<Option<report::Summary>, Vec<Finding>> {
+    pub fn reports(&self) -> Result<Option<report::Summary>, Findings> {
         let made = match self.reports {
             Reports::Yes => true,
             Reports::No => false,
@@ -334,9 +335,9 @@ impl Made {
     ///
     /// # Errors
     /// A file cannot be put there.
-    pub fn finish(self) -> Result<(), Vec<Finding>> {
+    pub fn finish(self) -> Result<(), Findings> {
         // Once more: it may have come while answers were graded.
-        only_ours(&self.out).and_then(|()| self.staged.finish()).map_err(|f| vec![f])
+        only_ours(&self.out).and_then(|()| self.staged.finish()).map_err(Findings::from)
     }
 }
 
@@ -344,7 +345,7 @@ impl Made {
 ///
 /// # Errors
 /// The file of submissions cannot be read, the course is faulty, or the folder cannot be written.
-pub fn make(job: &Job, basis: Basis, input: &mut dyn BufRead) -> Result<Made, Vec<Finding>> {
+pub fn make(job: &Job, basis: Basis, input: &mut dyn BufRead) -> Result<Made, Findings> {
     let columns = columns(job.columns)?;
     let Basis { set, bank, keys, replayed, set_text, bank_text, key_text } = basis;
     let language = job.language.unwrap_or(&set.language);
@@ -361,11 +362,10 @@ pub fn make(job: &Job, basis: Basis, input: &mut dyn BufRead) -> Result<Made, Ve
         .last()
         .map_or_else(|| job.set.join(&set.bank.file).display().to_string(), |(file, _)| file.clone());
     table.take_points(&policy);
-    let rules = Rules::new(&table, &policy)
-        .map_err(|faults| faults.into_iter().map(|f| f.in_file(&settings)).collect::<Vec<_>>())?;
+    let rules = Rules::new(&table, &policy).map_err(|faults| faults.in_file(&settings))?;
     let submissions = job.submissions.display().to_string();
-    let spooled = spool(job.submissions, input)
-        .map_err(|e| vec![files::trouble(job.submissions, "cannot be read", &e)])?;
+    let spooled =
+        spool(job.submissions, input).map_err(|e| files::trouble(job.submissions, "cannot be read", &e))?;
     let path = spooled.as_ref().map_or(job.submissions, NamedTempFile::path);
     let size = fs::metadata(path).map_or(0, |m| m.len());
     let first = files::stamp(path);
@@ -376,10 +376,10 @@ pub fn make(job: &Job, basis: Basis, input: &mut dyn BufRead) -> Result<Made, Ve
         threads: std::thread::available_parallelism().map_or(1, usize::from),
         feedback: Feedback::new(&words),
     };
-    let staged = Staged::new(job.out).map_err(|f| vec![f])?;
+    let staged = Staged::new(job.out)?;
     let written = |name: &str| {
         let path = job.out.join(name);
-        move |e: &io::Error| vec![files::trouble(&path, "cannot be written", e)]
+        move |e: &io::Error| files::trouble(&path, "cannot be written", e)
     };
     let fault = written(ANSWERS);
     let file = fs::File::create(staged.path().join(ANSWERS)).map_err(|e| fault(&e))?;
@@ -387,14 +387,14 @@ pub fn make(job: &Job, basis: Basis, input: &mut dyn BufRead) -> Result<Made, Ve
     let graded = run::grade(&open, &table, &rules, &options, &mut out, &mut |read| bar.set_position(read));
     bar.finish_and_clear();
     let graded = graded.map_err(|why| match why {
-        GradeFault::Io(e) => vec![files::trouble(job.submissions, "cannot be graded", &e)],
-        GradeFault::Write(e) => fault(&e),
-        GradeFault::Header(findings) => findings.into_iter().map(|f| f.in_file(&submissions)).collect(),
+        GradeFault::Io(e) => Findings::from(files::trouble(job.submissions, "cannot be graded", &e)),
+        GradeFault::Write(e) => fault(&e).into(),
+        GradeFault::Header(findings) => findings.in_file(&submissions),
     })?;
     // Which attempt counts was found in an earlier walk over the file.
     if files::stamp(path) != first {
         let changed = Finding::new("", "was changed while it was graded").in_file(submissions);
-        return Err(vec![changed.hint("grade it again, or a copy of it")]);
+        return Err(changed.hint("grade it again, or a copy of it").into());
     }
     out.flush().map_err(|e| fault(&e))?;
     drop(out);
@@ -414,7 +414,7 @@ pub fn make(job: &Job, basis: Basis, input: &mut dyn BufRead) -> Result<Made, Ve
         put(&format!("{BASIS}/{}", course_name(i)), text.as_bytes())?;
     }
     let hash = |path: &Path| match graded.cells <= REPORTED {
-        true => graded::hash(path).map(Some).map_err(|f| staged.named(vec![f])),
+        true => graded::hash(path).map(Some).map_err(|f| staged.named(f.into())),
         false => Ok(None),
     };
     let verdicts = Verdict::ALL.iter().map(|v| (v.as_str().to_owned(), graded.count(*v).into())).collect();
@@ -464,9 +464,8 @@ pub fn courses(graded: &Path) -> Vec<PathBuf> {
 ///
 /// # Errors
 /// One cannot be read.
-pub fn read_courses(paths: &[PathBuf]) -> Result<Vec<(String, String)>, Vec<Finding>> {
-    let read =
-        |path: &PathBuf| Ok((path.display().to_string(), files::read_text(path).map_err(|f| vec![f])?));
+pub fn read_courses(paths: &[PathBuf]) -> Result<Vec<(String, String)>, Findings> {
+    let read = |path: &PathBuf| Ok((path.display().to_string(), files::read_text(path)?));
     paths.iter().map(read).collect()
 }
 
@@ -479,7 +478,7 @@ pub fn policy(
     bank: &Policy,
     courses: &[(String, String)],
     attempts: Option<Attempts>,
-) -> Result<Policy, Vec<Finding>> {
+) -> Result<Policy, Findings> {
     let mut policy = bank.clone();
     for (file, text) in courses {
         policy = bank::course::course(text, file, &policy)?;
@@ -525,9 +524,9 @@ fn spool(path: &Path, input: &mut dyn BufRead) -> io::Result<Option<NamedTempFil
     Ok(Some(file))
 }
 
-fn columns(typed: &[String]) -> Result<Vec<(String, String)>, Vec<Finding>> {
+fn columns(typed: &[String]) -> Result<Vec<(String, String)>, Findings> {
     let mut found = Vec::new();
-    let mut faults = Vec::new();
+    let mut faults = Findings::default();
     for text in typed {
         match text.split_once('=') {
             Some((role, header)) if !role.trim().is_empty() && !header.trim().is_empty() => {
@@ -540,7 +539,7 @@ fn columns(typed: &[String]) -> Result<Vec<(String, String)>, Vec<Finding>> {
             ),
         }
     }
-    if faults.is_empty() { Ok(found) } else { Err(faults) }
+    faults.into_result(found)
 }
 
 /// Nothing, an empty folder, or with `--force` a folder with an earlier grading.

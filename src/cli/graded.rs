@@ -11,6 +11,7 @@ use crate::cli::grade::GRADEBOOK;
 use crate::cli::grade::GRADING;
 use crate::cli::words;
 use crate::finding::Finding;
+use crate::finding::Findings;
 use crate::key::SheetKey;
 use crate::policy::Policy;
 use crate::regrade::rows::Fault;
@@ -51,29 +52,26 @@ pub struct Graded {
 ///
 /// # Errors
 /// The folder is no grading, or its parts do not fit each other.
-pub fn open(folder: &Path, only: Option<&str>) -> Result<Graded, Vec<Finding>> {
-    let one = |f: Finding| vec![f];
+pub fn open(folder: &Path, only: Option<&str>) -> Result<Graded, Findings> {
     let name = folder.display().to_string();
     if !folder.is_dir() {
         let what =
             if folder.exists() { "is a file; a grading is a folder" } else { "there is no such folder" };
-        return Err(one(Finding::new("", what)
-            .in_file(name)
-            .hint("give the folder that `slipstick grade` made")));
+        let fault = Finding::new("", what).in_file(name);
+        return Err(fault.hint("give the folder that `slipstick grade` made").into());
     }
-    has_all(folder).map_err(one)?;
+    has_all(folder)?;
     let basis = folder.join(BASIS);
     let mut set = generate::existing(&basis)?;
     let bank_path = basis.join("bank.yaml").display().to_string();
-    let bank = banks::parse(&files::read_text(&basis.join("bank.yaml")).map_err(one)?, &bank_path)?;
+    let bank = banks::parse(&files::read_text(&basis.join("bank.yaml"))?, &bank_path)?;
     let path = folder.join(GRADING);
     let file = path.display().to_string();
-    let grading =
-        Grading::parse(&files::read_text(&path).map_err(one)?).map_err(|f| one(f.in_file(&file)))?;
+    let grading = Grading::parse(&files::read_text(&path)?).map_err(|f| f.in_file(&file))?;
     intact(folder, &grading)?;
     if grading.bank_sha256 != bank.hash {
         let fault = Finding::new("", "is not the bank by which this was graded: its SHA-256 is another");
-        return Err(one(fault.in_file(bank_path).hint("put the original copy back, or grade again")));
+        return Err(fault.in_file(bank_path).hint("put the original copy back, or grade again").into());
     }
     let courses = grade::read_courses(&grade::courses(folder))?;
     let policy = grade::policy(&bank.grading, &courses, attempts(grading.attempts.as_deref()))?;
@@ -86,7 +84,7 @@ pub fn open(folder: &Path, only: Option<&str>) -> Result<Graded, Vec<Finding>> {
     };
     let mut keys: Vec<SheetKey> = given.iter().map(|g| g.key.clone()).collect();
     let key_path = basis.join("key.csv");
-    let stored = files::read(&key_path).map_err(one)?;
+    let stored = files::read(&key_path)?;
     let file = key_path.display().to_string();
     let faults = match grading.replayed {
         true => key_file::compare(&stored, &keys),
@@ -100,7 +98,7 @@ pub fn open(folder: &Path, only: Option<&str>) -> Result<Graded, Vec<Finding>> {
             faults
         }
     };
-    let faults: Vec<Finding> = faults.into_iter().map(|f| f.in_file(&file)).collect();
+    let faults: Findings = faults.in_file(&file);
     if !faults.is_empty() {
         return Err(faults);
     }
@@ -127,8 +125,8 @@ pub fn has_all(folder: &Path) -> Result<(), Finding> {
 ///
 /// # Errors
 /// A finding for each file that was cut short or edited.
-pub fn intact(folder: &Path, grading: &Grading) -> Result<(), Vec<Finding>> {
-    let mut faults = Vec::new();
+pub fn intact(folder: &Path, grading: &Grading) -> Result<(), Findings> {
+    let mut faults = Findings::default();
     for (name, told) in [(ANSWERS, &grading.answers_sha256), (GRADEBOOK, &grading.gradebook_sha256)] {
         let Some(told) = told else { continue };
         let path = folder.join(name);
@@ -142,7 +140,7 @@ pub fn intact(folder: &Path, grading: &Grading) -> Result<(), Vec<Finding>> {
             Err(fault) => faults.push(fault),
         }
     }
-    if faults.is_empty() { Ok(()) } else { Err(faults) }
+    faults.into_result(())
 }
 
 /// SHA-256 of a file, hex.
@@ -169,7 +167,7 @@ impl Graded {
     ///
     /// # Errors
     /// It cannot be read.
-    pub fn each_row(&self, see: &mut dyn FnMut(Row)) -> Result<(), Vec<Finding>> {
+    pub fn each_row(&self, see: &mut dyn FnMut(Row)) -> Result<(), Findings> {
         each_row(&self.folder.join(ANSWERS), see)
     }
 }
@@ -178,12 +176,12 @@ impl Graded {
 ///
 /// # Errors
 /// It cannot be read.
-pub fn each_row(path: &Path, see: &mut dyn FnMut(Row)) -> Result<(), Vec<Finding>> {
+pub fn each_row(path: &Path, see: &mut dyn FnMut(Row)) -> Result<(), Findings> {
     let in_words = |fault: Fault| {
         let found = Finding::new("", fault.what).at(usize::try_from(fault.line).unwrap_or(0).max(1), 1);
-        vec![found.in_file(path.display().to_string())]
+        found.in_file(path.display().to_string())
     };
-    let file = File::open(path).map_err(|e| vec![files::trouble(path, "cannot be read", &e)])?;
+    let file = File::open(path).map_err(|e| files::trouble(path, "cannot be read", &e))?;
     for row in Rows::new(file).map_err(in_words)? {
         see(row.map_err(in_words)?);
     }
@@ -194,8 +192,8 @@ pub fn each_row(path: &Path, see: &mut dyn FnMut(Row)) -> Result<(), Vec<Finding
 const LISTED: usize = 20;
 
 /// What stands in the way of a key, in words.
-pub fn findings(bank: &Bank, faults: Vec<given::Fault>, file: &str) -> Vec<Finding> {
-    let mut found = Vec::new();
+pub fn findings(bank: &Bank, faults: Vec<given::Fault>, file: &str) -> Findings {
+    let mut found = Findings::default();
     let (mut lost, mut more) = (0usize, 0usize);
     for fault in faults {
         match fault {

@@ -14,6 +14,7 @@ use crate::cli::tell::Exit;
 use crate::cli::tell::Io;
 use crate::cli::words;
 use crate::finding::Finding;
+use crate::finding::Findings;
 use crate::key::SheetKey;
 use crate::num::shown;
 use crate::problem::make::Maker;
@@ -51,15 +52,11 @@ pub fn run(args: &args::Lint, io: &mut Io) -> Exit {
     }
 }
 
-fn lint(args: &args::Lint, io: &mut Io) -> Result<Vec<Finding>, Vec<Finding>> {
+fn lint(args: &args::Lint, io: &mut Io) -> Result<Findings, Findings> {
     let mut loaded = banks::load(&args.bank)?;
     let language = args.own.language.as_deref().unwrap_or("en");
-    let texts = banks::texts(&args.own, language, &mut loaded.bank).map_err(|faults| {
-        faults
-            .into_iter()
-            .map(|f| if f.file.is_none() { f.in_file(&loaded.file) } else { f })
-            .collect::<Vec<_>>()
-    })?;
+    let texts = banks::texts(&args.own, language, &mut loaded.bank)
+        .map_err(|faults| faults.or_in_file(&loaded.file))?;
     let bank = &loaded.bank;
     let mut findings = banks::unknown_names(bank, &texts.templates);
     findings.extend(banks::never_given(bank, &texts.templates));
@@ -305,8 +302,8 @@ fn seldom(problem: &Problem, question: &Question, seldom: &Seldom) -> Finding {
 const FOR_WORDS: u32 = 100;
 
 /// Words of printed lists that are right too seldom, on a few variants of these problems.
-pub fn seldom_words(bank: &Bank, problems: &[usize]) -> Vec<Finding> {
-    let mut found = Vec::new();
+pub fn seldom_words(bank: &Bank, problems: &[usize]) -> Findings {
+    let mut found = Findings::default();
     for problem in problems.iter().filter_map(|p| bank.problems.get(*p)) {
         for (question, words) in sweep::words_of(problem, FOR_WORDS, &bank.id) {
             let question = &problem.questions[question];
@@ -353,9 +350,9 @@ fn notes(problem: &Problem, sweep: &Sweep) -> Vec<String> {
 #[derive(Default)]
 pub struct Tried {
     /// Faults of statements and questions: students would see them.
-    pub faults: Vec<Finding>,
+    pub faults: Findings,
     /// Faults of worked solutions.
-    pub unsolved: Vec<Finding>,
+    pub unsolved: Findings,
     /// What is no fault: cases whose worked solution is a short page, what is dropped from a text.
     pub notes: Vec<Note>,
 }
@@ -387,7 +384,7 @@ pub fn short_page(problem: &Problem, case: usize, what: Beyond) -> String {
 ///
 /// # Errors
 /// Faults of the templates.
-pub fn tried(bank: &Bank, texts: &Texts, problems: &[usize]) -> Result<Tried, Vec<Finding>> {
+pub fn tried(bank: &Bank, texts: &Texts, problems: &[usize]) -> Result<Tried, Findings> {
     let sheets = Sheets::new(&texts.templates, &texts.words, bank, &bank.id, problems)?;
     let mut room = Room::default();
     let mut out = Tried::default();
@@ -425,7 +422,7 @@ pub fn tried(bank: &Bank, texts: &Texts, problems: &[usize]) -> Result<Tried, Ve
     Ok(out)
 }
 
-fn add_formulas(findings: &mut Vec<Finding>, problem: &Problem, texts: &Texts, markdown: &str) {
+fn add_formulas(findings: &mut Findings, problem: &Problem, texts: &Texts, markdown: &str) {
     for fault in html::faulty_formulas(markdown) {
         let mut finding = Finding::new(format!("problems.{}", problem.id), format!("formula {fault}"));
         // Where the questions are one's own as well, either may hold it.
@@ -490,7 +487,7 @@ fn not_kept(what: &Dropped) -> String {
 
 /// What [`tried`] finds in the whole bank; where that is nothing, a whole sheet is made in every format that this program makes
 /// without a compiler.
-fn faulty_texts(bank: &Bank, texts: &Texts) -> Result<Tried, Vec<Finding>> {
+fn faulty_texts(bank: &Bank, texts: &Texts) -> Result<Tried, Findings> {
     let problems: Vec<usize> = (0..bank.problems.len()).collect();
     let mut out = tried(bank, texts, &problems)?;
     out.faults.append(&mut out.unsolved);
@@ -500,16 +497,15 @@ fn faulty_texts(bank: &Bank, texts: &Texts) -> Result<Tried, Vec<Finding>> {
     let whole: Vec<Variant> = bank.problems.iter().filter_map(first).collect();
     let findings = &out.faults;
     if findings.is_empty() && whole.len() == problems.len() {
-        let one = |f: Finding| vec![f];
         let formats = [Format::Md, Format::Html, Format::Tex];
         let output = Output::new(texts, &formats, "sheet")?;
-        let (head, document) = sheets.document("0017", "Name", &whole, &mut room).map_err(one)?;
+        let (head, document) = sheets.document("0017", "Name", &whole, &mut room)?;
         let rows = [key_table::row(bank, &problems, &head, &whole)];
-        let made = output.make(0, head, document, &mut Converter::new(&texts.words)).map_err(one)?;
-        output.booklets(&bank.title, std::slice::from_ref(&made)).map_err(one)?;
+        let made = output.make(0, head, document, &mut Converter::new(&texts.words))?;
+        output.booklets(&bank.title, std::slice::from_ref(&made))?;
         let parts = bank.problems.iter().zip(&whole).map(|(p, v)| make_key::key(p, v)).collect();
         let keys = [SheetKey { student: "0017".to_owned(), problems: parts }];
-        output.key_table(bank, &bank.id, &problems, &rows, keys.iter()).map_err(one)?;
+        output.key_table(bank, &bank.id, &problems, &rows, keys.iter())?;
     }
     Ok(out)
 }

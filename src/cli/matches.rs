@@ -8,7 +8,7 @@ use crate::cli::graded::Graded;
 use crate::cli::tell;
 use crate::cli::tell::Exit;
 use crate::cli::tell::Io;
-use crate::finding::Finding;
+use crate::finding::Findings;
 use crate::grade::feedback::Feedback;
 use crate::grade::judge;
 use crate::grade::table::Column;
@@ -41,7 +41,7 @@ const SHOWN: usize = 20;
 ///
 /// # Errors
 /// answers.csv cannot be read, or the bank cannot be drawn from.
-pub fn find(graded: &Graded) -> Result<ClassMatches, Vec<Finding>> {
+pub fn find(graded: &Graded) -> Result<ClassMatches, Findings> {
     let keys: Vec<SheetKey> = graded.given.iter().map(|g| g.key.clone()).collect();
     let table = KeyTable::new(keys, &[]);
     let place: BTreeMap<(String, &str), usize> =
@@ -124,7 +124,7 @@ fn number(table: &KeyTable, student: usize, column: usize) -> f64 {
 }
 
 /// Adds the keys of further draws where the class is small.
-fn draw_more(graded: &Graded, table: &KeyTable, questions: &mut [Question]) -> Result<(), Vec<Finding>> {
+fn draw_more(graded: &Graded, table: &KeyTable, questions: &mut [Question]) -> Result<(), Findings> {
     let problems = indices(&graded.bank, &graded.set.problems, "problems")?;
     // Draws of nobody: no set has such a name.
     let dealer = Dealer::new(&graded.bank, &problems, graded.set.seed, "\u{0}matches");

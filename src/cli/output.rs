@@ -3,6 +3,7 @@ use crate::bank::Bank;
 use crate::cli::args::Format;
 use crate::cli::banks::Texts;
 use crate::finding::Finding;
+use crate::finding::Findings;
 use crate::key::SheetKey;
 use crate::sheet::document::Document;
 use crate::sheet::document::Head;
@@ -66,9 +67,9 @@ impl<'o> Output<'o> {
     ///
     /// # Errors
     /// PDF is asked for and not built in, or the instructor's `print.typ` is faulty.
-    pub fn new(texts: &'o Texts, formats: &'o [Format], name: &'static str) -> Result<Self, Vec<Finding>> {
+    pub fn new(texts: &'o Texts, formats: &'o [Format], name: &'static str) -> Result<Self, Findings> {
         let press = match formats.contains(&Format::Pdf) {
-            true => Some(Press::new(&texts.words, texts.print()).map_err(|f| vec![f])?),
+            true => Some(Press::new(&texts.words, texts.print())?),
             false => None,
         };
         Ok(Self { texts, formats, name, press })
@@ -186,9 +187,9 @@ impl<'o> Output<'o> {
 ///
 /// # Errors
 /// They cannot be started.
-pub fn pool(threads: Option<usize>) -> Result<rayon::ThreadPool, Vec<Finding>> {
+pub fn pool(threads: Option<usize>) -> Result<rayon::ThreadPool, Findings> {
     rayon::ThreadPoolBuilder::new()
         .num_threads(threads.unwrap_or(0))
         .build()
-        .map_err(|e| vec![Finding::new("--threads", e.to_string())])
+        .map_err(|e| Finding::new("--threads", e.to_string()).into())
 }

@@ -8,6 +8,7 @@ use crate::cli::tell::Exit;
 use crate::cli::tell::Io;
 use crate::cli::words;
 use crate::finding::Finding;
+use crate::finding::Findings;
 use crate::grade::diagnose;
 use crate::grade::feedback::Feedback;
 use crate::grade::judge;
@@ -45,7 +46,7 @@ enum Next {
     Quit,
 }
 
-fn practice(args: &args::Practice, io: &mut Io) -> Result<(), Vec<Finding>> {
+fn practice(args: &args::Practice, io: &mut Io) -> Result<(), Findings> {
     let mut loaded = banks::load(&args.bank)?;
     let language = args.own.language.as_deref().unwrap_or("en");
     let texts = banks::texts(&args.own, language, &mut loaded.bank)?;
@@ -55,7 +56,7 @@ fn practice(args: &args::Practice, io: &mut Io) -> Result<(), Vec<Finding>> {
         None => (0..bank.problems.len()).collect(),
     };
     if problems.is_empty() {
-        return Err(vec![Finding::new("problems", "there is none").in_file(&loaded.file)]);
+        return Err(Finding::new("problems", "there is none").in_file(&loaded.file).into());
     }
     let sheets = Sheets::new(&texts.templates, words, bank, "practice", &problems)?;
     let seed = args.seed.unwrap_or_else(from_clock);
@@ -71,9 +72,9 @@ fn practice(args: &args::Practice, io: &mut Io) -> Result<(), Vec<Finding>> {
         let problem = &bank.problems[problems[i]];
         let variant = makers[i]
             .variant(&format!("round {}", round / problems.len() + 1))
-            .map_err(|none| vec![solve::unsatisfiable(bank, &none)])?;
+            .map_err(|none| solve::unsatisfiable(bank, &none))?;
         let mut text = Vec::new();
-        sheets.problem(i, &variant, &mut room, &mut text).map_err(|f| vec![f])?;
+        sheets.problem(i, &variant, &mut room, &mut text)?;
         let text = document::without_marks(&String::from_utf8_lossy(&text));
         io.line(&format!("\n## {}\n\n{}", problem.title, plain(&text)));
         let key = make_key::key(problem, &variant);

@@ -14,6 +14,7 @@ use crate::cli::graded::Graded;
 use crate::cli::tell::Exit;
 use crate::cli::tell::Io;
 use crate::finding::Finding;
+use crate::finding::Findings;
 use crate::grade::table::KeyTable;
 use crate::key::SheetKey;
 use crate::regrade::changes;
@@ -61,7 +62,7 @@ struct Done {
 }
 
 impl Done {
-    fn write(self) -> Result<String, Vec<Finding>> {
+    fn write(self) -> Result<String, Findings> {
         match self.out {
             None => Ok("Nothing was written (--dry-run).\n".to_owned()),
             Some(out) => {
@@ -79,17 +80,16 @@ impl Done {
     }
 }
 
-fn regrade(args: &args::Regrade, input: &mut dyn BufRead, watched: bool) -> Result<Done, Vec<Finding>> {
-    let one = |f: Finding| vec![f];
+fn regrade(args: &args::Regrade, input: &mut dyn BufRead, watched: bool) -> Result<Done, Findings> {
     if let Some(out) = &args.out {
-        may_write(out, args).map_err(one)?;
+        may_write(out, args)?;
     }
     let old = graded::open(&args.graded, None)?;
     let set = generate::existing(&args.set)?;
     same_set(&old.set, &set, args)?;
     let bank_path = args.bank.clone().unwrap_or_else(|| args.set.join(&set.bank.file));
     let bank_file = bank_path.display().to_string();
-    let text = files::read_text(&bank_path).map_err(one)?;
+    let text = files::read_text(&bank_path)?;
     let bank = banks::parse(&text, &bank_file)?;
     let found = given::all(&bank, &set).map_err(|faults| {
         let mut found = graded::findings(&bank, faults, &bank_file);
@@ -112,8 +112,7 @@ fn regrade(args: &args::Regrade, input: &mut dyn BufRead, watched: bool) -> Resu
     let columns = if args.columns.is_empty() { &old.grading.columns } else { &args.columns };
     let language = args.language.as_deref().unwrap_or(&old.grading.language);
     // Where nothing is to be written, the folder goes away by itself.
-    let nowhere =
-        tempfile::tempdir().map_err(|e| one(files::trouble(Path::new("."), "cannot be made", &e)))?;
+    let nowhere = tempfile::tempdir().map_err(|e| files::trouble(Path::new("."), "cannot be made", &e))?;
     let nowhere_new = nowhere.path().join("regraded");
     let job = Job {
         set: &args.set,
@@ -169,7 +168,7 @@ fn regrade(args: &args::Regrade, input: &mut dyn BufRead, watched: bool) -> Resu
     desk.marks(&mut told);
     let csv = desk.csv(made.policy());
     let path = made.folder().join(graded::CHANGES);
-    fs::write(&path, csv).map_err(|e| one(files::trouble(&path, "cannot be written", &e)))?;
+    fs::write(&path, csv).map_err(|e| files::trouble(&path, "cannot be written", &e))?;
     let notes = notes(&old, &made);
     let out = args.out.clone().filter(|_| !args.dry_run);
     Ok(Done { told, notes, made, out, old: old.folder })
@@ -199,11 +198,11 @@ fn may_write(out: &Path, args: &args::Regrade) -> Result<(), Finding> {
 }
 
 /// The set must be that of the grading; students may have joined since.
-fn same_set(old: &StoredSet, new: &StoredSet, args: &args::Regrade) -> Result<(), Vec<Finding>> {
+fn same_set(old: &StoredSet, new: &StoredSet, args: &args::Regrade) -> Result<(), Findings> {
     let file = args.set.join("set.json").display().to_string();
     let finding = |field: &str, what: String| Finding::new(field, what).in_file(&file);
     let hint = format!("give the set that {} was graded with", args.graded.display());
-    let mut faults = Vec::new();
+    let mut faults = Findings::default();
     if (&old.name, old.seed) != (&new.name, new.seed) || old.problems != new.problems {
         let told = |s: &StoredSet| format!("{}, seed {}, problems {}", s.name, s.seed, s.problems.join(", "));
         faults
@@ -243,13 +242,13 @@ fn same_set(old: &StoredSet, new: &StoredSet, args: &args::Regrade) -> Result<()
 }
 
 /// No part may go or come: answers were given to those of the sheets.
-fn same_parts(old: &Graded, keys: &[SheetKey], file: &str) -> Result<(), Vec<Finding>> {
+fn same_parts(old: &Graded, keys: &[SheetKey], file: &str) -> Result<(), Findings> {
     let parts = |key: Option<&SheetKey>| -> Vec<(String, Vec<String>)> {
         let problems = key.map_or(&[][..], |k| &k.problems);
         problems.iter().map(|p| (p.id.clone(), p.parts.iter().map(|e| e.part.clone()).collect())).collect()
     };
     let (before, after) = (parts(old.given.first().map(|g| &g.key)), parts(keys.first()));
-    let mut faults = Vec::new();
+    let mut faults = Findings::default();
     for ((id, old), (_, new)) in before.iter().zip(&after) {
         let field = format!("problems.{id}.questions");
         for part in old.iter().filter(|p| !new.contains(p)) {
@@ -269,13 +268,13 @@ fn same_parts(old: &Graded, keys: &[SheetKey], file: &str) -> Result<(), Vec<Fin
             faults.push(fault.in_file(file).hint("nobody was asked it: take it out again"));
         }
     }
-    if faults.is_empty() { Ok(()) } else { Err(faults) }
+    faults.into_result(())
 }
 
 /// A part that is asked in another unit reads answers without unit otherwise than the sheet said.
-fn same_units(old: &Graded, keys: &[SheetKey], file: &str) -> Result<(), Vec<Finding>> {
+fn same_units(old: &Graded, keys: &[SheetKey], file: &str) -> Result<(), Findings> {
     let (Some(before), Some(after)) = (old.given.first(), keys.first()) else { return Ok(()) };
-    let mut faults = Vec::new();
+    let mut faults = Findings::default();
     for (old, new) in before.key.problems.iter().zip(&after.problems) {
         for was in &old.parts {
             let Some(is) = new.parts.iter().find(|e| e.part == was.part) else { continue };
@@ -296,17 +295,17 @@ fn same_units(old: &Graded, keys: &[SheetKey], file: &str) -> Result<(), Vec<Fin
             }
         }
     }
-    if faults.is_empty() { Ok(()) } else { Err(faults) }
+    faults.into_result(())
 }
 
-fn read(who: &Who, folder: &Path) -> Result<Grading, Vec<Finding>> {
+fn read(who: &Who, folder: &Path) -> Result<Grading, Findings> {
     let mut found = Grading::new(who);
     graded::each_row(&folder.join(grade::ANSWERS), &mut |row| found.take(who, row))?;
     let path = folder.join(grade::GRADEBOOK);
-    let bytes = files::read(&path).map_err(|f| vec![f])?;
+    let bytes = files::read(&path)?;
     found.book(who, bytes.as_slice()).map_err(|fault| {
         let line = usize::try_from(fault.line).unwrap_or(1).max(1);
-        vec![Finding::new("", fault.what).at(line, 1).in_file(path.display().to_string())]
+        Finding::new("", fault.what).at(line, 1).in_file(path.display().to_string())
     })?;
     Ok(found)
 }

@@ -16,6 +16,7 @@ use crate::cli::tell;
 use crate::cli::tell::Exit;
 use crate::cli::tell::Io;
 use crate::finding::Finding;
+use crate::finding::Findings;
 use crate::guard::unguarded;
 use crate::misconception::catalogue::Catalogue;
 use crate::policy::Policy;
@@ -121,25 +122,24 @@ impl Summary {
     }
 }
 
-fn report(args: &args::Report) -> Result<Summary, Vec<Finding>> {
-    let one = |f: Finding| vec![f];
+fn report(args: &args::Report) -> Result<Summary, Findings> {
     let place = args.out.as_deref().unwrap_or(&args.graded);
-    files::not_among_students(place).map_err(one)?;
+    files::not_among_students(place)?;
     if !args.graded.is_dir() {
         let fault = Finding::new("", "there is no such folder").in_file(args.graded.display().to_string());
-        return Err(vec![fault.hint("give the folder that `slipstick grade` made")]);
+        return Err(fault.hint("give the folder that `slipstick grade` made").into());
     }
     files::sweep_beside(place);
-    may_write(args, place).map_err(one)?;
-    let staged = Staged::new(place).map_err(one)?;
+    may_write(args, place)?;
+    let staged = Staged::new(place)?;
     let made = make(&args.graded, staged.path(), &args.own, args.threads)
         .map_err(|findings| staged.named(findings))?;
     if !place.exists() {
-        staged.finish().map_err(one)?;
+        staged.finish()?;
         return Ok(made);
     }
-    may_write(args, place).map_err(one)?;
-    exchange(&staged, place).map_err(one)?;
+    may_write(args, place)?;
+    exchange(&staged, place)?;
     Ok(made)
 }
 
@@ -199,15 +199,14 @@ fn may_write(args: &args::Report, place: &Path) -> Result<(), Finding> {
 ///
 /// # Errors
 /// What is missing or faulty in the folder of the grades, a language that is not there, or writing that fails.
-pub fn make(graded: &Path, out: &Path, own: &Own, threads: Option<usize>) -> Result<Summary, Vec<Finding>> {
-    let one = |f: Finding| vec![f];
+pub fn make(graded: &Path, out: &Path, own: &Own, threads: Option<usize>) -> Result<Summary, Findings> {
     let mut basis = Basis::read(graded)?;
     let language = own.language.clone().unwrap_or_else(|| basis.grading.language.clone());
     let texts = banks::texts(own, &language, &mut basis.bank)?;
     let catalogue = Catalogue::of(&language).unwrap_or_else(Catalogue::built_in);
     let marks = read_marks(graded, &basis, &texts.words)?;
     let study = ClassStudy::of(&marks);
-    let written = |name: &str, e: &io::Error| one(files::trouble(&out.join(name), "cannot be written", e));
+    let written = |name: &str, e: &io::Error| files::trouble(&out.join(name), "cannot be written", e);
     let write = |name: &str, bytes: &[u8]| fs::write(out.join(name), bytes).map_err(|e| written(name, &e));
     let folder = |name: &str| fs::create_dir(out.join(name)).map_err(|e| written(name, &e));
 
@@ -223,9 +222,7 @@ pub fn make(graded: &Path, out: &Path, own: &Own, threads: Option<usize>) -> Res
         matches: &found,
         words: &texts.words,
     };
-    let told = reporter
-        .report(&about, &texts.templates, &mut |markdown| inline(&mut converter, markdown))
-        .map_err(one)?;
+    let told = reporter.report(&about, &texts.templates, &mut |markdown| inline(&mut converter, markdown))?;
     write("report.html", &told.html)?;
     folder("tables")?;
     for table in &told.tables {
@@ -257,14 +254,13 @@ pub fn make(graded: &Path, out: &Path, own: &Own, threads: Option<usize>) -> Res
     let pool = output::pool(threads)?;
     let students: Vec<usize> = (0..marks.class.students.len()).collect();
     let chunk = students.len().div_ceil(pool.current_num_threads() * 4).max(1);
-    let all: Result<Vec<()>, Vec<Finding>> = pool.install(|| {
-        let of_some = |some: &[usize]| -> Result<(), Vec<Finding>> {
+    let all: Result<Vec<()>, Findings> = pool.install(|| {
+        let of_some = |some: &[usize]| -> Result<(), Findings> {
             let mut converter = Converter::new(&texts.words);
             for student in some {
-                let (head, document) = desk.document(*student).map_err(one)?;
+                let (head, document) = desk.document(*student)?;
                 let body = converter.body(&document, &[], Place { lower: 0, prefix: "" });
-                let page =
-                    html::page(&texts.templates, &texts.words, "feedback", &head, &body).map_err(one)?;
+                let page = html::page(&texts.templates, &texts.words, "feedback", &head, &body)?;
                 let name = &marks.class.students[*student].folder;
                 write(&format!("feedback/{name}.html"), &page)?;
                 write(&format!("feedback/{name}.md"), document.plain().as_bytes())?;
@@ -351,24 +347,22 @@ struct Basis {
 }
 
 impl Basis {
-    fn read(graded: &Path) -> Result<Self, Vec<Finding>> {
-        let one = |f: Finding| vec![f];
-        graded::has_all(graded).map_err(one)?;
+    fn read(graded: &Path) -> Result<Self, Findings> {
+        graded::has_all(graded)?;
         let folder = graded.join(BASIS);
         let set = generate::existing(&folder)?;
         let bank_path = folder.join(&set.bank.file);
-        let text = files::read_text(&bank_path).map_err(one)?;
+        let text = files::read_text(&bank_path)?;
         let bank = banks::parse(&text, &bank_path.display().to_string())?;
         let grading_path = graded.join(grade::GRADING);
-        let text = files::read_text(&grading_path).map_err(one)?;
-        let grading =
-            Grading::parse(&text).map_err(|f| one(f.in_file(grading_path.display().to_string())))?;
+        let text = files::read_text(&grading_path)?;
+        let grading = Grading::parse(&text).map_err(|f| f.in_file(grading_path.display().to_string()))?;
         graded::intact(graded, &grading)?;
         let courses = grade::read_courses(&grade::courses(graded))?;
         let typed = grading.attempts.as_deref().and_then(|a| args::Attempts::from_str(a, true).ok());
         let policy = grade::policy(&bank.grading, &courses, typed)?;
         let key_path = folder.join("key.csv");
-        let key = read_key(&key_path).map_err(one)?;
+        let key = read_key(&key_path)?;
         Ok(Self { set, bank, policy, grading, key })
     }
 
@@ -476,7 +470,7 @@ fn read_key(path: &Path) -> Result<Vec<(String, String, String)>, Finding> {
     Ok(rows)
 }
 
-fn read_marks(graded: &Path, basis: &Basis, words: &Words) -> Result<Marks, Vec<Finding>> {
+fn read_marks(graded: &Path, basis: &Basis, words: &Words) -> Result<Marks, Findings> {
     let unreadable = |path: &PathBuf, fault: Unreadable| {
         let finding = Finding::new("", fault.what).in_file(path.display().to_string());
         let finding = if fault.line > 0 {
@@ -484,13 +478,13 @@ fn read_marks(graded: &Path, basis: &Basis, words: &Words) -> Result<Marks, Vec<
         } else {
             finding
         };
-        vec![finding.hint("it is written by `slipstick grade` and not meant to be edited: grade again")]
+        finding.hint("it is written by `slipstick grade` and not meant to be edited: grade again")
     };
     let answers = graded.join("answers.csv");
     let mut open = || fs::File::open(&answers).map(|f| io::BufReader::with_capacity(1 << 18, f));
     let mut marks = Marks::read(basis.class(words), &mut open).map_err(|f| unreadable(&answers, f))?;
     let book = graded.join("gradebook.csv");
-    let file = fs::File::open(&book).map_err(|e| vec![files::trouble(&book, "cannot be read", &e)])?;
+    let file = fs::File::open(&book).map_err(|e| files::trouble(&book, "cannot be read", &e))?;
     marks.book(io::BufReader::new(file)).map_err(|f| unreadable(&book, f))?;
     Ok(marks)
 }

@@ -7,6 +7,7 @@ use crate::cli::tell;
 use crate::cli::tell::Exit;
 use crate::cli::tell::Io;
 use crate::finding::Finding;
+use crate::finding::Findings;
 use crate::set::replay;
 use crate::simulate::classwork;
 use crate::simulate::classwork::Files;
@@ -40,12 +41,12 @@ pub fn run(args: &args::Simulate, io: &mut Io) -> Exit {
     }
 }
 
-fn simulate(args: &args::Simulate) -> Result<Files, Vec<Finding>> {
+fn simulate(args: &args::Simulate) -> Result<Files, Findings> {
     // clap demands all three unless --example is given.
     let (Some(set), Some(out), Some(truth)) = (&args.set, &args.out, &args.truth) else {
-        return Err(vec![Finding::new("", "give the folder of a set, --out and --truth")]);
+        return Err(Finding::new("", "give the folder of a set, --out and --truth").into());
     };
-    let mut faults = Vec::new();
+    let mut faults = Findings::default();
     let habits = match &args.like {
         Some(path) => read(path).map_err(|f| faults.extend(f)).ok(),
         None => Some(Habits::usual()),
@@ -62,7 +63,7 @@ fn simulate(args: &args::Simulate) -> Result<Files, Vec<Finding>> {
     let (Some(habits), true) = (habits, faults.is_empty()) else { return Err(faults) };
     let stored = generate::existing(set)?;
     let path = set.join(&stored.bank.file);
-    let text = files::read_text(&path).map_err(|f| vec![f])?;
+    let text = files::read_text(&path)?;
     let bank = banks::parse(&text, &path.display().to_string())?;
     let problems = replay::indices(&bank, &stored.problems, "problems")?;
     if let Some(path) = &args.like {
@@ -85,30 +86,28 @@ fn simulate(args: &args::Simulate) -> Result<Files, Vec<Finding>> {
         Ok(Work { key: dealt.key, handed })
     });
     let file = set.join("set.json").display().to_string();
-    let named = |f: Finding| if f.file.is_none() { f.in_file(&file) } else { f };
-    let mut works = works.map_err(|faults| faults.into_iter().map(named).collect::<Vec<_>>())?;
+    let mut works = works.map_err(|faults| faults.or_in_file(&file))?;
     classwork::copy(&habits, args.seed, &mut works);
     let files = classwork::write(&habits, &words, args.seed, &works);
     let text = |bytes: &[u8]| String::from_utf8_lossy(bytes).into_owned();
-    files::put_all(&[(out.clone(), text(&files.submissions)), (truth.clone(), text(&files.truth))])
-        .map_err(|f| vec![f])?;
+    files::put_all(&[(out.clone(), text(&files.submissions)), (truth.clone(), text(&files.truth))])?;
     Ok(files)
 }
 
-fn read(path: &Path) -> Result<Habits, Vec<Finding>> {
-    let text = files::read_text(path).map_err(|f| vec![f])?;
+fn read(path: &Path) -> Result<Habits, Findings> {
+    let text = files::read_text(path)?;
     Habits::read(&text, &path.display().to_string())
 }
 
 /// Are all wrong methods that the habits name listed in the bank?
-fn known_methods(habits: &Habits, known: &[&str], path: &Path) -> Result<(), Vec<Finding>> {
+fn known_methods(habits: &Habits, known: &[&str], path: &Path) -> Result<(), Findings> {
     let file = path.display().to_string();
     let strange = habits.unknown_methods(known).map(|(id, near)| {
         let what = format!("no problem of this set lists the wrong method `{id}`");
         let finding = Finding::new("wrong methods", what).in_file(&file);
         finding.hint(near.unwrap_or_else(|| "the ids stand in the bank under `mistakes`".to_owned()))
     });
-    let strange: Vec<Finding> = strange.collect();
+    let strange: Findings = strange.collect();
     if strange.is_empty() { Ok(()) } else { Err(strange) }
 }
 

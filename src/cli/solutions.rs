@@ -13,6 +13,7 @@ use crate::cli::tell;
 use crate::cli::tell::Exit;
 use crate::cli::tell::Io;
 use crate::finding::Finding;
+use crate::finding::Findings;
 use crate::set::replay;
 use crate::set::replay::Dealt;
 use crate::set::store::StoredStudent;
@@ -38,12 +39,12 @@ pub fn run(args: &args::Solutions, io: &mut Io) -> Exit {
     }
 }
 
-fn solutions(args: &args::Solutions, io: &mut Io) -> Result<(), Vec<Finding>> {
+fn solutions(args: &args::Solutions, io: &mut Io) -> Result<(), Findings> {
     files::sweep_beside(&args.out);
     let set = generate::existing(&args.set)?;
-    may_write(&args.out, args.force).map_err(|f| vec![f])?;
+    may_write(&args.out, args.force)?;
     let path = args.set.join(&set.bank.file);
-    let text = files::read_text(&path).map_err(|f| vec![f])?;
+    let text = files::read_text(&path)?;
     let name = path.display().to_string();
     let mut bank = banks::parse(&text, &name)?;
     let language = args.own.language.clone().unwrap_or_else(|| set.language.clone());
@@ -53,7 +54,7 @@ fn solutions(args: &args::Solutions, io: &mut Io) -> Result<(), Vec<Finding>> {
     let problems = replay::indices(&bank, &set.problems, "problems")?;
     let words = &texts.words;
     let sheets = Sheets::new(&texts.templates, words, &bank, &set.name, &problems)?;
-    let staged = Staged::new(&args.out).map_err(|f| vec![f])?;
+    let staged = Staged::new(&args.out)?;
     let bar = files::progress(io.watched, set.students.len() as u64, "solutions");
     let make = |at: usize, student: &StoredStudent, dealt: Dealt| -> Result<(Made, Vec<String>), Finding> {
         let head = sheets.head(&student.student, &student.name, &dealt.variants);
@@ -83,21 +84,18 @@ fn solutions(args: &args::Solutions, io: &mut Io) -> Result<(), Vec<Finding>> {
     let all = pool.install(|| replay::each(&bank, &set, &make));
     bar.finish_and_clear();
     let stored = args.set.join("set.json").display().to_string();
-    let all = all.map_err(|faults| {
-        let named = faults.into_iter().map(|f| if f.file.is_none() { f.in_file(&stored) } else { f });
-        staged.named(named.collect())
-    })?;
+    let all = all.map_err(|faults| staged.named(faults.or_in_file(&stored)))?;
     let (all, short): (Vec<Made>, Vec<Vec<String>>) = all.into_iter().unzip();
     let title = format!("{}: {}, {}", words.get("sheet.solutions"), bank.title, set.name);
     let write = |name: &str, bytes: &[u8]| {
         fs::write(staged.path().join(name), bytes)
-            .map_err(|e| vec![files::trouble(&args.out.join(name), "cannot be written", &e)])
+            .map_err(|e| files::trouble(&args.out.join(name), "cannot be written", &e))
     };
-    for (name, bytes) in output.booklets(&title, &all).map_err(|f| vec![f])? {
+    for (name, bytes) in output.booklets(&title, &all)? {
         write(name, &bytes)?;
     }
     write(MARKER, b"Made by `slipstick solutions`, which may replace this folder with --force.\n")?;
-    staged.finish().map_err(|f| vec![f])?;
+    staged.finish()?;
     let out = args.out.display();
     io.line(&format!(
         "Worked solutions for {} of {} each, in {out}",

@@ -14,6 +14,7 @@ use crate::cli::tell::Io;
 use crate::cli::words;
 use crate::draw::fill;
 use crate::finding::Finding;
+use crate::finding::Findings;
 use crate::problem::make::Maker;
 use crate::problem::make::Unsatisfiable;
 use crate::scene::Quantity;
@@ -41,10 +42,10 @@ pub fn run(args: &args::Solve, io: &mut Io) -> Exit {
     }
 }
 
-fn answer(args: &args::Solve, io: &mut Io) -> Result<Exit, Vec<Finding>> {
+fn answer(args: &args::Solve, io: &mut Io) -> Result<Exit, Findings> {
     let wish = wish(&args.by)?;
     let loaded = banks::load(&args.bank)?;
-    let problem = banks::problem(&loaded, &args.problem).map_err(|f| vec![f])?;
+    let problem = banks::problem(&loaded, &args.problem)?;
     let (case, data, shown) = data(&loaded, problem, &args.set, args.seed)?;
     let of_case = &problem.cases[case];
     let (mut solved, taken) = ladder::solve(&of_case.scene, &data, &wish)
@@ -63,14 +64,14 @@ fn answer(args: &args::Solve, io: &mut Io) -> Result<Exit, Vec<Finding>> {
 }
 
 /// Why a scene has no answer, as findings.
-pub fn refused(problem: &Problem, scene: &Scene, refusal: &Refusal) -> Vec<Finding> {
+pub fn refused(problem: &Problem, scene: &Scene, refusal: &Refusal) -> Findings {
     let texts = words::refusal(problem, scene, refusal);
     texts.into_iter().map(|t| Finding::new(&problem.id, t)).collect()
 }
 
 /// What was asked of the ladder, checked.
-fn wish(by: &args::By) -> Result<Wish, Vec<Finding>> {
-    let mut faults = Vec::new();
+fn wish(by: &args::By) -> Result<Wish, Findings> {
+    let mut faults = Findings::default();
     let method = by.method.method();
     let knob = method.map_or(Knob::Tolerance, Method::knob);
     if let Some(rtol) = by.rtol {
@@ -98,7 +99,7 @@ fn wish(by: &args::By) -> Result<Wish, Vec<Finding>> {
             faults.push(fault.hint("write --method rk4"));
         }
     }
-    if faults.is_empty() { Ok(Wish { method, rtol: by.rtol, step_s }) } else { Err(faults) }
+    faults.into_result(Wish { method, rtol: by.rtol, step_s })
 }
 
 /// A time step: `1ms`, `0.02`, `1/60s`.
@@ -124,21 +125,16 @@ fn seconds(text: &str) -> Result<f64, String> {
 }
 
 /// Data from `--set` or drawn with a seed: the case, the values, and each as it is shown.
-pub fn data(
-    loaded: &Loaded,
-    problem: &Problem,
-    set: &[String],
-    seed: Option<u64>,
-) -> Result<Data, Vec<Finding>> {
+pub fn data(loaded: &Loaded, problem: &Problem, set: &[String], seed: Option<u64>) -> Result<Data, Findings> {
     if !set.is_empty() {
         return given(problem, set);
     }
     let Some(seed) = seed else {
         let example = problem.data.first().map_or("m", |d| d.symbol.as_str());
         let fault = Finding::new("", "no data are given");
-        return Err(vec![
-            fault.hint(format!("write --set {example}=... for each datum, or --seed N to draw")),
-        ]);
+        return Err(fault
+            .hint(format!("write --set {example}=... for each datum, or --seed N to draw"))
+            .into());
     };
     drawn(loaded, problem, seed)
 }
@@ -152,10 +148,10 @@ pub fn fits(problem: &Problem, case: usize, solved: &Solved) -> bool {
 /// Case, values as scenes take them, and each datum as it is shown.
 pub type Data = (usize, Vec<f64>, Vec<String>);
 
-fn drawn(loaded: &Loaded, problem: &Problem, seed: u64) -> Result<Data, Vec<Finding>> {
+fn drawn(loaded: &Loaded, problem: &Problem, seed: u64) -> Result<Data, Findings> {
     let variant = Maker::new(problem, seed, &loaded.bank.id)
         .variant("")
-        .map_err(|none| vec![unsatisfiable(&loaded.bank, &none)])?;
+        .map_err(|none| unsatisfiable(&loaded.bank, &none))?;
     let shown = printed(problem, &variant.values);
     Ok((variant.case, variant.data, shown))
 }
@@ -194,8 +190,8 @@ pub fn unsatisfiable(bank: &Bank, none: &Unsatisfiable) -> Finding {
 }
 
 /// Data from `--set`, and the case to which they belong.
-fn given(problem: &Problem, set: &[String]) -> Result<Data, Vec<Finding>> {
-    let mut faults = Vec::new();
+fn given(problem: &Problem, set: &[String]) -> Result<Data, Findings> {
+    let mut faults = Findings::default();
     let mut values: Vec<Option<(f64, String)>> = vec![None; problem.data.len()];
     for text in set {
         let Some((symbol, value)) = text.split_once('=') else {
@@ -629,7 +625,7 @@ problems:
         let at = problem.data.iter().position(|d| d.symbol == symbol).unwrap_or(usize::MAX);
         match data(loaded, problem, &set, None) {
             Ok((_, data, _)) => Ok(data[at]),
-            Err(faults) => Err(faults.iter().map(|f| format!("{f}\n")).collect()),
+            Err(faults) => Err(faults.to_string()),
         }
     }
 

@@ -7,6 +7,7 @@ use crate::cli::tell;
 use crate::cli::tell::Exit;
 use crate::cli::tell::Io;
 use crate::finding::Finding;
+use crate::finding::Findings;
 use crate::template;
 use crate::words::Words;
 use std::fmt::Write as _;
@@ -26,26 +27,25 @@ pub fn run(args: &args::Templates, io: &mut Io) -> Exit {
     }
 }
 
-fn templates(args: &args::Templates, io: &mut Io) -> Result<(), Vec<Finding>> {
-    let one = |f: Finding| vec![f];
+fn templates(args: &args::Templates, io: &mut Io) -> Result<(), Findings> {
     banks::words(&args.language)?;
-    files::has_a_name(&args.out, "--out my-templates").map_err(one)?;
-    files::not_among_students(&args.out).map_err(one)?;
+    files::has_a_name(&args.out, "--out my-templates")?;
+    files::not_among_students(&args.out)?;
     if args.out.exists() && !(args.out.is_dir() && files::names_in(&args.out).is_empty()) {
         let fault = Finding::new("", "is there already").in_file(args.out.display().to_string());
-        return Err(vec![fault.hint("give a new folder: templates that you changed are not replaced")]);
+        return Err(fault.hint("give a new folder: templates that you changed are not replaced").into());
     }
     let texts = texts(&args.language)?;
-    let staged = Staged::new(&args.out).map_err(one)?;
+    let staged = Staged::new(&args.out)?;
     for (name, text) in &texts {
-        let fault = |e: &std::io::Error| vec![files::trouble(&args.out.join(name), "cannot be written", e)];
+        let fault = |e: &std::io::Error| files::trouble(&args.out.join(name), "cannot be written", e);
         let path = staged.path().join(name);
         if let Some(above) = path.parent() {
             fs::create_dir_all(above).map_err(|e| fault(&e))?;
         }
         fs::write(&path, text).map_err(|e| fault(&e))?;
     }
-    staged.finish().map_err(one)?;
+    staged.finish()?;
     let out = args.out.display();
     io.line(&format!(
         "{}, in {out}; {out}/{README} says what each receives",
@@ -56,7 +56,7 @@ fn templates(args: &args::Templates, io: &mut Io) -> Result<(), Vec<Finding>> {
 }
 
 /// All files: name, text.
-fn texts(language: &str) -> Result<Vec<(String, String)>, Vec<Finding>> {
+fn texts(language: &str) -> Result<Vec<(String, String)>, Findings> {
     let mut texts: Vec<(String, String)> = Vec::new();
     for (name, text) in template::built_in(language).filter(|(name, _)| !INSTRUCTORS.contains(name)) {
         texts.push((name.to_owned(), text.to_owned()));

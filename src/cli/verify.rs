@@ -8,6 +8,7 @@ use crate::cli::tell::Exit;
 use crate::cli::tell::Io;
 use crate::cli::words;
 use crate::finding::Finding;
+use crate::finding::Findings;
 use crate::key::Answer;
 use crate::key::KeyEntry;
 use crate::key::SheetKey;
@@ -43,19 +44,18 @@ pub fn run(args: &args::Verify, io: &mut Io) -> Exit {
 }
 
 /// A key with rows beside those of the set: grading leaves them alone, a proof does not.
-fn strangers(args: &args::Verify, keys: &[SheetKey]) -> Result<(), Vec<Finding>> {
+fn strangers(args: &args::Verify, keys: &[SheetKey]) -> Result<(), Findings> {
     let path = args.set.join("key.csv");
-    let stored = files::read(&path).map_err(|f| vec![f])?;
+    let stored = files::read(&path)?;
     let body = stored.strip_prefix(b"\xef\xbb\xbf").unwrap_or(&stored);
     if body == key_file::text(keys) {
         return Ok(());
     }
     let fault = Finding::new("", "has rows of students who are not in the set, or is written otherwise");
     let fault = fault.in_file(path.display().to_string());
-    Err(vec![
-        fault
-            .hint("after an `--add` that was cut off run `generate --add` again; else put the original back"),
-    ])
+    Err(fault
+        .hint("after an `--add` that was cut off run `generate --add` again; else put the original back")
+        .into())
 }
 
 /// What was seen of one question.
@@ -183,7 +183,7 @@ fn verdict(rows: &[Row]) -> String {
     text
 }
 
-fn faults(rows: &[Row]) -> Vec<Finding> {
+fn faults(rows: &[Row]) -> Findings {
     let bad = rows.iter().filter(|r| !r.holds());
     let text = |r: &Row| {
         format!(

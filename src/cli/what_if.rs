@@ -9,6 +9,7 @@ use crate::cli::tell::Exit;
 use crate::cli::tell::Io;
 use crate::cli::words;
 use crate::finding::Finding;
+use crate::finding::Findings;
 use crate::grade::rules::Rules;
 use crate::grade::run;
 use crate::grade::run::GradeFault;
@@ -46,8 +47,8 @@ pub fn run(args: &args::WhatIf, io: &mut Io) -> Exit {
 }
 
 /// Relative tolerances, as shares, from `0.5`, `2%`, `2 %`: per cent.
-fn shares(typed: &[String]) -> Result<Vec<f64>, Vec<Finding>> {
-    let (mut found, mut faults) = (Vec::new(), Vec::new());
+fn shares(typed: &[String]) -> Result<Vec<f64>, Findings> {
+    let (mut found, mut faults) = (Vec::new(), Findings::default());
     for text in typed {
         let number = text.trim().trim_end_matches('%').trim().replace(',', ".");
         match number.parse::<f64>() {
@@ -60,7 +61,7 @@ fn shares(typed: &[String]) -> Result<Vec<f64>, Vec<Finding>> {
     }
     found.sort_by(f64::total_cmp);
     found.dedup();
-    if faults.is_empty() { Ok(found) } else { Err(faults) }
+    faults.into_result(found)
 }
 
 /// A share in per cent, without zeros at the end.
@@ -86,7 +87,7 @@ struct Run {
     answers: u64,
 }
 
-fn what_if(args: &args::WhatIf) -> Result<String, Vec<Finding>> {
+fn what_if(args: &args::WhatIf) -> Result<String, Findings> {
     let shares = shares(&args.tolerance)?;
     let graded = graded::open(&args.graded, None)?;
     let table = |share: Option<f64>| {
@@ -96,8 +97,7 @@ fn what_if(args: &args::WhatIf) -> Result<String, Vec<Finding>> {
     };
     let now = table(None);
     let (students, parts) = (now.students.len(), now.columns.len());
-    let handed =
-        handed_in(&graded).map_err(|e| vec![files::trouble(&args.graded, "cannot be graded", &e)])?;
+    let handed = handed_in(&graded).map_err(|e| files::trouble(&args.graded, "cannot be graded", &e))?;
     let as_is = run_with(&graded, &now, &handed)?;
     let mut trials = Vec::new();
     for share in shares {
@@ -120,7 +120,7 @@ fn what_if(args: &args::WhatIf) -> Result<String, Vec<Finding>> {
 /// The answers of a grading as they were handed in, one a line and in their order: a file of submissions again.
 fn handed_in(graded: &Graded) -> Result<NamedTempFile, io::Error> {
     let mut timed = false;
-    let mut faults = Vec::new();
+    let mut faults = Findings::default();
     let mut see = |see: &mut dyn FnMut(Row)| {
         if let Err(fault) = graded.each_row(see) {
             faults.extend(fault);
@@ -149,8 +149,8 @@ fn handed_in(graded: &Graded) -> Result<NamedTempFile, io::Error> {
 }
 
 /// Grades them by another key, by the same settings.
-fn run_with(graded: &Graded, table: &KeyTable, handed: &NamedTempFile) -> Result<Run, Vec<Finding>> {
-    let trouble = |e: &io::Error| vec![files::trouble(&graded.folder, "cannot be graded", e)];
+fn run_with(graded: &Graded, table: &KeyTable, handed: &NamedTempFile) -> Result<Run, Findings> {
+    let trouble = |e: &io::Error| files::trouble(&graded.folder, "cannot be graded", e);
     let mut policy = graded.policy.clone();
     // What is graded already may be from a version that did not ask.
     policy.late.unread.get_or_insert(Unread::InTime);
@@ -164,7 +164,7 @@ fn run_with(graded: &Graded, table: &KeyTable, handed: &NamedTempFile) -> Result
     let mut out = io::BufWriter::with_capacity(1 << 18, file.as_file_mut());
     let done =
         run::grade(&open, table, &rules, &options, &mut out, &mut |_| {}).map_err(|why| match why {
-            GradeFault::Io(e) | GradeFault::Write(e) => trouble(&e),
+            GradeFault::Io(e) | GradeFault::Write(e) => Findings::from(trouble(&e)),
             GradeFault::Header(findings) => findings,
         })?;
     out.flush().map_err(|e| trouble(&e))?;
