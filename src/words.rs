@@ -190,10 +190,10 @@ impl Words {
     /// The phrases of a topic.
     pub fn tree(&self, topic: &str) -> PhraseTree<'_> {
         let mut tree = PhraseTree::Branch(BTreeMap::new());
-        for (name, phrase) in &self.phrases {
+        for name in self.names() {
             let mut names = name.split('.');
             if names.next() == Some(topic) {
-                tree.put(names, phrase);
+                tree.put(names, self.get(name));
             }
         }
         tree
