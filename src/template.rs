@@ -40,6 +40,7 @@ pub const BUILT_IN: &[(&str, &str)] = built_in!("":
     "accuracy.html",
     "gallery.html",
     "report.html",
+    "report-table.html",
     "statement/compound-pendulum.md",
     "statement/falling-rod.md",
     "statement/kinetic-energy.md",
@@ -131,6 +132,13 @@ impl View {
         self.remove(&name);
         self.size = self.size.saturating_add(metered::size(&value, usize::MAX));
         self.context.insert_value(name, value);
+    }
+    /// Puts in the fields of a struct, each under its name; the texts in them are escaped.
+    pub fn fields(&mut self, data: &impl serde::Serialize) {
+        let data = Value::from_serializable(data);
+        for (name, value) in data.as_map().into_iter().flatten() {
+            self.value(name.as_str().unwrap_or_default(), value.clone());
+        }
     }
     /// Takes a name away.
     pub fn remove(&mut self, name: &str) {

@@ -9,6 +9,8 @@ use crate::bank::yaml;
 use crate::finding::Finding;
 use crate::finding::Findings;
 use rustc_hash::FxHashMap;
+use serde::Serialize;
+use std::collections::BTreeMap;
 use std::sync::LazyLock;
 
 /// The word lists below a folder, by topic.
@@ -25,6 +27,7 @@ macro_rules! lists {
             ("lamina", include_str!(concat!("../templates/", $folder, "words/lamina.yaml"))),
             ("feedback", include_str!(concat!("../templates/", $folder, "words/feedback.yaml"))),
             ("marks", include_str!(concat!("../templates/", $folder, "words/marks.yaml"))),
+            ("report", include_str!(concat!("../templates/", $folder, "words/report.yaml"))),
         ]
     };
 }
@@ -38,6 +41,29 @@ static READ: LazyLock<Vec<Words>> = LazyLock::new(|| Words::languages().filter_m
 
 /// Word lists: topic, text.
 pub type Lists = &'static [(&'static str, &'static str)];
+
+/// Phrases below a name, as the list nests them: for templates.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[serde(untagged)]
+pub enum PhraseTree<'w> {
+    /// A phrase.
+    Phrase(&'w str),
+    /// Phrases by name.
+    Branch(BTreeMap<&'w str, PhraseTree<'w>>),
+}
+
+impl<'w> PhraseTree<'w> {
+    fn put(&mut self, mut names: std::str::Split<'w, char>, phrase: &'w str) {
+        match (names.next(), self) {
+            (None, leaf) => *leaf = Self::Phrase(phrase),
+            (Some(name), Self::Branch(below)) => {
+                below.entry(name).or_insert_with(|| Self::Branch(BTreeMap::new())).put(names, phrase);
+            }
+            // A list cannot hold a phrase and phrases below it under one name.
+            (Some(_), Self::Phrase(_)) => {}
+        }
+    }
+}
 
 /// The phrases of one language.
 #[derive(Debug, Clone)]
@@ -159,6 +185,18 @@ impl Words {
             Some(phrase) => phrase,
             None => panic!("the word lists of {} have no phrase {name}", self.language),
         }
+    }
+
+    /// The phrases of a topic.
+    pub fn tree(&self, topic: &str) -> PhraseTree<'_> {
+        let mut tree = PhraseTree::Branch(BTreeMap::new());
+        for name in self.names() {
+            let mut names = name.split('.');
+            if names.next() == Some(topic) {
+                tree.put(names, self.get(name));
+            }
+        }
+        tree
     }
 
     /// Is there a phrase of this name?

@@ -103,7 +103,7 @@ pub enum Verb {
     Solutions(Solutions),
     /// Write out the built-in templates and word lists, to change them
     #[command(
-        after_help = "Examples:\n  slipstick templates --out my-templates\n  slipstick templates --out vorlagen --language de\n\nChange what you like, delete what you do not change, and give the folder with --templates to\ngenerate, practice, lint or solutions. README.md in it says what each template receives."
+        after_help = "Examples:\n  slipstick templates --out my-templates\n  slipstick templates --out vorlagen --language de\n\nChange what you like, delete what you do not change, and give the folder with --templates to\ngenerate, practice, lint, solutions or report. README.md in it says what each template receives."
     )]
     Templates(Templates),
     /// Let a made-up class with declared habits hand in, and write down what each answer really is

@@ -21,10 +21,11 @@ use crate::matches;
 use crate::matches::Question;
 use crate::matches::Wrong;
 use crate::num::shown;
-use crate::report::alike::Matches;
-use crate::report::alike::Told;
+use crate::report::alike::ClassMatches;
+use crate::report::alike::MatchedPair;
 use crate::set::replay::Dealer;
 use crate::set::replay::indices;
+use crate::words::Words;
 use rayon::prelude::*;
 use std::collections::BTreeMap;
 
@@ -40,7 +41,7 @@ const SHOWN: usize = 20;
 ///
 /// # Errors
 /// answers.csv cannot be read, or the bank cannot be drawn from.
-pub fn find(graded: &Graded) -> Result<Matches, Findings> {
+pub fn find(graded: &Graded) -> Result<ClassMatches, Findings> {
     let keys: Vec<SheetKey> = graded.given.iter().map(|g| g.key.clone()).collect();
     let table = KeyTable::new(keys, &[]);
     let place: BTreeMap<(String, &str), usize> =
@@ -67,13 +68,13 @@ pub fn find(graded: &Graded) -> Result<Matches, Findings> {
         texts.push(row.answer.into_owned());
     })?;
     if wrong.is_empty() {
-        return Ok(Matches::default());
+        return Ok(ClassMatches::default());
     }
     let mut questions = questions(&table);
     let answers = wrong.len();
     if !matches::any_hit(&questions, &wrong) {
         let unexplained = wrong.iter().filter(|w| w.explained.is_empty()).count();
-        return Ok(Matches { pairs: Vec::new(), answers, unexplained });
+        return Ok(ClassMatches { pairs: Vec::new(), answers, unexplained });
     }
     draw_more(graded, &table, &mut questions)?;
     let found = matches::find(&questions, &wrong);
@@ -92,7 +93,7 @@ pub fn find(graded: &Graded) -> Result<Matches, Findings> {
             .filter(|i| !wrong[**i].explained.is_empty())
             .map(|i| format!("{}: {}", part(i), wrong[*i].explained))
             .collect();
-        Told {
+        MatchedPair {
             student: named(pair.student),
             classmate: named(pair.classmate),
             parts: pair.hits.iter().map(part).collect(),
@@ -103,7 +104,7 @@ pub fn find(graded: &Graded) -> Result<Matches, Findings> {
             explained: explained.join("; "),
         }
     });
-    Ok(Matches { pairs: pairs.collect(), answers: found.answers, unexplained: found.unexplained })
+    Ok(ClassMatches { pairs: pairs.collect(), answers: found.answers, unexplained: found.unexplained })
 }
 
 /// The keys of the class.
@@ -163,8 +164,8 @@ pub fn run(args: &args::Matches, io: &mut Io) -> Exit {
 }
 
 /// Pairs for the terminal.
-fn told(found: &Matches) -> String {
-    let mut text = found.summary();
+fn told(found: &ClassMatches) -> String {
+    let mut text = found.summary(&Words::english());
     text.push('\n');
     if found.pairs.is_empty() {
         return text;

@@ -23,9 +23,10 @@ use crate::misconception::catalogue::Catalogue;
 use crate::policy::Policy;
 use crate::report::class;
 use crate::report::class::About;
-use crate::report::feedback::Desk;
+use crate::report::class::ClassReporter;
+use crate::report::feedback::FeedbackDesk;
 use crate::report::lms;
-use crate::report::lms::Line;
+use crate::report::lms::GradebookLine;
 use crate::report::marks::Class;
 use crate::report::marks::Drawn;
 use crate::report::marks::Marks;
@@ -33,7 +34,7 @@ use crate::report::marks::Part;
 use crate::report::marks::Problem;
 use crate::report::marks::Student;
 use crate::report::settings;
-use crate::report::study::Study;
+use crate::report::study::ClassStudy;
 use crate::report::table;
 use crate::set::grading::BASIS;
 use crate::set::grading::Grading;
@@ -42,7 +43,7 @@ use crate::sheet::document::Document;
 use crate::sheet::html;
 use crate::sheet::html::Converter;
 use crate::sheet::html::Place;
-use crate::template::Templates;
+use crate::words::Words;
 use clap::ValueEnum as _;
 use rayon::prelude::*;
 use std::collections::BTreeSet;
@@ -54,21 +55,6 @@ use std::path::PathBuf;
 /// What a report makes, in the folder of the grades or in one of its own.
 pub const MADE: [&str; 6] =
     ["report.html", "tables", "feedback", "gradebook-canvas.csv", "gradebook-moodle.csv", matches::MATCHES];
-
-/// Tables that a report may have.
-const TABLES: [&str; 11] = [
-    "asked",
-    "attempts",
-    "credit",
-    "fairness",
-    "matches",
-    "methods",
-    "parts",
-    "slips",
-    "totals",
-    "unreadable",
-    "verdicts",
-];
 
 /// Names of the students' files in a folder of grades, by its basis; none where there is no basis.
 pub fn folders(graded: &Path) -> BTreeSet<String> {
@@ -82,7 +68,9 @@ pub fn is_ours(name: &str, students: &BTreeSet<String>) -> bool {
     match name.split_once('/') {
         None => MADE.contains(&name) && !["tables", "feedback"].contains(&name),
         Some(("tables" | "feedback", "")) => true,
-        Some(("tables", file)) => file.strip_suffix(".csv").is_some_and(|t| TABLES.contains(&t)),
+        Some(("tables", file)) => {
+            file.strip_suffix(".csv").is_some_and(|t| class::TABLES.split(' ').any(|name| name == t))
+        }
         Some(("feedback", file)) => {
             let student = file.strip_suffix(".html").or_else(|| file.strip_suffix(".md"));
             student.is_some_and(|s| students.contains(s))
@@ -212,13 +200,12 @@ fn may_write(args: &args::Report, place: &Path) -> Result<(), Finding> {
 /// # Errors
 /// What is missing or faulty in the folder of the grades, a language that is not there, or writing that fails.
 pub fn make(graded: &Path, out: &Path, own: &Own, threads: Option<usize>) -> Result<Summary, Findings> {
-    let basis = Basis::read(graded)?;
+    let mut basis = Basis::read(graded)?;
     let language = own.language.clone().unwrap_or_else(|| basis.grading.language.clone());
-    let mut bank = basis.bank.clone();
-    let texts = banks::texts(own, &language, &mut bank)?;
+    let texts = banks::texts(own, &language, &mut basis.bank)?;
     let catalogue = Catalogue::of(&language).unwrap_or_else(Catalogue::built_in);
-    let marks = read_marks(graded, &basis)?;
-    let study = Study::of(&marks);
+    let marks = read_marks(graded, &basis, &texts.words)?;
+    let study = ClassStudy::of(&marks);
     let written = |name: &str, e: &io::Error| files::trouble(&out.join(name), "cannot be written", e);
     let write = |name: &str, bytes: &[u8]| fs::write(out.join(name), bytes).map_err(|e| written(name, &e));
     let folder = |name: &str| fs::create_dir(out.join(name)).map_err(|e| written(name, &e));
@@ -226,26 +213,22 @@ pub fn make(graded: &Path, out: &Path, own: &Own, threads: Option<usize>) -> Res
     let found = matches::find(&graded::open(graded, None)?)?;
     write(matches::MATCHES, &found.csv())?;
 
-    // The class report is in English, for the instructor.
-    let english = crate::words::Words::english();
-    let mut converter = Converter::new(&english);
-    let about = about(&basis);
-    let told = class::report(
-        &marks,
-        &study,
-        &about,
-        &Catalogue::built_in(),
-        &found,
-        &Templates::english(),
-        &mut |markdown| inline(&mut converter, markdown),
-    )?;
+    let mut converter = Converter::new(&texts.words);
+    let about = about(&basis, &texts.words);
+    let reporter = ClassReporter {
+        marks: &marks,
+        study: &study,
+        catalogue: &catalogue,
+        matches: &found,
+        words: &texts.words,
+    };
+    let told = reporter.report(&about, &texts.templates, &mut |markdown| inline(&mut converter, markdown))?;
     write("report.html", &told.html)?;
     folder("tables")?;
     for table in &told.tables {
         write(&format!("tables/{}.csv", table.name), &table.csv())?;
     }
 
-    let titles: Vec<String> = basis.set.problems.iter().map(|id| title_of(&bank, id)).collect();
     let corrections: Vec<(usize, String)> = marks
         .class
         .parts
@@ -257,23 +240,10 @@ pub fn make(graded: &Path, out: &Path, own: &Own, threads: Option<usize>) -> Res
             Some((i, correction.why.clone()))
         })
         .collect();
-    let words: Vec<String> = marks
-        .class
-        .parts
-        .iter()
-        .map(|part| {
-            let id = part.number.checked_sub(1).and_then(|i| basis.set.problems.get(i));
-            let problem = id.and_then(|id| bank.problems.iter().find(|p| p.id == *id));
-            let question = problem.and_then(|p| p.questions.iter().find(|q| q.id == part.id));
-            question.map_or_else(String::new, |q| asked(&q.ask).to_owned())
-        })
-        .collect();
-    let desk = Desk {
+    let desk = FeedbackDesk {
         marks: &marks,
-        title: if basis.policy.title.is_empty() { &bank.title } else { &basis.policy.title },
+        title: &about.title,
         set: &basis.set.name,
-        problems: &titles,
-        asked: &words,
         words: &texts.words,
         templates: &texts.templates,
         catalogue: &catalogue,
@@ -301,31 +271,34 @@ pub fn make(graded: &Path, out: &Path, own: &Own, threads: Option<usize>) -> Res
     });
     all?;
 
-    let (item, most, lines) = book(&marks, &basis.grading.set);
+    let (item, most, lines) = book(&marks, &basis.grading.set, &texts.words);
     write("gradebook-canvas.csv", &lms::canvas(&item, most, &lines))?;
     write("gradebook-moodle.csv", &lms::moodle(&item, &lines))?;
+    let english = Words::english();
     Ok(Summary {
         students: marks.class.students.len(),
         took_part: study.took_part.len(),
         tables: told.tables.len(),
-        lines: told.summary,
-        matches: found.summary(),
+        lines: ClassReporter { catalogue: &Catalogue::built_in(), words: &english, ..reporter }.in_brief(),
+        matches: found.summary(&english),
     })
 }
 
 /// Name of the grade item, the most that it gives, and the lines of the gradebooks; their short text names the verdict of each
 /// part. Where not all students can get the same number of points (another problem is dropped), points cannot be compared: the
 /// item is then in per cent.
-fn book<'m>(marks: &'m Marks, set: &str) -> (String, f64, Vec<Line<'m>>) {
+fn book<'m>(marks: &'m Marks, set: &str, words: &Words) -> (String, f64, Vec<GradebookLine<'m>>) {
     let most = marks.totals.iter().map(|t| t.1).fold(0.0, f64::max);
     let same = marks.totals.iter().all(|t| (t.1 - most).abs() <= 1e-9 * most);
     let told = |s: usize| -> String {
         let parts = marks.class.parts.iter().enumerate().filter(|(p, _)| marks.asked(s, *p));
         let told: Vec<String> = parts
             .map(|(p, part)| {
-                let verdict = marks.cell(s, p).row.as_ref().map_or("no answer", |r| r.verdict.as_str());
-                let points = table::points(marks.points(s, p));
-                format!("{} {verdict} {points}/{}", part.label(), table::points(part.points))
+                let verdict = marks.cell(s, p).row.as_ref().map_or("none", |r| r.verdict.as_str());
+                let verdict = words.get(&format!("report.verdict.{}", verdict.replace(' ', "_")));
+                let number = |value: f64| words.number(&table::points(value));
+                let (points, of) = (number(marks.points(s, p)), number(part.points));
+                format!("{} {verdict} {points}/{of}", part.label())
             })
             .collect();
         told.join("; ")
@@ -337,7 +310,7 @@ fn book<'m>(marks: &'m Marks, set: &str) -> (String, f64, Vec<Line<'m>>) {
     };
     let line = |(s, student): (usize, &'m Student)| {
         let any = marks.took_part(s) || (0..marks.class.parts.len()).any(|p| marks.points(s, p) > 0.0);
-        Line {
+        GradebookLine {
             id: &student.id,
             name: &student.name,
             points: any.then(|| points(marks.totals[s])),
@@ -394,7 +367,7 @@ impl Basis {
     }
 
     /// The class without marks.
-    fn class(&self) -> Class {
+    fn class(&self, words: &Words) -> Class {
         let indices: Vec<Option<&crate::bank::Problem>> =
             self.set.problems.iter().map(|id| self.bank.problems.iter().find(|p| p.id == *id)).collect();
         let parts: Vec<Part> = indices
@@ -412,7 +385,7 @@ impl Basis {
                     unit: q.unit.ascii().to_owned(),
                     unit_required: q.unit_required,
                     asked: asked(&q.ask).to_owned(),
-                    tolerance: tolerance(q),
+                    tolerance: tolerance(q, words),
                 })
             })
             .collect();
@@ -444,24 +417,26 @@ fn asked(ask: &str) -> &str {
 }
 
 /// The rule of the tolerance in words.
-fn tolerance(question: &Question) -> String {
+fn tolerance(question: &Question, words: &Words) -> String {
     if question.label.quantity.is_word() {
         return String::new();
     }
-    let share = |s: f64| format!("{} %", table::points(s * 100.0));
-    let mut text = match question.relative {
+    let share = |s: f64| words.number(&format!("{} %", table::points(s * 100.0)));
+    let text = match question.relative {
         Relative::Fixed(s) => share(s),
-        Relative::Widens { least, per_cond, most } => format!(
-            "{} to {}: {} for each unit of the condition number",
-            share(least),
-            share(most),
-            share(per_cond)
-        ),
+        Relative::Widens { least, per_cond, most } => {
+            let pieces = [("least", share(least)), ("most", share(most)), ("each", share(per_cond))];
+            words
+                .say("report.tolerance.widens", &pieces.each_ref().map(|(name, text)| (*name, text.as_str())))
+        }
     };
-    if let Some(width) = question.absolute.filter(|w| *w > 0.0) {
-        text.push_str(&format!(", at least {width} in SI units"));
+    match question.absolute.filter(|w| *w > 0.0) {
+        None => text,
+        Some(width) => {
+            let width = words.number(&width.to_string());
+            words.say("report.tolerance.at_least", &[("share", &text), ("width", &width)])
+        }
     }
-    text
 }
 
 /// A student of the set with the numbers that were drawn.
@@ -495,7 +470,7 @@ fn read_key(path: &Path) -> Result<Vec<(String, String, String)>, Finding> {
     Ok(rows)
 }
 
-fn read_marks(graded: &Path, basis: &Basis) -> Result<Marks, Findings> {
+fn read_marks(graded: &Path, basis: &Basis, words: &Words) -> Result<Marks, Findings> {
     let unreadable = |path: &PathBuf, fault: Unreadable| {
         let finding = Finding::new("", fault.what).in_file(path.display().to_string());
         let finding = if fault.line > 0 {
@@ -507,7 +482,7 @@ fn read_marks(graded: &Path, basis: &Basis) -> Result<Marks, Findings> {
     };
     let answers = graded.join("answers.csv");
     let mut open = || fs::File::open(&answers).map(|f| io::BufReader::with_capacity(1 << 18, f));
-    let mut marks = Marks::read(basis.class(), &mut open).map_err(|f| unreadable(&answers, f))?;
+    let mut marks = Marks::read(basis.class(words), &mut open).map_err(|f| unreadable(&answers, f))?;
     let book = graded.join("gradebook.csv");
     let file = fs::File::open(&book).map_err(|e| files::trouble(&book, "cannot be read", &e))?;
     marks.book(io::BufReader::new(file)).map_err(|f| unreadable(&book, f))?;
@@ -515,39 +490,35 @@ fn read_marks(graded: &Path, basis: &Basis) -> Result<Marks, Findings> {
 }
 
 /// How it was graded and of what, in words.
-fn about(basis: &Basis) -> About {
+fn about(basis: &Basis, words: &Words) -> About {
     let grading = &basis.grading;
-    let short = |hash: &str| hash.chars().take(16).collect::<String>();
+    let hash = |hash: &str| format!("SHA-256 {}…", hash.chars().take(16).collect::<String>());
+    let say = |name: &str, pieces: &[(&str, &str)]| words.say(&format!("report.provenance.{name}"), pieces);
     let mut provenance = Vec::new();
-    let mut add = |name: &str, value: String| provenance.push((name.to_owned(), value));
-    add("Graded by", grading.program.clone());
-    add("Submissions", format!("{}, {} bytes", grading.submissions, grading.submissions_bytes));
-    let replayed = match grading.replayed {
-        true => "",
-        false => ", of an earlier version: not replayed, graded by its stored key",
-    };
-    add(
-        "Set",
-        format!("{}, seed {}, draw version {}{replayed}", grading.set, grading.seed, grading.draw_version),
-    );
-    add("Bank", format!("{}, SHA-256 {}…", grading.bank, short(&grading.bank_sha256)));
-    add("Key", format!("SHA-256 {}…", short(&grading.key_sha256)));
-    if let Some(hash) = &grading.course_sha256 {
-        add("Course file", format!("SHA-256 {}…", short(hash)));
+    let mut add = |name: &str, value: String| provenance.push((say(name, &[]), value));
+    add("program", grading.program.clone());
+    let bytes = grading.submissions_bytes.to_string();
+    add("submissions", say("bytes", &[("file", &grading.submissions), ("n", &bytes)]));
+    let (seed, version) = (grading.seed.to_string(), grading.draw_version.to_string());
+    let draw = say("draw", &[("set", &grading.set), ("seed", &seed), ("version", &version)]);
+    add("set", if grading.replayed { draw } else { say("not_replayed", &[("draw", &draw)]) });
+    add("bank", format!("{}, {}", grading.bank, hash(&grading.bank_sha256)));
+    add("key", hash(&grading.key_sha256));
+    if let Some(sha256) = &grading.course_sha256 {
+        add("course", hash(sha256));
     }
-    add("Language", grading.language.clone());
+    add("language", grading.language.clone());
     if !grading.columns.is_empty() {
-        add("Columns", grading.columns.join(", "));
+        add("columns", grading.columns.join(", "));
     }
     if grading.untimed > 0 {
-        let n = grading.untimed;
-        add("By row", format!("attempts at {n} answers, because a submitted_at cannot be read"));
+        add("by_row", say("untimed", &[("n", &grading.untimed.to_string())]));
     }
     if grading.undated > 0 {
-        add("Undated", format!("{} answers that count have no time that can be read", grading.undated));
+        add("undated", say("undated_answers", &[("n", &grading.undated.to_string())]));
     }
     if !grading.unused_columns.is_empty() {
-        add("Not used", grading.unused_columns.join(", "));
+        add("not_used", grading.unused_columns.join(", "));
     }
     About {
         title: if basis.policy.title.is_empty() {
@@ -556,7 +527,7 @@ fn about(basis: &Basis) -> About {
             basis.policy.title.clone()
         },
         set: basis.set.name.clone(),
-        settings: settings::in_words(&basis.policy),
+        settings: settings::in_words(&basis.policy, words),
         provenance,
     }
 }

@@ -17,7 +17,7 @@ use std::fs;
 pub const README: &str = "README.md";
 
 /// Pages that only instructors see; their looks are not written out.
-const INSTRUCTORS: [&str; 3] = ["accuracy.html", "gallery.html", "report.html"];
+const INSTRUCTORS: [&str; 2] = ["accuracy.html", "gallery.html"];
 
 /// Runs it.
 pub fn run(args: &args::Templates, io: &mut Io) -> Exit {
@@ -125,6 +125,40 @@ const PIECES: &[(&str, &str, &[Piece])] = &[
                 "a list of `number`, `title`, `points`, `parts`: a list of `sign`, `name`, `verdict`, `points`, `answer`, `reason`, `credit` (a list of lines), `hints` (a list of lines)",
             ),
         ],
+    ),
+    (
+        "report.html",
+        "the class report, for the instructor (`slipstick report`); its phrases are in words/report.yaml",
+        &[
+            ("language, title, set", "of the report; title of the course or the bank"),
+            (
+                "words",
+                "the phrases of words/report.yaml, nested as there; `{{ words.of | fill(n=3, of=4) }}` fills the places of one",
+            ),
+            ("graded", "lists of name and value: how it was graded, and what"),
+            (
+                "students, took_part, absent, rows",
+                "how many students there are, handed in, did not; how many answers there are",
+            ),
+            (
+                "totals, right, alpha",
+                "median of the totals, share of right answers, Cronbach's alpha; empty where there is none",
+            ),
+            (
+                "favourites",
+                "the favourite mistakes: a list of `students`, `share`, `parts`, `ids`, `they`, `advice`, `also`",
+            ),
+            ("charts", "plots in SVG: `totals`, `parts`, `items`, `mistakes`, `fairness` (a list)"),
+            ("tables", "by name, as in the folder tables/; each is given to report-table.html as `t`"),
+        ],
+    ),
+    (
+        "report-table.html",
+        "a table of the class report, included by the above",
+        &[(
+            "t",
+            "`name`, `caption`, `head`, `texts` (so many columns from the left are no numbers), `rows` (of cells with `shown` and `rich`), `shown` and `all` (rows here and in the file)",
+        )],
     ),
     (
         "sheet.md",

@@ -2,10 +2,11 @@
 use crate::guard::push_text;
 use crate::matches;
 use crate::num::shown;
+use crate::words::Words;
 
 /// A pair, in words.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Told {
+pub struct MatchedPair {
     /// Who gave the answers: id and name.
     pub student: [String; 2],
     /// Whose keys they hit: id and name.
@@ -26,43 +27,37 @@ pub struct Told {
 
 /// What was found.
 #[derive(Debug, Clone, PartialEq, Default)]
-pub struct Matches {
+pub struct ClassMatches {
     /// Most striking first.
-    pub pairs: Vec<Told>,
+    pub pairs: Vec<MatchedPair>,
     /// Wrong answers in numbers that were held against classmates' keys.
     pub answers: usize,
     /// How many of those nothing else explains.
     pub unexplained: usize,
 }
 
-impl Matches {
-    /// One sentence of what was looked at and what luck brings.
-    pub fn summary(&self) -> String {
+impl ClassMatches {
+    /// What was looked at, what was found, and what luck brings.
+    pub fn summary(&self, words: &Words) -> String {
         let flagged = self.pairs.iter().filter(|p| p.flagged).count();
-        if self.answers == 0 {
-            return "No wrong answer in numbers, so none that is a classmate's.".to_owned();
-        }
-        let looked = format!(
-            "{} in numbers held against classmates' keys, {} of them with no other explanation",
-            if self.answers == 1 {
-                "1 wrong answer".to_owned()
-            } else {
-                format!("{} wrong answers", self.answers)
-            },
-            self.unexplained
-        );
-        let found = match flagged {
-            0 => "no pair stands out".to_owned(),
-            1 => "1 pair stands out".to_owned(),
-            n => format!("{n} pairs stand out"),
+        let (answers, unexplained) = (self.answers.to_string(), self.unexplained.to_string());
+        let name = match self.answers {
+            0 => return words.get("report.matches.nothing").to_owned(),
+            1 => "report.matches.looked_one",
+            _ => "report.matches.looked",
         };
+        let looked = words.say(name, &[("n", &answers), ("unexplained", &unexplained)]);
+        let name = match flagged {
+            0 => "report.matches.found_none",
+            1 => "report.matches.found_one",
+            _ => "report.matches.found",
+        };
+        let found = words.say(name, &[("looked", &looked), ("n", &flagged.to_string())]);
         if self.unexplained == 0 {
-            return format!("{looked}: {found}.");
+            return found;
         }
-        format!(
-            "{looked}: {found}. Among honest students luck alone makes a pair stand out in one set of {}.",
-            shown::decimals(1.0 / matches::FLAGGED, 0)
-        )
+        let one_in = shown::decimals(1.0 / matches::FLAGGED, 0);
+        format!("{found} {}", words.say("report.matches.luck", &[("n", &one_in)]))
     }
 
     /// matches.csv: all pairs.

@@ -1,22 +1,23 @@
-//! The plots of the class report.
+//! The plots of the class report, in the words of a language.
 use crate::num::chance;
 use crate::num::trig;
 use crate::plot::Axis;
-use crate::plot::AxisScale;
 use crate::plot::ChartRow;
 use crate::plot::RowChart;
+use crate::plot::AxisScale;
 use crate::plot::ScatterChart;
 use crate::plot::Spot;
 use crate::plot::SpreadChart;
 use crate::report::marks::Marks;
 use crate::report::stats::LEAST_FOR_SHARE;
 use crate::report::stats::spread;
-use crate::report::stats::spread::Summary;
+use crate::report::stats::spread::Distribution;
+use crate::report::study::ClassStudy;
 use crate::report::study::LEVEL;
-use crate::report::study::Study;
 use crate::report::table::fixed;
 use crate::report::table::percent;
 use crate::report::table::points;
+use crate::words::Words;
 
 /// From so many students on the histogram has twice as many columns.
 const MANY: usize = 120;
@@ -25,179 +26,183 @@ const FEW: usize = 30;
 /// Below this a part hardly tells strong from weak (Ebel 1965).
 const POOR: f64 = 0.2;
 
-fn axis(label: &str, low: f64, high: f64) -> Axis {
-    Axis { label: label.to_owned(), scale: AxisScale::Linear, low, high }
+/// What the plots are made of.
+#[derive(Clone, Copy)]
+pub struct ClassCharts<'c> {
+    /// The marks.
+    pub marks: &'c Marks,
+    /// What they tell.
+    pub study: &'c ClassStudy,
+    /// Words of the language.
+    pub words: &'c Words,
 }
 
-/// Distribution of the totals.
-pub fn totals(study: &Study, summary: &Summary) -> String {
-    // Credit beyond the sheet does not exist, but rounding up may pass the end.
-    let most = study.most.max(summary.greatest);
-    let classes = if study.totals.len() >= MANY { 26 } else { 16 };
-    let histogram = spread::histogram(&study.totals, most, classes);
-    let end = |i: usize| histogram.from + i as f64 * histogram.width;
-    let classes = histogram.counts.iter().enumerate().map(|(i, n)| (end(i), end(i + 1), *n)).collect();
-    let few = study.totals.len() < FEW;
-    let description = format!(
-        "Totals of {} students: median {}, half of them from {} to {}, all from {} to {} of {} points. {}",
-        summary.n,
-        points(summary.median),
-        points(summary.lower),
-        points(summary.upper),
-        points(summary.least),
-        points(summary.greatest),
-        points(study.most),
-        if few { "A dot for each student." } else { "Columns count the students." }
-    );
-    SpreadChart {
-        id: "plot-totals".to_owned(),
-        title: "Distribution of the totals".to_owned(),
-        description,
-        axis: axis(
-            &format!("points of {}", points(study.most)),
-            if few { 0.0 } else { histogram.from },
-            if few { most } else { end(histogram.counts.len()) },
-        ),
-        classes,
-        dots: if few { study.totals.clone() } else { Vec::new() },
-        line: Some((summary.median, format!("median {}", points(summary.median)))),
-        what: "students".to_owned(),
+impl ClassCharts<'_> {
+    fn say(&self, name: &str, pieces: &[(&str, &str)]) -> String {
+        self.words.say(&format!("report.chart.{name}"), pieces)
     }
-    .svg()
-}
 
-/// Success of each part.
-pub fn success(marks: &Marks, study: &Study) -> String {
-    let rows: Vec<ChartRow> = study
-        .parts
-        .iter()
-        .enumerate()
-        .map(|(p, part)| {
-            let success = part.success.filter(|_| part.answered >= LEAST_FOR_SHARE);
-            ChartRow {
-                label: marks.class.parts[p].label(),
-                words: String::new(),
-                value: success.map(|s| s.value),
-                interval: success.map(|s| (s.low, s.high)),
-                note: format!("{} of {}", part.right, part.answered),
-                marked: false,
-            }
-        })
-        .collect();
-    let told: Vec<String> = rows.iter().map(|r| format!("{}: {}", r.label, r.note)).collect();
-    RowChart {
-        id: "plot-parts".to_owned(),
-        title: "Right answers".to_owned(),
-        description: format!("Right answers of those that count, part by part. {}.", told.join("; ")),
-        axis: axis("share of the answers that count", 0.0, 1.0),
-        percent: true,
-        bars: true,
-        rows,
+    fn axis(&self, name: &str, low: f64, high: f64) -> Axis {
+        Axis { label: self.say(name, &[]), scale: AxisScale::Linear, low, high }
     }
-    .svg()
-}
 
-/// Ease against discrimination; `None` if no part has both.
-pub fn items(marks: &Marks, study: &Study) -> Option<String> {
-    let spots: Vec<Spot> = study
-        .parts
-        .iter()
-        .enumerate()
-        .filter_map(|(p, part)| {
-            let (x, y) = (part.ease?, *part.discrimination.as_ref().ok()?);
-            Some(Spot { x, y, label: marks.class.parts[p].label(), marked: y < POOR })
-        })
-        .collect();
-    if spots.is_empty() {
-        return None;
+    /// A bar or a dot with its interval, and the number beside it.
+    fn row(label: &str, value: Option<f64>, note: String) -> ChartRow {
+        let (label, words) = (label.to_owned(), String::new());
+        ChartRow { label, words, value, interval: None, note, marked: false }
     }
-    let told: Vec<String> =
-        spots.iter().map(|s| format!("{} {} and {}", s.label, percent(s.x), fixed(s.y, 2))).collect();
-    let y = Axis::around("discrimination", AxisScale::Linear, spots.iter().map(|s| s.y).chain([0.0, 0.4]));
-    Some(
-        ScatterChart {
-            id: "plot-items".to_owned(),
-            title: "Ease and discrimination of the parts".to_owned(),
-            description: format!("Ease of each part, then its discrimination: {}.", told.join("; ")),
-            x: axis("ease: mean share of the points", 0.0, 1.0),
-            y,
-            level: Some((POOR, "orange: below 0.2, hardly tells strong from weak".to_owned())),
-            spots,
-        }
-        .svg(),
-    )
-}
 
-/// Wrong methods by students: ids, words, how many.
-pub fn mistakes(marks: &Marks, methods: &[(String, String, usize)]) -> String {
-    const MOST: usize = 12;
-    let most = methods.iter().map(|m| m.2).max().unwrap_or(1);
-    let rows: Vec<ChartRow> = (methods.iter().take(MOST))
-        .map(|(ids, words, students)| ChartRow {
-            label: ids.clone(),
-            words: words.clone(),
-            value: Some(*students as f64),
-            interval: None,
-            note: students.to_string(),
-            marked: false,
-        })
-        .collect();
-    let told: Vec<String> = rows.iter().map(|r| format!("{}: {}", r.label, r.note)).collect();
-    let mut axis = Axis::around("students", AxisScale::Linear, [0.0, most as f64].into_iter());
-    axis.high = axis.high.max(4.0);
-    let all = marks.class.students.len();
-    RowChart {
-        id: "plot-mistakes".to_owned(),
-        title: "Students with each wrong method".to_owned(),
-        description: format!(
-            "Students, of {all}, with an answer that fits a wrong method. {}.",
-            told.join("; ")
-        ),
-        axis,
-        percent: false,
-        bars: true,
-        rows,
-    }
-    .svg()
-}
-
-/// Correlations of the marks of a problem with its data; `None` if there are none.
-pub fn fairness(title: &str, study: &Study, problem: usize) -> Option<String> {
-    let rows: Vec<ChartRow> = study
-        .fairness
-        .iter()
-        .filter(|c| c.problem == problem)
-        .filter_map(|c| {
-            let rho = c.rho?;
-            Some(ChartRow {
-                label: c.datum.clone(),
-                words: String::new(),
-                value: Some(rho.value),
-                interval: Some((rho.low, rho.high)),
-                note: fixed(rho.value, 2),
-                marked: c.corrected < LEVEL,
-            })
-        })
-        .collect();
-    if rows.is_empty() {
-        return None;
-    }
-    let told: Vec<String> = rows.iter().map(|r| format!("{}: {}", r.label, r.note)).collect();
-    let widest =
-        rows.iter().filter_map(|r| r.interval).fold(0.0, |w: f64, (a, b)| w.max(a.abs()).max(b.abs()));
-    let reach = [0.25, 0.5, 1.0].into_iter().find(|r| widest <= *r).unwrap_or(1.0);
-    Some(
+    /// A plot of rows; its description lists them.
+    fn rows(&self, name: &str, title: &str, axis: Axis, shares: bool, rows: Vec<ChartRow>) -> RowChart {
+        let told: Vec<String> = rows.iter().map(|r| format!("{}: {}", r.label, r.note)).collect();
+        let all = self.marks.class.students.len().to_string();
         RowChart {
-            id: format!("plot-fairness-{}", problem + 1),
+            id: format!("plot-{name}"),
             title: title.to_owned(),
-            description: format!("Correlation of the marks with each datum. {}.", told.join("; ")),
-            axis: axis("correlation of the marks with the datum, with its 95 % interval", -reach, reach),
-            percent: false,
-            bars: false,
+            description: self
+                .say(&format!("{name}.description"), &[("all", &all), ("list", &told.join("; "))]),
+            axis,
+            percent: shares,
+            bars: true,
             rows,
         }
-        .svg(),
-    )
+    }
+
+    /// The numbers on the axes with the mark of the language: they alone stand in a picture as nothing but a number.
+    fn in_language(&self, svg: &str) -> String {
+        if self.words.decimal() == '.' {
+            return svg.to_owned();
+        }
+        let is_number = |text: &str| {
+            text.bytes().any(|b| b.is_ascii_digit())
+                && text.trim_start_matches('\u{2212}').parse::<f64>().is_ok()
+        };
+        let pieces = svg.split('>').map(|piece| match piece.split_once("</text") {
+            Some((text, rest)) if is_number(text) => format!("{}</text{rest}", self.words.number(text)),
+            _ => piece.to_owned(),
+        });
+        pieces.collect::<Vec<_>>().join(">")
+    }
+
+    /// Distribution of the totals.
+    pub fn totals(&self, summary: &Distribution) -> String {
+        let study = self.study;
+        // Credit beyond the sheet does not exist, but rounding up may pass the end.
+        let most = study.most.max(summary.greatest);
+        let classes = if study.totals.len() >= MANY { 26 } else { 16 };
+        let histogram = spread::histogram(&study.totals, most, classes);
+        let end = |i: usize| histogram.from + i as f64 * histogram.width;
+        let classes = histogram.counts.iter().enumerate().map(|(i, n)| (end(i), end(i + 1), *n)).collect();
+        let few = study.totals.len() < FEW;
+        let of = |value: f64| self.words.number(&points(value));
+        let (n, median, sum) = (summary.n.to_string(), of(summary.median), of(study.most));
+        let (lower, upper) = (of(summary.lower), of(summary.upper));
+        let (least, greatest) = (of(summary.least), of(summary.greatest));
+        let pieces = [
+            ("n", n.as_str()),
+            ("median", &median),
+            ("lower", &lower),
+            ("upper", &upper),
+            ("least", &least),
+            ("greatest", &greatest),
+            ("most", &sum),
+        ];
+        let how = self.say(if few { "totals.dots" } else { "totals.columns" }, &[]);
+        let spread = SpreadChart {
+            id: "plot-totals".to_owned(),
+            title: self.say("totals.title", &[]),
+            description: format!("{} {how}", self.say("totals.description", &pieces)),
+            axis: Axis {
+                label: self.say("totals.axis", &[("most", &sum)]),
+                scale: AxisScale::Linear,
+                low: if few { 0.0 } else { histogram.from },
+                high: if few { most } else { end(histogram.counts.len()) },
+            },
+            classes,
+            dots: if few { study.totals.clone() } else { Vec::new() },
+            line: Some((summary.median, self.say("totals.median", &[("n", &median)]))),
+            what: self.say("totals.students", &[]),
+        };
+        self.in_language(&spread.svg())
+    }
+
+    /// Success of each part; `None` if nobody answered any.
+    pub fn parts(&self) -> Option<String> {
+        let rows = self.study.parts.iter().zip(&self.marks.class.parts).map(|(part, of)| {
+            let success = part.success.filter(|_| part.answered >= LEAST_FOR_SHARE);
+            let (right, answered) = (part.right.to_string(), part.answered.to_string());
+            let note = self.words.say("report.of", &[("n", &right), ("of", &answered)]);
+            let interval = success.map(|s| (s.low, s.high));
+            ChartRow { interval, ..Self::row(&of.label(), success.map(|s| s.value), note) }
+        });
+        let axis = self.axis("parts.axis", 0.0, 1.0);
+        let rows = self.rows("parts", &self.say("parts.title", &[]), axis, true, rows.collect());
+        self.study.parts.iter().any(|p| p.answered > 0).then(|| rows.svg())
+    }
+
+    /// Ease against discrimination; `None` if no part has both.
+    pub fn items(&self) -> Option<String> {
+        let spots = self.study.parts.iter().zip(&self.marks.class.parts).filter_map(|(part, of)| {
+            let (x, y) = (part.ease?, *part.discrimination.as_ref().ok()?);
+            Some(Spot { x, y, label: of.label(), marked: y < POOR })
+        });
+        let spots: Vec<Spot> = spots.collect();
+        if spots.is_empty() {
+            return None;
+        }
+        let told = spots.iter().map(|s| {
+            let discrimination = self.words.number(&fixed(s.y, 2));
+            let (ease, discrimination) = (percent(s.x), discrimination.as_str());
+            self.say("items.part", &[("part", &s.label), ("ease", &ease), ("discrimination", discrimination)])
+        });
+        let list = told.collect::<Vec<_>>().join("; ");
+        let level = self.words.number(&fixed(POOR, 1));
+        let ys = spots.iter().map(|s| s.y).chain([0.0, 0.4]);
+        let scatter = ScatterChart {
+            id: "plot-items".to_owned(),
+            title: self.say("items.title", &[]),
+            description: self.say("items.description", &[("list", &list)]),
+            x: self.axis("items.x", 0.0, 1.0),
+            y: Axis::around(&self.say("items.y", &[]), AxisScale::Linear, ys),
+            level: Some((POOR, self.say("items.poor", &[("level", &level)]))),
+            spots,
+        };
+        Some(self.in_language(&scatter.svg()))
+    }
+
+    /// Wrong methods by students: ids, words, how many.
+    pub fn mistakes(&self, methods: &[(String, String, usize)]) -> String {
+        const MOST: usize = 12;
+        let most = methods.iter().map(|m| m.2).max().unwrap_or(1);
+        let rows = methods.iter().take(MOST).map(|(ids, words, students)| ChartRow {
+            words: words.clone(),
+            ..Self::row(ids, Some(*students as f64), students.to_string())
+        });
+        let label = self.say("mistakes.axis", &[]);
+        let mut axis = Axis::around(&label, AxisScale::Linear, [0.0, most as f64].into_iter());
+        axis.high = axis.high.max(4.0);
+        self.rows("mistakes", &self.say("mistakes.title", &[]), axis, false, rows.collect()).svg()
+    }
+
+    /// Correlations of the marks of a problem with its data; `None` if there are none.
+    pub fn fairness(&self, title: &str, problem: usize) -> Option<String> {
+        let rows = self.study.fairness.iter().filter(|c| c.problem == problem).filter_map(|c| {
+            let rho = c.rho?;
+            let note = self.words.number(&fixed(rho.value, 2));
+            let row = Self::row(&c.datum, Some(rho.value), note);
+            Some(ChartRow { interval: Some((rho.low, rho.high)), marked: c.corrected < LEVEL, ..row })
+        });
+        let rows: Vec<ChartRow> = rows.collect();
+        if rows.is_empty() {
+            return None;
+        }
+        let ends = rows.iter().filter_map(|r| r.interval);
+        let widest = ends.fold(0.0, |w: f64, (a, b)| w.max(a.abs()).max(b.abs()));
+        let reach = [0.25, 0.5, 1.0].into_iter().find(|r| widest <= *r).unwrap_or(1.0);
+        let plot = self.rows("fairness", title, self.axis("fairness.axis", -reach, reach), false, rows);
+        let plot = RowChart { id: format!("plot-fairness-{}", problem + 1), bars: false, ..plot };
+        Some(self.in_language(&plot.svg()))
+    }
 }
 
 /// The least correlation that stands out among so many comparisons of n students (at least 4): tanh(z/sqrt(n - 3)), where z leaves

@@ -20,17 +20,13 @@ use crate::template::View;
 use crate::words::Words;
 
 /// What is the same for all students.
-pub struct Desk<'d> {
+pub struct FeedbackDesk<'d> {
     /// The marks.
     pub marks: &'d Marks,
     /// Title of the course or bank, in the language of the feedback.
     pub title: &'d str,
     /// Name of the set.
     pub set: &'d str,
-    /// Titles of the problems, in the language of the feedback.
-    pub problems: &'d [String],
-    /// What each part asks, in the language of the feedback; empty where it is not known.
-    pub asked: &'d [String],
     /// Words of the language.
     pub words: &'d Words,
     /// Templates of the language.
@@ -43,7 +39,7 @@ pub struct Desk<'d> {
     pub corrections: &'d [(usize, String)],
 }
 
-impl Desk<'_> {
+impl FeedbackDesk<'_> {
     /// The feedback of a student.
     ///
     /// # Errors
@@ -109,7 +105,7 @@ impl Desk<'_> {
         if dropped.contains(&problem) {
             told = format!("{told}; {}", self.words.get("marks.not_counted"));
         }
-        let title = self.problems.get(problem).map_or("", String::as_str);
+        let title = &self.marks.class.problems[problem].title;
         template::map([
             ("number", template::finished(&(problem + 1).to_string())),
             ("title", template::finished(title)),
@@ -147,7 +143,7 @@ impl Desk<'_> {
         template::map([
             ("sign", template::finished(sign)),
             ("name", template::finished(&template::in_markdown(&asked.label()))),
-            ("asked", template::finished(self.asked.get(part).map_or("", String::as_str))),
+            ("asked", template::finished(&asked.asked)),
             ("verdict", template::finished(self.words.get(&format!("marks.verdict.{name}")))),
             ("points", template::finished(&self.points(points, asked.points))),
             ("answer", template::finished(&row.map_or_else(String::new, |r| quoted(&r.answer)))),

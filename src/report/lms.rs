@@ -4,7 +4,7 @@ use crate::guard::push_text;
 
 /// A student's line of a gradebook.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Line<'l> {
+pub struct GradebookLine<'l> {
     /// Id, as on the roster.
     pub id: &'l str,
     /// Name, empty if none is known.
@@ -21,7 +21,7 @@ pub struct Line<'l> {
 /// Canvas looks a student up by `ID` (its own number, left empty: nobody else knows it), by `SIS User ID`, by `SIS Login ID`,
 /// then by the name; the id of the roster stands in both SIS columns. An assignment of this name is filled, or a new one is
 /// made with these points (instructure/canvas-lms, `lib/gradebook_importer.rb`). An empty cell changes nothing.
-pub fn canvas(assignment: &str, most: f64, lines: &[Line]) -> Vec<u8> {
+pub fn canvas(assignment: &str, most: f64, lines: &[GradebookLine]) -> Vec<u8> {
     let mut out = b"Student,ID,SIS User ID,SIS Login ID,Section,".to_vec();
     push_text(&mut out, canvas_name(assignment).as_bytes());
     out.extend_from_slice(b"\nPoints Possible,,,,,");
@@ -64,7 +64,7 @@ fn canvas_name(name: &str) -> String {
 /// or username), and which column goes into which grade item; a cell `-` is no grade (moodle,
 /// `grade/import/csv/classes/load_data.php`). Grades and feedback of an item must be imported together, else the grades are
 /// lost (Moodle documentation, Grade import). The first column is called `Email address` if every id is one, else `ID number`.
-pub fn moodle(item: &str, lines: &[Line]) -> Vec<u8> {
+pub fn moodle(item: &str, lines: &[GradebookLine]) -> Vec<u8> {
     let emails = !lines.is_empty() && lines.iter().all(|l| l.id.contains('@'));
     let mut out = if emails { b"Email address,Name,".to_vec() } else { b"ID number,Name,".to_vec() };
     push_text(&mut out, item.as_bytes());
@@ -91,8 +91,8 @@ pub fn moodle(item: &str, lines: &[Line]) -> Vec<u8> {
 mod tests {
     use super::*;
 
-    fn line<'l>(id: &'l str, name: &'l str, points: Option<f64>) -> Line<'l> {
-        Line { id, name, points, feedback: "1.v right".to_owned() }
+    fn line<'l>(id: &'l str, name: &'l str, points: Option<f64>) -> GradebookLine<'l> {
+        GradebookLine { id, name, points, feedback: "1.v right".to_owned() }
     }
 
     #[test]

@@ -1,119 +1,135 @@
 //! The settings of a course in words, as the class report prints them.
+use crate::policy::Attempts;
 use crate::policy::DAY;
 use crate::policy::For;
 use crate::policy::HOUR;
+use crate::policy::Late;
 use crate::policy::MINUTE;
-use crate::policy::Per;
 use crate::policy::Policy;
 use crate::report::table::percent;
 use crate::report::table::points;
+use crate::words::Words;
 
 /// Name and value of each setting; what does not apply is said so where an instructor would ask.
-pub fn in_words(policy: &Policy) -> Vec<(String, String)> {
+pub fn in_words(policy: &Policy, words: &Words) -> Vec<(String, String)> {
+    let teller = SettingsTeller { policy, words };
+    let say = |name: &str, pieces: &[(&str, &str)]| teller.say(name, pieces);
+    let share = |share: f64| words.number(&percent(share));
+    let number = |value: f64| words.number(&points(value));
+    let (zone, credit) = (&policy.zone, &policy.credit);
     let mut list: Vec<(String, String)> = Vec::new();
-    let mut add = |name: &str, value: String| list.push((name.to_owned(), value));
-    let zone = policy.zone.name();
-    add(
-        "Due",
-        match policy.due {
-            Some(due) => format!("{} ({zone})", policy.zone.shown(due)),
-            None => "no date".to_owned(),
-        },
-    );
+    let mut add = |name: &str, value: String| list.push((say(name, &[]), value));
+    let no_date = || say("no_date", &[]);
+    add("due", policy.due.map_or_else(no_date, |due| format!("{} ({})", zone.shown(due), zone.name())));
     if let Some(day_first) = policy.day_first {
-        add("Dates", if day_first { "the day comes first" } else { "the month comes first" }.to_owned());
+        add("dates", say(if day_first { "day_first" } else { "month_first" }, &[]));
     }
-    if !policy.extensions.is_empty() {
-        let n = policy.extensions.len();
-        add("Extensions", format!("{n} {}", if n == 1 { "student" } else { "students" }));
+    match policy.extensions.len() {
+        0 => {}
+        1 => add("extensions", say("students_one", &[])),
+        n => add("extensions", say("students", &[("n", &n.to_string())])),
     }
-    let attempts = &policy.attempts;
-    let mut text = format!("the {} counts", attempts.counts.as_str());
-    if let Some(most) = attempts.at_most {
-        text.push_str(&format!(", of at most {most}"));
-    }
-    if attempts.penalty > 0.0 {
-        text.push_str(&format!(", {} less for each earlier one", percent(attempts.penalty)));
-        if attempts.least > 0.0 {
-            text.push_str(&format!(", at least {} left", percent(attempts.least)));
-        }
-    }
-    add("Attempts", text);
-    let late = &policy.late;
-    let mut text = match late.per {
-        _ if late.penalty <= 0.0 => "no penalty".to_owned(),
-        Per::Once => format!("{} less", percent(late.penalty)),
-        per => format!("{} less for each begun {}", percent(late.penalty), per.as_str()),
+    add("attempts", teller.attempts(&policy.attempts));
+    add("late", teller.late(&policy.late));
+    let points_for = |share_given: f64, name: &str| match share_given > 0.0 {
+        true if name.is_empty() => share(share_given),
+        true => say(name, &[("share", &share(share_given))]),
+        false => say("no_points", &[]),
     };
-    if late.penalty > 0.0 && late.most < 1.0 {
-        text.push_str(&format!(", at most {}", percent(late.most)));
+    add("follow", points_for(credit.follow, "follows"));
+    let mut methods = points_for(credit.methods, "");
+    for (id, given) in &credit.by_method {
+        methods.push_str(&format!("; {id}: {}", share(*given)));
     }
-    if late.penalty > 0.0 && late.grace > 0 {
-        text.push_str(&format!(", after a grace of {}", lasting(late.grace)));
-    }
-    if let Some(closes) = late.closes {
-        text.push_str(&format!("; nothing counts after {}", policy.zone.shown(closes)));
-    }
-    if let Some(unread) = late.unread {
-        text.push_str(&format!("; what has no time that can be read is taken as {}", unread.as_str()));
-    }
-    add("Late", text);
-    let credit = &policy.credit;
-    add(
-        "Follow-through",
-        match credit.follow > 0.0 {
-            true => format!("{} for what follows from one's own wrong answer", percent(credit.follow)),
-            false => "no points".to_owned(),
-        },
-    );
-    let mut text = match credit.methods > 0.0 {
-        true => percent(credit.methods),
-        false => "no points".to_owned(),
-    };
-    for (id, share) in &credit.by_method {
-        text.push_str(&format!("; {id}: {}", percent(*share)));
-    }
-    add("Known wrong methods", text);
-    add("Hints to students", policy.hints.as_str().to_owned());
+    add("methods", methods);
+    add("hints", say(&format!("hint.{}", policy.hints.as_str()), &[]));
     if !policy.points.is_empty() {
-        let all: Vec<String> =
-            policy.points.iter().map(|(part, n)| format!("{}: {}", part.text(), points(*n))).collect();
-        add("Points", format!("as in the bank, but {}", all.join(", ")));
+        let all = policy.points.iter().map(|(part, n)| format!("{}: {}", part.text(), number(*n)));
+        add("points", say("as_in_bank", &[("list", &all.collect::<Vec<_>>().join(", "))]));
     }
-    if policy.drop_lowest > 0 {
-        let n = policy.drop_lowest;
-        add(
-            "Dropped",
-            if n == 1 { "the weakest problem".to_owned() } else { format!("the {n} weakest problems") },
-        );
+    match policy.drop_lowest {
+        0 => {}
+        1 => add("dropped", say("weakest_one", &[])),
+        n => add("dropped", say("weakest", &[("n", &n.to_string())])),
     }
+    let not_rounded = || say("not_rounded", &[]);
     add(
-        "Totals",
-        match policy.rounding {
-            Some(rounding) => format!("rounded {} to {}", rounding.way.as_str(), points(rounding.to)),
-            None => "not rounded".to_owned(),
-        },
+        "totals",
+        policy.rounding.map_or_else(not_rounded, |rounding| {
+            say(&format!("round.{}", rounding.way.as_str()), &[("to", &number(rounding.to))])
+        }),
     );
     for correction in &policy.corrections {
         let to = match correction.to {
-            For::All => "all",
-            For::Answered => "all who answered",
+            For::All => "to_all",
+            For::Answered => "to_answered",
         };
-        let why = if correction.why.is_empty() { String::new() } else { format!(": {}", correction.why) };
-        add(
-            &format!("Correction of {}", correction.part.text()),
-            format!("at least {} of the points to {to}{why}", percent(correction.share)),
-        );
+        let what = say(to, &[("share", &share(correction.share))]);
+        let what = match correction.why.as_str() {
+            "" => what,
+            why => say("because", &[("what", &what), ("why", why)]),
+        };
+        list.push((say("correction", &[("part", &correction.part.text())]), what));
     }
     list
 }
 
-/// `10 min`, `2 h`, `1 day`
-fn lasting(micros: i64) -> String {
-    match micros {
-        t if t % DAY == 0 => format!("{} {}", t / DAY, if t == DAY { "day" } else { "days" }),
-        t if t % HOUR == 0 => format!("{} h", t / HOUR),
-        t => format!("{} min", points(t as f64 / MINUTE as f64)),
+struct SettingsTeller<'t> {
+    policy: &'t Policy,
+    words: &'t Words,
+}
+
+impl SettingsTeller<'_> {
+    fn say(&self, name: &str, pieces: &[(&str, &str)]) -> String {
+        self.words.say(&format!("report.setting.{name}"), pieces)
+    }
+
+    fn share(&self, name: &str, share: f64) -> String {
+        self.say(name, &[("share", &self.words.number(&percent(share)))])
+    }
+
+    fn attempts(&self, attempts: &Attempts) -> String {
+        let mut text = self.say(&format!("counts.{}", attempts.counts.as_str()), &[]);
+        if let Some(most) = attempts.at_most {
+            text.push_str(&self.say("at_most", &[("n", &most.to_string())]));
+        }
+        if attempts.penalty > 0.0 {
+            text.push_str(&self.share("each_earlier", attempts.penalty));
+            if attempts.least > 0.0 {
+                text.push_str(&self.share("least", attempts.least));
+            }
+        }
+        text
+    }
+
+    fn late(&self, late: &Late) -> String {
+        let mut text = self.say("no_penalty", &[]);
+        if late.penalty > 0.0 {
+            text = self.share(&format!("per.{}", late.per.as_str()), late.penalty);
+            if late.most < 1.0 {
+                text.push_str(&self.share("most", late.most));
+            }
+            if late.grace > 0 {
+                text.push_str(&self.say("grace", &[("time", &self.lasting(late.grace))]));
+            }
+        }
+        if let Some(closes) = late.closes {
+            text.push_str(&self.say("closes", &[("date", &self.policy.zone.shown(closes))]));
+        }
+        if let Some(unread) = late.unread {
+            text.push_str(&self.say(&format!("unread.{}", unread.as_str().replace(' ', "_")), &[]));
+        }
+        text
+    }
+
+    /// `10 min`, `2 h`, `1 day`
+    fn lasting(&self, micros: i64) -> String {
+        match micros {
+            DAY => self.say("one_day", &[]),
+            t if t % DAY == 0 => self.words.say("report.days", &[("n", &(t / DAY).to_string())]),
+            t if t % HOUR == 0 => format!("{} h", t / HOUR),
+            t => format!("{} min", self.words.number(&points(t as f64 / MINUTE as f64))),
+        }
     }
 }
 
@@ -127,7 +143,8 @@ mod tests {
         let policy =
             course::course(&course::EXAMPLE.replace("\n#: ", "\n"), "course.yaml", &Policy::default())
                 .unwrap();
-        let told: Vec<String> = in_words(&policy).into_iter().map(|(n, v)| format!("{n}: {v}")).collect();
+        let told: Vec<String> =
+            in_words(&policy, &Words::english()).into_iter().map(|(n, v)| format!("{n}: {v}")).collect();
         let told = told.join("\n").replace('\u{a0}', " ");
         for line in [
             "Due: 2026-03-09 23:59 (Europe/Berlin)",
@@ -145,6 +162,8 @@ mod tests {
         ] {
             assert!(told.contains(line), "{line}\n{told}");
         }
-        assert!(in_words(&Policy::default()).iter().any(|(n, v)| n == "Due" && v == "no date"));
+        assert!(
+            in_words(&Policy::default(), &Words::english()).iter().any(|(n, v)| n == "Due" && v == "no date")
+        );
     }
 }

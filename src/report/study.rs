@@ -5,12 +5,12 @@ use crate::report::stats::Interval;
 use crate::report::stats::LEAST_FOR_CORRELATION;
 use crate::report::stats::LEAST_FOR_MEDIAN;
 use crate::report::stats::LEAST_IN_GROUP;
-use crate::report::stats::Told;
+use crate::report::stats::NoStatistic;
 use crate::report::stats::items;
 use crate::report::stats::items::Matrix;
 use crate::report::stats::ranks;
 use crate::report::stats::spread;
-use crate::report::stats::spread::Summary;
+use crate::report::stats::spread::Distribution;
 use std::collections::BTreeMap;
 
 /// What is known of a part.
@@ -27,7 +27,7 @@ pub struct PartStudy {
     /// Mean share of the points of those asked, no answer counting 0; `None` if the part has no points or none was asked.
     pub ease: Option<f64>,
     /// Correlation with the rest.
-    pub discrimination: Told<f64>,
+    pub discrimination: Result<f64, NoStatistic>,
     /// Right at the first, second, third and a later attempt.
     pub first_right: [usize; 4],
     /// Median of the attempts up to the first right one.
@@ -38,7 +38,7 @@ pub struct PartStudy {
 
 /// A wrong method, with the answers that it explains best.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Mistake {
+pub struct MistakeCount {
     /// Its id; several where one mistake has an id in each kind of problem.
     pub ids: Vec<String>,
     /// Methods that fit some of these answers as well, the most frequent first.
@@ -51,14 +51,14 @@ pub struct Mistake {
     pub parts: Vec<(usize, usize)>,
 }
 
-impl Mistake {
+impl MistakeCount {
     /// Students with such an answer.
     pub fn students(&self) -> usize {
         self.who.len()
     }
 
     /// Takes another in that is the same mistake: nobody is counted twice.
-    pub fn join(&mut self, other: &Mistake) {
+    pub fn join(&mut self, other: &MistakeCount) {
         self.ids.extend(other.ids.iter().cloned());
         let more = other.also.iter().filter(|id| !self.also.contains(id)).cloned().collect::<Vec<_>>();
         self.also.extend(more);
@@ -76,7 +76,7 @@ impl Mistake {
     }
 
     /// Most students first, then most answers.
-    pub fn sort(list: &mut [Mistake]) {
+    pub fn sort(list: &mut [MistakeCount]) {
         list.sort_by(|a, b| {
             (b.students(), b.answers).cmp(&(a.students(), a.answers)).then_with(|| a.ids.cmp(&b.ids))
         });
@@ -104,7 +104,7 @@ pub struct Comparison {
 
 /// All that the report tells.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Study {
+pub struct ClassStudy {
     /// Students (indices) who handed in something.
     pub took_part: Vec<usize>,
     /// Their totals.
@@ -114,15 +114,15 @@ pub struct Study {
     /// Is it the same for all?
     pub same_most: bool,
     /// Description of the totals.
-    pub summary: Option<Summary>,
+    pub summary: Option<Distribution>,
     /// By part.
     pub parts: Vec<PartStudy>,
     /// Reliability.
-    pub alpha: Told<Interval>,
+    pub alpha: Result<Interval, NoStatistic>,
     /// Parts that count in it, and in discrimination: those that all who took part were asked.
     pub scale: Vec<usize>,
     /// Wrong methods, most students first.
-    pub mistakes: Vec<Mistake>,
+    pub mistakes: Vec<MistakeCount>,
     /// Wrong answers that count, and how many of them fit no known method nor slip.
     pub wrong: (usize, usize),
     /// Slips by their words (`power_of_ten`, `unit rev/min`, ...), with the number of answers.
@@ -138,7 +138,7 @@ pub struct Study {
 /// Below this a corrected probability stands out.
 pub const LEVEL: f64 = 0.05;
 
-impl Study {
+impl ClassStudy {
     /// Works it out.
     pub fn of(marks: &Marks) -> Self {
         let took_part: Vec<usize> = (0..marks.class.students.len()).filter(|s| marks.took_part(*s)).collect();
@@ -227,7 +227,7 @@ fn part(marks: &Marks, took_part: &[usize], p: usize, scale: &[usize], matrix: &
         ease,
         discrimination: match scale.iter().position(|other| *other == p) {
             Some(item) => matrix.discrimination(item),
-            None => Err("not every sheet has this part".to_owned()),
+            None => Err(NoStatistic::NotAll),
         },
         first_right,
         attempts: median(&needed),
@@ -236,7 +236,7 @@ fn part(marks: &Marks, took_part: &[usize], p: usize, scale: &[usize], matrix: &
 }
 
 /// Each answer counts for the first, most likely method that fits it.
-fn mistakes(marks: &Marks) -> (Vec<Mistake>, (usize, usize)) {
+fn mistakes(marks: &Marks) -> (Vec<MistakeCount>, (usize, usize)) {
     #[derive(Default)]
     struct Count {
         also: BTreeMap<String, usize>,
@@ -264,12 +264,12 @@ fn mistakes(marks: &Marks) -> (Vec<Mistake>, (usize, usize)) {
             count.who.push(i / width);
         }
     }
-    let mut list: Vec<Mistake> = counts
+    let mut list: Vec<MistakeCount> = counts
         .into_iter()
         .map(|(id, count)| {
             let mut also: Vec<(String, usize)> = count.also.into_iter().collect();
             also.sort_by(|a, b| b.1.cmp(&a.1).then_with(|| a.0.cmp(&b.0)));
-            Mistake {
+            MistakeCount {
                 ids: vec![id],
                 also: also.into_iter().map(|(id, _)| id).collect(),
                 answers: count.parts.values().sum(),
@@ -278,7 +278,7 @@ fn mistakes(marks: &Marks) -> (Vec<Mistake>, (usize, usize)) {
             }
         })
         .collect();
-    Mistake::sort(&mut list);
+    MistakeCount::sort(&mut list);
     (list, (wrong, unexplained))
 }
 

@@ -1,49 +1,60 @@
-//! Tables of the class report: as HTML with a caption, and as CSV with the numbers unrounded.
+//! Tables of the class report: as data for the page, and as CSV with the numbers unrounded.
 use crate::guard::push_text;
 use crate::num::shown;
-use crate::picture::svg::escaped;
+use crate::words::Words;
+use serde::Serialize;
 
-/// A cell: what is shown, and what stands in the CSV file.
-#[derive(Debug, Clone, PartialEq, Default)]
-pub struct Cell {
-    /// Finished HTML.
+/// A cell of a table: what is shown, and what stands in the CSV file.
+#[derive(Debug, Clone, PartialEq, Default, Serialize)]
+pub struct TableCell {
+    /// What is shown.
     pub shown: String,
+    /// Is it finished HTML?
+    pub rich: bool,
+    /// Is it a number, written with a point?
+    #[serde(skip)]
+    pub number: bool,
     /// Plain.
+    #[serde(skip)]
     pub raw: String,
 }
 
-impl Cell {
+impl TableCell {
     /// A text.
     pub fn text(text: &str) -> Self {
-        Cell { shown: escaped(text), raw: text.to_owned() }
+        Self::named(text, text)
+    }
+    /// A text, and the name that it has in the CSV file.
+    pub fn named(shown: &str, raw: &str) -> Self {
+        Self { shown: shown.to_owned(), raw: raw.to_owned(), ..Self::default() }
     }
     /// A text whose HTML was made before.
     pub fn rich(shown: String, raw: &str) -> Self {
-        Cell { shown, raw: raw.to_owned() }
+        Self { shown, rich: true, raw: raw.to_owned(), ..Self::default() }
     }
     /// A count.
-    pub fn count(n: usize) -> Self {
-        Cell::text(&n.to_string())
+    pub fn count(n: impl ToString) -> Self {
+        Self::text(&n.to_string())
+    }
+    /// A number as it is shown, and unrounded.
+    pub fn number(shown: String, value: f64) -> Self {
+        Self { shown, number: true, raw: raw(value), ..Self::default() }
     }
     /// A finite number with so many decimals.
-    pub fn number(value: f64, decimals: usize) -> Self {
-        Cell { shown: fixed(value, decimals), raw: raw(value) }
+    pub fn fixed(value: f64, decimals: usize) -> Self {
+        Self::number(fixed(value, decimals), value)
     }
     /// Points, with at most two decimals.
     pub fn points(value: f64) -> Self {
-        Cell { shown: points(value), raw: raw(value) }
+        Self::number(points(value), value)
     }
     /// A share, in per cent.
     pub fn share(value: f64) -> Self {
-        Cell { shown: percent(value), raw: raw(value) }
+        Self::number(percent(value), value)
     }
-    /// Nothing.
-    pub fn none() -> Self {
-        Cell { shown: "–".to_owned(), raw: String::new() }
-    }
-    /// What there is of it.
-    pub fn or_none(cell: Option<Cell>) -> Self {
-        cell.unwrap_or_else(Cell::none)
+    /// What there is of it, else a dash.
+    pub fn or_none(cell: Option<Self>) -> Self {
+        cell.unwrap_or_else(|| Self::named("–", ""))
     }
 }
 
@@ -54,7 +65,7 @@ pub fn fixed(value: f64, decimals: usize) -> String {
 
 /// A share in per cent; the blank does not break.
 pub fn percent(share: f64) -> String {
-    format!("{}\u{a0}%", shown::per_cent(share, 0).replace('-', "\u{2212}"))
+    format!("{}\u{a0}%", fixed(share * 100.0, 0))
 }
 
 /// Points with at most two decimals.
@@ -69,49 +80,64 @@ fn raw(value: f64) -> String {
     if rounded == 0.0 { "0".to_owned() } else { rounded.to_string() }
 }
 
-/// A table.
+/// A table. Its caption is the phrase `report.table.NAME`, the head of a column `report.column.COLUMN`.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Table {
     /// Name of its file, without `.csv`.
     pub name: &'static str,
-    /// What it shows.
-    pub caption: String,
-    /// Heads of the columns as shown, and in the CSV file.
-    pub head: Vec<(&'static str, &'static str)>,
+    /// Columns, as the CSV file names them, with blanks between.
+    pub columns: &'static str,
     /// How many columns from the left hold text; the others hold numbers.
     pub texts: usize,
-    /// Columns shown; the CSV file may have more.
+    /// Columns on the page; the CSV file may have more.
     pub shown: usize,
     /// Rows.
-    pub rows: Vec<Vec<Cell>>,
+    pub rows: Vec<Vec<TableCell>>,
+}
+
+/// A table as the page shows it: what `report-table.html` receives as `t`.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct TableView {
+    name: &'static str,
+    caption: String,
+    head: Vec<String>,
+    texts: usize,
+    rows: Vec<Vec<TableCell>>,
+    /// Rows here, and in the file.
+    shown: usize,
+    all: usize,
 }
 
 impl Table {
-    /// The table in HTML; it scrolls by itself where it is wide.
-    pub fn html(&self) -> String {
-        let mut out = format!(
-            "<div class=\"wide\" role=\"group\" tabindex=\"0\" aria-labelledby=\"t-{name}\"><table>\n<caption id=\"t-{name}\">{}</caption>\n<thead><tr>",
-            escaped(&self.caption),
-            name = self.name
-        );
-        let class = |i: usize| if i < self.texts { "" } else { " class=\"right\"" };
-        for (i, (shown, _)) in self.head.iter().enumerate().take(self.shown) {
-            out.push_str(&format!("<th scope=\"col\"{}>{}</th>", class(i), escaped(shown)));
+    /// A table that shows all its columns.
+    pub fn new(
+        name: &'static str,
+        columns: &'static str,
+        texts: usize,
+        rows: impl Iterator<Item = Vec<TableCell>>,
+    ) -> Self {
+        Self { name, columns, texts, shown: columns.split(' ').count(), rows: rows.collect() }
+    }
+
+    /// The first rows for the page, in the words of a language.
+    pub fn view(&self, words: &Words, most: usize) -> TableView {
+        let rows = self.rows.iter().take(most).map(|row| {
+            let cells = row.iter().take(self.shown).map(|cell| match cell.number {
+                true => TableCell { shown: words.number(&cell.shown), ..cell.clone() },
+                false => cell.clone(),
+            });
+            cells.collect()
+        });
+        let head = self.columns.split(' ').take(self.shown);
+        TableView {
+            name: self.name,
+            caption: words.get(&format!("report.table.{}", self.name)).to_owned(),
+            head: head.map(|name| words.get(&format!("report.column.{name}")).to_owned()).collect(),
+            texts: self.texts,
+            rows: rows.collect(),
+            shown: self.rows.len().min(most),
+            all: self.rows.len(),
         }
-        out.push_str("</tr></thead>\n<tbody>\n");
-        for row in &self.rows {
-            out.push_str("<tr>");
-            for (i, cell) in row.iter().enumerate().take(self.shown) {
-                if i == 0 && self.texts > 0 {
-                    out.push_str(&format!("<th scope=\"row\">{}</th>", cell.shown));
-                } else {
-                    out.push_str(&format!("<td{}>{}</td>", class(i), cell.shown));
-                }
-            }
-            out.push_str("</tr>\n");
-        }
-        out.push_str("</tbody></table></div>\n");
-        out
     }
 
     /// The table as CSV; cells that a spreadsheet would run have an apostrophe in front.
@@ -126,7 +152,7 @@ impl Table {
             }
             out.push(b'\n');
         };
-        line(&mut self.head.iter().map(|(_, name)| *name));
+        line(&mut self.columns.split(' '));
         for row in &self.rows {
             line(&mut row.iter().map(|c| c.raw.as_str()));
         }
@@ -140,31 +166,26 @@ mod tests {
 
     #[test]
     fn numbers_are_shown_short_and_kept_long() {
-        assert_eq!(
-            Cell::number(-0.123_456_789, 2),
-            Cell { shown: "\u{2212}0.12".to_owned(), raw: "-0.123457".to_owned() }
-        );
+        let cell = TableCell::fixed(-0.123_456_789, 2);
+        assert_eq!((cell.shown.as_str(), cell.raw.as_str()), ("\u{2212}0.12", "-0.123457"));
         assert_eq!(fixed(-0.004, 2), "0.00");
         assert_eq!(
             (points(2.0), points(2.5), points(0.333)),
             ("2".to_owned(), "2.5".to_owned(), "0.33".to_owned())
         );
-        assert_eq!(Cell::share(0.615).shown, "62\u{a0}%");
+        assert_eq!(TableCell::share(0.615).shown, "62\u{a0}%");
     }
 
     #[test]
-    fn a_formula_is_not_run() {
-        let table = Table {
-            name: "x",
-            caption: "a < b".to_owned(),
-            head: vec![("What", "what"), ("n", "n")],
-            texts: 1,
-            shown: 2,
-            rows: vec![vec![Cell::text("=HYPERLINK(1)"), Cell::number(-1.5, 1)]],
-        };
-        assert_eq!(String::from_utf8(table.csv()).unwrap(), "what,n\n'=HYPERLINK(1),-1.5\n");
-        assert!(
-            table.html().contains("<th scope=\"row\">=HYPERLINK(1)</th><td class=\"right\">\u{2212}1.5</td>")
-        );
+    fn a_formula_is_not_run_and_numbers_have_the_mark_of_the_language() {
+        let row = || vec![TableCell::text("=HYPERLINK(1.5)"), TableCell::fixed(-1.5, 1)];
+        let table = Table::new("slips", "slip answers", 1, (0..3).map(|_| row()));
+        assert!(table.csv().starts_with(b"slip,answers\n'=HYPERLINK(1.5),-1.5\n"));
+        let german = Words::of("de").unwrap();
+        let view = table.view(&german, 2);
+        let shown: Vec<&str> = view.rows[0].iter().map(|c| c.shown.as_str()).collect();
+        assert_eq!(shown, ["=HYPERLINK(1.5)", "\u{2212}1,5"]);
+        assert_eq!((view.rows.len(), view.shown, view.all), (2, 2, 3));
+        assert_eq!(view.head, ["Kürzel", "Antworten"]);
     }
 }

@@ -141,6 +141,7 @@ pub fn equip(engine: &mut Tera) {
     engine.register_function("range", range);
     engine.register_filter("replace", replace);
     engine.register_filter("join", join);
+    engine.register_filter("fill", fill);
 }
 
 /// The engine's function of this name, with its arguments; items are counted before there are any.
@@ -208,6 +209,35 @@ fn join(items: &[Value], kwargs: Kwargs, state: &State) -> TeraResult<Value> {
         out.push_str(&piece);
     }
     Ok(if safe { Value::safe_string(&out) } else { Value::from(out) })
+}
+
+/// `{{ words.of | fill(n=3, of=4) }}`: a phrase with its places filled in.
+fn fill(phrase: StringInput, kwargs: Kwargs, state: &State) -> TeraResult<Value> {
+    let is_safe = phrase.is_safe();
+    let piece = |text: &str| match is_safe {
+        true => Ok(text.to_owned()),
+        false => state.escape_if_needed(&Value::normal_string(text)),
+    };
+    let mut out = String::new();
+    let mut rest = phrase.as_str();
+    while let Some((before, behind)) = rest.split_once('{') {
+        let Some((place, after)) = behind.split_once('}') else { break };
+        let is_name = place.chars().all(|c| c.is_ascii_alphanumeric() || c == '_') && !place.is_empty();
+        if !is_name {
+            out.push_str(&piece(&rest[..=before.len()])?);
+            rest = behind;
+            continue;
+        }
+        let value = kwargs.iter().find(|(name, _)| name.as_str() == Some(place)).map(|(_, value)| value);
+        let value = value.ok_or_else(|| Error::message(format!("nothing fills the place {{{place}}}")))?;
+        out.push_str(&piece(before)?);
+        let text = state.escape_if_needed(value)?;
+        spend(text.len())?;
+        out.push_str(&text);
+        rest = after;
+    }
+    out.push_str(&piece(rest)?);
+    Ok(if state.autoescaping_enabled() { Value::safe_string(&out) } else { Value::from(out) })
 }
 
 /// The text of a template with its meter.
@@ -508,4 +538,39 @@ fn tag<'t>(text: &'t str, start: usize, is_value: bool, tags: &mut Vec<Tag<'t>>)
     }
     tags.push(Tag { start, end: at, is_value, trims, tokens });
     at
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::template::Templates;
+    use crate::template::View;
+
+    fn rendered(text: &str) -> Result<String, String> {
+        let own = ("x.html".to_owned(), "x.html".to_owned(), text.to_owned());
+        let templates = Templates::new("en", &[own]).unwrap();
+        let mut view = View::new();
+        view.foreign("phrase", "{n} <of> {m} {} {a b}");
+        view.foreign("name", "<b>");
+        view.text("code", "<code>1</code>");
+        let mut out = Vec::new();
+        templates.render("x.html", &view, &mut out).map_err(|fault| fault.message)?;
+        Ok(String::from_utf8(out).unwrap())
+    }
+
+    #[test]
+    fn phrases_are_filled_and_escaped() {
+        let page = rendered("{{ phrase | fill(n=name, m=code) }}").unwrap();
+        assert!(page.ends_with("&lt;b&gt; &lt;of&gt; <code>1</code> {} {a b}"), "{page}");
+        let fault = rendered("{{ phrase | fill(n=name) }}").unwrap_err();
+        assert!(fault.contains("nothing fills the place {m}"), "{fault}");
+    }
+
+    #[test]
+    fn what_is_filled_in_is_counted() {
+        let mut text = format!("{{% set x = \"{}\" %}}", "{a}".repeat(20));
+        text.push_str(&"{% set x = x | fill(a=x) %}".repeat(9));
+        let fault = rendered(&text).unwrap_err();
+        assert!(fault.contains(SPENT), "{fault}");
+    }
 }

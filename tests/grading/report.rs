@@ -13,6 +13,7 @@ use slipstick::misconception::catalogue::Catalogue;
 use slipstick::set::replay;
 use slipstick::set::store::StoredSet;
 use slipstick::template::variables_of;
+use slipstick::words::Words;
 use std::collections::BTreeMap;
 use std::collections::BTreeSet;
 use std::ffi::OsString;
@@ -381,6 +382,7 @@ fn a_class_of_sixty() {
     graded.report(&["--force"]);
     assert_eq!(graded.text("grades/report.html"), page);
 
+    own_templates(&graded);
     hint_levels(&graded, &folder);
     german(&graded);
 }
@@ -423,7 +425,128 @@ fn german(graded: &Graded) {
     assert!(text.contains("Punkten") && text.contains("Kennung s0001"), "{text}");
     assert!(!text.contains("points") && !text.contains("you wrote"), "{text}");
     valid(&fs::read_to_string(out.join("feedback/s0002.html")).unwrap(), "de");
-    valid(&fs::read_to_string(out.join("report.html")).unwrap(), "en");
+    let book = fs::read_to_string(out.join("gradebook-moodle.csv")).unwrap();
+    assert!(book.contains(" richtig ") && !book.contains(" right ") && !book.contains("no answer"));
+}
+
+/// The texts of a page, one for each element that holds one.
+fn texts(page: &Html) -> Vec<String> {
+    let nodes = page.root_element().descendants().filter(|node| {
+        let element = node.parent().and_then(|p| p.value().as_element().map(|e| e.name().to_owned()));
+        !element.is_some_and(|name| ["style", "code", "annotation"].contains(&name.as_str()))
+    });
+    let texts = nodes.filter_map(|node| node.value().as_text().map(|text| text.trim().to_owned()));
+    texts.filter(|text| !text.is_empty()).collect()
+}
+
+/// A class graded in German gets a German report: no text of it is an English phrase or holds the words of one.
+#[test]
+fn a_german_report_is_german() {
+    let course = "due: 2026-03-01 13:00\nattempts: {penalty: 25 %, at most: 3}\nlate: {penalty: 20 %, grace: 10 min}\ndrop lowest: 1\nround: {to: 0.5}\nhints: explain\ncorrections: [{part: 1.x_G, give: full, why: sorry}]\n";
+    let (english, german) = (Words::english(), Words::of("de").unwrap());
+    let names = || english.names().into_iter().filter(|name| name.starts_with("report."));
+    let same: Vec<&str> =
+        names().filter(|n| english.get(n) == german.get(n)).map(|n| english.get(n)).collect();
+    for students in [60, 5, 0] {
+        let graded = class(students.max(2), "kinetic-energy,pulled-rolling", course);
+        if students == 0 {
+            fs::write(graded.path("submissions.csv"), "student,problem,part,answer\n").unwrap();
+        }
+        grade(&graded.room, "submissions.csv", &["--force", "--language", "de"]);
+        graded.report(&[]);
+        let page = valid(&graded.text("grades/report.html"), "de");
+        let texts = texts(&page);
+        let matched = graded.text("grades/matches.csv");
+        for name in names() {
+            let phrase = english.get(name);
+            assert!(same.contains(&phrase) || !texts.iter().any(|text| text == phrase), "{name}: {phrase}");
+            let pieces = phrase.split('{').enumerate().map(|(i, piece)| match i {
+                0 => piece,
+                _ => piece.split_once('}').map_or(piece, |(_, after)| after),
+            });
+            for piece in pieces.map(str::trim).filter(|p| p.split(' ').count() > 2) {
+                assert!(!texts.iter().any(|text| text.contains(piece)), "{name}: {piece}");
+            }
+        }
+        for (i, text) in texts.iter().enumerate() {
+            assert!(!text.contains('{') || text.starts_with("<!"), "a place is not filled: {i} {text}");
+            // Answers stand as they were handed in; a number may end a sentence or be an ordinal.
+            let has_point =
+                |word: &str| word.trim_end_matches('.').contains('.') && word.parse::<f64>().is_ok();
+            let point = text.split(' ').any(has_point) && !matched.contains(text.as_str());
+            assert!(!point, "a number with a point: {text}");
+        }
+    }
+}
+
+/// Every phrase of the report is used by its template or by the program.
+#[test]
+fn every_phrase_of_the_report_is_used() {
+    fn read(folder: &Path, out: &mut String) {
+        for entry in fs::read_dir(folder).unwrap() {
+            let path = entry.unwrap().path();
+            if path.is_dir() {
+                read(&path, out);
+            } else if path.extension().is_some_and(|e| e == "rs") {
+                out.push_str(&fs::read_to_string(&path).unwrap());
+            }
+        }
+    }
+    let mut code = String::new();
+    for folder in ["report", "cli", "policy", "grade"] {
+        read(&Path::new(env!("CARGO_MANIFEST_DIR")).join("src").join(folder), &mut code);
+    }
+    // Verdicts are written with blanks.
+    let code: BTreeSet<String> = (code.split(|c: char| !c.is_alphanumeric() && !matches!(c, '_' | ' ')))
+        .flat_map(|text| text.split(' ').map(str::to_owned).chain([text.replace(' ', "_")]))
+        .collect();
+    let templates = slipstick::template::BUILT_IN.iter().filter(|(name, _)| name.starts_with("report"));
+    let template: String = templates.map(|(_, text)| *text).collect();
+    let english = Words::english();
+    let is_used = |name: &str| {
+        let last = name.rsplit('.').next().unwrap();
+        template.contains(&format!("words.{name} "))
+            || code.contains(last)
+            || last.strip_suffix("_one").is_some_and(|stem| code.contains(stem))
+            || (name.starts_with("section.") && template.contains(&format!("\"{last}\"")))
+    };
+    let all = english.names();
+    let names = all.iter().filter_map(|name| name.strip_prefix("report."));
+    let unused: Vec<&str> = names.filter(|name| !is_used(name)).collect();
+    assert!(unused.is_empty(), "{unused:?}");
+    assert!(!is_used("lecture.no_such_phrase"));
+}
+
+/// The templates of the report are written out, do the same when they are given back, may be changed, and are told when broken.
+fn own_templates(graded: &Graded) {
+    let own = graded.path("own");
+    let folder = own.display().to_string();
+    run(&["templates", "--out", &folder], Exit::Fine);
+    graded.report(&["--templates", &folder, "--out", &graded.path("same").display().to_string()]);
+    assert_eq!(graded.text("same/report.html"), graded.text("grades/report.html"));
+    let page = fs::read_to_string(own.join("report.html")).unwrap();
+    let with = |from: &str, to: &str| {
+        assert!(page.contains(from));
+        fs::write(own.join("report.html"), page.replace(from, to)).unwrap();
+    };
+    with("<h1>{{ title }}</h1>", "<h1>{{ title }}</h1>\n<p>Office hours on Monday</p>");
+    fs::write(own.join("words/report.yaml"), "skip: To the <main> things\n").unwrap();
+    graded.report(&["--templates", &folder, "--out", &graded.path("changed").display().to_string()]);
+    let changed = graded.text("changed/report.html");
+    assert!(changed.contains("Office hours on Monday") && changed.contains("To the &lt;main&gt; things"));
+    let grades = graded.path("grades").display().to_string();
+    let broken = graded.path("broken").display().to_string();
+    for (to, said) in [
+        ("<h1>{{ titel }}</h1>", "undefined"),
+        ("<h1>{{ title</h1>", "template"),
+        ("<h1>{{ words.of | fill(n=1) }}</h1>", "nothing fills the place {of}"),
+    ] {
+        with("<h1>{{ title }}</h1>", to);
+        let told = run(&["report", &grades, "--templates", &folder, "--out", &broken], Exit::Faulty);
+        let line = 1 + page[..page.find("<h1>{{ title }}").unwrap()].matches('\n').count();
+        assert!(told.contains(said) && told.contains(&format!("report.html:{line}:")), "{told}");
+        assert!(!graded.path("broken").exists());
+    }
 }
 
 #[test]

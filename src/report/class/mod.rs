@@ -1,30 +1,43 @@
-//! The class report: sections of sentences, plots and tables, made of a [`Study`].
-mod alike;
-mod chance;
+//! The class report: numbers and names for the template `report.html`, and its tables. Sections, sentences and heads are the
+//! template's and the phrases' (`report`).
+//!
+//! `report.html` receives what `page` puts together and includes `report-table.html` for each table, as `t`. What is finished HTML (plots, formulas) it marks as `safe`; all else is escaped.
 mod mistakes;
-mod parts;
+mod tables;
+
+pub use tables::NAMES as TABLES;
 
 use crate::finding::Finding;
-use crate::grade::verdict::Verdict;
+use crate::matches::FLAGGED;
 use crate::misconception::catalogue::Catalogue;
-use crate::picture::svg::escaped;
-use crate::report::alike::Matches;
+use crate::num::shown;
+use crate::report::alike::ClassMatches;
+use crate::report::charts;
+use crate::report::charts::ClassCharts;
 use crate::report::marks::Marks;
+use crate::report::stats::LEAST_FOR_CORRELATION;
+use crate::report::stats::LEAST_FOR_MEDIAN;
 use crate::report::stats::LEAST_FOR_SHARE;
+use crate::report::study::ClassStudy;
 use crate::report::study::LEVEL;
-use crate::report::study::Study;
-use crate::report::table::Cell;
 use crate::report::table::Table;
 use crate::report::table::fixed;
 use crate::report::table::percent;
 use crate::report::table::points;
-use crate::sheet::terminal::plain;
-use crate::template;
 use crate::template::Templates;
 use crate::template::View;
+use crate::words::Words;
+use serde_json::Value;
+use serde_json::json;
+use std::collections::BTreeMap;
 
 /// Markdown with formulas to HTML within a line.
 pub type Rich<'r> = &'r mut dyn FnMut(&str) -> String;
+
+/// Rows of a long table on the page; its file has all.
+const SHOWN: usize = 20;
+/// Tables that may be long.
+const LONG: [&str; 3] = ["methods", "unreadable", "fairness"];
 
 /// What the report says of itself.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -46,249 +59,178 @@ pub struct ClassReport {
     pub html: Vec<u8>,
     /// Its tables.
     pub tables: Vec<Table>,
-    /// The most important in some lines, for the terminal.
-    pub summary: Vec<String>,
 }
 
-/// A section: id, heading, body in HTML.
-struct Section {
-    id: &'static str,
-    title: &'static str,
-    body: String,
+/// What a class report is made of.
+#[derive(Clone, Copy)]
+pub struct ClassReporter<'r> {
+    /// The marks.
+    pub marks: &'r Marks,
+    /// What they tell.
+    pub study: &'r ClassStudy,
+    /// Words about wrong methods, in the language.
+    pub catalogue: &'r Catalogue,
+    /// Wrong answers that equal the keys of classmates.
+    pub matches: &'r ClassMatches,
+    /// Words of the language.
+    pub words: &'r Words,
 }
 
-/// Rows of a long table on the page; its file has all.
-pub(crate) const SHOWN: usize = 20;
-
-/// Writes the report.
-///
-/// # Errors
-/// Faults of the template.
-pub fn report(
-    marks: &Marks,
-    study: &Study,
-    about: &About,
-    catalogue: &Catalogue,
-    matches: &Matches,
-    templates: &Templates,
-    rich: Rich,
-) -> Result<ClassReport, Finding> {
-    let mut pen = Pen { marks, study, catalogue, tables: Vec::new() };
-    let sections = [
-        Section { id: "graded", title: "How this was graded", body: pen.graded(about) },
-        Section { id: "overview", title: "Overview", body: pen.overview() },
-        Section { id: "lecture", title: "For the next lecture", body: pen.lecture(rich) },
-        Section { id: "totals", title: "Totals", body: pen.totals() },
-        Section { id: "parts", title: "Part by part", body: pen.legend(rich) + &pen.parts() },
-        Section { id: "items", title: "Difficulty and discrimination", body: pen.items() },
-        Section { id: "mistakes", title: "Wrong methods and slips", body: pen.mistakes(rich) },
-        Section { id: "reading", title: "What could not be read", body: pen.reading() },
-        Section { id: "attempts", title: "Attempts and time", body: pen.attempts() },
-        Section { id: "fairness", title: "Fairness between variants", body: pen.fairness() },
-        Section { id: "matches", title: "Answers of classmates", body: pen.alike(matches) },
-    ];
-    let mut view = View::new();
-    view.foreign("title", &about.title);
-    view.foreign("set", &about.set);
-    let sections = sections.into_iter().map(|s| {
-        template::map([
-            ("id", template::finished(s.id)),
-            ("title", template::finished(s.title)),
-            ("body", template::finished(s.body.trim_end())),
-        ])
-    });
-    view.value("sections", template::list(sections.collect()));
-    let mut html = Vec::new();
-    templates.render("report.html", &view, &mut html)?;
-    Ok(ClassReport { html, summary: pen.summary(), tables: pen.tables })
-}
-
-/// The first letter small.
-fn lowered(text: &str) -> String {
-    let mut letters = text.chars();
-    letters.next().map_or_else(String::new, |first| first.to_lowercase().chain(letters).collect())
-}
-
-/// `1 student`, `2 students`
-pub(crate) fn count(n: usize, one: &str) -> String {
-    if n == 1 { format!("1 {one}") } else { format!("{n} {one}s") }
-}
-
-pub(crate) fn paragraph(text: &str) -> String {
-    format!("<p>{}</p>\n", escaped(text))
-}
-
-pub(crate) fn figure(svg: &str) -> String {
-    format!("<figure>{}</figure>\n", svg.trim_end())
-}
-
-/// Seconds in words: `3 min`, `2.5 h`, `3 days`.
-pub(crate) fn lasting(seconds: f64) -> String {
-    match seconds {
-        s if s < 90.0 => format!("{} s", fixed(s, 0)),
-        s if s < 90.0 * 60.0 => format!("{} min", fixed(s / 60.0, 0)),
-        s if s < 36.0 * 3600.0 => format!("{} h", fixed(s / 3600.0, 1)),
-        s => format!("{} days", fixed(s / 86400.0, 1)),
-    }
-}
-
-pub(crate) struct Pen<'p> {
-    pub(crate) marks: &'p Marks,
-    pub(crate) study: &'p Study,
-    pub(crate) catalogue: &'p Catalogue,
-    pub(crate) tables: Vec<Table>,
-}
-
-impl Pen<'_> {
-    pub(crate) fn table(&mut self, table: Table) -> String {
-        let html = table.html();
-        self.tables.push(table);
-        html
+impl ClassReporter<'_> {
+    /// Writes the report.
+    ///
+    /// # Errors
+    /// Faults of the template.
+    pub fn report(&self, about: &About, templates: &Templates, rich: Rich) -> Result<ClassReport, Finding> {
+        let tables = self.tables(&mut *rich);
+        let mut view = View::new();
+        view.fields(&self.page(about, &tables, rich));
+        let mut html = Vec::new();
+        templates.render("report.html", &view, &mut html)?;
+        Ok(ClassReport { html, tables })
     }
 
-    /// A table of which a page shows the first rows; its file has all.
-    pub(crate) fn long_table(&mut self, table: Table, most: usize) -> String {
-        let mut page = table.clone();
-        page.rows.truncate(most);
-        let mut html = page.html();
-        if table.rows.len() > most {
-            let (all, name) = (table.rows.len(), table.name);
-            html.push_str(&paragraph(&format!("The first {most} of {all}; tables/{name}.csv has all.")));
-        }
-        self.tables.push(table);
-        html
+    fn say(&self, name: &str, pieces: &[(&str, &str)]) -> String {
+        self.words.say(&format!("report.{name}"), pieces)
     }
 
-    pub(crate) fn label(&self, part: usize) -> String {
+    fn number(&self, value: f64, decimals: usize) -> String {
+        self.words.number(&fixed(value, decimals))
+    }
+
+    /// A phrase about so many: that of one, or with their number.
+    fn say_of(&self, n: usize, name: &str, pieces: &[(&str, &str)]) -> String {
+        let number = n.to_string();
+        let pieces: Vec<(&str, &str)> = pieces.iter().copied().chain([("n", number.as_str())]).collect();
+        self.say(&format!("{name}{}", if n == 1 { "_one" } else { "" }), &pieces)
+    }
+
+    fn label(&self, part: usize) -> String {
         self.marks.class.parts[part].label()
     }
 
-    fn graded(&mut self, about: &About) -> String {
-        let mut out = String::from("<div class=\"facts\">\n");
-        for (title, pairs) in [("Settings", &about.settings), ("Provenance", &about.provenance)] {
-            if pairs.is_empty() {
-                continue;
-            }
-            out.push_str(&format!("<div><h3>{title}</h3>\n<dl>\n"));
-            for (name, value) in pairs {
-                out.push_str(&format!("<dt>{}</dt><dd>{}</dd>\n", escaped(name), escaped(value)));
-            }
-            out.push_str("</dl></div>\n");
-        }
-        out.push_str("</div>\n");
-        out
+    fn title(&self, problem: usize) -> String {
+        format!("{}. {}", problem + 1, self.marks.class.problems[problem].title)
     }
 
-    /// Each part in words, with what counts as right.
-    fn legend(&mut self, rich: Rich) -> String {
-        let rows = (self.marks.class.parts.iter())
-            .map(|part| {
-                let none = |text: &str| match text {
-                    "" => Cell::none(),
-                    text => Cell::text(text),
-                };
-                let shown = match part.asked.as_str() {
-                    "" => escaped(&self.marks.class.problems[part.number - 1].title),
-                    asked => rich(asked),
-                };
-                let unit = match (part.unit.as_str(), part.unit_required) {
-                    _ if part.tolerance.is_empty() => "a word".to_owned(),
-                    ("1", _) => String::new(),
-                    (unit, true) => format!("{unit}, required"),
-                    (unit, false) => unit.to_owned(),
-                };
-                vec![
-                    Cell::text(&part.label()),
-                    Cell::rich(shown, &plain(&part.asked)),
-                    none(&unit),
-                    none(&part.tolerance),
-                    Cell::points(part.points),
-                ]
-            })
-            .collect();
-        self.table(Table {
-            name: "asked",
-            caption: "What each part asks, and what counts as right".to_owned(),
-            head: vec![
-                ("Part", "part"),
-                ("What is asked", "what_is_asked"),
-                ("Unit", "unit"),
-                ("Tolerance", "tolerance"),
-                ("Points", "points"),
-            ],
-            texts: 4,
-            shown: 5,
-            rows,
+    /// What the template receives; numbers that are texts are finished, with the mark of the language. `graded` holds lists of
+    /// name and value; `least` the sizes below which nothing is told; `right` the share of the answers that count; `no_favourites`
+    /// the name of the phrase that says why there are no favourite mistakes.
+    fn page(&self, about: &About, tables: &[Table], rich: Rich) -> Value {
+        let (study, marks, words) = (self.study, self.marks, self.words);
+        let facts = [("settings", &about.settings), ("provenance", &about.provenance)];
+        let facts: Vec<_> = facts.into_iter().filter(|(_, list)| !list.is_empty()).collect();
+        let counting: usize = study.parts.iter().map(|p| p.answered).sum();
+        let right: usize = study.parts.iter().map(|p| p.right).sum();
+        let (no_favourites, favourites) = self.lecture(rich);
+        let (wrong, unexplained) = study.wrong;
+        let number = |value: f64| words.number(&points(value));
+        let totals = study.summary.filter(|_| study.most > 0.0).map(
+            |s| json!({"median": number(s.median), "most": number(study.most), "same": study.same_most}),
+        );
+        let alpha = study.alpha.ok().map(|alpha| {
+            let [value, low, high] = [alpha.value, alpha.low, alpha.high].map(|v| self.number(v, 2));
+            let judged = match alpha.value {
+                a if a >= 0.8 => "high",
+                a if a >= 0.6 => "usual",
+                _ => "low",
+            };
+            json!({"value": value, "low": low, "high": high, "parts": study.scale.len(), "judged": judged})
+        });
+        let views = tables.iter().map(|table| {
+            let most = if LONG.contains(&table.name) { SHOWN } else { usize::MAX };
+            (table.name, Some(table.view(words, most)))
+        });
+        let none = tables::NAMES.split(' ').map(|name| (name, None));
+        let (about_fairness, compared) = self.fairness();
+        json!({
+            "language": words.language(),
+            "title": about.title,
+            "set": about.set,
+            "words": words.tree("report"),
+            "graded": facts,
+            "least": {
+                "share": LEAST_FOR_SHARE,
+                "median": LEAST_FOR_MEDIAN,
+                "correlation": LEAST_FOR_CORRELATION,
+            },
+            "students": marks.class.students.len(),
+            "took_part": study.took_part.len(),
+            "absent": marks.class.students.len() - study.took_part.len(),
+            "rows": marks.rows,
+            "totals": totals,
+            "right": (counting >= LEAST_FOR_SHARE).then(|| percent(right as f64 / counting as f64)),
+            "alpha": alpha,
+            "no_alpha": study.alpha.err().map(|why| why.say(words)),
+            "no_favourites": no_favourites,
+            "favourites": favourites,
+            "wrong": wrong,
+            "explained": wrong - unexplained,
+            "unexplained": unexplained,
+            "trouble": marks.troubles.values().map(|t| t.cells).sum::<u64>(),
+            "several_attempts": marks.cells.iter().any(|c| c.attempts > 1),
+            "timed": marks.timed,
+            "too_few": about_fairness[0],
+            "stand_out": about_fairness[1],
+            "comparisons": study.fairness.len(),
+            "compared": compared,
+            "noticed": self.number(charts::noticed(compared, study.fairness.len()), 2),
+            "matches": self.matches.summary(words),
+            "flagged": words.number(&FLAGGED.to_string()),
+            "charts": self.charts(),
+            "tables": none.chain(views).collect::<BTreeMap<_, _>>(),
         })
     }
 
-    fn overview(&mut self) -> String {
-        let study = self.study;
-        let all = self.marks.class.students.len();
-        let counting: usize = study.parts.iter().map(|p| p.answered).sum();
-        let right: usize = study.parts.iter().map(|p| p.right).sum();
-        let mut facts = vec![
-            (format!("{} of {all}", study.took_part.len()), "students handed in"),
-            (self.marks.rows.to_string(), "answer cells"),
-        ];
-        if let Some(summary) = study.summary.filter(|_| study.most > 0.0) {
-            let of = if study.same_most { format!(" of {}", points(study.most)) } else { String::new() };
-            facts.push((format!("{}{of}", points(summary.median)), "median of the totals"));
-        }
-        if counting >= LEAST_FOR_SHARE {
-            facts.push((percent(right as f64 / counting as f64), "of the answers that count are right"));
-        }
-        if let Ok(alpha) = &study.alpha {
-            facts.push((fixed(alpha.value, 2), "Cronbach's alpha"));
-        }
-        let mut out = String::from("<ul class=\"figures\">\n");
-        for (value, what) in facts {
-            out.push_str(&format!("<li><strong>{}</strong> {what}</li>\n", escaped(&value)));
-        }
-        out.push_str("</ul>\n");
-        let rows = Verdict::ALL
-            .iter()
-            .filter(|v| self.marks.verdicts[**v as usize] > 0)
-            .map(|v| {
-                let n = self.marks.verdicts[*v as usize];
-                vec![
-                    Cell::text(v.as_str()),
-                    Cell::text(&n.to_string()),
-                    Cell::share(n as f64 / self.marks.rows.max(1) as f64),
-                ]
-            })
-            .collect();
-        out.push_str(&self.table(Table {
-            name: "verdicts",
-            caption: "What became of every answer cell".to_owned(),
-            head: vec![("Verdict", "verdict"), ("Cells", "cells"), ("Share", "share")],
-            texts: 1,
-            shown: 3,
-            rows,
-        }));
-        out
+    /// The plots, finished.
+    fn charts(&self) -> Value {
+        let charts = ClassCharts { marks: self.marks, study: self.study, words: self.words };
+        let bars: Vec<(String, String, usize)> =
+            (self.favourites().iter()).map(|m| (m.ids.join(" "), self.in_short(m), m.students())).collect();
+        let fairness =
+            (0..self.marks.class.problems.len()).filter_map(|i| charts.fairness(&self.title(i), i));
+        json!({
+            "totals": self.study.summary.filter(|_| self.study.most > 0.0).map(|s| charts.totals(&s)),
+            "parts": charts.parts(),
+            "items": charts.items(),
+            "mistakes": (!bars.is_empty()).then(|| charts.mistakes(&bars)),
+            "fairness": fairness.collect::<Vec<_>>(),
+        })
     }
 
-    fn summary(&self) -> Vec<String> {
-        let study = self.study;
-        let mut lines = Vec::new();
-        let favourites = self.favourites();
-        if let Some(mistake) = favourites.first().filter(|m| m.students() > 1) {
-            lines.push(format!(
-                "favourite mistake: {} ({}; {}, in {})",
-                lowered(&self.in_short(mistake)),
-                mistake.ids.join(" or "),
-                count(mistake.students(), "student"),
-                self.where_made(mistake)
-            ));
+    /// The problems with too few students to compare, what stands out, and the most students in a comparison.
+    fn fairness(&self) -> ([String; 2], usize) {
+        let found = &self.study.fairness;
+        let few = self.study.too_few.iter().map(|(problem, n)| {
+            self.say_of(*n, "fairness.few_problem", &[("problem", &self.title(*problem))])
+        });
+        let stand_out = found.iter().filter(|c| c.corrected < LEVEL).map(|c| {
+            let case = self.words.get("report.fairness.case");
+            let what = if c.datum.is_empty() { case } else { &c.datum };
+            self.say("fairness.in_problem", &[("what", what), ("number", &(c.problem + 1).to_string())])
+        });
+        let told = [few.collect::<Vec<_>>().join("; "), stand_out.collect::<Vec<_>>().join(", ")];
+        (told, found.iter().map(|c| c.n).max().unwrap_or(0))
+    }
+
+    /// `1 in 2e14`, and as it is where luck brings one or more.
+    fn by_luck(&self, expected: f64) -> String {
+        let one_in = match 1.0 / expected {
+            _ if expected >= 1.0 => return self.words.number(&shown::decimals(expected, 1)),
+            one_in if one_in < 1000.0 => shown::decimals(one_in, 0),
+            one_in if one_in.is_finite() => shown::figures(one_in, 1),
+            _ => return self.words.get("report.matches.never").to_owned(),
+        };
+        self.say("matches.one_in", &[("n", &one_in)])
+    }
+
+    /// Seconds in words: `3 min`, `2.5 h`, `3 days`.
+    fn lasting(&self, seconds: f64) -> String {
+        match seconds {
+            s if s < 90.0 => format!("{} s", self.number(s, 0)),
+            s if s < 90.0 * 60.0 => format!("{} min", self.number(s / 60.0, 0)),
+            s if s < 36.0 * 3600.0 => format!("{} h", self.number(s / 3600.0, 1)),
+            s => self.say("days", &[("n", &self.number(s / 86400.0, 1))]),
         }
-        let odd = study.fairness.iter().filter(|c| c.corrected < LEVEL).count();
-        if odd > 0 {
-            lines.push(format!(
-                "fairness: {} out, see the report",
-                if odd == 1 { "1 comparison stands" } else { "some comparisons stand" }
-            ));
-        }
-        lines
     }
 }

@@ -49,7 +49,7 @@ pub struct Part {
     pub unit: String,
     /// Must it be written?
     pub unit_required: bool,
-    /// What is asked, in words: Markdown with formulas, in the language of the bank; empty where it changes with the variant.
+    /// What is asked, in words: Markdown with formulas, in the language of the reports; empty where it changes with the variant.
     pub asked: String,
     /// What counts as right, in words; empty for answers that are words.
     pub tolerance: String,

@@ -3,7 +3,7 @@ use crate::num::chance;
 use crate::num::chance::NORMAL_95;
 use crate::report::stats::Interval;
 use crate::report::stats::LEAST_FOR_CORRELATION;
-use crate::report::stats::Told;
+use crate::report::stats::NoStatistic;
 use crate::report::stats::ranks;
 use crate::report::stats::spread;
 
@@ -46,15 +46,14 @@ impl Matrix {
     ///
     /// # Errors
     /// Fewer than [`LEAST_FOR_CORRELATION`] students, or nothing that varies.
-    pub fn discrimination(&self, item: usize) -> Told<f64> {
+    pub fn discrimination(&self, item: usize) -> Result<f64, NoStatistic> {
         enough(self.rows.len())?;
         if self.items < 2 {
-            return Err("there is only one part".to_owned());
+            return Err(NoStatistic::OnePart);
         }
         let own = self.column(item);
         let rest: Vec<f64> = self.rows.iter().map(|r| r.iter().sum::<f64>() - r[item]).collect();
-        ranks::pearson(&own, &rest)
-            .ok_or_else(|| "all have the same points here, or in all the rest".to_owned())
+        ranks::pearson(&own, &rest).ok_or(NoStatistic::AllAlike)
     }
 
     /// Cronbach's alpha, `k/(k-1) (1 - sum of variances / variance of sums)` (Cronbach 1951), with the exact interval of Feldt
@@ -62,21 +61,21 @@ impl Matrix {
     ///
     /// # Errors
     /// Fewer than [`LEAST_FOR_CORRELATION`] students, fewer than two items that vary, or no variance of sums.
-    pub fn alpha(&self) -> Told<Interval> {
+    pub fn alpha(&self) -> Result<Interval, NoStatistic> {
         enough(self.rows.len())?;
         self.alpha_of_any()
     }
 
-    fn alpha_of_any(&self) -> Told<Interval> {
+    fn alpha_of_any(&self) -> Result<Interval, NoStatistic> {
         let variances: Vec<f64> =
             (0..self.items).map(|i| spread::variance(&self.column(i))).filter(|v| *v > 0.0).collect();
         if variances.len() < 2 {
-            return Err("fewer than two parts have marks that differ".to_owned());
+            return Err(NoStatistic::FewParts);
         }
         let sums: Vec<f64> = self.rows.iter().map(|r| r.iter().sum()).collect();
         let whole = spread::variance(&sums);
         if whole <= 1e-12 * variances.iter().sum::<f64>() {
-            return Err("all totals are equal".to_owned());
+            return Err(NoStatistic::EqualTotals);
         }
         // An item without variance neither adds nor takes; it is no item of the scale.
         let k = variances.len() as f64;
@@ -88,21 +87,14 @@ impl Matrix {
     }
 }
 
-fn enough(n: usize) -> Told<()> {
-    if n >= LEAST_FOR_CORRELATION {
-        return Ok(());
-    }
-    let few = match n {
-        0 => "0 students are".to_owned(),
-        1 => "1 student is".to_owned(),
-        n => format!("{n} students are"),
-    };
-    Err(format!("{few} too few: below {LEAST_FOR_CORRELATION} chance alone makes such a number"))
+fn enough(n: usize) -> Result<(), NoStatistic> {
+    if n >= LEAST_FOR_CORRELATION { Ok(()) } else { Err(NoStatistic::TooFew(n)) }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::words::Words;
 
     fn close(a: f64, b: f64, within: f64) {
         assert!((a - b).abs() <= within, "{a} {b}");
@@ -135,10 +127,9 @@ mod tests {
         close(alpha.value, 8.0 / 9.0, 1e-14);
         close(alpha.low, 1.0 - 15.4392 / 9.0, 1e-4);
         close(alpha.high, 1.0 - 1.0 / (9.0 * 15.4392), 1e-5);
-        assert!(matrix.alpha().unwrap_err().contains("too few"));
-        assert!(matrix.discrimination(0).unwrap_err().contains("too few"));
-        // Only several were tried before.
-        let told = |n| enough(n).unwrap_err();
+        assert_eq!(matrix.alpha(), Err(NoStatistic::TooFew(4)));
+        assert_eq!(matrix.discrimination(0), Err(NoStatistic::TooFew(4)));
+        let told = |n| NoStatistic::TooFew(n).say(&Words::english());
         assert!(told(1).starts_with("1 student is too few"), "{}", told(1));
         assert!(told(2).starts_with("2 students are too few"), "{}", told(2));
         assert!(told(0).starts_with("0 students are too few"), "{}", told(0));

@@ -3,6 +3,8 @@ pub mod items;
 pub mod ranks;
 pub mod spread;
 
+use crate::words::Words;
+
 /// A correlation, a reliability, a comparison needs at least so many students: with fewer the 95 % interval of a correlation
 /// of 0 is wider than -0.44 to 0.44, so that hardly any value would say anything.
 pub const LEAST_FOR_CORRELATION: usize = 20;
@@ -25,5 +27,38 @@ pub struct Interval {
     pub high: f64,
 }
 
-/// A number, or a sentence why there is none.
-pub type Told<T> = Result<T, String>;
+/// Why there is no such number.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum NoStatistic {
+    /// Fewer students than [`LEAST_FOR_CORRELATION`]: so many.
+    TooFew(usize),
+    /// There is nothing to correlate a part with.
+    OnePart,
+    /// The points of a part, or of all others, do not vary.
+    AllAlike,
+    /// Fewer than two parts vary.
+    FewParts,
+    /// The totals do not vary.
+    EqualTotals,
+    /// Not everybody was asked this part.
+    NotAll,
+}
+
+impl NoStatistic {
+    /// The reason in words.
+    pub fn say(self, words: &Words) -> String {
+        let least = LEAST_FOR_CORRELATION.to_string();
+        let name = match self {
+            Self::TooFew(1) => return words.say("report.why.too_few_one", &[("least", &least)]),
+            Self::TooFew(n) => {
+                return words.say("report.why.too_few", &[("n", &n.to_string()), ("least", &least)]);
+            }
+            Self::OnePart => "one_part",
+            Self::AllAlike => "all_alike",
+            Self::FewParts => "few_parts",
+            Self::EqualTotals => "equal_totals",
+            Self::NotAll => "not_all",
+        };
+        words.get(&format!("report.why.{name}")).to_owned()
+    }
+}

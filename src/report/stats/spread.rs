@@ -2,7 +2,7 @@
 
 /// Description of a list of numbers.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Summary {
+pub struct Distribution {
     /// How many.
     pub n: usize,
     /// Arithmetic mean.
@@ -22,11 +22,11 @@ pub struct Summary {
 }
 
 /// Describes finite numbers; `None` for no numbers.
-pub fn summary(values: &[f64]) -> Option<Summary> {
+pub fn summary(values: &[f64]) -> Option<Distribution> {
     let mut sorted = values.to_vec();
     sorted.sort_by(f64::total_cmp);
     let (least, greatest) = (*sorted.first()?, *sorted.last()?);
-    Some(Summary {
+    Some(Distribution {
         n: sorted.len(),
         mean: mean(values),
         deviation: variance(values).sqrt(),
