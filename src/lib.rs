@@ -43,7 +43,7 @@
 //! A new method: a word in [`solve::method`], its steps in [`num::ode`] or its sum in `solve/energy/quadrature.rs`; [`solve::ladder`]
 //! judges it and measures it. A new picture: numbers into [`plot`].
 //! A new tie: a variant in [`scene::link`], its rows in `solve/eom/equations.rs`, its mode and its work in `solve/energy`, its
-//! words in `bank/scene.rs`. A new language: its folder in `templates/`, a line in [`words`], its texts in [`template`] and `cli/banks.rs`.
+//! words in `bank/scene.rs`. A new language: its folder in `templates/`, a line in [`words`], its texts in [`template`] and `bank/built_in.rs`.
 //! A new format: a walk over the events of a [`sheet::document`], as in [`sheet::tex`]. A new family: no Rust, a file in `banks/`.
 //! A new wrong method: an entry under `mistakes:` of its problem and its words in the catalogue. A new setting of marks: a field of
 //! [`policy`], a line in `bank/course.rs`, its effect in `grade/credit.rs` or `grade/choose.rs`. A new quantity: a line in [`scene::ask`] and a `say` on each road.
@@ -54,9 +54,11 @@
 pub mod answer;
 pub mod bank;
 pub mod cli;
+pub mod diagnosis;
 pub mod draw;
 pub mod figure;
 pub mod finding;
+pub mod folder;
 pub mod grade;
 pub mod guard;
 pub mod key;
@@ -68,6 +70,7 @@ pub mod policy;
 pub mod problem;
 pub mod regrade;
 pub mod report;
+pub mod review;
 pub mod scene;
 pub mod set;
 pub mod sheet;

@@ -272,6 +272,7 @@ impl Relative {
 /// What doubles may add to a whole number of tenths of a per cent.
 const ROUNDING: f64 = 1e-6;
 
+pub mod built_in;
 pub mod course;
 pub mod decimal;
 pub mod expression;

@@ -5,14 +5,13 @@ use crate::bank::Draw;
 use crate::bank::Question;
 use crate::bank::decimal::Decimal;
 use crate::cli::args;
-use crate::cli::banks;
-use crate::cli::files;
-use crate::cli::tell;
 use crate::cli::tell::Exit;
 use crate::cli::tell::Io;
-use crate::cli::words::refusal;
-use crate::cli::words::right_answer;
+use crate::diagnosis::sentences::refusal;
+use crate::diagnosis::sentences::right_answer;
 use crate::finding::Finding;
+use crate::folder::banks;
+use crate::folder::files;
 use crate::grade::feedback::Feedback;
 use crate::grade::judge;
 use crate::grade::verdict::Verdict;
@@ -24,19 +23,12 @@ use crate::problem::make_key;
 use crate::sheet::public::SheetFile;
 use crate::sheet::public::SheetProblem;
 use crate::sheet::statement;
+use crate::sheet::terminal;
 use crate::units;
 use crate::words::Words;
 
-/// Runs it.
-pub fn run(args: &args::Check, io: &mut Io) -> Exit {
-    match check(args, io) {
-        Ok(exit) => exit,
-        Err(findings) => io.findings(&findings),
-    }
-}
-
 /// One problem of the sheet, solved.
-struct Solved {
+struct CheckedProblem {
     number: usize,
     id: String,
     key: ProblemKey,
@@ -45,7 +37,8 @@ struct Solved {
     signs: Vec<[String; 2]>,
 }
 
-fn check(args: &args::Check, io: &mut Io) -> Result<Exit, Vec<Finding>> {
+/// Runs it.
+pub fn run(args: &args::CheckArgs, io: &mut Io) -> Result<Exit, Vec<Finding>> {
     let file = args.sheet.display().to_string();
     let text = files::read_text(&args.sheet).map_err(|f| vec![f])?;
     let sheet = SheetFile::parse(&text).map_err(|f| vec![f.in_file(&file)])?;
@@ -78,7 +71,7 @@ fn check(args: &args::Check, io: &mut Io) -> Result<Exit, Vec<Finding>> {
             }
         }
     }
-    let mut solved: Vec<Option<Solved>> = sheet.problems.iter().map(|_| None).collect();
+    let mut solved: Vec<Option<CheckedProblem>> = sheet.problems.iter().map(|_| None).collect();
     for (_, i, _, _) in &asked {
         if solved[*i].is_none() {
             match solve(&sheet.problems[*i], &file, words) {
@@ -121,7 +114,7 @@ fn check(args: &args::Check, io: &mut Io) -> Result<Exit, Vec<Finding>> {
     if !faults.is_empty() {
         return Err(faults);
     }
-    io.piece(&tell::table(&rows, &[0, 1, 2, 3, 4]));
+    io.piece(&terminal::table(&rows, &[0, 1, 2, 3, 4]));
     Ok(if all_right { Exit::Fine } else { Exit::NotAllRight })
 }
 
@@ -131,7 +124,7 @@ fn listed_once(fault: Finding, list: String, earlier: &[Finding]) -> Finding {
     if said { fault } else { fault.hint(list) }
 }
 
-fn solve(problem: &SheetProblem, file: &str, words: &Words) -> Result<Solved, Vec<Finding>> {
+fn solve(problem: &SheetProblem, file: &str, words: &Words) -> Result<CheckedProblem, Vec<Finding>> {
     let place = format!("{file}, problem {}", problem.number);
     let in_file =
         |faults: Vec<Finding>| -> Vec<Finding> { faults.into_iter().map(|f| f.in_file(&place)).collect() };
@@ -188,7 +181,7 @@ fn solve(problem: &SheetProblem, file: &str, words: &Words) -> Result<Solved, Ve
             *offered = list;
         }
     }
-    Ok(Solved {
+    Ok(CheckedProblem {
         number: problem.number,
         id: problem.id.clone(),
         key,

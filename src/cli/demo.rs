@@ -1,28 +1,26 @@
 //! `slipstick demo`: the whole job on a made-up class.
 use crate::cli::args;
-use crate::cli::args::Format;
-use crate::cli::args::Own;
-use crate::cli::args::Reports;
-use crate::cli::banks;
-use crate::cli::files;
-use crate::cli::files::Staged;
-use crate::cli::generate;
-use crate::cli::generate::Plan;
-use crate::cli::grade;
-use crate::cli::grade::Job;
-use crate::cli::solve;
-use crate::cli::tell;
 use crate::cli::tell::Exit;
 use crate::cli::tell::Io;
+use crate::diagnosis::table::unsatisfiable;
 use crate::finding::Finding;
+use crate::folder::banks;
+use crate::folder::deal;
+use crate::folder::deal::Plan;
+use crate::folder::files;
+use crate::folder::grading;
+use crate::folder::grading::Job;
+use crate::folder::grading::Reports;
+use crate::folder::staged::Staged;
 use crate::grade::verdict::Verdict;
 use crate::set::replay::Dealer;
+use crate::sheet::output::Format;
+use crate::sheet::terminal;
 use crate::simulate::class;
 use crate::simulate::hand_in;
 use crate::simulate::hand_in::HandIn;
 use crate::simulate::hand_in::Kind;
 use crate::simulate::hand_in::Sheet;
-use std::fs;
 use std::path::Path;
 
 /// A folder with this file was made by `demo`, whole.
@@ -31,29 +29,21 @@ const NAMES: [&str; 5] = [MARKER, "grades", "roster.csv", "set", "submissions.cs
 const SEED: u64 = 2026;
 
 /// Runs it.
-pub fn run(args: &args::Demo, io: &mut Io) -> Exit {
-    match demo(&args.dir, io) {
-        Ok(()) => Exit::Fine,
-        Err(findings) => io.findings(&findings),
-    }
-}
-
-fn demo(dir: &Path, io: &mut Io) -> Result<(), Vec<Finding>> {
+pub fn run(args: &args::DemoArgs, io: &mut Io) -> Result<Exit, Vec<Finding>> {
+    let dir = &args.dir;
+    let bar = io.bar();
     files::has_a_name(dir, "slipstick-demo").map_err(|f| vec![f])?;
     files::not_among_students(dir).map_err(|f| vec![f])?;
     may_replace(dir)?;
     let one = |f: Finding| vec![f];
     let mut loaded = banks::load("wheels-on-inclines")?;
-    let texts = banks::texts(&Own::default(), "en", &mut loaded.bank)?;
+    let texts = banks::texts(None, "en", &mut loaded.bank)?;
     let bank = &loaded.bank;
     let staged = Staged::new(dir).map_err(one)?;
     let root = staged.path();
-    let write = |name: &str, bytes: &[u8]| {
-        fs::write(root.join(name), bytes)
-            .map_err(|e| vec![files::trouble(&dir.join(name), "cannot be written", &e)])
-    };
+    let write = |name: &str, bytes: &[u8]| staged.write(name, bytes).map_err(one);
     write("roster.csv", &class::roster())?;
-    let members = generate::members(&root.join("roster.csv"))?;
+    let members = deal::members(&root.join("roster.csv"))?;
     let problems: Vec<usize> = (0..bank.problems.len()).collect();
     let plan = Plan {
         bank,
@@ -64,8 +54,7 @@ fn demo(dir: &Path, io: &mut Io) -> Result<(), Vec<Finding>> {
         seed: SEED,
         name: &bank.id,
     };
-    let summary =
-        generate::whole(&plan, &members, &root.join("set"), io.watched).map_err(|f| staged.named(f))?;
+    let made = deal::whole(&plan, &members, &root.join("set"), &bar).map_err(|f| staged.named(f))?;
     let handed = submissions(&plan)?;
     write("submissions.csv", &handed.bytes)?;
     let job = Job {
@@ -78,13 +67,13 @@ fn demo(dir: &Path, io: &mut Io) -> Result<(), Vec<Finding>> {
         language: None,
         reports: Reports::Yes,
         force: false,
-        watched: io.watched,
+        progress: &bar,
     };
-    let graded = grade::grade(&job, &mut *io.input).map_err(|f| staged.named(f))?;
+    let summary = grading::grade(&job, &mut *io.input).map_err(|f| staged.named(f))?;
     let table = kinds_and_verdicts(&handed, &root.join("grades").join("answers.csv"))?;
     let marks = marks(&root.join("grades").join("gradebook.csv"))?;
     write(MARKER, b"Made by `slipstick demo`, which may replace this folder.\n")?;
-    let told = graded.summary.replace(&root.display().to_string(), &dir.display().to_string());
+    let told = summary.replace(&root.display().to_string(), &dir.display().to_string());
     staged.finish().map_err(one)?;
 
     let shown = dir.display();
@@ -108,7 +97,7 @@ fn demo(dir: &Path, io: &mut Io) -> Result<(), Vec<Finding>> {
         io.line(&format!("  {shown}/{path:<34} {what}"));
     }
     io.line("");
-    generate::coincidences(&summary, io);
+    io.line(&made.coincidences());
     io.line("\nWhat the simulated rows were, and what became of them:");
     io.piece(&table);
     io.line(&format!("\n{told}"));
@@ -118,7 +107,7 @@ fn demo(dir: &Path, io: &mut Io) -> Result<(), Vec<Finding>> {
         "\nThe same by hand:\n  slipstick generate {} --roster {shown}/roster.csv --seed {SEED} --out my-set\n  slipstick grade my-set {shown}/submissions.csv --out my-grades",
         bank.id
     ));
-    Ok(())
+    Ok(Exit::Fine)
 }
 
 /// Nothing, an empty folder, or a demo and nothing else.
@@ -144,7 +133,7 @@ fn submissions(plan: &Plan) -> Result<HandIn, Vec<Finding>> {
     let dealer = Dealer::new(plan.bank, plan.problems, plan.seed, plan.name);
     let mut dealt = Vec::new();
     for (id, _) in class::STUDENTS {
-        dealt.push(dealer.deal(id).map_err(|none| vec![solve::unsatisfiable(plan.bank, &none)])?);
+        dealt.push(dealer.deal(id).map_err(|none| vec![unsatisfiable(plan.bank, &none)])?);
     }
     let chosen = || plan.problems.iter().filter_map(|p| plan.bank.problems.get(*p));
     let sheets: Vec<Sheet> = class::STUDENTS
@@ -203,7 +192,7 @@ fn kinds_and_verdicts(handed: &HandIn, answers: &Path) -> Result<String, Vec<Fin
         row.push(of_kind.len().to_string());
         rows.push(row);
     }
-    Ok(tell::table(&rows, &[0]))
+    Ok(terminal::table(&rows, &[0]))
 }
 
 /// The gradebook with a column for each problem.
@@ -236,5 +225,5 @@ fn marks(gradebook: &Path) -> Result<String, Vec<Finding>> {
         row.push(text(record, "max_total"));
         rows.push(row);
     }
-    Ok(tell::table(&rows, &[0, 1]))
+    Ok(terminal::table(&rows, &[0, 1]))
 }

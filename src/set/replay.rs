@@ -9,7 +9,7 @@ use crate::problem::make::Unsatisfiable;
 use crate::problem::make::Variant;
 use crate::problem::make_key;
 use crate::set::given;
-use crate::set::given::Given;
+use crate::set::given::GivenSheet;
 use crate::set::store::StoredSet;
 use crate::set::store::StoredStudent;
 use crate::set::store::StoredVariant;
@@ -115,6 +115,14 @@ pub fn indices(bank: &Bank, ids: &[String], field: &str) -> Result<Vec<usize>, V
     if faults.is_empty() { Ok(found) } else { Err(faults) }
 }
 
+/// The same, or all of the bank where none are named.
+///
+/// # Errors
+/// As [`indices`].
+pub fn chosen(bank: &Bank, ids: Option<&[String]>, field: &str) -> Result<Vec<usize>, Vec<Finding>> {
+    ids.map_or_else(|| Ok((0..bank.problems.len()).collect()), |ids| indices(bank, ids, field))
+}
+
 /// Was the set drawn by an earlier version, which chose other draws? Then nothing is drawn again: what was drawn is taken as it
 /// is stored, and so is the key ([`crate::set::key_file::put_stored`]).
 pub fn is_earlier(set: &StoredSet) -> bool {
@@ -166,7 +174,7 @@ pub fn each<T: Send>(
             vec![f]
         };
         if earlier {
-            let Given { variants, key } =
+            let GivenSheet { variants, key } =
                 given::as_stored(bank, &problems, &student.student, &student.problems)?;
             return make(i, student, Dealt { variants, key }).map_err(by_make);
         }

@@ -11,7 +11,7 @@ use crate::scene::End;
 use crate::scene::Scene;
 use crate::scene::Span;
 use crate::scene::Tie;
-pub use crate::sheet::number::rounded;
+use crate::sheet::number::rounded;
 use crate::sheet::statement;
 use crate::solve::ladder;
 use crate::solve::ladder::Force;
