@@ -1,5 +1,9 @@
 //! What is wrong in somebody's file: where, which value, and what would be right.
 use std::fmt;
+use std::ops::Deref;
+use std::ops::DerefMut;
+use std::slice;
+use std::vec;
 
 /// One fault in a file that a person wrote. Faults are collected, never thrown one by one.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -61,5 +65,91 @@ impl fmt::Display for Finding {
             write!(f, "\n    hint: {hint}")?;
         }
         Ok(())
+    }
+}
+
+/// All that is wrong in somebody's files, in the order in which it is told. `?` makes one of a single finding.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct Findings(Vec<Finding>);
+
+impl Findings {
+    /// Adds one.
+    pub fn push(&mut self, finding: Finding) {
+        self.0.push(finding);
+    }
+    /// Adds the file's name to each.
+    #[must_use]
+    pub fn in_file(self, file: impl Into<String>) -> Self {
+        let file = file.into();
+        self.into_iter().map(|finding| finding.in_file(file.as_str())).collect()
+    }
+    /// Adds the file's name to each that has none.
+    #[must_use]
+    pub fn or_in_file(mut self, file: &str) -> Self {
+        for finding in self.iter_mut().filter(|f| f.file.is_none()) {
+            finding.file = Some(file.to_owned());
+        }
+        self
+    }
+    /// `value`, if nothing was found.
+    ///
+    /// # Errors
+    /// What was found.
+    pub fn into_result<T>(self, value: T) -> Result<T, Self> {
+        if self.is_empty() { Ok(value) } else { Err(self) }
+    }
+}
+
+impl From<Finding> for Findings {
+    fn from(finding: Finding) -> Self {
+        Self(vec![finding])
+    }
+}
+
+impl Extend<Finding> for Findings {
+    fn extend<I: IntoIterator<Item = Finding>>(&mut self, findings: I) {
+        self.0.extend(findings);
+    }
+}
+
+impl FromIterator<Finding> for Findings {
+    fn from_iter<I: IntoIterator<Item = Finding>>(findings: I) -> Self {
+        Self(findings.into_iter().collect())
+    }
+}
+
+impl IntoIterator for Findings {
+    type Item = Finding;
+    type IntoIter = vec::IntoIter<Finding>;
+    fn into_iter(self) -> Self::IntoIter {
+        self.0.into_iter()
+    }
+}
+
+impl<'f> IntoIterator for &'f Findings {
+    type Item = &'f Finding;
+    type IntoIter = slice::Iter<'f, Finding>;
+    fn into_iter(self) -> Self::IntoIter {
+        self.iter()
+    }
+}
+
+impl Deref for Findings {
+    type Target = Vec<Finding>;
+    fn deref(&self) -> &Self::Target {
+        &self.0
+    }
+}
+
+impl DerefMut for Findings {
+    fn deref_mut(&mut self) -> &mut Self::Target {
+        &mut self.0
+    }
+}
+
+impl fmt::Display for Findings {
+    /// One paragraph each.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.iter().try_for_each(|finding| writeln!(f, "{finding}"))
     }
 }

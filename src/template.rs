@@ -6,6 +6,7 @@
 mod metered;
 
 use crate::finding::Finding;
+use crate::finding::Findings;
 use crate::template::metered::Metered;
 use std::collections::BTreeMap;
 use std::io;
@@ -164,8 +165,8 @@ impl Templates {
     ///
     /// # Errors
     /// Templates that cannot be read, each with its file, line and column.
-    pub fn new(language: &str, own: &[(String, String, String)]) -> Result<Self, Vec<Finding>> {
-        let mut faults = Vec::new();
+    pub fn new(language: &str, own: &[(String, String, String)]) -> Result<Self, Findings> {
+        let mut faults = Findings::default();
         let (mut files, mut all_metered) = (BTreeMap::new(), BTreeMap::new());
         let mut engines = Vec::with_capacity(ENGINES.len());
         for (end, escape) in ENGINES {
@@ -407,10 +408,10 @@ fn add(engine: &mut Tera, name: &str, text: &str) -> Result<Option<Metered>, Fin
 }
 
 /// The variables that a Markdown template uses at its top level, sorted; findings have the place within the text.
-pub fn variables_of(text: &str) -> Result<Vec<String>, Vec<Finding>> {
+pub fn variables_of(text: &str) -> Result<Vec<String>, Findings> {
     let mut engine = engine();
-    add(&mut engine, "text.md", text).map_err(|f| vec![f])?;
-    let names = engine.get_template_variables("text.md").map_err(|e| vec![finding(&e)])?;
+    add(&mut engine, "text.md", text)?;
+    let names = engine.get_template_variables("text.md").map_err(|e| finding(&e))?;
     let mut names: Vec<String> = names.into_iter().map(str::to_owned).collect();
     names.sort_unstable();
     Ok(names)

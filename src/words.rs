@@ -7,6 +7,7 @@ use crate::bank::load;
 use crate::bank::node::Node;
 use crate::bank::node::Value;
 use crate::finding::Finding;
+use crate::finding::Findings;
 use rustc_hash::FxHashMap;
 use std::sync::LazyLock;
 
@@ -89,18 +90,18 @@ impl Words {
     ///
     /// # Errors
     /// Names that no phrase has, places that the phrase does not know, what is no list.
-    pub fn put_over(&mut self, topic: &str, text: &str, file: &str) -> Result<(), Vec<Finding>> {
-        self.read(topic, text, true).map_err(|faults| faults.into_iter().map(|f| f.in_file(file)).collect())
+    pub fn put_over(&mut self, topic: &str, text: &str, file: &str) -> Result<(), Findings> {
+        self.read(topic, text, true).map_err(|faults| faults.in_file(file))
     }
 
-    fn read(&mut self, topic: &str, text: &str, known_only: bool) -> Result<(), Vec<Finding>> {
-        let tree = load::tree(text).map_err(|f| vec![f])?;
-        let mut faults = Vec::new();
+    fn read(&mut self, topic: &str, text: &str, known_only: bool) -> Result<(), Findings> {
+        let tree = load::tree(text)?;
+        let mut faults = Findings::default();
         self.branch(topic, &tree, known_only, &mut faults);
-        if faults.is_empty() { Ok(()) } else { Err(faults) }
+        faults.into_result(())
     }
 
-    fn branch(&mut self, name: &str, node: &Node, known_only: bool, faults: &mut Vec<Finding>) {
+    fn branch(&mut self, name: &str, node: &Node, known_only: bool, faults: &mut Findings) {
         match &node.value {
             Value::Map(fields) => {
                 for (key, value) in fields {

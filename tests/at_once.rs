@@ -57,7 +57,7 @@ fn bank(data: &str, scene: &str) -> String {
 }
 
 fn solved_bank(text: &str) -> Result<f64, String> {
-    let all = |found: Vec<slipstick::finding::Finding>| {
+    let all = |found: slipstick::finding::Findings| {
         found.iter().map(ToString::to_string).collect::<Vec<_>>().join("\n")
     };
     let bank = load::scenes_only(text, "instants.yaml").map_err(all)?;

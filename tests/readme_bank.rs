@@ -1,6 +1,6 @@
 //! The bank examples of the README: whole banks load without a finding, fragments without one of their own.
 use slipstick::bank::load;
-use slipstick::finding::Finding;
+use slipstick::finding::Findings;
 
 const README: &str = include_str!("../README.md");
 
@@ -8,7 +8,7 @@ fn blocks() -> Vec<&'static str> {
     README.split("```yaml\n").skip(1).filter_map(|b| b.split("```").next()).collect()
 }
 
-fn findings(text: &str) -> Vec<Finding> {
+fn findings(text: &str) -> Findings {
     load::scenes_only(text, "README.md").err().unwrap_or_default()
 }
 

@@ -3,6 +3,7 @@ use crate::answer::submissions::Batch;
 use crate::answer::submissions::Scratch;
 use crate::answer::submissions::Source;
 use crate::finding::Finding;
+use crate::finding::Findings;
 use crate::guard::unguarded;
 use rustc_hash::FxHashMap;
 use std::io::Cursor;
@@ -12,16 +13,16 @@ use std::io::Cursor;
 ///
 /// # Errors
 /// All faults at once: missing columns, blank and duplicate ids, records that do not fit the header.
-pub fn roster(bytes: &[u8]) -> Result<Vec<(String, String)>, Vec<Finding>> {
-    let unread = |fault: std::io::Error| vec![Finding::new("roster", fault.to_string())];
+pub fn roster(bytes: &[u8]) -> Result<Vec<(String, String)>, Findings> {
+    let unread = |fault: std::io::Error| Finding::new("roster", fault.to_string());
     let (mut source, header) = Source::open(Box::new(Cursor::new(bytes.to_vec()))).map_err(unread)?;
     let Some(header) = header else {
-        return Err(vec![
-            Finding::new("header", "the roster is empty").hint("the first line is `student,name`"),
-        ]);
+        return Err(Finding::new("header", "the roster is empty")
+            .hint("the first line is `student,name`")
+            .into());
     };
     let place = |line: u64| usize::try_from(line).unwrap_or(usize::MAX);
-    let mut findings = Vec::new();
+    let mut findings = Findings::default();
     let mut column = |name: &str| {
         let hits: Vec<usize> =
             (0..header.fields.len()).filter(|i| header.fields[*i].to_lowercase() == name).collect();
@@ -91,7 +92,7 @@ pub fn roster(bytes: &[u8]) -> Result<Vec<(String, String)>, Vec<Finding>> {
     if all.is_empty() && findings.is_empty() {
         findings.push(Finding::new("roster", "no student").at(place(header.line), 1));
     }
-    if findings.is_empty() { Ok(all) } else { Err(findings) }
+    findings.into_result(all)
 }
 
 fn line_break(c: char) -> bool {

@@ -2,7 +2,7 @@
 use crate::bank::decimal::Decimal;
 use crate::bank::load;
 use crate::bank::node::{Faults, Fields, Node, Value, named, shorten};
-use crate::finding::Finding;
+use crate::finding::Findings;
 use crate::policy::time;
 use crate::policy::{Correction, Counts, For, Hints, Part, Per, Policy, Rounding, Unread, Way, Zone};
 use crate::policy::{DAY, HOUR, MINUTE};
@@ -17,8 +17,8 @@ const MOST_POINTS: f64 = 1e6;
 ///
 /// # Errors
 /// All that is wrong with it.
-pub fn course(text: &str, file: &str, base: &Policy) -> Result<Policy, Vec<Finding>> {
-    let tree = load::tree(text).map_err(|f| vec![f.in_file(file)])?;
+pub fn course(text: &str, file: &str, base: &Policy) -> Result<Policy, Findings> {
+    let tree = load::tree(text).map_err(|f| f.in_file(file))?;
     let faults = Faults::default();
     let policy = read(&tree, base, &faults);
     if faults.is_empty() { Ok(policy) } else { Err(faults.into_sorted(file)) }

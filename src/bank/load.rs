@@ -4,6 +4,7 @@ use crate::bank::Variables;
 use crate::bank::node::{Faults, Node, Value};
 use crate::bank::schema;
 use crate::finding::Finding;
+use crate::finding::Findings;
 use serde::de::{Deserialize, Deserializer, MapAccess, SeqAccess, Visitor};
 use serde_yaml::{Spanned, from_str_with_options, options};
 use sha2::{Digest, Sha256};
@@ -16,12 +17,12 @@ pub const MAX_BYTES: usize = 4 << 20;
 /// Reads a bank. All findings come at once; only a fault of the YAML syntax stands alone.
 ///
 /// `file` is the name shown in findings; `variables` finds the names that a statement or question uses.
-pub fn bank(text: &str, file: &str, variables: Variables) -> Result<Bank, Vec<Finding>> {
+pub fn bank(text: &str, file: &str, variables: Variables) -> Result<Bank, Findings> {
     read(text, file, Some(variables))
 }
 
-fn read(text: &str, file: &str, variables: Option<Variables>) -> Result<Bank, Vec<Finding>> {
-    let tree = tree(text).map_err(|f| vec![f.in_file(file)])?;
+fn read(text: &str, file: &str, variables: Option<Variables>) -> Result<Bank, Findings> {
+    let tree = tree(text).map_err(|f| f.in_file(file))?;
     let faults = Faults::default();
     let read = schema::bank(&tree, variables, &faults);
     match read {
@@ -64,7 +65,7 @@ pub fn texts(tree: &Node) -> impl Iterator<Item = (String, &Node)> {
 }
 
 /// Reads a bank without looking into its templates, for uses that show no text.
-pub fn scenes_only(text: &str, file: &str) -> Result<Bank, Vec<Finding>> {
+pub fn scenes_only(text: &str, file: &str) -> Result<Bank, Findings> {
     read(text, file, None)
 }
 

@@ -1,6 +1,6 @@
 //! What an instructor writes: problems with their data, scenes, questions and rules, checked and ready to be drawn.
 use crate::bank::expression::Expression;
-use crate::finding::Finding;
+use crate::finding::Findings;
 use crate::policy::Policy;
 use crate::scene::{Label, Num, Scene};
 use crate::solve::outcome::CheckKind;
@@ -9,7 +9,7 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 /// How the variables of a template are found: template text in, names out, or what is wrong with the template.
-pub type Variables<'a> = &'a dyn Fn(&str) -> Result<Vec<String>, Vec<Finding>>;
+pub type Variables<'a> = &'a dyn Fn(&str) -> Result<Vec<String>, Findings>;
 
 /// Names that templates know besides the symbols of the data (what they hold: `sheet/statement.rs`).
 pub const TEMPLATE_NAMES: &[&str] =

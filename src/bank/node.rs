@@ -1,5 +1,6 @@
 //! A bank as a tree of texts with places; what the texts mean is read elsewhere.
 use crate::finding::Finding;
+use crate::finding::Findings;
 use std::cell::RefCell;
 
 /// One node of the tree.
@@ -82,7 +83,7 @@ pub fn shorten(text: &str) -> String {
 /// Collects findings.
 #[derive(Debug, Default)]
 pub struct Faults {
-    list: RefCell<Vec<Finding>>,
+    list: RefCell<Findings>,
 }
 
 impl Faults {
@@ -115,8 +116,8 @@ impl Faults {
         self.list.borrow().len()
     }
     /// All findings in the order of the file.
-    pub fn into_sorted(self, file: &str) -> Vec<Finding> {
-        let mut list: Vec<Finding> = self.list.into_inner().into_iter().map(|f| f.in_file(file)).collect();
+    pub fn into_sorted(self, file: &str) -> Findings {
+        let mut list: Findings = self.list.into_inner().in_file(file);
         list.sort_by_key(|f| f.at.unwrap_or((usize::MAX, 0)));
         list
     }

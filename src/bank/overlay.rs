@@ -10,7 +10,7 @@ use crate::bank::node::close_name;
 use crate::bank::node::named;
 use crate::bank::node::shorten;
 use crate::bank::review;
-use crate::finding::Finding;
+use crate::finding::Findings;
 
 /// Puts the texts of an overlay over those of a bank. With a `reference`, the bank that the overlay was written for, only
 /// texts that are still what they are there are replaced, and ids that this bank does not have are passed over: a changed
@@ -24,8 +24,8 @@ pub fn put_over(
     file: &str,
     variables: Variables,
     reference: Option<&Bank>,
-) -> Result<(), Vec<Finding>> {
-    let tree = load::tree(text).map_err(|f| vec![f.in_file(file)])?;
+) -> Result<(), Findings> {
+    let tree = load::tree(text).map_err(|f| f.in_file(file))?;
     let faults = Faults::default();
     if let Some(mut fields) = Fields::open(&tree, "texts of a bank (title, problems)", &faults) {
         let (title, problems) = (fields.get("title"), fields.get("problems"));

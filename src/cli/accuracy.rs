@@ -5,16 +5,17 @@ use crate::cli::tell::Io;
 use crate::diagnosis::accuracy;
 use crate::diagnosis::data;
 use crate::finding::Finding;
+use crate::finding::Findings;
 use crate::folder::banks;
 use crate::folder::files;
 use std::path::Path;
 use std::path::PathBuf;
 
 /// Runs it.
-pub fn run(args: &args::AccuracyArgs, io: &mut Io) -> Result<Exit, Vec<Finding>> {
+pub fn run(args: &args::AccuracyArgs, io: &mut Io) -> Result<Exit, Findings> {
     let outputs = outputs(args)?;
     let loaded = banks::load(&args.bank)?;
-    let problem = banks::problem(&loaded, &args.problem).map_err(|f| vec![f])?;
+    let problem = banks::problem(&loaded, &args.problem)?;
     let data = data::data(&loaded.bank, problem, &args.set, args.seed)?;
     let (holds, study) = accuracy::measure(problem, &data, !args.no_time)?;
     match study {
@@ -28,7 +29,7 @@ pub fn run(args: &args::AccuracyArgs, io: &mut Io) -> Result<Exit, Vec<Finding>>
                 };
                 texts.push((path, text));
             }
-            files::put_all(&texts).map_err(|f| vec![f])?;
+            files::put_all(&texts)?;
             io.piece(&study.text());
             for (path, _) in &texts {
                 io.line(&format!("written: {}", path.display()));
@@ -47,9 +48,9 @@ enum StudyFile {
 }
 
 /// The files to write: of each the path and the kind.
-fn outputs(args: &args::AccuracyArgs) -> Result<Vec<(PathBuf, StudyFile)>, Vec<Finding>> {
+fn outputs(args: &args::AccuracyArgs) -> Result<Vec<(PathBuf, StudyFile)>, Findings> {
     let mut found: Vec<(PathBuf, StudyFile)> = Vec::new();
-    let mut faults = Vec::new();
+    let mut faults = Findings::default();
     for path in &args.out {
         let ending = path.extension().map(|e| e.to_string_lossy().to_lowercase());
         match ending.as_deref() {
@@ -73,7 +74,7 @@ fn outputs(args: &args::AccuracyArgs) -> Result<Vec<(PathBuf, StudyFile)>, Vec<F
             faults.push(fault.hint("--force replaces it"));
         }
     }
-    if faults.is_empty() { Ok(found) } else { Err(faults) }
+    faults.into_result(found)
 }
 
 fn all_in(folder: &Path) -> [(PathBuf, StudyFile); 3] {

@@ -1,6 +1,6 @@
 //! What was typed, nothing resolved; keeper of clap.
 use crate::bank::Bank;
-use crate::finding::Finding;
+use crate::finding::Findings;
 use crate::folder::banks;
 use crate::folder::banks::Loaded;
 use crate::folder::grading::Reports;
@@ -140,21 +140,21 @@ impl OwnArgs {
     ///
     /// # Errors
     /// All that is wrong with them.
-    pub fn texts(&self, bank: &mut Bank) -> Result<Texts, Vec<Finding>> {
+    pub fn texts(&self, bank: &mut Bank) -> Result<Texts, Findings> {
         self.texts_or("en", bank)
     }
     /// The same where another language is the usual one.
     ///
     /// # Errors
     /// All that is wrong with them.
-    pub fn texts_or(&self, usual: &str, bank: &mut Bank) -> Result<Texts, Vec<Finding>> {
+    pub fn texts_or(&self, usual: &str, bank: &mut Bank) -> Result<Texts, Findings> {
         banks::texts(self.templates.as_deref(), self.language.as_deref().unwrap_or(usual), bank)
     }
     /// A bank with its texts.
     ///
     /// # Errors
     /// All that is wrong with either.
-    pub fn load(&self, bank: &str) -> Result<(Loaded, Texts), Vec<Finding>> {
+    pub fn load(&self, bank: &str) -> Result<(Loaded, Texts), Findings> {
         let mut loaded = banks::load(bank)?;
         let texts = self.texts(&mut loaded.bank)?;
         Ok((loaded, texts))

@@ -10,6 +10,7 @@ use crate::cli::tell::Io;
 use crate::diagnosis::sentences::refusal;
 use crate::diagnosis::sentences::right_answer;
 use crate::finding::Finding;
+use crate::finding::Findings;
 use crate::folder::banks;
 use crate::folder::files;
 use crate::grade::feedback::Feedback;
@@ -38,15 +39,15 @@ struct CheckedProblem {
 }
 
 /// Runs it.
-pub fn run(args: &args::CheckArgs, io: &mut Io) -> Result<Exit, Vec<Finding>> {
+pub fn run(args: &args::CheckArgs, io: &mut Io) -> Result<Exit, Findings> {
     let file = args.sheet.display().to_string();
-    let text = files::read_text(&args.sheet).map_err(|f| vec![f])?;
-    let sheet = SheetFile::parse(&text).map_err(|f| vec![f.in_file(&file)])?;
+    let text = files::read_text(&args.sheet)?;
+    let sheet = SheetFile::parse(&text).map_err(|f| f.in_file(&file))?;
     // A sheet in a language that this program does not know is answered in English.
     let words = sheet.language.as_deref().and_then(Words::built_in);
     let words = words.or_else(|| Words::built_in("en")).unwrap_or_else(|| panic!("English is built in"));
     let say = Feedback::new(words);
-    let mut faults = Vec::new();
+    let mut faults = Findings::default();
     // Which problems and parts are meant, before anything is solved.
     let mut asked = Vec::new();
     for answer in &args.answers {
@@ -124,16 +125,15 @@ fn listed_once(fault: Finding, list: String, earlier: &[Finding]) -> Finding {
     if said { fault } else { fault.hint(list) }
 }
 
-fn solve(problem: &SheetProblem, file: &str, words: &Words) -> Result<CheckedProblem, Vec<Finding>> {
+fn solve(problem: &SheetProblem, file: &str, words: &Words) -> Result<CheckedProblem, Findings> {
     let place = format!("{file}, problem {}", problem.number);
-    let in_file =
-        |faults: Vec<Finding>| -> Vec<Finding> { faults.into_iter().map(|f| f.in_file(&place)).collect() };
+    let in_file = |faults: Findings| -> Findings { faults.in_file(&place) };
     let Some(text) = problem.bank_text().map_err(in_file)? else {
         let fault = Finding::new("", "this sheet cannot be checked: it carries no scene").in_file(&place);
-        return Err(vec![fault.hint("the instructor has switched self-checks off for this bank")]);
+        return Err(fault.hint("the instructor has switched self-checks off for this bank").into());
     };
     // Places in the text made here mean nothing to the reader of the sheet.
-    let no_place = |faults: Vec<Finding>| -> Vec<Finding> {
+    let no_place = |faults: Findings| -> Findings {
         faults
             .into_iter()
             .map(|mut f| {
@@ -144,7 +144,7 @@ fn solve(problem: &SheetProblem, file: &str, words: &Words) -> Result<CheckedPro
     };
     let bank = banks::parse(&text, &place).map_err(no_place)?;
     let Some(only) = bank.problems.first() else {
-        return Err(vec![Finding::new("scene", "holds no problem").in_file(&place)]);
+        return Err(Finding::new("scene", "holds no problem").in_file(&place).into());
     };
     let given = |case: &Case| -> Vec<Option<Decimal>> {
         let draws = case.draws.iter();
@@ -160,14 +160,14 @@ fn solve(problem: &SheetProblem, file: &str, words: &Words) -> Result<CheckedPro
     // A contact may be left open: what happens is the case in which what was assumed of it holds.
     let mut solved = only.cases.iter().enumerate().map(|(i, case)| make::from_values(only, i, &given(case)));
     let Some(first) = solved.next() else {
-        return Err(vec![Finding::new("scene", "holds no problem").in_file(&place)]);
+        return Err(Finding::new("scene", "holds no problem").in_file(&place).into());
     };
     let holds = |v: &Variant| v.solved.all_hold() && !v.solved.regime.slips;
     let variant = match first {
         Ok(variant) if !holds(&variant) => solved.flatten().find(holds).unwrap_or(variant),
         Err(why) => solved.flatten().find(holds).ok_or_else(|| {
             let texts = refusal(only, &only.cases[0].scene, &why);
-            texts.into_iter().map(|t| Finding::new("data", t).in_file(&place)).collect::<Vec<_>>()
+            texts.into_iter().map(|t| Finding::new("data", t).in_file(&place)).collect::<Findings>()
         })?,
         Ok(variant) => variant,
     };

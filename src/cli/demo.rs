@@ -4,6 +4,7 @@ use crate::cli::tell::Exit;
 use crate::cli::tell::Io;
 use crate::diagnosis::table::unsatisfiable;
 use crate::finding::Finding;
+use crate::finding::Findings;
 use crate::folder::banks;
 use crate::folder::deal;
 use crate::folder::deal::Plan;
@@ -29,19 +30,18 @@ const NAMES: [&str; 5] = [MARKER, "grades", "roster.csv", "set", "submissions.cs
 const SEED: u64 = 2026;
 
 /// Runs it.
-pub fn run(args: &args::DemoArgs, io: &mut Io) -> Result<Exit, Vec<Finding>> {
+pub fn run(args: &args::DemoArgs, io: &mut Io) -> Result<Exit, Findings> {
     let dir = &args.dir;
     let bar = io.bar();
-    files::has_a_name(dir, "slipstick-demo").map_err(|f| vec![f])?;
-    files::not_among_students(dir).map_err(|f| vec![f])?;
+    files::has_a_name(dir, "slipstick-demo")?;
+    files::not_among_students(dir)?;
     may_replace(dir)?;
-    let one = |f: Finding| vec![f];
     let mut loaded = banks::load("wheels-on-inclines")?;
     let texts = banks::texts(None, "en", &mut loaded.bank)?;
     let bank = &loaded.bank;
-    let staged = Staged::new(dir).map_err(one)?;
+    let staged = Staged::new(dir)?;
     let root = staged.path();
-    let write = |name: &str, bytes: &[u8]| staged.write(name, bytes).map_err(one);
+    let write = |name: &str, bytes: &[u8]| staged.write(name, bytes);
     write("roster.csv", &class::roster())?;
     let members = deal::members(&root.join("roster.csv"))?;
     let problems: Vec<usize> = (0..bank.problems.len()).collect();
@@ -74,7 +74,7 @@ pub fn run(args: &args::DemoArgs, io: &mut Io) -> Result<Exit, Vec<Finding>> {
     let marks = marks(&root.join("grades").join("gradebook.csv"))?;
     write(MARKER, b"Made by `slipstick demo`, which may replace this folder.\n")?;
     let told = summary.replace(&root.display().to_string(), &dir.display().to_string());
-    staged.finish().map_err(one)?;
+    staged.finish()?;
 
     let shown = dir.display();
     let first = members.first().map_or("", |m| m.folder.as_str());
@@ -111,7 +111,7 @@ pub fn run(args: &args::DemoArgs, io: &mut Io) -> Result<Exit, Vec<Finding>> {
 }
 
 /// Nothing, an empty folder, or a demo and nothing else.
-fn may_replace(dir: &Path) -> Result<(), Vec<Finding>> {
+fn may_replace(dir: &Path) -> Result<(), Findings> {
     let names = files::names_in(dir);
     if !dir.exists() || (dir.is_dir() && names.is_empty()) {
         return Ok(());
@@ -119,21 +119,21 @@ fn may_replace(dir: &Path) -> Result<(), Vec<Finding>> {
     let finding = |what: String| Finding::new("", what).in_file(dir.display().to_string());
     if !dir.is_dir() || !names.iter().any(|n| n == MARKER) {
         let fault = finding("is there already, and `slipstick demo` did not make it".to_owned());
-        return Err(vec![fault.hint("give another folder: slipstick demo DIR")]);
+        return Err(fault.hint("give another folder: slipstick demo DIR").into());
     }
     let foreign: Vec<String> = names.into_iter().filter(|n| !NAMES.contains(&n.as_str())).collect();
     if foreign.is_empty() {
         return Ok(());
     }
     let fault = finding(format!("holds what `slipstick demo` did not make: {}", foreign.join(", ")));
-    Err(vec![fault.hint("move it away, or give another folder")])
+    Err(fault.hint("move it away, or give another folder").into())
 }
 
-fn submissions(plan: &Plan) -> Result<HandIn, Vec<Finding>> {
+fn submissions(plan: &Plan) -> Result<HandIn, Findings> {
     let dealer = Dealer::new(plan.bank, plan.problems, plan.seed, plan.name);
     let mut dealt = Vec::new();
     for (id, _) in class::STUDENTS {
-        dealt.push(dealer.deal(id).map_err(|none| vec![unsatisfiable(plan.bank, &none)])?);
+        dealt.push(dealer.deal(id).map_err(|none| unsatisfiable(plan.bank, &none))?);
     }
     let chosen = || plan.problems.iter().filter_map(|p| plan.bank.problems.get(*p));
     let sheets: Vec<Sheet> = class::STUDENTS
@@ -151,17 +151,9 @@ fn submissions(plan: &Plan) -> Result<HandIn, Vec<Finding>> {
     Ok(hand_in::hand_in(&sheets, plan.seed))
 }
 
-fn records(path: &Path) -> Result<Vec<csv::StringRecord>, Vec<Finding>> {
-    let bytes = files::read(path).map_err(|f| vec![f])?;
-    let mut reader =
-        csv::ReaderBuilder::new().has_headers(false).flexible(true).from_reader(bytes.as_slice());
-    let records: Result<Vec<_>, _> = reader.records().collect();
-    records.map_err(|e| vec![Finding::new("", e.to_string()).in_file(path.display().to_string())])
-}
-
 /// Simulated kinds against verdicts.
-fn kinds_and_verdicts(handed: &HandIn, answers: &Path) -> Result<String, Vec<Finding>> {
-    let records = records(answers)?;
+fn kinds_and_verdicts(handed: &HandIn, answers: &Path) -> Result<String, Findings> {
+    let records = files::records(answers)?;
     let column = |name: &str| records.first().and_then(|h| h.iter().position(|f| f == name));
     let verdict = column("verdict").unwrap_or(6);
     let mut verdicts: Vec<String> = Vec::new();
@@ -196,8 +188,8 @@ fn kinds_and_verdicts(handed: &HandIn, answers: &Path) -> Result<String, Vec<Fin
 }
 
 /// The gradebook with a column for each problem.
-fn marks(gradebook: &Path) -> Result<String, Vec<Finding>> {
-    let records = records(gradebook)?;
+fn marks(gradebook: &Path) -> Result<String, Findings> {
+    let records = files::records(gradebook)?;
     let Some(header) = records.first() else { return Ok(String::new()) };
     let mut problems: Vec<&str> = Vec::new();
     for field in header.iter() {

@@ -2,11 +2,11 @@
 use crate::cli::args;
 use crate::cli::tell::Exit;
 use crate::cli::tell::Io;
-use crate::finding::Finding;
+use crate::finding::Findings;
 use crate::folder::explain;
 
 /// Runs it.
-pub fn run(args: &args::ExplainArgs, io: &mut Io) -> Result<Exit, Vec<Finding>> {
+pub fn run(args: &args::ExplainArgs, io: &mut Io) -> Result<Exit, Findings> {
     io.piece(&explain::explain(&args.graded, &args.student, &args.problem, args.part.as_deref())?);
     Ok(Exit::Fine)
 }

@@ -3,6 +3,7 @@ use crate::cli::args;
 use crate::cli::tell::Exit;
 use crate::cli::tell::Io;
 use crate::finding::Finding;
+use crate::finding::Findings;
 use crate::folder::files;
 use crate::review::page;
 use crate::set::replay;
@@ -12,19 +13,19 @@ use crate::sheet::terminal;
 const MOST: u32 = 1000;
 
 /// Runs it.
-pub fn run(args: &args::GalleryArgs, io: &mut Io) -> Result<Exit, Vec<Finding>> {
+pub fn run(args: &args::GalleryArgs, io: &mut Io) -> Result<Exit, Findings> {
     if args.out.exists() && !args.force {
         let fault = Finding::new("", "is there already").in_file(args.out.display().to_string());
-        return Err(vec![fault.hint("--force replaces it")]);
+        return Err(fault.hint("--force replaces it").into());
     }
     if args.variants == 0 || args.variants > MOST {
-        return Err(vec![Finding::new("--variants", format!("{} is not from 1 to {MOST}", args.variants))]);
+        return Err(Finding::new("--variants", format!("{} is not from 1 to {MOST}", args.variants)).into());
     }
     let (loaded, texts) = args.own.load(&args.bank)?;
     let problems = replay::chosen(&loaded.bank, args.problems.as_deref(), "--problems")?;
     let page = page::page((&loaded.bank, &loaded.file), &problems, &texts, (args.variants, args.seeds))?;
     let bytes = page.len();
-    files::put_all(&[(args.out.clone(), page)]).map_err(|f| vec![f])?;
+    files::put_all(&[(args.out.clone(), page)])?;
     io.line(&format!(
         "{} of {} each, {} kB, in {} (for instructors: it holds keys)",
         terminal::count(problems.len(), "problem"),

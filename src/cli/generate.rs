@@ -4,6 +4,7 @@ use crate::cli::tell;
 use crate::cli::tell::Exit;
 use crate::cli::tell::Io;
 use crate::finding::Finding;
+use crate::finding::Findings;
 use crate::folder;
 use crate::folder::banks;
 use crate::folder::deal;
@@ -20,8 +21,8 @@ use crate::sheet::texts;
 use std::path::Path;
 
 /// Runs it.
-pub fn run(args: &args::GenerateArgs, io: &mut Io) -> Result<Exit, Vec<Finding>> {
-    let mut faults = Vec::new();
+pub fn run(args: &args::GenerateArgs, io: &mut Io) -> Result<Exit, Findings> {
+    let mut faults = Findings::default();
     // First of all: a set that a killed run had moved aside goes back.
     staged::sweep_beside(&args.out);
     let loaded = banks::load(&args.bank).map_err(|f| faults.extend(f)).ok();
@@ -42,8 +43,8 @@ pub fn run(args: &args::GenerateArgs, io: &mut Io) -> Result<Exit, Vec<Finding>>
         }
     }
     if old.is_none() {
-        files::has_a_name(&args.out, "--out week-5").map_err(|f| vec![f])?;
-        files::not_among_students(&args.out).map_err(|f| vec![f])?;
+        files::has_a_name(&args.out, "--out week-5")?;
+        files::not_among_students(&args.out)?;
         set::may_write(&args.out, args.force)?;
     }
     let name = match (&args.name, &old) {
@@ -52,7 +53,7 @@ pub fn run(args: &args::GenerateArgs, io: &mut Io) -> Result<Exit, Vec<Finding>>
         (None, None) => loaded.bank.id.clone(),
     };
     if name.trim().is_empty() || name.chars().any(char::is_control) {
-        return Err(vec![Finding::new("--name", "the name of a set is a line of text")]);
+        return Err(Finding::new("--name", "the name of a set is a line of text").into());
     }
     let problems = match (&args.problems, &old) {
         (None, Some(set)) => replay::indices(&loaded.bank, &set.problems, "problems")?,

@@ -3,14 +3,14 @@ use crate::cli::args;
 use crate::cli::args::AttemptsArg;
 use crate::cli::tell::Exit;
 use crate::cli::tell::Io;
-use crate::finding::Finding;
+use crate::finding::Findings;
 use crate::folder::grading;
 use crate::folder::grading::Job;
 use crate::folder::names::ANSWERS;
 use crate::folder::names::GRADEBOOK;
 
 /// Runs it.
-pub fn run(args: &args::GradeArgs, io: &mut Io) -> Result<Exit, Vec<Finding>> {
+pub fn run(args: &args::GradeArgs, io: &mut Io) -> Result<Exit, Findings> {
     let job = Job {
         set: &args.set,
         submissions: &args.submissions,

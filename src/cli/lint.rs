@@ -6,6 +6,7 @@ use crate::cli::tell::Io;
 use crate::diagnosis::sentences;
 use crate::diagnosis::table::unsatisfiable;
 use crate::finding::Finding;
+use crate::finding::Findings;
 use crate::folder::banks;
 use crate::num::shown;
 use crate::problem::sweep;
@@ -14,11 +15,9 @@ use crate::sheet::terminal;
 use crate::sheet::texts;
 
 /// Runs it.
-pub fn run(args: &args::LintArgs, io: &mut Io) -> Result<Exit, Vec<Finding>> {
+pub fn run(args: &args::LintArgs, io: &mut Io) -> Result<Exit, Findings> {
     let mut loaded = banks::load(&args.bank)?;
-    let in_bank = |f: Finding| if f.file.is_none() { f.in_file(&loaded.file) } else { f };
-    let texts =
-        args.own.texts(&mut loaded.bank).map_err(|f| f.into_iter().map(in_bank).collect::<Vec<_>>())?;
+    let texts = args.own.texts(&mut loaded.bank).map_err(|f| f.or_in_file(&loaded.file))?;
     let bank = &loaded.bank;
     let mut findings = texts::unknown_names(bank, &texts.templates);
     findings.extend(texts::never_given(bank, &texts.templates));

@@ -2,7 +2,7 @@
 use crate::cli::args;
 use crate::cli::tell::Exit;
 use crate::cli::tell::Io;
-use crate::finding::Finding;
+use crate::finding::Findings;
 use crate::folder::files;
 use crate::folder::graded;
 use crate::folder::matches;
@@ -15,12 +15,12 @@ use crate::sheet::terminal;
 const SHOWN: usize = 20;
 
 /// Runs it.
-pub fn run(args: &args::MatchesArgs, io: &mut Io) -> Result<Exit, Vec<Finding>> {
+pub fn run(args: &args::MatchesArgs, io: &mut Io) -> Result<Exit, Findings> {
     let found = matches::find(&graded::open(&args.graded, None)?)?;
     io.piece(&told(&found));
     let path = args.graded.join(MATCHES);
     let text = String::from_utf8_lossy(&found.csv()).into_owned();
-    files::put_all(&[(path.clone(), text)]).map_err(|f| vec![f])?;
+    files::put_all(&[(path.clone(), text)])?;
     io.line(&format!("  all of them, for your eyes only: {}", path.display()));
     Ok(Exit::Fine)
 }

@@ -7,6 +7,7 @@ use crate::cli::tell::Io;
 use crate::diagnosis::sentences;
 use crate::diagnosis::table::unsatisfiable;
 use crate::finding::Finding;
+use crate::finding::Findings;
 use crate::grade::diagnose;
 use crate::grade::feedback::Feedback;
 use crate::grade::judge;
@@ -37,12 +38,12 @@ enum Next {
 }
 
 /// Runs it.
-pub fn run(args: &args::PracticeArgs, io: &mut Io) -> Result<Exit, Vec<Finding>> {
+pub fn run(args: &args::PracticeArgs, io: &mut Io) -> Result<Exit, Findings> {
     let (loaded, texts) = args.own.load(&args.bank)?;
     let (bank, words) = (&loaded.bank, &texts.words);
     let problems = replay::chosen(bank, args.problems.as_deref(), "--problems")?;
     if problems.is_empty() {
-        return Err(vec![Finding::new("problems", "there is none").in_file(&loaded.file)]);
+        return Err(Finding::new("problems", "there is none").in_file(&loaded.file).into());
     }
     let sheets = Sheets::new(&texts.templates, words, bank, "practice", &problems)?;
     let seed = args.seed.unwrap_or_else(from_clock);
@@ -58,9 +59,9 @@ pub fn run(args: &args::PracticeArgs, io: &mut Io) -> Result<Exit, Vec<Finding>>
         let problem = &bank.problems[problems[i]];
         let variant = makers[i]
             .variant(&format!("round {}", round / problems.len() + 1))
-            .map_err(|none| vec![unsatisfiable(bank, &none)])?;
+            .map_err(|none| unsatisfiable(bank, &none))?;
         let mut text = Vec::new();
-        sheets.problem(i, &variant, &mut room, &mut text).map_err(|f| vec![f])?;
+        sheets.problem(i, &variant, &mut room, &mut text)?;
         let text = document::without_marks(&String::from_utf8_lossy(&text));
         io.line(&format!("\n## {}\n\n{}", problem.title, plain(&text)));
         let key = make_key::key(problem, &variant);

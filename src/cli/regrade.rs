@@ -3,12 +3,12 @@ use crate::cli::args;
 use crate::cli::args::AttemptsArg;
 use crate::cli::tell::Exit;
 use crate::cli::tell::Io;
-use crate::finding::Finding;
+use crate::finding::Findings;
 use crate::folder::regrading;
 use crate::folder::regrading::Job;
 
 /// Runs it.
-pub fn run(args: &args::RegradeArgs, io: &mut Io) -> Result<Exit, Vec<Finding>> {
+pub fn run(args: &args::RegradeArgs, io: &mut Io) -> Result<Exit, Findings> {
     let job = Job {
         set: &args.set,
         graded: &args.graded,

@@ -2,12 +2,12 @@
 use crate::cli::args;
 use crate::cli::tell::Exit;
 use crate::cli::tell::Io;
-use crate::finding::Finding;
+use crate::finding::Findings;
 use crate::folder::reports;
 use crate::folder::reports::Job;
 
 /// Runs it.
-pub fn run(args: &args::ReportArgs, io: &mut Io) -> Result<Exit, Vec<Finding>> {
+pub fn run(args: &args::ReportArgs, io: &mut Io) -> Result<Exit, Findings> {
     let made = reports::write(&Job {
         graded: &args.graded,
         out: args.out.as_deref(),

@@ -3,6 +3,7 @@ use crate::cli::args;
 use crate::cli::tell::Exit;
 use crate::cli::tell::Io;
 use crate::finding::Finding;
+use crate::finding::Findings;
 use crate::folder::banks;
 use crate::folder::files;
 use crate::folder::set;
@@ -18,7 +19,7 @@ use crate::words::Words;
 use std::path::Path;
 
 /// Runs it.
-pub fn run(args: &args::SimulateArgs, io: &mut Io) -> Result<Exit, Vec<Finding>> {
+pub fn run(args: &args::SimulateArgs, io: &mut Io) -> Result<Exit, Findings> {
     if args.example {
         io.piece(habits::EXAMPLE);
         return Ok(Exit::Fine);
@@ -33,12 +34,12 @@ pub fn run(args: &args::SimulateArgs, io: &mut Io) -> Result<Exit, Vec<Finding>>
     Ok(Exit::Fine)
 }
 
-fn simulate(args: &args::SimulateArgs) -> Result<Files, Vec<Finding>> {
+fn simulate(args: &args::SimulateArgs) -> Result<Files, Findings> {
     // clap demands all three unless --example is given.
     let (Some(folder), Some(out), Some(truth)) = (&args.set, &args.out, &args.truth) else {
-        return Err(vec![Finding::new("", "give the folder of a set, --out and --truth")]);
+        return Err(Finding::new("", "give the folder of a set, --out and --truth").into());
     };
-    let mut faults = Vec::new();
+    let mut faults = Findings::default();
     let habits = match &args.like {
         Some(path) => read(path).map_err(|f| faults.extend(f)).ok(),
         None => Some(Habits::usual()),
@@ -78,25 +79,24 @@ fn simulate(args: &args::SimulateArgs) -> Result<Files, Vec<Finding>> {
     classwork::copy(&habits, args.seed, &mut works);
     let files = classwork::write(&habits, &words, args.seed, &works);
     let text = |bytes: &[u8]| String::from_utf8_lossy(bytes).into_owned();
-    files::put_all(&[(out.clone(), text(&files.submissions)), (truth.clone(), text(&files.truth))])
-        .map_err(|f| vec![f])?;
+    files::put_all(&[(out.clone(), text(&files.submissions)), (truth.clone(), text(&files.truth))])?;
     Ok(files)
 }
 
-fn read(path: &Path) -> Result<Habits, Vec<Finding>> {
-    let text = files::read_text(path).map_err(|f| vec![f])?;
+fn read(path: &Path) -> Result<Habits, Findings> {
+    let text = files::read_text(path)?;
     Habits::read(&text, &path.display().to_string())
 }
 
 /// Are all wrong methods that the habits name listed in the bank?
-fn known_methods(habits: &Habits, known: &[&str], path: &Path) -> Result<(), Vec<Finding>> {
+fn known_methods(habits: &Habits, known: &[&str], path: &Path) -> Result<(), Findings> {
     let file = path.display().to_string();
     let strange = habits.unknown_methods(known).map(|(id, near)| {
         let what = format!("no problem of this set lists the wrong method `{id}`");
         let finding = Finding::new("wrong methods", what).in_file(&file);
         finding.hint(near.unwrap_or_else(|| "the ids stand in the bank under `mistakes`".to_owned()))
     });
-    let strange: Vec<Finding> = strange.collect();
+    let strange: Findings = strange.collect();
     if strange.is_empty() { Ok(()) } else { Err(strange) }
 }
 

@@ -3,14 +3,14 @@ use crate::cli::args;
 use crate::cli::tell;
 use crate::cli::tell::Exit;
 use crate::cli::tell::Io;
-use crate::finding::Finding;
+use crate::finding::Findings;
 use crate::folder::solutions;
 use crate::folder::solutions::Job;
 use crate::sheet::output;
 use crate::sheet::terminal;
 
 /// Runs it.
-pub fn run(args: &args::SolutionsArgs, io: &mut Io) -> Result<Exit, Vec<Finding>> {
+pub fn run(args: &args::SolutionsArgs, io: &mut Io) -> Result<Exit, Findings> {
     let formats = output::formats(args.format.as_deref());
     let made = solutions::write(&Job {
         set: &args.set,

@@ -4,16 +4,16 @@ use crate::cli::tell::Exit;
 use crate::cli::tell::Io;
 use crate::diagnosis::data;
 use crate::diagnosis::table;
-use crate::finding::Finding;
+use crate::finding::Findings;
 use crate::folder::banks;
 use crate::solve::agree;
 use crate::solve::ladder;
 
 /// Runs it.
-pub fn run(args: &args::SolveArgs, io: &mut Io) -> Result<Exit, Vec<Finding>> {
+pub fn run(args: &args::SolveArgs, io: &mut Io) -> Result<Exit, Findings> {
     let wish = data::wish(args.by.method.method(), args.by.rtol, args.by.step.as_deref())?;
     let loaded = banks::load(&args.bank)?;
-    let problem = banks::problem(&loaded, &args.problem).map_err(|f| vec![f])?;
+    let problem = banks::problem(&loaded, &args.problem)?;
     let (case, data, shown) = data::data(&loaded.bank, problem, &args.set, args.seed)?;
     let scene = &problem.cases[case].scene;
     let (mut solved, taken) =

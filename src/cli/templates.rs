@@ -5,6 +5,7 @@ use crate::cli::args;
 use crate::cli::tell::Exit;
 use crate::cli::tell::Io;
 use crate::finding::Finding;
+use crate::finding::Findings;
 use crate::folder::banks;
 use crate::folder::banks::README;
 use crate::folder::files;
@@ -20,21 +21,20 @@ const INSTRUCTORS: [&str; 3] = ["accuracy.html", "gallery.html", "report.html"];
 const ABOUT: &str = include_str!("../../templates/README.md");
 
 /// Runs it.
-pub fn run(args: &args::TemplatesArgs, io: &mut Io) -> Result<Exit, Vec<Finding>> {
-    let one = |f: Finding| vec![f];
+pub fn run(args: &args::TemplatesArgs, io: &mut Io) -> Result<Exit, Findings> {
     banks::words(&args.language)?;
-    files::has_a_name(&args.out, "--out my-templates").map_err(one)?;
-    files::not_among_students(&args.out).map_err(one)?;
+    files::has_a_name(&args.out, "--out my-templates")?;
+    files::not_among_students(&args.out)?;
     if args.out.exists() && !(args.out.is_dir() && files::names_in(&args.out).is_empty()) {
         let fault = Finding::new("", "is there already").in_file(args.out.display().to_string());
-        return Err(vec![fault.hint("give a new folder: templates that you changed are not replaced")]);
+        return Err(fault.hint("give a new folder: templates that you changed are not replaced").into());
     }
     let texts = texts(&args.language)?;
-    let staged = Staged::new(&args.out).map_err(one)?;
+    let staged = Staged::new(&args.out)?;
     for (name, text) in &texts {
-        staged.write(name, text.as_bytes()).map_err(one)?;
+        staged.write(name, text.as_bytes())?;
     }
-    staged.finish().map_err(one)?;
+    staged.finish()?;
     let out = args.out.display();
     io.line(&format!(
         "{}, in {out}; {out}/{README} says what each receives",
@@ -45,7 +45,7 @@ pub fn run(args: &args::TemplatesArgs, io: &mut Io) -> Result<Exit, Vec<Finding>
 }
 
 /// All files: name, text.
-fn texts(language: &str) -> Result<Vec<(String, String)>, Vec<Finding>> {
+fn texts(language: &str) -> Result<Vec<(String, String)>, Findings> {
     let mut texts: Vec<(String, String)> = Vec::new();
     for (name, text) in template::built_in(language).filter(|(name, _)| !INSTRUCTORS.contains(name)) {
         texts.push((name.to_owned(), text.to_owned()));

@@ -3,6 +3,7 @@ use crate::cli::args;
 use crate::cli::tell::Exit;
 use crate::cli::tell::Io;
 use crate::finding::Finding;
+use crate::finding::Findings;
 use crate::folder::files;
 use crate::folder::names;
 use crate::folder::set;
@@ -13,7 +14,7 @@ use crate::set::key_file;
 use crate::sheet::terminal;
 
 /// Runs it.
-pub fn run(args: &args::VerifyArgs, io: &mut Io) -> Result<Exit, Vec<Finding>> {
+pub fn run(args: &args::VerifyArgs, io: &mut Io) -> Result<Exit, Findings> {
     let Replayed { set, keys, not_drawn, .. } = set::replayed(&args.set)?;
     if not_drawn.is_none() {
         // Of a set that is not drawn again the key was held against its hash already.
@@ -32,21 +33,20 @@ pub fn run(args: &args::VerifyArgs, io: &mut Io) -> Result<Exit, Vec<Finding>> {
     io.piece(&proved::table(&questions));
     io.line(&proved::verdict(&questions));
     let faults = proved::faults(&questions);
-    if faults.is_empty() { Ok(Exit::Fine) } else { Err(faults) }
+    faults.into_result(Exit::Fine)
 }
 
 /// A key with rows beside those of the set: grading leaves them alone, a proof does not.
-fn strangers(args: &args::VerifyArgs, keys: &[SheetKey]) -> Result<(), Vec<Finding>> {
+fn strangers(args: &args::VerifyArgs, keys: &[SheetKey]) -> Result<(), Findings> {
     let path = args.set.join(names::KEY);
-    let stored = files::read(&path).map_err(|f| vec![f])?;
+    let stored = files::read(&path)?;
     let body = stored.strip_prefix(b"\xef\xbb\xbf").unwrap_or(&stored);
     if body == key_file::text(keys) {
         return Ok(());
     }
     let fault = Finding::new("", "has rows of students who are not in the set, or is written otherwise");
     let fault = fault.in_file(path.display().to_string());
-    Err(vec![
-        fault
-            .hint("after an `--add` that was cut off run `generate --add` again; else put the original back"),
-    ])
+    Err(fault
+        .hint("after an `--add` that was cut off run `generate --add` again; else put the original back")
+        .into())
 }

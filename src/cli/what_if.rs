@@ -3,17 +3,18 @@ use crate::cli::args;
 use crate::cli::tell::Exit;
 use crate::cli::tell::Io;
 use crate::finding::Finding;
+use crate::finding::Findings;
 use crate::folder::tolerances;
 
 /// Runs it.
-pub fn run(args: &args::WhatIfArgs, io: &mut Io) -> Result<Exit, Vec<Finding>> {
+pub fn run(args: &args::WhatIfArgs, io: &mut Io) -> Result<Exit, Findings> {
     io.piece(&tolerances::what_if(&args.graded, &shares(&args.tolerance)?)?);
     Ok(Exit::Fine)
 }
 
 /// Relative tolerances, as shares, from `0.5`, `2%`, `2 %`: per cent.
-fn shares(typed: &[String]) -> Result<Vec<f64>, Vec<Finding>> {
-    let (mut found, mut faults) = (Vec::new(), Vec::new());
+fn shares(typed: &[String]) -> Result<Vec<f64>, Findings> {
+    let (mut found, mut faults) = (Vec::new(), Findings::default());
     for text in typed {
         let number = text.trim().trim_end_matches('%').trim().replace(',', ".");
         match number.parse::<f64>() {
@@ -26,5 +27,5 @@ fn shares(typed: &[String]) -> Result<Vec<f64>, Vec<Finding>> {
     }
     found.sort_by(f64::total_cmp);
     found.dedup();
-    if faults.is_empty() { Ok(found) } else { Err(faults) }
+    faults.into_result(found)
 }

@@ -7,6 +7,7 @@ use crate::diagnosis::sentences;
 use crate::diagnosis::table;
 use crate::diagnosis::table::NUMBERS_OF_TIES;
 use crate::finding::Finding;
+use crate::finding::Findings;
 use crate::guard::push_line;
 use crate::num::shown;
 use crate::plot::Axis;
@@ -81,14 +82,14 @@ pub fn measure<'s>(
     problem: &'s Problem,
     (case, data, shown): &Data,
     timed: bool,
-) -> Result<(bool, Result<StudySheet<'s>, String>), Vec<Finding>> {
+) -> Result<(bool, Result<StudySheet<'s>, String>), Findings> {
     let scene = &problem.cases[*case].scene;
     let refused = |refusal: &_| refused(problem, scene, refusal);
     let (solved, taken) = ladder::solve(scene, data, &ladder::Wish::default()).map_err(|r| refused(&r))?;
     if taken.force == Force::Instant {
         let fault =
             Finding::new(&problem.id, "only an instant is asked: nothing moves, there is nothing to compare");
-        return Err(vec![fault.hint("`slipstick solve` gives the answers")]);
+        return Err(fault.hint("`slipstick solve` gives the answers").into());
     }
     let holds = fits(problem, *case, &solved);
     let shown = shown.join(", ");
@@ -109,7 +110,7 @@ pub fn measure<'s>(
     let study = ladder::study(scene, data, &labels).map_err(|r| refused(&r))?;
     if study.labels.is_empty() {
         let fault = Finding::new(&problem.id, "none of the asked answers exists with these data");
-        return Err(vec![fault.hint("`slipstick solve` says what really happens")]);
+        return Err(fault.hint("`slipstick solve` says what really happens").into());
     }
     let mut lines = Vec::with_capacity(study.rows.len());
     for row in &study.rows {
@@ -419,7 +420,7 @@ impl StudySheet<'_> {
     ///
     /// # Errors
     /// A fault of its template.
-    pub fn page(&self) -> Result<String, Vec<Finding>> {
+    pub fn page(&self) -> Result<String, Findings> {
         let mut view = View::new();
         view.foreign("title", &self.problem.title);
         view.foreign("data", &format!("{}: {}", self.problem.id, self.shown));
@@ -460,7 +461,7 @@ impl StudySheet<'_> {
         view.value("rows", template::list(rows.collect()));
         view.value("notes", template::list(self.refusals().iter().map(|t| text(t)).collect()));
         let mut out = Vec::new();
-        Templates::english().render("accuracy.html", &view, &mut out).map_err(|f| vec![f])?;
+        Templates::english().render("accuracy.html", &view, &mut out)?;
         Ok(String::from_utf8(out).unwrap_or_default())
     }
 }

@@ -9,6 +9,7 @@ use crate::diagnosis::sentences;
 use crate::diagnosis::table::unsatisfiable;
 use crate::draw::fill;
 use crate::finding::Finding;
+use crate::finding::Findings;
 use crate::problem::make::Maker;
 use crate::scene::Scene;
 use crate::sheet::number;
@@ -23,7 +24,7 @@ use crate::units;
 use crate::units::Unit;
 
 /// Why a scene has no answer, as findings.
-pub fn refused(problem: &Problem, scene: &Scene, refusal: &Refusal) -> Vec<Finding> {
+pub fn refused(problem: &Problem, scene: &Scene, refusal: &Refusal) -> Findings {
     let texts = sentences::refusal(problem, scene, refusal);
     texts.into_iter().map(|t| Finding::new(&problem.id, t)).collect()
 }
@@ -32,8 +33,8 @@ pub fn refused(problem: &Problem, scene: &Scene, refusal: &Refusal) -> Vec<Findi
 ///
 /// # Errors
 /// Settings that the method does not have, or that are none.
-pub fn wish(method: Option<Method>, rtol: Option<f64>, step: Option<&str>) -> Result<Wish, Vec<Finding>> {
-    let mut faults = Vec::new();
+pub fn wish(method: Option<Method>, rtol: Option<f64>, step: Option<&str>) -> Result<Wish, Findings> {
+    let mut faults = Findings::default();
     let knob = method.map_or(Knob::Tolerance, Method::knob);
     if let Some(rtol) = rtol {
         if !(rtol > 0.0 && rtol < 1.0) {
@@ -60,7 +61,7 @@ pub fn wish(method: Option<Method>, rtol: Option<f64>, step: Option<&str>) -> Re
             faults.push(fault.hint("write --method rk4"));
         }
     }
-    if faults.is_empty() { Ok(Wish { method, rtol, step_s }) } else { Err(faults) }
+    faults.into_result(Wish { method, rtol, step_s })
 }
 
 /// A time step: `1ms`, `0.02`, `1/60s`.
@@ -89,16 +90,16 @@ fn seconds(text: &str) -> Result<f64, String> {
 ///
 /// # Errors
 /// None are given, or they are not those of a case.
-pub fn data(bank: &Bank, problem: &Problem, set: &[String], seed: Option<u64>) -> Result<Data, Vec<Finding>> {
+pub fn data(bank: &Bank, problem: &Problem, set: &[String], seed: Option<u64>) -> Result<Data, Findings> {
     if !set.is_empty() {
         return given(problem, set);
     }
     let Some(seed) = seed else {
         let example = problem.data.first().map_or("m", |d| d.symbol.as_str());
         let fault = Finding::new("", "no data are given");
-        return Err(vec![
-            fault.hint(format!("write --set {example}=... for each datum, or --seed N to draw")),
-        ]);
+        return Err(fault
+            .hint(format!("write --set {example}=... for each datum, or --seed N to draw"))
+            .into());
     };
     drawn(bank, problem, seed)
 }
@@ -112,9 +113,9 @@ pub fn fits(problem: &Problem, case: usize, solved: &Solved) -> bool {
 /// Case, values as scenes take them, and each datum as it is shown.
 pub type Data = (usize, Vec<f64>, Vec<String>);
 
-fn drawn(bank: &Bank, problem: &Problem, seed: u64) -> Result<Data, Vec<Finding>> {
+fn drawn(bank: &Bank, problem: &Problem, seed: u64) -> Result<Data, Findings> {
     let variant =
-        Maker::new(problem, seed, &bank.id).variant("").map_err(|none| vec![unsatisfiable(bank, &none)])?;
+        Maker::new(problem, seed, &bank.id).variant("").map_err(|none| unsatisfiable(bank, &none))?;
     let shown = printed(problem, &variant.values);
     Ok((variant.case, variant.data, shown))
 }
@@ -128,8 +129,8 @@ pub fn printed(problem: &Problem, values: &[Option<Decimal>]) -> Vec<String> {
 }
 
 /// Data from `--set`, and the case to which they belong.
-fn given(problem: &Problem, set: &[String]) -> Result<Data, Vec<Finding>> {
-    let mut faults = Vec::new();
+fn given(problem: &Problem, set: &[String]) -> Result<Data, Findings> {
+    let mut faults = Findings::default();
     let mut values: Vec<Option<(f64, String)>> = vec![None; problem.data.len()];
     for text in set {
         let Some((symbol, value)) = text.split_once('=') else {

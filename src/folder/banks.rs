@@ -7,6 +7,7 @@ use crate::bank::built_in::TRANSLATED;
 use crate::bank::load;
 use crate::bank::overlay;
 use crate::finding::Finding;
+use crate::finding::Findings;
 use crate::folder::files;
 use crate::sheet::statement;
 use crate::sheet::texts::Texts;
@@ -34,16 +35,16 @@ pub struct Loaded {
 ///
 /// # Errors
 /// All that is wrong with it.
-pub fn load(name: &str) -> Result<Loaded, Vec<Finding>> {
+pub fn load(name: &str) -> Result<Loaded, Findings> {
     let path = Path::new(name);
     let (file, text) = if path.is_file() {
-        (name.to_owned(), files::read_text(path).map_err(|f| vec![f])?)
+        (name.to_owned(), files::read_text(path)?)
     } else if let Some((_, file, text)) = BUILT_IN.iter().find(|(id, _, _)| *id == name) {
         ((*file).to_owned(), (*text).to_owned())
     } else {
         let known: Vec<&str> = BUILT_IN.iter().map(|(id, _, _)| *id).collect();
         let fault = Finding::new("", "there is no such file and no built-in bank of this name").in_file(name);
-        return Err(vec![fault.hint(format!("built-in banks: {}", known.join(", ")))]);
+        return Err(fault.hint(format!("built-in banks: {}", known.join(", "))).into());
     };
     let bank = parse(&text, &file)?;
     Ok(Loaded { bank, text, file })
@@ -53,7 +54,7 @@ pub fn load(name: &str) -> Result<Loaded, Vec<Finding>> {
 ///
 /// # Errors
 /// All that is wrong with it.
-pub fn parse(text: &str, file: &str) -> Result<Bank, Vec<Finding>> {
+pub fn parse(text: &str, file: &str) -> Result<Bank, Findings> {
     load::bank(text, file, &template::variables_of)
 }
 
@@ -61,11 +62,11 @@ pub fn parse(text: &str, file: &str) -> Result<Bank, Vec<Finding>> {
 ///
 /// # Errors
 /// There is none of this code.
-pub fn words(language: &str) -> Result<Words, Vec<Finding>> {
+pub fn words(language: &str) -> Result<Words, Findings> {
     Words::of(language).ok_or_else(|| {
         let known: Vec<&str> = Words::languages().collect();
         let fault = Finding::new("--language", format!("there is no language `{language}`"));
-        vec![fault.hint(format!("languages: {}", known.join(", ")))]
+        fault.hint(format!("languages: {}", known.join(", "))).into()
     })
 }
 
@@ -74,24 +75,24 @@ pub fn words(language: &str) -> Result<Words, Vec<Finding>> {
 ///
 /// # Errors
 /// All that is wrong with them.
-pub fn texts(own: Option<&Path>, language: &str, bank: &mut Bank) -> Result<Texts, Vec<Finding>> {
+pub fn texts(own: Option<&Path>, language: &str, bank: &mut Bank) -> Result<Texts, Findings> {
     let mut words = words(language)?;
     let mut files = Vec::new();
     if let Some(folder) = own {
         if !folder.is_dir() {
             let fault = Finding::new("", "there is no such folder").in_file(folder.display().to_string());
-            return Err(vec![fault]);
+            return Err(fault.into());
         }
         collect(folder, "", &mut files)?;
         if files.is_empty() {
             let fault = Finding::new("", "holds no template").in_file(folder.display().to_string());
-            return Err(vec![
-                fault.hint("templates end in .md or .html, such as statement/pulled-rolling.md"),
-            ]);
+            return Err(fault
+                .hint("templates end in .md or .html, such as statement/pulled-rolling.md")
+                .into());
         }
     }
     let files = of_language(files, language);
-    let mut faults = Vec::new();
+    let mut faults = Findings::default();
     let variables: Variables = &template::variables_of;
     let built_in = TRANSLATED.iter().find(|(code, _)| *code == language).map_or(&[][..], |(_, list)| *list);
     if let Some((_, name, text)) = built_in.iter().find(|(id, ..)| *id == bank.id) {
@@ -153,11 +154,7 @@ fn of_language(files: Vec<(String, String, String)>, language: &str) -> Vec<(Str
     all
 }
 
-fn collect(
-    folder: &Path,
-    prefix: &str,
-    texts: &mut Vec<(String, String, String)>,
-) -> Result<(), Vec<Finding>> {
+fn collect(folder: &Path, prefix: &str, texts: &mut Vec<(String, String, String)>) -> Result<(), Findings> {
     for name in files::names_in(folder) {
         let path = folder.join(&name);
         let full = format!("{prefix}{name}");
@@ -168,7 +165,7 @@ fn collect(
         } else if full != README
             && (template::is_template(&name) || name.ends_with(".yaml") || full.ends_with("print.typ"))
         {
-            let text = files::read_text(&path).map_err(|f| vec![f])?;
+            let text = files::read_text(&path)?;
             texts.push((full, path.display().to_string(), text));
         }
     }

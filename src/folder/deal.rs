@@ -4,6 +4,7 @@ use crate::bank::Bank;
 use crate::diagnosis::table::unsatisfiable;
 use crate::draw::stream;
 use crate::finding::Finding;
+use crate::finding::Findings;
 use crate::folder;
 use crate::folder::Progress;
 use crate::folder::files;
@@ -69,11 +70,10 @@ pub struct Member {
 ///
 /// # Errors
 /// All that is wrong with it.
-pub fn members(path: &Path) -> Result<Vec<Member>, Vec<Finding>> {
-    let bytes = files::read(path).map_err(|f| vec![f])?;
+pub fn members(path: &Path) -> Result<Vec<Member>, Findings> {
+    let bytes = files::read(path)?;
     let file = path.display().to_string();
-    let named =
-        |faults: Vec<Finding>| -> Vec<Finding> { faults.into_iter().map(|f| f.in_file(&file)).collect() };
+    let named = |faults: Findings| -> Findings { faults.in_file(&file) };
     let students = roster::roster(&bytes).map_err(named)?;
     let member =
         |(student, name): (String, String)| Member { folder: roster::folder(&student), student, name };
@@ -126,13 +126,12 @@ pub fn whole(
     members: &[Member],
     out: &Path,
     progress: &dyn Progress,
-) -> Result<SetMade, Vec<Finding>> {
-    let staged = Staged::new(out).map_err(|f| vec![f])?;
-    let one = |f: Finding| vec![f];
+) -> Result<SetMade, Findings> {
+    let staged = Staged::new(out)?;
     let (dealt, sheets) = deal(plan, members, staged.path(), progress).map_err(|f| staged.named(f))?;
     let (set, cut) = store(plan, members, &dealt, None);
     let keys: Vec<SheetKey> = dealt.into_iter().map(|d| d.key).collect();
-    let write = |name: &str, bytes: &[u8]| staged.write(name, bytes).map_err(one);
+    let write = |name: &str, bytes: &[u8]| staged.write(name, bytes);
     write(names::BANK, plan.text.as_bytes())?;
     let key = key_file::text(&keys);
     write(names::KEY, &key)?;
@@ -141,7 +140,7 @@ pub fn whole(
         write(name, &bytes)?;
     }
     write(names::SET, set.sealed(&key).as_bytes())?;
-    staged.finish().map_err(one)?;
+    staged.finish()?;
     let tries = tries(&set, 0);
     Ok(SetMade { written: members.len(), set, tries, cut })
 }
@@ -161,17 +160,17 @@ fn together(
     plan: &Plan,
     sheets: &AllSheets,
     keys: &[SheetKey],
-) -> Result<Vec<(&'static str, Vec<u8>)>, Vec<Finding>> {
+) -> Result<Vec<(&'static str, Vec<u8>)>, Findings> {
     let output = Output::new(plan.texts, plan.formats, "sheet")?;
     let title = format!("{}: {}, {}", plan.texts.words.get("sheet.sheets"), plan.bank.title, plan.name);
-    let mut files = output.booklets(&title, &sheets.made).map_err(|f| vec![f])?;
+    let mut files = output.booklets(&title, &sheets.made)?;
     let table = output.key_table(plan.bank, plan.name, plan.problems, &sheets.rows, keys.iter());
-    files.extend(table.map_err(|f| vec![f])?);
+    files.extend(table?);
     Ok(files)
 }
 
 /// Booklets and the key for people of a stored set, from sheets written anew; nothing is put anywhere.
-fn together_again(plan: &Plan, set: &StoredSet) -> Result<Vec<(&'static str, Vec<u8>)>, Vec<Finding>> {
+fn together_again(plan: &Plan, set: &StoredSet) -> Result<Vec<(&'static str, Vec<u8>)>, Findings> {
     let writer = SheetWriter::new(plan)?;
     let both = replay::each(plan.bank, set, &|i, student, dealt| {
         let mut converter = Converter::new(&plan.texts.words);
@@ -197,9 +196,9 @@ pub fn add(
     old: &StoredSet,
     out: &Path,
     progress: &dyn Progress,
-) -> Result<SetMade, Vec<Finding>> {
+) -> Result<SetMade, Findings> {
     let mut keys = replay::keys(plan.bank, old)?;
-    let taken: Vec<Finding> = members
+    let taken: Findings = members
         .iter()
         .map(|m| out.join(names::STUDENTS).join(&m.folder))
         .filter(|p| p.exists())
@@ -211,7 +210,7 @@ pub fn add(
     if !taken.is_empty() {
         return Err(taken);
     }
-    let staged = Staged::new(out).map_err(|f| vec![f])?;
+    let staged = Staged::new(out)?;
     let (dealt, _) = deal(plan, members, staged.path(), progress).map_err(|f| staged.named(f))?;
     let mut everybody: Vec<Member> = old
         .students
@@ -235,11 +234,11 @@ pub fn add(
     }
     files.extend(together_again(plan, &set)?);
     for (name, bytes) in &files {
-        staged.write(name, bytes).map_err(|f| vec![f])?;
+        staged.write(name, bytes)?;
     }
     let sheets = members.iter().map(|m| Path::new(names::STUDENTS).join(&m.folder));
     for name in sheets.chain(files.iter().map(|(name, _)| Path::new(name).to_owned())) {
-        staged.place_one(&name).map_err(|f| vec![f])?;
+        staged.place_one(&name)?;
     }
     let tries = tries(&set, before);
     Ok(SetMade { written: members.len(), set, tries, cut })
@@ -250,17 +249,17 @@ pub fn add(
 ///
 /// # Errors
 /// The set cannot be replayed, or writing that fails.
-pub fn repair(plan: &Plan, set: &StoredSet, out: &Path, last: bool) -> Result<(), Vec<Finding>> {
+pub fn repair(plan: &Plan, set: &StoredSet, out: &Path, last: bool) -> Result<(), Findings> {
     let folders: rustc_hash::FxHashSet<&str> = set.students.iter().map(|s| s.folder.as_str()).collect();
     let students = out.join(names::STUDENTS);
     for name in names_in(&students) {
         if !folders.contains(name.as_str()) && set::is_left_over(&students.join(&name), &name, set) {
             let path = students.join(&name);
-            fs::remove_dir_all(&path).map_err(|e| vec![files::trouble(&path, "cannot be removed", &e)])?;
+            fs::remove_dir_all(&path).map_err(|e| files::trouble(&path, "cannot be removed", &e))?;
         }
     }
     let keys = replay::keys(plan.bank, set)?;
-    let stored = files::read(&out.join(names::KEY)).map_err(|f| vec![f])?;
+    let stored = files::read(&out.join(names::KEY))?;
     let key = key_file::text(&keys);
     let form = blank_form(plan, set);
     let mut stale = Vec::new();
@@ -280,10 +279,10 @@ pub fn repair(plan: &Plan, set: &StoredSet, out: &Path, last: bool) -> Result<()
     if stale.is_empty() {
         return Ok(());
     }
-    let staged = Staged::new(out).map_err(|f| vec![f])?;
+    let staged = Staged::new(out)?;
     for (name, bytes) in &stale {
-        staged.write(name, bytes).map_err(|f| vec![f])?;
-        staged.place_one(Path::new(name)).map_err(|f| vec![f])?;
+        staged.write(name, bytes)?;
+        staged.place_one(Path::new(name))?;
     }
     Ok(())
 }
@@ -296,7 +295,7 @@ struct SheetWriter<'p> {
 }
 
 impl<'p> SheetWriter<'p> {
-    fn new(plan: &'p Plan<'p>) -> Result<Self, Vec<Finding>> {
+    fn new(plan: &'p Plan<'p>) -> Result<Self, Findings> {
         let Texts { templates, words, .. } = plan.texts;
         let sheets = Sheets::new(templates, words, plan.bank, plan.name, plan.problems)?;
         Ok(Self { plan, sheets, output: Output::new(plan.texts, plan.formats, "sheet")? })
@@ -323,13 +322,13 @@ fn deal(
     members: &[Member],
     folder: &Path,
     progress: &dyn Progress,
-) -> Result<(Vec<Dealt>, AllSheets), Vec<Finding>> {
+) -> Result<(Vec<Dealt>, AllSheets), Findings> {
     fs::create_dir(folder.join(names::STUDENTS))
-        .map_err(|e| vec![files::trouble(folder, "cannot be written", &e)])?;
+        .map_err(|e| files::trouble(folder, "cannot be written", &e))?;
     let writer = SheetWriter::new(plan)?;
     let language = plan.texts.words.language();
     let public = public::Writer::new(plan.bank, plan.text, plan.problems, plan.name, language);
-    let public = public.map_err(|f| vec![f])?;
+    let public = public?;
     let dealer = Dealer::new(plan.bank, plan.problems, plan.seed, plan.name);
     progress.begin("sheets", members.len() as u64);
     let results: Vec<Result<(Dealt, WrittenDocument, Row), Finding>> = members
@@ -359,7 +358,7 @@ fn deal(
     let mut dealt = Vec::with_capacity(results.len());
     let mut sheets =
         AllSheets { made: Vec::with_capacity(results.len()), rows: Vec::with_capacity(results.len()) };
-    let mut faults = Vec::new();
+    let mut faults = Findings::default();
     for result in results {
         match result {
             Ok((one, made, row)) => {
@@ -371,7 +370,7 @@ fn deal(
             Err(fault) => faults.push(fault),
         }
     }
-    if faults.is_empty() { Ok((dealt, sheets)) } else { Err(faults) }
+    faults.into_result((dealt, sheets))
 }
 
 /// set.json of everybody; `dealt` are the last of `members`, those before them come from the old set.

@@ -1,5 +1,6 @@
 //! Everything about one mark: found in a folder of grades, told in words.
 use crate::finding::Finding;
+use crate::finding::Findings;
 use crate::folder::files;
 use crate::folder::graded;
 use crate::folder::graded::OpenGrading;
@@ -18,14 +19,9 @@ use std::path::Path;
 ///
 /// # Errors
 /// Nobody or nothing is meant, or the folder is no grading.
-pub fn explain(
-    folder: &Path,
-    student: &str,
-    problem: &str,
-    part: Option<&str>,
-) -> Result<String, Vec<Finding>> {
+pub fn explain(folder: &Path, student: &str, problem: &str, part: Option<&str>) -> Result<String, Findings> {
     let name = folder.display().to_string();
-    let here = |f: Finding| vec![f.in_file(&name)];
+    let here = |f: Finding| f.in_file(&name);
     // Who is meant is found before anything is solved; where there is no set, opening says what is missing.
     let basis = folder.join(names::BASIS);
     let there = folder.is_dir() && basis.join(names::SET).is_file();
@@ -35,13 +31,13 @@ pub fn explain(
     let part = part.or(in_name.as_deref());
     let graded = graded::open(folder, Some(&set.students[who].student))?;
     let (Some(student), Some(given)) = (graded.set.students.first(), graded.given.first()) else {
-        return Err(vec![Finding::new("", "the set has no such student")]);
+        return Err(Finding::new("", "the set has no such student").into());
     };
     let problem = graded.bank.problems.iter().find(|p| p.id == graded.set.problems[index]);
     let (Some(problem), Some(key), Some(variant)) =
         (problem, given.key.problems.get(index), given.variants.get(index))
     else {
-        return Err(vec![Finding::new("", "the sheet has no such problem")]);
+        return Err(Finding::new("", "the sheet has no such problem").into());
     };
     if let Some(part) = part
         && !key.parts.iter().any(|e| e.part == *part)
@@ -51,7 +47,8 @@ pub fn explain(
         return Err(here(match spell::closest(part, known.iter().copied()) {
             Some(near) => fault.hint(format!("did you mean `{near}`?")),
             None => fault.hint(format!("its parts: {}", known.join(", "))),
-        }));
+        })
+        .into());
     }
     let mut rows = Vec::new();
     let number = (index + 1).to_string();
@@ -82,19 +79,10 @@ pub fn explain(
     Ok(marks.text(part))
 }
 
-/// The lines of a CSV file of a grading: header and records.
-fn records(path: &Path) -> Result<Vec<csv::StringRecord>, Vec<Finding>> {
-    let bytes = files::read(path).map_err(|f| vec![f])?;
-    let mut reader =
-        csv::ReaderBuilder::new().has_headers(false).flexible(true).from_reader(bytes.as_slice());
-    let records: Result<Vec<_>, _> = reader.records().collect();
-    records.map_err(|e| vec![Finding::new("", e.to_string()).in_file(path.display().to_string())])
-}
-
 /// What a regrading changed for a problem.
-fn changes(graded: &OpenGrading, student: &str, number: &str) -> Result<Vec<MarkChange>, Vec<Finding>> {
+fn changes(graded: &OpenGrading, student: &str, number: &str) -> Result<Vec<MarkChange>, Findings> {
     let path = graded.folder.join(names::CHANGES);
-    let records = if path.is_file() { records(&path)? } else { Vec::new() };
+    let records = if path.is_file() { files::records(&path)? } else { Vec::new() };
     let of_problem = records.iter().skip(1).filter(|r| r.get(0) == Some(student) && r.get(1) == Some(number));
     let change = |record: &csv::StringRecord| {
         let field = |i: usize| record.get(i).unwrap_or_default().to_owned();
@@ -105,8 +93,8 @@ fn changes(graded: &OpenGrading, student: &str, number: &str) -> Result<Vec<Mark
 }
 
 /// Columns `total`, `max_total` and `dropped` of a student in the gradebook.
-fn total(graded: &OpenGrading, student: &str) -> Result<Option<[String; 3]>, Vec<Finding>> {
-    let records = records(&graded.folder.join(names::GRADEBOOK))?;
+fn total(graded: &OpenGrading, student: &str) -> Result<Option<[String; 3]>, Findings> {
+    let records = files::records(&graded.folder.join(names::GRADEBOOK))?;
     let Some(header) = records.first() else { return Ok(None) };
     let field = |record: &csv::StringRecord, name: &str| {
         let at = header.iter().position(|h| h == name);

@@ -62,6 +62,18 @@ pub fn read_text(path: &Path) -> Result<String, Finding> {
     }
 }
 
+/// The records of a CSV file, its header among them.
+///
+/// # Errors
+/// It cannot be read.
+pub fn records(path: &Path) -> Result<Vec<csv::StringRecord>, Finding> {
+    let bytes = read(path)?;
+    let mut reader =
+        csv::ReaderBuilder::new().has_headers(false).flexible(true).from_reader(bytes.as_slice());
+    let records: Result<Vec<_>, _> = reader.records().collect();
+    records.map_err(|e| Finding::new("", e.to_string()).in_file(path.display().to_string()))
+}
+
 /// The folder above a path.
 pub fn parent(path: &Path) -> PathBuf {
     match path.parent() {

@@ -4,6 +4,7 @@ use crate::bank::Bank;
 use crate::bank::load;
 use crate::diagnosis::sentences;
 use crate::finding::Finding;
+use crate::finding::Findings;
 use crate::folder::files;
 use crate::folder::names;
 use crate::folder::set;
@@ -44,28 +45,27 @@ pub struct OpenGrading {
 ///
 /// # Errors
 /// The folder is no grading, or its parts do not fit each other.
-pub fn open(folder: &Path, only: Option<&str>) -> Result<OpenGrading, Vec<Finding>> {
-    let one = |f: Finding| vec![f];
+pub fn open(folder: &Path, only: Option<&str>) -> Result<OpenGrading, Findings> {
     let name = folder.display().to_string();
     if !folder.is_dir() {
         let what =
             if folder.exists() { "is a file; a grading is a folder" } else { "there is no such folder" };
-        return Err(one(Finding::new("", what)
+        return Err(Finding::new("", what)
             .in_file(name)
-            .hint("give the folder that `slipstick grade` made")));
+            .hint("give the folder that `slipstick grade` made")
+            .into());
     }
-    has_all(folder).map_err(one)?;
+    has_all(folder)?;
     let basis = folder.join(names::BASIS);
     let (mut set, bank) = set::with_bank(&basis)?;
     let bank_path = basis.join(&set.bank.file).display().to_string();
     let path = folder.join(names::GRADING);
     let file = path.display().to_string();
-    let grading =
-        Grading::parse(&files::read_text(&path).map_err(one)?).map_err(|f| one(f.in_file(&file)))?;
+    let grading = Grading::parse(&files::read_text(&path)?).map_err(|f| f.in_file(&file))?;
     intact(folder, &grading)?;
     if grading.bank_sha256 != bank.hash {
         let fault = Finding::new("", "is not the bank by which this was graded: its SHA-256 is another");
-        return Err(one(fault.in_file(bank_path).hint("put the original copy back, or grade again")));
+        return Err(fault.in_file(bank_path).hint("put the original copy back, or grade again").into());
     }
     let courses = read_courses(&courses(folder))?;
     let policy = policy(&bank.grading, &courses, counts_said(&grading))?;
@@ -78,7 +78,7 @@ pub fn open(folder: &Path, only: Option<&str>) -> Result<OpenGrading, Vec<Findin
     };
     let mut keys: Vec<SheetKey> = given.iter().map(|g| g.key.clone()).collect();
     let key_path = basis.join(names::KEY);
-    let stored = files::read(&key_path).map_err(one)?;
+    let stored = files::read(&key_path)?;
     let file = key_path.display().to_string();
     let faults = match grading.replayed {
         true => key_file::compare(&stored, &keys),
@@ -92,7 +92,7 @@ pub fn open(folder: &Path, only: Option<&str>) -> Result<OpenGrading, Vec<Findin
             faults
         }
     };
-    let faults: Vec<Finding> = faults.into_iter().map(|f| f.in_file(&file)).collect();
+    let faults: Findings = faults.in_file(&file);
     if !faults.is_empty() {
         return Err(faults);
     }
@@ -119,8 +119,8 @@ pub fn has_all(folder: &Path) -> Result<(), Finding> {
 ///
 /// # Errors
 /// A finding for each file that was cut short or edited.
-pub fn intact(folder: &Path, grading: &Grading) -> Result<(), Vec<Finding>> {
-    let mut faults = Vec::new();
+pub fn intact(folder: &Path, grading: &Grading) -> Result<(), Findings> {
+    let mut faults = Findings::default();
     for (name, told) in
         [(names::ANSWERS, &grading.answers_sha256), (names::GRADEBOOK, &grading.gradebook_sha256)]
     {
@@ -136,7 +136,7 @@ pub fn intact(folder: &Path, grading: &Grading) -> Result<(), Vec<Finding>> {
             Err(fault) => faults.push(fault),
         }
     }
-    if faults.is_empty() { Ok(()) } else { Err(faults) }
+    faults.into_result(())
 }
 
 /// SHA-256 of a file, hex.
@@ -153,7 +153,7 @@ impl OpenGrading {
     ///
     /// # Errors
     /// It cannot be read.
-    pub fn each_row(&self, see: &mut dyn FnMut(Row)) -> Result<(), Vec<Finding>> {
+    pub fn each_row(&self, see: &mut dyn FnMut(Row)) -> Result<(), Findings> {
         each_row(&self.folder.join(names::ANSWERS), see)
     }
 }
@@ -162,12 +162,12 @@ impl OpenGrading {
 ///
 /// # Errors
 /// It cannot be read.
-pub fn each_row(path: &Path, see: &mut dyn FnMut(Row)) -> Result<(), Vec<Finding>> {
+pub fn each_row(path: &Path, see: &mut dyn FnMut(Row)) -> Result<(), Findings> {
     let in_words = |fault: Fault| {
         let found = Finding::new("", fault.what).at(usize::try_from(fault.line).unwrap_or(0).max(1), 1);
-        vec![found.in_file(path.display().to_string())]
+        found.in_file(path.display().to_string())
     };
-    let file = File::open(path).map_err(|e| vec![files::trouble(path, "cannot be read", &e)])?;
+    let file = File::open(path).map_err(|e| files::trouble(path, "cannot be read", &e))?;
     for row in Rows::new(file).map_err(in_words)? {
         see(row.map_err(in_words)?);
     }
@@ -178,8 +178,8 @@ pub fn each_row(path: &Path, see: &mut dyn FnMut(Row)) -> Result<(), Vec<Finding
 const LISTED: usize = 20;
 
 /// What stands in the way of a key, in words.
-pub fn findings(bank: &Bank, faults: Vec<GivenFault>, file: &str) -> Vec<Finding> {
-    let mut found = Vec::new();
+pub fn findings(bank: &Bank, faults: Vec<GivenFault>, file: &str) -> Findings {
+    let mut found = Findings::default();
     let (mut lost, mut more) = (0usize, 0usize);
     for fault in faults {
         match fault {
@@ -226,9 +226,8 @@ pub fn courses(graded: &Path) -> Vec<PathBuf> {
 ///
 /// # Errors
 /// One cannot be read.
-pub fn read_courses(paths: &[PathBuf]) -> Result<Vec<(String, String)>, Vec<Finding>> {
-    let read =
-        |path: &PathBuf| Ok((path.display().to_string(), files::read_text(path).map_err(|f| vec![f])?));
+pub fn read_courses(paths: &[PathBuf]) -> Result<Vec<(String, String)>, Findings> {
+    let read = |path: &PathBuf| Ok((path.display().to_string(), files::read_text(path)?));
     paths.iter().map(read).collect()
 }
 
@@ -241,7 +240,7 @@ pub fn policy(
     bank: &Policy,
     courses: &[(String, String)],
     counts: Option<Counts>,
-) -> Result<Policy, Vec<Finding>> {
+) -> Result<Policy, Findings> {
     let mut policy = bank.clone();
     for (file, text) in courses {
         policy = bank::course::course(text, file, &policy)?;

@@ -2,6 +2,7 @@
 use crate::bank::Bank;
 use crate::bank::load;
 use crate::finding::Finding;
+use crate::finding::Findings;
 use crate::folder;
 use crate::folder::Progress;
 use crate::folder::banks;
@@ -78,8 +79,8 @@ pub struct Job<'j> {
 ///
 /// # Errors
 /// The set was changed, the file of submissions cannot be read, or the folder may not be written.
-pub fn grade(job: &Job, input: &mut dyn BufRead) -> Result<String, Vec<Finding>> {
-    let mut faults = Vec::new();
+pub fn grade(job: &Job, input: &mut dyn BufRead) -> Result<String, Findings> {
+    let mut faults = Findings::default();
     columns(job.columns).map_err(|f| faults.extend(f)).ok();
     may_write(job.out, job.set, job.force).map_err(|f| faults.push(f)).ok();
     let from_pipe = job.submissions == Path::new("-");
@@ -94,7 +95,7 @@ pub fn grade(job: &Job, input: &mut dyn BufRead) -> Result<String, Vec<Finding>>
         return Err(faults);
     }
     let Replayed { set, bank, keys, not_drawn } = set::replayed(job.set)?;
-    let text = |name: &str| files::read_text(&job.set.join(name)).map_err(|f| vec![f]);
+    let text = |name: &str| files::read_text(&job.set.join(name));
     let (set_text, bank_text, key_text) = (text(names::SET)?, text(&set.bank.file)?, text(names::KEY)?);
     let replayed = not_drawn.is_none();
     let made = make(job, Basis { set, bank, keys, replayed, set_text, bank_text, key_text }, input)?;
@@ -172,7 +173,7 @@ impl StagedGrading {
     ///
     /// # Errors
     /// A file cannot be written.
-    pub fn reports(&self) -> Result<Option<ReportMade>, Vec<Finding>> {
+    pub fn reports(&self) -> Result<Option<ReportMade>, Findings> {
         let made = match self.reports {
             Reports::Yes => true,
             Reports::No => false,
@@ -193,9 +194,10 @@ impl StagedGrading {
     ///
     /// # Errors
     /// A file cannot be put there.
-    pub fn finish(self) -> Result<(), Vec<Finding>> {
+    pub fn finish(self) -> Result<(), Findings> {
         // Once more: it may have come while answers were graded.
-        only_ours(&self.out).and_then(|()| self.staged.finish()).map_err(|f| vec![f])
+        only_ours(&self.out)?;
+        Ok(self.staged.finish()?)
     }
 }
 
@@ -206,7 +208,7 @@ const REPORTED: u64 = 300_000;
 ///
 /// # Errors
 /// The file of submissions cannot be read, the course is faulty, or the folder cannot be written.
-pub fn make(job: &Job, basis: Basis, input: &mut dyn BufRead) -> Result<StagedGrading, Vec<Finding>> {
+pub fn make(job: &Job, basis: Basis, input: &mut dyn BufRead) -> Result<StagedGrading, Findings> {
     let columns = columns(job.columns)?;
     let Basis { set, bank, keys, replayed, set_text, bank_text, key_text } = basis;
     let language = job.language.unwrap_or(&set.language);
@@ -223,21 +225,20 @@ pub fn make(job: &Job, basis: Basis, input: &mut dyn BufRead) -> Result<StagedGr
         .last()
         .map_or_else(|| job.set.join(&set.bank.file).display().to_string(), |(file, _)| file.clone());
     table.take_points(&policy);
-    let rules = Rules::new(&table, &policy)
-        .map_err(|faults| faults.into_iter().map(|f| f.in_file(&settings)).collect::<Vec<_>>())?;
+    let rules = Rules::new(&table, &policy).map_err(|faults| faults.in_file(settings))?;
     let options = Options {
         columns,
         threads: std::thread::available_parallelism().map_or(1, usize::from),
         feedback: Feedback::new(&words),
     };
-    let spooled = spool(job.submissions, input)
-        .map_err(|e| vec![files::trouble(job.submissions, "cannot be read", &e)])?;
+    let spooled =
+        spool(job.submissions, input).map_err(|e| files::trouble(job.submissions, "cannot be read", &e))?;
     let path = spooled.as_ref().map_or(job.submissions, NamedTempFile::path);
-    let staged = Staged::new(job.out).map_err(|f| vec![f])?;
+    let staged = Staged::new(job.out)?;
     let graded = answers(job, path, &table, &rules, &options, &staged)?;
-    let put = |name: &str, bytes: &[u8]| staged.write(name, bytes).map_err(|f| vec![f]);
+    let put = |name: &str, bytes: &[u8]| staged.write(name, bytes);
     put(names::GRADEBOOK, &gradebook::gradebook(&table, &graded, &policy))?;
-    let basis = |e: io::Error| vec![files::trouble(&job.out.join(names::BASIS), "cannot be written", &e)];
+    let basis = |e: io::Error| files::trouble(&job.out.join(names::BASIS), "cannot be written", &e);
     fs::create_dir(staged.path().join(names::BASIS)).map_err(basis)?;
     let kept =
         [(names::SET, &set_text), (set.bank.file.as_str(), &bank_text), (names::KEY, &key_text)].into_iter();
@@ -246,7 +247,7 @@ pub fn make(job: &Job, basis: Basis, input: &mut dyn BufRead) -> Result<StagedGr
         put(&format!("{}/{name}", names::BASIS), text.as_bytes())?;
     }
     let hash = |path: &Path| match graded.cells <= REPORTED {
-        true => graded::hash(path).map(Some).map_err(|f| staged.named(vec![f])),
+        true => graded::hash(path).map(Some).map_err(|f| staged.named(f.into())),
         false => Ok(None),
     };
     let verdicts = Verdict::ALL.iter().map(|v| (v.as_str().to_owned(), graded.count(*v).into())).collect();
@@ -297,9 +298,9 @@ fn answers(
     rules: &Rules,
     options: &Options,
     staged: &Staged,
-) -> Result<run::Graded, Vec<Finding>> {
+) -> Result<run::Graded, Findings> {
     let file = job.submissions.display().to_string();
-    let fault = |e: &io::Error| vec![files::trouble(&job.out.join(names::ANSWERS), "cannot be written", e)];
+    let fault = |e: &io::Error| files::trouble(&job.out.join(names::ANSWERS), "cannot be written", e);
     let open = || -> io::Result<Box<dyn Read + Send>> { Ok(Box::new(fs::File::open(path)?)) };
     let first = files::stamp(path);
     let size = first.map_or(0, |(size, _)| size);
@@ -319,14 +320,14 @@ fn answers(
     let graded = run::grade(&open, table, rules, options, &mut out, &mut progress);
     job.progress.end();
     let graded = graded.map_err(|why| match why {
-        GradeFault::Io(e) => vec![files::trouble(job.submissions, "cannot be graded", &e)],
-        GradeFault::Write(e) => fault(&e),
-        GradeFault::Header(findings) => findings.into_iter().map(|f| f.in_file(&file)).collect(),
+        GradeFault::Io(e) => files::trouble(job.submissions, "cannot be graded", &e).into(),
+        GradeFault::Write(e) => fault(&e).into(),
+        GradeFault::Header(findings) => findings.in_file(&file),
     })?;
     // Which attempt counts was found in an earlier walk over the file.
     if files::stamp(path) != first {
         let changed = Finding::new("", "was changed while it was graded").in_file(file);
-        return Err(vec![changed.hint("grade it again, or a copy of it")]);
+        return Err(changed.hint("grade it again, or a copy of it").into());
     }
     out.flush().map_err(|e| fault(&e))?;
     Ok(graded)
@@ -355,9 +356,9 @@ fn spool(path: &Path, input: &mut dyn BufRead) -> io::Result<Option<NamedTempFil
     Ok(Some(file))
 }
 
-fn columns(typed: &[String]) -> Result<Vec<(String, String)>, Vec<Finding>> {
+fn columns(typed: &[String]) -> Result<Vec<(String, String)>, Findings> {
     let mut found = Vec::new();
-    let mut faults = Vec::new();
+    let mut faults = Findings::default();
     for text in typed {
         match text.split_once('=') {
             Some((role, header)) if !role.trim().is_empty() && !header.trim().is_empty() => {
@@ -370,7 +371,7 @@ fn columns(typed: &[String]) -> Result<Vec<(String, String)>, Vec<Finding>> {
             ),
         }
     }
-    if faults.is_empty() { Ok(found) } else { Err(faults) }
+    faults.into_result(found)
 }
 
 /// Nothing, an empty folder, or with `--force` a folder with an earlier grading.

@@ -1,7 +1,7 @@
 //! Whose answers the wrong answers of a grading are. For instructors only.
 use crate::answer::figures;
 use crate::answer::read::UnitCache;
-use crate::finding::Finding;
+use crate::finding::Findings;
 use crate::folder::graded::OpenGrading;
 use crate::grade::feedback::Feedback;
 use crate::grade::judge;
@@ -28,7 +28,7 @@ const KEYS: usize = 300;
 ///
 /// # Errors
 /// answers.csv cannot be read, or the bank cannot be drawn from.
-pub fn find(graded: &OpenGrading) -> Result<Matches, Vec<Finding>> {
+pub fn find(graded: &OpenGrading) -> Result<Matches, Findings> {
     let keys: Vec<SheetKey> = graded.given.iter().map(|g| g.key.clone()).collect();
     let table = KeyTable::new(keys, &[]);
     let place: BTreeMap<(String, &str), usize> =
@@ -111,7 +111,7 @@ fn number(table: &KeyTable, student: usize, column: usize) -> f64 {
 }
 
 /// Adds the keys of further draws where the class is small.
-fn draw_more(graded: &OpenGrading, table: &KeyTable, questions: &mut [Question]) -> Result<(), Vec<Finding>> {
+fn draw_more(graded: &OpenGrading, table: &KeyTable, questions: &mut [Question]) -> Result<(), Findings> {
     let problems = indices(&graded.bank, &graded.set.problems, "problems")?;
     // Draws of nobody: no set has such a name.
     let dealer = Dealer::new(&graded.bank, &problems, graded.set.seed, "\u{0}matches");

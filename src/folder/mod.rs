@@ -40,11 +40,11 @@ impl Progress for () {
 ///
 /// # Errors
 /// They cannot be started.
-pub fn pool(threads: Option<usize>) -> Result<rayon::ThreadPool, Vec<Finding>> {
+pub fn pool(threads: Option<usize>) -> Result<rayon::ThreadPool, Finding> {
     rayon::ThreadPoolBuilder::new()
         .num_threads(threads.unwrap_or(0))
         .build()
-        .map_err(|e| vec![Finding::new("--threads", e.to_string())])
+        .map_err(|e| Finding::new("--threads", e.to_string()))
 }
 
 /// Name and version of this program, for what it makes.

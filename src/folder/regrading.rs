@@ -1,6 +1,7 @@
 //! The same answers by a changed bank or course, as a diff; the old grading stays as it is.
 use crate::bank::Bank;
 use crate::finding::Finding;
+use crate::finding::Findings;
 use crate::folder::Progress;
 use crate::folder::banks;
 use crate::folder::files;
@@ -73,7 +74,7 @@ impl Regrading {
     ///
     /// # Errors
     /// A file cannot be written.
-    pub fn write(self) -> Result<String, Vec<Finding>> {
+    pub fn write(self) -> Result<String, Findings> {
         let Some(out) = self.out else { return Ok("Nothing was written (--dry-run).\n".to_owned()) };
         self.made.reports()?;
         self.made.finish()?;
@@ -86,17 +87,16 @@ impl Regrading {
 ///
 /// # Errors
 /// The folders do not belong together, the bank or the course is faulty, or what is on the sheets has no key any more.
-pub fn regrade(job: &Job, input: &mut dyn BufRead) -> Result<Regrading, Vec<Finding>> {
-    let one = |f: Finding| vec![f];
+pub fn regrade(job: &Job, input: &mut dyn BufRead) -> Result<Regrading, Findings> {
     if let Some(out) = job.out {
-        may_write(out, job).map_err(one)?;
+        may_write(out, job)?;
     }
     let old = graded::open(job.graded, None)?;
     let set = set::open(job.set)?;
     same_set(&old.set, &set, job)?;
     let bank_path = job.bank.map_or_else(|| job.set.join(&set.bank.file), Path::to_owned);
     let bank_file = bank_path.display().to_string();
-    let bank_text = files::read_text(&bank_path).map_err(one)?;
+    let bank_text = files::read_text(&bank_path)?;
     let bank = banks::parse(&bank_text, &bank_file)?;
     let keys = keys(&bank, &set, &bank_file)?;
     same_parts(&old, &keys, &bank_file)?;
@@ -110,8 +110,7 @@ pub fn regrade(job: &Job, input: &mut dyn BufRead) -> Result<Regrading, Vec<Find
     let same = policy_of(&courses)?.attempts.counts == before;
     let said = graded::counts_said(&old.grading).filter(|_| same);
     // Where nothing is to be written, the folder goes away by itself.
-    let nowhere =
-        tempfile::tempdir().map_err(|e| one(files::trouble(Path::new("."), "cannot be made", &e)))?;
+    let nowhere = tempfile::tempdir().map_err(|e| files::trouble(Path::new("."), "cannot be made", &e))?;
     let nowhere = nowhere.path().join("regraded");
     let out = job.out.filter(|_| !job.dry_run);
     let grade = grading::Job {
@@ -146,13 +145,13 @@ pub fn regrade(job: &Job, input: &mut dyn BufRead) -> Result<Regrading, Vec<Find
     let rules = (old.bank.hash.as_str(), hash.as_str(), bank_file.as_str());
     let csv = changes(&old, &made, &tables, &who_is, rules, courses.last().map(PathBuf::as_path), &mut told)?;
     let path = made.folder().join(names::CHANGES);
-    fs::write(&path, csv).map_err(|e| one(files::trouble(&path, "cannot be written", &e)))?;
+    fs::write(&path, csv).map_err(|e| files::trouble(&path, "cannot be written", &e))?;
     let notes = notes(&old, &made);
     Ok(Regrading { told, notes, made, out: out.map(Path::to_owned), old: old.folder })
 }
 
 /// The keys of the printed sheets by the new bank.
-fn keys(bank: &Bank, set: &StoredSet, file: &str) -> Result<Vec<SheetKey>, Vec<Finding>> {
+fn keys(bank: &Bank, set: &StoredSet, file: &str) -> Result<Vec<SheetKey>, Findings> {
     const HINT: &str =
         "sheets are printed: a regrading keeps their problems, parts and data, and needs a key for each";
     let found = given::all(bank, set).map_err(|faults| {
@@ -174,7 +173,7 @@ fn changes(
     rules: (&str, &str, &str),
     course: Option<&Path>,
     told: &mut String,
-) -> Result<Vec<u8>, Vec<Finding>> {
+) -> Result<Vec<u8>, Findings> {
     let who = Who::new(
         students.iter().map(|(id, _)| id.clone()).collect(),
         tables.new.columns.iter().map(|c| (c.number, c.part.clone())).collect(),
@@ -223,11 +222,11 @@ fn may_write(out: &Path, job: &Job) -> Result<(), Finding> {
 }
 
 /// The set must be that of the grading; students may have joined since.
-fn same_set(old: &StoredSet, new: &StoredSet, job: &Job) -> Result<(), Vec<Finding>> {
+fn same_set(old: &StoredSet, new: &StoredSet, job: &Job) -> Result<(), Findings> {
     let file = job.set.join(names::SET).display().to_string();
     let finding = |field: &str, what: String| Finding::new(field, what).in_file(&file);
     let hint = format!("give the set that {} was graded with", job.graded.display());
-    let mut faults = Vec::new();
+    let mut faults = Findings::default();
     if (&old.name, old.seed) != (&new.name, new.seed) || old.problems != new.problems {
         let told = |s: &StoredSet| format!("{}, seed {}, problems {}", s.name, s.seed, s.problems.join(", "));
         faults
@@ -267,13 +266,13 @@ fn same_set(old: &StoredSet, new: &StoredSet, job: &Job) -> Result<(), Vec<Findi
 }
 
 /// No part may go or come: answers were given to those of the sheets.
-fn same_parts(old: &OpenGrading, keys: &[SheetKey], file: &str) -> Result<(), Vec<Finding>> {
+fn same_parts(old: &OpenGrading, keys: &[SheetKey], file: &str) -> Result<(), Findings> {
     let parts = |key: Option<&SheetKey>| -> Vec<(String, Vec<String>)> {
         let problems = key.map_or(&[][..], |k| &k.problems);
         problems.iter().map(|p| (p.id.clone(), p.parts.iter().map(|e| e.part.clone()).collect())).collect()
     };
     let (before, after) = (parts(old.given.first().map(|g| &g.key)), parts(keys.first()));
-    let mut faults = Vec::new();
+    let mut faults = Findings::default();
     for ((id, old), (_, new)) in before.iter().zip(&after) {
         let field = format!("problems.{id}.questions");
         for part in old.iter().filter(|p| !new.contains(p)) {
@@ -293,13 +292,13 @@ fn same_parts(old: &OpenGrading, keys: &[SheetKey], file: &str) -> Result<(), Ve
             faults.push(fault.in_file(file).hint("nobody was asked it: take it out again"));
         }
     }
-    if faults.is_empty() { Ok(()) } else { Err(faults) }
+    faults.into_result(())
 }
 
 /// A part that is asked in another unit reads answers without unit otherwise than the sheet said.
-fn same_units(old: &OpenGrading, keys: &[SheetKey], file: &str) -> Result<(), Vec<Finding>> {
+fn same_units(old: &OpenGrading, keys: &[SheetKey], file: &str) -> Result<(), Findings> {
     let (Some(before), Some(after)) = (old.given.first(), keys.first()) else { return Ok(()) };
-    let mut faults = Vec::new();
+    let mut faults = Findings::default();
     for (old, new) in before.key.problems.iter().zip(&after.problems) {
         for was in &old.parts {
             let Some(is) = new.parts.iter().find(|e| e.part == was.part) else { continue };
@@ -320,17 +319,17 @@ fn same_units(old: &OpenGrading, keys: &[SheetKey], file: &str) -> Result<(), Ve
             }
         }
     }
-    if faults.is_empty() { Ok(()) } else { Err(faults) }
+    faults.into_result(())
 }
 
-fn read(who: &Who, folder: &Path) -> Result<Grading, Vec<Finding>> {
+fn read(who: &Who, folder: &Path) -> Result<Grading, Findings> {
     let mut found = Grading::new(who);
     graded::each_row(&folder.join(names::ANSWERS), &mut |row| found.take(who, row))?;
     let path = folder.join(names::GRADEBOOK);
-    let bytes = files::read(&path).map_err(|f| vec![f])?;
+    let bytes = files::read(&path)?;
     found.book(who, bytes.as_slice()).map_err(|fault| {
         let line = usize::try_from(fault.line).unwrap_or(1).max(1);
-        vec![Finding::new("", fault.what).at(line, 1).in_file(path.display().to_string())]
+        Findings::from(Finding::new("", fault.what).at(line, 1).in_file(path.display().to_string()))
     })?;
     Ok(found)
 }

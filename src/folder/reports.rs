@@ -1,6 +1,7 @@
 //! The reports of a folder of grades: class report, feedback for each student, gradebooks, matches.
 use crate::bank::Bank;
 use crate::finding::Finding;
+use crate::finding::Findings;
 use crate::folder;
 use crate::folder::banks;
 use crate::folder::class;
@@ -95,25 +96,24 @@ pub struct Job<'j> {
 ///
 /// # Errors
 /// What is missing or faulty in the folder of the grades, what is in the way, or writing that fails.
-pub fn write(job: &Job) -> Result<ReportMade, Vec<Finding>> {
-    let one = |f: Finding| vec![f];
+pub fn write(job: &Job) -> Result<ReportMade, Findings> {
     let place = job.out.unwrap_or(job.graded);
-    files::not_among_students(place).map_err(one)?;
+    files::not_among_students(place)?;
     if !job.graded.is_dir() {
         let fault = Finding::new("", "there is no such folder").in_file(job.graded.display().to_string());
-        return Err(vec![fault.hint("give the folder that `slipstick grade` made")]);
+        return Err(fault.hint("give the folder that `slipstick grade` made").into());
     }
     staged::sweep_beside(place);
-    may_write(job, place).map_err(one)?;
-    let staged = Staged::new(place).map_err(one)?;
+    may_write(job, place)?;
+    let staged = Staged::new(place)?;
     let made = make(job.graded, staged.path(), job.templates, job.language, job.threads)
         .map_err(|findings| staged.named(findings))?;
     if !place.exists() {
-        staged.finish().map_err(one)?;
+        staged.finish()?;
         return Ok(made);
     }
-    may_write(job, place).map_err(one)?;
-    exchange(&staged, place).map_err(one)?;
+    may_write(job, place)?;
+    exchange(&staged, place)?;
     Ok(made)
 }
 
@@ -178,14 +178,14 @@ pub fn make(
     templates: Option<&Path>,
     language: Option<&str>,
     threads: Option<usize>,
-) -> Result<ReportMade, Vec<Finding>> {
-    let one = |f: Finding| vec![f];
+) -> Result<ReportMade, Findings> {
     let graded = graded::open(graded, None)?;
     let mut bank = graded.bank.clone();
     let texts = banks::texts(templates, language.unwrap_or(&graded.grading.language), &mut bank)?;
     let marks = read_marks(&graded)?;
     let study = Study::of(&marks);
-    let written = |name: &str, e: &io::Error| one(files::trouble(&out.join(name), "cannot be written", e));
+    let written =
+        |name: &str, e: &io::Error| Findings::from(files::trouble(&out.join(name), "cannot be written", e));
     let write = |name: &str, bytes: &[u8]| fs::write(out.join(name), bytes).map_err(|e| written(name, &e));
     let folder = |name: &str| fs::create_dir(out.join(name)).map_err(|e| written(name, &e));
 
@@ -203,8 +203,7 @@ pub fn make(
         &found,
         &Templates::english(),
         &mut |markdown| inline(&mut converter, markdown),
-    )
-    .map_err(one)?;
+    )?;
     write(names::REPORT, &told.html)?;
     folder(names::TABLES)?;
     for table in &told.tables {
@@ -231,9 +230,8 @@ fn feedback(
     texts: &Texts,
     marks: &Marks,
     threads: Option<usize>,
-    write: &(dyn Fn(&str, &[u8]) -> Result<(), Vec<Finding>> + Sync),
-) -> Result<(), Vec<Finding>> {
-    let one = |f: Finding| vec![f];
+    write: &(dyn Fn(&str, &[u8]) -> Result<(), Findings> + Sync),
+) -> Result<(), Findings> {
     let policy = &graded.policy;
     let (mut corrections, mut asked) = (Vec::new(), Vec::new());
     for (i, part) in marks.class.parts.iter().enumerate() {
@@ -262,12 +260,12 @@ fn feedback(
     let pool = folder::pool(threads)?;
     let students: Vec<usize> = (0..marks.class.students.len()).collect();
     let chunk = students.len().div_ceil(pool.current_num_threads() * 4).max(1);
-    let of_some = |some: &[usize]| -> Result<(), Vec<Finding>> {
+    let of_some = |some: &[usize]| -> Result<(), Findings> {
         let mut converter = Converter::new(&texts.words);
         for student in some {
-            let (head, document) = desk.document(*student).map_err(one)?;
+            let (head, document) = desk.document(*student)?;
             let body = converter.body(&document, &[], Place { lower: 0, prefix: "" });
-            let page = html::page(&texts.templates, &texts.words, "feedback", &head, &body).map_err(one)?;
+            let page = html::page(&texts.templates, &texts.words, "feedback", &head, &body)?;
             let name = format!("{}/{}", names::FEEDBACK, marks.class.students[*student].folder);
             write(&format!("{name}.html"), &page)?;
             write(&format!("{name}.md"), document.plain().as_bytes())?;
@@ -321,7 +319,7 @@ fn inline(converter: &mut Converter, markdown: &str) -> String {
     inner.filter(|h| !h.contains("<p>")).unwrap_or(html).to_owned()
 }
 
-fn read_marks(graded: &OpenGrading) -> Result<Marks, Vec<Finding>> {
+fn read_marks(graded: &OpenGrading) -> Result<Marks, Findings> {
     let unreadable = |path: &PathBuf, fault: Unreadable| {
         let finding = Finding::new("", fault.what).in_file(path.display().to_string());
         let finding = if fault.line > 0 {
@@ -329,13 +327,13 @@ fn read_marks(graded: &OpenGrading) -> Result<Marks, Vec<Finding>> {
         } else {
             finding
         };
-        vec![finding.hint("it is written by `slipstick grade` and not meant to be edited: grade again")]
+        finding.hint("it is written by `slipstick grade` and not meant to be edited: grade again")
     };
     let answers = graded.folder.join(names::ANSWERS);
     let mut open = || fs::File::open(&answers).map(|f| io::BufReader::with_capacity(1 << 18, f));
     let mut marks = Marks::read(class::of(graded), &mut open).map_err(|f| unreadable(&answers, f))?;
     let book = graded.folder.join(names::GRADEBOOK);
-    let file = fs::File::open(&book).map_err(|e| vec![files::trouble(&book, "cannot be read", &e)])?;
+    let file = fs::File::open(&book).map_err(|e| files::trouble(&book, "cannot be read", &e))?;
     marks.book(io::BufReader::new(file)).map_err(|f| unreadable(&book, f))?;
     Ok(marks)
 }

@@ -4,6 +4,7 @@ use crate::bank::Bank;
 use crate::bank::load;
 use crate::draw::stream;
 use crate::finding::Finding;
+use crate::finding::Findings;
 use crate::folder::banks;
 use crate::folder::deal::Plan;
 use crate::folder::files;
@@ -35,18 +36,17 @@ pub struct Replayed {
 ///
 /// # Errors
 /// There is none, or a file of it cannot be read.
-pub fn with_bank(folder: &Path) -> Result<(StoredSet, Bank), Vec<Finding>> {
+pub fn with_bank(folder: &Path) -> Result<(StoredSet, Bank), Findings> {
     let set = open(folder)?;
     let path = folder.join(&set.bank.file);
-    let text = files::read_text(&path).map_err(|f| vec![f])?;
+    let text = files::read_text(&path)?;
     let bank = banks::parse(&text, &path.display().to_string())?;
     Ok((set, bank))
 }
 
 /// What a replay found, told of the file of the set where no other is named.
-pub fn of_set(folder: &Path, faults: Vec<Finding>) -> Vec<Finding> {
-    let file = folder.join(names::SET).display().to_string();
-    faults.into_iter().map(|f| if f.file.is_none() { f.in_file(&file) } else { f }).collect()
+pub fn of_set(folder: &Path, faults: Findings) -> Findings {
+    faults.or_in_file(&folder.join(names::SET).display().to_string())
 }
 
 /// The set in a folder and its key, made anew and compared with what is stored. A set of an earlier version of the drawing is not
@@ -54,10 +54,10 @@ pub fn of_set(folder: &Path, faults: Vec<Finding>) -> Vec<Finding> {
 ///
 /// # Errors
 /// The set is not what it was made as.
-pub fn replayed(folder: &Path) -> Result<Replayed, Vec<Finding>> {
+pub fn replayed(folder: &Path) -> Result<Replayed, Findings> {
     let (set, bank) = with_bank(folder)?;
     let name = folder.join(&set.bank.file).display().to_string();
-    let in_set = |faults: Vec<Finding>| -> Vec<Finding> {
+    let in_set = |faults: Findings| -> Findings {
         let file = folder.join(names::SET).display().to_string();
         faults
             .into_iter()
@@ -66,11 +66,10 @@ pub fn replayed(folder: &Path) -> Result<Replayed, Vec<Finding>> {
     };
     let mut keys = replay::keys(&bank, &set).map_err(in_set)?;
     let path = folder.join(names::KEY);
-    let stored = files::read(&path).map_err(|f| vec![f])?;
+    let stored = files::read(&path)?;
     let file = path.display().to_string();
     let earlier = replay::is_earlier(&set);
-    let seal =
-        store::seal(&files::read_text(&folder.join(names::SET)).map_err(|f| vec![f])?).filter(|_| earlier);
+    let seal = store::seal(&files::read_text(&folder.join(names::SET))?).filter(|_| earlier);
     let hash = load::hash(&String::from_utf8_lossy(&stored));
     if let Some(seal) = seal.as_ref().filter(|seal| **seal != hash) {
         let short = |hash: &str| hash.chars().take(12).collect::<String>();
@@ -79,18 +78,18 @@ pub fn replayed(folder: &Path) -> Result<Replayed, Vec<Finding>> {
             short(&hash),
             short(seal)
         );
-        return Err(vec![
-            Finding::new("", what).in_file(file).hint("put the original back, or make the set anew"),
-        ]);
+        return Err(Finding::new("", what)
+            .in_file(file)
+            .hint("put the original back, or make the set anew")
+            .into());
     }
-    let (other, faults) = match earlier {
+    let (other, mut faults) = match earlier {
         true => match key_file::put_stored(&stored, &mut keys, seal.is_some()) {
-            Ok(other) => (other, Vec::new()),
-            Err(faults) => (0, faults),
+            Ok(other) => (other, Findings::default()),
+            Err(faults) => (0, faults.in_file(file)),
         },
-        false => (0, key_file::compare(&stored, &keys)),
+        false => (0, key_file::compare(&stored, &keys).in_file(file)),
     };
-    let mut faults: Vec<Finding> = faults.into_iter().map(|f| f.in_file(&file)).collect();
     if let Some(last) = faults.pop() {
         faults.push(last.hint(match earlier {
             true => format!(
@@ -126,27 +125,27 @@ pub fn replayed(folder: &Path) -> Result<Replayed, Vec<Finding>> {
 ///
 /// # Errors
 /// There is none, or its file cannot be read.
-pub fn open(folder: &Path) -> Result<StoredSet, Vec<Finding>> {
+pub fn open(folder: &Path) -> Result<StoredSet, Findings> {
     let path = folder.join(names::SET);
     if folder.is_file() {
         let fault = Finding::new("", "is a file; a set is a folder").in_file(folder.display().to_string());
-        return Err(vec![fault.hint("give the folder that `slipstick generate` made")]);
+        return Err(fault.hint("give the folder that `slipstick generate` made").into());
     }
     if !path.is_file() {
         let fault = Finding::new("", "holds no set").in_file(folder.display().to_string());
-        return Err(vec![
-            fault.hint("a set is a folder that `slipstick generate` made; it has a file set.json"),
-        ]);
+        return Err(fault
+            .hint("a set is a folder that `slipstick generate` made; it has a file set.json")
+            .into());
     }
-    let text = files::read_text(&path).map_err(|f| vec![f])?;
-    StoredSet::parse(&text).map_err(|f| vec![f.in_file(path.display().to_string())])
+    let text = files::read_text(&path)?;
+    Ok(StoredSet::parse(&text).map_err(|f| f.in_file(path.display().to_string()))?)
 }
 
 /// May a set be written here? Nothing, an empty folder, or with `--force` a set and nothing else.
 ///
 /// # Errors
 /// What is in the way.
-pub fn may_write(out: &Path, force: bool) -> Result<(), Vec<Finding>> {
+pub fn may_write(out: &Path, force: bool) -> Result<(), Findings> {
     const IN_THE_WAY: InTheWay = InTheWay {
         file: "is a file; a set is a folder",
         taken: "give another --out, or --force to replace a set, or --add for late joiners",
@@ -154,7 +153,7 @@ pub fn may_write(out: &Path, force: bool) -> Result<(), Vec<Finding>> {
         only: "--force replaces only what generate made",
     };
     let is_set = || out.join(names::SET).is_file();
-    if !files::may_replace(out, force, &IN_THE_WAY, is_set).map_err(|f| vec![f])? {
+    if !files::may_replace(out, force, &IN_THE_WAY, is_set)? {
         return Ok(());
     }
     let set = open(out)?;
@@ -168,7 +167,7 @@ pub fn may_write(out: &Path, force: bool) -> Result<(), Vec<Finding>> {
     }
     let fault = Finding::new("", format!("holds what generate did not make: {names}"));
     let fault = fault.in_file(out.display().to_string());
-    Err(vec![fault.hint("move it away; --force replaces only what generate made")])
+    Err(fault.hint("move it away; --force replaces only what generate made").into())
 }
 
 /// Files in a set's folder that `generate` did not write: unknown names, and a form that somebody has filled in.
@@ -219,10 +218,10 @@ fn is_filled(form: &[u8]) -> bool {
 ///
 /// # Errors
 /// What differs.
-pub fn same_set(plan: &Plan, set: &StoredSet, out: &Path) -> Result<(), Vec<Finding>> {
+pub fn same_set(plan: &Plan, set: &StoredSet, out: &Path) -> Result<(), Findings> {
     let ids: Vec<&str> =
         plan.problems.iter().filter_map(|p| plan.bank.problems.get(*p)).map(|p| p.id.as_str()).collect();
-    let mut faults = Vec::new();
+    let mut faults = Findings::default();
     let mut differs = |what: &str, here: String, there: String| {
         if here != there {
             let file = out.join(names::SET).display().to_string();
@@ -238,5 +237,5 @@ pub fn same_set(plan: &Plan, set: &StoredSet, out: &Path) -> Result<(), Vec<Find
     differs("formats", formats.join(","), set.formats.join(","));
     differs("bank", plan.bank.hash.clone(), set.bank.sha256.clone());
     differs("draw version", stream::DRAW_VERSION.to_string(), set.draw_version.to_string());
-    if faults.is_empty() { Ok(()) } else { Err(faults) }
+    faults.into_result(())
 }

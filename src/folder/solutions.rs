@@ -1,5 +1,6 @@
 //! Worked solutions of a stored set, drawn and solved again: a folder for each student, and booklets.
 use crate::finding::Finding;
+use crate::finding::Findings;
 use crate::folder;
 use crate::folder::Progress;
 use crate::folder::banks;
@@ -64,18 +65,18 @@ pub struct SolutionsMade {
 ///
 /// # Errors
 /// The set is not what it was, a template is faulty, or the folder may not be written.
-pub fn write(job: &Job) -> Result<SolutionsMade, Vec<Finding>> {
+pub fn write(job: &Job) -> Result<SolutionsMade, Findings> {
     let out = job.out;
     staged::sweep_beside(out);
     let (set, mut bank) = set::with_bank(job.set)?;
-    may_write(out, job.force).map_err(|f| vec![f])?;
+    may_write(out, job.force)?;
     let language = job.language.unwrap_or(&set.language);
     let texts = banks::texts(job.templates, language, &mut bank)?;
     let output = Output::new(&texts, job.formats, "solution")?;
     let problems = replay::indices(&bank, &set.problems, "problems")?;
     let words = &texts.words;
     let sheets = Sheets::new(&texts.templates, words, &bank, &set.name, &problems)?;
-    let staged = Staged::new(out).map_err(|f| vec![f])?;
+    let staged = Staged::new(out)?;
     job.progress.begin("solutions", set.students.len() as u64);
     let make = |at: usize,
                 student: &StoredStudent,
@@ -110,13 +111,12 @@ pub fn write(job: &Job) -> Result<SolutionsMade, Vec<Finding>> {
     let all = all.map_err(|faults| staged.named(set::of_set(job.set, faults)))?;
     let (all, short): (Vec<WrittenDocument>, Vec<Vec<String>>) = all.into_iter().unzip();
     let title = format!("{}: {}, {}", words.get("sheet.solutions"), bank.title, set.name);
-    let one = |f: Finding| vec![f];
-    for (name, bytes) in output.booklets(&title, &all).map_err(one)? {
-        staged.write(name, &bytes).map_err(one)?;
+    for (name, bytes) in output.booklets(&title, &all)? {
+        staged.write(name, &bytes)?;
     }
     let marker = b"Made by `slipstick solutions`, which may replace this folder with --force.\n";
-    staged.write(MARKER, marker).map_err(one)?;
-    staged.finish().map_err(one)?;
+    staged.write(MARKER, marker)?;
+    staged.finish()?;
     let mut told: BTreeMap<String, usize> = BTreeMap::new();
     for text in short.into_iter().flatten() {
         *told.entry(text).or_default() += 1;

@@ -1,5 +1,6 @@
 //! A folder that is made beside its place and put there whole; what killed runs left is repaired.
 use crate::finding::Finding;
+use crate::finding::Findings;
 use crate::folder::files::UNFINISHED;
 use crate::folder::files::names_in;
 use crate::folder::files::parent;
@@ -53,9 +54,9 @@ impl Staged {
         &self.new
     }
     /// Findings about what is written here, told of the place that people know; equal ones once.
-    pub fn named(&self, findings: Vec<Finding>) -> Vec<Finding> {
+    pub fn named(&self, findings: Findings) -> Findings {
         let (here, place) = (self.new.display().to_string(), self.place.display().to_string());
-        let mut told = Vec::with_capacity(findings.len());
+        let mut told = Findings::default();
         for mut finding in findings {
             finding.file = finding.file.map(|f| f.replace(&here, &place));
             finding.message = finding.message.replace(&here, &place);

@@ -1,6 +1,6 @@
 //! All answers of a grading, graded anew by other tolerances; nothing is written.
 use crate::bank::Relative;
-use crate::finding::Finding;
+use crate::finding::Findings;
 use crate::folder::files;
 use crate::folder::graded;
 use crate::folder::graded::OpenGrading;
@@ -43,7 +43,7 @@ struct GradedAnew {
 ///
 /// # Errors
 /// The folder is no grading, or cannot be read.
-pub fn what_if(folder: &Path, shares: &[f64]) -> Result<String, Vec<Finding>> {
+pub fn what_if(folder: &Path, shares: &[f64]) -> Result<String, Findings> {
     let graded = graded::open(folder, None)?;
     let table = |share: Option<f64>| {
         let mut table = KeyTable::new(graded.given.iter().map(|g| key(&graded, g, share)).collect(), &[]);
@@ -52,7 +52,7 @@ pub fn what_if(folder: &Path, shares: &[f64]) -> Result<String, Vec<Finding>> {
     };
     let now = table(None);
     let (students, parts) = (now.students.len(), now.columns.len());
-    let handed = handed_in(&graded).map_err(|e| vec![files::trouble(folder, "cannot be graded", &e)])?;
+    let handed = handed_in(&graded).map_err(|e| files::trouble(folder, "cannot be graded", &e))?;
     let as_is = run_with(&graded, &now, &handed)?;
     let mut trials = Vec::new();
     for &share in shares {
@@ -75,7 +75,7 @@ pub fn what_if(folder: &Path, shares: &[f64]) -> Result<String, Vec<Finding>> {
 /// The answers of a grading as they were handed in, one a line and in their order: a file of submissions again.
 fn handed_in(graded: &OpenGrading) -> Result<NamedTempFile, io::Error> {
     let mut timed = false;
-    let mut faults = Vec::new();
+    let mut faults = Findings::default();
     let mut see = |see: &mut dyn FnMut(Row)| {
         if let Err(fault) = graded.each_row(see) {
             faults.extend(fault);
@@ -104,12 +104,8 @@ fn handed_in(graded: &OpenGrading) -> Result<NamedTempFile, io::Error> {
 }
 
 /// Grades them by another key, by the same settings.
-fn run_with(
-    graded: &OpenGrading,
-    table: &KeyTable,
-    handed: &NamedTempFile,
-) -> Result<GradedAnew, Vec<Finding>> {
-    let trouble = |e: &io::Error| vec![files::trouble(&graded.folder, "cannot be graded", e)];
+fn run_with(graded: &OpenGrading, table: &KeyTable, handed: &NamedTempFile) -> Result<GradedAnew, Findings> {
+    let trouble = |e: &io::Error| files::trouble(&graded.folder, "cannot be graded", e);
     let mut policy = graded.policy.clone();
     // What is graded already may be from a version that did not ask.
     policy.late.unread.get_or_insert(Unread::InTime);
@@ -123,7 +119,7 @@ fn run_with(
     let mut out = io::BufWriter::with_capacity(1 << 18, file.as_file_mut());
     let done =
         run::grade(&open, table, &rules, &options, &mut out, &mut |_| {}).map_err(|why| match why {
-            GradeFault::Io(e) | GradeFault::Write(e) => trouble(&e),
+            GradeFault::Io(e) | GradeFault::Write(e) => trouble(&e).into(),
             GradeFault::Header(findings) => findings,
         })?;
     out.flush().map_err(|e| trouble(&e))?;

@@ -3,6 +3,7 @@ use crate::answer::submissions::Header;
 use crate::answer::submissions::Record;
 use crate::answer::submissions::RecordFault;
 use crate::finding::Finding;
+use crate::finding::Findings;
 use crate::grade::feedback::Feedback;
 use crate::grade::table::KeyTable;
 use crate::grade::table::joined;
@@ -94,14 +95,13 @@ pub(crate) fn layout(
     header: Option<Header>,
     table: &KeyTable,
     columns: &[(String, String)],
-) -> Result<Layout, Vec<Finding>> {
+) -> Result<Layout, Findings> {
     let Some(header) = header else {
-        return Err(vec![
-            Finding::new("header", "the file is empty")
-                .hint("the first line is `student,problem,part,answer`"),
-        ]);
+        return Err(Finding::new("header", "the file is empty")
+            .hint("the first line is `student,problem,part,answer`")
+            .into());
     };
-    let mut findings = Vec::new();
+    let mut findings = Findings::default();
     // Lists that a finding has printed.
     let mut lists: Vec<String> = Vec::new();
     let mut listed = false;

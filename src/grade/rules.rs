@@ -1,5 +1,6 @@
 //! The settings of a course, resolved against the students and parts of a set.
 use crate::finding::Finding;
+use crate::finding::Findings;
 use crate::grade::table::KeyTable;
 use crate::policy::Counts;
 use crate::policy::Part;
@@ -27,9 +28,9 @@ impl<'p> Rules<'p> {
     ///
     /// # Errors
     /// Parts, methods or students that the set does not have.
-    pub fn new(table: &KeyTable, policy: &'p Policy) -> Result<Self, Vec<Finding>> {
-        let mut faults = Vec::new();
-        let named = |part: &Part, field: &str, faults: &mut Vec<Finding>| {
+    pub fn new(table: &KeyTable, policy: &'p Policy) -> Result<Self, Findings> {
+        let mut faults = Findings::default();
+        let named = |part: &Part, field: &str, faults: &mut Findings| {
             let known = table.columns.iter().any(|c| part.means(c.number, &c.problem, &c.part));
             if !known {
                 let all: Vec<String> =

@@ -10,6 +10,7 @@ use crate::answer::submissions::RecordFault;
 use crate::answer::submissions::Scratch;
 use crate::answer::submissions::Source;
 use crate::finding::Finding;
+use crate::finding::Findings;
 use crate::grade::choose;
 use crate::grade::choose::Attempt;
 use crate::grade::choose::ByRow;
@@ -84,7 +85,7 @@ pub enum GradeFault {
     /// Writing failed.
     Write(io::Error),
     /// The header does not do; all that is wrong with it.
-    Header(Vec<Finding>),
+    Header(Findings),
 }
 
 impl fmt::Display for GradeFault {
@@ -574,7 +575,7 @@ fn said_of_unread(open: Open<'_>, job: &Job, winners: &[Winner]) -> Result<(), G
     let Some(field) = layout.submitted else {
         let what = "no column `submitted_at`, and lateness bears on marks";
         let hint = format!("map one with --columns submitted_at=\"Its header\", or {says}");
-        return Err(GradeFault::Header(vec![Finding::new("header", what).at(1, 1).hint(hint)]));
+        return Err(GradeFault::Header(Finding::new("header", what).at(1, 1).hint(hint).into()));
     };
     let mut first = lines.clone();
     first.sort_unstable();
@@ -609,7 +610,7 @@ fn said_of_unread(open: Open<'_>, job: &Job, winners: &[Winner]) -> Result<(), G
         format!("; of `{text}` it says which comes first: `dates: day first` or `dates: month first`")
     });
     let fault = Finding::new("submitted_at", what).hint(format!("mend the times, or {says}{order}"));
-    Err(GradeFault::Header(vec![fault]))
+    Err(GradeFault::Header(fault.into()))
 }
 
 /// What a wrong answer fits, as words for machines: ids of wrong methods, and a slip.

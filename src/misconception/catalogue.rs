@@ -5,7 +5,7 @@ use crate::bank::node::Faults;
 use crate::bank::node::Fields;
 use crate::bank::node::Node;
 use crate::bank::node::named;
-use crate::finding::Finding;
+use crate::finding::Findings;
 
 /// The words of one wrong method.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -61,8 +61,8 @@ impl Catalogue {
     ///
     /// # Errors
     /// All that is wrong with it.
-    pub fn read(text: &str, file: &str) -> Result<Self, Vec<Finding>> {
-        let tree = load::tree(text).map_err(|f| vec![f.in_file(file)])?;
+    pub fn read(text: &str, file: &str) -> Result<Self, Findings> {
+        let tree = load::tree(text).map_err(|f| f.in_file(file))?;
         let faults = Faults::default();
         let entries = named(&tree, "wrong methods by id", &faults)
             .into_iter()

@@ -1,5 +1,6 @@
 //! What is proved of a key: for each question the gap of its two derivations and the enclosure.
 use crate::finding::Finding;
+use crate::finding::Findings;
 use crate::key::Answer;
 use crate::key::KeyEntry;
 use crate::key::SheetKey;
@@ -138,7 +139,7 @@ pub fn verdict(rows: &[ProvedQuestion]) -> String {
 }
 
 /// The questions that do not hold.
-pub fn faults(rows: &[ProvedQuestion]) -> Vec<Finding> {
+pub fn faults(rows: &[ProvedQuestion]) -> Findings {
     let bad = rows.iter().filter(|r| !r.holds());
     let text = |r: &ProvedQuestion| {
         format!(

@@ -3,6 +3,7 @@ use crate::bank::Bank;
 use crate::bank::Problem;
 use crate::bank::Question;
 use crate::finding::Finding;
+use crate::finding::Findings;
 use crate::num::shown;
 use crate::problem::sweep;
 use crate::problem::sweep::Seldom;
@@ -208,8 +209,8 @@ pub fn seldom(problem: &Problem, question: &Question, seldom: &Seldom) -> Findin
 const FOR_WORDS: u32 = 100;
 
 /// Words of printed lists that are right too seldom, on a few variants of these problems.
-pub fn seldom_words(bank: &Bank, problems: &[usize]) -> Vec<Finding> {
-    let mut found = Vec::new();
+pub fn seldom_words(bank: &Bank, problems: &[usize]) -> Findings {
+    let mut found = Findings::default();
     for problem in problems.iter().filter_map(|p| bank.problems.get(*p)) {
         for (question, words) in sweep::words_of(problem, FOR_WORDS, &bank.id) {
             let question = &problem.questions[question];

@@ -5,7 +5,7 @@ use crate::diagnosis::sentences;
 use crate::diagnosis::table::unsatisfiable;
 use crate::figure::scene;
 use crate::figure::svg;
-use crate::finding::Finding;
+use crate::finding::Findings;
 use crate::problem::make::Maker;
 use crate::problem::make::Variant;
 use crate::problem::make_key;
@@ -36,7 +36,7 @@ pub fn page(
     chosen: &[usize],
     texts: &Texts,
     (count, seeds): (u32, u64),
-) -> Result<String, Vec<Finding>> {
+) -> Result<String, Findings> {
     let problems: Vec<&Problem> = chosen.iter().filter_map(|i| bank.problems.get(*i)).collect();
     let sweeps = review::sweeps(&problems, seeds, &bank.id);
     let sheets = Sheets::new(&texts.templates, &texts.words, bank, &bank.id, chosen)?;
@@ -49,13 +49,13 @@ pub fn page(
         for n in 1..=count {
             let variant = maker.variant(&n.to_string()).map_err(|none| {
                 let fault = unsatisfiable(bank, &none);
-                vec![fault.in_file(file).hint("`slipstick lint` says more")]
+                fault.in_file(file).hint("`slipstick lint` says more")
             })?;
             variants.push(variant);
         }
         let mut statement = Vec::new();
         if let Some(first) = variants.first() {
-            sheets.problem(i, first, &mut room, &mut statement).map_err(|f| vec![f])?;
+            sheets.problem(i, first, &mut room, &mut statement)?;
         }
         let markdown = String::from_utf8_lossy(&statement).into_owned();
         let place = Place { lower: 1, prefix: &problem.id };
@@ -89,7 +89,7 @@ pub fn page(
     view.value("problems", template::list(shown));
     view.foreign("chance", &review::chance(&sweeps));
     let mut page = Vec::new();
-    texts.templates.render("gallery.html", &view, &mut page).map_err(|f| vec![f])?;
+    texts.templates.render("gallery.html", &view, &mut page)?;
     Ok(String::from_utf8_lossy(&page).into_owned())
 }
 

@@ -3,6 +3,7 @@ use crate::bank::Bank;
 use crate::bank::Problem;
 use crate::bank::node::shorten;
 use crate::finding::Finding;
+use crate::finding::Findings;
 use crate::key::SheetKey;
 use crate::problem::make::Maker;
 use crate::problem::make::Variant;
@@ -27,9 +28,9 @@ use crate::words::Words;
 #[derive(Default)]
 pub struct Tried {
     /// Faults of statements and questions: students would see them.
-    pub faults: Vec<Finding>,
+    pub faults: Findings,
     /// Faults of worked solutions.
-    pub unsolved: Vec<Finding>,
+    pub unsolved: Findings,
     /// What is no fault: cases whose worked solution is a short page, what is dropped from a text.
     pub notes: Vec<TextNote>,
 }
@@ -61,7 +62,7 @@ pub fn short_page(problem: &Problem, case: usize, what: Beyond) -> String {
 ///
 /// # Errors
 /// Faults of the templates.
-pub fn tried(bank: &Bank, texts: &Texts, problems: &[usize]) -> Result<Tried, Vec<Finding>> {
+pub fn tried(bank: &Bank, texts: &Texts, problems: &[usize]) -> Result<Tried, Findings> {
     let sheets = Sheets::new(&texts.templates, &texts.words, bank, &bank.id, problems)?;
     let mut room = Room::default();
     let mut out = Tried::default();
@@ -99,7 +100,7 @@ pub fn tried(bank: &Bank, texts: &Texts, problems: &[usize]) -> Result<Tried, Ve
     Ok(out)
 }
 
-fn add_formulas(findings: &mut Vec<Finding>, problem: &Problem, texts: &Texts, markdown: &str) {
+fn add_formulas(findings: &mut Findings, problem: &Problem, texts: &Texts, markdown: &str) {
     for fault in html::faulty_formulas(markdown) {
         let mut finding = Finding::new(format!("problems.{}", problem.id), format!("formula {fault}"));
         // Where the questions are one's own as well, either may hold it.
@@ -167,7 +168,7 @@ fn not_kept(what: &Dropped) -> String {
 ///
 /// # Errors
 /// Faults of the templates.
-pub fn whole_bank(bank: &Bank, texts: &Texts) -> Result<Tried, Vec<Finding>> {
+pub fn whole_bank(bank: &Bank, texts: &Texts) -> Result<Tried, Findings> {
     let problems: Vec<usize> = (0..bank.problems.len()).collect();
     let mut out = tried(bank, texts, &problems)?;
     out.faults.append(&mut out.unsolved);
@@ -177,16 +178,15 @@ pub fn whole_bank(bank: &Bank, texts: &Texts) -> Result<Tried, Vec<Finding>> {
     let whole: Vec<Variant> = bank.problems.iter().filter_map(first).collect();
     let findings = &out.faults;
     if findings.is_empty() && whole.len() == problems.len() {
-        let one = |f: Finding| vec![f];
         let formats = [Format::Md, Format::Html, Format::Tex];
         let output = Output::new(texts, &formats, "sheet")?;
-        let (head, document) = sheets.document("0017", "Name", &whole, &mut room).map_err(one)?;
+        let (head, document) = sheets.document("0017", "Name", &whole, &mut room)?;
         let rows = [key_table::row(bank, &problems, &head, &whole)];
-        let made = output.make(0, head, document, &mut Converter::new(&texts.words)).map_err(one)?;
-        output.booklets(&bank.title, std::slice::from_ref(&made)).map_err(one)?;
+        let made = output.make(0, head, document, &mut Converter::new(&texts.words))?;
+        output.booklets(&bank.title, std::slice::from_ref(&made))?;
         let parts = bank.problems.iter().zip(&whole).map(|(p, v)| make_key::key(p, v)).collect();
         let keys = [SheetKey { student: "0017".to_owned(), problems: parts }];
-        output.key_table(bank, &bank.id, &problems, &rows, keys.iter()).map_err(one)?;
+        output.key_table(bank, &bank.id, &problems, &rows, keys.iter())?;
     }
     Ok(out)
 }

@@ -5,6 +5,7 @@ use crate::bank::Draw;
 use crate::bank::Problem;
 use crate::bank::decimal::Decimal;
 use crate::finding::Finding;
+use crate::finding::Findings;
 use crate::key::ProblemKey;
 use crate::key::SheetKey;
 use crate::problem::make;
@@ -140,7 +141,7 @@ fn one(
 ///
 /// # Errors
 /// Those of [`as_stored`].
-pub fn all_as_stored(bank: &Bank, set: &StoredSet) -> Result<Vec<GivenSheet>, Vec<Finding>> {
+pub fn all_as_stored(bank: &Bank, set: &StoredSet) -> Result<Vec<GivenSheet>, Findings> {
     let problems = crate::set::replay::indices(bank, &set.problems, "problems")?;
     let one = |s: &StoredStudent| as_stored(bank, &problems, &s.student, &s.problems);
     let mut found = Vec::with_capacity(set.students.len());
@@ -160,21 +161,21 @@ pub fn as_stored(
     problems: &[usize],
     student: &str,
     stored: &[StoredVariant],
-) -> Result<GivenSheet, Vec<Finding>> {
+) -> Result<GivenSheet, Findings> {
     let field = |id: &str| format!("students {student}, {id}");
     if stored.len() != problems.len()
         || !stored.iter().zip(problems).all(|(s, p)| s.id == bank.problems[*p].id)
     {
-        return Err(vec![Finding::new(format!("students {student}"), "has other problems than the set")]);
+        return Err(Finding::new(format!("students {student}"), "has other problems than the set").into());
     }
     let (mut variants, mut keys) = (Vec::new(), Vec::new());
-    let mut faults = Vec::new();
+    let mut faults = Findings::default();
     for (index, old) in problems.iter().zip(stored) {
         let problem = &bank.problems[*index];
         let variant = values(problem, old).and_then(|(case, values)| {
             make::from_values(problem, case, &values).map_err(|_| {
                 let what = "the stored data have no answer by this version";
-                vec![Finding::new(field(&old.id), what)]
+                Finding::new(field(&old.id), what).into()
             })
         });
         match variant {
@@ -185,24 +186,20 @@ pub fn as_stored(
             Err(more) => faults.extend(more),
         }
     }
-    if faults.is_empty() {
-        Ok(GivenSheet { variants, key: SheetKey { student: student.to_owned(), problems: keys } })
-    } else {
-        Err(faults)
-    }
+    faults.into_result(GivenSheet { variants, key: SheetKey { student: student.to_owned(), problems: keys } })
 }
 
 /// Case and data as the bank's problem takes them. Findings are the same for every student with the same trouble.
-fn values(problem: &Problem, old: &StoredVariant) -> Result<(usize, Vec<Option<Decimal>>), Vec<Finding>> {
+fn values(problem: &Problem, old: &StoredVariant) -> Result<(usize, Vec<Option<Decimal>>), Findings> {
     let path = |rest: &str| format!("problems.{}.{rest}", problem.id);
     let Some(index) = problem.cases.iter().position(|c| c.name == old.case) else {
         let what = match old.case.as_str() {
             "" => "the bank has cases now, the sheets were drawn without".to_owned(),
             name => format!("the bank has no case `{name}`, which is on sheets"),
         };
-        return Err(vec![Finding::new(path("cases"), what)]);
+        return Err(Finding::new(path("cases"), what).into());
     };
-    let mut faults = Vec::new();
+    let mut faults = Findings::default();
     let case = &problem.cases[index];
     for symbol in old.data.keys() {
         let used = problem.data.iter().position(|d| d.symbol == *symbol);
@@ -253,7 +250,7 @@ fn values(problem: &Problem, old: &StoredVariant) -> Result<(usize, Vec<Option<D
             },
         }
     }
-    if faults.is_empty() { Ok((index, values)) } else { Err(faults) }
+    faults.into_result((index, values))
 }
 
 fn solved(

@@ -1,5 +1,6 @@
 //! key.csv: one row for each part of each student, numbers in the asked unit.
 use crate::finding::Finding;
+use crate::finding::Findings;
 use crate::guard::push_line;
 use crate::guard::unguarded;
 use crate::key::Answer;
@@ -110,12 +111,12 @@ const AS_STORED: f64 = 1e-9;
 /// # Errors
 /// At most five findings and their number: rows that are missing, cells that cannot be read, answers that the stored data do not
 /// give where no hash tells an edit from another way of solving.
-pub fn put_stored(stored: &[u8], keys: &mut [SheetKey], sealed: bool) -> Result<usize, Vec<Finding>> {
+pub fn put_stored(stored: &[u8], keys: &mut [SheetKey], sealed: bool) -> Result<usize, Findings> {
     let body = stored.strip_prefix(b"\xef\xbb\xbf").unwrap_or(stored);
     let mut reader = csv::ReaderBuilder::new().flexible(true).from_reader(body);
     let mut rows: rustc_hash::FxHashMap<(String, String, String), (usize, csv::StringRecord)> =
         rustc_hash::FxHashMap::default();
-    let mut findings = Vec::new();
+    let mut findings = Findings::default();
     let (mut more, mut other) = (0usize, 0usize);
     let mut tell = |finding: Finding| if findings.len() < 5 { findings.push(finding) } else { more += 1 };
     for record in reader.records() {
@@ -150,7 +151,7 @@ pub fn put_stored(stored: &[u8], keys: &mut [SheetKey], sealed: bool) -> Result<
     if more > 0 {
         findings.push(Finding::new("", format!("and {more} more differences")));
     }
-    if findings.is_empty() { Ok(other) } else { Err(findings) }
+    findings.into_result(other)
 }
 
 /// One row into its entry, or what is wrong with it. Is it what the entry was, up to rounding?
@@ -197,13 +198,13 @@ fn take(entry: &mut KeyEntry, row: &csv::StringRecord, sealed: bool) -> Result<b
 
 /// Compares a stored key.csv with the key made anew. Rows of students who are not in `keys` are left over from an
 /// `--add` that was cut off, and do not matter. At most five findings and their number.
-pub fn compare(stored: &[u8], keys: &[SheetKey]) -> Vec<Finding> {
+pub fn compare(stored: &[u8], keys: &[SheetKey]) -> Findings {
     let anew = text(keys);
     if stored == anew {
-        return Vec::new();
+        return Findings::default();
     }
     let known: rustc_hash::FxHashSet<&str> = keys.iter().map(|k| k.student.as_str()).collect();
-    let mut findings = Vec::new();
+    let mut findings = Findings::default();
     let mut more = 0usize;
     let mut tell = |finding: Finding| if findings.len() < 5 { findings.push(finding) } else { more += 1 };
     let body = stored.strip_prefix(b"\xef\xbb\xbf").unwrap_or(stored);

@@ -3,6 +3,7 @@ use crate::bank::Bank;
 use crate::bank::Problem;
 use crate::draw::stream;
 use crate::finding::Finding;
+use crate::finding::Findings;
 use crate::key::SheetKey;
 use crate::problem::make::Maker;
 use crate::problem::make::Unsatisfiable;
@@ -93,9 +94,9 @@ pub fn stored(problem: &Problem, variant: &Variant) -> StoredVariant {
 ///
 /// # Errors
 /// Ids that the bank does not have, and ids given twice.
-pub fn indices(bank: &Bank, ids: &[String], field: &str) -> Result<Vec<usize>, Vec<Finding>> {
+pub fn indices(bank: &Bank, ids: &[String], field: &str) -> Result<Vec<usize>, Findings> {
     let mut found = Vec::new();
-    let mut faults = Vec::new();
+    let mut faults = Findings::default();
     for id in ids {
         match bank.problems.iter().position(|p| p.id == *id) {
             Some(i) if found.contains(&i) => {
@@ -112,14 +113,14 @@ pub fn indices(bank: &Bank, ids: &[String], field: &str) -> Result<Vec<usize>, V
             }
         }
     }
-    if faults.is_empty() { Ok(found) } else { Err(faults) }
+    faults.into_result(found)
 }
 
 /// The same, or all of the bank where none are named.
 ///
 /// # Errors
 /// As [`indices`].
-pub fn chosen(bank: &Bank, ids: Option<&[String]>, field: &str) -> Result<Vec<usize>, Vec<Finding>> {
+pub fn chosen(bank: &Bank, ids: Option<&[String]>, field: &str) -> Result<Vec<usize>, Findings> {
     ids.map_or_else(|| Ok((0..bank.problems.len()).collect()), |ids| indices(bank, ids, field))
 }
 
@@ -134,7 +135,7 @@ pub fn is_earlier(set: &StoredSet) -> bool {
 ///
 /// # Errors
 /// What differs: at most five findings and their number.
-pub fn keys(bank: &Bank, set: &StoredSet) -> Result<Vec<SheetKey>, Vec<Finding>> {
+pub fn keys(bank: &Bank, set: &StoredSet) -> Result<Vec<SheetKey>, Findings> {
     each(bank, set, &|_, _, dealt| Ok(dealt.key))
 }
 
@@ -147,7 +148,7 @@ pub fn each<T: Send>(
     bank: &Bank,
     set: &StoredSet,
     make: &(dyn Fn(usize, &StoredStudent, Dealt) -> Result<T, Finding> + Sync),
-) -> Result<Vec<T>, Vec<Finding>> {
+) -> Result<Vec<T>, Findings> {
     if bank.hash != set.bank.sha256 {
         let what = format!(
             "the bank copy was changed: its SHA-256 is {}…, the set was made from {}…",
@@ -155,23 +156,23 @@ pub fn each<T: Send>(
             set.bank.sha256.get(..12).unwrap_or_default()
         );
         let fault = Finding::new("", what).in_file(&set.bank.file);
-        return Err(vec![fault.hint("put the original copy back, or make the set anew")]);
+        return Err(fault.hint("put the original copy back, or make the set anew").into());
     }
     // Another program version is fine as long as it draws the same way and the numbers agree.
     if set.draw_version > stream::DRAW_VERSION {
         let what = format!("is {}; this program draws by version {}", set.draw_version, stream::DRAW_VERSION);
         let hint = format!("the set was made by {}: use that version, or make the set anew", set.program);
-        return Err(vec![Finding::new("draw_version", what).hint(hint)]);
+        return Err(Finding::new("draw_version", what).hint(hint).into());
     }
     let problems = indices(bank, &set.problems, "problems")?;
     let dealer = Dealer::new(bank, &problems, set.seed, &set.name);
     let earlier = is_earlier(set);
     // What `make` finds is no difference.
     let made_badly = AtomicBool::new(false);
-    let one = |(i, student): (usize, &StoredStudent)| -> Result<T, Vec<Finding>> {
+    let one = |(i, student): (usize, &StoredStudent)| -> Result<T, Findings> {
         let by_make = |f| {
             made_badly.store(true, Ordering::Relaxed);
-            vec![f]
+            Findings::from(f)
         };
         if earlier {
             let GivenSheet { variants, key } =
@@ -181,11 +182,10 @@ pub fn each<T: Send>(
         if let Some(dealt) = dealer.deal_again(bank, &problems, student) {
             return make(i, student, dealt).map_err(by_make);
         }
-        let undrawn = |none: Box<Unsatisfiable>| {
-            vec![Finding::new(format!("problems.{}", none.problem), none.to_string())]
-        };
+        let undrawn =
+            |none: Box<Unsatisfiable>| Finding::new(format!("problems.{}", none.problem), none.to_string());
         let dealt = dealer.deal(&student.student).map_err(undrawn)?;
-        let mut faults = Vec::new();
+        let mut faults = Findings::default();
         if student.problems.len() != problems.len() {
             let what = format!(
                 "{} has {} problems, the set {}",
@@ -193,7 +193,7 @@ pub fn each<T: Send>(
                 student.problems.len(),
                 problems.len()
             );
-            return Err(vec![Finding::new("students", what)]);
+            return Err(Finding::new("students", what).into());
         }
         for ((index, variant), old) in problems.iter().zip(&dealt.variants).zip(&student.problems) {
             let new = stored(&bank.problems[*index], variant);
@@ -203,9 +203,9 @@ pub fn each<T: Send>(
         }
         if faults.is_empty() { make(i, student, dealt).map_err(by_make) } else { Err(faults) }
     };
-    let dealt: Vec<Result<T, Vec<Finding>>> = set.students.par_iter().enumerate().map(one).collect();
+    let dealt: Vec<Result<T, Findings>> = set.students.par_iter().enumerate().map(one).collect();
     let mut made = Vec::with_capacity(dealt.len());
-    let mut faults = Vec::new();
+    let mut faults = Findings::default();
     for result in dealt {
         match result {
             Ok(one) => made.push(one),

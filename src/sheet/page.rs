@@ -6,6 +6,7 @@ use crate::bank::load;
 use crate::figure::picture::Picture;
 use crate::figure::scene;
 use crate::finding::Finding;
+use crate::finding::Findings;
 use crate::problem::make::Variant;
 use crate::scene::Quantity;
 use crate::scene::Slope;
@@ -48,11 +49,11 @@ impl<'b> Sheets<'b> {
         bank: &'b Bank,
         set: &'b str,
         problems: &[usize],
-    ) -> Result<Self, Vec<Finding>> {
+    ) -> Result<Self, Findings> {
         let chosen = || problems.iter().filter_map(|p| bank.problems.get(*p));
         let common = Common::of(chosen().flat_map(|p| &p.questions));
         let mut statements = Vec::new();
-        let mut faults = Vec::new();
+        let mut faults = Findings::default();
         for (i, index) in problems.iter().enumerate() {
             let Some(problem) = bank.problems.get(*index) else { continue };
             match Statement::new(templates, words, problem, i + 1, &common) {
@@ -60,11 +61,7 @@ impl<'b> Sheets<'b> {
                 Err(fault) => faults.push(fault),
             }
         }
-        if faults.is_empty() {
-            Ok(Self { bank, set, templates, words, statements, common })
-        } else {
-            Err(faults)
-        }
+        faults.into_result(Self { bank, set, templates, words, statements, common })
     }
 
     /// Appends the Markdown of one problem (counted from 0 in the sheet), without its figure.

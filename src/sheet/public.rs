@@ -11,6 +11,7 @@ use crate::bank::load;
 use crate::bank::node;
 use crate::bank::node::Node;
 use crate::finding::Finding;
+use crate::finding::Findings;
 use crate::problem::make::Variant;
 use crate::problem::make_key;
 use crate::sheet::statement;
@@ -279,12 +280,12 @@ impl SheetProblem {
     ///
     /// # Errors
     /// The drawn data are not those of the scene.
-    pub fn bank_text(&self) -> Result<Option<String>, Vec<Finding>> {
+    pub fn bank_text(&self) -> Result<Option<String>, Findings> {
         if self.scene.is_null() {
             return Ok(None);
         }
         let path = |rest: &str| format!("problems[{}].{rest}", self.number.saturating_sub(1));
-        let mut faults = Vec::new();
+        let mut faults = Findings::default();
         let mut bank = self.scene.clone();
         let said = |symbol: &str, what: &str| {
             self.data.get(symbol).and_then(|d| d.get(what)).and_then(Value::as_str)
@@ -299,7 +300,7 @@ impl SheetProblem {
             .and_then(|p| p.get_mut(self.id.as_str()))
             .and_then(|p| p.get_mut("data"));
         let Some(Value::Object(data)) = data else {
-            return Err(vec![Finding::new(path("scene"), "holds no data of this problem")]);
+            return Err(Finding::new(path("scene"), "holds no data of this problem").into());
         };
         for (symbol, fields) in data.iter_mut() {
             let field = path(&format!("data.{symbol}"));
@@ -315,6 +316,6 @@ impl SheetProblem {
                 _ => faults.push(Finding::new(field, "needs a value and a unit, as texts")),
             }
         }
-        if faults.is_empty() { Ok(Some(bank.to_string())) } else { Err(faults) }
+        faults.into_result(Some(bank.to_string()))
     }
 }

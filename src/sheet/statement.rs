@@ -14,6 +14,7 @@ use crate::bank::Problem;
 use crate::bank::Question;
 use crate::bank::decimal::Decimal;
 use crate::finding::Finding;
+use crate::finding::Findings;
 use crate::num::elliptic;
 use crate::num::shown;
 use crate::problem::make::Variant;
@@ -116,8 +117,8 @@ pub fn template_name(problem: &Problem) -> String {
 ///
 /// # Errors
 /// Templates that cannot be read, and problems that have none.
-pub fn add_own(templates: &mut Templates, bank: &Bank) -> Result<(), Vec<Finding>> {
-    let mut faults = Vec::new();
+pub fn add_own(templates: &mut Templates, bank: &Bank) -> Result<(), Findings> {
+    let mut faults = Findings::default();
     for problem in &bank.problems {
         if let Some(text) = &problem.statement {
             let field = template_name(problem);
@@ -137,7 +138,7 @@ pub fn add_own(templates: &mut Templates, bank: &Bank) -> Result<(), Vec<Finding
             }
         }
     }
-    if faults.is_empty() { Ok(()) } else { Err(faults) }
+    faults.into_result(())
 }
 
 fn ask_name(problem: &Problem, q: &Question) -> String {

@@ -1,6 +1,7 @@
 //! In which words a bank is told.
 use crate::bank::Bank;
 use crate::finding::Finding;
+use crate::finding::Findings;
 use crate::sheet::statement;
 use crate::template::Templates;
 use crate::words::Words;
@@ -24,8 +25,8 @@ impl Texts {
 
 /// Names in template files that are neither symbols nor known to every statement. (Templates in the bank were reviewed
 /// with it.)
-pub fn unknown_names(bank: &Bank, templates: &Templates) -> Vec<Finding> {
-    let mut findings = Vec::new();
+pub fn unknown_names(bank: &Bank, templates: &Templates) -> Findings {
+    let mut findings = Findings::default();
     for problem in bank.problems.iter().filter(|p| p.statement.is_none()) {
         let name = statement::template_name(problem);
         match templates.variables(&name) {
@@ -48,8 +49,8 @@ pub fn unknown_names(bank: &Bank, templates: &Templates) -> Vec<Finding> {
 }
 
 /// Data that a statement in a file of `--templates` never gives, as the review finds them in a statement in the bank.
-pub fn never_given(bank: &Bank, templates: &Templates) -> Vec<Finding> {
-    let mut findings = Vec::new();
+pub fn never_given(bank: &Bank, templates: &Templates) -> Findings {
+    let mut findings = Findings::default();
     for problem in bank.problems.iter().filter(|p| p.statement.is_none()) {
         let name = statement::template_name(problem);
         let (Some(file), Ok(used)) = (templates.own_file(&name), templates.variables(&name)) else {

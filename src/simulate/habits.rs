@@ -8,7 +8,7 @@ use crate::bank::node::Value;
 use crate::bank::node::close_name;
 use crate::bank::node::named;
 use crate::bank::node::shorten;
-use crate::finding::Finding;
+use crate::finding::Findings;
 use crate::simulate::moment;
 use crate::simulate::truth::Kind;
 
@@ -147,8 +147,8 @@ impl Habits {
     ///
     /// # Errors
     /// All that is wrong with it, in the order of the file.
-    pub fn read(text: &str, file: &str) -> Result<Self, Vec<Finding>> {
-        let tree = load::tree(text).map_err(|f| vec![f.in_file(file)])?;
+    pub fn read(text: &str, file: &str) -> Result<Self, Findings> {
+        let tree = load::tree(text).map_err(|f| f.in_file(file))?;
         let faults = Faults::default();
         match habits(&tree, &faults) {
             Some(habits) if faults.is_empty() => Ok(habits),
