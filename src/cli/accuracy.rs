@@ -14,9 +14,9 @@ use std::path::PathBuf;
 /// Runs it.
 pub fn run(args: &args::AccuracyArgs, io: &mut Io) -> Result<Exit, Findings> {
     let outputs = outputs(args)?;
-    let loaded = banks::load(&args.bank)?;
-    let problem = banks::problem(&loaded, &args.problem)?;
-    let data = data::data(&loaded.bank, problem, &args.set, args.seed)?;
+    let loaded = banks::load(&args.of.bank)?;
+    let problem = banks::problem(&loaded, &args.of.problem)?;
+    let data = data::data(&loaded.bank, problem, &args.of.set, args.of.seed)?;
     let (holds, study) = accuracy::measure(problem, &data, !args.no_time)?;
     match study {
         Ok(study) => {

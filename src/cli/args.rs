@@ -51,7 +51,7 @@ pub enum Verb {
     Report(ReportArgs),
     /// Grade the same submissions again after a change of bank or course, and show who gains and who loses
     #[command(
-        after_help = "Examples:\n  slipstick regrade week-5 week-5-grades submissions.csv --dry-run\n  slipstick regrade week-5 week-5-grades submissions.csv --out week-5-grades-2 --bank bank-corrected.yaml\n  slipstick regrade week-5 week-5-grades submissions.csv --out week-5-grades-2 --course course.yaml\n\nThe bank may be changed in place (DIR/bank.yaml) or given with --bank: a key, a tolerance, points, words, wrong methods. What\nwas printed on the sheets stays what it was; the key is solved anew from it, on both roads. A part that turned out to be\nfaulty is corrected for all in the course file:\n\n  corrections:\n    - {part: 2.v, give: full, why: part 2 was ambiguous}\n\nWhat changes is told before anything is written. GRADED stays as it is; the new folder is a whole grading with, beside\nit, changes.csv: each mark before and after, and why."
+        after_help = "Examples:\n  slipstick regrade week-5 week-5-grades submissions.csv --dry-run\n  slipstick regrade week-5 week-5-grades submissions.csv --out week-5-grades-2 --bank bank-corrected.yaml\n  slipstick regrade week-5 week-5-grades submissions.csv --out week-5-grades-2 --course course.yaml\n\nThe bank may be changed in place (DIR/bank.yaml) or given with --bank: a key, a tolerance, points, words, wrong methods. What\nwas printed on the sheets stays what it was; the key is solved anew from it. A part that turned out to be\nfaulty is corrected for all in the course file:\n\n  corrections:\n    - {part: 2.v, give: full, why: part 2 was ambiguous}\n\nWhat changes is told before anything is written. GRADED stays as it is; the new folder is a whole grading with, beside\nit, changes.csv: each mark before and after, and why."
     )]
     Regrade(RegradeArgs),
     /// Say how many verdicts of a grading would change with other tolerances; changes nothing
@@ -66,7 +66,7 @@ pub enum Verb {
     Matches(MatchesArgs),
     /// Tell everything about the marks of one student for one problem, in words
     #[command(
-        after_help = "Examples:\n  slipstick explain week-5-grades 0017 1\n  slipstick explain week-5-grades \"Amina Yusuf\" pulled-rolling --part omega\n  slipstick explain week-5-grades 17 1.omega\n\nThe data on the sheet, the key from both roads with gap, condition number and proved error, the tolerance, every attempt\nas written and as read, which one counts, why it is right or not, how its points add up, and what it was graded with.\nIt works from the folder alone: basis/ holds the set. It holds the key; it is not for students while others still work."
+        after_help = "Examples:\n  slipstick explain week-5-grades 0017 1\n  slipstick explain week-5-grades \"Amina Yusuf\" pulled-rolling --part omega\n  slipstick explain week-5-grades 17 1.omega\n\nThe data on the sheet, the key both ways with gap, condition number and proved error, the tolerance, every attempt\nas written and as read, which one counts, why it is right or not, how its points add up, and what it was graded with.\nIt works from the folder alone: basis/ holds the set. It holds the key; it is not for students while others still work."
     )]
     Explain(ExplainArgs),
     /// Check your own answers against your sheet file; the sheet holds no key, the problem is solved anew
@@ -79,7 +79,7 @@ pub enum Verb {
         after_help = "Examples:\n  slipstick practice wheels-on-inclines\n  slipstick practice wheels-on-inclines --seed 3 --problems pulled-rolling\n\nWhile you answer: an empty line skips a question, `solution` shows the values, `next` draws another problem,\n`quit` ends, `help` names these. It works with piped input too."
     )]
     Practice(PracticeArgs),
-    /// Solve one problem with given data, on both roads, and say what really happens
+    /// Solve one problem with given data, by equations of motion and by work and energy, and say what really happens
     #[command(
         after_help = "Examples:\n  slipstick solve wheels-on-inclines pulled-rolling --set m=40kg --set R=400mm --set r=200mm --set k=300mm \\\n      --set theta=30deg --set P=200N --set d=3m --set mu_s=0.6\n  slipstick solve wheels-on-inclines spring-released --seed 5 --json\n  slipstick solve wheels-on-inclines spring-released --seed 5 --method rk4 --step 1/60s\n\nA plain number is SI (angles in degrees). Every datum but g must be given. Exit code 3 if the regime fails:\nthe numbers are then those of the motion that the problem declares (\"if it rolled\")."
     )]
@@ -99,12 +99,12 @@ pub enum Verb {
         after_help = "Examples:\n  slipstick gallery wheels-on-inclines --out gallery.html\n  slipstick gallery my-bank.yaml --out gallery.html --problems spring-released --variants 40\n\nThe page needs nothing but itself. It shows figures, data, answers and condition numbers, and the tables of `lint`;\nit holds keys and is for instructors."
     )]
     Gallery(GalleryArgs),
-    /// Draw and solve a set again and prove its key: both roads, and an enclosure of every answer
+    /// Draw and solve a set again and prove its key: solved in two ways, and an enclosure of every answer
     #[command(
         after_help = "Example:\n  slipstick verify week-5\n\nEach number of the key is computed once more with numbers that keep account of their errors, those of the\nprinted data among them: the true answer provably lies within `error bound` of the key (column error_bound of\nkey.csv). Exit code 0 if the set is what it was and every key holds, 2 if not."
     )]
     Verify(VerifyArgs),
-    /// Write worked solutions of a set: both roads, step by step, with figures; not for students yet
+    /// Write worked solutions of a set: solved in two ways, step by step, with figures; not for students yet
     #[command(
         after_help = "Examples:\n  slipstick solutions week-5 --out week-5-solutions\n  slipstick solutions week-5 --out loesungen --language de --format html,tex\n\nThe set is drawn and solved again first, as grading does it. Each student's folder gets\nsolution.html and the like; booklet.html has them all."
     )]
@@ -388,9 +388,9 @@ pub struct PracticeArgs {
     pub own: OwnArgs,
 }
 
-/// `solve`
+/// A problem with given data.
 #[derive(Debug, Args)]
-pub struct SolveArgs {
+pub struct ProblemArgs {
     /// Bank: a YAML file, or the id of a built-in one: wheels-on-inclines, hoists-and-pulleys, slip-and-roll, pinned-bodies
     pub bank: String,
     /// Id of the problem
@@ -401,6 +401,14 @@ pub struct SolveArgs {
     /// Without --set: draw with this seed
     #[arg(long, value_name = "N", conflicts_with = "set")]
     pub seed: Option<u64>,
+}
+
+/// `solve`
+#[derive(Debug, Args)]
+pub struct SolveArgs {
+    /// The problem and its data.
+    #[command(flatten)]
+    pub of: ProblemArgs,
     /// Print JSON
     #[arg(long)]
     pub json: bool,
@@ -428,7 +436,7 @@ pub struct ByArgs {
 pub enum MethodName {
     /// The cheapest that meets the tolerance for this scene
     Auto,
-    /// Closed forms, on both roads
+    /// Closed forms
     Closed,
     /// Gauss-Legendre on the work of the forces over displacement
     Gauss,
@@ -463,16 +471,9 @@ impl MethodName {
 /// `accuracy`
 #[derive(Debug, Args)]
 pub struct AccuracyArgs {
-    /// Bank: a YAML file, or the id of a built-in one: wheels-on-inclines, hoists-and-pulleys, slip-and-roll, pinned-bodies
-    pub bank: String,
-    /// Id of the problem
-    pub problem: String,
-    /// A datum with its unit, such as m=40kg; may be repeated
-    #[arg(long, value_name = "SYMBOL=VALUE")]
-    pub set: Vec<String>,
-    /// Without --set: draw with this seed
-    #[arg(long, value_name = "N", conflicts_with = "set")]
-    pub seed: Option<u64>,
+    /// The problem and its data.
+    #[command(flatten)]
+    pub of: ProblemArgs,
     /// Leave out the clock: the cost is the number of force evaluations, and the same command prints the same bytes
     #[arg(long)]
     pub no_time: bool,

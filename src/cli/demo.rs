@@ -10,7 +10,7 @@ use crate::folder::deal;
 use crate::folder::deal::Plan;
 use crate::folder::files;
 use crate::folder::grading;
-use crate::folder::grading::Job;
+use crate::folder::grading::GradingJob;
 use crate::folder::grading::Reports;
 use crate::folder::staged::Staged;
 use crate::grade::verdict::Verdict;
@@ -19,8 +19,8 @@ use crate::sheet::output::Format;
 use crate::sheet::terminal;
 use crate::simulate::class;
 use crate::simulate::hand_in;
+use crate::simulate::hand_in::CellKind;
 use crate::simulate::hand_in::HandIn;
-use crate::simulate::hand_in::Kind;
 use crate::simulate::hand_in::Sheet;
 use std::path::Path;
 
@@ -57,7 +57,7 @@ pub fn run(args: &args::DemoArgs, io: &mut Io) -> Result<Exit, Findings> {
     let made = deal::whole(&plan, &members, &root.join("set"), &bar).map_err(|f| staged.named(f))?;
     let handed = submissions(&plan)?;
     write("submissions.csv", &handed.bytes)?;
-    let job = Job {
+    let job = GradingJob {
         set: &root.join("set"),
         submissions: &root.join("submissions.csv"),
         out: &root.join("grades"),
@@ -87,7 +87,10 @@ pub fn run(args: &args::DemoArgs, io: &mut Io) -> Result<Exit, Findings> {
     for (path, what) in [
         ("roster.csv".to_owned(), "the class"),
         (format!("set/students/{first}/sheet.html"), "a sheet: open it in a browser"),
-        ("set/key.csv".to_owned(), "the key: both roads, their gap, the condition number"),
+        (
+            "set/key.csv".to_owned(),
+            "the key by equations of motion and by work and energy, their gap, the condition number",
+        ),
         ("submissions.csv".to_owned(), "what the class handed in, as messy as it comes"),
         ("grades/answers.csv".to_owned(), "every answer with verdict, points and reason"),
         ("grades/gradebook.csv".to_owned(), "a row for each student"),
@@ -135,13 +138,13 @@ fn submissions(plan: &Plan) -> Result<HandIn, Findings> {
     for (id, _) in class::STUDENTS {
         dealt.push(dealer.deal(id).map_err(|none| unsatisfiable(plan.bank, &none))?);
     }
-    let chosen = || plan.problems.iter().filter_map(|p| plan.bank.problems.get(*p));
     let sheets: Vec<Sheet> = class::STUDENTS
         .iter()
         .zip(&dealt)
         .map(|((id, _), dealt)| Sheet {
             student: id,
-            problems: chosen()
+            problems: plan
+                .chosen()
                 .zip(&dealt.variants)
                 .zip(&dealt.key.problems)
                 .map(|((p, v), k)| (p, v, k))
@@ -168,7 +171,7 @@ fn kinds_and_verdicts(handed: &HandIn, answers: &Path) -> Result<String, Finding
     let mut rows =
         vec![std::iter::once("rows".to_owned()).chain(verdicts.iter().cloned()).collect::<Vec<_>>()];
     rows[0].push("all".to_owned());
-    for kind in Kind::ALL {
+    for kind in CellKind::ALL {
         let of_kind: Vec<&str> = records
             .iter()
             .skip(1)

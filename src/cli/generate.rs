@@ -110,8 +110,7 @@ pub fn run(args: &args::GenerateArgs, io: &mut Io) -> Result<Exit, Findings> {
 /// What was made, and where to look.
 fn told(plan: &Plan, made: &SetMade, folder: &Path, io: &mut Io) {
     let out = folder.display();
-    let parts: usize =
-        plan.problems.iter().filter_map(|p| plan.bank.problems.get(*p)).map(|p| p.questions.len()).sum();
+    let parts: usize = plan.chosen().map(|p| p.questions.len()).sum();
     io.line(&format!(
         "{} of {} with {} each, {} drawn and solved twice ({} draws), in {out}",
         terminal::count(made.written, "sheet"),

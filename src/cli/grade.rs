@@ -5,13 +5,13 @@ use crate::cli::tell::Exit;
 use crate::cli::tell::Io;
 use crate::finding::Findings;
 use crate::folder::grading;
-use crate::folder::grading::Job;
+use crate::folder::grading::GradingJob;
 use crate::folder::names::ANSWERS;
 use crate::folder::names::GRADEBOOK;
 
 /// Runs it.
 pub fn run(args: &args::GradeArgs, io: &mut Io) -> Result<Exit, Findings> {
-    let job = Job {
+    let job = GradingJob {
         set: &args.set,
         submissions: &args.submissions,
         out: &args.out,

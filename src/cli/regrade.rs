@@ -5,11 +5,11 @@ use crate::cli::tell::Exit;
 use crate::cli::tell::Io;
 use crate::finding::Findings;
 use crate::folder::regrading;
-use crate::folder::regrading::Job;
+use crate::folder::regrading::RegradingJob;
 
 /// Runs it.
 pub fn run(args: &args::RegradeArgs, io: &mut Io) -> Result<Exit, Findings> {
-    let job = Job {
+    let job = RegradingJob {
         set: &args.set,
         graded: &args.graded,
         submissions: &args.submissions,

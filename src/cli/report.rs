@@ -4,11 +4,11 @@ use crate::cli::tell::Exit;
 use crate::cli::tell::Io;
 use crate::finding::Findings;
 use crate::folder::reports;
-use crate::folder::reports::Job;
+use crate::folder::reports::ReportJob;
 
 /// Runs it.
 pub fn run(args: &args::ReportArgs, io: &mut Io) -> Result<Exit, Findings> {
-    let made = reports::write(&Job {
+    let made = reports::write(&ReportJob {
         graded: &args.graded,
         out: args.out.as_deref(),
         templates: args.own.templates.as_deref(),

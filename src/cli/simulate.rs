@@ -14,7 +14,7 @@ use crate::simulate::classwork::Files;
 use crate::simulate::classwork::Work;
 use crate::simulate::habits;
 use crate::simulate::habits::Habits;
-use crate::simulate::student::Student;
+use crate::simulate::student::SimulatedStudent;
 use crate::words::Words;
 use std::path::Path;
 
@@ -72,7 +72,7 @@ fn simulate(args: &args::SimulateArgs) -> Result<Files, Findings> {
             .zip(drawn)
             .map(|(p, (variant, key))| (&bank.problems[*p], variant, key))
             .collect();
-        let handed = Student::new(&habits, &words, args.seed, &student.student).work(&sheet);
+        let handed = SimulatedStudent::new(&habits, &words, args.seed, &student.student).work(&sheet);
         Ok(Work { key: dealt.key, handed })
     });
     let mut works = works.map_err(|faults| set::of_set(folder, faults))?;

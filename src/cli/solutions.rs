@@ -5,14 +5,14 @@ use crate::cli::tell::Exit;
 use crate::cli::tell::Io;
 use crate::finding::Findings;
 use crate::folder::solutions;
-use crate::folder::solutions::Job;
+use crate::folder::solutions::SolutionsJob;
 use crate::sheet::output;
 use crate::sheet::terminal;
 
 /// Runs it.
 pub fn run(args: &args::SolutionsArgs, io: &mut Io) -> Result<Exit, Findings> {
     let formats = output::formats(args.format.as_deref());
-    let made = solutions::write(&Job {
+    let made = solutions::write(&SolutionsJob {
         set: &args.set,
         out: &args.out,
         templates: args.own.templates.as_deref(),

@@ -12,9 +12,9 @@ use crate::solve::ladder;
 /// Runs it.
 pub fn run(args: &args::SolveArgs, io: &mut Io) -> Result<Exit, Findings> {
     let wish = data::wish(args.by.method.method(), args.by.rtol, args.by.step.as_deref())?;
-    let loaded = banks::load(&args.bank)?;
-    let problem = banks::problem(&loaded, &args.problem)?;
-    let (case, data, shown) = data::data(&loaded.bank, problem, &args.set, args.seed)?;
+    let loaded = banks::load(&args.of.bank)?;
+    let problem = banks::problem(&loaded, &args.of.problem)?;
+    let (case, data, shown) = data::data(&loaded.bank, problem, &args.of.set, args.of.seed)?;
     let scene = &problem.cases[case].scene;
     let (mut solved, taken) =
         ladder::solve(scene, &data, &wish).map_err(|refusal| data::refused(problem, scene, &refusal))?;

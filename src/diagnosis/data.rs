@@ -141,12 +141,9 @@ fn given(problem: &Problem, set: &[String]) -> Result<Data, Findings> {
         let symbol = symbol.trim();
         let field = format!("--set {symbol}");
         let Some(i) = problem.data.iter().position(|d| d.symbol == symbol) else {
-            let known: Vec<&str> = problem.data.iter().map(|d| d.symbol.as_str()).collect();
+            let known = problem.data.iter().map(|d| d.symbol.as_str());
             let fault = Finding::new(field, format!("{} has no datum `{symbol}`", problem.id));
-            faults.push(match units::spell::closest(symbol, known.iter().copied()) {
-                Some(near) => fault.hint(format!("did you mean `{near}`?")),
-                None => fault.hint(format!("its data: {}", known.join(", "))),
-            });
+            faults.push(fault.hint(units::spell::hint(symbol, "its data", known)));
             continue;
         };
         if values[i].is_some() {

@@ -284,7 +284,8 @@ fn reason(taken: &Taken) -> &'static str {
             "the force changes with the angle so that the time has no closed form; its integral is regular, so nothing has to be stepped"
         }
         (_, Method::Closed, _) => "as asked; exact but for rounding",
-        _ => "as asked; the other road judges it",
+        (_, Method::Gauss, _) => "as asked; the equations of motion judge it",
+        _ => "as asked; work and energy judge it",
     }
 }
 
@@ -449,8 +450,9 @@ pub fn refusal(problem: &Problem, scene: &Scene, refusal: &Refusal) -> Vec<Strin
             scene.name_of(*label)
         )),
         Refusal::Contradicts { method, label, value, judge, allowed } => one(format!(
-            "{} and the other road disagree on {}: {value:e} against {judge:e}; only {} would lie within both error estimates. Nothing is published.",
+            "{} and {} disagree on {}: {value:e} against {judge:e}; only {} would lie within both error estimates. Nothing is published.",
             method.name(),
+            if *method == Method::Gauss { "the equations of motion" } else { "work and energy" },
             scene.name_of(*label),
             rounded(*allowed, 2)
         )),
@@ -469,11 +471,11 @@ pub fn refusal(problem: &Problem, scene: &Scene, refusal: &Refusal) -> Vec<Strin
                 .to_owned(),
         ),
         Refusal::Disagree { label, eom, energy, allowed } if *allowed < 1.0 => one(format!(
-            "the two roads disagree on {}: {eom:e} from the equations of motion, {energy:e} from energy; a relative gap of {allowed:.1e} would be accepted. No key is published.",
+            "the equations of motion and work and energy disagree on {}: {eom:e} against {energy:e}; a relative gap of {allowed:.1e} would be accepted. No key is published.",
             scene.name_of(*label)
         )),
         Refusal::Disagree { label, eom, energy, .. } => one(format!(
-            "the two roads disagree on {}: {eom:e} from the equations of motion, {energy:e} from energy; the last digits of the data decide it, and the roads share none of its digits. No key is published.",
+            "the equations of motion and work and energy disagree on {}: {eom:e} against {energy:e}; the last digits of the data decide it, and no digit of it is the same in both. No key is published.",
             scene.name_of(*label)
         )),
     }

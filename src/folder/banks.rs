@@ -178,11 +178,8 @@ fn collect(folder: &Path, prefix: &str, texts: &mut Vec<(String, String, String)
 /// There is none.
 pub fn problem<'l>(loaded: &'l Loaded, id: &str) -> Result<&'l Problem, Finding> {
     loaded.bank.problems.iter().find(|p| p.id == id).ok_or_else(|| {
-        let known: Vec<&str> = loaded.bank.problems.iter().map(|p| p.id.as_str()).collect();
+        let known = loaded.bank.problems.iter().map(|p| p.id.as_str());
         let fault = Finding::new("problems", format!("there is no problem `{id}`")).in_file(&loaded.file);
-        match units::spell::closest(id, known.iter().copied()) {
-            Some(near) => fault.hint(format!("did you mean `{near}`?")),
-            None => fault.hint(format!("its problems: {}", known.join(", "))),
-        }
+        fault.hint(units::spell::hint(id, "its problems", known))
     })
 }

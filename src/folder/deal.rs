@@ -1,6 +1,7 @@
 //! A set is made: its folder whole or not at all, late joiners into one that is there, and repair of what a kill left.
 use crate::answer::roster;
 use crate::bank::Bank;
+use crate::bank::Problem;
 use crate::diagnosis::table::unsatisfiable;
 use crate::draw::stream;
 use crate::finding::Finding;
@@ -15,6 +16,7 @@ use crate::folder::staged::Staged;
 use crate::guard::push_line;
 use crate::key::SheetKey;
 use crate::set::coincide;
+use crate::set::coincide::StudentVariant;
 use crate::set::key_file;
 use crate::set::replay;
 use crate::set::replay::Dealer;
@@ -37,6 +39,7 @@ use crate::sheet::texts::Texts;
 use rayon::prelude::*;
 use std::fs;
 use std::path::Path;
+use std::path::PathBuf;
 
 /// All that decides what is in a set.
 pub struct Plan<'p> {
@@ -56,27 +59,26 @@ pub struct Plan<'p> {
     pub name: &'p str,
 }
 
-/// A student of the roster.
-pub struct Member {
-    /// Id.
-    pub student: String,
-    /// Name, or empty.
-    pub name: String,
-    /// Folder.
-    pub folder: String,
+impl<'p> Plan<'p> {
+    /// The problems, in the order of the sheet.
+    pub fn chosen(&self) -> impl Iterator<Item = &'p Problem> + Clone {
+        let (bank, problems) = (self.bank, self.problems);
+        problems.iter().filter_map(|p| bank.problems.get(*p))
+    }
 }
 
-/// The students of a roster file.
+/// The students of a roster file; nothing is drawn for them yet.
 ///
 /// # Errors
 /// All that is wrong with it.
-pub fn members(path: &Path) -> Result<Vec<Member>, Findings> {
-    let bytes = files::read(path)?;
-    let file = path.display().to_string();
-    let named = |faults: Findings| -> Findings { faults.in_file(&file) };
-    let students = roster::roster(&bytes).map_err(named)?;
-    let member =
-        |(student, name): (String, String)| Member { folder: roster::folder(&student), student, name };
+pub fn members(path: &Path) -> Result<Vec<StoredStudent>, Findings> {
+    let students = roster::roster(&files::read(path)?).map_err(|f| f.in_file(path.display().to_string()))?;
+    let member = |(student, name): (String, String)| StoredStudent {
+        folder: roster::folder(&student),
+        student,
+        name,
+        problems: Vec::new(),
+    };
     Ok(students.into_iter().map(member).collect())
 }
 
@@ -123,49 +125,37 @@ impl SetMade {
 /// What the bank or its texts refuse, or writing that fails.
 pub fn whole(
     plan: &Plan,
-    members: &[Member],
+    members: &[StoredStudent],
     out: &Path,
     progress: &dyn Progress,
 ) -> Result<SetMade, Findings> {
     let staged = Staged::new(out)?;
-    let (dealt, sheets) = deal(plan, members, staged.path(), progress).map_err(|f| staged.named(f))?;
-    let (set, cut) = store(plan, members, &dealt, None);
-    let keys: Vec<SheetKey> = dealt.into_iter().map(|d| d.key).collect();
-    let write = |name: &str, bytes: &[u8]| staged.write(name, bytes);
-    write(names::BANK, plan.text.as_bytes())?;
-    let key = key_file::text(&keys);
-    write(names::KEY, &key)?;
-    write(names::FORM, &blank_form(plan, &set))?;
-    for (name, bytes) in together(plan, &sheets, &keys)? {
-        write(name, &bytes)?;
+    let mut dealt = deal(plan, members, staged.path(), progress).map_err(|f| staged.named(f))?;
+    let tries = dealt.tries();
+    let (set, cut) = store(plan, std::mem::take(&mut dealt.students), &dealt.keys);
+    staged.write(names::BANK, plan.text.as_bytes())?;
+    let key = key_file::text(&dealt.keys);
+    staged.write(names::KEY, &key)?;
+    staged.write(names::FORM, &blank_form(plan, &set))?;
+    for (name, bytes) in together(plan, &dealt.sheets, &dealt.rows, &dealt.keys)? {
+        staged.write(name, &bytes)?;
     }
-    write(names::SET, set.sealed(&key).as_bytes())?;
+    staged.write(names::SET, set.sealed(&key).as_bytes())?;
     staged.finish()?;
-    let tries = tries(&set, 0);
     Ok(SetMade { written: members.len(), set, tries, cut })
-}
-
-fn tries(set: &StoredSet, from: usize) -> u64 {
-    set.students.iter().skip(from).flat_map(|s| &s.problems).map(|p| u64::from(p.tries)).sum()
-}
-
-/// Sheets of everybody: what the booklets and the key for people are made of.
-struct AllSheets {
-    made: Vec<WrittenDocument>,
-    rows: Vec<Row>,
 }
 
 /// Booklets and the key for people.
 fn together(
     plan: &Plan,
-    sheets: &AllSheets,
+    sheets: &[WrittenDocument],
+    rows: &[Row],
     keys: &[SheetKey],
-) -> Result<Vec<(&'static str, Vec<u8>)>, Findings> {
+) -> Result<Vec<(&'static str, Vec<u8>)>, Finding> {
     let output = Output::new(plan.texts, plan.formats, "sheet")?;
     let title = format!("{}: {}, {}", plan.texts.words.get("sheet.sheets"), plan.bank.title, plan.name);
-    let mut files = output.booklets(&title, &sheets.made)?;
-    let table = output.key_table(plan.bank, plan.name, plan.problems, &sheets.rows, keys.iter());
-    files.extend(table?);
+    let mut files = output.booklets(&title, sheets)?;
+    files.extend(output.key_table(plan.bank, plan.name, plan.problems, rows, keys.iter())?);
     Ok(files)
 }
 
@@ -174,13 +164,11 @@ fn together_again(plan: &Plan, set: &StoredSet) -> Result<Vec<(&'static str, Vec
     let writer = SheetWriter::new(plan)?;
     let both = replay::each(plan.bank, set, &|i, student, dealt| {
         let mut converter = Converter::new(&plan.texts.words);
-        let (made, row) =
-            writer.write(i, &student.student, &student.name, &dealt, &mut Room::default(), &mut converter)?;
-        Ok(((made, row), dealt.key))
+        Ok((writer.write(i, student, &dealt, &mut Room::default(), &mut converter)?, dealt.key))
     })?;
     let (sheets, keys): (Vec<(WrittenDocument, Row)>, Vec<SheetKey>) = both.into_iter().unzip();
-    let (made, rows) = sheets.into_iter().unzip();
-    together(plan, &AllSheets { made, rows }, &keys)
+    let (sheets, rows): (Vec<WrittenDocument>, Vec<Row>) = sheets.into_iter().unzip();
+    Ok(together(plan, &sheets, &rows, &keys)?)
 }
 
 /// Late joiners into a set that is there. All is written beside the set and then moved in: sheets, key.csv, set.json,
@@ -192,40 +180,26 @@ fn together_again(plan: &Plan, set: &StoredSet) -> Result<Vec<(&'static str, Vec
 /// What the bank or its texts refuse, or writing that fails.
 pub fn add(
     plan: &Plan,
-    members: &[Member],
+    members: &[StoredStudent],
     old: &StoredSet,
     out: &Path,
     progress: &dyn Progress,
 ) -> Result<SetMade, Findings> {
     let mut keys = replay::keys(plan.bank, old)?;
-    let taken: Findings = members
-        .iter()
-        .map(|m| out.join(names::STUDENTS).join(&m.folder))
-        .filter(|p| p.exists())
-        .map(|p| {
-            let fault = Finding::new("", "is there already, and generate did not make it");
-            fault.in_file(p.display().to_string()).hint("move it away")
-        })
-        .collect();
+    let places = || members.iter().map(|m| Path::new(names::STUDENTS).join(&m.folder));
+    let taken = |place: &PathBuf| {
+        let fault = Finding::new("", "is there already, and generate did not make it");
+        fault.in_file(place.display().to_string()).hint("move it away")
+    };
+    let taken: Findings = places().map(|p| out.join(p)).filter(|p| p.exists()).map(|p| taken(&p)).collect();
     if !taken.is_empty() {
         return Err(taken);
     }
     let staged = Staged::new(out)?;
-    let (dealt, _) = deal(plan, members, staged.path(), progress).map_err(|f| staged.named(f))?;
-    let mut everybody: Vec<Member> = old
-        .students
-        .iter()
-        .map(|s| Member { student: s.student.clone(), name: s.name.clone(), folder: s.folder.clone() })
-        .collect();
-    let before = everybody.len();
-    let form_is_blank = set::form_is_blank(out);
-    everybody.extend(members.iter().map(|m| Member {
-        student: m.student.clone(),
-        name: m.name.clone(),
-        folder: m.folder.clone(),
-    }));
-    keys.extend(dealt.iter().map(|d| d.key.clone()));
-    let (set, cut) = store(plan, &everybody, &dealt, Some((old, &keys)));
+    let dealt = deal(plan, members, staged.path(), progress).map_err(|f| staged.named(f))?;
+    let (tries, form_is_blank) = (dealt.tries(), set::form_is_blank(out));
+    keys.extend(dealt.keys);
+    let (set, cut) = store(plan, old.students.iter().cloned().chain(dealt.students).collect(), &keys);
     let key = key_file::text(&keys);
     let sealed = set.sealed(&key).into_bytes();
     let mut files = vec![(names::KEY, key), (names::SET, sealed)];
@@ -236,11 +210,9 @@ pub fn add(
     for (name, bytes) in &files {
         staged.write(name, bytes)?;
     }
-    let sheets = members.iter().map(|m| Path::new(names::STUDENTS).join(&m.folder));
-    for name in sheets.chain(files.iter().map(|(name, _)| Path::new(name).to_owned())) {
+    for name in places().chain(files.iter().map(|(name, _)| PathBuf::from(name))) {
         staged.place_one(&name)?;
     }
-    let tries = tries(&set, before);
     Ok(SetMade { written: members.len(), set, tries, cut })
 }
 
@@ -304,42 +276,55 @@ impl<'p> SheetWriter<'p> {
     fn write(
         &self,
         at: usize,
-        student: &str,
-        name: &str,
+        student: &StoredStudent,
         dealt: &Dealt,
         room: &mut Room,
         converter: &mut Converter,
     ) -> Result<(WrittenDocument, Row), Finding> {
-        let (head, document) = self.sheets.document(student, name, &dealt.variants, room)?;
+        let (head, document) =
+            self.sheets.document(&student.student, &student.name, &dealt.variants, room)?;
         let row = key_table::row(self.plan.bank, self.plan.problems, &head, &dealt.variants);
         Ok((self.output.make(at, head, document, converter)?, row))
+    }
+}
+
+/// What was dealt to students, in their order.
+#[derive(Default)]
+struct Handed {
+    students: Vec<StoredStudent>,
+    keys: Vec<SheetKey>,
+    sheets: Vec<WrittenDocument>,
+    rows: Vec<Row>,
+}
+
+impl Handed {
+    fn tries(&self) -> u64 {
+        self.students.iter().flat_map(|s| &s.problems).map(|p| u64::from(p.tries)).sum()
     }
 }
 
 /// Draws, solves and writes the sheets of these students into `students` below `folder`.
 fn deal(
     plan: &Plan,
-    members: &[Member],
+    members: &[StoredStudent],
     folder: &Path,
     progress: &dyn Progress,
-) -> Result<(Vec<Dealt>, AllSheets), Findings> {
+) -> Result<Handed, Findings> {
     fs::create_dir(folder.join(names::STUDENTS))
         .map_err(|e| files::trouble(folder, "cannot be written", &e))?;
     let writer = SheetWriter::new(plan)?;
     let language = plan.texts.words.language();
-    let public = public::Writer::new(plan.bank, plan.text, plan.problems, plan.name, language);
-    let public = public?;
+    let public = public::Writer::new(plan.bank, plan.text, plan.problems, plan.name, language)?;
     let dealer = Dealer::new(plan.bank, plan.problems, plan.seed, plan.name);
     progress.begin("sheets", members.len() as u64);
-    let results: Vec<Result<(Dealt, WrittenDocument, Row), Finding>> = members
+    let results: Vec<Result<(StoredStudent, SheetKey, WrittenDocument, Row), Finding>> = members
         .par_iter()
         .enumerate()
         .map_init(
             || (Room::default(), Converter::new(&plan.texts.words)),
             |(room, converter), (at, member)| {
                 let dealt = dealer.deal(&member.student).map_err(|none| unsatisfiable(plan.bank, &none))?;
-                let (mut made, row) =
-                    writer.write(at, &member.student, &member.name, &dealt, room, converter)?;
+                let (mut made, row) = writer.write(at, member, &dealt, room, converter)?;
                 let json = public.text(&member.student, &dealt.variants);
                 let place = folder.join(names::STUDENTS).join(&member.folder);
                 // Of the whole folder: a full disk is told once and not for each student.
@@ -350,74 +335,52 @@ fn deal(
                 }
                 fs::write(place.join(names::SHEET), json).map_err(|e| fault(&e))?;
                 progress.advance(1);
-                Ok((dealt, made, row))
+                let variants = plan.chosen().zip(&dealt.variants).map(|(p, v)| replay::stored(p, v));
+                Ok((StoredStudent { problems: variants.collect(), ..member.clone() }, dealt.key, made, row))
             },
         )
         .collect();
     progress.end();
-    let mut dealt = Vec::with_capacity(results.len());
-    let mut sheets =
-        AllSheets { made: Vec::with_capacity(results.len()), rows: Vec::with_capacity(results.len()) };
-    let mut faults = Findings::default();
+    let (mut handed, mut faults) = (Handed::default(), Findings::default());
     for result in results {
         match result {
-            Ok((one, made, row)) => {
-                dealt.push(one);
-                sheets.made.push(made);
-                sheets.rows.push(row);
+            Ok((student, key, sheet, row)) => {
+                handed.students.push(student);
+                handed.keys.push(key);
+                handed.sheets.push(sheet);
+                handed.rows.push(row);
             }
             Err(fault) if faults.contains(&fault) || faults.len() >= 5 => {}
             Err(fault) => faults.push(fault),
         }
     }
-    faults.into_result((dealt, sheets))
+    faults.into_result(handed)
 }
 
-/// set.json of everybody; `dealt` are the last of `members`, those before them come from the old set.
-fn store(
-    plan: &Plan,
-    members: &[Member],
-    dealt: &[Dealt],
-    old: Option<(&StoredSet, &[SheetKey])>,
-) -> (StoredSet, Vec<String>) {
-    let before = members.len() - dealt.len();
-    let mut students: Vec<StoredStudent> = old.map_or_else(Vec::new, |(set, _)| set.students.clone());
-    for (member, dealt) in members[before..].iter().zip(dealt) {
-        let chosen = plan.problems.iter().filter_map(|p| plan.bank.problems.get(*p));
-        students.push(StoredStudent {
-            student: member.student.clone(),
-            name: member.name.clone(),
-            folder: member.folder.clone(),
-            problems: chosen.zip(&dealt.variants).map(|(p, v)| replay::stored(p, v)).collect(),
-        });
-    }
+/// set.json of these students with their keys, and the problems of which not all coincidences are listed.
+fn store(plan: &Plan, students: Vec<StoredStudent>, keys: &[SheetKey]) -> (StoredSet, Vec<String>) {
     let mut coincidences = Vec::new();
     let mut cut = Vec::new();
-    let mut texts: Vec<Vec<String>> = Vec::new();
-    for (i, problem) in plan.problems.iter().filter_map(|p| plan.bank.problems.get(*p)).enumerate() {
-        texts.clear();
-        texts.extend(students.iter().map(|s| {
-            let data = s.problems.get(i).map(|p| &p.data);
-            data.map_or_else(Vec::new, |d| d.iter().map(|(k, v)| format!("{k}={v}")).collect())
-        }));
-        let keys: Vec<&SheetKey> = match old {
-            Some((_, keys)) => keys.iter().collect(),
-            None => dealt.iter().map(|d| &d.key).collect(),
+    for (i, problem) in plan.chosen().enumerate() {
+        let data = |s: &StoredStudent| -> Vec<String> {
+            let drawn = s.problems.get(i).into_iter().flat_map(|p| &p.data);
+            drawn.map(|(k, v)| format!("{k}={v}")).collect()
         };
-        let variants: Vec<coincide::StudentVariant> = students
+        let texts: Vec<Vec<String>> = students.iter().map(data).collect();
+        let variants: Vec<StudentVariant> = students
             .iter()
             .zip(&texts)
             .zip(keys)
             .filter_map(|((s, data), k)| {
-                Some(coincide::StudentVariant { student: &s.student, data, key: k.problems.get(i)? })
+                Some(StudentVariant { student: &s.student, data, key: k.problems.get(i)? })
             })
             .collect();
         let (pairs, more) = coincide::pairs(&problem.id, &variants);
         coincidences.extend(pairs);
-        if more {
-            cut.push(problem.id.clone());
-        }
+        cut.extend(more.then(|| problem.id.clone()));
     }
+    let bank =
+        StoredBank { id: plan.bank.id.clone(), file: names::BANK.to_owned(), sha256: plan.bank.hash.clone() };
     let set = StoredSet {
         format: store::FORMAT,
         name: plan.name.to_owned(),
@@ -426,17 +389,8 @@ fn store(
         draw_version: stream::DRAW_VERSION,
         language: plan.texts.words.language().to_owned(),
         formats: plan.formats.iter().map(|f| f.ending().to_owned()).collect(),
-        bank: StoredBank {
-            id: plan.bank.id.clone(),
-            file: names::BANK.to_owned(),
-            sha256: plan.bank.hash.clone(),
-        },
-        problems: plan
-            .problems
-            .iter()
-            .filter_map(|p| plan.bank.problems.get(*p))
-            .map(|p| p.id.clone())
-            .collect(),
+        bank,
+        problems: plan.chosen().map(|p| p.id.clone()).collect(),
         students,
         coincidences,
     };
@@ -447,7 +401,7 @@ fn store(
 fn blank_form(plan: &Plan, set: &StoredSet) -> Vec<u8> {
     let mut out = b"student,problem,part,answer\n".to_vec();
     for student in &set.students {
-        for (i, problem) in plan.problems.iter().filter_map(|p| plan.bank.problems.get(*p)).enumerate() {
+        for (i, problem) in plan.chosen().enumerate() {
             for q in &problem.questions {
                 push_line(&mut out, [student.student.as_str(), &(i + 1).to_string(), &q.id, ""]);
             }

@@ -42,13 +42,9 @@ pub fn explain(folder: &Path, student: &str, problem: &str, part: Option<&str>) 
     if let Some(part) = part
         && !key.parts.iter().any(|e| e.part == *part)
     {
-        let known: Vec<&str> = key.parts.iter().map(|e| e.part.as_str()).collect();
+        let known = key.parts.iter().map(|e| e.part.as_str());
         let fault = Finding::new("", format!("problem {} ({}) has no part `{part}`", index + 1, problem.id));
-        return Err(here(match spell::closest(part, known.iter().copied()) {
-            Some(near) => fault.hint(format!("did you mean `{near}`?")),
-            None => fault.hint(format!("its parts: {}", known.join(", "))),
-        })
-        .into());
+        return Err(here(fault.hint(spell::hint(part, "its parts", known))).into());
     }
     let mut rows = Vec::new();
     let number = (index + 1).to_string();

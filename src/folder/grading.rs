@@ -52,7 +52,7 @@ pub enum Reports {
 }
 
 /// What is to be graded.
-pub struct Job<'j> {
+pub struct GradingJob<'j> {
     /// Folder of the set.
     pub set: &'j Path,
     /// File of submissions; `-` is standard input.
@@ -79,7 +79,7 @@ pub struct Job<'j> {
 ///
 /// # Errors
 /// The set was changed, the file of submissions cannot be read, or the folder may not be written.
-pub fn grade(job: &Job, input: &mut dyn BufRead) -> Result<String, Findings> {
+pub fn grade(job: &GradingJob, input: &mut dyn BufRead) -> Result<String, Findings> {
     let mut faults = Findings::default();
     columns(job.columns).map_err(|f| faults.extend(f)).ok();
     may_write(job.out, job.set, job.force).map_err(|f| faults.push(f)).ok();
@@ -208,7 +208,7 @@ const REPORTED: u64 = 300_000;
 ///
 /// # Errors
 /// The file of submissions cannot be read, the course is faulty, or the folder cannot be written.
-pub fn make(job: &Job, basis: Basis, input: &mut dyn BufRead) -> Result<StagedGrading, Findings> {
+pub fn make(job: &GradingJob, basis: Basis, input: &mut dyn BufRead) -> Result<StagedGrading, Findings> {
     let columns = columns(job.columns)?;
     let Basis { set, bank, keys, replayed, set_text, bank_text, key_text } = basis;
     let language = job.language.unwrap_or(&set.language);
@@ -292,7 +292,7 @@ pub fn make(job: &Job, basis: Basis, input: &mut dyn BufRead) -> Result<StagedGr
 
 /// Grades the file at `path` into the answers of a staged folder.
 fn answers(
-    job: &Job,
+    job: &GradingJob,
     path: &Path,
     table: &KeyTable,
     rules: &Rules,

@@ -9,6 +9,7 @@ use crate::folder::graded;
 use crate::folder::graded::OpenGrading;
 use crate::folder::grading;
 use crate::folder::grading::Basis;
+use crate::folder::grading::GradingJob;
 use crate::folder::grading::Reports;
 use crate::folder::grading::StagedGrading;
 use crate::folder::names;
@@ -33,7 +34,7 @@ use std::path::Path;
 use std::path::PathBuf;
 
 /// What is to be graded again.
-pub struct Job<'j> {
+pub struct RegradingJob<'j> {
     /// Folder of the set.
     pub set: &'j Path,
     /// Folder of the grading.
@@ -87,7 +88,7 @@ impl Regrading {
 ///
 /// # Errors
 /// The folders do not belong together, the bank or the course is faulty, or what is on the sheets has no key any more.
-pub fn regrade(job: &Job, input: &mut dyn BufRead) -> Result<Regrading, Findings> {
+pub fn regrade(job: &RegradingJob, input: &mut dyn BufRead) -> Result<Regrading, Findings> {
     if let Some(out) = job.out {
         may_write(out, job)?;
     }
@@ -113,7 +114,7 @@ pub fn regrade(job: &Job, input: &mut dyn BufRead) -> Result<Regrading, Findings
     let nowhere = tempfile::tempdir().map_err(|e| files::trouble(Path::new("."), "cannot be made", &e))?;
     let nowhere = nowhere.path().join("regraded");
     let out = job.out.filter(|_| !job.dry_run);
-    let grade = grading::Job {
+    let grade = GradingJob {
         set: job.set,
         submissions: job.submissions,
         out: out.unwrap_or(&nowhere),
@@ -126,10 +127,8 @@ pub fn regrade(job: &Job, input: &mut dyn BufRead) -> Result<Regrading, Findings
         progress: job.progress,
     };
     let who_is = set.students.iter().map(|s| (s.student.clone(), s.name.clone())).collect::<Vec<_>>();
-    let tables = KeysBeforeAfter {
-        old: KeyTable::new(old.given.iter().map(|g| g.key.clone()).collect(), &[]),
-        new: KeyTable::new(keys.clone(), &[]),
-    };
+    let old_keys = KeyTable::new(old.given.iter().map(|g| g.key.clone()).collect(), &[]);
+    let tables = KeysBeforeAfter::new(old_keys, KeyTable::new(keys.clone(), &[]));
     let hash = bank.hash.clone();
     let basis = Basis {
         set_text: set.text(),
@@ -174,36 +173,25 @@ fn changes(
     course: Option<&Path>,
     told: &mut String,
 ) -> Result<Vec<u8>, Findings> {
-    let who = Who::new(
-        students.iter().map(|(id, _)| id.clone()).collect(),
-        tables.new.columns.iter().map(|c| (c.number, c.part.clone())).collect(),
-    );
+    let who = tables.who();
     let before = read(&who, &old.folder)?;
     let after = read(&who, made.folder())?;
-    let places = tables.places(&who);
     let (then, now) = (&old.policy, made.policy());
     let settings = Settings {
         costs: (&then.zone, then.due, &then.extensions, then.attempts, then.late)
             != (&now.zone, now.due, &now.extensions, now.attempts, now.late),
         credit: then.credit != now.credit,
     };
-    let changes = compare(&who, &before, &after, settings, &|s, p| tables.entries(&places, s, p));
-    let desk = ChangesTold {
-        who: &who,
-        students,
-        before: &before,
-        after: &after,
-        changes: &changes,
-        tables,
-        places: &places,
-    };
+    let changes = compare(&who, &before, &after, settings, &|s, p| tables.entries(s, p));
+    let desk =
+        ChangesTold { who: &who, students, before: &before, after: &after, changes: &changes, keys: tables };
     desk.rules(told, rules, (then, now), course);
     desk.marks(told);
     Ok(desk.csv(now))
 }
 
 /// A new folder, not within the old grading.
-fn may_write(out: &Path, job: &Job) -> Result<(), Finding> {
+fn may_write(out: &Path, job: &RegradingJob) -> Result<(), Finding> {
     let finding = |what: &str| Finding::new("--out", what).in_file(out.display().to_string());
     files::not_among_students(out)?;
     if out.is_file() || (out.exists() && !files::names_in(out).is_empty()) {
@@ -222,7 +210,7 @@ fn may_write(out: &Path, job: &Job) -> Result<(), Finding> {
 }
 
 /// The set must be that of the grading; students may have joined since.
-fn same_set(old: &StoredSet, new: &StoredSet, job: &Job) -> Result<(), Findings> {
+fn same_set(old: &StoredSet, new: &StoredSet, job: &RegradingJob) -> Result<(), Findings> {
     let file = job.set.join(names::SET).display().to_string();
     let finding = |field: &str, what: String| Finding::new(field, what).in_file(&file);
     let hint = format!("give the set that {} was graded with", job.graded.display());

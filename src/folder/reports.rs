@@ -77,7 +77,7 @@ impl ReportMade {
 }
 
 /// What is to be reported.
-pub struct Job<'j> {
+pub struct ReportJob<'j> {
     /// Folder of a grading.
     pub graded: &'j Path,
     /// Folder to make; that of the grading if not given.
@@ -96,7 +96,7 @@ pub struct Job<'j> {
 ///
 /// # Errors
 /// What is missing or faulty in the folder of the grades, what is in the way, or writing that fails.
-pub fn write(job: &Job) -> Result<ReportMade, Findings> {
+pub fn write(job: &ReportJob) -> Result<ReportMade, Findings> {
     let place = job.out.unwrap_or(job.graded);
     files::not_among_students(place)?;
     if !job.graded.is_dir() {
@@ -146,7 +146,7 @@ fn exchange(staged: &Staged, place: &Path) -> Result<(), Finding> {
 }
 
 /// Into the folder of the grades, or one that is not there or is empty; with `--force` over an earlier report.
-fn may_write(job: &Job, place: &Path) -> Result<(), Finding> {
+fn may_write(job: &ReportJob, place: &Path) -> Result<(), Finding> {
     let fault = |what: &str| Finding::new("", what).in_file(place.display().to_string());
     if place.exists() && !place.is_dir() {
         return Err(fault("is a file; a report is written to a folder"));

@@ -219,8 +219,7 @@ fn is_filled(form: &[u8]) -> bool {
 /// # Errors
 /// What differs.
 pub fn same_set(plan: &Plan, set: &StoredSet, out: &Path) -> Result<(), Findings> {
-    let ids: Vec<&str> =
-        plan.problems.iter().filter_map(|p| plan.bank.problems.get(*p)).map(|p| p.id.as_str()).collect();
+    let ids: Vec<&str> = plan.chosen().map(|p| p.id.as_str()).collect();
     let mut faults = Findings::default();
     let mut differs = |what: &str, here: String, there: String| {
         if here != there {

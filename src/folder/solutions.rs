@@ -32,7 +32,7 @@ use std::path::Path;
 const MARKER: &str = ".slipstick-solutions";
 
 /// What is to be written.
-pub struct Job<'j> {
+pub struct SolutionsJob<'j> {
     /// Folder of the set.
     pub set: &'j Path,
     /// Folder to make.
@@ -65,7 +65,7 @@ pub struct SolutionsMade {
 ///
 /// # Errors
 /// The set is not what it was, a template is faulty, or the folder may not be written.
-pub fn write(job: &Job) -> Result<SolutionsMade, Findings> {
+pub fn write(job: &SolutionsJob) -> Result<SolutionsMade, Findings> {
     let out = job.out;
     staged::sweep_beside(out);
     let (set, mut bank) = set::with_bank(job.set)?;

@@ -1,7 +1,9 @@
 //! What a regrading changes, in words: rules, parts, students; and changes.csv.
+use crate::grade::table::Column;
 use crate::grade::table::KeyTable;
 use crate::guard::push_line;
 use crate::key::Answer;
+use crate::key::KeyEntry;
 use crate::num::shown;
 use crate::policy::Policy;
 use crate::regrade::changes;
@@ -19,40 +21,33 @@ use std::path::Path;
 /// Students shown one by one; the others stand in changes.csv.
 const SHOWN: usize = 20;
 
-/// The keys before and after.
+/// The keys before and after, by the students and parts of the new one.
 pub struct KeysBeforeAfter {
-    /// Before.
-    pub old: KeyTable,
-    /// After.
-    pub new: KeyTable,
-}
-
-/// Where students and parts of the new key are in the old one.
-pub struct OldPlaces {
+    old: KeyTable,
+    new: KeyTable,
+    /// Where students and parts of the new key are in the old one.
     students: Vec<Option<usize>>,
     parts: Vec<Option<usize>>,
 }
 
 impl KeysBeforeAfter {
-    /// Finds them.
-    pub fn places(&self, who: &Who) -> OldPlaces {
-        let old: BTreeMap<&str, usize> =
-            self.old.students.iter().enumerate().map(|(i, s)| (s.id.as_str(), i)).collect();
-        let part =
-            |p: &(usize, String)| self.old.columns.iter().position(|c| (c.number, &c.part) == (p.0, &p.1));
-        OldPlaces {
-            students: who.students.iter().map(|s| old.get(s.as_str()).copied()).collect(),
-            parts: who.parts.iter().map(part).collect(),
-        }
+    /// Finds the students and parts of the new key in the old one.
+    pub fn new(old: KeyTable, new: KeyTable) -> Self {
+        let whose: BTreeMap<&str, usize> =
+            old.students.iter().enumerate().map(|(i, s)| (s.id.as_str(), i)).collect();
+        let part = |p: &Column| old.columns.iter().position(|c| (c.number, &c.part) == (p.number, &p.part));
+        let students = new.students.iter().map(|s| whose.get(s.id.as_str()).copied()).collect();
+        let parts = new.columns.iter().map(part).collect();
+        Self { old, new, students, parts }
+    }
+    /// Students and parts of the new key.
+    pub fn who(&self) -> Who {
+        let students = self.new.students.iter().map(|s| s.id.clone()).collect();
+        Who::new(students, self.new.columns.iter().map(|c| (c.number, c.part.clone())).collect())
     }
     /// The entries of a student and a part, before and after.
-    pub fn entries(
-        &self,
-        places: &OldPlaces,
-        student: usize,
-        part: usize,
-    ) -> [Option<&crate::key::KeyEntry>; 2] {
-        let old = places.students[student].zip(places.parts[part]).and_then(|(s, p)| self.old.entry(s, p));
+    pub fn entries(&self, student: usize, part: usize) -> [Option<&KeyEntry>; 2] {
+        let old = self.students[student].zip(self.parts[part]).and_then(|(s, p)| self.old.entry(s, p));
         [old, self.new.entry(student, part)]
     }
 }
@@ -70,9 +65,7 @@ pub struct ChangesTold<'d> {
     /// What changed.
     pub changes: &'d [Change],
     /// The keys.
-    pub tables: &'d KeysBeforeAfter,
-    /// Where the parts are in both.
-    pub places: &'d OldPlaces,
+    pub keys: &'d KeysBeforeAfter,
 }
 
 impl ChangesTold<'_> {
@@ -117,7 +110,7 @@ impl ChangesTold<'_> {
         let mut farthest = 0.0f64;
         let mut points: Option<(f64, f64)> = None;
         for student in 0..self.who.students.len() {
-            let keys = self.tables.entries(self.places, student, part);
+            let keys = self.keys.entries(student, part);
             let [Some(old), Some(new)] = keys else { continue };
             for why in changes::of_key(keys) {
                 *counts.entry(why).or_default() += 1;
@@ -144,9 +137,9 @@ impl ChangesTold<'_> {
                     terminal::per_cent(farthest)
                 ),
                 Why::Tolerance => {
-                    let old = self.places.parts[part]
-                        .map_or_else(String::new, |p| tolerances::tolerance(&self.tables.old, p));
-                    format!("{label}: tolerance {old} -> {}", tolerances::tolerance(&self.tables.new, part))
+                    let old = self.keys.parts[part]
+                        .map_or_else(String::new, |p| tolerances::tolerance(&self.keys.old, p));
+                    format!("{label}: tolerance {old} -> {}", tolerances::tolerance(&self.keys.new, part))
                 }
                 _ => format!("{label}: another unit, or it must be written or not"),
             });
@@ -236,7 +229,7 @@ impl ChangesTold<'_> {
             b"student,problem,part,points_before,points_after,verdict_before,verdict_after,why\n".to_vec();
         for change in self.changes {
             let (number, part) = &self.who.parts[change.part];
-            let column = &self.tables.new.columns[change.part];
+            let column = &self.keys.new.columns[change.part];
             let why: Vec<String> = change
                 .why
                 .iter()

@@ -15,7 +15,7 @@ pub struct ProvedQuestion {
     name: String,
     answers: usize,
     words: usize,
-    /// Largest distance of the two roads: in units of the last place of the key, and whose.
+    /// Largest distance of the two derivations: in units of the last place of the key, and whose.
     gap_ulps: f64,
     whose: String,
     /// The same in u max(1, cond).
@@ -58,7 +58,7 @@ impl ProvedQuestion {
     }
 }
 
-/// The roads may differ by this many u max(1, cond); see [`crate::solve::agree::EACH_ROAD`].
+/// Both derivations may differ by this many u max(1, cond); see [`crate::solve::agree::EACH_ROAD`].
 const BAR: f64 = 16.0;
 
 /// Distance from a double to the next one.
@@ -125,9 +125,12 @@ pub fn verdict(rows: &[ProvedQuestion]) -> String {
     {
         text = if worst.gap_ulps > 0.0 {
             let ulps = number::rounded(worst.gap_ulps, 3);
-            format!("The roads differ by {ulps} ulps at most ({} of {}). ", worst.name, worst.whose)
+            format!(
+                "Equations of motion and work and energy differ by {ulps} ulps at most ({} of {}). ",
+                worst.name, worst.whose
+            )
         } else {
-            "The roads agree to the last bit. ".to_owned()
+            "Equations of motion and work and energy agree to the last bit. ".to_owned()
         };
     }
     let widest = rows.iter().fold(0.0f64, |w, r| w.max(r.widest));
@@ -143,7 +146,7 @@ pub fn faults(rows: &[ProvedQuestion]) -> Findings {
     let bad = rows.iter().filter(|r| !r.holds());
     let text = |r: &ProvedQuestion| {
         format!(
-            "the roads differ by {} u max(1, cond) (at most {BAR}), the enclosure is {} of the tolerance (at most {})",
+            "equations of motion and work and energy differ by {} u max(1, cond) (at most {BAR}), the enclosure is {} of the tolerance (at most {})",
             shown::decimals(r.gap_bar, 1),
             shown::figures(r.widest, 2),
             shown::figures(crate::problem::make_key::PROVED_SHARE, 1)

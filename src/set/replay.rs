@@ -104,12 +104,9 @@ pub fn indices(bank: &Bank, ids: &[String], field: &str) -> Result<Vec<usize>, F
             }
             Some(i) => found.push(i),
             None => {
-                let known: Vec<&str> = bank.problems.iter().map(|p| p.id.as_str()).collect();
+                let known = bank.problems.iter().map(|p| p.id.as_str());
                 let fault = Finding::new(field, format!("the bank has no problem `{id}`"));
-                faults.push(match crate::units::spell::closest(id, known.iter().copied()) {
-                    Some(near) => fault.hint(format!("did you mean `{near}`?")),
-                    None => fault.hint(format!("its problems: {}", known.join(", "))),
-                });
+                faults.push(fault.hint(crate::units::spell::hint(id, "its problems", known)));
             }
         }
     }

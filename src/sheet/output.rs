@@ -1,7 +1,6 @@
 //! Documents to files: the formats that were asked for, one document or all of a set in one.
 use crate::bank::Bank;
 use crate::finding::Finding;
-use crate::finding::Findings;
 use crate::key::SheetKey;
 use crate::sheet::document::Document;
 use crate::sheet::document::Head;
@@ -99,7 +98,7 @@ impl<'o> Output<'o> {
     ///
     /// # Errors
     /// PDF is asked for and not built in, or the instructor's `print.typ` is faulty.
-    pub fn new(texts: &'o Texts, formats: &'o [Format], name: &'static str) -> Result<Self, Findings> {
+    pub fn new(texts: &'o Texts, formats: &'o [Format], name: &'static str) -> Result<Self, Finding> {
         let press = match formats.contains(&Format::Pdf) {
             true => Some(Press::new(&texts.words, texts.print())?),
             false => None,

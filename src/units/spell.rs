@@ -12,6 +12,14 @@ pub fn closest<'a>(word: &str, known: impl IntoIterator<Item = &'a str>) -> Opti
     known.into_iter().map(|k| (slips(&word, k), k)).filter(|(d, _)| *d <= allowed).min().map(|(_, k)| k)
 }
 
+/// A hint for a word that is not known: the closest one, or all of them behind what they are (`its parts: a, omega`).
+pub fn hint<'a>(word: &str, what: &str, known: impl Iterator<Item = &'a str> + Clone) -> String {
+    match closest(word, known.clone()) {
+        Some(near) => format!("did you mean `{near}`?"),
+        None => format!("{what}: {}", known.collect::<Vec<_>>().join(", ")),
+    }
+}
+
 /// Letters inserted, left out, changed, or two neighbours swapped.
 fn slips(a: &[char], b: &str) -> usize {
     let b: Vec<char> = b.chars().take(64).flat_map(char::to_lowercase).collect();
