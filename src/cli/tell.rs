@@ -127,31 +127,28 @@ pub struct Bar {
     bar: Mutex<Option<ProgressBar>>,
 }
 
-impl Bar {
-    fn with(&self, see: impl FnOnce(&mut Option<ProgressBar>)) {
-        if let Ok(mut bar) = self.bar.lock() {
-            see(&mut bar);
+impl Progress for Bar {
+    fn advance(&self, what: &str, units: u64, of: u64) {
+        let Some(mut shown) = self.bar.lock().ok().filter(|_| self.watched && of >= 200) else { return };
+        let bar = shown.get_or_insert_with(|| {
+            let bar = ProgressBar::new(of).with_message(what.to_owned());
+            if let Ok(style) = ProgressStyle::with_template("{msg} {bar:30} {pos}/{len} {eta}") {
+                bar.set_style(style);
+            }
+            bar.enable_steady_tick(Duration::from_millis(200));
+            bar
+        });
+        bar.inc(units);
+        if bar.position() >= of {
+            shown.take().iter().for_each(ProgressBar::finish_and_clear);
         }
     }
 }
 
-impl Progress for Bar {
-    fn begin(&self, what: &str, units: u64) {
-        if !self.watched || units < 200 {
-            return;
+impl Drop for Bar {
+    fn drop(&mut self) {
+        if let Ok(Some(bar)) = self.bar.get_mut() {
+            bar.finish_and_clear();
         }
-        let bar = ProgressBar::new(units);
-        if let Ok(style) = ProgressStyle::with_template("{msg} {bar:30} {pos}/{len} {eta}") {
-            bar.set_style(style);
-        }
-        bar.set_message(what.to_owned());
-        bar.enable_steady_tick(Duration::from_millis(200));
-        self.with(|shown| *shown = Some(bar));
-    }
-    fn advance(&self, units: u64) {
-        self.with(|shown| shown.iter().for_each(|bar| bar.inc(units)));
-    }
-    fn end(&self) {
-        self.with(|shown| shown.take().iter().for_each(ProgressBar::finish_and_clear));
     }
 }

@@ -36,16 +36,12 @@ use std::time::Instant;
 
 /// Errors below this are drawn here: a double holds no less beside 1.
 const NO_ERROR: f64 = 1e-17;
-
 /// A batch of solves lasts at least this long.
 const BATCH: Duration = Duration::from_micros(500);
-
 /// Batches, of which the median counts.
 const BATCHES: usize = 11;
-
 /// A method that takes longer than this in all is timed by fewer batches.
 const PATIENCE: Duration = Duration::from_millis(300);
-
 /// Times within this share are equal.
 const SAME_TIME: f64 = 0.1;
 

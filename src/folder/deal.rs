@@ -316,7 +316,6 @@ fn deal(
     let language = plan.texts.words.language();
     let public = public::Writer::new(plan.bank, plan.text, plan.problems, plan.name, language)?;
     let dealer = Dealer::new(plan.bank, plan.problems, plan.seed, plan.name);
-    progress.begin("sheets", members.len() as u64);
     let results: Vec<Result<(StoredStudent, SheetKey, WrittenDocument, Row), Finding>> = members
         .par_iter()
         .enumerate()
@@ -334,13 +333,12 @@ fn deal(
                     fs::write(place.join(name), bytes).map_err(|e| fault(&e))?;
                 }
                 fs::write(place.join(names::SHEET), json).map_err(|e| fault(&e))?;
-                progress.advance(1);
+                progress.advance("sheets", 1, members.len() as u64);
                 let variants = plan.chosen().zip(&dealt.variants).map(|(p, v)| replay::stored(p, v));
                 Ok((StoredStudent { problems: variants.collect(), ..member.clone() }, dealt.key, made, row))
             },
         )
         .collect();
-    progress.end();
     let (mut handed, mut faults) = (Handed::default(), Findings::default());
     for result in results {
         match result {

@@ -304,21 +304,17 @@ fn answers(
     let open = || -> io::Result<Box<dyn Read + Send>> { Ok(Box::new(fs::File::open(path)?)) };
     let first = files::stamp(path);
     let size = first.map_or(0, |(size, _)| size);
-    let told = size > 20_000_000;
-    if told {
-        job.progress.begin("grading", size * rules.reads());
-    }
     let mut before = 0;
     let mut progress = |read: u64| {
-        if told {
-            job.progress.advance(read.saturating_sub(before));
-            before = read;
+        // Less is graded in a moment.
+        if size > 20_000_000 {
+            job.progress.advance("grading", read.saturating_sub(before), size * rules.reads());
         }
+        before = read;
     };
     let out = fs::File::create(staged.path().join(names::ANSWERS)).map_err(|e| fault(&e))?;
     let mut out = io::BufWriter::with_capacity(1 << 18, out);
     let graded = run::grade(&open, table, rules, options, &mut out, &mut progress);
-    job.progress.end();
     let graded = graded.map_err(|why| match why {
         GradeFault::Io(e) => files::trouble(job.submissions, "cannot be graded", &e).into(),
         GradeFault::Write(e) => fault(&e).into(),

@@ -21,19 +21,13 @@ pub mod tolerances;
 
 /// Is told how far long work has come.
 pub trait Progress: Sync {
-    /// So many units of work begin.
-    fn begin(&self, what: &str, units: u64);
-    /// So many more of them are done.
-    fn advance(&self, units: u64);
-    /// That is all.
-    fn end(&self);
+    /// So many more units of work are done, of so many in all.
+    fn advance(&self, what: &str, units: u64, of: u64);
 }
 
 /// Nobody watches.
 impl Progress for () {
-    fn begin(&self, _: &str, _: u64) {}
-    fn advance(&self, _: u64) {}
-    fn end(&self) {}
+    fn advance(&self, _: &str, _: u64, _: u64) {}
 }
 
 /// The threads on which sheets are made, as many as cores where no number is given.

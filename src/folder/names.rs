@@ -18,7 +18,6 @@ pub const SHEET: &str = "sheet.json";
 pub const BOOKLETS: [&str; 3] = ["booklet.html", "booklet.pdf", "booklet.tex"];
 /// The key for people.
 pub const KEY_TABLES: [&str; 3] = ["key-table.html", "key-table.md", "key-table.pdf"];
-
 /// Every answer with its verdict.
 pub const ANSWERS: &str = "answers.csv";
 /// A row for each student.
@@ -29,7 +28,6 @@ pub const GRADING: &str = "grading.json";
 pub const CHANGES: &str = "changes.csv";
 /// Folder of a grading that holds copies of what it was made from: set, bank, key and course files.
 pub const BASIS: &str = "basis";
-
 /// The class report.
 pub const REPORT: &str = "report.html";
 /// Folder with the tables of the class report.
@@ -42,7 +40,6 @@ pub const CANVAS: &str = "gradebook-canvas.csv";
 pub const MOODLE: &str = "gradebook-moodle.csv";
 /// Whose answers the wrong ones are.
 pub const MATCHES: &str = "matches.csv";
-
 /// What a report makes, in the folder of the grades or in one of its own.
 pub const OF_REPORT: [&str; 6] = [REPORT, TABLES, FEEDBACK, CANVAS, MOODLE, MATCHES];
 /// Tables that a report may have.

@@ -223,6 +223,9 @@ pub fn make(
     })
 }
 
+/// Writes a file of the reports: its name, its bytes.
+type WriteFile<'w> = dyn Fn(&str, &[u8]) -> Result<(), Findings> + Sync + 'w;
+
 /// Writes a page for each student, by a bank in the language of the feedback.
 fn feedback(
     graded: &OpenGrading,
@@ -230,7 +233,7 @@ fn feedback(
     texts: &Texts,
     marks: &Marks,
     threads: Option<usize>,
-    write: &(dyn Fn(&str, &[u8]) -> Result<(), Findings> + Sync),
+    write: &WriteFile,
 ) -> Result<(), Findings> {
     let policy = &graded.policy;
     let (mut corrections, mut asked) = (Vec::new(), Vec::new());

@@ -77,7 +77,6 @@ pub fn write(job: &SolutionsJob) -> Result<SolutionsMade, Findings> {
     let words = &texts.words;
     let sheets = Sheets::new(&texts.templates, words, &bank, &set.name, &problems)?;
     let staged = Staged::new(out)?;
-    job.progress.begin("solutions", set.students.len() as u64);
     let make = |at: usize,
                 student: &StoredStudent,
                 dealt: Dealt|
@@ -102,12 +101,11 @@ pub fn write(job: &SolutionsJob) -> Result<SolutionsMade, Findings> {
         for (name, bytes) in made.files.drain(..) {
             fs::write(place.join(name), bytes).map_err(|e| fault(&e))?;
         }
-        job.progress.advance(1);
+        job.progress.advance("solutions", 1, set.students.len() as u64);
         Ok((made, short))
     };
     let pool = folder::pool(job.threads)?;
     let all = pool.install(|| replay::each(&bank, &set, &make));
-    job.progress.end();
     let all = all.map_err(|faults| staged.named(set::of_set(job.set, faults)))?;
     let (all, short): (Vec<WrittenDocument>, Vec<Vec<String>>) = all.into_iter().unzip();
     let title = format!("{}: {}, {}", words.get("sheet.solutions"), bank.title, set.name);

@@ -14,10 +14,8 @@ use tempfile::TempDir;
 
 /// The file in such a folder that says whose it is; without it we leave a folder alone.
 const OWNER: &str = "slipstick-owner";
-
 /// The folder being filled, and the one that it replaces.
 const NEW: &str = "new";
-
 const OLD: &str = "old";
 
 /// A folder that is being filled beside its place, on the same file system.

@@ -33,24 +33,29 @@ use std::fmt::Write as _;
 
 /// Figures of keys and answers in the text.
 const FIGURES: usize = 9;
-
 /// Width of the text.
 const WIDTH: usize = 100;
+
+/// A line below a heading, worded as by `format!`.
+macro_rules! say {
+    ($page:ident, $($text:tt)*) => { $page.say(1, &format!($($text)*)) };
+}
+/// A heading.
+macro_rules! head {
+    ($page:ident, $($text:tt)*) => { $page.say(0, &format!($($text)*)) };
+}
 
 /// Lines that are wrapped when all is said.
 #[derive(Default)]
 struct Pages(String);
 
 impl Pages {
-    fn head(&mut self, text: &str) {
-        let _ = writeln!(self.0, "{text}");
-    }
-    /// A line below a heading, wrapped, further lines set in.
+    /// A line, a heading at depth 0; below a heading wrapped, further lines set in.
     fn say(&mut self, depth: usize, text: &str) {
         let indent = "  ".repeat(depth);
         let mut line = indent.clone();
         for word in text.split(' ') {
-            let long = line.chars().count() + 1 + word.chars().count() > WIDTH;
+            let long = depth > 0 && line.chars().count() + 1 + word.chars().count() > WIDTH;
             if long && line.trim() != "" {
                 let _ = writeln!(self.0, "{}", line.trim_end());
                 line = format!("{indent}    ");
@@ -121,19 +126,22 @@ impl ExplainedMarks<'_> {
         let (student, number) = (self.student, self.number);
         let mut page = Pages::default();
         let called = if student.name.is_empty() { String::new() } else { format!(" ({})", student.name) };
-        page.head(&format!(
+        head!(
+            page,
             "{}{called}, problem {number} ({}) of set {}",
-            student.student, self.problem.id, self.set.name
-        ));
-        page.head("");
-        page.head("Data on the sheet");
+            student.student,
+            self.problem.id,
+            self.set.name
+        );
+        page.say(0, "");
+        page.say(0, "Data on the sheet");
         if let Some(stored) = number.checked_sub(1).and_then(|i| student.problems.get(i)) {
             let case = if stored.case.is_empty() { String::new() } else { format!("case {}: ", stored.case) };
             let shown = |(symbol, value): (&String, &serde_json::Value)| {
                 format!("{symbol} = {}", value.as_str().unwrap_or_default())
             };
             let data: Vec<String> = stored.data.iter().map(shown).collect();
-            page.say(1, &format!("{case}{}", data.join(", ")));
+            say!(page, "{case}{}", data.join(", "));
         }
         for (i, entry) in self.key.parts.iter().enumerate() {
             if part.is_none_or(|p| *p == entry.part) {
@@ -143,11 +151,11 @@ impl ExplainedMarks<'_> {
                 }
             }
         }
-        page.head("");
-        page.head("The total");
+        page.say(0, "");
+        page.say(0, "The total");
         self.whole(&mut page);
-        page.head("");
-        page.head("What it was graded with");
+        page.say(0, "");
+        page.say(0, "What it was graded with");
         self.provenance(&mut page);
         page.0
     }
@@ -178,16 +186,14 @@ impl ExplainedMarks<'_> {
 
     fn provenance(&self, page: &mut Pages) {
         let made = self.grading;
-        page.say(
-            1,
-            &format!(
-                "{}, draw version {}; set {} from seed {}{}",
-                made.program,
-                made.draw_version,
-                made.set,
-                made.seed,
-                if made.replayed { "" } else { ", not replayed" }
-            ),
+        say!(
+            page,
+            "{}, draw version {}; set {} from seed {}{}",
+            made.program,
+            made.draw_version,
+            made.set,
+            made.seed,
+            if made.replayed { "" } else { ", not replayed" }
         );
         let drawn = self.set.bank.sha256.as_str();
         let other = if drawn == made.bank_sha256 {
@@ -195,16 +201,16 @@ impl ExplainedMarks<'_> {
         } else {
             format!("; the sheets were drawn from {drawn}")
         };
-        page.say(1, &format!("bank {}, SHA-256 {}{other}", made.bank, made.bank_sha256));
+        say!(page, "bank {}, SHA-256 {}{other}", made.bank, made.bank_sha256);
         let key = match made.replayed {
             true => "solved anew for this text, and the same",
             false => "as it was stored with the set, which an earlier version drew",
         };
-        page.say(1, &format!("key, SHA-256 {}; {key}", made.key_sha256));
+        say!(page, "key, SHA-256 {}; {key}", made.key_sha256);
         if let Some(course) = &made.course_sha256 {
-            page.say(1, &format!("course, SHA-256 {course}"));
+            say!(page, "course, SHA-256 {course}");
         }
-        page.say(1, &format!("submissions: {}, {} bytes", made.submissions, made.submissions_bytes));
+        say!(page, "submissions: {}, {} bytes", made.submissions, made.submissions_bytes);
     }
 
     fn part(&self, page: &mut Pages, index: usize) {
@@ -217,7 +223,7 @@ impl ExplainedMarks<'_> {
             .iter()
             .find(|(p, _)| p.means(self.number, &self.problem.id, &entry.part))
             .map_or(entry.points, |(_, points)| *points);
-        page.head("");
+        page.say(0, "");
         let outcome = match counting {
             Some(row) => format!("{} of {} points, {}", row.points, row.max_points, row.verdict),
             None => match policy.correction(self.number, &self.problem.id, &entry.part, false) {
@@ -227,7 +233,7 @@ impl ExplainedMarks<'_> {
                 _ => format!("no answer, of {most} points"),
             },
         };
-        page.head(&format!("{}.{}: {outcome}", self.number, entry.part));
+        head!(page, "{}.{}: {outcome}", self.number, entry.part);
         self.asked(page, index);
         if rows.is_empty() {
             page.say(1, "attempts: none was handed in");
@@ -241,30 +247,26 @@ impl ExplainedMarks<'_> {
             if rows.iter().filter(|r| r.verdict != Verdict::Blank).count() > 1 {
                 let at_most =
                     policy.attempts.at_most.map_or_else(String::new, |n| format!(" of the first {n}"));
-                page.say(
-                    1,
-                    &format!(
-                        "which counts: the {}{at_most}; that is line {}",
-                        match policy.attempts.counts.as_str() {
-                            "best" => "one with the most points",
-                            other => other,
-                        },
-                        row.line
-                    ),
+                say!(
+                    page,
+                    "which counts: the {}{at_most}; that is line {}",
+                    match policy.attempts.counts.as_str() {
+                        "best" => "one with the most points",
+                        other => other,
+                    },
+                    row.line
                 );
             }
             self.why(page, index, row);
         }
         let correction = policy.correction(self.number, &self.problem.id, &entry.part, counting.is_some());
         if let Some(correction) = correction {
-            page.say(
-                1,
-                &format!(
-                    "correction: {} get at least {} % of this part: {}",
-                    if correction.to == For::All { "all" } else { "all who answered" },
-                    terminal::per_cent(correction.share),
-                    correction.why
-                ),
+            say!(
+                page,
+                "correction: {} get at least {} % of this part: {}",
+                if correction.to == For::All { "all" } else { "all who answered" },
+                terminal::per_cent(correction.share),
+                correction.why
             );
         }
     }
@@ -280,43 +282,39 @@ impl ExplainedMarks<'_> {
         let label = label.unwrap_or_else(|| entry.part.clone());
         match &entry.answer {
             Answer::Word { right, offered } => {
-                page.say(1, &format!("asked: {label}, a word of {}; the key is {right}", offered.join(", ")));
+                say!(page, "asked: {label}, a word of {}; the key is {right}", offered.join(", "));
             }
             Answer::Number { value, half_width, .. } => {
                 let unit = &entry.unit;
                 let shown = |si: f64| number::rounded(unit.from_si(si), FIGURES);
                 let road = |si: Option<f64>| si.map_or_else(|| "none".to_owned(), shown);
-                page.say(1, &format!("asked: {label}, {}", in_unit(entry)));
-                page.say(
-                    1,
-                    &format!(
-                        "key: {}; equations of motion {}, work and energy {}, gap {}; condition number {}{}",
-                        unit.text_with(&shown(*value)),
-                        road(entry.eom),
-                        road(entry.energy),
-                        entry.gap.map_or_else(
-                            || "unknown".to_owned(),
-                            |g| match g > 0.0 {
-                                true => shown::figures(g, 1),
-                                false => "0".to_owned(),
-                            }
-                        ),
-                        entry.cond.map_or_else(|| "unknown".to_owned(), |c| number::rounded(c, 3)),
-                        entry.bound.map_or_else(String::new, |b| format!(
-                            "; the true answer lies within {} of it, proved",
-                            shown::figures(unit.from_si(b), 1)
-                        ))
+                say!(page, "asked: {label}, {}", in_unit(entry));
+                say!(
+                    page,
+                    "key: {}; equations of motion {}, work and energy {}, gap {}; condition number {}{}",
+                    unit.text_with(&shown(*value)),
+                    road(entry.eom),
+                    road(entry.energy),
+                    entry.gap.map_or_else(
+                        || "unknown".to_owned(),
+                        |g| match g > 0.0 {
+                            true => shown::figures(g, 1),
+                            false => "0".to_owned(),
+                        }
                     ),
+                    entry.cond.map_or_else(|| "unknown".to_owned(), |c| number::rounded(c, 3)),
+                    entry.bound.map_or_else(String::new, |b| format!(
+                        "; the true answer lies within {} of it, proved",
+                        shown::figures(unit.from_si(b), 1)
+                    ))
                 );
                 let rule = question.map_or_else(String::new, |q| rule(q, entry, *value, *half_width));
-                page.say(
-                    1,
-                    &format!(
-                        "tolerance: {rule}, which is {} to either side: right is what lies from {} to {}",
-                        unit.text_with(&number::rounded(unit.from_si(*half_width), 5)),
-                        shown(value - half_width),
-                        shown(value + half_width)
-                    ),
+                say!(
+                    page,
+                    "tolerance: {rule}, which is {} to either side: right is what lies from {} to {}",
+                    unit.text_with(&number::rounded(unit.from_si(*half_width), 5)),
+                    shown(value - half_width),
+                    shown(value + half_width)
                 );
             }
         }
@@ -385,10 +383,10 @@ impl ExplainedMarks<'_> {
             let told = catalogue
                 .get(id)
                 .map_or_else(String::new, |e| format!(": {} {}", plain(&e.did), plain(&e.see)));
-            page.say(1, &format!("fits the wrong method {id}{comes}{told}"));
+            say!(page, "fits the wrong method {id}{comes}{told}");
         }
         if let Some(slip) = slip(&row.slip) {
-            page.say(1, &format!("fits a slip: {slip}"));
+            say!(page, "fits a slip: {slip}");
         }
         if row.credit.split(' ').any(|w| w.starts_with("follow:")) {
             self.follows(page, index, row);
@@ -397,7 +395,7 @@ impl ExplainedMarks<'_> {
             page.say(1, &self.late(row));
         }
         let points = points(row, self.policy);
-        page.say(1, &format!("points: {points}"));
+        say!(page, "points: {points}");
     }
 
     /// When it was due, when it came, how late that is.
@@ -492,15 +490,13 @@ impl ExplainedMarks<'_> {
         let value = if near(by(true)) <= near(by(false)) { by(true) } else { by(false) };
         let from: Vec<&str> =
             follow.from.iter().filter_map(|p| self.key.parts.get(*p)).map(|e| e.part.as_str()).collect();
-        page.say(
-            1,
-            &format!(
-                "follow-through: {} = {}, with the student's own {} it comes to {}",
-                entry.part,
-                written.text,
-                from.join(" and "),
-                entry.unit.text_with(&number::rounded(entry.unit.from_si(value), FIGURES))
-            ),
+        say!(
+            page,
+            "follow-through: {} = {}, with the student's own {} it comes to {}",
+            entry.part,
+            written.text,
+            from.join(" and "),
+            entry.unit.text_with(&number::rounded(entry.unit.from_si(value), FIGURES))
         );
     }
 }

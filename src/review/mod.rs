@@ -18,10 +18,8 @@ pub mod texts;
 
 /// A class for which the chance of equal sheets is told.
 pub const CLASS: u32 = 500;
-
 /// More honest answers than this share should not miss the tolerance.
 const HONEST_MISSES: f64 = 0.05;
-
 /// The chance that a bank should stay below.
 const RARE: f64 = 1e-6;
 
@@ -51,10 +49,8 @@ pub struct SweepTables {
 
 /// Columns of texts, as [`terminal::table`] takes them.
 pub const LEFT_CASES: [usize; 1] = [0];
-
 /// The same for numbers asked.
 pub const LEFT_NUMBERS: [usize; 2] = [0, 3];
-
 /// The same for words asked.
 pub const LEFT_WORDS: [usize; 2] = [0, 1];
 
