@@ -25,7 +25,9 @@
 //!              policy, submissions -> answer -> grade -> report, matches, regrade
 //!              set, habits -> simulate -> submissions, truth
 //! ```
-//! [`problem::make`] is the first line in one function, [`grade::run`] the second; [`cli`] opens files and tells results.
+//! [`problem::make`] is the first line in one function, [`grade::run`] the second; [`folder`] reads and
+//! writes what lies on disk, [`review`] looks at a bank before its sheets go out, [`diagnosis`] at one problem with given data, and
+//! [`cli`] tells results: a verb is a file of its own that knows no other verb.
 //!
 //! # Invariants
 //! - The roads share the scene and the arithmetic of [`num`], no mechanics; only [`solve::agree`] and [`solve::ladder`] see both.
