@@ -25,7 +25,9 @@
 //!              policy, submissions -> answer -> grade -> report, matches, regrade
 //!              set, habits -> simulate -> submissions, truth
 //! ```
-//! [`problem::make`] is the first line in one function, [`grade::run`] the second; [`cli`] opens files and tells results.
+//! [`problem::make`] is the first line in one function, [`grade::run`] the second; [`folder`] reads and
+//! writes what lies on disk, [`review`] looks at a bank before its sheets go out, [`diagnosis`] at one problem with given data, and
+//! [`cli`] tells results: a verb is a file of its own that knows no other verb.
 //!
 //! # In Rust
 //! A bank is read from its text; what is wrong with it comes as findings, all at once:
@@ -85,7 +87,7 @@
 //! judges it and measures it. A new chart: numbers into [`plot`]; a new kind of element for all pictures:
 //! [`picture`].
 //! A new tie: a variant in [`scene::link`], its rows in `solve/eom/equations.rs`, its mode and its work in `solve/energy`, its
-//! words in `bank/scene.rs`. A new language: its folder in `templates/`, a line in [`words`], its texts in [`template`] and `cli/banks.rs`.
+//! words in `bank/scene.rs`. A new language: its folder in `templates/`, a line in [`words`], its texts in [`template`] and `bank/built_in.rs`.
 //! A new format: a walk over the events of a [`sheet::document`], as in [`sheet::tex`]. A new family: no Rust, a file in `banks/`.
 //! A new wrong method: an entry under `mistakes:` of its problem and its words in the catalogue. A new setting of marks: a field of
 //! [`policy`], a line in `bank/course.rs`, its effect in `grade/credit.rs` or `grade/choose.rs`. A new quantity: a line in [`scene::ask`] and a `say` on each road.
@@ -96,9 +98,11 @@
 pub mod answer;
 pub mod bank;
 pub mod cli;
+pub mod diagnosis;
 pub mod draw;
 pub mod figure;
 pub mod finding;
+pub mod folder;
 pub mod grade;
 pub mod guard;
 pub mod key;
@@ -111,6 +115,7 @@ pub mod policy;
 pub mod problem;
 pub mod regrade;
 pub mod report;
+pub mod review;
 pub mod scene;
 pub mod set;
 pub mod sheet;

@@ -97,13 +97,13 @@ pub struct Templates {
     /// Where the templates given by the user came from: name to path.
     files: BTreeMap<String, String>,
     /// Templates that stand inside another file: name to its path, line and column there.
-    within: BTreeMap<String, Place>,
+    within: BTreeMap<String, TemplatePlace>,
     /// Templates with a meter, by name.
     metered: BTreeMap<String, Metered>,
 }
 
 /// Where a text stands: file, line and column counted from 1.
-pub type Place = (String, usize, usize);
+pub type TemplatePlace = (String, usize, usize);
 
 /// What a template sees. Values put in as finished text are not escaped again.
 #[derive(Clone, Default)]
@@ -250,7 +250,12 @@ impl Templates {
     ///
     /// # Errors
     /// It cannot be read.
-    pub fn add_markdown(&mut self, name: &str, text: &str, place: Option<Place>) -> Result<(), Finding> {
+    pub fn add_markdown(
+        &mut self,
+        name: &str,
+        text: &str,
+        place: Option<TemplatePlace>,
+    ) -> Result<(), Finding> {
         match place {
             Some(place) => self.within.insert(name.to_owned(), place),
             None => self.within.remove(name),
@@ -286,7 +291,7 @@ impl Templates {
     pub fn render(&self, name: &str, view: &View, out: &mut Vec<u8>) -> Result<(), Finding> {
         metered::begin(view.size);
         let from = out.len();
-        let writer = metered::Writer(out);
+        let writer = metered::MeteredWriter(out);
         let written = self.engine(name).render_to(name, &view.context, writer);
         written.map_err(|e| self.fault(&e, name, metered::is_over()))?;
         if name.ends_with(".html") {

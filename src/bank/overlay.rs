@@ -127,3 +127,37 @@ fn unknown(key: &Node, what: &str, id: &str, known: &[&str], faults: &Faults) {
     let hint = suggestion(id, "known here", known.iter().copied());
     faults.hint(key, format!("{what} `{}`", shorten(id)), hint);
 }
+
+/// The texts of a bank as an overlay, to be translated.
+pub fn text_of(bank: &Bank) -> String {
+    // A text in single quotes means itself; one of them is written twice.
+    let quoted = |text: &str| format!("'{}'", text.replace('\'', "''"));
+    let mut out =
+        format!("# The texts of the bank {}; data, scenes and rules stand in the bank itself.\n", bank.id);
+    let mut line = |indent: usize, text: &str| {
+        out.extend(std::iter::repeat_n(' ', indent));
+        out.push_str(text);
+        out.push('\n');
+    };
+    line(0, &format!("title: {}", quoted(&bank.title)));
+    line(0, "problems:");
+    for problem in &bank.problems {
+        line(2, &format!("{}:", problem.id));
+        line(4, &format!("title: {}", quoted(&problem.title)));
+        line(4, "data:");
+        for datum in problem.data.iter().filter(|d| d.symbol != "g") {
+            line(6, &format!("{}: {}", datum.symbol, quoted(&datum.name)));
+        }
+        line(4, "ask:");
+        for question in &problem.questions {
+            line(6, &format!("{}: {}", question.id, quoted(&question.ask)));
+        }
+        if let Some(statement) = &problem.statement {
+            line(4, "statement: |");
+            for text in statement.lines() {
+                line(if text.is_empty() { 0 } else { 6 }, text);
+            }
+        }
+    }
+    out
+}

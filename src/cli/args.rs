@@ -1,4 +1,12 @@
 //! What was typed, nothing resolved; keeper of clap.
+use crate::bank::Bank;
+use crate::finding::Findings;
+use crate::folder::banks;
+use crate::folder::banks::Loaded;
+use crate::folder::grading::Reports;
+use crate::policy::Counts;
+use crate::sheet::output::Format;
+use crate::sheet::texts::Texts;
 use crate::solve::method::Method;
 use clap::Args;
 use clap::Parser;
@@ -28,97 +36,97 @@ pub enum Verb {
     #[command(
         after_help = "Examples:\n  slipstick generate wheels-on-inclines --roster roster.csv --seed 2026 --out week-5\n  slipstick generate my-bank.yaml --roster roster.csv --seed 7 --out week-6 --problems pulled-rolling,spring-released\n  slipstick generate wheels-on-inclines --roster roster.csv --out week-5 --add      late joiners only\n\nThe roster is a CSV file with a column `student` and, if you like, `name`. Only DIR/students is for students:\nDIR also holds the key. The same seed gives the same variants, whoever else is in the roster."
     )]
-    Generate(Generate),
+    Generate(GenerateArgs),
     /// Grade submissions against a set
     #[command(
         after_help = "Examples:\n  slipstick grade week-5 submissions.csv --out week-5-grades\n  slipstick grade week-5 forms-export.csv --out grades --columns student=\"Email Address\" --attempts best\n  slipstick course > course.yaml     due date, attempts, late penalty, credit, rounding: change what you need\n  slipstick grade week-5 submissions.csv --course course.yaml --out week-5-grades\n\nSUBMISSIONS is a CSV file in long form (student,problem,part,answer and, if known, submitted_at) or in wide form\n(one record for each student, columns such as 1.omega). Separator and encoding are found out. Every answer cell\ncomes out exactly once in answers.csv, with a verdict, points and a reason."
     )]
-    Grade(Grade),
+    Grade(GradeArgs),
     /// Print a course file with every setting that bears on marks, explained: `slipstick course > course.yaml`
     Course,
     /// Report on grades: the class for the instructor, feedback for each student, gradebooks for Canvas and Moodle
     #[command(
         after_help = "Examples:\n  slipstick report week-5-grades\n  slipstick report week-5-grades --language de --out week-5-feedback\n  slipstick report week-5-grades --force                replaces an earlier report\n\nGRADED is a folder that grade made. report.html needs no network: settings, distribution, success, difficulty and\ndiscrimination of each part, the class's favourite mistakes, unreadable cells, attempts, fairness between variants;\nits tables are also CSV files in tables/. feedback/ holds a page for each student: answer, verdict, points, and a\nhint at the level of the course's setting `hints` (none, nudge or explain); never the key, never other students."
     )]
-    Report(Report),
+    Report(ReportArgs),
     /// Grade the same submissions again after a change of bank or course, and show who gains and who loses
     #[command(
-        after_help = "Examples:\n  slipstick regrade week-5 week-5-grades submissions.csv --dry-run\n  slipstick regrade week-5 week-5-grades submissions.csv --out week-5-grades-2 --bank bank-corrected.yaml\n  slipstick regrade week-5 week-5-grades submissions.csv --out week-5-grades-2 --course course.yaml\n\nThe bank may be changed in place (DIR/bank.yaml) or given with --bank: a key, a tolerance, points, words, wrong methods. What\nwas printed on the sheets stays what it was; the key is solved anew from it, on both roads. A part that turned out to be\nfaulty is corrected for all in the course file:\n\n  corrections:\n    - {part: 2.v, give: full, why: part 2 was ambiguous}\n\nWhat changes is told before anything is written. GRADED stays as it is; the new folder is a whole grading with, beside\nit, changes.csv: each mark before and after, and why."
+        after_help = "Examples:\n  slipstick regrade week-5 week-5-grades submissions.csv --dry-run\n  slipstick regrade week-5 week-5-grades submissions.csv --out week-5-grades-2 --bank bank-corrected.yaml\n  slipstick regrade week-5 week-5-grades submissions.csv --out week-5-grades-2 --course course.yaml\n\nThe bank may be changed in place (DIR/bank.yaml) or given with --bank: a key, a tolerance, points, words, wrong methods. What\nwas printed on the sheets stays what it was; the key is solved anew from it. A part that turned out to be\nfaulty is corrected for all in the course file:\n\n  corrections:\n    - {part: 2.v, give: full, why: part 2 was ambiguous}\n\nWhat changes is told before anything is written. GRADED stays as it is; the new folder is a whole grading with, beside\nit, changes.csv: each mark before and after, and why."
     )]
-    Regrade(Regrade),
+    Regrade(RegradeArgs),
     /// Say how many verdicts of a grading would change with other tolerances; changes nothing
     #[command(
         after_help = "Examples:\n  slipstick what-if week-5-grades\n  slipstick what-if week-5-grades --tolerance 1.5,3%\n\nRelative tolerances in per cent, the same for every part; absolute ones stay. The table counts answers that would become\nright (+) or no longer be right (-), students who gain and lose, and the known wrong methods that a looser tolerance would\nlet pass: those answers, and the keys with a wrong method within the tolerance."
     )]
-    WhatIf(WhatIf),
+    WhatIf(WhatIfArgs),
     /// Find wrong answers that are the right ones of a classmate, with the chance that luck makes them so; for instructors
     #[command(
         after_help = "Example:\n  slipstick matches week-5-grades\n\nAn answer hits a classmate's key if it equals it within the rounding of the figures it was given with. The chance comes from\nhow densely the keys of the question lie; hits in several problems multiply, parts of one problem count once. `by luck` is\nhow many pairs as striking honest work would bring in the whole class; only below 0.01 a pair is marked `yes`. What a wrong\nmethod, a slip or another part explains is told and not marked. It writes GRADED/matches.csv; none of it is for students."
     )]
-    Matches(Matches),
+    Matches(MatchesArgs),
     /// Tell everything about the marks of one student for one problem, in words
     #[command(
-        after_help = "Examples:\n  slipstick explain week-5-grades 0017 1\n  slipstick explain week-5-grades \"Amina Yusuf\" pulled-rolling --part omega\n  slipstick explain week-5-grades 17 1.omega\n\nThe data on the sheet, the key from both roads with gap, condition number and proved error, the tolerance, every attempt\nas written and as read, which one counts, why it is right or not, how its points add up, and what it was graded with.\nIt works from the folder alone: basis/ holds the set. It holds the key; it is not for students while others still work."
+        after_help = "Examples:\n  slipstick explain week-5-grades 0017 1\n  slipstick explain week-5-grades \"Amina Yusuf\" pulled-rolling --part omega\n  slipstick explain week-5-grades 17 1.omega\n\nThe data on the sheet, the key both ways with gap, condition number and proved error, the tolerance, every attempt\nas written and as read, which one counts, why it is right or not, how its points add up, and what it was graded with.\nIt works from the folder alone: basis/ holds the set. It holds the key; it is not for students while others still work."
     )]
-    Explain(Explain),
+    Explain(ExplainArgs),
     /// Check your own answers against your sheet file; the sheet holds no key, the problem is solved anew
     #[command(
         after_help = "Examples:\n  slipstick check sheet.json 1.omega='30.3 rad/s' 1.friction='62.6 N up'\n\nExit code 0 if all the answers given are right, 1 if not."
     )]
-    Check(Check),
+    Check(CheckArgs),
     /// Practise: a problem is drawn and shown, you answer, you are told what is wrong
     #[command(
         after_help = "Examples:\n  slipstick practice wheels-on-inclines\n  slipstick practice wheels-on-inclines --seed 3 --problems pulled-rolling\n\nWhile you answer: an empty line skips a question, `solution` shows the values, `next` draws another problem,\n`quit` ends, `help` names these. It works with piped input too."
     )]
-    Practice(Practice),
-    /// Solve one problem with given data, on both roads, and say what really happens
+    Practice(PracticeArgs),
+    /// Solve one problem with given data, by equations of motion and by work and energy, and say what really happens
     #[command(
         after_help = "Examples:\n  slipstick solve wheels-on-inclines pulled-rolling --set m=40kg --set R=400mm --set r=200mm --set k=300mm \\\n      --set theta=30deg --set P=200N --set d=3m --set mu_s=0.6\n  slipstick solve wheels-on-inclines spring-released --seed 5 --json\n  slipstick solve wheels-on-inclines spring-released --seed 5 --method rk4 --step 1/60s\n\nA plain number is SI (angles in degrees). Every datum but g must be given. Exit code 3 if the regime fails:\nthe numbers are then those of the motion that the problem declares (\"if it rolled\")."
     )]
-    Solve(Solve),
+    Solve(SolveArgs),
     /// Measure what each method gives away for its speed, on one problem with given data
     #[command(
         after_help = "Examples:\n  slipstick accuracy wheels-on-inclines spring-released --seed 5\n  slipstick accuracy wheels-on-inclines spring-released --seed 5 --out trade.html --out trade.csv\n  slipstick accuracy wheels-on-inclines pulled-rolling --set m=40kg --set R=400mm --set r=200mm --set k=300mm \\\n      --set theta=30deg --set P=200N --set d=3m --set mu_s=0.6 --no-time\n\nEvery method that applies is run from coarse to fine against a reference in double-double (32 digits). `*` marks what no\nother row beats in cost and error at once, `auto` what `solve` takes by itself. `asked` is the tolerance of a step,\n`given/asked` how far the error of the result is from it."
     )]
-    Accuracy(Accuracy),
+    Accuracy(AccuracyArgs),
     /// Find everything that is wrong in a bank, then try it over many seeds
     #[command(
         after_help = "Examples:\n  slipstick lint my-bank.yaml\n  slipstick lint wheels-on-inclines --seeds 2000"
     )]
-    Lint(Lint),
+    Lint(LintArgs),
     /// Look through a bank: many variants of each problem side by side, with their answers, on one page
     #[command(
         after_help = "Examples:\n  slipstick gallery wheels-on-inclines --out gallery.html\n  slipstick gallery my-bank.yaml --out gallery.html --problems spring-released --variants 40\n\nThe page needs nothing but itself. It shows figures, data, answers and condition numbers, and the tables of `lint`;\nit holds keys and is for instructors."
     )]
-    Gallery(Gallery),
-    /// Draw and solve a set again and prove its key: both roads, and an enclosure of every answer
+    Gallery(GalleryArgs),
+    /// Draw and solve a set again and prove its key: solved in two ways, and an enclosure of every answer
     #[command(
         after_help = "Example:\n  slipstick verify week-5\n\nEach number of the key is computed once more with numbers that keep account of their errors, those of the\nprinted data among them: the true answer provably lies within `error bound` of the key (column error_bound of\nkey.csv). Exit code 0 if the set is what it was and every key holds, 2 if not."
     )]
-    Verify(Verify),
-    /// Write worked solutions of a set: both roads, step by step, with figures; not for students yet
+    Verify(VerifyArgs),
+    /// Write worked solutions of a set: solved in two ways, step by step, with figures; not for students yet
     #[command(
         after_help = "Examples:\n  slipstick solutions week-5 --out week-5-solutions\n  slipstick solutions week-5 --out loesungen --language de --format html,tex\n\nThe set is drawn and solved again first, as grading does it. Each student's folder gets\nsolution.html and the like; booklet.html has them all."
     )]
-    Solutions(Solutions),
+    Solutions(SolutionsArgs),
     /// Write out the built-in templates and word lists, to change them
     #[command(
         after_help = "Examples:\n  slipstick templates --out my-templates\n  slipstick templates --out vorlagen --language de\n\nChange what you like, delete what you do not change, and give the folder with --templates to\ngenerate, practice, lint, solutions or report. README.md in it says what each template receives."
     )]
-    Templates(Templates),
+    Templates(TemplatesArgs),
     /// Let a made-up class with declared habits hand in, and write down what each answer really is
     #[command(
         after_help = "Examples:\n  slipstick simulate --example > habits.yaml\n  slipstick simulate week-5 --like habits.yaml --out submissions.csv --truth truth.csv --seed 1\n  slipstick grade week-5 submissions.csv --out grades\n\nThe habits are a YAML file: what becomes of an answer (right, rounded on the way, wrong methods, slips, blanks),\nfigures, units, attempts, who copies, when it is handed in. --example prints one with every field explained; it is\nwhat is taken without --like. The truth has a row for each row of the submissions: line, what was done, by which\nmethod or from whom, whether it should be marked right, and the verdict that the number as written should get.\nThe same seed gives the same bytes; a late joiner changes nobody else's answers, but for who copies from whom."
     )]
-    Simulate(Simulate),
+    Simulate(SimulateArgs),
     /// Show the whole job on a made-up class of 24: set, submissions, grades
     #[command(after_help = "Example:\n  slipstick demo\n\nRun twice it replaces only what it made.")]
-    Demo(Demo),
+    Demo(DemoArgs),
 }
 
 /// In which words: language, and templates of one's own.
 #[derive(Debug, Default, Args)]
-pub struct Own {
+pub struct OwnArgs {
     /// Folder with templates that replace built-in ones of the same name, such as statement/pulled-rolling.md
     #[arg(long, value_name = "DIR")]
     pub templates: Option<PathBuf>,
@@ -127,47 +135,35 @@ pub struct Own {
     pub language: Option<String>,
 }
 
-/// A format in which sheets and solutions are written.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Format {
-    /// Markdown, with its figures as SVG files
-    Md,
-    /// A page that needs nothing else
-    Html,
-    /// LaTeX, figures in TikZ
-    Tex,
-    /// PDF, where the program was built with `--features pdf`
-    Pdf,
-}
-
-impl Format {
-    /// All of them.
-    pub const ALL: [Self; 4] = [Self::Md, Self::Html, Self::Tex, Self::Pdf];
-
-    /// A format by its name, as people type it.
+impl OwnArgs {
+    /// The texts for a bank, in English unless another language is asked.
     ///
     /// # Errors
-    /// There is none of this name.
-    pub fn parse(text: &str) -> Result<Self, String> {
-        let name = text.trim().to_ascii_lowercase();
-        let found = Self::ALL.into_iter().find(|f| f.ending() == name);
-        found.ok_or_else(|| "the formats are html, md, pdf and tex".to_owned())
+    /// All that is wrong with them.
+    pub fn texts(&self, bank: &mut Bank) -> Result<Texts, Findings> {
+        self.texts_or("en", bank)
     }
-
-    /// The ending of its files.
-    pub const fn ending(self) -> &'static str {
-        match self {
-            Self::Md => "md",
-            Self::Html => "html",
-            Self::Tex => "tex",
-            Self::Pdf => "pdf",
-        }
+    /// The same where another language is the usual one.
+    ///
+    /// # Errors
+    /// All that is wrong with them.
+    pub fn texts_or(&self, usual: &str, bank: &mut Bank) -> Result<Texts, Findings> {
+        banks::texts(self.templates.as_deref(), self.language.as_deref().unwrap_or(usual), bank)
+    }
+    /// A bank with its texts.
+    ///
+    /// # Errors
+    /// All that is wrong with either.
+    pub fn load(&self, bank: &str) -> Result<(Loaded, Texts), Findings> {
+        let mut loaded = banks::load(bank)?;
+        let texts = self.texts(&mut loaded.bank)?;
+        Ok((loaded, texts))
     }
 }
 
 /// `generate`
 #[derive(Debug, Args)]
-pub struct Generate {
+pub struct GenerateArgs {
     /// Bank: a YAML file, or the id of a built-in one: wheels-on-inclines, hoists-and-pulleys, slip-and-roll, pinned-bodies
     pub bank: String,
     /// CSV file with a column `student` and, if you like, `name`
@@ -204,12 +200,12 @@ pub struct Generate {
     pub threads: Option<usize>,
     /// Templates of one's own.
     #[command(flatten)]
-    pub own: Own,
+    pub own: OwnArgs,
 }
 
 /// Which attempt at a part counts.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub enum Attempts {
+pub enum AttemptsArg {
     /// The last
     Last,
     /// The one with the most points
@@ -218,9 +214,20 @@ pub enum Attempts {
     First,
 }
 
+impl AttemptsArg {
+    /// As settings have it.
+    pub const fn counts(self) -> Counts {
+        match self {
+            Self::Last => Counts::Last,
+            Self::Best => Counts::Best,
+            Self::First => Counts::First,
+        }
+    }
+}
+
 /// `grade`
 #[derive(Debug, Args)]
-pub struct Grade {
+pub struct GradeArgs {
     /// Folder of the set, as generate made it
     pub set: PathBuf,
     /// CSV file with the answers; `-` reads standard input
@@ -236,13 +243,13 @@ pub struct Grade {
     pub language: Option<String>,
     /// Which attempt counts where there are several [default: as the course or the bank says, else the last]
     #[arg(long, value_enum)]
-    pub attempts: Option<Attempts>,
+    pub attempts: Option<AttemptsArg>,
     /// Which column is which, such as student="Email Address"; may be repeated
     #[arg(long, value_name = "FIELD=HEADER")]
     pub columns: Vec<String>,
     /// Reports, feedback for each student, gradebooks for Canvas and Moodle, matches (also: slipstick report, slipstick matches)
     #[arg(long, value_enum, default_value = "auto")]
-    pub reports: Reports,
+    pub reports: ReportsArg,
     /// Replace an earlier grading
     #[arg(long)]
     pub force: bool,
@@ -250,7 +257,7 @@ pub struct Grade {
 
 /// Are reports made with the grades?
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub enum Reports {
+pub enum ReportsArg {
     /// Up to 300,000 answers.
     Auto,
     /// Always.
@@ -259,9 +266,20 @@ pub enum Reports {
     No,
 }
 
+impl ReportsArg {
+    /// As a grading takes it.
+    pub const fn reports(self) -> Reports {
+        match self {
+            Self::Auto => Reports::Auto,
+            Self::Yes => Reports::Yes,
+            Self::No => Reports::No,
+        }
+    }
+}
+
 /// `report`
 #[derive(Debug, Args)]
-pub struct Report {
+pub struct ReportArgs {
     /// Folder of grades, as grade made it
     pub graded: PathBuf,
     /// Folder to make [default: into GRADED]
@@ -275,12 +293,12 @@ pub struct Report {
     pub threads: Option<usize>,
     /// In which words the feedback is.
     #[command(flatten)]
-    pub own: Own,
+    pub own: OwnArgs,
 }
 
 /// `regrade`
 #[derive(Debug, Args)]
-pub struct Regrade {
+pub struct RegradeArgs {
     /// Folder of the set, as generate made it
     pub set: PathBuf,
     /// Folder of the grading, as grade made it
@@ -298,7 +316,7 @@ pub struct Regrade {
     pub course: Option<PathBuf>,
     /// Which attempt counts [default: as in the old grading, unless --course says otherwise]
     #[arg(long, value_enum)]
-    pub attempts: Option<Attempts>,
+    pub attempts: Option<AttemptsArg>,
     /// Which column is which [default: as in the old grading]
     #[arg(long, value_name = "FIELD=HEADER")]
     pub columns: Vec<String>,
@@ -312,7 +330,7 @@ pub struct Regrade {
 
 /// `what-if`
 #[derive(Debug, Args)]
-pub struct WhatIf {
+pub struct WhatIfArgs {
     /// Folder of a grading, as grade made it
     pub graded: PathBuf,
     /// Relative tolerances in per cent
@@ -322,14 +340,14 @@ pub struct WhatIf {
 
 /// `matches`
 #[derive(Debug, Args)]
-pub struct Matches {
+pub struct MatchesArgs {
     /// Folder of a grading, as grade made it
     pub graded: PathBuf,
 }
 
 /// `explain`
 #[derive(Debug, Args)]
-pub struct Explain {
+pub struct ExplainArgs {
     /// Folder of a grading, as grade made it
     pub graded: PathBuf,
     /// Id of the student, or the name
@@ -343,7 +361,7 @@ pub struct Explain {
 
 /// `check`
 #[derive(Debug, Args)]
-pub struct Check {
+pub struct CheckArgs {
     /// The file sheet.json next to your sheet
     pub sheet: PathBuf,
     /// Answers, such as 1.omega='30.3 rad/s'
@@ -356,7 +374,7 @@ pub struct Check {
 
 /// `practice`
 #[derive(Debug, Args)]
-pub struct Practice {
+pub struct PracticeArgs {
     /// Bank: a YAML file, or the id of a built-in one: wheels-on-inclines, hoists-and-pulleys, slip-and-roll, pinned-bodies
     pub bank: String,
     /// Seed, for the same problems again [default: from the clock]
@@ -367,12 +385,12 @@ pub struct Practice {
     pub problems: Option<Vec<String>>,
     /// Templates of one's own.
     #[command(flatten)]
-    pub own: Own,
+    pub own: OwnArgs,
 }
 
-/// `solve`
+/// A problem with given data.
 #[derive(Debug, Args)]
-pub struct Solve {
+pub struct ProblemArgs {
     /// Bank: a YAML file, or the id of a built-in one: wheels-on-inclines, hoists-and-pulleys, slip-and-roll, pinned-bodies
     pub bank: String,
     /// Id of the problem
@@ -383,17 +401,25 @@ pub struct Solve {
     /// Without --set: draw with this seed
     #[arg(long, value_name = "N", conflicts_with = "set")]
     pub seed: Option<u64>,
+}
+
+/// `solve`
+#[derive(Debug, Args)]
+pub struct SolveArgs {
+    /// The problem and its data.
+    #[command(flatten)]
+    pub of: ProblemArgs,
     /// Print JSON
     #[arg(long)]
     pub json: bool,
     /// How to come from the start to the end
     #[command(flatten)]
-    pub by: By,
+    pub by: ByArgs,
 }
 
 /// How to come from the start to the end.
 #[derive(Debug, Args)]
-pub struct By {
+pub struct ByArgs {
     /// Method: auto takes the cheapest that meets the tolerance; gauss sums the work, the others step in time
     #[arg(long, value_enum, default_value = "auto", hide_possible_values = false)]
     pub method: MethodName,
@@ -410,7 +436,7 @@ pub struct By {
 pub enum MethodName {
     /// The cheapest that meets the tolerance for this scene
     Auto,
-    /// Closed forms, on both roads
+    /// Closed forms
     Closed,
     /// Gauss-Legendre on the work of the forces over displacement
     Gauss,
@@ -444,17 +470,10 @@ impl MethodName {
 
 /// `accuracy`
 #[derive(Debug, Args)]
-pub struct Accuracy {
-    /// Bank: a YAML file, or the id of a built-in one: wheels-on-inclines, hoists-and-pulleys, slip-and-roll, pinned-bodies
-    pub bank: String,
-    /// Id of the problem
-    pub problem: String,
-    /// A datum with its unit, such as m=40kg; may be repeated
-    #[arg(long, value_name = "SYMBOL=VALUE")]
-    pub set: Vec<String>,
-    /// Without --set: draw with this seed
-    #[arg(long, value_name = "N", conflicts_with = "set")]
-    pub seed: Option<u64>,
+pub struct AccuracyArgs {
+    /// The problem and its data.
+    #[command(flatten)]
+    pub of: ProblemArgs,
     /// Leave out the clock: the cost is the number of force evaluations, and the same command prints the same bytes
     #[arg(long)]
     pub no_time: bool,
@@ -468,7 +487,7 @@ pub struct Accuracy {
 
 /// `lint`
 #[derive(Debug, Args)]
-pub struct Lint {
+pub struct LintArgs {
     /// Bank: a YAML file, or the id of a built-in one: wheels-on-inclines, hoists-and-pulleys, slip-and-roll, pinned-bodies
     pub bank: String,
     /// How many seeds to try
@@ -476,12 +495,12 @@ pub struct Lint {
     pub seeds: u64,
     /// Templates of one's own.
     #[command(flatten)]
-    pub own: Own,
+    pub own: OwnArgs,
 }
 
 /// `gallery`
 #[derive(Debug, Args)]
-pub struct Gallery {
+pub struct GalleryArgs {
     /// Bank: a YAML file, or the id of a built-in one: wheels-on-inclines, hoists-and-pulleys, slip-and-roll, pinned-bodies
     pub bank: String,
     /// File to write, such as gallery.html
@@ -501,19 +520,19 @@ pub struct Gallery {
     pub force: bool,
     /// In which words.
     #[command(flatten)]
-    pub own: Own,
+    pub own: OwnArgs,
 }
 
 /// `verify`
 #[derive(Debug, Args)]
-pub struct Verify {
+pub struct VerifyArgs {
     /// Folder of the set, as generate made it
     pub set: PathBuf,
 }
 
 /// `solutions`
 #[derive(Debug, Args)]
-pub struct Solutions {
+pub struct SolutionsArgs {
     /// Folder of the set, as generate made it
     pub set: PathBuf,
     /// Folder to make, not within the students' folders
@@ -535,12 +554,12 @@ pub struct Solutions {
     pub threads: Option<usize>,
     /// In which words.
     #[command(flatten)]
-    pub own: Own,
+    pub own: OwnArgs,
 }
 
 /// `templates`
 #[derive(Debug, Args)]
-pub struct Templates {
+pub struct TemplatesArgs {
     /// Folder to make
     #[arg(long, value_name = "DIR")]
     pub out: PathBuf,
@@ -551,7 +570,7 @@ pub struct Templates {
 
 /// `simulate`
 #[derive(Debug, Args)]
-pub struct Simulate {
+pub struct SimulateArgs {
     /// Folder of the set, as generate made it
     #[arg(required_unless_present = "example")]
     pub set: Option<PathBuf>,
@@ -580,7 +599,7 @@ pub struct Simulate {
 
 /// `demo`
 #[derive(Debug, Args)]
-pub struct Demo {
+pub struct DemoArgs {
     /// Folder to make
     #[arg(default_value = "slipstick-demo")]
     pub dir: PathBuf,

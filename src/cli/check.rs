@@ -5,15 +5,14 @@ use crate::bank::Draw;
 use crate::bank::Question;
 use crate::bank::decimal::Decimal;
 use crate::cli::args;
-use crate::cli::banks;
-use crate::cli::files;
-use crate::cli::tell;
 use crate::cli::tell::Exit;
 use crate::cli::tell::Io;
-use crate::cli::words::refusal;
-use crate::cli::words::right_answer;
+use crate::diagnosis::sentences::refusal;
+use crate::diagnosis::sentences::right_answer;
 use crate::finding::Finding;
 use crate::finding::Findings;
+use crate::folder::banks;
+use crate::folder::files;
 use crate::grade::feedback::Feedback;
 use crate::grade::judge;
 use crate::grade::verdict::Verdict;
@@ -25,19 +24,12 @@ use crate::problem::make_key;
 use crate::sheet::public::SheetFile;
 use crate::sheet::public::SheetProblem;
 use crate::sheet::statement;
+use crate::sheet::terminal;
 use crate::units;
 use crate::words::Words;
 
-/// Runs it.
-pub fn run(args: &args::Check, io: &mut Io) -> Exit {
-    match check(args, io) {
-        Ok(exit) => exit,
-        Err(findings) => io.findings(&findings),
-    }
-}
-
 /// One problem of the sheet, solved.
-struct Solved {
+struct CheckedProblem {
     number: usize,
     id: String,
     key: ProblemKey,
@@ -46,7 +38,8 @@ struct Solved {
     signs: Vec<[String; 2]>,
 }
 
-fn check(args: &args::Check, io: &mut Io) -> Result<Exit, Findings> {
+/// Runs it.
+pub fn run(args: &args::CheckArgs, io: &mut Io) -> Result<Exit, Findings> {
     let file = args.sheet.display().to_string();
     let text = files::read_text(&args.sheet)?;
     let sheet = SheetFile::parse(&text).map_err(|f| f.in_file(&file))?;
@@ -79,7 +72,7 @@ fn check(args: &args::Check, io: &mut Io) -> Result<Exit, Findings> {
             }
         }
     }
-    let mut solved: Vec<Option<Solved>> = sheet.problems.iter().map(|_| None).collect();
+    let mut solved: Vec<Option<CheckedProblem>> = sheet.problems.iter().map(|_| None).collect();
     for (_, i, _, _) in &asked {
         if solved[*i].is_none() {
             match solve(&sheet.problems[*i], &file, words) {
@@ -122,7 +115,7 @@ fn check(args: &args::Check, io: &mut Io) -> Result<Exit, Findings> {
     if !faults.is_empty() {
         return Err(faults);
     }
-    io.piece(&tell::table(&rows, &[0, 1, 2, 3, 4]));
+    io.piece(&terminal::table(&rows, &[0, 1, 2, 3, 4]));
     Ok(if all_right { Exit::Fine } else { Exit::NotAllRight })
 }
 
@@ -132,17 +125,24 @@ fn listed_once(fault: Finding, list: String, earlier: &[Finding]) -> Finding {
     if said { fault } else { fault.hint(list) }
 }
 
-fn solve(problem: &SheetProblem, file: &str, words: &Words) -> Result<Solved, Findings> {
+fn solve(problem: &SheetProblem, file: &str, words: &Words) -> Result<CheckedProblem, Findings> {
     let place = format!("{file}, problem {}", problem.number);
-    let Some(text) = problem.bank_text().map_err(|faults| faults.in_file(&place))? else {
+    let in_file = |faults: Findings| -> Findings { faults.in_file(&place) };
+    let Some(text) = problem.bank_text().map_err(in_file)? else {
         let fault = Finding::new("", "this sheet cannot be checked: it carries no scene").in_file(&place);
         return Err(fault.hint("the instructor has switched self-checks off for this bank").into());
     };
     // Places in the text made here mean nothing to the reader of the sheet.
-    let bank = banks::parse(&text, &place).map_err(|mut faults| {
-        faults.iter_mut().for_each(|f| f.at = None);
+    let no_place = |faults: Findings| -> Findings {
         faults
-    })?;
+            .into_iter()
+            .map(|mut f| {
+                f.at = None;
+                f
+            })
+            .collect()
+    };
+    let bank = banks::parse(&text, &place).map_err(no_place)?;
     let Some(only) = bank.problems.first() else {
         return Err(Finding::new("scene", "holds no problem").in_file(&place).into());
     };
@@ -181,7 +181,7 @@ fn solve(problem: &SheetProblem, file: &str, words: &Words) -> Result<Solved, Fi
             *offered = list;
         }
     }
-    Ok(Solved {
+    Ok(CheckedProblem {
         number: problem.number,
         id: problem.id.clone(),
         key,

@@ -1,29 +1,27 @@
 //! `slipstick demo`: the whole job on a made-up class.
 use crate::cli::args;
-use crate::cli::args::Format;
-use crate::cli::args::Own;
-use crate::cli::args::Reports;
-use crate::cli::banks;
-use crate::cli::files;
-use crate::cli::files::Staged;
-use crate::cli::generate;
-use crate::cli::generate::Plan;
-use crate::cli::grade;
-use crate::cli::grade::Job;
-use crate::cli::solve;
-use crate::cli::tell;
 use crate::cli::tell::Exit;
 use crate::cli::tell::Io;
+use crate::diagnosis::table::unsatisfiable;
 use crate::finding::Finding;
 use crate::finding::Findings;
+use crate::folder::banks;
+use crate::folder::deal;
+use crate::folder::deal::Plan;
+use crate::folder::files;
+use crate::folder::grading;
+use crate::folder::grading::GradingJob;
+use crate::folder::grading::Reports;
+use crate::folder::staged::Staged;
 use crate::grade::verdict::Verdict;
 use crate::set::replay::Dealer;
+use crate::sheet::output::Format;
+use crate::sheet::terminal;
 use crate::simulate::class;
 use crate::simulate::hand_in;
+use crate::simulate::hand_in::CellKind;
 use crate::simulate::hand_in::HandIn;
-use crate::simulate::hand_in::Kind;
 use crate::simulate::hand_in::Sheet;
-use std::fs;
 use std::path::Path;
 
 /// A folder with this file was made by `demo`, whole.
@@ -32,28 +30,20 @@ const NAMES: [&str; 5] = [MARKER, "grades", "roster.csv", "set", "submissions.cs
 const SEED: u64 = 2026;
 
 /// Runs it.
-pub fn run(args: &args::Demo, io: &mut Io) -> Exit {
-    match demo(&args.dir, io) {
-        Ok(()) => Exit::Fine,
-        Err(findings) => io.findings(&findings),
-    }
-}
-
-fn demo(dir: &Path, io: &mut Io) -> Result<(), Findings> {
+pub fn run(args: &args::DemoArgs, io: &mut Io) -> Result<Exit, Findings> {
+    let dir = &args.dir;
+    let bar = io.bar();
     files::has_a_name(dir, "slipstick-demo")?;
     files::not_among_students(dir)?;
     may_replace(dir)?;
     let mut loaded = banks::load("wheels-on-inclines")?;
-    let texts = banks::texts(&Own::default(), "en", &mut loaded.bank)?;
+    let texts = banks::texts(None, "en", &mut loaded.bank)?;
     let bank = &loaded.bank;
     let staged = Staged::new(dir)?;
     let root = staged.path();
-    let write = |name: &str, bytes: &[u8]| {
-        fs::write(root.join(name), bytes)
-            .map_err(|e| files::trouble(&dir.join(name), "cannot be written", &e))
-    };
+    let write = |name: &str, bytes: &[u8]| staged.write(name, bytes);
     write("roster.csv", &class::roster())?;
-    let members = generate::members(&root.join("roster.csv"))?;
+    let members = deal::members(&root.join("roster.csv"))?;
     let problems: Vec<usize> = (0..bank.problems.len()).collect();
     let plan = Plan {
         bank,
@@ -64,11 +54,10 @@ fn demo(dir: &Path, io: &mut Io) -> Result<(), Findings> {
         seed: SEED,
         name: &bank.id,
     };
-    let summary =
-        generate::whole(&plan, &members, &root.join("set"), io.watched).map_err(|f| staged.named(f))?;
+    let made = deal::whole(&plan, &members, &root.join("set"), &bar).map_err(|f| staged.named(f))?;
     let handed = submissions(&plan)?;
     write("submissions.csv", &handed.bytes)?;
-    let job = Job {
+    let job = GradingJob {
         set: &root.join("set"),
         submissions: &root.join("submissions.csv"),
         out: &root.join("grades"),
@@ -78,13 +67,13 @@ fn demo(dir: &Path, io: &mut Io) -> Result<(), Findings> {
         language: None,
         reports: Reports::Yes,
         force: false,
-        watched: io.watched,
+        progress: &bar,
     };
-    let graded = grade::grade(&job, &mut *io.input).map_err(|f| staged.named(f))?;
+    let summary = grading::grade(&job, &mut *io.input).map_err(|f| staged.named(f))?;
     let table = kinds_and_verdicts(&handed, &root.join("grades").join("answers.csv"))?;
     let marks = marks(&root.join("grades").join("gradebook.csv"))?;
     write(MARKER, b"Made by `slipstick demo`, which may replace this folder.\n")?;
-    let told = graded.summary.replace(&root.display().to_string(), &dir.display().to_string());
+    let told = summary.replace(&root.display().to_string(), &dir.display().to_string());
     staged.finish()?;
 
     let shown = dir.display();
@@ -98,7 +87,10 @@ fn demo(dir: &Path, io: &mut Io) -> Result<(), Findings> {
     for (path, what) in [
         ("roster.csv".to_owned(), "the class"),
         (format!("set/students/{first}/sheet.html"), "a sheet: open it in a browser"),
-        ("set/key.csv".to_owned(), "the key: both roads, their gap, the condition number"),
+        (
+            "set/key.csv".to_owned(),
+            "the key by equations of motion and by work and energy, their gap, the condition number",
+        ),
         ("submissions.csv".to_owned(), "what the class handed in, as messy as it comes"),
         ("grades/answers.csv".to_owned(), "every answer with verdict, points and reason"),
         ("grades/gradebook.csv".to_owned(), "a row for each student"),
@@ -108,7 +100,7 @@ fn demo(dir: &Path, io: &mut Io) -> Result<(), Findings> {
         io.line(&format!("  {shown}/{path:<34} {what}"));
     }
     io.line("");
-    generate::coincidences(&summary, io);
+    io.line(&made.coincidences());
     io.line("\nWhat the simulated rows were, and what became of them:");
     io.piece(&table);
     io.line(&format!("\n{told}"));
@@ -118,7 +110,7 @@ fn demo(dir: &Path, io: &mut Io) -> Result<(), Findings> {
         "\nThe same by hand:\n  slipstick generate {} --roster {shown}/roster.csv --seed {SEED} --out my-set\n  slipstick grade my-set {shown}/submissions.csv --out my-grades",
         bank.id
     ));
-    Ok(())
+    Ok(Exit::Fine)
 }
 
 /// Nothing, an empty folder, or a demo and nothing else.
@@ -144,15 +136,15 @@ fn submissions(plan: &Plan) -> Result<HandIn, Findings> {
     let dealer = Dealer::new(plan.bank, plan.problems, plan.seed, plan.name);
     let mut dealt = Vec::new();
     for (id, _) in class::STUDENTS {
-        dealt.push(dealer.deal(id).map_err(|none| solve::unsatisfiable(plan.bank, &none))?);
+        dealt.push(dealer.deal(id).map_err(|none| unsatisfiable(plan.bank, &none))?);
     }
-    let chosen = || plan.problems.iter().filter_map(|p| plan.bank.problems.get(*p));
     let sheets: Vec<Sheet> = class::STUDENTS
         .iter()
         .zip(&dealt)
         .map(|((id, _), dealt)| Sheet {
             student: id,
-            problems: chosen()
+            problems: plan
+                .chosen()
                 .zip(&dealt.variants)
                 .zip(&dealt.key.problems)
                 .map(|((p, v), k)| (p, v, k))
@@ -162,17 +154,9 @@ fn submissions(plan: &Plan) -> Result<HandIn, Findings> {
     Ok(hand_in::hand_in(&sheets, plan.seed))
 }
 
-fn records(path: &Path) -> Result<Vec<csv::StringRecord>, Findings> {
-    let bytes = files::read(path)?;
-    let mut reader =
-        csv::ReaderBuilder::new().has_headers(false).flexible(true).from_reader(bytes.as_slice());
-    let records: Result<Vec<_>, _> = reader.records().collect();
-    records.map_err(|e| Finding::new("", e.to_string()).in_file(path.display().to_string()).into())
-}
-
 /// Simulated kinds against verdicts.
 fn kinds_and_verdicts(handed: &HandIn, answers: &Path) -> Result<String, Findings> {
-    let records = records(answers)?;
+    let records = files::records(answers)?;
     let column = |name: &str| records.first().and_then(|h| h.iter().position(|f| f == name));
     let verdict = column("verdict").unwrap_or(6);
     let mut verdicts: Vec<String> = Vec::new();
@@ -187,7 +171,7 @@ fn kinds_and_verdicts(handed: &HandIn, answers: &Path) -> Result<String, Finding
     let mut rows =
         vec![std::iter::once("rows".to_owned()).chain(verdicts.iter().cloned()).collect::<Vec<_>>()];
     rows[0].push("all".to_owned());
-    for kind in Kind::ALL {
+    for kind in CellKind::ALL {
         let of_kind: Vec<&str> = records
             .iter()
             .skip(1)
@@ -203,12 +187,12 @@ fn kinds_and_verdicts(handed: &HandIn, answers: &Path) -> Result<String, Finding
         row.push(of_kind.len().to_string());
         rows.push(row);
     }
-    Ok(tell::table(&rows, &[0]))
+    Ok(terminal::table(&rows, &[0]))
 }
 
 /// The gradebook with a column for each problem.
 fn marks(gradebook: &Path) -> Result<String, Findings> {
-    let records = records(gradebook)?;
+    let records = files::records(gradebook)?;
     let Some(header) = records.first() else { return Ok(String::new()) };
     let mut problems: Vec<&str> = Vec::new();
     for field in header.iter() {
@@ -236,5 +220,5 @@ fn marks(gradebook: &Path) -> Result<String, Findings> {
         row.push(text(record, "max_total"));
         rows.push(row);
     }
-    Ok(tell::table(&rows, &[0, 1]))
+    Ok(terminal::table(&rows, &[0, 1]))
 }

@@ -1,50 +1,19 @@
 //! `slipstick gallery`: many variants of a bank's problems side by side on one page, with the tables of `lint`.
-use crate::bank::Problem;
 use crate::cli::args;
-use crate::cli::banks;
-use crate::cli::banks::Texts;
-use crate::cli::files;
-use crate::cli::lint;
-use crate::cli::solve;
-use crate::cli::tell;
 use crate::cli::tell::Exit;
 use crate::cli::tell::Io;
-use crate::cli::words;
-use crate::figure::scene;
 use crate::finding::Finding;
 use crate::finding::Findings;
-use crate::picture::svg::Screen;
-use crate::picture::svg::escaped;
-use crate::problem::make::Maker;
-use crate::problem::make::Variant;
-use crate::problem::make_key;
-use crate::problem::sweep::Sweep;
+use crate::folder::files;
+use crate::review::page;
 use crate::set::replay;
-use crate::sheet::document::Document;
-use crate::sheet::html::Converter;
-use crate::sheet::html::Place;
-use crate::sheet::key_table;
-use crate::sheet::page::Room;
-use crate::sheet::page::Sheets;
-use crate::sheet::statement;
-use crate::solve::outcome::Motion;
-use crate::template;
-use crate::template::Value;
-use crate::template::View;
-use std::fmt::Write as _;
+use crate::sheet::terminal;
 
 /// Variants of a problem that are shown at most, so that a browser can show the page.
 const MOST: u32 = 1000;
 
 /// Runs it.
-pub fn run(args: &args::Gallery, io: &mut Io) -> Exit {
-    match gallery(args, io) {
-        Ok(()) => Exit::Fine,
-        Err(findings) => io.findings(&findings),
-    }
-}
-
-fn gallery(args: &args::Gallery, io: &mut Io) -> Result<(), Findings> {
+pub fn run(args: &args::GalleryArgs, io: &mut Io) -> Result<Exit, Findings> {
     if args.out.exists() && !args.force {
         let fault = Finding::new("", "is there already").in_file(args.out.display().to_string());
         return Err(fault.hint("--force replaces it").into());
@@ -52,191 +21,17 @@ fn gallery(args: &args::Gallery, io: &mut Io) -> Result<(), Findings> {
     if args.variants == 0 || args.variants > MOST {
         return Err(Finding::new("--variants", format!("{} is not from 1 to {MOST}", args.variants)).into());
     }
-    let mut loaded = banks::load(&args.bank)?;
-    let language = args.own.language.as_deref().unwrap_or("en");
-    let texts = banks::texts(&args.own, language, &mut loaded.bank)?;
-    let bank = &loaded.bank;
-    let chosen = match &args.problems {
-        Some(ids) => replay::indices(bank, ids, "--problems")?,
-        None => (0..bank.problems.len()).collect(),
-    };
-    let problems: Vec<&Problem> = chosen.iter().filter_map(|i| bank.problems.get(*i)).collect();
-    let sweeps = lint::sweeps(&problems, args.seeds, &bank.id, io.watched);
-    let sheets = Sheets::new(&texts.templates, &texts.words, bank, &bank.id, &chosen)?;
-    let mut converter = Converter::new(&texts.words);
-    let mut room = Room::default();
-    let mut shown = Vec::with_capacity(problems.len());
-    for (i, (problem, sweep)) in problems.iter().zip(&sweeps).enumerate() {
-        let maker = Maker::new(problem, 1, &bank.id);
-        let mut variants = Vec::new();
-        for n in 1..=args.variants {
-            let variant = maker.variant(&n.to_string()).map_err(|none| {
-                let fault = solve::unsatisfiable(bank, &none);
-                fault.in_file(&loaded.file).hint("`slipstick lint` says more")
-            })?;
-            variants.push(variant);
-        }
-        let mut statement = Vec::new();
-        if let Some(first) = variants.first() {
-            sheets.problem(i, first, &mut room, &mut statement)?;
-        }
-        let markdown = String::from_utf8_lossy(&statement).into_owned();
-        let place = Place { lower: 1, prefix: &problem.id };
-        let statement = converter.body(&Document::new(markdown, Vec::new()), &[], place);
-        let cards = variants.iter().enumerate().map(|(n, v)| card(problem, v, n + 1, &texts, &mut converter));
-        let cards = template::list(cards.collect());
-        let found = lint::tables(problem, sweep);
-        let never = lint::never_near(&found).map_or_else(String::new, |text| escaped(&text));
-        let notes = notes(problem, sweep, &found.notes);
-        shown.push(template::map([
-            ("id", template::finished(&problem.id)),
-            ("title", template::finished(&escaped(&problem.title))),
-            ("statement", template::finished(statement.trim_end())),
-            ("tables", template::list(tables(found, &texts))),
-            ("never", template::finished(&never)),
-            ("notes", template::list(notes)),
-            ("variants", cards),
-        ]));
-    }
-    let mut view = View::new();
-    view.text("language", language);
-    view.foreign("title", &bank.title);
-    let (count, seeds) = (args.variants.to_string(), args.seeds.max(1).to_string());
-    let about = texts.words.say("gallery.about", &[("variants", &count), ("seeds", &seeds)]);
-    view.text("about", &in_code(&about));
-    view.text("several", if problems.len() > 1 { "yes" } else { "" });
-    let names = ["gallery", "problems", "statement", "question", "answer"];
-    let phrase =
-        |name: &&'static str| (*name, template::finished(texts.words.get(&format!("gallery.{name}"))));
-    view.value("words", template::map(names.iter().map(phrase)));
-    view.value("problems", template::list(shown));
-    view.foreign("chance", &lint::chance(&sweeps));
-    let mut page = Vec::new();
-    texts.templates.render("gallery.html", &view, &mut page)?;
-    let page = String::from_utf8_lossy(&page).into_owned();
+    let (loaded, texts) = args.own.load(&args.bank)?;
+    let problems = replay::chosen(&loaded.bank, args.problems.as_deref(), "--problems")?;
+    let page = page::page((&loaded.bank, &loaded.file), &problems, &texts, (args.variants, args.seeds))?;
     let bytes = page.len();
     files::put_all(&[(args.out.clone(), page)])?;
     io.line(&format!(
         "{} of {} each, {} kB, in {} (for instructors: it holds keys)",
-        tell::count(problems.len(), "problem"),
-        tell::count(usize::try_from(args.variants).unwrap_or(usize::MAX), "variant"),
+        terminal::count(problems.len(), "problem"),
+        terminal::count(usize::try_from(args.variants).unwrap_or(usize::MAX), "variant"),
         bytes.div_ceil(1000),
         args.out.display()
     ));
-    Ok(())
-}
-
-/// One variant: figure, data, what happens, answers.
-fn card(problem: &Problem, variant: &Variant, n: usize, texts: &Texts, converter: &mut Converter) -> Value {
-    let phrases = &texts.words;
-    let picture = scene::picture(problem, variant, phrases, problem.figure);
-    let id = format!("{}-{n}", problem.id);
-    let figure = format!("<figure>{}</figure>\n", Screen::new(&picture).inline(&id).trim_end());
-    let formulas: Vec<String> = problem
-        .data
-        .iter()
-        .zip(&variant.values)
-        .filter_map(|(datum, drawn)| {
-            let digits = phrases.tex_number(&statement::decimal_text((*drawn)?));
-            Some(format!("{} = {}", datum.tex, datum.unit.tex_with(&digits)))
-        })
-        .collect();
-    // A comma within its formula does not begin a line.
-    let data = if formulas.is_empty() { String::new() } else { format!("${}$", formulas.join(",$ $")) };
-    let place = Place { lower: 0, prefix: &id };
-    let data = converter.body(&Document::new(data, Vec::new()), &[], place);
-    let mut what = Vec::new();
-    if let Some(case) = problem.cases.get(variant.case).filter(|c| !c.name.is_empty()) {
-        what.push(case.name.clone());
-    }
-    if variant.solved.regime.motion != Motion::Instant {
-        what.push(words::regime(phrases, variant.solved.regime));
-    }
-    let key = make_key::key(problem, variant);
-    let answers = key.parts.iter().map(|entry| {
-        let mut answer = key_table::shown(phrases, problem, entry);
-        if !entry.unit.is_number() {
-            let _ = write!(answer, " {}", entry.unit.ascii().replace("^2", "²").replace("^3", "³"));
-        }
-        let cond = entry.cond.map_or_else(String::new, |c| phrases.number(&words::rounded(c, 3)));
-        template::map([
-            ("id", template::finished(&entry.part)),
-            ("answer", template::finished(&escaped(&answer))),
-            ("cond", template::finished(&cond)),
-        ])
-    });
-    template::map([
-        ("name", template::finished(&phrases.say("gallery.variant", &[("n", &n.to_string())]))),
-        ("what", template::finished(&escaped(&what.join(", ")))),
-        ("figure", template::finished(&figure)),
-        ("data", template::finished(data.trim_end())),
-        ("answers", template::list(answers.collect())),
-    ])
-}
-
-/// The tables of `lint`, with the same numbers.
-fn tables(found: lint::Tables, texts: &Texts) -> Vec<Value> {
-    let refusals: Vec<Vec<String>> =
-        found.refusals.into_iter().map(|(count, rule)| vec![rule, count.to_string()]).collect();
-    let name = |name: &str| texts.words.get(&format!("gallery.{name}")).to_owned();
-    let headed = |name: &str, rows: Vec<Vec<String>>| {
-        let width = rows.first().map_or(0, Vec::len);
-        let mut head = vec![String::new(); width];
-        if let Some(first) = head.first_mut() {
-            first.push_str(texts.words.get(&format!("gallery.{name}")));
-        }
-        std::iter::once(head).chain(rows).collect::<Vec<_>>()
-    };
-    let last = found.mistakes.first().map_or(0, |head| head.len() - 1);
-    let all = [
-        (name("cases"), found.cases, &lint::LEFT_CASES[..]),
-        (name("refusals"), headed("refusals", refusals), &[0][..]),
-        (name("numbers"), found.numbers, &lint::LEFT_NUMBERS[..]),
-        (name("words"), headed("words", found.words), &lint::LEFT_WORDS[..]),
-        (name("mistakes"), found.mistakes, &[0, last][..]),
-    ];
-    let cells = |row: &[String], left: &[usize]| {
-        let cell = |(i, text): (usize, &String)| {
-            template::map([
-                ("text", template::finished(&escaped(text))),
-                ("right", template::finished(if left.contains(&i) { "" } else { "yes" })),
-            ])
-        };
-        template::list(row.iter().enumerate().map(cell).collect())
-    };
-    all.iter()
-        .filter(|(_, rows, _)| rows.len() > 1)
-        .map(|(name, rows, left)| {
-            template::map([
-                ("name", template::finished(&escaped(name))),
-                ("head", cells(&rows[0], left)),
-                ("rows", template::list(rows[1..].iter().map(|row| cells(row, left)).collect())),
-            ])
-        })
-        .collect()
-}
-
-/// What a person should look at.
-fn notes(problem: &Problem, sweep: &Sweep, fit: &[String]) -> Vec<Value> {
-    let mut notes = Vec::new();
-    if let Some((seed, none)) = &sweep.unsatisfiable {
-        notes.push(format!("seed {seed}: {none}"));
-    }
-    if let Some(refusal) = &sweep.unsolved {
-        for text in words::refusal(problem, &problem.cases[0].scene, refusal) {
-            notes.push(format!("a draw cannot be solved: {text}"));
-        }
-    }
-    notes.extend_from_slice(fit);
-    notes.iter().map(|note| template::finished(&escaped(note))).collect()
-}
-
-/// Names of commands between backticks, as code.
-fn in_code(text: &str) -> String {
-    let pieces = text.split('`').enumerate();
-    let piece = |(i, piece): (usize, &str)| match i % 2 {
-        0 => escaped(piece),
-        _ => format!("<code>{}</code>", escaped(piece)),
-    };
-    pieces.map(piece).collect()
+    Ok(Exit::Fine)
 }

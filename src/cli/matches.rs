@@ -1,171 +1,33 @@
-//! `slipstick matches` and matches.csv: whose answers the wrong answers of a grading are. For instructors only.
-use crate::answer::figures;
-use crate::answer::read::UnitCache;
+//! `slipstick matches`: whose answers the wrong answers of a grading are. For instructors only.
 use crate::cli::args;
-use crate::cli::files;
-use crate::cli::graded;
-use crate::cli::graded::Graded;
-use crate::cli::tell;
 use crate::cli::tell::Exit;
 use crate::cli::tell::Io;
 use crate::finding::Findings;
-use crate::grade::feedback::Feedback;
-use crate::grade::judge;
-use crate::grade::row::AnswerRow;
-use crate::grade::table::Column;
-use crate::grade::table::KeyTable;
-use crate::grade::verdict::Verdict;
-use crate::key::Answer;
-use crate::key::SheetKey;
-use crate::matches;
-use crate::matches::Question;
-use crate::matches::Wrong;
+use crate::folder::files;
+use crate::folder::graded;
+use crate::folder::matches;
+use crate::folder::names::MATCHES;
 use crate::num::shown;
-use crate::report::alike::ClassMatches;
-use crate::report::alike::MatchedPair;
-use crate::set::replay::Dealer;
-use crate::set::replay::indices;
-use crate::words::Words;
-use rayon::prelude::*;
-use std::collections::BTreeMap;
+use crate::report::alike::Matches;
+use crate::sheet::terminal;
 
-/// With the draws of the class so many keys of each question are known: what a class is too small for, further draws show.
-const KEYS: usize = 300;
-
-/// The file, in the folder of the grading.
-pub const MATCHES: &str = "matches.csv";
 /// Pairs shown on the terminal; the others stand in the file.
 const SHOWN: usize = 20;
 
-/// Holds the wrong answers of a grading against the keys of classmates.
-///
-/// # Errors
-/// answers.csv cannot be read, or the bank cannot be drawn from.
-pub fn find(graded: &Graded) -> Result<ClassMatches, Findings> {
-    let keys: Vec<SheetKey> = graded.given.iter().map(|g| g.key.clone()).collect();
-    let table = KeyTable::new(keys, &[]);
-    let place: BTreeMap<(String, &str), usize> =
-        table.columns.iter().enumerate().map(|(i, c)| ((c.number.to_string(), c.part.as_str()), i)).collect();
-    let whose: BTreeMap<&str, usize> =
-        graded.set.students.iter().enumerate().map(|(i, s)| (s.student.as_str(), i)).collect();
-    let mut wrong = Vec::new();
-    let mut texts = Vec::new();
-    let (mut units, say) = (UnitCache::default(), Feedback::english());
-    graded.each_row(&mut |row: AnswerRow| {
-        if row.verdict != Verdict::Wrong {
-            return;
-        }
-        let student = whose.get(&*row.student).copied();
-        let question = place.get(&(row.problem.to_string(), &*row.part)).copied();
-        let (Some(student), Some(question)) = (student, question) else { return };
-        let Some(entry) = table.entry(student, question) else { return };
-        let Answer::Number { magnitude, .. } = entry.answer else { return };
-        let number = judge::judge_with(&row.answer, entry, &mut units, say).number;
-        let value = if magnitude { number.abs() } else { number };
-        let Some(share) = figures::rounding(&row.answer).filter(|_| value.is_finite()) else { return };
-        let explained = row.explained();
-        wrong.push(Wrong { student, question, value, half: share * value.abs(), explained });
-        texts.push(row.answer.into_owned());
-    })?;
-    if wrong.is_empty() {
-        return Ok(ClassMatches::default());
-    }
-    let mut questions = questions(&table);
-    let answers = wrong.len();
-    if !matches::any_hit(&questions, &wrong) {
-        let unexplained = wrong.iter().filter(|w| w.explained.is_empty()).count();
-        return Ok(ClassMatches { pairs: Vec::new(), answers, unexplained });
-    }
-    draw_more(graded, &table, &mut questions)?;
-    let found = matches::find(&questions, &wrong);
-    let named = |i: usize| {
-        let s = &graded.set.students[i];
-        [s.student.clone(), s.name.clone()]
-    };
-    let part = |i: &usize| {
-        let column = &table.columns[wrong[*i].question];
-        format!("{}.{}", column.number, column.part)
-    };
-    let pairs = found.pairs.iter().map(|pair| {
-        let explained: Vec<String> = pair
-            .hits
-            .iter()
-            .filter(|i| !wrong[**i].explained.is_empty())
-            .map(|i| format!("{}: {}", part(i), wrong[*i].explained))
-            .collect();
-        MatchedPair {
-            student: named(pair.student),
-            classmate: named(pair.classmate),
-            parts: pair.hits.iter().map(part).collect(),
-            answers: pair.hits.iter().map(|i| texts[*i].clone()).collect(),
-            chance: pair.chance,
-            expected: pair.expected,
-            flagged: pair.flagged,
-            explained: explained.join("; "),
-        }
-    });
-    Ok(ClassMatches { pairs: pairs.collect(), answers: found.answers, unexplained: found.unexplained })
-}
-
-/// The keys of the class.
-fn questions(table: &KeyTable) -> Vec<Question> {
-    let keys = |c: usize| (0..table.students.len()).map(|s| number(table, s, c)).collect();
-    let of =
-        |(c, column): (usize, &Column)| Question { problem: column.number, keys: keys(c), draws: Vec::new() };
-    table.columns.iter().enumerate().map(of).collect()
-}
-
-/// A key, SI; NaN for a word or none.
-fn number(table: &KeyTable, student: usize, column: usize) -> f64 {
-    match table.entry(student, column).map(|e| &e.answer) {
-        Some(Answer::Number { value, .. }) => *value,
-        _ => f64::NAN,
-    }
-}
-
-/// Adds the keys of further draws where the class is small.
-fn draw_more(graded: &Graded, table: &KeyTable, questions: &mut [Question]) -> Result<(), Findings> {
-    let problems = indices(&graded.bank, &graded.set.problems, "problems")?;
-    // Draws of nobody: no set has such a name.
-    let dealer = Dealer::new(&graded.bank, &problems, graded.set.seed, "\u{0}matches");
-    let wanted = KEYS.saturating_sub(table.students.len());
-    // A bank that was changed may have become hard to draw from; then the class must do.
-    if wanted == 0 || dealer.deal("0").is_err() {
-        return Ok(());
-    }
-    let dealt: Vec<_> = (0..wanted).into_par_iter().map(|i| dealer.deal(&i.to_string()).ok()).collect();
-    let further = KeyTable::new(dealt.into_iter().flatten().map(|d| d.key).collect(), &[]);
-    for (question, column) in questions.iter_mut().zip(&table.columns) {
-        let same = |o: &Column| (o.number, &o.part) == (column.number, &column.part);
-        if let Some(c) = further.columns.iter().position(same) {
-            question.draws = (0..further.students.len()).map(|s| number(&further, s, c)).collect();
-        }
-    }
-    Ok(())
-}
-
-/// Runs `slipstick matches`.
-pub fn run(args: &args::Matches, io: &mut Io) -> Exit {
-    match graded::open(&args.graded, None).and_then(|graded| find(&graded)) {
-        Ok(found) => {
-            io.piece(&told(&found));
-            let path = args.graded.join(MATCHES);
-            let text = String::from_utf8_lossy(&found.csv()).into_owned();
-            match files::put_all(&[(path.clone(), text)]) {
-                Ok(()) => {
-                    io.line(&format!("  all of them, for your eyes only: {}", path.display()));
-                    Exit::Fine
-                }
-                Err(fault) => io.findings(&[fault]),
-            }
-        }
-        Err(findings) => io.findings(&findings),
-    }
+/// Runs it.
+pub fn run(args: &args::MatchesArgs, io: &mut Io) -> Result<Exit, Findings> {
+    let found = matches::find(&graded::open(&args.graded, None)?)?;
+    io.piece(&told(&found));
+    let path = args.graded.join(MATCHES);
+    let text = String::from_utf8_lossy(&found.csv()).into_owned();
+    files::put_all(&[(path.clone(), text)])?;
+    io.line(&format!("  all of them, for your eyes only: {}", path.display()));
+    Ok(Exit::Fine)
 }
 
 /// Pairs for the terminal.
-fn told(found: &ClassMatches) -> String {
-    let mut text = found.summary(&Words::english());
+fn told(found: &Matches) -> String {
+    let mut text = found.summary();
     text.push('\n');
     if found.pairs.is_empty() {
         return text;
@@ -188,7 +50,7 @@ fn told(found: &ClassMatches) -> String {
             pair.explained.clone(),
         ]);
     }
-    text.push_str(&tell::table(&rows, &[0, 1, 2, 3, 4, 7]));
+    text.push_str(&terminal::table(&rows, &[0, 1, 2, 3, 4, 7]));
     if found.pairs.len() > SHOWN {
         text.push_str(&format!("  and {} more\n", found.pairs.len() - SHOWN));
     }

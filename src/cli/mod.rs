@@ -1,4 +1,10 @@
 //! The street door: what was typed becomes files read, the library called, results told.
+use crate::cli::args::Typed;
+use crate::cli::args::Verb;
+use crate::cli::tell::Exit;
+use crate::cli::tell::Io;
+use crate::cli::tell::ResultStream;
+use crate::folder::files;
 use clap::Parser as _;
 use std::ffi::OsString;
 use std::io::Write as _;
@@ -6,19 +12,14 @@ use std::path::Path;
 
 mod accuracy;
 pub mod args;
-mod banks;
-mod changes;
 mod check;
 mod demo;
 mod explain;
-mod files;
 mod gallery;
 mod generate;
 mod grade;
-mod graded;
 mod lint;
 mod matches;
-mod output;
 mod practice;
 mod regrade;
 mod report;
@@ -29,17 +30,10 @@ pub mod tell;
 mod templates;
 mod verify;
 mod what_if;
-mod words;
-
-use crate::cli::args::Typed;
-use crate::cli::args::Verb;
-use crate::cli::tell::Exit;
-use crate::cli::tell::Io;
-use crate::cli::tell::Told;
 
 /// Runs one command line; the first argument is the program's name. May be called any number of times.
 pub fn run(args: impl IntoIterator<Item = OsString>, io: &mut Io) -> Exit {
-    let mut told = Told { out: &mut *io.out, fault: None };
+    let mut told = ResultStream { out: &mut *io.out, fault: None };
     let (watched, typed) = (io.watched, io.typed);
     let exit =
         verb(args, &mut Io { input: &mut *io.input, out: &mut told, err: &mut *io.err, watched, typed });
@@ -68,12 +62,12 @@ fn verb(args: impl IntoIterator<Item = OsString>, io: &mut Io) -> Exit {
             return Exit::Fine;
         }
     };
-    match typed.verb {
+    let done = match typed.verb {
         Verb::Generate(args) => generate::run(&args, io),
         Verb::Grade(args) => grade::run(&args, io),
         Verb::Course => {
             io.piece(crate::bank::course::EXAMPLE);
-            Exit::Fine
+            Ok(Exit::Fine)
         }
         Verb::Report(args) => report::run(&args, io),
         Verb::Check(args) => check::run(&args, io),
@@ -91,5 +85,6 @@ fn verb(args: impl IntoIterator<Item = OsString>, io: &mut Io) -> Exit {
         Verb::Templates(args) => templates::run(&args, io),
         Verb::Simulate(args) => simulate::run(&args, io),
         Verb::Demo(args) => demo::run(&args, io),
-    }
+    };
+    done.unwrap_or_else(|findings| io.findings(&findings))
 }

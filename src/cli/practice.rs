@@ -2,11 +2,10 @@
 use crate::answer::read::UnitCache;
 use crate::bank::Problem;
 use crate::cli::args;
-use crate::cli::banks;
-use crate::cli::solve;
 use crate::cli::tell::Exit;
 use crate::cli::tell::Io;
-use crate::cli::words;
+use crate::diagnosis::sentences;
+use crate::diagnosis::table::unsatisfiable;
 use crate::finding::Finding;
 use crate::finding::Findings;
 use crate::grade::diagnose;
@@ -30,14 +29,6 @@ use crate::solve::outcome::Motion;
 use crate::words::Words;
 use std::time::SystemTime;
 
-/// Runs it.
-pub fn run(args: &args::Practice, io: &mut Io) -> Exit {
-    match practice(args, io) {
-        Ok(()) => Exit::Fine,
-        Err(findings) => io.findings(&findings),
-    }
-}
-
 /// What the student wants next.
 enum Next {
     /// Another problem.
@@ -46,15 +37,11 @@ enum Next {
     Quit,
 }
 
-fn practice(args: &args::Practice, io: &mut Io) -> Result<(), Findings> {
-    let mut loaded = banks::load(&args.bank)?;
-    let language = args.own.language.as_deref().unwrap_or("en");
-    let texts = banks::texts(&args.own, language, &mut loaded.bank)?;
+/// Runs it.
+pub fn run(args: &args::PracticeArgs, io: &mut Io) -> Result<Exit, Findings> {
+    let (loaded, texts) = args.own.load(&args.bank)?;
     let (bank, words) = (&loaded.bank, &texts.words);
-    let problems = match &args.problems {
-        Some(ids) => replay::indices(bank, ids, "--problems")?,
-        None => (0..bank.problems.len()).collect(),
-    };
+    let problems = replay::chosen(bank, args.problems.as_deref(), "--problems")?;
     if problems.is_empty() {
         return Err(Finding::new("problems", "there is none").in_file(&loaded.file).into());
     }
@@ -64,7 +51,7 @@ fn practice(args: &args::Practice, io: &mut Io) -> Result<(), Findings> {
         problems.iter().map(|p| Maker::new(&bank.problems[*p], seed, "practice")).collect();
     let of_seed = words.say("feedback.seed", &[("seed", &seed.to_string())]);
     io.line(&format!("{} ({of_seed}). {}", bank.title, words.get("feedback.commands")));
-    let catalogue = Catalogue::of(language).unwrap_or_else(Catalogue::built_in);
+    let catalogue = Catalogue::of(words.language()).unwrap_or_else(Catalogue::built_in);
     let mut room = Room::default();
     let (mut right, mut asked) = (0, 0);
     for round in 0usize.. {
@@ -72,7 +59,7 @@ fn practice(args: &args::Practice, io: &mut Io) -> Result<(), Findings> {
         let problem = &bank.problems[problems[i]];
         let variant = makers[i]
             .variant(&format!("round {}", round / problems.len() + 1))
-            .map_err(|none| solve::unsatisfiable(bank, &none))?;
+            .map_err(|none| unsatisfiable(bank, &none))?;
         let mut text = Vec::new();
         sheets.problem(i, &variant, &mut room, &mut text)?;
         let text = document::without_marks(&String::from_utf8_lossy(&text));
@@ -88,7 +75,7 @@ fn practice(args: &args::Practice, io: &mut Io) -> Result<(), Findings> {
         let pieces = [("right", &*right.to_string()), ("asked", &*asked.to_string())];
         io.line(&format!("\n{}", words.say("feedback.score", &pieces)));
     }
-    Ok(())
+    Ok(Exit::Fine)
 }
 
 /// Tells what a wrong number has in common with known wrong methods, as far as the bank lets it.
@@ -190,16 +177,16 @@ fn solution(problem: &Problem, variant: &Variant, key: &ProblemKey, words: &Word
     let scene = &problem.cases[variant.case].scene;
     io.line(&format!("  {}", words.get("feedback.right_values")));
     if variant.solved.regime.motion != Motion::Instant {
-        io.line(&format!("  {}", words::regime(words, variant.solved.regime)));
+        io.line(&format!("  {}", sentences::regime(words, variant.solved.regime)));
     }
     for (question, entry) in problem.questions.iter().zip(&key.parts) {
         let signs = statement::direction_words(words, scene, question.label.of);
-        io.line(&format!("  {} = {}", entry.part, words::right_answer(words, entry, signs)));
+        io.line(&format!("  {} = {}", entry.part, sentences::right_answer(words, entry, signs)));
     }
     // The conditions are told in English only.
     if words.language() == "en" {
         for check in &variant.solved.checks {
-            io.line(&format!("  because {}", words::check(scene, &variant.solved.checks, check)));
+            io.line(&format!("  because {}", sentences::check(scene, &variant.solved.checks, check)));
         }
     }
 }

@@ -1,49 +1,42 @@
 //! `slipstick simulate`: a made-up class with declared habits hands in answers to a stored set, and the truth is written beside them.
 use crate::cli::args;
-use crate::cli::banks;
-use crate::cli::files;
-use crate::cli::generate;
-use crate::cli::tell;
 use crate::cli::tell::Exit;
 use crate::cli::tell::Io;
 use crate::finding::Finding;
 use crate::finding::Findings;
+use crate::folder::banks;
+use crate::folder::files;
+use crate::folder::set;
 use crate::set::replay;
+use crate::sheet::terminal;
 use crate::simulate::classwork;
 use crate::simulate::classwork::Files;
 use crate::simulate::classwork::Work;
 use crate::simulate::habits;
 use crate::simulate::habits::Habits;
-use crate::simulate::student::Student;
+use crate::simulate::student::SimulatedStudent;
 use crate::words::Words;
 use std::path::Path;
 
 /// Runs it.
-pub fn run(args: &args::Simulate, io: &mut Io) -> Exit {
+pub fn run(args: &args::SimulateArgs, io: &mut Io) -> Result<Exit, Findings> {
     if args.example {
         io.piece(habits::EXAMPLE);
-        return Exit::Fine;
+        return Ok(Exit::Fine);
     }
-    match simulate(args) {
-        Ok(files) => {
-            let rows = tell::count(files.rows, "answer");
-            let students = tell::count(files.students, "student");
-            io.line(&format!("{rows} by {students} with seed {}", args.seed));
-            for (what, path) in [("submissions", &args.out), ("truth", &args.truth)] {
-                io.line(&format!(
-                    "  {what}: {}",
-                    path.as_ref().map_or_else(String::new, |p| p.display().to_string())
-                ));
-            }
-            Exit::Fine
-        }
-        Err(findings) => io.findings(&findings),
+    let files = simulate(args)?;
+    let rows = terminal::count(files.rows, "answer");
+    let students = terminal::count(files.students, "student");
+    io.line(&format!("{rows} by {students} with seed {}", args.seed));
+    for (what, path) in [("submissions", &args.out), ("truth", &args.truth)] {
+        io.line(&format!("  {what}: {}", path.as_deref().unwrap_or(Path::new("")).display()));
     }
+    Ok(Exit::Fine)
 }
 
-fn simulate(args: &args::Simulate) -> Result<Files, Findings> {
+fn simulate(args: &args::SimulateArgs) -> Result<Files, Findings> {
     // clap demands all three unless --example is given.
-    let (Some(set), Some(out), Some(truth)) = (&args.set, &args.out, &args.truth) else {
+    let (Some(folder), Some(out), Some(truth)) = (&args.set, &args.out, &args.truth) else {
         return Err(Finding::new("", "give the folder of a set, --out and --truth").into());
     };
     let mut faults = Findings::default();
@@ -61,10 +54,7 @@ fn simulate(args: &args::Simulate) -> Result<Files, Findings> {
         faults.extend(banks::words(language).err().unwrap_or_default());
     }
     let (Some(habits), true) = (habits, faults.is_empty()) else { return Err(faults) };
-    let stored = generate::existing(set)?;
-    let path = set.join(&stored.bank.file);
-    let text = files::read_text(&path)?;
-    let bank = banks::parse(&text, &path.display().to_string())?;
+    let (stored, bank) = set::with_bank(folder)?;
     let problems = replay::indices(&bank, &stored.problems, "problems")?;
     if let Some(path) = &args.like {
         let asked = problems.iter().flat_map(|p| &bank.problems[*p].mistakes);
@@ -82,11 +72,10 @@ fn simulate(args: &args::Simulate) -> Result<Files, Findings> {
             .zip(drawn)
             .map(|(p, (variant, key))| (&bank.problems[*p], variant, key))
             .collect();
-        let handed = Student::new(&habits, &words, args.seed, &student.student).work(&sheet);
+        let handed = SimulatedStudent::new(&habits, &words, args.seed, &student.student).work(&sheet);
         Ok(Work { key: dealt.key, handed })
     });
-    let file = set.join("set.json").display().to_string();
-    let mut works = works.map_err(|faults| faults.or_in_file(&file))?;
+    let mut works = works.map_err(|faults| set::of_set(folder, faults))?;
     classwork::copy(&habits, args.seed, &mut works);
     let files = classwork::write(&habits, &words, args.seed, &works);
     let text = |bytes: &[u8]| String::from_utf8_lossy(bytes).into_owned();

@@ -1,9 +1,15 @@
 //! Findings and results on the terminal: the only place that prints.
 use crate::finding::Finding;
-use crate::num::shown;
+use crate::folder::Progress;
+use crate::sheet::output::Format;
+use indicatif::ProgressBar;
+use indicatif::ProgressStyle;
 use std::io;
 use std::io::BufRead;
 use std::io::Write;
+use std::path::Path;
+use std::sync::Mutex;
+use std::time::Duration;
 
 /// How a command ends.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -33,14 +39,14 @@ pub struct Io<'a> {
 }
 
 /// Standard output that remembers the first fault, so that it is told at the end.
-pub struct Told<'a> {
+pub struct ResultStream<'a> {
     /// Where it goes.
     pub out: &'a mut dyn Write,
     /// What went wrong first.
     pub fault: Option<io::Error>,
 }
 
-impl Told<'_> {
+impl ResultStream<'_> {
     fn noted<T>(&mut self, done: io::Result<T>) -> io::Result<T> {
         done.map_err(|fault| {
             let kind = fault.kind();
@@ -53,7 +59,7 @@ impl Told<'_> {
     }
 }
 
-impl Write for Told<'_> {
+impl Write for ResultStream<'_> {
     fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
         let done = self.out.write(bytes);
         self.noted(done)
@@ -65,7 +71,11 @@ impl Write for Told<'_> {
 }
 
 impl Io<'_> {
-    /// A line of the result. What cannot be written is told at the end ([`Told`]).
+    /// A bar that shows itself only where a person watches and the work takes long.
+    pub const fn bar(&self) -> Bar {
+        Bar { watched: self.watched, bar: Mutex::new(None) }
+    }
+    /// A line of the result. What cannot be written is told at the end ([`ResultStream`]).
     pub fn line(&mut self, text: &str) {
         let _ = writeln!(self.out, "{text}");
     }
@@ -104,51 +114,41 @@ impl Io<'_> {
     }
 }
 
-/// A table with columns as wide as they need; the first column to the left, the others to the right unless `left` says so.
-pub fn table(rows: &[Vec<String>], left: &[usize]) -> String {
-    let columns = rows.iter().map(Vec::len).max().unwrap_or(0);
-    let width = |c: usize| rows.iter().filter_map(|r| r.get(c)).map(|t| wide(t)).max().unwrap_or(0);
-    let widths: Vec<usize> = (0..columns).map(width).collect();
-    let mut text = String::new();
-    for row in rows {
-        let mut line = String::new();
-        for (c, cell) in row.iter().enumerate() {
-            if c > 0 {
-                line.push_str("  ");
+/// Booklets in these formats, as paths.
+pub fn booklets(formats: &[Format], folder: &Path) -> String {
+    let all = formats.iter().rev().filter(|f| **f != Format::Md);
+    let all: Vec<String> = all.map(|f| format!("{}/booklet.{}", folder.display(), f.ending())).collect();
+    all.join(", ")
+}
+
+/// How far long work has come, on the terminal.
+pub struct Bar {
+    watched: bool,
+    bar: Mutex<Option<ProgressBar>>,
+}
+
+impl Progress for Bar {
+    fn advance(&self, what: &str, units: u64, of: u64) {
+        let Some(mut shown) = self.bar.lock().ok().filter(|_| self.watched && of >= 200) else { return };
+        let bar = shown.get_or_insert_with(|| {
+            let bar = ProgressBar::new(of).with_message(what.to_owned());
+            if let Ok(style) = ProgressStyle::with_template("{msg} {bar:30} {pos}/{len} {eta}") {
+                bar.set_style(style);
             }
-            let pad = widths[c].saturating_sub(wide(cell));
-            if left.contains(&c) {
-                line.push_str(cell);
-                line.extend(std::iter::repeat_n(' ', pad));
-            } else {
-                line.extend(std::iter::repeat_n(' ', pad));
-                line.push_str(cell);
-            }
+            bar.enable_steady_tick(Duration::from_millis(200));
+            bar
+        });
+        bar.inc(units);
+        if bar.position() >= of {
+            shown.take().iter().for_each(ProgressBar::finish_and_clear);
         }
-        text.push_str("  ");
-        text.push_str(line.trim_end());
-        text.push('\n');
     }
-    text
 }
 
-/// A share in whole per cent: `40 %`.
-pub fn percent(share: f64) -> String {
-    format!("{} %", shown::per_cent(share, 0))
-}
-
-/// `1 sheet`, `2 sheets`
-pub fn count(n: usize, one: &str) -> String {
-    if n == 1 { format!("1 {one}") } else { format!("{n} {one}s") }
-}
-
-/// Columns that a text takes on a terminal: Chinese, Japanese and Korean signs take two.
-fn wide(text: &str) -> usize {
-    let two = |c: &char| matches!(u32::from(*c), 0x1100..=0x115F | 0x2E80..=0xA4CF | 0xAC00..=0xD7A3 | 0xF900..=0xFAFF | 0xFE30..=0xFE6F | 0xFF00..=0xFF60);
-    text.chars().count() + text.chars().filter(two).count()
-}
-
-/// Name and version of this program, for what it makes.
-pub fn program() -> String {
-    format!("{} {}", env!("CARGO_PKG_NAME"), env!("CARGO_PKG_VERSION"))
+impl Drop for Bar {
+    fn drop(&mut self) {
+        if let Ok(Some(bar)) = self.bar.get_mut() {
+            bar.finish_and_clear();
+        }
+    }
 }

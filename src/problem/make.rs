@@ -156,8 +156,7 @@ impl<'p> Maker<'p> {
             if let Some(Refusal::Disagree { label, eom, energy, allowed }) = &refusals.unsolved {
                 let name = case.scene.name_of(*label);
                 let disagreement = format!(
-                    "the two roads disagree on {name}: {eom:e} from the equations of motion, {energy:e} from work and \
-                     energy, more than the relative {allowed:.1e} that rounding explains"
+                    "the equations of motion and work and energy disagree on {name}: {eom:e} against {energy:e}, more than the relative {allowed:.1e} that rounding explains"
                 );
                 let constant = constant.then_some((values, data));
                 return Err(Box::new(self.unsatisfiable(

@@ -218,7 +218,7 @@ fn name(problem: &Problem, case: usize, rule: Rule) -> String {
         Rule::Admissible => "data that are no scene".to_owned(),
         Rule::Solvable => "cannot be solved".to_owned(),
         Rule::Start => "the start contradicts the ties, or leaves a velocity open".to_owned(),
-        Rule::Agree => "the two roads disagree".to_owned(),
+        Rule::Agree => "the equations of motion and work and energy disagree".to_owned(),
         Rule::Certain => {
             "the key is not proved: rounding of the printed data leaves open which way it goes".to_owned()
         }

@@ -9,7 +9,7 @@ pub const LISTED: usize = 1000;
 const COMPARED: usize = 20_000_000;
 
 /// What one student got for one problem.
-pub struct Variant<'a> {
+pub struct StudentVariant<'a> {
     /// Id of the student.
     pub student: &'a str,
     /// The data as printed.
@@ -19,7 +19,7 @@ pub struct Variant<'a> {
 }
 
 /// Pairs of one problem, and whether there are more than are listed.
-pub fn pairs(id: &str, variants: &[Variant]) -> (Vec<Coincidence>, bool) {
+pub fn pairs(id: &str, variants: &[StudentVariant]) -> (Vec<Coincidence>, bool) {
     let mut found = Vec::new();
     let mut more = false;
     let mut tell = |what: &str, a: usize, b: usize| {

@@ -20,14 +20,14 @@ use crate::units::spell;
 use rayon::prelude::*;
 
 /// What a student's stored data come to.
-pub struct Given {
+pub struct GivenSheet {
     /// Variants in the order of the sheet.
     pub variants: Vec<Variant>,
     /// Their key.
     pub key: SheetKey,
 }
 
-/// Why the stored data of a student give no key.
+/// LostWhy the stored data of a student give no key.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Lost {
     /// Id of the student.
@@ -36,13 +36,13 @@ pub struct Lost {
     pub problem: usize,
     /// Index of the case.
     pub case: usize,
-    /// Why.
-    pub why: Why,
+    /// LostWhy.
+    pub why: LostWhy,
 }
 
-/// Why there is no key.
+/// LostWhy there is no key.
 #[derive(Debug, Clone, PartialEq)]
-pub enum Why {
+pub enum LostWhy {
     /// The scene cannot be solved, or the two roads disagree.
     Refused(Refusal),
     /// It is solved, but something else happens than the problem says: what does.
@@ -55,7 +55,7 @@ pub enum Why {
 
 /// What stands in the way.
 #[derive(Debug, Clone, PartialEq)]
-pub enum Fault {
+pub enum GivenFault {
     /// The bank and the stored data do not fit each other.
     Misfit(Finding),
     /// The data of one student give no key.
@@ -66,10 +66,10 @@ pub enum Fault {
 ///
 /// # Errors
 /// Problems, cases and data that the bank no longer has, once each; then the students whose data give no key, all of them.
-pub fn all(bank: &Bank, set: &StoredSet) -> Result<Vec<Given>, Vec<Fault>> {
+pub fn all(bank: &Bank, set: &StoredSet) -> Result<Vec<GivenSheet>, Vec<GivenFault>> {
     let problems = crate::set::replay::indices(bank, &set.problems, "problems")
-        .map_err(|faults| faults.into_iter().map(Fault::Misfit).collect::<Vec<_>>())?;
-    let solved: Vec<Result<Given, Vec<Fault>>> =
+        .map_err(|faults| faults.into_iter().map(GivenFault::Misfit).collect::<Vec<_>>())?;
+    let solved: Vec<Result<GivenSheet, Vec<GivenFault>>> =
         set.students.par_iter().map(|s| one(bank, &problems, &s.student, &s.problems)).collect();
     let (mut found, mut faults) = (Vec::with_capacity(solved.len()), Vec::new());
     for result in solved {
@@ -85,7 +85,7 @@ pub fn all(bank: &Bank, set: &StoredSet) -> Result<Vec<Given>, Vec<Fault>> {
         }
     }
     // What is wrong with the bank goes before what is wrong for somebody.
-    faults.sort_by_key(|f| matches!(f, Fault::Lost(_)));
+    faults.sort_by_key(|f| matches!(f, GivenFault::Lost(_)));
     if faults.is_empty() { Ok(found) } else { Err(faults) }
 }
 
@@ -94,24 +94,24 @@ fn one(
     problems: &[usize],
     student: &str,
     stored: &[StoredVariant],
-) -> Result<Given, Vec<Fault>> {
+) -> Result<GivenSheet, Vec<GivenFault>> {
     let mut faults = Vec::new();
     let (mut variants, mut keys) = (Vec::with_capacity(problems.len()), Vec::with_capacity(problems.len()));
     if stored.len() != problems.len() {
         let what = format!("{student} has {} problems, the set {}", stored.len(), problems.len());
-        return Err(vec![Fault::Misfit(Finding::new("students", what))]);
+        return Err(vec![GivenFault::Misfit(Finding::new("students", what))]);
     }
     for (index, old) in problems.iter().zip(stored) {
         let problem = &bank.problems[*index];
         if old.id != problem.id {
             let what = format!("{student} has `{}` where the set has `{}`", old.id, problem.id);
-            faults.push(Fault::Misfit(Finding::new("students", what)));
+            faults.push(GivenFault::Misfit(Finding::new("students", what)));
             continue;
         }
         let (case, values) = match values(problem, old) {
             Ok(found) => found,
             Err(more) => {
-                faults.extend(more.into_iter().map(Fault::Misfit));
+                faults.extend(more.into_iter().map(GivenFault::Misfit));
                 continue;
             }
         };
@@ -121,12 +121,17 @@ fn one(
                 keys.push(key);
             }
             Err(why) => {
-                faults.push(Fault::Lost(Lost { student: student.to_owned(), problem: *index, case, why }));
+                faults.push(GivenFault::Lost(Lost {
+                    student: student.to_owned(),
+                    problem: *index,
+                    case,
+                    why,
+                }));
             }
         }
     }
     if faults.is_empty() {
-        Ok(Given { variants, key: SheetKey { student: student.to_owned(), problems: keys } })
+        Ok(GivenSheet { variants, key: SheetKey { student: student.to_owned(), problems: keys } })
     } else {
         Err(faults)
     }
@@ -136,7 +141,7 @@ fn one(
 ///
 /// # Errors
 /// Those of [`as_stored`].
-pub fn all_as_stored(bank: &Bank, set: &StoredSet) -> Result<Vec<Given>, Findings> {
+pub fn all_as_stored(bank: &Bank, set: &StoredSet) -> Result<Vec<GivenSheet>, Findings> {
     let problems = crate::set::replay::indices(bank, &set.problems, "problems")?;
     let one = |s: &StoredStudent| as_stored(bank, &problems, &s.student, &s.problems);
     let mut found = Vec::with_capacity(set.students.len());
@@ -156,7 +161,7 @@ pub fn as_stored(
     problems: &[usize],
     student: &str,
     stored: &[StoredVariant],
-) -> Result<Given, Findings> {
+) -> Result<GivenSheet, Findings> {
     let field = |id: &str| format!("students {student}, {id}");
     if stored.len() != problems.len()
         || !stored.iter().zip(problems).all(|(s, p)| s.id == bank.problems[*p].id)
@@ -181,7 +186,7 @@ pub fn as_stored(
             Err(more) => faults.extend(more),
         }
     }
-    faults.into_result(Given { variants, key: SheetKey { student: student.to_owned(), problems: keys } })
+    faults.into_result(GivenSheet { variants, key: SheetKey { student: student.to_owned(), problems: keys } })
 }
 
 /// Case and data as the bank's problem takes them. Findings are the same for every student with the same trouble.
@@ -248,25 +253,29 @@ fn values(problem: &Problem, old: &StoredVariant) -> Result<(usize, Vec<Option<D
     faults.into_result((index, values))
 }
 
-fn solved(problem: &Problem, case: usize, values: &[Option<Decimal>]) -> Result<(Variant, ProblemKey), Why> {
-    let variant = make::from_values(problem, case, values).map_err(Why::Refused)?;
+fn solved(
+    problem: &Problem,
+    case: usize,
+    values: &[Option<Decimal>],
+) -> Result<(Variant, ProblemKey), LostWhy> {
+    let variant = make::from_values(problem, case, values).map_err(LostWhy::Refused)?;
     let regime = variant.solved.regime;
     let told = &problem.cases[case];
     if !regime.is_one_of(&told.regimes, &told.scene) {
-        return Err(Why::Happens(regime.word()));
+        return Err(LostWhy::Happens(regime.word()));
     }
     if let Some(check) = variant.solved.failing(&told.regimes) {
-        return Err(Why::Happens(format!("{} fails", check.kind.name())));
+        return Err(LostWhy::Happens(format!("{} fails", check.kind.name())));
     }
     let missing = problem.questions.iter().find(|q| match q.label.quantity.is_word() {
         true => variant.solved.word(q.label).is_none(),
         false => variant.solved.get(q.label).is_none_or(|e| !e.value().is_finite()),
     });
     if let Some(question) = missing {
-        return Err(Why::Unanswered(question.id.clone()));
+        return Err(LostWhy::Unanswered(question.id.clone()));
     }
     if let Some(part) = make::broken_relation(problem, &variant.data, &variant.solved) {
-        return Err(Why::Relation(problem.questions[part].id.clone()));
+        return Err(LostWhy::Relation(problem.questions[part].id.clone()));
     }
     let key = make_key::key(problem, &variant);
     Ok((variant, key))

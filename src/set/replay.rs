@@ -9,7 +9,7 @@ use crate::problem::make::Maker;
 use crate::problem::make::Unsatisfiable;
 use crate::problem::make::Variant;
 use crate::set::given;
-use crate::set::given::Given;
+use crate::set::given::GivenSheet;
 use crate::set::store::StoredSet;
 use crate::set::store::StoredStudent;
 use crate::set::store::StoredVariant;
@@ -103,16 +103,21 @@ pub fn indices(bank: &Bank, ids: &[String], field: &str) -> Result<Vec<usize>, F
             }
             Some(i) => found.push(i),
             None => {
-                let known: Vec<&str> = bank.problems.iter().map(|p| p.id.as_str()).collect();
+                let known = bank.problems.iter().map(|p| p.id.as_str());
                 let fault = Finding::new(field, format!("the bank has no problem `{id}`"));
-                faults.push(match crate::units::spell::closest(id, known.iter().copied()) {
-                    Some(near) => fault.hint(format!("did you mean `{near}`?")),
-                    None => fault.hint(format!("its problems: {}", known.join(", "))),
-                });
+                faults.push(fault.hint(crate::units::spell::hint(id, "its problems", known)));
             }
         }
     }
     faults.into_result(found)
+}
+
+/// The same, or all of the bank where none are named.
+///
+/// # Errors
+/// As [`indices`].
+pub fn chosen(bank: &Bank, ids: Option<&[String]>, field: &str) -> Result<Vec<usize>, Findings> {
+    ids.map_or_else(|| Ok((0..bank.problems.len()).collect()), |ids| indices(bank, ids, field))
 }
 
 /// Was the set drawn by an earlier version, which chose other draws? Then nothing is drawn again: what was drawn is taken as it
@@ -166,7 +171,7 @@ pub fn each<T: Send>(
             Findings::from(f)
         };
         if earlier {
-            let Given { variants, key } =
+            let GivenSheet { variants, key } =
                 given::as_stored(bank, &problems, &student.student, &student.problems)?;
             return make(i, student, Dealt { variants, key }).map_err(by_make);
         }

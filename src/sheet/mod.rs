@@ -2,10 +2,12 @@
 pub mod document;
 pub mod html;
 pub mod key_table;
+pub mod output;
 pub mod page;
 pub mod pdf;
 pub mod public;
 pub mod statement;
 pub mod terminal;
 pub mod tex;
+pub mod texts;
 pub mod typst;

@@ -1,4 +1,5 @@
-//! Markdown with formulas as plain text for a terminal.
+//! Texts as a terminal shows them: Markdown with formulas, tables, counts and shares.
+use crate::num::shown;
 
 /// Formulas as a terminal can show them.
 pub fn plain(markdown: &str) -> String {
@@ -50,4 +51,54 @@ pub fn plain(markdown: &str) -> String {
         }
     }
     out
+}
+
+/// A table with columns as wide as they need; the first column to the left, the others to the right unless `left` says so.
+pub fn table(rows: &[Vec<String>], left: &[usize]) -> String {
+    let columns = rows.iter().map(Vec::len).max().unwrap_or(0);
+    let width = |c: usize| rows.iter().filter_map(|r| r.get(c)).map(|t| wide(t)).max().unwrap_or(0);
+    let widths: Vec<usize> = (0..columns).map(width).collect();
+    let mut text = String::new();
+    for row in rows {
+        let mut line = String::new();
+        for (c, cell) in row.iter().enumerate() {
+            if c > 0 {
+                line.push_str("  ");
+            }
+            let pad = widths[c].saturating_sub(wide(cell));
+            if left.contains(&c) {
+                line.push_str(cell);
+                line.extend(std::iter::repeat_n(' ', pad));
+            } else {
+                line.extend(std::iter::repeat_n(' ', pad));
+                line.push_str(cell);
+            }
+        }
+        text.push_str("  ");
+        text.push_str(line.trim_end());
+        text.push('\n');
+    }
+    text
+}
+
+/// A share in whole per cent: `40 %`.
+pub fn percent(share: f64) -> String {
+    format!("{} %", shown::decimals(share * 100.0, 0))
+}
+
+/// A share in per cent, without zeros at the end.
+pub fn per_cent(share: f64) -> String {
+    let text = shown::decimals(share * 100.0, 3);
+    text.trim_end_matches('0').trim_end_matches('.').to_owned()
+}
+
+/// `1 sheet`, `2 sheets`
+pub fn count(n: usize, one: &str) -> String {
+    if n == 1 { format!("1 {one}") } else { format!("{n} {one}s") }
+}
+
+/// Columns that a text takes on a terminal: Chinese, Japanese and Korean signs take two.
+fn wide(text: &str) -> usize {
+    let two = |c: &char| matches!(u32::from(*c), 0x1100..=0x115F | 0x2E80..=0xA4CF | 0xAC00..=0xD7A3 | 0xF900..=0xFAFF | 0xFE30..=0xFE6F | 0xFF00..=0xFF60);
+    text.chars().count() + text.chars().filter(two).count()
 }

@@ -7,10 +7,10 @@ use crate::simulate::habits::Habits;
 use crate::simulate::moment;
 use crate::simulate::student::Handed;
 use crate::simulate::truth::HEADER;
-use crate::simulate::truth::Kind;
+use crate::simulate::truth::TrueKind;
 use crate::simulate::truth::Truth;
 use crate::simulate::written;
-use crate::simulate::written::Cell;
+use crate::simulate::written::WrittenCell;
 use crate::words::Words;
 
 /// One student's work.
@@ -53,7 +53,7 @@ pub fn copy(habits: &Habits, seed: u64, works: &mut [Work]) {
         for copier in copiers {
             let work = &mut works[*copier];
             for from in &last {
-                if matches!(from.cell, Cell::Blank) || !chance.meets(copying.share) {
+                if matches!(from.cell, WrittenCell::Blank) || !chance.meets(copying.share) {
                     continue;
                 }
                 let disguise = chance.meets(copying.disguise);
@@ -63,14 +63,14 @@ pub fn copy(habits: &Habits, seed: u64, works: &mut [Work]) {
                     continue;
                 };
                 let cell = match from.cell.clone() {
-                    Cell::Number { digits, unit, way } if disguise => {
-                        Cell::Number { digits: written::disguised(&digits), unit, way }
+                    WrittenCell::Number { digits, unit, way } if disguise => {
+                        WrittenCell::Number { digits: written::disguised(&digits), unit, way }
                     }
                     cell => cell,
                 };
                 let verdict = cell.verdict(&entry);
                 let truth = Truth {
-                    kind: Kind::Copied,
+                    kind: TrueKind::Copied,
                     method: from.truth.method.clone(),
                     figures: from.truth.figures,
                     from: name.clone(),
@@ -104,7 +104,7 @@ fn last_attempts(handed: &[Handed]) -> Vec<Handed> {
 }
 
 /// A row before it is written.
-struct Row<'w> {
+struct HandedRow<'w> {
     student: &'w str,
     handed: &'w Handed,
     part: &'w str,
@@ -115,7 +115,7 @@ struct Row<'w> {
 
 /// Writes the files. The rows stand student by student, or by the times where there are some.
 pub fn write(habits: &Habits, words: &Words, seed: u64, works: &[Work]) -> Files {
-    let mut rows: Vec<Row> = Vec::new();
+    let mut rows: Vec<HandedRow> = Vec::new();
     for work in works {
         let student = work.key.student.as_str();
         // A stream of its own: what is handed in does not depend on when, nor on commas.
@@ -139,7 +139,7 @@ pub fn write(habits: &Habits, words: &Words, seed: u64, works: &[Work]) -> Files
                 Some(entry) if comma => handed.cell.verdict_with_comma(entry, handed.truth.verdict),
                 _ => handed.truth.verdict,
             };
-            rows.push(Row { student, handed, part, verdict, minute, comma });
+            rows.push(HandedRow { student, handed, part, verdict, minute, comma });
         }
     }
     if habits.times.is_some() {
@@ -214,12 +214,12 @@ fn header(habits: &Habits, out: &mut Vec<u8>) {
 }
 
 /// What stands in the cell; `odd` tells whether a blank has blanks in it.
-fn text(cell: &Cell, comma: bool, odd: usize, words: &Words) -> String {
+fn text(cell: &WrittenCell, comma: bool, odd: usize, words: &Words) -> String {
     match cell {
-        Cell::Blank => if odd.is_multiple_of(2) { "" } else { "  " }.to_owned(),
-        Cell::Garbage(text) => (*text).to_owned(),
-        Cell::Word(word) => words.get(&format!("sheet.{word}")).to_owned(),
-        Cell::Number { digits, unit, way } => {
+        WrittenCell::Blank => if odd.is_multiple_of(2) { "" } else { "  " }.to_owned(),
+        WrittenCell::Garbage(text) => (*text).to_owned(),
+        WrittenCell::Word(word) => words.get(&format!("sheet.{word}")).to_owned(),
+        WrittenCell::Number { digits, unit, way } => {
             let digits = if comma { digits.replace('.', ",") } else { digits.clone() };
             let number = match unit {
                 Some(unit) => unit.text_with(&digits),

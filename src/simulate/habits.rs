@@ -10,7 +10,7 @@ use crate::bank::node::shorten;
 use crate::bank::yaml;
 use crate::finding::Findings;
 use crate::simulate::moment;
-use crate::simulate::truth::Kind;
+use crate::simulate::truth::TrueKind;
 
 /// The habits that are taken where none are given, and the example that is printed: every field, with its meaning.
 pub const EXAMPLE: &str = include_str!("habits.yaml");
@@ -73,7 +73,7 @@ pub struct Copying {
 
 /// When it is handed in.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Times {
+pub struct HandInTimes {
     /// First and due minute, counted from 1970 in the class's own time.
     pub opens: i64,
     /// Due minute.
@@ -96,7 +96,7 @@ pub struct Habits {
     /// Share of the later attempts that are right.
     pub improves: f64,
     /// What becomes of an answer.
-    pub answers: Mix<Kind>,
+    pub answers: Mix<TrueKind>,
     /// Wrong methods by id, and how often each is met beside the others.
     pub methods: Vec<(String, f64)>,
     /// How often each method that is not named is met; 0: never.
@@ -120,7 +120,7 @@ pub struct Habits {
     /// Written as a spreadsheet exports it where the comma is the decimal mark: byte order mark, semicolons, quoted cells.
     pub spreadsheet: bool,
     /// When; `None`: no such column.
-    pub times: Option<Times>,
+    pub times: Option<HandInTimes>,
 }
 
 const UNITS: [(&str, Written); 3] =
@@ -186,8 +186,8 @@ fn habits(tree: &Node, faults: &Faults) -> Option<Habits> {
     let answers = fields.need("answers", "{right: 70, wrong method: 30}");
     let answers = answers.and_then(|n| {
         mix(n, "kinds of answers", faults, &|name| {
-            Kind::DECLARED.iter().copied().find(|k| k.name() == name).ok_or_else(|| {
-                let known = Kind::DECLARED.iter().map(|k| k.name());
+            TrueKind::DECLARED.iter().copied().find(|k| k.name() == name).ok_or_else(|| {
+                let known = TrueKind::DECLARED.iter().map(|k| k.name());
                 let near = close_name(name, known.clone());
                 near.unwrap_or_else(|| format!("the kinds are {}", known.collect::<Vec<_>>().join(", ")))
             })
@@ -344,7 +344,7 @@ fn copying(node: &Node, faults: &Faults) -> Option<Copying> {
     Some(Copying { groups, size, share: part, disguise })
 }
 
-fn times(node: &Node, faults: &Faults) -> Option<Times> {
+fn times(node: &Node, faults: &Faults) -> Option<HandInTimes> {
     let mut fields = Fields::open(node, "times (opens, due, late, by at most, zone)", faults)?;
     let minute = |node: Option<&Node>| {
         let node = node?;
@@ -386,7 +386,7 @@ fn times(node: &Node, faults: &Faults) -> Option<Times> {
     {
         faults.at(node, "it is due before it opens");
     }
-    Some(Times { opens, due, late, by, zone })
+    Some(HandInTimes { opens, due, late, by, zone })
 }
 
 fn yes(node: &Node, faults: &Faults) -> bool {
@@ -418,7 +418,7 @@ mod tests {
     fn the_example_says_every_field() {
         let habits = Habits::usual();
         assert!(habits.copying.is_some() && habits.times.is_some() && habits.absent > 0.0);
-        assert_eq!(habits.answers.all().len(), Kind::DECLARED.len());
+        assert_eq!(habits.answers.all().len(), TrueKind::DECLARED.len());
         assert!(habits.any_method > 0.0 && !habits.methods.is_empty());
     }
 

@@ -15,12 +15,12 @@ macro_rules! kinds {
     ($($variant:ident $name:literal;)*) => {
         /// What a simulated row is.
         #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-        pub enum Kind { $(#[doc = $name] $variant,)* }
-        impl Kind {
+        pub enum CellKind { $(#[doc = $name] $variant,)* }
+        impl CellKind {
             /// All.
-            pub const ALL: &'static [Kind] = &[$(Kind::$variant,)*];
+            pub const ALL: &'static [CellKind] = &[$(CellKind::$variant,)*];
             /// In words.
-            pub const fn name(self) -> &'static str { match self { $(Kind::$variant => $name,)* } }
+            pub const fn name(self) -> &'static str { match self { $(CellKind::$variant => $name,)* } }
         }
     };
 }
@@ -47,13 +47,13 @@ pub struct HandIn {
     /// The bytes, as a spreadsheet exports them where the comma is the decimal mark: byte order mark, semicolons, CRLF.
     pub bytes: Vec<u8>,
     /// Kinds of the rows in order.
-    pub kinds: Vec<Kind>,
+    pub kinds: Vec<CellKind>,
 }
 
 /// Lets the class hand in. The last student hands in nothing.
 pub fn hand_in(sheets: &[Sheet], seed: u64) -> HandIn {
     let mut rng = ChaCha20Rng::seed_from_u64(seed);
-    let mut rows: Vec<(Kind, [String; 5])> = Vec::new();
+    let mut rows: Vec<(CellKind, [String; 5])> = Vec::new();
     let mut minute = 0u32;
     let mut stamp = || {
         minute += 1;
@@ -65,21 +65,24 @@ pub fn hand_in(sheets: &[Sheet], seed: u64) -> HandIn {
             for (part, entry) in key.parts.iter().enumerate() {
                 // Some write the number of the problem, some its id.
                 let name = if rng.random_bool(0.8) { (i + 1).to_string() } else { problem.id.clone() };
-                let mut row = |kind: Kind, answer: String| {
+                let mut row = |kind: CellKind, answer: String| {
                     let student = sheet.student.to_owned();
                     rows.push((kind, [stamp(), student, name.clone(), entry.part.clone(), answer]));
                 };
                 match rng.random_range(0..100u32) {
-                    0..52 => row(Kind::Right, right(entry)),
-                    52..66 => row(Kind::WrongMethod, wrong_method(problem, variant, part, entry, &mut rng)),
-                    66..73 => row(Kind::WrongUnit, wrong_unit(entry)),
-                    73..87 => row(Kind::Messy, messy(entry, &mut rng)),
-                    87..93 => {
-                        row(Kind::Blank, if rng.random_bool(0.5) { String::new() } else { "  ".to_owned() })
+                    0..52 => row(CellKind::Right, right(entry)),
+                    52..66 => {
+                        row(CellKind::WrongMethod, wrong_method(problem, variant, part, entry, &mut rng))
                     }
+                    66..73 => row(CellKind::WrongUnit, wrong_unit(entry)),
+                    73..87 => row(CellKind::Messy, messy(entry, &mut rng)),
+                    87..93 => row(
+                        CellKind::Blank,
+                        if rng.random_bool(0.5) { String::new() } else { "  ".to_owned() },
+                    ),
                     _ => {
-                        row(Kind::Duplicate, wrong_method(problem, variant, part, entry, &mut rng));
-                        row(Kind::Duplicate, right(entry));
+                        row(CellKind::Duplicate, wrong_method(problem, variant, part, entry, &mut rng));
+                        row(CellKind::Duplicate, right(entry));
                     }
                 }
             }
@@ -90,11 +93,11 @@ pub fn hand_in(sheets: &[Sheet], seed: u64) -> HandIn {
         let lost = sheet.student.trim_start_matches('0').to_owned();
         let student = if i % 2 == 0 { lost } else { format!("{}@example.org", sheet.student) };
         let part = sheet.problems.first().and_then(|p| p.2.parts.first()).map_or("v", |e| e.part.as_str());
-        rows.push((Kind::Unknown, [stamp(), student, "1".to_owned(), part.to_owned(), "1.5".to_owned()]));
+        rows.push((CellKind::Unknown, [stamp(), student, "1".to_owned(), part.to_owned(), "1.5".to_owned()]));
         let student = sheet.student.to_owned();
         let (problem, part) = if i % 2 == 0 { ("9", part) } else { ("1", "speed") };
         rows.push((
-            Kind::Unknown,
+            CellKind::Unknown,
             [stamp(), student, problem.to_owned(), part.to_owned(), "2 m/s".to_owned()],
         ));
     }

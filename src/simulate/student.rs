@@ -9,10 +9,10 @@ use crate::scene::Owner;
 use crate::scene::Slope;
 use crate::simulate::chance::Chance;
 use crate::simulate::habits::Habits;
-use crate::simulate::truth::Kind;
+use crate::simulate::truth::TrueKind;
 use crate::simulate::truth::Truth;
 use crate::simulate::written;
-use crate::simulate::written::Cell;
+use crate::simulate::written::WrittenCell;
 use crate::solution::by_hand;
 use crate::solution::by_hand::ByHand;
 use crate::solve::outcome::Entry;
@@ -32,29 +32,29 @@ pub struct Handed {
     /// Which attempt at the part, from 1.
     pub attempt: u32,
     /// What is written.
-    pub cell: Cell,
+    pub cell: WrittenCell,
     /// What was done.
     pub truth: Truth,
 }
 
 /// Where a number comes from, before it is written.
 struct Idea {
-    kind: Kind,
+    kind: TrueKind,
     method: String,
     figures: Option<u32>,
     from: String,
-    cell: Cell,
+    cell: WrittenCell,
 }
 
 /// One part of one problem.
-struct Part<'s> {
+struct WorkedPart<'s> {
     problem: &'s Problem,
     variant: &'s Variant,
     key: &'s ProblemKey,
     index: usize,
 }
 
-impl<'s> Part<'s> {
+impl<'s> WorkedPart<'s> {
     fn entry(&self) -> &'s KeyEntry {
         &self.key.parts[self.index]
     }
@@ -85,13 +85,13 @@ struct Memory {
 }
 
 /// A student with the habits of the class.
-pub struct Student<'h> {
+pub struct SimulatedStudent<'h> {
     habits: &'h Habits,
     words: &'h Words,
     chance: Chance,
 }
 
-impl<'h> Student<'h> {
+impl<'h> SimulatedStudent<'h> {
     /// A student of a class that hands in with this seed.
     pub fn new(habits: &'h Habits, words: &'h Words, seed: u64, student: &str) -> Self {
         Self { habits, words, chance: Chance::of(seed, student) }
@@ -107,7 +107,7 @@ impl<'h> Student<'h> {
         for (at, (problem, variant, key)) in problems.iter().enumerate() {
             let mut memory = Memory::default();
             for index in 0..key.parts.len() {
-                let part = Part { problem, variant, key, index };
+                let part = WorkedPart { problem, variant, key, index };
                 let attempts = self.habits.attempts.at(self.chance.share());
                 for attempt in 1..=attempts {
                     let sure = attempt > 1 && self.chance.meets(self.habits.improves);
@@ -136,7 +136,7 @@ impl<'h> Student<'h> {
     }
 
     /// What comes into the student's head for a part.
-    fn idea(&mut self, part: &Part, memory: &mut Memory) -> Idea {
+    fn idea(&mut self, part: &WorkedPart, memory: &mut Memory) -> Idea {
         if let Some(idea) = self.carried(part, memory).or_else(|| self.followed(part, memory)) {
             return idea;
         }
@@ -154,24 +154,33 @@ impl<'h> Student<'h> {
     }
 
     /// The right answer, rounded.
-    fn right(&mut self, part: &Part) -> Idea {
+    fn right(&mut self, part: &WorkedPart) -> Idea {
         match &part.entry().answer {
-            Answer::Word { right, .. } => plain(Kind::Right, Cell::Word(right), None),
+            Answer::Word { right, .. } => plain(TrueKind::Right, WrittenCell::Word(right), None),
             Answer::Number { value, .. } => {
                 let figures = self.figures();
-                plain(Kind::Right, Cell::number(*value, &part.entry().unit, figures), Some(figures))
+                plain(
+                    TrueKind::Right,
+                    WrittenCell::number(*value, &part.entry().unit, figures),
+                    Some(figures),
+                )
             }
         }
     }
 
-    fn word(&mut self, kind: Kind, right: &'static str, offered: &'static [&'static str]) -> Option<Idea> {
+    fn word(
+        &mut self,
+        kind: TrueKind,
+        right: &'static str,
+        offered: &'static [&'static str],
+    ) -> Option<Idea> {
         match kind {
-            Kind::Blank => Some(plain(kind, Cell::Blank, None)),
-            Kind::Garbage => Some(self.garbage()),
-            Kind::WrongMethod | Kind::WrongSign => {
+            TrueKind::Blank => Some(plain(kind, WrittenCell::Blank, None)),
+            TrueKind::Garbage => Some(self.garbage()),
+            TrueKind::WrongMethod | TrueKind::WrongSign => {
                 let others: Vec<&str> = offered.iter().copied().filter(|o| *o != right).collect();
                 let word = others.get(self.chance.below(others.len())).copied()?;
-                Some(plain(kind, Cell::Word(word), None))
+                Some(plain(kind, WrittenCell::Word(word), None))
             }
             _ => None,
         }
@@ -179,69 +188,71 @@ impl<'h> Student<'h> {
 
     fn garbage(&mut self) -> Idea {
         let text = written::GARBAGE[self.chance.below(written::GARBAGE.len())];
-        plain(Kind::Garbage, Cell::Garbage(text), None)
+        plain(TrueKind::Garbage, WrittenCell::Garbage(text), None)
     }
 
     /// A number that came about in this way; `None` where that is not possible.
-    fn number(&mut self, kind: Kind, value: f64, part: &Part, memory: &mut Memory) -> Option<Idea> {
+    fn number(&mut self, kind: TrueKind, value: f64, part: &WorkedPart, memory: &mut Memory) -> Option<Idea> {
         let unit = &part.entry().unit;
         let figures = self.figures();
-        let idea = |cell: Cell| plain(kind, cell, Some(figures));
+        let idea = |cell: WrittenCell| plain(kind, cell, Some(figures));
         Some(match kind {
-            Kind::Right => return None,
-            Kind::RoundedOnTheWay => return self.rounded(part, memory),
-            Kind::WrongMethod => {
+            TrueKind::Right => return None,
+            TrueKind::RoundedOnTheWay => return self.rounded(part, memory),
+            TrueKind::WrongMethod => {
                 let method = self.method(part)?;
                 memory.method = Some(method);
                 return self.by_method(part, method);
             }
-            Kind::WrongSign => idea(Cell::number(-value, unit, figures)),
-            Kind::UnitSlip => {
+            TrueKind::WrongSign => idea(WrittenCell::number(-value, unit, figures)),
+            TrueKind::UnitSlip => {
                 let meant = written::other_unit(unit, &mut self.chance)?;
-                match Cell::number(value, &meant, figures) {
-                    Cell::Number { digits, way, .. } => {
+                match WrittenCell::number(value, &meant, figures) {
+                    WrittenCell::Number { digits, way, .. } => {
                         let from = meant.ascii().to_owned();
-                        Idea { from, ..idea(Cell::Number { digits, unit: Some(unit.clone()), way }) }
+                        Idea { from, ..idea(WrittenCell::Number { digits, unit: Some(unit.clone()), way }) }
                     }
                     _ => return None,
                 }
             }
-            Kind::WrongUnit => {
+            TrueKind::WrongUnit => {
                 let strange = written::strange_unit(unit, &mut self.chance)?;
-                match Cell::number(value, unit, figures) {
-                    Cell::Number { digits, way, .. } => {
-                        idea(Cell::Number { digits, unit: Some(strange), way })
+                match WrittenCell::number(value, unit, figures) {
+                    WrittenCell::Number { digits, way, .. } => {
+                        idea(WrittenCell::Number { digits, unit: Some(strange), way })
                     }
                     _ => return None,
                 }
             }
-            Kind::PowerOfTen => {
+            TrueKind::PowerOfTen => {
                 let tens = [1e-3, 1e-2, 0.1, 10.0, 100.0, 1e3];
-                idea(Cell::number(value * tens[self.chance.below(tens.len())], unit, figures))
+                idea(WrittenCell::number(value * tens[self.chance.below(tens.len())], unit, figures))
             }
-            Kind::TypingError => match Cell::number(value, unit, figures) {
-                Cell::Number { digits, unit, way } => {
-                    idea(Cell::Number { digits: written::mistyped(&digits, &mut self.chance), unit, way })
-                }
+            TrueKind::TypingError => match WrittenCell::number(value, unit, figures) {
+                WrittenCell::Number { digits, unit, way } => idea(WrittenCell::Number {
+                    digits: written::mistyped(&digits, &mut self.chance),
+                    unit,
+                    way,
+                }),
                 _ => return None,
             },
-            Kind::OtherPart => {
+            TrueKind::OtherPart => {
                 let numbers = part.key.parts.iter().enumerate().filter_map(|(i, e)| match e.answer {
                     Answer::Number { value, .. } if i != part.index => Some((e, value)),
                     _ => None,
                 });
                 let others: Vec<(&KeyEntry, f64)> = numbers.collect();
                 let (other, value) = *others.get(self.chance.below(others.len()))?;
-                Idea { from: other.part.clone(), ..idea(Cell::number(value, &other.unit, figures)) }
+                Idea { from: other.part.clone(), ..idea(WrittenCell::number(value, &other.unit, figures)) }
             }
-            Kind::Blank => plain(kind, Cell::Blank, None),
-            Kind::Garbage => self.garbage(),
-            Kind::Followed | Kind::Copied => return None,
+            TrueKind::Blank => plain(kind, WrittenCell::Blank, None),
+            TrueKind::Garbage => self.garbage(),
+            TrueKind::Followed | TrueKind::Copied => return None,
         })
     }
 
     /// Worked by hand with few figures on the way; the answer has as many.
-    fn rounded(&mut self, part: &Part, memory: &mut Memory) -> Option<Idea> {
+    fn rounded(&mut self, part: &WorkedPart, memory: &mut Memory) -> Option<Idea> {
         let figures = self.habits.on_the_way.at(self.chance.share());
         let label = part.label()?;
         if !memory.by_hand.iter().any(|(f, _)| *f == figures) {
@@ -251,11 +262,15 @@ impl<'h> Student<'h> {
         }
         let all = memory.by_hand.iter().find(|(f, _)| *f == figures).map(|(_, all)| all)?;
         let si = all.iter().find(|h| h.label == label)?.value()?;
-        Some(plain(Kind::RoundedOnTheWay, Cell::number(si, &part.entry().unit, figures), Some(figures)))
+        Some(plain(
+            TrueKind::RoundedOnTheWay,
+            WrittenCell::number(si, &part.entry().unit, figures),
+            Some(figures),
+        ))
     }
 
     /// A wrong method that spoils this part, by the favourites of the class.
-    fn method(&mut self, part: &Part) -> Option<u16> {
+    fn method(&mut self, part: &WorkedPart) -> Option<u16> {
         let likes = |method: u16| {
             let id = part.key.methods.get(usize::from(method))?;
             let named = self.habits.methods.iter().find(|(m, _)| m == id);
@@ -274,23 +289,23 @@ impl<'h> Student<'h> {
         None
     }
 
-    fn by_method(&mut self, part: &Part, method: u16) -> Option<Idea> {
+    fn by_method(&mut self, part: &WorkedPart, method: u16) -> Option<Idea> {
         let wrong = part.entry().wrong.iter().find(|w| w.method == method)?;
         let figures = self.figures();
         let method = part.key.methods.get(usize::from(method))?.clone();
-        let cell = Cell::number(wrong.value, &part.entry().unit, figures);
-        Some(Idea { method, ..plain(Kind::WrongMethod, cell, Some(figures)) })
+        let cell = WrittenCell::number(wrong.value, &part.entry().unit, figures);
+        Some(Idea { method, ..plain(TrueKind::WrongMethod, cell, Some(figures)) })
     }
 
     /// The wrong method of an earlier part, used again.
-    fn carried(&mut self, part: &Part, memory: &Memory) -> Option<Idea> {
+    fn carried(&mut self, part: &WorkedPart, memory: &Memory) -> Option<Idea> {
         let method = memory.method?;
         part.entry().wrong.iter().find(|w| w.method == method)?;
         if self.chance.meets(self.habits.carries_on) { self.by_method(part, method) } else { None }
     }
 
     /// Worked out from a wrong answer to an earlier part, as the bank says.
-    fn followed(&mut self, part: &Part, memory: &Memory) -> Option<Idea> {
+    fn followed(&mut self, part: &WorkedPart, memory: &Memory) -> Option<Idea> {
         let follow = part.problem.follows.iter().find(|f| f.question == part.index)?;
         let from = follow.from.iter().find(|p| memory.wrong.iter().any(|(w, _)| w == *p))?;
         if !self.chance.meets(self.habits.follows_on) {
@@ -307,18 +322,18 @@ impl<'h> Student<'h> {
         }
         let figures = self.figures();
         let from = part.problem.questions.get(*from)?.id.clone();
-        let cell = Cell::number(si, &part.entry().unit, figures);
-        Some(Idea { from, ..plain(Kind::Followed, cell, Some(figures)) })
+        let cell = WrittenCell::number(si, &part.entry().unit, figures);
+        Some(Idea { from, ..plain(TrueKind::Followed, cell, Some(figures)) })
     }
 
     /// Unit and direction as the habits are. Slips that live in the unit keep theirs.
-    fn write(&mut self, part: &Part, idea: &Idea) -> Cell {
+    fn write(&mut self, part: &WorkedPart, idea: &Idea) -> WrittenCell {
         let unit: &Unit = &part.entry().unit;
         let written = self.habits.units.at(self.chance.share());
         let by_word = self.chance.meets(self.habits.words);
         let (figures, cell) = (idea.figures.unwrap_or(4), idea.cell.clone());
         let cell = match idea.kind {
-            Kind::UnitSlip | Kind::WrongUnit | Kind::OtherPart | Kind::TypingError => cell,
+            TrueKind::UnitSlip | TrueKind::WrongUnit | TrueKind::OtherPart | TrueKind::TypingError => cell,
             _ => written::in_habit(cell, unit, written, figures, &mut self.chance),
         };
         match part.entry().answer {
@@ -328,7 +343,7 @@ impl<'h> Student<'h> {
     }
 }
 
-fn plain(kind: Kind, cell: Cell, figures: Option<u32>) -> Idea {
+fn plain(kind: TrueKind, cell: WrittenCell, figures: Option<u32>) -> Idea {
     Idea { kind, method: String::new(), figures, from: String::new(), cell }
 }
 

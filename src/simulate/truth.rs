@@ -4,12 +4,12 @@ macro_rules! kinds {
     ($($variant:ident $name:literal;)*) => {
         /// What was done.
         #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
-        pub enum Kind { $(#[doc = $name] $variant,)* }
-        impl Kind {
+        pub enum TrueKind { $(#[doc = $name] $variant,)* }
+        impl TrueKind {
             /// All.
-            pub const ALL: &'static [Kind] = &[$(Kind::$variant,)*];
+            pub const ALL: &'static [TrueKind] = &[$(TrueKind::$variant,)*];
             /// In words.
-            pub const fn name(self) -> &'static str { match self { $(Kind::$variant => $name,)* } }
+            pub const fn name(self) -> &'static str { match self { $(TrueKind::$variant => $name,)* } }
         }
     };
 }
@@ -29,13 +29,13 @@ kinds! {
     Copied "copied";
 }
 
-impl Kind {
+impl TrueKind {
     /// Those that a file of habits declares; the others come of other habits.
-    pub const DECLARED: &'static [Kind] = Kind::ALL.split_at(Kind::ALL.len() - 2).0;
+    pub const DECLARED: &'static [TrueKind] = TrueKind::ALL.split_at(TrueKind::ALL.len() - 2).0;
 
     /// Should it be marked right, whatever number came out?
     pub const fn deserves(self) -> bool {
-        matches!(self, Kind::Right | Kind::RoundedOnTheWay)
+        matches!(self, TrueKind::Right | TrueKind::RoundedOnTheWay)
     }
 }
 
@@ -51,7 +51,7 @@ pub const HEADER: [&str; 12] = [
 #[derive(Debug, Clone, PartialEq)]
 pub struct Truth {
     /// What was done.
-    pub kind: Kind,
+    pub kind: TrueKind,
     /// Id of the wrong method; empty if there is none.
     pub method: String,
     /// Significant figures of the answer, of what was rounded on the way where it was; `None` for what is no number.

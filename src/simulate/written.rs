@@ -9,7 +9,7 @@ use crate::units::Unit;
 
 /// An answer before it is written into a cell.
 #[derive(Debug, Clone, PartialEq)]
-pub enum Cell {
+pub enum WrittenCell {
     /// Nothing.
     Blank,
     /// Something that cannot be read.
@@ -42,7 +42,7 @@ const STRANGE: [&str; 6] = ["N", "J", "m/s", "m/s^2", "rad/s", "s"];
 /// Signs of directions by word.
 const WAYS: [(&str, f64); 4] = [("up", 1.0), ("down", -1.0), ("forward", 1.0), ("back", -1.0)];
 
-impl Cell {
+impl WrittenCell {
     /// A number of this value, SI, in this unit with so many figures.
     pub fn number(si: f64, unit: &Unit, figures: u32) -> Self {
         let digits = significant(unit.from_si(si), usize::try_from(figures).unwrap_or(4));
@@ -126,12 +126,20 @@ pub fn strange_unit(asked: &Unit, chance: &mut Chance) -> Option<Unit> {
 }
 
 /// The same number, its unit written as the habit is.
-pub fn in_habit(cell: Cell, asked: &Unit, written: Written, figures: u32, chance: &mut Chance) -> Cell {
+pub fn in_habit(
+    cell: WrittenCell,
+    asked: &Unit,
+    written: Written,
+    figures: u32,
+    chance: &mut Chance,
+) -> WrittenCell {
     let Some(si) = cell.si(asked) else { return cell };
     match (written, cell) {
-        (Written::Without, Cell::Number { digits, way, .. }) => Cell::Number { digits, unit: None, way },
+        (Written::Without, WrittenCell::Number { digits, way, .. }) => {
+            WrittenCell::Number { digits, unit: None, way }
+        }
         (Written::Other, cell) => match other_unit(asked, chance) {
-            Some(unit) => Cell::number(si, &unit, figures),
+            Some(unit) => WrittenCell::number(si, &unit, figures),
             None => cell,
         },
         (_, cell) => cell,
@@ -139,9 +147,9 @@ pub fn in_habit(cell: Cell, asked: &Unit, written: Written, figures: u32, chance
 }
 
 /// The same number with its sign as a word: `up` and `down`, on a level `forward` and `back`.
-pub fn by_word(cell: Cell, level: bool) -> Cell {
+pub fn by_word(cell: WrittenCell, level: bool) -> WrittenCell {
     match cell {
-        Cell::Number { digits, unit, way: None } => {
+        WrittenCell::Number { digits, unit, way: None } => {
             let (size, back) = match digits.strip_prefix('-') {
                 Some(size) => (size.to_owned(), true),
                 None => (digits, false),
@@ -152,7 +160,7 @@ pub fn by_word(cell: Cell, level: bool) -> Cell {
                 (true, false) => "forward",
                 (true, true) => "back",
             };
-            Cell::Number { digits: size, unit, way: Some(way) }
+            WrittenCell::Number { digits: size, unit, way: Some(way) }
         }
         other => other,
     }
@@ -234,7 +242,7 @@ mod tests {
     fn a_number_keeps_its_value_in_another_unit_and_by_word() {
         let mut chance = Chance::new(1, 8);
         let asked = Unit::parse("rad/s").unwrap();
-        let cell = Cell::number(-30.0, &asked, 6);
+        let cell = WrittenCell::number(-30.0, &asked, 6);
         assert_eq!(cell.si(&asked), Some(-30.0));
         let other = in_habit(cell.clone(), &asked, Written::Other, 6, &mut chance);
         assert!((other.si(&asked).unwrap() + 30.0).abs() < 1e-3, "{other:?}");

@@ -104,9 +104,9 @@ pub fn size(value: &Value, enough: usize) -> usize {
 }
 
 /// Counts what is written.
-pub struct Writer<'o>(pub &'o mut Vec<u8>);
+pub struct MeteredWriter<'o>(pub &'o mut Vec<u8>);
 
-impl io::Write for Writer<'_> {
+impl io::Write for MeteredWriter<'_> {
     fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
         spend(bytes.len()).map_err(io::Error::other)?;
         self.0.extend_from_slice(bytes);

@@ -5,7 +5,7 @@ use slipstick::cli::tell::Exit;
 use slipstick::cli::tell::Io;
 use slipstick::simulate::habits::EXAMPLE;
 use slipstick::simulate::truth::HEADER;
-use slipstick::simulate::truth::Kind;
+use slipstick::simulate::truth::TrueKind as Kind;
 use std::collections::BTreeMap;
 use std::collections::BTreeSet;
 use std::ffi::OsString;

@@ -1067,7 +1067,7 @@ fn solve_says_which_method_it_took_and_why() {
     assert!(!ran.out.contains("est. error"));
     let ran = pulled("solve", &["--method", "euler", "--step", "1/60s"]);
     assert_eq!((ran.exit, ran.err.as_str()), (Exit::Fine, ""));
-    assert!(ran.out.contains("method: euler, 1/60 s: as asked; the other road judges it; "), "{}", ran.out);
+    assert!(ran.out.contains("method: euler, 1/60 s: as asked; work and energy judge it; "), "{}", ran.out);
     assert!(ran.out.contains("est. error"));
     let json: serde_json::Value =
         serde_json::from_str(&pulled("solve", &["--json", "--method", "dop853", "--rtol", "1e-9"]).out)

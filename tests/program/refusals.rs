@@ -138,7 +138,7 @@ fn a_refusal_tells_what_came_out_and_what_changes_it() {
         // No rule is praised where it refuses.
         for praise in [
             "the key is proved",
-            "the two roads agree",
+            "work and energy agree",
             "  solvable",
             "  admissible",
             "has an answer",

@@ -1,15 +1,16 @@
-//! From what was typed to a bank: a file, or one that the program brings along.
+//! A bank by its name: a file, or one that the program brings along; and the texts to tell it in.
 use crate::bank::Bank;
 use crate::bank::Problem;
 use crate::bank::Variables;
+use crate::bank::built_in::BUILT_IN;
+use crate::bank::built_in::TRANSLATED;
 use crate::bank::load;
 use crate::bank::overlay;
-use crate::cli::args::Own;
-use crate::cli::files;
-use crate::cli::templates;
 use crate::finding::Finding;
 use crate::finding::Findings;
+use crate::folder::files;
 use crate::sheet::statement;
+use crate::sheet::texts::Texts;
 use crate::template;
 use crate::template::Templates;
 use crate::units;
@@ -17,51 +18,8 @@ use crate::words::Words;
 use std::fs;
 use std::path::Path;
 
-/// A file of a bank: id, file, text.
-type OfBank = (&'static str, &'static str, &'static str);
-
-/// Banks in the program.
-pub const BUILT_IN: &[OfBank] = &[
-    (
-        "wheels-on-inclines",
-        "banks/wheels-on-inclines.yaml",
-        include_str!("../../banks/wheels-on-inclines.yaml"),
-    ),
-    (
-        "hoists-and-pulleys",
-        "banks/hoists-and-pulleys.yaml",
-        include_str!("../../banks/hoists-and-pulleys.yaml"),
-    ),
-    ("slip-and-roll", "banks/slip-and-roll.yaml", include_str!("../../banks/slip-and-roll.yaml")),
-    ("pinned-bodies", "banks/pinned-bodies.yaml", include_str!("../../banks/pinned-bodies.yaml")),
-];
-
-/// Texts of built-in banks in other languages, by code.
-pub const TRANSLATED: &[(&str, &[OfBank])] = &[(
-    "de",
-    &[
-        (
-            "wheels-on-inclines",
-            "templates/de/banks/wheels-on-inclines.yaml",
-            include_str!("../../templates/de/banks/wheels-on-inclines.yaml"),
-        ),
-        (
-            "hoists-and-pulleys",
-            "templates/de/banks/hoists-and-pulleys.yaml",
-            include_str!("../../templates/de/banks/hoists-and-pulleys.yaml"),
-        ),
-        (
-            "slip-and-roll",
-            "templates/de/banks/slip-and-roll.yaml",
-            include_str!("../../templates/de/banks/slip-and-roll.yaml"),
-        ),
-        (
-            "pinned-bodies",
-            "templates/de/banks/pinned-bodies.yaml",
-            include_str!("../../templates/de/banks/pinned-bodies.yaml"),
-        ),
-    ],
-)];
+/// The file in a folder of templates that explains the others; it is no template.
+pub const README: &str = "README.md";
 
 /// A bank with the text that it was read from.
 pub struct Loaded {
@@ -100,23 +58,6 @@ pub fn parse(text: &str, file: &str) -> Result<Bank, Findings> {
     load::bank(text, file, &template::variables_of)
 }
 
-/// In which words a bank is told: templates, phrases, and the bank's own texts.
-pub struct Texts {
-    /// Templates of the language.
-    pub templates: Templates,
-    /// Phrases of the language.
-    pub words: Words,
-    /// The instructor's own prelude for PDFs: path and text.
-    pub print: Option<(String, String)>,
-}
-
-impl Texts {
-    /// The instructor's own prelude for PDFs: path and text.
-    pub fn print(&self) -> Option<(&str, &str)> {
-        self.print.as_ref().map(|(path, text)| (path.as_str(), text.as_str()))
-    }
-}
-
 /// The phrases of a language.
 ///
 /// # Errors
@@ -129,15 +70,15 @@ pub fn words(language: &str) -> Result<Words, Findings> {
     })
 }
 
-/// The texts for a bank in a language: built-in ones, those of `--templates`, those in the bank. The bank's titles,
+/// The texts for a bank in a language: built-in ones, those of a folder of one's own, those in the bank. The bank's titles,
 /// questions and statements become those of the language.
 ///
 /// # Errors
 /// All that is wrong with them.
-pub fn texts(own: &Own, language: &str, bank: &mut Bank) -> Result<Texts, Findings> {
+pub fn texts(own: Option<&Path>, language: &str, bank: &mut Bank) -> Result<Texts, Findings> {
     let mut words = words(language)?;
     let mut files = Vec::new();
-    if let Some(folder) = &own.templates {
+    if let Some(folder) = own {
         if !folder.is_dir() {
             let fault = Finding::new("", "there is no such folder").in_file(folder.display().to_string());
             return Err(fault.into());
@@ -221,7 +162,7 @@ fn collect(folder: &Path, prefix: &str, texts: &mut Vec<(String, String, String)
         let is_folder = fs::metadata(&path).is_ok_and(|m| m.is_dir());
         if is_folder && full.matches('/').count() < 4 {
             collect(&path, &format!("{full}/"), texts)?;
-        } else if full != templates::README
+        } else if full != README
             && (template::is_template(&name) || name.ends_with(".yaml") || full.ends_with("print.typ"))
         {
             let text = files::read_text(&path)?;
@@ -237,93 +178,8 @@ fn collect(folder: &Path, prefix: &str, texts: &mut Vec<(String, String, String)
 /// There is none.
 pub fn problem<'l>(loaded: &'l Loaded, id: &str) -> Result<&'l Problem, Finding> {
     loaded.bank.problems.iter().find(|p| p.id == id).ok_or_else(|| {
-        let known: Vec<&str> = loaded.bank.problems.iter().map(|p| p.id.as_str()).collect();
+        let known = loaded.bank.problems.iter().map(|p| p.id.as_str());
         let fault = Finding::new("problems", format!("there is no problem `{id}`")).in_file(&loaded.file);
-        match units::spell::closest(id, known.iter().copied()) {
-            Some(near) => fault.hint(format!("did you mean `{near}`?")),
-            None => fault.hint(format!("its problems: {}", known.join(", "))),
-        }
+        fault.hint(units::spell::hint(id, "its problems", known))
     })
-}
-
-/// Names in template files that are neither symbols nor known to every statement. (Templates in the bank were reviewed
-/// with it.)
-pub fn unknown_names(bank: &Bank, templates: &Templates) -> Findings {
-    let mut findings = Findings::default();
-    for problem in bank.problems.iter().filter(|p| p.statement.is_none()) {
-        let name = statement::template_name(problem);
-        match templates.variables(&name) {
-            Ok(used) => {
-                for unknown in used.iter().filter(|u| {
-                    !statement::RESERVED.contains(&u.as_str()) && problem.data.iter().all(|d| d.symbol != **u)
-                }) {
-                    let known: Vec<&str> = problem.data.iter().map(|d| d.symbol.as_str()).collect();
-                    findings.push(
-                        Finding::new(unknown, format!("is no datum of {}", problem.id))
-                            .in_file(templates.own_file(&name).unwrap_or(&name))
-                            .hint(format!("its data: {}", known.join(", "))),
-                    );
-                }
-            }
-            Err(fault) => findings.push(fault),
-        }
-    }
-    findings
-}
-
-/// Data that a statement in a file of `--templates` never gives, as the review finds them in a statement in the bank.
-pub fn never_given(bank: &Bank, templates: &Templates) -> Findings {
-    let mut findings = Findings::default();
-    for problem in bank.problems.iter().filter(|p| p.statement.is_none()) {
-        let name = statement::template_name(problem);
-        let (Some(file), Ok(used)) = (templates.own_file(&name), templates.variables(&name)) else {
-            continue;
-        };
-        // A statement that lists values or particles may give any of them.
-        if used.iter().any(|n| matches!(n.as_str(), "value" | "particles")) {
-            continue;
-        }
-        for symbol in problem.data.iter().map(|d| &d.symbol).filter(|s| *s != "g" && !used.contains(s)) {
-            findings.push(
-                Finding::new("", format!("the statement never gives `{symbol}`"))
-                    .in_file(file)
-                    .hint(format!("write `{{{{ {symbol} }}}}` where it belongs")),
-            );
-        }
-    }
-    findings
-}
-
-/// The texts of a bank as an overlay, to be translated.
-pub fn overlay_text(bank: &Bank) -> String {
-    // A text in single quotes means itself; one of them is written twice.
-    let quoted = |text: &str| format!("'{}'", text.replace('\'', "''"));
-    let mut out =
-        format!("# The texts of the bank {}; data, scenes and rules stand in the bank itself.\n", bank.id);
-    let mut line = |indent: usize, text: &str| {
-        out.extend(std::iter::repeat_n(' ', indent));
-        out.push_str(text);
-        out.push('\n');
-    };
-    line(0, &format!("title: {}", quoted(&bank.title)));
-    line(0, "problems:");
-    for problem in &bank.problems {
-        line(2, &format!("{}:", problem.id));
-        line(4, &format!("title: {}", quoted(&problem.title)));
-        line(4, "data:");
-        for datum in problem.data.iter().filter(|d| d.symbol != "g") {
-            line(6, &format!("{}: {}", datum.symbol, quoted(&datum.name)));
-        }
-        line(4, "ask:");
-        for question in &problem.questions {
-            line(6, &format!("{}: {}", question.id, quoted(&question.ask)));
-        }
-        if let Some(statement) = &problem.statement {
-            line(4, "statement: |");
-            for text in statement.lines() {
-                line(if text.is_empty() { 0 } else { 6 }, text);
-            }
-        }
-    }
-    out
 }

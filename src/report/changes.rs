@@ -1,14 +1,10 @@
 //! What a regrading changes, in words: rules, parts, students; and changes.csv.
-use crate::bank::Bank;
-use crate::cli::grade;
-use crate::cli::graded::Graded;
-use crate::cli::tell;
-use crate::cli::what_if;
-use crate::cli::what_if::per_cent;
+use crate::grade::table::Column;
 use crate::grade::table::KeyTable;
 use crate::grade::verdict::Verdict;
 
 use crate::key::Answer;
+use crate::key::KeyEntry;
 use crate::num::shown;
 use crate::policy::Policy;
 use crate::regrade::changes;
@@ -18,7 +14,8 @@ use crate::regrade::changes::DUST;
 use crate::regrade::changes::Grading;
 use crate::regrade::changes::Who;
 use crate::regrade::changes::Why;
-use crate::set::store::StoredSet;
+use crate::report::tolerances;
+use crate::sheet::terminal;
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
 use std::path::Path;
@@ -26,50 +23,43 @@ use std::path::Path;
 /// Students shown one by one; the others stand in changes.csv.
 const SHOWN: usize = 20;
 
-/// The keys before and after.
-pub struct Tables {
-    /// Before.
-    pub old: KeyTable,
-    /// After.
-    pub new: KeyTable,
-}
-
-/// Where students and parts of the new key are in the old one.
-pub struct Places {
+/// The keys before and after, by the students and parts of the new one.
+pub struct KeysBeforeAfter {
+    old: KeyTable,
+    new: KeyTable,
+    /// Where students and parts of the new key are in the old one.
     students: Vec<Option<usize>>,
     parts: Vec<Option<usize>>,
 }
 
-impl Tables {
-    /// Finds them.
-    pub fn places(&self, who: &Who) -> Places {
-        let old: BTreeMap<&str, usize> =
-            self.old.students.iter().enumerate().map(|(i, s)| (s.id.as_str(), i)).collect();
-        let part =
-            |p: &(usize, String)| self.old.columns.iter().position(|c| (c.number, &c.part) == (p.0, &p.1));
-        Places {
-            students: who.students.iter().map(|s| old.get(s.as_str()).copied()).collect(),
-            parts: who.parts.iter().map(part).collect(),
-        }
+impl KeysBeforeAfter {
+    /// Finds the students and parts of the new key in the old one.
+    pub fn new(old: KeyTable, new: KeyTable) -> Self {
+        let whose: BTreeMap<&str, usize> =
+            old.students.iter().enumerate().map(|(i, s)| (s.id.as_str(), i)).collect();
+        let part = |p: &Column| old.columns.iter().position(|c| (c.number, &c.part) == (p.number, &p.part));
+        let students = new.students.iter().map(|s| whose.get(s.id.as_str()).copied()).collect();
+        let parts = new.columns.iter().map(part).collect();
+        Self { old, new, students, parts }
+    }
+    /// Students and parts of the new key.
+    pub fn who(&self) -> Who {
+        let students = self.new.students.iter().map(|s| s.id.clone()).collect();
+        Who::new(students, self.new.columns.iter().map(|c| (c.number, c.part.clone())).collect())
     }
     /// The entries of a student and a part, before and after.
-    pub fn entries(
-        &self,
-        places: &Places,
-        student: usize,
-        part: usize,
-    ) -> [Option<&crate::key::KeyEntry>; 2] {
-        let old = places.students[student].zip(places.parts[part]).and_then(|(s, p)| self.old.entry(s, p));
+    pub fn entries(&self, student: usize, part: usize) -> [Option<&KeyEntry>; 2] {
+        let old = self.students[student].zip(self.parts[part]).and_then(|(s, p)| self.old.entry(s, p));
         [old, self.new.entry(student, part)]
     }
 }
 
 /// A regrading, to be told.
-pub struct Desk<'d> {
+pub struct ChangesTold<'d> {
     /// Students and parts.
     pub who: &'d Who,
-    /// The set.
-    pub set: &'d StoredSet,
+    /// Id and name of each student.
+    pub students: &'d [(String, String)],
     /// The old grading.
     pub before: &'d Grading,
     /// The new one.
@@ -77,41 +67,38 @@ pub struct Desk<'d> {
     /// What changed.
     pub changes: &'d [Change],
     /// The keys.
-    pub tables: &'d Tables,
-    /// Where the parts are in both.
-    pub places: &'d Places,
+    pub keys: &'d KeysBeforeAfter,
 }
 
-impl Desk<'_> {
-    /// What is graded otherwise than before.
+impl ChangesTold<'_> {
+    /// What is graded otherwise than before: banks, by their hashes and the file of the new one, and settings.
     pub fn rules(
         &self,
         text: &mut String,
-        old: &Graded,
-        (bank, bank_file): (&Bank, &str),
-        made: &grade::Made,
+        (old, new, file): (&str, &str, &str),
+        (then, now): (&Policy, &Policy),
         course: Option<&Path>,
     ) {
         let short = |hash: &str| hash.get(..12).unwrap_or(hash).to_owned();
-        if old.bank.hash == bank.hash {
-            let _ = writeln!(text, "  bank: as before ({}…)", short(&bank.hash));
+        if old == new {
+            let _ = writeln!(text, "  bank: as before ({}…)", short(new));
         } else {
             let _ = writeln!(
                 text,
-                "  bank: {bank_file}, {}… in place of {}…; sheets keep their data, the key is solved anew",
-                short(&bank.hash),
-                short(&old.bank.hash)
+                "  bank: {file}, {}… in place of {}…; sheets keep their data, the key is solved anew",
+                short(new),
+                short(old)
             );
         }
         let mut said = Vec::new();
         for (p, _) in self.who.parts.iter().enumerate() {
             said.extend(self.part(p));
         }
-        said.extend(settings(&old.policy, made.policy()));
-        if said.is_empty() && old.bank.hash != bank.hash {
+        said.extend(settings(then, now));
+        if said.is_empty() && old != new {
             said.push("no key, tolerance or setting differs: only words do".to_owned());
         }
-        if let Some(course) = course.filter(|_| old.policy != *made.policy()) {
+        if let Some(course) = course.filter(|_| then != now) {
             let _ = writeln!(text, "  course: {}", course.display());
         }
         for line in said {
@@ -125,7 +112,7 @@ impl Desk<'_> {
         let mut farthest = 0.0f64;
         let mut points: Option<(f64, f64)> = None;
         for student in 0..self.who.students.len() {
-            let keys = self.tables.entries(self.places, student, part);
+            let keys = self.keys.entries(student, part);
             let [Some(old), Some(new)] = keys else { continue };
             for why in changes::of_key(keys) {
                 *counts.entry(why).or_default() += 1;
@@ -148,13 +135,13 @@ impl Desk<'_> {
             said.push(match why {
                 Why::Key => format!(
                     "{label}: another key for {count} of {}, by up to {} %",
-                    tell::count(self.who.students.len(), "student"),
-                    per_cent(farthest)
+                    terminal::count(self.who.students.len(), "student"),
+                    terminal::per_cent(farthest)
                 ),
                 Why::Tolerance => {
-                    let old = self.places.parts[part]
-                        .map_or_else(String::new, |p| what_if::tolerance(&self.tables.old, p));
-                    format!("{label}: tolerance {old} -> {}", what_if::tolerance(&self.tables.new, part))
+                    let old = self.keys.parts[part]
+                        .map_or_else(String::new, |p| tolerances::tolerance(&self.keys.old, p));
+                    format!("{label}: tolerance {old} -> {}", tolerances::tolerance(&self.keys.new, part))
                 }
                 _ => format!("{label}: another unit, or it must be written or not"),
             });
@@ -191,7 +178,7 @@ impl Desk<'_> {
                 whys.join(", "),
             ]);
         }
-        text.push_str(&tell::table(&rows, &[0, 4]));
+        text.push_str(&terminal::table(&rows, &[0, 4]));
         let total = |g: &Grading, s: usize| g.totals[s].map_or(0.0, |t| t.0);
         let mut moved: Vec<(usize, f64)> = (0..self.who.students.len())
             .map(|s| (s, total(self.after, s) - total(self.before, s)))
@@ -204,7 +191,7 @@ impl Desk<'_> {
         let _ = writeln!(
             text,
             "  {gain} of {} gain, {lose} lose; mean of totals {} -> {}",
-            tell::count(self.who.students.len(), "student"),
+            terminal::count(self.who.students.len(), "student"),
             shown::decimals(mean(self.before), 2),
             shown::decimals(mean(self.after), 2)
         );
@@ -219,10 +206,10 @@ impl Desk<'_> {
                     format!("{} {} ({})", self.who.label(c.part), signed(c.gain()), why.join(", "))
                 })
                 .collect();
-            let stored = &self.set.students[*student];
+            let (id, name) = &self.students[*student];
             rows.push(vec![
-                stored.student.clone(),
-                stored.name.clone(),
+                id.clone(),
+                name.clone(),
                 format!(
                     "{} -> {}",
                     points(total(self.before, *student)),
@@ -232,7 +219,7 @@ impl Desk<'_> {
                 parts.join(", "),
             ]);
         }
-        text.push_str(&tell::table(&rows, &[0, 1, 4]));
+        text.push_str(&terminal::table(&rows, &[0, 1, 4]));
         if moved.len() > SHOWN {
             let _ = writeln!(text, "  and {} more", moved.len() - SHOWN);
         }
@@ -243,7 +230,7 @@ impl Desk<'_> {
         let mut rows = Vec::new();
         for change in self.changes {
             let (number, part) = &self.who.parts[change.part];
-            let column = &self.tables.new.columns[change.part];
+            let column = &self.keys.new.columns[change.part];
             let why: Vec<String> = change
                 .why
                 .iter()
@@ -280,7 +267,7 @@ fn settings(old: &Policy, new: &Policy) -> Vec<String> {
         said.push(format!(
             "correction: {} get at least {} % of {}: {}",
             if matches!(correction.to, crate::policy::For::All) { "all" } else { "all who answered" },
-            per_cent(correction.share),
+            terminal::per_cent(correction.share),
             correction.part.text(),
             correction.why
         ));

@@ -1,9 +1,6 @@
 //! Documents to files: the formats that were asked for, one document or all of a set in one.
 use crate::bank::Bank;
-use crate::cli::args::Format;
-use crate::cli::banks::Texts;
 use crate::finding::Finding;
-use crate::finding::Findings;
 use crate::key::SheetKey;
 use crate::sheet::document::Document;
 use crate::sheet::document::Head;
@@ -15,11 +12,45 @@ use crate::sheet::key_table::Row;
 use crate::sheet::pdf;
 use crate::sheet::pdf::Press;
 use crate::sheet::tex;
+use crate::sheet::texts::Texts;
 
-/// The files of a booklet, and of a key table, whatever the formats.
-pub const BOOKLETS: [&str; 3] = ["booklet.html", "booklet.pdf", "booklet.tex"];
-/// The key for people.
-pub const KEY_TABLES: [&str; 3] = ["key-table.html", "key-table.md", "key-table.pdf"];
+/// A format in which sheets and solutions are written.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Format {
+    /// Markdown, with its figures as SVG files
+    Md,
+    /// A page that needs nothing else
+    Html,
+    /// LaTeX, figures in TikZ
+    Tex,
+    /// PDF, where the program was built with `--features pdf`
+    Pdf,
+}
+
+impl Format {
+    /// All of them.
+    pub const ALL: [Self; 4] = [Self::Md, Self::Html, Self::Tex, Self::Pdf];
+
+    /// A format by its name, as people type it.
+    ///
+    /// # Errors
+    /// There is none of this name.
+    pub fn parse(text: &str) -> Result<Self, String> {
+        let name = text.trim().to_ascii_lowercase();
+        let found = Self::ALL.into_iter().find(|f| f.ending() == name);
+        found.ok_or_else(|| "the formats are html, md, pdf and tex".to_owned())
+    }
+
+    /// The ending of its files.
+    pub const fn ending(self) -> &'static str {
+        match self {
+            Self::Md => "md",
+            Self::Html => "html",
+            Self::Tex => "tex",
+            Self::Pdf => "pdf",
+        }
+    }
+}
 
 /// What was asked for, or the default: Markdown and a page, and PDF where it is built in. Each once, in a fixed order.
 pub fn formats(asked: Option<&[Format]>) -> Vec<Format> {
@@ -51,7 +82,7 @@ pub struct Output<'o> {
 }
 
 /// One document written: its files, and its part of the booklets.
-pub struct Made {
+pub struct WrittenDocument {
     /// Who gets it.
     pub head: Head,
     /// Names and bytes.
@@ -67,7 +98,7 @@ impl<'o> Output<'o> {
     ///
     /// # Errors
     /// PDF is asked for and not built in, or the instructor's `print.typ` is faulty.
-    pub fn new(texts: &'o Texts, formats: &'o [Format], name: &'static str) -> Result<Self, Findings> {
+    pub fn new(texts: &'o Texts, formats: &'o [Format], name: &'static str) -> Result<Self, Finding> {
         let press = match formats.contains(&Format::Pdf) {
             true => Some(Press::new(&texts.words, texts.print())?),
             false => None,
@@ -89,8 +120,8 @@ impl<'o> Output<'o> {
         head: Head,
         document: Document,
         converter: &mut Converter,
-    ) -> Result<Made, Finding> {
-        let mut made = Made {
+    ) -> Result<WrittenDocument, Finding> {
+        let mut made = WrittenDocument {
             head,
             files: Vec::new(),
             html: String::new(),
@@ -138,7 +169,11 @@ impl<'o> Output<'o> {
     ///
     /// # Errors
     /// Faults of the templates.
-    pub fn booklets(&self, title: &str, all: &[Made]) -> Result<Vec<(&'static str, Vec<u8>)>, Finding> {
+    pub fn booklets(
+        &self,
+        title: &str,
+        all: &[WrittenDocument],
+    ) -> Result<Vec<(&'static str, Vec<u8>)>, Finding> {
         let Texts { templates, words, .. } = self.texts;
         let mut files = Vec::new();
         if self.wants(Format::Html) {
@@ -181,15 +216,4 @@ impl<'o> Output<'o> {
         files.push(("key-table.html", html::page(templates, words, "key", &head, &body)?));
         Ok(files)
     }
-}
-
-/// The threads on which sheets are made, as many as cores where no number is given.
-///
-/// # Errors
-/// They cannot be started.
-pub fn pool(threads: Option<usize>) -> Result<rayon::ThreadPool, Findings> {
-    rayon::ThreadPoolBuilder::new()
-        .num_threads(threads.unwrap_or(0))
-        .build()
-        .map_err(|e| Finding::new("--threads", e.to_string()).into())
 }

@@ -1,39 +1,32 @@
 //! A folder of grades, opened: its set, its bank, the settings of its course, and the key solved anew from what was printed.
+use crate::bank;
 use crate::bank::Bank;
 use crate::bank::load;
-use crate::cli::args::Attempts;
-use crate::cli::banks;
-use crate::cli::files;
-use crate::cli::generate;
-use crate::cli::grade;
-use crate::cli::grade::ANSWERS;
-use crate::cli::grade::GRADEBOOK;
-use crate::cli::grade::GRADING;
-use crate::cli::words;
+use crate::diagnosis::sentences;
 use crate::finding::Finding;
 use crate::finding::Findings;
+use crate::folder::files;
+use crate::folder::names;
+use crate::folder::set;
 use crate::grade::row::AnswerReader;
 use crate::grade::row::AnswerRow;
 use crate::grade::row::Unreadable;
 use crate::key::SheetKey;
+use crate::policy::Counts;
 use crate::policy::Policy;
 use crate::set::given;
-use crate::set::given::Given;
-use crate::set::given::Why;
-use crate::set::grading::BASIS;
+use crate::set::given::GivenFault;
+use crate::set::given::GivenSheet;
+use crate::set::given::LostWhy;
 use crate::set::grading::Grading;
 use crate::set::key_file;
 use crate::set::store::StoredSet;
-use crate::units::spell;
 use std::fs::File;
 use std::path::Path;
 use std::path::PathBuf;
 
-/// What a regrading changed.
-pub const CHANGES: &str = "changes.csv";
-
 /// A grading.
-pub struct Graded {
+pub struct OpenGrading {
     /// Its folder.
     pub folder: PathBuf,
     /// The set, as it was drawn.
@@ -43,7 +36,7 @@ pub struct Graded {
     /// Settings of the bank with those of the course over them.
     pub policy: Policy,
     /// Variants and keys in the order of the set; with `only`, of that student alone.
-    pub given: Vec<Given>,
+    pub given: Vec<GivenSheet>,
     /// grading.json.
     pub grading: Grading,
 }
@@ -52,20 +45,21 @@ pub struct Graded {
 ///
 /// # Errors
 /// The folder is no grading, or its parts do not fit each other.
-pub fn open(folder: &Path, only: Option<&str>) -> Result<Graded, Findings> {
+pub fn open(folder: &Path, only: Option<&str>) -> Result<OpenGrading, Findings> {
     let name = folder.display().to_string();
     if !folder.is_dir() {
         let what =
             if folder.exists() { "is a file; a grading is a folder" } else { "there is no such folder" };
-        let fault = Finding::new("", what).in_file(name);
-        return Err(fault.hint("give the folder that `slipstick grade` made").into());
+        return Err(Finding::new("", what)
+            .in_file(name)
+            .hint("give the folder that `slipstick grade` made")
+            .into());
     }
     has_all(folder)?;
-    let basis = folder.join(BASIS);
-    let mut set = generate::existing(&basis)?;
-    let bank_path = basis.join("bank.yaml").display().to_string();
-    let bank = banks::parse(&files::read_text(&basis.join("bank.yaml"))?, &bank_path)?;
-    let path = folder.join(GRADING);
+    let basis = folder.join(names::BASIS);
+    let (mut set, bank) = set::with_bank(&basis)?;
+    let bank_path = basis.join(&set.bank.file).display().to_string();
+    let path = folder.join(names::GRADING);
     let file = path.display().to_string();
     let grading = Grading::parse(&files::read_text(&path)?).map_err(|f| f.in_file(&file))?;
     intact(folder, &grading)?;
@@ -73,8 +67,8 @@ pub fn open(folder: &Path, only: Option<&str>) -> Result<Graded, Findings> {
         let fault = Finding::new("", "is not the bank by which this was graded: its SHA-256 is another");
         return Err(fault.in_file(bank_path).hint("put the original copy back, or grade again").into());
     }
-    let courses = grade::read_courses(&grade::courses(folder))?;
-    let policy = grade::policy(&bank.grading, &courses, attempts(grading.attempts.as_deref()))?;
+    let courses = read_courses(&courses(folder))?;
+    let policy = policy(&bank.grading, &courses, counts_said(&grading))?;
     if let Some(only) = only {
         set.students.retain(|s| s.student == only);
     }
@@ -83,7 +77,7 @@ pub fn open(folder: &Path, only: Option<&str>) -> Result<Graded, Findings> {
         false => given::all_as_stored(&bank, &set)?,
     };
     let mut keys: Vec<SheetKey> = given.iter().map(|g| g.key.clone()).collect();
-    let key_path = basis.join("key.csv");
+    let key_path = basis.join(names::KEY);
     let stored = files::read(&key_path)?;
     let file = key_path.display().to_string();
     let faults = match grading.replayed {
@@ -102,7 +96,7 @@ pub fn open(folder: &Path, only: Option<&str>) -> Result<Graded, Findings> {
     if !faults.is_empty() {
         return Err(faults);
     }
-    Ok(Graded { folder: folder.to_owned(), set, bank, policy, given, grading })
+    Ok(OpenGrading { folder: folder.to_owned(), set, bank, policy, given, grading })
 }
 
 /// Are the files there that every grading has?
@@ -110,8 +104,8 @@ pub fn open(folder: &Path, only: Option<&str>) -> Result<Graded, Findings> {
 /// # Errors
 /// A finding that names those that are missing.
 pub fn has_all(folder: &Path) -> Result<(), Finding> {
-    let all = [ANSWERS, GRADEBOOK, GRADING, "basis/set.json", "basis/bank.yaml", "basis/key.csv"];
-    let missing: Vec<&str> = all.into_iter().filter(|name| !folder.join(name).is_file()).collect();
+    let missing: Vec<&str> =
+        names::OF_GRADING.into_iter().filter(|name| !folder.join(name).is_file()).collect();
     if missing.is_empty() {
         return Ok(());
     }
@@ -127,7 +121,9 @@ pub fn has_all(folder: &Path) -> Result<(), Finding> {
 /// A finding for each file that was cut short or edited.
 pub fn intact(folder: &Path, grading: &Grading) -> Result<(), Findings> {
     let mut faults = Findings::default();
-    for (name, told) in [(ANSWERS, &grading.answers_sha256), (GRADEBOOK, &grading.gradebook_sha256)] {
+    for (name, told) in
+        [(names::ANSWERS, &grading.answers_sha256), (names::GRADEBOOK, &grading.gradebook_sha256)]
+    {
         let Some(told) = told else { continue };
         let path = folder.join(name);
         match hash(&path) {
@@ -152,23 +148,13 @@ pub fn hash(path: &Path) -> Result<String, Finding> {
     hashed.map_err(|e| files::trouble(path, "cannot be read", &e))
 }
 
-/// What the command said about attempts.
-pub fn attempts(said: Option<&str>) -> Option<Attempts> {
-    match said? {
-        "best" => Some(Attempts::Best),
-        "first" => Some(Attempts::First),
-        "last" => Some(Attempts::Last),
-        _ => None,
-    }
-}
-
-impl Graded {
+impl OpenGrading {
     /// Walks over the rows of answers.csv.
     ///
     /// # Errors
     /// It cannot be read.
     pub fn each_row(&self, see: &mut dyn FnMut(AnswerRow)) -> Result<(), Findings> {
-        each_row(&self.folder.join(ANSWERS), see)
+        each_row(&self.folder.join(names::ANSWERS), see)
     }
 }
 
@@ -193,13 +179,13 @@ pub fn each_row(path: &Path, see: &mut dyn FnMut(AnswerRow)) -> Result<(), Findi
 const LISTED: usize = 20;
 
 /// What stands in the way of a key, in words.
-pub fn findings(bank: &Bank, faults: Vec<given::Fault>, file: &str) -> Findings {
+pub fn findings(bank: &Bank, faults: Vec<GivenFault>, file: &str) -> Findings {
     let mut found = Findings::default();
     let (mut lost, mut more) = (0usize, 0usize);
     for fault in faults {
         match fault {
-            given::Fault::Misfit(finding) => found.push(finding.in_file(file)),
-            given::Fault::Lost(fault) => {
+            GivenFault::Misfit(finding) => found.push(finding.in_file(file)),
+            GivenFault::Lost(fault) => {
                 lost += 1;
                 if lost > LISTED {
                     more += 1;
@@ -207,15 +193,17 @@ pub fn findings(bank: &Bank, faults: Vec<given::Fault>, file: &str) -> Findings 
                 }
                 let Some(problem) = bank.problems.get(fault.problem) else { continue };
                 let texts = match &fault.why {
-                    Why::Refused(refusal) => problem
+                    LostWhy::Refused(refusal) => problem
                         .cases
                         .get(fault.case)
-                        .map_or_else(Vec::new, |case| words::refusal(problem, &case.scene, refusal)),
-                    Why::Happens(what) => vec![format!("another motion than the problem tells of: {what}")],
-                    Why::Relation(part) => {
+                        .map_or_else(Vec::new, |case| sentences::refusal(problem, &case.scene, refusal)),
+                    LostWhy::Happens(what) => {
+                        vec![format!("another motion than the problem tells of: {what}")]
+                    }
+                    LostWhy::Relation(part) => {
                         vec![format!("the relation of `follows` does not give {part} from the other parts")]
                     }
-                    Why::Unanswered(part) => vec![format!("part {part} has no answer")],
+                    LostWhy::Unanswered(part) => vec![format!("part {part} has no answer")],
                 };
                 let field = format!("problems.{}", problem.id);
                 let text = format!("with the data of {}: {}", fault.student, texts.join("; "));
@@ -229,74 +217,44 @@ pub fn findings(bank: &Bank, faults: Vec<given::Fault>, file: &str) -> Findings 
     found
 }
 
-/// Without blanks, case and leading zeros.
-fn loose(text: &str) -> String {
-    let text: String = text.chars().filter(|c| !c.is_whitespace()).flat_map(char::to_lowercase).collect();
-    text.trim_start_matches('0').to_owned()
+/// The course files of a grading, in the order in which they were laid over each other.
+pub fn courses(graded: &Path) -> Vec<PathBuf> {
+    let files = (0..).map(|i| graded.join(names::BASIS).join(names::course(i)));
+    files.take_while(|path| path.is_file()).collect()
 }
 
-/// The student that is meant: by id, by an id that is alike but for blanks, case and zeros in front, or by name.
+/// Course files: name and text.
 ///
 /// # Errors
-/// Nobody, or several.
-pub fn student(set: &StoredSet, typed: &str) -> Result<usize, Finding> {
-    let students = &set.students;
-    if let Some(i) = students.iter().position(|s| s.student == typed) {
-        return Ok(i);
-    }
-    let alike: Vec<usize> = (0..students.len())
-        .filter(|i| {
-            let (id, name) = (&students[*i].student, &students[*i].name);
-            loose(id) == loose(typed) || (!name.is_empty() && loose(name) == loose(typed))
-        })
-        .collect();
-    let fault = Finding::new("", format!("`{typed}` is no student of this set"));
-    match alike[..] {
-        [one] => Ok(one),
-        [] => {
-            let known = || students.iter().map(|s| s.student.as_str());
-            Err(match spell::closest(typed, known()) {
-                Some(near) => fault.hint(format!("did you mean `{near}`?")),
-                None => {
-                    let some: Vec<&str> = known().take(5).collect();
-                    let rest = if students.len() > 5 { ", ..." } else { "" };
-                    fault.hint(format!("its students: {}{rest}", some.join(", ")))
-                }
-            })
-        }
-        _ => {
-            let ids: Vec<&str> = alike.iter().map(|i| students[*i].student.as_str()).collect();
-            Err(fault.hint(format!("write the id exactly: {}", ids.join(", "))))
-        }
-    }
+/// One cannot be read.
+pub fn read_courses(paths: &[PathBuf]) -> Result<Vec<(String, String)>, Findings> {
+    let read = |path: &PathBuf| Ok((path.display().to_string(), files::read_text(path)?));
+    paths.iter().map(read).collect()
 }
 
-/// The problem that is meant, by number or id, and the part of it if one is named behind a point (`1.omega`).
+/// The settings that bear on marks: those of the bank, over them those of courses (name and text of each file), over them
+/// what the command says.
 ///
 /// # Errors
-/// There is none.
-pub fn problem(set: &StoredSet, typed: &str) -> Result<(usize, Option<String>), Finding> {
-    let find = |text: &str| {
-        let number = text.parse::<usize>().ok().and_then(|n| n.checked_sub(1));
-        set.problems
-            .iter()
-            .position(|p| p.eq_ignore_ascii_case(text))
-            .or(number.filter(|n| *n < set.problems.len()))
-    };
-    let text = typed.trim();
-    if let Some(found) = find(text) {
-        return Ok((found, None));
+/// All that is wrong with the course file.
+pub fn policy(
+    bank: &Policy,
+    courses: &[(String, String)],
+    counts: Option<Counts>,
+) -> Result<Policy, Findings> {
+    let mut policy = bank.clone();
+    for (file, text) in courses {
+        policy = bank::course::course(text, file, &policy)?;
     }
-    if let Some((problem, part)) = text.split_once('.')
-        && let Some(found) = find(problem)
-    {
-        return Ok((found, Some(part.to_owned())));
+    if let Some(counts) = counts {
+        policy.attempts.counts = counts;
     }
-    let known: Vec<String> =
-        set.problems.iter().enumerate().map(|(i, p)| format!("{} ({p})", i + 1)).collect();
-    let fault = Finding::new("", format!("the set has no problem `{typed}`"));
-    Err(match spell::closest(text, set.problems.iter().map(String::as_str)) {
-        Some(near) => fault.hint(format!("did you mean `{near}`?")),
-        None => fault.hint(format!("its problems: {}", known.join(", "))),
-    })
+    Ok(policy)
+}
+
+/// Which attempt counts, if the command said so when it was graded.
+pub fn counts_said(grading: &Grading) -> Option<Counts> {
+    [Counts::Last, Counts::Best, Counts::First]
+        .into_iter()
+        .find(|c| grading.attempts.as_deref() == Some(c.as_str()))
 }

@@ -60,32 +60,43 @@ fn looks(scene: &Scene, all: &[Check]) -> &'static str {
     }
 }
 
+/// Does it set itself going as declared?
+fn moves(scene: &Scene, c: &Check) -> String {
+    let body = body(scene, c.of);
+    let ratio = || figures(if c.available == 0.0 { 0.0 } else { c.available / c.required });
+    match c.ok {
+        // What moves already needs no drive to set it going; a start speed may be 0.
+        true if !scene.start.is_empty() && c.available <= c.required => {
+            format!("the {body} moves as declared: it starts with a speed of its own")
+        }
+        // Only the ratio of drive and resistance means anything.
+        true if c.required == 0.0 => format!("the {body} moves as declared: nothing resists"),
+        true => {
+            format!("the {body} moves as declared: the driving force is {} times the resistance", ratio())
+        }
+        false => format!(
+            "the {body} does not move as declared: the driving force is {} times the resistance, required more than 1",
+            ratio()
+        ),
+    }
+}
+
+/// Is a cord taut at the end?
+fn slack(scene: &Scene, c: &Check) -> String {
+    let (required, available) = (figures(c.required), figures(c.available));
+    let unit = if scene.ending_coordinate().degree == Degree::Along { "m" } else { "rad" };
+    let when = if c.required < c.available { "is still taut" } else { "is slack" };
+    format!(
+        "{} {when} at the end, after {required} {unit}: it goes slack after {available} {unit}",
+        of_tie(scene, c.of)
+    )
+}
+
 /// One condition of `all` in words with its numbers.
 pub fn check(scene: &Scene, all: &[Check], c: &Check) -> String {
     let (required, available) = (figures(c.required), figures(c.available));
     match c.kind {
-        // What moves already needs no drive to set it going; a start speed may be 0.
-        CheckKind::Moves if c.ok && !scene.start.is_empty() && c.available <= c.required => {
-            format!("the {} moves as declared: it starts with a speed of its own", body(scene, c.of))
-        }
-        // Only the ratio of drive and resistance means anything.
-        CheckKind::Moves if c.ok && c.required == 0.0 => {
-            format!("the {} moves as declared: nothing resists", body(scene, c.of))
-        }
-        CheckKind::Moves if c.ok => {
-            let ratio = figures(c.available / c.required);
-            format!(
-                "the {} moves as declared: the driving force is {ratio} times the resistance",
-                body(scene, c.of)
-            )
-        }
-        CheckKind::Moves => {
-            let ratio = figures(if c.available == 0.0 { 0.0 } else { c.available / c.required });
-            format!(
-                "the {} does not move as declared: the driving force is {ratio} times the resistance, required more than 1",
-                body(scene, c.of)
-            )
-        }
+        CheckKind::Moves => moves(scene, c),
         CheckKind::NoSlip | CheckKind::Taut if c.available.is_nan() => format!(
             "whether {} holds is not known: several ties share its force, and statics does not say how",
             match c.kind {
@@ -154,14 +165,7 @@ pub fn check(scene: &Scene, all: &[Check], c: &Check) -> String {
             "friction does not end the slip of the {}: {required} N keep it up, mu_k N = {available} N",
             of_tie(scene, c.of)
         ),
-        CheckKind::Slack => {
-            let unit = if scene.ending_coordinate().degree == Degree::Along { "m" } else { "rad" };
-            let when = if c.required < c.available { "is still taut" } else { "is slack" };
-            format!(
-                "{} {when} at the end, after {required} {unit}: it goes slack after {available} {unit}",
-                of_tie(scene, c.of)
-            )
-        }
+        CheckKind::Slack => slack(scene, c),
         CheckKind::SlipEnds if c.available.is_infinite() => {
             format!("the {} slips at the end, after {required} s: its slip does not end", of_tie(scene, c.of))
         }
@@ -284,7 +288,8 @@ fn reason(taken: &Taken) -> &'static str {
             "the force changes with the angle so that the time has no closed form; its integral is regular, so nothing has to be stepped"
         }
         (_, Method::Closed, _) => "as asked; exact but for rounding",
-        _ => "as asked; the other road judges it",
+        (_, Method::Gauss, _) => "as asked; the equations of motion judge it",
+        _ => "as asked; work and energy judge it",
     }
 }
 
@@ -370,6 +375,45 @@ fn velocity(scene: &Scene, of: Coordinate) -> String {
     format!("the {what} of `{}`", scene.bodies.get(of.body).map_or("?", |b| b.name.as_str()))
 }
 
+/// What the program does not solve.
+const fn unsupported(what: Unsupported) -> &'static str {
+    match what {
+        Unsupported::SpringWithTwoFreedoms => "a spring where two coordinates are free is not solved",
+        Unsupported::SpeedWithTwoFreedoms => {
+            "a start with a speed where two coordinates are free is not solved"
+        }
+        Unsupported::StartHeld => {
+            "the start gives a speed to what the ties hold at rest; take it away, or one of the ties"
+        }
+        Unsupported::SpringWithSlip => "a spring where something slips is not solved",
+        Unsupported::SpeedWithSlip => {
+            "a body that slips starts from rest, or is thrown alone with its speed and its spin both given"
+        }
+        Unsupported::SlipShared => {
+            "a contact is said to slip where other ties hold it, too: what friction it would need is open"
+        }
+        Unsupported::EqualByChance => {
+            "two data are equal, and only so the ties leave another number of freedoms: such data are not solved"
+        }
+        Unsupported::SlidesInTurn => {
+            "of the bodies that slide here one stays or moves on account of what another does; that is not solved"
+        }
+        Unsupported::ThrownWithOthers => "a body thrown with slip beside other bodies or cords is not solved",
+        Unsupported::ThrownEnd => {
+            "a body thrown with slip on a surface ends where it begins to roll, or after a time"
+        }
+        Unsupported::NotThrown => "only a body that slips and starts with a speed and a spin begins to roll",
+        Unsupported::TwoSprings => "more than one spring is not solved",
+        Unsupported::MovingLamina => {
+            "of a body of particles only what holds at the instant can be asked; write `end: at once`"
+        }
+        Unsupported::PinnedInCompany => {
+            "a pinned body is alone in its scene, without ties; it ends at an angle, a time, a speed or a turning point"
+        }
+        Unsupported::TooManyData => "there are more than 64 data",
+    }
+}
+
 /// Why a scene with these data has no answer; a sentence each.
 pub fn refusal(problem: &Problem, scene: &Scene, refusal: &Refusal) -> Vec<String> {
     let one = |text: String| vec![text];
@@ -395,52 +439,7 @@ pub fn refusal(problem: &Problem, scene: &Scene, refusal: &Refusal) -> Vec<Strin
                 rounded(*follows, 5)
             ))
         }
-        Refusal::Unsupported(what) => one(match what {
-            Unsupported::SpringWithTwoFreedoms => {
-                "a spring where two coordinates are free is not solved".to_owned()
-            }
-            Unsupported::SpeedWithTwoFreedoms => {
-                "a start with a speed where two coordinates are free is not solved".to_owned()
-            }
-            Unsupported::StartHeld => {
-                "the start gives a speed to what the ties hold at rest; take it away, or one of the ties".to_owned()
-            }
-            Unsupported::SpringWithSlip => "a spring where something slips is not solved".to_owned(),
-            Unsupported::SpeedWithSlip => {
-                "a body that slips starts from rest, or is thrown alone with its speed and its spin both given"
-                    .to_owned()
-            }
-            Unsupported::SlipShared => {
-                "a contact is said to slip where other ties hold it, too: what friction it would need is open".to_owned()
-            }
-            Unsupported::EqualByChance => {
-                "two data are equal, and only so the ties leave another number of freedoms: such data are not solved"
-                    .to_owned()
-            }
-            Unsupported::SlidesInTurn => {
-                "of the bodies that slide here one stays or moves on account of what another does; that is not solved"
-                    .to_owned()
-            }
-            Unsupported::ThrownWithOthers => {
-                "a body thrown with slip beside other bodies or cords is not solved".to_owned()
-            }
-            Unsupported::ThrownEnd => {
-                "a body thrown with slip on a surface ends where it begins to roll, or after a time"
-                    .to_owned()
-            }
-            Unsupported::NotThrown => {
-                "only a body that slips and starts with a speed and a spin begins to roll".to_owned()
-            }
-            Unsupported::TwoSprings => "more than one spring is not solved".to_owned(),
-            Unsupported::MovingLamina => {
-                "of a body of particles only what holds at the instant can be asked; write `end: at once`"
-                    .to_owned()
-            }
-            Unsupported::PinnedInCompany => {
-                "a pinned body is alone in its scene, without ties; it ends at an angle, a time, a speed or a turning point"
-                    .to_owned()
-            }
-        }),
+        Refusal::Unsupported(what) => one(unsupported(*what).to_owned()),
         Refusal::Trouble { method, trouble: why } => one(format!("{}: {}", method.name(), trouble(why))),
         Refusal::Unsteady { method, label, value, finer } => one(format!(
             "{} does not settle on {}: {value:e}, and {finer:e} when set finer; take a smaller step or tolerance",
@@ -448,8 +447,9 @@ pub fn refusal(problem: &Problem, scene: &Scene, refusal: &Refusal) -> Vec<Strin
             scene.name_of(*label)
         )),
         Refusal::Contradicts { method, label, value, judge, allowed } => one(format!(
-            "{} and the other road disagree on {}: {value:e} against {judge:e}; only {} would lie within both error estimates. Nothing is published.",
+            "{} and {} disagree on {}: {value:e} against {judge:e}; only {} would lie within both error estimates. Nothing is published.",
             method.name(),
+            if *method == Method::Gauss { "the equations of motion" } else { "work and energy" },
             scene.name_of(*label),
             rounded(*allowed, 2)
         )),
@@ -468,11 +468,11 @@ pub fn refusal(problem: &Problem, scene: &Scene, refusal: &Refusal) -> Vec<Strin
                 .to_owned(),
         ),
         Refusal::Disagree { label, eom, energy, allowed } if *allowed < 1.0 => one(format!(
-            "the two roads disagree on {}: {eom:e} from the equations of motion, {energy:e} from energy; a relative gap of {allowed:.1e} would be accepted. No key is published.",
+            "the equations of motion and work and energy disagree on {}: {eom:e} against {energy:e}; a relative gap of {allowed:.1e} would be accepted. No key is published.",
             scene.name_of(*label)
         )),
         Refusal::Disagree { label, eom, energy, .. } => one(format!(
-            "the two roads disagree on {}: {eom:e} from the equations of motion, {energy:e} from energy; the last digits of the data decide it, and the roads share none of its digits. No key is published.",
+            "the equations of motion and work and energy disagree on {}: {eom:e} against {energy:e}; the last digits of the data decide it, and no digit of it is the same in both. No key is published.",
             scene.name_of(*label)
         )),
     }

@@ -1,0 +1,47 @@
+//! The banks that the program brings along, and their texts in other languages.
+
+/// A file of a bank: id, file, text.
+type OfBank = (&'static str, &'static str, &'static str);
+
+/// Banks in the program.
+pub const BUILT_IN: &[OfBank] = &[
+    (
+        "wheels-on-inclines",
+        "banks/wheels-on-inclines.yaml",
+        include_str!("../../banks/wheels-on-inclines.yaml"),
+    ),
+    (
+        "hoists-and-pulleys",
+        "banks/hoists-and-pulleys.yaml",
+        include_str!("../../banks/hoists-and-pulleys.yaml"),
+    ),
+    ("slip-and-roll", "banks/slip-and-roll.yaml", include_str!("../../banks/slip-and-roll.yaml")),
+    ("pinned-bodies", "banks/pinned-bodies.yaml", include_str!("../../banks/pinned-bodies.yaml")),
+];
+
+/// Texts of built-in banks in other languages, by code.
+pub const TRANSLATED: &[(&str, &[OfBank])] = &[(
+    "de",
+    &[
+        (
+            "wheels-on-inclines",
+            "templates/de/banks/wheels-on-inclines.yaml",
+            include_str!("../../templates/de/banks/wheels-on-inclines.yaml"),
+        ),
+        (
+            "hoists-and-pulleys",
+            "templates/de/banks/hoists-and-pulleys.yaml",
+            include_str!("../../templates/de/banks/hoists-and-pulleys.yaml"),
+        ),
+        (
+            "slip-and-roll",
+            "templates/de/banks/slip-and-roll.yaml",
+            include_str!("../../templates/de/banks/slip-and-roll.yaml"),
+        ),
+        (
+            "pinned-bodies",
+            "templates/de/banks/pinned-bodies.yaml",
+            include_str!("../../templates/de/banks/pinned-bodies.yaml"),
+        ),
+    ],
+)];

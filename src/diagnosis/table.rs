@@ -1,0 +1,267 @@
+//! What one problem with given data comes to: regime, conditions, every quantity by both derivations; as a table and as JSON.
+use crate::bank::Bank;
+use crate::bank::Problem;
+use crate::diagnosis::data::fits;
+use crate::diagnosis::data::printed;
+use crate::diagnosis::sentences;
+use crate::finding::Finding;
+use crate::problem::make::Unsatisfiable;
+use crate::scene::Quantity;
+use crate::sheet::number;
+use crate::sheet::terminal;
+use crate::solve::ladder;
+use crate::solve::ladder::Taken;
+use crate::solve::ladder::Wish;
+use crate::solve::method::Rung;
+use crate::solve::outcome::Solved;
+use crate::words::Words;
+use std::fmt::Write as _;
+
+/// That no draw holds the rules: which refused, what came out, why it has no solution if it has none; and where the data are
+/// constants, all that `solve` says of them.
+pub fn unsatisfiable(bank: &Bank, none: &Unsatisfiable) -> Finding {
+    let mut text = none.to_string();
+    if let Some(problem) = bank.problems.iter().find(|p| p.id == none.problem)
+        && let Some(case) = problem.cases.get(none.index)
+    {
+        if let (Some(refusal), None) = (&none.unsolved, &none.disagreement) {
+            for why in sentences::refusal(problem, &case.scene, refusal) {
+                text.push_str(&format!("\n    {why}"));
+            }
+        }
+        if let Some((values, data)) = &none.constant
+            && let Ok((solved, taken)) = ladder::solve(&case.scene, data, &Wish::default())
+        {
+            let holds = fits(problem, none.index, &solved);
+            let shown = printed(problem, values);
+            let told = table(problem, none.index, &shown, &solved, &taken, holds);
+            text.push('\n');
+            text.push_str(told.trim_end());
+        }
+    }
+    Finding::new(format!("problems.{}", none.problem), text)
+}
+
+/// JSON numbers with 17 significant digits; null where there is none.
+fn number(value: Option<f64>) -> String {
+    match value {
+        // A zero has no sign for a reader: -0.0 + 0.0 is 0.0.
+        Some(v) if v.is_finite() => format!("{:.16e}", v + 0.0),
+        _ => "null".to_owned(),
+    }
+}
+
+/// The method that was taken, as JSON.
+fn method_json(taken: &Taken) -> String {
+    let setting = match taken.rung {
+        Rung::Closed | Rung::Doubles | Rung::Settled => "\"setting\": null".to_owned(),
+        Rung::Gauss(points) => format!("\"points\": {points}"),
+        Rung::Adaptive(_, rtol, _) => format!("\"rtol\": {}", number(Some(rtol))),
+        Rung::Fixed(_, step) => format!("\"step_s\": {}", number(Some(step))),
+    };
+    format!(
+        "{{\"name\": \"{}\", {setting}, \"chosen\": {}, \"why\": {}, \"evaluations\": {}, \"steps\": {}, \"evaluations_of_the_estimate\": {}, \"relative_error\": {}}}",
+        taken.rung.method().name(),
+        taken.chosen,
+        string(&sentences::why(taken)),
+        taken.count.evaluations,
+        taken.count.steps,
+        taken.estimate.evaluations,
+        if taken.errors.is_empty() { "null".to_owned() } else { number(Some(taken.worst)) }
+    )
+}
+
+fn string(text: &str) -> String {
+    // A text always has a JSON form.
+    serde_json::to_string(text).unwrap_or_default()
+}
+
+/// The same as JSON.
+pub fn json(problem: &Problem, case: usize, solved: &Solved, taken: &Taken) -> String {
+    let scene = &problem.cases[case].scene;
+    let mut out = String::new();
+    let _ = write!(
+        out,
+        "{{\n  \"problem\": {},\n  \"regime\": {},\n  \"method\": {},\n  \"checks\": [",
+        string(&problem.id),
+        string(&solved.regime.word()),
+        method_json(taken)
+    );
+    for (i, check) in solved.checks.iter().enumerate() {
+        let comma = if i == 0 { "" } else { "," };
+        let detail = string(&sentences::check(scene, &solved.checks, check));
+        let _ = write!(
+            out,
+            "{comma}\n    {{\"name\": \"{}\", \"ok\": {}, \"detail\": {detail}}}",
+            check.kind.name(),
+            check.ok
+        );
+    }
+    out.push_str(if solved.checks.is_empty() { "],\n" } else { "\n  ],\n" });
+    out.push_str("  \"quantities\": {");
+    let mut first = true;
+    for row in rows(problem, case, solved, taken) {
+        let comma = if first { "" } else { "," };
+        first = false;
+        let (name, unit) = (string(&row.name), string(row.unit));
+        let value = row.word.map_or_else(|| number(row.value), string);
+        let _ = write!(
+            out,
+            "{comma}\n    {name}: {{\"value\": {value}, \"unit\": {unit}, \"eom\": {}, \"energy\": {}, \"gap\": {}, \"cond\": {}{}}}",
+            number(row.eom),
+            number(row.energy),
+            number(row.gap),
+            number(row.cond),
+            if taken.errors.is_empty() {
+                format!(", \"bound\": {}", number(row.bound))
+            } else {
+                format!(", \"error\": {}", number(row.error))
+            }
+        );
+    }
+    out.push_str(if first { "}" } else { "\n  }" });
+    let beyond: Vec<String> = solved.beyond.iter().map(|l| string(&scene.name_of(*l))).collect();
+    let open: Vec<String> = solved.open.iter().map(|l| string(&scene.name_of(*l))).collect();
+    let _ = write!(out, ",\n  \"beyond\": [{}],\n  \"open\": [{}]\n}}\n", beyond.join(", "), open.join(", "));
+    out
+}
+
+struct QuantityRow<'s> {
+    order: usize,
+    name: String,
+    unit: &'s str,
+    word: Option<&'static str>,
+    value: Option<f64>,
+    eom: Option<f64>,
+    energy: Option<f64>,
+    gap: Option<f64>,
+    cond: Option<f64>,
+    /// Proved bound of the error, for the printed data.
+    bound: Option<f64>,
+    /// Estimated error of the method, absolute.
+    error: Option<f64>,
+}
+
+/// All quantities in the order of their list.
+fn rows<'s>(problem: &Problem, case: usize, solved: &'s Solved, taken: &Taken) -> Vec<QuantityRow<'s>> {
+    let scene = &problem.cases[case].scene;
+    let place = |q: Quantity| Quantity::ALL.iter().position(|o| *o == q).unwrap_or(usize::MAX);
+    let mut rows: Vec<QuantityRow> = solved
+        .entries
+        .iter()
+        .map(|e| QuantityRow {
+            order: place(e.label.quantity),
+            name: scene.name_of(e.label),
+            unit: e.label.quantity.unit(),
+            word: None,
+            value: Some(e.value()),
+            eom: e.eom,
+            energy: e.energy,
+            gap: e.gap(),
+            cond: Some(e.cond),
+            bound: e.bound,
+            error: taken.errors.iter().find(|(l, _)| *l == e.label).map(|(_, error)| *error),
+        })
+        .chain(solved.words.iter().map(|(label, word)| QuantityRow {
+            order: place(label.quantity),
+            name: scene.name_of(*label),
+            unit: "",
+            word: Some(word.text()),
+            value: None,
+            eom: None,
+            energy: None,
+            gap: None,
+            cond: None,
+            bound: None,
+            error: None,
+        }))
+        .collect();
+    rows.sort_by_key(|r| r.order);
+    rows
+}
+
+/// What the numbers mean where the regime fails.
+pub const NUMBERS_OF_TIES: &str = "; the numbers below are those of the declared ties";
+
+/// What really happens, whether it is what the problem declares, and each condition.
+pub fn regime(problem: &Problem, case: usize, solved: &Solved, holds: bool) -> String {
+    let scene = &problem.cases[case].scene;
+    let mut out = format!(
+        "regime: {} ({})\n",
+        solved.regime.word(),
+        sentences::regime(&Words::english(), solved.regime)
+    );
+    if !holds {
+        let regimes = &problem.cases[case].regimes;
+        let declared = match regimes.join(", ") {
+            any if any.is_empty() => String::new(),
+            some => format!(" ({some})"),
+        };
+        let told = match solved.failing(regimes) {
+            Some(check) if !regimes.is_empty() && solved.regime.is_one_of(regimes, scene) => {
+                format!("This is what the problem declares{declared}, but {} fails", check.kind.name())
+            }
+            _ => format!("This is not what the problem declares{declared}"),
+        };
+        let _ = writeln!(out, "{told}{NUMBERS_OF_TIES}.");
+    }
+    for check in &solved.checks {
+        let mark = if check.ok { "holds" } else { "FAILS" };
+        let _ = writeln!(
+            out,
+            "  {mark}  {}: {}",
+            check.kind.name(),
+            sentences::check(scene, &solved.checks, check)
+        );
+    }
+    out
+}
+
+/// Regime, method and every quantity, as a table for people.
+pub fn table(
+    problem: &Problem,
+    case: usize,
+    shown: &[String],
+    solved: &Solved,
+    taken: &Taken,
+    holds: bool,
+) -> String {
+    let scene = &problem.cases[case].scene;
+    let mut out = format!("{}: {}\n", problem.id, shown.join(", "));
+    out.push_str(&regime(problem, case, solved, holds));
+    let _ = writeln!(out, "method: {}", sentences::taken(taken));
+    let numerical = !taken.errors.is_empty();
+    let mut lines = vec![
+        ["quantity", "value", "unit", "equations of motion", "work and energy", "gap", "cond"]
+            .map(str::to_owned)
+            .to_vec(),
+    ];
+    for row in rows(problem, case, solved, taken) {
+        let road = |v: Option<f64>| v.map_or_else(|| "-".to_owned(), |v| number::rounded(v, 12));
+        lines.push(vec![
+            row.name,
+            row.word.map_or_else(|| number::rounded(row.value.unwrap_or(f64::NAN), 5), str::to_owned),
+            row.unit.to_owned(),
+            if row.word.is_some() { String::new() } else { road(row.eom) },
+            if row.word.is_some() { String::new() } else { road(row.energy) },
+            row.gap.map_or_else(String::new, |g| if g == 0.0 { "0".to_owned() } else { format!("{g:.0e}") }),
+            row.cond.map_or_else(String::new, |c| number::rounded(c, 3)),
+        ]);
+        if let (true, Some(line)) = (numerical, lines.last_mut()) {
+            line.push(row.error.map_or_else(String::new, |e| number::rounded(e, 2)));
+        }
+    }
+    if let (true, Some(head)) = (numerical, lines.first_mut()) {
+        head.push("est. error".to_owned());
+    }
+    out.push_str(&terminal::table(&lines, &[0, 2]));
+    if !solved.open.is_empty() {
+        let names: Vec<String> = solved.open.iter().map(|l| scene.name_of(*l)).collect();
+        let _ = writeln!(out, "Left open by statics, for several ties share one force: {}", names.join(", "));
+    }
+    if !solved.beyond.is_empty() {
+        let names: Vec<String> = solved.beyond.iter().map(|l| scene.name_of(*l)).collect();
+        let _ = writeln!(out, "Not shown, for no double holds them to 16 digits: {}", names.join(", "));
+    }
+    out
+}

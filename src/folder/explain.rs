@@ -1,0 +1,173 @@
+//! Everything about one mark: found in a folder of grades, told in words.
+use crate::finding::Finding;
+use crate::finding::Findings;
+use crate::folder::files;
+use crate::folder::graded;
+use crate::folder::graded::OpenGrading;
+use crate::folder::names;
+use crate::folder::set;
+use crate::guard::unguarded;
+use crate::policy::time;
+use crate::policy::time::Evidence;
+use crate::report::explain::ExplainedMarks;
+use crate::report::explain::MarkChange;
+use crate::set::store::StoredSet;
+use crate::units::spell;
+use std::path::Path;
+
+/// Explains the marks of a student for a problem, or a part of it, as they are typed.
+///
+/// # Errors
+/// Nobody or nothing is meant, or the folder is no grading.
+pub fn explain(folder: &Path, student: &str, problem: &str, part: Option<&str>) -> Result<String, Findings> {
+    let name = folder.display().to_string();
+    let here = |f: Finding| f.in_file(&name);
+    // Who is meant is found before anything is solved; where there is no set, opening says what is missing.
+    let basis = folder.join(names::BASIS);
+    let there = folder.is_dir() && basis.join(names::SET).is_file();
+    let set = if there { set::open(&basis)? } else { graded::open(folder, None)?.set };
+    let who = self::student(&set, student).map_err(here)?;
+    let (index, in_name) = self::problem(&set, problem).map_err(here)?;
+    let part = part.or(in_name.as_deref());
+    let graded = graded::open(folder, Some(&set.students[who].student))?;
+    let (Some(student), Some(given)) = (graded.set.students.first(), graded.given.first()) else {
+        return Err(Finding::new("", "the set has no such student").into());
+    };
+    let problem = graded.bank.problems.iter().find(|p| p.id == graded.set.problems[index]);
+    let (Some(problem), Some(key), Some(variant)) =
+        (problem, given.key.problems.get(index), given.variants.get(index))
+    else {
+        return Err(Finding::new("", "the sheet has no such problem").into());
+    };
+    if let Some(part) = part
+        && !key.parts.iter().any(|e| e.part == *part)
+    {
+        let known = key.parts.iter().map(|e| e.part.as_str());
+        let fault = Finding::new("", format!("problem {} ({}) has no part `{part}`", index + 1, problem.id));
+        return Err(here(fault.hint(spell::hint(part, "its parts", known))).into());
+    }
+    let mut rows = Vec::new();
+    let number = (index + 1).to_string();
+    let mut evidence = Evidence::default();
+    graded.each_row(&mut |row| {
+        // The whole column says whether the day comes first.
+        if let Some(moment) = time::parse(&row.submitted_at) {
+            evidence.join(moment.evidence);
+        }
+        if row.student == student.student && row.problem == number && row.is_known() {
+            rows.push(row);
+        }
+    })?;
+    let marks = ExplainedMarks {
+        set: &graded.set,
+        student,
+        number: index + 1,
+        problem,
+        key,
+        variant,
+        policy: &graded.policy,
+        grading: &graded.grading,
+        evidence: graded.policy.day_first.map_or(evidence, Evidence::said),
+        rows: &rows,
+        changes: &changes(&graded, &student.student, &number)?,
+        total: total(&graded, &student.student)?,
+    };
+    Ok(marks.text(part))
+}
+
+/// What a regrading changed for a problem.
+fn changes(graded: &OpenGrading, student: &str, number: &str) -> Result<Vec<MarkChange>, Findings> {
+    let path = graded.folder.join(names::CHANGES);
+    let records = if path.is_file() { files::records(&path)? } else { Vec::new() };
+    let of_problem = records.iter().skip(1).filter(|r| r.get(0) == Some(student) && r.get(1) == Some(number));
+    let change = |record: &csv::StringRecord| {
+        let field = |i: usize| record.get(i).unwrap_or_default().to_owned();
+        let (before, after) = ([field(3), field(5)], [field(4), field(6)]);
+        MarkChange { part: field(2), before, after, why: field(7) }
+    };
+    Ok(of_problem.map(change).collect())
+}
+
+/// Columns `total`, `max_total` and `dropped` of a student in the gradebook.
+fn total(graded: &OpenGrading, student: &str) -> Result<Option<[String; 3]>, Findings> {
+    let records = files::records(&graded.folder.join(names::GRADEBOOK))?;
+    let Some(header) = records.first() else { return Ok(None) };
+    let field = |record: &csv::StringRecord, name: &str| {
+        let at = header.iter().position(|h| h == name);
+        at.and_then(|i| record.get(i)).unwrap_or_default().to_owned()
+    };
+    let own = records.iter().skip(1).find(|record| unguarded(&field(record, "student")) == student);
+    Ok(own.map(|record| ["total", "max_total", "dropped"].map(|name| field(record, name))))
+}
+
+/// Without blanks, case and leading zeros.
+fn loose(text: &str) -> String {
+    let text: String = text.chars().filter(|c| !c.is_whitespace()).flat_map(char::to_lowercase).collect();
+    text.trim_start_matches('0').to_owned()
+}
+
+/// The student that is meant: by id, by an id that is alike but for blanks, case and zeros in front, or by name.
+///
+/// # Errors
+/// Nobody, or several.
+fn student(set: &StoredSet, typed: &str) -> Result<usize, Finding> {
+    let students = &set.students;
+    if let Some(i) = students.iter().position(|s| s.student == typed) {
+        return Ok(i);
+    }
+    let alike: Vec<usize> = (0..students.len())
+        .filter(|i| {
+            let (id, name) = (&students[*i].student, &students[*i].name);
+            loose(id) == loose(typed) || (!name.is_empty() && loose(name) == loose(typed))
+        })
+        .collect();
+    let fault = Finding::new("", format!("`{typed}` is no student of this set"));
+    match alike[..] {
+        [one] => Ok(one),
+        [] => {
+            let known = || students.iter().map(|s| s.student.as_str());
+            Err(match spell::closest(typed, known()) {
+                Some(near) => fault.hint(format!("did you mean `{near}`?")),
+                None => {
+                    let some: Vec<&str> = known().take(5).collect();
+                    let rest = if students.len() > 5 { ", ..." } else { "" };
+                    fault.hint(format!("its students: {}{rest}", some.join(", ")))
+                }
+            })
+        }
+        _ => {
+            let ids: Vec<&str> = alike.iter().map(|i| students[*i].student.as_str()).collect();
+            Err(fault.hint(format!("write the id exactly: {}", ids.join(", "))))
+        }
+    }
+}
+
+/// The problem that is meant, by number or id, and the part of it if one is named behind a point (`1.omega`).
+///
+/// # Errors
+/// There is none.
+fn problem(set: &StoredSet, typed: &str) -> Result<(usize, Option<String>), Finding> {
+    let find = |text: &str| {
+        let number = text.parse::<usize>().ok().and_then(|n| n.checked_sub(1));
+        set.problems
+            .iter()
+            .position(|p| p.eq_ignore_ascii_case(text))
+            .or(number.filter(|n| *n < set.problems.len()))
+    };
+    let text = typed.trim();
+    if let Some(found) = find(text) {
+        return Ok((found, None));
+    }
+    if let Some((problem, part)) = text.split_once('.')
+        && let Some(found) = find(problem)
+    {
+        return Ok((found, Some(part.to_owned())));
+    }
+    let known: Vec<String> =
+        set.problems.iter().enumerate().map(|(i, p)| format!("{} ({p})", i + 1)).collect();
+    let fault = Finding::new("", format!("the set has no problem `{typed}`"));
+    Err(match spell::closest(text, set.problems.iter().map(String::as_str)) {
+        Some(near) => fault.hint(format!("did you mean `{near}`?")),
+        None => fault.hint(format!("its problems: {}", known.join(", "))),
+    })
+}

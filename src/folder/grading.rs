@@ -1,0 +1,396 @@
+//! Grading a file of submissions by a set: a folder with every answer's verdict, and with copies of all that it was made from.
+use crate::bank::Bank;
+use crate::bank::load;
+use crate::finding::Finding;
+use crate::finding::Findings;
+use crate::folder;
+use crate::folder::Progress;
+use crate::folder::banks;
+use crate::folder::files;
+use crate::folder::files::InTheWay;
+use crate::folder::graded;
+use crate::folder::names;
+use crate::folder::reports;
+use crate::folder::reports::ReportMade;
+use crate::folder::set;
+use crate::folder::set::Replayed;
+use crate::folder::staged::Staged;
+use crate::grade::feedback::Feedback;
+use crate::grade::rules::Rules;
+use crate::grade::run;
+use crate::grade::run::GradeFault;
+use crate::grade::run::Options;
+use crate::grade::table::KeyTable;
+use crate::grade::verdict::Verdict;
+use crate::key::SheetKey;
+use crate::policy::Counts;
+use crate::policy::Policy;
+use crate::report::gradebook;
+use crate::report::summary;
+use crate::set::grading;
+use crate::set::grading::Grading;
+use crate::set::store::StoredSet;
+use crate::words::Words;
+use std::fs;
+use std::io;
+use std::io::BufRead;
+use std::io::Read;
+use std::io::Write as _;
+use std::path::Path;
+use std::path::PathBuf;
+use tempfile::NamedTempFile;
+
+/// Are reports made with the grades?
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Reports {
+    /// Up to 300,000 answers.
+    Auto,
+    /// Always.
+    Yes,
+    /// Never.
+    No,
+}
+
+/// What is to be graded.
+pub struct GradingJob<'j> {
+    /// Folder of the set.
+    pub set: &'j Path,
+    /// File of submissions; `-` is standard input.
+    pub submissions: &'j Path,
+    /// Folder to make.
+    pub out: &'j Path,
+    /// Which attempt counts, over bank and course.
+    pub attempts: Option<Counts>,
+    /// Course files, each over those before it.
+    pub courses: &'j [PathBuf],
+    /// `field=header`.
+    pub columns: &'j [String],
+    /// Language of the reasons; that of the set if not given.
+    pub language: Option<&'j str>,
+    /// Are reports made, too?
+    pub reports: Reports,
+    /// Replace an earlier grading.
+    pub force: bool,
+    /// Is told how far it is.
+    pub progress: &'j dyn Progress,
+}
+
+/// Grades: what came out, in words.
+///
+/// # Errors
+/// The set was changed, the file of submissions cannot be read, or the folder may not be written.
+pub fn grade(job: &GradingJob, input: &mut dyn BufRead) -> Result<String, Findings> {
+    let mut faults = Findings::default();
+    columns(job.columns).map_err(|f| faults.extend(f)).ok();
+    may_write(job.out, job.set, job.force).map_err(|f| faults.push(f)).ok();
+    let from_pipe = job.submissions == Path::new("-");
+    if !from_pipe && !job.submissions.exists() {
+        let fault = Finding::new("", "there is no such file").in_file(job.submissions.display().to_string());
+        faults.push(fault);
+    }
+    if let Some(language) = job.language {
+        faults.extend(banks::words(language).err().unwrap_or_default());
+    }
+    if !faults.is_empty() {
+        return Err(faults);
+    }
+    let Replayed { set, bank, keys, not_drawn } = set::replayed(job.set)?;
+    let text = |name: &str| files::read_text(&job.set.join(name));
+    let (set_text, bank_text, key_text) = (text(names::SET)?, text(&set.bank.file)?, text(names::KEY)?);
+    let replayed = not_drawn.is_none();
+    let made = make(job, Basis { set, bank, keys, replayed, set_text, bank_text, key_text }, input)?;
+    let mut summary = summary::grades(&made.table, &made.graded, &made.policy);
+    if let Some(told) = not_drawn {
+        summary.push_str(&format!("\n  {told}"));
+    }
+    let out = job.out.display().to_string();
+    match made.reports()? {
+        Some(report) => summary.push_str(&format!("\n{}", report.told(&out))),
+        None if job.reports == Reports::Auto => {
+            summary.push_str(&format!(
+                "\n  So many answers: for reports and feedback run `slipstick report {out}`."
+            ));
+        }
+        None => {}
+    }
+    if made.graded.cells == made.graded.count(Verdict::Blank) {
+        let file = job.submissions.display();
+        summary.push_str(&format!("\n  warning: there is no answer in {file}: is it the right export?"));
+    }
+    let gone = made.without_reports() && names::OF_REPORT.iter().any(|name| job.out.join(name).exists());
+    made.finish()?;
+    if gone {
+        summary.push_str(&format!(
+            "\n  The earlier report and feedback in {out} told of the grades before, and are gone."
+        ));
+    }
+    Ok(summary)
+}
+
+/// What answers are graded by, and the texts of it that are kept beside the grades.
+pub struct Basis {
+    /// What was drawn.
+    pub set: StoredSet,
+    /// The bank.
+    pub bank: Bank,
+    /// The keys.
+    pub keys: Vec<SheetKey>,
+    /// Was the set drawn again?
+    pub replayed: bool,
+    /// set.json.
+    pub set_text: String,
+    /// The bank's file.
+    pub bank_text: String,
+    /// key.csv.
+    pub key_text: String,
+}
+
+/// A grading that is whole, and not yet in its place.
+pub struct StagedGrading {
+    staged: Staged,
+    out: PathBuf,
+    table: KeyTable,
+    graded: run::Graded,
+    policy: Policy,
+    grading: Grading,
+    reports: Reports,
+}
+
+impl StagedGrading {
+    /// Where it lies until it is put in its place.
+    pub fn folder(&self) -> &Path {
+        self.staged.path()
+    }
+    /// The settings by which it was made.
+    pub fn policy(&self) -> &Policy {
+        &self.policy
+    }
+    /// What it was made from.
+    pub fn grading(&self) -> &Grading {
+        &self.grading
+    }
+    /// Makes the reports, if there are to be any: what stands out.
+    ///
+    /// # Errors
+    /// A file cannot be written.
+    pub fn reports(&self) -> Result<Option<ReportMade>, Findings> {
+        let made = match self.reports {
+            Reports::Yes => true,
+            Reports::No => false,
+            Reports::Auto => self.graded.cells <= REPORTED,
+        };
+        if !made {
+            return Ok(None);
+        }
+        let folder = self.staged.path();
+        let made = reports::make(folder, folder, None, None, None).map_err(|f| self.staged.named(f))?;
+        Ok(Some(made))
+    }
+    /// Are there no reports in it?
+    fn without_reports(&self) -> bool {
+        !self.staged.path().join(names::REPORT).exists()
+    }
+    /// Puts it in its place.
+    ///
+    /// # Errors
+    /// A file cannot be put there.
+    pub fn finish(self) -> Result<(), Findings> {
+        // Once more: it may have come while answers were graded.
+        only_ours(&self.out)?;
+        Ok(self.staged.finish()?)
+    }
+}
+
+/// Up to so many answers, reports are made with the grades, and what was written is hashed.
+const REPORTED: u64 = 300_000;
+
+/// Grades by a basis, beside the place where the grading is to be.
+///
+/// # Errors
+/// The file of submissions cannot be read, the course is faulty, or the folder cannot be written.
+pub fn make(job: &GradingJob, basis: Basis, input: &mut dyn BufRead) -> Result<StagedGrading, Findings> {
+    let columns = columns(job.columns)?;
+    let Basis { set, bank, keys, replayed, set_text, bank_text, key_text } = basis;
+    let language = job.language.unwrap_or(&set.language);
+    let words = match job.language {
+        Some(language) => banks::words(language)?,
+        None => Words::of(language).unwrap_or_else(Words::english),
+    };
+    let courses = graded::read_courses(job.courses)?;
+    let policy = graded::policy(&bank.grading, &courses, job.attempts)?;
+    let names: Vec<(String, String)> =
+        set.students.iter().map(|s| (s.student.clone(), s.name.clone())).collect();
+    let mut table = KeyTable::new(keys, &names);
+    let settings = courses
+        .last()
+        .map_or_else(|| job.set.join(&set.bank.file).display().to_string(), |(file, _)| file.clone());
+    table.take_points(&policy);
+    let rules = Rules::new(&table, &policy).map_err(|faults| faults.in_file(settings))?;
+    let options = Options {
+        columns,
+        threads: std::thread::available_parallelism().map_or(1, usize::from),
+        feedback: Feedback::new(&words),
+    };
+    let spooled =
+        spool(job.submissions, input).map_err(|e| files::trouble(job.submissions, "cannot be read", &e))?;
+    let path = spooled.as_ref().map_or(job.submissions, NamedTempFile::path);
+    let staged = Staged::new(job.out)?;
+    let graded = answers(job, path, &table, &rules, &options, &staged)?;
+    let put = |name: &str, bytes: &[u8]| staged.write(name, bytes);
+    put(names::GRADEBOOK, &gradebook::gradebook(&table, &graded, &policy))?;
+    let basis = |e: io::Error| files::trouble(&job.out.join(names::BASIS), "cannot be written", &e);
+    fs::create_dir(staged.path().join(names::BASIS)).map_err(basis)?;
+    let kept =
+        [(names::SET, &set_text), (set.bank.file.as_str(), &bank_text), (names::KEY, &key_text)].into_iter();
+    let kept = kept.map(|(name, text)| (name.to_owned(), text));
+    for (name, text) in kept.chain(courses.iter().enumerate().map(|(i, (_, t))| (names::course(i), t))) {
+        put(&format!("{}/{name}", names::BASIS), text.as_bytes())?;
+    }
+    let hash = |path: &Path| match graded.cells <= REPORTED {
+        true => graded::hash(path).map(Some).map_err(|f| staged.named(f.into())),
+        false => Ok(None),
+    };
+    let verdicts = Verdict::ALL.iter().map(|v| (v.as_str().to_owned(), graded.count(*v).into())).collect();
+    let course_text = courses.iter().map(|(_, text)| text.as_str()).collect::<String>();
+    let grading = Grading {
+        format: grading::FORMAT,
+        program: folder::program(),
+        draw_version: set.draw_version,
+        replayed,
+        set: set.name.clone(),
+        seed: set.seed,
+        bank: bank.id.clone(),
+        bank_sha256: bank.hash.clone(),
+        key_sha256: load::hash(&key_text),
+        course_sha256: (!courses.is_empty()).then(|| load::hash(&course_text)),
+        attempts: job.attempts.map(|counts| counts.as_str().to_owned()),
+        language: words.language().to_owned(),
+        submissions: job.submissions.file_name().unwrap_or_default().to_string_lossy().into_owned(),
+        submissions_bytes: fs::metadata(path).map_or(0, |m| m.len()),
+        submissions_sha256: hash(path)?,
+        answers_sha256: hash(&staged.path().join(names::ANSWERS))?,
+        gradebook_sha256: hash(&staged.path().join(names::GRADEBOOK))?,
+        columns: job.columns.to_vec(),
+        cells: graded.cells,
+        verdicts,
+        wide: graded.wide,
+        untimed: graded.untimed,
+        undated: graded.undated,
+        unused_columns: graded.unused_columns.clone(),
+    };
+    put(names::GRADING, grading.text().as_bytes())?;
+    Ok(StagedGrading {
+        staged,
+        out: job.out.to_owned(),
+        table,
+        graded,
+        policy,
+        grading,
+        reports: job.reports,
+    })
+}
+
+/// Grades the file at `path` into the answers of a staged folder.
+fn answers(
+    job: &GradingJob,
+    path: &Path,
+    table: &KeyTable,
+    rules: &Rules,
+    options: &Options,
+    staged: &Staged,
+) -> Result<run::Graded, Findings> {
+    let file = job.submissions.display().to_string();
+    let fault = |e: &io::Error| files::trouble(&job.out.join(names::ANSWERS), "cannot be written", e);
+    let open = || -> io::Result<Box<dyn Read + Send>> { Ok(Box::new(fs::File::open(path)?)) };
+    let first = files::stamp(path);
+    let size = first.map_or(0, |(size, _)| size);
+    let mut before = 0;
+    let mut progress = |read: u64| {
+        // Less is graded in a moment.
+        if size > 20_000_000 {
+            job.progress.advance("grading", read.saturating_sub(before), size * rules.reads());
+        }
+        before = read;
+    };
+    let out = fs::File::create(staged.path().join(names::ANSWERS)).map_err(|e| fault(&e))?;
+    let mut out = io::BufWriter::with_capacity(1 << 18, out);
+    let graded = run::grade(&open, table, rules, options, &mut out, &mut progress);
+    let graded = graded.map_err(|why| match why {
+        GradeFault::Io(e) => files::trouble(job.submissions, "cannot be graded", &e).into(),
+        GradeFault::Write(e) => fault(&e).into(),
+        GradeFault::Header(findings) => findings.in_file(&file),
+    })?;
+    // Which attempt counts was found in an earlier walk over the file.
+    if files::stamp(path) != first {
+        let changed = Finding::new("", "was changed while it was graded").in_file(file);
+        return Err(changed.hint("grade it again, or a copy of it").into());
+    }
+    out.flush().map_err(|e| fault(&e))?;
+    Ok(graded)
+}
+
+/// The whole folder is exchanged at once: nothing may be in it that is not a grading's, such as notes of somebody else.
+fn only_ours(out: &Path) -> Result<(), Finding> {
+    let (students, courses) = (reports::folders(out), graded::courses(out).len());
+    let ours = |name: &str| names::is_of_grading(name, courses) || names::is_of_report(name, &students);
+    let foreign = files::foreign(out, &ours);
+    if foreign.is_empty() { Ok(()) } else { Err(files::not_ours(out, &foreign, "grade")) }
+}
+
+/// A pipe is read once, grading reads twice. Standard input is the caller's, who holds its lock.
+fn spool(path: &Path, input: &mut dyn BufRead) -> io::Result<Option<NamedTempFile>> {
+    let is_pipe = path == Path::new("-") || !fs::metadata(path)?.is_file();
+    if !is_pipe {
+        return Ok(None);
+    }
+    let mut file = NamedTempFile::new()?;
+    if path == Path::new("-") {
+        io::copy(input, file.as_file_mut())?;
+    } else {
+        io::copy(&mut fs::File::open(path)?, file.as_file_mut())?;
+    }
+    Ok(Some(file))
+}
+
+fn columns(typed: &[String]) -> Result<Vec<(String, String)>, Findings> {
+    let mut found = Vec::new();
+    let mut faults = Findings::default();
+    for text in typed {
+        match text.split_once('=') {
+            Some((role, header)) if !role.trim().is_empty() && !header.trim().is_empty() => {
+                let header = header.trim().trim_matches('"');
+                found.push((role.trim().to_lowercase(), header.to_owned()));
+            }
+            _ => faults.push(
+                Finding::new("--columns", format!("`{text}` maps nothing"))
+                    .hint("write a field, `=` and a header, such as student=\"Email Address\""),
+            ),
+        }
+    }
+    faults.into_result(found)
+}
+
+/// Nothing, an empty folder, or with `--force` a folder with an earlier grading.
+fn may_write(out: &Path, set: &Path, force: bool) -> Result<(), Finding> {
+    let finding = |what: &str| Finding::new("", what).in_file(out.display().to_string());
+    files::not_among_students(out)?;
+    files::has_a_name(out, "grades")?;
+    let same = fs::canonicalize(out).ok().zip(fs::canonicalize(set).ok()).is_some_and(|(a, b)| a == b);
+    if same || out.join(names::SET).exists() {
+        return Err(finding("is the folder of a set").hint("give another --out for the grades"));
+    }
+    const IN_THE_WAY: InTheWay = InTheWay {
+        file: "is a file; grades are written to a folder",
+        taken: "give another --out, or --force to replace an earlier grading",
+        other: "holds no earlier grading",
+        only: "--force replaces only what grade made",
+    };
+    // What every version of answers.csv begins with.
+    let header = "line,column,student,problem,part,answer,verdict,";
+    let ours = || {
+        let mut start = vec![0; header.len()];
+        let read = fs::File::open(out.join(names::ANSWERS)).and_then(|mut f| f.read_exact(&mut start));
+        read.is_ok() && start == header.as_bytes()
+    };
+    if files::may_replace(out, force, &IN_THE_WAY, ours)? { only_ours(out) } else { Ok(()) }
+}

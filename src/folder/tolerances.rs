@@ -1,0 +1,167 @@
+//! All answers of a grading, graded anew by other tolerances; nothing is written.
+use crate::bank::Relative;
+use crate::finding::Findings;
+use crate::folder::files;
+use crate::folder::graded;
+use crate::folder::graded::OpenGrading;
+use crate::grade::rules::Rules;
+use crate::grade::run;
+use crate::grade::run::GradeFault;
+use crate::grade::run::Options;
+use crate::grade::table::KeyTable;
+use crate::grade::verdict::Verdict;
+use crate::key::Answer;
+use crate::key::SheetKey;
+use crate::policy::Unread;
+use crate::problem::make_key;
+use crate::regrade::rows::Row;
+use crate::regrade::tolerance::Cell;
+use crate::regrade::tolerance::WhatIf;
+use crate::report::gradebook;
+use crate::report::tolerances;
+use crate::report::tolerances::Trial;
+use crate::set::given::GivenSheet;
+use std::collections::BTreeMap;
+use std::fs::File;
+use std::io;
+use std::io::Read;
+use std::io::Write as _;
+use std::path::Path;
+use tempfile::NamedTempFile;
+
+/// All answers graded by a key.
+struct GradedAnew {
+    /// Student after student, what counts for each part.
+    cells: Vec<Cell>,
+    /// Totals as in the gradebook.
+    totals: Vec<f64>,
+    /// How many answers count.
+    answers: u64,
+}
+
+/// How many verdicts of a grading would change with each of these relative tolerances, in words.
+///
+/// # Errors
+/// The folder is no grading, or cannot be read.
+pub fn what_if(folder: &Path, shares: &[f64]) -> Result<String, Findings> {
+    let graded = graded::open(folder, None)?;
+    let table = |share: Option<f64>| {
+        let mut table = KeyTable::new(graded.given.iter().map(|g| key(&graded, g, share)).collect(), &[]);
+        table.take_points(&graded.policy);
+        table
+    };
+    let now = table(None);
+    let (students, parts) = (now.students.len(), now.columns.len());
+    let handed = handed_in(&graded).map_err(|e| files::trouble(folder, "cannot be graded", &e))?;
+    let as_is = run_with(&graded, &now, &handed)?;
+    let mut trials = Vec::new();
+    for &share in shares {
+        let table = table(Some(share));
+        let other = run_with(&graded, &table, &handed)?;
+        let mut what = WhatIf::new(parts);
+        what.take(&as_is.cells, &other.cells);
+        for part in 0..parts {
+            for student in 0..students {
+                if let (Some(entry), Some(other)) = (now.entry(student, part), table.entry(student, part)) {
+                    what.key(part, entry, other);
+                }
+            }
+        }
+        trials.push(Trial { share, what, totals: other.totals });
+    }
+    Ok(tolerances::told(&folder.display().to_string(), &now, &trials, &as_is.totals, as_is.answers))
+}
+
+/// The answers of a grading as they were handed in, one a line and in their order: a file of submissions again.
+fn handed_in(graded: &OpenGrading) -> Result<NamedTempFile, io::Error> {
+    let mut timed = false;
+    let mut faults = Findings::default();
+    let mut see = |see: &mut dyn FnMut(Row)| {
+        if let Err(fault) = graded.each_row(see) {
+            faults.extend(fault);
+        }
+    };
+    see(&mut |row: Row| timed |= !row.submitted_at.is_empty());
+    let mut file = NamedTempFile::new()?;
+    let mut written = Ok(());
+    {
+        let mut out = csv::Writer::from_writer(io::BufWriter::new(file.as_file_mut()));
+        let columns = if timed { 5 } else { 4 };
+        out.write_record(&["student", "problem", "part", "answer", "submitted_at"][..columns])?;
+        see(&mut |row: Row| {
+            let fields = [&row.student, &row.problem, &row.part, &row.answer, &row.submitted_at];
+            if written.is_ok() {
+                written = out.write_record(fields[..columns].iter().map(|f| f.as_bytes()));
+            }
+        });
+        out.flush()?;
+    }
+    written?;
+    match faults.first() {
+        Some(fault) => Err(io::Error::other(fault.to_string())),
+        None => Ok(file),
+    }
+}
+
+/// Grades them by another key, by the same settings.
+fn run_with(graded: &OpenGrading, table: &KeyTable, handed: &NamedTempFile) -> Result<GradedAnew, Findings> {
+    let trouble = |e: &io::Error| files::trouble(&graded.folder, "cannot be graded", e);
+    let mut policy = graded.policy.clone();
+    // What is graded already may be from a version that did not ask.
+    policy.late.unread.get_or_insert(Unread::InTime);
+    let rules = Rules::new(table, &policy)?;
+    let open = || -> io::Result<Box<dyn Read + Send>> { Ok(Box::new(File::open(handed.path())?)) };
+    let options = Options {
+        threads: std::thread::available_parallelism().map_or(1, usize::from),
+        ..Options::default()
+    };
+    let mut file = NamedTempFile::new().map_err(|e| trouble(&e))?;
+    let mut out = io::BufWriter::with_capacity(1 << 18, file.as_file_mut());
+    let done =
+        run::grade(&open, table, &rules, &options, &mut out, &mut |_| {}).map_err(|why| match why {
+            GradeFault::Io(e) | GradeFault::Write(e) => trouble(&e).into(),
+            GradeFault::Header(findings) => findings,
+        })?;
+    out.flush().map_err(|e| trouble(&e))?;
+    drop(out);
+    let parts = table.columns.len();
+    let column: BTreeMap<(String, &str), usize> =
+        table.columns.iter().enumerate().map(|(i, c)| ((c.number.to_string(), c.part.as_str()), i)).collect();
+    let whose: BTreeMap<&str, usize> =
+        table.students.iter().enumerate().map(|(i, s)| (s.id.as_str(), i)).collect();
+    let mut cells = vec![Cell::default(); table.students.len() * parts];
+    let mut answers = 0;
+    graded::each_row(file.path(), &mut |row: Row| {
+        if !row.counts() {
+            return;
+        }
+        let student = whose.get(row.student.as_str());
+        let part = column.get(&(row.problem, row.part.as_str()));
+        let (Some(student), Some(part)) = (student, part) else { return };
+        answers += 1;
+        cells[student * parts + part] = Cell { right: row.verdict == Verdict::Right, methods: row.methods };
+    })?;
+    let totals = (0..table.students.len())
+        .map(|s| gradebook::total(table, &done.points, s, &graded.policy).points)
+        .collect();
+    Ok(GradedAnew { cells, totals, answers })
+}
+
+/// The key of a student, with another relative tolerance if one is given; absolute tolerances stay.
+fn key(graded: &OpenGrading, given: &GivenSheet, share: Option<f64>) -> SheetKey {
+    let mut key = given.key.clone();
+    let Some(share) = share else { return key };
+    for (problem, variant) in key.problems.iter_mut().zip(&given.variants) {
+        let Some(of) = graded.bank.problems.iter().find(|p| p.id == problem.id) else { continue };
+        for entry in &mut problem.parts {
+            let Some(question) = of.questions.iter().find(|q| q.id == entry.part) else { continue };
+            let other = crate::bank::Question { relative: Relative::Fixed(share), ..question.clone() };
+            if let (Answer::Number { value, half_width, .. }, Some(solved)) =
+                (&mut entry.answer, variant.solved.get(question.label))
+            {
+                *half_width = make_key::half_width(&other, *value, solved.scale, solved.cond);
+            }
+        }
+    }
+    key
+}

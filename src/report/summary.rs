@@ -1,0 +1,77 @@
+//! What a grading came to, for the terminal: verdicts, a row for each part, what is odd about the submissions.
+use crate::grade::run;
+use crate::grade::table::KeyTable;
+use crate::grade::verdict::Verdict;
+use crate::policy::Policy;
+use crate::policy::Unread;
+use crate::sheet::terminal;
+
+/// Verdicts, a row for each part, and what is odd about the submissions.
+pub fn grades(table: &KeyTable, graded: &run::Graded, policy: &Policy) -> String {
+    let form = if graded.wide { "wide" } else { "long" };
+    let mut text = format!(
+        "{} in {form} form:",
+        terminal::count(usize::try_from(graded.cells).unwrap_or(usize::MAX), "answer cell")
+    );
+    let mut first = true;
+    for verdict in Verdict::ALL {
+        let n = graded.count(*verdict);
+        if n > 0 {
+            text.push_str(if first { " " } else { ", " });
+            first = false;
+            text.push_str(&format!("{n} {verdict}"));
+        }
+    }
+    text.push('\n');
+    let mut rows = vec![
+        ["part", "right", "wrong", "unreadable", "blank", "right of those that count"]
+            .map(str::to_owned)
+            .to_vec(),
+    ];
+    for (column, counts) in table.columns.iter().zip(&graded.by_column) {
+        let of = |verdicts: &[Verdict]| verdicts.iter().map(|v| counts[*v as usize]).sum::<u64>();
+        let right = of(&[Verdict::Right]);
+        let wrong =
+            of(&[Verdict::Wrong, Verdict::WrongDirection, Verdict::WrongDimension, Verdict::MissingUnit]);
+        let unreadable = of(&[Verdict::Unreadable]);
+        let counting = right + wrong + unreadable;
+        rows.push(vec![
+            format!("{}.{}", column.number, column.part),
+            right.to_string(),
+            wrong.to_string(),
+            unreadable.to_string(),
+            of(&[Verdict::Blank]).to_string(),
+            (right * 100).checked_div(counting).map_or_else(|| "-".to_owned(), |p| format!("{p} %")),
+        ]);
+    }
+    text.push_str(terminal::table(&rows, &[0]).trim_end());
+    let handed =
+        graded.points.chunks(table.columns.len().max(1)).filter(|p| p.iter().any(Option::is_some)).count();
+    text.push_str(&format!(
+        "\n  {handed} of {} handed in.",
+        terminal::count(table.students.len(), "student")
+    ));
+    if !graded.unused_columns.is_empty() {
+        text.push_str(&format!(" Columns not used: {}.", graded.unused_columns.join(", ")));
+    }
+    if graded.respelled > 0 {
+        let answers = terminal::count(usize::try_from(graded.respelled).unwrap_or(usize::MAX), "answer");
+        text.push_str(&format!(
+            "\n  {answers} came under an id that differs from the roster's in upper and lower case alone, and count."
+        ));
+    }
+    if graded.undated > 0 {
+        let answers = terminal::count(usize::try_from(graded.undated).unwrap_or(usize::MAX), "answer");
+        text.push_str(&format!(
+            "\n  {answers} that count have no submitted_at that can be read, and are taken as {}.",
+            policy.late.unread.map_or("in time", Unread::as_str)
+        ));
+    }
+    if graded.untimed > 0 {
+        let parts = terminal::count(usize::try_from(graded.untimed).unwrap_or(usize::MAX), "answer");
+        text.push_str(&format!(
+            "\n  The attempts at {parts} were ordered by row, because a submitted_at cannot be read."
+        ));
+    }
+    text
+}

@@ -1,0 +1,250 @@
+//! What a bank is like before its sheets go out: tables over many draws, texts tried, a page with variants.
+use crate::bank::Bank;
+use crate::bank::Problem;
+use crate::bank::Question;
+use crate::finding::Finding;
+use crate::finding::Findings;
+use crate::num::shown;
+use crate::problem::sweep;
+use crate::problem::sweep::Seldom;
+use crate::problem::sweep::Sweep;
+use crate::sheet::number;
+use crate::sheet::statement;
+use crate::sheet::terminal;
+use rayon::prelude::*;
+
+pub mod page;
+pub mod texts;
+
+/// A class for which the chance of equal sheets is told.
+pub const CLASS: u32 = 500;
+/// More honest answers than this share should not miss the tolerance.
+const HONEST_MISSES: f64 = 0.05;
+/// The chance that a bank should stay below.
+const RARE: f64 = 1e-6;
+
+/// Tries problems of a bank over so many seeds.
+pub fn sweeps(problems: &[&Problem], seeds: u64, bank: &str) -> Vec<Sweep> {
+    let seeds = u32::try_from(seeds.clamp(1, 1_000_000)).unwrap_or(1_000_000);
+    problems.par_iter().map(|p| sweep::sweep(p, 1, seeds, bank)).collect()
+}
+
+/// What a sweep over one problem says, row by row, heads first.
+pub struct SweepTables {
+    /// Cases and how many of their draws are accepted.
+    pub cases: Vec<Vec<String>>,
+    /// How often each rule refused, and which.
+    pub refusals: Vec<(u32, String)>,
+    /// Questions that ask for numbers.
+    pub numbers: Vec<Vec<String>>,
+    /// Questions that ask for words; without a head.
+    pub words: Vec<Vec<String>>,
+    /// Wrong methods that land near a right answer in some draws: shares of draws by case, then by question.
+    pub mistakes: Vec<Vec<String>>,
+    /// Wrong methods that never do.
+    pub never: Vec<String>,
+    /// Where figures and tolerance do not fit the condition numbers.
+    pub notes: Vec<String>,
+}
+
+/// Columns of texts, as [`terminal::table`] takes them.
+pub const LEFT_CASES: [usize; 1] = [0];
+/// The same for numbers asked.
+pub const LEFT_NUMBERS: [usize; 2] = [0, 3];
+/// The same for words asked.
+pub const LEFT_WORDS: [usize; 2] = [0, 1];
+
+/// The tables of a sweep.
+pub fn tables(problem: &Problem, sweep: &Sweep) -> SweepTables {
+    let refusals = sweep.cases.iter().flat_map(|case| {
+        let name = if case.name.is_empty() { String::new() } else { format!("{}: ", case.name) };
+        case.refusals.iter().map(move |(rule, count)| (*count, format!("{name}{rule}")))
+    });
+    let (numbers, words) = questions(problem, sweep);
+    let (mistakes, never) = mistakes(problem, sweep);
+    SweepTables {
+        cases: cases(sweep),
+        refusals: refusals.collect(),
+        numbers,
+        words,
+        mistakes,
+        never,
+        notes: notes(problem, sweep),
+    }
+}
+
+/// The wrong methods that no draw has near a right answer, in a sentence; nothing where there are none.
+pub fn never_near(tables: &SweepTables) -> Option<String> {
+    (!tables.never.is_empty()).then(|| format!("never near a right answer: {}", tables.never.join(", ")))
+}
+
+/// The chance of equal sheets, in a sentence.
+pub fn chance(sweeps: &[Sweep]) -> String {
+    let chance = sweep::coincidence(sweeps, CLASS);
+    let verdict = if chance <= RARE { "rare enough" } else { "too likely: widen the ranges" };
+    format!(
+        "Chance that two of {CLASS} students get equal sheets of all {}: at most {} ({verdict}).",
+        shown::figures(chance, 2),
+        terminal::count(sweeps.len(), "problem")
+    )
+}
+
+fn cases(sweep: &Sweep) -> Vec<Vec<String>> {
+    let mut rows = vec![
+        ["case", "share", "variants", "draws", "accepted", "valid variants"].map(str::to_owned).to_vec(),
+    ];
+    for case in &sweep.cases {
+        let name = if case.name.is_empty() { "(all)" } else { &case.name };
+        let accepted = if case.tries == 0 { "-".to_owned() } else { terminal::percent(case.acceptance()) };
+        rows.push(vec![
+            name.to_owned(),
+            terminal::percent(case.share),
+            case.variants.to_string(),
+            case.tries.to_string(),
+            accepted,
+            if case.tries == 0 { "-".to_owned() } else { format!("about {}", shown::figures(case.valid, 1)) },
+        ]);
+    }
+    rows
+}
+
+fn questions(problem: &Problem, sweep: &Sweep) -> (Vec<Vec<String>>, Vec<Vec<String>>) {
+    let percent = |share: f64| if share.is_nan() { "-".to_owned() } else { terminal::percent(share) };
+    let mut rows = vec![
+        [
+            "question",
+            "least",
+            "greatest",
+            "unit",
+            "cond",
+            "90 %",
+            "worst",
+            "limit",
+            "above",
+            "tolerance",
+            "missed",
+        ]
+        .map(str::to_owned)
+        .to_vec(),
+    ];
+    for (question, seen) in problem.questions.iter().zip(&sweep.questions) {
+        let mut row = vec![seen.id.clone()];
+        if let Some((low, high)) = seen.range {
+            row.extend([number::rounded(low, 4), number::rounded(high, 4), question.unit.ascii().to_owned()]);
+            if let Some(cond) = seen.cond {
+                row.extend([cond.median, cond.ninth, cond.worst].map(|c| number::rounded(c, 3)));
+                row.extend([number::rounded(question.cond_limit, 3), percent(cond.above)]);
+            }
+            let (least, most) = (statement::percent(seen.within.0), statement::percent(seen.within.1));
+            row.push(if least == most { most } else { format!("{least} to {most}") });
+            row.push(percent(seen.missed()));
+        } else {
+            let share = |w: &sweep::Listed| {
+                format!("{} {} %", w.word, w.right * 100 / sweep::printed(&seen.words, w.list).max(1))
+            };
+            let list: Vec<String> = seen.words.iter().map(share).collect();
+            row.push(list.join(", "));
+        }
+        rows.push(row);
+    }
+    // Words may be longer than a number: they stand behind the table's first column.
+    rows.into_iter().partition(|r| r.len() != 2)
+}
+
+/// For each wrong method the share of draws that it would refuse: those in which it lands near a right answer. Then those that
+/// never do.
+fn mistakes(problem: &Problem, sweep: &Sweep) -> (Vec<Vec<String>>, Vec<String>) {
+    let percent = |share: f64| match share {
+        s if s.is_nan() => "-".to_owned(),
+        s if s <= 0.0 => "0 %".to_owned(),
+        s if s < 0.01 => "< 1 %".to_owned(),
+        s => terminal::percent(s),
+    };
+    let single = sweep.cases.len() == 1;
+    let mut head = vec!["wrong method".to_owned()];
+    head.extend(sweep.cases.iter().map(|c| match single {
+        true => "would refuse".to_owned(),
+        false => c.name.clone(),
+    }));
+    head.push("near".to_owned());
+    let mut rows = vec![head];
+    let mut never = Vec::new();
+    for (mistake, seen) in problem.mistakes.iter().zip(&sweep.mistakes) {
+        if seen.near.iter().all(|s| s.is_nan() || *s <= 0.0) {
+            never.push(seen.id.clone());
+            continue;
+        }
+        let mut near: Vec<String> = Vec::new();
+        for (q, share) in problem.questions.iter().zip(&seen.by_question).filter(|(_, s)| **s > 0.0) {
+            let own = q.unguarded.iter().any(|(id, _)| *id == mistake.id) || mistake.unguarded.is_some();
+            near.push(format!("{} {}{}", q.id, percent(*share), if own { " (allowed)" } else { "" }));
+        }
+        let mut row = vec![seen.id.clone()];
+        row.extend(seen.near.iter().map(|s| percent(*s)));
+        row.push(near.join(", "));
+        rows.push(row);
+    }
+    (rows, never)
+}
+
+/// A word of a printed list that is right too seldom.
+pub fn seldom(problem: &Problem, question: &Question, seldom: &Seldom) -> Finding {
+    let Seldom { word, right, printed } = *seldom;
+    let what = match right {
+        0 => format!("`{word}` is offered and right in none of {printed} variants: that is no question"),
+        _ => format!(
+            "`{word}` is right in {right} of {printed} variants, less than {}",
+            terminal::percent(sweep::WORD_SHARE)
+        ),
+    };
+    let hint = "leave the question out, or let cases and ranges bring each word about, with the same data drawn for all";
+    Finding::new(format!("problems.{}.questions.{}", problem.id, question.id), what).hint(hint)
+}
+
+/// Variants that are tried for the words of a problem where nothing else is asked of it.
+const FOR_WORDS: u32 = 100;
+
+/// Words of printed lists that are right too seldom, on a few variants of these problems.
+pub fn seldom_words(bank: &Bank, problems: &[usize]) -> Findings {
+    let mut found = Findings::default();
+    for problem in problems.iter().filter_map(|p| bank.problems.get(*p)) {
+        for (question, words) in sweep::words_of(problem, FOR_WORDS, &bank.id) {
+            let question = &problem.questions[question];
+            found.extend(sweep::seldom(&words).iter().map(|s| seldom(problem, question, s)));
+        }
+    }
+    found
+}
+
+/// Where the figures asked and the tolerance do not fit the condition numbers, and words that are right too seldom.
+fn notes(problem: &Problem, sweep: &Sweep) -> Vec<String> {
+    let mut notes = Vec::new();
+    for (question, seen) in problem.questions.iter().zip(&sweep.questions) {
+        let rare = sweep::seldom(&seen.words).into_iter().filter(|s| !s.never());
+        notes.extend(rare.map(|s| format!("{}: {}", question.id, seldom(problem, question, &s).message)));
+        let missed = seen.missed();
+        if missed > HONEST_MISSES {
+            let advice = match question.relative.fixed() {
+                Some(_) => "let its tolerance widen with cond, ask for more figures, or lower its cond limit",
+                None => "ask for more figures, or lower its cond limit",
+            };
+            notes.push(format!(
+                "{}: {} of honest answers with {} figures on the way miss its tolerance; {advice}",
+                question.id,
+                terminal::percent(missed),
+                question.figures
+            ));
+        }
+        if let Some(reach) = question.relative.reach()
+            && question.cond_limit > reach
+        {
+            notes.push(format!(
+                "{}: its tolerance widens up to cond {}, its cond limit is {}",
+                question.id,
+                number::rounded(reach, 3),
+                number::rounded(question.cond_limit, 3)
+            ));
+        }
+    }
+    notes
+}
