@@ -4,6 +4,7 @@ use crate::cli::tell::Exit;
 use crate::cli::tell::Io;
 use crate::finding::Finding;
 use crate::finding::Findings;
+use crate::folder::Progress;
 use crate::folder::files;
 use crate::review::page;
 use crate::set::replay;
@@ -23,7 +24,11 @@ pub fn run(args: &args::GalleryArgs, io: &mut Io) -> Result<Exit, Findings> {
     }
     let (loaded, texts) = args.own.load(&args.bank)?;
     let problems = replay::chosen(&loaded.bank, args.problems.as_deref(), "--problems")?;
-    let page = page::page((&loaded.bank, &loaded.file), &problems, &texts, (args.variants, args.seeds))?;
+    let bar = io.bar();
+    let page =
+        page::page((&loaded.bank, &loaded.file), &problems, &texts, (args.variants, args.seeds), &|of| {
+            bar.advance("draws", 1, of)
+        })?;
     let bytes = page.len();
     files::put_all(&[(args.out.clone(), page)])?;
     io.line(&format!(

@@ -7,6 +7,7 @@ use crate::diagnosis::sentences;
 use crate::diagnosis::table::unsatisfiable;
 use crate::finding::Finding;
 use crate::finding::Findings;
+use crate::folder::Progress;
 use crate::folder::banks;
 use crate::num::shown;
 use crate::problem::sweep;
@@ -22,7 +23,8 @@ pub fn run(args: &args::LintArgs, io: &mut Io) -> Result<Exit, Findings> {
     let mut findings = texts::unknown_names(bank, &texts.templates);
     findings.extend(texts::never_given(bank, &texts.templates));
     let all: Vec<&Problem> = bank.problems.iter().collect();
-    let sweeps = review::sweeps(&all, args.seeds, &bank.id);
+    let bar = io.bar();
+    let sweeps = review::sweeps(&all, args.seeds, &bank.id, &|of| bar.advance("draws", 1, of));
     for (problem, sweep) in bank.problems.iter().zip(&sweeps) {
         if let Some((seed, none)) = &sweep.unsatisfiable {
             let mut fault = unsatisfiable(bank, none);

@@ -8,8 +8,9 @@ use crate::folder::graded;
 use crate::folder::matches;
 use crate::folder::names::MATCHES;
 use crate::num::shown;
-use crate::report::alike::Matches;
+use crate::report::alike::ClassMatches;
 use crate::sheet::terminal;
+use crate::words::Words;
 
 /// Pairs shown on the terminal; the others stand in the file.
 const SHOWN: usize = 20;
@@ -26,8 +27,8 @@ pub fn run(args: &args::MatchesArgs, io: &mut Io) -> Result<Exit, Findings> {
 }
 
 /// Pairs for the terminal.
-fn told(found: &Matches) -> String {
-    let mut text = found.summary();
+fn told(found: &ClassMatches) -> String {
+    let mut text = found.summary(&Words::english());
     text.push('\n');
     if found.pairs.is_empty() {
         return text;

@@ -15,7 +15,7 @@ use crate::template;
 use crate::words::Words;
 
 /// Pages that only instructors see; their looks are not written out.
-const INSTRUCTORS: [&str; 3] = ["accuracy.html", "gallery.html", "report.html"];
+const INSTRUCTORS: [&str; 2] = ["accuracy.html", "gallery.html"];
 
 /// What each file receives.
 const ABOUT: &str = include_str!("../../templates/README.md");

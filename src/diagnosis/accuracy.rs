@@ -10,15 +10,14 @@ use crate::finding::Finding;
 use crate::finding::Findings;
 use crate::guard::push_line;
 use crate::num::shown;
+use crate::picture::svg::escaped;
 use crate::plot::Axis;
-use crate::plot::Figure;
-use crate::plot::Point;
-use crate::plot::Scale;
+use crate::plot::AxisScale;
+use crate::plot::DataPoint;
+use crate::plot::LineChart;
 use crate::plot::Series;
-use crate::plot::svg::escaped;
 use crate::scene::Label;
 use crate::scene::Scene;
-use crate::sheet::number;
 use crate::sheet::terminal;
 use crate::solve::ladder;
 use crate::solve::ladder::Force;
@@ -162,7 +161,7 @@ fn duration(seconds: f64) -> String {
         s if s < 1.0 => (1e3, "ms"),
         _ => (1.0, "s"),
     };
-    format!("{} {unit}", number::rounded(seconds * factor, 3))
+    format!("{} {unit}", shown::significant(seconds * factor, 3))
 }
 
 /// An error with two figures.
@@ -211,7 +210,7 @@ impl StudySheet<'_> {
                 cells.extend(line.seconds.map(duration));
                 cells.extend(found.errors.iter().map(|e| short(*e)));
                 cells.push(short(found.worst));
-                cells.push(ratio(line).map_or_else(String::new, |r| number::rounded(r, 2)));
+                cells.push(ratio(line).map_or_else(String::new, |r| shown::significant(r, 2)));
             }
             Err(_) => {
                 cells.push("refused".to_owned());
@@ -316,7 +315,7 @@ impl StudySheet<'_> {
     }
 
     /// Error against cost, one line for each method.
-    pub fn plot(&self) -> Figure {
+    pub fn plot(&self) -> LineChart {
         // What is not a number has no place: least of all that of no error.
         let shown = |l: &&MeasuredRow| worst(l).is_finite();
         let series = Method::ALL.iter().enumerate().map(|(style, method)| Series {
@@ -327,7 +326,12 @@ impl StudySheet<'_> {
                 .iter()
                 .filter(|l| l.row.rung.method() == *method && l.row.rung != Rung::Settled)
                 .filter(shown)
-                .map(|l| Point { x: cost(l), y: worst(l).max(NO_ERROR), filled: l.best, ringed: l.row.auto })
+                .map(|l| DataPoint {
+                    x: cost(l),
+                    y: worst(l).max(NO_ERROR),
+                    filled: l.best,
+                    ringed: l.row.auto,
+                })
                 .collect(),
         });
         // What settles by itself is no point of a line.
@@ -335,7 +339,12 @@ impl StudySheet<'_> {
         let settled = settled.map(|l| Series {
             name: "gauss, settled".to_owned(),
             style: 0,
-            points: vec![Point { x: cost(l), y: worst(l).max(NO_ERROR), filled: l.best, ringed: l.row.auto }],
+            points: vec![DataPoint {
+                x: cost(l),
+                y: worst(l).max(NO_ERROR),
+                filled: l.best,
+                ringed: l.row.auto,
+            }],
         });
         let settled: Vec<Series> = settled.collect();
         let series: Vec<Series> =
@@ -343,12 +352,12 @@ impl StudySheet<'_> {
         let points = || series.iter().flat_map(|s| &s.points);
         let label = if self.timed { "time of one solve, s" } else { "force evaluations of one solve" };
         let ys = points().map(|p| p.y).chain([NO_ERROR]);
-        Figure {
+        LineChart {
             id: format!("error-{}", self.problem.id),
             title: format!("{}: error against cost", self.problem.title),
             description: self.described(),
-            x: Axis::around(label, Scale::Log, points().map(|p| p.x)),
-            y: Axis::around("greatest relative error of the asked answers", Scale::Log, ys),
+            x: Axis::around(label, AxisScale::Log, points().map(|p| p.x)),
+            y: Axis::around("greatest relative error of the asked answers", AxisScale::Log, ys),
             notes: ["filled: unbeaten", "ring: what auto takes", "bottom: no error"]
                 .map(str::to_owned)
                 .to_vec(),
@@ -377,16 +386,16 @@ impl StudySheet<'_> {
     }
 
     /// Delivered error against requested tolerance.
-    fn tolerance_plot(&self) -> Option<Figure> {
+    fn tolerance_plot(&self) -> Option<LineChart> {
         let mut series = vec![Series { name: "as asked".to_owned(), style: 0, points: Vec::new() }];
         for (style, method) in Method::ALL.iter().enumerate() {
-            let points: Vec<Point> = self
+            let points: Vec<DataPoint> = self
                 .lines
                 .iter()
                 .filter(|l| l.row.rung.method() == *method && worst(l).is_finite())
                 .filter_map(|l| {
                     let x = l.row.rung.requested()?;
-                    Some(Point { x, y: worst(l).max(NO_ERROR), filled: true, ringed: false })
+                    Some(DataPoint { x, y: worst(l).max(NO_ERROR), filled: true, ringed: false })
                 })
                 .collect();
             if !points.is_empty() {
@@ -398,15 +407,15 @@ impl StudySheet<'_> {
         if xs.len() < 2 {
             return None;
         }
-        series[0].points = [low, high].map(|x| Point { x, y: x, filled: false, ringed: false }).to_vec();
+        series[0].points = [low, high].map(|x| DataPoint { x, y: x, filled: false, ringed: false }).to_vec();
         let ys: Vec<f64> = series.iter().flat_map(|s| s.points.iter().map(|p| p.y)).collect();
-        Some(Figure {
+        Some(LineChart {
             id: format!("tolerance-{}", self.problem.id),
             title: "Error of the result against tolerance of a step".to_owned(),
             description: "Greatest relative error of the asked answers against the requested tolerance, both axes logarithmic."
                 .to_owned(),
-            x: Axis::around("requested tolerance", Scale::Log, xs.into_iter()),
-            y: Axis::around("delivered error", Scale::Log, ys.into_iter().chain([NO_ERROR])),
+            x: Axis::around("requested tolerance", AxisScale::Log, xs.into_iter()),
+            y: Axis::around("delivered error", AxisScale::Log, ys.into_iter().chain([NO_ERROR])),
             series,
             notes: vec!["bottom: no error".to_owned()],
         })

@@ -10,9 +10,9 @@ use crate::diagnosis::table::unsatisfiable;
 use crate::draw::fill;
 use crate::finding::Finding;
 use crate::finding::Findings;
+use crate::num::shown;
 use crate::problem::make::Maker;
 use crate::scene::Scene;
-use crate::sheet::number;
 use crate::sheet::statement;
 use crate::solve::agree;
 use crate::solve::ladder::Wish;
@@ -39,7 +39,7 @@ pub fn wish(method: Option<Method>, rtol: Option<f64>, step: Option<&str>) -> Re
     if let Some(rtol) = rtol {
         if !(rtol > 0.0 && rtol < 1.0) {
             faults.push(
-                Finding::new("--rtol", format!("{} is no tolerance", number::rounded(rtol, 5)))
+                Finding::new("--rtol", format!("{} is no tolerance", shown::significant(rtol, 5)))
                     .hint("write a number above 0 and below 1, such as 1e-9"),
             );
         }

@@ -410,7 +410,6 @@ const fn unsupported(what: Unsupported) -> &'static str {
         Unsupported::PinnedInCompany => {
             "a pinned body is alone in its scene, without ties; it ends at an angle, a time, a speed or a turning point"
         }
-        Unsupported::TooManyData => "there are more than 64 data",
     }
 }
 

@@ -5,9 +5,9 @@ use crate::diagnosis::data::fits;
 use crate::diagnosis::data::printed;
 use crate::diagnosis::sentences;
 use crate::finding::Finding;
+use crate::num::shown;
 use crate::problem::make::Unsatisfiable;
 use crate::scene::Quantity;
-use crate::sheet::number;
 use crate::sheet::terminal;
 use crate::solve::ladder;
 use crate::solve::ladder::Taken;
@@ -237,18 +237,18 @@ pub fn table(
             .to_vec(),
     ];
     for row in rows(problem, case, solved, taken) {
-        let road = |v: Option<f64>| v.map_or_else(|| "-".to_owned(), |v| number::rounded(v, 12));
+        let road = |v: Option<f64>| v.map_or_else(|| "-".to_owned(), |v| shown::significant(v, 12));
         lines.push(vec![
             row.name,
-            row.word.map_or_else(|| number::rounded(row.value.unwrap_or(f64::NAN), 5), str::to_owned),
+            row.word.map_or_else(|| shown::significant(row.value.unwrap_or(f64::NAN), 5), str::to_owned),
             row.unit.to_owned(),
             if row.word.is_some() { String::new() } else { road(row.eom) },
             if row.word.is_some() { String::new() } else { road(row.energy) },
             row.gap.map_or_else(String::new, |g| if g == 0.0 { "0".to_owned() } else { format!("{g:.0e}") }),
-            row.cond.map_or_else(String::new, |c| number::rounded(c, 3)),
+            row.cond.map_or_else(String::new, |c| shown::significant(c, 3)),
         ]);
         if let (true, Some(line)) = (numerical, lines.last_mut()) {
-            line.push(row.error.map_or_else(String::new, |e| number::rounded(e, 2)));
+            line.push(row.error.map_or_else(String::new, |e| shown::significant(e, 2)));
         }
     }
     if let (true, Some(head)) = (numerical, lines.first_mut()) {

@@ -12,6 +12,7 @@ use crate::picture::board::LabelTie;
 use crate::picture::board::LabelWish;
 use crate::picture::board::TEXT;
 use crate::picture::symbol;
+use crate::picture::vector::Direction;
 use crate::picture::vector::Vec2;
 use crate::picture::vector::vec2;
 use crate::problem::make::Variant;
@@ -167,7 +168,7 @@ fn spring_of(view: &SceneView, body: usize, pin: &Pin, spring: &PinSpring) -> Op
             let (s, c) = trig::sin_cos_degrees(view.of(pin.start_deg));
             let up = if pin.from == Zero::Upright { c.hi } else { -c.hi };
             let held = vec2(s.hi, up) * view.of(spring.at_m);
-            (vec2(view.of(spring.x_m), view.of(spring.y_m)) - held).length() - view.of(l)
+            (vec2(view.of(spring.x_m), view.of(spring.y_m)) - held).norm() - view.of(l)
         }
     };
     Some((0.5 * k * stretch * stretch, 0.5 * force * force / k))

@@ -23,6 +23,7 @@ use crate::picture::board::LabelTie;
 use crate::picture::board::LabelWish;
 use crate::picture::board::TEXT;
 use crate::picture::symbol;
+use crate::picture::vector::Direction;
 use crate::picture::vector::Vec2;
 use crate::picture::vector::vec2;
 use crate::problem::make::Variant;
@@ -131,7 +132,7 @@ pub fn resultants(
         for f in forces {
             let arm = (f.at - diagram.centre) * (1.0 / diagram.scale);
             all.force += f.towards * f.value;
-            all.moment += arm.cross(f.towards) * f.value;
+            all.moment += arm.perp(&f.towards) * f.value;
             all.size += f.value.abs();
         }
         all.moment += turns.map(|t| t.value).sum::<f64>();
@@ -226,7 +227,7 @@ fn moving<'a>(view: &'a SceneView<'a>, body: usize) -> Option<Diagram<'a>> {
         let axle = ForceArrow::new(
             p.centre,
             (-sum).unit(),
-            sum.length(),
+            sum.norm(),
             symbol::symbol(&names::of_body(view, body, &["O", "O_A"], |b| b.line.is_none())),
         );
         if this.massless() {
@@ -622,7 +623,7 @@ fn turning(board: &mut Board, centre: Vec2, radius: f64, turn: &Turning, role: R
     let sense = turn.value.signum();
     // A wide one goes round a part of the body, a narrow one nearly all round its point.
     let (mid, half) =
-        if radius > 45.0 { (vec2(-0.8, 1.0).angle(), 0.5) } else { (vec2(-0.35, 1.0).angle(), 1.9) };
+        if radius > 45.0 { (vec2(-0.8, 1.0).angle_of(), 0.5) } else { (vec2(-0.35, 1.0).angle_of(), 1.9) };
     board.curved_arrow(centre, radius, mid - sense * half, mid + sense * half, role);
     let spot = |d: Vec2| (centre + d * radius, d);
     board.wish(
@@ -641,7 +642,7 @@ fn tell(
     desc: &mut Vec<String>,
 ) {
     let way = |towards: Vec2| {
-        let degrees = towards.angle() * 180.0 / std::f64::consts::PI;
+        let degrees = towards.angle_of() * 180.0 / std::f64::consts::PI;
         let rounded = shown::decimals(if degrees < -0.5 { degrees + 360.0 } else { degrees.abs() }, 0);
         view.words.say("figure.forces.way", &[("angle", &rounded)])
     };

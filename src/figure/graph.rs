@@ -17,6 +17,7 @@ use crate::picture::board::LabelTie;
 use crate::picture::board::LabelWish;
 use crate::picture::board::TEXT;
 use crate::picture::symbol;
+use crate::picture::vector::Direction;
 use crate::picture::vector::Vec2;
 use crate::picture::vector::vec2;
 use crate::plot::Axis;

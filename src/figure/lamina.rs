@@ -9,6 +9,7 @@ use crate::picture::board::LabelTie;
 use crate::picture::board::LabelWish;
 use crate::picture::board::TEXT;
 use crate::picture::symbol;
+use crate::picture::vector::Direction;
 use crate::picture::vector::Vec2;
 use crate::picture::vector::vec2;
 use crate::scene::Start;
@@ -24,8 +25,8 @@ pub fn draw(board: &mut Board, view: &SceneView, index: usize) {
     let metres: Vec<Vec2> = body.particles.iter().map(|p| vec2(view.of(p.x_m), view.of(p.y_m))).collect();
     let (mut low, mut high) = (Vec2::ZERO, Vec2::ZERO);
     for p in &metres {
-        low = low.min(*p);
-        high = high.max(*p);
+        low = low.inf(p);
+        high = high.sup(p);
     }
     let span = (high.x - low.x).max(high.y - low.y);
     let span = if span.is_finite() && span > 0.0 { span } else { 1.0 };
@@ -37,7 +38,7 @@ pub fn draw(board: &mut Board, view: &SceneView, index: usize) {
     let middle = places.iter().fold(Vec2::ZERO, |sum, p| sum + *p) * (1.0 / places.len().max(1) as f64);
     let mut order: Vec<usize> = (0..places.len()).collect();
     order.sort_by(|a, b| {
-        let of = |i: usize| (places[i] - middle).angle();
+        let of = |i: usize| (places[i] - middle).angle_of();
         of(*a).total_cmp(&of(*b))
     });
     let ring: Vec<Vec2> = order.iter().map(|i| places[*i]).collect();
@@ -56,10 +57,10 @@ pub fn draw(board: &mut Board, view: &SceneView, index: usize) {
         }
         let v = vec2(view.of(vx_m_s), view.of(vy_m_s));
         if let Some(place) = places.get(particle)
-            && v.length() > 1e-9
+            && v.norm() > 1e-9
         {
             let towards = v.unit();
-            let tip = *place + towards * (30.0 + 9.0 * v.length()).min(78.0);
+            let tip = *place + towards * (30.0 + 9.0 * v.norm()).min(78.0);
             board.arrow(*place + towards * 8.0, tip, Role::Motion);
             board.label(
                 vec![view.label(vx_m_s, "m/s"), view.label(vy_m_s, "m/s")],
@@ -134,9 +135,9 @@ fn roomy(ring: &[Vec2], low: Vec2, high: Vec2) -> Vec2 {
 /// Distance of a point from a segment.
 fn far(p: Vec2, a: Vec2, b: Vec2) -> f64 {
     let (along, to) = (b - a, p - a);
-    let long = along.dot(along);
-    let share = if long > 0.0 { (to.dot(along) / long).clamp(0.0, 1.0) } else { 0.0 };
-    (to - along * share).length()
+    let long = along.dot(&along);
+    let share = if long > 0.0 { (to.dot(&along) / long).clamp(0.0, 1.0) } else { 0.0 };
+    (to - along * share).norm()
 }
 
 fn axes(board: &mut Board, view: &SceneView, low: Vec2, high: Vec2, scale: f64) {

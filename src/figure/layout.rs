@@ -4,6 +4,7 @@
 //! each other, else over a guide pulley. What hangs together is one group; groups stand side by side. Radii are to scale,
 //! lengths of cords are as long as the picture needs.
 use crate::figure::view::SceneView;
+use crate::picture::vector::Direction;
 use crate::picture::vector::Vec2;
 use crate::picture::vector::vec2;
 use crate::scene::Attach;
@@ -73,7 +74,7 @@ impl Placed {
         match &self.look {
             BodyLook::Wheel { outer, .. } => *outer,
             BodyLook::Block { along, across } => {
-                along * self.forward.dot(towards).abs() + across * self.top.dot(towards).abs()
+                along * self.forward.dot(&towards).abs() + across * self.top.dot(&towards).abs()
             }
         }
     }
@@ -84,7 +85,7 @@ impl Placed {
     }
     /// Direction at an angle in degrees, counted from forward toward the top.
     pub fn direction(&self, degrees: f64) -> Vec2 {
-        let Vec2 { x, y } = Vec2::polar_degrees(degrees);
+        let [x, y] = Vec2::at_degrees(degrees).into();
         self.forward * x + self.top * y
     }
     /// The point so far from the centre in that direction, and the direction.
@@ -351,7 +352,7 @@ impl Builder<'_> {
     }
 
     fn directions(slope: f64, mirrored: bool) -> (Vec2, Vec2) {
-        let up = Vec2::polar_degrees(slope);
+        let up = Vec2::at_degrees(slope);
         if mirrored { (vec2(-up.x, up.y), vec2(up.y, up.x)) } else { (up, up.left()) }
     }
 
@@ -413,7 +414,7 @@ impl Builder<'_> {
                 placed.top = placed.forward.left();
             }
         }
-        placed.clockwise = placed.forward.cross(placed.top) > 0.0;
+        placed.clockwise = placed.forward.perp(&placed.top) > 0.0;
         placed
     }
 
@@ -430,7 +431,7 @@ impl Builder<'_> {
                 let g = &self.grounds[ground];
                 let least = self.bodies.iter().flatten().filter(|p| p.on == Some(ground));
                 let least =
-                    least.map(|p| (p.centre - g.origin).dot(g.up) - p.reach(g.up)).fold(0.0, f64::min);
+                    least.map(|p| (p.centre - g.origin).dot(&g.up) - p.reach(g.up)).fold(0.0, f64::min);
                 s = least - placed.reach(g.up) - 70.0;
             }
             let g = &self.grounds[ground];
@@ -506,9 +507,9 @@ impl Builder<'_> {
     fn wound(&self, placed: &Placed, end: CordEnd, towards: Vec2) -> Option<CordPiece> {
         let Attach::Wound(radius, side) = end.attach else { return None };
         let out = placed.winds(side, end.forward, towards);
-        let start = out.angle();
+        let start = out.angle_of();
         // Back from where it leaves, away from the straight part.
-        let sense = if out.cross(towards) > 0.0 { -1.0 } else { 1.0 };
+        let sense = if out.perp(&towards) > 0.0 { -1.0 } else { 1.0 };
         Some(CordPiece::Round(placed.centre, self.radius(radius), start, start + sense * PI * 0.75))
     }
 
@@ -566,7 +567,7 @@ impl Builder<'_> {
         let mut pieces: Vec<CordPiece> = self.wound(&from, near, away).into_iter().collect();
         let start = Self::visible(&from, near, at, away);
         let mut joint = Joint { near, far, from, to, placed, grounds, away, back, at, start };
-        let guide = if away.dot(back) < -0.999 {
+        let guide = if away.dot(&back) < -0.999 {
             self.straight(&mut joint, &mut pieces);
             None
         } else {
@@ -602,7 +603,7 @@ impl Builder<'_> {
         let Joint { from, to, away, start, .. } = &*joint;
         let seen = self.met(joint);
         // Parallel to the line that both share: where the block is too low, a post holds the cord.
-        let high = (*start - seen).dot(away.left());
+        let high = (*start - seen).dot(&(away.left()));
         let end = if let (Some(_), BodyLook::Block { across, .. }) = (to.on, &to.look)
             && to.on == from.on
             && high.abs() > across + 2.0
@@ -632,8 +633,8 @@ impl Builder<'_> {
         let Joint { near, far, from, to, away, grounds, .. } = joint;
         if let Some(g) = to.on.filter(|g| *g < *grounds).map(|g| &self.grounds[g]) {
             // On the same surface: a block is as high as the cord wants.
-            let s = (to.centre - g.origin).dot(g.up);
-            let high = (target - g.origin).dot(g.out);
+            let s = (to.centre - g.origin).dot(&g.up);
+            let high = (target - g.origin).dot(&g.out);
             if let (BodyLook::Block { along, across }, Attach::Centre) = (&mut to.look, far.attach)
                 && (12.0..50.0).contains(&high)
             {
@@ -649,8 +650,8 @@ impl Builder<'_> {
         // An axle at the end of a surface: the surface stops before it.
         if let Some(ground) = from.on.filter(|_| far_axle) {
             let g = &self.grounds[ground];
-            if away.dot(g.up) > 0.0 {
-                self.limits[ground] = Some((to.centre - g.origin).dot(g.up) - to.reach(g.up) - 7.0);
+            if away.dot(&g.up) > 0.0 {
+                self.limits[ground] = Some((to.centre - g.origin).dot(&g.up) - to.reach(g.up) - 7.0);
             }
         }
     }
@@ -659,15 +660,15 @@ impl Builder<'_> {
     fn guided(&mut self, joint: &mut Joint, pieces: &mut Vec<CordPiece>) -> (Vec2, f64) {
         let Joint { from, to, away, back, at, start, .. } = &*joint;
         let (away, travel) = (*away, -*back);
-        let clockwise = away.cross(travel) < 1e-9;
+        let clockwise = away.perp(&travel) < 1e-9;
         let inward = |d: Vec2| if clockwise { d.right() } else { d.left() };
-        let both_hang = away.dot(*back) > 0.9;
+        let both_hang = away.dot(back) > 0.9;
         let half = |p: &Placed| p.reach(away.right());
         let radius = if both_hang { ((half(from) + half(to)) / 2.0 + 12.0).max(GUIDE) } else { GUIDE };
         let first = *at + away * (from.reach(away) + radius + if both_hang { 70.0 } else { 52.0 });
         let centre = first + inward(away) * radius;
         let second = centre - inward(travel) * radius;
-        let (a, mut b) = ((first - centre).angle(), (second - centre).angle());
+        let (a, mut b) = ((first - centre).angle_of(), (second - centre).angle_of());
         while clockwise && b > a {
             b -= 2.0 * PI;
         }
@@ -681,10 +682,10 @@ impl Builder<'_> {
             self.meet(joint, second + travel * drop);
             // Surfaces end before the pulley.
             let fresh = joint.to.on.filter(|g| *g >= joint.grounds);
-            let below = joint.from.on.filter(|g| away.dot(self.grounds[*g].up) > 0.0);
+            let below = joint.from.on.filter(|g| away.dot(&(self.grounds[*g].up)) > 0.0);
             for ground in [fresh, below].into_iter().flatten() {
                 let g = &self.grounds[ground];
-                self.limits[ground] = Some((centre - g.origin).dot(g.up) - radius - 5.0);
+                self.limits[ground] = Some((centre - g.origin).dot(&g.up) - radius - 5.0);
             }
         }
         pieces.push(CordPiece::Straight(second, self.met(joint)));
@@ -695,7 +696,7 @@ impl Builder<'_> {
     fn ends(&mut self) {
         for i in 0..self.grounds.len() {
             let g = self.grounds[i].clone();
-            let at = |p: Vec2| (p - g.origin).dot(g.up);
+            let at = |p: Vec2| (p - g.origin).dot(&g.up);
             let (mut from, mut to) = (f64::INFINITY, f64::NEG_INFINITY);
             let mut rail = false;
             for p in self.bodies.iter().flatten().filter(|p| p.on == Some(i)) {

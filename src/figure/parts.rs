@@ -9,6 +9,7 @@ use crate::figure::layout::SceneLayout;
 use crate::figure::view::SceneView;
 use crate::picture::Role;
 use crate::picture::board::Board;
+use crate::picture::vector::Direction;
 use crate::picture::vector::Vec2;
 use crate::picture::vector::vec2;
 use crate::scene::Far;
@@ -85,16 +86,16 @@ pub fn surface(board: &mut Board, view: &SceneView, g: &Ground) {
         let level = if g.up.x < 0.0 { Vec2::LEFT } else { Vec2::RIGHT };
         let long = if g.drop { (top.x - foot.x).abs() } else { arm + 46.0 };
         board.line(start, start + level * long, Role::Dimension);
-        let (a, b) = (level.angle(), g.up.angle());
+        let (a, b) = (level.angle_of(), g.up.angle_of());
         let a = if g.up.x < 0.0 { PI } else { a };
         board.curved_arrow(start, arm, a, b, Role::Dimension);
         let mid = (a + b) / 2.0;
-        let out = start + Vec2::polar(mid) * arm;
+        let out = start + Vec2::at_angle(mid) * arm;
         let label = view.label(num, "°");
         board.wish(
             label,
             vec![
-                (out, Vec2::polar(mid)),
+                (out, Vec2::at_angle(mid)),
                 (start + level * arm, (level + vec2(0.0, -0.7)).unit()),
                 (start + level * arm, Vec2::DOWN),
             ],
@@ -113,7 +114,7 @@ pub fn supports(board: &mut Board, view: &SceneView, plan: &SceneLayout) {
         // The end of a surface that carries the axle, else a ceiling, or a floor where cords come from above.
         let carrier = plan.grounds.iter().find(|g| {
             let top = g.origin + g.up * g.to;
-            g.drop && (p.centre - top).length() < p.reach(Vec2::RIGHT) * 2.2 + 30.0
+            g.drop && (p.centre - top).norm() < p.reach(Vec2::RIGHT) * 2.2 + 30.0
         });
         let down = plan.cords.iter().flat_map(|r| &r.at).any(|(body, d)| *body == b && d.y < -0.5);
         match carrier {
@@ -185,11 +186,11 @@ pub fn cord(board: &mut Board, view: &SceneView, plan: &SceneLayout, run: &layou
             board.spring(a, b, 8, 8.5);
             // The wall reaches down to the surface of the body.
             let depth = match standing {
-                Some(p) if p.on.is_some() => (run.leaves.0 - p.centre).dot(p.top) + p.contact,
+                Some(p) if p.on.is_some() => (run.leaves.0 - p.centre).dot(&p.top) + p.contact,
                 _ => 20.0,
             };
             let over = standing.map_or(towards.left(), |p| p.top);
-            let (down, up) = if towards.left().dot(over) > 0.0 { (-depth, 22.0) } else { (-22.0, depth) };
+            let (down, up) = if towards.left().dot(&over) > 0.0 { (-depth, 22.0) } else { (-22.0, depth) };
             wall(board, b, towards, down, up);
             if let Far::Spring { stiffness_n_m, stretch_m, .. } = tie.to {
                 let mid = a.middle(b);
@@ -210,7 +211,7 @@ pub fn cord(board: &mut Board, view: &SceneView, plan: &SceneLayout, run: &layou
 fn stretch(board: &mut Board, view: &SceneView, run: &layout::CordRun, over: Vec2, num: Num) {
     let CordStop::Spring(a, _, rest) = run.stop else { return };
     let under = -over;
-    let long = (rest - a).length();
+    let long = (rest - a).norm();
     if long < 1.0 {
         return;
     }

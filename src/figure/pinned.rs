@@ -5,6 +5,7 @@ use crate::picture::Role;
 use crate::picture::board::Board;
 use crate::picture::board::LabelTie;
 use crate::picture::symbol;
+use crate::picture::vector::Direction;
 use crate::picture::vector::Vec2;
 use crate::picture::vector::vec2;
 use crate::scene::Arm;
@@ -79,7 +80,7 @@ impl Hung {
 
     /// Direction from the pin to the mass centre at an angle in degrees.
     pub fn direction(&self, degrees: f64) -> Vec2 {
-        let Vec2 { x, y } = Vec2::polar_degrees(degrees);
+        let [x, y] = Vec2::at_degrees(degrees).into();
         vec2(y, if self.upright { x } else { -x })
     }
 
@@ -97,15 +98,15 @@ impl Hung {
     /// Does the body at an angle cover this point?
     pub fn covers(&self, point: Vec2, degrees: f64) -> bool {
         let d = self.direction(degrees);
-        let far = point.dot(d);
+        let far = point.dot(&d);
         if let Some((from, to)) = self.rod {
-            return far > from - 7.0 && far < to + 2.0 && point.dot(d.left()).abs() < 7.0;
+            return far > from - 7.0 && far < to + 2.0 && point.dot(&(d.left())).abs() < 7.0;
         }
         let small = self.small();
         (0..=20).any(|i| {
             let share = f64::from(i) / 20.0;
             let reach = small + (self.round - small) * share;
-            (point - d * (self.arm * share)).length() < reach + 2.0
+            (point - d * (self.arm * share)).norm() < reach + 2.0
         })
     }
 
@@ -133,16 +134,16 @@ impl Hung {
                 }
                 // Tangents touch both circles at this angle from the line.
                 let cosine = ((big - small) / self.arm).clamp(-1.0, 1.0);
-                let open = vec2(cosine, (1.0 - cosine * cosine).sqrt()).angle();
-                let back = (-d).angle();
+                let open = vec2(cosine, (1.0 - cosine * cosine).sqrt()).angle_of();
+                let back = (-d).angle_of();
                 let mut points = Vec::with_capacity(42);
                 for i in 0..=24 {
                     let a = back + open + (2.0 * std::f64::consts::PI - 2.0 * open) * f64::from(i) / 24.0;
-                    points.push(centre + Vec2::polar(a) * big);
+                    points.push(centre + Vec2::at_angle(a) * big);
                 }
                 for i in 0..=10 {
                     let a = back - open + 2.0 * open * f64::from(i) / 10.0;
-                    points.push(at + Vec2::polar(a) * small);
+                    points.push(at + Vec2::at_angle(a) * small);
                 }
                 board.lines(&points, true, role);
             }
@@ -214,7 +215,7 @@ pub fn draw(board: &mut Board, view: &SceneView, index: usize) {
 fn spring_of(board: &mut Board, view: &SceneView, hung: &Hung, spring: &PinSpring, d: Vec2) {
     let anchor = vec2(view.of(spring.x_m) * hung.scale, view.of(spring.y_m) * hung.scale);
     let held = d * (view.of(spring.at_m) * hung.scale);
-    let long = (held - anchor).length();
+    let long = (held - anchor).norm();
     if long > 12.0 {
         board.spring(anchor, held, 9, 7.5);
     } else {
@@ -233,7 +234,7 @@ fn spring_of(board: &mut Board, view: &SceneView, hung: &Hung, spring: &PinSprin
         Rest::Length(n) | Rest::Stretch(n) => view.label(n, "m"),
     };
     let mid = anchor.middle(held);
-    let out = if pull.left().dot(vec2(1.0, 0.6)) > 0.0 { pull.left() } else { pull.right() };
+    let out = if pull.left().dot(&(vec2(1.0, 0.6))) > 0.0 { pull.left() } else { pull.right() };
     board.label(
         vec![view.label(spring.stiffness_n_m, "N/m"), rest],
         Role::Spring,
@@ -244,7 +245,7 @@ fn spring_of(board: &mut Board, view: &SceneView, hung: &Hung, spring: &PinSprin
         (spring.y_m, Vec2::ZERO, vec2(0.0, anchor.y), Vec2::LEFT),
         (spring.x_m, vec2(0.0, anchor.y), anchor, vec2(0.0, anchor.y.signum())),
     ] {
-        if (to - from).length() > 2.0 {
+        if (to - from).norm() > 2.0 {
             let off = if out.x < 0.0 { 78.0 } else { 40.0 };
             dimension(board, from, to, out, off, view.label(num, "m"));
         }
@@ -257,13 +258,13 @@ fn turns(board: &mut Board, view: &SceneView, index: usize, hung: &Hung, d: Vec2
     for couple in view.scene.couples.iter().filter(|c| c.body == index) {
         let forward = couple.forward == (view.of(couple.moment_n_m) >= 0.0);
         let clockwise = hung.clockwise() == forward;
-        let mid = d.angle();
+        let mid = d.angle_of();
         let (from, to) = if clockwise { (mid + 2.4, mid - 1.6) } else { (mid - 2.4, mid + 1.6) };
         board.curved_arrow(Vec2::ZERO, 26.0, from, to, Role::Force);
-        let spot = Vec2::polar(from + (to - from) * 0.15);
+        let spot = Vec2::at_angle(from + (to - from) * 0.15);
         board.wish(
             view.size_label(couple.moment_n_m, "N·m"),
-            vec![(spot * 26.0, spot), (Vec2::polar(to) * 26.0, Vec2::polar(to))],
+            vec![(spot * 26.0, spot), (Vec2::at_angle(to) * 26.0, Vec2::at_angle(to))],
             Role::Force,
         );
     }
@@ -271,9 +272,9 @@ fn turns(board: &mut Board, view: &SceneView, index: usize, hung: &Hung, d: Vec2
         let actual = if view.of(num) < 0.0 { -1.0 } else { 1.0 };
         let sense = if hung.clockwise() { -actual } else { actual };
         let radius = far + 12.0;
-        let mid = d.angle();
+        let mid = d.angle_of();
         board.curved_arrow(Vec2::ZERO, radius, mid - sense * 0.02, mid + sense * 0.3, Role::Motion);
-        let at = Vec2::polar(mid + sense * 0.16);
+        let at = Vec2::at_angle(mid + sense * 0.16);
         board.wish(view.size_label(num, "rad/s"), vec![(at * radius, at)], Role::Motion);
     }
 }
@@ -284,7 +285,7 @@ fn arc(board: &mut Board, view: &SceneView, hung: &Hung, num: Num, degrees: f64,
     if fixed_zero {
         return;
     }
-    let zero = hung.direction(0.0).angle();
+    let zero = hung.direction(0.0).angle_of();
     let sense = if hung.clockwise() { -1.0 } else { 1.0 };
     let to = zero + sense * degrees * std::f64::consts::PI / 180.0;
     let label = view.label(num, "°");
@@ -295,13 +296,13 @@ fn arc(board: &mut Board, view: &SceneView, hung: &Hung, num: Num, degrees: f64,
         board.curved_arrow(Vec2::ZERO, radius, zero, to, Role::Dimension);
     }
     let at = |share: f64| {
-        let d = Vec2::polar(zero + (to - zero) * share);
+        let d = Vec2::at_angle(zero + (to - zero) * share);
         (d * radius, d)
     };
     let mut spots = vec![at(0.5), at(0.35), at(0.65), at(0.2), at(0.8), at(1.0)];
     if degrees.abs() < 25.0 {
         // No room between the lines: before them.
-        let d = Vec2::polar(zero - (to - zero).signum() * 0.12);
+        let d = Vec2::at_angle(zero - (to - zero).signum() * 0.12);
         spots.insert(0, (d * radius, hung.across(0.0) * (if degrees < 0.0 { 1.0 } else { -1.0 })));
     }
     board.wish(label, spots, Role::Dimension);

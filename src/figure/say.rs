@@ -5,6 +5,7 @@ use crate::figure::names;
 use crate::figure::parts;
 use crate::figure::view::SceneView;
 use crate::picture::symbol;
+use crate::picture::vector::Direction;
 use crate::picture::vector::Vec2;
 use crate::scene::Arm;
 use crate::scene::Attach;
@@ -94,10 +95,10 @@ fn way(view: &SceneView, towards: Vec2, incline: bool) -> String {
 fn place(view: &SceneView, end: CordEnd, drawn: Option<Vec2>) -> String {
     let axle = view.scene.bodies.get(end.body).is_none_or(|b| b.line.is_none());
     if let Some(towards) = drawn {
-        let way = match towards {
-            Vec2 { x, .. } if axle && x > 0.5 => "right",
-            Vec2 { x, .. } if axle && x < -0.5 => "left",
-            Vec2 { y, .. } if y > 0.0 => "up",
+        let way = match (towards.x, towards.y) {
+            (x, _) if axle && x > 0.5 => "right",
+            (x, _) if axle && x < -0.5 => "left",
+            (_, y) if y > 0.0 => "up",
             _ => "down",
         };
         return match end.attach {

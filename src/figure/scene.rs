@@ -19,6 +19,7 @@ use crate::picture::board::Board;
 use crate::picture::board::LabelTie;
 use crate::picture::board::TEXT;
 use crate::picture::symbol;
+use crate::picture::vector::Direction;
 use crate::picture::vector::Vec2;
 use crate::problem::make::Variant;
 use crate::scene::Coordinate;
@@ -117,7 +118,7 @@ fn busy(view: &SceneView, plan: &SceneLayout, body: usize, p: &Placed) -> Vec<Ve
     }
     for run in &plan.cords {
         let Some(Tie::Cord(c)) = view.scene.ties.get(run.tie) else { continue };
-        let ends_here = |at: Vec2| (at - p.centre).length() < p.reach(Vec2::RIGHT) + 2.0;
+        let ends_here = |at: Vec2| (at - p.centre).norm() < p.reach(Vec2::RIGHT) + 2.0;
         if c.from.body == body || matches!(c.to, Far::Body(e) if e.body == body) {
             for piece in &run.pieces {
                 if let CordPiece::Straight(a, b) = *piece {
@@ -162,7 +163,7 @@ fn spoke(p: &Placed, taken: &[Vec2]) -> Vec2 {
     let spokes = if small { &PULLEY_SPOKES } else { &SPOKES };
     let direction = |degrees: &f64| p.direction(*degrees);
     // Clear is 22 degrees apart.
-    let clear = |d: &Vec2| taken.iter().all(|t| t.dot(*d) < 0.927);
+    let clear = |d: &Vec2| taken.iter().all(|t| t.dot(d) < 0.927);
     spokes.iter().map(direction).find(clear).unwrap_or_else(|| direction(&spokes[0]))
 }
 
@@ -267,7 +268,7 @@ fn couples(board: &mut Board, view: &SceneView, plan: &SceneLayout) {
         let forward = couple.forward == (view.of(couple.moment_n_m) >= 0.0);
         let clockwise = p.clockwise == forward;
         let radius = (p.reach(Vec2::RIGHT) * 0.45).max(16.0);
-        let mid = p.top.angle();
+        let mid = p.top.angle_of();
         let (from, to) = if clockwise { (mid + 1.9, mid - 1.9) } else { (mid - 1.9, mid + 1.9) };
         board.curved_arrow(p.centre, radius, from, to, Role::Force);
         board.wish(
@@ -297,7 +298,7 @@ fn starts(board: &mut Board, view: &SceneView, plan: &SceneLayout) {
             }
             Degree::Turn => {
                 let radius = p.reach(Vec2::RIGHT) + 11.0;
-                let mid = p.top.angle();
+                let mid = p.top.angle_of();
                 let sense = if p.clockwise { -actual } else { actual };
                 board.curved_arrow(p.centre, radius, mid - sense * 0.55, mid + sense * 0.55, Role::Motion);
                 board.wish(
@@ -394,7 +395,7 @@ fn senses(board: &mut Board, view: &SceneView, plan: &SceneLayout) {
         let told = plan.bodies[..b]
             .iter()
             .flatten()
-            .any(|q| p.on.is_some() && q.on == p.on && q.forward.dot(p.forward) > 0.0);
+            .any(|q| p.on.is_some() && q.on == p.on && q.forward.dot(&p.forward) > 0.0);
         if body.line.is_some() && !told {
             let (at, off) = if p.on.is_some() {
                 let back = -p.forward;
@@ -417,13 +418,13 @@ fn senses(board: &mut Board, view: &SceneView, plan: &SceneLayout) {
             // Round the top, behind where cords leave; on an axle where it is free.
             let places =
                 [113.0, 68.0, 160.0, 20.0, 205.0, 230.0, 310.0, 335.0].map(|degrees| p.direction(degrees));
-            let clear = |d: &Vec2| taken.iter().all(|t| t.dot(*d) < 0.82);
+            let clear = |d: &Vec2| taken.iter().all(|t| t.dot(d) < 0.82);
             let d = places.iter().copied().find(clear).unwrap_or(places[0]);
-            let mid = d.angle();
+            let mid = d.angle_of();
             board.curved_arrow(p.centre, radius, mid - sense * 0.36, mid + sense * 0.36, Role::Motion);
             plus(
                 board,
-                vec![(p.centre + d * radius, d), (p.centre + Vec2::polar(mid + sense * 0.36) * radius, d)],
+                vec![(p.centre + d * radius, d), (p.centre + Vec2::at_angle(mid + sense * 0.36) * radius, d)],
             );
         }
     }

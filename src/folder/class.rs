@@ -12,16 +12,17 @@ use crate::report::marks::Student;
 use crate::report::settings;
 use crate::report::table;
 use crate::set::given::GivenSheet;
+use crate::words::Words;
 
 /// The title of a problem, or its id.
 pub fn title_of(bank: &Bank, id: &str) -> String {
     bank.problems.iter().find(|p| p.id == id).map_or_else(|| id.to_owned(), |p| p.title.clone())
 }
 
-/// The class of a grading, without marks.
-pub fn of(graded: &OpenGrading) -> Class {
+/// The class of a grading, without marks; texts are those of `bank`, the grading's in the language of the report.
+pub fn of(graded: &OpenGrading, bank: &Bank, words: &Words) -> Class {
     let indices: Vec<Option<&crate::bank::Problem>> =
-        graded.set.problems.iter().map(|id| graded.bank.problems.iter().find(|p| p.id == *id)).collect();
+        graded.set.problems.iter().map(|id| bank.problems.iter().find(|p| p.id == *id)).collect();
     let parts: Vec<Part> = indices
         .iter()
         .enumerate()
@@ -37,7 +38,7 @@ pub fn of(graded: &OpenGrading) -> Class {
                 unit: q.unit.ascii().to_owned(),
                 unit_required: q.unit_required,
                 asked: asked(&q.ask).to_owned(),
-                tolerance: tolerance(q),
+                tolerance: tolerance(q, words),
             })
         })
         .collect();
@@ -47,12 +48,8 @@ pub fn of(graded: &OpenGrading) -> Class {
         problem.is_some_and(|p| p.parts.iter().any(|entry| entry.part == part.id))
     };
     let asked = graded.given.iter().flat_map(|sheet| parts.iter().map(move |p| asks(sheet, p))).collect();
-    let problems = graded
-        .set
-        .problems
-        .iter()
-        .map(|id| Problem { id: id.clone(), title: title_of(&graded.bank, id) })
-        .collect();
+    let problems =
+        graded.set.problems.iter().map(|id| Problem { id: id.clone(), title: title_of(bank, id) }).collect();
     Class { students, problems, parts, asked, day_first: graded.policy.day_first }
 }
 
@@ -62,24 +59,26 @@ pub fn asked(ask: &str) -> &str {
 }
 
 /// The rule of the tolerance in words.
-fn tolerance(question: &Question) -> String {
+fn tolerance(question: &Question, words: &Words) -> String {
     if question.label.quantity.is_word() {
         return String::new();
     }
-    let share = |s: f64| format!("{} %", table::points(s * 100.0));
-    let mut text = match question.relative {
+    let share = |s: f64| words.number(&format!("{} %", table::points(s * 100.0)));
+    let text = match question.relative {
         Relative::Fixed(s) => share(s),
-        Relative::Widens { least, per_cond, most } => format!(
-            "{} to {}: {} for each unit of the condition number",
-            share(least),
-            share(most),
-            share(per_cond)
-        ),
+        Relative::Widens { least, per_cond, most } => {
+            let pieces = [("least", share(least)), ("most", share(most)), ("each", share(per_cond))];
+            words
+                .say("report.tolerance.widens", &pieces.each_ref().map(|(name, text)| (*name, text.as_str())))
+        }
     };
-    if let Some(width) = question.absolute.filter(|w| *w > 0.0) {
-        text.push_str(&format!(", at least {width} in SI units"));
+    match question.absolute.filter(|w| *w > 0.0) {
+        None => text,
+        Some(width) => {
+            let width = words.number(&width.to_string());
+            words.say("report.tolerance.at_least", &[("share", &text), ("width", &width)])
+        }
     }
-    text
 }
 
 /// A student of the set with the numbers that were drawn.
@@ -101,48 +100,40 @@ fn student(stored: &crate::set::store::StoredStudent) -> Student {
 }
 
 /// How it was graded and of what, in words.
-pub fn about(basis: &OpenGrading) -> About {
+pub fn about(basis: &OpenGrading, bank: &Bank, words: &Words) -> About {
     let grading = &basis.grading;
-    let short = |hash: &str| hash.chars().take(16).collect::<String>();
+    let hash = |hash: &str| format!("SHA-256 {}…", hash.chars().take(16).collect::<String>());
+    let say = |name: &str, pieces: &[(&str, &str)]| words.say(&format!("report.provenance.{name}"), pieces);
     let mut provenance = Vec::new();
-    let mut add = |name: &str, value: String| provenance.push((name.to_owned(), value));
-    add("Graded by", grading.program.clone());
-    add("Submissions", format!("{}, {} bytes", grading.submissions, grading.submissions_bytes));
-    let replayed = match grading.replayed {
-        true => "",
-        false => ", of an earlier version: not replayed, graded by its stored key",
-    };
-    add(
-        "Set",
-        format!("{}, seed {}, draw version {}{replayed}", grading.set, grading.seed, grading.draw_version),
-    );
-    add("Bank", format!("{}, SHA-256 {}…", grading.bank, short(&grading.bank_sha256)));
-    add("Key", format!("SHA-256 {}…", short(&grading.key_sha256)));
-    if let Some(hash) = &grading.course_sha256 {
-        add("Course file", format!("SHA-256 {}…", short(hash)));
+    let mut add = |name: &str, value: String| provenance.push((say(name, &[]), value));
+    add("program", grading.program.clone());
+    let bytes = grading.submissions_bytes.to_string();
+    add("submissions", say("bytes", &[("file", &grading.submissions), ("n", &bytes)]));
+    let (seed, version) = (grading.seed.to_string(), grading.draw_version.to_string());
+    let draw = say("draw", &[("set", &grading.set), ("seed", &seed), ("version", &version)]);
+    add("set", if grading.replayed { draw } else { say("not_replayed", &[("draw", &draw)]) });
+    add("bank", format!("{}, {}", grading.bank, hash(&grading.bank_sha256)));
+    add("key", hash(&grading.key_sha256));
+    if let Some(sha256) = &grading.course_sha256 {
+        add("course", hash(sha256));
     }
-    add("Language", grading.language.clone());
+    add("language", grading.language.clone());
     if !grading.columns.is_empty() {
-        add("Columns", grading.columns.join(", "));
+        add("columns", grading.columns.join(", "));
     }
     if grading.untimed > 0 {
-        let n = grading.untimed;
-        add("By row", format!("attempts at {n} answers, because a submitted_at cannot be read"));
+        add("by_row", say("untimed", &[("n", &grading.untimed.to_string())]));
     }
     if grading.undated > 0 {
-        add("Undated", format!("{} answers that count have no time that can be read", grading.undated));
+        add("undated", say("undated_answers", &[("n", &grading.undated.to_string())]));
     }
     if !grading.unused_columns.is_empty() {
-        add("Not used", grading.unused_columns.join(", "));
+        add("not_used", grading.unused_columns.join(", "));
     }
     About {
-        title: if basis.policy.title.is_empty() {
-            basis.bank.title.clone()
-        } else {
-            basis.policy.title.clone()
-        },
+        title: if basis.policy.title.is_empty() { bank.title.clone() } else { basis.policy.title.clone() },
         set: basis.set.name.clone(),
-        settings: settings::in_words(&basis.policy),
+        settings: settings::in_words(&basis.policy, words),
         provenance,
     }
 }

@@ -9,8 +9,8 @@ use crate::folder::set;
 use crate::guard::unguarded;
 use crate::policy::time;
 use crate::policy::time::Evidence;
+use crate::regrade::changes::ChangeRow;
 use crate::report::explain::ExplainedMarks;
-use crate::report::explain::MarkChange;
 use crate::set::store::StoredSet;
 use crate::units::spell;
 use std::path::Path;
@@ -55,7 +55,7 @@ pub fn explain(folder: &Path, student: &str, problem: &str, part: Option<&str>) 
             evidence.join(moment.evidence);
         }
         if row.student == student.student && row.problem == number && row.is_known() {
-            rows.push(row);
+            rows.push(row.into_owned());
         }
     })?;
     let marks = ExplainedMarks {
@@ -76,16 +76,15 @@ pub fn explain(folder: &Path, student: &str, problem: &str, part: Option<&str>) 
 }
 
 /// What a regrading changed for a problem.
-fn changes(graded: &OpenGrading, student: &str, number: &str) -> Result<Vec<MarkChange>, Findings> {
+fn changes(graded: &OpenGrading, student: &str, number: &str) -> Result<Vec<ChangeRow>, Findings> {
     let path = graded.folder.join(names::CHANGES);
-    let records = if path.is_file() { files::records(&path)? } else { Vec::new() };
-    let of_problem = records.iter().skip(1).filter(|r| r.get(0) == Some(student) && r.get(1) == Some(number));
-    let change = |record: &csv::StringRecord| {
-        let field = |i: usize| record.get(i).unwrap_or_default().to_owned();
-        let (before, after) = ([field(3), field(5)], [field(4), field(6)]);
-        MarkChange { part: field(2), before, after, why: field(7) }
-    };
-    Ok(of_problem.map(change).collect())
+    if !path.is_file() {
+        return Ok(Vec::new());
+    }
+    let mut rows = ChangeRow::read(&files::read(&path)?)
+        .map_err(|e| Finding::new("", e.what).in_file(path.display().to_string()))?;
+    rows.retain(|row| row.student == student && row.problem == number);
+    Ok(rows)
 }
 
 /// Columns `total`, `max_total` and `dropped` of a student in the gradebook.

@@ -16,6 +16,7 @@ use crate::folder::set;
 use crate::folder::set::Replayed;
 use crate::folder::staged::Staged;
 use crate::grade::feedback::Feedback;
+use crate::grade::row;
 use crate::grade::rules::Rules;
 use crate::grade::run;
 use crate::grade::run::GradeFault;
@@ -31,6 +32,7 @@ use crate::set::grading;
 use crate::set::grading::Grading;
 use crate::set::store::StoredSet;
 use crate::words::Words;
+use std::collections::BTreeSet;
 use std::fs;
 use std::io;
 use std::io::BufRead;
@@ -331,7 +333,9 @@ fn answers(
 
 /// The whole folder is exchanged at once: nothing may be in it that is not a grading's, such as notes of somebody else.
 fn only_ours(out: &Path) -> Result<(), Finding> {
-    let (students, courses) = (reports::folders(out), graded::courses(out).len());
+    // Only reports have files for students.
+    let students = if out.join(names::FEEDBACK).exists() { reports::folders(out) } else { BTreeSet::new() };
+    let courses = graded::courses(out).len();
     let ours = |name: &str| names::is_of_grading(name, courses) || names::is_of_report(name, &students);
     let foreign = files::foreign(out, &ours);
     if foreign.is_empty() { Ok(()) } else { Err(files::not_ours(out, &foreign, "grade")) }
@@ -386,7 +390,7 @@ fn may_write(out: &Path, set: &Path, force: bool) -> Result<(), Finding> {
         only: "--force replaces only what grade made",
     };
     // What every version of answers.csv begins with.
-    let header = "line,column,student,problem,part,answer,verdict,";
+    let header = row::COLUMNS[..7].join(",");
     let ours = || {
         let mut start = vec![0; header.len()];
         let read = fs::File::open(out.join(names::ANSWERS)).and_then(|mut f| f.read_exact(&mut start));

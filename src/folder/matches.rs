@@ -5,6 +5,7 @@ use crate::finding::Findings;
 use crate::folder::graded::OpenGrading;
 use crate::grade::feedback::Feedback;
 use crate::grade::judge;
+use crate::grade::row::AnswerRow;
 use crate::grade::table::Column;
 use crate::grade::table::KeyTable;
 use crate::grade::verdict::Verdict;
@@ -13,9 +14,8 @@ use crate::key::SheetKey;
 use crate::matches;
 use crate::matches::Question;
 use crate::matches::Wrong;
-use crate::regrade::rows::Row;
-use crate::report::alike::Matches;
-use crate::report::alike::Told;
+use crate::report::alike::ClassMatches;
+use crate::report::alike::MatchedPair;
 use crate::set::replay::Dealer;
 use crate::set::replay::indices;
 use rayon::prelude::*;
@@ -28,7 +28,7 @@ const KEYS: usize = 300;
 ///
 /// # Errors
 /// answers.csv cannot be read, or the bank cannot be drawn from.
-pub fn find(graded: &OpenGrading) -> Result<Matches, Findings> {
+pub fn find(graded: &OpenGrading) -> Result<ClassMatches, Findings> {
     let keys: Vec<SheetKey> = graded.given.iter().map(|g| g.key.clone()).collect();
     let table = KeyTable::new(keys, &[]);
     let place: BTreeMap<(String, &str), usize> =
@@ -38,12 +38,12 @@ pub fn find(graded: &OpenGrading) -> Result<Matches, Findings> {
     let mut wrong = Vec::new();
     let mut texts = Vec::new();
     let (mut units, say) = (UnitCache::default(), Feedback::english());
-    graded.each_row(&mut |row: Row| {
+    graded.each_row(&mut |row: AnswerRow| {
         if row.verdict != Verdict::Wrong {
             return;
         }
-        let student = whose.get(row.student.as_str()).copied();
-        let question = place.get(&(row.problem.clone(), row.part.as_str())).copied();
+        let student = whose.get(&*row.student).copied();
+        let question = place.get(&(row.problem.to_string(), &*row.part)).copied();
         let (Some(student), Some(question)) = (student, question) else { return };
         let Some(entry) = table.entry(student, question) else { return };
         let Answer::Number { magnitude, .. } = entry.answer else { return };
@@ -52,16 +52,16 @@ pub fn find(graded: &OpenGrading) -> Result<Matches, Findings> {
         let Some(share) = figures::rounding(&row.answer).filter(|_| value.is_finite()) else { return };
         let explained = row.explained();
         wrong.push(Wrong { student, question, value, half: share * value.abs(), explained });
-        texts.push(row.answer);
+        texts.push(row.answer.into_owned());
     })?;
     if wrong.is_empty() {
-        return Ok(Matches::default());
+        return Ok(ClassMatches::default());
     }
     let mut questions = questions(&table);
     let answers = wrong.len();
     if !matches::any_hit(&questions, &wrong) {
         let unexplained = wrong.iter().filter(|w| w.explained.is_empty()).count();
-        return Ok(Matches { pairs: Vec::new(), answers, unexplained });
+        return Ok(ClassMatches { pairs: Vec::new(), answers, unexplained });
     }
     draw_more(graded, &table, &mut questions)?;
     let found = matches::find(&questions, &wrong);
@@ -80,7 +80,7 @@ pub fn find(graded: &OpenGrading) -> Result<Matches, Findings> {
             .filter(|i| !wrong[**i].explained.is_empty())
             .map(|i| format!("{}: {}", part(i), wrong[*i].explained))
             .collect();
-        Told {
+        MatchedPair {
             student: named(pair.student),
             classmate: named(pair.classmate),
             parts: pair.hits.iter().map(part).collect(),
@@ -91,7 +91,7 @@ pub fn find(graded: &OpenGrading) -> Result<Matches, Findings> {
             explained: explained.join("; "),
         }
     });
-    Ok(Matches { pairs: pairs.collect(), answers: found.answers, unexplained: found.unexplained })
+    Ok(ClassMatches { pairs: pairs.collect(), answers: found.answers, unexplained: found.unexplained })
 }
 
 /// The keys of the class.

@@ -12,15 +12,15 @@ use crate::folder::matches;
 use crate::folder::names;
 use crate::folder::staged;
 use crate::folder::staged::Staged;
+use crate::grade::row::Unreadable;
 use crate::misconception::catalogue::Catalogue;
-use crate::report;
-use crate::report::feedback::Desk;
+use crate::report::class::ClassReporter;
+use crate::report::feedback::FeedbackDesk;
 use crate::report::lms;
-use crate::report::lms::Line;
+use crate::report::lms::GradebookLine;
 use crate::report::marks::Marks;
 use crate::report::marks::Student;
-use crate::report::marks::Unreadable;
-use crate::report::study::Study;
+use crate::report::study::ClassStudy;
 use crate::report::table;
 use crate::set::store::StoredSet;
 use crate::sheet::document::Document;
@@ -29,7 +29,6 @@ use crate::sheet::html::Converter;
 use crate::sheet::html::Place;
 use crate::sheet::terminal;
 use crate::sheet::texts::Texts;
-use crate::template::Templates;
 use crate::words::Words;
 use rayon::prelude::*;
 use std::collections::BTreeSet;
@@ -182,8 +181,9 @@ pub fn make(
     let graded = graded::open(graded, None)?;
     let mut bank = graded.bank.clone();
     let texts = banks::texts(templates, language.unwrap_or(&graded.grading.language), &mut bank)?;
-    let marks = read_marks(&graded)?;
-    let study = Study::of(&marks);
+    let catalogue = Catalogue::of(texts.words.language()).unwrap_or_else(Catalogue::built_in);
+    let marks = read_marks(&graded, &bank, &texts.words)?;
+    let study = ClassStudy::of(&marks);
     let written =
         |name: &str, e: &io::Error| Findings::from(files::trouble(&out.join(name), "cannot be written", e));
     let write = |name: &str, bytes: &[u8]| fs::write(out.join(name), bytes).map_err(|e| written(name, &e));
@@ -192,71 +192,64 @@ pub fn make(
     let found = matches::find(&graded)?;
     write(names::MATCHES, &found.csv())?;
 
-    // The class report is in English, for the instructor.
-    let english = Words::english();
-    let mut converter = Converter::new(&english);
-    let told = report::class::report(
-        &marks,
-        &study,
-        &class::about(&graded),
-        &Catalogue::built_in(),
-        &found,
-        &Templates::english(),
-        &mut |markdown| inline(&mut converter, markdown),
-    )?;
+    let mut converter = Converter::new(&texts.words);
+    let about = class::about(&graded, &bank, &texts.words);
+    let reporter = ClassReporter {
+        marks: &marks,
+        study: &study,
+        catalogue: &catalogue,
+        matches: &found,
+        words: &texts.words,
+    };
+    let told = reporter.report(&about, &texts.templates, &mut |markdown| inline(&mut converter, markdown))?;
     write(names::REPORT, &told.html)?;
     folder(names::TABLES)?;
     for table in &told.tables {
         write(&format!("{}/{}.csv", names::TABLES, table.name), &table.csv())?;
     }
     folder(names::FEEDBACK)?;
-    feedback(&graded, &bank, &texts, &marks, threads, &write)?;
-    let (item, most, lines) = book(&marks, &graded.grading.set);
+    feedback(&graded, (&texts, &catalogue), &about.title, &marks, threads, &write)?;
+    let (item, most, lines) = book(&marks, &graded.grading.set, &texts.words);
     write(names::CANVAS, &lms::canvas(&item, most, &lines))?;
     write(names::MOODLE, &lms::moodle(&item, &lines))?;
+    let english = Words::english();
     Ok(ReportMade {
         students: marks.class.students.len(),
         took_part: study.took_part.len(),
         tables: told.tables.len(),
-        lines: told.summary,
-        matches: found.summary(),
+        lines: ClassReporter { catalogue: &Catalogue::built_in(), words: &english, ..reporter }.in_brief(),
+        matches: found.summary(&english),
     })
 }
 
 /// Writes a file of the reports: its name, its bytes.
 type WriteFile<'w> = dyn Fn(&str, &[u8]) -> Result<(), Findings> + Sync + 'w;
 
-/// Writes a page for each student, by a bank in the language of the feedback.
+/// Writes a page for each student.
 fn feedback(
     graded: &OpenGrading,
-    bank: &Bank,
-    texts: &Texts,
+    (texts, catalogue): (&Texts, &Catalogue),
+    title: &str,
     marks: &Marks,
     threads: Option<usize>,
     write: &WriteFile,
 ) -> Result<(), Findings> {
     let policy = &graded.policy;
-    let (mut corrections, mut asked) = (Vec::new(), Vec::new());
+    let mut corrections = Vec::new();
     for (i, part) in marks.class.parts.iter().enumerate() {
         let id =
             part.number.checked_sub(1).and_then(|i| graded.set.problems.get(i)).map_or("", String::as_str);
         if let Some(correction) = policy.correction(part.number, id, &part.id, true) {
             corrections.push((i, correction.why.clone()));
         }
-        let problem = bank.problems.iter().find(|p| p.id == id);
-        let question = problem.and_then(|p| p.questions.iter().find(|q| q.id == part.id));
-        asked.push(question.map_or_else(String::new, |q| class::asked(&q.ask).to_owned()));
     }
-    let titles: Vec<String> = graded.set.problems.iter().map(|id| class::title_of(bank, id)).collect();
-    let desk = Desk {
+    let desk = FeedbackDesk {
         marks,
-        title: if policy.title.is_empty() { &bank.title } else { &policy.title },
+        title,
         set: &graded.set.name,
-        problems: &titles,
-        asked: &asked,
         words: &texts.words,
         templates: &texts.templates,
-        catalogue: &Catalogue::of(texts.words.language()).unwrap_or_else(Catalogue::built_in),
+        catalogue,
         hints: policy.hints,
         corrections: &corrections,
     };
@@ -281,16 +274,18 @@ fn feedback(
 /// Name of the grade item, the most that it gives, and the lines of the gradebooks; their short text names the verdict of each
 /// part. Where not all students can get the same number of points (another problem is dropped), points cannot be compared: the
 /// item is then in per cent.
-fn book<'m>(marks: &'m Marks, set: &str) -> (String, f64, Vec<Line<'m>>) {
+fn book<'m>(marks: &'m Marks, set: &str, words: &Words) -> (String, f64, Vec<GradebookLine<'m>>) {
     let most = marks.totals.iter().map(|t| t.1).fold(0.0, f64::max);
     let same = marks.totals.iter().all(|t| (t.1 - most).abs() <= 1e-9 * most);
     let told = |s: usize| -> String {
         let parts = marks.class.parts.iter().enumerate().filter(|(p, _)| marks.asked(s, *p));
         let told: Vec<String> = parts
             .map(|(p, part)| {
-                let verdict = marks.cell(s, p).row.as_ref().map_or("no answer", |r| r.verdict.as_str());
-                let points = table::points(marks.points(s, p));
-                format!("{} {verdict} {points}/{}", part.label(), table::points(part.points))
+                let verdict = marks.cell(s, p).row.as_ref().map_or("none", |r| r.verdict.as_str());
+                let verdict = words.get(&format!("report.verdict.{}", verdict.replace(' ', "_")));
+                let number = |value: f64| words.number(&table::points(value));
+                let (points, of) = (number(marks.points(s, p)), number(part.points));
+                format!("{} {verdict} {points}/{of}", part.label())
             })
             .collect();
         told.join("; ")
@@ -302,7 +297,7 @@ fn book<'m>(marks: &'m Marks, set: &str) -> (String, f64, Vec<Line<'m>>) {
     };
     let line = |(s, student): (usize, &'m Student)| {
         let any = marks.took_part(s) || (0..marks.class.parts.len()).any(|p| marks.points(s, p) > 0.0);
-        Line {
+        GradebookLine {
             id: &student.id,
             name: &student.name,
             points: any.then(|| points(marks.totals[s])),
@@ -322,7 +317,7 @@ fn inline(converter: &mut Converter, markdown: &str) -> String {
     inner.filter(|h| !h.contains("<p>")).unwrap_or(html).to_owned()
 }
 
-fn read_marks(graded: &OpenGrading) -> Result<Marks, Findings> {
+fn read_marks(graded: &OpenGrading, bank: &Bank, words: &Words) -> Result<Marks, Findings> {
     let unreadable = |path: &PathBuf, fault: Unreadable| {
         let finding = Finding::new("", fault.what).in_file(path.display().to_string());
         let finding = if fault.line > 0 {
@@ -334,7 +329,8 @@ fn read_marks(graded: &OpenGrading) -> Result<Marks, Findings> {
     };
     let answers = graded.folder.join(names::ANSWERS);
     let mut open = || fs::File::open(&answers).map(|f| io::BufReader::with_capacity(1 << 18, f));
-    let mut marks = Marks::read(class::of(graded), &mut open).map_err(|f| unreadable(&answers, f))?;
+    let mut marks =
+        Marks::read(class::of(graded, bank, words), &mut open).map_err(|f| unreadable(&answers, f))?;
     let book = graded.folder.join(names::GRADEBOOK);
     let file = fs::File::open(&book).map_err(|e| files::trouble(&book, "cannot be read", &e))?;
     marks.book(io::BufReader::new(file)).map_err(|f| unreadable(&book, f))?;

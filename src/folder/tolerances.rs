@@ -4,6 +4,7 @@ use crate::finding::Findings;
 use crate::folder::files;
 use crate::folder::graded;
 use crate::folder::graded::OpenGrading;
+use crate::grade::row::AnswerRow;
 use crate::grade::rules::Rules;
 use crate::grade::run;
 use crate::grade::run::GradeFault;
@@ -14,7 +15,6 @@ use crate::key::Answer;
 use crate::key::SheetKey;
 use crate::policy::Unread;
 use crate::problem::make_key;
-use crate::regrade::rows::Row;
 use crate::regrade::tolerance::Cell;
 use crate::regrade::tolerance::WhatIf;
 use crate::report::gradebook;
@@ -76,19 +76,19 @@ pub fn what_if(folder: &Path, shares: &[f64]) -> Result<String, Findings> {
 fn handed_in(graded: &OpenGrading) -> Result<NamedTempFile, io::Error> {
     let mut timed = false;
     let mut faults = Findings::default();
-    let mut see = |see: &mut dyn FnMut(Row)| {
+    let mut see = |see: &mut dyn FnMut(AnswerRow)| {
         if let Err(fault) = graded.each_row(see) {
             faults.extend(fault);
         }
     };
-    see(&mut |row: Row| timed |= !row.submitted_at.is_empty());
+    see(&mut |row: AnswerRow| timed |= !row.submitted_at.is_empty());
     let mut file = NamedTempFile::new()?;
     let mut written = Ok(());
     {
         let mut out = csv::Writer::from_writer(io::BufWriter::new(file.as_file_mut()));
         let columns = if timed { 5 } else { 4 };
         out.write_record(&["student", "problem", "part", "answer", "submitted_at"][..columns])?;
-        see(&mut |row: Row| {
+        see(&mut |row: AnswerRow| {
             let fields = [&row.student, &row.problem, &row.part, &row.answer, &row.submitted_at];
             if written.is_ok() {
                 written = out.write_record(fields[..columns].iter().map(|f| f.as_bytes()));
@@ -131,15 +131,16 @@ fn run_with(graded: &OpenGrading, table: &KeyTable, handed: &NamedTempFile) -> R
         table.students.iter().enumerate().map(|(i, s)| (s.id.as_str(), i)).collect();
     let mut cells = vec![Cell::default(); table.students.len() * parts];
     let mut answers = 0;
-    graded::each_row(file.path(), &mut |row: Row| {
+    graded::each_row(file.path(), &mut |row: AnswerRow| {
         if !row.counts() {
             return;
         }
-        let student = whose.get(row.student.as_str());
-        let part = column.get(&(row.problem, row.part.as_str()));
+        let student = whose.get(&*row.student);
+        let part = column.get(&(row.problem.into_owned(), &*row.part));
         let (Some(student), Some(part)) = (student, part) else { return };
         answers += 1;
-        cells[student * parts + part] = Cell { right: row.verdict == Verdict::Right, methods: row.methods };
+        cells[student * parts + part] =
+            Cell { right: row.verdict == Verdict::Right, methods: row.methods.into_owned() };
     })?;
     let totals = (0..table.students.len())
         .map(|s| gradebook::total(table, &done.points, s, &graded.policy).points)

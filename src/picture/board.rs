@@ -9,6 +9,7 @@ use crate::picture::TextRun;
 use crate::picture::frame::Frame;
 use crate::picture::place::Places;
 use crate::picture::symbol;
+use crate::picture::vector::Direction;
 use crate::picture::vector::Vec2;
 use crate::picture::vector::vec2;
 
@@ -115,7 +116,7 @@ impl Board {
     pub fn double_arrow(&mut self, from: Vec2, to: Vec2, role: Role) {
         let towards = (to - from).unit();
         let (head, back) = head_of(role);
-        if (to - from).length() > 2.0 * back + 4.0 {
+        if (to - from).norm() > 2.0 * back + 4.0 {
             self.line(from + towards * back, to - towards * back, role);
             self.head(from, -towards, head);
             self.head(to, towards, head);
@@ -133,16 +134,16 @@ impl Board {
         let sense = if to > from { 1.0 } else { -1.0 };
         let end = to - sense * back / radius.max(1.0);
         self.arc(centre, radius, from, end, role);
-        let tip = centre + Vec2::polar(to) * radius;
+        let tip = centre + Vec2::at_angle(to) * radius;
         // The head points along its own chord.
-        let base = centre + Vec2::polar(to - sense * 10.0 / radius.max(1.0)) * radius;
+        let base = centre + Vec2::at_angle(to - sense * 10.0 / radius.max(1.0)) * radius;
         self.head(tip, (tip - base).unit(), head);
     }
 
     /// Hatching along a line; the solid lies on the side `into` (a unit vector).
     pub fn hatch(&mut self, from: Vec2, to: Vec2, into: Vec2) {
         let towards = (to - from).unit();
-        let long = (to - from).length();
+        let long = (to - from).norm();
         let (step, deep) = (9.0, 8.5);
         let stroke = towards * -deep + into * deep;
         let mut s = step;
@@ -157,7 +158,7 @@ impl Board {
     pub fn spring(&mut self, from: Vec2, to: Vec2, coils: usize, wide: f64) {
         let towards = (to - from).unit();
         let across = towards.left();
-        let long = (to - from).length();
+        let long = (to - from).norm();
         let lead = (long * 0.1).clamp(4.0, 14.0).min(long * 0.3);
         let half = (long - 2.0 * lead) / (2 * coils.max(1)) as f64;
         let mut points = vec![from, from + towards * lead];

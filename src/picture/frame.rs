@@ -24,7 +24,7 @@ impl Frame {
 
     /// The box round both.
     pub fn joined(self, other: Self) -> Self {
-        Self { low: self.low.min(other.low), high: self.high.max(other.high) }
+        Self { low: self.low.inf(&other.low), high: self.high.sup(&other.high) }
     }
 
     /// Larger by so much on every side.
@@ -47,7 +47,7 @@ impl Frame {
 
     /// Distance of its farthest corner from a point.
     pub fn farthest(self, p: Vec2) -> f64 {
-        (self.high - p).max(p - self.low).length()
+        (self.high - p).sup(&(p - self.low)).norm()
     }
 
     /// Does it meet the segment from `a` to `b`? (Clipped slab by slab.)

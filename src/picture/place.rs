@@ -8,6 +8,7 @@ use crate::picture::Role;
 use crate::picture::board::LabelTie;
 use crate::picture::board::LabelWish;
 use crate::picture::frame::Frame;
+use crate::picture::vector::Direction;
 use crate::picture::vector::Vec2;
 use crate::picture::vector::vec2;
 use std::f64::consts::PI;
@@ -57,13 +58,13 @@ impl Places {
             }
         }
         let (point, towards) = wish.spots[0];
-        let start = towards.angle();
+        let start = towards.angle_of();
         let rings = if matches!(wish.tie, LabelTie::Near | LabelTie::Fixed) { &RINGS[..3] } else { &RINGS };
         for (ring, gap) in rings.iter().enumerate() {
             for turn in 0..TURNS {
                 let off = f64::from(turn.div_ceil(2)) * if turn % 2 == 0 { 1.0 } else { -1.0 };
                 let base = 5.0 + 2.0 * ring as f64 + 0.45 * off.abs();
-                let towards = || Vec2::polar(start + off * PI / 12.0);
+                let towards = || Vec2::at_angle(start + off * PI / 12.0);
                 self.consider(&mut best, wish.tie, base, (point, towards, wish.gap + gap), half);
             }
         }
@@ -72,7 +73,7 @@ impl Places {
         let mut far = size.x + size.y;
         while best.is_none() {
             for turn in 0..TURNS {
-                let towards = || Vec2::polar(f64::from(turn) * PI / 12.0);
+                let towards = || Vec2::at_angle(f64::from(turn) * PI / 12.0);
                 self.consider(&mut best, wish.tie, 1e6 + far, (point, towards, far), half);
             }
             far *= 1.3;
@@ -186,7 +187,7 @@ impl Obstacles {
             return;
         }
         let mut segment = |a: Vec2, b: Vec2| {
-            self.segments.push((a, b, Frame { low: a.min(b), high: a.max(b) }, weight));
+            self.segments.push((a, b, Frame { low: a.inf(&b), high: a.sup(&b) }, weight));
         };
         match &element.outline {
             Outline::Lines { points, closed } => {
@@ -218,7 +219,7 @@ impl Obstacles {
             }
         }
         for (centre, radius, weight) in &self.circles {
-            let near = (frame.nearest(*centre) - *centre).length();
+            let near = (frame.nearest(*centre) - *centre).norm();
             if near <= *radius && frame.farthest(*centre) >= *radius {
                 cost += weight;
             }
@@ -230,12 +231,12 @@ impl Obstacles {
         let mut cost = 0.0;
         let along = b - a;
         // Its own end may touch what it points at.
-        let end = a + along.unit() * (along.length() - 3.0).max(0.0);
-        let side = |p: Vec2, q: Vec2, r: Vec2| (q - p).cross(r - p);
+        let end = a + along.unit() * (along.norm() - 3.0).max(0.0);
+        let side = |p: Vec2, q: Vec2, r: Vec2| (q - p).perp(&(r - p));
         for (c, d, _, weight) in &self.segments {
             if side(a, end, *c) * side(a, end, *d) < 0.0
                 && side(*c, *d, a) * side(*c, *d, end) < 0.0
-                && (*d - *c).length() > 0.0
+                && (*d - *c).norm() > 0.0
             {
                 cost += weight;
             }

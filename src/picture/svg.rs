@@ -13,6 +13,7 @@ use crate::picture::look::letters;
 use crate::picture::look::look;
 use crate::picture::look::used;
 use crate::picture::symbol;
+use crate::picture::vector::Direction;
 use crate::picture::vector::Vec2;
 use crate::picture::vector::vec2;
 use std::fmt;
@@ -249,7 +250,7 @@ impl Svg {
 
 /// The point of a circle at an angle, in a picture, whose y axis points down.
 pub fn on_arc(centre: Vec2, radius: f64, angle: f64) -> Vec2 {
-    let towards = Vec2::polar(angle);
+    let towards = Vec2::at_angle(angle);
     vec2(centre.x + radius * towards.x, centre.y - radius * towards.y)
 }
 

@@ -3,6 +3,7 @@ use crate::picture::RunStyle;
 use crate::picture::svg;
 use crate::picture::svg::Svg;
 use crate::picture::symbol::run;
+use crate::picture::vector::Direction;
 use crate::picture::vector::Vec2;
 use crate::picture::vector::vec2;
 

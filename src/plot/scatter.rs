@@ -1,6 +1,5 @@
 //! Single points over two axes, each with its name where there is room.
 use crate::picture::frame::Frame;
-use crate::picture::vector::Vec2;
 use crate::picture::vector::vec2;
 use crate::plot::axis::Axis;
 use crate::plot::chart::Chart;
@@ -84,7 +83,7 @@ impl ScatterChart {
         }
         for spot in &self.spots {
             // To the right, to the left, above, below: where nothing stands yet.
-            let Vec2 { x, y } = at(spot.x, spot.y);
+            let [x, y] = at(spot.x, spot.y).into();
             let wide = spot.label.chars().count() as f64 * LETTER.0;
             let places = [
                 ("start", x + 8.0, y + 4.0, x + 7.0),

@@ -2,9 +2,9 @@
 use crate::num::chance;
 use crate::num::trig;
 use crate::plot::Axis;
+use crate::plot::AxisScale;
 use crate::plot::ChartRow;
 use crate::plot::RowChart;
-use crate::plot::AxisScale;
 use crate::plot::ScatterChart;
 use crate::plot::Spot;
 use crate::plot::SpreadChart;

@@ -6,6 +6,7 @@ use crate::bank::Problem;
 use crate::bank::Relative;
 use crate::grade::feedback::Feedback;
 use crate::grade::judge;
+use crate::grade::row::AnswerRow;
 use crate::grade::verdict::Verdict;
 use crate::key::Answer;
 use crate::key::Given;
@@ -22,11 +23,10 @@ use crate::policy::Way;
 use crate::policy::time::Evidence;
 use crate::policy::time::Moment;
 use crate::problem::make::Variant;
-use crate::regrade::rows::Row;
+use crate::regrade::changes::ChangeRow;
 use crate::set::grading::Grading;
 use crate::set::store::StoredSet;
 use crate::set::store::StoredStudent;
-use crate::sheet::number;
 use crate::sheet::terminal;
 use crate::sheet::terminal::plain;
 use std::fmt::Write as _;
@@ -89,35 +89,24 @@ pub struct ExplainedMarks<'g> {
     /// What the times of all answers say about the order of day and month.
     pub evidence: Evidence,
     /// The student's answers to this problem.
-    pub rows: &'g [Row],
+    pub rows: &'g [AnswerRow<'g>],
     /// What a regrading changed.
-    pub changes: &'g [MarkChange],
+    pub changes: &'g [ChangeRow],
     /// Columns `total`, `max_total` and `dropped` of the gradebook.
     pub total: Option<[String; 3]>,
 }
 
-/// What a regrading changed for one part: points and verdicts before and after, as they are written.
-pub struct MarkChange {
-    /// The part.
-    pub part: String,
-    /// Points and verdict before.
-    pub before: [String; 2],
-    /// Points and verdict after.
-    pub after: [String; 2],
-    /// Why.
-    pub why: String,
-}
-
-impl MarkChange {
-    fn told(&self) -> String {
-        let told = |[points, verdict]: &[String; 2]| match (points.as_str(), verdict.as_str()) {
-            ("", "") => "no answer".to_owned(),
-            (points, "") => format!("{points} points without an answer"),
-            ("", verdict) => verdict.to_owned(),
-            (points, verdict) => format!("{points} points ({verdict})"),
-        };
-        format!("regraded: before {}, now {}: {}", told(&self.before), told(&self.after), self.why)
-    }
+/// What a regrading changed for one part, in words.
+fn regraded(row: &ChangeRow) -> String {
+    let told = |points: &str, verdict: &str| match (points, verdict) {
+        ("", "") => "no answer".to_owned(),
+        (points, "") => format!("{points} points without an answer"),
+        ("", verdict) => verdict.to_owned(),
+        (points, verdict) => format!("{points} points ({verdict})"),
+    };
+    let before = told(&row.points_before, &row.verdict_before);
+    let after = told(&row.points_after, &row.verdict_after);
+    format!("regraded: before {before}, now {after}: {}", row.why)
 }
 
 impl ExplainedMarks<'_> {
@@ -147,7 +136,7 @@ impl ExplainedMarks<'_> {
             if part.is_none_or(|p| *p == entry.part) {
                 self.part(&mut page, i);
                 for change in self.changes.iter().filter(|c| c.part == entry.part) {
-                    page.say(1, &change.told());
+                    page.say(1, &regraded(change));
                 }
             }
         }
@@ -215,7 +204,7 @@ impl ExplainedMarks<'_> {
 
     fn part(&self, page: &mut Pages, index: usize) {
         let entry = &self.key.parts[index];
-        let rows: Vec<&Row> = self.rows.iter().filter(|r| r.part == entry.part).collect();
+        let rows: Vec<&AnswerRow> = self.rows.iter().filter(|r| r.part == entry.part).collect();
         let counting = rows.iter().find(|r| r.counts());
         let policy = self.policy;
         let most = policy
@@ -286,7 +275,7 @@ impl ExplainedMarks<'_> {
             }
             Answer::Number { value, half_width, .. } => {
                 let unit = &entry.unit;
-                let shown = |si: f64| number::rounded(unit.from_si(si), FIGURES);
+                let shown = |si: f64| shown::significant(unit.from_si(si), FIGURES);
                 let road = |si: Option<f64>| si.map_or_else(|| "none".to_owned(), shown);
                 say!(page, "asked: {label}, {}", in_unit(entry));
                 say!(
@@ -302,7 +291,7 @@ impl ExplainedMarks<'_> {
                             false => "0".to_owned(),
                         }
                     ),
-                    entry.cond.map_or_else(|| "unknown".to_owned(), |c| number::rounded(c, 3)),
+                    entry.cond.map_or_else(|| "unknown".to_owned(), |c| shown::significant(c, 3)),
                     entry.bound.map_or_else(String::new, |b| format!(
                         "; the true answer lies within {} of it, proved",
                         shown::figures(unit.from_si(b), 1)
@@ -312,7 +301,7 @@ impl ExplainedMarks<'_> {
                 say!(
                     page,
                     "tolerance: {rule}, which is {} to either side: right is what lies from {} to {}",
-                    unit.text_with(&number::rounded(unit.from_si(*half_width), 5)),
+                    unit.text_with(&shown::significant(unit.from_si(*half_width), 5)),
                     shown(value - half_width),
                     shown(value + half_width)
                 );
@@ -321,7 +310,7 @@ impl ExplainedMarks<'_> {
     }
 
     /// One attempt: what was written, how it was read, what it is.
-    fn attempt(&self, page: &mut Pages, index: usize, row: &Row) {
+    fn attempt(&self, page: &mut Pages, index: usize, row: &AnswerRow) {
         let entry = &self.key.parts[index];
         let mut units = UnitCache::default();
         let judged = judge::judge_with(&row.answer, entry, &mut units, Feedback::english());
@@ -344,10 +333,13 @@ impl ExplainedMarks<'_> {
                 }
                 if judged.number.is_finite() {
                     let (asked, si) = (entry.unit.from_si(judged.number), judged.number);
-                    let _ =
-                        write!(text, ", that is {}", entry.unit.text_with(&number::rounded(asked, FIGURES)));
+                    let _ = write!(
+                        text,
+                        ", that is {}",
+                        entry.unit.text_with(&shown::significant(asked, FIGURES))
+                    );
                     if (asked - si).abs() > 1e-12 * si.abs() {
-                        let _ = write!(text, " ({} in SI)", number::rounded(si, FIGURES));
+                        let _ = write!(text, " ({} in SI)", shown::significant(si, FIGURES));
                     }
                     if let Answer::Number { value, .. } = entry.answer
                         && value != 0.0
@@ -370,14 +362,14 @@ impl ExplainedMarks<'_> {
     }
 
     /// Methods, slip and how the points of the attempt that counts add up.
-    fn why(&self, page: &mut Pages, index: usize, row: &Row) {
+    fn why(&self, page: &mut Pages, index: usize, row: &AnswerRow) {
         let entry = &self.key.parts[index];
         let catalogue = Catalogue::built_in();
         for id in row.methods.split_whitespace() {
             let at = self.key.methods.iter().position(|m| m == id);
             let value = at.and_then(|m| entry.wrong.iter().find(|w| usize::from(w.method) == m));
             let comes = value.map_or_else(String::new, |w| {
-                let shown = number::rounded(entry.unit.from_si(w.value), FIGURES);
+                let shown = shown::significant(entry.unit.from_si(w.value), FIGURES);
                 format!(" (which comes to {})", entry.unit.text_with(&shown))
             });
             let told = catalogue
@@ -399,7 +391,7 @@ impl ExplainedMarks<'_> {
     }
 
     /// When it was due, when it came, how late that is.
-    fn late(&self, row: &Row) -> String {
+    fn late(&self, row: &AnswerRow) -> String {
         let policy = self.policy;
         let zone = &policy.zone;
         let extended = policy.extensions.iter().any(|(id, _)| *id == self.student.student);
@@ -456,7 +448,7 @@ impl ExplainedMarks<'_> {
     }
 
     /// What the relation comes to with the student's own answers.
-    fn follows(&self, page: &mut Pages, index: usize, row: &Row) {
+    fn follows(&self, page: &mut Pages, index: usize, row: &AnswerRow) {
         let written = self.problem.follows.iter().find(|f| {
             self.problem.questions.get(f.question).is_some_and(|q| q.id == self.key.parts[index].part)
         });
@@ -464,13 +456,13 @@ impl ExplainedMarks<'_> {
         else {
             return;
         };
-        let number = |part: usize, row: &Row| {
+        let number = |part: usize, row: &AnswerRow| {
             let entry = self.key.parts.get(part)?;
             Some(judge::judge_with(&row.answer, entry, &mut UnitCache::default(), Feedback::english()).number)
         };
         let own = |part: usize| {
             let id = self.key.parts.get(part).map(|e| e.part.as_str());
-            let row = self.rows.iter().find(|r| r.counts() && Some(r.part.as_str()) == id);
+            let row = self.rows.iter().find(|r| r.counts() && Some(&*r.part) == id);
             row.and_then(|r| Some((number(part, r)?, r.verdict == Verdict::Right)))
                 .unwrap_or((f64::NAN, false))
         };
@@ -496,7 +488,7 @@ impl ExplainedMarks<'_> {
             entry.part,
             written.text,
             from.join(" and "),
-            entry.unit.text_with(&number::rounded(entry.unit.from_si(value), FIGURES))
+            entry.unit.text_with(&shown::significant(entry.unit.from_si(value), FIGURES))
         );
     }
 }
@@ -529,7 +521,7 @@ fn rule(question: &crate::bank::Question, entry: &KeyEntry, value: f64, half_wid
 fn signed_per_cent(share: f64) -> String {
     let share = share * 100.0;
     let sign = if share < 0.0 { "-" } else { "+" };
-    format!("{sign}{} %", number::rounded(share.abs(), 3))
+    format!("{sign}{} %", shown::significant(share.abs(), 3))
 }
 
 fn sentence(text: &str) -> String {
@@ -563,7 +555,7 @@ fn slip(text: &str) -> Option<String> {
 }
 
 /// How the points of a row come about.
-fn points(row: &Row, policy: &Policy) -> String {
+fn points(row: &AnswerRow, policy: &Policy) -> String {
     let mut steps = vec![match row.verdict {
         Verdict::Right => format!("{} for a right answer", row.max_points),
         _ => format!("0 of {}, the answer is not right", row.max_points),

@@ -6,7 +6,6 @@ use crate::key::KeyEntry;
 use crate::key::SheetKey;
 use crate::num::U;
 use crate::num::shown;
-use crate::sheet::number;
 use crate::sheet::terminal;
 
 /// What was seen of one question.
@@ -103,9 +102,9 @@ pub fn table(rows: &[ProvedQuestion]) -> String {
             line.push("in words".to_owned());
         } else {
             line.extend([
-                number::rounded(row.gap_ulps, 3),
+                shown::significant(row.gap_ulps, 3),
                 shown::decimals(row.gap_bar, 2),
-                number::rounded(row.worst_cond, 3),
+                shown::significant(row.worst_cond, 3),
                 row.enclosed.to_string(),
                 if row.enclosed == 0 { "-".to_owned() } else { shown::figures(row.widest, 1) },
             ]);
@@ -124,7 +123,7 @@ pub fn verdict(rows: &[ProvedQuestion]) -> String {
         rows.iter().filter(|r| r.answers > 0).max_by(|a, b| a.gap_ulps.total_cmp(&b.gap_ulps))
     {
         text = if worst.gap_ulps > 0.0 {
-            let ulps = number::rounded(worst.gap_ulps, 3);
+            let ulps = shown::significant(worst.gap_ulps, 3);
             format!(
                 "Equations of motion and work and energy differ by {ulps} ulps at most ({} of {}). ",
                 worst.name, worst.whose

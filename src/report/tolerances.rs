@@ -5,7 +5,6 @@ use crate::misconception::catalogue::Catalogue;
 use crate::num::shown;
 use crate::regrade::tolerance::Change;
 use crate::regrade::tolerance::WhatIf;
-use crate::sheet::number;
 use crate::sheet::terminal;
 use crate::sheet::terminal::plain;
 
@@ -32,7 +31,7 @@ pub fn tolerance(table: &KeyTable, part: usize) -> String {
         }
     }
     // Where an absolute tolerance is the wider one, the share is no round number.
-    let shown = |share: f64| match number::rounded(share * 100.0, 2) {
+    let shown = |share: f64| match shown::significant(share * 100.0, 2) {
         text if text.contains('.') => text.trim_end_matches('0').trim_end_matches('.').to_owned(),
         text => text,
     };

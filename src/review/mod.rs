@@ -8,7 +8,6 @@ use crate::num::shown;
 use crate::problem::sweep;
 use crate::problem::sweep::Seldom;
 use crate::problem::sweep::Sweep;
-use crate::sheet::number;
 use crate::sheet::statement;
 use crate::sheet::terminal;
 use rayon::prelude::*;
@@ -23,10 +22,14 @@ const HONEST_MISSES: f64 = 0.05;
 /// The chance that a bank should stay below.
 const RARE: f64 = 1e-6;
 
+/// Told after each draw: how many there are in all.
+pub type OneMore<'p> = &'p (dyn Fn(u64) + Sync);
+
 /// Tries problems of a bank over so many seeds.
-pub fn sweeps(problems: &[&Problem], seeds: u64, bank: &str) -> Vec<Sweep> {
+pub fn sweeps(problems: &[&Problem], seeds: u64, bank: &str, one_more: OneMore) -> Vec<Sweep> {
     let seeds = u32::try_from(seeds.clamp(1, 1_000_000)).unwrap_or(1_000_000);
-    problems.par_iter().map(|p| sweep::sweep(p, 1, seeds, bank)).collect()
+    let all = u64::from(seeds) * problems.len() as u64;
+    problems.par_iter().map(|p| sweep::sweep(p, 1, seeds, bank, &|| one_more(all))).collect()
 }
 
 /// What a sweep over one problem says, row by row, heads first.
@@ -130,10 +133,14 @@ fn questions(problem: &Problem, sweep: &Sweep) -> (Vec<Vec<String>>, Vec<Vec<Str
     for (question, seen) in problem.questions.iter().zip(&sweep.questions) {
         let mut row = vec![seen.id.clone()];
         if let Some((low, high)) = seen.range {
-            row.extend([number::rounded(low, 4), number::rounded(high, 4), question.unit.ascii().to_owned()]);
+            row.extend([
+                shown::significant(low, 4),
+                shown::significant(high, 4),
+                question.unit.ascii().to_owned(),
+            ]);
             if let Some(cond) = seen.cond {
-                row.extend([cond.median, cond.ninth, cond.worst].map(|c| number::rounded(c, 3)));
-                row.extend([number::rounded(question.cond_limit, 3), percent(cond.above)]);
+                row.extend([cond.median, cond.ninth, cond.worst].map(|c| shown::significant(c, 3)));
+                row.extend([shown::significant(question.cond_limit, 3), percent(cond.above)]);
             }
             let (least, most) = (statement::percent(seen.within.0), statement::percent(seen.within.1));
             row.push(if least == most { most } else { format!("{least} to {most}") });
@@ -241,8 +248,8 @@ fn notes(problem: &Problem, sweep: &Sweep) -> Vec<String> {
             notes.push(format!(
                 "{}: its tolerance widens up to cond {}, its cond limit is {}",
                 question.id,
-                number::rounded(reach, 3),
-                number::rounded(question.cond_limit, 3)
+                shown::significant(reach, 3),
+                shown::significant(question.cond_limit, 3)
             ));
         }
     }

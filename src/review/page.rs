@@ -4,8 +4,9 @@ use crate::bank::Problem;
 use crate::diagnosis::sentences;
 use crate::diagnosis::table::unsatisfiable;
 use crate::figure::scene;
-use crate::figure::svg;
 use crate::finding::Findings;
+use crate::num::shown;
+use crate::picture::svg;
 use crate::problem::make::Maker;
 use crate::problem::make::Variant;
 use crate::problem::make_key;
@@ -16,7 +17,6 @@ use crate::sheet::document::Document;
 use crate::sheet::html::Converter;
 use crate::sheet::html::Place;
 use crate::sheet::key_table;
-use crate::sheet::number;
 use crate::sheet::page::Room;
 use crate::sheet::page::Sheets;
 use crate::sheet::statement;
@@ -36,9 +36,10 @@ pub fn page(
     chosen: &[usize],
     texts: &Texts,
     (count, seeds): (u32, u64),
+    one_more: review::OneMore,
 ) -> Result<String, Findings> {
     let problems: Vec<&Problem> = chosen.iter().filter_map(|i| bank.problems.get(*i)).collect();
-    let sweeps = review::sweeps(&problems, seeds, &bank.id);
+    let sweeps = review::sweeps(&problems, seeds, &bank.id, one_more);
     let sheets = Sheets::new(&texts.templates, &texts.words, bank, &bank.id, chosen)?;
     let mut converter = Converter::new(&texts.words);
     let mut room = Room::default();
@@ -125,7 +126,7 @@ fn card(problem: &Problem, variant: &Variant, n: usize, texts: &Texts, converter
         if !entry.unit.is_number() {
             let _ = write!(answer, " {}", entry.unit.ascii().replace("^2", "²").replace("^3", "³"));
         }
-        let cond = entry.cond.map_or_else(String::new, |c| phrases.number(&number::rounded(c, 3)));
+        let cond = entry.cond.map_or_else(String::new, |c| phrases.number(&shown::significant(c, 3)));
         template::map([
             ("id", template::finished(&entry.part)),
             ("answer", template::finished(&escaped(&answer))),

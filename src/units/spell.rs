@@ -14,6 +14,14 @@ pub fn closest<'a>(word: &str, known: impl IntoIterator<Item = &'a str>) -> Opti
     known.into_iter().map(|k| (slips(k), k)).filter(|(d, _)| *d <= allowed).min().map(|(_, k)| k)
 }
 
+/// A hint for a word that is not known: the closest one, or all of them behind what they are (`its parts: a, omega`).
+pub fn hint<'a>(word: &str, what: &str, known: impl Iterator<Item = &'a str> + Clone) -> String {
+    match closest(word, known.clone()) {
+        Some(near) => format!("did you mean `{near}`?"),
+        None => format!("{what}: {}", known.collect::<Vec<_>>().join(", ")),
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

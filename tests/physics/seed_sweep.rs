@@ -11,7 +11,8 @@ use slipstick::scene::Quantity;
 fn banks_are_satisfied_and_sheets_differ() {
     for bank in support::banks() {
         let seeds = support::seeds(if bank.id == "pinned-bodies" { 400 } else { 1000 });
-        let sweeps: Vec<_> = bank.problems.par_iter().map(|p| sweep::sweep(p, 0, seeds, "sweep", &|| ())).collect();
+        let sweeps: Vec<_> =
+            bank.problems.par_iter().map(|p| sweep::sweep(p, 0, seeds, "sweep", &|| ())).collect();
         for s in &sweeps {
             assert!(s.unsatisfiable.is_none(), "{:?}", s.unsatisfiable);
             assert!(s.unsolved.is_none(), "{}: {:?}", s.problem, s.unsolved);
