@@ -1,7 +1,6 @@
 //! What is wrong in somebody's file: where, which value, and what would be right.
 use std::fmt;
-use std::ops::Deref;
-use std::ops::DerefMut;
+use std::ops::{Deref, DerefMut};
 use std::slice;
 use std::vec;
 

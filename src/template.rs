@@ -5,17 +5,13 @@
 //! Templates that the program did not bring along are metered (`template::metered`).
 mod metered;
 
-use crate::finding::Finding;
-use crate::finding::Findings;
+use crate::finding::{Finding, Findings};
 use crate::template::metered::Metered;
 use std::collections::BTreeMap;
 use std::io;
-use tera::Context;
-use tera::ErrorKind;
-use tera::Tera;
+use tera::{Context, ErrorKind, Tera};
 
-pub use tera::Map;
-pub use tera::Value;
+pub use tera::{Map, Value};
 
 /// Names of templates below a folder, with their texts.
 macro_rules! built_in {

@@ -3,11 +3,9 @@
 //! A phrase is a line of a word list, `templates/words/TOPIC.yaml` (other languages: `templates/LANGUAGE/words/TOPIC.yaml`);
 //! its name is the topic, a point, and the name in the list: `figure.wheel`. `{place}` in a phrase is filled in. A language is
 //! complete or it does not build: every name of the English lists, with the same places, is checked by a test.
-use crate::bank::node::Node;
-use crate::bank::node::Value;
+use crate::bank::node::{Node, Value};
 use crate::bank::yaml;
-use crate::finding::Finding;
-use crate::finding::Findings;
+use crate::finding::{Finding, Findings};
 use rustc_hash::FxHashMap;
 use serde::Serialize;
 use std::collections::BTreeMap;

@@ -1,6 +1,5 @@
 //! The doors of the house: which room may use which, and who keeps which crate. Read from the source, comments left out.
-use std::collections::BTreeMap;
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
 /// Room (or one file of it) and the rooms that it may use besides itself. The most specific name wins.

@@ -1,10 +1,7 @@
 //! The quick way for most cells: a plain number, alone or before a unit whose spelling was met before. It reads as [`read`]
 //! does, or leaves the cell to it.
-use crate::answer::read::Reading;
-use crate::answer::read::UnitCache;
-use crate::answer::read::read;
-use crate::units::TENS;
-use crate::units::Unit;
+use crate::answer::read::{Reading, UnitCache, read};
+use crate::units::{TENS, Unit};
 use std::sync::Arc;
 
 /// Bytes behind a number that are remembered as the spelling of a unit.

@@ -1,16 +1,10 @@
 //! A cell to a number with its unit, a word, a blank, or why it cannot be read. Knows nothing of keys.
-use crate::answer::numeral::Numeral;
-use crate::answer::numeral::begins;
-use crate::answer::numeral::numeral;
-use crate::answer::numeral::unsigned;
-use crate::answer::plain::PlainText;
-use crate::answer::plain::plain;
+use crate::answer::numeral::{Numeral, begins, numeral, unsigned};
+use crate::answer::plain::{PlainText, plain};
 use crate::answer::spelling::SpelledUnit;
 pub use crate::answer::spelling::UnitCache;
-use crate::answer::word::AnswerWord;
-use crate::answer::word::phrase;
-use crate::units::Unit;
-use crate::units::UnitFault;
+use crate::answer::word::{AnswerWord, phrase};
+use crate::units::{Unit, UnitFault};
 use std::sync::Arc;
 
 /// How a number was read, where it could not simply be read.

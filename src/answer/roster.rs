@@ -1,9 +1,6 @@
 //! Rosters, and student ids as names of folders.
-use crate::answer::submissions::Batch;
-use crate::answer::submissions::RecordScratch;
-use crate::answer::submissions::RecordSource;
-use crate::finding::Finding;
-use crate::finding::Findings;
+use crate::answer::submissions::{Batch, RecordScratch, RecordSource};
+use crate::finding::{Finding, Findings};
 use crate::guard::unguarded;
 use rustc_hash::FxHashMap;
 use std::io::Cursor;

@@ -1,6 +1,5 @@
 //! Units as they are spelled in cells.
-use crate::units::Unit;
-use crate::units::UnitFault;
+use crate::units::{Unit, UnitFault};
 use rustc_hash::FxHashMap;
 use std::sync::Arc;
 

@@ -5,10 +5,7 @@
 //! taken as an ordinary character, and the reader goes on at the next line. A quote is left open where no closing one
 //! follows within 64 KiB or 100 lines, where text follows a closing quote on a later line, or where each of the lines up to
 //! the closing quote has as many fields as the header. Everything else is as in RFC 4180.
-use encoding_rs::Encoding;
-use encoding_rs::UTF_16BE;
-use encoding_rs::UTF_16LE;
-use encoding_rs::WINDOWS_1252;
+use encoding_rs::{Encoding, UTF_16BE, UTF_16LE, WINDOWS_1252};
 use std::borrow::Cow;
 use std::io;
 use std::io::Read;

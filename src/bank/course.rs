@@ -3,9 +3,9 @@ use crate::bank::decimal::Decimal;
 use crate::bank::node::{Faults, Fields, Node, Value, choice, named, shorten, text, whole};
 use crate::bank::yaml;
 use crate::finding::Findings;
-use crate::policy::time;
-use crate::policy::{Correction, Counts, For, Hints, Part, Per, Policy, Rounding, Unread, Way, Zone};
-use crate::policy::{DAY, HOUR, MINUTE};
+use crate::policy::{
+    Correction, Counts, DAY, For, HOUR, Hints, MINUTE, Part, Per, Policy, Rounding, Unread, Way, Zone, time,
+};
 
 /// What a course file may hold, with an explanation of each setting; it is read by a test.
 pub const EXAMPLE: &str = include_str!("../../templates/course.yaml");

@@ -1,9 +1,6 @@
 //! The text of a bank to a bank.
-use crate::bank::Bank;
-use crate::bank::Variables;
 use crate::bank::node::{Faults, Node, Value};
-use crate::bank::schema;
-use crate::bank::yaml;
+use crate::bank::{Bank, Variables, schema, yaml};
 use crate::finding::Findings;
 use sha2::{Digest, Sha256};
 use std::fmt;

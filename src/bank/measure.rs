@@ -4,8 +4,7 @@ use crate::bank::decimal::Decimal;
 use crate::bank::expression::{Exponents, Name};
 use crate::bank::node::shorten;
 use crate::scene::Label;
-use crate::units::Unit;
-use crate::units::parse_quantity;
+use crate::units::{Unit, parse_quantity};
 
 /// A unit from its spelling, or what is wrong with it.
 pub fn unit(text: &str) -> Result<Unit, String> {

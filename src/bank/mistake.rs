@@ -1,14 +1,9 @@
 //! Wrong methods of a problem: how each comes to its answers. What they are called and what is said about them stands in the
 //! catalogue of misconceptions, by the same id.
-use crate::bank::Datum;
-use crate::bank::Follow;
-use crate::bank::Mistake;
-use crate::bank::Question;
 use crate::bank::expression::{Exponents, Expression, Name};
-use crate::bank::measure;
 use crate::bank::node::{Faults, Fields, Node, Value, close_name, named, shorten, suggestion};
-use crate::bank::review;
 use crate::bank::scene::{self, DatumSymbol, Touching};
+use crate::bank::{Datum, Follow, Mistake, Question, measure, review};
 use crate::scene::{Label, Scene};
 
 /// What the reader knows of the problem.

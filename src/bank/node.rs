@@ -1,6 +1,5 @@
 //! A bank as a tree of texts with places; what the texts mean is read elsewhere.
-use crate::finding::Finding;
-use crate::finding::Findings;
+use crate::finding::{Finding, Findings};
 use crate::units::spell;
 use std::cell::RefCell;
 

@@ -1,17 +1,6 @@
 //! Texts of a bank in another language, put over its own: title, problems' titles, names of data, questions, statements.
-use crate::bank::Bank;
-use crate::bank::Problem;
-use crate::bank::Variables;
-use crate::bank::load;
-use crate::bank::node::Faults;
-use crate::bank::node::Fields;
-use crate::bank::node::Node;
-use crate::bank::node::named;
-use crate::bank::node::shorten;
-use crate::bank::node::suggestion;
-use crate::bank::node::text;
-use crate::bank::review;
-use crate::bank::yaml;
+use crate::bank::node::{Faults, Fields, Node, named, shorten, suggestion, text};
+use crate::bank::{Bank, Problem, Variables, load, review, yaml};
 use crate::finding::Findings;
 
 /// Puts the texts of an overlay over those of a bank. With a `reference`, the bank that the overlay was written for, only

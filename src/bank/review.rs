@@ -1,12 +1,12 @@
 //! Sense of ids, ranges and names: is every datum used and admissible, does a quantity exist, are templates' names known.
-use crate::bank::TEMPLATE_NAMES;
-use crate::bank::Variables;
 use crate::bank::need::Need;
 use crate::bank::node::{Faults, Node, Value, close_name, shorten, suggestion};
-use crate::bank::{Datum, Draw};
+use crate::bank::{Datum, Draw, TEMPLATE_NAMES, Variables};
 use crate::finding::Finding;
-use crate::scene::{Attach, Coordinate, Cord, CordEnd, Degree, End, Far, Label};
-use crate::scene::{Num, Owner, Quantity, RotaryInertia, Scene, Tie};
+use crate::scene::{
+    Attach, Coordinate, Cord, CordEnd, Degree, End, Far, Label, Num, Owner, Quantity, RotaryInertia, Scene,
+    Tie,
+};
 
 /// A datum in one case: used where it is drawn, drawn where it is used, and admissible over its whole range.
 pub fn datum(

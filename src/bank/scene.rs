@@ -7,8 +7,7 @@ use crate::scene::{
     Particle, Pin, PinSpring, Rest, RotaryInertia, Scene, Shape, Side, Slope, Span, Start, Tie, Zero,
 };
 use crate::units::Unit;
-use std::cell::Cell;
-use std::cell::RefCell;
+use std::cell::{Cell, RefCell};
 
 /// A datum as the scene sees it.
 #[derive(Debug, Clone)]

@@ -1,17 +1,15 @@
 //! The file format of a bank: which fields there are and what they mean. All findings are collected.
-use crate::bank::TEMPLATE_NAMES;
-use crate::bank::Variables;
-use crate::bank::course;
 use crate::bank::decimal::{self, Decimal};
 use crate::bank::expression::{Exponents, Expression, Name};
-use crate::bank::measure;
-use crate::bank::mistake;
 use crate::bank::need::Need;
-use crate::bank::node::{Faults, Fields, Node, Value};
-use crate::bank::node::{choice, close_name, named, shorten, suggestion, text, whole};
-use crate::bank::review;
+use crate::bank::node::{
+    Faults, Fields, Node, Value, choice, close_name, named, shorten, suggestion, text, whole,
+};
 use crate::bank::scene::{self, DatumSymbol, SceneRead, Touching};
-use crate::bank::{Bank, Bound, Case, Datum, Draw, FigureLabels, Problem, Question, Relative};
+use crate::bank::{
+    Bank, Bound, Case, Datum, Draw, FigureLabels, Problem, Question, Relative, TEMPLATE_NAMES, Variables,
+    course, measure, mistake, review,
+};
 use crate::policy::Policy;
 use crate::scene::{Label, Owner, Quantity, Scene, Span, Tie};
 use crate::solve::outcome::{CheckKind, Motion};

@@ -1,15 +1,10 @@
 //! `slipstick accuracy`: what each method gives away for its speed, on one problem with given data.
 use crate::cli::args;
-use crate::cli::tell::Exit;
-use crate::cli::tell::Io;
-use crate::diagnosis::accuracy;
-use crate::diagnosis::data;
-use crate::finding::Finding;
-use crate::finding::Findings;
-use crate::folder::banks;
-use crate::folder::files;
-use std::path::Path;
-use std::path::PathBuf;
+use crate::cli::tell::{Exit, Io};
+use crate::diagnosis::{accuracy, data};
+use crate::finding::{Finding, Findings};
+use crate::folder::{banks, files};
+use std::path::{Path, PathBuf};
 
 /// Runs it.
 pub fn run(args: &args::AccuracyArgs, io: &mut Io) -> Result<Exit, Findings> {

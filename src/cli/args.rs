@@ -8,10 +8,7 @@ use crate::policy::Counts;
 use crate::sheet::output::Format;
 use crate::sheet::texts::Texts;
 use crate::solve::method::Method;
-use clap::Args;
-use clap::Parser;
-use clap::Subcommand;
-use clap::ValueEnum;
+use clap::{Args, Parser, Subcommand, ValueEnum};
 use std::path::PathBuf;
 
 /// Homework in rigid-body dynamics: draws a problem set for each student, solves every variant twice, grades what comes

@@ -1,27 +1,18 @@
 //! `slipstick demo`: the whole job on a made-up class.
 use crate::cli::args;
-use crate::cli::tell::Exit;
-use crate::cli::tell::Io;
+use crate::cli::tell::{Exit, Io};
 use crate::diagnosis::table::unsatisfiable;
-use crate::finding::Finding;
-use crate::finding::Findings;
-use crate::folder::banks;
-use crate::folder::deal;
+use crate::finding::{Finding, Findings};
 use crate::folder::deal::Plan;
-use crate::folder::files;
-use crate::folder::grading;
-use crate::folder::grading::GradingJob;
-use crate::folder::grading::Reports;
+use crate::folder::grading::{GradingJob, Reports};
 use crate::folder::staged::Staged;
+use crate::folder::{banks, deal, files, grading};
 use crate::grade::verdict::Verdict;
 use crate::set::replay::Dealer;
 use crate::sheet::output::Format;
 use crate::sheet::terminal;
-use crate::simulate::class;
-use crate::simulate::hand_in;
-use crate::simulate::hand_in::CellKind;
-use crate::simulate::hand_in::HandIn;
-use crate::simulate::hand_in::Sheet;
+use crate::simulate::hand_in::{CellKind, HandIn, Sheet};
+use crate::simulate::{class, hand_in};
 use std::path::Path;
 
 /// A folder with this file was made by `demo`, whole.

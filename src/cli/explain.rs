@@ -1,7 +1,6 @@
 //! `slipstick explain`: everything about one mark, in words.
 use crate::cli::args;
-use crate::cli::tell::Exit;
-use crate::cli::tell::Io;
+use crate::cli::tell::{Exit, Io};
 use crate::finding::Findings;
 use crate::folder::explain;
 

@@ -1,11 +1,8 @@
 //! `slipstick gallery`: many variants of a bank's problems side by side on one page, with the tables of `lint`.
 use crate::cli::args;
-use crate::cli::tell::Exit;
-use crate::cli::tell::Io;
-use crate::finding::Finding;
-use crate::finding::Findings;
-use crate::folder::Progress;
-use crate::folder::files;
+use crate::cli::tell::{Exit, Io};
+use crate::finding::{Finding, Findings};
+use crate::folder::{Progress, files};
 use crate::review::page;
 use crate::set::replay;
 use crate::sheet::terminal;

@@ -1,23 +1,13 @@
 //! `slipstick generate`: bank and roster to a folder with a sheet for each student.
-use crate::cli::args;
-use crate::cli::tell;
-use crate::cli::tell::Exit;
-use crate::cli::tell::Io;
-use crate::finding::Finding;
-use crate::finding::Findings;
+use crate::cli::tell::{Exit, Io};
+use crate::cli::{args, tell};
+use crate::finding::{Finding, Findings};
 use crate::folder;
-use crate::folder::banks;
-use crate::folder::deal;
-use crate::folder::deal::Plan;
-use crate::folder::deal::SetMade;
-use crate::folder::files;
-use crate::folder::set;
-use crate::folder::staged;
+use crate::folder::deal::{Plan, SetMade};
+use crate::folder::{banks, deal, files, set, staged};
 use crate::review;
 use crate::set::replay;
-use crate::sheet::output;
-use crate::sheet::terminal;
-use crate::sheet::texts;
+use crate::sheet::{output, terminal, texts};
 use std::path::Path;
 
 /// Runs it.

@@ -1,13 +1,11 @@
 //! `slipstick grade`: submissions against a stored set, whose key is made anew before anything is graded.
 use crate::cli::args;
 use crate::cli::args::AttemptsArg;
-use crate::cli::tell::Exit;
-use crate::cli::tell::Io;
+use crate::cli::tell::{Exit, Io};
 use crate::finding::Findings;
 use crate::folder::grading;
 use crate::folder::grading::GradingJob;
-use crate::folder::names::ANSWERS;
-use crate::folder::names::GRADEBOOK;
+use crate::folder::names::{ANSWERS, GRADEBOOK};
 
 /// Runs it.
 pub fn run(args: &args::GradeArgs, io: &mut Io) -> Result<Exit, Findings> {

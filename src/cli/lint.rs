@@ -1,19 +1,15 @@
 //! `slipstick lint`: all that is wrong in a bank, then how it behaves over many seeds.
 use crate::bank::Problem;
 use crate::cli::args;
-use crate::cli::tell::Exit;
-use crate::cli::tell::Io;
+use crate::cli::tell::{Exit, Io};
 use crate::diagnosis::sentences;
 use crate::diagnosis::table::unsatisfiable;
-use crate::finding::Finding;
-use crate::finding::Findings;
-use crate::folder::Progress;
-use crate::folder::banks;
+use crate::finding::{Finding, Findings};
+use crate::folder::{Progress, banks};
 use crate::num::shown;
 use crate::problem::sweep;
 use crate::review;
-use crate::sheet::terminal;
-use crate::sheet::texts;
+use crate::sheet::{terminal, texts};
 
 /// Runs it.
 pub fn run(args: &args::LintArgs, io: &mut Io) -> Result<Exit, Findings> {

@@ -1,12 +1,9 @@
 //! `slipstick matches`: whose answers the wrong answers of a grading are. For instructors only.
 use crate::cli::args;
-use crate::cli::tell::Exit;
-use crate::cli::tell::Io;
+use crate::cli::tell::{Exit, Io};
 use crate::finding::Findings;
-use crate::folder::files;
-use crate::folder::graded;
-use crate::folder::matches;
 use crate::folder::names::MATCHES;
+use crate::folder::{files, graded, matches};
 use crate::num::shown;
 use crate::report::alike::ClassMatches;
 use crate::sheet::terminal;

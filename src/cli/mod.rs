@@ -1,9 +1,6 @@
 //! The street door: what was typed becomes files read, the library called, results told.
-use crate::cli::args::Typed;
-use crate::cli::args::Verb;
-use crate::cli::tell::Exit;
-use crate::cli::tell::Io;
-use crate::cli::tell::ResultStream;
+use crate::cli::args::{Typed, Verb};
+use crate::cli::tell::{Exit, Io, ResultStream};
 use crate::folder::files;
 use clap::Parser as _;
 use std::ffi::OsString;

@@ -1,8 +1,7 @@
 //! `slipstick regrade`: the same answers by a changed bank or course, as a diff; the old grading stays as it is.
 use crate::cli::args;
 use crate::cli::args::AttemptsArg;
-use crate::cli::tell::Exit;
-use crate::cli::tell::Io;
+use crate::cli::tell::{Exit, Io};
 use crate::finding::Findings;
 use crate::folder::regrading;
 use crate::folder::regrading::RegradingJob;

@@ -1,7 +1,6 @@
 //! `slipstick report`: a folder of grades to the class report, feedback for each student and gradebooks.
 use crate::cli::args;
-use crate::cli::tell::Exit;
-use crate::cli::tell::Io;
+use crate::cli::tell::{Exit, Io};
 use crate::finding::Findings;
 use crate::folder::reports;
 use crate::folder::reports::ReportJob;

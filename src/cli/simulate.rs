@@ -1,20 +1,14 @@
 //! `slipstick simulate`: a made-up class with declared habits hands in answers to a stored set, and the truth is written beside them.
 use crate::cli::args;
-use crate::cli::tell::Exit;
-use crate::cli::tell::Io;
-use crate::finding::Finding;
-use crate::finding::Findings;
-use crate::folder::banks;
-use crate::folder::files;
-use crate::folder::set;
+use crate::cli::tell::{Exit, Io};
+use crate::finding::{Finding, Findings};
+use crate::folder::{banks, files, set};
 use crate::set::replay;
 use crate::sheet::terminal;
-use crate::simulate::classwork;
-use crate::simulate::classwork::Files;
-use crate::simulate::classwork::Work;
-use crate::simulate::habits;
+use crate::simulate::classwork::{Files, Work};
 use crate::simulate::habits::Habits;
 use crate::simulate::student::SimulatedStudent;
+use crate::simulate::{classwork, habits};
 use crate::words::Words;
 use std::path::Path;
 

@@ -1,13 +1,10 @@
 //! `slipstick solutions`: a stored set, drawn and solved again, to worked solutions for each student.
-use crate::cli::args;
-use crate::cli::tell;
-use crate::cli::tell::Exit;
-use crate::cli::tell::Io;
+use crate::cli::tell::{Exit, Io};
+use crate::cli::{args, tell};
 use crate::finding::Findings;
 use crate::folder::solutions;
 use crate::folder::solutions::SolutionsJob;
-use crate::sheet::output;
-use crate::sheet::terminal;
+use crate::sheet::{output, terminal};
 
 /// Runs it.
 pub fn run(args: &args::SolutionsArgs, io: &mut Io) -> Result<Exit, Findings> {

@@ -1,13 +1,10 @@
 //! `slipstick solve`: a diagnosis of one problem with given data.
 use crate::cli::args;
-use crate::cli::tell::Exit;
-use crate::cli::tell::Io;
-use crate::diagnosis::data;
-use crate::diagnosis::table;
+use crate::cli::tell::{Exit, Io};
+use crate::diagnosis::{data, table};
 use crate::finding::Findings;
 use crate::folder::banks;
-use crate::solve::agree;
-use crate::solve::ladder;
+use crate::solve::{agree, ladder};
 
 /// Runs it.
 pub fn run(args: &args::SolveArgs, io: &mut Io) -> Result<Exit, Findings> {

@@ -2,11 +2,9 @@
 use crate::finding::Finding;
 use crate::folder::Progress;
 use crate::sheet::output::Format;
-use indicatif::ProgressBar;
-use indicatif::ProgressStyle;
+use indicatif::{ProgressBar, ProgressStyle};
 use std::io;
-use std::io::BufRead;
-use std::io::Write;
+use std::io::{BufRead, Write};
 use std::path::Path;
 use std::sync::Mutex;
 use std::time::Duration;

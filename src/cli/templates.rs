@@ -1,15 +1,11 @@
 //! `slipstick templates`: the built-in templates and word lists as files, to be changed, and what each of them receives.
-use crate::bank::built_in;
-use crate::bank::overlay;
+use crate::bank::{built_in, overlay};
 use crate::cli::args;
-use crate::cli::tell::Exit;
-use crate::cli::tell::Io;
-use crate::finding::Finding;
-use crate::finding::Findings;
-use crate::folder::banks;
+use crate::cli::tell::{Exit, Io};
+use crate::finding::{Finding, Findings};
 use crate::folder::banks::README;
-use crate::folder::files;
 use crate::folder::staged::Staged;
+use crate::folder::{banks, files};
 use crate::sheet::terminal;
 use crate::template;
 use crate::words::Words;

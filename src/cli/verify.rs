@@ -1,13 +1,9 @@
 //! `slipstick verify`: a set is drawn and solved again, and every key held against its enclosure.
 use crate::cli::args;
-use crate::cli::tell::Exit;
-use crate::cli::tell::Io;
-use crate::finding::Finding;
-use crate::finding::Findings;
-use crate::folder::files;
-use crate::folder::names;
-use crate::folder::set;
+use crate::cli::tell::{Exit, Io};
+use crate::finding::{Finding, Findings};
 use crate::folder::set::Replayed;
+use crate::folder::{files, names, set};
 use crate::key::SheetKey;
 use crate::report::proved;
 use crate::set::key_file;

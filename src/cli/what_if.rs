@@ -1,9 +1,7 @@
 //! `slipstick what-if`: how many verdicts of a grading would change with other tolerances.
 use crate::cli::args;
-use crate::cli::tell::Exit;
-use crate::cli::tell::Io;
-use crate::finding::Finding;
-use crate::finding::Findings;
+use crate::cli::tell::{Exit, Io};
+use crate::finding::{Finding, Findings};
 use crate::folder::tolerances;
 
 /// Runs it.

@@ -1,37 +1,22 @@
 //! What each method gives away for its speed, on one problem with given data: measured, as table, CSV, plot and page.
 use crate::bank::Problem;
-use crate::diagnosis::data::Data;
-use crate::diagnosis::data::fits;
-use crate::diagnosis::data::refused;
-use crate::diagnosis::sentences;
-use crate::diagnosis::table;
+use crate::diagnosis::data::{Data, fits, refused};
 use crate::diagnosis::table::NUMBERS_OF_TIES;
-use crate::finding::Finding;
-use crate::finding::Findings;
+use crate::diagnosis::{sentences, table};
+use crate::finding::{Finding, Findings};
 use crate::guard::push_line;
 use crate::num::shown;
 use crate::picture::svg::escaped;
-use crate::plot::Axis;
-use crate::plot::AxisScale;
-use crate::plot::DataPoint;
-use crate::plot::LineChart;
-use crate::plot::Series;
-use crate::scene::Label;
-use crate::scene::Scene;
+use crate::plot::{Axis, AxisScale, DataPoint, LineChart, Series};
+use crate::scene::{Label, Scene};
 use crate::sheet::terminal;
 use crate::solve::ladder;
-use crate::solve::ladder::Force;
-use crate::solve::ladder::Row;
-use crate::solve::ladder::Study;
-use crate::solve::ladder::Taken;
-use crate::solve::method::Method;
-use crate::solve::method::Rung;
+use crate::solve::ladder::{Force, Row, Study, Taken};
+use crate::solve::method::{Method, Rung};
 use crate::template;
-use crate::template::Templates;
-use crate::template::View;
+use crate::template::{Templates, View};
 use std::hint::black_box;
-use std::time::Duration;
-use std::time::Instant;
+use std::time::{Duration, Instant};
 
 /// Errors below this are drawn here: a double holds no less beside 1.
 const NO_ERROR: f64 = 1e-17;

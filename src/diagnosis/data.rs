@@ -1,25 +1,18 @@
 //! Data of a problem as somebody gives them, or drawn: the case they belong to, values, and how each is shown.
-use crate::bank::Bank;
-use crate::bank::Case;
-use crate::bank::Datum;
-use crate::bank::Draw;
-use crate::bank::Problem;
 use crate::bank::decimal::Decimal;
+use crate::bank::{Bank, Case, Datum, Draw, Problem};
 use crate::diagnosis::sentences;
 use crate::diagnosis::table::unsatisfiable;
 use crate::draw::fill;
-use crate::finding::Finding;
-use crate::finding::Findings;
+use crate::finding::{Finding, Findings};
 use crate::num::shown;
 use crate::problem::make::Maker;
 use crate::scene::Scene;
 use crate::sheet::statement;
 use crate::solve::agree;
 use crate::solve::ladder::Wish;
-use crate::solve::method::Knob;
-use crate::solve::method::Method;
-use crate::solve::outcome::Refusal;
-use crate::solve::outcome::Solved;
+use crate::solve::method::{Knob, Method};
+use crate::solve::outcome::{Refusal, Solved};
 use crate::units;
 use crate::units::Unit;
 

@@ -1,28 +1,16 @@
 //! Sentences for what the solvers say in numbers.
 use crate::bank::Problem;
-use crate::key::Answer;
-use crate::key::KeyEntry;
+use crate::key::{Answer, KeyEntry};
 use crate::num::gauss::Unsettled;
 use crate::num::ode::Trouble;
 pub use crate::num::shown::significant as rounded;
 use crate::problem::rule::inadmissible;
-use crate::scene::Coordinate;
-use crate::scene::Degree;
-use crate::scene::End;
-use crate::scene::Scene;
-use crate::scene::Span;
-use crate::scene::Tie;
+use crate::scene::{Coordinate, Degree, End, Scene, Span, Tie};
 use crate::sheet::statement;
 use crate::solve::ladder;
-use crate::solve::ladder::Force;
-use crate::solve::ladder::Taken;
-use crate::solve::method::Method;
-use crate::solve::method::Rung;
-use crate::solve::outcome::Check;
-use crate::solve::outcome::CheckKind;
-use crate::solve::outcome::Refusal;
-use crate::solve::outcome::Regime;
-use crate::solve::outcome::Unsupported;
+use crate::solve::ladder::{Force, Taken};
+use crate::solve::method::{Method, Rung};
+use crate::solve::outcome::{Check, CheckKind, Refusal, Regime, Unsupported};
 use crate::words::Words;
 
 /// Five significant figures, for people.

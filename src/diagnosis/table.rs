@@ -1,8 +1,6 @@
 //! What one problem with given data comes to: regime, conditions, every quantity by both derivations; as a table and as JSON.
-use crate::bank::Bank;
-use crate::bank::Problem;
-use crate::diagnosis::data::fits;
-use crate::diagnosis::data::printed;
+use crate::bank::{Bank, Problem};
+use crate::diagnosis::data::{fits, printed};
 use crate::diagnosis::sentences;
 use crate::finding::Finding;
 use crate::num::shown;
@@ -10,8 +8,7 @@ use crate::problem::make::Unsatisfiable;
 use crate::scene::Quantity;
 use crate::sheet::terminal;
 use crate::solve::ladder;
-use crate::solve::ladder::Taken;
-use crate::solve::ladder::Wish;
+use crate::solve::ladder::{Taken, Wish};
 use crate::solve::method::Rung;
 use crate::solve::outcome::Solved;
 use crate::words::Words;

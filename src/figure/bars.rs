@@ -1,30 +1,13 @@
 //! Energy bars: what there is at the start and what is put in, beside what there is at the end and what has become heat. Both
 //! bars are equally high; where they are not, nothing is drawn.
-use crate::bank::FigureLabels;
-use crate::bank::Problem;
+use crate::bank::{FigureLabels, Problem};
 use crate::figure::view::SceneView;
-use crate::num::shown;
-use crate::num::trig;
-use crate::picture::Picture;
-use crate::picture::Role;
-use crate::picture::board::Board;
-use crate::picture::board::LabelTie;
-use crate::picture::board::LabelWish;
-use crate::picture::board::TEXT;
-use crate::picture::symbol;
-use crate::picture::vector::Direction;
-use crate::picture::vector::Vec2;
-use crate::picture::vector::vec2;
+use crate::num::{shown, trig};
+use crate::picture::board::{Board, LabelTie, LabelWish, TEXT};
+use crate::picture::vector::{Direction, Vec2, vec2};
+use crate::picture::{Picture, Role, symbol};
 use crate::problem::make::Variant;
-use crate::scene::Degree;
-use crate::scene::End;
-use crate::scene::Owner;
-use crate::scene::Pin;
-use crate::scene::PinSpring;
-use crate::scene::Quantity;
-use crate::scene::Rest;
-use crate::scene::Start;
-use crate::scene::Zero;
+use crate::scene::{Degree, End, Owner, Pin, PinSpring, Quantity, Rest, Start, Zero};
 use crate::words::Words;
 
 /// Kinds of energy, by the number of their area.

@@ -3,40 +3,17 @@
 //! Forces stand at their true points in their true directions, also those that the solver found: friction points as it really
 //! acts. Lengths go with the magnitudes, but no arrow is shorter than can be seen. What is 0 is not drawn. A symbol between
 //! bars is negative in the signs of the scene.
-use crate::bank::FigureLabels;
-use crate::bank::Problem;
-use crate::figure::layout;
-use crate::figure::layout::BodyLook;
-use crate::figure::layout::Placed;
-use crate::figure::names;
-use crate::figure::parts;
+use crate::bank::{FigureLabels, Problem};
+use crate::figure::layout::{BodyLook, Placed};
 use crate::figure::pinned::Hung;
-use crate::figure::say;
 use crate::figure::view::SceneView;
-use crate::num::shown;
-use crate::num::trig;
-use crate::picture::Picture;
-use crate::picture::Role;
-use crate::picture::TextRun;
-use crate::picture::board::Board;
-use crate::picture::board::LabelTie;
-use crate::picture::board::LabelWish;
-use crate::picture::board::TEXT;
-use crate::picture::symbol;
-use crate::picture::vector::Direction;
-use crate::picture::vector::Vec2;
-use crate::picture::vector::vec2;
+use crate::figure::{layout, names, parts, say};
+use crate::num::{shown, trig};
+use crate::picture::board::{Board, LabelTie, LabelWish, TEXT};
+use crate::picture::vector::{Direction, Vec2, vec2};
+use crate::picture::{Picture, Role, TextRun, symbol};
 use crate::problem::make::Variant;
-use crate::scene::Arm;
-use crate::scene::Attach;
-use crate::scene::Couple;
-use crate::scene::End;
-use crate::scene::Far;
-use crate::scene::Owner;
-use crate::scene::Pin;
-use crate::scene::Quantity;
-use crate::scene::Slope;
-use crate::scene::Tie;
+use crate::scene::{Arm, Attach, Couple, End, Far, Owner, Pin, Quantity, Slope, Tie};
 use crate::words::Words;
 
 /// Radius to which a body is drawn.

@@ -3,36 +3,17 @@
 //!
 //! Every point of a curve is a variant of its own, solved by both roads ([`make::from_values`]) with another end: no formula
 //! stands here. What a solver refuses is left out of the curve.
-use crate::bank::FigureLabels;
-use crate::bank::Problem;
+use crate::bank::{FigureLabels, Problem};
 use crate::figure::bars::figures;
 use crate::figure::names;
 use crate::figure::view::SceneView;
-use crate::picture::Picture;
-use crate::picture::Role;
-use crate::picture::RunStyle;
-use crate::picture::TextRun;
-use crate::picture::board::Board;
-use crate::picture::board::LabelTie;
-use crate::picture::board::LabelWish;
-use crate::picture::board::TEXT;
-use crate::picture::symbol;
-use crate::picture::vector::Direction;
-use crate::picture::vector::Vec2;
-use crate::picture::vector::vec2;
-use crate::plot::Axis;
-use crate::plot::AxisScale;
+use crate::picture::board::{Board, LabelTie, LabelWish, TEXT};
+use crate::picture::vector::{Direction, Vec2, vec2};
+use crate::picture::{Picture, Role, RunStyle, TextRun, symbol};
+use crate::plot::{Axis, AxisScale};
 use crate::problem::make;
 use crate::problem::make::Variant;
-use crate::scene::Coordinate;
-use crate::scene::Degree;
-use crate::scene::End;
-use crate::scene::Num;
-use crate::scene::Owner;
-use crate::scene::Quantity;
-use crate::scene::Slope;
-use crate::scene::Span;
-use crate::scene::Tie;
+use crate::scene::{Coordinate, Degree, End, Num, Owner, Quantity, Slope, Span, Tie};
 use crate::words::Words;
 
 /// Points of a curve.

@@ -2,16 +2,9 @@
 use crate::bank::FigureLabels;
 use crate::figure::view::SceneView;
 use crate::num::shown;
-use crate::picture::Role;
-use crate::picture::RunStyle;
-use crate::picture::board::Board;
-use crate::picture::board::LabelTie;
-use crate::picture::board::LabelWish;
-use crate::picture::board::TEXT;
-use crate::picture::symbol;
-use crate::picture::vector::Direction;
-use crate::picture::vector::Vec2;
-use crate::picture::vector::vec2;
+use crate::picture::board::{Board, LabelTie, LabelWish, TEXT};
+use crate::picture::vector::{Direction, Vec2, vec2};
+use crate::picture::{Role, RunStyle, symbol};
 use crate::scene::Start;
 
 /// Pixels of the longer side.

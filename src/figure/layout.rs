@@ -4,19 +4,8 @@
 //! each other, else over a guide pulley. What hangs together is one group; groups stand side by side. Radii are to scale,
 //! lengths of cords are as long as the picture needs.
 use crate::figure::view::SceneView;
-use crate::picture::vector::Direction;
-use crate::picture::vector::Vec2;
-use crate::picture::vector::vec2;
-use crate::scene::Attach;
-use crate::scene::Cord;
-use crate::scene::CordEnd;
-use crate::scene::Far;
-use crate::scene::Line;
-use crate::scene::Num;
-use crate::scene::RotaryInertia;
-use crate::scene::Side;
-use crate::scene::Slope;
-use crate::scene::Tie;
+use crate::picture::vector::{Direction, Vec2, vec2};
+use crate::scene::{Attach, Cord, CordEnd, Far, Line, Num, RotaryInertia, Side, Slope, Tie};
 use std::f64::consts::PI;
 
 /// Radius of a guide pulley.

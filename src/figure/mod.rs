@@ -2,8 +2,7 @@
 //!
 //! [`scene::picture`] is the figure of a statement. It shows what is given and what a student may assume, never what the
 //! solver found: no direction that is asked, no friction.
-use crate::bank::FigureLabels;
-use crate::bank::Problem;
+use crate::bank::{FigureLabels, Problem};
 use crate::picture::Picture;
 use crate::problem::make::Variant;
 use crate::words::Words;

@@ -2,17 +2,8 @@
 //! solutions use. Ids of a bank are for who writes it: people read words.
 use crate::bank::Problem;
 use crate::figure::view::SceneView;
-use crate::picture::TextRun;
-use crate::picture::symbol;
-use crate::scene::Body;
-use crate::scene::Cord;
-use crate::scene::Far;
-use crate::scene::Mass;
-use crate::scene::RotaryInertia;
-use crate::scene::Scene;
-use crate::scene::Shape;
-use crate::scene::Slope;
-use crate::scene::Tie;
+use crate::picture::{TextRun, symbol};
+use crate::scene::{Body, Cord, Far, Mass, RotaryInertia, Scene, Shape, Slope, Tie};
 use crate::words::Words;
 
 /// What kind of body it is, in a word: by its id where that is a word that the language knows, else by what it is.

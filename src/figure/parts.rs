@@ -1,21 +1,11 @@
 //! What the pictures of a scene are made of: the outline of a body, surfaces, supports, cords and springs.
 use crate::figure::layout;
-use crate::figure::layout::BodyLook;
-use crate::figure::layout::CordPiece;
-use crate::figure::layout::CordStop;
-use crate::figure::layout::Ground;
-use crate::figure::layout::Placed;
-use crate::figure::layout::SceneLayout;
+use crate::figure::layout::{BodyLook, CordPiece, CordStop, Ground, Placed, SceneLayout};
 use crate::figure::view::SceneView;
 use crate::picture::Role;
 use crate::picture::board::Board;
-use crate::picture::vector::Direction;
-use crate::picture::vector::Vec2;
-use crate::picture::vector::vec2;
-use crate::scene::Far;
-use crate::scene::Num;
-use crate::scene::Slope;
-use crate::scene::Tie;
+use crate::picture::vector::{Direction, Vec2, vec2};
+use crate::scene::{Far, Num, Slope, Tie};
 use std::f64::consts::PI;
 
 /// A body that turns and is no larger has no arrow for its positive sense.

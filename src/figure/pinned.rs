@@ -1,24 +1,10 @@
 //! The picture of a pinned body: at its start, with the position considered as a ghost.
 use crate::figure::parts;
 use crate::figure::view::SceneView;
-use crate::picture::Role;
-use crate::picture::board::Board;
-use crate::picture::board::LabelTie;
-use crate::picture::symbol;
-use crate::picture::vector::Direction;
-use crate::picture::vector::Vec2;
-use crate::picture::vector::vec2;
-use crate::scene::Arm;
-use crate::scene::Body;
-use crate::scene::Degree;
-use crate::scene::End;
-use crate::scene::Num;
-use crate::scene::Pin;
-use crate::scene::PinSpring;
-use crate::scene::Rest;
-use crate::scene::RotaryInertia;
-use crate::scene::Shape;
-use crate::scene::Zero;
+use crate::picture::board::{Board, LabelTie};
+use crate::picture::vector::{Direction, Vec2, vec2};
+use crate::picture::{Role, symbol};
+use crate::scene::{Arm, Body, Degree, End, Num, Pin, PinSpring, Rest, RotaryInertia, Shape, Zero};
 
 /// Pixels of the farthest point from the pin.
 const REACH: f64 = 175.0;

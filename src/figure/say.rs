@@ -1,30 +1,13 @@
 //! What the picture of a scene shows, in words: the text beside it for those who do not see it.
-use crate::figure::layout::Placed;
-use crate::figure::layout::SceneLayout;
-use crate::figure::names;
-use crate::figure::parts;
+use crate::figure::layout::{Placed, SceneLayout};
 use crate::figure::view::SceneView;
+use crate::figure::{names, parts};
 use crate::picture::symbol;
-use crate::picture::vector::Direction;
-use crate::picture::vector::Vec2;
-use crate::scene::Arm;
-use crate::scene::Attach;
-use crate::scene::Body;
-use crate::scene::Coordinate;
-use crate::scene::CordEnd;
-use crate::scene::Degree;
-use crate::scene::End;
-use crate::scene::Far;
-use crate::scene::Mass;
-use crate::scene::Num;
-use crate::scene::Rest;
-use crate::scene::RotaryInertia;
-use crate::scene::Shape;
-use crate::scene::Side;
-use crate::scene::Slope;
-use crate::scene::Start;
-use crate::scene::Tie;
-use crate::scene::Zero;
+use crate::picture::vector::{Direction, Vec2};
+use crate::scene::{
+    Arm, Attach, Body, Coordinate, CordEnd, Degree, End, Far, Mass, Num, Rest, RotaryInertia, Shape, Side,
+    Slope, Start, Tie, Zero,
+};
 
 /// A number with its symbol, as text in one line: `R = 0.40 m`.
 pub fn text(view: &SceneView, num: Num, unit: &str) -> String {

@@ -1,22 +1,10 @@
 //! A variant as a picture sees it: numbers of the scene, their symbols and drawn values as label text, words.
-use crate::bank::FigureLabels;
-use crate::bank::Problem;
-use crate::picture::RunStyle;
-use crate::picture::TextRun;
-use crate::picture::symbol;
+use crate::bank::{FigureLabels, Problem};
+use crate::picture::{RunStyle, TextRun, symbol};
 use crate::problem::make::Variant;
-use crate::scene::Body;
-use crate::scene::Degree;
-use crate::scene::Label;
-use crate::scene::Mass;
-use crate::scene::Num;
-use crate::scene::Owner;
-use crate::scene::Quantity;
-use crate::scene::RotaryInertia;
-use crate::scene::Scene;
-use crate::scene::Shape;
-use crate::scene::Start;
-use crate::scene::Tie;
+use crate::scene::{
+    Body, Degree, Label, Mass, Num, Owner, Quantity, RotaryInertia, Scene, Shape, Start, Tie,
+};
 use crate::words::Words;
 
 /// A variant with what is needed to label its picture.

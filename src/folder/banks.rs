@@ -1,13 +1,7 @@
 //! A bank by its name: a file, or one that the program brings along; and the texts to tell it in.
-use crate::bank::Bank;
-use crate::bank::Problem;
-use crate::bank::Variables;
-use crate::bank::built_in::BUILT_IN;
-use crate::bank::built_in::TRANSLATED;
-use crate::bank::load;
-use crate::bank::overlay;
-use crate::finding::Finding;
-use crate::finding::Findings;
+use crate::bank::built_in::{BUILT_IN, TRANSLATED};
+use crate::bank::{Bank, Problem, Variables, load, overlay};
+use crate::finding::{Finding, Findings};
 use crate::folder::files;
 use crate::sheet::statement;
 use crate::sheet::texts::Texts;

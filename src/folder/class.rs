@@ -1,16 +1,9 @@
 //! The class of a grading, as reports take it: students with what was drawn, parts with what is asked, how it was graded.
-use crate::bank::Bank;
-use crate::bank::Question;
-use crate::bank::Relative;
+use crate::bank::{Bank, Question, Relative};
 use crate::folder::graded::OpenGrading;
 use crate::report::class::About;
-use crate::report::marks::Class;
-use crate::report::marks::Drawn;
-use crate::report::marks::Part;
-use crate::report::marks::Problem;
-use crate::report::marks::Student;
-use crate::report::settings;
-use crate::report::table;
+use crate::report::marks::{Class, Drawn, Part, Problem, Student};
+use crate::report::{settings, table};
 use crate::set::given::GivenSheet;
 use crate::words::Words;
 

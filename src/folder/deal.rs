@@ -1,45 +1,28 @@
 //! A set is made: its folder whole or not at all, late joiners into one that is there, and repair of what a kill left.
 use crate::answer::roster;
-use crate::bank::Bank;
-use crate::bank::Problem;
+use crate::bank::{Bank, Problem};
 use crate::diagnosis::table::unsatisfiable;
 use crate::draw::stream;
-use crate::finding::Finding;
-use crate::finding::Findings;
+use crate::finding::{Finding, Findings};
 use crate::folder;
-use crate::folder::Progress;
-use crate::folder::files;
 use crate::folder::files::names_in;
-use crate::folder::names;
-use crate::folder::set;
 use crate::folder::staged::Staged;
+use crate::folder::{Progress, files, names, set};
 use crate::guard::push_line;
 use crate::key::SheetKey;
-use crate::set::coincide;
 use crate::set::coincide::StudentVariant;
-use crate::set::key_file;
-use crate::set::replay;
-use crate::set::replay::Dealer;
-use crate::set::replay::Dealt;
-use crate::set::store;
-use crate::set::store::StoredBank;
-use crate::set::store::StoredSet;
-use crate::set::store::StoredStudent;
+use crate::set::replay::{Dealer, Dealt};
+use crate::set::store::{StoredBank, StoredSet, StoredStudent};
+use crate::set::{coincide, key_file, replay, store};
 use crate::sheet::html::Converter;
-use crate::sheet::key_table;
 use crate::sheet::key_table::Row;
-use crate::sheet::output::Format;
-use crate::sheet::output::Output;
-use crate::sheet::output::WrittenDocument;
-use crate::sheet::page::Room;
-use crate::sheet::page::Sheets;
-use crate::sheet::public;
-use crate::sheet::terminal;
+use crate::sheet::output::{Format, Output, WrittenDocument};
+use crate::sheet::page::{Room, Sheets};
 use crate::sheet::texts::Texts;
+use crate::sheet::{key_table, public, terminal};
 use rayon::prelude::*;
 use std::fs;
-use std::path::Path;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// All that decides what is in a set.
 pub struct Plan<'p> {

@@ -1,11 +1,7 @@
 //! Everything about one mark: found in a folder of grades, told in words.
-use crate::finding::Finding;
-use crate::finding::Findings;
-use crate::folder::files;
-use crate::folder::graded;
+use crate::finding::{Finding, Findings};
 use crate::folder::graded::OpenGrading;
-use crate::folder::names;
-use crate::folder::set;
+use crate::folder::{files, graded, names, set};
 use crate::guard::unguarded;
 use crate::policy::time;
 use crate::policy::time::Evidence;

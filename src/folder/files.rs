@@ -2,8 +2,7 @@
 use crate::finding::Finding;
 use std::fs;
 use std::io;
-use std::path::Path;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::time::SystemTime;
 
 /// A fault of the machine as a finding about a path.

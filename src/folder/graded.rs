@@ -1,29 +1,18 @@
 //! A folder of grades, opened: its set, its bank, the settings of its course, and the key solved anew from what was printed.
 use crate::bank;
-use crate::bank::Bank;
-use crate::bank::load;
+use crate::bank::{Bank, load};
 use crate::diagnosis::sentences;
-use crate::finding::Finding;
-use crate::finding::Findings;
-use crate::folder::files;
-use crate::folder::names;
-use crate::folder::set;
-use crate::grade::row::AnswerReader;
-use crate::grade::row::AnswerRow;
-use crate::grade::row::Unreadable;
+use crate::finding::{Finding, Findings};
+use crate::folder::{files, names, set};
+use crate::grade::row::{AnswerReader, AnswerRow, Unreadable};
 use crate::key::SheetKey;
-use crate::policy::Counts;
-use crate::policy::Policy;
-use crate::set::given;
-use crate::set::given::GivenFault;
-use crate::set::given::GivenSheet;
-use crate::set::given::LostWhy;
+use crate::policy::{Counts, Policy};
+use crate::set::given::{GivenFault, GivenSheet, LostWhy};
 use crate::set::grading::Grading;
-use crate::set::key_file;
 use crate::set::store::StoredSet;
+use crate::set::{given, key_file};
 use std::fs::File;
-use std::path::Path;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// A grading.
 pub struct OpenGrading {

@@ -1,37 +1,21 @@
 //! The same answers by a changed bank or course, as a diff; the old grading stays as it is.
 use crate::bank::Bank;
-use crate::finding::Finding;
-use crate::finding::Findings;
-use crate::folder::Progress;
-use crate::folder::banks;
-use crate::folder::files;
-use crate::folder::graded;
+use crate::finding::{Finding, Findings};
 use crate::folder::graded::OpenGrading;
-use crate::folder::grading;
-use crate::folder::grading::Basis;
-use crate::folder::grading::GradingJob;
-use crate::folder::grading::Reports;
-use crate::folder::grading::StagedGrading;
-use crate::folder::names;
-use crate::folder::set;
+use crate::folder::grading::{Basis, GradingJob, Reports, StagedGrading};
+use crate::folder::{Progress, banks, files, graded, grading, names, set};
 use crate::grade::table::KeyTable;
 use crate::key::SheetKey;
 use crate::policy::Counts;
-use crate::regrade::changes::Grading;
-use crate::regrade::changes::Settings;
-use crate::regrade::changes::Who;
-use crate::regrade::changes::compare;
-use crate::report::changes::ChangesTold;
-use crate::report::changes::KeysBeforeAfter;
-use crate::set::given;
-use crate::set::key_file;
+use crate::regrade::changes::{Grading, Settings, Who, compare};
+use crate::report::changes::{ChangesTold, KeysBeforeAfter};
 use crate::set::store::StoredSet;
+use crate::set::{given, key_file};
 use crate::units::spell;
 use std::collections::BTreeMap;
 use std::fs;
 use std::io::BufRead;
-use std::path::Path;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// What is to be graded again.
 pub struct RegradingJob<'j> {

@@ -1,41 +1,29 @@
 //! The reports of a folder of grades: class report, feedback for each student, gradebooks, matches.
 use crate::bank::Bank;
-use crate::finding::Finding;
-use crate::finding::Findings;
+use crate::finding::{Finding, Findings};
 use crate::folder;
-use crate::folder::banks;
-use crate::folder::class;
-use crate::folder::files;
-use crate::folder::graded;
 use crate::folder::graded::OpenGrading;
-use crate::folder::matches;
-use crate::folder::names;
-use crate::folder::staged;
 use crate::folder::staged::Staged;
+use crate::folder::{banks, class, files, graded, matches, names, staged};
 use crate::grade::row::Unreadable;
 use crate::misconception::catalogue::Catalogue;
 use crate::report::class::ClassReporter;
 use crate::report::feedback::FeedbackDesk;
-use crate::report::lms;
 use crate::report::lms::GradebookLine;
-use crate::report::marks::Marks;
-use crate::report::marks::Student;
+use crate::report::marks::{Marks, Student};
 use crate::report::study::ClassStudy;
-use crate::report::table;
+use crate::report::{lms, table};
 use crate::set::store::StoredSet;
 use crate::sheet::document::Document;
-use crate::sheet::html;
-use crate::sheet::html::Converter;
-use crate::sheet::html::Place;
-use crate::sheet::terminal;
+use crate::sheet::html::{Converter, Place};
 use crate::sheet::texts::Texts;
+use crate::sheet::{html, terminal};
 use crate::words::Words;
 use rayon::prelude::*;
 use std::collections::BTreeSet;
 use std::fs;
 use std::io;
-use std::path::Path;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// Names of the students' files in a folder of grades, by its basis; none where there is no basis.
 pub fn folders(graded: &Path) -> BTreeSet<String> {

@@ -1,21 +1,14 @@
 //! A set as it lies on disk: opened, replayed, held against what a command would write.
 use crate::answer::roster;
-use crate::bank::Bank;
-use crate::bank::load;
+use crate::bank::{Bank, load};
 use crate::draw::stream;
-use crate::finding::Finding;
-use crate::finding::Findings;
-use crate::folder::banks;
+use crate::finding::{Finding, Findings};
 use crate::folder::deal::Plan;
-use crate::folder::files;
-use crate::folder::files::InTheWay;
-use crate::folder::files::names_in;
-use crate::folder::names;
+use crate::folder::files::{InTheWay, names_in};
+use crate::folder::{banks, files, names};
 use crate::key::SheetKey;
-use crate::set::key_file;
-use crate::set::replay;
-use crate::set::store;
 use crate::set::store::StoredSet;
+use crate::set::{key_file, replay, store};
 use crate::sheet::public::SheetFile;
 use crate::sheet::terminal;
 use std::path::Path;

@@ -1,14 +1,9 @@
 //! A folder that is made beside its place and put there whole; what killed runs left is repaired.
-use crate::finding::Finding;
-use crate::finding::Findings;
-use crate::folder::files::UNFINISHED;
-use crate::folder::files::names_in;
-use crate::folder::files::parent;
-use crate::folder::files::trouble;
+use crate::finding::{Finding, Findings};
+use crate::folder::files::{UNFINISHED, names_in, parent, trouble};
 use std::fs;
 use std::io;
-use std::path::Path;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::time::Duration;
 use tempfile::TempDir;
 

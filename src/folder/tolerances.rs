@@ -1,31 +1,25 @@
 //! All answers of a grading, graded anew by other tolerances; nothing is written.
 use crate::bank::Relative;
 use crate::finding::Findings;
-use crate::folder::files;
-use crate::folder::graded;
 use crate::folder::graded::OpenGrading;
+use crate::folder::{files, graded};
 use crate::grade::row::AnswerRow;
 use crate::grade::rules::Rules;
 use crate::grade::run;
-use crate::grade::run::GradeFault;
-use crate::grade::run::Options;
+use crate::grade::run::{GradeFault, Options};
 use crate::grade::table::KeyTable;
 use crate::grade::verdict::Verdict;
-use crate::key::Answer;
-use crate::key::SheetKey;
+use crate::key::{Answer, SheetKey};
 use crate::policy::Unread;
 use crate::problem::make_key;
-use crate::regrade::tolerance::Cell;
-use crate::regrade::tolerance::WhatIf;
-use crate::report::gradebook;
-use crate::report::tolerances;
+use crate::regrade::tolerance::{Cell, WhatIf};
 use crate::report::tolerances::Trial;
+use crate::report::{gradebook, tolerances};
 use crate::set::given::GivenSheet;
 use std::collections::BTreeMap;
 use std::fs::File;
 use std::io;
-use std::io::Read;
-use std::io::Write as _;
+use std::io::{Read, Write as _};
 use std::path::Path;
 use tempfile::NamedTempFile;
 

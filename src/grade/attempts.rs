@@ -3,29 +3,18 @@
 //! One walk is enough where attempts are ordered by row, or by times that bear on nothing else. Where lateness or the number of
 //! an attempt bears on marks, one more comes before, so that times are understood; where the best attempt counts, one for each
 //! step of follow-through. What is held grows with students times parts, and up to a limit with rows ([`Notes`]).
-use crate::answer::submissions::Batch;
-use crate::answer::submissions::RecordScratch;
-use crate::answer::submissions::RecordSource;
-use crate::grade::cells::AnswerCell;
-use crate::grade::cells::GradingJob;
-use crate::grade::cells::cells;
+use crate::answer::submissions::{Batch, RecordScratch, RecordSource};
+use crate::grade::cells::{AnswerCell, GradingJob, cells};
 use crate::grade::choose;
-use crate::grade::choose::Attempt;
-use crate::grade::choose::ByRow;
-use crate::grade::choose::Ordered;
-use crate::grade::choose::Try;
-use crate::grade::choose::Winner;
+use crate::grade::choose::{Attempt, ByRow, Ordered, Try, Winner};
 use crate::grade::credit::credit;
-use crate::grade::layout::RecordKind;
-use crate::grade::layout::kind_of_record;
+use crate::grade::layout::{RecordKind, kind_of_record};
 use crate::grade::quick::Quick;
-use crate::grade::run::GradeFault;
-use crate::grade::run::Open;
+use crate::grade::run::{GradeFault, Open};
 use crate::grade::threads::sweep;
 use crate::grade::verdict::Verdict;
 use crate::policy::Counts;
-use crate::policy::time::Evidence;
-use crate::policy::time::Moment;
+use crate::policy::time::{Evidence, Moment};
 use std::collections::BTreeMap;
 
 /// What a walk found out about a cell, for the walk that writes: which entry it belongs to and its verdict, where both could be

@@ -1,14 +1,11 @@
 //! What an answer that counts earns, and how the reason tells it: slips, credit, attempts, lateness, corrections.
 use crate::grade::cells::GradingJob;
 use crate::grade::choose::Winner;
-use crate::grade::credit::CreditFor;
-use crate::grade::credit::credit;
-use crate::grade::diagnose::AnswerSlip;
-use crate::grade::diagnose::Diagnosis;
+use crate::grade::credit::{CreditFor, credit};
+use crate::grade::diagnose::{AnswerSlip, Diagnosis};
 use crate::grade::feedback::Feedback;
 use crate::grade::table::KeyTable;
-use crate::grade::verdict::Judgement;
-use crate::grade::verdict::Verdict;
+use crate::grade::verdict::{Judgement, Verdict};
 use crate::policy;
 use crate::policy::Unread;
 use crate::policy::time::Doubt;

@@ -2,18 +2,12 @@
 use crate::answer::submissions::Record;
 use crate::grade::choose::place;
 use crate::grade::feedback::Feedback;
-use crate::grade::judge::accepts;
-use crate::grade::judge::judge_with;
-use crate::grade::layout::FileForm;
-use crate::grade::layout::FileLayout;
-use crate::grade::layout::WideColumn;
-use crate::grade::layout::trimmed;
+use crate::grade::judge::{accepts, judge_with};
+use crate::grade::layout::{FileForm, FileLayout, WideColumn, trimmed};
 use crate::grade::quick::Quick;
 use crate::grade::rules::Rules;
-use crate::grade::table::KeyTable;
-use crate::grade::table::QuickKey;
-use crate::grade::verdict::Judgement;
-use crate::grade::verdict::Verdict;
+use crate::grade::table::{KeyTable, QuickKey};
+use crate::grade::verdict::{Judgement, Verdict};
 use crate::policy::time::Moment;
 use std::borrow::Cow;
 

@@ -1,7 +1,6 @@
 //! Which of several attempts at a part counts, found in one walk over rows in any order, on several threads.
-use crate::policy::Attempts;
-use crate::policy::Counts;
 use crate::policy::time::Evidence;
+use crate::policy::{Attempts, Counts};
 
 /// A place in the file: the line, then the column of a wide file.
 const COLUMN_BITS: u32 = 13;

@@ -5,8 +5,7 @@ use crate::grade::diagnose;
 use crate::grade::judge::accepts;
 use crate::grade::rules::Rules;
 use crate::grade::table::KeyTable;
-use crate::key::Answer;
-use crate::key::Given;
+use crate::key::{Answer, Given};
 
 /// Share of the points, and what it is for.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -2,15 +2,10 @@
 //! only what the match proves, and never makes a wrong answer right.
 use crate::answer::figures;
 use crate::answer::figures::Figures;
-use crate::answer::read::Reading;
-use crate::answer::read::UnitCache;
-use crate::answer::read::read;
-use crate::key::Answer;
-use crate::key::KeyEntry;
-use crate::key::WrongValue;
+use crate::answer::read::{Reading, UnitCache, read};
+use crate::key::{Answer, KeyEntry, WrongValue};
 use crate::num::shown;
-use crate::num::trig::log10;
-use crate::num::trig::power;
+use crate::num::trig::{log10, power};
 use crate::units::Dimension;
 
 /// What a wrong answer fits.

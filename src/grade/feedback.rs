@@ -2,10 +2,7 @@
 //! built where a phrase will do. Verdicts are not translated: scripts read them.
 use crate::answer::read::WhyUnreadable;
 use crate::grade::verdict::Verdict;
-use crate::units::Unit;
-use crate::units::UnitFault;
-use crate::units::UnitKind;
-use crate::units::UnitSlip;
+use crate::units::{Unit, UnitFault, UnitKind, UnitSlip};
 use crate::words::Words;
 use std::borrow::Cow;
 use std::sync::LazyLock;

@@ -1,13 +1,9 @@
 //! The header of a file of submissions to its layout: which fields are students, times and answers.
 use crate::answer::submissions::Header;
-use crate::finding::Finding;
-use crate::finding::Findings;
+use crate::finding::{Finding, Findings};
 use crate::grade::feedback::Feedback;
-use crate::grade::layout::FileForm;
-use crate::grade::layout::FileLayout;
-use crate::grade::layout::WideColumn;
-use crate::grade::table::KeyTable;
-use crate::grade::table::joined;
+use crate::grade::layout::{FileForm, FileLayout, WideColumn};
+use crate::grade::table::{KeyTable, joined};
 
 fn plain_header(text: &str) -> String {
     text.trim().to_lowercase().replace([' ', '-'], "_")

@@ -1,16 +1,9 @@
 //! The comparison of one cell with its key: readable, dimension, value, direction.
-use crate::answer::read::Number;
-use crate::answer::read::Reading;
-use crate::answer::read::ReadingNote;
-use crate::answer::read::UnitCache;
-use crate::answer::read::WhyUnreadable;
-use crate::answer::read::read;
+use crate::answer::read::{Number, Reading, ReadingNote, UnitCache, WhyUnreadable, read};
 use crate::answer::word::AnswerWord;
 use crate::grade::feedback::Feedback;
-use crate::grade::verdict::Judgement;
-use crate::grade::verdict::Verdict;
-use crate::key::Answer;
-use crate::key::KeyEntry;
+use crate::grade::verdict::{Judgement, Verdict};
+use crate::key::{Answer, KeyEntry};
 use std::borrow::Cow;
 
 /// Half the distance from 1 to the next double.

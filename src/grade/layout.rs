@@ -1,6 +1,5 @@
 //! What stands where in a file of submissions, and which of its rows are answers.
-use crate::answer::submissions::Record;
-use crate::answer::submissions::RecordFault;
+use crate::answer::submissions::{Record, RecordFault};
 use crate::grade::feedback::Feedback;
 use std::borrow::Cow;
 

@@ -1,13 +1,9 @@
 //! The SI number of a cell and its column, the quick way: a plain number, or one with a unit whose spelling was met before
 //! and about which nothing is to be said. Everything else is left to the long way.
-use crate::answer::quick::Behind;
-use crate::answer::quick::Spellings;
+use crate::answer::quick::{Behind, Spellings};
 use crate::answer::read::UnitCache;
 use crate::grade::cells::AnswerCell;
-use crate::grade::table::Asked;
-use crate::grade::table::KeyTable;
-use crate::grade::table::WORD;
-use crate::grade::table::joined;
+use crate::grade::table::{Asked, KeyTable, WORD, joined};
 
 /// A spelling where a unit is asked: SI value = number * times / over; `None`: the long way.
 type Conversion = Option<(f64, f64)>;

@@ -2,11 +2,9 @@
 //!
 //! The csv crate reads. Fields are written by [`crate::guard`], which also keeps a spreadsheet from running them.
 use crate::grade::verdict::Verdict;
-use crate::guard::push_text;
-use crate::guard::unguarded;
+use crate::guard::{push_text, unguarded};
 use std::borrow::Cow;
-use std::io::Read;
-use std::io::Write as _;
+use std::io::{Read, Write as _};
 
 /// The columns in the order in which they are written.
 pub const COLUMNS: [&str; 14] = [

@@ -1,11 +1,7 @@
 //! The settings of a course, resolved against the students and parts of a set.
-use crate::finding::Finding;
-use crate::finding::Findings;
+use crate::finding::{Finding, Findings};
 use crate::grade::table::KeyTable;
-use crate::policy::Counts;
-use crate::policy::Part;
-use crate::policy::Policy;
-use crate::policy::Unread;
+use crate::policy::{Counts, Part, Policy, Unread};
 
 /// Settings, ready for many rows.
 #[derive(Debug, Clone)]

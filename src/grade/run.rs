@@ -5,31 +5,24 @@
 //! of records are graded on several threads; the output does not depend on their number.
 //!
 //! [`attempts`]: crate::grade::attempts
-use crate::answer::submissions::Batch;
-use crate::answer::submissions::RecordScratch;
-use crate::answer::submissions::RecordSource;
-use crate::finding::Finding;
-use crate::finding::Findings;
+use crate::answer::submissions::{Batch, RecordScratch, RecordSource};
+use crate::finding::{Finding, Findings};
 use crate::grade::attempts::choose_winners;
 use crate::grade::cells::GradingJob;
-use crate::grade::choose::Winner;
-use crate::grade::choose::line_of;
+use crate::grade::choose::{Winner, line_of};
 use crate::grade::feedback::Feedback;
 use crate::grade::header::layout;
 use crate::grade::layout::FileForm;
 use crate::grade::row;
 use crate::grade::rules::Rules;
 use crate::grade::table::KeyTable;
-use crate::grade::threads::Halt;
-use crate::grade::threads::sweep;
+use crate::grade::threads::{Halt, sweep};
 use crate::grade::verdict::Verdict;
-use crate::grade::write::RowWriter;
-use crate::grade::write::WriterCounts;
+use crate::grade::write::{RowWriter, WriterCounts};
 use crate::policy;
 use std::fmt;
 use std::io;
-use std::io::Read;
-use std::io::Write;
+use std::io::{Read, Write};
 
 /// How to grade.
 #[derive(Debug, Clone)]

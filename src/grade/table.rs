@@ -1,17 +1,11 @@
 //! The keys of a whole set, laid out for looking up by bytes.
-use crate::grade::diagnose::Comparison;
-use crate::grade::diagnose::Diagnosis;
+use crate::grade::diagnose::{Comparison, Diagnosis};
 use crate::grade::feedback::Feedback;
 use crate::grade::ids::Ids;
 use crate::guard::unguarded;
-use crate::key::Answer;
-use crate::key::Follow;
-use crate::key::KeyEntry;
-use crate::key::SheetKey;
-use crate::key::WrongValue;
+use crate::key::{Answer, Follow, KeyEntry, SheetKey, WrongValue};
 use crate::policy::Policy;
-use crate::units::Unit;
-use crate::units::spell;
+use crate::units::{Unit, spell};
 use rustc_hash::FxHashMap;
 use std::sync::Arc;
 

@@ -1,12 +1,9 @@
 //! Batches of records on several threads; what they write comes out in the order of the batches.
-use crate::answer::submissions::Batch;
-use crate::answer::submissions::RecordSource;
+use crate::answer::submissions::{Batch, RecordSource};
 use std::collections::BTreeMap;
 use std::io;
 use std::io::Write;
-use std::sync::Condvar;
-use std::sync::Mutex;
-use std::sync::PoisonError;
+use std::sync::{Condvar, Mutex, PoisonError};
 
 /// Reading or writing failed.
 #[derive(Debug)]

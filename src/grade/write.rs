@@ -1,35 +1,15 @@
 //! The walk that judges and writes: a row of answers.csv for each answer cell, in the order of the input.
-use crate::answer::submissions::Batch;
-use crate::answer::submissions::Record;
-use crate::answer::submissions::RecordFault;
-use crate::answer::submissions::RecordScratch;
-use crate::grade::attempts::CellNote;
-use crate::grade::attempts::Chosen;
-use crate::grade::attempts::QUICK_VERDICTS;
-use crate::grade::award::awarded;
-use crate::grade::award::diagnosed;
-use crate::grade::cells::AnswerCell;
-use crate::grade::cells::GradingJob;
-use crate::grade::cells::cells;
-use crate::grade::choose::Winner;
-use crate::grade::choose::line_of;
-use crate::grade::layout::FileForm;
-use crate::grade::layout::RecordKind;
-use crate::grade::layout::clean;
-use crate::grade::layout::kind_of_record;
-use crate::grade::layout::open_quote;
-use crate::grade::layout::trimmed;
-use crate::grade::quick::Belongs;
-use crate::grade::quick::Quick;
-use crate::grade::row::AnswerRow;
-use crate::grade::row::HOLE;
-use crate::grade::row::RowPattern;
-use crate::grade::run::Graded;
-use crate::grade::run::VerdictCounts;
-use crate::grade::table::KeyTable;
-use crate::grade::table::joined;
-use crate::grade::verdict::Judgement;
-use crate::grade::verdict::Verdict;
+use crate::answer::submissions::{Batch, Record, RecordFault, RecordScratch};
+use crate::grade::attempts::{CellNote, Chosen, QUICK_VERDICTS};
+use crate::grade::award::{awarded, diagnosed};
+use crate::grade::cells::{AnswerCell, GradingJob, cells};
+use crate::grade::choose::{Winner, line_of};
+use crate::grade::layout::{FileForm, RecordKind, clean, kind_of_record, open_quote, trimmed};
+use crate::grade::quick::{Belongs, Quick};
+use crate::grade::row::{AnswerRow, HOLE, RowPattern};
+use crate::grade::run::{Graded, VerdictCounts};
+use crate::grade::table::{KeyTable, joined};
+use crate::grade::verdict::{Judgement, Verdict};
 use std::borrow::Cow;
 
 /// What a worker counts while it writes.

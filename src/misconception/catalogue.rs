@@ -1,9 +1,6 @@
 //! What is said about wrong methods: words by id, data in `banks/misconceptions.yaml` (other languages:
 //! `templates/LANGUAGE/misconceptions.yaml`, with the same ids).
-use crate::bank::node::Faults;
-use crate::bank::node::Fields;
-use crate::bank::node::Node;
-use crate::bank::node::named;
+use crate::bank::node::{Faults, Fields, Node, named};
 use crate::bank::yaml;
 use crate::finding::Findings;
 use std::sync::LazyLock;

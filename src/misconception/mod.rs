@@ -2,14 +2,11 @@
 //! is said about it ([`catalogue`]).
 pub mod catalogue;
 
-use crate::bank::Mistake;
-use crate::bank::Problem;
 use crate::bank::expression::Expression;
+use crate::bank::{Mistake, Problem};
 use crate::scene::Label;
 use crate::solve::agree::Quick;
-use crate::solve::outcome::Entry;
-use crate::solve::outcome::Road;
-use crate::solve::outcome::Solved;
+use crate::solve::outcome::{Entry, Road, Solved};
 use smallvec::SmallVec;
 
 /// Where a wrong method comes to for one quantity.

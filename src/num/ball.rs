@@ -4,15 +4,9 @@
 //! radius: the double nearest to a printed decimal is not that decimal. A comparison that the radii leave open is
 //! decided by the midpoints and noted as a *doubt*: nothing that was computed after it is proved ([`watch`]).
 //! Source: Rump, *Verification methods*, Acta Numerica 19 (2010) 287-449, midpoint-radius arithmetic.
-use crate::num::Dd;
-use crate::num::Real;
-use crate::num::U;
+use crate::num::{Dd, Real, U};
 use std::cell::Cell;
-use std::ops::Add;
-use std::ops::Div;
-use std::ops::Mul;
-use std::ops::Neg;
-use std::ops::Sub;
+use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// Relative error of one double-double operation, far above the proved bounds (some 2^-103) of those in `dd.rs`.
 pub const STEP: f64 = U / (1u64 << 45) as f64;

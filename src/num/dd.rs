@@ -6,11 +6,7 @@
 //! Joldes, Muller, Popescu, *Tight and rigorous error bounds for basic building blocks of double-word arithmetic*, ACM
 //! TOMS 44 (2017) 15res, algorithms 6 (sum, relative error < 3 * 2^-106), 11 (product, 5 * 2^-106), 17 (quotient).
 use std::cmp::Ordering;
-use std::ops::Add;
-use std::ops::Div;
-use std::ops::Mul;
-use std::ops::Neg;
-use std::ops::Sub;
+use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// `hi + lo` with `hi` the double nearest to the sum.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]

@@ -1,7 +1,6 @@
 //! Doubles as numbers of the solvers: the cheapest rung, good to a few units in the last place where nothing cancels.
-use crate::num::Dd;
-use crate::num::Real;
 use crate::num::dd::pow2;
+use crate::num::{Dd, Real};
 
 impl Real for f64 {
     // A few units in the last place: what rounding of doubles leaves of a difference of equals.

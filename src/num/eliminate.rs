@@ -1,8 +1,6 @@
 //! Gauss-Jordan elimination on a few equations, any shape, in any number type.
-use crate::num::Real;
-use crate::num::ball;
-use smallvec::SmallVec;
-use smallvec::smallvec;
+use crate::num::{Real, ball};
+use smallvec::{SmallVec, smallvec};
 
 /// Equations `a x = b` as they are collected: rows of `cols + 1` numbers, the last one the right-hand side.
 #[derive(Debug, Clone)]

@@ -4,9 +4,7 @@
 //! Sources: B. C. Carlson, *Numerical computation of real or complex elliptic integrals*, Numer. Algorithms 10 (1995) 13-26;
 //! NIST Digital Library of Mathematical Functions, 19.29.4 and 19.36.1; R. Bulirsch, *Numerical calculation of elliptic
 //! integrals and elliptic functions*, Numer. Math. 7 (1965) 78-90 (`el1`).
-use crate::num::Dd;
-use crate::num::Real;
-use crate::num::trig;
+use crate::num::{Dd, Real, trig};
 
 /// Relative spread of the arguments at which the series of R_F takes over: its first term left out, of order 8, is below
 /// 2^-100.

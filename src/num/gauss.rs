@@ -3,8 +3,7 @@
 //!
 //! Source: Press, Teukolsky, Vetterling, Flannery, *Numerical Recipes*, 3rd ed., 4.6 (nodes by Newton's method); here in
 //! double-double.
-use crate::num::Dd;
-use crate::num::Real;
+use crate::num::{Dd, Real};
 use std::sync::LazyLock;
 
 /// Nodes of a panel.

@@ -1,7 +1,6 @@
 //! Angles by sine and cosine of their halves: differences of cosines become products, and an angle that is a hair from 0
 //! or from 180 degrees keeps its digits.
-use crate::num::Real;
-use crate::num::trig;
+use crate::num::{Real, trig};
 
 /// Sine and cosine of half an angle.
 #[derive(Debug, Clone, Copy)]

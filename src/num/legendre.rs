@@ -2,9 +2,7 @@
 //!
 //! `int_a^b f = (b - a) sum w_i f(a + (b - a) x_i)`, exact for polynomials up to degree 2n - 1. Source: Abramowitz and Stegun,
 //! *Handbook of Mathematical Functions*, 25.4.29-30, here on the interval from 0 to 1.
-use crate::num::Dd;
-use crate::num::Real;
-use crate::num::trig;
+use crate::num::{Dd, Real, trig};
 use std::sync::OnceLock;
 
 /// The most points that [`rule`] gives.

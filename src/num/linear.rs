@@ -6,8 +6,7 @@
 //! is of doubles, and would need refining with residuals in 32 digits and scaling on top.
 use crate::num::Real;
 use crate::num::eliminate::Equations;
-use smallvec::SmallVec;
-use smallvec::smallvec;
+use smallvec::{SmallVec, smallvec};
 use std::ops::Range;
 
 /// Times that the columns may be scaled anew.

@@ -1,11 +1,6 @@
 //! What the solvers need of a number, so that the same equations run in doubles, in double-doubles and in enclosures.
-use crate::num::Dd;
-use crate::num::U;
-use std::ops::Add;
-use std::ops::Div;
-use std::ops::Mul;
-use std::ops::Neg;
-use std::ops::Sub;
+use crate::num::{Dd, U};
+use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// As near to a boundary of regimes is *at* it, 8 u.
 const AT: f64 = 8.0 * U;

@@ -2,10 +2,9 @@
 //!
 //! Angles of data are reduced *in degrees*, where the reduction is exact: sine and cosine are exact at 0, 30, 60 and 90
 //! degrees and accurate to double-double everywhere, also near 90 degrees.
-use crate::num::Dd;
-use crate::num::Real;
 use crate::num::ball::STEP;
 use crate::num::dd::exponent;
+use crate::num::{Dd, Real};
 use std::sync::LazyLock;
 
 /// Pi / 180 as a double-double.

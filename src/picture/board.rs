@@ -1,17 +1,9 @@
 //! The drawing board: elements and wishes for labels in pixels with y up; [`Board::finish`] finds places for the labels and
 //! makes the picture just large enough for everything.
-use crate::picture::Element;
-use crate::picture::Outline;
-use crate::picture::Picture;
-use crate::picture::PlacedLabel;
-use crate::picture::Role;
-use crate::picture::TextRun;
 use crate::picture::frame::Frame;
 use crate::picture::place::Places;
-use crate::picture::symbol;
-use crate::picture::vector::Direction;
-use crate::picture::vector::Vec2;
-use crate::picture::vector::vec2;
+use crate::picture::vector::{Direction, Vec2, vec2};
+use crate::picture::{Element, Outline, Picture, PlacedLabel, Role, TextRun, symbol};
 
 /// Size of letters, pixels; small ones have three quarters of it.
 pub const TEXT: f64 = 16.0;

@@ -1,6 +1,5 @@
 //! Upright boxes round what is drawn.
-use crate::picture::vector::Vec2;
-use crate::picture::vector::vec2;
+use crate::picture::vector::{Vec2, vec2};
 
 /// A box that stands upright, its edges included.
 #[derive(Debug, Clone, Copy, PartialEq)]

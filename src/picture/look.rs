@@ -2,8 +2,7 @@
 //!
 //! Lines differ by width and dash, areas by pattern, so that pictures read in black and white; colours are those of Okabe and
 //! Ito, darkened for letters.
-use crate::picture::Picture;
-use crate::picture::Role;
+use crate::picture::{Picture, Role};
 use std::collections::BTreeSet;
 
 /// A colour on light and on dark paper.

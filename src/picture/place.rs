@@ -2,15 +2,10 @@
 //!
 //! Labels are placed one after the other, in the order of the wishes. Each tries its wished spots, then rings round the first
 //! one; a label far from its spot gets a thin leader. Other labels are never covered, lines only where all is crowded.
-use crate::picture::Element;
-use crate::picture::Outline;
-use crate::picture::Role;
-use crate::picture::board::LabelTie;
-use crate::picture::board::LabelWish;
+use crate::picture::board::{LabelTie, LabelWish};
 use crate::picture::frame::Frame;
-use crate::picture::vector::Direction;
-use crate::picture::vector::Vec2;
-use crate::picture::vector::vec2;
+use crate::picture::vector::{Direction, Vec2, vec2};
+use crate::picture::{Element, Outline, Role};
 use std::f64::consts::PI;
 
 /// Least distance between a label and what is not its own.

@@ -1,24 +1,10 @@
 //! SVG text: one writer of elements for pictures and charts, and pictures as SVG: in a page, as a file of its own, and for print
 //! without style sheets. All coordinates have one decimal: equal pictures give equal bytes.
-use crate::picture::Element;
-use crate::picture::Outline;
-use crate::picture::Picture;
-use crate::picture::PlacedLabel;
-use crate::picture::Role;
-use crate::picture::RunStyle;
-use crate::picture::TextRun;
-use crate::picture::look::INKS;
-use crate::picture::look::Ink;
-use crate::picture::look::letters;
-use crate::picture::look::look;
-use crate::picture::look::used;
-use crate::picture::symbol;
-use crate::picture::vector::Direction;
-use crate::picture::vector::Vec2;
-use crate::picture::vector::vec2;
+use crate::picture::look::{INKS, Ink, letters, look, used};
+use crate::picture::vector::{Direction, Vec2, vec2};
+use crate::picture::{Element, Outline, Picture, PlacedLabel, Role, RunStyle, TextRun, symbol};
 use std::fmt;
-use std::fmt::Display;
-use std::fmt::Write as _;
+use std::fmt::{Display, Write as _};
 
 /// Fonts of labels on screen: Times and what stands in for it.
 const FONTS: &str = "\"Libertinus Serif\",\"STIX Two Text\",\"Times New Roman\",Times,\"Liberation Serif\",\"Nimbus Roman\",\"TeX Gyre Termes\",serif";

@@ -1,6 +1,5 @@
 //! Text of labels: symbols from LaTeX, numbers, units, as runs of letters with their widths.
-use crate::picture::RunStyle;
-use crate::picture::TextRun;
+use crate::picture::{RunStyle, TextRun};
 
 /// Size of small letters (lowered, raised) as a share of the others.
 pub const SMALL: f64 = 0.75;

@@ -1,18 +1,8 @@
 //! Pictures as TikZ: needs `\usepackage{tikz}` and nothing else.
-use crate::picture::Outline;
-use crate::picture::Picture;
-use crate::picture::Role;
-use crate::picture::RunStyle;
-use crate::picture::TextRun;
-use crate::picture::look::INKS;
-use crate::picture::look::letters;
-use crate::picture::look::look;
-use crate::picture::look::used;
-use crate::picture::svg::Px;
-use crate::picture::svg::on_arc;
-use crate::picture::symbol;
-use crate::picture::vector::Vec2;
-use crate::picture::vector::vec2;
+use crate::picture::look::{INKS, letters, look, used};
+use crate::picture::svg::{Px, on_arc};
+use crate::picture::vector::{Vec2, vec2};
+use crate::picture::{Outline, Picture, Role, RunStyle, TextRun, symbol};
 use std::borrow::Cow;
 use std::fmt::Write as _;
 

@@ -1,6 +1,5 @@
 //! Axes: where a value stands, and which ticks are drawn.
-use crate::num::shown;
-use crate::num::trig;
+use crate::num::{shown, trig};
 
 /// How values are spread.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

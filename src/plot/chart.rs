@@ -1,11 +1,8 @@
 //! The surface on which charts are drawn: the elements of all pictures, in the classes of charts, with marks of series.
-use crate::picture::RunStyle;
-use crate::picture::svg;
 use crate::picture::svg::Svg;
 use crate::picture::symbol::run;
-use crate::picture::vector::Direction;
-use crate::picture::vector::Vec2;
-use crate::picture::vector::vec2;
+use crate::picture::vector::{Direction, Vec2, vec2};
+use crate::picture::{RunStyle, svg};
 
 /// Ink, paper and the colours of series, light and dark: Okabe and Ito, lightened where they stand on dark.
 const STYLE: &str = "\

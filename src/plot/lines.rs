@@ -1,6 +1,5 @@
 //! Lines with marks over two axes.
-use crate::picture::vector::Vec2;
-use crate::picture::vector::vec2;
+use crate::picture::vector::{Vec2, vec2};
 use crate::plot::axis::Axis;
 use crate::plot::chart::Chart;
 

@@ -11,13 +11,8 @@ pub mod rows;
 pub mod scatter;
 pub mod spread;
 
-pub use axis::Axis;
-pub use axis::AxisScale;
-pub use lines::DataPoint;
-pub use lines::LineChart;
-pub use lines::Series;
-pub use rows::ChartRow;
-pub use rows::RowChart;
-pub use scatter::ScatterChart;
-pub use scatter::Spot;
+pub use axis::{Axis, AxisScale};
+pub use lines::{DataPoint, LineChart, Series};
+pub use rows::{ChartRow, RowChart};
+pub use scatter::{ScatterChart, Spot};
 pub use spread::SpreadChart;

@@ -1,7 +1,6 @@
 //! How numbers are spread: columns of a histogram, or a dot for each of a few.
 use crate::picture::vector::vec2;
-use crate::plot::axis::Axis;
-use crate::plot::axis::AxisScale;
+use crate::plot::axis::{Axis, AxisScale};
 use crate::plot::chart::Chart;
 use crate::plot::rows::WIDTH;
 

@@ -3,8 +3,7 @@
 //! `bank/course.rs`.
 pub mod time;
 
-use jiff::tz::AmbiguousOffset;
-use jiff::tz::TimeZone;
+use jiff::tz::{AmbiguousOffset, TimeZone};
 
 /// Microseconds in a minute.
 pub const MINUTE: i64 = 60_000_000;

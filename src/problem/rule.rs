@@ -1,14 +1,9 @@
 //! The rules of a draw, how often each refused and what came out instead, in words.
-use crate::bank::Bound;
-use crate::bank::Problem;
-use crate::bank::measure;
+use crate::bank::{Bound, Problem, measure};
 use crate::num::shown;
-use crate::scene::Num;
-use crate::scene::admissible;
 use crate::scene::admissible::Inadmissible;
-use crate::solve::outcome::CheckKind;
-use crate::solve::outcome::Refusal;
-use crate::solve::outcome::Regime;
+use crate::scene::{Num, admissible};
+use crate::solve::outcome::{CheckKind, Refusal, Regime};
 use crate::units::Unit;
 use std::collections::BTreeMap;
 

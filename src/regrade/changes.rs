@@ -1,12 +1,9 @@
 //! Two gradings of the same answers: who gains and who loses, for which part, and why.
 use crate::grade::book;
-use crate::grade::row::AnswerRow;
-use crate::grade::row::Unreadable;
+use crate::grade::row::{AnswerRow, Unreadable};
 use crate::grade::verdict::Verdict;
-use crate::guard::push_line;
-use crate::guard::unguarded;
-use crate::key::Answer;
-use crate::key::KeyEntry;
+use crate::guard::{push_line, unguarded};
+use crate::key::{Answer, KeyEntry};
 use serde::Deserialize;
 use std::collections::BTreeMap;
 use std::io::Read;

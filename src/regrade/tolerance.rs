@@ -1,8 +1,7 @@
 //! What other tolerances would make of answers that are graded already: which verdicts would change, and which wrong
 //! methods would pass for right.
 use crate::grade::judge::accepts;
-use crate::key::Answer;
-use crate::key::KeyEntry;
+use crate::key::{Answer, KeyEntry};
 use std::collections::BTreeMap;
 
 /// What would change for one part, or for all.

@@ -1,19 +1,12 @@
 //! What a regrading changes, in words: rules, parts, students; and changes.csv.
-use crate::grade::table::Column;
-use crate::grade::table::KeyTable;
+use crate::grade::table::{Column, KeyTable};
 use crate::grade::verdict::Verdict;
 
-use crate::key::Answer;
-use crate::key::KeyEntry;
+use crate::key::{Answer, KeyEntry};
 use crate::num::shown;
 use crate::policy::Policy;
 use crate::regrade::changes;
-use crate::regrade::changes::Change;
-use crate::regrade::changes::ChangeRow;
-use crate::regrade::changes::DUST;
-use crate::regrade::changes::Grading;
-use crate::regrade::changes::Who;
-use crate::regrade::changes::Why;
+use crate::regrade::changes::{Change, ChangeRow, DUST, Grading, Who, Why};
 use crate::report::tolerances;
 use crate::sheet::terminal;
 use std::collections::BTreeMap;

@@ -1,22 +1,11 @@
 //! The plots of the class report, in the words of a language.
-use crate::num::chance;
-use crate::num::trig;
-use crate::plot::Axis;
-use crate::plot::AxisScale;
-use crate::plot::ChartRow;
-use crate::plot::RowChart;
-use crate::plot::ScatterChart;
-use crate::plot::Spot;
-use crate::plot::SpreadChart;
+use crate::num::{chance, trig};
+use crate::plot::{Axis, AxisScale, ChartRow, RowChart, ScatterChart, Spot, SpreadChart};
 use crate::report::marks::Marks;
-use crate::report::stats::LEAST_FOR_SHARE;
-use crate::report::stats::spread;
 use crate::report::stats::spread::Distribution;
-use crate::report::study::ClassStudy;
-use crate::report::study::LEVEL;
-use crate::report::table::fixed;
-use crate::report::table::percent;
-use crate::report::table::points;
+use crate::report::stats::{LEAST_FOR_SHARE, spread};
+use crate::report::study::{ClassStudy, LEVEL};
+use crate::report::table::{fixed, percent, points};
 use crate::words::Words;
 
 /// From so many students on the histogram has twice as many columns.

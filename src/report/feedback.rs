@@ -8,15 +8,11 @@ use crate::finding::Finding;
 use crate::grade::verdict::Verdict;
 use crate::misconception::catalogue::Catalogue;
 use crate::policy::Hints;
-use crate::report::marks::CountingRow;
-use crate::report::marks::Marks;
+use crate::report::marks::{CountingRow, Marks};
 use crate::report::table;
-use crate::sheet::document::Document;
-use crate::sheet::document::Head;
+use crate::sheet::document::{Document, Head};
 use crate::template;
-use crate::template::Templates;
-use crate::template::Value;
-use crate::template::View;
+use crate::template::{Templates, Value, View};
 use crate::words::Words;
 
 /// What is the same for all students.

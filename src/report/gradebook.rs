@@ -3,9 +3,7 @@ use crate::grade::row::push_points;
 use crate::grade::run::Graded;
 use crate::grade::table::KeyTable;
 use crate::guard::push_text;
-use crate::policy::Policy;
-use crate::policy::Total;
-use crate::policy::plain;
+use crate::policy::{Policy, Total, plain};
 
 /// A student's total over the problems, by the settings of the course.
 pub fn total(table: &KeyTable, points: &[Option<f64>], student: usize, policy: &Policy) -> Total {

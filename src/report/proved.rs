@@ -1,11 +1,7 @@
 //! What is proved of a key: for each question the gap of its two derivations and the enclosure.
-use crate::finding::Finding;
-use crate::finding::Findings;
-use crate::key::Answer;
-use crate::key::KeyEntry;
-use crate::key::SheetKey;
-use crate::num::U;
-use crate::num::shown;
+use crate::finding::{Finding, Findings};
+use crate::key::{Answer, KeyEntry, SheetKey};
+use crate::num::{U, shown};
 use crate::sheet::terminal;
 
 /// What was seen of one question.

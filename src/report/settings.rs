@@ -1,13 +1,6 @@
 //! The settings of a course in words, as the class report prints them.
-use crate::policy::Attempts;
-use crate::policy::DAY;
-use crate::policy::For;
-use crate::policy::HOUR;
-use crate::policy::Late;
-use crate::policy::MINUTE;
-use crate::policy::Policy;
-use crate::report::table::percent;
-use crate::report::table::points;
+use crate::policy::{Attempts, DAY, For, HOUR, Late, MINUTE, Policy};
+use crate::report::table::{percent, points};
 use crate::words::Words;
 
 /// Name and value of each setting; what does not apply is said so where an instructor would ask.

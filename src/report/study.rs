@@ -1,16 +1,11 @@
 //! What the marks of a class tell: numbers only, with the sizes below which they tell nothing.
 use crate::grade::verdict::Verdict;
 use crate::report::marks::Marks;
-use crate::report::stats::Interval;
-use crate::report::stats::LEAST_FOR_CORRELATION;
-use crate::report::stats::LEAST_FOR_MEDIAN;
-use crate::report::stats::LEAST_IN_GROUP;
-use crate::report::stats::NoStatistic;
-use crate::report::stats::items;
 use crate::report::stats::items::Matrix;
-use crate::report::stats::ranks;
-use crate::report::stats::spread;
 use crate::report::stats::spread::Distribution;
+use crate::report::stats::{
+    Interval, LEAST_FOR_CORRELATION, LEAST_FOR_MEDIAN, LEAST_IN_GROUP, NoStatistic, items, ranks, spread,
+};
 use std::collections::BTreeMap;
 
 /// What is known of a part.

@@ -2,8 +2,7 @@
 use crate::grade::run;
 use crate::grade::table::KeyTable;
 use crate::grade::verdict::Verdict;
-use crate::policy::Policy;
-use crate::policy::Unread;
+use crate::policy::{Policy, Unread};
 use crate::sheet::terminal;
 
 /// Verdicts, a row for each part, and what is odd about the submissions.

@@ -3,8 +3,7 @@ use crate::grade::table::KeyTable;
 use crate::key::Answer;
 use crate::misconception::catalogue::Catalogue;
 use crate::num::shown;
-use crate::regrade::tolerance::Change;
-use crate::regrade::tolerance::WhatIf;
+use crate::regrade::tolerance::{Change, WhatIf};
 use crate::sheet::terminal;
 use crate::sheet::terminal::plain;
 

@@ -1,15 +1,10 @@
 //! What a bank is like before its sheets go out: tables over many draws, texts tried, a page with variants.
-use crate::bank::Bank;
-use crate::bank::Problem;
-use crate::bank::Question;
-use crate::finding::Finding;
-use crate::finding::Findings;
+use crate::bank::{Bank, Problem, Question};
+use crate::finding::{Finding, Findings};
 use crate::num::shown;
 use crate::problem::sweep;
-use crate::problem::sweep::Seldom;
-use crate::problem::sweep::Sweep;
-use crate::sheet::statement;
-use crate::sheet::terminal;
+use crate::problem::sweep::{Seldom, Sweep};
+use crate::sheet::{statement, terminal};
 use rayon::prelude::*;
 
 pub mod page;

@@ -1,30 +1,24 @@
 //! Many variants of a bank's problems side by side on one page.
-use crate::bank::Bank;
-use crate::bank::Problem;
+use crate::bank::{Bank, Problem};
 use crate::diagnosis::sentences;
 use crate::diagnosis::table::unsatisfiable;
 use crate::figure::scene;
 use crate::finding::Findings;
 use crate::num::shown;
 use crate::picture::svg;
-use crate::problem::make::Maker;
-use crate::problem::make::Variant;
+use crate::problem::make::{Maker, Variant};
 use crate::problem::make_key;
 use crate::problem::sweep::Sweep;
 use crate::review;
 use crate::review::SweepTables;
 use crate::sheet::document::Document;
-use crate::sheet::html::Converter;
-use crate::sheet::html::Place;
-use crate::sheet::key_table;
-use crate::sheet::page::Room;
-use crate::sheet::page::Sheets;
-use crate::sheet::statement;
+use crate::sheet::html::{Converter, Place};
+use crate::sheet::page::{Room, Sheets};
 use crate::sheet::texts::Texts;
+use crate::sheet::{key_table, statement};
 use crate::solve::outcome::Motion;
 use crate::template;
-use crate::template::Value;
-use crate::template::View;
+use crate::template::{Value, View};
 use std::fmt::Write as _;
 
 /// The page with so many variants of these problems, and the tables of their sweeps over so many seeds.

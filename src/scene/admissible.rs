@@ -1,21 +1,8 @@
 //! Which data are a scene at all (PHYSICS: admissible data). NaN passes no test here.
-use crate::num::Dd;
-use crate::num::Real;
-use crate::num::trig;
-use crate::scene::Arm;
-use crate::scene::Attach;
-use crate::scene::End;
-use crate::scene::Far;
-use crate::scene::Mass;
-use crate::scene::Num;
-use crate::scene::Pin;
-use crate::scene::Rest;
-use crate::scene::RotaryInertia;
-use crate::scene::Scene;
-use crate::scene::Slope;
-use crate::scene::Start;
-use crate::scene::Tie;
-use crate::scene::Zero;
+use crate::num::{Dd, Real, trig};
+use crate::scene::{
+    Arm, Attach, End, Far, Mass, Num, Pin, Rest, RotaryInertia, Scene, Slope, Start, Tie, Zero,
+};
 
 /// What a datum must satisfy to be part of a scene.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -1,6 +1,5 @@
 //! Bodies: mass, inertia, named radii, and the line along which the mass centre moves.
-use crate::scene::Num;
-use crate::scene::Pin;
+use crate::scene::{Num, Pin};
 
 /// One rigid body.
 #[derive(Debug, Clone, PartialEq)]

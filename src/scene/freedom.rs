@@ -1,14 +1,6 @@
 //! How many freedoms the ties leave, whatever the data: for telling what is no scene that is solved, not for solving.
 use crate::num::eliminate::Equations;
-use crate::scene::Attach;
-use crate::scene::Coordinate;
-use crate::scene::CordEnd;
-use crate::scene::Degree;
-use crate::scene::Far;
-use crate::scene::Num;
-use crate::scene::Scene;
-use crate::scene::Side;
-use crate::scene::Tie;
+use crate::scene::{Attach, Coordinate, CordEnd, Degree, Far, Num, Scene, Side, Tie};
 
 /// A number in the place of one that is not known: of no simple ratio to those of the other data.
 fn stand_in(num: Num) -> f64 {

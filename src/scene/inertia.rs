@@ -1,6 +1,5 @@
 //! Moments of inertia of uniform shapes about the axis through the mass centre, `I = beta m R^2`, one entry a shape.
-use crate::num::Dd;
-use crate::num::Real;
+use crate::num::{Dd, Real};
 use crate::scene::Shape;
 
 /// beta of a shape. Source: Meriam & Kraige, *Engineering Mechanics: Dynamics*, table D/4.

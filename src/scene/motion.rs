@@ -1,8 +1,5 @@
 //! How a motion starts and what ends it.
-use crate::scene::Num;
-use crate::scene::Quantity;
-use crate::scene::Scene;
-use crate::scene::Tie;
+use crate::scene::{Num, Quantity, Scene, Tie};
 
 /// One coordinate of a scene.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

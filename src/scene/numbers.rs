@@ -2,18 +2,9 @@
 //!
 //! Everything with the dimension of mass is divided by a power of two near the first mass, so that a wheel of 1e-150 kg
 //! is as good as one of 1 kg; [`Numbers::publish`] undoes it.
-use crate::num::Real;
 use crate::num::dd::exponent;
-use crate::num::trig;
-use crate::scene::Body;
-use crate::scene::Mass;
-use crate::scene::Num;
-use crate::scene::Part;
-use crate::scene::Quantity;
-use crate::scene::RotaryInertia;
-use crate::scene::Scene;
-use crate::scene::Slope;
-use crate::scene::inertia;
+use crate::num::{Real, trig};
+use crate::scene::{Body, Mass, Num, Part, Quantity, RotaryInertia, Scene, Slope, inertia};
 use smallvec::SmallVec;
 
 /// The numbers of one body.

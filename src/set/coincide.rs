@@ -1,6 +1,5 @@
 //! Which students have problems too much alike: equal data, or answers within tolerance of each other.
-use crate::key::Answer;
-use crate::key::ProblemKey;
+use crate::key::{Answer, ProblemKey};
 use crate::set::store::Coincidence;
 
 /// Pairs listed for one problem; a bank with few variants would fill the file with them.

@@ -1,19 +1,12 @@
 //! The key of a set from its stored data, with a bank that may have been changed since: nothing is drawn, what was printed on
 //! the sheets stays what it was, and both roads are solved anew.
-use crate::bank::Bank;
-use crate::bank::Draw;
-use crate::bank::Problem;
 use crate::bank::decimal::Decimal;
-use crate::finding::Finding;
-use crate::finding::Findings;
-use crate::key::ProblemKey;
-use crate::key::SheetKey;
-use crate::problem::make;
+use crate::bank::{Bank, Draw, Problem};
+use crate::finding::{Finding, Findings};
+use crate::key::{ProblemKey, SheetKey};
 use crate::problem::make::Variant;
-use crate::problem::make_key;
-use crate::set::store::StoredSet;
-use crate::set::store::StoredStudent;
-use crate::set::store::StoredVariant;
+use crate::problem::{make, make_key};
+use crate::set::store::{StoredSet, StoredStudent, StoredVariant};
 use crate::sheet::statement;
 use crate::solve::outcome::Refusal;
 use crate::units::spell;

@@ -1,9 +1,7 @@
 //! grading.json: what a grading was made from, so that every mark in it can be traced.
 use crate::finding::Finding;
-use serde::Deserialize;
-use serde::Serialize;
-use serde_json::Map;
-use serde_json::Value;
+use serde::{Deserialize, Serialize};
+use serde_json::{Map, Value};
 
 /// Version of the layout of grading.json.
 pub const FORMAT: u32 = 1;

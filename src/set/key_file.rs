@@ -1,11 +1,7 @@
 //! key.csv: one row for each part of each student, numbers in the asked unit.
-use crate::finding::Finding;
-use crate::finding::Findings;
-use crate::guard::push_line;
-use crate::guard::unguarded;
-use crate::key::Answer;
-use crate::key::KeyEntry;
-use crate::key::SheetKey;
+use crate::finding::{Finding, Findings};
+use crate::guard::{push_line, unguarded};
+use crate::key::{Answer, KeyEntry, SheetKey};
 use crate::problem::make_key;
 use rayon::prelude::*;
 

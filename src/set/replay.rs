@@ -1,24 +1,16 @@
 //! Drawing a set, and drawing it again to see that nothing has changed.
-use crate::bank::Bank;
-use crate::bank::Problem;
+use crate::bank::{Bank, Problem};
 use crate::draw::stream;
-use crate::finding::Finding;
-use crate::finding::Findings;
+use crate::finding::{Finding, Findings};
 use crate::key::SheetKey;
-use crate::problem::make::Maker;
-use crate::problem::make::Unsatisfiable;
-use crate::problem::make::Variant;
+use crate::problem::make::{Maker, Unsatisfiable, Variant};
 use crate::set::given;
 use crate::set::given::GivenSheet;
-use crate::set::store::StoredSet;
-use crate::set::store::StoredStudent;
-use crate::set::store::StoredVariant;
+use crate::set::store::{StoredSet, StoredStudent, StoredVariant};
 use crate::sheet::statement;
 use rayon::prelude::*;
-use serde_json::Map;
-use serde_json::Value;
-use std::sync::atomic::AtomicBool;
-use std::sync::atomic::Ordering;
+use serde_json::{Map, Value};
+use std::sync::atomic::{AtomicBool, Ordering};
 
 /// What one student got: variants and key, problem by problem.
 pub struct Dealt {

@@ -1,10 +1,8 @@
 //! set.json: what a set is made of, to text and back.
 use crate::bank::load;
 use crate::finding::Finding;
-use serde::Deserialize;
-use serde::Serialize;
-use serde_json::Map;
-use serde_json::Value;
+use serde::{Deserialize, Serialize};
+use serde_json::{Map, Value};
 
 /// Version of the layout of set.json.
 pub const FORMAT: u32 = 1;

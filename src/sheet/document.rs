@@ -2,12 +2,7 @@
 //! something in a reader's browser is taken out here, once for all formats.
 use crate::picture::Picture;
 use crate::picture::svg::Screen;
-use pulldown_cmark::Event;
-use pulldown_cmark::LinkType;
-use pulldown_cmark::Options;
-use pulldown_cmark::Parser;
-use pulldown_cmark::Tag;
-use pulldown_cmark::TagEnd;
+use pulldown_cmark::{Event, LinkType, Options, Parser, Tag, TagEnd};
 use std::ops::Range;
 
 /// What of Markdown is read, in every format.

@@ -1,28 +1,14 @@
 //! Markdown with math and pictures to HTML with MathML and inline SVG. The Markdown text is the only source.
 use crate::finding::Finding;
-use crate::picture::svg::Screen;
-use crate::picture::svg::escaped;
-use crate::sheet::document::ANSWER;
-use crate::sheet::document::Document;
-use crate::sheet::document::Head;
-use crate::sheet::document::is_break;
-use crate::sheet::document::kept_together;
+use crate::picture::svg::{Screen, escaped};
+use crate::sheet::document::{ANSWER, Document, Head, is_break, kept_together};
 use crate::template;
-use crate::template::Templates;
-use crate::template::View;
+use crate::template::{Templates, View};
 use crate::words::Words;
-use pulldown_cmark::Alignment;
-use pulldown_cmark::CowStr;
-use pulldown_cmark::Event;
-use pulldown_cmark::HeadingLevel;
-use pulldown_cmark::Parser;
-use pulldown_cmark::Tag;
-use pulldown_cmark::TagEnd;
-use pulldown_latex::RenderConfig;
-use pulldown_latex::Storage;
+use pulldown_cmark::{Alignment, CowStr, Event, HeadingLevel, Parser, Tag, TagEnd};
 use pulldown_latex::config::DisplayMode;
-use pulldown_latex::event::Content;
-use pulldown_latex::event::Event as Formula;
+use pulldown_latex::event::{Content, Event as Formula};
+use pulldown_latex::{RenderConfig, Storage};
 use rustc_hash::FxHashMap;
 use std::fmt::Write as _;
 

@@ -1,19 +1,14 @@
 //! The key as a table for the instructor: one row for each student, one column for each part, problem by problem.
-use crate::bank::Bank;
-use crate::bank::Problem;
+use crate::bank::{Bank, Problem};
 use crate::finding::Finding;
-use crate::key::Answer;
-use crate::key::KeyEntry;
-use crate::key::SheetKey;
+use crate::key::{Answer, KeyEntry, SheetKey};
 use crate::num::shown::significant;
 use crate::problem::make::Variant;
-use crate::sheet::document::Document;
-use crate::sheet::document::Head;
+use crate::sheet::document::{Document, Head};
 use crate::sheet::statement;
 use crate::solve::outcome::Motion;
 use crate::template;
-use crate::template::Templates;
-use crate::template::View;
+use crate::template::{Templates, View};
 use crate::words::Words;
 
 /// Significant figures of its numbers.

@@ -2,17 +2,12 @@
 use crate::bank::Bank;
 use crate::finding::Finding;
 use crate::key::SheetKey;
-use crate::sheet::document::Document;
-use crate::sheet::document::Head;
-use crate::sheet::html;
-use crate::sheet::html::Converter;
-use crate::sheet::html::Place;
-use crate::sheet::key_table;
+use crate::sheet::document::{Document, Head};
+use crate::sheet::html::{Converter, Place};
 use crate::sheet::key_table::Row;
-use crate::sheet::pdf;
 use crate::sheet::pdf::Press;
-use crate::sheet::tex;
 use crate::sheet::texts::Texts;
+use crate::sheet::{html, key_table, pdf, tex};
 
 /// A format in which sheets and solutions are written.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]

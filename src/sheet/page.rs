@@ -1,25 +1,14 @@
 //! A whole sheet of one student: a document of Markdown and pictures, with its head.
-use crate::bank::Bank;
-use crate::bank::FigureLabels;
-use crate::bank::Problem;
-use crate::bank::load;
+use crate::bank::{Bank, FigureLabels, Problem, load};
 use crate::figure::scene;
-use crate::finding::Finding;
-use crate::finding::Findings;
+use crate::finding::{Finding, Findings};
 use crate::picture::Picture;
 use crate::problem::make::Variant;
-use crate::scene::Quantity;
-use crate::scene::Slope;
-use crate::sheet::document::Document;
-use crate::sheet::document::Head;
-use crate::sheet::statement::Common;
-use crate::sheet::statement::Scratch;
-use crate::sheet::statement::Statement;
-use crate::sheet::statement::decimal_text;
-use crate::sheet::statement::percent;
+use crate::scene::{Quantity, Slope};
+use crate::sheet::document::{Document, Head};
+use crate::sheet::statement::{Common, Scratch, Statement, decimal_text, percent};
 use crate::template;
-use crate::template::Templates;
-use crate::template::View;
+use crate::template::{Templates, View};
 use crate::words::Words;
 
 /// The problems of a set, ready to be written for many students.

@@ -3,8 +3,7 @@
 //! Without the feature everything here is there too, and [`Press::new`] says how to get it, so that callers need no
 //! conditions. The same documents give the same bytes on every machine: no clock, no fonts but the built-in ones.
 use crate::finding::Finding;
-use crate::sheet::document::Document;
-use crate::sheet::document::Head;
+use crate::sheet::document::{Document, Head};
 use crate::words::Words;
 
 /// Does this program write PDFs?
@@ -36,8 +35,7 @@ impl Press {
 #[cfg(not(feature = "pdf"))]
 mod machine {
     use crate::finding::Finding;
-    use crate::sheet::document::Document;
-    use crate::sheet::document::Head;
+    use crate::sheet::document::{Document, Head};
     use crate::words::Words;
     use std::convert::Infallible;
 
@@ -58,39 +56,20 @@ mod machine {
 #[cfg(feature = "pdf")]
 mod machine {
     use crate::finding::Finding;
-    use crate::sheet::document::Document;
-    use crate::sheet::document::Head;
-    use crate::sheet::typst::PRELUDE;
-    use crate::sheet::typst::source;
+    use crate::sheet::document::{Document, Head};
+    use crate::sheet::typst::{PRELUDE, source};
     use crate::words::Words;
-    use rayon::ThreadPool;
-    use rayon::ThreadPoolBuilder;
+    use rayon::{ThreadPool, ThreadPoolBuilder};
     use std::sync::LazyLock;
-    use std::sync::atomic::AtomicU32;
-    use std::sync::atomic::Ordering;
-    use typst::Library;
-    use typst::LibraryExt as _;
-    use typst::World;
-    use typst::WorldExt as _;
-    use typst::diag::FileError;
-    use typst::diag::FileResult;
-    use typst::diag::SourceDiagnostic;
-    use typst::foundations::Bytes;
-    use typst::foundations::Datetime;
-    use typst::foundations::Duration;
-    use typst::foundations::Smart;
-    use typst::syntax::FileId;
-    use typst::syntax::RootedPath;
-    use typst::syntax::Source;
-    use typst::syntax::VirtualPath;
-    use typst::syntax::VirtualRoot;
-    use typst::text::Font;
-    use typst::text::FontBook;
+    use std::sync::atomic::{AtomicU32, Ordering};
+    use typst::diag::{FileError, FileResult, SourceDiagnostic};
+    use typst::foundations::{Bytes, Datetime, Duration, Smart};
+    use typst::syntax::{FileId, RootedPath, Source, VirtualPath, VirtualRoot};
+    use typst::text::{Font, FontBook};
     use typst::utils::LazyHash;
+    use typst::{Library, LibraryExt as _, World, WorldExt as _};
     use typst_layout::PagedDocument;
-    use typst_pdf::PdfOptions;
-    use typst_pdf::PdfStandard;
-    use typst_pdf::PdfStandards;
+    use typst_pdf::{PdfOptions, PdfStandard, PdfStandards};
 
     /// What never changes: fonts, library, names of files. The names are few: the compiler knows 65,535 in a process.
     struct Fixed {

@@ -4,22 +4,14 @@
 //! bounds, no cases and no ranges, and is the same for every student of the problem; what is drawn stands beside it. With the
 //! drawn data put in their place it is read by the ordinary reader of banks and solved anew. A case with a scene of its own
 //! gives that one, as its statement does. A bank with `self check: off` gives sheets without scenes.
-use crate::bank::Bank;
-use crate::bank::Case;
-use crate::bank::Problem;
-use crate::bank::node;
 use crate::bank::node::Node;
-use crate::bank::yaml;
-use crate::finding::Finding;
-use crate::finding::Findings;
+use crate::bank::{Bank, Case, Problem, node, yaml};
+use crate::finding::{Finding, Findings};
 use crate::problem::make::Variant;
 use crate::problem::make_key;
 use crate::sheet::statement;
-use serde::Deserialize;
-use serde::Serialize;
-use serde_json::Map;
-use serde_json::Value;
-use serde_json::json;
+use serde::{Deserialize, Serialize};
+use serde_json::{Map, Value, json};
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
 

@@ -9,27 +9,16 @@
 //!   for it on paper).
 //!
 //! `ask` of a question is a template too and sees the same, but for `questions`.
-use crate::bank::Bank;
-use crate::bank::Problem;
-use crate::bank::Question;
 use crate::bank::decimal::Decimal;
-use crate::finding::Finding;
-use crate::finding::Findings;
-use crate::num::elliptic;
-use crate::num::shown;
+use crate::bank::{Bank, Problem, Question};
+use crate::finding::{Finding, Findings};
+use crate::num::{elliptic, shown};
 use crate::problem::make::Variant;
 use crate::problem::make_key;
-use crate::scene::Num;
-use crate::scene::Owner;
-use crate::scene::Quantity;
-use crate::scene::Scene;
-use crate::scene::Slope;
-use crate::scene::Span;
-use crate::scene::Start;
+use crate::scene::{Num, Owner, Quantity, Scene, Slope, Span, Start};
 use crate::sheet::document;
 use crate::template;
-use crate::template::Templates;
-use crate::template::View;
+use crate::template::{Templates, View};
 use crate::words::Words;
 use std::collections::BTreeMap;
 use std::collections::btree_map::Entry;

@@ -1,25 +1,12 @@
 //! Markdown with math and pictures to LaTeX with TikZ, for those who paste into documents of their own.
 use crate::finding::Finding;
 use crate::picture::tikz;
-use crate::sheet::document::ANSWER;
-use crate::sheet::document::Document;
-use crate::sheet::document::Head;
-use crate::sheet::document::MARKDOWN;
-use crate::sheet::document::is_break;
-use crate::sheet::document::kept_together;
-use crate::sheet::html::PAPER;
-use crate::sheet::html::fault_of;
-use crate::sheet::html::signs;
+use crate::sheet::document::{ANSWER, Document, Head, MARKDOWN, is_break, kept_together};
+use crate::sheet::html::{PAPER, fault_of, signs};
 use crate::template;
-use crate::template::Templates;
-use crate::template::View;
+use crate::template::{Templates, View};
 use crate::words::Words;
-use pulldown_cmark::Alignment;
-use pulldown_cmark::Event;
-use pulldown_cmark::HeadingLevel;
-use pulldown_cmark::Parser;
-use pulldown_cmark::Tag;
-use pulldown_cmark::TagEnd;
+use pulldown_cmark::{Alignment, Event, HeadingLevel, Parser, Tag, TagEnd};
 
 /// A whole document of LaTeX.
 ///

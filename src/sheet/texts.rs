@@ -1,7 +1,6 @@
 //! In which words a bank is told.
 use crate::bank::Bank;
-use crate::finding::Finding;
-use crate::finding::Findings;
+use crate::finding::{Finding, Findings};
 use crate::sheet::statement;
 use crate::template::Templates;
 use crate::words::Words;

@@ -4,38 +4,17 @@
 //! markup. A formula or an element that has no translation is a finding, never a gap.
 use crate::finding::Finding;
 use crate::picture::svg;
-use crate::sheet::document::ANSWER;
-use crate::sheet::document::Document;
-use crate::sheet::document::Head;
-use crate::sheet::document::MARKDOWN;
-use crate::sheet::document::is_break;
+use crate::sheet::document::{ANSWER, Document, Head, MARKDOWN, is_break};
 use crate::sheet::html::unfit;
 use crate::words::Words;
-use pulldown_cmark::Alignment;
-use pulldown_cmark::CodeBlockKind;
-use pulldown_cmark::Event as Mark;
-use pulldown_cmark::HeadingLevel;
-use pulldown_cmark::Parser as Markdown;
-use pulldown_cmark::Tag;
-use pulldown_cmark::TagEnd;
-use pulldown_latex::Event;
-use pulldown_latex::Parser;
-use pulldown_latex::Storage;
-use pulldown_latex::event::ArrayColumn;
-use pulldown_latex::event::ColumnAlignment;
-use pulldown_latex::event::Content;
-use pulldown_latex::event::DelimiterSize;
-use pulldown_latex::event::DelimiterType;
-use pulldown_latex::event::Dimension;
-use pulldown_latex::event::DimensionUnit;
-use pulldown_latex::event::EnvironmentFlow;
-use pulldown_latex::event::Font;
-use pulldown_latex::event::Grouping;
-use pulldown_latex::event::ScriptPosition;
-use pulldown_latex::event::ScriptType;
-use pulldown_latex::event::StateChange;
-use pulldown_latex::event::Style;
-use pulldown_latex::event::Visual;
+use pulldown_cmark::{
+    Alignment, CodeBlockKind, Event as Mark, HeadingLevel, Parser as Markdown, Tag, TagEnd,
+};
+use pulldown_latex::event::{
+    ArrayColumn, ColumnAlignment, Content, DelimiterSize, DelimiterType, Dimension, DimensionUnit,
+    EnvironmentFlow, Font, Grouping, ScriptPosition, ScriptType, StateChange, Style, Visual,
+};
+use pulldown_latex::{Event, Parser, Storage};
 use std::fmt::Write as _;
 
 /// The built-in prelude: how a page looks.

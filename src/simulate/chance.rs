@@ -1,6 +1,5 @@
 //! The lots of a made-up class: one stream for each student, so that a late joiner changes nobody else's answers.
-use rand::RngExt as _;
-use rand::SeedableRng as _;
+use rand::{RngExt as _, SeedableRng as _};
 use rand_chacha::ChaCha20Rng;
 
 /// A stream of lots.

@@ -1,16 +1,12 @@
 //! A whole made-up class: what each student hands in, who copies from whom, when, and the two files of it, submissions and truth.
-use crate::guard::push_field;
-use crate::guard::push_line;
+use crate::guard::{push_field, push_line};
 use crate::key::SheetKey;
 use crate::simulate::chance::Chance;
 use crate::simulate::habits::Habits;
-use crate::simulate::moment;
 use crate::simulate::student::Handed;
-use crate::simulate::truth::HEADER;
-use crate::simulate::truth::TrueKind;
-use crate::simulate::truth::Truth;
-use crate::simulate::written;
+use crate::simulate::truth::{HEADER, TrueKind, Truth};
 use crate::simulate::written::WrittenCell;
+use crate::simulate::{moment, written};
 use crate::words::Words;
 
 /// One student's work.

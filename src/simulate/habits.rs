@@ -1,12 +1,6 @@
 //! Habits of a class, as a YAML file declares them: what becomes of an answer, how numbers are written, who copies, when it is
 //! handed in.
-use crate::bank::node::Faults;
-use crate::bank::node::Fields;
-use crate::bank::node::Node;
-use crate::bank::node::Value;
-use crate::bank::node::close_name;
-use crate::bank::node::named;
-use crate::bank::node::shorten;
+use crate::bank::node::{Faults, Fields, Node, Value, close_name, named, shorten};
 use crate::bank::yaml;
 use crate::finding::Findings;
 use crate::simulate::moment;

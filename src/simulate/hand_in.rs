@@ -1,14 +1,11 @@
 //! Submissions of a class: right ones and the ways in which they go wrong.
 use crate::bank::Problem;
 use crate::guard::push_field;
-use crate::key::Answer;
-use crate::key::KeyEntry;
-use crate::key::ProblemKey;
+use crate::key::{Answer, KeyEntry, ProblemKey};
 use crate::num::shown::significant;
 use crate::problem::make::Variant;
 use crate::solve::agree;
-use rand::RngExt as _;
-use rand::SeedableRng as _;
+use rand::{RngExt as _, SeedableRng as _};
 use rand_chacha::ChaCha20Rng;
 
 macro_rules! kinds {

@@ -1,16 +1,11 @@
 //! One student of a made-up class at work on a sheet: what is handed in for each part, attempt by attempt, and what was really done.
 use crate::bank::Problem;
-use crate::key::Answer;
-use crate::key::KeyEntry;
-use crate::key::ProblemKey;
+use crate::key::{Answer, KeyEntry, ProblemKey};
 use crate::problem::make::Variant;
-use crate::scene::Label;
-use crate::scene::Owner;
-use crate::scene::Slope;
+use crate::scene::{Label, Owner, Slope};
 use crate::simulate::chance::Chance;
 use crate::simulate::habits::Habits;
-use crate::simulate::truth::TrueKind;
-use crate::simulate::truth::Truth;
+use crate::simulate::truth::{TrueKind, Truth};
 use crate::simulate::written;
 use crate::simulate::written::WrittenCell;
 use crate::solution::by_hand;

@@ -1,6 +1,5 @@
 //! Answers as people write them: digits, unit, direction; slips of the pen; and the verdict that the rules of grading give them.
-use crate::key::Answer;
-use crate::key::KeyEntry;
+use crate::key::{Answer, KeyEntry};
 use crate::num::U;
 use crate::num::shown::significant;
 use crate::simulate::chance::Chance;

@@ -1,11 +1,9 @@
 //! Mistakes to beware of: wrong methods of the problem and what each comes to with this student's data. Both are the grader's,
 //! the values those that are stored with the draw, the words those of its feedback.
-use crate::misconception::catalogue::Catalogue;
-use crate::misconception::catalogue::Entry;
+use crate::misconception::catalogue::{Catalogue, Entry};
 use crate::problem::make_key;
 use crate::solution::draft::Draft;
-use crate::solution::text::Block;
-use crate::solution::text::SolutionSection;
+use crate::solution::text::{Block, SolutionSection};
 use crate::solution::told;
 
 /// So many are told at most: nobody reads a list of all.

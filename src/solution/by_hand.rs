@@ -14,8 +14,7 @@ use crate::bank::Problem;
 use crate::problem::make::Variant;
 use crate::scene::Label;
 use crate::solution::derive;
-use crate::solution::draft::DerivedAnswer;
-use crate::solution::draft::Draft;
+use crate::solution::draft::{DerivedAnswer, Draft};
 use crate::solution::stop::DerivationStop;
 use crate::words::Words;
 

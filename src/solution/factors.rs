@@ -1,9 +1,5 @@
 //! Products and ratios of symbols that cancel what they can: velocity ratios, masses, moments of inertia.
-use crate::solution::expr::Expr;
-use crate::solution::expr::ZERO;
-use crate::solution::expr::minus;
-use crate::solution::expr::power;
-use crate::solution::expr::product;
+use crate::solution::expr::{Expr, ZERO, minus, power, product};
 use crate::solution::symbols::Symbols;
 
 /// `constant * over / under`; factors that occur above and below are gone.

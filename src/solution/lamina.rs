@@ -1,23 +1,12 @@
 //! Particles that move as one body, worked: the sum over the particles; then the mass centre and the rotation about it. About
 //! any other point there is a cross term, which is shown for the particle whose velocity is known.
 use crate::num::shown;
-use crate::scene::Label;
-use crate::scene::Num;
-use crate::scene::Owner;
-use crate::scene::Quantity;
-use crate::scene::Start;
+use crate::scene::{Label, Num, Owner, Quantity, Start};
 use crate::solution::draft::Draft;
-use crate::solution::expr::Expr;
-use crate::solution::expr::SymbolId;
-use crate::solution::expr::ratio;
-use crate::solution::expr::root;
-use crate::solution::expr::square;
-use crate::solution::expr::sum;
+use crate::solution::expr::{Expr, SymbolId, ratio, root, square, sum};
 use crate::solution::section_writer::SectionWriter;
-use crate::solution::stop::Beyond;
-use crate::solution::stop::DerivationStop;
-use crate::solution::symbols::FIGURES;
-use crate::solution::symbols::tex_digits;
+use crate::solution::stop::{Beyond, DerivationStop};
+use crate::solution::symbols::{FIGURES, tex_digits};
 
 /// The lamina in symbols.
 struct Lamina {

@@ -1,13 +1,6 @@
 //! Mass and moment of inertia of one body, worked from what the bank gives.
-use crate::scene::Mass;
-use crate::scene::RotaryInertia;
-use crate::scene::Shape;
-use crate::solution::expr::Expr;
-use crate::solution::expr::ZERO;
-use crate::solution::expr::number;
-use crate::solution::expr::ratio;
-use crate::solution::expr::square;
-use crate::solution::expr::sum;
+use crate::scene::{Mass, RotaryInertia, Shape};
+use crate::solution::expr::{Expr, ZERO, number, ratio, square, sum};
 use crate::solution::section_writer::SectionWriter;
 
 /// `beta` of `I = beta m R^2`.

@@ -1,38 +1,16 @@
 //! A body on a fixed pin, worked: moments about the pin, the integral over the angle, the force of the pin from the other two
 //! rows; then energies, with the kinetic energy of the mass centre and of the rotation about it. Under the weight alone also
 //! the periods: of small swings, and the real one by the arithmetic-geometric mean and by a mean value over the swing.
-use crate::num::shown;
-use crate::num::trig;
-use crate::scene::Arm;
-use crate::scene::End;
-use crate::scene::Label;
-use crate::scene::Owner;
-use crate::scene::Pin;
-use crate::scene::Quantity;
-use crate::scene::Rest;
-use crate::scene::Start;
-use crate::scene::Zero;
-use crate::solution::draft::DerivedAnswer;
-use crate::solution::draft::Draft;
-use crate::solution::expr::Expr;
-use crate::solution::expr::ONE;
-use crate::solution::expr::SymbolId;
-use crate::solution::expr::ZERO;
-use crate::solution::expr::cosine;
-use crate::solution::expr::magnitude;
-use crate::solution::expr::number as whole;
-use crate::solution::expr::ratio;
-use crate::solution::expr::root;
-use crate::solution::expr::signed;
-use crate::solution::expr::sine;
-use crate::solution::expr::square;
-use crate::solution::expr::sum;
+use crate::num::{shown, trig};
+use crate::scene::{Arm, End, Label, Owner, Pin, Quantity, Rest, Start, Zero};
+use crate::solution::draft::{DerivedAnswer, Draft};
+use crate::solution::expr::{
+    Expr, ONE, SymbolId, ZERO, cosine, magnitude, number as whole, ratio, root, signed, sine, square, sum,
+};
 use crate::solution::mass;
 use crate::solution::section_writer::SectionWriter;
-use crate::solution::stop::Beyond;
-use crate::solution::stop::DerivationStop;
-use crate::solution::symbols::FIGURES;
-use crate::solution::symbols::tex_digits;
+use crate::solution::stop::{Beyond, DerivationStop};
+use crate::solution::symbols::{FIGURES, tex_digits};
 use crate::solve::outcome::Word;
 
 /// Step in degrees in which an angle is looked for at which something happens.

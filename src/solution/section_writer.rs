@@ -1,16 +1,10 @@
 //! Writes one section: phrases, equations, and the steps by which a quantity is found, broken into lines that fit a page.
 use crate::num::shown;
-use crate::scene::Label;
-use crate::scene::Num;
-use crate::scene::Quantity;
-use crate::solution::draft::DerivedAnswer;
-use crate::solution::draft::Draft;
-use crate::solution::expr::Expr;
-use crate::solution::expr::SymbolId;
-use crate::solution::symbols::Symbols;
-use crate::solution::symbols::tex_digits;
-use crate::solution::text::Block;
-use crate::solution::text::SolutionSection;
+use crate::scene::{Label, Num, Quantity};
+use crate::solution::draft::{DerivedAnswer, Draft};
+use crate::solution::expr::{Expr, SymbolId};
+use crate::solution::symbols::{Symbols, tex_digits};
+use crate::solution::text::{Block, SolutionSection};
 
 /// Width of a line that still fits 16 cm of print, in characters of average width.
 const LINE: usize = 68;
@@ -297,8 +291,7 @@ fn tenths(chars: &[char], at: &mut usize, one: bool) -> usize {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::solution::expr::product;
-    use crate::solution::expr::sum;
+    use crate::solution::expr::{product, sum};
     use crate::words::Words;
 
     #[test]

@@ -179,8 +179,7 @@ const fn float(figures: usize) -> f64 {
 #[allow(clippy::float_cmp, reason = "digits on paper are exact")]
 mod tests {
     use super::*;
-    use crate::solution::expr::Expr;
-    use crate::solution::expr::root;
+    use crate::solution::expr::{Expr, root};
 
     #[test]
     fn by_hand_each_quantity_is_kept_as_it_is_written() {

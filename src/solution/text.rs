@@ -1,6 +1,5 @@
 //! What a solution says, in order, before a template decides how it stands on the page.
-use crate::solution::expr::Expr;
-use crate::solution::expr::SymbolId;
+use crate::solution::expr::{Expr, SymbolId};
 use crate::solution::symbols::Symbols;
 use crate::solution::written::width;
 

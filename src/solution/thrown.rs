@@ -1,30 +1,15 @@
 //! A body thrown with slip, worked: friction against the slip until the contact is at rest, rolling from then on; then by
 //! the angular momentum about the surface, in which friction has no lever, the energy of the slip, and the whole balance with
 //! its heat.
-use crate::scene::End;
-use crate::scene::Label;
-use crate::scene::Owner;
-use crate::scene::Quantity;
-use crate::scene::Slope;
-use crate::scene::Thrown;
+use crate::scene::{End, Label, Owner, Quantity, Slope, Thrown};
 use crate::solution;
-use crate::solution::draft::DerivedAnswer;
-use crate::solution::draft::Draft;
-use crate::solution::expr::Expr;
-use crate::solution::expr::ONE;
-use crate::solution::expr::SymbolId;
-use crate::solution::expr::ZERO;
-use crate::solution::expr::cosine;
-use crate::solution::expr::magnitude;
-use crate::solution::expr::number as whole;
-use crate::solution::expr::ratio;
-use crate::solution::expr::signed;
-use crate::solution::expr::sine;
-use crate::solution::expr::square;
+use crate::solution::draft::{DerivedAnswer, Draft};
+use crate::solution::expr::{
+    Expr, ONE, SymbolId, ZERO, cosine, magnitude, number as whole, ratio, signed, sine, square,
+};
 use crate::solution::mass;
 use crate::solution::section_writer::SectionWriter;
-use crate::solution::stop::Beyond;
-use crate::solution::stop::DerivationStop;
+use crate::solution::stop::{Beyond, DerivationStop};
 use crate::solve::outcome::Word;
 
 /// The body in symbols.

@@ -1,8 +1,6 @@
 //! Values of expressions, and how far rounding on the way may have moved them.
 use crate::num::trig;
-use crate::solution::expr::Expr;
-use crate::solution::expr::Function;
-use crate::solution::expr::SymbolId;
+use crate::solution::expr::{Expr, Function, SymbolId};
 use crate::solution::symbols::Symbols;
 
 impl Symbols<'_> {

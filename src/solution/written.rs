@@ -1,7 +1,5 @@
 //! Expressions in LaTeX, in symbols or with the numbers put in, and how wide that is in print.
-use crate::solution::expr::Expr;
-use crate::solution::expr::Function;
-use crate::solution::expr::SymbolId;
+use crate::solution::expr::{Expr, Function, SymbolId};
 use crate::solution::symbols::Symbols;
 
 /// How an expression is written.
@@ -259,16 +257,7 @@ pub fn width(tex: &str) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::solution::expr::ONE;
-    use crate::solution::expr::ZERO;
-    use crate::solution::expr::minus;
-    use crate::solution::expr::number;
-    use crate::solution::expr::power;
-    use crate::solution::expr::product;
-    use crate::solution::expr::ratio;
-    use crate::solution::expr::sine;
-    use crate::solution::expr::square;
-    use crate::solution::expr::sum;
+    use crate::solution::expr::{ONE, ZERO, minus, number, power, product, ratio, sine, square, sum};
     use crate::words::Words;
 
     fn symbols(words: &Words) -> (Symbols<'_>, [SymbolId; 4]) {

@@ -1,33 +1,10 @@
 //! Runs both roads and compares; the only file beside the ladder that sees both.
-use crate::num::Ball;
-use crate::num::Dd;
-use crate::num::NOISE;
-use crate::num::Real;
-use crate::num::U;
-use crate::num::ball;
-use crate::scene::End;
-use crate::scene::Far;
-use crate::scene::Label;
-use crate::scene::Num;
-use crate::scene::Owner;
-use crate::scene::Quantity;
-use crate::scene::Scene;
-use crate::scene::Start;
-use crate::scene::Tie;
-use crate::scene::admissible;
+use crate::num::{Ball, Dd, NOISE, Real, U, ball};
 use crate::scene::admissible::Rule;
-use crate::solve::condition;
+use crate::scene::{End, Far, Label, Num, Owner, Quantity, Scene, Start, Tie, admissible};
 use crate::solve::condition::vanishes;
-use crate::solve::energy;
-use crate::solve::eom;
-use crate::solve::outcome::Entry;
-use crate::solve::outcome::Motion;
-use crate::solve::outcome::Refusal;
-use crate::solve::outcome::Regime;
-use crate::solve::outcome::Road;
-use crate::solve::outcome::Solved;
-use crate::solve::outcome::Unsupported;
-use crate::solve::physical;
+use crate::solve::outcome::{Entry, Motion, Refusal, Regime, Road, Solved, Unsupported};
+use crate::solve::{condition, energy, eom, physical};
 
 /// Each road may be off by `8 u max(1, cond)`.
 pub const EACH_ROAD: f64 = 8.0;

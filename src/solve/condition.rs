@@ -4,16 +4,11 @@
 //! A quotient needs a motion of the same kind at the changed data: where a changed datum turns the motion or takes its end out of
 //! reach, the other side alone counts. The step is so small that what curvature does is below a millionth, of the order of
 //! `step cond` on one side and of `(step cond)^2` between two, and so large that the rounding of doubles, `2^-53 / step`, is so too.
-use crate::num::NOISE;
-use crate::num::Real;
 use crate::num::dd::pow2;
-use crate::scene::Label;
-use crate::scene::Num;
-use crate::scene::Scene;
-use crate::scene::admissible;
+use crate::num::{NOISE, Real};
+use crate::scene::{Label, Num, Scene, admissible};
 use crate::solve::eom;
-use crate::solve::outcome::Entry;
-use crate::solve::outcome::Road;
+use crate::solve::outcome::{Entry, Road};
 
 /// Relative changes of a datum, as powers of 2; the next one for the answers that are too sensitive for the one before.
 const STEPS: [i32; 4] = [-24, -29, -36, -46];

@@ -2,31 +2,12 @@
 //!
 //! A method is on one road and yields the state at the ending event; the road derives its answers from that state. The other
 //! road stays in closed form and is the judge: a result that disagrees with it beyond both error estimates is refused.
-use crate::num::Dd;
-use crate::num::Real;
-use crate::num::U;
-use crate::num::ode::Count;
-use crate::num::ode::FINEST;
-use crate::num::ode::MOST_STEPS;
-use crate::num::ode::Trouble;
-use crate::scene::End;
-use crate::scene::Label;
-use crate::scene::Owner;
-use crate::scene::Quantity;
-use crate::scene::Scene;
-use crate::solve::agree;
-use crate::solve::energy;
-use crate::solve::eom;
-use crate::solve::method::Method;
-use crate::solve::method::Rung;
-use crate::solve::method::USUAL_POINTS;
-use crate::solve::method::USUAL_STEP_S;
-use crate::solve::method::Way;
-use crate::solve::method::rounding;
-use crate::solve::outcome::Entry;
-use crate::solve::outcome::Refusal;
-use crate::solve::outcome::Road;
-use crate::solve::outcome::Solved;
+use crate::num::ode::{Count, FINEST, MOST_STEPS, Trouble};
+use crate::num::{Dd, Real, U};
+use crate::scene::{End, Label, Owner, Quantity, Scene};
+use crate::solve::method::{Method, Rung, USUAL_POINTS, USUAL_STEP_S, Way, rounding};
+use crate::solve::outcome::{Entry, Refusal, Road, Solved};
+use crate::solve::{agree, energy, eom};
 
 /// What was asked of the ladder.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]

@@ -1,9 +1,6 @@
 //! The methods that a user can name, and how finely each is set. No mechanics: both roads and the ladder know these words.
 use crate::num::U;
-use crate::num::ode::Count;
-use crate::num::ode::FINEST;
-use crate::num::ode::Formula;
-use crate::num::ode::Pace;
+use crate::num::ode::{Count, FINEST, Formula, Pace};
 
 /// A method that takes a motion from its start to its ending event.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]

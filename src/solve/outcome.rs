@@ -1,12 +1,8 @@
 //! What a solver yields: numbers, words of the regime, checks; never sentences.
-use crate::num::Real;
-use crate::num::ball;
 use crate::num::gauss::Unsettled;
 use crate::num::ode::Trouble;
-use crate::scene::Coordinate;
-use crate::scene::End;
-use crate::scene::Label;
-use crate::scene::Scene;
+use crate::num::{Real, ball};
+use crate::scene::{Coordinate, End, Label, Scene};
 use crate::solve::method::Method;
 
 /// What really happens, in the words that scripts rely on ([`Regime::word`]).

@@ -1,22 +1,7 @@
 //! What really happens: the word of the regime, and the conditions under which the declared ties hold.
-use crate::num::Dd;
-use crate::num::Real;
-use crate::scene::End;
-use crate::scene::Heading;
-use crate::scene::Label;
-use crate::scene::Owner;
-use crate::scene::Quantity;
-use crate::scene::Scene;
-use crate::scene::Slope;
-use crate::scene::Tie;
-use crate::solve::outcome::Check;
-use crate::solve::outcome::CheckKind;
-use crate::solve::outcome::Course;
-use crate::solve::outcome::Held;
-use crate::solve::outcome::Motion;
-use crate::solve::outcome::Regime;
-use crate::solve::outcome::Throw;
-use crate::solve::outcome::Word;
+use crate::num::{Dd, Real};
+use crate::scene::{End, Heading, Label, Owner, Quantity, Scene, Slope, Tie};
+use crate::solve::outcome::{Check, CheckKind, Course, Held, Motion, Regime, Throw, Word};
 
 fn margin<P: Real>(available: P, required: P) -> f64 {
     let larger = available.size().max(required.size());

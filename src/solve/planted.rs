@@ -1,30 +1,9 @@
 //! Proof that the agreement of the roads catches mechanical errors: each named term of each road is spoiled in turn.
 use crate::num::plant;
-use crate::scene::Arm;
-use crate::scene::Attach;
-use crate::scene::Body;
-use crate::scene::Coordinate;
-use crate::scene::Cord;
-use crate::scene::CordEnd;
-use crate::scene::Couple;
-use crate::scene::Degree;
-use crate::scene::End;
-use crate::scene::Far;
-use crate::scene::Line;
-use crate::scene::Mass;
-use crate::scene::Num;
-use crate::scene::Particle;
-use crate::scene::Pin;
-use crate::scene::PinSpring;
-use crate::scene::Rest;
-use crate::scene::RotaryInertia;
-use crate::scene::Scene;
-use crate::scene::Side;
-use crate::scene::Slope;
-use crate::scene::Span;
-use crate::scene::Start;
-use crate::scene::Tie;
-use crate::scene::Zero;
+use crate::scene::{
+    Arm, Attach, Body, Coordinate, Cord, CordEnd, Couple, Degree, End, Far, Line, Mass, Num, Particle, Pin,
+    PinSpring, Rest, RotaryInertia, Scene, Side, Slope, Span, Start, Tie, Zero,
+};
 use crate::solve::agree::solve;
 use std::collections::BTreeSet;
 

@@ -14,13 +14,7 @@
 use crate::finding::Finding;
 use std::cell::Cell;
 use std::io;
-use tera::Error;
-use tera::Kwargs;
-use tera::State;
-use tera::StringInput;
-use tera::Tera;
-use tera::TeraResult;
-use tera::Value;
+use tera::{Error, Kwargs, State, StringInput, Tera, TeraResult, Value};
 
 /// What a template may build, go through and write in one rendering, in characters of text, beside [`TIMES`] what it is given.
 pub const BUDGET: usize = 1 << 18;
@@ -543,8 +537,7 @@ fn tag<'t>(text: &'t str, start: usize, is_value: bool, tags: &mut Vec<Tag<'t>>)
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::template::Templates;
-    use crate::template::View;
+    use crate::template::{Templates, View};
 
     fn rendered(text: &str) -> Result<String, String> {
         let own = ("x.html".to_owned(), "x.html".to_owned(), text.to_owned());

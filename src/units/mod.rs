@@ -9,12 +9,8 @@ pub mod quantity;
 pub mod spell;
 mod table;
 
-pub use parse::UnitFault;
-pub use parse::names;
-pub use quantity::QuantityFault;
-pub use quantity::WrittenQuantity;
-pub use quantity::parse_decimal;
-pub use quantity::parse_quantity;
+pub use parse::{UnitFault, names};
+pub use quantity::{QuantityFault, WrittenQuantity, parse_decimal, parse_quantity};
 
 /// Exponents of mass, length, time and angle.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]

@@ -1,11 +1,6 @@
 //! Text to unit, or the column of the trouble.
-use crate::units::Dimension;
-use crate::units::Unit;
-use crate::units::UnitScale;
-use crate::units::spell;
-use crate::units::table::PREFIXES;
-use crate::units::table::ROWS;
-use crate::units::table::UnitRow;
+use crate::units::table::{PREFIXES, ROWS, UnitRow};
+use crate::units::{Dimension, Unit, UnitScale, spell};
 use std::fmt;
 
 /// Why a text is no unit. Columns count characters from 1.

@@ -1,6 +1,5 @@
 //! A number with its unit, read strictly: for banks and the command line. Students' cells are read in `answer`.
-use crate::units::Unit;
-use crate::units::UnitFault;
+use crate::units::{Unit, UnitFault};
 use std::fmt;
 
 /// A value and the unit in which it was written.

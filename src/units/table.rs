@@ -1,7 +1,6 @@
 //! The units that are known: their names, prefixes and exact sizes in SI. Sources: SI Brochure, 9th edition, tables 2 to 8;
 //! NIST SP 811 (2008), appendix B for the foot (0.3048 m), the pound (0.453 592 37 kg) and g_n = 9.806 65 m/s^2.
-use crate::units::Dimension;
-use crate::units::UnitScale;
+use crate::units::{Dimension, UnitScale};
 
 /// One name of a unit.
 pub(crate) struct UnitRow {

@@ -1,6 +1,5 @@
 //! Times of the pieces that have a bar, with their allocations; run with `cargo bench --bench bars`.
-use divan::Bencher;
-use divan::black_box;
+use divan::{Bencher, black_box};
 use slipstick::num::Dd;
 use slipstick::num::linear::Linear;
 use slipstick::problem::make::Maker;

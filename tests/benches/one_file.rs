@@ -4,8 +4,7 @@
 #![allow(clippy::print_stdout, reason = "it prints its figures")]
 use slipstick::problem::make::Maker;
 use slipstick::set::key_file::shortest;
-use slipstick::sheet::page::Room;
-use slipstick::sheet::page::Sheets;
+use slipstick::sheet::page::{Room, Sheets};
 use slipstick::template::Templates;
 use slipstick::words::Words;
 use std::fmt::Write as _;

@@ -1,13 +1,10 @@
 //! Time of printed pages: one sheet, many sheets in one file, the translation of a sheet without the compiler.
 //! `cargo bench --features pdf --bench pages`; the first sheet of a process also loads the fonts.
 use divan::Bencher;
-use slipstick::bank::Bank;
-use slipstick::bank::load;
+use slipstick::bank::{Bank, load};
 use slipstick::problem::make::Maker;
-use slipstick::sheet::document::Document;
-use slipstick::sheet::document::Head;
-use slipstick::sheet::page::Room;
-use slipstick::sheet::page::Sheets;
+use slipstick::sheet::document::{Document, Head};
+use slipstick::sheet::page::{Room, Sheets};
 use slipstick::sheet::pdf::Press;
 use slipstick::sheet::typst;
 use slipstick::template::Templates;

@@ -1,8 +1,7 @@
 //! Times and counts of each rung of the ladder; run with `cargo bench --bench rungs`.
 //!
 //! Beside each name stands the number of force evaluations. A run is one whole road, from the data to the asked speeds.
-use divan::Bencher;
-use divan::black_box;
+use divan::{Bencher, black_box};
 use slipstick::bank::Bank;
 use slipstick::num::Dd;
 use slipstick::problem::make::Maker;

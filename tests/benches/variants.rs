@@ -3,8 +3,7 @@ use divan::Bencher;
 use divan::counter::ItemsCount;
 use slipstick::bank::Bank;
 use slipstick::problem::make::Maker;
-use slipstick::sheet::page::Room;
-use slipstick::sheet::page::Sheets;
+use slipstick::sheet::page::{Room, Sheets};
 use slipstick::template::Templates;
 use slipstick::words::Words;
 

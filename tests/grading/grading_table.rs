@@ -1,21 +1,13 @@
 //! What the grader says to each kind of cell, and what comes out of whole files: test and documentation in one.
 use slipstick::answer::read::UnitCache;
 use slipstick::grade::feedback::Feedback;
-use slipstick::grade::judge::judge;
-use slipstick::grade::judge::judge_with;
+use slipstick::grade::judge::{judge, judge_with};
 use slipstick::grade::rules::Rules;
-use slipstick::grade::run::GradeFault;
-use slipstick::grade::run::Graded;
-use slipstick::grade::run::Options;
-use slipstick::grade::run::grade;
+use slipstick::grade::run::{GradeFault, Graded, Options, grade};
 use slipstick::grade::table::KeyTable;
 use slipstick::grade::verdict::Verdict;
-use slipstick::key::Answer;
-use slipstick::key::KeyEntry;
-use slipstick::key::ProblemKey;
-use slipstick::key::SheetKey;
-use slipstick::policy::Counts;
-use slipstick::policy::Policy;
+use slipstick::key::{Answer, KeyEntry, ProblemKey, SheetKey};
+use slipstick::policy::{Counts, Policy};
 use slipstick::report::gradebook::gradebook;
 use slipstick::units::Unit;
 use slipstick::words::Words;
@@ -460,10 +452,7 @@ fn the_edge_of_the_tolerance_is_right() {
 mod styles {
     use super::*;
     use proptest::prelude::*;
-    use slipstick::answer::read::Number;
-    use slipstick::answer::read::Reading;
-    use slipstick::answer::read::UnitCache;
-    use slipstick::answer::read::read;
+    use slipstick::answer::read::{Number, Reading, UnitCache, read};
 
     fn number(cell: &str) -> Option<Number> {
         match read(cell, &mut UnitCache::default()) {

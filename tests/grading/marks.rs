@@ -2,8 +2,7 @@
 //! through the command line, on a real bank.
 use crate::support;
 use slipstick::cli;
-use slipstick::cli::tell::Exit;
-use slipstick::cli::tell::Io;
+use slipstick::cli::tell::{Exit, Io};
 use slipstick::problem::make::Maker;
 use slipstick::problem::make_key;
 use std::collections::BTreeMap;

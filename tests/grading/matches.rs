@@ -1,14 +1,11 @@
 //! Whose answer is this: how often honest classes are flagged, and how often copying is seen.
 use crate::support;
 
-use rand::RngExt as _;
-use rand::SeedableRng as _;
+use rand::{RngExt as _, SeedableRng as _};
 use rand_chacha::ChaCha20Rng;
-use slipstick::key::Answer;
-use slipstick::key::ProblemKey;
+use slipstick::key::{Answer, ProblemKey};
 use slipstick::matches;
-use slipstick::matches::Question;
-use slipstick::matches::Wrong;
+use slipstick::matches::{Question, Wrong};
 use slipstick::problem::make::Maker;
 use slipstick::problem::make_key;
 use std::sync::LazyLock;

@@ -2,16 +2,10 @@
 use crate::support;
 
 use slipstick::cli;
-use slipstick::cli::tell::Exit;
-use slipstick::cli::tell::Io;
+use slipstick::cli::tell::{Exit, Io};
 use slipstick::draw::stream::DRAW_VERSION;
-use slipstick::set::given;
-use slipstick::set::key_file;
-use slipstick::set::replay;
-use slipstick::set::store;
-use slipstick::set::store::StoredBank;
-use slipstick::set::store::StoredSet;
-use slipstick::set::store::StoredStudent;
+use slipstick::set::store::{StoredBank, StoredSet, StoredStudent};
+use slipstick::set::{given, key_file, replay, store};
 use std::collections::BTreeMap;
 use std::ffi::OsString;
 use std::fs;

@@ -1,26 +1,20 @@
 //! Reports on simulated classes of 5, 60 and 500: valid pages, numbers equal to those counted again from answers.csv, feedback
 //! that tells nothing of the key nor of others, gradebooks that can be imported.
-use scraper::Html;
-use scraper::Selector;
+use scraper::{Html, Selector};
 use slipstick::bank::load;
 use slipstick::cli;
-use slipstick::cli::tell::Exit;
-use slipstick::cli::tell::Io;
-use slipstick::key::Answer;
-use slipstick::key::KeyEntry;
-use slipstick::key::SheetKey;
+use slipstick::cli::tell::{Exit, Io};
+use slipstick::key::{Answer, KeyEntry, SheetKey};
 use slipstick::misconception::catalogue::Catalogue;
 use slipstick::set::replay;
 use slipstick::set::store::StoredSet;
 use slipstick::template::variables_of;
 use slipstick::words::Words;
-use std::collections::BTreeMap;
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::ffi::OsString;
 use std::fmt::Write as _;
 use std::fs;
-use std::path::Path;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use tempfile::TempDir;
 
 /// Runs a command line; what it printed.

@@ -1,13 +1,10 @@
 //! `slipstick simulate`: the same bytes for the same seed, a truth for every row, faults of the habits all at once, and what grading
 //! then says is what the truth says.
 use slipstick::cli;
-use slipstick::cli::tell::Exit;
-use slipstick::cli::tell::Io;
+use slipstick::cli::tell::{Exit, Io};
 use slipstick::simulate::habits::EXAMPLE;
-use slipstick::simulate::truth::HEADER;
-use slipstick::simulate::truth::TrueKind as Kind;
-use std::collections::BTreeMap;
-use std::collections::BTreeSet;
+use slipstick::simulate::truth::{HEADER, TrueKind as Kind};
+use std::collections::{BTreeMap, BTreeSet};
 use std::ffi::OsString;
 use std::fs;
 use std::sync::OnceLock;

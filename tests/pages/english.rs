@@ -4,14 +4,12 @@
 //! Earlier tests looked at texts only for places that nothing filled: a sentence of wrong words is as whole as any.
 use crate::support;
 use slipstick::problem::make::Maker;
-use slipstick::sheet::page::Room;
-use slipstick::sheet::page::Sheets;
+use slipstick::sheet::page::{Room, Sheets};
 use slipstick::solution;
 use slipstick::words::Words;
 use std::collections::BTreeSet;
 use std::fs;
-use std::path::Path;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// A usage that is not wanted; what to write; the same words in a sense that is good English.
 struct Rule {

@@ -1,22 +1,13 @@
 //! Pictures over the whole range of draws: labels apart and inside, shapes inside, every datum told, forces that add up, energies
 //! that are equal, files that parse. A few goldens: `RENEW_GOLDENS=1 cargo test --test pages figures` writes them anew.
 use crate::support;
-use slipstick::bank::Bank;
-use slipstick::bank::FigureLabels;
-use slipstick::bank::load;
+use slipstick::bank::{Bank, FigureLabels, load};
 use slipstick::figure;
-use slipstick::picture::Outline;
-use slipstick::picture::Picture;
-use slipstick::picture::Role;
 use slipstick::picture::frame::Frame;
-use slipstick::picture::svg;
-use slipstick::picture::symbol;
-use slipstick::picture::vector::Vec2;
-use slipstick::picture::vector::vec2;
-use slipstick::problem::make::Maker;
-use slipstick::problem::make::Variant;
-use slipstick::scene::End;
-use slipstick::scene::Quantity;
+use slipstick::picture::vector::{Vec2, vec2};
+use slipstick::picture::{Outline, Picture, Role, svg, symbol};
+use slipstick::problem::make::{Maker, Variant};
+use slipstick::scene::{End, Quantity};
 use slipstick::words::Words;
 
 /// Scenes that no bank of the project has: what an instructor may write besides.

@@ -1,7 +1,6 @@
 //! The page on which an instructor looks through a bank: what is in it, and that its numbers are those of `lint`.
 use slipstick::cli;
-use slipstick::cli::tell::Exit;
-use slipstick::cli::tell::Io;
+use slipstick::cli::tell::{Exit, Io};
 use std::ffi::OsString;
 
 fn run(args: &[&str]) -> (Exit, String, String) {

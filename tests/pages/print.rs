@@ -3,13 +3,9 @@
 use crate::support;
 use slipstick::picture::Picture;
 use slipstick::problem::make::Maker;
-use slipstick::sheet::document::Document;
-use slipstick::sheet::document::Head;
-use slipstick::sheet::page::Room;
-use slipstick::sheet::page::Sheets;
-use slipstick::sheet::typst::TypstFormula;
-use slipstick::sheet::typst::formula;
-use slipstick::sheet::typst::source;
+use slipstick::sheet::document::{Document, Head};
+use slipstick::sheet::page::{Room, Sheets};
+use slipstick::sheet::typst::{TypstFormula, formula, source};
 use slipstick::solution;
 use slipstick::words::Words;
 

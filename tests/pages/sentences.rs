@@ -2,27 +2,17 @@
 //! the drawn data and by other means. The tests of worked solutions read formulas only; a false sentence between them went unseen.
 use crate::support;
 use dashu_float::DBig;
-use slipstick::bank::Bank;
-use slipstick::bank::FigureLabels;
-use slipstick::bank::Problem;
-use slipstick::bank::load;
-use slipstick::figure;
+use slipstick::bank::{Bank, FigureLabels, Problem, load};
 use slipstick::grade::judge::judge;
 use slipstick::grade::verdict::Verdict;
-use slipstick::picture::Outline;
-use slipstick::picture::Picture;
-use slipstick::picture::Role;
-use slipstick::picture::symbol;
-use slipstick::problem::make::Maker;
-use slipstick::problem::make::Variant;
+use slipstick::picture::{Outline, Picture, Role, symbol};
+use slipstick::problem::make::{Maker, Variant};
 use slipstick::problem::make_key;
 use slipstick::scene::Quantity;
-use slipstick::sheet::statement::Common;
-use slipstick::sheet::statement::Scratch;
-use slipstick::sheet::statement::Statement;
-use slipstick::solution;
+use slipstick::sheet::statement::{Common, Scratch, Statement};
 use slipstick::template::Templates;
 use slipstick::words::Words;
+use slipstick::{figure, solution};
 use std::str::FromStr;
 
 fn bank(text: &str) -> Bank {

@@ -1,30 +1,18 @@
 //! Sheets of every family in every language and format: nothing unfilled, HTML and figures valid, headings in order, LaTeX
 //! that compiles.
 use crate::support;
-use pulldown_cmark::Event;
-use pulldown_cmark::Parser;
-use scraper::Html;
-use scraper::Selector;
-use slipstick::bank::Bank;
-use slipstick::bank::overlay;
+use pulldown_cmark::{Event, Parser};
+use scraper::{Html, Selector};
+use slipstick::bank::{Bank, overlay};
 use slipstick::num::trig;
 use slipstick::picture::svg;
-use slipstick::problem::make::Maker;
-use slipstick::problem::make::Variant;
-use slipstick::sheet::document::ANSWER;
-use slipstick::sheet::document::Document;
-use slipstick::sheet::document::Head;
-use slipstick::sheet::html;
-use slipstick::sheet::html::Converter;
-use slipstick::sheet::html::MARKDOWN;
-use slipstick::sheet::html::Place;
-use slipstick::sheet::page::Room;
-use slipstick::sheet::page::Sheets;
-use slipstick::sheet::statement;
-use slipstick::sheet::tex;
+use slipstick::problem::make::{Maker, Variant};
+use slipstick::sheet::document::{ANSWER, Document, Head};
+use slipstick::sheet::html::{Converter, MARKDOWN, Place};
+use slipstick::sheet::page::{Room, Sheets};
+use slipstick::sheet::{html, statement, tex};
 use slipstick::solution;
-use slipstick::template::Templates;
-use slipstick::template::variables_of;
+use slipstick::template::{Templates, variables_of};
 use slipstick::words::Words;
 use std::collections::BTreeSet;
 

@@ -4,8 +4,7 @@
 //! the solutions of the whole set, after `generate` had said nothing, could not be seen there. Nor could it be seen that a wheel
 //! which only its friction drives counted as at rest.
 use slipstick::cli;
-use slipstick::cli::tell::Exit;
-use slipstick::cli::tell::Io;
+use slipstick::cli::tell::{Exit, Io};
 use slipstick::words::Words;
 use std::ffi::OsString;
 use std::fs;

@@ -4,14 +4,11 @@
 //! equation again: a printed number stands for all numbers that round to it (data are exact), the right side is evaluated in
 //! intervals, and the printed result has to lie in what comes out. The line in symbols is held to the same with the
 //! values printed before; equations between quantities that are all known at the end have to hold with these.
-use slipstick::bank::Draw;
-use slipstick::bank::Problem;
 use slipstick::bank::decimal::Decimal;
-use slipstick::bank::load;
+use slipstick::bank::{Draw, Problem, load};
 use slipstick::num::shown;
 use slipstick::problem::make;
-use slipstick::problem::make::Maker;
-use slipstick::problem::make::Variant;
+use slipstick::problem::make::{Maker, Variant};
 use slipstick::sheet::html;
 use slipstick::solution;
 use slipstick::solution::written::width;

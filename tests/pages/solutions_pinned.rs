@@ -2,11 +2,8 @@
 //! the same numbers; nothing is left unfilled; no formula is wider than a page; and each printed equation, solved again in
 //! intervals by a reader that does not know how the text was made, holds. Scenes of these kinds that no built-in family has
 //! stand in `worked/`.
-use slipstick::bank::Bank;
-use slipstick::bank::Problem;
-use slipstick::bank::load;
-use slipstick::problem::make::Maker;
-use slipstick::problem::make::Variant;
+use slipstick::bank::{Bank, Problem, load};
+use slipstick::problem::make::{Maker, Variant};
 use slipstick::sheet::html;
 use slipstick::solution;
 use slipstick::solution::section_writer;

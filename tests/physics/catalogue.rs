@@ -1,11 +1,9 @@
 //! Words and ways of wrong methods, paired one to one: whatever a bank lists has words, in each language, and no words are idle.
 use crate::support;
-use slipstick::misconception::catalogue::Catalogue;
-use slipstick::misconception::catalogue::Entry;
+use slipstick::misconception::catalogue::{Catalogue, Entry};
 use slipstick::sheet::html;
 use slipstick::words::Words;
-use std::collections::BTreeMap;
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// Longest text of an entry, in characters.
 const LONG: usize = 200;

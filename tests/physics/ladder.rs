@@ -3,23 +3,11 @@ use crate::support;
 use slipstick::num::Dd;
 use slipstick::num::ode::Trouble;
 use slipstick::problem::make::Maker;
-use slipstick::scene::Coordinate;
-use slipstick::scene::Degree;
-use slipstick::scene::End;
-use slipstick::scene::Label;
-use slipstick::scene::Num;
-use slipstick::scene::Owner;
-use slipstick::scene::Quantity;
-use slipstick::scene::Scene;
-use slipstick::scene::Start;
-use slipstick::scene::Tie;
-use slipstick::solve::eom;
-use slipstick::solve::ladder;
-use slipstick::solve::ladder::Force;
-use slipstick::solve::ladder::Wish;
-use slipstick::solve::method::Method;
-use slipstick::solve::method::Rung;
+use slipstick::scene::{Coordinate, Degree, End, Label, Num, Owner, Quantity, Scene, Start, Tie};
+use slipstick::solve::ladder::{Force, Wish};
+use slipstick::solve::method::{Method, Rung};
 use slipstick::solve::outcome::Refusal;
+use slipstick::solve::{eom, ladder};
 
 /// Drawn scenes of all problems in which something moves: name, scene, data.
 fn drawn(seeds: u64) -> Vec<(String, Scene, Vec<f64>)> {

@@ -6,8 +6,7 @@ use slipstick::bank::load;
 use slipstick::scene::Quantity;
 use slipstick::scene::admissible::Rule;
 use slipstick::solve::agree::solve;
-use slipstick::solve::outcome::Refusal;
-use slipstick::solve::outcome::Solved;
+use slipstick::solve::outcome::{Refusal, Solved};
 
 /// Solves a problem of the built-in banks with these data, in the order of the bank.
 fn built_in(id: &str, data: &[f64]) -> Solved {

@@ -6,8 +6,7 @@
 //! students only; so that nobody takes one for the other, all words changed.
 use slipstick::bank::load;
 use slipstick::draw::sample;
-use slipstick::draw::stream::DRAW_VERSION;
-use slipstick::draw::stream::Source;
+use slipstick::draw::stream::{DRAW_VERSION, Source};
 use slipstick::problem::make::Maker;
 
 const BANK: &str = "\

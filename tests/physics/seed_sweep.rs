@@ -3,8 +3,7 @@ use crate::support;
 use rayon::prelude::*;
 use slipstick::key::Answer;
 use slipstick::problem::make::Maker;
-use slipstick::problem::make_key;
-use slipstick::problem::sweep;
+use slipstick::problem::{make_key, sweep};
 use slipstick::scene::Quantity;
 
 #[test]

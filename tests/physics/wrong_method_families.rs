@@ -1,7 +1,6 @@
 //! The wrong methods of the other families, each against a formula of its own: elementary solutions written here, with the
 //! mistake made in them. Nothing is shared with the program but the data of a variant.
-use slipstick::bank::Problem;
-use slipstick::bank::load;
+use slipstick::bank::{Problem, load};
 use slipstick::misconception;
 use slipstick::problem::make::Maker;
 use slipstick::scene::Label;

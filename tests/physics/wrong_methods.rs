@@ -2,9 +2,7 @@
 use serde_json::Value;
 use slipstick::bank::load;
 use slipstick::misconception;
-use slipstick::scene::Label;
-use slipstick::scene::Owner;
-use slipstick::scene::Quantity;
+use slipstick::scene::{Label, Owner, Quantity};
 use slipstick::solve::agree;
 use std::collections::BTreeMap;
 

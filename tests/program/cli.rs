@@ -1,7 +1,6 @@
 //! The street door: exit code, standard output and standard error of each verb, in fresh folders.
 use slipstick::cli;
-use slipstick::cli::tell::Exit;
-use slipstick::cli::tell::Io;
+use slipstick::cli::tell::{Exit, Io};
 use slipstick::words::Words;
 use std::collections::BTreeMap;
 use std::ffi::OsString;

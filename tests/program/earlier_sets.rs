@@ -1,13 +1,11 @@
 //! Sets that an earlier version drew. All tests before took sets of their own version: a raised draw version was seen only as a
 //! refusal, and nobody asked what becomes of a term's work when the program is renewed.
 use slipstick::cli;
-use slipstick::cli::tell::Exit;
-use slipstick::cli::tell::Io;
+use slipstick::cli::tell::{Exit, Io};
 use slipstick::draw::stream::DRAW_VERSION;
 use std::ffi::OsString;
 use std::fs;
-use std::path::Path;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use tempfile::TempDir;
 
 fn run(args: &[&str]) -> (Exit, String, String) {

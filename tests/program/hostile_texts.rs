@@ -3,29 +3,19 @@
 //!
 //! Earlier tests gave templates that cannot be read and foreign names with odd signs; none gave a template that can be read
 //! and never ends, and none looked at what a statement itself brings into a page.
-use scraper::ElementRef;
-use scraper::Html;
+use scraper::{ElementRef, Html};
 use slipstick::cli;
-use slipstick::cli::tell::Exit;
-use slipstick::cli::tell::Io;
-use slipstick::sheet::document::Document;
-use slipstick::sheet::document::Dropped;
-use slipstick::sheet::document::Head;
-use slipstick::sheet::document::dropped;
-use slipstick::sheet::html;
-use slipstick::sheet::html::Converter;
-use slipstick::sheet::html::Place;
-use slipstick::sheet::tex;
-use slipstick::sheet::typst;
-use slipstick::template::Templates;
-use slipstick::template::View;
+use slipstick::cli::tell::{Exit, Io};
+use slipstick::sheet::document::{Document, Dropped, Head, dropped};
+use slipstick::sheet::html::{Converter, Place};
+use slipstick::sheet::{html, tex, typst};
+use slipstick::template::{Templates, View};
 use slipstick::words::Words;
 use std::ffi::OsString;
 use std::fs;
 use std::path::Path;
 use std::process::Command;
-use std::time::Duration;
-use std::time::Instant;
+use std::time::{Duration, Instant};
 
 fn run(args: &[&str]) -> (Exit, String, String) {
     let (mut out, mut err) = (Vec::new(), Vec::new());

@@ -4,17 +4,12 @@
 //! answer and never in those with another, which no test of a single sheet can see.
 use crate::support;
 use rayon::prelude::*;
-use slipstick::bank::Bank;
-use slipstick::bank::Problem;
-use slipstick::bank::load;
+use slipstick::bank::{Bank, Problem, load};
 use slipstick::cli;
-use slipstick::cli::tell::Exit;
-use slipstick::cli::tell::Io;
-use slipstick::problem::make::Maker;
-use slipstick::problem::make::Variant;
+use slipstick::cli::tell::{Exit, Io};
+use slipstick::problem::make::{Maker, Variant};
 use slipstick::problem::make_key;
-use std::collections::BTreeMap;
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::ffi::OsString;
 use std::fs;
 use std::path::Path;

@@ -5,8 +5,7 @@
 //! which, "the key is proved" where it was not, and drew constants ten thousand times, no test could see.
 use slipstick::bank::load;
 use slipstick::cli;
-use slipstick::cli::tell::Exit;
-use slipstick::cli::tell::Io;
+use slipstick::cli::tell::{Exit, Io};
 use slipstick::problem::make::Maker;
 use slipstick::solve::outcome::Motion;
 use slipstick::words::Words;

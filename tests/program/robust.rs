@@ -3,13 +3,9 @@
 #![cfg(unix)]
 use std::collections::BTreeMap;
 use std::fs;
-use std::io::Read as _;
-use std::io::Write as _;
-use std::path::Path;
-use std::path::PathBuf;
-use std::process::Command;
-use std::process::Output;
-use std::process::Stdio;
+use std::io::{Read as _, Write as _};
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output, Stdio};
 use std::thread;
 use std::time::Instant;
 use tempfile::TempDir;

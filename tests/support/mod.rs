@@ -1,6 +1,5 @@
 //! What several tests share: the banks of the project.
-use slipstick::bank::Bank;
-use slipstick::bank::load;
+use slipstick::bank::{Bank, load};
 
 /// Every bank in `banks/` (beside them lie the words of wrong methods), loaded, in the order of the names.
 pub fn banks() -> Vec<Bank> {

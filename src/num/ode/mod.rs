@@ -10,9 +10,8 @@
 //! (2006), section I.1 (semi-implicit Euler and Verlet).
 pub mod tableau;
 
-use crate::num::U;
 use crate::num::ode::tableau::Tableau;
-use crate::num::trig;
+use crate::num::{U, trig};
 
 /// How one step is made.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

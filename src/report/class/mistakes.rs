@@ -1,9 +1,7 @@
 //! Wrong methods as a class takes them: those of most students first, those of the same words as one.
-use crate::report::class::ClassReporter;
-use crate::report::class::Rich;
+use crate::report::class::{ClassReporter, Rich};
 use crate::report::stats::LEAST_FOR_SHARE;
-use crate::report::study::LEVEL;
-use crate::report::study::MistakeCount;
+use crate::report::study::{LEVEL, MistakeCount};
 use crate::report::table::percent;
 use crate::sheet::terminal::plain;
 use serde::Serialize;

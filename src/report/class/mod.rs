@@ -15,20 +15,12 @@ use crate::report::alike::ClassMatches;
 use crate::report::charts;
 use crate::report::charts::ClassCharts;
 use crate::report::marks::Marks;
-use crate::report::stats::LEAST_FOR_CORRELATION;
-use crate::report::stats::LEAST_FOR_MEDIAN;
-use crate::report::stats::LEAST_FOR_SHARE;
-use crate::report::study::ClassStudy;
-use crate::report::study::LEVEL;
-use crate::report::table::Table;
-use crate::report::table::fixed;
-use crate::report::table::percent;
-use crate::report::table::points;
-use crate::template::Templates;
-use crate::template::View;
+use crate::report::stats::{LEAST_FOR_CORRELATION, LEAST_FOR_MEDIAN, LEAST_FOR_SHARE};
+use crate::report::study::{ClassStudy, LEVEL};
+use crate::report::table::{Table, fixed, percent, points};
+use crate::template::{Templates, View};
 use crate::words::Words;
-use serde_json::Value;
-use serde_json::json;
+use serde_json::{Value, json};
 use std::collections::BTreeMap;
 
 /// Markdown with formulas to HTML within a line.

@@ -1,14 +1,10 @@
 //! The tables of the class report: a page shows them, and each is a CSV file.
 use crate::grade::verdict::Verdict;
 use crate::num::shown;
-use crate::report::class::ClassReporter;
-use crate::report::class::Rich;
-use crate::report::class::SHOWN;
+use crate::report::class::{ClassReporter, Rich, SHOWN};
 use crate::report::stats::LEAST_FOR_SHARE;
 use crate::report::study::Comparison;
-use crate::report::table::Table;
-use crate::report::table::TableCell;
-use crate::report::table::percent;
+use crate::report::table::{Table, TableCell, percent};
 use crate::sheet::terminal::plain;
 use crate::template;
 use std::collections::BTreeMap;

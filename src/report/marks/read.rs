@@ -1,18 +1,10 @@
 //! answers.csv and gradebook.csv to marks, in a stream.
 use crate::grade::book;
-use crate::grade::row::AnswerReader;
-use crate::grade::row::AnswerRow;
-use crate::grade::row::Unreadable;
+use crate::grade::row::{AnswerReader, AnswerRow, Unreadable};
 use crate::grade::verdict::Verdict;
 use crate::policy::time;
 use crate::policy::time::Evidence;
-use crate::report::marks::Cell;
-use crate::report::marks::Class;
-use crate::report::marks::CountingRow;
-use crate::report::marks::EXAMPLES;
-use crate::report::marks::LONGEST;
-use crate::report::marks::Marks;
-use crate::report::marks::Part;
+use crate::report::marks::{Cell, Class, CountingRow, EXAMPLES, LONGEST, Marks, Part};
 use crate::words::Words;
 use rustc_hash::FxHashMap;
 use std::io::Read;
@@ -282,8 +274,7 @@ fn noncharacter(c: char) -> bool {
 #[allow(clippy::float_cmp, reason = "points and seconds are whole here")]
 mod tests {
     use super::*;
-    use crate::report::marks::Problem;
-    use crate::report::marks::Student;
+    use crate::report::marks::{Problem, Student};
 
     fn class() -> Class {
         Class {

@@ -1,11 +1,7 @@
 //! Shares with intervals, difficulty and discrimination of parts, reliability of the whole.
 use crate::num::chance;
 use crate::num::chance::NORMAL_95;
-use crate::report::stats::Interval;
-use crate::report::stats::LEAST_FOR_CORRELATION;
-use crate::report::stats::NoStatistic;
-use crate::report::stats::ranks;
-use crate::report::stats::spread;
+use crate::report::stats::{Interval, LEAST_FOR_CORRELATION, NoStatistic, ranks, spread};
 
 /// A share with the interval of Wilson (1927), 95 %, without correction for continuity; `None` for no trials.
 ///

@@ -1,9 +1,7 @@
 //! Does one thing go with another: correlations, of ranks too, groups by ranks, and how many comparisons allow for chance.
-use crate::num::chance;
 use crate::num::chance::NORMAL_95;
-use crate::num::trig;
-use crate::report::stats::Interval;
-use crate::report::stats::spread;
+use crate::num::{chance, trig};
+use crate::report::stats::{Interval, spread};
 
 /// Pearson's correlation of pairs; `None` if one of the two does not vary.
 pub fn pearson(xs: &[f64], ys: &[f64]) -> Option<f64> {

@@ -1,37 +1,13 @@
 //! One method for a scene of lines and axles: what is known so far, and each further quantity on demand, written down as it
 //! is found.
-use crate::scene::Coordinate;
-use crate::scene::Degree;
-use crate::scene::End;
-use crate::scene::Far;
-use crate::scene::Label;
-use crate::scene::Num;
-use crate::scene::Owner;
-use crate::scene::Quantity;
-use crate::scene::Span;
-use crate::scene::Start;
-use crate::scene::Tie;
-use crate::solution::draft::DerivedAnswer;
-use crate::solution::draft::Draft;
-use crate::solution::expr::Expr;
-use crate::solution::expr::SymbolId;
-use crate::solution::expr::ZERO;
-use crate::solution::expr::in_sense;
-use crate::solution::expr::magnitude;
-use crate::solution::expr::minus;
-use crate::solution::expr::number;
-use crate::solution::expr::ratio;
-use crate::solution::expr::root;
-use crate::solution::expr::square;
-use crate::solution::expr::sum;
+use crate::scene::{Coordinate, Degree, End, Far, Label, Num, Owner, Quantity, Span, Start, Tie};
+use crate::solution::draft::{DerivedAnswer, Draft};
+use crate::solution::expr::{
+    Expr, SymbolId, ZERO, in_sense, magnitude, minus, number, ratio, root, square, sum,
+};
 use crate::solution::factors::Factors;
-use crate::solution::linear::mechanism::Action;
-use crate::solution::linear::mechanism::ForceKind;
-use crate::solution::linear::mechanism::ForceSource;
-use crate::solution::linear::mechanism::Mechanism;
-use crate::solution::linear::mechanism::tagged;
-use crate::solution::stop::Beyond;
-use crate::solution::stop::DerivationStop;
+use crate::solution::linear::mechanism::{Action, ForceKind, ForceSource, Mechanism, tagged};
+use crate::solution::stop::{Beyond, DerivationStop};
 use crate::solution::text::SolutionSection;
 use std::cmp::Ordering;
 

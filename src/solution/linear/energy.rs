@@ -1,37 +1,13 @@
 //! The second method of a scene of lines and axles: states, the work of each force over its own displacement, kinetic energy.
-use crate::scene::Coordinate;
-use crate::scene::Degree;
-use crate::scene::End;
-use crate::scene::Far;
-use crate::scene::Quantity;
-use crate::scene::Tie;
-use crate::solution::expr::Expr;
-use crate::solution::expr::SymbolId;
-use crate::solution::expr::ZERO;
-use crate::solution::expr::in_sense;
-use crate::solution::expr::number;
-use crate::solution::expr::ratio;
-use crate::solution::expr::root;
-use crate::solution::expr::square;
-use crate::solution::expr::sum;
+use crate::scene::{Coordinate, Degree, End, Far, Quantity, Tie};
+use crate::solution::expr::{Expr, SymbolId, ZERO, in_sense, number, ratio, root, square, sum};
 use crate::solution::factors::Factors;
-use crate::solution::linear::derivation::CordSpring;
-use crate::solution::linear::derivation::LinearDerivation;
-use crate::solution::linear::derivation::of_body;
-use crate::solution::linear::derivation::of_tie;
-use crate::solution::linear::derivation::positive_first;
-use crate::solution::linear::mechanism::Action;
-use crate::solution::linear::mechanism::ForceKind;
-use crate::solution::linear::mechanism::ForceSource;
-use crate::solution::linear::mechanism::tagged;
-use crate::solution::linear::motion::aligned;
-use crate::solution::linear::motion::constant_forces;
-use crate::solution::linear::motion::effective_symbols;
-use crate::solution::linear::motion::lead_way;
-use crate::solution::linear::motion::new_way;
-use crate::solution::linear::motion::places;
-use crate::solution::stop::Beyond;
-use crate::solution::stop::DerivationStop;
+use crate::solution::linear::derivation::{CordSpring, LinearDerivation, of_body, of_tie, positive_first};
+use crate::solution::linear::mechanism::{Action, ForceKind, ForceSource, tagged};
+use crate::solution::linear::motion::{
+    aligned, constant_forces, effective_symbols, lead_way, new_way, places,
+};
+use crate::solution::stop::{Beyond, DerivationStop};
 use crate::solution::text::Block;
 
 /// Writes the derivation and answers the questions by it.

@@ -1,30 +1,14 @@
 //! Kinetic energy of bodies at an instant: the velocities that the ties add to those of the start, then the definition, body by
 //! body.
-use crate::scene::Coordinate;
-use crate::scene::CordEnd;
-use crate::scene::Degree;
-use crate::scene::Far;
-use crate::scene::Quantity;
-use crate::scene::Tie;
-use crate::solution::draft::DerivedAnswer;
-use crate::solution::draft::Draft;
-use crate::solution::expr::Expr;
-use crate::solution::expr::SymbolId;
-use crate::solution::expr::ZERO;
-use crate::solution::expr::magnitude;
-use crate::solution::expr::ratio;
-use crate::solution::expr::square;
-use crate::solution::expr::sum;
+use crate::scene::{Coordinate, CordEnd, Degree, Far, Quantity, Tie};
+use crate::solution::draft::{DerivedAnswer, Draft};
+use crate::solution::expr::{Expr, SymbolId, ZERO, magnitude, ratio, square, sum};
 use crate::solution::factors::Factors;
-use crate::solution::linear::derivation::of_body;
-use crate::solution::linear::derivation::of_scene;
+use crate::solution::linear::derivation::{of_body, of_scene};
 use crate::solution::linear::mechanism;
-use crate::solution::linear::mechanism::BodyInSymbols;
-use crate::solution::linear::mechanism::tagged;
-use crate::solution::stop::Beyond;
-use crate::solution::stop::DerivationStop;
-use crate::solution::text::Block;
-use crate::solution::text::SolutionSection;
+use crate::solution::linear::mechanism::{BodyInSymbols, tagged};
+use crate::solution::stop::{Beyond, DerivationStop};
+use crate::solution::text::{Block, SolutionSection};
 
 /// The velocities of one body, as far as they are known, positive forward.
 #[derive(Debug, Clone, Default)]

@@ -2,33 +2,15 @@
 //!
 //! Derived here anew from the scene: neither method's code is used.
 use crate::figure::names;
-use crate::scene::Attach;
-use crate::scene::Body;
-use crate::scene::Coordinate;
-use crate::scene::CordEnd;
-use crate::scene::Degree;
-use crate::scene::Far;
-use crate::scene::Mass;
-use crate::scene::Num;
-use crate::scene::Quantity;
-use crate::scene::RotaryInertia;
-use crate::scene::Scene;
-use crate::scene::Shape;
-use crate::scene::Side;
-use crate::scene::Slope;
-use crate::scene::Tie;
+use crate::scene::{
+    Attach, Body, Coordinate, CordEnd, Degree, Far, Mass, Num, Quantity, RotaryInertia, Scene, Shape, Side,
+    Slope, Tie,
+};
 use crate::solution::draft::Draft;
-use crate::solution::expr::Expr;
-use crate::solution::expr::ONE;
-use crate::solution::expr::SymbolId;
-use crate::solution::expr::ZERO;
-use crate::solution::expr::cosine;
-use crate::solution::expr::sine;
-use crate::solution::expr::sum;
+use crate::solution::expr::{Expr, ONE, SymbolId, ZERO, cosine, sine, sum};
 use crate::solution::factors::Factors;
 use crate::solution::mass::beta;
-use crate::solution::stop::Beyond;
-use crate::solution::stop::DerivationStop;
+use crate::solution::stop::{Beyond, DerivationStop};
 
 /// What brings a force or couple.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

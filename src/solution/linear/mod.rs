@@ -6,22 +6,12 @@ pub mod mechanism;
 pub mod motion;
 pub mod regime;
 
-use crate::scene::End;
-use crate::scene::Far;
-use crate::scene::Owner;
-use crate::scene::Quantity;
-use crate::scene::Tie;
-use crate::solution::draft::DerivedAnswer;
-use crate::solution::draft::Draft;
-use crate::solution::expr::Expr;
-use crate::solution::expr::magnitude;
-use crate::solution::linear::derivation::LinearDerivation;
-use crate::solution::linear::derivation::SolvingMethod;
-use crate::solution::linear::derivation::of_body;
-use crate::solution::stop::Beyond;
-use crate::solution::stop::DerivationStop;
-use crate::solution::text::Block;
-use crate::solution::text::SolutionSection;
+use crate::scene::{End, Far, Owner, Quantity, Tie};
+use crate::solution::draft::{DerivedAnswer, Draft};
+use crate::solution::expr::{Expr, magnitude};
+use crate::solution::linear::derivation::{LinearDerivation, SolvingMethod, of_body};
+use crate::solution::stop::{Beyond, DerivationStop};
+use crate::solution::text::{Block, SolutionSection};
 use crate::solution::way;
 
 /// Writes the sections of a scene of lines and axles.

@@ -1,33 +1,13 @@
 //! The first method of a scene of lines and axles: free bodies, elimination by velocity ratios, the integral over displacement.
 use crate::figure::names;
-use crate::scene::Coordinate;
-use crate::scene::Degree;
-use crate::scene::End;
-use crate::scene::Far;
-use crate::scene::Owner;
-use crate::scene::Quantity;
-use crate::scene::Tie;
-use crate::solution::expr::Expr;
-use crate::solution::expr::SymbolId;
-use crate::solution::expr::ZERO;
-use crate::solution::expr::in_sense;
-use crate::solution::expr::number;
-use crate::solution::expr::ratio;
-use crate::solution::expr::root;
-use crate::solution::expr::square;
-use crate::solution::expr::sum;
+use crate::scene::{Coordinate, Degree, End, Far, Owner, Quantity, Tie};
+use crate::solution::expr::{Expr, SymbolId, ZERO, in_sense, number, ratio, root, square, sum};
 use crate::solution::factors::Factors;
-use crate::solution::linear::derivation::CordSpring;
-use crate::solution::linear::derivation::LinearDerivation;
-use crate::solution::linear::derivation::of_body;
-use crate::solution::linear::derivation::of_scene;
-use crate::solution::linear::derivation::of_tie;
-use crate::solution::linear::derivation::positive_first;
-use crate::solution::linear::mechanism::ForceKind;
-use crate::solution::linear::mechanism::ForceSource;
-use crate::solution::linear::mechanism::lever;
-use crate::solution::stop::Beyond;
-use crate::solution::stop::DerivationStop;
+use crate::solution::linear::derivation::{
+    CordSpring, LinearDerivation, of_body, of_scene, of_tie, positive_first,
+};
+use crate::solution::linear::mechanism::{ForceKind, ForceSource, lever};
+use crate::solution::stop::{Beyond, DerivationStop};
 use crate::solution::text::Block;
 use crate::solution::way;
 

@@ -1,7 +1,6 @@
 //! The energy account of a motion with one freedom: what the forces give, what the spring stores, where it is spent.
-use crate::num::Real;
 use crate::num::plant::plant;
-use crate::num::trig;
+use crate::num::{Real, trig};
 
 /// Energy stored in a spring on the way: stiffness, stretch at the start, and stretch lost per metre of the mode.
 #[derive(Debug, Clone, Copy)]

@@ -6,18 +6,9 @@
 use crate::num::Real;
 use crate::num::eliminate::Equations;
 use crate::num::plant::plant;
-use crate::scene::Attach;
-use crate::scene::Coordinate;
-use crate::scene::CordEnd;
-use crate::scene::Degree;
-use crate::scene::Far;
-use crate::scene::Numbers;
-use crate::scene::Scene;
-use crate::scene::Side;
-use crate::scene::Tie;
+use crate::scene::{Attach, Coordinate, CordEnd, Degree, Far, Numbers, Scene, Side, Tie};
 use crate::solve::energy::speeds::Mode;
-use smallvec::SmallVec;
-use smallvec::smallvec;
+use smallvec::{SmallVec, smallvec};
 
 /// `sum m v v' + I w w'` of two modes: twice the kinetic energy if they are the same.
 pub fn inertia<T: Real>(n: &Numbers<T>, a: &Mode<T>, b: &Mode<T>) -> T {

@@ -5,17 +5,9 @@
 //! from the start through the ties, as in a scene that moves on.
 use crate::num::Real;
 use crate::num::plant::plant;
-use crate::scene::Label;
-use crate::scene::Numbers;
-use crate::scene::Owner;
-use crate::scene::Quantity;
-use crate::scene::Scene;
-use crate::scene::Start;
-use crate::solve::energy::balance;
-use crate::solve::energy::speeds;
-use crate::solve::outcome::Refusal;
-use crate::solve::outcome::Road;
-use crate::solve::outcome::Said;
+use crate::scene::{Label, Numbers, Owner, Quantity, Scene, Start};
+use crate::solve::energy::{balance, speeds};
+use crate::solve::outcome::{Refusal, Road, Said};
 
 /// `T = sum 1/2 m v_G^2 + 1/2 I_G omega^2`, counter-clockwise positive.
 ///

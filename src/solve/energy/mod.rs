@@ -12,42 +12,22 @@ pub mod speeds;
 pub mod swing;
 pub mod thrown;
 
-use crate::num::Real;
-use crate::num::ball;
 use crate::num::eliminate::Equations;
 use crate::num::ode::Count;
 use crate::num::plant::plant;
-use crate::scene::Attach;
-use crate::scene::Coordinate;
-use crate::scene::Degree;
-use crate::scene::End;
-use crate::scene::Far;
-use crate::scene::Heading;
-use crate::scene::Label;
-use crate::scene::Numbers;
-use crate::scene::Owner;
-use crate::scene::Quantity;
-use crate::scene::RotaryInertia;
-use crate::scene::Scene;
-use crate::scene::Span;
-use crate::scene::Tie;
-use crate::solve::energy::account::Account;
-use crate::solve::energy::account::Store;
-use crate::solve::energy::balance::PerTie;
-use crate::solve::energy::balance::Power;
-use crate::solve::energy::balance::Reactions;
-use crate::solve::energy::quadrature::Sum;
-use crate::solve::energy::quadrature::Summed;
+use crate::num::{Real, ball};
+use crate::scene::{
+    Attach, Coordinate, Degree, End, Far, Heading, Label, Numbers, Owner, Quantity, RotaryInertia, Scene,
+    Span, Tie,
+};
+use crate::solve::energy::account::{Account, Store};
+use crate::solve::energy::balance::{PerTie, Power, Reactions};
+use crate::solve::energy::quadrature::{Sum, Summed};
 use crate::solve::energy::speeds::Mode;
 use crate::solve::method::Method;
 use crate::solve::outcome;
-use crate::solve::outcome::Course;
-use crate::solve::outcome::Grip;
-use crate::solve::outcome::Refusal;
-use crate::solve::outcome::Road;
-use crate::solve::outcome::Said;
-use smallvec::SmallVec;
-use smallvec::smallvec;
+use crate::solve::outcome::{Course, Grip, Refusal, Road, Said};
+use smallvec::{SmallVec, smallvec};
 use std::cell::Cell;
 
 /// Everything that work and energy say of a scene whose data are admissible.

@@ -6,12 +6,7 @@
 use crate::num::Real;
 use crate::num::half::Half;
 use crate::num::plant::plant;
-use crate::scene::Arm;
-use crate::scene::Numbers;
-use crate::scene::Pin;
-use crate::scene::Rest;
-use crate::scene::Scene;
-use crate::scene::Zero;
+use crate::scene::{Arm, Numbers, Pin, Rest, Scene, Zero};
 use smallvec::SmallVec;
 
 /// A pinned body as an account of energies. Masses and energies are in units of 2^e, as [`Numbers`] has them.

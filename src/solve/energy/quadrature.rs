@@ -4,9 +4,7 @@
 //! regular first: with `W = s (S - s) h`, S the turning point, `s = S sin^2 p` gives `dt = sqrt(2 M / h) dp`, and h is regular at
 //! both ends; without a turning point `s = D x^2`. Where the motion starts with a speed, `ds / u` is regular save towards a
 //! turning point, which is taken as the far end of the same form.
-use crate::num::Real;
-use crate::num::legendre;
-use crate::num::trig;
+use crate::num::{Real, legendre, trig};
 use crate::solve::energy::account::Account;
 use std::cell::Cell;
 

@@ -5,20 +5,10 @@
 use crate::num::Real;
 use crate::num::eliminate::Equations;
 use crate::num::plant::plant;
-use crate::scene::Attach;
-use crate::scene::Coordinate;
-use crate::scene::CordEnd;
-use crate::scene::Degree;
-use crate::scene::Far;
-use crate::scene::Numbers;
-use crate::scene::Scene;
-use crate::scene::Side;
-use crate::scene::Tie;
+use crate::scene::{Attach, Coordinate, CordEnd, Degree, Far, Numbers, Scene, Side, Tie};
 use crate::solve::outcome;
-use crate::solve::outcome::Grip;
-use crate::solve::outcome::Refusal;
-use smallvec::SmallVec;
-use smallvec::smallvec;
+use crate::solve::outcome::{Grip, Refusal};
+use smallvec::{SmallVec, smallvec};
 
 /// A possible motion: velocity of the line and spin of each body, per unit rate of the mode.
 #[derive(Debug, Clone)]

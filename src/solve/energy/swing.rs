@@ -4,32 +4,14 @@
 //! amplitude from the addition theorem of the elliptic functions. With a couple or a spring it is a quadrature in an angle
 //! whose cosine is the place: the root singularities at the ends of a swing are gone. Near an end at rest the kinetic
 //! energy is the work on the way back from there.
-use crate::num::Dd;
-use crate::num::Real;
-use crate::num::ball;
-use crate::num::elliptic;
-use crate::num::gauss;
 use crate::num::half::Half;
 use crate::num::ode::Count;
 use crate::num::plant::plant;
-use crate::num::root;
-use crate::num::trig;
-use crate::scene::End;
-use crate::scene::Label;
-use crate::scene::Numbers;
-use crate::scene::Owner;
-use crate::scene::Pin;
-use crate::scene::Quantity;
-use crate::scene::Scene;
-use crate::scene::Start;
-use crate::solve::energy::pinned::Store;
-use crate::solve::energy::pinned::Terms;
-use crate::solve::energy::pinned::sum;
+use crate::num::{Dd, Real, ball, elliptic, gauss, root, trig};
+use crate::scene::{End, Label, Numbers, Owner, Pin, Quantity, Scene, Start};
+use crate::solve::energy::pinned::{Store, Terms, sum};
 use crate::solve::energy::quadrature::Leg;
-use crate::solve::outcome::Course;
-use crate::solve::outcome::Refusal;
-use crate::solve::outcome::Road;
-use crate::solve::outcome::Said;
+use crate::solve::outcome::{Course, Refusal, Road, Said};
 use std::cell::Cell;
 
 /// A motion is followed for two turns.

@@ -12,22 +12,11 @@
 //! rolling needs is what keeps the slip at rest, `-Q_s`.
 use crate::num::Real;
 use crate::num::plant::plant;
-use crate::scene::End;
-use crate::scene::Label;
-use crate::scene::Numbers;
-use crate::scene::Owner;
-use crate::scene::Quantity;
-use crate::scene::Scene;
-use crate::scene::Thrown;
-use crate::solve::energy::balance;
+use crate::scene::{End, Label, Numbers, Owner, Quantity, Scene, Thrown};
 use crate::solve::energy::balance::PerTie;
-use crate::solve::energy::speeds;
 use crate::solve::energy::speeds::Mode;
-use crate::solve::outcome::Course;
-use crate::solve::outcome::Grip;
-use crate::solve::outcome::Refusal;
-use crate::solve::outcome::Road;
-use crate::solve::outcome::Said;
+use crate::solve::energy::{balance, speeds};
+use crate::solve::outcome::{Course, Grip, Refusal, Road, Said};
 use smallvec::smallvec;
 
 /// A mode with its inertia (`M`, twice its kinetic energy at unit rate) and the power of the given forces at unit rate.

@@ -12,20 +12,10 @@
 //! ```
 //! Source: Beer & Johnston, *Vector Mechanics for Engineers: Dynamics*, chapter 16 (equations of motion of a rigid body).
 use crate::num::Real;
-use crate::num::linear::Linear;
-use crate::num::linear::Solution;
+use crate::num::linear::{Linear, Solution};
 use crate::num::plant::plant;
-use crate::scene::Attach;
-use crate::scene::Coordinate;
-use crate::scene::CordEnd;
-use crate::scene::Degree;
-use crate::scene::Far;
-use crate::scene::Numbers;
-use crate::scene::Scene;
-use crate::scene::Side;
-use crate::scene::Tie;
-use crate::solve::outcome::Grip;
-use crate::solve::outcome::Refusal;
+use crate::scene::{Attach, Coordinate, CordEnd, Degree, Far, Numbers, Scene, Side, Tie};
+use crate::solve::outcome::{Grip, Refusal};
 use smallvec::SmallVec;
 
 /// Right-hand side of the constant forces.

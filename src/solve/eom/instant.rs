@@ -4,23 +4,11 @@
 use crate::num::Real;
 use crate::num::dd::pow2;
 use crate::num::plant::plant;
-use crate::scene::Coordinate;
-use crate::scene::Degree;
-use crate::scene::Label;
-use crate::scene::Numbers;
-use crate::scene::Owner;
-use crate::scene::Quantity;
-use crate::scene::Scene;
-use crate::scene::Start;
-use crate::solve::eom::equations::Setting;
-use crate::solve::eom::equations::respond;
+use crate::scene::{Coordinate, Degree, Label, Numbers, Owner, Quantity, Scene, Start};
+use crate::solve::eom::equations::{Setting, respond};
 use crate::solve::outcome;
-use crate::solve::outcome::Grip;
-use crate::solve::outcome::Refusal;
-use crate::solve::outcome::Road;
-use crate::solve::outcome::Said;
-use smallvec::SmallVec;
-use smallvec::smallvec;
+use crate::solve::outcome::{Grip, Refusal, Road, Said};
+use smallvec::{SmallVec, smallvec};
 
 /// `T = sum 1/2 m_i |v_i|^2` with `v_i = v_A + omega x (r_i - r_A)`, counter-clockwise positive.
 ///

@@ -3,13 +3,8 @@
 //! The state is place and speed, so a start from rest is regular: nothing divides by the speed. Where the law changes (a cord
 //! goes slack) a step ends on the change and the next begins under the new law.
 use crate::num::Real;
-use crate::num::ode::Count;
-use crate::num::ode::Formula;
-use crate::num::ode::MOST_STEPS;
-use crate::num::ode::Run;
-use crate::num::ode::Trouble;
-use crate::solve::eom::travel::State;
-use crate::solve::eom::travel::Travel;
+use crate::num::ode::{Count, Formula, MOST_STEPS, Run, Trouble};
+use crate::solve::eom::travel::{State, Travel};
 use crate::solve::method::Rung;
 use std::cell::Cell;
 

@@ -13,46 +13,17 @@ use crate::num::Real;
 use crate::num::dd::pow2;
 use crate::num::ode::Count;
 use crate::num::plant::plant;
-use crate::scene::Attach;
-use crate::scene::Coordinate;
-use crate::scene::Cord;
-use crate::scene::CordEnd;
-use crate::scene::Degree;
-use crate::scene::End;
-use crate::scene::Far;
-use crate::scene::Heading;
-use crate::scene::Label;
-use crate::scene::Numbers;
-use crate::scene::Owner;
-use crate::scene::Quantity;
-use crate::scene::RotaryInertia;
-use crate::scene::Scene;
-use crate::scene::Side;
-use crate::scene::Span;
-use crate::scene::Start;
-use crate::scene::Tie;
-use crate::solve::eom::equations::CONSTANT;
-use crate::solve::eom::equations::Response;
-use crate::solve::eom::equations::SPRING;
-use crate::solve::eom::equations::Setting;
-use crate::solve::eom::equations::respond;
-use crate::solve::eom::integrate::Event;
-use crate::solve::eom::integrate::Path;
-use crate::solve::eom::integrate::Wanted;
-use crate::solve::eom::integrate::path;
-use crate::solve::eom::travel::State;
-use crate::solve::eom::travel::Travel;
+use crate::scene::{
+    Attach, Coordinate, Cord, CordEnd, Degree, End, Far, Heading, Label, Numbers, Owner, Quantity,
+    RotaryInertia, Scene, Side, Span, Start, Tie,
+};
+use crate::solve::eom::equations::{CONSTANT, Response, SPRING, Setting, respond};
+use crate::solve::eom::integrate::{Event, Path, Wanted, path};
+use crate::solve::eom::travel::{State, Travel};
 use crate::solve::method::Rung;
 use crate::solve::outcome;
-use crate::solve::outcome::Course;
-use crate::solve::outcome::Grip;
-use crate::solve::outcome::Held;
-use crate::solve::outcome::Refusal;
-use crate::solve::outcome::Road;
-use crate::solve::outcome::Said;
-use crate::solve::outcome::Unsupported;
-use smallvec::SmallVec;
-use smallvec::smallvec;
+use crate::solve::outcome::{Course, Grip, Held, Refusal, Road, Said, Unsupported};
+use smallvec::{SmallVec, smallvec};
 
 /// Everything that the equations of motion say of a scene whose data are admissible.
 ///

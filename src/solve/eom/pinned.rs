@@ -10,17 +10,11 @@
 //! ```
 //! In these directions nothing on the left depends on the angle, so the system is solved once, for a unit of each load.
 //! Source: Meriam & Kraige, *Engineering Mechanics: Dynamics*, article 6/4 (fixed-axis rotation); Hibbeler, *Dynamics*, 17.4.
-use crate::num::Real;
 use crate::num::half::Half;
 use crate::num::linear::Linear;
 use crate::num::plant::plant;
-use crate::num::trig;
-use crate::scene::Arm;
-use crate::scene::Numbers;
-use crate::scene::Pin;
-use crate::scene::Rest;
-use crate::scene::Scene;
-use crate::scene::Zero;
+use crate::num::{Real, trig};
+use crate::scene::{Arm, Numbers, Pin, Rest, Scene, Zero};
 use crate::solve::outcome::Refusal;
 
 /// A pinned body in numbers: everything that its angular acceleration and the force of its pin depend on.

@@ -3,35 +3,18 @@
 //! Under its weight alone the time is an elliptic integral, here by Carlson's R_F. With a couple or a spring it is a
 //! quadrature of `d phi / omega`; from rest the angle goes as the square of the variable, which takes the root
 //! singularity away, and so does the last half of a way that ends at rest, which is the way back from there.
-use crate::num::Dd;
-use crate::num::Real;
 use crate::num::dd::pow2;
-use crate::num::elliptic;
-use crate::num::gauss;
-use crate::num::gauss::PerNode;
-use crate::num::gauss::Unsettled;
+use crate::num::gauss::{PerNode, Unsettled};
 use crate::num::half::Half;
 use crate::num::ode::Count;
 use crate::num::plant::plant;
-use crate::num::root;
-use crate::num::trig;
-use crate::scene::End;
-use crate::scene::Label;
-use crate::scene::Numbers;
-use crate::scene::Owner;
-use crate::scene::Pin;
-use crate::scene::Quantity;
-use crate::scene::Scene;
-use crate::scene::Start;
-use crate::solve::eom::integrate::Event;
-use crate::solve::eom::integrate::Route;
+use crate::num::{Dd, Real, elliptic, gauss, root, trig};
+use crate::scene::{End, Label, Numbers, Owner, Pin, Quantity, Scene, Start};
+use crate::solve::eom::integrate::{Event, Route};
 use crate::solve::eom::pinned::Pinned;
 use crate::solve::eom::travel;
 use crate::solve::method::Rung;
-use crate::solve::outcome::Course;
-use crate::solve::outcome::Refusal;
-use crate::solve::outcome::Road;
-use crate::solve::outcome::Said;
+use crate::solve::outcome::{Course, Refusal, Road, Said};
 
 /// A motion is followed for two turns; within them the ends that a bank can ask for lie.
 const TURNS: f64 = 2.0;

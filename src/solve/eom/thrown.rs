@@ -11,32 +11,12 @@
 //! Source: Beer & Johnston, *Vector Mechanics for Engineers: Dynamics*, section 16.2 (sliding turning into rolling).
 use crate::num::Real;
 use crate::num::dd::pow2;
-use crate::num::ode::Count;
-use crate::num::ode::Formula;
-use crate::num::ode::Run;
-use crate::num::ode::Trouble;
+use crate::num::ode::{Count, Formula, Run, Trouble};
 use crate::num::plant::plant;
-use crate::scene::Coordinate;
-use crate::scene::Degree;
-use crate::scene::End;
-use crate::scene::Label;
-use crate::scene::Numbers;
-use crate::scene::Owner;
-use crate::scene::Quantity;
-use crate::scene::Scene;
-use crate::scene::Thrown;
-use crate::solve::eom::equations::CONSTANT;
-use crate::solve::eom::equations::Response;
-use crate::solve::eom::equations::Setting;
-use crate::solve::eom::equations::respond;
+use crate::scene::{Coordinate, Degree, End, Label, Numbers, Owner, Quantity, Scene, Thrown};
+use crate::solve::eom::equations::{CONSTANT, Response, Setting, respond};
 use crate::solve::method::Rung;
-use crate::solve::outcome::Course;
-use crate::solve::outcome::Grip;
-use crate::solve::outcome::Held;
-use crate::solve::outcome::Refusal;
-use crate::solve::outcome::Road;
-use crate::solve::outcome::Said;
-use crate::solve::outcome::Throw;
+use crate::solve::outcome::{Course, Grip, Held, Refusal, Road, Said, Throw};
 use smallvec::smallvec;
 use std::cell::Cell;
 

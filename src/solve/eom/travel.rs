@@ -3,9 +3,8 @@
 //! The ending coordinate starts at 0 with speed `u0 >= 0` in its sense of motion. While the spring's cord is taut its
 //! acceleration is `f0 - w^2 s`; slack (or without a spring) it is constant. A time integral of `v` would need the motion
 //! that is looked for; over displacement both sides are known.
-use crate::num::Real;
 use crate::num::plant::plant;
-use crate::num::trig;
+use crate::num::{Real, trig};
 
 /// Acceleration as a function of the distance travelled.
 #[derive(Debug, Clone, Copy)]
