@@ -194,7 +194,7 @@ fn marks(gradebook: &Path) -> Result<String, Findings> {
         }
     }
     let column = |name: &str| header.iter().position(|f| f == name);
-    let text = |record: &csv::StringRecord, name: &str| {
+    let text = |record: &files::Record, name: &str| {
         column(name).and_then(|c| record.get(c)).unwrap_or_default().to_owned()
     };
     let mut rows = vec![vec!["student".to_owned(), "name".to_owned()]];

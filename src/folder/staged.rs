@@ -16,7 +16,7 @@ const OLD: &str = "old";
 /// A folder that is being filled beside its place, on the same file system.
 ///
 /// `.slipstick-unfinished-PID-XXXX` holds `slipstick-owner` (process, machine since its start, name of the place), `new`
-/// and, for the moment between two renames, `old`. A killed run leaves it; the next run beside it [`sweep`]s it away.
+/// and, for the moment between two renames, `old`. A killed run leaves it; the next run beside it removes it.
 pub struct Staged {
     folder: TempDir,
     new: PathBuf,
@@ -153,7 +153,7 @@ fn machine() -> String {
     id.trim().to_owned()
 }
 
-/// [`sweep`]s where this folder stands.
+/// Removes what killed runs left where this folder stands.
 pub fn sweep_beside(place: &Path) {
     sweep(&parent(place));
 }

@@ -1,10 +1,8 @@
 //! A file of submissions to a file of verdicts: every answer cell exactly once, in the order of the input.
 //!
-//! The input is walked over several times: first to find which attempt of each student and part counts ([`attempts`]), then to
-//! judge and write ([`crate::grade::write`]). What is held grows with students times parts, and up to a limit with rows. Batches
+//! The input is walked over several times: first to find which attempt of each student and part counts (`attempts.rs`), then to
+//! judge and write (`write.rs`). What is held grows with students times parts, and up to a limit with rows. Batches
 //! of records are graded on several threads; the output does not depend on their number.
-//!
-//! [`attempts`]: crate::grade::attempts
 use crate::answer::submissions::{Batch, RecordScratch, RecordSource};
 use crate::finding::{Finding, Findings};
 use crate::grade::attempts::choose_winners;

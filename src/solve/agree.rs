@@ -15,8 +15,8 @@ const NO_DIGITS: f64 = 1e-2;
 /// Share of an answer of condition number 1 within which its enclosure lies, far above what the data themselves leave open.
 const KNOWN: f64 = 1e-9;
 
-/// Products of ten numbers up to this magnitude, or of their inverses, stay far from the ends of the doubles.
-const ORDINARY: f64 = (1u128 << 80) as f64;
+/// Products of ten numbers up to this magnitude, or of their inverses, do not reach the ends of the doubles.
+const ORDINARY: f64 = (1u128 << 100) as f64;
 
 /// What the equations of motion alone say: nothing of it may be published before [`Half::confirm`].
 #[derive(Debug, Clone)]
@@ -209,11 +209,13 @@ fn hold_back(scene: &Scene, data: &[f64], solved: &mut Solved) {
         let shared = agree(eom, e.energy.unwrap_or(f64::NAN), e.cond);
         let said = road.as_ref().ok().and_then(|r| r.get(e.label)).map(|s| s.value);
         let wide = |ball: Ball| !(ball.about(eom) <= KNOWN * e.cond.max(1.0) * size);
+        // The time of a swing is summed, and a sum proves nothing.
+        let summed = e.label.quantity == Quantity::T && scene.pinned().is_some();
         let holds = if eom.is_infinite() {
             // What is endless is exactly so; what grew beyond the doubles has any radius.
             shared && said.is_some_and(|s| s.radius() == 0.0)
         } else {
-            shared && (doubt || !said.is_some_and(wide))
+            shared && (doubt || summed || !said.is_some_and(wide))
         };
         if !holds {
             beyond.push(e.label);

@@ -21,6 +21,9 @@ const UNEVEN: f64 = 0.1;
 /// Sense of the motion, and whether its end is reached; `None` where only an instant is asked.
 pub type Kind = Option<(f64, bool)>;
 
+/// What differences of doubles leave of a condition number of 0.
+const NOTHING: f64 = 1e-6;
+
 /// The answers where one datum is changed.
 struct Changed {
     /// By which share of itself the datum is changed.
@@ -32,7 +35,6 @@ struct Changed {
 
 /// Condition number of each entry: 0 if no datum moves it, infinite for a zero that some datum moves, or where no changed data
 /// have a solution.
-#[expect(clippy::float_cmp, reason = "senses are exactly -1, 0 or 1")]
 pub fn numbers(scene: &Scene, data: &[f64], kind: Kind, entries: &[Entry]) -> Vec<f64> {
     let used = used(scene, data);
     let values =
@@ -75,7 +77,12 @@ pub fn numbers(scene: &Scene, data: &[f64], kind: Kind, entries: &[Entry]) -> Ve
             break;
         }
     }
-    conds.into_iter().map(|c| c.filter(|c| !c.is_nan()).unwrap_or(f64::INFINITY)).collect()
+    let told = |cond: Option<f64>| match cond {
+        Some(cond) if cond < NOTHING => 0.0,
+        Some(cond) if !cond.is_nan() => cond,
+        _ => f64::INFINITY,
+    };
+    conds.into_iter().map(told).collect()
 }
 
 /// The data that the scene uses and that are not 0: a relative change of 0 is none.

@@ -17,7 +17,8 @@ fn banks_are_satisfied_and_sheets_differ() {
             assert!(s.unsolved.is_none(), "{}: {:?}", s.problem, s.unsolved);
             for c in &s.cases {
                 // Many draws are lost to wrong methods that lie near a right answer.
-                assert!(c.acceptance() > 0.2, "{} {}: {}", s.problem, c.name, c.acceptance());
+                let least = if seeds < 400 { 0.15 } else { 0.2 };
+                assert!(c.acceptance() > least, "{} {}: {}", s.problem, c.name, c.acceptance());
                 let share = c.variants as f64 / f64::from(seeds);
                 // Four standard deviations of the widest share.
                 assert!(

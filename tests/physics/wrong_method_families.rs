@@ -78,7 +78,10 @@ impl Lamina {
     }
 }
 
-const KINETIC: &[(&str, fn(&D) -> Answers)] = &[
+/// Wrong methods of a family by their names.
+type Methods = &'static [(&'static str, fn(&D) -> Answers)];
+
+const KINETIC: Methods = &[
     ("K01", |d| {
         let b = Lamina::of_d(d);
         let i = inertia(&b.list, (0.0, 0.0));
@@ -206,7 +209,7 @@ impl Block {
 
 const MOTION: &[&str] = &["v", "t"];
 
-const BLOCK: &[(&str, fn(&D) -> Answers)] = &[
+const BLOCK: Methods = &[
     ("H01", |d| Block { inert: 0.0, ..block(d) }.answers()),
     ("H02", |d| vec![("upper_tension", block(d).lower()), ("lower_tension", block(d).upper())]),
     ("H03", |d| {
@@ -291,7 +294,7 @@ fn part(all: &Answers, question: &str) -> f64 {
     all.iter().find(|(q, _)| *q == question).unwrap().1
 }
 
-const YOYO: &[(&str, fn(&D) -> Answers)] = &[
+const YOYO: Methods = &[
     ("H03", |d| vec![("tension", d.of("m") * d.of("g"))]),
     ("H06", |d| vec![("t", d.of("d") / part(&right_yoyo(d), "v"))]),
     ("H07", |d| only(falls(d.of("g"), 0.0, d.of("r"), d), &["a", "v", "t", "omega"])),
@@ -342,7 +345,7 @@ fn right_drum(d: &D) -> Answers {
     drum(d, (d.of("R"), d.of("r")), drum_inertia(d), d.of("g"))
 }
 
-const DRUM: &[(&str, fn(&D) -> Answers)] = &[
+const DRUM: Methods = &[
     ("H01", |d| drum(d, (d.of("R"), d.of("r")), 0.0, d.of("g"))),
     ("H03", |d| {
         let (w1, w2) = (d.of("m_1") * d.of("g"), d.of("m_2") * d.of("g"));
@@ -460,7 +463,7 @@ impl Ball {
     }
 }
 
-const BALL: &[(&str, fn(&D) -> Answers)] = &[
+const BALL: Methods = &[
     ("T01", |d| Ball { w0: 0.0, ..ball(d) }.answers()),
     ("T02", |d| Ball { w0: -ball(d).w0, ..ball(d) }.answers()),
     ("T03", |d| Ball { beta: 0.5, ..ball(d) }.answers()),
@@ -611,7 +614,7 @@ impl SetDown {
     }
 }
 
-const SET_DOWN: &[(&str, fn(&D) -> Answers)] = &[
+const SET_DOWN: Methods = &[
     ("T04", |d| SetDown { k: wheel(d).r, ..wheel(d) }.answers()),
     ("T07", |d| {
         let w = wheel(d);
@@ -751,7 +754,7 @@ fn inert(rod: Rod, share: f64) -> Answers {
     Rod { i: rod.m * rod.l * rod.l * share, ..rod }.motion()
 }
 
-const FALLING: &[(&str, fn(&D) -> Answers)] = &[
+const FALLING: Methods = &[
     ("P01", |d| inert(falling(d), 1.0 / 12.0)),
     ("P02", |d| inert(falling(d), 1.0 / 4.0)),
     ("P03", |d| {
@@ -809,7 +812,7 @@ fn lifted(d: &D) -> Rod {
     Rod { work: m * phi, moment: m, ..Rod::new(d, PI, PI + phi) }
 }
 
-const LIFTED: &[(&str, fn(&D) -> Answers)] = &[
+const LIFTED: Methods = &[
     ("P01", |d| inert(lifted(d), 1.0 / 12.0)),
     ("P02", |d| inert(lifted(d), 1.0 / 4.0)),
     ("P03", |d| Rod { g: 2.0 * d.of("g"), ..lifted(d) }.motion()),
@@ -892,7 +895,7 @@ fn with_work(d: &D, work: f64) -> Answers {
     only(Rod { work, ..sprung(d) }.motion(), &["omega"])
 }
 
-const SPRUNG: &[(&str, fn(&D) -> Answers)] = &[
+const SPRUNG: Methods = &[
     ("P01", |d| inert(sprung(d), 1.0 / 12.0)),
     ("P02", |d| inert(sprung(d), 1.0 / 4.0)),
     ("P03", |d| Rod { g: 2.0 * d.of("g"), ..sprung(d) }.motion()),
@@ -998,7 +1001,7 @@ impl Pendulum {
     }
 }
 
-const PENDULUM: &[(&str, fn(&D) -> Answers)] = &[
+const PENDULUM: Methods = &[
     ("P01", |d| {
         let all = Pendulum { i: d.of("m") * d.of("k") * d.of("k"), ..pendulum(d) }.answers();
         only(all, &["I_O", "period_small", "period", "omega_max", "omega", "alpha"])
@@ -1064,7 +1067,7 @@ const PENDULUM: &[(&str, fn(&D) -> Answers)] = &[
     ("A20", |d| Pendulum { g: 10.0, ..pendulum(d) }.answers()),
 ];
 
-const FAMILIES: &[(&str, &str, &[(&str, fn(&D) -> Answers)])] = &[
+const FAMILIES: &[(&str, &str, Methods)] = &[
     ("wheels-on-inclines", "kinetic-energy", KINETIC),
     ("hoists-and-pulleys", "block-pulls-wheel", BLOCK),
     ("hoists-and-pulleys", "yo-yo", YOYO),
