@@ -179,7 +179,7 @@ fn halves<T: Real, E: From<Unsettled>>(
 
 /// Do halves and whole say the same, for an integral of this size? Halving goes on for more than 60 bits.
 pub fn settled<T: Real>(halves: T, whole: T, scale: f64) -> bool {
-    whole.is_finite() && halves.is_finite() && (halves - whole).size() <= SETTLED.max(T::SETTLED) * scale
+    whole.is_finite() && halves.is_finite() && (halves - whole).size() <= SETTLED.max(16.0 * T::SETTLED) * scale
 }
 
 /// The size of the integral: that of the first panels which have one.
