@@ -177,9 +177,11 @@ fn halves<T: Real, E: From<Unsettled>>(
     Ok(halves(f, (a, middle), first, scale, left - 1)? + halves(f, (middle, b), second, scale, left - 1)?)
 }
 
-/// Do halves and whole say the same, for an integral of this size? Halving goes on for more than 60 bits.
+/// Do halves and whole say the same, for an integral of this size? Halving goes on for more than 60 bits, in doubles to the rounding of a sum.
 pub fn settled<T: Real>(halves: T, whole: T, scale: f64) -> bool {
-    whole.is_finite() && halves.is_finite() && (halves - whole).size() <= SETTLED.max(16.0 * T::SETTLED) * scale
+    whole.is_finite()
+        && halves.is_finite()
+        && (halves - whole).size() <= SETTLED.max(16.0 * T::SETTLED) * scale
 }
 
 /// The size of the integral: that of the first panels which have one.
