@@ -15,7 +15,8 @@ fn main() -> ExitCode {
     let typed = io::stdin().is_terminal();
     let mut input = io::stdin().lock();
     let mut out = io::BufWriter::new(io::stdout().lock());
-    let mut err = io::stderr().lock();
+    // Not locked: other threads draw the bar of progress there.
+    let mut err = io::stderr();
     let exit = cli::run(
         std::env::args_os(),
         &mut Io { input: &mut input, out: &mut out, err: &mut err, watched, typed },
