@@ -87,8 +87,10 @@ fn quotients<T: Real>(scene: &Scene, data: &[f64], kind: Kind, entries: &[Entry]
                 if found * step <= fine || last {
                     // A kink beside the data is left behind by a smaller step; one at the data is not.
                     if slopes().any(|s| s.uneven) {
-                        let kink = kinks[at].get_or_insert(found);
-                        *cond = last.then_some(kink.max(found));
+                        let kink = *kinks[at].get_or_insert(found);
+                        // Seen from the widest step, where rounding tells least, unless the last one sees something else.
+                        let same = (found - kink).abs() <= UNEVEN * found;
+                        *cond = last.then_some(if same { kink } else { found });
                         continue;
                     }
                     *cond = Some(found);
