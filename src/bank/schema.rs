@@ -1,10 +1,9 @@
 //! The file format of a bank: which fields there are and what they mean. All findings are collected.
-use crate::bank::decimal::{self, Decimal};
+use crate::bank::decimal::Decimal;
+use crate::bank::draw;
 use crate::bank::expression::{Exponents, Expression, Name};
 use crate::bank::need::Need;
-use crate::bank::node::{
-    Faults, Fields, Node, Value, choice, close_name, named, shorten, suggestion, text, whole,
-};
+use crate::bank::node::{Faults, Fields, Node, Value, choice, named, shorten, text, whole};
 use crate::bank::scene::{self, DatumSymbol, SceneRead, Touching};
 use crate::bank::{
     Bank, Bound, Case, Datum, Draw, FigureLabels, Problem, Question, Relative, TEMPLATE_NAMES, Variables,
@@ -14,6 +13,7 @@ use crate::policy::Policy;
 use crate::scene::{Label, Owner, Quantity, Scene, Span, Tie};
 use crate::solve::outcome::{CheckKind, Motion};
 use crate::units::Unit;
+use crate::units::spell;
 use std::collections::BTreeMap;
 
 /// Gravity where the bank does not say it.
@@ -453,7 +453,7 @@ impl<'n> ProblemRead<'n> {
             fields.get("draws").map_or_else(Vec::new, |n| named(n, "draws by symbol", faults))
         {
             let Some(i) = self.data.iter().position(|d| d.datum.symbol == symbol) else {
-                let hint = suggestion(symbol, "symbols", self.symbols.iter().map(|s| s.name.as_str()));
+                let hint = spell::hint(symbol, "symbols", self.symbols.iter().map(|s| s.name.as_str()));
                 faults.hint(key, format!("`{}` is no symbol of the data", shorten(symbol)), hint);
                 continue;
             };
@@ -614,10 +614,10 @@ impl CaseRead<'_> {
 
 fn draw(node: &Node, faults: &Faults) -> Option<Draw> {
     let Some(text) = node.text() else {
-        faults.hint(node, format!("expected a draw, found {}", node.kind()), decimal::FORMS);
+        faults.hint(node, format!("expected a draw, found {}", node.kind()), draw::FORMS);
         return None;
     };
-    match decimal::draw(text) {
+    match draw::parse(text) {
         Ok(draw) => Some(draw),
         Err((message, hint)) => {
             faults.hint(node, message, hint);
@@ -734,7 +734,7 @@ fn regimes(node: &Node, faults: &Faults) -> Vec<String> {
         if Motion::ALL.iter().any(|m| m.is_called(text)) {
             list.push(text.to_owned());
         } else {
-            let hint = suggestion(text, "regimes", Motion::ALL.iter().map(|m| m.word()));
+            let hint = spell::hint(text, "regimes", Motion::ALL.iter().map(|m| m.word()));
             faults.hint(item, format!("expected a regime, found {}", item.kind()), hint);
         }
     }
@@ -745,7 +745,7 @@ fn margins(node: &Node, faults: &Faults) -> Vec<(CheckKind, f64)> {
     let mut list = Vec::new();
     for (name, key, value) in named(node, "margins by check", faults) {
         let Some(kind) = CheckKind::ALL.iter().copied().find(|k| k.name() == name) else {
-            let hint = suggestion(name, "checks", CheckKind::ALL.iter().map(|k| k.name()));
+            let hint = spell::hint(name, "checks", CheckKind::ALL.iter().map(|k| k.name()));
             faults.hint(key, format!("`{}` is no check", shorten(name)), hint);
             continue;
         };
@@ -920,7 +920,7 @@ fn unowned(name: &str) -> Result<Label, (String, Option<String>)> {
         Some(quantity) => Ok(Label { quantity, of: Owner::Scene }),
         None => Err((
             format!("`{}` is no quantity", shorten(name)),
-            close_name(bare, Quantity::ALL.iter().map(|q| q.name())),
+            spell::did_you_mean(bare, Quantity::ALL.iter().map(|q| q.name())),
         )),
     }
 }
@@ -947,7 +947,7 @@ fn asks(node: &Node, questions: &[(String, Option<Question>)], faults: &Faults) 
     for item in items {
         let text = item.text().unwrap_or("").trim();
         if !questions.iter().any(|(id, _)| id == text) {
-            let hint = suggestion(text, "questions", questions.iter().map(|(id, _)| id.as_str()));
+            let hint = spell::hint(text, "questions", questions.iter().map(|(id, _)| id.as_str()));
             faults.hint(item, format!("expected the id of a question, found {}", item.kind()), hint);
         } else if list.iter().any(|l| l == text) {
             faults.at(item, format!("`{text}` is asked twice"));
@@ -967,7 +967,7 @@ fn bounds_of(node: &Node, data: &[Datum], scene: Option<&Scene>, faults: &Faults
             }
             let label = scene.map_or_else(|| unowned(name), |s| review::label(s, name)).map_err(
                 |(message, hint)| {
-                    let close = close_name(name, data.iter().map(|d| d.symbol.as_str()));
+                    let close = spell::did_you_mean(name, data.iter().map(|d| d.symbol.as_str()));
                     (message, close.or(hint))
                 },
             )?;

@@ -1,14 +1,14 @@
 //! `slipstick demo`: the whole job on a made-up class.
 use crate::cli::args;
 use crate::cli::tell::{Exit, Io};
-use crate::diagnosis::table::unsatisfiable;
 use crate::finding::{Finding, Findings};
 use crate::folder::deal::Plan;
 use crate::folder::grading::{GradingJob, Reports};
 use crate::folder::staged::Staged;
 use crate::folder::{banks, deal, files, grading};
 use crate::grade::verdict::Verdict;
-use crate::set::replay::Dealer;
+use crate::inspect::table::unsatisfiable;
+use crate::set::dealer::Dealer;
 use crate::sheet::output::Format;
 use crate::sheet::terminal;
 use crate::simulate::hand_in::{CellKind, HandIn, Sheet};

@@ -1,7 +1,6 @@
 //! A set is made: its folder whole or not at all, late joiners into one that is there, and repair of what a kill left.
 use crate::answer::roster;
 use crate::bank::{Bank, Problem};
-use crate::diagnosis::table::unsatisfiable;
 use crate::draw::stream;
 use crate::finding::{Finding, Findings};
 use crate::folder;
@@ -9,11 +8,12 @@ use crate::folder::files::names_in;
 use crate::folder::staged::Staged;
 use crate::folder::{Progress, files, names, set};
 use crate::guard::push_line;
+use crate::inspect::table::unsatisfiable;
 use crate::key::SheetKey;
 use crate::set::coincide::StudentVariant;
-use crate::set::replay::{Dealer, Dealt};
+use crate::set::dealer::{Dealer, Dealt};
 use crate::set::store::{StoredBank, StoredSet, StoredStudent};
-use crate::set::{coincide, key_file, replay, store};
+use crate::set::{coincide, dealer, key_file, replay, store};
 use crate::sheet::html::Converter;
 use crate::sheet::key_table::Row;
 use crate::sheet::output::{Format, Output, WrittenDocument};
@@ -317,7 +317,7 @@ fn deal(
                 }
                 fs::write(place.join(names::SHEET), json).map_err(|e| fault(&e))?;
                 progress.advance("sheets", 1, members.len() as u64);
-                let variants = plan.chosen().zip(&dealt.variants).map(|(p, v)| replay::stored(p, v));
+                let variants = plan.chosen().zip(&dealt.variants).map(|(p, v)| dealer::stored(p, v));
                 Ok((StoredStudent { problems: variants.collect(), ..member.clone() }, dealt.key, made, row))
             },
         )

@@ -1,10 +1,10 @@
 //! A folder of grades, opened: its set, its bank, the settings of its course, and the key solved anew from what was printed.
 use crate::bank;
 use crate::bank::{Bank, load};
-use crate::diagnosis::sentences;
 use crate::finding::{Finding, Findings};
 use crate::folder::{files, names, set};
 use crate::grade::row::{AnswerReader, AnswerRow, Unreadable};
+use crate::inspect::sentences;
 use crate::key::SheetKey;
 use crate::policy::{Counts, Policy};
 use crate::set::given::{GivenFault, GivenSheet, LostWhy};

@@ -3,8 +3,8 @@ use crate::answer::figures;
 use crate::answer::read::UnitCache;
 use crate::finding::Findings;
 use crate::folder::graded::OpenGrading;
+use crate::grade::compare;
 use crate::grade::feedback::Feedback;
-use crate::grade::judge;
 use crate::grade::row::AnswerRow;
 use crate::grade::table::{Column, KeyTable};
 use crate::grade::verdict::Verdict;
@@ -12,7 +12,7 @@ use crate::key::{Answer, SheetKey};
 use crate::matches;
 use crate::matches::{Question, Wrong};
 use crate::report::alike::{ClassMatches, MatchedPair};
-use crate::set::replay::{Dealer, indices};
+use crate::set::dealer::{Dealer, indices};
 use rayon::prelude::*;
 use std::collections::BTreeMap;
 
@@ -42,7 +42,7 @@ pub fn find(graded: &OpenGrading) -> Result<ClassMatches, Findings> {
         let (Some(student), Some(question)) = (student, question) else { return };
         let Some(entry) = table.entry(student, question) else { return };
         let Answer::Number { magnitude, .. } = entry.answer else { return };
-        let number = judge::judge_with(&row.answer, entry, &mut units, say).number;
+        let number = compare::compare_with(&row.answer, entry, &mut units, say).number;
         let value = if magnitude { number.abs() } else { number };
         let Some(share) = figures::rounding(&row.answer).filter(|_| value.is_finite()) else { return };
         let explained = row.explained();

@@ -16,8 +16,10 @@ pub type List = &'static [&'static str];
 
 const YES_NO: List = &["yes", "no"];
 
-/// The lists for a direction by what can come out: the pair, the pair and rest, each of the pair and rest.
+/// The words offered for a direction on a slope, by which of them can come out: both ways; both ways or rest; up or rest; down
+/// or rest.
 const SLOPED: [List; 4] = [&["up", "down"], &["up", "down", "stays"], &["up", "stays"], &["down", "stays"]];
+/// The same on the level.
 const LEVEL: [List; 4] =
     [&["forward", "back"], &["forward", "back", "stays"], &["forward", "stays"], &["back", "stays"]];
 

@@ -2,8 +2,8 @@
 //! how well they are conditioned, and how likely two students get the same sheet.
 use crate::bank::Problem;
 use crate::draw::stream::Source;
-use crate::problem::make::{Maker, Refusals, Unsatisfiable};
 use crate::problem::make_key::{self, List};
+use crate::problem::maker::{Maker, Refusals, Unsatisfiable};
 use crate::problem::rounding;
 use crate::problem::variant::Variant;
 use crate::solve::outcome::Refusal;

@@ -1,6 +1,6 @@
 //! What other tolerances would make of answers that are graded already: which verdicts would change, and which wrong
 //! methods would pass for right.
-use crate::grade::judge::accepts;
+use crate::grade::compare::accepts;
 use crate::key::{Answer, KeyEntry};
 use std::collections::BTreeMap;
 

@@ -1,13 +1,13 @@
 //! Many variants of a bank's problems side by side on one page.
 use crate::bank::{Bank, Problem};
-use crate::diagnosis::sentences;
-use crate::diagnosis::table::unsatisfiable;
 use crate::figure::scene;
 use crate::finding::Findings;
+use crate::inspect::sentences;
+use crate::inspect::table::unsatisfiable;
 use crate::num::shown;
 use crate::picture::svg;
-use crate::problem::make::{Maker, Variant};
 use crate::problem::make_key;
+use crate::problem::maker::{Maker, Variant};
 use crate::problem::sweep::Sweep;
 use crate::review;
 use crate::review::SweepTables;

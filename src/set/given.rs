@@ -4,8 +4,8 @@ use crate::bank::decimal::Decimal;
 use crate::bank::{Bank, Draw, Problem};
 use crate::finding::{Finding, Findings};
 use crate::key::{ProblemKey, SheetKey};
-use crate::problem::make::Variant;
-use crate::problem::{make, make_key};
+use crate::problem::maker::Variant;
+use crate::problem::{make_key, maker};
 use crate::set::store::{StoredSet, StoredStudent, StoredVariant};
 use crate::sheet::statement;
 use crate::solve::outcome::Refusal;
@@ -60,7 +60,7 @@ pub enum GivenFault {
 /// # Errors
 /// Problems, cases and data that the bank no longer has, once each; then the students whose data give no key, all of them.
 pub fn all(bank: &Bank, set: &StoredSet) -> Result<Vec<GivenSheet>, Vec<GivenFault>> {
-    let problems = crate::set::replay::indices(bank, &set.problems, "problems")
+    let problems = crate::set::dealer::indices(bank, &set.problems, "problems")
         .map_err(|faults| faults.into_iter().map(GivenFault::Misfit).collect::<Vec<_>>())?;
     let solved: Vec<Result<GivenSheet, Vec<GivenFault>>> =
         set.students.par_iter().map(|s| one(bank, &problems, &s.student, &s.problems)).collect();
@@ -135,7 +135,7 @@ fn one(
 /// # Errors
 /// Those of [`as_stored`].
 pub fn all_as_stored(bank: &Bank, set: &StoredSet) -> Result<Vec<GivenSheet>, Findings> {
-    let problems = crate::set::replay::indices(bank, &set.problems, "problems")?;
+    let problems = crate::set::dealer::indices(bank, &set.problems, "problems")?;
     let one = |s: &StoredStudent| as_stored(bank, &problems, &s.student, &s.problems);
     let mut found = Vec::with_capacity(set.students.len());
     for given in set.students.par_iter().map(one).collect::<Vec<_>>() {
@@ -166,7 +166,7 @@ pub fn as_stored(
     for (index, old) in problems.iter().zip(stored) {
         let problem = &bank.problems[*index];
         let variant = values(problem, old).and_then(|(case, values)| {
-            make::from_values(problem, case, &values).map_err(|_| {
+            maker::from_values(problem, case, &values).map_err(|_| {
                 let what = "the stored data have no answer by this version";
                 Finding::new(field(&old.id), what).into()
             })
@@ -251,7 +251,7 @@ fn solved(
     case: usize,
     values: &[Option<Decimal>],
 ) -> Result<(Variant, ProblemKey), LostWhy> {
-    let variant = make::from_values(problem, case, values).map_err(LostWhy::Refused)?;
+    let variant = maker::from_values(problem, case, values).map_err(LostWhy::Refused)?;
     let regime = variant.solved.regime;
     let told = &problem.cases[case];
     if !regime.is_one_of(&told.regimes, &told.scene) {
@@ -267,7 +267,7 @@ fn solved(
     if let Some(question) = missing {
         return Err(LostWhy::Unanswered(question.id.clone()));
     }
-    if let Some(part) = make::broken_relation(problem, &variant.data, &variant.solved) {
+    if let Some(part) = maker::broken_relation(problem, &variant.data, &variant.solved) {
         return Err(LostWhy::Relation(problem.questions[part].id.clone()));
     }
     let key = make_key::key(problem, &variant);

@@ -97,12 +97,14 @@ pub fn text(keys: &[SheetKey]) -> Vec<u8> {
     if parts.is_empty() { part((0, &[])) } else { parts.concat() }
 }
 
-/// A stored number may differ by this share from what the stored data give: by what a later version rounds otherwise.
+/// A later version may round otherwise in the last digits: a stored answer counts as the one that the stored data give if the
+/// two differ by no more than this share.
 const AS_STORED: f64 = 1e-9;
 
-/// Puts what a stored key.csv holds into keys that were solved from the stored data by a later version: right answers and
-/// tolerances are those that were published. How many of them the stored data do not give by this version: none, unless the file
-/// is `sealed` by its hash.
+/// Takes right answers and tolerances from a stored key.csv, which was published, into keys that this version solved from the
+/// stored data of a set drawn by an earlier one. Returns how many stored answers this version does not get from the data. A
+/// file that is `sealed` (its hash stands in set.json) was not edited, so such answers are taken all the same; in another file
+/// they are findings.
 ///
 /// # Errors
 /// At most five findings and their number: rows that are missing, cells that cannot be read, answers that the stored data do not

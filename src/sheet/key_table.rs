@@ -3,7 +3,7 @@ use crate::bank::{Bank, Problem};
 use crate::finding::Finding;
 use crate::key::{Answer, KeyEntry, SheetKey};
 use crate::num::shown::significant;
-use crate::problem::make::Variant;
+use crate::problem::maker::Variant;
 use crate::sheet::document::{Document, Head};
 use crate::sheet::statement;
 use crate::solve::outcome::Motion;

@@ -7,8 +7,8 @@
 use crate::bank::node::Node;
 use crate::bank::{Bank, Case, Problem, node, yaml};
 use crate::finding::{Finding, Findings};
-use crate::problem::make::Variant;
 use crate::problem::make_key;
+use crate::problem::maker::Variant;
 use crate::sheet::statement;
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value, json};

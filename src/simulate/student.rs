@@ -1,7 +1,7 @@
 //! One student of a made-up class at work on a sheet: what is handed in for each part, attempt by attempt, and what was really done.
 use crate::bank::Problem;
 use crate::key::{Answer, KeyEntry, ProblemKey};
-use crate::problem::make::Variant;
+use crate::problem::maker::Variant;
 use crate::scene::{Label, Owner, Slope};
 use crate::simulate::chance::Chance;
 use crate::simulate::habits::Habits;

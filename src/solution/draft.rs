@@ -4,7 +4,7 @@ use crate::bank::Problem;
 use crate::bank::decimal::Decimal;
 use crate::finding::Finding;
 use crate::num::shown;
-use crate::problem::make::Variant;
+use crate::problem::maker::Variant;
 use crate::scene::{Body, End, Label, Mass, Num, Quantity, Scene};
 use crate::solution::expr::{Expr, SymbolId, ZERO};
 use crate::solution::symbols::{FIGURES, Symbols, tex_digits};

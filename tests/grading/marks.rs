@@ -3,8 +3,8 @@
 use crate::support;
 use slipstick::cli;
 use slipstick::cli::tell::{Exit, Io};
-use slipstick::problem::make::Maker;
 use slipstick::problem::make_key;
+use slipstick::problem::maker::Maker;
 use std::collections::BTreeMap;
 use std::ffi::OsString;
 use std::fs;

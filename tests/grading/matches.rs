@@ -6,8 +6,8 @@ use rand_chacha::ChaCha20Rng;
 use slipstick::key::{Answer, ProblemKey};
 use slipstick::matches;
 use slipstick::matches::{Question, Wrong};
-use slipstick::problem::make::Maker;
 use slipstick::problem::make_key;
+use slipstick::problem::maker::Maker;
 use std::sync::LazyLock;
 
 /// Keys of so many drawn students of each problem of a bank: problem, student.

@@ -5,7 +5,7 @@ use slipstick::cli;
 use slipstick::cli::tell::{Exit, Io};
 use slipstick::draw::stream::DRAW_VERSION;
 use slipstick::set::store::{StoredBank, StoredSet, StoredStudent};
-use slipstick::set::{given, key_file, replay, store};
+use slipstick::set::{dealer, given, key_file, store};
 use std::collections::BTreeMap;
 use std::ffi::OsString;
 use std::fs;
@@ -600,7 +600,7 @@ yes,0062,0023,1.omega 1.v 1.k_bound,22.6183 | 4.0713 | 0.4830,2.2e-5,1.1e-4,1.om
 fn the_printed_data_give_the_key_of_the_draw() {
     for bank in support::banks() {
         let all: Vec<usize> = (0..bank.problems.len()).collect();
-        let dealer = replay::Dealer::new(&bank, &all, 3, "printed");
+        let dealer = dealer::Dealer::new(&bank, &all, 3, "printed");
         let mut keys = Vec::new();
         let mut students = Vec::new();
         for id in ["a", "b", "c", "d"] {
@@ -610,7 +610,7 @@ fn the_printed_data_give_the_key_of_the_draw() {
                 student: id.to_owned(),
                 name: String::new(),
                 folder: id.to_owned(),
-                problems: problems.map(|(variant, problem)| replay::stored(problem, variant)).collect(),
+                problems: problems.map(|(variant, problem)| dealer::stored(problem, variant)).collect(),
             });
             keys.push(dealt.key);
         }

@@ -6,7 +6,7 @@ use scraper::{Html, Selector};
 use slipstick::bank::{Bank, overlay};
 use slipstick::num::trig;
 use slipstick::picture::svg;
-use slipstick::problem::make::{Maker, Variant};
+use slipstick::problem::maker::{Maker, Variant};
 use slipstick::sheet::document::{ANSWER, Document, Head};
 use slipstick::sheet::html::{Converter, MARKDOWN, Place};
 use slipstick::sheet::page::{Room, Sheets};

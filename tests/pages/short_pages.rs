@@ -312,7 +312,7 @@ fn a_value_that_is_not_the_keys_is_never_printed() {
     let templates = slipstick::template::Templates::new("en", &[]).unwrap();
     let words = Words::english();
     let problem = &loaded.problems[0];
-    let mut variant = slipstick::problem::make::Maker::new(problem, 1, "moved").variant("1").unwrap();
+    let mut variant = slipstick::problem::maker::Maker::new(problem, 1, "moved").variant("1").unwrap();
     let asked = problem.questions.iter().map(|q| q.label).find(|l| !l.quantity.is_word()).unwrap();
     let entry = variant.solved.entries.iter_mut().find(|e| e.label == asked).unwrap();
     let true_value = entry.value();

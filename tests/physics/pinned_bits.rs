@@ -3,7 +3,7 @@
 //! If a line must change, raise the draw version (draws) or say in the README what moved (answers).
 use crate::support;
 use sha2::Digest;
-use slipstick::problem::make::Maker;
+use slipstick::problem::maker::Maker;
 
 /// Problem, digest of the drawn data, digest of the answers.
 const PINNED: &[(&str, &str, &str)] = &[

@@ -1,6 +1,6 @@
 //! What is asked can be drawn and is proved: every kind of end, every quantity that the solver gives, zeros among them.
 use slipstick::bank::{Bank, load, review};
-use slipstick::problem::make::{Maker, Variant};
+use slipstick::problem::maker::{Maker, Variant};
 use slipstick::scene::{Owner, Quantity, Scene};
 use std::fmt::Write as _;
 

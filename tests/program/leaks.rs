@@ -7,8 +7,8 @@ use rayon::prelude::*;
 use slipstick::bank::{Bank, Problem, load};
 use slipstick::cli;
 use slipstick::cli::tell::{Exit, Io};
-use slipstick::problem::make::{Maker, Variant};
 use slipstick::problem::make_key;
+use slipstick::problem::maker::{Maker, Variant};
 use std::collections::{BTreeMap, BTreeSet};
 use std::ffi::OsString;
 use std::fs;
@@ -472,7 +472,7 @@ fn a_contact_left_open_rolls_or_slips_and_never_both() {
         // Whichever was assumed first, the other assumption fails on the same data.
         let hold: Vec<bool> = (0..2)
             .map(|case| {
-                slipstick::problem::make::from_values(problem, case, &v.values)
+                slipstick::problem::maker::from_values(problem, case, &v.values)
                     .is_ok_and(|v| v.solved.all_hold() && !v.solved.regime.slips)
             })
             .collect();

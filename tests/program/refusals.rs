@@ -6,7 +6,7 @@
 use slipstick::bank::load;
 use slipstick::cli;
 use slipstick::cli::tell::{Exit, Io};
-use slipstick::problem::make::Maker;
+use slipstick::problem::maker::Maker;
 use slipstick::solve::outcome::Motion;
 use slipstick::words::Words;
 use std::ffi::OsString;

@@ -1,10 +1,10 @@
 //! What one problem with given data comes to: regime, conditions, every quantity by both derivations; as a table and as JSON.
 use crate::bank::{Bank, Problem};
-use crate::diagnosis::data::{fits, printed};
-use crate::diagnosis::sentences;
 use crate::finding::Finding;
+use crate::inspect::data::{fits, printed};
+use crate::inspect::sentences;
 use crate::num::shown;
-use crate::problem::make::Unsatisfiable;
+use crate::problem::maker::Unsatisfiable;
 use crate::scene::Quantity;
 use crate::sheet::terminal;
 use crate::solve::ladder;

@@ -1,4 +1,4 @@
-//! Draw, fill, solve, check: the flow in one function, tries and refusals counted.
+//! The variant of a student: data are drawn until they hold all rules of the problem, tries and refusals counted.
 use crate::bank::decimal::Decimal;
 use crate::bank::{Case, Follow, Problem, Question};
 use crate::draw::stream::{Source, Words};
@@ -133,7 +133,7 @@ impl<'p> Maker<'p> {
         let most = if constant { 1 } else { self.max_tries };
         for tries in 1..=most {
             self.draw(&mut words, tries, case, &mut values, &mut data);
-            match self.judge(index, &data, &mut refusals) {
+            match self.solve_within_rules(index, &data, &mut refusals) {
                 Ok((solved, wrong)) => {
                     let within = make_key::within(self.problem, &solved);
                     return Ok(Variant { case: index, values, data, solved, tries, refusals, within, wrong });
@@ -187,7 +187,7 @@ impl<'p> Maker<'p> {
         let mut values: Vec<Option<Decimal>> = vec![None; self.problem.data.len()];
         self.draw(&mut words, tries, &self.problem.cases[index], &mut values, &mut data);
         let mut refusals = Refusals::default();
-        let (solved, wrong) = self.judge(index, &data, &mut refusals).ok()?;
+        let (solved, wrong) = self.solve_within_rules(index, &data, &mut refusals).ok()?;
         let within = make_key::within(self.problem, &solved);
         Some(Variant { case: index, values, data, solved, tries, refusals, within, wrong })
     }
@@ -213,7 +213,7 @@ impl<'p> Maker<'p> {
     }
 
     /// Solves, or says which rule refuses.
-    fn judge(
+    fn solve_within_rules(
         &self,
         index: usize,
         data: &[f64],
@@ -226,8 +226,8 @@ impl<'p> Maker<'p> {
         let mut half = agree::first(&case.scene, data).map_err(|refusal| unsolved(refusals, refusal))?;
         self.rules(case, half.preview(), data)?;
         self.energies(case, half.preview(), data)?;
-        // Wrong methods refuse more draws than all rules below, and some at any tolerance. Who counts what each rule refuses
-        // hears of them last: of the draws that hold all others.
+        // Wrong methods refuse more draws than all rules below, so they come first. A maker that is watching counts which methods
+        // would refuse a draw that holds every other rule: it asks them last.
         let wrong = if self.watching { None } else { Some(self.far(index, data, half.preview())?) };
         // Condition numbers cost more than all the rest of the first road: only for what holds the other rules.
         half.weigh(&case.scene, data);
