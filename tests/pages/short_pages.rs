@@ -3,20 +3,14 @@
 //! The earlier tests worked the built-in banks alone, all of whose problems are covered: that one problem which is not refuses
 //! the solutions of the whole set, after `generate` had said nothing, could not be seen there. Nor could it be seen that a wheel
 //! which only its friction drives counted as at rest.
-use slipstick::cli;
-use slipstick::cli::tell::{Exit, Io};
+use crate::support::program;
+use crate::support::program::Ran;
+use slipstick::cli::tell::Exit;
 use slipstick::words::Words;
-use std::ffi::OsString;
 use std::fs;
 use tempfile::TempDir;
 
 struct Room(TempDir);
-
-struct Ran {
-    exit: Exit,
-    out: String,
-    err: String,
-}
 
 impl Room {
     fn path(&self, name: &str) -> String {
@@ -26,12 +20,7 @@ impl Room {
         fs::read_to_string(self.0.path().join(name)).unwrap_or_else(|e| panic!("{name}: {e}"))
     }
     fn run(&self, args: &[&str]) -> Ran {
-        let (mut out, mut err) = (Vec::new(), Vec::new());
-        let words = std::iter::once("slipstick").chain(args.iter().copied()).map(OsString::from);
-        let mut io = Io { input: &mut &b""[..], out: &mut out, err: &mut err, watched: false, typed: false };
-        let exit = cli::run(words, &mut io);
-        let text = |bytes: Vec<u8>| String::from_utf8(bytes).unwrap();
-        Ran { exit, out: text(out), err: text(err) }
+        program::run(args)
     }
 }
 
