@@ -8,7 +8,7 @@ use crate::inspect::sentences;
 use crate::key::SheetKey;
 use crate::policy::{Counts, Policy};
 use crate::set::given::{GivenFault, GivenSheet, LostWhy};
-use crate::set::grading::Grading;
+use crate::set::grading::StoredGrading;
 use crate::set::store::StoredSet;
 use crate::set::{given, key_file};
 use std::fs::File;
@@ -27,7 +27,7 @@ pub struct OpenGrading {
     /// Variants and keys in the order of the set; with `only`, of that student alone.
     pub given: Vec<GivenSheet>,
     /// grading.json.
-    pub grading: Grading,
+    pub grading: StoredGrading,
 }
 
 /// Opens a grading and solves its key anew, that of one student (an id) if only that is needed.
@@ -50,7 +50,7 @@ pub fn open(folder: &Path, only: Option<&str>) -> Result<OpenGrading, Findings> 
     let bank_path = basis.join(&set.bank.file).display().to_string();
     let path = folder.join(names::GRADING);
     let file = path.display().to_string();
-    let grading = Grading::parse(&files::read_text(&path)?).map_err(|f| f.in_file(&file))?;
+    let grading = StoredGrading::parse(&files::read_text(&path)?).map_err(|f| f.in_file(&file))?;
     intact(folder, &grading)?;
     if grading.bank_sha256 != bank.hash {
         let fault = Finding::new("", "is not the bank by which this was graded: its SHA-256 is another");
@@ -108,7 +108,7 @@ pub fn has_all(folder: &Path) -> Result<(), Finding> {
 ///
 /// # Errors
 /// A finding for each file that was cut short or edited.
-pub fn intact(folder: &Path, grading: &Grading) -> Result<(), Findings> {
+pub fn intact(folder: &Path, grading: &StoredGrading) -> Result<(), Findings> {
     let mut faults = Findings::default();
     for (name, told) in
         [(names::ANSWERS, &grading.answers_sha256), (names::GRADEBOOK, &grading.gradebook_sha256)]
@@ -242,7 +242,7 @@ pub fn policy(
 }
 
 /// Which attempt counts, if the command said so when it was graded.
-pub fn counts_said(grading: &Grading) -> Option<Counts> {
+pub fn counts_said(grading: &StoredGrading) -> Option<Counts> {
     [Counts::Last, Counts::Best, Counts::First]
         .into_iter()
         .find(|c| grading.attempts.as_deref() == Some(c.as_str()))

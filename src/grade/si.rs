@@ -2,7 +2,7 @@
 //! and about which nothing is to be said. Everything else is left to the long way.
 use crate::answer::quick::{Behind, Spellings};
 use crate::answer::read::UnitCache;
-use crate::grade::table::{Asked, KeyTable, WORD};
+use crate::grade::table::{AskedColumn, KeyTable, WORD};
 
 /// A spelling where a unit is asked: SI value = number * times / over; `None`: the long way.
 type Conversion = Option<(f64, f64)>;
@@ -18,7 +18,7 @@ pub(crate) struct SiReader {
 impl SiReader {
     /// The number of a cell in SI, if its verdict depends on nothing else.
     #[inline]
-    pub fn si(&mut self, table: &KeyTable, asked: &Asked, answer: &[u8]) -> Option<f64> {
+    pub fn si(&mut self, table: &KeyTable, asked: &AskedColumn, answer: &[u8]) -> Option<f64> {
         let (number, behind) = self.spellings.number(answer)?;
         let (times, over) = match behind {
             Behind::Nothing if asked.bare => (asked.times, asked.over),

@@ -61,7 +61,7 @@ pub(crate) struct Chosen {
 
 /// What a walk collects of the attempts.
 #[derive(Clone)]
-enum Tally {
+enum AttemptTally {
     /// Where nothing but the order of rows matters.
     ByRow(Vec<ByRow>),
     /// Where neither lateness nor the number of an attempt matters: times are collected before they are understood.
@@ -92,7 +92,7 @@ struct Collector {
     scratch: RecordScratch,
     finder: Finder,
     numbers: SiReader,
-    tally: Tally,
+    tally: AttemptTally,
     evidence: Evidence,
     noted: Vec<CellNote>,
     notes: Vec<(u64, Box<[CellNote]>)>,
@@ -100,7 +100,7 @@ struct Collector {
 }
 
 /// One walk over the file.
-struct Walk<'w> {
+struct AttemptWalk<'w> {
     job: &'w GradingJob<'w>,
     /// Looks at the parts that follow from others by so many steps (0: from none); `None`: at all parts.
     level: Option<u8>,
@@ -109,7 +109,7 @@ struct Walk<'w> {
     times: &'w Times,
 }
 
-impl Walk<'_> {
+impl AttemptWalk<'_> {
     /// Worth of a cell; blank ones have none.
     #[inline]
     fn worth(&self, (who, what): (u32, u32), answer: &[u8], numbers: &mut SiReader) -> Option<Worth> {
@@ -160,7 +160,7 @@ impl Walk<'_> {
         cell: &AnswerCell,
         time: Option<Moment>,
         (finder, numbers): (&mut Finder, &mut SiReader),
-        tally: &mut Tally,
+        tally: &mut AttemptTally,
     ) -> CellNote {
         let job = self.job;
         let belongs = finder.find(job.table, cell);
@@ -172,11 +172,11 @@ impl Walk<'_> {
         let (index, at) = (job.index(who, what), cell.place());
         let attempts = &job.rules.policy.attempts;
         match tally {
-            Tally::ByRow(all) => {
+            AttemptTally::ByRow(all) => {
                 all[index].join(&ByRow::new(worth.class, at, worth.number), attempts.counts);
             }
-            Tally::Timed(all) => all[index].join(&self.timed(&worth, at, time), attempts.counts),
-            Tally::Ordered(all) => {
+            AttemptTally::Timed(all) => all[index].join(&self.timed(&worth, at, time), attempts.counts),
+            AttemptTally::Ordered(all) => {
                 let (class, one) = self.ordered(&worth, at, time, (who, index));
                 all[index].add(class, one, attempt::depth(attempts));
             }
@@ -234,10 +234,10 @@ impl Walk<'_> {
     fn all(
         &self,
         open: Open<'_>,
-        empty: &Tally,
+        empty: &AttemptTally,
         threads: usize,
         heard: &mut (dyn FnMut(u64) + Send),
-    ) -> Result<(Tally, Evidence, Notes), GradeFault> {
+    ) -> Result<(AttemptTally, Evidence, Notes), GradeFault> {
         let (source, _) = RecordSource::open(open()?)?;
         let collector = || Collector {
             scratch: RecordScratch::default(),
@@ -257,13 +257,13 @@ impl Walk<'_> {
             evidence.join(worker.evidence);
             notes.extend(worker.notes);
             match (&mut tally, worker.tally) {
-                (Some(Tally::ByRow(all)), Tally::ByRow(more)) => {
+                (Some(AttemptTally::ByRow(all)), AttemptTally::ByRow(more)) => {
                     all.iter_mut().zip(&more).for_each(|(a, b)| a.join(b, attempts.counts));
                 }
-                (Some(Tally::Timed(all)), Tally::Timed(more)) => {
+                (Some(AttemptTally::Timed(all)), AttemptTally::Timed(more)) => {
                     all.iter_mut().zip(&more).for_each(|(a, b)| a.join(b, attempts.counts));
                 }
-                (Some(Tally::Ordered(all)), Tally::Ordered(more)) => {
+                (Some(AttemptTally::Ordered(all)), AttemptTally::Ordered(more)) => {
                     let depth = attempt::depth(&attempts);
                     all.iter_mut().zip(&more).for_each(|(a, b)| a.join(b, depth));
                 }
@@ -287,22 +287,22 @@ pub(crate) fn choose_winners(
     let size = job.table.students.len() * job.table.columns.len();
     let mut chosen = Chosen { winners: vec![Winner::NONE; size], notes: Notes::new() };
     let mut times = Times { evidence: Evidence::default(), untimed: vec![false; size] };
-    let timed_tally = || Tally::Timed(vec![Attempt::NONE; size]);
+    let timed_tally = || AttemptTally::Timed(vec![Attempt::NONE; size]);
     let careful = rules.careful() && timed;
     if careful {
-        let walk = Walk { job, level: None, winners: &chosen.winners, times: &times };
+        let walk = AttemptWalk { job, level: None, winners: &chosen.winners, times: &times };
         let (tally, evidence, _) = walk.all(open, &timed_tally(), threads, heard)?;
         times.evidence = evidence;
-        if let Tally::Timed(all) = tally {
+        if let AttemptTally::Timed(all) = tally {
             times.untimed = all.iter().map(|one| one.class > 0 && one.is_untimed(evidence)).collect();
         }
     }
     let empty = if careful || attempts.ordered() {
-        Tally::Ordered(vec![Ordered::NONE; size])
+        AttemptTally::Ordered(vec![Ordered::NONE; size])
     } else if timed || attempts.counts == Counts::Best {
         timed_tally()
     } else {
-        Tally::ByRow(vec![ByRow::NONE; size])
+        AttemptTally::ByRow(vec![ByRow::NONE; size])
     };
     // What follows from another part is worth what it is only when the winner there is known.
     let levels: Vec<Option<u8>> = match rules.walks() {
@@ -310,12 +310,12 @@ pub(crate) fn choose_winners(
         n => (0..n).map(Some).collect(),
     };
     for level in levels {
-        let walk = Walk { job, level, winners: &chosen.winners, times: &times };
+        let walk = AttemptWalk { job, level, winners: &chosen.winners, times: &times };
         let (tally, evidence, notes) = walk.all(open, &empty, threads, heard)?;
         let decided: Vec<Option<Winner>> = match tally {
-            Tally::ByRow(all) => all.iter().map(ByRow::winner).collect(),
-            Tally::Timed(all) => all.iter().map(|one| one.decide(attempts.counts, evidence)).collect(),
-            Tally::Ordered(all) => {
+            AttemptTally::ByRow(all) => all.iter().map(ByRow::winner).collect(),
+            AttemptTally::Timed(all) => all.iter().map(|one| one.decide(attempts.counts, evidence)).collect(),
+            AttemptTally::Ordered(all) => {
                 all.iter().zip(&times.untimed).map(|(one, untimed)| one.decide(&attempts, *untimed)).collect()
             }
         };

@@ -1,7 +1,7 @@
 //! A solved variant to its key: value, accepted half-width, both roads.
 use crate::bank::expression::Name;
 use crate::bank::{Problem, Question};
-use crate::key::{Answer, Follow, Given, KeyEntry, ProblemKey, WrongValue};
+use crate::key::{Answer, Given, KeyEntry, KeyFollow, ProblemKey, WrongValue};
 use crate::problem::variant::Variant;
 use crate::scene::{Label, Owner, Quantity, Scene, Slope, Tie};
 use crate::solve::outcome::{Entry, Motion, Solved};
@@ -31,19 +31,19 @@ pub const WORDS: [&str; 7] = ["up", "down", "forward", "back", "stays", "yes", "
 /// Every question of a drawn variant has an answer; in a replayed one, a question without an answer has a key of NaN,
 /// which no answer meets.
 pub fn key(problem: &Problem, variant: &Variant) -> ProblemKey {
-    Frame::new(problem).key(variant)
+    KeyFrame::new(problem).key(variant)
 }
 
 /// What the keys of all variants of a problem have in common.
 #[derive(Debug)]
-pub struct Frame<'p> {
+pub struct KeyFrame<'p> {
     problem: &'p Problem,
-    follows: Arc<[Follow]>,
+    follows: Arc<[KeyFollow]>,
     /// The quantities that the relations need besides the data and the parts.
     extras: Vec<Label>,
 }
 
-impl<'p> Frame<'p> {
+impl<'p> KeyFrame<'p> {
     /// Prepares the keys of a problem: its relations between parts, with parts for their quantities.
     pub fn new(problem: &'p Problem) -> Self {
         let mut extras: Vec<Label> = Vec::new();
@@ -64,7 +64,7 @@ impl<'p> Frame<'p> {
                     }
                 }
             });
-            Follow { part: follow.question, from: follow.from.clone(), by }
+            KeyFollow { part: follow.question, from: follow.from.clone(), by }
         });
         Self { problem, follows: follows.collect(), extras }
     }

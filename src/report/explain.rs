@@ -10,10 +10,10 @@ use crate::misconception::catalogue::Catalogue;
 use crate::num::shown;
 use crate::policy;
 use crate::policy::time::{Evidence, Moment};
-use crate::policy::{For, Per, Policy, Unread, Way};
+use crate::policy::{For, Per, Policy, RoundingWay, Unread};
 use crate::problem::maker::Variant;
 use crate::regrade::changes::ChangeRow;
-use crate::set::grading::Grading;
+use crate::set::grading::StoredGrading;
 use crate::set::store::{StoredSet, StoredStudent};
 use crate::sheet::terminal;
 use crate::sheet::terminal::plain;
@@ -73,7 +73,7 @@ pub struct ExplainedMarks<'g> {
     /// Settings by which it was graded.
     pub policy: &'g Policy,
     /// What it was graded with.
-    pub grading: &'g Grading,
+    pub grading: &'g StoredGrading,
     /// What the times of all answers say about the order of day and month.
     pub evidence: Evidence,
     /// The student's answers to this problem.
@@ -152,9 +152,9 @@ impl ExplainedMarks<'_> {
         }
         if let Some(rounding) = policy.rounding {
             let way = match rounding.way {
-                Way::Nearest => "to the nearest multiple of",
-                Way::Up => "up to multiples of",
-                Way::Down => "down to multiples of",
+                RoundingWay::Nearest => "to the nearest multiple of",
+                RoundingWay::Up => "up to multiples of",
+                RoundingWay::Down => "down to multiples of",
             };
             let _ = write!(text, "; rounded {way} {}", rounding.to);
         }

@@ -866,7 +866,11 @@ fn a_list_is_printed_once_in_a_message() {
     for part in ["1.x", "1.y", "7"] {
         let (problem, part) = part.split_once('.').unwrap_or((part, "v"));
         policy.points.push((
-            slipstick::policy::Part { problem: problem.to_owned(), part: Some(part.to_owned()), at: (1, 1) },
+            slipstick::policy::PolicyPart {
+                problem: problem.to_owned(),
+                part: Some(part.to_owned()),
+                at: (1, 1),
+            },
             1.0,
         ));
     }

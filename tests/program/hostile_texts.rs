@@ -7,7 +7,7 @@ use crate::support::program;
 use scraper::{ElementRef, Html};
 use slipstick::cli::tell::Exit;
 use slipstick::sheet::document::{Document, Dropped, Head, dropped};
-use slipstick::sheet::html::{Converter, Place};
+use slipstick::sheet::html::{Converter, PlaceInPage};
 use slipstick::sheet::{html, tex, typst};
 use slipstick::template::{Templates, View};
 use slipstick::words::Words;
@@ -400,8 +400,11 @@ fn nothing_active_leaves_a_statement() {
         let document = Document::new(raw.clone(), Vec::new());
         // HTML, also where somebody writes a document without the filter.
         for document in [&document, &Document { markdown: raw.clone(), pictures: Vec::new() }] {
-            let body =
-                Converter::new(&words).body(document, &document.screens(), Place { lower: 0, prefix: "" });
+            let body = Converter::new(&words).body(
+                document,
+                &document.screens(),
+                PlaceInPage { lower: 0, prefix: "" },
+            );
             let page = html::page(&templates, &words, "sheet", &head, &body).unwrap();
             let found: Vec<String> = all_acts(&String::from_utf8(page).unwrap());
             let is_filtered = document.markdown != raw;
