@@ -811,10 +811,48 @@ fn question(
         .map_or(Some(FIGURES), |n| whole(n, 1, 12, faults).and_then(|f| u8::try_from(f).ok()));
     let unit_required = fields.get("units").map_or(Some(common.unit_required), |n| choice(n, &UNITS, faults));
     fields.close();
-    let place = quantity_node.unwrap_or(key);
+    let label = asked_label(&name, quantity_node.unwrap_or(key), scenes, faults)?;
+    let is_word = label.quantity.is_word();
+    if is_word {
+        let fields = [(unit_node, "unit"), (tolerance_node, "tolerance"), (cond_node, "limit")];
+        for (node, field) in fields.into_iter().filter_map(|(node, field)| Some((node?, field))) {
+            let hint = format!("remove the {field}");
+            faults.hint(node, format!("`{name}` is answered with a word"), hint);
+        }
+    }
+    // What a word does not have is told above, and not read.
+    let [unit_node, tolerance_node, cond_node] =
+        [unit_node, tolerance_node, cond_node].map(|node| node.filter(|_| !is_word));
+    let unit = if is_word { Unit::one() } else { asked_unit(&name, unit_node, label.quantity, faults)? };
+    let (relative, absolute) = tolerance_node.map_or((None, None), |n| tolerance(n, Some(&unit), faults));
+    let relative = relative.unwrap_or(common.relative);
+    let cond_limit = cond_node.and_then(|n| limit(n, COND_LIMITS, faults)).or(common.cond_limit);
+    // A tolerance that widens serves as far as it does.
+    let cond_limit = cond_limit.or(relative.reach()).unwrap_or(COND_LIMIT);
+    Some(Question {
+        id: id.to_owned(),
+        label,
+        ask: ask?,
+        points: points?,
+        relative,
+        absolute,
+        unit_required: !is_word && unit_required? && !unit.is_number(),
+        unit,
+        figures: figures?,
+        cond_limit: if is_word { f64::INFINITY } else { cond_limit },
+        unguarded,
+    })
+}
+
+/// The quantity of a question; it is that of the same body in every case.
+fn asked_label(name: &str, place: &Node, scenes: &[(&str, &Scene)], faults: &Faults) -> Option<Label> {
+    if scenes.is_empty() {
+        let found = unowned(name);
+        return found.map_err(|(message, hint)| faults.maybe(place, message, hint)).ok();
+    }
     let mut label: Option<Label> = None;
     for (case, scene) in scenes {
-        match review::label(scene, &name) {
+        match review::label(scene, name) {
             Ok(found) if label.is_none_or(|l| l == found) => label = Some(found),
             Ok(_) => {
                 faults.hint(
@@ -831,74 +869,19 @@ fn question(
             }
         }
     }
-    if scenes.is_empty() {
-        match unowned(&name) {
-            Ok(found) => label = Some(found),
-            Err((message, hint)) => faults.maybe(place, message, hint),
-        }
-    }
-    let label = label?;
-    let quantity = label.quantity;
-    let unit = if quantity.is_word() {
-        if let Some(n) = unit_node {
-            faults.hint(n, format!("`{name}` is answered with a word"), "remove the unit");
-        }
-        if let Some(n) = tolerance_node {
-            faults.hint(n, format!("`{name}` is answered with a word"), "remove the tolerance");
-        }
-        if let Some(n) = cond_node {
-            faults.hint(n, format!("`{name}` is answered with a word"), "remove the limit");
-        }
-        return Some(Question {
-            id: id.to_owned(),
-            label,
-            ask: ask?,
-            unit: Unit::one(),
-            points: points?,
-            relative: common.relative,
-            absolute: None,
-            unit_required: false,
-            figures: figures?,
-            cond_limit: f64::INFINITY,
-            unguarded,
-        });
-    } else if let Some(n) = unit_node {
-        match measure::unit(n.text().unwrap_or("")) {
-            Ok(unit) if measure::fits(&unit, quantity.unit()) => unit,
-            Ok(unit) => {
-                faults.hint(
-                    n,
-                    format!("`{name}`: {}", measure::mismatch(&unit, quantity.unit())),
-                    format!("for example `unit: {}`", quantity.unit()),
-                );
-                return None;
-            }
-            Err(message) => {
-                faults.hint(n, message, format!("for example `unit: {}`", quantity.unit()));
-                return None;
-            }
-        }
-    } else {
-        measure::unit(quantity.unit()).ok()?
+    label
+}
+
+/// The unit in which a number is asked: the one that is written, else that of the quantity.
+fn asked_unit(name: &str, node: Option<&Node>, quantity: Quantity, faults: &Faults) -> Option<Unit> {
+    let Some(node) = node else { return measure::unit(quantity.unit()).ok() };
+    let message = match measure::unit(node.text().unwrap_or("")) {
+        Ok(unit) if measure::fits(&unit, quantity.unit()) => return Some(unit),
+        Ok(unit) => format!("`{name}`: {}", measure::mismatch(&unit, quantity.unit())),
+        Err(message) => message,
     };
-    let (relative, absolute) = tolerance_node.map_or((None, None), |n| tolerance(n, Some(&unit), faults));
-    let unit_required = unit_required? && !unit.is_number();
-    let relative = relative.unwrap_or(common.relative);
-    let cond_limit = cond_node.and_then(|n| limit(n, COND_LIMITS, faults)).or(common.cond_limit);
-    Some(Question {
-        id: id.to_owned(),
-        label,
-        ask: ask?,
-        unit,
-        points: points?,
-        relative,
-        absolute,
-        unit_required,
-        figures: figures?,
-        // A tolerance that widens serves as far as it does.
-        cond_limit: cond_limit.or(relative.reach()).unwrap_or(COND_LIMIT),
-        unguarded,
-    })
+    faults.hint(node, message, format!("for example `unit: {}`", quantity.unit()));
+    None
 }
 
 /// Wrong methods near which an answer may lie, with the reasons.

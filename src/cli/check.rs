@@ -79,8 +79,8 @@ pub fn run(args: &args::CheckArgs, io: &mut Io) -> Result<Exit, Findings> {
             let known: Vec<&str> = problem.key.parts.iter().map(|e| e.part.as_str()).collect();
             let what = format!("`{name}`: problem {} ({}) has no part `{part}`", problem.number, problem.id);
             let fault = Finding::new("", what);
-            faults.push(match units::spell::closest(part, known.iter().copied()) {
-                Some(near) => fault.hint(format!("did you mean `{near}`?")),
+            faults.push(match units::spell::did_you_mean(part, known.iter().copied()) {
+                Some(hint) => fault.hint(hint),
                 None => listed_once(fault, format!("its parts: {}", known.join(", ")), &faults),
             });
             continue;

@@ -164,25 +164,13 @@ pub fn wide(problem: &Problem, solved: &Solved) -> Option<(usize, f64)> {
     wide.next().map(|(i, bound, half_width)| (i, bound / half_width))
 }
 
-/// Quantities that can be 0 although the terms that make them up are not.
+/// Quantities that can be 0 although the terms that make them up are not: those with a sign, and what slips.
 pub const fn may_vanish(quantity: Quantity) -> bool {
-    matches!(
-        quantity,
-        Quantity::Friction
-            | Quantity::FrictionIfRolled
-            | Quantity::SlipDistance
-            | Quantity::SlipSpeed
-            | Quantity::Displacement
-            | Quantity::ARolling
-            | Quantity::A
-            | Quantity::Alpha
-            | Quantity::Rise
-            | Quantity::PinRadial
-            | Quantity::PinTangential
-            | Quantity::SpringForce
-            | Quantity::XG
-            | Quantity::YG
-    )
+    match quantity {
+        Quantity::SlipDistance | Quantity::SlipSpeed => true,
+        Quantity::WorkPull | Quantity::PowerPull | Quantity::Tension => false,
+        other => !is_magnitude(other),
+    }
 }
 
 /// May a word give the sign? Friction is positive up the incline in every scene; an acceleration or a displacement is
