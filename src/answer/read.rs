@@ -83,7 +83,7 @@ pub enum Reading {
     Unreadable(WhyUnreadable),
 }
 
-/// WhyUnreadable a cell cannot be read.
+/// Why a cell cannot be read.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum WhyUnreadable {
     /// Longer than 200 characters.

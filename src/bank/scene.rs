@@ -13,7 +13,7 @@ use std::cell::{Cell, RefCell};
 /// A datum as the scene sees it.
 #[derive(Debug, Clone)]
 pub struct DatumSymbol {
-    /// DatumSymbol, such as `mu_s`.
+    /// Symbol, such as `mu_s`.
     pub name: String,
     /// Its unit; `None` if the bank's own is wrong (said elsewhere).
     pub unit: Option<Unit>,

@@ -4,7 +4,7 @@ use crate::folder::graded::OpenGrading;
 use crate::report::class::About;
 use crate::report::marks::{Drawn, MarkedClass, MarkedPart, MarkedProblem, Student};
 use crate::report::{settings, table};
-use crate::set::given::GivenSheet;
+use crate::set::dealer::Dealt;
 use crate::words::Words;
 
 /// The title of a problem, or its id.
@@ -36,7 +36,7 @@ pub fn of(graded: &OpenGrading, bank: &Bank, words: &Words) -> MarkedClass {
         })
         .collect();
     let students: Vec<Student> = graded.set.students.iter().map(student).collect();
-    let asks = |sheet: &GivenSheet, part: &MarkedPart| {
+    let asks = |sheet: &Dealt, part: &MarkedPart| {
         let problem = part.number.checked_sub(1).and_then(|i| sheet.key.problems.get(i));
         problem.is_some_and(|p| p.parts.iter().any(|entry| entry.part == part.id))
     };

@@ -7,7 +7,8 @@ use crate::grade::row::{AnswerReader, AnswerRow, Unreadable};
 use crate::inspect::sentences;
 use crate::key::SheetKey;
 use crate::policy::{Counts, Policy};
-use crate::set::given::{GivenFault, GivenSheet, LostWhy};
+use crate::set::dealer::Dealt;
+use crate::set::given::{GivenFault, LostWhy};
 use crate::set::grading::StoredGrading;
 use crate::set::store::StoredSet;
 use crate::set::{given, key_file};
@@ -25,7 +26,7 @@ pub struct OpenGrading {
     /// Settings of the bank with those of the course over them.
     pub policy: Policy,
     /// Variants and keys in the order of the set; with `only`, of that student alone.
-    pub given: Vec<GivenSheet>,
+    pub given: Vec<Dealt>,
     /// grading.json.
     pub grading: StoredGrading,
 }

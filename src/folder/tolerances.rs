@@ -15,7 +15,7 @@ use crate::problem::make_key;
 use crate::regrade::tolerance::{AnswerUnder, WhatIf};
 use crate::report::tolerances::Trial;
 use crate::report::{gradebook, tolerances};
-use crate::set::given::GivenSheet;
+use crate::set::dealer::Dealt;
 use std::collections::BTreeMap;
 use std::fs::File;
 use std::io;
@@ -143,7 +143,7 @@ fn run_with(graded: &OpenGrading, table: &KeyTable, handed: &NamedTempFile) -> R
 }
 
 /// The key of a student, with another relative tolerance if one is given; absolute tolerances stay.
-fn key(graded: &OpenGrading, given: &GivenSheet, share: Option<f64>) -> SheetKey {
+fn key(graded: &OpenGrading, given: &Dealt, share: Option<f64>) -> SheetKey {
     let mut key = given.key.clone();
     let Some(share) = share else { return key };
     for (problem, variant) in key.problems.iter_mut().zip(&given.variants) {

@@ -123,6 +123,7 @@ pub fn json(problem: &Problem, case: usize, solved: &Solved, taken: &Taken) -> S
     out
 }
 
+#[derive(Default)]
 struct QuantityRow<'s> {
     order: usize,
     name: String,
@@ -162,15 +163,8 @@ fn rows<'s>(problem: &Problem, case: usize, solved: &'s Solved, taken: &Taken) -
         .chain(solved.words.iter().map(|(label, word)| QuantityRow {
             order: place(label.quantity),
             name: scene.name_of(*label),
-            unit: "",
             word: Some(word.text()),
-            value: None,
-            eom: None,
-            energy: None,
-            gap: None,
-            cond: None,
-            bound: None,
-            error: None,
+            ..QuantityRow::default()
         }))
         .collect();
     rows.sort_by_key(|r| r.order);

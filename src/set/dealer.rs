@@ -8,7 +8,7 @@ use crate::sheet::statement;
 use crate::units::spell;
 use serde_json::{Map, Value};
 
-/// What one student got: variants and key, problem by problem.
+/// What one student got, problem by problem, drawn or as it is stored.
 pub struct Dealt {
     /// Variants in the order of the sheet.
     pub variants: Vec<Variant>,

@@ -1,12 +1,11 @@
 //! Drawing a stored set again to see that nothing has changed.
 use crate::bank::Bank;
 use crate::draw::stream;
-use crate::finding::{Finding, Findings};
+use crate::finding::{Finding, Findings, FirstFindings};
 use crate::key::SheetKey;
 use crate::problem::maker::Unsatisfiable;
 use crate::set::dealer::{Dealer, Dealt, indices, stored};
 use crate::set::given;
-use crate::set::given::GivenSheet;
 use crate::set::store::{StoredSet, StoredStudent};
 use rayon::prelude::*;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -62,9 +61,8 @@ pub fn each<T: Send>(
             Findings::from(f)
         };
         if earlier {
-            let GivenSheet { variants, key } =
-                given::as_stored(bank, &problems, &student.student, &student.problems)?;
-            return make(i, student, Dealt { variants, key }).map_err(by_make);
+            let dealt = given::as_stored(bank, &problems, &student.student, &student.problems)?;
+            return make(i, student, dealt).map_err(by_make);
         }
         if let Some(dealt) = dealer.deal_again(bank, &problems, student) {
             return make(i, student, dealt).map_err(by_make);
@@ -102,11 +100,9 @@ pub fn each<T: Send>(
     if faults.is_empty() {
         return Ok(made);
     }
-    let more = faults.len().saturating_sub(5);
-    faults.truncate(5);
-    if more > 0 {
-        faults.push(Finding::new("", format!("and {more} more differences")));
-    }
+    let mut first = FirstFindings::default();
+    faults.into_iter().for_each(|fault| first.push(fault));
+    let mut faults = first.told();
     if made_badly.into_inner() {
         return Err(faults);
     }

@@ -209,7 +209,7 @@ impl<'a> Draft<'a> {
         self.told.iter().any(|t| t.contains(r"^\circ"))
     }
 
-    /// SymbolId (as the bank has it) and text of each datum for templates, `$R = 200\ \mathrm{mm}$`.
+    /// Symbol (as the bank has it) and text of each datum for templates, `$R = 200\ \mathrm{mm}$`.
     pub fn whole(&self) -> Vec<(String, String)> {
         let drawn = |i: usize| self.variant.values.get(i).copied().flatten();
         let data = self.problem.data.iter().enumerate();

@@ -71,7 +71,7 @@ pub struct MarkedClass {
     pub problems: Vec<MarkedProblem>,
     /// In the order of the sheet.
     pub parts: Vec<MarkedPart>,
-    /// Does the sheet of a student have a part? CountingRow after row, a row for each student.
+    /// Does the sheet of a student have a part? Row after row, one for each student.
     pub asked: Vec<bool>,
     /// Does the day come first in dates? `None`: they must say themselves.
     pub day_first: Option<bool>,
@@ -134,7 +134,7 @@ pub type TroubleKey = (Option<usize>, Verdict, String);
 pub struct Marks {
     /// Who and what.
     pub class: MarkedClass,
-    /// CountingRow after row, a row for each student.
+    /// Row after row, one for each student.
     pub cells: Vec<MarkedCell>,
     /// Points of each cell as the gradebook has them, corrections included; `None` where it has none.
     pub given: Vec<Option<f64>>,
