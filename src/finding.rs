@@ -99,6 +99,30 @@ impl Findings {
     }
 }
 
+/// The first findings of many, and how many more there are.
+#[derive(Debug, Default)]
+pub struct FirstFindings {
+    shown: Findings,
+    more: usize,
+}
+
+impl FirstFindings {
+    /// So many are told; where one thing is wrong in many places, more help nobody.
+    pub const MOST: usize = 5;
+
+    /// Adds one.
+    pub fn push(&mut self, finding: Finding) {
+        if self.shown.len() < Self::MOST { self.shown.push(finding) } else { self.more += 1 }
+    }
+    /// What is told, the number of the others last.
+    pub fn told(mut self) -> Findings {
+        if self.more > 0 {
+            self.shown.push(Finding::new("", format!("and {} more differences", self.more)));
+        }
+        self.shown
+    }
+}
+
 impl From<Finding> for Findings {
     fn from(finding: Finding) -> Self {
         Self(vec![finding])

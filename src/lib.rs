@@ -25,8 +25,8 @@
 //!              policy, submissions -> answer -> grade -> report, matches, regrade
 //!              set, habits -> simulate -> submissions, truth
 //! ```
-//! [`problem::make`] is the first line in one function, [`grade::run`] the second; [`folder`] reads and
-//! writes what lies on disk, [`review`] looks at a bank before its sheets go out, [`diagnosis`] at one problem with given data, and
+//! [`problem::maker::Maker::variant`] goes from a bank to solved data and [`problem::make_key::key`] on to the key;
+//! [`grade::run::grade`] goes from submissions to verdicts. [`folder`] reads and writes what lies on disk, [`review`] looks at a bank before its sheets go out, [`inspect`] at one problem with given data, and
 //! [`cli`] tells results: a verb is a file of its own that knows no other verb.
 //!
 //! # In Rust
@@ -45,12 +45,12 @@
 //! # use slipstick::bank::load;
 //! # let text = include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/banks/hoists-and-pulleys.yaml"));
 //! # let bank = load::scenes_only(text, "hoists.yaml").unwrap();
-//! use slipstick::problem::make::Maker;
+//! use slipstick::problem::maker::Maker;
 //! let maker = Maker::new(&bank.problems[0], 1, "week-5");
 //! let variant = maker.variant("0017")?;
 //! assert_eq!(variant, maker.variant("0017")?);
 //! assert_ne!(variant.values, maker.variant("0018")?.values);
-//! # Ok::<(), Box<slipstick::problem::make::Unsatisfiable>>(())
+//! # Ok::<(), Box<slipstick::problem::maker::Unsatisfiable>>(())
 //! ```
 //! Its key judges what a student writes into a cell:
 //! ```
@@ -58,16 +58,16 @@
 //! # let text = include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/banks/hoists-and-pulleys.yaml"));
 //! # let bank = load::scenes_only(text, "hoists.yaml").unwrap();
 //! # let problem = &bank.problems[0];
-//! # let variant = slipstick::problem::make::Maker::new(problem, 1, "week-5").variant("0017").unwrap();
-//! use slipstick::grade::{judge::judge, verdict::Verdict};
+//! # let variant = slipstick::problem::maker::Maker::new(problem, 1, "week-5").variant("0017").unwrap();
+//! use slipstick::grade::{compare::compare, verdict::Verdict};
 //! use slipstick::key::Answer;
 //! let key = slipstick::problem::make_key::key(problem, &variant);
 //! let part = &key.parts[0];
 //! let Answer::Number { value, .. } = part.answer else { panic!("a number is asked") };
 //! let cell = |value: f64| part.unit.text_with(&part.unit.from_si(value).to_string());
-//! assert_eq!(judge(&cell(value), part).verdict, Verdict::Right);
-//! assert_eq!(judge(&cell(2.0 * value), part).verdict, Verdict::Wrong);
-//! assert_eq!(judge("12 apples", part).verdict, Verdict::Unreadable);
+//! assert_eq!(compare(&cell(value), part).verdict, Verdict::Right);
+//! assert_eq!(compare(&cell(2.0 * value), part).verdict, Verdict::Wrong);
+//! assert_eq!(compare("12 apples", part).verdict, Verdict::Unreadable);
 //! ```
 //!
 //! # Invariants
@@ -90,7 +90,7 @@
 //! words in `bank/scene.rs`. A new language: its folder in `templates/`, a line in [`words`], its texts in [`template`] and `bank/built_in.rs`.
 //! A new format: a walk over the events of a [`sheet::document`], as in [`sheet::tex`]. A new family: no Rust, a file in `banks/`.
 //! A new wrong method: an entry under `mistakes:` of its problem and its words in the catalogue. A new setting of marks: a field of
-//! [`policy`], a line in `bank/course.rs`, its effect in `grade/credit.rs` or `grade/choose.rs`. A new quantity: a line in [`scene::ask`] and a `say` on each road.
+//! [`policy`], a line in `bank/course.rs`, its effect in `grade/credit.rs` or `grade/attempt.rs`. A new quantity: a line in [`scene::ask`] and a `say` on each road.
 //!
 //! # Limits
 //! Rigid bodies in a plane, velocity ratios that do not change with position (or one body that swings about a pin), cords without mass that run parallel to the
@@ -98,13 +98,13 @@
 pub mod answer;
 pub mod bank;
 pub mod cli;
-pub mod diagnosis;
 pub mod draw;
 pub mod figure;
 pub mod finding;
 pub mod folder;
 pub mod grade;
 pub mod guard;
+pub mod inspect;
 pub mod key;
 pub mod matches;
 pub mod misconception;

@@ -460,12 +460,16 @@ fn escape_markdown(text: &str, out: &mut dyn io::Write) -> io::Result<()> {
     Ok(())
 }
 
-/// A text escaped for Markdown.
-pub fn in_markdown(text: &str) -> String {
+fn escaped(text: &str, escape: fn(&str, &mut dyn io::Write) -> io::Result<()>) -> String {
     let mut out = Vec::with_capacity(text.len() + 8);
     // Writing to memory cannot fail.
-    let _ = escape_markdown(text, &mut out);
+    let _ = escape(text, &mut out);
     String::from_utf8_lossy(&out).into_owned()
+}
+
+/// A text escaped for Markdown.
+pub fn in_markdown(text: &str) -> String {
+    escaped(text, escape_markdown)
 }
 
 /// Escapes what HTML would take for markup.
@@ -487,10 +491,7 @@ fn escape_html(text: &str, out: &mut dyn io::Write) -> io::Result<()> {
 
 /// A text escaped for HTML.
 pub fn in_html(text: &str) -> String {
-    let mut out = Vec::with_capacity(text.len() + 8);
-    // Writing to memory cannot fail.
-    let _ = escape_html(text, &mut out);
-    String::from_utf8_lossy(&out).into_owned()
+    escaped(text, escape_html)
 }
 
 /// Escapes what LaTeX would take for a command; signs that pdfLaTeX lacks are written in math, or by their number.
@@ -551,8 +552,5 @@ fn escape_tex(text: &str, out: &mut dyn io::Write) -> io::Result<()> {
 
 /// A text escaped for LaTeX.
 pub fn in_tex(text: &str) -> String {
-    let mut out = Vec::with_capacity(text.len() + 8);
-    // Writing to memory cannot fail.
-    let _ = escape_tex(text, &mut out);
-    String::from_utf8_lossy(&out).into_owned()
+    escaped(text, escape_tex)
 }

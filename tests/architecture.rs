@@ -156,7 +156,7 @@ const DOORS: &[(&str, &[&str])] = &[
         ],
     ),
     (
-        "diagnosis",
+        "inspect",
         &[
             "guard",
             "problem",
@@ -184,7 +184,7 @@ const DOORS: &[(&str, &[&str])] = &[
         &[
             "problem",
             "bank",
-            "diagnosis",
+            "inspect",
             "figure",
             "picture",
             "solution",
@@ -206,7 +206,7 @@ const DOORS: &[(&str, &[&str])] = &[
             "problem",
             "bank",
             "draw",
-            "diagnosis",
+            "inspect",
             "review",
             "sheet",
             "sheet::document",
@@ -389,8 +389,8 @@ fn planted_imports_are_caught() {
         ("solve::energy", "use crate::solve::eom::equations;"),
         ("solve::energy::balance", "use crate::solve::{agree, outcome};"),
         ("scene::body", "use crate::solve::outcome::Solved;"),
-        ("grade::judge", "use crate::scene::Scene;"),
-        ("grade::judge", "let x = crate::solve::agree::solve(s, d);"),
+        ("grade::compare", "use crate::scene::Scene;"),
+        ("grade::compare", "let x = crate::solve::agree::solve(s, d);"),
         ("num::dd", "use crate::scene::Num;"),
         ("scene::mod", "use libm::sin;"),
         ("sheet::page", "let r = rand::rng();"),

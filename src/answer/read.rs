@@ -83,7 +83,7 @@ pub enum Reading {
     Unreadable(WhyUnreadable),
 }
 
-/// WhyUnreadable a cell cannot be read.
+/// Why a cell cannot be read.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum WhyUnreadable {
     /// Longer than 200 characters.
@@ -322,7 +322,7 @@ fn without_brackets(text: &str) -> (&str, bool) {
 }
 
 /// A number with what belongs to it.
-struct WrittenQuantity {
+struct CellQuantity {
     negative: bool,
     /// Without its sign, in the unit.
     value: f64,
@@ -337,7 +337,7 @@ struct WrittenQuantity {
 }
 
 /// Reads `-12,876.9 mm`, `3/4 m`, `42 ft 3 in`, `34.65 ± 0.1 N`, `(34.65 ± 0.1) N`, `62.6 N up`.
-fn quantity(text: &str, units: &mut UnitCache) -> Result<WrittenQuantity, WhyUnreadable> {
+fn quantity(text: &str, units: &mut UnitCache) -> Result<CellQuantity, WhyUnreadable> {
     let (negative, body) = unsigned(text);
     let (mut sign, mut told, mut spread_inside, mut per_cent) = (negative, false, false, false);
     let (number, behind) = match numeral(body) {
@@ -413,7 +413,7 @@ fn quantity(text: &str, units: &mut UnitCache) -> Result<WrittenQuantity, WhyUnr
     if !value.is_finite() {
         return Err(WhyUnreadable::NotFinite);
     }
-    Ok(WrittenQuantity {
+    Ok(CellQuantity {
         negative: sign,
         value,
         grouped: number.grouped,

@@ -151,28 +151,28 @@ fn is_reserved(id: &str) -> bool {
             && stem.ends_with(|c: char| c.is_ascii_digit()))
 }
 
-/// The student id of a folder, if `folder` made it.
-pub fn unfolder(name: &str) -> Option<String> {
-    let mut bytes = Vec::with_capacity(name.len());
-    let mut chars = name.bytes();
-    while let Some(b) = chars.next() {
-        match b {
-            b'^' => bytes.push(chars.next().filter(u8::is_ascii_uppercase)?),
-            b'%' => {
-                let digit = |b: u8| char::from(b).to_digit(16);
-                let (high, low) = (digit(chars.next()?)?, digit(chars.next()?)?);
-                bytes.push((high * 16 + low) as u8);
-            }
-            b => bytes.push(b),
-        }
-    }
-    let id = String::from_utf8(bytes).ok()?;
-    (folder(&id) == name).then_some(id)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// The student id of a folder, if `folder` made it.
+    fn unfolder(name: &str) -> Option<String> {
+        let mut bytes = Vec::with_capacity(name.len());
+        let mut chars = name.bytes();
+        while let Some(b) = chars.next() {
+            match b {
+                b'^' => bytes.push(chars.next().filter(u8::is_ascii_uppercase)?),
+                b'%' => {
+                    let digit = |b: u8| char::from(b).to_digit(16);
+                    let (high, low) = (digit(chars.next()?)?, digit(chars.next()?)?);
+                    bytes.push((high * 16 + low) as u8);
+                }
+                b => bytes.push(b),
+            }
+        }
+        let id = String::from_utf8(bytes).ok()?;
+        (folder(&id) == name).then_some(id)
+    }
     use proptest::prelude::*;
 
     #[test]

@@ -4,7 +4,8 @@ use crate::bank::node::{Faults, Fields, Node, Value, choice, named, shorten, tex
 use crate::bank::yaml;
 use crate::finding::Findings;
 use crate::policy::{
-    Correction, Counts, DAY, For, HOUR, Hints, MINUTE, Part, Per, Policy, Rounding, Unread, Way, Zone, time,
+    Correction, Counts, DAY, For, HOUR, Hints, MINUTE, Per, Policy, PolicyPart, Rounding, RoundingWay,
+    Unread, Zone, time,
 };
 
 /// What a course file may hold, with an explanation of each setting; it is read by a test.
@@ -17,7 +18,8 @@ const COUNTS: [(&str, Counts); 3] =
     [("last", Counts::Last), ("best", Counts::Best), ("first", Counts::First)];
 const PER: [(&str, Per); 3] = [("day", Per::Day), ("hour", Per::Hour), ("once", Per::Once)];
 const UNREAD: [(&str, Unread); 2] = [("in time", Unread::InTime), ("late", Unread::Late)];
-const WAYS: [(&str, Way); 3] = [("nearest", Way::Nearest), ("up", Way::Up), ("down", Way::Down)];
+const WAYS: [(&str, RoundingWay); 3] =
+    [("nearest", RoundingWay::Nearest), ("up", RoundingWay::Up), ("down", RoundingWay::Down)];
 const FOR: [(&str, For); 2] = [("all", For::All), ("answered", For::Answered)];
 
 /// Most points of a part.
@@ -88,7 +90,7 @@ fn extensions(node: &Node, due: Option<i64>, dates: &Dates, faults: &Faults) -> 
     list
 }
 
-fn points_by_part(node: &Node, faults: &Faults) -> Vec<(Part, f64)> {
+fn points_by_part(node: &Node, faults: &Faults) -> Vec<(PolicyPart, f64)> {
     let mut list = Vec::new();
     for (name, key, value) in named(node, "points by part", faults) {
         let Some(part) = part(name, key, faults) else { continue };
@@ -165,11 +167,11 @@ fn rounding(node: &Node, faults: &Faults) -> Option<Rounding> {
         found
     };
     if node.text().is_some() {
-        return Some(Rounding { to: step(node)?, way: Way::Nearest });
+        return Some(Rounding { to: step(node)?, way: RoundingWay::Nearest });
     }
     let mut fields = Fields::open(node, "a step such as 0.5, or fields (to, way)", faults)?;
     let to = fields.need("to", "0.5").and_then(step);
-    let way = fields.read("way", |n, f| choice(n, &WAYS, f)).unwrap_or(Way::Nearest);
+    let way = fields.read("way", |n, f| choice(n, &WAYS, f)).unwrap_or(RoundingWay::Nearest);
     fields.close();
     Some(Rounding { to: to?, way })
 }
@@ -200,7 +202,7 @@ fn correction(node: &Node, faults: &Faults) -> Option<Correction> {
 }
 
 /// `1.omega`, `pulled-rolling.omega`, `1`.
-fn part(name: &str, at: &Node, faults: &Faults) -> Option<Part> {
+fn part(name: &str, at: &Node, faults: &Faults) -> Option<PolicyPart> {
     let (problem, part) = match name.split_once('.') {
         Some((problem, part)) => (problem.trim(), Some(part.trim())),
         None => (name.trim(), None),
@@ -210,7 +212,7 @@ fn part(name: &str, at: &Node, faults: &Faults) -> Option<Part> {
         faults.hint(at, format!("`{}` is no part of a problem", shorten(name)), hint);
         return None;
     }
-    Some(Part { problem: problem.to_owned(), part: part.map(str::to_owned), at: (at.line, at.column) })
+    Some(PolicyPart { problem: problem.to_owned(), part: part.map(str::to_owned), at: (at.line, at.column) })
 }
 
 fn zone(node: &Node, faults: &Faults) -> Option<Zone> {

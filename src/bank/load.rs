@@ -34,7 +34,8 @@ fn read(text: &str, file: &str, variables: Option<Variables>) -> Result<Bank, Fi
     }
 }
 
-/// The statements and questions of a bank or of texts put over one: field path in the bank, and node.
+/// Statements and wordings of questions, in a bank or in a file of texts in another language that replaces them
+/// (`overlay.rs`): the field path that each has in the bank, and its node.
 pub fn texts(tree: &Node) -> impl Iterator<Item = (String, &Node)> {
     fn fields(node: &Node) -> &[(Node, Node)] {
         match &node.value {

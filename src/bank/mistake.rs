@@ -1,10 +1,11 @@
 //! Wrong methods of a problem: how each comes to its answers. What they are called and what is said about them stands in the
 //! catalogue of misconceptions, by the same id.
 use crate::bank::expression::{Exponents, Expression, Name};
-use crate::bank::node::{Faults, Fields, Node, Value, close_name, named, shorten, suggestion};
+use crate::bank::node::{Faults, Fields, Node, Value, named, shorten};
 use crate::bank::scene::{self, DatumSymbol, Touching};
 use crate::bank::{Datum, Follow, Mistake, Question, measure, review};
 use crate::scene::{Label, Scene};
+use crate::units::spell;
 
 /// What the reader knows of the problem.
 pub struct Context<'a> {
@@ -71,7 +72,7 @@ fn mistake(id: &str, key: &Node, node: &Node, context: &Context, faults: &Faults
                 faults.maybe(
                     key,
                     format!("`{}` is no symbol of the data", shorten(symbol)),
-                    close_name(symbol, names),
+                    spell::did_you_mean(symbol, names),
                 );
             }
             _ => {}
@@ -112,7 +113,7 @@ fn cases(node: &Node, context: &Context, faults: &Faults) -> Vec<usize> {
         match context.cases.iter().position(|case| case.name == name) {
             Some(index) => found.push(index),
             None => {
-                let hint = close_name(name, context.cases.iter().map(|case| case.name));
+                let hint = spell::did_you_mean(name, context.cases.iter().map(|case| case.name));
                 faults.maybe(item, format!("`{}` is no case of this problem", shorten(name)), hint);
             }
         }
@@ -162,7 +163,7 @@ pub fn follows(node: &Node, questions: &[Question], context: &Context, faults: &
     let mut list = Vec::new();
     for (id, key, value) in named(node, "relations by question", faults) {
         let Some(index) = questions.iter().position(|q| q.id == id) else {
-            let hint = suggestion(id, "questions", questions.iter().map(|q| q.id.as_str()));
+            let hint = spell::hint(id, "questions", questions.iter().map(|q| q.id.as_str()));
             faults.hint(key, format!("`{}` is no question that is asked", shorten(id)), hint);
             continue;
         };

@@ -275,6 +275,7 @@ const ROUNDING: f64 = 1e-6;
 pub mod built_in;
 pub mod course;
 pub mod decimal;
+pub mod draw;
 pub mod expression;
 pub mod load;
 pub mod measure;

@@ -198,7 +198,7 @@ impl<'n> Fields<'n> {
             match key.text() {
                 Some(text) if self.asked.contains(&text) => {}
                 Some(text) => {
-                    let hint = suggestion(text, "fields known here", self.asked.iter().copied());
+                    let hint = spell::hint(text, "fields known here", self.asked.iter().copied());
                     self.faults.hint(key, format!("unknown field `{}`", shorten(text)), hint);
                 }
                 None => self.faults.at(key, "a field name must be a text"),
@@ -254,16 +254,4 @@ pub fn named<'n>(node: &'n Node, what: &str, faults: &Faults) -> Vec<(&'n str, &
         list.push((name, key, value));
     }
     list
-}
-
-/// "did you mean" for a close name, never for very short words; ties broken by name.
-pub fn close_name<'a>(text: &str, known: impl Iterator<Item = &'a str>) -> Option<String> {
-    let known = known.filter(|name| *name != text);
-    spell::closest(text, known).map(|name| format!("did you mean `{name}`?"))
-}
-
-/// "did you mean", or all that is known, after the word for it.
-pub fn suggestion<'a>(text: &str, what: &str, known: impl Iterator<Item = &'a str> + Clone) -> String {
-    close_name(text, known.clone())
-        .unwrap_or_else(|| format!("{what}: {}", known.collect::<Vec<_>>().join(", ")))
 }

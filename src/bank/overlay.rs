@@ -1,7 +1,8 @@
 //! Texts of a bank in another language, put over its own: title, problems' titles, names of data, questions, statements.
-use crate::bank::node::{Faults, Fields, Node, named, shorten, suggestion, text};
+use crate::bank::node::{Faults, Fields, Node, named, shorten, text};
 use crate::bank::{Bank, Problem, Variables, load, review, yaml};
 use crate::finding::Findings;
+use crate::units::spell;
 
 /// Puts the texts of an overlay over those of a bank. With a `reference`, the bank that the overlay was written for, only
 /// texts that are still what they are there are replaced, and ids that this bank does not have are passed over: a changed
@@ -113,7 +114,7 @@ fn words(node: &Node, faults: &Faults) -> Option<String> {
 }
 
 fn unknown(key: &Node, what: &str, id: &str, known: &[&str], faults: &Faults) {
-    let hint = suggestion(id, "known here", known.iter().copied());
+    let hint = spell::hint(id, "known here", known.iter().copied());
     faults.hint(key, format!("{what} `{}`", shorten(id)), hint);
 }
 

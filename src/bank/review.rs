@@ -1,12 +1,13 @@
 //! Sense of ids, ranges and names: is every datum used and admissible, does a quantity exist, are templates' names known.
 use crate::bank::need::Need;
-use crate::bank::node::{Faults, Node, Value, close_name, shorten, suggestion};
+use crate::bank::node::{Faults, Node, Value, shorten};
 use crate::bank::{Datum, Draw, TEMPLATE_NAMES, Variables};
 use crate::finding::Finding;
 use crate::scene::{
     Attach, Coordinate, Cord, CordEnd, Degree, End, Far, Label, Num, Owner, Quantity, RotaryInertia, Scene,
     Tie,
 };
+use crate::units::spell;
 
 /// A datum in one case: used where it is drawn, drawn where it is used, and admissible over its whole range.
 pub fn datum(
@@ -305,7 +306,7 @@ pub fn label(scene: &Scene, name: &str) -> Result<Label, (String, Option<String>
         None => (None, name),
     };
     let Some(quantity) = Quantity::from_name(bare) else {
-        let hint = close_name(bare, Quantity::ALL.iter().map(|q| q.name())).unwrap_or_else(|| {
+        let hint = spell::did_you_mean(bare, Quantity::ALL.iter().map(|q| q.name())).unwrap_or_else(|| {
             let names: Vec<String> = labels(scene).into_iter().map(|l| scene.name_of(l)).collect();
             format!("quantities of this scene: {}", names.join(", "))
         });
@@ -532,7 +533,7 @@ pub fn template(node: &Node, is_statement: bool, symbols: &[&str], variables: Va
                     continue;
                 }
                 let known = || symbols.iter().copied().chain(TEMPLATE_NAMES.iter().copied());
-                let hint = suggestion(name, "known names", known());
+                let hint = spell::hint(name, "known names", known());
                 faults.hint(node, format!("`{{{{ {} }}}}` is not known", shorten(name)), hint);
             }
             // A statement that lists values or particles may give any of them.

@@ -1,18 +1,19 @@
 //! The `scene` part of a problem: bodies, ties, forces, start and end, read into pure data.
 use crate::bank::measure;
 use crate::bank::need::Need;
-use crate::bank::node::{Faults, Fields, Node, Value, close_name, named, shorten, suggestion};
+use crate::bank::node::{Faults, Fields, Node, Value, named, shorten};
 use crate::scene::{
     Arm, Attach, Body, Coordinate, Cord, CordEnd, Couple, Degree, End, Far, Heading, Line, Mass, Num, Part,
     Particle, Pin, PinSpring, Rest, RotaryInertia, Scene, Shape, Side, Slope, Span, Start, Tie, Zero,
 };
 use crate::units::Unit;
+use crate::units::spell;
 use std::cell::{Cell, RefCell};
 
 /// A datum as the scene sees it.
 #[derive(Debug, Clone)]
 pub struct DatumSymbol {
-    /// DatumSymbol, such as `mu_s`.
+    /// Symbol, such as `mu_s`.
     pub name: String,
     /// Its unit; `None` if the bank's own is wrong (said elsewhere).
     pub unit: Option<Unit>,
@@ -251,7 +252,7 @@ impl SceneReader<'_> {
         }
         if text.is_empty() || text.starts_with(|c: char| c.is_alphabetic() || c == '_') {
             let known = self.symbols.iter().map(|s| s.name.as_str());
-            let hint = close_name(text, known.clone()).unwrap_or_else(|| {
+            let hint = spell::did_you_mean(text, known.clone()).unwrap_or_else(|| {
                 let known: Vec<&str> = known.collect();
                 format!("symbols: {}; or a constant such as `{}`", known.join(", "), need.example)
             });
@@ -300,7 +301,7 @@ impl SceneReader<'_> {
         if let Some((_, meaning)) = words.iter().find(|(w, _)| *w == text) {
             return Some(*meaning);
         }
-        let hint = suggestion(&text, "words known here", words.iter().map(|(w, _)| *w));
+        let hint = spell::hint(&text, "words known here", words.iter().map(|(w, _)| *w));
         self.faults.hint(node, format!("expected {what}, found {}", node.kind()), hint);
         None
     }
@@ -320,7 +321,7 @@ impl SceneReader<'_> {
 
     fn unknown(&self, key: &Node, what: &str, known: &[&str]) {
         let text = key.text().unwrap_or("");
-        let hint = suggestion(text, "known", known.iter().copied());
+        let hint = spell::hint(text, "known", known.iter().copied());
         self.faults.hint(key, format!("`{}` is no {what}", shorten(text)), hint);
     }
 
@@ -582,7 +583,7 @@ impl SceneReader<'_> {
                         "name it under `surfaces`, for example `surfaces: {incline: {slope: theta}}`"
                             .to_owned()
                     } else {
-                        suggestion(on, "surfaces", surfaces.iter().map(|s| s.name))
+                        spell::hint(on, "surfaces", surfaces.iter().map(|s| s.name))
                     };
                     self.faults.hint(moves, format!("`{}` is no surface of this scene", shorten(on)), hint);
                     return Err(());
@@ -678,7 +679,7 @@ impl SceneReader<'_> {
         let text = node.text().unwrap_or("").trim();
         let found = bodies.iter().position(|b| b.name == text);
         if found.is_none() {
-            let hint = suggestion(text, "bodies", bodies.iter().map(|b| b.name.as_str()));
+            let hint = spell::hint(text, "bodies", bodies.iter().map(|b| b.name.as_str()));
             self.faults.hint(node, format!("expected a body of this scene, found {}", node.kind()), hint);
         }
         found
@@ -697,7 +698,7 @@ impl SceneReader<'_> {
                 format!("give `{}` a field `radii`, for example `radii: {{rim: R}}`", body.name)
             } else {
                 let names = body.radii_m.iter().map(|(n, _)| n.as_str());
-                suggestion(text, &format!("radii of `{}`", body.name), names)
+                spell::hint(text, &format!("radii of `{}`", body.name), names)
             };
             self.faults.hint(
                 node,
@@ -1100,7 +1101,7 @@ impl SceneReader<'_> {
         let mut list = Vec::new();
         for (name, key, value) in named(node, "bodies with their speeds", f) {
             let Some(body) = bodies.iter().position(|b| b.name == name) else {
-                let hint = close_name(name, bodies.iter().map(|b| b.name.as_str()));
+                let hint = spell::did_you_mean(name, bodies.iter().map(|b| b.name.as_str()));
                 f.maybe(key, format!("`{}` is no body of this scene", shorten(name)), hint);
                 continue;
             };

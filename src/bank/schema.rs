@@ -1,10 +1,9 @@
 //! The file format of a bank: which fields there are and what they mean. All findings are collected.
-use crate::bank::decimal::{self, Decimal};
+use crate::bank::decimal::Decimal;
+use crate::bank::draw;
 use crate::bank::expression::{Exponents, Expression, Name};
 use crate::bank::need::Need;
-use crate::bank::node::{
-    Faults, Fields, Node, Value, choice, close_name, named, shorten, suggestion, text, whole,
-};
+use crate::bank::node::{Faults, Fields, Node, Value, choice, named, shorten, text, whole};
 use crate::bank::scene::{self, DatumSymbol, SceneRead, Touching};
 use crate::bank::{
     Bank, Bound, Case, Datum, Draw, FigureLabels, Problem, Question, Relative, TEMPLATE_NAMES, Variables,
@@ -14,6 +13,7 @@ use crate::policy::Policy;
 use crate::scene::{Label, Owner, Quantity, Scene, Span, Tie};
 use crate::solve::outcome::{CheckKind, Motion};
 use crate::units::Unit;
+use crate::units::spell;
 use std::collections::BTreeMap;
 
 /// Gravity where the bank does not say it.
@@ -453,7 +453,7 @@ impl<'n> ProblemRead<'n> {
             fields.get("draws").map_or_else(Vec::new, |n| named(n, "draws by symbol", faults))
         {
             let Some(i) = self.data.iter().position(|d| d.datum.symbol == symbol) else {
-                let hint = suggestion(symbol, "symbols", self.symbols.iter().map(|s| s.name.as_str()));
+                let hint = spell::hint(symbol, "symbols", self.symbols.iter().map(|s| s.name.as_str()));
                 faults.hint(key, format!("`{}` is no symbol of the data", shorten(symbol)), hint);
                 continue;
             };
@@ -614,10 +614,10 @@ impl CaseRead<'_> {
 
 fn draw(node: &Node, faults: &Faults) -> Option<Draw> {
     let Some(text) = node.text() else {
-        faults.hint(node, format!("expected a draw, found {}", node.kind()), decimal::FORMS);
+        faults.hint(node, format!("expected a draw, found {}", node.kind()), draw::FORMS);
         return None;
     };
-    match decimal::draw(text) {
+    match draw::parse(text) {
         Ok(draw) => Some(draw),
         Err((message, hint)) => {
             faults.hint(node, message, hint);
@@ -734,7 +734,7 @@ fn regimes(node: &Node, faults: &Faults) -> Vec<String> {
         if Motion::ALL.iter().any(|m| m.is_called(text)) {
             list.push(text.to_owned());
         } else {
-            let hint = suggestion(text, "regimes", Motion::ALL.iter().map(|m| m.word()));
+            let hint = spell::hint(text, "regimes", Motion::ALL.iter().map(|m| m.word()));
             faults.hint(item, format!("expected a regime, found {}", item.kind()), hint);
         }
     }
@@ -745,7 +745,7 @@ fn margins(node: &Node, faults: &Faults) -> Vec<(CheckKind, f64)> {
     let mut list = Vec::new();
     for (name, key, value) in named(node, "margins by check", faults) {
         let Some(kind) = CheckKind::ALL.iter().copied().find(|k| k.name() == name) else {
-            let hint = suggestion(name, "checks", CheckKind::ALL.iter().map(|k| k.name()));
+            let hint = spell::hint(name, "checks", CheckKind::ALL.iter().map(|k| k.name()));
             faults.hint(key, format!("`{}` is no check", shorten(name)), hint);
             continue;
         };
@@ -811,10 +811,48 @@ fn question(
         .map_or(Some(FIGURES), |n| whole(n, 1, 12, faults).and_then(|f| u8::try_from(f).ok()));
     let unit_required = fields.get("units").map_or(Some(common.unit_required), |n| choice(n, &UNITS, faults));
     fields.close();
-    let place = quantity_node.unwrap_or(key);
+    let label = asked_label(&name, quantity_node.unwrap_or(key), scenes, faults)?;
+    let is_word = label.quantity.is_word();
+    if is_word {
+        let fields = [(unit_node, "unit"), (tolerance_node, "tolerance"), (cond_node, "limit")];
+        for (node, field) in fields.into_iter().filter_map(|(node, field)| Some((node?, field))) {
+            let hint = format!("remove the {field}");
+            faults.hint(node, format!("`{name}` is answered with a word"), hint);
+        }
+    }
+    // What a word does not have is told above, and not read.
+    let [unit_node, tolerance_node, cond_node] =
+        [unit_node, tolerance_node, cond_node].map(|node| node.filter(|_| !is_word));
+    let unit = if is_word { Unit::one() } else { asked_unit(&name, unit_node, label.quantity, faults)? };
+    let (relative, absolute) = tolerance_node.map_or((None, None), |n| tolerance(n, Some(&unit), faults));
+    let relative = relative.unwrap_or(common.relative);
+    let cond_limit = cond_node.and_then(|n| limit(n, COND_LIMITS, faults)).or(common.cond_limit);
+    // A tolerance that widens serves as far as it does.
+    let cond_limit = cond_limit.or(relative.reach()).unwrap_or(COND_LIMIT);
+    Some(Question {
+        id: id.to_owned(),
+        label,
+        ask: ask?,
+        points: points?,
+        relative,
+        absolute,
+        unit_required: !is_word && unit_required? && !unit.is_number(),
+        unit,
+        figures: figures?,
+        cond_limit: if is_word { f64::INFINITY } else { cond_limit },
+        unguarded,
+    })
+}
+
+/// The quantity of a question; it is that of the same body in every case.
+fn asked_label(name: &str, place: &Node, scenes: &[(&str, &Scene)], faults: &Faults) -> Option<Label> {
+    if scenes.is_empty() {
+        let found = unowned(name);
+        return found.map_err(|(message, hint)| faults.maybe(place, message, hint)).ok();
+    }
     let mut label: Option<Label> = None;
     for (case, scene) in scenes {
-        match review::label(scene, &name) {
+        match review::label(scene, name) {
             Ok(found) if label.is_none_or(|l| l == found) => label = Some(found),
             Ok(_) => {
                 faults.hint(
@@ -831,74 +869,19 @@ fn question(
             }
         }
     }
-    if scenes.is_empty() {
-        match unowned(&name) {
-            Ok(found) => label = Some(found),
-            Err((message, hint)) => faults.maybe(place, message, hint),
-        }
-    }
-    let label = label?;
-    let quantity = label.quantity;
-    let unit = if quantity.is_word() {
-        if let Some(n) = unit_node {
-            faults.hint(n, format!("`{name}` is answered with a word"), "remove the unit");
-        }
-        if let Some(n) = tolerance_node {
-            faults.hint(n, format!("`{name}` is answered with a word"), "remove the tolerance");
-        }
-        if let Some(n) = cond_node {
-            faults.hint(n, format!("`{name}` is answered with a word"), "remove the limit");
-        }
-        return Some(Question {
-            id: id.to_owned(),
-            label,
-            ask: ask?,
-            unit: Unit::one(),
-            points: points?,
-            relative: common.relative,
-            absolute: None,
-            unit_required: false,
-            figures: figures?,
-            cond_limit: f64::INFINITY,
-            unguarded,
-        });
-    } else if let Some(n) = unit_node {
-        match measure::unit(n.text().unwrap_or("")) {
-            Ok(unit) if measure::fits(&unit, quantity.unit()) => unit,
-            Ok(unit) => {
-                faults.hint(
-                    n,
-                    format!("`{name}`: {}", measure::mismatch(&unit, quantity.unit())),
-                    format!("for example `unit: {}`", quantity.unit()),
-                );
-                return None;
-            }
-            Err(message) => {
-                faults.hint(n, message, format!("for example `unit: {}`", quantity.unit()));
-                return None;
-            }
-        }
-    } else {
-        measure::unit(quantity.unit()).ok()?
+    label
+}
+
+/// The unit in which a number is asked: the one that is written, else that of the quantity.
+fn asked_unit(name: &str, node: Option<&Node>, quantity: Quantity, faults: &Faults) -> Option<Unit> {
+    let Some(node) = node else { return measure::unit(quantity.unit()).ok() };
+    let message = match measure::unit(node.text().unwrap_or("")) {
+        Ok(unit) if measure::fits(&unit, quantity.unit()) => return Some(unit),
+        Ok(unit) => format!("`{name}`: {}", measure::mismatch(&unit, quantity.unit())),
+        Err(message) => message,
     };
-    let (relative, absolute) = tolerance_node.map_or((None, None), |n| tolerance(n, Some(&unit), faults));
-    let unit_required = unit_required? && !unit.is_number();
-    let relative = relative.unwrap_or(common.relative);
-    let cond_limit = cond_node.and_then(|n| limit(n, COND_LIMITS, faults)).or(common.cond_limit);
-    Some(Question {
-        id: id.to_owned(),
-        label,
-        ask: ask?,
-        unit,
-        points: points?,
-        relative,
-        absolute,
-        unit_required,
-        figures: figures?,
-        // A tolerance that widens serves as far as it does.
-        cond_limit: cond_limit.or(relative.reach()).unwrap_or(COND_LIMIT),
-        unguarded,
-    })
+    faults.hint(node, message, format!("for example `unit: {}`", quantity.unit()));
+    None
 }
 
 /// Wrong methods near which an answer may lie, with the reasons.
@@ -920,7 +903,7 @@ fn unowned(name: &str) -> Result<Label, (String, Option<String>)> {
         Some(quantity) => Ok(Label { quantity, of: Owner::Scene }),
         None => Err((
             format!("`{}` is no quantity", shorten(name)),
-            close_name(bare, Quantity::ALL.iter().map(|q| q.name())),
+            spell::did_you_mean(bare, Quantity::ALL.iter().map(|q| q.name())),
         )),
     }
 }
@@ -947,7 +930,7 @@ fn asks(node: &Node, questions: &[(String, Option<Question>)], faults: &Faults) 
     for item in items {
         let text = item.text().unwrap_or("").trim();
         if !questions.iter().any(|(id, _)| id == text) {
-            let hint = suggestion(text, "questions", questions.iter().map(|(id, _)| id.as_str()));
+            let hint = spell::hint(text, "questions", questions.iter().map(|(id, _)| id.as_str()));
             faults.hint(item, format!("expected the id of a question, found {}", item.kind()), hint);
         } else if list.iter().any(|l| l == text) {
             faults.at(item, format!("`{text}` is asked twice"));
@@ -967,7 +950,7 @@ fn bounds_of(node: &Node, data: &[Datum], scene: Option<&Scene>, faults: &Faults
             }
             let label = scene.map_or_else(|| unowned(name), |s| review::label(s, name)).map_err(
                 |(message, hint)| {
-                    let close = close_name(name, data.iter().map(|d| d.symbol.as_str()));
+                    let close = spell::did_you_mean(name, data.iter().map(|d| d.symbol.as_str()));
                     (message, close.or(hint))
                 },
             )?;

@@ -1,9 +1,9 @@
 //! `slipstick accuracy`: what each method gives away for its speed, on one problem with given data.
 use crate::cli::args;
 use crate::cli::tell::{Exit, Io};
-use crate::diagnosis::{accuracy, data};
 use crate::finding::{Finding, Findings};
 use crate::folder::{banks, files};
+use crate::inspect::{accuracy, data};
 use std::path::{Path, PathBuf};
 
 /// Runs it.

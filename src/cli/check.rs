@@ -4,15 +4,15 @@ use crate::bank::decimal::Decimal;
 use crate::bank::{Case, Draw, Question};
 use crate::cli::args;
 use crate::cli::tell::{Exit, Io};
-use crate::diagnosis::sentences::{refusal, right_answer};
 use crate::finding::{Finding, Findings};
 use crate::folder::{banks, files};
+use crate::grade::compare;
 use crate::grade::feedback::Feedback;
-use crate::grade::judge;
 use crate::grade::verdict::Verdict;
+use crate::inspect::sentences::{refusal, right_answer};
 use crate::key::{Answer, ProblemKey};
-use crate::problem::make::Variant;
-use crate::problem::{make, make_key};
+use crate::problem::maker::Variant;
+use crate::problem::{make_key, maker};
 use crate::sheet::public::{SheetFile, SheetProblem};
 use crate::sheet::{statement, terminal};
 use crate::units;
@@ -79,14 +79,14 @@ pub fn run(args: &args::CheckArgs, io: &mut Io) -> Result<Exit, Findings> {
             let known: Vec<&str> = problem.key.parts.iter().map(|e| e.part.as_str()).collect();
             let what = format!("`{name}`: problem {} ({}) has no part `{part}`", problem.number, problem.id);
             let fault = Finding::new("", what);
-            faults.push(match units::spell::closest(part, known.iter().copied()) {
-                Some(near) => fault.hint(format!("did you mean `{near}`?")),
+            faults.push(match units::spell::did_you_mean(part, known.iter().copied()) {
+                Some(hint) => fault.hint(hint),
                 None => listed_once(fault, format!("its parts: {}", known.join(", ")), &faults),
             });
             continue;
         };
         let entry = &problem.key.parts[p];
-        let judgement = judge::judge_with(cell, entry, &mut UnitCache::default(), &say);
+        let judgement = compare::compare_with(cell, entry, &mut UnitCache::default(), &say);
         let right = judgement.verdict == Verdict::Right;
         all_right &= right;
         let mut row = vec![name.to_owned(), cell.to_owned(), judgement.verdict.as_str().to_owned()];
@@ -148,7 +148,7 @@ fn solve(problem: &SheetProblem, file: &str, words: &Words) -> Result<CheckedPro
             .collect()
     };
     // A contact may be left open: what happens is the case in which what was assumed of it holds.
-    let mut solved = only.cases.iter().enumerate().map(|(i, case)| make::from_values(only, i, &given(case)));
+    let mut solved = only.cases.iter().enumerate().map(|(i, case)| maker::from_values(only, i, &given(case)));
     let Some(first) = solved.next() else {
         return Err(Finding::new("scene", "holds no problem").in_file(&place).into());
     };

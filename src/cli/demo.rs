@@ -1,14 +1,14 @@
 //! `slipstick demo`: the whole job on a made-up class.
 use crate::cli::args;
 use crate::cli::tell::{Exit, Io};
-use crate::diagnosis::table::unsatisfiable;
 use crate::finding::{Finding, Findings};
 use crate::folder::deal::Plan;
-use crate::folder::grading::{GradingJob, Reports};
+use crate::folder::grading::{GradeOrder, Reports};
 use crate::folder::staged::Staged;
 use crate::folder::{banks, deal, files, grading};
 use crate::grade::verdict::Verdict;
-use crate::set::replay::Dealer;
+use crate::inspect::table::unsatisfiable;
+use crate::set::dealer::Dealer;
 use crate::sheet::output::Format;
 use crate::sheet::terminal;
 use crate::simulate::hand_in::{CellKind, HandIn, Sheet};
@@ -48,7 +48,7 @@ pub fn run(args: &args::DemoArgs, io: &mut Io) -> Result<Exit, Findings> {
     let made = deal::whole(&plan, &members, &root.join("set"), &bar).map_err(|f| staged.named(f))?;
     let handed = submissions(&plan)?;
     write("submissions.csv", &handed.bytes)?;
-    let job = GradingJob {
+    let job = GradeOrder {
         set: &root.join("set"),
         submissions: &root.join("submissions.csv"),
         out: &root.join("grades"),

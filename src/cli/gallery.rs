@@ -4,7 +4,7 @@ use crate::cli::tell::{Exit, Io};
 use crate::finding::{Finding, Findings};
 use crate::folder::{Progress, files};
 use crate::review::page;
-use crate::set::replay;
+use crate::set::dealer;
 use crate::sheet::terminal;
 
 /// Variants of a problem that are shown at most, so that a browser can show the page.
@@ -20,7 +20,7 @@ pub fn run(args: &args::GalleryArgs, io: &mut Io) -> Result<Exit, Findings> {
         return Err(Finding::new("--variants", format!("{} is not from 1 to {MOST}", args.variants)).into());
     }
     let (loaded, texts) = args.own.load(&args.bank)?;
-    let problems = replay::chosen(&loaded.bank, args.problems.as_deref(), "--problems")?;
+    let problems = dealer::chosen(&loaded.bank, args.problems.as_deref(), "--problems")?;
     let bar = io.bar();
     let page =
         page::page((&loaded.bank, &loaded.file), &problems, &texts, (args.variants, args.seeds), &|of| {

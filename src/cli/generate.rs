@@ -6,7 +6,7 @@ use crate::folder;
 use crate::folder::deal::{Plan, SetMade};
 use crate::folder::{banks, deal, files, set, staged};
 use crate::review;
-use crate::set::replay;
+use crate::set::dealer;
 use crate::sheet::{output, terminal, texts};
 use std::path::Path;
 
@@ -46,8 +46,8 @@ pub fn run(args: &args::GenerateArgs, io: &mut Io) -> Result<Exit, Findings> {
         return Err(Finding::new("--name", "the name of a set is a line of text").into());
     }
     let problems = match (&args.problems, &old) {
-        (None, Some(set)) => replay::indices(&loaded.bank, &set.problems, "problems")?,
-        (asked, _) => replay::chosen(&loaded.bank, asked.as_deref(), "--problems")?,
+        (None, Some(set)) => dealer::indices(&loaded.bank, &set.problems, "problems")?,
+        (asked, _) => dealer::chosen(&loaded.bank, asked.as_deref(), "--problems")?,
     };
     // What a text of one's own gets wrong in a formula, students would see as raw commands.
     let tried = review::texts::tried(&loaded.bank, &texts, &problems)?;

@@ -4,12 +4,12 @@ use crate::cli::args::AttemptsArg;
 use crate::cli::tell::{Exit, Io};
 use crate::finding::Findings;
 use crate::folder::grading;
-use crate::folder::grading::GradingJob;
+use crate::folder::grading::GradeOrder;
 use crate::folder::names::{ANSWERS, GRADEBOOK};
 
 /// Runs it.
 pub fn run(args: &args::GradeArgs, io: &mut Io) -> Result<Exit, Findings> {
-    let job = GradingJob {
+    let job = GradeOrder {
         set: &args.set,
         submissions: &args.submissions,
         out: &args.out,

@@ -2,10 +2,10 @@
 use crate::bank::Problem;
 use crate::cli::args;
 use crate::cli::tell::{Exit, Io};
-use crate::diagnosis::sentences;
-use crate::diagnosis::table::unsatisfiable;
 use crate::finding::{Finding, Findings};
 use crate::folder::{Progress, banks};
+use crate::inspect::sentences;
+use crate::inspect::table::unsatisfiable;
 use crate::num::shown;
 use crate::problem::sweep;
 use crate::review;

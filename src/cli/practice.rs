@@ -3,18 +3,18 @@ use crate::answer::read::UnitCache;
 use crate::bank::Problem;
 use crate::cli::args;
 use crate::cli::tell::{Exit, Io};
-use crate::diagnosis::sentences;
-use crate::diagnosis::table::unsatisfiable;
 use crate::finding::{Finding, Findings};
 use crate::grade::feedback::Feedback;
 use crate::grade::verdict::Verdict;
-use crate::grade::{diagnose, judge};
+use crate::grade::{compare, diagnose};
+use crate::inspect::sentences;
+use crate::inspect::table::unsatisfiable;
 use crate::key::{KeyEntry, ProblemKey};
 use crate::misconception::catalogue::Catalogue;
 use crate::policy::Hints;
-use crate::problem::make::{Maker, Variant};
 use crate::problem::make_key;
-use crate::set::replay;
+use crate::problem::maker::{Maker, Variant};
+use crate::set::dealer;
 use crate::sheet::page::{Room, Sheets};
 use crate::sheet::terminal::plain;
 use crate::sheet::{document, statement};
@@ -34,7 +34,7 @@ enum Next {
 pub fn run(args: &args::PracticeArgs, io: &mut Io) -> Result<Exit, Findings> {
     let (loaded, texts) = args.own.load(&args.bank)?;
     let (bank, words) = (&loaded.bank, &texts.words);
-    let problems = replay::chosen(bank, args.problems.as_deref(), "--problems")?;
+    let problems = dealer::chosen(bank, args.problems.as_deref(), "--problems")?;
     if problems.is_empty() {
         return Err(Finding::new("problems", "there is none").in_file(&loaded.file).into());
     }
@@ -143,7 +143,7 @@ fn questions(
                 }
                 _ => {}
             }
-            let judgement = judge::judge_with(&cell, entry, &mut UnitCache::default(), &say);
+            let judgement = compare::compare_with(&cell, entry, &mut UnitCache::default(), &say);
             if judgement.verdict == Verdict::Right {
                 io.line(&format!("  {} ({})", words.get("feedback.right"), judgement.reason));
                 *asked += 1;

@@ -3,7 +3,7 @@ use crate::cli::args;
 use crate::cli::tell::{Exit, Io};
 use crate::finding::{Finding, Findings};
 use crate::folder::{banks, files, set};
-use crate::set::replay;
+use crate::set::{dealer, replay};
 use crate::sheet::terminal;
 use crate::simulate::classwork::{Files, Work};
 use crate::simulate::habits::Habits;
@@ -49,7 +49,7 @@ fn simulate(args: &args::SimulateArgs) -> Result<Files, Findings> {
     }
     let (Some(habits), true) = (habits, faults.is_empty()) else { return Err(faults) };
     let (stored, bank) = set::with_bank(folder)?;
-    let problems = replay::indices(&bank, &stored.problems, "problems")?;
+    let problems = dealer::indices(&bank, &stored.problems, "problems")?;
     if let Some(path) = &args.like {
         let asked = problems.iter().flat_map(|p| &bank.problems[*p].mistakes);
         let known: Vec<&str> = asked.map(|m| m.id.as_str()).collect();

@@ -1,9 +1,9 @@
 //! `slipstick solve`: a diagnosis of one problem with given data.
 use crate::cli::args;
 use crate::cli::tell::{Exit, Io};
-use crate::diagnosis::{data, table};
 use crate::finding::Findings;
 use crate::folder::banks;
+use crate::inspect::{data, table};
 use crate::solve::{agree, ladder};
 
 /// Runs it.

@@ -1,10 +1,10 @@
 //! Ranges and choices to values on decimal grids: integers only, no float in the draw.
 use crate::bank::decimal::Decimal;
 use crate::bank::{Case, Draw};
-use crate::draw::stream::Words;
+use crate::draw::stream::DrawWords;
 
 /// The case of a variant, by share, as an index into `cases` (0 if there are none).
-pub fn case(words: &mut Words, cases: &[Case]) -> usize {
+pub fn case(words: &mut DrawWords, cases: &[Case]) -> usize {
     if cases.len() <= 1 {
         return 0;
     }
@@ -22,7 +22,7 @@ pub fn case(words: &mut Words, cases: &[Case]) -> usize {
 }
 
 /// The value of datum number `index` in this try.
-pub fn value(words: &mut Words, index: usize, draw: &Draw) -> Decimal {
+pub fn value(words: &mut DrawWords, index: usize, draw: &Draw) -> Decimal {
     let value = match draw {
         Draw::Always { value, .. } => *value,
         Draw::OneOf { values, .. } => {

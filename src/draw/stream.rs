@@ -41,10 +41,10 @@ impl Source {
         self.mac.update(text.as_bytes());
     }
     /// The words of one student.
-    pub fn student(&self, id: &str) -> Words {
+    pub fn student(&self, id: &str) -> DrawWords {
         let mut own = self.clone();
         own.part(id);
-        Words::new(own.mac.finalize().into_bytes().into())
+        DrawWords::new(own.mac.finalize().into_bytes().into())
     }
 }
 
@@ -59,7 +59,7 @@ const KEPT: usize = 32;
 
 /// The random words of one variant.
 #[derive(Debug, Clone)]
-pub struct Words {
+pub struct DrawWords {
     key: [u8; 32],
     cipher: ChaCha20Rng,
     attempt: u64,
@@ -68,7 +68,7 @@ pub struct Words {
     made: usize,
 }
 
-impl Words {
+impl DrawWords {
     /// Words of a ChaCha20 key, at try 1.
     pub fn new(key: [u8; 32]) -> Self {
         let mut words =
@@ -138,13 +138,13 @@ mod tests {
     #[test]
     fn words_are_those_of_the_cipher() {
         // An external ChaCha20: zero key; and key 07...07, block counter 1, nonce 5.
-        let zero = Words::new([0; 32]);
+        let zero = DrawWords::new([0; 32]);
         assert_eq!(zero.far(0, 0).swap_bytes(), 0x76b8_e0ad_a0f1_3d90);
         let mut seven = ChaCha20Rng::from_seed([7; 32]);
         seven.set_stream(5);
         seven.set_word_pos(16);
         assert_eq!(seven.next_u64(), 0xe58c_3bc1_2820_9a4c);
-        let mut words = Words::new([7; 32]);
+        let mut words = DrawWords::new([7; 32]);
         words.attempt(5);
         assert_eq!(words.word(8), 0xe58c_3bc1_2820_9a4c);
         for index in 0..80 {
@@ -174,7 +174,7 @@ mod tests {
 
     #[test]
     fn below_is_even_and_dropped_words_are_replaced() {
-        let mut words = Words::new([3; 32]);
+        let mut words = DrawWords::new([3; 32]);
         let mut count = [0u32; 6];
         for attempt in 1..=6000 {
             words.attempt(attempt);

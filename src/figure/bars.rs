@@ -6,7 +6,7 @@ use crate::num::{shown, trig};
 use crate::picture::board::{Board, LabelTie, LabelWish, TEXT};
 use crate::picture::vector::{Direction, Vec2, vec2};
 use crate::picture::{Picture, Role, symbol};
-use crate::problem::make::Variant;
+use crate::problem::maker::Variant;
 use crate::scene::{Degree, End, Owner, Pin, PinSpring, Quantity, Rest, Start, Zero};
 use crate::words::Words;
 

@@ -12,7 +12,7 @@ use crate::num::{shown, trig};
 use crate::picture::board::{Board, LabelTie, LabelWish, TEXT};
 use crate::picture::vector::{Direction, Vec2, vec2};
 use crate::picture::{Picture, Role, TextRun, symbol};
-use crate::problem::make::Variant;
+use crate::problem::maker::Variant;
 use crate::scene::{Arm, Attach, Couple, End, Far, Owner, Pin, Quantity, Slope, Tie};
 use crate::words::Words;
 

@@ -1,7 +1,7 @@
 //! Graphs for solutions: speed and friction over the way of a wheel on a spring, angular speed over the angle of a pinned
 //! body, the two speeds that meet where a thrown body begins to roll.
 //!
-//! Every point of a curve is a variant of its own, solved by both roads ([`make::from_values`]) with another end: no formula
+//! Every point of a curve is a variant of its own, solved by both roads ([`maker::from_values`]) with another end: no formula
 //! stands here. What a solver refuses is left out of the curve.
 use crate::bank::{FigureLabels, Problem};
 use crate::figure::bars::figures;
@@ -11,8 +11,8 @@ use crate::picture::board::{Board, LabelTie, LabelWish, TEXT};
 use crate::picture::vector::{Direction, Vec2, vec2};
 use crate::picture::{Picture, Role, RunStyle, TextRun, symbol};
 use crate::plot::{Axis, AxisScale};
-use crate::problem::make;
-use crate::problem::make::Variant;
+use crate::problem::maker;
+use crate::problem::maker::Variant;
 use crate::scene::{Coordinate, Degree, End, Num, Owner, Quantity, Slope, Span, Tie};
 use crate::words::Words;
 
@@ -71,7 +71,7 @@ fn sampled(
             case.scene.end = end;
             case.scene.heading = None;
         }
-        if let Ok(variant) = make::from_values(&other, variant.case, &variant.values) {
+        if let Ok(variant) = maker::from_values(&other, variant.case, &variant.values) {
             solved.push((x, variant));
         }
     }
@@ -248,7 +248,7 @@ fn slip(view: &SceneView) -> Option<Picture> {
     let at = Coordinate { body, degree: Degree::Along };
     let mut rolling = view.problem.clone();
     rolling.cases.get_mut(view.variant.case)?.scene.end = End::Rolling(at);
-    let met = make::from_values(&rolling, view.variant.case, &view.variant.values).ok()?;
+    let met = maker::from_values(&rolling, view.variant.case, &view.variant.values).ok()?;
     let when = value(&met, Quantity::T, body).filter(|t| t.is_finite() && *t > 0.0)?;
     let asked = match view.scene.end {
         End::Time(_, n) => Some(view.of(n)),
@@ -260,7 +260,7 @@ fn slip(view: &SceneView) -> Option<Picture> {
         let mut problem = view.problem.clone();
         let end = End::Time(at, Num::Fixed(t));
         problem.cases.get_mut(view.variant.case)?.scene.end = end;
-        let v = make::from_values(&problem, view.variant.case, &view.variant.values).ok()?;
+        let v = maker::from_values(&problem, view.variant.case, &view.variant.values).ok()?;
         Some((value(&v, Quantity::V, body)?, value(&v, Quantity::Omega, body)?))
     };
     let (v0, w0) = (view.of(thrown.speed_m_s), view.of(thrown.spin_rad_s));

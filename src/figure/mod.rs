@@ -4,7 +4,7 @@
 //! solver found: no direction that is asked, no friction.
 use crate::bank::{FigureLabels, Problem};
 use crate::picture::Picture;
-use crate::problem::make::Variant;
+use crate::problem::maker::Variant;
 use crate::words::Words;
 
 pub mod bars;

@@ -6,7 +6,7 @@ use crate::figure::{lamina, layout, parts, pinned, say};
 use crate::picture::board::{Board, LabelTie, TEXT};
 use crate::picture::vector::{Direction, Vec2};
 use crate::picture::{Picture, Role, TextRun, symbol};
-use crate::problem::make::Variant;
+use crate::problem::maker::Variant;
 use crate::scene::{Coordinate, Degree, End, Far, Heading, Num, Owner, Quantity, RotaryInertia, Start, Tie};
 use crate::solve::outcome::Word;
 use crate::words::Words;

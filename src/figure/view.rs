@@ -1,7 +1,7 @@
 //! A variant as a picture sees it: numbers of the scene, their symbols and drawn values as label text, words.
 use crate::bank::{FigureLabels, Problem};
 use crate::picture::{RunStyle, TextRun, symbol};
-use crate::problem::make::Variant;
+use crate::problem::maker::Variant;
 use crate::scene::{
     Body, Degree, Label, Mass, Num, Owner, Quantity, RotaryInertia, Scene, Shape, Start, Tie,
 };

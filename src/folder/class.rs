@@ -2,9 +2,9 @@
 use crate::bank::{Bank, Question, Relative};
 use crate::folder::graded::OpenGrading;
 use crate::report::class::About;
-use crate::report::marks::{Class, Drawn, Part, Problem, Student};
+use crate::report::marks::{Drawn, MarkedClass, MarkedPart, MarkedProblem, Student};
 use crate::report::{settings, table};
-use crate::set::given::GivenSheet;
+use crate::set::dealer::Dealt;
 use crate::words::Words;
 
 /// The title of a problem, or its id.
@@ -13,15 +13,15 @@ pub fn title_of(bank: &Bank, id: &str) -> String {
 }
 
 /// The class of a grading, without marks; texts are those of `bank`, the grading's in the language of the report.
-pub fn of(graded: &OpenGrading, bank: &Bank, words: &Words) -> Class {
+pub fn of(graded: &OpenGrading, bank: &Bank, words: &Words) -> MarkedClass {
     let indices: Vec<Option<&crate::bank::Problem>> =
         graded.set.problems.iter().map(|id| bank.problems.iter().find(|p| p.id == *id)).collect();
-    let parts: Vec<Part> = indices
+    let parts: Vec<MarkedPart> = indices
         .iter()
         .enumerate()
         .flat_map(|(i, problem)| {
             let questions = problem.map_or(&[][..], |p| &p.questions);
-            questions.iter().map(move |q| Part {
+            questions.iter().map(move |q| MarkedPart {
                 number: i + 1,
                 id: q.id.clone(),
                 points: graded
@@ -36,14 +36,18 @@ pub fn of(graded: &OpenGrading, bank: &Bank, words: &Words) -> Class {
         })
         .collect();
     let students: Vec<Student> = graded.set.students.iter().map(student).collect();
-    let asks = |sheet: &GivenSheet, part: &Part| {
+    let asks = |sheet: &Dealt, part: &MarkedPart| {
         let problem = part.number.checked_sub(1).and_then(|i| sheet.key.problems.get(i));
         problem.is_some_and(|p| p.parts.iter().any(|entry| entry.part == part.id))
     };
     let asked = graded.given.iter().flat_map(|sheet| parts.iter().map(move |p| asks(sheet, p))).collect();
-    let problems =
-        graded.set.problems.iter().map(|id| Problem { id: id.clone(), title: title_of(bank, id) }).collect();
-    Class { students, problems, parts, asked, day_first: graded.policy.day_first }
+    let problems = graded
+        .set
+        .problems
+        .iter()
+        .map(|id| MarkedProblem { id: id.clone(), title: title_of(bank, id) })
+        .collect();
+    MarkedClass { students, problems, parts, asked, day_first: graded.policy.day_first }
 }
 
 /// What a question asks; nothing where a template makes it of the variant.

@@ -1,7 +1,6 @@
 //! A set is made: its folder whole or not at all, late joiners into one that is there, and repair of what a kill left.
 use crate::answer::roster;
 use crate::bank::{Bank, Problem};
-use crate::diagnosis::table::unsatisfiable;
 use crate::draw::stream;
 use crate::finding::{Finding, Findings};
 use crate::folder;
@@ -9,13 +8,14 @@ use crate::folder::files::names_in;
 use crate::folder::staged::Staged;
 use crate::folder::{Progress, files, names, set};
 use crate::guard::push_line;
+use crate::inspect::table::unsatisfiable;
 use crate::key::SheetKey;
 use crate::set::coincide::StudentVariant;
-use crate::set::replay::{Dealer, Dealt};
+use crate::set::dealer::{Dealer, Dealt};
 use crate::set::store::{StoredBank, StoredSet, StoredStudent};
-use crate::set::{coincide, key_file, replay, store};
+use crate::set::{coincide, dealer, key_file, replay, store};
 use crate::sheet::html::Converter;
-use crate::sheet::key_table::Row;
+use crate::sheet::key_table::KeyTableRow;
 use crate::sheet::output::{Format, Output, WrittenDocument};
 use crate::sheet::page::{Room, Sheets};
 use crate::sheet::texts::Texts;
@@ -132,7 +132,7 @@ pub fn whole(
 fn together(
     plan: &Plan,
     sheets: &[WrittenDocument],
-    rows: &[Row],
+    rows: &[KeyTableRow],
     keys: &[SheetKey],
 ) -> Result<Vec<(&'static str, Vec<u8>)>, Finding> {
     let output = Output::new(plan.texts, plan.formats, "sheet")?;
@@ -149,8 +149,8 @@ fn together_again(plan: &Plan, set: &StoredSet) -> Result<Vec<(&'static str, Vec
         let mut converter = Converter::new(&plan.texts.words);
         Ok((writer.write(i, student, &dealt, &mut Room::default(), &mut converter)?, dealt.key))
     })?;
-    let (sheets, keys): (Vec<(WrittenDocument, Row)>, Vec<SheetKey>) = both.into_iter().unzip();
-    let (sheets, rows): (Vec<WrittenDocument>, Vec<Row>) = sheets.into_iter().unzip();
+    let (sheets, keys): (Vec<(WrittenDocument, KeyTableRow)>, Vec<SheetKey>) = both.into_iter().unzip();
+    let (sheets, rows): (Vec<WrittenDocument>, Vec<KeyTableRow>) = sheets.into_iter().unzip();
     Ok(together(plan, &sheets, &rows, &keys)?)
 }
 
@@ -263,7 +263,7 @@ impl<'p> SheetWriter<'p> {
         dealt: &Dealt,
         room: &mut Room,
         converter: &mut Converter,
-    ) -> Result<(WrittenDocument, Row), Finding> {
+    ) -> Result<(WrittenDocument, KeyTableRow), Finding> {
         let (head, document) =
             self.sheets.document(&student.student, &student.name, &dealt.variants, room)?;
         let row = key_table::row(self.plan.bank, self.plan.problems, &head, &dealt.variants);
@@ -273,14 +273,14 @@ impl<'p> SheetWriter<'p> {
 
 /// What was dealt to students, in their order.
 #[derive(Default)]
-struct Handed {
+struct DealtToAll {
     students: Vec<StoredStudent>,
     keys: Vec<SheetKey>,
     sheets: Vec<WrittenDocument>,
-    rows: Vec<Row>,
+    rows: Vec<KeyTableRow>,
 }
 
-impl Handed {
+impl DealtToAll {
     fn tries(&self) -> u64 {
         self.students.iter().flat_map(|s| &s.problems).map(|p| u64::from(p.tries)).sum()
     }
@@ -292,14 +292,14 @@ fn deal(
     members: &[StoredStudent],
     folder: &Path,
     progress: &dyn Progress,
-) -> Result<Handed, Findings> {
+) -> Result<DealtToAll, Findings> {
     fs::create_dir(folder.join(names::STUDENTS))
         .map_err(|e| files::trouble(folder, "cannot be written", &e))?;
     let writer = SheetWriter::new(plan)?;
     let language = plan.texts.words.language();
     let public = public::Writer::new(plan.bank, plan.text, plan.problems, plan.name, language)?;
     let dealer = Dealer::new(plan.bank, plan.problems, plan.seed, plan.name);
-    let results: Vec<Result<(StoredStudent, SheetKey, WrittenDocument, Row), Finding>> = members
+    let results: Vec<Result<(StoredStudent, SheetKey, WrittenDocument, KeyTableRow), Finding>> = members
         .par_iter()
         .enumerate()
         .map_init(
@@ -317,12 +317,12 @@ fn deal(
                 }
                 fs::write(place.join(names::SHEET), json).map_err(|e| fault(&e))?;
                 progress.advance("sheets", 1, members.len() as u64);
-                let variants = plan.chosen().zip(&dealt.variants).map(|(p, v)| replay::stored(p, v));
+                let variants = plan.chosen().zip(&dealt.variants).map(|(p, v)| dealer::stored(p, v));
                 Ok((StoredStudent { problems: variants.collect(), ..member.clone() }, dealt.key, made, row))
             },
         )
         .collect();
-    let (mut handed, mut faults) = (Handed::default(), Findings::default());
+    let (mut handed, mut faults) = (DealtToAll::default(), Findings::default());
     for result in results {
         match result {
             Ok((student, key, sheet, row)) => {

@@ -121,14 +121,11 @@ fn student(set: &StoredSet, typed: &str) -> Result<usize, Finding> {
         [one] => Ok(one),
         [] => {
             let known = || students.iter().map(|s| s.student.as_str());
-            Err(match spell::closest(typed, known()) {
-                Some(near) => fault.hint(format!("did you mean `{near}`?")),
-                None => {
-                    let some: Vec<&str> = known().take(5).collect();
-                    let rest = if students.len() > 5 { ", ..." } else { "" };
-                    fault.hint(format!("its students: {}{rest}", some.join(", ")))
-                }
-            })
+            Err(fault.hint(spell::did_you_mean(typed, known()).unwrap_or_else(|| {
+                let some: Vec<&str> = known().take(5).collect();
+                let rest = if students.len() > 5 { ", ..." } else { "" };
+                format!("its students: {}{rest}", some.join(", "))
+            })))
         }
         _ => {
             let ids: Vec<&str> = alike.iter().map(|i| students[*i].student.as_str()).collect();
@@ -161,8 +158,6 @@ fn problem(set: &StoredSet, typed: &str) -> Result<(usize, Option<String>), Find
     let known: Vec<String> =
         set.problems.iter().enumerate().map(|(i, p)| format!("{} ({p})", i + 1)).collect();
     let fault = Finding::new("", format!("the set has no problem `{typed}`"));
-    Err(match spell::closest(text, set.problems.iter().map(String::as_str)) {
-        Some(near) => fault.hint(format!("did you mean `{near}`?")),
-        None => fault.hint(format!("its problems: {}", known.join(", "))),
-    })
+    let near = spell::did_you_mean(text, set.problems.iter().map(String::as_str));
+    Err(fault.hint(near.unwrap_or_else(|| format!("its problems: {}", known.join(", ")))))
 }

@@ -1,14 +1,15 @@
 //! A folder of grades, opened: its set, its bank, the settings of its course, and the key solved anew from what was printed.
 use crate::bank;
 use crate::bank::{Bank, load};
-use crate::diagnosis::sentences;
 use crate::finding::{Finding, Findings};
 use crate::folder::{files, names, set};
 use crate::grade::row::{AnswerReader, AnswerRow, Unreadable};
+use crate::inspect::sentences;
 use crate::key::SheetKey;
 use crate::policy::{Counts, Policy};
-use crate::set::given::{GivenFault, GivenSheet, LostWhy};
-use crate::set::grading::Grading;
+use crate::set::dealer::Dealt;
+use crate::set::given::{GivenFault, LostWhy};
+use crate::set::grading::StoredGrading;
 use crate::set::store::StoredSet;
 use crate::set::{given, key_file};
 use std::fs::File;
@@ -25,9 +26,9 @@ pub struct OpenGrading {
     /// Settings of the bank with those of the course over them.
     pub policy: Policy,
     /// Variants and keys in the order of the set; with `only`, of that student alone.
-    pub given: Vec<GivenSheet>,
+    pub given: Vec<Dealt>,
     /// grading.json.
-    pub grading: Grading,
+    pub grading: StoredGrading,
 }
 
 /// Opens a grading and solves its key anew, that of one student (an id) if only that is needed.
@@ -50,7 +51,7 @@ pub fn open(folder: &Path, only: Option<&str>) -> Result<OpenGrading, Findings> 
     let bank_path = basis.join(&set.bank.file).display().to_string();
     let path = folder.join(names::GRADING);
     let file = path.display().to_string();
-    let grading = Grading::parse(&files::read_text(&path)?).map_err(|f| f.in_file(&file))?;
+    let grading = StoredGrading::parse(&files::read_text(&path)?).map_err(|f| f.in_file(&file))?;
     intact(folder, &grading)?;
     if grading.bank_sha256 != bank.hash {
         let fault = Finding::new("", "is not the bank by which this was graded: its SHA-256 is another");
@@ -108,7 +109,7 @@ pub fn has_all(folder: &Path) -> Result<(), Finding> {
 ///
 /// # Errors
 /// A finding for each file that was cut short or edited.
-pub fn intact(folder: &Path, grading: &Grading) -> Result<(), Findings> {
+pub fn intact(folder: &Path, grading: &StoredGrading) -> Result<(), Findings> {
     let mut faults = Findings::default();
     for (name, told) in
         [(names::ANSWERS, &grading.answers_sha256), (names::GRADEBOOK, &grading.gradebook_sha256)]
@@ -242,7 +243,7 @@ pub fn policy(
 }
 
 /// Which attempt counts, if the command said so when it was graded.
-pub fn counts_said(grading: &Grading) -> Option<Counts> {
+pub fn counts_said(grading: &StoredGrading) -> Option<Counts> {
     [Counts::Last, Counts::Best, Counts::First]
         .into_iter()
         .find(|c| grading.attempts.as_deref() == Some(c.as_str()))

@@ -17,7 +17,7 @@ use crate::key::SheetKey;
 use crate::policy::{Counts, Policy};
 use crate::report::{gradebook, summary};
 use crate::set::grading;
-use crate::set::grading::Grading;
+use crate::set::grading::StoredGrading;
 use crate::set::store::StoredSet;
 use crate::words::Words;
 use std::collections::BTreeSet;
@@ -39,7 +39,7 @@ pub enum Reports {
 }
 
 /// What is to be graded.
-pub struct GradingJob<'j> {
+pub struct GradeOrder<'j> {
     /// Folder of the set.
     pub set: &'j Path,
     /// File of submissions; `-` is standard input.
@@ -66,7 +66,7 @@ pub struct GradingJob<'j> {
 ///
 /// # Errors
 /// The set was changed, the file of submissions cannot be read, or the folder may not be written.
-pub fn grade(job: &GradingJob, input: &mut dyn BufRead) -> Result<String, Findings> {
+pub fn grade(job: &GradeOrder, input: &mut dyn BufRead) -> Result<String, Findings> {
     let mut faults = Findings::default();
     columns(job.columns).map_err(|f| faults.extend(f)).ok();
     may_write(job.out, job.set, job.force).map_err(|f| faults.push(f)).ok();
@@ -139,7 +139,7 @@ pub struct StagedGrading {
     table: KeyTable,
     graded: run::Graded,
     policy: Policy,
-    grading: Grading,
+    grading: StoredGrading,
     reports: Reports,
 }
 
@@ -153,7 +153,7 @@ impl StagedGrading {
         &self.policy
     }
     /// What it was made from.
-    pub fn grading(&self) -> &Grading {
+    pub fn grading(&self) -> &StoredGrading {
         &self.grading
     }
     /// Makes the reports, if there are to be any: what stands out.
@@ -195,7 +195,7 @@ const REPORTED: u64 = 300_000;
 ///
 /// # Errors
 /// The file of submissions cannot be read, the course is faulty, or the folder cannot be written.
-pub fn make(job: &GradingJob, basis: Basis, input: &mut dyn BufRead) -> Result<StagedGrading, Findings> {
+pub fn make(job: &GradeOrder, basis: Basis, input: &mut dyn BufRead) -> Result<StagedGrading, Findings> {
     let columns = columns(job.columns)?;
     let Basis { set, bank, keys, replayed, set_text, bank_text, key_text } = basis;
     let language = job.language.unwrap_or(&set.language);
@@ -239,7 +239,7 @@ pub fn make(job: &GradingJob, basis: Basis, input: &mut dyn BufRead) -> Result<S
     };
     let verdicts = Verdict::ALL.iter().map(|v| (v.as_str().to_owned(), graded.count(*v).into())).collect();
     let course_text = courses.iter().map(|(_, text)| text.as_str()).collect::<String>();
-    let grading = Grading {
+    let grading = StoredGrading {
         format: grading::FORMAT,
         program: folder::program(),
         draw_version: set.draw_version,
@@ -279,7 +279,7 @@ pub fn make(job: &GradingJob, basis: Basis, input: &mut dyn BufRead) -> Result<S
 
 /// Grades the file at `path` into the answers of a staged folder.
 fn answers(
-    job: &GradingJob,
+    job: &GradeOrder,
     path: &Path,
     table: &KeyTable,
     rules: &Rules,

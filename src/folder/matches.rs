@@ -3,16 +3,16 @@ use crate::answer::figures;
 use crate::answer::read::UnitCache;
 use crate::finding::Findings;
 use crate::folder::graded::OpenGrading;
+use crate::grade::compare;
 use crate::grade::feedback::Feedback;
-use crate::grade::judge;
 use crate::grade::row::AnswerRow;
 use crate::grade::table::{Column, KeyTable};
 use crate::grade::verdict::Verdict;
 use crate::key::{Answer, SheetKey};
 use crate::matches;
-use crate::matches::{Question, Wrong};
+use crate::matches::{AnswerColumn, WrongAnswer};
 use crate::report::alike::{ClassMatches, MatchedPair};
-use crate::set::replay::{Dealer, indices};
+use crate::set::dealer::{Dealer, indices};
 use rayon::prelude::*;
 use std::collections::BTreeMap;
 
@@ -42,11 +42,11 @@ pub fn find(graded: &OpenGrading) -> Result<ClassMatches, Findings> {
         let (Some(student), Some(question)) = (student, question) else { return };
         let Some(entry) = table.entry(student, question) else { return };
         let Answer::Number { magnitude, .. } = entry.answer else { return };
-        let number = judge::judge_with(&row.answer, entry, &mut units, say).number;
+        let number = compare::compare_with(&row.answer, entry, &mut units, say).number;
         let value = if magnitude { number.abs() } else { number };
         let Some(share) = figures::rounding(&row.answer).filter(|_| value.is_finite()) else { return };
         let explained = row.explained();
-        wrong.push(Wrong { student, question, value, half: share * value.abs(), explained });
+        wrong.push(WrongAnswer { student, question, value, half: share * value.abs(), explained });
         texts.push(row.answer.into_owned());
     })?;
     if wrong.is_empty() {
@@ -90,10 +90,13 @@ pub fn find(graded: &OpenGrading) -> Result<ClassMatches, Findings> {
 }
 
 /// The keys of the class.
-fn questions(table: &KeyTable) -> Vec<Question> {
+fn questions(table: &KeyTable) -> Vec<AnswerColumn> {
     let keys = |c: usize| (0..table.students.len()).map(|s| number(table, s, c)).collect();
-    let of =
-        |(c, column): (usize, &Column)| Question { problem: column.number, keys: keys(c), draws: Vec::new() };
+    let of = |(c, column): (usize, &Column)| AnswerColumn {
+        problem: column.number,
+        keys: keys(c),
+        draws: Vec::new(),
+    };
     table.columns.iter().enumerate().map(of).collect()
 }
 
@@ -106,7 +109,7 @@ fn number(table: &KeyTable, student: usize, column: usize) -> f64 {
 }
 
 /// Adds the keys of further draws where the class is small.
-fn draw_more(graded: &OpenGrading, table: &KeyTable, questions: &mut [Question]) -> Result<(), Findings> {
+fn draw_more(graded: &OpenGrading, table: &KeyTable, questions: &mut [AnswerColumn]) -> Result<(), Findings> {
     let problems = indices(&graded.bank, &graded.set.problems, "problems")?;
     // Draws of nobody: no set has such a name.
     let dealer = Dealer::new(&graded.bank, &problems, graded.set.seed, "\u{0}matches");

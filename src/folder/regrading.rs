@@ -2,7 +2,7 @@
 use crate::bank::Bank;
 use crate::finding::{Finding, Findings};
 use crate::folder::graded::OpenGrading;
-use crate::folder::grading::{Basis, GradingJob, Reports, StagedGrading};
+use crate::folder::grading::{Basis, GradeOrder, Reports, StagedGrading};
 use crate::folder::{Progress, banks, files, graded, grading, names, set};
 use crate::grade::table::KeyTable;
 use crate::key::SheetKey;
@@ -98,7 +98,7 @@ pub fn regrade(job: &RegradingJob, input: &mut dyn BufRead) -> Result<Regrading,
     let nowhere = tempfile::tempdir().map_err(|e| files::trouble(Path::new("."), "cannot be made", &e))?;
     let nowhere = nowhere.path().join("regraded");
     let out = job.out.filter(|_| !job.dry_run);
-    let grade = GradingJob {
+    let grade = GradeOrder {
         set: job.set,
         submissions: job.submissions,
         out: out.unwrap_or(&nowhere),

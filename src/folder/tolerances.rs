@@ -12,10 +12,10 @@ use crate::grade::verdict::Verdict;
 use crate::key::{Answer, SheetKey};
 use crate::policy::Unread;
 use crate::problem::make_key;
-use crate::regrade::tolerance::{Cell, WhatIf};
+use crate::regrade::tolerance::{AnswerUnder, WhatIf};
 use crate::report::tolerances::Trial;
 use crate::report::{gradebook, tolerances};
-use crate::set::given::GivenSheet;
+use crate::set::dealer::Dealt;
 use std::collections::BTreeMap;
 use std::fs::File;
 use std::io;
@@ -26,7 +26,7 @@ use tempfile::NamedTempFile;
 /// All answers graded by a key.
 struct GradedAnew {
     /// Student after student, what counts for each part.
-    cells: Vec<Cell>,
+    cells: Vec<AnswerUnder>,
     /// Totals as in the gradebook.
     totals: Vec<f64>,
     /// How many answers count.
@@ -123,7 +123,7 @@ fn run_with(graded: &OpenGrading, table: &KeyTable, handed: &NamedTempFile) -> R
         table.columns.iter().enumerate().map(|(i, c)| ((c.number.to_string(), c.part.as_str()), i)).collect();
     let whose: BTreeMap<&str, usize> =
         table.students.iter().enumerate().map(|(i, s)| (s.id.as_str(), i)).collect();
-    let mut cells = vec![Cell::default(); table.students.len() * parts];
+    let mut cells = vec![AnswerUnder::default(); table.students.len() * parts];
     let mut answers = 0;
     graded::each_row(file.path(), &mut |row: AnswerRow| {
         if !row.counts() {
@@ -134,7 +134,7 @@ fn run_with(graded: &OpenGrading, table: &KeyTable, handed: &NamedTempFile) -> R
         let (Some(student), Some(part)) = (student, part) else { return };
         answers += 1;
         cells[student * parts + part] =
-            Cell { right: row.verdict == Verdict::Right, methods: row.methods.into_owned() };
+            AnswerUnder { right: row.verdict == Verdict::Right, methods: row.methods.into_owned() };
     })?;
     let totals = (0..table.students.len())
         .map(|s| gradebook::total(table, &done.points, s, &graded.policy).points)
@@ -143,7 +143,7 @@ fn run_with(graded: &OpenGrading, table: &KeyTable, handed: &NamedTempFile) -> R
 }
 
 /// The key of a student, with another relative tolerance if one is given; absolute tolerances stay.
-fn key(graded: &OpenGrading, given: &GivenSheet, share: Option<f64>) -> SheetKey {
+fn key(graded: &OpenGrading, given: &Dealt, share: Option<f64>) -> SheetKey {
     let mut key = given.key.clone();
     let Some(share) = share else { return key };
     for (problem, variant) in key.problems.iter_mut().zip(&given.variants) {

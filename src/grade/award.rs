@@ -1,6 +1,6 @@
 //! What an answer that counts earns, and how the reason tells it: slips, credit, attempts, lateness, corrections.
+use crate::grade::attempt::Winner;
 use crate::grade::cells::GradingJob;
-use crate::grade::choose::Winner;
 use crate::grade::credit::{CreditFor, credit};
 use crate::grade::diagnose::{AnswerSlip, Diagnosis};
 use crate::grade::feedback::Feedback;

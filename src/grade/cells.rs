@@ -1,13 +1,10 @@
-//! The answer cells of a record, in whatever form the file is, and the judgement of one.
+//! The answer cells of a record, in whatever form the file is.
 use crate::answer::submissions::Record;
-use crate::grade::choose::place;
+use crate::grade::attempt::place;
 use crate::grade::feedback::Feedback;
-use crate::grade::judge::{accepts, judge_with};
 use crate::grade::layout::{FileForm, FileLayout, WideColumn, trimmed};
-use crate::grade::quick::Quick;
 use crate::grade::rules::Rules;
-use crate::grade::table::{KeyTable, QuickKey};
-use crate::grade::verdict::{Judgement, Verdict};
+use crate::grade::table::KeyTable;
 use crate::policy::time::Moment;
 use std::borrow::Cow;
 
@@ -38,6 +35,11 @@ impl AnswerCell<'_> {
     }
 }
 
+/// Bytes of a file as text, for people.
+pub(crate) fn lossy(bytes: &[u8]) -> Cow<'_, str> {
+    String::from_utf8_lossy(bytes)
+}
+
 /// Calls `each` for every answer cell of a record.
 #[inline]
 pub(crate) fn cells<'a>(record: &Record<'a>, layout: &'a FileLayout, mut each: impl FnMut(&AnswerCell<'a>)) {
@@ -58,56 +60,11 @@ pub(crate) fn cells<'a>(record: &Record<'a>, layout: &'a FileLayout, mut each: i
     }
 }
 
-/// What the number `x`, SI, is for a key.
-#[inline]
-pub(crate) fn verdict_on(x: f64, key: &QuickKey) -> Verdict {
-    if accepts(x, key.value, key.half_width) {
-        Verdict::Right
-    } else if accepts(-x, key.value, key.half_width) {
-        Verdict::WrongDirection
-    } else {
-        Verdict::Wrong
-    }
-}
-
 impl GradingJob<'_> {
     /// The number of a student and a column in lists of all cells.
     #[inline]
     pub fn index(&self, who: u32, what: u32) -> usize {
         who as usize * self.table.columns.len() + what as usize
-    }
-
-    /// The verdict and the number of a cell if they can be had the quick way, which needs no text.
-    #[inline]
-    pub fn quickly(&self, index: usize, answer: &[u8], quick: &mut Quick) -> Option<(Verdict, f64)> {
-        let (key, asked) = self.table.quick(index);
-        let x = quick.si(self.table, asked, answer)?;
-        Some((verdict_on(x, key), x))
-    }
-
-    /// Judges a cell whose student and column are known.
-    pub fn judged(&self, (who, what): (u32, u32), answer: &[u8], quick: &mut Quick) -> Judgement<'_> {
-        let GradingJob { table, say, .. } = *self;
-        let index = self.index(who, what);
-        if let Some((verdict, number)) = self.quickly(index, answer, quick) {
-            let (_, asked) = table.quick(index);
-            let (points, reason) = match verdict {
-                Verdict::Right => (asked.points, say.within),
-                Verdict::WrongDirection if asked.magnitude => (0.0, say.no_sign),
-                Verdict::WrongDirection => (0.0, say.other_sign),
-                _ => (0.0, say.outside),
-            };
-            return Judgement { verdict, points, reason: Cow::Borrowed(reason), number };
-        }
-        match table.entry(who as usize, what as usize) {
-            Some(entry) => judge_with(&String::from_utf8_lossy(answer), entry, quick.units(), say),
-            None => Judgement {
-                verdict: Verdict::UnknownPart,
-                points: 0.0,
-                reason: Cow::Borrowed(say.get("feedback.no_such_part")),
-                number: f64::NAN,
-            },
-        }
     }
 
     /// The time of a record as far as it can be read.

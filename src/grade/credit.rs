@@ -1,8 +1,8 @@
 //! What an answer that is not right may still earn: as a known wrong method, or because it follows correctly from the
 //! student's own wrong answer to an earlier part.
-use crate::grade::choose::Winner;
+use crate::grade::attempt::Winner;
+use crate::grade::compare::accepts;
 use crate::grade::diagnose;
-use crate::grade::judge::accepts;
 use crate::grade::rules::Rules;
 use crate::grade::table::KeyTable;
 use crate::key::{Answer, Given};
@@ -12,7 +12,7 @@ use crate::key::{Answer, Given};
 pub(crate) struct EarnedShare {
     /// 0 to 1.
     pub share: f64,
-    /// CreditFor.
+    /// What for.
     pub why: CreditFor,
 }
 

@@ -91,7 +91,7 @@ impl<'w> Feedback<'w> {
         self.words.decimal() != ','
     }
 
-    /// WhyUnreadable a cell cannot be read.
+    /// Why a cell cannot be read.
     pub fn why(&self, why: &WhyUnreadable) -> Cow<'w, str> {
         Cow::Borrowed(self.get(match why {
             WhyUnreadable::TooLong => "feedback.too_long",

@@ -1,192 +1,171 @@
-//! The comparison of one cell with its key: readable, dimension, value, direction.
-use crate::answer::read::{Number, Reading, ReadingNote, UnitCache, WhyUnreadable, read};
-use crate::answer::word::AnswerWord;
-use crate::grade::feedback::Feedback;
+//! The verdict on an answer cell, and its row of answers.csv.
+use crate::answer::submissions::Record;
+use crate::grade::attempt::{Winner, line_of};
+use crate::grade::award::{awarded, diagnosed};
+use crate::grade::belongs::{Belongs, Finder};
+use crate::grade::cells::{AnswerCell, GradingJob, lossy};
+use crate::grade::compare::{compare_with, verdict_on};
+use crate::grade::counts::GradedCounts;
+use crate::grade::layout::open_quote;
+use crate::grade::row::AnswerRow;
+use crate::grade::si::SiReader;
 use crate::grade::verdict::{Judgement, Verdict};
-use crate::key::{Answer, KeyEntry};
 use std::borrow::Cow;
 
-/// Half the distance from 1 to the next double.
-const U: f64 = 1.0 / 9_007_199_254_740_992.0;
-/// Roundings allowed on top of a tolerance: of the key's half-width and of the conversion of the answer.
-const ROUNDINGS: f64 = 8.0;
+impl GradingJob<'_> {
+    /// The verdict and the number of a cell if they can be had the quick way, which needs no text.
+    #[inline]
+    pub fn quickly(&self, index: usize, answer: &[u8], numbers: &mut SiReader) -> Option<(Verdict, f64)> {
+        let (key, asked) = self.table.quick(index);
+        let x = numbers.si(self.table, asked, answer)?;
+        Some((verdict_on(x, key.value, key.half_width), x))
+    }
 
-/// Is `x` accepted for `key`? `|x - key| <= half_width (1 + 8u) + 8u |x|`; never for NaN or infinity.
-#[inline]
-pub fn accepts(x: f64, key: f64, half_width: f64) -> bool {
-    x.is_finite() && (x - key).abs() <= half_width * (1.0 + ROUNDINGS * U) + ROUNDINGS * U * x.abs()
-}
-
-/// Judges one cell; the reason is English.
-pub fn judge(cell: &str, entry: &KeyEntry) -> Judgement<'static> {
-    judge_with(cell, entry, &mut UnitCache::default(), Feedback::english())
-}
-
-/// Judges one cell, remembering units already read; the reason is in the language of the feedback.
-pub fn judge_with<'w>(
-    cell: &str,
-    entry: &KeyEntry,
-    units: &mut UnitCache,
-    say: &Feedback<'w>,
-) -> Judgement<'w> {
-    let mut compared = f64::NAN;
-    let (verdict, reason) = match (read(cell, units), &entry.answer) {
-        (Reading::Blank, _) => (Verdict::Blank, Cow::Borrowed(say.get("feedback.blank"))),
-        (Reading::Unreadable(why), Answer::Word { offered, .. }) => {
-            let why = match why {
-                WhyUnreadable::NoNumber => Cow::Borrowed(say.get("feedback.no_word")),
-                why => say.why(&why),
+    /// Judges a cell whose student and column are known.
+    pub fn judged(&self, (who, what): (u32, u32), answer: &[u8], numbers: &mut SiReader) -> Judgement<'_> {
+        let GradingJob { table, say, .. } = *self;
+        let index = self.index(who, what);
+        if let Some((verdict, number)) = self.quickly(index, answer, numbers) {
+            let (_, asked) = table.quick(index);
+            let (points, reason) = match verdict {
+                Verdict::Right => (asked.points, say.within),
+                Verdict::WrongDirection if asked.magnitude => (0.0, say.no_sign),
+                Verdict::WrongDirection => (0.0, say.other_sign),
+                _ => (0.0, say.outside),
             };
-            let pieces = [("why", &*why), ("words", &*say.offered(offered))];
-            (Verdict::Unreadable, say.fill("feedback.write_one_of", &pieces))
+            return Judgement { verdict, points, reason: Cow::Borrowed(reason), number };
         }
-        (Reading::Unreadable(why), _) => (Verdict::Unreadable, say.why(&why)),
-        (Reading::Word(word), Answer::Word { right, offered }) => judge_word(word, right, offered, say),
-        (Reading::Number(_), Answer::Word { offered, .. }) => {
-            (Verdict::Unreadable, say.fill("feedback.word_asked", &[("words", &say.offered(offered))]))
+        match table.entry(who as usize, what as usize) {
+            Some(entry) => compare_with(&lossy(answer), entry, numbers.units(), say),
+            None => Judgement {
+                verdict: Verdict::UnknownPart,
+                points: 0.0,
+                reason: Cow::Borrowed(say.get("feedback.no_such_part")),
+                number: f64::NAN,
+            },
         }
-        (Reading::Word(word), Answer::Number { .. }) => {
-            (Verdict::Unreadable, say.fill("feedback.word_alone", &[("word", say.word(word.as_str()))]))
-        }
-        (Reading::Number(number), Answer::Number { value, half_width, directed, magnitude }) => judge_number(
-            &number,
-            entry,
-            Key { value: *value, half_width: *half_width, directed: *directed, magnitude: *magnitude },
-            say,
-            &mut compared,
-        ),
-    };
-    let points = if verdict == Verdict::Right { entry.points } else { 0.0 };
-    Judgement { verdict, points, reason, number: compared }
-}
-
-fn judge_word<'w>(
-    word: AnswerWord,
-    right: &str,
-    offered: &[&str],
-    say: &Feedback<'w>,
-) -> (Verdict, Cow<'w, str>) {
-    let either =
-        |a: AnswerWord, b: AnswerWord| offered.contains(&a.as_str()) || offered.contains(&b.as_str());
-    let level = either(AnswerWord::Forward, AnswerWord::Back);
-    let word = match word {
-        AnswerWord::Right if level => AnswerWord::Forward,
-        AnswerWord::Left if level => AnswerWord::Back,
-        other => other,
-    };
-    // To stay is on few lists of directions (on sheets of earlier versions it was on all), and an answer all the same.
-    let stays = word == AnswerWord::Stays && (level || either(AnswerWord::Up, AnswerWord::Down));
-    if word.as_str() == right {
-        (Verdict::Right, Cow::Borrowed(say.get("feedback.right_word")))
-    } else if stays || offered.contains(&word.as_str()) {
-        (Verdict::Wrong, Cow::Borrowed(say.get("feedback.another_word")))
-    } else {
-        let pieces = [("word", say.word(word.as_str())), ("words", &*say.offered(offered))];
-        (Verdict::Unreadable, say.fill("feedback.not_offered", &pieces))
     }
 }
 
-#[derive(Clone, Copy)]
-struct Key {
-    value: f64,
-    half_width: f64,
-    directed: bool,
-    magnitude: bool,
+/// What one worker remembers and counts while it judges.
+pub(crate) struct Judging {
+    pub finder: Finder,
+    pub numbers: SiReader,
+    pub counts: GradedCounts,
 }
 
-fn judge_number<'w>(
-    number: &Number,
-    entry: &KeyEntry,
-    key: Key,
-    say: &Feedback<'w>,
-    compared: &mut f64,
-) -> (Verdict, Cow<'w, str>) {
-    let unit = match number.unit_for(&entry.unit) {
-        Some(unit) if !entry.unit.agrees(unit) => {
-            return (Verdict::WrongDimension, say.mismatch(&entry.unit, unit));
-        }
-        Some(unit) => unit,
-        None if entry.unit_required && !entry.unit.is_number() => {
-            return (Verdict::MissingUnit, say.fill("feedback.write_unit", &[("unit", entry.unit.ascii())]));
-        }
-        None => &entry.unit,
-    };
-    if number.notes.contains(&ReadingNote::PerCent) && entry.unit.is_number() {
-        return (Verdict::Unreadable, say.why(&WhyUnreadable::TwoNumbers));
-    }
-    let angular = entry.unit.dimension().0[3] != 0 || entry.unit.dimension().0 == [0, 0, -1, 0];
-    if number.notes.contains(&ReadingNote::Turning) && !angular {
-        return (Verdict::Unreadable, say.why(&WhyUnreadable::OddWord));
-    }
-    let word_counts = key.directed || !key.magnitude;
-    if word_counts && matches!(number.word, Some(AnswerWord::Left | AnswerWord::Right)) {
-        return (Verdict::Unreadable, Cow::Borrowed(say.get("feedback.left_right")));
-    }
-    let sign = number.word.and_then(AnswerWord::sign).filter(|_| word_counts).unwrap_or(1.0);
-    let turns = unit.counts_turns(&entry.unit);
-    let literal = unit.to_si(number.value) * sign;
-    let per_turn = if turns { std::f64::consts::TAU } else { 1.0 };
-    let x = literal * per_turn;
-    if !x.is_finite() {
-        return (Verdict::Unreadable, say.why(&WhyUnreadable::NotFinite));
-    }
-    let decide = |x: f64| {
-        if accepts(x, key.value, key.half_width) {
-            Verdict::Right
-        } else if accepts(-x, key.value, key.half_width) {
-            Verdict::WrongDirection
-        } else {
-            Verdict::Wrong
-        }
-    };
-    let verdict = decide(x);
-    if let Some(grouped) = number.grouped.filter(|_| verdict == Verdict::Wrong)
-        && decide(unit.to_si(grouped) * sign * per_turn) != Verdict::Wrong
+/// Judges cells when it is known which attempts count.
+pub(crate) struct Judge<'w> {
+    pub job: &'w GradingJob<'w>,
+    /// A row of parts for each student.
+    pub winners: &'w [Winner],
+}
+
+impl<'w> Judge<'w> {
+    /// Judges a cell: its row.
+    pub fn row<'r>(
+        &self,
+        judging: &mut Judging,
+        record: &Record,
+        cell: &AnswerCell<'r>,
+        submitted: &'r [u8],
+    ) -> AnswerRow<'r>
+    where
+        'w: 'r,
     {
-        let pieces = [("a", &*say.number(grouped)), ("b", &*say.number(number.value))];
-        return (Verdict::Unreadable, say.fill("feedback.comma_either", &pieces));
+        let GradingJob { table, say, rules, layout } = *self.job;
+        let Judging { finder, numbers, counts } = judging;
+        let Belongs { who, what, respelled } = finder.find(table, cell);
+        let (problem, part) = match what.map(|what| &table.columns[what as usize]) {
+            Some(column) => (column.number.to_string().into(), column.part.as_str().into()),
+            None => (lossy(cell.problem), lossy(cell.part)),
+        };
+        let mut row = AnswerRow {
+            line: cell.line,
+            column: cell.wide.map_or("".into(), |(_, column)| column.header.as_str().into()),
+            student: who
+                .map_or_else(|| lossy(cell.student), |who| table.students[who as usize].id.as_str().into()),
+            problem,
+            part,
+            answer: lossy(cell.answer),
+            submitted_at: lossy(submitted),
+            ..AnswerRow::EMPTY
+        };
+        let (Some(who), Some(what)) = (who, what) else {
+            (row.verdict, row.reason) = match who {
+                None => (Verdict::UnknownStudent, table.unknown_student(&lossy(cell.student), say).into()),
+                Some(_) => {
+                    let reason = table.unknown_part(&lossy(cell.problem), &lossy(cell.part), say);
+                    (Verdict::UnknownPart, reason.into())
+                }
+            };
+            counts.verdict(row.verdict, None);
+            return row;
+        };
+        let index = self.job.index(who, what);
+        row.max_points = table.quick(index).1.points;
+        let mut judgement = self.job.judged((who, what), cell.answer, numbers);
+        if judgement.verdict == Verdict::Unreadable
+            && record.quote_left_open()
+            && cell.answer.trim_ascii_start().starts_with(b"\"")
+        {
+            judgement.reason = open_quote(cell.line, say);
+        }
+        if respelled {
+            counts.respelled += 1;
+            let pieces = [("written", &*lossy(cell.student)), ("student", &*row.student)];
+            let said = say.fill("feedback.respelled", &pieces);
+            judgement.reason = Cow::Owned(format!("{}; {said}", judgement.reason));
+        }
+        let winner = self.winners[index];
+        let is_attempt = !matches!(judgement.verdict, Verdict::Blank | Verdict::UnknownPart);
+        let by_row = winner.by_row && is_attempt;
+        if is_attempt && winner.at != cell.place() {
+            row.verdict = Verdict::Superseded;
+            row.reason = self.superseded_reason(&judgement, &winner).into();
+            counts.verdict(row.verdict, Some(what as usize));
+            return row;
+        }
+        row.verdict = judgement.verdict;
+        row.points = judgement.points;
+        let wrong = matches!(judgement.verdict, Verdict::Wrong | Verdict::WrongDirection);
+        let fits = wrong.then(|| diagnosed(table, (who, what), cell.answer, &mut judgement, say));
+        if is_attempt {
+            let (points, credit) = awarded(
+                self.job,
+                (who, what),
+                &mut judgement,
+                fits.as_ref(),
+                (&winner, submitted),
+                self.winners,
+            );
+            (row.points, row.credit) = (points, credit.into());
+            counts.points.push((index as u32, points));
+            let undated = rules.policy.timed() && (winner.undated || layout.submitted.is_none());
+            counts.undated += u64::from(undated);
+        }
+        row.reason = match by_row {
+            true => format!("{}; {}", judgement.reason, say.get("feedback.by_row")).into(),
+            false => judgement.reason,
+        };
+        if let Some(fits) = fits {
+            (row.methods, row.slip) = (fits.methods.into(), fits.slip.into());
+        }
+        counts.verdict(row.verdict, Some(what as usize));
+        row
     }
-    if turns && verdict == Verdict::Wrong && decide(literal) != Verdict::Wrong {
-        return (Verdict::Unreadable, say.fill("feedback.read_as_turns", &[("unit", unit.ascii())]));
+    /// Why an attempt does not count, what it would have been, and why that where the verdict does not say it.
+    fn superseded_reason(&self, judgement: &Judgement, winner: &Winner) -> String {
+        let say = self.job.say;
+        let plain = judgement.verdict != Verdict::Unreadable && matches!(judgement.reason, Cow::Borrowed(_));
+        let mut reason = say.superseded(&line_of(winner.at).to_string(), judgement.verdict);
+        if !plain {
+            reason = format!("{reason}: {}", judgement.reason);
+        }
+        if winner.by_row {
+            let how = if plain { "feedback.by_row_short" } else { "feedback.by_row" };
+            reason = format!("{reason}; {}", say.get(how));
+        }
+        reason
     }
-    *compared = x;
-    let reason = match verdict {
-        Verdict::Right => say.within,
-        Verdict::WrongDirection if number.word.is_some() => say.get("feedback.other_word"),
-        Verdict::WrongDirection if key.magnitude => say.no_sign,
-        Verdict::WrongDirection => say.other_sign,
-        _ => say.outside,
-    };
-    let mut notes: Vec<Cow<str>> = Vec::new();
-    if number.notes.contains(&ReadingNote::Comma) && say.comma_is_odd() {
-        notes.push(Cow::Borrowed(say.get("feedback.decimal_comma")));
-    }
-    if number.notes.contains(&ReadingNote::ReadAs) {
-        let unit = number.unit.as_ref().map_or("1", |_| unit.ascii());
-        let value = say.read_as(number.value, unit);
-        notes.push(say.fill("feedback.read_as", &[("value", &value)]));
-    }
-    if number.notes.contains(&ReadingNote::Uncertainty) {
-        notes.push(Cow::Borrowed(say.get("feedback.uncertainty")));
-    }
-    if turns {
-        let time = unit.ascii().strip_prefix("1/").unwrap_or(unit.ascii());
-        notes.push(say.fill("feedback.revolutions", &[("unit", unit.ascii()), ("time", time)]));
-    }
-    if number.notes.contains(&ReadingNote::About) {
-        notes.push(Cow::Borrowed(say.get("feedback.about")));
-    }
-    if number.notes.contains(&ReadingNote::Turning) {
-        notes.push(Cow::Borrowed(say.get("feedback.turning")));
-    }
-    if number.case_forgiven || number.unit.as_deref().is_some_and(|u| u != unit) {
-        notes.push(say.fill("feedback.unit_read", &[("unit", unit.ascii())]));
-    }
-    if number.word.is_some() && !word_counts {
-        notes.push(Cow::Borrowed(say.get("feedback.no_direction")));
-    }
-    if notes.is_empty() {
-        return (verdict, Cow::Borrowed(reason));
-    }
-    (verdict, Cow::Owned(format!("{reason}; {}", notes.join("; "))))
 }

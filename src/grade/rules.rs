@@ -1,7 +1,7 @@
 //! The settings of a course, resolved against the students and parts of a set.
 use crate::finding::{Finding, Findings};
 use crate::grade::table::KeyTable;
-use crate::policy::{Counts, Part, Policy, Unread};
+use crate::policy::{Counts, Policy, PolicyPart, Unread};
 
 /// Settings, ready for many rows.
 #[derive(Debug, Clone)]
@@ -26,7 +26,7 @@ impl<'p> Rules<'p> {
     /// Parts, methods or students that the set does not have.
     pub fn new(table: &KeyTable, policy: &'p Policy) -> Result<Self, Findings> {
         let mut faults = Findings::default();
-        let named = |part: &Part, field: &str, faults: &mut Findings| {
+        let named = |part: &PolicyPart, field: &str, faults: &mut Findings| {
             let known = table.columns.iter().any(|c| part.means(c.number, &c.problem, &c.part));
             if !known {
                 let all: Vec<String> =

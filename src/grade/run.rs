@@ -1,13 +1,12 @@
 //! A file of submissions to a file of verdicts: every answer cell exactly once, in the order of the input.
 //!
-//! The input is walked over several times: first to find which attempt of each student and part counts (`attempts.rs`), then to
+//! The input is walked over several times: first to find which attempt of each student and part counts (`winners.rs`), then to
 //! judge and write (`write.rs`). What is held grows with students times parts, and up to a limit with rows. Batches
 //! of records are graded on several threads; the output does not depend on their number.
 use crate::answer::submissions::{Batch, RecordScratch, RecordSource};
 use crate::finding::{Finding, Findings};
-use crate::grade::attempts::choose_winners;
+use crate::grade::attempt::{Winner, line_of};
 use crate::grade::cells::GradingJob;
-use crate::grade::choose::{Winner, line_of};
 use crate::grade::feedback::Feedback;
 use crate::grade::header::layout;
 use crate::grade::layout::FileForm;
@@ -16,7 +15,8 @@ use crate::grade::rules::Rules;
 use crate::grade::table::KeyTable;
 use crate::grade::threads::{Halt, sweep};
 use crate::grade::verdict::Verdict;
-use crate::grade::write::{RowWriter, WriterCounts};
+use crate::grade::winners::choose_winners;
+use crate::grade::write::{RowWriter, Writing};
 use crate::policy;
 use std::fmt;
 use std::io;
@@ -217,8 +217,8 @@ pub fn grade(
     let (source, _) = RecordSource::open(open()?)?;
     out.write_all((row::COLUMNS.join(",") + "\n").as_bytes()).map_err(GradeFault::Write)?;
     let writer = RowWriter::new(&job, &chosen);
-    let workers = (0..threads).map(|_| WriterCounts::new(table)).collect();
-    let process = |w: &mut WriterCounts, b: &Batch, out: &mut Vec<u8>| writer.batch(w, b, out);
+    let workers = (0..threads).map(|_| Writing::new(table)).collect();
+    let process = |w: &mut Writing, b: &Batch, out: &mut Vec<u8>| writer.batch(w, b, out);
     let workers = sweep(source, workers, &process, Some(&mut *out), &mut heard)?;
     out.flush().map_err(GradeFault::Write)?;
     let mut graded = Graded {
@@ -233,7 +233,7 @@ pub fn grade(
         unused_columns: layout.unused.clone(),
     };
     for worker in workers {
-        worker.add_to(&mut graded);
+        worker.counts().add_to(&mut graded);
     }
     // What is given to all is given to those who handed in nothing, too.
     for (index, points) in graded.points.iter_mut().enumerate().filter(|(_, p)| p.is_none()) {

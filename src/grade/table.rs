@@ -3,7 +3,7 @@ use crate::grade::diagnose::{Comparison, Diagnosis};
 use crate::grade::feedback::Feedback;
 use crate::grade::ids::Ids;
 use crate::guard::unguarded;
-use crate::key::{Answer, Follow, KeyEntry, SheetKey, WrongValue};
+use crate::key::{Answer, KeyEntry, KeyFollow, SheetKey, WrongValue};
 use crate::policy::Policy;
 use crate::units::{Unit, spell};
 use rustc_hash::FxHashMap;
@@ -43,7 +43,7 @@ pub(crate) struct QuickKey {
 
 /// How a part is asked: the same for nearly all students.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Asked {
+pub(crate) struct AskedColumn {
     /// SI value = cell * times / over
     pub times: f64,
     pub over: f64,
@@ -55,9 +55,9 @@ pub(crate) struct Asked {
     pub unit: u16,
 }
 
-impl PartialEq for Asked {
+impl PartialEq for AskedColumn {
     fn eq(&self, other: &Self) -> bool {
-        let bits = |a: &Asked| [a.times, a.over, a.points].map(f64::to_bits);
+        let bits = |a: &AskedColumn| [a.times, a.over, a.points].map(f64::to_bits);
         bits(self) == bits(other)
             && (self.magnitude, self.bare, self.unit) == (other.magnitude, other.bare, other.unit)
     }
@@ -90,12 +90,12 @@ pub struct KeyTable {
     /// For each column the ids of the wrong methods of its problem.
     methods: Vec<Arc<[String]>>,
     /// For each column the relations between the parts of its problem.
-    follows: Vec<Arc<[Follow]>>,
+    follows: Vec<Arc<[KeyFollow]>>,
     /// For each student and column what relations and guards need; where a problem has several columns, at its first.
     numbers: Vec<Option<ProblemNumbers>>,
     quick: Vec<QuickKey>,
     /// How parts are asked, column after column.
-    asked: Vec<(usize, Asked)>,
+    asked: Vec<(usize, AskedColumn)>,
     /// The units that are asked.
     pub(crate) units: Vec<Unit>,
     /// For each column the first one of its problem and the one behind its last.
@@ -308,7 +308,7 @@ impl KeyTable {
         self.methods.get(column).map_or(&[], |m| m)
     }
     /// The relation by which a part follows from others, and the column of part 0 of its problem.
-    pub(crate) fn follow(&self, column: usize) -> Option<(&Follow, usize)> {
+    pub(crate) fn follow(&self, column: usize) -> Option<(&KeyFollow, usize)> {
         let number = self.columns.get(column)?.number;
         let first = self.columns.partition_point(|c| c.number < number);
         let follow = self.follows.get(column)?.iter().find(|f| first + f.part == column)?;
@@ -348,7 +348,7 @@ impl KeyTable {
     }
     /// What the quick way needs of an entry, and how it is asked.
     #[inline]
-    pub(crate) fn quick(&self, index: usize) -> (&QuickKey, &Asked) {
+    pub(crate) fn quick(&self, index: usize) -> (&QuickKey, &AskedColumn) {
         let key = &self.quick[index];
         (key, &self.asked[key.asked as usize].1)
     }
@@ -361,7 +361,7 @@ impl KeyTable {
     }
     fn quick_key(&mut self, column: usize, entry: Option<&KeyEntry>) -> QuickKey {
         let mut asked =
-            Asked { times: 1.0, over: 1.0, points: 0.0, magnitude: false, bare: false, unit: WORD };
+            AskedColumn { times: 1.0, over: 1.0, points: 0.0, magnitude: false, bare: false, unit: WORD };
         let (mut value, mut half_width) = (0.0, 0.0);
         if let Some(entry) = entry {
             asked.points = entry.points;

@@ -81,7 +81,7 @@ pub struct ProblemKey {
     /// Ids of the wrong methods of the problem.
     pub methods: Arc<[String]>,
     /// Which parts follow from which.
-    pub follows: Arc<[Follow]>,
+    pub follows: Arc<[KeyFollow]>,
     /// What the relations of `follows` and the guards of follow-through need: the data, SI, then other quantities.
     pub known: Box<[f64]>,
     /// Numbers of the statement, SI and as printed: who answers with one of them has not computed it.
@@ -90,7 +90,7 @@ pub struct ProblemKey {
 
 /// A part that follows from others: `v` from `omega` by `r omega`.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Follow {
+pub struct KeyFollow {
     /// The part, by its index in the problem.
     pub part: usize,
     /// The parts from which it follows, each with a smaller index.
@@ -99,7 +99,7 @@ pub struct Follow {
     pub by: Formula<Given>,
 }
 
-/// A value in the relation of a [`Follow`].
+/// A value in the relation of a [`KeyFollow`].
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Given {
     /// Of [`ProblemKey::known`], times a factor.

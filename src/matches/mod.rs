@@ -22,7 +22,7 @@ const ROUNDING: f64 = 1e-9;
 
 /// One question of the set: a column of the gradebook.
 #[derive(Debug, Clone)]
-pub struct Question {
+pub struct AnswerColumn {
     /// Number of its problem.
     pub problem: usize,
     /// Key of each student, SI; NaN where there is none, or a word.
@@ -33,7 +33,7 @@ pub struct Question {
 
 /// A wrong answer that counts.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Wrong {
+pub struct WrongAnswer {
     /// Whose, an index.
     pub student: usize,
     /// To which question, an index.
@@ -77,7 +77,7 @@ pub struct Found {
 }
 
 /// Holds the wrong answers of a class against the keys of classmates.
-pub fn find(questions: &[Question], wrong: &[Wrong]) -> Found {
+pub fn find(questions: &[AnswerColumn], wrong: &[WrongAnswer]) -> Found {
     let known: Vec<Keys> =
         questions.iter().map(|q| Keys::new(q.keys.iter().chain(&q.draws).copied())).collect();
     let students = questions.iter().map(|q| q.keys.len()).max().unwrap_or(0);
@@ -87,7 +87,7 @@ pub fn find(questions: &[Question], wrong: &[Wrong]) -> Found {
         known.get(answer.question).map_or(1.0, |keys| keys.chance(value, half))
     });
     let chances = chances.collect();
-    let class = Class { questions, orders, wrong, known, chances, students };
+    let class = WrongInClass { questions, orders, wrong, known, chances, students };
     let all: Vec<usize> = (0..wrong.len()).filter(|i| class.counts(*i)).collect();
     let free: Vec<usize> = all.iter().copied().filter(|i| wrong[*i].explained.is_empty()).collect();
     let mut pairs = class.pairs(&free);
@@ -112,7 +112,7 @@ pub fn find(questions: &[Question], wrong: &[Wrong]) -> Found {
 }
 
 /// Does any answer hit the key of a classmate at all? If not there is nothing to find, whatever luck may bring.
-pub fn any_hit(questions: &[Question], wrong: &[Wrong]) -> bool {
+pub fn any_hit(questions: &[AnswerColumn], wrong: &[WrongAnswer]) -> bool {
     let orders: Vec<Vec<usize>> = questions.iter().map(order).collect();
     wrong.iter().any(|answer| {
         let (Some(question), Some(order)) = (questions.get(answer.question), orders.get(answer.question))
@@ -126,16 +126,16 @@ pub fn any_hit(questions: &[Question], wrong: &[Wrong]) -> bool {
 }
 
 /// Students with a key, in the order of their keys.
-fn order(question: &Question) -> Vec<usize> {
+fn order(question: &AnswerColumn) -> Vec<usize> {
     let mut order: Vec<usize> = (0..question.keys.len()).filter(|s| question.keys[*s].is_finite()).collect();
     order.sort_by(|a, b| question.keys[*a].total_cmp(&question.keys[*b]).then(a.cmp(b)));
     order
 }
 
-struct Class<'c> {
-    questions: &'c [Question],
+struct WrongInClass<'c> {
+    questions: &'c [AnswerColumn],
     orders: Vec<Vec<usize>>,
-    wrong: &'c [Wrong],
+    wrong: &'c [WrongAnswer],
     known: Vec<Keys>,
     /// Of each answer: that luck makes it hit the key of some one classmate.
     chances: Vec<f64>,
@@ -143,11 +143,11 @@ struct Class<'c> {
 }
 
 /// The number, and how far from it a key may lie.
-fn window(answer: &Wrong) -> (f64, f64) {
+fn window(answer: &WrongAnswer) -> (f64, f64) {
     (answer.value, answer.half + ROUNDING * answer.value.abs())
 }
 
-impl Class<'_> {
+impl WrongInClass<'_> {
     /// Is it a number of a student who has the question, and known what luck brings there?
     fn counts(&self, index: usize) -> bool {
         let answer = &self.wrong[index];

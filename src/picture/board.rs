@@ -1,7 +1,7 @@
 //! The drawing board: elements and wishes for labels in pixels with y up; [`Board::finish`] finds places for the labels and
 //! makes the picture just large enough for everything.
 use crate::picture::frame::Frame;
-use crate::picture::place::Places;
+use crate::picture::place::LabelPlaces;
 use crate::picture::vector::{Direction, Vec2, vec2};
 use crate::picture::{Element, Outline, Picture, PlacedLabel, Role, TextRun, symbol};
 
@@ -260,7 +260,7 @@ impl Board {
 
     /// The labels with their boxes; leaders become elements.
     fn place(&mut self) -> Vec<(LabelWish, Frame)> {
-        let mut places = Places::new(&self.elements, self.frame().unwrap_or(EMPTY));
+        let mut places = LabelPlaces::new(&self.elements, self.frame().unwrap_or(EMPTY));
         let mut placed = Vec::with_capacity(self.wishes.len());
         for wish in std::mem::take(&mut self.wishes) {
             let rows = wish.rows.iter().map(|runs| half_of(runs, wish.size));

@@ -21,13 +21,13 @@ const TURNS: u32 = 24;
 type Best = Option<(f64, Frame, Option<(Vec2, Vec2)>)>;
 
 /// What stands where, while labels are placed.
-pub struct Places {
+pub struct LabelPlaces {
     obstacles: Obstacles,
     whole: Frame,
     taken: Vec<Frame>,
 }
 
-impl Places {
+impl LabelPlaces {
     /// Free places round these elements, which lie in this box.
     pub fn new(elements: &[Element], whole: Frame) -> Self {
         Self { obstacles: Obstacles::new(elements), whole, taken: Vec::new() }

@@ -34,7 +34,7 @@ pub struct Policy {
     /// What students are told of wrong methods.
     pub hints: Hints,
     /// Points of parts, in place of those of the bank.
-    pub points: Vec<(Part, f64)>,
+    pub points: Vec<(PolicyPart, f64)>,
     /// The problems with the smallest share of their points that do not count.
     pub drop_lowest: usize,
     /// Rounding of totals.
@@ -65,7 +65,7 @@ impl Default for Policy {
 
 /// A part of a problem as somebody writes it, with the place where it is written.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Part {
+pub struct PolicyPart {
     /// Number on the sheet, or id of the problem.
     pub problem: String,
     /// Id of the part; `None`: all parts of the problem.
@@ -74,7 +74,7 @@ pub struct Part {
     pub at: (usize, usize),
 }
 
-impl Part {
+impl PolicyPart {
     /// Does it mean this part? `number` counts from 1.
     pub fn means(&self, number: usize, problem: &str, part: &str) -> bool {
         (self.problem == problem || self.problem.parse() == Ok(number))
@@ -386,7 +386,7 @@ impl Hints {
 
 /// Which way a total is rounded.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Way {
+pub enum RoundingWay {
     /// To the nearest; from the middle upwards.
     Nearest,
     /// In favour of the student.
@@ -395,13 +395,13 @@ pub enum Way {
     Down,
 }
 
-impl Way {
+impl RoundingWay {
     /// As it is written.
     pub const fn as_str(self) -> &'static str {
         match self {
-            Way::Nearest => "nearest",
-            Way::Up => "up",
-            Way::Down => "down",
+            RoundingWay::Nearest => "nearest",
+            RoundingWay::Up => "up",
+            RoundingWay::Down => "down",
         }
     }
 }
@@ -412,7 +412,7 @@ pub struct Rounding {
     /// To whole multiples of this, > 0.
     pub to: f64,
     /// Which way.
-    pub way: Way,
+    pub way: RoundingWay,
 }
 
 impl Rounding {
@@ -422,9 +422,9 @@ impl Rounding {
         const NEAR: f64 = 1e-9;
         let steps = total / self.to;
         let whole = match self.way {
-            Way::Nearest => (steps + 0.5 + NEAR).floor(),
-            Way::Up => (steps - NEAR).ceil(),
-            Way::Down => (steps + NEAR).floor(),
+            RoundingWay::Nearest => (steps + 0.5 + NEAR).floor(),
+            RoundingWay::Up => (steps - NEAR).ceil(),
+            RoundingWay::Down => (steps + NEAR).floor(),
         };
         plain(whole * self.to)
     }
@@ -448,7 +448,7 @@ pub enum For {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Correction {
     /// The part, or all parts of a problem.
-    pub part: Part,
+    pub part: PolicyPart,
     /// Share of its points that everybody gets at least, 0 to 1.
     pub share: f64,
     /// Whom it is for.
@@ -624,9 +624,9 @@ mod tests {
         policy.drop_lowest = 9;
         assert_eq!(policy.total(&problems), Total { points: 3.0, of: 4.0, dropped: vec![0, 2] });
         let round = |to, way| Rounding { to, way };
-        assert_eq!(round(0.5, Way::Nearest).round(0.1 + 0.2 + 0.45), 1.0);
-        assert_eq!(round(0.5, Way::Nearest).round(0.74), 0.5);
-        assert_eq!(round(0.1, Way::Up).round(0.1 + 0.2), 0.3);
-        assert_eq!(round(1.0, Way::Down).round(0.7 + 0.2 + 0.1), 1.0);
+        assert_eq!(round(0.5, RoundingWay::Nearest).round(0.1 + 0.2 + 0.45), 1.0);
+        assert_eq!(round(0.5, RoundingWay::Nearest).round(0.74), 0.5);
+        assert_eq!(round(0.1, RoundingWay::Up).round(0.1 + 0.2), 0.3);
+        assert_eq!(round(1.0, RoundingWay::Down).round(0.7 + 0.2 + 0.1), 1.0);
     }
 }

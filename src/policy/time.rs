@@ -45,7 +45,7 @@ pub struct Moment {
     /// The day of the week that is written is not that of the date.
     pub clashes: bool,
     /// The zone is written as a word, and only a place knows what it means (`CST`, `BST`), or knows better.
-    pub word: Option<Word>,
+    pub word: Option<ZoneWord>,
     /// The order of day and month is uncertain, and whether points stand between them.
     pub uncertain: Option<bool>,
     /// What the date proves for others.
@@ -60,7 +60,7 @@ pub enum Doubt {
     /// The day of the week is not that of the date.
     Weekday,
     /// A word that means several zones.
-    Zone(Word),
+    Zone(ZoneWord),
 }
 
 impl std::fmt::Display for Doubt {
@@ -75,14 +75,14 @@ impl std::fmt::Display for Doubt {
 
 /// A zone as a word.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Word {
+pub struct ZoneWord {
     /// In capitals, filled up with blanks.
     name: [u8; 5],
     /// What it adds to UTC nearly everywhere, microseconds; it is taken from the moment already. `None`: it means several things.
     pub offset: Option<i64>,
 }
 
-impl Word {
+impl ZoneWord {
     /// In capitals.
     pub fn name(&self) -> &str {
         std::str::from_utf8(&self.name).unwrap_or_default().trim_end()
@@ -195,7 +195,7 @@ fn extended(text: &str) -> Option<String> {
 }
 
 /// One moment without doubt.
-fn certain(at: i64, zoned: bool, word: Option<Word>) -> Moment {
+fn certain(at: i64, zoned: bool, word: Option<ZoneWord>) -> Moment {
     Moment {
         micros: [at; 2],
         zoned,
@@ -383,7 +383,7 @@ fn days(year: i64, month: i64, day: i64) -> i64 {
 struct Clock {
     micros: i64,
     zoned: bool,
-    word: Option<Word>,
+    word: Option<ZoneWord>,
 }
 
 /// `14:05:30.25+02:00`, `2:05 PM`, `14:05 CEST`, empty for midnight.
@@ -436,7 +436,7 @@ fn clock(text: &str) -> Option<Clock> {
         let mut name = [b' '; 5];
         name[..zone.len()].copy_from_slice(zone.as_bytes());
         let offset = ZONES.iter().find(|(known, _)| *known == zone).map(|(_, minutes)| minutes * 60_000_000);
-        let word = Some(Word { name, offset });
+        let word = Some(ZoneWord { name, offset });
         return Some(Clock { micros: shown - offset.unwrap_or(0), zoned, word });
     }
     for name in ["GMT", "UTC", "Z"] {

@@ -1,7 +1,7 @@
 //! A solved variant to its key: value, accepted half-width, both roads.
 use crate::bank::expression::Name;
 use crate::bank::{Problem, Question};
-use crate::key::{Answer, Follow, Given, KeyEntry, ProblemKey, WrongValue};
+use crate::key::{Answer, Given, KeyEntry, KeyFollow, ProblemKey, WrongValue};
 use crate::problem::variant::Variant;
 use crate::scene::{Label, Owner, Quantity, Scene, Slope, Tie};
 use crate::solve::outcome::{Entry, Motion, Solved};
@@ -16,8 +16,10 @@ pub type List = &'static [&'static str];
 
 const YES_NO: List = &["yes", "no"];
 
-/// The lists for a direction by what can come out: the pair, the pair and rest, each of the pair and rest.
+/// The words offered for a direction on a slope, by which of them can come out: both ways; both ways or rest; up or rest; down
+/// or rest.
 const SLOPED: [List; 4] = [&["up", "down"], &["up", "down", "stays"], &["up", "stays"], &["down", "stays"]];
+/// The same on the level.
 const LEVEL: [List; 4] =
     [&["forward", "back"], &["forward", "back", "stays"], &["forward", "stays"], &["back", "stays"]];
 
@@ -29,19 +31,19 @@ pub const WORDS: [&str; 7] = ["up", "down", "forward", "back", "stays", "yes", "
 /// Every question of a drawn variant has an answer; in a replayed one, a question without an answer has a key of NaN,
 /// which no answer meets.
 pub fn key(problem: &Problem, variant: &Variant) -> ProblemKey {
-    Frame::new(problem).key(variant)
+    KeyFrame::new(problem).key(variant)
 }
 
 /// What the keys of all variants of a problem have in common.
 #[derive(Debug)]
-pub struct Frame<'p> {
+pub struct KeyFrame<'p> {
     problem: &'p Problem,
-    follows: Arc<[Follow]>,
+    follows: Arc<[KeyFollow]>,
     /// The quantities that the relations need besides the data and the parts.
     extras: Vec<Label>,
 }
 
-impl<'p> Frame<'p> {
+impl<'p> KeyFrame<'p> {
     /// Prepares the keys of a problem: its relations between parts, with parts for their quantities.
     pub fn new(problem: &'p Problem) -> Self {
         let mut extras: Vec<Label> = Vec::new();
@@ -62,7 +64,7 @@ impl<'p> Frame<'p> {
                     }
                 }
             });
-            Follow { part: follow.question, from: follow.from.clone(), by }
+            KeyFollow { part: follow.question, from: follow.from.clone(), by }
         });
         Self { problem, follows: follows.collect(), extras }
     }
@@ -162,25 +164,13 @@ pub fn wide(problem: &Problem, solved: &Solved) -> Option<(usize, f64)> {
     wide.next().map(|(i, bound, half_width)| (i, bound / half_width))
 }
 
-/// Quantities that can be 0 although the terms that make them up are not.
+/// Quantities that can be 0 although the terms that make them up are not: those with a sign, and what slips.
 pub const fn may_vanish(quantity: Quantity) -> bool {
-    matches!(
-        quantity,
-        Quantity::Friction
-            | Quantity::FrictionIfRolled
-            | Quantity::SlipDistance
-            | Quantity::SlipSpeed
-            | Quantity::Displacement
-            | Quantity::ARolling
-            | Quantity::A
-            | Quantity::Alpha
-            | Quantity::Rise
-            | Quantity::PinRadial
-            | Quantity::PinTangential
-            | Quantity::SpringForce
-            | Quantity::XG
-            | Quantity::YG
-    )
+    match quantity {
+        Quantity::SlipDistance | Quantity::SlipSpeed => true,
+        Quantity::WorkPull | Quantity::PowerPull | Quantity::Tension => false,
+        other => !is_magnitude(other),
+    }
 }
 
 /// May a word give the sign? Friction is positive up the incline in every scene; an acceleration or a displacement is

@@ -1,6 +1,6 @@
-//! The workshop: from a problem of a bank and a seed to a finished variant and its key.
-pub mod make;
+//! From a problem of a bank, a seed and a student to a solved variant ([`maker`]) and its key ([`make_key`]).
 pub mod make_key;
+pub mod maker;
 pub mod rounding;
 pub mod rule;
 pub mod sweep;

@@ -7,7 +7,7 @@
 //! errs on the careful side: of the slip distances and heats of a wheel pulled with slip that were computed in such steps 14 to
 //! 18 % missed 1 %, of these 22 %.
 use crate::bank::Problem;
-use crate::draw::stream::Words;
+use crate::draw::stream::DrawWords;
 use crate::num::shown;
 use crate::num::trig::power;
 use crate::problem::make_key;
@@ -21,7 +21,12 @@ const STEPS: u64 = 1 << 20;
 
 /// For each question: would this try of an honest answer miss the tolerance? `None` where that cannot be said (words; the rounded
 /// data give no such answer).
-pub fn misses(problem: &Problem, variant: &Variant, words: &mut Words, attempt: u32) -> Vec<Option<bool>> {
+pub fn misses(
+    problem: &Problem,
+    variant: &Variant,
+    words: &mut DrawWords,
+    attempt: u32,
+) -> Vec<Option<bool>> {
     words.attempt(attempt);
     let scene = &problem.cases[variant.case].scene;
     let mut out = vec![None; problem.questions.len()];
@@ -55,7 +60,7 @@ pub fn misses(problem: &Problem, variant: &Variant, words: &mut Words, attempt: 
 }
 
 /// Relative error of a number that was rounded to so many figures.
-fn rounding(words: &mut Words, lot: usize, figures: u8) -> f64 {
+fn rounding(words: &mut DrawWords, lot: usize, figures: u8) -> f64 {
     let mut share = |lot| {
         let drawn = u32::try_from(words.below(lot, STEPS)).unwrap_or(0);
         f64::from(drawn) / f64::from(u32::try_from(STEPS).unwrap_or(1))

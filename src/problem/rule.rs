@@ -9,7 +9,7 @@ use std::collections::BTreeMap;
 
 /// A rule of a draw, by what it is about: questions, bounds and wrong methods by index, a regime by what came out.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Rule {
+pub enum DrawRule {
     /// The data are a scene.
     Admissible,
     /// The scene can be solved.
@@ -45,35 +45,35 @@ pub enum Rule {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Refused {
     /// Which rule.
-    pub rule: Rule,
+    pub rule: DrawRule,
     /// What came out.
     pub found: f64,
 }
 
-impl Rule {
+impl DrawRule {
     /// The refusal in which this number came out.
     pub const fn found(self, found: f64) -> Refused {
         Refused { rule: self, found }
     }
 }
 
-impl From<Rule> for Refused {
-    fn from(rule: Rule) -> Self {
+impl From<DrawRule> for Refused {
+    fn from(rule: DrawRule) -> Self {
         rule.found(f64::NAN)
     }
 }
 
 /// How often a rule refused, and the least and the greatest number that came out.
 #[derive(Debug, Clone, Copy, PartialEq)]
-struct Tally {
+struct RuleTally {
     count: u32,
     least: f64,
     most: f64,
 }
 
-impl Tally {
-    const NONE: Tally = Tally { count: 0, least: f64::INFINITY, most: f64::NEG_INFINITY };
-    fn join(&mut self, other: Tally) {
+impl RuleTally {
+    const NONE: RuleTally = RuleTally { count: 0, least: f64::INFINITY, most: f64::NEG_INFINITY };
+    fn join(&mut self, other: RuleTally) {
         self.count += other.count;
         // NaN is no number that came out.
         self.least = self.least.min(other.least);
@@ -92,7 +92,7 @@ impl Tally {
 /// How often each rule refused a draw.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Refusals {
-    tallies: BTreeMap<Rule, Tally>,
+    tallies: BTreeMap<DrawRule, RuleTally>,
     /// The last draw of admissible data that could not be solved, or on which the two roads disagreed.
     pub unsolved: Option<Refusal>,
     /// What was wrong with the last draw that is no scene.
@@ -110,13 +110,13 @@ pub struct Refusals {
 impl Refusals {
     /// Counts a refusal.
     pub fn add(&mut self, refused: Refused) {
-        let one = Tally { count: 1, least: refused.found, most: refused.found };
-        self.tallies.entry(refused.rule).or_insert(Tally::NONE).join(one);
+        let one = RuleTally { count: 1, least: refused.found, most: refused.found };
+        self.tallies.entry(refused.rule).or_insert(RuleTally::NONE).join(one);
     }
     /// Adds the counts of another variant of the same case.
     pub fn join(&mut self, other: &Refusals) {
         for (rule, tally) in &other.tallies {
-            self.tallies.entry(*rule).or_insert(Tally::NONE).join(*tally);
+            self.tallies.entry(*rule).or_insert(RuleTally::NONE).join(*tally);
         }
         self.conds.extend_from_slice(&other.conds);
         self.told += other.told;
@@ -144,12 +144,12 @@ impl Refusals {
     }
     /// The same with what came out and what was wanted.
     pub fn table(&self, problem: &Problem, case: usize) -> Vec<(String, u32)> {
-        let regime = |rule: &Rule| matches!(rule, Rule::Regime(_));
+        let regime = |rule: &DrawRule| matches!(rule, DrawRule::Regime(_));
         let others = self.tallies.iter().filter(|(rule, _)| !regime(rule));
         let rows = others.map(|(rule, tally)| (self.sentence(problem, case, *rule, *tally), tally.count));
         let mut happened: Vec<(Regime, u32)> = Vec::new();
         for (rule, tally) in &self.tallies {
-            if let Rule::Regime(regime) = rule {
+            if let DrawRule::Regime(regime) = rule {
                 happened.push((*regime, tally.count));
             }
         }
@@ -163,11 +163,11 @@ impl Refusals {
     }
 
     /// What a rule refused, with the numbers.
-    fn sentence(&self, problem: &Problem, case: usize, rule: Rule, tally: Tally) -> String {
+    fn sentence(&self, problem: &Problem, case: usize, rule: DrawRule, tally: RuleTally) -> String {
         let plain = rounded;
         let name = name(problem, case, rule);
         let came_out = match rule {
-            Rule::Check(kind) => {
+            DrawRule::Check(kind) => {
                 let margin = problem.margins.iter().find(|(k, _)| *k == kind).map_or(0.0, |(_, m)| *m);
                 let range = tally.range(&|x| format!("{} %", rounded(100.0 * x)));
                 match (kind.is_share() && !range.is_empty(), margin > 0.0) {
@@ -176,16 +176,16 @@ impl Refusals {
                     (true, false) => format!("margin {range} (above 0 % it holds)"),
                 }
             }
-            Rule::Cond(_) => format!("{} (`cond limit`)", tally.range(&plain)),
-            Rule::Input => format!("{} times (`input energy limit`)", tally.range(&plain)),
-            Rule::Bound(bound) => match problem.cases.get(case).and_then(|c| c.bounds.get(bound)) {
+            DrawRule::Cond(_) => format!("{} (`cond limit`)", tally.range(&plain)),
+            DrawRule::Input => format!("{} times (`input energy limit`)", tally.range(&plain)),
+            DrawRule::Bound(bound) => match problem.cases.get(case).and_then(|c| c.bounds.get(bound)) {
                 Some(bound) => format!("{} ({})", tally.range(&|x| in_unit(bound, x)), wanted(bound)),
                 None => String::new(),
             },
-            Rule::Proved(_) => {
+            DrawRule::Proved(_) => {
                 format!("{} of its tolerance", tally.range(&plain))
             }
-            Rule::Admissible => {
+            DrawRule::Admissible => {
                 self.inadmissible.iter().map(|f| inadmissible(problem, f)).collect::<Vec<_>>().join("; ")
             }
             _ => String::new(),
@@ -207,32 +207,32 @@ fn sorted(rows: impl Iterator<Item = (String, u32)>) -> Vec<(String, u32)> {
 }
 
 /// What a rule is called where it refuses.
-fn name(problem: &Problem, case: usize, rule: Rule) -> String {
+fn name(problem: &Problem, case: usize, rule: DrawRule) -> String {
     let question = |i: usize| problem.questions.get(i).map_or("?", |q| q.id.as_str());
     match rule {
-        Rule::Admissible => "data that are no scene".to_owned(),
-        Rule::Solvable => "cannot be solved".to_owned(),
-        Rule::Start => "the start contradicts the ties, or leaves a velocity open".to_owned(),
-        Rule::Agree => "the equations of motion and work and energy disagree".to_owned(),
-        Rule::Certain => {
+        DrawRule::Admissible => "data that are no scene".to_owned(),
+        DrawRule::Solvable => "cannot be solved".to_owned(),
+        DrawRule::Start => "the start contradicts the ties, or leaves a velocity open".to_owned(),
+        DrawRule::Agree => "the equations of motion and work and energy disagree".to_owned(),
+        DrawRule::Certain => {
             "the key is not proved: rounding of the printed data leaves open which way it goes".to_owned()
         }
-        Rule::Proved(i) => format!("the key is not proved: the bound of the error of {}", question(i)),
-        Rule::Input => format!("input energy above {} times the kinetic", problem.energy_limit),
-        Rule::Regime(_) => "regime".to_owned(),
-        Rule::Follows(i) => format!("the relation of `follows` for {} does not hold", question(i)),
-        Rule::Check(kind) => kind.name().to_owned(),
-        Rule::Answered(i) => format!("question {} has no answer", question(i)),
-        Rule::Cond(i) => {
+        DrawRule::Proved(i) => format!("the key is not proved: the bound of the error of {}", question(i)),
+        DrawRule::Input => format!("input energy above {} times the kinetic", problem.energy_limit),
+        DrawRule::Regime(_) => "regime".to_owned(),
+        DrawRule::Follows(i) => format!("the relation of `follows` for {} does not hold", question(i)),
+        DrawRule::Check(kind) => kind.name().to_owned(),
+        DrawRule::Answered(i) => format!("question {} has no answer", question(i)),
+        DrawRule::Cond(i) => {
             let limit = problem.questions.get(i).map_or(f64::NAN, |q| q.cond_limit);
             let limit = shown::decimals(limit, 1);
             format!("cond of {} above {}", question(i), limit.trim_end_matches(".0"))
         }
-        Rule::Bound(i) => {
+        DrawRule::Bound(i) => {
             let bound = problem.cases.get(case).and_then(|c| c.bounds.get(i));
             format!("bound {}", bound.map_or("?", |b| b.text.as_str()))
         }
-        Rule::Mistake(i) => {
+        DrawRule::Mistake(i) => {
             let mistake = problem.mistakes.get(i);
             format!("wrong method {} near a right answer", mistake.map_or("?", |m| m.id.as_str()))
         }

@@ -2,8 +2,8 @@
 //! how well they are conditioned, and how likely two students get the same sheet.
 use crate::bank::Problem;
 use crate::draw::stream::Source;
-use crate::problem::make::{Maker, Refusals, Unsatisfiable};
 use crate::problem::make_key::{self, List};
+use crate::problem::maker::{Maker, Refusals, Unsatisfiable};
 use crate::problem::rounding;
 use crate::problem::variant::Variant;
 use crate::solve::outcome::Refusal;
@@ -201,45 +201,83 @@ impl QuestionSweep {
     }
 }
 
+impl Sweep {
+    /// Before any variant is made.
+    fn empty(problem: &Problem) -> Sweep {
+        let total: u32 = problem.cases.iter().map(|c| c.share).sum();
+        Sweep {
+            problem: problem.id.clone(),
+            cases: problem
+                .cases
+                .iter()
+                .map(|c| CaseSweep {
+                    name: c.name.clone(),
+                    share: f64::from(c.share) / f64::from(total.max(1)),
+                    variants: 0,
+                    tries: 0,
+                    refusals: Vec::new(),
+                    grid: c.draws.iter().flatten().map(|d| count(d.count())).product(),
+                    valid: 0.0,
+                })
+                .collect(),
+            questions: problem
+                .questions
+                .iter()
+                .map(|q| QuestionSweep {
+                    id: q.id.clone(),
+                    range: None,
+                    cond: None,
+                    honest: (0, 0),
+                    within: (f64::INFINITY, 0.0),
+                    words: Vec::new(),
+                })
+                .collect(),
+            mistakes: Vec::new(),
+            pair_chance: 0.0,
+            unsatisfiable: None,
+            unsolved: None,
+        }
+    }
+
+    /// What follows from all draws together, case by case: condition numbers, wrong methods, refusals.
+    fn conclude(&mut self, problem: &Problem, refusals: &[Refusals]) {
+        for (i, (question, seen)) in problem.questions.iter().zip(&mut self.questions).enumerate() {
+            let conds = refusals.iter().flat_map(|r| r.conds.iter().skip(i).step_by(problem.questions.len()));
+            if !question.label.quantity.is_word() {
+                seen.cond = Spread::of(conds.copied().collect(), question.cond_limit);
+            }
+        }
+        let width = problem.questions.len() + 1;
+        let share = |all: &[Refusals], column: usize| {
+            let near: u32 = all.iter().map(|r| r.near.get(column).copied().unwrap_or(0)).sum();
+            let told: u32 = all.iter().map(|r| r.told).sum();
+            f64::from(near) / f64::from(told)
+        };
+        for (i, mistake) in problem.mistakes.iter().enumerate() {
+            let last = (i + 1) * width - 1;
+            self.mistakes.push(MistakeSweep {
+                id: mistake.id.clone(),
+                near: refusals.iter().map(|r| share(std::slice::from_ref(r), last)).collect(),
+                by_question: (i * width..last).map(|column| share(refusals, column)).collect(),
+            });
+        }
+        for (i, (case, refused)) in self.cases.iter_mut().zip(refusals).enumerate() {
+            case.refusals = refused.table(problem, i);
+            self.unsolved = self.unsolved.take().or_else(|| refused.unsolved.clone());
+            // A case that the seeds did not reach counts as accepted nowhere.
+            case.valid = if case.tries > 0 { (case.grid * case.acceptance()).max(1.0) } else { 1.0 };
+            self.pair_chance += case.share * case.share / case.valid;
+        }
+    }
+}
+
 /// Honest answers that are tried for each variant.
 const HONEST: u32 = 2;
 
 /// Makes a variant for each of `seeds` seeds, from `first` on; `made` hears of each.
 pub fn sweep(problem: &Problem, first: u64, seeds: u32, set: &str, made: &dyn Fn()) -> Sweep {
-    let total: u32 = problem.cases.iter().map(|c| c.share).sum();
     let mut refusals: Vec<Refusals> = vec![Refusals::default(); problem.cases.len()];
-    let mut out = Sweep {
-        problem: problem.id.clone(),
-        cases: problem
-            .cases
-            .iter()
-            .map(|c| CaseSweep {
-                name: c.name.clone(),
-                share: f64::from(c.share) / f64::from(total.max(1)),
-                variants: 0,
-                tries: 0,
-                refusals: Vec::new(),
-                grid: c.draws.iter().flatten().map(|d| count(d.count())).product(),
-                valid: 0.0,
-            })
-            .collect(),
-        questions: problem
-            .questions
-            .iter()
-            .map(|q| QuestionSweep {
-                id: q.id.clone(),
-                range: None,
-                cond: None,
-                honest: (0, 0),
-                within: (f64::INFINITY, 0.0),
-                words: Vec::new(),
-            })
-            .collect(),
-        mistakes: Vec::new(),
-        pair_chance: 0.0,
-        unsatisfiable: None,
-        unsolved: None,
-    };
+    let mut out = Sweep::empty(problem);
     let mut words = Source::new(first, set, "honest rounding").student(&problem.id);
     let mut attempt = 0;
     for seed in (first..).take(seeds as usize) {
@@ -278,33 +316,7 @@ pub fn sweep(problem: &Problem, first: u64, seeds: u32, set: &str, made: &dyn Fn
             }
         }
     }
-    for (i, (question, seen)) in problem.questions.iter().zip(&mut out.questions).enumerate() {
-        let conds = refusals.iter().flat_map(|r| r.conds.iter().skip(i).step_by(problem.questions.len()));
-        if !question.label.quantity.is_word() {
-            seen.cond = Spread::of(conds.copied().collect(), question.cond_limit);
-        }
-    }
-    let width = problem.questions.len() + 1;
-    let share = |all: &[Refusals], column: usize| {
-        let near: u32 = all.iter().map(|r| r.near.get(column).copied().unwrap_or(0)).sum();
-        let told: u32 = all.iter().map(|r| r.told).sum();
-        f64::from(near) / f64::from(told)
-    };
-    for (i, mistake) in problem.mistakes.iter().enumerate() {
-        let last = (i + 1) * width - 1;
-        out.mistakes.push(MistakeSweep {
-            id: mistake.id.clone(),
-            near: refusals.iter().map(|r| share(std::slice::from_ref(r), last)).collect(),
-            by_question: (i * width..last).map(|column| share(&refusals, column)).collect(),
-        });
-    }
-    for (i, (case, refused)) in out.cases.iter_mut().zip(&refusals).enumerate() {
-        case.refusals = refused.table(problem, i);
-        out.unsolved = out.unsolved.take().or_else(|| refused.unsolved.clone());
-        // A case that the seeds did not reach counts as accepted nowhere.
-        case.valid = if case.tries > 0 { (case.grid * case.acceptance()).max(1.0) } else { 1.0 };
-        out.pair_chance += case.share * case.share / case.valid;
-    }
+    out.conclude(problem, &refusals);
     out
 }
 

@@ -181,7 +181,7 @@ pub struct Settings {
 
 /// A mark that changed.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Change {
+pub struct MarkChange {
     /// Student, an index.
     pub student: usize,
     /// Part, an index.
@@ -198,7 +198,7 @@ pub struct Change {
     pub why: Vec<Why>,
 }
 
-impl Change {
+impl MarkChange {
     /// How many points more.
     pub fn gain(&self) -> f64 {
         self.after.unwrap_or(0.0) - self.before.unwrap_or(0.0)
@@ -274,7 +274,7 @@ pub fn compare<'k>(
     new: &Grading,
     settings: Settings,
     keys: &dyn Fn(usize, usize) -> [Option<&'k KeyEntry>; 2],
-) -> Vec<Change> {
+) -> Vec<MarkChange> {
     let mut found = Vec::new();
     for student in 0..who.students.len() {
         for part in 0..who.parts.len() {
@@ -284,7 +284,7 @@ pub fn compare<'k>(
             let moved = (after.unwrap_or(0.0) - before.unwrap_or(0.0)).abs() > DUST;
             if moved || was != is {
                 let why = why(a, b, settings, keys(student, part), moved);
-                found.push(Change { student, part, before, after, was, is, why });
+                found.push(MarkChange { student, part, before, after, was, is, why });
             }
         }
     }

@@ -1,12 +1,12 @@
 //! What other tolerances would make of answers that are graded already: which verdicts would change, and which wrong
 //! methods would pass for right.
-use crate::grade::judge::accepts;
+use crate::grade::compare::accepts;
 use crate::key::{Answer, KeyEntry};
 use std::collections::BTreeMap;
 
 /// What would change for one part, or for all.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
-pub struct Change {
+pub struct ToleranceChange {
     /// Answers that would become right.
     pub gained: u64,
     /// Answers that would no longer be right.
@@ -19,7 +19,7 @@ pub struct Change {
 
 /// The answer that counts for a student and a part, if there is one.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
-pub struct Cell {
+pub struct AnswerUnder {
     /// Is it right?
     pub right: bool,
     /// Ids of the wrong methods that it fits.
@@ -30,7 +30,7 @@ pub struct Cell {
 #[derive(Debug, Clone, PartialEq)]
 pub struct WhatIf {
     /// For each column of the gradebook.
-    pub parts: Vec<Change>,
+    pub parts: Vec<ToleranceChange>,
     /// Wrong methods whose answers would become right: id and how many.
     pub methods: BTreeMap<String, u64>,
 }
@@ -38,12 +38,12 @@ pub struct WhatIf {
 impl WhatIf {
     /// Nothing changed yet.
     pub fn new(parts: usize) -> Self {
-        Self { parts: vec![Change::default(); parts], methods: BTreeMap::new() }
+        Self { parts: vec![ToleranceChange::default(); parts], methods: BTreeMap::new() }
     }
 
     /// All parts together.
-    pub fn total(&self) -> Change {
-        let mut sum = Change::default();
+    pub fn total(&self) -> ToleranceChange {
+        let mut sum = ToleranceChange::default();
         for part in &self.parts {
             sum.gained += part.gained;
             sum.lost += part.lost;
@@ -54,7 +54,7 @@ impl WhatIf {
     }
 
     /// Holds the answers that count of all students and parts against those of the grading as it is.
-    pub fn take(&mut self, now: &[Cell], other: &[Cell]) {
+    pub fn take(&mut self, now: &[AnswerUnder], other: &[AnswerUnder]) {
         let parts = self.parts.len().max(1);
         for (i, (was, is)) in now.iter().zip(other).enumerate() {
             let change = &mut self.parts[i % parts];

@@ -6,7 +6,7 @@ use crate::key::{Answer, KeyEntry};
 use crate::num::shown;
 use crate::policy::Policy;
 use crate::regrade::changes;
-use crate::regrade::changes::{Change, ChangeRow, DUST, Grading, Who, Why};
+use crate::regrade::changes::{ChangeRow, DUST, Grading, MarkChange, Who, Why};
 use crate::report::tolerances;
 use crate::sheet::terminal;
 use std::collections::BTreeMap;
@@ -58,7 +58,7 @@ pub struct ChangesTold<'d> {
     /// The new one.
     pub after: &'d Grading,
     /// What changed.
-    pub changes: &'d [Change],
+    pub changes: &'d [MarkChange],
     /// The keys.
     pub keys: &'d KeysBeforeAfter,
 }
@@ -153,7 +153,7 @@ impl ChangesTold<'_> {
         }
         let mut rows = vec![["part", "gain", "lose", "points", "why"].map(str::to_owned).to_vec()];
         for part in 0..self.who.parts.len() {
-            let of: Vec<&Change> = self.changes.iter().filter(|c| c.part == part).collect();
+            let of: Vec<&MarkChange> = self.changes.iter().filter(|c| c.part == part).collect();
             if of.is_empty() {
                 continue;
             }

@@ -1,8 +1,8 @@
 //! Everything about one mark, in words.
 use crate::answer::read::{Reading, UnitCache, read};
 use crate::bank::{Problem, Relative};
+use crate::grade::compare;
 use crate::grade::feedback::Feedback;
-use crate::grade::judge;
 use crate::grade::row::AnswerRow;
 use crate::grade::verdict::Verdict;
 use crate::key::{Answer, Given, KeyEntry, ProblemKey};
@@ -10,10 +10,10 @@ use crate::misconception::catalogue::Catalogue;
 use crate::num::shown;
 use crate::policy;
 use crate::policy::time::{Evidence, Moment};
-use crate::policy::{For, Per, Policy, Unread, Way};
-use crate::problem::make::Variant;
+use crate::policy::{For, Per, Policy, RoundingWay, Unread};
+use crate::problem::maker::Variant;
 use crate::regrade::changes::ChangeRow;
-use crate::set::grading::Grading;
+use crate::set::grading::StoredGrading;
 use crate::set::store::{StoredSet, StoredStudent};
 use crate::sheet::terminal;
 use crate::sheet::terminal::plain;
@@ -73,7 +73,7 @@ pub struct ExplainedMarks<'g> {
     /// Settings by which it was graded.
     pub policy: &'g Policy,
     /// What it was graded with.
-    pub grading: &'g Grading,
+    pub grading: &'g StoredGrading,
     /// What the times of all answers say about the order of day and month.
     pub evidence: Evidence,
     /// The student's answers to this problem.
@@ -152,9 +152,9 @@ impl ExplainedMarks<'_> {
         }
         if let Some(rounding) = policy.rounding {
             let way = match rounding.way {
-                Way::Nearest => "to the nearest multiple of",
-                Way::Up => "up to multiples of",
-                Way::Down => "down to multiples of",
+                RoundingWay::Nearest => "to the nearest multiple of",
+                RoundingWay::Up => "up to multiples of",
+                RoundingWay::Down => "down to multiples of",
             };
             let _ = write!(text, "; rounded {way} {}", rounding.to);
         }
@@ -301,7 +301,7 @@ impl ExplainedMarks<'_> {
     fn attempt(&self, page: &mut Pages, index: usize, row: &AnswerRow) {
         let entry = &self.key.parts[index];
         let mut units = UnitCache::default();
-        let judged = judge::judge_with(&row.answer, entry, &mut units, Feedback::english());
+        let judged = compare::compare_with(&row.answer, entry, &mut units, Feedback::english());
         let when =
             if row.submitted_at.is_empty() { String::new() } else { format!(", {}", row.submitted_at) };
         let place = if row.column.is_empty() { String::new() } else { format!(", column {}", row.column) };
@@ -446,7 +446,10 @@ impl ExplainedMarks<'_> {
         };
         let number = |part: usize, row: &AnswerRow| {
             let entry = self.key.parts.get(part)?;
-            Some(judge::judge_with(&row.answer, entry, &mut UnitCache::default(), Feedback::english()).number)
+            Some(
+                compare::compare_with(&row.answer, entry, &mut UnitCache::default(), Feedback::english())
+                    .number,
+            )
         };
         let own = |part: usize| {
             let id = self.key.parts.get(part).map(|e| e.part.as_str());

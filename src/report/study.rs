@@ -80,7 +80,7 @@ impl MistakeCount {
 
 /// How marks of a problem go with a datum, or differ between cases.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Comparison {
+pub struct DatumComparison {
     /// Index of the problem.
     pub problem: usize,
     /// Symbol of the datum; empty for the comparison of cases.
@@ -125,7 +125,7 @@ pub struct ClassStudy {
     /// Words of credit (`methods`, `follow`, `late`, ...), with the number of answers.
     pub credit: Vec<(String, usize)>,
     /// Comparisons of marks with what was drawn.
-    pub fairness: Vec<Comparison>,
+    pub fairness: Vec<DatumComparison>,
     /// Problems (indices) with too few students for comparisons, and how many they have.
     pub too_few: Vec<(usize, usize)>,
 }
@@ -233,12 +233,12 @@ fn part(marks: &Marks, took_part: &[usize], p: usize, scale: &[usize], matrix: &
 /// Each answer counts for the first, most likely method that fits it.
 fn mistakes(marks: &Marks) -> (Vec<MistakeCount>, (usize, usize)) {
     #[derive(Default)]
-    struct Count {
+    struct MistakeTally {
         also: BTreeMap<String, usize>,
         parts: BTreeMap<usize, usize>,
         who: Vec<usize>,
     }
-    let mut counts: BTreeMap<String, Count> = BTreeMap::new();
+    let mut counts: BTreeMap<String, MistakeTally> = BTreeMap::new();
     let (mut wrong, mut unexplained) = (0, 0);
     let width = marks.class.parts.len().max(1);
     for (i, row) in marks.cells.iter().enumerate().filter_map(|(i, c)| Some((i, c.row.as_ref()?))) {
@@ -292,7 +292,7 @@ fn shares(marks: &Marks, problem: usize) -> Vec<(usize, f64)> {
         .collect()
 }
 
-fn fairness(marks: &Marks) -> (Vec<Comparison>, Vec<(usize, usize)>) {
+fn fairness(marks: &Marks) -> (Vec<DatumComparison>, Vec<(usize, usize)>) {
     let mut found = Vec::new();
     let mut too_few = Vec::new();
     for problem in 0..marks.class.problems.len() {
@@ -316,7 +316,7 @@ fn fairness(marks: &Marks) -> (Vec<Comparison>, Vec<(usize, usize)>) {
         cases.retain(|_, group| group.len() >= LEAST_IN_GROUP);
         let groups: Vec<Vec<f64>> = cases.values().cloned().collect();
         if let Some((_, p)) = ranks::kruskal_wallis(&groups) {
-            found.push(Comparison {
+            found.push(DatumComparison {
                 problem,
                 datum: String::new(),
                 n: groups.iter().map(Vec::len).sum(),
@@ -336,7 +336,7 @@ fn fairness(marks: &Marks) -> (Vec<Comparison>, Vec<(usize, usize)>) {
                 continue;
             }
             if let Some(spearman) = ranks::spearman(&xs, &ys) {
-                found.push(Comparison {
+                found.push(DatumComparison {
                     problem,
                     datum: symbol.to_owned(),
                     n: xs.len(),

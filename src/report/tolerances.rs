@@ -3,7 +3,7 @@ use crate::grade::table::KeyTable;
 use crate::key::Answer;
 use crate::misconception::catalogue::Catalogue;
 use crate::num::shown;
-use crate::regrade::tolerance::{Change, WhatIf};
+use crate::regrade::tolerance::{ToleranceChange, WhatIf};
 use crate::sheet::terminal;
 use crate::sheet::terminal::plain;
 
@@ -53,7 +53,7 @@ pub fn told(graded: &str, now: &KeyTable, trials: &[Trial], totals: &[f64], answ
         },
         terminal::count(now.students.len(), "student")
     );
-    let changed = |c: &Change| match (c.gained, c.lost) {
+    let changed = |c: &ToleranceChange| match (c.gained, c.lost) {
         (0, 0) => "0".to_owned(),
         (gained, 0) => format!("+{gained}"),
         (0, lost) => format!("-{lost}"),

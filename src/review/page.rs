@@ -1,18 +1,18 @@
 //! Many variants of a bank's problems side by side on one page.
 use crate::bank::{Bank, Problem};
-use crate::diagnosis::sentences;
-use crate::diagnosis::table::unsatisfiable;
 use crate::figure::scene;
 use crate::finding::Findings;
+use crate::inspect::sentences;
+use crate::inspect::table::unsatisfiable;
 use crate::num::shown;
 use crate::picture::svg;
-use crate::problem::make::{Maker, Variant};
 use crate::problem::make_key;
+use crate::problem::maker::{Maker, Variant};
 use crate::problem::sweep::Sweep;
 use crate::review;
 use crate::review::SweepTables;
 use crate::sheet::document::Document;
-use crate::sheet::html::{Converter, Place};
+use crate::sheet::html::{Converter, PlaceInPage};
 use crate::sheet::page::{Room, Sheets};
 use crate::sheet::texts::Texts;
 use crate::sheet::{key_table, statement};
@@ -53,7 +53,7 @@ pub fn page(
             sheets.problem(i, first, &mut room, &mut statement)?;
         }
         let markdown = String::from_utf8_lossy(&statement).into_owned();
-        let place = Place { lower: 1, prefix: &problem.id };
+        let place = PlaceInPage { lower: 1, prefix: &problem.id };
         let statement = converter.body(&Document::new(markdown, Vec::new()), &[], place);
         let cards = variants.iter().enumerate().map(|(n, v)| card(problem, v, n + 1, texts, &mut converter));
         let cards = template::list(cards.collect());
@@ -105,7 +105,7 @@ fn card(problem: &Problem, variant: &Variant, n: usize, texts: &Texts, converter
         .collect();
     // A comma within its formula does not begin a line.
     let data = if formulas.is_empty() { String::new() } else { format!("${}$", formulas.join(",$ $")) };
-    let place = Place { lower: 0, prefix: &id };
+    let place = PlaceInPage { lower: 0, prefix: &id };
     let data = converter.body(&Document::new(data, Vec::new()), &[], place);
     let mut what = Vec::new();
     if let Some(case) = problem.cases.get(variant.case).filter(|c| !c.name.is_empty()) {

@@ -4,23 +4,16 @@ use crate::bank::decimal::Decimal;
 use crate::bank::{Bank, Draw, Problem};
 use crate::finding::{Finding, Findings};
 use crate::key::{ProblemKey, SheetKey};
-use crate::problem::make::Variant;
-use crate::problem::{make, make_key};
+use crate::problem::maker::Variant;
+use crate::problem::{make_key, maker};
+use crate::set::dealer::{Dealt, indices};
 use crate::set::store::{StoredSet, StoredStudent, StoredVariant};
 use crate::sheet::statement;
 use crate::solve::outcome::Refusal;
 use crate::units::spell;
 use rayon::prelude::*;
 
-/// What a student's stored data come to.
-pub struct GivenSheet {
-    /// Variants in the order of the sheet.
-    pub variants: Vec<Variant>,
-    /// Their key.
-    pub key: SheetKey,
-}
-
-/// LostWhy the stored data of a student give no key.
+/// That the stored data of a student give no key.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Lost {
     /// Id of the student.
@@ -29,11 +22,11 @@ pub struct Lost {
     pub problem: usize,
     /// Index of the case.
     pub case: usize,
-    /// LostWhy.
+    /// Why.
     pub why: LostWhy,
 }
 
-/// LostWhy there is no key.
+/// Why there is no key.
 #[derive(Debug, Clone, PartialEq)]
 pub enum LostWhy {
     /// The scene cannot be solved, or the two roads disagree.
@@ -59,10 +52,10 @@ pub enum GivenFault {
 ///
 /// # Errors
 /// Problems, cases and data that the bank no longer has, once each; then the students whose data give no key, all of them.
-pub fn all(bank: &Bank, set: &StoredSet) -> Result<Vec<GivenSheet>, Vec<GivenFault>> {
-    let problems = crate::set::replay::indices(bank, &set.problems, "problems")
+pub fn all(bank: &Bank, set: &StoredSet) -> Result<Vec<Dealt>, Vec<GivenFault>> {
+    let problems = indices(bank, &set.problems, "problems")
         .map_err(|faults| faults.into_iter().map(GivenFault::Misfit).collect::<Vec<_>>())?;
-    let solved: Vec<Result<GivenSheet, Vec<GivenFault>>> =
+    let solved: Vec<Result<Dealt, Vec<GivenFault>>> =
         set.students.par_iter().map(|s| one(bank, &problems, &s.student, &s.problems)).collect();
     let (mut found, mut faults) = (Vec::with_capacity(solved.len()), Vec::new());
     for result in solved {
@@ -87,7 +80,7 @@ fn one(
     problems: &[usize],
     student: &str,
     stored: &[StoredVariant],
-) -> Result<GivenSheet, Vec<GivenFault>> {
+) -> Result<Dealt, Vec<GivenFault>> {
     let mut faults = Vec::new();
     let (mut variants, mut keys) = (Vec::with_capacity(problems.len()), Vec::with_capacity(problems.len()));
     if stored.len() != problems.len() {
@@ -124,7 +117,7 @@ fn one(
         }
     }
     if faults.is_empty() {
-        Ok(GivenSheet { variants, key: SheetKey { student: student.to_owned(), problems: keys } })
+        Ok(Dealt { variants, key: SheetKey { student: student.to_owned(), problems: keys } })
     } else {
         Err(faults)
     }
@@ -134,8 +127,8 @@ fn one(
 ///
 /// # Errors
 /// Those of [`as_stored`].
-pub fn all_as_stored(bank: &Bank, set: &StoredSet) -> Result<Vec<GivenSheet>, Findings> {
-    let problems = crate::set::replay::indices(bank, &set.problems, "problems")?;
+pub fn all_as_stored(bank: &Bank, set: &StoredSet) -> Result<Vec<Dealt>, Findings> {
+    let problems = indices(bank, &set.problems, "problems")?;
     let one = |s: &StoredStudent| as_stored(bank, &problems, &s.student, &s.problems);
     let mut found = Vec::with_capacity(set.students.len());
     for given in set.students.par_iter().map(one).collect::<Vec<_>>() {
@@ -154,7 +147,7 @@ pub fn as_stored(
     problems: &[usize],
     student: &str,
     stored: &[StoredVariant],
-) -> Result<GivenSheet, Findings> {
+) -> Result<Dealt, Findings> {
     let field = |id: &str| format!("students {student}, {id}");
     if stored.len() != problems.len()
         || !stored.iter().zip(problems).all(|(s, p)| s.id == bank.problems[*p].id)
@@ -166,7 +159,7 @@ pub fn as_stored(
     for (index, old) in problems.iter().zip(stored) {
         let problem = &bank.problems[*index];
         let variant = values(problem, old).and_then(|(case, values)| {
-            make::from_values(problem, case, &values).map_err(|_| {
+            maker::from_values(problem, case, &values).map_err(|_| {
                 let what = "the stored data have no answer by this version";
                 Finding::new(field(&old.id), what).into()
             })
@@ -179,7 +172,7 @@ pub fn as_stored(
             Err(more) => faults.extend(more),
         }
     }
-    faults.into_result(GivenSheet { variants, key: SheetKey { student: student.to_owned(), problems: keys } })
+    faults.into_result(Dealt { variants, key: SheetKey { student: student.to_owned(), problems: keys } })
 }
 
 /// Case and data as the bank's problem takes them. Findings are the same for every student with the same trouble.
@@ -251,7 +244,7 @@ fn solved(
     case: usize,
     values: &[Option<Decimal>],
 ) -> Result<(Variant, ProblemKey), LostWhy> {
-    let variant = make::from_values(problem, case, values).map_err(LostWhy::Refused)?;
+    let variant = maker::from_values(problem, case, values).map_err(LostWhy::Refused)?;
     let regime = variant.solved.regime;
     let told = &problem.cases[case];
     if !regime.is_one_of(&told.regimes, &told.scene) {
@@ -267,7 +260,7 @@ fn solved(
     if let Some(question) = missing {
         return Err(LostWhy::Unanswered(question.id.clone()));
     }
-    if let Some(part) = make::broken_relation(problem, &variant.data, &variant.solved) {
+    if let Some(part) = maker::broken_relation(problem, &variant.data, &variant.solved) {
         return Err(LostWhy::Relation(problem.questions[part].id.clone()));
     }
     let key = make_key::key(problem, &variant);

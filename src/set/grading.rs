@@ -11,7 +11,7 @@ pub const BASIS: &str = "basis";
 
 /// What a grading was made from.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct Grading {
+pub struct StoredGrading {
     /// Version of this layout.
     pub format: u32,
     /// Program and version that graded.
@@ -79,7 +79,7 @@ const fn is_yes(said: &bool) -> bool {
     *said
 }
 
-impl Grading {
+impl StoredGrading {
     /// Reads grading.json.
     ///
     /// # Errors

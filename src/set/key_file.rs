@@ -1,5 +1,5 @@
 //! key.csv: one row for each part of each student, numbers in the asked unit.
-use crate::finding::{Finding, Findings};
+use crate::finding::{Finding, Findings, FirstFindings};
 use crate::guard::{push_line, unguarded};
 use crate::key::{Answer, KeyEntry, SheetKey};
 use crate::problem::make_key;
@@ -97,12 +97,14 @@ pub fn text(keys: &[SheetKey]) -> Vec<u8> {
     if parts.is_empty() { part((0, &[])) } else { parts.concat() }
 }
 
-/// A stored number may differ by this share from what the stored data give: by what a later version rounds otherwise.
+/// A later version may round otherwise in the last digits: a stored answer counts as the one that the stored data give if the
+/// two differ by no more than this share.
 const AS_STORED: f64 = 1e-9;
 
-/// Puts what a stored key.csv holds into keys that were solved from the stored data by a later version: right answers and
-/// tolerances are those that were published. How many of them the stored data do not give by this version: none, unless the file
-/// is `sealed` by its hash.
+/// Takes right answers and tolerances from a stored key.csv, which was published, into keys that this version solved from the
+/// stored data of a set drawn by an earlier one. Returns how many stored answers this version does not get from the data. A
+/// file that is `sealed` (its hash stands in set.json) was not edited, so such answers are taken all the same; in another file
+/// they are findings.
 ///
 /// # Errors
 /// At most five findings and their number: rows that are missing, cells that cannot be read, answers that the stored data do not
@@ -112,18 +114,19 @@ pub fn put_stored(stored: &[u8], keys: &mut [SheetKey], sealed: bool) -> Result<
     let mut reader = csv::ReaderBuilder::new().flexible(true).from_reader(body);
     let mut rows: rustc_hash::FxHashMap<(String, String, String), (usize, csv::StringRecord)> =
         rustc_hash::FxHashMap::default();
-    let mut findings = Findings::default();
-    let (mut more, mut other) = (0usize, 0usize);
-    let mut tell = |finding: Finding| if findings.len() < 5 { findings.push(finding) } else { more += 1 };
+    let mut findings = FirstFindings::default();
+    let mut other = 0;
     for record in reader.records() {
         let Ok(record) = record else {
-            tell(Finding::new("", "a record cannot be read"));
+            findings.push(Finding::new("", "a record cannot be read"));
             continue;
         };
         let line = record.position().map_or(0, |p| usize::try_from(p.line()).unwrap_or(0));
         let cell = |i: usize| record.get(i).unwrap_or_default().to_owned();
         if rows.insert((cell(0), cell(1), cell(2)), (line, record.clone())).is_some() {
-            tell(Finding::new("", format!("{} {}.{} stands twice", cell(0), cell(1), cell(2))).at(line, 1));
+            findings.push(
+                Finding::new("", format!("{} {}.{} stands twice", cell(0), cell(1), cell(2))).at(line, 1),
+            );
         }
     }
     for key in keys {
@@ -131,23 +134,20 @@ pub fn put_stored(stored: &[u8], keys: &mut [SheetKey], sealed: bool) -> Result<
             for entry in &mut problem.parts {
                 let name = (key.student.clone(), (i + 1).to_string(), entry.part.clone());
                 let Some((line, row)) = rows.get(&name) else {
-                    tell(Finding::new("", format!("{} {}.{} is missing", name.0, name.1, name.2)));
+                    findings.push(Finding::new("", format!("{} {}.{} is missing", name.0, name.1, name.2)));
                     continue;
                 };
                 match take(entry, row, sealed) {
                     Ok(same) => other += usize::from(!same),
                     Err(what) => {
                         let what = format!("{} {}.{}: {what}", name.0, name.1, name.2);
-                        tell(Finding::new("", what).at(*line, 1));
+                        findings.push(Finding::new("", what).at(*line, 1));
                     }
                 }
             }
         }
     }
-    if more > 0 {
-        findings.push(Finding::new("", format!("and {more} more differences")));
-    }
-    findings.into_result(other)
+    findings.told().into_result(other)
 }
 
 /// One row into its entry, or what is wrong with it. Is it what the entry was, up to rounding?
@@ -200,15 +200,13 @@ pub fn compare(stored: &[u8], keys: &[SheetKey]) -> Findings {
         return Findings::default();
     }
     let known: rustc_hash::FxHashSet<&str> = keys.iter().map(|k| k.student.as_str()).collect();
-    let mut findings = Findings::default();
-    let mut more = 0usize;
-    let mut tell = |finding: Finding| if findings.len() < 5 { findings.push(finding) } else { more += 1 };
+    let mut findings = FirstFindings::default();
     let body = stored.strip_prefix(b"\xef\xbb\xbf").unwrap_or(stored);
     let mut reader = csv::ReaderBuilder::new().has_headers(false).flexible(true).from_reader(body);
     let mut expected = rows(keys);
     for record in reader.byte_records() {
         let Ok(record) = record else {
-            tell(Finding::new("", "a record cannot be read"));
+            findings.push(Finding::new("", "a record cannot be read"));
             continue;
         };
         let line = record.position().map_or(0, |p| usize::try_from(p.line()).unwrap_or(0));
@@ -221,7 +219,7 @@ pub fn compare(stored: &[u8], keys: &[SheetKey]) -> Findings {
             continue;
         }
         let Some(row) = expected.next() else {
-            tell(Finding::new("", format!("a row too many, for {}", field(0))).at(line, 1));
+            findings.push(Finding::new("", format!("a row too many, for {}", field(0))).at(line, 1));
             continue;
         };
         for (i, right) in row.iter().enumerate() {
@@ -234,17 +232,14 @@ pub fn compare(stored: &[u8], keys: &[SheetKey]) -> Findings {
                     HEADER[i],
                     field(i)
                 );
-                tell(Finding::new("", what).at(line, 1));
+                findings.push(Finding::new("", what).at(line, 1));
                 break;
             }
         }
     }
     let missing = expected.count();
     if missing > 0 {
-        tell(Finding::new("", format!("{missing} rows are missing at the end")));
+        findings.push(Finding::new("", format!("{missing} rows are missing at the end")));
     }
-    if more > 0 {
-        findings.push(Finding::new("", format!("and {more} more differences")));
-    }
-    findings
+    findings.told()
 }

@@ -1,116 +1,14 @@
-//! Drawing a set, and drawing it again to see that nothing has changed.
-use crate::bank::{Bank, Problem};
+//! Drawing a stored set again to see that nothing has changed.
+use crate::bank::Bank;
 use crate::draw::stream;
-use crate::finding::{Finding, Findings};
+use crate::finding::{Finding, Findings, FirstFindings};
 use crate::key::SheetKey;
-use crate::problem::make::{Maker, Unsatisfiable, Variant};
+use crate::problem::maker::Unsatisfiable;
+use crate::set::dealer::{Dealer, Dealt, indices, stored};
 use crate::set::given;
-use crate::set::given::GivenSheet;
-use crate::set::store::{StoredSet, StoredStudent, StoredVariant};
-use crate::sheet::statement;
+use crate::set::store::{StoredSet, StoredStudent};
 use rayon::prelude::*;
-use serde_json::{Map, Value};
 use std::sync::atomic::{AtomicBool, Ordering};
-
-/// What one student got: variants and key, problem by problem.
-pub struct Dealt {
-    /// Variants in the order of the sheet.
-    pub variants: Vec<Variant>,
-    /// Their key.
-    pub key: SheetKey,
-}
-
-/// Makes the variants of a set, problem by problem.
-pub struct Dealer<'b> {
-    makers: Vec<Maker<'b>>,
-}
-
-impl<'b> Dealer<'b> {
-    /// For these problems (indices into the bank).
-    pub fn new(bank: &'b Bank, problems: &[usize], seed: u64, set: &str) -> Self {
-        let chosen = problems.iter().filter_map(|p| bank.problems.get(*p));
-        Self { makers: chosen.map(|p| Maker::new(p, seed, set)).collect() }
-    }
-
-    /// Draws and solves the problems of one student.
-    ///
-    /// # Errors
-    /// The bank cannot be satisfied: the table of refusals.
-    pub fn deal(&self, student: &str) -> Result<Dealt, Box<Unsatisfiable>> {
-        let mut variants = Vec::with_capacity(self.makers.len());
-        let mut keys = Vec::with_capacity(self.makers.len());
-        for maker in &self.makers {
-            let variant = maker.variant(student)?;
-            keys.push(maker.key(&variant));
-            variants.push(variant);
-        }
-        Ok(Dealt { variants, key: SheetKey { student: student.to_owned(), problems: keys } })
-    }
-
-    /// Deals once more what is stored: for each problem only the last of so many tries. `None` where anything differs, for
-    /// [`Dealer::deal`] to say what.
-    fn deal_again(&self, bank: &Bank, problems: &[usize], old: &StoredStudent) -> Option<Dealt> {
-        let mut variants = Vec::with_capacity(self.makers.len());
-        let mut keys = Vec::with_capacity(self.makers.len());
-        if old.problems.len() != self.makers.len() {
-            return None;
-        }
-        for ((maker, index), old_variant) in self.makers.iter().zip(problems).zip(&old.problems) {
-            let variant = maker.again(&old.student, old_variant.tries)?;
-            if difference(old_variant, &stored(bank.problems.get(*index)?, &variant)).is_some() {
-                return None;
-            }
-            keys.push(maker.key(&variant));
-            variants.push(variant);
-        }
-        Some(Dealt { variants, key: SheetKey { student: old.student.clone(), problems: keys } })
-    }
-}
-
-/// What is stored of a variant: case and data as printed.
-pub fn stored(problem: &Problem, variant: &Variant) -> StoredVariant {
-    let mut data = Map::new();
-    for (i, datum) in problem.data.iter().enumerate() {
-        if let Some(drawn) = variant.values.get(i).copied().flatten() {
-            data.insert(datum.symbol.clone(), Value::String(statement::printed(problem, i, drawn)));
-        }
-    }
-    let case = problem.cases.get(variant.case).map_or_else(String::new, |c| c.name.clone());
-    let table = variant.refusals.names(problem, variant.case);
-    let refused = table.into_iter().map(|(rule, count)| (rule, Value::from(count))).collect();
-    StoredVariant { id: problem.id.clone(), case, tries: variant.tries, refused, data }
-}
-
-/// Indices of problems by id.
-///
-/// # Errors
-/// Ids that the bank does not have, and ids given twice.
-pub fn indices(bank: &Bank, ids: &[String], field: &str) -> Result<Vec<usize>, Findings> {
-    let mut found = Vec::new();
-    let mut faults = Findings::default();
-    for id in ids {
-        match bank.problems.iter().position(|p| p.id == *id) {
-            Some(i) if found.contains(&i) => {
-                faults.push(Finding::new(field, format!("`{id}` is named twice")))
-            }
-            Some(i) => found.push(i),
-            None => {
-                let known = bank.problems.iter().map(|p| p.id.as_str());
-                let fault = Finding::new(field, format!("the bank has no problem `{id}`"));
-                faults.push(fault.hint(crate::units::spell::hint(id, "its problems", known)));
-            }
-        }
-    }
-    faults.into_result(found)
-}
-
-/// The same, or all of the bank where none are named.
-///
-/// # Errors
-/// As [`indices`].
-pub fn chosen(bank: &Bank, ids: Option<&[String]>, field: &str) -> Result<Vec<usize>, Findings> {
-    ids.map_or_else(|| Ok((0..bank.problems.len()).collect()), |ids| indices(bank, ids, field))
-}
 
 /// Was the set drawn by an earlier version, which chose other draws? Then nothing is drawn again: what was drawn is taken as it
 /// is stored, and so is the key ([`crate::set::key_file::put_stored`]).
@@ -163,9 +61,8 @@ pub fn each<T: Send>(
             Findings::from(f)
         };
         if earlier {
-            let GivenSheet { variants, key } =
-                given::as_stored(bank, &problems, &student.student, &student.problems)?;
-            return make(i, student, Dealt { variants, key }).map_err(by_make);
+            let dealt = given::as_stored(bank, &problems, &student.student, &student.problems)?;
+            return make(i, student, dealt).map_err(by_make);
         }
         if let Some(dealt) = dealer.deal_again(bank, &problems, student) {
             return make(i, student, dealt).map_err(by_make);
@@ -185,7 +82,7 @@ pub fn each<T: Send>(
         }
         for ((index, variant), old) in problems.iter().zip(&dealt.variants).zip(&student.problems) {
             let new = stored(&bank.problems[*index], variant);
-            if let Some(what) = difference(old, &new) {
+            if let Some(what) = old.difference(&new) {
                 faults.push(Finding::new(format!("students {}, {}", student.student, old.id), what));
             }
         }
@@ -203,11 +100,9 @@ pub fn each<T: Send>(
     if faults.is_empty() {
         return Ok(made);
     }
-    let more = faults.len().saturating_sub(5);
-    faults.truncate(5);
-    if more > 0 {
-        faults.push(Finding::new("", format!("and {more} more differences")));
-    }
+    let mut first = FirstFindings::default();
+    faults.into_iter().for_each(|fault| first.push(fault));
+    let mut faults = first.told();
     if made_badly.into_inner() {
         return Err(faults);
     }
@@ -222,27 +117,4 @@ pub fn each<T: Send>(
         ))
     }));
     Err(faults)
-}
-
-/// What differs between the stored and the new variant.
-fn difference(old: &StoredVariant, new: &StoredVariant) -> Option<String> {
-    if old.id != new.id {
-        return Some(format!("the problem is `{}` in the set, `{}` when drawn anew", old.id, new.id));
-    }
-    if old.case != new.case {
-        return Some(format!("the case is `{}` in the set, `{}` when drawn anew", old.case, new.case));
-    }
-    let shown = |v: Option<&Value>| match v {
-        Some(Value::String(text)) => format!("`{text}`"),
-        Some(other) => format!("`{other}`"),
-        None => "missing".to_owned(),
-    };
-    let names = old.data.keys().chain(new.data.keys().filter(|k| !old.data.contains_key(*k)));
-    for name in names {
-        if old.data.get(name) != new.data.get(name) {
-            let (old, new) = (shown(old.data.get(name)), shown(new.data.get(name)));
-            return Some(format!("{name} is {old} in the set, {new} when drawn anew"));
-        }
-    }
-    None
 }

@@ -86,6 +86,32 @@ pub struct StoredVariant {
     pub data: Map<String, Value>,
 }
 
+impl StoredVariant {
+    /// What differs between this stored variant and one drawn anew.
+    pub fn difference(&self, new: &StoredVariant) -> Option<String> {
+        let old = self;
+        if old.id != new.id {
+            return Some(format!("the problem is `{}` in the set, `{}` when drawn anew", old.id, new.id));
+        }
+        if old.case != new.case {
+            return Some(format!("the case is `{}` in the set, `{}` when drawn anew", old.case, new.case));
+        }
+        let shown = |v: Option<&Value>| match v {
+            Some(Value::String(text)) => format!("`{text}`"),
+            Some(other) => format!("`{other}`"),
+            None => "missing".to_owned(),
+        };
+        let names = old.data.keys().chain(new.data.keys().filter(|k| !old.data.contains_key(*k)));
+        for name in names {
+            if old.data.get(name) != new.data.get(name) {
+                let (old, new) = (shown(old.data.get(name)), shown(new.data.get(name)));
+                return Some(format!("{name} is {old} in the set, {new} when drawn anew"));
+            }
+        }
+        None
+    }
+}
+
 /// Two students whose problems are too much alike.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Coincidence {

@@ -29,7 +29,7 @@ pub const PAPER: usize = 70;
 
 /// Where a document stands in a page.
 #[derive(Debug, Clone, Copy)]
-pub struct Place<'p> {
+pub struct PlaceInPage<'p> {
     /// Levels that its headings go down: 0 for a page of its own, 1 in a booklet.
     pub lower: usize,
     /// Begins the ids of its parts, which are then unique in the page.
@@ -47,7 +47,7 @@ impl<'w> Converter<'w> {
         &mut self,
         document: &'d Document,
         screens: &'d [(&str, Screen)],
-        place: Place,
+        place: PlaceInPage,
     ) -> String {
         let drawn: usize = screens.iter().map(|(_, screen)| screen.bytes()).sum();
         let mut out = String::with_capacity(document.markdown.len() * 6 + drawn);
@@ -111,7 +111,13 @@ impl<'w> Converter<'w> {
     }
 
     /// One event of Markdown to events that the writer of HTML knows.
-    fn event<'e>(&mut self, event: Event<'e>, place: Place, walk: &mut HtmlWalk, out: &mut Vec<Event<'e>>) {
+    fn event<'e>(
+        &mut self,
+        event: Event<'e>,
+        place: PlaceInPage,
+        walk: &mut HtmlWalk,
+        out: &mut Vec<Event<'e>>,
+    ) {
         let html = |text: String| Event::InlineHtml(text.into());
         match event {
             Event::InlineMath(tex) => out.push(Event::InlineHtml(self.formula(&tex, DisplayMode::Inline))),

@@ -3,7 +3,7 @@ use crate::bank::{Bank, Problem};
 use crate::finding::Finding;
 use crate::key::{Answer, KeyEntry, SheetKey};
 use crate::num::shown::significant;
-use crate::problem::make::Variant;
+use crate::problem::maker::Variant;
 use crate::sheet::document::{Document, Head};
 use crate::sheet::statement;
 use crate::solve::outcome::Motion;
@@ -15,7 +15,7 @@ use crate::words::Words;
 const FIGURES: usize = 4;
 
 /// One student: head of the sheet, what was drawn and solved, the key.
-pub struct Row {
+pub struct KeyTableRow {
     /// Head of the sheet.
     pub head: Head,
     /// For each problem: name of its case, and what happens, as the solver's word.
@@ -23,14 +23,14 @@ pub struct Row {
 }
 
 /// What the table needs of a sheet.
-pub fn row(bank: &Bank, problems: &[usize], head: &Head, variants: &[Variant]) -> Row {
+pub fn row(bank: &Bank, problems: &[usize], head: &Head, variants: &[Variant]) -> KeyTableRow {
     let of = |(index, variant): (&usize, &Variant)| {
         let case = bank.problems.get(*index).and_then(|p| p.cases.get(variant.case));
         let regime = variant.solved.regime;
         let word = if regime.motion == Motion::Instant { String::new() } else { regime.word() };
         (case.map_or_else(String::new, |c| c.name.clone()), word)
     };
-    Row { head: head.clone(), problems: problems.iter().zip(variants).map(of).collect() }
+    KeyTableRow { head: head.clone(), problems: problems.iter().zip(variants).map(of).collect() }
 }
 
 /// The table of a set; `rows` and `keys` are in the same order.
@@ -43,7 +43,7 @@ pub fn document<'k>(
     bank: &Bank,
     set: &str,
     problems: &[usize],
-    rows: &[Row],
+    rows: &[KeyTableRow],
     keys: impl Iterator<Item = &'k SheetKey> + Clone,
 ) -> Result<(Head, Document), Finding> {
     let mut view = View::new();

@@ -3,8 +3,8 @@ use crate::bank::Bank;
 use crate::finding::Finding;
 use crate::key::SheetKey;
 use crate::sheet::document::{Document, Head};
-use crate::sheet::html::{Converter, Place};
-use crate::sheet::key_table::Row;
+use crate::sheet::html::{Converter, PlaceInPage};
+use crate::sheet::key_table::KeyTableRow;
 use crate::sheet::pdf::Press;
 use crate::sheet::texts::Texts;
 use crate::sheet::{html, key_table, pdf, tex};
@@ -137,9 +137,10 @@ impl<'o> Output<'o> {
                     document.plain().into_bytes()
                 }
                 Format::Html => {
-                    let body = converter.body(&document, &screens, Place { lower: 0, prefix: "" });
+                    let body = converter.body(&document, &screens, PlaceInPage { lower: 0, prefix: "" });
                     let prefix = format!("{}-", html::part_id(at));
-                    made.html = converter.body(&document, &screens, Place { lower: 1, prefix: &prefix });
+                    made.html =
+                        converter.body(&document, &screens, PlaceInPage { lower: 1, prefix: &prefix });
                     html::page(&self.texts.templates, &self.texts.words, self.name, &made.head, &body)?
                 }
                 Format::Tex => {
@@ -195,7 +196,7 @@ impl<'o> Output<'o> {
         bank: &Bank,
         set: &str,
         problems: &[usize],
-        rows: &[Row],
+        rows: &[KeyTableRow],
         keys: impl Iterator<Item = &'k SheetKey> + Clone,
     ) -> Result<Vec<(&'static str, Vec<u8>)>, Finding> {
         let Texts { templates, words, .. } = self.texts;
@@ -207,7 +208,7 @@ impl<'o> Output<'o> {
         if self.wants(Format::Pdf) {
             files.push(("key-table.pdf", self.pressed(&[(&head, &document)])?));
         }
-        let body = Converter::new(words).body(&document, &[], Place { lower: 0, prefix: "" });
+        let body = Converter::new(words).body(&document, &[], PlaceInPage { lower: 0, prefix: "" });
         files.push(("key-table.html", html::page(templates, words, "key", &head, &body)?));
         Ok(files)
     }

@@ -3,7 +3,7 @@ use crate::bank::{Bank, FigureLabels, Problem, load};
 use crate::figure::scene;
 use crate::finding::{Finding, Findings};
 use crate::picture::Picture;
-use crate::problem::make::Variant;
+use crate::problem::maker::Variant;
 use crate::scene::{Quantity, Slope};
 use crate::sheet::document::{Document, Head};
 use crate::sheet::statement::{Common, Scratch, Statement, decimal_text, percent};

@@ -7,8 +7,8 @@
 use crate::bank::node::Node;
 use crate::bank::{Bank, Case, Problem, node, yaml};
 use crate::finding::{Finding, Findings};
-use crate::problem::make::Variant;
 use crate::problem::make_key;
+use crate::problem::maker::Variant;
 use crate::sheet::statement;
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value, json};
@@ -141,12 +141,12 @@ struct PublicProblem {
     #[serde(flatten)]
     common: Map<String, Value>,
     /// The one problem, by its id.
-    problems: BTreeMap<String, Asked>,
+    problems: BTreeMap<String, PublicQuestions>,
 }
 
 /// The problem of a [`PublicProblem`].
 #[derive(Debug, Serialize)]
-struct Asked {
+struct PublicQuestions {
     title: String,
     /// Name and unit of all that may be given, by symbol.
     data: Map<String, Value>,
@@ -183,7 +183,7 @@ impl PublicProblem {
         }
         let own = |case: &Case| of("cases", &case.written).and_then(|c| field(c, "scene"));
         let scene = own(case).or_else(|| whole.and_then(|p| field(p, "scene")));
-        let asked = Asked {
+        let asked = PublicQuestions {
             title: problem.title.clone(),
             data,
             scene: scene.map_or(Value::Null, to_json),

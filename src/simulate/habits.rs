@@ -1,10 +1,11 @@
 //! Habits of a class, as a YAML file declares them: what becomes of an answer, how numbers are written, who copies, when it is
 //! handed in.
-use crate::bank::node::{Faults, Fields, Node, Value, close_name, named, shorten};
+use crate::bank::node::{Faults, Fields, Node, Value, named, shorten};
 use crate::bank::yaml;
 use crate::finding::Findings;
 use crate::simulate::moment;
 use crate::simulate::truth::TrueKind;
+use crate::units::spell;
 
 /// The habits that are taken where none are given, and the example that is printed: every field, with its meaning.
 pub const EXAMPLE: &str = include_str!("habits.yaml");
@@ -160,7 +161,7 @@ impl Habits {
         let known: Vec<String> = known.iter().map(|k| (*k).to_owned()).collect();
         self.methods.iter().filter_map(move |(id, _)| {
             let strange = !known.contains(id);
-            strange.then(|| (id.as_str(), close_name(id, known.iter().map(String::as_str))))
+            strange.then(|| (id.as_str(), spell::did_you_mean(id, known.iter().map(String::as_str))))
         })
     }
 }
@@ -182,7 +183,7 @@ fn habits(tree: &Node, faults: &Faults) -> Option<Habits> {
         mix(n, "kinds of answers", faults, &|name| {
             TrueKind::DECLARED.iter().copied().find(|k| k.name() == name).ok_or_else(|| {
                 let known = TrueKind::DECLARED.iter().map(|k| k.name());
-                let near = close_name(name, known.clone());
+                let near = spell::did_you_mean(name, known.clone());
                 near.unwrap_or_else(|| format!("the kinds are {}", known.collect::<Vec<_>>().join(", ")))
             })
         })

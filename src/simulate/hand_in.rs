@@ -3,7 +3,7 @@ use crate::bank::Problem;
 use crate::guard::push_field;
 use crate::key::{Answer, KeyEntry, ProblemKey};
 use crate::num::shown::significant;
-use crate::problem::make::Variant;
+use crate::problem::maker::Variant;
 use crate::solve::agree;
 use rand::{RngExt as _, SeedableRng as _};
 use rand_chacha::ChaCha20Rng;

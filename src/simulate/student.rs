@@ -1,7 +1,7 @@
 //! One student of a made-up class at work on a sheet: what is handed in for each part, attempt by attempt, and what was really done.
 use crate::bank::Problem;
 use crate::key::{Answer, KeyEntry, ProblemKey};
-use crate::problem::make::Variant;
+use crate::problem::maker::Variant;
 use crate::scene::{Label, Owner, Slope};
 use crate::simulate::chance::Chance;
 use crate::simulate::habits::Habits;
@@ -19,7 +19,7 @@ const SENSIBLE: u32 = 3;
 
 /// One answer that is handed in.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Handed {
+pub struct HandedIn {
     /// Index of the problem in the sheet.
     pub problem: usize,
     /// Index of the part.
@@ -94,11 +94,11 @@ impl<'h> SimulatedStudent<'h> {
 
     /// Works on the problems of a sheet: first attempts at all parts in the order of the sheet, then second ones and so on. Somebody
     /// who is absent hands in nothing.
-    pub fn work(&mut self, problems: &[(&Problem, &Variant, &ProblemKey)]) -> Vec<Handed> {
+    pub fn work(&mut self, problems: &[(&Problem, &Variant, &ProblemKey)]) -> Vec<HandedIn> {
         if self.chance.meets(self.habits.absent) {
             return Vec::new();
         }
-        let mut rounds: Vec<Vec<Handed>> = Vec::new();
+        let mut rounds: Vec<Vec<HandedIn>> = Vec::new();
         for (at, (problem, variant, key)) in problems.iter().enumerate() {
             let mut memory = Memory::default();
             for index in 0..key.parts.len() {
@@ -120,7 +120,7 @@ impl<'h> SimulatedStudent<'h> {
                     if rounds.len() <= round {
                         rounds.push(Vec::new());
                     }
-                    rounds[round].push(Handed { problem: at, part: index, attempt, cell, truth });
+                    rounds[round].push(HandedIn { problem: at, part: index, attempt, cell, truth });
                     if done {
                         break;
                     }

@@ -11,7 +11,7 @@
 //! would be harsher than anybody works, and to move the data a little, as `lint` does, knows nothing of the steps. It needs no
 //! formula of its own: every family that has a worked solution has these answers.
 use crate::bank::Problem;
-use crate::problem::make::Variant;
+use crate::problem::maker::Variant;
 use crate::scene::Label;
 use crate::solution::derive;
 use crate::solution::draft::{DerivedAnswer, Draft};

@@ -4,7 +4,7 @@ use crate::bank::Problem;
 use crate::bank::decimal::Decimal;
 use crate::finding::Finding;
 use crate::num::shown;
-use crate::problem::make::Variant;
+use crate::problem::maker::Variant;
 use crate::scene::{Body, End, Label, Mass, Num, Quantity, Scene};
 use crate::solution::expr::{Expr, SymbolId, ZERO};
 use crate::solution::symbols::{FIGURES, Symbols, tex_digits};
@@ -209,7 +209,7 @@ impl<'a> Draft<'a> {
         self.told.iter().any(|t| t.contains(r"^\circ"))
     }
 
-    /// SymbolId (as the bank has it) and text of each datum for templates, `$R = 200\ \mathrm{mm}$`.
+    /// Symbol (as the bank has it) and text of each datum for templates, `$R = 200\ \mathrm{mm}$`.
     pub fn whole(&self) -> Vec<(String, String)> {
         let drawn = |i: usize| self.variant.values.get(i).copied().flatten();
         let data = self.problem.data.iter().enumerate();

@@ -62,10 +62,6 @@ impl Factors {
     pub fn is_one(&self) -> bool {
         *self == Self::one()
     }
-    /// Is it 1 or -1?
-    pub fn is_unit(&self) -> bool {
-        self.is_one() || self.opposite().is_one()
-    }
     /// The opposite.
     #[must_use]
     pub fn opposite(&self) -> Self {

@@ -66,7 +66,7 @@ enum SlipPhase {
 /// What the first method has found and the second needs.
 struct ThrownResults {
     phase: SlipPhase,
-    /// StartSlip at the start, positive forward.
+    /// Slip at the start, positive forward.
     slip: SymbolId,
     /// Sense of the slip: 1 forward.
     sense: f64,

@@ -1,4 +1,5 @@
-//! Two independent roads to the same quantities, and the one place where they meet.
+//! Two independent roads to the same quantities, [`eom`] and [`energy`]. Only [`agree`], which compares them, and [`ladder`],
+//! which measures methods by them, see both.
 pub mod agree;
 pub mod condition;
 pub mod energy;

@@ -300,6 +300,52 @@ impl<'t> Tag<'t> {
     }
 }
 
+/// Puts the meter behind every value that a tag makes on the way: between filters, around lists and maps written out.
+///
+/// # Errors
+/// A list made by `for`: where it stands, what is wrong, what would be right.
+fn spend_in_tag(
+    tag: &Tag,
+    first: usize,
+    edits: &mut Vec<(usize, String)>,
+) -> Result<(), (usize, &'static str, &'static str)> {
+    // Brackets that are open: does each hold a list or map written out?
+    let mut open: Vec<bool> = Vec::new();
+    for (i, (token, start, end)) in tag.tokens.iter().enumerate().skip(first) {
+        let before = if i > first { tag.token(i - 1) } else { None };
+        match token {
+            Token::Word("for") => {
+                return Err((
+                    *start,
+                    "a list made by `for` is not offered",
+                    "write a loop, `{% for x in list %}...{% endfor %}`",
+                ));
+            }
+            Token::Sign('~' | '|') => {
+                let indents = tag.token(i + 1) == Some(Token::Word("indent"));
+                edits.push((*start, if indents { "|spent|lines " } else { "|spent " }.to_owned()));
+            }
+            Token::Sign('[' | '{') => {
+                let follows = match before {
+                    Some(Token::Word(w)) => !matches!(w, "in" | "and" | "or" | "not" | "if" | "else" | "is"),
+                    Some(Token::Plain) => true,
+                    Some(Token::Sign(sign)) => matches!(sign, ')' | ']' | '}' | '?'),
+                    None => false,
+                };
+                if !follows {
+                    edits.push((*start, "(".to_owned()));
+                }
+                open.push(!follows);
+            }
+            Token::Sign(']' | '}') => {
+                edits.extend((open.pop() == Some(true)).then(|| (*end, "|spent)".to_owned())));
+            }
+            _ => {}
+        }
+    }
+    Ok(())
+}
+
 /// Puts the meter into the text of a template; None where it needs none.
 ///
 /// # Errors
@@ -379,41 +425,8 @@ pub fn metered(text: &str) -> Result<Option<Metered>, Finding> {
             let counts = if *token == Token::Word("indent") { "spent|lines|" } else { "spent|" };
             edits.push((*start, counts.to_owned()));
         }
-        // Brackets that are open: does each hold a list or map written out?
-        let mut open: Vec<bool> = Vec::new();
-        for (i, (token, start, end)) in tag.tokens.iter().enumerate().skip(first) {
-            let before = if i > first { tag.token(i - 1) } else { None };
-            match token {
-                Token::Word("for") => {
-                    return refuse(
-                        *start,
-                        "a list made by `for` is not offered".to_owned(),
-                        "write a loop, `{% for x in list %}...{% endfor %}`",
-                    );
-                }
-                Token::Sign('~' | '|') => {
-                    let indents = tag.token(i + 1) == Some(Token::Word("indent"));
-                    edits.push((*start, if indents { "|spent|lines " } else { "|spent " }.to_owned()));
-                }
-                Token::Sign('[' | '{') => {
-                    let follows = match before {
-                        Some(Token::Word(w)) => {
-                            !matches!(w, "in" | "and" | "or" | "not" | "if" | "else" | "is")
-                        }
-                        Some(Token::Plain) => true,
-                        Some(Token::Sign(sign)) => matches!(sign, ')' | ']' | '}' | '?'),
-                        None => false,
-                    };
-                    if !follows {
-                        edits.push((*start, "(".to_owned()));
-                    }
-                    open.push(!follows);
-                }
-                Token::Sign(']' | '}') => {
-                    edits.extend((open.pop() == Some(true)).then(|| (*end, "|spent)".to_owned())));
-                }
-                _ => {}
-            }
+        if let Err((at, message, hint)) = spend_in_tag(tag, first, &mut edits) {
+            return refuse(at, message.to_owned(), hint);
         }
         if whole.is_some()
             && let Some((_, _, end)) = tag.tokens.last()
@@ -431,6 +444,11 @@ pub fn metered(text: &str) -> Result<Option<Metered>, Finding> {
     if edits.is_empty() {
         return Ok(None);
     }
+    Ok(Some(inserted(text, edits)))
+}
+
+/// The text with these pieces put in, each at its place in the old text.
+fn inserted(text: &str, edits: Vec<(usize, String)>) -> Metered {
     let mut out = Metered { text: String::with_capacity(text.len() * 2), added: Vec::new() };
     let (mut from, mut line, mut column) = (0, 1, 0);
     for (at, insert) in edits {
@@ -449,7 +467,7 @@ pub fn metered(text: &str) -> Result<Option<Metered>, Finding> {
         from = at;
     }
     out.text.push_str(text.get(from..).unwrap_or_default());
-    Ok(Some(out))
+    out
 }
 
 /// The tags of a template, read as the engine reads them; what it would refuse may come out as anything.

@@ -215,10 +215,6 @@ impl Unit {
     pub(crate) fn scale(&self) -> UnitScale {
         self.scale
     }
-    /// From what a scene holds (degrees for an angle, else SI) into this unit.
-    pub fn from_scene(&self, value: f64) -> f64 {
-        if self.is_angle() { value / self.scene_scale().apply(false, 1, 0) } else { self.from_si(value) }
-    }
     /// Is it an angle, and nothing else?
     pub fn is_angle(&self) -> bool {
         self.dimension.0 == [0, 0, 0, 1]

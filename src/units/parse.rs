@@ -330,21 +330,22 @@ impl UnitReader<'_> {
 type KnownUnit = (&'static UnitRow, &'static str, i16);
 
 fn look_up(name: &str) -> Option<KnownUnit> {
-    if let Some(row) = ROWS.iter().find(|r| r.name == name) {
+    if let Some(row) = ROWS.iter().find(|r| r.names.contains(&name)) {
         return Some((row, "", 0));
     }
     let first = name.chars().next()?;
     let rest = &name[first.len_utf8()..];
-    let row = ROWS.iter().find(|r| r.name == rest && r.prefixes.contains(first))?;
+    let row = ROWS.iter().find(|r| r.names.contains(&rest) && r.prefixes.contains(first))?;
     let (_, ascii, ten) = PREFIXES.iter().find(|(c, _, _)| *c == first)?;
     Some((row, ascii, *ten))
 }
 
 /// Every name of a unit that is read, with each of its prefixes.
 pub fn names() -> impl Iterator<Item = String> {
-    ROWS.iter().flat_map(|r| {
-        let prefixed = r.prefixes.chars().map(move |p| format!("{p}{}", r.name));
-        std::iter::once(r.name.to_owned()).chain(prefixed)
+    let named = ROWS.iter().flat_map(|r| r.names.iter().map(move |name| (r, name)));
+    named.flat_map(|(r, name)| {
+        let prefixed = r.prefixes.chars().map(move |p| format!("{p}{name}"));
+        std::iter::once((*name).to_owned()).chain(prefixed)
     })
 }
 
@@ -372,10 +373,10 @@ fn any_case(name: &str, column: usize) -> Result<(KnownUnit, bool), UnitFault> {
             found.push((spelling, (row, prefix, ten)));
         }
     };
-    for row in ROWS {
-        add(row.name.to_owned(), row, "", 0);
+    for (row, name) in ROWS.iter().flat_map(|row| row.names.iter().map(move |name| (row, *name))) {
+        add(name.to_owned(), row, "", 0);
         for (c, ascii, ten) in PREFIXES.iter().filter(|(c, _, _)| row.prefixes.contains(*c)) {
-            add(format!("{c}{}", row.name), row, ascii, *ten);
+            add(format!("{c}{name}"), row, ascii, *ten);
         }
     }
     match found.len() {

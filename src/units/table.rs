@@ -2,10 +2,10 @@
 //! NIST SP 811 (2008), appendix B for the foot (0.3048 m), the pound (0.453 592 37 kg) and g_n = 9.806 65 m/s^2.
 use crate::units::{Dimension, UnitScale};
 
-/// One name of a unit.
+/// A unit, or what is read as one.
 pub(crate) struct UnitRow {
-    /// As it is written.
-    pub name: &'static str,
+    /// As it may be written.
+    pub names: &'static [&'static str],
     /// As it is written in ASCII by this program (`deg` for `°`, `N m` for `Nm`).
     pub ascii: &'static str,
     pub dimension: Dimension,
@@ -16,7 +16,7 @@ pub(crate) struct UnitRow {
 
 #[expect(clippy::too_many_arguments, reason = "a row of a table, read by column")]
 const fn row(
-    name: &'static str,
+    names: &'static [&'static str],
     ascii: &'static str,
     d: [i8; 4],
     num: u128,
@@ -25,7 +25,7 @@ const fn row(
     pi: i8,
     prefixes: &'static str,
 ) -> UnitRow {
-    UnitRow { name, ascii, dimension: Dimension(d), scale: UnitScale { num, den, ten, pi }, prefixes }
+    UnitRow { names, ascii, dimension: Dimension(d), scale: UnitScale { num, den, ten, pi }, prefixes }
 }
 
 const MASS: [i8; 4] = [1, 0, 0, 0];
@@ -58,94 +58,59 @@ const LBF: u128 = 44_482_216_152_605; // 0.45359237 * 9.80665 N, times 10^13
 
 /// All names. The first row of equal size is the one shown.
 pub(crate) const ROWS: &[UnitRow] = &[
-    row("g", "g", MASS, 1, 1, -3, 0, "kmMu\u{b5}\u{3bc}"),
-    row("t", "t", MASS, 1, 1, 3, 0, ""),
-    row("lb", "lb", MASS, 45_359_237, 1, -8, 0, ""),
-    row("lbm", "lb", MASS, 45_359_237, 1, -8, 0, ""),
-    row("lbs", "lb", MASS, 45_359_237, 1, -8, 0, ""),
-    row("pound", "lb", MASS, 45_359_237, 1, -8, 0, ""),
-    row("pounds", "lb", MASS, 45_359_237, 1, -8, 0, ""),
-    row("slug", "slug", MASS, LBF, 3048, -9, 0, ""), // lbf s^2/ft
-    row("m", "m", LENGTH, 1, 1, 0, 0, "kcdmnu\u{b5}\u{3bc}"),
-    row("in", "in", LENGTH, 254, 1, -4, 0, ""),
-    row("ft", "ft", LENGTH, 3048, 1, -4, 0, ""),
-    row("yd", "yd", LENGTH, 9144, 1, -4, 0, ""),
-    row("mi", "mi", LENGTH, 1_609_344, 1, -3, 0, ""),
-    row("s", "s", TIME, 1, 1, 0, 0, "mnu\u{b5}\u{3bc}"),
-    row("sec", "s", TIME, 1, 1, 0, 0, ""),
-    row("min", "min", TIME, 60, 1, 0, 0, ""),
-    row("h", "h", TIME, 3600, 1, 0, 0, ""),
-    row("hr", "h", TIME, 3600, 1, 0, 0, ""),
-    row("rad", "rad", ANGLE, 1, 1, 0, 0, "mu\u{b5}\u{3bc}"),
-    row("deg", "deg", ANGLE, 1, 180, 0, 1, ""),
-    row("\u{b0}", "deg", ANGLE, 1, 180, 0, 1, ""),
-    row("\u{ba}", "deg", ANGLE, 1, 180, 0, 1, ""),
-    row("rev", "rev", ANGLE, 2, 1, 0, 1, ""),
-    row("rpm", "rpm", SPIN, 1, 30, 0, 1, "k"),
-    row("Hz", "Hz", SPIN, 2, 1, 0, 1, "k"), // a cycle is a turn: 1 Hz = 1 rev/s
-    row("N", "N", FORCE, 1, 1, 0, 0, "kMmu\u{b5}\u{3bc}"),
-    row("lbf", "lbf", FORCE, LBF, 1, -13, 0, "k"),
-    row("kgf", "kgf", FORCE, 980_665, 1, -5, 0, ""),
-    row("kp", "kgf", FORCE, 980_665, 1, -5, 0, ""),
-    row("dyn", "dyn", FORCE, 1, 1, -5, 0, ""),
-    row("J", "J", ENERGY, 1, 1, 0, 0, "kMmu\u{b5}\u{3bc}"),
-    row("Nm", "N m", ENERGY, 1, 1, 0, 0, "kMm"),
-    row("Ncm", "N cm", ENERGY, 1, 1, -2, 0, ""),
-    row("Nmm", "N mm", ENERGY, 1, 1, -3, 0, "k"),
-    row("Ws", "W s", ENERGY, 1, 1, 0, 0, "k"),
-    row("Wh", "W h", ENERGY, 3600, 1, 0, 0, "k"),
-    row("ft-lb", "ft lbf", ENERGY, LBF * 3048, 1, -17, 0, ""),
-    row("ft-lbf", "ft lbf", ENERGY, LBF * 3048, 1, -17, 0, ""),
-    row("lb-ft", "ft lbf", ENERGY, LBF * 3048, 1, -17, 0, ""),
-    row("lbf-ft", "ft lbf", ENERGY, LBF * 3048, 1, -17, 0, ""),
-    row("W", "W", POWER, 1, 1, 0, 0, "kMm"),
-    row("Pa", "Pa", PRESSURE, 1, 1, 0, 0, "kMG"),
-    row("mps", "m/s", SPEED, 1, 1, 0, 0, ""),
-    row("kmh", "km/h", SPEED, 5, 18, 0, 0, ""),
-    row("kph", "km/h", SPEED, 5, 18, 0, 0, ""),
-    row("mph", "mi/h", SPEED, 44_704, 1, -5, 0, ""),
-    row("knot", "knot", SPEED, 463, 9, -2, 0, ""), // 1852 m in an hour
-    row("knots", "knot", SPEED, 463, 9, -2, 0, ""),
-    row("kt", "knot", SPEED, 463, 9, -2, 0, ""),
-    row("kts", "knot", SPEED, 463, 9, -2, 0, ""),
-    row("fps", "ft/s", SPEED, 3048, 1, -4, 0, ""),
-    row("%", "%", NONE, 1, 1, -2, 0, ""),
-    // full names
-    row("gram", "g", MASS, 1, 1, -3, 0, ""),
-    row("grams", "g", MASS, 1, 1, -3, 0, ""),
-    row("kilogram", "kg", MASS, 1, 1, 0, 0, ""),
-    row("kilograms", "kg", MASS, 1, 1, 0, 0, ""),
-    row("slugs", "slug", MASS, LBF, 3048, -9, 0, ""),
-    row("meter", "m", LENGTH, 1, 1, 0, 0, ""),
-    row("meters", "m", LENGTH, 1, 1, 0, 0, ""),
-    row("metre", "m", LENGTH, 1, 1, 0, 0, ""),
-    row("metres", "m", LENGTH, 1, 1, 0, 0, ""),
-    row("foot", "ft", LENGTH, 3048, 1, -4, 0, ""),
-    row("feet", "ft", LENGTH, 3048, 1, -4, 0, ""),
-    row("inch", "in", LENGTH, 254, 1, -4, 0, ""),
-    row("inches", "in", LENGTH, 254, 1, -4, 0, ""),
-    row("second", "s", TIME, 1, 1, 0, 0, ""),
-    row("seconds", "s", TIME, 1, 1, 0, 0, ""),
-    row("hour", "h", TIME, 3600, 1, 0, 0, ""),
-    row("minute", "min", TIME, 60, 1, 0, 0, ""),
-    row("radian", "rad", ANGLE, 1, 1, 0, 0, ""),
-    row("rads", "rad", ANGLE, 1, 1, 0, 0, ""),
-    row("radians", "rad", ANGLE, 1, 1, 0, 0, ""),
-    row("degree", "deg", ANGLE, 1, 180, 0, 1, ""),
-    row("degrees", "deg", ANGLE, 1, 180, 0, 1, ""),
-    row("turn", "rev", ANGLE, 2, 1, 0, 1, ""),
-    row("turns", "rev", ANGLE, 2, 1, 0, 1, ""),
-    row("revs", "rev", ANGLE, 2, 1, 0, 1, ""),
-    row("revolution", "rev", ANGLE, 2, 1, 0, 1, ""),
-    row("revolutions", "rev", ANGLE, 2, 1, 0, 1, ""),
-    row("Umdr", "rev", ANGLE, 2, 1, 0, 1, ""),
-    row("Umdrehungen", "rev", ANGLE, 2, 1, 0, 1, ""),
-    row("newton", "N", FORCE, 1, 1, 0, 0, ""),
-    row("newtons", "N", FORCE, 1, 1, 0, 0, ""),
-    row("joule", "J", ENERGY, 1, 1, 0, 0, ""),
-    row("joules", "J", ENERGY, 1, 1, 0, 0, ""),
-    row("watt", "W", POWER, 1, 1, 0, 0, ""),
-    row("watts", "W", POWER, 1, 1, 0, 0, ""),
+    row(&["g"], "g", MASS, 1, 1, -3, 0, "kmMu\u{b5}\u{3bc}"),
+    row(&["t"], "t", MASS, 1, 1, 3, 0, ""),
+    row(&["lb", "lbm", "lbs", "pound", "pounds"], "lb", MASS, 45_359_237, 1, -8, 0, ""),
+    row(&["slug", "slugs"], "slug", MASS, LBF, 3048, -9, 0, ""), // lbf s^2/ft
+    row(&["m"], "m", LENGTH, 1, 1, 0, 0, "kcdmnu\u{b5}\u{3bc}"),
+    row(&["in", "inch", "inches"], "in", LENGTH, 254, 1, -4, 0, ""),
+    row(&["ft", "foot", "feet"], "ft", LENGTH, 3048, 1, -4, 0, ""),
+    row(&["yd"], "yd", LENGTH, 9144, 1, -4, 0, ""),
+    row(&["mi"], "mi", LENGTH, 1_609_344, 1, -3, 0, ""),
+    row(&["s"], "s", TIME, 1, 1, 0, 0, "mnu\u{b5}\u{3bc}"),
+    row(&["sec", "second", "seconds"], "s", TIME, 1, 1, 0, 0, ""),
+    row(&["min", "minute"], "min", TIME, 60, 1, 0, 0, ""),
+    row(&["h", "hr", "hour"], "h", TIME, 3600, 1, 0, 0, ""),
+    row(&["rad"], "rad", ANGLE, 1, 1, 0, 0, "mu\u{b5}\u{3bc}"),
+    row(&["deg", "\u{b0}", "\u{ba}", "degree", "degrees"], "deg", ANGLE, 1, 180, 0, 1, ""),
+    row(
+        &["rev", "turn", "turns", "revs", "revolution", "revolutions", "Umdr", "Umdrehungen"],
+        "rev",
+        ANGLE,
+        2,
+        1,
+        0,
+        1,
+        "",
+    ),
+    row(&["rpm"], "rpm", SPIN, 1, 30, 0, 1, "k"),
+    row(&["Hz"], "Hz", SPIN, 2, 1, 0, 1, "k"), // a cycle is a turn: 1 Hz = 1 rev/s
+    row(&["N"], "N", FORCE, 1, 1, 0, 0, "kMmu\u{b5}\u{3bc}"),
+    row(&["lbf"], "lbf", FORCE, LBF, 1, -13, 0, "k"),
+    row(&["kgf", "kp"], "kgf", FORCE, 980_665, 1, -5, 0, ""),
+    row(&["dyn"], "dyn", FORCE, 1, 1, -5, 0, ""),
+    row(&["J"], "J", ENERGY, 1, 1, 0, 0, "kMmu\u{b5}\u{3bc}"),
+    row(&["Nm"], "N m", ENERGY, 1, 1, 0, 0, "kMm"),
+    row(&["Ncm"], "N cm", ENERGY, 1, 1, -2, 0, ""),
+    row(&["Nmm"], "N mm", ENERGY, 1, 1, -3, 0, "k"),
+    row(&["Ws"], "W s", ENERGY, 1, 1, 0, 0, "k"),
+    row(&["Wh"], "W h", ENERGY, 3600, 1, 0, 0, "k"),
+    row(&["ft-lb", "ft-lbf", "lb-ft", "lbf-ft"], "ft lbf", ENERGY, LBF * 3048, 1, -17, 0, ""),
+    row(&["W"], "W", POWER, 1, 1, 0, 0, "kMm"),
+    row(&["Pa"], "Pa", PRESSURE, 1, 1, 0, 0, "kMG"),
+    row(&["mps"], "m/s", SPEED, 1, 1, 0, 0, ""),
+    row(&["kmh", "kph"], "km/h", SPEED, 5, 18, 0, 0, ""),
+    row(&["mph"], "mi/h", SPEED, 44_704, 1, -5, 0, ""),
+    row(&["knot", "knots", "kt", "kts"], "knot", SPEED, 463, 9, -2, 0, ""), // 1852 m in an hour
+    row(&["fps"], "ft/s", SPEED, 3048, 1, -4, 0, ""),
+    row(&["%"], "%", NONE, 1, 1, -2, 0, ""),
+    row(&["gram", "grams"], "g", MASS, 1, 1, -3, 0, ""),
+    row(&["kilogram", "kilograms"], "kg", MASS, 1, 1, 0, 0, ""),
+    row(&["meter", "meters", "metre", "metres"], "m", LENGTH, 1, 1, 0, 0, ""),
+    row(&["radian", "rads", "radians"], "rad", ANGLE, 1, 1, 0, 0, ""),
+    row(&["newton", "newtons"], "N", FORCE, 1, 1, 0, 0, ""),
+    row(&["joule", "joules"], "J", ENERGY, 1, 1, 0, 0, ""),
+    row(&["watt", "watts"], "W", POWER, 1, 1, 0, 0, ""),
 ];
 
 /// Words for dimensions that mechanics meets, for messages.

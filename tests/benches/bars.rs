@@ -2,7 +2,7 @@
 use divan::{Bencher, black_box};
 use slipstick::num::Dd;
 use slipstick::num::linear::Linear;
-use slipstick::problem::make::Maker;
+use slipstick::problem::maker::Maker;
 use slipstick::scene::Scene;
 use slipstick::solve::agree;
 use slipstick::solve::energy::account::{Account, Store};

@@ -8,7 +8,7 @@
 #![allow(clippy::print_stdout, reason = "it prints its figures")]
 #![allow(clippy::cast_possible_truncation, reason = "the engine counts in f32")]
 use rapier2d::prelude::*;
-use slipstick::problem::make::Maker;
+use slipstick::problem::maker::Maker;
 use slipstick::scene::{Label, Owner, Quantity, Scene};
 use slipstick::solve::ladder;
 use slipstick::solve::method::{Method, Rung};

@@ -2,7 +2,7 @@
 //!
 //! `cargo bench --bench one_file -- N THREADS FOLDER`
 #![allow(clippy::print_stdout, reason = "it prints its figures")]
-use slipstick::problem::make::Maker;
+use slipstick::problem::maker::Maker;
 use slipstick::set::key_file::shortest;
 use slipstick::sheet::page::{Room, Sheets};
 use slipstick::template::Templates;

@@ -2,7 +2,7 @@
 //! `cargo bench --features pdf --bench pages`; the first sheet of a process also loads the fonts.
 use divan::Bencher;
 use slipstick::bank::{Bank, load};
-use slipstick::problem::make::Maker;
+use slipstick::problem::maker::Maker;
 use slipstick::sheet::document::{Document, Head};
 use slipstick::sheet::page::{Room, Sheets};
 use slipstick::sheet::pdf::Press;

@@ -4,7 +4,7 @@
 use divan::{Bencher, black_box};
 use slipstick::bank::Bank;
 use slipstick::num::Dd;
-use slipstick::problem::make::Maker;
+use slipstick::problem::maker::Maker;
 use slipstick::scene::{Label, Quantity, Scene};
 use slipstick::solve::ladder;
 use slipstick::solve::method::{Method, Rung};

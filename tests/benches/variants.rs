@@ -2,7 +2,7 @@
 use divan::Bencher;
 use divan::counter::ItemsCount;
 use slipstick::bank::Bank;
-use slipstick::problem::make::Maker;
+use slipstick::problem::maker::Maker;
 use slipstick::sheet::page::{Room, Sheets};
 use slipstick::template::Templates;
 use slipstick::words::Words;

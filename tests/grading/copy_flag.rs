@@ -8,13 +8,13 @@ use slipstick::answer::read::UnitCache;
 use slipstick::grade::feedback::Feedback;
 use slipstick::grade::rules::Rules;
 use slipstick::grade::table::KeyTable;
-use slipstick::grade::{judge, run};
+use slipstick::grade::{compare, run};
 use slipstick::key::{Answer, SheetKey};
 use slipstick::matches;
-use slipstick::matches::{Question, Wrong};
+use slipstick::matches::{AnswerColumn, WrongAnswer};
 use slipstick::policy::Policy;
-use slipstick::problem::make::{Maker, Variant};
 use slipstick::problem::make_key;
+use slipstick::problem::maker::{Maker, Variant};
 use slipstick::simulate::classwork;
 use slipstick::simulate::classwork::Work;
 use slipstick::simulate::habits::Habits;
@@ -47,7 +47,7 @@ struct Class {
     variants: Vec<Vec<Variant>>,
     keys: Vec<SheetKey>,
     table: KeyTable,
-    questions: Vec<Question>,
+    questions: Vec<AnswerColumn>,
 }
 
 impl Class {
@@ -69,7 +69,7 @@ impl Class {
         let table = KeyTable::new(keys.clone(), &[]);
         let all = |t: &KeyTable, c: usize| (0..STUDENTS).map(|s| number(t, s, c)).collect();
         let columns = table.columns.iter().enumerate();
-        let questions = columns.map(|(c, column)| Question {
+        let questions = columns.map(|(c, column)| AnswerColumn {
             problem: column.number,
             keys: all(&table, c),
             draws: all(&further, c),
@@ -118,7 +118,7 @@ impl Class {
     }
 
     /// The wrong answers of a grading, as `slipstick matches` takes them from answers.csv.
-    fn wrong(&self, answers: &[u8], place: &BTreeMap<&str, usize>) -> Vec<Wrong> {
+    fn wrong(&self, answers: &[u8], place: &BTreeMap<&str, usize>) -> Vec<WrongAnswer> {
         let mut reader = csv::Reader::from_reader(answers);
         let header = reader.headers().unwrap().clone();
         let column = |name: &str| header.iter().position(|h| h == name).unwrap();
@@ -139,11 +139,17 @@ impl Class {
             let what = what.unwrap();
             let entry = self.table.entry(who, what).unwrap();
             let Answer::Number { magnitude, .. } = entry.answer else { continue };
-            let number = judge::judge_with(&row[answer], entry, &mut units, Feedback::english()).number;
+            let number = compare::compare_with(&row[answer], entry, &mut units, Feedback::english()).number;
             let value = if magnitude { number.abs() } else { number };
             let Some(share) = figures::rounding(&row[answer]).filter(|_| value.is_finite()) else { continue };
             let explained = format!("{}{}", &row[methods], &row[slip]);
-            wrong.push(Wrong { student: who, question: what, value, half: share * value.abs(), explained });
+            wrong.push(WrongAnswer {
+                student: who,
+                question: what,
+                value,
+                half: share * value.abs(),
+                explained,
+            });
         }
         wrong
     }

@@ -1,7 +1,7 @@
 //! What the grader says to each kind of cell, and what comes out of whole files: test and documentation in one.
 use slipstick::answer::read::UnitCache;
+use slipstick::grade::compare::{compare, compare_with};
 use slipstick::grade::feedback::Feedback;
-use slipstick::grade::judge::{judge, judge_with};
 use slipstick::grade::rules::Rules;
 use slipstick::grade::run::{GradeFault, Graded, Options, grade};
 use slipstick::grade::table::KeyTable;
@@ -406,7 +406,7 @@ const TABLE: &[(&str, &str, &str, &str)] = &[
 fn every_cell_of_the_table() {
     let mut faults = Vec::new();
     for (cell, name, verdict, piece) in TABLE {
-        let got = judge(cell, &key(name));
+        let got = compare(cell, &key(name));
         let points = if *verdict == "right" { 1.0 } else { 0.0 };
         if got.verdict.as_str() != *verdict
             || !got.reason.contains(piece)
@@ -433,7 +433,7 @@ fn reasons_in_german() {
         ("-62,6 N hinauf", "friction", "62,6 N aufwärts oder 62,6 N abwärts"),
         ("30 r/s", "omega", "kann rad/s oder rev/s sein"),
     ] {
-        let got = judge_with(cell, &key(name), &mut UnitCache::default(), &say);
+        let got = compare_with(cell, &key(name), &mut UnitCache::default(), &say);
         assert!(got.reason.contains(piece), "{cell}: {}", got.reason);
     }
 }
@@ -444,7 +444,7 @@ fn the_edge_of_the_tolerance_is_right() {
     for (cell, right) in
         [("101", true), ("99", true), ("101.0000000001", false), ("98.9999999999", false), ("9900 cm", true)]
     {
-        assert_eq!(judge(cell, &exact).verdict == Verdict::Right, right, "{cell}");
+        assert_eq!(compare(cell, &exact).verdict == Verdict::Right, right, "{cell}");
     }
 }
 
@@ -866,7 +866,11 @@ fn a_list_is_printed_once_in_a_message() {
     for part in ["1.x", "1.y", "7"] {
         let (problem, part) = part.split_once('.').unwrap_or((part, "v"));
         policy.points.push((
-            slipstick::policy::Part { problem: problem.to_owned(), part: Some(part.to_owned()), at: (1, 1) },
+            slipstick::policy::PolicyPart {
+                problem: problem.to_owned(),
+                part: Some(part.to_owned()),
+                at: (1, 1),
+            },
             1.0,
         ));
     }
@@ -1118,7 +1122,7 @@ mod any {
         ) {
             for name in ["omega", "friction", "rolls", "large"] {
                 for cell in [&cell, &near, &nearer] {
-                    let got = judge(cell, &key(name));
+                    let got = compare(cell, &key(name));
                     prop_assert!(!got.reason.is_empty());
                 }
             }

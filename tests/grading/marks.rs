@@ -1,24 +1,17 @@
 //! Marks by the settings of a course: follow-through, credit for known wrong methods, attempts, lateness, corrections, totals;
 //! through the command line, on a real bank.
 use crate::support;
-use slipstick::cli;
-use slipstick::cli::tell::{Exit, Io};
-use slipstick::problem::make::Maker;
+use crate::support::program;
+use slipstick::cli::tell::Exit;
 use slipstick::problem::make_key;
+use slipstick::problem::maker::Maker;
 use std::collections::BTreeMap;
-use std::ffi::OsString;
 use std::fs;
 use std::path::Path;
 use tempfile::TempDir;
 
 fn run(args: &[&str]) -> (Exit, String, String) {
-    let (mut out, mut err, mut input) = (Vec::new(), Vec::new(), &b""[..]);
-    let words = std::iter::once("slipstick").chain(args.iter().copied()).map(OsString::from);
-    let exit = cli::run(
-        words,
-        &mut Io { input: &mut input, out: &mut out, err: &mut err, watched: false, typed: false },
-    );
-    (exit, String::from_utf8(out).unwrap(), String::from_utf8(err).unwrap())
+    program::run(args).parts()
 }
 
 /// A set of two students and two problems: 1 pulled-rolling, 2 pulled-slipping.

@@ -5,9 +5,9 @@ use rand::{RngExt as _, SeedableRng as _};
 use rand_chacha::ChaCha20Rng;
 use slipstick::key::{Answer, ProblemKey};
 use slipstick::matches;
-use slipstick::matches::{Question, Wrong};
-use slipstick::problem::make::Maker;
+use slipstick::matches::{AnswerColumn, WrongAnswer};
 use slipstick::problem::make_key;
+use slipstick::problem::maker::Maker;
 use std::sync::LazyLock;
 
 /// Keys of so many drawn students of each problem of a bank: problem, student.
@@ -32,7 +32,7 @@ static BANKS: LazyLock<Vec<(String, Keys)>> = LazyLock::new(|| {
 
 /// A class: which drawn key each student has, problem by problem, dealt anew.
 struct Class<'k> {
-    questions: Vec<Question>,
+    questions: Vec<AnswerColumn>,
     keys: Vec<Vec<&'k ProblemKey>>,
 }
 
@@ -52,7 +52,7 @@ fn deal<'k>(bank: &'k Keys, students: usize, rng: &mut ChaCha20Rng) -> Class<'k>
             };
             let all: Vec<f64> = lots.iter().map(value).collect();
             let (class, further) = all.split_at(students);
-            questions.push(Question { problem: number, keys: class.to_vec(), draws: further.to_vec() });
+            questions.push(AnswerColumn { problem: number, keys: class.to_vec(), draws: further.to_vec() });
         }
         lots.truncate(students);
         keys.push(lots);
@@ -71,7 +71,7 @@ fn given(value: f64, figures: usize) -> (f64, f64) {
 
 /// A wrong answer of an honest student, from the own key and the own wrong methods alone. Of what other grading would
 /// explain nothing is told: the hardest case.
-fn honest(class: &Class, student: usize, question: usize, rng: &mut ChaCha20Rng) -> Option<Wrong> {
+fn honest(class: &Class, student: usize, question: usize, rng: &mut ChaCha20Rng) -> Option<WrongAnswer> {
     let first = class.questions.iter().position(|q| q.problem == class.questions[question].problem)?;
     let entry = &class.keys[class.questions[question].problem][student].parts[question - first];
     let Answer::Number { value: key, half_width, .. } = entry.answer else { return None };
@@ -93,7 +93,7 @@ fn honest(class: &Class, student: usize, question: usize, rng: &mut ChaCha20Rng)
     };
     let (value, half) = given(value, rng.random_range(3..=5u32) as usize);
     let wrong = value != 0.0 && value.is_finite() && (value - key).abs() > half_width;
-    wrong.then(|| Wrong { student, question, value, half, explained: String::new() })
+    wrong.then(|| WrongAnswer { student, question, value, half, explained: String::new() })
 }
 
 #[test]
@@ -147,11 +147,17 @@ fn seen(students: usize, problems: usize, figures: usize, rng: &mut ChaCha20Rng)
             let copyists: Vec<(usize, usize)> = (0..students / 10).map(|i| (i, students - 1 - i)).collect();
             for (student, classmate) in &copyists {
                 for problem in 0..problems {
-                    let of = |q: &Question| q.problem == problem && q.keys.iter().all(|k| k.is_finite());
+                    let of = |q: &AnswerColumn| q.problem == problem && q.keys.iter().all(|k| k.is_finite());
                     let Some(question) = class.questions.iter().position(of) else { continue };
                     wrong.retain(|w| (w.student, w.question) != (*student, question));
                     let (value, half) = given(class.questions[question].keys[*classmate], figures);
-                    wrong.push(Wrong { student: *student, question, value, half, explained: String::new() });
+                    wrong.push(WrongAnswer {
+                        student: *student,
+                        question,
+                        value,
+                        half,
+                        explained: String::new(),
+                    });
                 }
             }
             let found = matches::find(&class.questions, &wrong);

@@ -1,52 +1,13 @@
 //! After grading: what other tolerances would change, grading again by a changed bank or course, and marks explained.
 use crate::support;
-
-use slipstick::cli;
-use slipstick::cli::tell::{Exit, Io};
+use crate::support::program::{Ran, run, tree};
+use slipstick::cli::tell::Exit;
 use slipstick::draw::stream::DRAW_VERSION;
 use slipstick::set::store::{StoredBank, StoredSet, StoredStudent};
-use slipstick::set::{given, key_file, replay, store};
-use std::collections::BTreeMap;
-use std::ffi::OsString;
+use slipstick::set::{dealer, given, key_file, store};
 use std::fs;
 use std::path::Path;
 use tempfile::TempDir;
-
-struct Ran {
-    exit: Exit,
-    out: String,
-    err: String,
-}
-
-/// Runs a command line in this process. Paths in it are absolute: tests share one working folder.
-fn run(args: &[&str]) -> Ran {
-    let (mut out, mut err) = (Vec::new(), Vec::new());
-    let mut input = "".as_bytes();
-    let words = std::iter::once("slipstick").chain(args.iter().copied()).map(OsString::from);
-    let exit = cli::run(
-        words,
-        &mut Io { input: &mut input, out: &mut out, err: &mut err, watched: false, typed: false },
-    );
-    let text = |bytes: Vec<u8>| String::from_utf8(bytes).expect("the program writes UTF-8");
-    Ran { exit, out: text(out), err: text(err) }
-}
-
-/// All files below a folder with their bytes.
-fn tree(folder: &Path) -> BTreeMap<String, Vec<u8>> {
-    fn walk(folder: &Path, prefix: &str, found: &mut BTreeMap<String, Vec<u8>>) {
-        for entry in fs::read_dir(folder).unwrap().map(Result::unwrap) {
-            let name = format!("{prefix}{}", entry.file_name().to_string_lossy());
-            if entry.path().is_dir() {
-                walk(&entry.path(), &format!("{name}/"), found);
-            } else {
-                found.insert(name, fs::read(entry.path()).unwrap());
-            }
-        }
-    }
-    let mut found = BTreeMap::new();
-    walk(folder, "", &mut found);
-    found
-}
 
 /// A room with a set of some students of the built-in wheels and a form of answers.
 struct Room(TempDir);
@@ -600,7 +561,7 @@ yes,0062,0023,1.omega 1.v 1.k_bound,22.6183 | 4.0713 | 0.4830,2.2e-5,1.1e-4,1.om
 fn the_printed_data_give_the_key_of_the_draw() {
     for bank in support::banks() {
         let all: Vec<usize> = (0..bank.problems.len()).collect();
-        let dealer = replay::Dealer::new(&bank, &all, 3, "printed");
+        let dealer = dealer::Dealer::new(&bank, &all, 3, "printed");
         let mut keys = Vec::new();
         let mut students = Vec::new();
         for id in ["a", "b", "c", "d"] {
@@ -610,7 +571,7 @@ fn the_printed_data_give_the_key_of_the_draw() {
                 student: id.to_owned(),
                 name: String::new(),
                 folder: id.to_owned(),
-                problems: problems.map(|(variant, problem)| replay::stored(problem, variant)).collect(),
+                problems: problems.map(|(variant, problem)| dealer::stored(problem, variant)).collect(),
             });
             keys.push(dealt.key);
         }

@@ -1,9 +1,9 @@
 //! Reports on simulated classes of 5, 60 and 500: valid pages, numbers equal to those counted again from answers.csv, feedback
 //! that tells nothing of the key nor of others, gradebooks that can be imported.
+use crate::support::program;
 use scraper::{Html, Selector};
 use slipstick::bank::load;
-use slipstick::cli;
-use slipstick::cli::tell::{Exit, Io};
+use slipstick::cli::tell::Exit;
 use slipstick::key::{Answer, KeyEntry, SheetKey};
 use slipstick::misconception::catalogue::Catalogue;
 use slipstick::set::replay;
@@ -11,7 +11,6 @@ use slipstick::set::store::StoredSet;
 use slipstick::template::variables_of;
 use slipstick::words::Words;
 use std::collections::{BTreeMap, BTreeSet};
-use std::ffi::OsString;
 use std::fmt::Write as _;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -19,13 +18,9 @@ use tempfile::TempDir;
 
 /// Runs a command line; what it printed.
 fn run(args: &[&str], exit: Exit) -> String {
-    let (mut out, mut err) = (Vec::new(), Vec::new());
-    let mut input: &[u8] = b"";
-    let words = std::iter::once("slipstick").chain(args.iter().copied()).map(OsString::from);
-    let io = &mut Io { input: &mut input, out: &mut out, err: &mut err, watched: false, typed: false };
-    let found = cli::run(words, io);
-    let text = format!("{}{}", String::from_utf8(out).unwrap(), String::from_utf8(err).unwrap());
-    assert_eq!(found, exit, "{args:?}\n{text}");
+    let ran = program::run(args);
+    let text = ran.out + &ran.err;
+    assert_eq!(ran.exit, exit, "{args:?}\n{text}");
     text
 }
 

@@ -13,12 +13,12 @@ use slipstick::grade::run;
 use slipstick::grade::table::KeyTable;
 use slipstick::key::{Answer, KeyEntry, ProblemKey, SheetKey};
 use slipstick::policy::Policy;
-use slipstick::problem::make::{Maker, Variant};
 use slipstick::problem::make_key;
+use slipstick::problem::maker::{Maker, Variant};
 use slipstick::simulate::chance::Chance;
 use slipstick::simulate::classwork::Work;
 use slipstick::simulate::habits::{Habits, Written};
-use slipstick::simulate::student::{Handed, SimulatedStudent as Student};
+use slipstick::simulate::student::{HandedIn, SimulatedStudent as Student};
 use slipstick::simulate::truth::{TrueKind as Kind, Truth};
 use slipstick::simulate::written::WrittenCell as Cell;
 use slipstick::simulate::{classwork, written};
@@ -90,7 +90,7 @@ struct Score {
     faults: Vec<String>,
 }
 
-fn handed(part: usize, cell: Cell, entry: &KeyEntry, kind: Kind, method: &str) -> Handed {
+fn handed(part: usize, cell: Cell, entry: &KeyEntry, kind: Kind, method: &str) -> HandedIn {
     let verdict = cell.verdict(entry);
     let truth = Truth {
         kind,
@@ -100,7 +100,7 @@ fn handed(part: usize, cell: Cell, entry: &KeyEntry, kind: Kind, method: &str) -
         right: kind.deserves(),
         verdict,
     };
-    Handed { problem: 0, part, attempt: 1, cell, truth }
+    HandedIn { problem: 0, part, attempt: 1, cell, truth }
 }
 
 /// The made-up students of one draw, and how the one who rounds on the way fares on either road.
@@ -112,7 +112,7 @@ fn students(
     score: &mut Score,
 ) -> Vec<Work> {
     let mut works = Vec::new();
-    let mut add = |role: &str, handed: Vec<Handed>| {
+    let mut add = |role: &str, handed: Vec<HandedIn>| {
         let key = SheetKey { student: format!("{draw}-{role}"), problems: vec![key.clone()] };
         works.push(Work { key, handed });
     };

@@ -1,22 +1,16 @@
 //! `slipstick simulate`: the same bytes for the same seed, a truth for every row, faults of the habits all at once, and what grading
 //! then says is what the truth says.
-use slipstick::cli;
-use slipstick::cli::tell::{Exit, Io};
+use crate::support::program;
+use slipstick::cli::tell::Exit;
 use slipstick::simulate::habits::EXAMPLE;
 use slipstick::simulate::truth::{HEADER, TrueKind as Kind};
 use std::collections::{BTreeMap, BTreeSet};
-use std::ffi::OsString;
 use std::fs;
 use std::sync::OnceLock;
 use tempfile::TempDir;
 
 fn run(args: &[&str]) -> (Exit, String, String) {
-    let (mut out, mut err, mut input) = (Vec::new(), Vec::new(), &b""[..]);
-    let words = std::iter::once("slipstick").chain(args.iter().copied()).map(OsString::from);
-    let mut io = Io { input: &mut input, out: &mut out, err: &mut err, watched: false, typed: false };
-    let exit = cli::run(words, &mut io);
-    let text = |bytes: Vec<u8>| String::from_utf8(bytes).expect("the program writes UTF-8");
-    (exit, text(out), text(err))
+    program::run(args).parts()
 }
 
 struct Room(TempDir);

@@ -2,8 +2,8 @@
 use slipstick::bank::Problem;
 use slipstick::misconception;
 use slipstick::misconception::catalogue::Catalogue;
-use slipstick::problem::make::Variant;
 use slipstick::problem::make_key;
+use slipstick::problem::maker::Variant;
 use slipstick::scene::Label;
 use slipstick::words::Words;
 

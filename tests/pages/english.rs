@@ -3,7 +3,7 @@
 //!
 //! Earlier tests looked at texts only for places that nothing filled: a sentence of wrong words is as whole as any.
 use crate::support;
-use slipstick::problem::make::Maker;
+use slipstick::problem::maker::Maker;
 use slipstick::sheet::page::{Room, Sheets};
 use slipstick::solution;
 use slipstick::words::Words;

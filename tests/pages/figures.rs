@@ -6,7 +6,7 @@ use slipstick::figure;
 use slipstick::picture::frame::Frame;
 use slipstick::picture::vector::{Vec2, vec2};
 use slipstick::picture::{Outline, Picture, Role, svg, symbol};
-use slipstick::problem::make::{Maker, Variant};
+use slipstick::problem::maker::{Maker, Variant};
 use slipstick::scene::{End, Quantity};
 use slipstick::words::Words;
 

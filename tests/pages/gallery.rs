@@ -1,14 +1,9 @@
 //! The page on which an instructor looks through a bank: what is in it, and that its numbers are those of `lint`.
-use slipstick::cli;
-use slipstick::cli::tell::{Exit, Io};
-use std::ffi::OsString;
+use crate::support::program;
+use slipstick::cli::tell::Exit;
 
 fn run(args: &[&str]) -> (Exit, String, String) {
-    let (mut out, mut err) = (Vec::new(), Vec::new());
-    let words = std::iter::once("slipstick").chain(args.iter().copied()).map(OsString::from);
-    let mut io = Io { input: &mut &b""[..], out: &mut out, err: &mut err, watched: false, typed: false };
-    let exit = cli::run(words, &mut io);
-    (exit, String::from_utf8(out).unwrap(), String::from_utf8(err).unwrap())
+    program::run(args).parts()
 }
 
 /// Text between tags, with single spaces.

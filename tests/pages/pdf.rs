@@ -5,7 +5,7 @@ use crate::support;
 use rayon::prelude::*;
 use slipstick::bank::Problem;
 use slipstick::figure::scene;
-use slipstick::problem::make::{Maker, Variant};
+use slipstick::problem::maker::{Maker, Variant};
 use slipstick::sheet::document::{Document, Head};
 use slipstick::sheet::page::{Room, Sheets};
 use slipstick::sheet::pdf::Press;

@@ -2,7 +2,7 @@
 //! needed; `pdf.rs` beside this file compiles what comes out here.
 use crate::support;
 use slipstick::picture::Picture;
-use slipstick::problem::make::Maker;
+use slipstick::problem::maker::Maker;
 use slipstick::sheet::document::{Document, Head};
 use slipstick::sheet::page::{Room, Sheets};
 use slipstick::sheet::typst::{TypstFormula, formula, source};

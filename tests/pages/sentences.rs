@@ -3,11 +3,11 @@
 use crate::support;
 use dashu_float::DBig;
 use slipstick::bank::{Bank, FigureLabels, Problem, load};
-use slipstick::grade::judge::judge;
+use slipstick::grade::compare::compare;
 use slipstick::grade::verdict::Verdict;
 use slipstick::picture::{Outline, Picture, Role, symbol};
-use slipstick::problem::make::{Maker, Variant};
 use slipstick::problem::make_key;
+use slipstick::problem::maker::{Maker, Variant};
 use slipstick::scene::Quantity;
 use slipstick::sheet::statement::{Common, Scratch, Statement};
 use slipstick::template::Templates;
@@ -246,7 +246,7 @@ fn the_terms_that_are_named_suffice_and_one_less_does_not() {
                     let key = make_key::key(problem, &variant);
                     let entry = key.parts.iter().find(|p| p.part == "period").expect("asked");
                     let right =
-                        |terms| judge(&format!("{} s", period(terms)), entry).verdict == Verdict::Right;
+                        |terms| compare(&format!("{} s", period(terms)), entry).verdict == Verdict::Right;
                     assert!(right(named) && !right(named - 1), "{language} {student}: {named} terms");
                     *counts.entry(named).or_insert(0) += 1;
                 }
@@ -444,7 +444,7 @@ fn a_cord_leaves_a_fixed_axle_as_the_bank_says() {
             _ => None,
         });
         let values: Vec<_> = draws.collect();
-        let variant = slipstick::problem::make::from_values(problem, 0, &values).expect("solved");
+        let variant = slipstick::problem::maker::from_values(problem, 0, &values).expect("solved");
         let near = |a: (f64, f64), b: (f64, f64)| (a.0 - b.0).abs() < 1e-6 && (a.1 - b.1).abs() < 1e-6;
         let way = |((ax, ay), (bx, by)): ((f64, f64), (f64, f64))| {
             let long = ((bx - ax).powi(2) + (by - ay).powi(2)).sqrt();

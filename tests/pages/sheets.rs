@@ -6,9 +6,9 @@ use scraper::{Html, Selector};
 use slipstick::bank::{Bank, overlay};
 use slipstick::num::trig;
 use slipstick::picture::svg;
-use slipstick::problem::make::{Maker, Variant};
+use slipstick::problem::maker::{Maker, Variant};
 use slipstick::sheet::document::{ANSWER, Document, Head};
-use slipstick::sheet::html::{Converter, MARKDOWN, Place};
+use slipstick::sheet::html::{Converter, MARKDOWN, PlaceInPage};
 use slipstick::sheet::page::{Room, Sheets};
 use slipstick::sheet::{html, statement, tex};
 use slipstick::solution;
@@ -180,7 +180,7 @@ fn sweep(students: u32) {
             sound(language, &document.markdown);
             assert!(!document.plain().contains("<!--"));
             let mut converter = Converter::new(&told.words);
-            let body = converter.body(document, &document.screens(), Place { lower: 0, prefix: "" });
+            let body = converter.body(document, &document.screens(), PlaceInPage { lower: 0, prefix: "" });
             let page = html::page(&told.templates, &told.words, "sheet", head, &body).expect("renders");
             valid(language, &String::from_utf8(page).expect("text"));
             for (name, picture) in &document.pictures {
@@ -236,7 +236,7 @@ fn sweep_solutions(students: u32) {
             let body = Converter::new(&told.words).body(
                 document,
                 &document.screens(),
-                Place { lower: 0, prefix: "" },
+                PlaceInPage { lower: 0, prefix: "" },
             );
             let page = html::page(&told.templates, &told.words, "solution", head, &body).expect("renders");
             valid(language, &String::from_utf8(page).expect("text"));
@@ -271,7 +271,7 @@ fn booklets_are_valid_pages() {
                     let body = Converter::new(&told.words).body(
                         document,
                         &document.screens(),
-                        Place { lower: 1, prefix: &prefix },
+                        PlaceInPage { lower: 1, prefix: &prefix },
                     );
                     parts.push((head.clone(), body));
                 }

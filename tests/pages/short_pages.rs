@@ -3,20 +3,14 @@
 //! The earlier tests worked the built-in banks alone, all of whose problems are covered: that one problem which is not refuses
 //! the solutions of the whole set, after `generate` had said nothing, could not be seen there. Nor could it be seen that a wheel
 //! which only its friction drives counted as at rest.
-use slipstick::cli;
-use slipstick::cli::tell::{Exit, Io};
+use crate::support::program;
+use crate::support::program::Ran;
+use slipstick::cli::tell::Exit;
 use slipstick::words::Words;
-use std::ffi::OsString;
 use std::fs;
 use tempfile::TempDir;
 
 struct Room(TempDir);
-
-struct Ran {
-    exit: Exit,
-    out: String,
-    err: String,
-}
 
 impl Room {
     fn path(&self, name: &str) -> String {
@@ -26,12 +20,7 @@ impl Room {
         fs::read_to_string(self.0.path().join(name)).unwrap_or_else(|e| panic!("{name}: {e}"))
     }
     fn run(&self, args: &[&str]) -> Ran {
-        let (mut out, mut err) = (Vec::new(), Vec::new());
-        let words = std::iter::once("slipstick").chain(args.iter().copied()).map(OsString::from);
-        let mut io = Io { input: &mut &b""[..], out: &mut out, err: &mut err, watched: false, typed: false };
-        let exit = cli::run(words, &mut io);
-        let text = |bytes: Vec<u8>| String::from_utf8(bytes).unwrap();
-        Ran { exit, out: text(out), err: text(err) }
+        program::run(args)
     }
 }
 
@@ -312,7 +301,7 @@ fn a_value_that_is_not_the_keys_is_never_printed() {
     let templates = slipstick::template::Templates::new("en", &[]).unwrap();
     let words = Words::english();
     let problem = &loaded.problems[0];
-    let mut variant = slipstick::problem::make::Maker::new(problem, 1, "moved").variant("1").unwrap();
+    let mut variant = slipstick::problem::maker::Maker::new(problem, 1, "moved").variant("1").unwrap();
     let asked = problem.questions.iter().map(|q| q.label).find(|l| !l.quantity.is_word()).unwrap();
     let entry = variant.solved.entries.iter_mut().find(|e| e.label == asked).unwrap();
     let true_value = entry.value();

@@ -7,8 +7,8 @@
 use slipstick::bank::decimal::Decimal;
 use slipstick::bank::{Draw, Problem, load};
 use slipstick::num::shown;
-use slipstick::problem::make;
-use slipstick::problem::make::{Maker, Variant};
+use slipstick::problem::maker;
+use slipstick::problem::maker::{Maker, Variant};
 use slipstick::sheet::html;
 use slipstick::solution;
 use slipstick::solution::written::width;
@@ -241,7 +241,7 @@ fn scenes_of_textbooks() {
             if values.iter().any(Option::is_none) {
                 continue;
             }
-            let variant = make::from_values(problem, 0, &values).expect("solved");
+            let variant = maker::from_values(problem, 0, &values).expect("solved");
             // One is printed to show that it does not roll.
             if variant.solved.regime.slips {
                 continue;

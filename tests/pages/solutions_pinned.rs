@@ -3,7 +3,7 @@
 //! intervals by a reader that does not know how the text was made, holds. Scenes of these kinds that no built-in family has
 //! stand in `worked/`.
 use slipstick::bank::{Bank, Problem, load};
-use slipstick::problem::make::{Maker, Variant};
+use slipstick::problem::maker::{Maker, Variant};
 use slipstick::sheet::html;
 use slipstick::solution;
 use slipstick::solution::section_writer;

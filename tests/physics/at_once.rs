@@ -6,7 +6,7 @@
 
 use crate::big::Dice;
 use slipstick::bank::{load, review};
-use slipstick::problem::make::Maker;
+use slipstick::problem::maker::Maker;
 use slipstick::scene::*;
 use slipstick::solve::agree::{prove, solve};
 use slipstick::solve::outcome::{Refusal, Solved, Unsupported};

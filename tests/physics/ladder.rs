@@ -2,7 +2,7 @@
 use crate::support;
 use slipstick::num::Dd;
 use slipstick::num::ode::Trouble;
-use slipstick::problem::make::Maker;
+use slipstick::problem::maker::Maker;
 use slipstick::scene::{Coordinate, Degree, End, Label, Num, Owner, Quantity, Scene, Start, Tie};
 use slipstick::solve::ladder::{Force, Wish};
 use slipstick::solve::method::{Method, Rung};

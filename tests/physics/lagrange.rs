@@ -892,35 +892,33 @@ impl<'s> System<'s> {
         let mut spinning = 0.0;
         for (b, f) in self.frames.iter().enumerate() {
             let own = Owner::Body(b);
-            if f.line {
-                let row = self.moving(b, false);
-                say("a", own, inner(&row, &there.a), accelerations);
+            let degrees = [
+                (false, f.line, ["a", "v", "displacement"], self.mass[3 * b]),
+                (true, f.turns, ["alpha", "omega", "phi"], self.inertia[b]),
+            ];
+            for (turns, _, [acceleration, speed, way], inertia) in degrees.into_iter().filter(|d| d.1) {
+                let row = self.moving(b, turns);
+                say(acceleration, own, inner(&row, &there.a), accelerations);
                 let v = inner(&row, &q) * u;
                 if arrived || told.rests {
-                    say("v", own, v.abs(), v.abs());
+                    say(speed, own, v.abs(), v.abs());
                 }
                 if arrived {
-                    say("rise", own, q[3 * b + 1] * at, at * q[3 * b].abs().max(q[3 * b + 1].abs()));
-                    say("displacement", own, inner(&row, &q) * at, at);
+                    let signed = inner(&row, &q) * at;
+                    say(way, own, if turns { signed.abs() } else { signed }, at);
                 }
-                energy += 0.5 * self.mass[3 * b] * v * v;
-                if f.on_surface {
-                    let normal = self.mass[3 * b] * s.gravity.si * f.out.1;
-                    say("normal", own, normal, forces);
+                let kinetic = 0.5 * inertia * v * v;
+                energy += kinetic;
+                if turns {
+                    spinning += kinetic;
                 }
             }
-            if f.turns {
-                let row = self.moving(b, true);
-                say("alpha", own, inner(&row, &there.a), accelerations);
-                let w = inner(&row, &q) * u;
-                if arrived || told.rests {
-                    say("omega", own, w.abs(), w.abs());
-                }
-                if arrived {
-                    say("phi", own, (inner(&row, &q) * at).abs(), at);
-                }
-                energy += 0.5 * self.inertia[b] * w * w;
-                spinning += 0.5 * self.inertia[b] * w * w;
+            if f.line && arrived {
+                say("rise", own, q[3 * b + 1] * at, at * q[3 * b].abs().max(q[3 * b + 1].abs()));
+            }
+            if f.line && f.on_surface {
+                let normal = self.mass[3 * b] * s.gravity.si * f.out.1;
+                say("normal", own, normal, forces);
             }
         }
         if arrived || told.rests {

@@ -7,7 +7,7 @@
 use slipstick::bank::load;
 use slipstick::draw::sample;
 use slipstick::draw::stream::{DRAW_VERSION, Source};
-use slipstick::problem::make::Maker;
+use slipstick::problem::maker::Maker;
 
 const BANK: &str = "\
 bank: pins

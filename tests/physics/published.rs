@@ -2,7 +2,7 @@
 use serde_json::Value;
 use slipstick::bank::{Bank, Problem, load, review};
 use slipstick::num::U;
-use slipstick::problem::make::Maker;
+use slipstick::problem::maker::Maker;
 use slipstick::solve::agree;
 use slipstick::solve::outcome::{Refusal, Solved};
 use slipstick::units::Unit;

@@ -3,7 +3,9 @@
 //!
 //! Both roads looked from release to the turning point whatever end was asked, for both had it from the same sentence, so their
 //! agreement could not tell; and the reference cases and the banks all ask for the greatest speed, where that is right.
+use crate::support::program::run_with;
 use slipstick::bank::{Draw, Problem, load};
+use slipstick::cli::tell::Exit;
 use slipstick::draw::fill;
 use slipstick::scene::{Quantity, Span};
 use slipstick::solve::agree::solve;
@@ -312,10 +314,9 @@ fn conditions_look_as_far_as_the_end_that_is_asked() {
     assert!(ends > 500 && wholes > 500 && ropes > 500 && differ > 200, "{ends} {wholes} {ropes} {differ}");
 }
 
-/// By hand: |F|/N is largest after 1.0 m, 117.3/169.914; the 232.7 N that the turning point needs, 3.308 m away, are not asked.
-#[test]
-fn a_disc_driven_down_against_a_spring() {
-    let wheel = Wheel {
+/// A disc that a couple drives down a slope against a spring.
+fn driven_down() -> Wheel {
+    Wheel {
         m: 20.0,
         rim: 0.2,
         k: 0.2 / 2f64.sqrt(),
@@ -330,55 +331,32 @@ fn a_disc_driven_down_against_a_spring() {
         v0: 0.0,
         end: End::Travel(1.0),
         whole: false,
-    };
+    }
+}
+
+/// By hand: |F|/N is largest after 1.0 m, 117.3/169.914; the 232.7 N that the turning point needs, 3.308 m away, are not asked.
+#[test]
+fn a_disc_driven_down_against_a_spring() {
     for (whole, friction) in [(false, 117.3), (true, 232.7)] {
-        let solved = solved(&problem(&Wheel { whole, ..wheel }.bank())).unwrap();
+        let solved = solved(&problem(&Wheel { whole, ..driven_down() }.bank())).unwrap();
         let mu = solved.entries.iter().find(|e| e.label.quantity == Quantity::MuRequired).unwrap();
         assert!((mu.value() / (friction / 169.914_184_223) - 1.0).abs() < 1e-9, "{}", mu.value());
     }
 }
 
-/// The street door, once: what came out on standard output.
-fn run(args: &[&str], input: &str) -> (slipstick::cli::tell::Exit, String) {
-    let (mut out, mut err) = (Vec::new(), Vec::new());
-    let mut input = input.as_bytes();
-    let words = std::iter::once("slipstick").chain(args.iter().copied()).map(std::ffi::OsString::from);
-    let exit = slipstick::cli::run(
-        words,
-        &mut slipstick::cli::tell::Io {
-            input: &mut input,
-            out: &mut out,
-            err: &mut err,
-            watched: false,
-            typed: false,
-        },
-    );
-    (exit, String::from_utf8_lossy(&out).into_owned() + &String::from_utf8_lossy(&err))
+/// The program, once: what it printed.
+fn run(args: &[&str], input: &str) -> (Exit, String) {
+    let ran = run_with(args, input);
+    (ran.exit, ran.out + &ran.err)
 }
 
 /// One key for all verbs: what is asked says how far it looks, `asks:` included, and a sheet carries its questions.
 #[test]
 fn every_verb_has_the_same_key() {
-    use slipstick::cli::tell::Exit;
     let room = tempfile::tempdir().unwrap();
     let path = |name: &str| room.path().join(name).display().to_string();
     std::fs::write(path("roster.csv"), "student\n7\n").unwrap();
-    let wheel = Wheel {
-        m: 20.0,
-        rim: 0.2,
-        k: 0.15,
-        slope: 30.0,
-        ks: 150.0,
-        x0: 0.0,
-        rigid: true,
-        lever: 0.0,
-        forward: true,
-        couple: -30.0,
-        cart: None,
-        v0: 0.0,
-        end: End::Travel(1.0),
-        whole: true,
-    };
+    let wheel = Wheel { k: 0.15, whole: true, ..driven_down() };
     let text = wheel.bank() + "    statement: '{{ m }}'\n";
     let mut keys = Vec::new();
     // All questions; the greatest speed left out by `asks:`.

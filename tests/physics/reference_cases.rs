@@ -122,6 +122,18 @@ fn number(v: &Value) -> f64 {
 
 /// Names of the reference, ours, and the factor between them.
 fn names(scene: &str) -> Vec<(&'static str, &'static str, f64)> {
+    let pulled = vec![
+        ("alpha", "alpha", 1.0),
+        ("a", "a", 1.0),
+        ("f", "friction", 1.0),
+        ("N", "normal", 1.0),
+        ("mu_req", "mu_required", 1.0),
+        ("omega", "omega", 1.0),
+        ("v", "v", 1.0),
+        ("t", "t", 1.0),
+        ("work_P", "work_pull", 1.0),
+        ("T", "kinetic_energy", 1.0),
+    ];
     match scene {
         "slip-to-roll" => vec![
             ("N", "normal", 1.0),
@@ -138,34 +150,16 @@ fn names(scene: &str) -> Vec<(&'static str, &'static str, f64)> {
             ("heat", "heat", 1.0),
             ("a_roll", "a_rolling", 1.0),
         ],
-        "pulled-rolling" => vec![
-            ("alpha", "alpha", 1.0),
-            ("a", "a", 1.0),
-            ("f", "friction", 1.0),
-            ("N", "normal", 1.0),
-            ("mu_req", "mu_required", 1.0),
-            ("omega", "omega", 1.0),
-            ("v", "v", 1.0),
-            ("t", "t", 1.0),
-            ("work_P", "work_pull", 1.0),
-            ("T", "kinetic_energy", 1.0),
-        ],
-        "pulled-slipping" => vec![
-            ("alpha", "alpha", 1.0),
-            ("a", "a", 1.0),
-            ("f", "friction", 1.0),
-            ("N", "normal", 1.0),
-            ("f_req", "friction_if_rolled", 1.0),
-            ("mu_req", "mu_required", 1.0),
-            ("omega", "omega", 1.0),
-            ("v", "v", 1.0),
-            ("t", "t", 1.0),
-            ("turns_rad", "phi", 1.0),
-            ("slip", "slip_distance", 0.0),
-            ("work_P", "work_pull", 1.0),
-            ("work_f", "heat", 0.0),
-            ("T", "kinetic_energy", 1.0),
-        ],
+        "pulled-rolling" => pulled,
+        "pulled-slipping" => {
+            let slipping = [
+                ("f_req", "friction_if_rolled", 1.0),
+                ("turns_rad", "phi", 1.0),
+                ("slip", "slip_distance", 0.0),
+                ("work_f", "heat", 0.0),
+            ];
+            [pulled, slipping.to_vec()].concat()
+        }
         _ => vec![
             ("x_eq", "x_eq", 1.0),
             ("N", "normal", 1.0),

@@ -251,7 +251,7 @@ fn a_problem_may_declare_that_a_block_stays() {
     };
     for (regime, stays) in [("balanced", true), ("moves_down", false)] {
         let bank = bank(regime);
-        let maker = slipstick::problem::make::Maker::new(&bank.problems[0], 1, "rest");
+        let maker = slipstick::problem::maker::Maker::new(&bank.problems[0], 1, "rest");
         for student in 0..40 {
             let v = maker.variant(&student.to_string()).unwrap_or_else(|e| panic!("{regime}: {e}"));
             let [m, theta, mu, g] = v.data[..] else { panic!("{:?}", v.data) };

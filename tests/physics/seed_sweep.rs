@@ -2,7 +2,7 @@
 use crate::support;
 use rayon::prelude::*;
 use slipstick::key::Answer;
-use slipstick::problem::make::Maker;
+use slipstick::problem::maker::Maker;
 use slipstick::problem::{make_key, sweep};
 use slipstick::scene::Quantity;
 
@@ -44,7 +44,7 @@ fn banks_are_satisfied_and_sheets_differ() {
 fn every_regime_is_reached_often_enough() {
     let banks = support::banks();
     let share =
-        |id: &str, what: &dyn Fn(&slipstick::problem::make::Variant, &slipstick::scene::Scene) -> bool| {
+        |id: &str, what: &dyn Fn(&slipstick::problem::maker::Variant, &slipstick::scene::Scene) -> bool| {
             let problem = banks.iter().flat_map(|b| &b.problems).find(|p| p.id == id).expect("a problem");
             let maker = Maker::new(problem, 5, "shares");
             let seeds = support::seeds(1000);
@@ -54,14 +54,14 @@ fn every_regime_is_reached_often_enough() {
                 .count();
             hits as f64 / f64::from(seeds)
         };
-    let friction = |v: &slipstick::problem::make::Variant| {
+    let friction = |v: &slipstick::problem::maker::Variant| {
         v.solved
             .entries
             .iter()
             .find(|e| e.label.quantity == Quantity::Friction)
             .map_or(f64::NAN, |e| e.value())
     };
-    let word = |v: &slipstick::problem::make::Variant| v.solved.regime.word();
+    let word = |v: &slipstick::problem::maker::Variant| v.solved.regime.word();
     assert!(share("pulled-rolling", &|v, _| friction(v) < 0.0) >= 0.1);
     assert!(share("pulled-rolling", &|v, _| friction(v) > 0.0) >= 0.5);
     assert!(share("pulled-slipping", &|v, _| friction(v) < 0.0) >= 0.25);
@@ -101,7 +101,7 @@ fn keys_are_sound() {
                     }
                 }
                 // Stored values give the same variant back.
-                let again = slipstick::problem::make::from_values(problem, variant.case, &variant.values)
+                let again = slipstick::problem::maker::from_values(problem, variant.case, &variant.values)
                     .expect("solvable");
                 assert_eq!(make_key::key(problem, &again), key);
             }

@@ -4,7 +4,7 @@
 //! The earlier tests held keys against other ways to compute them. All ways agree on either side of a switch; only the distance to
 //! it can tell, and nobody measured it.
 use slipstick::bank::load;
-use slipstick::problem::make::Maker;
+use slipstick::problem::maker::Maker;
 use slipstick::solve::outcome::CheckKind;
 
 /// A scene that switches where its datum `x` has the value `at`.

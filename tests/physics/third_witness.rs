@@ -4,7 +4,7 @@
 //! classical Runge-Kutta method, the reactions are found at each instant from the constraint equations (by Gaussian
 //! elimination written here), the ending event is landed on by halving the step.
 use crate::support;
-use slipstick::problem::make::Maker;
+use slipstick::problem::maker::Maker;
 use slipstick::scene::*;
 
 /// A scene with its numbers, as this witness sees it.

@@ -1,8 +1,8 @@
 //! A tolerance that widens with the condition number is printed with its question, and what is printed is what counts.
 use crate::support;
 use slipstick::key::Answer;
-use slipstick::problem::make::Maker;
 use slipstick::problem::make_key;
+use slipstick::problem::maker::Maker;
 use slipstick::sheet::page::{Room, Sheets};
 use slipstick::sheet::public::Writer;
 use slipstick::sheet::statement;

@@ -2,7 +2,7 @@
 use crate::support;
 use rayon::prelude::*;
 use slipstick::num::U;
-use slipstick::problem::make::Maker;
+use slipstick::problem::maker::Maker;
 
 #[test]
 fn the_roads_agree_on_thousands_of_draws_of_every_family() {

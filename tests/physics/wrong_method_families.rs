@@ -2,7 +2,7 @@
 //! mistake made in them. Nothing is shared with the program but the data of a variant.
 use slipstick::bank::{Problem, load};
 use slipstick::misconception;
-use slipstick::problem::make::Maker;
+use slipstick::problem::maker::Maker;
 use slipstick::scene::Label;
 use std::collections::BTreeMap;
 use std::f64::consts::PI;

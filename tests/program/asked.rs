@@ -1,6 +1,6 @@
 //! What is asked can be drawn and is proved: every kind of end, every quantity that the solver gives, zeros among them.
 use slipstick::bank::{Bank, load, review};
-use slipstick::problem::make::{Maker, Variant};
+use slipstick::problem::maker::{Maker, Variant};
 use slipstick::scene::{Owner, Quantity, Scene};
 use std::fmt::Write as _;
 
@@ -17,6 +17,14 @@ const STIFF: (&str, &str, &str) = ("ks", "N/m", "400 to 800 step 10");
 
 const WHEEL: &str =
     "wheel: {mass: m, radius of gyration: k, radii: {rim: R, hub: 0.1 m}, moves: along track}";
+
+/// A wheel whose cord a spring holds; its stretch says which way it goes.
+const SPRING_BY_CORD: &str = "surfaces: {track: {slope: theta}}
+bodies: {WHEEL}
+ties:
+  - rolls: {body: wheel, on its: rim, mu_s: mu_s}
+  - cord: {from: {body: wheel, wound on: hub, leaves: top forward}, spring: {stiffness: ks, stretch: x0, attached: by the cord}}
+start: at rest";
 
 /// Bodies that move under a force, each with ends at rest.
 const MOVING: &[Kind] = &[
@@ -57,22 +65,12 @@ start: {wheel: {speed: v0}}",
     (
         "wheel on a spring by its cord, down",
         &[MASS, RADIUS, GYRATION, SLOPE, ROUGH, STIFF, ("x0", "m", "0.00 to 0.01 step 0.01")],
-        "surfaces: {track: {slope: theta}}
-bodies: {WHEEL}
-ties:
-  - rolls: {body: wheel, on its: rim, mu_s: mu_s}
-  - cord: {from: {body: wheel, wound on: hub, leaves: top forward}, spring: {stiffness: ks, stretch: x0, attached: by the cord}}
-start: at rest",
+        SPRING_BY_CORD,
     ),
     (
         "wheel on a spring by its cord, up",
         &[MASS, RADIUS, GYRATION, SLOPE, ROUGH, STIFF, ("x0", "m", "0.20 to 0.40 step 0.01")],
-        "surfaces: {track: {slope: theta}}
-bodies: {WHEEL}
-ties:
-  - rolls: {body: wheel, on its: rim, mu_s: mu_s}
-  - cord: {from: {body: wheel, wound on: hub, leaves: top forward}, spring: {stiffness: ks, stretch: x0, attached: by the cord}}
-start: at rest",
+        SPRING_BY_CORD,
     ),
     (
         "wheel on a rigid spring on a floor",

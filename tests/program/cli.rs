@@ -1,35 +1,10 @@
 //! The street door: exit code, standard output and standard error of each verb, in fresh folders.
-use slipstick::cli;
-use slipstick::cli::tell::{Exit, Io};
+use crate::support::program::{Ran, run, run_with, tree};
+use slipstick::cli::tell::Exit;
 use slipstick::words::Words;
-use std::collections::BTreeMap;
-use std::ffi::OsString;
 use std::fs;
 use std::path::Path;
 use tempfile::TempDir;
-
-struct Ran {
-    exit: Exit,
-    out: String,
-    err: String,
-}
-
-/// Runs a command line in this process. Paths in it are absolute: tests share one working folder.
-fn run_with(args: &[&str], input: &str) -> Ran {
-    let (mut out, mut err) = (Vec::new(), Vec::new());
-    let mut input = input.as_bytes();
-    let words = std::iter::once("slipstick").chain(args.iter().copied()).map(OsString::from);
-    let exit = cli::run(
-        words,
-        &mut Io { input: &mut input, out: &mut out, err: &mut err, watched: false, typed: false },
-    );
-    let text = |bytes: Vec<u8>| String::from_utf8(bytes).expect("the program writes UTF-8");
-    Ran { exit, out: text(out), err: text(err) }
-}
-
-fn run(args: &[&str]) -> Ran {
-    run_with(args, "")
-}
 
 /// A fresh folder with a roster.
 struct Room(TempDir);
@@ -66,23 +41,6 @@ impl Room {
     fn shown(&self, text: &str) -> String {
         text.replace(&self.0.path().display().to_string(), "ROOM")
     }
-}
-
-/// All files below a folder with their bytes.
-fn tree(folder: &Path) -> BTreeMap<String, Vec<u8>> {
-    fn walk(folder: &Path, prefix: &str, found: &mut BTreeMap<String, Vec<u8>>) {
-        for entry in fs::read_dir(folder).unwrap().map(Result::unwrap) {
-            let name = format!("{prefix}{}", entry.file_name().to_string_lossy());
-            if entry.path().is_dir() {
-                walk(&entry.path(), &format!("{name}/"), found);
-            } else {
-                found.insert(name, fs::read(entry.path()).unwrap());
-            }
-        }
-    }
-    let mut found = BTreeMap::new();
-    walk(folder, "", &mut found);
-    found
 }
 
 const CLASS: [&str; 5] = ["0017", "Ana", "../x", "CON", "ana"];

@@ -1,19 +1,14 @@
 //! Sets that an earlier version drew. All tests before took sets of their own version: a raised draw version was seen only as a
 //! refusal, and nobody asked what becomes of a term's work when the program is renewed.
-use slipstick::cli;
-use slipstick::cli::tell::{Exit, Io};
+use crate::support::program;
+use slipstick::cli::tell::Exit;
 use slipstick::draw::stream::DRAW_VERSION;
-use std::ffi::OsString;
 use std::fs;
 use std::path::{Path, PathBuf};
 use tempfile::TempDir;
 
 fn run(args: &[&str]) -> (Exit, String, String) {
-    let (mut out, mut err, mut input) = (Vec::new(), Vec::new(), &b""[..]);
-    let words = std::iter::once("slipstick").chain(args.iter().copied()).map(OsString::from);
-    let io = &mut Io { input: &mut input, out: &mut out, err: &mut err, watched: false, typed: false };
-    let exit = cli::run(words, io);
-    (exit, String::from_utf8(out).unwrap(), String::from_utf8(err).unwrap())
+    program::run(args).parts()
 }
 
 fn kept(name: &str) -> PathBuf {

@@ -3,26 +3,21 @@
 //!
 //! Earlier tests gave templates that cannot be read and foreign names with odd signs; none gave a template that can be read
 //! and never ends, and none looked at what a statement itself brings into a page.
+use crate::support::program;
 use scraper::{ElementRef, Html};
-use slipstick::cli;
-use slipstick::cli::tell::{Exit, Io};
+use slipstick::cli::tell::Exit;
 use slipstick::sheet::document::{Document, Dropped, Head, dropped};
-use slipstick::sheet::html::{Converter, Place};
+use slipstick::sheet::html::{Converter, PlaceInPage};
 use slipstick::sheet::{html, tex, typst};
 use slipstick::template::{Templates, View};
 use slipstick::words::Words;
-use std::ffi::OsString;
 use std::fs;
 use std::path::Path;
 use std::process::Command;
 use std::time::{Duration, Instant};
 
 fn run(args: &[&str]) -> (Exit, String, String) {
-    let (mut out, mut err) = (Vec::new(), Vec::new());
-    let words = std::iter::once("slipstick").chain(args.iter().copied()).map(OsString::from);
-    let mut io = Io { input: &mut &b""[..], out: &mut out, err: &mut err, watched: false, typed: false };
-    let exit = cli::run(words, &mut io);
-    (exit, String::from_utf8(out).unwrap(), String::from_utf8(err).unwrap())
+    program::run(args).parts()
 }
 
 /// A bank with one problem; the lines are appended to its statement, the question is as given.
@@ -405,8 +400,11 @@ fn nothing_active_leaves_a_statement() {
         let document = Document::new(raw.clone(), Vec::new());
         // HTML, also where somebody writes a document without the filter.
         for document in [&document, &Document { markdown: raw.clone(), pictures: Vec::new() }] {
-            let body =
-                Converter::new(&words).body(document, &document.screens(), Place { lower: 0, prefix: "" });
+            let body = Converter::new(&words).body(
+                document,
+                &document.screens(),
+                PlaceInPage { lower: 0, prefix: "" },
+            );
             let page = html::page(&templates, &words, "sheet", &head, &body).unwrap();
             let found: Vec<String> = all_acts(&String::from_utf8(page).unwrap());
             let is_filtered = document.markdown != raw;
@@ -497,18 +495,7 @@ fn words_and_data_between_tags_stay() {
     fs::write(path("b.yaml"), text).unwrap();
     fs::write(path("r.csv"), "student,name\ns1,A\n").unwrap();
     let (file, roster, set) = (path("b.yaml"), path("r.csv"), path("set"));
-    let (exit, _, err) = run(&[
-        "generate",
-        &file,
-        "--roster",
-        &roster,
-        "--seed",
-        "1",
-        "--out",
-        &set,
-        "--format",
-        "html,md,tex",
-    ]);
+    let (exit, _, err) = program::generate(&file, &roster, &set, &["--format", "html,md,tex"]).parts();
     assert_eq!(exit, Exit::Fine, "{err}");
     assert!(
         err.contains("note: problems.slide: `<p>` is dropped: the tags are dropped, the words stay"),
@@ -639,18 +626,7 @@ fn lint_tells_what_students_will_not_see() {
     assert!(!out.contains("a.example"), "{out}");
     let (roster, set) = (path("r.csv"), path("set"));
     let file = path("b.yaml");
-    let (exit, _, err) = run(&[
-        "generate",
-        &file,
-        "--roster",
-        &roster,
-        "--seed",
-        "1",
-        "--out",
-        &set,
-        "--format",
-        "html,md,tex",
-    ]);
+    let (exit, _, err) = program::generate(&file, &roster, &set, &["--format", "html,md,tex"]).parts();
     // The same is noted before sheets go out.
     assert_eq!(exit, Exit::Fine, "{err}");
     assert!(err.contains("note: problems.slide: `<u>` is dropped"), "{err}");

@@ -3,12 +3,13 @@
 //! Earlier tests looked at what one sheet holds (no key, no value of it). A word leaks across sheets: what stands in those with one
 //! answer and never in those with another, which no test of a single sheet can see.
 use crate::support;
+use crate::support::program;
 use rayon::prelude::*;
 use slipstick::bank::{Bank, Problem, load};
 use slipstick::cli;
 use slipstick::cli::tell::{Exit, Io};
-use slipstick::problem::make::{Maker, Variant};
 use slipstick::problem::make_key;
+use slipstick::problem::maker::{Maker, Variant};
 use std::collections::{BTreeMap, BTreeSet};
 use std::ffi::OsString;
 use std::fs;
@@ -384,11 +385,7 @@ fn every_word_of_a_printed_list_is_right_often_enough() {
 }
 
 fn run(args: &[&str]) -> (Exit, String, String) {
-    let (mut out, mut err, mut input) = (Vec::new(), Vec::new(), &b""[..]);
-    let words = std::iter::once("slipstick").chain(args.iter().copied()).map(OsString::from);
-    let io = &mut Io { input: &mut input, out: &mut out, err: &mut err, watched: false, typed: false };
-    let exit = cli::run(words, io);
-    (exit, String::from_utf8(out).unwrap(), String::from_utf8(err).unwrap())
+    program::run(args).parts()
 }
 
 /// An instructor's bank is told of a word that is never right, by `lint` as a finding, by `generate` as a note.
@@ -408,16 +405,7 @@ fn a_word_that_is_never_right_is_told_to_the_instructor() {
     assert_eq!(exit, Exit::Faulty, "{out}");
     assert!(err.contains("`no` is offered and right in none of 60 variants"), "{err}");
     assert!(out.contains("yes 100 %, no 0 %") || out.contains("no 0 %"), "{out}");
-    let (exit, out, _) = run(&[
-        "generate",
-        &at("bank.yaml"),
-        "--roster",
-        &at("roster.csv"),
-        "--seed",
-        "1",
-        "--out",
-        &at("set"),
-    ]);
+    let (exit, out, _) = program::generate(&at("bank.yaml"), &at("roster.csv"), &at("set"), &[]).parts();
     assert_eq!(exit, Exit::Fine);
     assert!(
         out.contains("note: problems.pulled.questions.rolls: `no` is offered and right in none"),
@@ -427,16 +415,7 @@ fn a_word_that_is_never_right_is_told_to_the_instructor() {
     fs::write(at("open.yaml"), OPEN).unwrap();
     let (exit, out, err) = run(&["lint", &at("open.yaml"), "--seeds", "200"]);
     assert_eq!(exit, Exit::Fine, "{out}{err}");
-    let (_, out, _) = run(&[
-        "generate",
-        &at("open.yaml"),
-        "--roster",
-        &at("roster.csv"),
-        "--seed",
-        "1",
-        "--out",
-        &at("open"),
-    ]);
+    let (_, out, _) = program::generate(&at("open.yaml"), &at("roster.csv"), &at("open"), &[]).parts();
     assert!(!out.contains("note:"), "{out}");
 }
 
@@ -472,7 +451,7 @@ fn a_contact_left_open_rolls_or_slips_and_never_both() {
         // Whichever was assumed first, the other assumption fails on the same data.
         let hold: Vec<bool> = (0..2)
             .map(|case| {
-                slipstick::problem::make::from_values(problem, case, &v.values)
+                slipstick::problem::maker::from_values(problem, case, &v.values)
                     .is_ok_and(|v| v.solved.all_hold() && !v.solved.regime.slips)
             })
             .collect();
@@ -501,20 +480,7 @@ fn solve_and_check_find_what_an_open_contact_does() {
     }
     let rows: String = (0..12).map(|i| format!("s{i}\n")).collect();
     fs::write(at("roster.csv"), format!("student\n{rows}")).unwrap();
-    assert_eq!(
-        run(&[
-            "generate",
-            &at("bank.yaml"),
-            "--roster",
-            &at("roster.csv"),
-            "--seed",
-            "1",
-            "--out",
-            &at("set")
-        ])
-        .0,
-        Exit::Fine
-    );
+    assert_eq!(program::generate(&at("bank.yaml"), &at("roster.csv"), &at("set"), &[]).exit, Exit::Fine);
     let key = fs::read_to_string(at("set/key.csv")).unwrap();
     let mut words = BTreeSet::new();
     for i in 0..12 {
@@ -609,18 +575,7 @@ fn the_words_on_a_sheet_follow_from_the_declared_regimes() {
     assert!(out.contains("down ") && out.contains("stays ") && !out.contains("up 0 %"), "{out}");
     for (language, list) in [("en", "`down` or `stays`"), ("de", "`abwärts` oder `ruht`")] {
         let (bank, roster, set) = (at("bank.yaml"), at("roster.csv"), at(language));
-        let (exit, out, err) = run(&[
-            "generate",
-            &bank,
-            "--roster",
-            &roster,
-            "--seed",
-            "1",
-            "--out",
-            &set,
-            "--language",
-            language,
-        ]);
+        let (exit, out, err) = program::generate(&bank, &roster, &set, &["--language", language]).parts();
         assert_eq!(exit, Exit::Fine, "{out}{err}");
         assert!(!out.contains("note: problems"), "{out}");
         let key = fs::read_to_string(format!("{set}/key.csv")).unwrap();

@@ -3,23 +3,17 @@
 //!
 //! The earlier tests pinned a table with one bound and asked no more than that it is there: that it said "regime" without saying
 //! which, "the key is proved" where it was not, and drew constants ten thousand times, no test could see.
+use crate::support::program;
+use crate::support::program::Ran;
 use slipstick::bank::load;
-use slipstick::cli;
-use slipstick::cli::tell::{Exit, Io};
-use slipstick::problem::make::Maker;
+use slipstick::cli::tell::Exit;
+use slipstick::problem::maker::Maker;
 use slipstick::solve::outcome::Motion;
 use slipstick::words::Words;
-use std::ffi::OsString;
 use std::fs;
 use tempfile::TempDir;
 
 struct Room(TempDir);
-
-struct Ran {
-    exit: Exit,
-    out: String,
-    err: String,
-}
 
 impl Room {
     fn new() -> Self {
@@ -34,13 +28,7 @@ impl Room {
         fs::read_to_string(self.0.path().join(name)).unwrap_or_else(|e| panic!("{name}: {e}"))
     }
     fn run(&self, args: &[&str]) -> Ran {
-        let (mut out, mut err) = (Vec::new(), Vec::new());
-        let words = std::iter::once("slipstick").chain(args.iter().copied()).map(OsString::from);
-        let mut io =
-            Io { input: &mut &b"\n\n"[..], out: &mut out, err: &mut err, watched: false, typed: false };
-        let exit = cli::run(words, &mut io);
-        let text = |bytes: Vec<u8>| String::from_utf8(bytes).unwrap();
-        Ran { exit, out: text(out), err: text(err) }
+        program::run_with(args, "\n\n")
     }
     /// What `lint` says of a bank that cannot be drawn.
     fn lint(&self, bank: &str) -> String {

@@ -1,4 +1,6 @@
-//! What several tests share: the banks of the project.
+//! What several tests share: the banks of the project, and the program run.
+pub mod program;
+
 use slipstick::bank::{Bank, load};
 
 /// Every bank in `banks/` (beside them lie the words of wrong methods), loaded, in the order of the names.

@@ -3,7 +3,7 @@ use crate::grade::verdict::Verdict;
 use crate::num::shown;
 use crate::report::class::{ClassReporter, Rich, SHOWN};
 use crate::report::stats::LEAST_FOR_SHARE;
-use crate::report::study::Comparison;
+use crate::report::study::DatumComparison;
 use crate::report::table::{Table, TableCell, percent};
 use crate::sheet::terminal::plain;
 use crate::template;
@@ -221,7 +221,7 @@ impl ClassReporter<'_> {
 
     /// Comparisons of marks with what was drawn, the least likely by chance first.
     fn comparisons(&self) -> Table {
-        let mut list: Vec<&Comparison> = self.study.fairness.iter().collect();
+        let mut list: Vec<&DatumComparison> = self.study.fairness.iter().collect();
         list.sort_by(|a, b| a.p.total_cmp(&b.p));
         let rows = list.into_iter().map(|c| {
             let cases = c.cases.iter().map(|(name, n, mean)| {

@@ -29,7 +29,7 @@ pub struct Drawn {
 
 /// A problem of the set.
 #[derive(Debug, Clone, PartialEq, Default)]
-pub struct Problem {
+pub struct MarkedProblem {
     /// Id.
     pub id: String,
     /// Title for people.
@@ -38,7 +38,7 @@ pub struct Problem {
 
 /// A part of a problem.
 #[derive(Debug, Clone, PartialEq, Default)]
-pub struct Part {
+pub struct MarkedPart {
     /// Number of the problem, from 1.
     pub number: usize,
     /// Id of the part.
@@ -55,7 +55,7 @@ pub struct Part {
     pub tolerance: String,
 }
 
-impl Part {
+impl MarkedPart {
     /// `1.omega`
     pub fn label(&self) -> String {
         format!("{}.{}", self.number, self.id)
@@ -64,14 +64,14 @@ impl Part {
 
 /// Who is there and what was asked.
 #[derive(Debug, Clone, PartialEq, Default)]
-pub struct Class {
+pub struct MarkedClass {
     /// In the order of the set.
     pub students: Vec<Student>,
     /// In the order of the sheet.
-    pub problems: Vec<Problem>,
+    pub problems: Vec<MarkedProblem>,
     /// In the order of the sheet.
-    pub parts: Vec<Part>,
-    /// Does the sheet of a student have a part? CountingRow after row, a row for each student.
+    pub parts: Vec<MarkedPart>,
+    /// Does the sheet of a student have a part? Row after row, one for each student.
     pub asked: Vec<bool>,
     /// Does the day come first in dates? `None`: they must say themselves.
     pub day_first: Option<bool>,
@@ -103,7 +103,7 @@ pub const LONGEST: usize = 240;
 
 /// All that is known of one student and part.
 #[derive(Debug, Clone, PartialEq, Default)]
-pub struct Cell {
+pub struct MarkedCell {
     /// The row that counts; none where nothing but blanks was handed in.
     pub row: Option<CountingRow>,
     /// Rows that are not blank.
@@ -116,7 +116,7 @@ pub struct Cell {
 
 /// Cells that could not be read, of one part and for one reason.
 #[derive(Debug, Clone, PartialEq, Default)]
-pub struct Trouble {
+pub struct UnreadableCells {
     /// How many.
     pub cells: u64,
     /// Some of them, the first of the file.
@@ -133,9 +133,9 @@ pub type TroubleKey = (Option<usize>, Verdict, String);
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Marks {
     /// Who and what.
-    pub class: Class,
-    /// CountingRow after row, a row for each student.
-    pub cells: Vec<Cell>,
+    pub class: MarkedClass,
+    /// Row after row, one for each student.
+    pub cells: Vec<MarkedCell>,
     /// Points of each cell as the gradebook has them, corrections included; `None` where it has none.
     pub given: Vec<Option<f64>>,
     /// Points of each student and of how many, what is dropped and rounded included.
@@ -151,7 +151,7 @@ pub struct Marks {
     /// Is there a column of times that can be read?
     pub timed: bool,
     /// Cells that could not be read, or have a unit of another kind or none where one is demanded.
-    pub troubles: BTreeMap<TroubleKey, Trouble>,
+    pub troubles: BTreeMap<TroubleKey, UnreadableCells>,
 }
 
 impl Marks {
@@ -160,7 +160,7 @@ impl Marks {
         self.given[student * self.class.parts.len() + part].unwrap_or(0.0)
     }
     /// The cell of a student and a part.
-    pub fn cell(&self, student: usize, part: usize) -> &Cell {
+    pub fn cell(&self, student: usize, part: usize) -> &MarkedCell {
         &self.cells[student * self.class.parts.len() + part]
     }
     /// Does the sheet of a student have a part?

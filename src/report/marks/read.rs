@@ -4,7 +4,7 @@ use crate::grade::row::{AnswerReader, AnswerRow, Unreadable};
 use crate::grade::verdict::Verdict;
 use crate::policy::time;
 use crate::policy::time::Evidence;
-use crate::report::marks::{Cell, Class, CountingRow, EXAMPLES, LONGEST, Marks, Part};
+use crate::report::marks::{CountingRow, EXAMPLES, LONGEST, MarkedCell, MarkedClass, MarkedPart, Marks};
 use crate::words::Words;
 use rustc_hash::FxHashMap;
 use std::io::Read;
@@ -27,7 +27,7 @@ impl Marks {
     /// # Errors
     /// No answers.csv, or one that is cut off.
     pub fn read<R: Read>(
-        mut class: Class,
+        mut class: MarkedClass,
         open: &mut dyn FnMut() -> std::io::Result<R>,
     ) -> Result<Self, Unreadable> {
         let size = class.students.len() * class.parts.len();
@@ -39,7 +39,7 @@ impl Marks {
             which.entry(part.number.to_string()).or_default().insert(part.id.clone(), i);
         }
         let mut marks = Self {
-            cells: vec![Cell::default(); size],
+            cells: vec![MarkedCell::default(); size],
             by_part: vec![[0; Verdict::ALL.len()]; class.parts.len()],
             class,
             ..Self::default()
@@ -168,7 +168,7 @@ impl Marks {
     /// # Errors
     /// It is no gradebook, or that of another class.
     pub fn book(&mut self, gradebook: impl Read) -> Result<(), Unreadable> {
-        let parts: Vec<String> = self.class.parts.iter().map(Part::label).collect();
+        let parts: Vec<String> = self.class.parts.iter().map(MarkedPart::label).collect();
         let whose: FxHashMap<String, usize> =
             self.class.students.iter().enumerate().map(|(i, s)| (s.id.clone(), i)).collect();
         let mut found = 0;
@@ -274,14 +274,14 @@ fn noncharacter(c: char) -> bool {
 #[allow(clippy::float_cmp, reason = "points and seconds are whole here")]
 mod tests {
     use super::*;
-    use crate::report::marks::{Problem, Student};
+    use crate::report::marks::{MarkedProblem, Student};
 
-    fn class() -> Class {
-        Class {
+    fn class() -> MarkedClass {
+        MarkedClass {
             students: ["a", "=b"].map(|id| Student { id: id.to_owned(), ..Student::default() }).to_vec(),
-            problems: vec![Problem::default()],
+            problems: vec![MarkedProblem::default()],
             parts: ["v", "t"]
-                .map(|id| Part { number: 1, id: id.to_owned(), points: 1.0, ..Part::default() })
+                .map(|id| MarkedPart { number: 1, id: id.to_owned(), points: 1.0, ..MarkedPart::default() })
                 .to_vec(),
             asked: vec![true; 4],
             day_first: None,

@@ -1,10 +1,10 @@
 //! What each method gives away for its speed, on one problem with given data: measured, as table, CSV, plot and page.
 use crate::bank::Problem;
-use crate::diagnosis::data::{Data, fits, refused};
-use crate::diagnosis::table::NUMBERS_OF_TIES;
-use crate::diagnosis::{sentences, table};
 use crate::finding::{Finding, Findings};
 use crate::guard::push_line;
+use crate::inspect::data::{Data, fits, refused};
+use crate::inspect::table::NUMBERS_OF_TIES;
+use crate::inspect::{sentences, table};
 use crate::num::shown;
 use crate::picture::svg::escaped;
 use crate::plot::{Axis, AxisScale, DataPoint, LineChart, Series};

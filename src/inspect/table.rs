@@ -1,10 +1,10 @@
 //! What one problem with given data comes to: regime, conditions, every quantity by both derivations; as a table and as JSON.
 use crate::bank::{Bank, Problem};
-use crate::diagnosis::data::{fits, printed};
-use crate::diagnosis::sentences;
 use crate::finding::Finding;
+use crate::inspect::data::{fits, printed};
+use crate::inspect::sentences;
 use crate::num::shown;
-use crate::problem::make::Unsatisfiable;
+use crate::problem::maker::Unsatisfiable;
 use crate::scene::Quantity;
 use crate::sheet::terminal;
 use crate::solve::ladder;
@@ -123,6 +123,7 @@ pub fn json(problem: &Problem, case: usize, solved: &Solved, taken: &Taken) -> S
     out
 }
 
+#[derive(Default)]
 struct QuantityRow<'s> {
     order: usize,
     name: String,
@@ -162,15 +163,8 @@ fn rows<'s>(problem: &Problem, case: usize, solved: &'s Solved, taken: &Taken) -
         .chain(solved.words.iter().map(|(label, word)| QuantityRow {
             order: place(label.quantity),
             name: scene.name_of(*label),
-            unit: "",
             word: Some(word.text()),
-            value: None,
-            eom: None,
-            energy: None,
-            gap: None,
-            cond: None,
-            bound: None,
-            error: None,
+            ..QuantityRow::default()
         }))
         .collect();
     rows.sort_by_key(|r| r.order);

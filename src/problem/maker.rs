@@ -1,16 +1,16 @@
-//! Draw, fill, solve, check: the flow in one function, tries and refusals counted.
+//! The variant of a student: data are drawn until they hold all rules of the problem, tries and refusals counted.
 use crate::bank::decimal::Decimal;
 use crate::bank::{Case, Follow, Problem, Question};
-use crate::draw::stream::{Source, Words};
+use crate::draw::stream::{DrawWords, Source};
 use crate::draw::{fill, sample};
 use crate::key::ProblemKey;
 use crate::misconception;
 use crate::misconception::{Methods, Wrong};
 use crate::num::Dd;
 use crate::problem::make_key;
-use crate::problem::make_key::Frame;
+use crate::problem::make_key::KeyFrame;
 pub use crate::problem::rule::Refusals;
-use crate::problem::rule::{Refused, Rule};
+use crate::problem::rule::{DrawRule, Refused};
 pub use crate::problem::variant::Variant;
 use crate::scene::{End, Label, Numbers, Owner, Quantity, Scene};
 use crate::solve::agree;
@@ -80,7 +80,7 @@ pub struct Maker<'p> {
     /// The wrong methods of each case that was drawn.
     methods: Vec<OnceLock<Methods<'p>>>,
     /// What all keys have in common.
-    frame: OnceLock<Frame<'p>>,
+    frame: OnceLock<KeyFrame<'p>>,
 }
 
 impl<'p> Maker<'p> {
@@ -116,7 +116,7 @@ impl<'p> Maker<'p> {
     }
     /// The key of a variant of the problem.
     pub fn key(&self, variant: &Variant) -> ProblemKey {
-        self.frame.get_or_init(|| Frame::new(self.problem)).key(variant)
+        self.frame.get_or_init(|| KeyFrame::new(self.problem)).key(variant)
     }
     /// The variant of a student: the case by share, then draws until one holds all rules of this case.
     ///
@@ -133,7 +133,7 @@ impl<'p> Maker<'p> {
         let most = if constant { 1 } else { self.max_tries };
         for tries in 1..=most {
             self.draw(&mut words, tries, case, &mut values, &mut data);
-            match self.judge(index, &data, &mut refusals) {
+            match self.solve_within_rules(index, &data, &mut refusals) {
                 Ok((solved, wrong)) => {
                     let within = make_key::within(self.problem, &solved);
                     return Ok(Variant { case: index, values, data, solved, tries, refusals, within, wrong });
@@ -162,7 +162,7 @@ impl<'p> Maker<'p> {
 
     fn draw(
         &self,
-        words: &mut Words,
+        words: &mut DrawWords,
         tries: u32,
         case: &Case,
         values: &mut [Option<Decimal>],
@@ -187,7 +187,7 @@ impl<'p> Maker<'p> {
         let mut values: Vec<Option<Decimal>> = vec![None; self.problem.data.len()];
         self.draw(&mut words, tries, &self.problem.cases[index], &mut values, &mut data);
         let mut refusals = Refusals::default();
-        let (solved, wrong) = self.judge(index, &data, &mut refusals).ok()?;
+        let (solved, wrong) = self.solve_within_rules(index, &data, &mut refusals).ok()?;
         let within = make_key::within(self.problem, &solved);
         Some(Variant { case: index, values, data, solved, tries, refusals, within, wrong })
     }
@@ -213,7 +213,7 @@ impl<'p> Maker<'p> {
     }
 
     /// Solves, or says which rule refuses.
-    fn judge(
+    fn solve_within_rules(
         &self,
         index: usize,
         data: &[f64],
@@ -226,8 +226,8 @@ impl<'p> Maker<'p> {
         let mut half = agree::first(&case.scene, data).map_err(|refusal| unsolved(refusals, refusal))?;
         self.rules(case, half.preview(), data)?;
         self.energies(case, half.preview(), data)?;
-        // Wrong methods refuse more draws than all rules below, and some at any tolerance. Who counts what each rule refuses
-        // hears of them last: of the draws that hold all others.
+        // Wrong methods refuse more draws than all rules below, so they come first. A maker that is watching counts which methods
+        // would refuse a draw that holds every other rule: it asks them last.
         let wrong = if self.watching { None } else { Some(self.far(index, data, half.preview())?) };
         // Condition numbers cost more than all the rest of the first road: only for what holds the other rules.
         half.weigh(&case.scene, data);
@@ -237,18 +237,18 @@ impl<'p> Maker<'p> {
         self.conditioned(half.preview())?;
         let mut near = wrong.iter().flatten().filter(|w| self.refuses(w, half.preview(), false));
         if let Some(wrong) = near.next() {
-            return Err(Rule::Mistake(wrong.mistake).into());
+            return Err(DrawRule::Mistake(wrong.mistake).into());
         }
         let mut solved = half.confirm(&case.scene, data).map_err(|refusal| unsolved(refusals, refusal))?;
         self.moves(case, &solved)?;
         if !agree::prove(&case.scene, data, &mut solved) {
-            return Err(Rule::Certain.into());
+            return Err(DrawRule::Certain.into());
         }
         if let Some((question, share)) = make_key::wide(self.problem, &solved) {
-            return Err(Rule::Proved(question).found(share));
+            return Err(DrawRule::Proved(question).found(share));
         }
         if let Some(question) = broken_relation(self.problem, data, &solved) {
-            return Err(Rule::Follows(question).into());
+            return Err(DrawRule::Follows(question).into());
         }
         let wrong = match wrong {
             Some(wrong) => wrong,
@@ -301,7 +301,7 @@ impl<'p> Maker<'p> {
             }
             near.is_none()
         });
-        near.map_or(Ok(all), |mistake| Err(Rule::Mistake(mistake).into()))
+        near.map_or(Ok(all), |mistake| Err(DrawRule::Mistake(mistake).into()))
     }
 
     /// Where the wrong methods come to, if none comes near a right answer; counts how often each does.
@@ -330,7 +330,7 @@ impl<'p> Maker<'p> {
             *count += u32::from(*any);
         }
         match all.iter().find(|w| self.refuses(w, solved, false)) {
-            Some(wrong) => Err(Rule::Mistake(wrong.mistake).into()),
+            Some(wrong) => Err(DrawRule::Mistake(wrong.mistake).into()),
             None => Ok(all),
         }
     }
@@ -346,7 +346,7 @@ impl<'p> Maker<'p> {
             && let Some(input) = input_energy(&case.scene, data, solved)
         {
             let within = input <= self.problem.energy_limit * kinetic.value();
-            return if within { Ok(()) } else { Err(Rule::Input.found(input / kinetic.value())) };
+            return if within { Ok(()) } else { Err(DrawRule::Input.found(input / kinetic.value())) };
         }
         Ok(())
     }
@@ -355,7 +355,7 @@ impl<'p> Maker<'p> {
     fn conditioned(&self, solved: &Solved) -> Result<(), Refused> {
         let above = |q: &Question| !cond(solved, q.label).le(&q.cond_limit);
         match self.problem.questions.iter().position(above) {
-            Some(i) => Err(Rule::Cond(i).found(cond(solved, self.problem.questions[i].label))),
+            Some(i) => Err(DrawRule::Cond(i).found(cond(solved, self.problem.questions[i].label))),
             None => Ok(()),
         }
     }
@@ -367,7 +367,7 @@ impl<'p> Maker<'p> {
             if !check.ok || check.margin.is_nan() || check.margin < self.margins[kind] {
                 // A condition may fail for more than its margin says: then no number tells why.
                 let told = check.ok || check.margin < 0.0;
-                return Err(Rule::Check(check.kind).found(if told { check.margin } else { f64::NAN }));
+                return Err(DrawRule::Check(check.kind).found(if told { check.margin } else { f64::NAN }));
             }
         }
         Ok(())
@@ -383,7 +383,7 @@ impl<'p> Maker<'p> {
             // What nothing drives needs no margin.
             let driven = check.available > 0.0 || check.available.is_nan();
             if driven && (check.margin.is_nan() || -check.margin < self.margins[kind]) {
-                return Err(Rule::Check(check.kind).found(check.margin));
+                return Err(DrawRule::Check(check.kind).found(check.margin));
             }
         }
         Ok(())
@@ -395,7 +395,7 @@ impl<'p> Maker<'p> {
         let stays = solved.regime.stays_as(&case.regimes);
         self.checks(solved, |c| c.kind != CheckKind::Moves && !(stays && c.idles()))?;
         if !solved.regime.is_one_of(&case.regimes, &case.scene) {
-            return Err(Rule::Regime(solved.regime).into());
+            return Err(DrawRule::Regime(solved.regime).into());
         }
         for (i, question) in self.problem.questions.iter().enumerate() {
             let answered = if question.label.quantity.is_word() {
@@ -404,7 +404,7 @@ impl<'p> Maker<'p> {
                 solved.get(question.label).is_some_and(|e| e.value().is_finite())
             };
             if !answered {
-                return Err(Rule::Answered(i).into());
+                return Err(DrawRule::Answered(i).into());
             }
         }
         bounds(case, true, data, &|label| solved.get(label).map_or(f64::NAN, Entry::value))
@@ -412,15 +412,15 @@ impl<'p> Maker<'p> {
 }
 
 /// The rule by which a draw is refused that was not solved; what is to be told of it is kept.
-fn unsolved(refusals: &mut Refusals, refusal: Refusal) -> Rule {
+fn unsolved(refusals: &mut Refusals, refusal: Refusal) -> DrawRule {
     let rule = match refusal {
         Refusal::Inadmissible(faults) => {
             refusals.inadmissible = faults;
-            return Rule::Admissible;
+            return DrawRule::Admissible;
         }
-        Refusal::Disagree { .. } => Rule::Agree,
-        Refusal::Open(_) | Refusal::Contradiction { .. } => Rule::Start,
-        _ => Rule::Solvable,
+        Refusal::Disagree { .. } => DrawRule::Agree,
+        Refusal::Open(_) | Refusal::Contradiction { .. } => DrawRule::Start,
+        _ => DrawRule::Solvable,
     };
     refusals.unsolved = Some(refusal);
     rule
@@ -436,14 +436,14 @@ fn cond(solved: &Solved, label: Label) -> f64 {
 fn input_energy(scene: &Scene, data: &[f64], solved: &Solved) -> Option<f64> {
     let (_, stiffness, stretch, _) = scene.spring()?;
     let n = Numbers::<Dd>::new(scene, data);
-    let mut energy = (n.massive(stiffness) * n.get(stretch) * n.get(stretch)).scale2(-1);
+    let mut energy = (n.get(stiffness) * n.get(stretch) * n.get(stretch)).scale2(-1);
     for (label, value) in solved.entries.iter().map(|e| (e.label, e.value())) {
         if let (Quantity::Rise, Owner::Body(b)) = (label.quantity, label.of) {
             energy = energy + n.bodies[b].mass * n.gravity * Dd::new((-value).max(0.0));
         }
     }
     let pulls = solved.entries.iter().filter(|e| e.label.quantity == Quantity::WorkPull).map(Entry::value);
-    Some(n.publish(Quantity::KineticEnergy, energy).hi + pulls.map(|w| w.max(0.0)).sum::<f64>())
+    Some(energy.hi + pulls.map(|w| w.max(0.0)).sum::<f64>())
 }
 
 /// Do the values of these bounds, those that need a solution or the others, lie within them? NaN does not.
@@ -460,7 +460,7 @@ fn bounds(
         let value = bound.expression.eval(data, quantity);
         let within = bound.min.is_none_or(|m| value >= m) && bound.max.is_none_or(|m| value <= m);
         if value.is_nan() || !within {
-            return Err(Rule::Bound(i).found(value));
+            return Err(DrawRule::Bound(i).found(value));
         }
     }
     Ok(())

@@ -4,13 +4,14 @@
 //! an attempt bears on marks, one more comes before, so that times are understood; where the best attempt counts, one for each
 //! step of follow-through. What is held grows with students times parts, and up to a limit with rows ([`Notes`]).
 use crate::answer::submissions::{Batch, RecordScratch, RecordSource};
+use crate::grade::attempt;
+use crate::grade::attempt::{Attempt, ByRow, Ordered, Try, Winner};
+use crate::grade::belongs::Finder;
 use crate::grade::cells::{AnswerCell, GradingJob, cells};
-use crate::grade::choose;
-use crate::grade::choose::{Attempt, ByRow, Ordered, Try, Winner};
 use crate::grade::credit::credit;
 use crate::grade::layout::{RecordKind, kind_of_record};
-use crate::grade::quick::Quick;
 use crate::grade::run::{GradeFault, Open};
+use crate::grade::si::SiReader;
 use crate::grade::threads::sweep;
 use crate::grade::verdict::Verdict;
 use crate::policy::Counts;
@@ -60,7 +61,7 @@ pub(crate) struct Chosen {
 
 /// What a walk collects of the attempts.
 #[derive(Clone)]
-enum Tally {
+enum AttemptTally {
     /// Where nothing but the order of rows matters.
     ByRow(Vec<ByRow>),
     /// Where neither lateness nor the number of an attempt matters: times are collected before they are understood.
@@ -89,48 +90,51 @@ struct Worth {
 /// What a worker collects.
 struct Collector {
     scratch: RecordScratch,
-    quick: Quick,
-    tally: Tally,
+    finder: Finder,
+    numbers: SiReader,
+    tally: AttemptTally,
     evidence: Evidence,
     noted: Vec<CellNote>,
     notes: Vec<(u64, Box<[CellNote]>)>,
     room: usize,
 }
 
-/// What a walk goes by: which columns it looks at (those of one level of follow-through, or all), and what walks before it found.
-struct Walk<'w> {
+/// One walk over the file.
+struct AttemptWalk<'w> {
     job: &'w GradingJob<'w>,
+    /// Looks at the parts that follow from others by so many steps (0: from none); `None`: at all parts.
     level: Option<u8>,
+    /// The attempts that count, as far as walks before this one found them.
     winners: &'w [Winner],
     times: &'w Times,
 }
 
-impl Walk<'_> {
+impl AttemptWalk<'_> {
     /// Worth of a cell; blank ones have none.
     #[inline]
-    fn worth(&self, (who, what): (u32, u32), answer: &[u8], quick: &mut Quick) -> Option<Worth> {
+    fn worth(&self, (who, what): (u32, u32), answer: &[u8], numbers: &mut SiReader) -> Option<Worth> {
         let GradingJob { table, rules, .. } = *self.job;
-        let quickly = self.job.quickly(self.job.index(who, what), answer, quick);
+        let quickly = self.job.quickly(self.job.index(who, what), answer, numbers);
         let (verdict, number) = quickly.unwrap_or_else(|| {
-            let judgement = self.job.judged((who, what), answer, quick);
+            let judgement = self.job.judged((who, what), answer, numbers);
             (judgement.verdict, judgement.number)
         });
         let (class, share) = match verdict {
             Verdict::Blank | Verdict::UnknownPart => return None,
-            Verdict::Unreadable => (choose::UNREADABLE, 0.0),
-            Verdict::Right => (choose::READABLE, 1.0),
+            Verdict::Unreadable => (attempt::UNREADABLE, 0.0),
+            Verdict::Right => (attempt::READABLE, 1.0),
             _ if rules.policy.attempts.counts == Counts::Best => {
                 let at = (who as usize, what as usize);
-                (choose::READABLE, credit(number, at, table, rules, self.winners, None).share)
+                (attempt::READABLE, credit(number, at, table, rules, self.winners, None).share)
             }
-            _ => (choose::READABLE, 0.0),
+            _ => (attempt::READABLE, 0.0),
         };
         Some(Worth { class, number, share, quickly: quickly.map(|(verdict, _)| verdict) })
     }
 
     /// Walks over a batch.
     fn batch(&self, collector: &mut Collector, batch: &Batch) {
-        let Collector { scratch, quick, tally, evidence, noted, notes, room } = collector;
+        let Collector { scratch, finder, numbers, tally, evidence, noted, notes, room } = collector;
         let job = self.job;
         noted.clear();
         batch.records(scratch, |record| {
@@ -141,7 +145,7 @@ impl Walk<'_> {
             if let Some(moment) = time {
                 evidence.join(moment.evidence);
             }
-            cells(record, job.layout, |cell| noted.push(self.cell(cell, time, quick, tally)));
+            cells(record, job.layout, |cell| noted.push(self.cell(cell, time, (finder, numbers), tally)));
         });
         if self.level.is_none() && noted.len() <= *room {
             *room -= noted.len();
@@ -155,26 +159,26 @@ impl Walk<'_> {
         &self,
         cell: &AnswerCell,
         time: Option<Moment>,
-        quick: &mut Quick,
-        tally: &mut Tally,
+        (finder, numbers): (&mut Finder, &mut SiReader),
+        tally: &mut AttemptTally,
     ) -> CellNote {
         let job = self.job;
-        let belongs = quick.find(job.table, cell);
+        let belongs = finder.find(job.table, cell);
         let (Some(who), Some(what)) = (belongs.who, belongs.what) else { return CellNote::NONE };
         if self.level.is_some_and(|level| job.rules.level(what as usize) != level) {
             return CellNote::NONE;
         }
-        let Some(worth) = self.worth((who, what), cell.answer, quick) else { return CellNote::NONE };
+        let Some(worth) = self.worth((who, what), cell.answer, numbers) else { return CellNote::NONE };
         let (index, at) = (job.index(who, what), cell.place());
         let attempts = &job.rules.policy.attempts;
         match tally {
-            Tally::ByRow(all) => {
+            AttemptTally::ByRow(all) => {
                 all[index].join(&ByRow::new(worth.class, at, worth.number), attempts.counts);
             }
-            Tally::Timed(all) => all[index].join(&self.timed(&worth, at, time), attempts.counts),
-            Tally::Ordered(all) => {
+            AttemptTally::Timed(all) => all[index].join(&self.timed(&worth, at, time), attempts.counts),
+            AttemptTally::Ordered(all) => {
                 let (class, one) = self.ordered(&worth, at, time, (who, index));
-                all[index].add(class, one, choose::depth(attempts));
+                all[index].add(class, one, attempt::depth(attempts));
             }
         }
         // An id with an apostrophe in front may be one that was guarded against spreadsheets.
@@ -214,7 +218,7 @@ impl Walk<'_> {
             Some(time) => rules.late(who, time),
             None => rules.undated(who),
         };
-        let closed = late.is_none() && worth.class == choose::READABLE;
+        let closed = late.is_none() && worth.class == attempt::READABLE;
         let one = Try {
             key: (if untimed[index] { 0 } else { time.unwrap_or(0) }, at),
             number: worth.number,
@@ -223,21 +227,22 @@ impl Walk<'_> {
             undated: known.is_none(),
             whole_day,
         };
-        (if closed { choose::CLOSED } else { worth.class }, one)
+        (if closed { attempt::CLOSED } else { worth.class }, one)
     }
 
     /// Walks over all batches on several threads.
     fn all(
         &self,
         open: Open<'_>,
-        empty: &Tally,
+        empty: &AttemptTally,
         threads: usize,
         heard: &mut (dyn FnMut(u64) + Send),
-    ) -> Result<(Tally, Evidence, Notes), GradeFault> {
+    ) -> Result<(AttemptTally, Evidence, Notes), GradeFault> {
         let (source, _) = RecordSource::open(open()?)?;
         let collector = || Collector {
             scratch: RecordScratch::default(),
-            quick: Quick::default(),
+            finder: Finder::default(),
+            numbers: SiReader::default(),
             tally: empty.clone(),
             evidence: Evidence::default(),
             noted: Vec::new(),
@@ -252,14 +257,14 @@ impl Walk<'_> {
             evidence.join(worker.evidence);
             notes.extend(worker.notes);
             match (&mut tally, worker.tally) {
-                (Some(Tally::ByRow(all)), Tally::ByRow(more)) => {
+                (Some(AttemptTally::ByRow(all)), AttemptTally::ByRow(more)) => {
                     all.iter_mut().zip(&more).for_each(|(a, b)| a.join(b, attempts.counts));
                 }
-                (Some(Tally::Timed(all)), Tally::Timed(more)) => {
+                (Some(AttemptTally::Timed(all)), AttemptTally::Timed(more)) => {
                     all.iter_mut().zip(&more).for_each(|(a, b)| a.join(b, attempts.counts));
                 }
-                (Some(Tally::Ordered(all)), Tally::Ordered(more)) => {
-                    let depth = choose::depth(&attempts);
+                (Some(AttemptTally::Ordered(all)), AttemptTally::Ordered(more)) => {
+                    let depth = attempt::depth(&attempts);
                     all.iter_mut().zip(&more).for_each(|(a, b)| a.join(b, depth));
                 }
                 (_, first) => tally = Some(first),
@@ -282,22 +287,22 @@ pub(crate) fn choose_winners(
     let size = job.table.students.len() * job.table.columns.len();
     let mut chosen = Chosen { winners: vec![Winner::NONE; size], notes: Notes::new() };
     let mut times = Times { evidence: Evidence::default(), untimed: vec![false; size] };
-    let timed_tally = || Tally::Timed(vec![Attempt::NONE; size]);
+    let timed_tally = || AttemptTally::Timed(vec![Attempt::NONE; size]);
     let careful = rules.careful() && timed;
     if careful {
-        let walk = Walk { job, level: None, winners: &chosen.winners, times: &times };
+        let walk = AttemptWalk { job, level: None, winners: &chosen.winners, times: &times };
         let (tally, evidence, _) = walk.all(open, &timed_tally(), threads, heard)?;
         times.evidence = evidence;
-        if let Tally::Timed(all) = tally {
+        if let AttemptTally::Timed(all) = tally {
             times.untimed = all.iter().map(|one| one.class > 0 && one.is_untimed(evidence)).collect();
         }
     }
     let empty = if careful || attempts.ordered() {
-        Tally::Ordered(vec![Ordered::NONE; size])
+        AttemptTally::Ordered(vec![Ordered::NONE; size])
     } else if timed || attempts.counts == Counts::Best {
         timed_tally()
     } else {
-        Tally::ByRow(vec![ByRow::NONE; size])
+        AttemptTally::ByRow(vec![ByRow::NONE; size])
     };
     // What follows from another part is worth what it is only when the winner there is known.
     let levels: Vec<Option<u8>> = match rules.walks() {
@@ -305,12 +310,12 @@ pub(crate) fn choose_winners(
         n => (0..n).map(Some).collect(),
     };
     for level in levels {
-        let walk = Walk { job, level, winners: &chosen.winners, times: &times };
+        let walk = AttemptWalk { job, level, winners: &chosen.winners, times: &times };
         let (tally, evidence, notes) = walk.all(open, &empty, threads, heard)?;
         let decided: Vec<Option<Winner>> = match tally {
-            Tally::ByRow(all) => all.iter().map(ByRow::winner).collect(),
-            Tally::Timed(all) => all.iter().map(|one| one.decide(attempts.counts, evidence)).collect(),
-            Tally::Ordered(all) => {
+            AttemptTally::ByRow(all) => all.iter().map(ByRow::winner).collect(),
+            AttemptTally::Timed(all) => all.iter().map(|one| one.decide(attempts.counts, evidence)).collect(),
+            AttemptTally::Ordered(all) => {
                 all.iter().zip(&times.untimed).map(|(one, untimed)| one.decide(&attempts, *untimed)).collect()
             }
         };

@@ -83,95 +83,71 @@ fn slack(scene: &Scene, c: &Check) -> String {
 /// One condition of `all` in words with its numbers.
 pub fn check(scene: &Scene, all: &[Check], c: &Check) -> String {
     let (required, available) = (figures(c.required), figures(c.available));
+    // A condition is about a tie or about a body; what is not meant is not told.
+    let (tie, body, looks) = (of_tie(scene, c.of), body(scene, c.of), looks(scene, all));
+    let unknown = |what: String| {
+        format!(
+            "whether {what} holds is not known: several ties share its force, and statics does not say how"
+        )
+    };
     match c.kind {
         CheckKind::Moves => moves(scene, c),
-        CheckKind::NoSlip | CheckKind::Taut if c.available.is_nan() => format!(
-            "whether {} holds is not known: several ties share its force, and statics does not say how",
-            match c.kind {
-                CheckKind::NoSlip => format!("the contact of the {}", of_tie(scene, c.of)),
-                _ => of_tie(scene, c.of),
-            }
-        ),
+        CheckKind::NoSlip if c.available.is_nan() => unknown(format!("the contact of the {tie}")),
+        CheckKind::Taut if c.available.is_nan() => unknown(tie),
         CheckKind::NoSlip if c.ok => format!(
-            "the {} holds without slipping{}: needs {required} N of friction, mu_s N = {available} N",
-            of_tie(scene, c.of),
-            looks(scene, all)
+            "the {tie} holds without slipping{looks}: needs {required} N of friction, mu_s N = {available} N"
         ),
         CheckKind::NoSlip => format!(
-            "the {} slips: rolling{} needs {required} N of friction, mu_s N = {available} N is available",
-            of_tie(scene, c.of),
-            looks(scene, all)
+            "the {tie} slips: rolling{looks} needs {required} N of friction, mu_s N = {available} N is available"
         ),
         CheckKind::MustSlip if c.ok => format!(
-            "the {} slips: rolling would need {available} N of friction, more than mu_s N = {required} N",
-            of_tie(scene, c.of)
+            "the {tie} slips: rolling would need {available} N of friction, more than mu_s N = {required} N"
         ),
         CheckKind::MustSlip => format!(
-            "the {} need not slip: rolling needs {available} N of friction, not more than mu_s N = {required} N",
-            of_tie(scene, c.of)
+            "the {tie} need not slip: rolling needs {available} N of friction, not more than mu_s N = {required} N"
         ),
-        CheckKind::Pressed if c.ok => {
-            format!("the {} is pressed on its surface with {available} N", body(scene, c.of))
-        }
+        CheckKind::Pressed if c.ok => format!("the {body} is pressed on its surface with {available} N"),
         CheckKind::Pressed => format!(
-            "the {} is not pressed on its surface: normal force {available} N, required more than {required} N",
-            body(scene, c.of)
+            "the {body} is not pressed on its surface: normal force {available} N, required more than {required} N"
         ),
-        CheckKind::Taut if c.ok => {
-            format!("{} is taut{} with {available} N", of_tie(scene, c.of), looks(scene, all))
-        }
+        CheckKind::Taut if c.ok => format!("{tie} is taut{looks} with {available} N"),
         CheckKind::Taut => {
-            format!(
-                "{} is not taut: tension {available} N, required more than {required} N",
-                of_tie(scene, c.of)
-            )
+            format!("{tie} is not taut: tension {available} N, required more than {required} N")
         }
-        CheckKind::SlipDirection if c.ok => {
-            format!("the slip of the {} goes against the friction", of_tie(scene, c.of))
-        }
+        CheckKind::SlipDirection if c.ok => format!("the slip of the {tie} goes against the friction"),
         CheckKind::SlipDirection => format!(
-            "the slip of the {} does not go against the friction: {available} m/s^2, required more than {required} m/s^2",
-            of_tie(scene, c.of)
+            "the slip of the {tie} does not go against the friction: {available} m/s^2, required more than {required} m/s^2"
         ),
         CheckKind::StartsSlipping if c.ok => {
-            format!("the {} starts with slip: its contact moves at {available} m/s", of_tie(scene, c.of))
+            format!("the {tie} starts with slip: its contact moves at {available} m/s")
         }
         CheckKind::StartsSlipping => {
-            format!("the {} does not slip at the start: its contact is at rest", of_tie(scene, c.of))
+            format!("the {tie} does not slip at the start: its contact is at rest")
         }
         CheckKind::Closes if c.ok && c.required <= 0.0 => {
-            format!(
-                "friction ends the slip of the {}: mu_k N = {available} N, nothing keeps it up",
-                of_tie(scene, c.of)
-            )
+            format!("friction ends the slip of the {tie}: mu_k N = {available} N, nothing keeps it up")
         }
-        CheckKind::Closes if c.ok => format!(
-            "friction ends the slip of the {}: mu_k N = {available} N, {required} N keep it up",
-            of_tie(scene, c.of)
-        ),
+        CheckKind::Closes if c.ok => {
+            format!("friction ends the slip of the {tie}: mu_k N = {available} N, {required} N keep it up")
+        }
         CheckKind::Closes => format!(
-            "friction does not end the slip of the {}: {required} N keep it up, mu_k N = {available} N",
-            of_tie(scene, c.of)
+            "friction does not end the slip of the {tie}: {required} N keep it up, mu_k N = {available} N"
         ),
         CheckKind::Slack => slack(scene, c),
         CheckKind::SlipEnds if c.available.is_infinite() => {
-            format!("the {} slips at the end, after {required} s: its slip does not end", of_tie(scene, c.of))
+            format!("the {tie} slips at the end, after {required} s: its slip does not end")
         }
         CheckKind::SlipEnds => {
             let when = if c.required < c.available { "still slips" } else { "rolls" };
-            format!(
-                "the {} {when} at the end, after {required} s: its slip ends after {available} s",
-                of_tie(scene, c.of)
-            )
+            format!("the {tie} {when} at the end, after {required} s: its slip ends after {available} s")
         }
         CheckKind::UnderWay => {
-            format!("the {} is on its way at the end: it moves at {available} m/s", of_tie(scene, c.of))
+            format!("the {tie} is on its way at the end: it moves at {available} m/s")
         }
         CheckKind::StaticLimit => {
             let can = if c.required <= c.available { "could" } else { "could not" };
             format!(
-                "static friction {can} hold the {} rolling: that needs {required} N, mu_s N = {available} N",
-                of_tie(scene, c.of)
+                "static friction {can} hold the {tie} rolling: that needs {required} N, mu_s N = {available} N"
             )
         }
         CheckKind::Reaches => reaches(scene, c),

@@ -1,12 +1,12 @@
 //! Data of a problem as somebody gives them, or drawn: the case they belong to, values, and how each is shown.
 use crate::bank::decimal::Decimal;
 use crate::bank::{Bank, Case, Datum, Draw, Problem};
-use crate::diagnosis::sentences;
-use crate::diagnosis::table::unsatisfiable;
 use crate::draw::fill;
 use crate::finding::{Finding, Findings};
+use crate::inspect::sentences;
+use crate::inspect::table::unsatisfiable;
 use crate::num::shown;
-use crate::problem::make::Maker;
+use crate::problem::maker::Maker;
 use crate::scene::Scene;
 use crate::sheet::statement;
 use crate::solve::agree;

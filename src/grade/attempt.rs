@@ -2,7 +2,8 @@
 use crate::policy::time::Evidence;
 use crate::policy::{Attempts, Counts};
 
-/// A place in the file: the line, then the column of a wide file.
+/// The place of a cell is one number, so that places compare as they follow one another in the file: its line, and in the last
+/// bits its column in a wide file.
 const COLUMN_BITS: u32 = 13;
 
 /// The place of a cell.
@@ -15,11 +16,11 @@ pub(crate) fn line_of(place: u64) -> u64 {
     place >> COLUMN_BITS
 }
 
-/// What a cell is worth: readable ones push the others out.
+/// Class of a cell that cannot be read. Of the cells of a student at a part only those of the highest class count.
 pub(crate) const UNREADABLE: u8 = 1;
-/// Readable, but handed in after the closing date.
+/// Class of one that can be read, but was handed in after the closing date.
 pub(crate) const CLOSED: u8 = 2;
-/// An attempt.
+/// Class of one that can be read.
 pub(crate) const READABLE: u8 = 3;
 
 /// The attempt that counts.
@@ -57,21 +58,22 @@ impl Winner {
     };
 }
 
-/// One attempt, or the sum of several, where neither lateness nor the number of an attempt matters: times need not be
-/// understood before all are seen.
+/// One attempt, or what is kept of several (a worker joins them as it meets them), where neither lateness nor the number of an
+/// attempt bears on marks. Whether `03/04` is in March or April shows only when all times of the file are read: so both are kept.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Attempt {
     /// 0: none or blank.
     pub class: u8,
-    /// More than one of this class.
+    /// Joined from more than one.
     pub several: bool,
-    /// A time that cannot be read, and one with slashes, and one with points, whose day and month are uncertain.
+    /// Among their times is one that cannot be read; one with slashes (`03/04`) whose day and month are uncertain; such a one with
+    /// points (`03.04.`).
     pub untimed: [bool; 3],
-    /// Time, place and number: with the day first, with the month first.
+    /// Time, place and number of the one that counts by time: if days come first in the file, and if months do.
     pub by_time: [(i64, u64, f64); 2],
-    /// Place and number.
+    /// Place and number of the one that counts by its row.
     pub by_row: (u64, f64),
-    /// Share of the points, place, number.
+    /// Share of the points, place and number of the best one.
     pub best: (f64, u64, f64),
 }
 
@@ -137,7 +139,7 @@ impl Attempt {
     }
 }
 
-/// One attempt, or the sum of several, where only their order in the file matters.
+/// One attempt, or what is kept of several, where only their order in the file matters.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct ByRow {
     /// Class and place: of two classes the higher one counts, within a class the place decides. 0: none or blank.
@@ -145,7 +147,7 @@ pub(crate) struct ByRow {
     number: f64,
 }
 
-/// Places have fewer bits.
+/// The class stands above the bits of a place.
 const CLASS: u32 = 62;
 
 impl ByRow {

@@ -1,0 +1,54 @@
+//! To which student and which column of the key an answer cell belongs.
+use crate::grade::cells::AnswerCell;
+use crate::grade::table::{KeyTable, joined};
+
+/// To whom and what a cell belongs.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Belongs {
+    /// The student, if known.
+    pub who: Option<u32>,
+    /// The column of the table, if known.
+    pub what: Option<u32>,
+    /// The id differs in upper and lower case from that of the roster.
+    pub respelled: bool,
+}
+
+/// Finds it; rows of one student mostly stand together, so the last one is remembered.
+#[derive(Debug, Default)]
+pub(crate) struct Finder {
+    student: Option<(Vec<u8>, (u32, bool))>,
+    key: Vec<u8>,
+}
+
+impl Finder {
+    /// Whose cell it is, and of which column.
+    #[inline]
+    pub fn find(&mut self, table: &KeyTable, cell: &AnswerCell) -> Belongs {
+        let student = self.student(table, cell.student);
+        let what = match cell.wide {
+            Some((_, column)) => column.column,
+            None => {
+                joined(cell.problem, cell.part, &mut self.key);
+                table.column(&self.key)
+            }
+        };
+        let respelled = student.is_some_and(|(_, respelled)| respelled);
+        Belongs { who: student.map(|(who, _)| who), what, respelled }
+    }
+
+    /// The number of a student, and whether upper and lower case had to be forgiven.
+    #[inline]
+    fn student(&mut self, table: &KeyTable, id: &[u8]) -> Option<(u32, bool)> {
+        if let Some((last, number)) = &self.student
+            && last == id
+        {
+            return Some(*number);
+        }
+        let number = table.student(id).map(|n| (n, false)).or_else(|| table.student_by_case(id))?;
+        let last = self.student.get_or_insert_default();
+        last.0.clear();
+        last.0.extend_from_slice(id);
+        last.1 = number;
+        Some(number)
+    }
+}
