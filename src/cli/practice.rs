@@ -81,7 +81,7 @@ impl Tutor<'_> {
     /// Lines about the most likely method; where several fit, it is one of them.
     fn lines(
         &self,
-        number: f64,
+        (cell, number): (&str, f64),
         part: usize,
         parts: &[Option<KeyEntry>],
         methods: &[String],
@@ -90,7 +90,7 @@ impl Tutor<'_> {
         if self.hints == Hints::None || !number.is_finite() {
             return Vec::new();
         }
-        let found = diagnose::methods(number, part, parts);
+        let found = diagnose::diagnose(number, cell, part, parts).methods;
         let known = found.iter().filter_map(|m| self.catalogue.get(methods.get(usize::from(*m))?));
         let mut lines = Vec::new();
         for entry in known.take(if self.hints == Hints::Explain { 1 } else { 2 }) {
@@ -153,7 +153,7 @@ fn questions(
             let word = question.label.quantity.is_word();
             let again = if word { "" } else { words.get("feedback.try_again") };
             io.line(&format!("  {}: {}{again}", judgement.verdict.as_str(), judgement.reason));
-            for line in tutor.lines(judgement.number, part, &parts, &key.methods, words) {
+            for line in tutor.lines((&cell, judgement.number), part, &parts, &key.methods, words) {
                 io.line(&format!("  {}", plain(&line)));
             }
             // A word that is no answer may have been meant as a command.

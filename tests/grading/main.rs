@@ -15,6 +15,7 @@ mod copy_flag;
 mod grading_table;
 mod marks;
 mod matches;
+mod naming;
 mod regrade;
 mod report;
 mod scoring;

@@ -543,7 +543,7 @@ The total
   2 of 7 points
 
 What it was graded with
-  slipstick 0.1.0, draw version 4; set week from seed 7
+  slipstick 0.1.0, draw version 5; set week from seed 7
   bank one-wheel, SHA-256 1a2fd9c7c8f8999d941fe2fc93f5f09c5b98215c9fc3e9e353d7c23ceb374f7d
   key, SHA-256 d5949bc3a1e867dec8799a0300fa808510f3bf0ede1807ef4be5a6ad4b344568; solved anew for
       this text, and the same

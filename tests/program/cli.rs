@@ -422,9 +422,9 @@ fn a_changed_set_is_not_graded() {
     change("set/set.json", "{", "{{", "is no set");
     change(
         "set/set.json",
-        "\"draw_version\": 4",
+        "\"draw_version\": 5",
         "\"draw_version\": 9",
-        "draw_version: is 9; this program draws by version 4",
+        "draw_version: is 9; this program draws by version 5",
     );
     // Another program version that draws the same is fine.
     let set = room.read("set/set.json");
