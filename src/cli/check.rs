@@ -16,6 +16,7 @@ use crate::sheet::{statement, terminal};
 use crate::tutor::{Told, Tutor};
 use crate::units;
 use crate::words::Words;
+use std::collections::BTreeSet;
 
 /// One problem of the sheet, solved.
 struct CheckedProblem {
@@ -63,12 +64,11 @@ pub fn run(args: &args::CheckArgs, io: &mut Io) -> Result<Exit, Findings> {
         }
     }
     let mut solved: Vec<Option<CheckedProblem>> = sheet.problems.iter().map(|_| None).collect();
-    for (_, i, _, _) in &asked {
-        if solved[*i].is_none() {
-            match solve(&sheet.problems[*i], &file, words) {
-                Ok(done) => solved[*i] = Some(done),
-                Err(more) => return Err(more),
-            }
+    let named: BTreeSet<usize> = asked.iter().map(|(_, i, _, _)| *i).collect();
+    for i in named {
+        match solve(&sheet.problems[i], &file, words) {
+            Ok(done) => solved[i] = Some(done),
+            Err(more) => more.into_iter().for_each(|fault| faults.push(fault)),
         }
     }
     let (mut rows, mut hints) = (Vec::new(), Vec::new());
@@ -92,11 +92,13 @@ pub fn run(args: &args::CheckArgs, io: &mut Io) -> Result<Exit, Findings> {
         let mut row = vec![name.to_owned(), cell.to_owned(), told.verdict.as_str().to_owned(), told.reason];
         if !told.hints.is_empty() {
             let of = told.hints.len();
-            let hint = told.hints.get(args.hint - 1).map(|hint| terminal::plain(&hint.text));
-            let hint = hint.unwrap_or_else(|| words.say("tutor.no_more", &[("of", &of.to_string())]));
-            let pieces =
-                [("part", name), ("n", &args.hint.to_string()), ("of", &of.to_string()), ("hint", &hint)];
-            hints.push(words.say("tutor.numbered", &pieces));
+            let (n, of) = (args.hint.to_string(), of.to_string());
+            hints.push(match told.hints.get(args.hint - 1).map(|hint| terminal::plain(&hint.text)) {
+                Some(hint) => {
+                    words.say("tutor.numbered", &[("part", name), ("n", &n), ("of", &of), ("hint", &hint)])
+                }
+                None => words.say("tutor.no_more", &[("part", name), ("of", &of)]),
+            });
         }
         if args.reveal && !right {
             if problem.bank.reveal {

@@ -169,7 +169,11 @@ impl<'a, 'w> Tutor<'a, 'w> {
         hints: &mut Vec<(Step, String)>,
     ) {
         let slip_text = match (verdict, slip) {
-            (Verdict::WrongDirection, _) => Some(self.words.get("tutor.slip.sign").to_owned()),
+            (Verdict::WrongDirection, _) => {
+                let magnitude = matches!(entry.answer, Answer::Number { magnitude: true, .. });
+                let name = if magnitude { "tutor.slip.magnitude" } else { "tutor.slip.sign" };
+                Some(self.words.get(name).to_owned())
+            }
             (_, Some(slip)) => Some(self.of_slip(slip)),
             _ => None,
         };
@@ -276,7 +280,9 @@ impl<'a, 'w> Tutor<'a, 'w> {
     fn solved_with(&self, datum: usize, value: f64) -> Option<(Vec<f64>, Solved)> {
         let mut data = self.variant.data.clone();
         data[datum] = value;
-        let solved = agree::solve(&self.problem.cases.get(self.variant.case)?.scene, &data).ok()?;
+        // The first road is enough: no right number of it is told.
+        let half = agree::first(&self.problem.cases.get(self.variant.case)?.scene, &data).ok()?;
+        let solved = half.preview().clone();
         let right = &self.variant.solved;
         let same = solved.regime == right.regime && solved.all_hold() == right.all_hold();
         same.then_some((data, solved))
@@ -303,7 +309,12 @@ impl<'a, 'w> Tutor<'a, 'w> {
             let Some(wrong) = values.iter().find(|w| w.mistake == method) else { continue };
             let value = if magnitude { wrong.value.abs() } else { wrong.value };
             let size = value.abs().max(right.abs());
-            if (value - right).abs() <= TELLING * size || self.is_a_key(value) {
+            // A datum that changes neither tells nothing.
+            let (here, before) =
+                (self.variant.solved.get(label).map_or(f64::NAN, Entry::value), self.wrong(method, label));
+            let same = |a: f64, b: f64| (a - b).abs() <= NONE * a.abs().max(b.abs());
+            let idle = same(right, here) && same(value, before);
+            if idle || (value - right).abs() <= TELLING * size || self.is_a_key(value) {
                 continue;
             }
             // Oddest is a number where there should be none, then one of the other sign, then none where there should be one.
@@ -314,7 +325,8 @@ impl<'a, 'w> Tutor<'a, 'w> {
             } else if value.abs() <= NONE * size {
                 2.0
             } else {
-                1.0 - value.abs().min(right.abs()) / size
+                let zero = matches!(limit, Limit::Zero(_));
+                f64::from(zero) + 0.5 - 0.5 * value.abs().min(right.abs()) / size
             };
             if best.is_none_or(|(most, ..)| oddness > most) {
                 best = Some((oddness, limit, value));
@@ -323,6 +335,14 @@ impl<'a, 'w> Tutor<'a, 'w> {
         let (_, limit, value) = best?;
         let value = self.written(value, entry);
         Some(self.words.say("tutor.limit.method", &[("limit", &self.of_limit(limit)), ("value", &value)]))
+    }
+
+    /// What a wrong method gives for this student's data, SI; NaN where it gives nothing.
+    fn wrong(&self, method: usize, label: Label) -> f64 {
+        let part = self.problem.questions.iter().position(|q| q.label == label);
+        let entry = part.and_then(|part| self.parts.get(part)?.as_ref());
+        let values = entry.map_or(&[][..], |entry| &entry.wrong);
+        values.iter().find(|w| usize::from(w.method) == method).map_or(f64::NAN, |w| w.value)
     }
 
     fn written(&self, value: f64, entry: &KeyEntry) -> String {

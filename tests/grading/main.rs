@@ -20,3 +20,4 @@ mod regrade;
 mod report;
 mod scoring;
 mod simulate;
+mod tutor;
