@@ -600,7 +600,7 @@ fn copied_answers_are_found_and_told_to_nobody_else() {
 "#);
     insta::assert_snapshot!(room.read("grades/matches.csv"), @r#"
 look,student,classmate,parts,answers,chance,expected_by_luck,other_explanation
-yes,0062,0023,1.omega 1.v 1.k_bound,22.6183 | 4.0713 | 0.4830,2.2e-5,1.1e-4,1.omega: A18
+yes,0062,0023,1.omega 1.v 1.k_bound,22.6183 | 4.0713 | 0.4830,3.9e-6,3.3e-5,
 "#);
     // The class report shows the pair to the instructor; what students get knows nothing of it.
     assert!(room.read("grades/report.html").contains("0023 (Name of 0023)"));

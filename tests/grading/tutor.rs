@@ -24,9 +24,11 @@ fn tell(
     Tutor::new(problem, variant, key, level, words, &find).tell(part, cell).unwrap()
 }
 
-/// The numbers that stand in a text, decimal commas read as points.
+/// The numbers that stand in a text, decimal commas read as points; formulas and the exponents of units are none.
 fn numbers(text: &str) -> Vec<f64> {
     let mut found = Vec::new();
+    let prose: String = text.split('$').step_by(2).collect();
+    let text = prose.replace("^2", "");
     for word in text.split(|c: char| !(c.is_ascii_digit() || matches!(c, '.' | ',' | '-' | 'e'))) {
         let word = word.trim_matches(|c: char| matches!(c, '.' | ',' | '-' | 'e')).replace(',', ".");
         found.extend(word.parse::<f64>());
@@ -59,7 +61,8 @@ fn hints_to_known_methods_lead_on_step_by_step() {
                 for (part, entry) in key.parts.iter().enumerate() {
                     for w in &entry.wrong {
                         let number = shown::significant(entry.unit.from_si(w.value), 4);
-                        let cell = format!("{number} {}", entry.unit.ascii());
+                        let unit = if entry.unit.is_number() { "" } else { entry.unit.ascii() };
+                        let cell = format!("{number} {unit}");
                         let language = if student == 0 { "de" } else { "en" };
                         let at = (problem, &variant, &key);
                         let told = tell(at, (part, &cell), Hints::Explain, language);
@@ -114,9 +117,8 @@ fn slips_come_first_and_the_bank_rules_how_much_is_told() {
             let key = maker.key(&variant);
             for (part, entry) in key.parts.iter().enumerate() {
                 let Answer::Number { value, .. } = entry.answer else { continue };
-                let cell = |x: f64| {
-                    format!("{} {}", shown::significant(entry.unit.from_si(x), 6), entry.unit.ascii())
-                };
+                let unit = if entry.unit.is_number() { "" } else { entry.unit.ascii() };
+                let cell = |x: f64| format!("{} {unit}", shown::significant(entry.unit.from_si(x), 6));
                 let at = (problem, &variant, &key);
                 let name = format!("{} {}", problem.id, entry.part);
                 for (wrong, slip) in [(1000.0 * value, true), (-value, true), (1.8765 * value, false)] {
