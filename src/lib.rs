@@ -123,5 +123,6 @@ pub mod simulate;
 pub mod solution;
 pub mod solve;
 pub mod template;
+pub mod tutor;
 pub mod units;
 pub mod words;

@@ -25,6 +25,7 @@ macro_rules! lists {
             ("lamina", include_str!(concat!("../templates/", $folder, "words/lamina.yaml"))),
             ("feedback", include_str!(concat!("../templates/", $folder, "words/feedback.yaml"))),
             ("marks", include_str!(concat!("../templates/", $folder, "words/marks.yaml"))),
+            ("tutor", include_str!(concat!("../templates/", $folder, "words/tutor.yaml"))),
             ("report", include_str!(concat!("../templates/", $folder, "words/report.yaml"))),
         ]
     };

@@ -52,7 +52,7 @@ const DOORS: &[(&str, &[&str])] = &[
             "num",
         ],
     ),
-    ("misconception::catalogue", &["bank", "finding"]),
+    ("misconception::catalogue", &["misconception", "bank", "finding"]),
     ("misconception", &["bank", "scene", "solve::agree", "solve::outcome", "finding", "num"]),
     ("template", &["finding"]),
     ("picture", &["num"]),
@@ -117,6 +117,23 @@ const DOORS: &[(&str, &[&str])] = &[
     ),
     ("answer", &["guard", "units", "num", "finding"]),
     ("grade", &["guard", "key", "answer", "units", "num", "words", "policy", "finding"]),
+    (
+        "tutor",
+        &[
+            "problem",
+            "bank",
+            "misconception",
+            "scene",
+            "solve::agree",
+            "solve::outcome",
+            "key",
+            "answer",
+            "grade",
+            "policy",
+            "num",
+            "words",
+        ],
+    ),
     (
         "report",
         &[

@@ -10,6 +10,8 @@ pub struct Figures {
     pub count: usize,
     /// What they say without point and power of ten: 250.
     pub number: f64,
+    /// Zeros behind them that may only fill up a whole number: 2 of `1500`.
+    pub filled: usize,
 }
 
 /// The figures of the first number in a cell. Zeros at the end of a whole number may only fill it up and do not count. `None` if
@@ -33,10 +35,12 @@ pub fn written(cell: &str) -> Option<Figures> {
         }
     }
     let figures = digits.trim_start_matches('0');
-    let figures = if mark { figures } else { figures.trim_end_matches('0') };
+    let counted = if mark { figures } else { figures.trim_end_matches('0') };
+    let filled = figures.len() - counted.len();
+    let figures = counted;
     let figures = figures.get(..figures.len().min(MOST))?;
     let number: f64 = figures.parse().ok()?;
-    (number > 0.0).then_some(Figures { count: figures.len(), number })
+    (number > 0.0).then_some(Figures { count: figures.len(), number, filled })
 }
 
 /// Half a unit in the last place of the first number in a cell, as a share of that number: 0.005 / 2.50 for `2.50 N`.

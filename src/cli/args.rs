@@ -68,7 +68,7 @@ pub enum Verb {
     Explain(ExplainArgs),
     /// Check your own answers against your sheet file; the sheet holds no key, the problem is solved anew
     #[command(
-        after_help = "Examples:\n  slipstick check sheet.json 1.omega='30.3 rad/s' 1.friction='62.6 N up'\n\nExit code 0 if all the answers given are right, 1 if not."
+        after_help = "Examples:\n  slipstick check sheet.json 1.omega=\"30.3 rad/s\" 1.friction=\"62.6 N up\"\n  slipstick check sheet.json 1.omega=\"25 rad/s\" --hint 2       the next hint\n\nWrong answers get a hint where the bank allows it: `hints` under `grading` in the bank.\n\nExit code 0 if all the answers given are right, 1 if not."
     )]
     Check(CheckArgs),
     /// Practise: a problem is drawn and shown, you answer, you are told what is wrong
@@ -361,12 +361,20 @@ pub struct ExplainArgs {
 pub struct CheckArgs {
     /// The file sheet.json next to your sheet
     pub sheet: PathBuf,
-    /// Answers, such as 1.omega='30.3 rad/s'
+    /// Answers, such as 1.omega="30.3 rad/s"
     #[arg(required = true, value_name = "PART=ANSWER")]
     pub answers: Vec<String>,
     /// Show the right values, if the bank allows it
     #[arg(long)]
     pub reveal: bool,
+    /// Which hint to a wrong answer is told: each leads on from the one before
+    #[arg(long, value_name = "N", default_value_t = 1, value_parser = at_least_one)]
+    pub hint: usize,
+}
+
+/// A whole number from 1.
+fn at_least_one(text: &str) -> Result<usize, String> {
+    text.parse().ok().filter(|n| *n > 0).ok_or_else(|| "a whole number from 1 is expected".to_owned())
 }
 
 /// `practice`

@@ -1,29 +1,30 @@
 //! `slipstick check`: a student's own answers against the public sheet file, which is solved anew.
-use crate::answer::read::UnitCache;
 use crate::bank::decimal::Decimal;
-use crate::bank::{Case, Draw, Question};
+use crate::bank::{Bank, Case, Draw, Question};
 use crate::cli::args;
 use crate::cli::tell::{Exit, Io};
 use crate::finding::{Finding, Findings};
 use crate::folder::{banks, files};
-use crate::grade::compare;
-use crate::grade::feedback::Feedback;
 use crate::grade::verdict::Verdict;
 use crate::inspect::sentences::{refusal, right_answer};
 use crate::key::{Answer, ProblemKey};
+use crate::misconception::catalogue::{Catalogue, Entry};
 use crate::problem::maker::Variant;
 use crate::problem::{make_key, maker};
 use crate::sheet::public::{SheetFile, SheetProblem};
 use crate::sheet::{statement, terminal};
+use crate::tutor::{Told, Tutor};
 use crate::units;
 use crate::words::Words;
+use std::collections::BTreeSet;
 
 /// One problem of the sheet, solved.
 struct CheckedProblem {
     number: usize,
     id: String,
+    bank: Bank,
+    variant: Variant,
     key: ProblemKey,
-    reveal: bool,
     /// Words for the sign of each part.
     signs: Vec<[String; 2]>,
 }
@@ -36,7 +37,7 @@ pub fn run(args: &args::CheckArgs, io: &mut Io) -> Result<Exit, Findings> {
     // A sheet in a language that this program does not know is answered in English.
     let words = sheet.language.as_deref().and_then(Words::built_in);
     let words = words.or_else(|| Words::built_in("en")).unwrap_or_else(|| panic!("English is built in"));
-    let say = Feedback::new(words);
+    let catalogue = Catalogue::shared(words.language());
     let mut faults = Findings::default();
     // Which problems and parts are meant, before anything is solved.
     let mut asked = Vec::new();
@@ -63,15 +64,14 @@ pub fn run(args: &args::CheckArgs, io: &mut Io) -> Result<Exit, Findings> {
         }
     }
     let mut solved: Vec<Option<CheckedProblem>> = sheet.problems.iter().map(|_| None).collect();
-    for (_, i, _, _) in &asked {
-        if solved[*i].is_none() {
-            match solve(&sheet.problems[*i], &file, words) {
-                Ok(done) => solved[*i] = Some(done),
-                Err(more) => return Err(more),
-            }
+    let named: BTreeSet<usize> = asked.iter().map(|(_, i, _, _)| *i).collect();
+    for i in named {
+        match solve(&sheet.problems[i], &file, words) {
+            Ok(done) => solved[i] = Some(done),
+            Err(more) => more.into_iter().for_each(|fault| faults.push(fault)),
         }
     }
-    let mut rows = Vec::new();
+    let (mut rows, mut hints) = (Vec::new(), Vec::new());
     let mut all_right = true;
     for (name, i, part, cell) in asked {
         let Some(problem) = &solved[i] else { continue };
@@ -85,14 +85,23 @@ pub fn run(args: &args::CheckArgs, io: &mut Io) -> Result<Exit, Findings> {
             });
             continue;
         };
+        let Some(told) = problem.tell(p, cell, words, catalogue) else { continue };
         let entry = &problem.key.parts[p];
-        let judgement = compare::compare_with(cell, entry, &mut UnitCache::default(), &say);
-        let right = judgement.verdict == Verdict::Right;
+        let right = told.verdict == Verdict::Right;
         all_right &= right;
-        let mut row = vec![name.to_owned(), cell.to_owned(), judgement.verdict.as_str().to_owned()];
-        row.push(judgement.reason.clone().into_owned());
+        let mut row = vec![name.to_owned(), cell.to_owned(), told.verdict.as_str().to_owned(), told.reason];
+        if !told.hints.is_empty() {
+            let of = told.hints.len();
+            let (n, of) = (args.hint.to_string(), of.to_string());
+            hints.push(match told.hints.get(args.hint - 1).map(|hint| terminal::plain(&hint.text)) {
+                Some(hint) => {
+                    words.say("tutor.numbered", &[("part", name), ("n", &n), ("of", &of), ("hint", &hint)])
+                }
+                None => words.say("tutor.no_more", &[("part", name), ("of", &of)]),
+            });
+        }
         if args.reveal && !right {
-            if problem.reveal {
+            if problem.bank.reveal {
                 let [forward, back] = &problem.signs[p];
                 let answer = right_answer(words, entry, [forward, back]);
                 row.push(words.say("feedback.shown", &[("answer", &answer)]));
@@ -102,10 +111,14 @@ pub fn run(args: &args::CheckArgs, io: &mut Io) -> Result<Exit, Findings> {
         }
         rows.push(row);
     }
+    // What can be judged is judged, whatever is wrong with the rest.
+    io.piece(&terminal::table(&rows, &[0, 1, 2, 3, 4]));
+    for hint in hints {
+        io.line(&hint);
+    }
     if !faults.is_empty() {
         return Err(faults);
     }
-    io.piece(&terminal::table(&rows, &[0, 1, 2, 3, 4]));
     Ok(if all_right { Exit::Fine } else { Exit::NotAllRight })
 }
 
@@ -113,6 +126,15 @@ pub fn run(args: &args::CheckArgs, io: &mut Io) -> Result<Exit, Findings> {
 fn listed_once(fault: Finding, list: String, earlier: &[Finding]) -> Finding {
     let said = earlier.iter().any(|f| f.hint.as_ref() == Some(&list));
     if said { fault } else { fault.hint(list) }
+}
+
+impl CheckedProblem {
+    fn tell(&self, part: usize, cell: &str, words: &Words, catalogue: &Catalogue) -> Option<Told> {
+        let find = |id: &str| catalogue.get(id).map(Entry::words);
+        let level = self.bank.grading.hints;
+        Tutor::new(self.bank.problems.first()?, &self.variant, &self.key, level, words, &find)
+            .tell(part, cell)
+    }
 }
 
 fn solve(problem: &SheetProblem, file: &str, words: &Words) -> Result<CheckedProblem, Findings> {
@@ -171,11 +193,6 @@ fn solve(problem: &SheetProblem, file: &str, words: &Words) -> Result<CheckedPro
             *offered = list;
         }
     }
-    Ok(CheckedProblem {
-        number: problem.number,
-        id: problem.id.clone(),
-        key,
-        reveal: bank.reveal,
-        signs: only.questions.iter().map(signs).collect(),
-    })
+    let signs = only.questions.iter().map(signs).collect();
+    Ok(CheckedProblem { number: problem.number, id: problem.id.clone(), bank, variant, key, signs })
 }

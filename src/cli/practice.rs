@@ -1,17 +1,13 @@
 //! `slipstick practice`: a problem is drawn and shown, answers are judged, another one follows.
-use crate::answer::read::UnitCache;
 use crate::bank::Problem;
 use crate::cli::args;
 use crate::cli::tell::{Exit, Io};
 use crate::finding::{Finding, Findings};
-use crate::grade::feedback::Feedback;
 use crate::grade::verdict::Verdict;
-use crate::grade::{compare, diagnose};
 use crate::inspect::sentences;
 use crate::inspect::table::unsatisfiable;
-use crate::key::{KeyEntry, ProblemKey};
-use crate::misconception::catalogue::Catalogue;
-use crate::policy::Hints;
+use crate::key::ProblemKey;
+use crate::misconception::catalogue::{Catalogue, Entry};
 use crate::problem::make_key;
 use crate::problem::maker::{Maker, Variant};
 use crate::set::dealer;
@@ -19,6 +15,7 @@ use crate::sheet::page::{Room, Sheets};
 use crate::sheet::terminal::plain;
 use crate::sheet::{document, statement};
 use crate::solve::outcome::Motion;
+use crate::tutor::Tutor;
 use crate::words::Words;
 use std::time::SystemTime;
 
@@ -44,7 +41,8 @@ pub fn run(args: &args::PracticeArgs, io: &mut Io) -> Result<Exit, Findings> {
         problems.iter().map(|p| Maker::new(&bank.problems[*p], seed, "practice")).collect();
     let of_seed = words.say("feedback.seed", &[("seed", &seed.to_string())]);
     io.line(&format!("{} ({of_seed}). {}", bank.title, words.get("feedback.commands")));
-    let catalogue = Catalogue::of(words.language()).unwrap_or_else(Catalogue::built_in);
+    let catalogue = Catalogue::shared(words.language());
+    let find = |id: &str| catalogue.get(id).map(Entry::words);
     let mut room = Room::default();
     let (mut right, mut asked) = (0, 0);
     for round in 0usize.. {
@@ -58,7 +56,7 @@ pub fn run(args: &args::PracticeArgs, io: &mut Io) -> Result<Exit, Findings> {
         let text = document::without_marks(&String::from_utf8_lossy(&text));
         io.line(&format!("\n## {}\n\n{}", problem.title, plain(&text)));
         let key = make_key::key(problem, &variant);
-        let tutor = Tutor { catalogue: &catalogue, hints: bank.grading.hints };
+        let tutor = Tutor::new(problem, &variant, &key, bank.grading.hints, words, &find);
         match questions(problem, &variant, &key, (&mut right, &mut asked), (words, &tutor), io) {
             Next::Draw => {}
             Next::Quit => break,
@@ -71,42 +69,6 @@ pub fn run(args: &args::PracticeArgs, io: &mut Io) -> Result<Exit, Findings> {
     Ok(Exit::Fine)
 }
 
-/// Tells what a wrong number has in common with known wrong methods, as far as the bank lets it.
-struct Tutor<'t> {
-    catalogue: &'t Catalogue,
-    hints: Hints,
-}
-
-impl Tutor<'_> {
-    /// Lines about the most likely method; where several fit, it is one of them.
-    fn lines(
-        &self,
-        number: f64,
-        part: usize,
-        parts: &[Option<KeyEntry>],
-        methods: &[String],
-        words: &Words,
-    ) -> Vec<String> {
-        if self.hints == Hints::None || !number.is_finite() {
-            return Vec::new();
-        }
-        let found = diagnose::methods(number, part, parts);
-        let known = found.iter().filter_map(|m| self.catalogue.get(methods.get(usize::from(*m))?));
-        let mut lines = Vec::new();
-        for entry in known.take(if self.hints == Hints::Explain { 1 } else { 2 }) {
-            if self.hints == Hints::Explain {
-                lines.push(words.say("marks.did", &[("did", &entry.did)]));
-                lines.push(words.say("marks.see", &[("see", &entry.see)]));
-            }
-            let hint = words.say("marks.hint", &[("hint", &entry.hint)]);
-            if !lines.contains(&hint) {
-                lines.push(hint);
-            }
-        }
-        lines
-    }
-}
-
 /// The question part of a round.
 fn questions(
     problem: &Problem,
@@ -116,10 +78,10 @@ fn questions(
     (words, tutor): (&Words, &Tutor),
     io: &mut Io,
 ) -> Next {
-    let parts: Vec<Option<KeyEntry>> = key.parts.iter().cloned().map(Some).collect();
-    let say = Feedback::new(words);
     let commands = words.get("feedback.commands");
     for (part, (question, entry)) in problem.questions.iter().zip(&key.parts).enumerate() {
+        // Nothing is said twice to one question.
+        let mut said: Vec<String> = Vec::new();
         loop {
             io.piece(&format!("{} = ", entry.part));
             let Some(cell) = io.ask() else {
@@ -143,22 +105,28 @@ fn questions(
                 }
                 _ => {}
             }
-            let judgement = compare::compare_with(&cell, entry, &mut UnitCache::default(), &say);
-            if judgement.verdict == Verdict::Right {
-                io.line(&format!("  {} ({})", words.get("feedback.right"), judgement.reason));
+            let Some(told) = tutor.tell(part, &cell) else { break };
+            if told.verdict == Verdict::Right {
+                io.line(&format!("  {} ({})", words.get("feedback.right"), told.reason));
                 *asked += 1;
                 *right += 1;
                 break;
             }
             let word = question.label.quantity.is_word();
             let again = if word { "" } else { words.get("feedback.try_again") };
-            io.line(&format!("  {}: {}{again}", judgement.verdict.as_str(), judgement.reason));
-            for line in tutor.lines(judgement.number, part, &parts, &key.methods, words) {
-                io.line(&format!("  {}", plain(&line)));
+            io.line(&format!("  {}: {}{again}", told.verdict.as_str(), told.reason));
+            if !told.hints.is_empty() {
+                let next =
+                    told.hints.iter().map(|h| h.text.as_str()).find(|text| !said.iter().any(|s| s == text));
+                let next = next.unwrap_or_else(|| words.get("tutor.all_told")).to_owned();
+                if !said.contains(&next) {
+                    io.line(&format!("  {}", plain(&next)));
+                    said.push(next);
+                }
             }
             // A word that is no answer may have been meant as a command.
             let word = cell.chars().all(char::is_alphabetic);
-            if word && judgement.verdict == Verdict::Unreadable {
+            if word && told.verdict == Verdict::Unreadable {
                 io.line(&format!("  {commands}"));
             }
         }

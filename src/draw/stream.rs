@@ -1,6 +1,6 @@
 //! Seeds to independent streams of random words.
 //!
-//! Draw version 4: the key of a variant is HMAC-SHA256 with the key `slipstick draw 4` of the seed (u64, little endian)
+//! Draw version 5: the key of a variant is HMAC-SHA256 with the key `slipstick draw 4` of the seed (u64, little endian)
 //! and then, each after its length in bytes (u64, little endian), the set's name, the problem's id and the student's id.
 //! With this key and nonce = number of the try (1, 2, ...), ChaCha20 gives 64-bit words (two 32-bit words, the first one
 //! low). Word 0 of try 1 chooses the case; datum number i (from 0) takes word i + 1 of each try. Data that are added at the
@@ -12,9 +12,12 @@ use rand_chacha::rand_core::{Rng, SeedableRng};
 use sha2::Sha256;
 
 /// Version of the draw: if a pinned draw changes, this number changes. Version 2 refuses draws with an ill-conditioned answer,
-/// version 3 those in which a wrong method lands near a right answer; with version 4 no range of a built-in bank tells a word.
-pub const DRAW_VERSION: u32 = 4;
+/// version 3 those in which a wrong method lands near a right answer; with version 4 no range of a built-in bank tells a word;
+/// version 5 refuses draws in which one of the wrong methods that the built-in banks have learnt since lands near a right
+/// answer. The streams are those of version 4: a draw that no new method refuses is the same.
+pub const DRAW_VERSION: u32 = 5;
 
+/// Named after the version that began these streams.
 const DOMAIN: &[u8] = b"slipstick draw 4";
 
 /// Keys of the variants of one problem of one set.

@@ -15,7 +15,7 @@ use std::borrow::Cow;
 pub(crate) struct Fits {
     pub methods: String,
     pub slip: String,
-    found: Vec<u16>,
+    near: Vec<u16>,
 }
 
 /// A slip as a word for machines, and as students are told.
@@ -52,15 +52,15 @@ pub(crate) fn diagnosed(
     say: &Feedback,
 ) -> Fits {
     let methods = table.methods(what as usize);
-    let Diagnosis { methods: found, slip } =
+    let Diagnosis { methods: found, near, slip } =
         table.diagnose(judgement.number, cell, who as usize, what as usize);
-    let mut fits = Fits { methods: String::new(), slip: String::new(), found };
+    let mut fits = Fits { methods: String::new(), slip: String::new(), near };
     let told = slip.map(|slip| slip_in_words(slip, table, what, say));
     if let Some((word, told)) = told {
         judgement.reason = Cow::Owned(format!("{}; {told}", judgement.reason));
         fits.slip = word;
     }
-    for id in fits.found.iter().filter_map(|m| methods.get(usize::from(*m))) {
+    for id in found.iter().filter_map(|m| methods.get(usize::from(*m))) {
         if !fits.methods.is_empty() {
             fits.methods.push(' ');
         }
@@ -98,7 +98,7 @@ pub(crate) fn awarded(
         Verdict::Wrong | Verdict::WrongDirection => {
             let at = (who as usize, what as usize);
             let earned =
-                credit(judgement.number, at, table, job.rules, winners, fits.map(|f| f.found.as_slice()));
+                credit(judgement.number, at, table, job.rules, winners, fits.map(|f| f.near.as_slice()));
             let share = percent(earned.share);
             match earned.why {
                 CreditFor::Nothing => {}

@@ -11,8 +11,11 @@ use crate::units::Dimension;
 /// What a wrong answer fits.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Diagnosis {
-    /// Wrong methods, indices into the methods of the problem, the nearest first.
+    /// Wrong methods that come to this number, far likelier than by chance: indices into the methods of the problem, the
+    /// nearest first. Of several it is one.
     pub methods: Vec<u16>,
+    /// All that come within the tolerance of the number, for credit, where the benefit of the doubt is the student's.
+    pub near: Vec<u16>,
     /// A slip of the pen.
     pub slip: Option<AnswerSlip>,
 }
@@ -54,6 +57,18 @@ const TENS: i32 = 6;
 const DRIFT_PER_COND: f64 = 0.005;
 /// A drift ends at this many half-widths: what is farther off is no rounding.
 const DRIFT_ENDS: f64 = 3.0;
+
+/// What rounding on the way adds to that of the last figure: a number computed by a method is at most this much farther from
+/// it, as a share.
+const ON_THE_WAY: f64 = 0.002;
+/// A number of fewer figures is a guess or a datum: it fits a method only if it is exactly what the method gives.
+const FIGURES: usize = 3;
+/// A number that is what a method gives, to the roundings of doubles.
+const EXACT: f64 = 1e-9;
+/// Other methods are counted within so many times the distance at which one fits.
+const AROUND: f64 = 10.0;
+/// Where other methods lie so densely that one of them fits by chance oftener than this, a fit proves nothing.
+const CHANCE: f64 = 0.5;
 
 /// What an answer to one part of one student is compared with, made once for many answers.
 #[derive(Debug, Clone, Copy)]
@@ -112,7 +127,37 @@ impl Comparison {
         wrong: &[WrongValue],
     ) -> Diagnosis {
         let Some(x) = self.compared(x) else { return Diagnosis::default() };
-        Diagnosis { methods: self.methods(x, wrong), slip: self.slip(x, cell, part, parts) }
+        let near = self.methods(x, wrong);
+        let methods = self.likely(x, cell, wrong, &near);
+        Diagnosis { methods, near, slip: self.slip(x, cell, part, parts) }
+    }
+
+    /// Of the methods near a number those that it tells: it lies as near as rounding brings it, and the others are not so many
+    /// that one of them would lie there by chance.
+    fn likely(&self, x: f64, cell: &[u8], wrong: &[WrongValue], near: &[u16]) -> Vec<u16> {
+        if near.is_empty() {
+            return Vec::new();
+        }
+        let written = std::str::from_utf8(cell).ok().and_then(figures::written);
+        // A whole number of four digits may end in zeros that were computed; one of a single figure is a guess.
+        let fine = written.and_then(|Figures { count, number, filled }| match (count, count + filled) {
+            (FIGURES.., _) => Some(0.5 / number),
+            (2, 4..) => Some(0.5 / (number * power(10.0, filled as f64))),
+            _ => None,
+        });
+        let reach = fine.map_or(EXACT, |half| (half + ON_THE_WAY).min(self.share).max(EXACT));
+        let told: Vec<u16> = near
+            .iter()
+            .copied()
+            .filter(|m| wrong.iter().any(|w| w.method == *m && fits(x, w.value, reach)))
+            .collect();
+        // Methods that come to the same number are one here.
+        let mut others: Vec<f64> =
+            wrong.iter().map(|w| w.value).filter(|v| fits(x, *v, AROUND * reach)).collect();
+        others.retain(|v| !fits(x, *v, reach));
+        others.sort_by(f64::total_cmp);
+        others.dedup_by(|a, b| fits(*a, *b, EXACT));
+        if others.len() as f64 > CHANCE * AROUND { Vec::new() } else { told }
     }
 
     /// The number that is compared. The right magnitude with a sign that nobody asked for fits nothing else.
@@ -185,7 +230,7 @@ impl Comparison {
             return None;
         }
         let cell = std::str::from_utf8(cell).ok()?;
-        let Figures { count, number } = figures::written(cell)?;
+        let Figures { count, number, .. } = figures::written(cell)?;
         // The unit, the point and the power of ten drop out: both numbers in units of the last figure.
         let right = number * (self.key / x);
         let same = |a: f64, b: f64| (a - b).abs() <= 1e-9 * b;
@@ -199,7 +244,14 @@ impl Comparison {
     }
 }
 
-/// The wrong methods that the number `x`, SI, judged wrong for `parts[part]`, fits: those of [`Comparison::diagnose`].
+/// What the number `x`, SI, written as `cell` and judged wrong for `parts[part]`, fits: [`Comparison::diagnose`].
+pub fn diagnose(x: f64, cell: &str, part: usize, parts: &[Option<KeyEntry>]) -> Diagnosis {
+    let entry = parts.get(part).and_then(Option::as_ref);
+    let Some((known, entry)) = Comparison::of(part, parts).zip(entry) else { return Diagnosis::default() };
+    known.diagnose(x, cell.as_bytes(), part, parts, &entry.wrong)
+}
+
+/// The wrong methods within the tolerance of the number `x`, SI, judged wrong for `parts[part]`.
 pub fn methods(x: f64, part: usize, parts: &[Option<KeyEntry>]) -> Vec<u16> {
     let entry = parts.get(part).and_then(Option::as_ref);
     let Some((known, entry)) = Comparison::of(part, parts).zip(entry) else { return Vec::new() };

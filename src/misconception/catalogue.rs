@@ -3,6 +3,7 @@
 use crate::bank::node::{Faults, Fields, Node, named};
 use crate::bank::yaml;
 use crate::finding::Findings;
+use crate::misconception::MethodWords;
 use std::sync::LazyLock;
 
 /// The words of one wrong method.
@@ -20,6 +21,13 @@ pub struct Entry {
     pub hint: String,
     /// A note for the class report.
     pub note: String,
+}
+
+impl Entry {
+    /// The words that hints use.
+    pub fn words(&self) -> MethodWords<'_> {
+        MethodWords { did: &self.did, see: &self.see, hint: &self.hint }
+    }
 }
 
 /// All of them, in the order of the file.

@@ -20,6 +20,17 @@ pub struct Wrong {
     pub value: f64,
 }
 
+/// The words of a wrong method that hints use.
+#[derive(Debug, Clone, Copy)]
+pub struct MethodWords<'w> {
+    /// What the student did.
+    pub did: &'w str,
+    /// How to see that it is wrong.
+    pub see: &'w str,
+    /// A question that leads on.
+    pub hint: &'w str,
+}
+
 /// A method that names no quantities spoils those that come out different by more than rounding of doubles.
 const SAME: f64 = 1e-9;
 

@@ -1,14 +1,18 @@
 //! sheet.json: what a student needs to check answers alone. It holds the drawn data and the scene, never the key.
 //!
+//! For hints it holds the wrong methods that the bank lists, too, as they are written there: for every student and case the
+//! same.
+//!
 //! The scene is a question (`PublicProblem`): what is asked of which bodies, without what happens to them. It has no regimes, no
 //! bounds, no cases and no ranges, and is the same for every student of the problem; what is drawn stands beside it. With the
 //! drawn data put in their place it is read by the ordinary reader of banks and solved anew. A case with a scene of its own
 //! gives that one, as its statement does. A bank with `self check: off` gives sheets without scenes.
 use crate::bank::node::Node;
-use crate::bank::{Bank, Case, Problem, node, yaml};
+use crate::bank::{Bank, Case, Mistake, Problem, node, review, yaml};
 use crate::finding::{Finding, Findings};
 use crate::problem::make_key;
 use crate::problem::maker::Variant;
+use crate::scene::{Label, Scene};
 use crate::sheet::statement;
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value, json};
@@ -120,6 +124,16 @@ fn to_json(node: &Node) -> Value {
     }
 }
 
+/// Can a wrong method be read in the scene of each case? Then the sheets of all cases list it.
+fn is_everywhere(problem: &Problem, mistake: &Mistake) -> bool {
+    let expressions = mistake.data.iter().map(|(_, e)| e).chain(mistake.values.iter().map(|(_, e)| e));
+    let labels = expressions.flat_map(|e| e.quantities()).chain(mistake.of.iter().copied());
+    let mut labels: Vec<Label> = labels.chain(mistake.values.iter().map(|(label, _)| *label)).collect();
+    labels.dedup();
+    let known = |scene: &Scene, label: Label| review::label(scene, &scene.name_of(label)).is_ok();
+    problem.cases.iter().all(|case| labels.iter().all(|label| known(&case.scene, *label)))
+}
+
 /// A text of the bank in the language of the sheet, where the bank has one.
 fn put(fields: &mut Map<String, Value>, name: &str, text: &str) {
     if let Some(field) = fields.get_mut(name) {
@@ -137,7 +151,8 @@ struct PublicProblem {
     bank: Value,
     /// Its title.
     title: String,
-    /// Settings of the whole bank that checking needs: `reveal`, `tolerance`, `units`, as they are written.
+    /// Settings of the whole bank that checking needs: `reveal`, `tolerance`, `units`, and of `grading` the `hints`, as they are
+    /// written.
     #[serde(flatten)]
     common: Map<String, Value>,
     /// The one problem, by its id.
@@ -154,6 +169,9 @@ struct PublicQuestions {
     scene: Value,
     /// What is asked, by part.
     questions: Map<String, Value>,
+    /// Wrong methods, by id.
+    #[serde(skip_serializing_if = "Map::is_empty")]
+    mistakes: Map<String, Value>,
 }
 
 impl PublicProblem {
@@ -162,6 +180,8 @@ impl PublicProblem {
         let common = ["reveal", "tolerance", "units"];
         let common =
             common.into_iter().filter_map(|name| Some((name.to_owned(), to_json(field(tree, name)?))));
+        let hints = field(tree, "grading").and_then(|g| field(g, "hints")).map(to_json);
+        let hints = hints.map(|level| ("grading".to_owned(), json!({"hints": level})));
         let whole = field(tree, "problems").and_then(|p| field(p, &problem.id));
         let of = |name: &str, id: &str| whole.and_then(|p| field(p, name)).and_then(|list| field(list, id));
         let mut data = Map::new();
@@ -181,6 +201,15 @@ impl PublicProblem {
                 questions.insert(q.id.clone(), Value::Object(fields));
             }
         }
+        let mut mistakes = Map::new();
+        for mistake in problem.mistakes.iter().filter(|m| is_everywhere(problem, m)) {
+            if let Some(Value::Object(mut fields)) = of("mistakes", &mistake.id).map(to_json) {
+                // Why it may lie near a right answer is for who reads the bank, and a case would tell which one was drawn.
+                fields.shift_remove("unguarded");
+                fields.shift_remove("cases");
+                mistakes.insert(mistake.id.clone(), Value::Object(fields));
+            }
+        }
         let own = |case: &Case| of("cases", &case.written).and_then(|c| field(c, "scene"));
         let scene = own(case).or_else(|| whole.and_then(|p| field(p, "scene")));
         let asked = PublicQuestions {
@@ -188,11 +217,12 @@ impl PublicProblem {
             data,
             scene: scene.map_or(Value::Null, to_json),
             questions,
+            mistakes,
         };
         Self {
             bank: field(tree, "bank").map_or(Value::Null, to_json),
             title: bank.title.clone(),
-            common: common.collect(),
+            common: common.chain(hints).collect(),
             problems: BTreeMap::from([(problem.id.clone(), asked)]),
         }
     }

@@ -53,6 +53,15 @@ impl Room {
         let row = key.lines().find(|l| l.starts_with(&format!("{student},1,{part},"))).unwrap();
         row.split(',').nth(3).unwrap().parse().unwrap()
     }
+    /// By which factor the speeds of a student's wheel are too large without the weight.
+    fn weight_left_out(&self, student: &str) -> f64 {
+        let sheet = self.read(&format!("set/students/{student}/sheet.json"));
+        let sheet: serde_json::Value = serde_json::from_str(&sheet).unwrap();
+        let data = &sheet["problems"][0]["data"];
+        let of = |symbol: &str| data[symbol]["value"].as_str().unwrap().parse::<f64>().unwrap();
+        let pull = of("P") * (of("R") + of("r")) / of("r");
+        (pull / (pull - of("m") * of("g") * of("theta").to_radians().sin())).sqrt()
+    }
     /// Answers to 1.omega and 1.v: off the key by some per cent, each student by another.
     fn answers(&self) {
         let mut text = "student,problem,part,answer\n".to_owned();
@@ -93,6 +102,15 @@ impl Room {
 fn other_tolerances_change_so_many_verdicts() {
     let room = Room::new();
     room.answers();
+    // One student has left the weight out, which is some 3 % off.
+    let student = STUDENTS[4];
+    let mut answers = room.read("answers.csv");
+    for part in ["omega", "v"] {
+        let key = room.key(student, part);
+        let row = |value: f64| format!("{student},1,{part},{value:.5}\n");
+        answers = answers.replace(&row(key * 1.03), &row(key * room.weight_left_out(student)));
+    }
+    room.write("answers.csv", &answers);
     room.grade(&[]);
     let ran = run(&["what-if", &room.path("grades")]);
     assert_eq!(ran.exit, Exit::Fine, "{}", ran.err);
@@ -113,7 +131,6 @@ ROOM/grades: 12 answers that count of 6 students; answers that would become righ
   sheets where a wrong method would pass                       0     0     6    11
   warning: at 5 % 2 answers of a known wrong method would be right:
     2 x A10  Leaving the weight out.
-    2 x A13  Writing the weight without g, as if the mass were a force.
   Absolute tolerances stay. All answers are graded anew by each: attempts, lateness, follow-through, corrections, totals.
 "#);
     let ran = run(&["what-if", &room.path("grades"), "--tolerance", "2%,x,0"]);
@@ -504,7 +521,7 @@ The total
   2 of 7 points
 
 What it was graded with
-  slipstick 0.1.0, draw version 4; set week from seed 7
+  slipstick 0.1.0, draw version 5; set week from seed 7
   bank one-wheel, SHA-256 1a2fd9c7c8f8999d941fe2fc93f5f09c5b98215c9fc3e9e353d7c23ceb374f7d
   key, SHA-256 d5949bc3a1e867dec8799a0300fa808510f3bf0ede1807ef4be5a6ad4b344568; solved anew for
       this text, and the same
@@ -536,15 +553,15 @@ fn copied_answers_are_found_and_told_to_nobody_else() {
     let ran = run(&["matches", &room.path("grades")]);
     assert_eq!(ran.exit, Exit::Fine, "{}", ran.err);
     insta::assert_snapshot!(room.shown(&ran.out), @r#"
-7 wrong answers in numbers held against classmates' keys, 2 of them with no other explanation: 1 pair stands out. Among honest students luck alone makes a pair stand out in one set of 100.
+7 wrong answers in numbers held against classmates' keys, 5 of them with no other explanation: 1 pair stands out. Among honest students luck alone makes a pair stand out in one set of 100.
   look  student  key of  parts                  answers                    chance  by luck  other explanation
-  yes   0062     0023    1.omega 1.v 1.k_bound  22.6183 | 4.0713 | 0.4830    2e-5     1e-4  1.omega: A18
+  yes   0062     0023    1.omega 1.v 1.k_bound  22.6183 | 4.0713 | 0.4830    4e-6     3e-5
   A match accuses nobody: sheets get swapped, friends compute with one set of data, a form is filled in for another.
   all of them, for your eyes only: ROOM/grades/matches.csv
 "#);
     insta::assert_snapshot!(room.read("grades/matches.csv"), @r#"
 look,student,classmate,parts,answers,chance,expected_by_luck,other_explanation
-yes,0062,0023,1.omega 1.v 1.k_bound,22.6183 | 4.0713 | 0.4830,2.2e-5,1.1e-4,1.omega: A18
+yes,0062,0023,1.omega 1.v 1.k_bound,22.6183 | 4.0713 | 0.4830,3.9e-6,3.3e-5,
 "#);
     // The class report shows the pair to the instructor; what students get knows nothing of it.
     assert!(room.read("grades/report.html").contains("0023 (Name of 0023)"));

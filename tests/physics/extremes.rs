@@ -7,7 +7,7 @@ use crate::big::{BITS, Dice, F, abs, big, double};
 use dashu_float::DBig;
 use dashu_float::round::mode::HalfEven;
 use slipstick::num::U;
-use slipstick::problem::make::Maker;
+use slipstick::problem::maker::Maker;
 use slipstick::scene::*;
 use slipstick::solve::agree::{prove, solve};
 use slipstick::solve::outcome::{Motion, Refusal, Solved};

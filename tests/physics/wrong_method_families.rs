@@ -150,6 +150,12 @@ const KINETIC: Methods = &[
         let b = Lamina::of_d(d);
         vec![("kinetic_energy", 2.0 * b.energy(b.v_g, b.i_g))]
     }),
+    ("K13", |d| {
+        // omega x r_G in place of omega x rho.
+        let b = Lamina::of_d(d);
+        let v = (b.v_a.0 - b.w * b.g.1, b.v_a.1 + b.w * b.g.0);
+        vec![("kinetic_energy", b.energy(v, b.i_g))]
+    }),
 ];
 
 // A block pulls a wheel.
@@ -271,6 +277,12 @@ const BLOCK: Methods = &[
         let b = block(d);
         vec![("mu_required", b.friction().abs() / (b.m * b.g * b.sin))]
     }),
+    // m k^2 alpha = -F R: friction would drive the rotation backward, so that its inertia helps.
+    ("A25", |d| only(Block { ratio: -block(d).ratio, ..block(d) }.answers(), MOTION)),
+    ("A35", |d| vec![("mu_required", d.of("theta").tan())]),
+    ("T04", |d| only(Block { ratio: 1.0, ..block(d) }.answers(), &["v", "t", "friction", "mu_required"])),
+    // The pulley's whole mass moves with the cord.
+    ("H17", |d| only(Block { ratio: 0.0, inert: d.of("M"), ..block(d) }.answers(), MOTION)),
 ];
 
 // A yo-yo.
@@ -321,6 +333,10 @@ const YOYO: Methods = &[
     }),
     ("A18", |d| yoyo(d.of("k").sqrt(), d.of("r"), d.of("g"), d)),
     ("A20", |d| yoyo(d.of("k"), d.of("r"), 10.0, d)),
+    ("A33", |d| {
+        let alpha = part(&right_yoyo(d), "a") / d.of("r");
+        vec![("omega", (2.0 * alpha * d.of("d")).sqrt())]
+    }),
 ];
 
 // Two loads on a stepped drum.
@@ -393,6 +409,12 @@ const DRUM: Methods = &[
     }),
     ("A18", |d| drum(d, (d.of("R"), d.of("r")), d.of("M") * d.of("k"), d.of("g"))),
     ("A20", |d| drum(d, (d.of("R"), d.of("r")), drum_inertia(d), 10.0)),
+    ("A33", |d| vec![("v_1", (2.0 * part(&right_drum(d), "alpha").abs() * d.of("d")).sqrt())]),
+    ("A36", |d| {
+        let (outer, inner) = (d.of("R"), d.of("r"));
+        drum(d, (outer, inner), d.of("M") * (outer * outer + inner * inner) / 2.0, d.of("g"))
+    }),
+    ("T04", |d| drum(d, (d.of("R"), d.of("r")), d.of("M") * d.of("R") * d.of("R"), d.of("g"))),
 ];
 
 // A ball thrown with slip.
@@ -520,6 +542,19 @@ const BALL: Methods = &[
     ("B18", |d| vec![("heat", (ball(d).friction() * ball(d).r * ball(d).turn()).abs())]),
     ("B19", |d| vec![("slip_distance", (ball(d).r * ball(d).turn()).abs())]),
     ("B20", |d| vec![("slip_distance", ball(d).way().abs())]),
+    ("T13", |d| {
+        let b = ball(d);
+        let i = b.beta * b.m * b.r * b.r;
+        let raised = b.sin * part(&b.answers(), "displacement");
+        let left = b.m * b.v0 * b.v0 / 2.0 + i * b.w0 * b.w0 / 2.0 - b.m * b.g * raised;
+        vec![("v", (2.0 * left / (b.m + i / (b.r * b.r))).sqrt())]
+    }),
+    ("T14", |d| vec![("t", ball(d).v0 / ball(d).rates().0.abs())]),
+    ("A25", |d| {
+        // The spin changes the other way.
+        let (a, alpha) = ball(d).rates();
+        vec![("t", (ball(d).slip() / (-ball(d).r * alpha - a)).abs())]
+    }),
 ];
 
 impl Ball {
@@ -681,6 +716,10 @@ const SET_DOWN: Methods = &[
     ("B18", |d| vec![("heat", wheel(d).kinetic() * wheel(d).r * wheel(d).turn())]),
     ("B19", |d| vec![("slip_distance", wheel(d).r * wheel(d).turn())]),
     ("B20", |d| vec![("slip_distance", wheel(d).way().abs())]),
+    ("A25", |d| {
+        let w = wheel(d);
+        vec![("omega", w.w0 + w.kinetic() * w.r / (w.m * w.k * w.k) * w.t1)]
+    }),
 ];
 
 // Pinned bodies.
@@ -804,6 +843,10 @@ const FALLING: Methods = &[
         only(Rod { i: 2.0 * r.i, ..r }.motion(), &["omega"])
     }),
     ("A20", |d| Rod { g: 10.0, ..falling(d) }.answers()),
+    ("P27", |d| {
+        let r = falling(d);
+        r.forces(r.pin(r.central(), r.across(), -r.weight()))
+    }),
 ];
 
 /// From hanging: the angle from upright is half a turn more.
@@ -853,6 +896,10 @@ const LIFTED: Methods = &[
         only(Rod { i: 2.0 * r.i, work: r.work, ..r }.motion(), &["omega"])
     }),
     ("A20", |d| Rod { g: 10.0, ..lifted(d) }.answers()),
+    ("P27", |d| {
+        let r = lifted(d);
+        only(r.forces(r.pin(r.central(), r.across(), -r.weight())), &["pin_radial", "pin_tangential"])
+    }),
 ];
 
 /// Length of the spring, and its force along the rod (away from the pin) and across it, for this natural length.
@@ -945,6 +992,10 @@ const SPRUNG: Methods = &[
     ("C15", |d| {
         let (x0, x1) = stretches(d);
         with_work(d, -d.of("ks") * (x1 - x0) * (x1 - x0) / 2.0)
+    }),
+    ("P27", |d| {
+        let r = sprung(d);
+        only(r.forces(r.pin(r.central(), r.across(), -r.weight())), &["pin_force"])
     }),
 ];
 
@@ -1065,6 +1116,10 @@ const PENDULUM: Methods = &[
         only(p.answers(), &["omega", "omega_max"])
     }),
     ("A20", |d| Pendulum { g: 10.0, ..pendulum(d) }.answers()),
+    ("P27", |d| {
+        let p = pendulum(d);
+        vec![("pin_force", p.pin(p.central(), p.h * p.alpha(), -p.m * p.g))]
+    }),
 ];
 
 const FAMILIES: &[(&str, &str, Methods)] = &[

@@ -380,9 +380,9 @@ fn a_changed_set_is_not_graded() {
     change("set/set.json", "{", "{{", "is no set");
     change(
         "set/set.json",
-        "\"draw_version\": 4",
+        "\"draw_version\": 5",
         "\"draw_version\": 9",
-        "draw_version: is 9; this program draws by version 4",
+        "draw_version: is 9; this program draws by version 5",
     );
     // Another program version that draws the same is fine.
     let set = room.read("set/set.json");
@@ -412,7 +412,7 @@ fn check_needs_the_sheet_alone() {
     let wrong = run(&["check", &sheet, "2.omega=1 rad/s", "--reveal"]);
     assert_eq!(wrong.exit, Exit::NotAllRight);
     assert_eq!(wrong.err, "");
-    assert!(wrong.out.ends_with("  no value shown: the bank does not allow --reveal\n"), "{}", wrong.out);
+    assert!(wrong.out.contains("  no value shown: the bank does not allow --reveal\n"), "{}", wrong.out);
     assert!(!wrong.out.contains(&omega[..4]), "no value is shown");
     for (answer, says) in [
         ("2.omga=1", "did you mean `omega`?"),
@@ -425,6 +425,62 @@ fn check_needs_the_sheet_alone() {
     }
     room.write("broken.json", &fs::read_to_string(&sheet).unwrap()[..100]);
     assert_eq!(run(&["check", &room.path("broken.json"), "2.v=1"]).exit, Exit::Faulty);
+}
+
+/// The answer of a wheel whose cord pulls with the distance of the centre, from the data that its sheet prints.
+fn pull_over_the_distance_of_the_centre(sheet: &str) -> String {
+    let sheet: serde_json::Value = serde_json::from_str(sheet).unwrap();
+    let data = &sheet["problems"][1]["data"];
+    let of = |symbol: &str| data[symbol]["value"].as_str().unwrap().parse::<f64>().unwrap();
+    let (m, r, k) = (of("m"), of("r"), of("k"));
+    let drive = of("P") - m * of("g") * of("theta").to_radians().sin();
+    format!("{:.3}", (2.0 * of("d") * drive / (m * (1.0 + k * k / (r * r)))).sqrt() / r)
+}
+
+#[test]
+fn check_gives_the_hints_that_the_bank_allows() {
+    let room = Room::new(&CLASS[..1]);
+    let bank = include_str!("../../banks/wheels-on-inclines.yaml");
+    for level in ["none", "nudge", "explain"] {
+        let setting = format!("\ngrading: {{hints: {level}, due: 2030-01-01 12:00}}\nproblems:");
+        room.write(&format!("{level}.yaml"), &bank.replacen("\nproblems:", &setting, 1));
+        let (bank, roster, out) =
+            (room.path(&format!("{level}.yaml")), room.path("roster.csv"), room.path(level));
+        let ran = run(&["generate", &bank, "--roster", &roster, "--seed", "7", "--out", &out]);
+        assert_eq!((ran.exit, ran.err.as_str()), (Exit::Fine, ""));
+    }
+    let file = |level: &str| format!("{level}/students/0017/sheet.json");
+    let text = room.read(&file("explain"));
+    let wrong = format!("2.omega={} rad/s", pull_over_the_distance_of_the_centre(&text));
+    // Of the settings that bear on marks a sheet knows this one, and of the wrong methods no case.
+    assert!(text.contains(r#""grading":{"hints":"explain"}"#) && !text.contains("2030"), "{text}");
+    assert!(text.contains(r#""A01":"#) && !text.contains("unguarded") && !text.contains(r#""cases""#));
+    let hint = |level: &str, n: &str| {
+        let ran = run(&["check", &room.path(&file(level)), &wrong, "--hint", n]);
+        assert_eq!((ran.exit, ran.err.as_str()), (Exit::NotAllRight, ""));
+        let told =
+            ran.out.lines().find_map(|l| l.strip_prefix("2.omega, hint ").or(l.strip_prefix("2.omega: ")));
+        let told = told.map(str::to_owned);
+        told.unwrap_or_default()
+    };
+    let first = "How far does the point move at which the pull acts, compared with the centre?";
+    assert_eq!(hint("explain", "1"), format!("1 of 4: {first}"));
+    assert!(hint("explain", "2").ends_with("Can that be?"), "{}", hint("explain", "2"));
+    assert!(hint("explain", "3").starts_with("3 of 4: Look at the figure"), "{}", hint("explain", "3"));
+    assert!(
+        hint("explain", "4").contains("The pulled end does not move with the centre"),
+        "{}",
+        hint("explain", "4")
+    );
+    assert_eq!(hint("explain", "5"), "there are no more than 4 hints");
+    assert_eq!(hint("nudge", "1"), format!("1 of 2: {first}"));
+    assert_eq!(hint("nudge", "3"), "there are no more than 2 hints");
+    assert_eq!(hint("none", "1"), "");
+    assert_eq!(run(&["check", &room.path(&file("none")), &wrong, "--hint", "0"]).exit, Exit::Faulty);
+    // A part that is misnamed does not hide what becomes of the others.
+    let ran = run(&["check", &room.path(&file("nudge")), "2.omga=1 rad/s", &wrong]);
+    assert_eq!(ran.exit, Exit::Faulty);
+    assert!(ran.out.contains(first) && ran.err.contains("did you mean `omega`?"), "{}{}", ran.out, ran.err);
 }
 
 #[test]
@@ -751,6 +807,25 @@ fn practice_takes_piped_answers() {
     let lost = run_with(&["practice", "wheels-on-inclines", "--seed", "3"], "help\nhelpme\nsolution\n\n");
     assert_eq!(lost.out.matches("`solution` shows the right values").count(), 3, "{}", lost.out);
     assert!(lost.out.contains("solution\n  The right values:\n"), "{}", lost.out);
+}
+
+/// Each further wrong answer brings the next hint, and none comes twice.
+#[test]
+fn practice_counts_its_hints() {
+    let ran = run_with(
+        &["practice", "wheels-on-inclines", "--seed", "3", "--problems", "pulled-rolling"],
+        &"123.456 rad/s\n".repeat(6),
+    );
+    assert_eq!((ran.exit, ran.err.as_str()), (Exit::Fine, ""));
+    let told: Vec<&str> = ran.out.lines().filter(|l| l.starts_with("  ")).collect();
+    let hints: Vec<&&str> = told.iter().filter(|l| l.ends_with('?') || l.ends_with('.')).collect();
+    assert!(ran.out.contains("fits no mistake that is known here"), "{}", ran.out);
+    assert!(ran.out.contains("the right answer"), "{}", ran.out);
+    assert_eq!(ran.out.matches("You have had all hints to this answer").count(), 1, "{}", ran.out);
+    let mut once = hints.clone();
+    once.sort_unstable();
+    once.dedup();
+    assert_eq!((once.len(), hints.len()), (3, 3), "{hints:?}");
 }
 
 #[test]

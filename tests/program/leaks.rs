@@ -252,10 +252,14 @@ fn the_scene_of_a_sheet_is_the_same_for_every_student() {
             for (i, problem) in sheet["problems"].as_array().unwrap().iter().enumerate() {
                 let scene = problem["scene"].clone();
                 let shown = scene.to_string();
-                for word in ["regimes", "bounds", "cases", "draw", "mistakes", "margins", "share"] {
+                for word in ["regimes", "bounds", "cases", "draw", "unguarded", "margins", "share"] {
                     assert!(!shown.contains(&format!("\"{word}\":")), "{}: {word}", problem["id"]);
                 }
-                assert!(scene["problems"][&bank.problems[i].id]["scene"].is_object(), "{}", problem["id"]);
+                let asked = &scene["problems"][&bank.problems[i].id];
+                assert!(asked["scene"].is_object(), "{}", problem["id"]);
+                // The wrong methods of all cases, so that none is told by what is missing.
+                let listed = asked["mistakes"].as_object().map_or(0, serde_json::Map::len);
+                assert_eq!(listed, bank.problems[i].mistakes.len(), "{}", problem["id"]);
                 let same = first[i].get_or_insert_with(|| scene.clone());
                 assert_eq!(*same, scene, "{} {}", bank.id, problem["id"]);
             }
