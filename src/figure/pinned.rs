@@ -122,16 +122,12 @@ impl Hung {
                 let cosine = ((big - small) / self.arm).clamp(-1.0, 1.0);
                 let open = vec2(cosine, (1.0 - cosine * cosine).sqrt()).angle_of();
                 let back = (-d).angle_of();
-                let mut points = Vec::with_capacity(42);
-                for i in 0..=24 {
-                    let a = back + open + (2.0 * std::f64::consts::PI - 2.0 * open) * f64::from(i) / 24.0;
-                    points.push(centre + Vec2::at_angle(a) * big);
-                }
-                for i in 0..=10 {
-                    let a = back - open + 2.0 * open * f64::from(i) / 10.0;
-                    points.push(at + Vec2::at_angle(a) * small);
-                }
-                board.lines(&points, true, role);
+                let round = 2.0 * std::f64::consts::PI;
+                let arcs = vec![
+                    (centre, big, back + open, back + round - open),
+                    (at, small, back - open, back + open),
+                ];
+                board.arcs(arcs, role);
             }
         }
     }

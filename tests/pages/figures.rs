@@ -42,6 +42,13 @@ fn corners(outline: &Outline) -> Vec<Vec2> {
         Outline::Arc { centre, radius, from, to } => (0..=12)
             .map(|i| svg::on_arc(*centre, *radius, from + (to - from) * f64::from(i) / 12.0))
             .collect(),
+        Outline::Arcs(arcs) => {
+            let on = |(c, r, from, to): &(Vec2, f64, f64, f64)| {
+                let at = |i: i32| svg::on_arc(*c, *r, from + (to - from) * f64::from(i) / 12.0);
+                (0..=12).map(at).collect::<Vec<_>>()
+            };
+            arcs.iter().flat_map(on).collect()
+        }
     }
 }
 
