@@ -179,12 +179,10 @@ pub fn draw(board: &mut Board, view: &SceneView, index: usize) {
     if hung.arm > 4.0 {
         board.dot(g);
         let side = hung.across(start) * (if end.is_some_and(|(_, e)| e > start) { -1.0 } else { 1.0 });
-        board.label(
-            vec![symbol::italic("G")],
-            Role::Dot,
-            (LabelTie::Near, 4.0),
-            vec![(g + side * 5.0, side), (g - side * 5.0, -side)],
-        );
+        // On either side of the body's line, if need be a little farther along it: arcs pass there.
+        let beside = |along: f64| [side, -side].map(|s| (g + s * 5.0 + d * along, s));
+        let spots = [0.0, 9.0, -9.0, 17.0, -17.0].into_iter().flat_map(beside).collect();
+        board.label(vec![symbol::italic("G")], Role::Dot, (LabelTie::Near, 4.0), spots);
     }
     sizes(board, view, body, pin, &hung, end.map(|e| e.1));
     if let Some(spring) = &pin.spring {
