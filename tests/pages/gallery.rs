@@ -126,17 +126,17 @@ fn a_refused_draw_is_shown_with_figure_and_reason() {
     assert_eq!(refused.matches("<figure><svg").count(), 1);
     assert!(text_of(refused).contains("regime: 1 of 1 move down (wanted: moves_up)"), "{refused}");
     assert!(refused.contains("class=\"data\"") && !refused.contains("<table>"));
-    // One that some draws break: variants, and a draw for each rule. Bodies that are no scene have a figure, too.
+    // One whose rules some draws break: variants, and a refused draw for each rule.
     let bounds = "r / k: {max: 0.8}";
     assert!(text.contains(bounds));
-    let text = text.replace(bounds, "v: {max: 1 m/s}").replace("draw: 3.0 to 12.0", "draw: -3.0 to 12.0");
+    let text = text.replace(bounds, "r / k: {max: 0.3}\n      v: {max: 1 m/s}");
     std::fs::write(path("some.yaml"), text).unwrap();
     let (_, _, err) =
         run(&["gallery", &path("some.yaml"), "--out", &path("some.html"), "--variants", "2", "--seeds", "5"]);
     let page = std::fs::read_to_string(path("some.html")).unwrap_or_else(|e| panic!("{e}: {err}"));
     let refused = page.split("<ul class=\"cards refused\">").nth(1).unwrap().split("</ul>").next().unwrap();
     let told = text_of(refused);
-    assert!(told.contains("bound v:"), "{told}");
+    assert!(told.contains("bound v: 1.") && told.contains("bound r / k: 0."), "{told}");
     let cards = refused.matches("<li>").count();
     assert!((2..=4).contains(&cards), "{cards} cards: {told}");
     assert_eq!(refused.matches("<figure><svg").count(), cards);

@@ -408,7 +408,7 @@ fn formulas_bring_their_font() {
         let page = html::page(&templates, &words, "sheet", &Head::default(), &body).expect("renders");
         String::from_utf8(page).expect("text")
     };
-    let with = page("The root $\\sqrt{2 g h}$ and $v_0$, in rad/s or kg·m/s.");
+    let with = page("The root $\\sqrt{2 g h}$ and $v_0$, in rad/s or kg·m/s, too.");
     assert_eq!(with.matches("@font-face").count(), 1);
     assert!(!page("No formula.").contains("@font-face"));
     let font =
