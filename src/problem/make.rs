@@ -477,14 +477,14 @@ fn cond(solved: &Solved, label: Label) -> f64 {
 fn input_energy(scene: &Scene, data: &[f64], solved: &Solved) -> Option<f64> {
     let (_, stiffness, stretch, _) = scene.spring()?;
     let n = Numbers::<Dd>::new(scene, data);
-    let mut energy = (n.massive(stiffness) * n.get(stretch) * n.get(stretch)).scale2(-1);
+    let mut energy = (n.get(stiffness) * n.get(stretch) * n.get(stretch)).scale2(-1);
     for (label, value) in solved.entries.iter().map(|e| (e.label, e.value())) {
         if let (Quantity::Rise, Owner::Body(b)) = (label.quantity, label.of) {
             energy = energy + n.bodies[b].mass * n.gravity * Dd::new((-value).max(0.0));
         }
     }
     let pulls = solved.entries.iter().filter(|e| e.label.quantity == Quantity::WorkPull).map(Entry::value);
-    Some(n.publish(Quantity::KineticEnergy, energy).hi + pulls.map(|w| w.max(0.0)).sum::<f64>())
+    Some(energy.hi + pulls.map(|w| w.max(0.0)).sum::<f64>())
 }
 
 /// Do the values of these bounds, those that need a solution or the others, lie within them? NaN does not.

@@ -1,18 +1,14 @@
 //! The numbers of a scene, read once: masses, inertias, slopes. Arithmetic on data, no mechanics.
-//!
-//! Everything with the dimension of mass is divided by a power of two near the first mass, so that a wheel of 1e-150 kg
-//! is as good as one of 1 kg; [`Numbers::publish`] undoes it.
-use crate::num::dd::exponent;
 use crate::num::{Real, trig};
-use crate::scene::{Body, Mass, Num, Part, Quantity, RotaryInertia, Scene, Slope, inertia};
+use crate::scene::{Body, Mass, Num, Part, RotaryInertia, Scene, Slope, inertia};
 use smallvec::SmallVec;
 
 /// The numbers of one body.
 #[derive(Debug, Clone, Copy)]
 pub struct BodyNumbers<T> {
-    /// Mass, in units of 2^e kg.
+    /// Mass.
     pub mass: T,
-    /// Moment of inertia about the mass centre, in units of 2^e kg m^2.
+    /// Moment of inertia about the mass centre.
     pub inertia: T,
     /// Height gained per metre forward: the sine of the slope, negative where forward is down.
     pub climb: T,
@@ -24,7 +20,6 @@ pub struct BodyNumbers<T> {
 #[derive(Debug, Clone)]
 pub struct Numbers<'a, T> {
     data: &'a [f64],
-    mass_exponent: i32,
     /// Acceleration of free fall, m/s^2.
     pub gravity: T,
     /// One for each body.
@@ -34,10 +29,8 @@ pub struct Numbers<'a, T> {
 impl<'a, T: Real> Numbers<'a, T> {
     /// Reads the numbers of a scene.
     pub fn new(scene: &Scene, data: &'a [f64]) -> Self {
-        let mut n = Self { data, mass_exponent: 0, gravity: T::zero(), bodies: SmallVec::new() };
+        let mut n = Self { data, gravity: T::zero(), bodies: SmallVec::new() };
         n.gravity = n.get(scene.gravity_m_s2);
-        let first = scene.bodies.iter().map(|b| n.mass_of(b, &b.mass).f64()).find(|m| *m > 0.0);
-        n.mass_exponent = first.map_or(0, exponent);
         // Bodies on one incline share its sine and cosine.
         let mut known: Option<(Num, T, T)> = None;
         for b in &scene.bodies {
@@ -62,7 +55,7 @@ impl<'a, T: Real> Numbers<'a, T> {
         n
     }
 
-    /// A number without the dimension of mass.
+    /// A number of the scene.
     #[inline]
     pub fn get(&self, num: Num) -> T {
         match num {
@@ -71,52 +64,15 @@ impl<'a, T: Real> Numbers<'a, T> {
         }
     }
 
-    /// A number with the dimension of mass (a force, a stiffness, a moment), in units of 2^e.
-    #[inline]
-    pub fn massive(&self, num: Num) -> T {
-        self.get(num).scale2(-self.mass_exponent)
-    }
-
-    /// Power of two that gives a quantity back its SI size.
-    pub fn exponent(&self, quantity: Quantity) -> i32 {
-        use Quantity as Q;
-        match quantity {
-            Q::Friction
-            | Q::Normal
-            | Q::Tension
-            | Q::Heat
-            | Q::WorkPull
-            | Q::PowerPull
-            | Q::FrictionIfRolled
-            | Q::KineticEnergy
-            | Q::IG
-            | Q::IO
-            | Q::PinRadial
-            | Q::PinTangential
-            | Q::PinForce
-            | Q::SpringForce => self.mass_exponent,
-            _ => 0,
-        }
-    }
-
-    /// Gives a quantity back its SI size.
-    #[inline]
-    pub fn publish(&self, quantity: Quantity, value: T) -> T {
-        match self.exponent(quantity) {
-            0 => value,
-            e => value.scale2(e),
-        }
-    }
-
     fn mass_of(&self, body: &Body, mass: &Mass) -> T {
         match mass {
-            Mass::Kilograms(m) => self.massive(*m),
-            Mass::Weight(w) => self.massive(*w) / self.gravity,
+            Mass::Kilograms(m) => self.get(*m),
+            Mass::Weight(w) => self.get(*w) / self.gravity,
             Mass::OfParts => match &body.inertia {
                 Some(RotaryInertia::Parts(parts)) => {
                     parts.iter().fold(T::zero(), |sum, p| sum + self.mass_of(body, &p.mass))
                 }
-                _ => body.particles.iter().fold(T::zero(), |sum, p| sum + self.massive(p.mass_kg)),
+                _ => body.particles.iter().fold(T::zero(), |sum, p| sum + self.get(p.mass_kg)),
             },
         }
     }
@@ -125,7 +81,7 @@ impl<'a, T: Real> Numbers<'a, T> {
         match &body.inertia {
             None => T::zero(),
             Some(RotaryInertia::Gyration(k)) => mass * self.get(*k).square(),
-            Some(RotaryInertia::Moment(i)) => self.massive(*i),
+            Some(RotaryInertia::Moment(i)) => self.get(*i),
             Some(RotaryInertia::Shape(shape, r)) => mass * inertia::beta::<T>(*shape) * self.get(*r).square(),
             Some(RotaryInertia::Parts(parts)) => {
                 parts.iter().fold(T::zero(), |sum, Part { mass, shape, radius_m }| {

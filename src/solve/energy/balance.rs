@@ -53,13 +53,13 @@ pub fn powers<T: Real>(scene: &Scene, n: &Numbers<T>, mode: &Mode<T>, friction: 
         }
     }
     for c in &scene.couples {
-        let turn = mode.w[c.body] * plant!("energy: work of a couple", n.massive(c.moment_n_m));
+        let turn = mode.w[c.body] * plant!("energy: work of a couple", n.get(c.moment_n_m));
         list.push(Power { tie: None, power: if c.forward { turn } else { -turn } });
     }
     for (t, tie) in scene.ties.iter().enumerate() {
         let power = match tie {
             Tie::Cord(cord) => match &cord.to {
-                Far::Pull(p) => plant!("energy: work of the pull", n.massive(*p)) * mode.point(n, &cord.from),
+                Far::Pull(p) => plant!("energy: work of the pull", n.get(*p)) * mode.point(n, &cord.from),
                 _ => continue,
             },
             Tie::Slip { body, radius_m, .. } => {
@@ -177,7 +177,7 @@ pub fn reactions<T: Real>(
                     }
                     Tie::Cord(cord) => {
                         let known = match &cord.to {
-                            Far::Pull(p) => Some(plant!("energy: pull on one body alone", n.massive(*p))),
+                            Far::Pull(p) => Some(plant!("energy: pull on one body alone", n.get(*p))),
                             Far::Spring { .. } => Some(spring_tension),
                             _ => None,
                         };
@@ -194,7 +194,7 @@ pub fn reactions<T: Real>(
                 }
             }
             for c in scene.couples.iter().filter(|c| c.body == b && degree == Degree::Turn) {
-                let moment = n.massive(c.moment_n_m);
+                let moment = n.get(c.moment_n_m);
                 surplus = surplus + if c.forward { moment } else { -moment };
                 size += moment.size();
             }

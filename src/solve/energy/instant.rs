@@ -19,7 +19,6 @@ pub fn road<T: Real>(scene: &Scene, n: &Numbers<T>) -> Result<Road<T>, Refusal> 
     let mut energy = doubled.scale2(-1);
     let mut say = |quantity, of, value: T| {
         let label = Label { quantity, of };
-        let value = n.publish(quantity, value);
         road.said.push(Said { label, value, scale: value.f64().abs() });
     };
     for (b, body) in scene.bodies.iter().enumerate() {
@@ -42,14 +41,13 @@ pub fn road<T: Real>(scene: &Scene, n: &Numbers<T>) -> Result<Road<T>, Refusal> 
             let mut pairs = T::zero();
             let mass = n.bodies[b].mass;
             for (i, p) in body.particles.iter().enumerate() {
-                let share = n.massive(p.mass_kg) / mass;
+                let share = n.get(p.mass_kg) / mass;
                 let (x, y) = (n.get(p.x_m), n.get(p.y_m));
                 rest.0 = rest.0 + plant!("energy: arm of the mass centre, x", share) * (x - x0);
                 rest.1 = rest.1 + plant!("energy: arm of the mass centre, y", share) * (y - y0);
                 for q in &body.particles[i + 1..] {
                     let square = (x - n.get(q.x_m)).square() + (y - n.get(q.y_m)).square();
-                    pairs =
-                        pairs + plant!("energy: pair of particles", share * n.massive(q.mass_kg)) * square;
+                    pairs = pairs + plant!("energy: pair of particles", share * n.get(q.mass_kg)) * square;
                 }
             }
             let vx = n.get(*vx_m_s) - plant!("energy: velocity of the mass centre, x", spin) * rest.1;

@@ -178,7 +178,7 @@ impl<'a, T: Real> Ledger<'a, T> {
     fn open(scene: &'a Scene, n: Numbers<'a, T>) -> Result<Self, Refusal> {
         let end = scene.ending_coordinate();
         let ties = scene.ties.len();
-        let tension = scene.spring().map_or_else(T::zero, |(_, ks, x0, _)| n.massive(ks) * n.get(x0));
+        let tension = scene.spring().map_or_else(T::zero, |(_, ks, x0, _)| n.get(ks) * n.get(x0));
         let slipping: SmallVec<[usize; 2]> =
             (0..ties).filter(|t| matches!(scene.ties[*t], Tie::Slip { .. })).collect();
         let mut kinetic: PerTie<Option<T>> = smallvec![None; ties];
@@ -317,7 +317,6 @@ impl<'a, T: Real> Ledger<'a, T> {
 
     fn say(&mut self, quantity: Quantity, of: Owner, value: T) {
         let label = Label { quantity, of };
-        let value = self.n.publish(quantity, value);
         self.road.said.push(Said { label, value, scale: value.f64().abs() });
     }
 
@@ -330,7 +329,7 @@ impl<'a, T: Real> Ledger<'a, T> {
         let mut store = spring.map(|(tie, ks, x0, rigid)| {
             let Tie::Cord(cord) = &self.scene.ties[tie] else { unreachable!("a spring is on a cord") };
             let lost = self.mode.point(&self.n, &cord.from);
-            Store { stiffness: self.n.massive(ks), stretch: self.n.get(x0), lost, rigid }
+            Store { stiffness: self.n.get(ks), stretch: self.n.get(x0), lost, rigid }
         });
         let frictions: PerTie<T> = frictions(&self.kinetic);
         let powers = balance::powers(self.scene, &self.n, &self.mode, &frictions);
@@ -451,8 +450,7 @@ impl<'a, T: Real> Ledger<'a, T> {
         if let Some(s) = store {
             add(tension0 * s.lost);
         }
-        let size = self.n.exponent(Quantity::Friction);
-        (plus.scale2(size), minus.scale2(size))
+        (plus, minus)
     }
 
     fn asked(&self, account: &Account<T>, turning: Option<T>, sense: f64) -> Option<T> {
@@ -637,7 +635,7 @@ impl<'a, T: Real> Ledger<'a, T> {
                 Tie::Cord(c) => {
                     let rate = self.mode.point(&self.n, &c.from).signed(sense);
                     if let Far::Pull(p) = c.to {
-                        let p = plant!("energy: work of the pull", self.n.massive(p));
+                        let p = plant!("energy: work of the pull", self.n.get(p));
                         self.say(Quantity::CordTravel, Owner::Tie(t), rate.abs() * s);
                         self.say(Quantity::WorkPull, Owner::Tie(t), p * rate * s);
                         self.say(Quantity::PowerPull, Owner::Tie(t), p * rate * u);
@@ -669,7 +667,7 @@ impl<'a, T: Real> Ledger<'a, T> {
                 Tie::Roll { radius_m, .. } => radius = Some(self.n.get(*radius_m)),
                 Tie::Cord(c) => {
                     let Far::Pull(p) = c.to else { return };
-                    let p = self.n.massive(p);
+                    let p = self.n.get(p);
                     centre = if c.from.forward { centre + p } else { centre - p };
                 }
                 Tie::Slip { .. } | Tie::Slide { .. } => return,

@@ -63,7 +63,7 @@ impl<T: Real> Store<T> {
         let own = plant!("energy: rotation of the pinned body", numbers.inertia);
         let start = Half::of_degrees(n.get(pin.start_deg));
         let couple = scene.couples.iter().fold(T::zero(), |sum, c| {
-            let moment = n.massive(c.moment_n_m);
+            let moment = n.get(c.moment_n_m);
             if c.forward { sum + moment } else { sum - moment }
         });
         let up = if pin.from == Zero::Upright { 1.0 } else { -1.0 };
@@ -74,7 +74,7 @@ impl<T: Real> Store<T> {
             let direction = if anchor.is_zero() { start } else { Half::of_point(x, y.signed(up)) };
             let at = n.get(s.at_m);
             let stiffness =
-                plant!("energy: stiffness of the spring on a pinned body", n.massive(s.stiffness_n_m));
+                plant!("energy: stiffness of the spring on a pinned body", n.get(s.stiffness_n_m));
             let mut tied = Tied { at, anchor, direction, stiffness, natural: T::zero() };
             tied.natural = match s.rest {
                 Rest::Length(l) => n.get(l),

@@ -151,7 +151,6 @@ struct Book<'a, T: Real> {
 
 impl<T: Real> Book<'_, T> {
     fn say_of(&mut self, quantity: Quantity, of: Owner, value: T) {
-        let value = self.n.publish(quantity, value);
         self.road.said.push(Said { label: Label { quantity, of }, value, scale: value.f64().abs() });
     }
     fn say(&mut self, quantity: Quantity, value: T) {

@@ -150,7 +150,6 @@ pub fn road<T: Real>(scene: &Scene, n: &Numbers<T>, thrown: &Thrown) -> Result<R
     let mut road = Road::new();
     let mut say = |quantity, of, value: T| {
         let label = Label { quantity, of };
-        let value = n.publish(quantity, value);
         road.said.push(Said { label, value, scale: value.f64().abs() });
     };
     let own = Owner::Body(body);

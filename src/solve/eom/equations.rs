@@ -150,7 +150,7 @@ pub fn respond<T: Real>(scene: &Scene, n: &Numbers<T>, setting: &Setting) -> Res
     }
     for c in &scene.couples {
         if let Some(row) = layout.turn[c.body] {
-            let moment = plant!("eom: moment of a couple", n.massive(c.moment_n_m));
+            let moment = plant!("eom: moment of a couple", n.get(c.moment_n_m));
             rows.right(row, CONSTANT, if c.forward { moment } else { -moment });
         }
     }
@@ -227,7 +227,7 @@ pub fn respond<T: Real>(scene: &Scene, n: &Numbers<T>, setting: &Setting) -> Res
             }
             Tie::Cord(cord) => match &cord.to {
                 Far::Pull(force) => {
-                    let p = plant!("eom: force of a pull", n.massive(*force));
+                    let p = plant!("eom: force of a pull", n.get(*force));
                     pull(&mut rows, &cord.from, p, None, CONSTANT);
                 }
                 Far::Spring { .. } => pull(&mut rows, &cord.from, T::of(1.0), None, SPRING),

@@ -2,7 +2,6 @@
 //! would set them going from rest. A force that grows from 0 and gives a body a velocity does half the work of its impulse
 //! over that velocity; no velocity ratio of the ties and no kinetic energy of a single body comes in.
 use crate::num::Real;
-use crate::num::dd::pow2;
 use crate::num::plant::plant;
 use crate::scene::{Coordinate, Degree, Label, Numbers, Owner, Quantity, Scene, Start};
 use crate::solve::eom::equations::{Setting, respond};
@@ -19,11 +18,7 @@ pub fn road<T: Real>(scene: &Scene, n: &Numbers<T>) -> Result<Road<T>, Refusal> 
     let mut energy = struck.energy;
     let mut say = |quantity, of, value: T, scale: f64| {
         let label = Label { quantity, of };
-        road.said.push(Said {
-            label,
-            value: n.publish(quantity, value),
-            scale: scale * pow2(n.exponent(quantity)),
-        });
+        road.said.push(Said { label, value, scale });
     };
     for (b, body) in scene.bodies.iter().enumerate() {
         for (c, velocity) in struck.coordinates.iter().zip(&struck.velocities).filter(|(c, _)| c.body == b) {
@@ -42,7 +37,7 @@ pub fn road<T: Real>(scene: &Scene, n: &Numbers<T>) -> Result<Road<T>, Refusal> 
         // First moments of what lies ahead of the origin and of what lies behind: printed decimals that balance leave 0.
         let (mut mass, mut ahead, mut behind) = (T::zero(), [T::zero(); 2], [T::zero(); 2]);
         for (i, p) in body.particles.iter().enumerate() {
-            let m = n.massive(p.mass_kg);
+            let m = n.get(p.mass_kg);
             let (x, y) = place(i);
             let ux = vx - plant!("eom: velocity about the known particle, x", spin) * (y - ya);
             let uy = vy + plant!("eom: velocity about the known particle, y", spin) * (x - xa);
@@ -61,7 +56,7 @@ pub fn road<T: Real>(scene: &Scene, n: &Numbers<T>) -> Result<Road<T>, Refusal> 
         for (i, p) in body.particles.iter().enumerate() {
             let (x, y) = place(i);
             let arm = x.balance(-xg).square() + y.balance(-yg).square();
-            inertia = inertia + n.massive(p.mass_kg) * plant!("eom: square of the arm", arm);
+            inertia = inertia + n.get(p.mass_kg) * plant!("eom: square of the arm", arm);
         }
         let of = Owner::Body(b);
         say(Quantity::XG, of, xg, scale_x);

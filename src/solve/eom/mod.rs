@@ -10,7 +10,6 @@ pub mod thrown;
 pub mod travel;
 
 use crate::num::Real;
-use crate::num::dd::pow2;
 use crate::num::ode::Count;
 use crate::num::plant::plant;
 use crate::scene::{
@@ -115,7 +114,7 @@ impl<'a, T: Real> Walk<'a, T> {
         let started = given.is_some();
         let spring = scene.spring().map(|(tie, ks, x0, rigid)| {
             let Tie::Cord(cord) = &scene.ties[tie] else { unreachable!("a spring is on a cord") };
-            Spring { stiffness: n.massive(ks), stretch: n.get(x0), rigid, end: cord.from }
+            Spring { stiffness: n.get(ks), stretch: n.get(x0), rigid, end: cord.from }
         });
         let mut setting = Setting {
             grip: Grip::AllRoll,
@@ -306,8 +305,7 @@ impl<'a, T: Real> Walk<'a, T> {
     }
     fn say_scaled(&mut self, quantity: Quantity, of: Owner, value: T, scale: f64) {
         let label = Label { quantity, of };
-        let scale = scale * pow2(self.n.exponent(quantity));
-        self.road.said.push(Said { label, value: self.n.publish(quantity, value), scale });
+        self.road.said.push(Said { label, value, scale });
     }
 
     /// Velocity of a coordinate per unit velocity of the ending one.
@@ -532,8 +530,7 @@ impl<'a, T: Real> Walk<'a, T> {
             let slip = along - self.n.get(*radius_m) * turn;
             let against = slip.signed(-friction.sign());
             let available = self.n.get(*mu_s) * normal;
-            let force = |f: T| self.n.publish(Quantity::Friction, f);
-            self.road.held.push(Held::Slipping(t, force(friction), force(available), against, along.sign()));
+            self.road.held.push(Held::Slipping(t, friction, available, against, along.sign()));
         }
     }
 
@@ -554,8 +551,7 @@ impl<'a, T: Real> Walk<'a, T> {
             if self.scene.bodies[b].line.is_some_and(|l| l.surface) {
                 let normal = self.response.normal(b);
                 self.say(Quantity::Normal, Owner::Body(b), normal);
-                let force = self.n.publish(Quantity::Normal, normal).f64();
-                self.road.held.push(Held::Pressed(b, force));
+                self.road.held.push(Held::Pressed(b, normal.f64()));
             }
         }
         for (t, tie) in self.scene.ties.iter().enumerate() {
@@ -579,16 +575,14 @@ impl<'a, T: Real> Walk<'a, T> {
                     if surface {
                         self.say(Quantity::MuRequired, Owner::Body(*body), most.over(normal));
                     }
-                    let force = |f: T| self.n.publish(Quantity::Friction, f);
-                    let available = mu_s.map(|mu| force(self.n.get(mu) * normal));
-                    self.road.held.push(Held::Rolling(t, force(most), available));
+                    let available = mu_s.map(|mu| self.n.get(mu) * normal);
+                    self.road.held.push(Held::Rolling(t, most, available));
                 }
                 Tie::Cord(c) if matches!(c.to, Far::Body(_) | Far::Fixed) => {
                     let (first, last) = (self.friction(t, tension0), self.friction(t, tension1));
                     let (least, at) = if last.below(first) { (last, tension1) } else { (first, tension0) };
                     let share = self.share_of_tension(t, c, least, at);
-                    let force = self.n.publish(Quantity::Tension, least).f64();
-                    self.road.held.push(Held::Cord(t, force, share));
+                    self.road.held.push(Held::Cord(t, least.f64(), share));
                 }
                 _ => {}
             }
@@ -625,7 +619,7 @@ impl<'a, T: Real> Walk<'a, T> {
                 Some(_) => size(n.inertia * a),
             };
             for couple in self.scene.couples.iter().filter(|k| arm.is_some() && k.body == b) {
-                others += size(self.n.massive(couple.moment_n_m));
+                others += size(self.n.get(couple.moment_n_m));
             }
             for (t, other) in self.scene.ties.iter().enumerate().filter(|(t, _)| *t != tie) {
                 others += match other {
@@ -639,7 +633,7 @@ impl<'a, T: Real> Walk<'a, T> {
                             _ => None,
                         };
                         let force = match to {
-                            Far::Pull(p) => self.n.massive(*p),
+                            Far::Pull(p) => self.n.get(*p),
                             Far::Spring { .. } => spring,
                             Far::Body(_) | Far::Fixed => self.friction(t, spring),
                         };
@@ -777,7 +771,7 @@ impl<'a, T: Real> Walk<'a, T> {
                 Tie::Cord(c) => {
                     let rate = self.take_up(&c.from).signed(sense);
                     if let Far::Pull(force) = c.to {
-                        let p = self.n.massive(force);
+                        let p = self.n.get(force);
                         self.say(Quantity::CordTravel, Owner::Tie(t), rate.abs() * s);
                         self.say(Quantity::WorkPull, Owner::Tie(t), p * rate * s);
                         self.say(Quantity::PowerPull, Owner::Tie(t), p * rate * u);
@@ -807,7 +801,7 @@ impl<'a, T: Real> Walk<'a, T> {
                 Tie::Cord(c) => {
                     let Far::Pull(p) = c.to else { return };
                     pulled = true;
-                    let p = self.n.massive(p).signed(if c.from.forward { 1.0 } else { -1.0 });
+                    let p = self.n.get(p).signed(if c.from.forward { 1.0 } else { -1.0 });
                     force = force + p;
                     if let Attach::Wound(r, side) = c.from.attach {
                         let lever = if side == Side::Top { self.n.get(r) } else { -self.n.get(r) };

@@ -205,7 +205,7 @@ impl<T: Real> Pinned<T> {
         let numbers = n.bodies[body];
         let arm = Self::arm(n, pin);
         let couple = scene.couples.iter().fold(T::zero(), |sum, c| {
-            let moment = plant!("eom: moment of a couple on a pinned body", n.massive(c.moment_n_m));
+            let moment = plant!("eom: moment of a couple on a pinned body", n.get(c.moment_n_m));
             if c.forward { sum + moment } else { sum - moment }
         });
         let mut pinned = Self {
@@ -220,8 +220,7 @@ impl<T: Real> Pinned<T> {
             let at = n.get(s.at_m);
             let lever = at - plant!("eom: mass centre as seen from the spring", arm);
             let (x, y) = (n.get(s.x_m), n.get(s.y_m));
-            let stiffness =
-                plant!("eom: stiffness of the spring on a pinned body", n.massive(s.stiffness_n_m));
+            let stiffness = plant!("eom: stiffness of the spring on a pinned body", n.get(s.stiffness_n_m));
             let mut spring = Spring { at, lever, x, y, stiffness, natural: T::zero() };
             spring.natural = match s.rest {
                 Rest::Length(l) => n.get(l),

@@ -3,7 +3,6 @@
 //! Under its weight alone the time is an elliptic integral, here by Carlson's R_F. With a couple or a spring it is a
 //! quadrature of `d phi / omega`; from rest the angle goes as the square of the variable, which takes the root
 //! singularity away, and so does the last half of a way that ends at rest, which is the way back from there.
-use crate::num::dd::pow2;
 use crate::num::gauss::{PerNode, Unsettled};
 use crate::num::half::Half;
 use crate::num::ode::Count;
@@ -189,15 +188,12 @@ impl<T: Real> Teller<'_, T> {
         self.say_scaled(quantity, of, value, value.f64().abs());
     }
     fn say_scaled(&mut self, quantity: Quantity, of: Owner, value: T, scale: f64) {
-        let scale = scale * pow2(self.n.exponent(quantity));
-        let value = self.n.publish(quantity, value);
         self.road.said.push(Said { label: Label { quantity, of }, value, scale });
     }
 
     /// Puts another value in the place of what was said.
     fn replace(&mut self, quantity: Quantity, value: T) {
         let label = Label { quantity, of: Owner::Body(self.owner) };
-        let value = self.n.publish(quantity, value);
         for said in self.road.said.iter_mut().filter(|s| s.label == label) {
             said.value = value;
         }

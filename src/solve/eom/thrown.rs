@@ -10,7 +10,6 @@
 //! ```
 //! Source: Beer & Johnston, *Vector Mechanics for Engineers: Dynamics*, section 16.2 (sliding turning into rolling).
 use crate::num::Real;
-use crate::num::dd::pow2;
 use crate::num::ode::{Count, Formula, Run, Trouble};
 use crate::num::plant::plant;
 use crate::scene::{Coordinate, Degree, End, Label, Numbers, Owner, Quantity, Scene, Thrown};
@@ -160,8 +159,7 @@ pub fn road_by<T: Real>(
     let mut road = Road::new();
     let mut say = |quantity, of, value: T, scale: f64| {
         let label = Label { quantity, of };
-        let scale = scale * pow2(n.exponent(quantity));
-        road.said.push(Said { label, value: n.publish(quantity, value), scale });
+        road.said.push(Said { label, value, scale });
     };
     let own = Owner::Body(body);
     let up = if scene.bodies[body].line.is_none_or(|l| l.forward_up) { 1.0 } else { -1.0 };
@@ -204,8 +202,7 @@ pub fn road_by<T: Real>(
         let kinetic = slipping.map_or(zero, |p| p.friction.abs());
         say(Quantity::Heat, Owner::Scene, kinetic * slid, size(kinetic * slid));
     }
-    let force = |f: T| n.publish(Quantity::Friction, f).f64();
-    road.held.push(Held::Pressed(body, force(normal)));
+    road.held.push(Held::Pressed(body, normal.f64()));
     road.held.push(Held::Thrown(Throw {
         tie: thrown.tie,
         slips: !slip0.is_zero(),
@@ -219,10 +216,10 @@ pub fn road_by<T: Real>(
         at_end: state.as_ref().map(|s| (size(s.v), size(v0) + size(s.v - v0))),
         slip: size(slip0),
         speeds: size(v0) + size(rim),
-        upkeep: force(rolling.friction.signed(-sense)),
-        kinetic: force(n.get(thrown.mu_k) * normal),
-        needed: force(needed),
-        available: force(available),
+        upkeep: rolling.friction.signed(-sense).f64(),
+        kinetic: (n.get(thrown.mu_k) * normal).f64(),
+        needed: needed.f64(),
+        available: available.f64(),
     }));
     road.course = Some(Course {
         sense: state.map_or(v0, |s| s.v).sign(),
