@@ -333,6 +333,7 @@ impl Solved {
             words: Vec::new(),
             open: Vec::new(),
             beyond: Vec::new(),
+            scales: Scales::SI,
         }
     }
     /// The entry of a label.
