@@ -28,6 +28,7 @@ pub const BUILT_IN: &[(&str, &str)] = built_in!("":
     "feedback.md",
     "key-table.md",
     "style.html",
+    "math-font.html",
     "sheet.html",
     "booklet.html",
     "style.tex",
@@ -334,7 +335,7 @@ impl Templates {
 
 /// What a page may fetch and run: nothing but its own styles, and pictures within it.
 pub const CONTENT_SECURITY_POLICY: &str = "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; \
-     style-src 'unsafe-inline'; img-src data:; base-uri 'none'; form-action 'none'\">";
+     style-src 'unsafe-inline'; font-src data:; img-src data:; base-uri 'none'; form-action 'none'\">";
 
 /// Puts the policy at the head of the page that begins here, whoever wrote its template: into the tag of the head if nothing but a
 /// document type, comments and `<html>` come before, else before all that could act.

@@ -19,6 +19,29 @@ pub const BUILT_IN: &[OfBank] = &[
     ("pinned-bodies", "banks/pinned-bodies.yaml", include_str!("../../banks/pinned-bodies.yaml")),
 ];
 
+/// Names of scenes, with their texts.
+macro_rules! scenes {
+    ($($name:literal),* $(,)?) => {
+        &[$(($name, include_str!(concat!("../../templates/new/", $name, ".yaml")))),*]
+    };
+}
+
+/// Banks of one scene to begin a bank of one's own with: name, text. The first line of the text says what it is.
+pub const SCENES: &[(&str, &str)] = scenes![
+    "pulled-wheel",
+    "rolling-down",
+    "wheel-and-spring",
+    "block-pulley-wheel",
+    "stepped-drum",
+    "yo-yo",
+    "atwood",
+    "bowling-ball",
+    "block-on-incline",
+    "falling-rod",
+    "compound-pendulum",
+    "kinetic-energy",
+];
+
 /// Texts of built-in banks in other languages, by code.
 pub const TRANSLATED: &[(&str, &[OfBank])] = &[(
     "de",

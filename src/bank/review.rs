@@ -348,7 +348,7 @@ pub fn label(scene: &Scene, name: &str) -> Result<Label, (String, Option<String>
 }
 
 /// Why a scene has not this quantity, for hints.
-fn reason(scene: &Scene, quantity: Quantity) -> String {
+pub fn reason(scene: &Scene, quantity: Quantity) -> String {
     use Quantity as Q;
     let of_particles = matches!(quantity, Q::XG | Q::YG | Q::IG);
     let of_pins = matches!(

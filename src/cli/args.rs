@@ -86,6 +86,16 @@ pub enum Verb {
         after_help = "Examples:\n  slipstick accuracy wheels-on-inclines spring-released --seed 5\n  slipstick accuracy wheels-on-inclines spring-released --seed 5 --out trade.html --out trade.csv\n  slipstick accuracy wheels-on-inclines pulled-rolling --set m=40kg --set R=400mm --set r=200mm --set k=300mm \\\n      --set theta=30deg --set P=200N --set d=3m --set mu_s=0.6 --no-time\n\nEvery method that applies is run from coarse to fine against a reference in double-double (32 digits). `*` marks what no\nother row beats in cost and error at once, `auto` what `solve` takes by itself. `asked` is the tolerance of a step,\n`given/asked` how far the error of the result is from it."
     )]
     Accuracy(AccuracyArgs),
+    /// Begin a bank of one's own: a commented bank of one of a dozen scenes
+    #[command(
+        after_help = "Examples:\n  slipstick new                          the scenes\n  slipstick new yo-yo > my-bank.yaml\n  slipstick lint my-bank.yaml\n  slipstick gallery my-bank.yaml --out gallery.html --watch"
+    )]
+    New(NewArgs),
+    /// Tell which quantities may be asked of a problem: name, what it is, sign, unit
+    #[command(
+        after_help = "Examples:\n  slipstick quantities wheels-on-inclines pulled-rolling\n  slipstick quantities my-bank.yaml yo-yo --json\n\nUnits are SI; a question may ask for any other unit of the same kind. A quantity of another body or cord than the one that\na bare name means stands with its name, such as block.v."
+    )]
+    Quantities(QuantitiesArgs),
     /// Find everything that is wrong in a bank, then try it over many seeds
     #[command(
         after_help = "Examples:\n  slipstick lint my-bank.yaml\n  slipstick lint wheels-on-inclines --seeds 2000"
@@ -93,7 +103,7 @@ pub enum Verb {
     Lint(LintArgs),
     /// Look through a bank: many variants of each problem side by side, with their answers, on one page
     #[command(
-        after_help = "Examples:\n  slipstick gallery wheels-on-inclines --out gallery.html\n  slipstick gallery my-bank.yaml --out gallery.html --problems spring-released --variants 40\n\nThe page needs nothing but itself. It shows figures, data, answers and condition numbers, and the tables of `lint`;\nit holds keys and is for instructors."
+        after_help = "Examples:\n  slipstick gallery wheels-on-inclines --out gallery.html\n  slipstick gallery my-bank.yaml --out gallery.html --problems spring-released --variants 40\n  slipstick gallery my-bank.yaml --out gallery.html --watch\n\nThe page needs nothing but itself. It shows figures, data, answers and condition numbers, draws that a rule refuses, with\nthe reason, and the tables of `lint`; it holds keys and is for instructors. With --watch the bank is linted and the page\nwritten anew whenever the file of the bank is saved; reload the page in the browser."
     )]
     Gallery(GalleryArgs),
     /// Draw and solve a set again and prove its key: solved in two ways, and an enclosure of every answer
@@ -403,7 +413,7 @@ pub struct ProblemArgs {
     /// A datum with its unit, such as m=40kg; may be repeated
     #[arg(long, value_name = "SYMBOL=VALUE")]
     pub set: Vec<String>,
-    /// Without --set: draw with this seed
+    /// Without --set: draw with this seed; not needed where all data are constants
     #[arg(long, value_name = "N", conflicts_with = "set")]
     pub seed: Option<u64>,
 }
@@ -503,6 +513,25 @@ pub struct LintArgs {
     pub own: OwnArgs,
 }
 
+/// `new`
+#[derive(Debug, Args)]
+pub struct NewArgs {
+    /// Name of the scene; without it the scenes are listed
+    pub scene: Option<String>,
+}
+
+/// `quantities`
+#[derive(Debug, Args)]
+pub struct QuantitiesArgs {
+    /// Bank: a YAML file, or the id of a built-in one: wheels-on-inclines, hoists-and-pulleys, slip-and-roll, pinned-bodies
+    pub bank: String,
+    /// Id of the problem
+    pub problem: String,
+    /// Print JSON
+    #[arg(long)]
+    pub json: bool,
+}
+
 /// `gallery`
 #[derive(Debug, Args)]
 pub struct GalleryArgs {
@@ -523,6 +552,9 @@ pub struct GalleryArgs {
     /// Replace a file that is there already
     #[arg(long)]
     pub force: bool,
+    /// Lint the bank and write the page again whenever the file of the bank is saved, until Ctrl-C
+    #[arg(long)]
+    pub watch: bool,
     /// In which words.
     #[command(flatten)]
     pub own: OwnArgs,

@@ -2,53 +2,22 @@
 use crate::bank::Problem;
 use crate::cli::args;
 use crate::cli::tell::{Exit, Io};
-use crate::finding::{Finding, Findings};
+use crate::finding::Findings;
 use crate::folder::{Progress, banks};
-use crate::inspect::sentences;
-use crate::inspect::table::unsatisfiable;
 use crate::num::shown;
 use crate::problem::sweep;
 use crate::review;
-use crate::sheet::{terminal, texts};
+use crate::sheet::terminal;
 
 /// Runs it.
 pub fn run(args: &args::LintArgs, io: &mut Io) -> Result<Exit, Findings> {
     let mut loaded = banks::load(&args.bank)?;
     let texts = args.own.texts(&mut loaded.bank).map_err(|f| f.or_in_file(&loaded.file))?;
     let bank = &loaded.bank;
-    let mut findings = texts::unknown_names(bank, &texts.templates);
-    findings.extend(texts::never_given(bank, &texts.templates));
     let all: Vec<&Problem> = bank.problems.iter().collect();
     let bar = io.bar();
     let sweeps = review::sweeps(&all, args.seeds, &bank.id, &|of| bar.advance("draws", 1, of));
-    for (problem, sweep) in bank.problems.iter().zip(&sweeps) {
-        if let Some((seed, none)) = &sweep.unsatisfiable {
-            let mut fault = unsatisfiable(bank, none);
-            if none.constant.is_none() {
-                fault.message = format!("seed {seed}: {}", fault.message);
-            }
-            findings.push(
-                fault.in_file(&loaded.file).hint("widen the ranges, or loosen the rule that refuses most"),
-            );
-        } else if let Some(refusal) = &sweep.unsolved {
-            for text in sentences::refusal(problem, &problem.cases[0].scene, refusal) {
-                let what = format!("a draw cannot be solved: {text}");
-                findings.push(Finding::new(format!("problems.{}", problem.id), what).in_file(&loaded.file));
-            }
-        }
-    }
-    let mut notes = Vec::new();
-    if findings.is_empty() {
-        let tried = review::texts::whole_bank(bank, &texts)?;
-        findings.extend(tried.faults);
-        notes = tried.notes;
-        for (problem, sweep) in bank.problems.iter().zip(&sweeps) {
-            for (question, seen) in problem.questions.iter().zip(&sweep.questions) {
-                let never = sweep::seldom(&seen.words).into_iter().filter(sweep::Seldom::never);
-                findings.extend(never.map(|s| review::seldom(problem, question, &s).in_file(&loaded.file)));
-            }
-        }
-    }
+    let (findings, notes) = review::faults(bank, &loaded.file, &texts, &sweeps)?;
     for (problem, sweep) in bank.problems.iter().zip(&sweeps) {
         let tables = review::tables(problem, sweep);
         io.line(&format!("{}: {}", problem.id, problem.title));

@@ -17,7 +17,9 @@ mod generate;
 mod grade;
 mod lint;
 mod matches;
+mod new;
 mod practice;
+mod quantities;
 mod regrade;
 mod report;
 mod simulate;
@@ -72,6 +74,8 @@ fn verb(args: impl IntoIterator<Item = OsString>, io: &mut Io) -> Exit {
         Verb::Solve(args) => solve::run(&args, io),
         Verb::Accuracy(args) => accuracy::run(&args, io),
         Verb::Lint(args) => lint::run(&args, io),
+        Verb::New(args) => new::run(&args, io),
+        Verb::Quantities(args) => quantities::run(&args, io),
         Verb::Gallery(args) => gallery::run(&args, io),
         Verb::Verify(args) => verify::run(&args, io),
         Verb::Solutions(args) => solutions::run(&args, io),

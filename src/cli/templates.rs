@@ -10,8 +10,8 @@ use crate::sheet::terminal;
 use crate::template;
 use crate::words::Words;
 
-/// Pages that only instructors see; their looks are not written out.
-const INSTRUCTORS: [&str; 2] = ["accuracy.html", "gallery.html"];
+/// What is not written out: the looks of pages that only instructors see, and the font of formulas.
+const NOT_WRITTEN: [&str; 3] = ["accuracy.html", "gallery.html", "math-font.html"];
 
 /// What each file receives.
 const ABOUT: &str = include_str!("../../templates/README.md");
@@ -43,7 +43,7 @@ pub fn run(args: &args::TemplatesArgs, io: &mut Io) -> Result<Exit, Findings> {
 /// All files: name, text.
 fn texts(language: &str) -> Result<Vec<(String, String)>, Findings> {
     let mut texts: Vec<(String, String)> = Vec::new();
-    for (name, text) in template::built_in(language).filter(|(name, _)| !INSTRUCTORS.contains(name)) {
+    for (name, text) in template::built_in(language).filter(|(name, _)| !NOT_WRITTEN.contains(name)) {
         texts.push((name.to_owned(), text.to_owned()));
     }
     for (topic, text) in Words::lists(language).unwrap_or_default() {

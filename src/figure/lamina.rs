@@ -38,6 +38,11 @@ pub fn draw(board: &mut Board, view: &SceneView, index: usize) {
     if ring.len() > 1 {
         board.lines(&ring, ring.len() > 2, Role::Ground);
     }
+    // A mere ring of rods would be a linkage.
+    let diagonals = diagonals(&ring);
+    for (a, b) in &diagonals {
+        board.line(*a, *b, Role::Ground);
+    }
     let most = body.particles.iter().map(|p| view.of(p.mass_kg)).fold(0.0, f64::max);
     for (p, place) in body.particles.iter().zip(&places) {
         let share = if most > 0.0 { view.of(p.mass_kg) / most } else { 1.0 };
@@ -71,7 +76,7 @@ pub fn draw(board: &mut Board, view: &SceneView, index: usize) {
             );
         }
         // The spin stands where there is room, in the sense that it has; counter-clockwise is positive.
-        let centre = roomy(&ring, low * scale, high * scale);
+        let centre = roomy(&ring, &diagonals, low * scale, high * scale);
         let (from, to) = if view.of(spin_rad_s) < 0.0 { (3.7, -1.0) } else { (-0.5, 4.2) };
         board.curved_arrow(centre, 17.0, from, to, Role::Motion);
         board.wish(
@@ -103,8 +108,37 @@ pub fn draw(board: &mut Board, view: &SceneView, index: usize) {
     }
 }
 
+/// The diagonals that make a ring of rods, counter-clockwise, a rigid frame of triangles: corner by corner is cut off, each time
+/// the one with the shortest diagonal among those that have no other particle within.
+fn diagonals(ring: &[Vec2]) -> Vec<(Vec2, Vec2)> {
+    let mut left = ring.to_vec();
+    let mut found = Vec::new();
+    let turn = |a: Vec2, b: Vec2, c: Vec2| (b - a).perp(&(c - b));
+    while left.len() > 3 {
+        let n = left.len();
+        let corner = |i: usize| (left[(i + n - 1) % n], left[i], left[(i + 1) % n]);
+        let ear = |i: &usize| {
+            let (a, b, c) = corner(*i);
+            let within = |p: &Vec2| turn(a, b, *p) >= 0.0 && turn(b, c, *p) >= 0.0 && turn(c, a, *p) >= 0.0;
+            let others = left.iter().filter(|p| **p != a && **p != b && **p != c);
+            turn(a, b, c) > 1e-6 && !others.into_iter().any(within)
+        };
+        let long = |i: &usize| {
+            let (a, _, c) = corner(*i);
+            (c - a).norm()
+        };
+        let shortest = (0..n).filter(ear).min_by(|i, j| long(i).total_cmp(&long(j)));
+        // Particles on one line have no ear.
+        let Some(cut) = shortest else { break };
+        let (a, _, c) = corner(cut);
+        found.push((a, c));
+        left.remove(cut);
+    }
+    found
+}
+
 /// The place in and round the field that is farthest from all rods and from the axes.
-fn roomy(ring: &[Vec2], low: Vec2, high: Vec2) -> Vec2 {
+fn roomy(ring: &[Vec2], diagonals: &[(Vec2, Vec2)], low: Vec2, high: Vec2) -> Vec2 {
     let mut best = (f64::NEG_INFINITY, low);
     for i in 0..=14 {
         for j in 0..=14 {
@@ -113,6 +147,7 @@ fn roomy(ring: &[Vec2], low: Vec2, high: Vec2) -> Vec2 {
                 low.y - 30.0 + (high.y - low.y + 60.0) * f64::from(j) / 14.0,
             );
             let rods = (0..ring.len()).map(|k| (ring[k], ring[(k + 1) % ring.len()]));
+            let rods = rods.chain(diagonals.iter().copied());
             let near = rods.map(|(a, b)| far(p, a, b)).fold(f64::INFINITY, f64::min);
             // Far enough is far enough: then rather within the field.
             let outside = (low.x - p.x).max(p.x - high.x).max(low.y - p.y).max(p.y - high.y).max(0.0);

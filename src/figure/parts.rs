@@ -2,9 +2,9 @@
 use crate::figure::layout;
 use crate::figure::layout::{BodyLook, CordPiece, CordStop, Ground, Placed, SceneLayout};
 use crate::figure::view::SceneView;
-use crate::picture::Role;
-use crate::picture::board::Board;
+use crate::picture::board::{Board, TEXT};
 use crate::picture::vector::{Direction, Vec2, vec2};
+use crate::picture::{Role, symbol};
 use crate::scene::{Far, Num, Slope, Tie};
 use std::f64::consts::PI;
 
@@ -39,6 +39,11 @@ pub fn inside(board: &mut Board, p: &Placed) {
     }
 }
 
+/// Radius of the arc of a slope's angle.
+const ARM: f64 = 64.0;
+/// An arc shorter than this has no room for the head of an arrow.
+const NARROW: f64 = 16.0;
+
 /// A surface with its hatching and, if it slopes, its angle.
 pub fn surface(board: &mut Board, view: &SceneView, g: &Ground) {
     let at = |s: f64| g.origin + g.up * s;
@@ -51,7 +56,7 @@ pub fn surface(board: &mut Board, view: &SceneView, g: &Ground) {
     let degrees = slope.map_or(0.0, |n| view.of(n));
     let flat = slope.is_none() || degrees.abs() < 1e-9;
     // Where the angle is drawn there is no hatching.
-    let (arm, clear): (f64, f64) = if flat { (0.0, 0.0) } else { (64.0, 70.0) };
+    let (arm, clear): (f64, f64) = if flat { (0.0, 0.0) } else { (ARM, ARM + 6.0) };
     if g.rail {
         let thick = 9.0;
         let low = |p: Vec2| p + into * thick;
@@ -71,26 +76,32 @@ pub fn surface(board: &mut Board, view: &SceneView, g: &Ground) {
         }
     }
     if let (Some(num), false) = (slope, flat) {
-        // The level through the foot, the arc, its label.
+        // The level through the foot, the arc, its label: within the angle where it is wide enough.
         let start = foot;
         let level = if g.up.x < 0.0 { Vec2::LEFT } else { Vec2::RIGHT };
-        let long = if g.drop { (top.x - foot.x).abs() } else { arm + 46.0 };
+        let label = view.label(num, "°");
+        let wide = symbol::width(&label, TEXT);
+        let long = if g.drop { (top.x - foot.x).abs() } else { arm + wide + 14.0 };
         board.line(start, start + level * long, Role::Dimension);
         let (a, b) = (level.angle_of(), g.up.angle_of());
         let a = if g.up.x < 0.0 { PI } else { a };
-        board.curved_arrow(start, arm, a, b, Role::Dimension);
-        let mid = (a + b) / 2.0;
-        let out = start + Vec2::at_angle(mid) * arm;
-        let label = view.label(num, "°");
-        board.wish(
-            label,
-            vec![
-                (out, Vec2::at_angle(mid)),
-                (start + level * arm, (level + vec2(0.0, -0.7)).unit()),
-                (start + level * arm, Vec2::DOWN),
-            ],
-            Role::Dimension,
-        );
+        let sense = (b - a).signum();
+        if (b - a).abs() * arm < NARROW {
+            // No room between the lines: the arrows come from outside.
+            let more = sense * 24.0 / arm;
+            board.curved_arrow(start, arm, b + more, b, Role::Dimension);
+            board.curved_arrow(start, arm, a - more, a, Role::Dimension);
+            board.arc(start, arm, a, b, Role::Dimension);
+        } else {
+            board.curved_arrow(start, arm, a, b, Role::Dimension);
+        }
+        let within = |more: f64| (start + level * (arm + more) + Vec2::UP * (TEXT * 0.5 + 4.0), level);
+        let below = start + level * (arm + 8.0);
+        let mut spots = vec![(below, Vec2::DOWN), (below, (level + vec2(0.0, -0.7)).unit())];
+        if (b - a).abs() * arm > 1.1 * TEXT {
+            spots.splice(0..0, [within(0.0), within(10.0), within(20.0)]);
+        }
+        board.wish(label, spots, Role::Dimension);
     }
 }
 

@@ -122,16 +122,12 @@ impl Hung {
                 let cosine = ((big - small) / self.arm).clamp(-1.0, 1.0);
                 let open = vec2(cosine, (1.0 - cosine * cosine).sqrt()).angle_of();
                 let back = (-d).angle_of();
-                let mut points = Vec::with_capacity(42);
-                for i in 0..=24 {
-                    let a = back + open + (2.0 * std::f64::consts::PI - 2.0 * open) * f64::from(i) / 24.0;
-                    points.push(centre + Vec2::at_angle(a) * big);
-                }
-                for i in 0..=10 {
-                    let a = back - open + 2.0 * open * f64::from(i) / 10.0;
-                    points.push(at + Vec2::at_angle(a) * small);
-                }
-                board.lines(&points, true, role);
+                let round = 2.0 * std::f64::consts::PI;
+                let arcs = vec![
+                    (centre, big, back + open, back + round - open),
+                    (at, small, back - open, back + open),
+                ];
+                board.arcs(arcs, role);
             }
         }
     }
@@ -183,12 +179,10 @@ pub fn draw(board: &mut Board, view: &SceneView, index: usize) {
     if hung.arm > 4.0 {
         board.dot(g);
         let side = hung.across(start) * (if end.is_some_and(|(_, e)| e > start) { -1.0 } else { 1.0 });
-        board.label(
-            vec![symbol::italic("G")],
-            Role::Dot,
-            (LabelTie::Near, 4.0),
-            vec![(g + side * 5.0, side), (g - side * 5.0, -side)],
-        );
+        // On either side of the body's line, if need be a little farther along it: arcs pass there.
+        let beside = |along: f64| [side, -side].map(|s| (g + s * 5.0 + d * along, s));
+        let spots = [0.0, 9.0, -9.0, 17.0, -17.0, 26.0, -26.0].into_iter().flat_map(beside).collect();
+        board.label(vec![symbol::italic("G")], Role::Dot, (LabelTie::Near, 4.0), spots);
     }
     sizes(board, view, body, pin, &hung, end.map(|e| e.1));
     if let Some(spring) = &pin.spring {
@@ -302,7 +296,8 @@ fn sizes(board: &mut Board, view: &SceneView, body: &Body, pin: &Pin, hung: &Hun
     let away = hung.across(start) * (if end.is_some_and(|e| e < start) { 1.0 } else { -1.0 });
     let full = pin.spring.is_some() || (1.0..35.0).contains(&start.abs());
     let out = if full && hung.rod.is_some() { -away } else { away };
-    let off = if pin.spring.is_some() { 20.0 } else { 28.0 };
+    // The letter of the mass centre has room between.
+    let off = if hung.rod.is_some() { 37.0 } else { 28.0 };
     let at = |far: f64| d * far;
     let mut rows = Vec::new();
     match (&body.inertia, pin.arm, hung.rod) {

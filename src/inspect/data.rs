@@ -88,6 +88,9 @@ pub fn data(bank: &Bank, problem: &Problem, set: &[String], seed: Option<u64>) -
         return given(problem, set);
     }
     let Some(seed) = seed else {
+        if let Some(data) = constants(problem) {
+            return Ok(data);
+        }
         let example = problem.data.first().map_or("m", |d| d.symbol.as_str());
         let fault = Finding::new("", "no data are given");
         return Err(fault
@@ -111,6 +114,24 @@ fn drawn(bank: &Bank, problem: &Problem, seed: u64) -> Result<Data, Findings> {
         Maker::new(problem, seed, &bank.id).variant("").map_err(|none| unsatisfiable(bank, &none))?;
     let shown = printed(problem, &variant.values);
     Ok((variant.case, variant.data, shown))
+}
+
+/// The data where a case has nothing but constants; of several such cases the first that holds.
+fn constants(problem: &Problem) -> Option<Data> {
+    let constant = |case: &&Case| case.draws.iter().flatten().all(|draw| draw.count() == 1);
+    let of_case = |(i, case): (usize, &Case)| {
+        let values: Vec<Option<Decimal>> =
+            case.draws.iter().map(|draw| draw.as_ref().map(|d| d.range().0)).collect();
+        let number = |(i, v): (usize, &Option<Decimal>)| v.map_or(0.0, |v| fill::number(&problem.data[i], v));
+        let data = values.iter().enumerate().map(number).collect();
+        (i, data, printed(problem, &values))
+    };
+    let mut all = problem.cases.iter().enumerate().filter(|(_, case)| constant(case)).map(of_case);
+    let first = all.next()?;
+    let holds = |(case, data, _): &Data| {
+        agree::solve(&problem.cases[*case].scene, data).is_ok_and(|solved| fits(problem, *case, &solved))
+    };
+    if holds(&first) { Some(first) } else { Some(all.find(holds).unwrap_or(first)) }
 }
 
 /// Each datum as it is shown.

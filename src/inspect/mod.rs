@@ -2,5 +2,6 @@
 //! as JSON, as a page.
 pub mod accuracy;
 pub mod data;
+pub mod quantities;
 pub mod sentences;
 pub mod table;

@@ -119,6 +119,21 @@ pub fn json(problem: &Problem, case: usize, solved: &Solved, taken: &Taken) -> S
     out.push_str(if first { "}" } else { "\n  }" });
     let beyond: Vec<String> = solved.beyond.iter().map(|l| string(&scene.name_of(*l))).collect();
     let open: Vec<String> = solved.open.iter().map(|l| string(&scene.name_of(*l))).collect();
+    out.push_str(",\n  \"questions\": {");
+    for (i, question) in problem.questions.iter().enumerate() {
+        let comma = if i == 0 { "" } else { "," };
+        let value = match solved.word(question.label) {
+            Some(word) => string(word.text()),
+            None => number(solved.get(question.label).map(|e| question.unit.from_si(e.value()))),
+        };
+        let (id, quantity) = (string(&question.id), string(&scene.name_of(question.label)));
+        let unit = string(if question.label.quantity.is_word() { "" } else { question.unit.ascii() });
+        let _ = write!(
+            out,
+            "{comma}\n    {id}: {{\"quantity\": {quantity}, \"value\": {value}, \"unit\": {unit}}}"
+        );
+    }
+    out.push_str(if problem.questions.is_empty() { "}" } else { "\n  }" });
     let _ = write!(out, ",\n  \"beyond\": [{}],\n  \"open\": [{}]\n}}\n", beyond.join(", "), open.join(", "));
     out
 }

@@ -77,6 +77,11 @@ impl Board {
         self.elements.push(Element { outline: Outline::Arc { centre, radius, from, to }, role });
     }
 
+    /// Arcs, joined by straight lines, and closed.
+    pub fn arcs(&mut self, arcs: Vec<(Vec2, f64, f64, f64)>, role: Role) {
+        self.elements.push(Element { outline: Outline::Arcs(arcs), role });
+    }
+
     /// A small full point.
     pub fn dot(&mut self, at: Vec2) {
         self.circle(at, 2.6, Role::Dot);
@@ -196,6 +201,9 @@ impl Board {
             Outline::Arc { centre, radius, from, to } => {
                 Frame::round(Vec2::on_arc(*centre, *radius, (*from, *to), 16))
             }
+            Outline::Arcs(arcs) => {
+                Frame::round(arcs.iter().flat_map(|(c, r, from, to)| Vec2::on_arc(*c, *r, (*from, *to), 16)))
+            }
         };
         self.elements.iter().filter_map(of).reduce(Frame::joined)
     }
@@ -206,6 +214,7 @@ impl Board {
             match &mut element.outline {
                 Outline::Lines { points, .. } => points.iter_mut().for_each(|p| *p += by),
                 Outline::Circle { centre, .. } | Outline::Arc { centre, .. } => *centre += by,
+                Outline::Arcs(arcs) => arcs.iter_mut().for_each(|(centre, ..)| *centre += by),
             }
         }
         for wish in &mut self.wishes {

@@ -68,6 +68,8 @@ pub enum Outline {
         /// Where it ends; the arc runs counter-clockwise from `from` if this is greater, else clockwise.
         to: f64,
     },
+    /// Arcs, joined by straight lines, and closed: centre, radius, where each begins and ends, as for [`Self::Arc`].
+    Arcs(Vec<(Vec2, f64, f64, f64)>),
 }
 
 impl Outline {
@@ -79,6 +81,9 @@ impl Outline {
             }
             Self::Circle { centre, radius } => Self::Circle { centre: place(centre), radius },
             Self::Arc { centre, radius, from, to } => Self::Arc { centre: place(centre), radius, from, to },
+            Self::Arcs(arcs) => {
+                Self::Arcs(arcs.into_iter().map(|(c, r, a, b)| (place(c), r, a, b)).collect())
+            }
         }
     }
 }

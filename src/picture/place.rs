@@ -105,8 +105,11 @@ impl LabelPlaces {
             return;
         }
         // What covers more than the best one is not looked at to its end.
-        let Some(covered) = self.obstacles.cost(wide, |covered| base + covered >= limit) else { return };
-        let mut cost = base + covered;
+        // What stands near its point and has no leader is read only where it covers nothing.
+        let dear = if tie == LabelTie::Near { 4.0 } else { 1.0 };
+        let too_much = |covered: f64| base + dear * covered >= limit;
+        let Some(covered) = self.obstacles.cost(wide, too_much) else { return };
+        let mut cost = base + dear * covered;
         let leader =
             (gap >= LEADER_FROM && tie == LabelTie::Leader).then(|| (frame.grown(1.5).nearest(point), point));
         if let Some((a, b)) = leader {
@@ -196,6 +199,14 @@ impl Obstacles {
             Outline::Circle { centre, radius } => self.circles.push((*centre, *radius, weight)),
             Outline::Arc { centre, radius, from, to } => {
                 let points: Vec<Vec2> = Vec2::on_arc(*centre, *radius, (*from, *to), 12).collect();
+                for pair in points.windows(2) {
+                    segment(pair[0], pair[1]);
+                }
+            }
+            Outline::Arcs(arcs) => {
+                let on = |(c, r, from, to): &(Vec2, f64, f64, f64)| Vec2::on_arc(*c, *r, (*from, *to), 12);
+                let mut points: Vec<Vec2> = arcs.iter().flat_map(on).collect();
+                points.extend(points.first().copied());
                 for pair in points.windows(2) {
                     segment(pair[0], pair[1]);
                 }

@@ -178,22 +178,31 @@ impl Svg {
     fn path(&mut self, outline: &Outline) {
         match outline {
             Outline::Lines { points, closed } => self.path_of_lines(points, *closed),
-            Outline::Arc { centre, radius, from, to } => {
-                let at = |angle: f64| on_arc(*centre, *radius, angle);
-                let (a, b) = (at(*from), at(*to));
-                let _ = write!(self.text, "M{} {}", Px(a.x), Px(a.y));
-                // A circle is more than one arc can be.
-                let parts = ((to - from).abs() / 3.0).ceil().max(1.0);
-                let sweep = u8::from(to < from);
-                let mut i = 1.0;
-                while i <= parts {
-                    let p = if i < parts { at(from + (to - from) * i / parts) } else { b };
-                    let r = Px(*radius);
-                    let _ = write!(self.text, "A{r} {r} 0 0 {sweep} {} {}", Px(p.x), Px(p.y));
-                    i += 1.0;
+            Outline::Arc { centre, radius, from, to } => self.arc('M', *centre, *radius, (*from, *to)),
+            Outline::Arcs(arcs) => {
+                for (i, (centre, radius, from, to)) in arcs.iter().enumerate() {
+                    self.arc(if i == 0 { 'M' } else { 'L' }, *centre, *radius, (*from, *to));
                 }
+                self.text.push('Z');
             }
             Outline::Circle { .. } => {}
+        }
+    }
+
+    /// Part of a circle, to whose begin this command leads.
+    fn arc(&mut self, command: char, centre: Vec2, radius: f64, (from, to): (f64, f64)) {
+        let at = |angle: f64| on_arc(centre, radius, angle);
+        let (a, b) = (at(from), at(to));
+        let _ = write!(self.text, "{command}{} {}", Px(a.x), Px(a.y));
+        // A circle is more than one arc can be.
+        let parts = ((to - from).abs() / 3.0).ceil().max(1.0);
+        let sweep = u8::from(to < from);
+        let mut i = 1.0;
+        while i <= parts {
+            let p = if i < parts { at(from + (to - from) * i / parts) } else { b };
+            let r = Px(radius);
+            let _ = write!(self.text, "A{r} {r} 0 0 {sweep} {} {}", Px(p.x), Px(p.y));
+            i += 1.0;
         }
     }
 

@@ -22,6 +22,13 @@ const SIGNS: &[(char, &str)] = &[
     ('′', "'"),
 ];
 
+/// Part of a circle. The y axis points down, radii in points do not follow it: angles stay as seen.
+fn arc(centre: Vec2, radius: f64, from: f64, to: f64) -> String {
+    let start = place(on_arc(centre, radius, from));
+    let (from, to, radius) = (Px(from.to_degrees()), Px(to.to_degrees()), Px(radius * 0.75));
+    format!("{start} arc[start angle={from},end angle={to},radius={radius}pt]")
+}
+
 /// The picture as a `tikzpicture`; one pixel is 0.75 pt.
 pub fn picture(picture: &Picture) -> String {
     let mut out = String::with_capacity(8192);
@@ -51,15 +58,14 @@ pub fn picture(picture: &Picture) -> String {
                 let _ = write!(out, "{} circle[radius={}pt]", place(*centre), Px(radius * 0.75));
             }
             Outline::Arc { centre, radius, from, to } => {
-                // The y axis points down, radii in points do not follow it: angles stay as seen.
-                let start = place(on_arc(*centre, *radius, *from));
-                let _ = write!(
-                    out,
-                    "{start} arc[start angle={},end angle={},radius={}pt]",
-                    Px(from.to_degrees()),
-                    Px(to.to_degrees()),
-                    Px(radius * 0.75)
-                );
+                out.push_str(&arc(*centre, *radius, *from, *to));
+            }
+            Outline::Arcs(arcs) => {
+                for (centre, radius, from, to) in arcs {
+                    out.push_str(&arc(*centre, *radius, *from, *to));
+                    out.push_str(" -- ");
+                }
+                out.push_str("cycle");
             }
         }
         out.push_str(";\n");

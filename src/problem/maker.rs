@@ -69,6 +69,15 @@ impl fmt::Display for Unsatisfiable {
     }
 }
 
+/// A draw that a rule refuses.
+#[derive(Debug, Clone, PartialEq)]
+pub struct RefusedDraw {
+    /// Which rule, and what came out instead.
+    pub why: String,
+    /// What was drawn. A scene that cannot be solved has nothing but its data.
+    pub variant: Variant,
+}
+
 /// Makes the variants of one problem of one set.
 #[derive(Debug)]
 pub struct Maker<'p> {
@@ -190,6 +199,38 @@ impl<'p> Maker<'p> {
         let (solved, wrong) = self.solve_within_rules(index, &data, &mut refusals).ok()?;
         let within = make_key::within(self.problem, &solved);
         Some(Variant { case: index, values, data, solved, tries, refusals, within, wrong })
+    }
+
+    /// Draws that are refused, the first of each rule, among so many.
+    pub fn refused(&self, tries: u32) -> Vec<RefusedDraw> {
+        let mut found: Vec<(DrawRule, RefusedDraw)> = Vec::new();
+        for n in 1..=tries {
+            let mut words = self.source.student(&format!("refused {n}"));
+            let index = sample::case(&mut words, &self.problem.cases);
+            let mut data = vec![0.0; self.problem.data.len()];
+            let mut values: Vec<Option<Decimal>> = vec![None; self.problem.data.len()];
+            self.draw(&mut words, n, &self.problem.cases[index], &mut values, &mut data);
+            let mut refusals = Refusals::default();
+            let Err(refused) = self.solve_within_rules(index, &data, &mut refusals) else { continue };
+            if found.iter().any(|(rule, _)| *rule == refused.rule) {
+                continue;
+            }
+            refusals.add(refused);
+            let table = refusals.table(self.problem, index);
+            let why = table.into_iter().map(|(why, _)| why).next().unwrap_or_default();
+            let variant = from_values(self.problem, index, &values).unwrap_or_else(|_| Variant {
+                case: index,
+                values,
+                data,
+                solved: Solved::none(),
+                tries: n,
+                refusals,
+                within: Vec::new(),
+                wrong: Vec::new(),
+            });
+            found.push((refused.rule, RefusedDraw { why, variant }));
+        }
+        found.into_iter().map(|(_, draw)| draw).collect()
     }
 
     fn unsatisfiable(

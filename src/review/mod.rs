@@ -1,9 +1,14 @@
 //! What a bank is like before its sheets go out: tables over many draws, texts tried, a page with variants.
 use crate::bank::{Bank, Problem, Question};
 use crate::finding::{Finding, Findings};
+use crate::inspect::sentences;
+use crate::inspect::table::unsatisfiable;
 use crate::num::shown;
 use crate::problem::sweep;
 use crate::problem::sweep::{Seldom, Sweep};
+use crate::review::texts::TextNote;
+use crate::sheet;
+use crate::sheet::texts::Texts;
 use crate::sheet::{statement, terminal};
 use rayon::prelude::*;
 
@@ -249,4 +254,45 @@ fn notes(problem: &Problem, sweep: &Sweep) -> Vec<String> {
         }
     }
     notes
+}
+
+/// All that is wrong in a bank whose problems behave so over many seeds; and what is worth knowing besides.
+///
+/// # Errors
+/// Faults of the templates.
+pub fn faults(
+    bank: &Bank,
+    file: &str,
+    own: &Texts,
+    sweeps: &[Sweep],
+) -> Result<(Findings, Vec<TextNote>), Findings> {
+    let mut findings = sheet::texts::unknown_names(bank, &own.templates);
+    findings.extend(sheet::texts::never_given(bank, &own.templates));
+    for (problem, sweep) in bank.problems.iter().zip(sweeps) {
+        if let Some((seed, none)) = &sweep.unsatisfiable {
+            let mut fault = unsatisfiable(bank, none);
+            if none.constant.is_none() {
+                fault.message = format!("seed {seed}: {}", fault.message);
+            }
+            findings.push(fault.in_file(file).hint("widen the ranges, or loosen the rule that refuses most"));
+        } else if let Some(refusal) = &sweep.unsolved {
+            for text in sentences::refusal(problem, &problem.cases[0].scene, refusal) {
+                let what = format!("a draw cannot be solved: {text}");
+                findings.push(Finding::new(format!("problems.{}", problem.id), what).in_file(file));
+            }
+        }
+    }
+    let mut notes = Vec::new();
+    if findings.is_empty() {
+        let tried = texts::whole_bank(bank, own)?;
+        findings.extend(tried.faults);
+        notes = tried.notes;
+        for (problem, sweep) in bank.problems.iter().zip(sweeps) {
+            for (question, seen) in problem.questions.iter().zip(&sweep.questions) {
+                let never = sweep::seldom(&seen.words).into_iter().filter(sweep::Seldom::never);
+                findings.extend(never.map(|s| seldom(problem, question, &s).in_file(file)));
+            }
+        }
+    }
+    Ok((findings, notes))
 }

@@ -21,32 +21,48 @@ use crate::template;
 use crate::template::{Value, View};
 use std::fmt::Write as _;
 
-/// The page with so many variants of these problems, and the tables of their sweeps over so many seeds.
+/// Draws among which refused ones are looked for, and how many are shown at most.
+const TRIES: u32 = 60;
+const REFUSED: usize = 4;
+
+/// The page, and the problems of which not all variants could be drawn.
+pub struct Gallery {
+    /// The page.
+    pub page: String,
+    /// Why variants are missing on it.
+    pub missing: Findings,
+}
+
+/// The page with so many variants of these problems, draws that their rules refuse, and the tables of their sweeps over so many
+/// seeds.
 ///
 /// # Errors
-/// The rules of a problem cannot be satisfied, or a template is faulty.
+/// A template is faulty.
 pub fn page(
     (bank, file): (&Bank, &str),
     chosen: &[usize],
     texts: &Texts,
     (count, seeds): (u32, u64),
-    one_more: review::OneMore,
-) -> Result<String, Findings> {
+    sweeps: &[Sweep],
+) -> Result<Gallery, Findings> {
     let problems: Vec<&Problem> = chosen.iter().filter_map(|i| bank.problems.get(*i)).collect();
-    let sweeps = review::sweeps(&problems, seeds, &bank.id, one_more);
+    let mut missing = Findings::default();
     let sheets = Sheets::new(&texts.templates, &texts.words, bank, &bank.id, chosen)?;
     let mut converter = Converter::new(&texts.words);
     let mut room = Room::default();
     let mut shown = Vec::with_capacity(problems.len());
-    for (i, (problem, sweep)) in problems.iter().zip(&sweeps).enumerate() {
+    for (i, (problem, sweep)) in problems.iter().zip(sweeps).enumerate() {
         let maker = Maker::new(problem, 1, &bank.id);
         let mut variants = Vec::new();
         for n in 1..=count {
-            let variant = maker.variant(&n.to_string()).map_err(|none| {
-                let fault = unsatisfiable(bank, &none);
-                fault.in_file(file).hint("`slipstick lint` says more")
-            })?;
-            variants.push(variant);
+            match maker.variant(&n.to_string()) {
+                Ok(variant) => variants.push(variant),
+                Err(none) => {
+                    let fault = unsatisfiable(bank, &none).in_file(file);
+                    missing.push(fault.hint("the page shows refused draws; `slipstick lint` says more"));
+                    break;
+                }
+            }
         }
         let mut statement = Vec::new();
         if let Some(first) = variants.first() {
@@ -55,8 +71,14 @@ pub fn page(
         let markdown = String::from_utf8_lossy(&statement).into_owned();
         let place = PlaceInPage { lower: 1, prefix: &problem.id };
         let statement = converter.body(&Document::new(markdown, Vec::new()), &[], place);
-        let cards = variants.iter().enumerate().map(|(n, v)| card(problem, v, n + 1, texts, &mut converter));
+        let cards =
+            variants.iter().enumerate().map(|(n, v)| card(problem, v, (n + 1, None), texts, &mut converter));
         let cards = template::list(cards.collect());
+        let refused = maker.refused(TRIES);
+        let refused = refused.iter().take(REFUSED).enumerate().map(|(n, draw)| {
+            card(problem, &draw.variant, (n + 1, Some(draw.why.as_str())), texts, &mut converter)
+        });
+        let refused = template::list(refused.collect());
         let found = review::tables(problem, sweep);
         let never = review::never_near(&found).map_or_else(String::new, |text| escaped(&text));
         let notes = notes(problem, sweep, &found.notes);
@@ -68,6 +90,7 @@ pub fn page(
             ("never", template::finished(&never)),
             ("notes", template::list(notes)),
             ("variants", cards),
+            ("refused", refused),
         ]));
     }
     let mut view = View::new();
@@ -77,22 +100,28 @@ pub fn page(
     let about = texts.words.say("gallery.about", &[("variants", &count), ("seeds", &seeds)]);
     view.text("about", &in_code(&about));
     view.text("several", if problems.len() > 1 { "yes" } else { "" });
-    let names = ["gallery", "problems", "statement", "question", "answer"];
+    let names = ["gallery", "problems", "statement", "question", "answer", "refused"];
     let phrase =
         |name: &&'static str| (*name, template::finished(texts.words.get(&format!("gallery.{name}"))));
     view.value("words", template::map(names.iter().map(phrase)));
     view.value("problems", template::list(shown));
-    view.foreign("chance", &review::chance(&sweeps));
+    view.foreign("chance", &review::chance(sweeps));
     let mut page = Vec::new();
     texts.templates.render("gallery.html", &view, &mut page)?;
-    Ok(String::from_utf8_lossy(&page).into_owned())
+    Ok(Gallery { page: String::from_utf8_lossy(&page).into_owned(), missing })
 }
 
-/// One variant: figure, data, what happens, answers.
-fn card(problem: &Problem, variant: &Variant, n: usize, texts: &Texts, converter: &mut Converter) -> Value {
+/// One variant: figure, data, what happens, answers; or a draw with the reason why it is refused.
+fn card(
+    problem: &Problem,
+    variant: &Variant,
+    (n, why): (usize, Option<&str>),
+    texts: &Texts,
+    converter: &mut Converter,
+) -> Value {
     let phrases = &texts.words;
     let picture = scene::picture(problem, variant, phrases, problem.figure);
-    let id = format!("{}-{n}", problem.id);
+    let id = format!("{}-{}{n}", problem.id, if why.is_some() { "refused-" } else { "" });
     let figure = format!("<figure>{}</figure>\n", svg::Screen::new(&picture).inline(&id).trim_end());
     let formulas: Vec<String> = problem
         .data
@@ -114,8 +143,8 @@ fn card(problem: &Problem, variant: &Variant, n: usize, texts: &Texts, converter
     if variant.solved.regime.motion != Motion::Instant {
         what.push(sentences::regime(phrases, variant.solved.regime));
     }
-    let key = make_key::key(problem, variant);
-    let answers = key.parts.iter().map(|entry| {
+    let parts = if why.is_some() { Vec::new() } else { make_key::key(problem, variant).parts };
+    let answers = parts.iter().map(|entry| {
         let mut answer = key_table::shown(phrases, problem, entry);
         if !entry.unit.is_number() {
             let _ = write!(answer, " {}", entry.unit.ascii().replace("^2", "²").replace("^3", "³"));
@@ -129,6 +158,7 @@ fn card(problem: &Problem, variant: &Variant, n: usize, texts: &Texts, converter
     });
     template::map([
         ("name", template::finished(&phrases.say("gallery.variant", &[("n", &n.to_string())]))),
+        ("why", template::finished(&escaped(why.unwrap_or_default()))),
         ("what", template::finished(&escaped(&what.join(", ")))),
         ("figure", template::finished(&figure)),
         ("data", template::finished(data.trim_end())),

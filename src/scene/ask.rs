@@ -91,6 +91,14 @@ impl Quantity {
     pub const fn is_word(self) -> bool {
         matches!(self, Self::Direction | Self::Rolls)
     }
+    /// What it is, and which sign its number has, as far as that is said of it: `positive forward`, `a magnitude`.
+    pub fn meaning_and_sign(self) -> (&'static str, &'static str) {
+        let says = |text: &str| ["a magnitude", "positive", "negative"].iter().any(|s| text.starts_with(s));
+        match self.meaning().split_once(", ") {
+            Some((what, sign)) if says(sign) => (what, sign),
+            _ => (self.meaning(), ""),
+        }
+    }
     /// Is it a quantity of the whole motion up to the turning point, whatever end is asked?
     pub const fn looks_beyond(self) -> bool {
         matches!(self, Self::VMax | Self::DAtVMax | Self::DTurn)

@@ -82,6 +82,28 @@ pub fn kept_together(text: &str) -> String {
     out
 }
 
+/// The longest unit with a slash that stays on one line, in bytes.
+const LONGEST_UNIT: usize = 16;
+
+/// The pieces of a text: those that are true are words with a slash in them, such as `rad/s`, at which no line should break.
+pub fn units_apart(text: &str) -> Vec<(&str, bool)> {
+    let ends = |c: char| c.is_whitespace() || matches!(c, '(' | ')' | ',' | ';' | ':');
+    let mut pieces: Vec<(&str, bool)> = Vec::new();
+    let mut from = 0;
+    for word in text.split(ends) {
+        let start = word.as_ptr().addr() - text.as_ptr().addr();
+        let slash = word.find('/').is_some_and(|at| at > 0 && at + 1 < word.len());
+        if slash && word.len() <= LONGEST_UNIT {
+            pieces.push((&text[from..start], false));
+            pieces.push((word, true));
+            from = start + word.len();
+        }
+    }
+    pieces.push((&text[from..], false));
+    pieces.retain(|(piece, _)| !piece.is_empty());
+    pieces
+}
+
 /// What a text of students does not keep: tags of HTML (but [`ANSWER`] and breaks of lines), links to anything but the web, mail
 /// and places nearby, pictures that the program did not draw. The words between tags, of a link and of a picture stay.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -366,5 +388,14 @@ mod tests {
     #[test]
     fn percent_stays_with_its_number() {
         assert_eq!(kept_together("within 1.9 % or 2 %, in %"), "within 1.9\u{a0}% or 2\u{a0}%, in %");
+    }
+
+    #[test]
+    fn a_unit_does_not_break_at_its_slash() {
+        let units = |text| units_apart(text).into_iter().filter(|p| p.1).map(|p| p.0).collect::<Vec<_>>();
+        assert_eq!(units(", in rad/s, within 2 % (or km/h)"), ["rad/s", "km/h"]);
+        assert_eq!(units("a / b, /c and https://example.org/a-long-way"), [""; 0]);
+        let text = "in m/s² or kg·m/s";
+        assert_eq!(units_apart(text).iter().map(|p| p.0).collect::<String>(), text);
     }
 }

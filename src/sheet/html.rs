@@ -1,7 +1,7 @@
 //! Markdown with math and pictures to HTML with MathML and inline SVG. The Markdown text is the only source.
 use crate::finding::Finding;
 use crate::picture::svg::{Screen, escaped};
-use crate::sheet::document::{ANSWER, Document, Head, is_break, kept_together};
+use crate::sheet::document::{ANSWER, Document, Head, is_break, kept_together, units_apart};
 use crate::template;
 use crate::template::{Templates, View};
 use crate::words::Words;
@@ -196,8 +196,13 @@ impl<'w> Converter<'w> {
                 walk.in_code = false;
                 out.push(event);
             }
-            Event::Text(text) if !walk.in_code && text.contains(" %") => {
-                out.push(Event::Text(kept_together(&text).into()));
+            Event::Text(text) if !walk.in_code && text.contains(['%', '/']) => {
+                for (piece, whole) in units_apart(&kept_together(&text)) {
+                    out.push(match whole {
+                        true => html(format!("<span class=\"unit\">{}</span>", escaped(piece))),
+                        false => Event::Text(piece.to_owned().into()),
+                    });
+                }
             }
             Event::Rule => out.push(Event::Html("<hr>\n".into())),
             Event::HardBreak => out.push(html("<br>\n".to_owned())),

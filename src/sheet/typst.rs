@@ -4,7 +4,7 @@
 //! markup. A formula or an element that has no translation is a finding, never a gap.
 use crate::finding::Finding;
 use crate::picture::svg;
-use crate::sheet::document::{ANSWER, Document, Head, MARKDOWN, is_break};
+use crate::sheet::document::{ANSWER, Document, Head, MARKDOWN, is_break, units_apart};
 use crate::sheet::html::unfit;
 use crate::words::Words;
 use pulldown_cmark::{
@@ -76,6 +76,7 @@ pub fn source(documents: &[(&Head, &Document)], words: &Words) -> Result<String,
             items: Vec::new(),
             hidden: 0,
             columns: 0,
+            part: None,
         };
         page.write()?;
         let wide = page.columns > WIDE;
@@ -154,6 +155,8 @@ struct Page<'p> {
     hidden: usize,
     /// Columns of the widest table.
     columns: usize,
+    /// Where the part begins that is being written: behind a heading, a figure, a list of questions.
+    part: Option<usize>,
 }
 
 impl Page<'_> {
@@ -171,6 +174,10 @@ impl Page<'_> {
                             && let Some(name) = picture.take()
                         {
                             self.picture(&name, &alt)?;
+                            // One in a list or a quotation is part of that.
+                            if self.closers.len() == 1 {
+                                self.keep_together();
+                            }
                         }
                     }
                     Mark::Text(text) | Mark::Code(text) | Mark::InlineMath(text) => alt.push_str(&text),
@@ -188,6 +195,19 @@ impl Page<'_> {
             self.mark(mark)?;
         }
         Ok(())
+    }
+
+    /// On a sheet no page ends within a statement with its figure, nor within a list of questions with what leads to it: the part
+    /// that ends here.
+    fn keep_together(&mut self) {
+        if !self.document.markdown.contains(ANSWER) {
+            return;
+        }
+        if let Some(begin) = self.part {
+            self.out.insert_str(begin, "#together[");
+            self.out.push_str("];");
+        }
+        self.part = Some(self.out.len());
     }
 
     fn open(&mut self, begin: &str, end: &'static str) {
@@ -209,9 +229,14 @@ impl Page<'_> {
                 self.closers.pop();
                 self.out.push_str("],\n");
             }
-            Mark::End(_) => {
-                let end = self.closers.pop().unwrap_or("");
-                self.out.push_str(end);
+            Mark::End(end) => {
+                self.out.push_str(self.closers.pop().unwrap_or(""));
+                if matches!(end, TagEnd::Heading(_)) {
+                    self.part = Some(self.out.len());
+                } else if matches!(end, TagEnd::List(_)) && self.closers.is_empty() {
+                    self.keep_together();
+                    self.out.push_str("\n\n");
+                }
             }
             Mark::Text(text) => {
                 // Within code it is part of a text in quotes.
@@ -219,7 +244,11 @@ impl Page<'_> {
                     let text = quoted(&text);
                     self.out.push_str(&text[1..text.len() - 1]);
                 } else {
-                    escaped(self.out, &text);
+                    for (piece, whole) in units_apart(&text) {
+                        self.out.push_str(if whole { "#box[" } else { "" });
+                        escaped(self.out, piece);
+                        self.out.push_str(if whole { "];" } else { "" });
+                    }
                 }
             }
             Mark::Code(text) => {

@@ -324,6 +324,18 @@ pub struct Solved {
 }
 
 impl Solved {
+    /// Nothing: of a scene that has no solution.
+    pub fn none() -> Self {
+        Self {
+            regime: Regime { motion: Motion::Instant, slips: false },
+            checks: Vec::new(),
+            entries: Vec::new(),
+            words: Vec::new(),
+            open: Vec::new(),
+            beyond: Vec::new(),
+            scales: Scales::SI,
+        }
+    }
     /// The entry of a label.
     pub fn get(&self, label: Label) -> Option<&Entry> {
         self.entries.iter().find(|e| e.label == label)

@@ -278,7 +278,16 @@ fn booklets_are_valid_pages() {
             });
             let list = parts.iter().map(|(head, body)| (head, body.as_str()));
             let page = html::booklet(&told.templates, &told.words, "All <sheets>", list).expect("renders");
-            valid(language, &String::from_utf8(page).expect("text"));
+            let page = String::from_utf8(page).expect("text");
+            // Each student has pages of his own, counted from 1, and begins on the front of a sheet of paper.
+            for i in 0..parts.len() {
+                let id = html::part_id(i);
+                assert!(page.contains(&format!("@page {id} {{ counter-increment: {id};")), "{id}");
+                assert!(page.contains(&format!("content: counter({id});")), "{id}");
+            }
+            assert!(page.contains("break-before: recto"));
+            assert_eq!(page.matches("@font-face").count(), 1);
+            valid(language, &page);
         }
     }
 }
@@ -385,5 +394,38 @@ fn letters_stand_out_from_the_paper_by_day_and_by_night() {
                 assert!(c >= 4.5, "{ink} on {paper}: {c:.2} in {scheme}");
             }
         }
+    }
+}
+
+/// The font of formulas is in the page, once, where there is a formula, and is a font; its licence lies beside it.
+#[test]
+fn formulas_bring_their_font() {
+    let templates = Templates::english();
+    let words = Words::of("en").expect("built in");
+    let page = |markdown: &str| {
+        let document = Document::new(markdown.to_owned(), Vec::new());
+        let body = Converter::new(&words).body(&document, &[], PlaceInPage { lower: 0, prefix: "" });
+        let page = html::page(&templates, &words, "sheet", &Head::default(), &body).expect("renders");
+        String::from_utf8(page).expect("text")
+    };
+    let with = page("The root $\\sqrt{2 g h}$ and $v_0$, in rad/s or kg·m/s, too.");
+    assert_eq!(with.matches("@font-face").count(), 1);
+    assert!(!page("No formula.").contains("@font-face"));
+    let font =
+        with.split("data:font/woff2;base64,").nth(1).expect("a font").split(')').next().expect("its end");
+    // The first bytes are `wOF2` and the flavour `OTTO`; four signs stand for three bytes.
+    assert!(font.starts_with("d09GMk9UVE8A"), "{}", &font[..16]);
+    let bytes = font.len() / 4 * 3;
+    assert!((20_000..=41_000).contains(&bytes), "{bytes} bytes");
+    assert!(with.contains("math { font-family: \"Slipstick Math\""));
+    let licence = include_str!("../../templates/math-font-licence.txt");
+    for words in
+        ["GUST Font License", "LaTeX Project Public License", "LPPL Version 1.3c", "What was changed"]
+    {
+        assert!(licence.contains(words), "{words}");
+    }
+    // A unit does not break at its slash.
+    for unit in ["rad/s", "kg·m/s"] {
+        assert!(with.contains(&format!("<span class=\"unit\">{unit}</span>")), "{unit}");
     }
 }

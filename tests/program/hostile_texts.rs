@@ -764,13 +764,14 @@ fn every_page_is_closed_to_the_outside() {
         for part in [
             "default-src 'none'",
             "style-src 'unsafe-inline'",
+            "font-src data:",
             "img-src data:",
             "base-uri 'none'",
             "form-action 'none'",
         ] {
             assert!(allowed.contains(&part), "{part}: {policy}");
         }
-        assert_eq!(allowed.len(), 5, "{policy}");
+        assert_eq!(allowed.len(), 6, "{policy}");
         assert_eq!(all_acts(&page), Vec::<String>::new(), "{}", file.display());
         let name = file.file_name().unwrap().to_string_lossy().into_owned();
         let parent = file.parent().unwrap().file_name().unwrap().to_string_lossy().into_owned();

@@ -21,3 +21,4 @@ mod readme;
 mod readme_bank;
 mod refusals;
 mod robust;
+mod writing;

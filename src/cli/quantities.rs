@@ -1,0 +1,17 @@
+//! `slipstick quantities`: what may be asked of a problem's scene.
+use crate::cli::args;
+use crate::cli::tell::{Exit, Io};
+use crate::finding::Findings;
+use crate::folder::banks;
+use crate::inspect::quantities;
+
+/// Runs it.
+pub fn run(args: &args::QuantitiesArgs, io: &mut Io) -> Result<Exit, Findings> {
+    let loaded = banks::load(&args.bank)?;
+    let problem = banks::problem(&loaded, &args.problem)?;
+    io.piece(&match args.json {
+        true => quantities::json(problem),
+        false => quantities::table(problem),
+    });
+    Ok(Exit::Fine)
+}

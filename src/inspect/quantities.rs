@@ -1,0 +1,119 @@
+//! The quantities of a problem's scene: which may be asked, under which name, of what, in which unit and with which sign.
+use crate::bank::{Problem, review};
+use crate::scene::{Label, Owner, Quantity, Scene, Tie};
+use crate::sheet::terminal;
+
+/// A quantity that may be asked.
+struct Askable {
+    name: String,
+    quantity: Quantity,
+    /// The body or cord whose it is; empty for the scene as a whole.
+    of: String,
+    /// The questions that ask it.
+    asked: Vec<String>,
+}
+
+/// The labels that every case of a problem can answer, in the order of the list.
+fn askable(problem: &Problem) -> Vec<Askable> {
+    let Some(first) = problem.cases.first().map(|case| &case.scene) else { return Vec::new() };
+    let others: Vec<Vec<Label>> = problem.cases.iter().skip(1).map(|c| review::labels(&c.scene)).collect();
+    let mut labels = review::labels(first);
+    labels.retain(|label| others.iter().all(|other| other.contains(label)));
+    labels.sort_by_key(|label| Quantity::ALL.iter().position(|q| *q == label.quantity));
+    let asked = |label: Label| {
+        let questions = problem.questions.iter().filter(move |q| q.label == label);
+        questions.map(|q| q.id.clone()).collect()
+    };
+    let row = |label: Label| Askable {
+        name: first.name_of(label),
+        quantity: label.quantity,
+        of: owner(first, label),
+        asked: asked(label),
+    };
+    labels.into_iter().map(row).collect()
+}
+
+fn owner(scene: &Scene, label: Label) -> String {
+    match label.of {
+        Owner::Scene => String::new(),
+        Owner::Body(body) => scene.bodies.get(body).map_or_else(String::new, |b| b.name.clone()),
+        Owner::Tie(tie) => match scene.ties.get(tie) {
+            Some(Tie::Cord(cord)) => cord.name.clone(),
+            _ => String::new(),
+        },
+    }
+}
+
+/// The others, with the reason why this scene has them not.
+fn absent(problem: &Problem, there: &[Askable]) -> Vec<(Quantity, String)> {
+    let Some(case) = problem.cases.first() else { return Vec::new() };
+    let missing = Quantity::ALL.iter().filter(|q| there.iter().all(|a| a.quantity != **q));
+    missing.map(|q| (*q, review::reason(&case.scene, *q))).collect()
+}
+
+/// As tables for people.
+pub fn table(problem: &Problem) -> String {
+    let there = askable(problem);
+    let mut rows =
+        vec![["quantity", "of", "unit", "asked as", "what it is", "sign"].map(str::to_owned).to_vec()];
+    for a in &there {
+        let asked = if a.asked.is_empty() { "-".to_owned() } else { a.asked.join(", ") };
+        let (what, sign) = a.quantity.meaning_and_sign();
+        let unit = if a.quantity.is_word() { "a word" } else { a.quantity.unit() };
+        rows.push(vec![
+            a.name.clone(),
+            a.of.clone(),
+            unit.to_owned(),
+            asked,
+            what.to_owned(),
+            sign.to_owned(),
+        ]);
+    }
+    let mut out = terminal::table(&rows, &[0, 1, 2, 3, 4, 5]);
+    let mut reasons: Vec<(String, Vec<&str>)> = Vec::new();
+    for (quantity, why) in absent(problem, &there) {
+        match reasons.iter_mut().find(|(w, _)| *w == why) {
+            Some((_, names)) => names.push(quantity.name()),
+            None => reasons.push((why, vec![quantity.name()])),
+        }
+    }
+    if !reasons.is_empty() {
+        out.push_str("\nNot in this scene:\n");
+        let rows: Vec<Vec<String>> =
+            reasons.into_iter().map(|(why, names)| vec![why, names.join(", ")]).collect();
+        out.push_str(&terminal::table(&rows, &[0, 1]));
+    }
+    out
+}
+
+/// The same as JSON.
+pub fn json(problem: &Problem) -> String {
+    let there = askable(problem);
+    let entry = |name: &str, quantity: Quantity| {
+        let (meaning, sign) = quantity.meaning_and_sign();
+        let mut entry = serde_json::Map::new();
+        entry.insert("name".to_owned(), name.into());
+        entry.insert("meaning".to_owned(), meaning.into());
+        entry.insert("sign".to_owned(), sign.into());
+        entry.insert("unit".to_owned(), quantity.unit().into());
+        entry
+    };
+    let may = there.iter().map(|a| {
+        let mut entry = entry(&a.name, a.quantity);
+        entry.insert("of".to_owned(), a.of.as_str().into());
+        entry.insert("may_be_asked".to_owned(), true.into());
+        entry.insert("asked_as".to_owned(), a.asked.clone().into());
+        serde_json::Value::from(entry)
+    });
+    let absent = absent(problem, &there);
+    let not = absent.iter().map(|(quantity, why)| {
+        let mut entry = entry(quantity.name(), *quantity);
+        entry.insert("may_be_asked".to_owned(), false.into());
+        entry.insert("why".to_owned(), why.as_str().into());
+        serde_json::Value::from(entry)
+    });
+    let all: Vec<serde_json::Value> = may.chain(not).collect();
+    let value = serde_json::json!({ "problem": problem.id, "quantities": all });
+    // A tree of texts always has a JSON form.
+    serde_json::to_string_pretty(&value).unwrap_or_default() + "\n"
+}
