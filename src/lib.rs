@@ -26,8 +26,8 @@
 //!              set, habits -> simulate -> submissions, truth
 //! ```
 //! [`problem::maker::Maker::variant`] goes from a bank to solved data and [`problem::make_key::key`] on to the key;
-//! [`grade::run::grade`] goes from submissions to verdicts. [`folder`] reads and writes what lies on disk, [`review`] looks at a bank before its sheets go out, [`inspect`] at one problem with given data, and
-//! [`cli`] tells results: a verb is a file of its own that knows no other verb.
+//! [`grade::run::grade`] goes from submissions to verdicts. [`folder`] reads and writes what lies on disk, [`review`] looks at a bank before its sheets go out, [`inspect`] at one problem with given data,
+//! [`manual`] explains all of it to people, and [`cli`] tells results: a verb is a file of its own that knows no other verb.
 //!
 //! # In Rust
 //! A bank is read from its text; what is wrong with it comes as findings, all at once:
@@ -106,6 +106,7 @@ pub mod grade;
 pub mod guard;
 pub mod inspect;
 pub mod key;
+pub mod manual;
 pub mod matches;
 pub mod misconception;
 pub mod num;

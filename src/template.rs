@@ -36,6 +36,8 @@ pub const BUILT_IN: &[(&str, &str)] = built_in!("":
     "booklet.tex",
     "accuracy.html",
     "gallery.html",
+    "manual.html",
+    "index.html",
     "report.html",
     "report-table.html",
     "statement/compound-pendulum.md",

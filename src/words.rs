@@ -26,6 +26,7 @@ macro_rules! lists {
             ("feedback", include_str!(concat!("../templates/", $folder, "words/feedback.yaml"))),
             ("marks", include_str!(concat!("../templates/", $folder, "words/marks.yaml"))),
             ("tutor", include_str!(concat!("../templates/", $folder, "words/tutor.yaml"))),
+            ("index", include_str!(concat!("../templates/", $folder, "words/index.yaml"))),
             ("report", include_str!(concat!("../templates/", $folder, "words/report.yaml"))),
         ]
     };

@@ -263,6 +263,7 @@ const DOORS: &[(&str, &[&str])] = &[
             "finding",
         ],
     ),
+    ("manual", &["sheet", "sheet::document", "words", "template", "finding"]),
     ("sheet::document", &["picture"]),
     ("sheet::terminal", &["num"]),
     ("plot", &["picture", "num"]),

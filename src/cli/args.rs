@@ -4,6 +4,7 @@ use crate::finding::Findings;
 use crate::folder::banks;
 use crate::folder::banks::Loaded;
 use crate::folder::grading::Reports;
+use crate::manual::TOPICS;
 use crate::policy::Counts;
 use crate::sheet::output::Format;
 use crate::sheet::texts::Texts;
@@ -18,13 +19,25 @@ use std::path::PathBuf;
     name = "slipstick",
     version,
     max_term_width = 100,
-    after_help = "Start here:\n  slipstick demo                      a whole class, from bank to grade table, in ./slipstick-demo\n  slipstick practice wheels-on-inclines   problems for yourself\n\nExit codes: 0 fine, 1 answers not all right (check), 2 faulty input, 3 the regime fails (solve)."
+    disable_help_subcommand = true,
+    after_help = at_the_end()
 )]
 pub struct Typed {
     /// What to do.
     #[command(subcommand)]
     pub verb: Verb,
 }
+
+/// What the help of the program ends with.
+fn at_the_end() -> String {
+    let topics = TOPICS.iter().map(|t| format!("  {:<10} {}\n", t.name, t.about));
+    format!(
+        "The manual, slipstick help TOPIC:\n{}  As one page: slipstick help --html manual.html\n\n{START}",
+        topics.collect::<String>()
+    )
+}
+
+const START: &str = "Start here:\n  slipstick demo                          a whole class, from bank to marks, in ./slipstick-demo\n  slipstick practice wheels-on-inclines   problems for yourself\n\nExit codes: 0 fine, 1 answers not all right (check), 2 faulty input, 3 the regime fails (solve).";
 
 /// The verbs.
 #[derive(Debug, Subcommand)]
@@ -43,7 +56,7 @@ pub enum Verb {
     Course,
     /// Report on grades: the class for the instructor, feedback for each student, gradebooks for Canvas and Moodle
     #[command(
-        after_help = "Examples:\n  slipstick report week-5-grades\n  slipstick report week-5-grades --language de --out week-5-feedback\n  slipstick report week-5-grades --force                replaces an earlier report\n\nGRADED is a folder that grade made. report.html needs no network: settings, distribution, success, difficulty and\ndiscrimination of each part, the class's favourite mistakes, unreadable cells, attempts, fairness between variants;\nits tables are also CSV files in tables/. feedback/ holds a page for each student: answer, verdict, points, and a\nhint at the level of the course's setting `hints` (none, nudge or explain); never the key, never other students."
+        after_help = "Examples:\n  slipstick report week-5-grades\n  slipstick report week-5-grades --language de --out week-5-feedback\n  slipstick report week-5-grades --force                replaces an earlier report\n\nGRADED is a folder that grade made. index.html leads to all of it. report.html needs no network: who got what, the\nweakest parts, the class's favourite mistakes, distribution, success, difficulty and discrimination of each part,\nunreadable cells, attempts, fairness between variants, settings; its tables are also CSV files in tables/. feedback/ holds a page for each student: answer, verdict, points, and a\nhint at the level of the course's setting `hints` (none, nudge or explain); never the key, never other students."
     )]
     Report(ReportArgs),
     /// Grade the same submissions again after a change of bank or course, and show who gains and who loses
@@ -129,6 +142,11 @@ pub enum Verb {
     /// Show the whole job on a made-up class of 24: set, submissions, grades
     #[command(after_help = "Example:\n  slipstick demo\n\nRun twice it replaces only what it made.")]
     Demo(DemoArgs),
+    /// Read the manual: `slipstick help TOPIC`, or what a verb does: `slipstick help VERB`
+    #[command(
+        after_help = "Examples:\n  slipstick help bank\n  slipstick help generate\n  slipstick help --html manual.html\n\nWhere a verb and a topic have one name (accuracy), the help of the verb comes first."
+    )]
+    Help(HelpArgs),
 }
 
 /// In which words: language, and templates of one's own.
@@ -202,6 +220,9 @@ pub struct GenerateArgs {
     /// Replace an existing set (and nothing but what generate made)
     #[arg(long)]
     pub force: bool,
+    /// Show index.html of the set in the browser
+    #[arg(long)]
+    pub open: bool,
     /// Threads [default: one for each core]; the output does not depend on it
     #[arg(long, value_name = "N")]
     pub threads: Option<usize>,
@@ -260,6 +281,9 @@ pub struct GradeArgs {
     /// Replace an earlier grading
     #[arg(long)]
     pub force: bool,
+    /// Show index.html of the reports in the browser
+    #[arg(long)]
+    pub open: bool,
 }
 
 /// Are reports made with the grades?
@@ -640,4 +664,21 @@ pub struct DemoArgs {
     /// Folder to make
     #[arg(default_value = "slipstick-demo")]
     pub dir: PathBuf,
+    /// Show index.html of the grades in the browser
+    #[arg(long)]
+    pub open: bool,
+}
+
+/// `help`
+#[derive(Debug, Args)]
+pub struct HelpArgs {
+    /// A topic (commands, bank, grading, formats, trust, accuracy, speed) or a verb
+    #[arg(conflicts_with = "html")]
+    pub topic: Option<String>,
+    /// Write the whole manual to this file, as one page
+    #[arg(long, value_name = "FILE")]
+    pub html: Option<PathBuf>,
+    /// Replace a file that is there already
+    #[arg(long, requires = "html")]
+    pub force: bool,
 }

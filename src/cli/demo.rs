@@ -5,7 +5,7 @@ use crate::finding::{Finding, Findings};
 use crate::folder::deal::Plan;
 use crate::folder::grading::{GradeOrder, Reports};
 use crate::folder::staged::Staged;
-use crate::folder::{banks, deal, files, grading};
+use crate::folder::{banks, deal, files, grading, names};
 use crate::grade::verdict::Verdict;
 use crate::inspect::table::unsatisfiable;
 use crate::set::dealer::Dealer;
@@ -17,7 +17,9 @@ use std::path::Path;
 
 /// A folder with this file was made by `demo`, whole.
 const MARKER: &str = ".slipstick-demo";
-const NAMES: [&str; 5] = [MARKER, "grades", "roster.csv", "set", "submissions.csv"];
+const NAMES: [&str; 6] = [MARKER, "grades", "roster.csv", SELF_TEST, "set", "submissions.csv"];
+/// What the simulated answers were, and what grading made of them.
+const SELF_TEST: &str = "self-test.txt";
 const SEED: u64 = 2026;
 
 /// Runs it.
@@ -61,46 +63,41 @@ pub fn run(args: &args::DemoArgs, io: &mut Io) -> Result<Exit, Findings> {
         progress: &bar,
     };
     let summary = grading::grade(&job, &mut *io.input).map_err(|f| staged.named(f))?;
+    let summary = summary.replace(&root.display().to_string(), &dir.display().to_string());
     let table = kinds_and_verdicts(&handed, &root.join("grades").join("answers.csv"))?;
+    let test = format!(
+        "What the simulated rows were, and what became of them:\n{table}\n{}\n\n{summary}\n",
+        made.coincidences()
+    );
+    write(SELF_TEST, test.as_bytes())?;
     let marks = marks(&root.join("grades").join("gradebook.csv"))?;
     write(MARKER, b"Made by `slipstick demo`, which may replace this folder.\n")?;
-    let told = summary.replace(&root.display().to_string(), &dir.display().to_string());
     staged.finish()?;
 
     let shown = dir.display();
     let first = members.first().map_or("", |m| m.folder.as_str());
     io.line(&format!(
-        "A class of {} and the bank `{}`: {} problems, every variant solved twice.\n",
+        "A made-up class of {} has handed in {} of the bank `{}`, and is graded.\n",
         members.len(),
+        terminal::count(problems.len(), "problem"),
         bank.id,
-        problems.len()
     ));
     for (path, what) in [
-        ("roster.csv".to_owned(), "the class"),
-        (format!("set/students/{first}/sheet.html"), "a sheet: open it in a browser"),
-        (
-            "set/key.csv".to_owned(),
-            "the key by equations of motion and by work and energy, their gap, the condition number",
-        ),
-        ("submissions.csv".to_owned(), "what the class handed in, as messy as it comes"),
-        ("grades/answers.csv".to_owned(), "every answer with verdict, points and reason"),
-        ("grades/gradebook.csv".to_owned(), "a row for each student"),
-        ("grades/report.html".to_owned(), "the class, for the instructor: open it in a browser"),
-        (format!("grades/feedback/{first}.html"), "what one student gets back"),
+        (format!("grades/{}", names::INDEX), "look here first: report, feedback, gradebooks"),
+        (format!("set/{}", names::INDEX), "what the class was given: sheets, key, booklet"),
+        (format!("set/students/{first}/sheet.html"), "one student's sheet"),
+        (format!("grades/feedback/{first}.html"), "what this student gets back"),
+        (SELF_TEST.to_owned(), "what each made-up answer was, and its verdict"),
     ] {
-        io.line(&format!("  {shown}/{path:<34} {what}"));
+        io.line(&format!("  {shown}/{path:<29} {what}"));
     }
     io.line("");
-    io.line(&made.coincidences());
-    io.line("\nWhat the simulated rows were, and what became of them:");
-    io.piece(&table);
-    io.line(&format!("\n{told}"));
-    io.line("\nMarks:");
     io.piece(&marks);
     io.line(&format!(
         "\nThe same by hand:\n  slipstick generate {} --roster {shown}/roster.csv --seed {SEED} --out my-set\n  slipstick grade my-set {shown}/submissions.csv --out my-grades",
         bank.id
     ));
+    io.open(&dir.join("grades").join(names::INDEX), args.open);
     Ok(Exit::Fine)
 }
 
@@ -181,35 +178,22 @@ fn kinds_and_verdicts(handed: &HandIn, answers: &Path) -> Result<String, Finding
     Ok(terminal::table(&rows, &[0]))
 }
 
-/// The gradebook with a column for each problem.
+/// The totals, two students to a line.
 fn marks(gradebook: &Path) -> Result<String, Findings> {
     let records = files::records(gradebook)?;
     let Some(header) = records.first() else { return Ok(String::new()) };
-    let mut problems: Vec<&str> = Vec::new();
-    for field in header.iter() {
-        if let Some((problem, _)) = field.split_once('.')
-            && !problems.contains(&problem)
-        {
-            problems.push(problem);
-        }
-    }
-    let column = |name: &str| header.iter().position(|f| f == name);
     let text = |record: &files::Record, name: &str| {
-        column(name).and_then(|c| record.get(c)).unwrap_or_default().to_owned()
+        let column = header.iter().position(|f| f == name);
+        column.and_then(|c| record.get(c)).unwrap_or_default().to_owned()
     };
-    let mut rows = vec![vec!["student".to_owned(), "name".to_owned()]];
-    rows[0].extend(problems.iter().map(|p| format!("problem {p}")));
-    rows[0].extend(["total".to_owned(), "of".to_owned()]);
-    for record in records.iter().skip(1) {
-        let mut row = vec![text(record, "student"), text(record, "name")];
-        for problem in &problems {
-            let of_problem = header.iter().zip(record).filter(|(h, _)| h.split('.').next() == Some(problem));
-            let sum = of_problem.filter_map(|(_, p)| p.parse::<f64>().ok()).fold(0.0, |a, b| a + b);
-            row.push(format!("{sum}"));
-        }
-        row.push(text(record, "total"));
-        row.push(text(record, "max_total"));
-        rows.push(row);
+    let most = records.get(1).map_or_else(String::new, |record| text(record, "max_total"));
+    let head = ["student".to_owned(), "name".to_owned(), format!("points of {most}")];
+    let students: Vec<[String; 3]> =
+        records.iter().skip(1).map(|r| ["student", "name", "total"].map(|column| text(r, column))).collect();
+    let (left, right) = students.split_at(students.len().div_ceil(2));
+    let mut rows = vec![[head.clone(), head].concat()];
+    for (i, student) in left.iter().enumerate() {
+        rows.push([student.clone(), right.get(i).cloned().unwrap_or_default()].concat());
     }
-    Ok(terminal::table(&rows, &[0, 1]))
+    Ok(terminal::table(&rows, &[0, 1, 3, 4]))
 }

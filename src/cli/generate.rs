@@ -4,7 +4,7 @@ use crate::cli::{args, tell};
 use crate::finding::{Finding, Findings};
 use crate::folder;
 use crate::folder::deal::{Plan, SetMade};
-use crate::folder::{banks, deal, files, set, staged};
+use crate::folder::{banks, deal, files, names, set, staged};
 use crate::review;
 use crate::set::dealer;
 use crate::sheet::{output, terminal, texts};
@@ -78,6 +78,7 @@ pub fn run(args: &args::GenerateArgs, io: &mut Io) -> Result<Exit, Findings> {
         deal::repair(&plan, set, &args.out, members.is_empty())?;
         if members.is_empty() {
             io.line("Nobody to add: every student of the roster has a sheet already.");
+            io.open(&args.out.join(names::INDEX), args.open);
             return Ok(Exit::Fine);
         }
     }
@@ -94,6 +95,7 @@ pub fn run(args: &args::GenerateArgs, io: &mut Io) -> Result<Exit, Findings> {
     for m in members.iter().filter(|m| m.folder != m.student) {
         io.line(&format!("  {} is in students/{}", m.student, m.folder));
     }
+    io.open(&args.out.join(names::INDEX), args.open);
     Ok(Exit::Fine)
 }
 
@@ -112,6 +114,7 @@ fn told(plan: &Plan, made: &SetMade, folder: &Path, io: &mut Io) {
     let mut sheets: Vec<String> =
         plan.formats.iter().rev().map(|f| format!("sheet.{}", f.ending())).collect();
     sheets.push("sheet.json".to_owned());
+    io.line(&format!("  start with:    {out}/{}", names::INDEX));
     io.line(&format!("  for students:  {out}/students/ID/ ({}); nothing else", sheets.join(", ")));
     let booklets = tell::booklets(plan.formats, folder);
     if !booklets.is_empty() {

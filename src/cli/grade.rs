@@ -5,7 +5,7 @@ use crate::cli::tell::{Exit, Io};
 use crate::finding::Findings;
 use crate::folder::grading;
 use crate::folder::grading::GradeOrder;
-use crate::folder::names::{ANSWERS, GRADEBOOK};
+use crate::folder::names::{ANSWERS, GRADEBOOK, INDEX};
 
 /// Runs it.
 pub fn run(args: &args::GradeArgs, io: &mut Io) -> Result<Exit, Findings> {
@@ -27,5 +27,6 @@ pub fn run(args: &args::GradeArgs, io: &mut Io) -> Result<Exit, Findings> {
     io.line(&format!(
         "  every answer: {out}/{ANSWERS}; a row for each student: {out}/{GRADEBOOK}; why: slipstick explain {out} STUDENT PROBLEM"
     ));
+    io.open(&args.out.join(INDEX), args.open);
     Ok(Exit::Fine)
 }

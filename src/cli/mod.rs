@@ -15,6 +15,7 @@ mod explain;
 mod gallery;
 mod generate;
 mod grade;
+mod help;
 mod lint;
 mod matches;
 mod new;
@@ -86,6 +87,7 @@ fn verb(args: impl IntoIterator<Item = OsString>, io: &mut Io) -> Exit {
         Verb::Templates(args) => templates::run(&args, io),
         Verb::Simulate(args) => simulate::run(&args, io),
         Verb::Demo(args) => demo::run(&args, io),
+        Verb::Help(args) => help::run(&args, io),
     };
     done.unwrap_or_else(|findings| io.findings(&findings))
 }

@@ -6,6 +6,7 @@ use indicatif::{ProgressBar, ProgressStyle};
 use std::io;
 use std::io::{BufRead, Write};
 use std::path::Path;
+use std::process::{Command, Stdio};
 use std::sync::Mutex;
 use std::time::Duration;
 
@@ -96,6 +97,20 @@ impl Io<'_> {
         }
         Exit::Faulty
     }
+    /// Shows a page in the browser, if that is wanted. Nothing waits for the browser, and one that does not start is no fault.
+    pub fn open(&mut self, page: &Path, wanted: bool) {
+        if !wanted {
+            return;
+        }
+        let shown = page.display();
+        let started = match page.is_file() {
+            true => std::path::absolute(page).and_then(|page| browser(&page).spawn().map(drop)),
+            false => Err(io::Error::from(io::ErrorKind::NotFound)),
+        };
+        if let Err(error) = started {
+            self.note(&format!("note: {shown} cannot be shown ({error}); open it in a browser"));
+        }
+    }
     /// A line of input without its end, repeated behind the prompt if nobody typed it there; `None` at the end of the input. Bytes that are no UTF-8 are replaced.
     pub fn ask(&mut self) -> Option<String> {
         let mut bytes = Vec::new();
@@ -110,6 +125,20 @@ impl Io<'_> {
             }
         }
     }
+}
+
+/// What the system opens a page with.
+fn browser(page: &Path) -> Command {
+    let mut command = if cfg!(windows) {
+        let mut start = Command::new("cmd");
+        // The first text in quotes would be the title of a window.
+        start.args(["/C", "start", ""]);
+        start
+    } else {
+        Command::new(if cfg!(target_os = "macos") { "open" } else { "xdg-open" })
+    };
+    command.arg(page).stdin(Stdio::null()).stdout(Stdio::null()).stderr(Stdio::null());
+    command
 }
 
 /// Booklets in these formats, as paths.

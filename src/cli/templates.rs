@@ -11,7 +11,8 @@ use crate::template;
 use crate::words::Words;
 
 /// What is not written out: the looks of pages that only instructors see, and the font of formulas.
-const NOT_WRITTEN: [&str; 3] = ["accuracy.html", "gallery.html", "math-font.html"];
+const NOT_WRITTEN: [&str; 5] =
+    ["accuracy.html", "gallery.html", "index.html", "manual.html", "math-font.html"];
 
 /// What each file receives.
 const ABOUT: &str = include_str!("../../templates/README.md");

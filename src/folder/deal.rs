@@ -6,7 +6,7 @@ use crate::finding::{Finding, Findings};
 use crate::folder;
 use crate::folder::files::names_in;
 use crate::folder::staged::Staged;
-use crate::folder::{Progress, files, names, set};
+use crate::folder::{Progress, files, index, names, set};
 use crate::guard::push_line;
 use crate::inspect::table::unsatisfiable;
 use crate::key::SheetKey;
@@ -128,7 +128,7 @@ pub fn whole(
     Ok(SetMade { written: members.len(), set, tries, cut })
 }
 
-/// Booklets and the key for people.
+/// Booklets, the key for people, and the page to start from.
 fn together(
     plan: &Plan,
     sheets: &[WrittenDocument],
@@ -139,6 +139,10 @@ fn together(
     let title = format!("{}: {}, {}", plan.texts.words.get("sheet.sheets"), plan.bank.title, plan.name);
     let mut files = output.booklets(&title, sheets)?;
     files.extend(output.key_table(plan.bank, plan.name, plan.problems, rows, keys.iter())?);
+    let made: Vec<&str> = files.iter().map(|(name, _)| *name).collect();
+    let students = sheets.iter().map(|s| (&s.head, roster::folder(&s.head.student)));
+    let index = index::of_set(plan, students, &made)?;
+    files.push((names::INDEX, index));
     Ok(files)
 }
 

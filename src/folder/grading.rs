@@ -170,7 +170,7 @@ impl StagedGrading {
             return Ok(None);
         }
         let folder = self.staged.path();
-        let made = reports::make(folder, folder, None, None, None).map_err(|f| self.staged.named(f))?;
+        let made = reports::make(folder, folder, None, None, None, true).map_err(|f| self.staged.named(f))?;
         Ok(Some(made))
     }
     /// Are there no reports in it?

@@ -14,6 +14,10 @@ pub const FORM: &str = "submissions.csv";
 pub const STUDENTS: &str = "students";
 /// The public file of a sheet, in the student's folder.
 pub const SHEET: &str = "sheet.json";
+/// The page to start from, of a set and of a grading.
+pub const INDEX: &str = "index.html";
+/// Where the page of a set says that a gallery goes.
+const GALLERY: &str = "gallery.html";
 /// The files of a booklet, whatever the formats.
 pub const BOOKLETS: [&str; 3] = ["booklet.html", "booklet.pdf", "booklet.tex"];
 /// The key for people.
@@ -41,7 +45,7 @@ pub const MOODLE: &str = "gradebook-moodle.csv";
 /// Whose answers the wrong ones are.
 pub const MATCHES: &str = "matches.csv";
 /// What a report makes, in the folder of the grades or in one of its own.
-pub const OF_REPORT: [&str; 6] = [REPORT, TABLES, FEEDBACK, CANVAS, MOODLE, MATCHES];
+pub const OF_REPORT: [&str; 7] = [INDEX, REPORT, TABLES, FEEDBACK, CANVAS, MOODLE, MATCHES];
 /// Tables that a report may have.
 const OF_TABLES: [&str; 11] = [
     "asked",
@@ -62,7 +66,11 @@ pub const OF_GRADING: [&str; 6] =
 
 /// Does `generate` write this beside the folder of the students?
 pub fn is_of_set(name: &str) -> bool {
-    [BANK, KEY, SET, FORM].iter().chain(&BOOKLETS).chain(&KEY_TABLES).any(|ours| *ours == name)
+    [BANK, KEY, SET, FORM, INDEX, GALLERY]
+        .iter()
+        .chain(&BOOKLETS)
+        .chain(&KEY_TABLES)
+        .any(|ours| *ours == name)
 }
 
 /// Is this a file that a student gets? Sheets in any format, and the figures of a set with this many problems.

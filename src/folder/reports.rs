@@ -4,7 +4,7 @@ use crate::finding::{Finding, Findings};
 use crate::folder;
 use crate::folder::graded::OpenGrading;
 use crate::folder::staged::Staged;
-use crate::folder::{banks, class, files, graded, matches, names, staged};
+use crate::folder::{banks, class, files, graded, index, matches, names, staged};
 use crate::grade::row::Unreadable;
 use crate::misconception::catalogue::Catalogue;
 use crate::report::class::ClassReporter;
@@ -51,7 +51,7 @@ impl ReportMade {
     /// Some lines that say what is where.
     pub fn told(&self, out: &str) -> String {
         let mut text = format!(
-            "Report on {} of {} who handed in\n  the class:     {out}/report.html (its {} tables as CSV: {out}/tables)\n  each student:  {out}/feedback (HTML and Markdown, nothing of others in it)\n  to import:     {out}/gradebook-canvas.csv, {out}/gradebook-moodle.csv",
+            "Report on {} of {} who handed in: start with {out}/index.html\n  the class:     {out}/report.html (its {} tables as CSV: {out}/tables)\n  each student:  {out}/feedback (HTML and Markdown, nothing of others in it)\n  to import:     {out}/gradebook-canvas.csv, {out}/gradebook-moodle.csv",
             self.took_part,
             terminal::count(self.students, "student"),
             self.tables
@@ -93,7 +93,8 @@ pub fn write(job: &ReportJob) -> Result<ReportMade, Findings> {
     staged::sweep_beside(place);
     may_write(job, place)?;
     let staged = Staged::new(place)?;
-    let made = make(job.graded, staged.path(), job.templates, job.language, job.threads)
+    let beside = fs::canonicalize(place).ok() == fs::canonicalize(job.graded).ok();
+    let made = make(job.graded, staged.path(), job.templates, job.language, job.threads, beside)
         .map_err(|findings| staged.named(findings))?;
     if !place.exists() {
         staged.finish()?;
@@ -155,7 +156,8 @@ fn may_write(job: &ReportJob, place: &Path) -> Result<(), Finding> {
     Ok(())
 }
 
-/// Makes the reports of a folder of grades into a folder that is there, and replaces nothing in it.
+/// Makes the reports of a folder of grades into a folder that is there, and replaces nothing in it. They will lie `beside` the grades,
+/// or not.
 ///
 /// # Errors
 /// What is missing or faulty in the folder of the grades, a language that is not there, or writing that fails.
@@ -165,6 +167,7 @@ pub fn make(
     templates: Option<&Path>,
     language: Option<&str>,
     threads: Option<usize>,
+    beside: bool,
 ) -> Result<ReportMade, Findings> {
     let graded = graded::open(graded, None)?;
     let mut bank = graded.bank.clone();
@@ -200,6 +203,8 @@ pub fn make(
     let (item, most, lines) = book(&marks, &graded.grading.set, &texts.words);
     write(names::CANVAS, &lms::canvas(&item, most, &lines))?;
     write(names::MOODLE, &lms::moodle(&item, &lines))?;
+    let people = marks.class.students.iter().map(|s| (s.id.as_str(), s.name.as_str(), s.folder.as_str()));
+    write(names::INDEX, &index::of_grades(&texts, &graded.set.name, beside, people)?)?;
     let english = Words::english();
     Ok(ReportMade {
         students: marks.class.students.len(),

@@ -13,7 +13,7 @@ const MANY: usize = 120;
 /// So few students get a dot each.
 const FEW: usize = 30;
 /// Below this a part hardly tells strong from weak (Ebel 1965).
-const POOR: f64 = 0.2;
+pub const POOR: f64 = 0.2;
 
 /// What the plots are made of.
 #[derive(Clone, Copy)]

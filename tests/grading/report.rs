@@ -346,11 +346,37 @@ fn a_class_of_sixty() {
     assert_eq!(parsed.select(&select("table > caption")).count(), parsed.select(&select("table")).count());
     assert!(page.contains("Cronbach") && page.contains("Hints to students") && page.contains("explain"));
     assert!(!page.contains("<script") && page.contains("&lt;script&gt;"));
-    // No student is named in it but where answers match those of classmates.
-    let (before, rest) = page.split_once("<section id=\"matches\">").unwrap();
-    let (_, after) = rest.split_once("</section>").unwrap();
-    for told in [before, after] {
-        assert!(!told.contains("s0001") && !told.contains("Amina") && !told.contains("Zoë"));
+    // It begins with who got what, as the gradebook has it, and ends with the settings.
+    let sections = page.split("<section id=\"").skip(1).map(|s| s.split_once("\">").unwrap());
+    let sections: Vec<(&str, &str)> = sections.collect();
+    let names: Vec<&str> = sections.iter().map(|(id, _)| *id).collect();
+    assert_eq!((&names[..3], names.last()), (&["marks", "weakest", "lecture"][..], Some(&"graded")));
+    for (row, line) in graded.rows("grades/gradebook.csv").iter().zip(sections[0].1.split("<tr>").skip(2)) {
+        let cells = Html::parse_fragment(&format!("<table><tr>{line}</table>"));
+        let cells: Vec<String> = cells.select(&select("th, td")).map(|c| c.text().collect()).collect();
+        // The CSV file keeps a spreadsheet from running a name.
+        let name = row["name"].trim_start_matches('\'');
+        assert_eq!((&cells[0], cells[1].as_str()), (&row["student"], name));
+        assert_eq!(cells.last(), Some(&row["max_total"]));
+        assert_eq!(cells[cells.len() - 2], row["total"], "{line}");
+    }
+    // The three parts with the least share of their points.
+    let mut parts = graded.rows("grades/tables/parts.csv");
+    parts.sort_by(|a, b| number(&a["ease"]).total_cmp(&number(&b["ease"])));
+    let weak: Vec<&str> =
+        sections[1].1.split("<li><p><strong>").skip(1).map(|w| w.split('<').next().unwrap()).collect();
+    assert_eq!(weak, parts.iter().take(3).map(|p| p["part"].as_str()).collect::<Vec<_>>());
+    // A method's id never stands without its words, and what tells nothing is folded.
+    for cell in parsed.select(&select("#mistakes td, .mistakes p")) {
+        let text: String = cell.text().collect();
+        let alone = |id: &str| text.trim() == id;
+        assert!(!Catalogue::built_in().entries().iter().any(|e| alone(&e.id)), "{text}");
+    }
+    let folded = parsed.select(&select("#fairness details figure")).count();
+    assert_eq!(folded == 0, page.contains("these stand out:"), "{folded}");
+    // No student is named elsewhere but where answers match those of classmates.
+    for (id, told) in sections.iter().filter(|(id, _)| !["marks", "matches"].contains(id)) {
+        assert!(!told.contains("s0001") && !told.contains("Amina") && !told.contains("Zoë"), "{id}");
     }
     let folder = graded.path("grades/feedback");
     assert_eq!(fs::read_dir(&folder).unwrap().count(), 120);

@@ -202,6 +202,14 @@ fn no_text_is_english_of_another_language() {
             );
         }
     }
+    // What commands print has its own texts, and names of fields are no English.
+    for file in files("templates/manual", "md").into_iter().chain([root().join("README.md")]) {
+        let text = fs::read_to_string(&file).expect("a text for people");
+        let prose = text.split("```").step_by(2).flat_map(|t| t.split('`').step_by(2));
+        let prose = prose.collect::<Vec<_>>().join(" ");
+        count += 1;
+        faults.extend(unwanted(&prose).into_iter().map(|f| format!("{}: {f}", file.display())));
+    }
     assert!(count > 1000, "{count} texts");
     assert!(faults.is_empty(), "{}", faults.join("\n"));
 }

@@ -59,12 +59,13 @@ fn a_set_has_its_files_and_nothing_for_students_but_theirs() {
     let files = tree(&room.0.path().join("set"));
     // Four figures, the sheet in Markdown and as a page, and what `check` reads.
     let with_pdf = usize::from(slipstick::sheet::pdf::BUILT_IN);
-    assert_eq!(files.len(), 7 + 2 * with_pdf + (7 + with_pdf) * CLASS.len());
+    assert_eq!(files.len(), 8 + 2 * with_pdf + (7 + with_pdf) * CLASS.len());
     let of_set = [
         "bank.yaml",
         "key.csv",
         "set.json",
         "submissions.csv",
+        "index.html",
         "booklet.html",
         "key-table.html",
         "key-table.md",
@@ -838,9 +839,16 @@ fn the_demo_runs_twice_and_spares_what_it_did_not_make() {
     let second = run(&["demo", &dir]);
     assert_eq!(second.out, first.out);
     assert!(files == tree(Path::new(&dir)));
+    // Where to look, and a line for every two students.
+    assert!(first.out.lines().count() <= 25, "{}", first.out);
+    assert!(
+        first.out.contains("grades/index.html") && first.out.contains("Zoë van der Berg"),
+        "{}",
+        first.out
+    );
     // At least ten rows of each kind, and each became what it should.
-    let table: Vec<Vec<&str>> = first
-        .out
+    let test = fs::read_to_string(room.path("demo/self-test.txt")).unwrap();
+    let table: Vec<Vec<&str>> = test
         .lines()
         .skip_while(|l| !l.starts_with("What the simulated rows were"))
         .skip(1)
@@ -864,6 +872,68 @@ fn the_demo_runs_twice_and_spares_what_it_did_not_make() {
     fs::create_dir(room.path("thesis")).unwrap();
     room.write("thesis/a.txt", "mine");
     assert_eq!(run(&["demo", &room.path("thesis")]).exit, Exit::Faulty);
+}
+
+/// The browser gets the page as an address of its own; where there is no browser, that is said and is no fault.
+#[test]
+#[cfg(target_os = "linux")]
+fn a_page_is_opened() {
+    use std::os::unix::fs::PermissionsExt as _;
+    let room = Room::new(&[]);
+    let opened = room.path("opened.txt");
+    fs::create_dir(room.path("bin")).unwrap();
+    room.write(
+        "bin/xdg-open",
+        &format!("#!/bin/sh\nprintf '%s' \"$1\" > '{opened}.part'\nmv '{opened}.part' '{opened}'\n"),
+    );
+    fs::set_permissions(room.path("bin/xdg-open"), fs::Permissions::from_mode(0o755)).unwrap();
+    let slipstick = |bin: &str, args: &[&str]| {
+        let program = assert_cmd::cargo::cargo_bin("slipstick");
+        let ran = std::process::Command::new(program)
+            .args(args)
+            .env("PATH", bin)
+            .current_dir(room.path(""))
+            .output();
+        let ran = ran.unwrap();
+        assert!(ran.status.success(), "{}", String::from_utf8_lossy(&ran.stderr));
+        String::from_utf8(ran.stderr).unwrap()
+    };
+    let bin = format!("{}:/usr/bin:/bin", room.path("bin"));
+    room.write("r.csv", "student\ns1\n");
+    room.write("a.csv", "student,problem,part,answer\ns1,1,v,3 m/s\n");
+    let made = [
+        "generate",
+        "slip-and-roll",
+        "--problems",
+        "thrown-ball",
+        "--roster",
+        "r.csv",
+        "--seed",
+        "1",
+        "--out",
+        "set",
+        "--open",
+    ];
+    for (args, page) in [
+        (&made[..], "set/index.html"),
+        (&["grade", "set", "a.csv", "--out", "grades", "--open"], "grades/index.html"),
+        (&["demo", "--open"], "slipstick-demo/grades/index.html"),
+    ] {
+        assert_eq!(slipstick(&bin, args), "", "{args:?}");
+        let shown = (0..500).find_map(|_| {
+            std::thread::sleep(std::time::Duration::from_millis(20));
+            fs::read_to_string(&opened).ok()
+        });
+        let shown = fs::canonicalize(shown.expect("the browser was called")).unwrap();
+        assert_eq!(shown, fs::canonicalize(room.path(page)).unwrap());
+        fs::remove_file(&opened).unwrap();
+    }
+    let told =
+        slipstick(&room.path("nothing"), &["grade", "set", "a.csv", "--out", "grades", "--force", "--open"]);
+    assert!(
+        told.contains("grades/index.html cannot be shown") && told.contains("open it in a browser"),
+        "{told}"
+    );
 }
 
 #[test]

@@ -731,6 +731,7 @@ fn every_page_is_closed_to_the_outside() {
         "--out",
         &path("a.html"),
     ]);
+    fine(&["help", "--html", &path("manual.html")]);
     // Somebody's own template is closed, too.
     fs::create_dir(path("mine")).unwrap();
     fs::write(path("mine/sheet.html"), "<!DOCTYPE html>\n<HTML><HEAD lang=\"en\"><title>{{ title }}</title></HEAD><body>{{ body }}</body></HTML>")
@@ -772,7 +773,22 @@ fn every_page_is_closed_to_the_outside() {
             assert!(allowed.contains(&part), "{part}: {policy}");
         }
         assert_eq!(allowed.len(), 6, "{policy}");
-        assert_eq!(all_acts(&page), Vec::<String>::new(), "{}", file.display());
+        let mut acts = all_acts(&page);
+        if file.ends_with("index.html") {
+            // It leads to what lies beside it: files that are there.
+            let leads = |act: &String| {
+                let there = act.strip_prefix("href=\"").and_then(|a| a.strip_suffix('"'));
+                there.is_some_and(|name| file.with_file_name("").join(name).is_file())
+            };
+            assert!(acts.iter().filter(|act| leads(act)).count() > 6, "{acts:?}");
+            acts.retain(|act| !leads(act));
+        }
+        if file.ends_with("manual.html") {
+            // Its pictures stand in it, and a link to elsewhere is followed only by who clicks it.
+            let within = ["<img>", "src=\"data:image/svg+xml", "href=\"https://"];
+            acts.retain(|act| !within.iter().any(|w| act.starts_with(w)));
+        }
+        assert_eq!(acts, Vec::<String>::new(), "{}", file.display());
         let name = file.file_name().unwrap().to_string_lossy().into_owned();
         let parent = file.parent().unwrap().file_name().unwrap().to_string_lossy().into_owned();
         kinds.insert(if parent == "feedback" { parent } else { name });
@@ -785,6 +801,8 @@ fn every_page_is_closed_to_the_outside() {
         "report.html",
         "feedback",
         "gallery.html",
+        "index.html",
+        "manual.html",
         "a.html",
     ] {
         assert!(kinds.contains(kind), "{kind} in {kinds:?}");

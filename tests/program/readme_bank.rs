@@ -1,15 +1,17 @@
-//! The bank examples of the README: whole banks load without a finding, fragments without one of their own.
+//! The bank examples of README and manual: whole banks load without a finding, fragments without one of their own.
 use slipstick::bank::load;
 use slipstick::finding::Findings;
+use slipstick::manual;
 
 const README: &str = include_str!("../../README.md");
 
 fn blocks() -> Vec<&'static str> {
-    README.split("```yaml\n").skip(1).filter_map(|b| b.split("```").next()).collect()
+    let texts = std::iter::once(README).chain(manual::TOPICS.iter().map(|t| t.text));
+    texts.flat_map(|text| text.split("```yaml\n").skip(1)).filter_map(|b| b.split("```").next()).collect()
 }
 
 fn findings(text: &str) -> Findings {
-    load::scenes_only(text, "README.md").err().unwrap_or_default()
+    load::scenes_only(text, "bank.md").err().unwrap_or_default()
 }
 
 /// A bank around one fragment.
@@ -105,7 +107,7 @@ fn swinging(scene: &str) -> String {
 }
 
 #[test]
-fn the_examples_of_the_readme_are_banks() {
+fn the_examples_of_readme_and_manual_are_banks() {
     let (mut whole, mut parts) = (0, 0);
     for block in blocks() {
         let Some(kind) = block.strip_prefix("# fragment: ").and_then(|b| b.lines().next()) else {

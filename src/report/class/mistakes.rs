@@ -4,6 +4,7 @@ use crate::report::stats::LEAST_FOR_SHARE;
 use crate::report::study::{LEVEL, MistakeCount};
 use crate::report::table::percent;
 use crate::sheet::terminal::plain;
+use crate::template;
 use serde::Serialize;
 
 /// Mistakes told in words; all are in the table.
@@ -22,7 +23,7 @@ pub(super) struct Favourite {
     /// What they do, and what to show them: finished HTML, empty where nothing is known.
     they: String,
     advice: String,
-    /// Other methods that fit some of the answers.
+    /// Other methods that fit some of the answers: what was done, with the id. Finished HTML.
     also: Vec<String>,
 }
 
@@ -42,7 +43,7 @@ impl ClassReporter<'_> {
                 they: rich(&they),
                 advice: rich(advice),
                 ids: mistake.ids,
-                also: mistake.also,
+                also: mistake.also.iter().map(|id| self.with_words(id, &mut *rich)).collect(),
             }
         });
         let told: Vec<Favourite> = told.collect();
@@ -83,6 +84,13 @@ impl ClassReporter<'_> {
         let more = names.len().saturating_sub(most);
         let list = names[..names.len() - more].join(", ");
         if more == 0 { list } else { self.say("more", &[("list", &list), ("n", &more.to_string())]) }
+    }
+
+    /// A method in words, with its id: finished HTML. An id alone would tell nobody anything.
+    pub(super) fn with_words(&self, id: &str, rich: Rich) -> String {
+        let did =
+            self.catalogue.get(id).map_or_else(String::new, |e| rich(e.did.trim_end_matches('.')) + " ");
+        format!("{did}<code>{}</code>", template::in_html(id))
     }
 
     /// What was done, in a line of plain text.

@@ -2,6 +2,7 @@
 //! template's and the phrases' (`report`).
 //!
 //! `report.html` receives what `page` puts together and includes `report-table.html` for each table, as `t`. What is finished HTML (plots, formulas) it marks as `safe`; all else is escaped.
+mod first;
 mod mistakes;
 mod tables;
 
@@ -16,7 +17,7 @@ use crate::report::charts;
 use crate::report::charts::ClassCharts;
 use crate::report::marks::Marks;
 use crate::report::stats::{LEAST_FOR_CORRELATION, LEAST_FOR_MEDIAN, LEAST_FOR_SHARE};
-use crate::report::study::{ClassStudy, LEVEL};
+use crate::report::study::{ClassStudy, LEVEL, PartStudy};
 use crate::report::table::{Table, fixed, percent, points};
 use crate::template::{Templates, View};
 use crate::words::Words;
@@ -109,6 +110,7 @@ impl ClassReporter<'_> {
     /// name and value; `least` the sizes below which nothing is told; `right` the share of the answers that count; `no_favourites`
     /// the name of the phrase that says why there are no favourite mistakes.
     fn page(&self, about: &About, tables: &[Table], rich: Rich) -> Value {
+        let weakest = self.weakest(&mut *rich);
         let (study, marks, words) = (self.study, self.marks, self.words);
         let facts = [("settings", &about.settings), ("provenance", &about.provenance)];
         let facts: Vec<_> = facts.into_iter().filter(|(_, list)| !list.is_empty()).collect();
@@ -146,6 +148,9 @@ impl ClassReporter<'_> {
                 "median": LEAST_FOR_MEDIAN,
                 "correlation": LEAST_FOR_CORRELATION,
             },
+            "marks": self.student_lines(),
+            "problems": marks.class.problems.len(),
+            "weakest": weakest,
             "students": marks.class.students.len(),
             "took_part": study.took_part.len(),
             "absent": marks.class.students.len() - study.took_part.len(),
@@ -169,6 +174,7 @@ impl ClassReporter<'_> {
             "noticed": self.number(charts::noticed(compared, study.fairness.len()), 2),
             "matches": self.matches.summary(words),
             "flagged": words.number(&FLAGGED.to_string()),
+            "tells": self.tells(),
             "charts": self.charts(),
             "tables": none.chain(views).collect::<BTreeMap<_, _>>(),
         })
@@ -187,6 +193,17 @@ impl ClassReporter<'_> {
             "items": charts.items(),
             "mistakes": (!bars.is_empty()).then(|| charts.mistakes(&bars)),
             "fairness": fairness.collect::<Vec<_>>(),
+        })
+    }
+
+    /// Which plots tell something; the others are folded.
+    fn tells(&self) -> Value {
+        let study = self.study;
+        let poor = |p: &PartStudy| p.discrimination.is_ok_and(|d| d < charts::POOR);
+        json!({
+            "items": study.parts.iter().any(poor),
+            "mistakes": self.favourites().iter().any(|m| m.students() > 1),
+            "fairness": study.fairness.iter().any(|c| c.corrected < LEVEL),
         })
     }
 

@@ -131,12 +131,14 @@ impl ClassReporter<'_> {
             let parts: Vec<String> =
                 mistake.parts.iter().map(|(p, n)| format!("{} ({n})", self.label(*p))).collect();
             let whole: Vec<String> = parts.iter().map(|part| part.replace(' ', "\u{a0}")).collect();
-            let (or, also) = (self.words.get("report.or"), mistake.also.join(" "));
+            let or = self.words.get("report.or");
+            let also: Vec<String> = mistake.also.iter().map(|id| self.with_words(id, &mut *rich)).collect();
+            let also = (!also.is_empty()).then(|| TableCell::rich(also.join("; "), &mistake.also.join(" ")));
             vec![
                 TableCell::text(&mistake.ids.join(" ")),
                 TableCell::rich(did.join(&format!("<em>{}</em>", template::in_html(or))), &raw.join(or)),
                 TableCell::named(&whole.join(", "), &parts.join(", ")),
-                TableCell::or_none((!also.is_empty()).then(|| TableCell::text(&also))),
+                TableCell::or_none(also),
                 TableCell::count(mistake.students()),
                 TableCell::count(mistake.answers),
                 TableCell::share(mistake.answers as f64 / self.study.wrong.0 as f64),
