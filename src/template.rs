@@ -29,6 +29,7 @@ pub const BUILT_IN: &[(&str, &str)] = built_in!("":
     "key-table.md",
     "style.html",
     "sheet.html",
+    "page.html",
     "booklet.html",
     "style.tex",
     "sheet.tex",

@@ -1,12 +1,15 @@
 //! The settings that bear on marks, as `grading:` in a bank or as a course file over it: text to [`Policy`].
 use crate::bank::decimal::Decimal;
 use crate::bank::node::{Faults, Fields, Node, Value, choice, named, shorten, text, whole};
+#[cfg(feature = "program")]
 use crate::bank::yaml;
+#[cfg(feature = "program")]
 use crate::finding::Findings;
 use crate::policy::{
     Correction, Counts, DAY, For, HOUR, Hints, MINUTE, Part, Per, Policy, Rounding, Unread, Way, Zone, time,
 };
 
+#[cfg(feature = "program")]
 /// What a course file may hold, with an explanation of each setting; it is read by a test.
 pub const EXAMPLE: &str = include_str!("../../templates/course.yaml");
 
@@ -23,6 +26,7 @@ const FOR: [(&str, For); 2] = [("all", For::All), ("answered", For::Answered)];
 /// Most points of a part.
 const MOST_POINTS: f64 = 1e6;
 
+#[cfg(feature = "program")]
 /// Reads a course file; what it does not name stays as in `base`, the settings of the bank.
 ///
 /// # Errors

@@ -6,6 +6,7 @@ use crate::folder::banks::Loaded;
 use crate::folder::grading::Reports;
 use crate::policy::Counts;
 use crate::sheet::output::Format;
+use crate::sheet::self_check::Hosting;
 use crate::sheet::texts::Texts;
 use crate::solve::method::Method;
 use clap::{Args, Parser, Subcommand, ValueEnum};
@@ -186,6 +187,10 @@ pub struct GenerateArgs {
         value_delimiter = ','
     )]
     pub format: Option<Vec<Format>>,
+    /// Where the program lies by which a sheet checks itself: single (in each sheet, one file that can be mailed) or site
+    /// (beside the sheets, for a web server) [default: single]
+    #[arg(long, value_name = "WHERE", value_parser = Hosting::parse)]
+    pub page: Option<Hosting>,
     /// Add late joiners to an existing set; nothing else changes
     #[arg(long, conflicts_with = "force")]
     pub add: bool,

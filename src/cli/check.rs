@@ -1,32 +1,17 @@
 //! `slipstick check`: a student's own answers against the public sheet file, which is solved anew.
 use crate::answer::read::UnitCache;
-use crate::bank::decimal::Decimal;
-use crate::bank::{Case, Draw, Question};
 use crate::cli::args;
 use crate::cli::tell::{Exit, Io};
 use crate::diagnosis::sentences::{refusal, right_answer};
 use crate::finding::{Finding, Findings};
-use crate::folder::{banks, files};
+use crate::folder::files;
 use crate::grade::feedback::Feedback;
-use crate::grade::judge;
 use crate::grade::verdict::Verdict;
-use crate::key::{Answer, ProblemKey};
-use crate::problem::make::Variant;
-use crate::problem::{make, make_key};
-use crate::sheet::public::{SheetFile, SheetProblem};
+use crate::page::check::{self, CheckedProblem, Unsolved};
+use crate::page::sheet_file::{SheetFile, SheetProblem};
 use crate::sheet::{statement, terminal};
 use crate::units;
 use crate::words::Words;
-
-/// One problem of the sheet, solved.
-struct CheckedProblem {
-    number: usize,
-    id: String,
-    key: ProblemKey,
-    reveal: bool,
-    /// Words for the sign of each part.
-    signs: Vec<[String; 2]>,
-}
 
 /// Runs it.
 pub fn run(args: &args::CheckArgs, io: &mut Io) -> Result<Exit, Findings> {
@@ -65,7 +50,7 @@ pub fn run(args: &args::CheckArgs, io: &mut Io) -> Result<Exit, Findings> {
     let mut solved: Vec<Option<CheckedProblem>> = sheet.problems.iter().map(|_| None).collect();
     for (_, i, _, _) in &asked {
         if solved[*i].is_none() {
-            match solve(&sheet.problems[*i], &file, words) {
+            match solve(&sheet.problems[*i], &file) {
                 Ok(done) => solved[*i] = Some(done),
                 Err(more) => return Err(more),
             }
@@ -75,7 +60,7 @@ pub fn run(args: &args::CheckArgs, io: &mut Io) -> Result<Exit, Findings> {
     let mut all_right = true;
     for (name, i, part, cell) in asked {
         let Some(problem) = &solved[i] else { continue };
-        let Some(p) = problem.key.parts.iter().position(|e| e.part == part) else {
+        let Some(p) = problem.part(part) else {
             let known: Vec<&str> = problem.key.parts.iter().map(|e| e.part.as_str()).collect();
             let what = format!("`{name}`: problem {} ({}) has no part `{part}`", problem.number, problem.id);
             let fault = Finding::new("", what);
@@ -86,15 +71,16 @@ pub fn run(args: &args::CheckArgs, io: &mut Io) -> Result<Exit, Findings> {
             continue;
         };
         let entry = &problem.key.parts[p];
-        let judgement = judge::judge_with(cell, entry, &mut UnitCache::default(), &say);
-        let right = judgement.verdict == Verdict::Right;
+        let told = check::check(entry, cell, &mut UnitCache::default(), &say);
+        let right = told.verdict == Verdict::Right;
         all_right &= right;
-        let mut row = vec![name.to_owned(), cell.to_owned(), judgement.verdict.as_str().to_owned()];
-        row.push(judgement.reason.clone().into_owned());
+        let mut row = vec![name.to_owned(), cell.to_owned(), told.verdict.as_str().to_owned()];
+        row.push(told.reason);
         if args.reveal && !right {
-            if problem.reveal {
-                let [forward, back] = &problem.signs[p];
-                let answer = right_answer(words, entry, [forward, back]);
+            if problem.bank.reveal {
+                let owner = problem.problem().questions[p].label.of;
+                let signs = statement::direction_words(words, problem.scene(), owner);
+                let answer = right_answer(words, entry, signs);
                 row.push(words.say("feedback.shown", &[("answer", &answer)]));
             } else {
                 row.push(words.get("feedback.not_shown").to_owned());
@@ -115,67 +101,18 @@ fn listed_once(fault: Finding, list: String, earlier: &[Finding]) -> Finding {
     if said { fault } else { fault.hint(list) }
 }
 
-fn solve(problem: &SheetProblem, file: &str, words: &Words) -> Result<CheckedProblem, Findings> {
+fn solve(problem: &SheetProblem, file: &str) -> Result<CheckedProblem, Findings> {
     let place = format!("{file}, problem {}", problem.number);
-    let in_file = |faults: Findings| -> Findings { faults.in_file(&place) };
-    let Some(text) = problem.bank_text().map_err(in_file)? else {
-        let fault = Finding::new("", "this sheet cannot be checked: it carries no scene").in_file(&place);
-        return Err(fault.hint("the instructor has switched self-checks off for this bank").into());
-    };
-    // Places in the text made here mean nothing to the reader of the sheet.
-    let no_place = |faults: Findings| -> Findings {
-        faults
-            .into_iter()
-            .map(|mut f| {
-                f.at = None;
-                f
-            })
-            .collect()
-    };
-    let bank = banks::parse(&text, &place).map_err(no_place)?;
-    let Some(only) = bank.problems.first() else {
-        return Err(Finding::new("scene", "holds no problem").in_file(&place).into());
-    };
-    let given = |case: &Case| -> Vec<Option<Decimal>> {
-        let draws = case.draws.iter();
-        draws
-            .map(|d| match d {
-                Some(Draw::Always { value, decimals }) => {
-                    Some(Decimal { value: *value, decimals: *decimals })
-                }
-                _ => None,
-            })
-            .collect()
-    };
-    // A contact may be left open: what happens is the case in which what was assumed of it holds.
-    let mut solved = only.cases.iter().enumerate().map(|(i, case)| make::from_values(only, i, &given(case)));
-    let Some(first) = solved.next() else {
-        return Err(Finding::new("scene", "holds no problem").in_file(&place).into());
-    };
-    let holds = |v: &Variant| v.solved.all_hold() && !v.solved.regime.slips;
-    let variant = match first {
-        Ok(variant) if !holds(&variant) => solved.flatten().find(holds).unwrap_or(variant),
-        Err(why) => solved.flatten().find(holds).ok_or_else(|| {
-            let texts = refusal(only, &only.cases[0].scene, &why);
-            texts.into_iter().map(|t| Finding::new("data", t).in_file(&place)).collect::<Findings>()
-        })?,
-        Ok(variant) => variant,
-    };
-    let scene = &only.cases[variant.case].scene;
-    let signs = |q: &Question| statement::direction_words(words, scene, q.label.of).map(str::to_owned);
-    let mut key = make_key::key(only, &variant);
-    for part in &mut key.parts {
-        let printed =
-            problem.parts.iter().find(|p| p.id == part.part).and_then(|p| make_key::listed(&p.words));
-        if let (Answer::Word { offered, .. }, Some(list)) = (&mut part.answer, printed) {
-            *offered = list;
+    check::solve(problem, &place).map_err(|unsolved| match unsolved {
+        Unsolved::NoScene => {
+            let fault = Finding::new("", "this sheet cannot be checked: it carries no scene").in_file(&place);
+            fault.hint("the instructor has switched self-checks off for this bank").into()
         }
-    }
-    Ok(CheckedProblem {
-        number: problem.number,
-        id: problem.id.clone(),
-        key,
-        reveal: bank.reveal,
-        signs: only.questions.iter().map(signs).collect(),
+        Unsolved::Faults(faults) => faults.in_file(&place),
+        Unsolved::Refused(bank, why) => {
+            let refused = bank.problems.iter().take(1);
+            let texts = refused.flat_map(|only| refusal(only, &only.cases[0].scene, &why));
+            texts.map(|text| Finding::new("data", text).in_file(&place)).collect()
+        }
     })
 }

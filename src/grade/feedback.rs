@@ -5,6 +5,7 @@ use crate::grade::verdict::Verdict;
 use crate::units::{Unit, UnitFault, UnitKind, UnitSlip};
 use crate::words::Words;
 use std::borrow::Cow;
+#[cfg(feature = "program")]
 use std::sync::LazyLock;
 
 /// The phrases of the topic `feedback`, ready for many rows.
@@ -17,6 +18,7 @@ pub struct Feedback<'w> {
     pub(crate) no_sign: &'w str,
 }
 
+#[cfg(feature = "program")]
 static ENGLISH: LazyLock<Feedback<'static>> =
     LazyLock::new(|| Feedback::new(Words::built_in("en").expect("English is built in")));
 
@@ -33,6 +35,7 @@ impl<'w> Feedback<'w> {
     }
 
     /// The English one.
+    #[cfg(feature = "program")]
     pub fn english() -> &'static Feedback<'static> {
         &ENGLISH
     }

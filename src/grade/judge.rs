@@ -18,6 +18,7 @@ pub fn accepts(x: f64, key: f64, half_width: f64) -> bool {
 }
 
 /// Judges one cell; the reason is English.
+#[cfg(feature = "program")]
 pub fn judge(cell: &str, entry: &KeyEntry) -> Judgement<'static> {
     judge_with(cell, entry, &mut UnitCache::default(), Feedback::english())
 }

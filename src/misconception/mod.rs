@@ -1,5 +1,6 @@
 //! Wrong roads that students take: where each comes to, from a changed scene, changed data or a change of the value, and what
 //! is said about it ([`catalogue`]).
+#[cfg(feature = "program")]
 pub mod catalogue;
 
 use crate::bank::expression::Expression;

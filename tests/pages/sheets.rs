@@ -180,8 +180,8 @@ fn sweep(students: u32) {
             sound(language, &document.markdown);
             assert!(!document.plain().contains("<!--"));
             let mut converter = Converter::new(&told.words);
-            let body = converter.body(document, &document.screens(), Place { lower: 0, prefix: "" });
-            let page = html::page(&told.templates, &told.words, "sheet", head, &body).expect("renders");
+            let body = converter.body(document, &document.screens(), Place { lower: 0, prefix: "", boxes: &[] });
+            let page = html::page(&told.templates, &told.words, "sheet", head, &body, None).expect("renders");
             valid(language, &String::from_utf8(page).expect("text"));
             for (name, picture) in &document.pictures {
                 assert!(document.markdown.contains(&format!("]({name}.svg)")));
@@ -236,9 +236,9 @@ fn sweep_solutions(students: u32) {
             let body = Converter::new(&told.words).body(
                 document,
                 &document.screens(),
-                Place { lower: 0, prefix: "" },
+                Place { lower: 0, prefix: "", boxes: &[] },
             );
-            let page = html::page(&told.templates, &told.words, "solution", head, &body).expect("renders");
+            let page = html::page(&told.templates, &told.words, "solution", head, &body, None).expect("renders");
             valid(language, &String::from_utf8(page).expect("text"));
             for (name, picture) in &document.pictures {
                 assert!(document.markdown.contains(&format!("]({name}.svg)")));
@@ -271,7 +271,7 @@ fn booklets_are_valid_pages() {
                     let body = Converter::new(&told.words).body(
                         document,
                         &document.screens(),
-                        Place { lower: 1, prefix: &prefix },
+                        Place { lower: 1, prefix: &prefix, boxes: &[] },
                     );
                     parts.push((head.clone(), body));
                 }
