@@ -1,21 +1,16 @@
 //! The settings that bear on marks, as `grading:` in a bank or as a course file over it: text to [`Policy`].
 use crate::bank::decimal::Decimal;
 use crate::bank::node::{Faults, Fields, Node, Value, choice, named, shorten, text, whole};
-#[cfg(feature = "program")]
 use crate::bank::yaml;
-#[cfg(feature = "program")]
 use crate::finding::Findings;
 use crate::policy::{
     Correction, Counts, DAY, For, HOUR, Hints, MINUTE, Part, Per, Policy, Rounding, Unread, Way, Zone, time,
 };
 
-#[cfg(feature = "program")]
 /// What a course file may hold, with an explanation of each setting; it is read by a test.
 pub const EXAMPLE: &str = include_str!("../../templates/course.yaml");
 
 const DATES: [(&str, bool); 2] = [("day first", true), ("month first", false)];
-const HINTS: [(&str, Hints); 3] =
-    [("none", Hints::None), ("nudge", Hints::Nudge), ("explain", Hints::Explain)];
 const COUNTS: [(&str, Counts); 3] =
     [("last", Counts::Last), ("best", Counts::Best), ("first", Counts::First)];
 const PER: [(&str, Per); 3] = [("day", Per::Day), ("hour", Per::Hour), ("once", Per::Once)];
@@ -26,7 +21,6 @@ const FOR: [(&str, For); 2] = [("all", For::All), ("answered", For::Answered)];
 /// Most points of a part.
 const MOST_POINTS: f64 = 1e6;
 
-#[cfg(feature = "program")]
 /// Reads a course file; what it does not name stays as in `base`, the settings of the bank.
 ///
 /// # Errors
@@ -64,7 +58,7 @@ pub fn read(node: &Node, base: &Policy, faults: &Faults) -> Policy {
     if let Some(n) = fields.get("credit") {
         credit(n, &mut policy, faults);
     }
-    fields.set("hints", &mut policy.hints, |n, f| choice(n, &HINTS, f));
+    fields.set("hints", &mut policy.hints, |n, f| choice(n, &Hints::WORDS, f));
     fields.set("points", &mut policy.points, |n, f| Some(points_by_part(n, f)));
     fields.set("drop lowest", &mut policy.drop_lowest, |n, f| whole(n, 0, 100, f).map(|n| n as usize));
     fields.set("round", &mut policy.rounding, |n, f| Some(rounding(n, f)));

@@ -274,6 +274,7 @@ const ROUNDING: f64 = 1e-6;
 
 #[cfg(feature = "program")]
 pub mod built_in;
+#[cfg(feature = "program")]
 pub mod course;
 pub mod decimal;
 pub mod expression;

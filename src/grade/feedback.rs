@@ -185,6 +185,7 @@ impl<'w> Feedback<'w> {
     }
 
     /// That another attempt counts, and what this one would have been.
+    #[cfg(feature = "program")]
     pub(crate) fn superseded(&self, line: &str, verdict: Verdict) -> String {
         self.words.say("feedback.superseded", &[("line", line), ("verdict", verdict.as_str())])
     }

@@ -6,7 +6,8 @@ pub mod catalogue;
 use crate::bank::expression::Expression;
 use crate::bank::{Mistake, Problem};
 use crate::scene::Label;
-use crate::solve::agree::Quick;
+use crate::num::Real as _;
+use crate::solve::agree::{Fast, Quick};
 use crate::solve::outcome::{Entry, Road, Solved};
 use smallvec::SmallVec;
 
@@ -112,7 +113,7 @@ impl Method<'_> {
         // Most methods come to a value by an expression alone.
         let changed = if changes { self.changed(problem, data, &right) } else { None };
         let other = |label: Label| match &changed {
-            Some(road) => road.get(label).map_or(f64::NAN, |said| said.value),
+            Some(road) => road.get(label).map_or(f64::NAN, |said| said.value.f64()),
             // Without such a motion only what follows from the data alone has a value.
             None if changes => f64::NAN,
             None => right(label),
@@ -129,7 +130,7 @@ impl Method<'_> {
     }
 
     /// The solution of the scene that the method takes for the right one.
-    fn changed(&self, problem: &Problem, data: &[f64], right: &dyn Fn(Label) -> f64) -> Option<Road<f64>> {
+    fn changed(&self, problem: &Problem, data: &[f64], right: &dyn Fn(Label) -> f64) -> Option<Road<Fast>> {
         let quick = self.solves.as_ref()?;
         let mut taken: SmallVec<[f64; 16]> = data.into();
         for (index, expression) in &self.mistake.data {

@@ -1,7 +1,7 @@
 //! A problem of a sheet file solved anew, and what becomes of an answer to one of its parts.
 use crate::answer::read::UnitCache;
 use crate::bank::decimal::Decimal;
-use crate::bank::{Bank, Case, Draw, Problem, load};
+use crate::bank::{Bank, Case, Draw, Problem, Relative, load};
 use crate::finding::{Finding, Findings};
 use crate::grade::feedback::Feedback;
 use crate::grade::judge;
@@ -83,7 +83,14 @@ pub fn check(entry: &KeyEntry, cell: &str, units: &mut UnitCache, say: &Feedback
 pub fn solve(problem: &SheetProblem, file: &str) -> Result<CheckedProblem, Unsolved> {
     let Some(tree) = problem.bank_tree().map_err(Unsolved::Faults)? else { return Err(Unsolved::NoScene) };
     let no_problem = || Unsolved::Faults(Finding::new("scene", "holds no problem").into());
-    let bank = load::of_tree(&tree, file).map_err(Unsolved::Faults)?;
+    let mut bank = load::of_tree(&tree, file).map_err(Unsolved::Faults)?;
+    // A tolerance that widens with the condition number stands on the sheet.
+    for question in bank.problems.iter_mut().flat_map(|p| &mut p.questions) {
+        let printed = problem.parts.iter().find(|part| part.id == question.id).and_then(|part| part.tolerance);
+        if let (Relative::Widens { least, most, .. }, Some(share)) = (question.relative, printed) {
+            question.relative = Relative::Fixed(share.clamp(least, most));
+        }
+    }
     let only = bank.problems.first().ok_or_else(no_problem)?;
     let given = |case: &Case| -> Vec<Option<Decimal>> {
         let draws = case.draws.iter();

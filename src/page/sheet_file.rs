@@ -46,6 +46,9 @@ pub struct SheetProblem {
 pub struct SheetPart {
     /// Id.
     pub id: String,
+    /// The relative tolerance.
+    #[serde(default)]
+    pub tolerance: Option<f64>,
     /// The words that are offered, where they are not the usual ones.
     #[serde(default)]
     pub words: Vec<String>,

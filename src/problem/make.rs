@@ -489,14 +489,12 @@ pub fn from_values(problem: &Problem, case: usize, values: &[Option<Decimal>]) -
 }
 
 /// The variant of a sheet's values, for who checks an answer: what a sheet puts was drawn because both roads and an enclosure
-/// agree on it, so the first road gives the answers.
+/// agree on it, so the first road gives the answers. Condition numbers are not computed.
 ///
 /// Errors: the values are no scene.
 pub fn of_sheet(problem: &Problem, case: usize, values: &[Option<Decimal>]) -> Result<Variant, Refusal> {
     of_values(problem, case, values, |scene, data| {
-        let mut half = agree::first(scene, data)?;
-        half.weigh(scene, data);
-        Ok(half.preview().clone())
+        Ok(agree::first(scene, data)?.preview().clone())
     })
 }
 

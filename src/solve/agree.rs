@@ -73,6 +73,13 @@ pub fn first(scene: &Scene, data: &[f64]) -> Result<Half, Refusal> {
     Ok(Half { solved: Solved { regime, checks, entries, words, open, beyond }, course, ordinary })
 }
 
+/// What wrong methods are computed in: doubles; in a page, which is small, the numbers that it has anyway.
+#[cfg(feature = "program")]
+pub type Fast = f64;
+/// What wrong methods are computed in: doubles; in a page, which is small, the numbers that it has anyway.
+#[cfg(not(feature = "program"))]
+pub type Fast = Dd;
+
 /// A scene that is solved again and again on the first road in doubles, for what is never published: where a wrong method would
 /// come to. What the right scene shares with it was admissible there and is not looked at again.
 #[derive(Debug)]
@@ -116,7 +123,7 @@ impl<'s> Quick<'s> {
     }
 
     /// What the equations of motion say with these data; `None` where the data are no such scene or have no motion.
-    pub fn road(&self, data: &[f64]) -> Option<Road<f64>> {
+    pub fn road(&self, data: &[f64]) -> Option<Road<Fast>> {
         let admissible = self.rules.iter().all(|(n, rule)| admissible::holds(self.scene, data, *n, *rule));
         let supported = || self.supported.unwrap_or_else(|| supported(self.scene, data).is_ok());
         if admissible && supported() { eom::road(self.scene, data).ok() } else { None }

@@ -967,7 +967,7 @@ mod mutants {
     use super::*;
     use proptest::prelude::*;
     use slipstick::set::store::StoredSet;
-    use slipstick::sheet::public::SheetFile;
+    use slipstick::page::sheet_file::SheetFile;
     use std::sync::LazyLock;
 
     /// set.json and sheet.json of a small set.
@@ -997,7 +997,7 @@ mod mutants {
             let sheet = broken(&TEXTS.1, &changes);
             if let Ok(file) = SheetFile::parse(&sheet) {
                 for problem in &file.problems {
-                    let _ = problem.bank_text();
+                    let _ = problem.bank_tree();
                 }
             }
             let folder = tempfile::tempdir().unwrap();
