@@ -269,7 +269,7 @@ impl<'p> SheetWriter<'p> {
         let sheets = Sheets::new(templates, words, plan.bank, plan.name, plan.problems)?;
         let output = Output::new(plan.texts, plan.formats, "sheet")?;
         let public = public::Writer::new(plan.bank, plan.text, plan.problems, plan.name, words.language())?;
-        let self_check = SelfCheck::new(templates, words, plan.hosting);
+        let self_check = SelfCheck::new(words, plan.hosting);
         Ok(Self { plan, sheets, output, public, self_check })
     }
 

@@ -1,6 +1,7 @@
 //! What is said of an answer, in one language: phrases that every other row needs are looked up once, and no reason is
 //! built where a phrase will do. Verdicts are not translated: scripts read them.
 use crate::answer::read::WhyUnreadable;
+#[cfg(feature = "program")]
 use crate::grade::verdict::Verdict;
 use crate::units::{Unit, UnitFault, UnitKind, UnitSlip};
 use crate::words::Words;

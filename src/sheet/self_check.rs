@@ -7,7 +7,6 @@ use crate::problem::make_key;
 use crate::sheet::document::Head;
 use crate::sheet::statement;
 use crate::template;
-use crate::template::{Templates, View};
 use crate::words::Words;
 use base64::prelude::{BASE64_STANDARD, Engine as _};
 use serde::{Deserialize, Serialize};
@@ -63,7 +62,6 @@ impl Hosting {
 
 /// What all pages of a set have in common.
 pub struct SelfCheck<'t> {
-    templates: &'t Templates,
     words: &'t Words,
     hosting: Hosting,
     phrases: serde_json::Value,
@@ -71,10 +69,10 @@ pub struct SelfCheck<'t> {
 
 /// What stands in a page besides the document.
 pub struct Tools {
-    /// What the page may do, as its Content Security Policy.
+    /// What the page may do, as directives of its Content Security Policy.
     pub policy: String,
-    /// Buttons, data, program and script.
-    pub html: String,
+    /// What `page.html` sees: words for its buttons, data, program and script.
+    pub view: template::Value,
     /// The parts that have a box.
     pub parts: Vec<String>,
 }
@@ -93,19 +91,19 @@ pub struct Handed<'h> {
 
 impl<'t> SelfCheck<'t> {
     /// Gets ready.
-    pub fn new(templates: &'t Templates, words: &'t Words, hosting: Hosting) -> Self {
+    pub fn new(words: &'t Words, hosting: Hosting) -> Self {
         // Reasons are those of `slipstick check`, which knows the built-in phrases alone; what stands on the page may be one's own.
         let mut phrases = words.phrases(&PHRASES);
         if let Some(built_in) = Words::built_in(words.language()) {
             phrases.phrases.extend(built_in.phrases(&["feedback", "sheet"]).phrases);
         }
-        Self { templates, words, hosting, phrases: json!(phrases) }
+        Self { words, hosting, phrases: json!(phrases) }
     }
 
     /// The tools of one sheet.
     ///
     /// # Errors
-    /// Faults of the templates.
+    /// The text of sheet.json is none.
     pub fn tools(&self, bank: &Bank, problems: &[usize], handed: &Handed) -> Result<Tools, Finding> {
         let Handed { head, folder, sheet, variants } = handed;
         let chosen = || problems.iter().filter_map(|p| bank.problems.get(*p)).zip(*variants).enumerate();
@@ -128,22 +126,19 @@ impl<'t> SelfCheck<'t> {
             "file": format!("answers-{folder}.csv"),
             "keep": format!("slipstick {} {} {}", head.set, head.student, head.code),
         });
-        let mut view = View::new();
-        // In a script no text may look like its end.
-        view.text("data", &data.to_string().replace('<', "\\u003c"));
-        view.text("program", if self.hosting == Hosting::Single { PACKED.as_str() } else { "" });
-        view.text("script", SCRIPT);
-        view.value("say", template::Value::from_serializable(&self.words.tree("page")));
-        let mut html = Vec::new();
-        self.templates.render("page.html", &view, &mut html)?;
-        let mut policy = format!(
-            "default-src 'none'; script-src 'sha256-{}' 'wasm-unsafe-eval'; style-src 'unsafe-inline'; img-src data:; font-src data:; base-uri 'none'; form-action 'none'",
-            *HASH
-        );
+        let program = if self.hosting == Hosting::Single { PACKED.as_str() } else { "" };
+        let view = template::map([
+            // In a script no text may look like its end.
+            ("data", template::finished(&data.to_string().replace('<', "\\u003c"))),
+            ("program", template::finished(program)),
+            ("script", template::finished(SCRIPT)),
+            ("say", template::Value::from_serializable(&self.words.tree("page"))),
+        ]);
+        let mut policy = format!("script-src 'sha256-{}' 'wasm-unsafe-eval'; ", *HASH);
         if self.hosting == Hosting::Site {
-            policy.push_str("; connect-src 'self'; worker-src 'self'");
+            policy.push_str("connect-src 'self'; worker-src 'self'; ");
         }
-        Ok(Tools { policy, html: String::from_utf8_lossy(&html).into_owned(), parts })
+        Ok(Tools { policy, view, parts })
     }
 
     /// The words that answer a question in words.
