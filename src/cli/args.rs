@@ -232,7 +232,7 @@ impl AttemptsArg {
 pub struct GradeArgs {
     /// Folder of the set, as generate made it
     pub set: PathBuf,
-    /// CSV file with the answers; `-` reads standard input
+    /// CSV file with the answers; `-` reads standard input; a folder or ZIP archive of files that sheets saved (answers-ID.csv)
     pub submissions: PathBuf,
     /// Folder to make
     #[arg(long, value_name = "GRADED")]
