@@ -138,7 +138,7 @@ fn in_archive(path: &Path, found: &mut Found) -> Result<(), Finding> {
             found.push((format!("file {} of the archive", i + 1), Err("cannot be unpacked")));
             continue;
         };
-        let name = entry.name().to_owned();
+        let name = String::from_utf8_lossy(entry.name_raw()).into_owned();
         if entry.is_dir() || is_hidden(&name) {
             continue;
         }

@@ -289,3 +289,52 @@ fn sheets_check_themselves_in_a_browser() {
     println!("{}", String::from_utf8_lossy(&done.stdout));
     assert!(done.status.success(), "{}", String::from_utf8_lossy(&done.stderr));
 }
+
+/// A class hands in: a second attempt of a student, a file that is none, one that a spreadsheet has changed.
+#[test]
+fn files_of_a_class_are_graded_at_once_from_a_folder_and_from_an_archive() {
+    let room = tempfile::tempdir().unwrap();
+    let at = |name: &str| room.path().join(name).display().to_string();
+    std::fs::write(at("roster.csv"), "student\n0017\n0023\n").unwrap();
+    let problems = ["--problems", "pulled-rolling"];
+    let (roster, set) = (at("roster.csv"), at("set"));
+    let mut args = vec!["generate", BANKS[0], "--roster", &roster, "--seed", "7", "--out", &set];
+    args.extend(problems);
+    assert_eq!(run(&args).0, Exit::Fine);
+    let files: [(&str, &str); 5] = [
+        ("Amina_1_file_/answers-0017 (1).csv", "student,problem,part,answer,saved_at\r\n0017,1,omega,2 rad/s,2026-03-02T10:00:00.000Z\r\n"),
+        ("Amina_1_file_/answers-0017.csv", "\u{feff}student,problem,part,answer,saved_at\r\n0017,1,omega,1 rad/s,2026-03-01T10:00:00.000Z\r\n"),
+        ("Anders_2_file_/answers-0023.csv", "student;problem;part;answer\n0023;1;friction;\"12,5 N up\"\n"),
+        ("Anders_2_file_/notes.csv", "what,when\n1,2\n"),
+        ("Anders_2_file_/scan.pdf", "%PDF"),
+    ];
+    let mut archive = zip::ZipWriter::new(std::fs::File::create(at("class.zip")).unwrap());
+    for (name, text) in files {
+        let place = room.path().join("class").join(name);
+        std::fs::create_dir_all(place.parent().unwrap()).unwrap();
+        std::fs::write(place, text).unwrap();
+        archive.start_file(name, zip::write::SimpleFileOptions::default()).unwrap();
+        archive.write_all(text.as_bytes()).unwrap();
+    }
+    archive.finish().unwrap();
+    let mut graded = Vec::new();
+    for from in ["class", "class.zip"] {
+        let (from, out) = (at(from), at(&format!("grades-{from}")));
+        let (exit, told, err) = run(&["grade", &set, &from, "--out", &out]);
+        assert_eq!(exit, Exit::Fine, "{err}");
+        assert!(told.contains("from 3 files"), "{told}");
+        assert!(told.contains("passed over: Anders_2_file_/notes.csv has not the columns"), "{told}");
+        assert!(told.contains("passed over: Anders_2_file_/scan.pdf is no CSV file"), "{told}");
+        graded.push(std::fs::read_to_string(Path::new(&out).join("answers.csv")).unwrap());
+    }
+    assert_eq!(graded[0], graded[1]);
+    let lines: Vec<&str> = graded[0].lines().collect();
+    assert_eq!(lines.len(), 4, "{}", graded[0]);
+    let of = |answer: &str| lines.iter().find(|line| line.contains(answer)).unwrap();
+    assert!(of("1 rad/s").contains("superseded") && !of("2 rad/s").contains("superseded"), "{}", graded[0]);
+    assert!(of("12,5 N up").contains("0023"), "{}", graded[0]);
+    std::fs::write(at("no.zip"), "no archive").unwrap();
+    let (no, out) = (at("no.zip"), at("nothing"));
+    let (exit, _, err) = run(&["grade", &set, &no, "--out", &out]);
+    assert!(exit != Exit::Fine && err.contains("is no ZIP archive") && !Path::new(&out).exists(), "{err}");
+}
