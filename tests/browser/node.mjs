@@ -5,7 +5,8 @@ const cases = JSON.parse(fs.readFileSync(0, 'utf8'));
 const { instance: { exports } } = await WebAssembly.instantiate(zlib.gunzipSync(fs.readFileSync(process.argv[2])), {});
 const call = (run, text) => {
   const bytes = new TextEncoder().encode(text);
-  new Uint8Array(exports.memory.buffer, exports.room(bytes.length), bytes.length).set(bytes);
+  const at = exports.room(bytes.length);
+  new Uint8Array(exports.memory.buffer, at, bytes.length).set(bytes);
   const length = run();
   return new TextDecoder().decode(new Uint8Array(exports.memory.buffer, exports.place(), length));
 };
