@@ -72,7 +72,7 @@ fn moves(scene: &Scene, c: &Check) -> String {
 /// Is a cord taut at the end?
 fn slack(scene: &Scene, c: &Check) -> String {
     let (required, available) = (figures(c.required), figures(c.available));
-    let unit = if scene.ending_coordinate().degree == Degree::Along { "m" } else { "rad" };
+    let unit = c.kind.unit(scene);
     let when = if c.required < c.available { "is still taut" } else { "is slack" };
     format!(
         "{} {when} at the end, after {required} {unit}: it goes slack after {available} {unit}",
@@ -178,25 +178,9 @@ pub fn check(scene: &Scene, all: &[Check], c: &Check) -> String {
     }
 }
 
-/// The unit in which the end of a motion is told.
-fn measure(scene: &Scene) -> &'static str {
-    let turns = |c: Coordinate| c.degree == Degree::Turn;
-    let pinned = scene.pinned().is_some();
-    match scene.end {
-        End::Time(..) | End::Rolling(_) => "s",
-        End::Speed(c, _) if pinned || turns(c) => "rad/s",
-        End::Speed(..) => "m/s",
-        _ if pinned => "degrees",
-        End::Travel(c, _) | End::Position(c, _) | End::TurningPoint(c) | End::Angle(c, _) if turns(c) => {
-            "rad"
-        }
-        _ => "m",
-    }
-}
-
 /// Is the end reached, and how far does the motion go?
 fn reaches(scene: &Scene, c: &Check) -> String {
-    let unit = measure(scene);
+    let unit = scene.measure();
     let (required, available) = (figures(c.required), figures(c.available));
     let (pinned, endless) = (scene.pinned().is_some(), c.available.is_infinite());
     match (c.ok, matches!(scene.end, End::TurningPoint(_))) {
@@ -444,6 +428,10 @@ pub fn refusal(problem: &Problem, scene: &Scene, refusal: &Refusal) -> Vec<Strin
             "{} does not get there: with {points} points its estimated error is {error:.1e} of an answer, above {asked:.1e}; auto finds what does",
             method.name()
         )),
+        Refusal::Apart => one(
+            "the data lie so many powers of ten apart that products of them leave the double-precision numbers, in whatever units they are computed. No answer is given."
+                .to_owned(),
+        ),
         Refusal::NoMethod { method } => {
             one(format!("{} does not apply to this scene; auto finds what does", method.name()))
         }

@@ -5,8 +5,47 @@
 //! Source: Dekker, *A floating-point technique for extending the available precision*, Numer. Math. 18 (1971) 224-242;
 //! Joldes, Muller, Popescu, *Tight and rigorous error bounds for basic building blocks of double-word arithmetic*, ACM
 //! TOMS 44 (2017) 15res, algorithms 6 (sum, relative error < 3 * 2^-106), 11 (product, 5 * 2^-106), 17 (quotient).
+use std::cell::Cell;
 use std::cmp::Ordering;
 use std::ops::{Add, Div, Mul, Neg, Sub};
+
+/// Magnitudes from here to [`MOST`] keep both their parts, and so do their products with a few numbers near 1.
+const LEAST: f64 = pow2(-900);
+const MOST: f64 = pow2(960);
+
+thread_local! {
+    static LEFT: Cell<bool> = const { Cell::new(false) };
+}
+
+/// Runs a computation and says whether a product, a quotient or a root in it left the range of double-doubles.
+pub fn watch<R>(run: impl FnOnce() -> R) -> (R, bool) {
+    LEFT.set(false);
+    let result = run();
+    (result, LEFT.get())
+}
+
+/// Runs a computation that stays right where small numbers vanish: what leaves the range within it does not count.
+pub fn unwatched<R>(run: impl FnOnce() -> R) -> R {
+    let before = LEFT.get();
+    let result = run();
+    LEFT.set(before);
+    result
+}
+
+/// Notes that a result left the range; what is made with 0 or without end is exactly so.
+#[cold]
+#[inline(never)]
+fn leave(a: f64, b: f64) {
+    if a != 0.0 && b != 0.0 && a.is_finite() && b.is_finite() {
+        LEFT.set(true);
+    }
+}
+
+/// Is it of a magnitude that keeps both its parts?
+#[inline(always)]
+fn inside(x: f64) -> bool {
+    (LEAST..=MOST).contains(&x.abs())
+}
 
 /// `hi + lo` with `hi` the double nearest to the sum.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -99,6 +138,9 @@ impl Dd {
         if self.hi == 0.0 {
             return Self::ZERO;
         }
+        if !inside(self.hi) {
+            leave(self.hi, 1.0);
+        }
         let s = self.hi.sqrt();
         if !s.is_finite() {
             return Self::new(s);
@@ -112,7 +154,11 @@ impl Dd {
     #[inline]
     pub fn scale2(self, e: i32) -> Self {
         let f = pow2(e);
-        Self { hi: self.hi * f, lo: self.lo * f }
+        let scaled = Self { hi: self.hi * f, lo: self.lo * f };
+        if !inside(scaled.hi) {
+            leave(self.hi, f);
+        }
+        scaled
     }
     /// Is it finite?
     #[inline(always)]
@@ -123,9 +169,25 @@ impl Dd {
 
 /// 2^e as a double, for -1022 <= e <= 1023.
 #[inline]
-pub fn pow2(e: i32) -> f64 {
-    let biased = (1023 + e.clamp(-1022, 1023)).unsigned_abs();
-    f64::from_bits(u64::from(biased) << 52)
+pub const fn pow2(e: i32) -> f64 {
+    let biased = if e < -1022 {
+        1
+    } else if e > 1023 {
+        2046
+    } else {
+        (1023 + e).unsigned_abs()
+    };
+    f64::from_bits((biased as u64) << 52)
+}
+
+/// `x 2^e` for any e, exact where the result is a normal number.
+pub fn ldexp(mut x: f64, mut e: i32) -> f64 {
+    while e != 0 && x != 0.0 && x.is_finite() {
+        let part = e.clamp(-1000, 1000);
+        x *= pow2(part);
+        e -= part;
+    }
+    x
 }
 
 /// Exponent of a finite nonzero double: `2^e <= |x| < 2^(e+1)`; 0 for zero, subnormal counts as -1023.
@@ -173,6 +235,9 @@ impl Mul for Dd {
     #[cfg_attr(not(feature = "program"), inline(never))]
     fn mul(self, o: Dd) -> Dd {
         let (p, e) = two_prod(self.hi, o.hi);
+        if !inside(p) {
+            leave(self.hi, o.hi);
+        }
         let (hi, lo) = quick_two_sum(p, e + (self.hi * o.lo + self.lo * o.hi));
         Dd { hi, lo }
     }
@@ -184,6 +249,9 @@ impl Div for Dd {
     #[cfg_attr(not(feature = "program"), inline(never))]
     fn div(self, o: Dd) -> Dd {
         let q1 = self.hi / o.hi;
+        if !inside(q1) {
+            leave(self.hi, o.hi);
+        }
         if !q1.is_finite() || q1 == 0.0 {
             return Dd::new(q1);
         }

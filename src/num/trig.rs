@@ -3,7 +3,7 @@
 //! Angles of data are reduced *in degrees*, where the reduction is exact: sine and cosine are exact at 0, 30, 60 and 90
 //! degrees and accurate to double-double everywhere, also near 90 degrees.
 use crate::num::ball::STEP;
-use crate::num::dd::exponent;
+use crate::num::dd::{exponent, unwatched};
 use crate::num::{Dd, Real};
 use std::sync::LazyLock;
 
@@ -60,7 +60,7 @@ static INVERSE_FACTORIAL: LazyLock<[Dd; 13]> = LazyLock::new(|| {
 ///
 /// Not finite: NaN. The relative error is below 2^-100 wherever the result is not zero.
 pub fn sin_cos_degrees(degrees: f64) -> (Dd, Dd) {
-    reduced(degrees)
+    unwatched(|| reduced(degrees))
 }
 
 fn reduced<T: Real>(degrees: f64) -> (T, T) {
@@ -120,7 +120,7 @@ fn beside<T: Real>(whole: usize, d: T) -> (T, T) {
 ///
 /// Not finite: NaN. The error is below 2^-95 for angles of a few turns; near 0 it is relative.
 pub fn sin_cos_radians(x: Dd) -> (Dd, Dd) {
-    turned(x)
+    unwatched(|| turned(x))
 }
 
 fn turned<T: Real>(x: T) -> (T, T) {
@@ -151,7 +151,8 @@ const STRAIGHT: f64 = 1.0 / (1u64 << 56) as f64;
 pub fn turn<T: Real>(x: T) -> (T, T) {
     if x.f64().abs() < STRAIGHT {
         let sine = x.widened(|| x.f64().abs() * STEP);
-        return (sine, (T::of(1.0) - x.square().scale2(-1)).widened(|| STEP));
+        let cosine = unwatched(|| T::of(1.0) - x.square().scale2(-1));
+        return (sine, cosine.widened(|| STEP));
     }
     if T::is_double() {
         return turned(x);

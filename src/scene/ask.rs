@@ -186,6 +186,21 @@ impl Scene {
             },
         }
     }
+    /// The unit in which the end of a motion is told.
+    pub fn measure(&self) -> &'static str {
+        let turns = |c: Coordinate| c.degree == Degree::Turn;
+        let pinned = self.pinned().is_some();
+        match self.end {
+            End::Time(..) | End::Rolling(_) => "s",
+            End::Speed(c, _) if pinned || turns(c) => "rad/s",
+            End::Speed(..) => "m/s",
+            _ if pinned => "degrees",
+            End::Travel(c, _) | End::Position(c, _) | End::TurningPoint(c) | End::Angle(c, _) if turns(c) => {
+                "rad"
+            }
+            _ => "m",
+        }
+    }
     /// All coordinates: the lines, and the turns. A body of particles moves freely in the plane and has none.
     pub fn coordinates(&self) -> impl Iterator<Item = Coordinate> {
         self.bodies.iter().enumerate().flat_map(|(body, b)| {

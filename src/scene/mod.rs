@@ -15,6 +15,7 @@ pub mod link;
 pub mod motion;
 pub mod numbers;
 pub mod pin;
+pub mod scales;
 
 pub use admissible::{Inadmissible, Rule};
 pub use ask::{Label, Owner, Quantity};
@@ -24,6 +25,7 @@ pub use link::{Attach, Cord, CordEnd, Far, Side, Tie};
 pub use motion::{Coordinate, Degree, End, Heading, Span, Start, Thrown};
 pub use numbers::{BodyNumbers, Numbers};
 pub use pin::{Arm, Pin, PinSpring, Rest, Zero};
+pub use scales::Scales;
 
 /// Where a number of the scene comes from: a datum of the problem (by index) or a constant of the bank.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -1,7 +1,7 @@
 //! The numbers of a scene, read once: masses, inertias, slopes. Arithmetic on data, no mechanics.
 //!
-//! Everything with the dimension of mass is divided by a power of two near the first mass, so that a wheel of 1e-150 kg
-//! is as good as one of 1 kg; [`Numbers::publish`] undoes it.
+//! Everything with the dimension of mass is divided by a power of two near the first mass; [`Numbers::publish`] undoes it. A mass
+//! beyond 2^128 kg or its inverse stays: such a scene is solved in units of its own ([`crate::scene::Scales`]).
 use crate::num::dd::exponent;
 use crate::num::{Real, trig};
 use crate::scene::{Body, Mass, Num, Part, Quantity, RotaryInertia, Scene, Slope, inertia};
@@ -38,6 +38,9 @@ impl<'a, T: Real> Numbers<'a, T> {
         n.gravity = n.get(scene.gravity_m_s2);
         let first = scene.bodies.iter().map(|b| n.mass_of(b, &b.mass).f64()).find(|m| *m > 0.0);
         n.mass_exponent = first.map_or(0, exponent);
+        if n.mass_exponent.abs() > 128 {
+            n.mass_exponent = 0;
+        }
         // Bodies on one incline share its sine and cosine.
         let mut known: Option<(Num, T, T)> = None;
         for b in &scene.bodies {

@@ -1,9 +1,9 @@
 //! Runs both roads and compares; the only file beside the ladder that sees both.
-use crate::num::{Ball, Dd, NOISE, Real, U, ball};
+use crate::num::{Ball, Dd, NOISE, Real, U, ball, dd};
 use crate::scene::admissible::Rule;
-use crate::scene::{End, Far, Label, Num, Owner, Quantity, Scene, Start, Tie, admissible};
+use crate::scene::{End, Far, Label, Num, Owner, Quantity, Scales, Scene, Start, Tie, admissible};
 use crate::solve::condition::vanishes;
-use crate::solve::outcome::{Entry, Motion, Refusal, Regime, Road, Solved, Unsupported};
+use crate::solve::outcome::{Entry, Motion, Refusal, Regime, Road, Said, Solved, Unsupported};
 use crate::solve::{condition, energy, eom, physical};
 
 /// Each road may be off by `8 u max(1, cond)`.
@@ -12,8 +12,8 @@ pub const EACH_ROAD: f64 = 8.0;
 /// However ill-conditioned an answer is, the roads compute it from the same data in 32 digits and must share two of its own.
 const NO_DIGITS: f64 = 1e-2;
 
-/// Share of an answer of condition number 1 within which its enclosure lies, far above what the data themselves leave open.
-const KNOWN: f64 = 1e-9;
+/// Share of an answer within which a narrow enclosure lies, far above what the data leave open of a common answer.
+const NARROW: f64 = 1e-9;
 
 /// Products of ten numbers up to this magnitude, or of their inverses, do not reach the ends of the doubles.
 const ORDINARY: f64 = (1u128 << 100) as f64;
@@ -22,10 +22,10 @@ const ORDINARY: f64 = (1u128 << 100) as f64;
 #[derive(Debug, Clone)]
 pub struct Half {
     solved: Solved,
+    /// The same in the units in which it is computed, where these are not those of SI.
+    own: Option<Solved>,
     /// Sense of the motion, and whether its end is reached.
     course: condition::Kind,
-    /// Do products of the data stay far from the ends of the doubles?
-    ordinary: bool,
 }
 
 /// Solves a scene by both roads and publishes only what agrees.
@@ -47,20 +47,24 @@ pub fn first(scene: &Scene, data: &[f64]) -> Result<Half, Refusal> {
         return Err(Refusal::Inadmissible(faults));
     }
     supported(scene, data)?;
-    let ordinary = ordinary(scene, data);
+    if ordinary(scene, data) {
+        return alone(scene, data);
+    }
+    let scales = fitting(scene, data).ok_or(Refusal::Apart)?;
+    let mut half = in_scales(scales, scene, data, alone)?;
+    half.solved.scales = scales;
+    half.tell(scene);
+    Ok(half)
+}
+
+/// What the first road says, in the units of the data.
+fn alone(scene: &Scene, data: &[f64]) -> Result<Half, Refusal> {
     let road: Road<Dd> = eom::road(scene, data)?;
-    let mut beyond = Vec::new();
     let mut entries = Vec::with_capacity(road.said.len());
     for said in &road.said {
         // A zero has no sign.
         let gone = vanishes(said.value.f64(), NOISE, said.scale);
         let value = if gone { 0.0 } else { said.value.f64() + 0.0 };
-        // A finite number that no double holds, or only with fewer digits.
-        let lost = !gone && (!value.is_finite() || value.abs() < f64::MIN_POSITIVE);
-        if lost && said.value.is_finite() && !said.value.is_zero() || value.is_nan() && !ordinary {
-            beyond.push(said.label);
-            continue;
-        }
         let (label, scale) = (said.label, said.scale);
         entries.push(Entry { label, eom: Some(value), energy: None, bound: None, cond: f64::NAN, scale });
     }
@@ -69,8 +73,54 @@ pub fn first(scene: &Scene, data: &[f64]) -> Result<Half, Refusal> {
         .course
         .map_or((instant, Vec::new(), Vec::new()), |course| physical::judge(scene, &course, &road.held));
     let course = road.course.map(|c| (c.sense, c.reached));
-    let open = road.open;
-    Ok(Half { solved: Solved { regime, checks, entries, words, open, beyond }, course, ordinary })
+    let (open, beyond, scales) = (road.open, Vec::new(), Scales::SI);
+    Ok(Half { solved: Solved { regime, checks, entries, words, open, beyond, scales }, own: None, course })
+}
+
+/// Units in which the scene can be computed, if there are any: neither road leaves the range of double-doubles, or what vanishes
+/// there does no harm, for the roads agree and the enclosures of all answers are narrow all the same.
+fn fitting(scene: &Scene, data: &[f64]) -> Option<Scales> {
+    let fit = |scales: &Scales| {
+        let Some((scene, data)) = scales.of(scene, data) else { return false };
+        let both = || (eom::road::<Dd>(&scene, &data), energy::road::<Dd>(&scene, &data));
+        !dd::watch(both).1 || is_narrow(&scene, &data) && agrees(&scene, &data)
+    };
+    Scales::tried(scene, data).find(fit)
+}
+
+/// Does the second road enclose all its answers narrowly, without a decision that the enclosures leave open?
+fn is_narrow(scene: &Scene, data: &[f64]) -> bool {
+    let (road, doubt) = ball::watch(|| energy::road::<Ball>(scene, data));
+    let narrow = |said: &Said<Ball>| {
+        // The time of a swing is summed, and a sum proves nothing.
+        let summed = said.label.quantity == Quantity::T && scene.pinned().is_some();
+        let (radius, size) = (said.value.radius(), said.value.size());
+        // What is endless is exactly so.
+        summed || radius == 0.0 || size.is_finite() && radius <= NARROW * size
+    };
+    !doubt && road.is_ok_and(|road| road.said.iter().all(narrow))
+}
+
+/// Do the roads agree in the units of the data?
+fn agrees(scene: &Scene, data: &[f64]) -> bool {
+    alone(scene, data).is_ok_and(|mut half| {
+        half.weigh(scene, data);
+        half.confirm(scene, data).is_ok()
+    })
+}
+
+/// Solves with the scene and its data in these units. Errors: data that leave the doubles there.
+pub fn in_scales<R>(
+    scales: Scales,
+    scene: &Scene,
+    data: &[f64],
+    solve: impl FnOnce(&Scene, &[f64]) -> Result<R, Refusal>,
+) -> Result<R, Refusal> {
+    if scales == Scales::SI {
+        return solve(scene, data);
+    }
+    let (scene, data) = scales.of(scene, data).ok_or(Refusal::Apart)?;
+    solve(&scene, &data)
 }
 
 /// What wrong methods are computed in: doubles; in a page, which is small, the numbers that it has anyway.
@@ -137,112 +187,130 @@ impl Half {
         &self.solved
     }
 
+    /// The solution in the units in which it is computed.
+    fn own(&mut self) -> &mut Solved {
+        self.own.as_mut().unwrap_or(&mut self.solved)
+    }
+
+    /// Tells in SI what was solved in other units; what no double holds there is not told.
+    fn tell(&mut self, scene: &Scene) {
+        let scales = self.solved.scales;
+        if scales == Scales::SI {
+            return;
+        }
+        let own = self.own.get_or_insert_with(|| self.solved.clone());
+        self.solved = own.clone();
+        let Solved { checks, entries, beyond, .. } = &mut self.solved;
+        for check in checks {
+            let unit = check.kind.unit(scene);
+            check.required = scales.si(unit, check.required);
+            check.available = scales.si(unit, check.available);
+        }
+        entries.retain_mut(|entry| {
+            let unit = entry.label.quantity.unit();
+            let si = |x: f64| scales.si(unit, x);
+            let kept = |x: f64| x == 0.0 || !x.is_finite() || si(x).is_normal();
+            let holds = kept(entry.value()) && entry.energy.is_none_or(kept);
+            if !holds {
+                beyond.push(entry.label);
+            }
+            (entry.eom, entry.energy) = (entry.eom.map(si), entry.energy.map(si));
+            entry.scale = si(entry.scale);
+            holds
+        });
+    }
+
     /// Computes the condition numbers, at the cost of a few roads in doubles for each datum.
     pub fn weigh(&mut self, scene: &Scene, data: &[f64]) {
-        let conds = condition::numbers(scene, data, self.course, &self.solved.entries);
-        for (entry, cond) in self.solved.entries.iter_mut().zip(conds) {
+        let (course, scales) = (self.course, self.solved.scales);
+        let entries = &mut self.own().entries;
+        let conds = in_scales(scales, scene, data, |scene, data| {
+            Ok(condition::numbers(scene, data, course, entries))
+        });
+        for (entry, cond) in entries.iter_mut().zip(conds.into_iter().flatten()) {
             entry.cond = cond;
         }
+        self.tell(scene);
     }
 
     /// Runs the second road and publishes what agrees. Errors: a disagreement, or a quantity that only one road reaches.
-    #[expect(clippy::float_cmp, reason = "senses are exactly -1, 0 or 1")]
-    pub fn confirm(self, scene: &Scene, data: &[f64]) -> Result<Solved, Refusal> {
-        let Half { mut solved, course, ordinary } = self;
-        let second: Road<Dd> = energy::road(scene, data)?;
-        for (i, entry) in solved.entries.iter_mut().enumerate() {
-            // The roads mostly speak in the same order.
-            let said =
-                second.said.get(i).filter(|s| s.label == entry.label).or_else(|| second.get(entry.label));
-            let (eom, mut energy) = (entry.value(), said.map_or(f64::NAN, |s| s.value.f64() + 0.0));
-            // What is 0 on the one road is 0 on the other up to what the rounding of the printed data leaves of its terms.
-            if eom == 0.0 && vanishes(energy, 8.0 * U, entry.scale) {
-                energy = 0.0;
-            }
-            entry.energy = Some(energy);
-            // Where a number may have left the doubles, such an answer is held back below.
-            if ordinary && !agree(eom, energy, entry.cond) {
-                let allowed = 2.0 * EACH_ROAD * U * entry.cond.max(1.0);
-                return Err(Refusal::Disagree { label: entry.label, eom, energy, allowed });
-            }
-        }
-        // What only the second road says is a disagreement too: both must reach the same quantities.
-        let known = |label: Label, i: usize| {
-            solved.entries.get(i).is_some_and(|e| e.label == label)
-                || solved.get(label).is_some()
-                || solved.beyond.contains(&label)
-        };
-        if let Some((_, said)) = second.said.iter().enumerate().find(|(i, s)| !known(s.label, *i)) {
-            let (label, energy) = (said.label, said.value.f64());
-            return Err(Refusal::Disagree { label, eom: f64::NAN, energy, allowed: 2.0 * EACH_ROAD * U });
-        }
-        // What ties leave open is the same on both roads.
-        let open = |one: &[Label], other: &[Label]| one.iter().find(|l| !other.contains(l)).copied();
-        if let Some(label) = open(&solved.open, &second.open).or(open(&second.open, &solved.open)) {
-            let nothing = f64::NAN;
-            return Err(Refusal::Disagree {
-                label,
-                eom: nothing,
-                energy: nothing,
-                allowed: 2.0 * EACH_ROAD * U,
-            });
-        }
-        if let (Some((sense, reached)), Some(other)) = (course, second.course) {
-            // Which way it goes and whether it arrives are answers too.
-            if sense != other.sense || reached != other.reached {
-                let of = Owner::Body(scene.ending_coordinate().body);
-                let label = Label { quantity: Quantity::Direction, of };
-                return Err(Refusal::Disagree { label, eom: sense, energy: other.sense, allowed: 0.0 });
-            }
-            // The drive is a sum of powers: only the second road has it, and only for margins.
-            let Solved { regime, checks, words, .. } = &mut solved;
-            physical::fill_drive(scene, sense, other.drive, (regime, checks, words));
-        }
-        if !ordinary {
-            hold_back(scene, data, &mut solved);
-        }
-        Ok(solved)
+    pub fn confirm(mut self, scene: &Scene, data: &[f64]) -> Result<Solved, Refusal> {
+        let (course, scales) = (self.course, self.solved.scales);
+        let own = self.own();
+        in_scales(scales, scene, data, |scene, data| compared(scene, data, own, course))?;
+        self.tell(scene);
+        Ok(self.solved)
     }
 }
 
-/// Answers on whose way a number left the doubles, which both roads may do alike: those whose enclosure is wide, and those that
-/// the roads do not share.
-#[expect(clippy::neg_cmp_op_on_partial_ord, reason = "NaN is wide")]
-fn hold_back(scene: &Scene, data: &[f64], solved: &mut Solved) {
-    let (road, doubt) = ball::watch(|| energy::road::<Ball>(scene, data));
-    let Solved { entries, beyond, .. } = solved;
-    entries.retain(|e| {
-        let (eom, size) = (e.value(), e.value().abs().max(e.scale));
-        let shared = agree(eom, e.energy.unwrap_or(f64::NAN), e.cond);
-        let said = road.as_ref().ok().and_then(|r| r.get(e.label)).map(|s| s.value);
-        let wide = |ball: Ball| !(ball.about(eom) <= KNOWN * e.cond.max(1.0) * size);
-        // The time of a swing is summed, and a sum proves nothing.
-        let summed = e.label.quantity == Quantity::T && scene.pinned().is_some();
-        let holds = if eom.is_infinite() {
-            // What is endless is exactly so; what grew beyond the doubles has any radius.
-            shared && said.is_some_and(|s| s.radius() == 0.0)
-        } else {
-            shared && (doubt || summed || !said.is_some_and(wide))
-        };
-        if !holds {
-            beyond.push(e.label);
+/// Runs the second road and compares what it says with what the first one said.
+#[expect(clippy::float_cmp, reason = "senses are exactly -1, 0 or 1")]
+fn compared(
+    scene: &Scene,
+    data: &[f64],
+    solved: &mut Solved,
+    course: condition::Kind,
+) -> Result<(), Refusal> {
+    let second: Road<Dd> = energy::road(scene, data)?;
+    for (i, entry) in solved.entries.iter_mut().enumerate() {
+        // The roads mostly speak in the same order.
+        let said = second.said.get(i).filter(|s| s.label == entry.label).or_else(|| second.get(entry.label));
+        let (eom, mut energy) = (entry.value(), said.map_or(f64::NAN, |s| s.value.f64() + 0.0));
+        // What is 0 on the one road is 0 on the other up to what the rounding of the printed data leaves of its terms.
+        if eom == 0.0 && vanishes(energy, 8.0 * U, entry.scale) {
+            energy = 0.0;
         }
-        holds
-    });
+        entry.energy = Some(energy);
+        if !agree(eom, energy, entry.cond) {
+            let allowed = 2.0 * EACH_ROAD * U * entry.cond.max(1.0);
+            return Err(Refusal::Disagree { label: entry.label, eom, energy, allowed });
+        }
+    }
+    let apart = |label: Label, energy: f64| {
+        let (eom, allowed) = (f64::NAN, 2.0 * EACH_ROAD * U);
+        Refusal::Disagree { label, eom, energy, allowed }
+    };
+    // What only the second road says is a disagreement too: both must reach the same quantities.
+    let known = |label: Label, i: usize| {
+        solved.entries.get(i).is_some_and(|e| e.label == label) || solved.get(label).is_some()
+    };
+    if let Some((_, said)) = second.said.iter().enumerate().find(|(i, s)| !known(s.label, *i)) {
+        return Err(apart(said.label, said.value.f64()));
+    }
+    // What ties leave open is the same on both roads.
+    let open = |one: &[Label], other: &[Label]| one.iter().find(|l| !other.contains(l)).copied();
+    if let Some(label) = open(&solved.open, &second.open).or(open(&second.open, &solved.open)) {
+        return Err(apart(label, f64::NAN));
+    }
+    if let (Some((sense, reached)), Some(other)) = (course, second.course) {
+        // Which way it goes and whether it arrives are answers too.
+        if sense != other.sense || reached != other.reached {
+            let of = Owner::Body(scene.ending_coordinate().body);
+            let label = Label { quantity: Quantity::Direction, of };
+            return Err(Refusal::Disagree { label, eom: sense, energy: other.sense, allowed: 0.0 });
+        }
+        // The drive is a sum of powers: only the second road has it, and only for margins.
+        let Solved { regime, checks, words, .. } = solved;
+        physical::fill_drive(scene, sense, other.drive, (regime, checks, words));
+    }
+    Ok(())
 }
 
 /// Encloses the answers: work and energy once more, with numbers that keep account of their errors ([`Ball`]), those of
 /// the printed data among them. Fills in [`Entry::bound`] and says whether that succeeded: it does not where rounding of
 /// the data leaves open which way the scene goes, such as at an exact balance.
 pub fn prove(scene: &Scene, data: &[f64], solved: &mut Solved) -> bool {
-    let (road, doubt) = ball::watch(|| energy::road::<Ball>(scene, data));
+    let scales = solved.scales;
+    let (road, doubt) = ball::watch(|| in_scales(scales, scene, data, energy::road::<Ball>));
     let Ok(road) = road else { return false };
     if doubt {
         return false;
     }
     for (i, entry) in solved.entries.iter_mut().enumerate() {
+        let unit = entry.label.quantity.unit();
         let said = road.said.get(i).filter(|s| s.label == entry.label).or_else(|| road.get(entry.label));
-        entry.bound = said.map(|s| s.value.about(entry.value())).filter(|b| b.is_finite());
+        let bound = said.map(|s| scales.si(unit, s.value.about(scales.own(unit, entry.value()))));
+        entry.bound = bound.filter(|b| b.is_finite());
         // Zero on both roads and within the enclosure, and no datum moves it: zero by structure, whatever rounding left of it.
         let zero = [entry.eom, entry.energy].iter().all(|v| v.is_some_and(|v| v == 0.0)) && entry.cond == 0.0;
         if zero && said.is_some_and(|s| s.value.value().hi.abs() <= s.value.radius()) {
@@ -257,7 +325,7 @@ fn is_held(tie: &Tie) -> bool {
     matches!(tie, Tie::Cord(c) if matches!(c.to, Far::Body(_) | Far::Fixed))
 }
 
-/// Are all numbers of the scene 0, or so near 1 that products of ten of them do not leave the doubles?
+/// Are all numbers of the scene 0, or so near 1 in SI that products of ten of them do not leave the doubles?
 fn ordinary(scene: &Scene, data: &[f64]) -> bool {
     let mut all = true;
     admissible::rules(scene, |number, _| {

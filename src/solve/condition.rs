@@ -1,11 +1,11 @@
 //! How far an answer moves with the data: its condition number `sum |d ln y / d ln x_i|` over the data that the scene uses, by
-//! difference quotients of the first road in doubles.
+//! difference quotients of the first road, in doubles, or in 32 digits where the rounding of doubles would tell.
 //!
 //! A quotient needs a motion of the same kind at the changed data: where a changed datum turns the motion or takes its end out of
 //! reach, the other side alone counts. The step is so small that what curvature does is below a millionth, of the order of
 //! `step cond` on one side and of `(step cond)^2` between two, and so large that the rounding of doubles, `2^-53 / step`, is so too.
 use crate::num::dd::pow2;
-use crate::num::{NOISE, Real};
+use crate::num::{Dd, NOISE, Real};
 use crate::scene::{Label, Num, Scene, admissible};
 use crate::solve::eom;
 use crate::solve::outcome::{Entry, Road};
@@ -24,23 +24,32 @@ pub type Kind = Option<(f64, bool)>;
 /// What differences of doubles leave of a condition number of 0.
 const NOTHING: f64 = 1e-6;
 
+/// Error of a condition number, as a share of it or of 1, that the rounding of an answer may make.
+const ROUNDING: f64 = 1e-5;
+
 /// The answers where one datum is changed.
-struct Changed {
+struct Changed<T> {
     /// By which share of itself the datum is changed.
     by: f64,
     /// Is it a motion of the same kind?
     alike: bool,
-    values: Vec<Option<f64>>,
+    values: Vec<Option<T>>,
 }
 
 /// Condition number of each entry: 0 if no datum moves it, infinite for a zero that some datum moves, or where no changed data
 /// have a solution.
 pub fn numbers(scene: &Scene, data: &[f64], kind: Kind, entries: &[Entry]) -> Vec<f64> {
+    let (conds, rounded) = quotients::<f64>(scene, data, kind, entries);
+    if rounded { quotients::<Dd>(scene, data, kind, entries).0 } else { conds }
+}
+
+/// Condition numbers by difference quotients in numbers of this type, and whether their rounding may tell.
+fn quotients<T: Real>(scene: &Scene, data: &[f64], kind: Kind, entries: &[Entry]) -> (Vec<f64>, bool) {
     let used = used(scene, data);
     let values =
-        |road: &Road<f64>| entries.iter().enumerate().map(|(at, e)| value(road, at, e.label)).collect();
+        |road: &Road<T>| entries.iter().enumerate().map(|(at, e)| value(road, at, e.label)).collect();
     let nothing = vec![None; entries.len()];
-    let base = eom::road(scene, data).map_or_else(|_| nothing.clone(), |road| values(&road));
+    let base: Vec<Option<T>> = eom::road(scene, data).map_or_else(|_| nothing.clone(), |road| values(&road));
     let mut moved = data.to_vec();
     let mut change = |i: usize, by: f64| {
         moved[i] = data[i] * (1.0 + by);
@@ -50,11 +59,13 @@ pub fn numbers(scene: &Scene, data: &[f64], kind: Kind, entries: &[Entry]) -> Ve
         let alike = road.as_ref().is_some_and(|r| r.course.as_ref().map(|c| (c.sense, c.reached)) == kind);
         Changed { by, alike, values: road.map_or_else(|| nothing.clone(), |r| values(&r)) }
     };
+    let mut rounded = false;
+    let mut kinks: Vec<Option<f64>> = vec![None; entries.len()];
     let mut conds: Vec<Option<f64>> = vec![None; entries.len()];
     for power in STEPS {
         let step = pow2(power);
-        let up: Vec<Changed> = used.iter().map(|i| change(*i, step)).collect();
-        let mut down: Vec<Changed> = Vec::new();
+        let up: Vec<Changed<T>> = used.iter().map(|i| change(*i, step)).collect();
+        let mut down: Vec<Changed<T>> = Vec::new();
         for (both, fine) in [false, true].into_iter().zip(FINE) {
             if both {
                 down = used.iter().map(|i| change(*i, -step)).collect();
@@ -64,10 +75,19 @@ pub fn numbers(scene: &Scene, data: &[f64], kind: Kind, entries: &[Entry]) -> Ve
             for (at, (cond, entry)) in
                 conds.iter_mut().zip(entries).enumerate().filter(|(_, (c, _))| c.is_none())
             {
-                let sum = (0..used.len()).map(|i| slope(entry, at, base[at], &up[i], down.get(i))).sum();
-                let found = relative(entry, sum);
+                let slopes = || (0..used.len()).map(|i| slope(entry, at, base[at], &up[i], down.get(i)));
+                let found = relative(entry, slopes().map(|s| s.size).sum());
                 let last = both && (found.is_infinite() || power == STEPS[STEPS.len() - 1]);
-                *cond = (found * step <= fine || last).then_some(found);
+                if found * step <= fine || last {
+                    // A kink beside the data is left behind by a smaller step; one at the data is not.
+                    if slopes().any(|s| s.uneven) {
+                        let kink = *kinks[at].get_or_insert(found);
+                        *cond = last.then_some(kink);
+                        continue;
+                    }
+                    *cond = Some(found);
+                    rounded |= T::is_double() && misses(entry, base[at], step * found.max(1.0));
+                }
             }
             if conds.iter().all(Option::is_some) {
                 break;
@@ -82,7 +102,13 @@ pub fn numbers(scene: &Scene, data: &[f64], kind: Kind, entries: &[Entry]) -> Ve
         Some(cond) if !cond.is_nan() => cond,
         _ => f64::INFINITY,
     };
-    conds.into_iter().map(told).collect()
+    (conds.into_iter().map(told).collect(), rounded)
+}
+
+/// Is an answer in doubles off its value in 32 digits by what a change of this share would be told by?
+fn misses<T: Real>(entry: &Entry, base: Option<T>, change: f64) -> bool {
+    let y = entry.value();
+    base.is_some_and(|base| y != 0.0 && y.is_finite() && (base.f64() - y).abs() > ROUNDING * change * y.abs())
 }
 
 /// The data that the scene uses and that are not 0: a relative change of 0 is none.
@@ -99,32 +125,46 @@ fn used(scene: &Scene, data: &[f64]) -> Vec<usize> {
 }
 
 /// What a road says of a label; the roads mostly speak in the same order.
-fn value(road: &Road<f64>, at: usize, label: Label) -> Option<f64> {
+fn value<T: Real>(road: &Road<T>, at: usize, label: Label) -> Option<T> {
     road.said.get(at).filter(|s| s.label == label).or_else(|| road.get(label)).map(|s| s.value)
 }
 
-/// Change of an entry per relative change of a datum, from its values in doubles at the data and at changed data; endless where no
-/// changed datum gives one.
-fn slope(entry: &Entry, at: usize, base: Option<f64>, up: &Changed, down: Option<&Changed>) -> f64 {
+/// Change of an entry per relative change of a datum.
+struct EntrySlope {
+    size: f64,
+    /// Do the two sides of the datum differ? The larger one then counts.
+    uneven: bool,
+}
+
+/// Slope of an entry from its values at the data and at changed data; endless where no changed datum gives one.
+fn slope<T: Real>(
+    entry: &Entry,
+    at: usize,
+    base: Option<T>,
+    up: &Changed<T>,
+    down: Option<&Changed<T>>,
+) -> EntrySlope {
     let y = entry.value();
     // Of two sides of which one has another kind of motion, that one does not count.
     let above = up.values[at].filter(|_| up.alike || !down.is_some_and(|d| d.alike));
     let below = down.and_then(|d| d.values[at].filter(|_| d.alike || !up.alike).map(|value| (value, d.by)));
+    let per = |from: T, to: T, by: f64| ((to - from).f64() / by).abs();
     // At a zero the two sides of a magnitude are alike: each counts by itself.
     if let (Some(a), Some((b, by)), true) = (above, below, y != 0.0) {
-        let whole = ((a - b) / (up.by - by)).abs();
+        let whole = per(b, a, up.by - by);
         // Where the sides differ, as about a singularity, their mean would hide it.
-        let sides = base.map(|base| (((a - base) / up.by).abs(), ((b - base) / by).abs()));
-        return sides.filter(|(u, d)| (u - d).abs() > UNEVEN * whole).map_or(whole, |(u, d)| u.max(d));
+        let sides = base.map(|base| (per(base, a, up.by), per(base, b, by)));
+        let kink = sides.filter(|(u, d)| (u - d).abs() > UNEVEN * whole);
+        return EntrySlope { size: kink.map_or(whole, |(u, d)| u.max(d)), uneven: kink.is_some() };
     }
-    let rounding = if y == 0.0 { 2.0 * <f64 as Real>::NOISE * entry.scale } else { 0.0 };
-    let alone = |(value, by): (f64, f64)| {
-        let change = (value - base.unwrap_or(y)).abs();
+    let rounding = if y == 0.0 { 2.0 * T::NOISE * entry.scale } else { 0.0 };
+    let alone = |(value, by): (T, f64)| {
+        let change = (value - base.unwrap_or_else(|| T::of(y))).size();
         if change <= rounding { 0.0 } else { (change / by).abs() }
     };
     let sides = above.map(|value| (value, up.by)).into_iter().chain(below);
     let larger = |most: Option<f64>, slope: f64| Some(most.map_or(slope, |m| m.max(slope)));
-    sides.map(alone).fold(None, larger).unwrap_or(f64::INFINITY)
+    EntrySlope { size: sides.map(alone).fold(None, larger).unwrap_or(f64::INFINITY), uneven: false }
 }
 
 /// The sum of the changes as a share of the answer. A place that is 0 is told by the scale of its terms: where the origin lies

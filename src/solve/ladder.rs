@@ -4,7 +4,7 @@
 //! road stays in closed form and is the judge: a result that disagrees with it beyond both error estimates is refused.
 use crate::num::ode::{Count, FINEST, MOST_STEPS, Trouble};
 use crate::num::{Dd, Real, U};
-use crate::scene::{End, Label, Owner, Quantity, Scene};
+use crate::scene::{End, Label, Owner, Quantity, Scales, Scene};
 use crate::solve::method::{Method, Rung, USUAL_POINTS, USUAL_STEP_S, Way, rounding};
 use crate::solve::outcome::{Entry, Refusal, Road, Solved};
 use crate::solve::{agree, energy, eom};
@@ -105,19 +105,33 @@ pub fn road<P: Real>(
     }
 }
 
-/// Values of some labels on one road by one rung, rounded to doubles; NaN where it does not give them.
-fn values(scene: &Scene, data: &[f64], rung: Rung, labels: &[Label]) -> Result<(Vec<f64>, Count), Refusal> {
-    fn of<P: Real>(road: &Road<P>, labels: &[Label]) -> Vec<f64> {
-        labels.iter().map(|l| road.get(*l).map_or(f64::NAN, |s| s.value.f64())).collect()
+/// Values of some labels on one road by one rung, computed in these units and rounded to doubles, SI; NaN where it does not give
+/// them.
+fn values(
+    scene: &Scene,
+    data: &[f64],
+    scales: Scales,
+    rung: Rung,
+    labels: &[Label],
+) -> Result<(Vec<f64>, Count), Refusal> {
+    fn of<P: Real>(road: &Road<P>, scales: Scales, labels: &[Label]) -> Vec<f64> {
+        let value = |l: &Label| road.get(*l).map_or(f64::NAN, |s| s.value.f64());
+        labels.iter().map(|l| scales.si(l.quantity.unit(), value(l))).collect()
     }
     let asked = |q: Quantity| labels.iter().any(|l| l.quantity == q);
-    if rung == Rung::Doubles {
-        let (road, count) = road::<f64>(scene, data, rung, &asked)?;
-        Ok((of(&road, labels), count))
-    } else {
-        let (road, count) = road::<Dd>(scene, data, rung, &asked)?;
-        Ok((of(&road, labels), count))
-    }
+    let rung = match rung {
+        Rung::Fixed(method, step_s) => Rung::Fixed(method, scales.own("s", step_s)),
+        other => other,
+    };
+    agree::in_scales(scales, scene, data, |scene, data| {
+        if rung == Rung::Doubles {
+            let (road, count) = road::<f64>(scene, data, rung, &asked)?;
+            Ok((of(&road, scales, labels), count))
+        } else {
+            let (road, count) = road::<Dd>(scene, data, rung, &asked)?;
+            Ok((of(&road, scales, labels), count))
+        }
+    })
 }
 
 /// Solves a scene by the method asked for, or by the cheapest that meets the tolerance.
@@ -241,12 +255,12 @@ fn judged(scene: &Scene, data: &[f64], way: Way, rung: Rung, solved: &Solved) ->
             return Err(Refusal::Trouble { method, trouble: Trouble::StepTooShort { step, steps } });
         }
     }
-    let (coarse, count) = values(scene, data, rung, &labels)?;
+    let (coarse, count) = values(scene, data, solved.scales, rung, &labels)?;
     let mut estimate = Count::default();
     // Two finer runs: with one, an error that happens to be the same on both would hide.
     let mut finer: Vec<(f64, Vec<f64>)> = Vec::with_capacity(2);
     for by in [2, 3].into_iter().filter(|by| rung.finer(*by) != rung) {
-        let (fine, count) = values(scene, data, rung.finer(by), &labels)?;
+        let (fine, count) = values(scene, data, solved.scales, rung.finer(by), &labels)?;
         estimate.evaluations += count.evaluations;
         estimate.steps += count.steps;
         finer.push((rung.extrapolation(by), fine));
@@ -406,7 +420,7 @@ pub fn study(scene: &Scene, data: &[f64], labels: &[Label]) -> Result<Study, Ref
         labels.iter().map(|l| road.get(*l).map_or(Dd::new(f64::NAN), |s| s.value)).collect();
     let time = solved.get(TIME).map(Entry::value);
     let rows = rungs(force, time.filter(|t| t.is_finite() && *t > 0.0)).into_iter().map(|rung| {
-        let found = values(scene, data, rung, &labels).map(|(values, count)| {
+        let found = values(scene, data, Scales::SI, rung, &labels).map(|(values, count)| {
             let errors: Vec<f64> = values.iter().zip(&reference).map(|(v, r)| error(*v, *r)).collect();
             let worst = errors.iter().copied().fold(0.0, |w: f64, e| if e > w || e.is_nan() { e } else { w });
             Measured { errors, worst, count }
@@ -421,7 +435,7 @@ pub fn study(scene: &Scene, data: &[f64], labels: &[Label]) -> Result<Study, Ref
 ///
 /// Errors: those of the road and of the method.
 pub fn once(scene: &Scene, data: &[f64], rung: Rung, labels: &[Label]) -> Result<Vec<f64>, Refusal> {
-    Ok(values(scene, data, rung, labels)?.0)
+    Ok(values(scene, data, Scales::SI, rung, labels)?.0)
 }
 
 /// Errors below this are rounding: no method is better than another there.

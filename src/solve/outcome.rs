@@ -2,7 +2,7 @@
 use crate::num::gauss::Unsettled;
 use crate::num::ode::Trouble;
 use crate::num::{Real, ball};
-use crate::scene::{Coordinate, End, Label, Scene};
+use crate::scene::{Coordinate, Degree, End, Label, Scales, Scene};
 use crate::solve::method::Method;
 
 /// What really happens, in the words that scripts rely on ([`Regime::word`]).
@@ -189,6 +189,24 @@ impl CheckKind {
             Self::StaticLimit => "static_limit",
         }
     }
+    /// Unit of SI of what is required and available.
+    pub fn unit(self, scene: &Scene) -> &'static str {
+        match self {
+            Self::Moves
+            | Self::NoSlip
+            | Self::MustSlip
+            | Self::Pressed
+            | Self::Taut
+            | Self::Closes
+            | Self::StaticLimit => "N",
+            Self::SlipDirection => "m/s^2",
+            Self::StartsSlipping | Self::UnderWay => "m/s",
+            Self::SlipEnds => "s",
+            Self::Reaches => scene.measure(),
+            Self::Slack if scene.ending_coordinate().degree == Degree::Turn => "rad",
+            Self::Slack => "m",
+        }
+    }
     /// Is its margin a share that says how far it holds? That of the others is 1 or -1.
     pub const fn is_share(self) -> bool {
         !matches!(self, Self::Pressed | Self::Taut | Self::SlipDirection)
@@ -301,6 +319,8 @@ pub struct Solved {
     pub open: Vec<Label>,
     /// Quantities whose value is finite but so large or small that no double holds it to 16 digits: not published.
     pub beyond: Vec<Label>,
+    /// Units in which it was computed; everything here is in SI.
+    pub scales: Scales,
 }
 
 impl Solved {
@@ -410,6 +430,8 @@ pub enum Refusal {
         /// The difference that both estimates would have allowed.
         allowed: f64,
     },
+    /// Data so far apart that products of them leave the doubles, in whatever units of mass, length and time.
+    Apart,
     /// The method does not apply to the scene.
     NoMethod {
         /// Which method.

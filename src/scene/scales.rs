@@ -1,0 +1,221 @@
+//! The same scene in other units of mass, length and time. They are powers of two of the SI units, so that every number keeps its
+//! digits.
+//!
+//! Products of data near 1e150 or 1e-150 leave the doubles in SI units; in units of the size of the scene few do.
+use crate::num::dd::{exponent, ldexp};
+use crate::scene::{
+    Arm, Attach, Body, CordEnd, Degree, End, Far, Mass, Num, Pin, Rest, RotaryInertia, Scene, Slope, Start,
+    Tie,
+};
+
+/// Units of mass, length and time: 2^e kg, m and s.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Scales {
+    mass: i32,
+    length: i32,
+    time: i32,
+}
+
+/// Sizes of scaled data up to which products of a few of them stay inside the doubles, as a power of two.
+const ROOM: i32 = 900;
+/// Steps between units that are tried, and how many of them to each side of the middle: of mass, length and time.
+const STEPS: [i32; 3] = [160, 96, 96];
+const TRIED: [i32; 3] = [2, 3, 6];
+
+impl Scales {
+    /// The units of SI.
+    pub const SI: Self = Self { mass: 0, length: 0, time: 0 };
+
+    /// Exponents of mass, length and time in a unit of SI, with which the number of that unit is scaled.
+    fn power(self, unit: &str) -> i32 {
+        let (mass, length, time) = match unit {
+            "kg" => (1, 0, 0),
+            "m" => (0, 1, 0),
+            "s" => (0, 0, 1),
+            "m/s" => (0, 1, -1),
+            "m/s^2" => (0, 1, -2),
+            "rad/s" => (0, 0, -1),
+            "rad/s^2" => (0, 0, -2),
+            "N" => (1, 1, -2),
+            "N/m" => (1, 0, -2),
+            "N*m" | "J" => (1, 2, -2),
+            "W" => (1, 2, -3),
+            "kg*m^2" => (1, 2, 0),
+            _ => (0, 0, 0),
+        };
+        mass * self.mass + length * self.length + time * self.time
+    }
+    /// A number in a unit of SI that is `x` in these units.
+    pub fn si(self, unit: &str, x: f64) -> f64 {
+        ldexp(x, self.power(unit))
+    }
+    /// A number in these units that is `x` in a unit of SI.
+    pub fn own(self, unit: &str, x: f64) -> f64 {
+        ldexp(x, -self.power(unit))
+    }
+
+    /// The scene and its data in these units; `None` where a number leaves the doubles.
+    pub fn of(self, scene: &Scene, data: &[f64]) -> Option<(Scene, Vec<f64>)> {
+        let (mut scaled, mut numbers, mut inside) = (scene.clone(), data.to_vec(), true);
+        each(&mut scaled, &mut |num, unit| {
+            let (old, new) = match num {
+                Num::Datum(i) => match (data.get(*i), numbers.get_mut(*i)) {
+                    (Some(old), Some(new)) => (*old, new),
+                    _ => return,
+                },
+                Num::Fixed(x) => (*x, x),
+            };
+            *new = self.own(unit, old);
+            inside &= old == 0.0 || *new != 0.0 && exponent(*new).abs() <= ROOM;
+        });
+        inside.then_some((scaled, numbers))
+    }
+
+    /// Units to be tried for a scene, those first in which its lengths, masses and weights are nearest to 1.
+    pub fn tried(scene: &Scene, data: &[f64]) -> impl Iterator<Item = Self> {
+        let mut known: Vec<(&'static str, i32)> = Vec::new();
+        each(&mut scene.clone(), &mut |num, unit| {
+            let x = match num {
+                Num::Datum(i) => data.get(*i).copied().unwrap_or(0.0),
+                Num::Fixed(x) => *x,
+            };
+            if x != 0.0 && x.is_finite() {
+                known.push((unit, exponent(x)));
+            }
+        });
+        // The middle of the sizes of one kind.
+        let middle = |wanted: &dyn Fn(&str, i32) -> Option<i32>| {
+            let sizes = || known.iter().filter_map(|(unit, e)| wanted(unit, *e));
+            sizes().min().zip(sizes().max()).map_or(0, |(least, most)| i32::midpoint(least, most))
+        };
+        let length = middle(&|unit, e| (unit == "m").then_some(e));
+        // As a length over the square of a time, that of the weight.
+        let time = (length - middle(&|unit, e| (unit == "m/s^2").then_some(e))) / 2;
+        let free = Self { mass: 0, length, time };
+        let mass = middle(&|unit, e| {
+            let mass = ["kg", "N", "N/m", "N*m", "kg*m^2"].contains(&unit);
+            mass.then(|| e - free.power(unit))
+        });
+        let mut tried: Vec<[i32; 3]> = Vec::new();
+        for m in -TRIED[0]..=TRIED[0] {
+            for l in -TRIED[1]..=TRIED[1] {
+                tried.extend((-TRIED[2]..=TRIED[2]).map(|t| [m, l, t]));
+            }
+        }
+        tried.sort_by_key(|steps| steps.iter().map(|s| s.abs()).sum::<i32>());
+        tried.into_iter().map(move |[m, l, t]| Self {
+            mass: mass + STEPS[0] * m,
+            length: length + STEPS[1] * l,
+            time: time + STEPS[2] * t,
+        })
+    }
+}
+
+/// Every number of a scene with its unit of SI, `1` for a pure number and for degrees.
+fn each(scene: &mut Scene, tell: &mut dyn FnMut(&mut Num, &'static str)) {
+    tell(&mut scene.gravity_m_s2, "m/s^2");
+    for body in &mut scene.bodies {
+        of_body(body, tell);
+    }
+    for tie in &mut scene.ties {
+        match tie {
+            Tie::Roll { radius_m, mu_s, .. } => {
+                tell(radius_m, "m");
+                mu_s.iter_mut().for_each(|mu| tell(mu, "1"));
+            }
+            Tie::Slip { radius_m, mu_s, mu_k, .. } => {
+                tell(radius_m, "m");
+                tell(mu_s, "1");
+                tell(mu_k, "1");
+            }
+            Tie::Slide { mu_s, mu_k, .. } => {
+                mu_s.iter_mut().for_each(|mu| tell(mu, "1"));
+                tell(mu_k, "1");
+            }
+            Tie::Cord(cord) => {
+                of_end(&mut cord.from, tell);
+                match &mut cord.to {
+                    Far::Pull(force) => tell(force, "N"),
+                    Far::Body(end) => of_end(end, tell),
+                    Far::Spring { stiffness_n_m, stretch_m, .. } => {
+                        tell(stiffness_n_m, "N/m");
+                        tell(stretch_m, "m");
+                    }
+                    Far::Fixed => {}
+                }
+            }
+        }
+    }
+    for couple in &mut scene.couples {
+        tell(&mut couple.moment_n_m, "N*m");
+    }
+    for start in &mut scene.start {
+        match start {
+            Start::Speed(c, v) => tell(v, if c.degree == Degree::Along { "m/s" } else { "rad/s" }),
+            Start::Lamina { vx_m_s, vy_m_s, spin_rad_s, .. } => {
+                tell(vx_m_s, "m/s");
+                tell(vy_m_s, "m/s");
+                tell(spin_rad_s, "rad/s");
+            }
+        }
+    }
+    match &mut scene.end {
+        End::AtOnce | End::TurningPoint(_) | End::Rolling(_) => {}
+        End::Travel(c, s) | End::Position(c, s) => tell(s, if c.degree == Degree::Along { "m" } else { "1" }),
+        End::Time(_, t) => tell(t, "s"),
+        End::Speed(c, v) => tell(v, if c.degree == Degree::Along { "m/s" } else { "rad/s" }),
+        End::Angle(_, angle) => tell(angle, "1"),
+    }
+}
+
+/// The numbers of a body.
+fn of_body(body: &mut Body, tell: &mut dyn FnMut(&mut Num, &'static str)) {
+    of_mass(&mut body.mass, tell);
+    match &mut body.inertia {
+        None => {}
+        Some(RotaryInertia::Gyration(r) | RotaryInertia::Shape(_, r)) => tell(r, "m"),
+        Some(RotaryInertia::Moment(i)) => tell(i, "kg*m^2"),
+        Some(RotaryInertia::Parts(parts)) => {
+            for part in parts {
+                of_mass(&mut part.mass, tell);
+                tell(&mut part.radius_m, "m");
+            }
+        }
+    }
+    for (_, radius) in &mut body.radii_m {
+        tell(radius, "m");
+    }
+    if let Some(Slope::Degrees(angle)) = body.line.as_mut().map(|line| &mut line.slope) {
+        tell(angle, "1");
+    }
+    for particle in &mut body.particles {
+        tell(&mut particle.mass_kg, "kg");
+        tell(&mut particle.x_m, "m");
+        tell(&mut particle.y_m, "m");
+    }
+    let Some(Pin { arm, start_deg, spring, .. }) = &mut body.pin else { return };
+    let (Arm::Distance(length) | Arm::HalfOf(length)) = arm;
+    tell(length, "m");
+    tell(start_deg, "1");
+    if let Some(spring) = spring {
+        let (Rest::Length(rest) | Rest::Stretch(rest)) = &mut spring.rest;
+        for length in [&mut spring.at_m, &mut spring.x_m, &mut spring.y_m, rest] {
+            tell(length, "m");
+        }
+        tell(&mut spring.stiffness_n_m, "N/m");
+    }
+}
+
+fn of_mass(mass: &mut Mass, tell: &mut dyn FnMut(&mut Num, &'static str)) {
+    match mass {
+        Mass::Kilograms(m) => tell(m, "kg"),
+        Mass::Weight(w) => tell(w, "N"),
+        Mass::OfParts => {}
+    }
+}
+
+fn of_end(end: &mut CordEnd, tell: &mut dyn FnMut(&mut Num, &'static str)) {
+    if let Attach::Wound(radius, _) = &mut end.attach {
+        tell(radius, "m");
+    }
+}
