@@ -62,7 +62,8 @@ impl Words {
 
     /// The phrases whose names begin so (`feedback`, `report.verdict`), to be handed on.
     pub fn phrases(&self, below: &[&str]) -> Phrases {
-        let is_below = |name: &str, begin: &str| name.strip_prefix(begin).is_some_and(|rest| rest.starts_with('.'));
+        let is_below =
+            |name: &str, begin: &str| name.strip_prefix(begin).is_some_and(|rest| rest.starts_with('.'));
         let wanted = |name: &&str| below.iter().any(|begin| is_below(name, begin));
         let names = self.names().into_iter().filter(wanted);
         let phrases = names.map(|name| (name.to_owned(), self.get(name).to_owned())).collect();

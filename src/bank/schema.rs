@@ -12,9 +12,9 @@ use crate::bank::{
     Bank, Bound, Case, Datum, Draw, FigureLabels, Problem, Question, Relative, TEMPLATE_NAMES, Variables,
     measure, mistake, review,
 };
-use crate::policy::Policy;
 #[cfg(not(feature = "program"))]
 use crate::policy::Hints;
+use crate::policy::Policy;
 use crate::scene::{Label, Owner, Quantity, Scene, Span, Tie};
 use crate::solve::outcome::{CheckKind, Motion};
 use crate::units::Unit;

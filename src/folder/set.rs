@@ -7,9 +7,9 @@ use crate::folder::deal::Plan;
 use crate::folder::files::{InTheWay, names_in};
 use crate::folder::{banks, files, names};
 use crate::key::SheetKey;
+use crate::page::sheet_file::SheetFile;
 use crate::set::store::StoredSet;
 use crate::set::{key_file, replay, store};
-use crate::page::sheet_file::SheetFile;
 use crate::sheet::terminal;
 use std::path::Path;
 
@@ -174,7 +174,8 @@ fn foreign(out: &Path, set: &StoredSet) -> Vec<String> {
             let unknown = inside.into_iter().filter(|n| !names::is_of_student(n, set.problems.len()));
             found.extend(unknown.map(|n| format!("students/{name}/{n}")));
         } else if !names::OF_SITE.contains(&name.as_str())
-            && !is_left_over(&out.join(names::STUDENTS).join(&name), &name, set) {
+            && !is_left_over(&out.join(names::STUDENTS).join(&name), &name, set)
+        {
             found.push(format!("students/{name}"));
         }
     }

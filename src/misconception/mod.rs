@@ -5,8 +5,8 @@ pub mod catalogue;
 
 use crate::bank::expression::Expression;
 use crate::bank::{Mistake, Problem};
-use crate::scene::Label;
 use crate::num::Real as _;
+use crate::scene::Label;
 use crate::solve::agree::{Fast, Quick};
 use crate::solve::outcome::{Entry, Road, Solved};
 use smallvec::SmallVec;

@@ -86,7 +86,8 @@ pub fn solve(problem: &SheetProblem, file: &str) -> Result<CheckedProblem, Unsol
     let mut bank = load::of_tree(&tree, file).map_err(Unsolved::Faults)?;
     // A tolerance that widens with the condition number stands on the sheet.
     for question in bank.problems.iter_mut().flat_map(|p| &mut p.questions) {
-        let printed = problem.parts.iter().find(|part| part.id == question.id).and_then(|part| part.tolerance);
+        let printed =
+            problem.parts.iter().find(|part| part.id == question.id).and_then(|part| part.tolerance);
         if let (Relative::Widens { least, most, .. }, Some(share)) = (question.relative, printed) {
             question.relative = Relative::Fixed(share.clamp(least, most));
         }

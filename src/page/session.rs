@@ -62,7 +62,8 @@ impl Session {
         let answer = match serde_json::from_str(request) {
             Ok(Request::Read(part, cell)) => serde_json::to_string(&self.read(&part, &cell)),
             Ok(Request::Check(answers)) => {
-                let told: Vec<Told> = answers.iter().filter_map(|(part, cell)| self.check(part, cell)).collect();
+                let told: Vec<Told> =
+                    answers.iter().filter_map(|(part, cell)| self.check(part, cell)).collect();
                 serde_json::to_string(&told)
             }
             Err(_) => return "null".to_owned(),
@@ -88,6 +89,11 @@ impl Session {
         let (problem, index) = self.part(part)?;
         let say = Feedback::new(&self.words);
         let told = check::check(&problem.key.parts[index], cell, &mut UnitCache::default(), &say);
-        Some(Told { part: part.to_owned(), verdict: told.verdict.as_str(), reason: told.reason, read: told.read })
+        Some(Told {
+            part: part.to_owned(),
+            verdict: told.verdict.as_str(),
+            reason: told.reason,
+            read: told.read,
+        })
     }
 }

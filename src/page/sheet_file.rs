@@ -123,13 +123,20 @@ impl SheetProblem {
 
 /// What JSON holds, as texts without places.
 fn node(value: &Value) -> Node {
-    let text = |text: &str| Node { value: node::Value::Text(text.to_owned()), line: 0, column: 0, path: String::new() };
+    let text = |text: &str| Node {
+        value: node::Value::Text(text.to_owned()),
+        line: 0,
+        column: 0,
+        path: String::new(),
+    };
     let value = match value {
         Value::Null => node::Value::Empty,
         Value::String(written) => node::Value::Text(written.clone()),
         Value::Bool(_) | Value::Number(_) => node::Value::Text(value.to_string()),
         Value::Array(items) => node::Value::List(items.iter().map(node).collect()),
-        Value::Object(fields) => node::Value::Map(fields.iter().map(|(name, value)| (text(name), node(value))).collect()),
+        Value::Object(fields) => {
+            node::Value::Map(fields.iter().map(|(name, value)| (text(name), node(value))).collect())
+        }
     };
     Node { value, line: 0, column: 0, path: String::new() }
 }

@@ -54,8 +54,16 @@ impl<'w> Converter<'w> {
     ) -> String {
         let drawn: usize = screens.iter().map(|(_, screen)| screen.bytes()).sum();
         let mut out = String::with_capacity(document.markdown.len() * 6 + drawn);
-        let mut walk =
-            HtmlWalk { tables: 0, formulas: 0, columns: Vec::new(), cell: 0, in_head: false, in_code: false, part: None, boxed: Vec::new() };
+        let mut walk = HtmlWalk {
+            tables: 0,
+            formulas: 0,
+            columns: Vec::new(),
+            cell: 0,
+            in_head: false,
+            in_code: false,
+            part: None,
+            boxed: Vec::new(),
+        };
         let mut events = Parser::new_ext(&document.markdown, MARKDOWN).peekable();
         let mut ready: Vec<Event> = Vec::new();
         // Pictures bring their style along; in one page each style is needed once.
@@ -111,7 +119,9 @@ impl<'w> Converter<'w> {
         }
         // A text of one's own may leave no room behind the name of a part.
         for part in place.boxes.iter().filter(|part| !walk.boxed.contains(part)) {
-            ready.push(Event::Html(format!("<p><code>{}</code> {}</p>\n", escaped(part), self.answer_box(part)).into()));
+            ready.push(Event::Html(
+                format!("<p><code>{}</code> {}</p>\n", escaped(part), self.answer_box(part)).into(),
+            ));
         }
         pulldown_cmark::html::push_html(&mut out, ready.into_iter());
         out

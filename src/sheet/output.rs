@@ -139,9 +139,14 @@ impl<'o> Output<'o> {
                     document.plain().into_bytes()
                 }
                 Format::Html => {
-                    let body = converter.body(&document, &screens, Place { lower: 0, prefix: "", boxes: tools.map_or(&[], |tools| &tools.parts) });
+                    let body = converter.body(
+                        &document,
+                        &screens,
+                        Place { lower: 0, prefix: "", boxes: tools.map_or(&[], |tools| &tools.parts) },
+                    );
                     let prefix = format!("{}-", html::part_id(at));
-                    made.html = converter.body(&document, &screens, Place { lower: 1, prefix: &prefix, boxes: &[] });
+                    made.html =
+                        converter.body(&document, &screens, Place { lower: 1, prefix: &prefix, boxes: &[] });
                     html::page(&self.texts.templates, &self.texts.words, self.name, &made.head, &body, tools)?
                 }
                 Format::Tex => {

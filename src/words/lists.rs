@@ -49,7 +49,8 @@ impl Words {
     /// A built-in list that cannot be read is a bug, found by any test.
     pub fn of(language: &str) -> Option<Self> {
         let (code, _, decimal, lists) = LANGUAGES.iter().find(|(code, ..)| *code == language)?;
-        let mut words = Self { language: Cow::Borrowed(code), decimal: *decimal, phrases: FxHashMap::default() };
+        let mut words =
+            Self { language: Cow::Borrowed(code), decimal: *decimal, phrases: FxHashMap::default() };
         for (topic, text) in *lists {
             if let Err(faults) = words.read(topic, text, false) {
                 panic!("the built-in word list {topic} of {code} cannot be read: {faults:?}");

@@ -180,7 +180,8 @@ fn sweep(students: u32) {
             sound(language, &document.markdown);
             assert!(!document.plain().contains("<!--"));
             let mut converter = Converter::new(&told.words);
-            let body = converter.body(document, &document.screens(), Place { lower: 0, prefix: "", boxes: &[] });
+            let body =
+                converter.body(document, &document.screens(), Place { lower: 0, prefix: "", boxes: &[] });
             let page = html::page(&told.templates, &told.words, "sheet", head, &body, None).expect("renders");
             valid(language, &String::from_utf8(page).expect("text"));
             for (name, picture) in &document.pictures {
@@ -238,7 +239,8 @@ fn sweep_solutions(students: u32) {
                 &document.screens(),
                 Place { lower: 0, prefix: "", boxes: &[] },
             );
-            let page = html::page(&told.templates, &told.words, "solution", head, &body, None).expect("renders");
+            let page =
+                html::page(&told.templates, &told.words, "solution", head, &body, None).expect("renders");
             valid(language, &String::from_utf8(page).expect("text"));
             for (name, picture) in &document.pictures {
                 assert!(document.markdown.contains(&format!("]({name}.svg)")));

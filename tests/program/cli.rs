@@ -966,8 +966,8 @@ mod mutants {
     //! Files that a person may have broken: any bytes give findings or a result, never a panic.
     use super::*;
     use proptest::prelude::*;
-    use slipstick::set::store::StoredSet;
     use slipstick::page::sheet_file::SheetFile;
+    use slipstick::set::store::StoredSet;
     use std::sync::LazyLock;
 
     /// set.json and sheet.json of a small set.

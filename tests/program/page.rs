@@ -82,8 +82,30 @@ fn wrong(entry: &KeyEntry, words: &Words) -> String {
 /// What students write: numbers near and far, in other units, with commas, words, fractions, and what is no answer.
 fn random(entry: &KeyEntry, lots: &mut Lots) -> String {
     const ODD: [&str; 24] = [
-        "", " ", "?", "12,5", "1.234,5", "1,234", "3/4", "2*sqrt(3) m", "π/6 rad", "up", "down", "Aufwärts", "ja", "no",
-        "stays", "12.5 m/s up", "-3 N down", "45 km/h", "172 rpm", "4' 3\"", "12 kn", "25 ± 1 %", "<b>1</b>", "1e400",
+        "",
+        " ",
+        "?",
+        "12,5",
+        "1.234,5",
+        "1,234",
+        "3/4",
+        "2*sqrt(3) m",
+        "π/6 rad",
+        "up",
+        "down",
+        "Aufwärts",
+        "ja",
+        "no",
+        "stays",
+        "12.5 m/s up",
+        "-3 N down",
+        "45 km/h",
+        "172 rpm",
+        "4' 3\"",
+        "12 kn",
+        "25 ± 1 %",
+        "<b>1</b>",
+        "1e400",
     ];
     let value = match &entry.answer {
         Answer::Number { value, .. } => entry.unit.from_si(*value),
@@ -120,7 +142,8 @@ fn made(room: &Path, language: &'static str) -> Vec<Made> {
     for bank in BANKS {
         let out = room.join(format!("{bank}-{language}"));
         let (folder, roster) = (out.display().to_string(), roster.display().to_string());
-        let args = ["generate", bank, "--roster", &roster, "--seed", "7", "--language", language, "--out", &folder];
+        let args =
+            ["generate", bank, "--roster", &roster, "--seed", "7", "--language", language, "--out", &folder];
         let (exit, _, err) = run(&args);
         assert_eq!(exit, Exit::Fine, "{err}");
         let folder = out.join("students/0017");
@@ -190,7 +213,11 @@ fn the_binary_is_made_from_these_sources() {
         }
     }
     assert!(of_solver > 3, "the sources of the solver are among those of the page");
-    assert!(stale.is_empty(), "changed since the page's program was made, run .ci/page: {}", stale.join(", "));
+    assert!(
+        stale.is_empty(),
+        "changed since the page's program was made, run .ci/page: {}",
+        stale.join(", ")
+    );
     assert!(PROGRAM.len() <= 400_000, "{} bytes packed", PROGRAM.len());
 }
 
@@ -230,7 +257,8 @@ fn the_program_of_the_page_answers_in_node_what_check_answers() {
     let mut pipe = node.stdin.take().unwrap();
     pipe.write_all(&input).unwrap();
     drop(pipe);
-    let told: Vec<serde_json::Value> = serde_json::from_slice(&node.wait_with_output().unwrap().stdout).unwrap();
+    let told: Vec<serde_json::Value> =
+        serde_json::from_slice(&node.wait_with_output().unwrap().stdout).unwrap();
     let mut judged = 0;
     for (made, told) in all.iter().zip(&told) {
         let told = told.as_array().unwrap_or_else(|| panic!("{}: {told}", made.folder.display()));
@@ -273,7 +301,9 @@ fn sheets_check_themselves_in_a_browser() {
         assert_eq!(exit, Exit::Fine, "{err}");
     };
     generate(BANKS[0], &site, &["--page", "site"]);
-    let bank = std::fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("banks/slip-and-roll.yaml")).unwrap();
+    let bank =
+        std::fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("banks/slip-and-roll.yaml"))
+            .unwrap();
     std::fs::write(at("bank.yaml"), bank.replacen("\nproblems:", "\nself check: off\nproblems:", 1)).unwrap();
     generate(&at("bank.yaml"), &off, &[]);
     // The same seed, name and student: the same data as in the sheet that is one file.
@@ -302,8 +332,14 @@ fn files_of_a_class_are_graded_at_once_from_a_folder_and_from_an_archive() {
     args.extend(problems);
     assert_eq!(run(&args).0, Exit::Fine);
     let files: [(&str, &str); 5] = [
-        ("Amina_1_file_/answers-0017 (1).csv", "student,problem,part,answer,saved_at\r\n0017,1,omega,2 rad/s,2026-03-02T10:00:00.000Z\r\n"),
-        ("Amina_1_file_/answers-0017.csv", "\u{feff}student,problem,part,answer,saved_at\r\n0017,1,omega,1 rad/s,2026-03-01T10:00:00.000Z\r\n"),
+        (
+            "Amina_1_file_/answers-0017 (1).csv",
+            "student,problem,part,answer,saved_at\r\n0017,1,omega,2 rad/s,2026-03-02T10:00:00.000Z\r\n",
+        ),
+        (
+            "Amina_1_file_/answers-0017.csv",
+            "\u{feff}student,problem,part,answer,saved_at\r\n0017,1,omega,1 rad/s,2026-03-01T10:00:00.000Z\r\n",
+        ),
         ("Anders_2_file_/answers-0023.csv", "student;problem;part;answer\n0023;1;friction;\"12,5 N up\"\n"),
         ("Anders_2_file_/notes.csv", "what,when\n1,2\n"),
         ("Anders_2_file_/scan.pdf", "%PDF"),
