@@ -497,7 +497,7 @@ pub fn from_values(problem: &Problem, case: usize, values: &[Option<Decimal>]) -
 /// Errors: the values are no scene.
 pub fn of_sheet(problem: &Problem, case: usize, values: &[Option<Decimal>]) -> Result<Variant, Refusal> {
     of_values(problem, case, values, |scene, data| {
-        Ok((agree::first(scene, data)?.preview().clone(), Vec::new()))
+        Ok((agree::again(scene, data)?.preview().clone(), Vec::new()))
     })
 }
 

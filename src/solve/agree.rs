@@ -42,6 +42,26 @@ pub fn solve(scene: &Scene, data: &[f64]) -> Result<Solved, Refusal> {
 /// The first road alone, so that a draw that breaks a rule is refused at half the cost. Errors: as for [`solve`], save
 /// that nothing is compared yet.
 pub fn first(scene: &Scene, data: &[f64]) -> Result<Half, Refusal> {
+    first_in(scene, data, fitting)
+}
+
+/// The first road alone for a scene that both roads have solved before, in units in which it does not leave the range of
+/// double-doubles. Errors: as for [`first`].
+pub fn again(scene: &Scene, data: &[f64]) -> Result<Half, Refusal> {
+    first_in(scene, data, |scene, data| {
+        let stays = |scales: &Scales| {
+            let scaled = scales.of(scene, data);
+            scaled.is_some_and(|(scene, data)| !dd::watch(|| eom::road::<Dd>(&scene, &data)).1)
+        };
+        Scales::tried(scene, data).find(stays)
+    })
+}
+
+fn first_in(
+    scene: &Scene,
+    data: &[f64],
+    fitting: impl FnOnce(&Scene, &[f64]) -> Option<Scales>,
+) -> Result<Half, Refusal> {
     let faults = admissible::faults(scene, data);
     if !faults.is_empty() {
         return Err(Refusal::Inadmissible(faults));
