@@ -257,7 +257,14 @@ impl Half {
     pub fn confirm(mut self, scene: &Scene, data: &[f64]) -> Result<Solved, Refusal> {
         let (course, scales) = (self.course, self.solved.scales);
         let own = self.own();
-        in_scales(scales, scene, data, |scene, data| compared(scene, data, own, course))?;
+        let compared = in_scales(scales, scene, data, |scene, data| compared(scene, data, own, course));
+        compared.map_err(|refusal| match refusal {
+            Refusal::Disagree { label, eom, energy, allowed } => {
+                let si = |x| scales.si(label.quantity.unit(), x);
+                Refusal::Disagree { label, eom: si(eom), energy: si(energy), allowed }
+            }
+            other => other,
+        })?;
         self.tell(scene);
         Ok(self.solved)
     }

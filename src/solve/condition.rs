@@ -39,12 +39,18 @@ struct Changed<T> {
 /// Condition number of each entry: 0 if no datum moves it, infinite for a zero that some datum moves, or where no changed data
 /// have a solution.
 pub fn numbers(scene: &Scene, data: &[f64], kind: Kind, entries: &[Entry]) -> Vec<f64> {
-    let (conds, rounded) = quotients::<f64>(scene, data, kind, entries);
-    if rounded { quotients::<Dd>(scene, data, kind, entries).0 } else { conds }
+    let (mut conds, rounded) = quotients::<f64>(scene, data, kind, entries);
+    if rounded.contains(&true) {
+        let (finer, _) = quotients::<Dd>(scene, data, kind, entries);
+        for ((cond, finer), _) in conds.iter_mut().zip(finer).zip(rounded).filter(|(_, rounded)| *rounded) {
+            *cond = finer;
+        }
+    }
+    conds
 }
 
-/// Condition numbers by difference quotients in numbers of this type, and whether their rounding may tell.
-fn quotients<T: Real>(scene: &Scene, data: &[f64], kind: Kind, entries: &[Entry]) -> (Vec<f64>, bool) {
+/// Condition numbers by difference quotients in numbers of this type, and for each whether their rounding may tell.
+fn quotients<T: Real>(scene: &Scene, data: &[f64], kind: Kind, entries: &[Entry]) -> (Vec<f64>, Vec<bool>) {
     let used = used(scene, data);
     let values =
         |road: &Road<T>| entries.iter().enumerate().map(|(at, e)| value(road, at, e.label)).collect();
@@ -59,7 +65,7 @@ fn quotients<T: Real>(scene: &Scene, data: &[f64], kind: Kind, entries: &[Entry]
         let alike = road.as_ref().is_some_and(|r| r.course.as_ref().map(|c| (c.sense, c.reached)) == kind);
         Changed { by, alike, values: road.map_or_else(|| nothing.clone(), |r| values(&r)) }
     };
-    let mut rounded = false;
+    let mut rounded = vec![false; entries.len()];
     let mut kinks: Vec<Option<f64>> = vec![None; entries.len()];
     let mut conds: Vec<Option<f64>> = vec![None; entries.len()];
     for power in STEPS {
@@ -81,12 +87,12 @@ fn quotients<T: Real>(scene: &Scene, data: &[f64], kind: Kind, entries: &[Entry]
                 if found * step <= fine || last {
                     // A kink beside the data is left behind by a smaller step; one at the data is not.
                     if slopes().any(|s| s.uneven) {
-                        let kink = *kinks[at].get_or_insert(found);
-                        *cond = last.then_some(kink);
+                        let kink = kinks[at].get_or_insert(found);
+                        *cond = last.then_some(kink.max(found));
                         continue;
                     }
                     *cond = Some(found);
-                    rounded |= T::is_double() && misses(entry, base[at], step * found.max(1.0));
+                    rounded[at] = T::is_double() && misses(entry, base[at], step * found.max(1.0));
                 }
             }
             if conds.iter().all(Option::is_some) {
