@@ -109,7 +109,9 @@ impl Words {
                         let fault = here("is no phrase of the program".to_owned());
                         faults.push(match crate::units::spell::closest(name, known) {
                             Some(close) => fault.hint(format!("did you mean {close}?")),
-                            None => fault.hint("`slipstick templates` writes out all the lists"),
+                            None => fault.hint(
+                                "`slipstick templates` writes out all the lists; a line of an earlier version may go",
+                            ),
                         });
                         return;
                     };
