@@ -87,11 +87,10 @@ pub fn surface(board: &mut Board, view: &SceneView, g: &Ground) {
         let a = if g.up.x < 0.0 { PI } else { a };
         let sense = (b - a).signum();
         if (b - a).abs() * arm < NARROW {
-            // No room between the lines: the arrows come from outside.
-            let more = sense * 24.0 / arm;
-            board.curved_arrow(start, arm, b + more, b, Role::Dimension);
-            board.curved_arrow(start, arm, a - more, a, Role::Dimension);
-            board.arc(start, arm, a, b, Role::Dimension);
+            // No room between the lines: the arrow comes from outside. It has as many parts as one from within, so that nothing of a
+            // sheet goes with an answer but the angle itself.
+            board.arc(start, arm, a, b + sense * 24.0 / arm, Role::Dimension);
+            board.curved_head(start, arm, b, -sense, Role::Dimension);
         } else {
             board.curved_arrow(start, arm, a, b, Role::Dimension);
         }

@@ -127,10 +127,16 @@ impl Board {
 
     /// An arrow along a circle, angles in radians.
     pub fn curved_arrow(&mut self, centre: Vec2, radius: f64, from: f64, to: f64, role: Role) {
-        let (head, back) = head_of(role);
+        let (_, back) = head_of(role);
         let sense = if to > from { 1.0 } else { -1.0 };
         let end = to - sense * back / radius.max(1.0);
         self.arc(centre, radius, from, end, role);
+        self.curved_head(centre, radius, to, sense, role);
+    }
+
+    /// The head of a curved arrow that ends here.
+    pub fn curved_head(&mut self, centre: Vec2, radius: f64, to: f64, sense: f64, role: Role) {
+        let (head, _) = head_of(role);
         let tip = centre + Vec2::at_angle(to) * radius;
         // The head points along its own chord.
         let base = centre + Vec2::at_angle(to - sense * 10.0 / radius.max(1.0)) * radius;

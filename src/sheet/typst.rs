@@ -205,7 +205,7 @@ impl Page<'_> {
         }
         if let Some(begin) = self.part {
             self.out.insert_str(begin, "#together[");
-            self.out.push_str("];");
+            self.out.push_str("];\n\n");
         }
         self.part = Some(self.out.len());
     }
@@ -235,7 +235,6 @@ impl Page<'_> {
                     self.part = Some(self.out.len());
                 } else if matches!(end, TagEnd::List(_)) && self.closers.is_empty() {
                     self.keep_together();
-                    self.out.push_str("\n\n");
                 }
             }
             Mark::Text(text) => {

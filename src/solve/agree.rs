@@ -103,30 +103,31 @@ fn fitting(scene: &Scene, data: &[f64]) -> Option<Scales> {
     let fit = |scales: &Scales| {
         let Some((scene, data)) = scales.of(scene, data) else { return false };
         let both = || (eom::road::<Dd>(&scene, &data), energy::road::<Dd>(&scene, &data));
-        !dd::watch(both).1 || is_narrow(&scene, &data) && agrees(&scene, &data)
+        !dd::watch(both).1 || agreed(&scene, &data).is_some_and(|solved| is_narrow(&scene, &data, &solved))
     };
     Scales::tried(scene, data).find(fit)
 }
 
-/// Does the second road enclose all its answers narrowly, without a decision that the enclosures leave open?
-fn is_narrow(scene: &Scene, data: &[f64]) -> bool {
+/// Does the second road enclose all its answers narrowly, without a decision that the enclosures leave open? An answer that is 0 has
+/// no size of its own: its enclosure is narrow beside the terms that cancel.
+fn is_narrow(scene: &Scene, data: &[f64], solved: &Solved) -> bool {
     let (road, doubt) = ball::watch(|| energy::road::<Ball>(scene, data));
     let narrow = |said: &Said<Ball>| {
         // The time of a swing is summed, and a sum proves nothing.
         let summed = said.label.quantity == Quantity::T && scene.pinned().is_some();
-        let (radius, size) = (said.value.radius(), said.value.size());
+        let terms = solved.get(said.label).filter(|e| e.value() == 0.0).map(|e| e.scale);
+        let (radius, size) = (said.value.radius(), terms.unwrap_or(said.value.size()));
         // What is endless is exactly so.
         summed || radius == 0.0 || size.is_finite() && radius <= NARROW * size
     };
     !doubt && road.is_ok_and(|road| road.said.iter().all(narrow))
 }
 
-/// Do the roads agree in the units of the data?
-fn agrees(scene: &Scene, data: &[f64]) -> bool {
-    alone(scene, data).is_ok_and(|mut half| {
-        half.weigh(scene, data);
-        half.confirm(scene, data).is_ok()
-    })
+/// What the roads agree on in the units of the data, if they do.
+fn agreed(scene: &Scene, data: &[f64]) -> Option<Solved> {
+    let mut half = alone(scene, data).ok()?;
+    half.weigh(scene, data);
+    half.confirm(scene, data).ok()
 }
 
 /// Solves with the scene and its data in these units. Errors: data that leave the doubles there.

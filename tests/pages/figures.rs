@@ -501,20 +501,25 @@ fn the_angle_of_a_gentle_slope_is_readable() {
         check(&picture, &format!("{degrees} degrees"));
         let label = picture.labels.iter().find(|l| symbol::plain(&l.runs).contains('°')).expect("the angle");
         assert!(symbol::plain(&label.runs).contains(&degrees.to_string()));
-        let arcs = picture.elements.iter().filter_map(|e| match e.outline {
-            Outline::Arc { radius, from, to, .. } if e.role == Role::Dimension => {
-                Some(radius * (to - from).abs())
-            }
-            _ => None,
-        });
-        // A curve long enough to be seen, within the angle or as arrows from outside it.
-        assert!(arcs.sum::<f64>() > 7.0, "{degrees} degrees");
+        let arcs: Vec<(f64, f64)> = picture
+            .elements
+            .iter()
+            .filter_map(|e| match e.outline {
+                Outline::Arc { radius, from, to, .. } if e.role == Role::Dimension => {
+                    Some((radius, (to - from).abs()))
+                }
+                _ => None,
+            })
+            .collect();
+        // One curve long enough to be seen, within the angle or as an arrow from outside it.
+        let [(radius, turn)] = arcs[..] else { panic!("{degrees} degrees: {arcs:?}") };
+        assert!(radius * turn > 7.0, "{degrees} degrees");
+        // Those of the radius and of the distance, and that of the angle: as many for every angle, which may go with an answer.
         let heads = picture.elements.iter().filter(|e| e.role == Role::DimensionHead).count();
-        // Those of the radius and of the distance, and one or two of the angle.
-        let of_angle = heads - 2;
-        assert!((1..=2).contains(&of_angle), "{degrees} degrees: {heads} heads");
-        narrow += usize::from(of_angle == 2);
-        wide += usize::from(of_angle == 1);
+        assert_eq!(heads, 3, "{degrees} degrees");
+        let from_outside = turn > f64::from(degrees).to_radians();
+        narrow += usize::from(from_outside);
+        wide += usize::from(!from_outside);
     }
     assert!(narrow >= 10 && wide >= 10, "{narrow} narrow, {wide} wide");
 }

@@ -59,7 +59,7 @@ fn one_line(finding: slipstick::finding::Finding) -> String {
 
 #[test]
 fn every_family_can_be_read_in_its_pdf() {
-    read_again(100);
+    read_again(support::seeds(100));
 }
 
 #[test]
@@ -69,7 +69,7 @@ fn a_thousand_sheets_of_every_family_can_be_read_in_their_pdfs() {
 }
 
 /// Prints so many sheets of each family in each language, and reads them again.
-fn read_again(seeds: usize) {
+fn read_again(seeds: u32) {
     for language in Words::languages() {
         let words = Words::of(language).expect("a language");
         let press = Press::new(&words, None).unwrap_or_else(|f| panic!("{f}"));

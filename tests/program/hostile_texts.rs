@@ -379,7 +379,8 @@ fn acts(element: ElementRef) -> Vec<String> {
         }
     }
     if value.name() == "style" {
-        let text: String = element.text().collect();
+        // The font of formulas stands in the page.
+        let text = element.text().collect::<String>().replace("url(data:font/woff2;base64,", "");
         found.extend(["url(", "@import"].iter().filter(|w| text.contains(*w)).map(|w| (*w).to_owned()));
     }
     found
