@@ -146,7 +146,7 @@ fn html(converter: &mut Converter, markdown: &str) -> String {
 
 fn prose(converter: &mut Converter, markdown: &str) -> String {
     let document = Document::new(markdown.to_owned(), Vec::new());
-    let body = converter.body(&document, &[], PlaceInPage { lower: 1, prefix: "" });
+    let body = converter.body(&document, &[], PlaceInPage { lower: 1, prefix: "", boxes: &[] });
     // What is wider than the page scrolls by itself, with the keyboard, too.
     body.replace("<pre>", "<pre tabindex=\"0\">")
 }

@@ -30,6 +30,7 @@ pub const BUILT_IN: &[(&str, &str)] = built_in!("":
     "style.html",
     "math-font.html",
     "sheet.html",
+    "page.html",
     "booklet.html",
     "style.tex",
     "sheet.tex",
@@ -110,6 +111,8 @@ pub struct View {
     context: Context,
     /// About how long all of it is.
     size: usize,
+    /// What a page may do besides, as directives of its policy.
+    runs: String,
 }
 
 impl View {
@@ -138,6 +141,10 @@ impl View {
         for (name, value) in data.as_map().into_iter().flatten() {
             self.value(name.as_str().unwrap_or_default(), value.clone());
         }
+    }
+    /// Lets a page run and fetch what these directives of its policy say, each with a semicolon and a blank behind it.
+    pub fn allow(&mut self, directives: &str) {
+        directives.clone_into(&mut self.runs);
     }
     /// Takes a name away.
     pub fn remove(&mut self, name: &str) {
@@ -294,7 +301,7 @@ impl Templates {
         let written = self.engine(name).render_to(name, &view.context, writer);
         written.map_err(|e| self.fault(&e, name, metered::is_over()))?;
         if name.ends_with(".html") {
-            close_to_outside(out, from);
+            close_to_outside(out, from, &view.runs);
         }
         Ok(())
     }
@@ -341,10 +348,10 @@ pub const CONTENT_SECURITY_POLICY: &str = "<meta http-equiv=\"Content-Security-P
 
 /// Puts the policy at the head of the page that begins here, whoever wrote its template: into the tag of the head if nothing but a
 /// document type, comments and `<html>` come before, else before all that could act.
-fn close_to_outside(page: &mut Vec<u8>, from: usize) {
+fn close_to_outside(page: &mut Vec<u8>, from: usize, runs: &str) {
     let text = String::from_utf8_lossy(page.get(from..).unwrap_or_default());
     let at = from + head_of(&text);
-    let line = format!("\n{CONTENT_SECURITY_POLICY}");
+    let line = format!("\n{}", CONTENT_SECURITY_POLICY.replacen("'none'; ", &format!("'none'; {runs}"), 1));
     page.splice(at..at, line.bytes());
 }
 

@@ -52,6 +52,22 @@ const DOORS: &[(&str, &[&str])] = &[
             "num",
         ],
     ),
+    (
+        "page",
+        &[
+            "problem",
+            "bank",
+            "answer",
+            "grade",
+            "scene",
+            "solve::outcome",
+            "key",
+            "units",
+            "num",
+            "words",
+            "finding",
+        ],
+    ),
     ("misconception::catalogue", &["misconception", "bank", "finding"]),
     ("misconception", &["bank", "scene", "solve::agree", "solve::outcome", "finding", "num"]),
     ("template", &["finding"]),
@@ -83,6 +99,7 @@ const DOORS: &[(&str, &[&str])] = &[
     (
         "sheet",
         &[
+            "page",
             "problem",
             "bank",
             "scene",
@@ -219,6 +236,7 @@ const DOORS: &[(&str, &[&str])] = &[
     (
         "folder",
         &[
+            "page",
             "guard",
             "problem",
             "bank",
@@ -290,6 +308,8 @@ const KEEPERS: &[(&str, &[&str])] = &[
     ("pulldown_cmark", &["sheet"]),
     ("pulldown_latex", &["sheet"]),
     ("tempfile", &["folder"]),
+    ("zip", &["folder"]),
+    ("base64", &["sheet"]),
     ("typst", &["sheet::pdf"]),
     ("typst_assets", &["sheet::pdf"]),
     ("typst_layout", &["sheet::pdf"]),

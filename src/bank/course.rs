@@ -12,8 +12,6 @@ use crate::policy::{
 pub const EXAMPLE: &str = include_str!("../../templates/course.yaml");
 
 const DATES: [(&str, bool); 2] = [("day first", true), ("month first", false)];
-const HINTS: [(&str, Hints); 3] =
-    [("none", Hints::None), ("nudge", Hints::Nudge), ("explain", Hints::Explain)];
 const COUNTS: [(&str, Counts); 3] =
     [("last", Counts::Last), ("best", Counts::Best), ("first", Counts::First)];
 const PER: [(&str, Per); 3] = [("day", Per::Day), ("hour", Per::Hour), ("once", Per::Once)];
@@ -62,7 +60,7 @@ pub fn read(node: &Node, base: &Policy, faults: &Faults) -> Policy {
     if let Some(n) = fields.get("credit") {
         credit(n, &mut policy, faults);
     }
-    fields.set("hints", &mut policy.hints, |n, f| choice(n, &HINTS, f));
+    fields.set("hints", &mut policy.hints, |n, f| choice(n, &Hints::WORDS, f));
     fields.set("points", &mut policy.points, |n, f| Some(points_by_part(n, f)));
     fields.set("drop lowest", &mut policy.drop_lowest, |n, f| whole(n, 0, 100, f).map(|n| n as usize));
     fields.set("round", &mut policy.rounding, |n, f| Some(rounding(n, f)));

@@ -1,6 +1,8 @@
 //! The text of a bank to a bank.
 use crate::bank::node::{Faults, Node, Value};
-use crate::bank::{Bank, Variables, schema, yaml};
+#[cfg(feature = "program")]
+use crate::bank::yaml;
+use crate::bank::{Bank, Variables, schema};
 use crate::finding::Findings;
 use sha2::{Digest, Sha256};
 use std::fmt;
@@ -9,25 +11,36 @@ use std::io;
 /// Reads a bank. All findings come at once; only a fault of the YAML syntax stands alone.
 ///
 /// `file` is the name shown in findings; `variables` finds the names that a statement or question uses.
+#[cfg(feature = "program")]
 pub fn bank(text: &str, file: &str, variables: Variables) -> Result<Bank, Findings> {
     read(text, file, Some(variables))
 }
 
+#[cfg(feature = "program")]
 fn read(text: &str, file: &str, variables: Option<Variables>) -> Result<Bank, Findings> {
     let tree = yaml::tree(text).map_err(|f| f.in_file(file))?;
+    let mut bank = checked(&tree, file, variables)?;
+    bank.hash = hash(text);
+    bank.places =
+        texts(&tree).map(|(field, node)| (field, (file.to_owned(), node.line, node.column))).collect();
+    Ok(bank)
+}
+
+/// Reads the tree of a bank without looking into its templates.
+///
+/// # Errors
+/// All that is wrong with it.
+pub fn of_tree(tree: &Node, file: &str) -> Result<Bank, Findings> {
+    checked(tree, file, None)
+}
+
+fn checked(tree: &Node, file: &str, variables: Option<Variables>) -> Result<Bank, Findings> {
     let faults = Faults::default();
-    let read = schema::bank(&tree, variables, &faults);
-    match read {
-        Some(mut bank) if faults.is_empty() => {
-            bank.hash = hash(text);
-            bank.places = texts(&tree)
-                .map(|(field, node)| (field, (file.to_owned(), node.line, node.column)))
-                .collect();
-            Ok(bank)
-        }
+    match schema::bank(tree, variables, &faults) {
+        Some(bank) if faults.is_empty() => Ok(bank),
         _ => {
             if faults.is_empty() {
-                faults.at(&tree, "this is no bank");
+                faults.at(tree, "this is no bank");
             }
             Err(faults.into_sorted(file))
         }
@@ -58,6 +71,7 @@ pub fn texts(tree: &Node) -> impl Iterator<Item = (String, &Node)> {
 }
 
 /// Reads a bank without looking into its templates, for uses that show no text.
+#[cfg(feature = "program")]
 pub fn scenes_only(text: &str, file: &str) -> Result<Bank, Findings> {
     read(text, file, None)
 }

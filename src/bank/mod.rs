@@ -272,7 +272,9 @@ impl Relative {
 /// Greatest rounding error of a number of tenths of a per cent that is whole but for doubles.
 const ROUNDING: f64 = 1e-6;
 
+#[cfg(feature = "program")]
 pub mod built_in;
+#[cfg(feature = "program")]
 pub mod course;
 pub mod decimal;
 pub mod draw;
@@ -282,10 +284,12 @@ pub mod measure;
 pub mod mistake;
 pub mod need;
 pub mod node;
+#[cfg(feature = "program")]
 pub mod overlay;
 pub mod review;
 pub mod scene;
 pub mod schema;
+#[cfg(feature = "program")]
 pub mod yaml;
 
 #[cfg(test)]

@@ -1,4 +1,6 @@
 //! The file format of a bank: which fields there are and what they mean. All findings are collected.
+#[cfg(feature = "program")]
+use crate::bank::course;
 use crate::bank::decimal::Decimal;
 use crate::bank::draw;
 use crate::bank::expression::{Exponents, Expression, Name};
@@ -7,8 +9,10 @@ use crate::bank::node::{Faults, Fields, Node, Value, choice, named, shorten, tex
 use crate::bank::scene::{self, DatumSymbol, SceneRead, Touching};
 use crate::bank::{
     Bank, Bound, Case, Datum, Draw, FigureLabels, Problem, Question, Relative, TEMPLATE_NAMES, Variables,
-    course, measure, mistake, review,
+    measure, mistake, review,
 };
+#[cfg(not(feature = "program"))]
+use crate::policy::Hints;
 use crate::policy::Policy;
 use crate::scene::{Label, Owner, Quantity, Scene, Span, Tie};
 use crate::solve::outcome::{CheckKind, Motion};
@@ -84,8 +88,7 @@ pub fn bank(node: &Node, variables: Option<Variables>, faults: &Faults) -> Optio
     let energy_limit = fields.read("input energy limit", |n, f| limit(n, ENERGY_LIMITS, f));
     let figure = fields.read("figure", |n, f| choice(n, &FIGURE_LABELS, f));
     let grading = Policy::default();
-    let grading =
-        fields.get("grading").map_or_else(|| grading.clone(), |n| course::read(n, &grading, faults));
+    let grading = fields.get("grading").map_or_else(|| grading.clone(), |n| settings(n, &grading, faults));
     let problems_node = fields.need("problems", "{pulled-rolling: {...}}");
     fields.close();
     let default_gravity = || measure::decimal_constant(GRAVITY).ok();
@@ -122,6 +125,23 @@ pub fn bank(node: &Node, variables: Option<Variables>, faults: &Faults) -> Optio
         hash: String::new(),
         places: BTreeMap::new(),
     })
+}
+
+/// The settings that bear on marks.
+#[cfg(feature = "program")]
+fn settings(node: &Node, base: &Policy, faults: &Faults) -> Policy {
+    course::read(node, base, faults)
+}
+
+/// Of the settings that bear on marks a sheet carries only what its page tells of wrong methods.
+#[cfg(not(feature = "program"))]
+fn settings(node: &Node, base: &Policy, faults: &Faults) -> Policy {
+    let mut policy = base.clone();
+    if let Some(mut fields) = Fields::open(node, "settings (hints)", faults) {
+        fields.set("hints", &mut policy.hints, |n, f| choice(n, &Hints::WORDS, f));
+        fields.close();
+    }
+    policy
 }
 
 const FIGURE_LABELS: [(&str, FigureLabels); 3] =

@@ -7,6 +7,7 @@ use crate::folder::grading::Reports;
 use crate::manual::TOPICS;
 use crate::policy::Counts;
 use crate::sheet::output::Format;
+use crate::sheet::self_check::Hosting;
 use crate::sheet::texts::Texts;
 use crate::solve::method::Method;
 use clap::{Args, Parser, Subcommand, ValueEnum};
@@ -214,6 +215,10 @@ pub struct GenerateArgs {
         value_delimiter = ','
     )]
     pub format: Option<Vec<Format>>,
+    /// Where the program lies by which a sheet checks itself: single (in each sheet, one file that can be mailed) or site
+    /// (beside the sheets, for a web server) [default: single]
+    #[arg(long, value_name = "WHERE", value_parser = Hosting::parse)]
+    pub page: Option<Hosting>,
     /// Add late joiners to an existing set; nothing else changes
     #[arg(long, conflicts_with = "force")]
     pub add: bool,
@@ -258,7 +263,7 @@ impl AttemptsArg {
 pub struct GradeArgs {
     /// Folder of the set, as generate made it
     pub set: PathBuf,
-    /// CSV file with the answers; `-` reads standard input
+    /// CSV file with the answers; `-` reads standard input; a folder or ZIP archive of files that sheets saved (answers-ID.csv)
     pub submissions: PathBuf,
     /// Folder to make
     #[arg(long, value_name = "GRADED")]

@@ -10,6 +10,7 @@ use crate::grade::verdict::Verdict;
 use crate::inspect::table::unsatisfiable;
 use crate::set::dealer::Dealer;
 use crate::sheet::output::Format;
+use crate::sheet::self_check::Hosting;
 use crate::sheet::terminal;
 use crate::simulate::hand_in::{CellKind, HandIn, Sheet};
 use crate::simulate::{class, hand_in};
@@ -39,6 +40,7 @@ pub fn run(args: &args::DemoArgs, io: &mut Io) -> Result<Exit, Findings> {
     let members = deal::members(&root.join("roster.csv"))?;
     let problems: Vec<usize> = (0..bank.problems.len()).collect();
     let plan = Plan {
+        hosting: Hosting::default(),
         bank,
         text: &loaded.text,
         texts: &texts,

@@ -62,11 +62,13 @@ pub fn run(args: &args::GenerateArgs, io: &mut Io) -> Result<Exit, Findings> {
         io.note(&format!("note: problems.{}: {}", note.problem, note.what));
     }
     let seed = args.seed.or(old.as_ref().map(|s| s.seed)).unwrap_or(0);
+    let hosting = args.page.or(old.as_ref().map(|s| s.page)).unwrap_or_default();
     let plan = Plan {
         bank: &loaded.bank,
         text: &loaded.text,
         texts: &texts,
         formats: &formats,
+        hosting,
         problems: &problems,
         seed,
         name: &name,

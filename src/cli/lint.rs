@@ -2,7 +2,7 @@
 use crate::bank::Problem;
 use crate::cli::args;
 use crate::cli::tell::{Exit, Io};
-use crate::finding::Findings;
+use crate::finding::{Finding, Findings};
 use crate::folder::{Progress, banks};
 use crate::num::shown;
 use crate::problem::sweep;
@@ -11,6 +11,9 @@ use crate::sheet::terminal;
 
 /// Runs it.
 pub fn run(args: &args::LintArgs, io: &mut Io) -> Result<Exit, Findings> {
+    if args.seeds == 0 {
+        return Err(Finding::new("--seeds", "0 draws tell nothing").hint("write a number from 1 on").into());
+    }
     let mut loaded = banks::load(&args.bank)?;
     let texts = args.own.texts(&mut loaded.bank).map_err(|f| f.or_in_file(&loaded.file))?;
     let bank = &loaded.bank;

@@ -8,6 +8,7 @@ use crate::sheet::texts::Texts;
 use crate::template;
 use crate::template::Templates;
 use crate::units;
+use crate::units::spell;
 use crate::words::Words;
 use std::fs;
 use std::path::Path;
@@ -123,10 +124,27 @@ pub fn texts(own: Option<&Path>, language: &str, bank: &mut Bank) -> Result<Text
             templates.push((name, path, text));
         }
     }
+    faults.extend(misspelt(&templates));
     let templates = Templates::new(language, &templates).map_err(|more| faults.extend(more)).ok();
     let Some(mut templates) = templates.filter(|_| faults.is_empty()) else { return Err(faults) };
     statement::add_own(&mut templates, bank)?;
     Ok(Texts { templates, words, print })
+}
+
+/// Files of a folder that nothing reads: their names are nearly those of built-in templates, and no other file names them.
+fn misspelt(own: &[(String, String, String)]) -> Findings {
+    let built_in = || template::built_in("en").map(|(name, _)| name);
+    let idle = own.iter().filter(|(name, ..)| {
+        // Those in folders are named after problems.
+        let known = name.contains('/') || built_in().any(|known| known == name);
+        !known && !own.iter().any(|(_, _, text)| text.contains(name.as_str()))
+    });
+    let found = idle.filter_map(|(name, path, _)| {
+        let close = spell::closest(name, built_in())?;
+        let fault = Finding::new("", "no page is made from a file of this name").in_file(path);
+        Some(fault.hint(format!("did you mean {close}?")))
+    });
+    found.collect()
 }
 
 /// A folder may hold texts of several languages, each in a folder of its code: those go before the others.

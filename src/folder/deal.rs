@@ -18,6 +18,7 @@ use crate::sheet::html::Converter;
 use crate::sheet::key_table::KeyTableRow;
 use crate::sheet::output::{Format, Output, WrittenDocument};
 use crate::sheet::page::{Room, Sheets};
+use crate::sheet::self_check::{self, Handed, Hosting, SelfCheck};
 use crate::sheet::texts::Texts;
 use crate::sheet::{key_table, public, terminal};
 use rayon::prelude::*;
@@ -34,6 +35,8 @@ pub struct Plan<'p> {
     pub texts: &'p Texts,
     /// Formats of the sheets.
     pub formats: &'p [Format],
+    /// Where the program of sheets that check themselves lies.
+    pub hosting: Hosting,
     /// Problems, as indices.
     pub problems: &'p [usize],
     /// Seed.
@@ -116,6 +119,9 @@ pub fn whole(
     let mut dealt = deal(plan, members, staged.path(), progress).map_err(|f| staged.named(f))?;
     let tries = dealt.tries();
     let (set, cut) = store(plan, std::mem::take(&mut dealt.students), &dealt.keys);
+    for (name, bytes) in of_site(plan) {
+        staged.write(&format!("{}/{name}", names::STUDENTS), bytes)?;
+    }
     staged.write(names::BANK, plan.text.as_bytes())?;
     let key = key_file::text(&dealt.keys);
     staged.write(names::KEY, &key)?;
@@ -126,6 +132,12 @@ pub fn whole(
     staged.write(names::SET, set.sealed(&key).as_bytes())?;
     staged.finish()?;
     Ok(SetMade { written: members.len(), set, tries, cut })
+}
+
+/// What lies beside the sheets where they are put on a web server.
+fn of_site(plan: &Plan) -> Vec<(&'static str, &'static [u8])> {
+    let files = names::OF_SITE.into_iter().zip([self_check::PROGRAM, self_check::WORKER.as_bytes()]);
+    files.filter(|_| plan.hosting == Hosting::Site && plan.bank.self_check).collect()
 }
 
 /// Booklets, the key for people, and the page to start from.
@@ -251,13 +263,18 @@ struct SheetWriter<'p> {
     plan: &'p Plan<'p>,
     sheets: Sheets<'p>,
     output: Output<'p>,
+    public: public::Writer<'p>,
+    self_check: SelfCheck<'p>,
 }
 
 impl<'p> SheetWriter<'p> {
     fn new(plan: &'p Plan<'p>) -> Result<Self, Findings> {
         let Texts { templates, words, .. } = plan.texts;
         let sheets = Sheets::new(templates, words, plan.bank, plan.name, plan.problems)?;
-        Ok(Self { plan, sheets, output: Output::new(plan.texts, plan.formats, "sheet")? })
+        let output = Output::new(plan.texts, plan.formats, "sheet")?;
+        let public = public::Writer::new(plan.bank, plan.text, plan.problems, plan.name, words.language())?;
+        let self_check = SelfCheck::new(words, plan.hosting);
+        Ok(Self { plan, sheets, output, public, self_check })
     }
 
     fn write(
@@ -268,10 +285,21 @@ impl<'p> SheetWriter<'p> {
         room: &mut Room,
         converter: &mut Converter,
     ) -> Result<(WrittenDocument, KeyTableRow), Finding> {
-        let (head, document) =
-            self.sheets.document(&student.student, &student.name, &dealt.variants, room)?;
-        let row = key_table::row(self.plan.bank, self.plan.problems, &head, &dealt.variants);
-        Ok((self.output.make(at, head, document, converter)?, row))
+        let Plan { bank, problems, .. } = self.plan;
+        let variants = &dealt.variants;
+        let (head, document) = self.sheets.document(&student.student, &student.name, variants, room)?;
+        let row = key_table::row(bank, problems, &head, variants);
+        let sheet = self.public.text(&student.student, variants);
+        let tools = match bank.self_check {
+            true => {
+                let handed = Handed { head: &head, folder: &student.folder, sheet: &sheet, variants };
+                Some(self.self_check.tools(bank, problems, &handed)?)
+            }
+            false => None,
+        };
+        let mut made = self.output.make(at, head, document, converter, tools.as_ref())?;
+        made.files.push((names::SHEET.to_owned(), sheet.into_bytes()));
+        Ok((made, row))
     }
 }
 
@@ -300,8 +328,6 @@ fn deal(
     fs::create_dir(folder.join(names::STUDENTS))
         .map_err(|e| files::trouble(folder, "cannot be written", &e))?;
     let writer = SheetWriter::new(plan)?;
-    let language = plan.texts.words.language();
-    let public = public::Writer::new(plan.bank, plan.text, plan.problems, plan.name, language)?;
     let dealer = Dealer::new(plan.bank, plan.problems, plan.seed, plan.name);
     let results: Vec<Result<(StoredStudent, SheetKey, WrittenDocument, KeyTableRow), Finding>> = members
         .par_iter()
@@ -311,7 +337,6 @@ fn deal(
             |(room, converter), (at, member)| {
                 let dealt = dealer.deal(&member.student).map_err(|none| unsatisfiable(plan.bank, &none))?;
                 let (mut made, row) = writer.write(at, member, &dealt, room, converter)?;
-                let json = public.text(&member.student, &dealt.variants);
                 let place = folder.join(names::STUDENTS).join(&member.folder);
                 // Of the whole folder: a full disk is told once and not for each student.
                 let fault = |e: &std::io::Error| files::trouble(folder, "cannot be written", e);
@@ -319,7 +344,6 @@ fn deal(
                 for (name, bytes) in made.files.drain(..) {
                     fs::write(place.join(name), bytes).map_err(|e| fault(&e))?;
                 }
-                fs::write(place.join(names::SHEET), json).map_err(|e| fault(&e))?;
                 progress.advance("sheets", 1, members.len() as u64);
                 let variants = plan.chosen().zip(&dealt.variants).map(|(p, v)| dealer::stored(p, v));
                 Ok((StoredStudent { problems: variants.collect(), ..member.clone() }, dealt.key, made, row))
@@ -374,6 +398,7 @@ fn store(plan: &Plan, students: Vec<StoredStudent>, keys: &[SheetKey]) -> (Store
         draw_version: stream::DRAW_VERSION,
         language: plan.texts.words.language().to_owned(),
         formats: plan.formats.iter().map(|f| f.ending().to_owned()).collect(),
+        page: plan.hosting,
         bank,
         problems: plan.chosen().map(|p| p.id.clone()).collect(),
         students,

@@ -3,10 +3,11 @@ use crate::bank::{Bank, load};
 use crate::finding::{Finding, Findings};
 use crate::folder;
 use crate::folder::files::InTheWay;
+use crate::folder::handed_in::HandedIn;
 use crate::folder::reports::ReportMade;
 use crate::folder::set::Replayed;
 use crate::folder::staged::Staged;
-use crate::folder::{Progress, banks, files, graded, names, reports, set};
+use crate::folder::{Progress, banks, files, graded, handed_in, names, reports, set};
 use crate::grade::feedback::Feedback;
 use crate::grade::rules::Rules;
 use crate::grade::run::{GradeFault, Options};
@@ -90,6 +91,9 @@ pub fn grade(job: &GradeOrder, input: &mut dyn BufRead) -> Result<String, Findin
     if let Some(told) = not_drawn {
         summary.push_str(&format!("\n  {told}"));
     }
+    if let Some(handed_in) = &made.handed_in {
+        summary.push_str(&handed_in.told());
+    }
     let out = job.out.display().to_string();
     match made.reports()? {
         Some(report) => summary.push_str(&format!("\n{}", report.told(&out))),
@@ -141,6 +145,8 @@ pub struct StagedGrading {
     policy: Policy,
     grading: StoredGrading,
     reports: Reports,
+    /// Where the answers came in many files.
+    handed_in: Option<HandedIn>,
 }
 
 impl StagedGrading {
@@ -218,8 +224,7 @@ pub fn make(job: &GradeOrder, basis: Basis, input: &mut dyn BufRead) -> Result<S
         threads: std::thread::available_parallelism().map_or(1, usize::from),
         feedback: Feedback::new(&words),
     };
-    let spooled =
-        spool(job.submissions, input).map_err(|e| files::trouble(job.submissions, "cannot be read", &e))?;
+    let (spooled, handed_in) = spool(job.submissions, input)?;
     let path = spooled.as_ref().map_or(job.submissions, NamedTempFile::path);
     let staged = Staged::new(job.out)?;
     let graded = answers(job, path, &table, &rules, &options, &staged)?;
@@ -274,6 +279,7 @@ pub fn make(job: &GradeOrder, basis: Basis, input: &mut dyn BufRead) -> Result<S
         policy,
         grading,
         reports: job.reports,
+        handed_in,
     })
 }
 
@@ -326,19 +332,26 @@ fn only_ours(out: &Path) -> Result<(), Finding> {
     if foreign.is_empty() { Ok(()) } else { Err(files::not_ours(out, &foreign, "grade")) }
 }
 
-/// A pipe is read once, grading reads twice. Standard input is the caller's, who holds its lock.
-fn spool(path: &Path, input: &mut dyn BufRead) -> io::Result<Option<NamedTempFile>> {
-    let is_pipe = path == Path::new("-") || !fs::metadata(path)?.is_file();
+/// A pipe is read once, grading reads twice; many files become one. Standard input is the caller's, who holds its lock.
+fn spool(path: &Path, input: &mut dyn BufRead) -> Result<(Option<NamedTempFile>, Option<HandedIn>), Finding> {
+    let fault = |e: io::Error| files::trouble(path, "cannot be read", &e);
+    if path != Path::new("-") && handed_in::is_many(path) {
+        let all = handed_in::joined(path)?;
+        let mut file = NamedTempFile::new().map_err(fault)?;
+        io::Write::write_all(file.as_file_mut(), &all.text).map_err(fault)?;
+        return Ok((Some(file), Some(all)));
+    }
+    let is_pipe = path == Path::new("-") || !fs::metadata(path).map_err(fault)?.is_file();
     if !is_pipe {
-        return Ok(None);
+        return Ok((None, None));
     }
-    let mut file = NamedTempFile::new()?;
+    let mut file = NamedTempFile::new().map_err(fault)?;
     if path == Path::new("-") {
-        io::copy(input, file.as_file_mut())?;
+        io::copy(input, file.as_file_mut()).map_err(fault)?;
     } else {
-        io::copy(&mut fs::File::open(path)?, file.as_file_mut())?;
+        io::copy(&mut fs::File::open(path).map_err(fault)?, file.as_file_mut()).map_err(fault)?;
     }
-    Ok(Some(file))
+    Ok((Some(file), None))
 }
 
 fn columns(typed: &[String]) -> Result<Vec<(String, String)>, Findings> {

@@ -10,6 +10,7 @@ pub mod explain;
 pub mod files;
 pub mod graded;
 pub mod grading;
+pub mod handed_in;
 pub mod index;
 pub mod matches;
 pub mod names;

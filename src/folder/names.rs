@@ -12,6 +12,8 @@ pub const KEY: &str = "key.csv";
 pub const FORM: &str = "submissions.csv";
 /// Folder with a folder for each student.
 pub const STUDENTS: &str = "students";
+/// Beside the folders of the students, where sheets are put on a web server: the program that checks, and what keeps it.
+pub const OF_SITE: [&str; 2] = ["check.wasm.gz", "sw.js"];
 /// The public file of a sheet, in the student's folder.
 pub const SHEET: &str = "sheet.json";
 /// The page to start from, of a set and of a grading.

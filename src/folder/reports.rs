@@ -253,8 +253,8 @@ fn feedback(
         let mut converter = Converter::new(&texts.words);
         for student in some {
             let (head, document) = desk.document(*student)?;
-            let body = converter.body(&document, &[], PlaceInPage { lower: 0, prefix: "" });
-            let page = html::page(&texts.templates, &texts.words, "feedback", &head, &body)?;
+            let body = converter.body(&document, &[], PlaceInPage { lower: 0, prefix: "", boxes: &[] });
+            let page = html::page(&texts.templates, &texts.words, "feedback", &head, &body, None)?;
             let name = format!("{}/{}", names::FEEDBACK, marks.class.students[*student].folder);
             write(&format!("{name}.html"), &page)?;
             write(&format!("{name}.md"), document.plain().as_bytes())?;
@@ -304,7 +304,7 @@ fn book<'m>(marks: &'m Marks, set: &str, words: &Words) -> (String, f64, Vec<Gra
 /// Markdown of one line to HTML without the paragraph around it.
 fn inline(converter: &mut Converter, markdown: &str) -> String {
     let document = Document::new(markdown.to_owned(), Vec::new());
-    let html = converter.body(&document, &[], PlaceInPage { lower: 0, prefix: "" });
+    let html = converter.body(&document, &[], PlaceInPage { lower: 0, prefix: "", boxes: &[] });
     let html = html.trim();
     let inner = html.strip_prefix("<p>").and_then(|h| h.strip_suffix("</p>"));
     inner.filter(|h| !h.contains("<p>")).unwrap_or(html).to_owned()

@@ -7,9 +7,9 @@ use crate::folder::deal::Plan;
 use crate::folder::files::{InTheWay, names_in};
 use crate::folder::{banks, files, names};
 use crate::key::SheetKey;
+use crate::page::sheet_file::SheetFile;
 use crate::set::store::StoredSet;
 use crate::set::{key_file, replay, store};
-use crate::sheet::public::SheetFile;
 use crate::sheet::terminal;
 use std::path::Path;
 
@@ -173,7 +173,9 @@ fn foreign(out: &Path, set: &StoredSet) -> Vec<String> {
             let inside = names_in(&out.join(names::STUDENTS).join(&name));
             let unknown = inside.into_iter().filter(|n| !names::is_of_student(n, set.problems.len()));
             found.extend(unknown.map(|n| format!("students/{name}/{n}")));
-        } else if !is_left_over(&out.join(names::STUDENTS).join(&name), &name, set) {
+        } else if !names::OF_SITE.contains(&name.as_str())
+            && !is_left_over(&out.join(names::STUDENTS).join(&name), &name, set)
+        {
             found.push(format!("students/{name}"));
         }
     }
@@ -227,6 +229,7 @@ pub fn same_set(plan: &Plan, set: &StoredSet, out: &Path) -> Result<(), Findings
     differs("language", plan.texts.words.language().to_owned(), set.language.clone());
     let formats: Vec<&str> = plan.formats.iter().map(|f| f.ending()).collect();
     differs("formats", formats.join(","), set.formats.join(","));
+    differs("page", plan.hosting.name().to_owned(), set.page.name().to_owned());
     differs("bank", plan.bank.hash.clone(), set.bank.sha256.clone());
     differs("draw version", stream::DRAW_VERSION.to_string(), set.draw_version.to_string());
     faults.into_result(())

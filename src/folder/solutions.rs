@@ -85,7 +85,7 @@ pub fn write(job: &SolutionsJob) -> Result<SolutionsMade, Findings> {
                 short.push(format!("{word}: problems.{}: {page}", problem.id));
             }
         }
-        let mut made = output.make(at, head, whole, &mut Converter::new(words))?;
+        let mut made = output.make(at, head, whole, &mut Converter::new(words), None)?;
         let place = staged.path().join(&student.folder);
         let fault = |e: &std::io::Error| files::trouble(out, "cannot be written", e);
         fs::create_dir(&place).map_err(|e| fault(&e))?;

@@ -30,6 +30,7 @@ pub(crate) fn verdict_on(x: f64, key: f64, half_width: f64) -> Verdict {
 }
 
 /// Compares one cell with its key; the reason is English.
+#[cfg(feature = "program")]
 pub fn compare(cell: &str, entry: &KeyEntry) -> Judgement<'static> {
     compare_with(cell, entry, &mut UnitCache::default(), Feedback::english())
 }

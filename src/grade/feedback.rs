@@ -1,10 +1,12 @@
 //! What is said of an answer, in one language: phrases that every other row needs are looked up once, and no reason is
 //! built where a phrase will do. Verdicts are not translated: scripts read them.
 use crate::answer::read::WhyUnreadable;
+#[cfg(feature = "program")]
 use crate::grade::verdict::Verdict;
 use crate::units::{Unit, UnitFault, UnitKind, UnitSlip};
 use crate::words::Words;
 use std::borrow::Cow;
+#[cfg(feature = "program")]
 use std::sync::LazyLock;
 
 /// The phrases of the topic `feedback`, ready for many rows.
@@ -17,6 +19,7 @@ pub struct Feedback<'w> {
     pub(crate) no_sign: &'w str,
 }
 
+#[cfg(feature = "program")]
 static ENGLISH: LazyLock<Feedback<'static>> =
     LazyLock::new(|| Feedback::new(Words::built_in("en").expect("English is built in")));
 
@@ -33,6 +36,7 @@ impl<'w> Feedback<'w> {
     }
 
     /// The English one.
+    #[cfg(feature = "program")]
     pub fn english() -> &'static Feedback<'static> {
         &ENGLISH
     }
@@ -182,6 +186,7 @@ impl<'w> Feedback<'w> {
     }
 
     /// That another attempt counts, and what this one would have been.
+    #[cfg(feature = "program")]
     pub(crate) fn superseded(&self, line: &str, verdict: Verdict) -> String {
         self.words.say("feedback.superseded", &[("line", line), ("verdict", verdict.as_str())])
     }

@@ -3,26 +3,46 @@
 //! [`run`] has the file walked over: first [`winners`] finds which attempts count, then [`write`] writes a row for each cell.
 //! [`judge`] makes the row: whose cell it is ([`belongs`]), the verdict ([`compare`], or [`si`] where a plain number is all
 //! that it takes), what it earns ([`award`], [`credit`]), and what a wrong number fits ([`diagnose`]).
+#[cfg(feature = "program")]
 pub mod attempt;
+#[cfg(feature = "program")]
 mod award;
+#[cfg(feature = "program")]
 mod belongs;
+#[cfg(feature = "program")]
 pub mod book;
+#[cfg(feature = "program")]
 mod cells;
 pub mod compare;
+#[cfg(feature = "program")]
 mod counts;
+#[cfg(feature = "program")]
 pub mod credit;
+#[cfg(feature = "program")]
 pub mod diagnose;
 pub mod feedback;
+#[cfg(feature = "program")]
 mod header;
+#[cfg(feature = "program")]
 mod ids;
+#[cfg(feature = "program")]
 mod judge;
+#[cfg(feature = "program")]
 mod layout;
+#[cfg(feature = "program")]
 pub mod row;
+#[cfg(feature = "program")]
 pub mod rules;
+#[cfg(feature = "program")]
 pub mod run;
+#[cfg(feature = "program")]
 mod si;
+#[cfg(feature = "program")]
 pub mod table;
+#[cfg(feature = "program")]
 mod threads;
 pub mod verdict;
+#[cfg(feature = "program")]
 mod winners;
+#[cfg(feature = "program")]
 mod write;

@@ -1,11 +1,13 @@
 //! Wrong roads that students take: where each comes to, from a changed scene, changed data or a change of the value, and what
 //! is said about it ([`catalogue`]).
+#[cfg(feature = "program")]
 pub mod catalogue;
 
 use crate::bank::expression::Expression;
 use crate::bank::{Mistake, Problem};
+use crate::num::Real as _;
 use crate::scene::Label;
-use crate::solve::agree::Quick;
+use crate::solve::agree::{Fast, Quick};
 use crate::solve::outcome::{Entry, Road, Solved};
 use smallvec::SmallVec;
 
@@ -122,7 +124,7 @@ impl Method<'_> {
         // Most methods come to a value by an expression alone.
         let changed = if changes { self.changed(problem, data, &right) } else { None };
         let other = |label: Label| match &changed {
-            Some(road) => road.get(label).map_or(f64::NAN, |said| said.value),
+            Some(road) => road.get(label).map_or(f64::NAN, |said| said.value.f64()),
             // Without such a motion only what follows from the data alone has a value.
             None if changes => f64::NAN,
             None => right(label),
@@ -139,7 +141,7 @@ impl Method<'_> {
     }
 
     /// The solution of the scene that the method takes for the right one.
-    fn changed(&self, problem: &Problem, data: &[f64], right: &dyn Fn(Label) -> f64) -> Option<Road<f64>> {
+    fn changed(&self, problem: &Problem, data: &[f64], right: &dyn Fn(Label) -> f64) -> Option<Road<Fast>> {
         let quick = self.solves.as_ref()?;
         let mut taken: SmallVec<[f64; 16]> = data.into();
         for (index, expression) in &self.mistake.data {

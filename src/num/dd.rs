@@ -98,13 +98,17 @@ impl Dd {
         Self { hi: x, lo: 0.0 }
     }
     /// The exact sum of two doubles.
-    #[inline(always)]
+    // A page is small, and the program is quick.
+    #[cfg_attr(feature = "program", inline(always))]
+    #[cfg_attr(not(feature = "program"), inline(never))]
     pub fn sum(a: f64, b: f64) -> Self {
         let (hi, lo) = two_sum(a, b);
         Self { hi, lo }
     }
     /// The exact product of two doubles (barring overflow, and underflow of the small part).
-    #[inline(always)]
+    // A page is small, and the program is quick.
+    #[cfg_attr(feature = "program", inline(always))]
+    #[cfg_attr(not(feature = "program"), inline(never))]
     pub fn product(a: f64, b: f64) -> Self {
         let (hi, lo) = two_prod(a, b);
         Self { hi, lo }
@@ -126,7 +130,9 @@ impl Dd {
         }
     }
     /// Square root; 0 for a negative argument by rounding is the caller's business: NaN below 0.
-    #[inline]
+    // A page is small, and the program is quick.
+    #[cfg_attr(feature = "program", inline)]
+    #[cfg_attr(not(feature = "program"), inline(never))]
     pub fn sqrt(self) -> Self {
         // A relative comparison with zero would be wrong here: exactly zero is the only special case.
         if self.hi == 0.0 {
@@ -195,7 +201,9 @@ pub fn exponent(x: f64) -> i32 {
 
 impl Add for Dd {
     type Output = Dd;
-    #[inline(always)]
+    // A page is small, and the program is quick.
+    #[cfg_attr(feature = "program", inline(always))]
+    #[cfg_attr(not(feature = "program"), inline(never))]
     fn add(self, o: Dd) -> Dd {
         let (s, e) = two_sum(self.hi, o.hi);
         let (t, f) = two_sum(self.lo, o.lo);
@@ -206,7 +214,9 @@ impl Add for Dd {
 }
 impl Sub for Dd {
     type Output = Dd;
-    #[inline(always)]
+    // A page is small, and the program is quick.
+    #[cfg_attr(feature = "program", inline(always))]
+    #[cfg_attr(not(feature = "program"), inline(never))]
     fn sub(self, o: Dd) -> Dd {
         self + (-o)
     }
@@ -220,7 +230,9 @@ impl Neg for Dd {
 }
 impl Mul for Dd {
     type Output = Dd;
-    #[inline(always)]
+    // A page is small, and the program is quick.
+    #[cfg_attr(feature = "program", inline(always))]
+    #[cfg_attr(not(feature = "program"), inline(never))]
     fn mul(self, o: Dd) -> Dd {
         let (p, e) = two_prod(self.hi, o.hi);
         if !inside(p) {
@@ -232,7 +244,9 @@ impl Mul for Dd {
 }
 impl Div for Dd {
     type Output = Dd;
-    #[inline]
+    // A page is small, and the program is quick.
+    #[cfg_attr(feature = "program", inline)]
+    #[cfg_attr(not(feature = "program"), inline(never))]
     fn div(self, o: Dd) -> Dd {
         let q1 = self.hi / o.hi;
         if !inside(q1) {

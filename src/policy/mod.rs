@@ -374,6 +374,9 @@ pub enum Hints {
 }
 
 impl Hints {
+    /// As they are written.
+    pub const WORDS: [(&'static str, Self); 3] =
+        [("none", Self::None), ("nudge", Self::Nudge), ("explain", Self::Explain)];
     /// As it is written.
     pub const fn as_str(self) -> &'static str {
         match self {

@@ -69,7 +69,7 @@ pub fn page(
             sheets.problem(i, first, &mut room, &mut statement)?;
         }
         let markdown = String::from_utf8_lossy(&statement).into_owned();
-        let place = PlaceInPage { lower: 1, prefix: &problem.id };
+        let place = PlaceInPage { lower: 1, prefix: &problem.id, boxes: &[] };
         let statement = converter.body(&Document::new(markdown, Vec::new()), &[], place);
         let cards =
             variants.iter().enumerate().map(|(n, v)| card(problem, v, (n + 1, None), texts, &mut converter));
@@ -134,7 +134,7 @@ fn card(
         .collect();
     // A comma within its formula does not begin a line.
     let data = if formulas.is_empty() { String::new() } else { format!("${}$", formulas.join(",$ $")) };
-    let place = PlaceInPage { lower: 0, prefix: &id };
+    let place = PlaceInPage { lower: 0, prefix: &id, boxes: &[] };
     let data = converter.body(&Document::new(data, Vec::new()), &[], place);
     let mut what = Vec::new();
     if let Some(case) = problem.cases.get(variant.case).filter(|c| !c.name.is_empty()) {

@@ -174,7 +174,7 @@ pub fn whole_bank(bank: &Bank, texts: &Texts) -> Result<Tried, Findings> {
         let output = Output::new(texts, &formats, "sheet")?;
         let (head, document) = sheets.document("0017", "Name", &whole, &mut room)?;
         let rows = [key_table::row(bank, &problems, &head, &whole)];
-        let made = output.make(0, head, document, &mut Converter::new(&texts.words))?;
+        let made = output.make(0, head, document, &mut Converter::new(&texts.words), None)?;
         output.booklets(&bank.title, std::slice::from_ref(&made))?;
         let parts = bank.problems.iter().zip(&whole).map(|(p, v)| make_key::key(p, v)).collect();
         let keys = [SheetKey { student: "0017".to_owned(), problems: parts }];

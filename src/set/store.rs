@@ -1,6 +1,7 @@
 //! set.json: what a set is made of, to text and back.
 use crate::bank::load;
 use crate::finding::Finding;
+use crate::sheet::self_check::Hosting;
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};
 
@@ -26,6 +27,9 @@ pub struct StoredSet {
     /// Formats of the sheets, by the endings of their files.
     #[serde(default = "first_formats")]
     pub formats: Vec<String>,
+    /// Where the program of sheets that check themselves lies.
+    #[serde(default)]
+    pub page: Hosting,
     /// The bank.
     pub bank: StoredBank,
     /// Ids of the problems, in the order of the sheet.
@@ -163,6 +167,7 @@ impl StoredSet {
             ("draw_version", json(&self.draw_version)),
             ("language", json(&self.language)),
             ("formats", json(&self.formats)),
+            ("page", json(&self.page)),
             ("bank", json(&self.bank)),
             ("problems", json(&self.problems)),
         ] {

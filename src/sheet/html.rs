@@ -2,6 +2,7 @@
 use crate::finding::Finding;
 use crate::picture::svg::{Screen, escaped};
 use crate::sheet::document::{ANSWER, Document, Head, is_break, kept_together, units_apart};
+use crate::sheet::self_check::Tools;
 use crate::template;
 use crate::template::{Templates, View};
 use crate::words::Words;
@@ -34,6 +35,8 @@ pub struct PlaceInPage<'p> {
     pub lower: usize,
     /// Begins the ids of its parts, which are then unique in the page.
     pub prefix: &'p str,
+    /// Names of parts that get a box for the answer where there is room for it, `2.omega`.
+    pub boxes: &'p [String],
 }
 
 impl<'w> Converter<'w> {
@@ -51,8 +54,16 @@ impl<'w> Converter<'w> {
     ) -> String {
         let drawn: usize = screens.iter().map(|(_, screen)| screen.bytes()).sum();
         let mut out = String::with_capacity(document.markdown.len() * 6 + drawn);
-        let mut walk =
-            HtmlWalk { tables: 0, formulas: 0, columns: Vec::new(), cell: 0, in_head: false, in_code: false };
+        let mut walk = HtmlWalk {
+            tables: 0,
+            formulas: 0,
+            columns: Vec::new(),
+            cell: 0,
+            in_head: false,
+            in_code: false,
+            part: None,
+            boxed: Vec::new(),
+        };
         let mut events = Parser::new_ext(&document.markdown, MARKDOWN).peekable();
         let mut ready: Vec<Event> = Vec::new();
         // Pictures bring their style along; in one page each style is needed once.
@@ -106,16 +117,22 @@ impl<'w> Converter<'w> {
             }
             self.event(event, place, &mut walk, &mut ready);
         }
+        // A text of one's own may leave no room behind the name of a part.
+        for part in place.boxes.iter().filter(|part| !walk.boxed.contains(part)) {
+            ready.push(Event::Html(
+                format!("<p><code>{}</code> {}</p>\n", escaped(part), self.answer_box(part)).into(),
+            ));
+        }
         pulldown_cmark::html::push_html(&mut out, ready.into_iter());
         out
     }
 
     /// One event of Markdown to events that the writer of HTML knows.
-    fn event<'e>(
+    fn event<'e, 'p>(
         &mut self,
         event: Event<'e>,
-        place: PlaceInPage,
-        walk: &mut HtmlWalk,
+        place: PlaceInPage<'p>,
+        walk: &mut HtmlWalk<'p>,
         out: &mut Vec<Event<'e>>,
     ) {
         let html = |text: String| Event::InlineHtml(text.into());
@@ -138,7 +155,13 @@ impl<'w> Converter<'w> {
                 out.push(html(format!("<span class=\"{class}\"{scrolls}>{math}</span>")));
             }
             Event::Html(text) | Event::InlineHtml(text) if text.trim() == ANSWER => {
-                out.push(html("<span class=\"answer\"></span>".to_owned()));
+                out.push(html(match walk.part.take().filter(|part| !walk.boxed.contains(part)) {
+                    Some(part) => {
+                        walk.boxed.push(part);
+                        self.answer_box(part)
+                    }
+                    None => "<span class=\"answer\"></span>".to_owned(),
+                }));
             }
             Event::Html(text) | Event::InlineHtml(text) if is_break(&text) => {
                 out.push(html("<br>\n".to_owned()));
@@ -204,10 +227,24 @@ impl<'w> Converter<'w> {
                     });
                 }
             }
+            Event::Code(name) => {
+                // Room for an answer belongs to the part that was named last.
+                walk.part = place.boxes.iter().find(|part| **part == *name).or(walk.part);
+                out.push(Event::Code(name));
+            }
             Event::Rule => out.push(Event::Html("<hr>\n".into())),
             Event::HardBreak => out.push(html("<br>\n".to_owned())),
             event => out.push(event),
         }
+    }
+
+    /// A box for an answer, which only a script shows, and the line that stands on paper without one.
+    fn answer_box(&self, part: &str) -> String {
+        let label = escaped(&self.words.say("page.box", &[("part", part)]));
+        let part = escaped(part);
+        format!(
+            "<span class=\"box\"><span class=\"answer\"></span><input name=\"{part}\" form=\"answers\" aria-label=\"{label}\" autocomplete=\"off\" autocapitalize=\"none\" spellcheck=\"false\" maxlength=\"200\"></span>"
+        )
     }
 
     fn formula<'e>(&mut self, tex: &str, display_mode: DisplayMode) -> CowStr<'e> {
@@ -227,13 +264,17 @@ impl<'w> Converter<'w> {
 }
 
 /// What is known on the way through a document.
-struct HtmlWalk {
+struct HtmlWalk<'p> {
     tables: usize,
     formulas: usize,
     columns: Vec<Alignment>,
     cell: usize,
     in_head: bool,
     in_code: bool,
+    /// The part of a sheet that was named last and has no box yet.
+    part: Option<&'p String>,
+    /// The parts that have one.
+    boxed: Vec<&'p String>,
 }
 
 fn lowered(level: HeadingLevel, by: usize) -> HeadingLevel {
@@ -316,7 +357,8 @@ pub fn running_head(head: &Head) -> String {
     text
 }
 
-/// A page that needs nothing else. `kind` is the class of its body: `sheets`, `solutions`, `key`.
+/// A page that needs nothing else. `kind` is the class of its body: `sheets`, `solutions`, `key`; `tools` are those of a sheet
+/// that checks itself.
 ///
 /// # Errors
 /// Faults of the templates.
@@ -326,8 +368,11 @@ pub fn page(
     kind: &str,
     head: &Head,
     body: &str,
+    tools: Option<&Tools>,
 ) -> Result<Vec<u8>, Finding> {
     let mut view = View::new();
+    view.value("check", tools.map_or_else(|| template::finished(""), |tools| tools.view.clone()));
+    view.allow(tools.map_or("", |tools| &tools.policy));
     view.text("language", words.language());
     view.text("kind", kind);
     view.foreign("title", &head.title);

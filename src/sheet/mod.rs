@@ -6,6 +6,7 @@ pub mod output;
 pub mod page;
 pub mod pdf;
 pub mod public;
+pub mod self_check;
 pub mod statement;
 pub mod terminal;
 pub mod tex;

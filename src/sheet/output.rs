@@ -6,6 +6,7 @@ use crate::sheet::document::{Document, Head};
 use crate::sheet::html::{Converter, PlaceInPage};
 use crate::sheet::key_table::KeyTableRow;
 use crate::sheet::pdf::Press;
+use crate::sheet::self_check::Tools;
 use crate::sheet::texts::Texts;
 use crate::sheet::{html, key_table, pdf, tex};
 
@@ -105,7 +106,7 @@ impl<'o> Output<'o> {
         self.formats.contains(&format)
     }
 
-    /// The files of a document that stands at this place (from 0) in the booklet.
+    /// The files of a document that stands at this place (from 0) in the booklet; as a page it may have tools.
     ///
     /// # Errors
     /// Faults of the templates.
@@ -115,6 +116,7 @@ impl<'o> Output<'o> {
         head: Head,
         document: Document,
         converter: &mut Converter,
+        tools: Option<&Tools>,
     ) -> Result<WrittenDocument, Finding> {
         let mut made = WrittenDocument {
             head,
@@ -137,11 +139,18 @@ impl<'o> Output<'o> {
                     document.plain().into_bytes()
                 }
                 Format::Html => {
-                    let body = converter.body(&document, &screens, PlaceInPage { lower: 0, prefix: "" });
+                    let body = converter.body(
+                        &document,
+                        &screens,
+                        PlaceInPage { lower: 0, prefix: "", boxes: tools.map_or(&[], |tools| &tools.parts) },
+                    );
                     let prefix = format!("{}-", html::part_id(at));
-                    made.html =
-                        converter.body(&document, &screens, PlaceInPage { lower: 1, prefix: &prefix });
-                    html::page(&self.texts.templates, &self.texts.words, self.name, &made.head, &body)?
+                    made.html = converter.body(
+                        &document,
+                        &screens,
+                        PlaceInPage { lower: 1, prefix: &prefix, boxes: &[] },
+                    );
+                    html::page(&self.texts.templates, &self.texts.words, self.name, &made.head, &body, tools)?
                 }
                 Format::Tex => {
                     made.tex = tex::body(&document);
@@ -208,8 +217,9 @@ impl<'o> Output<'o> {
         if self.wants(Format::Pdf) {
             files.push(("key-table.pdf", self.pressed(&[(&head, &document)])?));
         }
-        let body = Converter::new(words).body(&document, &[], PlaceInPage { lower: 0, prefix: "" });
-        files.push(("key-table.html", html::page(templates, words, "key", &head, &body)?));
+        let body =
+            Converter::new(words).body(&document, &[], PlaceInPage { lower: 0, prefix: "", boxes: &[] });
+        files.push(("key-table.html", html::page(templates, words, "key", &head, &body, None)?));
         Ok(files)
     }
 }

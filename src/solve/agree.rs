@@ -42,6 +42,26 @@ pub fn solve(scene: &Scene, data: &[f64]) -> Result<Solved, Refusal> {
 /// The first road alone, so that a draw that breaks a rule is refused at half the cost. Errors: as for [`solve`], save
 /// that nothing is compared yet.
 pub fn first(scene: &Scene, data: &[f64]) -> Result<Half, Refusal> {
+    first_in(scene, data, fitting)
+}
+
+/// The first road alone for a scene that both roads have solved before, in units in which it does not leave the range of
+/// double-doubles. Errors: as for [`first`].
+pub fn again(scene: &Scene, data: &[f64]) -> Result<Half, Refusal> {
+    first_in(scene, data, |scene, data| {
+        let stays = |scales: &Scales| {
+            let scaled = scales.of(scene, data);
+            scaled.is_some_and(|(scene, data)| !dd::watch(|| eom::road::<Dd>(&scene, &data)).1)
+        };
+        Scales::tried(scene, data).find(stays)
+    })
+}
+
+fn first_in(
+    scene: &Scene,
+    data: &[f64],
+    fitting: impl FnOnce(&Scene, &[f64]) -> Option<Scales>,
+) -> Result<Half, Refusal> {
     let faults = admissible::faults(scene, data);
     if !faults.is_empty() {
         return Err(Refusal::Inadmissible(faults));
@@ -124,6 +144,13 @@ pub fn in_scales<R>(
     solve(&scene, &data)
 }
 
+/// What wrong methods are computed in: doubles; in a page, which is small, the numbers that it has anyway.
+#[cfg(feature = "program")]
+pub type Fast = f64;
+/// What wrong methods are computed in: doubles; in a page, which is small, the numbers that it has anyway.
+#[cfg(not(feature = "program"))]
+pub type Fast = Dd;
+
 /// A scene that is solved again and again on the first road in doubles, for what is never published: where a wrong method would
 /// come to. What the right scene shares with it was admissible there and is not looked at again.
 #[derive(Debug)]
@@ -167,7 +194,7 @@ impl<'s> Quick<'s> {
     }
 
     /// What the equations of motion say with these data; `None` where the data are no such scene or have no motion.
-    pub fn road(&self, data: &[f64]) -> Option<Road<f64>> {
+    pub fn road(&self, data: &[f64]) -> Option<Road<Fast>> {
         let admissible = self.rules.iter().all(|(n, rule)| admissible::holds(self.scene, data, *n, *rule));
         let supported = || self.supported.unwrap_or_else(|| supported(self.scene, data).is_ok());
         if admissible && supported() { eom::road(self.scene, data).ok() } else { None }

@@ -183,6 +183,7 @@ impl Unit {
         }
     }
     /// `to_si(x)` is `x * times / over`, to the last bit.
+    #[cfg(feature = "program")]
     pub(crate) fn times_over(&self) -> (f64, f64) {
         match self.ten() {
             Some(ten @ 0..) => (TENS[ten as usize], 1.0),

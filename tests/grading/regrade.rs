@@ -600,6 +600,7 @@ fn the_printed_data_give_the_key_of_the_draw() {
             draw_version: DRAW_VERSION,
             language: "en".to_owned(),
             formats: Vec::new(),
+            page: Default::default(),
             bank: StoredBank { id: bank.id.clone(), file: "bank.yaml".to_owned(), sha256: bank.hash.clone() },
             problems: bank.problems.iter().map(|p| p.id.clone()).collect(),
             students,

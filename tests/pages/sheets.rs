@@ -180,8 +180,12 @@ fn sweep(students: u32) {
             sound(language, &document.markdown);
             assert!(!document.plain().contains("<!--"));
             let mut converter = Converter::new(&told.words);
-            let body = converter.body(document, &document.screens(), PlaceInPage { lower: 0, prefix: "" });
-            let page = html::page(&told.templates, &told.words, "sheet", head, &body).expect("renders");
+            let body = converter.body(
+                document,
+                &document.screens(),
+                PlaceInPage { lower: 0, prefix: "", boxes: &[] },
+            );
+            let page = html::page(&told.templates, &told.words, "sheet", head, &body, None).expect("renders");
             valid(language, &String::from_utf8(page).expect("text"));
             for (name, picture) in &document.pictures {
                 assert!(document.markdown.contains(&format!("]({name}.svg)")));
@@ -236,9 +240,10 @@ fn sweep_solutions(students: u32) {
             let body = Converter::new(&told.words).body(
                 document,
                 &document.screens(),
-                PlaceInPage { lower: 0, prefix: "" },
+                PlaceInPage { lower: 0, prefix: "", boxes: &[] },
             );
-            let page = html::page(&told.templates, &told.words, "solution", head, &body).expect("renders");
+            let page =
+                html::page(&told.templates, &told.words, "solution", head, &body, None).expect("renders");
             valid(language, &String::from_utf8(page).expect("text"));
             for (name, picture) in &document.pictures {
                 assert!(document.markdown.contains(&format!("]({name}.svg)")));
@@ -271,7 +276,7 @@ fn booklets_are_valid_pages() {
                     let body = Converter::new(&told.words).body(
                         document,
                         &document.screens(),
-                        PlaceInPage { lower: 1, prefix: &prefix },
+                        PlaceInPage { lower: 1, prefix: &prefix, boxes: &[] },
                     );
                     parts.push((head.clone(), body));
                 }
@@ -404,8 +409,9 @@ fn formulas_bring_their_font() {
     let words = Words::of("en").expect("built in");
     let page = |markdown: &str| {
         let document = Document::new(markdown.to_owned(), Vec::new());
-        let body = Converter::new(&words).body(&document, &[], PlaceInPage { lower: 0, prefix: "" });
-        let page = html::page(&templates, &words, "sheet", &Head::default(), &body).expect("renders");
+        let body =
+            Converter::new(&words).body(&document, &[], PlaceInPage { lower: 0, prefix: "", boxes: &[] });
+        let page = html::page(&templates, &words, "sheet", &Head::default(), &body, None).expect("renders");
         String::from_utf8(page).expect("text")
     };
     let with = page("The root $\\sqrt{2 g h}$ and $v_0$, in rad/s or kg·m/s, too.");

@@ -1070,8 +1070,8 @@ mod mutants {
     //! Files that a person may have broken: any bytes give findings or a result, never a panic.
     use super::*;
     use proptest::prelude::*;
+    use slipstick::page::sheet_file::SheetFile;
     use slipstick::set::store::StoredSet;
-    use slipstick::sheet::public::SheetFile;
     use std::sync::LazyLock;
 
     /// set.json and sheet.json of a small set.
@@ -1101,7 +1101,7 @@ mod mutants {
             let sheet = broken(&TEXTS.1, &changes);
             if let Ok(file) = SheetFile::parse(&sheet) {
                 for problem in &file.problems {
-                    let _ = problem.bank_text();
+                    let _ = problem.bank_tree();
                 }
             }
             let folder = tempfile::tempdir().unwrap();

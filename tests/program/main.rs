@@ -17,6 +17,7 @@ mod earlier_sets;
 mod findings;
 mod hostile_texts;
 mod leaks;
+mod page;
 mod readme;
 mod readme_bank;
 mod refusals;

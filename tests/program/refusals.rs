@@ -11,6 +11,9 @@ use slipstick::problem::maker::Maker;
 use slipstick::solve::outcome::Motion;
 use slipstick::words::Words;
 use std::fs;
+use std::process::{Command, Stdio};
+use std::thread::sleep;
+use std::time::Duration;
 use tempfile::TempDir;
 
 struct Room(TempDir);
@@ -525,4 +528,49 @@ fn a_declared_regime_is_not_called_another() {
         let drawn = Maker::new(&bank.problems[0], 1, "b").variant("s");
         assert_eq!(drawn.is_ok(), fits, "{words}: {drawn:?}");
     }
+}
+
+#[test]
+fn what_nothing_reads_and_what_tells_nothing_is_said() {
+    let room = Room::new();
+    fs::create_dir(room.0.path().join("mine")).unwrap();
+    fs::write(room.path("mine/reprot.html"), "<p>{{ nothing }}</p>").unwrap();
+    let ran = room.run(&["lint", "wheels-on-inclines", "--templates", &room.path("mine")]);
+    assert_eq!(ran.exit, Exit::Faulty);
+    assert!(
+        ran.err.contains("no page is made from a file of this name; did you mean report.html?"),
+        "{}",
+        ran.err
+    );
+    let ran = room.run(&["lint", "wheels-on-inclines", "--seeds", "0"]);
+    assert_eq!(ran.exit, Exit::Faulty);
+    assert!(ran.err.contains("--seeds: 0 draws tell nothing"), "{}", ran.err);
+}
+
+/// A bar was drawn by several threads while one of them held standard error: the program stood still on a terminal, where alone
+/// there are bars, and no test ran on one.
+#[test]
+#[cfg(target_os = "linux")]
+fn bars_on_a_terminal_do_not_stop_the_program() {
+    let room = Room::new();
+    let program = assert_cmd::cargo::cargo_bin("slipstick").display().to_string();
+    let lint = format!("{program} lint wheels-on-inclines --seeds 20");
+    let Ok(mut child) = Command::new("script")
+        .args(["-q", "-e", "-c", &lint, "/dev/null"])
+        .current_dir(room.0.path())
+        .stdin(Stdio::null())
+        .stdout(Stdio::null())
+        .stderr(Stdio::null())
+        .spawn()
+    else {
+        return println!("there is no `script` here, so no terminal");
+    };
+    for _ in 0..600 {
+        if let Some(status) = child.try_wait().unwrap() {
+            return assert!(status.success(), "{status}");
+        }
+        sleep(Duration::from_millis(100));
+    }
+    child.kill().unwrap();
+    panic!("it has not ended after a minute");
 }

@@ -232,7 +232,7 @@ fn files_that_cannot_be_read() {
     room.write("in.csv", &many_rows(10, 3));
     fs::create_dir(room.path("folder")).unwrap();
     for (file, said) in
-        [("folder", "it is a folder"), ("absent.csv", "no such file"), ("in.csv/x", "no such file")]
+        [("folder", "holds no file of answers"), ("absent.csv", "no such file"), ("in.csv/x", "no such file")]
     {
         let ran = room.run(&["grade", "set", file, "--out", "g"]);
         assert_eq!(ran.status.code(), Some(2), "{file}");

@@ -1,0 +1,173 @@
+//! The files of answers of a whole class at once: a folder of them, or the archive that a learning platform gives of an
+//! assignment, joined to one file of submissions. What is no file of answers is named and stops nothing.
+use crate::finding::Finding;
+use crate::folder::files;
+use crate::guard::{push_line, unguarded};
+use crate::sheet::terminal;
+use std::fs::File;
+use std::io::Read;
+use std::path::Path;
+
+/// Largest file of answers of one student, bytes: some thousand times what a page saves.
+const LARGEST: u64 = 1 << 20;
+/// Most files that are looked at.
+const MOST: usize = 100_000;
+/// Folders within folders that are looked into.
+const DEEPEST: usize = 8;
+/// What a file of answers has for columns.
+const COLUMNS: [&str; 4] = ["student", "problem", "part", "answer"];
+
+/// Files of answers, joined.
+#[derive(Debug, Default)]
+pub struct HandedIn {
+    /// One line for each answer.
+    pub text: Vec<u8>,
+    /// How many files it is from.
+    pub files: usize,
+    /// Files that are none, and why.
+    pub passed_over: Vec<(String, &'static str)>,
+}
+
+/// Files listed one by one before the rest is only counted.
+const LISTED: usize = 20;
+
+impl HandedIn {
+    /// How many files there were, and which of them are none of answers: lines for the summary.
+    pub fn told(&self) -> String {
+        let mut text = format!("\n  from {}", terminal::count(self.files, "file"));
+        for (name, why) in self.passed_over.iter().take(LISTED) {
+            text.push_str(&format!("\n  passed over: {name} {why}"));
+        }
+        if self.passed_over.len() > LISTED {
+            text.push_str(&format!("\n  and {} more", self.passed_over.len() - LISTED));
+        }
+        text
+    }
+}
+
+/// Is this more than one file of submissions?
+pub fn is_many(path: &Path) -> bool {
+    path.is_dir() || path.extension().is_some_and(|e| e.eq_ignore_ascii_case("zip"))
+}
+
+/// Joins the files of answers in a folder or an archive: by the time at which each was saved, then by name, so that of two files
+/// of a student the later one is the later attempt.
+///
+/// # Errors
+/// It cannot be read, or no file of answers is in it.
+pub fn joined(path: &Path) -> Result<HandedIn, Finding> {
+    let mut found = Vec::new();
+    if path.is_dir() {
+        in_folder(path, "", 0, &mut found)?;
+    } else {
+        in_archive(path, &mut found)?;
+    }
+    let mut all = HandedIn::default();
+    let mut read: Vec<(String, String, Vec<[String; 4]>)> = Vec::new();
+    for (name, bytes) in found {
+        match bytes.and_then(|bytes| answers(&bytes)) {
+            Ok((saved, rows)) => read.push((saved, name, rows)),
+            Err(why) => all.passed_over.push((name, why)),
+        }
+    }
+    let nothing = || {
+        let fault = Finding::new("", "holds no file of answers").in_file(path.display().to_string());
+        fault.hint("give what the pages of the sheets save, answers-ID.csv, in a folder or a ZIP archive")
+    };
+    if read.is_empty() {
+        return Err(nothing());
+    }
+    read.sort();
+    push_line(&mut all.text, COLUMNS);
+    for (_, _, rows) in &read {
+        for row in rows {
+            push_line(&mut all.text, row.iter());
+        }
+    }
+    all.files = read.len();
+    Ok(all)
+}
+
+type Found = Vec<(String, Result<Vec<u8>, &'static str>)>;
+
+/// Bytes of a file that may be one of answers.
+fn bytes(mut source: impl Read) -> Result<Vec<u8>, &'static str> {
+    let mut bytes = Vec::new();
+    let taken = source.by_ref().take(LARGEST + 1).read_to_end(&mut bytes);
+    taken.map_err(|_| "cannot be read")?;
+    if bytes.len() as u64 > LARGEST { Err("is larger than any page saves") } else { Ok(bytes) }
+}
+
+/// Files that a system leaves beside others, and that nobody has handed in.
+fn is_hidden(name: &str) -> bool {
+    name.split('/').any(|part| part.starts_with('.') || part == "__MACOSX")
+}
+
+fn is_csv(name: &str) -> bool {
+    Path::new(name).extension().is_some_and(|e| e.eq_ignore_ascii_case("csv"))
+}
+
+fn in_folder(folder: &Path, prefix: &str, depth: usize, found: &mut Found) -> Result<(), Finding> {
+    for name in files::names_in(folder) {
+        let (path, name) = (folder.join(&name), format!("{prefix}{name}"));
+        if is_hidden(&name) {
+            continue;
+        }
+        if found.len() >= MOST {
+            return Err(Finding::new("", "holds too many files").in_file(folder.display().to_string()));
+        }
+        if path.is_dir() {
+            if depth < DEEPEST {
+                in_folder(&path, &format!("{name}/"), depth + 1, found)?;
+            }
+        } else if is_csv(&name) {
+            found.push((name, File::open(&path).map_err(|_| "cannot be read").and_then(bytes)));
+        } else {
+            found.push((name, Err("is no CSV file")));
+        }
+    }
+    Ok(())
+}
+
+fn in_archive(path: &Path, found: &mut Found) -> Result<(), Finding> {
+    let file = File::open(path).map_err(|e| files::trouble(path, "cannot be read", &e))?;
+    let no_archive = |_| Finding::new("", "is no ZIP archive").in_file(path.display().to_string());
+    let mut archive = zip::ZipArchive::new(std::io::BufReader::new(file)).map_err(no_archive)?;
+    for i in 0..archive.len().min(MOST) {
+        let Ok(entry) = archive.by_index(i) else {
+            found.push((format!("file {} of the archive", i + 1), Err("cannot be unpacked")));
+            continue;
+        };
+        let name = String::from_utf8_lossy(entry.name_raw()).into_owned();
+        if entry.is_dir() || is_hidden(&name) {
+            continue;
+        }
+        let bytes = if is_csv(&name) { bytes(entry) } else { Err("is no CSV file") };
+        found.push((name, bytes));
+    }
+    Ok(())
+}
+
+/// When a file of answers was saved, as far as it says, and its answers.
+fn answers(bytes: &[u8]) -> Result<(String, Vec<[String; 4]>), &'static str> {
+    let text = std::str::from_utf8(bytes).map_err(|_| "is no UTF-8 text")?;
+    let text = text.strip_prefix('\u{feff}').unwrap_or(text);
+    let first = text.lines().next().unwrap_or_default();
+    let mark = [b',', b';', b'\t'].into_iter().find(|mark| first.as_bytes().contains(mark)).unwrap_or(b',');
+    let mut reader = csv::ReaderBuilder::new().delimiter(mark).flexible(true).from_reader(text.as_bytes());
+    let head = reader.headers().map_err(|_| "cannot be read as CSV")?.clone();
+    let column = |name: &str| head.iter().position(|h| h.trim().eq_ignore_ascii_case(name));
+    let [Some(student), Some(problem), Some(part), Some(answer)] = COLUMNS.map(column) else {
+        return Err("has not the columns student, problem, part, answer");
+    };
+    let (mut saved, mut rows) = (String::new(), Vec::new());
+    for record in reader.records() {
+        let record = record.map_err(|_| "cannot be read as CSV")?;
+        let field = |i: usize| unguarded(record.get(i).unwrap_or_default()).to_owned();
+        if let Some(at) = column("saved_at").and_then(|i| record.get(i)) {
+            saved = saved.max(at.trim().to_owned());
+        }
+        rows.push([student, problem, part, answer].map(field));
+    }
+    Ok((saved, rows))
+}

@@ -1,0 +1,150 @@
+//! A sheet as a page that checks itself: boxes for answers, what the page must know, and the program in WebAssembly that answers.
+//! It knows no key: the scene is solved in the page, with the functions of [`crate::page`].
+use crate::bank::{Bank, Problem};
+use crate::finding::Finding;
+use crate::problem::make_key;
+use crate::problem::maker::Variant;
+use crate::sheet::document::Head;
+use crate::sheet::statement;
+use crate::template;
+use crate::words::Words;
+use base64::prelude::{BASE64_STANDARD, Engine as _};
+use serde::{Deserialize, Serialize};
+use serde_json::json;
+use sha2::{Digest, Sha256};
+use std::collections::BTreeMap;
+use std::sync::LazyLock;
+
+/// The program of the page, packed with gzip; `.ci/page` makes it from `src/page`.
+pub const PROGRAM: &[u8] = include_bytes!("../../templates/page/check.wasm.gz");
+/// What keeps sheets of a site for when there is no network.
+pub const WORKER: &str = include_str!("../../templates/page/sw.js");
+const SCRIPT: &str = include_str!("../../templates/page/page.js");
+/// The phrases that the page needs, by the begins of their names.
+const PHRASES: [&str; 4] = ["feedback", "sheet", "page", "report.verdict"];
+
+static PACKED: LazyLock<String> = LazyLock::new(|| BASE64_STANDARD.encode(PROGRAM));
+/// The script by its hash, so that no other runs.
+static HASH: LazyLock<String> = LazyLock::new(|| BASE64_STANDARD.encode(Sha256::digest(SCRIPT.as_bytes())));
+
+/// Where the program of a page lies.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Hosting {
+    /// In each sheet, which is then one file that needs nothing else
+    #[default]
+    Single,
+    /// Beside the sheets, once for all, for a web server
+    Site,
+}
+
+impl Hosting {
+    /// Both of them.
+    const ALL: [Self; 2] = [Self::Single, Self::Site];
+
+    /// By its name, as people type it.
+    ///
+    /// # Errors
+    /// There is none of this name.
+    pub fn parse(text: &str) -> Result<Self, String> {
+        let found = Self::ALL.into_iter().find(|h| h.name() == text.trim());
+        found.ok_or_else(|| "a page is single or site".to_owned())
+    }
+
+    /// Its name.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Single => "single",
+            Self::Site => "site",
+        }
+    }
+}
+
+/// What all pages of a set have in common.
+pub struct SelfCheck<'t> {
+    words: &'t Words,
+    hosting: Hosting,
+    phrases: serde_json::Value,
+}
+
+/// What stands in a page besides the document.
+pub struct Tools {
+    /// What the page may do, as directives of its Content Security Policy.
+    pub policy: String,
+    /// What `page.html` sees: words for its buttons, data, program and script.
+    pub view: template::Value,
+    /// The parts that have a box.
+    pub parts: Vec<String>,
+}
+
+/// A sheet on its way to become a page: who gets it, and the texts of its files.
+pub struct Handed<'h> {
+    /// Head of the sheet.
+    pub head: &'h Head,
+    /// Folder of the student, which names the file of answers.
+    pub folder: &'h str,
+    /// The text of sheet.json.
+    pub sheet: &'h str,
+    /// What was drawn, in the order of the sheet.
+    pub variants: &'h [Variant],
+}
+
+impl<'t> SelfCheck<'t> {
+    /// Gets ready.
+    pub fn new(words: &'t Words, hosting: Hosting) -> Self {
+        // Reasons are those of `slipstick check`, which knows the built-in phrases alone; what stands on the page may be one's own.
+        let mut phrases = words.phrases(&PHRASES);
+        if let Some(built_in) = Words::built_in(words.language()) {
+            phrases.phrases.extend(built_in.phrases(&["feedback", "sheet"]).phrases);
+        }
+        Self { words, hosting, phrases: json!(phrases) }
+    }
+
+    /// The tools of one sheet.
+    ///
+    /// # Errors
+    /// The text of sheet.json is none.
+    pub fn tools(&self, bank: &Bank, problems: &[usize], handed: &Handed) -> Result<Tools, Finding> {
+        let Handed { head, folder, sheet, variants } = handed;
+        let chosen = || problems.iter().filter_map(|p| bank.problems.get(*p)).zip(*variants).enumerate();
+        let (mut parts, mut words) = (Vec::new(), BTreeMap::new());
+        for (i, (problem, variant)) in chosen() {
+            for (index, q) in problem.questions.iter().enumerate() {
+                let name = format!("{}.{}", i + 1, q.id);
+                if q.label.quantity.is_word() {
+                    words.insert(name.clone(), self.offered(problem, index, variant));
+                }
+                parts.push(name);
+            }
+        }
+        let sheet: serde_json::Value = serde_json::from_str(sheet)
+            .map_err(|e| Finding::new("sheet.json", format!("cannot be put into a page: {e}")))?;
+        let data = json!({
+            "sheet": sheet,
+            "phrases": self.phrases,
+            "words": words,
+            "file": format!("answers-{folder}.csv"),
+            "keep": format!("slipstick {} {} {}", head.set, head.student, head.code),
+        });
+        let program = if self.hosting == Hosting::Single { PACKED.as_str() } else { "" };
+        let view = template::map([
+            // In a script no text may look like its end.
+            ("data", template::finished(&data.to_string().replace('<', "\\u003c"))),
+            ("program", template::finished(program)),
+            ("script", template::finished(SCRIPT)),
+            ("say", template::Value::from_serializable(&self.words.tree("page"))),
+        ]);
+        let mut policy = format!("script-src 'sha256-{}' 'wasm-unsafe-eval'; ", *HASH);
+        if self.hosting == Hosting::Site {
+            policy.push_str("connect-src 'self'; worker-src 'self'; ");
+        }
+        Ok(Tools { policy, view, parts })
+    }
+
+    /// The words that answer a question in words.
+    fn offered(&self, problem: &Problem, question: usize, variant: &Variant) -> Vec<String> {
+        let quantity = problem.questions[question].label.quantity;
+        let list = make_key::offered(problem, quantity, &problem.cases[variant.case].scene);
+        list.iter().map(|word| statement::said(self.words, word).to_owned()).collect()
+    }
+}

@@ -1,0 +1,146 @@
+// node page.mjs CASES.json: sheets that check themselves, in headless Chromium. The cases and what must come out are made by
+// `cargo test --test program page::`, which starts this; playwright-core and axe-core lie in the folder MODULES.
+import fs from 'node:fs';
+import http from 'node:http';
+import path from 'node:path';
+import { createRequire } from 'node:module';
+
+const modules = createRequire(path.join(path.resolve(process.env.SLIPSTICK_BROWSER), 'package.json'));
+const { chromium } = modules('playwright-core');
+const axe = fs.readFileSync(modules.resolve('axe-core/axe.min.js'), 'utf8');
+const { sheets, site, off } = JSON.parse(fs.readFileSync(process.argv[2], 'utf8'));
+const faults = [];
+const holds = (is, what) => { if (!is) faults.push(what); };
+
+const browser = await chromium.launch({
+  executablePath: process.env.SLIPSTICK_CHROMIUM ?? '/usr/bin/chromium',
+  args: ['--no-sandbox', '--disable-gpu', '--disable-background-networking', '--disable-sync', '--disable-component-update'],
+});
+const opened = async (url, settings = {}) => {
+  const context = await browser.newContext({ viewport: { width: 390, height: 844 }, acceptDownloads: true, ...settings });
+  const page = await context.newPage();
+  page.on('console', (message) => { if (message.type() === 'error' && !/ERR_(CONNECTION|INTERNET)/.test(message.text())) faults.push(`${url}: ${message.text()}`); });
+  page.on('pageerror', (error) => faults.push(`${url}: ${error}`));
+  page.on('request', (request) => holds(settings.server || /^(file|data|blob):/.test(request.url()), `${url}: fetches ${request.url()}`));
+  await page.goto(url);
+  return page;
+};
+const ready = (page) => page.waitForFunction(() => document.documentElement.dataset.ready === 'yes', null, { timeout: 30000 });
+const box = (page, part) => page.locator(`input[name="${part}"]`);
+const found = (page) => page.$$eval('[data-part]', (all) => all.map((e) => ({ part: e.dataset.part, verdict: e.dataset.verdict, read: e.dataset.read, reason: e.textContent })));
+const sound = async (page, what) => {
+  if (!await page.evaluate(() => 'axe' in window)) await page.evaluate(axe);
+  const { violations } = await page.evaluate(() => globalThis.axe.run({ runOnly: ['wcag2a', 'wcag2aa', 'wcag21a', 'wcag21aa', 'wcag22aa'] }));
+  for (const v of violations) faults.push(`${what}: ${v.id}: ${v.help}: ${v.nodes.map((n) => n.target).join(' ').slice(0, 300)}`);
+  const wide = await page.evaluate(() => document.documentElement.scrollWidth - document.documentElement.clientWidth);
+  holds(wide <= 0, `${what}: scrolls sideways by ${wide} px`);
+};
+const url = (file) => `file://${encodeURI(path.resolve(file))}`;
+
+let judged = 0, slowest = 0;
+for (const sheet of sheets) {
+  const page = await opened(url(sheet.file));
+  await ready(page);
+  const names = await page.$$eval('.box input', (all) => all.map((e) => e.name));
+  holds(JSON.stringify(names.toSorted()) === JSON.stringify(sheet.parts.toSorted()), `${sheet.file}: boxes ${names}`);
+  const button = page.getByRole('button', { name: sheet.button }).first();
+  for (const round of sheet.rounds) {
+    for (const part of names) await box(page, part).fill(round.find((one) => one.part === part)?.cell ?? '');
+    await button.click();
+    slowest = Math.max(slowest, await page.evaluate(() => {
+      const begin = performance.now();
+      document.getElementById('answers').requestSubmit();
+      return performance.now() - begin;
+    }));
+    const told = (await found(page)).filter((one) => one.verdict);
+    const wanted = round.filter((one) => one.cell.trim());
+    holds(told.length === wanted.length, `${sheet.file}: ${told.length} verdicts for ${wanted.length} answers`);
+    for (const want of wanted) {
+      judged += 1;
+      const got = told.filter((one) => one.part === want.part);
+      for (const what of ['verdict', 'reason', 'read']) {
+        holds(got.length === 1 && got[0][what] === want[what], `${sheet.file}: ${want.part}=${JSON.stringify(want.cell)}: ${what} ${JSON.stringify(got[0]?.[what])}, the program says ${JSON.stringify(want[what])}`);
+      }
+    }
+  }
+  await page.context().close();
+}
+
+// One sheet as a student has it in hand: narrow, dark, by keyboard, kept, saved, read back, deleted.
+const [{ file, parts: [first], rounds: [[{ cell }]], button, answers }] = sheets;
+for (const settings of [{ viewport: { width: 360, height: 740 } }, { colorScheme: 'dark' }, { viewport: { width: 1280, height: 900 } }]) {
+  const page = await opened(url(file), settings);
+  await ready(page);
+  await sound(page, `${file} ${JSON.stringify(settings)}`);
+  for (const [i, name] of (await page.$$eval('.box input', (all) => all.map((e) => e.name))).entries()) await box(page, name).fill(i % 2 ? '1e9 kg' : cell);
+  await page.getByRole('button', { name: button }).first().click();
+  await sound(page, `${file} checked ${JSON.stringify(settings)}`);
+  await page.context().close();
+}
+{
+  const page = await opened(url(file));
+  await ready(page);
+  const focused = () => page.evaluate(() => document.activeElement.name ?? '');
+  for (let i = 0; i < 60 && await focused() !== first; i++) await page.keyboard.press('Tab');
+  holds(await focused() === first, `${file}: the first box is not reached by keyboard`);
+  await page.keyboard.type(cell);
+  await page.keyboard.press('Enter');
+  holds((await found(page)).find((one) => one.part === first).verdict === 'right', `${file}: Enter does not check`);
+  await page.reload();
+  await ready(page);
+  holds(await box(page, first).inputValue() === cell, `${file}: not kept`);
+  const [download] = await Promise.all([page.waitForEvent('download'), page.locator('#save').click()]);
+  holds(download.suggestedFilename() === answers, `${file}: saved as ${download.suggestedFilename()}`);
+  const saved = await download.path();
+  await page.locator('#delete').click();
+  await page.reload();
+  await ready(page);
+  holds(await box(page, first).inputValue() === '', `${file}: not deleted`);
+  await page.locator('#file').setInputFiles(saved);
+  await page.waitForFunction((name) => document.querySelector(`input[name="${name}"]`).value !== '', first);
+  holds(await box(page, first).inputValue() === cell, `${file}: not read back`);
+  await page.emulateMedia({ media: 'print' });
+  holds(!await page.locator('#answers').isVisible() && !await page.locator('.tools').isVisible(), `${file}: buttons are printed`);
+  await page.context().close();
+}
+{
+  const page = await opened(url(file), { javaScriptEnabled: false });
+  holds(!await box(page, first).isVisible() && !await page.locator('#answers').isVisible(), `${file}: boxes without scripts`);
+  holds(await page.locator('noscript').isVisible(), `${file}: nothing is said without scripts`);
+  await page.context().close();
+}
+
+// A site: over the network once, then with the server gone.
+{
+  const types = { '.html': 'text/html', '.js': 'text/javascript', '.gz': 'application/octet-stream' };
+  const server = http.createServer((request, response) => {
+    const asked = path.join(site.folder, decodeURIComponent(request.url));
+    if (!fs.existsSync(asked)) { response.writeHead(404).end(); return; }
+    response.setHeader('content-type', types[path.extname(asked)] ?? 'application/octet-stream');
+    response.end(fs.readFileSync(asked));
+  }).listen(0, '127.0.0.1');
+  await new Promise((done) => server.once('listening', done));
+  const page = await opened(`http://127.0.0.1:${server.address().port}/${site.sheet}`, { server: true });
+  const once = async (when) => {
+    await ready(page);
+    await box(page, site.part).fill(site.cell);
+    await page.getByRole('button', { name: 'Check' }).first().click();
+    holds((await found(page)).find((one) => one.part === site.part).verdict === 'right', `site ${when}: not checked`);
+  };
+  await once('with its server');
+  await page.evaluate(() => navigator.serviceWorker.ready);
+  server.closeAllConnections();
+  await new Promise((done) => server.close(done));
+  await page.reload();
+  await once('without its server');
+  await page.context().close();
+}
+{
+  const page = await opened(url(off));
+  holds(await page.locator('input, script, button').count() === 0, `${off}: self check is off`);
+  await page.context().close();
+}
+await browser.close();
+console.log(`${judged} answers in ${sheets.length} pages; the slowest check took ${slowest.toFixed(0)} ms`);
+for (const fault of faults.slice(0, 40)) console.error(fault);
+process.exit(faults.length ? 1 : 0);

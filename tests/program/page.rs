@@ -1,0 +1,376 @@
+//! Sheets that check themselves: the program in the page answers what `slipstick check` answers, in Node and in a browser.
+use sha2::{Digest, Sha256};
+use slipstick::answer::read::UnitCache;
+use slipstick::cli;
+use slipstick::cli::tell::{Exit, Io};
+use slipstick::grade::feedback::Feedback;
+use slipstick::grade::verdict::Verdict;
+use slipstick::key::{Answer, KeyEntry};
+use slipstick::page::check;
+use slipstick::page::sheet_file::SheetFile;
+use slipstick::sheet::self_check::PROGRAM;
+use slipstick::words::Words;
+use std::ffi::OsString;
+use std::fmt::Write as _;
+use std::io::Write as _;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+
+const BANKS: [&str; 4] = ["wheels-on-inclines", "hoists-and-pulleys", "slip-and-roll", "pinned-bodies"];
+
+/// Answers that are random besides right and wrong ones, over all banks of a language.
+const RANDOM: usize = 1000;
+
+fn run(args: &[&str]) -> (Exit, String, String) {
+    let (mut out, mut err, mut input) = (Vec::new(), Vec::new(), &b""[..]);
+    let words = std::iter::once("slipstick").chain(args.iter().copied()).map(OsString::from);
+    let io = &mut Io { input: &mut input, out: &mut out, err: &mut err, watched: false, typed: false };
+    let exit = cli::run(words, io);
+    (exit, String::from_utf8(out).unwrap(), String::from_utf8(err).unwrap())
+}
+
+/// Words that follow each other by chance, the same in every run.
+struct Lots(u64);
+
+impl Lots {
+    fn below(&mut self, n: usize) -> usize {
+        // Knuth's constants of a linear congruence; its high bits are good enough to choose answers.
+        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        ((self.0 >> 33) as usize) % n
+    }
+    fn one<'t>(&mut self, of: &[&'t str]) -> &'t str {
+        of[self.below(of.len())]
+    }
+}
+
+/// An answer and what the program says of it.
+struct Case {
+    part: String,
+    cell: String,
+    told: check::Checked,
+}
+
+/// A sheet, and answers to it: in each round one to a part at most. The first round is right, the second is wrong.
+struct Made {
+    folder: PathBuf,
+    language: &'static str,
+    parts: Vec<String>,
+    rounds: Vec<Vec<Case>>,
+}
+
+fn right(entry: &KeyEntry, words: &Words) -> String {
+    match &entry.answer {
+        Answer::Word { right, .. } => words.get(&format!("sheet.{right}")).to_owned(),
+        Answer::Number { value, .. } => entry.unit.text_with(&entry.unit.from_si(*value).to_string()),
+    }
+}
+
+/// An answer that is off by 1.01 tolerances, or the other word.
+fn wrong(entry: &KeyEntry, words: &Words) -> String {
+    match &entry.answer {
+        Answer::Word { right, offered } => {
+            let other = offered.iter().find(|word| *word != right).unwrap();
+            words.get(&format!("sheet.{other}")).to_owned()
+        }
+        Answer::Number { value, half_width, .. } => {
+            let off = value + 1.01 * half_width * value.signum();
+            entry.unit.text_with(&entry.unit.from_si(off).to_string())
+        }
+    }
+}
+
+/// What students write: numbers near and far, in other units, with commas, words, fractions, and what is no answer.
+fn random(entry: &KeyEntry, lots: &mut Lots) -> String {
+    const ODD: [&str; 24] = [
+        "",
+        " ",
+        "?",
+        "12,5",
+        "1.234,5",
+        "1,234",
+        "3/4",
+        "2*sqrt(3) m",
+        "π/6 rad",
+        "up",
+        "down",
+        "Aufwärts",
+        "ja",
+        "no",
+        "stays",
+        "12.5 m/s up",
+        "-3 N down",
+        "45 km/h",
+        "172 rpm",
+        "4' 3\"",
+        "12 kn",
+        "25 ± 1 %",
+        "<b>1</b>",
+        "1e400",
+    ];
+    let value = match &entry.answer {
+        Answer::Number { value, .. } => entry.unit.from_si(*value),
+        Answer::Word { offered, .. } => {
+            let lists = [offered[lots.below(offered.len())], "Up.", "vorwärts", "nein", "5", "left"];
+            return lots.one(&lists).to_owned();
+        }
+    };
+    if lots.below(3) == 0 {
+        return lots.one(&ODD).to_owned();
+    }
+    let factor = [1.0, 1.004, 0.991, 1.0099, -1.0, 0.5, 2.0, 10.0, 0.001, 57.29577951308232][lots.below(10)];
+    let mut text = format!("{:e}", value * factor);
+    if lots.below(2) == 0 {
+        text = (value * factor).to_string();
+    }
+    if lots.below(3) == 0 {
+        text = text.replace('.', ",");
+    }
+    const OTHERS: [&str; 11] = ["", "m/s", "rad/s", "N", "mm", "kJ", "rev/min", "deg", "lbf", "ft/s", "%"];
+    let unit = if lots.below(3) > 0 { entry.unit.ascii() } else { lots.one(&OTHERS) };
+    let unit = if unit == "1" { "" } else { unit };
+    let word = lots.one(&["", "", "", " up", " down", " abwärts", " clockwise"]);
+    format!("{text} {unit}{word}").trim_end().to_owned()
+}
+
+/// Sheets of every built-in problem in a language, with answers and what the program says of them.
+fn made(room: &Path, language: &'static str) -> Vec<Made> {
+    let roster = room.join("roster.csv");
+    std::fs::write(&roster, "student,name\n0017,Amina Yusuf\n").unwrap();
+    let words = Words::built_in(language).unwrap();
+    let (say, mut lots) = (Feedback::new(words), Lots(17));
+    let mut all = Vec::new();
+    for bank in BANKS {
+        let out = room.join(format!("{bank}-{language}"));
+        let (folder, roster) = (out.display().to_string(), roster.display().to_string());
+        let args =
+            ["generate", bank, "--roster", &roster, "--seed", "7", "--language", language, "--out", &folder];
+        let (exit, _, err) = run(&args);
+        assert_eq!(exit, Exit::Fine, "{err}");
+        let folder = out.join("students/0017");
+        let sheet = SheetFile::parse(&std::fs::read_to_string(folder.join("sheet.json")).unwrap()).unwrap();
+        let solved: Vec<_> = sheet.problems.iter().map(|p| check::solve(p, "sheet").unwrap()).collect();
+        let entries: Vec<(String, &KeyEntry)> = solved
+            .iter()
+            .flat_map(|p| p.key.parts.iter().map(|e| (format!("{}.{}", p.number, e.part), e)))
+            .collect();
+        let round = |cell: &mut dyn FnMut(&KeyEntry) -> String| -> Vec<Case> {
+            let case = |(part, entry): &(String, &KeyEntry)| {
+                let cell = cell(entry);
+                let told = check::check(entry, &cell, &mut UnitCache::default(), &say);
+                Case { part: part.clone(), cell, told }
+            };
+            entries.iter().map(case).collect()
+        };
+        let mut rounds = vec![round(&mut |e| right(e, words)), round(&mut |e| wrong(e, words))];
+        for _ in 0..RANDOM.div_ceil(BANKS.len() * entries.len()) {
+            rounds.push(round(&mut |e| random(e, &mut lots)));
+        }
+        let parts = entries.iter().map(|(part, _)| part.clone()).collect();
+        all.push(Made { folder, language, parts, rounds });
+    }
+    all
+}
+
+fn case(case: &Case) -> serde_json::Value {
+    let check::Checked { verdict, reason, read } = &case.told;
+    serde_json::json!({"part": case.part, "cell": case.cell, "verdict": verdict.as_str(), "reason": reason, "read": read})
+}
+
+#[test]
+fn key_answers_are_right_and_what_is_just_beyond_the_tolerance_is_not() {
+    let room = tempfile::tempdir().unwrap();
+    for made in ["en", "de"].into_iter().flat_map(|language| made(room.path(), language)) {
+        let right = |case: &Case| case.told.verdict == Verdict::Right;
+        for (i, want) in [(0, true), (1, false)] {
+            for case in &made.rounds[i] {
+                let Case { part, cell, told } = case;
+                assert_eq!(right(case), want, "{} {part}: {cell}: {told:?}", made.folder.display());
+            }
+        }
+        let random = made.rounds[2..].iter().flatten();
+        let share = random.clone().filter(|case| right(case)).count() * 100 / random.count();
+        assert!((5..60).contains(&share), "{share} % of the random answers are right");
+    }
+}
+
+#[test]
+fn the_binary_is_made_from_these_sources() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let hex = |bytes: &[u8]| {
+        Sha256::digest(bytes).iter().fold(String::new(), |mut text, byte| {
+            let _ = write!(text, "{byte:02x}");
+            text
+        })
+    };
+    let list = std::fs::read_to_string(root.join("templates/page/made-from")).unwrap();
+    let mut stale = Vec::new();
+    let mut of_solver = 0;
+    for line in list.lines() {
+        let (hash, file) = line.split_once("  ").unwrap();
+        of_solver += usize::from(file.starts_with("src/solve/eom/"));
+        if std::fs::read(root.join(file)).map_or(true, |bytes| hex(&bytes) != hash) {
+            stale.push(file);
+        }
+    }
+    assert!(of_solver > 3, "the sources of the solver are among those of the page");
+    assert!(
+        stale.is_empty(),
+        "changed since the page's program was made, run .ci/page: {}",
+        stale.join(", ")
+    );
+    assert!(PROGRAM.len() <= 400_000, "{} bytes packed", PROGRAM.len());
+}
+
+/// Is there Node? Where there is none, the tests of the page pass over it, but not in `.ci/run`.
+fn node() -> bool {
+    let there = Command::new("node").arg("--version").output().is_ok_and(|o| o.status.success());
+    assert!(there || std::env::var_os("SLIPSTICK_NEEDS_NODE").is_none(), "there is no node");
+    if !there {
+        println!("passed over: there is no node");
+    }
+    there
+}
+
+#[test]
+fn the_program_of_the_page_answers_in_node_what_check_answers() {
+    if !node() {
+        return;
+    }
+    let room = tempfile::tempdir().unwrap();
+    let all: Vec<Made> = ["en", "de"].into_iter().flat_map(|language| made(room.path(), language)).collect();
+    let mut cases = Vec::new();
+    for made in &all {
+        let text = std::fs::read_to_string(made.folder.join("sheet.json")).unwrap();
+        let sheet: serde_json::Value = serde_json::from_str(&text).unwrap();
+        let phrases = Words::built_in(made.language).unwrap().phrases(&["feedback", "sheet"]);
+        let answers: Vec<_> = made.rounds.iter().flatten().map(|c| [&c.part, &c.cell]).collect();
+        cases.push(serde_json::json!({"opening": {"sheet": sheet, "phrases": phrases}, "answers": answers}));
+    }
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let mut node = Command::new("node")
+        .args([root.join("tests/browser/node.mjs"), root.join("templates/page/check.wasm.gz")])
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .spawn()
+        .unwrap();
+    let input = serde_json::to_vec(&cases).unwrap();
+    let mut pipe = node.stdin.take().unwrap();
+    pipe.write_all(&input).unwrap();
+    drop(pipe);
+    let told: Vec<serde_json::Value> =
+        serde_json::from_slice(&node.wait_with_output().unwrap().stdout).unwrap();
+    let mut judged = 0;
+    for (made, told) in all.iter().zip(&told) {
+        let told = told.as_array().unwrap_or_else(|| panic!("{}: {told}", made.folder.display()));
+        let wanted: Vec<&Case> = made.rounds.iter().flatten().collect();
+        assert_eq!(told.len(), wanted.len());
+        for (told, want) in told.iter().zip(wanted) {
+            judged += 1;
+            for (what, want) in case(want).as_object().unwrap().iter().filter(|(what, _)| *what != "cell") {
+                assert_eq!(&told[what], want, "{}: {told}", made.folder.display());
+            }
+        }
+    }
+    assert!(judged > 2 * RANDOM, "{judged} answers");
+}
+
+#[test]
+fn sheets_check_themselves_in_a_browser() {
+    if std::env::var_os("SLIPSTICK_BROWSER").is_none() {
+        println!("passed over: SLIPSTICK_BROWSER names no folder with playwright-core and axe-core");
+        return;
+    }
+    let room = tempfile::tempdir().unwrap();
+    let all: Vec<Made> = ["en", "de"].into_iter().flat_map(|language| made(room.path(), language)).collect();
+    let sheets: Vec<_> = all
+        .iter()
+        .map(|made| {
+            let rounds: Vec<Vec<_>> = made.rounds.iter().map(|round| round.iter().map(case).collect()).collect();
+            serde_json::json!({
+                "file": made.folder.join("sheet.html"), "parts": made.parts, "rounds": rounds, "answers": "answers-0017.csv",
+                "button": Words::built_in(made.language).unwrap().get("page.check"),
+            })
+        })
+        .collect();
+    let at = |name: &str| room.path().join(name).display().to_string();
+    let (roster, site, off) = (at("roster.csv"), at("site"), at("off"));
+    let generate = |bank: &str, out: &str, more: &[&str]| {
+        let mut args = vec!["generate", bank, "--roster", &roster, "--seed", "7", "--out", out];
+        args.extend(more);
+        let (exit, _, err) = run(&args);
+        assert_eq!(exit, Exit::Fine, "{err}");
+    };
+    generate(BANKS[0], &site, &["--page", "site"]);
+    let bank =
+        std::fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("banks/slip-and-roll.yaml"))
+            .unwrap();
+    std::fs::write(at("bank.yaml"), bank.replacen("\nproblems:", "\nself check: off\nproblems:", 1)).unwrap();
+    generate(&at("bank.yaml"), &off, &[]);
+    // The same seed, name and student: the same data as in the sheet that is one file.
+    let first = &all[0].rounds[0][0];
+    let cases = serde_json::json!({
+        "sheets": sheets,
+        "site": {"folder": format!("{site}/students"), "sheet": "0017/sheet.html", "part": first.part, "cell": first.cell},
+        "off": format!("{off}/students/0017/sheet.html"),
+    });
+    std::fs::write(at("cases.json"), cases.to_string()).unwrap();
+    let script = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/browser/page.mjs");
+    let done = Command::new("node").arg(script).arg(at("cases.json")).output().unwrap();
+    println!("{}", String::from_utf8_lossy(&done.stdout));
+    assert!(done.status.success(), "{}", String::from_utf8_lossy(&done.stderr));
+}
+
+/// A class hands in: a second attempt of a student, a file that is none, one that a spreadsheet has changed.
+#[test]
+fn files_of_a_class_are_graded_at_once_from_a_folder_and_from_an_archive() {
+    let room = tempfile::tempdir().unwrap();
+    let at = |name: &str| room.path().join(name).display().to_string();
+    std::fs::write(at("roster.csv"), "student\n0017\n0023\n").unwrap();
+    let problems = ["--problems", "pulled-rolling"];
+    let (roster, set) = (at("roster.csv"), at("set"));
+    let mut args = vec!["generate", BANKS[0], "--roster", &roster, "--seed", "7", "--out", &set];
+    args.extend(problems);
+    assert_eq!(run(&args).0, Exit::Fine);
+    let files: [(&str, &str); 5] = [
+        (
+            "Amina_1_file_/answers-0017 (1).csv",
+            "student,problem,part,answer,saved_at\r\n0017,1,omega,2 rad/s,2026-03-02T10:00:00.000Z\r\n",
+        ),
+        (
+            "Amina_1_file_/answers-0017.csv",
+            "\u{feff}student,problem,part,answer,saved_at\r\n0017,1,omega,1 rad/s,2026-03-01T10:00:00.000Z\r\n",
+        ),
+        ("Anders_2_file_/answers-0023.csv", "student;problem;part;answer\n0023;1;friction;\"12,5 N up\"\n"),
+        ("Anders_2_file_/notes.csv", "what,when\n1,2\n"),
+        ("Anders_2_file_/scan.pdf", "%PDF"),
+    ];
+    let mut archive = zip::ZipWriter::new(std::fs::File::create(at("class.zip")).unwrap());
+    for (name, text) in files {
+        let place = room.path().join("class").join(name);
+        std::fs::create_dir_all(place.parent().unwrap()).unwrap();
+        std::fs::write(place, text).unwrap();
+        archive.start_file(name, zip::write::SimpleFileOptions::default()).unwrap();
+        archive.write_all(text.as_bytes()).unwrap();
+    }
+    archive.finish().unwrap();
+    let mut graded = Vec::new();
+    for from in ["class", "class.zip"] {
+        let (from, out) = (at(from), at(&format!("grades-{from}")));
+        let (exit, told, err) = run(&["grade", &set, &from, "--out", &out]);
+        assert_eq!(exit, Exit::Fine, "{err}");
+        assert!(told.contains("from 3 files"), "{told}");
+        assert!(told.contains("passed over: Anders_2_file_/notes.csv has not the columns"), "{told}");
+        assert!(told.contains("passed over: Anders_2_file_/scan.pdf is no CSV file"), "{told}");
+        graded.push(std::fs::read_to_string(Path::new(&out).join("answers.csv")).unwrap());
+    }
+    assert_eq!(graded[0], graded[1]);
+    let lines: Vec<&str> = graded[0].lines().collect();
+    assert_eq!(lines.len(), 4, "{}", graded[0]);
+    let of = |answer: &str| lines.iter().find(|line| line.contains(answer)).unwrap();
+    assert!(of("1 rad/s").contains("superseded") && !of("2 rad/s").contains("superseded"), "{}", graded[0]);
+    assert!(of("12,5 N up").contains("0023"), "{}", graded[0]);
+    std::fs::write(at("no.zip"), "no archive").unwrap();
+    let (no, out) = (at("no.zip"), at("nothing"));
+    let (exit, _, err) = run(&["grade", &set, &no, "--out", &out]);
+    assert!(exit != Exit::Fine && err.contains("is no ZIP archive") && !Path::new(&out).exists(), "{err}");
+}
