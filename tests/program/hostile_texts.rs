@@ -700,10 +700,27 @@ fn hostile_names_act_on_no_page() {
     let mut pages = 0;
     for file in files(room.path()).into_iter().filter(|f| f.extension().is_some_and(|e| e == "html")) {
         let page = fs::read_to_string(&file).unwrap();
-        assert_eq!(all_acts(&page), Vec::<String>::new(), "{}", file.display());
+        let mut acts = all_acts(&page);
+        if file.ends_with("index.html") {
+            acts.retain(|act| !leads_beside(&file, act));
+        }
+        assert_eq!(acts, Vec::<String>::new(), "{}", file.display());
         pages += 1;
     }
     assert!(pages >= 10, "{pages} pages");
+}
+
+/// Is it a link of an index to what lies beside it, a file that is there? Its name is written with escapes (`%20`).
+fn leads_beside(index: &Path, act: &str) -> bool {
+    let Some(link) = act.strip_prefix("href=\"").and_then(|a| a.strip_suffix('"')) else { return false };
+    let mut pieces = link.split('%');
+    let mut name = pieces.next().unwrap_or_default().to_owned();
+    for piece in pieces {
+        let Some(code) = piece.get(..2).and_then(|c| u8::from_str_radix(c, 16).ok()) else { return false };
+        name.push(char::from(code));
+        name.push_str(&piece[2..]);
+    }
+    index.with_file_name(name).is_file()
 }
 
 fn files(folder: &Path) -> Vec<std::path::PathBuf> {
@@ -802,13 +819,9 @@ fn every_page_is_closed_to_the_outside() {
         assert_eq!(allowed.len(), 6, "{policy}");
         let mut acts = all_acts(&page);
         if file.ends_with("index.html") {
-            // It leads to what lies beside it: files that are there.
-            let leads = |act: &String| {
-                let there = act.strip_prefix("href=\"").and_then(|a| a.strip_suffix('"'));
-                there.is_some_and(|name| file.with_file_name("").join(name).is_file())
-            };
-            assert!(acts.iter().filter(|act| leads(act)).count() > 6, "{acts:?}");
-            acts.retain(|act| !leads(act));
+            let before = acts.len();
+            acts.retain(|act| !leads_beside(&file, act));
+            assert!(before > acts.len() + 6, "{before} links, {acts:?}");
         }
         if file.ends_with("manual.html") {
             // Its pictures stand in it, and a link to elsewhere is followed only by who clicks it.
