@@ -264,7 +264,8 @@ struct SheetWriter<'p> {
     sheets: Sheets<'p>,
     output: Output<'p>,
     public: public::Writer<'p>,
-    self_check: SelfCheck<'p>,
+    /// `None` where the bank, or a page of somebody's own, leaves it out.
+    self_check: Option<SelfCheck<'p>>,
 }
 
 impl<'p> SheetWriter<'p> {
@@ -273,7 +274,8 @@ impl<'p> SheetWriter<'p> {
         let sheets = Sheets::new(templates, words, plan.bank, plan.name, plan.problems)?;
         let output = Output::new(plan.texts, plan.formats, "sheet")?;
         let public = public::Writer::new(plan.bank, plan.text, plan.problems, plan.name, words.language())?;
-        let self_check = SelfCheck::new(words, plan.hosting);
+        let checks = plan.bank.self_check && templates.variables("sheet.html")?.iter().any(|v| v == "check");
+        let self_check = checks.then(|| SelfCheck::new(words, plan.hosting));
         Ok(Self { plan, sheets, output, public, self_check })
     }
 
@@ -290,13 +292,8 @@ impl<'p> SheetWriter<'p> {
         let (head, document) = self.sheets.document(&student.student, &student.name, variants, room)?;
         let row = key_table::row(bank, problems, &head, variants);
         let sheet = self.public.text(&student.student, variants);
-        let tools = match bank.self_check {
-            true => {
-                let handed = Handed { head: &head, folder: &student.folder, sheet: &sheet, variants };
-                Some(self.self_check.tools(bank, problems, &handed)?)
-            }
-            false => None,
-        };
+        let handed = Handed { head: &head, folder: &student.folder, sheet: &sheet, variants };
+        let tools = self.self_check.as_ref().map(|check| check.tools(bank, problems, &handed)).transpose()?;
         let mut made = self.output.make(at, head, document, converter, tools.as_ref())?;
         made.files.push((names::SHEET.to_owned(), sheet.into_bytes()));
         Ok((made, row))

@@ -5,6 +5,7 @@
 use crate::support;
 use crate::support::program;
 use rayon::prelude::*;
+use sha2::{Digest, Sha256};
 use slipstick::bank::{Bank, Problem, load};
 use slipstick::cli;
 use slipstick::cli::tell::{Exit, Io};
@@ -155,8 +156,17 @@ fn tokens(files: &BTreeMap<String, String>) -> BTreeSet<String> {
     let data = sheet["problems"][0]["data"].as_object().unwrap();
     let values: BTreeSet<&str> = data.values().filter_map(|d| d["value"].as_str()).collect();
     let mut found = BTreeSet::new();
-    for (file, text) in files {
+    for (file, whole) in files {
         let drawn = !["sheet.json", "sheet.md"].contains(&file.as_str());
+        // The program of a page is one token.
+        let text = match whole.split_once("id=\"program\"") {
+            Some((before, rest)) => {
+                let (program, after) = rest.split_once("</script>").expect("the program ends");
+                found.insert(format!("{file}: {:x?}", Sha256::digest(program)));
+                format!("{before}{after}")
+            }
+            None => whole.clone(),
+        };
         let mut counts: BTreeMap<&str, u32> = BTreeMap::new();
         // In what holds a figure a letter stands close to its coordinate (`M250`), so that words are letters alone.
         let is_part =
