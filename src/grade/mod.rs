@@ -1,8 +1,8 @@
 //! Key and answer give a verdict; a file of submissions gives one for every cell.
 //!
-//! [`run`] has the file walked over: first [`winners`] finds which attempts count, then [`write`] writes a row for each cell.
-//! [`judge`] makes the row: whose cell it is ([`belongs`]), the verdict ([`compare`], or [`si`] where a plain number is all
-//! that it takes), what it earns ([`award`], [`credit`]), and what a wrong number fits ([`diagnose`]).
+//! `run` has the file walked over: first `winners` finds which attempts count, then `write` writes a row for each cell.
+//! `judge` makes the row: whose cell it is (`belongs`), the verdict (`compare`, or `si` where a plain number is all
+//! that it takes), what it earns (`award`, `credit`), and what a wrong number fits (`diagnose`).
 #[cfg(feature = "program")]
 pub mod attempt;
 #[cfg(feature = "program")]
