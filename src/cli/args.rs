@@ -45,7 +45,7 @@ const START: &str = "Start here:\n  slipstick demo                          a wh
 pub enum Verb {
     /// Make a problem set: one sheet for each student of a roster, and the key
     #[command(
-        after_help = "Examples:\n  slipstick generate wheels-on-inclines --roster roster.csv --seed 2026 --out week-5\n  slipstick generate my-bank.yaml --roster roster.csv --seed 7 --out week-6 --problems pulled-rolling,spring-released\n  slipstick generate wheels-on-inclines --roster roster.csv --out week-5 --add      late joiners only\n\nThe roster is a CSV file with a column `student` and, if you like, `name`. Only DIR/students is for students:\nDIR also holds the key. The same seed gives the same variants, whoever else is in the roster."
+        after_help = "Examples:\n  slipstick generate wheels-on-inclines --roster roster.csv --seed 2026 --out week-5\n  slipstick generate my-bank.yaml --roster roster.csv --seed 7 --out week-6 --problems pulled-rolling,spring-released\n  slipstick generate wheels-on-inclines --roster roster.csv --out week-5 --add      late joiners only\n\nThe roster is a CSV file with a column `student` and, if you like, `name`. Only DIR/students is for students:\nDIR also holds the key. The same seed and name give the same variants, whoever else is in the\nroster."
     )]
     Generate(GenerateArgs),
     /// Grade submissions against a set

@@ -7,6 +7,7 @@ use crate::folder::deal::{Plan, SetMade};
 use crate::folder::{banks, deal, files, names, set, staged};
 use crate::review;
 use crate::set::dealer;
+use crate::sheet::self_check::Hosting;
 use crate::sheet::{output, terminal, texts};
 use std::path::Path;
 
@@ -118,6 +119,11 @@ fn told(plan: &Plan, made: &SetMade, folder: &Path, io: &mut Io) {
     sheets.push("sheet.json".to_owned());
     io.line(&format!("  start with:    {out}/{}", names::INDEX));
     io.line(&format!("  for students:  {out}/students/ID/ ({}); nothing else", sheets.join(", ")));
+    if plan.hosting == Hosting::Site && plan.bank.self_check {
+        io.line(&format!(
+            "  on the web:    {out}/students/ as a whole: the sheets check themselves with the two files beside them"
+        ));
+    }
     let booklets = tell::booklets(plan.formats, folder);
     if !booklets.is_empty() {
         io.line(&format!("  to print:      {booklets} (all sheets)"));

@@ -36,6 +36,9 @@ pub fn load(name: &str) -> Result<Loaded, Findings> {
         (name.to_owned(), files::read_text(path)?)
     } else if let Some((_, file, text)) = BUILT_IN.iter().find(|(id, _, _)| *id == name) {
         ((*file).to_owned(), (*text).to_owned())
+    } else if path.is_dir() {
+        let fault = Finding::new("", "is a folder, and a bank is a file").in_file(name);
+        return Err(fault.hint("name the file, such as my-bank.yaml").into());
     } else {
         let known: Vec<&str> = BUILT_IN.iter().map(|(id, _, _)| *id).collect();
         let fault = Finding::new("", "there is no such file and no built-in bank of this name").in_file(name);

@@ -1,8 +1,9 @@
 //! The files of answers of a whole class at once: a folder of them, or the archive that a learning platform gives of an
 //! assignment, joined to one file of submissions. What is no file of answers is named and stops nothing.
+use crate::answer::submissions;
 use crate::finding::Finding;
 use crate::folder::files;
-use crate::guard::{push_line, unguarded};
+use crate::guard::unguarded;
 use crate::sheet::terminal;
 use std::fs::File;
 use std::io::Read;
@@ -16,6 +17,8 @@ const MOST: usize = 100_000;
 const DEEPEST: usize = 8;
 /// What a file of answers has for columns.
 const COLUMNS: [&str; 4] = ["student", "problem", "part", "answer"];
+/// When it was saved, where the file says so.
+const SAVED: &str = "saved_at";
 
 /// Files of answers, joined.
 #[derive(Debug, Default)]
@@ -26,6 +29,8 @@ pub struct HandedIn {
     pub files: usize,
     /// Files that are none, and why.
     pub passed_over: Vec<(String, &'static str)>,
+    /// Files that are named for one student and hold answers of others: their names, and those students.
+    pub of_others: Vec<(String, String)>,
 }
 
 /// Files listed one by one before the rest is only counted.
@@ -35,6 +40,18 @@ impl HandedIn {
     /// How many files there were, and which of them are none of answers: lines for the summary.
     pub fn told(&self) -> String {
         let mut text = format!("\n  from {}", terminal::count(self.files, "file"));
+        text.push_str(&self.reasons());
+        for (name, students) in self.of_others.iter().take(LISTED) {
+            text.push_str(&format!("\n  look at: {name} holds answers of {students}"));
+        }
+        if self.of_others.len() > LISTED {
+            text.push_str(&format!("\n  and {} more", self.of_others.len() - LISTED));
+        }
+        text
+    }
+    /// Which files are none of answers, line by line.
+    fn reasons(&self) -> String {
+        let mut text = String::new();
         for (name, why) in self.passed_over.iter().take(LISTED) {
             text.push_str(&format!("\n  passed over: {name} {why}"));
         }
@@ -70,22 +87,44 @@ pub fn joined(path: &Path) -> Result<HandedIn, Finding> {
             Err(why) => all.passed_over.push((name, why)),
         }
     }
-    let nothing = || {
-        let fault = Finding::new("", "holds no file of answers").in_file(path.display().to_string());
-        fault.hint("give what the pages of the sheets save, answers-ID.csv, in a folder or a ZIP archive")
-    };
     if read.is_empty() {
-        return Err(nothing());
+        let what = format!("holds no file of answers{}", all.reasons());
+        let fault = Finding::new("", what).in_file(path.display().to_string());
+        return Err(fault
+            .hint("give what the pages of the sheets save, answers-ID.csv, in a folder or a ZIP archive"));
     }
     read.sort();
-    push_line(&mut all.text, COLUMNS);
-    for (_, _, rows) in &read {
+    // Only grading reads this, so that nothing is guarded against spreadsheets.
+    let mut joined = csv::Writer::from_writer(Vec::new());
+    let no_room = |_| Finding::new("", "is too large to be joined").in_file(path.display().to_string());
+    joined.write_record(COLUMNS.iter().chain([&SAVED])).map_err(no_room)?;
+    for (saved, name, rows) in &read {
         for row in rows {
-            push_line(&mut all.text, row.iter());
+            joined.write_record(row.iter().chain([saved])).map_err(no_room)?;
+        }
+        if let Some(students) = of_others(name, rows) {
+            all.of_others.push((name.clone(), students));
         }
     }
+    all.text = joined.into_inner().unwrap_or_default();
     all.files = read.len();
     Ok(all)
+}
+
+/// The students whose answers a file holds that is named for another one, `answers-ID.csv`.
+fn of_others(name: &str, rows: &[[String; 4]]) -> Option<String> {
+    let file = name.rsplit(['/', '\\']).next()?;
+    let id = file.strip_prefix("answers-")?.rsplit_once('.')?.0;
+    // A browser numbers the files of one name: `answers-0017 (1).csv`.
+    let id = id.split_once(" (").map_or(id, |(id, _)| id);
+    let mut others: Vec<&str> = rows
+        .iter()
+        .map(|row| row[0].trim())
+        .filter(|s| !s.is_empty() && !s.eq_ignore_ascii_case(id))
+        .collect();
+    others.sort_unstable();
+    others.dedup();
+    (!others.is_empty()).then(|| others.join(", "))
 }
 
 type Found = Vec<(String, Result<Vec<u8>, &'static str>)>;
@@ -100,11 +139,20 @@ fn bytes(mut source: impl Read) -> Result<Vec<u8>, &'static str> {
 
 /// Files that a system leaves beside others, and that nobody has handed in.
 fn is_hidden(name: &str) -> bool {
-    name.split('/').any(|part| part.starts_with('.') || part == "__MACOSX")
+    let is = |part: &str| part.starts_with('.') && !matches!(part, "." | "..") || part == "__MACOSX";
+    name.split(['/', '\\']).any(is)
 }
 
 fn is_csv(name: &str) -> bool {
     Path::new(name).extension().is_some_and(|e| e.eq_ignore_ascii_case("csv"))
+}
+
+/// What is said of a file of another kind.
+fn no_csv(name: &str) -> &'static str {
+    match is_many(Path::new(name)) {
+        true => "is an archive itself: unpack it",
+        false => "is no CSV file",
+    }
 }
 
 fn in_folder(folder: &Path, prefix: &str, depth: usize, found: &mut Found) -> Result<(), Finding> {
@@ -123,7 +171,8 @@ fn in_folder(folder: &Path, prefix: &str, depth: usize, found: &mut Found) -> Re
         } else if is_csv(&name) {
             found.push((name, File::open(&path).map_err(|_| "cannot be read").and_then(bytes)));
         } else {
-            found.push((name, Err("is no CSV file")));
+            let why = no_csv(&name);
+            found.push((name, Err(why)));
         }
     }
     Ok(())
@@ -133,7 +182,10 @@ fn in_archive(path: &Path, found: &mut Found) -> Result<(), Finding> {
     let file = File::open(path).map_err(|e| files::trouble(path, "cannot be read", &e))?;
     let no_archive = |_| Finding::new("", "is no ZIP archive").in_file(path.display().to_string());
     let mut archive = zip::ZipArchive::new(std::io::BufReader::new(file)).map_err(no_archive)?;
-    for i in 0..archive.len().min(MOST) {
+    if archive.len() > MOST {
+        return Err(Finding::new("", "holds too many files").in_file(path.display().to_string()));
+    }
+    for i in 0..archive.len() {
         let Ok(entry) = archive.by_index(i) else {
             found.push((format!("file {} of the archive", i + 1), Err("cannot be unpacked")));
             continue;
@@ -142,7 +194,7 @@ fn in_archive(path: &Path, found: &mut Found) -> Result<(), Finding> {
         if entry.is_dir() || is_hidden(&name) {
             continue;
         }
-        let bytes = if is_csv(&name) { bytes(entry) } else { Err("is no CSV file") };
+        let bytes = if is_csv(&name) { bytes(entry) } else { Err(no_csv(&name)) };
         found.push((name, bytes));
     }
     Ok(())
@@ -150,8 +202,13 @@ fn in_archive(path: &Path, found: &mut Found) -> Result<(), Finding> {
 
 /// When a file of answers was saved, as far as it says, and its answers.
 fn answers(bytes: &[u8]) -> Result<(String, Vec<[String; 4]>), &'static str> {
-    let text = std::str::from_utf8(bytes).map_err(|_| "is no UTF-8 text")?;
-    let text = text.strip_prefix('\u{feff}').unwrap_or(text);
+    let text = submissions::text_of(bytes);
+    let first = text.lines().next().unwrap_or_default();
+    // A spreadsheet may tell its delimiter first.
+    let text = match first.trim().to_ascii_lowercase().starts_with("sep=") {
+        true => text.split_once('\n').map_or("", |(_, rest)| rest),
+        false => &*text,
+    };
     let first = text.lines().next().unwrap_or_default();
     let mark = [b',', b';', b'\t'].into_iter().find(|mark| first.as_bytes().contains(mark)).unwrap_or(b',');
     let mut reader = csv::ReaderBuilder::new().delimiter(mark).flexible(true).from_reader(text.as_bytes());
@@ -164,7 +221,7 @@ fn answers(bytes: &[u8]) -> Result<(String, Vec<[String; 4]>), &'static str> {
     for record in reader.records() {
         let record = record.map_err(|_| "cannot be read as CSV")?;
         let field = |i: usize| unguarded(record.get(i).unwrap_or_default()).to_owned();
-        if let Some(at) = column("saved_at").and_then(|i| record.get(i)) {
+        if let Some(at) = column(SAVED).and_then(|i| record.get(i)) {
             saved = saved.max(at.trim().to_owned());
         }
         rows.push([student, problem, part, answer].map(field));

@@ -374,3 +374,56 @@ fn files_of_a_class_are_graded_at_once_from_a_folder_and_from_an_archive() {
     let (exit, _, err) = run(&["grade", &set, &no, "--out", &out]);
     assert!(exit != Exit::Fine && err.contains("is no ZIP archive") && !Path::new(&out).exists(), "{err}");
 }
+
+/// What spreadsheets and systems make of a student's file costs nobody an answer: other encodings, a line for the delimiter, odd places
+/// in an archive, times for lateness. A file that answers for somebody else is told.
+#[test]
+fn no_students_file_is_lost_for_its_form() {
+    let room = tempfile::tempdir().unwrap();
+    let at = |name: &str| room.path().join(name).display().to_string();
+    std::fs::write(at("roster.csv"), "student\n0017\n0023\n0031\n").unwrap();
+    let (roster, set) = (at("roster.csv"), at("set"));
+    let args = ["generate", BANKS[0], "--roster", &roster, "--seed", "7", "--out", &set];
+    assert_eq!(run(&[&args[..], &["--problems", "pulled-rolling"]].concat()).0, Exit::Fine);
+    let wide = |text: &str| -> Vec<u8> {
+        [0xff, 0xfe].into_iter().chain(text.encode_utf16().flat_map(u16::to_le_bytes)).collect()
+    };
+    let files: [(&str, Vec<u8>); 4] = [
+        (
+            "./answers-0017.csv",
+            wide("student,problem,part,answer,saved_at\n0017,1,omega,1 rad/s,2026-03-09T10:00:00Z\n"),
+        ),
+        ("x\\answers-0023.csv", b"sep=;\nstudent;problem;part;answer\n0023;1;omega;2 \xb5m\n".to_vec()),
+        ("../answers-0031.csv", b"student,problem,part,answer\n0023,1,v,\"'=2.07\"\n".to_vec()),
+        ("more.zip", b"PK".to_vec()),
+    ];
+    let mut archive = zip::ZipWriter::new(std::fs::File::create(at("class.zip")).unwrap());
+    for (name, bytes) in &files {
+        archive.start_file(*name, zip::write::SimpleFileOptions::default()).unwrap();
+        archive.write_all(bytes).unwrap();
+    }
+    archive.finish().unwrap();
+    let (from, out) = (at("class.zip"), at("grades"));
+    let (exit, told, err) = run(&["grade", &set, &from, "--out", &out]);
+    assert_eq!(exit, Exit::Fine, "{err}");
+    assert!(told.contains("from 3 files"), "{told}");
+    assert!(told.contains("look at: ../answers-0031.csv holds answers of 0023"), "{told}");
+    assert!(told.contains("passed over: more.zip is an archive itself"), "{told}");
+    let answers = std::fs::read_to_string(Path::new(&out).join("answers.csv")).unwrap();
+    assert!(
+        answers.contains("1 rad/s") && answers.contains("2 \u{b5}m") && answers.contains("'=2.07"),
+        "{answers}"
+    );
+    assert!(!answers.contains("''="), "{answers}");
+    // Times of saving serve for lateness where the instructor says so.
+    let (timed, column) = (at("timed"), "submitted_at=saved_at");
+    let (exit, told, err) = run(&["grade", &set, &from, "--out", &timed, "--columns", column]);
+    assert_eq!(exit, Exit::Fine, "{told}{err}");
+    let answers = std::fs::read_to_string(Path::new(&timed).join("answers.csv")).unwrap();
+    assert!(answers.contains("2026-03-09T10:00:00Z"), "{answers}");
+    // Where there is none at all, it is said why.
+    std::fs::create_dir(at("none")).unwrap();
+    std::fs::write(at("none/scan.pdf"), "%PDF").unwrap();
+    let (exit, _, err) = run(&["grade", &set, &at("none"), "--out", &at("nothing")]);
+    assert!(exit != Exit::Fine && err.contains("passed over: scan.pdf is no CSV file"), "{err}");
+}
