@@ -319,7 +319,7 @@ fn canvas(raw: &str) -> Written {
 pub struct CodeWord<'t> {
     /// In small letters, with digits for letters that are taken for them.
     pub code: String,
-    /// `Code` stands before it.
+    /// `Code` stands shortly before it: `Code: 4f7k2m9q`, `Code of these data: 4f7k2m9q`.
     pub called: bool,
     /// What follows it.
     pub rest: &'t str,
@@ -327,10 +327,12 @@ pub struct CodeWord<'t> {
 
 /// Digits of a code.
 const CODE: usize = 8;
+/// A code stands at most so many words behind the word `code`.
+const NEAR: usize = 4;
 
 /// The words of a text that are as long as a code.
 pub fn code_words(text: &str) -> Vec<CodeWord<'_>> {
-    let (mut found, mut called, mut at) = (Vec::new(), false, 0);
+    let (mut found, mut since, mut at) = (Vec::new(), NEAR, 0);
     for word in text.split(|c: char| !c.is_alphanumeric()) {
         let end = at + word.len();
         if word.len() == CODE && word.is_ascii() {
@@ -340,10 +342,10 @@ pub fn code_words(text: &str) -> Vec<CodeWord<'_>> {
                 c => c,
             };
             let (code, rest) = (word.chars().map(digit).collect(), &text[end..]);
-            found.push(CodeWord { code, called, rest });
+            found.push(CodeWord { code, called: since < NEAR, rest });
         }
         if !word.is_empty() {
-            called = word.eq_ignore_ascii_case("code");
+            since = if word.eq_ignore_ascii_case("code") { 0 } else { (since + 1).min(NEAR) };
         }
         // Behind the mark that ends the word.
         at = end + text[end..].chars().next().map_or(0, char::len_utf8);
@@ -417,9 +419,11 @@ mod tests {
 
     #[test]
     fn codes_are_found_in_any_spelling() {
-        let found = code_words("Distance CODE: 4F7K2M9Q.omega, ä4f7k2m9q oil01234");
+        let found = code_words("Distance CODE: 4F7K2M9Q.omega, ä4f7k2m9q of what lies there: oil01234");
         let shown: Vec<_> = found.iter().map(|w| (w.code.as_str(), w.called, w.rest.len())).collect();
-        assert_eq!(shown, [("d1stance", false, 42), ("4f7k2m9q", true, 27), ("01101234", false, 0)]);
+        assert_eq!(shown, [("d1stance", false, 62), ("4f7k2m9q", true, 47), ("01101234", false, 0)]);
+        assert!(code_words("Code of these data: 4f7k2m9q")[0].called);
+        assert!(code_words("Code dieser Daten: 4f7k2m9q")[0].called);
     }
 
     proptest! {

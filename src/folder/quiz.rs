@@ -163,7 +163,9 @@ struct Takers {
     who: Vec<(String, String)>,
     /// Is any of them on the roster?
     on_roster: bool,
-    /// By what those are known who are not.
+    /// Those who are not.
+    strangers: BTreeSet<String>,
+    /// By what they are known.
     by: &'static str,
 }
 
@@ -205,8 +207,14 @@ impl Takers {
             let id = spelled.entry(id.to_lowercase()).or_insert(id).clone();
             (id, clean(&attempt.name))
         });
-        let (who, by) = (who.collect(), of_all.map_or("whatever the file says", |kind| words[kind]));
-        Self { who, on_roster: known.iter().any(Option::is_some), by }
+        let who: Vec<(String, String)> = who.collect();
+        let strangers = who.iter().zip(&known).filter(|(_, known)| known.is_none());
+        let strangers = strangers.map(|((id, _), _)| id.clone()).collect();
+        let (on_roster, by) = (
+            known.iter().any(Option::is_some),
+            of_all.map_or("what the file says of each", |kind| words[kind]),
+        );
+        Self { who, on_roster, strangers, by }
     }
 }
 
@@ -405,11 +413,17 @@ fn told(quiz: &Quiz, rows: &[Row], takers: &Takers, unknown: &BTreeMap<&str, usi
         text.push_str("\n  ");
         text.push_str(&line);
     };
+    let some = |ids: &BTreeSet<String>| {
+        let shown: Vec<String> = ids.iter().take(LISTED).map(|id| short(id)).collect();
+        format!("{}{}", shown.join(", "), if ids.len() > LISTED { ", ..." } else { "" })
+    };
     if !takers.on_roster {
+        let by = takers.by;
         add(format!(
-            "None of them is on the roster of the set: the marks are of those who answered, by {}.",
-            takers.by
+            "None of them is on the roster of the set: the marks are of those who answered, by {by}."
         ));
+    } else if !takers.strangers.is_empty() {
+        add(format!("look at: not on the roster of the set: {}", some(&takers.strangers)));
     }
     let open = quiz.attempts.iter().filter(|a| a.submitted.is_empty() && !a.answers.is_empty()).count();
     if open > 0 {
@@ -427,20 +441,18 @@ fn told(quiz: &Quiz, rows: &[Row], takers: &Takers, unknown: &BTreeMap<&str, usi
         let answers = terminal::count(unplaced, "answer");
         add(format!("look at: to which part of its problem it belongs is not known of {answers}"));
     }
-    let mut twice: BTreeSet<&str> = BTreeSet::new();
+    let mut twice: BTreeSet<String> = BTreeSet::new();
     let mut one: HashMap<(usize, usize, usize), &str> = HashMap::new();
     for row in rows {
         let Some((p, part, _)) = row.of else { continue };
         if *one.entry((row.attempt, p, part)).or_insert(&row.code) != row.code {
-            twice.insert(&takers.who[row.attempt].0);
+            twice.insert(takers.who[row.attempt].0.clone());
         }
     }
     if !twice.is_empty() {
-        let some: Vec<String> = twice.iter().take(LISTED).map(|id| short(id)).collect();
-        let more = if twice.len() > LISTED { ", ..." } else { "" };
         add(format!(
-            "look at: a question came twice in one attempt with different data, of which one counts: {}{more}",
-            some.join(", ")
+            "look at: a question came twice in one attempt with different data, of which one counts: {}",
+            some(&twice)
         ));
     }
     text
