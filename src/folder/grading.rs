@@ -238,6 +238,9 @@ pub fn make(job: &GradeOrder, basis: Basis, input: &mut dyn BufRead) -> Result<S
     for (name, text) in kept.chain(courses.iter().enumerate().map(|(i, (_, t))| (names::course(i), t))) {
         put(&format!("{}/{name}", names::BASIS), text.as_bytes())?;
     }
+    if let Some(handed_in) = &handed_in {
+        put(grading::JOINED, &handed_in.kept)?;
+    }
     let hash = |path: &Path| match graded.cells <= REPORTED {
         true => graded::hash(path).map(Some).map_err(|f| staged.named(f.into())),
         false => Ok(None),
@@ -258,6 +261,7 @@ pub fn make(job: &GradeOrder, basis: Basis, input: &mut dyn BufRead) -> Result<S
         attempts: job.attempts.map(|counts| counts.as_str().to_owned()),
         language: words.language().to_owned(),
         submissions: job.submissions.file_name().unwrap_or_default().to_string_lossy().into_owned(),
+        submissions_files: handed_in.as_ref().map(|all| all.files),
         submissions_bytes: fs::metadata(path).map_or(0, |m| m.len()),
         submissions_sha256: hash(path)?,
         answers_sha256: hash(&staged.path().join(names::ANSWERS))?,

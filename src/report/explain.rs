@@ -13,7 +13,7 @@ use crate::policy::time::{Evidence, Moment};
 use crate::policy::{For, Per, Policy, RoundingWay, Unread};
 use crate::problem::maker::Variant;
 use crate::regrade::changes::ChangeRow;
-use crate::set::grading::StoredGrading;
+use crate::set::grading::{JOINED, StoredGrading};
 use crate::set::store::{StoredSet, StoredStudent};
 use crate::sheet::terminal;
 use crate::sheet::terminal::plain;
@@ -187,7 +187,15 @@ impl ExplainedMarks<'_> {
         if let Some(course) = &made.course_sha256 {
             say!(page, "course, SHA-256 {course}");
         }
-        say!(page, "submissions: {}, {} bytes", made.submissions, made.submissions_bytes);
+        match made.submissions_files {
+            Some(files) => say!(
+                page,
+                "submissions: {}, {} joined, as kept in {JOINED}",
+                made.submissions,
+                terminal::count(files, "file")
+            ),
+            None => say!(page, "submissions: {}, {} bytes", made.submissions, made.submissions_bytes),
+        }
     }
 
     fn part(&self, page: &mut Pages, index: usize) {
@@ -215,7 +223,10 @@ impl ExplainedMarks<'_> {
         if rows.is_empty() {
             page.say(1, "attempts: none was handed in");
         } else {
-            page.say(1, "attempts, in the order of the file:");
+            match self.grading.submissions_files {
+                Some(_) => say!(page, "attempts, in the order of {JOINED}:"),
+                None => page.say(1, "attempts, in the order of the file:"),
+            }
         }
         for row in &rows {
             self.attempt(page, index, row);
