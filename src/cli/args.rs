@@ -196,7 +196,7 @@ pub struct GenerateArgs {
     #[arg(long, value_name = "ROSTER.csv")]
     pub roster: PathBuf,
     /// Seed, a whole number from 0; required unless --add is given, which takes it from the set
-    #[arg(long, value_name = "N", required_unless_present = "add")]
+    #[arg(long, value_name = "N", required_unless_present = "add", value_parser = seed, allow_negative_numbers = true)]
     pub seed: Option<u64>,
     /// Folder to make
     #[arg(long, value_name = "DIR")]
@@ -411,6 +411,11 @@ pub struct CheckArgs {
     pub hint: usize,
 }
 
+/// What data are drawn by.
+fn seed(text: &str) -> Result<u64, String> {
+    text.parse().map_err(|_| format!("a whole number from 0 to {} is expected", u64::MAX))
+}
+
 /// A whole number from 1.
 fn at_least_one(text: &str) -> Result<usize, String> {
     text.parse().ok().filter(|n| *n > 0).ok_or_else(|| "a whole number from 1 is expected".to_owned())
@@ -422,7 +427,7 @@ pub struct PracticeArgs {
     /// Bank: a YAML file, or the id of a built-in one: wheels-on-inclines, hoists-and-pulleys, slip-and-roll, pinned-bodies
     pub bank: String,
     /// Seed, for the same problems again [default: from the clock]
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", value_parser = seed, allow_negative_numbers = true)]
     pub seed: Option<u64>,
     /// Only these problems
     #[arg(long, value_name = "ID,ID", value_delimiter = ',')]
@@ -437,13 +442,13 @@ pub struct PracticeArgs {
 pub struct ProblemArgs {
     /// Bank: a YAML file, or the id of a built-in one: wheels-on-inclines, hoists-and-pulleys, slip-and-roll, pinned-bodies
     pub bank: String,
-    /// Id of the problem
-    pub problem: String,
+    /// Id of the problem; a bank of one problem needs none
+    pub problem: Option<String>,
     /// A datum with its unit, such as m=40kg; may be repeated
     #[arg(long, value_name = "SYMBOL=VALUE")]
     pub set: Vec<String>,
     /// Without --set: draw with this seed; not needed where all data are constants
-    #[arg(long, value_name = "N", conflicts_with = "set")]
+    #[arg(long, value_name = "N", conflicts_with = "set", value_parser = seed, allow_negative_numbers = true)]
     pub seed: Option<u64>,
 }
 
@@ -554,8 +559,8 @@ pub struct NewArgs {
 pub struct QuantitiesArgs {
     /// Bank: a YAML file, or the id of a built-in one: wheels-on-inclines, hoists-and-pulleys, slip-and-roll, pinned-bodies
     pub bank: String,
-    /// Id of the problem
-    pub problem: String,
+    /// Id of the problem; a bank of one problem needs none
+    pub problem: Option<String>,
     /// Print JSON
     #[arg(long)]
     pub json: bool,
@@ -650,7 +655,7 @@ pub struct SimulateArgs {
     #[arg(long, value_name = "FILE", required_unless_present = "example")]
     pub truth: Option<PathBuf>,
     /// Seed, a whole number from 0
-    #[arg(long, value_name = "N", default_value_t = 1)]
+    #[arg(long, value_name = "N", default_value_t = 1, value_parser = seed, allow_negative_numbers = true)]
     pub seed: u64,
     /// Language of words such as `up`: en or de [default: that of the set]
     #[arg(long, value_name = "CODE")]

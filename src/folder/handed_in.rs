@@ -23,8 +23,7 @@ const SAVED: &str = "saved_at";
 /// Which file an answer is from, in what is kept.
 const FILE: &str = "file";
 /// What to give.
-const HINT: &str =
-    "give what students handed in: a CSV file, or a folder or ZIP archive of the files answers-ID.csv that their pages saved";
+const HINT: &str = "give what students handed in: a CSV file, or a folder or ZIP archive of the files answers-ID.csv that their pages saved";
 
 /// Files of answers, joined.
 #[derive(Debug, Default)]

@@ -375,9 +375,15 @@ fn files_of_a_class_are_graded_at_once_from_a_folder_and_from_an_archive() {
         let there = kept.lines().nth(cells[0].parse::<usize>().unwrap() - 1).unwrap();
         assert!(there.starts_with(cells[2]) && there.contains("answers-"), "{line}: {there}");
     }
-    assert!(kept.contains("0017,1,omega,2 rad/s,2026-03-02T10:00:00.000Z,Amina_1_file_/answers-0017 (1).csv"), "{kept}");
+    assert!(
+        kept.contains("0017,1,omega,2 rad/s,2026-03-02T10:00:00.000Z,Amina_1_file_/answers-0017 (1).csv"),
+        "{kept}"
+    );
     let (_, told, _) = run(&["explain", &grades, "0017", "1.omega"]);
-    assert!(told.contains("in the order of basis/submissions.csv") && told.contains("line 4: `2 rad/s`"), "{told}");
+    assert!(
+        told.contains("in the order of basis/submissions.csv") && told.contains("line 4: `2 rad/s`"),
+        "{told}"
+    );
     let (again, zipped) = (at("again"), at("grades-class.zip"));
     let (exit, told, err) = run(&["regrade", &set, &zipped, &at("class"), "--out", &again]);
     assert!(exit == Exit::Fine && told.contains("No mark changes"), "{told}{err}");
