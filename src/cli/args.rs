@@ -50,7 +50,7 @@ pub enum Verb {
     Generate(GenerateArgs),
     /// Grade submissions against a set
     #[command(
-        after_help = "Examples:\n  slipstick grade week-5 submissions.csv --out week-5-grades\n  slipstick grade week-5 forms-export.csv --out grades --columns student=\"Email Address\" --attempts best\n  slipstick course > course.yaml     due date, attempts, late penalty, credit, rounding: change what you need\n  slipstick grade week-5 submissions.csv --course course.yaml --out week-5-grades\n\nSUBMISSIONS is a CSV file in long form (student,problem,part,answer and, if known, submitted_at) or in wide form\n(one record for each student, columns such as 1.omega). Separator and encoding are found out. Every answer cell\ncomes out exactly once in answers.csv, with a verdict, points and a reason."
+        after_help = "Examples:\n  slipstick grade week-5 submissions.csv --out week-5-grades\n  slipstick grade week-5 forms-export.csv --out grades --columns student=\"Email Address\" --attempts best\n  slipstick course > course.yaml     due date, attempts, late penalty, credit, rounding: change what you need\n  slipstick grade week-5 submissions.csv --course course.yaml --out week-5-grades\n\nSUBMISSIONS is a CSV file in long form (student,problem,part,answer and, if known, submitted_at) or in wide form\n(one record for each student, columns such as 1.omega); or a folder or ZIP archive of the files that students saved\nfrom their sheets. Separator and encoding are found out. Every answer cell\ncomes out exactly once in answers.csv, with a verdict, points and a reason."
     )]
     Grade(GradeArgs),
     /// Print a course file with every setting that bears on marks, explained: `slipstick course > course.yaml`
@@ -263,7 +263,7 @@ impl AttemptsArg {
 pub struct GradeArgs {
     /// Folder of the set, as generate made it
     pub set: PathBuf,
-    /// CSV file with the answers; `-` reads standard input; a folder or ZIP archive of files that sheets saved (answers-ID.csv)
+    /// The answers: a CSV file, a folder or ZIP archive of the files that sheets saved (answers-ID.csv), `-` for standard input
     pub submissions: PathBuf,
     /// Folder to make
     #[arg(long, value_name = "GRADED")]
@@ -339,7 +339,7 @@ pub struct RegradeArgs {
     pub set: PathBuf,
     /// Folder of the grading, as grade made it
     pub graded: PathBuf,
-    /// CSV file with the answers, the same as before; `-` reads standard input
+    /// The same answers as before: a CSV file, a folder or ZIP archive of the files that sheets saved, `-` for standard input
     pub submissions: PathBuf,
     /// Folder to make
     #[arg(long, value_name = "NEW", required_unless_present = "dry_run")]

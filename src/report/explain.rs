@@ -13,6 +13,7 @@ use crate::policy::time::{Evidence, Moment};
 use crate::policy::{For, Per, Policy, RoundingWay, Unread};
 use crate::problem::maker::Variant;
 use crate::regrade::changes::ChangeRow;
+use crate::report::changes::corrected;
 use crate::set::grading::{JOINED, StoredGrading};
 use crate::set::store::{StoredSet, StoredStudent};
 use crate::sheet::terminal;
@@ -88,13 +89,17 @@ pub struct ExplainedMarks<'g> {
 fn regraded(row: &ChangeRow) -> String {
     let told = |points: &str, verdict: &str| match (points, verdict) {
         ("", "") => "no answer".to_owned(),
-        (points, "") => format!("{points} points without an answer"),
+        (points, "") => format!("{} without an answer", in_points(points)),
         ("", verdict) => verdict.to_owned(),
-        (points, verdict) => format!("{points} points ({verdict})"),
+        (points, verdict) => format!("{} ({verdict})", in_points(points)),
     };
     let before = told(&row.points_before, &row.verdict_before);
     let after = told(&row.points_after, &row.verdict_after);
-    format!("regraded: before {before}, now {after}: {}", row.why)
+    format!("regraded: {before} before, {after} now ({})", row.why)
+}
+
+fn in_points(text: &str) -> String {
+    if text == "1" { "1 point".to_owned() } else { format!("{text} points") }
 }
 
 impl ExplainedMarks<'_> {
@@ -249,13 +254,7 @@ impl ExplainedMarks<'_> {
         }
         let correction = policy.correction(self.number, &self.problem.id, &entry.part, counting.is_some());
         if let Some(correction) = correction {
-            say!(
-                page,
-                "correction: {} get at least {} % of this part: {}",
-                if correction.to == For::All { "all" } else { "all who answered" },
-                terminal::per_cent(correction.share),
-                correction.why
-            );
+            page.say(1, &corrected(correction, "this part"));
         }
     }
 
