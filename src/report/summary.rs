@@ -57,7 +57,7 @@ pub fn grades(table: &KeyTable, graded: &run::Graded, policy: &Policy) -> String
     if strangers > 0 {
         let answers = terminal::count(usize::try_from(strangers).unwrap_or(usize::MAX), "answer");
         text.push_str(&format!(
-            "\n  {answers} came under an id that is not on the roster and do not count: look for `unknown student` in\n  answers.csv. A spreadsheet turns 0017 into 17 unless its cells are text."
+            "\n  Not counted: {answers} under an id that is not on the roster (`unknown student` in answers.csv). Spreadsheets turn 0017 into 17."
         ));
     }
     if graded.respelled > 0 {
