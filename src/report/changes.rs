@@ -4,7 +4,7 @@ use crate::grade::verdict::Verdict;
 
 use crate::key::{Answer, KeyEntry};
 use crate::num::shown;
-use crate::policy::{Correction, For, Policy};
+use crate::policy::{Correction, Policy};
 use crate::regrade::changes;
 use crate::regrade::changes::{ChangeRow, DUST, Grading, MarkChange, Who, Why};
 use crate::report::tolerances;
@@ -254,19 +254,6 @@ impl ChangesTold<'_> {
     }
 }
 
-/// Who gets how much for a part by a correction, and why.
-pub(super) fn corrected(correction: &Correction, part: &str) -> String {
-    let who = match correction.to {
-        For::All => "everybody",
-        _ => "everybody who answered",
-    };
-    let points = match correction.share >= 1.0 {
-        true => "full points".to_owned(),
-        false => format!("at least {} % of the points", terminal::per_cent(correction.share)),
-    };
-    format!("correction: {who} gets {points} for {part}: {}", correction.why)
-}
-
 /// Which settings of the course differ.
 fn settings(old: &Policy, new: &Policy) -> Vec<String> {
     let mut said = Vec::new();
@@ -275,7 +262,7 @@ fn settings(old: &Policy, new: &Policy) -> Vec<String> {
             .iter()
             .any(|o| (o.part.text(), o.share.to_bits(), o.to) == (c.part.text(), c.share.to_bits(), c.to))
     }) {
-        said.push(corrected(correction, &correction.part.text()));
+        said.push(correction.in_words(&correction.part.text()));
     }
     let gone = |c: &&Correction| !new.corrections.iter().any(|n| n.part.text() == c.part.text());
     for correction in old.corrections.iter().filter(gone) {

@@ -13,7 +13,6 @@ use crate::policy::time::{Evidence, Moment};
 use crate::policy::{For, Per, Policy, RoundingWay, Unread};
 use crate::problem::maker::Variant;
 use crate::regrade::changes::ChangeRow;
-use crate::report::changes::corrected;
 use crate::set::grading::{JOINED, StoredGrading};
 use crate::set::store::{StoredSet, StoredStudent};
 use crate::sheet::terminal;
@@ -254,7 +253,7 @@ impl ExplainedMarks<'_> {
         }
         let correction = policy.correction(self.number, &self.problem.id, &entry.part, counting.is_some());
         if let Some(correction) = correction {
-            page.say(1, &corrected(correction, "this part"));
+            page.say(1, &correction.in_words("this part"));
         }
     }
 
