@@ -18,7 +18,7 @@ use crate::sheet::html::Converter;
 use crate::sheet::key_table::KeyTableRow;
 use crate::sheet::output::{Format, Output, WrittenDocument};
 use crate::sheet::page::{Room, Sheets};
-use crate::sheet::self_check::{self, Handed, Hosting, SelfCheck};
+use crate::sheet::self_check::{self, Handed, Hosting, SelfCheck, Use};
 use crate::sheet::texts::Texts;
 use crate::sheet::{key_table, public, terminal};
 use rayon::prelude::*;
@@ -137,7 +137,8 @@ pub fn whole(
 /// What lies beside the sheets where they are put on a web server.
 fn of_site(plan: &Plan) -> Vec<(&'static str, &'static [u8])> {
     let files = names::OF_SITE.into_iter().zip([self_check::PROGRAM, self_check::WORKER.as_bytes()]);
-    files.filter(|_| plan.hosting == Hosting::Site && plan.bank.self_check).collect()
+    let pages = plan.formats.contains(&Format::Html) && plan.bank.self_check;
+    files.filter(|_| plan.hosting == Hosting::Site && pages).collect()
 }
 
 /// Booklets, the key for people, and the page to start from.
@@ -275,7 +276,7 @@ impl<'p> SheetWriter<'p> {
         let output = Output::new(plan.texts, plan.formats, "sheet")?;
         let public = public::Writer::new(plan.bank, plan.text, plan.problems, plan.name, words.language())?;
         let checks = plan.bank.self_check && templates.variables("sheet.html")?.iter().any(|v| v == "check");
-        let self_check = checks.then(|| SelfCheck::new(words, plan.hosting));
+        let self_check = checks.then(|| SelfCheck::new(words, plan.hosting, Use::Sheet));
         Ok(Self { plan, sheets, output, public, self_check })
     }
 

@@ -423,7 +423,7 @@ pub fn booklet<'p>(
 }
 
 /// Figures bring their style along; in one page each style is needed once, and counts for all figures.
-fn styles_once(html: &str, seen: &mut Vec<String>) -> String {
+pub fn styles_once(html: &str, seen: &mut Vec<String>) -> String {
     const END: &str = "</style>";
     let mut out = String::with_capacity(html.len());
     let mut rest = html;
