@@ -191,6 +191,7 @@ const DOORS: &[(&str, &[&str])] = &[
             "num",
             "misconception::catalogue",
             "sheet::terminal",
+            "words",
         ],
     ),
     (

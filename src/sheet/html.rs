@@ -357,8 +357,8 @@ pub fn running_head(head: &Head) -> String {
     text
 }
 
-/// A page that needs nothing else. `kind` is the class of its body: `sheets`, `solutions`, `key`; `tools` are those of a sheet
-/// that checks itself.
+/// A page that needs nothing else. `kind` is the class of its body: `sheets`, `solutions`, `practice`, `key`; `tools` are those of
+/// a page that checks answers.
 ///
 /// # Errors
 /// Faults of the templates.

@@ -89,6 +89,7 @@ enum Limit {
     Zero(usize),
     Tenfold(usize),
     Twofold(usize),
+    Half(usize),
 }
 
 impl Limit {
@@ -288,15 +289,19 @@ impl<'a, 'w> Tutor<'a, 'w> {
             let free_fall = self.problem.data.get(*i).is_none_or(|d| d.symbol == "g");
             value.is_some() && !free_fall && self.variant.data[*i] != 0.0 && end != Some(Num::Datum(*i))
         });
-        given.filter_map(|(i, _)| {
+        given.flat_map(move |(i, _)| {
             let (angle, here) = (self.problem.data[i].degrees, self.variant.data[i]);
-            let more = [(Limit::Tenfold(i), 10.0 * here), (Limit::Twofold(i), 2.0 * here)];
-            let cases = std::iter::once((Limit::Zero(i), 0.0)).chain(more.into_iter().filter(|_| !angle));
-            let solved = |(limit, value)| {
+            let zero = (Limit::Zero(i), 0.0);
+            let more = [
+                (Limit::Tenfold(i), 10.0 * here),
+                (Limit::Twofold(i), 2.0 * here),
+                (Limit::Half(i), 0.5 * here),
+            ];
+            let cases = std::iter::once(zero).chain(more.into_iter().filter(move |_| !angle));
+            cases.filter_map(move |(limit, value)| {
                 let (data, solved) = self.solved_with(i, value)?;
                 Some((limit, data, solved))
-            };
-            cases.into_iter().find_map(solved)
+            })
         })
     }
 
@@ -313,12 +318,13 @@ impl<'a, 'w> Tutor<'a, 'w> {
 
     /// `With k = 0`.
     fn of_limit(&self, limit: Limit) -> String {
-        let (Limit::Zero(i) | Limit::Tenfold(i) | Limit::Twofold(i)) = limit;
+        let (Limit::Zero(i) | Limit::Tenfold(i) | Limit::Twofold(i) | Limit::Half(i)) = limit;
         let symbol = format!("${}$", self.problem.data[i].tex);
         let name = match limit {
             Limit::Zero(_) => "tutor.limit.zero",
             Limit::Tenfold(_) => "tutor.limit.tenfold",
             Limit::Twofold(_) => "tutor.limit.twofold",
+            Limit::Half(_) => "tutor.limit.half",
         };
         self.words.say(name, &[("symbol", &symbol)])
     }
