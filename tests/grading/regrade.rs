@@ -523,7 +523,7 @@ The total
 What it was graded with
   slipstick 0.1.0, draw version 5; set week from seed 7
   bank one-wheel, SHA-256 1a2fd9c7c8f8999d941fe2fc93f5f09c5b98215c9fc3e9e353d7c23ceb374f7d
-  key, SHA-256 d5949bc3a1e867dec8799a0300fa808510f3bf0ede1807ef4be5a6ad4b344568; solved anew for
+  key, SHA-256 bb81adad20d57e48c230c32c0388d4b64d3df8427fd612cdaf1f808fb6a7b8ad; solved anew for
       this text, and the same
   course, SHA-256 6774c14141fb11c387157d62401bb3d51daa38446109ee2c8be51eabbf67fe61
   submissions: answers.csv, 325 bytes
