@@ -141,7 +141,6 @@ pub mod solution;
 pub mod solve;
 #[cfg(feature = "program")]
 pub mod template;
-#[cfg(feature = "program")]
 pub mod tutor;
 pub mod units;
 pub mod words;

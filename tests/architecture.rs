@@ -57,8 +57,10 @@ const DOORS: &[(&str, &[&str])] = &[
         &[
             "problem",
             "bank",
+            "misconception",
             "answer",
             "grade",
+            "tutor",
             "scene",
             "solve::outcome",
             "key",
@@ -101,6 +103,8 @@ const DOORS: &[(&str, &[&str])] = &[
         &[
             "page",
             "problem",
+            "misconception::catalogue",
+            "policy",
             "bank",
             "scene",
             "solve::outcome",
@@ -187,6 +191,7 @@ const DOORS: &[(&str, &[&str])] = &[
             "num",
             "misconception::catalogue",
             "sheet::terminal",
+            "words",
         ],
     ),
     (

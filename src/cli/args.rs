@@ -87,7 +87,7 @@ pub enum Verb {
     Check(CheckArgs),
     /// Practise: a problem is drawn and shown, you answer, you are told what is wrong
     #[command(
-        after_help = "Examples:\n  slipstick practice wheels-on-inclines\n  slipstick practice wheels-on-inclines --seed 3 --problems pulled-rolling\n\nWhile you answer: an empty line skips a question, `solution` shows the values, `next` draws another problem,\n`quit` ends, `help` names these. It works with piped input too."
+        after_help = "Examples:\n  slipstick practice wheels-on-inclines\n  slipstick practice wheels-on-inclines --seed 3 --problems pulled-rolling\n  slipstick practice wheels-on-inclines --page practice.html     for a browser, without a network\n\nThe page shows one problem after another with its figure, checks answers, gives hints and, on request, the worked solution;\nwhat was missed comes again. In the terminal, while you answer: an empty line skips a question, `solution` shows the values, `next` draws another problem,\n`quit` ends, `help` names these. It works with piped input too."
     )]
     Practice(PracticeArgs),
     /// Solve one problem with given data, by equations of motion and by work and energy, and say what really happens
@@ -433,6 +433,15 @@ pub struct PracticeArgs {
     /// Only these problems
     #[arg(long, value_name = "ID,ID", value_delimiter = ',')]
     pub problems: Option<Vec<String>>,
+    /// Write a page to practise with in a browser, offline, such as practice.html
+    #[arg(long, value_name = "FILE")]
+    pub page: Option<PathBuf>,
+    /// How many variants of each problem are on the page
+    #[arg(long, value_name = "N", default_value_t = 3, requires = "page")]
+    pub variants: u32,
+    /// Replace a page that is there already
+    #[arg(long, requires = "page")]
+    pub force: bool,
     /// Templates of one's own.
     #[command(flatten)]
     pub own: OwnArgs,

@@ -5,9 +5,9 @@ pub mod catalogue;
 
 use crate::bank::expression::Expression;
 use crate::bank::{Mistake, Problem};
-use crate::num::Real as _;
+use crate::num::{Fast, Real as _};
 use crate::scene::Label;
-use crate::solve::agree::{Fast, Quick};
+use crate::solve::agree::Quick;
 use crate::solve::outcome::{Entry, Road, Solved};
 use smallvec::SmallVec;
 
@@ -40,6 +40,18 @@ const SAME: f64 = 1e-9;
 /// method without a real answer (a wheel that would not move) has no value.
 pub fn values(problem: &Problem, case: usize, data: &[f64], solved: &Solved, labels: &[Label]) -> Vec<Wrong> {
     Methods::new(problem, case, labels).values_while(data, solved, &mut |_| true)
+}
+
+/// Where one wrong method, an index into those of the problem, comes to for one quantity; `None` where it has no value.
+pub fn value(
+    problem: &Problem,
+    case: usize,
+    (data, solved): (&[f64], &Solved),
+    (mistake, label): (usize, Label),
+) -> Option<f64> {
+    let mut methods = Methods::new(problem, case, &[label]);
+    methods.methods.retain(|m| m.index == mistake);
+    methods.values_while(data, solved, &mut |_| true).first().map(|w| w.value)
 }
 
 /// The wrong methods of one case of a problem and the quantities that they are asked for, ready for many draws.

@@ -96,18 +96,10 @@ impl<'b> Sheets<'b> {
         let mut problems = Vec::with_capacity(variants.len());
         let mut body = Vec::new();
         for (i, (index, _)) in self.statements.iter().enumerate() {
+            let Some(variant) = variants.get(i) else { continue };
             body.clear();
             let problem = &self.bank.problems[*index];
-            if let Some(variant) = variants.get(i) {
-                let figure = (problem.figure != FigureLabels::None).then(|| {
-                    let picture = scene::picture(problem, variant, self.words, problem.figure);
-                    let name = format!("problem-{}", i + 1);
-                    let line = format!("![{}]({name}.svg)", alternative(&picture));
-                    pictures.push((name, picture));
-                    line
-                });
-                self.write(i, variant, figure.as_deref(), room, &mut body)?;
-            }
+            self.with_figure(i, variant, room, &mut body, &mut pictures)?;
             problems.push(template::map([
                 ("number", template::finished(&(i + 1).to_string())),
                 ("title", template::finished(&problem.title)),
@@ -121,6 +113,39 @@ impl<'b> Sheets<'b> {
         let mut markdown = String::from_utf8_lossy(&out).trim_end().to_owned();
         markdown.push('\n');
         Ok((head, Document::new(markdown, pictures)))
+    }
+
+    /// Appends the Markdown of one problem with its figure.
+    fn with_figure(
+        &self,
+        i: usize,
+        variant: &Variant,
+        room: &mut Room,
+        out: &mut Vec<u8>,
+        pictures: &mut Vec<(String, Picture)>,
+    ) -> Result<(), Finding> {
+        let Some((index, _)) = self.statements.get(i) else { return Ok(()) };
+        let problem = &self.bank.problems[*index];
+        let figure = (problem.figure != FigureLabels::None).then(|| {
+            let picture = scene::picture(problem, variant, self.words, problem.figure);
+            let name = format!("problem-{}", i + 1);
+            let line = format!("![{}]({name}.svg)", alternative(&picture));
+            pictures.push((name, picture));
+            line
+        });
+        self.write(i, variant, figure.as_deref(), room, out)
+    }
+
+    /// One problem (counted from 0 in the sheet) as a document of its own.
+    ///
+    /// # Errors
+    /// Faults of the templates.
+    pub fn task(&self, i: usize, variant: &Variant, room: &mut Room) -> Result<Document, Finding> {
+        let title = self.statements.get(i).map_or("", |(index, _)| &self.bank.problems[*index].title);
+        let mut out = format!("## {}. {title}\n\n", i + 1).into_bytes();
+        let mut pictures = Vec::new();
+        self.with_figure(i, variant, room, &mut out, &mut pictures)?;
+        Ok(Document::new(String::from_utf8_lossy(&out).into_owned(), pictures))
     }
 
     /// Who gets the sheet, and the code of what was drawn.
@@ -162,6 +187,8 @@ impl<'b> Sheets<'b> {
             tolerance.push_str(words.get("sheet.unless"));
         }
         view.text("tolerance", &tolerance);
+        // Practice has no student.
+        view.text("practice", if head.student.is_empty() { words.get("page.practice") } else { "" });
         view.text("self_check", if self.bank.self_check { "yes" } else { "" });
         let questions =
             self.statements.iter().enumerate().flat_map(|(i, (index, _))| {

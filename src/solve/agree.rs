@@ -1,5 +1,5 @@
 //! Runs both roads and compares; the only file beside the ladder that sees both.
-use crate::num::{Ball, Dd, NOISE, Real, U, ball, dd};
+use crate::num::{Ball, Dd, Fast, NOISE, Real, U, ball, dd};
 use crate::scene::admissible::Rule;
 use crate::scene::{End, Far, Label, Num, Owner, Quantity, Scales, Scene, Start, Tie, admissible};
 use crate::solve::condition::vanishes;
@@ -143,13 +143,6 @@ pub fn in_scales<R>(
     let (scene, data) = scales.of(scene, data).ok_or(Refusal::Apart)?;
     solve(&scene, &data)
 }
-
-/// What wrong methods are computed in: doubles; in a page, which is small, the numbers that it has anyway.
-#[cfg(feature = "program")]
-pub type Fast = f64;
-/// What wrong methods are computed in: doubles; in a page, which is small, the numbers that it has anyway.
-#[cfg(not(feature = "program"))]
-pub type Fast = Dd;
 
 /// A scene that is solved again and again on the first road in doubles, for what is never published: where a wrong method would
 /// come to. What the right scene shares with it was admissible there and is not looked at again.
