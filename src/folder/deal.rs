@@ -51,6 +51,11 @@ impl<'p> Plan<'p> {
         let (bank, problems) = (self.bank, self.problems);
         problems.iter().filter_map(|p| bank.problems.get(*p))
     }
+    /// Is the program that checks beside the sheets, so that these go on a web server as a whole?
+    pub fn has_program(&self) -> bool {
+        let pages = self.formats.contains(&Format::Html) && self.bank.self_check;
+        self.hosting == Hosting::Site && pages
+    }
 }
 
 /// The students of a roster file; nothing is drawn for them yet.
@@ -137,8 +142,7 @@ pub fn whole(
 /// What lies beside the sheets where they are put on a web server.
 fn of_site(plan: &Plan) -> Vec<(&'static str, &'static [u8])> {
     let files = names::OF_SITE.into_iter().zip([self_check::PROGRAM, self_check::WORKER.as_bytes()]);
-    let pages = plan.formats.contains(&Format::Html) && plan.bank.self_check;
-    files.filter(|_| plan.hosting == Hosting::Site && pages).collect()
+    files.filter(|_| plan.has_program()).collect()
 }
 
 /// Booklets, the key for people, and the page to start from.
