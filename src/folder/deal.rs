@@ -53,7 +53,8 @@ impl<'p> Plan<'p> {
     }
     /// Is the program that checks beside the sheets, so that these go on a web server as a whole?
     pub fn has_program(&self) -> bool {
-        self.hosting == Hosting::Site && self.bank.self_check && self.formats.contains(&Format::Html)
+        let pages = self.formats.contains(&Format::Html) && self.bank.self_check;
+        self.hosting == Hosting::Site && pages
     }
 }
 
