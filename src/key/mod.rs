@@ -76,6 +76,8 @@ pub struct SheetKey {
 pub struct ProblemKey {
     /// Id of the problem.
     pub id: String,
+    /// The code of the variant; empty where it is of no set.
+    pub code: String,
     /// Parts in order.
     pub parts: Vec<KeyEntry>,
     /// Ids of the wrong methods of the problem.

@@ -89,7 +89,8 @@ impl<'p> KeyFrame<'p> {
         let printed = variant.values.iter().flatten().map(|v| v.f64());
         let given = variant.data.iter().copied().chain(printed).collect();
         let (methods, follows) = (problem.methods.clone(), self.follows.clone());
-        ProblemKey { id: problem.id.clone(), parts: parts.collect(), methods, follows, known, given }
+        let (id, code) = (problem.id.clone(), String::new());
+        ProblemKey { id, code, parts: parts.collect(), methods, follows, known, given }
     }
 }
 

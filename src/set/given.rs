@@ -6,7 +6,7 @@ use crate::finding::{Finding, Findings};
 use crate::key::{ProblemKey, SheetKey};
 use crate::problem::maker::Variant;
 use crate::problem::{make_key, maker};
-use crate::set::dealer::{Dealt, indices};
+use crate::set::dealer::{Dealt, coded, indices};
 use crate::set::store::{StoredSet, StoredStudent, StoredVariant};
 use crate::sheet::statement;
 use crate::solve::outcome::Refusal;
@@ -104,7 +104,7 @@ fn one(
         match solved(problem, case, &values) {
             Ok((variant, key)) => {
                 variants.push(variant);
-                keys.push(key);
+                keys.push(coded(key, old));
             }
             Err(why) => {
                 faults.push(GivenFault::Lost(Lost {
@@ -166,7 +166,7 @@ pub fn as_stored(
         });
         match variant {
             Ok(variant) => {
-                keys.push(make_key::key(problem, &variant));
+                keys.push(coded(make_key::key(problem, &variant), old));
                 variants.push(variant);
             }
             Err(more) => faults.extend(more),
