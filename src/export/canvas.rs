@@ -125,7 +125,8 @@ fn processing(x: &mut Xml, part: &ItemPart, explained: bool) {
     let to = [("respident", "response1")];
     x.element("resprocessing", &[], |x| {
         x.element("outcomes", &[], |x| {
-            let score = [("maxvalue", "100"), ("minvalue", "0"), ("varname", "SCORE"), ("vartype", "Decimal")];
+            let score =
+                [("maxvalue", "100"), ("minvalue", "0"), ("varname", "SCORE"), ("vartype", "Decimal")];
             x.empty("decvar", &score);
         });
         if explained {

@@ -133,12 +133,13 @@ impl<'i> ItemMaker<'i> {
         at: usize,
         variant: &Variant,
         key: &ProblemKey,
-        code: &str,
         room: &mut ItemRoom,
     ) -> Result<Item, Finding> {
         let problem = &self.bank.problems[self.problems[at]];
-        let words = &self.texts.words;
-        if let Some(none) = key.parts.iter().find(|p| matches!(p.answer, Answer::Number { value, .. } if !value.is_finite())) {
+        let (words, code) = (&self.texts.words, key.code.as_str());
+        if let Some(none) =
+            key.parts.iter().find(|p| matches!(p.answer, Answer::Number { value, .. } if !value.is_finite()))
+        {
             let field = format!("problems.{}.questions.{}", problem.id, none.part);
             return Err(Finding::new(field, format!("has no answer for the data of {code}")));
         }

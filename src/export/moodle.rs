@@ -11,9 +11,9 @@ const LONGEST: (usize, usize) = (255, 100);
 
 /// Units beside the one that is asked that a numerical question may take, as far as they are of its kind.
 const UNITS: [&str; 39] = [
-    "rad/s", "rpm", "rev/s", "deg/s", "m/s", "km/h", "cm/s", "mm/s", "m", "cm", "mm", "km", "rad", "deg", "rev", "N",
-    "kN", "mN", "J", "kJ", "mJ", "N m", "kN m", "N cm", "W", "kW", "kg", "g", "t", "s", "ms", "min", "m/s^2",
-    "cm/s^2", "rad/s^2", "deg/s^2", "kg m^2", "N/m", "kN/m",
+    "rad/s", "rpm", "rev/s", "deg/s", "m/s", "km/h", "cm/s", "mm/s", "m", "cm", "mm", "km", "rad", "deg",
+    "rev", "N", "kN", "mN", "J", "kJ", "mJ", "N m", "kN m", "N cm", "W", "kW", "kg", "g", "t", "s", "ms",
+    "min", "m/s^2", "cm/s^2", "rad/s^2", "deg/s^2", "kg m^2", "N/m", "kN/m",
 ];
 
 /// A text in which Moodle finds no field of a cloze question.

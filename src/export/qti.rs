@@ -100,6 +100,11 @@ fn item_path(id: &str) -> String {
     format!("items/{id}.xml")
 }
 
+/// XHTML whose formulas say that they are MathML, as XML wants it and HTML does not.
+fn with_mathml(xhtml: &str) -> String {
+    xhtml.replace("<math ", "<math xmlns=\"http://www.w3.org/1998/Math/MathML\" ")
+}
+
 /// The name of an item.
 fn name(problem: usize, code: &str) -> String {
     format!("p{}-{code}", problem + 1)
@@ -123,19 +128,18 @@ pub fn fragment(dialect: &Dialect, export: &Export, item: &Item) -> Fragment {
     q.element("assessmentItem", &attributes, |q| {
         declare(q, item);
         q.element("itemBody", &[], |q| {
-            let text = item.body.text(
-                None,
-                &mut |i| interaction(dialect, &item.parts[i]),
-                &|i| item.picture(i, &address),
-            );
-            q.xml.raw(&text);
+            let text = item
+                .body
+                .text(None, &mut |i| interaction(dialect, &item.parts[i]), &|i| item.picture(i, &address));
+            q.xml.raw(&with_mathml(&text));
         });
         process(q, item);
         if let Some(solution) = item.solution(&address) {
-            let feedback = [("outcomeIdentifier", "FEEDBACK"), ("identifier", "solution"), ("showHide", "show")];
+            let feedback =
+                [("outcomeIdentifier", "FEEDBACK"), ("identifier", "solution"), ("showHide", "show")];
             q.element("modalFeedback", &feedback, |q| match dialect.content_body {
-                true => q.element("contentBody", &[], |q| q.xml.raw(&solution)),
-                false => q.xml.raw(&solution),
+                true => q.element("contentBody", &[], |q| q.xml.raw(&with_mathml(&solution))),
+                false => q.xml.raw(&with_mathml(&solution)),
             });
         }
     });
@@ -246,7 +250,8 @@ fn test(dialect: &Dialect, export: &Export, fragments: &[Fragment]) -> String {
     q.element("assessmentTest", &attributes, |q| {
         let points = export.problems.iter().flat_map(|p| &p.questions).map(|q| q.points).sum();
         q.outcome("SCORE", 0.0, Some(points));
-        let part = [("identifier", "part"), ("navigationMode", "nonlinear"), ("submissionMode", "simultaneous")];
+        let part =
+            [("identifier", "part"), ("navigationMode", "nonlinear"), ("submissionMode", "simultaneous")];
         q.element("testPart", &part, |q| {
             for of_problem in fragments.chunk_by(|a, b| a.problem == b.problem) {
                 let at = of_problem[0].problem;

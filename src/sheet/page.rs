@@ -90,7 +90,12 @@ impl<'b> Sheets<'b> {
     ///
     /// # Errors
     /// Faults of the templates.
-    pub fn problem_document(&self, i: usize, variant: &Variant, room: &mut Room) -> Result<Document, Finding> {
+    pub fn problem_document(
+        &self,
+        i: usize,
+        variant: &Variant,
+        room: &mut Room,
+    ) -> Result<Document, Finding> {
         let mut out = Vec::new();
         let picture = self.whole_problem(i, variant, room, &mut out)?;
         Ok(Document::new(String::from_utf8_lossy(&out).into_owned(), picture.into_iter().collect()))
