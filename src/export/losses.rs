@@ -38,11 +38,9 @@ fn of_question(export: &Export, problem: &Problem, question: &Question) -> Vec<S
     }
     let units = moodle::units(&question.unit);
     let asked = question.unit.ascii();
-    let others: Vec<&str> = units
-        .iter()
-        .map(|(name, _)| name.as_str())
-        .filter(|name| name.is_ascii() && *name != asked)
-        .collect();
+    let mut others: Vec<(&str, f64)> = units.iter().map(|(name, times)| (name.as_str(), *times)).collect();
+    // Other spellings of a unit are no other unit.
+    others.dedup_by(|next, known| next.1.total_cmp(&known.1).is_eq());
     if !question.unit.is_number() {
         let some = others.iter().skip(1).take(NAMED).map(|(name, _)| *name).collect::<Vec<_>>().join(", ");
         lost.push(match export.layout {

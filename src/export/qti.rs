@@ -76,14 +76,6 @@ impl Qti<'_> {
     }
 }
 
-/// The name under which an item knows the answer to a part: its id where that is a name in XML.
-pub fn response(part: &ItemPart) -> String {
-    match part.id.starts_with(|c: char| c.is_ascii_alphabetic()) {
-        true => part.id.clone(),
-        false => format!("part-{}", part.id),
-    }
-}
-
 fn score(part: &ItemPart) -> String {
     format!("SCORE-{}", part.id)
 }
@@ -152,12 +144,12 @@ pub fn fragment(dialect: &Dialect, export: &Export, item: &Item) -> Fragment {
 /// Answers and outcomes of an item.
 fn declare(q: &mut Qti, item: &Item) {
     for part in &item.parts {
-        let id = response(part);
+        let id = part.id.as_str();
         let (kind, right) = match &part.right {
             Right::Number { value, .. } => ("float", shortest(*value)),
             Right::Word { right, .. } => ("identifier", (*right).to_owned()),
         };
-        let attributes = [("identifier", id.as_str()), ("cardinality", "single"), ("baseType", kind)];
+        let attributes = [("identifier", id), ("cardinality", "single"), ("baseType", kind)];
         q.element("responseDeclaration", &attributes, |q| {
             q.element("correctResponse", &[], |q| q.text("value", &[], &right));
         });
@@ -178,13 +170,13 @@ fn declare(q: &mut Qti, item: &Item) {
 /// The place for the answer to a part.
 fn interaction(dialect: &Dialect, part: &ItemPart) -> String {
     let mut q = Qti { dialect, xml: Xml::piece() };
-    let id = response(part);
+    let id = part.id.as_str();
     match &part.right {
         Right::Number { .. } => {
-            q.empty("textEntryInteraction", &[("responseIdentifier", &id), ("expectedLength", "12")]);
+            q.empty("textEntryInteraction", &[("responseIdentifier", id), ("expectedLength", "12")]);
         }
         Right::Word { offered, .. } => {
-            let attributes = [("responseIdentifier", id.as_str()), ("shuffle", "false")];
+            let attributes = [("responseIdentifier", id), ("shuffle", "false")];
             q.element("inlineChoiceInteraction", &attributes, |q| {
                 for (word, said) in offered {
                     q.text("inlineChoice", &[("identifier", word)], said);
@@ -199,20 +191,20 @@ fn interaction(dialect: &Dialect, part: &ItemPart) -> String {
 fn process(q: &mut Qti, item: &Item) {
     q.element("responseProcessing", &[], |q| {
         for part in &item.parts {
-            let id = response(part);
+            let id = part.id.as_str();
             q.element("responseCondition", &[], |q| {
                 q.element("responseIf", &[], |q| {
                     match &part.right {
                         Right::Number { value, tolerance, .. } => q.element("and", &[], |q| {
                             for (compare, bound) in [("gte", value - tolerance), ("lte", value + tolerance)] {
                                 q.element(compare, &[], |q| {
-                                    q.empty("variable", &[("identifier", &id)]);
+                                    q.empty("variable", &[("identifier", id)]);
                                     q.text("baseValue", &[("baseType", "float")], &shortest(bound));
                                 });
                             }
                         }),
                         Right::Word { right, .. } => q.element("match", &[], |q| {
-                            q.empty("variable", &[("identifier", &id)]);
+                            q.empty("variable", &[("identifier", id)]);
                             q.text("baseValue", &[("baseType", "identifier")], right);
                         }),
                     }
