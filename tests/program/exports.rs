@@ -139,14 +139,22 @@ impl Set {
     }
 }
 
-/// Files of an archive, by their names; none has a time of its own.
+/// Files of an archive of ours, by their names; none has a time of its own.
 fn unpacked(bytes: &[u8]) -> BTreeMap<String, Vec<u8>> {
+    let mut archive = zip::ZipArchive::new(std::io::Cursor::new(bytes)).unwrap();
+    for i in 0..archive.len() {
+        let time = archive.by_index(i).unwrap().last_modified().unwrap();
+        assert_eq!((time.year(), time.month(), time.day(), time.hour()), (1980, 1, 1, 0));
+    }
+    unzipped(bytes)
+}
+
+/// Files of an archive, by their names.
+fn unzipped(bytes: &[u8]) -> BTreeMap<String, Vec<u8>> {
     let mut archive = zip::ZipArchive::new(std::io::Cursor::new(bytes)).unwrap();
     let mut files = BTreeMap::new();
     for i in 0..archive.len() {
         let mut file = archive.by_index(i).unwrap();
-        let time = file.last_modified().unwrap();
-        assert_eq!((time.year(), time.month(), time.day(), time.hour()), (1980, 1, 1, 0));
         let mut bytes = Vec::new();
         file.read_to_end(&mut bytes).unwrap();
         files.insert(file.name().unwrap().into_owned(), bytes);
@@ -812,4 +820,36 @@ fn a_player_of_qti_3_scores_the_key_fully_and_what_is_beyond_the_tolerance_not_a
     println!("{told}");
     assert!(done.status.success(), "{told}{}", String::from_utf8_lossy(&done.stderr));
     assert!(told.contains(&format!("{judged} answers in {} items", items.len())), "{told}");
+}
+
+/// The line of the manual makes a document for Word: formulas as Word has them, figures that are no empty pictures, each with its text.
+#[test]
+fn the_line_of_the_manual_makes_a_document_for_word_with_formulas_and_figures() {
+    let there = Command::new("pandoc").arg("--version").output().is_ok_and(|o| o.status.success());
+    assert!(there || std::env::var_os("SLIPSTICK_NEEDS_PANDOC").is_none(), "there is no pandoc");
+    if !there {
+        println!("passed over: there is no pandoc");
+        return;
+    }
+    let room = Room::new();
+    let (roster, out) = (room.at("roster.csv"), room.at("week-3"));
+    room.fine(&["generate", BANKS[0], "--roster", &roster, "--seed", "7", "--format", "md", "--out", &out]);
+    let manual = slipstick::manual::topic("formats").unwrap().text;
+    let line = manual.lines().find(|l| l.starts_with("pandoc ")).unwrap();
+    let done = Command::new("sh").args(["-c", line]).current_dir(room.0.path()).output().unwrap();
+    assert!(done.status.success(), "{}", String::from_utf8_lossy(&done.stderr));
+    let files = unzipped(&fs::read(room.path("0017.docx")).unwrap());
+    let sheet = fs::read_to_string(room.path("week-3/students/0017/sheet.md")).unwrap();
+    let figures = sheet.lines().filter(|l| l.starts_with("![")).count();
+    let document = xml::read(text(&files["word/document.xml"]));
+    assert!(document.all("m:oMath").len() > 20);
+    assert!(document.text.contains("Five particles are joined"));
+    let told = document.all("pic:cNvPr");
+    let of =
+        |end: &str| files.iter().filter(|(n, _)| n.starts_with("word/media/") && n.ends_with(end)).count();
+    assert_eq!((figures, of(".svg"), told.len()), (4, 4, 4));
+    // A picture in which nothing is drawn takes some hundred bytes.
+    let drawn = files.iter().filter(|(n, bytes)| n.ends_with(".png") && bytes.len() > 5_000).count();
+    let converts = Command::new("rsvg-convert").arg("--version").output().is_ok();
+    assert!(drawn == figures || !converts, "{drawn} of {figures} figures are drawn");
 }
