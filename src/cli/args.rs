@@ -51,7 +51,7 @@ pub enum Verb {
     Generate(GenerateArgs),
     /// Grade submissions against a set
     #[command(
-        after_help = "Examples:\n  slipstick grade week-5 submissions.csv --out week-5-grades\n  slipstick grade week-5 forms-export.csv --out grades --columns student=\"Email Address\" --attempts best\n  slipstick course > course.yaml     due date, attempts, late penalty, credit, rounding: change what you need\n  slipstick grade week-5 submissions.csv --course course.yaml --out week-5-grades\n\nSUBMISSIONS is a CSV file in long form (student,problem,part,answer and, if known, submitted_at) or in wide form\n(one record for each student, columns such as 1.omega). Separator and encoding are found out. Every answer cell\ncomes out exactly once in answers.csv, with a verdict, points and a reason."
+        after_help = "Examples:\n  slipstick grade week-5 submissions.csv --out week-5-grades\n  slipstick grade week-5 forms-export.csv --out grades --columns student=\"Email Address\" --attempts best\n  slipstick course > course.yaml     due date, attempts, late penalty, credit, rounding: change what you need\n  slipstick grade week-5 submissions.csv --course course.yaml --out week-5-grades\n\nSUBMISSIONS is a CSV file in long form (student,problem,part,answer and, if known, submitted_at) or in wide form\n(one record for each student, columns such as 1.omega). Separator and encoding are found out. Every answer cell\ncomes out exactly once in answers.csv, with a verdict, points and a reason.\n\nOf a quiz that was made with `export`, SUBMISSIONS is the CSV file that the platform gives: in Moodle the report\n*Responses* with `question text` and `response` ticked, in Canvas *Student Analysis* of the quiz statistics. Each answer is\njudged by the variant whose code its question shows, and the mark goes to who answered:\n\n  slipstick grade pool-set responses.csv --out quiz-grades"
     )]
     Grade(GradeArgs),
     /// Print a course file with every setting that bears on marks, explained: `slipstick course > course.yaml`
@@ -269,7 +269,8 @@ impl AttemptsArg {
 pub struct GradeArgs {
     /// Folder of the set, as generate made it
     pub set: PathBuf,
-    /// CSV file with the answers; `-` reads standard input; a folder or ZIP archive of files that sheets saved (answers-ID.csv)
+    /// CSV file with the answers, or that of a quiz in Moodle or Canvas; `-` reads standard input; a folder or ZIP archive of
+    /// files that sheets saved (answers-ID.csv)
     pub submissions: PathBuf,
     /// Folder to make
     #[arg(long, value_name = "GRADED")]

@@ -108,6 +108,7 @@ fn entry(problem: &Problem, question: &Question, scene: &Scene, variant: &Varian
         cond: None,
         bound: None,
         wrong: Vec::new(),
+        code: None,
     };
     if quantity.is_word() {
         let right = variant.solved.word(question.label).map_or("", |w| w.text());

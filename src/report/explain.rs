@@ -3,7 +3,7 @@ use crate::answer::read::{Reading, UnitCache, read};
 use crate::bank::{Problem, Relative};
 use crate::grade::compare;
 use crate::grade::feedback::Feedback;
-use crate::grade::row::AnswerRow;
+use crate::grade::row::{AnswerRow, OF_ANOTHER};
 use crate::grade::verdict::Verdict;
 use crate::key::{Answer, Given, KeyEntry, ProblemKey};
 use crate::misconception::catalogue::Catalogue;
@@ -14,7 +14,7 @@ use crate::policy::{For, Per, Policy, RoundingWay, Unread};
 use crate::problem::maker::Variant;
 use crate::regrade::changes::ChangeRow;
 use crate::set::grading::StoredGrading;
-use crate::set::store::{StoredSet, StoredStudent};
+use crate::set::store::{StoredSet, StoredStudent, StoredVariant};
 use crate::sheet::terminal;
 use crate::sheet::terminal::plain;
 use std::fmt::Write as _;
@@ -97,6 +97,16 @@ fn regraded(row: &ChangeRow) -> String {
     format!("regraded: before {before}, now {after}: {}", row.why)
 }
 
+/// The data of a variant as they are printed, with its case.
+fn data(stored: &StoredVariant) -> String {
+    let case = if stored.case.is_empty() { String::new() } else { format!("case {}: ", stored.case) };
+    let shown = |(symbol, value): (&String, &serde_json::Value)| {
+        format!("{symbol} = {}", value.as_str().unwrap_or_default())
+    };
+    let data: Vec<String> = stored.data.iter().map(shown).collect();
+    format!("{case}{}", data.join(", "))
+}
+
 impl ExplainedMarks<'_> {
     /// All of it, or what concerns one part, in words.
     pub fn text(&self, part: Option<&str>) -> String {
@@ -113,12 +123,11 @@ impl ExplainedMarks<'_> {
         page.say(0, "");
         page.say(0, "Data on the sheet");
         if let Some(stored) = number.checked_sub(1).and_then(|i| student.problems.get(i)) {
-            let case = if stored.case.is_empty() { String::new() } else { format!("case {}: ", stored.case) };
-            let shown = |(symbol, value): (&String, &serde_json::Value)| {
-                format!("{symbol} = {}", value.as_str().unwrap_or_default())
-            };
-            let data: Vec<String> = stored.data.iter().map(shown).collect();
-            say!(page, "{case}{}", data.join(", "));
+            page.say(1, &data(stored));
+            for (asked, other) in stored.parts.iter().filter(|(id, _)| part.is_none_or(|p| p == id.as_str()))
+            {
+                say!(page, "{number}.{asked} was asked with {}", data(other));
+            }
         }
         for (i, entry) in self.key.parts.iter().enumerate() {
             if part.is_none_or(|p| *p == entry.part) {
@@ -306,7 +315,10 @@ impl ExplainedMarks<'_> {
             if row.submitted_at.is_empty() { String::new() } else { format!(", {}", row.submitted_at) };
         let place = if row.column.is_empty() { String::new() } else { format!(", column {}", row.column) };
         let mut text = format!("line {}{place}{when}: `{}`", row.line, shortened(&row.answer));
+        // What was written to other data is not held against this key.
+        let of_another = row.credit.starts_with(OF_ANOTHER);
         match read(&row.answer, &mut units) {
+            _ if of_another => {}
             Reading::Number(number) => {
                 let unit = number.unit_for(&entry.unit).map_or_else(
                     || match entry.unit.is_number() {

@@ -7,6 +7,7 @@ use crate::set::store::{StoredStudent, StoredVariant};
 use crate::sheet::statement;
 use crate::units::spell;
 use serde_json::{Map, Value};
+use std::collections::BTreeMap;
 
 /// What one student got, problem by problem, drawn or as it is stored.
 pub struct Dealt {
@@ -79,7 +80,8 @@ pub fn stored(problem: &Problem, variant: &Variant) -> StoredVariant {
     let case = problem.cases.get(variant.case).map_or_else(String::new, |c| c.name.clone());
     let table = variant.refusals.names(problem, variant.case);
     let refused = table.into_iter().map(|(rule, count)| (rule, Value::from(count))).collect();
-    StoredVariant { id: problem.id.clone(), case, tries: variant.tries, refused, data }
+    let (id, parts) = (problem.id.clone(), BTreeMap::new());
+    StoredVariant { id, case, tries: variant.tries, refused, data, parts }
 }
 
 /// Indices of problems by id.

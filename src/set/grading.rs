@@ -43,6 +43,9 @@ pub struct StoredGrading {
     pub submissions: String,
     /// Its size in bytes.
     pub submissions_bytes: u64,
+    /// They are the download of a quiz: the set in the basis has the variants that it asked.
+    #[serde(default, skip_serializing_if = "is_no")]
+    pub quiz: bool,
     /// SHA-256 of the submissions, hex; left out of large gradings, as the next two.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub submissions_sha256: Option<String>,
@@ -77,6 +80,11 @@ const fn yes() -> bool {
 #[expect(clippy::trivially_copy_pass_by_ref, reason = "serde asks with a reference")]
 const fn is_yes(said: &bool) -> bool {
     *said
+}
+
+#[expect(clippy::trivially_copy_pass_by_ref, reason = "serde asks with a reference")]
+const fn is_no(said: &bool) -> bool {
+    !*said
 }
 
 impl StoredGrading {

@@ -80,7 +80,7 @@ pub fn rows(keys: &[SheetKey]) -> impl Iterator<Item = [String; 12]> {
             problem.parts.iter().map(move |entry| {
                 let [part, value, unit, eom, energy, gap, cond, tolerance, bound] = fields(entry);
                 let number = (i + 1).to_string();
-                let (student, code) = (key.student.clone(), problem.code.clone());
+                let (student, code) = (key.student.clone(), problem.code_of(entry).to_owned());
                 [student, number, part, value, unit, eom, energy, gap, cond, tolerance, bound, code]
             })
         })

@@ -5,6 +5,7 @@ use crate::sheet::self_check::Hosting;
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};
 use sha2::{Digest, Sha256};
+use std::collections::BTreeMap;
 
 /// Version of the layout of set.json.
 pub const FORMAT: u32 = 1;
@@ -89,6 +90,9 @@ pub struct StoredVariant {
     pub refused: Map<String, Value>,
     /// Symbol to value with unit, exactly as printed.
     pub data: Map<String, Value>,
+    /// Parts that were asked with other data, as a quiz may do that draws each part by itself: none on sheets.
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    pub parts: BTreeMap<String, StoredVariant>,
 }
 
 /// Digits of Crockford's base 32, small: no i, l, o and u, which are taken for others.
@@ -232,7 +236,8 @@ mod tests {
 
     fn variant(id: &str, case: &str, data: &[(&str, &str)]) -> StoredVariant {
         let data = data.iter().map(|(name, value)| ((*name).to_owned(), Value::from(*value))).collect();
-        StoredVariant { id: id.into(), case: case.into(), tries: 1, refused: Map::new(), data }
+        let (refused, parts) = (Map::new(), BTreeMap::new());
+        StoredVariant { id: id.into(), case: case.into(), tries: 1, refused, data, parts }
     }
 
     /// Made anew with Python: hashlib.sha256(b"pulled-rolling\nfriction up\nm = 47 kg\n...").digest()[:5] to base 32.
