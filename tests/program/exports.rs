@@ -134,6 +134,16 @@ impl Set {
         Self { folder, variants }
     }
 
+    /// Of a pool, which has no sheets: for each code value and unit of its parts.
+    fn read_key(folder: PathBuf) -> BTreeMap<String, Vec<(String, String)>> {
+        let mut found: BTreeMap<String, Vec<(String, String)>> = BTreeMap::new();
+        for row in csv::Reader::from_path(folder.join("key.csv")).unwrap().records().map(Result::unwrap) {
+            let code = row.get(row.len() - 1).unwrap().to_owned();
+            found.entry(code).or_default().push((row[3].to_owned(), row[4].to_owned()));
+        }
+        found
+    }
+
     fn of(&self, code: &str) -> &OneVariant {
         self.variants.iter().find(|v| v.code == code).unwrap_or_else(|| panic!("no variant {code}"))
     }
@@ -277,6 +287,11 @@ fn check_moodle(set: &Set, bytes: &[u8], bank: &str) {
         }
     }
     assert_eq!(seen.len(), set.variants.len());
+    // A pool of 200 variants of a problem stays below the 3 MB that a slow upload bears.
+    for (_, questions) in &categories {
+        let share = bytes.len() * questions.len() / set.variants.len();
+        assert!(200 * share / questions.len() < 3_000_000, "{bank}: {share} bytes");
+    }
 }
 
 /// A word of a key.
@@ -517,6 +532,92 @@ fn a_pool_is_drawn_with_the_set_that_grades_it_the_same_bytes_for_the_same_seed(
         assert!(codes.iter().all(|code| all.contains(code)), "{format}");
         room.fine(&["verify", &room.at("one/pool-set")]);
     }
+}
+
+/// What a student reads and types in each platform, as the platform tells it, comes back as an answer to the variant.
+#[test]
+fn answers_to_a_pool_are_graded_by_the_codes_that_its_questions_print() {
+    let room = Room::new();
+    let out = room.at("pool.xml");
+    let pool = ["--variants", "4", "--seed", "3", "--problems", "spring-released", "--format"];
+    room.fine(&[&["export", "wheels-on-inclines"], &pool[..], &["moodle", "--out", &out]].concat());
+    let set = Set::read_key(room.path("pool-set"));
+    let cell = |text: &str| format!("\"{}\"", text.replace('"', "\"\""));
+    let quiz = xml::read(&fs::read_to_string(&out).unwrap());
+    let questions = categories(&quiz).remove(0).1;
+    let mut moodle = "Last name,First name,ID number,Status,Completed,Question 1,Response 1\n".to_owned();
+    for (i, question) in questions.iter().enumerate() {
+        let shown = xml::html(&question.one("questiontext").one("text").text).text;
+        let variant = &set[&question.one("name").one("text").text];
+        // The third of them types a decimal comma and a unit, which Moodle would not read.
+        let typed = variant.iter().enumerate().map(|(p, (value, unit))| {
+            let typed =
+                if i == 2 && p > 0 { format!("{} {unit}", value.replace('.', ",")) } else { value.clone() };
+            format!("part {}: {typed}", p + 1)
+        });
+        let typed = typed.collect::<Vec<_>>().join("; ");
+        moodle.push_str(&format!(
+            "B,A,{i},Finished,1 March 2026  9:40 AM,{},{}\n",
+            cell(&shown),
+            cell(&typed)
+        ));
+    }
+    fs::write(room.path("responses.csv"), moodle).unwrap();
+    let (folder, responses, grades) = (room.at("pool-set"), room.at("responses.csv"), room.at("grades"));
+    let told = room.fine(&["grade", &folder, &responses, "--out", &grades]);
+    let answers = questions.len() * set.values().next().unwrap().len();
+    assert_eq!(answers, 4 * 6);
+    assert!(told.starts_with(&format!("{answers} answer cells in long form: {answers} right")), "{told}");
+
+    // Canvas asks each part by itself.
+    let zip = room.at("pool.zip");
+    room.fine(&["export", &folder, "--format", "canvas", "--out", &zip]);
+    let files = unpacked(&fs::read(&zip).unwrap());
+    let (_, quiz) = files.iter().find(|(n, _)| n.starts_with("quiz-") && !n.contains("meta")).unwrap();
+    let quiz = xml::read(text(quiz));
+    let mut header = "name,id,sis_id,section,section_id,section_sis_id,submitted,attempt".to_owned();
+    let mut row = "A B,5001,S-1,P,31,p-1,2026-03-01 09:40:00 UTC,1".to_owned();
+    let sections = quiz.one("section").all("section");
+    for (i, section) in sections.iter().enumerate() {
+        // Each part from another variant.
+        let item = section.all("item")[i % 4];
+        let shown = xml::html(&item.one("mattext").text).text;
+        header.push_str(&format!(",{},1.0", cell(&format!("{}: {shown}", 700 + i))));
+        row.push_str(&format!(",{},1.0", set[item.get("title")][i].0));
+    }
+    fs::write(&responses, format!("{header},n correct,n incorrect,score\n{row},6,0,6.0\n")).unwrap();
+    let told = room.fine(&["grade", &folder, &responses, "--out", &room.at("canvas-grades")]);
+    assert!(told.starts_with("6 answer cells in long form: 6 right"), "{told}");
+}
+
+/// Every formula of the built-in problems and their solutions is MathML 3, by the schema that Debian's python3-xsdata brings.
+#[test]
+fn formulas_are_valid_by_the_schema_of_mathml() {
+    let Ok(schema) = std::env::var("SLIPSTICK_MATHML") else {
+        println!("passed over: SLIPSTICK_MATHML names no schema");
+        return;
+    };
+    let room = Room::new();
+    let mut formulas = BTreeSet::new();
+    for bank in BANKS {
+        let set = room.set(bank, "de");
+        let files = unpacked(&room.export(&set, "qti3", &["--with-solutions"]));
+        for bytes in files.iter().filter(|(n, _)| n.starts_with("items/")).map(|(_, bytes)| bytes) {
+            let pieces = text(bytes).split("<math ").skip(1);
+            formulas.extend(pieces.map(|p| format!("<math {}</math>", p.split("</math>").next().unwrap())));
+        }
+    }
+    assert!(formulas.len() > 1000, "{} formulas", formulas.len());
+    let names: Vec<String> = (0..formulas.len()).map(|i| room.at(&format!("{i}.xml"))).collect();
+    for (name, formula) in names.iter().zip(&formulas) {
+        fs::write(name, formula).unwrap();
+    }
+    let args = ["--nonet", "--noout", "--schema", &schema];
+    let done = Command::new("xmllint").args(args).args(&names).output().unwrap();
+    let told = String::from_utf8_lossy(&done.stderr);
+    let faults: Vec<&str> = told.lines().filter(|l| !l.ends_with(" validates")).take(5).collect();
+    assert!(done.status.success() && faults.is_empty(), "{faults:?}");
+    assert_eq!(told.lines().count(), formulas.len());
 }
 
 #[test]
