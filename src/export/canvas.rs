@@ -3,7 +3,7 @@
 use crate::export::item::{Item, ItemPart, Right};
 use crate::export::package::{Manifest, Resource};
 use crate::export::xml::Xml;
-use crate::export::{Export, Fragment, moodle};
+use crate::export::{Export, Fragment, units};
 use crate::finding::Finding;
 use crate::set::key_file::shortest;
 use crate::units::Unit;
@@ -51,7 +51,7 @@ fn too_small(id: &str, item: &Item, part: &ItemPart, (value, tolerance): (f64, f
         shortest(LEAST)
     );
     let least = value.abs().min(tolerance);
-    let larger = moodle::units(unit).into_iter().filter(|(_, times)| least * times >= LEAST);
+    let larger = units::units(unit).into_iter().filter(|(_, times)| least * times >= LEAST);
     let closest = larger.min_by(|a, b| a.1.total_cmp(&b.1));
     let hint = match closest {
         Some((name, _)) => format!("ask for it in {name}, or leave the problem out with --problems"),

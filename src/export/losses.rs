@@ -1,6 +1,6 @@
 //! What a platform's questions cannot carry of what `grade` reads and does, question by question, for the instructor.
 use crate::bank::{Problem, Question};
-use crate::export::{Export, Layout, Platform, moodle};
+use crate::export::{Export, Layout, Platform, moodle, units};
 use crate::problem::make_key;
 use crate::set::key_file::shortest;
 
@@ -36,9 +36,9 @@ fn of_question(export: &Export, problem: &Problem, question: &Question) -> Vec<S
         }
         return lost;
     }
-    let units = moodle::units(&question.unit);
+    let known = units::units(&question.unit);
     let asked = question.unit.ascii();
-    let mut others: Vec<(&str, f64)> = units.iter().map(|(name, times)| (name.as_str(), *times)).collect();
+    let mut others: Vec<(&str, f64)> = known.iter().map(|(name, times)| (name.as_str(), *times)).collect();
     // Other spellings of a unit are no other unit.
     others.dedup_by(|next, known| next.1.total_cmp(&known.1).is_eq());
     if !question.unit.is_number() {

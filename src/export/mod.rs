@@ -11,6 +11,7 @@ pub mod package;
 pub mod qti;
 pub mod qti21;
 pub mod qti3;
+pub mod units;
 pub mod xml;
 
 use crate::bank::Problem;
@@ -80,8 +81,8 @@ pub struct Export<'e> {
     pub language: &'e str,
     /// The problems, in the order of the sheet.
     pub problems: Vec<&'e Problem>,
-    /// For each problem what its questions are about, in a sentence.
-    pub about: Vec<String>,
+    /// What a pool of questions holds, in a sentence.
+    pub about: String,
 }
 
 /// What an item becomes in a format.
@@ -90,7 +91,7 @@ pub struct Fragment {
     pub problem: usize,
     /// Code of the data.
     pub code: String,
-    /// XML of its questions: one, or one for each part.
+    /// Its questions, one or one for each part: their XML, or the name of the item where that is a file.
     pub questions: Vec<String>,
     /// Files beside them: path and bytes.
     pub files: Vec<(String, Vec<u8>)>,

@@ -1,20 +1,13 @@
 //! Moodle XML: a category for each problem with a cloze question for each variant, or a category and a question for each part.
 use crate::export::item::{Item, ItemPart, Right};
+use crate::export::units::units;
 use crate::export::xml::Xml;
 use crate::export::{Export, Fragment, Layout};
 use crate::set::key_file::shortest;
-use crate::units::Unit;
 use base64::prelude::{BASE64_STANDARD, Engine as _};
 
 /// Longest name and longest id number that Moodle keeps.
 const LONGEST: (usize, usize) = (255, 100);
-
-/// Units beside the one that is asked that a numerical question may take, as far as they are of its kind.
-const UNITS: [&str; 39] = [
-    "rad/s", "rpm", "rev/s", "deg/s", "m/s", "km/h", "cm/s", "mm/s", "m", "cm", "mm", "km", "rad", "deg",
-    "rev", "N", "kN", "mN", "J", "kJ", "mJ", "N m", "kN m", "N cm", "W", "kW", "kg", "g", "t", "s", "ms",
-    "min", "m/s^2", "cm/s^2", "rad/s^2", "deg/s^2", "kg m^2", "N/m", "kN/m",
-];
 
 /// A text in which Moodle finds no field of a cloze question.
 fn without_fields(xhtml: &str) -> String {
@@ -53,30 +46,6 @@ fn field(part: &ItemPart, weight: u64) -> String {
             format!("{{{weight}:SHORTANSWER:{}}}", all.join("~"))
         }
     }
-}
-
-/// The units that a numerical question takes for an answer in this one, each with what a number in it is multiplied with: the one
-/// that is asked first, all in the spellings without blank and with a small raised digit, too.
-pub fn units(asked: &Unit) -> Vec<(String, f64)> {
-    let mut found: Vec<(String, f64)> = Vec::new();
-    if asked.is_number() {
-        return found;
-    }
-    let others = UNITS.iter().filter_map(|name| Unit::parse(name).ok());
-    for unit in std::iter::once(asked.clone()).chain(others.filter(|u| u.dimension() == asked.dimension())) {
-        let multiplier = if unit.ascii() == asked.ascii() { 1.0 } else { unit.from_si(asked.to_si(1.0)) };
-        let raised = unit.ascii().replace("^2", "²").replace("^3", "³");
-        let mut names = vec![unit.ascii().to_owned(), unit.ascii().replace(' ', ""), raised];
-        if unit.ascii().starts_with("deg") {
-            names.push(unit.ascii().replacen("deg", "°", 1));
-        }
-        for name in names {
-            if found.iter().all(|(known, _)| *known != name) {
-                found.push((name, multiplier));
-            }
-        }
-    }
-    found
 }
 
 fn address(file: &str) -> String {
@@ -206,7 +175,7 @@ pub fn file(export: &Export, fragments: &[Fragment]) -> Vec<u8> {
         x.line();
         for of_problem in fragments.chunk_by(|a, b| a.problem == b.problem) {
             let at = of_problem[0].problem;
-            let (problem, about, name) = (export.problems[at], &export.about[at], export.name(at));
+            let (problem, about, name) = (export.problems[at], &export.about, export.name(at));
             let id = format!("{}-{}", export.id, problem.id);
             if export.layout == Layout::Whole {
                 category(x, &[export.set, &name], about, &id);

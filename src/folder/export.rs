@@ -128,7 +128,7 @@ pub fn write(job: &ExportJob) -> Result<Exported, Findings> {
         id: format!("s{}", crate::bank::load::hash(&of_set).get(..12).unwrap_or_default()),
         language,
         problems: problems.iter().filter_map(|p| bank.problems.get(*p)).collect(),
-        about: vec![about; problems.len()],
+        about,
     };
     let made = replay::each(&bank, &set, &|i, _, dealt| {
         let mut room = ItemRoom::default();
