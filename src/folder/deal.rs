@@ -51,6 +51,10 @@ impl<'p> Plan<'p> {
         let (bank, problems) = (self.bank, self.problems);
         problems.iter().filter_map(|p| bank.problems.get(*p))
     }
+    /// Is the program that checks beside the sheets, so that these go on a web server as a whole?
+    pub fn has_program(&self) -> bool {
+        self.hosting == Hosting::Site && self.bank.self_check
+    }
 }
 
 /// May a set have this name?
@@ -148,7 +152,7 @@ pub fn whole(
 /// What lies beside the sheets where they are put on a web server.
 fn of_site(plan: &Plan) -> Vec<(&'static str, &'static [u8])> {
     let files = names::OF_SITE.into_iter().zip([self_check::PROGRAM, self_check::WORKER.as_bytes()]);
-    files.filter(|_| plan.hosting == Hosting::Site && plan.bank.self_check).collect()
+    files.filter(|_| plan.has_program()).collect()
 }
 
 /// Booklets, the key for people, and the page to start from.

@@ -5,6 +5,7 @@ use crate::bank::{Bank, load};
 use crate::finding::{Finding, Findings};
 use crate::folder;
 use crate::folder::files::InTheWay;
+use crate::folder::handed_in::HandedIn;
 use crate::folder::quiz::{Place, Taken};
 use crate::folder::reports::ReportMade;
 use crate::folder::set::Replayed;
@@ -221,10 +222,12 @@ pub fn make(job: &GradeOrder, basis: Basis, input: &mut dyn BufRead) -> Result<S
         threads: std::thread::available_parallelism().map_or(1, usize::from),
         feedback: Feedback::new(&words),
     };
-    let (spooled, mut told) = spool(job.submissions, input)?;
-    let handed_in = spooled.as_ref().map_or(job.submissions, NamedTempFile::path);
-    // Who says which column is which has no download of a quiz.
-    let quiz = if job.columns.is_empty() { read_quiz(job, handed_in)? } else { None };
+    let (spooled, handed_in) = spool(job.submissions, input)?;
+    let submitted = spooled.as_ref().map_or(job.submissions, NamedTempFile::path);
+    // Who says which column is which has no download of a quiz, nor have the files of a class.
+    let alone = job.columns.is_empty() && handed_in.is_none();
+    let quiz = if alone { read_quiz(job, submitted)? } else { None };
+    let mut told = handed_in.as_ref().map_or_else(String::new, HandedIn::told);
     options.quiz = quiz.is_some();
     let (basis, of_quiz) = match &quiz {
         Some(quiz) => {
@@ -234,7 +237,7 @@ pub fn make(job: &GradeOrder, basis: Basis, input: &mut dyn BufRead) -> Result<S
         }
         None => (basis, None),
     };
-    let path = of_quiz.as_ref().map_or(handed_in, NamedTempFile::path);
+    let path = of_quiz.as_ref().map_or(submitted, NamedTempFile::path);
     let Basis { set, bank, keys, replayed, set_text, bank_text, key_text, .. } = basis;
     let table = table(&set, keys, &policy);
     let settings = courses
@@ -252,6 +255,9 @@ pub fn make(job: &GradeOrder, basis: Basis, input: &mut dyn BufRead) -> Result<S
     let kept = kept.map(|(name, text)| (name.to_owned(), text));
     for (name, text) in kept.chain(courses.iter().enumerate().map(|(i, (_, t))| (names::course(i), t))) {
         put(&format!("{}/{name}", names::BASIS), text.as_bytes())?;
+    }
+    if let Some(handed_in) = &handed_in {
+        put(grading::JOINED, &handed_in.kept)?;
     }
     let hash = |path: &Path| match graded.cells <= REPORTED {
         true => graded::hash(path).map(Some).map_err(|f| staged.named(f.into())),
@@ -273,8 +279,9 @@ pub fn make(job: &GradeOrder, basis: Basis, input: &mut dyn BufRead) -> Result<S
         attempts: job.attempts.map(|counts| counts.as_str().to_owned()),
         language: words.language().to_owned(),
         submissions: job.submissions.file_name().unwrap_or_default().to_string_lossy().into_owned(),
-        submissions_bytes: fs::metadata(handed_in).map_or(0, |m| m.len()),
-        submissions_sha256: hash(handed_in)?,
+        submissions_files: handed_in.as_ref().map(|all| all.files),
+        submissions_bytes: fs::metadata(submitted).map_or(0, |m| m.len()),
+        submissions_sha256: hash(submitted)?,
         quiz: quiz.is_some(),
         answers_sha256: hash(&staged.path().join(names::ANSWERS))?,
         gradebook_sha256: hash(&staged.path().join(names::GRADEBOOK))?,
@@ -422,17 +429,17 @@ fn only_ours(out: &Path) -> Result<(), Finding> {
 }
 
 /// A pipe is read once, grading reads twice; many files become one. Standard input is the caller's, who holds its lock.
-fn spool(path: &Path, input: &mut dyn BufRead) -> Result<(Option<NamedTempFile>, String), Finding> {
+fn spool(path: &Path, input: &mut dyn BufRead) -> Result<(Option<NamedTempFile>, Option<HandedIn>), Finding> {
     let fault = |e: io::Error| files::trouble(path, "cannot be read", &e);
     if path != Path::new("-") && handed_in::is_many(path) {
         let all = handed_in::joined(path)?;
         let mut file = NamedTempFile::new().map_err(fault)?;
         io::Write::write_all(file.as_file_mut(), &all.text).map_err(fault)?;
-        return Ok((Some(file), all.told()));
+        return Ok((Some(file), Some(all)));
     }
     let is_pipe = path == Path::new("-") || !fs::metadata(path).map_err(fault)?.is_file();
     if !is_pipe {
-        return Ok((None, String::new()));
+        return Ok((None, None));
     }
     let mut file = NamedTempFile::new().map_err(fault)?;
     if path == Path::new("-") {
@@ -440,7 +447,7 @@ fn spool(path: &Path, input: &mut dyn BufRead) -> Result<(Option<NamedTempFile>,
     } else {
         io::copy(&mut fs::File::open(path).map_err(fault)?, file.as_file_mut()).map_err(fault)?;
     }
-    Ok((Some(file), String::new()))
+    Ok((Some(file), None))
 }
 
 fn columns(typed: &[String]) -> Result<Vec<(String, String)>, Findings> {

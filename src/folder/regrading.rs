@@ -64,7 +64,7 @@ impl Regrading {
         self.made.reports()?;
         self.made.finish()?;
         let (out, old, changes) = (out.display(), self.old.display(), names::CHANGES);
-        Ok(format!("Written to {out}, all changes in {out}/{changes}; {old} is as it was.\n"))
+        Ok(format!("Written to {out}, with every change in {out}/{changes}; {old} stays as it was.\n"))
     }
 }
 
@@ -133,7 +133,7 @@ pub fn regrade(job: &RegradingJob, input: &mut dyn BufRead) -> Result<Regrading,
         asked,
     };
     let made = grading::make(&grade, basis, input)?;
-    let mut told = format!("{} regraded\n", old.folder.display());
+    let mut told = format!("What changes in {}:\n", old.folder.display());
     let rules = (old.bank.hash.as_str(), hash.as_str(), bank_file.as_str());
     let csv = changes(&old, &made, &tables, &who_is, rules, courses.last().map(PathBuf::as_path), &mut told)?;
     let path = made.folder().join(names::CHANGES);

@@ -104,9 +104,8 @@ impl<'w> Judge<'w> {
         };
         let index = self.job.index(who, what);
         row.max_points = table.quick(index).1.points;
-        if of_another {
-            let blank = blank(cell.answer);
-            row.verdict = if blank { Verdict::Blank } else { Verdict::Superseded };
+        if of_another && !blank(cell.answer) {
+            row.verdict = Verdict::Superseded;
             let (code, counts_code) = (lossy(cell.code), table.code(who as usize, what as usize));
             let pieces = [("code", &*code), ("counts", counts_code)];
             row.reason = say.fill("feedback.other_variant", &pieces);

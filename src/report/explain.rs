@@ -13,7 +13,7 @@ use crate::policy::time::{Evidence, Moment};
 use crate::policy::{For, Per, Policy, RoundingWay, Unread};
 use crate::problem::maker::Variant;
 use crate::regrade::changes::ChangeRow;
-use crate::set::grading::StoredGrading;
+use crate::set::grading::{JOINED, StoredGrading};
 use crate::set::store::{StoredSet, StoredStudent, StoredVariant};
 use crate::sheet::terminal;
 use crate::sheet::terminal::plain;
@@ -88,13 +88,17 @@ pub struct ExplainedMarks<'g> {
 fn regraded(row: &ChangeRow) -> String {
     let told = |points: &str, verdict: &str| match (points, verdict) {
         ("", "") => "no answer".to_owned(),
-        (points, "") => format!("{points} points without an answer"),
+        (points, "") => format!("{} without an answer", in_points(points)),
         ("", verdict) => verdict.to_owned(),
-        (points, verdict) => format!("{points} points ({verdict})"),
+        (points, verdict) => format!("{} ({verdict})", in_points(points)),
     };
     let before = told(&row.points_before, &row.verdict_before);
     let after = told(&row.points_after, &row.verdict_after);
-    format!("regraded: before {before}, now {after}: {}", row.why)
+    format!("regraded: {before} before, {after} now ({})", row.why)
+}
+
+fn in_points(text: &str) -> String {
+    if text == "1" { "1 point".to_owned() } else { format!("{text} points") }
 }
 
 /// The data of a variant as they are printed, with its case.
@@ -196,7 +200,15 @@ impl ExplainedMarks<'_> {
         if let Some(course) = &made.course_sha256 {
             say!(page, "course, SHA-256 {course}");
         }
-        say!(page, "submissions: {}, {} bytes", made.submissions, made.submissions_bytes);
+        match made.submissions_files {
+            Some(files) => say!(
+                page,
+                "submissions: {}, {} joined, as kept in {JOINED}",
+                made.submissions,
+                terminal::count(files, "file")
+            ),
+            None => say!(page, "submissions: {}, {} bytes", made.submissions, made.submissions_bytes),
+        }
     }
 
     fn part(&self, page: &mut Pages, index: usize) {
@@ -224,7 +236,10 @@ impl ExplainedMarks<'_> {
         if rows.is_empty() {
             page.say(1, "attempts: none was handed in");
         } else {
-            page.say(1, "attempts, in the order of the file:");
+            match self.grading.submissions_files {
+                Some(_) => say!(page, "attempts, in the order of {JOINED}:"),
+                None => page.say(1, "attempts, in the order of the file:"),
+            }
         }
         for row in &rows {
             self.attempt(page, index, row);
@@ -247,13 +262,7 @@ impl ExplainedMarks<'_> {
         }
         let correction = policy.correction(self.number, &self.problem.id, &entry.part, counting.is_some());
         if let Some(correction) = correction {
-            say!(
-                page,
-                "correction: {} get at least {} % of this part: {}",
-                if correction.to == For::All { "all" } else { "all who answered" },
-                terminal::per_cent(correction.share),
-                correction.why
-            );
+            page.say(1, &correction.in_words("this part"));
         }
     }
 
