@@ -20,7 +20,7 @@
 //! # Flow
 //! ```text
 //! bank -> draw -> scene -> solve (eom | energy, agree) -> key -> sheet, figure, solution, set
-//!                          document -> Markdown, HTML, LaTeX, Typst -> PDF
+//!                          document -> Markdown, HTML, LaTeX, Typst -> PDF; export -> questions of a learning platform
 //!                          misconception (wrong values, beside the key)
 //!              policy, submissions -> answer -> grade -> report, matches, regrade
 //!              set, habits -> simulate -> submissions, truth
@@ -100,6 +100,8 @@ pub mod bank;
 #[cfg(feature = "program")]
 pub mod cli;
 pub mod draw;
+#[cfg(feature = "program")]
+pub mod export;
 #[cfg(feature = "program")]
 pub mod figure;
 pub mod finding;

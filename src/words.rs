@@ -117,6 +117,14 @@ impl Words {
         tree
     }
 
+    /// The same phrases, but for one in whose place another stands.
+    #[must_use]
+    pub fn with(mut self, name: &str, instead: &str) -> Self {
+        let other = self.get(instead).to_owned();
+        self.phrases.insert(name.to_owned(), other);
+        self
+    }
+
     /// Is there a phrase of this name?
     pub fn has(&self, name: &str) -> bool {
         self.phrases.contains_key(name)

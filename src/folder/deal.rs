@@ -58,6 +58,17 @@ impl<'p> Plan<'p> {
     }
 }
 
+/// May a set have this name?
+///
+/// # Errors
+/// It is no line of text.
+pub fn may_be_named(name: &str) -> Result<(), Finding> {
+    match name.trim().is_empty() || name.chars().any(char::is_control) {
+        true => Err(Finding::new("--name", "the name of a set is a line of text")),
+        false => Ok(()),
+    }
+}
+
 /// The students of a roster file; nothing is drawn for them yet.
 ///
 /// # Errors

@@ -7,6 +7,7 @@ pub mod banks;
 pub mod class;
 pub mod deal;
 pub mod explain;
+pub mod export;
 pub mod files;
 pub mod graded;
 pub mod grading;

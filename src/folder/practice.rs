@@ -78,7 +78,8 @@ pub fn page(plan: &PracticePlan) -> Result<Vec<u8>, Findings> {
                 converter.body(document, &document.screens(), PlaceInPage { lower, prefix: &prefix, boxes });
             html::styles_once(html.trim_end(), &mut styles)
         };
-        let task = body(&sheets.task(i, variant, &mut room)?, "p", 0, &boxes);
+        let heading = format!("## {number}. {}\n\n", of(index).title);
+        let task = body(&sheets.problem_document(i, &heading, variant, &mut room)?, "p", 0, &boxes);
         let problem: &Problem = of(index);
         let worked = body(&solution::document(problem, variant, number, words, templates)?, "w", 1, &[]);
         let summary = words.get("page.worked");

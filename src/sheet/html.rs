@@ -446,6 +446,11 @@ pub fn part_id(i: usize) -> String {
     format!("s{}", i + 1)
 }
 
+/// A formula within a line, or on a line of its own, as MathML.
+pub fn formula(tex: &str, of_its_own: bool) -> String {
+    mathml(tex, if of_its_own { DisplayMode::Block } else { DisplayMode::Inline })
+}
+
 /// A formula as MathML; one that cannot be read is shown as it was written.
 fn mathml(tex: &str, display_mode: DisplayMode) -> String {
     let storage = Storage::new();

@@ -67,6 +67,52 @@ impl<'b> Sheets<'b> {
         self.write(i, variant, None, room, out)
     }
 
+    /// Appends the Markdown of one problem (counted from 0 in the sheet) with the line of its figure, which is returned.
+    fn whole_problem(
+        &self,
+        i: usize,
+        variant: &Variant,
+        room: &mut Room,
+        out: &mut Vec<u8>,
+    ) -> Result<Option<(String, Picture)>, Finding> {
+        let Some((index, _)) = self.statements.get(i) else { return Ok(None) };
+        let problem = &self.bank.problems[*index];
+        let drawn = (problem.figure != FigureLabels::None).then(|| {
+            let picture = scene::picture(problem, variant, self.words, problem.figure);
+            (format!("problem-{}", i + 1), picture)
+        });
+        let line = drawn.as_ref().map(|(name, picture)| format!("![{}]({name}.svg)", alternative(picture)));
+        self.write(i, variant, line.as_deref(), room, out)?;
+        Ok(drawn)
+    }
+
+    /// One problem (counted from 0 in the sheet) as a document of its own: heading, if one is given, statement, figure, questions.
+    ///
+    /// # Errors
+    /// Faults of the templates.
+    pub fn problem_document(
+        &self,
+        i: usize,
+        heading: &str,
+        variant: &Variant,
+        room: &mut Room,
+    ) -> Result<Document, Finding> {
+        let mut out = heading.to_owned().into_bytes();
+        let picture = self.whole_problem(i, variant, room, &mut out)?;
+        Ok(Document::new(String::from_utf8_lossy(&out).into_owned(), picture.into_iter().collect()))
+    }
+
+    /// How many significant figures most questions ask for, and in words how near to the right one an answer must be.
+    pub fn asked_for(&self) -> (u8, String) {
+        let within = self.words.number(&percent(self.common.relative));
+        let mut tolerance = self.words.say("sheet.tolerance", &[("share", &within)]);
+        let mut questions = self.statements.iter().flat_map(|(i, _)| &self.bank.problems[*i].questions);
+        if questions.any(|q| self.common.differs(q)) {
+            tolerance.push_str(self.words.get("sheet.unless"));
+        }
+        (self.common.figures, tolerance)
+    }
+
     fn write(
         &self,
         i: usize,
@@ -99,7 +145,7 @@ impl<'b> Sheets<'b> {
             let Some(variant) = variants.get(i) else { continue };
             body.clear();
             let problem = &self.bank.problems[*index];
-            self.with_figure(i, variant, room, &mut body, &mut pictures)?;
+            pictures.extend(self.whole_problem(i, variant, room, &mut body)?);
             problems.push(template::map([
                 ("number", template::finished(&(i + 1).to_string())),
                 ("title", template::finished(&problem.title)),
@@ -113,39 +159,6 @@ impl<'b> Sheets<'b> {
         let mut markdown = String::from_utf8_lossy(&out).trim_end().to_owned();
         markdown.push('\n');
         Ok((head, Document::new(markdown, pictures)))
-    }
-
-    /// Appends the Markdown of one problem with its figure.
-    fn with_figure(
-        &self,
-        i: usize,
-        variant: &Variant,
-        room: &mut Room,
-        out: &mut Vec<u8>,
-        pictures: &mut Vec<(String, Picture)>,
-    ) -> Result<(), Finding> {
-        let Some((index, _)) = self.statements.get(i) else { return Ok(()) };
-        let problem = &self.bank.problems[*index];
-        let figure = (problem.figure != FigureLabels::None).then(|| {
-            let picture = scene::picture(problem, variant, self.words, problem.figure);
-            let name = format!("problem-{}", i + 1);
-            let line = format!("![{}]({name}.svg)", alternative(&picture));
-            pictures.push((name, picture));
-            line
-        });
-        self.write(i, variant, figure.as_deref(), room, out)
-    }
-
-    /// One problem (counted from 0 in the sheet) as a document of its own.
-    ///
-    /// # Errors
-    /// Faults of the templates.
-    pub fn task(&self, i: usize, variant: &Variant, room: &mut Room) -> Result<Document, Finding> {
-        let title = self.statements.get(i).map_or("", |(index, _)| &self.bank.problems[*index].title);
-        let mut out = format!("## {}. {title}\n\n", i + 1).into_bytes();
-        let mut pictures = Vec::new();
-        self.with_figure(i, variant, room, &mut out, &mut pictures)?;
-        Ok(Document::new(String::from_utf8_lossy(&out).into_owned(), pictures))
     }
 
     /// Who gets the sheet, and the code of what was drawn.
@@ -178,14 +191,8 @@ impl<'b> Sheets<'b> {
         view.foreign("set", self.set);
         view.text("code", &head.code);
         view.text("units", if self.common.unit_required { "required" } else { "optional" });
-        view.text("figures", &self.common.figures.to_string());
-        let within = words.number(&percent(self.common.relative));
-        let questions =
-            || self.statements.iter().flat_map(|(index, _)| &self.bank.problems[*index].questions);
-        let mut tolerance = words.say("sheet.tolerance", &[("share", &within)]);
-        if questions().any(|q| self.common.differs(q)) {
-            tolerance.push_str(words.get("sheet.unless"));
-        }
+        let (figures, tolerance) = self.asked_for();
+        view.text("figures", &figures.to_string());
         view.text("tolerance", &tolerance);
         // Practice has no student.
         view.text("practice", if head.student.is_empty() { words.get("page.practice") } else { "" });
