@@ -222,7 +222,7 @@ pub fn make(job: &GradeOrder, basis: Basis, input: &mut dyn BufRead) -> Result<S
         threads: std::thread::available_parallelism().map_or(1, usize::from),
         feedback: Feedback::new(&words),
     };
-    let (spooled, handed_in) = spool(job.submissions, input)?;
+    let (spooled, handed_in) = spool(job.submissions, &basis.set.name, input)?;
     let submitted = spooled.as_ref().map_or(job.submissions, NamedTempFile::path);
     // Who says which column is which has no download of a quiz, nor have the files of a class.
     let alone = job.columns.is_empty() && handed_in.is_none();
@@ -429,10 +429,14 @@ fn only_ours(out: &Path) -> Result<(), Finding> {
 }
 
 /// A pipe is read once, grading reads twice; many files become one. Standard input is the caller's, who holds its lock.
-fn spool(path: &Path, input: &mut dyn BufRead) -> Result<(Option<NamedTempFile>, Option<HandedIn>), Finding> {
+fn spool(
+    path: &Path,
+    set: &str,
+    input: &mut dyn BufRead,
+) -> Result<(Option<NamedTempFile>, Option<HandedIn>), Finding> {
     let fault = |e: io::Error| files::trouble(path, "cannot be read", &e);
     if path != Path::new("-") && handed_in::is_many(path) {
-        let all = handed_in::joined(path)?;
+        let all = handed_in::joined(path, set)?;
         let mut file = NamedTempFile::new().map_err(fault)?;
         io::Write::write_all(file.as_file_mut(), &all.text).map_err(fault)?;
         return Ok((Some(file), Some(all)));
