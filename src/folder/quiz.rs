@@ -536,7 +536,7 @@ fn told(quiz: &Quiz, rows: &[Row], takers: &Takers, unknown: &BTreeMap<&str, usi
     } else if !takers.strangers.is_empty() {
         add(format!("look at: not on the roster of the set: {}", some(&takers.strangers)));
     }
-    let typed = |a: &QuizAttempt| a.answers.iter().any(|asked| is_typed(asked));
+    let typed = |a: &QuizAttempt| a.answers.iter().any(is_typed);
     let open = quiz.attempts.iter().filter(|a| a.submitted.is_empty() && typed(a)).count();
     if open > 0 {
         add(format!("never submitted, and judged all the same: {}", terminal::count(open, "attempt")));
