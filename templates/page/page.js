@@ -124,7 +124,7 @@
   let undo = null;
   const settle = () => { undo = null; if ($('delete')) $('delete').textContent = say('page.delete'); };
   for (const box of boxes) {
-    box.addEventListener('input', () => { forget(box.name); echo(box.name); settle(); keep(); });
+    box.addEventListener('input', () => { forget(box.name); echo(box.name); settle(); keep(); tell(''); });
   }
   $('answers').addEventListener('submit', (event) => {
     event.preventDefault();
@@ -201,8 +201,7 @@
     });
   };
 
-  // Practice: one problem at a time. One that is passed on before all of it is right, or whose solution was opened, comes again.
-  const AGAIN = 3;
+  // Practice: one problem at a time. One that is passed on before all of it is right, or whose solution was opened, comes again after all others.
   const practise = (open) => {
     const order = keeper(`${data.keep} order`);
     const fresh = () => ({ queue: tasks.map((_, i) => i), looked: false });
@@ -250,7 +249,7 @@
       const told = program({ check: own.map((box) => [box.name, box.value]) });
       const missed = state.looked || told.some((one) => one.verdict !== 'right');
       if (missed) {
-        state.queue.splice(AGAIN, 0, now);
+        state.queue.push(now);
         clear(tasks[now]);
       }
       state.looked = false;
