@@ -242,6 +242,7 @@ const DOORS: &[(&str, &[&str])] = &[
         "export",
         &[
             "answer",
+            "num",
             "bank",
             "problem",
             "solution",
