@@ -267,6 +267,7 @@ const DOORS: &[(&str, &[&str])] = &[
             "draw",
             "inspect",
             "review",
+            "simulate",
             "sheet",
             "sheet::document",
             "sheet::terminal",
@@ -340,7 +341,7 @@ const KEEPERS: &[(&str, &[&str])] = &[
     ("typst_layout", &["sheet::pdf"]),
     ("typst_pdf", &["sheet::pdf"]),
     ("hmac", &["draw"]),
-    ("jiff", &["policy"]),
+    ("jiff", &["policy", "simulate"]),
     ("strsim", &["units"]),
 ];
 

@@ -10,6 +10,9 @@ use crate::units::spell;
 /// The habits that are taken where none are given, and the example that is printed: every field, with its meaning.
 pub const EXAMPLE: &str = include_str!("habits.yaml");
 
+/// The habits of the class of demonstrations.
+const DEMO: &str = include_str!("demo.yaml");
+
 /// Things and how often each is met, as weights >= 0 of which one at least is > 0.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Mix<T>(Vec<(T, f64)>);
@@ -128,11 +131,18 @@ const MOST_ATTEMPTS: u32 = 20;
 
 impl Habits {
     /// Those of [`EXAMPLE`].
-    ///
+    pub fn usual() -> Self {
+        Self::built_in(EXAMPLE)
+    }
+    /// Those of the class of demonstrations: everything that may become of an answer is met.
+    pub fn demo() -> Self {
+        Self::built_in(DEMO)
+    }
+
     /// # Panics
     /// It cannot be read: a bug, found by any test.
-    pub fn usual() -> Self {
-        match Self::read(EXAMPLE, "habits.yaml") {
+    fn built_in(text: &str) -> Self {
+        match Self::read(text, "habits.yaml") {
             Ok(habits) => habits,
             Err(faults) => panic!("the built-in habits cannot be read: {faults:?}"),
         }
