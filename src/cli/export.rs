@@ -7,7 +7,7 @@ use crate::folder;
 use crate::folder::deal::Plan;
 use crate::folder::export::{ExportJob, set_beside};
 use crate::folder::staged::{self, Staged};
-use crate::folder::{deal, export, files, names, set};
+use crate::folder::{deal, export, names, set};
 use crate::review;
 use crate::set::dealer;
 use crate::sheet::self_check::Hosting;
@@ -111,8 +111,12 @@ fn drawn(args: &ExportArgs, variants: u32, io: &mut Io) -> Result<Pool, Findings
     let out = set_beside(&args.out);
     staged::sweep_beside(&out);
     let (loaded, texts) = args.own.load(&args.source)?;
-    files::has_a_name(&out, "--out pool.xml")?;
-    set::may_write(&out, args.force, "give another --out, or --force to replace the set beside it")?;
+    set::may_write(
+        &out,
+        args.force,
+        "--out pool.xml",
+        "give another --out, or --force to replace the set beside it",
+    )?;
     let problems = dealer::chosen(&loaded.bank, args.problems.as_deref(), "--problems")?;
     let tried = review::texts::tried(&loaded.bank, &texts, &problems)?;
     if !tried.faults.is_empty() {

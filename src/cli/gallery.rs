@@ -19,10 +19,7 @@ const LOOK: Duration = Duration::from_millis(250);
 
 /// Runs it.
 pub fn run(args: &args::GalleryArgs, io: &mut Io) -> Result<Exit, Findings> {
-    if args.out.exists() && !args.force {
-        let fault = Finding::new("", "is there already").in_file(args.out.display().to_string());
-        return Err(fault.hint("--force replaces it").into());
-    }
+    files::may_write_file(&args.out, args.force)?;
     if args.variants == 0 || args.variants > MOST {
         return Err(Finding::new("--variants", format!("{} is not from 1 to {MOST}", args.variants)).into());
     }

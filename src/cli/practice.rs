@@ -84,16 +84,12 @@ pub fn run(args: &args::PracticeArgs, io: &mut Io) -> Result<Exit, Findings> {
 
 /// Writes the page.
 fn write(plan: &PracticePlan, file: &Path, force: bool, io: &mut Io) -> Result<Exit, Findings> {
-    if file.exists() && !force {
-        let fault = Finding::new("", "is there already").in_file(file.display().to_string());
-        return Err(fault.hint("--force replaces it").into());
-    }
+    files::may_write_file(file, force)?;
     if plan.variants == 0 || plan.variants > MOST {
         return Err(Finding::new("--variants", format!("{} is not from 1 to {MOST}", plan.variants)).into());
     }
     let page = practice::page(plan)?;
     let bytes = page.len();
-    let page = String::from_utf8(page).unwrap_or_else(|_| panic!("a page is text"));
     files::put_all(&[(file.to_owned(), page)])?;
     let problems = terminal::count(plan.problems.len() * plan.variants as usize, "problem");
     io.line(&format!("{}: {problems} (seed {}), {} kB", file.display(), plan.seed, bytes.div_ceil(1000)));

@@ -56,16 +56,7 @@ pub fn may_write(out: &Path, force: bool) -> Result<(), Finding> {
     files::not_among_students(out).map_err(|fault| {
         fault.hint("an export holds the key, and students never get it: give another --out")
     })?;
-    let fault = |what: &str| Finding::new("", what).in_file(out.display().to_string());
-    if out.is_dir() {
-        return Err(
-            fault("is a folder, and a file is wanted").hint("give --out a name such as questions.xml")
-        );
-    }
-    if out.exists() && !force {
-        return Err(fault("is there already").hint("--force replaces it"));
-    }
-    Ok(())
+    files::may_write_file(out, force)
 }
 
 /// The folder of the set beside the file of a pool.

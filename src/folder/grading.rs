@@ -4,7 +4,7 @@ use crate::answer::quiz::Quiz;
 use crate::bank::{Bank, load};
 use crate::finding::{Finding, Findings};
 use crate::folder;
-use crate::folder::files::InTheWay;
+use crate::folder::files::NewFolder;
 use crate::folder::handed_in::HandedIn;
 use crate::folder::quiz::{Place, Taken};
 use crate::folder::reports::ReportMade;
@@ -74,7 +74,7 @@ pub struct GradeOrder<'j> {
 pub fn grade(job: &GradeOrder, input: &mut dyn BufRead) -> Result<String, Findings> {
     let mut faults = Findings::default();
     columns(job.columns).map_err(|f| faults.extend(f)).ok();
-    may_write(job.out, job.set, job.force).map_err(|f| faults.push(f)).ok();
+    may_write(job.out, job.force).map_err(|f| faults.extend(f)).ok();
     let from_pipe = job.submissions == Path::new("-");
     if !from_pipe && !job.submissions.exists() {
         let fault = Finding::new("", "there is no such file").in_file(job.submissions.display().to_string());
@@ -195,7 +195,10 @@ impl StagedGrading {
     /// A file cannot be put there.
     pub fn finish(self) -> Result<(), Findings> {
         // Once more: it may have come while answers were graded.
-        only_ours(&self.out)?;
+        let foreign = foreign(&self.out);
+        if !foreign.is_empty() {
+            return Err(files::not_ours(&self.out, &foreign, "grade").into());
+        }
         Ok(self.staged.finish()?)
     }
 }
@@ -423,14 +426,13 @@ fn answers(
     Ok(graded)
 }
 
-/// The whole folder is exchanged at once: nothing may be in it that is not a grading's, such as notes of somebody else.
-fn only_ours(out: &Path) -> Result<(), Finding> {
+/// What is in the folder that is no grading's, such as notes of somebody else: the whole folder is exchanged at once.
+fn foreign(out: &Path) -> Vec<String> {
     // Only reports have files for students.
     let students = if out.join(names::FEEDBACK).exists() { reports::folders(out) } else { BTreeSet::new() };
     let courses = graded::courses(out).len();
     let ours = |name: &str| names::is_of_grading(name, courses) || names::is_of_report(name, &students);
-    let foreign = files::foreign(out, &ours);
-    if foreign.is_empty() { Ok(()) } else { Err(files::not_ours(out, &foreign, "grade")) }
+    files::foreign(out, &ours)
 }
 
 /// A pipe is read once, grading reads twice; many files become one. Standard input is the caller's, who holds its lock.
@@ -478,26 +480,18 @@ fn columns(typed: &[String]) -> Result<Vec<(String, String)>, Findings> {
 }
 
 /// Nothing, an empty folder, or with `--force` a folder with an earlier grading.
-fn may_write(out: &Path, set: &Path, force: bool) -> Result<(), Finding> {
-    let finding = |what: &str| Finding::new("", what).in_file(out.display().to_string());
-    files::not_among_students(out)?;
-    files::has_a_name(out, "grades")?;
-    let same = fs::canonicalize(out).ok().zip(fs::canonicalize(set).ok()).is_some_and(|(a, b)| a == b);
-    if same || out.join(names::SET).exists() {
-        return Err(finding("is the folder of a set").hint("give another --out for the grades"));
-    }
-    const IN_THE_WAY: InTheWay = InTheWay {
-        file: "is a file; grades are written to a folder",
+fn may_write(out: &Path, force: bool) -> Result<(), Findings> {
+    const NEW: NewFolder = NewFolder {
+        verb: "grade",
+        makes: "earlier grading",
+        example: "grades",
         taken: "give another --out, or --force to replace an earlier grading",
-        other: "holds no earlier grading",
-        only: "--force replaces only what grade made",
     };
     // What every version of answers.csv begins with.
     let header = row::COLUMNS[..7].join(",");
-    let ours = || {
+    files::may_write_folder(out, force, &NEW, || {
         let mut start = vec![0; header.len()];
         let read = fs::File::open(out.join(names::ANSWERS)).and_then(|mut f| f.read_exact(&mut start));
-        read.is_ok() && start == header.as_bytes()
-    };
-    if files::may_replace(out, force, &IN_THE_WAY, ours)? { only_ours(out) } else { Ok(()) }
+        Ok((read.is_ok() && start == header.as_bytes()).then(|| foreign(out)))
+    })
 }
