@@ -75,7 +75,7 @@ impl<'p> KeyFrame<'p> {
         let scene = &problem.cases[variant.case].scene;
         let parts = problem.questions.iter().map(|question| {
             let mut entry = entry(problem, question, scene, variant);
-            let magnitude = is_magnitude(question.label.quantity);
+            let magnitude = question.label.quantity.is_magnitude();
             entry.wrong.extend(variant.wrong.iter().filter(|w| w.label == question.label).map(|w| {
                 WrongValue {
                     method: u16::try_from(w.mistake).unwrap_or(u16::MAX),
@@ -132,7 +132,7 @@ fn entry(problem: &Problem, question: &Question, scene: &Scene, variant: &Varian
         half_width: half_width(question, value, scale, key.cond.unwrap_or(f64::NAN)),
         directed: quantity.is_directed() && words,
         // Where words give no sign, `down` beside a number that is positive down must not spoil it.
-        magnitude: is_magnitude(quantity) || (quantity.is_directed() && !words && value >= 0.0),
+        magnitude: quantity.is_magnitude() || (quantity.is_directed() && !words && value >= 0.0),
     };
     key
 }
@@ -171,7 +171,7 @@ pub const fn may_vanish(quantity: Quantity) -> bool {
     match quantity {
         Quantity::SlipDistance | Quantity::SlipSpeed => true,
         Quantity::WorkPull | Quantity::PowerPull | Quantity::Tension => false,
-        other => !is_magnitude(other),
+        other => !other.is_magnitude(),
     }
 }
 
@@ -184,28 +184,6 @@ pub fn words_sign(scene: &Scene, label: Label) -> bool {
     };
     !matches!(label.quantity, Quantity::A | Quantity::ARolling | Quantity::Displacement)
         || body.and_then(|b| scene.bodies.get(b)).and_then(|b| b.line).is_none_or(|line| line.forward_up)
-}
-
-/// Is it a number that is never negative, whichever way the scene goes?
-pub const fn is_magnitude(quantity: Quantity) -> bool {
-    !matches!(
-        quantity,
-        Quantity::Friction
-            | Quantity::FrictionIfRolled
-            | Quantity::A
-            | Quantity::ARolling
-            | Quantity::Displacement
-            | Quantity::Alpha
-            | Quantity::Rise
-            | Quantity::PinRadial
-            | Quantity::PinTangential
-            | Quantity::SpringForce
-            | Quantity::XG
-            | Quantity::YG
-            | Quantity::WorkPull
-            | Quantity::PowerPull
-            | Quantity::Tension
-    )
 }
 
 /// The list of words of which one answers a question in words, on the sheet of this scene.

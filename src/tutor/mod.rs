@@ -14,7 +14,6 @@ use crate::misconception;
 use crate::misconception::MethodWords;
 use crate::num::shown;
 use crate::policy::Hints;
-use crate::problem::make_key;
 use crate::problem::maker::{APART, Variant};
 use crate::scene::{End, Label, Num, Quantity};
 use crate::solve::agree;
@@ -345,7 +344,7 @@ impl<'a, 'w> Tutor<'a, 'w> {
         entry: &KeyEntry,
         did: &str,
     ) -> Option<(String, bool)> {
-        let magnitude = make_key::is_magnitude(label.quantity);
+        let magnitude = label.quantity.is_magnitude();
         let here = self.variant.solved.get(label)?;
         let before = self.wrong(method, label);
         let mut odd: Option<(u8, Limit, f64)> = None;
