@@ -7,7 +7,7 @@ use crate::folder::{Progress, banks, files, graded, grading, names, set};
 use crate::grade::table::KeyTable;
 use crate::key::SheetKey;
 use crate::policy::Counts;
-use crate::regrade::changes::{Grading, Settings, Who, compare};
+use crate::regrade::changes::{Grading, Settings, compare};
 use crate::report::changes::{ChangesTold, KeysBeforeAfter};
 use crate::set::store::{StoredSet, StoredVariant};
 use crate::set::{given, key_file};
@@ -166,18 +166,17 @@ fn changes(
     course: Option<&Path>,
     told: &mut String,
 ) -> Result<Vec<u8>, Findings> {
-    let who = tables.who();
-    let before = read(&who, &old.folder)?;
-    let after = read(&who, made.folder())?;
+    let keys = &tables.new;
+    let before = read(keys, &old.folder)?;
+    let after = read(keys, made.folder())?;
     let (then, now) = (&old.policy, made.policy());
     let settings = Settings {
         costs: (&then.zone, then.due, &then.extensions, then.attempts, then.late)
             != (&now.zone, now.due, &now.extensions, now.attempts, now.late),
         credit: then.credit != now.credit,
     };
-    let changes = compare(&who, &before, &after, settings, &|s, p| tables.entries(s, p));
-    let desk =
-        ChangesTold { who: &who, students, before: &before, after: &after, changes: &changes, keys: tables };
+    let changes = compare(keys, &before, &after, settings, &|s, p| tables.entries(s, p));
+    let desk = ChangesTold { students, before: &before, after: &after, changes: &changes, keys: tables };
     desk.rules(told, rules, (then, now), course);
     desk.marks(told);
     Ok(desk.csv(now))
@@ -322,12 +321,12 @@ fn same_units(old: &OpenGrading, keys: &[SheetKey], file: &str) -> Result<(), Fi
     faults.into_result(())
 }
 
-fn read(who: &Who, folder: &Path) -> Result<Grading, Findings> {
-    let mut found = Grading::new(who);
-    graded::each_row(&folder.join(names::ANSWERS), &mut |row| found.take(who, row))?;
+fn read(keys: &KeyTable, folder: &Path) -> Result<Grading, Findings> {
+    let mut found = Grading::new(keys);
+    graded::each_row(&folder.join(names::ANSWERS), &mut |row| found.take(keys, row))?;
     let path = folder.join(names::GRADEBOOK);
     let bytes = files::read(&path)?;
-    found.book(who, bytes.as_slice()).map_err(|fault| {
+    found.book(keys, bytes.as_slice()).map_err(|fault| {
         let line = usize::try_from(fault.line).unwrap_or(1).max(1);
         Findings::from(Finding::new("", fault.what).at(line, 1).in_file(path.display().to_string()))
     })?;

@@ -16,7 +16,6 @@ use crate::regrade::tolerance::{AnswerUnder, WhatIf};
 use crate::report::tolerances::Trial;
 use crate::report::{gradebook, tolerances};
 use crate::set::dealer::Dealt;
-use std::collections::BTreeMap;
 use std::fs::File;
 use std::io;
 use std::io::{Read, Write as _};
@@ -119,19 +118,13 @@ fn run_with(graded: &OpenGrading, table: &KeyTable, handed: &NamedTempFile) -> R
     out.flush().map_err(|e| trouble(&e))?;
     drop(out);
     let parts = table.columns.len();
-    let column: BTreeMap<(String, &str), usize> =
-        table.columns.iter().enumerate().map(|(i, c)| ((c.number.to_string(), c.part.as_str()), i)).collect();
-    let whose: BTreeMap<&str, usize> =
-        table.students.iter().enumerate().map(|(i, s)| (s.id.as_str(), i)).collect();
     let mut cells = vec![AnswerUnder::default(); table.students.len() * parts];
     let mut answers = 0;
     graded::each_row(file.path(), &mut |row: AnswerRow| {
         if !row.counts() {
             return;
         }
-        let student = whose.get(&*row.student);
-        let part = column.get(&(row.problem.into_owned(), &*row.part));
-        let (Some(student), Some(part)) = (student, part) else { return };
+        let Some((student, part)) = table.place_of(&row) else { return };
         answers += 1;
         cells[student * parts + part] =
             AnswerUnder { right: row.verdict == Verdict::Right, methods: row.methods.into_owned() };

@@ -2,6 +2,7 @@
 use crate::grade::diagnose::{Comparison, Diagnosis};
 use crate::grade::feedback::Feedback;
 use crate::grade::ids::Ids;
+use crate::grade::row::AnswerRow;
 use crate::guard::unguarded;
 use crate::key::{Answer, KeyEntry, KeyFollow, SheetKey, WrongValue};
 use crate::policy::Policy;
@@ -29,6 +30,13 @@ pub struct Column {
     pub part: String,
     /// Points for a right answer (those of the first student who has the part).
     pub points: f64,
+}
+
+impl Column {
+    /// `1.omega`
+    pub fn label(&self) -> String {
+        format!("{}.{}", self.number, self.part)
+    }
 }
 
 /// What the quick way needs to know of an entry: little, because rows stand in any order and the time goes into waiting for
@@ -256,6 +264,13 @@ impl KeyTable {
     #[inline]
     pub(crate) fn student(&self, id: &[u8]) -> Option<u32> {
         self.by_id.get(id)
+    }
+    /// Indices of the student and the column of a row of answers.csv.
+    pub fn place_of(&self, row: &AnswerRow) -> Option<(usize, usize)> {
+        let student = self.student(row.student.as_bytes())?;
+        let mut key = Vec::new();
+        joined(row.problem.as_bytes(), row.part.as_bytes(), &mut key);
+        Some((student as usize, *self.by_part.get(&*key)? as usize))
     }
     /// Index of a student whose id was guarded against spreadsheets, or differs in upper and lower case alone from one on the
     /// roster, and is no other's; `true`: the case differs.

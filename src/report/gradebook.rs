@@ -34,7 +34,7 @@ pub fn gradebook(table: &KeyTable, graded: &Graded, policy: &Policy) -> Vec<u8> 
     let mut out = b"student,name".to_vec();
     for column in &table.columns {
         out.push(b',');
-        push_text(&mut out, format!("{}.{}", column.number, column.part).as_bytes());
+        push_text(&mut out, column.label().as_bytes());
     }
     out.extend_from_slice(b",total,max_total");
     let drops = policy.drop_lowest > 0;

@@ -35,7 +35,7 @@ pub fn grades(table: &KeyTable, graded: &run::Graded, policy: &Policy) -> String
         let unreadable = of(&[Verdict::Unreadable]);
         let counting = right + wrong + unreadable;
         rows.push(vec![
-            format!("{}.{}", column.number, column.part),
+            column.label(),
             right.to_string(),
             wrong.to_string(),
             unreadable.to_string(),

@@ -62,7 +62,7 @@ pub fn told(graded: &str, now: &KeyTable, trials: &[Trial], totals: &[f64], answ
     let mut rows = vec![vec!["part".to_owned(), "tolerance now".to_owned()]];
     rows[0].extend(trials.iter().map(|t| format!("{} %", terminal::per_cent(t.share))));
     for (i, column) in now.columns.iter().enumerate() {
-        let mut row = vec![format!("{}.{}", column.number, column.part), tolerance(now, i)];
+        let mut row = vec![column.label(), tolerance(now, i)];
         if row[1] == "-" {
             continue;
         }
