@@ -244,7 +244,6 @@ pub fn policy(
 
 /// Which attempt counts, if the command said so when it was graded.
 pub fn counts_said(grading: &StoredGrading) -> Option<Counts> {
-    [Counts::Last, Counts::Best, Counts::First]
-        .into_iter()
-        .find(|c| grading.attempts.as_deref() == Some(c.as_str()))
+    let said = |(word, _): &&(&str, Counts)| grading.attempts.as_deref() == Some(word);
+    Counts::WORDS.iter().find(said).map(|(_, counts)| *counts)
 }
