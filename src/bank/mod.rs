@@ -1,10 +1,11 @@
 //! What an instructor writes: problems with their data, scenes, questions and rules, checked and ready to be drawn.
+use crate::bank::decimal::Decimal;
 use crate::bank::expression::Expression;
 use crate::finding::Findings;
 use crate::policy::Policy;
 use crate::scene::{Label, Num, Scene};
 use crate::solve::outcome::CheckKind;
-use crate::units::Unit;
+use crate::units::{Unit, WrittenQuantity};
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
@@ -89,6 +90,21 @@ pub struct Datum {
     pub unit: Unit,
     /// A slope: scenes take it in degrees. Every other datum goes to the scene in SI.
     pub degrees: bool,
+}
+
+impl Datum {
+    /// The number of a printed value, as the scene takes it: SI, slopes in degrees. It is the nearest double.
+    pub fn number(&self, value: Decimal) -> f64 {
+        if self.degrees {
+            self.unit.decimal_to_scene(value.value, value.decimals)
+        } else {
+            self.unit.decimal_to_si(value.value, value.decimals)
+        }
+    }
+    /// The number of a quantity that was typed, as the scene takes it.
+    pub fn typed(&self, quantity: &WrittenQuantity) -> f64 {
+        if self.degrees { quantity.value_scene } else { quantity.value_si }
+    }
 }
 
 /// How a datum is drawn. All numbers are integers in units of 10^-decimals of the printed unit: no float in the draw.

@@ -138,7 +138,7 @@ fn settings(node: &Node, base: &Policy, faults: &Faults) -> Policy {
 fn settings(node: &Node, base: &Policy, faults: &Faults) -> Policy {
     let mut policy = base.clone();
     if let Some(mut fields) = Fields::open(node, "settings (hints)", faults) {
-        fields.set("hints", &mut policy.hints, |n, f| choice(n, &Hints::WORDS, f));
+        fields.set("hints", &mut policy.hints, |n, f| choice(n, Hints::WORDS, f));
         fields.close();
     }
     policy
@@ -186,42 +186,34 @@ fn gravity(node: &Node, faults: &Faults) -> Option<(Decimal, Unit)> {
 
 /// A share such as `5 %` or `0.05`.
 fn share(node: &Node, faults: &Faults) -> Option<f64> {
-    let text = node.text().unwrap_or("").trim();
-    let (digits, decimals) = match text.strip_suffix('%') {
-        Some(rest) => (rest.trim(), 2),
-        None => (text, 0),
-    };
-    let written = Decimal::read(digits);
-    let read = written.as_ref().ok().and_then(|d| {
-        let decimals = d.decimals.checked_add(decimals)?;
-        Decimal { value: d.value, decimals }.text().parse::<f64>().ok()
-    });
-    if read.is_none() {
-        faults.hint(node, expected("a share", node, written), "write `5 %` or `0.05`");
+    let read = Decimal::share(node.text().unwrap_or(""));
+    if let Err(why) = &read {
+        faults.hint(node, expected("a share", node, Some(why)), "write `5 %` or `0.05`");
     }
-    read
+    read.ok()
 }
 
 /// That something else was expected, or that there are too many digits.
-fn expected(what: &str, node: &Node, read: Result<Decimal, String>) -> String {
-    match read {
-        Err(why) if why.contains("too many digits") => format!("expected {what}: {why}"),
-        _ => format!("expected {what}, found {}", node.kind()),
+fn expected(what: &str, node: &Node, fault: Option<&String>) -> String {
+    match fault.filter(|why| why.contains("too many digits")) {
+        Some(why) => format!("expected {what}: {why}"),
+        None => format!("expected {what}, found {}", node.kind()),
     }
 }
 
 /// Limits of condition numbers: what they are, and from where to where.
 const COND_LIMITS: (&str, f64, f64) = ("a condition number", 1.0, 1000.0);
+/// Limits of points.
+const POINTS: (&str, f64, f64) = ("points", 0.0, 1000.0);
 /// Limits of input energies.
 const ENERGY_LIMITS: (&str, f64, f64) = ("a multiple of the kinetic energy", 1.0, 1000.0);
 
 /// A plain number, greatest value of something.
 fn limit(node: &Node, (what, least, most): (&str, f64, f64), faults: &Faults) -> Option<f64> {
     let written = Decimal::read(node.text().unwrap_or("").trim());
-    let read = written.as_ref().ok().and_then(|d| d.text().parse::<f64>().ok());
-    let fine = read.filter(|x| (least..=most).contains(x));
+    let fine = written.as_ref().ok().map(|d| d.f64()).filter(|x| (least..=most).contains(x));
     if fine.is_none() {
-        faults.at(node, expected(&format!("{what} from {least} to {most}"), node, written));
+        faults.at(node, expected(&format!("{what} from {least} to {most}"), node, written.as_ref().err()));
     }
     fine
 }
@@ -827,7 +819,7 @@ fn question(
     let tolerance_node = fields.get("tolerance");
     let cond_node = fields.get("cond limit");
     let unguarded = fields.get("unguarded").map_or_else(Vec::new, |n| unguarded(n, faults));
-    let points = fields.get("points").map_or(Some(1.0), |n| points(n, faults));
+    let points = fields.get("points").map_or(Some(1.0), |n| limit(n, POINTS, faults));
     let figures = fields
         .get("figures")
         .map_or(Some(FIGURES), |n| whole(n, 1, 12, faults).and_then(|f| u8::try_from(f).ok()));
@@ -928,16 +920,6 @@ fn unowned(name: &str) -> Result<Label, (String, Option<String>)> {
             spell::did_you_mean(bare, Quantity::ALL.iter().map(|q| q.name())),
         )),
     }
-}
-
-fn points(node: &Node, faults: &Faults) -> Option<f64> {
-    let written = Decimal::read(node.text().unwrap_or("").trim());
-    let read = written.as_ref().ok().and_then(|d| d.text().parse::<f64>().ok());
-    let fine = read.filter(|p| (0.0..=1000.0).contains(p));
-    if fine.is_none() {
-        faults.at(node, expected("points from 0 to 1000", node, written));
-    }
-    fine
 }
 
 fn asks(node: &Node, questions: &[(String, Option<Question>)], faults: &Faults) -> Vec<String> {

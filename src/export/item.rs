@@ -8,7 +8,6 @@ use crate::picture::svg;
 use crate::problem::maker::Variant;
 use crate::sheet::document::Document;
 use crate::sheet::page::{Room, Sheets};
-use crate::sheet::statement;
 use crate::sheet::texts::Texts;
 use crate::solution;
 use crate::units::Unit;
@@ -217,8 +216,8 @@ fn right(answer: &Answer, unit: &Unit, words: &Words) -> Right {
         },
         Answer::Word { right, offered } => Right::Word {
             right,
-            offered: offered.iter().map(|w| (*w, statement::said(words, w).to_owned())).collect(),
-            spellings: spellings(right, statement::said(words, right)),
+            offered: offered.iter().map(|w| (*w, words.of_key(w).to_owned())).collect(),
+            spellings: spellings(right, words.of_key(right)),
         },
     }
 }

@@ -1,8 +1,8 @@
 //! The variant of a student: data are drawn until they hold all rules of the problem, tries and refusals counted.
 use crate::bank::decimal::Decimal;
-use crate::bank::{Case, Follow, Problem, Question};
+use crate::bank::{Case, Datum, Follow, Problem, Question};
+use crate::draw::sample;
 use crate::draw::stream::{DrawWords, Source};
-use crate::draw::{fill, sample};
 use crate::key::ProblemKey;
 use crate::misconception;
 use crate::misconception::{Methods, Wrong};
@@ -182,7 +182,7 @@ impl<'p> Maker<'p> {
             if let Some(draw) = draw {
                 let value = sample::value(words, i, draw);
                 values[i] = Some(value);
-                data[i] = fill::number(&self.problem.data[i], value);
+                data[i] = self.problem.data[i].number(value);
             }
         }
     }
@@ -319,8 +319,7 @@ impl<'p> Maker<'p> {
             let cond = if least { 0.0 } else { entry.cond };
             let half = make_key::half_width(q, entry.value(), entry.scale, cond);
             // Where a magnitude is asked, a sign is no answer.
-            let value =
-                if make_key::is_magnitude(q.label.quantity) { wrong.value.abs() } else { wrong.value };
+            let value = if q.label.quantity.is_magnitude() { wrong.value.abs() } else { wrong.value };
             (value - entry.value()).abs() < APART * half
         };
         self.problem.questions.iter().enumerate().filter(move |(_, q)| near(q)).map(|(i, _)| i)
@@ -547,7 +546,8 @@ fn of_values(
     values: &[Option<Decimal>],
     solve: impl FnOnce(&Scene, &[f64]) -> Result<Solved, Refusal>,
 ) -> Result<Variant, Refusal> {
-    let number = |(i, datum)| values.get(i).copied().flatten().map_or(0.0, |v| fill::number(datum, v));
+    let number =
+        |(i, datum): (usize, &Datum)| values.get(i).copied().flatten().map_or(0.0, |v| datum.number(v));
     let data: Vec<f64> = problem.data.iter().enumerate().map(number).collect();
     let scene = problem.cases.get(case).map(|c| &c.scene).ok_or(Refusal::Freedoms(0))?;
     let solved = solve(scene, &data)?;

@@ -13,9 +13,9 @@ use crate::review;
 use crate::review::SweepTables;
 use crate::sheet::document::Document;
 use crate::sheet::html::{Converter, PlaceInPage};
+use crate::sheet::key_table;
 use crate::sheet::page::{Room, Sheets};
 use crate::sheet::texts::Texts;
-use crate::sheet::{key_table, statement};
 use crate::solve::outcome::Motion;
 use crate::template;
 use crate::template::{Value, View};
@@ -128,7 +128,7 @@ fn card(
         .iter()
         .zip(&variant.values)
         .filter_map(|(datum, drawn)| {
-            let digits = phrases.tex_number(&statement::decimal_text((*drawn)?));
+            let digits = phrases.tex_number(&(*drawn)?.text());
             Some(format!("{} = {}", datum.tex, datum.unit.tex_with(&digits)))
         })
         .collect();

@@ -5,7 +5,6 @@ use crate::key::{Answer, KeyEntry, SheetKey};
 use crate::num::shown::significant;
 use crate::problem::maker::Variant;
 use crate::sheet::document::{Document, Head};
-use crate::sheet::statement;
 use crate::solve::outcome::Motion;
 use crate::template;
 use crate::template::{Templates, View};
@@ -101,7 +100,7 @@ pub fn document<'k>(
 pub fn shown(words: &Words, problem: &Problem, entry: &KeyEntry) -> String {
     let directed = problem.questions.iter().any(|q| q.id == entry.part && q.label.quantity.is_directed());
     match &entry.answer {
-        Answer::Word { right, .. } => statement::said(words, right).to_owned(),
+        Answer::Word { right, .. } => words.of_key(right).to_owned(),
         Answer::Number { value, .. } => {
             let number = words.number(&significant(entry.unit.from_si(*value), FIGURES));
             // A sign that means a direction is shown in both cases.

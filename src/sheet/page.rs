@@ -1,4 +1,5 @@
 //! A whole sheet of one student: a document of Markdown and pictures, with its head.
+use crate::bank::decimal::Decimal;
 use crate::bank::{Bank, FigureLabels, Problem, load};
 use crate::figure::scene;
 use crate::finding::{Finding, Findings};
@@ -6,7 +7,7 @@ use crate::picture::Picture;
 use crate::problem::maker::Variant;
 use crate::scene::{Quantity, Slope};
 use crate::sheet::document::{Document, Head};
-use crate::sheet::statement::{Common, Scratch, Statement, decimal_text, percent};
+use crate::sheet::statement::{Common, Scratch, Statement, percent};
 use crate::template;
 use crate::template::{Templates, View};
 use crate::words::Words;
@@ -170,7 +171,7 @@ impl<'b> Sheets<'b> {
             drawn.push_str(&format!("\u{0}{}", problem.id));
             for number in variant.values.iter() {
                 drawn.push('\u{0}');
-                drawn.push_str(&number.map_or_else(String::new, decimal_text));
+                drawn.push_str(&number.map_or_else(String::new, Decimal::text));
             }
         }
         Head {

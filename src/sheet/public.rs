@@ -14,7 +14,6 @@ use crate::page::sheet_file::FORMAT;
 use crate::problem::make_key;
 use crate::problem::maker::Variant;
 use crate::scene::{Label, Scene};
-use crate::sheet::statement;
 use serde::Serialize;
 use serde_json::{Map, Value, json};
 use std::collections::BTreeMap;
@@ -73,7 +72,7 @@ impl<'b> Writer<'b> {
                 if let Some(number) = variant.values.get(d).copied().flatten() {
                     let comma = if first { "" } else { ", " };
                     first = false;
-                    let value = statement::decimal_text(number);
+                    let value = number.text();
                     let (symbol, unit) = (quote(&datum.symbol), quote(datum.unit.ascii()));
                     let _ = write!(out, "{comma}{symbol}: {{\"value\": \"{value}\", \"unit\": {unit}}}");
                 }
