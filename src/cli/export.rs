@@ -1,5 +1,5 @@
 //! `slipstick export`: a set, or a pool drawn from a bank, to one file for a learning platform.
-use crate::cli::args::{AsArg, ExportArgs};
+use crate::cli::args::ExportArgs;
 use crate::cli::tell::{Exit, Io};
 use crate::export::{Layout, Platform};
 use crate::finding::{Finding, Findings};
@@ -20,9 +20,9 @@ const MOST: u32 = 10_000;
 /// Runs it.
 pub fn run(args: &ExportArgs, io: &mut Io) -> Result<Exit, Findings> {
     let layout = match (args.format, args.layout) {
-        (Platform::Moodle, Some(AsArg::Numerical)) => Layout::PartsWithUnits,
+        (Platform::Moodle, Some(layout)) => layout,
         (Platform::Canvas, None) => Layout::Parts,
-        (_, Some(_)) if args.format != Platform::Moodle => {
+        (_, Some(_)) => {
             return Err(
                 Finding::new("--as", format!("is for moodle, and not for {}", args.format.name())).into()
             );
