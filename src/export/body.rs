@@ -4,7 +4,6 @@ use crate::picture::svg::escaped;
 use crate::sheet::document::{ANSWER, Document, is_break};
 use crate::sheet::html::{self, MARKDOWN};
 use pulldown_cmark::{Event, Parser, Tag, TagEnd};
-use rustc_hash::FxHashMap;
 
 /// A piece of a text.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -28,11 +27,9 @@ pub struct Body {
 /// Turns documents into bodies and remembers formulas, as [`html::Converter`] does.
 #[derive(Default)]
 pub struct BodyWriter {
-    formulas: FxHashMap<String, String>,
+    formulas: html::Formulas,
 }
 
-/// Formulas remembered at most, so that memory does not grow with the class.
-const REMEMBERED: usize = 4096;
 /// Lists within lists whose items are pieces of their own at most.
 const DEEPEST: usize = 30;
 
@@ -112,8 +109,8 @@ impl BodyWriter {
                 }
                 Event::HardBreak => ready.push(inline("<br/>\n".to_owned())),
                 Event::Rule => ready.push(inline("<hr/>\n".to_owned())),
-                Event::InlineMath(tex) => ready.push(inline(self.formula(&tex, false))),
-                Event::DisplayMath(tex) => ready.push(inline(self.formula(&tex, true))),
+                Event::InlineMath(tex) => ready.push(inline(self.formulas.html(&tex, false))),
+                Event::DisplayMath(tex) => ready.push(inline(self.formulas.html(&tex, true))),
                 Event::Code(name) => {
                     // A place for an answer belongs to the part that was named last.
                     walk.named = walk.parts.iter().position(|part| **part == *name).or(walk.named);
@@ -133,21 +130,6 @@ impl BodyWriter {
         }
         flush(&mut ready, &mut pieces);
         pieces
-    }
-
-    fn formula(&mut self, tex: &str, of_its_own: bool) -> String {
-        if of_its_own {
-            return html::formula(tex, true);
-        }
-        if let Some(known) = self.formulas.get(tex) {
-            return known.clone();
-        }
-        if self.formulas.len() >= REMEMBERED {
-            self.formulas.clear();
-        }
-        let made = html::formula(tex, false);
-        self.formulas.insert(tex.to_owned(), made.clone());
-        made
     }
 }
 

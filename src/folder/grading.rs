@@ -28,7 +28,7 @@ use crate::words::Words;
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::io;
-use std::io::{BufRead, Read, Write as _};
+use std::io::{BufRead, Read, Write};
 use std::path::{Path, PathBuf};
 use tempfile::NamedTempFile;
 
@@ -355,12 +355,9 @@ fn of_quiz(
         let (set, keys) = taken.set((set, keys), &|_, _, _, _| nth);
         let table = table(&set, keys, policy);
         let rules = Rules::new(&table, policy)?;
-        let open = || -> io::Result<Box<dyn Read + Send>> { Ok(Box::new(fs::File::open(spooled.path())?)) };
-        let graded = run::grade(&open, &table, &rules, options, &mut io::sink(), &mut |_| {});
-        let graded = graded.map_err(|why| match why {
-            GradeFault::Io(e) | GradeFault::Write(e) => fault(e).into(),
-            GradeFault::Header(findings) => findings.in_file(&file),
-        })?;
+        let names = (job.submissions, Path::new(""));
+        let by = (&table, &rules, options);
+        let graded = run_file(spooled.path(), names, by, &mut io::sink(), &mut |_| {})?;
         let width = table.columns.len().max(1);
         let place = |(i, points): (usize, &Option<f64>)| {
             let (column, student) = (table.columns.get(i % width)?, table.students.get(i / width)?);
@@ -387,6 +384,22 @@ fn of_quiz(
     Ok((Basis { set, keys, set_text, key_text, ..basis }, spooled, taken))
 }
 
+/// Grades a file; faults name what is read and what is written.
+pub(super) fn run_file(
+    path: &Path,
+    (read, written): (&Path, &Path),
+    (table, rules, options): (&KeyTable, &Rules, &Options),
+    out: &mut (dyn Write + Send),
+    progress: &mut (dyn FnMut(u64) + Send),
+) -> Result<run::Graded, Findings> {
+    let open = || -> io::Result<Box<dyn Read + Send>> { Ok(Box::new(fs::File::open(path)?)) };
+    run::grade(&open, table, rules, options, out, progress).map_err(|why| match why {
+        GradeFault::Io(e) => files::trouble(read, "cannot be graded", &e).into(),
+        GradeFault::Write(e) => files::trouble(written, "cannot be written", &e).into(),
+        GradeFault::Header(findings) => findings.in_file(read.display().to_string()),
+    })
+}
+
 /// Grades the file at `path` into the answers of a staged folder.
 fn answers(
     job: &GradeOrder,
@@ -396,9 +409,8 @@ fn answers(
     options: &Options,
     staged: &Staged,
 ) -> Result<run::Graded, Findings> {
-    let file = job.submissions.display().to_string();
-    let fault = |e: &io::Error| files::trouble(&job.out.join(names::ANSWERS), "cannot be written", e);
-    let open = || -> io::Result<Box<dyn Read + Send>> { Ok(Box::new(fs::File::open(path)?)) };
+    let answers = job.out.join(names::ANSWERS);
+    let fault = |e: &io::Error| files::trouble(&answers, "cannot be written", e);
     let first = files::stamp(path);
     let size = first.map_or(0, |(size, _)| size);
     let mut before = 0;
@@ -411,15 +423,12 @@ fn answers(
     };
     let out = fs::File::create(staged.path().join(names::ANSWERS)).map_err(|e| fault(&e))?;
     let mut out = io::BufWriter::with_capacity(1 << 18, out);
-    let graded = run::grade(&open, table, rules, options, &mut out, &mut progress);
-    let graded = graded.map_err(|why| match why {
-        GradeFault::Io(e) => files::trouble(job.submissions, "cannot be graded", &e).into(),
-        GradeFault::Write(e) => fault(&e).into(),
-        GradeFault::Header(findings) => findings.in_file(&file),
-    })?;
+    let graded =
+        run_file(path, (job.submissions, &answers), (table, rules, options), &mut out, &mut progress)?;
     // Which attempt counts was found in an earlier walk over the file.
     if files::stamp(path) != first {
-        let changed = Finding::new("", "was changed while it was graded").in_file(file);
+        let changed = Finding::new("", "was changed while it was graded");
+        let changed = changed.in_file(job.submissions.display().to_string());
         return Err(changed.hint("grade it again, or a copy of it").into());
     }
     out.flush().map_err(|e| fault(&e))?;

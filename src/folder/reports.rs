@@ -173,7 +173,7 @@ pub fn make(
     let graded = graded::open(graded, None)?;
     let mut bank = graded.bank.clone();
     let texts = banks::texts(templates, language.unwrap_or(&graded.grading.language), &mut bank)?;
-    let catalogue = Catalogue::of(texts.words.language()).unwrap_or_else(Catalogue::built_in);
+    let catalogue = Catalogue::shared(texts.words.language());
     let marks = read_marks(&graded, &bank, &texts.words)?;
     let study = ClassStudy::of(&marks);
     let written =
@@ -186,13 +186,8 @@ pub fn make(
 
     let mut converter = Converter::new(&texts.words);
     let about = class::about(&graded, &bank, &texts.words);
-    let reporter = ClassReporter {
-        marks: &marks,
-        study: &study,
-        catalogue: &catalogue,
-        matches: &found,
-        words: &texts.words,
-    };
+    let reporter =
+        ClassReporter { marks: &marks, study: &study, catalogue, matches: &found, words: &texts.words };
     let told = reporter.report(&about, &texts.templates, &mut |markdown| inline(&mut converter, markdown))?;
     write(names::REPORT, &told.html)?;
     folder(names::TABLES)?;
@@ -200,7 +195,7 @@ pub fn make(
         write(&format!("{}/{}.csv", names::TABLES, table.name), &table.csv())?;
     }
     folder(names::FEEDBACK)?;
-    feedback(&graded, (&texts, &catalogue), &about.title, &marks, threads, &write)?;
+    feedback(&graded, (&texts, catalogue), &about.title, &marks, threads, &write)?;
     let (item, most, lines) = book(&marks, &graded.grading, &texts.words);
     write(names::CANVAS, &lms::canvas(&item, most, &lines))?;
     write(names::MOODLE, &lms::moodle(&item, graded.grading.moodle.as_deref(), &lines))?;
@@ -211,7 +206,7 @@ pub fn make(
         students: marks.class.students.len(),
         took_part: study.took_part.len(),
         tables: told.tables.len(),
-        lines: ClassReporter { catalogue: &Catalogue::built_in(), words: &english, ..reporter }.in_brief(),
+        lines: ClassReporter { catalogue: Catalogue::shared("en"), words: &english, ..reporter }.in_brief(),
         matches: found.summary(&english),
     })
 }

@@ -373,7 +373,7 @@ impl ExplainedMarks<'_> {
     /// Methods, slip and how the points of the attempt that counts add up.
     fn why(&self, page: &mut Pages, index: usize, row: &AnswerRow) {
         let entry = &self.key.parts[index];
-        let catalogue = Catalogue::built_in();
+        let catalogue = Catalogue::shared("en");
         for id in row.methods.split_whitespace() {
             let at = self.key.methods.iter().position(|m| m == id);
             let value = at.and_then(|m| entry.wrong.iter().find(|w| usize::from(w.method) == m));

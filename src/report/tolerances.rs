@@ -88,7 +88,7 @@ pub fn told(graded: &str, now: &KeyTable, trials: &[Trial], totals: &[f64], answ
     line("answers of wrong methods that would pass", String::new(), &|t| t.what.total().methods.to_string());
     line("sheets where a wrong method would pass", String::new(), &|t| t.what.total().within.to_string());
     text.push_str(&terminal::table(&rows, &[0]));
-    let catalogue = Catalogue::built_in();
+    let catalogue = Catalogue::shared("en");
     for trial in trials.iter().filter(|t| !t.what.methods.is_empty()) {
         let total = trial.what.total();
         text.push_str(&format!(

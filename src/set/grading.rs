@@ -108,10 +108,7 @@ impl StoredGrading {
     /// What is wrong with it, with its place.
     pub fn parse(text: &str) -> Result<Self, Finding> {
         let grading: Self = serde_json::from_str(text).map_err(|e| {
-            let words = e.to_string();
-            let words = words.split(" at line ").next().unwrap_or("cannot be read").to_owned();
-            Finding::new("", format!("is no grading: {words}"))
-                .at(e.line().max(1), e.column().max(1))
+            Finding::of_json("grading", &e)
                 .hint("grading.json is written by `slipstick grade` and not meant to be edited")
         })?;
         if grading.format == FORMAT {
