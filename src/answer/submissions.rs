@@ -459,19 +459,6 @@ impl Batch {
     }
 }
 
-/// The text of a small file, by its byte order mark; without one UTF-8, or else Windows-1252.
-pub fn text_of(raw: &[u8]) -> Cow<'_, str> {
-    match Encoding::for_bom(raw) {
-        Some((encoding, length)) => {
-            encoding.decode_without_bom_handling(raw.get(length..).unwrap_or_default()).0
-        }
-        None => match std::str::from_utf8(raw) {
-            Ok(text) => Cow::Borrowed(text),
-            Err(_) => WINDOWS_1252.decode_without_bom_handling(raw).0,
-        },
-    }
-}
-
 /// UTF-8, or else Windows-1252.
 fn decoded(raw: &[u8]) -> Cow<'_, [u8]> {
     if std::str::from_utf8(raw).is_ok() {

@@ -7,7 +7,7 @@ use crate::guard;
 use crate::guard::unguarded;
 use crate::sheet::terminal;
 use std::fs::File;
-use std::io::Read;
+use std::io::{Cursor, Read};
 use std::path::Path;
 
 /// Largest file of answers of one student, bytes: some thousand times what a page saves.
@@ -218,25 +218,17 @@ fn in_archive(path: &Path, found: &mut Found) -> Result<(), Finding> {
 
 /// When a file of answers was saved, as far as it says, and its answers.
 fn answers(bytes: &[u8], set: &str) -> Result<(String, Vec<[String; 4]>), &'static str> {
-    let text = submissions::text_of(bytes);
-    let first = text.lines().next().unwrap_or_default();
-    // A spreadsheet may tell its delimiter first.
-    let text = match first.trim().to_ascii_lowercase().starts_with("sep=") {
-        true => text.split_once('\n').map_or("", |(_, rest)| rest),
-        false => &*text,
-    };
-    let first = text.lines().next().unwrap_or_default();
-    let mark = [b',', b';', b'\t'].into_iter().find(|mark| first.as_bytes().contains(mark)).unwrap_or(b',');
-    let mut reader = csv::ReaderBuilder::new().delimiter(mark).flexible(true).from_reader(text.as_bytes());
-    let head = reader.headers().map_err(|_| "cannot be read as CSV")?.clone();
+    const NO_CSV: &str = "cannot be read as CSV";
+    let (head, records) =
+        submissions::all_records(Box::new(Cursor::new(bytes.to_vec()))).map_err(|_| NO_CSV)?;
+    let head = head.map_or_else(Vec::new, |head| head.fields);
     let column = |name: &str| head.iter().position(|h| h.trim().eq_ignore_ascii_case(name));
     let [Some(student), Some(problem), Some(part), Some(answer)] = COLUMNS.map(column) else {
         return Err("lacks the columns student, problem, part, answer");
     };
     let (mut saved, mut rows) = (String::new(), Vec::new());
-    for record in reader.records() {
-        let record = record.map_err(|_| "cannot be read as CSV")?;
-        let field = |i: usize| unguarded(record.get(i).unwrap_or_default()).to_owned();
+    for (_, record) in records {
+        let field = |i: usize| unguarded(record.get(i).map_or("", String::as_str)).to_owned();
         if let Some(at) = column(SAVED).and_then(|i| record.get(i)) {
             saved = saved.max(at.trim().to_owned());
         }
