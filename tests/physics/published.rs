@@ -128,7 +128,7 @@ fn always(problem: &Problem) -> Vec<f64> {
         .data
         .iter()
         .zip(&problem.cases[0].draws)
-        .map(|(datum, draw)| draw.as_ref().map_or(0.0, |d| slipstick::draw::fill::number(datum, d.range().0)))
+        .map(|(datum, draw)| draw.as_ref().map_or(0.0, |d| datum.number(d.range().0)))
         .collect()
 }
 
