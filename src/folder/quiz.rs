@@ -9,10 +9,13 @@ use crate::key::{ProblemKey, SheetKey};
 use crate::policy::{Counts, Policy};
 use crate::set::store::{StoredSet, StoredStudent, StoredVariant};
 use crate::sheet::terminal;
+use crate::words::plain::beginning;
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 
 /// Codes, students and notes listed one by one before the rest is only counted.
 const LISTED: usize = 10;
+/// Letters of a text that are shown.
+const SHORT: usize = 40;
 /// Longest id, as in a roster.
 const LONGEST: usize = 100;
 
@@ -132,7 +135,7 @@ impl Variants {
                 }
                 // To which part it is an answer cannot be told.
                 _ => {
-                    rows.push(Row { code, ..placed(p, &short(&asked.header), &text(asked)) });
+                    rows.push(Row { code, ..placed(p, &beginning(&asked.header, SHORT), &text(asked)) });
                     continue;
                 }
             };
@@ -481,17 +484,11 @@ fn unknown_codes(rows: &[Row]) -> BTreeMap<&str, usize> {
 
 /// At most so many of them, by name.
 fn listed(unknown: &BTreeMap<&str, usize>) -> String {
-    let mut some: Vec<String> = unknown.keys().take(LISTED).map(|code| short(code)).collect();
+    let mut some: Vec<String> = unknown.keys().take(LISTED).map(|code| beginning(code, SHORT)).collect();
     if unknown.len() > LISTED {
         some.push(format!("and {} more", unknown.len() - LISTED));
     }
     some.join(", ")
-}
-
-fn short(text: &str) -> String {
-    const SHORT: usize = 40;
-    let shown: String = text.chars().map(|c| if c.is_control() { ' ' } else { c }).take(SHORT).collect();
-    if text.chars().nth(SHORT).is_some() { format!("{shown}…") } else { shown }
 }
 
 fn no_code(quiz: &Quiz, variants: &Variants, unknown: &BTreeMap<&str, usize>) -> Finding {
@@ -525,7 +522,7 @@ fn told(quiz: &Quiz, rows: &[Row], takers: &Takers, unknown: &BTreeMap<&str, usi
         text.push_str(&line);
     };
     let some = |ids: &BTreeSet<String>| {
-        let shown: Vec<String> = ids.iter().take(LISTED).map(|id| short(id)).collect();
+        let shown: Vec<String> = ids.iter().take(LISTED).map(|id| beginning(id, SHORT)).collect();
         format!("{}{}", shown.join(", "), if ids.len() > LISTED { ", ..." } else { "" })
     };
     if !takers.on_roster {

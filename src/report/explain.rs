@@ -16,11 +16,13 @@ use crate::regrade::changes::ChangeRow;
 use crate::set::grading::{JOINED, StoredGrading};
 use crate::set::store::{StoredSet, StoredStudent, StoredVariant};
 use crate::sheet::terminal;
-use crate::words::plain::plain;
+use crate::words::plain::{beginning, capital, plain};
 use std::fmt::Write as _;
 
 /// Figures of keys and answers in the text.
 const FIGURES: usize = 9;
+/// Letters of a cell that are shown.
+const LONGEST: usize = 120;
 /// Width of the text.
 const WIDTH: usize = 100;
 
@@ -323,7 +325,7 @@ impl ExplainedMarks<'_> {
         let when =
             if row.submitted_at.is_empty() { String::new() } else { format!(", {}", row.submitted_at) };
         let place = if row.column.is_empty() { String::new() } else { format!(", column {}", row.column) };
-        let mut text = format!("line {}{place}{when}: `{}`", row.line, shortened(&row.answer));
+        let mut text = format!("line {}{place}{when}: `{}`", row.line, beginning(&row.answer, LONGEST));
         // What was written to other data is not held against this key.
         let of_another = row.credit.starts_with(OF_ANOTHER);
         match read(&row.answer, &mut units) {
@@ -364,8 +366,8 @@ impl ExplainedMarks<'_> {
             Reading::Blank | Reading::Unreadable(_) => {}
         }
         let _ = match row.verdict {
-            Verdict::Superseded => write!(text, ". {}", sentence(&row.reason)),
-            verdict => write!(text, ". {}: {}", sentence(verdict.as_str()), row.reason),
+            Verdict::Superseded => write!(text, ". {}", capital(&row.reason)),
+            verdict => write!(text, ". {}: {}", capital(verdict.as_str()), row.reason),
         };
         page.say(2, &text);
     }
@@ -534,22 +536,6 @@ fn signed_per_cent(share: f64) -> String {
     let share = share * 100.0;
     let sign = if share < 0.0 { "-" } else { "+" };
     format!("{sign}{} %", shown::significant(share.abs(), 3))
-}
-
-fn sentence(text: &str) -> String {
-    let mut chars = text.chars();
-    chars.next().map_or_else(String::new, |c| c.to_uppercase().chain(chars).collect())
-}
-
-/// A long cell is shown by its beginning; nothing in it moves the cursor.
-fn shortened(text: &str) -> String {
-    const LONGEST: usize = 120;
-    let clean = text.chars().map(|c| if c.is_control() { '\u{fffd}' } else { c });
-    let mut short: String = clean.take(LONGEST).collect();
-    if text.chars().nth(LONGEST).is_some() {
-        short.push('…');
-    }
-    short
 }
 
 /// The column `slip` in words.
