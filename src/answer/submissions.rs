@@ -12,9 +12,9 @@ use std::io::Read;
 use std::ops::Range;
 
 /// A field longer than this cannot be read.
-pub const FIELD_CAP: usize = 64 * 1024;
+const FIELD_CAP: usize = 64 * 1024;
 /// A quoted field with more lines than this was not meant as one.
-pub const LINE_CAP: u64 = 100;
+const LINE_CAP: u64 = 100;
 /// A record must be decided within this many bytes.
 const LOOKAHEAD: usize = 2 * FIELD_CAP;
 /// Bytes of an overlong record that are kept to show it.

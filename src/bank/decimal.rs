@@ -4,7 +4,7 @@ use crate::units::TENS;
 use std::fmt::Write as _;
 
 /// Most decimals of a datum.
-pub const MAX_DECIMALS: u8 = 12;
+const MAX_DECIMALS: u8 = 12;
 /// Most digits of a datum: they fit a double exactly.
 pub const MAX_DIGITS: usize = 15;
 

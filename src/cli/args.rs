@@ -1,6 +1,6 @@
 //! What was typed, nothing resolved; keeper of clap.
 use crate::bank::Bank;
-use crate::export::{Layout, Platform};
+use crate::export::{ExportFormat, QuestionLayout};
 use crate::finding::Findings;
 use crate::folder::banks;
 use crate::folder::banks::Loaded;
@@ -282,9 +282,9 @@ const METHODS: &[(&str, WishedMethod, &str)] = &[
 ];
 
 /// How a problem becomes questions of Moodle.
-const LAYOUTS: &[(&str, Layout, &str)] = &[
-    ("cloze", Layout::Whole, "One question with a field for each part"),
-    ("numerical", Layout::PartsWithUnits, "A question for each part, whose number may have a unit"),
+const LAYOUTS: &[(&str, QuestionLayout, &str)] = &[
+    ("cloze", QuestionLayout::Whole, "One question with a field for each part"),
+    ("numerical", QuestionLayout::PartsWithUnits, "A question for each part, whose number may have a unit"),
 ];
 
 /// `grade`
@@ -615,8 +615,8 @@ pub struct ExportArgs {
     #[arg(value_name = "SET or BANK")]
     pub source: String,
     /// Format: moodle, canvas, qti21 or qti3
-    #[arg(long, value_name = "FORMAT", value_parser = Platform::parse)]
-    pub format: Platform,
+    #[arg(long, value_name = "FORMAT", value_parser = ExportFormat::parse)]
+    pub format: ExportFormat,
     /// File to write, such as week-5.xml for Moodle and week-5.zip for the others; not within the students' folders
     #[arg(long, value_name = "FILE")]
     pub out: PathBuf,
@@ -631,7 +631,7 @@ pub struct ExportArgs {
     pub name: Option<String>,
     /// How a problem becomes questions of Moodle [default: cloze]
     #[arg(long = "as", value_parser = one_of(LAYOUTS), value_name = "LAYOUT")]
-    pub layout: Option<Layout>,
+    pub layout: Option<QuestionLayout>,
     /// Give the worked solution as feedback after the answer
     #[arg(long)]
     pub with_solutions: bool,

@@ -150,7 +150,7 @@ fn kinds_and_verdicts(root: &Path) -> Result<String, Findings> {
 fn marks(gradebook: &Path) -> Result<String, Findings> {
     let records = files::records(gradebook)?;
     let Some(header) = records.first() else { return Ok(String::new()) };
-    let text = |record: &files::Record, name: &str| {
+    let text = |record: &files::CsvRecord, name: &str| {
         let column = header.iter().position(|f| f == name);
         column.and_then(|c| record.get(c)).unwrap_or_default().to_owned()
     };

@@ -1,7 +1,7 @@
 //! `slipstick export`: a set, or a pool drawn from a bank, to one file for a learning platform.
 use crate::cli::args::ExportArgs;
 use crate::cli::tell::{Exit, Io};
-use crate::export::{Layout, Platform};
+use crate::export::{ExportFormat, QuestionLayout};
 use crate::finding::{Finding, Findings};
 use crate::folder;
 use crate::folder::deal::Plan;
@@ -20,14 +20,14 @@ const MOST: u32 = 10_000;
 /// Runs it.
 pub fn run(args: &ExportArgs, io: &mut Io) -> Result<Exit, Findings> {
     let layout = match (args.format, args.layout) {
-        (Platform::Moodle, Some(layout)) => layout,
-        (Platform::Canvas, None) => Layout::Parts,
+        (ExportFormat::Moodle, Some(layout)) => layout,
+        (ExportFormat::Canvas, None) => QuestionLayout::Parts,
         (_, Some(_)) => {
             return Err(
                 Finding::new("--as", format!("is for moodle, and not for {}", args.format.name())).into()
             );
         }
-        _ => Layout::Whole,
+        _ => QuestionLayout::Whole,
     };
     export::may_write(&args.out, args.force)?;
     let (set, pool) = match args.variants {

@@ -12,7 +12,7 @@ use crate::misconception::catalogue::{Catalogue, Entry};
 use crate::problem::make_key;
 use crate::problem::maker::{Maker, Variant};
 use crate::set::dealer;
-use crate::sheet::page::{Room, Sheets};
+use crate::sheet::page::{SheetScratch, Sheets};
 use crate::sheet::{document, statement, terminal};
 use crate::solve::outcome::Motion;
 use crate::tutor::Tutor;
@@ -58,14 +58,14 @@ pub fn run(args: &args::PracticeArgs, io: &mut Io) -> Result<Exit, Findings> {
     io.line(&format!("{} ({of_seed}). {}", bank.title, words.get("feedback.commands")));
     let catalogue = Catalogue::shared(words.language());
     let find = |id: &str| catalogue.get(id).map(Entry::words);
-    let mut room = Room::default();
+    let mut scratch = SheetScratch::default();
     let (mut right, mut asked) = (0, 0);
     for round in 0usize.. {
         let i = round % problems.len();
         let problem = &bank.problems[problems[i]];
         let variant = practice::drawn(&loaded, &makers[i], round / problems.len() + 1)?;
         let mut text = Vec::new();
-        sheets.problem(i, &variant, &mut room, &mut text)?;
+        sheets.problem(i, &variant, &mut scratch, &mut text)?;
         let text = document::without_marks(&String::from_utf8_lossy(&text));
         io.line(&format!("\n## {}\n\n{}", problem.title, plain(&text)));
         let key = make_key::key(problem, &variant);

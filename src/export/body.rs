@@ -20,7 +20,7 @@ pub enum Piece {
 
 /// A text in pieces.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
-pub struct Body {
+pub struct ItemText {
     pieces: Vec<Piece>,
 }
 
@@ -35,9 +35,9 @@ const DEEPEST: usize = 30;
 
 impl BodyWriter {
     /// The body of a document; `parts` are the names of parts for which it has places, `1.omega`.
-    pub fn body(&mut self, document: &Document, parts: &[String]) -> Body {
+    pub fn body(&mut self, document: &Document, parts: &[String]) -> ItemText {
         let mut events = Parser::new_ext(&document.markdown, MARKDOWN);
-        let mut walk = Walk { document, parts, named: None, placed: Vec::new() };
+        let mut walk = BodyWalk { document, parts, named: None, placed: Vec::new() };
         let mut pieces = self.pieces(&mut events, &mut walk, 0);
         // A text of one's own may leave no place behind the name of a part.
         for (i, part) in parts.iter().enumerate().filter(|(i, _)| !walk.placed.contains(i)) {
@@ -48,11 +48,11 @@ impl BodyWriter {
                 Piece::Text("</p>\n".to_owned()),
             ]));
         }
-        Body { pieces }
+        ItemText { pieces }
     }
 
     /// The pieces up to the end of the list item that is open, or of the text.
-    fn pieces<'e>(&mut self, events: &mut Parser<'e>, walk: &mut Walk, depth: usize) -> Vec<Piece> {
+    fn pieces<'e>(&mut self, events: &mut Parser<'e>, walk: &mut BodyWalk, depth: usize) -> Vec<Piece> {
         let mut pieces = Vec::new();
         let mut ready: Vec<Event<'e>> = Vec::new();
         let (mut in_picture, mut too_deep) = (0, 0usize);
@@ -134,7 +134,7 @@ impl BodyWriter {
 }
 
 /// What is known on the way through a document.
-struct Walk<'w> {
+struct BodyWalk<'w> {
     document: &'w Document,
     parts: &'w [String],
     /// The part that was named last and has no place yet.
@@ -152,7 +152,7 @@ fn flush(ready: &mut Vec<Event>, pieces: &mut Vec<Piece>) {
     }
 }
 
-impl Body {
+impl ItemText {
     /// The text as one. With `only` the questions of other parts are left out: items of lists with places for their answers.
     pub fn text(
         &self,

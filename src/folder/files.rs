@@ -63,13 +63,13 @@ pub fn read_text(path: &Path) -> Result<String, Finding> {
 }
 
 /// One line of a CSV file.
-pub type Record = csv::StringRecord;
+pub type CsvRecord = csv::StringRecord;
 
 /// The records of a CSV file, its header among them.
 ///
 /// # Errors
 /// It cannot be read.
-pub fn records(path: &Path) -> Result<Vec<Record>, Finding> {
+pub fn records(path: &Path) -> Result<Vec<CsvRecord>, Finding> {
     let bytes = read(path)?;
     let mut reader =
         csv::ReaderBuilder::new().has_headers(false).flexible(true).from_reader(bytes.as_slice());

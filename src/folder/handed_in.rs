@@ -29,7 +29,7 @@ const HINT: &str = "give what students handed in: a CSV file, or a folder or ZIP
 
 /// Files of answers, joined.
 #[derive(Debug, Default)]
-pub struct HandedIn {
+pub struct JoinedFiles {
     /// One line for each answer.
     pub text: Vec<u8>,
     /// The same lines to look at: each with the file that it is from, and nothing that a spreadsheet would run.
@@ -45,7 +45,7 @@ pub struct HandedIn {
 /// Files listed one by one before the rest is only counted.
 const LISTED: usize = 20;
 
-impl HandedIn {
+impl JoinedFiles {
     /// How many files there were, and which of them are none of answers: lines for the summary.
     pub fn told(&self) -> String {
         let mut text = format!("\n  from {}", terminal::count(self.files, "file"));
@@ -83,7 +83,7 @@ pub fn is_many(path: &Path) -> bool {
 ///
 /// # Errors
 /// It cannot be read, or no file of answers is in it.
-pub fn joined(path: &Path, set: &str) -> Result<HandedIn, Finding> {
+pub fn joined(path: &Path, set: &str) -> Result<JoinedFiles, Finding> {
     let mut found = Vec::new();
     if path.is_dir() {
         in_folder(path, "", 0, &mut found)?;
@@ -95,7 +95,7 @@ pub fn joined(path: &Path, set: &str) -> Result<HandedIn, Finding> {
         let fault = Finding::new("", what).in_file(path.display().to_string());
         return Err(fault.hint(HINT));
     }
-    let mut all = HandedIn::default();
+    let mut all = JoinedFiles::default();
     let mut read: Vec<(String, String, Vec<[String; 4]>)> = Vec::new();
     for (name, bytes) in found {
         match bytes.and_then(|bytes| answers(&bytes, set)) {
@@ -143,7 +143,7 @@ fn of_others(name: &str, rows: &[[String; 4]]) -> Option<String> {
     (!others.is_empty()).then(|| others.join(", "))
 }
 
-type Found = Vec<(String, Result<Vec<u8>, &'static str>)>;
+type FoundFiles = Vec<(String, Result<Vec<u8>, &'static str>)>;
 
 /// Bytes of a file that may be one of answers.
 fn bytes(mut source: impl Read) -> Result<Vec<u8>, &'static str> {
@@ -171,7 +171,7 @@ fn no_csv(name: &str) -> &'static str {
     }
 }
 
-fn in_folder(folder: &Path, prefix: &str, depth: usize, found: &mut Found) -> Result<(), Finding> {
+fn in_folder(folder: &Path, prefix: &str, depth: usize, found: &mut FoundFiles) -> Result<(), Finding> {
     for name in files::names_in(folder) {
         let (path, name) = (folder.join(&name), format!("{prefix}{name}"));
         if is_hidden(&name) {
@@ -194,7 +194,7 @@ fn in_folder(folder: &Path, prefix: &str, depth: usize, found: &mut Found) -> Re
     Ok(())
 }
 
-fn in_archive(path: &Path, found: &mut Found) -> Result<(), Finding> {
+fn in_archive(path: &Path, found: &mut FoundFiles) -> Result<(), Finding> {
     let file = File::open(path).map_err(|e| files::trouble(path, "cannot be read", &e))?;
     let no_archive = |_| Finding::new("", "is no ZIP archive").in_file(path.display().to_string());
     let mut archive = zip::ZipArchive::new(std::io::BufReader::new(file)).map_err(no_archive)?;

@@ -78,7 +78,7 @@ pub fn regrade(job: &RegradingJob, input: &mut dyn BufRead) -> Result<Regrading,
     }
     let old = graded::open(job.graded, None)?;
     let mut set = set::open(job.set)?;
-    same_set(&old, &set, job)?;
+    same_as_graded(&old, &set, job)?;
     let bank_path = job.bank.map_or_else(|| job.set.join(&set.bank.file), Path::to_owned);
     let bank_file = bank_path.display().to_string();
     let bank_text = files::read_text(&bank_path)?;
@@ -176,10 +176,10 @@ fn changes(
         credit: then.credit != now.credit,
     };
     let changes = compare(keys, &before, &after, settings, &|s, p| tables.entries(s, p));
-    let desk = ChangesTold { students, before: &before, after: &after, changes: &changes, keys: tables };
-    desk.rules(told, rules, (then, now), course);
-    desk.marks(told);
-    Ok(desk.csv(now))
+    let writer = ChangesTold { students, before: &before, after: &after, changes: &changes, keys: tables };
+    writer.rules(told, rules, (then, now), course);
+    writer.marks(told);
+    Ok(writer.csv(now))
 }
 
 /// A new folder, not within the old grading.
@@ -202,7 +202,7 @@ fn may_write(out: &Path, job: &RegradingJob) -> Result<(), Finding> {
 }
 
 /// The set must be that of the grading; students may have joined since.
-fn same_set(graded: &OpenGrading, new: &StoredSet, job: &RegradingJob) -> Result<(), Findings> {
+fn same_as_graded(graded: &OpenGrading, new: &StoredSet, job: &RegradingJob) -> Result<(), Findings> {
     let old = &graded.set;
     let file = job.set.join(names::SET).display().to_string();
     let finding = |field: &str, what: String| Finding::new(field, what).in_file(&file);

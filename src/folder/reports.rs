@@ -8,7 +8,7 @@ use crate::folder::{banks, class, files, graded, index, matches, names, staged};
 use crate::grade::row::Unreadable;
 use crate::misconception::catalogue::Catalogue;
 use crate::report::class::ClassReporter;
-use crate::report::feedback::FeedbackDesk;
+use crate::report::feedback::FeedbackWriter;
 use crate::report::lms::GradebookLine;
 use crate::report::marks::{Marks, Student};
 use crate::report::study::ClassStudy;
@@ -232,7 +232,7 @@ fn feedback(
             corrections.push((i, correction.why.clone()));
         }
     }
-    let desk = FeedbackDesk {
+    let writer = FeedbackWriter {
         marks,
         title,
         set: &graded.set.name,
@@ -248,7 +248,7 @@ fn feedback(
     let of_some = |some: &[usize]| -> Result<(), Findings> {
         let mut converter = Converter::new(&texts.words);
         for student in some {
-            let (head, document) = desk.document(*student)?;
+            let (head, document) = writer.document(*student)?;
             let body = converter.body(&document, &[], PlaceInPage { lower: 0, prefix: "", boxes: &[] });
             let page = html::page(&texts.templates, &texts.words, "feedback", &head, &body, None)?;
             let name = format!("{}/{}", names::FEEDBACK, marks.class.students[*student].folder);

@@ -10,7 +10,7 @@ use crate::set::store::StoredStudent;
 use crate::set::{dealer, replay};
 use crate::sheet::document::{Document, Head};
 use crate::sheet::html::Converter;
-use crate::sheet::output::{Format, Output, WrittenDocument};
+use crate::sheet::output::{DocumentWriter, Format, WrittenDocument};
 use crate::sheet::page::Sheets;
 use crate::solution;
 use crate::template;
@@ -63,7 +63,7 @@ pub fn write(job: &SolutionsJob) -> Result<SolutionsMade, Findings> {
     may_write(out, job.force)?;
     let language = job.language.unwrap_or(&set.language);
     let texts = banks::texts(job.templates, language, &mut bank)?;
-    let output = Output::new(&texts, job.formats, "solution")?;
+    let output = DocumentWriter::new(&texts, job.formats, "solution")?;
     let problems = dealer::indices(&bank, &set.problems, "problems")?;
     let words = &texts.words;
     let sheets = Sheets::new(&texts.templates, words, &bank, &set.name, &problems)?;

@@ -13,7 +13,7 @@ use crate::grade::layout::FileForm;
 use crate::grade::row;
 use crate::grade::rules::Rules;
 use crate::grade::table::KeyTable;
-use crate::grade::threads::{Halt, sweep};
+use crate::grade::threads::{Halt, run_batches};
 use crate::grade::verdict::Verdict;
 use crate::grade::winners::choose_winners;
 use crate::grade::write::{RowWriter, Writing};
@@ -229,7 +229,7 @@ pub fn grade(
     let writer = RowWriter::new(&job, &chosen);
     let workers = (0..threads).map(|_| Writing::new(table)).collect();
     let process = |w: &mut Writing, b: &Batch, out: &mut Vec<u8>| writer.batch(w, b, out);
-    let workers = sweep(source, workers, &process, Some(&mut *out), &mut heard)?;
+    let workers = run_batches(source, workers, &process, Some(&mut *out), &mut heard)?;
     out.flush().map_err(GradeFault::Write)?;
     let mut graded = Graded {
         cells: 0,

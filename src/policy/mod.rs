@@ -466,7 +466,7 @@ impl Policy {
     }
     /// What an answer that is handed in at `moment` and was due at `due` keeps of its points. Days are those of the zone's
     /// clocks: the same time of the next day is a day later, whether the night had 23 hours or 25.
-    pub fn late_factor(&self, due: i64, moment: i64) -> f64 {
+    fn late_factor(&self, due: i64, moment: i64) -> f64 {
         if moment <= due {
             return 1.0;
         }

@@ -9,7 +9,7 @@ use std::sync::Arc;
 
 /// Absolute tolerance of quantities that may vanish, as a share of the scale of their terms: a thousandth of the
 /// largest force is below what three figures of the terms can tell.
-pub const VANISHING_SHARE: f64 = 1e-3;
+const VANISHING_SHARE: f64 = 1e-3;
 
 /// A list of words of which a sheet asks for one.
 pub type List = &'static [&'static str];
@@ -167,7 +167,7 @@ pub fn wide(problem: &Problem, solved: &Solved) -> Option<(usize, f64)> {
 }
 
 /// Quantities that can be 0 although the terms that make them up are not: those with a sign, and what slips.
-pub const fn may_vanish(quantity: Quantity) -> bool {
+const fn may_vanish(quantity: Quantity) -> bool {
     match quantity {
         Quantity::SlipDistance | Quantity::SlipSpeed => true,
         Quantity::WorkPull | Quantity::PowerPull | Quantity::Tension => false,

@@ -37,9 +37,9 @@ macro_rules! head {
 
 /// Lines that are wrapped when all is said.
 #[derive(Default)]
-struct Pages(String);
+struct WrappedText(String);
 
-impl Pages {
+impl WrappedText {
     /// A line, a heading at depth 0; below a heading wrapped, further lines set in.
     fn say(&mut self, depth: usize, text: &str) {
         let indent = "  ".repeat(depth);
@@ -117,7 +117,7 @@ impl ExplainedMarks<'_> {
     /// All of it, or what concerns one part, in words.
     pub fn text(&self, part: Option<&str>) -> String {
         let (student, number) = (self.student, self.number);
-        let mut page = Pages::default();
+        let mut page = WrappedText::default();
         let called = if student.name.is_empty() { String::new() } else { format!(" ({})", student.name) };
         head!(
             page,
@@ -153,7 +153,7 @@ impl ExplainedMarks<'_> {
     }
 
     /// How the total of the gradebook is made.
-    fn whole(&self, page: &mut Pages) {
+    fn whole(&self, page: &mut WrappedText) {
         let Some([total, most, dropped]) = &self.total else { return };
         let policy = self.policy;
         let mut text = format!("{total} of {most} points");
@@ -176,7 +176,7 @@ impl ExplainedMarks<'_> {
         page.say(1, &text);
     }
 
-    fn provenance(&self, page: &mut Pages) {
+    fn provenance(&self, page: &mut WrappedText) {
         let made = self.grading;
         say!(
             page,
@@ -213,7 +213,7 @@ impl ExplainedMarks<'_> {
         }
     }
 
-    fn part(&self, page: &mut Pages, index: usize) {
+    fn part(&self, page: &mut WrappedText, index: usize) {
         let entry = &self.key.parts[index];
         let rows: Vec<&AnswerRow> = self.rows.iter().filter(|r| r.part == entry.part).collect();
         let counting = rows.iter().find(|r| r.counts());
@@ -269,7 +269,7 @@ impl ExplainedMarks<'_> {
     }
 
     /// What was asked, the key and its tolerance.
-    fn asked(&self, page: &mut Pages, index: usize) {
+    fn asked(&self, page: &mut WrappedText, index: usize) {
         let entry = &self.key.parts[index];
         let question = self.problem.questions.iter().find(|q| q.id == entry.part);
         let label = question.and_then(|q| {
@@ -318,7 +318,7 @@ impl ExplainedMarks<'_> {
     }
 
     /// One attempt: what was written, how it was read, what it is.
-    fn attempt(&self, page: &mut Pages, index: usize, row: &AnswerRow) {
+    fn attempt(&self, page: &mut WrappedText, index: usize, row: &AnswerRow) {
         let entry = &self.key.parts[index];
         let mut units = UnitCache::default();
         let judged = compare::compare_with(&row.answer, entry, &mut units, Feedback::english());
@@ -373,7 +373,7 @@ impl ExplainedMarks<'_> {
     }
 
     /// Methods, slip and how the points of the attempt that counts add up.
-    fn why(&self, page: &mut Pages, index: usize, row: &AnswerRow) {
+    fn why(&self, page: &mut WrappedText, index: usize, row: &AnswerRow) {
         let entry = &self.key.parts[index];
         let catalogue = Catalogue::shared("en");
         for id in row.methods.split_whitespace() {
@@ -459,7 +459,7 @@ impl ExplainedMarks<'_> {
     }
 
     /// What the relation comes to with the student's own answers.
-    fn follows(&self, page: &mut Pages, index: usize, row: &AnswerRow) {
+    fn follows(&self, page: &mut WrappedText, index: usize, row: &AnswerRow) {
         let written = self.problem.follows.iter().find(|f| {
             self.problem.questions.get(f.question).is_some_and(|q| q.id == self.key.parts[index].part)
         });

@@ -17,7 +17,7 @@ use crate::words::Words;
 use crate::words::plain::{capital, in_places};
 
 /// What is the same for all students.
-pub struct FeedbackDesk<'d> {
+pub struct FeedbackWriter<'d> {
     /// The marks.
     pub marks: &'d Marks,
     /// Title of the course or bank, in the language of the feedback.
@@ -36,7 +36,7 @@ pub struct FeedbackDesk<'d> {
     pub corrections: &'d [(usize, String)],
 }
 
-impl FeedbackDesk<'_> {
+impl FeedbackWriter<'_> {
     /// The feedback of a student.
     ///
     /// # Errors

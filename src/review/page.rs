@@ -14,7 +14,7 @@ use crate::review::SweepTables;
 use crate::sheet::document::Document;
 use crate::sheet::html::{Converter, PlaceInPage};
 use crate::sheet::key_table;
-use crate::sheet::page::{Room, Sheets};
+use crate::sheet::page::{SheetScratch, Sheets};
 use crate::sheet::texts::Texts;
 use crate::solve::outcome::Motion;
 use crate::template;
@@ -49,7 +49,7 @@ pub fn page(
     let mut missing = Findings::default();
     let sheets = Sheets::new(&texts.templates, &texts.words, bank, &bank.id, chosen)?;
     let mut converter = Converter::new(&texts.words);
-    let mut room = Room::default();
+    let mut scratch = SheetScratch::default();
     let mut shown = Vec::with_capacity(problems.len());
     for (i, (problem, sweep)) in problems.iter().zip(sweeps).enumerate() {
         let maker = Maker::new(problem, 1, &bank.id);
@@ -66,7 +66,7 @@ pub fn page(
         }
         let mut statement = Vec::new();
         if let Some(first) = variants.first() {
-            sheets.problem(i, first, &mut room, &mut statement)?;
+            sheets.problem(i, first, &mut scratch, &mut statement)?;
         }
         let markdown = String::from_utf8_lossy(&statement).into_owned();
         let place = PlaceInPage { lower: 1, prefix: &problem.id, boxes: &[] };

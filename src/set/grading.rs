@@ -7,10 +7,6 @@ use std::collections::BTreeMap;
 /// Version of the layout of grading.json.
 pub const FORMAT: u32 = 1;
 
-/// Folder of a grading that holds copies of what it was made from: set.json, bank.yaml, key.csv and course.yaml, and
-/// the answers where they came in many files.
-pub const BASIS: &str = "basis";
-
 /// Answers that came in many files, joined: the lines that answers.csv tells are lines of this.
 pub const JOINED: &str = "basis/submissions.csv";
 

@@ -9,7 +9,7 @@ use slipstick::picture::svg;
 use slipstick::problem::maker::{Maker, Variant};
 use slipstick::sheet::document::{ANSWER, Document, Head};
 use slipstick::sheet::html::{Converter, MARKDOWN, PlaceInPage};
-use slipstick::sheet::page::{Room, Sheets};
+use slipstick::sheet::page::{SheetScratch, Sheets};
 use slipstick::sheet::{html, statement, tex};
 use slipstick::solution;
 use slipstick::template::{Templates, variables_of};
@@ -49,7 +49,7 @@ fn each_sheet(language: &str, students: u32, see: &mut dyn FnMut(&Told, &Head, &
         let sheets = Sheets::new(&told.templates, &told.words, &told.bank, "a set & more", &problems);
         let sheets = sheets.expect("the templates of the program");
         let makers: Vec<Maker> = told.bank.problems.iter().map(|p| Maker::new(p, 5, "sheets")).collect();
-        let mut room = Room::default();
+        let mut room = SheetScratch::default();
         for student in 0..students {
             let id = format!("s{student}");
             let variants: Vec<Variant> =

@@ -3,7 +3,7 @@ use crate::support;
 use slipstick::key::Answer;
 use slipstick::problem::make_key;
 use slipstick::problem::maker::Maker;
-use slipstick::sheet::page::{Room, Sheets};
+use slipstick::sheet::page::{SheetScratch, Sheets};
 use slipstick::sheet::public::Writer;
 use slipstick::sheet::statement;
 use slipstick::template::Templates;
@@ -22,7 +22,7 @@ fn what_is_printed_is_what_counts() {
     let text = include_str!("../../banks/wheels-on-inclines.yaml");
     let public = Writer::new(bank, text, &[index], "tolerance", "en").expect("the bank");
     let maker = Maker::new(problem, 3, "tolerance");
-    let mut room = Room::default();
+    let mut room = SheetScratch::default();
     let mut seen = std::collections::BTreeSet::new();
     for student in 0..200 {
         let variant = maker.variant(&student.to_string()).expect("satisfiable");
