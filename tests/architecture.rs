@@ -5,7 +5,7 @@ use std::path::Path;
 /// Room (or one file of it) and the rooms that it may use besides itself. The most specific name wins.
 const DOORS: &[(&str, &[&str])] = &[
     ("finding", &[]),
-    ("guard", &[]),
+    ("csv_field", &[]),
     ("num", &[]),
     ("units", &["num"]),
     ("scene", &["num"]),
@@ -122,7 +122,7 @@ const DOORS: &[(&str, &[&str])] = &[
     (
         "set",
         &[
-            "guard",
+            "csv_field",
             "problem",
             "bank",
             "draw",
@@ -136,8 +136,8 @@ const DOORS: &[(&str, &[&str])] = &[
             "finding",
         ],
     ),
-    ("answer", &["guard", "units", "num", "finding"]),
-    ("grade", &["guard", "key", "answer", "units", "num", "words", "policy", "finding"]),
+    ("answer", &["csv_field", "units", "num", "finding"]),
+    ("grade", &["csv_field", "key", "answer", "units", "num", "words", "policy", "finding"]),
     (
         "tutor",
         &[
@@ -158,7 +158,7 @@ const DOORS: &[(&str, &[&str])] = &[
     (
         "report",
         &[
-            "guard",
+            "csv_field",
             "grade",
             "matches",
             "policy",
@@ -197,7 +197,7 @@ const DOORS: &[(&str, &[&str])] = &[
     (
         "inspect",
         &[
-            "guard",
+            "csv_field",
             "problem",
             "bank",
             "draw",
@@ -261,7 +261,7 @@ const DOORS: &[(&str, &[&str])] = &[
         &[
             "page",
             "export",
-            "guard",
+            "csv_field",
             "problem",
             "bank",
             "draw",
@@ -291,7 +291,7 @@ const DOORS: &[(&str, &[&str])] = &[
     (
         "simulate",
         &[
-            "guard",
+            "csv_field",
             "problem",
             "bank",
             "scene",
@@ -311,7 +311,7 @@ const DOORS: &[(&str, &[&str])] = &[
     ("sheet::terminal", &["num"]),
     ("plot", &["picture", "num"]),
     ("matches", &["num"]),
-    ("regrade", &["guard", "grade", "answer", "key", "policy"]),
+    ("regrade", &["csv_field", "grade", "answer", "key", "policy"]),
     ("cli", &["*"]),
     ("main", &["cli"]),
     ("lib", &[]),
@@ -457,7 +457,7 @@ fn planted_imports_are_caught() {
         ("grade::compare", "let x = crate::solve::agree::solve(s, d);"),
         ("num::dd", "use crate::scene::Num;"),
         ("scene::mod", "use libm::sin;"),
-        ("sheet::page", "let r = rand::rng();"),
+        ("sheet::sheets", "let r = rand::rng();"),
         ("solve::eom", "use super::energy;"),
         ("folder::set", "use crate::cli::tell::Io;"),
         ("folder::grading", "use clap::Parser;"),

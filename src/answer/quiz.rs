@@ -4,8 +4,8 @@
 //! Read from the platforms' own sources: moodle, `mod/quiz/report/responses` and `question/type/multianswer/question.php`;
 //! instructure/canvas-lms, `app/models/quizzes/quiz_statistics/student_analysis.rb`.
 use crate::answer::submissions::{Batch, Header, RecordScratch, RecordSource};
+use crate::csv_field::unguarded;
 use crate::finding::Finding;
-use crate::guard::unguarded;
 use std::io;
 use std::io::Read;
 

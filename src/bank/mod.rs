@@ -290,6 +290,7 @@ const ROUNDING: f64 = 1e-6;
 
 #[cfg(feature = "program")]
 pub mod built_in;
+pub mod checks;
 #[cfg(feature = "program")]
 pub mod course;
 pub mod decimal;
@@ -302,7 +303,6 @@ pub mod need;
 pub mod node;
 #[cfg(feature = "program")]
 pub mod overlay;
-pub mod review;
 pub mod scene;
 pub mod schema;
 #[cfg(feature = "program")]

@@ -9,7 +9,7 @@ use crate::bank::node::{Faults, Fields, Node, Value, choice, named, shorten, tex
 use crate::bank::scene::{self, DatumSymbol, SceneRead, Touching};
 use crate::bank::{
     Bank, Bound, Case, Datum, Draw, FigureLabels, Problem, Question, Relative, TEMPLATE_NAMES, Variables,
-    measure, mistake, review,
+    checks, measure, mistake,
 };
 #[cfg(not(feature = "program"))]
 use crate::policy::Hints;
@@ -351,7 +351,7 @@ fn problem(
         follows_node.map_or_else(Vec::new, |n| mistake::follows(n, (&asked, whole), &context, faults));
     if let Some(variables) = variables {
         let names: Vec<&str> = data.iter().map(|d| d.symbol.as_str()).collect();
-        review::templates(statement_node, questions_node, &names, variables, faults);
+        checks::templates(statement_node, questions_node, &names, variables, faults);
     }
     // Some quantities lie beyond the end of the motion, at the turning point: where one is asked, the conditions of validity
     // are checked up to there.
@@ -504,15 +504,15 @@ impl<'n> ProblemRead<'n> {
                     continue;
                 }
                 let draw = case.draws[i].as_ref();
-                review::datum(&d.datum, d.node, draw, &uses, &case.name, case.node, self.faults);
+                checks::datum(&d.datum, d.node, draw, &uses, &case.name, case.node, self.faults);
             }
             if let Some(scene) = &read.scene {
                 let node = case.scene_node.unwrap_or(case.node);
                 let symbols = self.data.iter().map(|d| d.datum.symbol.clone());
                 let draws: Vec<_> = symbols.zip(case.draws.iter().cloned()).collect();
-                review::structure(scene, node, self.faults);
-                review::instant(scene, &draws, node, self.faults);
-                review::inertia_where_slipping(scene, &draws, case.node, self.faults);
+                checks::structure(scene, node, self.faults);
+                checks::instant(scene, &draws, node, self.faults);
+                checks::inertia_where_slipping(scene, &draws, case.node, self.faults);
             }
         }
     }
@@ -866,7 +866,7 @@ fn asked_label(name: &str, place: &Node, scenes: &[(&str, &Scene)], faults: &Fau
     }
     let mut label: Option<Label> = None;
     for (case, scene) in scenes {
-        match review::label(scene, name) {
+        match checks::label(scene, name) {
             Ok(found) if label.is_none_or(|l| l == found) => label = Some(found),
             Ok(_) => {
                 faults.hint(
@@ -952,7 +952,7 @@ fn bounds_of(node: &Node, data: &[Datum], scene: Option<&Scene>, faults: &Faults
             if let Some(found) = measure::datum(data, name) {
                 return Ok(found);
             }
-            let label = scene.map_or_else(|| unowned(name), |s| review::label(s, name)).map_err(
+            let label = scene.map_or_else(|| unowned(name), |s| checks::label(s, name)).map_err(
                 |(message, hint)| {
                     let close = spell::did_you_mean(name, data.iter().map(|d| d.symbol.as_str()));
                     (message, close.or(hint))

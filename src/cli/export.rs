@@ -118,7 +118,7 @@ fn drawn(args: &ExportArgs, variants: u32, io: &mut Io) -> Result<Pool, Findings
         "give another --out, or --force to replace the set beside it",
     )?;
     let problems = dealer::chosen(&loaded.bank, args.problems.as_deref(), "--problems")?;
-    let tried = review::texts::tried(&loaded.bank, &texts, &problems)?;
+    let tried = review::tried_texts::tried(&loaded.bank, &texts, &problems)?;
     if !tried.faults.is_empty() {
         return Err(tried.faults);
     }

@@ -51,7 +51,7 @@ pub fn run(args: &args::GenerateArgs, io: &mut Io) -> Result<Exit, Findings> {
         (asked, _) => dealer::chosen(&loaded.bank, asked.as_deref(), "--problems")?,
     };
     // What a text of one's own gets wrong in a formula, students would see as raw commands.
-    let tried = review::texts::tried(&loaded.bank, &texts, &problems)?;
+    let tried = review::tried_texts::tried(&loaded.bank, &texts, &problems)?;
     if !tried.faults.is_empty() {
         return Err(tried.faults);
     }

@@ -12,7 +12,7 @@ use crate::misconception::catalogue::{Catalogue, Entry};
 use crate::problem::make_key;
 use crate::problem::maker::{Maker, Variant};
 use crate::set::dealer;
-use crate::sheet::page::{SheetScratch, Sheets};
+use crate::sheet::sheets::{SheetScratch, Sheets};
 use crate::sheet::{document, statement, terminal};
 use crate::solve::outcome::Motion;
 use crate::tutor::Tutor;

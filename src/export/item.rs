@@ -7,7 +7,7 @@ use crate::key::{Answer, ProblemKey};
 use crate::picture::svg;
 use crate::problem::maker::Variant;
 use crate::sheet::document::Document;
-use crate::sheet::page::{SheetScratch, Sheets};
+use crate::sheet::sheets::{SheetScratch, Sheets};
 use crate::sheet::texts::Texts;
 use crate::solution;
 use crate::units::Unit;

@@ -1,13 +1,13 @@
 //! A set is made: its folder whole or not at all, late joiners into one that is there, and repair of what a kill left.
 use crate::answer::roster;
 use crate::bank::{Bank, Problem};
+use crate::csv_field::push_line;
 use crate::draw::stream;
 use crate::finding::{Finding, Findings};
 use crate::folder;
 use crate::folder::files::names_in;
 use crate::folder::staged::Staged;
 use crate::folder::{Progress, files, index, names, set};
-use crate::guard::push_line;
 use crate::inspect::table::unsatisfiable;
 use crate::key::SheetKey;
 use crate::set::coincide::StudentVariant;
@@ -17,8 +17,8 @@ use crate::set::{coincide, dealer, key_file, replay, store};
 use crate::sheet::html::Converter;
 use crate::sheet::key_table::KeyTableRow;
 use crate::sheet::output::{DocumentWriter, Format, WrittenDocument};
-use crate::sheet::page::{SheetScratch, Sheets};
 use crate::sheet::self_check::{self, Handed, Hosting, SelfCheck, Use};
+use crate::sheet::sheets::{SheetScratch, Sheets};
 use crate::sheet::texts::Texts;
 use crate::sheet::{key_table, public, terminal};
 use rayon::prelude::*;

@@ -1,8 +1,8 @@
 //! Everything about one mark: found in a folder of grades, told in words.
+use crate::csv_field::unguarded;
 use crate::finding::{Finding, Findings};
 use crate::folder::graded::OpenGrading;
 use crate::folder::{files, graded, names, set};
-use crate::guard::unguarded;
 use crate::policy::time;
 use crate::policy::time::Evidence;
 use crate::regrade::changes::ChangeRow;

@@ -6,7 +6,7 @@ use crate::folder::deal::{Plan, SetMade};
 use crate::folder::{Progress, banks, deal, files, set};
 use crate::set::store::StoredStudent;
 use crate::set::{dealer, replay};
-use crate::sheet::page::Sheets;
+use crate::sheet::sheets::Sheets;
 use crate::sheet::texts::Texts;
 use std::path::{Path, PathBuf};
 

@@ -1,10 +1,10 @@
 //! The files of answers of a whole class at once: a folder of them, or the archive that a learning platform gives of an
 //! assignment, joined to one file of submissions. What is no file of answers is named and stops nothing.
 use crate::answer::submissions;
+use crate::csv_field;
+use crate::csv_field::unguarded;
 use crate::finding::Finding;
 use crate::folder::{files, names};
-use crate::guard;
-use crate::guard::unguarded;
 use crate::sheet::terminal;
 use std::fs::File;
 use std::io::{Cursor, Read};
@@ -112,11 +112,11 @@ pub fn joined(path: &Path, set: &str) -> Result<JoinedFiles, Finding> {
     let mut joined = csv::Writer::from_writer(Vec::new());
     let no_room = |_| Finding::new("", "is too large to be joined").in_file(path.display().to_string());
     joined.write_record(COLUMNS.iter().chain([&SAVED])).map_err(no_room)?;
-    guard::push_line(&mut all.kept, COLUMNS.iter().chain([&SAVED, &FILE]));
+    csv_field::push_line(&mut all.kept, COLUMNS.iter().chain([&SAVED, &FILE]));
     for (saved, name, rows) in &read {
         for row in rows {
             joined.write_record(row.iter().chain([saved])).map_err(no_room)?;
-            guard::push_line(&mut all.kept, row.iter().chain([saved, name]));
+            csv_field::push_line(&mut all.kept, row.iter().chain([saved, name]));
         }
         if let Some(students) = of_others(name, rows) {
             all.of_others.push((name.clone(), students));

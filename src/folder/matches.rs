@@ -11,7 +11,7 @@ use crate::grade::verdict::Verdict;
 use crate::key::{Answer, SheetKey};
 use crate::matches;
 use crate::matches::{AnswerColumn, WrongAnswer};
-use crate::report::alike::{ClassMatches, MatchedPair};
+use crate::report::matches::{ClassMatches, MatchedPair};
 use crate::set::dealer::{Dealer, indices};
 use rayon::prelude::*;
 

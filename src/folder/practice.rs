@@ -7,9 +7,9 @@ use crate::inspect::table::unsatisfiable;
 use crate::problem::maker::{Maker, Variant};
 use crate::sheet::document::Document;
 use crate::sheet::html::{self, Converter, PlaceInPage};
-use crate::sheet::page::{SheetScratch, Sheets};
 use crate::sheet::public;
 use crate::sheet::self_check::{Handed, Hosting, SelfCheck, Use};
+use crate::sheet::sheets::{SheetScratch, Sheets};
 use crate::sheet::texts::Texts;
 use crate::solution;
 

@@ -2,13 +2,13 @@
 use crate::answer::submissions::Record;
 use crate::grade::attempt::{Winner, line_of};
 use crate::grade::award::{awarded, diagnosed};
-use crate::grade::belongs::{Belongs, Finder};
 use crate::grade::cells::{AnswerCell, GradingJob, lossy};
 use crate::grade::compare::{compare_with, verdict_on};
 use crate::grade::counts::GradedCounts;
+use crate::grade::fast_number::SiReader;
 use crate::grade::layout::{blank, open_quote};
+use crate::grade::owner::{Belongs, Finder};
 use crate::grade::row::{AnswerRow, OF_ANOTHER};
-use crate::grade::si::SiReader;
 use crate::grade::verdict::{Judgement, Verdict};
 use std::borrow::Cow;
 

@@ -1,9 +1,9 @@
 //! The keys of a whole set, laid out for looking up by bytes.
+use crate::csv_field::unguarded;
 use crate::grade::diagnose::{Comparison, Diagnosis};
 use crate::grade::feedback::Feedback;
-use crate::grade::ids::Ids;
+use crate::grade::id_index::Ids;
 use crate::grade::row::AnswerRow;
-use crate::guard::unguarded;
 use crate::key::{Answer, KeyEntry, KeyFollow, SheetKey, WrongValue};
 use crate::policy::Policy;
 use crate::units::{Unit, spell};

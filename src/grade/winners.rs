@@ -6,12 +6,12 @@
 use crate::answer::submissions::{Batch, RecordScratch, RecordSource};
 use crate::grade::attempt;
 use crate::grade::attempt::{Attempt, ByRow, Ordered, Try, Winner};
-use crate::grade::belongs::Finder;
 use crate::grade::cells::{AnswerCell, GradingJob, cells};
 use crate::grade::credit::credit;
+use crate::grade::fast_number::SiReader;
 use crate::grade::layout::{RecordKind, kind_of_record};
+use crate::grade::owner::Finder;
 use crate::grade::run::{GradeFault, Open};
-use crate::grade::si::SiReader;
 use crate::grade::threads::run_batches;
 use crate::grade::verdict::Verdict;
 use crate::policy::Counts;

@@ -1,7 +1,7 @@
 //! What each method gives away for its speed, on one problem with given data: measured, as table, CSV, plot and page.
 use crate::bank::Problem;
+use crate::csv_field::push_line;
 use crate::finding::{Finding, Findings};
-use crate::guard::push_line;
 use crate::inspect::data::{Data, fits, refused};
 use crate::inspect::table::NUMBERS_OF_TIES;
 use crate::inspect::{sentences, table};

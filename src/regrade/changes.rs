@@ -1,9 +1,9 @@
 //! Two gradings of the same answers: who gains and who loses, for which part, and why.
-use crate::grade::book;
+use crate::csv_field::{push_line, unguarded};
+use crate::grade::gradebook_reader;
 use crate::grade::row::{AnswerRow, Unreadable};
 use crate::grade::table::{Column, KeyTable};
 use crate::grade::verdict::Verdict;
-use crate::guard::{push_line, unguarded};
 use crate::key::{Answer, KeyEntry};
 use serde::Deserialize;
 use std::io::Read;
@@ -72,7 +72,7 @@ impl Grading {
     /// It is no gradebook.
     pub fn book(&mut self, keys: &KeyTable, gradebook: impl Read) -> Result<(), Unreadable> {
         let parts: Vec<String> = keys.columns.iter().map(Column::label).collect();
-        book::each_row(gradebook, &parts, true, &mut |row| {
+        gradebook_reader::each_row(gradebook, &parts, true, &mut |row| {
             if let Some(s) = keys.student(row.student.as_bytes()).map(|s| s as usize) {
                 self.points[s * self.parts..][..self.parts].copy_from_slice(&row.points);
                 self.totals[s] = row.total.zip(row.of);

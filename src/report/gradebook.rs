@@ -1,8 +1,8 @@
 //! Marks as CSV: a row for each student of the set, those who handed in nothing too.
+use crate::csv_field::push_text;
 use crate::grade::row::push_points;
 use crate::grade::run::Graded;
 use crate::grade::table::KeyTable;
-use crate::guard::push_text;
 use crate::policy::{Policy, Total, plain};
 
 /// A student's total over the problems, by the settings of the course.

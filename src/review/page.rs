@@ -14,7 +14,7 @@ use crate::review::SweepTables;
 use crate::sheet::document::Document;
 use crate::sheet::html::{Converter, PlaceInPage};
 use crate::sheet::key_table;
-use crate::sheet::page::{SheetScratch, Sheets};
+use crate::sheet::sheets::{SheetScratch, Sheets};
 use crate::sheet::texts::Texts;
 use crate::solve::outcome::Motion;
 use crate::template;

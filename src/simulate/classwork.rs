@@ -1,5 +1,5 @@
 //! A whole made-up class: what each student hands in, who copies from whom, when, and the two files of it, submissions and truth.
-use crate::guard::{push_field, push_line};
+use crate::csv_field::{push_field, push_line};
 use crate::key::SheetKey;
 use crate::simulate::chance::Chance;
 use crate::simulate::habits::Habits;

@@ -4,7 +4,7 @@
 #![allow(clippy::print_stdout, reason = "it prints its figures")]
 use slipstick::problem::maker::Maker;
 use slipstick::set::key_file::shortest;
-use slipstick::sheet::page::{SheetScratch, Sheets};
+use slipstick::sheet::sheets::{SheetScratch, Sheets};
 use slipstick::template::Templates;
 use slipstick::words::Words;
 use std::fmt::Write as _;

@@ -3,7 +3,7 @@ use divan::Bencher;
 use divan::counter::ItemsCount;
 use slipstick::bank::Bank;
 use slipstick::problem::maker::Maker;
-use slipstick::sheet::page::{SheetScratch, Sheets};
+use slipstick::sheet::sheets::{SheetScratch, Sheets};
 use slipstick::template::Templates;
 use slipstick::words::Words;
 

@@ -4,7 +4,7 @@
 //! Earlier tests looked at texts only for places that nothing filled: a sentence of wrong words is as whole as any.
 use crate::support;
 use slipstick::problem::maker::Maker;
-use slipstick::sheet::page::{SheetScratch, Sheets};
+use slipstick::sheet::sheets::{SheetScratch, Sheets};
 use slipstick::solution;
 use slipstick::words::Words;
 use std::collections::BTreeSet;

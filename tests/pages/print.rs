@@ -4,7 +4,7 @@ use crate::support;
 use slipstick::picture::Picture;
 use slipstick::problem::maker::Maker;
 use slipstick::sheet::document::{Document, Head};
-use slipstick::sheet::page::{SheetScratch, Sheets};
+use slipstick::sheet::sheets::{SheetScratch, Sheets};
 use slipstick::sheet::typst::{TypstFormula, formula, source};
 use slipstick::solution;
 use slipstick::words::Words;

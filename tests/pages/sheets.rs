@@ -9,7 +9,7 @@ use slipstick::picture::svg;
 use slipstick::problem::maker::{Maker, Variant};
 use slipstick::sheet::document::{ANSWER, Document, Head};
 use slipstick::sheet::html::{Converter, MARKDOWN, PlaceInPage};
-use slipstick::sheet::page::{SheetScratch, Sheets};
+use slipstick::sheet::sheets::{SheetScratch, Sheets};
 use slipstick::sheet::{html, statement, tex};
 use slipstick::solution;
 use slipstick::template::{Templates, variables_of};

@@ -1,5 +1,5 @@
 //! answers.csv and gradebook.csv to marks, in a stream.
-use crate::grade::book;
+use crate::grade::gradebook_reader;
 use crate::grade::row::{AnswerReader, AnswerRow, Unreadable};
 use crate::grade::verdict::Verdict;
 use crate::policy::time;
@@ -172,7 +172,7 @@ impl Marks {
         let whose: FxHashMap<String, usize> =
             self.class.students.iter().enumerate().map(|(i, s)| (s.id.clone(), i)).collect();
         let mut found = 0;
-        book::each_row(gradebook, &parts, false, &mut |row| {
+        gradebook_reader::each_row(gradebook, &parts, false, &mut |row| {
             let Some(who) = whose.get(&row.student).copied() else {
                 return Err(Unreadable {
                     line: row.line,

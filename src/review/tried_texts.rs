@@ -8,7 +8,7 @@ use crate::problem::maker::{Maker, Variant};
 use crate::sheet::document::Dropped;
 use crate::sheet::html::Converter;
 use crate::sheet::output::{DocumentWriter, Format};
-use crate::sheet::page::{SheetScratch, Sheets};
+use crate::sheet::sheets::{SheetScratch, Sheets};
 use crate::sheet::texts::Texts;
 use crate::sheet::{document, html, key_table, statement};
 use crate::solution;
