@@ -59,6 +59,11 @@ pub fn powers(unit: &Unit) -> Exponents {
     [i32::from(mass) * 4, i32::from(length) * 4, i32::from(time) * 4]
 }
 
+/// The same of one of the program's own units.
+pub fn own_powers(ascii: &str) -> Exponents {
+    powers(&own(ascii))
+}
+
 /// A dimension in words, for messages: `kg m s^-2`.
 pub fn powers_text(powers: Exponents) -> String {
     let mut words = Vec::new();
@@ -76,8 +81,7 @@ pub fn powers_text(powers: Exponents) -> String {
 /// A datum as an expression takes it, if there is one of this name, with its dimension.
 pub fn datum(data: &[Datum], name: &str) -> Option<(Name, Exponents)> {
     let i = data.iter().position(|d| d.symbol == name)?;
-    let factor = if data[i].degrees { std::f64::consts::PI / 180.0 } else { 1.0 };
-    Some((Name::Datum(i, factor), powers(&data[i].unit)))
+    Some((Name::Datum(i, data[i].degrees), powers(&data[i].unit)))
 }
 
 /// A quantity as an expression takes it, with its dimension.

@@ -75,6 +75,7 @@ pub fn inertia_where_slipping(scene: &Scene, draws: &[(String, Option<Draw>)], n
                 Some((symbol, Some(draw))) => (draw.range().0.value <= 0, format!("`{symbol}`")),
                 _ => (false, String::new()),
             },
+            Num::Derived(_) => (false, String::new()),
         };
         if zero {
             faults.at(node, format!("`{}` slips, so {what} is above 0", scene.bodies[*body].name));
@@ -223,12 +224,9 @@ pub fn instant(scene: &Scene, draws: &[(String, Option<Draw>)], node: &Node, fau
     };
     let mut taken = vec![None; coordinates.len()];
     let start = part(node, "start");
-    let drawn = |number: &Num| match number {
-        Num::Datum(i) => draws
-            .get(*i)
-            .and_then(|(_, draw)| draw.as_ref())
-            .is_some_and(|draw| draw.range().0.value != draw.range().1.value),
-        Num::Fixed(_) => false,
+    let drawn = |number: &Num| {
+        let mut draws = scene.data_of(*number).filter_map(|i| draws.get(i)?.1.as_ref());
+        draws.any(|draw| draw.range().0.value != draw.range().1.value)
     };
     let varies = numbers.iter().any(drawn);
     for row in 0..rows.len() {

@@ -362,7 +362,10 @@ fn problem(
     // Some quantities lie beyond the end of the motion, at the turning point: where one is asked, the conditions of validity
     // are checked up to there.
     let span = Span::of(asked.iter().map(|q| q.label.quantity));
-    mistakes.iter_mut().flat_map(|m| &mut m.scenes).flatten().for_each(|s| s.span = span);
+    for scene in mistakes.iter_mut().flat_map(|m| &mut m.scenes).flatten() {
+        scene.span = span;
+        scene.formulas.settle(&|i| data[i].degrees);
+    }
     let cases: Vec<Case> = cases
         .into_iter()
         .filter_map(|case| case.finished(bounds_node, &data, common.gravity.0, span, faults))
@@ -618,12 +621,15 @@ impl CaseRead<'_> {
         let bounds = bounds.flat_map(|n| bounds_of(n, data, scene, faults)).collect();
         let SceneRead { scene, upright, touches, .. } = self.read?;
         let gravity = Draw::Always { value: gravity.value, decimals: gravity.decimals };
+        let mut scene = scene?;
+        scene.span = span;
+        scene.formulas.settle(&|i| data[i].degrees);
         Some(Case {
             name: self.name,
             written: self.written,
             share: self.share,
             draws: self.draws.into_iter().chain([Some(gravity)]).collect(),
-            scene: Scene { span, ..scene? },
+            scene,
             upright,
             touches,
             regimes: self.regimes,

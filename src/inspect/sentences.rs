@@ -365,7 +365,7 @@ const fn unsupported(what: Unsupported) -> &'static str {
 pub fn refusal(problem: &Problem, scene: &Scene, refusal: &Refusal) -> Vec<String> {
     let one = |text: String| vec![text];
     match refusal {
-        Refusal::Inadmissible(faults) => faults.iter().map(|f| inadmissible(problem, f)).collect(),
+        Refusal::Inadmissible(faults) => faults.iter().map(|f| inadmissible(problem, scene, f)).collect(),
         Refusal::Singular { unknowns, rank } => {
             one(format!("the equations do not determine the motion: {unknowns} unknowns, rank {rank}"))
         }
@@ -464,6 +464,7 @@ mod tests {
             end: End::TurningPoint(turn),
             heading: None,
             span: Span::ToEnd,
+            formulas: crate::scene::Formulas::default(),
         };
         let moves = |available: f64, required: f64| {
             let kind = CheckKind::Moves;

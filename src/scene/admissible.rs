@@ -186,17 +186,9 @@ fn fits(scene: &Scene, of: &impl Fn(Num) -> f64, stretch: f64) -> bool {
     !long.is_finite() || !Real::is_finite(stretch) || stretch.at_most(long)
 }
 
-/// A number of a scene, NaN where there is no such datum.
-pub fn value(number: Num, data: &[f64]) -> f64 {
-    match number {
-        Num::Datum(i) => data.get(i).copied().unwrap_or(f64::NAN),
-        Num::Fixed(x) => x,
-    }
-}
-
 /// Does a number of the scene keep its rule?
 pub fn holds(scene: &Scene, data: &[f64], datum: Num, rule: Rule) -> bool {
-    let of = |n: Num| value(n, data);
+    let of = |n: Num| scene.value(n, data);
     let value = of(datum);
     match rule {
         Rule::Range => value == 0.0 || !value.is_finite() || (LEAST..=MOST).contains(&value.abs()),
@@ -217,7 +209,7 @@ pub fn faults(scene: &Scene, data: &[f64]) -> Vec<Inadmissible> {
     let mut judge = |datum, rule| {
         let same = |f: &Inadmissible| f.datum == datum && f.rule == rule;
         if !holds(scene, data, datum, rule) && !found.iter().any(same) {
-            found.push(Inadmissible { datum, value: value(datum, data), rule });
+            found.push(Inadmissible { datum, value: scene.value(datum, data), rule });
         }
     };
     rules(scene, |datum, rule| {

@@ -28,21 +28,24 @@ impl Scales {
 
     /// Exponents of mass, length and time in a unit of SI, with which the number of that unit is scaled.
     fn power(self, unit: &str) -> i32 {
-        let (mass, length, time) = match unit {
-            "kg" => (1, 0, 0),
-            "m" => (0, 1, 0),
-            "s" => (0, 0, 1),
-            "m/s" => (0, 1, -1),
-            "m/s^2" => (0, 1, -2),
-            "rad/s" => (0, 0, -1),
-            "rad/s^2" => (0, 0, -2),
-            "N" => (1, 1, -2),
-            "N/m" => (1, 0, -2),
-            "N*m" | "J" => (1, 2, -2),
-            "W" => (1, 2, -3),
-            "kg*m^2" => (1, 2, 0),
-            _ => (0, 0, 0),
-        };
+        self.of_powers(match unit {
+            "kg" => [1, 0, 0],
+            "m" => [0, 1, 0],
+            "s" => [0, 0, 1],
+            "m/s" => [0, 1, -1],
+            "m/s^2" => [0, 1, -2],
+            "rad/s" => [0, 0, -1],
+            "rad/s^2" => [0, 0, -2],
+            "N" => [1, 1, -2],
+            "N/m" => [1, 0, -2],
+            "N*m" | "J" => [1, 2, -2],
+            "W" => [1, 2, -3],
+            "kg*m^2" => [1, 2, 0],
+            _ => [0, 0, 0],
+        })
+    }
+    /// The same for a unit of these powers of mass, length and time.
+    fn of_powers(self, [mass, length, time]: [i32; 3]) -> i32 {
         mass * self.mass + length * self.length + time * self.time
     }
     /// A number in a unit of SI that is `x` in these units.
@@ -64,10 +67,19 @@ impl Scales {
                     _ => return,
                 },
                 Num::Fixed(x) => (*x, x),
+                // A formula is worked out from data in these units.
+                Num::Derived(_) => return,
             };
             *new = self.own(unit, old);
             inside &= old == 0.0 || *new != 0.0 && exponent(*new).abs() <= ROOM;
         });
+        for given in scene.formulas.givens() {
+            let power = self.of_powers(given.powers);
+            if let (Some(old), Some(new)) = (data.get(given.datum), numbers.get_mut(given.datum)) {
+                *new = ldexp(*old, -power);
+                inside &= *old == 0.0 || *new != 0.0 && exponent(*new).abs() <= ROOM;
+            }
+        }
         inside.then_some((scaled, numbers))
     }
 
@@ -78,6 +90,7 @@ impl Scales {
             let x = match num {
                 Num::Datum(i) => data.get(*i).copied().unwrap_or(0.0),
                 Num::Fixed(x) => *x,
+                Num::Derived(_) => 0.0,
             };
             if x != 0.0 && x.is_finite() {
                 known.push((unit, exponent(x)));

@@ -165,7 +165,12 @@ pub struct Quick<'s> {
 impl<'s> Quick<'s> {
     /// Prepares `scene`, which stands for `right` with other values of these data.
     pub fn new(scene: &'s Scene, right: &Scene, changed: &[usize]) -> Self {
-        let other = |n: Num| matches!(n, Num::Datum(i) if changed.contains(&i));
+        // A formula may be another one in another scene.
+        let other = |n: Num| match n {
+            Num::Datum(i) => changed.contains(&i),
+            Num::Derived(_) => true,
+            Num::Fixed(_) => false,
+        };
         let mut kept = Vec::new();
         admissible::rules(right, |number, rule| {
             let touched = match rule {
@@ -357,7 +362,7 @@ fn is_held(tie: &Tie) -> bool {
 fn ordinary(scene: &Scene, data: &[f64]) -> bool {
     let mut all = true;
     admissible::rules(scene, |number, _| {
-        let x = admissible::value(number, data).abs();
+        let x = scene.value(number, data).abs();
         all &= x == 0.0 || (ORDINARY.recip()..ORDINARY).contains(&x);
     });
     all
@@ -392,7 +397,7 @@ fn supported(scene: &Scene, data: &[f64]) -> Result<(), Refusal> {
         return refuse(Unsupported::SpringWithSlip);
     }
     let freedoms = scene.freedoms();
-    let number = |n: Num| admissible::value(n, data);
+    let number = |n: Num| scene.value(n, data);
     // Cords alone can say what other ties say.
     if scene.ties.iter().any(is_held) && scene.freedoms_with(&number) != freedoms {
         return refuse(Unsupported::EqualByChance);
