@@ -212,7 +212,7 @@ impl SceneReader<'_> {
             end,
             heading,
             span: Span::default(),
-            formulas: Formulas { numbers: self.derived.take() },
+            formulas: Formulas { numbers: self.derived.take(), ..Formulas::default() },
         })
     }
 

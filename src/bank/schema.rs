@@ -1,4 +1,5 @@
 //! The file format of a bank: which fields there are and what they mean. All findings are collected.
+use crate::bank::asked::AskedContext;
 #[cfg(feature = "program")]
 use crate::bank::course;
 use crate::bank::decimal::Decimal;
@@ -9,12 +10,12 @@ use crate::bank::node::{Faults, Fields, Node, Value, choice, named, shorten, tex
 use crate::bank::scene::{self, DatumSymbol, SceneRead, Touching};
 use crate::bank::{
     Bank, Bound, Case, Datum, Draw, FigureLabels, Problem, Question, Relative, TEMPLATE_NAMES, Variables,
-    measure, mistake, review,
+    asked, measure, mistake, review,
 };
 #[cfg(not(feature = "program"))]
 use crate::policy::Hints;
 use crate::policy::Policy;
-use crate::scene::{Label, Owner, Quantity, Scene, Span, Tie};
+use crate::scene::{Label, Owner, Quantity, Scene, Span, Term, Tie};
 use crate::solve::outcome::{CheckKind, Motion};
 use crate::units::Unit;
 use crate::units::spell;
@@ -333,8 +334,16 @@ fn problem(
         ..*common
     };
     let cases = read.cases(cases_node);
-    read.review(&cases);
     let data = read.with_gravity(&cases, common.gravity.1.clone());
+
+    let mut cases = cases;
+    for case in &mut cases {
+        let Some(SceneRead { scene: Some(scene), uses, .. }) = &mut case.read else { continue };
+        if let Some(n) = questions_node {
+            uses.extend(asked::put(n, scene, &AskedContext { data: &data, case: &case.name }, faults));
+        }
+    }
+    read.review(&cases);
 
     // Questions and bounds are read against each scene, since labels hold the index of a body.
     let scenes: Vec<(&str, &Scene)> =
@@ -348,7 +357,12 @@ fn problem(
             Some(mistake::CaseContext { name, scene, node, symbols: &c.symbols, touching })
         })
         .collect();
-    let context = mistake::Context { data: &data, gravity: data.len() - 1, cases: &read_cases };
+    let context = mistake::Context {
+        data: &data,
+        gravity: data.len() - 1,
+        questions: questions_node,
+        cases: &read_cases,
+    };
     let mut mistakes = mistakes_node.map_or_else(Vec::new, |n| mistake::mistakes(n, &context, faults));
     let asked: Vec<Question> = match asks_node.map(|n| asks(n, &questions, faults)) {
         None => questions.into_iter().filter_map(|(_, q)| q).collect(),
@@ -361,9 +375,20 @@ fn problem(
     }
     // Some quantities lie beyond the end of the motion, at the turning point: where one is asked, the conditions of validity
     // are checked up to there.
-    let span = Span::of(asked.iter().map(|q| q.label.quantity));
+    let in_formulas = |label: Label| {
+        let formulas = scenes.iter().filter_map(move |(_, scene)| match label.of {
+            Owner::Asked(i) => scene.formulas.asked.get(i),
+            _ => None,
+        });
+        formulas.flat_map(|a| a.formula.names()).filter_map(|term| match term {
+            Term::Said(label) | Term::Other(_, label) => Some(label.quantity),
+            Term::Given(_) => None,
+        })
+    };
+    let quantities = asked.iter().flat_map(|q| in_formulas(q.label).chain([q.label.quantity]));
+    let span = Span::of(quantities);
     for scene in mistakes.iter_mut().flat_map(|m| &mut m.scenes).flatten() {
-        scene.span = span;
+        scene.look(span);
         scene.formulas.settle(&|i| data[i].degrees);
     }
     let cases: Vec<Case> = cases
@@ -622,7 +647,7 @@ impl CaseRead<'_> {
         let SceneRead { scene, upright, touches, .. } = self.read?;
         let gravity = Draw::Always { value: gravity.value, decimals: gravity.decimals };
         let mut scene = scene?;
-        scene.span = span;
+        scene.look(span);
         scene.formulas.settle(&|i| data[i].degrees);
         Some(Case {
             name: self.name,
@@ -823,6 +848,7 @@ fn question(
     let mut fields = Fields::open(node, "a question (ask, unit)", faults)?;
     let ask = fields.need("ask", "the speed of the wheel").and_then(|n| text(n, "a text", faults));
     let quantity_node = fields.get("quantity");
+    fields.each(["value", "if"]);
     let name = match quantity_node {
         Some(n) => text(n, "a quantity", faults)?,
         None => id.to_owned(),
@@ -837,7 +863,11 @@ fn question(
         .map_or(Some(FIGURES), |n| whole(n, 1, 12, faults).and_then(|f| u8::try_from(f).ok()));
     let unit_required = fields.get("units").map_or(Some(common.unit_required), |n| choice(n, &UNITS, faults));
     fields.close();
-    let label = asked_label(&name, quantity_node.unwrap_or(key), scenes, faults)?;
+    let label = match asked::is_formula(node) {
+        // What is wrong with it is told where it is put into the scenes.
+        true => scenes.iter().find_map(|(_, scene)| asked::label(scene, id))?,
+        false => asked_label(&name, quantity_node.unwrap_or(key), scenes, faults)?,
+    };
     let is_word = label.quantity.is_word();
     if is_word {
         let fields = [(unit_node, "unit"), (tolerance_node, "tolerance"), (cond_node, "limit")];
@@ -902,6 +932,8 @@ fn asked_label(name: &str, place: &Node, scenes: &[(&str, &Scene)], faults: &Fau
 fn asked_unit(name: &str, node: Option<&Node>, quantity: Quantity, faults: &Faults) -> Option<Unit> {
     let Some(node) = node else { return measure::unit(quantity.unit()).ok() };
     let message = match measure::unit(node.text().unwrap_or("")) {
+        // That of an expression is checked where it is read.
+        Ok(unit) if quantity == Quantity::Value => return Some(unit),
         Ok(unit) if measure::fits(&unit, quantity.unit()) => return Some(unit),
         Ok(unit) => format!("`{name}`: {}", measure::mismatch(&unit, quantity.unit())),
         Err(message) => message,
@@ -980,7 +1012,10 @@ fn bounds_of(node: &Node, data: &[Datum], scene: Option<&Scene>, faults: &Faults
                     (message, close.or(hint))
                 },
             )?;
-            measure::quantity(label, name)
+            match scene {
+                Some(scene) => measure::quantity(scene, label, name),
+                None => measure::own_quantity(label, name),
+            }
         };
         let expression = match Expression::parse(written, &lookup) {
             Ok(e) => Some(e),

@@ -156,7 +156,7 @@ struct QuantityRow<'s> {
 }
 
 /// All quantities in the order of their list.
-fn rows<'s>(problem: &Problem, case: usize, solved: &'s Solved, taken: &Taken) -> Vec<QuantityRow<'s>> {
+fn rows<'s>(problem: &'s Problem, case: usize, solved: &'s Solved, taken: &Taken) -> Vec<QuantityRow<'s>> {
     let scene = &problem.cases[case].scene;
     let place = |q: Quantity| Quantity::ALL.iter().position(|o| *o == q).unwrap_or(usize::MAX);
     let mut rows: Vec<QuantityRow> = solved
@@ -165,7 +165,7 @@ fn rows<'s>(problem: &Problem, case: usize, solved: &'s Solved, taken: &Taken) -
         .map(|e| QuantityRow {
             order: place(e.label.quantity),
             name: scene.name_of(e.label),
-            unit: e.label.quantity.unit(),
+            unit: scene.unit(e.label),
             word: None,
             value: Some(e.value()),
             eom: e.eom,

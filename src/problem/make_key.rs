@@ -179,7 +179,7 @@ pub const fn may_vanish(quantity: Quantity) -> bool {
 /// May a word give the sign? Friction is positive up the incline in every scene; an acceleration or a displacement is
 /// positive forward, so not where positive is down: there `up` would mean a minus.
 pub fn words_sign(scene: &Scene, label: Label) -> bool {
-    let body = match label.of {
+    let body = match scene.owner(label) {
         Owner::Body(b) => Some(b),
         _ => scene.bare_body(),
     };
@@ -206,6 +206,7 @@ pub const fn is_magnitude(quantity: Quantity) -> bool {
             | Quantity::WorkPull
             | Quantity::PowerPull
             | Quantity::Tension
+            | Quantity::Value
     )
 }
 

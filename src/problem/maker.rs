@@ -483,7 +483,11 @@ fn input_energy(scene: &Scene, data: &[f64], solved: &Solved) -> Option<f64> {
             energy = energy + n.bodies[b].mass * n.gravity * Dd::new((-value).max(0.0));
         }
     }
-    let pulls = solved.entries.iter().filter(|e| e.label.quantity == Quantity::WorkPull).map(Entry::value);
+    let pulls = solved
+        .entries
+        .iter()
+        .filter(|e| e.label.quantity == Quantity::WorkPull && matches!(e.label.of, Owner::Tie(_)))
+        .map(Entry::value);
     Some(n.publish(Quantity::KineticEnergy, energy).hi + pulls.map(|w| w.max(0.0)).sum::<f64>())
 }
 

@@ -1,7 +1,7 @@
-//! What an instructor writes as a formula: numbers of a scene that are worked out from data.
+//! What an instructor writes as a formula: numbers of a scene that are worked out from data, and what is asked of its solution.
 use crate::num::formula::Formula;
 use crate::num::{Real, trig};
-use crate::scene::{Num, Scene};
+use crate::scene::{Label, Num, Owner, Quantity, Scene, Span, Tie};
 
 /// A datum in a formula.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -41,22 +41,72 @@ impl Derived {
     }
 }
 
+/// What a contact is taken as in a question that says `if:`.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum AsIf {
+    /// It rolls, whatever friction that needs.
+    Rolls,
+    /// It is smooth: without friction.
+    Smooth,
+}
+
+/// What the formula of a question names.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Term {
+    /// A datum.
+    Given(Given),
+    /// A quantity of the solution.
+    Said(Label),
+    /// A quantity of the solution of another scene, by its index in [`Formulas::others`].
+    Other(usize, Label),
+}
+
+/// What a question asks that is no quantity as it stands: an expression in data and quantities, or a quantity of another scene.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Asked {
+    /// Id of the question.
+    pub id: String,
+    /// What it asks, as it is written.
+    pub text: String,
+    /// How it is worked out, SI.
+    pub formula: Formula<Term>,
+    /// [`Quantity::Value`], or the quantity that is asked of the other scene.
+    pub quantity: Quantity,
+    /// Whose quantity it is.
+    pub of: Owner,
+    /// Its unit, SI, ASCII.
+    pub unit: String,
+    /// Exponents of mass, length and time in its unit.
+    pub powers: [i32; 3],
+}
+
 /// The formulas of a scene.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Formulas {
     /// Numbers that are worked out from data; index = [`Num::Derived`].
     pub numbers: Vec<Derived>,
+    /// What is asked by formulas; index = [`Owner::Asked`].
+    pub asked: Vec<Asked>,
+    /// The scene as if its contacts were others.
+    pub others: Vec<(AsIf, Scene)>,
 }
 
 impl Formulas {
     /// Every datum that a formula looks up.
     pub fn givens(&self) -> impl Iterator<Item = Given> {
-        self.numbers.iter().flat_map(|n| n.formula.names())
+        let asked = self.asked.iter().flat_map(|a| a.formula.names()).filter_map(|term| match term {
+            Term::Given(given) => Some(given),
+            Term::Said(_) | Term::Other(..) => None,
+        });
+        self.numbers.iter().flat_map(|n| n.formula.names()).chain(asked)
     }
     /// Says which data the scene holds in degrees.
     pub fn settle(&mut self, degrees: &dyn Fn(usize) -> bool) {
         for number in &mut self.numbers {
             number.formula = number.formula.map(&mut |g: Given| Given { degrees: degrees(g.datum), ..g });
+        }
+        for (_, other) in &mut self.others {
+            other.formulas.settle(degrees);
         }
     }
 }
@@ -69,6 +119,47 @@ impl Scene {
             Num::Fixed(x) => x,
             Num::Derived(i) => self.formulas.numbers.get(i).map_or(f64::NAN, |n| n.value(data)),
         }
+    }
+    /// Whose quantity this is; of what a formula asks of another scene, the body there.
+    pub fn owner(&self, label: Label) -> Owner {
+        match label.of {
+            Owner::Asked(i) => self.formulas.asked.get(i).map_or(Owner::Scene, |a| a.of),
+            owner => owner,
+        }
+    }
+    /// Looks so far, as if its contacts were others too.
+    pub fn look(&mut self, span: Span) {
+        self.span = span;
+        self.formulas.others.iter_mut().for_each(|(_, other)| other.span = span);
+    }
+    /// The unit of a quantity, SI, ASCII.
+    pub fn unit(&self, label: Label) -> &str {
+        match label.of {
+            Owner::Asked(i) => self.formulas.asked.get(i).map_or("1", |a| a.unit.as_str()),
+            _ => label.quantity.unit(),
+        }
+    }
+    /// The scene as if its contacts rolled or were smooth; `None` where no contact makes a difference.
+    pub fn as_if(&self, how: AsIf) -> Option<Self> {
+        let mut other = self.clone();
+        let mut touches = false;
+        for tie in &mut other.ties {
+            let smooth = Num::Fixed(0.0);
+            *tie = match (how, tie.clone()) {
+                (AsIf::Rolls, Tie::Roll { body, radius_m, .. } | Tie::Slip { body, radius_m, .. }) => {
+                    Tie::Roll { body, radius_m, mu_s: None }
+                }
+                (AsIf::Smooth, Tie::Roll { body, radius_m, .. } | Tie::Slip { body, radius_m, .. }) => {
+                    Tie::Slip { body, radius_m, mu_s: smooth, mu_k: smooth }
+                }
+                (AsIf::Smooth, Tie::Slide { body, .. }) => Tie::Slide { body, mu_s: None, mu_k: smooth },
+                (AsIf::Rolls, Tie::Slide { .. }) | (_, Tie::Cord(_)) => continue,
+            };
+            touches = true;
+        }
+        other.formulas.asked.clear();
+        other.formulas.others.clear();
+        touches.then_some(other)
     }
     /// The data on which a number of the scene hangs.
     pub fn data_of(&self, number: Num) -> impl Iterator<Item = usize> {

@@ -4,8 +4,8 @@
 //! Products of data near 1e150 or 1e-150 leave the doubles in SI units; in units of the size of the scene few do.
 use crate::num::dd::{exponent, ldexp};
 use crate::scene::{
-    Arm, Attach, Body, CordEnd, Degree, End, Far, Mass, Num, Pin, Rest, RotaryInertia, Scene, Slope, Start,
-    Tie,
+    Arm, Attach, Body, CordEnd, Degree, End, Far, Label, Mass, Num, Owner, Pin, Rest, RotaryInertia, Scene,
+    Slope, Start, Tie,
 };
 
 /// Units of mass, length and time: 2^e kg, m and s.
@@ -48,6 +48,20 @@ impl Scales {
     fn of_powers(self, [mass, length, time]: [i32; 3]) -> i32 {
         mass * self.mass + length * self.length + time * self.time
     }
+    fn of_label(self, scene: &Scene, label: Label) -> i32 {
+        match label.of {
+            Owner::Asked(i) => scene.formulas.asked.get(i).map_or(0, |a| self.of_powers(a.powers)),
+            _ => self.power(label.quantity.unit()),
+        }
+    }
+    /// The value of a quantity in SI that is `x` in these units.
+    pub fn said(self, scene: &Scene, label: Label, x: f64) -> f64 {
+        ldexp(x, self.of_label(scene, label))
+    }
+    /// The value of a quantity in these units that is `x` in SI.
+    pub fn own_said(self, scene: &Scene, label: Label, x: f64) -> f64 {
+        ldexp(x, -self.of_label(scene, label))
+    }
     /// A number in a unit of SI that is `x` in these units.
     pub fn si(self, unit: &str, x: f64) -> f64 {
         ldexp(x, self.power(unit))
@@ -60,6 +74,10 @@ impl Scales {
     /// The scene and its data in these units; `None` where a number leaves the doubles.
     pub fn of(self, scene: &Scene, data: &[f64]) -> Option<(Scene, Vec<f64>)> {
         let (mut scaled, mut numbers, mut inside) = (scene.clone(), data.to_vec(), true);
+        for (_, other) in &mut scaled.formulas.others {
+            // Its data are those of the scene; its own constants are scaled too.
+            *other = self.of(other, data)?.0;
+        }
         each(&mut scaled, &mut |num, unit| {
             let (old, new) = match num {
                 Num::Datum(i) => match (data.get(*i), numbers.get_mut(*i)) {

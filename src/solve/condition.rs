@@ -127,6 +127,9 @@ fn used(scene: &Scene, data: &[f64]) -> Vec<usize> {
             used[i] |= data.get(i).is_some_and(|x| *x != 0.0);
         }
     });
+    for given in scene.formulas.givens() {
+        used[given.datum] |= data.get(given.datum).is_some_and(|x| *x != 0.0);
+    }
     (0..data.len()).filter(|i| used[*i]).collect()
 }
 

@@ -122,3 +122,137 @@ fn a_number_with_its_unit_is_no_expression() {
         assert!(found.iter().all(idle), "{moment}: {found:#?}");
     }
 }
+
+/// A spool on the floor, pulled by a cord on its hub, of which several things are asked that no quantity says.
+fn spool(contact: &str, questions: &str, more: &str) -> String {
+    format!(
+        "bank: b
+title: B
+problems:
+  p:
+    title: A spool
+    data:
+      m:    {{name: mass, unit: kg, draw: 20 to 40 step 1}}
+      k:    {{name: radius of gyration, unit: m, draw: 0.2 to 0.3 step 0.01}}
+      R:    {{name: radius of the rim, unit: m, draw: 0.36 to 0.44 step 0.01}}
+      r:    {{name: radius of the hub, unit: m, draw: 0.1 to 0.2 step 0.01}}
+      P:    {{name: pull, unit: N, draw: 200 to 400 step 10}}
+      mu_s: {{name: coefficient of static friction, unit: \"1\", draw: always 0.2}}
+      mu_k: {{name: coefficient of kinetic friction, unit: \"1\", draw: always 0.15}}
+    scene:
+      surfaces: {{floor: level}}
+      bodies: {{spool: {{mass: m, radius of gyration: k, radii: {{rim: R, hub: r}}, moves: along floor}}}}
+      ties:
+        - {contact}
+        - cord: {{from: {{body: spool, wound on: hub, leaves: bottom forward}}, pulled with: P}}
+      start: at rest
+      end: {{time: {{of: spool, is: 2 s}}}}
+    questions:
+{questions}{more}    statement: s
+"
+    )
+}
+
+const SLIPS: &str = "slips: {body: spool, on its: rim, mu_s: mu_s, mu_k: mu_k}";
+const ASKED: &str = "
+      friction_if_rolled: {ask: it, unit: N}
+      largest: {value: mu_s*normal, unit: N, ask: it}
+      needed:  {quantity: friction, if: rolls, unit: N, ask: it}
+      lacking: {value: abs(friction) - mu_s*normal, if: rolls, unit: kN, ask: it}
+      free:    {quantity: a, if: smooth, ask: it}
+      share:   {value: kinetic_energy/work_pull, unit: \"1\", ask: it}
+";
+
+#[test]
+fn expressions_and_other_contacts_are_asked_on_both_roads_and_enclosed() {
+    let bank = read(&spool(SLIPS, ASKED, "")).expect("a bank");
+    let problem = &bank.problems[0];
+    for i in 0..20 {
+        let variant = drawn(problem, &format!("s{i}"));
+        let [m, _, _, _, p, mu_s, _, g] = variant.data[..] else { panic!("the data") };
+        let entry = |id: &str| {
+            let q = problem.questions.iter().find(|q| q.id == id).expect("a question");
+            variant.solved.get(q.label).unwrap_or_else(|| panic!("{id} has no answer"))
+        };
+        for id in ["largest", "needed", "lacking", "free", "share"] {
+            let e = entry(id);
+            assert!(e.eom.is_some() && e.energy.is_some(), "{id}: both roads");
+            assert!(e.bound.expect("enclosed") < 1e-13 * e.scale, "{id}: {e:?}");
+            assert!(e.cond.is_finite() && e.cond > 0.0, "{id}: {}", e.cond);
+        }
+        let near = |id: &str, expected: f64| {
+            let e = entry(id);
+            assert!((e.value() - expected).abs() < 1e-13 * e.scale, "{id}: {} {expected}", e.value());
+        };
+        let rolled = entry("friction_if_rolled").value();
+        near("largest", mu_s * m * g);
+        near("needed", rolled);
+        near("lacking", rolled.abs() - mu_s * m * g);
+        near("free", p / m);
+        assert!((entry("free").cond - 2.0).abs() < 1e-4);
+        // What is asked of another scene leaves that of this one alone.
+        let key = Maker::new(problem, 7, "set").key(&variant);
+        assert_eq!(key.parts.len(), problem.questions.len());
+    }
+}
+
+#[test]
+fn a_wrong_method_spoils_what_is_put_together_of_it() {
+    let mistakes = "    mistakes:
+      A24: {values: {normal: m*g + P}}
+      B01: {data: {mu_s: 2*mu_s}}
+      A05: {data: {k: 0.9*k}, of: [needed]}
+";
+    let bank = read(&spool(SLIPS, ASKED, mistakes)).expect("a bank");
+    let problem = &bank.problems[0];
+    let variant = drawn(problem, "s");
+    let wrong = |method: usize, id: &str| {
+        let q = problem.questions.iter().find(|q| q.id == id).expect("a question");
+        variant.wrong.iter().find(|w| w.mistake == method && w.label == q.label).map(|w| w.value)
+    };
+    let [m, _, _, _, p, mu_s, _, g] = variant.data[..] else { panic!("the data") };
+    let near = |found: Option<f64>, expected: f64| {
+        assert!(found.is_some_and(|x| (x - expected).abs() < 1e-12 * expected.abs()), "{found:?} {expected}");
+    };
+    near(wrong(0, "largest"), mu_s * (m * g + p));
+    // The method knows nothing of the other scene.
+    assert_eq!(wrong(0, "lacking"), None);
+    near(wrong(1, "largest"), 2.0 * mu_s * m * g);
+    assert_eq!(wrong(1, "needed"), None, "the static coefficient does not enter");
+    assert!(wrong(2, "needed").is_some(), "changed data are those of the other scene too");
+    assert_eq!(wrong(2, "lacking"), None, "it is not among `of`");
+}
+
+#[test]
+fn what_is_wrong_with_a_question_by_formula_is_told() {
+    let floor = "slides: {body: spool, mu_k: mu_k}";
+    let cases = [
+        (SLIPS, "x: {value: mu_s*normal, ask: it}", "`x` asks for an expression, and `unit` is missing"),
+        (
+            SLIPS,
+            "x: {value: mu_s*normal, unit: m, ask: it}",
+            "`mu_s*normal` has the dimension kg m s^-2, its unit m",
+        ),
+        (SLIPS, "x: {value: mu_s*norm, unit: N, ask: it}", "character 6: `norm` is no quantity"),
+        (SLIPS, "x: {value: mu_s*tension, unit: N, ask: it}", "`tension` does not exist in this scene"),
+        (SLIPS, "x: {value: normal + m, unit: N, ask: it}", "different dimensions, kg m s^-2 and kg"),
+        (SLIPS, "x: {value: 2*rolls, unit: N, ask: it}", "`rolls` is a word, not a number"),
+        (SLIPS, "x: {value: normal, quantity: normal, unit: N, ask: it}", "not for a quantity"),
+        (SLIPS, "friction: {value: mu_s*normal, unit: N, ask: it}", "`friction` is a quantity itself"),
+        (SLIPS, "x: {quantity: friction, if: glides, ask: it}", "found `glides`"),
+        (SLIPS, "x: {quantity: direction, if: rolls, ask: it}", "`direction` is answered with a word"),
+        (SLIPS, "x: {quantity: friction, if: smooth, unit: m, ask: it}", "expected N"),
+        (floor, "x: {quantity: friction, if: rolls, ask: it}", "no contact of this scene could be another"),
+        (SLIPS, "x: {if: rolls, ask: it}", "`x` is no quantity"),
+    ];
+    for (contact, question, wanted) in cases {
+        let text = spool(contact, &format!("      {question}\n"), "");
+        let found = read(&text).expect_err(wanted);
+        let all: Vec<String> = found.iter().map(ToString::to_string).collect();
+        assert!(
+            all.iter().any(|f| f.contains(wanted) && f.contains("questions.")),
+            "{wanted}\n{}",
+            all.join("\n")
+        );
+    }
+}

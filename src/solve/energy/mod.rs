@@ -34,6 +34,11 @@ use std::cell::Cell;
 ///
 /// Errors: ties that hold the ending coordinate fast, a start that contradicts them or leaves open what is asked.
 pub fn road<T: Real>(scene: &Scene, data: &[f64]) -> Result<Road<T>, Refusal> {
+    Ok(alone(scene, data)?.answering(scene, data, &|other| alone(other, data)))
+}
+
+/// [`road`] without what is asked by formulas.
+fn alone<T: Real>(scene: &Scene, data: &[f64]) -> Result<Road<T>, Refusal> {
     let n = Numbers::<T>::new(scene, data);
     if let Some((body, pin)) = scene.pinned() {
         return swing::road(scene, n, body, pin);
@@ -52,6 +57,16 @@ pub fn road<T: Real>(scene: &Scene, data: &[f64]) -> Result<Road<T>, Refusal> {
 ///
 /// Errors: those of [`road`].
 pub fn road_by<T: Real>(
+    scene: &Scene,
+    data: &[f64],
+    points: Option<usize>,
+) -> Result<(Road<T>, Count), Refusal> {
+    let (road, count) = alone_by(scene, data, points)?;
+    Ok((road.answering(scene, data, &|other| alone(other, data)), count))
+}
+
+/// [`road_by`] without what is asked by formulas.
+fn alone_by<T: Real>(
     scene: &Scene,
     data: &[f64],
     points: Option<usize>,

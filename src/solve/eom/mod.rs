@@ -29,6 +29,11 @@ use smallvec::{SmallVec, smallvec};
 ///
 /// Errors: equations that do not determine the motion.
 pub fn road<T: Real>(scene: &Scene, data: &[f64]) -> Result<Road<T>, Refusal> {
+    Ok(alone(scene, data)?.answering(scene, data, &|other| alone(other, data)))
+}
+
+/// [`road`] without what is asked by formulas.
+fn alone<T: Real>(scene: &Scene, data: &[f64]) -> Result<Road<T>, Refusal> {
     let n = Numbers::<T>::new(scene, data);
     if let Some((body, pin)) = scene.pinned() {
         return swing::road(scene, n, body, pin);
@@ -47,6 +52,17 @@ pub fn road<T: Real>(scene: &Scene, data: &[f64]) -> Result<Road<T>, Refusal> {
 ///
 /// Errors: those of [`road`], and a run that does not reach its events.
 pub fn road_by<T: Real>(
+    scene: &Scene,
+    data: &[f64],
+    rung: Rung,
+    asked: &dyn Fn(Quantity) -> bool,
+) -> Result<(Road<T>, Count), Refusal> {
+    let (road, count) = alone_by(scene, data, rung, asked)?;
+    Ok((road.answering(scene, data, &|other| alone(other, data)), count))
+}
+
+/// [`road_by`] without what is asked by formulas.
+fn alone_by<T: Real>(
     scene: &Scene,
     data: &[f64],
     rung: Rung,
