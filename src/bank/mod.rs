@@ -272,6 +272,7 @@ impl Relative {
 /// Greatest rounding error of a number of tenths of a per cent that is whole but for doubles.
 const ROUNDING: f64 = 1e-6;
 
+pub mod any;
 pub mod asked;
 #[cfg(feature = "program")]
 pub mod built_in;

@@ -1,8 +1,10 @@
 //! The `scene` part of a problem: bodies, ties, forces, start and end, read into pure data.
+use crate::bank::any::AnyNumber;
 use crate::bank::expression::{Exponents, Expression, Name};
 use crate::bank::measure;
 use crate::bank::need::Need;
 use crate::bank::node::{Faults, Fields, Node, Value, named, shorten};
+use crate::num::formula::{Formula, Step};
 use crate::scene::{
     Arm, Attach, Body, Coordinate, Cord, CordEnd, Couple, Degree, Derived, End, Far, Formulas, Given,
     Heading, Line, Mass, Num, Part, Particle, Pin, PinSpring, Rest, RotaryInertia, Scene, Shape, Side, Slope,
@@ -54,6 +56,8 @@ pub struct SceneRead {
     pub upright: Vec<(String, bool)>,
     /// Contacts that do not say whether they roll or slip: index of the tie, and the kinetic coefficient.
     pub touches: Vec<(usize, Num)>,
+    /// Numbers that are `any`.
+    pub any: Vec<AnyNumber>,
 }
 
 struct SceneReader<'a> {
@@ -64,6 +68,8 @@ struct SceneReader<'a> {
     uses: RefCell<Vec<DatumUse>>,
     /// Numbers that are worked out from data.
     derived: RefCell<Vec<Derived>>,
+    /// Those that are `any`.
+    any: RefCell<Vec<AnyNumber>>,
     /// The line of some body could not be read, so nothing is said of surfaces that are not used.
     lost: Cell<bool>,
     /// The start gives the angle of a pinned body.
@@ -90,6 +96,7 @@ pub fn read(
         touches: RefCell::new(Vec::new()),
         uses: RefCell::new(Vec::new()),
         derived: RefCell::new(Vec::new()),
+        any: RefCell::new(Vec::new()),
         lost: Cell::new(false),
         angled: Cell::new(false),
         upward: Cell::new(None),
@@ -101,6 +108,7 @@ pub fn read(
         uses: reader.uses.into_inner(),
         upright: reader.upright.into_inner(),
         touches: reader.touches.into_inner(),
+        any: reader.any.into_inner(),
     }
 }
 
@@ -243,6 +251,9 @@ impl SceneReader<'_> {
             f.hint(node, format!("expected {}, found {}", need.words, node.kind()), hint);
             return None;
         };
+        if text == "any" {
+            return self.any(node, need);
+        }
         if let Some(datum) = self.symbols.iter().position(|s| s.name == text) {
             // A unit that is wrong is a finding already; the datum counts as used all the same.
             if let Some(unit) = self.symbols[datum].unit.as_ref().filter(|u| !measure::fits(u, need.unit)) {
@@ -278,6 +289,29 @@ impl SceneReader<'_> {
             }
         }
         None
+    }
+
+    /// A mass or a radius that cancels: 1 in its unit, which is proved to make no difference.
+    fn any(&self, node: &Node, need: Need) -> Option<Num> {
+        let text = match need.words {
+            words if words == Need::MASS.words => "m",
+            words if words == Need::RADIUS.words => "R",
+            _ => {
+                let message = format!("{} cannot be `any`", need.words);
+                self.faults.hint(
+                    node,
+                    message,
+                    "only a mass or the radius of a shape may be `any`, where it cancels",
+                );
+                return None;
+            }
+        };
+        let formula = Formula::new(vec![Step::Number(1.0)]);
+        let mut derived = self.derived.borrow_mut();
+        derived.push(Derived { formula, degrees: false, text: text.to_owned(), any: true });
+        let number = Num::Derived(derived.len() - 1);
+        self.any.borrow_mut().push(AnyNumber { node: node.clone(), number });
+        Some(number)
     }
 
     /// A number that is worked out from data, such as `2*R` or `-w0`.
@@ -326,7 +360,7 @@ impl SceneReader<'_> {
             Name::Datum(datum, degrees) => Given { datum, degrees, powers: powers(datum) },
             Name::Quantity(_) => Given { datum: usize::MAX, degrees: false, powers: [0; 3] },
         });
-        let number = Derived { formula, degrees: need.in_degrees(), text: text.to_owned() };
+        let number = Derived { formula, degrees: need.in_degrees(), text: text.to_owned(), any: false };
         if data.is_empty() {
             let value = number.value(&[]);
             return match need.admits(value) {

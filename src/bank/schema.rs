@@ -10,7 +10,7 @@ use crate::bank::node::{Faults, Fields, Node, Value, choice, named, shorten, tex
 use crate::bank::scene::{self, DatumSymbol, SceneRead, Touching};
 use crate::bank::{
     Bank, Bound, Case, Datum, Draw, FigureLabels, Problem, Question, Relative, TEMPLATE_NAMES, Variables,
-    asked, measure, mistake, review,
+    any, asked, measure, mistake, review,
 };
 #[cfg(not(feature = "program"))]
 use crate::policy::Hints;
@@ -368,6 +368,7 @@ fn problem(
         None => questions.into_iter().filter_map(|(_, q)| q).collect(),
         Some(ids) => ids.iter().filter_map(|id| questions.iter().find(|(n, _)| n == id)?.1.clone()).collect(),
     };
+    review_any(&cases, &asked, questions_node, bounds_node, &data, faults);
     let follows = follows_node.map_or_else(Vec::new, |n| mistake::follows(n, &asked, &context, faults));
     if let Some(variables) = variables {
         let names: Vec<&str> = data.iter().map(|d| d.symbol.as_str()).collect();
@@ -417,6 +418,33 @@ fn problem(
         follows,
         margins: all_margins,
     })
+}
+
+/// Tells of answers and bounds that depend on a mass or a radius that is `any`.
+fn review_any(
+    cases: &[CaseRead],
+    asked: &[Question],
+    questions: Option<&Node>,
+    bounds: Option<&Node>,
+    data: &[Datum],
+    faults: &Faults,
+) {
+    for case in cases {
+        let Some(SceneRead { scene: Some(scene), any, .. }) = &case.read else { continue };
+        if any.is_empty() {
+            continue;
+        }
+        let place = |id: &str| questions.and_then(|n| n.field(id));
+        let mut told: Vec<(Label, String, &Node)> =
+            asked.iter().filter_map(|q| Some((q.label, q.id.clone(), place(&q.id)?))).collect();
+        for node in [bounds, case.bounds].into_iter().flatten() {
+            // What is wrong with a bound is told where it is read.
+            for bound in bounds_of(node, data, Some(scene), &Faults::default()) {
+                told.extend(bound.expression.quantities().map(|label| (label, bound.text.clone(), node)));
+            }
+        }
+        any::review(scene, any, &told, faults);
+    }
 }
 
 /// What the cases of a problem start from.

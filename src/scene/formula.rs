@@ -29,8 +29,10 @@ pub struct Derived {
     pub formula: Formula<Given>,
     /// Does the scene take it in degrees?
     pub degrees: bool,
-    /// As it is written.
+    /// As it is written; of what is `any`, a symbol.
     pub text: String,
+    /// Is it `any`, so that no answer depends on it?
+    pub any: bool,
 }
 
 impl Derived {

@@ -143,7 +143,7 @@ impl Scales {
 }
 
 /// Every number of a scene with its unit of SI, `1` for a pure number and for degrees.
-fn each(scene: &mut Scene, tell: &mut dyn FnMut(&mut Num, &'static str)) {
+pub fn each(scene: &mut Scene, tell: &mut dyn FnMut(&mut Num, &'static str)) {
     tell(&mut scene.gravity_m_s2, "m/s^2");
     for body in &mut scene.bodies {
         of_body(body, tell);

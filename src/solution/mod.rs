@@ -184,6 +184,9 @@ fn made(
 
 /// The derivation that the scene needs.
 fn derive(draft: &mut Draft) -> Result<(), DerivationStop> {
+    if draft.scene.formulas.numbers.iter().any(|n| n.any) {
+        return Err(Beyond::Any.into());
+    }
     if draft.scene.bodies.iter().any(|b| !b.particles.is_empty()) {
         return lamina::work(draft);
     }

@@ -61,6 +61,7 @@ macro_rules! beyond {
     };
 }
 beyond! {
+    Any "any";
     Arrangement "arrangement";
     BehindTurning "behind_turning";
     CannotRoll "cannot_roll";

@@ -225,7 +225,7 @@ fn a_wrong_method_spoils_what_is_put_together_of_it() {
 
 #[test]
 fn what_is_wrong_with_a_question_by_formula_is_told() {
-    let floor = "slides: {body: spool, mu_k: mu_k}";
+    let none = "cord: {name: other, from: {body: spool, tied at: centre, leaves: back}, pulled with: P}";
     let cases = [
         (SLIPS, "x: {value: mu_s*normal, ask: it}", "`x` asks for an expression, and `unit` is missing"),
         (
@@ -242,7 +242,7 @@ fn what_is_wrong_with_a_question_by_formula_is_told() {
         (SLIPS, "x: {quantity: friction, if: glides, ask: it}", "found `glides`"),
         (SLIPS, "x: {quantity: direction, if: rolls, ask: it}", "`direction` is answered with a word"),
         (SLIPS, "x: {quantity: friction, if: smooth, unit: m, ask: it}", "expected N"),
-        (floor, "x: {quantity: friction, if: rolls, ask: it}", "no contact of this scene could be another"),
+        (none, "x: {quantity: a, if: rolls, ask: it}", "no contact of this scene could be another"),
         (SLIPS, "x: {if: rolls, ask: it}", "`x` is no quantity"),
     ];
     for (contact, question, wanted) in cases {
@@ -254,5 +254,81 @@ fn what_is_wrong_with_a_question_by_formula_is_told() {
             "{wanted}\n{}",
             all.join("\n")
         );
+    }
+}
+
+/// A disc that rolls down by a height, with some of its numbers `any`.
+fn disc(body: &str, rest: &str, question: &str) -> String {
+    format!(
+        "bank: b
+title: B
+problems:
+  p:
+    title: A disc
+    data:
+      theta: {{name: slope, unit: deg, draw: 10 to 25 step 1}}
+      h:     {{name: height, unit: m, draw: 1.0 to 4.0 step 0.1}}
+    scene:
+      surfaces: {{incline: {{slope: theta}}}}
+      bodies: {{disc: {{{body}, moves: along incline, positive: down}}}}
+      ties: [rolls: {{body: disc, on its: rim}}]
+      {rest}
+      end: {{travel: {{of: disc, by: h/sin(theta)}}}}
+    questions:
+      {question}
+    statement: s
+"
+    )
+}
+
+const ANY: &str = "mass: any, shape: {disc: any}";
+const REST: &str = "start: at rest";
+
+#[test]
+fn what_is_any_cancels() {
+    let all =
+        "{v: {ask: v}, a: {ask: a}, t: {ask: t}, mu_required: {ask: mu}, rotational_fraction: {ask: q}}";
+    let questions = all.trim_matches(['{', '}']).to_owned() + "}";
+    let bank =
+        read(&disc(ANY, REST, "").replace("questions:\n      ", &format!("questions: {{{questions}}}")))
+            .expect("a bank");
+    let given = disc("mass: 7 kg, shape: {disc: 0.13 m}", REST, "");
+    let given =
+        read(&given.replace("questions:\n      ", &format!("questions: {{{questions}}}"))).expect("a bank");
+    for i in 0..20 {
+        let [any, with] = [&bank, &given].map(|b| drawn(&b.problems[0], &format!("s{i}")));
+        assert_eq!(any.data, with.data);
+        for q in &bank.problems[0].questions {
+            let [a, b] = [&any, &with].map(|v| v.solved.get(q.label).expect("an answer").value());
+            assert!((a - b).abs() <= 4e-16 * b.abs(), "{}: {a} {b}", q.id);
+        }
+    }
+}
+
+#[test]
+fn what_does_not_cancel_is_told() {
+    let gyration = "mass: any, radius of gyration: any, radii: {rim: 1 m}";
+    let hub = "mass: 2 kg, shape: {disc: any}, radii: {hub: 0.1 m}";
+    let couple = "forces: [couple: {on: disc, moment: 3 N*m, sense: forward}]\n      start: at rest";
+    let cases = [
+        (ANY, REST, "omega: {ask: x}", "`omega` depends on the radius of `disc`, which is `any`"),
+        (ANY, REST, "friction: {ask: x}", "`friction` depends on the mass of `disc`, which is `any`"),
+        (ANY, REST, "x: {value: v*omega, unit: m/s^2, ask: x}", "`x` depends on the radius of `disc`"),
+        (ANY, REST, "x: {value: normal/h, unit: N/m, ask: x}", "`x` depends on the mass of `disc`"),
+        (ANY, couple, "v: {ask: x}", "this does not cancel: there is a couple"),
+        (ANY, couple, "v: {ask: x}", "this does not cancel: a couple acts on the body"),
+        (
+            ANY,
+            "start: {disc: {spin: 3 rad/s}}",
+            "v: {ask: x}",
+            "this does not cancel: the body starts with a spin",
+        ),
+        (gyration, REST, "v: {ask: x}", "a radius of gyration cannot be `any`"),
+        (hub, REST, "v: {ask: x}", "this does not cancel: the body has another radius, `hub`"),
+    ];
+    for (body, rest, question, wanted) in cases {
+        let found = read(&disc(body, rest, question)).expect_err(wanted);
+        let all: Vec<String> = found.iter().map(ToString::to_string).collect();
+        assert!(all.iter().any(|f| f.contains(wanted)), "{wanted}\n{}", all.join("\n"));
     }
 }
