@@ -11,23 +11,31 @@ pub fn only<'n>(
     data: &[Datum],
     faults: &Faults,
 ) -> Option<(usize, &'n Node)> {
-    let unknown: Vec<&str> =
-        data.iter().filter(|d| d.unknown.is_some()).map(|d| d.symbol.as_str()).collect();
+    let unknown: Vec<&str> = data.iter().filter(|d| d.unknown.is_some()).map(|d| d.symbol.as_str()).collect();
     match (unknown.as_slice(), measured) {
         ([], []) => None,
         ([_], [one]) => Some(*one),
         ([symbol], []) => {
-            let message = format!("`{symbol}` is unknown, and nothing is measured from which it could be found");
+            let message =
+                format!("`{symbol}` is unknown, and nothing is measured from which it could be found");
             faults.hint(problem, message, "give a datum `measured:` and a quantity, such as `measured: t`");
             None
         }
         ([], [(_, node), ..]) => {
-            faults.hint(node, "this is measured, and nothing is unknown", "write `unknown: 1 to 3 step 0.1` for a datum");
+            faults.hint(
+                node,
+                "this is measured, and nothing is unknown",
+                "write `unknown: 1 to 3 step 0.1` for a datum",
+            );
             None
         }
         _ => {
             let at = measured.get(1).map_or(problem, |(_, node)| *node);
-            faults.hint(at, "one datum is found from one measurement", "keep one `unknown:` and one `measured:`");
+            faults.hint(
+                at,
+                "one datum is found from one measurement",
+                "keep one `unknown:` and one `measured:`",
+            );
             None
         }
     }
@@ -66,7 +74,11 @@ pub fn put(
     admissible::rules(scene, |number, _| used |= scene.data_of(number).any(|datum| datum == i));
     if !used {
         let message = format!("`{symbol}` is to be found, but the scene does not use it");
-        faults.hint(problem.field("data").and_then(|d| d.field(symbol)).unwrap_or(node), message, "use it in the scene");
+        faults.hint(
+            problem.field("data").and_then(|d| d.field(symbol)).unwrap_or(node),
+            message,
+            "use it in the scene",
+        );
     }
     let (low, high) = draw.range();
     let scene_value = |end: crate::bank::decimal::Decimal| match data[i].degrees {
@@ -83,7 +95,11 @@ pub fn put(
     });
     if rule.is_some() || range[0] >= range[1] {
         let place = problem.field("data").and_then(|d| d.field(symbol)).unwrap_or(node);
-        faults.hint(place, format!("`{symbol}` cannot have all values of this range"), "such as `unknown: 1 to 3 step 0.1`");
+        faults.hint(
+            place,
+            format!("`{symbol}` cannot have all values of this range"),
+            "such as `unknown: 1 to 3 step 0.1`",
+        );
         return Vec::new();
     }
     let given = |datum: usize| {

@@ -4,7 +4,7 @@ use crate::bank::asked::AskedContext;
 use crate::bank::expression::{Exponents, Expression, Name};
 use crate::bank::node::{Faults, Fields, Node, Value, named, shorten};
 use crate::bank::scene::{self, DatumSymbol, Touching};
-use crate::bank::{Datum, Follow, Mistake, Question, asked, measure, review};
+use crate::bank::{Datum, Follow, Mistake, Question, asked, found, measure, review};
 use crate::scene::{Label, Scene};
 use crate::units::spell;
 
@@ -16,6 +16,8 @@ pub struct Context<'a> {
     pub gravity: usize,
     /// The questions, as they are written.
     pub questions: Option<&'a Node>,
+    /// The datum that was measured, and where the quantity is named.
+    pub measured: Option<(usize, &'a Node)>,
     /// Its cases.
     pub cases: &'a [CaseContext<'a>],
 }
@@ -145,6 +147,7 @@ fn changed(case: &CaseContext, changes: &Node, context: &Context, faults: &Fault
     }
     let node = Node { value: Value::Map(fields), ..changes.clone() };
     let mut scene = scene::read(&node, case.symbols, case.touching, context.gravity, faults).scene?;
+    found::put(&node, context.measured, &mut scene, context.data, &Faults::default());
     if let Some(questions) = context.questions {
         // What the changed scene cannot answer, the method does not come to.
         let of = AskedContext { data: context.data, case: case.name };

@@ -10,7 +10,7 @@ use crate::bank::node::{Faults, Fields, Node, Value, choice, named, shorten, tex
 use crate::bank::scene::{self, DatumSymbol, SceneRead, Touching};
 use crate::bank::{
     Bank, Bound, Case, Datum, Draw, FigureLabels, Problem, Question, Relative, TEMPLATE_NAMES, Variables,
-    any, asked, measure, mistake, review,
+    any, asked, found, measure, mistake, review,
 };
 #[cfg(not(feature = "program"))]
 use crate::policy::Hints;
@@ -72,6 +72,8 @@ struct DatumRead<'n> {
     unit_known: bool,
     /// True where a draw is given but wrong, which is told once.
     draw_wrong: bool,
+    /// The quantity of which it is the measurement, from which an unknown datum is found.
+    measured: Option<&'n Node>,
 }
 
 /// Reads a bank; findings go to `faults`.
@@ -337,8 +339,12 @@ fn problem(
     let data = read.with_gravity(&cases, common.gravity.1.clone());
 
     let mut cases = cases;
+    let measured: Vec<(usize, &Node)> =
+        read.data.iter().enumerate().filter_map(|(i, d)| Some((i, d.measured?))).collect();
+    let measured = found::only(node, &measured, &data, faults);
     for case in &mut cases {
         let Some(SceneRead { scene: Some(scene), uses, .. }) = &mut case.read else { continue };
+        uses.extend(found::put(node, measured, scene, &data, faults));
         if let Some(n) = questions_node {
             uses.extend(asked::put(n, scene, &AskedContext { data: &data, case: &case.name }, faults));
         }
@@ -361,6 +367,7 @@ fn problem(
         data: &data,
         gravity: data.len() - 1,
         questions: questions_node,
+        measured,
         cases: &read_cases,
     };
     let mut mistakes = mistakes_node.map_or_else(Vec::new, |n| mistake::mistakes(n, &context, faults));
@@ -371,7 +378,8 @@ fn problem(
     review_any(&cases, &asked, questions_node, bounds_node, &data, faults);
     let follows = follows_node.map_or_else(Vec::new, |n| mistake::follows(n, &asked, &context, faults));
     if let Some(variables) = variables {
-        let names: Vec<&str> = data.iter().map(|d| d.symbol.as_str()).collect();
+        let names = data.iter().filter(|d| d.unknown.is_none());
+        let names: Vec<&str> = names.map(|d| d.symbol.as_str()).collect();
         review::templates(statement_node, questions_node, &names, variables, faults);
     }
     // Some quantities lie beyond the end of the motion, at the turning point: where one is asked, the conditions of validity
@@ -559,7 +567,8 @@ impl<'n> ProblemRead<'n> {
     fn review(&self, cases: &[CaseRead]) {
         for case in cases {
             let Some(read) = &case.read else { continue };
-            for (i, d) in self.data.iter().enumerate().filter(|(i, _)| !case.wrong[*i]) {
+            let known = |i: &usize| self.data[*i].datum.unknown.is_none();
+            for (i, d) in self.data.iter().enumerate().filter(|(i, _)| known(i) && !case.wrong[*i]) {
                 let uses: Vec<Need> = read.uses.iter().filter(|u| u.datum == i).map(|u| u.need).collect();
                 if read.scene.is_none() && uses.is_empty() {
                     // Perhaps it is used where the scene could not be read.
@@ -591,6 +600,7 @@ impl<'n> ProblemRead<'n> {
             name: "acceleration of free fall".to_owned(),
             unit,
             degrees: false,
+            unknown: None,
         });
         data
     }
@@ -705,7 +715,7 @@ fn draw(node: &Node, faults: &Faults) -> Option<Draw> {
     }
 }
 
-fn data_of<'n>(node: &'n Node, faults: &Faults) -> Vec<DatumRead<'n>> {
+fn data_of<'n>(node: &'n Node, faults: &'n Faults) -> Vec<DatumRead<'n>> {
     let mut list = Vec::new();
     for (symbol, key, value) in named(node, "data by symbol", faults) {
         if !scene::plain_name(symbol) {
@@ -733,8 +743,10 @@ fn data_of<'n>(node: &'n Node, faults: &Faults) -> Vec<DatumRead<'n>> {
             name: String::new(),
             unit: Unit::one(),
             degrees: false,
+            unknown: None,
         };
         let mut own = None;
+        let mut measured = None;
         let mut absent = false;
         let mut unit_known = false;
         let mut draw_wrong = false;
@@ -761,10 +773,20 @@ fn data_of<'n>(node: &'n Node, faults: &Faults) -> Vec<DatumRead<'n>> {
             let given = fields.get("draw");
             absent = given.is_some_and(is_none);
             own = given.filter(|_| !absent).and_then(|n| draw(n, faults));
-            draw_wrong = given.is_some() && !absent && own.is_none();
+            if let Some(n) = fields.get("unknown") {
+                datum.unknown = draw(n, faults);
+                draw_wrong = datum.unknown.is_none();
+                // On the sheet of a student it is not there.
+                let drawn = given.filter(|_| !std::mem::take(&mut absent));
+                if let Some(given) = drawn {
+                    faults.hint(given, "what is to be found is not drawn", "keep `unknown:` or `draw:`");
+                }
+            }
+            measured = fields.get("measured");
+            draw_wrong |= given.is_some() && !absent && own.is_none();
             fields.close();
         }
-        list.push(DatumRead { node: value, draw: own, absent, datum, unit_known, draw_wrong });
+        list.push(DatumRead { node: value, draw: own, absent, datum, unit_known, draw_wrong, measured });
     }
     list
 }

@@ -283,6 +283,9 @@ impl<'p> Maker<'p> {
         let mut solved = half.confirm(&case.scene, data).map_err(|refusal| unsolved(refusals, refusal))?;
         self.moves(case, &solved)?;
         if !agree::prove(&case.scene, data, &mut solved) {
+            if case.scene.formulas.found.is_some() {
+                return Err(unsolved(refusals, Refusal::NotUnique).into());
+            }
             return Err(DrawRule::Certain.into());
         }
         if let Some((question, share)) = make_key::wide(self.problem, &solved) {

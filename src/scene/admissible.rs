@@ -191,15 +191,23 @@ pub fn holds(scene: &Scene, data: &[f64], datum: Num, rule: Rule) -> bool {
     let of = |n: Num| scene.value(n, data);
     let value = of(datum);
     match rule {
+        Rule::Stretch => fits(scene, &of, value),
+        // A value that is not even finite has its own finding.
+        Rule::NotAbove(other) => !value.is_finite() || !of(other).is_finite() || value <= of(other),
+        _ => fits_rule(value, rule),
+    }
+}
+
+/// Does a value keep a rule that is about it alone?
+pub fn fits_rule(value: f64, rule: Rule) -> bool {
+    match rule {
         Rule::Range => value == 0.0 || !value.is_finite() || (LEAST..=MOST).contains(&value.abs()),
         Rule::Finite => value.is_finite(),
         Rule::Positive => value.is_finite() && value > 0.0,
         Rule::NotNegative => value.is_finite() && value >= 0.0,
         Rule::Slope => (0.0..=90.0).contains(&value),
         Rule::Angle => (-360.0..=360.0).contains(&value),
-        Rule::Stretch => fits(scene, &of, value),
-        // A value that is not even finite has its own finding.
-        Rule::NotAbove(other) => !value.is_finite() || !of(other).is_finite() || value <= of(other),
+        Rule::Stretch | Rule::NotAbove(_) => true,
     }
 }
 

@@ -17,7 +17,7 @@ pub struct Given {
 impl Given {
     /// Its value, SI; NaN where there is no such datum.
     pub fn value<T: Real>(self, data: &[f64]) -> T {
-        let value = T::datum(data.get(self.datum).copied().unwrap_or(f64::NAN));
+        let value = T::given(self.datum, data.get(self.datum).copied().unwrap_or(f64::NAN));
         if self.degrees { value * trig::radians_per_degree() } else { value }
     }
 }
@@ -82,6 +82,19 @@ pub struct Asked {
     pub powers: [i32; 3],
 }
 
+/// A datum that is found from a measurement: it is not given, and its value is the one that gives the measured datum.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Found {
+    /// The datum that is found.
+    pub unknown: Given,
+    /// Least and greatest value that it may have, as the scene takes it.
+    pub range: [f64; 2],
+    /// The datum that was measured.
+    pub measured: Given,
+    /// What it is the measurement of.
+    pub label: Label,
+}
+
 /// The formulas of a scene.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Formulas {
@@ -91,21 +104,28 @@ pub struct Formulas {
     pub asked: Vec<Asked>,
     /// The scene as if its contacts were others.
     pub others: Vec<(AsIf, Scene)>,
+    /// What is found from a measurement.
+    pub found: Option<Found>,
 }
 
 impl Formulas {
     /// Every datum that a formula looks up.
     pub fn givens(&self) -> impl Iterator<Item = Given> {
+        let found = self.found.iter().flat_map(|f| [f.unknown, f.measured]);
         let asked = self.asked.iter().flat_map(|a| a.formula.names()).filter_map(|term| match term {
             Term::Given(given) => Some(given),
             Term::Said(_) | Term::Other(..) => None,
         });
-        self.numbers.iter().flat_map(|n| n.formula.names()).chain(asked)
+        self.numbers.iter().flat_map(|n| n.formula.names()).chain(asked).chain(found)
     }
     /// Says which data the scene holds in degrees.
     pub fn settle(&mut self, degrees: &dyn Fn(usize) -> bool) {
         for number in &mut self.numbers {
             number.formula = number.formula.map(&mut |g: Given| Given { degrees: degrees(g.datum), ..g });
+        }
+        if let Some(found) = &mut self.found {
+            found.unknown.degrees = degrees(found.unknown.datum);
+            found.measured.degrees = degrees(found.measured.datum);
         }
         for (_, other) in &mut self.others {
             other.formulas.settle(degrees);
@@ -116,7 +136,12 @@ impl Formulas {
 impl Scene {
     /// A number of the scene in doubles, as the scene takes it; NaN where there is no such datum.
     pub fn value(&self, number: Num, data: &[f64]) -> f64 {
+        let unknown = self.formulas.found.filter(|f| Num::Datum(f.unknown.datum) == number);
         match number {
+            // Anything of its range stands for what is to be found.
+            Num::Datum(_) if unknown.is_some() => {
+                unknown.map_or(f64::NAN, |f| f64::midpoint(f.range[0], f.range[1]))
+            }
             Num::Datum(i) => data.get(i).copied().unwrap_or(f64::NAN),
             Num::Fixed(x) => x,
             Num::Derived(i) => self.formulas.numbers.get(i).map_or(f64::NAN, |n| n.value(data)),
@@ -161,6 +186,7 @@ impl Scene {
         }
         other.formulas.asked.clear();
         other.formulas.others.clear();
+        other.formulas.found = None;
         touches.then_some(other)
     }
     /// The data on which a number of the scene hangs.

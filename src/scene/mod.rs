@@ -22,7 +22,7 @@ pub use admissible::{Inadmissible, Rule};
 pub use ask::{Label, Owner, Quantity};
 pub use body::{Body, Line, Mass, Part, Particle, RotaryInertia, Shape, Slope};
 pub use force::Couple;
-pub use formula::{AsIf, Asked, Derived, Formulas, Given, Term};
+pub use formula::{AsIf, Asked, Derived, Formulas, Found, Given, Term};
 pub use link::{Attach, Cord, CordEnd, Far, Side, Tie};
 pub use motion::{Coordinate, Degree, End, Heading, Span, Start, Thrown};
 pub use numbers::{BodyNumbers, Numbers};

@@ -72,7 +72,7 @@ impl<'a, T: Real> Numbers<'a, T> {
     #[inline]
     pub fn get(&self, num: Num) -> T {
         match num {
-            Num::Datum(i) => T::datum(self.data.get(i).copied().unwrap_or(f64::NAN)),
+            Num::Datum(i) => T::given(i, self.data.get(i).copied().unwrap_or(f64::NAN)),
             Num::Fixed(x) => T::datum(x),
             Num::Derived(i) => self.derived.get(i).copied().unwrap_or_else(|| T::of(f64::NAN)),
         }

@@ -91,6 +91,10 @@ impl Scales {
             *new = self.own(unit, old);
             inside &= old == 0.0 || *new != 0.0 && exponent(*new).abs() <= ROOM;
         });
+        if let Some(found) = &mut scaled.formulas.found {
+            let power = self.of_powers(found.unknown.powers);
+            found.range = found.range.map(|x| ldexp(x, -power));
+        }
         for given in scene.formulas.givens() {
             let power = self.of_powers(given.powers);
             if let (Some(old), Some(new)) = (data.get(given.datum), numbers.get_mut(given.datum)) {

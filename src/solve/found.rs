@@ -2,7 +2,7 @@
 //! measurement. Each road finds it for itself, on its own equations, from the stated range alone.
 use crate::num::dd::pow2;
 use crate::num::{Real, ball};
-use crate::scene::{Found, Scene};
+use crate::scene::{Found, Label};
 use crate::solve::outcome::{Refusal, Road, Said};
 
 /// Places of the stated range at which a change of sign is looked for.
@@ -19,7 +19,7 @@ const MOST: u32 = 20_000;
 /// How a road answers: rounded to a double, and as it stands.
 pub trait Forward<T: Real> {
     /// What is measured, in doubles; NaN where there is none.
-    fn rough(&self, data: &[f64]) -> f64;
+    fn rough(&self, data: &[f64], label: Label) -> f64;
     /// The whole road.
     ///
     /// # Errors
@@ -36,17 +36,12 @@ fn miss<T: Real>(found: &Found, road: &Road<T>, data: &[f64]) -> Option<T> {
 ///
 /// # Errors
 /// Those of the road; no value of the stated range gives it, or it cannot be shown to be the only one.
-pub fn road<T: Real>(
-    scene: &Scene,
-    found: &Found,
-    data: &[f64],
-    forward: &dyn Forward<T>,
-) -> Result<Road<T>, Refusal> {
+pub fn road<T: Real>(found: &Found, data: &[f64], forward: &dyn Forward<T>) -> Result<Road<T>, Refusal> {
     let root = search(found, data, forward).ok_or(Refusal::NotFound)?;
     let mut at = data.to_vec();
     let unknown = found.unknown.datum;
     if T::ENCLOSES {
-        return enclosed(scene, found, &mut at, root, forward);
+        return enclosed(found, &mut at, root, forward);
     }
     at[unknown] = root;
     let mut near = forward.exact(&at)?;
@@ -71,21 +66,25 @@ fn search<T: Real>(found: &Found, data: &[f64], forward: &dyn Forward<T>) -> Opt
     let printed: f64 = found.measured.value(data);
     let mut miss = |x: f64| {
         at[found.unknown.datum] = x;
-        forward.rough(&at) - printed
+        forward.rough(&at, found.label) - printed
     };
     let [low, high] = found.range;
-    let place = |i: u32| low + (high - low) * f64::from(i) / f64::from(PLACES);
-    let mut before: Option<(f64, f64)> = None;
-    for i in 0..=PLACES {
-        let x = place(i);
-        let y = miss(x);
-        if y == 0.0 {
-            return Some(x);
+    // A wrong method may come to a value beyond the range; what is published may not.
+    let beyond = [(low, low - 3.0 * low.abs() / 4.0), (high, high + 3.0 * high.abs())];
+    let tried = std::iter::once((low, high)).chain(beyond.into_iter().filter(|_| T::is_double()));
+    for (low, high) in tried {
+        let mut before: Option<(f64, f64)> = None;
+        for i in 0..=PLACES {
+            let x = low + (high - low) * f64::from(i) / f64::from(PLACES);
+            let y = miss(x);
+            if y == 0.0 {
+                return Some(x);
+            }
+            if let Some((x0, y0)) = before.filter(|(_, y0)| y0 * y < 0.0) {
+                return Some(between((x0, y0), (x, y), &mut miss));
+            }
+            before = (!y.is_nan()).then_some((x, y));
         }
-        if let Some((x0, y0)) = before.filter(|(_, y0)| y0 * y < 0.0) {
-            return Some(between((x0, y0), (x, y), &mut miss));
-        }
-        before = (!y.is_nan()).then_some((x, y));
     }
     None
 }
@@ -120,7 +119,6 @@ fn between(mut a: (f64, f64), mut b: (f64, f64), miss: &mut dyn FnMut(f64) -> f6
 
 /// The road over an interval about the root, which is shown to hold every root of the range.
 fn enclosed<T: Real>(
-    scene: &Scene,
     found: &Found,
     at: &mut [f64],
     root: f64,
@@ -160,7 +158,6 @@ fn enclosed<T: Real>(
             }
         }
     }
-    let _ = scene;
     at[unknown] = root;
     ball::spread(unknown, width, || forward.exact(at))
 }

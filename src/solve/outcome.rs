@@ -372,6 +372,10 @@ pub enum Refusal {
         /// Rank found.
         rank: usize,
     },
+    /// No value of its range gives the measurement from which a datum is found.
+    NotFound,
+    /// That it is the only one in its range cannot be shown.
+    NotUnique,
     /// The ties leave this many freedoms; the program solves one, or two with slip.
     Freedoms(usize),
     /// The start and the ties leave the velocity of this coordinate open.

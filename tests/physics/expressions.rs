@@ -332,3 +332,115 @@ fn what_does_not_cancel_is_told() {
         assert!(all.iter().any(|f| f.contains(wanted)), "{wanted}\n{}", all.join("\n"));
     }
 }
+
+/// A stone that falls on the cord of a pulley, timed.
+fn stone(mass: &str, time: &str, questions: &str) -> String {
+    format!(
+        "bank: b
+title: B
+problems:
+  p:
+    title: A stone
+    data:
+      M:  {{name: mass of the pulley, unit: kg, draw: 6.0 to 14.0 step 0.5}}
+      y:  {{name: fall, unit: m, draw: 8.0 to 13.0 step 0.1}}
+      t1: {{name: measured time, unit: s, {time}}}
+      m:  {{name: mass of the stone, unit: kg, {mass}}}
+    scene:
+      bodies:
+        pulley: {{mass: M, shape: {{disc: any}}, moves: about a fixed axle}}
+        stone: {{mass: m, moves: vertically, positive: down}}
+      ties:
+        - cord: {{from: {{body: stone, tied at: centre, leaves: up}}, to: {{body: pulley, wound on: rim, leaves: back down}}}}
+      start: at rest
+      end: {{travel: {{of: stone, by: y}}}}
+    questions: {questions}
+    mistakes: {{A05: {{scene: {{bodies: {{pulley: {{mass: M, shape: {{hoop: any}}, moves: about a fixed axle}}, stone: {{mass: m, moves: vertically, positive: down}}}}}}}}}}
+    statement: s
+"
+    )
+}
+
+const UNKNOWN: &str = "unknown: 0.2 to 20 step 0.1";
+const TIMED: &str = "draw: 2.0 to 3.6 step 0.05, measured: t";
+const MASS: &str = "{mass: {value: m, unit: kg, ask: m}, tension: {unit: N, ask: T}}";
+
+#[test]
+fn what_is_unknown_is_found_from_the_printed_measurement() {
+    let bank = read(&stone(UNKNOWN, TIMED, MASS)).expect("a bank");
+    let problem = &bank.problems[0];
+    for i in 0..10 {
+        let variant = drawn(problem, &format!("s{i}"));
+        let [big, y, t, _, g] = variant.data[..] else { panic!("five data") };
+        assert!(variant.values[3].is_none(), "it is not printed");
+        let a = 2.0 * y / (t * t);
+        let entry = |i: usize| variant.solved.get(problem.questions[i].label).expect("an answer");
+        let expected = [big * a / (2.0 * (g - a)), big * a / 2.0];
+        for (i, expected) in expected.into_iter().enumerate() {
+            let e = entry(i);
+            for road in [e.eom, e.energy] {
+                let off = (road.expect("both roads") - expected).abs();
+                assert!(off < 8e-16 * e.cond * expected, "{road:?} {expected}");
+            }
+            assert!(e.bound.is_some_and(|b| b < 1e-8 * expected), "enclosed: {e:?}");
+        }
+        // m = M a/(2 (g - a)) moves with M as 1, with y as q = g/(g - a), with t as 2 q, and with g as q.
+        let q = g / (g - a);
+        assert!((entry(0).cond - (1.0 + 4.0 * q)).abs() < 1e-3, "{} {q}", entry(0).cond);
+        // Who takes the pulley for a hoop finds twice the mass from the same time.
+        let wrong = variant.wrong.iter().find(|w| w.label == problem.questions[0].label);
+        let off = wrong.map(|w| (w.value - 2.0 * expected[0]).abs() / expected[0]);
+        assert!(off.is_some_and(|off| off < 1e-9), "{wrong:?}");
+    }
+}
+
+#[test]
+fn what_is_wrong_with_an_inverse_question_is_told() {
+    let cases = [
+        (UNKNOWN, "draw: 2 to 3 step 0.1", "`m` is unknown, and nothing is measured"),
+        ("draw: 1 to 3 step 0.1", TIMED, "this is measured, and nothing is unknown"),
+        (UNKNOWN, "draw: 2 to 3 step 0.1, measured: stone.v", "`t1` has the dimension s, `stone.v` m s^-1"),
+        (UNKNOWN, "draw: 2 to 3 step 0.1, measured: time", "`time` is no quantity"),
+        (UNKNOWN, "draw: 2 to 3 step 0.1, measured: stone.direction", "only a number is measured"),
+        ("unknown: 0 to 3 step 0.1", TIMED, "`m` cannot have all values of this range"),
+        ("unknown: 0.2 to 20", TIMED, "has no step"),
+        ("unknown: 1 to 3 step 0.1, draw: always 2", TIMED, "what is to be found is not drawn"),
+    ];
+    for (mass, time, wanted) in cases {
+        let found = read(&stone(mass, time, MASS)).expect_err(wanted);
+        let all: Vec<String> = found.iter().map(ToString::to_string).collect();
+        assert!(all.iter().any(|f| f.contains(wanted)), "{wanted}\n{}", all.join("\n"));
+    }
+}
+
+#[test]
+fn what_two_values_give_is_refused() {
+    // The period is least where the pin is as far from G as the radius of gyration: nearer and farther pins share a period.
+    let bank = "bank: b
+title: B
+problems:
+  p:
+    title: A pendulum
+    data:
+      T: {name: measured period, unit: s, draw: always 1.7, measured: period_small}
+      h: {name: distance of the pin, unit: m, unknown: RANGE}
+    scene:
+      bodies: {body: {mass: 2 kg, radius of gyration: 0.3 m, pinned: {distance: h}, angle: from hanging}}
+      start: {body: {angle: 10 deg}}
+      end: {angle: {of: body, reaches: 0 deg}}
+    questions: {distance: {value: h, unit: m, ask: h}}
+    statement: s
+";
+    let drawn = |range: &str| {
+        let bank = read(&bank.replace("RANGE", range)).expect("a bank");
+        Maker::new(&bank.problems[0], 7, "set")
+            .giving_up_after(1)
+            .variant("s")
+            .map(|v| v.solved.entries.len())
+    };
+    let two = drawn("0.05 to 2 step 0.05").expect_err("two distances");
+    assert_eq!(two.unsolved, Some(slipstick::solve::outcome::Refusal::NotUnique));
+    let none = drawn("0.31 to 0.4 step 0.01").expect_err("no distance");
+    assert_eq!(none.unsolved, Some(slipstick::solve::outcome::Refusal::NotFound));
+    assert!(drawn("0.31 to 2 step 0.01").is_ok(), "one distance");
+}

@@ -20,6 +20,8 @@ use crate::scene::{
 use crate::solve::eom::equations::{CONSTANT, Response, SPRING, Setting, respond};
 use crate::solve::eom::integrate::{Event, Path, Wanted, path};
 use crate::solve::eom::travel::{State, Travel};
+use crate::solve::found;
+use crate::solve::found::Forward;
 use crate::solve::method::Rung;
 use crate::solve::outcome;
 use crate::solve::outcome::{Course, Grip, Held, Refusal, Road, Said, Unsupported};
@@ -29,7 +31,28 @@ use smallvec::{SmallVec, smallvec};
 ///
 /// Errors: equations that do not determine the motion.
 pub fn road<T: Real>(scene: &Scene, data: &[f64]) -> Result<Road<T>, Refusal> {
+    match &scene.formulas.found {
+        Some(found) => found::road(found, data, &Here(scene)),
+        None => answered(scene, data),
+    }
+}
+
+/// [`road`] with all data given.
+fn answered<T: Real>(scene: &Scene, data: &[f64]) -> Result<Road<T>, Refusal> {
     Ok(alone(scene, data)?.answering(scene, data, &|other| alone(other, data)))
+}
+
+/// This road of a scene, for the search of what is found from a measurement.
+struct Here<'s>(&'s Scene);
+
+impl<T: Real> Forward<T> for Here<'_> {
+    fn rough(&self, data: &[f64], label: Label) -> f64 {
+        let road = alone::<f64>(self.0, data).ok();
+        road.and_then(|road| road.get(label).map(|said| said.value)).unwrap_or(f64::NAN)
+    }
+    fn exact(&self, data: &[f64]) -> Result<Road<T>, Refusal> {
+        answered(self.0, data)
+    }
 }
 
 /// [`road`] without what is asked by formulas.
