@@ -371,12 +371,14 @@ fn problem(
         cases: &read_cases,
     };
     let mut mistakes = mistakes_node.map_or_else(Vec::new, |n| mistake::mistakes(n, &context, faults));
+    let whole = questions.iter().all(|(_, question)| question.is_some());
     let asked: Vec<Question> = match asks_node.map(|n| asks(n, &questions, faults)) {
         None => questions.into_iter().filter_map(|(_, q)| q).collect(),
         Some(ids) => ids.iter().filter_map(|id| questions.iter().find(|(n, _)| n == id)?.1.clone()).collect(),
     };
     review_any(&cases, &asked, questions_node, bounds_node, &data, faults);
-    let follows = follows_node.map_or_else(Vec::new, |n| mistake::follows(n, &asked, &context, faults));
+    let follows =
+        follows_node.map_or_else(Vec::new, |n| mistake::follows(n, (&asked, whole), &context, faults));
     if let Some(variables) = variables {
         let names = data.iter().filter(|d| d.unknown.is_none());
         let names: Vec<&str> = names.map(|d| d.symbol.as_str()).collect();

@@ -89,6 +89,11 @@ fn search<T: Real>(found: &Found, data: &[f64], forward: &dyn Forward<T>) -> Opt
     None
 }
 
+#[expect(clippy::float_cmp, reason = "a place between two neighbouring doubles is one of them")]
+fn ends(x: f64, a: f64, b: f64) -> bool {
+    x == a || x == b
+}
+
 /// Regula falsi after Dowell and Jarratt (1971, Illinois), with halving where that is slow.
 fn between(mut a: (f64, f64), mut b: (f64, f64), miss: &mut dyn FnMut(f64) -> f64) -> f64 {
     let mut kept = 0;
@@ -96,7 +101,7 @@ fn between(mut a: (f64, f64), mut b: (f64, f64), miss: &mut dyn FnMut(f64) -> f6
         let secant = b.0 - b.1 * (b.0 - a.0) / (b.1 - a.1);
         let inside = (a.0.min(b.0)..=a.0.max(b.0)).contains(&secant);
         let x = if inside && step % 3 != 2 { secant } else { f64::midpoint(a.0, b.0) };
-        if x == a.0 || x == b.0 {
+        if ends(x, a.0, b.0) {
             break;
         }
         let y = miss(x);
