@@ -73,7 +73,7 @@ fn draw(args: &args::GalleryArgs, io: &mut Io) -> Result<Findings, Findings> {
     let page = page::page((bank, &loaded.file), &chosen, &texts, (args.variants, args.seeds), &shown)?;
     let bytes = page.page.len();
     files::put_all(&[(args.out.clone(), page.page)])?;
-    let variants = terminal::count(usize::try_from(args.variants).unwrap_or(usize::MAX), "variant");
+    let variants = terminal::count(args.variants, "variant");
     let each = if page.missing.is_empty() { "" } else { ", where so many could be drawn" };
     io.line(&format!(
         "{} of {variants} each{each}, {} kB, in {} (for instructors: it holds keys)",

@@ -148,7 +148,5 @@ fn page<'p>(
     }
     view.value("entries", template::list(entries.iter().map(|e| link(&e.href, &e.what)).collect()));
     view.value("people", template::list(people.collect()));
-    let mut out = Vec::new();
-    texts.templates.render("index.html", &view, &mut out)?;
-    Ok(out)
+    texts.templates.made("index.html", &view)
 }

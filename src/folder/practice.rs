@@ -88,7 +88,7 @@ pub fn page(plan: &PracticePlan) -> Result<Vec<u8>, Findings> {
         ));
     }
     // The problems stand before what is said about answers.
-    let around = converter.body(&around, &[], PlaceInPage { lower: 0, prefix: "", boxes: &[] });
+    let around = converter.body(&around, &[], PlaceInPage::default());
     let (before, after) = around.split_at(around.find("<hr>").unwrap_or(around.len()));
     let body = format!("{before}{tasks}{after}");
     Ok(html::page(templates, words, SET, &head, &body, Some(&tools))?)

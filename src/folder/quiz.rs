@@ -539,7 +539,7 @@ fn told(quiz: &Quiz, rows: &[QuizRow], takers: &Takers, unknown: &BTreeMap<&str,
         add(format!("never submitted, and judged all the same: {}", terminal::count(open, "attempt")));
     }
     if !unknown.is_empty() {
-        let answers = terminal::count(unknown.values().sum(), "answer");
+        let answers = terminal::count(unknown.values().sum::<usize>(), "answer");
         add(format!(
             "look at: questions whose code is none of this set, with {answers}: {}",
             listed(unknown)

@@ -249,7 +249,7 @@ fn feedback(
         let mut converter = Converter::new(&texts.words);
         for student in some {
             let (head, document) = writer.document(*student)?;
-            let body = converter.body(&document, &[], PlaceInPage { lower: 0, prefix: "", boxes: &[] });
+            let body = converter.body(&document, &[], PlaceInPage::default());
             let page = html::page(&texts.templates, &texts.words, "feedback", &head, &body, None)?;
             let name = format!("{}/{}", names::FEEDBACK, marks.class.students[*student].folder);
             write(&format!("{name}.html"), &page)?;
@@ -306,7 +306,7 @@ fn book<'m>(
 /// Markdown of one line to HTML without the paragraph around it.
 fn inline(converter: &mut Converter, markdown: &str) -> String {
     let document = Document::new(markdown.to_owned(), Vec::new());
-    let html = converter.body(&document, &[], PlaceInPage { lower: 0, prefix: "", boxes: &[] });
+    let html = converter.body(&document, &[], PlaceInPage::default());
     let html = html.trim();
     let inner = html.strip_prefix("<p>").and_then(|h| h.strip_suffix("</p>"));
     inner.filter(|h| !h.contains("<p>")).unwrap_or(html).to_owned()

@@ -450,8 +450,7 @@ impl StudySheet<'_> {
         });
         view.value("rows", template::list(rows.collect()));
         view.value("notes", template::list(self.refusals().iter().map(|t| text(t)).collect()));
-        let mut out = Vec::new();
-        Templates::english().render("accuracy.html", &view, &mut out)?;
+        let out = Templates::english().made("accuracy.html", &view)?;
         Ok(String::from_utf8(out).unwrap_or_default())
     }
 }

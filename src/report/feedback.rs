@@ -62,10 +62,7 @@ impl FeedbackWriter<'_> {
         let problems =
             (0..self.marks.class.problems.len()).map(|i| self.problem(student, i, dropped)).collect();
         view.value("problems", template::list(problems));
-        let mut out = Vec::new();
-        self.templates.render("feedback.md", &view, &mut out)?;
-        let mut markdown = String::from_utf8_lossy(&out).trim_end().to_owned();
-        markdown.push('\n');
+        let markdown = self.templates.markdown("feedback.md", &view)?;
         Ok((head, Document::new(markdown, Vec::new())))
     }
 

@@ -94,7 +94,7 @@ pub fn told(graded: &str, now: &KeyTable, trials: &[Trial], totals: &[f64], answ
         text.push_str(&format!(
             "  warning: at {} % {} of a known wrong method would be right:\n",
             terminal::per_cent(trial.share),
-            terminal::count(usize::try_from(total.methods).unwrap_or(usize::MAX), "answer")
+            terminal::count(total.methods, "answer")
         ));
         let mut list: Vec<(&String, &u64)> = trial.what.methods.iter().collect();
         list.sort_by(|a, b| b.1.cmp(a.1).then(a.0.cmp(b.0)));

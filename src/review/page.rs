@@ -106,8 +106,7 @@ pub fn page(
     view.value("words", template::map(names.iter().map(phrase)));
     view.value("problems", template::list(shown));
     view.foreign("chance", review::chance(sweeps).first().map_or("", String::as_str));
-    let mut page = Vec::new();
-    texts.templates.render("gallery.html", &view, &mut page)?;
+    let page = texts.templates.made("gallery.html", &view)?;
     Ok(Gallery { page: String::from_utf8_lossy(&page).into_owned(), missing })
 }
 

@@ -29,7 +29,7 @@ const PHONE: usize = 28;
 pub const PAPER: usize = 70;
 
 /// Where a document stands in a page.
-#[derive(Debug, Clone, Copy)]
+#[derive(Default, Debug, Clone, Copy)]
 pub struct PlaceInPage<'p> {
     /// Levels that its headings go down: 0 for a page of its own, 1 in a booklet.
     pub lower: usize,
@@ -389,9 +389,7 @@ pub fn page(
     view.text("code", &head.code);
     view.text("running", &running_head(head));
     view.text("body", body.trim_end());
-    let mut out = Vec::new();
-    templates.render("sheet.html", &view, &mut out)?;
-    Ok(out)
+    templates.made("sheet.html", &view)
 }
 
 /// One page with all of a set: each document, its headings lowered by one, is an article with the id `s1`, `s2`, ...
@@ -424,9 +422,7 @@ pub fn booklet<'p>(
         ])
     });
     view.value("sheets", template::list(list.collect()));
-    let mut out = Vec::new();
-    templates.render("booklet.html", &view, &mut out)?;
-    Ok(out)
+    templates.made("booklet.html", &view)
 }
 
 /// Figures bring their style along; in one page each style is needed once, and counts for all figures.

@@ -87,10 +87,7 @@ pub fn document<'k>(
         ])
     });
     view.value("problems", template::list(list.collect()));
-    let mut out = Vec::new();
-    templates.render("key-table.md", &view, &mut out)?;
-    let mut markdown = String::from_utf8_lossy(&out).trim_end().to_owned();
-    markdown.push('\n');
+    let markdown = templates.markdown("key-table.md", &view)?;
     let title = format!("{}: {}", words.get("sheet.key"), bank.title);
     let head = Head { title, set: set.to_owned(), ..Head::default() };
     Ok((head, Document::new(markdown, Vec::new())))

@@ -217,8 +217,7 @@ impl<'o> DocumentWriter<'o> {
         if self.wants(Format::Pdf) {
             files.push(("key-table.pdf", self.pressed(&[(&head, &document)])?));
         }
-        let body =
-            Converter::new(words).body(&document, &[], PlaceInPage { lower: 0, prefix: "", boxes: &[] });
+        let body = Converter::new(words).body(&document, &[], PlaceInPage::default());
         files.push(("key-table.html", html::page(templates, words, "key", &head, &body, None)?));
         Ok(files)
     }

@@ -155,10 +155,7 @@ impl<'b> Sheets<'b> {
         }
         let mut view = self.view(&head);
         view.value("problems", template::list(problems));
-        let mut out = Vec::new();
-        self.templates.render("sheet.md", &view, &mut out)?;
-        let mut markdown = String::from_utf8_lossy(&out).trim_end().to_owned();
-        markdown.push('\n');
+        let markdown = self.templates.markdown("sheet.md", &view)?;
         Ok((head, Document::new(markdown, pictures)))
     }
 

@@ -78,8 +78,7 @@ impl ClassReporter<'_> {
         let tables = self.tables(&mut *rich);
         let mut view = View::new();
         view.fields(&self.page(about, &tables, rich));
-        let mut html = Vec::new();
-        templates.render("report.html", &view, &mut html)?;
+        let html = templates.made("report.html", &view)?;
         Ok(ClassReport { html, tables })
     }
 
