@@ -103,7 +103,7 @@ impl<'w> Judge<'w> {
             return row;
         };
         let index = self.job.index(who, what);
-        row.max_points = table.quick(index).1.points;
+        row.max_points = table.points(index);
         if of_another && !blank(cell.answer) {
             row.verdict = Verdict::Superseded;
             let (code, counts_code) = (lossy(cell.code), table.code(who as usize, what as usize));

@@ -128,7 +128,7 @@ const SHOWN: usize = 3;
 
 /// Refuses to guess: where lateness bears on marks and an answer that counts has no time that can be read, the course must say
 /// what holds.
-fn said_of_unread(open: Open<'_>, job: &GradingJob, winners: &[Winner]) -> Result<(), GradeFault> {
+fn need_unread_setting(open: Open<'_>, job: &GradingJob, winners: &[Winner]) -> Result<(), GradeFault> {
     let (rules, layout) = (job.rules, job.layout);
     if !rules.policy.timed() || rules.policy.late.unread.is_some() {
         return Ok(());
@@ -214,7 +214,7 @@ pub fn grade(
         progress(before + now);
     };
     let mut chosen = choose_winners(open, &job, threads, &mut heard)?;
-    said_of_unread(open, &job, &chosen.winners)?;
+    need_unread_setting(open, &job, &chosen.winners)?;
     if layout.submitted.is_none() && rules.policy.timed() {
         // All are undated, and cost alike: which one counts does not change.
         let width = table.columns.len().max(1);
@@ -248,7 +248,7 @@ pub fn grade(
     // What is given to all is given to those who handed in nothing, too.
     for (index, points) in graded.points.iter_mut().enumerate().filter(|(_, p)| p.is_none()) {
         if let Some((share, _)) = rules.correction(index % table.columns.len().max(1), false) {
-            *points = Some(policy::plain(table.quick(index).1.points * share));
+            *points = Some(policy::plain(table.points(index) * share));
         }
     }
     Ok(graded)

@@ -376,6 +376,11 @@ impl KeyTable {
         let key = &self.quick[index];
         (key, &self.asked[key.asked as usize].1)
     }
+    /// The most points of an entry.
+    #[inline]
+    pub(crate) fn points(&self, index: usize) -> f64 {
+        self.quick(index).1.points
+    }
     /// The points of a column, if they are the same for all of whom a number is asked there.
     pub(crate) fn points_of_all(&self, column: usize) -> Option<f64> {
         let asked = self.asked.iter().filter(|(of, asked)| *of == column && asked.unit != WORD);

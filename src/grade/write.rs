@@ -157,7 +157,7 @@ impl<'w> RowWriter<'w> {
                 let column = &table.columns[what as usize];
                 (of_problem, of_part) = (column.number.to_string().into(), column.part.as_str().into());
                 let who = table.student(student);
-                max_points = who.map_or(0.0, |who| table.quick(self.judge.job.index(who, what)).1.points);
+                max_points = who.map_or(0.0, |who| table.points(self.judge.job.index(who, what)));
             }
         }
         AnswerRow {
