@@ -48,7 +48,7 @@ fn used() -> BTreeMap<String, Vec<String>> {
 fn every_wrong_method_of_a_bank_has_words_and_no_words_are_idle() {
     let catalogue = Catalogue::shared("en");
     let used = used();
-    let listed: BTreeSet<&str> = ids(&catalogue).into_iter().collect();
+    let listed: BTreeSet<&str> = ids(catalogue).into_iter().collect();
     assert_eq!(listed.len(), catalogue.entries().len(), "an id stands twice in the catalogue");
     let wordless: Vec<_> = used.iter().filter(|(id, _)| !listed.contains(id.as_str())).collect();
     assert!(wordless.is_empty(), "without words: {wordless:?}");
@@ -62,7 +62,7 @@ fn every_language_has_words_for_the_same_wrong_methods() {
     let english = Catalogue::shared("en");
     for language in Words::languages() {
         let other = Catalogue::of(language).unwrap_or_else(|| panic!("no catalogue in {language}"));
-        assert_eq!(ids(&english), ids(&other), "{language}");
+        assert_eq!(ids(english), ids(&other), "{language}");
         if language != "en" {
             for (a, b) in english.entries().iter().zip(other.entries()) {
                 for ((field, a_text), (_, b_text)) in texts(a).iter().zip(texts(b)) {
