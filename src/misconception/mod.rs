@@ -6,9 +6,9 @@ pub mod catalogue;
 use crate::bank::expression::Expression;
 use crate::bank::{Mistake, Problem};
 use crate::num::{Fast, Real as _};
-use crate::scene::Label;
+use crate::scene::{Label, Quantity};
 use crate::solve::agree::Quick;
-use crate::solve::outcome::{Entry, Road, Solved};
+use crate::solve::outcome::{Asked, Entry, Road, Solved};
 use smallvec::SmallVec;
 
 /// Where a wrong method comes to for one quantity.
@@ -58,7 +58,7 @@ pub fn value(
 #[derive(Debug)]
 pub struct Methods<'p> {
     problem: &'p Problem,
-    /// Those that need no other solution first: they cost least.
+    /// Those that guard a draw first, and of these first those that need no other solution: they cost least.
     methods: Vec<Method<'p>>,
 }
 
@@ -87,22 +87,29 @@ impl<'p> Methods<'p> {
                 true => right,
                 false => mistake.scenes.get(case).and_then(Option::as_ref),
             };
-            let solves = scene.zip(right).filter(|_| changes);
             let spoils = labels.iter().filter_map(|label| {
                 let expression = mistake.values.iter().find(|(l, _)| l == label).map(|(_, e)| e);
                 let spoilt = changes && (mistake.of.is_empty() || mistake.of.contains(label));
                 (spoilt || expression.is_some()).then_some((*label, expression))
             });
-            Method {
-                index,
-                mistake,
-                solves: solves.map(|(scene, right)| Quick::new(scene, right, &changed)),
-                spoils: spoils.collect(),
-            }
+            let spoils: Vec<(Label, Option<&Expression>)> = spoils.collect();
+            let asked = Asked::only(spoils.iter().flat_map(needed));
+            let quick = |(scene, right)| Quick::new(scene, right, &changed, asked);
+            Method { index, mistake, solves: scene.zip(right).filter(|_| changes).map(quick), spoils }
         };
         let mut methods: Vec<Method> = mistakes.map(method).filter(|m| !m.spoils.is_empty()).collect();
-        methods.sort_by_key(|m| m.solves.is_some());
+        methods.sort_by_key(|m| (m.mistake.unguarded.is_some(), m.solves.is_some()));
         Self { problem, methods }
+    }
+
+    /// The quantities of the right solution from which they start.
+    pub fn quantities(&self) -> impl Iterator<Item = Quantity> {
+        self.methods.iter().flat_map(|m| {
+            let data = m.mistake.data.iter().flat_map(|(_, e)| e.quantities());
+            let values =
+                m.spoils.iter().flat_map(|(label, e)| e.iter().flat_map(|e| e.quantities()).chain([*label]));
+            data.chain(values).map(|label| label.quantity)
+        })
     }
 
     /// Where they come to, in the order of the problem. After a value of which `go_on` says no, no other method is begun; it is
@@ -113,7 +120,7 @@ impl<'p> Methods<'p> {
         solved: &Solved,
         go_on: &mut dyn FnMut(&Wrong) -> bool,
     ) -> Vec<Wrong> {
-        let mut found = Vec::new();
+        let mut found = Vec::with_capacity(self.methods.iter().map(|m| m.spoils.len()).sum());
         for method in &self.methods {
             let mut more = true;
             method.values(self.problem, data, solved, &mut |wrong| {
@@ -126,6 +133,14 @@ impl<'p> Methods<'p> {
         }
         found.sort_by_key(|w| w.mistake);
         found
+    }
+}
+
+/// The quantities from which the value of a spoilt one is made.
+fn needed((label, expression): &(Label, Option<&Expression>)) -> Vec<Quantity> {
+    match expression {
+        Some(expression) => expression.quantities().map(|l| l.quantity).collect(),
+        None => vec![label.quantity],
     }
 }
 

@@ -52,7 +52,8 @@ fn both_roads_and_checks(b: divan::Bencher, slip: bool) {
 #[divan::bench(args = [false, true])]
 fn condition_numbers(b: divan::Bencher, slip: bool) {
     let (scene, data) = pulled(slip);
-    let half = slipstick::solve::agree::first(&scene, &data).expect("a wheel that is pulled");
+    let half = slipstick::solve::agree::first(&scene, &data, slipstick::solve::outcome::Asked::ALL)
+        .expect("a wheel that is pulled");
     b.with_inputs(|| half.clone()).bench_values(|mut half| half.weigh(divan::black_box(&scene), &data));
 }
 #[divan::bench(args = [false, true])]

@@ -26,7 +26,7 @@ use crate::solve::energy::quadrature::{Sum, Summed};
 use crate::solve::energy::speeds::Mode;
 use crate::solve::method::Method;
 use crate::solve::outcome;
-use crate::solve::outcome::{Course, Grip, Refusal, Road, Said};
+use crate::solve::outcome::{Asked, Course, Grip, Refusal, Road, Said};
 use smallvec::{SmallVec, smallvec};
 use std::cell::Cell;
 
@@ -294,7 +294,7 @@ impl<'a, T: Real> Ledger<'a, T> {
             mode
         };
         let loose = loose.filter(|_| mode.of(end).is_zero()).unwrap_or_else(|| mode.clone());
-        let road = Road::new();
+        let road = Road::new(Asked::ALL);
         Ok(Self {
             scene,
             n,

@@ -22,24 +22,29 @@ use crate::solve::eom::integrate::{Event, Path, Wanted, path};
 use crate::solve::eom::travel::{State, Travel};
 use crate::solve::method::Rung;
 use crate::solve::outcome;
-use crate::solve::outcome::{Course, Grip, Held, Refusal, Road, Said, Unsupported};
+use crate::solve::outcome::{Asked, Course, Grip, Held, Refusal, Road, Said, Unsupported};
 use smallvec::{SmallVec, smallvec};
 
 /// Everything that the equations of motion say of a scene whose data are admissible.
 ///
 /// Errors: equations that do not determine the motion.
 pub fn road<T: Real>(scene: &Scene, data: &[f64]) -> Result<Road<T>, Refusal> {
+    road_of(scene, data, Asked::ALL)
+}
+
+/// What they say of what is asked. Errors: those of [`road`].
+pub fn road_of<T: Real>(scene: &Scene, data: &[f64], asked: Asked) -> Result<Road<T>, Refusal> {
     let n = Numbers::<T>::new(scene, data);
     if let Some((body, pin)) = scene.pinned() {
-        return swing::road(scene, n, body, pin);
+        return Ok(swing::road_by(scene, n, (body, pin), asked, None)?.0);
     }
     if matches!(scene.end, End::AtOnce) {
-        return instant::road(scene, &n);
+        return instant::road(scene, &n, asked);
     }
     if let Some(thrown) = scene.thrown() {
-        return thrown::road(scene, &n, &thrown);
+        return Ok(thrown::road_by(scene, &n, &thrown, asked, None)?.0);
     }
-    Ok(Walk::new(scene, n)?.walk()?.0)
+    Ok(Walk::new(scene, n, asked)?.walk()?.0)
 }
 
 /// [`road`], with the states at its events from the steps of this rung and not from the closed form; what it cost. `asked`
@@ -54,15 +59,15 @@ pub fn road_by<T: Real>(
 ) -> Result<(Road<T>, Count), Refusal> {
     let n = Numbers::<T>::new(scene, data);
     if let Some((body, pin)) = scene.pinned() {
-        return swing::road_by(scene, n, (body, pin), Some((rung, asked)));
+        return swing::road_by(scene, n, (body, pin), Asked::ALL, Some((rung, asked)));
     }
     if matches!(scene.end, End::AtOnce) {
-        return Ok((instant::road(scene, &n)?, Count::default()));
+        return Ok((instant::road(scene, &n, Asked::ALL)?, Count::default()));
     }
     if let Some(thrown) = scene.thrown() {
-        return thrown::road_by(scene, &n, &thrown, Some(rung));
+        return thrown::road_by(scene, &n, &thrown, Asked::ALL, Some(rung));
     }
-    let mut walk = Walk::new(scene, n)?;
+    let mut walk = Walk::new(scene, n, Asked::ALL)?;
     walk.by = Some((rung, asked));
     walk.walk()
 }
@@ -81,7 +86,7 @@ struct Spring<T> {
 }
 
 /// Responses with one slipping contact taken as rolling.
-type Rolled<T> = SmallVec<[(usize, Response<T>); 1]>;
+type Rolled<T> = Vec<(usize, Response<T>)>;
 
 struct Walk<'a, T: Real> {
     scene: &'a Scene,
@@ -101,11 +106,12 @@ struct Walk<'a, T: Real> {
     started: bool,
     /// Steps instead of the closed form: the rung, and which quantities are wanted.
     by: Option<(Rung, &'a dyn Fn(Quantity) -> bool)>,
+    asked: Asked,
     road: Road<T>,
 }
 
 impl<'a, T: Real> Walk<'a, T> {
-    fn new(scene: &'a Scene, n: Numbers<'a, T>) -> Result<Self, Refusal> {
+    fn new(scene: &'a Scene, n: Numbers<'a, T>, asked: Asked) -> Result<Self, Refusal> {
         let end = scene.ending_coordinate();
         // What is given as 0 is no speed.
         let given = scene.start.iter().find_map(|s| match s {
@@ -297,7 +303,8 @@ impl<'a, T: Real> Walk<'a, T> {
             v0,
             started,
             by: None,
-            road: Road::new(),
+            asked,
+            road: Road::new(asked),
         })
     }
 
@@ -305,9 +312,20 @@ impl<'a, T: Real> Walk<'a, T> {
         self.say_scaled(quantity, of, value, value.f64().abs());
     }
     fn say_scaled(&mut self, quantity: Quantity, of: Owner, value: T, scale: f64) {
-        let label = Label { quantity, of };
-        let scale = scale * pow2(self.n.exponent(quantity));
-        self.road.said.push(Said { label, value: self.n.publish(quantity, value), scale });
+        if self.asked.quantities.has(quantity) {
+            let label = Label { quantity, of };
+            let scale = scale * pow2(self.n.exponent(quantity));
+            self.road.said.push(Said { label, value: self.n.publish(quantity, value), scale });
+        }
+    }
+    fn hold(&mut self, held: Held<T>) {
+        if self.asked.held {
+            self.road.held.push(held);
+        }
+    }
+    /// Is one of these quantities asked?
+    fn asks(&self, quantities: &[Quantity]) -> bool {
+        self.asked.any(quantities)
     }
 
     /// Velocity of a coordinate per unit velocity of the ending one.
@@ -429,11 +447,13 @@ impl<'a, T: Real> Walk<'a, T> {
         if let (true, Some(s), Some((slack, _)), Some((tie, ..))) =
             (reached, s, travel.slack, self.scene.spring())
         {
-            self.road.held.push(Held::Slack(tie, s, slack));
+            self.hold(Held::Slack(tie, s, slack));
         }
         let path = self.stepped(&travel, if reached { s } else { None })?;
         let (met, peak, rest) = path.map_or((None, None, None), |p| (p.end, p.fastest, p.turning));
-        if (self.spring.is_some() || !v0.is_zero()) && self.along(self.end.body) == Some(self.end) {
+        let beyond = self.asks(&[Quantity::VMax, Quantity::DAtVMax, Quantity::DTurn]);
+        let starts = self.spring.is_some() || !v0.is_zero();
+        if beyond && starts && self.along(self.end.body) == Some(self.end) {
             let body = Owner::Body(self.end.body);
             if let Some((at, v)) = peak.map(|p| (p.s, p.u)).or_else(|| travel.fastest()) {
                 self.say(Quantity::VMax, body, v);
@@ -515,6 +535,9 @@ impl<'a, T: Real> Walk<'a, T> {
 
     /// Friction that rolling would need, where a contact is said to slip.
     fn contacts_if_rolled(&mut self) {
+        if !self.asked.held && !self.asks(&[Quantity::FrictionIfRolled, Quantity::MuRequired]) {
+            return;
+        }
         for (t, rolled) in std::mem::take(&mut self.rolled) {
             let Tie::Slip { body, mu_s, radius_m, .. } = &self.scene.ties[t] else { continue };
             let friction = rolled.reaction(t, CONSTANT);
@@ -533,7 +556,7 @@ impl<'a, T: Real> Walk<'a, T> {
             let against = slip.signed(-friction.sign());
             let available = self.n.get(*mu_s) * normal;
             let force = |f: T| self.n.publish(Quantity::Friction, f);
-            self.road.held.push(Held::Slipping(t, force(friction), force(available), against, along.sign()));
+            self.hold(Held::Slipping(t, force(friction), force(available), against, along.sign()));
         }
     }
 
@@ -550,12 +573,15 @@ impl<'a, T: Real> Walk<'a, T> {
 
     /// Normal forces, friction needed over the whole motion, tensions of the cords.
     fn grip(&mut self, tension0: T, tension1: T) {
+        if !self.asked.held && !self.asks(&[Quantity::Normal, Quantity::MuRequired]) {
+            return;
+        }
         for b in 0..self.scene.bodies.len() {
             if self.scene.bodies[b].line.is_some_and(|l| l.surface) {
                 let normal = self.response.normal(b);
                 self.say(Quantity::Normal, Owner::Body(b), normal);
                 let force = self.n.publish(Quantity::Normal, normal).f64();
-                self.road.held.push(Held::Pressed(b, force));
+                self.hold(Held::Pressed(b, force));
             }
         }
         for (t, tie) in self.scene.ties.iter().enumerate() {
@@ -566,7 +592,7 @@ impl<'a, T: Real> Walk<'a, T> {
                     self.say_open(Quantity::MuRequired, Owner::Body(*body));
                 }
                 if matches!(tie, Tie::Roll { mu_s: Some(_), .. } | Tie::Cord(_)) {
-                    self.road.held.push(Held::Open(t));
+                    self.hold(Held::Open(t));
                 }
                 continue;
             }
@@ -581,14 +607,14 @@ impl<'a, T: Real> Walk<'a, T> {
                     }
                     let force = |f: T| self.n.publish(Quantity::Friction, f);
                     let available = mu_s.map(|mu| force(self.n.get(mu) * normal));
-                    self.road.held.push(Held::Rolling(t, force(most), available));
+                    self.hold(Held::Rolling(t, force(most), available));
                 }
-                Tie::Cord(c) if matches!(c.to, Far::Body(_) | Far::Fixed) => {
+                Tie::Cord(c) if matches!(c.to, Far::Body(_) | Far::Fixed) && self.asked.held => {
                     let (first, last) = (self.friction(t, tension0), self.friction(t, tension1));
                     let (least, at) = if last.below(first) { (last, tension1) } else { (first, tension0) };
                     let share = self.share_of_tension(t, c, least, at);
                     let force = self.n.publish(Quantity::Tension, least).f64();
-                    self.road.held.push(Held::Cord(t, force, share));
+                    self.hold(Held::Cord(t, force, share));
                 }
                 _ => {}
             }
@@ -679,6 +705,9 @@ impl<'a, T: Real> Walk<'a, T> {
     }
 
     fn accelerations(&mut self, tension: T) {
+        if !self.asks(&[Quantity::A, Quantity::Alpha]) {
+            return;
+        }
         for b in 0..self.scene.bodies.len() {
             for (c, q) in [(self.along(b), Quantity::A), (self.turn(b), Quantity::Alpha)] {
                 if let Some(c) = c {
@@ -696,6 +725,9 @@ impl<'a, T: Real> Walk<'a, T> {
 
     /// Friction of the contacts and tension of the cords at this tension of the spring.
     fn forces(&mut self, tension: T) {
+        if !self.asks(&[Quantity::Friction, Quantity::Tension]) {
+            return;
+        }
         for (t, tie) in self.scene.ties.iter().enumerate() {
             match tie {
                 Tie::Roll { body, .. } | Tie::Slip { body, .. } | Tie::Slide { body, .. }
@@ -797,6 +829,9 @@ impl<'a, T: Real> Walk<'a, T> {
     /// under constant pulls with a given radius of gyration; infinite where friction points up at any k.
     fn bound_of_gyration(&mut self) {
         let [body] = self.scene.bodies.as_slice() else { return };
+        if !self.asks(&[Quantity::KBound]) {
+            return;
+        }
         let mut radius = None;
         let numbers = self.n.bodies[0];
         let (mut force, mut moment) = (-(numbers.mass * self.n.gravity * numbers.climb), T::zero());
