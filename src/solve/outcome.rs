@@ -247,7 +247,7 @@ pub struct Entry {
     /// From work and energy.
     pub energy: Option<f64>,
     /// Condition number with respect to the data, g and angles included; infinite for 0 with nonzero sensitivity, but that of
-    /// a place that is 0 is told by the scale of its terms.
+    /// a place that is 0 is told by the scale of its terms. NaN where it was not asked for.
     pub cond: f64,
     /// Proved: the true answer for the printed data lies within this of [`Entry::value`], SI. `None` where nothing is
     /// proved.

@@ -28,7 +28,8 @@ fn main() {
     let has = |text: &&&str| text.lines().any(|line| line.trim() == format!("{id}:"));
     let text = BANKS.iter().find(has).expect("a built-in problem");
     let bank = slipstick::bank::load::scenes_only(text, "bank").expect("a bank of the project");
-    let (templates, words) = (Templates::english(), Words::english());
+    let (mut templates, words) = (Templates::english(), Words::english());
+    slipstick::sheet::statement::add_own(&mut templates, &bank).expect("the bank's own texts");
     let index = bank.problems.iter().position(|p| p.id == id).expect("a problem of the bank");
     let problem = &bank.problems[index];
     let sheets = Sheets::new(&templates, &words, &bank, "one file", &[index]).expect("templates");
