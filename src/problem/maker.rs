@@ -14,7 +14,7 @@ use crate::problem::rule::{DrawRule, Refused};
 pub use crate::problem::variant::Variant;
 use crate::scene::{End, Label, Numbers, Owner, Quantity, Scene};
 use crate::solve::agree;
-use crate::solve::outcome::{Asked, Check, CheckKind, Entry, Refusal, Solved};
+use crate::solve::outcome::{Check, CheckKind, Entry, Refusal, Scope, Solved};
 use std::fmt;
 use std::sync::OnceLock;
 
@@ -97,7 +97,7 @@ pub struct Maker<'p> {
 struct DrawPlan<'p> {
     methods: Methods<'p>,
     /// What the rules ask of the first road.
-    asked: Asked,
+    asked: Scope,
 }
 
 /// A right answer, and how near to it a wrong method may not come; NaN where there is no number.
@@ -297,6 +297,9 @@ impl<'p> Maker<'p> {
         let mut solved = half.confirm(&case.scene, data).map_err(|refusal| unsolved(refusals, refusal))?;
         self.moves(case, &solved)?;
         if !agree::prove(&case.scene, data, &mut solved) {
+            if case.scene.formulas.found.is_some() {
+                return Err(unsolved(refusals, Refusal::NotUnique).into());
+            }
             return Err(DrawRule::Certain.into());
         }
         if let Some((question, share)) = make_key::wide(self.problem, &solved) {
@@ -320,8 +323,11 @@ impl<'p> Maker<'p> {
             let bounds = self.problem.cases[index].bounds.iter().flat_map(|b| b.expression.quantities());
             let energies = [Quantity::KineticEnergy, Quantity::Rise, Quantity::WorkPull];
             let named = labels.iter().copied().chain(bounds).map(|label| label.quantity);
-            let asked = Asked::only(named.chain(energies).chain(methods.quantities()));
-            DrawPlan { methods, asked: Asked { held: true, ..asked } }
+            let asked = Scope::only(named.chain(energies).chain(methods.quantities()));
+            // A formula may need any quantity.
+            let formulas = &self.problem.cases[index].scene.formulas;
+            let all = formulas.found.is_some() || !formulas.asked.is_empty();
+            DrawPlan { methods, asked: if all { Scope::ALL } else { Scope { held: true, ..asked } } }
         })
     }
 
@@ -508,7 +514,11 @@ fn input_energy(scene: &Scene, data: &[f64], solved: &Solved) -> Option<f64> {
             energy = energy + n.bodies[b].mass * n.gravity * Dd::new((-value).max(0.0));
         }
     }
-    let pulls = solved.entries.iter().filter(|e| e.label.quantity == Quantity::WorkPull).map(Entry::value);
+    let pulls = solved
+        .entries
+        .iter()
+        .filter(|e| e.label.quantity == Quantity::WorkPull && matches!(e.label.of, Owner::Tie(_)))
+        .map(Entry::value);
     Some(n.publish(Quantity::KineticEnergy, energy).hi + pulls.map(|w| w.max(0.0)).sum::<f64>())
 }
 

@@ -3,7 +3,7 @@ use crate::num::{Ball, Dd, Fast, NOISE, Real, U, ball, dd};
 use crate::scene::admissible::Rule;
 use crate::scene::{End, Far, Label, Num, Owner, Quantity, Scales, Scene, Start, Tie, admissible};
 use crate::solve::condition::vanishes;
-use crate::solve::outcome::{Asked, Entry, Motion, Refusal, Regime, Road, Said, Solved, Unsupported};
+use crate::solve::outcome::{Entry, Motion, Refusal, Regime, Road, Said, Scope, Solved, Unsupported};
 use crate::solve::{condition, energy, eom, physical};
 
 /// Each road may be off by `8 u max(1, cond)`.
@@ -21,7 +21,7 @@ const ORDINARY: f64 = (1u128 << 100) as f64;
 /// What the equations of motion alone say: nothing of it may be published before [`Half::confirm`].
 #[derive(Debug, Clone)]
 pub struct Half {
-    asked: Asked,
+    asked: Scope,
     solved: Solved,
     /// The same in the units in which it is computed, where these are not those of SI.
     own: Option<Solved>,
@@ -35,21 +35,21 @@ pub struct Half {
 /// values and its condition number. Errors: data that are no scene, a combination that the assembly does not have,
 /// equations that do not determine the motion, two roads that differ by more than `16 u max(1, cond)`.
 pub fn solve(scene: &Scene, data: &[f64]) -> Result<Solved, Refusal> {
-    let mut half = first(scene, data, Asked::ALL)?;
+    let mut half = first(scene, data, Scope::ALL)?;
     half.weigh(scene, data, |_| true);
     half.confirm(scene, data)
 }
 
 /// What the first road alone says of what is asked, so that a draw that breaks a rule is refused at a part of the cost. Errors:
 /// as for [`solve`], save that nothing is compared yet.
-pub fn first(scene: &Scene, data: &[f64], asked: Asked) -> Result<Half, Refusal> {
+pub fn first(scene: &Scene, data: &[f64], asked: Scope) -> Result<Half, Refusal> {
     first_in(scene, data, asked, fitting)
 }
 
 /// The first road alone for a scene that both roads have solved before, in units in which it does not leave the range of
 /// double-doubles. Errors: as for [`first`].
 pub fn again(scene: &Scene, data: &[f64]) -> Result<Half, Refusal> {
-    first_in(scene, data, Asked::ALL, |scene, data| {
+    first_in(scene, data, Scope::ALL, |scene, data| {
         let stays = |scales: &Scales| {
             let scaled = scales.of(scene, data);
             scaled.is_some_and(|(scene, data)| !dd::watch(|| eom::road::<Dd>(&scene, &data)).1)
@@ -61,7 +61,7 @@ pub fn again(scene: &Scene, data: &[f64]) -> Result<Half, Refusal> {
 fn first_in(
     scene: &Scene,
     data: &[f64],
-    asked: Asked,
+    asked: Scope,
     fitting: impl FnOnce(&Scene, &[f64]) -> Option<Scales>,
 ) -> Result<Half, Refusal> {
     let faults = admissible::faults(scene, data);
@@ -80,7 +80,7 @@ fn first_in(
 }
 
 /// What the first road says of what is asked, in the units of the data.
-fn alone(scene: &Scene, data: &[f64], asked: Asked) -> Result<Half, Refusal> {
+fn alone(scene: &Scene, data: &[f64], asked: Scope) -> Result<Half, Refusal> {
     let road: Road<Dd> = eom::road_of(scene, data, asked)?;
     let mut entries = Vec::with_capacity(road.said.len());
     for said in &road.said {
@@ -128,7 +128,7 @@ fn is_narrow(scene: &Scene, data: &[f64], solved: &Solved) -> bool {
 
 /// What the roads agree on in the units of the data, if they do.
 fn agreed(scene: &Scene, data: &[f64]) -> Option<Solved> {
-    let mut half = alone(scene, data, Asked::ALL).ok()?;
+    let mut half = alone(scene, data, Scope::ALL).ok()?;
     half.weigh(scene, data, |_| true);
     half.confirm(scene, data).ok()
 }
@@ -152,7 +152,7 @@ pub fn in_scales<R>(
 #[derive(Debug)]
 pub struct Quick<'s> {
     scene: &'s Scene,
-    asked: Asked,
+    asked: Scope,
     /// Rules that the other data or the other scene may break.
     rules: Vec<(Num, Rule)>,
     /// Is the combination one that the assembly has? `None` where that hangs on the data.
@@ -161,8 +161,13 @@ pub struct Quick<'s> {
 
 impl<'s> Quick<'s> {
     /// Prepares `scene`, which stands for `right` with other values of these data and is asked for so much.
-    pub fn new(scene: &'s Scene, right: &Scene, changed: &[usize], asked: Asked) -> Self {
-        let other = |n: Num| matches!(n, Num::Datum(i) if changed.contains(&i));
+    pub fn new(scene: &'s Scene, right: &Scene, changed: &[usize], asked: Scope) -> Self {
+        // A formula may be another one in another scene.
+        let other = |n: Num| match n {
+            Num::Datum(i) => changed.contains(&i),
+            Num::Derived(_) => true,
+            Num::Fixed(_) => false,
+        };
         let mut kept = Vec::new();
         admissible::rules(right, |number, rule| {
             let touched = match rule {
@@ -225,8 +230,7 @@ impl Half {
             check.available = scales.si(unit, check.available);
         }
         entries.retain_mut(|entry| {
-            let unit = entry.label.quantity.unit();
-            let si = |x: f64| scales.si(unit, x);
+            let si = |x: f64| scales.said(scene, entry.label, x);
             let kept = |x: f64| x == 0.0 || !x.is_finite() || si(x).is_normal();
             let holds = kept(entry.value()) && entry.energy.is_none_or(kept);
             if !holds {
@@ -256,9 +260,9 @@ impl Half {
     /// disagreement, or a quantity that only one road reaches.
     pub fn confirm(mut self, scene: &Scene, data: &[f64]) -> Result<Solved, Refusal> {
         let (course, scales) = (self.course, self.solved.scales);
-        if self.asked != Asked::ALL {
+        if self.asked != Scope::ALL {
             let known = std::mem::replace(self.own(), Solved::none());
-            self = in_scales(scales, scene, data, |scene, data| alone(scene, data, Asked::ALL))?;
+            self = in_scales(scales, scene, data, |scene, data| alone(scene, data, Scope::ALL))?;
             self.solved.scales = scales;
             for entry in &mut self.solved.entries {
                 entry.cond = known.get(entry.label).map_or(f64::NAN, |e| e.cond);
@@ -268,7 +272,7 @@ impl Half {
         let compared = in_scales(scales, scene, data, |scene, data| compared(scene, data, own, course));
         compared.map_err(|refusal| match refusal {
             Refusal::Disagree { label, eom, energy, allowed } => {
-                let si = |x| scales.si(label.quantity.unit(), x);
+                let si = |x| scales.said(scene, label, x);
                 Refusal::Disagree { label, eom: si(eom), energy: si(energy), allowed }
             }
             other => other,
@@ -345,9 +349,9 @@ pub fn prove(scene: &Scene, data: &[f64], solved: &mut Solved) -> bool {
         return false;
     }
     for (i, entry) in solved.entries.iter_mut().enumerate() {
-        let unit = entry.label.quantity.unit();
         let said = road.said.get(i).filter(|s| s.label == entry.label).or_else(|| road.get(entry.label));
-        let bound = said.map(|s| scales.si(unit, s.value.about(scales.own(unit, entry.value()))));
+        let value = scales.own_said(scene, entry.label, entry.value());
+        let bound = said.map(|s| scales.said(scene, entry.label, s.value.about(value)));
         entry.bound = bound.filter(|b| b.is_finite());
         // Zero on both roads and within the enclosure, and no datum moves it: zero by structure, whatever rounding left of it.
         let zero = [entry.eom, entry.energy].iter().all(|v| v.is_some_and(|v| v == 0.0)) && entry.cond == 0.0;
@@ -367,7 +371,7 @@ fn is_held(tie: &Tie) -> bool {
 fn ordinary(scene: &Scene, data: &[f64]) -> bool {
     let mut all = true;
     admissible::rules(scene, |number, _| {
-        let x = admissible::value(number, data).abs();
+        let x = scene.value(number, data).abs();
         all &= x == 0.0 || (ORDINARY.recip()..ORDINARY).contains(&x);
     });
     all
@@ -402,7 +406,7 @@ fn supported(scene: &Scene, data: &[f64]) -> Result<(), Refusal> {
         return refuse(Unsupported::SpringWithSlip);
     }
     let freedoms = scene.freedoms();
-    let number = |n: Num| admissible::value(n, data);
+    let number = |n: Num| scene.value(n, data);
     // Cords alone can say what other ties say.
     if scene.ties.iter().any(is_held) && scene.freedoms_with(&number) != freedoms {
         return refuse(Unsupported::EqualByChance);

@@ -6,9 +6,9 @@
 //! `step cond` on one side and of `(step cond)^2` between two, and so large that the rounding of doubles, `2^-53 / step`, is so too.
 use crate::num::dd::pow2;
 use crate::num::{Dd, Fast, NOISE, Real};
-use crate::scene::{Label, Num, Scene, admissible};
+use crate::scene::{Label, Scene, admissible};
 use crate::solve::eom;
-use crate::solve::outcome::{Asked, Entry, Road};
+use crate::solve::outcome::{Entry, Road, Scope};
 
 /// Relative changes of a datum, as powers of 2; the next one for the answers that are too sensitive for the one before.
 const STEPS: [i32; 4] = [-24, -29, -36, -46];
@@ -55,7 +55,7 @@ fn quotients<T: Real>(scene: &Scene, data: &[f64], kind: Kind, entries: &[Entry]
     let values =
         |road: &Road<T>| entries.iter().enumerate().map(|(at, e)| value(road, at, e.label)).collect();
     let nothing = vec![None; entries.len()];
-    let asked = Asked::only(entries.iter().map(|e| e.label.quantity));
+    let asked = Scope::only(entries.iter().map(|e| e.label.quantity));
     let solved = |data: &[f64]| eom::road_of(scene, data, asked);
     let base: Vec<Option<T>> = solved(data).map_or_else(|_| nothing.clone(), |road| values(&road));
     let mut moved = data.to_vec();
@@ -125,12 +125,13 @@ fn misses<T: Real>(entry: &Entry, base: Option<T>, change: f64) -> bool {
 fn used(scene: &Scene, data: &[f64]) -> Vec<usize> {
     let mut used = vec![false; data.len()];
     admissible::rules(scene, |number, _| {
-        if let Num::Datum(i) = number
-            && data.get(i).is_some_and(|x| *x != 0.0)
-        {
-            used[i] = true;
+        for i in scene.data_of(number) {
+            used[i] |= data.get(i).is_some_and(|x| *x != 0.0);
         }
     });
+    for given in scene.formulas.givens() {
+        used[given.datum] |= data.get(given.datum).is_some_and(|x| *x != 0.0);
+    }
     (0..data.len()).filter(|i| used[*i]).collect()
 }
 

@@ -39,6 +39,7 @@ fn pulled(slip: bool) -> (Scene, Vec<f64>) {
         end: End::Travel(along, d(7)),
         heading: Some(Heading::Forward),
         span: Span::ToEnd,
+        formulas: Formulas::default(),
     };
     let p = if slip { 400.0 } else { 200.0 };
     (scene, vec![40.0, 0.4, 0.2, 0.22, 25.0, 9.81, p, 1.0, if slip { 0.2 } else { 0.9 }, 0.15])
@@ -52,9 +53,10 @@ fn both_roads_and_checks(b: divan::Bencher, slip: bool) {
 #[divan::bench(args = [false, true])]
 fn condition_numbers(b: divan::Bencher, slip: bool) {
     let (scene, data) = pulled(slip);
-    let half = slipstick::solve::agree::first(&scene, &data, slipstick::solve::outcome::Asked::ALL)
+    let half = slipstick::solve::agree::first(&scene, &data, slipstick::solve::outcome::Scope::ALL)
         .expect("a wheel that is pulled");
-    b.with_inputs(|| half.clone()).bench_values(|mut half| half.weigh(divan::black_box(&scene), &data));
+    b.with_inputs(|| half.clone())
+        .bench_values(|mut half| half.weigh(divan::black_box(&scene), &data, |_| true));
 }
 #[divan::bench(args = [false, true])]
 fn eom_values(b: divan::Bencher, slip: bool) {

@@ -9,10 +9,10 @@ pub mod swing;
 pub mod thrown;
 pub mod travel;
 
-use crate::num::Real;
 use crate::num::dd::pow2;
 use crate::num::ode::Count;
 use crate::num::plant::plant;
+use crate::num::{Fast, Real};
 use crate::scene::{
     Attach, Coordinate, Cord, CordEnd, Degree, End, Far, Heading, Label, Numbers, Owner, Quantity,
     RotaryInertia, Scene, Side, Span, Start, Tie,
@@ -20,20 +20,50 @@ use crate::scene::{
 use crate::solve::eom::equations::{CONSTANT, Response, SPRING, Setting, respond};
 use crate::solve::eom::integrate::{Event, Path, Wanted, path};
 use crate::solve::eom::travel::{State, Travel};
+use crate::solve::found;
+use crate::solve::found::Forward;
 use crate::solve::method::Rung;
 use crate::solve::outcome;
-use crate::solve::outcome::{Asked, Course, Grip, Held, Refusal, Road, Said, Unsupported};
+use crate::solve::outcome::{Course, Grip, Held, Refusal, Road, Said, Scope, Unsupported};
 use smallvec::{SmallVec, smallvec};
 
 /// Everything that the equations of motion say of a scene whose data are admissible.
 ///
 /// Errors: equations that do not determine the motion.
 pub fn road<T: Real>(scene: &Scene, data: &[f64]) -> Result<Road<T>, Refusal> {
-    road_of(scene, data, Asked::ALL)
+    road_of(scene, data, Scope::ALL)
 }
 
-/// What they say of what is asked. Errors: those of [`road`].
-pub fn road_of<T: Real>(scene: &Scene, data: &[f64], asked: Asked) -> Result<Road<T>, Refusal> {
+/// What they say of what is asked; where a formula asks, that is everything. Errors: those of [`road`].
+pub fn road_of<T: Real>(scene: &Scene, data: &[f64], asked: Scope) -> Result<Road<T>, Refusal> {
+    match &scene.formulas.found {
+        Some(found) => found::road(found, data, &Here(scene)),
+        None if scene.formulas.asked.is_empty() => alone(scene, data, asked),
+        None => answered(scene, data),
+    }
+}
+
+/// [`road`] with all data given.
+fn answered<T: Real>(scene: &Scene, data: &[f64]) -> Result<Road<T>, Refusal> {
+    let road = |scene: &Scene| alone(scene, data, Scope::ALL);
+    Ok(road(scene)?.answering(scene, data, &road))
+}
+
+/// This road of a scene, for the search of what is found from a measurement.
+struct Here<'s>(&'s Scene);
+
+impl<T: Real> Forward<T> for Here<'_> {
+    fn rough(&self, data: &[f64], label: Label) -> f64 {
+        let road = alone::<Fast>(self.0, data, Scope::only([label.quantity])).ok();
+        road.and_then(|road| road.get(label).map(|said| said.value.f64())).unwrap_or(f64::NAN)
+    }
+    fn exact(&self, data: &[f64]) -> Result<Road<T>, Refusal> {
+        answered(self.0, data)
+    }
+}
+
+/// [`road_of`] without what is asked by formulas.
+fn alone<T: Real>(scene: &Scene, data: &[f64], asked: Scope) -> Result<Road<T>, Refusal> {
     let n = Numbers::<T>::new(scene, data);
     if let Some((body, pin)) = scene.pinned() {
         return Ok(swing::road_by(scene, n, (body, pin), asked, None)?.0);
@@ -57,20 +87,34 @@ pub fn road_by<T: Real>(
     rung: Rung,
     asked: &dyn Fn(Quantity) -> bool,
 ) -> Result<(Road<T>, Count), Refusal> {
+    let (road, count) = alone_by(scene, data, rung, asked)?;
+    Ok((road.answering(scene, data, &|other| alone(other, data, Scope::ALL)), count))
+}
+
+/// [`road_by`] without what is asked by formulas.
+fn alone_by<T: Real>(
+    scene: &Scene,
+    data: &[f64],
+    rung: Rung,
+    asked: &dyn Fn(Quantity) -> bool,
+) -> Result<(Road<T>, Count), Refusal> {
     let n = Numbers::<T>::new(scene, data);
     if let Some((body, pin)) = scene.pinned() {
-        return swing::road_by(scene, n, (body, pin), Asked::ALL, Some((rung, asked)));
+        return swing::road_by(scene, n, (body, pin), Scope::ALL, Some((rung, asked)));
     }
     if matches!(scene.end, End::AtOnce) {
-        return Ok((instant::road(scene, &n, Asked::ALL)?, Count::default()));
+        return Ok((instant::road(scene, &n, Scope::ALL)?, Count::default()));
     }
     if let Some(thrown) = scene.thrown() {
-        return thrown::road_by(scene, &n, &thrown, Asked::ALL, Some(rung));
+        return thrown::road_by(scene, &n, &thrown, Scope::ALL, Some(rung));
     }
-    let mut walk = Walk::new(scene, n, Asked::ALL)?;
+    let mut walk = Walk::new(scene, n, Scope::ALL)?;
     walk.by = Some((rung, asked));
     walk.walk()
 }
+
+/// May a road go by steps? Not in a page: what a sheet asks has a closed form or a quadrature, and its page is to be small.
+const STEPS: bool = cfg!(feature = "program");
 
 /// Where an acceleration is so many times smaller than that of the weight, the velocity ratios come from a unit force, not from
 /// the forces that nearly balance.
@@ -106,12 +150,12 @@ struct Walk<'a, T: Real> {
     started: bool,
     /// Steps instead of the closed form: the rung, and which quantities are wanted.
     by: Option<(Rung, &'a dyn Fn(Quantity) -> bool)>,
-    asked: Asked,
+    asked: Scope,
     road: Road<T>,
 }
 
 impl<'a, T: Real> Walk<'a, T> {
-    fn new(scene: &'a Scene, n: Numbers<'a, T>, asked: Asked) -> Result<Self, Refusal> {
+    fn new(scene: &'a Scene, n: Numbers<'a, T>, asked: Scope) -> Result<Self, Refusal> {
         let end = scene.ending_coordinate();
         // What is given as 0 is no speed.
         let given = scene.start.iter().find_map(|s| match s {
@@ -478,7 +522,7 @@ impl<'a, T: Real> Walk<'a, T> {
 
     /// The states at the events by steps, where steps are asked for.
     fn stepped(&self, travel: &Travel<T>, s: Option<T>) -> Result<Option<Path<T>>, Refusal> {
-        let Some((rung, asked)) = self.by else { return Ok(None) };
+        let Some((rung, asked)) = self.by.filter(|_| STEPS) else { return Ok(None) };
         let event = s.and_then(|s| {
             let event = match self.scene.end {
                 End::Travel(..) | End::Position(..) => Event::Place(s.f64()),

@@ -10,11 +10,12 @@ use crate::num::ode::Count;
 use crate::num::plant::plant;
 use crate::num::{Dd, Real, elliptic, gauss, root, trig};
 use crate::scene::{End, Label, Numbers, Owner, Pin, Quantity, Scene, Start};
+use crate::solve::eom::STEPS;
 use crate::solve::eom::integrate::{Event, Route};
 use crate::solve::eom::pinned::Pinned;
 use crate::solve::eom::travel;
 use crate::solve::method::Rung;
-use crate::solve::outcome::{Asked, Course, Refusal, Road, Said};
+use crate::solve::outcome::{Course, Refusal, Road, Said, Scope};
 
 /// A motion is followed for two turns; within them the ends that a bank can ask for lie.
 const TURNS: f64 = 2.0;
@@ -92,7 +93,7 @@ pub fn road_by<T: Real>(
     scene: &Scene,
     n: Numbers<T>,
     (owner, pin): (usize, &Pin),
-    asked_for: Asked,
+    asked_for: Scope,
     by: Option<Steps>,
 ) -> Result<(Road<T>, Count), Refusal> {
     let body = Pinned::new(scene, &n, owner, pin)?;
@@ -130,7 +131,7 @@ pub fn road_by<T: Real>(
         return Ok((teller.road, Count::default()));
     };
     let mut count = Count::default();
-    let (place, speed, time) = if let Some(by) = by {
+    let (place, speed, time) = if let Some(by) = by.filter(|_| STEPS) {
         let swung = turning.filter(|_| pendulum && swing.half_square.is_zero());
         // Only a step of fixed length can go past its event for ever.
         let known = if matches!(by.0, Rung::Fixed(..)) {
@@ -176,7 +177,7 @@ struct Stepped {
 struct Teller<'a, T: Real> {
     n: &'a Numbers<'a, T>,
     owner: usize,
-    asked: Asked,
+    asked: Scope,
     road: Road<T>,
 }
 
