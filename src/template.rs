@@ -131,8 +131,8 @@ impl View {
     /// Puts in a list or map that was made before.
     pub fn value(&mut self, name: impl Into<String>, value: Value) {
         let name = name.into();
-        self.remove(&name);
-        self.size = self.size.saturating_add(metered::size(&value, usize::MAX));
+        let was = self.context.get(&name).map_or(0, |was| metered::size(was, usize::MAX));
+        self.size = self.size.saturating_sub(was).saturating_add(metered::size(&value, usize::MAX));
         self.context.insert_value(name, value);
     }
     /// Puts in the fields of a struct, each under its name; the texts in them are escaped.
@@ -145,12 +145,6 @@ impl View {
     /// Lets a page run and fetch what these directives of its policy say, each with a semicolon and a blank behind it.
     pub fn allow(&mut self, directives: &str) {
         directives.clone_into(&mut self.runs);
-    }
-    /// Takes a name away.
-    pub fn remove(&mut self, name: &str) {
-        if let Some(was) = self.context.remove(name) {
-            self.size = self.size.saturating_sub(metered::size(&was, usize::MAX));
-        }
     }
 }
 

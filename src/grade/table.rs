@@ -114,7 +114,7 @@ pub struct KeyTable {
     /// In small letters; `None` where two ids differ in nothing else.
     by_small_id: FxHashMap<String, Option<u32>>,
     by_loose_id: FxHashMap<String, Option<u32>>,
-    by_part: FxHashMap<Box<[u8]>, u32>,
+    by_part: Ids,
     by_loose_part: FxHashMap<Vec<u8>, Option<u32>>,
 }
 
@@ -189,7 +189,7 @@ impl KeyTable {
             by_id: Ids::default(),
             by_small_id: FxHashMap::default(),
             by_loose_id: FxHashMap::default(),
-            by_part: FxHashMap::default(),
+            by_part: Ids::default(),
             by_loose_part: FxHashMap::default(),
         };
         for of_problem in table.columns.chunk_by(|a, b| a.number == b.number) {
@@ -200,7 +200,9 @@ impl KeyTable {
         for (c, column) in (0u32..).zip(&table.columns) {
             for problem in [column.number.to_string(), column.problem.clone()] {
                 joined(problem.as_bytes(), column.part.as_bytes(), &mut key);
-                table.by_part.entry(key.as_slice().into()).or_insert(c);
+                if table.by_part.get(&key).is_none() {
+                    table.by_part.put(&key, c);
+                }
                 let loose = key.to_ascii_lowercase();
                 table
                     .by_loose_part
@@ -270,7 +272,7 @@ impl KeyTable {
         let student = self.student(row.student.as_bytes())?;
         let mut key = Vec::new();
         joined(row.problem.as_bytes(), row.part.as_bytes(), &mut key);
-        Some((student as usize, *self.by_part.get(&*key)? as usize))
+        Some((student as usize, self.by_part.get(&key)? as usize))
     }
     /// Index of a student whose id was guarded against spreadsheets, or differs in upper and lower case alone from one on the
     /// roster, and is no other's; `true`: the case differs.
@@ -286,7 +288,7 @@ impl KeyTable {
     /// Index of a column by number or id of the problem and id of the part; `key` is from [`joined`].
     #[inline]
     pub(crate) fn column(&self, key: &[u8]) -> Option<u32> {
-        self.by_part.get(key).copied().or_else(|| {
+        self.by_part.get(key).or_else(|| {
             let lower = key.to_ascii_lowercase();
             self.by_loose_part.get(&lower).copied().flatten().or_else(|| {
                 // 1.0 and 01 are problem 1

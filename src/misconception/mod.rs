@@ -7,9 +7,9 @@ use crate::bank::expression::Expression;
 use crate::bank::{Mistake, Problem};
 use crate::num::formula::Formula;
 use crate::num::{Fast, Real as _};
-use crate::scene::{Label, Owner, Term};
+use crate::scene::{Label, Owner, Quantity, Term};
 use crate::solve::agree::Quick;
-use crate::solve::outcome::{Entry, Road, Solved};
+use crate::solve::outcome::{Entry, Road, Scope, Solved};
 use smallvec::SmallVec;
 
 /// Where a wrong method comes to for one quantity.
@@ -59,7 +59,7 @@ pub fn value(
 #[derive(Debug)]
 pub struct Methods<'p> {
     problem: &'p Problem,
-    /// Those that need no other solution first: they cost least.
+    /// Those that guard a draw first, and of these first those that need no other solution: they cost least.
     methods: Vec<Method<'p>>,
 }
 
@@ -99,7 +99,6 @@ impl<'p> Methods<'p> {
                 true => right,
                 false => mistake.scenes.get(case).and_then(Option::as_ref),
             };
-            let solves = scene.zip(right).filter(|_| changes);
             let spoils = labels.iter().filter_map(|label| {
                 let expression = |label: &Label| mistake.values.iter().find(|(l, _)| l == label);
                 let spoilt = |label: &Label| changes && (mistake.of.is_empty() || mistake.of.contains(label));
@@ -122,16 +121,23 @@ impl<'p> Methods<'p> {
                     None => spoilt(label).then_some((*label, SpoiltBy::Change)),
                 }
             });
-            Method {
-                index,
-                mistake,
-                solves: solves.map(|(scene, right)| Quick::new(scene, right, &changed)),
-                spoils: spoils.collect(),
-            }
+            let spoils: Vec<(Label, SpoiltBy)> = spoils.collect();
+            let asked = Scope::only(spoils.iter().flat_map(|s| needed(s)).map(|label| label.quantity));
+            let quick = |(scene, right)| Quick::new(scene, right, &changed, asked);
+            Method { index, mistake, solves: scene.zip(right).filter(|_| changes).map(quick), spoils }
         };
         let mut methods: Vec<Method> = mistakes.map(method).filter(|m| !m.spoils.is_empty()).collect();
-        methods.sort_by_key(|m| m.solves.is_some());
+        methods.sort_by_key(|m| (m.mistake.unguarded.is_some(), m.solves.is_some()));
         Self { problem, methods }
+    }
+
+    /// The quantities of the right solution from which they start.
+    pub fn quantities(&self) -> impl Iterator<Item = Quantity> {
+        self.methods.iter().flat_map(|m| {
+            let data = m.mistake.data.iter().flat_map(|(_, e)| e.quantities());
+            let values = m.spoils.iter().flat_map(|s| needed(s).chain([s.0]));
+            data.chain(values).map(|label| label.quantity)
+        })
     }
 
     /// Where they come to, in the order of the problem. After a value of which `go_on` says no, no other method is begun; it is
@@ -142,7 +148,7 @@ impl<'p> Methods<'p> {
         solved: &Solved,
         go_on: &mut dyn FnMut(&Wrong) -> bool,
     ) -> Vec<Wrong> {
-        let mut found = Vec::new();
+        let mut found = Vec::with_capacity(self.methods.iter().map(|m| m.spoils.len()).sum());
         for method in &self.methods {
             let mut more = true;
             method.values(self.problem, data, solved, &mut |wrong| {
@@ -156,6 +162,15 @@ impl<'p> Methods<'p> {
         found.sort_by_key(|w| w.mistake);
         found
     }
+}
+
+/// The quantities of a solution from which the value of a spoilt one is made. A scene that asks by formulas says them all.
+fn needed<'e>((label, by): &'e (Label, SpoiltBy)) -> impl Iterator<Item = Label> + 'e {
+    let (own, expression) = match by {
+        SpoiltBy::Expression(expression) => (None, Some(expression)),
+        SpoiltBy::Change | SpoiltBy::Part(_) => (Some(*label), None),
+    };
+    own.into_iter().chain(expression.into_iter().flat_map(|e| e.quantities()))
 }
 
 impl Method<'_> {

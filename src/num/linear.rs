@@ -152,6 +152,8 @@ impl<T: Real> Linear<T> {
         let width = n + m;
         let mut cells: SmallVec<[T; 30]> = smallvec![T::zero(); n * width];
         let mut largest: SmallVec<[f64; 6]> = smallvec![0.0; n];
+        // As slices: a small vector asks at each access where it lies.
+        let (cells, largest) = (&mut cells[..], &mut largest[..]);
         let add = |cell: &mut T, v: T| *cell = if cell.is_zero() { v } else { *cell + v };
         for (r, c, v) in &self.terms {
             let cell = &mut cells[r * width + c];
@@ -162,7 +164,9 @@ impl<T: Real> Linear<T> {
             add(&mut cells[r * width + n + k - first], *v);
         }
         // Row in which each unknown is the pivot; then the rows not used yet.
-        let mut order: SmallVec<[usize; 6]> = (0..n).collect();
+        let mut order: SmallVec<[usize; 6]> = smallvec![0; n];
+        let order = &mut order[..];
+        order.iter_mut().enumerate().for_each(|(place, r)| *r = place);
         for col in 0..n {
             let mut best: Option<(usize, f64)> = None;
             for (place, r) in order.iter().enumerate().skip(col) {
@@ -175,18 +179,18 @@ impl<T: Real> Linear<T> {
                 }
             }
             order.swap(col, best.ok_or(Hard::Repeats)?.0);
-            let pivot = order[col] * width;
+            let pivot = order[col];
             for r in &order[col + 1..] {
-                let row = r * width;
-                if cells[row + col].is_zero() {
+                let rows = [*r, pivot].map(|r| r * width + col..(r + 1) * width);
+                let Ok([row, pivot]) = cells.get_disjoint_mut(rows) else { continue };
+                if row[0].is_zero() {
                     continue;
                 }
-                let factor = cells[row + col] / cells[pivot + col];
-                for c in col + 1..width {
-                    if !cells[pivot + c].is_zero() {
-                        let less = factor * cells[pivot + c];
+                let factor = row[0] / pivot[0];
+                for (c, (cell, above)) in (col..).zip(row.iter_mut().zip(pivot)).skip(1) {
+                    if !above.is_zero() {
+                        let less = factor * *above;
                         // A coefficient that is only rounding is no pivot.
-                        let cell = &mut cells[row + c];
                         *cell = if c < n { cell.balance(-less) } else { *cell - less };
                     }
                 }
@@ -197,14 +201,14 @@ impl<T: Real> Linear<T> {
         for k in 0..m {
             let x = &mut out[k * n..(k + 1) * n];
             for col in (0..n).rev() {
-                let row = order[col] * width;
-                let mut sum = cells[row + n + k];
-                for c in col + 1..n {
-                    if !cells[row + c].is_zero() && !x[c].is_zero() {
-                        sum = sum.balance(-(cells[row + c] * x[c]));
+                let row = &cells[order[col] * width..][..width];
+                let mut sum = row[n + k];
+                for (cell, x) in row[col + 1..n].iter().zip(&x[col + 1..]) {
+                    if !cell.is_zero() && !x.is_zero() {
+                        sum = sum.balance(-(*cell * *x));
                     }
                 }
-                x[col] = if sum.is_zero() { sum } else { sum / cells[row + col] };
+                x[col] = if sum.is_zero() { sum } else { sum / row[col] };
             }
             if far_apart(x) {
                 self.vanish(first + k, x);
@@ -243,6 +247,7 @@ impl<T: Real> Linear<T> {
     /// Does each row hold for these unknowns, up to the rounding of its terms?
     fn settled(&self, k: usize, x: &[T]) -> bool {
         let mut rows: SmallVec<[(T, f64); 6]> = smallvec![(T::zero(), 0.0); self.unknowns];
+        let rows = &mut rows[..];
         for (r, _, v) in self.right.iter().filter(|(_, column, _)| *column == k) {
             rows[*r] = (rows[*r].0 + *v, rows[*r].1 + v.size());
         }

@@ -14,7 +14,7 @@ use crate::problem::rule::{DrawRule, Refused};
 pub use crate::problem::variant::Variant;
 use crate::scene::{End, Label, Numbers, Owner, Quantity, Scene};
 use crate::solve::agree;
-use crate::solve::outcome::{Check, CheckKind, Entry, Refusal, Solved};
+use crate::solve::outcome::{Check, CheckKind, Entry, Refusal, Scope, Solved};
 use std::fmt;
 use std::sync::OnceLock;
 
@@ -86,11 +86,22 @@ pub struct Maker<'p> {
     margins: Vec<f64>,
     max_tries: u32,
     watching: bool,
-    /// The wrong methods of each case that was drawn.
-    methods: Vec<OnceLock<Methods<'p>>>,
+    /// What is the same for all draws of a case, of each that was drawn.
+    plans: Vec<OnceLock<DrawPlan<'p>>>,
     /// What all keys have in common.
     frame: OnceLock<KeyFrame<'p>>,
 }
+
+/// What is the same for all draws of a case.
+#[derive(Debug)]
+struct DrawPlan<'p> {
+    methods: Methods<'p>,
+    /// What the rules ask of the first road.
+    asked: Scope,
+}
+
+/// A right answer, and how near to it a wrong method may not come; NaN where there is no number.
+type Right = (f64, f64);
 
 impl<'p> Maker<'p> {
     /// A maker for a problem of the set `set`, drawn with `seed`.
@@ -103,7 +114,7 @@ impl<'p> Maker<'p> {
             margins: CheckKind::ALL.iter().map(margin).collect(),
             max_tries: MAX_TRIES,
             watching: false,
-            methods: problem.cases.iter().map(|_| OnceLock::new()).collect(),
+            plans: problem.cases.iter().map(|_| OnceLock::new()).collect(),
             frame: OnceLock::new(),
         }
     }
@@ -263,19 +274,22 @@ impl<'p> Maker<'p> {
         // Bounds on the data alone cost nothing: they go first.
         bounds(case, false, data, &|_| f64::NAN)?;
         // A draw that breaks a rule on the first road needs no second one.
-        let mut half = agree::first(&case.scene, data).map_err(|refusal| unsolved(refusals, refusal))?;
+        let DrawPlan { methods, asked } = self.plan(index);
+        let first = agree::first(&case.scene, data, *asked);
+        let mut half = first.map_err(|refusal| unsolved(refusals, refusal))?;
         self.rules(case, half.preview(), data)?;
         self.energies(case, half.preview(), data)?;
         // Wrong methods refuse more draws than all rules below, so they come first. A maker that is watching counts which methods
         // would refuse a draw that holds every other rule: it asks them last.
-        let wrong = if self.watching { None } else { Some(self.far(index, data, half.preview())?) };
+        let wrong = if self.watching { None } else { Some(self.far(methods, data, half.preview())?) };
         // Condition numbers cost more than all the rest of the first road: only for what holds the other rules.
-        half.weigh(&case.scene, data);
+        half.weigh(&case.scene, data, |label| self.problem.questions.iter().any(|q| q.label == label));
         if self.watching {
             refusals.conds.extend(self.problem.questions.iter().map(|q| cond(half.preview(), q.label)));
         }
         self.conditioned(half.preview())?;
-        let mut near = wrong.iter().flatten().filter(|w| self.refuses(w, half.preview(), false));
+        let right = self.right(half.preview(), false);
+        let mut near = wrong.iter().flatten().filter(|w| self.refuses(w, &right));
         if let Some(wrong) = near.next() {
             return Err(DrawRule::Mistake(wrong.mistake).into());
         }
@@ -295,50 +309,64 @@ impl<'p> Maker<'p> {
         }
         let wrong = match wrong {
             Some(wrong) => wrong,
-            None => self.told_apart(index, data, &solved, refusals)?,
+            None => self.told_apart(methods, data, &solved, refusals)?,
         };
         Ok((solved, wrong))
     }
 
-    /// The wrong methods of a case.
-    fn methods(&self, case: usize) -> &Methods<'p> {
-        self.methods[case].get_or_init(|| {
+    /// What is the same for all draws of a case.
+    fn plan(&self, index: usize) -> &DrawPlan<'p> {
+        self.plans[index].get_or_init(|| {
             let labels: Vec<Label> = self.problem.questions.iter().map(|q| q.label).collect();
-            Methods::new(self.problem, case, &labels)
+            let methods = Methods::new(self.problem, index, &labels);
+            let bounds = self.problem.cases[index].bounds.iter().flat_map(|b| b.expression.quantities());
+            let energies = [Quantity::KineticEnergy, Quantity::Rise, Quantity::WorkPull];
+            let named = labels.iter().copied().chain(bounds).map(|label| label.quantity);
+            let asked = Scope::only(named.chain(energies).chain(methods.quantities()));
+            // A formula may need any quantity.
+            let formulas = &self.problem.cases[index].scene.formulas;
+            let all = formulas.found.is_some() || !formulas.asked.is_empty();
+            DrawPlan { methods, asked: if all { Scope::ALL } else { Scope { held: true, ..asked } } }
         })
     }
 
-    /// The questions near whose right answers a wrong method comes: within their tolerances, or within the least that they may
-    /// have, which needs no condition number.
-    fn near<'a>(
-        &'a self,
-        wrong: &'a Wrong,
-        solved: &'a Solved,
-        least: bool,
-    ) -> impl Iterator<Item = usize> + 'a {
-        let near = move |q: &Question| {
-            let Some(entry) = solved.get(q.label).filter(|_| q.label == wrong.label) else { return false };
-            let cond = if least { 0.0 } else { entry.cond };
-            let half = make_key::half_width(q, entry.value(), entry.scale, cond);
-            // Where a magnitude is asked, a sign is no answer.
-            let value = if q.label.quantity.is_magnitude() { wrong.value.abs() } else { wrong.value };
-            (value - entry.value()).abs() < APART * half
+    /// For each question what a wrong method must keep away from: by its tolerance, or by the least that it may have, which needs
+    /// no condition number.
+    fn right(&self, solved: &Solved, least: bool) -> Vec<Right> {
+        let right = |q: &Question| match solved.get(q.label) {
+            Some(e) => {
+                let cond = if least { 0.0 } else { e.cond };
+                (e.value(), APART * make_key::half_width(q, e.value(), e.scale, cond))
+            }
+            None => (f64::NAN, f64::NAN),
         };
-        self.problem.questions.iter().enumerate().filter(move |(_, q)| near(q)).map(|(i, _)| i)
+        self.problem.questions.iter().map(right).collect()
+    }
+
+    /// The questions near whose right answers a wrong method comes.
+    fn near<'a>(&'a self, wrong: &'a Wrong, right: &'a [Right]) -> impl Iterator<Item = usize> + 'a {
+        let near = move |(q, (value, reach)): &(&Question, &Right)| {
+            // Where a magnitude is asked, a sign is no answer.
+            let magnitude = || q.label.quantity.is_magnitude();
+            let off = |comes_to: f64| (comes_to - value).abs() < *reach;
+            q.label == wrong.label && (off(wrong.value) || magnitude() && off(-wrong.value))
+        };
+        let questions = self.problem.questions.iter().zip(right).enumerate();
+        questions.filter(move |(_, question)| near(question)).map(|(i, _)| i)
     }
 
     /// Does a wrong method refuse a draw?
-    fn refuses(&self, wrong: &Wrong, solved: &Solved, least: bool) -> bool {
+    fn refuses(&self, wrong: &Wrong, right: &[Right]) -> bool {
         let mistake = &self.problem.mistakes[wrong.mistake];
         let guards = |i: usize| !self.problem.questions[i].unguarded.iter().any(|(id, _)| *id == mistake.id);
-        mistake.unguarded.is_none() && self.near(wrong, solved, least).any(guards)
+        mistake.unguarded.is_none() && self.near(wrong, right).any(guards)
     }
 
     /// Where the wrong methods come to, if none comes near a right answer whatever its tolerance.
-    fn far(&self, index: usize, data: &[f64], solved: &Solved) -> Result<Vec<Wrong>, Refused> {
-        let mut near = None;
-        let all = self.methods(index).values_while(data, solved, &mut |wrong| {
-            if near.is_none() && self.refuses(wrong, solved, true) {
+    fn far(&self, methods: &Methods, data: &[f64], solved: &Solved) -> Result<Vec<Wrong>, Refused> {
+        let (mut near, right) = (None, self.right(solved, true));
+        let all = methods.values_while(data, solved, &mut |wrong| {
+            if near.is_none() && self.refuses(wrong, &right) {
                 near = Some(wrong.mistake);
             }
             near.is_none()
@@ -349,7 +377,7 @@ impl<'p> Maker<'p> {
     /// Where the wrong methods come to, if none comes near a right answer; counts how often each does.
     fn told_apart(
         &self,
-        index: usize,
+        methods: &Methods,
         data: &[f64],
         solved: &Solved,
         refusals: &mut Refusals,
@@ -357,11 +385,12 @@ impl<'p> Maker<'p> {
         if self.problem.mistakes.is_empty() {
             return Ok(Vec::new());
         }
-        let all = self.methods(index).values_while(data, solved, &mut |_| true);
+        let all = methods.values_while(data, solved, &mut |_| true);
+        let right = self.right(solved, false);
         let width = self.problem.questions.len() + 1;
         let mut near = vec![false; self.problem.mistakes.len() * width];
         for wrong in &all {
-            for i in self.near(wrong, solved, false) {
+            for i in self.near(wrong, &right) {
                 near[wrong.mistake * width + i] = true;
                 near[(wrong.mistake + 1) * width - 1] = true;
             }
@@ -371,7 +400,7 @@ impl<'p> Maker<'p> {
         for (count, any) in refusals.near.iter_mut().zip(&near) {
             *count += u32::from(*any);
         }
-        match all.iter().find(|w| self.refuses(w, solved, false)) {
+        match all.iter().find(|w| self.refuses(w, &right)) {
             Some(wrong) => Err(DrawRule::Mistake(wrong.mistake).into()),
             None => Ok(all),
         }
@@ -541,7 +570,7 @@ pub fn from_values(problem: &Problem, case: usize, values: &[Option<Decimal>]) -
 pub fn of_sheet(problem: &Problem, case: usize, values: &[Option<Decimal>]) -> Result<Variant, Refusal> {
     of_values(problem, case, values, |scene, data| {
         let mut half = agree::again(scene, data)?;
-        half.weigh(scene, data);
+        half.weigh(scene, data, |_| true);
         Ok(half.preview().clone())
     })
 }

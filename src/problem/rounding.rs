@@ -13,6 +13,7 @@ use crate::num::trig::power;
 use crate::problem::make_key;
 use crate::problem::variant::Variant;
 use crate::solve::agree;
+use crate::solve::outcome::Scope;
 
 /// Roundings that a datum goes through on its way to the answer.
 const ROUNDINGS: usize = 2;
@@ -42,7 +43,7 @@ pub fn misses(
                 *x *= 1.0 + rounding(words, 2 * (ROUNDINGS * i + r), figures);
             }
         }
-        let Ok(half) = agree::first(scene, &data) else { continue };
+        let Ok(half) = agree::first(scene, &data, Scope::ALL) else { continue };
         let asked = problem.questions.iter().zip(&mut out).filter(|(q, _)| q.figures == figures);
         for (question, missed) in asked {
             let (Some(right), Some(rough)) =

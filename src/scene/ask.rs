@@ -111,6 +111,29 @@ quantities! {
     Rolls "rolls" "" Word "yes if it could roll without slipping, else no";
 }
 
+/// A set of quantities.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Quantities(u64);
+
+impl Quantities {
+    /// All there are.
+    pub const ALL: Self = Self(u64::MAX);
+    /// Is this one among them?
+    pub const fn has(self, quantity: Quantity) -> bool {
+        self.0 >> quantity as u32 & 1 == 1
+    }
+    /// How many there can be.
+    pub const fn count(self) -> usize {
+        self.0.count_ones() as usize
+    }
+}
+
+impl FromIterator<Quantity> for Quantities {
+    fn from_iter<I: IntoIterator<Item = Quantity>>(quantities: I) -> Self {
+        Self(quantities.into_iter().fold(0, |all, q| all | 1 << q as u32))
+    }
+}
+
 impl Quantity {
     /// The quantity of this name.
     pub fn from_name(name: &str) -> Option<Self> {

@@ -19,7 +19,7 @@ pub mod pin;
 pub mod scales;
 
 pub use admissible::{Inadmissible, Rule};
-pub use ask::{Label, Owner, Quantity};
+pub use ask::{Label, Owner, Quantities, Quantity};
 pub use body::{Body, Line, Mass, Part, Particle, RotaryInertia, Shape, Slope};
 pub use force::Couple;
 pub use formula::{AsIf, Asked, Derived, Formulas, Found, Given, Term};

@@ -3,7 +3,7 @@ use crate::num::{Ball, Dd, Fast, NOISE, Real, U, ball, dd};
 use crate::scene::admissible::Rule;
 use crate::scene::{End, Far, Label, Num, Owner, Quantity, Scales, Scene, Start, Tie, admissible};
 use crate::solve::condition::vanishes;
-use crate::solve::outcome::{Entry, Motion, Refusal, Regime, Road, Said, Solved, Unsupported};
+use crate::solve::outcome::{Entry, Motion, Refusal, Regime, Road, Said, Scope, Solved, Unsupported};
 use crate::solve::{condition, energy, eom, physical};
 
 /// Each road may be off by `8 u max(1, cond)`.
@@ -21,6 +21,7 @@ const ORDINARY: f64 = (1u128 << 100) as f64;
 /// What the equations of motion alone say: nothing of it may be published before [`Half::confirm`].
 #[derive(Debug, Clone)]
 pub struct Half {
+    asked: Scope,
     solved: Solved,
     /// The same in the units in which it is computed, where these are not those of SI.
     own: Option<Solved>,
@@ -34,21 +35,21 @@ pub struct Half {
 /// values and its condition number. Errors: data that are no scene, a combination that the assembly does not have,
 /// equations that do not determine the motion, two roads that differ by more than `16 u max(1, cond)`.
 pub fn solve(scene: &Scene, data: &[f64]) -> Result<Solved, Refusal> {
-    let mut half = first(scene, data)?;
-    half.weigh(scene, data);
+    let mut half = first(scene, data, Scope::ALL)?;
+    half.weigh(scene, data, |_| true);
     half.confirm(scene, data)
 }
 
-/// The first road alone, so that a draw that breaks a rule is refused at half the cost. Errors: as for [`solve`], save
-/// that nothing is compared yet.
-pub fn first(scene: &Scene, data: &[f64]) -> Result<Half, Refusal> {
-    first_in(scene, data, fitting)
+/// What the first road alone says of what is asked, so that a draw that breaks a rule is refused at a part of the cost. Errors:
+/// as for [`solve`], save that nothing is compared yet.
+pub fn first(scene: &Scene, data: &[f64], asked: Scope) -> Result<Half, Refusal> {
+    first_in(scene, data, asked, fitting)
 }
 
 /// The first road alone for a scene that both roads have solved before, in units in which it does not leave the range of
 /// double-doubles. Errors: as for [`first`].
 pub fn again(scene: &Scene, data: &[f64]) -> Result<Half, Refusal> {
-    first_in(scene, data, |scene, data| {
+    first_in(scene, data, Scope::ALL, |scene, data| {
         let stays = |scales: &Scales| {
             let scaled = scales.of(scene, data);
             scaled.is_some_and(|(scene, data)| !dd::watch(|| eom::road::<Dd>(&scene, &data)).1)
@@ -60,6 +61,7 @@ pub fn again(scene: &Scene, data: &[f64]) -> Result<Half, Refusal> {
 fn first_in(
     scene: &Scene,
     data: &[f64],
+    asked: Scope,
     fitting: impl FnOnce(&Scene, &[f64]) -> Option<Scales>,
 ) -> Result<Half, Refusal> {
     let faults = admissible::faults(scene, data);
@@ -68,18 +70,18 @@ fn first_in(
     }
     supported(scene, data)?;
     if ordinary(scene, data) {
-        return alone(scene, data);
+        return alone(scene, data, asked);
     }
     let scales = fitting(scene, data).ok_or(Refusal::Apart)?;
-    let mut half = in_scales(scales, scene, data, alone)?;
+    let mut half = in_scales(scales, scene, data, |scene, data| alone(scene, data, asked))?;
     half.solved.scales = scales;
     half.tell(scene);
     Ok(half)
 }
 
-/// What the first road says, in the units of the data.
-fn alone(scene: &Scene, data: &[f64]) -> Result<Half, Refusal> {
-    let road: Road<Dd> = eom::road(scene, data)?;
+/// What the first road says of what is asked, in the units of the data.
+fn alone(scene: &Scene, data: &[f64], asked: Scope) -> Result<Half, Refusal> {
+    let road: Road<Dd> = eom::road_of(scene, data, asked)?;
     let mut entries = Vec::with_capacity(road.said.len());
     for said in &road.said {
         // A zero has no sign.
@@ -94,7 +96,8 @@ fn alone(scene: &Scene, data: &[f64]) -> Result<Half, Refusal> {
         .map_or((instant, Vec::new(), Vec::new()), |course| physical::judge(scene, &course, &road.held));
     let course = road.course.map(|c| (c.sense, c.reached));
     let (open, beyond, scales) = (road.open, Vec::new(), Scales::SI);
-    Ok(Half { solved: Solved { regime, checks, entries, words, open, beyond, scales }, own: None, course })
+    let solved = Solved { regime, checks, entries, words, open, beyond, scales };
+    Ok(Half { asked, solved, own: None, course })
 }
 
 /// Units in which the scene can be computed, if there are any: neither road leaves the range of double-doubles, or what vanishes
@@ -125,8 +128,8 @@ fn is_narrow(scene: &Scene, data: &[f64], solved: &Solved) -> bool {
 
 /// What the roads agree on in the units of the data, if they do.
 fn agreed(scene: &Scene, data: &[f64]) -> Option<Solved> {
-    let mut half = alone(scene, data).ok()?;
-    half.weigh(scene, data);
+    let mut half = alone(scene, data, Scope::ALL).ok()?;
+    half.weigh(scene, data, |_| true);
     half.confirm(scene, data).ok()
 }
 
@@ -149,6 +152,7 @@ pub fn in_scales<R>(
 #[derive(Debug)]
 pub struct Quick<'s> {
     scene: &'s Scene,
+    asked: Scope,
     /// Rules that the other data or the other scene may break.
     rules: Vec<(Num, Rule)>,
     /// Is the combination one that the assembly has? `None` where that hangs on the data.
@@ -156,8 +160,8 @@ pub struct Quick<'s> {
 }
 
 impl<'s> Quick<'s> {
-    /// Prepares `scene`, which stands for `right` with other values of these data.
-    pub fn new(scene: &'s Scene, right: &Scene, changed: &[usize]) -> Self {
+    /// Prepares `scene`, which stands for `right` with other values of these data and is asked for so much.
+    pub fn new(scene: &'s Scene, right: &Scene, changed: &[usize], asked: Scope) -> Self {
         // A formula may be another one in another scene.
         let other = |n: Num| match n {
             Num::Datum(i) => changed.contains(&i),
@@ -183,7 +187,7 @@ impl<'s> Quick<'s> {
             }
         });
         let supported = (!scene.ties.iter().any(is_held)).then(|| supported(scene, &[]).is_ok());
-        Self { scene, rules, supported }
+        Self { scene, asked, rules, supported }
     }
 
     /// Does a pinned body swing in it?
@@ -195,7 +199,7 @@ impl<'s> Quick<'s> {
     pub fn road(&self, data: &[f64]) -> Option<Road<Fast>> {
         let admissible = self.rules.iter().all(|(n, rule)| admissible::holds(self.scene, data, *n, *rule));
         let supported = || self.supported.unwrap_or_else(|| supported(self.scene, data).is_ok());
-        if admissible && supported() { eom::road(self.scene, data).ok() } else { None }
+        if admissible && supported() { eom::road_of(self.scene, data, self.asked).ok() } else { None }
     }
 }
 
@@ -238,22 +242,32 @@ impl Half {
         });
     }
 
-    /// Computes the condition numbers, at the cost of a few roads in doubles for each datum.
-    pub fn weigh(&mut self, scene: &Scene, data: &[f64]) {
+    /// Computes condition numbers, those of these quantities, at the cost of a few roads in doubles for each datum.
+    pub fn weigh(&mut self, scene: &Scene, data: &[f64], of: impl Fn(Label) -> bool) {
         let (course, scales) = (self.course, self.solved.scales);
-        let entries = &mut self.own().entries;
+        let weighed: Vec<Entry> = self.own().entries.iter().filter(|e| of(e.label)).copied().collect();
         let conds = in_scales(scales, scene, data, |scene, data| {
-            Ok(condition::numbers(scene, data, course, entries))
+            Ok(condition::numbers(scene, data, course, &weighed))
         });
-        for (entry, cond) in entries.iter_mut().zip(conds.into_iter().flatten()) {
+        let asked = self.own().entries.iter_mut().filter(|e| of(e.label));
+        for (entry, cond) in asked.zip(conds.into_iter().flatten()) {
             entry.cond = cond;
         }
         self.tell(scene);
     }
 
-    /// Runs the second road and publishes what agrees. Errors: a disagreement, or a quantity that only one road reaches.
+    /// Runs both roads whole and publishes what agrees; the condition numbers are those that were asked for. Errors: a
+    /// disagreement, or a quantity that only one road reaches.
     pub fn confirm(mut self, scene: &Scene, data: &[f64]) -> Result<Solved, Refusal> {
         let (course, scales) = (self.course, self.solved.scales);
+        if self.asked != Scope::ALL {
+            let known = std::mem::replace(self.own(), Solved::none());
+            self = in_scales(scales, scene, data, |scene, data| alone(scene, data, Scope::ALL))?;
+            self.solved.scales = scales;
+            for entry in &mut self.solved.entries {
+                entry.cond = known.get(entry.label).map_or(f64::NAN, |e| e.cond);
+            }
+        }
         let own = self.own();
         let compared = in_scales(scales, scene, data, |scene, data| compared(scene, data, own, course));
         compared.map_err(|refusal| match refusal {
@@ -286,6 +300,9 @@ fn compared(
             energy = 0.0;
         }
         entry.energy = Some(energy);
+        if entry.cond.is_nan() && !agree(eom, energy, 1.0) {
+            entry.cond = condition::numbers(scene, data, course, std::slice::from_ref(entry))[0];
+        }
         if !agree(eom, energy, entry.cond) {
             let allowed = 2.0 * EACH_ROAD * U * entry.cond.max(1.0);
             return Err(Refusal::Disagree { label: entry.label, eom, energy, allowed });

@@ -8,7 +8,7 @@ use crate::num::dd::pow2;
 use crate::num::{Dd, Fast, NOISE, Real};
 use crate::scene::{Label, Scene, admissible};
 use crate::solve::eom;
-use crate::solve::outcome::{Entry, Road};
+use crate::solve::outcome::{Entry, Road, Scope};
 
 /// Relative changes of a datum, as powers of 2; the next one for the answers that are too sensitive for the one before.
 const STEPS: [i32; 4] = [-24, -29, -36, -46];
@@ -55,11 +55,13 @@ fn quotients<T: Real>(scene: &Scene, data: &[f64], kind: Kind, entries: &[Entry]
     let values =
         |road: &Road<T>| entries.iter().enumerate().map(|(at, e)| value(road, at, e.label)).collect();
     let nothing = vec![None; entries.len()];
-    let base: Vec<Option<T>> = eom::road(scene, data).map_or_else(|_| nothing.clone(), |road| values(&road));
+    let asked = Scope::only(entries.iter().map(|e| e.label.quantity));
+    let solved = |data: &[f64]| eom::road_of(scene, data, asked);
+    let base: Vec<Option<T>> = solved(data).map_or_else(|_| nothing.clone(), |road| values(&road));
     let mut moved = data.to_vec();
     let mut change = |i: usize, by: f64| {
         moved[i] = data[i] * (1.0 + by);
-        let road = eom::road(scene, &moved).ok();
+        let road = solved(&moved).ok();
         let by = moved[i] / data[i] - 1.0;
         moved[i] = data[i];
         let alike = road.as_ref().is_some_and(|r| r.course.as_ref().map(|c| (c.sense, c.reached)) == kind);

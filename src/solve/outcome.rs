@@ -2,7 +2,7 @@
 use crate::num::gauss::Unsettled;
 use crate::num::ode::Trouble;
 use crate::num::{Real, ball};
-use crate::scene::{Coordinate, Degree, End, Label, Owner, Scales, Scene, Term};
+use crate::scene::{Coordinate, Degree, End, Label, Owner, Quantities, Quantity, Scales, Scene, Term};
 use crate::solve::method::Method;
 
 /// What really happens, in the words that scripts rely on ([`Regime::word`]).
@@ -247,7 +247,7 @@ pub struct Entry {
     /// From work and energy.
     pub energy: Option<f64>,
     /// Condition number with respect to the data, g and angles included; infinite for 0 with nonzero sensitivity, but that of
-    /// a place that is 0 is told by the scale of its terms.
+    /// a place that is 0 is told by the scale of its terms. NaN where it was not asked for.
     pub cond: f64,
     /// Proved: the true answer for the printed data lies within this of [`Entry::value`], SI. `None` where nothing is
     /// proved.
@@ -612,7 +612,29 @@ pub struct Throw {
     pub available: f64,
 }
 
-/// Everything that one road says of a scene.
+/// What is asked of a road; beside it, a road always says where the motion goes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Scope {
+    /// The quantities.
+    pub quantities: Quantities,
+    /// Contacts and cords over the motion, for judging whether the ties hold?
+    pub held: bool,
+}
+
+impl Scope {
+    /// All that it can say.
+    pub const ALL: Self = Self { quantities: Quantities::ALL, held: true };
+    /// These quantities alone.
+    pub fn only(quantities: impl IntoIterator<Item = Quantity>) -> Self {
+        Self { quantities: quantities.into_iter().collect(), held: false }
+    }
+    /// Is one of these quantities asked?
+    pub fn any(self, quantities: &[Quantity]) -> bool {
+        quantities.iter().any(|q| self.quantities.has(*q))
+    }
+}
+
+/// What one road says of a scene: everything, or what it was asked for.
 #[derive(Debug, Clone)]
 pub struct Road<T: Real> {
     /// Its quantities.
@@ -634,9 +656,11 @@ impl<P: Real> Course<P> {
 }
 
 impl<T: Real> Road<T> {
-    /// Nothing said yet.
-    pub fn new() -> Self {
-        Self { said: Vec::with_capacity(24), open: Vec::new(), course: None, held: Vec::with_capacity(4) }
+    /// Nothing said yet of what is asked.
+    pub fn new(asked: Scope) -> Self {
+        let said = Vec::with_capacity(asked.quantities.count().min(24));
+        let held = Vec::with_capacity(if asked.held { 4 } else { 0 });
+        Self { said, open: Vec::new(), course: None, held }
     }
     /// What the road says of a label.
     pub fn get(&self, label: Label) -> Option<&Said<T>> {
@@ -673,11 +697,5 @@ impl<T: Real> Road<T> {
             }
         }
         self
-    }
-}
-
-impl<T: Real> Default for Road<T> {
-    fn default() -> Self {
-        Self::new()
     }
 }

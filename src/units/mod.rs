@@ -3,6 +3,7 @@
 //! A unit has a dimension in which the radian is an axis of its own, so that a torque and an energy may be confused (SI
 //! does) but an angle and a pure number may not. The radian may be dropped: `1/s` is taken for `rad/s`.
 use std::fmt;
+use std::sync::Arc;
 
 pub(crate) mod parse;
 pub mod quantity;
@@ -124,8 +125,8 @@ pub(crate) const TENS: [f64; 23] = [
 /// A unit: how it is spelled, its dimension, and its size in SI.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Unit {
-    ascii: Box<str>,
-    factors: Vec<(Box<str>, i8)>,
+    ascii: Arc<str>,
+    factors: Arc<[(Box<str>, i8)]>,
     dimension: Dimension,
     scale: UnitScale,
     factor: f64,
@@ -162,7 +163,7 @@ impl Unit {
             e => format!("{name}^{e}"),
         });
         let factor = scale.apply(false, 1, 0);
-        Unit { ascii: ascii.into(), factors, dimension, scale, factor }
+        Unit { ascii: ascii.into(), factors: factors.into(), dimension, scale, factor }
     }
     /// In SI; angles in rad.
     #[inline]

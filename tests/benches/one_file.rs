@@ -1,6 +1,6 @@
 //! The task of the Python script in tests/baseline: N variants of one problem, their statements in one file, one key file.
 //!
-//! `cargo bench --bench one_file -- N THREADS FOLDER`
+//! `cargo bench --bench one_file -- N THREADS FOLDER [PROBLEM]`; any built-in problem, `pulled-rolling` if none is named.
 #![allow(clippy::print_stdout, reason = "it prints its figures")]
 use slipstick::problem::maker::Maker;
 use slipstick::set::key_file::shortest;
@@ -10,6 +10,13 @@ use slipstick::words::Words;
 use std::fmt::Write as _;
 use std::io::Write as _;
 
+const BANKS: [&str; 4] = [
+    include_str!("../../banks/hoists-and-pulleys.yaml"),
+    include_str!("../../banks/pinned-bodies.yaml"),
+    include_str!("../../banks/slip-and-roll.yaml"),
+    include_str!("../../banks/wheels-on-inclines.yaml"),
+];
+
 fn main() {
     let mut args = std::env::args().skip(1).filter(|a| !a.starts_with("--"));
     let count: usize = args.next().map_or(100_000, |a| a.parse().expect("N"));
@@ -17,11 +24,13 @@ fn main() {
     let folder = std::path::PathBuf::from(args.next().unwrap_or_else(|| "target/one-file".to_owned()));
     std::fs::create_dir_all(&folder).expect("a folder for the two files");
     let start = std::time::Instant::now();
-    let text = include_str!("../../banks/wheels-on-inclines.yaml");
-    let bank =
-        slipstick::bank::load::scenes_only(text, "wheels-on-inclines.yaml").expect("the bank of the project");
-    let (templates, words) = (Templates::english(), Words::english());
-    let index = bank.problems.iter().position(|p| p.id == "pulled-rolling").expect("a problem of the bank");
+    let id = args.next().unwrap_or_else(|| "pulled-rolling".to_owned());
+    let has = |text: &&&str| text.lines().any(|line| line.trim() == format!("{id}:"));
+    let text = BANKS.iter().find(has).expect("a built-in problem");
+    let bank = slipstick::bank::load::scenes_only(text, "bank").expect("a bank of the project");
+    let (mut templates, words) = (Templates::english(), Words::english());
+    slipstick::sheet::statement::add_own(&mut templates, &bank).expect("the bank's own texts");
+    let index = bank.problems.iter().position(|p| p.id == id).expect("a problem of the bank");
     let problem = &bank.problems[index];
     let sheets = Sheets::new(&templates, &words, &bank, "one file", &[index]).expect("templates");
     let maker = Maker::new(problem, 1, "one file");

@@ -7,13 +7,13 @@ use crate::num::Real;
 use crate::num::plant::plant;
 use crate::scene::{Label, Numbers, Owner, Quantity, Scene, Start};
 use crate::solve::energy::{balance, speeds};
-use crate::solve::outcome::{Refusal, Road, Said};
+use crate::solve::outcome::{Refusal, Road, Said, Scope};
 
 /// `T = sum 1/2 m v_G^2 + 1/2 I_G omega^2`, counter-clockwise positive.
 ///
 /// Errors: a start that contradicts the ties, or leaves a velocity open.
 pub fn road<T: Real>(scene: &Scene, n: &Numbers<T>) -> Result<Road<T>, Refusal> {
-    let mut road = Road::new();
+    let mut road = Road::new(Scope::ALL);
     let motion = speeds::at_start(scene, n)?;
     let doubled = balance::inertia(n, &motion, &motion);
     let mut energy = doubled.scale2(-1);

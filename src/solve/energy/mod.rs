@@ -28,7 +28,7 @@ use crate::solve::found;
 use crate::solve::found::Forward;
 use crate::solve::method::Method;
 use crate::solve::outcome;
-use crate::solve::outcome::{Course, Grip, Refusal, Road, Said};
+use crate::solve::outcome::{Course, Grip, Refusal, Road, Said, Scope};
 use smallvec::{SmallVec, smallvec};
 use std::cell::Cell;
 
@@ -332,7 +332,7 @@ impl<'a, T: Real> Ledger<'a, T> {
             mode
         };
         let loose = loose.filter(|_| mode.of(end).is_zero()).unwrap_or_else(|| mode.clone());
-        let road = Road::new();
+        let road = Road::new(Scope::ALL);
         Ok(Self {
             scene,
             n,

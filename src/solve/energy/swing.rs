@@ -11,7 +11,7 @@ use crate::num::{Dd, Real, ball, elliptic, gauss, root, trig};
 use crate::scene::{End, Label, Numbers, Owner, Pin, Quantity, Scene, Start};
 use crate::solve::energy::pinned::{Store, Terms, sum};
 use crate::solve::energy::quadrature::Leg;
-use crate::solve::outcome::{Course, Refusal, Road, Said};
+use crate::solve::outcome::{Course, Refusal, Road, Said, Scope};
 use std::cell::Cell;
 
 /// A motion is followed for two turns.
@@ -69,7 +69,7 @@ pub fn road_by<T: Real>(
     let energy0 = (store.doubled * spin.square()).scale2(-1);
     let balances = Cell::new(0);
     let motion = Motion { store, from: store.start, sense, energy0, balances: &balances };
-    let mut book = Book { n: &n, body, road: Road::new() };
+    let mut book = Book { n: &n, body, road: Road::new(Scope::ALL) };
     let free = scene.is_pendulum() && !store.frequency().is_zero();
     book.say(Quantity::IO, store.doubled);
     if free {

@@ -16,7 +16,7 @@ use crate::scene::{End, Label, Numbers, Owner, Quantity, Scene, Thrown};
 use crate::solve::energy::balance::PerTie;
 use crate::solve::energy::speeds::Mode;
 use crate::solve::energy::{balance, speeds};
-use crate::solve::outcome::{Course, Grip, Refusal, Road, Said};
+use crate::solve::outcome::{Course, Grip, Refusal, Road, Said, Scope};
 use smallvec::smallvec;
 
 /// A mode with its inertia (`M`, twice its kinetic energy at unit rate) and the power of the given forces at unit rate.
@@ -147,7 +147,7 @@ pub fn road<T: Real>(scene: &Scene, n: &Numbers<T>, thrown: &Thrown) -> Result<R
     };
     let rolls = ended.as_ref().is_some_and(|(_, _, rolls)| *rolls) || at_rest;
 
-    let mut road = Road::new();
+    let mut road = Road::new(Scope::ALL);
     let mut say = |quantity, of, value: T| {
         let label = Label { quantity, of };
         let value = n.publish(quantity, value);

@@ -7,23 +7,21 @@ use crate::num::plant::plant;
 use crate::scene::{Coordinate, Degree, Label, Numbers, Owner, Quantity, Scene, Start};
 use crate::solve::eom::equations::{Setting, respond};
 use crate::solve::outcome;
-use crate::solve::outcome::{Grip, Refusal, Road, Said};
+use crate::solve::outcome::{Grip, Refusal, Road, Said, Scope};
 use smallvec::{SmallVec, smallvec};
 
 /// `T = sum 1/2 m_i |v_i|^2` with `v_i = v_A + omega x (r_i - r_A)`, counter-clockwise positive.
 ///
 /// Errors: those of the equations, a start that contradicts the ties or leaves a velocity open.
-pub fn road<T: Real>(scene: &Scene, n: &Numbers<T>) -> Result<Road<T>, Refusal> {
-    let mut road = Road::new();
+pub fn road<T: Real>(scene: &Scene, n: &Numbers<T>, asked: Scope) -> Result<Road<T>, Refusal> {
+    let mut road = Road::new(asked);
     let struck = struck(scene, n)?;
     let mut energy = struck.energy;
     let mut say = |quantity, of, value: T, scale: f64| {
-        let label = Label { quantity, of };
-        road.said.push(Said {
-            label,
-            value: n.publish(quantity, value),
-            scale: scale * pow2(n.exponent(quantity)),
-        });
+        if asked.quantities.has(quantity) {
+            let (label, scale) = (Label { quantity, of }, scale * pow2(n.exponent(quantity)));
+            road.said.push(Said { label, value: n.publish(quantity, value), scale });
+        }
     };
     for (b, body) in scene.bodies.iter().enumerate() {
         for (c, velocity) in struck.coordinates.iter().zip(&struck.velocities).filter(|(c, _)| c.body == b) {

@@ -24,22 +24,29 @@ use crate::solve::found;
 use crate::solve::found::Forward;
 use crate::solve::method::Rung;
 use crate::solve::outcome;
-use crate::solve::outcome::{Course, Grip, Held, Refusal, Road, Said, Unsupported};
+use crate::solve::outcome::{Course, Grip, Held, Refusal, Road, Said, Scope, Unsupported};
 use smallvec::{SmallVec, smallvec};
 
 /// Everything that the equations of motion say of a scene whose data are admissible.
 ///
 /// Errors: equations that do not determine the motion.
 pub fn road<T: Real>(scene: &Scene, data: &[f64]) -> Result<Road<T>, Refusal> {
+    road_of(scene, data, Scope::ALL)
+}
+
+/// What they say of what is asked; where a formula asks, that is everything. Errors: those of [`road`].
+pub fn road_of<T: Real>(scene: &Scene, data: &[f64], asked: Scope) -> Result<Road<T>, Refusal> {
     match &scene.formulas.found {
         Some(found) => found::road(found, data, &Here(scene)),
+        None if scene.formulas.asked.is_empty() => alone(scene, data, asked),
         None => answered(scene, data),
     }
 }
 
 /// [`road`] with all data given.
 fn answered<T: Real>(scene: &Scene, data: &[f64]) -> Result<Road<T>, Refusal> {
-    Ok(alone(scene, data)?.answering(scene, data, &|other| alone(other, data)))
+    let road = |scene: &Scene| alone(scene, data, Scope::ALL);
+    Ok(road(scene)?.answering(scene, data, &road))
 }
 
 /// This road of a scene, for the search of what is found from a measurement.
@@ -47,7 +54,7 @@ struct Here<'s>(&'s Scene);
 
 impl<T: Real> Forward<T> for Here<'_> {
     fn rough(&self, data: &[f64], label: Label) -> f64 {
-        let road = alone::<Fast>(self.0, data).ok();
+        let road = alone::<Fast>(self.0, data, Scope::only([label.quantity])).ok();
         road.and_then(|road| road.get(label).map(|said| said.value.f64())).unwrap_or(f64::NAN)
     }
     fn exact(&self, data: &[f64]) -> Result<Road<T>, Refusal> {
@@ -55,19 +62,19 @@ impl<T: Real> Forward<T> for Here<'_> {
     }
 }
 
-/// [`road`] without what is asked by formulas.
-fn alone<T: Real>(scene: &Scene, data: &[f64]) -> Result<Road<T>, Refusal> {
+/// [`road_of`] without what is asked by formulas.
+fn alone<T: Real>(scene: &Scene, data: &[f64], asked: Scope) -> Result<Road<T>, Refusal> {
     let n = Numbers::<T>::new(scene, data);
     if let Some((body, pin)) = scene.pinned() {
-        return swing::road(scene, n, body, pin);
+        return Ok(swing::road_by(scene, n, (body, pin), asked, None)?.0);
     }
     if matches!(scene.end, End::AtOnce) {
-        return instant::road(scene, &n);
+        return instant::road(scene, &n, asked);
     }
     if let Some(thrown) = scene.thrown() {
-        return thrown::road(scene, &n, &thrown);
+        return Ok(thrown::road_by(scene, &n, &thrown, asked, None)?.0);
     }
-    Ok(Walk::new(scene, n)?.walk()?.0)
+    Ok(Walk::new(scene, n, asked)?.walk()?.0)
 }
 
 /// [`road`], with the states at its events from the steps of this rung and not from the closed form; what it cost. `asked`
@@ -81,7 +88,7 @@ pub fn road_by<T: Real>(
     asked: &dyn Fn(Quantity) -> bool,
 ) -> Result<(Road<T>, Count), Refusal> {
     let (road, count) = alone_by(scene, data, rung, asked)?;
-    Ok((road.answering(scene, data, &|other| alone(other, data)), count))
+    Ok((road.answering(scene, data, &|other| alone(other, data, Scope::ALL)), count))
 }
 
 /// [`road_by`] without what is asked by formulas.
@@ -93,15 +100,15 @@ fn alone_by<T: Real>(
 ) -> Result<(Road<T>, Count), Refusal> {
     let n = Numbers::<T>::new(scene, data);
     if let Some((body, pin)) = scene.pinned() {
-        return swing::road_by(scene, n, (body, pin), Some((rung, asked)));
+        return swing::road_by(scene, n, (body, pin), Scope::ALL, Some((rung, asked)));
     }
     if matches!(scene.end, End::AtOnce) {
-        return Ok((instant::road(scene, &n)?, Count::default()));
+        return Ok((instant::road(scene, &n, Scope::ALL)?, Count::default()));
     }
     if let Some(thrown) = scene.thrown() {
-        return thrown::road_by(scene, &n, &thrown, Some(rung));
+        return thrown::road_by(scene, &n, &thrown, Scope::ALL, Some(rung));
     }
-    let mut walk = Walk::new(scene, n)?;
+    let mut walk = Walk::new(scene, n, Scope::ALL)?;
     walk.by = Some((rung, asked));
     walk.walk()
 }
@@ -123,7 +130,7 @@ struct Spring<T> {
 }
 
 /// Responses with one slipping contact taken as rolling.
-type Rolled<T> = SmallVec<[(usize, Response<T>); 1]>;
+type Rolled<T> = Vec<(usize, Response<T>)>;
 
 struct Walk<'a, T: Real> {
     scene: &'a Scene,
@@ -143,11 +150,12 @@ struct Walk<'a, T: Real> {
     started: bool,
     /// Steps instead of the closed form: the rung, and which quantities are wanted.
     by: Option<(Rung, &'a dyn Fn(Quantity) -> bool)>,
+    asked: Scope,
     road: Road<T>,
 }
 
 impl<'a, T: Real> Walk<'a, T> {
-    fn new(scene: &'a Scene, n: Numbers<'a, T>) -> Result<Self, Refusal> {
+    fn new(scene: &'a Scene, n: Numbers<'a, T>, asked: Scope) -> Result<Self, Refusal> {
         let end = scene.ending_coordinate();
         // What is given as 0 is no speed.
         let given = scene.start.iter().find_map(|s| match s {
@@ -339,7 +347,8 @@ impl<'a, T: Real> Walk<'a, T> {
             v0,
             started,
             by: None,
-            road: Road::new(),
+            asked,
+            road: Road::new(asked),
         })
     }
 
@@ -347,9 +356,20 @@ impl<'a, T: Real> Walk<'a, T> {
         self.say_scaled(quantity, of, value, value.f64().abs());
     }
     fn say_scaled(&mut self, quantity: Quantity, of: Owner, value: T, scale: f64) {
-        let label = Label { quantity, of };
-        let scale = scale * pow2(self.n.exponent(quantity));
-        self.road.said.push(Said { label, value: self.n.publish(quantity, value), scale });
+        if self.asked.quantities.has(quantity) {
+            let label = Label { quantity, of };
+            let scale = scale * pow2(self.n.exponent(quantity));
+            self.road.said.push(Said { label, value: self.n.publish(quantity, value), scale });
+        }
+    }
+    fn hold(&mut self, held: Held<T>) {
+        if self.asked.held {
+            self.road.held.push(held);
+        }
+    }
+    /// Is one of these quantities asked?
+    fn asks(&self, quantities: &[Quantity]) -> bool {
+        self.asked.any(quantities)
     }
 
     /// Velocity of a coordinate per unit velocity of the ending one.
@@ -471,11 +491,13 @@ impl<'a, T: Real> Walk<'a, T> {
         if let (true, Some(s), Some((slack, _)), Some((tie, ..))) =
             (reached, s, travel.slack, self.scene.spring())
         {
-            self.road.held.push(Held::Slack(tie, s, slack));
+            self.hold(Held::Slack(tie, s, slack));
         }
         let path = self.stepped(&travel, if reached { s } else { None })?;
         let (met, peak, rest) = path.map_or((None, None, None), |p| (p.end, p.fastest, p.turning));
-        if (self.spring.is_some() || !v0.is_zero()) && self.along(self.end.body) == Some(self.end) {
+        let beyond = self.asks(&[Quantity::VMax, Quantity::DAtVMax, Quantity::DTurn]);
+        let starts = self.spring.is_some() || !v0.is_zero();
+        if beyond && starts && self.along(self.end.body) == Some(self.end) {
             let body = Owner::Body(self.end.body);
             if let Some((at, v)) = peak.map(|p| (p.s, p.u)).or_else(|| travel.fastest()) {
                 self.say(Quantity::VMax, body, v);
@@ -557,6 +579,9 @@ impl<'a, T: Real> Walk<'a, T> {
 
     /// Friction that rolling would need, where a contact is said to slip.
     fn contacts_if_rolled(&mut self) {
+        if !self.asked.held && !self.asks(&[Quantity::FrictionIfRolled, Quantity::MuRequired]) {
+            return;
+        }
         for (t, rolled) in std::mem::take(&mut self.rolled) {
             let Tie::Slip { body, mu_s, radius_m, .. } = &self.scene.ties[t] else { continue };
             let friction = rolled.reaction(t, CONSTANT);
@@ -575,7 +600,7 @@ impl<'a, T: Real> Walk<'a, T> {
             let against = slip.signed(-friction.sign());
             let available = self.n.get(*mu_s) * normal;
             let force = |f: T| self.n.publish(Quantity::Friction, f);
-            self.road.held.push(Held::Slipping(t, force(friction), force(available), against, along.sign()));
+            self.hold(Held::Slipping(t, force(friction), force(available), against, along.sign()));
         }
     }
 
@@ -592,12 +617,15 @@ impl<'a, T: Real> Walk<'a, T> {
 
     /// Normal forces, friction needed over the whole motion, tensions of the cords.
     fn grip(&mut self, tension0: T, tension1: T) {
+        if !self.asked.held && !self.asks(&[Quantity::Normal, Quantity::MuRequired]) {
+            return;
+        }
         for b in 0..self.scene.bodies.len() {
             if self.scene.bodies[b].line.is_some_and(|l| l.surface) {
                 let normal = self.response.normal(b);
                 self.say(Quantity::Normal, Owner::Body(b), normal);
                 let force = self.n.publish(Quantity::Normal, normal).f64();
-                self.road.held.push(Held::Pressed(b, force));
+                self.hold(Held::Pressed(b, force));
             }
         }
         for (t, tie) in self.scene.ties.iter().enumerate() {
@@ -608,7 +636,7 @@ impl<'a, T: Real> Walk<'a, T> {
                     self.say_open(Quantity::MuRequired, Owner::Body(*body));
                 }
                 if matches!(tie, Tie::Roll { mu_s: Some(_), .. } | Tie::Cord(_)) {
-                    self.road.held.push(Held::Open(t));
+                    self.hold(Held::Open(t));
                 }
                 continue;
             }
@@ -623,14 +651,14 @@ impl<'a, T: Real> Walk<'a, T> {
                     }
                     let force = |f: T| self.n.publish(Quantity::Friction, f);
                     let available = mu_s.map(|mu| force(self.n.get(mu) * normal));
-                    self.road.held.push(Held::Rolling(t, force(most), available));
+                    self.hold(Held::Rolling(t, force(most), available));
                 }
-                Tie::Cord(c) if matches!(c.to, Far::Body(_) | Far::Fixed) => {
+                Tie::Cord(c) if matches!(c.to, Far::Body(_) | Far::Fixed) && self.asked.held => {
                     let (first, last) = (self.friction(t, tension0), self.friction(t, tension1));
                     let (least, at) = if last.below(first) { (last, tension1) } else { (first, tension0) };
                     let share = self.share_of_tension(t, c, least, at);
                     let force = self.n.publish(Quantity::Tension, least).f64();
-                    self.road.held.push(Held::Cord(t, force, share));
+                    self.hold(Held::Cord(t, force, share));
                 }
                 _ => {}
             }
@@ -721,6 +749,9 @@ impl<'a, T: Real> Walk<'a, T> {
     }
 
     fn accelerations(&mut self, tension: T) {
+        if !self.asks(&[Quantity::A, Quantity::Alpha]) {
+            return;
+        }
         for b in 0..self.scene.bodies.len() {
             for (c, q) in [(self.along(b), Quantity::A), (self.turn(b), Quantity::Alpha)] {
                 if let Some(c) = c {
@@ -738,6 +769,9 @@ impl<'a, T: Real> Walk<'a, T> {
 
     /// Friction of the contacts and tension of the cords at this tension of the spring.
     fn forces(&mut self, tension: T) {
+        if !self.asks(&[Quantity::Friction, Quantity::Tension]) {
+            return;
+        }
         for (t, tie) in self.scene.ties.iter().enumerate() {
             match tie {
                 Tie::Roll { body, .. } | Tie::Slip { body, .. } | Tie::Slide { body, .. }
@@ -839,6 +873,9 @@ impl<'a, T: Real> Walk<'a, T> {
     /// under constant pulls with a given radius of gyration; infinite where friction points up at any k.
     fn bound_of_gyration(&mut self) {
         let [body] = self.scene.bodies.as_slice() else { return };
+        if !self.asks(&[Quantity::KBound]) {
+            return;
+        }
         let mut radius = None;
         let numbers = self.n.bodies[0];
         let (mut force, mut moment) = (-(numbers.mass * self.n.gravity * numbers.climb), T::zero());

@@ -15,7 +15,7 @@ use crate::solve::eom::integrate::{Event, Route};
 use crate::solve::eom::pinned::Pinned;
 use crate::solve::eom::travel;
 use crate::solve::method::Rung;
-use crate::solve::outcome::{Course, Refusal, Road, Said};
+use crate::solve::outcome::{Course, Refusal, Road, Said, Scope};
 
 /// A motion is followed for two turns; within them the ends that a bank can ask for lie.
 const TURNS: f64 = 2.0;
@@ -82,23 +82,18 @@ struct Arc<T> {
     pace: T,
 }
 
-/// Everything that the equations of motion say of a scene with a pinned body.
-///
-/// Errors: equations that do not determine the motion, a quadrature that does not settle.
-pub fn road<T: Real>(scene: &Scene, n: Numbers<T>, owner: usize, pin: &Pin) -> Result<Road<T>, Refusal> {
-    Ok(road_by(scene, n, (owner, pin), None)?.0)
-}
-
 /// A rung, and which quantities are wanted of it.
 pub type Steps<'s> = (Rung, &'s dyn Fn(Quantity) -> bool);
 
-/// [`road`], with the states at its events from the steps of a rung, if one is given; what it cost.
+/// What the equations of motion say of a scene with a pinned body; with the states at its events from the steps of a rung, if one
+/// is given, and what they cost.
 ///
-/// Errors: those of [`road`], and a run that does not reach its events.
+/// Errors: equations that do not determine the motion, a quadrature that does not settle, a run that does not reach its events.
 pub fn road_by<T: Real>(
     scene: &Scene,
     n: Numbers<T>,
     (owner, pin): (usize, &Pin),
+    asked_for: Scope,
     by: Option<Steps>,
 ) -> Result<(Road<T>, Count), Refusal> {
     let body = Pinned::new(scene, &n, owner, pin)?;
@@ -110,7 +105,7 @@ pub fn road_by<T: Real>(
     let first = body.acceleration(&body.start);
     let sense = if spin.is_zero() { first.sign() } else { spin.sign() };
     let swing = Swing { body, start: body.start, sense, half_square: spin.square().scale2(-1) };
-    let mut teller = Teller { n: &n, owner, road: Road::new() };
+    let mut teller = Teller { n: &n, owner, asked: asked_for, road: Road::new(asked_for) };
     let mass_centre = teller.lasting(scene, &swing, pin);
     let start = Place { way: T::zero(), half: swing.start };
     if matches!(scene.end, End::AtOnce) {
@@ -154,7 +149,7 @@ pub fn road_by<T: Real>(
         let speed = if rest { T::zero() } else { T::of(run.end.u) };
         (swing.place(T::of(run.end.s)), speed, T::of(run.end.time))
     } else {
-        let (speed, time) = swing.arrived(&place, rest, pendulum)?;
+        let (speed, time) = swing.arrived(&place, rest, pendulum, asked_for.quantities.has(Quantity::T))?;
         (place, speed, time)
     };
     teller.say(Quantity::T, Owner::Scene, time);
@@ -182,6 +177,7 @@ struct Stepped {
 struct Teller<'a, T: Real> {
     n: &'a Numbers<'a, T>,
     owner: usize,
+    asked: Scope,
     road: Road<T>,
 }
 
@@ -190,9 +186,11 @@ impl<T: Real> Teller<'_, T> {
         self.say_scaled(quantity, of, value, value.f64().abs());
     }
     fn say_scaled(&mut self, quantity: Quantity, of: Owner, value: T, scale: f64) {
-        let scale = scale * pow2(self.n.exponent(quantity));
-        let value = self.n.publish(quantity, value);
-        self.road.said.push(Said { label: Label { quantity, of }, value, scale });
+        if self.asked.quantities.has(quantity) {
+            let scale = scale * pow2(self.n.exponent(quantity));
+            let value = self.n.publish(quantity, value);
+            self.road.said.push(Said { label: Label { quantity, of }, value, scale });
+        }
     }
 
     /// Puts another value in the place of what was said.
@@ -214,9 +212,11 @@ impl<T: Real> Teller<'_, T> {
             let turn = T::constant(Dd::PI.scale2(1));
             self.say(Quantity::OmegaSmall, of, frequency);
             self.say(Quantity::PeriodSmall, of, turn / frequency);
-            let (period, fastest) = swing.period();
-            self.say(Quantity::Period, of, period);
-            self.say(Quantity::OmegaMax, of, fastest);
+            if self.asked.any(&[Quantity::Period, Quantity::OmegaMax]) {
+                let (period, fastest) = swing.period();
+                self.say(Quantity::Period, of, period);
+                self.say(Quantity::OmegaMax, of, fastest);
+            }
         }
         arm
     }
@@ -442,11 +442,13 @@ impl<T: Real> Swing<T> {
         self.time(place, rest, speed, pendulum)
     }
 
-    /// Angular speed and time at a place, at which it rests or not.
-    fn arrived(&self, place: &Place<T>, rest: bool, pendulum: bool) -> Result<(T, T), Refusal> {
-        if rest || pendulum || place.way.is_zero() {
+    /// Angular speed and, if it is asked, time at a place, at which it rests or not.
+    fn arrived(&self, place: &Place<T>, rest: bool, pendulum: bool, timed: bool) -> Result<(T, T), Refusal> {
+        // In doubles what else is asked must not change the last digits of the speed: differences are made of them.
+        if rest || pendulum || place.way.is_zero() || !timed || T::is_double() {
             let speed = if rest { T::zero() } else { self.gained(place)?.scale2(1).root() };
-            return Ok((speed, self.time(place, rest, speed, pendulum)?));
+            let time = if timed { self.time(place, rest, speed, pendulum)? } else { T::zero() };
+            return Ok((speed, time));
         }
         // The quadrature for the time sums up the work of the spring.
         let (time, sprung) = self.quadrature(place.way)?;

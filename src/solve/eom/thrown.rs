@@ -17,7 +17,7 @@ use crate::scene::{Coordinate, Degree, End, Label, Numbers, Owner, Quantity, Sce
 use crate::solve::eom::STEPS;
 use crate::solve::eom::equations::{CONSTANT, Response, Setting, respond};
 use crate::solve::method::Rung;
-use crate::solve::outcome::{Course, Grip, Held, Refusal, Road, Said, Throw};
+use crate::solve::outcome::{Course, Grip, Held, Refusal, Road, Said, Scope, Throw};
 use smallvec::smallvec;
 use std::cell::Cell;
 
@@ -57,19 +57,14 @@ impl<T: Real> State<T> {
 /// Everything that the equations of motion say of a thrown body whose data are admissible.
 ///
 /// While it slips at the end, `a`, `alpha` and `friction` are those of slipping; where the end is the start of rolling, those
-/// just before it. An end that is not reached (never rolls, or slips through) leaves what holds at the start.
-/// Errors: equations that do not determine the motion.
-pub fn road<T: Real>(scene: &Scene, n: &Numbers<T>, thrown: &Thrown) -> Result<Road<T>, Refusal> {
-    Ok(road_by(scene, n, thrown, None)?.0)
-}
-
-/// [`road`], with the state at the end from the steps of a rung, if one is given; what it cost.
-///
-/// Errors: those of [`road`], and a run that does not reach the start of rolling.
+/// just before it. An end that is not reached (never rolls, or slips through) leaves what holds at the start. The state at the
+/// end is from the steps of a rung, if one is given, with what they cost.
+/// Errors: equations that do not determine the motion; a run that does not reach the start of rolling.
 pub fn road_by<T: Real>(
     scene: &Scene,
     n: &Numbers<T>,
     thrown: &Thrown,
+    asked: Scope,
     by: Option<Rung>,
 ) -> Result<(Road<T>, Count), Refusal> {
     let body = thrown.body;
@@ -158,11 +153,12 @@ pub fn road_by<T: Real>(
         (_, Some(p)) => p,
     };
 
-    let mut road = Road::new();
+    let mut road = Road::new(asked);
     let mut say = |quantity, of, value: T, scale: f64| {
-        let label = Label { quantity, of };
-        let scale = scale * pow2(n.exponent(quantity));
-        road.said.push(Said { label, value: n.publish(quantity, value), scale });
+        if asked.quantities.has(quantity) {
+            let (label, scale) = (Label { quantity, of }, scale * pow2(n.exponent(quantity)));
+            road.said.push(Said { label, value: n.publish(quantity, value), scale });
+        }
     };
     let own = Owner::Body(body);
     let up = if scene.bodies[body].line.is_none_or(|l| l.forward_up) { 1.0 } else { -1.0 };
