@@ -173,7 +173,11 @@ pub fn wide(problem: &Problem, solved: &Solved) -> Option<(usize, f64)> {
 pub const fn may_vanish(quantity: Quantity) -> bool {
     match quantity {
         Quantity::SlipDistance | Quantity::SlipSpeed => true,
-        Quantity::WorkPull | Quantity::PowerPull | Quantity::Tension => false,
+        Quantity::WorkPull
+        | Quantity::PowerPull
+        | Quantity::WorkCouple
+        | Quantity::PowerCouple
+        | Quantity::Tension => false,
         other => !is_magnitude(other),
     }
 }
@@ -202,6 +206,13 @@ pub const fn is_magnitude(quantity: Quantity) -> bool {
             | Quantity::Rise
             | Quantity::PinRadial
             | Quantity::PinTangential
+            | Quantity::PinX
+            | Quantity::PinY
+            | Quantity::PinAngle
+            | Quantity::Work
+            | Quantity::WorkCouple
+            | Quantity::PowerCouple
+            | Quantity::Impulse
             | Quantity::SpringForce
             | Quantity::XG
             | Quantity::YG
