@@ -5,7 +5,7 @@ use std::slice;
 use std::vec;
 
 /// What a finding says, as `format!` makes it. A page tells no finding about a bank, for nothing was found in the bank that its sheet
-/// was made from: there the text is not made, which leaves out a tenth of the program.
+/// was made from: there the text is not made.
 #[cfg(feature = "program")]
 macro_rules! told {
     ($($text:tt)*) => { format!($($text)*) };

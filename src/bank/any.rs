@@ -103,11 +103,16 @@ fn depends(scene: &Scene, label: Label, cancels: Cancels) -> bool {
         };
     }
     match cancels {
-        Cancels::Mass(_) => ["N", "J", "W", "kg*m^2"].contains(&label.quantity.unit()),
+        Cancels::Mass(_) => ["N", "J", "W", "kg*m^2", "N*s", "kg*m^2/s"].contains(&label.quantity.unit()),
         Cancels::Radius(body) => {
             let turning = matches!(
                 label.quantity,
-                Quantity::Omega | Quantity::Alpha | Quantity::Phi | Quantity::IG | Quantity::KBound
+                Quantity::Omega
+                    | Quantity::Alpha
+                    | Quantity::Phi
+                    | Quantity::IG
+                    | Quantity::AngularMomentum
+                    | Quantity::KBound
             );
             turning && matches!(label.of, Owner::Body(b) if b == body)
         }

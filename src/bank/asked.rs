@@ -32,7 +32,8 @@ pub fn put(questions: &Node, scene: &mut Scene, context: &AskedContext, faults: 
         if !is_formula(node) {
             continue;
         }
-        if Quantity::from_name(id).is_some() {
+        // What an expression comes to may bear any name: the question's own goes before that of a quantity.
+        if node.field("value").is_none() && Quantity::from_name(id).is_some() {
             let hint = "give it a name of its own, such as `largest`, and name the quantity by `quantity:`";
             faults.hint(key, told!("`{id}` is a quantity itself; this question asks another thing"), hint);
         }

@@ -358,6 +358,9 @@ pub fn reason(scene: &Scene, quantity: Quantity) -> String {
             | Q::PinRadial
             | Q::PinTangential
             | Q::PinForce
+            | Q::PinX
+            | Q::PinY
+            | Q::PinAngle
             | Q::SpringForce
             | Q::OmegaMax
             | Q::Period
@@ -375,8 +378,10 @@ pub fn reason(scene: &Scene, quantity: Quantity) -> String {
 const fn why(quantity: Quantity) -> &'static str {
     use Quantity as Q;
     match quantity {
-        Q::Omega | Q::Alpha | Q::Phi => "nothing turns here",
-        Q::V | Q::A | Q::Displacement | Q::Rise => "nothing moves along a line here",
+        Q::Omega | Q::Alpha | Q::Phi | Q::AngularMomentum => "nothing turns here",
+        Q::V | Q::A | Q::Displacement | Q::Distance | Q::Rise | Q::Impulse => {
+            "nothing moves along a line here"
+        }
         Q::Friction | Q::Normal => "nothing touches a surface here",
         Q::MuRequired => "nothing rolls or slips here",
         Q::SlipDistance | Q::FrictionIfRolled => "it needs a tie `slips`",
@@ -386,18 +391,21 @@ const fn why(quantity: Quantity) -> &'static str {
         Q::Tension => "it needs a cord whose pull is not given",
         Q::CordTravel => "it needs a cord that is pulled or held by a spring",
         Q::WorkPull | Q::PowerPull => "it needs a cord with `pulled with`",
+        Q::WorkCouple | Q::PowerCouple => "it needs a couple under `forces`",
         Q::KBound => "it needs one wheel with a radius of gyration that rolls and is pulled",
         Q::XEq => "it needs a spring",
         Q::VMax | Q::DAtVMax | Q::DTurn => {
             "it needs an end of a body on a line, and a spring or a speed at the start"
         }
         Q::XG | Q::YG | Q::IG => "it needs a body of particles",
-        Q::IO | Q::PinRadial | Q::PinTangential | Q::PinForce => "it needs a pinned body",
+        Q::IO | Q::PinRadial | Q::PinTangential | Q::PinForce | Q::PinX | Q::PinY | Q::PinAngle => {
+            "it needs a pinned body"
+        }
         Q::SpringForce => "it needs a spring on a pinned body",
         Q::OmegaMax | Q::Period | Q::PeriodSmall | Q::OmegaSmall => {
             "it needs a pinned body that swings under its weight alone"
         }
-        Q::T | Q::RotationalFraction | Q::KineticEnergy | Q::Direction => "it needs a motion",
+        Q::T | Q::RotationalFraction | Q::KineticEnergy | Q::Work | Q::Direction => "it needs a motion",
         Q::Value => "it needs a question with `value:`",
     }
 }
@@ -415,13 +423,19 @@ pub fn labels(scene: &Scene) -> Vec<Label> {
         }
     };
     let moves = !matches!(scene.end, End::AtOnce);
+    let rates = moves || scene.tells_rates();
+    let couples = |add: &mut dyn FnMut(Owner, &[Q])| {
+        scene.couples.iter().for_each(|c| add(Owner::Body(c.body), &[Q::WorkCouple, Q::PowerCouple]));
+    };
     add(Owner::Scene, &[Q::KineticEnergy]);
     if let Some((b, pin)) = scene.pinned() {
         let of = Owner::Body(b);
         add(Owner::Scene, &[Q::RotationalFraction]);
-        add(of, &[Q::Omega, Q::V, Q::Alpha, Q::IO, Q::PinRadial, Q::PinTangential, Q::PinForce]);
+        add(of, &[Q::Omega, Q::V, Q::Alpha, Q::IO, Q::AngularMomentum]);
+        add(of, &[Q::PinRadial, Q::PinTangential, Q::PinForce, Q::PinX, Q::PinY, Q::PinAngle]);
         if moves {
-            add(Owner::Scene, &[Q::T]);
+            couples(&mut add);
+            add(Owner::Scene, &[Q::T, Q::Work]);
             add(of, &[Q::Phi, Q::Rise]);
         }
         if scene.is_pendulum() {
@@ -439,24 +453,31 @@ pub fn labels(scene: &Scene) -> Vec<Label> {
             continue;
         }
         if body.turns {
-            add(of, if moves { &[Q::Omega, Q::Alpha, Q::Phi] } else { &[Q::Omega] });
+            add(of, &[Q::Omega, Q::AngularMomentum]);
+            add(of, if moves { &[Q::Phi] } else { &[] });
+            add(of, if rates { &[Q::Alpha] } else { &[] });
         }
         if let Some(line) = body.line {
-            add(of, if moves { &[Q::V, Q::A, Q::Displacement, Q::Rise] } else { &[Q::V] });
-            add(of, if line.surface && moves { &[Q::Normal] } else { &[] });
+            add(of, &[Q::V]);
+            add(of, if moves { &[Q::Displacement, Q::Distance, Q::Rise, Q::Impulse] } else { &[] });
+            add(of, if rates { &[Q::A] } else { &[] });
+            add(of, if line.surface && rates { &[Q::Normal] } else { &[] });
         }
     }
-    add(Owner::Scene, if moves { &[Q::T] } else { &[] });
+    add(Owner::Scene, if moves { &[Q::T, Q::Work] } else { &[] });
     if scene.coordinates().next().is_some() {
         add(Owner::Scene, &[Q::RotationalFraction]);
     }
-    if !moves {
+    if !rates {
         return list;
     }
+    if moves {
+        couples(&mut add);
+    }
     let end = scene.ending_coordinate();
-    add(Owner::Body(end.body), &[Q::Direction]);
+    add(Owner::Body(end.body), if moves { &[Q::Direction] } else { &[] });
     let changes = scene.spring().is_some() || !scene.start.is_empty();
-    if changes && end.degree == Degree::Along && scene.thrown().is_none() {
+    if moves && changes && end.degree == Degree::Along && scene.thrown().is_none() {
         add(Owner::Body(end.body), &[Q::VMax, Q::DAtVMax, Q::DTurn]);
     }
     for (t, tie) in scene.ties.iter().enumerate() {
@@ -467,7 +488,11 @@ pub fn labels(scene: &Scene) -> Vec<Label> {
             }
             Tie::Slip { body, .. } => {
                 let of = Owner::Body(*body);
-                add(of, &[Q::Friction, Q::MuRequired, Q::SlipDistance, Q::FrictionIfRolled, Q::Rolls]);
+                add(of, &[Q::Friction, Q::MuRequired, Q::FrictionIfRolled, Q::Rolls]);
+                if !moves {
+                    continue;
+                }
+                add(of, &[Q::SlipDistance]);
                 if scene.thrown().is_some_and(|t| t.body == *body) {
                     add(of, &[Q::SlipSpeed, Q::ARolling]);
                 }
@@ -475,13 +500,17 @@ pub fn labels(scene: &Scene) -> Vec<Label> {
             }
             Tie::Slide { body, .. } => {
                 add(Owner::Body(*body), &[Q::Friction]);
-                add(Owner::Scene, &[Q::Heat]);
+                add(Owner::Scene, if moves { &[Q::Heat] } else { &[] });
             }
             Tie::Cord(c) => match c.to {
+                Far::Pull(_) if !moves => {}
                 Far::Pull(_) => add(Owner::Tie(t), &[Q::CordTravel, Q::WorkPull, Q::PowerPull]),
                 Far::Spring { .. } => {
-                    add(Owner::Tie(t), &[Q::Tension, Q::CordTravel]);
-                    add(Owner::Scene, &[Q::XEq]);
+                    add(Owner::Tie(t), &[Q::Tension]);
+                    if moves {
+                        add(Owner::Tie(t), &[Q::CordTravel]);
+                        add(Owner::Scene, &[Q::XEq]);
+                    }
                 }
                 Far::Body(_) | Far::Fixed => add(Owner::Tie(t), &[Q::Tension]),
             },

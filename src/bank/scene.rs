@@ -199,7 +199,8 @@ impl SceneReader<'_> {
         let couples = fields.get("forces").map_or_else(Vec::new, |n| self.forces(n, &mut bodies));
         let start_node = fields.get("start");
         let start = start_node.map_or_else(Vec::new, |n| self.start(n, &mut bodies));
-        let end = fields.need("end", "{travel: {of: wheel, by: d}}").and_then(|n| self.end(n, &bodies));
+        let end =
+            fields.need("end", "{travel: {of: wheel, by: d}}").and_then(|n| self.end(n, &bodies, &ties));
         fields.close();
         let (end, heading) = end?;
         if let Some(body) = bodies.iter().find(|b| b.pin.is_some())
@@ -1271,7 +1272,95 @@ impl SceneReader<'_> {
         list
     }
 
-    fn end(&self, node: &Node, bodies: &[Body]) -> Option<(End, Option<Heading>)> {
+    /// As an expression names it: a datum or what is worked out from data; `None` for a constant with a unit.
+    fn named(&self, number: Num) -> Option<String> {
+        match number {
+            Num::Datum(i) => Some(self.symbols[i].name.clone()),
+            Num::Derived(i) => {
+                self.derived.borrow().get(i).filter(|d| !d.any).map(|d| format!("({})", d.text))
+            }
+            Num::Fixed(_) => None,
+        }
+    }
+
+    /// A length over a pure number or another length, as the way or the angle at which a motion ends.
+    fn over(&self, node: &Node, by: Option<String>, need: Need) -> Option<Num> {
+        let text = node.text().map(str::trim)?;
+        let known = is_expression(text) || self.symbols.iter().any(|s| s.name == text);
+        let Some(by) = by.filter(|_| known) else {
+            // What is no number at all is told as such.
+            if known || self.number(node, Need::LENGTH).is_some() {
+                self.faults.hint(
+                    node,
+                    "this is worked out from data, not from constants with a unit",
+                    "make it a datum, such as `h: {name: height, unit: m, draw: always 2}`",
+                );
+            }
+            return None;
+        };
+        let text = if is_expression(text) { format!("({text})/{by}") } else { format!("{text}/{by}") };
+        self.derived(node, &text, need)
+    }
+
+    /// An end by the height that a body gains or loses: the way along its surface follows from the slope.
+    fn height(&self, value: &Node, bodies: &[Body], up: bool) -> Option<(End, Option<Heading>)> {
+        let mut fields = Fields::open(value, "the body and the height", self.faults)?;
+        let body = self.need_body(&mut fields, "of", bodies);
+        let by = fields.need("by", "h");
+        fields.close();
+        let (body, by) = (body?, by?);
+        let (way, line) = match bodies[body].line.map(|line| (line.slope, line)) {
+            Some((Slope::Vertical, line)) => (self.number(by, Need::LENGTH), line),
+            Some((Slope::Degrees(slope), line)) => {
+                let slope = match slope {
+                    Num::Fixed(degrees) => Some(format!("{degrees}*pi/180")),
+                    other => self.named(other),
+                };
+                (self.over(by, slope.map(|s| format!("sin({s})")), Need::LENGTH), line)
+            }
+            _ => {
+                let name = &bodies[body].name;
+                let message = told!("`{name}` gains and loses no height along its line");
+                self.faults.hint(value, message, "write `travel`, `turn` or another end");
+                return None;
+            }
+        };
+        let heading = if up == line.forward_up { Heading::Forward } else { Heading::Back };
+        Some((End::Travel(Coordinate { body, degree: Degree::Along }, way?), Some(heading)))
+    }
+
+    /// An end by the length of cord that has come off a body, or onto it.
+    fn unwound(&self, value: &Node, ties: &[Tie]) -> Option<(End, Option<Heading>)> {
+        let mut fields = Fields::open(value, "the cord and the length", self.faults)?;
+        let cord = fields.need("cord", "cord");
+        let by = fields.need("by", "L");
+        fields.close();
+        let (cord, by) = (cord?, by?);
+        let wound = |c: &Cord| {
+            let far = match &c.to {
+                Far::Body(end) => Some(*end),
+                Far::Pull(_) | Far::Spring { .. } | Far::Fixed => None,
+            };
+            [Some(c.from), far].into_iter().flatten().find_map(|end| match end.attach {
+                Attach::Wound(radius, _) => Some((c.name.clone(), end.body, radius)),
+                Attach::Centre => None,
+            })
+        };
+        let wound = ties.iter().filter_map(|t| if let Tie::Cord(c) = t { wound(c) } else { None });
+        let wound: Vec<(String, usize, Num)> = wound.collect();
+        let Some((_, body, radius)) = wound.iter().find(|(name, ..)| Some(name.as_str()) == cord.text())
+        else {
+            let names: Vec<&str> = wound.iter().map(|(name, ..)| name.as_str()).collect();
+            let message =
+                told!("`{}` is no cord that is wound on a body", shorten(cord.text().unwrap_or("")));
+            self.faults.hint(cord, message, told!("wound cords: {}", names.join(", ")));
+            return None;
+        };
+        let angle = self.over(by, self.named(*radius), Need::TURN);
+        Some((End::Travel(Coordinate { body: *body, degree: Degree::Turn }, angle?), None))
+    }
+
+    fn end(&self, node: &Node, bodies: &[Body], ties: &[Tie]) -> Option<(End, Option<Heading>)> {
         let f = self.faults;
         if node.text().is_some_and(|t| t.trim() == "at once") {
             return Some((End::AtOnce, None));
@@ -1287,9 +1376,27 @@ impl SceneReader<'_> {
             let body = self.body_named(value, bodies)?;
             return Some((End::Rolling(Coordinate { body, degree: Degree::Along }), None));
         }
+        match word {
+            "rise" => return self.height(value, bodies, true),
+            "descent" => return self.height(value, bodies, false),
+            "unwinds" => return self.unwound(value, ties),
+            _ => {}
+        }
         let Some((_, by, example, along, in_turning, end)) = ENDS.into_iter().find(|row| row.0 == word)
         else {
-            let names = ["travel", "turn", "position", "time", "speed", "turning point", "rolling", "angle"];
+            let names = [
+                "travel",
+                "turn",
+                "position",
+                "time",
+                "speed",
+                "turning point",
+                "rolling",
+                "angle",
+                "rise",
+                "descent",
+                "unwinds",
+            ];
             self.unknown(key, "end", &names);
             return None;
         };

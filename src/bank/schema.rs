@@ -875,11 +875,13 @@ fn questions(
     let mut out = Vec::new();
     for (id, key, value) in list {
         if !scene::plain_name(id) {
-            faults.hint(
-                key,
-                told!("`{}` is no id of a question", shorten(id)),
-                "letters, digits and `_`, beginning with a letter",
-            );
+            let hint = match id.split_once('.') {
+                Some((of, quantity)) if scene::plain_name(of) && scene::plain_name(quantity) => {
+                    told!("write `{of}_{quantity}: {{quantity: {id}, ...}}`")
+                }
+                _ => "letters, digits and `_`, beginning with a letter".to_owned(),
+            };
+            faults.hint(key, told!("`{}` is no id of a question", shorten(id)), hint);
         }
         out.push((id.to_owned(), question(id, key, value, common, scenes, faults)));
     }

@@ -173,7 +173,11 @@ pub fn wide(problem: &Problem, solved: &Solved) -> Option<(usize, f64)> {
 const fn may_vanish(quantity: Quantity) -> bool {
     match quantity {
         Quantity::SlipDistance | Quantity::SlipSpeed => true,
-        Quantity::WorkPull | Quantity::PowerPull | Quantity::Tension => false,
+        Quantity::WorkPull
+        | Quantity::PowerPull
+        | Quantity::WorkCouple
+        | Quantity::PowerCouple
+        | Quantity::Tension => false,
         other => !other.is_magnitude(),
     }
 }

@@ -81,11 +81,17 @@ quantities! {
     SlipDistance "slip_distance" "m" Magnitude "distance that the contact slips, a magnitude";
     SlipSpeed "slip_speed" "m/s" Magnitude "speed at which the contact slips at the start, a magnitude";
     Displacement "displacement" "m" Directed "displacement of the mass centre from start to end, positive forward";
+    Distance "distance" "m" Magnitude "distance that the mass centre moves, there and back, a magnitude";
     ARolling "a_rolling" "m/s^2" Directed "acceleration of the mass centre once it rolls, positive forward";
     Phi "phi" "rad" Magnitude "angle turned, a magnitude";
     Heat "heat" "J" Magnitude "heat of sliding friction";
     WorkPull "work_pull" "J" Signed "work of the pull";
     PowerPull "power_pull" "W" Signed "power of the pull at the end";
+    WorkCouple "work_couple" "J" Signed "work of the couples on the body";
+    PowerCouple "power_couple" "W" Signed "power of the couples on the body at the end";
+    Work "work" "J" Signed "work of all forces together, from the start to the end";
+    Impulse "impulse" "N*s" Signed "impulse of all forces on the body, positive forward";
+    AngularMomentum "angular_momentum" "kg*m^2/s" Magnitude "angular momentum about the mass centre, or about the axle or the pin, at the end, a magnitude";
     FrictionIfRolled "friction_if_rolled" "N" Directed "friction that rolling without slipping would need, positive up the incline";
     KBound "k_bound" "m" Magnitude "radius of gyration below which friction points up the incline at this pull";
     XEq "x_eq" "m" Magnitude "stretch of the spring at equilibrium";
@@ -102,6 +108,9 @@ quantities! {
     PinRadial "pin_radial" "N" Signed "force of the pin on the body along the line to the mass centre, positive toward the pin";
     PinTangential "pin_tangential" "N" Signed "force of the pin on the body across that line, positive with growing angle";
     PinForce "pin_force" "N" Magnitude "force of the pin on the body, a magnitude";
+    PinX "pin_x" "N" Signed "horizontal part of the force of the pin on the body, positive to the side of small positive angles";
+    PinY "pin_y" "N" Signed "vertical part of the force of the pin on the body, positive up";
+    PinAngle "pin_angle" "rad" Signed "angle of the force of the pin on the body to the horizontal, positive up from the side of small positive angles";
     SpringForce "spring_force" "N" Signed "force of the spring, positive if it pulls";
     OmegaMax "omega_max" "rad/s" Magnitude "greatest angular speed of the motion";
     Period "period" "s" Magnitude "time of a full swing to and fro, or of a full turn where it goes over the top";
@@ -242,10 +251,7 @@ impl Scene {
             | End::Angle(c, _)
             | End::TurningPoint(c)
             | End::Rolling(c) => c,
-            End::AtOnce => Coordinate {
-                body: 0,
-                degree: if self.pinned().is_some() { Degree::Turn } else { Degree::Along },
-            },
+            End::AtOnce => self.coordinates().next().unwrap_or(Coordinate { body: 0, degree: Degree::Along }),
         }
     }
     /// The unit in which the end of a motion is told.

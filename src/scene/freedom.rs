@@ -7,6 +7,10 @@ fn stand_in(datum: usize) -> f64 {
     (2.0 + datum as f64).sqrt() + 1.0 / (3.0 + datum as f64)
 }
 
+fn is_spring(tie: &Tie) -> bool {
+    matches!(tie, Tie::Cord(c) if matches!(c.to, Far::Spring { .. }))
+}
+
 impl Scene {
     /// Coordinates less the ties that say something of their own, whatever the data; contacts that slip or slide hold nothing.
     pub fn freedoms(&self) -> usize {
@@ -20,7 +24,18 @@ impl Scene {
         })
     }
 
-    /// The same for these numbers: another count where data are equal by chance.
+    /// At an instant (`end: at once`): are accelerations and forces told besides velocities and energies? Where a scene that goes
+    /// on is solved too.
+    pub fn tells_rates(&self) -> bool {
+        let springs = self.ties.iter().filter(|t| is_spring(t)).count();
+        let slips = self.ties.iter().any(|t| matches!(t, Tie::Slip { .. }));
+        let bodies = self.pinned().is_none() && self.bodies.iter().all(|b| b.particles.is_empty());
+        let alone = self.freedoms() <= 1;
+        let still = self.start.is_empty();
+        bodies && springs <= 1 && (alone || still && springs == 0) && (!slips || still && springs == 0)
+    }
+
+    /// [`Scene::freedoms`] for these numbers: another count where data are equal by chance.
     pub fn freedoms_with(&self, number: &dyn Fn(Num) -> f64) -> usize {
         let coordinates: Vec<Coordinate> = self.coordinates().collect();
         let place =

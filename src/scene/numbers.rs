@@ -94,6 +94,11 @@ impl<'a, T: Real> Numbers<'a, T> {
             | Q::Heat
             | Q::WorkPull
             | Q::PowerPull
+            | Q::WorkCouple
+            | Q::PowerCouple
+            | Q::Work
+            | Q::Impulse
+            | Q::AngularMomentum
             | Q::FrictionIfRolled
             | Q::KineticEnergy
             | Q::IG
@@ -101,6 +106,8 @@ impl<'a, T: Real> Numbers<'a, T> {
             | Q::PinRadial
             | Q::PinTangential
             | Q::PinForce
+            | Q::PinX
+            | Q::PinY
             | Q::SpringForce => self.mass_exponent,
             _ => 0,
         }

@@ -3,7 +3,7 @@ use crate::num::{Ball, Dd, Fast, NOISE, Real, U, ball, dd};
 use crate::scene::admissible::Rule;
 use crate::scene::{End, Far, Label, Num, Owner, Quantity, Scales, Scene, Start, Tie, admissible};
 use crate::solve::condition::vanishes;
-use crate::solve::outcome::{Entry, Motion, Refusal, Regime, Road, Said, Scope, Solved, Unsupported};
+use crate::solve::outcome::{Entry, Refusal, Road, Said, Scope, Solved, Unsupported};
 use crate::solve::{condition, energy, eom, physical};
 
 /// Each road may be off by `8 u max(1, cond)`.
@@ -90,10 +90,10 @@ fn alone(scene: &Scene, data: &[f64], asked: Scope) -> Result<Half, Refusal> {
         let (label, scale) = (said.label, said.scale);
         entries.push(Entry { label, eom: Some(value), energy: None, bound: None, cond: f64::NAN, scale });
     }
-    let instant = Regime { motion: Motion::Instant, slips: false };
-    let (regime, checks, words) = road
-        .course
-        .map_or((instant, Vec::new(), Vec::new()), |course| physical::judge(scene, &course, &road.held));
+    let (regime, checks, words) = road.course.map_or_else(
+        || physical::judge_instant(scene, &road.held),
+        |course| physical::judge(scene, &course, &road.held),
+    );
     let course = road.course.map(|c| (c.sense, c.reached));
     let (open, beyond, scales) = (road.open, Vec::new(), Scales::SI);
     let solved = Solved { regime, checks, entries, words, open, beyond, scales };
@@ -389,7 +389,7 @@ fn supported(scene: &Scene, data: &[f64]) -> Result<(), Refusal> {
     if matches!(scene.end, End::Angle(..)) {
         return refuse(Unsupported::PinnedInCompany);
     }
-    if matches!(scene.end, End::AtOnce) {
+    if matches!(scene.end, End::AtOnce) && !scene.tells_rates() {
         return Ok(());
     }
     if lamina || scene.start.iter().any(|s| matches!(s, Start::Lamina { .. })) {

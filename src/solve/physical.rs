@@ -51,6 +51,14 @@ pub fn fill_drive<P: Real>(
     }
 }
 
+/// Regime, checks and words of an instant: which way it would go and how far is not asked.
+pub fn judge_instant<P: Real>(scene: &Scene, held: &[Held<P>]) -> (Regime, Vec<Check>, Vec<(Label, Word)>) {
+    let (regime, mut checks, mut words) = judge(scene, &Course::at_rest(), held);
+    checks.retain(|c| c.kind != CheckKind::Moves);
+    words.retain(|(label, _)| label.quantity != Quantity::Direction);
+    (Regime { motion: Motion::Instant, ..regime }, checks, words)
+}
+
 /// Regime, checks and words of a scene that moves, from the course and the contacts of one road.
 #[expect(clippy::float_cmp, reason = "senses are exactly -1, 0 or 1")]
 pub fn judge<P: Real>(

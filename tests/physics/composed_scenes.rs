@@ -78,7 +78,9 @@ fn judge(seed: u64) -> Result<Outcome, String> {
                     Ok(Outcome::Refused("start that leaves a velocity open".into()))
                 }
                 // A speed of 0 of what is held fast: this judge takes that for rest.
-                Verdict::Told(told) if told.values.iter().all(|(_, _, want, _)| *want == 0.0) => {
+                Verdict::Told(told)
+                    if told.values.iter().all(|v| *v.0 != *"v" && *v.0 != *"omega" || v.2 == 0.0) =>
+                {
                     Ok(Outcome::Refused("start that leaves a velocity open".into()))
                 }
                 _ => Err("its start is said to leave a velocity open".into()),

@@ -708,6 +708,7 @@ impl<'s> System<'s> {
         if freedoms > 1 && self.spring.is_some() {
             return Verdict::Beyond("a spring with two freedoms");
         }
+        let mut velocities = Vec::new();
         if s.event == Event::AtOnce {
             let mut told = Told::default();
             let energy = 0.5 * v0.iter().zip(&self.mass).map(|(v, m)| m * v * v).sum::<f64>();
@@ -724,13 +725,19 @@ impl<'s> System<'s> {
                 }
                 if f.turns {
                     let w = say("omega", true);
+                    told.values.push((
+                        "angular_momentum",
+                        Owner::Body(b),
+                        self.inertia[b] * w,
+                        self.inertia[b] * w,
+                    ));
                     spinning += 0.5 * self.inertia[b] * w * w;
                 }
             }
             if energy > 0.0 {
                 told.values.push(("rotational_fraction", Owner::Scene, spinning / energy, 1.0));
             }
-            return Verdict::Told(told);
+            velocities = told.values;
         }
         let tension = self.spring.as_ref().map_or(0.0, |(_, _, ks, x0, _)| ks * x0);
         let grips = if started {
@@ -759,6 +766,13 @@ impl<'s> System<'s> {
         let Some(now) = self.instant(&grips, tension) else { return Verdict::Undetermined };
         let mut told = Told::default();
         self.move_on(&grips, &all, &v0, started, now, tension, &mut told);
+        if s.event == Event::AtOnce {
+            // Velocities as they are, accelerations and forces; nothing of what comes later.
+            let at_once =
+                ["a", "alpha", "normal", "friction", "friction_if_rolled", "mu_required", "tension"];
+            told.values.retain(|v| at_once.contains(&v.0));
+            told.values.extend(velocities);
+        }
         Verdict::Told(told)
     }
 
@@ -906,6 +920,21 @@ impl<'s> System<'s> {
                 if arrived {
                     let signed = inner(&row, &q) * at;
                     say(way, own, if turns { signed.abs() } else { signed }, at);
+                    let before = inner(&row, v0);
+                    if turns {
+                        say("angular_momentum", own, inertia * v.abs(), inertia * v.abs());
+                        let couples = s.couples.iter().filter(|c| c.0 == b);
+                        let moment = couples
+                            .map(|(_, m, forward)| if *forward { m.si } else { -m.si })
+                            .reduce(|a, b| a + b);
+                        if let Some(m) = moment {
+                            say("work_couple", own, m * signed, m.abs() * at);
+                            say("power_couple", own, m * v, m.abs() * u);
+                        }
+                    } else {
+                        say("distance", own, signed.abs(), at);
+                        say("impulse", own, inertia * (v - before), inertia * (v.abs() + before.abs()));
+                    }
                 }
                 let kinetic = 0.5 * inertia * v * v;
                 energy += kinetic;
@@ -926,6 +955,8 @@ impl<'s> System<'s> {
         }
         if arrived {
             say("t", Owner::Scene, time.unwrap_or(0.0), time.unwrap_or(0.0));
+            let start: f64 = 0.5 * v0.iter().zip(&self.mass).map(|(v, m)| m * v * v).sum::<f64>();
+            say("work", Owner::Scene, energy - start, energy + start);
             // The share is that of any speed: the program tells it only where something moves.
             if energy > 0.0 {
                 say("rotational_fraction", Owner::Scene, spinning / energy, 1.0);

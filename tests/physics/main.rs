@@ -24,6 +24,7 @@ mod limits;
 mod pinned_bits;
 mod pinned_draws;
 mod published;
+mod quantities;
 mod range;
 mod reference_cases;
 mod rest;

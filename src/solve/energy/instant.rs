@@ -28,6 +28,10 @@ pub fn road<T: Real>(scene: &Scene, n: &Numbers<T>) -> Result<Road<T>, Refusal> 
         }
         if body.spins() {
             say(Quantity::Omega, Owner::Body(b), motion.w[b].abs());
+            if body.turns {
+                let spin = (n.bodies[b].inertia * motion.w[b]).abs();
+                say(Quantity::AngularMomentum, Owner::Body(b), spin);
+            }
         }
         for s in &scene.start {
             let Start::Lamina { body: of, particle, vx_m_s, vy_m_s, spin_rad_s } = s else { continue };

@@ -17,8 +17,8 @@ use crate::num::ode::Count;
 use crate::num::plant::plant;
 use crate::num::{Fast, Real, ball};
 use crate::scene::{
-    Attach, Coordinate, Degree, End, Far, Heading, Label, Numbers, Owner, Quantity, RotaryInertia, Scene,
-    Span, Tie,
+    Attach, Coordinate, Couple, Degree, End, Far, Heading, Label, Numbers, Owner, Quantity, RotaryInertia,
+    Scene, Span, Tie,
 };
 use crate::solve::energy::account::{Account, Store};
 use crate::solve::energy::balance::{PerTie, Power, Reactions};
@@ -67,12 +67,33 @@ fn alone<T: Real>(scene: &Scene, data: &[f64]) -> Result<Road<T>, Refusal> {
         return swing::road(scene, n, body, pin);
     }
     if matches!(scene.end, End::AtOnce) {
-        return instant::road(scene, &n);
+        return at_once(scene, n);
     }
     if let Some(thrown) = scene.thrown() {
         return thrown::road(scene, &n, &thrown);
     }
     Ok(Ledger::open(scene, n)?.settle()?.0)
+}
+
+/// An instant: velocities and energies, and where the scene could go on, what its powers give.
+fn at_once<T: Real>(scene: &Scene, n: Numbers<T>) -> Result<Road<T>, Refusal> {
+    let road = instant::road(scene, &n)?;
+    if !scene.tells_rates() {
+        return Ok(road);
+    }
+    let settle = || {
+        let mut ledger = Ledger::open(scene, n)?;
+        ledger.road = road;
+        let n = &ledger.n;
+        let tension = scene.spring().map_or_else(T::zero, |(_, ks, x0, _)| n.massive(ks) * n.get(x0));
+        ledger.if_rolled();
+        ledger.standing(tension);
+        ledger.grip(tension, tension);
+        Ok(ledger.road)
+    };
+    // Where nothing rubs, no answer hangs on which way it goes.
+    let rubs = scene.ties.iter().any(|t| matches!(t, Tie::Slip { .. } | Tie::Slide { .. }));
+    if rubs { settle() } else { ball::unwatched(settle) }
 }
 
 /// [`road`], with the work of the forces summed by a quadrature of this many points, or where there are none given in the
@@ -99,7 +120,7 @@ fn alone_by<T: Real>(
         return swing::road_by(scene, n, (body, pin), points);
     }
     if matches!(scene.end, End::AtOnce) {
-        return Ok((instant::road(scene, &n)?, Count::default()));
+        return Ok((at_once(scene, n)?, Count::default()));
     }
     if scene.thrown().is_some() {
         return Err(Refusal::NoMethod { method: Method::Gauss });
@@ -689,6 +710,34 @@ impl<'a, T: Real> Ledger<'a, T> {
         if let Some(heat) = heat {
             self.say(Quantity::Heat, Owner::Scene, heat);
         }
+        let given = Account { energy0: T::zero(), ..*account }.energy(s);
+        self.say_totals(plant!("energy: work of all forces", given), (s, u), account.u0, sense);
+    }
+
+    /// The work of all forces, which the account knows, the momentum that they give and that which is there.
+    fn say_totals(&mut self, work: T, (s, u): (T, T), u0: T, sense: f64) {
+        for b in 0..self.scene.bodies.len() {
+            let (v, w, numbers) = (self.mode.v[b], self.mode.w[b], self.n.bodies[b]);
+            if self.scene.bodies[b].line.is_some() {
+                self.say(Quantity::Distance, Owner::Body(b), (v * s).abs());
+                let (after, before) = (numbers.mass * (v * u), numbers.mass * (v * u0));
+                let given = plant!("energy: momentum after", after).balance(-before);
+                self.say(Quantity::Impulse, Owner::Body(b), given.signed(sense));
+            }
+            if self.scene.bodies[b].turns {
+                let spin = plant!("energy: angular momentum", (w * u).abs()) * numbers.inertia;
+                self.say(Quantity::AngularMomentum, Owner::Body(b), spin);
+                let couples = self.scene.couples.iter().filter(|c| c.body == b);
+                // Each couple gives power to the turn that it acts along, and takes it from the other.
+                let along = |c: &Couple| if c.forward { sense } else { -sense };
+                let rate = couples.map(|c| (self.n.massive(c.moment_n_m) * w).signed(along(c)));
+                if let Some(rate) = rate.reduce(T::balance) {
+                    self.say(Quantity::WorkCouple, Owner::Body(b), rate * s);
+                    self.say(Quantity::PowerCouple, Owner::Body(b), rate * u);
+                }
+            }
+        }
+        self.say(Quantity::Work, Owner::Scene, work);
     }
 
     /// Without friction the mass centre takes the power `X v`, the rotation what is left of the whole:

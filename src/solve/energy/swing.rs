@@ -139,6 +139,17 @@ pub fn road_by<T: Real>(
     let lost = plant!("energy: fall of the mass centre", store.fallen(&store.start, &place, &step));
     book.say(Quantity::Rise, -lost);
     book.state(&store, &place, speed);
+    let work = sum(&store.work(&store.start, &place, &step, way.signed(sense)));
+    book.say_of(Quantity::Work, Owner::Scene, plant!("energy: work on a pinned body", work));
+    // Of each couple, over the turn in its own sense.
+    let couples = scene.couples.iter().map(|c| {
+        let moment = n.massive(c.moment_n_m);
+        if c.forward { moment } else { -moment }
+    });
+    if let Some(moment) = couples.reduce(T::balance) {
+        book.say(Quantity::WorkCouple, moment * way.signed(sense));
+        book.say(Quantity::PowerCouple, moment * speed.signed(sense));
+    }
     Ok((book.road, count))
 }
 
@@ -163,13 +174,26 @@ impl<T: Real> Book<'_, T> {
         let (toward, across) = (sum(&toward), sum(&across));
         self.say(Quantity::PinRadial, toward);
         self.say(Quantity::PinTangential, across);
-        self.say(Quantity::PinForce, (toward.square() + across.square()).root());
+        let force = (toward.square() + across.square()).root();
+        self.say(Quantity::PinForce, force);
+        // What the force does in a unit displacement to the side, and in one upward.
+        let sense = if store.is_upright() { 1.0 } else { -1.0 };
+        let (sine, cosine) = (place.full_sine(), place.full_cosine());
+        let side =
+            plant!("energy: pin in a displacement to the side", (across * cosine).balance(-(toward * sine)));
+        let lift = plant!("energy: pin in a displacement upward", -(toward * cosine).balance(across * sine));
+        self.say(Quantity::PinX, side);
+        self.say(Quantity::PinY, lift.signed(sense));
+        if !force.is_zero() {
+            self.say(Quantity::PinAngle, trig::angle(lift.signed(sense), side));
+        }
         if let Some(force) = store.spring_force(place) {
             self.say(Quantity::SpringForce, force);
         }
     }
     fn state(&mut self, store: &Store<T>, place: &Half<T>, speed: T) {
         self.say(Quantity::Omega, speed);
+        self.say(Quantity::AngularMomentum, store.doubled * speed);
         self.say(Quantity::V, store.arm * speed);
         self.say_of(Quantity::KineticEnergy, Owner::Scene, (store.doubled * speed.square()).scale2(-1));
         if !speed.is_zero() {

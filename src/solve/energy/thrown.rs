@@ -56,6 +56,17 @@ struct State<T> {
     slip: T,
 }
 
+/// Path of the centre between two states of one phase, at the mean speed of each stretch in one sense.
+fn path<T: Real>(from: &State<T>, to: &State<T>) -> T {
+    let (before, after, time) = (from.v.abs(), to.v.abs(), to.t - from.t);
+    if from.v.sign() * to.v.sign() < 0.0 {
+        let there = time * (before / (before + after));
+        (before * there + after * (time - there)).scale2(-1)
+    } else {
+        ((before + after) * time).scale2(-1)
+    }
+}
+
 /// Everything that work and energy say of a thrown body whose data are admissible.
 ///
 /// Errors: none of its own.
@@ -168,7 +179,7 @@ pub fn road<T: Real>(scene: &Scene, n: &Numbers<T>, thrown: &Thrown) -> Result<R
     say(Quantity::A, own, (roll.v * gained).balance(slip.v * own_rate));
     say(Quantity::Alpha, own, (roll.w * gained).balance(slip.w * own_rate));
     say(Quantity::Friction, own, friction.signed(up));
-    if let Some((state, slid, _)) = &ended {
+    if let Some((state, slid, rolled)) = &ended {
         say(Quantity::T, Owner::Scene, state.t);
         say(Quantity::V, own, state.v.abs());
         say(Quantity::Omega, own, state.w.abs());
@@ -180,6 +191,28 @@ pub fn road<T: Real>(scene: &Scene, n: &Numbers<T>, thrown: &Thrown) -> Result<R
         if !energy.is_zero() {
             let spinning = (numbers.inertia * state.w.square()).scale2(-1);
             say(Quantity::RotationalFraction, Owner::Scene, spinning / energy);
+        }
+        let gained = |mode: &Weighed<T>, before: T, after: T| {
+            (mode.inertia * (after - before) * (after + before)).scale2(-1)
+        };
+        let work = gained(&roll, u0, state.roll).balance(gained(&slip, slip0, state.slip));
+        say(Quantity::Work, Owner::Scene, plant!("energy: gain of both modes", work));
+        let momentum = plant!("energy: gain of momentum", state.v.balance(-v0)) * numbers.mass;
+        say(Quantity::Impulse, own, momentum);
+        let spin = plant!("energy: angular momentum of a thrown body", state.w.abs()) * numbers.inertia;
+        say(Quantity::AngularMomentum, own, spin);
+        // Rolled on after the slip, or a single phase.
+        let after = event.filter(|_| *rolled && !at_rest && matches!(scene.end, End::Time(..)));
+        let path = after.map_or_else(|| path(&start, state), |e| path(&start, &e) + path(&e, state));
+        say(Quantity::Distance, own, plant!("energy: path of the centre", path));
+        // Of each couple, over the turn in its own sense.
+        let couples = scene.couples.iter().filter(|c| c.body == body).map(|c| {
+            let moment = n.massive(c.moment_n_m);
+            if c.forward { moment } else { -moment }
+        });
+        if let Some(moment) = couples.reduce(T::balance) {
+            say(Quantity::WorkCouple, own, moment * state.phi);
+            say(Quantity::PowerCouple, own, moment * state.w);
         }
         say(Quantity::SlipDistance, own, *slid);
         say(Quantity::Heat, Owner::Scene, kinetic * *slid);

@@ -27,6 +27,10 @@ pub fn road<T: Real>(scene: &Scene, n: &Numbers<T>, asked: Scope) -> Result<Road
         for (c, velocity) in struck.coordinates.iter().zip(&struck.velocities).filter(|(c, _)| c.body == b) {
             let quantity = if c.degree == Degree::Along { Quantity::V } else { Quantity::Omega };
             say(quantity, Owner::Body(b), velocity.abs(), velocity.f64().abs());
+            if c.degree == Degree::Turn && body.turns {
+                let spin = n.bodies[b].inertia * velocity.abs();
+                say(Quantity::AngularMomentum, Owner::Body(b), spin, spin.size());
+            }
         }
         let motion = scene.start.iter().find_map(|s| match s {
             Start::Lamina { body, particle, vx_m_s, vy_m_s, spin_rad_s } if *body == b => {

@@ -69,12 +69,27 @@ fn alone<T: Real>(scene: &Scene, data: &[f64], asked: Scope) -> Result<Road<T>, 
         return Ok(swing::road_by(scene, n, (body, pin), asked, None)?.0);
     }
     if matches!(scene.end, End::AtOnce) {
-        return instant::road(scene, &n, asked);
+        return at_once(scene, n, asked);
     }
     if let Some(thrown) = scene.thrown() {
         return Ok(thrown::road_by(scene, &n, &thrown, asked, None)?.0);
     }
     Ok(Walk::new(scene, n, asked)?.walk()?.0)
+}
+
+/// An instant: velocities and energies, and where the scene could go on, accelerations and forces.
+fn at_once<T: Real>(scene: &Scene, n: Numbers<T>, asked: Scope) -> Result<Road<T>, Refusal> {
+    let road = instant::road(scene, &n, asked)?;
+    if !scene.tells_rates() {
+        return Ok(road);
+    }
+    let mut walk = Walk::new(scene, n, asked)?;
+    walk.road = road;
+    let tension = walk.spring.as_ref().map_or_else(T::zero, |s| s.stiffness * s.stretch);
+    walk.contacts_if_rolled();
+    walk.standing(tension);
+    walk.grip(tension, tension);
+    Ok(walk.road)
 }
 
 /// [`road`], with the states at its events from the steps of this rung and not from the closed form; what it cost. `asked`
@@ -103,7 +118,7 @@ fn alone_by<T: Real>(
         return swing::road_by(scene, n, (body, pin), Scope::ALL, Some((rung, asked)));
     }
     if matches!(scene.end, End::AtOnce) {
-        return Ok((instant::road(scene, &n, Scope::ALL)?, Count::default()));
+        return Ok((at_once(scene, n, Scope::ALL)?, Count::default()));
     }
     if let Some(thrown) = scene.thrown() {
         return thrown::road_by(scene, &n, &thrown, Scope::ALL, Some(rung));
@@ -111,6 +126,13 @@ fn alone_by<T: Real>(
     let mut walk = Walk::new(scene, n, Scope::ALL)?;
     walk.by = Some((rung, asked));
     walk.walk()
+}
+
+/// Moment of the couples on a body, positive with rolling forward; `None` without any.
+pub(super) fn couple_on<T: Real>(scene: &Scene, n: &Numbers<T>, body: usize) -> Option<T> {
+    let moments = scene.couples.iter().filter(|c| c.body == body);
+    let moments = moments.map(|c| n.massive(c.moment_n_m).signed(if c.forward { 1.0 } else { -1.0 }));
+    moments.reduce(T::balance)
 }
 
 /// May a road go by steps? Not in a page: what a sheet asks has a closed form or a quadrature, and its page is to be small.
@@ -513,7 +535,9 @@ impl<'a, T: Real> Walk<'a, T> {
                     // At rest by the definition of the event, not by what rounding leaves.
                     state.u = zero;
                 }
+                let gain = travel.gain(state.s).scale2(-1);
                 self.arrived(&state, sense, tension_at(state.s));
+                self.gained(gain, &travel, &state, sense);
             }
             _ => self.standing(tension0),
         }
@@ -867,6 +891,40 @@ impl<'a, T: Real> Walk<'a, T> {
         if let Some(heat) = heat {
             self.say(Quantity::Heat, Owner::Scene, heat);
         }
+    }
+
+    /// Work and impulse of all forces, of the couples alone, and angular momentum: `gain` is half the change of the square of the
+    /// speed, which is the integral of the acceleration over the way.
+    fn gained(&mut self, gain: T, travel: &Travel<T>, state: &State<T>, sense: f64) {
+        // Of constant forces the impulse is that of the acceleration, else the change of the speed.
+        let change = if travel.w2.is_none() && travel.slack.is_none() {
+            travel.f0 * state.time
+        } else {
+            state.u.balance(-travel.u0)
+        };
+        let mut felt = T::zero();
+        for b in 0..self.scene.bodies.len() {
+            let n = self.n.bodies[b];
+            if let Some(c) = self.along(b) {
+                let ratio = self.ratio(c);
+                felt = felt + n.mass * ratio * ratio;
+                self.say(Quantity::Distance, Owner::Body(b), ratio.abs() * state.s);
+                let momentum = plant!("eom: impulse of all forces", n.mass) * ratio * change;
+                self.say(Quantity::Impulse, Owner::Body(b), momentum.signed(sense));
+            }
+            if let Some(c) = self.turn(b) {
+                let ratio = self.ratio(c);
+                felt = felt + n.inertia * ratio * ratio;
+                let spin = plant!("eom: angular momentum", n.inertia) * ratio.abs() * state.u;
+                self.say(Quantity::AngularMomentum, Owner::Body(b), spin);
+                if let Some(moment) = couple_on(self.scene, &self.n, b) {
+                    let per = moment * ratio.signed(sense);
+                    self.say(Quantity::WorkCouple, Owner::Body(b), per * state.s);
+                    self.say(Quantity::PowerCouple, Owner::Body(b), per * state.u);
+                }
+            }
+        }
+        self.say(Quantity::Work, Owner::Scene, plant!("eom: work of all forces", felt) * gain);
     }
 
     /// With F = 0: `a = X/m`, `alpha = M/(m k^2)` and `a = c alpha`, so `k^2 = c M/X`. Asked for a single rolling wheel

@@ -10,10 +10,10 @@ use crate::num::ode::Count;
 use crate::num::plant::plant;
 use crate::num::{Dd, Real, elliptic, gauss, root, trig};
 use crate::scene::{End, Label, Numbers, Owner, Pin, Quantity, Scene, Start};
-use crate::solve::eom::STEPS;
 use crate::solve::eom::integrate::{Event, Route};
 use crate::solve::eom::pinned::Pinned;
 use crate::solve::eom::travel;
+use crate::solve::eom::{STEPS, couple_on};
 use crate::solve::method::Rung;
 use crate::solve::outcome::{Course, Refusal, Road, Said, Scope};
 
@@ -161,6 +161,15 @@ pub fn road_by<T: Real>(
     let rise = if swing.body.is_upright() { -sunk } else { sunk };
     teller.say_scaled(Quantity::Rise, Owner::Body(owner), rise, 2.0 * mass_centre.f64().abs());
     teller.state(&swing, &place, mass_centre, speed);
+    let gain = speed.square().scale2(-1).balance(-swing.half_square);
+    let work = plant!("eom: work on a pinned body", swing.body.inertia()) * gain;
+    let terms = swing.body.inertia().size() * (speed.square().size() + 2.0 * swing.half_square.size());
+    teller.say_scaled(Quantity::Work, Owner::Scene, work, terms);
+    if let Some(moment) = couple_on(scene, teller.n, owner) {
+        let along = moment.signed(sense);
+        teller.say(Quantity::WorkCouple, Owner::Body(owner), along * place.way);
+        teller.say(Quantity::PowerCouple, Owner::Body(owner), along * speed);
+    }
     Ok((teller.road, count))
 }
 
@@ -230,7 +239,19 @@ impl<T: Real> Teller<'_, T> {
         let (radial, across) = (held.radial, held.across);
         self.say_scaled(Quantity::PinRadial, of, radial.0, radial.1);
         self.say_scaled(Quantity::PinTangential, of, across.0, across.1);
-        self.say(Quantity::PinForce, of, (radial.0.square() + across.0.square()).root());
+        let force = (radial.0.square() + across.0.square()).root();
+        self.say(Quantity::PinForce, of, force);
+        let (sine, cosine) = (place.half.full_sine(), place.half.full_cosine());
+        let up = cosine.signed(if swing.body.is_upright() { 1.0 } else { -1.0 });
+        let sideways = if swing.body.is_upright() { sine } else { -sine };
+        let x = (across.0 * cosine).balance(-(radial.0 * sine));
+        let y = -(radial.0 * up).balance(across.0 * sideways);
+        let terms = radial.1 + across.1;
+        self.say_scaled(Quantity::PinX, of, plant!("eom: horizontal part of the pin's force", x), terms);
+        self.say_scaled(Quantity::PinY, of, plant!("eom: vertical part of the pin's force", y), terms);
+        if !force.is_zero() {
+            self.say(Quantity::PinAngle, of, trig::angle(y, x));
+        }
         if let Some((force, scale)) = swing.body.spring_force(&place.half) {
             self.say_scaled(Quantity::SpringForce, of, force, scale);
         }
@@ -241,6 +262,7 @@ impl<T: Real> Teller<'_, T> {
         let of = Owner::Body(self.owner);
         self.say(Quantity::Omega, of, speed);
         self.say(Quantity::V, of, plant!("eom: arm of the speed of the mass centre", arm) * speed);
+        self.say(Quantity::AngularMomentum, of, swing.body.inertia() * speed);
         let whole = swing.body.inertia() * speed.square();
         self.say(Quantity::KineticEnergy, Owner::Scene, whole.scale2(-1));
         if !speed.is_zero() {

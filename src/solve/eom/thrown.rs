@@ -14,11 +14,11 @@ use crate::num::dd::pow2;
 use crate::num::ode::{Count, Formula, Run, Trouble};
 use crate::num::plant::plant;
 use crate::scene::{Coordinate, Degree, End, Label, Numbers, Owner, Quantity, Scene, Thrown};
-use crate::solve::eom::STEPS;
 use crate::solve::eom::equations::{CONSTANT, Response, Setting, respond};
+use crate::solve::eom::{STEPS, couple_on};
 use crate::solve::method::Rung;
 use crate::solve::outcome::{Course, Grip, Held, Refusal, Road, Said, Scope, Throw};
-use smallvec::smallvec;
+use smallvec::{SmallVec, smallvec};
 use std::cell::Cell;
 
 /// Constant accelerations of the centre and of the turn, with the friction that belongs to them.
@@ -51,6 +51,18 @@ impl<T: Real> State<T> {
             x: self.x.balance(plant!("eom: travel while accelerated", way(self.v, phase.a))),
             phi: self.phi.balance(way(self.w, phase.alpha)),
         }
+    }
+}
+
+/// Path of the centre between two states of one leg, there and back: with `a = (|v0| + |v1|) / t` where it turns back, each way is
+/// `v^2 / 2a`.
+fn path<T: Real>(from: &State<T>, to: &State<T>) -> T {
+    let time = to.t - from.t;
+    let speeds = from.v.abs() + to.v.abs();
+    if from.v.sign() * to.v.sign() < 0.0 {
+        (from.v.square() + to.v.square()).over(speeds).scale2(-1) * time
+    } else {
+        (speeds * time).scale2(-1)
     }
 }
 
@@ -148,6 +160,13 @@ pub fn road_by<T: Real>(
             rolls.map_or(slid, |time| slid.after(&rolling, time))
         })
     });
+    // The legs of the way: what accelerates it, and the states between which it does.
+    let mut legs: SmallVec<[(Phase<T>, State<T>, State<T>); 2]> = SmallVec::new();
+    if let Some((slides, rolls)) = ended {
+        legs.extend(slipping.map(|p| (p, start, start.after(&p, slides))));
+        let between = legs.last().map_or(start, |leg| leg.2);
+        legs.extend(rolls.map(|time| (rolling, between, between.after(&rolling, time))));
+    }
     let now = match (ended, slipping) {
         (Some((_, Some(_))), _) | (_, None) => rolling,
         (_, Some(p)) => p,
@@ -190,6 +209,30 @@ pub fn road_by<T: Real>(
         say(Quantity::KineticEnergy, Owner::Scene, energy, size(energy));
         if !energy.is_zero() {
             say(Quantity::RotationalFraction, Owner::Scene, turning / (moving + turning), 1.0);
+        }
+        let over = |leg: &(Phase<T>, State<T>, State<T>)| {
+            let (phase, from, to) = leg;
+            let work = (
+                numbers.mass * phase.a * (to.x - from.x),
+                numbers.inertia * phase.alpha * (to.phi - from.phi),
+            );
+            (path(from, to), numbers.mass * phase.a * (to.t - from.t), work)
+        };
+        let (mut gone, mut impulse, mut work, mut terms) = (zero, zero, zero, 0.0);
+        for (way, push, (moved, turned)) in legs.iter().map(over) {
+            gone = gone + way;
+            impulse = impulse.balance(push);
+            work = work.balance(moved.balance(turned));
+            terms += size(moved) + size(turned);
+        }
+        say(Quantity::Distance, own, plant!("eom: path of the centre", gone), size(gone));
+        say(Quantity::Impulse, own, plant!("eom: impulse on a thrown body", impulse), size(impulse));
+        say(Quantity::Work, Owner::Scene, plant!("eom: work on a thrown body", work), terms);
+        let spin = plant!("eom: angular momentum of a thrown body", numbers.inertia) * state.w.abs();
+        say(Quantity::AngularMomentum, own, spin, size(spin));
+        if let Some(moment) = couple_on(scene, n, body) {
+            say(Quantity::WorkCouple, own, moment * state.phi, size(moment * state.phi));
+            say(Quantity::PowerCouple, own, moment * state.w, size(moment * state.w));
         }
         // The slip changes evenly: its mean times its time. At the event nothing is left of it.
         let left = match until {

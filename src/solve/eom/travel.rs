@@ -46,6 +46,15 @@ impl<T: Real> Travel<T> {
         (start + gained - spring).cleared(start.size() + gained.size() + spring.size())
     }
 
+    /// What the acceleration adds to the square of the speed up to a distance that is reached.
+    pub fn gain(&self, s: T) -> T {
+        let rest = Self { u0: T::zero(), ..*self };
+        match self.slack {
+            Some((at, f1)) if at.below(s) => rest.taut_square(at).balance(twice(f1 * (s - at))),
+            _ => rest.taut_square(s),
+        }
+    }
+
     /// Does the motion get to the place where the cord goes slack? Its distance and the acceleration beyond.
     fn reaches_slack(&self) -> Option<(T, T)> {
         self.slack.filter(|(at, _)| at.is_zero() || self.taut_square(*at).sign() > 0.0)
