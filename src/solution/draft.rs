@@ -46,6 +46,8 @@ pub struct Draft<'a> {
     pub scene: &'a Scene,
     /// The words of the language.
     pub words: &'a Words,
+    /// Is every substitution told?
+    pub full: bool,
     /// All quantities: the data first.
     pub symbols: Symbols<'a>,
     /// The sections between the data and the comparison, in order.
@@ -99,6 +101,7 @@ impl<'a> Draft<'a> {
             variant,
             scene: &case.scene,
             words,
+            full: false,
             symbols,
             sections: Vec::new(),
             found: Vec::new(),
@@ -218,6 +221,19 @@ impl<'a> Draft<'a> {
             Some((d.symbol.clone(), format!("${} = {value}$", d.tex)))
         })
         .collect()
+    }
+
+    /// Gives an unknown the value of what it is equal to, with the digits of that where it is another quantity.
+    pub fn settle(&mut self, symbol: SymbolId, from: &Expr) {
+        match from {
+            Expr::Symbol(same) => self.symbols.settle_as(symbol, *same, false),
+            Expr::Minus(inner) if matches!(**inner, Expr::Symbol(_)) => {
+                if let Expr::Symbol(same) = **inner {
+                    self.symbols.settle_as(symbol, same, true);
+                }
+            }
+            from => self.symbols.settle_by(symbol, from),
+        }
     }
 
     /// An answer from the equations of motion.

@@ -9,18 +9,20 @@
 //! - `answers`: the answers, rounded; `beware`: wrong methods of the problem, with what they would give.
 //!
 //! What no derivation covers has a short page: `given`, `beyond` with the reason, `answers`.
+pub mod account;
 pub mod beware;
 pub mod by_hand;
 pub mod draft;
 pub mod expr;
 pub mod factors;
+pub mod instant;
 pub mod lamina;
-pub mod linear;
-pub mod mass;
+pub mod narrate;
+pub mod page;
 pub mod pinned;
-pub mod section_writer;
 pub mod stop;
 pub mod symbols;
+pub mod terms;
 pub mod text;
 pub mod thrown;
 pub mod valued;
@@ -28,15 +30,14 @@ pub mod written;
 
 use crate::bank::{Problem, Question};
 use crate::figure;
-use crate::figure::names;
 use crate::finding::Finding;
 use crate::num::shown;
 use crate::picture::Picture;
 use crate::problem::make_key;
 use crate::problem::maker::Variant;
-use crate::scene::{End, Label, Owner, Scene, Slope, Tie};
+use crate::scene::{End, Owner, Scene, Slope};
 use crate::sheet::document::Document;
-use crate::solution::draft::{DerivedAnswer, Draft, FoundAnswer};
+use crate::solution::draft::{DerivedAnswer, Draft};
 use crate::solution::stop::{Beyond, DerivationStop};
 use crate::solution::symbols::tex_digits;
 use crate::solution::text::{Block, SolutionSection};
@@ -114,25 +115,22 @@ fn made(
     };
     let mut sections = std::mem::take(&mut draft.sections);
     let answers = answers(&draft, number);
-    sections.push(given(&draft, number));
+    let mut first = SolutionSection::new("answers", words.get("solution.title.answers"));
+    first.blocks.push(Block::Box(answers.iter().map(|(id, answer)| format!("`{id}` {answer}")).collect()));
+    sections.insert(0, first);
+    sections.insert(1, given(&draft));
     match beyond {
-        None => {
-            sections.push(agree(&draft, number));
-            sections.extend(beware::section(&draft, number));
-        }
+        None => sections.extend(beware::section(&draft, number)),
         Some(what) => {
             let mut section = SolutionSection::new("beyond", words.get("solution.title.beyond"));
             section.say(words.say("solution.short", &[("what", &what.text(words))]));
             sections.push(section);
         }
     }
-    let mut last = SolutionSection::new("answers", words.get("solution.title.answers"));
-    if beyond.is_none() {
-        last.say(words.get("solution.answers"));
+    if let Some(at) = sections.iter().position(|s| s.id == "onward") {
+        let last = sections.remove(at);
+        sections.push(last);
     }
-    last.blocks.push(Block::List(answers.iter().map(|(id, answer)| format!("`{id}`: {answer}")).collect()));
-    sections.push(last);
-    sections.sort_by_key(|s| rank(s.id));
 
     let pictures = if beyond.is_none() { pictures(&draft) } else { Vec::new() };
     for section in &mut sections {
@@ -158,6 +156,7 @@ fn made(
         template::map([
             ("id", template::finished(s.id)),
             ("title", template::finished(&s.title)),
+            ("gap", template::finished(s.gap())),
             ("body", template::finished(body)),
         ])
     });
@@ -186,27 +185,15 @@ fn made(
 /// The derivation that the scene needs.
 fn derive(draft: &mut Draft) -> Result<(), DerivationStop> {
     if draft.scene.bodies.iter().any(|b| !b.particles.is_empty()) {
-        return lamina::work(draft);
+        return lamina::sections(draft);
     }
     if draft.scene.pinned().is_some() {
-        return pinned::work(draft);
+        return pinned::sections(draft);
     }
     if draft.scene.thrown().is_some() && draft.scene.end != End::AtOnce {
-        return thrown::work(draft);
+        return thrown::sections(draft);
     }
-    linear::sections(draft)
-}
-
-/// Place of a section in the text.
-fn rank(id: &str) -> u8 {
-    match id {
-        "given" => 0,
-        "agree" => 2,
-        "regime" => 3,
-        "answers" => 4,
-        "beware" => 5,
-        _ => 1,
-    }
+    narrate::sections(draft)
 }
 
 /// Is every question answered, and every number that of the key?
@@ -246,88 +233,15 @@ fn check(draft: &Draft) -> Result<(), DerivationStop> {
     Ok(())
 }
 
-/// Name of a quantity in words, with the symbol that it was found under: `angular speed $\omega$`.
-fn named(draft: &Draft, label: Label) -> String {
-    let forward = way(draft.scene, label.of, 1.0).map_or("", |w| draft.words.get(w));
-    let name = draft.say(&format!("solution.name.{}", label.quantity.name()), &[("way", forward)]);
-    let mut questions = draft.problem.questions.iter();
-    let several = questions.any(|q| q.label.quantity == label.quantity && q.label.of != label.of);
-    let owner = match label.of {
-        Owner::Body(b) => names::body_within(draft.words, draft.scene, b),
-        Owner::Tie(t) => match &draft.scene.ties[t] {
-            Tie::Cord(cord) => names::cord(draft.words, draft.scene, cord),
-            Tie::Roll { .. } | Tie::Slip { .. } | Tie::Slide { .. } => String::new(),
-        },
-        Owner::Scene => String::new(),
-    };
-    let of = if several && !owner.is_empty() { format!(" ({owner})") } else { String::new() };
-    let symbol = draft.found.iter().find(|f| f.label == label).and_then(|f| match f.eom.or(f.energy)? {
-        DerivedAnswer::Value(symbol) => Some(draft.symbols.tex(symbol)),
-        DerivedAnswer::Word(_) => None,
-    });
-    match symbol {
-        Some(tex) => format!("{name}{of} ${tex}$"),
-        None => format!("{name}{of}"),
-    }
-}
-
 /// `1.omega`
 fn id_of(number: usize, q: &Question) -> String {
     format!("{number}.{}", q.id)
 }
 
-fn given(draft: &Draft, number: usize) -> SolutionSection {
+fn given(draft: &Draft) -> SolutionSection {
     let mut section = SolutionSection::new("given", draft.words.get("solution.title.given"));
     let data: Vec<String> = draft.told().iter().map(|d| format!("${d}$")).collect();
-    let phrase = if draft.degrees_told() { "solution.given_angles" } else { "solution.given" };
-    section.say(draft.say(phrase, &[("data", &data.join(", "))]));
-    let asked = draft.problem.questions.iter();
-    let asked: Vec<String> =
-        asked.map(|q| format!("{} (`{}`)", named(draft, q.label), id_of(number, q))).collect();
-    section.say(draft.say("solution.asked", &[("list", &asked.join(", "))]));
-    section
-}
-
-/// What both methods found, question by question.
-fn agree(draft: &Draft, number: usize) -> SolutionSection {
-    let w = draft.words;
-    let mut section = SolutionSection::new("agree", w.get("solution.title.agree"));
-    // What is summed over particles has no motion and no work.
-    let methods = match draft.scene.bodies.iter().any(|b| !b.particles.is_empty()) {
-        true => ["particles", "decomposed"],
-        false => ["eom", "energy"],
-    };
-    let head = ["question", methods[0], methods[1], "difference"];
-    let mut rows = vec![head.map(|h| w.get(&format!("solution.agree.{h}")).to_owned()).to_vec()];
-    let mut notes: Vec<String> = Vec::new();
-    let shown = |answer: Option<DerivedAnswer>| match answer {
-        None => "–".to_owned(),
-        Some(DerivedAnswer::Value(symbol)) => format!("${}$", draft.symbols.shown(symbol)),
-        Some(DerivedAnswer::Word(word)) => format!("`{}`", said(w, word)),
-    };
-    for q in &draft.problem.questions {
-        let Some(FoundAnswer { eom, energy, note, .. }) = draft.found.iter().find(|f| f.label == q.label)
-        else {
-            continue;
-        };
-        let difference = match (eom, energy) {
-            (Some(DerivedAnswer::Value(a)), Some(DerivedAnswer::Value(b))) => {
-                format!("${}$", draft.symbols.difference(*a, *b))
-            }
-            (Some(_), Some(_)) => w.get("solution.agree.same").to_owned(),
-            _ => "–".to_owned(),
-        };
-        let cell = format!("`{}`", id_of(number, q));
-        rows.push(vec![cell, shown(*eom), shown(*energy), difference]);
-        if !note.is_empty() && !notes.contains(note) {
-            notes.push(note.clone());
-        }
-    }
-    section.say(w.get("solution.agree.text"));
-    section.blocks.push(Block::Table(rows));
-    for note in notes {
-        section.say(note);
-    }
+    section.say(format!("{}.", data.join(", ")));
     section
 }
 

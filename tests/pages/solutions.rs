@@ -61,11 +61,8 @@ fn faults(markdown: &str, problem: &Problem, variant: &Variant, words: &Words) -
     let sentences: String = markdown.split("$$").step_by(2).collect::<Vec<_>>().join(" ");
     for (i, piece) in sentences.split('$').enumerate() {
         // Outside of formulas nothing is left to fill in.
-        if i % 2 == 0 && (piece.contains('{') || piece.contains('}') || piece.contains('?')) {
-            let heading = piece.lines().any(|l| l.starts_with('#') && l.ends_with('?'));
-            if !heading {
-                faults.push(format!("left open: {piece:?}"));
-            }
+        if i % 2 == 0 && piece.contains(['{', '}']) {
+            faults.push(format!("left open: {piece:?}"));
         }
     }
     for word in ["NaN", "none}", "infinite"] {
@@ -85,8 +82,9 @@ fn faults(markdown: &str, problem: &Problem, variant: &Variant, words: &Words) -
         }
     }
     for q in &problem.questions {
-        let row = format!("- `1.{}`: ", q.id);
-        let Some(line) = markdown.lines().find_map(|l| l.strip_prefix(&row)) else {
+        let row = format!("`1.{}` ", q.id);
+        let all = markdown.lines().find(|l| l.starts_with("> ")).unwrap_or_default();
+        let Some(line) = all.split(" · ").map(|l| l.trim_start_matches("> ")).find(|l| l.starts_with(&row)) else {
             faults.push(format!("no answer to {}", q.id));
             continue;
         };
@@ -126,7 +124,7 @@ fn every_draw(draws: u32) {
     assert!(10 * told > 3 * made, "{told} mistakes told in {made} solutions");
     // So that a change of the text's form cannot switch the check off.
     assert!(
-        counts.numbers > 20 * made && counts.symbols > 20 * made && counts.relations > 2 * made,
+        counts.symbols > 8 * made && counts.relations > 5 * made && counts.repeated > 5 * made,
         "{counts:?}"
     );
 }
@@ -161,7 +159,7 @@ fn a_wrong_digit_is_seen() {
         }
     });
     println!("{planted} wrong digits seen");
-    assert!(planted > 200);
+    assert!(planted > 90);
 }
 
 #[test]

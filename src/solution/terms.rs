@@ -1,15 +1,15 @@
-//! The mechanism of a scene in symbols: velocity ratios, forces with their points, masses and moments of inertia.
+//! The terms of a scene of lines and axles in symbols: each action with its point, velocity ratios, masses, moments of inertia.
 //!
 //! Derived here anew from the scene: neither method's code is used.
 use crate::figure::names;
+pub use crate::figure::names::tagged;
 use crate::scene::{
-    Attach, Body, Coordinate, CordEnd, Degree, Far, Mass, Num, Quantity, RotaryInertia, Scene, Shape, Side,
+    Attach, Body, Coordinate, CordEnd, Degree, Far, Mass, Num, Quantity, RotaryInertia, Shape, Side,
     Slope, Tie,
 };
 use crate::solution::draft::Draft;
 use crate::solution::expr::{Expr, ONE, SymbolId, ZERO, cosine, sine, sum};
 use crate::solution::factors::Factors;
-use crate::solution::mass::beta;
 use crate::solution::stop::{Beyond, DerivationStop};
 
 /// What brings a force or couple.
@@ -57,7 +57,7 @@ pub struct Action {
 
 /// One body.
 #[derive(Debug, Clone)]
-pub struct BodyInSymbols {
+pub struct BodyTerms {
     /// Its name for headings.
     pub label: String,
     /// What stands below the symbols that belong to it where several bodies have such a symbol.
@@ -88,11 +88,11 @@ pub struct BodyInSymbols {
     pub slips: bool,
 }
 
-/// The mechanism.
+/// The terms of a scene.
 #[derive(Debug, Clone)]
-pub struct Mechanism {
+pub struct Terms {
     /// The bodies.
-    pub parts: Vec<BodyInSymbols>,
+    pub parts: Vec<BodyTerms>,
     /// All forces but normal ones.
     pub actions: Vec<Action>,
     /// Lead: the coordinate to which the velocity ratios refer.
@@ -111,7 +111,7 @@ fn symbol_of(action: &Action) -> Option<SymbolId> {
     }
 }
 
-impl Mechanism {
+impl Terms {
     /// Reads the scene; `rolled`: what is said to slip is taken as rolling, its unknowns get an r.
     ///
     /// # Errors
@@ -265,7 +265,7 @@ impl Mechanism {
         }
         let mut known = vec![false; self.parts.len()];
         // Sets the ratios of a body from one of its coordinates.
-        let settle = |parts: &mut Vec<BodyInSymbols>, body: usize, degree: Degree, ratio: Factors| -> bool {
+        let settle = |parts: &mut Vec<BodyTerms>, body: usize, degree: Degree, ratio: Factors| -> bool {
             let part = &mut parts[body];
             match (part.a.is_some(), part.alpha.is_some() && !part.slips, &inner[body], degree) {
                 (true, true, Some(inner), Degree::Along) => {
@@ -423,24 +423,14 @@ impl Mechanism {
     pub fn inertia_expr(&self, c: Coordinate) -> Expr {
         sum(self.inertia(c).iter().map(Factors::expr))
     }
-
-    /// What the lead has to accelerate: each mass and moment of inertia times the square of its ratio. The spin of a
-    /// slipping body is left out.
-    pub fn effective(&self, draft: &Draft) -> Expr {
-        let coordinates = draft.scene.coordinates();
-        sum(coordinates.filter(|c| !self.ratio(*c).is_zero()).flat_map(|c| {
-            let square = self.ratio(c).squared();
-            self.inertia(c).into_iter().map(move |i| i.times(&square).expr())
-        }))
-    }
 }
 
 /// The bodies with their unknowns, before anything ties them.
-pub fn parts(draft: &mut Draft, rolled: bool) -> Vec<BodyInSymbols> {
+pub fn parts(draft: &mut Draft, rolled: bool) -> Vec<BodyTerms> {
     let scene = draft.scene;
     let g = gravity(draft);
     let mut parts = Vec::new();
-    let tags = tags(scene);
+    let tags = names::tags(scene);
     let count = |has: &dyn Fn(&Body) -> bool| scene.bodies.iter().filter(|b| has(b)).count();
     let lines = count(&|b| b.line.is_some());
     let turns = count(&|b| b.turns);
@@ -474,7 +464,7 @@ pub fn parts(draft: &mut Draft, rolled: bool) -> Vec<BodyInSymbols> {
             Some(Slope::Vertical) => "vertical",
             Some(Slope::Degrees(_)) => "incline",
         };
-        parts.push(BodyInSymbols {
+        parts.push(BodyTerms {
             label: names::body(draft.words, draft.scene, i),
             tag,
             mass,
@@ -517,7 +507,7 @@ fn below(tag: &str, rolled: bool) -> String {
 }
 
 fn friction(draft: &mut Draft, tag: &str) -> SymbolId {
-    let tex = draft.free(&[&tagged("F", tag), &tagged("R", tag)]);
+    let tex = draft.free(&[&tagged("F", tag), &tagged("R", tag), &tagged("H", tag)]);
     draft.unknown(&tex, "N")
 }
 
@@ -538,14 +528,15 @@ fn mass_of(draft: &mut Draft, mass: &Mass, g: &Expr, tag: &str) -> Expr {
 }
 
 /// g, told only where something has a weight.
-fn gravity(draft: &mut Draft) -> Expr {
+pub fn gravity(draft: &mut Draft) -> Expr {
     if draft.scene.bodies.iter().all(Body::massless) {
         return ZERO;
     }
     draft.number(draft.scene.gravity_m_s2, "g", "m/s^2")
 }
 
-fn mass(draft: &mut Draft, body: &Body, g: &Expr, tag: &str) -> Factors {
+/// The mass of a body, from its parts or its weight where need be.
+pub fn mass(draft: &mut Draft, body: &Body, g: &Expr, tag: &str) -> Factors {
     if body.massless() {
         return Factors::zero();
     }
@@ -557,7 +548,8 @@ fn mass(draft: &mut Draft, body: &Body, g: &Expr, tag: &str) -> Factors {
     })
 }
 
-fn inertia(draft: &mut Draft, body: &Body, mass: &Factors, g: &Expr, tag: &str) -> Vec<Factors> {
+/// The moment of inertia about the mass centre, as a sum.
+pub fn inertia(draft: &mut Draft, body: &Body, mass: &Factors, g: &Expr, tag: &str) -> Vec<Factors> {
     if !body.turns {
         return Vec::new();
     }
@@ -583,35 +575,13 @@ fn inertia(draft: &mut Draft, body: &Body, mass: &Factors, g: &Expr, tag: &str) 
     all.into_iter().filter(|i| !i.is_zero()).collect()
 }
 
-/// The symbol with something below it.
-pub fn tagged(symbol: &str, tag: &str) -> String {
-    if tag.is_empty() { symbol.to_owned() } else { format!("{symbol}_{{{tag}}}") }
-}
-
-/// What stands below the symbols of each body: the number at the end of its name, its first letter if no other body has it,
-/// else its name.
-fn tags(scene: &Scene) -> Vec<String> {
-    let digits = |name: &str| -> String {
-        let start = name.trim_end_matches(|c: char| c.is_ascii_digit()).len();
-        name[start..].to_owned()
-    };
-    let initial = |name: &str| name.chars().next().map(|c| c.to_uppercase().to_string()).unwrap_or_default();
-    let names: Vec<&str> = scene.bodies.iter().map(|b| b.name.as_str()).collect();
-    let short = |name: &str| {
-        let number = digits(name);
-        if number.is_empty() { initial(name) } else { number }
-    };
-    let shorts: Vec<String> = names.iter().map(|n| short(n)).collect();
-    names
-        .iter()
-        .zip(&shorts)
-        .map(|(name, short)| {
-            if shorts.iter().filter(|s| *s == short).count() > 1 {
-                let plain: String = name.chars().filter(char::is_ascii_alphanumeric).collect();
-                format!(r"\mathrm{{{plain}}}")
-            } else {
-                short.clone()
-            }
-        })
-        .collect()
+/// `beta` of `I = beta m R^2`.
+fn beta(shape: Shape) -> Expr {
+    match shape {
+        Shape::Hoop => ONE,
+        Shape::Disc => Expr::Number(1, 2),
+        Shape::Sphere => Expr::Number(2, 5),
+        Shape::Shell => Expr::Number(2, 3),
+        Shape::Rod => Expr::Number(1, 12),
+    }
 }
