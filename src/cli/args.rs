@@ -617,6 +617,15 @@ pub struct VerifyArgs {
     pub set: PathBuf,
 }
 
+/// How much worked solutions tell.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum DetailArg {
+    /// Two pages a problem, for students
+    Short,
+    /// Every step with its numbers put in, for the instructor
+    Full,
+}
+
 /// `solutions`
 #[derive(Debug, Args)]
 pub struct SolutionsArgs {
@@ -625,6 +634,9 @@ pub struct SolutionsArgs {
     /// Folder to make, not within the students' folders
     #[arg(long, value_name = "DIR3")]
     pub out: PathBuf,
+    /// How much they tell
+    #[arg(long, value_name = "DETAIL", default_value = "short")]
+    pub detail: DetailArg,
     /// Formats: html, md, pdf, tex [default: html,md, and pdf where it is built in]
     #[arg(
         long,

@@ -167,9 +167,7 @@ impl<'d, 'a> Account<'d, 'a> {
     pub fn point(&self, action: &Action) -> Factors {
         let plain = self.m.point(action);
         match self.gammas.iter().find(|(t, ..)| action.source == ForceSource::Tie(*t)) {
-            Some((_, symbol, _)) => {
-                Factors::of(&(*symbol).into()).signed(sign(self.value(&plain.expr())))
-            }
+            Some((_, symbol, _)) => Factors::of(&(*symbol).into()).signed(sign(self.value(&plain.expr()))),
             None => plain,
         }
     }
@@ -234,8 +232,11 @@ impl<'d, 'a> Account<'d, 'a> {
         let mut v0 = ZERO;
         for start in &self.page.draft.scene.start {
             let Start::Speed(c, num) = start else { return beyond(Beyond::Arrangement) };
-            let given =
-                self.page.draft.number(*num, if c.degree == Degree::Along { "v_0" } else { r"\omega_0" }, "m/s");
+            let given = self.page.draft.number(
+                *num,
+                if c.degree == Degree::Along { "v_0" } else { r"\omega_0" },
+                "m/s",
+            );
             if given == ZERO {
                 continue;
             }
@@ -258,7 +259,8 @@ impl<'d, 'a> Account<'d, 'a> {
             push += self.value(&s.gamma.expr()) * self.value(&s.stiffness) * self.value(&s.stretch);
         }
         let v0 = self.value(&self.v0);
-        let slipping = self.page.draft.scene.ties.iter().any(|t| matches!(t, Tie::Slip { .. })) && !self.rolled;
+        let slipping =
+            self.page.draft.scene.ties.iter().any(|t| matches!(t, Tie::Slip { .. })) && !self.rolled;
         self.sense = if v0 != 0.0 { v0.signum() } else { push.signum() };
         if slipping && v0 == 0.0 {
             // A couple has no share in the path of a centre that slips: friction alone may drive it.
@@ -379,7 +381,8 @@ impl<'d, 'a> Account<'d, 'a> {
         let (Some(a), Some(v)) = (self.m.acceleration(lead), self.m.speed(lead)) else {
             return beyond(Beyond::Arrangement);
         };
-        let (a_label, v_label) = (self.of_lead(Quantity::A, Quantity::Alpha), self.of_lead(Quantity::V, Quantity::Omega));
+        let (a_label, v_label) =
+            (self.of_lead(Quantity::A, Quantity::Alpha), self.of_lead(Quantity::V, Quantity::Omega));
         let per = Factors::of(&self.drive).per(&Factors::of(&self.effective)).expr();
         if self.spring.is_some() {
             return self.arrive_on_spring(a, v);
@@ -446,7 +449,8 @@ impl<'d, 'a> Account<'d, 'a> {
                 x1.into()
             }
         };
-        let squares = if last == ZERO { square(&spring.stretch) } else { square(&spring.stretch) - square(&last) };
+        let squares =
+            if last == ZERO { square(&spring.stretch) } else { square(&spring.stretch) - square(&last) };
         let others = number(2) * self.distance() * in_sense(self.drive.clone(), self.value(&self.s));
         let twice = positive_first(vec![&spring.stiffness * squares, others]);
         self.found(self.of_lead(Quantity::V, Quantity::Omega), v, root(twice / &self.effective));
@@ -477,7 +481,8 @@ impl<'d, 'a> Account<'d, 'a> {
     /// # Errors
     /// Only several equations together give a reaction.
     pub fn elimination(&self) -> Result<(Vec<Eliminated>, Coordinate), DerivationStop> {
-        let mut rows: Vec<Coordinate> = self.page.draft.scene.coordinates().filter(|c| !self.own(*c)).collect();
+        let mut rows: Vec<Coordinate> =
+            self.page.draft.scene.coordinates().filter(|c| !self.own(*c)).collect();
         rows.sort_by_key(|c| c.degree == Degree::Along);
         let mut gone: Vec<Eliminated> = Vec::new();
         let mut ties: Vec<usize> = Vec::new();
@@ -517,9 +522,7 @@ impl<'d, 'a> Account<'d, 'a> {
     pub fn gain(&self, c: Coordinate) -> Expr {
         let part = &self.m.parts[c.body];
         let (by, ratio) = match (c.degree, part.a, self.m.acceleration(self.lead())) {
-            (_, Some(a), _) if !part.along.is_zero() && !self.own(c) => {
-                (a, self.m.ratio(c).per(&part.along))
-            }
+            (_, Some(a), _) if !part.along.is_zero() && !self.own(c) => (a, self.m.ratio(c).per(&part.along)),
             (_, _, Some(lead)) => (lead, self.m.ratio(c).clone()),
             _ => return ZERO,
         };
@@ -705,7 +708,12 @@ impl<'d, 'a> Account<'d, 'a> {
             }
             None => {
                 // Kinetic friction says nothing of the grip that rolling needs.
-                let rolling = self.page.draft.found.iter().find(|f| f.label == of_body(Quantity::FrictionIfRolled, body));
+                let rolling = self
+                    .page
+                    .draft
+                    .found
+                    .iter()
+                    .find(|f| f.label == of_body(Quantity::FrictionIfRolled, body));
                 match rolling.and_then(|f| f.eom) {
                     Some(DerivedAnswer::Value(f)) if self.m.parts[body].slips => f,
                     _ => self.get(of_body(Quantity::Friction, body))?,
@@ -817,7 +825,8 @@ impl<'d, 'a> Account<'d, 'a> {
     }
 
     fn several_pulls(&self) -> bool {
-        let pulled = |t: &&Tie| matches!(t, Tie::Cord(c) if matches!(c.to, Far::Pull(_) | Far::Spring { .. }));
+        let pulled =
+            |t: &&Tie| matches!(t, Tie::Cord(c) if matches!(c.to, Far::Pull(_) | Far::Spring { .. }));
         self.page.draft.scene.ties.iter().filter(pulled).count() > 1
     }
 
@@ -888,9 +897,11 @@ impl<'d, 'a> Account<'d, 'a> {
                 continue;
             }
             let v = self.get(of_body(quantity, c.body))?;
-            all.extend(inertia.iter().map(|i| {
-                i.times(&Factors::of(&square(v))).times(&Factors::of(&ratio(1, 2))).expr()
-            }));
+            all.extend(
+                inertia
+                    .iter()
+                    .map(|i| i.times(&Factors::of(&square(v))).times(&Factors::of(&ratio(1, 2))).expr()),
+            );
         }
         Ok(sum(all))
     }

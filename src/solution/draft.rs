@@ -22,6 +22,16 @@ pub enum DerivedAnswer {
     Word(Word),
 }
 
+/// How much a solution tells.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Detail {
+    /// What a student needs: symbols, then the number.
+    #[default]
+    Short,
+    /// Every step on a line of its own, with its numbers put in.
+    Full,
+}
+
 /// What was found for a label, by each method.
 #[derive(Debug, Clone, PartialEq)]
 pub struct FoundAnswer {
@@ -46,8 +56,8 @@ pub struct Draft<'a> {
     pub scene: &'a Scene,
     /// The words of the language.
     pub words: &'a Words,
-    /// Is every substitution told?
-    pub full: bool,
+    /// How much is told.
+    pub detail: Detail,
     /// All quantities: the data first.
     pub symbols: Symbols<'a>,
     /// The sections between the data and the comparison, in order.
@@ -101,7 +111,7 @@ impl<'a> Draft<'a> {
             variant,
             scene: &case.scene,
             words,
-            full: false,
+            detail: Detail::Short,
             symbols,
             sections: Vec::new(),
             found: Vec::new(),

@@ -93,13 +93,7 @@ impl Lamina {
     }
 
     /// A sum over the particles, as a quantity of its own, with how it is written.
-    fn total(
-        &self,
-        page: &mut Page,
-        tex: &str,
-        unit: &str,
-        term: &dyn Fn(usize) -> Expr,
-    ) -> SymbolId {
+    fn total(&self, page: &mut Page, tex: &str, unit: &str, term: &dyn Fn(usize) -> Expr) -> SymbolId {
         let all = sum((0..self.count()).map(term));
         let symbol = page.draft.unknown(tex, unit);
         page.draft.symbols.settle_by(symbol, &all);
@@ -114,13 +108,7 @@ impl Lamina {
     }
 
     /// A table with a row for each particle: its name, and these cells, of which the first are data.
-    fn table(
-        &self,
-        page: &mut Page,
-        head: &[&str],
-        given: usize,
-        cells: &dyn Fn(usize) -> Vec<Expr>,
-    ) {
+    fn table(&self, page: &mut Page, head: &[&str], given: usize, cells: &dyn Fn(usize) -> Vec<Expr>) {
         let mut rows = vec![head.iter().map(|c| format!("${c}$")).collect()];
         for (i, name) in self.names.iter().enumerate() {
             let cells = cells(i).into_iter().enumerate().map(|(column, e)| match e {

@@ -1,14 +1,16 @@
-//! Worked solutions: both methods in symbols and numbers, from the scene's own terms. A third derivation beside the two that
-//! make the key: a solution whose numbers are not those of the key is never printed, a short page stands in its place.
+//! Worked solutions: two pages that go the short way, show the long one, and say why the first is shorter. A solution whose numbers
+//! are not those of the key is never printed, a short page stands in its place.
 //!
-//! A derivation works on a [`draft::Draft`]: it writes its sections and says what it has found by which method. The sections, by
-//! id, in the order of the text:
-//! - `given`: the data in SI, what is asked;
-//! - whatever the derivation writes: `forces`, `eom`, `energy`, ...;
-//! - `agree`: what both methods found; `regime`: the check of what was assumed;
-//! - `answers`: the answers, rounded; `beware`: wrong methods of the problem, with what they would give.
+//! The terms of a scene (each action with its point, velocity ratios, inertias) are read in [`terms`]; [`account`] derives each
+//! quantity from them, [`narrate`] words them; a pinned body ([`pinned`]), one thrown with slip ([`thrown`]), an instant
+//! ([`instant`]) and particles ([`lamina`]) bring terms of their own and use the same [`page::Page`]. The sections, by id, in
+//! the order of the text, each where there is something to say:
+//! - `answers` in a box, `given`: the data; `idea`, `sketch`;
+//! - `rolled`: could it roll? `short`, `long`, `why`: both ways, and why the first is shorter;
+//! - `forces`, `swings`, `rest`: what energy is silent about, and what else is asked;
+//! - `holds`: is what was assumed so? `limits`; `beware`: wrong methods with what they would give; `onward`: a question.
 //!
-//! What no derivation covers has a short page: `given`, `beyond` with the reason, `answers`.
+//! What is not covered has a short page: `answers`, `given`, `beyond` with the reason.
 pub mod account;
 pub mod beware;
 pub mod by_hand;
@@ -37,7 +39,7 @@ use crate::problem::make_key;
 use crate::problem::maker::Variant;
 use crate::scene::{End, Owner, Scene, Slope};
 use crate::sheet::document::Document;
-use crate::solution::draft::{DerivedAnswer, Draft};
+use crate::solution::draft::{DerivedAnswer, Detail, Draft};
 use crate::solution::stop::{Beyond, DerivationStop};
 use crate::solution::symbols::tex_digits;
 use crate::solution::text::{Block, SolutionSection};
@@ -60,7 +62,7 @@ pub fn document(
     words: &Words,
     templates: &Templates,
 ) -> Result<Document, Finding> {
-    worked(problem, variant, number, words, templates).map(|(document, _)| document)
+    worked(problem, variant, number, Detail::Short, (words, templates)).map(|(document, _)| document)
 }
 
 /// The same, and what the derivations do not cover, if it is a short page for that reason.
@@ -71,10 +73,10 @@ pub fn worked(
     problem: &Problem,
     variant: &Variant,
     number: usize,
-    words: &Words,
-    templates: &Templates,
+    detail: Detail,
+    (words, templates): (&Words, &Templates),
 ) -> Result<(Document, Option<Beyond>), Finding> {
-    made(problem, variant, number, (words, templates), &|draft| {
+    made(problem, variant, number, (words, templates, detail), &|draft| {
         figure::all(draft.problem, draft.variant, draft.words)
     })
 }
@@ -90,7 +92,8 @@ pub fn text(
     words: &Words,
     templates: &Templates,
 ) -> Result<String, Finding> {
-    made(problem, variant, number, (words, templates), &|_| Vec::new()).map(|(d, _)| d.markdown)
+    made(problem, variant, number, (words, templates, Detail::Short), &|_| Vec::new())
+        .map(|(d, _)| d.markdown)
 }
 
 /// The pictures that a solution may show, by name.
@@ -100,10 +103,11 @@ fn made(
     problem: &Problem,
     variant: &Variant,
     number: usize,
-    (words, templates): (&Words, &Templates),
+    (words, templates, detail): (&Words, &Templates, Detail),
     pictures: Pictures,
 ) -> Result<(Document, Option<Beyond>), Finding> {
     let mut draft = Draft::new(problem, variant, words)?;
+    draft.detail = detail;
     let beyond = match derive(&mut draft).and_then(|()| check(&draft)) {
         Ok(()) => None,
         Err(DerivationStop::Fault(fault)) => return Err(fault),

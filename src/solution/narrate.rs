@@ -2,14 +2,14 @@
 //! assumed is so, limits, a question to go on with. Which way is short is decided from the scene.
 use crate::figure::names;
 use crate::num::shown;
-use crate::scene::{Coordinate, Degree, End, Far, Label, Mass, Owner, Quantity, Tie};
+use crate::scene::{Coordinate, Degree, End, Far, Label, Mass, Owner, Quantity, Span, Tie};
 use crate::solution::account::{Account, Eliminated, marked, of_body, of_scene, of_tie};
-use crate::solution::draft::{DerivedAnswer, Draft, tex_of};
+use crate::solution::draft::{DerivedAnswer, Detail, Draft, tex_of};
 use crate::solution::expr::{
     Expr, SymbolId, ZERO, in_sense, magnitude, positive_first, ratio, root, square, sum,
 };
 use crate::solution::factors::Factors;
-use crate::solution::page::{Page, WITHIN, aligned};
+use crate::solution::page::{PACKED, Page, WITHIN, aligned};
 use crate::solution::stop::{Beyond, DerivationStop};
 use crate::solution::symbols::{FIGURES, tex_digits};
 use crate::solution::terms::{Action, ForceKind, ForceSource};
@@ -121,11 +121,10 @@ fn could_it_roll(draft: &mut Draft, tie: usize) -> Result<(f64, SolutionSection)
     let size = n.relation(&n.t.size(needed.into()), value.abs(), "N");
     let limit = n.valued(&most, "N");
     let sense = n.way(body, value);
-    n.say(if slips { "rolled.slips" } else { "rolled.rolls" }, &[
-        ("needed", &size),
-        ("limit", &limit),
-        ("way", &sense),
-    ]);
+    n.say(
+        if slips { "rolled.slips" } else { "rolled.rolls" },
+        &[("needed", &size), ("limit", &limit), ("way", &sense)],
+    );
     n.stop();
     let section = std::mem::replace(&mut n.out, SolutionSection::new("", ""));
     if !slips {
@@ -223,7 +222,13 @@ impl<'d, 'a> Narrator<'d, 'a> {
             .collect()
     }
     fn coordinates(&self) -> Vec<Coordinate> {
-        self.t.page.draft.scene.coordinates().filter(|c| !self.t.m.inertia(*c).is_empty() || self.t.m.speed(*c).is_some()).collect()
+        self.t
+            .page
+            .draft
+            .scene
+            .coordinates()
+            .filter(|c| !self.t.m.inertia(*c).is_empty() || self.t.m.speed(*c).is_some())
+            .collect()
     }
     fn speeds(&self) -> Vec<SymbolId> {
         self.coordinates().iter().filter_map(|c| self.t.m.speed(*c)).collect()
@@ -481,10 +486,20 @@ impl<'d, 'a> Narrator<'d, 'a> {
         let all = self.kinetic_frictions();
         for f in all {
             let Some(step) = self.t.page.steps.iter().find(|s| s.symbol == f).cloned() else { continue };
-            let normal = self.normals().first().and_then(|n| self.t.page.steps.iter().find(|s| s.symbol == *n)).cloned();
-            let normal = normal.map_or_else(String::new, |n| format!("${}$", self.chain(n.symbol, &n.from).concat()));
-            let chain = format!("${}$", self.chain(f, &step.from).concat());
-            if !chain.contains('&') {
+            let normal = self
+                .normals()
+                .first()
+                .and_then(|n| self.t.page.steps.iter().find(|s| s.symbol == *n))
+                .cloned();
+            let normal =
+                normal.map_or_else(String::new, |n| format!("${}$", self.chain(n.symbol, &n.from).concat()));
+            if self.draft.detail == Detail::Full {
+                for symbol in self.normals().into_iter().take(1).chain([f]) {
+                    let from = self.t.page.steps.iter().find(|s| s.symbol == symbol).map(|s| s.from.clone());
+                    self.display(symbol, &from.unwrap_or(ZERO), "");
+                }
+            } else {
+                let chain = self.chained(f);
                 self.say("energy.slides", &[("normal", &normal), ("friction", &chain)]);
             }
         }
@@ -591,12 +606,16 @@ impl<'d, 'a> Narrator<'d, 'a> {
     fn write_rows(&mut self) {
         let mut rows: Vec<String> = Vec::new();
         let mut n = 0;
+        let mut firsts: Vec<(usize, usize, usize)> = Vec::new();
         for body in 0..self.t.m.parts.len() {
+            let before = n;
             for degree in [Degree::Along, Degree::Turn] {
                 let c = Coordinate { body, degree };
                 let inertia = self.t.m.inertia(c);
                 let shares: Vec<Expr> = self.t.row(c).into_iter().map(|(_, e)| e).collect();
-                if let Some(a) = self.t.m.acceleration(c).filter(|_| !inertia.is_empty() || !shares.is_empty()) {
+                if let Some(a) =
+                    self.t.m.acceleration(c).filter(|_| !inertia.is_empty() || !shares.is_empty())
+                {
                     n += 1;
                     let by = Factors::of(&a.into());
                     let right = sum(inertia.iter().map(|i| i.times(&by).expr()));
@@ -611,11 +630,14 @@ impl<'d, 'a> Narrator<'d, 'a> {
                     rows.push(format!(r"{} = 0 \quad ({n})", self.tex(&left)));
                 }
             }
+            if n > before {
+                firsts.push((body, before + 1, n));
+            }
         }
         let mut lines: Vec<String> = Vec::new();
         for row in rows {
             match lines.last_mut() {
-                Some(line) if width(line) + width(&row) + 4.0 <= LINE => {
+                Some(line) if width(line) + width(&row) + 4.0 <= PACKED => {
                     line.push_str(r", \qquad ");
                     line.push_str(&row);
                 }
@@ -624,6 +646,17 @@ impl<'d, 'a> Narrator<'d, 'a> {
         }
         for line in lines {
             self.formula(line);
+        }
+        if self.t.m.parts.len() > 1 {
+            let of: Vec<String> = firsts
+                .iter()
+                .map(|(body, first, last)| {
+                    let label = &self.t.m.parts[*body].label;
+                    let more = if last > first { format!("–({last})") } else { String::new() };
+                    format!("{label} ({first}){more}")
+                })
+                .collect();
+            self.say("motion.of", &[("list", &of.join(", "))]);
         }
     }
 
@@ -672,7 +705,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
         let from = self.t.page.steps.iter().find(|s| s.symbol == alpha).map_or(ZERO, |s| s.from.clone());
         let other = self.chain(alpha, &from).concat();
         self.say("motion.own", &[]);
-        if self.t.page.draft.full || width(&line) + width(&other) > LINE {
+        if self.t.page.draft.detail == Detail::Full || width(&line) + width(&other) > PACKED {
             for l in [line, other] {
                 let l = if l.contains('&') { aligned(&l) } else { l };
                 self.formula(l);
@@ -720,7 +753,20 @@ impl<'d, 'a> Narrator<'d, 'a> {
         let (Some(v), Some(w)) = (part.v, part.omega) else { return Ok(()) };
         let half = ratio(1, 2);
         let place = if self.t.value(&self.t.s) < 0.0 { -1.0 } else { 1.0 };
-        let turn = if self.t.value(&self.t.page.steps.iter().find(|s| Some(s.symbol) == part.alpha).map_or(ZERO, |s| s.symbol.into())) < 0.0 { -1.0 } else { 1.0 };
+        let turn = if self.t.value(
+            &self
+                .t
+                .page
+                .steps
+                .iter()
+                .find(|s| Some(s.symbol) == part.alpha)
+                .map_or(ZERO, |s| s.symbol.into()),
+        ) < 0.0
+        {
+            -1.0
+        } else {
+            1.0
+        };
         let row = |n: &Self, degree| {
             let row = n.t.row(Coordinate { body, degree });
             positive_first(row.into_iter().map(|(_, e)| e).collect())
@@ -745,7 +791,8 @@ impl<'d, 'a> Narrator<'d, 'a> {
 
     /// Why the first way is shorter: unknowns and equations of both, counted alike.
     fn why(&mut self) {
-        self.begin("why");
+        let even = self.reactions().is_empty() && self.t.spring.is_none();
+        self.begin_as("why", if even { "which" } else { "why" });
         let (reactions, normals, rubs) = (self.reactions(), self.normals(), self.kinetic_frictions());
         let (accelerations, speeds) = (self.accelerations(), self.speeds());
         let newton: Vec<SymbolId> =
@@ -755,7 +802,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
         let (many, few) = (self.names(&newton), self.names(&energy));
         let (n, k) = (newton.len().to_string(), energy.len().to_string());
         let pieces = [("many", &*many), ("n", &*n), ("few", &*few), ("k", &*k)];
-        if reactions.is_empty() && self.t.spring.is_none() {
+        if even {
             self.say("why.neither", &pieces);
         } else {
             let hidden = self.names(&reactions);
@@ -812,12 +859,17 @@ impl<'d, 'a> Narrator<'d, 'a> {
             self.say("forces.spring", &[]);
         } else if self.t.page.steps.iter().any(|s| !self.is_told(s.symbol)) {
             let a = self.acceleration();
-            let name = if self.short == Short::Energy && self.t.v0 == ZERO && self.t.straight() { "forces.back" } else { "forces.rows" };
+            let name = if self.short == Short::Energy && self.t.v0 == ZERO && self.t.straight() {
+                "forces.back"
+            } else {
+                "forces.rows"
+            };
             let v = self.speed();
             let by = square(v) / (Expr::Number(2, 1) * self.t.distance());
             let place = matches!(self.t.page.draft.scene.end, End::Travel(..));
             let name = if place { name } else { "forces.rows" };
-            let by = format!("${} = {}$", self.t.page.draft.symbols.tex(a), self.tex(&in_sense(by, self.t.sense)));
+            let by =
+                format!("${} = {}$", self.t.page.draft.symbols.tex(a), self.tex(&in_sense(by, self.t.sense)));
             self.say(name, &[("a", &by)]);
         }
         let normals: Vec<Option<SymbolId>> = self.normals().into_iter().map(Some).collect();
@@ -872,7 +924,8 @@ impl<'d, 'a> Narrator<'d, 'a> {
             self.say("friction.bound", &[("way", &up)]);
             self.tell_new();
             let outer = self.t.page.draft.scene.bodies[body].radii_m.iter().map(|(_, r)| *r);
-            let outer = outer.max_by(|a, b| self.t.page.draft.value(*a).total_cmp(&self.t.page.draft.value(*b)));
+            let outer =
+                outer.max_by(|a, b| self.t.page.draft.value(*a).total_cmp(&self.t.page.draft.value(*b)));
             if let Some(r) = outer
                 && self.t.page.draft.symbols.value(k0) >= self.t.page.draft.value(r)
             {
@@ -895,7 +948,9 @@ impl<'d, 'a> Narrator<'d, 'a> {
             let force = self.inline(&action.force);
             let mixed = match &whole {
                 Expr::Sum(parts) => parts.iter().any(|p| matches!(p, Expr::Minus(_))),
-                Expr::Product(parts) => parts.iter().any(|p| matches!(p, Expr::Sum(terms) if terms.iter().any(|t| matches!(t, Expr::Minus(_))))),
+                Expr::Product(parts) => parts.iter().any(
+                    |p| matches!(p, Expr::Sum(terms) if terms.iter().any(|t| matches!(t, Expr::Minus(_)))),
+                ),
                 _ => false,
             };
             let positive = self.t.value(&(whole.clone() * self.t.size(action.force.clone()))) > 0.0;
@@ -1013,7 +1068,12 @@ impl<'d, 'a> Narrator<'d, 'a> {
             let [a, b] = ends.map(|(_, f)| self.t.page.draft.symbols.value(f).abs());
             largest = if a >= b { ends[0].1 } else { ends[1].1 };
             let both: Vec<String> = ends.iter().map(|(_, f)| self.shown(*f)).collect();
-            self.say("holds.extremes", &[("one", &both[0]), ("two", &both[1])]);
+            let far = match self.t.page.draft.scene.span {
+                Span::ToEnd => "end",
+                Span::ToTurningPoint => "turn",
+            };
+            let range = self.phrase(&format!("holds.range.{far}"), &[]);
+            self.say("holds.extremes", &[("range", &range), ("one", &both[0]), ("two", &both[1])]);
             self.skip_new();
         }
         let value = self.t.page.draft.symbols.value(largest).abs();
@@ -1176,7 +1236,10 @@ impl<'d, 'a> Narrator<'d, 'a> {
 
     /// Shares of the kinetic energy.
     fn energies(&mut self) -> Result<(), DerivationStop> {
-        let turning = self.coordinates().into_iter().any(|c| c.degree == Degree::Turn && !self.t.m.inertia(c).is_empty());
+        let turning = self
+            .coordinates()
+            .into_iter()
+            .any(|c| c.degree == Degree::Turn && !self.t.m.inertia(c).is_empty());
         let moving = self.coordinates().into_iter().any(|c| c.degree == Degree::Along);
         if !turning || !moving || self.t.value(&self.t.v) == 0.0 {
             return Ok(());
@@ -1193,7 +1256,14 @@ impl<'d, 'a> Narrator<'d, 'a> {
     /// A question to go on with.
     fn onward(&mut self) {
         self.begin("onward");
-        let pulled = self.t.page.draft.scene.ties.iter().any(|t| matches!(t, Tie::Cord(c) if matches!(c.to, Far::Pull(_))));
+        let pulled = self
+            .t
+            .page
+            .draft
+            .scene
+            .ties
+            .iter()
+            .any(|t| matches!(t, Tie::Cord(c) if matches!(c.to, Far::Pull(_))));
         let wheel = !self.rolling().is_empty() && self.t.m.parts.len() == 1;
         let pulley = self.t.m.parts.iter().any(|p| p.a.is_none() && p.alpha.is_some());
         let weighed = self.t.page.draft.scene.bodies.iter().all(|b| !matches!(b.mass, Mass::OfParts));

@@ -1,7 +1,7 @@
 //! Writes the sections of a solution: sentences, displayed formulas, and the quantities as they are found, short ones within the
 //! sentences, wide ones on lines of their own.
 use crate::num::shown;
-use crate::solution::draft::{Draft, tex_of};
+use crate::solution::draft::{Detail, Draft, tex_of};
 use crate::solution::expr::{Expr, SymbolId};
 use crate::solution::symbols::{FIGURES, tex_digits};
 use crate::solution::text::{Block, LINE, SolutionSection};
@@ -9,6 +9,10 @@ use crate::solution::written::width;
 
 /// Widest formula that stands within a sentence.
 pub const WITHIN: f64 = 34.0;
+/// Widest line of several formulas: the gaps between them do not shrink.
+pub const PACKED: f64 = LINE - 8.0;
+/// So many formulas may stand within a sentence.
+const FEW: usize = 2;
 
 /// A quantity as it was found.
 #[derive(Debug, Clone)]
@@ -163,35 +167,45 @@ impl<'d, 'a> Page<'d, 'a> {
             return vec![format!("{name} = {value}")];
         }
         let mut lines = vec![format!("{name} = {letters} = {value}")];
-        if self.draft.full && from.numbers(symbols) != value {
+        if self.draft.detail == Detail::Full && from.numbers(symbols) != value {
             let numbers = from.numbers_in_lines(symbols, LINE).join(r" \\ &\quad ");
             lines[0] = format!(r"{name} &= {letters} \\ &= {numbers} \\ &= {value}");
         }
         lines
     }
-    /// Tells what the account has found since: wide lines displayed, short ones in a sentence.
+    /// Tells what was found since: a few short formulas within the sentence, more of them, or wide ones, displayed, as many on a
+    /// line as fit.
     pub fn tell_new(&mut self) {
         let new = |s: &&Step| !self.told.contains(&s.symbol);
         let steps: Vec<Step> = self.steps.iter().filter(new).cloned().collect();
         self.skip_new();
-        let mut within: Vec<String> = Vec::new();
-        for step in steps {
-            let lines = self.chain(step.symbol, &step.from);
-            if self.draft.full {
-                let whole = lines.concat();
-                let whole = if whole.contains('&') { aligned(&whole) } else { whole };
-                self.formula(whole);
-            } else if lines.iter().all(|l| width(l) <= WITHIN) {
-                within.push(format!("${}$", lines.concat()));
+        let chains: Vec<String> = steps.iter().map(|s| self.chain(s.symbol, &s.from).concat()).collect();
+        let short = chains.iter().all(|c| width(c) <= WITHIN && !c.contains('&'));
+        if short && chains.len() <= FEW {
+            if !chains.is_empty() {
+                let all: Vec<String> = chains.iter().map(|c| format!("${c}$")).collect();
+                self.open.push(format!("{}.", all.join(", ")));
+            }
+            return;
+        }
+        let mut line = String::new();
+        for chain in chains {
+            let whole = chain.contains('&');
+            let fits = !whole && width(&line) + width(&chain) + 4.0 <= PACKED;
+            if !line.is_empty() && !fits {
+                self.formula(std::mem::take(&mut line));
+            }
+            if whole {
+                self.formula(aligned(&chain));
             } else {
-                if !within.is_empty() {
-                    self.open.push(format!("{}:", std::mem::take(&mut within).join(", ")));
+                if !line.is_empty() {
+                    line.push_str(r", \qquad ");
                 }
-                self.formula(lines.concat());
+                line.push_str(&chain);
             }
         }
-        if !within.is_empty() {
-            self.open.push(format!("{}.", within.join(", ")));
+        if !line.is_empty() {
+            self.formula(line);
         }
     }
     /// Takes all steps as told.

@@ -9,7 +9,7 @@ use crate::solution::expr::{
     square, sum,
 };
 use crate::solution::factors::Factors;
-use crate::solution::page::Page;
+use crate::solution::page::{PACKED, Page, aligned};
 use crate::solution::stop::{Beyond, DerivationStop};
 use crate::solution::symbols::{FIGURES, tex_digits};
 use crate::solution::terms;
@@ -72,8 +72,15 @@ pub fn sections(draft: &mut Draft) -> Result<(), DerivationStop> {
         return Err(Beyond::Arrangement.into());
     };
     let pin = *pin;
-    let ended = [(Quantity::Omega, Owner::Body(body)), (Quantity::V, Owner::Body(body)), (Quantity::KineticEnergy, Owner::Scene)];
-    if !ended.iter().any(|(quantity, of)| draft.variant.solved.get(Label { quantity: *quantity, of: *of }).is_some()) {
+    let ended = [
+        (Quantity::Omega, Owner::Body(body)),
+        (Quantity::V, Owner::Body(body)),
+        (Quantity::KineticEnergy, Owner::Scene),
+    ];
+    if !ended
+        .iter()
+        .any(|(quantity, of)| draft.variant.solved.get(Label { quantity: *quantity, of: *of }).is_some())
+    {
         return Err(Beyond::NotThere.into());
     }
     let mut page = Page::new(draft);
@@ -88,7 +95,8 @@ pub fn sections(draft: &mut Draft) -> Result<(), DerivationStop> {
     swing.limits(&mut page, omega);
     page.begin("onward");
     // A spring that is stretched further holds it back.
-    let stretch = |tex: &str| page.draft.symbols.named(tex).map_or(0.0, |s| page.draft.symbols.value(s).abs());
+    let stretch =
+        |tex: &str| page.draft.symbols.named(tex).map_or(0.0, |s| page.draft.symbols.value(s).abs());
     let braked = stretch(r"\delta_1") > stretch(r"\delta_0");
     let name = if braked { "pinned.onward_spring" } else { "pinned.onward" };
     swing.say(&mut page, name, &[]);
@@ -142,7 +150,9 @@ fn read(page: &mut Page, body: usize, pin: &Pin) -> Result<PinnedBody, Derivatio
         return Err(Beyond::PinAtCentre.into());
     }
     let own = match &scene.bodies[body].inertia {
-        Some(RotaryInertia::Gyration(k)) => m.times(&Factors::of(&draft.number(*k, "k", "m")).squared()).expr(),
+        Some(RotaryInertia::Gyration(k)) => {
+            m.times(&Factors::of(&draft.number(*k, "k", "m")).squared()).expr()
+        }
         _ => sum(terms::inertia(draft, &scene.bodies[body], &m, &g, "").iter().map(Factors::expr)),
     };
     let spring = PinnedSpring::new(draft, pin);
@@ -165,14 +175,20 @@ fn read(page: &mut Page, body: usize, pin: &Pin) -> Result<PinnedBody, Derivatio
     let about = page.find(&["I_O", "J_O"], "kg m^2", steiner.clone());
     let short = Factors::of(&own).plus(&m.times(&Factors::of(&h).squared())).expr();
     let mut line = page.chain(about, &steiner).concat();
-    if !line.contains('&') && !matches!(short, Expr::Sum(_)) && short != steiner && width(&line) < LINE - 20.0 && own != ZERO {
+    if !line.contains('&')
+        && !matches!(short, Expr::Sum(_))
+        && short != steiner
+        && width(&line) < LINE - 20.0
+        && own != ZERO
+    {
         let tex = page.draft.symbols.tex(about).to_owned();
         line = line.replacen(" = ", &format!(" = {} = ", page.tex(&short)), 1);
         line = format!("{tex}{}", &line[tex.len()..]);
     }
     page.skip_new();
-    page.formula(if line.contains('&') { crate::solution::page::aligned(&line) } else { line });
-    page.draft.from_motion(Label { quantity: Quantity::IO, of: Owner::Body(body) }, DerivedAnswer::Value(about));
+    page.formula(if line.contains('&') { aligned(&line) } else { line });
+    page.draft
+        .from_motion(Label { quantity: Quantity::IO, of: Owner::Body(body) }, DerivedAnswer::Value(about));
     let mut swing = PinnedBody {
         body,
         up: pin.from == Zero::Upright,
@@ -274,7 +290,10 @@ impl PinnedBody {
 
     /// The weight times a function of the angle, positive as it counts from upright.
     fn weight(&self, wave: Expr, arm: &Expr) -> Expr {
-        let size = Factors::of(&self.m).times(&Factors::of(&self.g)).times(&Factors::of(arm)).times(&Factors::of(&wave));
+        let size = Factors::of(&self.m)
+            .times(&Factors::of(&self.g))
+            .times(&Factors::of(arm))
+            .times(&Factors::of(&wave));
         signed(size.expr(), self.up)
     }
 
@@ -307,7 +326,10 @@ impl PinnedBody {
             let shown = page.shown(*angle);
             self.say(page, phrase, &[("angle", &shown)]);
         }
-        let fall = Factors::of(&self.m).times(&Factors::of(&self.g)).times(&Factors::of(&self.h)).times(&Factors::of(&self.sinking()));
+        let fall = Factors::of(&self.m)
+            .times(&Factors::of(&self.g))
+            .times(&Factors::of(&self.h))
+            .times(&Factors::of(&self.sinking()));
         let mut works = vec![fall.expr()];
         if !self.couples.is_empty() {
             let turned = self.turned(page);
@@ -346,7 +368,11 @@ impl PinnedBody {
                 positive_first(doubled) / self.about
             }
         };
-        let from = if matches!(page.draft.scene.end, End::TurningPoint(_)) { ZERO } else { root(square(&self.w0) + twice) };
+        let from = if matches!(page.draft.scene.end, End::TurningPoint(_)) {
+            ZERO
+        } else {
+            root(square(&self.w0) + twice)
+        };
         page.step(omega, from.clone());
         page.display(omega, &from, r" \quad (\mathrm{E})");
         if self.sense < 0.0 {
@@ -360,7 +386,8 @@ impl PinnedBody {
 
     /// The angular speed at the end.
     fn omega(&self, page: &mut Page) -> SymbolId {
-        let found = page.draft.found.iter().find(|f| f.label == self.label(Quantity::Omega)).and_then(|f| f.eom);
+        let found =
+            page.draft.found.iter().find(|f| f.label == self.label(Quantity::Omega)).and_then(|f| f.eom);
         if let Some(DerivedAnswer::Value(omega)) = found {
             return omega;
         }
@@ -373,7 +400,10 @@ impl PinnedBody {
 
     /// The rows, what they have in common with (E), and which way is shorter.
     fn rows(&self, page: &mut Page) {
-        page.begin_as(if self.instant { "short" } else { "long" }, if self.instant { "short_motion" } else { "long_motion" });
+        page.begin_as(
+            if self.instant { "short" } else { "long" },
+            if self.instant { "short_motion" } else { "long_motion" },
+        );
         let from = if self.up { "pinned.from_upright" } else { "pinned.from_hanging" };
         let name = |page: &Page, names: &[&str], unit: &str| {
             let _ = unit;
@@ -381,8 +411,17 @@ impl PinnedBody {
         };
         let (radial, across) = (name(page, &["R", "O_r"], "N"), name(page, &["S", "O_t"], "N"));
         let angle = page.tex(&self.phi);
-        self.say(page, from, &[("phi", &format!("${angle}$")), ("radial", &format!("${radial}$")), ("across", &format!("${across}$"))]);
-        let (alpha, omega) = (name(page, &[r"\alpha", r"\alpha_1"], ""), name(page, &[r"\omega", r"\omega_1"], ""));
+        self.say(
+            page,
+            from,
+            &[
+                ("phi", &format!("${angle}$")),
+                ("radial", &format!("${radial}$")),
+                ("across", &format!("${across}$")),
+            ],
+        );
+        let (alpha, omega) =
+            (name(page, &[r"\alpha", r"\alpha_1"], ""), name(page, &[r"\omega", r"\omega_1"], ""));
         let mut generic = |tex: &[&str]| {
             let tex = page.draft.free(tex);
             Expr::Symbol(page.draft.unknown(&tex, "1"))
@@ -407,7 +446,7 @@ impl PinnedBody {
         let mut lines: Vec<String> = Vec::new();
         for row in rows {
             match lines.last_mut() {
-                Some(line) if width(line) + width(&row) + 4.0 <= LINE => {
+                Some(line) if width(line) + width(&row) + 4.0 <= PACKED => {
                     line.push_str(r", \qquad ");
                     line.push_str(&row);
                 }
@@ -427,7 +466,11 @@ impl PinnedBody {
         self.say(page, "pinned.integral", &pieces);
         page.begin("why");
         let (many, few) = (format!("${radial}$, ${across}$, ${alpha}$, ${omega}$"), format!("${omega}$"));
-        self.say(page, "pinned.why", &[("many", &many), ("few", &few), ("alpha", &alpha), ("radial", &radial), ("across", &across)]);
+        self.say(
+            page,
+            "pinned.why",
+            &[("many", &many), ("few", &few), ("alpha", &alpha), ("radial", &radial), ("across", &across)],
+        );
         page.say("why.ask", &[]);
     }
 
@@ -447,7 +490,13 @@ impl PinnedBody {
 
     /// Angular acceleration and force of the pin at the end.
     fn forces(&self, page: &mut Page, omega: SymbolId) {
-        let asked = [Quantity::Alpha, Quantity::PinRadial, Quantity::PinTangential, Quantity::PinForce, Quantity::SpringForce];
+        let asked = [
+            Quantity::Alpha,
+            Quantity::PinRadial,
+            Quantity::PinTangential,
+            Quantity::PinForce,
+            Quantity::SpringForce,
+        ];
         if !asked.iter().any(|q| page.draft.asks(*q)) {
             return;
         }
@@ -460,7 +509,11 @@ impl PinnedBody {
         let pull = self.pull(page);
         let [moments, toward, aside] = self.rows_at(&self.phi1, &pull);
         let over = positive_first(vec![moments]);
-        let alpha = page.find(&[r"\alpha", r"\alpha_1"], "rad/s^2", Factors::of(&over).per(&Factors::of(&self.about.into())).expr());
+        let alpha = page.find(
+            &[r"\alpha", r"\alpha_1"],
+            "rad/s^2",
+            Factors::of(&over).per(&Factors::of(&self.about.into())).expr(),
+        );
         self.answer(page, Quantity::Alpha, alpha);
         if asked[1..4].iter().any(|q| page.draft.asks(*q)) {
             let mh = Factors::of(&self.m).times(&Factors::of(&self.h));
@@ -478,10 +531,18 @@ impl PinnedBody {
             let (r, s) = (page.draft.symbols.value(radial), page.draft.symbols.value(across));
             let names = [page.names(&[radial]), page.names(&[across])];
             if r != 0.0 {
-                self.say(page, if r > 0.0 { "pinned.pin_toward" } else { "pinned.pin_outward" }, &[("radial", &names[0])]);
+                self.say(
+                    page,
+                    if r > 0.0 { "pinned.pin_toward" } else { "pinned.pin_outward" },
+                    &[("radial", &names[0])],
+                );
             }
             if s != 0.0 {
-                self.say(page, if s > 0.0 { "pinned.pin_with" } else { "pinned.pin_against" }, &[("across", &names[1])]);
+                self.say(
+                    page,
+                    if s > 0.0 { "pinned.pin_with" } else { "pinned.pin_against" },
+                    &[("across", &names[1])],
+                );
             }
         }
         page.tell_new();
@@ -504,7 +565,11 @@ impl PinnedBody {
         page.begin("rest");
         page.skip_new();
         if page.draft.asks(Quantity::V) {
-            let v = page.find(&["v_G", "u_G"], "m/s", Factors::of(&self.h).times(&Factors::of(&omega.into())).expr());
+            let v = page.find(
+                &["v_G", "u_G"],
+                "m/s",
+                Factors::of(&self.h).times(&Factors::of(&omega.into())).expr(),
+            );
             self.answer(page, Quantity::V, v);
         }
         if page.draft.asks(Quantity::KineticEnergy) {
@@ -512,7 +577,11 @@ impl PinnedBody {
             page.draft.from_motion(of_scene(Quantity::KineticEnergy), DerivedAnswer::Value(t));
         }
         if page.draft.asks(Quantity::RotationalFraction) {
-            let share = page.find(&[r"\zeta", r"\zeta_r"], "1", Factors::of(&self.own).per(&Factors::of(&self.about.into())).expr());
+            let share = page.find(
+                &[r"\zeta", r"\zeta_r"],
+                "1",
+                Factors::of(&self.own).per(&Factors::of(&self.about.into())).expr(),
+            );
             page.draft.from_motion(of_scene(Quantity::RotationalFraction), DerivedAnswer::Value(share));
         }
         if page.draft.asks(Quantity::Phi) && !self.instant {
@@ -738,7 +807,11 @@ impl PinnedBody {
             let rest = page.find(&[r"\kappa_c", r"\lambda_c"], "1", root(square(kappa) - ONE));
             (a, b, turns) = (page.draft.symbols.value(kappa), page.draft.symbols.value(rest), Expr::from(pi));
         } else {
-            let from = if started { root(ONE - square(&amplitude)) } else { magnitude_of(&cosine_half, page.value(&cosine_half)) };
+            let from = if started {
+                root(ONE - square(&amplitude))
+            } else {
+                magnitude_of(&cosine_half, page.value(&cosine_half))
+            };
             let rest = page.find(&[r"\kappa_c", r"\lambda_c"], "1", from);
             (a, b, turns) = (1.0, page.draft.symbols.value(rest), whole(2) * pi);
         }
@@ -763,7 +836,6 @@ impl PinnedBody {
         self.answer(page, Quantity::Period, period);
         page.tell_new();
     }
-
 }
 
 /// The magnitude of something whose value is known.

@@ -4,8 +4,7 @@
 use crate::figure::names;
 pub use crate::figure::names::tagged;
 use crate::scene::{
-    Attach, Body, Coordinate, CordEnd, Degree, Far, Mass, Num, Quantity, RotaryInertia, Shape, Side,
-    Slope, Tie,
+    Body, Coordinate, CordEnd, Degree, Far, Mass, Num, Quantity, RotaryInertia, Shape, Slope, Tie,
 };
 use crate::solution::draft::Draft;
 use crate::solution::expr::{Expr, ONE, SymbolId, ZERO, cosine, sine, sum};
@@ -134,35 +133,17 @@ impl Terms {
         let mut cords = 0;
         for (t, tie) in scene.ties.iter().enumerate() {
             match tie {
-                Tie::Roll { body, radius_m, .. } | Tie::Slip { body, radius_m, .. } => {
-                    let c = Factors::of(&draft.number(*radius_m, "R", "m"));
+                Tie::Roll { body, .. } | Tie::Slip { body, .. } => {
                     let rolls = rolled || matches!(tie, Tie::Roll { .. });
                     let kind = if rolls { ForceKind::Reaction } else { ForceKind::Kinetic };
                     let tag = if contacts > 1 { self.parts[*body].tag.as_str() } else { "" };
                     let force = friction(draft, &below(tag, rolled));
-                    let up = self.parts[*body].up;
-                    self.actions.push(Action {
-                        contact: true,
-                        source: ForceSource::Tie(t),
-                        kind,
-                        body: *body,
-                        force: force.into(),
-                        along: Factors::one().signed(up),
-                        arm: c.signed(-up),
-                    });
+                    self.rub(draft, t, kind, force);
                 }
                 Tie::Slide { body, .. } => {
                     let tag = if contacts > 1 { self.parts[*body].tag.as_str() } else { "" };
                     let force = friction(draft, &below(tag, rolled));
-                    self.actions.push(Action {
-                        contact: true,
-                        source: ForceSource::Tie(t),
-                        kind: ForceKind::Kinetic,
-                        body: *body,
-                        force: force.into(),
-                        along: Factors::one().signed(self.parts[*body].up),
-                        arm: Factors::zero(),
-                    });
+                    self.rub(draft, t, ForceKind::Kinetic, force);
                 }
                 Tie::Cord(cord) => {
                     let (kind, force) = match &cord.to {
@@ -177,12 +158,8 @@ impl Terms {
                             (kind, draft.unknown(&tex, "N").into())
                         }
                     };
-                    let mut ends = vec![cord.from];
-                    if let Far::Body(other) = &cord.to {
-                        ends.push(*other);
-                    }
-                    for end in ends {
-                        let (along, arm) = lever(draft, &end);
+                    for end in tie.actions() {
+                        let (along, arm) = levers(draft, &end);
                         let along = if self.parts[end.body].a.is_some() { along } else { Factors::zero() };
                         let arm = if self.parts[end.body].alpha.is_some() { arm } else { Factors::zero() };
                         self.actions.push(Action {
@@ -211,6 +188,23 @@ impl Terms {
             });
         }
         self.weigh(draft);
+    }
+
+    /// The friction of a contact, positive up.
+    fn rub(&mut self, draft: &mut Draft, tie: usize, kind: ForceKind, force: SymbolId) {
+        for action in draft.scene.ties[tie].actions() {
+            let up = self.parts[action.body].up;
+            let (along, arm) = levers(draft, &action);
+            self.actions.push(Action {
+                contact: true,
+                source: ForceSource::Tie(tie),
+                kind,
+                body: action.body,
+                force: force.into(),
+                along: along.signed(up),
+                arm: arm.signed(up),
+            });
+        }
     }
 
     /// The weights of the bodies on slopes.
@@ -484,17 +478,19 @@ pub fn parts(draft: &mut Draft, rolled: bool) -> Vec<BodyTerms> {
     parts
 }
 
-/// `along` and `arm` of a cord's end: its share along the line, its arm about the mass centre.
-pub fn lever(draft: &mut Draft, end: &CordEnd) -> (Factors, Factors) {
-    let toward = if end.forward { 1 } else { -1 };
-    let arm = match end.attach {
-        Attach::Centre => Factors::zero(),
-        Attach::Wound(p, side) => {
-            let side = if side == Side::Top { toward } else { -toward };
-            Factors::of(&draft.number(p, "r", "m")).signed(side)
-        }
+/// `along` and `arm` of a force: its share along the line, its arm about the mass centre.
+fn levers(draft: &mut Draft, action: &crate::scene::Action) -> (Factors, Factors) {
+    let sign = |x: f64| if x < 0.0 { -1 } else { 1 };
+    let arm = match action.arm {
+        None => Factors::zero(),
+        Some((radius, sense)) => Factors::of(&draft.number(radius, "R", "m")).signed(sign(sense)),
     };
-    (Factors::one().signed(toward), arm)
+    (Factors::one().signed(sign(action.along)), arm)
+}
+
+/// The same of a cord's end.
+pub fn lever(draft: &mut Draft, end: &CordEnd) -> (Factors, Factors) {
+    levers(draft, &end.action())
 }
 
 /// A tag, with an r if it belongs to the rolling that does not happen.

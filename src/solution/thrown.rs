@@ -169,7 +169,8 @@ impl ThrownBody {
 
     /// Component of the weight against forward, positive where forward is up, over a length or a time.
     fn weight(&self, by: &Expr) -> Expr {
-        let size = self.m.times(&Factors::of(&self.g)).times(&Factors::of(by)).times(&Factors::of(&self.sine));
+        let size =
+            self.m.times(&Factors::of(&self.g)).times(&Factors::of(by)).times(&Factors::of(&self.sine));
         signed(size.expr(), self.up)
     }
 
@@ -216,9 +217,17 @@ impl ThrownBody {
         let forward = signed(force.into(), self.up);
         let pressing = self.m.times(&Factors::of(&self.g)).times(&Factors::of(&self.cosine)).expr();
         let (one, two, three) = (
-            format!("{} = {}", page.tex(&positive_first(vec![&forward - self.weight(&ONE)])), page.tex(&(self.m.expr() * a))),
+            format!(
+                "{} = {}",
+                page.tex(&positive_first(vec![&forward - self.weight(&ONE)])),
+                page.tex(&(self.m.expr() * a))
+            ),
             format!("{} = 0", page.tex(&(normal - &pressing))),
-            format!("{} = {}", page.tex(&(-(&forward * &self.c))), page.tex(&self.own.times(&Factors::of(&alpha.into())).expr())),
+            format!(
+                "{} = {}",
+                page.tex(&(-(&forward * &self.c))),
+                page.tex(&self.own.times(&Factors::of(&alpha.into())).expr())
+            ),
         );
         page.formula(format!(r"{one} \quad (1), \qquad {two} \quad (2), \qquad {three} \quad (3)"));
         self.say(page, "law", &[]);
@@ -289,7 +298,11 @@ impl ThrownBody {
             in_sense(s.slip.into(), s.sense)
         };
         self.say(page, "heat", &[]);
-        let way = page.find(&["l", r"\ell", r"\lambda"], "m", Factors::of(&mean).times(&Factors::of(t)).times(&Factors::of(&ratio(1, 2))).expr());
+        let way = page.find(
+            &["l", r"\ell", r"\lambda"],
+            "m",
+            Factors::of(&mean).times(&Factors::of(t)).times(&Factors::of(&ratio(1, 2))).expr(),
+        );
         self.answer(page, Quantity::SlipDistance, way);
         let heat = page.find(&["Q", "Q_f"], "J", &self.mu_k * s.normal * way);
         page.draft.from_motion(of_scene(Quantity::Heat), DerivedAnswer::Value(heat));
@@ -319,7 +332,8 @@ impl ThrownBody {
         self.answer(page, Quantity::ARolling, a);
         self.answer(page, Quantity::FrictionIfRolled, friction);
         if page.draft.asks(Quantity::MuRequired) {
-            let size = if page.draft.symbols.value(friction) < 0.0 { magnitude(friction) } else { friction.into() };
+            let size =
+                if page.draft.symbols.value(friction) < 0.0 { magnitude(friction) } else { friction.into() };
             let mu = page.find(&[r"\mu_{\mathrm{min}}"], "1", size / s.normal);
             self.answer(page, Quantity::MuRequired, mu);
         }
@@ -365,14 +379,15 @@ impl ThrownBody {
         self.say(page, "balance", &[]);
         let half = Factors::of(&ratio(1, 2));
         let kinetic = |w: &Expr, v: &Expr| {
-            let term = |i: &Factors, rate: &Expr| i.times(&half).times(&Factors::of(&square(rate.clone()))).expr();
+            let term =
+                |i: &Factors, rate: &Expr| i.times(&half).times(&Factors::of(&square(rate.clone()))).expr();
             let zero = |e: Expr, rate: &Expr| if *rate == ZERO { ZERO } else { e };
             sum([zero(term(&self.m, v), v), zero(term(&self.own, w), w)])
         };
         let left = kinetic(&self.w0, &self.v0) - heat;
         let left = left - if self.level { ZERO } else { self.weight(&end.x.into()) };
         page.formula(format!("{} = {}", page.tex(&left), page.tex(&kinetic(&end.w.into(), &end.v.into()))));
-        page.begin("why");
+        page.begin_as("why", "which");
         self.say(page, if self.level { "why_level" } else { "why" }, &[]);
         page.say("why.ask", &[]);
     }

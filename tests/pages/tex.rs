@@ -354,7 +354,9 @@ pub fn check(markdown: &str, counts: &mut Counts) -> Vec<String> {
     }
     let chains: Vec<Vec<String>> = formulas
         .iter()
-        .flat_map(|f| f.split(r"\qquad ").flat_map(|part| chains(part.trim_end_matches(", "))).collect::<Vec<_>>())
+        .flat_map(|f| {
+            f.split(r"\qquad ").flat_map(|part| chains(part.trim_end_matches(", "))).collect::<Vec<_>>()
+        })
         .collect();
     let mut later = Vec::new();
     for chain in &chains {
@@ -428,8 +430,13 @@ pub fn mutations(markdown: &str) -> Vec<(usize, String)> {
         at += formula.len() + 1;
         let steps = formula.matches('=').count();
         // A datum in two units is no step.
-        let datum = formula.split('=').nth(1).is_some_and(|p| p.trim_start().starts_with(|c: char| c.is_ascii_digit()));
-        let Some(equals) = formula.rfind("= ").filter(|_| i % 2 == 1 && steps > 1 && !datum) else { continue };
+        let datum = formula
+            .split('=')
+            .nth(1)
+            .is_some_and(|p| p.trim_start().starts_with(|c: char| c.is_ascii_digit()));
+        let Some(equals) = formula.rfind("= ").filter(|_| i % 2 == 1 && steps > 1 && !datum) else {
+            continue;
+        };
         let rest = formula[equals + 2..].split(r" \quad (").next().unwrap_or("");
         let end = rest.find(r" \end{aligned}").unwrap_or(rest.len());
         let digits = rest.trim_start_matches('-').starts_with(|c: char| c.is_ascii_digit());
