@@ -485,7 +485,6 @@ impl<'d, 'a> Narrator<'d, 'a> {
     fn tell_frictions(&mut self) {
         let all = self.kinetic_frictions();
         for f in all {
-            let Some(step) = self.t.page.steps.iter().find(|s| s.symbol == f).cloned() else { continue };
             let normal = self
                 .normals()
                 .first()
@@ -537,7 +536,12 @@ impl<'d, 'a> Narrator<'d, 'a> {
 
     /// The equations of motion, the elimination, the integral.
     fn motion(&mut self, id: &'static str) -> Result<(), DerivationStop> {
-        self.begin_as(id, if id == "long" { "long_motion" } else { "short_motion" });
+        let title = match (id, self.short) {
+            ("long", _) => "long_motion",
+            (_, Short::Neither) => "one_motion",
+            _ => "short_motion",
+        };
+        self.begin_as(id, title);
         self.say_senses();
         self.write_rows();
         let slips = self.short == Short::Neither;

@@ -73,7 +73,7 @@ pub fn sections(draft: &mut Draft) -> Result<(), DerivationStop> {
     page.begin("sketch");
     let name = format!("forces-{}", page.draft.scene.bodies[throw.body].name);
     page.out.blocks = vec![Block::Picture("scene".to_owned()), Block::Picture(name)];
-    page.begin_as("short", "short_motion");
+    page.begin_as("short", "one_motion");
     let slipping = throw.slip(&mut page)?;
     let holds = throw.holds(&page);
     let rolls = match (&throw.t1, slipping.event) {
