@@ -12,8 +12,9 @@ const DOORS: &[(&str, &[&str])] = &[
     ("solve", &[]),
     ("solve::method", &["num"]),
     ("solve::outcome", &["solve::method", "scene", "num"]),
-    ("solve::eom", &["solve::outcome", "solve::method", "scene", "num"]),
-    ("solve::energy", &["solve::outcome", "solve::method", "scene", "num"]),
+    ("solve::found", &["solve::outcome", "scene", "num"]),
+    ("solve::eom", &["solve::found", "solve::outcome", "solve::method", "scene", "num"]),
+    ("solve::energy", &["solve::found", "solve::outcome", "solve::method", "scene", "num"]),
     ("solve::physical", &["solve::outcome", "scene", "num"]),
     ("solve::condition", &["solve::eom", "solve::outcome", "scene", "num"]),
     (

@@ -1,5 +1,7 @@
 //! What the numbers of a scene are used for: words, unit, admissible values and an example of each use, in one table.
 
+use crate::finding::told;
+
 /// What a number is used for: it decides unit and admissible values.
 #[derive(Debug, Clone, Copy)]
 pub struct Need {
@@ -49,6 +51,7 @@ impl Need {
     pub const VELOCITY: Self = need("a speed", "m/s", ANY, "1.5 m/s");
     pub const SPIN: Self = need("a spin", "rad/s", ANY, "8 rad/s");
     pub const SPEED_REACHED: Self = need("a speed", "m/s", NOT_NEGATIVE, "1.5 m/s");
+    pub const TERM: Self = need("a part of an expression", "1", ANY, "2*d");
     pub const SPIN_REACHED: Self = need("a spin", "rad/s", NOT_NEGATIVE, "8 rad/s");
 }
 
@@ -63,6 +66,6 @@ impl Need {
     /// The rule that it breaks, in words.
     pub fn admits(self, value: f64) -> Result<(), String> {
         let (admits, rule) = self.range;
-        if admits(value) { Ok(()) } else { Err(format!("{} is {rule}", self.words)) }
+        if admits(value) { Ok(()) } else { Err(told!("{} is {rule}", self.words)) }
     }
 }

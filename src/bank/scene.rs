@@ -1,10 +1,15 @@
 //! The `scene` part of a problem: bodies, ties, forces, start and end, read into pure data.
+use crate::bank::any::AnyNumber;
+use crate::bank::expression::{Exponents, Expression, Name};
 use crate::bank::measure;
 use crate::bank::need::Need;
 use crate::bank::node::{Faults, Fields, Node, Value, named, shorten};
+use crate::finding::told;
+use crate::num::formula::{Formula, Step};
 use crate::scene::{
-    Arm, Attach, Body, Coordinate, Cord, CordEnd, Couple, Degree, End, Far, Heading, Line, Mass, Num, Part,
-    Particle, Pin, PinSpring, Rest, RotaryInertia, Scene, Shape, Side, Slope, Span, Start, Tie, Zero,
+    Arm, Attach, Body, Coordinate, Cord, CordEnd, Couple, Degree, Derived, End, Far, Formulas, Given,
+    Heading, Line, Mass, Num, Part, Particle, Pin, PinSpring, Rest, RotaryInertia, Scene, Shape, Side, Slope,
+    Span, Start, Tie, Zero,
 };
 use crate::units::Unit;
 use crate::units::spell;
@@ -52,6 +57,8 @@ pub struct SceneRead {
     pub upright: Vec<(String, bool)>,
     /// Contacts that do not say whether they roll or slip: index of the tie, and the kinetic coefficient.
     pub touches: Vec<(usize, Num)>,
+    /// Numbers that are `any`.
+    pub any: Vec<AnyNumber>,
 }
 
 struct SceneReader<'a> {
@@ -60,6 +67,10 @@ struct SceneReader<'a> {
     faults: &'a Faults,
     touches: RefCell<Vec<(usize, Num)>>,
     uses: RefCell<Vec<DatumUse>>,
+    /// Numbers that are worked out from data.
+    derived: RefCell<Vec<Derived>>,
+    /// Those that are `any`.
+    any: RefCell<Vec<AnyNumber>>,
     /// The line of some body could not be read, so nothing is said of surfaces that are not used.
     lost: Cell<bool>,
     /// The start gives the angle of a pinned body.
@@ -85,6 +96,8 @@ pub fn read(
         faults,
         touches: RefCell::new(Vec::new()),
         uses: RefCell::new(Vec::new()),
+        derived: RefCell::new(Vec::new()),
+        any: RefCell::new(Vec::new()),
         lost: Cell::new(false),
         angled: Cell::new(false),
         upward: Cell::new(None),
@@ -96,6 +109,7 @@ pub fn read(
         uses: reader.uses.into_inner(),
         upright: reader.upright.into_inner(),
         touches: reader.touches.into_inner(),
+        any: reader.any.into_inner(),
     }
 }
 
@@ -194,8 +208,8 @@ impl SceneReader<'_> {
         {
             f.hint(
                 start_node.unwrap_or(node),
-                format!("the angle at which `{}` starts is missing", body.name),
-                format!("write `start: {{{}: {{angle: phi0}}}}`", body.name),
+                told!("the angle at which `{}` starts is missing", body.name),
+                told!("write `start: {{{}: {{angle: phi0}}}}`", body.name),
             );
         }
         Some(Scene {
@@ -207,6 +221,7 @@ impl SceneReader<'_> {
             end,
             heading,
             span: Span::default(),
+            formulas: Formulas { numbers: self.derived.take(), ..Formulas::default() },
         })
     }
 
@@ -233,42 +248,132 @@ impl SceneReader<'_> {
     fn number(&self, node: &Node, need: Need) -> Option<Num> {
         let f = self.faults;
         let Some(text) = node.text().map(str::trim) else {
-            let hint = format!("a symbol of the data, or a constant such as `{}`", need.example);
-            f.hint(node, format!("expected {}, found {}", need.words, node.kind()), hint);
+            let hint = told!("a symbol of the data, or a constant such as `{}`", need.example);
+            f.hint(node, told!("expected {}, found {}", need.words, node.kind()), hint);
             return None;
         };
+        if text == "any" {
+            return self.any(node, need);
+        }
         if let Some(datum) = self.symbols.iter().position(|s| s.name == text) {
             // A unit that is wrong is a finding already; the datum counts as used all the same.
             if let Some(unit) = self.symbols[datum].unit.as_ref().filter(|u| !measure::fits(u, need.unit)) {
                 f.hint(
                     node,
-                    format!("`{text}` has the unit {}, but it is used as {}", unit.ascii(), need.words),
-                    format!("{} has a unit such as {}", need.words, need.unit),
+                    told!("`{text}` has the unit {}, but it is used as {}", unit.ascii(), need.words),
+                    told!("{} has a unit such as {}", need.words, need.unit),
                 );
                 return None;
             }
             self.uses.borrow_mut().push(DatumUse { datum, need });
             return Some(Num::Datum(datum));
         }
+        if is_expression(text) {
+            return self.derived(node, text, need);
+        }
         if text.is_empty() || text.starts_with(|c: char| c.is_alphabetic() || c == '_') {
             let known = self.symbols.iter().map(|s| s.name.as_str());
             let hint = spell::did_you_mean(text, known.clone()).unwrap_or_else(|| {
                 let known: Vec<&str> = known.collect();
-                format!("symbols: {}; or a constant such as `{}`", known.join(", "), need.example)
+                told!("symbols: {}; or a constant such as `{}`", known.join(", "), need.example)
             });
-            f.hint(node, format!("`{}` is no symbol of the data", shorten(text)), hint);
+            f.hint(node, told!("`{}` is no symbol of the data", shorten(text)), hint);
             return None;
         }
         match measure::constant(text, need.unit) {
             Ok(value) => match need.admits(value) {
                 Ok(()) => return Some(Num::Fixed(value)),
-                Err(message) => f.at(node, format!("`{}`: {message}", shorten(text))),
+                Err(message) => f.at(node, told!("`{}`: {message}", shorten(text))),
             },
             Err(message) => {
-                f.hint(node, message, format!("{} is written like `{}`", need.words, need.example));
+                f.hint(node, message, told!("{} is written like `{}`", need.words, need.example));
             }
         }
         None
+    }
+
+    /// A mass or a radius that cancels: 1 in its unit, which is proved to make no difference.
+    fn any(&self, node: &Node, need: Need) -> Option<Num> {
+        let text = match need.words {
+            words if words == Need::MASS.words => "m",
+            words if words == Need::RADIUS.words => "R",
+            _ => {
+                let message = told!("{} cannot be `any`", need.words);
+                self.faults.hint(
+                    node,
+                    message,
+                    "only a mass or the radius of a shape may be `any`, where it cancels",
+                );
+                return None;
+            }
+        };
+        let formula = Formula::new(vec![Step::Number(1.0)]);
+        let mut derived = self.derived.borrow_mut();
+        derived.push(Derived { formula, degrees: false, text: text.to_owned(), any: true });
+        let number = Num::Derived(derived.len() - 1);
+        self.any.borrow_mut().push(AnyNumber { node: node.clone(), number });
+        Some(number)
+    }
+
+    /// A number that is worked out from data, such as `2*R` or `-w0`.
+    fn derived(&self, node: &Node, text: &str, need: Need) -> Option<Num> {
+        let f = self.faults;
+        let lookup = |name: &str| -> Result<(Name, Exponents), (String, Option<String>)> {
+            let Some(datum) = self.symbols.iter().position(|s| s.name == name) else {
+                let known = self.symbols.iter().map(|s| s.name.as_str());
+                let hint = spell::hint(name, "symbols", known);
+                return Err((told!("`{}` is no symbol of the data", shorten(name)), Some(hint)));
+            };
+            let symbol = &self.symbols[datum];
+            if symbol.absent {
+                return Err((told!("`{name}` is not drawn"), Some("draw it, or leave it out".to_owned())));
+            }
+            let powers = symbol.unit.as_ref().map_or([0; 3], measure::powers);
+            Ok((Name::Datum(datum, false), powers))
+        };
+        let mut read = Expression::parse(text, &lookup);
+        if read.is_err() && self.symbols.iter().any(|s| s.unit.is_none()) {
+            // A unit that is wrong is a finding already, and no sum can be judged without it.
+            read = Expression::parse_loosely(text, &lookup);
+        }
+        let expression = read.map_err(|fault| fault.tell(node, text, f)).ok()?;
+        let data: Vec<usize> = expression.data().collect();
+        let known = data.iter().all(|i| self.symbols[*i].unit.is_some());
+        let wanted = measure::own_powers(need.unit);
+        if known && expression.powers != wanted {
+            let found = measure::powers_text(expression.powers);
+            let message =
+                told!("`{}` has the dimension {found}, but it is used as {}", shorten(text), need.words);
+            f.hint(node, message, told!("{} has the dimension {}", need.words, measure::powers_text(wanted)));
+            return None;
+        }
+        let mut uses = self.uses.borrow_mut();
+        uses.extend(data.iter().map(|datum| DatumUse { datum: *datum, need: Need::TERM }));
+        let powers = |i: usize| {
+            let powers = self.symbols[i].unit.as_ref().map_or([0; 3], measure::powers);
+            powers.map(|p| p / 4)
+        };
+        let formula = expression.formula().map(&mut |name| match name {
+            Name::Datum(datum, degrees) => Given { datum, degrees, powers: powers(datum) },
+            Name::Quantity(_) => Given { datum: usize::MAX, degrees: false, powers: [0; 3] },
+        });
+        let number = Derived { formula, degrees: need.in_degrees(), text: text.to_owned(), any: false };
+        if data.is_empty() {
+            let value = number.value(&[]);
+            return match need.admits(value) {
+                Ok(()) => Some(Num::Fixed(value)),
+                Err(message) => {
+                    f.at(node, told!("`{}`: {message}", shorten(text)));
+                    None
+                }
+            };
+        }
+        let mut derived = self.derived.borrow_mut();
+        let at = derived.iter().position(|d| *d == number).unwrap_or_else(|| {
+            derived.push(number);
+            derived.len() - 1
+        });
+        Some(Num::Derived(at))
     }
 
     /// A point, `[x, y]`.
@@ -278,7 +383,7 @@ impl SceneReader<'_> {
                 self.number(&xy[0], Need::PLACE).zip(self.number(&xy[1], Need::PLACE))
             }
             _ => {
-                let message = format!("expected a place such as `[x_A, y_A]`, found {}", node.kind());
+                let message = told!("expected a place such as `[x_A, y_A]`, found {}", node.kind());
                 self.faults.at(node, message);
                 None
             }
@@ -302,7 +407,7 @@ impl SceneReader<'_> {
             return Some(*meaning);
         }
         let hint = spell::hint(&text, "words known here", words.iter().map(|(w, _)| *w));
-        self.faults.hint(node, format!("expected {what}, found {}", node.kind()), hint);
+        self.faults.hint(node, told!("expected {what}, found {}", node.kind()), hint);
         None
     }
 
@@ -313,7 +418,7 @@ impl SceneReader<'_> {
                 Some((key.text().unwrap_or(""), key, value))
             }
             _ => {
-                self.faults.at(node, format!("expected {what}, found {}", node.kind()));
+                self.faults.at(node, told!("expected {what}, found {}", node.kind()));
                 None
             }
         }
@@ -322,7 +427,7 @@ impl SceneReader<'_> {
     fn unknown(&self, key: &Node, what: &str, known: &[&str]) {
         let text = key.text().unwrap_or("");
         let hint = spell::hint(text, "known", known.iter().copied());
-        self.faults.hint(key, format!("`{}` is no {what}", shorten(text)), hint);
+        self.faults.hint(key, told!("`{}` is no {what}", shorten(text)), hint);
     }
 
     fn surfaces<'n>(&self, node: &'n Node) -> Vec<Surface<'n>> {
@@ -354,7 +459,7 @@ impl SceneReader<'_> {
             if !plain_name(name) {
                 self.faults.hint(
                     key,
-                    format!("`{}` is no name for a body", shorten(name)),
+                    told!("`{}` is no name for a body", shorten(name)),
                     "letters, digits and `_`, beginning with a letter",
                 );
             }
@@ -368,7 +473,7 @@ impl SceneReader<'_> {
         for surface in surfaces.iter().filter(|s| !self.lost.get() && !used(s)) {
             self.faults.hint(
                 node,
-                format!("nothing moves along the surface `{}`", surface.name),
+                told!("nothing moves along the surface `{}`", surface.name),
                 "remove the surface, or write `moves: along ...`",
             );
         }
@@ -401,7 +506,7 @@ impl SceneReader<'_> {
         if given > 1 {
             f.hint(
                 node,
-                format!("`{name}` has its inertia given {given} times"),
+                told!("`{name}` has its inertia given {given} times"),
                 "keep one of `shape`, `radius of gyration`, `moment of inertia`, `parts`",
             );
         }
@@ -418,7 +523,7 @@ impl SceneReader<'_> {
             if given == 0 {
                 f.hint(
                     node,
-                    format!("`{name}` has no inertia, so it cannot swing"),
+                    told!("`{name}` has no inertia, so it cannot swing"),
                     "give it a `shape`, a `radius of gyration` or a `moment of inertia`",
                 );
             }
@@ -496,7 +601,7 @@ impl SceneReader<'_> {
         let mut radii = Vec::new();
         for (radius, key, value) in named(node, "radii by name", self.faults) {
             if !plain_name(radius) {
-                let message = format!("`{}` is no name for a radius", shorten(radius));
+                let message = told!("`{}` is no name for a radius", shorten(radius));
                 self.faults.hint(key, message, "a name such as `rim`");
             }
             // The use is recorded when a tie acts at this radius.
@@ -523,7 +628,7 @@ impl SceneReader<'_> {
             None => {
                 f.hint(
                     node,
-                    format!("`angle` of `{}` is missing", body.name),
+                    told!("`angle` of `{}` is missing", body.name),
                     "write `angle: from upright` (mass centre above the pin) or `angle: from hanging`",
                 );
                 None
@@ -547,7 +652,7 @@ impl SceneReader<'_> {
                 (Some(()), Some(_)) => {
                     f.hint(
                         node,
-                        format!("`{}` is no rod, so it has no end", body.name),
+                        told!("`{}` is no rod, so it has no end", body.name),
                         "write `pinned: {distance: h}` with the distance from the pin to the mass centre",
                     );
                     None
@@ -584,14 +689,14 @@ impl SceneReader<'_> {
                     } else {
                         spell::hint(on, "surfaces", surfaces.iter().map(|s| s.name))
                     };
-                    self.faults.hint(moves, format!("`{}` is no surface of this scene", shorten(on)), hint);
+                    self.faults.hint(moves, told!("`{}` is no surface of this scene", shorten(on)), hint);
                     return Err(());
                 }
             }
         } else {
             self.faults.hint(
                 moves,
-                format!("expected how the body moves, found {}", moves.kind()),
+                told!("expected how the body moves, found {}", moves.kind()),
                 "`along SURFACE`, `vertically` or `about a fixed axle`",
             );
             return Err(());
@@ -636,7 +741,7 @@ impl SceneReader<'_> {
         let Value::List(items) = &node.value else {
             f.at(
                 node,
-                format!(
+                told!(
                     "expected a list of parts such as `- disc: {{mass: m1, radius: R}}`, found {}",
                     node.kind()
                 ),
@@ -679,7 +784,7 @@ impl SceneReader<'_> {
         let found = bodies.iter().position(|b| b.name == text);
         if found.is_none() {
             let hint = spell::hint(text, "bodies", bodies.iter().map(|b| b.name.as_str()));
-            self.faults.hint(node, format!("expected a body of this scene, found {}", node.kind()), hint);
+            self.faults.hint(node, told!("expected a body of this scene, found {}", node.kind()), hint);
         }
         found
     }
@@ -694,20 +799,27 @@ impl SceneReader<'_> {
         let text = node.text().unwrap_or("").trim();
         let Some((_, num)) = body.radii_m.iter().find(|(n, _)| n == text) else {
             let hint = if body.radii_m.is_empty() {
-                format!("give `{}` a field `radii`, for example `radii: {{rim: R}}`", body.name)
+                told!("give `{}` a field `radii`, for example `radii: {{rim: R}}`", body.name)
             } else {
                 let names = body.radii_m.iter().map(|(n, _)| n.as_str());
-                spell::hint(text, &format!("radii of `{}`", body.name), names)
+                spell::hint(text, &told!("radii of `{}`", body.name), names)
             };
             self.faults.hint(
                 node,
-                format!("expected a radius of `{}`, found {}", body.name, node.kind()),
+                told!("expected a radius of `{}`, found {}", body.name, node.kind()),
                 hint,
             );
             return None;
         };
-        if let Num::Datum(datum) = num {
-            self.uses.borrow_mut().push(DatumUse { datum: *datum, need: Need::RADIUS });
+        let mut uses = self.uses.borrow_mut();
+        match num {
+            Num::Datum(datum) => uses.push(DatumUse { datum: *datum, need: Need::RADIUS }),
+            Num::Derived(at) => {
+                let derived = self.derived.borrow();
+                let given = derived.get(*at).into_iter().flat_map(|n| n.formula.names());
+                uses.extend(given.map(|g| DatumUse { datum: g.datum, need: Need::TERM }));
+            }
+            Num::Fixed(_) => {}
         }
         Some(*num)
     }
@@ -715,7 +827,7 @@ impl SceneReader<'_> {
     fn ties(&self, node: &Node, bodies: &[Body]) -> Vec<Tie> {
         let f = self.faults;
         let Value::List(items) = &node.value else {
-            f.at(node, format!("expected a list of ties, each after `- `, found {}", node.kind()));
+            f.at(node, told!("expected a list of ties, each after `- `, found {}", node.kind()));
             return Vec::new();
         };
         let mut ties: Vec<Tie> = Vec::new();
@@ -739,14 +851,14 @@ impl SceneReader<'_> {
             {
                 f.hint(
                     item,
-                    format!("`{}` touches its surface twice", bodies[body].name),
+                    told!("`{}` touches its surface twice", bodies[body].name),
                     "keep one of `rolls`, `slips`, `slides`, `touches`",
                 );
             }
             if let Tie::Cord(c) = &tie
                 && ties.iter().any(|t| matches!(t, Tie::Cord(o) if o.name == c.name && c.name != "cord"))
             {
-                f.hint(item, format!("two cords are called `{}`", c.name), "give each its own name");
+                f.hint(item, told!("two cords are called `{}`", c.name), "give each its own name");
             }
             ties.push(tie);
         }
@@ -775,7 +887,7 @@ impl SceneReader<'_> {
         if !surface && body.is_some_and(|b| bodies[b].line.is_some() || bodies[b].turns) {
             f.hint(
                 node,
-                format!("`{}` touches no surface", body.map_or("", |b| &bodies[b].name)),
+                told!("`{}` touches no surface", body.map_or("", |b| &bodies[b].name)),
                 "write `moves: along SURFACE`",
             );
         }
@@ -788,7 +900,7 @@ impl SceneReader<'_> {
             {
                 f.hint(
                     node,
-                    format!("`{}` can turn, so it rolls or slips", bodies[b].name),
+                    told!("`{}` can turn, so it rolls or slips", bodies[b].name),
                     "write `rolls:` or `slips:`",
                 );
                 return None;
@@ -802,7 +914,7 @@ impl SceneReader<'_> {
         {
             f.hint(
                 node,
-                format!("`{}` has no inertia, so it cannot turn", bodies[b].name),
+                told!("`{}` has no inertia, so it cannot turn", bodies[b].name),
                 "give it a `radius of gyration` or a `shape`, or write `slides:`",
             );
         }
@@ -831,7 +943,7 @@ impl SceneReader<'_> {
             Some(n) => match n.text().filter(|t| plain_name(t)) {
                 Some(t) => t.to_owned(),
                 None => {
-                    f.hint(n, format!("{} is no name for a cord", n.kind()), "letters, digits and `_`");
+                    f.hint(n, told!("{} is no name for a cord", n.kind()), "letters, digits and `_`");
                     return None;
                 }
             },
@@ -864,7 +976,7 @@ impl SceneReader<'_> {
         if let (Some(from), Some(Far::Body(to))) = (&from, &far)
             && from.body == to.body
         {
-            f.at(node, format!("both ends of this cord are at `{}`", bodies[from.body].name));
+            f.at(node, told!("both ends of this cord are at `{}`", bodies[from.body].name));
             return None;
         }
         Some(Cord { name, from: from?, to: far? })
@@ -896,13 +1008,13 @@ impl SceneReader<'_> {
         let index = body?;
         let body = &bodies[index];
         if !body.particles.is_empty() {
-            f.at(node, format!("`{}` is made of particles; no cord can be tied to it", body.name));
+            f.at(node, told!("`{}` is made of particles; no cord can be tied to it", body.name));
             return None;
         }
         if body.pin.is_some() {
             f.hint(
                 node,
-                format!("no cord is tied to the pinned body `{}`", body.name),
+                told!("no cord is tied to the pinned body `{}`", body.name),
                 "a spring stands under `forces`: `spring: {on: ..., at: b, anchor: [x_A, y_A], ...}`",
             );
             return None;
@@ -913,7 +1025,7 @@ impl SceneReader<'_> {
                 if !body.turns {
                     f.hint(
                         node,
-                        format!("`{}` has no inertia, so it cannot turn", body.name),
+                        told!("`{}` has no inertia, so it cannot turn", body.name),
                         "write `tied at: centre`",
                     );
                     return None;
@@ -930,7 +1042,7 @@ impl SceneReader<'_> {
                 let Some(line) = body.line else {
                     f.hint(
                         node,
-                        format!("the centre of `{}` does not move", body.name),
+                        told!("the centre of `{}` does not move", body.name),
                         "write `wound on: ...`",
                     );
                     return None;
@@ -1003,7 +1115,7 @@ impl SceneReader<'_> {
     fn forces(&self, node: &Node, bodies: &mut [Body]) -> Vec<Couple> {
         let f = self.faults;
         let Value::List(items) = &node.value else {
-            f.at(node, format!("expected a list of forces, each after `- `, found {}", node.kind()));
+            f.at(node, told!("expected a list of forces, each after `- `, found {}", node.kind()));
             return Vec::new();
         };
         let mut list = Vec::new();
@@ -1031,7 +1143,7 @@ impl SceneReader<'_> {
             if let Some(b) = body
                 && !bodies[b].turns
             {
-                f.at(value, format!("`{}` has no inertia, so a couple cannot turn it", bodies[b].name));
+                f.at(value, told!("`{}` has no inertia, so a couple cannot turn it", bodies[b].name));
                 continue;
             }
             if let (Some(body), Some(moment_n_m), Some(forward)) = (body, moment, forward) {
@@ -1070,13 +1182,13 @@ impl SceneReader<'_> {
         let Some(pin) = &mut bodies[body].pin else {
             f.hint(
                 node,
-                format!("`{name}` is not pinned"),
+                told!("`{name}` is not pinned"),
                 "a spring on a cord is written `cord: {from: ..., spring: {...}}` under `ties`",
             );
             return;
         };
         if pin.spring.is_some() {
-            f.hint(node, format!("`{name}` has a spring already"), "a scene has at most one spring");
+            f.hint(node, told!("`{name}` has a spring already"), "a scene has at most one spring");
         }
         if let (Some(at_m), Some((x_m, y_m)), Some(stiffness_n_m), Some(rest)) = (at, anchor, stiffness, rest)
         {
@@ -1092,7 +1204,7 @@ impl SceneReader<'_> {
         if !matches!(node.value, Value::Map(_)) {
             f.hint(
                 node,
-                format!("expected the start, found {}", node.kind()),
+                told!("expected the start, found {}", node.kind()),
                 "`at rest`, or for example `{wheel: {speed: v0}}`",
             );
             return Vec::new();
@@ -1101,7 +1213,7 @@ impl SceneReader<'_> {
         for (name, key, value) in named(node, "bodies with their speeds", f) {
             let Some(body) = bodies.iter().position(|b| b.name == name) else {
                 let hint = spell::did_you_mean(name, bodies.iter().map(|b| b.name.as_str()));
-                f.maybe(key, format!("`{}` is no body of this scene", shorten(name)), hint);
+                f.maybe(key, told!("`{}` is no body of this scene", shorten(name)), hint);
                 continue;
             };
             let Some(mut fields) = Fields::open(value, "a speed, such as `{speed: v0}`", f) else { continue };
@@ -1121,14 +1233,14 @@ impl SceneReader<'_> {
                 }
                 if let Some(n) = speed {
                     if bodies[body].line.is_none() {
-                        f.hint(n, format!("`{name}` does not move along a line"), "write `spin:`");
+                        f.hint(n, told!("`{name}` does not move along a line"), "write `spin:`");
                     } else if let Some(v) = self.at_start(n, Need::VELOCITY) {
                         list.push(Start::Speed(Coordinate { body, degree: Degree::Along }, v));
                     }
                 }
                 if let Some(n) = spin {
                     if !bodies[body].turns {
-                        f.hint(n, format!("`{name}` does not turn"), "write `speed:`");
+                        f.hint(n, told!("`{name}` does not turn"), "write `speed:`");
                     } else if let Some(w) = self.at_start(n, Need::SPIN) {
                         list.push(Start::Speed(Coordinate { body, degree: Degree::Turn }, w));
                     }
@@ -1142,8 +1254,8 @@ impl SceneReader<'_> {
                     let names: Vec<&str> = bodies[body].particles.iter().map(|p| p.name.as_str()).collect();
                     f.hint(
                         n,
-                        format!("expected a particle, found {}", n.kind()),
-                        format!("particles: {}", names.join(", ")),
+                        told!("expected a particle, found {}", n.kind()),
+                        told!("particles: {}", names.join(", ")),
                     );
                 }
                 found
@@ -1208,7 +1320,7 @@ impl SceneReader<'_> {
         fields.close();
         let body = body?;
         if word == "turn" && !bodies[body].turns {
-            f.at(value, format!("`{}` does not turn", bodies[body].name));
+            f.at(value, told!("`{}` does not turn", bodies[body].name));
             return None;
         }
         let pinned = bodies[body].pin.is_some();
@@ -1216,12 +1328,12 @@ impl SceneReader<'_> {
         if pinned && ["travel", "turn", "position"].contains(&word) {
             f.hint(
                 key,
-                format!("`{name}` is pinned: it ends at an angle"),
-                format!("write `angle: {{of: {name}, reaches: phi1}}`"),
+                told!("`{name}` is pinned: it ends at an angle"),
+                told!("write `angle: {{of: {name}, reaches: phi1}}`"),
             );
         }
         if !pinned && word == "angle" {
-            f.hint(key, format!("`{name}` is not pinned, so it has no angle"), "`travel`, `turn`, or pin it");
+            f.hint(key, told!("`{name}` is not pinned, so it has no angle"), "`travel`, `turn`, or pin it");
         }
         if let Some(n) = heading_node.filter(|_| pinned) {
             f.hint(n, "a pinned body goes where its forces or its start take it", "remove this field");
@@ -1272,6 +1384,23 @@ fn shape_of(word: &str) -> Option<Shape> {
         "rod" | "slender rod" | "uniform rod" | "bar" => Some(Shape::Rod),
         _ => None,
     }
+}
+
+/// Is it to be worked out, and no symbol alone and no constant with its unit (`4 kg*m^2`, `-2 m/s`)?
+fn is_expression(text: &str) -> bool {
+    let signless = text.trim_start_matches(['-', '+']).trim_start();
+    let number = |c: char| c.is_ascii_digit() || c == '.';
+    if !signless.starts_with(number) {
+        return text.contains(['+', '-', '*', '/', '^', '(', '·']);
+    }
+    let rest = signless.trim_start_matches(number);
+    // A power of ten belongs to the number.
+    let ten = rest.strip_prefix(['e', 'E']).map(|r| r.trim_start_matches(['+', '-']));
+    let rest = match ten {
+        Some(digits) if digits.starts_with(|c: char| c.is_ascii_digit()) => digits.trim_start_matches(number),
+        _ => rest,
+    };
+    rest.trim_start().starts_with(['+', '-', '*', '/', '^', '·'])
 }
 
 /// Letters, digits, `_`; begins with a letter; short.

@@ -1,4 +1,5 @@
 //! The file format of a bank: which fields there are and what they mean. All findings are collected.
+use crate::bank::asked::AskedContext;
 #[cfg(feature = "program")]
 use crate::bank::course;
 use crate::bank::decimal::Decimal;
@@ -9,12 +10,13 @@ use crate::bank::node::{Faults, Fields, Node, Value, choice, named, shorten, tex
 use crate::bank::scene::{self, DatumSymbol, SceneRead, Touching};
 use crate::bank::{
     Bank, Bound, Case, Datum, Draw, FigureLabels, Problem, Question, Relative, TEMPLATE_NAMES, Variables,
-    measure, mistake, review,
+    any, asked, found, measure, mistake, review,
 };
+use crate::finding::told;
 #[cfg(not(feature = "program"))]
 use crate::policy::Hints;
 use crate::policy::Policy;
-use crate::scene::{Label, Owner, Quantity, Scene, Span, Tie};
+use crate::scene::{Label, Owner, Quantity, Scene, Span, Term, Tie};
 use crate::solve::outcome::{CheckKind, Motion};
 use crate::units::Unit;
 use crate::units::spell;
@@ -71,6 +73,8 @@ struct DatumRead<'n> {
     unit_known: bool,
     /// True where a draw is given but wrong, which is told once.
     draw_wrong: bool,
+    /// The quantity of which it is the measurement, from which an unknown datum is found.
+    measured: Option<&'n Node>,
 }
 
 /// Reads a bank; findings go to `faults`.
@@ -108,7 +112,7 @@ pub fn bank(node: &Node, variables: Option<Variables>, faults: &Faults) -> Optio
         }
         for (name, key, value) in list {
             if !plain_id(name) {
-                faults.hint(key, format!("`{}` is no id of a problem", shorten(name)), ID_HINT);
+                faults.hint(key, told!("`{}` is no id of a problem", shorten(name)), ID_HINT);
             }
             if let Some(p) = problem(name, value, &common, variables, faults) {
                 problems.push(p);
@@ -159,7 +163,7 @@ fn id(node: &Node, what: &str, faults: &Faults) -> Option<String> {
     match node.text() {
         Some(t) if plain_id(t) => Some(t.to_owned()),
         _ => {
-            faults.hint(node, format!("{} is no id of {what}", node.kind()), ID_HINT);
+            faults.hint(node, told!("{} is no id of {what}", node.kind()), ID_HINT);
             None
         }
     }
@@ -170,7 +174,7 @@ fn gravity(node: &Node, faults: &Faults) -> Option<(Decimal, Unit)> {
     match measure::decimal_constant(node.text().unwrap_or("")) {
         Ok((value, unit)) if measure::fits(&unit, "m/s^2") && value.value > 0 => Some((value, unit)),
         Ok((_, unit)) if !measure::fits(&unit, "m/s^2") => {
-            faults.hint(node, format!("{} is no acceleration of free fall", node.kind()), example);
+            faults.hint(node, told!("{} is no acceleration of free fall", node.kind()), example);
             None
         }
         Ok(_) => {
@@ -205,8 +209,8 @@ fn share(node: &Node, faults: &Faults) -> Option<f64> {
 /// That something else was expected, or that there are too many digits.
 fn expected(what: &str, node: &Node, read: Result<Decimal, String>) -> String {
     match read {
-        Err(why) if why.contains("too many digits") => format!("expected {what}: {why}"),
-        _ => format!("expected {what}, found {}", node.kind()),
+        Err(why) if why.contains("too many digits") => told!("expected {what}: {why}"),
+        _ => told!("expected {what}, found {}", node.kind()),
     }
 }
 
@@ -221,7 +225,7 @@ fn limit(node: &Node, (what, least, most): (&str, f64, f64), faults: &Faults) ->
     let read = written.as_ref().ok().and_then(|d| d.text().parse::<f64>().ok());
     let fine = read.filter(|x| (least..=most).contains(x));
     if fine.is_none() {
-        faults.at(node, expected(&format!("{what} from {least} to {most}"), node, written));
+        faults.at(node, expected(&told!("{what} from {least} to {most}"), node, written));
     }
     fine
 }
@@ -235,7 +239,7 @@ fn relative(node: &Node, faults: &Faults) -> Option<Relative> {
         }
         faults.hint(
             n,
-            format!("a relative tolerance of {} makes no sense", n.kind()),
+            told!("a relative tolerance of {} makes no sense", n.kind()),
             "above 0 and below 100 %",
         );
         None
@@ -247,7 +251,7 @@ fn relative(node: &Node, faults: &Faults) -> Option<Relative> {
         if node.text().is_some_and(|t| t.trim_start().starts_with(|c: char| c.is_alphabetic())) {
             faults.hint(
                 node,
-                format!("expected a relative tolerance, found {}", node.kind()),
+                told!("expected a relative tolerance, found {}", node.kind()),
                 "write `1 %`, `widens with cond` or `{least: 1 %, per cond: 0.3 %, most: 5 %}`",
             );
             return None;
@@ -288,7 +292,7 @@ fn tolerance(node: &Node, unit: Option<&Unit>, faults: &Faults) -> (Option<Relat
                 None
             }
             Err(message) => {
-                faults.hint(n, message, format!("for example `0.5 {}`", unit.ascii()));
+                faults.hint(n, message, told!("for example `0.5 {}`", unit.ascii()));
                 None
             }
         }
@@ -310,7 +314,7 @@ fn problem(
     let data_node = fields.need("data", "{m: {name: mass, unit: kg, draw: 20 to 40 step 1}}");
     let data = data_node.map_or_else(Vec::new, |n| data_of(n, faults));
     if let Some(n) = data_node.filter(|_| data.len() > MAX_DATA) {
-        faults.at(n, format!("a problem has at most {MAX_DATA} data, this one {}", data.len()));
+        faults.at(n, told!("a problem has at most {MAX_DATA} data, this one {}", data.len()));
     }
     let scene_node = fields.get("scene");
     let regimes = fields.read("regimes", |n, f| Some(regimes(n, f))).unwrap_or_default();
@@ -333,8 +337,24 @@ fn problem(
         ..*common
     };
     let cases = read.cases(cases_node);
-    read.review(&cases);
     let data = read.with_gravity(&cases, common.gravity.1.clone());
+
+    let mut cases = cases;
+    let measured: Vec<(usize, &Node)> =
+        read.data.iter().enumerate().filter_map(|(i, d)| Some((i, d.measured?))).collect();
+    let measured = found::only(node, &measured, &data, faults);
+    for case in &mut cases {
+        let Some(SceneRead { scene: Some(scene), uses, .. }) = &mut case.read else { continue };
+        uses.extend(found::put(node, measured, scene, &data, faults));
+        if let Some(n) = questions_node {
+            uses.extend(asked::put(n, scene, &AskedContext { data: &data, case: &case.name }, faults));
+        }
+    }
+    // A sheet was made from a bank that was reviewed.
+    let reviewed = cfg!(feature = "program");
+    if reviewed {
+        read.review(&cases);
+    }
 
     // Questions and bounds are read against each scene, since labels hold the index of a body.
     let scenes: Vec<(&str, &Scene)> =
@@ -348,23 +368,47 @@ fn problem(
             Some(mistake::CaseContext { name, scene, node, symbols: &c.symbols, touching })
         })
         .collect();
-    let context = mistake::Context { data: &data, gravity: data.len() - 1, cases: &read_cases };
+    let context = mistake::Context {
+        data: &data,
+        gravity: data.len() - 1,
+        questions: questions_node,
+        measured,
+        cases: &read_cases,
+    };
     let mut mistakes = mistakes_node.map_or_else(Vec::new, |n| mistake::mistakes(n, &context, faults));
     let whole = questions.iter().all(|(_, question)| question.is_some());
     let asked: Vec<Question> = match asks_node.map(|n| asks(n, &questions, faults)) {
         None => questions.into_iter().filter_map(|(_, q)| q).collect(),
         Some(ids) => ids.iter().filter_map(|id| questions.iter().find(|(n, _)| n == id)?.1.clone()).collect(),
     };
+    if reviewed {
+        review_any(&cases, &asked, questions_node, bounds_node, &data, faults);
+    }
     let follows =
         follows_node.map_or_else(Vec::new, |n| mistake::follows(n, (&asked, whole), &context, faults));
     if let Some(variables) = variables {
-        let names: Vec<&str> = data.iter().map(|d| d.symbol.as_str()).collect();
+        let names = data.iter().filter(|d| d.unknown.is_none());
+        let names: Vec<&str> = names.map(|d| d.symbol.as_str()).collect();
         review::templates(statement_node, questions_node, &names, variables, faults);
     }
     // Some quantities lie beyond the end of the motion, at the turning point: where one is asked, the conditions of validity
     // are checked up to there.
-    let span = Span::of(asked.iter().map(|q| q.label.quantity));
-    mistakes.iter_mut().flat_map(|m| &mut m.scenes).flatten().for_each(|s| s.span = span);
+    let in_formulas = |label: Label| {
+        let formulas = scenes.iter().filter_map(move |(_, scene)| match label.of {
+            Owner::Asked(i) => scene.formulas.asked.get(i),
+            _ => None,
+        });
+        formulas.flat_map(|a| a.formula.names()).filter_map(|term| match term {
+            Term::Said(label) | Term::Other(_, label) => Some(label.quantity),
+            Term::Given(_) => None,
+        })
+    };
+    let quantities = asked.iter().flat_map(|q| in_formulas(q.label).chain([q.label.quantity]));
+    let span = Span::of(quantities);
+    for scene in mistakes.iter_mut().flat_map(|m| &mut m.scenes).flatten() {
+        scene.look(span);
+        scene.formulas.settle(&|i| data[i].degrees);
+    }
     let cases: Vec<Case> = cases
         .into_iter()
         .filter_map(|case| case.finished(bounds_node, &data, common.gravity.0, span, faults))
@@ -391,6 +435,33 @@ fn problem(
         follows,
         margins: all_margins,
     })
+}
+
+/// Tells of answers and bounds that depend on a mass or a radius that is `any`.
+fn review_any(
+    cases: &[CaseRead],
+    asked: &[Question],
+    questions: Option<&Node>,
+    bounds: Option<&Node>,
+    data: &[Datum],
+    faults: &Faults,
+) {
+    for case in cases {
+        let Some(SceneRead { scene: Some(scene), any, .. }) = &case.read else { continue };
+        if any.is_empty() {
+            continue;
+        }
+        let place = |id: &str| questions.and_then(|n| n.field(id));
+        let mut told: Vec<(Label, String, &Node)> =
+            asked.iter().filter_map(|q| Some((q.label, q.id.clone(), place(&q.id)?))).collect();
+        for node in [bounds, case.bounds].into_iter().flatten() {
+            // What is wrong with a bound is told where it is read.
+            for bound in bounds_of(node, data, Some(scene), &Faults::default()) {
+                told.extend(bound.expression.quantities().map(|label| (label, bound.text.clone(), node)));
+            }
+        }
+        any::review(scene, any, &told, faults);
+    }
 }
 
 /// What the cases of a problem start from.
@@ -466,7 +537,7 @@ impl<'n> ProblemRead<'n> {
     fn own_case(&self, name: &str, key: &Node, node: &'n Node) -> Option<CaseRead<'n>> {
         let faults = self.faults;
         if name.trim().is_empty() || name.chars().count() > 64 {
-            faults.at(key, format!("`{}` is no name for a case", shorten(name)));
+            faults.at(key, told!("`{}` is no name for a case", shorten(name)));
         }
         let mut fields = Fields::open(node, "a case (share, draws, ...)", faults)?;
         let mut case = self.case(name, node);
@@ -476,7 +547,7 @@ impl<'n> ProblemRead<'n> {
         {
             let Some(i) = self.data.iter().position(|d| d.datum.symbol == symbol) else {
                 let hint = spell::hint(symbol, "symbols", self.symbols.iter().map(|s| s.name.as_str()));
-                faults.hint(key, format!("`{}` is no symbol of the data", shorten(symbol)), hint);
+                faults.hint(key, told!("`{}` is no symbol of the data", shorten(symbol)), hint);
                 continue;
             };
             let absent = is_none(value);
@@ -505,7 +576,8 @@ impl<'n> ProblemRead<'n> {
     fn review(&self, cases: &[CaseRead]) {
         for case in cases {
             let Some(read) = &case.read else { continue };
-            for (i, d) in self.data.iter().enumerate().filter(|(i, _)| !case.wrong[*i]) {
+            let known = |i: &usize| self.data[*i].datum.unknown.is_none();
+            for (i, d) in self.data.iter().enumerate().filter(|(i, _)| known(i) && !case.wrong[*i]) {
                 let uses: Vec<Need> = read.uses.iter().filter(|u| u.datum == i).map(|u| u.need).collect();
                 if read.scene.is_none() && uses.is_empty() {
                     // Perhaps it is used where the scene could not be read.
@@ -537,6 +609,7 @@ impl<'n> ProblemRead<'n> {
             name: "acceleration of free fall".to_owned(),
             unit,
             degrees: false,
+            unknown: None,
         });
         data
     }
@@ -620,12 +693,15 @@ impl CaseRead<'_> {
         let bounds = bounds.flat_map(|n| bounds_of(n, data, scene, faults)).collect();
         let SceneRead { scene, upright, touches, .. } = self.read?;
         let gravity = Draw::Always { value: gravity.value, decimals: gravity.decimals };
+        let mut scene = scene?;
+        scene.look(span);
+        scene.formulas.settle(&|i| data[i].degrees);
         Some(Case {
             name: self.name,
             written: self.written,
             share: self.share,
             draws: self.draws.into_iter().chain([Some(gravity)]).collect(),
-            scene: Scene { span, ..scene? },
+            scene,
             upright,
             touches,
             regimes: self.regimes,
@@ -636,7 +712,7 @@ impl CaseRead<'_> {
 
 fn draw(node: &Node, faults: &Faults) -> Option<Draw> {
     let Some(text) = node.text() else {
-        faults.hint(node, format!("expected a draw, found {}", node.kind()), draw::FORMS);
+        faults.hint(node, told!("expected a draw, found {}", node.kind()), draw::FORMS);
         return None;
     };
     match draw::parse(text) {
@@ -648,13 +724,13 @@ fn draw(node: &Node, faults: &Faults) -> Option<Draw> {
     }
 }
 
-fn data_of<'n>(node: &'n Node, faults: &Faults) -> Vec<DatumRead<'n>> {
+fn data_of<'n>(node: &'n Node, faults: &'n Faults) -> Vec<DatumRead<'n>> {
     let mut list = Vec::new();
     for (symbol, key, value) in named(node, "data by symbol", faults) {
         if !scene::plain_name(symbol) {
             faults.hint(
                 key,
-                format!("`{}` is no symbol", shorten(symbol)),
+                told!("`{}` is no symbol", shorten(symbol)),
                 "letters, digits and `_`, beginning with a letter, such as `mu_s`",
             );
         } else if symbol == "g" {
@@ -666,7 +742,7 @@ fn data_of<'n>(node: &'n Node, faults: &Faults) -> Vec<DatumRead<'n>> {
         } else if TEMPLATE_NAMES.contains(&symbol) {
             faults.hint(
                 key,
-                format!("`{symbol}` has a meaning of its own in statements"),
+                told!("`{symbol}` has a meaning of its own in statements"),
                 "choose another symbol",
             );
         }
@@ -676,8 +752,10 @@ fn data_of<'n>(node: &'n Node, faults: &Faults) -> Vec<DatumRead<'n>> {
             name: String::new(),
             unit: Unit::one(),
             degrees: false,
+            unknown: None,
         };
         let mut own = None;
+        let mut measured = None;
         let mut absent = false;
         let mut unit_known = false;
         let mut draw_wrong = false;
@@ -704,10 +782,20 @@ fn data_of<'n>(node: &'n Node, faults: &Faults) -> Vec<DatumRead<'n>> {
             let given = fields.get("draw");
             absent = given.is_some_and(is_none);
             own = given.filter(|_| !absent).and_then(|n| draw(n, faults));
-            draw_wrong = given.is_some() && !absent && own.is_none();
+            if let Some(n) = fields.get("unknown") {
+                datum.unknown = draw(n, faults);
+                draw_wrong = datum.unknown.is_none();
+                // On the sheet of a student it is not there.
+                let drawn = given.filter(|_| !std::mem::take(&mut absent));
+                if let Some(given) = drawn {
+                    faults.hint(given, "what is to be found is not drawn", "keep `unknown:` or `draw:`");
+                }
+            }
+            measured = fields.get("measured");
+            draw_wrong |= given.is_some() && !absent && own.is_none();
             fields.close();
         }
-        list.push(DatumRead { node: value, draw: own, absent, datum, unit_known, draw_wrong });
+        list.push(DatumRead { node: value, draw: own, absent, datum, unit_known, draw_wrong, measured });
     }
     list
 }
@@ -746,7 +834,7 @@ fn regimes(node: &Node, faults: &Faults) -> Vec<String> {
         Value::List(items) => items.iter().collect(),
         Value::Text(_) => vec![node],
         _ => {
-            faults.at(node, format!("expected a list of regimes, found {}", node.kind()));
+            faults.at(node, told!("expected a list of regimes, found {}", node.kind()));
             return Vec::new();
         }
     };
@@ -757,7 +845,7 @@ fn regimes(node: &Node, faults: &Faults) -> Vec<String> {
             list.push(text.to_owned());
         } else {
             let hint = spell::hint(text, "regimes", Motion::ALL.iter().map(|m| m.word()));
-            faults.hint(item, format!("expected a regime, found {}", item.kind()), hint);
+            faults.hint(item, told!("expected a regime, found {}", item.kind()), hint);
         }
     }
     list
@@ -768,16 +856,14 @@ fn margins(node: &Node, faults: &Faults) -> Vec<(CheckKind, f64)> {
     for (name, key, value) in named(node, "margins by check", faults) {
         let Some(kind) = CheckKind::ALL.iter().copied().find(|k| k.name() == name) else {
             let hint = spell::hint(name, "checks", CheckKind::ALL.iter().map(|k| k.name()));
-            faults.hint(key, format!("`{}` is no check", shorten(name)), hint);
+            faults.hint(key, told!("`{}` is no check", shorten(name)), hint);
             continue;
         };
         match share(value, faults) {
             Some(s) if (0.0..1.0).contains(&s) => list.push((kind, s)),
-            Some(_) => faults.hint(
-                value,
-                format!("a margin of {} cannot hold", value.kind()),
-                "from 0 to below 100 %",
-            ),
+            Some(_) => {
+                faults.hint(value, told!("a margin of {} cannot hold", value.kind()), "from 0 to below 100 %")
+            }
             None => {}
         }
     }
@@ -799,7 +885,7 @@ fn questions(
         if !scene::plain_name(id) {
             faults.hint(
                 key,
-                format!("`{}` is no id of a question", shorten(id)),
+                told!("`{}` is no id of a question", shorten(id)),
                 "letters, digits and `_`, beginning with a letter",
             );
         }
@@ -819,6 +905,7 @@ fn question(
     let mut fields = Fields::open(node, "a question (ask, unit)", faults)?;
     let ask = fields.need("ask", "the speed of the wheel").and_then(|n| text(n, "a text", faults));
     let quantity_node = fields.get("quantity");
+    fields.each(["value", "if"]);
     let name = match quantity_node {
         Some(n) => text(n, "a quantity", faults)?,
         None => id.to_owned(),
@@ -833,13 +920,17 @@ fn question(
         .map_or(Some(FIGURES), |n| whole(n, 1, 12, faults).and_then(|f| u8::try_from(f).ok()));
     let unit_required = fields.get("units").map_or(Some(common.unit_required), |n| choice(n, &UNITS, faults));
     fields.close();
-    let label = asked_label(&name, quantity_node.unwrap_or(key), scenes, faults)?;
+    let label = match asked::is_formula(node) {
+        // What is wrong with it is told where it is put into the scenes.
+        true => scenes.iter().find_map(|(_, scene)| asked::label(scene, id))?,
+        false => asked_label(&name, quantity_node.unwrap_or(key), scenes, faults)?,
+    };
     let is_word = label.quantity.is_word();
     if is_word {
         let fields = [(unit_node, "unit"), (tolerance_node, "tolerance"), (cond_node, "limit")];
         for (node, field) in fields.into_iter().filter_map(|(node, field)| Some((node?, field))) {
-            let hint = format!("remove the {field}");
-            faults.hint(node, format!("`{name}` is answered with a word"), hint);
+            let hint = told!("remove the {field}");
+            faults.hint(node, told!("`{name}` is answered with a word"), hint);
         }
     }
     // What a word does not have is told above, and not read.
@@ -879,13 +970,13 @@ fn asked_label(name: &str, place: &Node, scenes: &[(&str, &Scene)], faults: &Fau
             Ok(_) => {
                 faults.hint(
                     place,
-                    format!("`{name}` belongs to another body in the case `{case}`"),
+                    told!("`{name}` belongs to another body in the case `{case}`"),
                     "list the bodies of all cases in the same order",
                 );
                 return None;
             }
             Err((message, hint)) => {
-                let message = if case.is_empty() { message } else { format!("{message} (case `{case}`)") };
+                let message = if case.is_empty() { message } else { told!("{message} (case `{case}`)") };
                 faults.maybe(place, message, hint);
                 return None;
             }
@@ -898,11 +989,13 @@ fn asked_label(name: &str, place: &Node, scenes: &[(&str, &Scene)], faults: &Fau
 fn asked_unit(name: &str, node: Option<&Node>, quantity: Quantity, faults: &Faults) -> Option<Unit> {
     let Some(node) = node else { return measure::unit(quantity.unit()).ok() };
     let message = match measure::unit(node.text().unwrap_or("")) {
+        // That of an expression is checked where it is read.
+        Ok(unit) if quantity == Quantity::Value => return Some(unit),
         Ok(unit) if measure::fits(&unit, quantity.unit()) => return Some(unit),
-        Ok(unit) => format!("`{name}`: {}", measure::mismatch(&unit, quantity.unit())),
+        Ok(unit) => told!("`{name}`: {}", measure::mismatch(&unit, quantity.unit())),
         Err(message) => message,
     };
-    faults.hint(node, message, format!("for example `unit: {}`", quantity.unit()));
+    faults.hint(node, message, told!("for example `unit: {}`", quantity.unit()));
     None
 }
 
@@ -924,7 +1017,7 @@ fn unowned(name: &str) -> Result<Label, (String, Option<String>)> {
     match Quantity::from_name(bare) {
         Some(quantity) => Ok(Label { quantity, of: Owner::Scene }),
         None => Err((
-            format!("`{}` is no quantity", shorten(name)),
+            told!("`{}` is no quantity", shorten(name)),
             spell::did_you_mean(bare, Quantity::ALL.iter().map(|q| q.name())),
         )),
     }
@@ -942,7 +1035,7 @@ fn points(node: &Node, faults: &Faults) -> Option<f64> {
 
 fn asks(node: &Node, questions: &[(String, Option<Question>)], faults: &Faults) -> Vec<String> {
     let Value::List(items) = &node.value else {
-        faults.at(node, format!("expected a list of question ids, found {}", node.kind()));
+        faults.at(node, told!("expected a list of question ids, found {}", node.kind()));
         return Vec::new();
     };
     if items.is_empty() {
@@ -953,9 +1046,9 @@ fn asks(node: &Node, questions: &[(String, Option<Question>)], faults: &Faults) 
         let text = item.text().unwrap_or("").trim();
         if !questions.iter().any(|(id, _)| id == text) {
             let hint = spell::hint(text, "questions", questions.iter().map(|(id, _)| id.as_str()));
-            faults.hint(item, format!("expected the id of a question, found {}", item.kind()), hint);
+            faults.hint(item, told!("expected the id of a question, found {}", item.kind()), hint);
         } else if list.iter().any(|l| l == text) {
-            faults.at(item, format!("`{text}` is asked twice"));
+            faults.at(item, told!("`{text}` is asked twice"));
         } else {
             list.push(text.to_owned());
         }
@@ -976,7 +1069,10 @@ fn bounds_of(node: &Node, data: &[Datum], scene: Option<&Scene>, faults: &Faults
                     (message, close.or(hint))
                 },
             )?;
-            measure::quantity(label, name)
+            match scene {
+                Some(scene) => measure::quantity(scene, label, name),
+                None => measure::own_quantity(label, name),
+            }
         };
         let expression = match Expression::parse(written, &lookup) {
             Ok(e) => Some(e),
@@ -1007,12 +1103,12 @@ fn bounds_of(node: &Node, data: &[Datum], scene: Option<&Scene>, faults: &Faults
                 let wanted = measure::powers_text(expression.powers);
                 faults.hint(
                     n,
-                    format!(
+                    told!(
                         "`{}` has the dimension {wanted}, this limit {}",
                         shorten(written),
                         measure::powers_text(found)
                     ),
-                    format!("write the unit of the limit, for example `{} {wanted}`", number.text()),
+                    told!("write the unit of the limit, for example `{} {wanted}`", number.text()),
                 );
                 return None;
             }

@@ -283,6 +283,9 @@ impl<'p> Maker<'p> {
         let mut solved = half.confirm(&case.scene, data).map_err(|refusal| unsolved(refusals, refusal))?;
         self.moves(case, &solved)?;
         if !agree::prove(&case.scene, data, &mut solved) {
+            if case.scene.formulas.found.is_some() {
+                return Err(unsolved(refusals, Refusal::NotUnique).into());
+            }
             return Err(DrawRule::Certain.into());
         }
         if let Some((question, share)) = make_key::wide(self.problem, &solved) {
@@ -483,7 +486,11 @@ fn input_energy(scene: &Scene, data: &[f64], solved: &Solved) -> Option<f64> {
             energy = energy + n.bodies[b].mass * n.gravity * Dd::new((-value).max(0.0));
         }
     }
-    let pulls = solved.entries.iter().filter(|e| e.label.quantity == Quantity::WorkPull).map(Entry::value);
+    let pulls = solved
+        .entries
+        .iter()
+        .filter(|e| e.label.quantity == Quantity::WorkPull && matches!(e.label.of, Owner::Tie(_)))
+        .map(Entry::value);
     Some(n.publish(Quantity::KineticEnergy, energy).hi + pulls.map(|w| w.max(0.0)).sum::<f64>())
 }
 

@@ -188,6 +188,12 @@ fn made(
 
 /// The derivation that the scene needs.
 fn derive(draft: &mut Draft) -> Result<(), DerivationStop> {
+    if draft.scene.formulas.numbers.iter().any(|n| n.any) {
+        return Err(Beyond::Any.into());
+    }
+    if draft.scene.formulas.found.is_some() {
+        return Err(Beyond::Found.into());
+    }
     if draft.scene.bodies.iter().any(|b| !b.particles.is_empty()) {
         return lamina::sections(draft);
     }

@@ -158,7 +158,12 @@ pub struct Quick<'s> {
 impl<'s> Quick<'s> {
     /// Prepares `scene`, which stands for `right` with other values of these data.
     pub fn new(scene: &'s Scene, right: &Scene, changed: &[usize]) -> Self {
-        let other = |n: Num| matches!(n, Num::Datum(i) if changed.contains(&i));
+        // A formula may be another one in another scene.
+        let other = |n: Num| match n {
+            Num::Datum(i) => changed.contains(&i),
+            Num::Derived(_) => true,
+            Num::Fixed(_) => false,
+        };
         let mut kept = Vec::new();
         admissible::rules(right, |number, rule| {
             let touched = match rule {
@@ -221,8 +226,7 @@ impl Half {
             check.available = scales.si(unit, check.available);
         }
         entries.retain_mut(|entry| {
-            let unit = entry.label.quantity.unit();
-            let si = |x: f64| scales.si(unit, x);
+            let si = |x: f64| scales.said(scene, entry.label, x);
             let kept = |x: f64| x == 0.0 || !x.is_finite() || si(x).is_normal();
             let holds = kept(entry.value()) && entry.energy.is_none_or(kept);
             if !holds {
@@ -254,7 +258,7 @@ impl Half {
         let compared = in_scales(scales, scene, data, |scene, data| compared(scene, data, own, course));
         compared.map_err(|refusal| match refusal {
             Refusal::Disagree { label, eom, energy, allowed } => {
-                let si = |x| scales.si(label.quantity.unit(), x);
+                let si = |x| scales.said(scene, label, x);
                 Refusal::Disagree { label, eom: si(eom), energy: si(energy), allowed }
             }
             other => other,
@@ -328,9 +332,9 @@ pub fn prove(scene: &Scene, data: &[f64], solved: &mut Solved) -> bool {
         return false;
     }
     for (i, entry) in solved.entries.iter_mut().enumerate() {
-        let unit = entry.label.quantity.unit();
         let said = road.said.get(i).filter(|s| s.label == entry.label).or_else(|| road.get(entry.label));
-        let bound = said.map(|s| scales.si(unit, s.value.about(scales.own(unit, entry.value()))));
+        let value = scales.own_said(scene, entry.label, entry.value());
+        let bound = said.map(|s| scales.said(scene, entry.label, s.value.about(value)));
         entry.bound = bound.filter(|b| b.is_finite());
         // Zero on both roads and within the enclosure, and no datum moves it: zero by structure, whatever rounding left of it.
         let zero = [entry.eom, entry.energy].iter().all(|v| v.is_some_and(|v| v == 0.0)) && entry.cond == 0.0;
@@ -350,7 +354,7 @@ fn is_held(tie: &Tie) -> bool {
 fn ordinary(scene: &Scene, data: &[f64]) -> bool {
     let mut all = true;
     admissible::rules(scene, |number, _| {
-        let x = admissible::value(number, data).abs();
+        let x = scene.value(number, data).abs();
         all &= x == 0.0 || (ORDINARY.recip()..ORDINARY).contains(&x);
     });
     all
@@ -385,7 +389,7 @@ fn supported(scene: &Scene, data: &[f64]) -> Result<(), Refusal> {
         return refuse(Unsupported::SpringWithSlip);
     }
     let freedoms = scene.freedoms();
-    let number = |n: Num| admissible::value(n, data);
+    let number = |n: Num| scene.value(n, data);
     // Cords alone can say what other ties say.
     if scene.ties.iter().any(is_held) && scene.freedoms_with(&number) != freedoms {
         return refuse(Unsupported::EqualByChance);

@@ -6,7 +6,7 @@
 //! `step cond` on one side and of `(step cond)^2` between two, and so large that the rounding of doubles, `2^-53 / step`, is so too.
 use crate::num::dd::pow2;
 use crate::num::{Dd, Fast, NOISE, Real};
-use crate::scene::{Label, Num, Scene, admissible};
+use crate::scene::{Label, Scene, admissible};
 use crate::solve::eom;
 use crate::solve::outcome::{Entry, Road};
 
@@ -123,12 +123,13 @@ fn misses<T: Real>(entry: &Entry, base: Option<T>, change: f64) -> bool {
 fn used(scene: &Scene, data: &[f64]) -> Vec<usize> {
     let mut used = vec![false; data.len()];
     admissible::rules(scene, |number, _| {
-        if let Num::Datum(i) = number
-            && data.get(i).is_some_and(|x| *x != 0.0)
-        {
-            used[i] = true;
+        for i in scene.data_of(number) {
+            used[i] |= data.get(i).is_some_and(|x| *x != 0.0);
         }
     });
+    for given in scene.formulas.givens() {
+        used[given.datum] |= data.get(given.datum).is_some_and(|x| *x != 0.0);
+    }
     (0..data.len()).filter(|i| used[*i]).collect()
 }
 

@@ -1,8 +1,8 @@
 //! Proof that the agreement of the roads catches mechanical errors: each named term of each road is spoiled in turn.
 use crate::num::plant;
 use crate::scene::{
-    Arm, Attach, Body, Coordinate, Cord, CordEnd, Couple, Degree, End, Far, Line, Mass, Num, Particle, Pin,
-    PinSpring, Rest, RotaryInertia, Scene, Side, Slope, Span, Start, Tie, Zero,
+    Arm, Attach, Body, Coordinate, Cord, CordEnd, Couple, Degree, End, Far, Formulas, Line, Mass, Num,
+    Particle, Pin, PinSpring, Rest, RotaryInertia, Scene, Side, Slope, Span, Start, Tie, Zero,
 };
 use crate::solve::agree::solve;
 use std::collections::BTreeSet;
@@ -50,6 +50,7 @@ fn scene(bodies: Vec<Body>, ties: Vec<Tie>, travel: f64) -> Scene {
         end,
         heading: None,
         span: Span::ToEnd,
+        formulas: Formulas::default(),
     }
 }
 

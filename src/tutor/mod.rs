@@ -485,5 +485,6 @@ const fn group(quantity: Quantity) -> &'static str {
         Q::Period | Q::PeriodSmall | Q::OmegaSmall => "swing",
         Q::Direction => "direction",
         Q::Rolls => "rolls",
+        Q::Value => "value",
     }
 }

@@ -39,6 +39,7 @@ fn pulled(slip: bool) -> (Scene, Vec<f64>) {
         end: End::Travel(along, d(7)),
         heading: Some(Heading::Forward),
         span: Span::ToEnd,
+        formulas: Formulas::default(),
     };
     let p = if slip { 400.0 } else { 200.0 };
     (scene, vec![40.0, 0.4, 0.2, 0.22, 25.0, 9.81, p, 1.0, if slip { 0.2 } else { 0.9 }, 0.15])

@@ -297,12 +297,14 @@ fn composed(dice: &mut Dice) -> Scene {
         end: End::AtOnce,
         heading: None,
         span: Span::ToEnd,
+        formulas: Formulas::default(),
     }
 }
 
 fn number(n: Num) -> f64 {
     match n {
         Num::Fixed(x) => x,
+        Num::Derived(_) => panic!("these scenes have no expressions"),
         Num::Datum(_) => unreachable!("all constants"),
     }
 }
@@ -674,6 +676,7 @@ fn particles_in_one_place_have_no_moment_of_inertia() {
         end: End::AtOnce,
         heading: None,
         span: Span::ToEnd,
+        formulas: Formulas::default(),
     };
     scene.bodies[0].inertia = None;
     scene.bodies[0].mass = Mass::OfParts;

@@ -213,6 +213,7 @@ fn scene(kind: Kind) -> Scene {
         end: End::Travel(along, end),
         heading,
         span: Span::ToTurningPoint,
+        formulas: Formulas::default(),
     }
 }
 

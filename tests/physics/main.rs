@@ -16,6 +16,7 @@ mod big;
 mod catalogue;
 mod composed;
 mod composed_scenes;
+mod expressions;
 mod extremes;
 mod ladder;
 mod lagrange;

@@ -44,6 +44,7 @@ fn scene(name: &str, rigid: bool) -> (Scene, Vec<&'static str>) {
         end: End::Travel(along(0), Num::Datum(7)),
         heading: None,
         span: Span::ToEnd,
+        formulas: Formulas::default(),
     };
     match name {
         "pulled-rolling" => (
@@ -77,6 +78,7 @@ fn scene(name: &str, rigid: bool) -> (Scene, Vec<&'static str>) {
                 end: End::Travel(along(0), Num::Datum(8)),
                 // The greatest speed and the turning point are asked, too.
                 span: Span::ToTurningPoint,
+                formulas: Formulas::default(),
                 ..base
             },
             vec!["m", "R", "r", "k", "theta", "g", "ks", "x0", "D", "mu_s"],
@@ -334,6 +336,7 @@ fn pinned(inputs: &Value, from: Zero) -> (Scene, Vec<f64>) {
         end: End::Angle(Coordinate { body: 0, degree: Degree::Turn }, Num::Datum(4)),
         heading: None,
         span: Span::ToEnd,
+        formulas: Formulas::default(),
     };
     (scene, symbols.iter().map(|s| number(&inputs[*s])).collect())
 }

@@ -150,6 +150,7 @@ fn scene(kind: Kind, from: Zero) -> Scene {
         end: End::Angle(turn, d(5)),
         heading: None,
         span: Span::ToEnd,
+        formulas: Formulas::default(),
     }
 }
 

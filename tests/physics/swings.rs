@@ -33,6 +33,7 @@ fn swinging(from: Zero, start: f64, end: End) -> Scene {
         end,
         heading: None,
         span: Span::ToEnd,
+        formulas: Formulas::default(),
     }
 }
 

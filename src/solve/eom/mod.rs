@@ -9,10 +9,10 @@ pub mod swing;
 pub mod thrown;
 pub mod travel;
 
-use crate::num::Real;
 use crate::num::dd::pow2;
 use crate::num::ode::Count;
 use crate::num::plant::plant;
+use crate::num::{Fast, Real};
 use crate::scene::{
     Attach, Coordinate, Cord, CordEnd, Degree, End, Far, Heading, Label, Numbers, Owner, Quantity,
     RotaryInertia, Scene, Side, Span, Start, Tie,
@@ -20,6 +20,8 @@ use crate::scene::{
 use crate::solve::eom::equations::{CONSTANT, Response, SPRING, Setting, respond};
 use crate::solve::eom::integrate::{Event, Path, Wanted, path};
 use crate::solve::eom::travel::{State, Travel};
+use crate::solve::found;
+use crate::solve::found::Forward;
 use crate::solve::method::Rung;
 use crate::solve::outcome;
 use crate::solve::outcome::{Course, Grip, Held, Refusal, Road, Said, Unsupported};
@@ -29,6 +31,32 @@ use smallvec::{SmallVec, smallvec};
 ///
 /// Errors: equations that do not determine the motion.
 pub fn road<T: Real>(scene: &Scene, data: &[f64]) -> Result<Road<T>, Refusal> {
+    match &scene.formulas.found {
+        Some(found) => found::road(found, data, &Here(scene)),
+        None => answered(scene, data),
+    }
+}
+
+/// [`road`] with all data given.
+fn answered<T: Real>(scene: &Scene, data: &[f64]) -> Result<Road<T>, Refusal> {
+    Ok(alone(scene, data)?.answering(scene, data, &|other| alone(other, data)))
+}
+
+/// This road of a scene, for the search of what is found from a measurement.
+struct Here<'s>(&'s Scene);
+
+impl<T: Real> Forward<T> for Here<'_> {
+    fn rough(&self, data: &[f64], label: Label) -> f64 {
+        let road = alone::<Fast>(self.0, data).ok();
+        road.and_then(|road| road.get(label).map(|said| said.value.f64())).unwrap_or(f64::NAN)
+    }
+    fn exact(&self, data: &[f64]) -> Result<Road<T>, Refusal> {
+        answered(self.0, data)
+    }
+}
+
+/// [`road`] without what is asked by formulas.
+fn alone<T: Real>(scene: &Scene, data: &[f64]) -> Result<Road<T>, Refusal> {
     let n = Numbers::<T>::new(scene, data);
     if let Some((body, pin)) = scene.pinned() {
         return swing::road(scene, n, body, pin);
@@ -52,6 +80,17 @@ pub fn road_by<T: Real>(
     rung: Rung,
     asked: &dyn Fn(Quantity) -> bool,
 ) -> Result<(Road<T>, Count), Refusal> {
+    let (road, count) = alone_by(scene, data, rung, asked)?;
+    Ok((road.answering(scene, data, &|other| alone(other, data)), count))
+}
+
+/// [`road_by`] without what is asked by formulas.
+fn alone_by<T: Real>(
+    scene: &Scene,
+    data: &[f64],
+    rung: Rung,
+    asked: &dyn Fn(Quantity) -> bool,
+) -> Result<(Road<T>, Count), Refusal> {
     let n = Numbers::<T>::new(scene, data);
     if let Some((body, pin)) = scene.pinned() {
         return swing::road_by(scene, n, (body, pin), Some((rung, asked)));
@@ -66,6 +105,9 @@ pub fn road_by<T: Real>(
     walk.by = Some((rung, asked));
     walk.walk()
 }
+
+/// May a road go by steps? Not in a page: what a sheet asks has a closed form or a quadrature, and its page is to be small.
+const STEPS: bool = cfg!(feature = "program");
 
 /// Where an acceleration is so many times smaller than that of the weight, the velocity ratios come from a unit force, not from
 /// the forces that nearly balance.
@@ -458,7 +500,7 @@ impl<'a, T: Real> Walk<'a, T> {
 
     /// The states at the events by steps, where steps are asked for.
     fn stepped(&self, travel: &Travel<T>, s: Option<T>) -> Result<Option<Path<T>>, Refusal> {
-        let Some((rung, asked)) = self.by else { return Ok(None) };
+        let Some((rung, asked)) = self.by.filter(|_| STEPS) else { return Ok(None) };
         let event = s.and_then(|s| {
             let event = match self.scene.end {
                 End::Travel(..) | End::Position(..) => Event::Place(s.f64()),
