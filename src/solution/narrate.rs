@@ -701,6 +701,9 @@ impl<'d, 'a> Narrator<'d, 'a> {
         let Some(body) = self.t.m.parts.iter().position(|p| p.slips) else {
             return Err(Beyond::Arrangement.into());
         };
+        if self.t.m.parts.len() > 1 {
+            return Err(Beyond::SlipInCompany.into());
+        }
         self.tell_frictions();
         let a = self.t.get(of_body(Quantity::A, body))?;
         let from = self.t.page.steps.iter().find(|s| s.symbol == a).map_or(ZERO, |s| s.from.clone());
@@ -735,9 +738,12 @@ impl<'d, 'a> Narrator<'d, 'a> {
                 let tex = if tex.contains('&') { aligned(&tex) } else { tex };
                 self.formula(tex);
             } else {
-                let tex = self.chain(v, &step.from).concat();
-                let tex = if tex.contains('&') { aligned(&tex) } else { tex };
-                self.formula(tex);
+                let displacement = match self.t.s {
+                    Expr::Symbol(s) => Some(s),
+                    _ => None,
+                };
+                self.forget(&[Some(step.symbol), displacement]);
+                self.tell_new();
             }
         }
         for quantity in [Quantity::Omega, Quantity::Phi, Quantity::SlipDistance] {

@@ -9,6 +9,7 @@ use slipstick::bank::{Draw, Problem, load};
 use slipstick::num::shown;
 use slipstick::problem::maker;
 use slipstick::problem::maker::{Maker, Variant};
+use slipstick::scene::Owner;
 use slipstick::sheet::html;
 use slipstick::solution;
 use slipstick::solution::draft::Detail;
@@ -229,7 +230,7 @@ fn every_substitution_of_the_full_detail_holds() {
         assert!(wrong.is_empty(), "{}: {}\n\n{}", problem.id, wrong.join("\n"), document.markdown);
         made += 1;
     });
-    assert!(counts.numbers > 8 * made, "{made}: {counts:?}");
+    assert!(counts.numbers > 6 * made, "{made}: {counts:?}");
 }
 
 /// The short detail: at most a dozen displayed lines, and the way that is called shorter has fewer unknowns.
@@ -285,6 +286,10 @@ fn scenes_of_textbooks() {
                 continue;
             }
             let variant = maker::from_values(problem, 0, &values).expect("solved");
+            // What is asked by an expression of the bank's own has a short page.
+            if problem.questions.iter().any(|q| matches!(q.label.of, Owner::Asked(_))) {
+                continue;
+            }
             // One is printed to show that it does not roll.
             if variant.solved.regime.slips {
                 continue;
