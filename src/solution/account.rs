@@ -708,13 +708,8 @@ impl<'d, 'a> Account<'d, 'a> {
             }
             None => {
                 // Kinetic friction says nothing of the grip that rolling needs.
-                let rolling = self
-                    .page
-                    .draft
-                    .found
-                    .iter()
-                    .find(|f| f.label == of_body(Quantity::FrictionIfRolled, body));
-                match rolling.and_then(|f| f.eom) {
+                let rolling = self.page.draft.found_for(of_body(Quantity::FrictionIfRolled, body));
+                match rolling {
                     Some(DerivedAnswer::Value(f)) if self.m.parts[body].slips => f,
                     _ => self.get(of_body(Quantity::Friction, body))?,
                 }

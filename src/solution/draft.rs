@@ -33,17 +33,13 @@ pub enum Detail {
     Full,
 }
 
-/// What was found for a label, by each method.
+/// What was found for a label.
 #[derive(Debug, Clone, PartialEq)]
 pub struct FoundAnswer {
     /// Which quantity.
     pub label: Label,
-    /// From the equations of motion.
-    pub eom: Option<DerivedAnswer>,
-    /// From work and energy.
-    pub energy: Option<DerivedAnswer>,
-    /// Why there is only one method, a sentence; empty where there are two.
-    pub note: String,
+    /// The answer.
+    pub answer: DerivedAnswer,
 }
 
 /// One solution as far as it is worked.
@@ -253,31 +249,17 @@ impl<'a> Draft<'a> {
         }
     }
 
-    /// An answer from the equations of motion.
-    pub fn from_motion(&mut self, label: Label, answer: DerivedAnswer) {
-        self.entry(label).eom = Some(answer);
-    }
-
-    /// An answer from work and energy.
-    pub fn from_energy(&mut self, label: Label, answer: DerivedAnswer) {
-        self.entry(label).energy = Some(answer);
-    }
-
-    /// An answer for which there is one method only, with the sentence that says why.
-    pub fn from_one_method(&mut self, label: Label, answer: DerivedAnswer, note: &str) {
-        let entry = self.entry(label);
-        entry.eom = Some(answer);
-        entry.energy = None;
-        note.clone_into(&mut entry.note);
-    }
-
-    fn entry(&mut self, label: Label) -> &mut FoundAnswer {
-        if let Some(i) = self.found.iter().position(|f| f.label == label) {
-            return &mut self.found[i];
+    /// Notes an answer.
+    pub fn answer(&mut self, label: Label, answer: DerivedAnswer) {
+        match self.found.iter_mut().find(|f| f.label == label) {
+            Some(found) => found.answer = answer,
+            None => self.found.push(FoundAnswer { label, answer }),
         }
-        self.found.push(FoundAnswer { label, eom: None, energy: None, note: String::new() });
-        let last = self.found.len() - 1;
-        &mut self.found[last]
+    }
+
+    /// What was found for a label.
+    pub fn found_for(&self, label: Label) -> Option<DerivedAnswer> {
+        self.found.iter().find(|f| f.label == label).map(|f| f.answer)
     }
 
     /// Is this quantity asked, of anything?

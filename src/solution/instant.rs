@@ -136,13 +136,12 @@ pub fn write(draft: &mut Draft) -> Result<(), DerivationStop> {
     let tex = draft.free(&["E_{k}"]);
     let energy = draft.unknown(&tex, "J");
     section.find(&mut draft.symbols, energy, &sum(terms));
-    let note = draft.words.get("solution.instant_note").to_owned();
-    draft.from_one_method(of_scene(Quantity::KineticEnergy), DerivedAnswer::Value(energy), &note);
+    draft.answer(of_scene(Quantity::KineticEnergy), DerivedAnswer::Value(energy));
     if draft.asks(Quantity::RotationalFraction) {
         let tex = draft.free(&[r"\eta", r"\beta"]);
         let share = draft.unknown(&tex, "1");
         section.find(&mut draft.symbols, share, &(sum(turning) / energy));
-        draft.from_one_method(of_scene(Quantity::RotationalFraction), DerivedAnswer::Value(share), &note);
+        draft.answer(of_scene(Quantity::RotationalFraction), DerivedAnswer::Value(share));
     }
     for c in draft.scene.coordinates() {
         let (quantity, tex, unit) = match c.degree {
@@ -166,7 +165,7 @@ pub fn write(draft: &mut Draft) -> Result<(), DerivationStop> {
                 size
             }
         };
-        draft.from_one_method(of_body(quantity, c.body), DerivedAnswer::Value(symbol), &note);
+        draft.answer(of_body(quantity, c.body), DerivedAnswer::Value(symbol));
     }
     draft.sections.push(section);
     Ok(())

@@ -164,7 +164,7 @@ impl Lamina {
             page.display(symbol, &from.unwrap_or(ZERO), "");
         }
         for (quantity, symbol) in [(Quantity::XG, x), (Quantity::YG, y), (Quantity::IG, own)] {
-            page.draft.from_motion(self.label(quantity), DerivedAnswer::Value(symbol));
+            page.draft.answer(self.label(quantity), DerivedAnswer::Value(symbol));
         }
         let k = self.known;
         let known = format!("${}$", self.names[k]);
@@ -178,7 +178,7 @@ impl Lamina {
         let centre = ratio(1, 2) * mass * (square(vx) + square(vy));
         let turning = ratio(1, 2) * own * square(&self.spin);
         let energy = page.find(&["T", "E"], "J", centre + turning);
-        page.draft.from_motion(
+        page.draft.answer(
             Label { quantity: Quantity::KineticEnergy, of: Owner::Scene },
             DerivedAnswer::Value(energy),
         );

@@ -209,33 +209,31 @@ fn derive(draft: &mut Draft) -> Result<(), DerivationStop> {
 /// Is every question answered, and every number that of the key?
 fn check(draft: &Draft) -> Result<(), DerivationStop> {
     for q in &draft.problem.questions {
-        if !draft.found.iter().any(|f| f.label == q.label && (f.eom.is_some() || f.energy.is_some())) {
+        if draft.found_for(q.label).is_none() {
             return Err(Beyond::Quantity(q.label.quantity).into());
         }
     }
     for found in &draft.found {
-        for answer in [found.eom, found.energy].into_iter().flatten() {
-            match answer {
-                DerivedAnswer::Value(symbol) => {
-                    let Some(entry) = draft.variant.solved.get(found.label) else { continue };
-                    let (here, key) = (draft.symbols.value(symbol), entry.value());
-                    // What is the small rest of large terms is judged by their size.
-                    let scale = here.abs().max(key.abs()) * entry.cond.max(1.0);
-                    let scale = if scale.is_nan() { entry.scale } else { scale.max(entry.scale) };
-                    // A formula that yields no number does not cover the case; another number than the key's is wrong.
-                    if !here.is_finite() && key.is_finite() {
-                        return Err(Beyond::Unfound.into());
-                    }
-                    if !(here - key).abs().le(&(AGREEMENT_REL * scale)) {
-                        return Err(Beyond::Differs(found.label.quantity).into());
-                    }
+        match found.answer {
+            DerivedAnswer::Value(symbol) => {
+                let Some(entry) = draft.variant.solved.get(found.label) else { continue };
+                let (here, key) = (draft.symbols.value(symbol), entry.value());
+                // What is the small rest of large terms is judged by their size.
+                let scale = here.abs().max(key.abs()) * entry.cond.max(1.0);
+                let scale = if scale.is_nan() { entry.scale } else { scale.max(entry.scale) };
+                // A formula that yields no number does not cover the case; another number than the key's is wrong.
+                if !here.is_finite() && key.is_finite() {
+                    return Err(Beyond::Unfound.into());
                 }
-                DerivedAnswer::Word(word) => {
-                    if let Some(key) = draft.variant.solved.word(found.label)
-                        && key != word
-                    {
-                        return Err(Beyond::Differs(found.label.quantity).into());
-                    }
+                if !(here - key).abs().le(&(AGREEMENT_REL * scale)) {
+                    return Err(Beyond::Differs(found.label.quantity).into());
+                }
+            }
+            DerivedAnswer::Word(word) => {
+                if let Some(key) = draft.variant.solved.word(found.label)
+                    && key != word
+                {
+                    return Err(Beyond::Differs(found.label.quantity).into());
                 }
             }
         }
@@ -262,7 +260,7 @@ fn answers(draft: &Draft, number: usize) -> Vec<(String, String)> {
             let word = draft.variant.solved.word(q.label);
             return word.map_or_else(String::new, |w| format!("`{}`", said(draft.words, w)));
         };
-        let found = draft.found.iter().find(|f| f.label == q.label).and_then(|f| f.eom.or(f.energy));
+        let found = draft.found_for(q.label);
         let symbol = match found {
             Some(DerivedAnswer::Value(symbol)) => format!("${} = ", draft.symbols.tex(symbol)),
             _ => "$".to_owned(),

@@ -114,7 +114,7 @@ fn could_it_roll(draft: &mut Draft, tie: usize) -> Result<(f64, SolutionSection)
     n.tell_new();
     let normal = n.t.get(of_body(Quantity::Normal, body))?;
     let value = n.t.page.draft.symbols.value(needed);
-    n.t.page.draft.from_motion(of_body(Quantity::FrictionIfRolled, body), DerivedAnswer::Value(needed));
+    n.t.page.draft.answer(of_body(Quantity::FrictionIfRolled, body), DerivedAnswer::Value(needed));
     let mu = n.t.page.draft.number(mu_s, r"\mu_s", "1");
     let most = mu * normal;
     let slips = value.abs() > n.t.value(&most);
@@ -985,7 +985,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
                 continue;
             }
             let symbol = self.t.get(*label)?;
-            self.t.page.draft.from_motion(*label, DerivedAnswer::Value(symbol));
+            self.t.page.draft.answer(*label, DerivedAnswer::Value(symbol));
         }
         self.tell_new();
         Ok(())
@@ -1033,7 +1033,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
     }
 
     fn answer(&mut self, label: Label, word: Word) {
-        self.t.page.draft.from_motion(label, DerivedAnswer::Word(word));
+        self.t.page.draft.answer(label, DerivedAnswer::Word(word));
     }
 
     /// Slides that start from rest have to be torn loose.

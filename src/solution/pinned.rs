@@ -187,8 +187,7 @@ fn read(page: &mut Page, body: usize, pin: &Pin) -> Result<PinnedBody, Derivatio
     }
     page.skip_new();
     page.formula(if line.contains('&') { aligned(&line) } else { line });
-    page.draft
-        .from_motion(Label { quantity: Quantity::IO, of: Owner::Body(body) }, DerivedAnswer::Value(about));
+    page.draft.answer(Label { quantity: Quantity::IO, of: Owner::Body(body) }, DerivedAnswer::Value(about));
     let mut swing = PinnedBody {
         body,
         up: pin.from == Zero::Upright,
@@ -260,7 +259,7 @@ impl PinnedBody {
     }
 
     fn answer(&self, page: &mut Page, quantity: Quantity, symbol: SymbolId) {
-        page.draft.from_motion(self.label(quantity), DerivedAnswer::Value(symbol));
+        page.draft.answer(self.label(quantity), DerivedAnswer::Value(symbol));
     }
 
     /// The natural length is what is left of the length at the start without the stretch there.
@@ -386,8 +385,7 @@ impl PinnedBody {
 
     /// The angular speed at the end.
     fn omega(&self, page: &mut Page) -> SymbolId {
-        let found =
-            page.draft.found.iter().find(|f| f.label == self.label(Quantity::Omega)).and_then(|f| f.eom);
+        let found = page.draft.found_for(self.label(Quantity::Omega));
         if let Some(DerivedAnswer::Value(omega)) = found {
             return omega;
         }
@@ -574,7 +572,7 @@ impl PinnedBody {
         }
         if page.draft.asks(Quantity::KineticEnergy) {
             let t = page.find(&["E_{k}", r"E_{\mathrm{kin}}"], "J", ratio(1, 2) * self.about * square(omega));
-            page.draft.from_motion(of_scene(Quantity::KineticEnergy), DerivedAnswer::Value(t));
+            page.draft.answer(of_scene(Quantity::KineticEnergy), DerivedAnswer::Value(t));
         }
         if page.draft.asks(Quantity::RotationalFraction) {
             let share = page.find(
@@ -582,7 +580,7 @@ impl PinnedBody {
                 "1",
                 Factors::of(&self.own).per(&Factors::of(&self.about.into())).expr(),
             );
-            page.draft.from_motion(of_scene(Quantity::RotationalFraction), DerivedAnswer::Value(share));
+            page.draft.answer(of_scene(Quantity::RotationalFraction), DerivedAnswer::Value(share));
         }
         if page.draft.asks(Quantity::Phi) && !self.instant {
             let turned = self.turned(page);
@@ -618,7 +616,7 @@ impl PinnedBody {
     /// Does it get there, and which way?
     fn regime(&self, page: &mut Page) {
         let word = if self.sense > 0.0 { Word::Forward } else { Word::Back };
-        page.draft.from_motion(self.label(Quantity::Direction), DerivedAnswer::Word(word));
+        page.draft.answer(self.label(Quantity::Direction), DerivedAnswer::Word(word));
         if self.instant {
             return;
         }

@@ -164,7 +164,7 @@ impl ThrownBody {
     }
 
     fn answer(&self, page: &mut Page, quantity: Quantity, symbol: SymbolId) {
-        page.draft.from_motion(self.label(quantity), DerivedAnswer::Value(symbol));
+        page.draft.answer(self.label(quantity), DerivedAnswer::Value(symbol));
     }
 
     /// Component of the weight against forward, positive where forward is up, over a length or a time.
@@ -305,7 +305,7 @@ impl ThrownBody {
         );
         self.answer(page, Quantity::SlipDistance, way);
         let heat = page.find(&["Q", "Q_f"], "J", &self.mu_k * s.normal * way);
-        page.draft.from_motion(of_scene(Quantity::Heat), DerivedAnswer::Value(heat));
+        page.draft.answer(of_scene(Quantity::Heat), DerivedAnswer::Value(heat));
         page.tell_new();
         heat
     }
@@ -417,7 +417,7 @@ impl ThrownBody {
             (_, event) => event,
         };
         if let Some(t) = time {
-            page.draft.from_motion(of_scene(Quantity::T), DerivedAnswer::Value(t));
+            page.draft.answer(of_scene(Quantity::T), DerivedAnswer::Value(t));
         }
         if page.draft.asks(Quantity::Rise) {
             let rise = page.find(&["h", "h_G"], "m", signed(end.x * &self.sine, self.up));
@@ -428,10 +428,10 @@ impl ThrownBody {
             let of = |i: &Factors, rate: SymbolId| i.times(&half).times(&Factors::of(&square(rate))).expr();
             let spin = of(&self.own, end.w);
             let energy = page.find(&["E_{k}", r"E_{\mathrm{kin}}"], "J", of(&self.m, end.v) + &spin);
-            page.draft.from_motion(of_scene(Quantity::KineticEnergy), DerivedAnswer::Value(energy));
+            page.draft.answer(of_scene(Quantity::KineticEnergy), DerivedAnswer::Value(energy));
             if page.draft.asks(Quantity::RotationalFraction) {
                 let share = page.find(&[r"\zeta", r"\zeta_r"], "1", spin / energy);
-                page.draft.from_motion(of_scene(Quantity::RotationalFraction), DerivedAnswer::Value(share));
+                page.draft.answer(of_scene(Quantity::RotationalFraction), DerivedAnswer::Value(share));
             }
         }
         page.tell_new();
@@ -444,13 +444,13 @@ impl ThrownBody {
             (false, _) if v > 0.0 => Word::Forward,
             (false, _) => Word::Back,
         };
-        page.draft.from_motion(self.label(Quantity::Direction), DerivedAnswer::Word(word));
+        page.draft.answer(self.label(Quantity::Direction), DerivedAnswer::Word(word));
     }
 
     /// Can it roll on?
     fn regime(&self, page: &mut Page, s: &Slipping, rolls: bool, holds: bool) {
         let word = if holds { Word::Yes } else { Word::No };
-        page.draft.from_motion(self.label(Quantity::Rolls), DerivedAnswer::Word(word));
+        page.draft.answer(self.label(Quantity::Rolls), DerivedAnswer::Word(word));
         page.begin("holds");
         let normal = page.shown(s.normal);
         self.say(page, "presses", &[("n", &normal)]);
