@@ -612,9 +612,7 @@ impl<'d, 'a> Account<'d, 'a> {
             let turned = self.value(&alpha.into()) * self.value(&a.into());
             in_sense(alpha / a * v, turned)
         } else {
-            let v = Factors::of(&self.v);
-            let by = if self.lead().body == body { v } else { v };
-            by.times(&self.magnitude(self.m.ratio(c))).expr()
+            Factors::of(&self.v).times(&self.magnitude(self.m.ratio(c))).expr()
         };
         Ok(self.found(label, symbol, from))
     }

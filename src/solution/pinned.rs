@@ -84,8 +84,8 @@ pub fn sections(draft: &mut Draft) -> Result<(), DerivationStop> {
         return Err(Beyond::NotThere.into());
     }
     let mut page = Page::new(draft);
-    let mut swing = read(&mut page, body, &pin)?;
-    swing.energy(&mut page, &pin)?;
+    let swing = read(&mut page, body, &pin)?;
+    swing.energy(&mut page);
     let omega = swing.omega(&mut page);
     swing.rows(&mut page);
     swing.forces(&mut page, omega);
@@ -311,11 +311,10 @@ impl PinnedBody {
     }
 
     /// The balance from the start to the end, and the speed that follows.
-    fn energy(&mut self, page: &mut Page, pin: &Pin) -> Result<(), DerivationStop> {
+    fn energy(&self, page: &mut Page) {
         if self.instant {
-            return Ok(());
+            return;
         }
-        let _ = pin;
         let ends = match page.draft.scene.end {
             End::TurningPoint(_) => Some("pinned.angle_turning"),
             End::Speed(..) => Some("pinned.angle_speed"),
@@ -380,7 +379,6 @@ impl PinnedBody {
         }
         self.answer(page, Quantity::Omega, omega);
         page.skip_new();
-        Ok(())
     }
 
     /// The angular speed at the end.
@@ -403,11 +401,8 @@ impl PinnedBody {
             if self.instant { "short_motion" } else { "long_motion" },
         );
         let from = if self.up { "pinned.from_upright" } else { "pinned.from_hanging" };
-        let name = |page: &Page, names: &[&str], unit: &str| {
-            let _ = unit;
-            page.draft.free(names)
-        };
-        let (radial, across) = (name(page, &["R", "O_r"], "N"), name(page, &["S", "O_t"], "N"));
+        let name = |page: &Page, names: &[&str]| page.draft.free(names);
+        let (radial, across) = (name(page, &["R", "O_r"]), name(page, &["S", "O_t"]));
         let angle = page.tex(&self.phi);
         self.say(
             page,
@@ -418,8 +413,7 @@ impl PinnedBody {
                 ("across", &format!("${across}$")),
             ],
         );
-        let (alpha, omega) =
-            (name(page, &[r"\alpha", r"\alpha_1"], ""), name(page, &[r"\omega", r"\omega_1"], ""));
+        let (alpha, omega) = (name(page, &[r"\alpha", r"\alpha_1"]), name(page, &[r"\omega", r"\omega_1"]));
         let mut generic = |tex: &[&str]| {
             let tex = page.draft.free(tex);
             Expr::Symbol(page.draft.unknown(&tex, "1"))

@@ -95,17 +95,17 @@ pub fn sections(draft: &mut Draft) -> Result<(), DerivationStop> {
     let rates = [Quantity::ARolling, Quantity::FrictionIfRolled, Quantity::MuRequired];
     let mut rolling = None;
     if rolls || rates.iter().any(|q| page.draft.asks(*q)) {
-        rolling = Some(throw.rolling(&mut page, &slipping, rolls));
+        rolling = Some(throw.rolling(&mut page, &slipping));
     }
     let last = match (rolls, rolling, &throw.t1, slipping.event) {
         (true, Some((a, _)), Some(t1), Some(event)) => throw.rolling_leg(&mut page, first, a, t1 - event),
         _ => first,
     };
-    throw.other_way(&mut page, &slipping, first, &slid, energy, rolls);
+    throw.other_method(&mut page, first, &slid, energy);
     throw.answers(&mut page, &slipping, last, rolling.filter(|_| rolls));
     throw.regime(&mut page, &slipping, rolls, holds);
     page.begin("limits");
-    if throw.level && !(throw.t1.is_some() && !rolls) {
+    if throw.level && (rolls || throw.t1.is_none()) {
         throw.say(&mut page, "limit_level", &[]);
     } else {
         throw.say(&mut page, "limit", &[]);
@@ -319,7 +319,7 @@ impl ThrownBody {
     }
 
     /// Acceleration and friction once it rolls.
-    fn rolling(&self, page: &mut Page, s: &Slipping, rolls: bool) -> (SymbolId, SymbolId) {
+    fn rolling(&self, page: &mut Page, s: &Slipping) -> (SymbolId, SymbolId) {
         self.say(page, if self.level { "roll_level" } else { "roll" }, &[]);
         let j = self.own.per(&Factors::of(&self.c).squared());
         let carried = self.m.plus(&j);
@@ -337,7 +337,6 @@ impl ThrownBody {
             let mu = page.find(&[r"\mu_{\mathrm{min}}"], "1", size / s.normal);
             self.answer(page, Quantity::MuRequired, mu);
         }
-        let _ = rolls;
         page.tell_new();
         (a, friction)
     }
@@ -365,8 +364,7 @@ impl ThrownBody {
     }
 
     /// Angular momentum about the contact, and the balance of energies: what they give, and what not.
-    fn other_way(&self, page: &mut Page, s: &Slipping, end: State, t: &Expr, heat: SymbolId, rolls: bool) {
-        let _ = (s, rolls);
+    fn other_method(&self, page: &mut Page, end: State, t: &Expr, heat: SymbolId) {
         page.begin_as("long", "slip_energy");
         self.say(page, if self.level { "momentum_level" } else { "momentum" }, &[]);
         let mc = self.m.times(&Factors::of(&self.c));

@@ -205,11 +205,7 @@ fn unguarded(problem: &Problem, part: &str, method: &str) -> bool {
 fn score(problem: &Problem, draws: u32, words: &Words) -> Score {
     let mut score = Score {
         draws,
-        rounded: problem
-            .questions
-            .iter()
-            .map(|q| (q.id.clone(), Count::default(), Default::default()))
-            .collect(),
+        rounded: problem.questions.iter().map(|q| (q.id.clone(), Count::default())).collect(),
         ..Score::default()
     };
     // Many of all sorts, each part once.
