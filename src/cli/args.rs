@@ -10,6 +10,7 @@ use crate::policy::Counts;
 use crate::sheet::output::Format;
 use crate::sheet::self_check::Hosting;
 use crate::sheet::texts::Texts;
+use crate::solution::draft::Detail;
 use crate::solve::method::Method;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::{Args, Parser, Subcommand};
@@ -582,13 +583,10 @@ pub struct VerifyArgs {
 }
 
 /// How much worked solutions tell.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub enum DetailArg {
-    /// Two pages a problem, for students
-    Short,
-    /// Every step with its numbers put in, for the instructor
-    Full,
-}
+const DETAILS: &[(&str, Detail, &str)] = &[
+    ("short", Detail::Short, "Two pages a problem, for students"),
+    ("full", Detail::Full, "Every step with its numbers put in, for the instructor"),
+];
 
 /// `solutions`
 #[derive(Debug, Args)]
@@ -599,8 +597,8 @@ pub struct SolutionsArgs {
     #[arg(long, value_name = "DIR3")]
     pub out: PathBuf,
     /// How much they tell
-    #[arg(long, value_name = "DETAIL", default_value = "short")]
-    pub detail: DetailArg,
+    #[arg(long, value_parser = one_of(DETAILS), default_value = "short")]
+    pub detail: Detail,
     /// Formats: html, md, pdf, tex [default: html,md, and pdf where it is built in]
     #[arg(
         long,

@@ -1,12 +1,10 @@
 //! `slipstick solutions`: a stored set, drawn and solved again, to worked solutions for each student.
-use crate::cli::args::DetailArg;
 use crate::cli::tell::{Exit, Io};
 use crate::cli::{args, tell};
 use crate::finding::Findings;
 use crate::folder::solutions;
 use crate::folder::solutions::SolutionsJob;
 use crate::sheet::{output, terminal};
-use crate::solution::draft::Detail;
 
 /// Runs it.
 pub fn run(args: &args::SolutionsArgs, io: &mut Io) -> Result<Exit, Findings> {
@@ -16,10 +14,7 @@ pub fn run(args: &args::SolutionsArgs, io: &mut Io) -> Result<Exit, Findings> {
         out: &args.out,
         templates: args.own.templates.as_deref(),
         language: args.own.language.as_deref(),
-        detail: match args.detail {
-            DetailArg::Short => Detail::Short,
-            DetailArg::Full => Detail::Full,
-        },
+        detail: args.detail,
         formats: &formats,
         force: args.force,
         threads: args.threads,
