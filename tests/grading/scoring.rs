@@ -118,7 +118,7 @@ fn students(
     };
     let numbers = || {
         key.parts.iter().enumerate().filter_map(|(i, e)| match e.answer {
-            Answer::Number { value, half_width, .. } => Some((i, e, value, half_width)),
+            Answer::Number { .. } => Some((i, e)),
             Answer::Word { .. } => None,
         })
     };
@@ -131,7 +131,7 @@ fn students(
     };
     let figures = u32::try_from(ON_THE_WAY).unwrap();
     let mut own = Vec::new();
-    for (i, entry, value, half_width) in numbers() {
+    for (i, entry) in numbers() {
         let Some(found) = hand.iter().find(|h| h.label == problem.questions[i].label) else {
             score.faults.push(format!("{} {}: not found by hand", problem.id, entry.part));
             continue;
@@ -168,7 +168,7 @@ fn students(
     }
     for (m, id) in key.methods.iter().enumerate() {
         let mut answers = Vec::new();
-        for (i, entry, ..) in numbers() {
+        for (i, entry) in numbers() {
             for wrong in entry.wrong.iter().filter(|w| usize::from(w.method) == m) {
                 let cell = Cell::number(wrong.value, &entry.unit, 4);
                 answers.push(handed(i, cell, entry, Kind::WrongMethod, id));
