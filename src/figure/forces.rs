@@ -142,7 +142,9 @@ pub fn known(problem: &Problem, variant: &Variant, body: usize) -> bool {
             .iter()
             .any(|e| e.label.quantity == q && e.label.of == of && e.value().is_finite())
     };
-    scene.bodies.get(body).is_some_and(|b| b.particles.is_empty())
+    // A datum that has to be found first is not there to draw with.
+    scene.formulas.found.is_none()
+        && scene.bodies.get(body).is_some_and(|b| b.particles.is_empty())
         && (found(Quantity::A) || found(Quantity::Alpha))
 }
 
