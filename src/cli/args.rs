@@ -10,6 +10,7 @@ use crate::policy::Counts;
 use crate::sheet::output::Format;
 use crate::sheet::self_check::Hosting;
 use crate::sheet::texts::Texts;
+use crate::solution::draft::Detail;
 use crate::solve::method::Method;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::{Args, Parser, Subcommand};
@@ -581,6 +582,12 @@ pub struct VerifyArgs {
     pub set: PathBuf,
 }
 
+/// How much worked solutions tell.
+const DETAILS: &[(&str, Detail, &str)] = &[
+    ("short", Detail::Short, "Two pages a problem, for students"),
+    ("full", Detail::Full, "Every step with its numbers put in, for the instructor"),
+];
+
 /// `solutions`
 #[derive(Debug, Args)]
 pub struct SolutionsArgs {
@@ -589,6 +596,9 @@ pub struct SolutionsArgs {
     /// Folder to make, not within the students' folders
     #[arg(long, value_name = "DIR3")]
     pub out: PathBuf,
+    /// How much they tell
+    #[arg(long, value_parser = one_of(DETAILS), default_value = "short")]
+    pub detail: Detail,
     /// Formats: html, md, pdf, tex [default: html,md, and pdf where it is built in]
     #[arg(
         long,

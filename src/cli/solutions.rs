@@ -14,6 +14,7 @@ pub fn run(args: &args::SolutionsArgs, io: &mut Io) -> Result<Exit, Findings> {
         out: &args.out,
         templates: args.own.templates.as_deref(),
         language: args.own.language.as_deref(),
+        detail: args.detail,
         formats: &formats,
         force: args.force,
         threads: args.threads,

@@ -13,7 +13,7 @@ use crate::picture::board::{Board, LabelTie, LabelWish, TEXT};
 use crate::picture::vector::{Direction, Vec2, vec2};
 use crate::picture::{Picture, Role, TextRun, symbol};
 use crate::problem::maker::Variant;
-use crate::scene::{Arm, Attach, Couple, End, Far, Owner, Pin, Quantity, Slope, Tie};
+use crate::scene::{Arm, Couple, End, Far, Owner, Pin, Quantity, Side, Slope, Tie};
 use crate::words::Words;
 
 /// Radius to which a body is drawn.
@@ -142,7 +142,9 @@ pub fn known(problem: &Problem, variant: &Variant, body: usize) -> bool {
             .iter()
             .any(|e| e.label.quantity == q && e.label.of == of && e.value().is_finite())
     };
-    scene.bodies.get(body).is_some_and(|b| b.particles.is_empty())
+    // A datum that has to be found first is not there to draw with.
+    scene.formulas.found.is_none()
+        && scene.bodies.get(body).is_some_and(|b| b.particles.is_empty())
         && (found(Quantity::A) || found(Quantity::Alpha))
 }
 
@@ -348,20 +350,18 @@ fn cords(
     forces: &mut Vec<ForceArrow>,
 ) {
     for run in &plan.cords {
-        let Some(Tie::Cord(cord)) = view.scene.ties.get(run.tie) else { continue };
-        let far = match cord.to {
-            Far::Body(end) => Some(end),
-            _ => None,
-        };
-        for end in [Some(cord.from), far].into_iter().flatten().filter(|e| e.body == body) {
+        let Some(tie @ Tie::Cord(cord)) = view.scene.ties.get(run.tie) else { continue };
+        // The same actions from which the rows of the equations of motion are made.
+        for pull in tie.actions().filter(|a| a.body == body) {
             let Some((_, towards)) = run.at.iter().find(|(b, _)| *b == body) else { continue };
-            let at = match end.attach {
-                Attach::Centre => match &p.look {
+            let at = match pull.arm {
+                None => match &p.look {
                     BodyLook::Block { .. } => p.centre + *towards * p.reach(*towards),
                     BodyLook::Wheel { .. } => p.centre,
                 },
-                Attach::Wound(radius, side) => {
-                    let out = p.winds(side, end.forward, *towards);
+                Some((radius, sense)) => {
+                    let side = if sense * pull.along > 0.0 { Side::Top } else { Side::Bottom };
+                    let out = p.winds(side, pull.along > 0.0, *towards);
                     p.centre + out * (view.of(radius) * plan.scale * ratio).max(2.0)
                 }
             };

@@ -85,7 +85,7 @@ pub fn tagged(symbol: &str, tag: &str) -> String {
 
 /// What stands below the symbols of each body: the number at the end of its name, its first letter if no other body has it,
 /// else its name.
-fn tags(scene: &Scene) -> Vec<String> {
+pub fn tags(scene: &Scene) -> Vec<String> {
     let short = |name: &str| {
         let number = &name[name.trim_end_matches(|c: char| c.is_ascii_digit()).len()..];
         let initial = || name.chars().next().map(|c| c.to_uppercase().to_string()).unwrap_or_default();
@@ -116,7 +116,7 @@ pub fn friction(view: &SceneView, body: usize) -> String {
     let contacts = view.scene.ties.iter().filter(|t| !matches!(t, Tie::Cord(_))).count();
     let tag =
         if contacts > 1 { tags(view.scene).get(body).cloned().unwrap_or_default() } else { String::new() };
-    free(view.problem, &[tagged("F", &tag), tagged("R", &tag)])
+    free(view.problem, &[tagged("F", &tag), tagged("R", &tag), tagged("H", &tag)])
 }
 
 /// Tension of a cord that is not pulled by a given force.

@@ -191,6 +191,13 @@ fn body_labels(board: &mut Board, view: &SceneView, plan: &SceneLayout, index: u
                 };
                 board.label(vec![symbol::italic("G")], Role::Dot, (LabelTie::Clear, 4.0), around);
             }
+            if view.worked && p.on.is_some() {
+                // The point about which a rolling body turns at each instant.
+                let at = p.centre - p.top * p.contact;
+                board.dot(at);
+                let below = vec![(at, -p.top), (at, p.forward - p.top), (at, -p.forward - p.top)];
+                board.label(vec![symbol::italic("C")], Role::Dot, (LabelTie::Clear, 4.0), below);
+            }
             let mut list: Vec<Vec<TextRun>> = Vec::new();
             if let Some((n, weight)) = view.mass(body)
                 && matches!(n, Num::Datum(_))

@@ -13,6 +13,7 @@ use crate::sheet::html::Converter;
 use crate::sheet::output::{DocumentWriter, Format, WrittenDocument};
 use crate::sheet::sheets::Sheets;
 use crate::solution;
+use crate::solution::draft::Detail;
 use crate::template;
 use crate::words::Words;
 use std::collections::BTreeMap;
@@ -32,6 +33,8 @@ pub struct SolutionsJob<'j> {
     pub templates: Option<&'j Path>,
     /// Language; that of the set if not given.
     pub language: Option<&'j str>,
+    /// How much they tell.
+    pub detail: Detail,
     /// Formats.
     pub formats: &'j [Format],
     /// Replace solutions that were made before.
@@ -77,7 +80,8 @@ pub fn write(job: &SolutionsJob) -> Result<SolutionsMade, Findings> {
         let mut short = Vec::new();
         for (i, (index, variant)) in problems.iter().zip(&dealt.variants).enumerate() {
             let problem = &bank.problems[*index];
-            let (of_one, beyond) = solution::worked(problem, variant, i + 1, words, &texts.templates)?;
+            let (of_one, beyond) =
+                solution::worked(problem, variant, i + 1, job.detail, (words, &texts.templates))?;
             append(&mut whole, of_one, i + 1);
             if let Some(what) = beyond {
                 let word = if what.is_fault() { "warning" } else { "note" };

@@ -12,6 +12,7 @@ use crate::sheet::sheets::{SheetScratch, Sheets};
 use crate::sheet::texts::Texts;
 use crate::sheet::{document, html, key_table, statement};
 use crate::solution;
+use crate::solution::draft::Detail;
 use crate::solution::stop::Beyond;
 use crate::solve::outcome::Motion;
 use crate::words::Words;
@@ -75,7 +76,8 @@ pub fn tried(bank: &Bank, texts: &Texts, problems: &[usize]) -> Result<Tried, Fi
                 Err(fault) if out.faults.contains(&fault) => {}
                 Err(fault) => out.faults.push(fault),
             }
-            match solution::worked(problem, &variant, i + 1, &texts.words, &texts.templates) {
+            match solution::worked(problem, &variant, i + 1, Detail::Short, (&texts.words, &texts.templates))
+            {
                 Ok((_, None)) => {}
                 Ok((_, Some(what))) => {
                     let what = short_page(problem, variant.case, what);

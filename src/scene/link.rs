@@ -98,3 +98,45 @@ pub enum Far {
     /// A fixed point.
     Fixed,
 }
+
+/// Where the force of a tie acts on a body, positive in the sense in which the force is: friction forward, a cord away from the
+/// body. The rows of the equations of motion, the worked solutions and the free bodies of figures are made from these.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Action {
+    /// Index of the body.
+    pub body: usize,
+    /// Share along the line of the body: 1 forward, -1 back.
+    pub along: f64,
+    /// Arm about the mass centre: a radius, m, and the sense in which the force turns; `None` at the centre.
+    pub arm: Option<(Num, f64)>,
+}
+
+impl CordEnd {
+    /// The pull of the cord at this end.
+    pub fn action(&self) -> Action {
+        let along = if self.forward { 1.0 } else { -1.0 };
+        let arm = match self.attach {
+            Attach::Centre => None,
+            Attach::Wound(radius, Side::Top) => Some((radius, along)),
+            Attach::Wound(radius, Side::Bottom) => Some((radius, -along)),
+        };
+        Action { body: self.body, along, arm }
+    }
+}
+
+impl Tie {
+    /// The forces of the tie on its bodies: one of a contact, one for each end of a cord that is at a body.
+    pub fn actions(&self) -> impl Iterator<Item = Action> {
+        let [one, other] = match self {
+            Self::Roll { body, radius_m, .. } | Self::Slip { body, radius_m, .. } => {
+                [Some(Action { body: *body, along: 1.0, arm: Some((*radius_m, -1.0)) }), None]
+            }
+            Self::Slide { body, .. } => [Some(Action { body: *body, along: 1.0, arm: None }), None],
+            Self::Cord(cord) => match &cord.to {
+                Far::Body(end) => [Some(cord.from.action()), Some(end.action())],
+                Far::Pull(_) | Far::Spring { .. } | Far::Fixed => [Some(cord.from.action()), None],
+            },
+        };
+        one.into_iter().chain(other)
+    }
+}

@@ -23,7 +23,7 @@ pub use ask::{Label, Owner, Quantities, Quantity};
 pub use body::{Body, Line, Mass, Part, Particle, RotaryInertia, Shape, Slope};
 pub use force::Couple;
 pub use formula::{AsIf, Asked, Derived, Formulas, Found, Given, Term};
-pub use link::{Attach, Cord, CordEnd, Far, Side, Tie};
+pub use link::{Action, Attach, Cord, CordEnd, Far, Side, Tie};
 pub use motion::{Coordinate, Degree, End, Heading, Span, Start, Thrown};
 pub use numbers::{BodyNumbers, Numbers};
 pub use pin::{Arm, Pin, PinSpring, Rest, Zero};

@@ -6,7 +6,7 @@ use crate::solution::text::{Block, SolutionSection};
 use crate::solution::told;
 
 /// So many are told at most: nobody reads a list of all.
-const MOST: usize = 5;
+const MOST: usize = 3;
 
 /// The section; `None` if the problem lists no wrong method that can be told.
 pub fn section(draft: &Draft, number: usize) -> Option<SolutionSection> {
@@ -23,7 +23,6 @@ pub fn section(draft: &Draft, number: usize) -> Option<SolutionSection> {
         return None;
     }
     let mut section = SolutionSection::new("beware", draft.words.get("solution.title.beware"));
-    section.say(draft.words.get("solution.beware.intro"));
     section.blocks.push(Block::List(items));
     Some(section)
 }

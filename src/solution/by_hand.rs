@@ -3,9 +3,7 @@
 //! Whom this stands for: somebody who follows the worked solution with a pocket calculator. Each
 //! quantity that the solution names (a work, an effective mass, an acceleration, a tension) is computed in one go from what stands
 //! on the paper, written down with so many figures, and used as it is written from there on. Data and g are exact as
-//! printed; what the calculator does between two lines of the paper is exact too. Of the two methods of the solution such a student
-//! takes, for each question, the one that keeps more figures, as can be seen on the paper: 1200 J less 1165 J leaves two, the
-//! product of two written numbers nearly all.
+//! printed; what the calculator does between two lines of the paper is exact too.
 //!
 //! This is the honest reading of "intermediate results rounded to three figures": to round after every key of the calculator
 //! would be harsher than anybody works, and to move the data a little, as `lint` does, knows nothing of the steps. It needs no
@@ -27,25 +25,19 @@ pub struct RoundedValue {
     pub doubt: f64,
 }
 
-/// What such a student comes to for one question, by either method.
+/// What such a student comes to for one question.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ByHand {
     /// The quantity.
     pub label: Label,
-    /// From the equations of motion; `None` if the solution does not find it there.
-    pub eom: Option<RoundedValue>,
-    /// From work and energy; likewise.
-    pub energy: Option<RoundedValue>,
+    /// The number; `None` where it is none.
+    pub rounded: Option<RoundedValue>,
 }
 
 impl ByHand {
-    /// The number on the method that keeps more figures; of equal ones, that of the equations of motion. SI.
+    /// The number, SI.
     pub fn value(&self) -> Option<f64> {
-        let (first, second) = match (self.eom, self.energy) {
-            (Some(a), Some(b)) if b.doubt < a.doubt => (Some(b), Some(a)),
-            (a, b) => (a, b),
-        };
-        first.or(second).map(|r| r.value)
+        self.rounded.map(|r| r.value)
     }
 }
 
@@ -61,7 +53,7 @@ pub fn answers(
 ) -> Result<Vec<ByHand>, DerivationStop> {
     let mut draft = Draft::by_hand(problem, variant, words, figures)?;
     derive(&mut draft)?;
-    let rough = |answer: Option<DerivedAnswer>| match answer? {
+    let rough = |answer: DerivedAnswer| match answer {
         DerivedAnswer::Value(symbol) => {
             let (value, doubt) = (draft.symbols.value(symbol), draft.symbols.doubt(symbol));
             value.is_finite().then_some(RoundedValue { value, doubt })
@@ -70,5 +62,5 @@ pub fn answers(
     };
     let numbers = problem.questions.iter().filter(|q| !q.label.quantity.is_word());
     let found = numbers.filter_map(|q| draft.found.iter().find(|f| f.label == q.label));
-    Ok(found.map(|f| ByHand { label: f.label, eom: rough(f.eom), energy: rough(f.energy) }).collect())
+    Ok(found.map(|f| ByHand { label: f.label, rounded: rough(f.answer) }).collect())
 }

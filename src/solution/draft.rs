@@ -23,17 +23,23 @@ pub enum DerivedAnswer {
     Word(Word),
 }
 
-/// What was found for a label, by each method.
+/// How much a solution tells.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Detail {
+    /// What a student needs: symbols, then the number.
+    #[default]
+    Short,
+    /// Every step on a line of its own, with its numbers put in.
+    Full,
+}
+
+/// What was found for a label.
 #[derive(Debug, Clone, PartialEq)]
 pub struct FoundAnswer {
     /// Which quantity.
     pub label: Label,
-    /// From the equations of motion.
-    pub eom: Option<DerivedAnswer>,
-    /// From work and energy.
-    pub energy: Option<DerivedAnswer>,
-    /// Why there is only one method, a sentence; empty where there are two.
-    pub note: String,
+    /// The answer.
+    pub answer: DerivedAnswer,
 }
 
 /// One solution as far as it is worked.
@@ -47,6 +53,8 @@ pub struct Draft<'a> {
     pub scene: &'a Scene,
     /// The words of the language.
     pub words: &'a Words,
+    /// How much is told.
+    pub detail: Detail,
     /// All quantities: the data first.
     pub symbols: Symbols<'a>,
     /// The sections between the data and the comparison, in order.
@@ -100,6 +108,7 @@ impl<'a> Draft<'a> {
             variant,
             scene: &case.scene,
             words,
+            detail: Detail::Short,
             symbols,
             sections: Vec::new(),
             found: Vec::new(),
@@ -227,31 +236,30 @@ impl<'a> Draft<'a> {
         .collect()
     }
 
-    /// An answer from the equations of motion.
-    pub fn from_motion(&mut self, label: Label, answer: DerivedAnswer) {
-        self.entry(label).eom = Some(answer);
-    }
-
-    /// An answer from work and energy.
-    pub fn from_energy(&mut self, label: Label, answer: DerivedAnswer) {
-        self.entry(label).energy = Some(answer);
-    }
-
-    /// An answer for which there is one method only, with the sentence that says why.
-    pub fn from_one_method(&mut self, label: Label, answer: DerivedAnswer, note: &str) {
-        let entry = self.entry(label);
-        entry.eom = Some(answer);
-        entry.energy = None;
-        note.clone_into(&mut entry.note);
-    }
-
-    fn entry(&mut self, label: Label) -> &mut FoundAnswer {
-        if let Some(i) = self.found.iter().position(|f| f.label == label) {
-            return &mut self.found[i];
+    /// Gives an unknown the value of what it is equal to, with the digits of that where it is another quantity.
+    pub fn settle(&mut self, symbol: SymbolId, from: &Expr) {
+        match from {
+            Expr::Symbol(same) => self.symbols.settle_as(symbol, *same, false),
+            Expr::Minus(inner) if matches!(**inner, Expr::Symbol(_)) => {
+                if let Expr::Symbol(same) = **inner {
+                    self.symbols.settle_as(symbol, same, true);
+                }
+            }
+            from => self.symbols.settle_by(symbol, from),
         }
-        self.found.push(FoundAnswer { label, eom: None, energy: None, note: String::new() });
-        let last = self.found.len() - 1;
-        &mut self.found[last]
+    }
+
+    /// Notes an answer.
+    pub fn answer(&mut self, label: Label, answer: DerivedAnswer) {
+        match self.found.iter_mut().find(|f| f.label == label) {
+            Some(found) => found.answer = answer,
+            None => self.found.push(FoundAnswer { label, answer }),
+        }
+    }
+
+    /// What was found for a label.
+    pub fn found_for(&self, label: Label) -> Option<DerivedAnswer> {
+        self.found.iter().find(|f| f.label == label).map(|f| f.answer)
     }
 
     /// Is this quantity asked, of anything?

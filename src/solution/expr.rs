@@ -163,6 +163,18 @@ pub fn in_sense(of: Expr, sense: f64) -> Expr {
     if sense < 0.0 { minus(of) } else { of }
 }
 
+/// A sum that begins with what is added.
+pub fn positive_first(terms: Vec<Expr>) -> Expr {
+    let (minus, plus): (Vec<Expr>, Vec<Expr>) = terms
+        .into_iter()
+        .flat_map(|t| match t {
+            Expr::Sum(inner) => inner,
+            other => vec![other],
+        })
+        .partition(|t| matches!(t, Expr::Minus(_)));
+    sum(plus.into_iter().chain(minus))
+}
+
 /// The square.
 pub fn square(base: impl Into<Expr>) -> Expr {
     power(base.into(), 2)

@@ -62,6 +62,16 @@ impl Factors {
     pub fn is_one(&self) -> bool {
         *self == Self::one()
     }
+    /// Is it a number?
+    pub fn is_number(&self) -> bool {
+        self.over.is_empty() && self.under.is_empty()
+    }
+    /// The symbols that both have, above or below.
+    #[must_use]
+    pub fn shared(&self, other: &Self) -> Self {
+        let both = |a: &[Expr], b: &[Expr]| without(a, &without(a, b));
+        Self { constant: (1, 1), over: both(&self.over, &other.over), under: both(&self.under, &other.under) }
+    }
     /// The opposite.
     #[must_use]
     pub fn opposite(&self) -> Self {

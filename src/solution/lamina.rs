@@ -1,12 +1,13 @@
-//! Particles that move as one body, worked: the sum over the particles; then the mass centre and the rotation about it. About
-//! any other point there is a cross term, which is shown for the particle whose velocity is known.
+//! Particles that move as one body: the mass centre and the rotation about it, then the sum over the particles. About any other
+//! point there is a cross term, which is shown for the particle whose velocity is known.
 use crate::num::shown;
 use crate::scene::{Label, Num, Owner, Quantity, Start};
-use crate::solution::draft::Draft;
-use crate::solution::expr::{Expr, SymbolId, ratio, root, square, sum};
-use crate::solution::section_writer::SectionWriter;
+use crate::solution::draft::{DerivedAnswer, Draft};
+use crate::solution::expr::{Expr, SymbolId, ZERO, ratio, root, square, sum};
+use crate::solution::page::Page;
 use crate::solution::stop::{Beyond, DerivationStop};
 use crate::solution::symbols::{FIGURES, tex_digits};
+use crate::solution::text::Block;
 
 /// The lamina in symbols.
 struct Lamina {
@@ -20,17 +21,27 @@ struct Lamina {
     vx: Expr,
     vy: Expr,
     spin: Expr,
-    kinetic: String,
 }
 
 /// Writes the sections of a lamina.
 ///
 /// # Errors
 /// What this derivation does not cover.
-pub fn work(draft: &mut Draft) -> Result<(), DerivationStop> {
+pub fn sections(draft: &mut Draft) -> Result<(), DerivationStop> {
     let lamina = read(draft)?;
-    let mass = lamina.particles(draft);
-    lamina.decomposition(draft, mass);
+    let mut page = Page::new(draft);
+    page.begin("idea");
+    page.add(page.draft.say("lamina.idea", &[]));
+    page.begin("sketch");
+    page.out.blocks = vec![Block::Picture("scene".to_owned())];
+    let (mass, _) = lamina.decomposition(&mut page);
+    lamina.particles(&mut page);
+    lamina.cross(&mut page, mass);
+    page.begin("limits");
+    page.add(page.draft.say("lamina.limits", &[]));
+    page.begin("onward");
+    page.add(page.draft.say("lamina.onward", &[]));
+    page.end();
     Ok(())
 }
 
@@ -60,8 +71,7 @@ fn read(draft: &mut Draft) -> Result<Lamina, DerivationStop> {
     let vx = draft.number(vx, "v_x", "m/s");
     let vy = draft.number(vy, "v_y", "m/s");
     let spin = draft.number(spin, r"\omega", "rad/s");
-    let kinetic = draft.free(&["T", "E"]);
-    Ok(Lamina { body, known, names, m, x, y, vx, vy, spin, kinetic })
+    Ok(Lamina { body, known, names, m, x, y, vx, vy, spin })
 }
 
 /// What rounding leaves of a difference of equal places, SI; a particle of a problem is never so near.
@@ -78,24 +88,16 @@ impl Lamina {
         Label { quantity, of: Owner::Body(self.body) }
     }
 
-    fn energy_label() -> Label {
-        Label { quantity: Quantity::KineticEnergy, of: Owner::Scene }
-    }
-
     fn count(&self) -> usize {
         self.names.len()
     }
 
     /// A sum over the particles, as a quantity of its own, with how it is written.
-    fn total(
-        &self,
-        page: &mut SectionWriter,
-        tex: &str,
-        unit: &str,
-        term: &dyn Fn(usize) -> Expr,
-    ) -> SymbolId {
+    fn total(&self, page: &mut Page, tex: &str, unit: &str, term: &dyn Fn(usize) -> Expr) -> SymbolId {
         let all = sum((0..self.count()).map(term));
-        page.quiet(tex, unit, &all)
+        let symbol = page.draft.unknown(tex, unit);
+        page.draft.symbols.settle_by(symbol, &all);
+        symbol
     }
 
     /// Velocity of a particle.
@@ -106,13 +108,7 @@ impl Lamina {
     }
 
     /// A table with a row for each particle: its name, and these cells, of which the first are data.
-    fn table(
-        &self,
-        page: &mut SectionWriter,
-        head: &[&str],
-        given: usize,
-        cells: &dyn Fn(usize) -> Vec<Expr>,
-    ) {
+    fn table(&self, page: &mut Page, head: &[&str], given: usize, cells: &dyn Fn(usize) -> Vec<Expr>) {
         let mut rows = vec![head.iter().map(|c| format!("${c}$")).collect()];
         for (i, name) in self.names.iter().enumerate() {
             let cells = cells(i).into_iter().enumerate().map(|(column, e)| match e {
@@ -127,43 +123,20 @@ impl Lamina {
         page.table(rows);
     }
 
-    // -- the sum over the particles ---------------------------------------------------------------------------------------
+    // -- the mass centre and the rotation about it ------------------------------------------------------------------------
 
-    /// Returns the whole mass, which the other method needs too.
-    fn particles(&self, draft: &mut Draft) -> SymbolId {
-        let mut page = SectionWriter::new(draft, "eom", "lamina.title_sum");
-        page.picture("scene");
-        let known = format!("${}$", self.names[self.known]);
-
-        page.say("lamina.centre", &[]);
-        let head = [
-            "i",
-            r"m_i\ (\mathrm{kg})",
-            r"x_i\ (\mathrm{m})",
-            r"y_i\ (\mathrm{m})",
-            r"m_i\,x_i\ (\mathrm{kg}\,\mathrm{m})",
-            r"m_i\,y_i\ (\mathrm{kg}\,\mathrm{m})",
-        ];
-        self.table(&mut page, &head, 3, &|i| {
-            let (m, x, y) = (&self.m[i], &self.x[i], &self.y[i]);
-            vec![m.clone(), x.clone(), y.clone(), m * x, m * y]
-        });
-        let mass_name = page.free(&["m", "M"]);
-        let mass = self.total(&mut page, r"\sum m_i", "kg", &|i| self.m[i].clone());
-        let moment = |page: &mut SectionWriter, letter: &str, c: &[Expr]| {
+    fn decomposition(&self, page: &mut Page) -> (SymbolId, SymbolId) {
+        page.begin_as("short", "short_lamina");
+        page.add(page.draft.say("lamina.centre", &[]));
+        let mass_sum = self.total(page, r"\sum m_i", "kg", &|i| self.m[i].clone());
+        let moment = |page: &mut Page, letter: &str, c: &[Expr]| {
             let tex = format!(r"\sum m_i\,{letter}_i");
             self.total(page, &tex, "kg m", &|i| &self.m[i] * &c[i])
         };
-        let (mx, my) = (moment(&mut page, "x", &self.x), moment(&mut page, "y", &self.y));
-        let mass = page.find(&mass_name, "kg", mass);
-        let x = page.find("x_G", "m", mx / mass);
-        let y = page.find("y_G", "m", my / mass);
-        page.motion(self.label(Quantity::XG), x);
-        page.motion(self.label(Quantity::YG), y);
-
-        // Inertia about the mass centre.
-        page.say("lamina.inertia", &[]);
-        page.formula(r"\rho_i = \sqrt{\left(x_i - x_G\right)^{2} + \left(y_i - y_G\right)^{2}}");
+        let (mx, my) = (moment(page, "x", &self.x), moment(page, "y", &self.y));
+        let mass = page.find(&["m", "M"], "kg", mass_sum);
+        let x = page.find(&["x_G"], "m", mx / mass);
+        let y = page.find(&["y_G"], "m", my / mass);
         let from_centre = |i: usize| (&self.x[i] - x, &self.y[i] - y);
         let arm = |i: usize| {
             let (dx, dy) = from_centre(i);
@@ -171,26 +144,58 @@ impl Lamina {
         };
         let head = [
             "i",
-            r"x_i - x_G\ (\mathrm{m})",
-            r"y_i - y_G\ (\mathrm{m})",
+            r"m_i\ (\mathrm{kg})",
+            r"x_i\ (\mathrm{m})",
+            r"y_i\ (\mathrm{m})",
+            r"m_i\,x_i\ (\mathrm{kg}\,\mathrm{m})",
+            r"m_i\,y_i\ (\mathrm{kg}\,\mathrm{m})",
             r"\rho_i\ (\mathrm{m})",
             r"m_i\,\rho_i^{2}\ (\mathrm{kg}\,\mathrm{m}^{2})",
         ];
-        self.table(&mut page, &head, 0, &|i| {
-            let (dx, dy) = from_centre(i);
-            vec![dx, dy, root(arm(i)), &self.m[i] * arm(i)]
+        self.table(page, &head, 3, &|i| {
+            let (m, x, y) = (&self.m[i], &self.x[i], &self.y[i]);
+            vec![m.clone(), x.clone(), y.clone(), m * x, m * y, root(arm(i)), m * arm(i)]
         });
-        let own_sum = self.total(&mut page, r"\sum m_i\,\rho_i^{2}", "kg m^2", &|i| &self.m[i] * arm(i));
-        let own = page.find("I_G", "kg m^2", own_sum);
-        page.motion(self.label(Quantity::IG), own);
+        page.formula(r"\rho_i = \sqrt{\left(x_i - x_G\right)^{2} + \left(y_i - y_G\right)^{2}}".to_owned());
+        let own_sum = self.total(page, r"\sum m_i\,\rho_i^{2}", "kg m^2", &|i| &self.m[i] * arm(i));
+        let own = page.find(&["I_G"], "kg m^2", own_sum);
+        for symbol in [mass, x, y, own] {
+            let from = page.steps.iter().find(|s| s.symbol == symbol).map(|s| s.from.clone());
+            page.display(symbol, &from.unwrap_or(ZERO), "");
+        }
+        for (quantity, symbol) in [(Quantity::XG, x), (Quantity::YG, y), (Quantity::IG, own)] {
+            page.draft.answer(self.label(quantity), DerivedAnswer::Value(symbol));
+        }
+        let k = self.known;
+        let known = format!("${}$", self.names[k]);
+        page.add(page.draft.say("lamina.velocity", &[("known", &known)]));
+        let vx = &self.vx - &self.spin * (y - &self.y[k]);
+        let vy = &self.vy + &self.spin * (x - &self.x[k]);
+        let vx = page.find(&["v_{Gx}"], "m/s", vx);
+        let vy = page.find(&["v_{Gy}"], "m/s", vy);
+        page.tell_new();
+        page.add(page.draft.say("lamina.split", &[]));
+        let centre = ratio(1, 2) * mass * (square(vx) + square(vy));
+        let turning = ratio(1, 2) * own * square(&self.spin);
+        let energy = page.find(&["T", "E"], "J", centre + turning);
+        page.draft.answer(
+            Label { quantity: Quantity::KineticEnergy, of: Owner::Scene },
+            DerivedAnswer::Value(energy),
+        );
+        page.tell_new();
+        (mass, energy)
+    }
 
-        // Velocities.
-        page.say("lamina.velocities", &[("known", &known)]);
+    // -- the sum over the particles, and why about G ------------------------------------------------------------------------
+
+    fn particles(&self, page: &mut Page) {
+        page.begin_as("long", "long_lamina");
+        let known = format!("${}$", self.names[self.known]);
+        page.add(page.draft.say("lamina.velocities", &[("known", &known)]));
         let (vx, vy, spin) = (page.tex(&self.vx), page.tex(&self.vy), page.tex(&self.spin));
         let (xk, yk) = (page.tex(&self.x[self.known]), page.tex(&self.y[self.known]));
         page.formula(format!(r"v_{{x,i}} = {vx} - {spin}\,\left(y_i - {yk}\right)"));
         page.formula(format!(r"v_{{y,i}} = {vy} + {spin}\,\left(x_i - {xk}\right)"));
-        page.formula(r"v_i = \sqrt{v_{x,i}^{2} + v_{y,i}^{2}}");
         let speed = |i: usize| {
             let (ux, uy) = self.velocity(i);
             square(ux) + square(uy)
@@ -203,78 +208,27 @@ impl Lamina {
             r"v_i\ (\mathrm{m}/\mathrm{s})",
             r"\tfrac{1}{2}\,m_i\,v_i^{2}\ (\mathrm{J})",
         ];
-        self.table(&mut page, &head, 0, &|i| {
+        self.table(page, &head, 0, &|i| {
             let (ux, uy) = self.velocity(i);
             vec![ux, uy, root(speed(i)), share(i)]
         });
-        let energy = self.total(&mut page, r"\sum \tfrac{1}{2}\,m_i\,v_i^{2}", "J", &share);
-        let energy = page.find(&self.kinetic, "J", energy);
-        page.motion(Self::energy_label(), energy);
-        page.done();
-        mass
+        page.formula(r"v_i = \sqrt{v_{x,i}^{2} + v_{y,i}^{2}}".to_owned());
+        let energy = self.total(page, r"\sum \tfrac{1}{2}\,m_i\,v_i^{2}", "J", &share);
+        let again = page.find(&["T", "E"], "J", energy);
+        page.display(again, &energy.into(), "");
     }
 
-    // -- the mass centre and the rotation about it ------------------------------------------------------------------------
-
-    fn decomposition(&self, draft: &mut Draft, mass: SymbolId) {
-        let mut page = SectionWriter::new(draft, "energy", "lamina.title_split");
+    fn cross(&self, page: &mut Page, mass: SymbolId) {
+        page.begin("why");
+        let known = format!("${}$", self.names[self.known]);
+        let (n, count) = (self.count().to_string(), (2 * self.count()).to_string());
+        page.add(page.draft.say("lamina.why", &[("n", &n), ("count", &count)]));
+        page.add(page.draft.say("lamina.cross", &[("known", &known)]));
         let k = self.known;
-        let known = format!("${}$", self.names[k]);
-        let name = &self.names[k];
-        // The mass centre as seen from the known particle.
-        page.say("lamina.seen", &[("known", &known)]);
-        let seen = |page: &mut SectionWriter, letter: &str, c: &[Expr]| {
-            let tex = format!(r"\sum m_i\,\left({letter}_i - {}\right)", page.tex(&c[k]));
-            let moment = self.total(page, &tex, "kg m", &|i| &self.m[i] * (&c[i] - &c[k]));
-            let tex = format!(r"\Delta {letter}");
-            page.find(&tex, "m", moment / mass)
-        };
-        let dx = seen(&mut page, "x", &self.x);
-        let dy = seen(&mut page, "y", &self.y);
-        let x = page.find("x_G", "m", &self.x[k] + dx);
-        let y = page.find("y_G", "m", &self.y[k] + dy);
-        page.energy(self.label(Quantity::XG), x);
-        page.energy(self.label(Quantity::YG), y);
-        page.say("lamina.velocity", &[]);
-        let vx = &self.vx - &self.spin * dy;
-        let vy = &self.vy + &self.spin * dx;
-        let vx = page.find("v_{Gx}", "m/s", &vx);
-        let vy = page.find("v_{Gy}", "m/s", &vy);
-
-        // The inertia by parallel axes from the known particle.
-        page.say("lamina.parallel", &[("known", &known)]);
-        let about_tex = format!("I_{{{name}}}");
-        let arm = |i: usize| square(&self.x[i] - &self.x[k]) + square(&self.y[i] - &self.y[k]);
-        let tex = format!(
-            r"\sum m_i\,\left(\left(x_i - {}\right)^{{2}} + \left(y_i - {}\right)^{{2}}\right)",
-            page.tex(&self.x[k]),
-            page.tex(&self.y[k])
-        );
-        let about = self.total(&mut page, &tex, "kg m^2", &|i| &self.m[i] * arm(i));
-        let about = page.find(&about_tex, "kg m^2", about);
-        let distance = square(dx) + square(dy);
-        let moved = mass * distance;
-        let own = page.find("I_G", "kg m^2", about - moved);
-        page.energy(self.label(Quantity::IG), own);
-
-        // The decomposition.
-        page.say("lamina.split", &[]);
-        let centre = ratio(1, 2) * mass * (square(vx) + square(vy));
-        let turning = ratio(1, 2) * own * square(&self.spin);
-        let centre = page.find(&format!("{}_v", self.kinetic), "J", &centre);
-        let turning = page.find(&format!(r"{}_{{\omega}}", self.kinetic), "J", &turning);
-        let energy = page.find(&self.kinetic, "J", centre + turning);
-        page.energy(Self::energy_label(), energy);
-
-        // The cross term about the known particle.
-        page.say("lamina.cross", &[("known", &known)]);
-        let cross = mass * &self.spin * (&self.vy * dx - &self.vx * dy);
-        let cross_tex = format!(r"{}_{{\times}}", self.kinetic);
-        let cross = page.find(&cross_tex, "J", &cross);
-        let first = ratio(1, 2) * mass * (square(&self.vx) + square(&self.vy));
-        let last = ratio(1, 2) * about * square(&self.spin);
-        page.find(&self.kinetic, "J", first + cross + last);
-        page.say("lamina.same", &[]);
-        page.done();
+        let named = |tex: &str| page.draft.symbols.named(tex);
+        let (Some(x), Some(y)) = (named("x_G"), named("y_G")) else { return };
+        let cross = mass * &self.spin * (&self.vy * (x - &self.x[k]) - &self.vx * (y - &self.y[k]));
+        page.find(&[r"T_{\times}", r"E_{\times}"], "J", cross);
+        page.tell_new();
     }
 }

@@ -1,26 +1,30 @@
-//! Worked solutions: both methods in symbols and numbers, from the scene's own terms. A third derivation beside the two that
-//! make the key: a solution whose numbers are not those of the key is never printed, a short page stands in its place.
+//! Worked solutions: two pages that go the short way, show the long one, and say why the first is shorter. A solution whose numbers
+//! are not those of the key is never printed, a short page stands in its place.
 //!
-//! A derivation works on a [`draft::Draft`]: it writes its sections and says what it has found by which method. The sections, by
-//! id, in the order of the text:
-//! - `given`: the data in SI, what is asked;
-//! - whatever the derivation writes: `forces`, `eom`, `energy`, ...;
-//! - `agree`: what both methods found; `regime`: the check of what was assumed;
-//! - `answers`: the answers, rounded; `beware`: wrong methods of the problem, with what they would give.
+//! The terms of a scene (each action with its point, velocity ratios, inertias) are read in [`terms`]; [`account`] derives each
+//! quantity from them, [`narrate`] words them; a pinned body ([`pinned`]), one thrown with slip ([`thrown`]), an instant
+//! ([`instant`]) and particles ([`lamina`]) bring terms of their own and use the same [`page::Page`]. The sections, by id, in
+//! the order of the text, each where there is something to say:
+//! - `answers` in a box, `given`: the data; `idea`, `sketch`;
+//! - `rolled`: could it roll? `short`, `long`, `why`: both ways, and why the first is shorter;
+//! - `forces`, `swings`, `rest`: what energy is silent about, and what else is asked;
+//! - `holds`: is what was assumed so? `limits`; `beware`: wrong methods with what they would give; `onward`: a question.
 //!
-//! What no derivation covers has a short page: `given`, `beyond` with the reason, `answers`.
+//! What is not covered has a short page: `answers`, `given`, `beyond` with the reason.
+pub mod account;
 pub mod beware;
 pub mod by_hand;
 pub mod draft;
 pub mod expr;
 pub mod factors;
+pub mod instant;
 pub mod lamina;
-pub mod linear;
-pub mod mass;
+pub mod narrate;
+pub mod page;
 pub mod pinned;
-pub mod section_writer;
 pub mod stop;
 pub mod symbols;
+pub mod terms;
 pub mod text;
 pub mod thrown;
 pub mod valued;
@@ -28,15 +32,14 @@ pub mod written;
 
 use crate::bank::{Problem, Question};
 use crate::figure;
-use crate::figure::names;
 use crate::finding::Finding;
 use crate::num::shown;
 use crate::picture::Picture;
 use crate::problem::make_key;
 use crate::problem::maker::Variant;
-use crate::scene::{End, Label, Owner, Scene, Slope, Tie};
+use crate::scene::{End, Owner, Scene, Slope};
 use crate::sheet::document::Document;
-use crate::solution::draft::{DerivedAnswer, Draft, FoundAnswer};
+use crate::solution::draft::{DerivedAnswer, Detail, Draft};
 use crate::solution::stop::{Beyond, DerivationStop};
 use crate::solution::symbols::tex_digits;
 use crate::solution::text::{Block, SolutionSection};
@@ -59,7 +62,7 @@ pub fn document(
     words: &Words,
     templates: &Templates,
 ) -> Result<Document, Finding> {
-    worked(problem, variant, number, words, templates).map(|(document, _)| document)
+    worked(problem, variant, number, Detail::Short, (words, templates)).map(|(document, _)| document)
 }
 
 /// The same, and what the derivations do not cover, if it is a short page for that reason.
@@ -70,10 +73,10 @@ pub fn worked(
     problem: &Problem,
     variant: &Variant,
     number: usize,
-    words: &Words,
-    templates: &Templates,
+    detail: Detail,
+    (words, templates): (&Words, &Templates),
 ) -> Result<(Document, Option<Beyond>), Finding> {
-    made(problem, variant, number, (words, templates), &|draft| {
+    made(problem, variant, number, (words, templates, detail), &|draft| {
         figure::all(draft.problem, draft.variant, draft.words)
     })
 }
@@ -89,7 +92,8 @@ pub fn text(
     words: &Words,
     templates: &Templates,
 ) -> Result<String, Finding> {
-    made(problem, variant, number, (words, templates), &|_| Vec::new()).map(|(d, _)| d.markdown)
+    made(problem, variant, number, (words, templates, Detail::Short), &|_| Vec::new())
+        .map(|(d, _)| d.markdown)
 }
 
 /// The pictures that a solution may show, by name.
@@ -99,10 +103,11 @@ fn made(
     problem: &Problem,
     variant: &Variant,
     number: usize,
-    (words, templates): (&Words, &Templates),
+    (words, templates, detail): (&Words, &Templates, Detail),
     pictures: Pictures,
 ) -> Result<(Document, Option<Beyond>), Finding> {
     let mut draft = Draft::new(problem, variant, words)?;
+    draft.detail = detail;
     let beyond = match derive(&mut draft).and_then(|()| check(&draft)) {
         Ok(()) => None,
         Err(DerivationStop::Fault(fault)) => return Err(fault),
@@ -114,25 +119,22 @@ fn made(
     };
     let mut sections = std::mem::take(&mut draft.sections);
     let answers = answers(&draft, number);
-    sections.push(given(&draft, number));
+    let mut first = SolutionSection::new("answers", words.get("solution.title.answers"));
+    first.blocks.push(Block::Box(answers.iter().map(|(id, answer)| format!("`{id}` {answer}")).collect()));
+    sections.insert(0, first);
+    sections.insert(1, given(&draft));
     match beyond {
-        None => {
-            sections.push(agree(&draft, number));
-            sections.extend(beware::section(&draft, number));
-        }
+        None => sections.extend(beware::section(&draft, number)),
         Some(what) => {
             let mut section = SolutionSection::new("beyond", words.get("solution.title.beyond"));
             section.say(words.say("solution.short", &[("what", &what.text(words))]));
             sections.push(section);
         }
     }
-    let mut last = SolutionSection::new("answers", words.get("solution.title.answers"));
-    if beyond.is_none() {
-        last.say(words.get("solution.answers"));
+    if let Some(at) = sections.iter().position(|s| s.id == "onward") {
+        let last = sections.remove(at);
+        sections.push(last);
     }
-    last.blocks.push(Block::List(answers.iter().map(|(id, answer)| format!("`{id}`: {answer}")).collect()));
-    sections.push(last);
-    sections.sort_by_key(|s| rank(s.id));
 
     let pictures = if beyond.is_none() { pictures(&draft) } else { Vec::new() };
     for section in &mut sections {
@@ -158,6 +160,7 @@ fn made(
         template::map([
             ("id", template::finished(s.id)),
             ("title", template::finished(&s.title)),
+            ("gap", template::finished(s.gap())),
             ("body", template::finished(body)),
         ])
     });
@@ -192,59 +195,45 @@ fn derive(draft: &mut Draft) -> Result<(), DerivationStop> {
         return Err(Beyond::Found.into());
     }
     if draft.scene.bodies.iter().any(|b| !b.particles.is_empty()) {
-        return lamina::work(draft);
+        return lamina::sections(draft);
     }
     if draft.scene.pinned().is_some() {
-        return pinned::work(draft);
+        return pinned::sections(draft);
     }
     if draft.scene.thrown().is_some() && draft.scene.end != End::AtOnce {
-        return thrown::work(draft);
+        return thrown::sections(draft);
     }
-    linear::sections(draft)
-}
-
-/// Place of a section in the text.
-fn rank(id: &str) -> u8 {
-    match id {
-        "given" => 0,
-        "agree" => 2,
-        "regime" => 3,
-        "answers" => 4,
-        "beware" => 5,
-        _ => 1,
-    }
+    narrate::sections(draft)
 }
 
 /// Is every question answered, and every number that of the key?
 fn check(draft: &Draft) -> Result<(), DerivationStop> {
     for q in &draft.problem.questions {
-        if !draft.found.iter().any(|f| f.label == q.label && (f.eom.is_some() || f.energy.is_some())) {
+        if draft.found_for(q.label).is_none() {
             return Err(Beyond::Quantity(q.label.quantity).into());
         }
     }
     for found in &draft.found {
-        for answer in [found.eom, found.energy].into_iter().flatten() {
-            match answer {
-                DerivedAnswer::Value(symbol) => {
-                    let Some(entry) = draft.variant.solved.get(found.label) else { continue };
-                    let (here, key) = (draft.symbols.value(symbol), entry.value());
-                    // What is the small rest of large terms is judged by their size.
-                    let scale = here.abs().max(key.abs()) * entry.cond.max(1.0);
-                    let scale = if scale.is_nan() { entry.scale } else { scale.max(entry.scale) };
-                    // A formula that yields no number does not cover the case; another number than the key's is wrong.
-                    if !here.is_finite() && key.is_finite() {
-                        return Err(Beyond::Unfound.into());
-                    }
-                    if !(here - key).abs().le(&(AGREEMENT_REL * scale)) {
-                        return Err(Beyond::Differs(found.label.quantity).into());
-                    }
+        match found.answer {
+            DerivedAnswer::Value(symbol) => {
+                let Some(entry) = draft.variant.solved.get(found.label) else { continue };
+                let (here, key) = (draft.symbols.value(symbol), entry.value());
+                // What is the small rest of large terms is judged by their size.
+                let scale = here.abs().max(key.abs()) * entry.cond.max(1.0);
+                let scale = if scale.is_nan() { entry.scale } else { scale.max(entry.scale) };
+                // A formula that yields no number does not cover the case; another number than the key's is wrong.
+                if !here.is_finite() && key.is_finite() {
+                    return Err(Beyond::Unfound.into());
                 }
-                DerivedAnswer::Word(word) => {
-                    if let Some(key) = draft.variant.solved.word(found.label)
-                        && key != word
-                    {
-                        return Err(Beyond::Differs(found.label.quantity).into());
-                    }
+                if !(here - key).abs().le(&(AGREEMENT_REL * scale)) {
+                    return Err(Beyond::Differs(found.label.quantity).into());
+                }
+            }
+            DerivedAnswer::Word(word) => {
+                if let Some(key) = draft.variant.solved.word(found.label)
+                    && key != word
+                {
+                    return Err(Beyond::Differs(found.label.quantity).into());
                 }
             }
         }
@@ -252,88 +241,15 @@ fn check(draft: &Draft) -> Result<(), DerivationStop> {
     Ok(())
 }
 
-/// Name of a quantity in words, with the symbol that it was found under: `angular speed $\omega$`.
-fn named(draft: &Draft, label: Label) -> String {
-    let forward = way(draft.scene, label.of, 1.0).map_or("", |w| draft.words.get(w));
-    let name = draft.say(&format!("solution.name.{}", label.quantity.name()), &[("way", forward)]);
-    let mut questions = draft.problem.questions.iter();
-    let several = questions.any(|q| q.label.quantity == label.quantity && q.label.of != label.of);
-    let owner = match label.of {
-        Owner::Body(b) => names::body_within(draft.words, draft.scene, b),
-        Owner::Tie(t) => match &draft.scene.ties[t] {
-            Tie::Cord(cord) => names::cord(draft.words, draft.scene, cord),
-            Tie::Roll { .. } | Tie::Slip { .. } | Tie::Slide { .. } => String::new(),
-        },
-        Owner::Scene | Owner::Asked(_) => String::new(),
-    };
-    let of = if several && !owner.is_empty() { format!(" ({owner})") } else { String::new() };
-    let symbol = draft.found.iter().find(|f| f.label == label).and_then(|f| match f.eom.or(f.energy)? {
-        DerivedAnswer::Value(symbol) => Some(draft.symbols.tex(symbol)),
-        DerivedAnswer::Word(_) => None,
-    });
-    match symbol {
-        Some(tex) => format!("{name}{of} ${tex}$"),
-        None => format!("{name}{of}"),
-    }
-}
-
 /// `1.omega`
 fn id_of(number: usize, q: &Question) -> String {
     format!("{number}.{}", q.id)
 }
 
-fn given(draft: &Draft, number: usize) -> SolutionSection {
+fn given(draft: &Draft) -> SolutionSection {
     let mut section = SolutionSection::new("given", draft.words.get("solution.title.given"));
     let data: Vec<String> = draft.told().iter().map(|d| format!("${d}$")).collect();
-    let phrase = if draft.degrees_told() { "solution.given_angles" } else { "solution.given" };
-    section.say(draft.say(phrase, &[("data", &data.join(", "))]));
-    let asked = draft.problem.questions.iter();
-    let asked: Vec<String> =
-        asked.map(|q| format!("{} (`{}`)", named(draft, q.label), id_of(number, q))).collect();
-    section.say(draft.say("solution.asked", &[("list", &asked.join(", "))]));
-    section
-}
-
-/// What both methods found, question by question.
-fn agree(draft: &Draft, number: usize) -> SolutionSection {
-    let w = draft.words;
-    let mut section = SolutionSection::new("agree", w.get("solution.title.agree"));
-    // What is summed over particles has no motion and no work.
-    let methods = match draft.scene.bodies.iter().any(|b| !b.particles.is_empty()) {
-        true => ["particles", "decomposed"],
-        false => ["eom", "energy"],
-    };
-    let head = ["question", methods[0], methods[1], "difference"];
-    let mut rows = vec![head.map(|h| w.get(&format!("solution.agree.{h}")).to_owned()).to_vec()];
-    let mut notes: Vec<String> = Vec::new();
-    let shown = |answer: Option<DerivedAnswer>| match answer {
-        None => "–".to_owned(),
-        Some(DerivedAnswer::Value(symbol)) => format!("${}$", draft.symbols.shown(symbol)),
-        Some(DerivedAnswer::Word(word)) => format!("`{}`", said(w, word)),
-    };
-    for q in &draft.problem.questions {
-        let Some(FoundAnswer { eom, energy, note, .. }) = draft.found.iter().find(|f| f.label == q.label)
-        else {
-            continue;
-        };
-        let difference = match (eom, energy) {
-            (Some(DerivedAnswer::Value(a)), Some(DerivedAnswer::Value(b))) => {
-                format!("${}$", draft.symbols.difference(*a, *b))
-            }
-            (Some(_), Some(_)) => w.get("solution.agree.same").to_owned(),
-            _ => "–".to_owned(),
-        };
-        let cell = format!("`{}`", id_of(number, q));
-        rows.push(vec![cell, shown(*eom), shown(*energy), difference]);
-        if !note.is_empty() && !notes.contains(note) {
-            notes.push(note.clone());
-        }
-    }
-    section.say(w.get("solution.agree.text"));
-    section.blocks.push(Block::Table(rows));
-    for note in notes {
-        section.say(note);
-    }
+    section.say(format!("{}.", data.join(", ")));
     section
 }
 
@@ -344,7 +260,7 @@ fn answers(draft: &Draft, number: usize) -> Vec<(String, String)> {
             let word = draft.variant.solved.word(q.label);
             return word.map_or_else(String::new, |w| format!("`{}`", said(draft.words, w)));
         };
-        let found = draft.found.iter().find(|f| f.label == q.label).and_then(|f| f.eom.or(f.energy));
+        let found = draft.found_for(q.label);
         let symbol = match found {
             Some(DerivedAnswer::Value(symbol)) => format!("${} = ", draft.symbols.tex(symbol)),
             _ => "$".to_owned(),

@@ -5,7 +5,7 @@ use crate::solution::expr::SymbolId;
 use crate::words::Words;
 
 /// Significant figures of values on the way; answers have those that their question asks.
-pub const FIGURES: usize = 6;
+pub const FIGURES: usize = 4;
 
 #[derive(Debug, Clone)]
 struct QuantityLine {
@@ -71,6 +71,11 @@ impl<'w> Symbols<'w> {
     /// A quantity that is not known yet: it can be written, not valued.
     pub fn unknown(&mut self, tex: &str, unit: &str) -> SymbolId {
         self.given(tex, f64::NAN, &shown::significant(f64::NAN, FIGURES), unit, false)
+    }
+
+    /// The quantity that bears this symbol and has a value.
+    pub fn named(&self, tex: &str) -> Option<SymbolId> {
+        self.lines.iter().rposition(|l| l.tex == tex && !l.value.is_nan()).map(SymbolId)
     }
 
     /// A quantity that is not known yet, of the kind of another.

@@ -23,6 +23,8 @@ pub enum Block {
     Formula(String),
     /// The picture of this name.
     Picture(String),
+    /// Pieces of Markdown in a box.
+    Box(Vec<String>),
     /// A list, each item Markdown.
     List(Vec<String>),
     /// A table of Markdown cells, first row the head.
@@ -54,6 +56,10 @@ impl SolutionSection {
         }
         self.blocks.push(Block::Formula(worked(symbols, symbol, from)));
     }
+    /// What stands between its title and its text: a space where words go on, else an empty line.
+    pub fn gap(&self) -> &'static str {
+        if matches!(self.blocks.first(), Some(Block::Words(_))) { " " } else { "\n\n" }
+    }
     /// Its blocks as Markdown; `alt` tells what a picture shows.
     pub fn markdown(&self, alt: &dyn Fn(&str) -> String) -> String {
         let mut out = String::new();
@@ -65,6 +71,10 @@ impl SolutionSection {
                 Block::Words(words) => out.push_str(words),
                 Block::Formula(tex) => out.push_str(&format!("$${tex}$$")),
                 Block::Picture(name) => out.push_str(&format!("![{}]({name}.svg)", alt(name))),
+                Block::Box(items) => {
+                    out.push_str("> ");
+                    out.push_str(&items.join(" · "));
+                }
                 Block::List(items) => {
                     let items: Vec<String> = items.iter().map(|i| format!("- {i}")).collect();
                     out.push_str(&items.join("\n"));

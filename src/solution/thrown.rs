@@ -1,15 +1,17 @@
-//! A body thrown with slip, worked: friction against the slip until the contact is at rest, rolling from then on; then by
-//! the angular momentum about the surface, in which friction has no lever, the energy of the slip, and the whole balance with
-//! its heat.
+//! A body thrown with slip: its terms while it slips and once it rolls, told with the words of all solutions. Friction is known
+//! while it slips, and the slip ends at a time, so the equations of motion come first.
 use crate::scene::{End, Label, Owner, Quantity, Slope, Thrown};
 use crate::solution;
+use crate::solution::account::{marked, of_scene};
 use crate::solution::draft::{DerivedAnswer, Draft};
 use crate::solution::expr::{
-    Expr, ONE, SymbolId, ZERO, cosine, magnitude, number as whole, ratio, signed, sine, square,
+    Expr, ONE, SymbolId, ZERO, cosine, in_sense, magnitude, positive_first, ratio, signed, sine, square, sum,
 };
-use crate::solution::mass;
-use crate::solution::section_writer::SectionWriter;
+use crate::solution::factors::Factors;
+use crate::solution::page::Page;
 use crate::solution::stop::{Beyond, DerivationStop};
+use crate::solution::terms;
+use crate::solution::text::Block;
 use crate::solve::outcome::Word;
 
 /// The body in symbols.
@@ -18,10 +20,10 @@ struct ThrownBody {
     /// Is forward up the slope?
     up: bool,
     level: bool,
-    m: Expr,
+    m: Factors,
     g: Expr,
     /// Moment of inertia about the mass centre.
-    own: Expr,
+    own: Factors,
     /// Radius of the contact.
     c: Expr,
     sine: Expr,
@@ -32,860 +34,436 @@ struct ThrownBody {
     w0: Expr,
     /// The time asked, where the motion ends after a time.
     t1: Option<Expr>,
-    names: ThrownNames,
 }
 
-/// How the unknowns are written.
-struct ThrownNames {
-    a: String,
-    alpha: String,
-    friction: String,
-    normal: String,
-    slip: String,
-    v: String,
-    omega: String,
-    x: String,
-    phi: String,
-    way: String,
-    heat: String,
-    kinetic: String,
-    momentum: String,
-}
-
-/// What becomes of the slip by the end.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum SlipPhase {
-    /// The end is the start of rolling.
-    Event,
-    /// It still slips.
-    Slips,
-    /// It rolls by then.
-    Rolls,
-}
-
-/// What the first method has found and the second needs.
-struct ThrownResults {
-    phase: SlipPhase,
-    /// Slip at the start, positive forward.
+/// What is known of the body while it slips.
+struct Slipping {
+    normal: SymbolId,
+    friction: SymbolId,
+    a: SymbolId,
+    alpha: SymbolId,
+    /// Slip at the start, and its rate.
     slip: SymbolId,
+    rate: SymbolId,
     /// Sense of the slip: 1 forward.
     sense: f64,
-    normal: SymbolId,
-    /// Time of the event, if it comes.
+    /// When it ends.
     event: Option<SymbolId>,
-    /// Velocity of the centre at the end.
-    v: SymbolId,
 }
 
-/// The slip at the start.
-struct StartSlip {
-    /// Positive forward.
-    start: SymbolId,
-    /// Its size.
-    speed: SymbolId,
-    /// 1 forward, -1 back.
-    sense: f64,
-}
-
-/// Velocity, spin, displacement and angle at the end of a leg.
-struct LegEnd {
+/// Velocity, spin, displacement and angle at one time.
+#[derive(Clone, Copy)]
+struct State {
     v: SymbolId,
     w: SymbolId,
     x: SymbolId,
     phi: SymbolId,
 }
 
-/// The slip, from its energy.
-struct SlipByEnergy {
-    /// How far the contact slips.
-    way: SymbolId,
-    /// The slip that is left at the end.
-    left: Expr,
-    /// How long it slips.
-    time: Expr,
-    /// The same where the slip ends before the motion does.
-    event: Option<SymbolId>,
-}
-
-/// Accelerations and friction on a leg.
-struct LegRates {
-    a: SymbolId,
-    alpha: SymbolId,
-    friction: SymbolId,
-}
-
-/// Half of it.
-fn half(e: Expr) -> Expr {
-    ratio(1, 2) * e
-}
-
 /// Writes the sections of a body thrown with slip.
 ///
 /// # Errors
-/// What this derivation does not cover.
-pub fn work(draft: &mut Draft) -> Result<(), DerivationStop> {
-    let Some(thrown) = draft.scene.thrown() else {
-        return Err(Beyond::Arrangement.into());
+/// What this does not cover.
+pub fn sections(draft: &mut Draft) -> Result<(), DerivationStop> {
+    let Some(thrown) = draft.scene.thrown() else { return Err(Beyond::Arrangement.into()) };
+    let throw = ThrownBody::new(draft, &thrown)?;
+    let mut page = Page::new(draft);
+    page.begin("idea");
+    throw.say(&mut page, if throw.t1.is_some() { "idea_time" } else { "idea" }, &[]);
+    page.begin("sketch");
+    let name = format!("forces-{}", page.draft.scene.bodies[throw.body].name);
+    page.out.blocks = vec![Block::Picture("scene".to_owned()), Block::Picture(name)];
+    page.begin_as("short", "one_motion");
+    let slipping = throw.slip(&mut page)?;
+    let holds = throw.holds(&page);
+    let rolls = match (&throw.t1, slipping.event) {
+        (None, Some(_)) if holds => false,
+        (None, _) => return Err(Beyond::NeverRolls.into()),
+        (Some(t1), Some(event)) => page.value(t1) > page.value(&event.into()),
+        (Some(_), None) => false,
     };
-    let throw = read(draft, &thrown)?;
-    let worked = throw.motion(draft)?;
-    throw.balance(draft, &worked);
-    throw.regime(draft, &worked);
+    if rolls && !holds {
+        return Err(Beyond::CannotRoll.into());
+    }
+    let slid: Expr = match (&throw.t1, slipping.event) {
+        (Some(t1), _) if !rolls => t1.clone(),
+        (_, Some(event)) => event.into(),
+        _ => ZERO,
+    };
+    let first = throw.state(&mut page, &slipping, &slid, rolls);
+    let energy = throw.friction_work(&mut page, &slipping, &slid, rolls);
+    let rates = [Quantity::ARolling, Quantity::FrictionIfRolled, Quantity::MuRequired];
+    let mut rolling = None;
+    if rolls || rates.iter().any(|q| page.draft.asks(*q)) {
+        rolling = Some(throw.rolling(&mut page, &slipping));
+    }
+    let last = match (rolls, rolling, &throw.t1, slipping.event) {
+        (true, Some((a, _)), Some(t1), Some(event)) => throw.rolling_leg(&mut page, first, a, t1 - event),
+        _ => first,
+    };
+    throw.other_method(&mut page, first, &slid, energy);
+    throw.answers(&mut page, &slipping, last, rolling.filter(|_| rolls));
+    throw.regime(&mut page, &slipping, rolls, holds);
+    page.begin("limits");
+    if throw.level && (rolls || throw.t1.is_none()) {
+        throw.say(&mut page, "limit_level", &[]);
+    } else {
+        throw.say(&mut page, "limit", &[]);
+    }
+    page.begin("onward");
+    throw.say(&mut page, if throw.t1.is_some() { "onward_time" } else { "onward" }, &[]);
+    page.end();
     Ok(())
 }
 
-/// Free body and inertia.
-fn read(draft: &mut Draft, thrown: &Thrown) -> Result<ThrownBody, DerivationStop> {
-    let scene = draft.scene;
-    let body = thrown.body;
-    let Some(line) = scene.bodies[body].line else {
-        return Err(Beyond::Arrangement.into());
-    };
-    let theta = match line.slope {
-        Slope::Level => None,
-        Slope::Degrees(angle) => Some(draft.number(angle, r"\theta", "deg")),
-        Slope::Vertical => {
-            return Err(Beyond::ThrownVertically.into());
-        }
-    };
-    let theta = theta.filter(|t| *t != ZERO);
-    let names = ThrownNames {
-        a: draft.free(&["a", "a_G"]),
-        alpha: draft.free(&[r"\alpha", r"\alpha_G"]),
-        friction: draft.free(&["F", "F_f"]),
-        normal: draft.free(&["N", "F_N"]),
-        slip: draft.free(&["u", "w"]),
-        v: draft.free(&["v", "v_G"]),
-        omega: draft.free(&[r"\omega", r"\Omega"]),
-        x: draft.free(&["x", "x_G"]),
-        phi: draft.free(&[r"\phi", r"\varphi", r"\psi"]),
-        way: draft.free(&["l", r"\ell", r"\lambda"]),
-        heat: draft.free(&["Q", "Q_f"]),
-        kinetic: draft.free(&["T", "E"]),
-        momentum: draft.free(&["H", "L_A"]),
-    };
-    let c = draft.number(thrown.radius_m, "R", "m");
-    let g = draft.number(scene.gravity_m_s2, "g", "m/s^2");
-    let mu_s = draft.number(thrown.mu_s, r"\mu_s", "1");
-    let mu_k = draft.number(thrown.mu_k, r"\mu_k", "1");
-    let v0 = draft.number(thrown.speed_m_s, "v_0", "m/s");
-    let w0 = draft.number(thrown.spin_rad_s, r"\omega_0", "rad/s");
-    let t1 = match scene.end {
-        End::Time(_, t) => Some(draft.number(t, "t_1", "s")),
-        End::Rolling(_) => None,
-        _ => {
-            return Err(Beyond::OtherEnd.into());
-        }
-    };
-
-    let mut page = SectionWriter::new(draft, "forces", "thrown.title_forces");
-    page.picture("scene");
-    let inclined = theta.is_some();
-    page.say(
-        if inclined { "thrown.forces_incline" } else { "thrown.forces_level" },
-        &[("friction", &names.friction), ("normal", &names.normal)],
-    );
-    let positive = if !inclined {
-        "thrown.positive_level"
-    } else if line.forward_up {
-        "thrown.positive_up"
-    } else {
-        "thrown.positive_down"
-    };
-    page.say(positive, &[("friction", &names.friction)]);
-    page.picture(&format!("forces-{}", scene.bodies[body].name));
-    let m = mass::mass(&mut page, body);
-    let own = mass::inertia(&mut page, body, &m);
-    if own == ZERO {
-        return Err(Beyond::ThrownWithoutInertia.into());
-    }
-    page.done();
-    Ok(ThrownBody {
-        body,
-        up: line.forward_up || theta.is_none(),
-        level: theta.is_none(),
-        m,
-        g,
-        own,
-        c,
-        sine: theta.clone().map_or(ZERO, sine),
-        cosine: theta.map_or(ONE, cosine),
-        mu_s,
-        mu_k,
-        v0,
-        w0,
-        t1,
-        names,
-    })
-}
-
 impl ThrownBody {
+    fn new(draft: &mut Draft, thrown: &Thrown) -> Result<Self, DerivationStop> {
+        let (scene, body) = (draft.scene, thrown.body);
+        let Some(line) = scene.bodies[body].line else { return Err(Beyond::Arrangement.into()) };
+        let theta = match line.slope {
+            Slope::Level => None,
+            Slope::Degrees(angle) => Some(draft.number(angle, r"\theta", "deg")).filter(|t| *t != ZERO),
+            Slope::Vertical => return Err(Beyond::ThrownVertically.into()),
+        };
+        let g = terms::gravity(draft);
+        let m = terms::mass(draft, &scene.bodies[body], &g, "");
+        let own = terms::inertia(draft, &scene.bodies[body], &m, &g, "");
+        let own = own.iter().fold(Factors::zero(), |all, i| all.plus(i));
+        if own.is_zero() {
+            return Err(Beyond::ThrownWithoutInertia.into());
+        }
+        Ok(Self {
+            body,
+            up: line.forward_up || theta.is_none(),
+            level: theta.is_none(),
+            m,
+            g,
+            own,
+            c: draft.number(thrown.radius_m, "R", "m"),
+            sine: theta.clone().map_or(ZERO, sine),
+            cosine: theta.map_or(ONE, cosine),
+            mu_s: draft.number(thrown.mu_s, r"\mu_s", "1"),
+            mu_k: draft.number(thrown.mu_k, r"\mu_k", "1"),
+            v0: draft.number(thrown.speed_m_s, "v_0", "m/s"),
+            w0: draft.number(thrown.spin_rad_s, r"\omega_0", "rad/s"),
+            t1: match scene.end {
+                End::Time(_, t) => Some(draft.number(t, "t_1", "s")),
+                End::Rolling(_) => None,
+                _ => return Err(Beyond::OtherEnd.into()),
+            },
+        })
+    }
+
+    fn say(&self, page: &mut Page, name: &str, pieces: &[(&str, &str)]) {
+        let text = page.draft.say(&format!("thrown.{name}"), pieces);
+        page.add(text);
+    }
+
     fn label(&self, quantity: Quantity) -> Label {
         Label { quantity, of: Owner::Body(self.body) }
     }
 
-    fn scene_label(quantity: Quantity) -> Label {
-        Label { quantity, of: Owner::Scene }
+    fn answer(&self, page: &mut Page, quantity: Quantity, symbol: SymbolId) {
+        page.draft.answer(self.label(quantity), DerivedAnswer::Value(symbol));
     }
 
-    /// Component of the weight against forward, positive where forward is up.
-    fn weight(&self) -> Expr {
-        signed(&self.m * &self.g * &self.sine, self.up)
-    }
-
-    /// The same times something; the sine stays last, where nothing can be read into it.
-    fn weight_times(&self, factor: Expr) -> Expr {
-        signed(&self.m * &self.g * factor * &self.sine, self.up)
-    }
-
-    /// The same as an acceleration.
-    fn fall(&self) -> Expr {
-        signed(&self.g * &self.sine, self.up)
+    /// Component of the weight against forward, positive where forward is up, over a length or a time.
+    fn weight(&self, by: &Expr) -> Expr {
+        let size =
+            self.m.times(&Factors::of(&self.g)).times(&Factors::of(by)).times(&Factors::of(&self.sine));
+        signed(size.expr(), self.up)
     }
 
     /// The words for where something points that is positive forward.
-    fn way<'w>(&self, draft: &Draft<'w>, forward: f64) -> &'w str {
+    fn way(&self, page: &Page, forward: f64) -> String {
         let value = if self.up { forward } else { -forward };
-        solution::way(draft.scene, Owner::Body(self.body), value).map_or("", |phrase| draft.words.get(phrase))
+        let name = solution::way(page.draft.scene, Owner::Body(self.body), value);
+        name.map_or_else(String::new, |phrase| page.draft.words.get(phrase).to_owned())
     }
 
-    /// `I_G + m c^2`.
-    fn about_contact(&self) -> Expr {
-        &self.own + &self.m * square(&self.c)
-    }
-
-    /// A quantity that is a magnitude: itself, or under bars where it is negative.
-    fn magnitude(page: &mut SectionWriter, symbol: SymbolId, unit: &str) -> SymbolId {
+    /// A magnitude: the quantity itself, or under bars where it is negative.
+    fn size(page: &mut Page, symbol: SymbolId) -> SymbolId {
         if page.draft.symbols.value(symbol) >= 0.0 {
             return symbol;
         }
         let name = format!(r"\left|{}\right|", page.draft.symbols.tex(symbol));
-        page.quiet(&name, unit, magnitude(symbol))
+        let size = page.draft.symbols.unknown_like(&name, symbol);
+        page.draft.symbols.settle_by(size, &magnitude(symbol));
+        size
     }
 
-    // -- the method of the equations of motion ------------------------------------------------------------------------------
-
-    fn motion(&self, draft: &mut Draft) -> Result<ThrownResults, DerivationStop> {
-        let mut page = SectionWriter::new(draft, "eom", "thrown.title_eom");
-        let slip = self.first_slip(&mut page)?;
-        let (normal, slipping) = self.rows(&mut page, slip.sense);
-        let (rate, event, phase) = self.end_of_slip(&mut page, &slip, &slipping)?;
-        let ways = [Quantity::Displacement, Quantity::Rise, Quantity::Heat, Quantity::SlipDistance];
-        let needs_way = ways.iter().any(|q| page.asks(*q));
-        let t: Expr = match (phase, event, &self.t1) {
-            (SlipPhase::Slips, _, Some(t1)) => t1.clone(),
-            (_, Some(event), _) => event.into(),
-            (_, None, t1) => t1.clone().unwrap_or(ZERO),
-        };
-        let (mut state, mut rates) = (self.state(&mut page, phase, &t, &slipping, needs_way), slipping);
-        self.rubbed_way(&mut page, phase, &slip, rate, normal, &t);
-        if let (SlipPhase::Event, Some(event)) = (phase, event) {
-            page.motion(Self::scene_label(Quantity::T), event);
-        }
-        // Rolling: from the event on, or to be checked.
-        let of_rolling =
-            [Quantity::ARolling, Quantity::FrictionIfRolled, Quantity::MuRequired, Quantity::Rolls];
-        if phase == SlipPhase::Rolls || of_rolling.iter().any(|q| page.asks(*q)) {
-            let (a, friction) = self.roll(&mut page);
-            page.motion(self.label(Quantity::ARolling), a);
-            page.motion(self.label(Quantity::FrictionIfRolled), friction);
-            if page.asks(Quantity::MuRequired) {
-                let name = page.free(&[r"\mu_{\mathrm{min}}", r"\mu_0"]);
-                let size = Self::magnitude(&mut page, friction, "N");
-                let mu = page.find(&name, "1", size / normal);
-                page.motion(self.label(Quantity::MuRequired), mu);
-            }
-            if let (SlipPhase::Rolls, Some(t1), Some(event)) = (phase, self.t1.clone(), event) {
-                (state, rates) = self.rolling_leg(&mut page, state, (a, friction), t1 - event, needs_way);
-            }
-        }
-        self.answers(&mut page, phase, &state, &rates);
-        page.done();
-        let rolls = if self.holds(draft) { Word::Yes } else { Word::No };
-        draft.from_motion(self.label(Quantity::Rolls), DerivedAnswer::Word(rolls));
-        Ok(ThrownResults { phase, slip: slip.start, sense: slip.sense, normal, event, v: state.v })
-    }
-
-    /// The slip at the start, its sense, and what friction does against it.
-    fn first_slip(&self, page: &mut SectionWriter) -> Result<StartSlip, DerivationStop> {
-        let name = &self.names.slip;
-        page.say("thrown.slip", &[("slip", name)]);
-        let start = page.find(&format!("{name}_0"), "m/s", &self.v0 - &self.c * &self.w0);
-        let value = page.draft.symbols.value(start);
+    /// The rows while it slips, and the end of the slip.
+    fn slip(&self, page: &mut Page) -> Result<Slipping, DerivationStop> {
+        let slip = page.find(&["u_0", "w_0"], "m/s", positive_first(vec![&self.v0 - &self.c * &self.w0]));
+        let value = page.draft.symbols.value(slip);
         if value == 0.0 {
             return Err(Beyond::ThrownWithoutSlip.into());
         }
         let sense = value.signum();
-        let speed = Self::magnitude(page, start, "m/s");
-        page.only(self.label(Quantity::SlipSpeed), speed, "thrown.note_slip");
-        let (slides, points) =
-            (self.way(page.draft, sense).to_owned(), self.way(page.draft, -sense).to_owned());
-        let text = [("slip", name.as_str()), ("slides", &slides), ("points", &points)];
-        page.say(if sense > 0.0 { "thrown.sense_forward" } else { "thrown.sense_back" }, &text);
-        if page.value(&self.v0) * sense < 0.0 {
-            page.say("thrown.drives", &[]);
-        }
-        Ok(StartSlip { start, speed, sense })
-    }
-
-    /// The equations of motion while it slips: the normal force, the accelerations and the friction.
-    fn rows(&self, page: &mut SectionWriter, sense: f64) -> (SymbolId, LegRates) {
-        let names = &self.names;
-        let points = self.way(page.draft, -sense).to_owned();
-        let force = page.unknown(&names.friction, "N");
-        let normal = page.unknown(&names.normal, "N");
-        let a = page.unknown(&names.a, "m/s^2");
-        let alpha = page.unknown(&names.alpha, "rad/s^2");
-        page.say("thrown.rows", &[]);
-        let forward = signed(force.clone(), self.up);
-        page.equation(&self.m * a, &forward - self.weight());
-        let pressing = &self.m * &self.g * &self.cosine;
-        page.equation(ZERO, &normal - &pressing);
-        page.equation(&self.own * alpha, -(&self.c * forward));
-        let friction = |normal: Expr| signed(&self.mu_k * normal, (sense < 0.0) == self.up);
-        page.say("thrown.law", &[("points", &points)]);
-        page.equation(&force, friction(normal));
-        page.say("thrown.numbers", &[("points", &points)]);
-        let normal = page.find(&names.normal, "N", &pressing);
-        page.motion(self.label(Quantity::Normal), normal);
-        let force = page.find(&names.friction, "N", friction(normal.into()));
+        self.say(page, "slip", &[]);
+        page.tell_new();
+        let speed = Self::size(page, slip);
+        self.answer(page, Quantity::SlipSpeed, speed);
+        let (slides, points) = (self.way(page, sense), self.way(page, -sense));
+        self.say(page, "sense", &[("slides", &slides), ("points", &points)]);
+        let unknown = |page: &mut Page, names: &[&str], unit: &str| {
+            let tex = page.draft.free(names);
+            page.draft.unknown(&tex, unit)
+        };
+        let force = unknown(page, &["F", "F_f"], "N");
+        let normal = unknown(page, &["N", "F_N"], "N");
+        let a = unknown(page, &["a", "a_G"], "m/s^2");
+        let alpha = unknown(page, &[r"\alpha", r"\alpha_G"], "rad/s^2");
         let forward = signed(force.into(), self.up);
-        let a = page.find(&names.a, "m/s^2", &forward / &self.m - self.fall());
-        let alpha = page.find(&names.alpha, "rad/s^2", -(&self.c * forward / &self.own));
-        (normal, LegRates { a, alpha, friction: force })
+        let pressing = self.m.times(&Factors::of(&self.g)).times(&Factors::of(&self.cosine)).expr();
+        let (one, two, three) = (
+            format!(
+                "{} = {}",
+                page.tex(&positive_first(vec![&forward - self.weight(&ONE)])),
+                page.tex(&(self.m.expr() * a))
+            ),
+            format!("{} = 0", page.tex(&(normal - &pressing))),
+            format!(
+                "{} = {}",
+                page.tex(&(-(&forward * &self.c))),
+                page.tex(&self.own.times(&Factors::of(&alpha.into())).expr())
+            ),
+        );
+        page.formula(format!(r"{one} \quad (1), \qquad {two} \quad (2), \qquad {three} \quad (3)"));
+        self.say(page, "law", &[]);
+        page.step(normal, pressing);
+        let known = signed(&self.mu_k * normal, (sense < 0.0) == self.up);
+        page.step(force, known);
+        self.answer(page, Quantity::Normal, normal);
+        let fall = signed(&self.g * &self.sine, self.up);
+        let per_mass = Factors::of(&forward).per(&self.m).expr();
+        page.step(a, positive_first(vec![per_mass - fall]));
+        let turned = Factors::of(&(-(&forward * &self.c))).per(&self.own).expr();
+        page.step(alpha, turned);
+        page.tell_new();
+        let dotted = page.draft.free(&["u", "w"]);
+        let rate = page.find(&[&format!(r"\dot{{{dotted}}}")], "m/s^2", a - &self.c * alpha);
+        let closes = page.draft.symbols.value(rate) * sense < 0.0;
+        self.say(page, if closes { "even" } else { "even_open" }, &[]);
+        let event = closes.then(|| {
+            let names: [&str; 2] = if self.t1.is_some() { ["t_r", "t_e"] } else { ["t", "t_r"] };
+            page.find(&names, "s", -(slip / rate))
+        });
+        page.tell_new();
+        Ok(Slipping { normal, friction: force, a, alpha, slip, rate, sense, event })
     }
 
-    /// The slip goes evenly: its rate, when it ends if it does, and whether that is before the end of the motion.
-    fn end_of_slip(
-        &self,
-        page: &mut SectionWriter,
-        slip: &StartSlip,
-        rates: &LegRates,
-    ) -> Result<(SymbolId, Option<SymbolId>, SlipPhase), DerivationStop> {
-        let names = &self.names;
-        page.say("thrown.even", &[("a", &names.a), ("alpha", &names.alpha), ("slip", &names.slip)]);
-        let rate_name = format!(r"\dot{{{}}}", names.slip);
-        let rate = page.find(&rate_name, "m/s^2", rates.a - &self.c * rates.alpha);
-        let event_name = match self.t1 {
-            None => page.free(&["t", "t_r"]),
-            Some(_) => page.free(&["t_r", "t_e"]),
+    /// Where it is at a time, while it slips or as the slip ends.
+    fn state(&self, page: &mut Page, s: &Slipping, t: &Expr, rolls: bool) -> State {
+        let one = if rolls { r"\mathrm{r}" } else { "1" };
+        let name = |page: &Page, names: &[&str]| {
+            let tex = page.draft.free(names);
+            if self.t1.is_some() { marked(&tex, one) } else { tex }
         };
-        let event = if page.draft.symbols.value(rate) * slip.sense < 0.0 {
-            page.say("thrown.event", &[("slip", &names.slip), ("rate", &rate_name)]);
-            Some(page.find(&event_name, "s", -(slip.start / rate)))
+        if let (Some(t1), Some(event)) = (&self.t1, s.event) {
+            let (t1, event) = (page.inline(t1), page.names(&[event]));
+            self.say(page, if rolls { "by_then" } else { "not_yet" }, &[("asked", &t1), ("event", &event)]);
+        }
+        let time = page.inline(t);
+        self.say(page, "state", &[("t", &time)]);
+        let slips = !rolls && self.t1.is_some();
+        let tex = name(page, &["v", "v_G"]);
+        let v = page.find(&[&tex], "m/s", &self.v0 + s.a * t);
+        let tex = name(page, &[r"\omega", r"\Omega"]);
+        let spin = if slips { &self.w0 + s.alpha * t } else { v / &self.c };
+        let w = page.find(&[&tex], "rad/s", spin);
+        let way = |start: &Expr, rate: SymbolId| start * t + ratio(1, 2) * (rate * square(t));
+        let tex = name(page, &["x", "x_G"]);
+        let x = page.find(&[&tex], "m", way(&self.v0, s.a));
+        page.tell_new();
+        let tex = name(page, &[r"\phi", r"\varphi", r"\psi"]);
+        let phi = page.find(&[&tex], "rad", way(&self.w0, s.alpha));
+        if page.draft.asks(Quantity::Phi) {
+            page.tell_new();
+        }
+        page.skip_new();
+        if self.v0.value(&page.draft.symbols) * page.draft.symbols.value(v) < 0.0 {
+            self.say(page, "turns_back", &[]);
+        }
+        State { v, w, x, phi }
+    }
+
+    /// How far the contact slips, and the heat.
+    fn friction_work(&self, page: &mut Page, s: &Slipping, t: &Expr, rolls: bool) -> SymbolId {
+        let slips = !rolls && self.t1.is_some();
+        let mean = if slips {
+            let left = page.find(&["u_1", "w_1"], "m/s", s.slip + s.rate * t);
+            in_sense(s.slip + left, s.sense)
         } else {
-            page.say("thrown.no_event", &[("rate", &rate_name)]);
-            None
+            in_sense(s.slip.into(), s.sense)
         };
-        let holds = self.holds(page.draft);
-        let phase = match (&self.t1, event) {
-            (None, Some(_)) if holds => SlipPhase::Event,
-            (None, _) => return Err(Beyond::NeverRolls.into()),
-            (Some(t1), Some(event)) if page.value(t1) > page.draft.symbols.value(event) => {
-                if !holds {
-                    return Err(Beyond::CannotRoll.into());
-                }
-                SlipPhase::Rolls
-            }
-            (Some(_), _) => SlipPhase::Slips,
-        };
-        if let Some(t1) = &self.t1 {
-            let t1 = page.tex(t1);
-            let phrase = match (phase, event) {
-                (SlipPhase::Rolls, _) => "thrown.by_then",
-                (_, Some(_)) => "thrown.not_yet",
-                (_, None) => "thrown.never",
-            };
-            page.say(phrase, &[("asked", &t1), ("event", &event_name)]);
-        }
-        Ok((rate, event, phase))
+        self.say(page, "heat", &[]);
+        let way = page.find(
+            &["l", r"\ell", r"\lambda"],
+            "m",
+            Factors::of(&mean).times(&Factors::of(t)).times(&Factors::of(&ratio(1, 2))).expr(),
+        );
+        self.answer(page, Quantity::SlipDistance, way);
+        let heat = page.find(&["Q", "Q_f"], "J", &self.mu_k * s.normal * way);
+        page.draft.answer(of_scene(Quantity::Heat), DerivedAnswer::Value(heat));
+        page.tell_new();
+        heat
     }
 
-    /// The state at the end of the slip, or at the time asked.
-    fn state(
-        &self,
-        page: &mut SectionWriter,
-        phase: SlipPhase,
-        t: &Expr,
-        rates: &LegRates,
-        needs_way: bool,
-    ) -> LegEnd {
-        let names = &self.names;
-        let one = if phase == SlipPhase::Rolls { "r" } else { "1" };
-        let told = page.tex(t);
-        page.say("thrown.state", &[("t", &told)]);
-        let after = |start: &Expr, rate: SymbolId| start + rate * t;
-        let travelled = |start: &Expr, rate: SymbolId| start * t + half(rate * square(t));
-        let v = page.find(&format!("{}_{one}", names.v), "m/s", after(&self.v0, rates.a));
-        let spin = format!("{}_{one}", names.omega);
-        let w = if phase == SlipPhase::Slips {
-            page.find(&spin, "rad/s", after(&self.w0, rates.alpha))
-        } else {
-            page.say("thrown.rolls_now", &[]);
-            page.find(&spin, "rad/s", v / &self.c)
-        };
-        let x = page.find_if(needs_way, &format!("{}_{one}", names.x), "m", travelled(&self.v0, rates.a));
-        let turns = page.asks(Quantity::Phi);
-        let turned = travelled(&self.w0, rates.alpha);
-        let phi = page.find_if(turns, &format!("{}_{one}", names.phi), "rad", turned);
-        if self.turns_back(page.draft, v) && needs_way {
-            page.say("thrown.turns_back", &[]);
-        }
-        LegEnd { v, w, x, phi }
+    /// In doubles: acceleration and friction once it rolls, positive forward.
+    fn holds(&self, page: &Page) -> bool {
+        let (m, own, c) = (page.value(&self.m.expr()), page.value(&self.own.expr()), page.value(&self.c));
+        let a = -page.value(&self.weight(&ONE)) / (m + own / (c * c));
+        let normal = m * page.value(&self.g) * page.value(&self.cosine);
+        (own * a / (c * c)).abs() <= page.value(&self.mu_s) * normal
     }
 
-    /// The way of the contact, mean slip times time, and the heat that friction makes on it.
-    fn rubbed_way(
-        &self,
-        page: &mut SectionWriter,
-        phase: SlipPhase,
-        slip: &StartSlip,
-        rate: SymbolId,
-        normal: SymbolId,
-        t: &Expr,
-    ) {
-        let names = &self.names;
-        let way = if phase == SlipPhase::Slips {
-            page.say("thrown.way_slipping", &[("slip", &names.slip)]);
-            let left = page.find(&format!("{}_1", names.slip), "m/s", slip.start + rate * t);
-            let mean = half(slip.start + left);
-            let mean = if slip.sense < 0.0 { magnitude(mean) } else { mean };
-            page.find(&names.way, "m", mean * t)
-        } else {
-            page.say("thrown.way", &[("slip", &names.slip)]);
-            page.find(&names.way, "m", half(slip.speed * t))
-        };
-        page.motion(self.label(Quantity::SlipDistance), way);
-        page.say("thrown.heat", &[]);
-        let heat = page.find(&names.heat, "J", &self.mu_k * normal * way);
-        page.motion(Self::scene_label(Quantity::Heat), heat);
-    }
-
-    /// Rolling on from the end of the slip up to the time asked.
-    fn rolling_leg(
-        &self,
-        page: &mut SectionWriter,
-        from: LegEnd,
-        (a, friction): (SymbolId, SymbolId),
-        time: Expr,
-        needs_way: bool,
-    ) -> (LegEnd, LegRates) {
-        let names = &self.names;
-        page.say("thrown.leg", &[]);
-        let name = format!(r"\Delta {}", page.free(&["t", "t_r"]));
-        let left = Expr::Symbol(page.find(&name, "s", time));
-        let v = page.find(&format!("{}_1", names.v), "m/s", from.v + a * &left);
-        let w = page.find(&format!("{}_1", names.omega), "rad/s", v / &self.c);
-        let legs = from.x + from.v * &left + half(a * square(left));
-        let x = page.find_if(needs_way, &format!("{}_1", names.x), "m", legs);
-        let turned = from.phi + (x - from.x) / &self.c;
-        let turns = page.asks(Quantity::Phi);
-        let phi = page.find_if(turns, &format!("{}_1", names.phi), "rad", turned);
-        let told = page.asks(Quantity::Alpha);
-        let alpha = page.find_if(told, &format!("{}_r", names.alpha), "rad/s^2", a / &self.c);
-        (LegEnd { v, w, x, phi }, LegRates { a, alpha, friction })
-    }
-
-    /// What is asked of the end of the motion.
-    fn answers(&self, page: &mut SectionWriter, phase: SlipPhase, end: &LegEnd, rates: &LegRates) {
-        for (quantity, symbol, unit) in
-            [(Quantity::Omega, end.w, "rad/s"), (Quantity::V, end.v, "m/s"), (Quantity::Phi, end.phi, "rad")]
-        {
-            let size = Self::magnitude(page, symbol, unit);
-            page.motion(self.label(quantity), size);
+    /// Acceleration and friction once it rolls.
+    fn rolling(&self, page: &mut Page, s: &Slipping) -> (SymbolId, SymbolId) {
+        self.say(page, if self.level { "roll_level" } else { "roll" }, &[]);
+        let j = self.own.per(&Factors::of(&self.c).squared());
+        let carried = self.m.plus(&j);
+        let from = Factors::of(&self.weight(&ONE)).opposite().per(&carried).expr();
+        let a = page.draft.free(&["a", "a_G"]);
+        let a = page.find(&[&marked(&a, r"\mathrm{r}")], "m/s^2", from);
+        let f = page.draft.free(&["F", "F_f"]);
+        let from = signed(j.times(&Factors::of(&a.into())).expr(), !self.up);
+        let friction = page.find(&[&marked(&f, r"\mathrm{r}")], "N", if self.level { ZERO } else { from });
+        self.answer(page, Quantity::ARolling, a);
+        self.answer(page, Quantity::FrictionIfRolled, friction);
+        if page.draft.asks(Quantity::MuRequired) {
+            let size =
+                if page.draft.symbols.value(friction) < 0.0 { magnitude(friction) } else { friction.into() };
+            let mu = page.find(&[r"\mu_{\mathrm{min}}"], "1", size / s.normal);
+            self.answer(page, Quantity::MuRequired, mu);
         }
-        for (quantity, symbol) in [
-            (Quantity::Displacement, end.x),
-            (Quantity::A, rates.a),
-            (Quantity::Alpha, rates.alpha),
-            (Quantity::Friction, rates.friction),
-        ] {
-            page.motion(self.label(quantity), symbol);
-        }
-        if let (SlipPhase::Slips | SlipPhase::Rolls, Some(Expr::Symbol(t1))) = (phase, &self.t1) {
-            page.only(Self::scene_label(Quantity::T), *t1, "thrown.note_time");
-        }
-        if page.asks(Quantity::Rise) {
-            page.say("thrown.rise", &[]);
-            let rise = page.find("h", "m", signed(end.x * &self.sine, self.up));
-            page.only(self.label(Quantity::Rise), rise, "thrown.note_rise");
-        }
-        if page.asks(Quantity::KineticEnergy) || page.asks(Quantity::RotationalFraction) {
-            page.say("thrown.kinetic", &[]);
-            let spinning = half(&self.own * square(end.w));
-            let energy = half(&self.m * square(end.v)) + &spinning;
-            let energy = page.find(&format!("{}_1", self.names.kinetic), "J", energy);
-            page.motion(Self::scene_label(Quantity::KineticEnergy), energy);
-            if page.asks(Quantity::RotationalFraction) {
-                let name = page.free(&[r"\zeta", r"\zeta_r"]);
-                let share = page.find(&name, "1", spinning / energy);
-                page.only(Self::scene_label(Quantity::RotationalFraction), share, "thrown.note_share");
-            }
-        }
-    }
-
-    /// Does the centre come to rest before the end of a leg that it leaves with this velocity?
-    fn turns_back(&self, draft: &Draft, v: SymbolId) -> bool {
-        self.v0.value(&draft.symbols) * draft.symbols.value(v) < 0.0
-    }
-
-    /// Acceleration of rolling, and the friction that it needs, both positive forward, in doubles.
-    fn rolling(&self, draft: &Draft) -> (f64, f64) {
-        let of = |e: &Expr| e.value(&draft.symbols);
-        let (own, c) = (of(&self.own), of(&self.c));
-        let a = -of(&self.weight()) / (of(&self.m) + own / (c * c));
-        // No negative zero.
-        (a + 0.0, 0.0 - own * a / (c * c))
-    }
-
-    /// Can static friction hold it rolling?
-    fn holds(&self, draft: &Draft) -> bool {
-        let of = |e: &Expr| e.value(&draft.symbols);
-        let normal = of(&self.m) * of(&self.g) * of(&self.cosine);
-        self.rolling(draft).1.abs() <= of(&self.mu_s) * normal
-    }
-
-    /// Acceleration and friction of rolling, by the rows.
-    fn roll(&self, page: &mut SectionWriter) -> (SymbolId, SymbolId) {
-        let names = &self.names;
-        let (a_name, f_name) = (format!("{}_r", names.a), format!("{}_r", names.friction));
-        if self.level {
-            page.say("thrown.roll_level", &[]);
-            return (page.find(&a_name, "m/s^2", &ZERO), page.find(&f_name, "N", &ZERO));
-        }
-        page.say("thrown.roll", &[("friction", &f_name), ("a", &a_name), ("alpha", &names.alpha)]);
-        let a = page.unknown(&a_name, "m/s^2");
-        let friction = page.unknown(&f_name, "N");
-        let forward = signed(friction, self.up);
-        page.equation(&self.m * &a, &forward - self.weight());
-        let turning = &self.own * (a / &self.c);
-        page.equation(&turning, -(&self.c * forward));
-        page.say("thrown.roll_eliminate", &[("friction", &f_name)]);
-        let carried = &self.m + &self.own / square(&self.c);
-        let a = page.find(&a_name, "m/s^2", -self.weight() / carried);
-        let friction = &self.own * a / square(&self.c);
-        let friction = page.find(&f_name, "N", signed(friction, !self.up));
+        page.tell_new();
         (a, friction)
     }
 
-    // -- the method of momentum, work and energy ----------------------------------------------------------------------------
+    fn rolling_leg(&self, page: &mut Page, from: State, a: SymbolId, time: Expr) -> State {
+        self.say(page, "leg", &[]);
+        let left = page.find(&[r"\Delta t"], "s", time);
+        let name = |page: &Page, names: &[&str]| marked(&page.draft.free(names), "1");
+        let tex = name(page, &["v", "v_G"]);
+        let v = page.find(&[&tex], "m/s", from.v + a * left);
+        let tex = name(page, &[r"\omega", r"\Omega"]);
+        let w = page.find(&[&tex], "rad/s", v / &self.c);
+        let tex = name(page, &["x", "x_G"]);
+        let legs = from.x + from.v * left + ratio(1, 2) * (a * square(left));
+        let x = page.find(&[&tex], "m", legs);
+        page.tell_new();
+        let tex = name(page, &[r"\phi", r"\varphi", r"\psi"]);
+        let phi = page.find(&[&tex], "rad", from.phi + (x - from.x) / &self.c);
+        if page.draft.asks(Quantity::Phi) {
+            page.forget(&[Some(from.phi), Some(phi)]);
+            page.tell_new();
+        }
+        page.skip_new();
+        State { v, w, x, phi }
+    }
 
-    fn balance(&self, draft: &mut Draft, worked: &ThrownResults) {
-        let mut page = SectionWriter::new(draft, "energy", "thrown.title_energy");
-        let by_energy = self.slip_by_energy(&mut page, worked);
-        let (v1, w1, x1, phi1) = self.momentum(&mut page, worked, &by_energy);
-        for (quantity, symbol, unit) in [(Quantity::V, v1, "m/s"), (Quantity::Omega, w1, "rad/s")] {
-            let size = Self::magnitude(&mut page, symbol, unit);
-            page.energy(self.label(quantity), size);
+    /// Angular momentum about the contact, and the balance of energies: what they give, and what not.
+    fn other_method(&self, page: &mut Page, end: State, t: &Expr, heat: SymbolId) {
+        page.begin_as("long", "slip_energy");
+        self.say(page, if self.level { "momentum_level" } else { "momentum" }, &[]);
+        let mc = self.m.times(&Factors::of(&self.c));
+        let spun = |w: &Expr, v: &Expr| {
+            sum([self.own.times(&Factors::of(w)).expr(), mc.times(&Factors::of(v)).expr()])
+        };
+        let (before, after) = (spun(&self.w0, &self.v0), spun(&end.w.into(), &end.v.into()));
+        let before = before - if self.level { ZERO } else { self.weight(&(&self.c * t)) };
+        page.formula(format!("{} = {}", page.tex(&before), page.tex(&after)));
+        self.say(page, "balance", &[]);
+        let half = Factors::of(&ratio(1, 2));
+        let kinetic = |w: &Expr, v: &Expr| {
+            let term =
+                |i: &Factors, rate: &Expr| i.times(&half).times(&Factors::of(&square(rate.clone()))).expr();
+            let zero = |e: Expr, rate: &Expr| if *rate == ZERO { ZERO } else { e };
+            sum([zero(term(&self.m, v), v), zero(term(&self.own, w), w)])
+        };
+        let left = kinetic(&self.w0, &self.v0) - heat;
+        let left = left - if self.level { ZERO } else { self.weight(&end.x.into()) };
+        page.formula(format!("{} = {}", page.tex(&left), page.tex(&kinetic(&end.w.into(), &end.v.into()))));
+        page.begin_as("why", "which");
+        self.say(page, if self.level { "why_level" } else { "why" }, &[]);
+        page.say("why.ask", &[]);
+    }
+
+    fn answers(&self, page: &mut Page, s: &Slipping, end: State, rolling: Option<(SymbolId, SymbolId)>) {
+        page.begin("rest");
+        page.skip_new();
+        for (quantity, symbol) in [(Quantity::Omega, end.w), (Quantity::V, end.v), (Quantity::Phi, end.phi)] {
+            let size = Self::size(page, symbol);
+            self.answer(page, quantity, size);
         }
-        page.energy(self.label(Quantity::Displacement), x1);
-        if let Some(phi) = phi1 {
-            let turned = Self::magnitude(&mut page, phi, "rad");
-            page.energy(self.label(Quantity::Phi), turned);
+        self.answer(page, Quantity::Displacement, end.x);
+        let (a, friction) = rolling.unwrap_or((s.a, s.friction));
+        self.answer(page, Quantity::A, a);
+        self.answer(page, Quantity::Friction, friction);
+        let mut alpha = s.alpha;
+        if rolling.is_some() {
+            let tex = marked(&page.draft.free(&[r"\alpha", r"\alpha_G"]), r"\mathrm{r}");
+            alpha = page.find(&[&tex], "rad/s^2", a / &self.c);
+            if !page.draft.asks(Quantity::Alpha) {
+                page.skip_new();
+            }
         }
-        self.heat(&mut page, worked, (v1, w1, x1, by_energy.way));
-        if worked.phase == SlipPhase::Rolls {
-            self.rolling_rate(&mut page, true);
-        } else {
-            self.friction_by_work(&mut page, (v1, w1, x1, phi1), &by_energy.time);
+        self.answer(page, Quantity::Alpha, alpha);
+        let time = match (&self.t1, s.event) {
+            (Some(Expr::Symbol(t1)), _) => Some(*t1),
+            (_, event) => event,
+        };
+        if let Some(t) = time {
+            page.draft.answer(of_scene(Quantity::T), DerivedAnswer::Value(t));
         }
-        if page.asks(Quantity::Normal) {
-            page.only(self.label(Quantity::Normal), worked.normal, "thrown.note_normal");
+        if page.draft.asks(Quantity::Rise) {
+            let rise = page.find(&["h", "h_G"], "m", signed(end.x * &self.sine, self.up));
+            self.answer(page, Quantity::Rise, rise);
         }
-        page.done();
-        let value = draft.symbols.value(worked.v);
-        let sloped = draft.scene.bodies[self.body].line.is_some_and(|l| l.slope != Slope::Level);
-        let word = match (sloped, (value > 0.0) == self.up) {
-            _ if value == 0.0 => Word::Stays,
+        if page.draft.asks(Quantity::KineticEnergy) || page.draft.asks(Quantity::RotationalFraction) {
+            let half = Factors::of(&ratio(1, 2));
+            let of = |i: &Factors, rate: SymbolId| i.times(&half).times(&Factors::of(&square(rate))).expr();
+            let spin = of(&self.own, end.w);
+            let energy = page.find(&["E_{k}", r"E_{\mathrm{kin}}"], "J", of(&self.m, end.v) + &spin);
+            page.draft.answer(of_scene(Quantity::KineticEnergy), DerivedAnswer::Value(energy));
+            if page.draft.asks(Quantity::RotationalFraction) {
+                let share = page.find(&[r"\zeta", r"\zeta_r"], "1", spin / energy);
+                page.draft.answer(of_scene(Quantity::RotationalFraction), DerivedAnswer::Value(share));
+            }
+        }
+        page.tell_new();
+        let v = page.draft.symbols.value(end.v);
+        let sloped = page.draft.scene.bodies[self.body].line.is_some_and(|l| l.slope != Slope::Level);
+        let word = match (sloped, (v > 0.0) == self.up) {
+            _ if v == 0.0 => Word::Stays,
             (true, true) => Word::Up,
             (true, false) => Word::Down,
-            (false, _) if value > 0.0 => Word::Forward,
+            (false, _) if v > 0.0 => Word::Forward,
             (false, _) => Word::Back,
         };
-        let label = self.label(Quantity::Direction);
-        draft.from_motion(label, DerivedAnswer::Word(word));
-        draft.from_energy(label, DerivedAnswer::Word(word));
+        page.draft.answer(self.label(Quantity::Direction), DerivedAnswer::Word(word));
     }
 
-    /// The energy of the slip, which friction takes: how far the contact slips, and how long.
-    fn slip_by_energy(&self, page: &mut SectionWriter, worked: &ThrownResults) -> SlipByEnergy {
-        let names = &self.names;
-        let (h, v, w) = (&names.momentum, &names.v, &names.omega);
-        page.say("thrown.split", &[]);
-        let (vs, ws) = (page.unknown(v, "m/s"), page.unknown(w, "rad/s"));
-        let us = page.unknown(&names.slip, "m/s");
-        let hs = page.unknown(h, "kg m^2/s");
-        let reduced_name = page.free(&["m_u", "m_s"]);
-        let ms = page.unknown(&reduced_name, "kg");
-        let plain = half(&self.m * square(&vs)) + half(&self.own * square(&ws));
-        let split = square(&hs) / (whole(2) * self.about_contact()) + half(ms * square(&us));
-        let (left, right) = (page.tex(&plain), page.tex(&split));
-        page.formula(format!("{} = {left} = {right}", names.kinetic));
-        page.equation(&hs, &self.own * ws + &self.m * &self.c * vs);
-        let reduced = page.find(&reduced_name, "kg", &self.m * &self.own / self.about_contact());
-        let phrase = if self.level { "thrown.slip_energy_level" } else { "thrown.slip_energy" };
-        page.say(phrase, &[("reduced", &reduced_name)]);
-        // Loss of the slip's energy per metre of its way.
-        let pulled = signed(reduced * &self.g * &self.sine, self.up == (worked.sense > 0.0));
-        let loss_name = page.free(&["D", "F_u"]);
-        if !self.level {
-            page.say("thrown.loss_incline", &[("loss", &loss_name)]);
+    /// Can it roll on?
+    fn regime(&self, page: &mut Page, s: &Slipping, rolls: bool, holds: bool) {
+        let word = if holds { Word::Yes } else { Word::No };
+        page.draft.answer(self.label(Quantity::Rolls), DerivedAnswer::Word(word));
+        page.begin("holds");
+        let normal = page.shown(s.normal);
+        self.say(page, "presses", &[("n", &normal)]);
+        if self.t1.is_some() && !rolls {
+            return;
         }
-        let loss = page.find(&loss_name, "N", &self.mu_k * worked.normal + pulled);
-        let slip_speed = Self::magnitude(page, worked.slip, "m/s");
-        let by_energy = if let (SlipPhase::Slips, Some(t1)) = (worked.phase, self.t1.clone()) {
-            page.say("thrown.slip_impulse", &[("slip", &names.slip)]);
-            let left = worked.slip + signed(loss * &t1 / reduced, worked.sense < 0.0);
-            let left = page.find(&format!("{}_1", names.slip), "m/s", left);
-            let lost = reduced * (square(worked.slip) - square(left));
-            page.say("thrown.slip_way_part", &[]);
-            let way = page.find(&names.way, "m", lost / (whole(2) * loss));
-            SlipByEnergy { way, left: left.into(), time: t1, event: None }
+        let j = self.own.per(&Factors::of(&self.c).squared());
+        let share = j.per(&self.m.plus(&j));
+        let needed = share.times(&self.m).times(&Factors::of(&self.g)).times(&Factors::of(&self.sine)).expr();
+        if self.level {
+            self.say(page, "rolls_on_level", &[]);
         } else {
-            page.say("thrown.slip_way", &[]);
-            let stored = reduced * square(worked.slip);
-            let way = page.find(&names.way, "m", stored / (whole(2) * loss));
-            page.say("thrown.slip_time", &[]);
-            let name = worked.event.map_or_else(String::new, |e| page.draft.symbols.tex(e).to_owned());
-            let until = page.find(&name, "s", whole(2) * way / slip_speed);
-            SlipByEnergy { way, left: ZERO, time: until.into(), event: Some(until) }
-        };
-        page.energy(self.label(Quantity::SlipDistance), by_energy.way);
-        if let (SlipPhase::Event, Some(event)) = (worked.phase, by_energy.event) {
-            page.energy(Self::scene_label(Quantity::T), event);
+            let needed = page.valued(&needed, "N");
+            let limit = page.valued(&(&self.mu_s * s.normal), "N");
+            self.say(page, "rolls_on", &[("needed", &needed), ("limit", &limit)]);
         }
-        by_energy
-    }
-
-    /// Velocity, spin, displacement and, if it is asked, angle at the end, from the angular momentum about the surface.
-    fn momentum(
-        &self,
-        page: &mut SectionWriter,
-        worked: &ThrownResults,
-        by_energy: &SlipByEnergy,
-    ) -> (SymbolId, SymbolId, SymbolId, Option<SymbolId>) {
-        let names = &self.names;
-        let (h, v, w) = (&names.momentum, &names.v, &names.omega);
-        let (slips, slid, slip_left) = (worked.phase == SlipPhase::Slips, &by_energy.time, &by_energy.left);
-        page.say(if self.level { "thrown.momentum_level" } else { "thrown.momentum" }, &[("momentum", h)]);
-        let momentum = &self.own * &self.w0 + &self.m * &self.c * &self.v0;
-        let h0 = page.find(&format!("{h}_0"), "kg m^2/s", momentum);
-        let one = if worked.phase == SlipPhase::Rolls { "r" } else { "1" };
-        let momentum_after = |page: &mut SectionWriter, t: &Expr, one: &str| match self.level {
-            true => h0,
-            false => page.find(&format!("{h}_{one}"), "kg m^2/s", h0 - self.weight_times(&self.c * t)),
-        };
-        let h1 = momentum_after(page, slid, one);
-        let about = self.about_contact();
-        page.say(if slips { "thrown.speeds_slipping" } else { "thrown.speeds" }, &[]);
-        let centre = |h: SymbolId, left: &Expr| (&self.c * h + &self.own * left) / &about;
-        let mut v1 = page.find(&format!("{v}_{one}"), "m/s", centre(h1, slip_left));
-        if self.level && !slips {
-            page.say("thrown.any_friction", &[]);
-        }
-        let spin = |v: SymbolId, left: &Expr| (v - left) / &self.c;
-        let mut w1 = page.find(&format!("{w}_{one}"), "rad/s", spin(v1, slip_left));
-        let mean = |from: Expr, to: SymbolId, t: &Expr| half(from + to) * t;
-        page.say("thrown.mean", &[]);
-        let mut x1 = page.find(&format!("{}_{one}", names.x), "m", mean(self.v0.clone(), v1, slid));
-        let mut phi1 = None;
-        if page.asks(Quantity::Phi) {
-            let turned = mean(self.w0.clone(), w1, slid);
-            phi1 = Some(page.find(&format!("{}_{one}", names.phi), "rad", turned));
-        }
-        if let (SlipPhase::Rolls, Some(t1), Some(event)) = (worked.phase, self.t1.clone(), by_energy.event) {
-            let (v_slip, x_slip, w_slip) = (v1, x1, w1);
-            page.say("thrown.momentum_on", &[]);
-            let h_end = momentum_after(page, &t1, "1");
-            v1 = page.find(&format!("{v}_1"), "m/s", centre(h_end, &ZERO));
-            w1 = page.find(&format!("{w}_1"), "rad/s", spin(v1, &ZERO));
-            let left = t1 - event;
-            x1 = page.find(&format!("{}_1", names.x), "m", x_slip + mean(v_slip.into(), v1, &left));
-            if let Some(phi) = phi1 {
-                let legs = phi + mean(w_slip.into(), w1, &left);
-                phi1 = Some(page.find(&format!("{}_1", names.phi), "rad", legs));
-            }
-        }
-        (v1, w1, x1, phi1)
-    }
-
-    /// The whole balance: what is missing is heat.
-    fn heat(
-        &self,
-        page: &mut SectionWriter,
-        worked: &ThrownResults,
-        (v1, w1, x1, way): (SymbolId, SymbolId, SymbolId, SymbolId),
-    ) {
-        let names = &self.names;
-        let kinetic = |v: Expr, w: Expr| half(&self.m * square(&v)) + half(&self.own * square(&w));
-        page.say("thrown.balance", &[]);
-        let t0 = page.find(&format!("{}_0", names.kinetic), "J", kinetic(self.v0.clone(), self.w0.clone()));
-        let t1 = page.find(&format!("{}_1", names.kinetic), "J", kinetic(v1.into(), w1.into()));
-        page.energy(Self::scene_label(Quantity::KineticEnergy), t1);
-        let mut left = t0 - t1;
-        if !self.level {
-            page.say("thrown.weight_work", &[]);
-            let work = page.find("W_g", "J", -self.weight_times(x1.into()));
-            left = t0 + work - t1;
-        }
-        page.say("thrown.heat_energy", &[]);
-        let heat = page.find(&names.heat, "J", &left);
-        page.energy(Self::scene_label(Quantity::Heat), heat);
-        let rubbed = &self.mu_k * worked.normal * way;
-        let text = page.tex(&rubbed);
-        let again = page.quiet(&text, "J", &rubbed);
-        let same = format!("{text} = {}", page.draft.symbols.shown(again));
-        page.say("thrown.heat_same", &[("same", &same)]);
-        page.picture("energy");
-    }
-
-    /// Friction and accelerations while it slips, from the work of the forces on the mass centre or in the rotation.
-    fn friction_by_work(
-        &self,
-        page: &mut SectionWriter,
-        (v1, w1, x1, phi1): (SymbolId, SymbolId, SymbolId, Option<SymbolId>),
-        t: &Expr,
-    ) {
-        let names = &self.names;
-        let asks = |page: &SectionWriter, q| page.asks(q);
-        if asks(page, Quantity::Friction) {
-            // The way of the centre, or the angle, whichever is further from nothing.
-            let value = |page: &SectionWriter, s: SymbolId| page.draft.symbols.value(s);
-            let most = |page: &SectionWriter, start: &Expr, end: SymbolId| {
-                page.value(start).abs().max(value(page, end).abs()) * page.value(t)
-            };
-            let share_x = value(page, x1).abs() / most(page, &self.v0, v1);
-            if share_x > 0.02 {
-                page.say("thrown.work_centre", &[("friction", &names.friction)]);
-                let gained = &self.m * (square(v1) - square(&self.v0));
-                let over = whole(2) * x1;
-                let forward = gained / over + self.weight();
-                let force = page.find(&names.friction, "N", signed(forward, self.up));
-                page.energy(self.label(Quantity::Friction), force);
-            } else {
-                let turned = match phi1 {
-                    Some(phi) => phi,
-                    None => {
-                        let angle = half(&self.w0 + w1) * t;
-                        page.find(&format!("{}_1", names.phi), "rad", &angle)
-                    }
-                };
-                page.say("thrown.work_turn", &[("friction", &names.friction)]);
-                let squares = square(w1) - square(&self.w0);
-                let gained = &self.own * squares;
-                let over = whole(2) * &self.c * turned;
-                let forward = -(gained / over);
-                let force = page.find(&names.friction, "N", signed(forward, self.up));
-                page.energy(self.label(Quantity::Friction), force);
-            }
-        }
-        if asks(page, Quantity::A) || asks(page, Quantity::Alpha) {
-            page.say("thrown.gain", &[]);
-        }
-        if asks(page, Quantity::A) {
-            let gain = (v1 - &self.v0) / t;
-            let a = page.find(&names.a, "m/s^2", &gain);
-            page.energy(self.label(Quantity::A), a);
-        }
-        if asks(page, Quantity::Alpha) {
-            let gain = (w1 - &self.w0) / t;
-            let alpha = page.find(&names.alpha, "rad/s^2", &gain);
-            page.energy(self.label(Quantity::Alpha), alpha);
-        }
-        let rolling = [Quantity::ARolling, Quantity::FrictionIfRolled, Quantity::MuRequired];
-        if rolling.iter().any(|q| asks(page, *q)) {
-            self.rolling_rate(page, false);
-        }
-    }
-
-    /// Acceleration and friction of rolling from the rate of the balance; does it roll at the end?
-    fn rolling_rate(&self, page: &mut SectionWriter, rolls: bool) {
-        let names = &self.names;
-        let (a_name, f_name) = (format!("{}_r", names.a), format!("{}_r", names.friction));
-        page.say(if self.level { "thrown.rate_level" } else { "thrown.rate" }, &[]);
-        let (a, friction) = if self.level {
-            (page.find(&a_name, "m/s^2", &ZERO), page.find(&f_name, "N", &ZERO))
-        } else {
-            let over = -self.weight_times(square(self.c.clone()));
-            let a = page.find(&a_name, "m/s^2", over / self.about_contact());
-            page.say("thrown.rate_friction", &[("friction", &f_name)]);
-            let forward = &self.m * a + self.weight();
-            (a, page.find(&f_name, "N", signed(forward, self.up)))
-        };
-        page.energy(self.label(Quantity::ARolling), a);
-        page.energy(self.label(Quantity::FrictionIfRolled), friction);
-        if rolls {
-            page.energy(self.label(Quantity::A), a);
-            page.energy(self.label(Quantity::Friction), friction);
-            if page.asks(Quantity::Alpha) {
-                let turning = a / &self.c;
-                let alpha = page.find(&format!("{}_r", names.alpha), "rad/s^2", &turning);
-                page.energy(self.label(Quantity::Alpha), alpha);
-            }
-        }
-        if page.asks(Quantity::MuRequired) {
-            let label = self.label(Quantity::MuRequired);
-            let size = Self::magnitude(page, friction, "N");
-            let normal = &self.m * &self.g * &self.cosine;
-            let name = page.free(&[r"\mu_{\mathrm{min}}", r"\mu_0"]);
-            let mu = page.quiet(&name, "1", size / normal);
-            page.energy(label, mu);
-        }
-    }
-}
-
-// -- what was assumed, and what suggests itself ---------------------------------------------------------------------------
-
-impl ThrownBody {
-    /// Does the slip keep its sense, and can it roll on?
-    fn regime(&self, draft: &mut Draft, worked: &ThrownResults) {
-        let names = &self.names;
-        let mut page = SectionWriter::new(draft, "regime", "thrown.title_regime");
-        let slip = names.slip.as_str();
-        let normal = page.rough(page.draft.symbols.value(worked.normal), "N");
-        page.say("thrown.check_pressed", &[("normal", &names.normal), ("size", &normal)]);
-        if worked.phase == SlipPhase::Slips {
-            page.say("thrown.check_slips", &[("slip", slip)]);
-        } else {
-            page.say("thrown.check_event", &[("slip", slip)]);
-            if self.level {
-                page.say("thrown.check_level", &[]);
-            } else {
-                let known =
-                    page.draft.found.iter().any(|f| f.label == self.label(Quantity::FrictionIfRolled));
-                let friction = if known {
-                    let of = |f: &solution::draft::FoundAnswer| match f.eom {
-                        Some(DerivedAnswer::Value(symbol)) => Some(symbol),
-                        _ => None,
-                    };
-                    let found =
-                        page.draft.found.iter().find(|f| f.label == self.label(Quantity::FrictionIfRolled));
-                    found.and_then(of)
-                } else {
-                    None
-                };
-                let friction = match friction {
-                    Some(friction) => friction,
-                    None => self.roll(&mut page).1,
-                };
-                let size = Self::magnitude(&mut page, friction, "N");
-                let limit = &self.mu_s * worked.normal;
-                let needed = page.with_value(size);
-                page.say("thrown.check_grip", &[("needed", &needed)]);
-                let name = page.free(&[r"F_{\mathrm{max}}", "F_m"]);
-                page.find(&name, "N", &limit);
-                page.say("thrown.rolls_on", &[]);
-            }
-        }
-        let value = page.draft.symbols.value(worked.v);
-        let way = self.way(page.draft, value).to_owned();
-        let v = page.draft.symbols.tex(worked.v).to_owned();
-        page.picture("graph-slip");
-        if value > 0.0 {
-            page.say("thrown.moves_forward", &[("v", &v), ("way", &way)]);
-        } else if value < 0.0 {
-            page.say("thrown.moves_back", &[("v", &v), ("way", &way)]);
-        }
-        page.done();
     }
 }

@@ -235,6 +235,7 @@ pub fn width(tex: &str) -> f64 {
                     "sqrt" => sum += 1.6,
                     "left" | "right" => {}
                     "quad" => sum += 2.0,
+                    "qquad" => sum += 4.0,
                     "sin" | "cos" | "int" => sum += 2.6,
                     "mathrm" => {}
                     _ => sum += 1.0,

@@ -68,8 +68,8 @@ impl Count {
 struct Score {
     rows: usize,
     draws: u32,
-    /// For each question: answers rounded on the way that were rejected; the same on either road of the solution alone.
-    rounded: Vec<(String, Count, [Count; 2])>,
+    /// For each question: answers rounded on the way that were rejected.
+    rounded: Vec<(String, Count)>,
     /// Right answers to four figures and more that were rejected.
     rejected: Count,
     /// Values of guarded wrong methods that were marked right.
@@ -103,7 +103,7 @@ fn handed(part: usize, cell: Cell, entry: &KeyEntry, kind: Kind, method: &str) -
     SimulatedAnswer { problem: 0, part, attempt: 1, cell, truth }
 }
 
-/// The made-up students of one draw, and how the one who rounds on the way fares on either road.
+/// The made-up students of one draw, the one who rounds on the way first.
 fn students(
     draw: u32,
     (problem, variant, key): (&Problem, &Variant, &ProblemKey),
@@ -118,7 +118,7 @@ fn students(
     };
     let numbers = || {
         key.parts.iter().enumerate().filter_map(|(i, e)| match e.answer {
-            Answer::Number { value, half_width, .. } => Some((i, e, value, half_width)),
+            Answer::Number { .. } => Some((i, e)),
             Answer::Word { .. } => None,
         })
     };
@@ -131,17 +131,12 @@ fn students(
     };
     let figures = u32::try_from(ON_THE_WAY).unwrap();
     let mut own = Vec::new();
-    for (i, entry, value, half_width) in numbers() {
+    for (i, entry) in numbers() {
         let Some(found) = hand.iter().find(|h| h.label == problem.questions[i].label) else {
             score.faults.push(format!("{} {}: not found by hand", problem.id, entry.part));
             continue;
         };
         let cell = |x: f64| Cell::number(x, &entry.unit, figures);
-        for (road, x) in [found.eom, found.energy].into_iter().enumerate() {
-            if let Some(x) = x.and_then(|x| cell(x.value).si(&entry.unit)) {
-                score.rounded[i].2[road].add((x - value).abs() > half_width);
-            }
-        }
         own.extend(found.value().map(|x| handed(i, cell(x), entry, Kind::RoundedOnTheWay, "")));
     }
     add("hand", own);
@@ -173,7 +168,7 @@ fn students(
     }
     for (m, id) in key.methods.iter().enumerate() {
         let mut answers = Vec::new();
-        for (i, entry, ..) in numbers() {
+        for (i, entry) in numbers() {
             for wrong in entry.wrong.iter().filter(|w| usize::from(w.method) == m) {
                 let cell = Cell::number(wrong.value, &entry.unit, 4);
                 answers.push(handed(i, cell, entry, Kind::WrongMethod, id));
@@ -210,11 +205,7 @@ fn unguarded(problem: &Problem, part: &str, method: &str) -> bool {
 fn score(problem: &Problem, draws: u32, words: &Words) -> Score {
     let mut score = Score {
         draws,
-        rounded: problem
-            .questions
-            .iter()
-            .map(|q| (q.id.clone(), Count::default(), Default::default()))
-            .collect(),
+        rounded: problem.questions.iter().map(|q| (q.id.clone(), Count::default())).collect(),
         ..Score::default()
     };
     // Many of all sorts, each part once.
@@ -362,14 +353,11 @@ fn judge(scores: &[(String, Score)], least: usize) {
     let mut slips: BTreeMap<&str, Count> = BTreeMap::new();
     let (mut rejected, mut accepted, mut excepted) = (Count::default(), Count::default(), Count::default());
     let (mut recalled, mut precise, mut first) = (Count::default(), Count::default(), Count::default());
-    println!(
-        "Rejected although right, with {ON_THE_WAY} figures on the way (each road alone: equations of motion, energy)"
-    );
+    println!("Rejected although right, with {ON_THE_WAY} figures on the way");
     for (family, s) in scores {
         println!("  {family}: {} draws, {} answers", s.draws, s.rows);
-        for (part, count, roads) in s.rounded.iter().filter(|(_, c, _)| c.all > 0) {
-            let [eom, energy] = roads.map(percent);
-            println!("    {part:20} {:>8} of {:5}   ({eom}, {energy})", percent(*count), count.all);
+        for (part, count) in s.rounded.iter().filter(|(_, c)| c.all > 0) {
+            println!("    {part:20} {:>8} of {:5}", percent(*count), count.all);
             if count.share() > REJECTED {
                 faults.push(format!(
                     "{family} {part}: {} rejected of {} rounded on the way",

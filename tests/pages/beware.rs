@@ -22,12 +22,11 @@ pub fn check(
     words: &Words,
     told: &mut u32,
 ) -> Vec<String> {
-    let title = format!("### {}\n", words.get("solution.title.beware"));
-    let section =
-        markdown.split_once(&title).map_or("", |(_, rest)| rest.split("\n### ").next().unwrap_or(""));
+    let title = format!("**{}**\n", words.get("solution.title.beware"));
+    let section = markdown.split_once(&title).map_or("", |(_, rest)| rest.split("\n**").next().unwrap_or(""));
     let items: Vec<&str> = section.lines().filter_map(|l| l.strip_prefix("- ")).collect();
     let mut faults = Vec::new();
-    if items.is_empty() != problem.mistakes.is_empty() || items.len() > 5 {
+    if items.is_empty() != problem.mistakes.is_empty() || items.len() > 3 {
         faults.push(format!("{} of {} wrong methods are told", items.len(), problem.mistakes.len()));
     }
     let catalogue = Catalogue::of(words.language()).expect("a catalogue");

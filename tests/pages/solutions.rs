@@ -9,8 +9,10 @@ use slipstick::bank::{Draw, Problem, load};
 use slipstick::num::shown;
 use slipstick::problem::maker;
 use slipstick::problem::maker::{Maker, Variant};
+use slipstick::scene::Owner;
 use slipstick::sheet::html;
 use slipstick::solution;
+use slipstick::solution::draft::Detail;
 use slipstick::solution::written::width;
 use slipstick::template::Templates;
 use slipstick::words::Words;
@@ -61,11 +63,8 @@ fn faults(markdown: &str, problem: &Problem, variant: &Variant, words: &Words) -
     let sentences: String = markdown.split("$$").step_by(2).collect::<Vec<_>>().join(" ");
     for (i, piece) in sentences.split('$').enumerate() {
         // Outside of formulas nothing is left to fill in.
-        if i % 2 == 0 && (piece.contains('{') || piece.contains('}') || piece.contains('?')) {
-            let heading = piece.lines().any(|l| l.starts_with('#') && l.ends_with('?'));
-            if !heading {
-                faults.push(format!("left open: {piece:?}"));
-            }
+        if i % 2 == 0 && piece.contains(['{', '}']) {
+            faults.push(format!("left open: {piece:?}"));
         }
     }
     for word in ["NaN", "none}", "infinite"] {
@@ -85,8 +84,10 @@ fn faults(markdown: &str, problem: &Problem, variant: &Variant, words: &Words) -
         }
     }
     for q in &problem.questions {
-        let row = format!("- `1.{}`: ", q.id);
-        let Some(line) = markdown.lines().find_map(|l| l.strip_prefix(&row)) else {
+        let row = format!("`1.{}` ", q.id);
+        let all = markdown.lines().find(|l| l.starts_with("> ")).unwrap_or_default();
+        let Some(line) = all.split(" · ").map(|l| l.trim_start_matches("> ")).find(|l| l.starts_with(&row))
+        else {
             faults.push(format!("no answer to {}", q.id));
             continue;
         };
@@ -123,10 +124,10 @@ fn every_draw(draws: u32) {
         made += 1;
     });
     println!("{made} solutions: {counts:?}, {told} mistakes");
-    assert!(10 * told > 3 * made, "{told} mistakes told in {made} solutions");
+    assert!(10 * told > 2 * made, "{told} mistakes told in {made} solutions");
     // So that a change of the text's form cannot switch the check off.
     assert!(
-        counts.numbers > 20 * made && counts.symbols > 20 * made && counts.relations > 2 * made,
+        counts.symbols > 8 * made && counts.relations > 5 * made && counts.repeated > 5 * made,
         "{counts:?}"
     );
 }
@@ -161,7 +162,7 @@ fn a_wrong_digit_is_seen() {
         }
     });
     println!("{planted} wrong digits seen");
-    assert!(planted > 200);
+    assert!(planted > 60);
 }
 
 #[test]
@@ -209,10 +210,53 @@ fn pictures_stand_in_the_text() {
         sorted.0.sort_unstable();
         sorted.1.sort_unstable();
         assert_eq!(sorted.0, sorted.1, "{}", problem.id);
-        assert!(names.contains(&"scene") && names.contains(&"energy"), "{}: {names:?}", problem.id);
+        assert!(names.contains(&"scene"), "{}: {names:?}", problem.id);
         let bodies = &problem.cases[variant.case].scene.bodies;
         assert!(bodies.iter().all(|b| names.contains(&format!("forces-{}", b.name).as_str())), "{names:?}");
     });
+}
+
+/// Every step with its numbers put in: the same equations, solved again from them.
+#[test]
+fn every_substitution_of_the_full_detail_holds() {
+    let (templates, words) = (templates("en"), Words::english());
+    let (mut counts, mut made) = (tex::Counts::default(), 0);
+    sweep(support::seeds(40), |problem, variant| {
+        let (document, beyond) =
+            solution::worked(problem, variant, 1, Detail::Full, (&words, &templates)).expect("a solution");
+        assert!(beyond.is_none(), "{}", problem.id);
+        let mut wrong = faults(&document.markdown, problem, variant, &words);
+        wrong.extend(tex::check(&document.markdown, &mut counts));
+        assert!(wrong.is_empty(), "{}: {}\n\n{}", problem.id, wrong.join("\n"), document.markdown);
+        made += 1;
+    });
+    assert!(counts.numbers > 6 * made, "{made}: {counts:?}");
+}
+
+/// The short detail: at most a dozen displayed lines, and the way that is called shorter has fewer unknowns.
+#[test]
+fn a_solution_is_short_and_says_truly_what_is_shorter() {
+    let (templates, words) = (templates("en"), Words::english());
+    let mut compared = 0;
+    sweep(support::seeds(40), |problem, variant| {
+        let text = markdown(problem, variant, &words, &templates);
+        let lines: usize = tex::displayed(&text).iter().map(|f| tex::lines(f).len()).sum();
+        assert!(lines <= 12, "{}: {lines} lines\n{text}", problem.id);
+        let unknowns = |way: &str| -> Option<(usize, usize)> {
+            let rest = text.split_once(&format!("{way}: "))?.1;
+            let (count, rest) = rest.split_once(" unknowns (")?;
+            let list = rest.split_once(')')?.0;
+            Some((count.parse().ok()?, list.matches('$').count() / 2))
+        };
+        if let (Some(newton), Some(energy)) = (unknowns("Newton"), unknowns("Energy")) {
+            assert_eq!((newton.0, energy.0), (newton.1, energy.1), "{}: {text}", problem.id);
+            assert!(energy.0 < newton.0, "{}", problem.id);
+            compared += 1;
+        } else {
+            assert!(text.contains("either method is shorter"), "{}: {text}", problem.id);
+        }
+    });
+    assert!(compared > 20, "{compared}");
 }
 
 /// Scenes of textbooks, with the data printed there.
@@ -242,6 +286,14 @@ fn scenes_of_textbooks() {
                 continue;
             }
             let variant = maker::from_values(problem, 0, &values).expect("solved");
+            // What is asked by an expression of the bank's own, or with data that are not given, has a short page.
+            let formulas = &problem.cases[0].scene.formulas;
+            if formulas.found.is_some() || formulas.numbers.iter().any(|n| n.any) {
+                continue;
+            }
+            if problem.questions.iter().any(|q| matches!(q.label.of, Owner::Asked(_))) {
+                continue;
+            }
             // One is printed to show that it does not roll.
             if variant.solved.regime.slips {
                 continue;

@@ -296,7 +296,7 @@ fn evaluate(text: &str, known: &BTreeMap<String, Interval>, data: &[String]) -> 
 
 /// Is it one symbol?
 fn is_name(text: &str) -> bool {
-    let plain = text.replace(r"\mathrm", "").replace(r"\dot", "");
+    let plain = text.replace(r"\Delta ", "").replace(r"\mathrm", "").replace(r"\dot", "");
     let command = plain.strip_prefix('\\').unwrap_or(&plain);
     let head = command.split('_').next().unwrap_or("");
     let letters = head.trim_matches(|c| c == '{' || c == '}');
@@ -305,7 +305,7 @@ fn is_name(text: &str) -> bool {
     !letters.is_empty()
         && letters.len() <= short
         && letters.chars().all(|c| c.is_ascii_alphabetic())
-        && !text.contains([' ', '+', '^'])
+        && !plain.contains([' ', '+', '^'])
         && !text.contains(r"\,")
         && !text.starts_with(r"\frac")
         && !text.starts_with(r"\sqrt")
@@ -313,10 +313,17 @@ fn is_name(text: &str) -> bool {
         && !text.starts_with(r"\int")
 }
 
-/// The formulas within sentences.
-fn inline(markdown: &str) -> Vec<String> {
-    let without: String = markdown.split("$$").step_by(2).collect::<Vec<_>>().join(" ");
-    without.split('$').skip(1).step_by(2).map(str::to_owned).collect()
+/// All formulas in the order of the text, those of answers and wrong methods left out; the first list is that of the data.
+fn formulas(markdown: &str) -> (Vec<String>, Vec<String>) {
+    let told = |l: &&str| !l.starts_with("> ") && !l.starts_with("- ") && !l.starts_with("![");
+    let text: Vec<&str> = markdown.lines().filter(told).collect();
+    let (data, rest): (Vec<&str>, Vec<&str>) =
+        text.iter().partition(|l| l.starts_with("**Data") || l.starts_with("**Gegeben"));
+    let math = |lines: Vec<&str>| -> Vec<String> {
+        let text = lines.join("\n").replace("$$", "$");
+        text.split('$').skip(1).step_by(2).map(str::to_owned).collect()
+    };
+    (math(data), math(rest))
 }
 
 /// Solves every printed equation again; says which do not hold.
@@ -324,9 +331,9 @@ pub fn check(markdown: &str, counts: &mut Counts) -> Vec<String> {
     let mut faults = Vec::new();
     let mut known: BTreeMap<String, Interval> = BTreeMap::new();
     let mut data: Vec<String> = Vec::new();
-    // The data: the first paragraph with formulas, `R = 200 mm = 0.200 m`.
-    let given = markdown.split("\n\n").find(|p| p.contains("$m") || p.contains(" = ")).unwrap_or("");
-    for formula in inline(given) {
+    let (given, formulas) = formulas(markdown);
+    // The data, `R = 200 mm = 0.200 m`.
+    for formula in given {
         let pieces: Vec<&str> = formula.split(" = ").collect();
         let (Some(name), Some(value)) = (pieces.first(), pieces.last()) else { continue };
         // Digits in SI are exact where they are those that were drawn, moved by a power of ten.
@@ -345,57 +352,69 @@ pub fn check(markdown: &str, counts: &mut Counts) -> Vec<String> {
             None => faults.push(format!("not read: {formula}")),
         }
     }
-    let formulas = displayed(markdown);
-    for formula in &formulas {
-        for chain in chains(formula) {
-            let Some((result, steps)) = chain.split_last() else { continue };
-            let Some(name) = steps.first().filter(|n| is_name(n)) else { continue };
-            let Some((value, true)) = evaluate(result, &BTreeMap::new(), &data) else { continue };
-            for step in &steps[1..] {
-                match evaluate(step, &known, &data) {
-                    Some((found, digits)) => {
-                        if digits {
-                            counts.numbers += 1;
-                        } else {
-                            counts.symbols += 1;
-                        }
-                        if !found.meets(value) {
-                            faults.push(format!("{name} = {step} gives {found:?}, printed: {result}"));
-                        }
+    let chains: Vec<Vec<String>> = formulas
+        .iter()
+        .flat_map(|f| {
+            f.split(r"\qquad ").flat_map(|part| chains(part.trim_end_matches(", "))).collect::<Vec<_>>()
+        })
+        .collect();
+    let mut later = Vec::new();
+    for chain in &chains {
+        let Some((result, steps)) = chain.split_last() else { continue };
+        let Some((value, true)) = evaluate(result, &BTreeMap::new(), &data) else { continue };
+        let named = steps.first().filter(|n| is_name(n));
+        for step in &steps[usize::from(named.is_some())..] {
+            match evaluate(step, &known, &data) {
+                Some((found, digits)) => {
+                    if named.is_none() {
+                        counts.repeated += 1;
+                    } else if digits {
+                        counts.numbers += 1;
+                    } else {
+                        counts.symbols += 1;
                     }
-                    None => faults.push(format!("not read: {name} = {step}")),
+                    if !found.meets(value) {
+                        faults.push(format!("{step} gives {found:?}, printed: {}", chain.join(" = ")));
+                    }
+                }
+                // It may use what is found further on.
+                None => later.push((step, value, chain)),
+            }
+        }
+        if let Some(name) = named {
+            match known.get(name) {
+                Some(before) if steps.len() == 1 => {
+                    counts.repeated += 1;
+                    if !before.meets(value) {
+                        faults.push(format!("{name} = {result}, it was {before:?}"));
+                    }
+                }
+                _ => {
+                    known.insert(name.clone(), value);
                 }
             }
-            known.insert(name.clone(), value);
+        }
+    }
+    for (step, value, chain) in later {
+        match evaluate(step, &known, &data) {
+            Some((found, _)) if found.meets(value) => counts.relations += 1,
+            Some((found, _)) => faults.push(format!("{step} gives {found:?}: {}", chain.join(" = "))),
+            // What stands first may be a name of its own.
+            None if chain.first() == Some(step) => {}
+            None => faults.push(format!("not read: {step} in {}", chain.join(" = "))),
         }
     }
     // With everything known, what was an equation for unknowns has to hold.
-    for formula in &formulas {
-        for chain in chains(formula) {
-            let values: Vec<Option<(Interval, bool)>> =
-                chain.iter().map(|piece| evaluate(piece, &known, &data)).collect();
-            for pair in values.windows(2) {
-                if let [Some((left, false)), Some((right, false))] = pair {
-                    counts.relations += 1;
-                    if !left.meets(*right) {
-                        faults.push(format!("{left:?} is not {right:?}: {formula}"));
-                    }
+    for chain in &chains {
+        let values: Vec<Option<(Interval, bool)>> =
+            chain.iter().map(|piece| evaluate(piece, &known, &data)).collect();
+        for pair in values.windows(2) {
+            if let [Some((left, false)), Some((right, false))] = pair {
+                counts.relations += 1;
+                if !left.meets(*right) {
+                    faults.push(format!("{left:?} is not {right:?}: {}", chain.join(" = ")));
                 }
             }
-        }
-    }
-    // Values that sentences repeat.
-    for formula in inline(markdown) {
-        let Some((name, value)) = formula.split_once(" = ") else { continue };
-        let (Some((left, _)), Some((right, true))) =
-            // Rounded as answers are, even where the digits are those of a datum.
-            (evaluate(name, &known, &data), evaluate(value, &BTreeMap::new(), &[]))
-        else {
-            continue;
-        };
-        counts.repeated += 1;
-        if !left.meets(right) {
-            faults.push(format!("a sentence says {formula}, it was {left:?}"));
         }
     }
     faults
@@ -405,12 +424,20 @@ pub fn check(markdown: &str, counts: &mut Counts) -> Vec<String> {
 pub fn mutations(markdown: &str) -> Vec<(usize, String)> {
     let mut found = Vec::new();
     let mut at = 0;
-    for (i, formula) in markdown.split("$$").enumerate() {
+    // Displayed formulas begin and end with one sign as the others do; places stay what they are.
+    for (i, formula) in markdown.replace("$$", "$\u{1}").split('$').enumerate() {
         let start = at;
-        at += formula.len() + 2;
+        at += formula.len() + 1;
         let steps = formula.matches('=').count();
-        let Some(equals) = formula.rfind("= ").filter(|_| i % 2 == 1 && steps > 1) else { continue };
-        let rest = &formula[equals + 2..];
+        // A datum in two units is no step.
+        let datum = formula
+            .split('=')
+            .nth(1)
+            .is_some_and(|p| p.trim_start().starts_with(|c: char| c.is_ascii_digit()));
+        let Some(equals) = formula.rfind("= ").filter(|_| i % 2 == 1 && steps > 1 && !datum) else {
+            continue;
+        };
+        let rest = formula[equals + 2..].split(r" \quad (").next().unwrap_or("");
         let end = rest.find(r" \end{aligned}").unwrap_or(rest.len());
         let digits = rest.trim_start_matches('-').starts_with(|c: char| c.is_ascii_digit());
         if !digits || rest[..end].contains(['(', '+']) || rest[..end].contains(r"\,") {

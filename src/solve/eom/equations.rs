@@ -14,7 +14,7 @@
 use crate::num::Real;
 use crate::num::linear::{Linear, Solution};
 use crate::num::plant::plant;
-use crate::scene::{Attach, Coordinate, CordEnd, Degree, Far, Numbers, Scene, Side, Tie};
+use crate::scene::{Action, Coordinate, Degree, Far, Numbers, Scene, Tie};
 use crate::solve::outcome::{Grip, Refusal};
 use smallvec::SmallVec;
 
@@ -117,15 +117,13 @@ impl<T: Real> Response<T> {
     }
 }
 
-/// Lever of a cord's end: `toward` and `side * p`, the latter zero at the centre.
-fn lever<T: Real>(n: &Numbers<T>, end: &CordEnd) -> (f64, T) {
-    let toward = if end.forward { 1.0 } else { -1.0 };
-    let arm = match end.attach {
-        Attach::Centre => T::zero(),
-        Attach::Wound(p, Side::Top) => plant!("eom: lever of a cord", n.get(p)),
-        Attach::Wound(p, Side::Bottom) => -plant!("eom: lever of a cord", n.get(p)),
+/// Share of a cord's pull along the line, and its arm with the sign of its turn; 0 at the centre.
+fn lever<T: Real>(n: &Numbers<T>, action: &Action) -> (f64, T) {
+    let arm = match action.arm {
+        None => T::zero(),
+        Some((radius, sense)) => plant!("eom: lever of a cord", n.get(radius)).signed(sense),
     };
-    (toward, arm)
+    (action.along, arm)
 }
 
 /// Assembles the rows that the scene has and solves them.
@@ -155,18 +153,17 @@ pub fn respond<T: Real>(scene: &Scene, n: &Numbers<T>, setting: &Setting) -> Res
         }
     }
     // Adds `factor * tension` of a cord's end to the rows of its body, on the left (an unknown) or on the right.
-    let pull = |rows: &mut Linear<T>, end: &CordEnd, tension: T, unknown: Option<usize>, column: usize| {
+    let pull = |rows: &mut Linear<T>, end: &Action, tension: T, unknown: Option<usize>, column: usize| {
         let (toward, arm) = lever(n, end);
-        let force = tension.signed(toward);
         if let Some(row) = layout.along[end.body] {
-            let f = plant!("eom: pull of a cord along the line", force);
+            let f = plant!("eom: pull of a cord along the line", tension.signed(toward));
             match unknown {
                 Some(u) => rows.term(row, u, -f),
                 None => rows.right(row, column, f),
             }
         }
         if let Some(row) = layout.turn[end.body] {
-            let m = force * arm;
+            let m = tension * arm;
             match unknown {
                 Some(u) => rows.term(row, u, -m),
                 None => rows.right(row, column, m),
@@ -174,13 +171,13 @@ pub fn respond<T: Real>(scene: &Scene, n: &Numbers<T>, setting: &Setting) -> Res
         }
     };
     // Acceleration of a cord's end along the cord, as terms of a row.
-    let take_up = |rows: &mut Linear<T>, row: usize, end: &CordEnd| {
+    let take_up = |rows: &mut Linear<T>, row: usize, end: &Action| {
         let (toward, arm) = lever(n, end);
         if let Some(col) = layout.along[end.body] {
             rows.term(row, col, plant!("eom: travel of the centre in a cord", T::of(toward)));
         }
         if let Some(col) = layout.turn[end.body] {
-            rows.term(row, col, arm.signed(toward));
+            rows.term(row, col, arm);
         }
     };
     for (t, tie) in scene.ties.iter().enumerate() {
@@ -188,11 +185,14 @@ pub fn respond<T: Real>(scene: &Scene, n: &Numbers<T>, setting: &Setting) -> Res
             Tie::Roll { body, radius_m, .. } | Tie::Slip { body, radius_m, .. } => {
                 let Some(row) = layout.reaction[t] else { continue };
                 let c = n.get(*radius_m);
-                if let Some(along) = layout.along[*body] {
-                    rows.term(along, row, -plant!("eom: friction along the line", T::of(1.0)));
-                }
-                if let Some(turn) = layout.turn[*body] {
-                    rows.term(turn, row, plant!("eom: moment of the friction", c));
+                for force in tie.actions() {
+                    if let Some(along) = layout.along[force.body] {
+                        rows.term(along, row, -plant!("eom: friction along the line", T::of(force.along)));
+                    }
+                    if let (Some(turn), Some((radius, sense))) = (layout.turn[force.body], force.arm) {
+                        let moment = -n.get(radius).signed(sense);
+                        rows.term(turn, row, plant!("eom: moment of the friction", moment));
+                    }
                 }
                 match tie {
                     Tie::Slip { mu_k, .. } if !setting.grip.rolls(t) => {
@@ -225,25 +225,22 @@ pub fn respond<T: Real>(scene: &Scene, n: &Numbers<T>, setting: &Setting) -> Res
                     rows.term(row, normal, -n.get(mu).signed(setting.friction_sense[t]));
                 }
             }
-            Tie::Cord(cord) => match &cord.to {
-                Far::Pull(force) => {
-                    let p = plant!("eom: force of a pull", n.massive(*force));
-                    pull(&mut rows, &cord.from, p, None, CONSTANT);
-                }
-                Far::Spring { .. } => pull(&mut rows, &cord.from, T::of(1.0), None, SPRING),
-                Far::Fixed => {
-                    let Some(row) = layout.reaction[t] else { continue };
-                    pull(&mut rows, &cord.from, T::of(1.0), Some(row), CONSTANT);
-                    take_up(&mut rows, row, &cord.from);
-                }
-                Far::Body(other) => {
-                    let Some(row) = layout.reaction[t] else { continue };
-                    for end in [&cord.from, other] {
-                        pull(&mut rows, end, T::of(1.0), Some(row), CONSTANT);
-                        take_up(&mut rows, row, end);
+            Tie::Cord(cord) => {
+                for end in tie.actions() {
+                    match (&cord.to, layout.reaction[t]) {
+                        (Far::Pull(force), _) => {
+                            let p = plant!("eom: force of a pull", n.massive(*force));
+                            pull(&mut rows, &end, p, None, CONSTANT);
+                        }
+                        (Far::Spring { .. }, _) => pull(&mut rows, &end, T::of(1.0), None, SPRING),
+                        (Far::Fixed | Far::Body(_), Some(row)) => {
+                            pull(&mut rows, &end, T::of(1.0), Some(row), CONSTANT);
+                            take_up(&mut rows, row, &end);
+                        }
+                        (Far::Fixed | Far::Body(_), None) => {}
                     }
                 }
-            },
+            }
         }
     }
     if let Some(c) = setting.probe {

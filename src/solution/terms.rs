@@ -1,15 +1,14 @@
-//! The mechanism of a scene in symbols: velocity ratios, forces with their points, masses and moments of inertia.
+//! The terms of a scene of lines and axles in symbols: each action with its point, velocity ratios, masses, moments of inertia.
 //!
 //! Derived here anew from the scene: neither method's code is used.
 use crate::figure::names;
+pub use crate::figure::names::tagged;
 use crate::scene::{
-    Attach, Body, Coordinate, CordEnd, Degree, Far, Mass, Num, Quantity, RotaryInertia, Scene, Shape, Side,
-    Slope, Tie,
+    Body, Coordinate, CordEnd, Degree, Far, Mass, Num, Quantity, RotaryInertia, Shape, Slope, Tie,
 };
 use crate::solution::draft::Draft;
 use crate::solution::expr::{Expr, ONE, SymbolId, ZERO, cosine, sine, sum};
 use crate::solution::factors::Factors;
-use crate::solution::mass::beta;
 use crate::solution::stop::{Beyond, DerivationStop};
 
 /// What brings a force or couple.
@@ -57,7 +56,7 @@ pub struct Action {
 
 /// One body.
 #[derive(Debug, Clone)]
-pub struct BodyInSymbols {
+pub struct BodyTerms {
     /// Its name for headings.
     pub label: String,
     /// What stands below the symbols that belong to it where several bodies have such a symbol.
@@ -88,11 +87,11 @@ pub struct BodyInSymbols {
     pub slips: bool,
 }
 
-/// The mechanism.
+/// The terms of a scene.
 #[derive(Debug, Clone)]
-pub struct Mechanism {
+pub struct Terms {
     /// The bodies.
-    pub parts: Vec<BodyInSymbols>,
+    pub parts: Vec<BodyTerms>,
     /// All forces but normal ones.
     pub actions: Vec<Action>,
     /// Lead: the coordinate to which the velocity ratios refer.
@@ -111,7 +110,7 @@ fn symbol_of(action: &Action) -> Option<SymbolId> {
     }
 }
 
-impl Mechanism {
+impl Terms {
     /// Reads the scene; `rolled`: what is said to slip is taken as rolling, its unknowns get an r.
     ///
     /// # Errors
@@ -134,35 +133,17 @@ impl Mechanism {
         let mut cords = 0;
         for (t, tie) in scene.ties.iter().enumerate() {
             match tie {
-                Tie::Roll { body, radius_m, .. } | Tie::Slip { body, radius_m, .. } => {
-                    let c = Factors::of(&draft.number(*radius_m, "R", "m"));
+                Tie::Roll { body, .. } | Tie::Slip { body, .. } => {
                     let rolls = rolled || matches!(tie, Tie::Roll { .. });
                     let kind = if rolls { ForceKind::Reaction } else { ForceKind::Kinetic };
                     let tag = if contacts > 1 { self.parts[*body].tag.as_str() } else { "" };
                     let force = friction(draft, &below(tag, rolled));
-                    let up = self.parts[*body].up;
-                    self.actions.push(Action {
-                        contact: true,
-                        source: ForceSource::Tie(t),
-                        kind,
-                        body: *body,
-                        force: force.into(),
-                        along: Factors::one().signed(up),
-                        arm: c.signed(-up),
-                    });
+                    self.rub(draft, t, kind, force);
                 }
                 Tie::Slide { body, .. } => {
                     let tag = if contacts > 1 { self.parts[*body].tag.as_str() } else { "" };
                     let force = friction(draft, &below(tag, rolled));
-                    self.actions.push(Action {
-                        contact: true,
-                        source: ForceSource::Tie(t),
-                        kind: ForceKind::Kinetic,
-                        body: *body,
-                        force: force.into(),
-                        along: Factors::one().signed(self.parts[*body].up),
-                        arm: Factors::zero(),
-                    });
+                    self.rub(draft, t, ForceKind::Kinetic, force);
                 }
                 Tie::Cord(cord) => {
                     let (kind, force) = match &cord.to {
@@ -177,12 +158,8 @@ impl Mechanism {
                             (kind, draft.unknown(&tex, "N").into())
                         }
                     };
-                    let mut ends = vec![cord.from];
-                    if let Far::Body(other) = &cord.to {
-                        ends.push(*other);
-                    }
-                    for end in ends {
-                        let (along, arm) = lever(draft, &end);
+                    for end in tie.actions() {
+                        let (along, arm) = levers(draft, &end);
                         let along = if self.parts[end.body].a.is_some() { along } else { Factors::zero() };
                         let arm = if self.parts[end.body].alpha.is_some() { arm } else { Factors::zero() };
                         self.actions.push(Action {
@@ -211,6 +188,23 @@ impl Mechanism {
             });
         }
         self.weigh(draft);
+    }
+
+    /// The friction of a contact, positive up.
+    fn rub(&mut self, draft: &mut Draft, tie: usize, kind: ForceKind, force: SymbolId) {
+        for action in draft.scene.ties[tie].actions() {
+            let up = self.parts[action.body].up;
+            let (along, arm) = levers(draft, &action);
+            self.actions.push(Action {
+                contact: true,
+                source: ForceSource::Tie(tie),
+                kind,
+                body: action.body,
+                force: force.into(),
+                along: along.signed(up),
+                arm: arm.signed(up),
+            });
+        }
     }
 
     /// The weights of the bodies on slopes.
@@ -265,7 +259,7 @@ impl Mechanism {
         }
         let mut known = vec![false; self.parts.len()];
         // Sets the ratios of a body from one of its coordinates.
-        let settle = |parts: &mut Vec<BodyInSymbols>, body: usize, degree: Degree, ratio: Factors| -> bool {
+        let settle = |parts: &mut Vec<BodyTerms>, body: usize, degree: Degree, ratio: Factors| -> bool {
             let part = &mut parts[body];
             match (part.a.is_some(), part.alpha.is_some() && !part.slips, &inner[body], degree) {
                 (true, true, Some(inner), Degree::Along) => {
@@ -423,24 +417,14 @@ impl Mechanism {
     pub fn inertia_expr(&self, c: Coordinate) -> Expr {
         sum(self.inertia(c).iter().map(Factors::expr))
     }
-
-    /// What the lead has to accelerate: each mass and moment of inertia times the square of its ratio. The spin of a
-    /// slipping body is left out.
-    pub fn effective(&self, draft: &Draft) -> Expr {
-        let coordinates = draft.scene.coordinates();
-        sum(coordinates.filter(|c| !self.ratio(*c).is_zero()).flat_map(|c| {
-            let square = self.ratio(c).squared();
-            self.inertia(c).into_iter().map(move |i| i.times(&square).expr())
-        }))
-    }
 }
 
 /// The bodies with their unknowns, before anything ties them.
-pub fn parts(draft: &mut Draft, rolled: bool) -> Vec<BodyInSymbols> {
+pub fn parts(draft: &mut Draft, rolled: bool) -> Vec<BodyTerms> {
     let scene = draft.scene;
     let g = gravity(draft);
     let mut parts = Vec::new();
-    let tags = tags(scene);
+    let tags = names::tags(scene);
     let count = |has: &dyn Fn(&Body) -> bool| scene.bodies.iter().filter(|b| has(b)).count();
     let lines = count(&|b| b.line.is_some());
     let turns = count(&|b| b.turns);
@@ -474,7 +458,7 @@ pub fn parts(draft: &mut Draft, rolled: bool) -> Vec<BodyInSymbols> {
             Some(Slope::Vertical) => "vertical",
             Some(Slope::Degrees(_)) => "incline",
         };
-        parts.push(BodyInSymbols {
+        parts.push(BodyTerms {
             label: names::body(draft.words, draft.scene, i),
             tag,
             mass,
@@ -494,17 +478,19 @@ pub fn parts(draft: &mut Draft, rolled: bool) -> Vec<BodyInSymbols> {
     parts
 }
 
-/// `along` and `arm` of a cord's end: its share along the line, its arm about the mass centre.
-pub fn lever(draft: &mut Draft, end: &CordEnd) -> (Factors, Factors) {
-    let toward = if end.forward { 1 } else { -1 };
-    let arm = match end.attach {
-        Attach::Centre => Factors::zero(),
-        Attach::Wound(p, side) => {
-            let side = if side == Side::Top { toward } else { -toward };
-            Factors::of(&draft.number(p, "r", "m")).signed(side)
-        }
+/// `along` and `arm` of a force: its share along the line, its arm about the mass centre.
+fn levers(draft: &mut Draft, action: &crate::scene::Action) -> (Factors, Factors) {
+    let sign = |x: f64| if x < 0.0 { -1 } else { 1 };
+    let arm = match action.arm {
+        None => Factors::zero(),
+        Some((radius, sense)) => Factors::of(&draft.number(radius, "R", "m")).signed(sign(sense)),
     };
-    (Factors::one().signed(toward), arm)
+    (Factors::one().signed(sign(action.along)), arm)
+}
+
+/// The same of a cord's end.
+pub fn lever(draft: &mut Draft, end: &CordEnd) -> (Factors, Factors) {
+    levers(draft, &end.action())
 }
 
 /// A tag, with an r if it belongs to the rolling that does not happen.
@@ -517,7 +503,7 @@ fn below(tag: &str, rolled: bool) -> String {
 }
 
 fn friction(draft: &mut Draft, tag: &str) -> SymbolId {
-    let tex = draft.free(&[&tagged("F", tag), &tagged("R", tag)]);
+    let tex = draft.free(&[&tagged("F", tag), &tagged("R", tag), &tagged("H", tag)]);
     draft.unknown(&tex, "N")
 }
 
@@ -538,14 +524,15 @@ fn mass_of(draft: &mut Draft, mass: &Mass, g: &Expr, tag: &str) -> Expr {
 }
 
 /// g, told only where something has a weight.
-fn gravity(draft: &mut Draft) -> Expr {
+pub fn gravity(draft: &mut Draft) -> Expr {
     if draft.scene.bodies.iter().all(Body::massless) {
         return ZERO;
     }
     draft.number(draft.scene.gravity_m_s2, "g", "m/s^2")
 }
 
-fn mass(draft: &mut Draft, body: &Body, g: &Expr, tag: &str) -> Factors {
+/// The mass of a body, from its parts or its weight where need be.
+pub fn mass(draft: &mut Draft, body: &Body, g: &Expr, tag: &str) -> Factors {
     if body.massless() {
         return Factors::zero();
     }
@@ -557,7 +544,8 @@ fn mass(draft: &mut Draft, body: &Body, g: &Expr, tag: &str) -> Factors {
     })
 }
 
-fn inertia(draft: &mut Draft, body: &Body, mass: &Factors, g: &Expr, tag: &str) -> Vec<Factors> {
+/// The moment of inertia about the mass centre, as a sum.
+pub fn inertia(draft: &mut Draft, body: &Body, mass: &Factors, g: &Expr, tag: &str) -> Vec<Factors> {
     if !body.turns {
         return Vec::new();
     }
@@ -583,35 +571,13 @@ fn inertia(draft: &mut Draft, body: &Body, mass: &Factors, g: &Expr, tag: &str) 
     all.into_iter().filter(|i| !i.is_zero()).collect()
 }
 
-/// The symbol with something below it.
-pub fn tagged(symbol: &str, tag: &str) -> String {
-    if tag.is_empty() { symbol.to_owned() } else { format!("{symbol}_{{{tag}}}") }
-}
-
-/// What stands below the symbols of each body: the number at the end of its name, its first letter if no other body has it,
-/// else its name.
-fn tags(scene: &Scene) -> Vec<String> {
-    let digits = |name: &str| -> String {
-        let start = name.trim_end_matches(|c: char| c.is_ascii_digit()).len();
-        name[start..].to_owned()
-    };
-    let initial = |name: &str| name.chars().next().map(|c| c.to_uppercase().to_string()).unwrap_or_default();
-    let names: Vec<&str> = scene.bodies.iter().map(|b| b.name.as_str()).collect();
-    let short = |name: &str| {
-        let number = digits(name);
-        if number.is_empty() { initial(name) } else { number }
-    };
-    let shorts: Vec<String> = names.iter().map(|n| short(n)).collect();
-    names
-        .iter()
-        .zip(&shorts)
-        .map(|(name, short)| {
-            if shorts.iter().filter(|s| *s == short).count() > 1 {
-                let plain: String = name.chars().filter(char::is_ascii_alphanumeric).collect();
-                format!(r"\mathrm{{{plain}}}")
-            } else {
-                short.clone()
-            }
-        })
-        .collect()
+/// `beta` of `I = beta m R^2`.
+fn beta(shape: Shape) -> Expr {
+    match shape {
+        Shape::Hoop => ONE,
+        Shape::Disc => Expr::Number(1, 2),
+        Shape::Sphere => Expr::Number(2, 5),
+        Shape::Shell => Expr::Number(2, 3),
+        Shape::Rod => Expr::Number(1, 12),
+    }
 }

@@ -1,13 +1,14 @@
 //! Kinetic energy of bodies at an instant: the velocities that the ties add to those of the start, then the definition, body by
 //! body.
 use crate::scene::{Coordinate, CordEnd, Degree, Far, Quantity, Tie};
+use crate::solution::account::{of_body, of_scene};
 use crate::solution::draft::{DerivedAnswer, Draft};
 use crate::solution::expr::{Expr, SymbolId, ZERO, magnitude, ratio, square, sum};
 use crate::solution::factors::Factors;
-use crate::solution::linear::derivation::{of_body, of_scene};
-use crate::solution::linear::mechanism;
-use crate::solution::linear::mechanism::{BodyInSymbols, tagged};
+
 use crate::solution::stop::{Beyond, DerivationStop};
+use crate::solution::terms;
+use crate::solution::terms::{BodyTerms, tagged};
 use crate::solution::text::{Block, SolutionSection};
 
 /// The velocities of one body, as far as they are known, positive forward.
@@ -20,7 +21,7 @@ struct KnownVelocities {
 /// The velocities of the bodies, found one after the other.
 struct InstantSpeeds<'d, 'a> {
     draft: &'d mut Draft<'a>,
-    parts: Vec<BodyInSymbols>,
+    parts: Vec<BodyTerms>,
     known: Vec<KnownVelocities>,
     /// Spin per unit velocity of the centre, where a tie of the body alone gives it, and the phrase for that.
     inner: Vec<Option<(Factors, &'static str)>>,
@@ -67,7 +68,7 @@ impl InstantSpeeds<'_, '_> {
     }
     /// Velocity of the point at which a cord leaves, along the cord and away from the body; `None` if it is not known.
     fn point(&mut self, end: &CordEnd) -> Option<Expr> {
-        let (along, arm) = mechanism::lever(self.draft, end);
+        let (along, arm) = terms::lever(self.draft, end);
         let known = &self.known[end.body];
         let mut terms = Vec::new();
         for (velocity, share) in [(&known.along, along), (&known.turn, arm)] {
@@ -79,7 +80,7 @@ impl InstantSpeeds<'_, '_> {
     }
     /// The velocity that a cord adds to the body at this end, whose point goes out with `out`. Did it add one?
     fn pulled(&mut self, end: &CordEnd, out: &Expr) -> bool {
-        let (along, arm) = mechanism::lever(self.draft, end);
+        let (along, arm) = terms::lever(self.draft, end);
         let (v, w) = (self.known[end.body].along.clone(), self.known[end.body].turn.clone());
         let body = end.body;
         let rest = |known: &Expr, share: &Factors| out + Factors::of(known).times(&share.opposite()).expr();
@@ -110,7 +111,7 @@ impl InstantSpeeds<'_, '_> {
 /// # Errors
 /// What the derivation does not cover.
 pub fn write(draft: &mut Draft) -> Result<(), DerivationStop> {
-    let parts = mechanism::parts(draft, false);
+    let parts = terms::parts(draft, false);
     let mut section = SolutionSection::new("energy", draft.words.get("solution.title.energy"));
     section.blocks.push(Block::Picture("scene".to_owned()));
     section.say(draft.words.get("solution.signs_drawn"));
@@ -135,13 +136,12 @@ pub fn write(draft: &mut Draft) -> Result<(), DerivationStop> {
     let tex = draft.free(&["E_{k}"]);
     let energy = draft.unknown(&tex, "J");
     section.find(&mut draft.symbols, energy, &sum(terms));
-    let note = draft.words.get("solution.instant_note").to_owned();
-    draft.from_one_method(of_scene(Quantity::KineticEnergy), DerivedAnswer::Value(energy), &note);
+    draft.answer(of_scene(Quantity::KineticEnergy), DerivedAnswer::Value(energy));
     if draft.asks(Quantity::RotationalFraction) {
         let tex = draft.free(&[r"\eta", r"\beta"]);
         let share = draft.unknown(&tex, "1");
         section.find(&mut draft.symbols, share, &(sum(turning) / energy));
-        draft.from_one_method(of_scene(Quantity::RotationalFraction), DerivedAnswer::Value(share), &note);
+        draft.answer(of_scene(Quantity::RotationalFraction), DerivedAnswer::Value(share));
     }
     for c in draft.scene.coordinates() {
         let (quantity, tex, unit) = match c.degree {
@@ -165,7 +165,7 @@ pub fn write(draft: &mut Draft) -> Result<(), DerivationStop> {
                 size
             }
         };
-        draft.from_one_method(of_body(quantity, c.body), DerivedAnswer::Value(symbol), &note);
+        draft.answer(of_body(quantity, c.body), DerivedAnswer::Value(symbol));
     }
     draft.sections.push(section);
     Ok(())
@@ -174,7 +174,7 @@ pub fn write(draft: &mut Draft) -> Result<(), DerivationStop> {
 /// All velocities: those of the start, then tie by tie.
 fn speeds<'d, 'a>(
     draft: &'d mut Draft<'a>,
-    parts: Vec<BodyInSymbols>,
+    parts: Vec<BodyTerms>,
     section: SolutionSection,
 ) -> Result<InstantSpeeds<'d, 'a>, DerivationStop> {
     let scene = draft.scene;
@@ -198,7 +198,7 @@ fn speeds<'d, 'a>(
                 all.inner[*body] = Some((Factors::one().per(&c), "solution.instant_roll"));
             }
             Tie::Cord(cord) if cord.to == Far::Fixed => {
-                let (along, arm) = mechanism::lever(all.draft, &cord.from);
+                let (along, arm) = terms::lever(all.draft, &cord.from);
                 let body = cord.from.body;
                 let both = all.parts[body].v.is_some() && all.parts[body].omega.is_some();
                 if both && !arm.is_zero() && all.inner[body].is_none() {

@@ -1,0 +1,224 @@
+//! Writes the sections of a solution: sentences, displayed formulas, and the quantities as they are found, short ones within the
+//! sentences, wide ones on lines of their own.
+use crate::num::shown;
+use crate::solution::draft::{Detail, Draft, tex_of};
+use crate::solution::expr::{Expr, SymbolId};
+use crate::solution::symbols::{FIGURES, tex_digits};
+use crate::solution::text::{Block, LINE, SolutionSection};
+use crate::solution::written::width;
+
+/// Widest formula that stands within a sentence.
+pub const WITHIN: f64 = 34.0;
+/// Widest line of several formulas: the gaps between them do not shrink.
+pub const PACKED: f64 = LINE - 8.0;
+/// So many formulas may stand within a sentence.
+const FEW: usize = 2;
+
+/// A quantity as it was found.
+#[derive(Debug, Clone)]
+pub struct Step {
+    /// Its symbol.
+    pub symbol: SymbolId,
+    /// What it is equal to.
+    pub from: Expr,
+}
+
+/// The section that is being written.
+pub struct Page<'d, 'a> {
+    /// The draft.
+    pub draft: &'d mut Draft<'a>,
+    /// What was found, in order.
+    pub steps: Vec<Step>,
+    /// The section.
+    pub out: SolutionSection,
+    /// Sentences of the paragraph that is being written.
+    open: Vec<String>,
+    /// Quantities that have been told.
+    told: Vec<SymbolId>,
+}
+
+impl<'d, 'a> Page<'d, 'a> {
+    /// Nothing yet.
+    pub fn new(draft: &'d mut Draft<'a>) -> Self {
+        let out = SolutionSection::new("", "");
+        Self { draft, steps: Vec::new(), out, open: Vec::new(), told: Vec::new() }
+    }
+    /// The value of an expression.
+    pub fn value(&self, e: &Expr) -> f64 {
+        e.value(&self.draft.symbols)
+    }
+    /// Notes what a quantity is equal to.
+    pub fn step(&mut self, symbol: SymbolId, from: Expr) -> SymbolId {
+        self.draft.settle(symbol, &from);
+        self.steps.push(Step { symbol, from });
+        symbol
+    }
+    /// A new quantity, the first of these names that is free, and what it is equal to. The unit is ASCII.
+    pub fn find(&mut self, names: &[&str], unit: &str, from: impl Into<Expr>) -> SymbolId {
+        let tex = self.draft.free(names);
+        let symbol = self.draft.unknown(&tex, unit);
+        self.step(symbol, from.into())
+    }
+    /// Has it been told?
+    pub fn is_told(&self, symbol: SymbolId) -> bool {
+        self.told.contains(&symbol)
+    }
+    /// Takes these as told.
+    pub fn tell_as_known(&mut self, symbols: Vec<SymbolId>) {
+        self.told = symbols;
+    }
+    /// A sentence that is made already.
+    pub fn add(&mut self, sentence: String) {
+        self.open.push(sentence);
+    }
+    /// A table, first row the head.
+    pub fn table(&mut self, rows: Vec<Vec<String>>) {
+        self.stop();
+        self.out.blocks.push(Block::Table(rows));
+    }
+    /// A displayed formula `v = ... = 4.94 m/s`, with this behind it.
+    pub fn display(&mut self, symbol: SymbolId, from: &Expr, behind: &str) {
+        let line = self.chain(symbol, from).concat();
+        self.told.push(symbol);
+        self.formula(if line.contains('&') { aligned(&line) } else { format!("{line}{behind}") });
+    }
+    /// `$v = ... = 4.94 m/s$`
+    pub fn chained(&self, symbol: SymbolId) -> String {
+        let from = self.steps.iter().find(|s| s.symbol == symbol).map(|s| s.from.clone());
+        let line = from.map_or_else(Vec::new, |from| self.chain(symbol, &from)).concat();
+        if line.is_empty() || line.contains('&') { self.shown(symbol) } else { format!("${line}$") }
+    }
+    /// Begins a section; its title is the phrase of its id.
+    pub fn begin(&mut self, id: &'static str) {
+        self.begin_as(id, id);
+    }
+    /// The same with another title.
+    pub fn begin_as(&mut self, id: &'static str, title: &str) {
+        self.end();
+        let title = self.draft.words.get(&format!("solution.title.{title}"));
+        self.out = SolutionSection::new(id, title);
+    }
+    /// Ends the section; one without content is not there.
+    pub fn end(&mut self) {
+        self.stop();
+        let done = std::mem::replace(&mut self.out, SolutionSection::new("", ""));
+        if !done.blocks.is_empty() {
+            self.draft.sections.push(done);
+        }
+    }
+    /// Ends the paragraph.
+    pub fn stop(&mut self) {
+        if !self.open.is_empty() {
+            let text = self.open.join(" ");
+            self.open.clear();
+            self.out.say(text);
+        }
+    }
+    /// A phrase of the solutions.
+    pub fn phrase(&self, name: &str, pieces: &[(&str, &str)]) -> String {
+        self.draft.say(&format!("solution.{name}"), pieces)
+    }
+    /// A sentence of the paragraph that is being written.
+    pub fn say(&mut self, name: &str, pieces: &[(&str, &str)]) {
+        let text = self.phrase(name, pieces);
+        self.open.push(text);
+    }
+    /// A displayed formula.
+    pub fn formula(&mut self, tex: String) {
+        self.stop();
+        self.out.blocks.push(Block::Formula(tex));
+    }
+    /// An expression in symbols.
+    pub fn tex(&self, e: &Expr) -> String {
+        e.symbols(&self.draft.symbols)
+    }
+    /// In a sentence.
+    pub fn inline(&self, e: &Expr) -> String {
+        format!("${}$", self.tex(e))
+    }
+    /// Several symbols.
+    pub fn names(&self, all: &[SymbolId]) -> String {
+        let list: Vec<String> = all.iter().map(|s| format!("${}$", self.draft.symbols.tex(*s))).collect();
+        list.join(", ")
+    }
+    /// `$e = 12.3 N$`
+    pub fn relation(&self, e: &Expr, value: f64, unit: &str) -> String {
+        let digits = tex_digits(&shown::significant(value, FIGURES), self.draft.words);
+        let unit = tex_of(unit);
+        let unit = if unit.is_empty() { unit } else { format!(r"\ {unit}") };
+        format!("${} = {digits}{unit}$", self.tex(e))
+    }
+    /// The same with the value of the expression itself.
+    pub fn valued(&self, e: &Expr, unit: &str) -> String {
+        match e {
+            Expr::Symbol(s) => self.shown(*s),
+            e => self.relation(e, e.value(&self.draft.symbols), unit),
+        }
+    }
+    /// `$v = 4.94 m/s$`
+    pub fn shown(&self, s: SymbolId) -> String {
+        format!("${} = {}$", self.draft.symbols.tex(s), self.draft.symbols.shown(s))
+    }
+    /// `v = ... = 4.94 m/s`, with the numbers put in where every detail is wanted.
+    pub fn chain(&self, symbol: SymbolId, from: &Expr) -> Vec<String> {
+        let symbols = &self.draft.symbols;
+        let (name, letters, value) = (symbols.tex(symbol), from.symbols(symbols), symbols.shown(symbol));
+        if from.uses().is_empty() || letters == name {
+            return vec![format!("{name} = {value}")];
+        }
+        let mut lines = vec![format!("{name} = {letters} = {value}")];
+        if self.draft.detail == Detail::Full && from.numbers(symbols) != value {
+            let numbers = from.numbers_in_lines(symbols, LINE).join(r" \\ &\quad ");
+            lines[0] = format!(r"{name} &= {letters} \\ &= {numbers} \\ &= {value}");
+        }
+        lines
+    }
+    /// Tells what was found since: a few short formulas within the sentence, more of them, or wide ones, displayed, as many on a
+    /// line as fit.
+    pub fn tell_new(&mut self) {
+        let new = |s: &&Step| !self.told.contains(&s.symbol);
+        let steps: Vec<Step> = self.steps.iter().filter(new).cloned().collect();
+        self.skip_new();
+        let chains: Vec<String> = steps.iter().map(|s| self.chain(s.symbol, &s.from).concat()).collect();
+        let short = chains.iter().all(|c| width(c) <= WITHIN && !c.contains('&'));
+        if short && chains.len() <= FEW {
+            if !chains.is_empty() {
+                let all: Vec<String> = chains.iter().map(|c| format!("${c}$")).collect();
+                self.open.push(format!("{}.", all.join(", ")));
+            }
+            return;
+        }
+        let mut line = String::new();
+        for chain in chains {
+            let whole = chain.contains('&');
+            let fits = !whole && width(&line) + width(&chain) + 4.0 <= PACKED;
+            if !line.is_empty() && !fits {
+                self.formula(std::mem::take(&mut line));
+            }
+            if whole {
+                self.formula(aligned(&chain));
+            } else {
+                if !line.is_empty() {
+                    line.push_str(r", \qquad ");
+                }
+                line.push_str(&chain);
+            }
+        }
+        if !line.is_empty() {
+            self.formula(line);
+        }
+    }
+    /// Takes all steps as told.
+    pub fn skip_new(&mut self) {
+        self.told = self.steps.iter().map(|s| s.symbol).collect();
+    }
+    /// Takes these as not told yet.
+    pub fn forget(&mut self, steps: &[Option<SymbolId>]) {
+        self.told.retain(|s| !steps.contains(&Some(*s)));
+    }
+}
+
+/// Lines that stand under each other at their `&`.
+pub fn aligned(lines: &str) -> String {
+    format!(r"\begin{{aligned}} {lines} \end{{aligned}}")
+}
