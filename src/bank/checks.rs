@@ -405,7 +405,8 @@ const fn why(quantity: Quantity) -> &'static str {
         Q::OmegaMax | Q::Period | Q::PeriodSmall | Q::OmegaSmall => {
             "it needs a pinned body that swings under its weight alone"
         }
-        Q::T | Q::RotationalFraction | Q::KineticEnergy | Q::Work | Q::Direction => "it needs a motion",
+        Q::Work => "it needs a motion on lines without a spring, and no slip from a speed at the start",
+        Q::T | Q::RotationalFraction | Q::KineticEnergy | Q::Direction => "it needs a motion",
         Q::Value => "it needs a question with `value:`",
     }
 }
@@ -435,7 +436,7 @@ pub fn labels(scene: &Scene) -> Vec<Label> {
         add(of, &[Q::PinRadial, Q::PinTangential, Q::PinForce, Q::PinX, Q::PinY, Q::PinAngle]);
         if moves {
             couples(&mut add);
-            add(Owner::Scene, &[Q::T, Q::Work]);
+            add(Owner::Scene, &[Q::T]);
             add(of, &[Q::Phi, Q::Rise]);
         }
         if scene.is_pendulum() {
@@ -464,7 +465,10 @@ pub fn labels(scene: &Scene) -> Vec<Label> {
             add(of, if line.surface && rates { &[Q::Normal] } else { &[] });
         }
     }
-    add(Owner::Scene, if moves { &[Q::T, Q::Work] } else { &[] });
+    add(Owner::Scene, if moves { &[Q::T] } else { &[] });
+    if moves && scene.spring().is_none() && scene.thrown().is_none() {
+        add(Owner::Scene, &[Q::Work]);
+    }
     if scene.coordinates().next().is_some() {
         add(Owner::Scene, &[Q::RotationalFraction]);
     }

@@ -190,8 +190,14 @@ fn a_throw_seen_from_the_other_side_is_the_same_throw() {
             assert_eq!(one.regime, two.regime);
             assert_eq!(one.words, two.words);
             for (a, b) in one.entries.iter().zip(&two.entries) {
-                let turned = [Quantity::A, Quantity::Alpha, Quantity::Displacement, Quantity::ARolling]
-                    .contains(&a.label.quantity);
+                let turned = [
+                    Quantity::A,
+                    Quantity::Alpha,
+                    Quantity::Displacement,
+                    Quantity::ARolling,
+                    Quantity::Impulse,
+                ]
+                .contains(&a.label.quantity);
                 let sign = if turned { -1.0 } else { 1.0 };
                 assert_eq!((a.eom, a.energy), (b.eom.map(|x| sign * x), b.energy.map(|x| sign * x)), "{a:?}");
             }

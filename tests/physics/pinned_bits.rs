@@ -25,16 +25,16 @@ const PINNED: &[(&str, &str, &str, &str)] = &[
     ("block-pulls-wheel", "ad1ce7cfef62bbc8", "4da8ca4bbf47c151", "bb34940844d5e975"),
     ("yo-yo", "f77ba8a7923a22f1", "711a6d60ec74464a", "da78ecfcf0934444"),
     ("two-loads-on-a-stepped-drum", "77708f5668c361b0", "a5f67534972c79db", "997345be666b0f05"),
-    ("falling-rod", "085123690901cbee", "5fb9c6efcea2b9b9", "7bb83e0398e72dfe"),
-    ("compound-pendulum", "c17564cfef8ebd5a", "1fe8790e449053f4", "7026200f92b74dc0"),
-    ("lifted-rod", "efa876bf286d2b6c", "b94bef31c6a95479", "6a5b7a8ad19522f9"),
-    ("rod-and-spring", "9589c05578d271dc", "d476733f2f7ee1d7", "54d4fd11d78ff0e6"),
-    ("thrown-ball", "26af46574cdccf6f", "975bd4fde3adfacb", "998eddaef84a509b"),
-    ("wheel-set-down", "9d1d0943968ef4a9", "acdb173a35a72676", "2340e901d2fbced7"),
+    ("falling-rod", "085123690901cbee", "5fb9c6efcea2b9b9", "1e9c45393daf55b6"),
+    ("compound-pendulum", "c17564cfef8ebd5a", "1fe8790e449053f4", "ed38f0bcc6d6a5fa"),
+    ("lifted-rod", "efa876bf286d2b6c", "b94bef31c6a95479", "80a8e8b5f0d2ba1a"),
+    ("rod-and-spring", "9589c05578d271dc", "d476733f2f7ee1d7", "2cb504eb0cacf19c"),
+    ("thrown-ball", "26af46574cdccf6f", "975bd4fde3adfacb", "fb6461d9fa7bca76"),
+    ("wheel-set-down", "9d1d0943968ef4a9", "acdb173a35a72676", "70b39b1e3959782e"),
     ("kinetic-energy", "b3b64a99a2d5aaae", "5675fde5d235c27d", "e3b0c44298fc1c14"),
     ("pulled-rolling", "f8f5d8eb64da0778", "ec869cd7494f0f75", "302283d47e8b7f1e"),
     ("pulled-slipping", "05a2ddf4c8f2c3c4", "e1a5f24dc134e3dd", "f2b413577a131733"),
-    ("spring-released", "84ef3c41f2691831", "ad964ce64ca6458a", "d9ee852e1eaad267"),
+    ("spring-released", "84ef3c41f2691831", "ad964ce64ca6458a", "ceb45739fd1d7a26"),
 ];
 
 #[test]

@@ -737,7 +737,9 @@ impl<'a, T: Real> Ledger<'a, T> {
                 }
             }
         }
-        self.say(Quantity::Work, Owner::Scene, work);
+        if self.scene.spring().is_none() {
+            self.say(Quantity::Work, Owner::Scene, work);
+        }
     }
 
     /// Without friction the mass centre takes the power `X v`, the rotation what is left of the whole:

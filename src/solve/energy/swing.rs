@@ -139,8 +139,6 @@ pub fn road_by<T: Real>(
     let lost = plant!("energy: fall of the mass centre", store.fallen(&store.start, &place, &step));
     book.say(Quantity::Rise, -lost);
     book.state(&store, &place, speed);
-    let work = sum(&store.work(&store.start, &place, &step, way.signed(sense)));
-    book.say_of(Quantity::Work, Owner::Scene, plant!("energy: work on a pinned body", work));
     // Of each couple, over the turn in its own sense.
     let couples = scene.couples.iter().map(|c| {
         let moment = n.massive(c.moment_n_m);

@@ -192,11 +192,6 @@ pub fn road<T: Real>(scene: &Scene, n: &Numbers<T>, thrown: &Thrown) -> Result<R
             let spinning = (numbers.inertia * state.w.square()).scale2(-1);
             say(Quantity::RotationalFraction, Owner::Scene, spinning / energy);
         }
-        let gained = |mode: &Weighed<T>, before: T, after: T| {
-            (mode.inertia * (after - before) * (after + before)).scale2(-1)
-        };
-        let work = gained(&roll, u0, state.roll).balance(gained(&slip, slip0, state.slip));
-        say(Quantity::Work, Owner::Scene, plant!("energy: gain of both modes", work));
         let momentum = plant!("energy: gain of momentum", state.v.balance(-v0)) * numbers.mass;
         say(Quantity::Impulse, own, momentum);
         let spin = plant!("energy: angular momentum of a thrown body", state.w.abs()) * numbers.inertia;

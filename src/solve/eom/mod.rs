@@ -924,7 +924,10 @@ impl<'a, T: Real> Walk<'a, T> {
                 }
             }
         }
-        self.say(Quantity::Work, Owner::Scene, plant!("eom: work of all forces", felt) * gain);
+        // With a spring it may be the small rest of large works, which what is printed does not determine.
+        if self.spring.is_none() {
+            self.say(Quantity::Work, Owner::Scene, plant!("eom: work of all forces", felt) * gain);
+        }
     }
 
     /// With F = 0: `a = X/m`, `alpha = M/(m k^2)` and `a = c alpha`, so `k^2 = c M/X`. Asked for a single rolling wheel

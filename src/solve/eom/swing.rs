@@ -161,10 +161,6 @@ pub fn road_by<T: Real>(
     let rise = if swing.body.is_upright() { -sunk } else { sunk };
     teller.say_scaled(Quantity::Rise, Owner::Body(owner), rise, 2.0 * mass_centre.f64().abs());
     teller.state(&swing, &place, mass_centre, speed);
-    let gain = speed.square().scale2(-1).balance(-swing.half_square);
-    let work = plant!("eom: work on a pinned body", swing.body.inertia()) * gain;
-    let terms = swing.body.inertia().size() * (speed.square().size() + 2.0 * swing.half_square.size());
-    teller.say_scaled(Quantity::Work, Owner::Scene, work, terms);
     if let Some(moment) = couple_on(scene, teller.n, owner) {
         let along = moment.signed(sense);
         teller.say(Quantity::WorkCouple, Owner::Body(owner), along * place.way);

@@ -212,22 +212,15 @@ pub fn road_by<T: Real>(
         }
         let over = |leg: &(Phase<T>, State<T>, State<T>)| {
             let (phase, from, to) = leg;
-            let work = (
-                numbers.mass * phase.a * (to.x - from.x),
-                numbers.inertia * phase.alpha * (to.phi - from.phi),
-            );
-            (path(from, to), numbers.mass * phase.a * (to.t - from.t), work)
+            (path(from, to), numbers.mass * phase.a * (to.t - from.t))
         };
-        let (mut gone, mut impulse, mut work, mut terms) = (zero, zero, zero, 0.0);
-        for (way, push, (moved, turned)) in legs.iter().map(over) {
+        let (mut gone, mut impulse) = (zero, zero);
+        for (way, push) in legs.iter().map(over) {
             gone = gone + way;
             impulse = impulse.balance(push);
-            work = work.balance(moved.balance(turned));
-            terms += size(moved) + size(turned);
         }
         say(Quantity::Distance, own, plant!("eom: path of the centre", gone), size(gone));
         say(Quantity::Impulse, own, plant!("eom: impulse on a thrown body", impulse), size(impulse));
-        say(Quantity::Work, Owner::Scene, plant!("eom: work on a thrown body", work), terms);
         let spin = plant!("eom: angular momentum of a thrown body", numbers.inertia) * state.w.abs();
         say(Quantity::AngularMomentum, own, spin, size(spin));
         if let Some(moment) = couple_on(scene, n, body) {
