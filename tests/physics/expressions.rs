@@ -71,7 +71,7 @@ fn an_enclosure_knows_what_cancels_in_an_expression() {
         wheel("m*(k_O^2 - R^2)", "h - 0.999999*h", "").replace("unit: m/s", "unit: m/s, cond limit: 1000");
     let bank = read(&text).expect("a bank");
     let v = Label { quantity: Quantity::V, of: Owner::Body(0) };
-    let of = |bank: &Bank| drawn(&bank.problems[0], "s").solved.get(v).expect("a speed").clone();
+    let of = |bank: &Bank| *drawn(&bank.problems[0], "s").solved.get(v).expect("a speed");
     let entry = of(&bank);
     let other = of(&read(&text.replace("h - 0.999999*h", "h")).expect("a bank"));
     let share = |e: &slipstick::solve::outcome::Entry| e.bound.expect("enclosed") / e.value();

@@ -21,6 +21,9 @@ use crate::solve::outcome::{Course, Grip, Held, Refusal, Road, Said, Scope, Thro
 use smallvec::{SmallVec, smallvec};
 use std::cell::Cell;
 
+/// A phase with the states at which it begins and ends.
+type Leg<T> = (Phase<T>, State<T>, State<T>);
+
 /// Constant accelerations of the centre and of the turn, with the friction that belongs to them.
 #[derive(Clone, Copy)]
 struct Phase<T> {
@@ -161,7 +164,7 @@ pub fn road_by<T: Real>(
         })
     });
     // The legs of the way: what accelerates it, and the states between which it does.
-    let mut legs: SmallVec<[(Phase<T>, State<T>, State<T>); 2]> = SmallVec::new();
+    let mut legs: SmallVec<[Leg<T>; 2]> = SmallVec::new();
     if let Some((slides, rolls)) = ended {
         legs.extend(slipping.map(|p| (p, start, start.after(&p, slides))));
         let between = legs.last().map_or(start, |leg| leg.2);
