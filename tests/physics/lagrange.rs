@@ -956,7 +956,10 @@ impl<'s> System<'s> {
         if arrived {
             say("t", Owner::Scene, time.unwrap_or(0.0), time.unwrap_or(0.0));
             let start: f64 = 0.5 * v0.iter().zip(&self.mass).map(|(v, m)| m * v * v).sum::<f64>();
-            say("work", Owner::Scene, energy - start, energy + start);
+            // With a spring the work of all forces is not told: it may be the small rest of large works.
+            if self.springs == 0 {
+                say("work", Owner::Scene, energy - start, energy + start);
+            }
             // The share is that of any speed: the program tells it only where something moves.
             if energy > 0.0 {
                 say("rotational_fraction", Owner::Scene, spinning / energy, 1.0);

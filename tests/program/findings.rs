@@ -431,7 +431,7 @@ fn unknown_quantity() {
     assert_snapshot!(found(&[("      v: {ask: the speed, unit: m/s}", "      vel: {ask: the speed, unit: m/s}")]), @r#"
      22 |       vel: {ask: the speed, unit: m/s}
     test.yaml:22:7: problems.slide.questions.vel: `vel` is no quantity
-        hint: quantities of this scene: kinetic_energy, v, a, displacement, rise, normal, t, rotational_fraction, direction, friction, heat
+        hint: quantities of this scene: kinetic_energy, v, displacement, distance, rise, impulse, a, normal, t, work, rotational_fraction, direction, friction, heat
     "#);
 }
 
@@ -523,7 +523,7 @@ fn a_bound_with_an_unknown_name() {
     assert_snapshot!(found(&[("    regimes:", "    bounds: {v / w: {max: 2}}\n    regimes:")]), @r#"
      20 |     bounds: {v / w: {max: 2}}
     test.yaml:20:14: problems.slide.bounds.v / w: `v / w`, character 5: `w` is no quantity
-        hint: quantities of this scene: kinetic_energy, v, a, displacement, rise, normal, t, rotational_fraction, direction, friction, heat
+        hint: quantities of this scene: kinetic_energy, v, displacement, distance, rise, impulse, a, normal, t, work, rotational_fraction, direction, friction, heat
     "#);
 }
 
@@ -1067,7 +1067,7 @@ fn wrong_methods() {
     test.yaml:21:16: problems.slide.mistakes.0A: `0A` is no id of a wrong method
         hint: letters, digits and `-`, beginning with a letter, such as `A05` or `rotation-forgotten`
     test.yaml:21:33: problems.slide.mistakes.0A.values.v: `2*q`, character 3: `q` is no quantity
-        hint: quantities of this scene: kinetic_energy, v, a, displacement, rise, normal, t, rotational_fraction, direction, friction, heat
+        hint: quantities of this scene: kinetic_energy, v, displacement, distance, rise, impulse, a, normal, t, work, rotational_fraction, direction, friction, heat
      21 |     mistakes: {A01: {values: {omega: v, v: 2*v}}}
     test.yaml:21:31: problems.slide.mistakes.A01.values.omega: `omega` does not exist in this scene
         hint: `omega` is: angular speed at the end, a magnitude; nothing turns here
