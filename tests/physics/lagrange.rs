@@ -763,6 +763,10 @@ impl<'s> System<'s> {
         if self.contacts.iter().zip(&grips).any(|(c, g)| c.said == Said::Slips && *g == Grip::Sticks) {
             return Verdict::CouldRoll;
         }
+        if s.event == Event::AtOnce && self.springs > 0 {
+            // Where a spring pulls, an instant has velocities and energies only.
+            return Verdict::Told(Told { values: velocities, ..Told::default() });
+        }
         let Some(now) = self.instant(&grips, tension) else { return Verdict::Undetermined };
         let mut told = Told::default();
         self.move_on(&grips, &all, &v0, started, now, tension, &mut told);
