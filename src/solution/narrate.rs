@@ -9,7 +9,7 @@ use crate::solution::expr::{
     Expr, SymbolId, ZERO, in_sense, magnitude, positive_first, ratio, root, square, sum,
 };
 use crate::solution::factors::Factors;
-use crate::solution::page::{PACKED, Page, WITHIN, aligned};
+use crate::solution::page::{PACKED, Page, WITHIN, aligned, packed};
 use crate::solution::stop::{Beyond, DerivationStop};
 use crate::solution::symbols::{FIGURES, tex_digits};
 use crate::solution::terms::{Action, ForceKind, ForceSource};
@@ -638,17 +638,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
                 firsts.push((body, before + 1, n));
             }
         }
-        let mut lines: Vec<String> = Vec::new();
-        for row in rows {
-            match lines.last_mut() {
-                Some(line) if width(line) + width(&row) + 4.0 <= PACKED => {
-                    line.push_str(r", \qquad ");
-                    line.push_str(&row);
-                }
-                _ => lines.push(row),
-            }
-        }
-        for line in lines {
+        for line in packed(rows) {
             self.formula(line);
         }
         if self.t.m.parts.len() > 1 {

@@ -188,24 +188,8 @@ impl<'d, 'a> Page<'d, 'a> {
             }
             return;
         }
-        let mut line = String::new();
-        for chain in chains {
-            let whole = chain.contains('&');
-            let fits = !whole && width(&line) + width(&chain) + 4.0 <= PACKED;
-            if !line.is_empty() && !fits {
-                self.formula(std::mem::take(&mut line));
-            }
-            if whole {
-                self.formula(aligned(&chain));
-            } else {
-                if !line.is_empty() {
-                    line.push_str(r", \qquad ");
-                }
-                line.push_str(&chain);
-            }
-        }
-        if !line.is_empty() {
-            self.formula(line);
+        for line in packed(chains) {
+            self.formula(if line.contains('&') { aligned(&line) } else { line });
         }
     }
     /// Takes all steps as told.
@@ -221,4 +205,23 @@ impl<'d, 'a> Page<'d, 'a> {
 /// Lines that stand under each other at their `&`.
 pub fn aligned(lines: &str) -> String {
     format!(r"\begin{{aligned}} {lines} \end{{aligned}}")
+}
+
+/// Formulas side by side, as many to a line as it holds; one of several lines (`&`) stands alone.
+pub fn packed(formulas: impl IntoIterator<Item = String>) -> Vec<String> {
+    let mut lines: Vec<String> = Vec::new();
+    for formula in formulas {
+        match lines.last_mut() {
+            Some(line)
+                if !line.contains('&')
+                    && !formula.contains('&')
+                    && width(line) + width(&formula) + 4.0 <= PACKED =>
+            {
+                line.push_str(r", \qquad ");
+                line.push_str(&formula);
+            }
+            _ => lines.push(formula),
+        }
+    }
+    lines
 }

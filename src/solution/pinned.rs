@@ -9,7 +9,7 @@ use crate::solution::expr::{
     square, sum,
 };
 use crate::solution::factors::Factors;
-use crate::solution::page::{PACKED, Page, aligned};
+use crate::solution::page::{Page, aligned, packed};
 use crate::solution::stop::{Beyond, DerivationStop};
 use crate::solution::symbols::{FIGURES, tex_digits};
 use crate::solution::terms;
@@ -435,17 +435,7 @@ impl PinnedBody {
             format!(r"{} = {mh}\,{omega}^{{2}} \quad (2)", with(page, &radial, &toward)),
             format!(r"{} = {mh}\,{alpha} \quad (3)", with(page, &across, &aside)),
         ];
-        let mut lines: Vec<String> = Vec::new();
-        for row in rows {
-            match lines.last_mut() {
-                Some(line) if width(line) + width(&row) + 4.0 <= PACKED => {
-                    line.push_str(r", \qquad ");
-                    line.push_str(&row);
-                }
-                _ => lines.push(row),
-            }
-        }
-        for line in lines {
+        for line in packed(rows) {
             page.formula(line);
         }
         if self.spring.is_some() {
