@@ -9,6 +9,7 @@ use crate::solution::factors::Factors;
 use crate::solution::page::Page;
 use crate::solution::stop::{Beyond, DerivationStop};
 use crate::solution::terms::{Action, ForceKind, ForceSource, Terms, tagged};
+use std::ops::{Deref, DerefMut};
 
 /// The spring of a scene.
 #[derive(Debug, Clone)]
@@ -97,6 +98,19 @@ fn beyond<T>(what: Beyond) -> Result<T, DerivationStop> {
     Err(what.into())
 }
 
+impl<'d, 'a> Deref for Account<'d, 'a> {
+    type Target = Page<'d, 'a>;
+    fn deref(&self) -> &Self::Target {
+        &self.page
+    }
+}
+
+impl DerefMut for Account<'_, '_> {
+    fn deref_mut(&mut self) -> &mut Self::Target {
+        &mut self.page
+    }
+}
+
 impl<'d, 'a> Account<'d, 'a> {
     /// Sets out: terms, senses, start. `slips`: each slipping contact with the sense of its friction, positive up.
     ///
@@ -124,9 +138,9 @@ impl<'d, 'a> Account<'d, 'a> {
             solving: Vec::new(),
         };
         this.name_ratios();
-        if let Some((tie, ks, x0, rigid)) = this.page.draft.scene.spring() {
-            let stiffness = this.page.draft.number(ks, "k_s", "N/m");
-            let stretch = this.page.draft.number(x0, "x_0", "m");
+        if let Some((tie, ks, x0, rigid)) = this.scene.spring() {
+            let stiffness = this.number(ks, "k_s", "N/m");
+            let stretch = this.number(x0, "x_0", "m");
             let (Some(action), Some(tension)) = (this.m.action_of(tie).cloned(), this.m.force_of(tie)) else {
                 return beyond(Beyond::Arrangement);
             };
@@ -158,7 +172,7 @@ impl<'d, 'a> Account<'d, 'a> {
             }
             let tag = if several { (i + 1).to_string() } else { String::new() };
             let symbol = self.new_symbol(&[&tagged(r"\gamma", &tag), &tagged("n", &tag)], "1");
-            self.page.draft.settle(symbol, &is);
+            self.settle(symbol, &is);
             self.gammas.push((tie, symbol, is));
         }
     }
@@ -175,7 +189,7 @@ impl<'d, 'a> Account<'d, 'a> {
     /// What the lead has to accelerate: each mass and moment of inertia times the square of its ratio, common factors in front. The
     /// spin of a slipping body is left out.
     fn effective_mass(&self) -> Expr {
-        let coordinates = self.page.draft.scene.coordinates().filter(|c| !self.m.ratio(*c).is_zero());
+        let coordinates = self.scene.coordinates().filter(|c| !self.m.ratio(*c).is_zero());
         let terms: Vec<Factors> = coordinates
             .flat_map(|c| {
                 let square = self.m.ratio(c).squared();
@@ -185,16 +199,11 @@ impl<'d, 'a> Account<'d, 'a> {
         gathered(&terms)
     }
 
-    /// Value of an expression.
-    pub fn value(&self, e: &Expr) -> f64 {
-        e.value(&self.page.draft.symbols)
-    }
-
     /// A new quantity.
     pub fn new_symbol(&mut self, names: &[&str], unit: &str) -> SymbolId {
-        let tex = self.page.draft.free(names);
+        let tex = self.free(names);
         let tex = if self.rolled { marked(&tex, r"\mathrm{r}") } else { tex };
-        self.page.draft.unknown(&tex, unit)
+        self.unknown(&tex, unit)
     }
 
     /// Magnitude of a quantity: itself where it is positive.
@@ -205,7 +214,7 @@ impl<'d, 'a> Account<'d, 'a> {
     /// Magnitude of a ratio.
     pub fn magnitude(&self, ratio: &Factors) -> Factors {
         let size = if self.value(&ratio.expr()) < 0.0 { ratio.opposite() } else { ratio.clone() };
-        size.upright(&self.page.draft.symbols)
+        size.upright(&self.symbols)
     }
 
     /// Distance that the lead goes, a magnitude.
@@ -230,13 +239,9 @@ impl<'d, 'a> Account<'d, 'a> {
 
     fn start_velocity(&mut self) -> Result<Expr, DerivationStop> {
         let mut v0 = ZERO;
-        for start in &self.page.draft.scene.start {
+        for start in &self.scene.start {
             let Start::Speed(c, num) = start else { return beyond(Beyond::Arrangement) };
-            let given = self.page.draft.number(
-                *num,
-                if c.degree == Degree::Along { "v_0" } else { r"\omega_0" },
-                "m/s",
-            );
+            let given = self.number(*num, if c.degree == Degree::Along { "v_0" } else { r"\omega_0" }, "m/s");
             if given == ZERO {
                 continue;
             }
@@ -259,8 +264,7 @@ impl<'d, 'a> Account<'d, 'a> {
             push += self.value(&s.gamma.expr()) * self.value(&s.stiffness) * self.value(&s.stretch);
         }
         let v0 = self.value(&self.v0);
-        let slipping =
-            self.page.draft.scene.ties.iter().any(|t| matches!(t, Tie::Slip { .. })) && !self.rolled;
+        let slipping = self.scene.ties.iter().any(|t| matches!(t, Tie::Slip { .. })) && !self.rolled;
         self.sense = if v0 != 0.0 { v0.signum() } else { push.signum() };
         if slipping && v0 == 0.0 {
             // A couple has no share in the path of a centre that slips: friction alone may drive it.
@@ -281,8 +285,8 @@ impl<'d, 'a> Account<'d, 'a> {
 
     /// Share of the friction of a slipping contact in the equation of the lead, N, if it points up.
     fn friction_of_slip(&mut self, tie: usize) -> f64 {
-        let Tie::Slip { body, mu_k, .. } = self.page.draft.scene.ties[tie] else { return 0.0 };
-        let mu = self.page.draft.number(mu_k, r"\mu_k", "1");
+        let Tie::Slip { body, mu_k, .. } = self.scene.ties[tie] else { return 0.0 };
+        let mu = self.number(mu_k, r"\mu_k", "1");
         match (self.m.action_of(tie), &self.m.parts[body].normal) {
             (Some(action), Some((_, normal))) => {
                 self.value(&self.m.point(action).expr()) * self.value(&mu) * self.value(normal)
@@ -298,8 +302,8 @@ impl<'d, 'a> Account<'d, 'a> {
                 self.found(of_body(Quantity::Normal, body), n, is);
             }
         }
-        for t in 0..self.page.draft.scene.ties.len() {
-            let (body, mu, sense) = match self.page.draft.scene.ties[t] {
+        for t in 0..self.scene.ties.len() {
+            let (body, mu, sense) = match self.scene.ties[t] {
                 Tie::Slip { body, mu_k, .. } if !self.rolled => {
                     (body, mu_k, slips.iter().find(|(s, _)| *s == t).map_or(1.0, |(_, sense)| *sense))
                 }
@@ -309,7 +313,7 @@ impl<'d, 'a> Account<'d, 'a> {
                 }
                 _ => continue,
             };
-            let mu = self.page.draft.number(mu, r"\mu_k", "1");
+            let mu = self.number(mu, r"\mu_k", "1");
             if let (Some(f), Some((n, _))) = (self.m.force_of(t), self.m.parts[body].normal.clone()) {
                 self.found(of_body(Quantity::Friction, body), f, in_sense(mu * n, sense));
             }
@@ -349,11 +353,6 @@ impl<'d, 'a> Account<'d, 'a> {
         symbol
     }
 
-    /// A quantity that answers no question.
-    pub fn step(&mut self, symbol: SymbolId, from: Expr) {
-        self.page.step(symbol, from);
-    }
-
     fn new_found(&mut self, label: Label, names: &[&str], unit: &str, from: Expr) -> SymbolId {
         let symbol = self.new_symbol(names, unit);
         self.found(label, symbol, from)
@@ -361,7 +360,7 @@ impl<'d, 'a> Account<'d, 'a> {
 
     fn length(&mut self, num: Num) -> Expr {
         let unit = if self.straight() { "m" } else { "rad" };
-        self.page.draft.number(num, "d", unit)
+        self.number(num, "d", unit)
     }
 
     fn new_way(&mut self, from: Expr) {
@@ -387,10 +386,10 @@ impl<'d, 'a> Account<'d, 'a> {
         if self.spring.is_some() {
             return self.arrive_on_spring(a, v);
         }
-        match self.page.draft.scene.end {
+        match self.scene.end {
             End::Travel(_, d) | End::Position(_, d) => {
                 let d = self.length(d);
-                self.s = match self.page.draft.scene.end {
+                self.s = match self.scene.end {
                     End::Travel(..) => in_sense(d, self.sense),
                     _ => d,
                 };
@@ -403,7 +402,7 @@ impl<'d, 'a> Account<'d, 'a> {
                 self.found(a_label, a, per);
             }
             End::Time(_, t) => {
-                let t = self.page.draft.number(t, "t", "s");
+                let t = self.number(t, "t", "s");
                 self.found(a_label, a, per);
                 let end = &self.v0 + a * &t;
                 let end = in_sense(end.clone(), self.value(&end));
@@ -413,7 +412,7 @@ impl<'d, 'a> Account<'d, 'a> {
             }
             End::Speed(_, u) => {
                 let names = if self.straight() { ("v_1", "m/s") } else { (r"\omega_1", "rad/s") };
-                let u = self.page.draft.number(u, names.0, names.1);
+                let u = self.number(u, names.0, names.1);
                 self.found(a_label, a, per);
                 self.found(v_label, v, u.clone());
                 self.new_way((square(&u) - square(&self.v0)) / (number(2) * a));
@@ -435,7 +434,7 @@ impl<'d, 'a> Account<'d, 'a> {
         if self.v0 != ZERO {
             return beyond(Beyond::SpringWithSpeed);
         }
-        self.s = match self.page.draft.scene.end {
+        self.s = match self.scene.end {
             End::Travel(_, d) => in_sense(self.length(d), self.sense),
             End::Position(_, x) => self.length(x),
             _ => return beyond(Beyond::SpringWithoutPlace),
@@ -467,6 +466,22 @@ impl<'d, 'a> Account<'d, 'a> {
         of_body(if self.straight() { line } else { spin }, self.lead().body)
     }
 
+    /// The speed of the lead at the end.
+    ///
+    /// # Errors
+    /// What is not covered.
+    pub fn speed_at_end(&mut self) -> Result<SymbolId, DerivationStop> {
+        self.get(self.of_lead(Quantity::V, Quantity::Omega))
+    }
+
+    /// The greatest speed of the lead's body.
+    ///
+    /// # Errors
+    /// What is not covered.
+    pub fn top_speed(&mut self) -> Result<SymbolId, DerivationStop> {
+        self.get(of_body(Quantity::VMax, self.lead().body))
+    }
+
     /// Stretch of the spring after this displacement of the lead; 0 where its cord is slack.
     pub fn stretch_at(&self, s: &Expr) -> Expr {
         let Some(spring) = &self.spring else { return ZERO };
@@ -481,8 +496,7 @@ impl<'d, 'a> Account<'d, 'a> {
     /// # Errors
     /// Only several equations together give a reaction.
     pub fn elimination(&self) -> Result<(Vec<Eliminated>, Coordinate), DerivationStop> {
-        let mut rows: Vec<Coordinate> =
-            self.page.draft.scene.coordinates().filter(|c| !self.own(*c)).collect();
+        let mut rows: Vec<Coordinate> = self.scene.coordinates().filter(|c| !self.own(*c)).collect();
         rows.sort_by_key(|c| c.degree == Degree::Along);
         let mut gone: Vec<Eliminated> = Vec::new();
         let mut ties: Vec<usize> = Vec::new();
@@ -632,7 +646,7 @@ impl<'d, 'a> Account<'d, 'a> {
     }
 
     fn label_of_tie(&self, tie: usize) -> Label {
-        match &self.page.draft.scene.ties[tie] {
+        match &self.scene.ties[tie] {
             Tie::Roll { body, .. } | Tie::Slip { body, .. } | Tie::Slide { body, .. } => {
                 of_body(Quantity::Friction, *body)
             }
@@ -642,7 +656,7 @@ impl<'d, 'a> Account<'d, 'a> {
 
     /// The contact of a body.
     pub fn contact_of(&self, body: usize) -> Option<usize> {
-        self.page.draft.scene.ties.iter().position(|t| match t {
+        self.scene.ties.iter().position(|t| match t {
             Tie::Roll { body: b, .. } | Tie::Slip { body: b, .. } | Tie::Slide { body: b, .. } => *b == body,
             Tie::Cord(_) => false,
         })
@@ -662,7 +676,7 @@ impl<'d, 'a> Account<'d, 'a> {
         self.solving.push(tie);
         // The row that asks for the fewest other reactions; lines before turns.
         let mut best: Option<(usize, Coordinate, Action, Vec<usize>)> = None;
-        for c in self.page.draft.scene.coordinates() {
+        for c in self.scene.coordinates() {
             let row = self.row(c);
             let Some((action, _)) = row.iter().find(|(a, _)| a.source == ForceSource::Tie(tie)) else {
                 continue;
@@ -706,7 +720,7 @@ impl<'d, 'a> Account<'d, 'a> {
             }
             None => {
                 // Kinetic friction says nothing of the grip that rolling needs.
-                let rolling = self.page.draft.found_for(of_body(Quantity::FrictionIfRolled, body));
+                let rolling = self.found_for(of_body(Quantity::FrictionIfRolled, body));
                 match rolling {
                     Some(DerivedAnswer::Value(f)) if self.m.parts[body].slips => f,
                     _ => self.get(of_body(Quantity::Friction, body))?,
@@ -723,7 +737,7 @@ impl<'d, 'a> Account<'d, 'a> {
     /// # Errors
     /// What is not covered.
     pub fn extremes(&mut self, body: usize) -> Result<[(f64, SymbolId); 2], DerivationStop> {
-        let far = match self.page.draft.scene.span {
+        let far = match self.scene.span {
             Span::ToEnd if self.s != ZERO => self.s.clone(),
             _ => self.turning_or_slack()?.0,
         };
@@ -756,8 +770,8 @@ impl<'d, 'a> Account<'d, 'a> {
         let now = self.get(of_body(Quantity::Friction, body))?;
         let stretch = self.stretch_at(s);
         let rate = self.friction_per_tension(body, spring.tie)?;
-        let tex = marked(self.page.draft.symbols.tex(now), mark);
-        let symbol = self.page.draft.symbols.unknown_like(&tex, now);
+        let tex = marked(self.symbols.tex(now), mark);
+        let symbol = self.symbols.unknown_like(&tex, now);
         let less = &spring.stiffness * &stretch - spring.tension;
         self.step(symbol, now + Factors::of(&rate).times(&Factors::of(&less)).expr());
         Ok((self.value(&stretch), symbol))
@@ -777,7 +791,7 @@ impl<'d, 'a> Account<'d, 'a> {
         let part = self.m.parts.get(body)?.clone();
         let tied = |a: &Action| a.kind == ForceKind::Reaction && !a.contact;
         let tie = self.contact_of(body)?;
-        let rolls = matches!(self.page.draft.scene.ties[tie], Tie::Roll { .. }) || self.rolled;
+        let rolls = matches!(self.scene.ties[tie], Tie::Roll { .. }) || self.rolled;
         if !rolls || part.mass.is_zero() || self.m.actions.iter().any(|a| a.body == body && tied(a)) {
             return None;
         }
@@ -802,8 +816,8 @@ impl<'d, 'a> Account<'d, 'a> {
         if self.spring.is_some() {
             return beyond(Beyond::SpringTime);
         }
-        if let End::Time(_, t) = self.page.draft.scene.end {
-            let t = self.page.draft.number(t, "t", "s");
+        if let End::Time(_, t) = self.scene.end {
+            let t = self.number(t, "t", "s");
             return Ok(self.new_found(label, &["t", "t_2"], "s", t));
         }
         let a = self.get(self.of_lead(Quantity::A, Quantity::Alpha))?;
@@ -820,7 +834,7 @@ impl<'d, 'a> Account<'d, 'a> {
     fn several_pulls(&self) -> bool {
         let pulled =
             |t: &&Tie| matches!(t, Tie::Cord(c) if matches!(c.to, Far::Pull(_) | Far::Spring { .. }));
-        self.page.draft.scene.ties.iter().filter(pulled).count() > 1
+        self.scene.ties.iter().filter(pulled).count() > 1
     }
 
     fn cord_of(&self, label: Label) -> Result<(usize, Action), DerivationStop> {
@@ -883,7 +897,7 @@ impl<'d, 'a> Account<'d, 'a> {
     /// Kinetic energy: each mass and moment of inertia with its own speed.
     fn kinetic_sum(&mut self) -> Result<Expr, DerivationStop> {
         let mut all = Vec::new();
-        for c in self.page.draft.scene.coordinates() {
+        for c in self.scene.coordinates() {
             let quantity = if c.degree == Degree::Along { Quantity::V } else { Quantity::Omega };
             let inertia = self.m.inertia(c);
             if inertia.is_empty() || (self.m.ratio(c).is_zero() && !self.own(c)) {
@@ -927,12 +941,12 @@ impl<'d, 'a> Account<'d, 'a> {
     }
 
     fn slip_distance(&mut self, body: usize, label: Label) -> Result<SymbolId, DerivationStop> {
-        let radius = self.page.draft.scene.ties.iter().find_map(|tie| match tie {
+        let radius = self.scene.ties.iter().find_map(|tie| match tie {
             Tie::Slip { body: b, radius_m, .. } if *b == body => Some(*radius_m),
             _ => None,
         });
         let Some(radius) = radius else { return beyond(Beyond::Arrangement) };
-        let c = self.page.draft.number(radius, "R", "m");
+        let c = self.number(radius, "R", "m");
         let phi = self.get(of_body(Quantity::Phi, body))?;
         let way = Factors::of(&self.s).times(&self.m.parts[body].along).expr();
         let from = way - in_sense(c * phi, self.spin_sense(body));
@@ -942,7 +956,7 @@ impl<'d, 'a> Account<'d, 'a> {
 
     fn heat(&mut self, label: Label) -> Result<SymbolId, DerivationStop> {
         let mut all = Vec::new();
-        for tie in &self.page.draft.scene.ties {
+        for tie in &self.scene.ties {
             let (body, way) = match tie {
                 Tie::Slip { body, .. } => (*body, self.get(of_body(Quantity::SlipDistance, *body))?.into()),
                 Tie::Slide { body, .. } => {
@@ -960,12 +974,12 @@ impl<'d, 'a> Account<'d, 'a> {
 
     /// With F = 0: `a = X/m`, `alpha = M/(m k^2)` and `a = c alpha`.
     fn bound_of_gyration(&mut self, body: usize, label: Label) -> Result<SymbolId, DerivationStop> {
-        let c = self.page.draft.scene.ties.iter().find_map(|t| match t {
+        let c = self.scene.ties.iter().find_map(|t| match t {
             Tie::Roll { radius_m, .. } => Some(*radius_m),
             _ => None,
         });
         let Some(c) = c else { return beyond(Beyond::NoBound) };
-        let c = self.page.draft.number(c, "R", "m");
+        let c = self.number(c, "R", "m");
         let share = |task: &Self, c: Coordinate| {
             let given = task.row(c).into_iter().filter(|(a, _)| a.kind == ForceKind::Given);
             sum(given.map(|(_, e)| e))

@@ -160,7 +160,7 @@ impl<'a> Draft<'a> {
             },
             Num::Fixed(0.0) => ZERO,
             Num::Fixed(_) | Num::Derived(_) => {
-                let x = self.value(num);
+                let x = self.datum(num);
                 let (digits, written) = match num {
                     Num::Derived(i) => {
                         let text = self.scene.formulas.numbers.get(i).map_or("", |n| n.text.as_str());
@@ -192,7 +192,7 @@ impl<'a> Draft<'a> {
     }
 
     /// The value of a number of the scene, SI, slopes in degrees.
-    pub fn value(&self, num: Num) -> f64 {
+    pub fn datum(&self, num: Num) -> f64 {
         self.scene.value(num, &self.variant.data)
     }
 
