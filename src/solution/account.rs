@@ -1,9 +1,11 @@
 //! What follows from the terms of a scene of lines and axles: the motion, and each further quantity on demand, as an
 //! expression in symbols. Nothing is worded here; [`crate::solution::narrate`] tells it.
-use crate::scene::{Coordinate, Degree, End, Far, Label, Num, Owner, Quantity, Span, Start, Tie};
+use crate::num::linear::Linear;
+use crate::scene::{Coordinate, Degree, End, Far, Label, Num, Owner, Quantity, Span, Tie};
 use crate::solution::draft::{DerivedAnswer, Draft};
 use crate::solution::expr::{
-    Expr, SymbolId, ZERO, in_sense, magnitude, number, positive_first, ratio, root, square, sum,
+    Expr, SymbolId, ZERO, arc_cosine, cosine, in_sense, magnitude, number, positive_first, ratio, root,
+    square, sum,
 };
 use crate::solution::factors::Factors;
 use crate::solution::page::Page;
@@ -64,8 +66,10 @@ pub struct Account<'d, 'a> {
     pub drive: Expr,
     /// The spring.
     pub spring: Option<CordSpring>,
-    /// Is a slipping wheel taken as if it rolled?
-    pub rolled: bool,
+    /// Its stretch at the end.
+    last: Expr,
+    /// The slipping contact that is taken as if it rolled.
+    pub rolled: Option<usize>,
     known: Vec<(Label, SymbolId)>,
     /// The ties whose reactions are being solved for, each for the one before it.
     solving: Vec<usize>,
@@ -79,6 +83,11 @@ pub const fn of_body(quantity: Quantity, body: usize) -> Label {
 /// A tie's label.
 pub const fn of_tie(quantity: Quantity, tie: usize) -> Label {
     Label { quantity, of: Owner::Tie(tie) }
+}
+
+/// The acceleration of a coordinate.
+const fn rate_of(c: Coordinate) -> Label {
+    of_body(if matches!(c.degree, Degree::Along) { Quantity::A } else { Quantity::Alpha }, c.body)
 }
 
 /// A label of the whole scene.
@@ -112,16 +121,12 @@ impl DerefMut for Account<'_, '_> {
 }
 
 impl<'d, 'a> Account<'d, 'a> {
-    /// Sets out: terms, senses, start. `slips`: each slipping contact with the sense of its friction, positive up.
+    /// Sets out: terms, senses, start; `rolled`: a slipping contact that is taken as rolling.
     ///
     /// # Errors
     /// What is not covered.
-    pub fn new(
-        draft: &'d mut Draft<'a>,
-        rolled: bool,
-        slips: &[(usize, f64)],
-    ) -> Result<Self, DerivationStop> {
-        let m = Terms::new(draft, rolled)?;
+    pub fn new(draft: &'d mut Draft<'a>, rolled: Option<usize>) -> Result<Self, DerivationStop> {
+        let m = Terms::new(draft, rolled);
         let mut this = Self {
             page: Page::new(draft),
             m,
@@ -133,6 +138,7 @@ impl<'d, 'a> Account<'d, 'a> {
             effective: ZERO,
             drive: ZERO,
             spring: None,
+            last: ZERO,
             rolled,
             known: Vec::new(),
             solving: Vec::new(),
@@ -142,13 +148,13 @@ impl<'d, 'a> Account<'d, 'a> {
             let stiffness = this.number(ks, "k_s", "N/m");
             let stretch = this.number(x0, "x_0", "m");
             let (Some(action), Some(tension)) = (this.m.action_of(tie).cloned(), this.m.force_of(tie)) else {
-                return beyond(Beyond::Arrangement);
+                return beyond(Beyond::Unfound);
             };
             let gamma = this.point(&action);
             this.spring = Some(CordSpring { tie, stiffness, stretch, rigid, gamma, tension });
         }
         this.effective = this.effective_mass();
-        this.set_out(slips)?;
+        this.set_out()?;
         Ok(this)
     }
 
@@ -202,7 +208,7 @@ impl<'d, 'a> Account<'d, 'a> {
     /// A new quantity.
     pub fn new_symbol(&mut self, names: &[&str], unit: &str) -> SymbolId {
         let tex = self.free(names);
-        let tex = if self.rolled { marked(&tex, r"\mathrm{r}") } else { tex };
+        let tex = if self.rolled.is_some() { marked(&tex, r"\mathrm{r}") } else { tex };
         self.unknown(&tex, unit)
     }
 
@@ -232,92 +238,166 @@ impl<'d, 'a> Account<'d, 'a> {
         self.lead().degree == Degree::Along
     }
 
-    /// Is the freedom of this coordinate its own: the spin of a slipping body?
+    /// Does this coordinate stand in no ratio to the lead: the spin of a slipping body, or any of several freedoms?
     pub fn own(&self, c: Coordinate) -> bool {
-        c.degree == Degree::Turn && self.m.parts[c.body].slips
+        c != self.lead() && (!self.m.one || c.degree == Degree::Turn && self.m.parts[c.body].slips)
     }
 
-    fn start_velocity(&mut self) -> Result<Expr, DerivationStop> {
-        let mut v0 = ZERO;
-        for start in &self.scene.start {
-            let Start::Speed(c, num) = start else { return beyond(Beyond::Arrangement) };
-            let given = self.number(*num, if c.degree == Degree::Along { "v_0" } else { r"\omega_0" }, "m/s");
-            if given == ZERO {
-                continue;
+    /// Velocity of the lead at the start; what else is given there has to agree.
+    fn start_velocity(&mut self) -> Expr {
+        let scene = self.scene;
+        for (c, num) in scene.start_speeds() {
+            let (tex, unit) = if c.degree == Degree::Along { ("v_0", "m/s") } else { (r"\omega_0", "rad/s") };
+            let given = self.number(num, tex, unit);
+            let ratio = self.m.ratio(c).clone();
+            if given != ZERO && !ratio.is_zero() {
+                return Factors::of(&given).per(&ratio).expr();
             }
-            let ratio = self.m.ratio(*c).clone();
-            if ratio.is_zero() || v0 != ZERO {
-                return beyond(Beyond::SeveralSpeeds);
-            }
-            v0 = Factors::of(&given).per(&ratio).expr();
         }
-        Ok(v0)
+        ZERO
     }
 
-    /// Sense of the motion, kinetic friction with its sign, the sum of the constant forces.
-    fn set_out(&mut self, slips: &[(usize, f64)]) -> Result<(), DerivationStop> {
-        self.v0 = self.start_velocity()?;
-        // Without sliding friction first: it needs the sense.
-        let given = self.shares(&[ForceKind::Given]);
-        let mut push: f64 = given.iter().map(|(_, e)| self.value(e)).sum();
+    /// Start, sense of the motion, kinetic friction with its sign, the sum of the constant forces.
+    fn set_out(&mut self) -> Result<(), DerivationStop> {
+        self.v0 = self.start_velocity();
+        self.rub();
+        if let (Some(spring), true) = (self.spring.clone(), self.variant.solved.regime.stays()) {
+            let pull = &spring.stiffness * &spring.stretch;
+            self.found(of_tie(Quantity::Tension, spring.tie), spring.tension, pull);
+        }
+        if !self.m.one {
+            self.together()?;
+        }
+        let all = self.shares(&[ForceKind::Given, ForceKind::Kinetic]);
+        self.drive = positive_first(all.into_iter().map(|(_, e)| e).collect());
+        let lead = self.lead();
+        let mut push = self.value(&self.drive);
         if let Some(s) = &self.spring {
             push += self.value(&s.gamma.expr()) * self.value(&s.stiffness) * self.value(&s.stretch);
         }
         let v0 = self.value(&self.v0);
-        let slipping = self.scene.ties.iter().any(|t| matches!(t, Tie::Slip { .. })) && !self.rolled;
-        self.sense = if v0 != 0.0 { v0.signum() } else { push.signum() };
-        if slipping && v0 == 0.0 {
-            // A couple has no share in the path of a centre that slips: friction alone may drive it.
-            let rubbed: f64 = slips.iter().map(|(tie, sense)| sense * self.friction_of_slip(*tie)).sum();
-            self.sense = (push + rubbed).signum();
-        }
-        if push == 0.0 && v0 == 0.0 && !slipping {
-            return beyond(Beyond::NothingMoves);
-        }
-        if slipping && (v0 != 0.0 || self.spring.is_some()) {
-            return beyond(Beyond::SlipWithSpeed);
-        }
-        self.rub(slips);
-        let all = self.shares(&[ForceKind::Given, ForceKind::Kinetic]);
-        self.drive = positive_first(all.into_iter().map(|(_, e)| e).collect());
+        self.sense = match self.m.acceleration(lead) {
+            _ if v0 != 0.0 => v0.signum(),
+            Some(a) if !self.m.one => self.symbols.value(a).signum(),
+            _ => push.signum(),
+        };
         Ok(())
     }
 
-    /// Share of the friction of a slipping contact in the equation of the lead, N, if it points up.
-    fn friction_of_slip(&mut self, tie: usize) -> f64 {
-        let Tie::Slip { body, mu_k, .. } = self.scene.ties[tie] else { return 0.0 };
-        let mu = self.number(mu_k, r"\mu_k", "1");
-        match (self.m.action_of(tie), &self.m.parts[body].normal) {
-            (Some(action), Some((_, normal))) => {
-                self.value(&self.m.point(action).expr()) * self.value(&mu) * self.value(normal)
-            }
-            _ => 0.0,
-        }
+    /// Sense of the friction on a body, positive up, as the key has it.
+    fn friction_sense(&self, body: usize) -> f64 {
+        let key = self.variant.solved.get(of_body(Quantity::Friction, body));
+        key.map_or(1.0, |entry| if entry.value() < 0.0 { -1.0 } else { 1.0 })
     }
 
-    /// Normal forces, and the size and sign of kinetic friction, positive up: of a slide against the motion, of a slip as told.
-    fn rub(&mut self, slips: &[(usize, f64)]) {
+    /// Normal forces, and the size and sign of kinetic friction, positive up.
+    fn rub(&mut self) {
         for body in 0..self.m.parts.len() {
             if let Some((n, is)) = self.m.parts[body].normal.clone() {
                 self.found(of_body(Quantity::Normal, body), n, is);
             }
         }
-        for t in 0..self.scene.ties.len() {
-            let (body, mu, sense) = match self.scene.ties[t] {
-                Tie::Slip { body, mu_k, .. } if !self.rolled => {
-                    (body, mu_k, slips.iter().find(|(s, _)| *s == t).map_or(1.0, |(_, sense)| *sense))
-                }
-                Tie::Slide { body, mu_k, .. } => {
-                    let velocity = self.value(&self.m.parts[body].along.expr()) * self.sense;
-                    (body, mu_k, -velocity.signum() * f64::from(self.m.parts[body].up))
-                }
-                _ => continue,
-            };
-            let mu = self.number(mu, r"\mu_k", "1");
-            if let (Some(f), Some((n, _))) = (self.m.force_of(t), self.m.parts[body].normal.clone()) {
-                self.found(of_body(Quantity::Friction, body), f, in_sense(mu * n, sense));
+        for (t, tie) in self.scene.ties.iter().enumerate() {
+            let (Tie::Slip { body, mu_k, .. } | Tie::Slide { body, mu_k, .. }) = tie else { continue };
+            let kinetic = self.m.action_of(t).is_some_and(|a| a.kind == ForceKind::Kinetic);
+            let mu = self.number(*mu_k, r"\mu_k", "1");
+            if let (true, Some(f), Some((n, _))) =
+                (kinetic, self.m.force_of(t), self.m.parts[*body].normal.clone())
+            {
+                let is = in_sense(mu * n, self.friction_sense(*body));
+                self.found(of_body(Quantity::Friction, *body), f, is);
             }
         }
+    }
+
+    /// The equations of motion of all bodies and those of the ties, solved together for accelerations and reactions.
+    fn together(&mut self) -> Result<(), DerivationStop> {
+        let unknowns: Vec<(Label, SymbolId)> = {
+            let coordinates = self.scene.coordinates();
+            let rates = coordinates.filter_map(|c| Some((rate_of(c), self.m.acceleration(c)?)));
+            let ties = self.reactions().into_iter().map(|(t, f)| (self.label_of_tie(t), f));
+            rates.chain(ties).collect()
+        };
+        let place = |symbol: SymbolId| unknowns.iter().position(|(_, s)| *s == symbol);
+        let mut system: Linear<f64> = Linear::new(unknowns.len(), 1);
+        let mut rows = 0;
+        for c in self.scene.coordinates() {
+            let Some(a) = self.m.acceleration(c).and_then(place) else { continue };
+            system.term(rows, a, -self.value(&self.m.inertia_expr(c)));
+            for (action, share) in self.row(c) {
+                match self.reaction_of(&action).and_then(place) {
+                    Some(at) => system.term(rows, at, self.value(&self.m.lever(&action, c).expr())),
+                    None => system.right(rows, 0, -self.value(&share)),
+                }
+            }
+            rows += 1;
+        }
+        for (tie, _) in self.reactions() {
+            for (c, share) in self.tied(tie) {
+                if let Some(at) = self.m.acceleration(c).and_then(place) {
+                    system.term(rows, at, self.value(&share.expr()));
+                }
+            }
+            rows += 1;
+        }
+        let Ok(solution) = system.solve() else { return beyond(Beyond::Unfound) };
+        for (i, (label, symbol)) in unknowns.iter().enumerate().filter(|(i, _)| !solution.is_open(*i)) {
+            self.symbols.settle(*symbol, solution.get(i, 0), 0.0);
+            self.found(*label, *symbol, (*symbol).into());
+        }
+        Ok(())
+    }
+
+    /// The velocities of an instant, from those of the start and from what the ties demand.
+    fn velocities_together(&mut self) -> Result<(), DerivationStop> {
+        let all: Vec<Coordinate> = self.scene.coordinates().collect();
+        let place = |c: Coordinate| all.iter().position(|o| *o == c);
+        let tied = self.reactions().into_iter().map(|(tie, _)| {
+            let terms = self.tied(tie).into_iter();
+            let terms = terms.filter_map(|(c, share)| Some((place(c)?, self.value(&share.expr()))));
+            (terms.collect::<Vec<_>>(), 0.0)
+        });
+        let given = self.scene.start_speeds();
+        let given = given.filter_map(|(c, v)| Some((vec![(place(c)?, 1.0)], self.datum(v))));
+        // The start may say more than is needed, in agreement with the ties: least squares take all.
+        let mut system: Linear<f64> = Linear::new(all.len(), 1);
+        for (terms, right) in tied.chain(given) {
+            for (row, share) in &terms {
+                terms.iter().for_each(|(column, other)| system.term(*row, *column, share * other));
+                system.right(*row, 0, share * right);
+            }
+        }
+        let rest = self.scene.start_speeds().next().is_none();
+        let Ok(solution) = system.solve() else { return beyond(Beyond::Unfound) };
+        for (i, c) in all.iter().enumerate().filter(|(i, _)| rest || !solution.is_open(*i)) {
+            let Some(symbol) = self.m.speed(*c) else { continue };
+            let v = if rest { 0.0 } else { solution.get(i, 0).abs() };
+            self.symbols.settle(symbol, v, 0.0);
+            let quantity = if c.degree == Degree::Along { Quantity::V } else { Quantity::Omega };
+            self.found(of_body(quantity, c.body), symbol, symbol.into());
+        }
+        Ok(())
+    }
+
+    /// The reactions of ties: index of the tie, and the force.
+    pub fn reactions(&self) -> Vec<(usize, SymbolId)> {
+        let ties = 0..self.scene.ties.len();
+        ties.filter_map(|t| self.m.action_of(t).and_then(|a| self.reaction_of(a)).map(|f| (t, f))).collect()
+    }
+
+    fn reaction_of(&self, action: &Action) -> Option<SymbolId> {
+        match (action.kind, &action.force) {
+            (ForceKind::Reaction, Expr::Symbol(f)) => Some(*f),
+            _ => None,
+        }
+    }
+
+    /// What a tie demands: the sum of these coordinates' rates, each times its share, is 0.
+    pub fn tied(&self, tie: usize) -> Vec<(Coordinate, Factors)> {
+        let own = self.m.actions.iter().filter(|a| a.source == ForceSource::Tie(tie));
+        own.flat_map(|a| [(along(a.body), a.along.clone()), (turn(a.body), a.arm.clone())])
+            .filter(|(_, share)| !share.is_zero())
+            .collect()
     }
 
     /// What of the forces of these kinds does not drop out, each as its share of the lead's equation.
@@ -354,7 +434,18 @@ impl<'d, 'a> Account<'d, 'a> {
     }
 
     fn new_found(&mut self, label: Label, names: &[&str], unit: &str, from: Expr) -> SymbolId {
-        let symbol = self.new_symbol(names, unit);
+        let tex = self.free(names);
+        let mut mark = String::new();
+        if self.symbols.named(&tex).is_some() {
+            // Another body or cord bears it already.
+            mark = match label.of {
+                Owner::Body(b) => self.m.parts[b].tag.clone(),
+                Owner::Tie(t) => (t + 1).to_string(),
+                _ => "*".to_owned(),
+            };
+        }
+        let tex = if mark.is_empty() { tex } else { marked(&tex, &mark) };
+        let symbol = self.new_symbol(&[&tex], unit);
         self.found(label, symbol, from)
     }
 
@@ -378,14 +469,19 @@ impl<'d, 'a> Account<'d, 'a> {
     pub fn arrive(&mut self) -> Result<(), DerivationStop> {
         let lead = self.lead();
         let (Some(a), Some(v)) = (self.m.acceleration(lead), self.m.speed(lead)) else {
-            return beyond(Beyond::Arrangement);
+            return beyond(Beyond::Unfound);
         };
         let (a_label, v_label) =
             (self.of_lead(Quantity::A, Quantity::Alpha), self.of_lead(Quantity::V, Quantity::Omega));
-        let per = Factors::of(&self.drive).per(&Factors::of(&self.effective)).expr();
-        if self.spring.is_some() {
+        if self.spring.is_some() && self.scene.end != End::AtOnce {
             return self.arrive_on_spring(a, v);
         }
+        let per = Factors::of(&self.drive).per(&Factors::of(&self.effective)).expr();
+        let accelerated = |this: &mut Self| {
+            if this.m.one {
+                this.found(a_label, a, per.clone());
+            }
+        };
         match self.scene.end {
             End::Travel(_, d) | End::Position(_, d) => {
                 let d = self.length(d);
@@ -393,17 +489,19 @@ impl<'d, 'a> Account<'d, 'a> {
                     End::Travel(..) => in_sense(d, self.sense),
                     _ => d,
                 };
-                let push = positive_first(vec![in_sense(self.drive.clone(), self.value(&self.s))]);
+                let push = if self.m.one { self.drive.clone() } else { a.into() };
+                let push = positive_first(vec![in_sense(push, self.value(&self.s))]);
                 let twice = Factors::of(&(number(2) * self.distance() * push));
-                let gained = twice.per(&Factors::of(&self.effective)).expr();
+                let gained =
+                    if self.m.one { twice.per(&Factors::of(&self.effective)).expr() } else { twice.expr() };
                 let before = if self.v0 == ZERO { ZERO } else { square(self.v0.clone()) };
                 self.found(v_label, v, root(before + gained));
                 self.v = v.into();
-                self.found(a_label, a, per);
+                accelerated(self);
             }
             End::Time(_, t) => {
                 let t = self.number(t, "t", "s");
-                self.found(a_label, a, per);
+                accelerated(self);
                 let end = &self.v0 + a * &t;
                 let end = in_sense(end.clone(), self.value(&end));
                 self.found(v_label, v, end);
@@ -413,52 +511,211 @@ impl<'d, 'a> Account<'d, 'a> {
             End::Speed(_, u) => {
                 let names = if self.straight() { ("v_1", "m/s") } else { (r"\omega_1", "rad/s") };
                 let u = self.number(u, names.0, names.1);
-                self.found(a_label, a, per);
+                accelerated(self);
                 self.found(v_label, v, u.clone());
                 self.new_way((square(&u) - square(&self.v0)) / (number(2) * a));
                 self.v = u;
             }
             End::TurningPoint(_) => {
-                self.found(a_label, a, per);
+                accelerated(self);
                 self.found(v_label, v, ZERO);
                 self.new_way(-(square(&self.v0) / (number(2) * a)));
                 self.v = ZERO;
             }
-            End::AtOnce | End::Angle(..) | End::Rolling(_) => return beyond(Beyond::OtherEnd),
+            End::AtOnce if !self.m.one => self.velocities_together()?,
+            End::AtOnce | End::Angle(..) | End::Rolling(_) => {
+                let size = in_sense(self.v0.clone(), self.value(&self.v0));
+                self.found(v_label, v, size.clone());
+                self.v = if size == ZERO { ZERO } else { v.into() };
+                if self.spring.is_none() {
+                    accelerated(self);
+                }
+            }
         }
         Ok(())
     }
 
-    fn arrive_on_spring(&mut self, a: SymbolId, v: SymbolId) -> Result<(), DerivationStop> {
-        let Some(spring) = self.spring.clone() else { return beyond(Beyond::Arrangement) };
-        if self.v0 != ZERO {
-            return beyond(Beyond::SpringWithSpeed);
-        }
-        self.s = match self.scene.end {
-            End::Travel(_, d) => in_sense(self.length(d), self.sense),
-            End::Position(_, x) => self.length(x),
-            _ => return beyond(Beyond::SpringWithoutPlace),
+    /// A quantity of the swing on a spring, each once.
+    fn swung(&mut self, names: &[&str], unit: &str, from: Expr) -> SymbolId {
+        let known = self.steps.iter().find(|s| s.from == from).map(|s| s.symbol);
+        known.unwrap_or_else(|| {
+            let symbol = self.new_symbol(names, unit);
+            self.step(symbol, from);
+            symbol
+        })
+    }
+
+    /// What the swing on a spring hangs on: angular frequency, stretch at rest, and the greatest distance from it.
+    fn swing(&mut self, spring: &CordSpring) -> Result<[Expr; 3], DerivationStop> {
+        let per = Factors::of(&spring.stiffness).times(&spring.gamma.squared());
+        let frequency = root(per.per(&Factors::of(&self.effective)).expr());
+        let frequency = self.swung(&[r"\omega_{\mathrm{s}}", r"\Omega_{\mathrm{s}}"], "rad/s", frequency);
+        let rest = self.get(of_scene(Quantity::XEq))?;
+        let off = &spring.stretch - rest;
+        let amplitude = if self.v0 == ZERO {
+            in_sense(off.clone(), self.value(&off))
+        } else {
+            root(square(off) + &self.effective * square(&self.v0) / &spring.stiffness)
         };
-        let stretch = self.stretch_at(&self.s.clone());
-        let last = match stretch {
-            ZERO => ZERO,
-            from => {
-                let x1 = self.new_symbol(&["x_1", r"x_{\mathrm{e}}"], "m");
-                self.step(x1, from);
-                x1.into()
+        let amplitude = self.swung(&["A", "B"], "m", amplitude);
+        Ok([frequency.into(), rest.into(), amplitude.into()])
+    }
+
+    /// Sense in which the stretch begins to change: 1 where it grows.
+    fn stretching(&self, spring: &CordSpring) -> f64 {
+        -self.sense * self.value(&spring.gamma.expr()).signum()
+    }
+
+    fn arrive_on_spring(&mut self, a: SymbolId, v: SymbolId) -> Result<(), DerivationStop> {
+        let Some(spring) = self.spring.clone() else { return beyond(Beyond::Unfound) };
+        let (a_label, v_label) =
+            (self.of_lead(Quantity::A, Quantity::Alpha), self.of_lead(Quantity::V, Quantity::Omega));
+        let grows = self.stretching(&spring);
+        // The stretch at the end, and the displacement up to there.
+        let way = |x: &Expr| Factors::of(&(&spring.stretch - x)).per(&spring.gamma).expr();
+        let mut last = None;
+        match self.scene.end {
+            End::Travel(_, d) => self.s = in_sense(self.length(d), self.sense),
+            End::Position(_, x) => self.s = self.length(x),
+            End::TurningPoint(_) => {
+                let [_, rest, amplitude] = self.swing(&spring)?;
+                let x = rest + in_sense(amplitude, grows);
+                if spring.rigid || self.value(&x) >= 0.0 {
+                    last = Some(x);
+                } else {
+                    // Slack: all that is stored goes into what the other forces take.
+                    let stored =
+                        &spring.stiffness * square(&spring.stretch) + &self.effective * square(&self.v0);
+                    self.new_way(-(stored / (number(2) * &self.drive)));
+                }
             }
+            End::Speed(_, u) => {
+                let u = self.number(u, "v_1", "m/s");
+                let [_, rest, amplitude] = self.swing(&spring)?;
+                let off = root(square(&amplitude) - &self.effective * square(&u) / &spring.stiffness);
+                // Faster than at the start: before the place of rest; slower: behind it.
+                let before = self.value(&u) > self.value(&self.v0).abs();
+                let x = rest + in_sense(off, if before { -grows } else { grows });
+                if spring.rigid || self.value(&x) >= 0.0 {
+                    last = Some(x);
+                } else {
+                    let stored =
+                        &spring.stiffness * square(&spring.stretch) + &self.effective * square(&self.v0);
+                    self.new_way((&self.effective * square(&u) - stored) / (number(2) * &self.drive));
+                }
+            }
+            End::Time(_, t) => {
+                let t = self.number(t, "t", "s");
+                let slack = if spring.rigid { None } else { self.slackened(&spring)? };
+                match slack.filter(|(time, _)| self.value(time) < self.value(&t)) {
+                    Some((time, speed)) => {
+                        let left = self.swung(&[r"\Delta t"], "s", &t - time);
+                        let first = Factors::of(&spring.stretch).per(&spring.gamma).expr();
+                        let coast = &self.drive / &self.effective;
+                        let more = in_sense(speed, self.sense) * left + ratio(1, 2) * coast * square(left);
+                        self.new_way(first + more);
+                    }
+                    None => {
+                        let [frequency, rest, amplitude] = self.swing(&spring)?;
+                        let begin = self.phase(&spring, &spring.stretch.clone())?;
+                        let turned = positive_first(vec![&frequency * t + begin]);
+                        last = Some(rest - in_sense(amplitude * cosine(turned), grows));
+                    }
+                }
+            }
+            _ => return beyond(Beyond::Unfound),
+        }
+        if let Some(x) = last {
+            let x1 = self.new_symbol(&["x_1", r"x_{\mathrm{e}}"], "m");
+            self.step(x1, x);
+            self.new_way(way(&x1.into()));
+            last = Some(x1.into());
+        }
+        let last = match last {
+            Some(x1) => x1,
+            None => match self.stretch_at(&self.s.clone()) {
+                ZERO => ZERO,
+                from => self.swung(&["x_1", r"x_{\mathrm{e}}"], "m", from).into(),
+            },
         };
         let squares =
             if last == ZERO { square(&spring.stretch) } else { square(&spring.stretch) - square(&last) };
         let others = number(2) * self.distance() * in_sense(self.drive.clone(), self.value(&self.s));
         let twice = positive_first(vec![&spring.stiffness * squares, others]);
-        self.found(self.of_lead(Quantity::V, Quantity::Omega), v, root(twice / &self.effective));
-        self.v = v.into();
+        let before = if self.v0 == ZERO { ZERO } else { square(&self.v0) };
+        match self.scene.end {
+            End::TurningPoint(_) => {
+                self.found(v_label, v, ZERO);
+            }
+            End::Speed(_, u) => {
+                self.v = self.number(u, "v_1", "m/s");
+                self.found(v_label, v, self.v.clone());
+            }
+            _ => {
+                self.found(v_label, v, root(before + twice / &self.effective));
+                self.v = v.into();
+            }
+        }
+        self.last = last.clone();
         self.found(of_tie(Quantity::Tension, spring.tie), spring.tension, &spring.stiffness * last);
         let pull = Factors::of(&spring.tension.into()).times(&spring.gamma).expr();
         let now = positive_first(vec![pull, self.drive.clone()]);
-        self.found(self.of_lead(Quantity::A, Quantity::Alpha), a, now / &self.effective);
+        self.found(a_label, a, now / &self.effective);
         Ok(())
+    }
+
+    /// The angle of the swing at a stretch: 0 at the greatest distance from rest before it.
+    fn phase(&mut self, spring: &CordSpring, stretch: &Expr) -> Result<Expr, DerivationStop> {
+        if self.v0 == ZERO && *stretch == spring.stretch {
+            return Ok(ZERO);
+        }
+        let [_, rest, amplitude] = self.swing(spring)?;
+        let grows = self.stretching(spring);
+        Ok(arc_cosine(positive_first(vec![in_sense(stretch - rest, -grows)]) / amplitude))
+    }
+
+    /// When the cord of the spring goes slack, and how fast the lead is then; `None` where it does not.
+    fn slackened(&mut self, spring: &CordSpring) -> Result<Option<(Expr, Expr)>, DerivationStop> {
+        let [frequency, rest, amplitude] = self.swing(spring)?;
+        if self.stretching(spring) > 0.0 || self.value(&rest) - self.value(&amplitude) >= 0.0 {
+            return Ok(None);
+        }
+        let (begin, end) = (self.phase(spring, &spring.stretch.clone())?, self.phase(spring, &ZERO)?);
+        let time = self.swung(&[r"t_{\mathrm{s}}"], "s", (end - begin) / &frequency);
+        let way = Factors::of(&spring.stretch).per(&spring.gamma).expr();
+        let work = &spring.stiffness * square(&spring.stretch) + number(2) * &self.drive * way;
+        let before = if self.v0 == ZERO { ZERO } else { square(&self.v0) };
+        let speed = self.swung(&[r"v_{\mathrm{s}}"], "m/s", root(before + work / &self.effective));
+        Ok(Some((time.into(), speed.into())))
+    }
+
+    /// Time of a motion on a spring, by the angle of its swing.
+    fn time_on_spring(&mut self, label: Label) -> Result<SymbolId, DerivationStop> {
+        let Some(spring) = self.spring.clone() else { return beyond(Beyond::Unfound) };
+        let last = self.last.clone();
+        let time = if last == ZERO
+            && !spring.rigid
+            && let Some((time, speed)) = self.slackened(&spring)?
+        {
+            let way = Factors::of(&spring.stretch).per(&spring.gamma).expr();
+            let left = if self.drive == ZERO {
+                (&self.s - way) / in_sense(speed, self.sense)
+            } else {
+                let gain = in_sense(self.v.clone() - speed, self.sense);
+                Factors::of(&gain).times(&Factors::of(&self.effective)).per(&Factors::of(&self.drive)).expr()
+            };
+            time + left
+        } else {
+            let [frequency, ..] = self.swing(&spring)?;
+            let begin = self.phase(&spring, &spring.stretch.clone())?;
+            let end = if matches!(self.scene.end, End::TurningPoint(_)) {
+                self.draft.pi().into()
+            } else {
+                self.phase(&spring, &last)?
+            };
+            (end - begin) / frequency
+        };
+        Ok(self.new_found(label, &["t", "t_2"], "s", time))
     }
 
     /// The label of the lead: this for a line, that for a turn.
@@ -513,12 +770,12 @@ impl<'d, 'a> Account<'d, 'a> {
             };
             let c = rows.remove(at);
             let (action, tie) = open(&c).remove(0);
-            let Some(force) = self.m.force_of(tie) else { return beyond(Beyond::Arrangement) };
+            let Some(force) = self.m.force_of(tie) else { return beyond(Beyond::Unfound) };
             let is = self.solved(c, &action, self.gain(c))?;
             gone.push(Eliminated { row: c, force, is });
             ties.push(tie);
         }
-        rows.pop().map(|last| (gone, last)).ok_or_else(|| Beyond::Arrangement.into())
+        rows.pop().map(|last| (gone, last)).ok_or_else(|| Beyond::Unfound.into())
     }
 
     /// A row, solved for one of its forces, its inertia term given.
@@ -529,7 +786,7 @@ impl<'d, 'a> Account<'d, 'a> {
         rest.extend(others.map(|(_, share)| -share));
         let over = positive_first(vec![in_sense(sum(rest), self.value(&lever.expr()))]);
         let lever = self.magnitude(&lever);
-        if lever.is_zero() { beyond(Beyond::Arrangement) } else { Ok(Factors::of(&over).per(&lever).expr()) }
+        if lever.is_zero() { beyond(Beyond::Unfound) } else { Ok(Factors::of(&over).per(&lever).expr()) }
     }
 
     /// `m a` or `I a/r` of a coordinate: what its forces amount to, with the acceleration of its body's line or of the lead.
@@ -556,19 +813,76 @@ impl<'d, 'a> Account<'d, 'a> {
             Owner::Body(b) => b,
             _ => self.lead().body,
         };
+        let c = if label.quantity == Quantity::Displacement || label.quantity == Quantity::Distance {
+            along(body)
+        } else {
+            turn(body)
+        };
         match label.quantity {
             Quantity::A | Quantity::Alpha => self.acceleration(label, body),
             Quantity::V | Quantity::Omega => self.speed(label, body),
             Quantity::Phi => self.angle(body, label),
             Quantity::Displacement => {
-                let from = Factors::of(&self.s).times(&self.m.parts[body].along).expr();
+                let from = self.signed_travel(c)?;
                 Ok(self.new_found(label, &[r"\Delta x"], "m", from))
+            }
+            Quantity::Distance => {
+                let tag = self.tag(body, |p| p.a.is_some());
+                let from = self.travel(c)?;
+                Ok(self.new_found(label, &[&tagged("d", &tag), &tagged("D", &tag)], "m", from))
+            }
+            Quantity::AngularMomentum => {
+                let tag = self.tag(body, |p| p.alpha.is_some());
+                let omega = self.get(of_body(Quantity::Omega, body))?;
+                let inertia = self.m.inertia(c);
+                let from = sum(inertia.iter().map(|i| i.times(&Factors::of(&omega.into())).expr()));
+                let names = [&*tagged("L", &tag), &tagged(r"\Lambda", &tag)];
+                Ok(self.new_found(label, &names, "kg m^2/s", from))
+            }
+            Quantity::Impulse => {
+                let tag = self.tag(body, |p| p.a.is_some());
+                let v = self.get(of_body(Quantity::V, body))?;
+                let v = in_sense(v.into(), self.velocity_sense(along(body)));
+                let before = Factors::of(&self.v0).times(&self.m.parts[body].along).expr();
+                let gain = Factors::of(&positive_first(vec![v - before]));
+                let from = self.m.parts[body].mass.times(&gain).expr();
+                Ok(self.new_found(label, &[&tagged("J", &tag), &tagged("S", &tag)], "N s", from))
+            }
+            Quantity::Work => {
+                let from = match self.m.one {
+                    true => Factors::of(&self.drive).times(&Factors::of(&self.s)).expr(),
+                    false => self.get(of_scene(Quantity::KineticEnergy))?.into(),
+                };
+                Ok(self.new_found(label, &["W", "A_{W}"], "J", from))
+            }
+            Quantity::WorkCouple | Quantity::PowerCouple => {
+                let work = label.quantity == Quantity::WorkCouple;
+                let couples =
+                    self.row(c).into_iter().filter(|(a, _)| matches!(a.source, ForceSource::Couple(_)));
+                let moment = positive_first(couples.map(|(_, e)| e).collect());
+                let rate: Expr = match work {
+                    true => self.signed_travel(c)?,
+                    false => {
+                        let omega = self.get(of_body(Quantity::Omega, body))?;
+                        in_sense(omega.into(), self.velocity_sense(c))
+                    }
+                };
+                let from = Factors::of(&moment).times(&Factors::of(&rate)).expr();
+                let (name, unit) = if work { ("W_{M}", "J") } else { (r"\dot{W}_{M}", "W") };
+                Ok(self.new_found(label, &[name, &format!("{name}^{{*}}")], unit, from))
+            }
+            Quantity::FrictionIfRolled => {
+                // Found before, as if it rolled.
+                match self.draft.found_for(label) {
+                    Some(DerivedAnswer::Value(symbol)) => Ok(symbol),
+                    _ => beyond(Beyond::Unfound),
+                }
             }
             Quantity::Rise => {
                 let tag = self.tag(body, |p| p.a.is_some());
                 let climb = self.m.actions.iter().find(|a| a.source == ForceSource::Weight(body));
                 let climb = climb.map_or_else(Factors::zero, |a| a.along.opposite());
-                let from = Factors::of(&self.s).times(&self.m.parts[body].along).times(&climb).expr();
+                let from = Factors::of(&self.signed_travel(along(body))?).times(&climb).expr();
                 Ok(self.new_found(label, &[&tagged("h", &tag), &tagged("y", &tag)], "m", from))
             }
             Quantity::Friction | Quantity::Tension => self.reaction(label, body),
@@ -585,7 +899,7 @@ impl<'d, 'a> Account<'d, 'a> {
             Quantity::Heat => self.heat(label),
             Quantity::KBound => self.bound_of_gyration(body, label),
             Quantity::XEq => {
-                let Some(spring) = self.spring.clone() else { return beyond(Beyond::Arrangement) };
+                let Some(spring) = self.spring.clone() else { return beyond(Beyond::Unfound) };
                 let per = Factors::of(&spring.stiffness).times(&spring.gamma);
                 let from = Factors::of(&(-&self.drive)).per(&per).expr();
                 Ok(self.new_found(label, &[r"x_{\mathrm{eq}}"], "m", from))
@@ -604,7 +918,10 @@ impl<'d, 'a> Account<'d, 'a> {
     /// Another acceleration than the lead's, by its ratio; that of a slipping body's spin from its own equation.
     fn acceleration(&mut self, label: Label, body: usize) -> Result<SymbolId, DerivationStop> {
         let c = if label.quantity == Quantity::A { along(body) } else { turn(body) };
-        let Some(symbol) = self.m.acceleration(c) else { return beyond(Beyond::Arrangement) };
+        let Some(symbol) = self.m.acceleration(c) else { return beyond(Beyond::Unfound) };
+        if c == self.lead() || !self.m.one {
+            return beyond(Beyond::Unfound);
+        }
         if self.own(c) {
             let over = positive_first(self.row(c).into_iter().map(|(_, e)| e).collect());
             let from = Factors::of(&over).per(&Factors::of(&self.m.inertia_expr(c))).expr();
@@ -617,35 +934,66 @@ impl<'d, 'a> Account<'d, 'a> {
 
     fn speed(&mut self, label: Label, body: usize) -> Result<SymbolId, DerivationStop> {
         let c = if label.quantity == Quantity::V { along(body) } else { turn(body) };
-        let Some(symbol) = self.m.speed(c) else { return beyond(Beyond::Arrangement) };
-        let from = if self.own(c) {
-            // Both accelerations are constant and both motions start from rest.
-            let alpha = self.get(of_body(Quantity::Alpha, body))?;
-            let a = self.get(of_body(Quantity::A, body))?;
-            let v = self.get(of_body(Quantity::V, body))?;
-            let turned = self.value(&alpha.into()) * self.value(&a.into());
-            in_sense(alpha / a * v, turned)
-        } else {
-            Factors::of(&self.v).times(&self.magnitude(self.m.ratio(c))).expr()
-        };
+        let Some(symbol) = self.m.speed(c) else { return beyond(Beyond::Unfound) };
+        let from = if self.own(c) { self.from_rest(c, 1)? } else { self.over_lead(&self.v, c) };
         Ok(self.found(label, symbol, from))
+    }
+
+    /// By the lead's, a magnitude.
+    fn over_lead(&self, of: &Expr, c: Coordinate) -> Expr {
+        Factors::of(of).times(&self.magnitude(self.m.ratio(c))).expr()
+    }
+
+    /// Speed (1) or distance (2) of a coordinate with an acceleration of its own, from rest: by the time, or, since all accelerations
+    /// are constant, in the ratio of the accelerations.
+    fn from_rest(&mut self, c: Coordinate, order: u8) -> Result<Expr, DerivationStop> {
+        let own = self.get(rate_of(c))?;
+        let size = in_sense(own.into(), self.symbols.value(own));
+        if self.symbols.value(own) == 0.0 {
+            return Ok(ZERO);
+        }
+        if let End::Time(_, t) = self.scene.end
+            && !self.m.one
+        {
+            let t = self.number(t, "t", "s");
+            return Ok(if order == 1 { size * t } else { ratio(1, 2) * size * square(t) });
+        }
+        let lead = self.get(rate_of(self.lead()))?;
+        let by = in_sense(lead.into(), self.symbols.value(lead));
+        let of = if order == 1 { self.v.clone() } else { self.distance() };
+        Ok(size / by * of)
+    }
+
+    /// Distance or angle of a coordinate, a magnitude.
+    fn travel(&mut self, c: Coordinate) -> Result<Expr, DerivationStop> {
+        if self.own(c) { self.from_rest(c, 2) } else { Ok(self.over_lead(&self.distance(), c)) }
+    }
+
+    /// The same with its sign.
+    fn signed_travel(&mut self, c: Coordinate) -> Result<Expr, DerivationStop> {
+        if !self.own(c) {
+            return Ok(Factors::of(&self.s).times(self.m.ratio(c)).expr());
+        }
+        let travel = self.travel(c)?;
+        Ok(in_sense(travel, self.velocity_sense(c)))
+    }
+
+    /// Sense in which a coordinate moves; nothing turns back.
+    fn velocity_sense(&self, c: Coordinate) -> f64 {
+        match self.m.acceleration(c) {
+            Some(a) if self.own(c) => self.symbols.value(a),
+            _ => self.value(&self.m.ratio(c).expr()) * self.sense,
+        }
     }
 
     fn angle(&mut self, body: usize, label: Label) -> Result<SymbolId, DerivationStop> {
         let tag = self.tag(body, |p| p.alpha.is_some());
-        let from = if self.own(turn(body)) {
-            let alpha = self.get(of_body(Quantity::Alpha, body))?;
-            let a = self.get(of_body(Quantity::A, body))?;
-            let sense = self.value(&alpha.into()) * self.value(&a.into());
-            let way = Factors::of(&self.distance()).times(&self.magnitude(&self.m.parts[body].along)).expr();
-            in_sense(alpha / a, sense) * way
-        } else {
-            Factors::of(&self.distance()).times(&self.magnitude(&self.m.parts[body].turn)).expr()
-        };
+        let from = self.travel(turn(body))?;
         Ok(self.new_found(label, &[&tagged(r"\varphi", &tag), &tagged(r"\psi", &tag)], "rad", from))
     }
 
-    fn label_of_tie(&self, tie: usize) -> Label {
+    /// Whose reaction a tie has.
+    pub fn label_of_tie(&self, tie: usize) -> Label {
         match &self.scene.ties[tie] {
             Tie::Roll { body, .. } | Tie::Slip { body, .. } | Tie::Slide { body, .. } => {
                 of_body(Quantity::Friction, *body)
@@ -668,7 +1016,7 @@ impl<'d, 'a> Account<'d, 'a> {
             Owner::Tie(t) => Some(t),
             _ => self.contact_of(body),
         };
-        let Some(tie) = tie else { return beyond(Beyond::Arrangement) };
+        let Some(tie) = tie else { return beyond(Beyond::Unfound) };
         // Each would need the other first.
         if self.solving.contains(&tie) {
             return beyond(Beyond::SeveralEquations);
@@ -705,7 +1053,7 @@ impl<'d, 'a> Account<'d, 'a> {
             self.get(of_body(Quantity::A, c.body))?;
         }
         let from = self.solved(c, &action, self.gain(c))?;
-        let Some(symbol) = self.m.force_of(tie) else { return beyond(Beyond::Arrangement) };
+        let Some(symbol) = self.m.force_of(tie) else { return beyond(Beyond::Unfound) };
         self.solving.pop();
         Ok(self.found(self.label_of_tie(tie), symbol, from))
     }
@@ -754,7 +1102,7 @@ impl<'d, 'a> Account<'d, 'a> {
     /// How far it would go to its turning point while the cord is taut, or where the cord goes slack, if that comes first; and
     /// whether it does.
     fn turning_or_slack(&self) -> Result<(Expr, bool), DerivationStop> {
-        let Some(spring) = &self.spring else { return beyond(Beyond::Arrangement) };
+        let Some(spring) = &self.spring else { return beyond(Beyond::Unfound) };
         let kappa = Factors::of(&spring.stiffness).times(&spring.gamma.squared()).expr();
         let pull = Factors::of(&spring.stiffness).times(&spring.gamma).times(&Factors::of(&spring.stretch));
         let turn = number(2) * positive_first(vec![pull.expr(), self.drive.clone()]) / kappa;
@@ -766,7 +1114,7 @@ impl<'d, 'a> Account<'d, 'a> {
 
     /// Friction on a rolling body where the lead has moved by `s`: that at the end, moved along with the tension.
     fn friction_at(&mut self, body: usize, s: &Expr, mark: &str) -> Result<(f64, SymbolId), DerivationStop> {
-        let Some(spring) = self.spring.clone() else { return beyond(Beyond::Arrangement) };
+        let Some(spring) = self.spring.clone() else { return beyond(Beyond::Unfound) };
         let now = self.get(of_body(Quantity::Friction, body))?;
         let stretch = self.stretch_at(s);
         let rate = self.friction_per_tension(body, spring.tie)?;
@@ -779,7 +1127,7 @@ impl<'d, 'a> Account<'d, 'a> {
 
     /// By how much the friction on a body grows with the tension of a cord: from its closed form.
     fn friction_per_tension(&mut self, body: usize, tie: usize) -> Result<Expr, DerivationStop> {
-        let Some(closed) = self.closed_friction(body) else { return beyond(Beyond::Arrangement) };
+        let Some(closed) = self.closed_friction(body) else { return beyond(Beyond::Unfound) };
         let own = closed.terms.iter().find(|(a, _)| a.source == ForceSource::Tie(tie));
         let over = own.map_or_else(Factors::zero, |(_, over)| over.clone());
         Ok(over.per(&closed.under).expr())
@@ -791,7 +1139,7 @@ impl<'d, 'a> Account<'d, 'a> {
         let part = self.m.parts.get(body)?.clone();
         let tied = |a: &Action| a.kind == ForceKind::Reaction && !a.contact;
         let tie = self.contact_of(body)?;
-        let rolls = matches!(self.scene.ties[tie], Tie::Roll { .. }) || self.rolled;
+        let rolls = matches!(self.scene.ties[tie], Tie::Roll { .. }) || self.rolled == Some(tie);
         if !rolls || part.mass.is_zero() || self.m.actions.iter().any(|a| a.body == body && tied(a)) {
             return None;
         }
@@ -813,12 +1161,12 @@ impl<'d, 'a> Account<'d, 'a> {
     }
 
     fn time(&mut self, label: Label) -> Result<SymbolId, DerivationStop> {
-        if self.spring.is_some() {
-            return beyond(Beyond::SpringTime);
-        }
         if let End::Time(_, t) = self.scene.end {
             let t = self.number(t, "t", "s");
             return Ok(self.new_found(label, &["t", "t_2"], "s", t));
+        }
+        if self.spring.is_some() {
+            return self.time_on_spring(label);
         }
         let a = self.get(self.of_lead(Quantity::A, Quantity::Alpha))?;
         let from = if self.value(&a.into()) == 0.0 {
@@ -838,15 +1186,15 @@ impl<'d, 'a> Account<'d, 'a> {
     }
 
     fn cord_of(&self, label: Label) -> Result<(usize, Action), DerivationStop> {
-        let Owner::Tie(t) = label.of else { return beyond(Beyond::Arrangement) };
-        self.m.action_of(t).map_or_else(|| beyond(Beyond::Arrangement), |a| Ok((t, a.clone())))
+        let Owner::Tie(t) = label.of else { return beyond(Beyond::Unfound) };
+        self.m.action_of(t).map_or_else(|| beyond(Beyond::Unfound), |a| Ok((t, a.clone())))
     }
 
     /// Travel (or velocity) of a cord's end on a slipping body, in the sense of the pull: that of the centre, and that of the turn.
     fn on_slipping(&self, action: &Action, centre: Expr, turned: Expr) -> Expr {
         let part = &self.m.parts[action.body];
         let along = Factors::of(&centre).times(&action.along.times(&part.along)).signed(sign(self.sense));
-        let spin = self.spin_sense(action.body);
+        let spin = self.velocity_sense(turn(action.body));
         let turn = Factors::of(&turned).times(&action.arm).signed(sign(spin));
         positive_first(vec![along.expr(), turn.expr()])
     }
@@ -915,7 +1263,7 @@ impl<'d, 'a> Account<'d, 'a> {
 
     fn rotational(&mut self, label: Label) -> Result<SymbolId, DerivationStop> {
         let mut turning = Vec::new();
-        let slips = self.m.parts.iter().any(|p| p.slips);
+        let slips = !self.m.one || self.m.parts.iter().any(|p| p.slips);
         for body in 0..self.m.parts.len() {
             let c = turn(body);
             for i in self.m.inertia(c) {
@@ -934,22 +1282,16 @@ impl<'d, 'a> Account<'d, 'a> {
         Ok(self.new_found(label, &[r"\eta", r"\beta"], "1", from))
     }
 
-    /// Sense in which a slipping body turns.
-    fn spin_sense(&self, body: usize) -> f64 {
-        let over = sum(self.row(turn(body)).into_iter().map(|(_, e)| e));
-        if self.value(&over) < 0.0 { -1.0 } else { 1.0 }
-    }
-
     fn slip_distance(&mut self, body: usize, label: Label) -> Result<SymbolId, DerivationStop> {
         let radius = self.scene.ties.iter().find_map(|tie| match tie {
             Tie::Slip { body: b, radius_m, .. } if *b == body => Some(*radius_m),
             _ => None,
         });
-        let Some(radius) = radius else { return beyond(Beyond::Arrangement) };
+        let Some(radius) = radius else { return beyond(Beyond::Unfound) };
         let c = self.number(radius, "R", "m");
         let phi = self.get(of_body(Quantity::Phi, body))?;
-        let way = Factors::of(&self.s).times(&self.m.parts[body].along).expr();
-        let from = way - in_sense(c * phi, self.spin_sense(body));
+        let way = self.signed_travel(along(body))?;
+        let from = way - in_sense(c * phi, self.velocity_sense(turn(body)));
         let from = positive_first(vec![in_sense(from.clone(), self.value(&from))]);
         Ok(self.new_found(label, &[r"\delta", r"\Delta"], "m", from))
     }
@@ -959,10 +1301,7 @@ impl<'d, 'a> Account<'d, 'a> {
         for tie in &self.scene.ties {
             let (body, way) = match tie {
                 Tie::Slip { body, .. } => (*body, self.get(of_body(Quantity::SlipDistance, *body))?.into()),
-                Tie::Slide { body, .. } => {
-                    let ratio = self.magnitude(&self.m.parts[*body].along);
-                    (*body, Factors::of(&self.distance()).times(&ratio).expr())
-                }
+                Tie::Slide { body, .. } => (*body, self.travel(along(*body))?),
                 _ => continue,
             };
             let f = self.get(of_body(Quantity::Friction, body))?;

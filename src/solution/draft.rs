@@ -140,7 +140,8 @@ impl<'a> Draft<'a> {
             // At an instant of bodies on lines nothing falls; a pin carries weight even then, and a weight that is given needs g.
             let weighs = |b: &Body| b.pin.is_some() || matches!(b.mass, Mass::Weight(_));
             let bodies = &draft.scene.bodies;
-            let falls = draft.scene.end != End::AtOnce && !bodies.iter().all(Body::massless);
+            let falls = (draft.scene.end != End::AtOnce || draft.forces_asked())
+                && !bodies.iter().all(Body::massless);
             let idle = draft.scene.gravity_m_s2 == Num::Datum(i) && !falls && !bodies.iter().any(weighs);
             if !idle {
                 draft.told.push(format!("{} = {printed}{again}", datum.tex));
@@ -180,7 +181,12 @@ impl<'a> Draft<'a> {
                 let mut name = self.free(&[tex]);
                 for i in 1..10 {
                     if taken(&name) {
-                        name = format!("{tex}_{{{i}}}");
+                        name = match tex.split_once('_') {
+                            Some((head, below)) if !below.starts_with('{') => {
+                                format!("{head}_{{{below},{i}}}")
+                            }
+                            _ => format!("{tex}_{{{i}}}"),
+                        };
                     }
                 }
                 let symbol = self.symbols.given(&name, x, &digits, &unit, degrees);
@@ -208,6 +214,11 @@ impl<'a> Draft<'a> {
     /// A quantity that is not known yet, in the unit (ASCII) given.
     pub fn unknown(&mut self, tex: &str, unit: &str) -> SymbolId {
         self.symbols.unknown(tex, &tex_of(unit))
+    }
+
+    /// Pi, which is its own number.
+    pub fn pi(&mut self) -> SymbolId {
+        self.symbols.given(r"\pi", std::f64::consts::PI, r"\pi", "", false)
     }
 
     /// A phrase of the lists, its places filled in.
@@ -265,6 +276,29 @@ impl<'a> Draft<'a> {
     /// Is this quantity asked, of anything?
     pub fn asks(&self, quantity: Quantity) -> bool {
         self.problem.questions.iter().any(|q| q.label.quantity == quantity)
+    }
+
+    /// Is anything asked at which forces have to be known?
+    pub fn forces_asked(&self) -> bool {
+        use Quantity::{
+            A, Alpha, Direction, Friction, FrictionIfRolled, MuRequired, Normal, PowerCouple, PowerPull,
+            Rolls, Tension, Value,
+        };
+        let forced = [
+            A,
+            Alpha,
+            Direction,
+            Friction,
+            FrictionIfRolled,
+            MuRequired,
+            Normal,
+            PowerCouple,
+            PowerPull,
+            Rolls,
+            Tension,
+            Value,
+        ];
+        self.problem.questions.iter().any(|q| forced.contains(&q.label.quantity))
     }
 
     /// Is this label asked?

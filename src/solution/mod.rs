@@ -17,7 +17,6 @@ pub mod by_hand;
 pub mod draft;
 pub mod expr;
 pub mod factors;
-pub mod instant;
 pub mod lamina;
 pub mod narrate;
 pub mod page;

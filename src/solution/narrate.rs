@@ -14,8 +14,8 @@ use crate::solution::stop::{Beyond, DerivationStop};
 use crate::solution::symbols::{FIGURES, tex_digits};
 use crate::solution::terms::{Action, ForceKind, ForceSource};
 use crate::solution::text::{Block, LINE, SolutionSection};
+use crate::solution::way;
 use crate::solution::written::width;
-use crate::solution::{instant, way};
 use crate::solve::outcome::Word;
 use std::ops::{Deref, DerefMut};
 
@@ -28,6 +28,10 @@ enum Short {
     Motion,
     /// Neither: the contact slips, and each freedom needs an equation of its own.
     Neither,
+    /// The equations of several freedoms, or of what friction holds, solved together.
+    Together,
+    /// Velocities and forces of an instant.
+    Instant,
 }
 
 /// Writes the sections of a scene of lines and axles.
@@ -35,40 +39,35 @@ enum Short {
 /// # Errors
 /// What is not covered, by name.
 pub fn sections(draft: &mut Draft) -> Result<(), DerivationStop> {
-    if draft.scene.end == End::AtOnce {
-        return instant::write(draft);
-    }
-    if draft.variant.solved.regime.stays() {
-        return Err(Beyond::NothingMoves.into());
-    }
     let ties = &draft.scene.ties;
     let slips: Vec<usize> = (0..ties.len()).filter(|t| matches!(ties[*t], Tie::Slip { .. })).collect();
-    if slips.len() > 1 {
-        return Err(Beyond::SeveralSlips.into());
+    let alone = draft.scene.bodies.len() == 1 && slips.len() == 1;
+    let mut rolled = Vec::new();
+    for tie in slips {
+        rolled.extend(could_it_roll(draft, tie)?);
     }
-    let mut senses = Vec::new();
-    let mut rolled = None;
-    if let [tie] = slips.as_slice() {
-        let (sense, section) = could_it_roll(draft, *tie)?;
-        senses.push((*tie, sense));
-        rolled = Some(section);
+    let mut account = Account::new(draft, None)?;
+    let stays = account.variant.solved.regime.stays();
+    if !stays {
+        account.arrive()?;
     }
-    let mut account = Account::new(draft, false, &senses)?;
-    account.arrive()?;
-    let end = account.page.draft.scene.end;
+    let end = account.scene.end;
     let short = match end {
-        _ if rolled.is_some() => Short::Neither,
+        End::AtOnce => Short::Instant,
+        _ if stays || !account.m.one => Short::Together,
+        _ if !rolled.is_empty() && alone => Short::Neither,
+        _ if !rolled.is_empty() => Short::Together,
         End::Time(..) => Short::Motion,
         _ => Short::Energy,
     };
-    let mut n = Narrator::new(account, short);
+    let swings = account.spring.is_some() && !matches!(end, End::Travel(..) | End::Position(..));
+    let mut n = Narrator { t: account, short, rows: Vec::new(), gone: Vec::new() };
     n.idea();
     n.sketch();
-    if let Some(section) = rolled {
-        n.end();
-        n.sections.push(section);
-    }
+    n.end();
+    n.draft.sections.extend(rolled);
     match short {
+        Short::Energy | Short::Motion if swings => n.swings()?,
         Short::Energy => {
             n.energy();
             n.motion("long")?;
@@ -82,35 +81,53 @@ pub fn sections(draft: &mut Draft) -> Result<(), DerivationStop> {
             n.motion("short")?;
             n.energy_of_slip()?;
         }
+        Short::Together => {
+            n.motion("short")?;
+            if !stays {
+                n.why_together();
+            }
+        }
+        Short::Instant => n.instant()?,
     }
-    n.forces()?;
+    let forced = short != Short::Instant || n.forces_asked();
+    if forced {
+        n.forces()?;
+    }
     n.rest()?;
-    n.holds()?;
+    if forced {
+        n.holds()?;
+    }
     n.limits()?;
     n.onward();
     Ok(())
 }
 
-/// What friction rolling would need, and its sense, positive up.
-fn could_it_roll(draft: &mut Draft, tie: usize) -> Result<(f64, SolutionSection), DerivationStop> {
-    let Tie::Slip { body, mu_s, .. } = draft.scene.ties[tie] else {
-        return Err(Beyond::Arrangement.into());
-    };
-    let mut n = Narrator::new(Account::new(draft, true, &[])?, Short::Neither);
+/// What friction rolling would need on a contact that is said to slip.
+fn could_it_roll(draft: &mut Draft, tie: usize) -> Result<Option<SolutionSection>, DerivationStop> {
+    let Tie::Slip { body, mu_s, .. } = draft.scene.ties[tie] else { return Ok(None) };
+    let told = draft.scene.end != End::AtOnce;
+    let asked = [Quantity::FrictionIfRolled, Quantity::MuRequired];
+    if !told && !asked.iter().any(|q| draft.asks(*q))
+        || draft.variant.solved.regime.stays() && !draft.asks(asked[0])
+    {
+        return Ok(None);
+    }
+    let account = Account::new(draft, Some(tie))?;
+    let mut n = Narrator { t: account, short: Short::Neither, rows: Vec::new(), gone: Vec::new() };
     n.begin("rolled");
     let friction = of_body(Quantity::Friction, body);
-    let closed = n.closed_friction(body);
-    let needed = match closed {
-        Some(closed) => {
-            let Some(f) = n.m.force_of(tie) else { return Err(Beyond::Arrangement.into()) };
-            n.found(friction, f, closed.expr())
-        }
-        None => {
-            n.arrive()?;
+    let closed = if n.m.one { n.t.closed_friction(body) } else { None };
+    let needed = match (closed, n.m.force_of(tie)) {
+        (Some(closed), Some(f)) => n.found(friction, f, closed.expr()),
+        _ => {
+            if n.m.one {
+                n.arrive()?;
+            }
             n.get(friction)?
         }
     };
-    n.say("rolled.needs", &[]);
+    let name = if n.m.one { "rolled.needs" } else { "rolled.needs_together" };
+    n.say(name, &[]);
     n.tell_new();
     let normal = n.get(of_body(Quantity::Normal, body))?;
     let value = n.symbols.value(needed);
@@ -126,11 +143,7 @@ fn could_it_roll(draft: &mut Draft, tie: usize) -> Result<(f64, SolutionSection)
         &[("needed", &size), ("limit", &limit), ("way", &sense)],
     );
     n.stop();
-    let section = std::mem::replace(&mut n.out, SolutionSection::new("", ""));
-    if !slips {
-        return Err(Beyond::RollsAfterAll.into());
-    }
-    Ok((value.signum(), section))
+    Ok(Some(std::mem::replace(&mut n.out, SolutionSection::new("", ""))))
 }
 
 /// Who words the sections, one after the other.
@@ -156,10 +169,6 @@ impl DerefMut for Narrator<'_, '_> {
 }
 
 impl<'d, 'a> Narrator<'d, 'a> {
-    fn new(t: Account<'d, 'a>, short: Short) -> Self {
-        Self { t, short, rows: Vec::new(), gone: Vec::new() }
-    }
-
     fn way(&self, body: usize, value: f64) -> String {
         let name = way(self.scene, Owner::Body(body), value);
         name.map_or_else(String::new, |w| self.words.get(w).to_owned())
@@ -197,17 +206,8 @@ impl<'d, 'a> Narrator<'d, 'a> {
             _ => None,
         })
     }
-    fn reactions(&self) -> Vec<SymbolId> {
-        let mut all = Vec::new();
-        for a in self.m.actions.iter().filter(|a| a.kind == ForceKind::Reaction) {
-            if let ForceSource::Tie(t) = a.source
-                && let Some(f) = self.m.force_of(t)
-                && !all.contains(&f)
-            {
-                all.push(f);
-            }
-        }
-        all
+    fn hidden(&self) -> Vec<SymbolId> {
+        self.reactions().into_iter().map(|(_, f)| f).collect()
     }
     fn normals(&self) -> Vec<SymbolId> {
         self.m.parts.iter().filter_map(|p| p.normal.as_ref().map(|(n, _)| *n)).collect()
@@ -233,15 +233,16 @@ impl<'d, 'a> Narrator<'d, 'a> {
     fn accelerations(&self) -> Vec<SymbolId> {
         self.coordinates().iter().filter_map(|c| self.m.acceleration(*c)).collect()
     }
-    /// `v = r omega` and its likes: every other coordinate by the lead's.
-    fn links(&self, of: impl Fn(&Self, Coordinate) -> Option<SymbolId>) -> Vec<String> {
+    /// `v = r omega` and its likes: every other coordinate by the lead's; speeds are magnitudes.
+    fn links(&self, signed: bool, of: impl Fn(&Self, Coordinate) -> Option<SymbolId>) -> Vec<String> {
         let lead = self.lead();
         let Some(by) = of(self, lead) else { return Vec::new() };
         let others = self.coordinates().into_iter().filter(|c| *c != lead && !self.own(*c));
         others
             .filter_map(|c| {
                 let symbol = of(self, c)?;
-                let ratio = self.magnitude(self.m.ratio(c));
+                let ratio = self.m.ratio(c);
+                let ratio = if signed { ratio.clone() } else { self.magnitude(ratio) };
                 let right = Factors::of(&by.into()).times(&ratio).expr();
                 Some(format!("${} = {}$", self.symbols.tex(symbol), self.tex(&right)))
             })
@@ -254,6 +255,9 @@ impl<'d, 'a> Narrator<'d, 'a> {
         self.begin("idea");
         let spring = self.spring.is_some();
         let name = match (self.short, self.scene.end) {
+            (Short::Instant, _) => "idea.instant",
+            (Short::Together, _) if self.variant.solved.regime.stays() => "idea.stays",
+            (Short::Together, _) => "idea.together",
             (Short::Neither, _) => "idea.slips",
             (Short::Motion, _) => "idea.time",
             (Short::Energy, End::Travel(..) | End::Position(..)) if spring => "idea.spring",
@@ -261,7 +265,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
             (Short::Energy, _) => "idea.speed",
         };
         self.say(name, &[]);
-        if self.short != Short::Neither {
+        if matches!(self.short, Short::Energy | Short::Motion) {
             if let Some((t, body)) = self.rolling().first().copied() {
                 let body = self.body(body);
                 self.say("idea.rolls", &[("body", &body)]);
@@ -328,7 +332,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
         let start = if self.v0 == ZERO { "energy.from_rest" } else { "energy.moving" };
         self.say(start, &[]);
         let balance = self.balance(&d);
-        let links = self.links(|n, c| n.m.speed(c));
+        let links = self.links(false, |n, c| n.m.speed(c));
         self.formula(balance);
         if !links.is_empty() {
             self.say("energy.links", &[("links", &links.join(", "))]);
@@ -479,21 +483,24 @@ impl<'d, 'a> Narrator<'d, 'a> {
         }
     }
 
+    /// Sliding friction, with the normal forces that it hangs on.
     fn tell_frictions(&mut self) {
-        let all = self.kinetic_frictions();
-        for f in all {
-            let normal =
-                self.normals().first().and_then(|n| self.steps.iter().find(|s| s.symbol == *n)).cloned();
-            let normal =
-                normal.map_or_else(String::new, |n| format!("${}$", self.chain(n.symbol, &n.from).concat()));
-            if self.draft.detail == Detail::Full {
-                for symbol in self.normals().into_iter().take(1).chain([f]) {
-                    let from = self.steps.iter().find(|s| s.symbol == symbol).map(|s| s.from.clone());
-                    self.display(symbol, &from.unwrap_or(ZERO), "");
+        let of = |n: &Self, s: SymbolId| {
+            n.steps.iter().find(|step| step.symbol == s).map(|step| step.from.clone())
+        };
+        for f in self.kinetic_frictions() {
+            let Some(from) = of(self, f) else { continue };
+            let normals: Vec<SymbolId> =
+                self.normals().into_iter().filter(|n| from.uses().contains(n)).collect();
+            if self.detail == Detail::Full {
+                for symbol in normals.into_iter().chain([f]) {
+                    let from = of(self, symbol).unwrap_or(ZERO);
+                    self.display(symbol, &from, "");
                 }
             } else {
+                let normal: Vec<String> = normals.iter().map(|n| self.chained(*n)).collect();
                 let chain = self.chained(f);
-                self.say("energy.slides", &[("normal", &normal), ("friction", &chain)]);
+                self.say("energy.slides", &[("normal", &normal.join(", ")), ("friction", &chain)]);
             }
         }
     }
@@ -532,14 +539,14 @@ impl<'d, 'a> Narrator<'d, 'a> {
     fn motion(&mut self, id: &'static str) -> Result<(), DerivationStop> {
         let title = match (id, self.short) {
             ("long", _) => "long_motion",
-            (_, Short::Neither) => "one_motion",
+            (_, Short::Neither | Short::Together) => "one_motion",
+            (_, Short::Instant) => "motion",
             _ => "short_motion",
         };
         self.begin_as(id, title);
         self.say_senses();
         self.write_rows();
-        let slips = self.short == Short::Neither;
-        let links = self.links(|n, c| n.m.acceleration(c));
+        let links = if self.m.one { self.links(true, |n, c| n.m.acceleration(c)) } else { self.demands() };
         if let Some(s) = self.spring.clone() {
             let s_now = self.new_symbol(&["s", "s_1"], "m");
             let stretch = &s.stretch - s.gamma.times(&Factors::of(&s_now.into())).expr();
@@ -550,10 +557,11 @@ impl<'d, 'a> Narrator<'d, 'a> {
         if !links.is_empty() {
             self.say("motion.links", &[("links", &links.join(", "))]);
         }
-        if slips {
+        if self.short == Short::Neither {
             return self.two_freedoms();
         }
-        let (gone, last) = self.elimination()?;
+        let gone = if self.m.one { self.elimination().ok() } else { None };
+        let Some((gone, last)) = gone else { return self.solved_together(id) };
         let a = self.acceleration();
         let from: Vec<String> = gone
             .iter()
@@ -585,6 +593,96 @@ impl<'d, 'a> Narrator<'d, 'a> {
         }
         self.integrate(id == "long");
         Ok(())
+    }
+
+    /// What the ties demand of the accelerations.
+    fn demands(&self) -> Vec<String> {
+        let each = |(tie, _): (usize, SymbolId)| {
+            let terms = self.tied(tie).into_iter().filter_map(|(c, share)| {
+                let a = self.m.acceleration(c)?;
+                Some(share.times(&Factors::of(&a.into())).expr())
+            });
+            let (left, right): (Vec<Expr>, Vec<Expr>) = terms.partition(|t| !matches!(t, Expr::Minus(_)));
+            let right = sum(right.into_iter().map(|t| -t));
+            let (left, right) = if left.is_empty() { (right, ZERO) } else { (sum(left), right) };
+            format!("${} = {}$", self.tex(&left), self.tex(&right))
+        };
+        self.reactions().into_iter().map(each).collect()
+    }
+
+    /// All equations at once: what comes out.
+    fn solved_together(&mut self, id: &str) -> Result<(), DerivationStop> {
+        if self.m.one {
+            let all: Vec<Label> = self.reactions().iter().map(|(t, _)| self.label_of_tie(*t)).collect();
+            for label in all {
+                let _ = self.get(label);
+            }
+        }
+        self.tell_frictions();
+        self.say("motion.together", &[]);
+        let all = [self.accelerations(), self.hidden()].concat();
+        let settled: Vec<Option<SymbolId>> =
+            all.into_iter().filter(|s| !self.symbols.value(*s).is_nan()).map(Some).collect();
+        let later: Vec<SymbolId> = self.steps.iter().map(|s| s.symbol).collect();
+        self.skip_new();
+        self.forget(&settled);
+        self.tell_new();
+        if self.short == Short::Together && !self.variant.solved.regime.stays() {
+            self.tell_as_known(later.into_iter().filter(|s| settled.contains(&Some(*s))).collect());
+            let normals = [self.normals(), self.kinetic_frictions()].concat();
+            for symbol in normals {
+                self.told(symbol);
+            }
+            let time = matches!(self.scene.end, End::Time(..));
+            self.say(if time { "motion.over_time" } else { "motion.speed_of_slip" }, &[]);
+            self.tell_new();
+        } else {
+            self.integrate(id == "long");
+        }
+        Ok(())
+    }
+
+    /// Energy is one balance for the unknown speeds of several freedoms.
+    fn why_together(&mut self) {
+        self.begin_as("why", "which");
+        let speeds = self.speeds();
+        let speeds = self.names(&speeds);
+        self.say("why.together", &[("unknown", &speeds)]);
+        self.say("why.ask", &[]);
+    }
+
+    /// A motion on a spring that ends at a time, at a speed or where it turns.
+    fn swings(&mut self) -> Result<(), DerivationStop> {
+        let mut kept = std::mem::take(&mut self.t.page.steps);
+        self.motion("short")?;
+        self.t.page.steps.append(&mut kept);
+        self.say("motion.swing", &[]);
+        let normals = [self.normals(), self.kinetic_frictions()].concat();
+        self.tell_as_known(normals);
+        self.tell_new();
+        self.begin("why");
+        let time = matches!(self.scene.end, End::Time(..));
+        self.say(if time { "why.swing_time" } else { "why.swing" }, &[]);
+        Ok(())
+    }
+
+    /// The velocities of an instant, its kinetic energy, and its equations of motion where forces are asked.
+    fn instant(&mut self) -> Result<(), DerivationStop> {
+        self.begin_as("short", "energy");
+        let coordinates: Vec<Coordinate> = self.coordinates();
+        for c in coordinates {
+            let quantity = if c.degree == Degree::Along { Quantity::V } else { Quantity::Omega };
+            let _ = self.get(of_body(quantity, c.body));
+        }
+        let speeds: Vec<Option<SymbolId>> = self.speeds().into_iter().map(Some).collect();
+        self.skip_new();
+        self.forget(&speeds);
+        self.say("instant.speeds", &[]);
+        self.tell_new();
+        self.get(of_scene(Quantity::KineticEnergy))?;
+        self.say("instant.energy", &[]);
+        self.tell_new();
+        if self.forces_asked() { self.motion("long") } else { Ok(()) }
     }
 
     fn all_shares(&self) -> Expr {
@@ -658,9 +756,9 @@ impl<'d, 'a> Narrator<'d, 'a> {
         let pieces = [
             ("v", self.names(&[v])),
             ("a", self.names(&[a])),
-            ("ds", if self.straight() { "ds".to_owned() } else { r"d\varphi".to_owned() }),
+            ("ds", if self.straight() { r"\mathrm{d}s".to_owned() } else { r"\mathrm{d}\varphi".to_owned() }),
             ("d", self.inline(&self.distance())),
-            ("vv", format!(r"{0}\,d{0}", self.symbols.tex(v))),
+            ("vv", format!(r"{0}\,\mathrm{{d}}{0}", self.symbols.tex(v))),
             ("aa", self.symbols.tex(a).to_owned()),
         ];
         let pieces: Vec<(&str, &str)> = pieces.iter().map(|(n, t)| (*n, t.as_str())).collect();
@@ -784,9 +882,9 @@ impl<'d, 'a> Narrator<'d, 'a> {
 
     /// Why the first way is shorter: unknowns and equations of both, counted alike.
     fn why(&mut self) {
-        let even = self.reactions().is_empty() && self.spring.is_none();
+        let even = self.hidden().is_empty() && self.spring.is_none();
         self.begin_as("why", if even { "which" } else { "why" });
-        let (reactions, normals, rubs) = (self.reactions(), self.normals(), self.kinetic_frictions());
+        let (reactions, normals, rubs) = (self.hidden(), self.normals(), self.kinetic_frictions());
         let (accelerations, speeds) = (self.accelerations(), self.speeds());
         let newton: Vec<SymbolId> =
             [reactions.clone(), rubs.clone(), normals.clone(), accelerations, speeds.clone()].concat();
@@ -842,7 +940,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
             self.get(*label)?;
         }
         for (_, body) in &rolling {
-            self.get(of_body(Quantity::Friction, *body))?;
+            let _ = self.get(of_body(Quantity::Friction, *body));
         }
         let kinds = [ForceKind::Spring];
         let sprung = !self.shares(&kinds).is_empty();
@@ -877,7 +975,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
 
     /// The closed form of a rolling body's friction, and what its signs say.
     fn read_friction(&mut self, tie: usize, body: usize) -> Result<(), DerivationStop> {
-        let f = self.get(of_body(Quantity::Friction, body))?;
+        let Ok(f) = self.get(of_body(Quantity::Friction, body)) else { return Ok(()) };
         let value = self.symbols.value(f);
         let up = self.way(body, 1.0);
         if self.m.parts[body].normal.is_none() {
@@ -976,6 +1074,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
         let sloped = matches!(part.path, "incline" | "vertical");
         let up = self.sense * f64::from(part.up) > 0.0;
         let word = match (sloped, up) {
+            _ if self.variant.solved.regime.stays() => Word::Stays,
             (true, true) => Word::Up,
             (true, false) => Word::Down,
             (false, true) => Word::Forward,
@@ -1015,11 +1114,12 @@ impl<'d, 'a> Narrator<'d, 'a> {
 
     /// Slides that start from rest have to be torn loose.
     fn torn_loose(&mut self) -> Result<(), DerivationStop> {
-        if self.v0 != ZERO {
-            return Ok(());
-        }
         for tie in self.scene.ties.clone() {
-            let Tie::Slide { body, mu_s: Some(mu), .. } = tie else { continue };
+            let Tie::Slide { body, mu_s, mu_k } = tie else { continue };
+            if self.m.actions.iter().any(|a| a.contact && a.body == body && a.kind == ForceKind::Reaction) {
+                self.held_by_friction(body, mu_s.unwrap_or(mu_k))?;
+            }
+            let (true, Some(mu)) = (self.v0 == ZERO && self.m.one, mu_s) else { continue };
             let along = Coordinate { body, degree: Degree::Along };
             if self.m.ratio(along).is_zero() {
                 continue;
@@ -1036,11 +1136,22 @@ impl<'d, 'a> Narrator<'d, 'a> {
         Ok(())
     }
 
+    /// What slides as soon as it moves, and stays.
+    fn held_by_friction(&mut self, body: usize, mu: crate::scene::Num) -> Result<(), DerivationStop> {
+        let mu = self.number(mu, r"\mu_s", "1");
+        let n = self.get(of_body(Quantity::Normal, body))?;
+        let Ok(f) = self.get(of_body(Quantity::Friction, body)) else { return Ok(()) };
+        let (name, most) = (self.body(body), self.valued(&(mu * n), "N"));
+        let f = self.shown(f);
+        self.say("holds.held", &[("body", &name), ("f", &f), ("most", &most)]);
+        Ok(())
+    }
+
     /// `|F| <= mu_s N` as far as the scene looks.
     fn grips(&mut self, body: usize, mu_s: Option<crate::scene::Num>) -> Result<(), DerivationStop> {
         let n = self.get(of_body(Quantity::Normal, body))?;
-        let f = self.get(of_body(Quantity::Friction, body))?;
         let normal = self.shown(n);
+        let Ok(f) = self.get(of_body(Quantity::Friction, body)) else { return Ok(()) };
         let Some(mu) = mu_s else {
             self.say("holds.pressed", &[("n", &normal)]);
             self.say("holds.no_coefficient", &[]);
@@ -1094,7 +1205,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
         let value = self.value(&contact) * up;
         let friction = self.symbols.value(friction);
         if value * friction >= 0.0 {
-            return Err(Beyond::FrictionWithSlip.into());
+            return Ok(());
         }
         let (slides, force) = (self.way(body, value), self.way(body, friction));
         let contact = self.valued(&contact, "m/s^2");
@@ -1106,7 +1217,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
     /// Tension of a cord, none where it is 0.
     fn taut(&mut self, tie: usize) -> Result<Option<String>, DerivationStop> {
         let told = self.steps.len();
-        let t = self.get(of_tie(Quantity::Tension, tie))?;
+        let Ok(t) = self.get(of_tie(Quantity::Tension, tie)) else { return Ok(None) };
         let value = self.symbols.value(t);
         if value < 0.0 {
             return Err(Beyond::SlackCord.into());
@@ -1131,7 +1242,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
             return Ok(());
         }
         self.skip_new();
-        let turn = self.get(of_body(Quantity::DTurn, lead.body))?;
+        let Ok(turn) = self.get(of_body(Quantity::DTurn, lead.body)) else { return Ok(()) };
         let (d, far) = (self.value(&self.distance()), self.symbols.value(turn));
         if d > far {
             return Err(Beyond::BehindTurning.into());
@@ -1155,7 +1266,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
         if self.v0 == ZERO && self.short != Short::Motion {
             self.energies()?;
         }
-        if let Some(spring) = self.spring.clone() {
+        if let (Some(spring), true) = (self.spring.clone(), self.m.one) {
             let still = self.get(of_scene(Quantity::XEq)).ok();
             if let Some(x) = still.filter(|_| self.value(&spring.stretch) > 0.0) {
                 let (x, x0) = (self.names(&[x]), self.inline(&spring.stretch));

@@ -210,6 +210,10 @@ impl<'d, 'a> Page<'d, 'a> {
     pub fn skip_new(&mut self) {
         self.told = self.steps.iter().map(|s| s.symbol).collect();
     }
+    /// Takes this one as told.
+    pub fn told(&mut self, symbol: SymbolId) {
+        self.told.push(symbol);
+    }
     /// Takes these as not told yet.
     pub fn forget(&mut self, steps: &[Option<SymbolId>]) {
         self.told.retain(|s| !steps.contains(&Some(*s)));
