@@ -67,7 +67,7 @@ pub struct Account<'d, 'a> {
     /// The spring.
     pub spring: Option<CordSpring>,
     /// Its stretch at the end.
-    last: Expr,
+    pub last: Expr,
     /// The slipping contact that is taken as if it rolled.
     pub rolled: Option<usize>,
     known: Vec<(Label, SymbolId)>,
@@ -88,6 +88,11 @@ pub const fn of_tie(quantity: Quantity, tie: usize) -> Label {
 /// The acceleration of a coordinate.
 const fn rate_of(c: Coordinate) -> Label {
     of_body(if matches!(c.degree, Degree::Along) { Quantity::A } else { Quantity::Alpha }, c.body)
+}
+
+/// The speed of a coordinate.
+pub const fn speed_of(c: Coordinate) -> Label {
+    of_body(if matches!(c.degree, Degree::Along) { Quantity::V } else { Quantity::Omega }, c.body)
 }
 
 /// A label of the whole scene.
@@ -151,7 +156,13 @@ impl<'d, 'a> Account<'d, 'a> {
                 return beyond(Beyond::Unfound);
             };
             let gamma = this.point(&action);
-            this.spring = Some(CordSpring { tie, stiffness, stretch, rigid, gamma, tension });
+            if gamma.is_zero() {
+                // Its end does not move, so it pulls all the time as it does at the start.
+                let pull = &stiffness * &stretch;
+                this.found(of_tie(Quantity::Tension, tie), tension, pull);
+            }
+            this.spring =
+                (!gamma.is_zero()).then_some(CordSpring { tie, stiffness, stretch, rigid, gamma, tension });
         }
         this.effective = this.effective_mass();
         this.set_out()?;
@@ -310,14 +321,16 @@ impl<'d, 'a> Account<'d, 'a> {
         }
     }
 
-    /// The equations of motion of all bodies and those of the ties, solved together for accelerations and reactions.
-    fn together(&mut self) -> Result<(), DerivationStop> {
-        let unknowns: Vec<(Label, SymbolId)> = {
-            let coordinates = self.scene.coordinates();
-            let rates = coordinates.filter_map(|c| Some((rate_of(c), self.m.acceleration(c)?)));
-            let ties = self.reactions().into_iter().map(|(t, f)| (self.label_of_tie(t), f));
-            rates.chain(ties).collect()
-        };
+    /// Accelerations and reactions that are unknown, of which the rows and the ties are as many equations.
+    fn unknowns(&self) -> Vec<(Label, SymbolId)> {
+        let rates = self.scene.coordinates().filter_map(|c| Some((rate_of(c), self.m.acceleration(c)?)));
+        let ties = self.reactions().into_iter().map(|(t, f)| (self.label_of_tie(t), f));
+        rates.chain(ties).collect()
+    }
+
+    /// The equations of motion of all bodies and those of the ties, solved together.
+    fn rows_solved(&self) -> Option<Vec<Option<f64>>> {
+        let unknowns = self.unknowns();
         let place = |symbol: SymbolId| unknowns.iter().position(|(_, s)| *s == symbol);
         let mut system: Linear<f64> = Linear::new(unknowns.len(), 1);
         let mut rows = 0;
@@ -340,10 +353,17 @@ impl<'d, 'a> Account<'d, 'a> {
             }
             rows += 1;
         }
-        let Ok(solution) = system.solve() else { return beyond(Beyond::Unfound) };
-        for (i, (label, symbol)) in unknowns.iter().enumerate().filter(|(i, _)| !solution.is_open(*i)) {
-            self.symbols.settle(*symbol, solution.get(i, 0), 0.0);
-            self.found(*label, *symbol, (*symbol).into());
+        let solution = system.solve().ok()?;
+        Some((0..unknowns.len()).map(|i| (!solution.is_open(i)).then(|| solution.get(i, 0))).collect())
+    }
+
+    /// Accelerations and reactions as all equations together give them.
+    fn together(&mut self) -> Result<(), DerivationStop> {
+        let Some(solution) = self.rows_solved() else { return beyond(Beyond::Unfound) };
+        for ((label, symbol), value) in self.unknowns().into_iter().zip(solution) {
+            let (Some(value), false) = (value, self.known.iter().any(|(l, _)| *l == label)) else { continue };
+            self.symbols.settle(symbol, value, 0.0);
+            self.found(label, symbol, symbol.into());
         }
         Ok(())
     }
@@ -373,8 +393,7 @@ impl<'d, 'a> Account<'d, 'a> {
             let Some(symbol) = self.m.speed(*c) else { continue };
             let v = if rest { 0.0 } else { solution.get(i, 0).abs() };
             self.symbols.settle(symbol, v, 0.0);
-            let quantity = if c.degree == Degree::Along { Quantity::V } else { Quantity::Omega };
-            self.found(of_body(quantity, c.body), symbol, symbol.into());
+            self.found(speed_of(*c), symbol, symbol.into());
         }
         Ok(())
     }
@@ -522,7 +541,10 @@ impl<'d, 'a> Account<'d, 'a> {
                 self.new_way(-(square(&self.v0) / (number(2) * a)));
                 self.v = ZERO;
             }
-            End::AtOnce if !self.m.one => self.velocities_together()?,
+            End::AtOnce if !self.m.one || self.m.parts.iter().any(|p| p.slips) => {
+                self.velocities_together()?;
+                accelerated(self);
+            }
             End::AtOnce | End::Angle(..) | End::Rolling(_) => {
                 let size = in_sense(self.v0.clone(), self.value(&self.v0));
                 self.found(v_label, v, size.clone());
@@ -533,6 +555,12 @@ impl<'d, 'a> Account<'d, 'a> {
             }
         }
         Ok(())
+    }
+
+    /// The stretch at which a spring balances a force on the lead.
+    fn rest_under(&self, spring: &CordSpring, force: &Expr) -> Expr {
+        let per = Factors::of(&spring.stiffness).times(&spring.gamma);
+        Factors::of(&-force).per(&per).expr()
     }
 
     /// A quantity of the swing on a spring, each once.
@@ -550,7 +578,12 @@ impl<'d, 'a> Account<'d, 'a> {
         let per = Factors::of(&spring.stiffness).times(&spring.gamma.squared());
         let frequency = root(per.per(&Factors::of(&self.effective)).expr());
         let frequency = self.swung(&[r"\omega_{\mathrm{s}}", r"\Omega_{\mathrm{s}}"], "rad/s", frequency);
-        let rest = self.get(of_scene(Quantity::XEq))?;
+        let rest = if self.shares(&[ForceKind::Kinetic]).is_empty() {
+            self.get(of_scene(Quantity::XEq))?
+        } else {
+            let middle = self.rest_under(spring, &self.drive);
+            self.swung(&[r"x_{\mathrm{m}}"], "m", middle)
+        };
         let off = &spring.stretch - rest;
         let amplitude = if self.v0 == ZERO {
             in_sense(off.clone(), self.value(&off))
@@ -578,16 +611,8 @@ impl<'d, 'a> Account<'d, 'a> {
             End::Travel(_, d) => self.s = in_sense(self.length(d), self.sense),
             End::Position(_, x) => self.s = self.length(x),
             End::TurningPoint(_) => {
-                let [_, rest, amplitude] = self.swing(&spring)?;
-                let x = rest + in_sense(amplitude, grows);
-                if spring.rigid || self.value(&x) >= 0.0 {
-                    last = Some(x);
-                } else {
-                    // Slack: all that is stored goes into what the other forces take.
-                    let stored =
-                        &spring.stiffness * square(&spring.stretch) + &self.effective * square(&self.v0);
-                    self.new_way(-(stored / (number(2) * &self.drive)));
-                }
+                let far = self.turning_point(&spring)?;
+                self.new_way(far);
             }
             End::Speed(_, u) => {
                 let u = self.number(u, "v_1", "m/s");
@@ -692,6 +717,9 @@ impl<'d, 'a> Account<'d, 'a> {
     /// Time of a motion on a spring, by the angle of its swing.
     fn time_on_spring(&mut self, label: Label) -> Result<SymbolId, DerivationStop> {
         let Some(spring) = self.spring.clone() else { return beyond(Beyond::Unfound) };
+        if self.value(&self.s) == 0.0 {
+            return Ok(self.new_found(label, &["t", "t_2"], "s", ZERO));
+        }
         let last = self.last.clone();
         let time = if last == ZERO
             && !spring.rigid
@@ -813,6 +841,29 @@ impl<'d, 'a> Account<'d, 'a> {
             Owner::Body(b) => b,
             _ => self.lead().body,
         };
+        let still = [
+            (Quantity::V, "m/s"),
+            (Quantity::Omega, "rad/s"),
+            (Quantity::KineticEnergy, "J"),
+            (Quantity::VMax, "m/s"),
+            (Quantity::DAtVMax, "m"),
+            (Quantity::DTurn, "m"),
+            (Quantity::AngularMomentum, "kg m^2/s"),
+        ];
+        if let (true, Some((_, unit))) =
+            (self.variant.solved.regime.stays(), still.iter().find(|(q, _)| *q == label.quantity))
+        {
+            let names = match label.quantity {
+                Quantity::V => ["v"],
+                Quantity::Omega => [r"\omega"],
+                Quantity::KineticEnergy => ["E_{k}"],
+                Quantity::VMax => [r"v_{\mathrm{max}}"],
+                Quantity::DAtVMax => ["D_{v}"],
+                Quantity::DTurn => [r"D_{\mathrm{t}}"],
+                _ => ["L"],
+            };
+            return Ok(self.new_found(label, &names, unit, ZERO));
+        }
         let c = if label.quantity == Quantity::Displacement || label.quantity == Quantity::Distance {
             along(body)
         } else {
@@ -849,7 +900,7 @@ impl<'d, 'a> Account<'d, 'a> {
                 Ok(self.new_found(label, &[&tagged("J", &tag), &tagged("S", &tag)], "N s", from))
             }
             Quantity::Work => {
-                let from = match self.m.one {
+                let from = match self.m.one && !self.m.parts.iter().any(|p| p.slips) {
                     true => Factors::of(&self.drive).times(&Factors::of(&self.s)).expr(),
                     false => self.get(of_scene(Quantity::KineticEnergy))?.into(),
                 };
@@ -885,7 +936,12 @@ impl<'d, 'a> Account<'d, 'a> {
                 let from = Factors::of(&self.signed_travel(along(body))?).times(&climb).expr();
                 Ok(self.new_found(label, &[&tagged("h", &tag), &tagged("y", &tag)], "m", from))
             }
-            Quantity::Friction | Quantity::Tension => self.reaction(label, body),
+            Quantity::Friction | Quantity::Tension => self.reaction(label, body).or_else(|_| {
+                self.solving.clear();
+                self.together()?;
+                let found = self.known.iter().find(|(l, _)| *l == label).map(|(_, symbol)| *symbol);
+                found.ok_or_else(|| Beyond::Unfound.into())
+            }),
             Quantity::MuRequired => self.least_grip(body, label),
             Quantity::T => self.time(label),
             Quantity::CordTravel => self.cord_travel(label),
@@ -900,8 +956,9 @@ impl<'d, 'a> Account<'d, 'a> {
             Quantity::KBound => self.bound_of_gyration(body, label),
             Quantity::XEq => {
                 let Some(spring) = self.spring.clone() else { return beyond(Beyond::Unfound) };
-                let per = Factors::of(&spring.stiffness).times(&spring.gamma);
-                let from = Factors::of(&(-&self.drive)).per(&per).expr();
+                // Without friction, which would hold it in many places.
+                let given = self.shares(&[ForceKind::Given]).into_iter().map(|(_, e)| e).collect();
+                let from = if self.m.tied { self.rest_under(&spring, &positive_first(given)) } else { ZERO };
                 Ok(self.new_found(label, &[r"x_{\mathrm{eq}}"], "m", from))
             }
             Quantity::VMax | Quantity::DAtVMax => self.fastest(label),
@@ -1101,11 +1158,17 @@ impl<'d, 'a> Account<'d, 'a> {
 
     /// How far it would go to its turning point while the cord is taut, or where the cord goes slack, if that comes first; and
     /// whether it does.
-    fn turning_or_slack(&self) -> Result<(Expr, bool), DerivationStop> {
-        let Some(spring) = &self.spring else { return beyond(Beyond::Unfound) };
+    fn turning_or_slack(&mut self) -> Result<(Expr, bool), DerivationStop> {
+        let Some(spring) = self.spring.clone() else { return beyond(Beyond::Unfound) };
         let kappa = Factors::of(&spring.stiffness).times(&spring.gamma.squared()).expr();
         let pull = Factors::of(&spring.stiffness).times(&spring.gamma).times(&Factors::of(&spring.stretch));
-        let turn = number(2) * positive_first(vec![pull.expr(), self.drive.clone()]) / kappa;
+        let turn = if self.v0 == ZERO {
+            number(2) * positive_first(vec![pull.expr(), self.drive.clone()]) / kappa
+        } else {
+            let [_, rest, amplitude] = self.swing(&spring)?;
+            let last = rest + in_sense(amplitude, self.stretching(&spring));
+            Factors::of(&(&spring.stretch - last)).per(&spring.gamma).expr()
+        };
         let slack = Factors::of(&spring.stretch).per(&spring.gamma).expr();
         let (t, s) = (self.value(&turn), self.value(&slack));
         let goes_slack = !spring.rigid && s * t > 0.0 && s.abs() < t.abs();
@@ -1190,22 +1253,29 @@ impl<'d, 'a> Account<'d, 'a> {
         self.m.action_of(t).map_or_else(|| beyond(Beyond::Unfound), |a| Ok((t, a.clone())))
     }
 
-    /// Travel (or velocity) of a cord's end on a slipping body, in the sense of the pull: that of the centre, and that of the turn.
-    fn on_slipping(&self, action: &Action, centre: Expr, turned: Expr) -> Expr {
-        let part = &self.m.parts[action.body];
-        let along = Factors::of(&centre).times(&action.along.times(&part.along)).signed(sign(self.sense));
-        let spin = self.velocity_sense(turn(action.body));
-        let turn = Factors::of(&turned).times(&action.arm).signed(sign(spin));
-        positive_first(vec![along.expr(), turn.expr()])
+    /// Travel of a cord's end in the sense of the pull, from the travels of the centre and of the turn.
+    fn pulled_way(&mut self, action: &Action) -> Result<Expr, DerivationStop> {
+        let mut all = Vec::new();
+        for (c, share) in [(along(action.body), &action.along), (turn(action.body), &action.arm)] {
+            if !share.is_zero() {
+                all.push(Factors::of(&self.signed_travel(c)?).times(share).expr());
+            }
+        }
+        Ok(positive_first(all))
+    }
+
+    /// Do the centre and the turn of this body move by themselves?
+    fn loose(&self, body: usize) -> bool {
+        !self.m.one || self.m.parts[body].slips
     }
 
     fn cord_travel(&mut self, label: Label) -> Result<SymbolId, DerivationStop> {
         let (t, action) = self.cord_of(label)?;
         let tag = if self.several_pulls() { (t + 1).to_string() } else { String::new() };
-        let from = if self.m.parts[action.body].slips {
-            let phi = self.get(of_body(Quantity::Phi, action.body))?;
-            let travel = self.on_slipping(&action, self.distance(), phi.into());
-            positive_first(vec![in_sense(travel.clone(), self.value(&travel))])
+        let from = if self.loose(action.body) {
+            let way = self.pulled_way(&action)?;
+            let way = in_sense(way.clone(), self.value(&way));
+            positive_first(vec![way])
         } else {
             Factors::of(&self.distance()).times(&self.magnitude(&self.point(&action))).expr()
         };
@@ -1217,25 +1287,27 @@ impl<'d, 'a> Account<'d, 'a> {
         let work = label.quantity == Quantity::WorkPull;
         let tag = if self.several_pulls() { (t + 1).to_string() } else { "P".to_owned() };
         let name = if work { "W" } else { r"\dot{W}" };
-        let slips = self.m.parts[action.body].slips;
-        let rate = match (work, slips) {
+        let rate = match (work, self.loose(action.body)) {
             (true, false) => {
                 let travel = self.get(of_tie(Quantity::CordTravel, t))?;
                 let helps = self.value(&self.point(&action).expr()) * self.value(&self.s);
                 in_sense(travel.into(), helps)
             }
-            (true, true) => {
-                let phi = self.get(of_body(Quantity::Phi, action.body))?;
-                self.on_slipping(&action, self.distance(), phi.into())
-            }
+            (true, true) => self.pulled_way(&action)?,
             (false, false) => {
                 let point = self.point(&action).signed(sign(self.sense));
                 Factors::of(&self.v).times(&point).expr()
             }
             (false, true) => {
-                let v = self.get(of_body(Quantity::V, action.body))?;
-                let omega = self.get(of_body(Quantity::Omega, action.body))?;
-                self.on_slipping(&action, v.into(), omega.into())
+                let mut all = Vec::new();
+                for (c, share) in [(along(action.body), &action.along), (turn(action.body), &action.arm)] {
+                    if !share.is_zero() {
+                        let speed = self.get(speed_of(c))?;
+                        let speed = in_sense(speed.into(), self.velocity_sense(c));
+                        all.push(Factors::of(&speed).times(share).expr());
+                    }
+                }
+                positive_first(all)
             }
         };
         let from = Factors::of(&action.force).times(&Factors::of(&rate)).expr();
@@ -1246,12 +1318,11 @@ impl<'d, 'a> Account<'d, 'a> {
     fn kinetic_sum(&mut self) -> Result<Expr, DerivationStop> {
         let mut all = Vec::new();
         for c in self.scene.coordinates() {
-            let quantity = if c.degree == Degree::Along { Quantity::V } else { Quantity::Omega };
             let inertia = self.m.inertia(c);
             if inertia.is_empty() || (self.m.ratio(c).is_zero() && !self.own(c)) {
                 continue;
             }
-            let v = self.get(of_body(quantity, c.body))?;
+            let v = self.get(speed_of(c))?;
             all.extend(
                 inertia
                     .iter()
@@ -1338,22 +1409,34 @@ impl<'d, 'a> Account<'d, 'a> {
         let Some(spring) = self.spring.clone() else {
             // Thrown against a constant force: fastest at the start.
             if self.value(&self.drive) * self.sense > 0.0 {
-                return beyond(Beyond::NeverFastest);
+                return beyond(Beyond::Unfound);
             }
             let size = in_sense(self.v0.clone(), self.sense);
             self.new_found(top, &[r"v_{\mathrm{max}}"], "m/s", size);
             self.new_found(at, &["D_{v}"], "m", ZERO);
             return self.get(label);
         };
-        let x_eq = self.get(of_scene(Quantity::XEq))?;
-        if !spring.rigid && self.value(&x_eq.into()) < 0.0 {
-            return beyond(Beyond::FastestSlack);
-        }
-        let gap = &spring.stretch - x_eq;
-        let gap = positive_first(vec![in_sense(gap.clone(), self.value(&gap))]);
+        let [frequency, x_eq, amplitude] = self.swing(&spring)?;
+        let gap = &spring.stretch - &x_eq;
         let per = self.magnitude(&spring.gamma);
+        let ahead = self.value(&gap) * -self.stretching(&spring);
+        if ahead < 0.0 && self.v0 != ZERO {
+            // It goes away from the place of rest, so it was fastest at the start.
+            let size = in_sense(self.v0.clone(), self.sense);
+            self.new_found(top, &[r"v_{\mathrm{max}}"], "m/s", size);
+            self.new_found(at, &["D_{v}"], "m", ZERO);
+            return self.get(label);
+        }
+        if !spring.rigid && self.value(&x_eq) < 0.0 {
+            return beyond(Beyond::Unfound);
+        }
+        let gap = positive_first(vec![in_sense(gap.clone(), self.value(&gap))]);
         self.new_found(at, &["D_{v}"], "m", Factors::of(&gap).per(&per).expr());
-        let from = gap * root(&spring.stiffness / &self.effective);
+        let from = if self.v0 == ZERO {
+            gap * root(&spring.stiffness / &self.effective)
+        } else {
+            Factors::of(&(amplitude * frequency)).per(&per).expr()
+        };
         self.new_found(top, &[r"v_{\mathrm{max}}"], "m/s", from);
         self.get(label)
     }
@@ -1363,22 +1446,28 @@ impl<'d, 'a> Account<'d, 'a> {
         let against = in_sense(self.drive.clone(), self.value(&self.drive));
         let Some(spring) = self.spring.clone() else {
             if self.value(&self.drive) * self.sense >= 0.0 {
-                return beyond(Beyond::NeverTurns);
+                return beyond(Beyond::Unfound);
             }
             let over = &self.effective * square(&self.v0);
             return Ok(self.new_found(label, &names, "m", over / (number(2) * against)));
         };
+        let far = self.turning_point(&spring)?;
+        let from = in_sense(far.clone(), self.value(&far));
+        Ok(self.new_found(label, &names, "m", from))
+    }
+
+    /// Displacement of the lead to its turning point, on the spring or, once its cord is slack, without it.
+    fn turning_point(&mut self, spring: &CordSpring) -> Result<Expr, DerivationStop> {
         let (far, slack) = self.turning_or_slack()?;
         if !slack {
-            let from = in_sense(far.clone(), self.value(&far));
-            return Ok(self.new_found(label, &names, "m", from));
+            return Ok(far);
         }
-        // Slack: all that the spring stored goes into what the other forces take up to the turning point.
         if self.value(&self.drive) * self.value(&far) >= 0.0 {
-            return beyond(Beyond::NeverTurns);
+            return beyond(Beyond::Unfound);
         }
-        let over = &spring.stiffness * square(&spring.stretch);
-        Ok(self.new_found(label, &names, "m", over / (number(2) * against)))
+        let stored = &spring.stiffness * square(&spring.stretch);
+        let moving = if self.v0 == ZERO { ZERO } else { &self.effective * square(&self.v0) };
+        Ok(-((stored + moving) / (number(2) * &self.drive)))
     }
 }
 

@@ -333,7 +333,7 @@ fn si_digits(drawn: Decimal, unit: &Unit, value: f64) -> String {
 /// The shortest digits that give the double back.
 fn shortest(x: f64) -> String {
     let plain = format!("{x}");
-    if plain.len() > 12 { shown::significant(x, FIGURES) } else { plain }
+    if plain.len() > 12 { shown::significant(x, 2 * FIGURES) } else { plain }
 }
 
 /// The SI unit of the same kind.

@@ -3,7 +3,7 @@
 use crate::figure::names;
 use crate::num::shown;
 use crate::scene::{Coordinate, Degree, End, Far, Label, Mass, Owner, Quantity, Span, Tie};
-use crate::solution::account::{Account, Eliminated, marked, of_body, of_scene, of_tie};
+use crate::solution::account::{Account, Eliminated, marked, of_body, of_scene, of_tie, speed_of};
 use crate::solution::draft::{DerivedAnswer, Detail, Draft, tex_of};
 use crate::solution::expr::{
     Expr, SymbolId, ZERO, in_sense, magnitude, positive_first, ratio, root, square, sum,
@@ -428,11 +428,9 @@ impl<'d, 'a> Narrator<'d, 'a> {
         let sense = if self.value(&self.s) < 0.0 { -1.0 } else { 1.0 };
         let mut works = Vec::new();
         if let Some(s) = &self.spring {
-            let last = self.stretch_at(&self.s);
-            let x1 = self.steps.iter().find(|step| step.from == last).map(|s| Expr::from(s.symbol));
-            let squares = match x1 {
-                Some(x1) => square(&s.stretch) - square(x1),
-                None => square(&s.stretch),
+            let squares = match &self.last {
+                &ZERO => square(&s.stretch),
+                x1 => square(&s.stretch) - square(x1),
             };
             works.push(ratio(1, 2) * &s.stiffness * squares);
         }
@@ -538,14 +536,21 @@ impl<'d, 'a> Narrator<'d, 'a> {
     /// The equations of motion, the elimination, the integral.
     fn motion(&mut self, id: &'static str) -> Result<(), DerivationStop> {
         let title = match (id, self.short) {
+            (_, Short::Instant) => "motion",
             ("long", _) => "long_motion",
             (_, Short::Neither | Short::Together) => "one_motion",
-            (_, Short::Instant) => "motion",
             _ => "short_motion",
         };
         self.begin_as(id, title);
+        let first = matches!(self.short, Short::Motion | Short::Instant);
+        if first {
+            self.tell_ratios();
+        }
         self.say_senses();
         self.write_rows();
+        if first {
+            self.tell_frictions();
+        }
         let links = if self.m.one { self.links(true, |n, c| n.m.acceleration(c)) } else { self.demands() };
         if let Some(s) = self.spring.clone() {
             let s_now = self.new_symbol(&["s", "s_1"], "m");
@@ -668,11 +673,9 @@ impl<'d, 'a> Narrator<'d, 'a> {
 
     /// The velocities of an instant, its kinetic energy, and its equations of motion where forces are asked.
     fn instant(&mut self) -> Result<(), DerivationStop> {
-        self.begin_as("short", "energy");
-        let coordinates: Vec<Coordinate> = self.coordinates();
-        for c in coordinates {
-            let quantity = if c.degree == Degree::Along { Quantity::V } else { Quantity::Omega };
-            let _ = self.get(of_body(quantity, c.body));
+        self.begin_as("short", "instant");
+        for c in self.coordinates() {
+            let _ = self.get(speed_of(c));
         }
         let speeds: Vec<Option<SymbolId>> = self.speeds().into_iter().map(Some).collect();
         self.skip_new();
@@ -771,6 +774,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
                 self.tell_as_known(known);
                 self.tell_new();
             }
+            End::AtOnce => {}
             _ if self.spring.is_some() => self.say("motion.integral_spring", &pieces),
             _ if again => self.say("motion.integral", &pieces),
             _ => {}
@@ -1179,7 +1183,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
         let mu = self.valued_plain(&mu);
         self.say("holds.rolls", &[("n", &normal), ("share", &share), ("mu", &mu)]);
         if value > most {
-            return Err(Beyond::SlipsAfterAll.into());
+            return Ok(());
         }
         self.word(of_body(Quantity::Rolls, body), Word::Yes);
         Ok(())
@@ -1220,7 +1224,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
         let Ok(t) = self.get(of_tie(Quantity::Tension, tie)) else { return Ok(None) };
         let value = self.symbols.value(t);
         if value < 0.0 {
-            return Err(Beyond::SlackCord.into());
+            return Ok(None);
         }
         let new: Vec<SymbolId> = self.steps[told..].iter().map(|s| s.symbol).collect();
         let shown = match new.is_empty() {
@@ -1245,7 +1249,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
         let Ok(turn) = self.get(of_body(Quantity::DTurn, lead.body)) else { return Ok(()) };
         let (d, far) = (self.value(&self.distance()), self.symbols.value(turn));
         if d > far {
-            return Err(Beyond::BehindTurning.into());
+            return Ok(());
         }
         let distance = self.inline(&self.distance());
         let shown = self.shown(turn);

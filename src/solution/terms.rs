@@ -99,7 +99,9 @@ pub struct Terms {
     pub lead: Coordinate,
     /// Free fall.
     pub g: Expr,
-    /// Does the lead's velocity give all others? Not where there are several freedoms, or where a contact holds by friction.
+    /// Do the ties give all velocities from the lead's?
+    pub tied: bool,
+    /// And does it move? Not where a contact holds by friction.
     pub one: bool,
 }
 
@@ -117,13 +119,10 @@ impl Terms {
         let lead = draft.scene.ending_coordinate();
         let g = gravity(draft);
         let parts = parts(draft, rolled);
-        let mut this = Self { parts, actions: Vec::new(), lead, g, one: true };
+        let mut this = Self { parts, actions: Vec::new(), lead, g, tied: true, one: true };
         this.act(draft, rolled);
-        // A sliding body that friction holds stands in no ratio to the others.
-        this.one = !draft.variant.solved.regime.stays()
-            && !this.actions.iter().any(|a| a.contact && a.kind == ForceKind::Reaction && a.arm.is_zero());
-        if !this.one || this.ratios(draft, rolled).is_none() {
-            this.one = false;
+        this.tied = this.ratios(draft, rolled).is_some();
+        if !this.tied {
             for part in &mut this.parts {
                 (part.along, part.turn) = (Factors::zero(), Factors::zero());
             }
@@ -132,6 +131,8 @@ impl Terms {
                 Degree::Turn => this.parts[lead.body].turn = Factors::one(),
             }
         }
+        let held = this.actions.iter().any(|a| a.contact && a.kind == ForceKind::Reaction && a.arm.is_zero());
+        this.one = this.tied && !held && !draft.variant.solved.regime.stays();
         this
     }
 
