@@ -268,11 +268,16 @@ impl<'d, 'a> Account<'d, 'a> {
         ZERO
     }
 
+    /// Does nothing move on, so that a spring pulls as at the start?
+    pub fn still(&self) -> bool {
+        self.scene.end == End::AtOnce || self.variant.solved.regime.stays()
+    }
+
     /// Start, sense of the motion, kinetic friction with its sign, the sum of the constant forces.
     fn set_out(&mut self) -> Result<(), DerivationStop> {
         self.v0 = self.start_velocity();
         self.rub();
-        if let (Some(spring), true) = (self.spring.clone(), self.variant.solved.regime.stays()) {
+        if let (Some(spring), true) = (self.spring.clone(), self.still()) {
             let pull = &spring.stiffness * &spring.stretch;
             self.found(of_tie(Quantity::Tension, spring.tie), spring.tension, pull);
         }
@@ -1180,11 +1185,28 @@ impl<'d, 'a> Account<'d, 'a> {
         let Some(spring) = self.spring.clone() else { return beyond(Beyond::Unfound) };
         let now = self.get(of_body(Quantity::Friction, body))?;
         let stretch = self.stretch_at(s);
-        let rate = self.friction_per_tension(body, spring.tie)?;
         let tex = marked(self.symbols.tex(now), mark);
-        let symbol = self.symbols.unknown_like(&tex, now);
-        let less = &spring.stiffness * &stretch - spring.tension;
-        self.step(symbol, now + Factors::of(&rate).times(&Factors::of(&less)).expr());
+        let symbol = self.draft.symbols.unknown_like(&tex, now);
+        match self.friction_per_tension(body, spring.tie) {
+            Ok(rate) => {
+                let less = &spring.stiffness * &stretch - spring.tension;
+                self.step(symbol, now + Factors::of(&rate).times(&Factors::of(&less)).expr());
+            }
+            Err(_) => {
+                // From all equations together, with the pull of the spring there.
+                let end = self.symbols.value(spring.tension);
+                let pull = self.value(&(&spring.stiffness * &stretch));
+                self.symbols.settle(spring.tension, pull, 0.0);
+                let there = self.rows_solved();
+                self.symbols.settle(spring.tension, end, 0.0);
+                let at = self.unknowns().iter().position(|(_, s)| *s == now);
+                let Some(value) = there.zip(at).and_then(|(all, at)| all[at]) else {
+                    return beyond(Beyond::Unfound);
+                };
+                self.symbols.settle(symbol, value, 0.0);
+                self.step(symbol, symbol.into());
+            }
+        }
         Ok((self.value(&stretch), symbol))
     }
 

@@ -393,7 +393,10 @@ impl<'d, 'a> Narrator<'d, 'a> {
         for (tie, gamma, is) in gammas {
             let Some(action) = self.m.action_of(tie).cloned() else { continue };
             let contact = self.contact_of(action.body).and_then(|t| self.m.action_of(t)).cloned();
-            let Some(contact) = contact else { continue };
+            let Some(contact) = contact else {
+                self.display(gamma, &is, "");
+                continue;
+            };
             let c = self.magnitude(&contact.arm);
             let away = c.times(&Factors::of(&is)).expr();
             let (c, away) = (self.inline(&c.expr()), self.inline(&away));
@@ -542,7 +545,8 @@ impl<'d, 'a> Narrator<'d, 'a> {
             _ => "short_motion",
         };
         self.begin_as(id, title);
-        let first = matches!(self.short, Short::Motion | Short::Instant);
+        let first = self.short == Short::Instant
+            || id == "short" && matches!(self.short, Short::Motion | Short::Energy);
         if first {
             self.tell_ratios();
         }
@@ -551,13 +555,24 @@ impl<'d, 'a> Narrator<'d, 'a> {
         if first {
             self.tell_frictions();
         }
+        if let (Some((tie, ..)), true) = (self.scene.spring(), self.spring.is_none() || self.t.still())
+            && let Ok(pull) = self.get(of_tie(Quantity::Tension, tie))
+        {
+            let pull = self.chained(pull);
+            self.say("motion.spring_there", &[("pull", &pull)]);
+        }
         let links = if self.m.one { self.links(true, |n, c| n.m.acceleration(c)) } else { self.demands() };
         if let Some(s) = self.spring.clone() {
-            let s_now = self.new_symbol(&["s", "s_1"], "m");
+            // One place on the way, not that at the end.
+            let names = if self.symbols.named("s").is_some() { ["s_{x}"] } else { ["s"] };
+            let s_now = self.new_symbol(&names, "m");
             let stretch = &s.stretch - s.gamma.times(&Factors::of(&s_now.into())).expr();
             let law = &s.stiffness * stretch;
+            let still = self.t.still();
             let law = format!("${} = {}$", self.symbols.tex(s.tension), self.tex(&law));
-            self.say("motion.spring", &[("law", &law)]);
+            if !still {
+                self.say("motion.spring", &[("law", &law)]);
+            }
         }
         if !links.is_empty() {
             self.say("motion.links", &[("links", &links.join(", "))]);
@@ -658,9 +673,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
 
     /// A motion on a spring that ends at a time, at a speed or where it turns.
     fn swings(&mut self) -> Result<(), DerivationStop> {
-        let mut kept = std::mem::take(&mut self.t.page.steps);
         self.motion("short")?;
-        self.t.page.steps.append(&mut kept);
         self.say("motion.swing", &[]);
         let normals = [self.normals(), self.kinetic_frictions()].concat();
         self.tell_as_known(normals);
@@ -766,6 +779,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
         ];
         let pieces: Vec<(&str, &str)> = pieces.iter().map(|(n, t)| (*n, t.as_str())).collect();
         match self.scene.end {
+            End::Time(..) if self.spring.is_some() => {}
             End::Time(..) => {
                 self.say("motion.over_time", &pieces);
                 // What comes after the acceleration.
