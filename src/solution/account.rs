@@ -10,7 +10,7 @@ use crate::solution::expr::{
 use crate::solution::factors::Factors;
 use crate::solution::page::Page;
 use crate::solution::stop::{Beyond, DerivationStop};
-use crate::solution::terms::{Action, ForceKind, ForceSource, Terms, tagged};
+use crate::solution::terms::{Action, ForceKind, ForceSource, Terms, mark_of, tagged};
 use std::ops::{Deref, DerefMut};
 
 /// The spring of a scene.
@@ -219,7 +219,8 @@ impl<'d, 'a> Account<'d, 'a> {
     /// A new quantity.
     pub fn new_symbol(&mut self, names: &[&str], unit: &str) -> SymbolId {
         let tex = self.free(names);
-        let tex = if self.rolled.is_some() { marked(&tex, r"\mathrm{r}") } else { tex };
+        let mark = mark_of(&self.page, self.rolled);
+        let tex = if mark.is_empty() { tex } else { marked(&tex, mark) };
         self.unknown(&tex, unit)
     }
 
@@ -270,7 +271,7 @@ impl<'d, 'a> Account<'d, 'a> {
 
     /// Does nothing move on, so that a spring pulls as at the start?
     pub fn still(&self) -> bool {
-        self.scene.end == End::AtOnce || self.variant.solved.regime.stays()
+        self.scene.end == End::AtOnce || self.stays()
     }
 
     /// Start, sense of the motion, kinetic friction with its sign, the sum of the constant forces.
@@ -855,9 +856,7 @@ impl<'d, 'a> Account<'d, 'a> {
             (Quantity::DTurn, "m"),
             (Quantity::AngularMomentum, "kg m^2/s"),
         ];
-        if let (true, Some((_, unit))) =
-            (self.variant.solved.regime.stays(), still.iter().find(|(q, _)| *q == label.quantity))
-        {
+        if let (true, Some((_, unit))) = (self.stays(), still.iter().find(|(q, _)| *q == label.quantity)) {
             let names = match label.quantity {
                 Quantity::V => ["v"],
                 Quantity::Omega => [r"\omega"],

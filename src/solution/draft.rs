@@ -6,7 +6,8 @@ use crate::bank::expression;
 use crate::finding::Finding;
 use crate::num::shown;
 use crate::problem::maker::Variant;
-use crate::scene::{Body, End, Label, Mass, Num, Quantity, Scene};
+use crate::scene::{AsIf, Body, End, Label, Mass, Num, Quantity, Scene};
+use crate::solution::asked;
 use crate::solution::expr::{Expr, SymbolId, ZERO};
 use crate::solution::symbols::{FIGURES, Symbols, tex_digits};
 use crate::solution::text::SolutionSection;
@@ -65,6 +66,10 @@ pub struct Draft<'a> {
     data: Vec<Option<SymbolId>>,
     /// Each datum as it is told, `R = 200\ \mathrm{mm} = 0.200\ \mathrm{m}`.
     told: Vec<String>,
+    /// Data that are `any`, each with the value that was chosen.
+    pub chosen: Vec<SymbolId>,
+    /// What the contacts are taken as, where another scene is worked.
+    pub as_if: Option<AsIf>,
     /// Constants of the bank that were given a symbol: value (bits) and symbol.
     constants: Vec<(u64, String, SymbolId)>,
 }
@@ -75,7 +80,21 @@ impl<'a> Draft<'a> {
     /// # Errors
     /// The variant has a case that the problem has not.
     pub fn new(problem: &'a Problem, variant: &'a Variant, words: &'a Words) -> Result<Self, Finding> {
-        Self::with(problem, variant, Symbols::new(words), words)
+        let unknown = asked::unknown_value(problem, variant, words);
+        Self::with(problem, variant, Symbols::new(words), words, unknown)
+    }
+
+    /// As [`Draft::new`], with this value of the datum that is to be found.
+    ///
+    /// # Errors
+    /// Those of [`Draft::new`].
+    pub fn trial(
+        problem: &'a Problem,
+        variant: &'a Variant,
+        words: &'a Words,
+        unknown: f64,
+    ) -> Result<Self, Finding> {
+        Self::with(problem, variant, Symbols::new(words), words, Some(unknown))
     }
 
     /// As [`Draft::new`], for somebody who writes each quantity down with so many figures ([`Symbols::by_hand`]).
@@ -88,7 +107,8 @@ impl<'a> Draft<'a> {
         words: &'a Words,
         figures: usize,
     ) -> Result<Self, Finding> {
-        Self::with(problem, variant, Symbols::by_hand(words, figures), words)
+        let unknown = asked::unknown_value(problem, variant, words);
+        Self::with(problem, variant, Symbols::by_hand(words, figures), words, unknown)
     }
 
     fn with(
@@ -96,6 +116,7 @@ impl<'a> Draft<'a> {
         variant: &'a Variant,
         symbols: Symbols<'a>,
         words: &'a Words,
+        unknown: Option<f64>,
     ) -> Result<Self, Finding> {
         let Some(case) = problem.cases.get(variant.case) else {
             return Err(Finding::new(
@@ -114,6 +135,8 @@ impl<'a> Draft<'a> {
             found: Vec::new(),
             data: vec![None; problem.data.len()],
             told: Vec::new(),
+            chosen: Vec::new(),
+            as_if: None,
             constants: Vec::new(),
         };
         for (i, datum) in problem.data.iter().enumerate() {
@@ -147,6 +170,13 @@ impl<'a> Draft<'a> {
                 draft.told.push(format!("{} = {printed}{again}", datum.tex));
             }
             draft.data[i] = Some(symbol);
+        }
+        if let (Some(found), Some(x)) = (draft.scene.formulas.found, unknown) {
+            let datum = &problem.data[found.unknown.datum];
+            let unit = if datum.degrees { String::new() } else { si_unit(&datum.unit).tex() };
+            let digits = shown::significant(x, FIGURES);
+            let symbol = draft.symbols.given(&datum.tex, x, &digits, &unit, datum.degrees);
+            draft.data[found.unknown.datum] = Some(symbol);
         }
         Ok(draft)
     }
@@ -190,6 +220,14 @@ impl<'a> Draft<'a> {
                     }
                 }
                 let symbol = self.symbols.given(&name, x, &digits, &unit, degrees);
+                let any = |i: usize| self.scene.formulas.numbers.get(i).is_some_and(|n| n.any);
+                if let Num::Derived(i) = num
+                    && any(i)
+                {
+                    self.chosen.push(symbol);
+                    self.constants.push((x.to_bits(), tex.to_owned(), symbol));
+                    return symbol.into();
+                }
                 self.told.push(format!("{name}{written} = {}", self.symbols.shown(symbol)));
                 self.constants.push((x.to_bits(), tex.to_owned(), symbol));
                 symbol.into()
@@ -275,7 +313,12 @@ impl<'a> Draft<'a> {
 
     /// Is this quantity asked, of anything?
     pub fn asks(&self, quantity: Quantity) -> bool {
-        self.problem.questions.iter().any(|q| q.label.quantity == quantity)
+        asked::needed(self.scene, self.problem).iter().any(|label| label.quantity == quantity)
+    }
+
+    /// Does what is to move stay where it is?
+    pub fn stays(&self) -> bool {
+        self.as_if.is_none() && self.variant.solved.regime.stays()
     }
 
     /// Is anything asked at which forces have to be known?
@@ -298,7 +341,7 @@ impl<'a> Draft<'a> {
             Tension,
             Value,
         ];
-        self.problem.questions.iter().any(|q| forced.contains(&q.label.quantity))
+        asked::needed(self.scene, self.problem).iter().any(|label| forced.contains(&label.quantity))
     }
 
     /// Is this label asked?

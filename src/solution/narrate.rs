@@ -2,8 +2,9 @@
 //! assumed is so, limits, a question to go on with. Which way is short is decided from the scene.
 use crate::figure::names;
 use crate::num::shown;
-use crate::scene::{Coordinate, Degree, End, Far, Label, Mass, Owner, Quantity, Span, Tie};
+use crate::scene::{AsIf, Coordinate, Degree, End, Far, Label, Mass, Owner, Quantity, Span, Tie};
 use crate::solution::account::{Account, Eliminated, marked, of_body, of_scene, of_tie, speed_of};
+use crate::solution::asked;
 use crate::solution::draft::{DerivedAnswer, Detail, Draft, tex_of};
 use crate::solution::expr::{
     Expr, SymbolId, ZERO, in_sense, magnitude, positive_first, ratio, root, square, sum,
@@ -47,7 +48,7 @@ pub fn sections(draft: &mut Draft) -> Result<(), DerivationStop> {
         rolled.extend(could_it_roll(draft, tie)?);
     }
     let mut account = Account::new(draft, None)?;
-    let stays = account.variant.solved.regime.stays();
+    let stays = account.stays();
     if !stays {
         account.arrive()?;
     }
@@ -102,14 +103,50 @@ pub fn sections(draft: &mut Draft) -> Result<(), DerivationStop> {
     Ok(())
 }
 
+/// Quantities of the scene as if its contacts were others: the equations of motion, solved again.
+///
+/// # Errors
+/// What is not covered.
+pub fn as_if(
+    draft: &mut Draft,
+    how: AsIf,
+    labels: &[Label],
+) -> Result<Vec<(Label, SymbolId)>, DerivationStop> {
+    let mut account = Account::new(draft, None)?;
+    account.arrive()?;
+    let mut n = Narrator { t: account, short: Short::Instant, rows: Vec::new(), gone: Vec::new() };
+    n.begin_as("as_if", if how == AsIf::Rolls { "rolled" } else { "smooth" });
+    n.say(if how == AsIf::Rolls { "asked.rolls" } else { "asked.smooth" }, &[]);
+    n.write_rows();
+    n.tell_ratios();
+    let a = n.acceleration();
+    if n.m.one {
+        let right = Factors::of(&n.effective).times(&Factors::of(&a.into())).expr();
+        let line = format!("{} = {}", n.tex(&n.all_shares()), n.tex(&right));
+        n.say("asked.together", &[]);
+        n.formula(line);
+    }
+    n.skip_new();
+    let mut found = Vec::new();
+    for label in labels {
+        found.push((*label, n.get(*label)?));
+    }
+    let mut wanted = vec![Some(a)];
+    wanted
+        .extend(n.steps.iter().filter(|s| found.iter().any(|(_, f)| *f == s.symbol)).map(|s| Some(s.symbol)));
+    wanted.extend(n.kinetic_frictions().into_iter().map(Some));
+    n.forget(&wanted);
+    n.tell_new();
+    n.end();
+    Ok(found)
+}
+
 /// What friction rolling would need on a contact that is said to slip.
 fn could_it_roll(draft: &mut Draft, tie: usize) -> Result<Option<SolutionSection>, DerivationStop> {
     let Tie::Slip { body, mu_s, .. } = draft.scene.ties[tie] else { return Ok(None) };
     let told = draft.scene.end != End::AtOnce;
     let asked = [Quantity::FrictionIfRolled, Quantity::MuRequired];
-    if !told && !asked.iter().any(|q| draft.asks(*q))
-        || draft.variant.solved.regime.stays() && !draft.asks(asked[0])
-    {
+    if !told && !asked.iter().any(|q| draft.asks(*q)) || draft.stays() && !draft.asks(asked[0]) {
         return Ok(None);
     }
     let account = Account::new(draft, Some(tie))?;
@@ -256,7 +293,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
         let spring = self.spring.is_some();
         let name = match (self.short, self.scene.end) {
             (Short::Instant, _) => "idea.instant",
-            (Short::Together, _) if self.variant.solved.regime.stays() => "idea.stays",
+            (Short::Together, _) if self.stays() => "idea.stays",
             (Short::Together, _) => "idea.together",
             (Short::Neither, _) => "idea.slips",
             (Short::Motion, _) => "idea.time",
@@ -360,7 +397,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
         if !place {
             self.forget(&[v]);
         }
-        let asked: Vec<Label> = self.problem.questions.iter().map(|q| q.label).collect();
+        let asked = asked::needed(self.scene, self.problem);
         for label in asked {
             if matches!(label.quantity, Quantity::V | Quantity::Omega) {
                 let _ = self.get(label);
@@ -647,7 +684,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
         self.skip_new();
         self.forget(&settled);
         self.tell_new();
-        if self.short == Short::Together && !self.variant.solved.regime.stays() {
+        if self.short == Short::Together && !self.stays() {
             self.tell_as_known(later.into_iter().filter(|s| settled.contains(&Some(*s))).collect());
             let normals = [self.normals(), self.kinetic_frictions()].concat();
             for symbol in normals {
@@ -947,7 +984,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
     /// Forces that are asked; friction of a rolling body always: in closed form, and why it points as it does.
     fn forces(&mut self) -> Result<(), DerivationStop> {
         self.begin("forces");
-        let asked: Vec<Label> = self.problem.questions.iter().map(|q| q.label).collect();
+        let asked = asked::needed(self.scene, self.problem);
         self.skip_new();
         let rolling = self.rolling();
         for label in asked.iter().filter(|l| matches!(l.quantity, Quantity::A | Quantity::Alpha)) {
@@ -1071,8 +1108,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
     fn rest(&mut self) -> Result<(), DerivationStop> {
         self.begin("rest");
         self.skip_new();
-        let asked: Vec<Label> = self.problem.questions.iter().map(|q| q.label).collect();
-        for label in &asked {
+        for label in &asked::needed(self.scene, self.problem) {
             let skip = matches!(label.quantity, Quantity::FrictionIfRolled);
             if label.quantity.is_word() || skip {
                 continue;
@@ -1092,7 +1128,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
         let sloped = matches!(part.path, "incline" | "vertical");
         let up = self.sense * f64::from(part.up) > 0.0;
         let word = match (sloped, up) {
-            _ if self.variant.solved.regime.stays() => Word::Stays,
+            _ if self.stays() => Word::Stays,
             (true, true) => Word::Up,
             (true, false) => Word::Down,
             (false, true) => Word::Forward,

@@ -4,9 +4,10 @@
 use crate::figure::names;
 pub use crate::figure::names::tagged;
 use crate::scene::{
-    Body, Coordinate, Cord, CordEnd, Degree, Far, Label, Mass, Num, Owner, Quantity, RotaryInertia, Shape,
-    Slope, Tie,
+    AsIf, Body, Coordinate, Cord, CordEnd, Degree, Far, Label, Mass, Num, Owner, Quantity, RotaryInertia,
+    Shape, Slope, Tie,
 };
+use crate::solution::asked;
 use crate::solution::draft::Draft;
 use crate::solution::expr::{Expr, ONE, SymbolId, ZERO, cosine, sine, sum};
 use crate::solution::factors::Factors;
@@ -132,7 +133,7 @@ impl Terms {
             }
         }
         let held = this.actions.iter().any(|a| a.contact && a.kind == ForceKind::Reaction && a.arm.is_zero());
-        this.one = this.tied && !held && !draft.variant.solved.regime.stays();
+        this.one = this.tied && !held && !draft.stays();
         this
     }
 
@@ -148,12 +149,12 @@ impl Terms {
                     let rolls = rolled == Some(t) || matches!(tie, Tie::Roll { .. });
                     let kind = if rolls { ForceKind::Reaction } else { ForceKind::Kinetic };
                     let tag = if contacts > 1 { self.parts[*body].tag.as_str() } else { "" };
-                    let force = friction(draft, &below(tag, rolled));
+                    let force = friction(draft, &below(draft, tag, rolled));
                     self.rub(draft, t, kind, force);
                 }
                 Tie::Slide { body, .. } => {
                     let tag = if contacts > 1 { self.parts[*body].tag.as_str() } else { "" };
-                    let force = friction(draft, &below(tag, rolled));
+                    let force = friction(draft, &below(draft, tag, rolled));
                     let kind = if stays(draft, *body) { ForceKind::Reaction } else { ForceKind::Kinetic };
                     self.rub(draft, t, kind, force);
                 }
@@ -163,7 +164,7 @@ impl Terms {
                         other => {
                             cords += 1;
                             let tag = if tensed > 1 { cords.to_string() } else { String::new() };
-                            let tag = below(&tag, rolled);
+                            let tag = below(draft, &tag, rolled);
                             let tex = draft.free(&[&tagged("T", &tag), &tagged("S", &tag)]);
                             let spring = matches!(other, Far::Spring { .. });
                             let kind = if spring { ForceKind::Spring } else { ForceKind::Reaction };
@@ -408,7 +409,7 @@ impl Terms {
 /// Does friction hold this body where it slides as soon as it moves? As the key has it.
 fn stays(draft: &Draft, body: usize) -> bool {
     let of = |quantity| draft.variant.solved.get(Label { quantity, of: Owner::Body(body) }).map(Entry::value);
-    let rests = draft.scene.start_speeds().all(|(_, v)| draft.datum(v) == 0.0);
+    let rests = draft.as_if.is_none() && draft.scene.start_speeds().all(|(_, v)| draft.datum(v) == 0.0);
     rests && of(Quantity::A) == Some(0.0) && of(Quantity::V).is_none_or(|v| v == 0.0)
 }
 
@@ -427,7 +428,7 @@ pub fn parts(draft: &mut Draft, rolled: Option<usize>) -> Vec<BodyTerms> {
         let mass = mass(draft, body, &g, &tag);
         let inertia = inertia(draft, body, &mass, &g, &tag);
         let named = |draft: &mut Draft, names: &[&str], several: bool, unit: &str| {
-            let tag = below(if several { &tag } else { "" }, rolled);
+            let tag = below(draft, if several { &tag } else { "" }, rolled);
             let names: Vec<String> = names.iter().map(|n| tagged(n, &tag)).collect();
             let names: Vec<&str> = names.iter().map(String::as_str).collect();
             let tex = draft.free(&names);
@@ -488,11 +489,20 @@ pub fn lever(draft: &mut Draft, end: &CordEnd) -> (Factors, Factors) {
 }
 
 /// A tag, with an r if it belongs to the rolling that does not happen.
-fn below(tag: &str, rolled: Option<usize>) -> String {
-    match (rolled, tag) {
-        (None, tag) => tag.to_owned(),
-        (Some(_), "") => r"\mathrm{r}".to_owned(),
-        (Some(_), tag) => format!(r"{tag},\mathrm{{r}}"),
+fn below(draft: &Draft, tag: &str, rolled: Option<usize>) -> String {
+    match (mark_of(draft, rolled), tag) {
+        ("", tag) => tag.to_owned(),
+        (mark, "") => mark.to_owned(),
+        (mark, tag) => format!("{tag},{mark}"),
+    }
+}
+
+/// What marks the symbols where a contact is taken as another than it is.
+pub fn mark_of(draft: &Draft, rolled: Option<usize>) -> &'static str {
+    match (draft.as_if, rolled) {
+        (Some(how), _) => asked::mark(how),
+        (None, Some(_)) => asked::mark(AsIf::Rolls),
+        (None, None) => "",
     }
 }
 

@@ -80,3 +80,92 @@ fn every_composed_scene_has_a_true_solution() {
     }
     assert_eq!(bad, 0);
 }
+
+const ASKED: &str = "bank: asked
+title: Asked by formulas
+problems:
+  spool:
+    title: A spool
+    data:
+      m:    {name: mass, unit: kg, draw: 20 to 40 step 1}
+      k:    {name: radius of gyration, unit: m, draw: 0.2 to 0.3 step 0.01}
+      R:    {name: radius of the rim, unit: m, draw: 0.36 to 0.44 step 0.01}
+      r:    {name: radius of the hub, unit: m, draw: 0.1 to 0.2 step 0.01}
+      P:    {name: pull, unit: N, draw: 200 to 400 step 10}
+      mu_s: {name: coefficient of static friction, unit: \"1\", draw: always 0.2}
+      mu_k: {name: coefficient of kinetic friction, unit: \"1\", draw: always 0.15}
+    scene:
+      surfaces: {floor: level}
+      bodies: {spool: {mass: m, radius of gyration: k, radii: {rim: R, hub: r}, moves: along floor}}
+      ties:
+        - slips: {body: spool, on its: rim, mu_s: mu_s, mu_k: mu_k}
+        - cord: {from: {body: spool, wound on: hub, leaves: bottom forward}, pulled with: P}
+      start: at rest
+      end: {time: {of: spool, is: 2 s}}
+    questions:
+      largest: {value: mu_s*normal, unit: N, ask: it}
+      needed:  {quantity: friction, if: rolls, unit: N, ask: it}
+      lacking: {value: abs(friction) - mu_s*normal, if: rolls, unit: kN, ask: it}
+      free:    {quantity: a, if: smooth, ask: it}
+      share:   {value: kinetic_energy/work_pull, unit: \"1\", ask: it}
+    statement: s
+  disc:
+    title: A disc
+    data:
+      theta: {name: slope, unit: deg, draw: 10 to 25 step 1}
+      h:     {name: height, unit: m, draw: 1.0 to 4.0 step 0.1}
+    scene:
+      surfaces: {incline: {slope: theta}}
+      bodies: {disc: {mass: any, shape: {disc: any}, moves: along incline, positive: down}}
+      ties: [rolls: {body: disc, on its: rim}]
+      start: at rest
+      end: {travel: {of: disc, by: h/sin(theta)}}
+    questions: {v: {ask: v}, a: {ask: a}, t: {ask: t}, mu_required: {ask: mu}, rotational_fraction: {ask: q}}
+    statement: s
+  stone:
+    title: A stone
+    data:
+      M:  {name: mass of the pulley, unit: kg, draw: 6.0 to 14.0 step 0.5}
+      y:  {name: fall, unit: m, draw: 8.0 to 13.0 step 0.1}
+      t1: {name: measured time, unit: s, draw: 2.0 to 3.6 step 0.05, measured: t}
+      m:  {name: mass of the stone, unit: kg, unknown: 0.2 to 20 step 0.1}
+    scene:
+      bodies:
+        pulley: {mass: M, shape: {disc: any}, moves: about a fixed axle}
+        stone: {mass: m, moves: vertically, positive: down}
+      ties:
+        - cord: {from: {body: stone, tied at: centre, leaves: up}, to: {body: pulley, wound on: rim, leaves: back down}}
+      start: at rest
+      end: {travel: {of: stone, by: y}}
+    questions: {mass: {value: m, unit: kg, ask: m}, tension: {unit: N, ask: T}}
+    statement: s
+  pendulum:
+    title: A pendulum
+    data:
+      T: {name: measured period, unit: s, draw: always 1.7, measured: period_small}
+      h: {name: distance of the pin, unit: m, unknown: 0.31 to 2 step 0.01}
+    scene:
+      bodies: {body: {mass: 2 kg, radius of gyration: 0.3 m, pinned: {distance: h}, angle: from hanging}}
+      start: {body: {angle: 10 deg}}
+      end: {angle: {of: body, reaches: 0 deg}}
+    questions: {distance: {value: h, unit: m, ask: h}}
+    statement: s
+";
+
+#[test]
+fn expressions_other_contacts_and_measurements_are_worked() {
+    let bank = load::scenes_only(ASKED, "asked.yaml").unwrap_or_else(|f| panic!("{f:?}"));
+    for language in Words::languages() {
+        let (words, templates) = (Words::of(language).unwrap(), Templates::new(language, &[]).unwrap());
+        for problem in &bank.problems {
+            let maker = maker::Maker::new(problem, 7, "set");
+            for student in 0..10 {
+                let variant = maker.variant(&student.to_string()).expect("a variant");
+                let text = solution::text(problem, &variant, 1, &words, &templates).expect("a text");
+                assert!(!text.contains(words.get("solution.title.beyond")), "{text}");
+                let wrong = tex::check(&text.replace("{,}", "."), &mut tex::Counts::default());
+                assert!(wrong.is_empty(), "{}\n{text}", wrong.join("\n"));
+            }
+        }
+    }
+}
