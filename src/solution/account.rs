@@ -800,7 +800,7 @@ impl<'d, 'a> Account<'d, 'a> {
                 self.row(*c).into_iter().filter_map(|(a, _)| reaction(&a).map(|t| (a, t))).collect()
             };
             let Some(at) = rows.iter().position(|c| open(c).len() == 1) else {
-                return beyond(Beyond::SeveralEquations);
+                return beyond(Beyond::Unfound);
             };
             let c = rows.remove(at);
             let (action, tie) = open(&c).remove(0);
@@ -1080,7 +1080,7 @@ impl<'d, 'a> Account<'d, 'a> {
         let Some(tie) = tie else { return beyond(Beyond::Unfound) };
         // Each would need the other first.
         if self.solving.contains(&tie) {
-            return beyond(Beyond::SeveralEquations);
+            return beyond(Beyond::Unfound);
         }
         self.solving.push(tie);
         // The row that asks for the fewest other reactions; lines before turns.
@@ -1106,7 +1106,7 @@ impl<'d, 'a> Account<'d, 'a> {
                 best = Some((price, c, action.clone(), others));
             }
         }
-        let Some((_, c, action, others)) = best else { return beyond(Beyond::SeveralEquations) };
+        let Some((_, c, action, others)) = best else { return beyond(Beyond::Unfound) };
         for other in others {
             self.get(self.label_of_tie(other))?;
         }
@@ -1409,7 +1409,7 @@ impl<'d, 'a> Account<'d, 'a> {
             Tie::Roll { radius_m, .. } => Some(*radius_m),
             _ => None,
         });
-        let Some(c) = c else { return beyond(Beyond::NoBound) };
+        let Some(c) = c else { return beyond(Beyond::Unfound) };
         let c = self.number(c, "R", "m");
         let share = |task: &Self, c: Coordinate| {
             let given = task.row(c).into_iter().filter(|(a, _)| a.kind == ForceKind::Given);
@@ -1418,7 +1418,7 @@ impl<'d, 'a> Account<'d, 'a> {
         let (force, moment) = (share(self, along(body)), share(self, turn(body)));
         let up = f64::from(self.m.parts[body].up);
         if self.value(&force) * up <= 0.0 || self.value(&moment) * up <= 0.0 {
-            return beyond(Beyond::NoBound);
+            return beyond(Beyond::Unfound);
         }
         Ok(self.new_found(label, &["k_{0}"], "m", root(c * moment / force)))
     }

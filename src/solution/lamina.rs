@@ -48,7 +48,7 @@ pub fn sections(draft: &mut Draft) -> Result<(), DerivationStop> {
 fn read(draft: &mut Draft) -> Result<Lamina, DerivationStop> {
     let scene = draft.scene;
     if scene.bodies.len() != 1 {
-        return Err(Beyond::LaminaInCompany.into());
+        return Err(Beyond::Unfound.into());
     }
     let motion = scene.start.iter().find_map(|s| match s {
         Start::Lamina { body, particle, vx_m_s, vy_m_s, spin_rad_s } => {
@@ -57,7 +57,7 @@ fn read(draft: &mut Draft) -> Result<Lamina, DerivationStop> {
         Start::Speed(..) => None,
     });
     let Some((body, known, vx, vy, spin)) = motion else {
-        return Err(Beyond::LaminaWithoutMotion.into());
+        return Err(Beyond::Unfound.into());
     };
     let particles = &scene.bodies[body].particles;
     let names: Vec<String> = particles.iter().map(|p| p.name.clone()).collect();

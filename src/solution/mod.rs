@@ -193,6 +193,9 @@ fn made(
 
 /// All that is derived: the scene, then what is asked of it by formulas.
 fn derive(draft: &mut Draft) -> Result<(), DerivationStop> {
+    if !draft.scene.growths.is_empty() {
+        return Err(Beyond::GrowingForce.into());
+    }
     scene(draft)?;
     asked::not_given(draft);
     asked::answer(draft)

@@ -835,10 +835,10 @@ impl<'d, 'a> Narrator<'d, 'a> {
     /// A slipping wheel: each freedom has its own equation.
     fn two_freedoms(&mut self) -> Result<(), DerivationStop> {
         let Some(body) = self.m.parts.iter().position(|p| p.slips) else {
-            return Err(Beyond::Arrangement.into());
+            return Err(Beyond::Unfound.into());
         };
         if self.m.parts.len() > 1 {
-            return Err(Beyond::SlipInCompany.into());
+            return Err(Beyond::Unfound.into());
         }
         self.tell_frictions();
         let a = self.get(of_body(Quantity::A, body))?;
@@ -1252,7 +1252,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
         let alpha = self.get(of_body(Quantity::Alpha, body))?;
         let friction = self.get(of_body(Quantity::Friction, body))?;
         let arm = self.contact_of(body).and_then(|t| self.m.action_of(t)).map(|x| x.arm.clone());
-        let Some(arm) = arm else { return Err(Beyond::Arrangement.into()) };
+        let Some(arm) = arm else { return Err(Beyond::Unfound.into()) };
         let c = self.magnitude(&arm).expr();
         let contact = a - c * alpha;
         let up = f64::from(self.m.parts[body].up);

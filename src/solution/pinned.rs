@@ -69,7 +69,7 @@ type Pull = Option<(Expr, Expr, Expr)>;
 /// What this does not cover.
 pub fn sections(draft: &mut Draft) -> Result<(), DerivationStop> {
     let Some((body, pin)) = draft.scene.pinned() else {
-        return Err(Beyond::Arrangement.into());
+        return Err(Beyond::Unfound.into());
     };
     let pin = *pin;
     let ended = [
@@ -81,7 +81,7 @@ pub fn sections(draft: &mut Draft) -> Result<(), DerivationStop> {
         .iter()
         .any(|(quantity, of)| draft.variant.solved.get(Label { quantity: *quantity, of: *of }).is_some())
     {
-        return Err(Beyond::NotThere.into());
+        return Err(Beyond::Unfound.into());
     }
     let mut page = Page::new(draft);
     let swing = read(&mut page, body, &pin)?;
@@ -146,7 +146,7 @@ fn read(page: &mut Page, body: usize, pin: &Pin) -> Result<PinnedBody, Derivatio
         Arm::HalfOf(l) => draft.number(l, "L", "m") / whole(2),
     };
     if h.value(&draft.symbols) <= 0.0 {
-        return Err(Beyond::PinAtCentre.into());
+        return Err(Beyond::Unfound.into());
     }
     let own = match &scene.bodies[body].inertia {
         Some(RotaryInertia::Gyration(k)) => {
@@ -219,7 +219,7 @@ fn read(page: &mut Page, body: usize, pin: &Pin) -> Result<PinnedBody, Derivatio
             swing.angle_of_speed(page.draft, &one, w)?
         }
         _ => {
-            return Err(Beyond::PinnedEnd.into());
+            return Err(Beyond::Unfound.into());
         }
     };
     Ok(swing)
@@ -704,7 +704,7 @@ impl PinnedBody {
             low = high;
         };
         let Some((mut low, mut high)) = found else {
-            return Err(Beyond::NoAngle.into());
+            return Err(Beyond::Unfound.into());
         };
         for _ in 0..80 {
             let middle = 0.5 * (low + high);

@@ -65,7 +65,7 @@ struct State {
 /// # Errors
 /// What this does not cover.
 pub fn sections(draft: &mut Draft) -> Result<(), DerivationStop> {
-    let Some(thrown) = draft.scene.thrown() else { return Err(Beyond::Arrangement.into()) };
+    let Some(thrown) = draft.scene.thrown() else { return Err(Beyond::Unfound.into()) };
     let throw = ThrownBody::new(draft, &thrown)?;
     let mut page = Page::new(draft);
     page.begin("idea");
@@ -78,12 +78,12 @@ pub fn sections(draft: &mut Draft) -> Result<(), DerivationStop> {
     let holds = throw.holds(&page);
     let rolls = match (&throw.t1, slipping.event) {
         (None, Some(_)) if holds => false,
-        (None, _) => return Err(Beyond::NeverRolls.into()),
+        (None, _) => return Err(Beyond::Unfound.into()),
         (Some(t1), Some(event)) => page.value(t1) > page.value(&event.into()),
         (Some(_), None) => false,
     };
     if rolls && !holds {
-        return Err(Beyond::CannotRoll.into());
+        return Err(Beyond::Unfound.into());
     }
     let slid: Expr = match (&throw.t1, slipping.event) {
         (Some(t1), _) if !rolls => t1.clone(),
@@ -119,18 +119,18 @@ pub fn sections(draft: &mut Draft) -> Result<(), DerivationStop> {
 impl ThrownBody {
     fn new(draft: &mut Draft, thrown: &Thrown) -> Result<Self, DerivationStop> {
         let (scene, body) = (draft.scene, thrown.body);
-        let Some(line) = scene.bodies[body].line else { return Err(Beyond::Arrangement.into()) };
+        let Some(line) = scene.bodies[body].line else { return Err(Beyond::Unfound.into()) };
         let theta = match line.slope {
             Slope::Level => None,
             Slope::Degrees(angle) => Some(draft.number(angle, r"\theta", "deg")).filter(|t| *t != ZERO),
-            Slope::Vertical => return Err(Beyond::ThrownVertically.into()),
+            Slope::Vertical => return Err(Beyond::Unfound.into()),
         };
         let g = terms::gravity(draft);
         let m = terms::mass(draft, &scene.bodies[body], &g, "");
         let own = terms::inertia(draft, &scene.bodies[body], &m, &g, "");
         let own = own.iter().fold(Factors::zero(), |all, i| all.plus(i));
         if own.is_zero() {
-            return Err(Beyond::ThrownWithoutInertia.into());
+            return Err(Beyond::Unfound.into());
         }
         Ok(Self {
             body,
@@ -149,7 +149,7 @@ impl ThrownBody {
             t1: match scene.end {
                 End::Time(_, t) => Some(draft.number(t, "t_1", "s")),
                 End::Rolling(_) => None,
-                _ => return Err(Beyond::OtherEnd.into()),
+                _ => return Err(Beyond::Unfound.into()),
             },
         })
     }
@@ -196,7 +196,7 @@ impl ThrownBody {
         let slip = page.find(&["u_0", "w_0"], "m/s", positive_first(vec![&self.v0 - &self.c * &self.w0]));
         let value = page.symbols.value(slip);
         if value == 0.0 {
-            return Err(Beyond::ThrownWithoutSlip.into());
+            return Err(Beyond::Unfound.into());
         }
         let sense = value.signum();
         self.say(page, "slip", &[]);
