@@ -780,8 +780,24 @@ impl<'a, T: Real> Walk<'a, T> {
             for (c, q) in [(self.along(b), Quantity::A), (self.turn(b), Quantity::Alpha)] {
                 if let Some(c) = c {
                     let a = self.acceleration(c, tension);
-                    self.say(q, Owner::Body(b), a);
+                    let scale = if a.is_zero() { self.rate_that_vanishes(c, tension) } else { a.f64().abs() };
+                    self.say_scaled(q, Owner::Body(b), a, scale);
                 }
+            }
+        }
+    }
+
+    /// Size of what cancels where a body does not accelerate while others do: the largest acceleration along a line, for a turn
+    /// over the arm at which it acts.
+    fn rate_that_vanishes(&self, c: Coordinate, tension: T) -> f64 {
+        let lines = (0..self.scene.bodies.len()).filter_map(|b| self.along(b));
+        let most = lines.map(|line| self.acceleration(line, tension).f64().abs()).fold(0.0, f64::max);
+        match c.degree {
+            Degree::Along => most,
+            Degree::Turn => {
+                let acting = self.scene.ties.iter().flat_map(Tie::actions).filter(|a| a.body == c.body);
+                let arms = acting.filter_map(|a| a.arm).map(|(arm, _)| self.n.get(arm).f64());
+                arms.filter(|arm| *arm > 0.0).map(|arm| most / arm).fold(0.0, f64::max)
             }
         }
     }
@@ -814,7 +830,10 @@ impl<'a, T: Real> Walk<'a, T> {
                     Far::Spring { .. } => self.say(Quantity::Tension, Owner::Tie(t), tension),
                     Far::Body(_) | Far::Fixed => {
                         let f = self.friction(t, tension);
-                        self.say(Quantity::Tension, Owner::Tie(t), f);
+                        let ends = tie.actions().map(|end| end.body);
+                        let forces = ends.map(|b| self.friction_scale(&self.response, b, f, tension));
+                        let scale = if f.is_zero() { forces.fold(0.0, f64::max) } else { f.f64().abs() };
+                        self.say_scaled(Quantity::Tension, Owner::Tie(t), f, scale);
                     }
                 },
             }
