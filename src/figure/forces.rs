@@ -13,7 +13,7 @@ use crate::picture::board::{Board, LabelTie, LabelWish, TEXT};
 use crate::picture::vector::{Direction, Vec2, vec2};
 use crate::picture::{Picture, Role, TextRun, symbol};
 use crate::problem::maker::Variant;
-use crate::scene::{Arm, Couple, End, Far, Owner, Pin, Quantity, Side, Slope, Tie};
+use crate::scene::{Arm, Couple, End, Far, GivenForce, Owner, Pin, Quantity, Side, Slope, Tie};
 use crate::words::Words;
 
 /// Radius to which a body is drawn.
@@ -281,13 +281,13 @@ fn found(view: &SceneView, quantity: Quantity, body: usize) -> f64 {
 }
 
 fn couples_on(view: &SceneView, body: usize, clockwise: bool) -> Vec<Turning> {
-    let turning = |c: &Couple| {
-        let (given, value) = (view.symbol(c.moment_n_m), view.of(c.moment_n_m));
+    let turning = |(i, c): (usize, &Couple)| {
+        let (given, value) = view.load(GivenForce::Couple(i), c.moment_n_m);
         let symbol = if given.is_empty() { symbol::symbol("M") } else { given };
         let value_left = if clockwise == c.forward { -value } else { value };
         Turning { value: value_left, label: symbol::magnitude(symbol, value < 0.0) }
     };
-    view.scene.couples.iter().filter(|c| c.body == body).map(turning).collect()
+    view.scene.couples.iter().enumerate().filter(|(_, c)| c.body == body).map(turning).collect()
 }
 
 /// Normal force and friction.
@@ -389,8 +389,8 @@ fn cords(
             };
             let (value, label) = match cord.to {
                 Far::Pull(n) => {
-                    let given = view.symbol(n);
-                    (view.of(n), if given.is_empty() { symbol::symbol("P") } else { given })
+                    let (given, value) = view.load(GivenForce::Pull(run.tie), n);
+                    (value, if given.is_empty() { symbol::symbol("P") } else { given })
                 }
                 _ => (
                     view.solved(Quantity::Tension, Owner::Tie(run.tie)).unwrap_or(0.0),

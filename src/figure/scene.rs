@@ -7,7 +7,9 @@ use crate::picture::board::{Board, LabelTie, TEXT};
 use crate::picture::vector::{Direction, Vec2};
 use crate::picture::{Picture, Role, TextRun, symbol};
 use crate::problem::maker::Variant;
-use crate::scene::{Coordinate, Degree, End, Far, Heading, Num, Owner, Quantity, RotaryInertia, Start, Tie};
+use crate::scene::{
+    Coordinate, Degree, End, Far, GivenForce, Heading, Num, Owner, Quantity, RotaryInertia, Start, Tie,
+};
 use crate::solve::outcome::Word;
 use crate::words::Words;
 
@@ -249,7 +251,7 @@ fn ties(board: &mut Board, view: &SceneView, plan: &SceneLayout) {
 }
 
 fn couples(board: &mut Board, view: &SceneView, plan: &SceneLayout) {
-    for couple in &view.scene.couples {
+    for (i, couple) in view.scene.couples.iter().enumerate() {
         let Some(p) = plan.bodies.get(couple.body).and_then(Option::as_ref) else { continue };
         let forward = couple.forward == (view.of(couple.moment_n_m) >= 0.0);
         let clockwise = p.clockwise == forward;
@@ -258,7 +260,7 @@ fn couples(board: &mut Board, view: &SceneView, plan: &SceneLayout) {
         let (from, to) = if clockwise { (mid + 1.9, mid - 1.9) } else { (mid - 1.9, mid + 1.9) };
         board.curved_arrow(p.centre, radius, from, to, Role::Force);
         board.wish(
-            view.size_label(couple.moment_n_m, "N·m"),
+            view.force_label(GivenForce::Couple(i), couple.moment_n_m, "N·m"),
             vec![(p.centre + p.top * radius, p.top)],
             Role::Force,
         );
