@@ -723,9 +723,6 @@ impl<'d, 'a> Account<'d, 'a> {
     /// Time of a motion on a spring, by the angle of its swing.
     fn time_on_spring(&mut self, label: Label) -> Result<SymbolId, DerivationStop> {
         let Some(spring) = self.spring.clone() else { return beyond(Beyond::Unfound) };
-        if self.value(&self.s) == 0.0 {
-            return Ok(self.new_found(label, &["t", "t_2"], "s", ZERO));
-        }
         let last = self.last.clone();
         let time = if last == ZERO
             && !spring.rigid
@@ -1162,7 +1159,10 @@ impl<'d, 'a> Account<'d, 'a> {
 
     /// How far it would go to its turning point while the cord is taut, or where the cord goes slack, if that comes first; and
     /// whether it does.
-    fn turning_or_slack(&mut self) -> Result<(Expr, bool), DerivationStop> {
+    ///
+    /// # Errors
+    /// There is no spring.
+    pub fn turning_or_slack(&mut self) -> Result<(Expr, bool), DerivationStop> {
         let Some(spring) = self.spring.clone() else { return beyond(Beyond::Unfound) };
         let kappa = Factors::of(&spring.stiffness).times(&spring.gamma.squared()).expr();
         let pull = Factors::of(&spring.stiffness).times(&spring.gamma).times(&Factors::of(&spring.stretch));
@@ -1248,6 +1248,9 @@ impl<'d, 'a> Account<'d, 'a> {
         if let End::Time(_, t) = self.scene.end {
             let t = self.number(t, "t", "s");
             return Ok(self.new_found(label, &["t", "t_2"], "s", t));
+        }
+        if self.value(&self.s) == 0.0 {
+            return Ok(self.new_found(label, &["t", "t_2"], "s", ZERO));
         }
         if self.spring.is_some() {
             return self.time_on_spring(label);

@@ -219,7 +219,7 @@ impl Lamina {
     }
 
     fn cross(&self, page: &mut Page, mass: SymbolId) {
-        page.begin("why");
+        page.begin_as("why", "which");
         let known = format!("${}$", self.names[self.known]);
         let (n, count) = (self.count().to_string(), (2 * self.count()).to_string());
         page.say("lamina.why", &[("n", &n), ("count", &count)]);

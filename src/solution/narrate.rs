@@ -569,7 +569,20 @@ impl<'d, 'a> Narrator<'d, 'a> {
                 let name = if drive == ZERO { "energy.direction_alone" } else { "energy.direction_spring" };
                 self.say(name, &[("pull", &pull), ("against", &against), ("way", &sense)]);
             }
-            None => self.say("energy.direction", &[("way", &sense)]),
+            None => {
+                let shares = self.shares(&[ForceKind::Given]).into_iter().map(|(_, e)| e);
+                let helps = |n: &Self, e: &Expr| n.value(e) * n.sense > 0.0;
+                let (with, against): (Vec<Expr>, Vec<Expr>) = shares.partition(|e| helps(self, e));
+                let size = |n: &Self, all: Vec<Expr>| {
+                    let whole = sum(all);
+                    let unit = if n.straight() { "N" } else { "N m" };
+                    n.valued(&in_sense(whole.clone(), n.value(&whole)), unit)
+                };
+                let free = against.is_empty();
+                let (pull, against) = (size(self, with), size(self, against));
+                let name = if free { "energy.direction_free" } else { "energy.direction" };
+                self.say(name, &[("pull", &pull), ("against", &against), ("way", &sense)]);
+            }
         }
     }
 
@@ -589,7 +602,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
         }
         self.say_senses();
         self.write_rows();
-        if first {
+        if first || self.short == Short::Together && self.m.one {
             self.tell_frictions();
         }
         if let (Some((tie, ..)), true) = (self.scene.spring(), self.spring.is_none() || self.t.still())
@@ -810,7 +823,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
             ("v", self.names(&[v])),
             ("a", self.names(&[a])),
             ("ds", if self.straight() { r"\mathrm{d}s".to_owned() } else { r"\mathrm{d}\varphi".to_owned() }),
-            ("d", self.inline(&self.distance())),
+            ("d", self.inline(&self.s)),
             ("vv", format!(r"{0}\,\mathrm{{d}}{0}", self.symbols.tex(v))),
             ("aa", self.symbols.tex(a).to_owned()),
         ];
@@ -952,7 +965,15 @@ impl<'d, 'a> Narrator<'d, 'a> {
             self.say("why.neither", &pieces);
         } else {
             let hidden = self.names(&reactions);
-            self.say("why.newton", &pieces);
+            let ties = match (!self.rolling().is_empty() || self.held().is_some(), !self.cords().is_empty()) {
+                (true, true) => "both",
+                (true, false) => "roll",
+                (false, true) => "cord",
+                (false, false) => "none",
+            };
+            let ties = self.phrase(&format!("why.ties_{ties}"), &[]);
+            let with = [&pieces[..], &[("ties", ties.trim_end())]].concat();
+            self.say("why.newton", &with);
             if self.gone.is_empty() {
                 self.say("why.no_reaction", &[]);
             } else {
@@ -1108,6 +1129,10 @@ impl<'d, 'a> Narrator<'d, 'a> {
     fn rest(&mut self) -> Result<(), DerivationStop> {
         self.begin("rest");
         self.skip_new();
+        let place = matches!(self.scene.end, End::Travel(..) | End::Position(..));
+        if place && self.asks(Quantity::T) && self.m.one && self.v0 == ZERO && self.spring.is_none() {
+            self.say("forces.mean", &[]);
+        }
         for label in &asked::needed(self.scene, self.problem) {
             let skip = matches!(label.quantity, Quantity::FrictionIfRolled);
             if label.quantity.is_word() || skip {
@@ -1146,9 +1171,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
                 Tie::Cord(c) => match c.to {
                     Far::Body(_) | Far::Fixed => taut.extend(self.taut(tie)?),
                     Far::Spring { rigid: false, .. } => {
-                        if let Some(t) = self.taut(tie)? {
-                            self.say("holds.taut_spring", &[("t", &t)]);
-                        }
+                        self.spring_taut(tie)?;
                     }
                     Far::Spring { .. } | Far::Pull(_) => {}
                 },
@@ -1282,6 +1305,27 @@ impl<'d, 'a> Narrator<'d, 'a> {
             false => new.iter().map(|s| self.chained(*s)).collect::<Vec<_>>().join(", "),
         };
         Ok((value > 0.0).then_some(shown))
+    }
+
+    /// The cord of a spring up to the end: its least tension, and where it goes slack, if that is looked at.
+    fn spring_taut(&mut self, tie: usize) -> Result<(), DerivationStop> {
+        let (Some(spring), Some(end)) = (self.spring.clone(), self.taut(tie)?) else { return Ok(()) };
+        let first = &spring.stiffness * &spring.stretch;
+        let least = if self.value(&first) < self.value(&spring.tension.into()) {
+            let unit = self.valued(&first, "N");
+            unit
+        } else {
+            end
+        };
+        self.say("holds.taut_spring", &[("t", &least)]);
+        if self.scene.span == Span::ToTurningPoint
+            && let Ok((slack, true)) = self.t.turning_or_slack()
+        {
+            let size = in_sense(slack.clone(), self.value(&slack));
+            let slack = self.valued(&size, "m");
+            self.say("holds.goes_slack", &[("s", &slack)]);
+        }
+        Ok(())
     }
 
     /// The end lies before the turning point.

@@ -586,8 +586,9 @@ impl PinnedBody {
         page.begin("limits");
         let share = Factors::of(&self.own).per(&Factors::of(&self.about.into())).expr();
         let percent = tex_digits(&shown::significant(100.0 * page.value(&share), 2), page.words);
-        let omega = page.names(&[omega]);
-        self.say(page, "pinned.particle", &[("percent", &percent), ("omega", &omega)]);
+        let faster = page.symbols.value(omega) >= page.value(&self.w0).abs();
+        let name = if faster { "pinned.particle_faster" } else { "pinned.particle_slower" };
+        self.say(page, name, &[("percent", &percent)]);
         let given = matches!(page.scene.bodies[self.body].inertia, Some(RotaryInertia::Moment(_)));
         if self.couples.is_empty() && self.spring.is_none() && !given {
             self.say(page, "pinned.no_mass", &[]);

@@ -5,10 +5,11 @@ use crate::solution;
 use crate::solution::account::{marked, of_scene};
 use crate::solution::draft::{DerivedAnswer, Draft};
 use crate::solution::expr::{
-    Expr, ONE, SymbolId, ZERO, cosine, in_sense, magnitude, positive_first, ratio, signed, sine, square, sum,
+    Expr, ONE, SymbolId, ZERO, cosine, in_sense, magnitude, number as whole_number, positive_first, ratio,
+    signed, sine, square, sum,
 };
 use crate::solution::factors::Factors;
-use crate::solution::page::Page;
+use crate::solution::page::{Page, aligned, packed};
 use crate::solution::stop::{Beyond, DerivationStop};
 use crate::solution::terms;
 use crate::solution::text::Block;
@@ -101,7 +102,7 @@ pub fn sections(draft: &mut Draft) -> Result<(), DerivationStop> {
         (true, Some((a, _)), Some(t1), Some(event)) => throw.rolling_leg(&mut page, first, a, t1 - event),
         _ => first,
     };
-    throw.other_method(&mut page, first, &slid, energy);
+    throw.other_method(&mut page, &slipping, (first, &slid), energy, rolls);
     throw.answers(&mut page, &slipping, last, rolling.filter(|_| rolls));
     throw.regime(&mut page, &slipping, rolls, holds);
     page.begin("limits");
@@ -362,7 +363,14 @@ impl ThrownBody {
     }
 
     /// Angular momentum about the contact, and the balance of energies: what they give, and what not.
-    fn other_method(&self, page: &mut Page, end: State, t: &Expr, heat: SymbolId) {
+    fn other_method(
+        &self,
+        page: &mut Page,
+        s: &Slipping,
+        (end, t): (State, &Expr),
+        heat: SymbolId,
+        rolls: bool,
+    ) {
         page.begin_as("long", "slip_energy");
         self.say(page, if self.level { "momentum_level" } else { "momentum" }, &[]);
         let mc = self.m.times(&Factors::of(&self.c));
@@ -383,9 +391,30 @@ impl ThrownBody {
         let left = kinetic(&self.w0, &self.v0) - heat;
         let left = left - if self.level { ZERO } else { self.weight(&end.x.into()) };
         page.formula(format!("{} = {}", page.tex(&left), page.tex(&kinetic(&end.w.into(), &end.v.into()))));
+        if self.level && (self.t1.is_none() || rolls) {
+            self.by_momentum(page, s, end, heat);
+        }
         page.begin_as("why", "which");
         self.say(page, if self.level { "why_level" } else { "why" }, &[]);
-        page.say("why.ask", &[]);
+        page.say("why.ask_slip", &[]);
+    }
+
+    /// The speed at which rolling begins, and the heat, without the friction.
+    fn by_momentum(&self, page: &mut Page, s: &Slipping, end: State, heat: SymbolId) {
+        let c = Factors::of(&self.c);
+        let spin = self.own.times(&Factors::of(&self.w0)).per(&c);
+        let moving = self.m.times(&Factors::of(&self.v0));
+        let carried = self.m.plus(&self.own.per(&c.squared()));
+        let over = sum([moving.expr(), spin.expr()]);
+        let speed = Factors::of(&over).per(&carried).expr();
+        let lost = self.m.times(&self.own).times(&Factors::of(&square(s.slip)));
+        let whole = self.own.plus(&self.m.times(&c.squared())).times(&Factors::of(&whole_number(2)));
+        let lost = lost.per(&whole).expr();
+        self.say(page, "by_momentum", &[]);
+        let lines = [(end.v, speed), (heat, lost)].map(|(symbol, from)| page.chain(symbol, &from).concat());
+        for line in packed(lines) {
+            page.formula(if line.contains('&') { aligned(&line) } else { line });
+        }
     }
 
     fn answers(&self, page: &mut Page, s: &Slipping, end: State, rolling: Option<(SymbolId, SymbolId)>) {
