@@ -993,7 +993,7 @@ impl<'d, 'a> Account<'d, 'a> {
     fn speed(&mut self, label: Label, body: usize) -> Result<SymbolId, DerivationStop> {
         let c = if label.quantity == Quantity::V { along(body) } else { turn(body) };
         let Some(symbol) = self.m.speed(c) else { return beyond(Beyond::Unfound) };
-        let from = if self.own(c) { self.from_rest(c, 1)? } else { self.over_lead(&self.v, c) };
+        let from = if self.own(c) { self.since_rest(c, 1)? } else { self.over_lead(&self.v, c) };
         Ok(self.found(label, symbol, from))
     }
 
@@ -1004,7 +1004,7 @@ impl<'d, 'a> Account<'d, 'a> {
 
     /// Speed (1) or distance (2) of a coordinate with an acceleration of its own, from rest: by the time, or, since all accelerations
     /// are constant, in the ratio of the accelerations.
-    fn from_rest(&mut self, c: Coordinate, order: u8) -> Result<Expr, DerivationStop> {
+    fn since_rest(&mut self, c: Coordinate, order: u8) -> Result<Expr, DerivationStop> {
         let own = self.get(rate_of(c))?;
         let size = in_sense(own.into(), self.symbols.value(own));
         if self.symbols.value(own) == 0.0 {
@@ -1024,7 +1024,7 @@ impl<'d, 'a> Account<'d, 'a> {
 
     /// Distance or angle of a coordinate, a magnitude.
     fn travel(&mut self, c: Coordinate) -> Result<Expr, DerivationStop> {
-        if self.own(c) { self.from_rest(c, 2) } else { Ok(self.over_lead(&self.distance(), c)) }
+        if self.own(c) { self.since_rest(c, 2) } else { Ok(self.over_lead(&self.distance(), c)) }
     }
 
     /// The same with its sign.

@@ -1312,8 +1312,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
         let (Some(spring), Some(end)) = (self.spring.clone(), self.taut(tie)?) else { return Ok(()) };
         let first = &spring.stiffness * &spring.stretch;
         let least = if self.value(&first) < self.value(&spring.tension.into()) {
-            let unit = self.valued(&first, "N");
-            unit
+            self.valued(&first, "N")
         } else {
             end
         };
