@@ -105,15 +105,20 @@ pub fn mean<T: Real>(values: &[T]) -> T {
 }
 
 /// Are the last Legendre coefficients of what has these values at the nodes of a panel below this share of its mean magnitude, or
-/// rounding? `terms` is the magnitude of the terms that make up a value: about a zero of it rounding is no small share of the mean.
-pub fn smooth<T: Real>(values: &[T], share: f64, terms: f64) -> bool {
-    let size: f64 = values.iter().zip(&PANEL.weights).map(|(v, w)| v.size() * w.hi).sum();
+/// rounding?
+pub fn smooth<T: Real>(values: &[T], share: f64) -> bool {
+    smooth_beside(values, share, 0.0)
+}
+
+/// The same where the values are added to something of this size: what is small beside it need not be smooth.
+pub fn smooth_beside<T: Real>(values: &[T], share: f64, beside: f64) -> bool {
+    let mean: f64 = values.iter().zip(&PANEL.weights).map(|(v, w)| v.size() * w.hi).sum();
+    let size = mean + beside;
     let of = |row: &[Dd; NODES]| {
         values.iter().zip(row).fold(T::zero(), |sum, (v, r)| sum + *v * T::constant(*r)).size()
     };
-    let least = (share * size).max(16.0 * T::SETTLED * size.max(terms));
     // NaN is not smooth.
-    size.is_finite() && PANEL.last.iter().all(|row| of(row) <= least)
+    size.is_finite() && PANEL.last.iter().all(|row| of(row) <= share.max(16.0 * T::SETTLED) * size)
 }
 
 /// The integral from the start of a panel of length 1 to each node.
@@ -123,17 +128,29 @@ pub fn running<T: Real>(values: &[T]) -> PerNode<T> {
     PANEL.running.chunks_exact(NODES).map(row).collect()
 }
 
-/// The integral of a function that is smooth within (a, b) and a sum of terms of this magnitude, to rounding.
+/// The integral of a function that is smooth within (a, b), to rounding.
 ///
 /// Errors: the function's own, and a quadrature that does not settle after 40 halvings.
 pub fn integral<T: Real, E: From<Unsettled>>(
     mut f: impl FnMut(T) -> Result<T, E>,
+    a: T,
+    b: T,
+) -> Result<T, E> {
+    integral_of_terms(&mut f, (a, b), 0.0)
+}
+
+/// The same of a function that is a sum of terms of this magnitude: about a zero of it their rounding is no roughness.
+///
+/// Errors: those of [`integral`].
+pub fn integral_of_terms<T: Real, E: From<Unsettled>>(
+    mut f: impl FnMut(T) -> Result<T, E>,
     (a, b): (T, T),
     terms: f64,
 ) -> Result<T, E> {
-    let whole = panel(&mut f, (a, b), terms)?;
+    let rounding = 16.0 * T::SETTLED / SMOOTH * terms;
+    let whole = panel(&mut f, (a, b), rounding)?;
     let scale = whole.size;
-    halves(&mut f, (a, b), terms, whole, scale, HALVINGS)
+    halves(&mut f, (a, b), rounding, whole, scale, HALVINGS)
 }
 
 /// One panel.
@@ -147,7 +164,7 @@ struct Over<T> {
 fn panel<T: Real, E>(
     f: &mut impl FnMut(T) -> Result<T, E>,
     (a, b): (T, T),
-    terms: f64,
+    rounding: f64,
 ) -> Result<Over<T>, E> {
     let width = b - a;
     let mut values = [T::zero(); NODES];
@@ -156,13 +173,13 @@ fn panel<T: Real, E>(
     }
     let size = values.iter().zip(&PANEL.weights).map(|(v, w)| v.size() * w.hi).sum::<f64>();
     let size = size * width.size();
-    Ok(Over { integral: mean(&values) * width, size, smooth: smooth(&values, SMOOTH, terms) })
+    Ok(Over { integral: mean(&values) * width, size, smooth: smooth_beside(&values, SMOOTH, rounding) })
 }
 
 fn halves<T: Real, E: From<Unsettled>>(
     f: &mut impl FnMut(T) -> Result<T, E>,
     (a, b): (T, T),
-    terms: f64,
+    rounding: f64,
     whole: Over<T>,
     scale: f64,
     left: u32,
@@ -171,7 +188,7 @@ fn halves<T: Real, E: From<Unsettled>>(
         return Ok(whole.integral);
     }
     let middle = (a + b).scale2(-1);
-    let (first, second) = (panel(f, (a, middle), terms)?, panel(f, (middle, b), terms)?);
+    let (first, second) = (panel(f, (a, middle), rounding)?, panel(f, (middle, b), rounding)?);
     let sum = first.integral + second.integral;
     let scale = sized(scale, sum);
     if settled(sum, whole.integral, scale) {
@@ -180,8 +197,8 @@ fn halves<T: Real, E: From<Unsettled>>(
     if left == 0 {
         return Err(Unsettled { value: sum.f64(), gap: (sum - whole.integral).f64().abs() }.into());
     }
-    let first = halves(f, (a, middle), terms, first, scale, left - 1)?;
-    Ok(first + halves(f, (middle, b), terms, second, scale, left - 1)?)
+    let first = halves(f, (a, middle), rounding, first, scale, left - 1)?;
+    Ok(first + halves(f, (middle, b), rounding, second, scale, left - 1)?)
 }
 
 /// Do halves and whole say the same, for an integral of this size? Halving goes on for more than 60 bits, in doubles to the rounding of a sum.
@@ -223,12 +240,12 @@ mod tests {
     fn a_pole_nearby_is_halved_away() {
         // int_0^1 dx / (x + 1e-6) = ln(1000001), in double-doubles and in doubles.
         let f = |x: Dd| Ok::<_, Unsettled>(Dd::ONE / (x + Dd::new(1e-6)));
-        let found = integral(f, (Dd::ZERO, Dd::ONE), 0.0).unwrap();
+        let found = integral(f, Dd::ZERO, Dd::ONE).unwrap();
         assert!((found.hi - 13.815_511_557_963_774).abs() < 1e-14, "{found:?}");
-        let found = integral(|x: f64| Ok::<_, Unsettled>(1.0 / (x + 1e-6)), (0.0, 1.0), 0.0).unwrap();
+        let found = integral(|x: f64| Ok::<_, Unsettled>(1.0 / (x + 1e-6)), 0.0, 1.0).unwrap();
         assert!((found - 13.815_511_557_963_774).abs() < 1e-13, "{found:?}");
     }
-    /// A sum of terms that all but cancel, over a short way about their zero: the rounding of the terms is no roughness.
+    /// A sum of terms that all but cancel, over a short way about their zero.
     #[test]
     fn rounding_about_a_zero_is_not_halved() {
         let mut calls = 0;
@@ -236,13 +253,13 @@ mod tests {
             calls += 1;
             Ok::<_, Unsettled>((1e3 + x) - 1e3)
         };
-        integral(f, (0.0, 1e-7), 1e3).unwrap();
+        integral_of_terms(f, (0.0, 1e-7), 1e3).unwrap();
         assert_eq!(calls, NODES);
     }
     #[test]
     fn what_does_not_settle_says_so() {
         let f = |x: Dd| Ok::<_, Unsettled>(if x.hi < 1.0 / 3.0 { Dd::ZERO } else { Dd::ONE });
-        let gap = integral(f, (Dd::ZERO, Dd::ONE), 0.0).unwrap_err();
+        let gap = integral(f, Dd::ZERO, Dd::ONE).unwrap_err();
         assert!(gap.gap > 0.0, "{gap:?}");
     }
 }

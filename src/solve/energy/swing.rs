@@ -381,8 +381,8 @@ impl<'c, T: Real> Motion<'c, T> {
                 let speed = self.speed_of(plant!("energy: kinetic energy on the way", energy));
                 Ok(slope * quarter / speed)
             },
-            (T::zero(), T::of(1.0)),
-            0.0,
+            T::zero(),
+            T::of(1.0),
         )
     }
 

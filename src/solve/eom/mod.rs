@@ -74,7 +74,9 @@ fn alone<T: Real>(scene: &Scene, data: &[f64], asked: Scope) -> Result<Road<T>, 
     if let Some(thrown) = scene.thrown() {
         return Ok(thrown::road_by(scene, &n, &thrown, asked, None)?.0);
     }
-    Ok(Walk::new(scene, n, asked)?.walk()?.0)
+    let mut walk = Walk::new(scene, n, asked)?;
+    walk.walk()?;
+    Ok(walk.road)
 }
 
 /// An instant: velocities and energies, and where the scene could go on, accelerations and forces.
@@ -125,7 +127,8 @@ fn alone_by<T: Real>(
     }
     let mut walk = Walk::new(scene, n, Scope::ALL)?;
     walk.by = Some((rung, asked));
-    walk.walk()
+    let count = walk.walk()?;
+    Ok((walk.road, count))
 }
 
 /// Moment of the couples on a body, positive with rolling forward; `None` without any.
@@ -435,7 +438,8 @@ impl<'a, T: Real> Walk<'a, T> {
         if self.scene.bodies[body].line.is_none_or(|l| l.forward_up) { 1.0 } else { -1.0 }
     }
 
-    fn walk(mut self) -> Result<(Road<T>, Count), Refusal> {
+    /// Goes from the start to the end, and tells of it.
+    fn walk(&mut self) -> Result<Count, Refusal> {
         let zero = T::zero();
         let tension0 = self.spring.as_ref().map_or(zero, |s| s.stiffness * s.stretch);
         let a0 = self.acceleration(self.end, tension0);
@@ -469,7 +473,7 @@ impl<'a, T: Real> Walk<'a, T> {
                 }
             }
             self.grip(tension0, tension0);
-            return Ok((self.road, Count::default()));
+            return Ok(Count::default());
         }
 
         // The spring's pull along the motion: stretch = x0 - gamma s.
@@ -541,7 +545,7 @@ impl<'a, T: Real> Walk<'a, T> {
             }
             _ => self.standing(tension0),
         }
-        Ok((self.road, path.map_or_else(Count::default, |p| p.count)))
+        Ok(path.map_or_else(Count::default, |p| p.count))
     }
 
     /// The states at the events by steps, where steps are asked for.

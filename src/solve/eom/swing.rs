@@ -340,7 +340,7 @@ impl<T: Real> Swing<T> {
         if !self.body.has_spring() {
             return Ok(T::zero());
         }
-        gauss::integral(|way| Ok(self.spring_at(way)), (from, to), self.body.pull_terms())
+        gauss::integral_of_terms(|way| Ok(self.spring_at(way)), (from, to), self.body.pull_terms())
     }
 
     fn spring_at(&self, way: T) -> T {
@@ -563,8 +563,8 @@ impl<T: Real> Swing<T> {
             })
             .collect();
         let end = if pulls.is_empty() { sprung } else { sprung + gauss::mean(&pulls) };
-        let even = pulls.is_empty() || gauss::smooth(&pulls, gauss::SMOOTH_RUNNING, 0.0);
-        let smooth = even && gauss::smooth(&times, gauss::SMOOTH, 0.0);
+        let even = pulls.is_empty() || gauss::smooth(&pulls, gauss::SMOOTH_RUNNING);
+        let smooth = even && gauss::smooth(&times, gauss::SMOOTH);
         Stretch { time: gauss::mean(&times), from: sprung, end, smooth }
     }
 
