@@ -19,6 +19,8 @@ pub struct Wrong {
     pub mistake: usize,
     /// The quantity.
     pub label: Label,
+    /// Its place among the quantities that were asked for.
+    pub asked: usize,
     /// What it comes to, SI; finite.
     pub value: f64,
 }
@@ -71,8 +73,8 @@ struct Method<'p> {
     mistake: &'p Mistake,
     /// The scene that it solves, if it changes scene or data.
     solves: Option<Quick<'p>>,
-    /// What it spoils: a quantity, and how it comes to it.
-    spoils: Vec<(Label, SpoiltBy<'p>)>,
+    /// What it spoils: a quantity, its place among those asked for, and how it comes to it.
+    spoils: Vec<(Label, usize, SpoiltBy<'p>)>,
 }
 
 /// How a wrong method comes to a quantity.
@@ -99,11 +101,11 @@ impl<'p> Methods<'p> {
                 true => right,
                 false => mistake.scenes.get(case).and_then(Option::as_ref),
             };
-            let spoils = labels.iter().filter_map(|label| {
+            let spoils = labels.iter().enumerate().filter_map(|(asked, label)| {
                 let expression = |label: &Label| mistake.values.iter().find(|(l, _)| l == label);
                 let spoilt = |label: &Label| changes && (mistake.of.is_empty() || mistake.of.contains(label));
                 if let Some((_, by)) = expression(label) {
-                    return Some((*label, SpoiltBy::Expression(by)));
+                    return Some((*label, asked, SpoiltBy::Expression(by)));
                 }
                 // A part that has its own expression, or alone is spoilt, spoils what is put together of it.
                 let part = |term: Term| match term {
@@ -117,11 +119,11 @@ impl<'p> Methods<'p> {
                     _ => None,
                 };
                 match formula.filter(|f| f.names().any(part)) {
-                    Some(formula) => Some((*label, SpoiltBy::Part(formula))),
-                    None => spoilt(label).then_some((*label, SpoiltBy::Change)),
+                    Some(formula) => Some((*label, asked, SpoiltBy::Part(formula))),
+                    None => spoilt(label).then_some((*label, asked, SpoiltBy::Change)),
                 }
             });
-            let spoils: Vec<(Label, SpoiltBy)> = spoils.collect();
+            let spoils: Vec<(Label, usize, SpoiltBy)> = spoils.collect();
             let asked = Scope::only(spoils.iter().flat_map(|s| needed(s)).map(|label| label.quantity));
             let quick = |(scene, right)| Quick::new(scene, right, &changed, asked);
             Method { index, mistake, solves: scene.zip(right).filter(|_| changes).map(quick), spoils }
@@ -165,7 +167,7 @@ impl<'p> Methods<'p> {
 }
 
 /// The quantities of a solution from which the value of a spoilt one is made. A scene that asks by formulas says them all.
-fn needed<'e>((label, by): &'e (Label, SpoiltBy)) -> impl Iterator<Item = Label> + 'e {
+fn needed<'e>((label, _, by): &'e (Label, usize, SpoiltBy)) -> impl Iterator<Item = Label> + 'e {
     let (own, expression) = match by {
         SpoiltBy::Expression(expression) => (None, Some(expression)),
         SpoiltBy::Change | SpoiltBy::Part(_) => (Some(*label), None),
@@ -196,7 +198,7 @@ impl Method<'_> {
                 None => right(label),
             },
         };
-        for (label, by) in &self.spoils {
+        for (label, asked, by) in &self.spoils {
             let (label, truth) = (*label, right(*label));
             let value = match by {
                 SpoiltBy::Change => other(label),
@@ -206,7 +208,7 @@ impl Method<'_> {
             let same = (value - truth).abs() <= SAME * value.abs().max(truth.abs());
             let all = !matches!(by, SpoiltBy::Expression(_)) && self.mistake.of.is_empty();
             if value.is_finite() && truth.is_finite() && !(same && all) {
-                tell(Wrong { mistake: self.index, label, value });
+                tell(Wrong { mistake: self.index, label, asked: *asked, value });
             }
         }
     }
