@@ -70,6 +70,8 @@ pub struct Methods<'p> {
 struct Method<'p> {
     /// Its index in the problem.
     index: usize,
+    /// How many values those before it in the problem can have.
+    before: usize,
     mistake: &'p Mistake,
     /// The scene that it solves, if it changes scene or data.
     solves: Option<Quick<'p>>,
@@ -94,6 +96,7 @@ impl<'p> Methods<'p> {
         let right = problem.cases.get(case).map(|c| &c.scene);
         let taken = |m: &Mistake| m.cases.is_empty() || m.cases.contains(&case);
         let mistakes = problem.mistakes.iter().enumerate().filter(|(_, m)| taken(m));
+        let mut before = 0;
         let method = |(index, mistake): (usize, &'p Mistake)| {
             let changes = !mistake.data.is_empty() || !mistake.scenes.is_empty();
             let changed: Vec<usize> = mistake.data.iter().map(|(i, _)| *i).collect();
@@ -126,7 +129,9 @@ impl<'p> Methods<'p> {
             let spoils: Vec<(Label, usize, SpoiltBy)> = spoils.collect();
             let asked = Scope::only(spoils.iter().flat_map(|s| needed(s)).map(|label| label.quantity));
             let quick = |(scene, right)| Quick::new(scene, right, &changed, asked);
-            Method { index, mistake, solves: scene.zip(right).filter(|_| changes).map(quick), spoils }
+            let solves = scene.zip(right).filter(|_| changes).map(quick);
+            before += spoils.len();
+            Method { index, before: before - spoils.len(), mistake, solves, spoils }
         };
         let mut methods: Vec<Method> = mistakes.map(method).filter(|m| !m.spoils.is_empty()).collect();
         methods.sort_by_key(|m| (m.mistake.unguarded.is_some(), m.solves.is_some()));
@@ -150,19 +155,21 @@ impl<'p> Methods<'p> {
         solved: &Solved,
         go_on: &mut dyn FnMut(&Wrong) -> bool,
     ) -> Vec<Wrong> {
-        let mut found = Vec::with_capacity(self.methods.iter().map(|m| m.spoils.len()).sum());
+        let most = self.methods.iter().map(|m| m.before + m.spoils.len()).max();
+        let mut found = vec![None; most.unwrap_or(0)];
         for method in &self.methods {
-            let mut more = true;
+            let (mut more, mut places) = (true, found[method.before..].iter_mut());
             method.values(self.problem, data, solved, &mut |wrong| {
                 more &= go_on(&wrong);
-                found.push(wrong);
+                if let Some(place) = places.next() {
+                    *place = Some(wrong);
+                }
             });
             if !more {
                 break;
             }
         }
-        found.sort_by_key(|w| w.mistake);
-        found
+        found.into_iter().flatten().collect()
     }
 }
 
