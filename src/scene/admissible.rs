@@ -134,6 +134,9 @@ pub fn rules(scene: &Scene, mut tell: impl FnMut(Num, Rule)) {
     for c in &scene.couples {
         tell(c.moment_n_m, NotNegative);
     }
+    for g in &scene.growths {
+        tell(g.per_second, NotNegative);
+    }
     for s in &scene.start {
         match s {
             Start::Speed(_, v) => tell(*v, Finite),

@@ -35,6 +35,7 @@ fn pulled(slip: bool) -> (Scene, Vec<f64>) {
             }),
         ],
         couples: vec![],
+        growths: vec![],
         start: vec![],
         end: End::Travel(along, d(7)),
         heading: Some(Heading::Forward),

@@ -289,12 +289,13 @@ fn composed(dice: &mut Dice) -> Scene {
         let from = end(b, &bodies, dice);
         ties.push(Tie::Cord(Cord { name: "held".to_owned(), from, to: Far::Fixed }));
     }
-    let (couples, start) = (Vec::new(), Vec::new());
+    let (couples, growths, start) = (Vec::new(), Vec::new(), Vec::new());
     Scene {
         gravity_m_s2: f(9.81),
         bodies,
         ties,
         couples,
+        growths,
         start,
         end: End::AtOnce,
         heading: None,
@@ -668,6 +669,7 @@ fn particles_in_one_place_have_no_moment_of_inertia() {
         bodies: vec![body("plate", None, 1.0, Some(1.0))],
         ties: Vec::new(),
         couples: Vec::new(),
+        growths: Vec::new(),
         start: vec![Start::Lamina {
             body: 0,
             particle: 0,

@@ -209,6 +209,7 @@ fn scene(kind: Kind) -> Scene {
         bodies: vec![body],
         ties,
         couples: vec![],
+        growths: vec![],
         start: vec![],
         end: End::Travel(along, end),
         heading,

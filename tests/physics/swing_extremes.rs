@@ -146,6 +146,7 @@ fn scene(kind: Kind, from: Zero) -> Scene {
         bodies: vec![body],
         ties: vec![],
         couples: vec![],
+        growths: vec![],
         start: if kind == Kind::Thrown { vec![Start::Speed(turn, d(6))] } else { vec![] },
         end: End::Angle(turn, d(5)),
         heading: None,

@@ -29,6 +29,7 @@ fn swinging(from: Zero, start: f64, end: End) -> Scene {
         bodies: vec![body],
         ties: vec![],
         couples: vec![],
+        growths: vec![],
         start: vec![],
         end,
         heading: None,
