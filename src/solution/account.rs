@@ -579,11 +579,16 @@ impl<'d, 'a> Account<'d, 'a> {
         })
     }
 
-    /// What the swing on a spring hangs on: angular frequency, stretch at rest, and the greatest distance from it.
-    fn swing(&mut self, spring: &CordSpring) -> Result<[Expr; 3], DerivationStop> {
+    /// Angular frequency of the swing on a spring.
+    fn frequency(&mut self, spring: &CordSpring) -> SymbolId {
         let per = Factors::of(&spring.stiffness).times(&spring.gamma.squared());
         let frequency = root(per.per(&Factors::of(&self.effective)).expr());
-        let frequency = self.swung(&[r"\omega_{\mathrm{s}}", r"\Omega_{\mathrm{s}}"], "rad/s", frequency);
+        self.swung(&[r"\omega_{\mathrm{s}}", r"\Omega_{\mathrm{s}}"], "rad/s", frequency)
+    }
+
+    /// What the swing on a spring hangs on: angular frequency, stretch at rest, and the greatest distance from it.
+    fn swing(&mut self, spring: &CordSpring) -> Result<[Expr; 3], DerivationStop> {
+        let frequency = self.frequency(spring);
         let rest = if self.shares(&[ForceKind::Kinetic]).is_empty() {
             self.get(of_scene(Quantity::XEq))?
         } else {
@@ -961,6 +966,16 @@ impl<'d, 'a> Account<'d, 'a> {
                 let given = self.shares(&[ForceKind::Given]).into_iter().map(|(_, e)| e).collect();
                 let from = if self.m.tied { self.rest_under(&spring, &positive_first(given)) } else { ZERO };
                 Ok(self.new_found(label, &[r"x_{\mathrm{eq}}"], "m", from))
+            }
+            Quantity::OmegaSmall | Quantity::PeriodSmall => {
+                let Some(spring) = self.spring.clone() else { return beyond(Beyond::Unfound) };
+                let frequency = self.frequency(&spring);
+                if label.quantity == Quantity::OmegaSmall {
+                    self.known.push((label, frequency));
+                    return Ok(frequency);
+                }
+                let turn = number(2) * self.draft.pi();
+                Ok(self.new_found(label, &[r"\tau", r"\tau_1"], "s", turn / frequency))
             }
             Quantity::VMax | Quantity::DAtVMax => self.fastest(label),
             Quantity::DTurn => self.turning(label),
