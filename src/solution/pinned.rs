@@ -631,7 +631,7 @@ impl PinnedBody {
         let half = 0.5 * (last - first).abs();
         let pace = |theta: f64| {
             let (sine, cosine): (f64, f64) = trig::sin_cos(theta);
-            let square = self.square_at(&page.draft, first + 0.5 * (last - first) * (1.0 - cosine));
+            let square = self.square_at(page.draft, first + 0.5 * (last - first) * (1.0 - cosine));
             half.to_radians() * sine / square.max(f64::MIN_POSITIVE).sqrt()
         };
         let pieces = 40;
