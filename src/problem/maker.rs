@@ -38,6 +38,8 @@ pub struct Unsatisfiable {
     pub tries: u32,
     /// Rules and how often each refused, most first.
     pub table: Vec<(String, u32)>,
+    /// What to do about it.
+    pub hint: String,
     /// The two roads disagreed, which stops everything: the quantity and both values, in words.
     pub disagreement: Option<String>,
     /// The last draw of admissible data that could not be solved, if there was one.
@@ -88,6 +90,8 @@ pub struct Maker<'p> {
     watching: bool,
     /// What is the same for all draws of a case, of each that was drawn.
     plans: Vec<OnceLock<DrawPlan<'p>>>,
+    /// With constant data and a contact that rolls or slips: the case that happens, for each case.
+    happening: Vec<OnceLock<usize>>,
     /// What all keys have in common.
     frame: OnceLock<KeyFrame<'p>>,
 }
@@ -115,6 +119,7 @@ impl<'p> Maker<'p> {
             max_tries: MAX_TRIES,
             watching: false,
             plans: problem.cases.iter().map(|_| OnceLock::new()).collect(),
+            happening: problem.cases.iter().map(|_| OnceLock::new()).collect(),
             frame: OnceLock::new(),
         }
     }
@@ -146,7 +151,7 @@ impl<'p> Maker<'p> {
         let case = &self.problem.cases[index];
         let mut refusals = Refusals::default();
         // Constants are the same in every draw.
-        let constant = case.draws.iter().flatten().all(|d| d.count() == 1);
+        let constant = case.is_constant();
         let most = if constant { 1 } else { self.max_tries };
         for tries in 1..=most {
             self.draw(&mut words, tries, case, &mut values, &mut data);
@@ -180,9 +185,32 @@ impl<'p> Maker<'p> {
     /// A student's words, the case by share, and room for the data.
     fn begin(&self, student: &str) -> (DrawWords, usize, Vec<Option<Decimal>>, Vec<f64>) {
         let mut words = self.source.student(student);
-        let index = sample::case(&mut words, &self.problem.cases);
+        let index = self.happening(sample::case(&mut words, &self.problem.cases));
         let n = self.problem.data.len();
         (words, index, vec![None; n], vec![0.0; n])
+    }
+
+    /// Whether a contact rolls or slips is no matter of chance where all data are constants: of its two cases the one that
+    /// happens is drawn, whichever was.
+    fn happening(&self, index: usize) -> usize {
+        let cases = &self.problem.cases;
+        let alike = |c: &Case| !c.touches.is_empty() && c.is_constant() && c.written == cases[index].written;
+        if !alike(&cases[index]) {
+            return index;
+        }
+        *self.happening[index].get_or_init(|| {
+            let happens = |case: &Case| {
+                let values = case
+                    .draws
+                    .iter()
+                    .zip(&self.problem.data)
+                    .map(|(draw, datum)| draw.as_ref().map_or(0.0, |draw| datum.number(draw.range().0)));
+                let data: Vec<f64> = values.collect();
+                agree::solve(&case.scene, &data).is_ok_and(|s| s.checks.iter().all(|c| c.ok))
+            };
+            let mut like = cases.iter().enumerate().filter(|(_, c)| alike(c));
+            like.find(|(_, c)| happens(c)).map_or(index, |(i, _)| i)
+        })
     }
 
     fn draw(
@@ -258,6 +286,7 @@ impl<'p> Maker<'p> {
             case: self.problem.cases[case].name.clone(),
             tries,
             table: refusals.table(self.problem, case),
+            hint: refusals.hint(self.problem, constant.is_some()),
             disagreement,
             unsolved: refusals.unsolved.clone(),
             index: case,

@@ -114,8 +114,8 @@ quantities! {
     SpringForce "spring_force" "N" Signed "force of the spring, positive if it pulls";
     OmegaMax "omega_max" "rad/s" Magnitude "greatest angular speed of the motion";
     Period "period" "s" Magnitude "time of a full swing to and fro, or of a full turn where it goes over the top";
-    PeriodSmall "period_small" "s" Magnitude "period of small swings";
-    OmegaSmall "omega_small" "rad/s" Magnitude "angular frequency of small swings";
+    PeriodSmall "period_small" "s" Magnitude "period of small oscillations";
+    OmegaSmall "omega_small" "rad/s" Magnitude "angular frequency of small oscillations";
     Direction "direction" "" Word "up or down (forward or back on a level)";
     Rolls "rolls" "" Word "yes if it could roll without slipping, else no";
 }
@@ -236,6 +236,11 @@ impl Scene {
     /// The pinned body of the scene, if it has one.
     pub fn pinned(&self) -> Option<(usize, &Pin)> {
         self.bodies.iter().enumerate().find_map(|(i, b)| Some((i, b.pin.as_ref()?)))
+    }
+    /// Does it oscillate about its equilibrium, on lines, by a spring and without friction of sliding?
+    pub fn oscillates(&self) -> bool {
+        let rubs = |t: &Tie| matches!(t, Tie::Slip { .. } | Tie::Slide { .. });
+        self.spring().is_some() && !self.ties.iter().any(rubs)
     }
     /// Is there nothing on the pinned body but its weight, so that it swings to and fro in a period?
     pub fn is_pendulum(&self) -> bool {
