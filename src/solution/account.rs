@@ -586,15 +586,19 @@ impl<'d, 'a> Account<'d, 'a> {
         self.swung(&[r"\omega_{\mathrm{s}}", r"\Omega_{\mathrm{s}}"], "rad/s", frequency)
     }
 
+    /// The stretch about which it swings: that of equilibrium, or what friction makes of it on the way.
+    fn middle(&mut self, spring: &CordSpring) -> Result<SymbolId, DerivationStop> {
+        if self.shares(&[ForceKind::Kinetic]).is_empty() {
+            return self.get(of_scene(Quantity::XEq));
+        }
+        let middle = self.rest_under(spring, &self.drive);
+        Ok(self.swung(&[r"x_{\mathrm{m}}"], "m", middle))
+    }
+
     /// What the swing on a spring hangs on: angular frequency, stretch at rest, and the greatest distance from it.
     fn swing(&mut self, spring: &CordSpring) -> Result<[Expr; 3], DerivationStop> {
         let frequency = self.frequency(spring);
-        let rest = if self.shares(&[ForceKind::Kinetic]).is_empty() {
-            self.get(of_scene(Quantity::XEq))?
-        } else {
-            let middle = self.rest_under(spring, &self.drive);
-            self.swung(&[r"x_{\mathrm{m}}"], "m", middle)
-        };
+        let rest = self.middle(spring)?;
         let off = &spring.stretch - rest;
         let amplitude = if self.v0 == ZERO {
             in_sense(off.clone(), self.value(&off))
@@ -1455,7 +1459,7 @@ impl<'d, 'a> Account<'d, 'a> {
             self.new_found(at, &["D_{v}"], "m", ZERO);
             return self.get(label);
         };
-        let [frequency, x_eq, amplitude] = self.swing(&spring)?;
+        let x_eq: Expr = self.middle(&spring)?.into();
         let gap = &spring.stretch - &x_eq;
         let per = self.magnitude(&spring.gamma);
         let ahead = self.value(&gap) * -self.stretching(&spring);
@@ -1474,6 +1478,7 @@ impl<'d, 'a> Account<'d, 'a> {
         let from = if self.v0 == ZERO {
             gap * root(&spring.stiffness / &self.effective)
         } else {
+            let [frequency, _, amplitude] = self.swing(&spring)?;
             Factors::of(&(amplitude * frequency)).per(&per).expr()
         };
         self.new_found(top, &[r"v_{\mathrm{max}}"], "m/s", from);
