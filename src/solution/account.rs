@@ -824,9 +824,15 @@ impl<'d, 'a> Account<'d, 'a> {
         let mut rest = vec![gain];
         let others = self.row(c).into_iter().filter(|(a, _)| a.source != action.source);
         rest.extend(others.map(|(_, share)| -share));
-        let over = positive_first(vec![in_sense(sum(rest), self.value(&lever.expr()))]);
+        let sense = self.value(&lever.expr());
         let lever = self.magnitude(&lever);
-        if lever.is_zero() { beyond(Beyond::Unfound) } else { Ok(Factors::of(&over).per(&lever).expr()) }
+        if lever.is_zero() {
+            return beyond(Beyond::Unfound);
+        }
+        // Term by term: no fraction in a fraction.
+        let over = rest.into_iter().filter(|term| *term != ZERO);
+        let terms = over.map(|term| Factors::of(&in_sense(term, sense)).per(&lever).expr());
+        Ok(positive_first(terms.collect()))
     }
 
     /// `m a` or `I a/r` of a coordinate: what its forces amount to, with the acceleration of its body's line or of the lead.
