@@ -148,7 +148,10 @@ impl<'d, 'a> Account<'d, 'a> {
             known: Vec::new(),
             solving: Vec::new(),
         };
-        this.name_ratios();
+        // What is only supposed to roll has no names of its own.
+        if rolled.is_none() {
+            this.name_ratios();
+        }
         if let Some((tie, ks, x0, rigid)) = this.scene.spring() {
             let stiffness = this.number(ks, "k_s", "N/m");
             let stretch = this.number(x0, "x_0", "m");
@@ -184,7 +187,7 @@ impl<'d, 'a> Account<'d, 'a> {
         for (i, action) in actions.iter().enumerate() {
             let ForceSource::Tie(tie) = action.source else { continue };
             let is = self.magnitude(&self.m.point(action)).expr();
-            if is.uses().len() < 2 {
+            if is.uses().len() < 2 || self.value(&is) == 0.0 {
                 continue;
             }
             let tag = if several { (i + 1).to_string() } else { String::new() };
