@@ -7,7 +7,7 @@ use crate::solution::expr::{
     Expr, SymbolId, ZERO, arc_cosine, cosine, in_sense, magnitude, number, positive_first, ratio, root,
     square, sum,
 };
-use crate::solution::factors::Factors;
+use crate::solution::factors::{Cancel, Factors};
 use crate::solution::page::Page;
 use crate::solution::stop::{Beyond, DerivationStop};
 use crate::solution::terms::{Action, ForceKind, ForceSource, Terms, mark_of, tagged};
@@ -266,7 +266,7 @@ impl<'d, 'a> Account<'d, 'a> {
             let given = self.number(num, tex, unit);
             let ratio = self.m.ratio(c).clone();
             if given != ZERO && !ratio.is_zero() {
-                return Factors::of(&given).per(&ratio).expr();
+                return given.over(&ratio);
             }
         }
         ZERO
@@ -504,7 +504,7 @@ impl<'d, 'a> Account<'d, 'a> {
         if self.spring.is_some() && self.scene.end != End::AtOnce {
             return self.arrive_on_spring(a, v);
         }
-        let per = Factors::of(&self.drive).per(&Factors::of(&self.effective)).expr();
+        let per = self.drive.over(&self.effective);
         let accelerated = |this: &mut Self| {
             if this.m.one {
                 this.found(a_label, a, per.clone());
@@ -520,8 +520,7 @@ impl<'d, 'a> Account<'d, 'a> {
                 let push = if self.m.one { self.drive.clone() } else { a.into() };
                 let push = positive_first(vec![in_sense(push, self.value(&self.s))]);
                 let twice = Factors::of(&(number(2) * self.distance() * push));
-                let gained =
-                    if self.m.one { twice.per(&Factors::of(&self.effective)).expr() } else { twice.expr() };
+                let gained = if self.m.one { twice.over(&self.effective) } else { twice.expr() };
                 let before = if self.v0 == ZERO { ZERO } else { square(self.v0.clone()) };
                 self.found(v_label, v, root(before + gained));
                 self.v = v.into();
@@ -569,7 +568,7 @@ impl<'d, 'a> Account<'d, 'a> {
     /// The stretch at which a spring balances a force on the lead.
     fn rest_under(&self, spring: &CordSpring, force: &Expr) -> Expr {
         let per = Factors::of(&spring.stiffness).times(&spring.gamma);
-        Factors::of(&-force).per(&per).expr()
+        -force.over(&per)
     }
 
     /// A quantity of the swing on a spring, each once.
@@ -585,7 +584,7 @@ impl<'d, 'a> Account<'d, 'a> {
     /// Angular frequency of the swing on a spring.
     fn frequency(&mut self, spring: &CordSpring) -> SymbolId {
         let per = Factors::of(&spring.stiffness).times(&spring.gamma.squared());
-        let frequency = root(per.per(&Factors::of(&self.effective)).expr());
+        let frequency = root(per.over(&self.effective));
         self.swung(&[r"\omega_{\mathrm{s}}", r"\Omega_{\mathrm{s}}"], "rad/s", frequency)
     }
 
@@ -623,7 +622,7 @@ impl<'d, 'a> Account<'d, 'a> {
             (self.of_lead(Quantity::A, Quantity::Alpha), self.of_lead(Quantity::V, Quantity::Omega));
         let grows = self.stretching(&spring);
         // The stretch at the end, and the displacement up to there.
-        let way = |x: &Expr| Factors::of(&(&spring.stretch - x)).per(&spring.gamma).expr();
+        let way = |x: &Expr| (&spring.stretch - x).over(&spring.gamma);
         let mut last = None;
         match self.scene.end {
             End::Travel(_, d) => self.s = in_sense(self.length(d), self.sense),
@@ -653,7 +652,7 @@ impl<'d, 'a> Account<'d, 'a> {
                 match slack.filter(|(time, _)| self.value(time) < self.value(&t)) {
                     Some((time, speed)) => {
                         let left = self.swung(&[r"\Delta t"], "s", &t - time);
-                        let first = Factors::of(&spring.stretch).per(&spring.gamma).expr();
+                        let first = spring.stretch.over(&spring.gamma);
                         let coast = &self.drive / &self.effective;
                         let more = in_sense(speed, self.sense) * left + ratio(1, 2) * coast * square(left);
                         self.new_way(first + more);
@@ -701,7 +700,7 @@ impl<'d, 'a> Account<'d, 'a> {
         }
         self.last = last.clone();
         self.found(of_tie(Quantity::Tension, spring.tie), spring.tension, &spring.stiffness * last);
-        let pull = Factors::of(&spring.tension.into()).times(&spring.gamma).expr();
+        let pull = spring.tension.by(&spring.gamma);
         let now = positive_first(vec![pull, self.drive.clone()]);
         self.found(a_label, a, now / &self.effective);
         Ok(())
@@ -725,7 +724,7 @@ impl<'d, 'a> Account<'d, 'a> {
         }
         let (begin, end) = (self.phase(spring, &spring.stretch.clone())?, self.phase(spring, &ZERO)?);
         let time = self.swung(&[r"t_{\mathrm{s}}"], "s", (end - begin) / &frequency);
-        let way = Factors::of(&spring.stretch).per(&spring.gamma).expr();
+        let way = spring.stretch.over(&spring.gamma);
         let work = &spring.stiffness * square(&spring.stretch) + number(2) * &self.drive * way;
         let before = if self.v0 == ZERO { ZERO } else { square(&self.v0) };
         let speed = self.swung(&[r"v_{\mathrm{s}}"], "m/s", root(before + work / &self.effective));
@@ -740,12 +739,12 @@ impl<'d, 'a> Account<'d, 'a> {
             && !spring.rigid
             && let Some((time, speed)) = self.slackened(&spring)?
         {
-            let way = Factors::of(&spring.stretch).per(&spring.gamma).expr();
+            let way = spring.stretch.over(&spring.gamma);
             let left = if self.drive == ZERO {
                 (&self.s - way) / in_sense(speed, self.sense)
             } else {
                 let gain = in_sense(self.v.clone() - speed, self.sense);
-                Factors::of(&gain).times(&Factors::of(&self.effective)).per(&Factors::of(&self.drive)).expr()
+                gain.by(&self.effective).over(&self.drive)
             };
             time + left
         } else {
@@ -785,7 +784,7 @@ impl<'d, 'a> Account<'d, 'a> {
     /// Stretch of the spring after this displacement of the lead; 0 where its cord is slack.
     pub fn stretch_at(&self, s: &Expr) -> Expr {
         let Some(spring) = &self.spring else { return ZERO };
-        let stretch = &spring.stretch - spring.gamma.times(&Factors::of(s)).expr();
+        let stretch = &spring.stretch - spring.gamma.by(s);
         let slack = SLACK * self.value(&spring.stretch).abs();
         if !spring.rigid && self.value(&stretch) < slack { ZERO } else { stretch }
     }
@@ -834,7 +833,7 @@ impl<'d, 'a> Account<'d, 'a> {
         }
         // Term by term: no fraction in a fraction.
         let over = rest.into_iter().filter(|term| *term != ZERO);
-        let terms = over.map(|term| Factors::of(&in_sense(term, sense)).per(&lever).expr());
+        let terms = over.map(|term| in_sense(term, sense).over(&lever));
         Ok(positive_first(terms.collect()))
     }
 
@@ -847,7 +846,7 @@ impl<'d, 'a> Account<'d, 'a> {
             _ => return ZERO,
         };
         let by = Factors::of(&by.into()).times(&ratio);
-        sum(self.m.inertia(c).iter().map(|i| i.times(&by).expr()))
+        sum(self.m.inertia(c).iter().map(|i| i.by(&by)))
     }
 
     /// A quantity: looked up, or derived.
@@ -905,7 +904,7 @@ impl<'d, 'a> Account<'d, 'a> {
                 let tag = self.tag(body, |p| p.alpha.is_some());
                 let omega = self.get(of_body(Quantity::Omega, body))?;
                 let inertia = self.m.inertia(c);
-                let from = sum(inertia.iter().map(|i| i.times(&Factors::of(&omega.into())).expr()));
+                let from = sum(inertia.iter().map(|i| i.by(omega)));
                 let names = [&*tagged("L", &tag), &tagged(r"\Lambda", &tag)];
                 Ok(self.new_found(label, &names, "kg m^2/s", from))
             }
@@ -913,14 +912,14 @@ impl<'d, 'a> Account<'d, 'a> {
                 let tag = self.tag(body, |p| p.a.is_some());
                 let v = self.get(of_body(Quantity::V, body))?;
                 let v = in_sense(v.into(), self.velocity_sense(along(body)));
-                let before = Factors::of(&self.v0).times(&self.m.parts[body].along).expr();
+                let before = self.v0.by(&self.m.parts[body].along);
                 let gain = Factors::of(&positive_first(vec![v - before]));
-                let from = self.m.parts[body].mass.times(&gain).expr();
+                let from = self.m.parts[body].mass.by(&gain);
                 Ok(self.new_found(label, &[&tagged("J", &tag), &tagged("S", &tag)], "N s", from))
             }
             Quantity::Work => {
                 let from = match self.m.one && !self.m.parts.iter().any(|p| p.slips) {
-                    true => Factors::of(&self.drive).times(&Factors::of(&self.s)).expr(),
+                    true => self.drive.by(&self.s),
                     false => self.get(of_scene(Quantity::KineticEnergy))?.into(),
                 };
                 Ok(self.new_found(label, &["W", "A_{W}"], "J", from))
@@ -937,7 +936,7 @@ impl<'d, 'a> Account<'d, 'a> {
                         in_sense(omega.into(), self.velocity_sense(c))
                     }
                 };
-                let from = Factors::of(&moment).times(&Factors::of(&rate)).expr();
+                let from = moment.by(&rate);
                 let (name, unit) = if work { ("W_{M}", "J") } else { (r"\dot{W}_{M}", "W") };
                 Ok(self.new_found(label, &[name, &format!("{name}^{{*}}")], unit, from))
             }
@@ -952,7 +951,7 @@ impl<'d, 'a> Account<'d, 'a> {
                 let tag = self.tag(body, |p| p.a.is_some());
                 let climb = self.m.actions.iter().find(|a| a.source == ForceSource::Weight(body));
                 let climb = climb.map_or_else(Factors::zero, |a| a.along.opposite());
-                let from = Factors::of(&self.signed_travel(along(body))?).times(&climb).expr();
+                let from = self.signed_travel(along(body))?.by(&climb);
                 Ok(self.new_found(label, &[&tagged("h", &tag), &tagged("y", &tag)], "m", from))
             }
             Quantity::Friction | Quantity::Tension => self.reaction(label, body).or_else(|_| {
@@ -1010,11 +1009,11 @@ impl<'d, 'a> Account<'d, 'a> {
         }
         if self.own(c) {
             let over = positive_first(self.row(c).into_iter().map(|(_, e)| e).collect());
-            let from = Factors::of(&over).per(&Factors::of(&self.m.inertia_expr(c))).expr();
+            let from = over.over(self.m.inertia_expr(c));
             return Ok(self.found(label, symbol, from));
         }
         let by = self.get(self.of_lead(Quantity::A, Quantity::Alpha))?;
-        let from = Factors::of(&by.into()).times(self.m.ratio(c)).expr();
+        let from = by.by(self.m.ratio(c));
         Ok(self.found(label, symbol, from))
     }
 
@@ -1027,7 +1026,7 @@ impl<'d, 'a> Account<'d, 'a> {
 
     /// By the lead's, a magnitude.
     fn over_lead(&self, of: &Expr, c: Coordinate) -> Expr {
-        Factors::of(of).times(&self.magnitude(self.m.ratio(c))).expr()
+        of.by(&self.magnitude(self.m.ratio(c)))
     }
 
     /// Speed (1) or distance (2) of a coordinate with an acceleration of its own, from rest: by the time, or, since all accelerations
@@ -1058,7 +1057,7 @@ impl<'d, 'a> Account<'d, 'a> {
     /// The same with its sign.
     fn signed_travel(&mut self, c: Coordinate) -> Result<Expr, DerivationStop> {
         if !self.own(c) {
-            return Ok(Factors::of(&self.s).times(self.m.ratio(c)).expr());
+            return Ok(self.s.by(self.m.ratio(c)));
         }
         let travel = self.travel(c)?;
         Ok(in_sense(travel, self.velocity_sense(c)))
@@ -1192,16 +1191,16 @@ impl<'d, 'a> Account<'d, 'a> {
     /// There is no spring.
     pub fn turning_or_slack(&mut self) -> Result<(Expr, bool), DerivationStop> {
         let Some(spring) = self.spring.clone() else { return beyond(Beyond::Unfound) };
-        let kappa = Factors::of(&spring.stiffness).times(&spring.gamma.squared()).expr();
-        let pull = Factors::of(&spring.stiffness).times(&spring.gamma).times(&Factors::of(&spring.stretch));
+        let kappa = spring.stiffness.by(&spring.gamma.squared());
+        let pull = Factors::of(&spring.stiffness).times(&spring.gamma).times(&spring.stretch);
         let turn = if self.v0 == ZERO {
             number(2) * positive_first(vec![pull.expr(), self.drive.clone()]) / kappa
         } else {
             let [_, rest, amplitude] = self.swing(&spring)?;
             let last = rest + in_sense(amplitude, self.stretching(&spring));
-            Factors::of(&(&spring.stretch - last)).per(&spring.gamma).expr()
+            (&spring.stretch - last).over(&spring.gamma)
         };
-        let slack = Factors::of(&spring.stretch).per(&spring.gamma).expr();
+        let slack = spring.stretch.over(&spring.gamma);
         let (t, s) = (self.value(&turn), self.value(&slack));
         let goes_slack = !spring.rigid && s * t > 0.0 && s.abs() < t.abs();
         Ok(if goes_slack { (slack, true) } else { (turn, false) })
@@ -1217,7 +1216,7 @@ impl<'d, 'a> Account<'d, 'a> {
         match self.friction_per_tension(body, spring.tie) {
             Ok(rate) => {
                 let less = &spring.stiffness * &stretch - spring.tension;
-                self.step(symbol, now + Factors::of(&rate).times(&Factors::of(&less)).expr());
+                self.step(symbol, now + rate.by(&less));
             }
             Err(_) => {
                 // From all equations together, with the pull of the spring there.
@@ -1242,7 +1241,7 @@ impl<'d, 'a> Account<'d, 'a> {
         let Some(closed) = self.closed_friction(body) else { return beyond(Beyond::Unfound) };
         let own = closed.terms.iter().find(|(a, _)| a.source == ForceSource::Tie(tie));
         let over = own.map_or_else(Factors::zero, |(_, over)| over.clone());
-        Ok(over.per(&closed.under).expr())
+        Ok(over.over(&closed.under))
     }
 
     /// The friction of a single rolling body as the sum of its forces, each with its factor: `F (c^2 + j) = sum S (c p - j e)`,
@@ -1310,7 +1309,7 @@ impl<'d, 'a> Account<'d, 'a> {
         let mut all = Vec::new();
         for (c, share) in [(along(action.body), &action.along), (turn(action.body), &action.arm)] {
             if !share.is_zero() {
-                all.push(Factors::of(&self.signed_travel(c)?).times(share).expr());
+                all.push(self.signed_travel(c)?.by(share));
             }
         }
         Ok(positive_first(all))
@@ -1329,7 +1328,7 @@ impl<'d, 'a> Account<'d, 'a> {
             let way = in_sense(way.clone(), self.value(&way));
             positive_first(vec![way])
         } else {
-            Factors::of(&self.distance()).times(&self.magnitude(&self.point(&action))).expr()
+            self.distance().by(&self.magnitude(&self.point(&action)))
         };
         Ok(self.new_found(label, &[&tagged(r"\ell", &tag), &tagged("L", &tag)], "m", from))
     }
@@ -1348,7 +1347,7 @@ impl<'d, 'a> Account<'d, 'a> {
             (true, true) => self.pulled_way(&action)?,
             (false, false) => {
                 let point = self.point(&action).signed(sign(self.sense));
-                Factors::of(&self.v).times(&point).expr()
+                self.v.by(&point)
             }
             (false, true) => {
                 let mut all = Vec::new();
@@ -1356,13 +1355,13 @@ impl<'d, 'a> Account<'d, 'a> {
                     if !share.is_zero() {
                         let speed = self.get(speed_of(c))?;
                         let speed = in_sense(speed.into(), self.velocity_sense(c));
-                        all.push(Factors::of(&speed).times(share).expr());
+                        all.push(speed.by(share));
                     }
                 }
                 positive_first(all)
             }
         };
-        let from = Factors::of(&action.force).times(&Factors::of(&rate)).expr();
+        let from = action.force.by(&rate);
         Ok(self.new_found(label, &[&tagged(name, &tag)], if work { "J" } else { "W" }, from))
     }
 
@@ -1375,11 +1374,7 @@ impl<'d, 'a> Account<'d, 'a> {
                 continue;
             }
             let v = self.get(speed_of(c))?;
-            all.extend(
-                inertia
-                    .iter()
-                    .map(|i| i.times(&Factors::of(&square(v))).times(&Factors::of(&ratio(1, 2))).expr()),
-            );
+            all.extend(inertia.iter().map(|i| i.times(square(v)).by(ratio(1, 2))));
         }
         Ok(sum(all))
     }
@@ -1394,14 +1389,14 @@ impl<'d, 'a> Account<'d, 'a> {
                     let omega = self.get(of_body(Quantity::Omega, body))?;
                     turning.push(ratio(1, 2) * i.expr() * square(omega));
                 } else {
-                    turning.push(i.times(&self.m.ratio(c).squared()).expr());
+                    turning.push(i.by(&self.m.ratio(c).squared()));
                 }
             }
         }
         // The speed cancels in the share.
         let whole =
             if slips { self.get(of_scene(Quantity::KineticEnergy))?.into() } else { self.effective.clone() };
-        let from = Factors::of(&sum(turning)).per(&Factors::of(&whole)).expr();
+        let from = sum(turning).over(&whole);
         Ok(self.new_found(label, &[r"\eta", r"\beta"], "1", from))
     }
 
@@ -1483,12 +1478,12 @@ impl<'d, 'a> Account<'d, 'a> {
             return beyond(Beyond::Unfound);
         }
         let gap = positive_first(vec![in_sense(gap.clone(), self.value(&gap))]);
-        self.new_found(at, &["D_{v}"], "m", Factors::of(&gap).per(&per).expr());
+        self.new_found(at, &["D_{v}"], "m", gap.over(&per));
         let from = if self.v0 == ZERO {
             gap * root(&spring.stiffness / &self.effective)
         } else {
             let [frequency, _, amplitude] = self.swing(&spring)?;
-            Factors::of(&(amplitude * frequency)).per(&per).expr()
+            (amplitude * frequency).over(&per)
         };
         self.new_found(top, &[r"v_{\mathrm{max}}"], "m/s", from);
         self.get(label)
@@ -1542,7 +1537,7 @@ impl ClosedFriction {
                 let terms = self.terms.iter().map(|t| over(t).expr()).collect();
                 positive_first(terms) / self.under.expr()
             }
-            _ => positive_first(self.terms.iter().map(|t| over(t).per(&self.under).expr()).collect()),
+            _ => positive_first(self.terms.iter().map(|t| over(t).over(&self.under)).collect()),
         }
     }
 }

@@ -1,5 +1,5 @@
 //! Products and ratios of symbols that cancel what they can: velocity ratios, masses, moments of inertia.
-use crate::solution::expr::{Expr, ZERO, minus, power, product};
+use crate::solution::expr::{Expr, SymbolId, ZERO, minus, power, product};
 use crate::solution::symbols::Symbols;
 
 /// `constant * over / under`; factors that occur above and below are gone.
@@ -101,7 +101,8 @@ impl Factors {
     }
     /// The product.
     #[must_use]
-    pub fn times(&self, other: &Self) -> Self {
+    pub fn times(&self, other: impl Into<Self>) -> Self {
+        let other = other.into();
         let (a, b) = (self.constant, other.constant);
         if self.is_zero() || other.is_zero() {
             return Self::zero();
@@ -116,13 +117,14 @@ impl Factors {
     }
     /// The quotient; `other` is not 0.
     #[must_use]
-    pub fn per(&self, other: &Self) -> Self {
+    pub fn per(&self, other: impl Into<Self>) -> Self {
+        let other = other.into();
         let turned = Self {
             constant: reduced(other.constant.1, if other.is_zero() { 1 } else { other.constant.0 }),
             over: other.under.clone(),
             under: other.over.clone(),
         };
-        self.times(&turned)
+        self.times(turned)
     }
     /// The square.
     #[must_use]
@@ -192,6 +194,50 @@ impl Factors {
             (over, under) => Expr::Number(over, under) * collected(&self.over),
         };
         if self.constant.0 < 0 { -size } else { size }
+    }
+}
+
+impl<E: Into<Expr>> From<E> for Factors {
+    fn from(expr: E) -> Self {
+        Self::of(&expr.into())
+    }
+}
+
+impl From<&Self> for Factors {
+    fn from(factors: &Self) -> Self {
+        factors.clone()
+    }
+}
+
+/// Products and quotients in which equal factors above and below are gone.
+pub trait Cancel {
+    /// Its factors.
+    fn factors(&self) -> Factors;
+    /// The product.
+    fn by(&self, other: impl Into<Factors>) -> Expr {
+        self.factors().times(other).expr()
+    }
+    /// The quotient; `other` is not 0.
+    fn over(&self, other: impl Into<Factors>) -> Expr {
+        self.factors().per(other).expr()
+    }
+}
+
+impl Cancel for Expr {
+    fn factors(&self) -> Factors {
+        Factors::of(self)
+    }
+}
+
+impl Cancel for SymbolId {
+    fn factors(&self) -> Factors {
+        (*self).into()
+    }
+}
+
+impl Cancel for Factors {
+    fn factors(&self) -> Factors {
+        self.clone()
     }
 }
 

@@ -9,7 +9,7 @@ use crate::solution::draft::{DerivedAnswer, Detail, Draft, tex_of};
 use crate::solution::expr::{
     Expr, SymbolId, ZERO, in_sense, magnitude, positive_first, ratio, root, square, sum,
 };
-use crate::solution::factors::Factors;
+use crate::solution::factors::{Cancel, Factors};
 use crate::solution::page::{PACKED, WITHIN, aligned, packed};
 use crate::solution::stop::{Beyond, DerivationStop};
 use crate::solution::symbols::{FIGURES, tex_digits};
@@ -127,7 +127,7 @@ pub fn as_if(
     n.tell_ratios();
     let a = n.acceleration();
     if n.m.one {
-        let right = Factors::of(&n.effective).times(&Factors::of(&a.into())).expr();
+        let right = n.effective.by(a);
         let line = format!("{} = {}", n.tex(&n.all_shares()), n.tex(&right));
         n.say("asked.together", &[]);
         n.formula(line);
@@ -294,7 +294,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
                 let symbol = of(self, c)?;
                 let ratio = self.m.ratio(c);
                 let ratio = if signed { ratio.clone() } else { self.magnitude(ratio) };
-                let right = Factors::of(&by.into()).times(&ratio).expr();
+                let right = by.by(&ratio);
                 Some(format!("${} = {}$", self.symbols.tex(symbol), self.tex(&right)))
             })
             .collect()
@@ -453,7 +453,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
                 continue;
             };
             let c = self.magnitude(&contact.arm);
-            let away = c.times(&Factors::of(&is)).expr();
+            let away = c.by(&is);
             let (c, away) = (self.inline(&c.expr()), self.inline(&away));
             let spring = action.kind == ForceKind::Spring;
             let name = if spring { "energy.ratio_spring" } else { "energy.ratio" };
@@ -494,7 +494,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
             works.push(ratio(1, 2) * &s.stiffness * squares);
         }
         for (_, share) in self.shares(&[ForceKind::Given, ForceKind::Kinetic]) {
-            works.push(in_sense(Factors::of(&share).times(&Factors::of(d)).expr(), sense));
+            works.push(in_sense(share.by(d), sense));
         }
         let left = positive_first(works);
         let right = if self.v0 == ZERO {
@@ -502,7 +502,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
             for c in self.coordinates() {
                 let Some(v) = self.m.speed(c) else { continue };
                 for i in self.m.inertia(c) {
-                    all.push(i.times(&Factors::of(&square(v))).times(&half).expr());
+                    all.push(i.times(square(v)).by(&half));
                 }
             }
             sum(all)
@@ -581,7 +581,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
         let sense = self.way(lead.body, if up { 1.0 } else { -1.0 });
         match self.spring.clone() {
             Some(s) => {
-                let pull = Factors::of(&s.stiffness).times(&s.gamma).times(&Factors::of(&s.stretch)).expr();
+                let pull = s.stiffness.by(&s.gamma).by(&s.stretch);
                 let pull = self.valued(&pull, "N");
                 let drive = self.drive.clone();
                 let against = self.valued(&in_sense(drive.clone(), self.value(&drive)), "N");
@@ -633,7 +633,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
             // One place on the way, not that at the end.
             let names = if self.symbols.named("s").is_some() { ["s_{x}"] } else { ["s"] };
             let s_now = self.new_symbol(&names, "m");
-            let stretch = &s.stretch - s.gamma.times(&Factors::of(&s_now.into())).expr();
+            let stretch = &s.stretch - s.gamma.by(s_now);
             let law = &s.stiffness * stretch;
             let still = self.t.still();
             let law = format!("${} = {}$", self.symbols.tex(s.tension), self.tex(&law));
@@ -664,7 +664,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
             self.say("motion.eliminate", &[("from", &from.join(", ")), ("n", &n)]);
         }
         let sum_of = self.all_shares();
-        let right = Factors::of(&self.effective).times(&Factors::of(&a.into())).expr();
+        let right = self.effective.by(a);
         let line = format!("{} = {}", self.tex(&sum_of), self.tex(&right));
         let value = self.symbols.shown(a);
         let tex = self.symbols.tex(a).to_owned();
@@ -687,7 +687,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
         let each = |(tie, _): (usize, SymbolId)| {
             let terms = self.tied(tie).into_iter().filter_map(|(c, share)| {
                 let a = self.m.acceleration(c)?;
-                Some(share.times(&Factors::of(&a.into())).expr())
+                Some(share.by(a))
             });
             let (left, right): (Vec<Expr>, Vec<Expr>) = terms.partition(|t| !matches!(t, Expr::Minus(_)));
             let right = sum(right.into_iter().map(|t| -t));
@@ -796,7 +796,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
                 {
                     n += 1;
                     let by = Factors::of(&a.into());
-                    let right = sum(inertia.iter().map(|i| i.times(&by).expr()));
+                    let right = sum(inertia.iter().map(|i| i.by(&by)));
                     let left = positive_first(shares);
                     rows.push(format!(r"{} = {} \quad ({n})", self.tex(&left), self.tex(&right)));
                     self.rows.push((c, n));
@@ -888,7 +888,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
         }
         let c = self.contact_of(body).and_then(|t| self.m.action_of(t)).map(|x| self.magnitude(&x.arm));
         if let Some(c) = c {
-            let share = c.times(&Factors::of(&alpha.into())).per(&Factors::of(&a.into())).expr();
+            let share = c.times(alpha).over(a);
             let share = self.valued(&share, "1");
             self.say("motion.share", &[("share", &share)]);
         }
@@ -1403,7 +1403,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
         let masses: Vec<Expr> = lines
             .flat_map(|c| {
                 let by = self.m.ratio(c).squared();
-                self.m.inertia(c).into_iter().map(move |i| i.times(&by).expr())
+                self.m.inertia(c).into_iter().map(move |i| i.by(&by))
             })
             .filter(|e| *e != ZERO)
             .collect();
@@ -1412,7 +1412,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
         }
         let drive = positive_first(vec![in_sense(self.drive.clone(), self.sense)]);
         let light = Expr::Number(2, 1) * self.distance() * drive;
-        let light = Factors::of(&light).per(&Factors::of(&sum(masses))).expr();
+        let light = light.over(sum(masses));
         let fast = self.relation(&root(light.clone()), self.value(&light).sqrt(), "m/s");
         let v = self.shown(v);
         self.say("limits.massless", &[("v", &v), ("fast", &fast)]);
@@ -1431,8 +1431,8 @@ impl<'d, 'a> Narrator<'d, 'a> {
             .filter(|(a, _)| a.source != action.source)
             .map(|(_, e)| -e)
             .collect();
-        let per = Factors::of(&share).per(&Factors::of(&action.force));
-        let needed = Factors::of(&positive_first(others.clone())).per(&per).expr();
+        let per = Factors::of(&share).per(&action.force);
+        let needed = positive_first(others.clone()).over(&per);
         if others.is_empty() || self.value(&needed) <= 0.0 {
             return;
         }

@@ -8,7 +8,7 @@ use crate::solution::expr::{
     Expr, ONE, SymbolId, ZERO, arc_cosine, cosine, in_sense, magnitude, number as whole, positive_first,
     ratio, root, signed, sine, square, sum,
 };
-use crate::solution::factors::Factors;
+use crate::solution::factors::{Cancel, Factors};
 use crate::solution::page::{Page, aligned, packed};
 use crate::solution::stop::{Beyond, DerivationStop};
 use crate::solution::symbols::{FIGURES, tex_digits};
@@ -146,9 +146,7 @@ fn read(page: &mut Page, body: usize, pin: &Pin) -> Result<PinnedBody, Derivatio
         Arm::HalfOf(l) => draft.number(l, "L", "m") / whole(2),
     };
     let own = match &scene.bodies[body].inertia {
-        Some(RotaryInertia::Gyration(k)) => {
-            m.times(&Factors::of(&draft.number(*k, "k", "m")).squared()).expr()
-        }
+        Some(RotaryInertia::Gyration(k)) => m.by(square(draft.number(*k, "k", "m"))),
         _ => sum(terms::inertia(draft, &scene.bodies[body], &m, &g, "").iter().map(Factors::expr)),
     };
     let spring = PinnedSpring::new(draft, pin);
@@ -169,7 +167,7 @@ fn read(page: &mut Page, body: usize, pin: &Pin) -> Result<PinnedBody, Derivatio
     page.say(if own == ZERO { "pinned.inertia_point" } else { "pinned.inertia" }, &[]);
     let steiner = &own + &m.expr() * square(&h);
     let about = page.find(&["I_O", "J_O"], "kg m^2", steiner.clone());
-    let short = Factors::of(&own).plus(&m.times(&Factors::of(&h).squared())).expr();
+    let short = Factors::of(&own).plus(&m.times(square(&h))).expr();
     let mut line = page.chain(about, &steiner).concat();
     if !line.contains('&')
         && !matches!(short, Expr::Sum(_))
@@ -283,10 +281,7 @@ impl PinnedBody {
 
     /// The weight times a function of the angle, positive as it counts from upright.
     fn weight(&self, wave: Expr, arm: &Expr) -> Expr {
-        let size = Factors::of(&self.m)
-            .times(&Factors::of(&self.g))
-            .times(&Factors::of(arm))
-            .times(&Factors::of(&wave));
+        let size = Factors::of(&self.m).times(&self.g).times(arm).times(&wave);
         signed(size.expr(), self.up)
     }
 
@@ -318,10 +313,7 @@ impl PinnedBody {
             let shown = page.shown(*angle);
             self.say(page, phrase, &[("angle", &shown)]);
         }
-        let fall = Factors::of(&self.m)
-            .times(&Factors::of(&self.g))
-            .times(&Factors::of(&self.h))
-            .times(&Factors::of(&self.sinking()));
+        let fall = Factors::of(&self.m).times(&self.g).times(&self.h).times(self.sinking());
         let mut works = vec![fall.expr()];
         if !self.couples.is_empty() {
             let turned = self.turned(page);
@@ -353,10 +345,10 @@ impl PinnedBody {
         let line = format!("{} = {}", page.tex(&left), page.tex(&right));
         page.formula(line);
         let twice = match works.as_slice() {
-            [one] => Factors::of(&(whole(2) * one)).per(&Factors::of(&self.about.into())).expr(),
+            [one] => (whole(2) * one).over(self.about),
             _ => {
                 let two = Factors::of(&whole(2));
-                let doubled = works.iter().map(|w| Factors::of(w).times(&two).expr()).collect();
+                let doubled = works.iter().map(|w| w.by(&two)).collect();
                 positive_first(doubled) / self.about
             }
         };
@@ -423,7 +415,7 @@ impl PinnedBody {
                 None => format!("{own} + {rest}"),
             }
         };
-        let mh = page.tex(&Factors::of(&self.m).times(&Factors::of(&self.h)).expr());
+        let mh = page.tex(&self.m.by(&self.h));
         let rows = [
             format!(r"{} = {}\,{alpha} \quad (1)", page.tex(&moments), page.symbols.tex(self.about)),
             format!(r"{} = {mh}\,{omega}^{{2}} \quad (2)", with(page, &radial, &toward)),
@@ -488,17 +480,13 @@ impl PinnedBody {
         let pull = self.pull(page);
         let [moments, toward, aside] = self.rows_at(&self.phi1, &pull);
         let over = positive_first(vec![moments]);
-        let alpha = page.find(
-            &[r"\alpha", r"\alpha_1"],
-            "rad/s^2",
-            Factors::of(&over).per(&Factors::of(&self.about.into())).expr(),
-        );
+        let alpha = page.find(&[r"\alpha", r"\alpha_1"], "rad/s^2", over.over(self.about));
         self.answer(page, Quantity::Alpha, alpha);
         if asked[1..7].iter().any(|q| page.asks(*q)) {
-            let mh = Factors::of(&self.m).times(&Factors::of(&self.h));
-            let radial = mh.times(&Factors::of(&square(omega))).expr() - toward;
+            let mh = Factors::of(&self.m).times(&self.h);
+            let radial = mh.by(square(omega)) - toward;
             let radial = page.find(&["R", "O_r"], "N", positive_first(vec![radial]));
-            let across = mh.times(&Factors::of(&alpha.into())).expr() - aside;
+            let across = mh.by(alpha) - aside;
             let across = page.find(&["S", "O_t"], "N", positive_first(vec![across]));
             self.answer(page, Quantity::PinRadial, radial);
             self.answer(page, Quantity::PinTangential, across);
@@ -566,11 +554,7 @@ impl PinnedBody {
         page.begin("rest");
         page.skip_new();
         if page.asks(Quantity::V) {
-            let v = page.find(
-                &["v_G", "u_G"],
-                "m/s",
-                Factors::of(&self.h).times(&Factors::of(&omega.into())).expr(),
-            );
+            let v = page.find(&["v_G", "u_G"], "m/s", self.h.by(omega));
             self.answer(page, Quantity::V, v);
         }
         if page.asks(Quantity::KineticEnergy) {
@@ -578,20 +562,16 @@ impl PinnedBody {
             page.answer(of_scene(Quantity::KineticEnergy), DerivedAnswer::Value(t));
         }
         if page.asks(Quantity::RotationalFraction) {
-            let share = page.find(
-                &[r"\zeta", r"\zeta_r"],
-                "1",
-                Factors::of(&self.own).per(&Factors::of(&self.about.into())).expr(),
-            );
+            let share = page.find(&[r"\zeta", r"\zeta_r"], "1", self.own.over(self.about));
             page.answer(of_scene(Quantity::RotationalFraction), DerivedAnswer::Value(share));
         }
         if page.asks(Quantity::AngularMomentum) {
-            let from = Factors::of(&self.about.into()).times(&Factors::of(&omega.into())).expr();
+            let from = self.about.by(omega);
             let l = page.find(&["L_O", r"\Lambda_O"], "kg m^2/s", from);
             self.answer(page, Quantity::AngularMomentum, l);
         }
         if page.asks(Quantity::PowerCouple) {
-            let power = Factors::of(&self.couple()).times(&Factors::of(&omega.into())).expr();
+            let power = self.couple().by(omega);
             let power = page.find(&[r"\dot{W}_{M}"], "W", in_sense(power, self.sense));
             self.answer(page, Quantity::PowerCouple, power);
         }
@@ -617,7 +597,7 @@ impl PinnedBody {
             self.answer(page, Quantity::Phi, size);
         }
         if page.asks(Quantity::Rise) && !self.instant {
-            let from = -(Factors::of(&self.h).times(&Factors::of(&self.sinking())).expr());
+            let from = -(self.h.by(self.sinking()));
             let rise = page.find(&[r"\Delta z"], "m", from);
             self.answer(page, Quantity::Rise, rise);
         }
@@ -649,7 +629,7 @@ impl PinnedBody {
             return;
         }
         page.begin("limits");
-        let share = Factors::of(&self.own).per(&Factors::of(&self.about.into())).expr();
+        let share = self.own.over(self.about);
         let percent = tex_digits(&shown::significant(100.0 * page.value(&share), 2), page.words);
         let faster = page.symbols.value(omega) >= page.value(&self.w0).abs();
         let name = if faster { "pinned.particle_faster" } else { "pinned.particle_slower" };
@@ -809,11 +789,11 @@ impl PinnedBody {
         }
         page.begin_as("swings", "swings");
         page.skip_new();
-        let pulled = Factors::of(&self.m).times(&Factors::of(&self.g)).times(&Factors::of(&self.h));
+        let pulled = Factors::of(&self.m).times(&self.g).times(&self.h);
         if page.asks(Quantity::OmegaMax) {
             self.say(page, "pinned.fastest", &[]);
-            let fall = pulled.times(&Factors::of(&whole(2))).times(&Factors::of(&self.above_lowest()));
-            let inside = square(&self.w0) + fall.per(&Factors::of(&self.about.into())).expr();
+            let fall = pulled.times(whole(2)).times(self.above_lowest());
+            let inside = square(&self.w0) + fall.over(self.about);
             let fastest = page.find(&[r"\omega_{\mathrm{max}}", r"\omega_m"], "rad/s", root(inside));
             self.answer(page, Quantity::OmegaMax, fastest);
             page.tell_new();

@@ -9,7 +9,7 @@ use crate::scene::{
 };
 use crate::solution::asked;
 use crate::solution::draft::Draft;
-use crate::solution::expr::{Expr, ONE, SymbolId, ZERO, cosine, sine, sum};
+use crate::solution::expr::{Expr, ONE, SymbolId, ZERO, cosine, sine, square, sum};
 use crate::solution::factors::Factors;
 use crate::solve::outcome::Entry;
 
@@ -560,7 +560,7 @@ pub fn inertia(draft: &mut Draft, body: &Body, mass: &Factors, g: &Expr, tag: &s
     let all = match &body.inertia {
         None => Vec::new(),
         Some(RotaryInertia::Gyration(k)) => {
-            vec![mass.times(&Factors::of(&draft.number(*k, &tagged("k", tag), "m")).squared())]
+            vec![mass.times(square(draft.number(*k, &tagged("k", tag), "m")))]
         }
         Some(RotaryInertia::Moment(i)) => vec![Factors::of(&draft.number(*i, &tagged("I", tag), "kg m^2"))],
         Some(RotaryInertia::Shape(s, r)) => vec![shape(draft, mass.clone(), *s, *r)],

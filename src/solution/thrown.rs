@@ -8,7 +8,7 @@ use crate::solution::expr::{
     Expr, ONE, SymbolId, ZERO, cosine, in_sense, magnitude, number as whole_number, positive_first, ratio,
     signed, sine, square, sum,
 };
-use crate::solution::factors::Factors;
+use crate::solution::factors::{Cancel, Factors};
 use crate::solution::page::{Page, aligned, packed};
 use crate::solution::stop::{Beyond, DerivationStop};
 use crate::solution::terms;
@@ -169,8 +169,7 @@ impl ThrownBody {
 
     /// Component of the weight against forward, positive where forward is up, over a length or a time.
     fn weight(&self, by: &Expr) -> Expr {
-        let size =
-            self.m.times(&Factors::of(&self.g)).times(&Factors::of(by)).times(&Factors::of(&self.sine));
+        let size = self.m.times(&self.g).times(by).times(&self.sine);
         signed(size.expr(), self.up)
     }
 
@@ -215,7 +214,7 @@ impl ThrownBody {
         let a = unknown(page, &["a", "a_G"], "m/s^2");
         let alpha = unknown(page, &[r"\alpha", r"\alpha_G"], "rad/s^2");
         let forward = signed(force.into(), self.up);
-        let pressing = self.m.times(&Factors::of(&self.g)).times(&Factors::of(&self.cosine)).expr();
+        let pressing = self.m.times(&self.g).by(&self.cosine);
         let (one, two, three) = (
             format!(
                 "{} = {}",
@@ -223,11 +222,7 @@ impl ThrownBody {
                 page.tex(&(self.m.expr() * a))
             ),
             format!("{} = 0", page.tex(&(normal - &pressing))),
-            format!(
-                "{} = {}",
-                page.tex(&(-(&forward * &self.c))),
-                page.tex(&self.own.times(&Factors::of(&alpha.into())).expr())
-            ),
+            format!("{} = {}", page.tex(&(-(&forward * &self.c))), page.tex(&self.own.by(alpha))),
         );
         page.formula(format!(r"{one} \quad (1), \qquad {two} \quad (2), \qquad {three} \quad (3)"));
         self.say(page, "law", &[]);
@@ -236,9 +231,9 @@ impl ThrownBody {
         page.step(force, known);
         self.answer(page, Quantity::Normal, normal);
         let fall = signed(&self.g * &self.sine, self.up);
-        let per_mass = Factors::of(&forward).per(&self.m).expr();
+        let per_mass = forward.over(&self.m);
         page.step(a, positive_first(vec![per_mass - fall]));
-        let turned = Factors::of(&(-(&forward * &self.c))).per(&self.own).expr();
+        let turned = -(&forward * &self.c).over(&self.own);
         page.step(alpha, turned);
         page.tell_new();
         let dotted = page.free(&["u", "w"]);
@@ -298,11 +293,7 @@ impl ThrownBody {
             in_sense(s.slip.into(), s.sense)
         };
         self.say(page, "heat", &[]);
-        let way = page.find(
-            &["l", r"\ell", r"\lambda"],
-            "m",
-            Factors::of(&mean).times(&Factors::of(t)).times(&Factors::of(&ratio(1, 2))).expr(),
-        );
+        let way = page.find(&["l", r"\ell", r"\lambda"], "m", mean.by(t).by(ratio(1, 2)));
         self.answer(page, Quantity::SlipDistance, way);
         let heat = page.find(&["Q", "Q_f"], "J", &self.mu_k * s.normal * way);
         page.answer(of_scene(Quantity::Heat), DerivedAnswer::Value(heat));
@@ -321,13 +312,13 @@ impl ThrownBody {
     /// Acceleration and friction once it rolls.
     fn rolling(&self, page: &mut Page, s: &Slipping) -> (SymbolId, SymbolId) {
         self.say(page, if self.level { "roll_level" } else { "roll" }, &[]);
-        let j = self.own.per(&Factors::of(&self.c).squared());
+        let j = self.own.per(square(&self.c));
         let carried = self.m.plus(&j);
-        let from = Factors::of(&self.weight(&ONE)).opposite().per(&carried).expr();
+        let from = Factors::of(&self.weight(&ONE)).opposite().over(&carried);
         let a = page.free(&["a", "a_G"]);
         let a = page.find(&[&marked(&a, r"\mathrm{r}")], "m/s^2", from);
         let f = page.free(&["F", "F_f"]);
-        let from = signed(j.times(&Factors::of(&a.into())).expr(), !self.up);
+        let from = signed(j.by(a), !self.up);
         let friction = page.find(&[&marked(&f, r"\mathrm{r}")], "N", if self.level { ZERO } else { from });
         self.answer(page, Quantity::ARolling, a);
         self.answer(page, Quantity::FrictionIfRolled, friction);
@@ -373,18 +364,15 @@ impl ThrownBody {
     ) {
         page.begin_as("long", "slip_energy");
         self.say(page, if self.level { "momentum_level" } else { "momentum" }, &[]);
-        let mc = self.m.times(&Factors::of(&self.c));
-        let spun = |w: &Expr, v: &Expr| {
-            sum([self.own.times(&Factors::of(w)).expr(), mc.times(&Factors::of(v)).expr()])
-        };
+        let mc = self.m.times(&self.c);
+        let spun = |w: &Expr, v: &Expr| sum([self.own.by(w), mc.by(v)]);
         let (before, after) = (spun(&self.w0, &self.v0), spun(&end.w.into(), &end.v.into()));
         let before = before - if self.level { ZERO } else { self.weight(&(&self.c * t)) };
         page.formula(format!("{} = {}", page.tex(&before), page.tex(&after)));
         self.say(page, "balance", &[]);
         let half = Factors::of(&ratio(1, 2));
         let kinetic = |w: &Expr, v: &Expr| {
-            let term =
-                |i: &Factors, rate: &Expr| i.times(&half).times(&Factors::of(&square(rate.clone()))).expr();
+            let term = |i: &Factors, rate: &Expr| i.times(&half).times(square(rate.clone())).expr();
             let zero = |e: Expr, rate: &Expr| if *rate == ZERO { ZERO } else { e };
             sum([zero(term(&self.m, v), v), zero(term(&self.own, w), w)])
         };
@@ -402,14 +390,14 @@ impl ThrownBody {
     /// The speed at which rolling begins, and the heat, without the friction.
     fn by_momentum(&self, page: &mut Page, s: &Slipping, end: State, heat: SymbolId) {
         let c = Factors::of(&self.c);
-        let spin = self.own.times(&Factors::of(&self.w0)).per(&c);
-        let moving = self.m.times(&Factors::of(&self.v0));
+        let spin = self.own.times(&self.w0).per(&c);
+        let moving = self.m.times(&self.v0);
         let carried = self.m.plus(&self.own.per(&c.squared()));
         let over = sum([moving.expr(), spin.expr()]);
-        let speed = Factors::of(&over).per(&carried).expr();
-        let lost = self.m.times(&self.own).times(&Factors::of(&square(s.slip)));
-        let whole = self.own.plus(&self.m.times(&c.squared())).times(&Factors::of(&whole_number(2)));
-        let lost = lost.per(&whole).expr();
+        let speed = over.over(&carried);
+        let lost = self.m.times(&self.own).times(square(s.slip));
+        let whole = self.own.plus(&self.m.times(&c.squared())).times(whole_number(2));
+        let lost = lost.over(&whole);
         self.say(page, "by_momentum", &[]);
         let lines = [(end.v, speed), (heat, lost)].map(|(symbol, from)| page.chain(symbol, &from).concat());
         for line in packed(lines) {
@@ -456,7 +444,7 @@ impl ThrownBody {
         }
         if page.asks(Quantity::KineticEnergy) || page.asks(Quantity::RotationalFraction) {
             let half = Factors::of(&ratio(1, 2));
-            let of = |i: &Factors, rate: SymbolId| i.times(&half).times(&Factors::of(&square(rate))).expr();
+            let of = |i: &Factors, rate: SymbolId| i.times(&half).by(square(rate));
             let spin = of(&self.own, end.w);
             let energy = page.find(&["E_{k}", r"E_{\mathrm{kin}}"], "J", of(&self.m, end.v) + &spin);
             page.answer(of_scene(Quantity::KineticEnergy), DerivedAnswer::Value(energy));
@@ -467,13 +455,12 @@ impl ThrownBody {
         }
         if page.asks(Quantity::AngularMomentum) {
             let size = Self::size(page, end.w);
-            let l =
-                page.find(&["L", r"\Lambda"], "kg m^2/s", self.own.times(&Factors::of(&size.into())).expr());
+            let l = page.find(&["L", r"\Lambda"], "kg m^2/s", self.own.by(size));
             self.answer(page, Quantity::AngularMomentum, l);
         }
         if page.asks(Quantity::Impulse) {
             let gain = Factors::of(&(end.v - &self.v0));
-            let j = page.find(&["J", "S"], "N s", self.m.times(&gain).expr());
+            let j = page.find(&["J", "S"], "N s", self.m.by(&gain));
             self.answer(page, Quantity::Impulse, j);
         }
         if page.asks(Quantity::Distance) {
@@ -519,9 +506,9 @@ impl ThrownBody {
         if self.t1.is_some() && !rolls {
             return;
         }
-        let j = self.own.per(&Factors::of(&self.c).squared());
+        let j = self.own.per(square(&self.c));
         let share = j.per(&self.m.plus(&j));
-        let needed = share.times(&self.m).times(&Factors::of(&self.g)).times(&Factors::of(&self.sine)).expr();
+        let needed = share.times(&self.m).times(&self.g).by(&self.sine);
         if self.level {
             self.say(page, "rolls_on_level", &[]);
         } else {
