@@ -1,16 +1,18 @@
 //! What follows from the terms of a scene of lines and axles: the motion, and each further quantity on demand, as an
 //! expression in symbols. Nothing is worded here; [`crate::solution::narrate`] tells it.
 use crate::num::linear::Linear;
-use crate::scene::{Coordinate, Degree, End, Far, Label, Num, Owner, Quantity, Span, Tie};
+use crate::num::{gauss, shown, trig};
+use crate::scene::{Coordinate, Degree, End, Far, Label, Num, Owner, Quantity, Rest, Span, Tie};
 use crate::solution::draft::{DerivedAnswer, Draft};
 use crate::solution::expr::{
-    Expr, SymbolId, ZERO, arc_cosine, cosine, in_sense, magnitude, number, positive_first, ratio, root,
-    square, sum,
+    Expr, ONE, SymbolId, ZERO, arc_cosine, cosine, in_sense, magnitude, number, positive_first, ratio, root,
+    sine, square, sum,
 };
 use crate::solution::factors::{Cancel, Factors};
 use crate::solution::page::Page;
 use crate::solution::stop::{Beyond, DerivationStop};
-use crate::solution::terms::{Action, ForceKind, ForceSource, Terms, mark_of, tagged};
+use crate::solution::symbols::FIGURES;
+use crate::solution::terms::{Action, ForceKind, ForceSource, Pivot, PivotSpring, Terms, mark_of, tagged};
 use std::ops::{Deref, DerefMut};
 
 /// The spring of a scene.
@@ -41,6 +43,10 @@ pub struct Eliminated {
     pub is: Expr,
 }
 
+/// Step in degrees in which an angle is looked for at which something happens, and the farthest way that is looked over.
+pub const LOOK: f64 = 0.25;
+const FAR: f64 = 720.0;
+
 /// Stretch, as a share of the first, below which rounding alone keeps a cord from being slack.
 const SLACK: f64 = 1e-12;
 
@@ -62,8 +68,12 @@ pub struct Account<'d, 'a> {
     pub v: Expr,
     /// What the lead accelerates: effective mass or moment of inertia.
     pub effective: Expr,
-    /// Sum of the forces but the spring's, reckoned to the lead.
+    /// Sum of the forces but the spring's, reckoned to the lead; of a body on a pin, all moments at any angle.
     pub drive: Expr,
+    /// The square of the speed of a body on a pin at any angle.
+    pub square: Expr,
+    /// Works of the forces on a body on a pin.
+    pub works: Vec<Expr>,
     /// The spring.
     pub spring: Option<CordSpring>,
     /// Its stretch at the end.
@@ -142,6 +152,8 @@ impl<'d, 'a> Account<'d, 'a> {
             v: ZERO,
             effective: ZERO,
             drive: ZERO,
+            square: ZERO,
+            works: Vec::new(),
             spring: None,
             last: ZERO,
             rolled,
@@ -169,6 +181,9 @@ impl<'d, 'a> Account<'d, 'a> {
         }
         this.effective = this.effective_mass();
         this.set_out()?;
+        if let Some(pivot) = this.m.pivot.clone() {
+            this.set_out_on(pivot);
+        }
         Ok(this)
     }
 
@@ -501,6 +516,9 @@ impl<'d, 'a> Account<'d, 'a> {
         };
         let (a_label, v_label) =
             (self.of_lead(Quantity::A, Quantity::Alpha), self.of_lead(Quantity::V, Quantity::Omega));
+        if let (Some(pivot), true) = (self.m.pivot.clone(), self.scene.end != End::AtOnce) {
+            return self.arrive_on(&pivot, v);
+        }
         if self.spring.is_some() && self.scene.end != End::AtOnce {
             return self.arrive_on_spring(a, v);
         }
@@ -557,12 +575,251 @@ impl<'d, 'a> Account<'d, 'a> {
                 let size = in_sense(self.v0.clone(), self.value(&self.v0));
                 self.found(v_label, v, size.clone());
                 self.v = if size == ZERO { ZERO } else { v.into() };
-                if self.spring.is_none() {
+                if self.spring.is_none() && self.m.pivot.is_none() {
                     accelerated(self);
                 }
             }
         }
         Ok(())
+    }
+
+    // A body on a pin.
+
+    /// Moment of inertia, natural length, and what moves it at any angle.
+    fn set_out_on(&mut self, mut pivot: Pivot) {
+        let (up, first, angle) = (pivot.up, pivot.first.clone(), Expr::from(pivot.angle));
+        let mass = self.m.parts[self.lead().body].mass.expr();
+        let inertia = &pivot.own + mass * square(&pivot.h);
+        self.found(of_body(Quantity::IO, self.lead().body), pivot.about, inertia);
+        let given = self.scene.pinned().and_then(|(_, pin)| pin.spring).map(|s| s.rest);
+        let mut stretches = [ZERO, ZERO];
+        if let Some(spring) = &mut pivot.spring {
+            if let Some(Rest::Stretch(_)) = given {
+                let length = self.page.find(&["s_0", "d_0"], "m", spring.length(up, &first));
+                spring.rest = self.page.find(&["l_0", "l_n"], "m", length - &spring.rest).into();
+            }
+            stretches = [&first, &angle].map(|a| spring.length(up, a) - &spring.rest);
+        }
+        let turned = self.radians(&angle - &first);
+        let works = self.works_on(&pivot, &angle, turned, &stretches);
+        self.square = square(&self.v0) + number(2) * sum(works) / pivot.about;
+        let row = self.row(self.lead()).into_iter().map(|(_, e)| e);
+        self.drive = positive_first(row.collect());
+        if let Some(spring) = &pivot.spring {
+            let law = spring.law(up, &angle, &spring.length(up, &angle));
+            let put = |e: Expr, (symbol, is): (&SymbolId, &Expr)| e.put(*symbol, is);
+            self.drive = spring.force.iter().zip(&law).fold(self.drive.clone(), put);
+        }
+        self.last = first;
+        self.m.pivot = Some(pivot);
+        let start = self.value(&self.last);
+        let way =
+            if self.v0 == ZERO { self.along_way(&self.drive.clone(), start) } else { self.value(&self.v0) };
+        self.sense = way.signum();
+    }
+
+    /// An angle in degrees, in radians.
+    fn radians(&mut self, degrees: Expr) -> Expr {
+        let half = self.symbols.given(r"180^\circ", 180.0, "180", "", true);
+        degrees * self.draft.pi() / half
+    }
+
+    /// The angle that a body on a pin has turned, in radians with its sign.
+    pub fn turned(&mut self, pivot: &Pivot) -> SymbolId {
+        let name = format!(r"\Delta {}", self.symbols.tex(pivot.angle));
+        self.symbols.named(&name).unwrap_or_else(|| {
+            let angle = self.radians(&self.last - &pivot.first);
+            self.page.find(&[&name], "rad", angle)
+        })
+    }
+
+    /// What an expression comes to with a body on a pin at this angle, degrees.
+    pub fn along_way(&mut self, of: &Expr, degrees: f64) -> f64 {
+        let Some(angle) = self.m.pivot.as_ref().map(|p| p.angle) else { return f64::NAN };
+        self.symbols.place(angle, degrees);
+        let value = self.value(of);
+        self.symbols.place(angle, f64::NAN);
+        value
+    }
+
+    /// Works of weight, couples and spring from the start to an angle.
+    fn works_on(&self, pivot: &Pivot, to: &Expr, turned: Expr, stretches: &[Expr; 2]) -> Vec<Expr> {
+        let weight = self.m.parts[self.lead().body].mass.times(&self.m.g).times(&pivot.h);
+        let couples = self.row(self.lead()).into_iter();
+        let couples = couples.filter(|(a, _)| matches!(a.source, ForceSource::Couple(_)));
+        let mut works =
+            vec![weight.by(pivot.sinking(&pivot.first, to)), sum(couples.map(|(_, e)| e)) * turned];
+        if let Some(spring) = &pivot.spring {
+            let [first, last] = stretches.each_ref().map(square);
+            works.push(ratio(1, 2) * &spring.stiffness * (first - last));
+        }
+        works.retain(|w| *w != ZERO);
+        works
+    }
+
+    /// Length of the spring on a pinned body at the end.
+    fn last_length(&mut self, pivot: &Pivot, spring: &PivotSpring) -> SymbolId {
+        let last = spring.length(pivot.up, &self.last);
+        let names = ["s_1", "d_1"];
+        let known = names.iter().find_map(|n| self.symbols.named(n));
+        known.unwrap_or_else(|| self.page.find(&names, "m", last))
+    }
+
+    /// The motion of a body on a pin up to its end.
+    fn arrive_on(&mut self, pivot: &Pivot, v: SymbolId) -> Result<(), DerivationStop> {
+        let one = format!("{}_1", self.symbols.tex(pivot.angle));
+        self.last = match self.scene.end {
+            End::Angle(_, angle) => self.number(angle, &one, "deg"),
+            End::Speed(_, w) => self.angle_of(&one, self.datum(w))?,
+            _ => self.angle_of(&one, 0.0)?,
+        };
+        let couples = self.row(self.lead()).iter().any(|(a, _)| matches!(a.source, ForceSource::Couple(_)));
+        let turned = if couples { self.turned(pivot).into() } else { ZERO };
+        let mut stretches = [ZERO, ZERO];
+        if let Some(spring) = &pivot.spring {
+            let names = ["s_0", "d_0"];
+            let known = names.iter().find_map(|n| self.symbols.named(n));
+            let first = spring.length(pivot.up, &pivot.first);
+            let first = known.unwrap_or_else(|| self.page.find(&names, "m", first));
+            let last = self.last_length(pivot, spring);
+            let first = self.page.find(&[r"\delta_0", "e_0"], "m", first - &spring.rest);
+            let last = self.page.find(&[r"\delta_1", "e_1"], "m", last - &spring.rest);
+            stretches = [first.into(), last.into()];
+        }
+        self.works = self.works_on(pivot, &self.last, turned, &stretches);
+        let twice = self.works.iter().map(|w| w.by(number(2)));
+        let gained = match self.works.as_slice() {
+            [one] => one.by(number(2)).over(pivot.about),
+            _ => positive_first(twice.collect()) / pivot.about,
+        };
+        let still = matches!(self.scene.end, End::TurningPoint(_));
+        let from = if still { ZERO } else { root(square(&self.v0) + gained) };
+        self.found(self.of_lead(Quantity::V, Quantity::Omega), v, from);
+        self.v = v.into();
+        if self.symbols.value(v).is_nan() { beyond(Beyond::Unfound) } else { Ok(()) }
+    }
+
+    /// The first angle at which a body on a pin has this speed, as a symbol in degrees.
+    fn angle_of(&mut self, tex: &str, speed: f64) -> Result<Expr, DerivationStop> {
+        let (start, sense, square) = (self.value(&self.last), self.sense, self.square.clone());
+        let mut over = |way: f64| self.along_way(&square, start + sense * way) - speed * speed;
+        let first = over(LOOK);
+        let mut low = LOOK;
+        while over(low + LOOK) * first > 0.0 {
+            low += LOOK;
+            if low > FAR {
+                return beyond(Beyond::Unfound);
+            }
+        }
+        let mut high = low + LOOK;
+        for _ in 0..80 {
+            let middle = 0.5 * (low + high);
+            if over(middle) * first > 0.0 { low = middle } else { high = middle }
+        }
+        let value = start + sense * 0.5 * (low + high);
+        Ok(self.symbols.given(tex, value, &shown::significant(value, FIGURES), "", true).into())
+    }
+
+    /// Time of a body on a pin, s: the integral of the angle over the angular speed, whose ends, where the body may be at rest, a
+    /// cosine takes away.
+    fn time_on(&mut self, pivot: &Pivot, label: Label) -> SymbolId {
+        let (first, last) = (self.value(&pivot.first), self.value(&self.last));
+        let (half, pieces, square) = (0.5 * (last - first).abs(), 40, self.square.clone());
+        let step = std::f64::consts::PI / f64::from(pieces);
+        let mut pace = |theta: f64| {
+            let (sine, cosine): (f64, f64) = trig::sin_cos(theta);
+            let square = self.along_way(&square, first + 0.5 * (last - first) * (1.0 - cosine));
+            half.to_radians() * sine / square.max(f64::MIN_POSITIVE).sqrt()
+        };
+        let mut piece = |i: i32| {
+            let places = gauss::nodes().iter().map(|node| pace((f64::from(i) + node.hi) * step));
+            gauss::mean(&places.collect::<Vec<f64>>())
+        };
+        let time = step * (0..pieces).map(&mut piece).sum::<f64>();
+        let t = self.new_symbol(&["t", "t_1"], "s");
+        self.symbols.settle(t, time, 0.0);
+        self.found(label, t, t.into())
+    }
+
+    /// A quantity that only a body on a pin has, or has in its own way.
+    fn of_pivot(&mut self, pivot: &Pivot, label: Label) -> Result<Option<SymbolId>, DerivationStop> {
+        let body = self.lead().body;
+        let at_end = |this: &Self, e: &Expr| e.put(pivot.angle, &this.last);
+        let mh = self.m.parts[body].mass.times(&pivot.h);
+        let mgh = self.m.parts[body].mass.times(&self.m.g).times(&pivot.h);
+        let pin = |this: &mut Self, quantity| this.get(of_body(quantity, body));
+        let (names, unit, from): ([&str; 2], &str, Expr) = match label.quantity {
+            Quantity::SpringForce => {
+                let Some(spring) = &pivot.spring else { return beyond(Beyond::Unfound) };
+                let length = self.last_length(pivot, spring);
+                let [pull, out, side] = spring.law(pivot.up, &self.last, &length.into());
+                self.found(label, spring.force[0], pull);
+                self.step(spring.force[2], side);
+                self.step(spring.force[1], out);
+                return Ok(Some(spring.force[0]));
+            }
+            Quantity::Alpha => {
+                if pivot.spring.is_some() {
+                    pin(self, Quantity::SpringForce)?;
+                }
+                let row = self.row(self.lead()).into_iter().map(|(_, e)| at_end(self, &e));
+                let from = positive_first(row.filter(|e| *e != ZERO).collect()).over(pivot.about);
+                let Some(alpha) = self.m.acceleration(self.lead()) else { return beyond(Beyond::Unfound) };
+                return Ok(Some(self.found(label, alpha, from)));
+            }
+            Quantity::PinRadial | Quantity::PinTangential => {
+                let radial = label.quantity == Quantity::PinRadial;
+                let (symbol, rate, i) = match radial {
+                    true => (pivot.radial, Expr::from(pin(self, Quantity::Omega)?), 0),
+                    false => (pivot.across, pin(self, Quantity::Alpha)?.into(), 1),
+                };
+                if pivot.spring.is_some() {
+                    pin(self, Quantity::SpringForce)?;
+                }
+                let beside = at_end(self, &self.m.beside_the_pin(pivot)[i]);
+                let gain = mh.by(if radial { square(rate) } else { rate });
+                return Ok(Some(self.found(label, symbol, positive_first(vec![gain - beside]))));
+            }
+            Quantity::PinForce | Quantity::PinX | Quantity::PinY => {
+                let (r, s) = (pin(self, Quantity::PinRadial)?, pin(self, Quantity::PinTangential)?);
+                let (sin, cos) = (sine(&self.last), cosine(&self.last));
+                match label.quantity {
+                    Quantity::PinForce => (["F_O", "O"], "N", root(square(r) + square(s))),
+                    Quantity::PinX => (["O_x", "X_O"], "N", positive_first(vec![s * cos - r * sin])),
+                    _ if pivot.up => (["O_y", "Y_O"], "N", positive_first(vec![-(r * cos) - s * sin])),
+                    _ => (["O_y", "Y_O"], "N", r * cos + s * sin),
+                }
+            }
+            Quantity::PinAngle => {
+                let (x, y) = (pin(self, Quantity::PinX)?, pin(self, Quantity::PinY)?);
+                let angle = arc_cosine(x / root(square(x) + square(y)));
+                ([r"\psi_O", r"\chi_O"], "rad", in_sense(angle, self.symbols.value(y)))
+            }
+            Quantity::V => (["v_G", "u_G"], "m/s", pivot.h.by(pin(self, Quantity::Omega)?)),
+            Quantity::RotationalFraction => ([r"\zeta", r"\zeta_r"], "1", pivot.own.over(pivot.about)),
+            Quantity::Rise => {
+                let sinking = pivot.sinking(&pivot.first, &self.last);
+                ([r"\Delta z", r"\Delta z_G"], "m", -pivot.h.by(sinking))
+            }
+            Quantity::OmegaMax => {
+                let above = if pivot.up { ONE + cosine(&pivot.first) } else { ONE - cosine(&pivot.first) };
+                let fall = mgh.times(number(2)).by(above).over(pivot.about);
+                ([r"\omega_{\mathrm{max}}", r"\omega_m"], "rad/s", root(square(&self.v0) + fall))
+            }
+            Quantity::OmegaSmall => ([r"\Omega", r"\omega_s"], "rad/s", root(mgh.expr() / pivot.about)),
+            Quantity::PeriodSmall => {
+                let turn = number(2) * self.draft.pi();
+                let frequency = self.get(of_body(Quantity::OmegaSmall, body))?;
+                ([r"\tau_0", r"\tau_s"], "s", turn / frequency)
+            }
+            Quantity::T if self.scene.end != End::AtOnce => return Ok(Some(self.time_on(pivot, label))),
+            Quantity::WorkCouple | Quantity::Phi => {
+                self.s = self.turned(pivot).into();
+                return Ok(None);
+            }
+            _ => return Ok(None),
+        };
+        Ok(Some(self.new_found(label, &names, unit, from)))
     }
 
     /// The stretch at which a spring balances a force on the lead.
@@ -881,6 +1138,11 @@ impl<'d, 'a> Account<'d, 'a> {
                 _ => ["L"],
             };
             return Ok(self.new_found(label, &names, unit, ZERO));
+        }
+        if let Some(pivot) = self.m.pivot.clone()
+            && let Some(symbol) = self.of_pivot(&pivot, label)?
+        {
+            return Ok(symbol);
         }
         let c = if label.quantity == Quantity::Displacement || label.quantity == Quantity::Distance {
             along(body)
@@ -1581,7 +1843,7 @@ fn negative(of: &Factors) -> bool {
 fn rank(action: &Action) -> u8 {
     match (action.source, action.kind) {
         (ForceSource::Tie(_), ForceKind::Given) => 0,
-        (ForceSource::Tie(_), ForceKind::Spring) => 1,
+        (_, ForceKind::Spring) | (ForceSource::Spring(_), _) => 1,
         (ForceSource::Couple(_), _) => 2,
         (ForceSource::Tie(_), _) if !action.contact => 3,
         (ForceSource::Tie(_), _) => 4,

@@ -254,6 +254,12 @@ impl<'a> Draft<'a> {
         self.symbols.unknown(tex, &tex_of(unit))
     }
 
+    /// The same, by the first of these symbols that is free.
+    pub fn named(&mut self, names: &[&str], unit: &str) -> SymbolId {
+        let tex = self.free(names);
+        self.unknown(&tex, unit)
+    }
+
     /// Pi, which is its own number.
     pub fn pi(&mut self) -> SymbolId {
         self.symbols.given(r"\pi", std::f64::consts::PI, r"\pi", "", false)
@@ -336,7 +342,8 @@ impl<'a> Draft<'a> {
             Tension,
             Value,
         ];
-        asked::needed(self.scene, self.problem).iter().any(|label| forced.contains(&label.quantity))
+        self.scene.pinned().is_some()
+            || asked::needed(self.scene, self.problem).iter().any(|label| forced.contains(&label.quantity))
     }
 
     /// Is this label asked?

@@ -269,6 +269,24 @@ macro_rules! operators {
 operators! { Expr &Expr SymbolId }
 
 impl Expr {
+    /// With another expression in the place of a symbol.
+    pub fn put(&self, symbol: SymbolId, other: &Self) -> Self {
+        let put = |e: &Self| e.put(symbol, other);
+        match self {
+            Self::Symbol(s) if *s == symbol => other.clone(),
+            Self::Number(..) | Self::Symbol(_) => self.clone(),
+            Self::Minus(inner) => minus(put(inner)),
+            Self::Sum(terms) => sum(terms.iter().map(put)),
+            Self::Product(factors) => product(factors.iter().map(put)),
+            Self::Quotient(over, under) => quotient(put(over), put(under)),
+            Self::Power(base, n) => power(put(base), *n),
+            Self::Root(inner) => root(put(inner)),
+            Self::Of(Function::Sine, inner) => sine(put(inner)),
+            Self::Of(Function::Cosine, inner) => cosine(put(inner)),
+            Self::Of(function, inner) => Self::Of(*function, Box::new(put(inner))),
+        }
+    }
+
     /// The symbols in it, each once, in order.
     pub fn uses(&self) -> Vec<SymbolId> {
         fn collect(expr: &Expr, found: &mut Vec<SymbolId>) {

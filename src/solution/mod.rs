@@ -21,7 +21,6 @@ pub mod factors;
 pub mod lamina;
 pub mod narrate;
 pub mod page;
-pub mod pinned;
 pub mod stop;
 pub mod symbols;
 pub mod terms;
@@ -205,9 +204,6 @@ fn derive(draft: &mut Draft) -> Result<(), DerivationStop> {
 fn scene(draft: &mut Draft) -> Result<(), DerivationStop> {
     if draft.scene.bodies.iter().any(|b| !b.particles.is_empty()) {
         return lamina::sections(draft);
-    }
-    if draft.scene.pinned().is_some() {
-        return pinned::sections(draft);
     }
     if draft.scene.thrown().is_some() && draft.scene.end != End::AtOnce {
         return thrown::sections(draft);

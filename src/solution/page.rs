@@ -69,8 +69,7 @@ impl<'d, 'a> Page<'d, 'a> {
     }
     /// A new quantity, the first of these names that is free, and what it is equal to. The unit is ASCII.
     pub fn find(&mut self, names: &[&str], unit: &str, from: impl Into<Expr>) -> SymbolId {
-        let tex = self.free(names);
-        let symbol = self.unknown(&tex, unit);
+        let symbol = self.named(names, unit);
         self.step(symbol, from.into())
     }
     /// Has it been told?
@@ -213,6 +212,12 @@ impl<'d, 'a> Page<'d, 'a> {
     /// Takes this one as told.
     pub fn told(&mut self, symbol: SymbolId) {
         self.told.push(symbol);
+    }
+    /// Tells these alone, in the order in which they were found; all else counts as told.
+    pub fn tell(&mut self, symbols: &[Option<SymbolId>]) {
+        self.skip_new();
+        self.forget(symbols);
+        self.tell_new();
     }
     /// Takes these as not told yet.
     pub fn forget(&mut self, steps: &[Option<SymbolId>]) {

@@ -84,6 +84,13 @@ impl<'w> Symbols<'w> {
         self.unknown(tex, &unit)
     }
 
+    /// Puts a variable at a value, unrounded, where something is looked for along the way.
+    pub fn place(&mut self, symbol: SymbolId, value: f64) {
+        if let Some(line) = self.lines.get_mut(symbol.0) {
+            line.value = value;
+        }
+    }
+
     /// Gives an unknown its value, which may be off by `doubt` before it is written down.
     pub fn settle(&mut self, symbol: SymbolId, value: f64, doubt: f64) {
         let (value, rounding) = self.kept(value);
