@@ -1166,8 +1166,9 @@ impl<'d, 'a> Narrator<'d, 'a> {
         if self.m.pivot.is_some()
             && asked.iter().any(|l| wanted(l.quantity) && l.quantity != Quantity::SpringForce)
         {
+            let body = self.lead().body;
             for quantity in [Quantity::Alpha, Quantity::PinRadial, Quantity::PinTangential] {
-                self.get(of_body(quantity, self.lead().body))?;
+                self.get(of_body(quantity, body))?;
             }
         }
         for label in asked.iter().filter(|l| wanted(l.quantity)) {
