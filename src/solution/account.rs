@@ -78,6 +78,8 @@ pub struct Account<'d, 'a> {
     pub spring: Option<CordSpring>,
     /// Its stretch at the end.
     pub last: Expr,
+    /// Velocity of the point of contact at the start, of a body thrown with slip.
+    pub slip: Option<SymbolId>,
     /// The slipping contact that is taken as if it rolled.
     pub rolled: Option<usize>,
     known: Vec<(Label, SymbolId)>,
@@ -156,6 +158,7 @@ impl<'d, 'a> Account<'d, 'a> {
             works: Vec::new(),
             spring: None,
             last: ZERO,
+            slip: None,
             rolled,
             known: Vec::new(),
             solving: Vec::new(),
@@ -295,6 +298,12 @@ impl<'d, 'a> Account<'d, 'a> {
     /// Start, sense of the motion, kinetic friction with its sign, the sum of the constant forces.
     fn set_out(&mut self) -> Result<(), DerivationStop> {
         self.v0 = self.start_velocity();
+        if let Some(thrown) = self.scene.thrown().filter(|_| self.scene.end != End::AtOnce) {
+            let c = self.number(thrown.radius_m, "R", "m");
+            let spin = self.number(thrown.spin_rad_s, r"\omega_0", "rad/s");
+            let slip = positive_first(vec![&self.v0 - c * spin]);
+            self.slip = Some(self.page.find(&["u_0", "w_0"], "m/s", slip));
+        }
         self.rub();
         if let (Some(spring), true) = (self.spring.clone(), self.still()) {
             let pull = &spring.stiffness * &spring.stretch;
@@ -321,6 +330,9 @@ impl<'d, 'a> Account<'d, 'a> {
 
     /// Sense of the friction on a body, positive up, as the key has it.
     fn friction_sense(&self, body: usize) -> f64 {
+        if let Some(slip) = self.slip {
+            return -self.symbols.value(slip).signum() * f64::from(self.m.parts[body].up);
+        }
         let key = self.variant.solved.get(of_body(Quantity::Friction, body));
         key.map_or(1.0, |entry| if entry.value() < 0.0 { -1.0 } else { 1.0 })
     }
@@ -476,6 +488,23 @@ impl<'d, 'a> Account<'d, 'a> {
         symbol
     }
 
+    /// What a quantity of the end is, in place of what it was on the way.
+    pub fn ends_as(&mut self, label: Label, symbol: SymbolId) {
+        self.known.retain(|(l, _)| *l != label);
+        self.known.push((label, symbol));
+    }
+
+    /// The magnitude of a quantity: itself, or under bars where it is negative.
+    pub fn sized(&mut self, symbol: SymbolId) -> SymbolId {
+        if self.symbols.value(symbol) >= 0.0 {
+            return symbol;
+        }
+        let name = format!(r"\left|{}\right|", self.symbols.tex(symbol));
+        let size = self.symbols.unknown_like(&name, symbol);
+        self.symbols.settle_by(size, &magnitude(symbol));
+        size
+    }
+
     fn new_found(&mut self, label: Label, names: &[&str], unit: &str, from: Expr) -> SymbolId {
         let tex = self.free(names);
         let mut mark = String::new();
@@ -528,6 +557,10 @@ impl<'d, 'a> Account<'d, 'a> {
                 this.found(a_label, a, per.clone());
             }
         };
+        if self.slip.is_some() {
+            accelerated(self);
+            return Ok(());
+        }
         match self.scene.end {
             End::Travel(_, d) | End::Position(_, d) => {
                 let d = self.length(d);

@@ -25,7 +25,6 @@ pub mod stop;
 pub mod symbols;
 pub mod terms;
 pub mod text;
-pub mod thrown;
 pub mod valued;
 pub mod written;
 
@@ -36,7 +35,7 @@ use crate::num::shown;
 use crate::picture::Picture;
 use crate::problem::make_key;
 use crate::problem::maker::Variant;
-use crate::scene::{End, Owner, Scene, Slope};
+use crate::scene::{Owner, Scene, Slope};
 use crate::sheet::document::Document;
 use crate::solution::draft::{DerivedAnswer, Detail, Draft};
 use crate::solution::stop::{Beyond, DerivationStop};
@@ -204,9 +203,6 @@ fn derive(draft: &mut Draft) -> Result<(), DerivationStop> {
 fn scene(draft: &mut Draft) -> Result<(), DerivationStop> {
     if draft.scene.bodies.iter().any(|b| !b.particles.is_empty()) {
         return lamina::sections(draft);
-    }
-    if draft.scene.thrown().is_some() && draft.scene.end != End::AtOnce {
-        return thrown::sections(draft);
     }
     narrate::sections(draft)
 }

@@ -3,7 +3,7 @@
 use crate::figure::names;
 use crate::num::shown;
 use crate::scene::{
-    AsIf, Coordinate, Degree, End, Far, Label, Mass, Owner, Quantity, RotaryInertia, Span, Tie,
+    AsIf, Coordinate, Degree, End, Far, Label, Mass, Num, Owner, Quantity, RotaryInertia, Span, Thrown, Tie,
 };
 use crate::solution::account::{Account, Eliminated, LOOK, marked, of_body, of_scene, of_tie, speed_of};
 use crate::solution::asked;
@@ -12,7 +12,7 @@ use crate::solution::expr::{
     Expr, ONE, SymbolId, ZERO, cosine, in_sense, magnitude, positive_first, ratio, root, sine, square, sum,
 };
 use crate::solution::factors::{Cancel, Factors};
-use crate::solution::page::{PACKED, WITHIN, aligned, packed};
+use crate::solution::page::{WITHIN, aligned, packed};
 use crate::solution::stop::{Beyond, DerivationStop};
 use crate::solution::symbols::{FIGURES, tex_digits};
 use crate::solution::terms::{Action, ForceKind, ForceSource, Pivot};
@@ -37,13 +37,23 @@ enum Short {
     Instant,
 }
 
+/// Velocity, spin, displacement and angle of a thrown body at the end of a leg.
+#[derive(Debug, Clone, Copy)]
+struct LegEnd {
+    v: SymbolId,
+    w: SymbolId,
+    x: SymbolId,
+    phi: SymbolId,
+}
+
 /// Writes the sections of a scene of lines and axles.
 ///
 /// # Errors
 /// What is not covered, by name.
 pub fn sections(draft: &mut Draft) -> Result<(), DerivationStop> {
-    let ties = &draft.scene.ties;
-    let slips: Vec<usize> = (0..ties.len()).filter(|t| matches!(ties[*t], Tie::Slip { .. })).collect();
+    let (ties, thrown) = (&draft.scene.ties, draft.scene.thrown().is_some());
+    let slips = (0..ties.len()).filter(|t| matches!(ties[*t], Tie::Slip { .. }) && !thrown);
+    let slips: Vec<usize> = slips.collect();
     let alone = draft.scene.bodies.len() == 1 && slips.len() == 1;
     let mut rolled = Vec::new();
     for tie in slips {
@@ -57,6 +67,7 @@ pub fn sections(draft: &mut Draft) -> Result<(), DerivationStop> {
     let end = account.scene.end;
     let short = match end {
         End::AtOnce => Short::Instant,
+        _ if account.slip.is_some() => Short::Neither,
         _ if stays || !account.m.one => Short::Together,
         _ if !rolled.is_empty() && alone => Short::Neither,
         _ if !rolled.is_empty() => Short::Together,
@@ -315,6 +326,8 @@ impl<'d, 'a> Narrator<'d, 'a> {
             (Short::Instant, _) => "idea.instant",
             (Short::Together, _) if self.stays() => "idea.stays",
             (Short::Together, _) => "idea.together",
+            (Short::Neither, End::Rolling(_)) => "thrown.idea",
+            (Short::Neither, _) if self.slip.is_some() => "thrown.idea_time",
             (Short::Neither, _) => "idea.slips",
             (Short::Motion, _) => "idea.time",
             (Short::Energy, End::Travel(..) | End::Position(..)) if spring => "idea.spring",
@@ -700,6 +713,9 @@ impl<'d, 'a> Narrator<'d, 'a> {
         let first = self.short == Short::Instant
             || id == "short" && matches!(self.short, Short::Motion | Short::Energy);
         self.tell_ratios();
+        if let Some(slip) = self.slip {
+            self.slip_at_start(slip)?;
+        }
         self.say_senses();
         self.write_rows();
         if first || self.short == Short::Together && self.m.one {
@@ -728,7 +744,10 @@ impl<'d, 'a> Narrator<'d, 'a> {
             self.say("motion.links", &[("links", &links.join(", "))]);
         }
         if self.short == Short::Neither {
-            return self.two_freedoms();
+            return match (self.scene.thrown(), self.slip) {
+                (Some(thrown), Some(slip)) => self.legs(&thrown, slip),
+                _ => self.two_freedoms(),
+            };
         }
         let gone = if self.m.one { self.elimination().ok() } else { None };
         let Some((gone, last)) = gone else { return self.solved_together(id) };
@@ -984,6 +1003,262 @@ impl<'d, 'a> Narrator<'d, 'a> {
         }
     }
 
+    /// Friction of a slipping body, and the acceleration and the angular acceleration, each from its own equation.
+    fn tell_own(&mut self, body: usize) -> Result<(SymbolId, SymbolId), DerivationStop> {
+        self.tell_frictions();
+        let rates = (self.get(of_body(Quantity::A, body))?, self.get(of_body(Quantity::Alpha, body))?);
+        self.say("motion.own", &[]);
+        let from =
+            |n: &Self, symbol| n.steps.iter().find(|s| s.symbol == symbol).map_or(ZERO, |s| s.from.clone());
+        let lines = [rates.0, rates.1].map(|s| self.chain(s, &from(self, s)).concat());
+        for line in packed(lines) {
+            self.formula(if line.contains('&') { aligned(&line) } else { line });
+        }
+        Ok(rates)
+    }
+
+    /// How the contact of a body slips that is thrown.
+    fn slip_at_start(&mut self, slip: SymbolId) -> Result<(), DerivationStop> {
+        let (body, value) =
+            (self.lead().body, self.symbols.value(slip) * f64::from(self.m.parts[self.lead().body].up));
+        if value == 0.0 {
+            return Err(Beyond::Unfound.into());
+        }
+        self.say("thrown.slip", &[]);
+        self.tell(&[Some(slip)]);
+        let size = self.sized(slip);
+        self.ends_as(of_body(Quantity::SlipSpeed, body), size);
+        let (slides, points) = (self.way(body, value), self.way(body, -value));
+        self.say("thrown.sense", &[("slides", &slides), ("points", &points)]);
+        Ok(())
+    }
+
+    /// A body thrown with slip: when the slip ends, where it is then or at the time asked, and the heat.
+    fn legs(&mut self, thrown: &Thrown, slip: SymbolId) -> Result<(), DerivationStop> {
+        let body = thrown.body;
+        let (a, alpha) = self.tell_own(body)?;
+        self.skip_new();
+        let (c, w0) =
+            (self.number(thrown.radius_m, "R", "m"), self.number(thrown.spin_rad_s, r"\omega_0", "rad/s"));
+        let (v0, sense) = (self.v0.clone(), self.symbols.value(slip).signum());
+        let tex = self.free(&["u", "w"]);
+        let rate = self.find(&[&format!(r"\dot{{{tex}}}")], "m/s^2", a - &c * alpha);
+        let closes = self.symbols.value(rate) * sense < 0.0;
+        self.say(if closes { "thrown.even" } else { "thrown.even_open" }, &[]);
+        let asked = match self.scene.end {
+            End::Time(_, t) => Some(self.number(t, "t_1", "s")),
+            _ => None,
+        };
+        let names = if asked.is_some() { ["t_r", "t_e"] } else { ["t", "t_r"] };
+        let event = closes.then(|| self.find(&names, "s", -(slip / rate)));
+        self.tell_new();
+        // Would it roll on?
+        let normal = self.get(of_body(Quantity::Normal, body))?;
+        let (fall, j) = (self.fall(), self.inertia_of(body).per(square(&c)));
+        let rolling = fall.over(self.m.parts[body].mass.plus(&j));
+        let grip = self.number(thrown.mu_s, r"\mu_s", "1") * normal;
+        let holds = self.value(&j.by(&rolling)).abs() <= self.value(&grip);
+        let rolls = matches!((&asked, event), (Some(t), Some(e)) if self.value(t) > self.symbols.value(e));
+        let slid = match (&asked, event) {
+            (Some(t), _) if !rolls => t.clone(),
+            (_, Some(event)) if holds => event.into(),
+            _ => return Err(Beyond::Unfound.into()),
+        };
+        if let (Some(t), Some(event)) = (&asked, event) {
+            let pieces = [("asked", &*self.inline(t)), ("event", &*self.names(&[event]))];
+            self.say(if rolls { "thrown.by_then" } else { "thrown.not_yet" }, &pieces);
+        }
+        let at = self.inline(&slid);
+        self.say("thrown.state", &[("t", &at)]);
+        let way = |start: &Expr, rate: SymbolId| start * &slid + ratio(1, 2) * (rate * square(&slid));
+        let spins = (asked.is_some() && !rolls).then(|| &w0 + alpha * &slid);
+        let mark = if rolls { r"\mathrm{r}" } else { "1" };
+        let mark = if asked.is_some() { mark } else { "" };
+        let phi = way(&w0, alpha);
+        let first = self.leg(mark, [&v0 + a * &slid, way(&v0, a)], spins.clone(), &c, &|_| phi.clone());
+        if self.value(&v0) * self.symbols.value(first.v) < 0.0 {
+            self.say("thrown.turns_back", &[]);
+        }
+        let left = spins.map_or(ZERO, |_| self.find(&["u_1", "w_1"], "m/s", slip + rate * &slid).into());
+        let mean = in_sense(slip + left, sense);
+        self.say("thrown.heat", &[]);
+        let distance = self.find(&["l", r"\ell", r"\lambda"], "m", mean.by(&slid).by(ratio(1, 2)));
+        let mu_k = self.number(thrown.mu_k, r"\mu_k", "1");
+        let heat = self.find(&["Q", "Q_f"], "J", mu_k * normal * distance);
+        self.tell_new();
+        let mut end = first;
+        let mut rates = [a, alpha];
+        let of_rolling = [Quantity::ARolling, Quantity::FrictionIfRolled, Quantity::MuRequired];
+        if rolls || of_rolling.iter().any(|q| self.asks(*q)) {
+            self.say(if fall == ZERO { "thrown.roll_level" } else { "thrown.roll" }, &[]);
+            let tex = marked(self.symbols.tex(a), r"\mathrm{r}");
+            let a_r = self.find(&[&tex], "m/s^2", rolling);
+            let f = self.get(of_body(Quantity::Friction, body))?;
+            let tex = marked(self.symbols.tex(f), r"\mathrm{r}");
+            let f_r =
+                if fall == ZERO { ZERO } else { in_sense(j.by(a_r), -f64::from(self.m.parts[body].up)) };
+            let f_r = self.find(&[&tex], "N", f_r);
+            self.draft.answer(of_body(of_rolling[1], body), DerivedAnswer::Value(f_r));
+            self.ends_as(of_body(of_rolling[0], body), a_r);
+            if self.asks(of_rolling[2]) {
+                let size = self.size(f_r.into());
+                let mu = self.find(&[r"\mu_{\mathrm{min}}"], "1", size / normal);
+                self.ends_as(of_body(of_rolling[2], body), mu);
+            }
+            self.tell_new();
+            if let (true, Some(t), Some(event)) = (rolls, &asked, event) {
+                self.say("thrown.leg", &[]);
+                let left = self.find(&[r"\Delta t"], "s", t - event);
+                let x = first.x + first.v * left + ratio(1, 2) * (a_r * square(left));
+                let phi = |x: SymbolId| first.phi + (x - first.x) / &c;
+                end = self.leg("1", [first.v + a_r * left, x], None, &c, &phi);
+                let tex = marked(self.symbols.tex(alpha), r"\mathrm{r}");
+                rates = [a_r, self.find(&[&tex], "rad/s^2", a_r / &c)];
+                if !self.asks(Quantity::Alpha) {
+                    self.skip_new();
+                }
+                self.ends_as(of_body(Quantity::Friction, body), f_r);
+            }
+        }
+        let [turned, started] =
+            [(&v0, first.v, a), (&first.v.into(), end.v, rates[0])].map(|(from, to, a)| {
+                let turns = self.value(from) * self.symbols.value(to) < 0.0;
+                turns.then(|| square(from) / (Expr::Number(2, 1) * a))
+            });
+        if self.asks(Quantity::Distance) {
+            let turn = turned.map(|way| -way).or_else(|| started.map(|way| first.x - way));
+            let way = match turn {
+                // There and back.
+                Some(turn) => {
+                    let turn = self.find(&["x_t"], "m", turn);
+                    magnitude(turn) + magnitude(end.x - turn)
+                }
+                None => in_sense(end.x.into(), self.symbols.value(end.x)),
+            };
+            let d = self.find(&["d", "d_G"], "m", way);
+            self.ends_as(of_body(Quantity::Distance, body), d);
+        }
+        let sized = [end.v, end.w, end.phi].map(|s| self.sized(s));
+        let of = |q| of_body(q, body);
+        let ends = [(Quantity::V, sized[0]), (Quantity::Omega, sized[1]), (Quantity::Phi, sized[2])];
+        let more = [(Quantity::Displacement, end.x), (Quantity::A, rates[0]), (Quantity::Alpha, rates[1])];
+        for (quantity, symbol) in ends.into_iter().chain(more).chain([(Quantity::SlipDistance, distance)]) {
+            self.ends_as(of(quantity), symbol);
+        }
+        self.ends_as(of_scene(Quantity::Heat), heat);
+        if let (Some(Expr::Symbol(t)), _) | (None, Some(t)) = (&asked, event.as_ref()) {
+            self.ends_as(of_scene(Quantity::T), *t);
+        }
+        (self.s, self.v, self.sense) = (end.x.into(), sized[0].into(), self.symbols.value(end.v).signum());
+        self.word(of(Quantity::Rolls), if holds { Word::Yes } else { Word::No });
+        self.by_balances([&v0, &w0, &c, &slid], slip, first, heat, rolls);
+        Ok(())
+    }
+
+    /// Sum of the given forces on the lead.
+    fn fall(&self) -> Expr {
+        positive_first(self.shares(&[ForceKind::Given]).into_iter().map(|(_, e)| e).collect())
+    }
+
+    /// Moment of inertia of a body as one term.
+    fn inertia_of(&self, body: usize) -> Factors {
+        self.m.parts[body].inertia.iter().fold(Factors::zero(), |all, i| all.plus(i))
+    }
+
+    /// Where a thrown body is at the end of a leg; it rolls where no spin is given.
+    fn leg(
+        &mut self,
+        mark: &str,
+        [v, x]: [Expr; 2],
+        spin: Option<Expr>,
+        c: &Expr,
+        phi: &dyn Fn(SymbolId) -> Expr,
+    ) -> LegEnd {
+        let name = |n: &Self, names: &[&str]| {
+            let tex = n.free(names);
+            if mark.is_empty() { tex } else { marked(&tex, mark) }
+        };
+        let (tex, spin_tex) = (name(self, &["v", "v_G"]), name(self, &[r"\omega", r"\Omega"]));
+        let v = self.find(&[&tex], "m/s", v);
+        let w = self.find(&[&spin_tex], "rad/s", spin.unwrap_or_else(|| v / c));
+        let tex = name(self, &["x", "x_G"]);
+        let x = self.find(&[&tex], "m", x);
+        self.tell_new();
+        let tex = name(self, &[r"\phi", r"\varphi", r"\psi"]);
+        let phi = self.find(&[&tex], "rad", phi(x));
+        if self.asks(Quantity::Phi) {
+            self.tell_new();
+        }
+        self.skip_new();
+        LegEnd { v, w, x, phi }
+    }
+
+    /// Angular momentum about the contact, and the balance of energies: what they give, and what not.
+    fn by_balances(
+        &mut self,
+        [v0, w0, c, t]: [&Expr; 4],
+        slip: SymbolId,
+        end: LegEnd,
+        heat: SymbolId,
+        rolls: bool,
+    ) {
+        let body = self.lead().body;
+        let (fall, mass, own) = (self.fall(), self.m.parts[body].mass.clone(), self.inertia_of(body));
+        let level = fall == ZERO;
+        self.begin_as("long", "slip_energy");
+        self.say(if level { "thrown.momentum_level" } else { "thrown.momentum" }, &[]);
+        let spun = |w: &Expr, v: &Expr| own.by(w) + mass.times(c).by(v);
+        let half = ratio(1, 2);
+        let kinetic = |w: &Expr, v: &Expr| mass.by(square(v)).by(&half) + own.by(square(w)).by(&half);
+        let (w, v) = (Expr::from(end.w), Expr::from(end.v));
+        let turned = spun(w0, v0) + fall.by(c).by(t);
+        let line = format!("{} = {}", self.tex(&turned), self.tex(&spun(&w, &v)));
+        self.formula(line);
+        self.say("thrown.balance", &[]);
+        let left = kinetic(w0, v0) - heat + fall.by(end.x);
+        let line = format!("{} = {}", self.tex(&left), self.tex(&kinetic(&w, &v)));
+        self.formula(line);
+        if level && (rolls || !matches!(self.scene.end, End::Time(..))) {
+            // The speed at which rolling begins, and the heat, without the friction.
+            let carried = mass.plus(&own.per(square(c)));
+            let speed = (mass.by(v0) + own.by(w0).over(c)).over(&carried);
+            let whole = own.plus(&mass.times(square(c))).times(Expr::Number(2, 1));
+            let lost = mass.times(&own).times(square(slip)).over(&whole);
+            self.say("thrown.by_momentum", &[]);
+            let lines =
+                [(end.v, speed), (heat, lost)].map(|(symbol, from)| self.chain(symbol, &from).concat());
+            for line in packed(lines) {
+                self.formula(if line.contains('&') { aligned(&line) } else { line });
+            }
+        }
+        self.begin_as("why", "which");
+        self.say(if level { "thrown.why_level" } else { "thrown.why" }, &[]);
+        self.say("why.ask_slip", &[]);
+    }
+
+    /// Can a thrown body roll on?
+    fn rolls_on(&mut self, body: usize, mu_s: Num) -> Result<(), DerivationStop> {
+        let normal = self.get(of_body(Quantity::Normal, body))?;
+        let shown = self.shown(normal);
+        self.say("thrown.presses", &[("n", &shown)]);
+        let still_slips =
+            matches!(self.scene.end, End::Time(..)) && self.symbols.named(r"\Delta t").is_none();
+        let fall = self.fall();
+        if still_slips {
+        } else if fall == ZERO {
+            self.say("thrown.rolls_on_level", &[]);
+        } else {
+            let c = self.m.action_of(0).map_or_else(Factors::one, |a| self.magnitude(&a.arm));
+            let j = self.inertia_of(body).per(&c.squared());
+            let needed = j.by(&fall).over(self.m.parts[body].mass.plus(&j));
+            let needed = self.valued(&in_sense(needed.clone(), self.value(&needed)), "N");
+            let limit = self.number(mu_s, r"\mu_s", "1") * normal;
+            let limit = self.valued(&limit, "N");
+            self.say("thrown.rolls_on", &[("needed", &needed), ("limit", &limit)]);
+        }
+        Ok(())
+    }
+
     /// A slipping wheel: each freedom has its own equation.
     fn two_freedoms(&mut self) -> Result<(), DerivationStop> {
         let Some(body) = self.m.parts.iter().position(|p| p.slips) else {
@@ -992,22 +1267,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
         if self.m.parts.len() > 1 {
             return Err(Beyond::Unfound.into());
         }
-        self.tell_frictions();
-        let a = self.get(of_body(Quantity::A, body))?;
-        let from = self.steps.iter().find(|s| s.symbol == a).map_or(ZERO, |s| s.from.clone());
-        let line = self.chain(a, &from).concat();
-        let alpha = self.get(of_body(Quantity::Alpha, body))?;
-        let from = self.steps.iter().find(|s| s.symbol == alpha).map_or(ZERO, |s| s.from.clone());
-        let other = self.chain(alpha, &from).concat();
-        self.say("motion.own", &[]);
-        if self.detail == Detail::Full || width(&line) + width(&other) > PACKED {
-            for l in [line, other] {
-                let l = if l.contains('&') { aligned(&l) } else { l };
-                self.formula(l);
-            }
-        } else {
-            self.formula(format!(r"{line}, \qquad {other}"));
-        }
+        let (a, alpha) = self.tell_own(body)?;
         let c = self.contact_of(body).and_then(|t| self.m.action_of(t)).map(|x| self.magnitude(&x.arm));
         if let Some(c) = c {
             let share = c.times(alpha).over(a);
@@ -1044,6 +1304,9 @@ impl<'d, 'a> Narrator<'d, 'a> {
 
     /// Energy for a slipping wheel: one equation for two unknowns, and the theorem of the mass centre beside it.
     fn energy_of_slip(&mut self) -> Result<(), DerivationStop> {
+        if self.slip.is_some() {
+            return Ok(());
+        }
         self.begin_as("long", "slip_energy");
         let Some(body) = self.m.parts.iter().position(|p| p.slips) else { return Ok(()) };
         let phi = self.get(of_body(Quantity::Phi, body))?;
@@ -1422,6 +1685,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
                 Tie::Roll { body, mu_s, .. } if self.m.parts[body].normal.is_some() => {
                     self.grips(body, mu_s)?;
                 }
+                Tie::Slip { body, mu_s, .. } if self.slip.is_some() => self.rolls_on(body, mu_s)?,
                 Tie::Slip { body, .. } => self.slides_against(body)?,
                 Tie::Cord(c) => match c.to {
                     Far::Body(_) | Far::Fixed => taut.extend(self.taut(tie)?),
@@ -1654,6 +1918,12 @@ impl<'d, 'a> Narrator<'d, 'a> {
             self.limits_on(&pivot);
             return Ok(());
         }
+        if self.slip.is_some() {
+            let slips = matches!(self.scene.end, End::Time(..)) && self.symbols.named(r"\Delta t").is_none();
+            let level = self.fall() == ZERO && !slips;
+            self.say(if level { "thrown.limit_level" } else { "thrown.limit" }, &[]);
+            return Ok(());
+        }
         if self.short == Short::Energy && self.v0 == ZERO && self.spring.is_none() {
             self.massless_limit();
         }
@@ -1777,6 +2047,8 @@ impl<'d, 'a> Narrator<'d, 'a> {
         let name = match () {
             () if self.m.pivot.is_some() && braked => "pinned.onward_spring",
             () if self.m.pivot.is_some() => "pinned.onward",
+            () if self.slip.is_some() && matches!(self.scene.end, End::Time(..)) => "thrown.onward_time",
+            () if self.slip.is_some() => "thrown.onward",
             () if self.short == Short::Neither => "onward.slips",
             () if self.spring.is_some() => "onward.spring",
             () if wheel && pulled => "onward.pulled",

@@ -11,7 +11,7 @@ use std::ops::{Deref, DerefMut};
 /// Widest formula that stands within a sentence.
 pub const WITHIN: f64 = 34.0;
 /// Widest line of several formulas: the gaps between them do not shrink.
-pub const PACKED: f64 = LINE - 8.0;
+const PACKED: f64 = LINE - 8.0;
 /// So many formulas may stand within a sentence.
 const FEW: usize = 2;
 
