@@ -459,7 +459,7 @@ impl<'d, 'a> Account<'d, 'a> {
     pub fn shares(&self, kinds: &[ForceKind]) -> Vec<(Action, Expr)> {
         let mut list: Vec<(Action, Factors)> = Vec::new();
         for action in self.m.actions.iter().filter(|a| kinds.contains(&a.kind)) {
-            let share = Factors::of(&action.force).times(&self.point(action));
+            let share = Factors::of(&action.force).times(self.point(action));
             if !share.is_zero() {
                 list.push((action.clone(), share));
             }
@@ -873,7 +873,7 @@ impl<'d, 'a> Account<'d, 'a> {
 
     /// Angular frequency of the swing on a spring.
     fn frequency(&mut self, spring: &CordSpring) -> SymbolId {
-        let per = Factors::of(&spring.stiffness).times(&spring.gamma.squared());
+        let per = Factors::of(&spring.stiffness).times(spring.gamma.squared());
         let frequency = root(per.over(&self.effective));
         self.swung(&[r"\omega_{\mathrm{s}}", r"\Omega_{\mathrm{s}}"], "rad/s", frequency)
     }
@@ -1321,7 +1321,7 @@ impl<'d, 'a> Account<'d, 'a> {
 
     /// By the lead's, a magnitude.
     fn over_lead(&self, of: &Expr, c: Coordinate) -> Expr {
-        of.by(&self.magnitude(self.m.ratio(c)))
+        of.by(self.magnitude(self.m.ratio(c)))
     }
 
     /// Speed (1) or distance (2) of a coordinate with an acceleration of its own, from rest: by the time, or, since all accelerations
@@ -1486,7 +1486,7 @@ impl<'d, 'a> Account<'d, 'a> {
     /// There is no spring.
     pub fn turning_or_slack(&mut self) -> Result<(Expr, bool), DerivationStop> {
         let Some(spring) = self.spring.clone() else { return beyond(Beyond::Unfound) };
-        let kappa = spring.stiffness.by(&spring.gamma.squared());
+        let kappa = spring.stiffness.by(spring.gamma.squared());
         let pull = Factors::of(&spring.stiffness).times(&spring.gamma).times(&spring.stretch);
         let turn = if self.v0 == ZERO {
             number(2) * positive_first(vec![pull.expr(), self.drive.clone()]) / kappa
@@ -1623,7 +1623,7 @@ impl<'d, 'a> Account<'d, 'a> {
             let way = in_sense(way.clone(), self.value(&way));
             positive_first(vec![way])
         } else {
-            self.distance().by(&self.magnitude(&self.point(&action)))
+            self.distance().by(self.magnitude(&self.point(&action)))
         };
         Ok(self.new_found(label, &[&tagged(r"\ell", &tag), &tagged("L", &tag)], "m", from))
     }
@@ -1684,7 +1684,7 @@ impl<'d, 'a> Account<'d, 'a> {
                     let omega = self.get(of_body(Quantity::Omega, body))?;
                     turning.push(ratio(1, 2) * i.expr() * square(omega));
                 } else {
-                    turning.push(i.by(&self.m.ratio(c).squared()));
+                    turning.push(i.by(self.m.ratio(c).squared()));
                 }
             }
         }

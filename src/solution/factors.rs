@@ -48,9 +48,9 @@ impl Factors {
         match expr {
             Expr::Number(a, b) => Self { constant: (*a, *b), ..Self::one() },
             Expr::Minus(inner) => Self::of(inner).opposite(),
-            Expr::Product(factors) => factors.iter().fold(Self::one(), |all, f| all.times(&Self::of(f))),
-            Expr::Quotient(over, under) => Self::of(over).per(&Self::of(under)),
-            Expr::Power(base, n) => (0..*n).fold(Self::one(), |all, _| all.times(&Self::of(base))),
+            Expr::Product(factors) => factors.iter().fold(Self::one(), |all, f| all.times(Self::of(f))),
+            Expr::Quotient(over, under) => Self::of(over).per(Self::of(under)),
+            Expr::Power(base, n) => (0..*n).fold(Self::one(), |all, _| all.times(Self::of(base))),
             other => Self { over: vec![other.clone()], ..Self::one() },
         }
     }
@@ -160,14 +160,14 @@ impl Factors {
         }
         let both = if first.constant.0 < 0 && second.constant.0 < 0 {
             return outside
-                .times(&Self::of(&(first.opposite().expr() + second.opposite().expr())))
+                .times(Self::of(&(first.opposite().expr() + second.opposite().expr())))
                 .opposite();
         } else if first.constant.0 < 0 {
             second.expr() - first.opposite().expr()
         } else {
             first.expr() + second.expr()
         };
-        outside.times(&Self::of(&both))
+        outside.times(Self::of(&both))
     }
     /// As an expression: powers collected.
     pub fn expr(&self) -> Expr {

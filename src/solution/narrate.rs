@@ -1114,9 +1114,10 @@ impl<'d, 'a> Narrator<'d, 'a> {
                 end = self.leg("1", [first.v + a_r * left, x], None, &c, &phi);
                 let tex = marked(self.symbols.tex(alpha), r"\mathrm{r}");
                 rates = [a_r, self.find(&[&tex], "rad/s^2", a_r / &c)];
-                if !self.asks(Quantity::Alpha) {
-                    self.skip_new();
+                if self.asks(Quantity::Alpha) {
+                    self.tell_new();
                 }
+                self.skip_new();
                 self.ends_as(of_body(Quantity::Friction, body), f_r);
             }
         }
@@ -1236,26 +1237,31 @@ impl<'d, 'a> Narrator<'d, 'a> {
         self.say("why.ask_slip", &[]);
     }
 
+    /// Does a thrown body still slip at the time that is asked?
+    fn still_slips(&self) -> bool {
+        matches!(self.scene.end, End::Time(..)) && self.symbols.named(r"\Delta t").is_none()
+    }
+
     /// Can a thrown body roll on?
     fn rolls_on(&mut self, body: usize, mu_s: Num) -> Result<(), DerivationStop> {
         let normal = self.get(of_body(Quantity::Normal, body))?;
         let shown = self.shown(normal);
         self.say("thrown.presses", &[("n", &shown)]);
-        let still_slips =
-            matches!(self.scene.end, End::Time(..)) && self.symbols.named(r"\Delta t").is_none();
         let fall = self.fall();
-        if still_slips {
-        } else if fall == ZERO {
-            self.say("thrown.rolls_on_level", &[]);
-        } else {
-            let c = self.m.action_of(0).map_or_else(Factors::one, |a| self.magnitude(&a.arm));
-            let j = self.inertia_of(body).per(&c.squared());
-            let needed = j.by(&fall).over(self.m.parts[body].mass.plus(&j));
-            let needed = self.valued(&in_sense(needed.clone(), self.value(&needed)), "N");
-            let limit = self.number(mu_s, r"\mu_s", "1") * normal;
-            let limit = self.valued(&limit, "N");
-            self.say("thrown.rolls_on", &[("needed", &needed), ("limit", &limit)]);
+        if self.still_slips() {
+            return Ok(());
         }
+        if fall == ZERO {
+            self.say("thrown.rolls_on_level", &[]);
+            return Ok(());
+        }
+        let c = self.contact_of(body).and_then(|t| self.m.action_of(t)).map(|a| self.magnitude(&a.arm));
+        let j = self.inertia_of(body).per(c.unwrap_or_else(Factors::one).squared());
+        let needed = j.by(&fall).over(self.m.parts[body].mass.plus(&j));
+        let needed = self.valued(&in_sense(needed.clone(), self.value(&needed)), "N");
+        let limit = self.number(mu_s, r"\mu_s", "1") * normal;
+        let limit = self.valued(&limit, "N");
+        self.say("thrown.rolls_on", &[("needed", &needed), ("limit", &limit)]);
         Ok(())
     }
 
@@ -1919,8 +1925,7 @@ impl<'d, 'a> Narrator<'d, 'a> {
             return Ok(());
         }
         if self.slip.is_some() {
-            let slips = matches!(self.scene.end, End::Time(..)) && self.symbols.named(r"\Delta t").is_none();
-            let level = self.fall() == ZERO && !slips;
+            let level = self.fall() == ZERO && !self.still_slips();
             self.say(if level { "thrown.limit_level" } else { "thrown.limit" }, &[]);
             return Ok(());
         }

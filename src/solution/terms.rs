@@ -687,7 +687,7 @@ pub fn inertia(draft: &mut Draft, body: &Body, mass: &Factors, g: &Expr, tag: &s
     }
     let shape = |draft: &mut Draft, mass: Factors, shape: Shape, radius: Num| {
         let radius = Factors::of(&draft.number(radius, "R", "m"));
-        Factors::of(&beta(shape)).times(&mass).times(&radius.squared())
+        Factors::of(&beta(shape)).times(&mass).times(radius.squared())
     };
     let all = match &body.inertia {
         None => Vec::new(),
